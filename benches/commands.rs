@@ -1,8 +1,8 @@
 //! What whole commands cost: those that answer at once, beyond what `--version` takes; and certificates, beside the
 //! constants that are in them.
 //!
-//! Each command is started anew, on one thread, in turns with the others; the shortest time of many runs is kept. Nothing
-//! is asserted.
+//! Each command is started anew, on one thread, in turns with the others; the shortest time of many runs is kept.
+//! Nothing is asserted.
 
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};

@@ -1,6 +1,6 @@
-//! What a sweep costs beside the library alone: the processor time of a plan swept into a folder, over that of a loop over
-//! the same arches which keeps verdict, mode and nearest doubles in memory and writes nothing. Both with two threads, in
-//! turns, in one process, so nothing that a process costs to start is in it. Nothing is asserted.
+//! What a sweep costs beside the library alone: the processor time of a plan swept into a folder, over that of a
+//! loop over the same arches which keeps verdict, mode and nearest doubles in memory and writes nothing. Both with
+//! two threads, in turns, in one process, so nothing that a process costs to start is in it. Nothing is asserted.
 //!
 //! | plan | the library alone |
 //! |---|---|
@@ -8,8 +8,8 @@
 //! | a sample of 1,000,000 | the arches are drawn, and each is proved on its own; and beside it without the time in which they are drawn |
 //! | a table of 1,000,000 rows | the texts of the same arches, in memory, are read, and each is proved on its own |
 //!
-//! `doubles` is the loop that `couplet.states` of Python compares with: 100,000 arches of doubles, one thread, each proved on
-//! its own, and all of them as rows.
+//! `doubles` is the loop that `couplet.states` of Python compares with: 100,000 arches of doubles, one thread, each
+//! proved on its own, and all of them as rows.
 
 use couplet::Error;
 use couplet::arch::SelfWeight;

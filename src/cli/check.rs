@@ -19,7 +19,8 @@ pub(super) struct Arguments {
     files: Vec<OsString>,
 
     /// Arithmetic: astro (pure Rust, shares nothing with MPFR, up to 50000 digits); where they are built in, mpfr, and
-    /// malachite (pure Rust, quicker than astro, up to 50000 digits; in part MPFR's algorithms, so no witness beside mpfr).
+    /// malachite (pure Rust, quicker than astro, up to 50000 digits; in part MPFR's algorithms, so no witness
+    /// beside mpfr).
     #[arg(long, default_value = "astro", value_parser = |name: &str| Engine::named(name, OTHERS))]
     engine: Engine,
 }

@@ -52,7 +52,7 @@ pub fn run() -> ExitCode {
     ExitCode::from(run_from(std::env::args_os().skip(1).collect()))
 }
 
-/// The same with these arguments, without the name of the program; the exit code.
+/// Exit code of a run with these arguments, without the name of the program; the exit code.
 pub fn run_from(arguments: Vec<OsString>) -> u8 {
     line::keep(&arguments);
     let program = Cli::command().color(color(&arguments));
@@ -86,7 +86,7 @@ impl Cli {
     }
 }
 
-/// When to colour, which has to be known before the arguments are read: help is a part of reading them.
+/// Choice of when to colour, which has to be known before the arguments are read: help is a part of reading them.
 fn color(words: &[OsString]) -> ColorChoice {
     let mut arguments = words.iter().map(OsString::as_os_str);
     while let Some(argument) = arguments.next() {
@@ -139,7 +139,8 @@ fn usage(error: &clap::Error) -> u8 {
     2
 }
 
-/// What is missing, in one clause, and what a whole line has, as the first usage in the `text` of the error says.
+/// Message of what is missing, in one clause, and what a whole line has, as the first usage in the `text` of
+/// the error says.
 fn missing(error: &clap::Error, text: &str) -> Option<String> {
     use clap::error::{ContextKind, ContextValue, ErrorKind};
     let (ErrorKind::MissingRequiredArgument, Some(ContextValue::Strings(names))) =

@@ -1,4 +1,4 @@
-//! What the program is made of: what somebody has to know who quotes its numbers.
+//! Versions of what the program is made of: what somebody has to know who quotes its numbers.
 
 use std::sync::LazyLock;
 

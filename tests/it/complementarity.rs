@@ -227,7 +227,8 @@ fn a_branch_is_drawn_beside_the_least_thickness() {
     assert!(drawn.contains("that there are no others is not proved"));
 }
 
-/// That there is no least thickness is an answer: every thickness stands, or none does. A row of CSV says it, and what the programme (20) is.
+/// That there is no least thickness is an answer: every thickness stands, or none does. A row of CSV says it, and
+/// what the programme (20) is.
 #[test]
 fn no_least_thickness_is_an_answer() {
     for (mu, stones, outcome, words) in [

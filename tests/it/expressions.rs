@@ -1,6 +1,6 @@
-//! The cubics (7) and the radicand (12) once more, as the paper prints them, by the expressions of astro-float: its macro
-//! reads the formula and chooses the precision of every step itself. At the middle of a certified state the values lie in
-//! what balls enclose over all of it; with one sign changed they do not.
+//! The cubics (7) and the radicand (12) once more, as the paper prints them, by the expressions of astro-float: its
+//! macro reads the formula and chooses the precision of every step itself. At the middle of a certified state the
+//! values lie in what balls enclose over all of it; with one sign changed they do not.
 
 use crate::arches::{M, arch};
 use astro_float::ctx::Context;
@@ -17,9 +17,9 @@ use rug::{Float, Integer, Rational};
 const BITS: u32 = 512;
 /// Bits of an expression.
 const LONG: usize = 1024;
-/// A bound of the rounding errors of an expression, in bits below one. It takes fewer than 2^6 steps, each with a relative
-/// error of at most 2^-1023; no part of it and no factor of a part is above 2^13, as `beta < pi`, `A <= 2`, `eta <= 2`, `h <= 1`,
-/// so that `|f|` and `|g|` are below 5. Together that is below 2^(6 + 13 + 13 - 1023).
+/// A bound of the rounding errors of an expression, in bits below one. It takes fewer than 2^6 steps, each with a
+/// relative error of at most 2^-1023; no part of it and no factor of a part is above 2^13, as `beta < pi`, `A <=
+/// 2`, `eta <= 2`, `h <= 1`, so that `|f|` and `|g|` are below 5. Together that is below 2^(6 + 13 + 13 - 1023).
 const SLACK: i64 = -991;
 
 /// A number of MPFR as one of astro-float, exactly.
@@ -40,7 +40,8 @@ fn rational(x: &BigFloat) -> Rational {
     if sign == Sign::Neg { -size } else { size }
 }
 
-/// The three cubics (7) and the radicand (12) at exact numbers `beta, A, eta, h`; with a changed sign in each for twins.
+/// The three cubics (7) and the radicand (12) at exact numbers `beta, A, eta, h`; with a changed sign in each for
+/// twins.
 fn printed([b, a, eta, h]: [&BigFloat; 4], twin: bool) -> [BigFloat; 4] {
     let constants = Consts::new().unwrap();
     let mut at = Context::new(LONG, RoundingMode::ToEven, constants, -20_000, 20_000);

@@ -1,5 +1,5 @@
-//! Wrong questions through the public face: each door refuses them with what was wrong and what is allowed, and no proof
-//! is begun.
+//! Wrong questions through the public face: each door refuses them with what was wrong and what is allowed, and no
+//! proof is begun.
 
 use crate::arches::{H, M, arch, number};
 use couplet::arch::asymmetric::AsymmetricMode;

@@ -1,4 +1,5 @@
-//! "Stands" means one thing, an admissible symmetric state exists; and wherever it is said, so is what that leaves open.
+//! "Stands" means one thing, an admissible symmetric state exists; and wherever it is said, so is what that leaves
+//! open.
 
 use crate::program::{Scratch, couplet, fed, json, text};
 use serde_json::Value;

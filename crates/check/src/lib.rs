@@ -1,5 +1,5 @@
-//! The equations of circular masonry arches with finite friction, what is asked of them, and the checker of certificates: pure
-//! Rust, without a solver.
+//! The equations of circular masonry arches with finite friction, what is asked of them, and the checker of
+//! certificates: pure Rust, without a solver.
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
 pub mod arch;

@@ -1,4 +1,4 @@
-//! What reads the values of options: one language for every command, and for other doors to the program.
+//! Readers of the values of options: one language for every command, and for other doors to the program.
 
 use crate::arch::asymmetric::AsymmetricMode;
 use crate::arch::{NoWeight, SelfWeight};
@@ -22,7 +22,7 @@ pub fn landmark(text: &str) -> Result<Landmark, String> {
     landmark_or(text, &[])
 }
 
-/// The same, where other names are read too.
+/// Reads a landmark, where other names are read too.
 pub fn landmark_or(text: &str, others: &[&str]) -> Result<Landmark, String> {
     text.parse().map_err(|none: NoLandmark| {
         let long = Landmark::ALL.map(Landmark::long_name);
@@ -53,7 +53,7 @@ pub fn weight(text: &str) -> Result<SelfWeight, String> {
 /// One self-weight model, or both.
 #[derive(Clone, Copy, Debug)]
 pub enum Weights {
-    /// This one.
+    /// The one weight.
     One(SelfWeight),
     /// Heyman and Milankovitch.
     Both,
@@ -101,7 +101,7 @@ pub fn quantity_of(text: &str, possible: &[Quantity]) -> Result<Quantity, String
     Refused::quantity(quantity, possible).map(|()| quantity).map_err(refused)
 }
 
-/// How the mechanism of an asymmetric solution closes, by its name.
+/// Reads the way in which the mechanism of an asymmetric solution closes, by its name.
 pub fn asymmetric_mode(text: &str) -> Result<AsymmetricMode, String> {
     let names = AsymmetricMode::ALL.map(AsymmetricMode::name);
     let mode = AsymmetricMode::ALL.into_iter().find(|mode| mode.name() == text);
@@ -138,12 +138,12 @@ pub fn digits(text: &str) -> Result<usize, String> {
     digits_to(text, MAX_DIGITS)
 }
 
-/// The same for a state.
+/// Reads a number of digits for a state.
 pub fn state_digits(text: &str) -> Result<usize, String> {
     digits_to(text, MAX_ARCH_DIGITS)
 }
 
-/// What is no whole number is as little a number of digits as zero.
+/// Reads a number of digits; what is no whole number is as little a number of digits as zero.
 fn digits_to(text: &str, most: usize) -> Result<usize, String> {
     let digits = text.parse().unwrap_or(0);
     Refused::digits_to(digits, most).map(|()| digits).map_err(|refused| refused.to_string())

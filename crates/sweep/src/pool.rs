@@ -26,8 +26,8 @@ pub fn usual_threads() -> Result<usize, String> {
     }
 }
 
-/// Starts so many, or the usual ones, and sees whether one more could be, as for a progress bar: later a thread that
-/// cannot start would be a panic.
+/// Starts the pool (by default one thread per core) and probes that another thread can start, as for a progress
+/// bar: later that would be a panic.
 pub fn start(threads: Option<usize>) -> Result<(), Failure> {
     let failed = |error: &dyn std::fmt::Display| {
         Failure::Io(format!("cannot start threads ({error}); --threads 1 asks for fewer"))

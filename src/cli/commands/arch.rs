@@ -79,13 +79,13 @@ pub(super) struct Missing {
 }
 
 impl ShapeArguments {
-    /// The same with a half opening that follows from other arguments, if it does.
+    /// Shape with a half opening that follows from other arguments, if it does.
     pub(super) fn with_half_opening(&self, made: Option<&ExactNumber>) -> Self {
         let half_opening = made.map(ExactNumber::to_string).or_else(|| self.half_opening.clone());
         Self { half_opening, ..self.clone() }
     }
 
-    /// Whether anything of it is given.
+    /// Tells whether any of the arguments is given.
     pub(super) fn is_given(&self) -> bool {
         self.half_opening.is_some() || self.has_friction()
     }
@@ -95,7 +95,7 @@ impl ShapeArguments {
         self.friction_text()?.parse().ok()
     }
 
-    /// Whether a friction is given.
+    /// Tells whether a friction is given.
     pub(super) fn has_friction(&self) -> bool {
         self.friction.is_some() || self.friction_angle.is_some()
     }

@@ -23,12 +23,13 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     arch: ArchArguments,
 
-    /// Thickness-to-radius ratio, between 0 and 2 (0.12, 3/25, 0.12r); of an arch in metres a length (60cm), or a ratio with its r.
+    /// Thickness-to-radius ratio, between 0 and 2 (0.12, 3/25, 0.12r); of an arch in metres a length (60cm), or a
+    /// ratio with its r.
     #[arg(long, visible_alias = "eta", value_name = "ETA", allow_hyphen_values = true)]
     thickness: Option<String>,
 
-    /// A uniform horizontal acceleration over that of gravity (0.1), or the angle by which the ground is tilted (5deg): whether an
-    /// admissible state of the whole arch is left, and the largest one with which there is.
+    /// A uniform horizontal acceleration over that of gravity (0.1), or the angle by which the ground is tilted
+    /// (5deg): whether an admissible state of the whole arch is left, and the largest one with which there is.
     #[arg(long, value_name = "K", allow_hyphen_values = true, conflicts_with = "quantities")]
     tilt: Option<String>,
 

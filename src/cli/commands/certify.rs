@@ -19,8 +19,8 @@ use std::path::{Path, PathBuf};
 /// Write certificates that `couplet check` accepts without trusting the solver.
 ///
 /// Of a landmark; of the state of an arch at its least thickness, or why it stands at no thickness; with --thickness,
-/// that an arch stands with it or does not; of an asymmetric solution of the complementarity problem (19). An arch stands if
-/// an admissible symmetric state exists, which does not exclude such a solution.
+/// that an arch stands with it or does not; of an asymmetric solution of the complementarity problem (19). An arch
+/// stands if an admissible symmetric state exists, which does not exclude such a solution.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// A landmark (T, S, J, B, l, L, sb), `state` for the state of an arch, `arch` for an arch of a thickness,

@@ -24,9 +24,10 @@ use clap::Args;
 /// Print the thicknesses at which the complementarity problem (19) of the whole arch has a solution, each proved.
 ///
 /// A solution is an admissible state with a motion of the joints that are at their limits, without dilatancy. Among
-/// symmetric ones there is one thickness, the least; some horseshoes have asymmetric ones at a larger thickness. What is
-/// printed is proved; that there are no others is not. With --stones there are joints between so many equal stones only: then
-/// all solutions are found, and that there are no others is proved; thicknesses at which it is not are listed.
+/// symmetric ones there is one thickness, the least; some horseshoes have asymmetric ones at a larger thickness.
+/// What is printed is proved; that there are no others is not. With --stones there are joints between so many equal
+/// stones only: then all solutions are found, and that there are no others is proved; thicknesses at which it is
+/// not are listed.
 #[derive(Args)]
 #[command(
     override_usage = "couplet complementarity --half-opening <ANGLE> --friction <MU> [--stones <N> [--half] [--thickness <ETA>]] [OPTIONS]\n       couplet complementarity --half-opening <ANGLE> --branch [OPTIONS]"
@@ -35,12 +36,13 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     arch: ArchArguments,
 
-    /// Enclose the least value of the programme (20) at this thickness-to-radius ratio (0.55, 11/20) instead of all solutions, between
-    /// the stones; at the `least` thickness of these it is zero.
+    /// Enclose the least value of the programme (20) at this thickness-to-radius ratio (0.55, 11/20) instead of all
+    /// solutions, between the stones; at the `least` thickness of these it is zero.
     #[arg(long, visible_alias = "eta", value_name = "ETA", requires = "stones", value_parser = at, allow_hyphen_values = true)]
     thickness: Option<At>,
 
-    /// Find all solutions between so many equal stones of the whole arch, 2 to 60, at any thickness up to 2; with --thickness up to 100.
+    /// Find all solutions between so many equal stones of the whole arch, 2 to 60, at any thickness up to 2; with
+    /// --thickness up to 100.
     #[arg(long, value_name = "N", value_parser = stones, allow_negative_numbers = true)]
     stones: Option<u64>,
 

@@ -1,4 +1,4 @@
-//! What a file of TOML describes, a scene or a sweep: read whole, its faults told.
+//! Description in a file of TOML, a scene or a sweep: read whole, its faults told.
 
 use crate::check::visible;
 use crate::report::words::count;
@@ -13,7 +13,7 @@ pub(crate) fn say(text: &str) {
     let _ = writeln!(io::stderr(), "{}", visible(text));
 }
 
-/// What a file is called in a message.
+/// Name of a file in a message.
 fn name(path: &Path) -> String {
     if path == Path::new("-") { "standard input".into() } else { path.display().to_string() }
 }
@@ -26,7 +26,7 @@ pub(crate) fn remark(path: &Path, faults: &[Fault]) {
     }
 }
 
-/// What a file, or standard input where it is `-`, describes; its faults go to standard error, a line each.
+/// Content that a file, or standard input where it is `-`, describes; its faults go to standard error, a line each.
 pub(crate) fn described<T>(
     path: &Path,
     read: impl FnOnce(&[u8]) -> Result<T, Vec<Fault>>,

@@ -16,11 +16,11 @@ use clap::Args;
 
 /// Draw an arch at its least thickness, how it falls there, or an arch as it stands.
 ///
-/// Without --thickness: the arch at its least thickness, its lines of thrust and of friction, and its mechanism. With it:
-/// the lines of the least and of the largest thrust, what limits each, and the safety. --at: a landmark, one
-/// picture for each mode that is possible there. --mode [s,s] with --thickness and no friction: an arch at the friction at
-/// which it slides. --stones: an arch of so many stones, as couplet voussoirs proves it. In metres, with --span and --rise or with --radius: sizes in the picture and its caption, and JSON and
-/// DXF in metres.
+/// Without --thickness: the arch at its least thickness, its lines of thrust and of friction, and its mechanism.
+/// With it: the lines of the least and of the largest thrust, what limits each, and the safety. --at: a landmark,
+/// one picture for each mode that is possible there. --mode [s,s] with --thickness and no friction: an arch at the
+/// friction at which it slides. --stones: an arch of so many stones, as couplet voussoirs proves it. In metres,
+/// with --span and --rise or with --radius: sizes in the picture and its caption, and JSON and DXF in metres.
 #[derive(Args)]
 #[command(
     override_usage = "couplet draw --half-opening <ANGLE> --friction <MU> [--thickness <ETA>] [OPTIONS]\n       \
@@ -63,8 +63,8 @@ pub(crate) struct Arguments {
     #[arg(long)]
     arrows: bool,
 
-    /// An arch of so many stones, 2 to 500, which opens and slides between them alone: at its own least thickness, or as it
-    /// stands.
+    /// An arch of so many stones, 2 to 500, which opens and slides between them alone: at its own least thickness,
+    /// or as it stands.
     #[arg(long, value_name = "N", value_parser = stones, allow_negative_numbers = true)]
     stones: Option<u32>,
 
@@ -83,7 +83,7 @@ pub(crate) struct Arguments {
     measures: MeasureArguments,
 }
 
-/// Why there are no stones.
+/// Message why there are no stones.
 const STONES: &str = "--stones is for an arch with --half-opening and --friction: a landmark, and an arch at the friction at which it \
                       slides, have a joint at every angle";
 
@@ -131,7 +131,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 impl Arguments {
-    /// What is asked for, in the modes asked for.
+    /// Sketch of what is asked for, in the modes asked for.
     fn sketch(&self, measured: Option<&Measured>) -> Result<Sketch, Failure> {
         let (stones, is_dilatant) = (self.stones.map(u64::from), self.dilatant);
         let shape = self.shape.with_half_opening(measures::half_opening(measured));

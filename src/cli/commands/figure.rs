@@ -16,11 +16,12 @@ use clap::Args;
 
 /// A figure of the paper, drawn from proved curves and states.
 ///
-/// 1: the symbols of the problem, at T. 2: rotational joint, thickness and thrust over the half opening. 3: the thickness of overturning over A = alpha
-/// cot(alpha/2) and over the half opening. 4: the same with rotation, and how they join. 5: the lines between the modes, both weights. 6: the map of one weight. Figures 2 to 5
-/// show both weights unless one is named. 7 and 8: the four modes at T, two each. 9: S. 10: J. 11: B. 12: L and l; the
-/// arch, its lines of thrust and of friction, and its mechanism. Other planes and the curves as data: couplet map; other arches:
-/// couplet draw.
+/// 1: the symbols of the problem, at T. 2: rotational joint, thickness and thrust over the half opening. 3: the
+/// thickness of overturning over A = alpha cot(alpha/2) and over the half opening. 4: the same with rotation, and
+/// how they join. 5: the lines between the modes, both weights. 6: the map of one weight. Figures 2 to 5 show both
+/// weights unless one is named. 7 and 8: the four modes at T, two each. 9: S. 10: J. 11: B. 12: L and l; the arch,
+/// its lines of thrust and of friction, and its mechanism. Other planes and the curves as data: couplet map; other
+/// arches: couplet draw.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Its number in the paper, 1 to 12.

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 /// The folder of the outputs, with the record of what runs wrote there.
 pub(super) struct RunFolder {
-    /// As it was given; nothing before a file's name is the current folder.
+    /// Folder as it was given; nothing before a file's name is the current folder.
     given: PathBuf,
     overwrites: bool,
     manifest: Manifest,
@@ -50,7 +50,7 @@ impl RunFolder {
         self.given.join(output)
     }
 
-    /// Whether the output of an item is there and is what would be written again.
+    /// Tells whether the output of an item is there and is what would be written again.
     pub(super) fn is_complete(&self, item: &SceneItem) -> bool {
         self.manifest.is_complete(&self.given, item)
     }
@@ -97,7 +97,7 @@ impl RunFolder {
         Ok(())
     }
 
-    /// Whether no other run writes into the folder.
+    /// Tells whether no other run writes into the folder.
     fn is_mine(&self) -> Result<(), Failure> {
         if Manifest::of(&self.given).ok() == self.seen {
             return Ok(());
@@ -120,8 +120,8 @@ impl RunFolder {
         resolved.map_err(|error| Failure::writing(given.display(), &error))
     }
 
-    /// Where an output is written: inside the folder whatever links there are, in a folder that is made, and not in
-    /// place of a file that no run wrote.
+    /// Path to which an output is written: inside the folder whatever links there are, in a folder that is
+    /// made, and not in place of a file that no run wrote.
     fn destination(&self, output: &Path) -> Result<PathBuf, Failure> {
         let shown = self.shown(output);
         let failed = |error: io::Error| Failure::writing(shown.display(), &error);

@@ -25,16 +25,16 @@ use rayon::prelude::*;
 
 /// The curves of the map, each proved for every value of its parameter, from landmark to landmark.
 ///
-/// A curve is a chain of pieces. On each, for each value of the parameter, exactly one solution lies in a tube about the cubic
-/// through its two nodes; neighbours join, and the ends are the landmarks. Without a format of data the curves are
-/// summed up: pieces, the widest tube, and from where to where.
+/// A curve is a chain of pieces. On each, for each value of the parameter, exactly one solution lies in a tube
+/// about the cubic through its two nodes; neighbours join, and the ends are the landmarks. Without a format of data
+/// the curves are summed up: pieces, the widest tube, and from where to where.
 ///
 /// Curves: rotation, overturning, sliding; two modes that meet (rrr/srr, [r,s,r]/[r,s]); limit, where the thickness
 /// reaches 2.
 ///
-/// Formats of pictures, svg and png, draw the map: the domains of the modes in a --plane, or --lines alone. html is a page
-/// with the map, of both weights unless one is named, that says what lies under the pointer. If no format is given, what
-/// the name of the file ends with tells it; without a file it is table.
+/// Formats of pictures, svg and png, draw the map: the domains of the modes in a --plane, or --lines alone. html is
+/// a page with the map, of both weights unless one is named, that says what lies under the pointer. If no format is
+/// given, what the name of the file ends with tells it; without a file it is table.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Curves, with commas between several; all if none is named.
@@ -96,12 +96,13 @@ pub(crate) struct Arguments {
     #[arg(long, default_value = "30", value_parser = parse::digits, requires = "at", allow_negative_numbers = true)]
     digits: usize,
 
-    /// Instead, by how much the thickness of Milankovitch's weight is above that of Heyman's on each dividing curve, at equal
-    /// friction: as table, csv, json, svg or png.
+    /// Instead, by how much the thickness of Milankovitch's weight is above that of Heyman's on each dividing
+    /// curve, at equal friction: as table, csv, json, svg or png.
     #[arg(long, conflicts_with_all = ["curves", "weight", "at", "asymmetric"], conflicts_with_all = DRAWN)]
     difference: bool,
 
-    /// For a picture, what lies along its axes: thickness-friction (if not given), opening-friction or opening-thickness.
+    /// For a picture, what lies along its axes: thickness-friction (if not given), opening-friction or
+    /// opening-thickness.
     #[arg(long, value_parser = plane)]
     plane: Option<Plane>,
 
@@ -112,8 +113,8 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     axes: AxesArguments,
 
-    /// What the branches of asymmetric solutions of the complementarity problem (19) reach, as lines over the half opening; without
-    /// --curve only these. In a picture with --plane opening-friction.
+    /// What the branches of asymmetric solutions of the complementarity problem (19) reach, as lines over the half
+    /// opening; without --curve only these. In a picture with --plane opening-friction.
     #[arg(long, conflicts_with_all = ["lines", "at"])]
     asymmetric: bool,
 
@@ -213,7 +214,7 @@ impl Arguments {
         self.weight.unwrap_or(usual).all()
     }
 
-    /// What a picture shows, if all that is asked for goes together.
+    /// Drawing that a picture shows, if all that is asked for goes together.
     fn drawing(&self, format: &Format) -> Result<Drawing, Failure> {
         let (weights, contours, axes) = (self.weights(format), self.contours(), self.axes.axes());
         let asked = MapAsked {

@@ -43,7 +43,7 @@ pub(super) struct MeasureArguments {
     depth: Option<Length>,
 }
 
-/// What is measured of an arch.
+/// Measures of an arch, and its sizes.
 pub(super) struct Measured {
     /// The half opening, where it follows.
     pub half_opening: Option<ExactNumber>,
@@ -71,7 +71,7 @@ pub(super) fn half_opening(measured: Option<&Measured>) -> Option<&ExactNumber> 
     measured?.half_opening.as_ref()
 }
 
-/// What can be asked of an arch, and of one that is measured.
+/// Quantities that can be asked of an arch, and of one that is measured.
 pub(super) fn quantities(
     usual: &[Quantity],
     of_measured: &[Quantity],

@@ -83,7 +83,7 @@ commands!(
 );
 
 impl Command {
-    /// Whether the command computes on many threads.
+    /// Tells whether the command computes on many threads.
     pub(super) fn computes(&self) -> bool {
         !matches!(self, Self::Check(_) | Self::Completions(_) | Self::Man(_))
     }

@@ -1,4 +1,4 @@
-//! What is told, on standard error, of a question that is answered as it is asked but may have been meant otherwise.
+//! Notes, on standard error, of a question that is answered as it is asked but may have been meant otherwise.
 
 use super::described::say;
 use crate::number::ExactNumber;
@@ -36,7 +36,7 @@ fn large(friction: &Friction, limit: i32) -> Option<&ExactNumber> {
     }
 }
 
-/// How a number would be written as an angle; or any angle, where the number is none.
+/// Spelling of a number as an angle; or any angle, where the number is none.
 fn angle(x: &ExactNumber) -> String {
     let right = BigRational::from(num_bigint::BigInt::from(90));
     match *x.factor() < right {

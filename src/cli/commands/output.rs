@@ -1,4 +1,4 @@
-//! Where a report goes: standard output, or a file that appears whole or not at all.
+//! Destination of a report: standard output, or a file that appears whole or not at all.
 
 use super::notes::each_once;
 use crate::certify::Refused;
@@ -65,7 +65,7 @@ impl OutputFile {
         Output::open(self.output.as_deref())
     }
 
-    /// The same for a format, which may be binary.
+    /// Opens the output for a format, which may be binary.
     pub(super) fn open_for(&self, format: &Format) -> Result<Output, Failure> {
         if self.output.as_deref().is_none_or(is_standard) {
             fits_standard_output(format)?;
@@ -99,12 +99,12 @@ impl OutputFile {
         })
     }
 
-    /// Whether it is not standard output.
+    /// Tells whether the output is not standard output.
     pub(super) fn is_file(&self) -> bool {
         self.output.as_deref().is_some_and(|path| !is_standard(path))
     }
 
-    /// Whether it is a file that is there.
+    /// Tells whether the output is a file that is there.
     pub(super) fn is_same_file(&self, other: &Path) -> bool {
         self.output.as_ref().is_some_and(|output| is_same_file(output, other))
     }
@@ -129,12 +129,12 @@ pub(super) fn fits_standard_output(format: &Format) -> Result<(), Failure> {
     }
 }
 
-/// Whether a path stands for standard output.
+/// Tells whether a path stands for standard output.
 pub(super) fn is_standard(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// Whether two paths lead to one file that is there.
+/// Tells whether two paths lead to one file that is there.
 pub(super) fn is_same_file(one: &Path, other: &Path) -> bool {
     match (fs::canonicalize(one), fs::canonicalize(other)) {
         (Ok(one), Ok(other)) => one == other,
@@ -148,7 +148,7 @@ pub(super) enum Output {
     Standard,
     /// A device or a pipe, which is written to directly: it cannot be renamed over.
     Stream {
-        /// What is written to.
+        /// File that is written to.
         stream: File,
         /// The name asked for.
         path: PathBuf,
@@ -159,7 +159,7 @@ pub(super) enum Output {
         unfinished: NamedTempFile,
         /// The file asked for; where the name asked for is a link, what it leads to.
         path: PathBuf,
-        /// Whether the file asked for belongs to somebody else, and so is written into.
+        /// True if the file asked for belongs to somebody else, and so is written into.
         is_foreign: bool,
     },
 }

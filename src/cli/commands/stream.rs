@@ -15,7 +15,7 @@ pub(super) const CHUNK: usize = 512;
 /// Size of the chunks in which rows are answered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Chunk {
-    /// What has been read, however few: who waits for an answer before he asks again gets it.
+    /// All that has been read, however few: interactive input is answered row by row.
     WhatIsThere,
     /// As many rows as a chunk may have.
     Full,

@@ -107,7 +107,7 @@ fn stability(options: &Options) -> Result<(), Failure> {
     folder.write(&StudyFiles::stability(&rungs, &typed()))
 }
 
-/// Where the files go, if anywhere; made before any work is done.
+/// Folder into which the files go, if anywhere; made before any work is done.
 struct StudyFolder(Option<PathBuf>);
 
 impl StudyFolder {

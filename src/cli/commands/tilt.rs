@@ -9,7 +9,7 @@ use crate::problem::{Arch, Friction, Slope, SlopeError};
 use crate::report::{Content, Format, Report, TiltedArch, TiltedArches};
 use crate::sweep::failure::Failure;
 
-/// Whether there is none.
+/// Tells whether a friction is zero.
 fn is_zero(friction: &Friction) -> bool {
     match friction {
         Friction::Coefficient(x) | Friction::Angle(x) => x.to_rational() == 0,

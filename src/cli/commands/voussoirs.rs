@@ -30,13 +30,13 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     arch: ArchArguments,
 
-    /// Stones of the whole arch, all of the same angle; an odd number has a keystone. A range, 2..200, tells how the thickness comes near that
-    /// of many, as a table or, with -o convergence.svg, a figure.
+    /// Stones of the whole arch, all of the same angle; an odd number has a keystone. A range, 2..200, tells how
+    /// the thickness comes near that of many, as a table or, with -o convergence.svg, a figure.
     #[arg(long, value_name = "N", conflicts_with = "joints", value_parser = numbers, allow_hyphen_values = true)]
     stones: Option<StoneNumbers>,
 
-    /// Angles of the joints of the half arch instead, with commas between them, from the crown (0, or half a keystone) to the
-    /// shoulder.
+    /// Angles of the joints of the half arch instead, with commas between them, from the crown (0, or half a
+    /// keystone) to the shoulder.
     #[arg(
         long,
         value_name = "ANGLES",
@@ -45,12 +45,14 @@ pub(crate) struct Arguments {
     )]
     joints: Option<String>,
 
-    /// Thickness-to-radius ratio, between 0 and 2: whether the arch stands then, its safety factors, and the thrusts it can bear.
+    /// Thickness-to-radius ratio, between 0 and 2: whether the arch stands then, its safety factors, and the
+    /// thrusts it can bear.
     #[arg(long, visible_alias = "eta", value_name = "ETA", allow_hyphen_values = true)]
     thickness: Option<String>,
 
-    /// A uniform horizontal acceleration over that of gravity (0.1), or the angle by which the ground is tilted (5deg): whether an arch of this
-    /// thickness and of at most 2001 stones has an admissible state left, and the largest one with which it has.
+    /// A uniform horizontal acceleration over that of gravity (0.1), or the angle by which the ground is tilted
+    /// (5deg): whether an arch of this thickness and of at most 2001 stones has an admissible state left, and the
+    /// largest one with which it has.
     #[arg(long, value_name = "K", requires = "thickness", allow_hyphen_values = true)]
     tilt: Option<String>,
 
@@ -141,7 +143,7 @@ fn tilted(
     })
 }
 
-/// What is proved of one arch.
+/// Answer that is proved of one arch.
 fn answer(
     arch: &Arch,
     stones: Stones,

@@ -197,8 +197,8 @@ fn the_originals_are_accepted() {
     }
 }
 
-/// Newton's method finds many roots of the equations from many starts; of those of a kind no other is accepted than the one that
-/// is known.
+/// Newton's method finds many roots of the equations from many starts; of those of a kind no other is accepted than
+/// the one that is known.
 #[test]
 fn of_all_the_roots_one_is_accepted() {
     let mut state = 7u64;

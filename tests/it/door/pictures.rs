@@ -1,5 +1,5 @@
-//! The pictures of the front page are those that the commands draw. The last digits of a place on the page are the machine's,
-//! so that only what stands between the numbers is compared.
+//! The pictures of the front page are those that the commands draw. The last digits of a place on the page are the
+//! machine's, so that only what stands between the numbers is compared.
 
 use crate::program::{Scratch, command};
 use std::fs;

@@ -2,6 +2,7 @@
 //! equations stay pure.
 
 mod circles;
+mod english;
 mod names;
 mod purity;
 mod scattered;

@@ -31,8 +31,8 @@ pub(super) struct File {
 pub(super) struct Tree(BTreeMap<Module, File>);
 
 impl Tree {
-    /// The whole house: the rooms of every crate, as if they were of one. What a crate calls by the name of another one's room
-    /// is that room.
+    /// The whole house: the rooms of every crate, as if they were of one. What a crate calls by the name of another
+    /// one's room is that room.
     pub(super) fn of_the_house() -> Self {
         let mut texts = BTreeMap::<String, String>::new();
         for floor in floors() {

@@ -25,8 +25,8 @@ fn an_output_does_not_depend_on_what_else_is_asked() {
     }
 }
 
-/// An item whose format has the errors of doubles has each arch proved alone; without it those of one half opening share
-/// its proofs.
+/// An item whose format has the errors of doubles has each arch proved alone; without it those of one half opening
+/// share its proofs.
 #[test]
 fn a_grid_has_the_digits_of_each_of_its_arches_alone() {
     let scratch = Scratch::new();

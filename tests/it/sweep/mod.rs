@@ -422,7 +422,8 @@ fn the_plans_of_the_page_are_plans() {
     assert!(couplet::scene::read_sweep(printed.as_bytes()).is_ok());
 }
 
-/// A plan that asks for it gets it, alone and beside rows that share their proofs; one that does not has the rows it had.
+/// A plan that asks for it gets it, alone and beside rows that share their proofs; one that does not has the rows
+/// it had.
 #[test]
 fn the_asymmetric_thickness_is_there_if_it_is_asked() {
     let grid = "[grid]\nhalf_opening = [1.5, 2.3]\nfriction = [0.9, 1.03, 1.05, 1.07, 1.2]\n";

@@ -194,8 +194,8 @@ fn unchecked_stones_prove_nothing() {
     }
 }
 
-/// With joints where the arch with all joints turns and slides, the same three conditions hold: the value is the same, to twice the digits to which
-/// the joints are. With a joint moved it is lower.
+/// With joints where the arch with all joints turns and slides, the same three conditions hold: the value is the
+/// same, to twice the digits to which the joints are. With a joint moved it is lower.
 #[test]
 fn joints_where_the_arch_gives_way_lose_nothing() {
     for (weight, alpha, mu) in [
@@ -226,7 +226,8 @@ fn joints_where_the_arch_gives_way_lose_nothing() {
     }
 }
 
-/// Exact ties: a semicircle of thickness 2 bears any thrust, and two stones whose shoulder bears no shear force need no friction.
+/// Exact ties: a semicircle of thickness 2 bears any thrust, and two stones whose shoulder bears no shear force
+/// need no friction.
 #[test]
 fn ties_are_decided() {
     let of = |line: &str| {
@@ -251,8 +252,8 @@ fn ties_are_decided() {
     assert_ne!(found["required_friction"]["value"], "0", "{found}");
 }
 
-/// Joints that slide at exactly no thrust: the angle of the joint and that of friction are together a right angle, or differ by one. With
-/// a little more friction or less, which is no tie, it is nearly so.
+/// Joints that slide at exactly no thrust: the angle of the joint and that of friction are together a right angle,
+/// or differ by one. With a little more friction or less, which is no tie, it is nearly so.
 #[test]
 fn slips_at_no_thrust_are_decided() {
     let assess = |alpha: &str, mu: &str, stones, weight| {

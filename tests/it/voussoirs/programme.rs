@@ -1,5 +1,5 @@
-//! A programme that knows no polynomial, no mode and no lemma: every joint is looked at, the gap that is left for the crown
-//! moment is a concave function of the thrust, and the thickness is halved.
+//! A programme that knows no polynomial, no mode and no lemma: every joint is looked at, the gap that is left for
+//! the crown moment is a concave function of the thrust, and the thickness is halved.
 
 use super::{equal, found, joints};
 use couplet::arch::SelfWeight;
@@ -170,8 +170,8 @@ fn a_programme_over_all_joints_finds_the_same_ten_thousand_times() {
     agree(10_000, 0x2545_f491_4f6c_dd1d);
 }
 
-/// What is proved of arches of given thicknesses is what the programme finds: whether they stand, the ends of the thrust,
-/// and the least friction.
+/// What is proved of arches of given thicknesses is what the programme finds: whether they stand, the ends of the
+/// thrust, and the least friction.
 #[test]
 fn a_programme_finds_the_same_thrusts_and_friction() {
     let mut random = Random(0x6c62_272e_07bb_0142);

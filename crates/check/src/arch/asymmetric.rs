@@ -1,8 +1,8 @@
 //! Asymmetric solutions of Eq. (19) on the whole arch: three kinds of states, their equations and their rates.
 //!
-//! One shoulder slides outwards, which is meant to be the right one; the mirror image is a solution as well. The line of thrust
-//! touches the extrados on the right of the crown, at `b0`, and the intrados at the left haunch, `b1` from the crown. What is
-//! to the left of the haunch stays at rest. A third joint closes the motion:
+//! One shoulder slides outwards, which is meant to be the right one; the mirror image is a solution as well. The
+//! line of thrust touches the extrados on the right of the crown, at `b0`, and the intrados at the left haunch,
+//! `b1` from the crown. What is to the left of the haunch stays at rest. A third joint closes the motion:
 //!
 //! | kind | beside the two hinges and the right shoulder | unknowns |
 //! |---|---|---|
@@ -10,8 +10,8 @@
 //! | `ShoulderOpening` | the right shoulder opens too, about its extrados | `h, p, v, eta, b0, b1` |
 //! | `ShoulderSliding` | none: the two hinges and the shoulder fit, `(2 - eta) cos(b1 + alpha) = (2 + eta) cos(alpha - b0)` | `h, p, v, eta, b0, b1` |
 //!
-//! All are positive. At a hinge inside the arch, and at the inner joint that slides, the margin is zero and so is its slope; at
-//! the shoulder the margin is zero.
+//! All are positive. At a hinge inside the arch, and at the inner joint that slides, the margin is zero and so is
+//! its slope; at the shoulder the margin is zero.
 
 use super::joint::Grip;
 use super::mechanism::{Contact, Joint};
@@ -20,19 +20,19 @@ use super::{Configuration, Ring, SelfWeight};
 use crate::number::{Angle, Field, Real};
 use std::fmt;
 
-/// How an asymmetric mechanism closes.
+/// Way in which an asymmetric mechanism closes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum AsymmetricMode {
     /// An inner joint slides on the other side.
     InnerSliding,
     /// The shoulder that slides opens too.
     ShoulderOpening,
-    /// By two hinges and the shoulder alone.
+    /// Two hinges and the shoulder close it alone.
     ShoulderSliding,
 }
 
 impl AsymmetricMode {
-    /// All three.
+    /// All three kinds.
     pub const ALL: [Self; 3] = [Self::InnerSliding, Self::ShoulderOpening, Self::ShoulderSliding];
 
     /// The name in files.
@@ -75,14 +75,14 @@ impl fmt::Display for AsymmetricMode {
     }
 }
 
-/// Where a joint is that gives way.
+/// Place of a joint that gives way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
     /// The springing.
     Shoulder,
     /// Next to the crown, at `b0`.
     Crown,
-    /// At `b1`.
+    /// The haunch, at `b1`.
     Haunch,
     /// Between them, at `b2`.
     Inner,
@@ -143,7 +143,8 @@ impl<T: Real> Asymmetric<T> {
 }
 
 impl<T: Field> From<&Configuration<T>> for Asymmetric<T> {
-    /// The same variables: the haunch is the rotational joint. A friction that is unlimited has no such form.
+    /// Variables of a symmetric state as those of an asymmetric one: the haunch is the rotational joint. A
+    /// friction that is unlimited has no such form.
     fn from(at: &Configuration<T>) -> Self {
         Self {
             half_opening: at.half_opening.clone(),
@@ -209,14 +210,14 @@ impl<T: Field> Asymmetric<T> {
         self.touching((Contact::Inwards, Side::Left, Place::Inner), ring)
     }
 
-    /// What all three kinds have: the two hinges touch, and the right shoulder slides. Five equations.
+    /// Equations of all three kinds: the two hinges touch, and the right shoulder slides. Five equations.
     pub fn common(&self, weight: SelfWeight) -> Vec<T> {
         let ring = Ring::new(weight, &self.thickness);
         let touching = self.crown(&ring).into_iter().chain(self.haunch(&ring));
         touching.chain([self.shoulder_slides(&ring)]).collect()
     }
 
-    /// What the kind has besides: as many equations as it has unknowns beyond four, all of them zero in a state.
+    /// Equations that the kind adds: as many equations as it has unknowns beyond four, all of them zero in a state.
     pub fn closing(&self, mode: AsymmetricMode, weight: SelfWeight) -> Vec<T> {
         let ring = Ring::new(weight, &self.thickness);
         match mode {
@@ -231,7 +232,8 @@ impl<T: Field> Asymmetric<T> {
         self.common(weight).into_iter().chain(self.closing(mode, weight)).collect()
     }
 
-    /// `(2 - eta) cos(b1 + alpha) - (2 + eta) cos(alpha - b0)`: by how much the hinges and the shoulder alone do not fit.
+    /// `(2 - eta) cos(b1 + alpha) - (2 + eta) cos(alpha - b0)`: by how much the hinges and the shoulder alone do
+    /// not fit.
     pub fn misfit(&self, ring: &Ring<T>) -> T {
         let Self { half_opening: alpha, crown_hinge: crown, haunch, .. } = self;
         let below = haunch.cos.clone() * &alpha.cos - haunch.sin.clone() * &alpha.sin;
@@ -239,9 +241,9 @@ impl<T: Field> Asymmetric<T> {
         ring.intrados() * below - ring.extrados() * above
     }
 
-    /// How the blocks move, with the rotation one at the hinge next to the crown. It fits for the first two kinds whatever the
-    /// variables are, and for the third where [`closing`](Self::closing) is zero. Undefined where the two joints
-    /// that close the motion do the same.
+    /// Motion of the blocks, with the rotation one at the hinge next to the crown. It fits for the first two
+    /// kinds whatever the variables are, and for the third where [`closing`](Self::closing) is zero.
+    /// Undefined where the two joints that close the motion do the same.
     pub fn motion(&self, mode: AsymmetricMode) -> Motion<T> {
         let (eta, none) = (&self.thickness, self.thickness.int(0));
         let one = eta.int(1);
@@ -328,7 +330,7 @@ mod tests {
         }
     }
 
-    /// What is left of the third kind is its condition, over twice the sine of the shoulder.
+    /// The third kind leaves its condition, over twice the sine of the shoulder.
     #[test]
     fn the_third_kind_fits_where_its_condition_holds() {
         let mode = AsymmetricMode::ShoulderSliding;

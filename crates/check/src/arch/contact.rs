@@ -1,4 +1,5 @@
-//! When a state of the half arch is statically admissible everywhere, and why no thinner arch stands.
+//! Conditions under which a state of the half arch is statically admissible everywhere, and why no thinner
+//! arch stands.
 //!
 //! Let `p = h (1 + e0)`. The moments that must not be negative at a joint `beta` are
 //!
@@ -128,19 +129,19 @@ pub fn margin_at_physical_limit<T: Field>(weight: SelfWeight, at: &Configuration
 /// Multipliers of the three conditions that hold with equality: the rates of the mechanism.
 #[derive(Clone, Debug)]
 pub struct Rates<T> {
-    /// Of `U` at the crown: the rotation there.
+    /// Rotation at the crown: multiplier of `U` there.
     pub crown: T,
-    /// Of `L` at the rotational joint: the rotation there.
+    /// Rotation at the rotational joint: multiplier of `L` there.
     pub haunch: T,
-    /// Of `U` at the shoulder: the rotation there.
+    /// Rotation at the shoulder: multiplier of `U` there.
     pub shoulder: T,
-    /// Of the friction condition on the thrust.
+    /// Multiplier of the friction condition on the thrust.
     pub sliding: T,
 }
 
 /// The lever arm of `h` between the haunch's intrados and the crown's extrados, `(1 + eta/2) cos b0 -
-/// (1 - eta/2) cos beta` with `b0` zero but beside a keystone, and between the shoulder's extrados and the haunch's intrados,
-/// `(1 - eta/2) cos beta - (1 + eta/2) cos alpha`.
+/// (1 - eta/2) cos beta` with `b0` zero but beside a keystone, and between the shoulder's extrados and the haunch's
+/// intrados, `(1 - eta/2) cos beta - (1 + eta/2) cos alpha`.
 fn arms<T: Field>(at: &Configuration<T>) -> (T, T) {
     let two = at.thickness.int(2);
     let (inner, outer) = (two.clone() - &at.thickness, two.clone() + &at.thickness);
@@ -180,7 +181,7 @@ pub fn weight_term<T: Field>(rates: &Rates<T>, at: &Configuration<T>) -> T {
         + rates.shoulder.clone() * &shoulder.rad * &shoulder.sin
 }
 
-/// What a thrust adds to `W`: the multipliers times the cosines of their joints.
+/// Addition of a thrust to `W`: the multipliers times the cosines of their joints.
 pub fn thrust_coefficient<T: Field>(rates: &Rates<T>, at: &Configuration<T>) -> T {
     rates.crown.clone()
         + rates.haunch.clone() * &at.rotation_joint.cos

@@ -58,8 +58,8 @@ pub fn flat_shoulder<T: Stumpff>(ratio: &T, inclination: &T) -> T {
     flat_shoulder_from(ratio, &shoulder, &inner[1].square(), &twice)
 }
 
-/// The same from Stumpff's functions at the squares of `q chi` and `2 chi`, and from `(1 - h)/chi²`, which is
-/// `c_1(chi²)²` where an inner joint slides too.
+/// Half opening at a flat shoulder from Stumpff's functions at the squares of `q chi` and `2 chi`, and from
+/// `(1 - h)/chi²`, which is `c_1(chi²)²` where an inner joint slides too.
 pub fn flat_shoulder_from<T: Field>(ratio: &T, shoulder: &[T], deficit: &T, twice: &[T]) -> T {
     let lever = (shoulder[2].clone() - &shoulder[3]) * ratio * ratio;
     let rest = lever - deficit.clone() * &shoulder[1];

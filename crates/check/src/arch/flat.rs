@@ -1,4 +1,5 @@
-//! The states of a flat arch that turns at the haunch while its shoulder is about to slide, over powers of an inclination.
+//! The states of a flat arch that turns at the haunch while its shoulder is about to slide, over powers of an
+//! inclination.
 //!
 //! To each friction angle belongs one inclination, `phi = chi - sin chi cos chi` ([`cycloid`]), whatever
 //! slides. As `chi -> 0` the states of (2), (4), (5) and (17) have `alpha ~ chi`, `beta_r² ~ chi²`, `1 - h ~ chi²` and
@@ -8,13 +9,13 @@
 //! alpha = p chi,   beta_r² = s chi²,   eta = e chi²,   1 - h = d chi²
 //! ```
 //!
-//! and [Stumpff's functions](crate::number::Stumpff) `c_n` at `beta_r²` a power of `chi` is divided out of each equation, and
-//! what is left is regular: at `chi = 0` the root is `p³ = 4`, `s = p²/2`, `d = s/3`, and simple.
+//! and [Stumpff's functions](crate::number::Stumpff) `c_n` at `beta_r²` a power of `chi` is divided out of each
+//! equation, and what is left is regular: at `chi = 0` the root is `p³ = 4`, `s = p²/2`, `d = s/3`, and simple.
 
 use super::{Ring, SelfWeight, cycloid};
 use crate::number::{Field, Stumpff};
 
-/// What (2) and (5) say of such an arch, and the half opening with it.
+/// Results of (2) and (5) for such an arch, and the half opening with it.
 #[derive(Clone, Debug)]
 pub struct Flat<T> {
     /// `p = alpha/chi`.
@@ -51,7 +52,8 @@ impl<T: Field> Flat<T> {
         self.joint.clone() * (c[2].clone() - &c[3]) / &c[1] + push
     }
 
-    /// (5) less (4) over `chi²`, with `c_1, c_2, c_3` at `alpha²/4`: `d - p²/2 (c_2 - c_3)/c_1 + e (1 - delta_M eta/6)/(2 + eta)`.
+    /// (5) less (4) over `chi²`, with `c_1, c_2, c_3` at `alpha²/4`: `d - p²/2 (c_2 - c_3)/c_1 + e (1 - delta_M
+    /// eta/6)/(2 + eta)`.
     pub fn whole(&self, delta: &T, half: &[T], ring: &Ring<T>) -> T {
         let drop = (half[2].clone() - &half[3]) * &self.opening * &self.opening
             / (half[1].clone() * delta.int(2));

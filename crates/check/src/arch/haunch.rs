@@ -6,7 +6,7 @@
 use super::{Quotient, Ring};
 use crate::number::{Angle, Field, Real, Stumpff};
 
-/// What the equations know of the rotational joint.
+/// Terms of the equations in the rotational joint.
 #[derive(Clone, Debug)]
 pub struct Haunch<T> {
     /// `cos(beta)`.
@@ -22,7 +22,7 @@ pub struct Haunch<T> {
 }
 
 impl<T: Field> Haunch<T> {
-    /// At the crown, "like" `like`.
+    /// Haunch at the crown, "like" `like`.
     pub fn crown(like: &T) -> Self {
         let (zero, one) = (like.int(0), like.int(1));
         Self {
@@ -57,7 +57,7 @@ impl<T: Stumpff> Haunch<T> {
 }
 
 impl<T: Field> Haunch<T> {
-    /// The same from `c_0, …, c_3` at the square of the angle.
+    /// Haunch from `c_0, …, c_3` at the square of the angle.
     pub fn from_functions(square: &T, c: &[T]) -> Self {
         Self {
             cosine: c[0].clone(),

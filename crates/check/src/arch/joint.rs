@@ -1,5 +1,5 @@
-//! What a single joint asks of the statics: four conditions, each linear in the thrust `h` and the crown moment
-//! `p = h (1 + e0)`.
+//! Statics of a single joint: four conditions, each linear in the thrust `h` and the crown moment `p = h (1 +
+//! e0)`.
 //!
 //! ```text
 //! hinge at the extrados   p + fac (1 - cos beta) - (1 + eta/2) N <= 0
@@ -8,9 +8,9 @@
 //! slides outwards         -T - mu N <= 0
 //! ```
 //!
-//! with `N = h cos beta + beta sin beta` and `T = beta cos beta - h sin beta`. They are the rows of the static matrix of
-//! Eqs. (19) and (20). Joints may be anywhere: the weight of a stone between two of them acts at its centroid, and the moments
-//! of all stones above a joint add up to `fac (1 - cos beta)`, for both weights.
+//! with `N = h cos beta + beta sin beta` and `T = beta cos beta - h sin beta`. They are the rows of the static
+//! matrix of Eqs. (19) and (20). Joints may be anywhere: the weight of a stone between two of them acts at its
+//! centroid, and the moments of all stones above a joint add up to `fac (1 - cos beta)`, for both weights.
 
 use super::Ring;
 use crate::number::{Angle, Field, Real};
@@ -22,22 +22,22 @@ pub struct Row<T> {
     pub thrust: T,
     /// The coefficient of `p`.
     pub moment: T,
-    /// What is free of both.
+    /// Term free of both.
     pub load: T,
 }
 
-/// Friction as a ratio: `shear T <= normal N`. A coefficient `mu` is 1 and `mu`; without limit it is 0 and 1, which asks for
-/// `N >= 0` alone.
+/// Friction as a ratio: `shear T <= normal N`. A coefficient `mu` is 1 and `mu`; without limit it is 0 and 1, which
+/// asks for `N >= 0` alone.
 #[derive(Clone, Debug)]
 pub struct Grip<T> {
-    /// What multiplies the shear force.
+    /// Factor of the shear force.
     pub shear: T,
-    /// What multiplies the normal force.
+    /// Factor of the normal force.
     pub normal: T,
 }
 
 impl<T> Grip<T> {
-    /// The same in another number.
+    /// Maps both factors to another number.
     pub fn map<U>(self, f: impl Fn(T) -> U) -> Grip<U> {
         Grip { shear: f(self.shear), normal: f(self.normal) }
     }
@@ -93,7 +93,7 @@ impl<T: Field> Row<T> {
         self.thrust.clone() * thrust + self.moment.clone() * moment + &self.load
     }
 
-    /// Both at once, from their sum: a hinge at the extrados and one at the intrados say so what is free of `p`.
+    /// Sum of both rows: a hinge at the extrados and one at the intrados say so what is free of `p`.
     pub fn plus(&self, other: &Self) -> Self {
         Self {
             thrust: self.thrust.clone() + &other.thrust,
@@ -128,15 +128,16 @@ impl<T: Field> Row<T> {
     }
 }
 
-/// The thrust at which a joint `a` asks for as much friction inwards as another `b` outwards, `T/N` of the one and `-T/N` of
-/// the other. With `s = a + b` it is the root
+/// The thrust at which a joint `a` asks for as much friction inwards as another `b` outwards, `T/N` of the one and
+/// `-T/N` of the other. With `s = a + b` it is the root
 ///
 /// ```text
 /// h = 2 a b sin s / (sqrt(s² cos² s + 4 a b sin² s) - s cos s)
 /// ```
 ///
-/// of `h² sin s - h s cos s - a b sin s = 0`, at which both normal forces are positive: negative where `s` is above a half turn. Above it
-/// the first asks for less and the second for more. Undefined for a joint at the crown, which asks for nothing.
+/// of `h² sin s - h s cos s - a b sin s = 0`, at which both normal forces are positive: negative where `s` is above
+/// a half turn. Above it the first asks for less and the second for more. Undefined for a joint at the crown, which
+/// asks for nothing.
 pub fn even_thrust<T: Real>(inwards: &Angle<T>, outwards: &Angle<T>) -> T {
     let sin = inwards.sin.clone() * &outwards.cos + inwards.cos.clone() * &outwards.sin;
     let cos = inwards.cos.clone() * &outwards.cos - inwards.sin.clone() * &outwards.sin;
@@ -152,7 +153,8 @@ pub fn multipliers<T: Field>([a, b, c]: &[Row<T>; 3]) -> [T; 3] {
     [b.cross(c), c.cross(a), a.cross(b)]
 }
 
-/// What then is left of their sum. Where it is positive and the multipliers are, nothing admissible is at this thickness.
+/// Sum of the rows with their multipliers. Where it is positive and the multipliers are, nothing admissible
+/// is at this thickness.
 pub fn combination<T: Field>(rows: &[Row<T>; 3]) -> T {
     let [a, b, c] = multipliers(rows);
     a * &rows[0].load + b * &rows[1].load + c * &rows[2].load

@@ -66,7 +66,7 @@ impl<T: Stumpff> Scaled<T> {
         }
     }
 
-    /// The same with a variable given another value, in its scaled form: `p`, `z`, `q`, `r`, `m`.
+    /// Scaled variables with one of them given another value, in its scaled form: `p`, `z`, `q`, `r`, `m`.
     pub fn with(mut self, unknown: Unknown, value: T) -> Self {
         let joint = |square: T| {
             let functions = (self.opening.square.clone() * &square).stumpff(FUNCTIONS);
@@ -90,7 +90,7 @@ impl<T: Stumpff> Scaled<T> {
 }
 
 impl<T> Scaled<T> {
-    /// The same in another number.
+    /// Maps the variables to another number.
     pub fn map<U>(self, f: impl Fn(T) -> U) -> Scaled<U> {
         let all = |functions: Vec<T>| functions.into_iter().map(&f).collect();
         let joint = |j: Joint<T>| Joint { square: f(j.square), functions: all(j.functions) };

@@ -28,15 +28,16 @@ pub fn pressure_radius<T: Field>(
     (crown_moment.clone() + weight_moment) / normal_force(joint, thrust)
 }
 
-/// The same where there is no thrust and no crown moment, `fac_M sin(beta) / (beta (1 + cos(beta)))`; at the crown it is
-/// 0/0, with the limit `fac_M/2`.
+/// Radius of the line of thrust where there is no thrust and no crown moment, `fac_M sin(beta) / (beta (1 +
+/// cos(beta)))`; at the crown it is 0/0, with the limit `fac_M/2`.
 pub fn radius_without_thrust<T: Field>(joint: &Angle<T>, centroid_factor: &T) -> T {
     let below = joint.cos.int(1) + &joint.cos;
     centroid_factor.clone() * &joint.sin / (below * &joint.rad)
 }
 
-/// The radius of the line of friction, in units of `r`: `1 + (eta/2) T/(mu N)`, on the extrados where an inner joint slides
-/// and on the intrados where the shoulder does. Undefined where the normal force is zero, or the friction.
+/// The radius of the line of friction, in units of `r`: `1 + (eta/2) T/(mu N)`, on the extrados where an inner
+/// joint slides and on the intrados where the shoulder does. Undefined where the normal force is zero, or the
+/// friction.
 pub fn friction_radius<T: Field>(joint: &Angle<T>, [thrust, friction, thickness]: [&T; 3]) -> T {
     let used = shear_force(joint, thrust) / (normal_force(joint, thrust) * friction);
     thrust.int(1) + used * thickness / thrust.int(2)

@@ -1,15 +1,17 @@
-//! The whole arch under a uniform horizontal acceleration of `k` times that of gravity, to the right: an earthquake at rest, or the
-//! ground tilted by the angle whose tangent is `k`, where all forces are larger by the same factor.
+//! The whole arch under a uniform horizontal acceleration of `k` times that of gravity, to the right: an earthquake
+//! at rest, or the ground tilted by the angle whose tangent is `k`, where all forces are larger by the same factor.
 //!
-//! The part between the crown and a joint `beta` is pushed with `k beta` at its centroid, whose moments about the centre add up to
-//! `k fac sin(beta)` for both weights. So the forces on a joint are those of the [whole arch](super::whole) with
+//! The part between the crown and a joint `beta` is pushed with `k beta` at its centroid, whose moments about the
+//! centre add up to `k fac sin(beta)` for both weights. So the forces on a joint are those of the [whole
+//! arch](super::whole) with
 //!
 //! ```text
 //! h + k beta        for h
 //! p + k fac sin(beta)   for p
 //! ```
 //!
-//! on both sides of the crown. What must not be positive is linear in `h, p, v` and `k`. To the left it is the mirror image.
+//! on both sides of the crown. What must not be positive is linear in `h, p, v` and `k`. To the left it is the
+//! mirror image.
 
 use super::Ring;
 use super::joint::Grip;
@@ -20,7 +22,7 @@ use crate::number::{Angle, Field};
 /// The forces in the crown, and the acceleration.
 #[derive(Clone, Debug)]
 pub struct Tilted<T> {
-    /// What the halves bear on each other.
+    /// Forces that the halves bear on each other.
     pub forces: Forces<T>,
     /// `k`, the horizontal acceleration over that of gravity.
     pub tilt: T,
@@ -31,11 +33,11 @@ pub struct Tilted<T> {
 pub struct TiltedRow<T> {
     /// The coefficients of `h, p, v, k`.
     pub coefficients: [T; 4],
-    /// What is free of them.
+    /// Term free of the forces.
     pub load: T,
 }
 
-/// What must not be positive at a joint.
+/// Row of a joint's condition: what must not be positive.
 pub fn row<T: Field>(
     contact: Contact,
     joint: &Angle<T>,
@@ -48,7 +50,7 @@ pub fn row<T: Field>(
     TiltedRow { coefficients: [thrust, moment, vertical, push], load }
 }
 
-/// What must not be negative at a joint.
+/// Margin of a joint: what must not be negative.
 pub fn margin_at<T: Field>(
     contact: Contact,
     joint: &Angle<T>,
@@ -115,8 +117,8 @@ mod tests {
         }
     }
 
-    /// A part of the arch is in equilibrium: what its two joints bear is its weight and its push, with their moments about the
-    /// centre, its centroid being at the radius `fac sin(g)/g` of half its angle `g`.
+    /// A part of the arch is in equilibrium: what its two joints bear is its weight and its push, with their
+    /// moments about the centre, its centroid being at the radius `fac sin(g)/g` of half its angle `g`.
     #[test]
     fn a_stone_is_in_equilibrium() {
         let (ring, _, Tilted { forces, tilt }) = parts();

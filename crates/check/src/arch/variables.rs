@@ -41,7 +41,7 @@ impl Unknown {
         }
     }
 
-    /// Whether its sine and cosine are needed.
+    /// Tells whether the sine and cosine of the unknown are needed.
     pub fn is_angle(self) -> bool {
         matches!(
             self,
@@ -112,7 +112,7 @@ impl<T: Field> Configuration<T> {
 
 #[cfg(test)]
 impl Configuration<rug::Rational> {
-    /// One with rational sines and cosines, for identities: of no state.
+    /// Configuration with rational sines and cosines, for identities: of no state.
     pub(crate) fn rational() -> Self {
         let angle = |rad: (i32, i32), sin: (i32, i32), cos: (i32, i32)| Angle {
             rad: rad.into(),
@@ -167,7 +167,7 @@ impl<T> Configuration<T> {
         self.map_each(|_, angle| angle.map(&f), |_, value| f(value))
     }
 
-    /// The same from references.
+    /// Maps the variables from references.
     pub fn map_ref<U>(&self, f: impl Fn(&T) -> U) -> Configuration<U> {
         let angle = |x: &Angle<T>| Angle { rad: f(&x.rad), sin: f(&x.sin), cos: f(&x.cos) };
         Configuration {
@@ -183,7 +183,7 @@ impl<T> Configuration<T> {
         }
     }
 
-    /// The same, each variable in its own way.
+    /// Maps each variable in its own way.
     pub fn map_each<U>(
         self,
         angle: impl Fn(Unknown, Angle<T>) -> Angle<U>,

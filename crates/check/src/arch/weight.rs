@@ -1,10 +1,10 @@
-//! Where the self-weight of a thin slice of the arch acts: the two models, and Eq. (6).
+//! Place where the self-weight of a thin slice of the arch acts: the two models, and Eq. (6).
 
 use crate::number::Field;
 use std::fmt;
 use std::str::FromStr;
 
-/// Why a text is no self-weight model.
+/// Reason why a text is no self-weight model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NoWeight;
 
@@ -68,9 +68,9 @@ const _: () = match SelfWeight::Heyman {
 /// A value for each self-weight model: a cache, for instance. A model that is added has to be given one.
 #[derive(Clone, Copy, Debug)]
 pub struct PerWeight<T> {
-    /// For [`SelfWeight::Heyman`].
+    /// Value for [`SelfWeight::Heyman`].
     pub heyman: T,
-    /// For [`SelfWeight::Milankovitch`].
+    /// Value for [`SelfWeight::Milankovitch`].
     pub milankovitch: T,
 }
 
@@ -106,7 +106,7 @@ impl<T: Field> Ring<T> {
         Self::with_flag(&thickness.int(weight.flag()), thickness)
     }
 
-    /// The same with `delta_M` as a number (or a symbol): `fac_M = 1 + delta_M eta²/12`, Eq. (6).
+    /// Ring with `delta_M` as a number (or a symbol): `fac_M = 1 + delta_M eta²/12`, Eq. (6).
     pub fn with_flag(delta: &T, thickness: &T) -> Self {
         let centroid_factor = delta.int(1) + delta.clone() * thickness.square() / delta.int(12);
         Self { thickness: thickness.clone(), centroid_factor }

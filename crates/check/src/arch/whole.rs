@@ -1,20 +1,22 @@
 //! Statics and kinematics of the whole arch, as Eqs. (19) and (20) have them.
 //!
-//! Without symmetry the crown bears a vertical force `v` beside the thrust `h` and the moment `p`: it carries `v` of the
-//! weight of the right half. Joints are angles from the crown, positive to the right, in `[-alpha, alpha]`. The forces on
-//! a joint `beta` are those of the half arch with `beta - v` for the weight, the sine and the cosine being those of `beta`:
+//! Without symmetry the crown bears a vertical force `v` beside the thrust `h` and the moment `p`: it carries `v`
+//! of the weight of the right half. Joints are angles from the crown, positive to the right, in `[-alpha, alpha]`.
+//! The forces on a joint `beta` are those of the half arch with `beta - v` for the weight, the sine and the cosine
+//! being those of `beta`:
 //!
 //! ```text
 //! N = h cos(beta) + (beta - v) sin(beta)
 //! T = (beta - v) cos(beta) - h sin(beta)
 //! ```
 //!
-//! On the left, at `beta < 0`, `T = -mu N` is inward sliding and `T = mu N` outward, the other way round than on the right:
-//! [`Side`] turns the one into the other.
+//! On the left, at `beta < 0`, `T = -mu N` is inward sliding and `T = mu N` outward, the other way round than on
+//! the right: [`Side`] turns the one into the other.
 //!
 //! A joint at its limit adds the same relative twist, "left of it less right of it", on both sides. All
-//! twists from springing to springing add up to zero: **three equations of compatibility**, dual to `h`, `p` and `v`. With a
-//! dilatancy of `mu` the row of the motion is that of the statics; without, a joint that slides does not open.
+//! twists from springing to springing add up to zero: **three equations of compatibility**, dual to `h`, `p` and
+//! `v`. With a dilatancy of `mu` the row of the motion is that of the statics; without, a joint that slides does
+//! not open.
 
 use super::Ring;
 use super::joint::Grip;
@@ -22,7 +24,7 @@ use super::mechanism::{Contact, Joint, Twist};
 use super::statics;
 use crate::number::{Angle, Field, Jet};
 
-/// What the right half of the arch bears on the left one, at the crown.
+/// Forces that the right half of the arch bears on the left one, at the crown.
 #[derive(Clone, Debug)]
 pub struct Forces<T> {
     /// `h`.
@@ -36,9 +38,9 @@ pub struct Forces<T> {
 /// A half of the arch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
-    /// Of the positive angles.
+    /// The side of the positive angles.
     Right,
-    /// Of the negative ones.
+    /// The side of the negative angles.
     Left,
 }
 
@@ -76,7 +78,7 @@ pub fn carried<T: Field>(joint: &Angle<T>, vertical: &T) -> Angle<T> {
     Angle { rad: joint.rad.clone() - vertical, ..joint.clone() }
 }
 
-/// What must not be negative at a joint.
+/// Margin of a joint, which must not be negative.
 pub fn margin<T: Field>(
     contact: Contact,
     joint: &Angle<T>,
@@ -136,8 +138,8 @@ pub fn static_row<T: Field>(
     [row.thrust, row.moment, without - with]
 }
 
-/// The row of the compatibility matrix: the horizontal velocity, the rotation clockwise and the vertical velocity that a joint
-/// adds at the rate one.
+/// The row of the compatibility matrix: the horizontal velocity, the rotation clockwise and the vertical velocity
+/// that a joint adds at the rate one.
 pub fn motion_row<T: Field>(
     contact: Contact,
     joint: &Angle<T>,
@@ -152,7 +154,8 @@ fn components<T: Field>(twist: Twist<T>) -> [T; 3] {
     [across, -twist.rotation, up]
 }
 
-/// Joints that give way together, from the right springing to the left, each by its sign at a joint of `[-alpha, alpha]`.
+/// Joints that give way together, from the right springing to the left, each by its sign at a joint of `[-alpha,
+/// alpha]`.
 #[derive(Clone, Debug)]
 pub struct Motion<T>(pub Vec<Joint<T>>);
 

@@ -1,5 +1,5 @@
-//! `couplet-check`: files in, a line for each out. The lines are those of `couplet check`; the arguments are read here, so
-//! that nothing more has to be trusted.
+//! `couplet-check`: files in, a line for each out. The lines are those of `couplet check`; the arguments are read
+//! here, so that nothing more has to be trusted.
 
 use couplet_check::check::{Engine, Failure, NO_MPFR, check_files, print, visible};
 use std::ffi::OsString;

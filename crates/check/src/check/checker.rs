@@ -25,9 +25,9 @@ use crate::problem::{Problem, Quantity, System, Verdict};
 /// The verdict of a successful check.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Accepted {
-    /// What was claimed.
+    /// Problem that was claimed.
     pub problem: Problem,
-    /// How many digits the values have.
+    /// Number of digits that the values have.
     pub digits: usize,
     /// The values, each proved to be the correct rounding, in one spelling whatever that of the file is.
     pub values: Vec<(Quantity, String)>,
@@ -47,7 +47,7 @@ pub const MAX_DIGITS: usize = 1_000_000;
 /// this size that takes some seconds.
 pub const ASTRO_DIGITS: usize = 50_000;
 
-/// The same for malachite, which is quicker.
+/// Largest number of digits for malachite, which is quicker.
 #[cfg(feature = "malachite")]
 pub const MALACHITE_DIGITS: usize = 50_000;
 

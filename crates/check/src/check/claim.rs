@@ -15,7 +15,7 @@ use crate::problem::{
 };
 
 record! {
-    /// What is claimed, in names and text: of its seven subjects exactly one.
+    /// Claim in names and text: of its seven subjects exactly one.
     #[derive(Default)]
     pub struct ClaimFile {
         /// `heyman` or `milankovitch`.
@@ -56,9 +56,9 @@ record! {
     pub struct StateFile {
         /// The label of the mode.
         pub mode: String,
-        /// As in [`ArchFile`].
+        /// Half opening as in [`ArchFile`].
         pub half_opening: String,
-        /// As in [`ArchFile`].
+        /// Friction as in [`ArchFile`].
         pub friction: String,
     }
 }
@@ -68,9 +68,9 @@ record! {
     pub struct TooThinFile {
         /// The label of the mode.
         pub mode: String,
-        /// As in [`ArchFile`].
+        /// Half opening as in [`ArchFile`].
         pub half_opening: String,
-        /// As in [`ArchFile`].
+        /// Friction as in [`ArchFile`].
         pub friction: String,
         /// The thickness, a fraction of integers.
         pub thickness: String,
@@ -80,9 +80,9 @@ record! {
 record! {
     /// An arch and an admissible state of it.
     pub struct StandsFile {
-        /// As in [`ArchFile`].
+        /// Half opening as in [`ArchFile`].
         pub half_opening: String,
-        /// As in [`ArchFile`].
+        /// Friction as in [`ArchFile`].
         pub friction: String,
         /// The thickness, a fraction of integers.
         pub thickness: String,
@@ -100,9 +100,9 @@ record! {
     pub struct AsymmetricFile {
         /// `inner_sliding`, `shoulder_opening` or `shoulder_sliding`: how the mechanism closes.
         pub mode: String,
-        /// As in [`ArchFile`].
+        /// Half opening as in [`ArchFile`].
         pub half_opening: String,
-        /// As in [`ArchFile`], and limited.
+        /// Friction as in [`ArchFile`], and limited.
         pub friction: String,
         /// The joints that give way, from the right springing to the left: how, on which side, and where.
         pub contacts: Vec<String>,

@@ -7,10 +7,10 @@ use crate::arch::Configuration;
 use crate::number::{Engine, Tens, Written};
 use crate::problem::{Known, Problem, Quantity};
 
-/// What the decimals are compared with, and what they share.
+/// Decimals of a certificate, what they are compared with, and what they share.
 pub(super) struct Decimals<'a, E> {
     problem: &'a Problem,
-    /// Where the root is.
+    /// Place of the root.
     at: &'a Configuration<E>,
     digits: usize,
     bits: usize,
@@ -22,7 +22,7 @@ pub(super) struct Decimals<'a, E> {
 }
 
 impl<'a, E: Engine> Decimals<'a, E> {
-    /// Of a problem whose root lies in `at`, to `digits` significant digits, in numbers of `bits` bits.
+    /// Decimals of a problem whose root lies in `at`, to `digits` significant digits, in numbers of `bits` bits.
     pub(super) fn new(
         problem: &'a Problem,
         at: &'a Configuration<E>,
@@ -81,8 +81,8 @@ impl<'a, E: Engine> Decimals<'a, E> {
         Some(self.plain(angle, known, near)? * &radian)
     }
 
-    /// The same of a quantity that is not in degrees; an angle known by its tangent is computed from a number near it,
-    /// once.
+    /// Decimal of a quantity that is not in degrees; an angle known by its tangent is computed from a number
+    /// near it, once.
     fn plain(&mut self, quantity: Quantity, known: &Known<E>, near: impl Fn() -> E) -> Option<E> {
         if let Known::Enclosed(x) = known {
             return Some(x.clone());

@@ -60,7 +60,7 @@ impl Engine {
         (self.check)(bytes)
     }
 
-    /// What has to be known of an acceptance by this arithmetic.
+    /// Remark on an acceptance by this arithmetic.
     pub(super) fn remark(self) -> &'static str {
         self.remark
     }

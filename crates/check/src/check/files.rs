@@ -24,7 +24,7 @@ pub enum Failure {
     Open(String),
 }
 
-/// What became of a file.
+/// Verdict on a file.
 enum Verdict {
     Accepted,
     Refused,

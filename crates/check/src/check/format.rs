@@ -15,11 +15,11 @@ record! {
     pub struct Certificate {
         /// [`SCHEMA`].
         pub schema: String,
-        /// What made it, with the version; not checked.
+        /// Tool that made it, with the version; not checked.
         pub tool: String,
-        /// What is claimed.
+        /// Claim of the certificate.
         pub claim: ClaimFile,
-        /// How many significant digits the values have.
+        /// Number of significant digits of the values.
         pub digits: usize,
         /// The witness of existence and uniqueness in a large box.
         pub unique: Witness,
@@ -75,7 +75,7 @@ impl Certificate {
     }
 }
 
-/// Why a text is not a certificate. The reason may quote the text, which may be long and hold anything.
+/// Reason why a text is not a certificate. The reason may quote the text, which may be long and hold anything.
 fn reason(error: &serde_json::Error) -> String {
     let words = error.to_string();
     let place = format!(" at line {} column {}", error.line(), error.column());

@@ -1,11 +1,12 @@
-//! How a certificate gives a number exactly: `49/20`, `1/2 pi`, `2 atan 3/5`; a friction also as `tan 7/36 pi` or `inf`.
+//! Exact numbers as a certificate gives them: `49/20`, `1/2 pi`, `2 atan 3/5`; a friction also as `tan 7/36
+//! pi` or `inf`.
 
 use crate::number::{ExactNumber, Form};
 use crate::problem::Friction;
 
 /// Decimal digits of an integer that is given.
 const MAX_GIVEN: usize = 100_000;
-/// What stands behind a factor of pi, and before a tangent.
+/// Text behind a factor of pi, and before a tangent.
 const PI: &str = " pi";
 const ARCTANGENT: &str = "2 atan ";
 

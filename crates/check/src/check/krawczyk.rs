@@ -70,7 +70,7 @@ fn sum<E: Field>(like: &E, terms: impl Iterator<Item = E>) -> E {
     terms.fold(like.int(0), |sum, term| sum + term)
 }
 
-/// Whether each component of `image` lies in the interior of that of `domain`.
+/// Tells whether each component of `image` lies in the interior of that of `domain`.
 pub fn is_contracted<E: Enclosure>(image: &[E], domain: &[E]) -> bool {
     image.len() == domain.len() && image.iter().zip(domain).all(|(k, x)| k.lies_inside(x))
 }

@@ -1,6 +1,7 @@
 //! The records of a certificate: JSON objects and nothing else, with every field once and no other. Serde's own derived
-//! code would take a list of the values too, and `null` for a field that may be left out; and it would need a procedural
-//! macro, which a checker is built without. Lists end: one that is longer than any certificate needs is not read to its end.
+//! code would take a list of the values too, and `null` for a field that may be left out; and it would need a
+//! procedural macro, which a checker is built without. Lists end: one that is longer than any certificate needs is
+//! not read to its end.
 
 use crate::number::Dyadic;
 use serde::de::{DeserializeSeed, Error, SeqAccess, Visitor};

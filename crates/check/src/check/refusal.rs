@@ -1,14 +1,14 @@
-//! Why a certificate is refused: the place and the cause.
+//! Reasons why a certificate is refused: the place and the cause.
 
 use crate::number::says;
 
-/// Why a certificate is refused. It says nothing about the truth of the claim.
+/// Reason why a certificate is refused. It says nothing about the truth of the claim.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Refusal {
-    /// Not UTF-8.
+    /// The text is not UTF-8.
     Encoding(usize),
-    /// Not JSON, or not of the schema: unknown, missing or repeated fields, wrong types, more behind
-    /// the end.
+    /// The text is not JSON, or not of the schema: unknown, missing or repeated fields, wrong types, more
+    /// behind the end.
     Format(String),
     /// Another schema.
     Schema(String),
@@ -16,23 +16,23 @@ pub enum Refusal {
     Subject,
     /// A name that does not exist.
     Name {
-        /// What should be named.
+        /// Entry that should be named.
         place: &'static str,
-        /// What stands there.
+        /// Text that stands there.
         text: String,
     },
     /// The claim lists other equations, unknowns or contacts than its subject has.
     Mismatch {
         /// `unknowns`, `equations` or `contacts`.
         place: &'static str,
-        /// What they should be.
+        /// Form that they should have.
         expected: String,
     },
     /// A given number that is not exact and in its range.
     Given {
         /// `half_opening`, `friction` or `thickness`.
         place: &'static str,
-        /// What stands there.
+        /// Text that stands there.
         text: String,
     },
     /// The number of digits.
@@ -41,32 +41,32 @@ pub enum Refusal {
     Limit(usize, usize),
     /// A vector or matrix of the wrong size.
     Size {
-        /// Which.
+        /// Entry that is meant.
         place: &'static str,
-        /// How many it has.
+        /// Number of items it has.
         found: usize,
-        /// How many it should have.
+        /// Number of items it should have.
         expected: usize,
     },
     /// A number with more bits than its digits need.
     Large {
-        /// Where.
+        /// Place of the number.
         place: &'static str,
-        /// How many bits are allowed.
+        /// Number of bits that are allowed.
         bits: usize,
     },
     /// A radius that is not positive.
     Radius {
-        /// Which box.
+        /// Box that is meant.
         place: &'static str,
-        /// Of which unknown.
+        /// Unknown that is meant.
         unknown: &'static str,
     },
     /// The equations are not regular on the box.
     Denominator(&'static str),
     /// The box is not mapped into itself.
     Contraction {
-        /// Which box.
+        /// Box that is meant.
         place: &'static str,
         /// The first unknown for which it fails.
         unknown: &'static str,

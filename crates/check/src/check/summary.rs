@@ -1,11 +1,11 @@
-//! What was accepted, in a few words: shortened, and true.
+//! Summary of what was accepted, in a few words: shortened, and true.
 
 use super::checker::Accepted;
 use super::given::{friction_text, given_text};
 use crate::problem::asymmetric_region::STANDS;
 use crate::problem::{Arch, Problem, Quantity, Verdict};
 
-/// What was accepted, in a few words: the end of the line that `couplet check` gives a file.
+/// Summary of what was accepted, in a few words: the end of the line that `couplet check` gives a file.
 pub fn summary(accepted: &Accepted) -> String {
     let thick = |thickness| format!(" thickness {}", shortened_fraction(&given_text(thickness)));
     // What is given is compared with the value of the same quantity, and with no other.
@@ -54,7 +54,7 @@ pub fn summary(accepted: &Accepted) -> String {
     format!("{subject} {weight}  {relation}{name} {value} to {digits} digit{plural}{meaning}")
 }
 
-/// What is given of an arch.
+/// Given numbers of an arch.
 fn described(arch: &Arch) -> String {
     let half_opening = shortened_fraction(&given_text(arch.half_opening()));
     let friction = shortened_fraction(&friction_text(arch.friction()));

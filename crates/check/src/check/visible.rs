@@ -18,7 +18,7 @@ pub(super) fn shortened(text: &str) -> String {
     beginning(text, 40)
 }
 
-/// At most `length` characters of a text.
+/// Beginning of a text: at most `length` characters of it.
 pub(super) fn beginning(text: &str, length: usize) -> String {
     let mut shown = visible(&text.chars().take(length).collect::<String>());
     if text.chars().nth(length).is_some() {

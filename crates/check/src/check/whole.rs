@@ -3,9 +3,10 @@
 //!
 //! The stretch from -4 to 4, which holds every arch, is cut into pieces, and these are halved until on each of them
 //!
-//! - the margin is positive, by Taylor's theorem: its value and slope in the middle, its curvature on all of the piece; or
-//! - the piece lies next to a joint that is at its limit. Inside the arch the margin and its slope are zero there, and its
-//!   curvature is positive around it; at the right springing the margin is zero, and falls towards it; or
+//! - the margin is positive, by Taylor's theorem: its value and slope in the middle, its curvature on all of the
+//!   piece; or
+//! - the piece lies next to a joint that is at its limit. Inside the arch the margin and its slope are zero there,
+//!   and its curvature is positive around it; at the right springing the margin is zero, and falls towards it; or
 //! - the piece is beyond the springings.
 //!
 //! What is zero at a joint is so by the equations of the claim: that is not looked at here.
@@ -28,7 +29,7 @@ pub(crate) struct Whole<E> {
 /// A joint at its limit, by the sign of its condition.
 struct Touching<E> {
     contact: Contact,
-    /// Where the curvature of the margin is positive, or at the right springing its slope negative.
+    /// Part where the curvature of the margin is positive, or at the right springing its slope negative.
     near: E,
 }
 
@@ -48,7 +49,7 @@ fn binary(m: i64, k: u32) -> Dyadic {
     Dyadic::new(m < 0, vec![m.unsigned_abs()], -(k as i32))
 }
 
-/// What is not shown not to be negative of an asymmetric solution.
+/// First margin of an asymmetric solution that is not shown not to be negative.
 pub fn first_failure<E: Engine>(
     mode: AsymmetricMode,
     weight: SelfWeight,
@@ -90,8 +91,8 @@ impl<E: Engine> Whole<E> {
         }
     }
 
-    /// The first margin that is not shown to be nowhere negative. Where one is zero is given: inside the arch, where its slope
-    /// is zero too, or, without a joint, at the right springing.
+    /// The first margin that is not shown to be nowhere negative. Where one is zero is given: inside the arch,
+    /// where its slope is zero too, or, without a joint, at the right springing.
     pub(crate) fn first_failure(&self, joints: &[(Contact, Option<E>)]) -> Option<Contact> {
         let mut touching = Vec::new();
         for (contact, joint) in joints {

@@ -18,7 +18,7 @@ pub enum Friction {
     Coefficient(ExactNumber),
     /// `phi = atan(mu)`, rad.
     Angle(ExactNumber),
-    /// No limit.
+    /// The friction has no limit.
     Infinite,
 }
 
@@ -38,7 +38,7 @@ pub struct Arch {
     friction: Friction,
 }
 
-/// Why an arch is refused.
+/// Reason why an arch is refused.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ArchError {
@@ -66,7 +66,7 @@ says!(ArchError {
 });
 
 impl ArchError {
-    /// What a number that is refused may have been meant to be; empty if nothing is near.
+    /// Suggestion of the number that a refused one may have been meant to be; empty if nothing is near.
     pub fn hint(&self) -> String {
         match self {
             Self::HalfOpening(angle) => meant_degrees(angle),
@@ -76,7 +76,7 @@ impl ArchError {
     }
 }
 
-/// How people write that nothing slides, in small letters.
+/// Spellings of unlimited friction, in small letters.
 const INFINITE: [&str; 3] = ["inf", "infinity", "∞"];
 
 impl FromStr for Friction {
@@ -145,7 +145,7 @@ impl Friction {
     }
 }
 
-/// Whether a thickness is above 0 and at most the physical limit 2.
+/// Tells whether a thickness is above 0 and at most the physical limit 2.
 pub fn is_thickness(thickness: &ExactNumber) -> bool {
     let (zero, limit) = (ratio(0, 1), ratio(2, 1));
     thickness.is_rational() && *thickness.factor() > zero && *thickness.factor() <= limit
@@ -183,7 +183,7 @@ impl Arch {
         Self::new(weight, half_opening.parse()?, friction.parse()?)
     }
 
-    /// The same arch with unlimited friction.
+    /// Arch with the measures of this one and unlimited friction.
     pub fn unlimited(&self) -> Self {
         Self { friction: Friction::Infinite, ..self.clone() }
     }
@@ -203,12 +203,12 @@ impl Arch {
         &self.friction
     }
 
-    /// Whether the friction is limited.
+    /// Tells whether the friction is limited.
     pub fn is_limited(&self) -> bool {
         self.friction != Friction::Infinite
     }
 
-    /// What is given, in numbers of `bits` bits: the half opening and, if it is limited, the friction;
+    /// Given variables, in numbers of `bits` bits: the half opening and, if it is limited, the friction;
     /// everything else zero.
     pub fn given<E: Engine>(&self, bits: u32) -> Configuration<E> {
         let alpha: E = self.half_opening.enclosure(bits);
@@ -231,7 +231,7 @@ impl fmt::Display for Arch {
     }
 }
 
-/// What a half opening that is refused may have been meant to be, if it would be one in degrees.
+/// Suggestion of the half opening that a refused one may have been meant to be, if it would be one in degrees.
 fn meant_degrees(half_opening: &ExactNumber) -> String {
     // Hardly anybody means four times a radian.
     let in_degrees = half_opening.is_rational()
@@ -243,7 +243,7 @@ fn meant_degrees(half_opening: &ExactNumber) -> String {
     }
 }
 
-/// The same of a friction angle.
+/// Suggestion of the friction angle that a refused one may have been meant to be.
 fn meant_friction_angle(angle: &str) -> String {
     let in_degrees = |angle: &ExactNumber| {
         let is_large = angle.is_rational() && *angle.factor() >= ratio(2, 1);
@@ -264,7 +264,7 @@ fn sign(x: &ExactNumber) -> Sign {
     x.factor().numer().sign() * x.factor().denom().sign()
 }
 
-/// Whether an angle is above zero (or is zero, if that is allowed) and below `pi / divisor`.
+/// Tells whether an angle is above zero (or is zero, if that is allowed) and below `pi / divisor`.
 fn is_between(x: &ExactNumber, zero_is_in: bool, divisor: i32, in_doubles: bool) -> bool {
     let positive = match sign(x) {
         Sign::Plus => true,
@@ -285,7 +285,7 @@ fn is_between(x: &ExactNumber, zero_is_in: bool, divisor: i32, in_doubles: bool)
     positive && below == Some(Ternary::True)
 }
 
-/// Whether a number is below `pi / divisor`.
+/// Tells whether a number is below `pi / divisor`.
 fn is_below<E: Engine>(x: &ExactNumber, divisor: i32, bits: u32) -> Ternary {
     let x: E = x.enclosure(bits);
     x.is_less_than(&(x.pi() / x.int(divisor)))

@@ -63,8 +63,8 @@ pub(super) fn system(mode: AsymmetricMode, weight: SelfWeight) -> System {
     System { weight, unknowns, equations, fixed: &[] }
 }
 
-/// What has to be positive besides the margins on the whole arch: the ranges, the order of the joints, and the rates.
-/// The two hinges turn by one, that at the haunch by as much more as the shoulder opens.
+/// Conditions besides the margins on the whole arch: the ranges, the order of the joints, and the rates. The
+/// two hinges turn by one, that at the haunch by as much more as the shoulder opens.
 pub(super) fn conditions(mode: AsymmetricMode) -> Vec<Condition> {
     use {Condition as C, Unknown as U};
     let range = [
@@ -86,7 +86,7 @@ pub(super) fn conditions(mode: AsymmetricMode) -> Vec<Condition> {
     [&range[..], own].concat()
 }
 
-/// What a condition has to spare, if it is one that an asymmetric solution sees in its own way.
+/// Margin of a condition, if it is one that an asymmetric solution sees in its own way.
 pub(super) fn margin<T: Field>(
     mode: AsymmetricMode,
     condition: Condition,
@@ -121,7 +121,7 @@ fn rate<T: Field>(
     Some(Asymmetric::from(at).motion(mode).0.swap_remove(index).rate)
 }
 
-/// Whether a quantity can be stated of a solution: unknowns, what is made of them, and the motion.
+/// Tells whether a quantity can be stated of a solution: unknowns, what is made of them, and the motion.
 pub(super) fn has(mode: AsymmetricMode, quantity: Quantity) -> bool {
     match quantity {
         Quantity::IntrinsicThrust | Quantity::ShoulderSlip | Quantity::Power => true,

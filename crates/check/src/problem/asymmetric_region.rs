@@ -1,18 +1,19 @@
-//! Between which half openings and frictions an asymmetric mechanism of (19) is known, as a table; and what "stands" means.
+//! Half openings and frictions between which an asymmetric mechanism of (19) is known, as a table; and what
+//! "stands" means.
 //!
-//! An arch stands if it has an admissible state; and if it has one, it has a symmetric one. With friction that does not slide
-//! without opening, the static theorem ends there: some horseshoes have, at a thickness above the least, an admissible state and an
-//! asymmetric mechanism that (19) does not exclude. Their half openings and frictions lie between the edge of `[s,s]` and the lines
-//! that `couplet map --plane opening-friction --asymmetric` proves; that none lie outside is not proved, and the
-//! claim `asymmetric-begins` proves where they begin at the edges.
+//! An arch stands if it has an admissible state; and if it has one, it has a symmetric one. With friction that does
+//! not slide without opening, the static theorem ends there: some horseshoes have, at a thickness above the least,
+//! an admissible state and an asymmetric mechanism that (19) does not exclude. Their half openings and frictions
+//! lie between the edge of `[s,s]` and the lines that `couplet map --plane opening-friction --asymmetric` proves;
+//! that none lie outside is not proved, and the claim `asymmetric-begins` proves where they begin at the edges.
 
 use super::Arch;
 use crate::arch::SelfWeight;
 use crate::number::DoubleBall;
 
-/// What is proved of an arch that stands.
+/// Property proved of an arch that stands.
 pub const STANDS: &str = "an admissible symmetric state exists";
-/// What that leaves open where friction is limited.
+/// Possibility that standing leaves open where friction is limited.
 pub const MAY_MOVE: &str = "friction without dilatancy may let such an arch move";
 /// The command that looks for such a motion.
 pub const LOOK: &str = "couplet complementarity";
@@ -20,8 +21,8 @@ pub const LOOK: &str = "couplet complementarity";
 /// A half opening (rad), and the least and the largest friction there.
 type Node = [f64; 3];
 
-/// From `couplet map --asymmetric` and `couplet map --curve srr/ss,rrr/srr`, rounded outward by 0.0005 to 0.006 of the friction; straight
-/// lines between.
+/// Nodes from `couplet map --asymmetric` and `couplet map --curve srr/ss,rrr/srr`, rounded outward by 0.0005
+/// to 0.006 of the friction; straight lines between.
 const MILANKOVITCH: &[Node] = &[
     [2.2, 0.87, 0.875],
     [2.225, 0.906, 0.938],
@@ -32,7 +33,7 @@ const MILANKOVITCH: &[Node] = &[
     [2.4, 1.209, 1.228],
     [2.4325, 1.28, 1.285],
 ];
-/// The same for Heyman's weight.
+/// Nodes of the region for Heyman's weight.
 const HEYMAN: &[Node] = &[
     [2.19, 0.857, 0.862],
     [2.22, 0.898, 0.936],
@@ -48,8 +49,8 @@ const HEYMAN: &[Node] = &[
 /// Every friction.
 const ALL: [f64; 2] = [0.0, f64::INFINITY];
 
-/// Whether an asymmetric mechanism is known of arches with this half opening and friction, or next to them; also of numbers that doubles
-/// do not hold.
+/// Tells whether an asymmetric mechanism is known of arches with this half opening and friction, or next to
+/// them; also of numbers that doubles do not hold.
 pub fn may_move_asymmetrically(arch: &Arch) -> bool {
     let range = |x: DoubleBall| [x.lower(), x.upper()];
     let half_opening = range(arch.half_opening().enclosure(53));
@@ -58,7 +59,7 @@ pub fn may_move_asymmetrically(arch: &Arch) -> bool {
     arch.is_limited() && may(ALL) && may(range(arch.given::<DoubleBall>(53).friction))
 }
 
-/// The same of any arch in a range of half openings (rad) and one of frictions.
+/// Tells whether an asymmetric mechanism is known of any arch in a range of half openings (rad) and one of frictions.
 pub fn some_may_move(weight: SelfWeight, half_openings: [f64; 2], frictions: [f64; 2]) -> bool {
     let table = match weight {
         SelfWeight::Milankovitch => MILANKOVITCH,

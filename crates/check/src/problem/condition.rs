@@ -1,4 +1,4 @@
-//! What has to be positive for a state to be admissible everywhere and the thinnest there is.
+//! Conditions for a state to be admissible everywhere and the thinnest there is.
 //!
 //! The lemma behind it, and the multipliers, are in [`arch::contact`](crate::arch::contact).
 
@@ -43,7 +43,7 @@ pub enum Condition {
     SlidesInwards,
     /// The shoulder bounds the thrust from above: `sin(alpha) > mu cos(alpha)`.
     ShoulderBoundsThrust,
-    /// The same, unless the weight of the mechanism grows with the thrust.
+    /// The shoulder bounds the thrust, unless the weight of the mechanism grows with the thrust.
     GrowsOrIsBounded,
     /// The weight of the mechanism grows with the thrust, which nothing bounds.
     GrowsWithThrust,
@@ -55,17 +55,17 @@ pub enum Condition {
     WeightAtLargestThrust,
     /// No thinner arch has an admissible state at the largest thrust that the shoulder bears.
     NoneThinnerAtLargestThrust,
-    /// What is given of a variable is beyond the limit at which the arch could just stand.
+    /// The given value of a variable is beyond the limit at which the arch could just stand.
     Beyond(Unknown),
     /// The line of thrust is inside the intrados where it comes nearest.
     InsideIntrados,
-    /// It comes nearer to the intrados as far as the shoulder.
+    /// The line of thrust comes nearer to the intrados as far as the shoulder.
     NearestAtShoulder,
 }
 
 impl Condition {
-    /// What has to be positive where the equations of the mode hold, for the state to be admissible on
-    /// the whole half arch and no thinner arch to stand. What is zero by the equations is not listed.
+    /// Conditions where the equations of the mode hold, for the state to be admissible on the whole half arch
+    /// and no thinner arch to stand. What is zero by the equations is not listed.
     pub fn of(mode: Mode, is_limited: bool) -> impl Iterator<Item = Condition> {
         use {Condition as C, Unknown as U};
         let state = &[C::Compression, C::Above(U::Thickness), C::Below(U::Thickness)];
@@ -121,7 +121,7 @@ impl Condition {
         parts.into_iter().flatten().copied().filter(needed)
     }
 
-    /// What is positive, in words.
+    /// Description in words of what is positive.
     pub fn label(self) -> &'static str {
         match self {
             Self::Above(Unknown::HalfOpening) => "a positive half opening",
@@ -174,8 +174,8 @@ impl Condition {
         }
     }
 
-    /// Whether its margin is zero by the equations of a landmark: on one side the state is of one mode, on
-    /// the other of another, or no thicker arch is physical.
+    /// Tells whether the condition's margin is zero by the equations of a landmark: on one side the state is
+    /// of one mode, on the other of another, or no thicker arch is physical.
     pub fn is_tie(self, system: &System) -> bool {
         let holds = |equation| system.equations.contains(&equation);
         let is = |unknown, n| system.fixed_value(unknown) == Some(Fixed::Integer(n));
@@ -201,7 +201,7 @@ impl Condition {
         }
     }
 
-    /// Whether the condition needs a limited friction, or an unlimited one.
+    /// Tells whether the condition needs a limited friction, or an unlimited one.
     fn needs_friction(self) -> Option<bool> {
         match self {
             Self::SteepestAboveShoulder

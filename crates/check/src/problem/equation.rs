@@ -32,17 +32,17 @@ pub enum Equation {
     /// The line of thrust meets the extrados at the hinge next to the crown. Like what follows of an
     /// [asymmetric state](crate::arch::asymmetric).
     CrownHinge,
-    /// It touches it there.
+    /// The line of thrust touches the extrados there.
     CrownTangency,
     /// The line of thrust meets the intrados at the left haunch.
     HaunchHinge,
-    /// It touches it there.
+    /// The line of thrust touches the intrados there.
     HaunchTangency,
     /// The right shoulder is at its limit of friction.
     ShoulderSlides,
     /// An inner joint of the left half is at its limit of friction.
     InnerSlides,
-    /// It is where friction is nearest to its limit.
+    /// The inner joint is where friction is nearest to its limit.
     InnerSteepest,
     /// The line of thrust meets the extrados at the right shoulder.
     ShoulderOpens,
@@ -73,7 +73,7 @@ impl Equation {
         Self::Fits,
     ];
 
-    /// Whether it is one of the paper's, of half an arch.
+    /// Tells whether the equation is one of the paper's, of half an arch.
     pub fn is_symmetric(self) -> bool {
         self as usize <= Self::Steepest as usize
     }

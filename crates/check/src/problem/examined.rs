@@ -42,7 +42,7 @@ impl<'a, E: Enclosure> Examined<'a, E> {
         })
     }
 
-    /// What the thinnest arch needs at the largest thrust that the shoulder bears: nothing more than at
+    /// Condition of the thinnest arch at the largest thrust that the shoulder bears: nothing more than at
     /// none if the weight of the mechanism grows with the thrust.
     fn at_largest_thrust(&self, margin: impl Fn(E) -> E) -> E {
         let Mechanism { weight, slope, .. } = self.mechanism();
@@ -59,7 +59,7 @@ impl<'a, E: Enclosure> Examined<'a, E> {
         contact::growth(self.weight, &self.mechanism().rates, self.at, weight)
     }
 
-    /// What has to be positive for a condition to hold.
+    /// Margin of a condition: positive where it holds.
     pub fn margin(&self, condition: Condition) -> E {
         tally::condition();
         let Self { weight, at, .. } = *self;
@@ -123,7 +123,7 @@ pub fn shoulder_friction<T: Field>(at: &Configuration<T>) -> T {
     sliding::shoulder(&at.half_opening, &at.thrust).value()
 }
 
-/// What is left between the shoulder and the joint that is steepest at the thrust of a state, rad.
+/// Angle between the shoulder and the joint that is steepest at the thrust of a state, rad.
 pub fn room_for_steepest<T: Real>(at: &Configuration<T>) -> T {
     at.half_opening.rad.clone() - sliding::steepest_joint(&at.thrust)
 }
@@ -151,8 +151,8 @@ mod tests {
     use crate::problem::{Arch, Problem};
     use Condition as C;
 
-    /// The conditions that do not hold in a made-up configuration `alpha, beta_r, beta_s, eta, h, mu`, in hundredths. It
-    /// solves no equation: that a condition is looked at shows where it fails.
+    /// The conditions that do not hold in a made-up configuration `alpha, beta_r, beta_s, eta, h, mu`, in
+    /// hundredths. It solves no equation: that a condition is looked at shows where it fails.
     fn failures(mode: Mode, friction: &str, hundredths: [i32; 6]) -> Vec<Condition> {
         let weight = SelfWeight::Milankovitch;
         let arch = Arch::new(weight, "1".parse().unwrap(), friction.parse().unwrap()).unwrap();
@@ -207,9 +207,9 @@ mod tests {
         assert_eq!(failures(Mode::SlidingRotational, "1", [171, 83, 0, 147, 39, 391]), []);
     }
 
-    /// That no arch is thinner, and that the mechanism has a weight, follows for a state from the equations and the other
-    /// conditions (`proofs/coq/States.v`, whose theorems do without them), but not at a landmark, where others are zero. So
-    /// they fail in company only.
+    /// That no arch is thinner, and that the mechanism has a weight, follows for a state from the equations and the
+    /// other conditions (`proofs/coq/States.v`, whose theorems do without them), but not at a landmark, where
+    /// others are zero. So they fail in company only.
     #[test]
     fn what_excludes_thinner_arches_fails_too() {
         let none = C::NoneThinner;

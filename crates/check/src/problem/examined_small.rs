@@ -35,7 +35,7 @@ impl<'a, T: Real + Stumpff> ExaminedSmall<'a, T> {
         turned * &haunch.square * &haunch.functions[1] + self.shoulder.clone() * &y.functions[1]
     }
 
-    /// What a thrust adds to it.
+    /// Addition of a thrust to that weight.
     fn slope(&self) -> T {
         let one = self.shoulder.int(1);
         let turned = one.clone() + &self.shoulder;
@@ -43,8 +43,8 @@ impl<'a, T: Real + Stumpff> ExaminedSmall<'a, T> {
             + self.shoulder.clone() * &self.at.opening.functions[0]
     }
 
-    /// [`Examined::margin`](super::Examined::margin) over a power of the half opening; for a joint, a difference of squares with
-    /// the same sign. `None` for a condition that no state of a small half opening has.
+    /// [`Examined::margin`](super::Examined::margin) over a power of the half opening; for a joint, a difference of
+    /// squares with the same sign. `None` for a condition that no state of a small half opening has.
     pub fn margin(&self, condition: Condition) -> Option<T> {
         tally::condition();
         let Self { at, weight, .. } = *self;

@@ -3,7 +3,7 @@
 use crate::arch::whole::Side;
 use crate::number::{Angle, Field, Real};
 
-/// Which states are looked at.
+/// States that are looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Extent {
     /// The whole arch, with a vertical force in the crown.
@@ -29,7 +29,8 @@ impl Extent {
         (first..=stones).step_by(2).map(|k| (k, angle(k))).collect()
     }
 
-    /// The coefficients of `h, p` and `v`, or the motion dual to them, that count: in a half arch nothing goes with `v`.
+    /// The coefficients of `h, p` and `v`, or the motion dual to them, that count: in a half arch nothing goes with
+    /// `v`.
     pub fn seen<T: Field>(self, [h, p, v]: [T; 3]) -> [T; 3] {
         match self {
             Self::Whole => [h, p, v],

@@ -24,8 +24,8 @@ pub struct Joints<T> {
     pub grip: Grip<T>,
 }
 
-/// A joint between equal stones at one of its limits: a condition on the forces, and the motion that goes with it, without
-/// dilatancy.
+/// A joint between equal stones at one of its limits: a condition on the forces, and the motion that goes with it,
+/// without dilatancy.
 #[derive(Clone, Debug)]
 pub struct JointLimit<T> {
     /// The limit, by its sign.

@@ -1,8 +1,8 @@
-//! What is known of a quantity, and how it compares with a bound.
+//! Knowledge of a quantity, and how it compares with a bound.
 
 use crate::number::{Dyadic, Enclosure, Engine, Ternary};
 
-/// What is known of a quantity.
+/// Knowledge of a quantity.
 pub enum Known<E> {
     /// An enclosure.
     Enclosed(E),
@@ -14,12 +14,12 @@ pub enum Known<E> {
 
 /// Bits of a correction, which is small: what it lacks is smaller still.
 const FEW: usize = 128;
-/// How often an angle is corrected at most.
+/// Largest number of times that an angle is corrected.
 const CORRECTIONS: usize = 4;
 
 impl<E: Engine> Known<E> {
-    /// An enclosure, in numbers of `bits` bits; of an angle known by its tangent, from a number `near` it: the nearer, the
-    /// cheaper. `None` for infinity, and where `near` is not between 0 and a right angle.
+    /// An enclosure, in numbers of `bits` bits; of an angle known by its tangent, from a number `near` it: the
+    /// nearer, the cheaper. `None` for infinity, and where `near` is not between 0 and a right angle.
     ///
     /// With sine `s` and cosine `c` of `near`, the tangent `T` is that of `near + atan t`, `t = (T c - s) / (c + T s)`,
     /// as the two angles are less than a right angle apart where the divisor is positive; and
@@ -54,7 +54,7 @@ impl<E: Engine> Known<E> {
 }
 
 impl<E: Enclosure> Known<E> {
-    /// Whether the quantity is exactly zero: nothing above it, nothing below.
+    /// Tells whether the quantity is exactly zero: nothing above it, nothing below.
     pub fn is_zero(&self) -> bool {
         match self {
             Self::Enclosed(x) => {
@@ -64,7 +64,7 @@ impl<E: Enclosure> Known<E> {
         }
     }
 
-    /// Whether it is infinite.
+    /// Tells whether the quantity is infinite.
     pub fn is_infinite(&self) -> bool {
         matches!(self, Self::Infinite)
     }

@@ -33,7 +33,7 @@ use std::fmt;
 use std::iter;
 use std::str::FromStr;
 
-/// Why a text is no landmark.
+/// Reason why a text is no landmark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NoLandmark;
 
@@ -231,10 +231,10 @@ impl Landmark {
         System { weight, unknowns, equations, fixed }
     }
 
-    /// What has to be positive at the landmark, mode by mode: the physical range of what is solved for, `0 <
-    /// alpha < pi`, `0 < beta < alpha`, `0 < eta < 2`, `0 < h < 1`, `mu > 0`; and all that the state of each
-    /// mode that meets there needs, so that its lines of thrust and of friction are inside the arch and no
-    /// thinner one stands. What is zero by the equations is left out: there the modes meet.
+    /// Conditions of the landmark, mode by mode: the physical range of what is solved for, `0 < alpha < pi`,
+    /// `0 < beta < alpha`, `0 < eta < 2`, `0 < h < 1`, `mu > 0`; and all that the state of each mode that
+    /// meets there needs, so that its lines of thrust and of friction are inside the arch and no thinner one
+    /// stands. What is zero by the equations is left out: there the modes meet.
     pub fn conditions(self, weight: SelfWeight) -> Vec<(Mode, Vec<Condition>)> {
         let system = self.system(weight);
         let is_limited = system.knows(Unknown::Friction)

@@ -18,7 +18,7 @@ use crate::arch::{SelfWeight, Unknown};
 use crate::number::says;
 use std::fmt;
 
-/// What is solved for, with the half opening and with the friction.
+/// Unknowns that are solved for, with the half opening and with the friction.
 type Unknowns = [&'static [Unknown]; 2];
 
 /// A line of the map.
@@ -159,7 +159,7 @@ impl Line {
             &[U::Friction, U::RotationJoint, U::SlidingJoint, U::Thickness, U::Thrust],
         ]
     };
-    /// The same where the rotational joint is known.
+    /// Unknowns where the rotational joint is known.
     const SLIDING_JOINT: Unknowns = {
         use Unknown as U;
         [
@@ -169,7 +169,7 @@ impl Line {
     };
 }
 
-/// What can be asked for in place of the least thickness.
+/// Unknowns that can be asked for in place of the least thickness.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Sought {
     /// The half opening.
@@ -188,7 +188,7 @@ impl Sought {
     }
 }
 
-/// Why a text names no line.
+/// Reason why a text names no line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NoLine {
     text: String,

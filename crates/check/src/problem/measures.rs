@@ -28,7 +28,7 @@ pub enum Circle {
     /// The inner face: the clear span.
     #[default]
     Intrados,
-    /// Half a thickness from both faces: the radius `r` of the paper.
+    /// The circle half a thickness from both faces: the radius `r` of the paper.
     Centreline,
     /// The outer face.
     Extrados,
@@ -50,32 +50,32 @@ pub struct Measures {
     loaded: Option<(UnitWeight, Length)>,
 }
 
-/// Why measures are refused.
+/// Reason why measures are refused.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum MeasureError {
-    /// No number, or no unit behind it.
+    /// The text has no number, or no unit behind it.
     Length(String),
-    /// No number, or no unit behind it.
+    /// The text has no number, or no unit behind it.
     Density(String),
     /// A length or a density is zero or negative.
     NotPositive(String),
     /// The intrados would have no radius.
     Thickness {
-        /// As given.
+        /// Thickness as given.
         thickness: String,
         /// The circle that is measured.
         circle: &'static str,
         /// The thickness at which the intrados is a point.
         most: String,
-        /// What that is.
+        /// Rule that bounds the thickness.
         rule: &'static str,
     },
     /// Three measures of which two say the third.
     Radius {
-        /// As given.
+        /// Value as given.
         given: String,
-        /// Of span and rise.
+        /// Value made of span and rise.
         made: String,
     },
 }
@@ -92,8 +92,8 @@ says!(MeasureError {
 /// Units of length in metres: the numerator over ten thousand.
 const LENGTHS: [(&str, i32); 5] =
     [("cm", 100), ("mm", 10), ("m", 10_000), ("ft", 3_048), ("in", 254)];
-/// Units of density in kN/m³: the numerator over a hundred million. The standard acceleration of gravity is 9.80665 m/s²
-/// exactly (3rd General Conference on Weights and Measures, 1901).
+/// Units of density in kN/m³: the numerator over a hundred million. The standard acceleration of gravity is 9.80665
+/// m/s² exactly (3rd General Conference on Weights and Measures, 1901).
 const DENSITIES: [(&str, i32); 4] =
     [("kg/m3", 980_665), ("kg/m³", 980_665), ("kN/m3", 100_000_000), ("kN/m³", 100_000_000)];
 
@@ -155,7 +155,7 @@ impl fmt::Display for Length {
 }
 
 impl Circle {
-    /// Its name in files and on the command line.
+    /// Name of the circle in files and on the command line.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Intrados => "intrados",
@@ -181,8 +181,8 @@ pub fn of_span_and_rise(span: &Length, rise: &Length) -> (ExactNumber, Length) {
     (ExactNumber::twice_arctangent(rise / half), Length(radius))
 }
 
-/// The sine and the cosine of a half opening where they are rational. Of the rational multiples of pi there are no others
-/// (Niven), and of a rational angle none (Lindemann).
+/// The sine and the cosine of a half opening where they are rational. Of the rational multiples of pi there are no
+/// others (Niven), and of a rational angle none (Lindemann).
 fn rational_sine_and_cosine(half_opening: &ExactNumber) -> [Option<BigRational>; 2] {
     let ratio = |n: i32, d: i32| BigRational::new(n.into(), d.into());
     let q = half_opening.factor();
@@ -232,7 +232,7 @@ impl Measures {
         [chord.int(2) * &chord * cos, chord * sin]
     }
 
-    /// The same where they are rational.
+    /// Span and rise, where they are rational.
     pub fn exact_span_and_rise(&self, half_opening: &ExactNumber) -> [Option<ExactNumber>; 2] {
         let radius = &self.radius.0;
         let [sine, cosine] = rational_sine_and_cosine(half_opening);
@@ -241,7 +241,7 @@ impl Measures {
         [span, rise].map(|length| length.map(ExactNumber::rational))
     }
 
-    /// Whether forces can be told.
+    /// Tells whether forces can be told.
     pub fn has_forces(&self) -> bool {
         self.loaded.is_some()
     }
@@ -269,7 +269,8 @@ impl Measures {
         }
     }
 
-    /// The radius of the centreline in metres, where it is known exactly: of a given thickness `eta`, or measured itself.
+    /// The radius of the centreline in metres, where it is known exactly: of a given thickness `eta`, or measured
+    /// itself.
     pub fn exact_radius(&self, eta: Option<&ExactNumber>) -> Option<ExactNumber> {
         let one = || BigRational::from(BigInt::from(1));
         let half = BigRational::new(self.circle.to_centreline().into(), 2.into());
@@ -298,7 +299,7 @@ impl Measures {
     }
 }
 
-/// What an arch measures.
+/// Sizes of an arch.
 #[derive(Clone, Debug)]
 pub struct Sizes<E> {
     /// The radius of the centreline, m.

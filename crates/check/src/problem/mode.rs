@@ -61,17 +61,17 @@ impl Mode {
         Self::ALL.into_iter().find(|mode| letters(mode.label()) == asked)
     }
 
-    /// Whether the line of thrust touches the intrados at a hinge below the crown.
+    /// Tells whether the line of thrust touches the intrados at a hinge below the crown.
     pub fn has_haunch(self) -> bool {
         !matches!(self, Self::OverturningSliding | Self::Overturning | Self::Sliding)
     }
 
-    /// Whether an inner joint slides.
+    /// Tells whether an inner joint slides.
     pub fn slides_inside(self) -> bool {
         !matches!(self, Self::Rotational | Self::SlidingRotational | Self::Overturning)
     }
 
-    /// Whether the mode exists with limited friction, and with unlimited.
+    /// Tells whether the mode exists with limited friction, and with unlimited.
     pub fn exists_with(self, limited_friction: bool) -> bool {
         match self {
             Self::Rotational => true,
@@ -80,8 +80,8 @@ impl Mode {
         }
     }
 
-    /// What is solved for at a given half opening and friction, the equations that hold, and what is
-    /// fixed.
+    /// System of the mode: the unknowns at a given half opening and friction, the equations that hold, and
+    /// what is fixed.
     pub fn system(self, weight: SelfWeight) -> System {
         use {Equation as E, Fixed as F, Unknown as U};
         let (unknowns, equations, fixed): (&[U], &[E], &[(U, F)]) = match self {
@@ -119,7 +119,7 @@ impl Mode {
         System { weight, unknowns, equations, fixed }
     }
 
-    /// How the blocks move at collapse, with no dilatancy (zero) or some: what a joint opens by a slip of one.
+    /// Motion of the blocks at collapse, with no dilatancy (zero) or some: what a joint opens by a slip of one.
     pub fn mechanism<T: Field>(self, at: &Configuration<T>, dilatancy: &T) -> Mechanism<T> {
         match self {
             Self::Rotational => mechanism::rotation(at),
@@ -153,7 +153,7 @@ impl Mode {
         }
     }
 
-    /// The same at a given thickness and friction: the half opening is solved for in place of the thickness,
+    /// System at a given thickness and friction: the half opening is solved for in place of the thickness,
     /// and for pure sliding in place of the friction.
     pub fn system_for_half_opening(self, weight: SelfWeight) -> System {
         use Unknown as U;

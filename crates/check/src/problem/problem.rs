@@ -13,14 +13,14 @@ use crate::number::{Enclosure, Engine};
 pub enum Problem {
     /// A landmark point.
     Landmark {
-        /// Which.
+        /// Landmark that is meant.
         landmark: Landmark,
         /// The self-weight model.
         weight: SelfWeight,
     },
     /// The state of an arch at its least thickness.
     State {
-        /// How it collapses.
+        /// Mode of its collapse.
         mode: Mode,
         /// The arch.
         arch: Arch,
@@ -34,7 +34,7 @@ pub enum Problem {
     },
     /// An asymmetric solution of the complementarity problem (19) of a whole arch with limited friction.
     Asymmetric {
-        /// How its mechanism closes.
+        /// Way in which its mechanism closes.
         mode: AsymmetricMode,
         /// The arch.
         arch: Arch,
@@ -52,7 +52,7 @@ impl Problem {
         }
     }
 
-    /// What is solved for, what has to hold, and what is fixed.
+    /// System of the problem: unknowns, equations, and what is fixed.
     pub fn system(&self) -> System {
         match self {
             Self::Landmark { landmark, weight } => landmark.system(*weight),
@@ -62,7 +62,7 @@ impl Problem {
         }
     }
 
-    /// What is given, in numbers of `bits` bits; everything else is zero.
+    /// Given variables, in numbers of `bits` bits; everything else is zero.
     pub fn given<E: Engine>(&self, bits: u32) -> Configuration<E> {
         match self {
             Self::Landmark { .. } => Configuration::zero(&E::zero(bits as usize)),
@@ -71,9 +71,10 @@ impl Problem {
         }
     }
 
-    /// What has to be positive at the root, for the state of each mode that is spoken of: the physical range,
-    /// that it is admissible, that no thinner arch stands, and what tells its mode from others. That an asymmetric
-    /// solution is admissible is no sign at a point: [`check`](crate::check) looks at the whole arch.
+    /// Conditions that hold at the root, for the state of each mode that is spoken of: the physical range,
+    /// that it is admissible, that no thinner arch stands, and what tells its mode from others. That an
+    /// asymmetric solution is admissible is no sign at a point: [`check`](crate::check) looks at the whole
+    /// arch.
     pub fn conditions(&self) -> Vec<(Mode, Vec<Condition>)> {
         match self {
             Self::Landmark { landmark, weight } => landmark.conditions(*weight),
@@ -128,7 +129,7 @@ impl Problem {
         }
     }
 
-    /// Whether the problem has a quantity that can be stated: an unknown of its subject or something
+    /// Tells whether the problem has a quantity that can be stated: an unknown of its subject or something
     /// made from unknowns and fixed variables.
     pub fn has(&self, quantity: Quantity) -> bool {
         let system = self.system();

@@ -1,4 +1,4 @@
-//! What can be asked of a landmark, of a state and of an arch of a given thickness: one vocabulary.
+//! Quantities of a landmark, of a state and of an arch of a given thickness: one vocabulary.
 
 use crate::arch::Unknown;
 
@@ -12,11 +12,11 @@ pub enum Quantity {
     Friction,
     /// `phi = atan(mu)`, rad.
     FrictionAngle,
-    /// The same in degrees.
+    /// `phi` in degrees.
     FrictionAngleDegrees,
     /// `alpha`, the half-angle of embrace, rad.
     HalfOpening,
-    /// The same in degrees.
+    /// `alpha` in degrees.
     HalfOpeningDegrees,
     /// `h = H/(w r)`, the horizontal thrust.
     Thrust,
@@ -24,25 +24,26 @@ pub enum Quantity {
     IntrinsicThrust,
     /// `beta_r`, the inner rotational joint, rad from the crown.
     RotationJoint,
-    /// The same in degrees.
+    /// `beta_r` in degrees.
     RotationJointDegrees,
     /// `beta_s`, the inner sliding joint, rad from the crown; a mode without one has none.
     SlidingJoint,
-    /// The same in degrees.
+    /// `beta_s` in degrees.
     SlidingJointDegrees,
     /// `A = alpha cot(alpha/2)`.
     OpeningVariable,
-    /// `p`, the moment of the forces in the crown about the centre. Like what follows of an asymmetric solution of (19).
+    /// `p`, the moment of the forces in the crown about the centre. Like what follows of an asymmetric solution of
+    /// (19).
     CrownMoment,
     /// `v`, the vertical force in the crown.
     VerticalForce,
     /// `b0`, the hinge right of the crown, rad from there.
     CrownHinge,
-    /// The same in degrees.
+    /// `b0` in degrees.
     CrownHingeDegrees,
     /// The slip of the shoulder where the hinge next to the crown turns by one.
     ShoulderSlip,
-    /// By how much the shoulder opens then.
+    /// The opening of the shoulder then.
     ShoulderOpening,
     /// The slip of the inner joint then.
     InnerSlip,
@@ -72,13 +73,13 @@ pub enum Quantity {
     LargestThrustJoint,
     /// The span of the circle that is measured, m.
     Span,
-    /// Its rise, m.
+    /// The rise of that circle, m.
     Rise,
     /// The radius of the centreline, m.
     Radius,
     /// The thickness that an arch has, m.
     GivenThicknessInMetres,
-    /// The same over the radius of the centreline.
+    /// The thickness that an arch has, over the radius of the centreline.
     GivenThickness,
     /// The least thickness, m.
     ThicknessInMetres,
@@ -92,7 +93,7 @@ pub enum Quantity {
     LargestForce,
 }
 
-/// What a quantity is called.
+/// Names of a quantity.
 struct Row {
     name: &'static str,
     symbol: &'static str,
@@ -115,7 +116,7 @@ const fn and_asymmetric<const N: usize, const M: usize>(list: [Quantity; N]) -> 
 }
 
 impl Quantity {
-    /// What a landmark can have, in the order in which it is shown.
+    /// Quantities that a landmark can have, in the order in which it is shown.
     pub const LANDMARK: [Self; 13] = [
         Self::Thickness,
         Self::Friction,
@@ -132,7 +133,7 @@ impl Quantity {
         Self::OpeningVariable,
     ];
 
-    /// What an asymmetric solution of (19) has besides; its haunch is the rotational joint.
+    /// Quantities that an asymmetric solution of (19) has besides; its haunch is the rotational joint.
     pub const ASYMMETRIC: [Self; 8] = [
         Self::CrownMoment,
         Self::VerticalForce,
@@ -144,7 +145,7 @@ impl Quantity {
         Self::Power,
     ];
 
-    /// What the state of an arch at its least thickness can have, in the order in which it is shown.
+    /// Quantities that the state of an arch at its least thickness can have, in the order in which it is shown.
     pub const STATE: [Self; 7] = [
         Self::Thickness,
         Self::Thrust,
@@ -155,7 +156,7 @@ impl Quantity {
         Self::RotationalFriction,
     ];
 
-    /// What is shown of a state that is found from its thickness, its friction or its mode.
+    /// Quantities shown of a state that is found from its thickness, its friction or its mode.
     pub const FOUND: [Self; 7] = [
         Self::HalfOpening,
         Self::HalfOpeningDegrees,
@@ -166,8 +167,8 @@ impl Quantity {
         Self::SlidingJoint,
     ];
 
-    /// What can be asked of an arch of a given thickness, in the order in which it is shown. With a thrust
-    /// comes the [joint](Self::joint) that limits it.
+    /// Quantities that can be asked of an arch of a given thickness, in the order in which it is shown. With
+    /// a thrust comes the [joint](Self::joint) that limits it.
     pub const ASSESSMENT: [Self; 6] = [
         Self::LeastThickness,
         Self::GeometricSafety,
@@ -177,13 +178,14 @@ impl Quantity {
         Self::LargestThrust,
     ];
 
-    /// What rows of arrays and sweeps may ask of a state. Elsewhere the asymmetric thickness goes with each verdict, asked or not.
+    /// Quantities that rows of arrays and sweeps may ask of a state. Elsewhere the asymmetric thickness goes
+    /// with each verdict, asked or not.
     pub const STATE_ROW: [Self; 8] = and_asymmetric(Self::STATE);
 
-    /// The same of an arch of a given thickness.
+    /// Quantities that rows of arrays and sweeps may ask of an arch of a given thickness.
     pub const ASSESSMENT_ROW: [Self; 7] = and_asymmetric(Self::ASSESSMENT);
 
-    /// What is told besides of an arch that is [measured](super::measures), at its least thickness.
+    /// Quantities told besides of an arch that is [measured](super::measures), at its least thickness.
     pub const MEASURED_STATE: [Self; 7] = [
         Self::Span,
         Self::Rise,
@@ -194,8 +196,8 @@ impl Quantity {
         Self::Force,
     ];
 
-    /// The same at a given thickness: the radius and the weight are at that, the least thickness is of an arch with
-    /// the same measures.
+    /// Quantities told besides of an arch that is measured, at a given thickness: the radius and the weight
+    /// are at that, the least thickness is of an arch with the same measures.
     pub const MEASURED_ASSESSMENT: [Self; 10] = [
         Self::Span,
         Self::Rise,
@@ -314,7 +316,7 @@ impl Quantity {
         self.row().symbol
     }
 
-    /// The same for LaTeX.
+    /// Symbol for LaTeX.
     pub const fn latex(self) -> &'static str {
         self.row().latex
     }
@@ -331,7 +333,7 @@ impl Quantity {
         }
     }
 
-    /// Whether it is an angle in radians.
+    /// Tells whether the quantity is an angle in radians.
     pub fn is_angle(self) -> bool {
         matches!(
             self,
@@ -343,17 +345,17 @@ impl Quantity {
         )
     }
 
-    /// Whether it is a friction at which the mode changes, which the proof of a state does not need.
+    /// Tells whether the quantity is a friction at which the mode changes, which the proof of a state does not need.
     pub fn is_friction(self) -> bool {
         matches!(self, Self::SlidingFriction | Self::RotationalFriction)
     }
 
-    /// Whether it is of an arch that is measured.
+    /// Tells whether the quantity is of an arch that is measured.
     pub fn is_measured(self) -> bool {
         Self::MEASURED_STATE.contains(&self) || Self::MEASURED_ASSESSMENT.contains(&self)
     }
 
-    /// Whether it is in kilonewtons.
+    /// Tells whether the quantity is in kilonewtons.
     pub fn is_force(self) -> bool {
         matches!(self, Self::Weight | Self::Force | Self::LeastForce | Self::LargestForce)
     }

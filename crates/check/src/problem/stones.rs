@@ -6,18 +6,19 @@ use crate::arch::mechanism::Contact;
 use crate::number::{Angle, AstroInterval, Dyadic, Enclosure, Engine, ExactNumber, Form, says};
 use num_rational::BigRational;
 
-/// How the half arch is divided, from the crown to the shoulder.
+/// Division of the half arch, from the crown to the shoulder.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Stones {
-    /// The whole arch in so many stones of the same angle. An odd number has a keystone, an even one a joint at the crown.
+    /// The whole arch in so many stones of the same angle. An odd number has a keystone, an even one a joint at the
+    /// crown.
     Equal {
-        /// How many, at least two.
+        /// Number of stones, at least two.
         stones: u64,
         /// The half opening.
         half_opening: ExactNumber,
     },
-    /// Joints of the half arch by their angles, rising; the last is the shoulder. If the first is not at the crown, a keystone lies
-    /// above it.
+    /// Joints of the half arch by their angles, rising; the last is the shoulder. If the first is not at the crown,
+    /// a keystone lies above it.
     Joints(Vec<ExactNumber>),
 }
 
@@ -27,7 +28,7 @@ pub type JointContact = (Contact, u64);
 /// Stones beyond this number are refused: their joints are thinner than any tool.
 pub const MOST_STONES: u64 = 1_000_000_000;
 
-/// Why stones are refused.
+/// Reason why stones are refused.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum StonesError {
@@ -57,7 +58,7 @@ says!(StonesError {
 });
 
 impl Stones {
-    /// So many stones of the same angle.
+    /// Divides the half arch into so many stones of the same angle.
     pub fn equal(stones: u64, half_opening: ExactNumber) -> Result<Self, StonesError> {
         let made = Self::Equal { stones, half_opening };
         made.check().map(|()| made)
@@ -69,7 +70,7 @@ impl Stones {
         made.check().map(|()| made)
     }
 
-    /// Whether they are stones of an arch, from the crown to the shoulder.
+    /// Tells whether the stones are those of an arch, from the crown to the shoulder.
     pub fn check(&self) -> Result<(), StonesError> {
         let angles = match self {
             Self::Equal { stones, .. } if !(2..=MOST_STONES).contains(stones) => {
@@ -120,7 +121,7 @@ impl Stones {
         }
     }
 
-    /// Whether the first joint is at the crown.
+    /// Tells whether the first joint is at the crown.
     pub fn has_joint_at_crown(&self) -> bool {
         match self {
             Self::Equal { stones, .. } => stones % 2 == 0,
@@ -128,13 +129,13 @@ impl Stones {
         }
     }
 
-    /// Whether a joint that is about to slide inwards has no normal force: with unlimited friction, and at the crown, where the
-    /// shear force is zero.
+    /// Tells whether a joint that is about to slide inwards has no normal force: with unlimited friction, and
+    /// at the crown, where the shear force is zero.
     pub fn may_open(&self, joint: u64, is_limited: bool) -> bool {
         !is_limited || joint == 0 && self.has_joint_at_crown()
     }
 
-    /// How a joint is at its limit, in words.
+    /// Description of the limit that a joint is at, in words.
     pub fn at_limit(&self, (contact, joint): JointContact, is_limited: bool) -> &'static str {
         match contact {
             slip if !slip.is_hinge() && self.may_open(joint, is_limited) => "opens",
@@ -142,7 +143,7 @@ impl Stones {
         }
     }
 
-    /// Where a joint is, in words.
+    /// Place of a joint, in words.
     pub fn place(&self, joint: u64) -> String {
         match joint {
             0 if self.has_joint_at_crown() => "at the crown".to_owned(),
@@ -151,8 +152,8 @@ impl Stones {
         }
     }
 
-    /// How an arch with these contacts collapses, by its label from the shoulder; `None` for contacts that are no
-    /// mechanism of the seven.
+    /// Mode in which an arch with these contacts collapses, by its label from the shoulder; `None` for
+    /// contacts that are no mechanism of the seven.
     pub fn mode(&self, contacts: &[JointContact; 3], is_limited: bool) -> Option<Mode> {
         let shoulder = self.count() - 1;
         Some(match *contacts {
@@ -181,7 +182,7 @@ impl Stones {
         })
     }
 
-    /// The same exactly, where it is a rational number of radians.
+    /// Angle of a joint, exactly, where it is a rational number of radians.
     pub fn exact_joint(&self, index: u64) -> Option<ExactNumber> {
         self.factor(index, Form::Rational).map(ExactNumber::rational)
     }
@@ -191,7 +192,7 @@ impl Stones {
         self.factor(index, Form::TimesPi)
     }
 
-    /// What belongs to a joint that is given in a form whose multiples have it too.
+    /// Factor that belongs to a joint that is given in a form whose multiples have it too.
     fn factor(&self, index: u64, form: Form) -> Option<BigRational> {
         let (of, factor) = match self {
             Self::Equal { stones, half_opening } => {

@@ -5,7 +5,7 @@ use crate::arch::small::Scaled;
 use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::number::{Angle, Dual, Field, Real};
 
-/// What a system says of a variable that it does not solve for.
+/// Fixed value of a variable that a system does not solve for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fixed {
     /// An exact value; for an angle it is zero.
@@ -22,11 +22,11 @@ pub enum Fixed {
 pub struct System {
     /// The self-weight model.
     pub weight: SelfWeight,
-    /// What is solved for, in order.
+    /// Unknowns that are solved for, in order.
     pub unknowns: &'static [Unknown],
-    /// What has to hold.
+    /// Equations that have to hold.
     pub equations: &'static [Equation],
-    /// What is known beforehand, whatever is given.
+    /// Variables that are known beforehand, whatever is given.
     pub fixed: &'static [(Unknown, Fixed)],
 }
 
@@ -60,7 +60,7 @@ impl System {
         }
     }
 
-    /// What the system knows of a variable that is not one of its unknowns.
+    /// Value that the system gives a variable that is not one of its unknowns.
     pub fn fixed_value(&self, unknown: Unknown) -> Option<Fixed> {
         self.fixed.iter().find(|(name, _)| *name == unknown).map(|(_, fixed)| *fixed)
     }
@@ -70,7 +70,7 @@ impl System {
         self.unknowns.iter().position(|name| *name == unknown)
     }
 
-    /// Whether the system solves for a variable or fixes it.
+    /// Tells whether the system solves for a variable or fixes it.
     pub fn knows(&self, unknown: Unknown) -> bool {
         self.index(unknown).is_some() || self.fixed_value(unknown).is_some()
     }
@@ -89,7 +89,8 @@ impl System {
         self.place_with(given, values, |_, rad| Angle::new(rad.clone()))
     }
 
-    /// The same with angles as `angle` makes them, given the place of the unknown and its value.
+    /// Places the values of the unknowns with angles as `angle` makes them, given the place of the unknown
+    /// and its value.
     pub fn place_with<T: Field>(
         &self,
         given: Configuration<T>,

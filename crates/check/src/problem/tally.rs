@@ -7,7 +7,7 @@ use super::Equation;
 use std::cell::Cell;
 use std::ops::AddAssign;
 
-/// What was evaluated. Counts only: nothing of it is a result.
+/// Number of evaluations of each equation. Counts only: nothing of it is a result.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
     equations: [u64; Equation::ALL.len()],
@@ -30,7 +30,7 @@ impl Tally {
         working_bits: 0,
     };
 
-    /// How often an equation was evaluated, whatever the number type and the precision.
+    /// Number of times that an equation was evaluated, whatever the number type and the precision.
     pub fn of(&self, equation: Equation) -> u64 {
         self.equations[equation as usize]
     }

@@ -1,16 +1,17 @@
-//! The thickness of an arch as it is written: its ratio to the radius of the centreline (`0.1`, `0.1r`), or a length (`60cm`).
+//! The thickness of an arch as it is written: its ratio to the radius of the centreline (`0.1`, `0.1r`), or a
+//! length (`60cm`).
 
 use super::arch::is_thickness;
 use super::measures::{Length, MeasureError, Measures};
 use crate::number::{ExactNumber, ParseExactError, says, shown};
 
-/// Why a text is no thickness.
+/// Reason why a text is no thickness.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ThicknessError {
-    /// No number, of an arch that has only ratios.
+    /// The text is no number, of an arch that has only ratios.
     NoRatio(String),
-    /// No length and no ratio, of an arch in metres.
+    /// The text is no length and no ratio, of an arch in metres.
     NoLength(String),
     /// A number beside lengths, which could be either.
     NoUnit(String),
@@ -18,7 +19,7 @@ pub enum ThicknessError {
     Length(String),
     /// A multiple of pi.
     Irrational(String),
-    /// Not above 0, or above the physical limit.
+    /// The number is not above 0, or above the physical limit.
     Outside(String),
     /// The intrados is measured, and has no radius.
     Point(String),
@@ -53,8 +54,8 @@ pub fn bare_ratio(text: &str) -> &str {
     text.strip_suffix('r').map_or(text, str::trim_end)
 }
 
-/// The ratio of thickness to radius that a text says: of an arch in metres with a unit, a length or `r`; of another with or
-/// without `r`.
+/// The ratio of thickness to radius that a text says: of an arch in metres with a unit, a length or `r`; of another
+/// with or without `r`.
 ///
 /// ```
 /// use couplet_check::problem::thickness;
@@ -97,7 +98,7 @@ pub fn thickness(text: &str, measures: Option<&Measures>) -> Result<ExactNumber,
 }
 
 impl ThicknessError {
-    /// Whether a number that is written so is a thickness.
+    /// Checks that a number that is written so is a thickness.
     pub fn check(eta: &ExactNumber, text: &str) -> Result<(), Self> {
         match eta {
             eta if is_thickness(eta) => Ok(()),

@@ -1,4 +1,4 @@
-//! What is exactly zero in an arch, which no enclosure tells and arithmetic does.
+//! Ties: exact zeros of an arch, which no enclosure tells and arithmetic does.
 //!
 //! Sines, cosines and tangents of rational angles are irrational (Lambert, Lindemann), and among those of
 //! rational multiples of pi few are rational (Niven): a cosine only if it is 0, 1/2 or 1, a tangent only if it
@@ -11,8 +11,8 @@ use crate::arch::mechanism::Contact;
 use crate::number::{ExactNumber, Form};
 use num_rational::BigRational;
 
-/// Whether `sin(alpha) = mu cos(alpha)`: the friction angle is the half opening, and the shoulder slides at no
-/// thrust. False where nobody knows, as for a coefficient that is a multiple of pi.
+/// Tells whether `sin(alpha) = mu cos(alpha)`: the friction angle is the half opening, and the shoulder
+/// slides at no thrust. False where nobody knows, as for a coefficient that is a multiple of pi.
 pub fn friction_angle_is_half_opening(arch: &Arch) -> bool {
     let alpha = arch.half_opening();
     match arch.friction() {
@@ -24,16 +24,17 @@ pub fn friction_angle_is_half_opening(arch: &Arch) -> bool {
     }
 }
 
-/// Whether `2 - eta = (2 + eta) cos(alpha)` for a rational thickness: about the crown's intrados the thrust at
-/// the shoulder's extrados has no lever arm.
+/// Tells whether `2 - eta = (2 + eta) cos(alpha)` for a rational thickness: about the crown's intrados the
+/// thrust at the shoulder's extrados has no lever arm.
 pub fn has_no_arm_at_crown(arch: &Arch, thickness: &ExactNumber) -> bool {
     // `1 - cos = tan(alpha/2)² (1 + cos)`, so it says that `eta = 2 tan(alpha/2)²`.
     squared_half_tangent(arch.half_opening())
         .is_some_and(|q| q * ratio(2, 1) == *thickness.factor())
 }
 
-/// Whether the thrust at which a joint slides is exactly zero. Inwards it is `beta cot(beta + phi)`, outwards `beta cot(beta - phi)`: so the joint's
-/// angle and that of friction, which lies below a right angle, are one together, or differ by one. Below the crown; false for hinges.
+/// Tells whether the thrust at which a joint slides is exactly zero. Inwards it is `beta cot(beta + phi)`,
+/// outwards `beta cot(beta - phi)`: so the joint's angle and that of friction, which lies below a right
+/// angle, are one together, or differ by one. Below the crown; false for hinges.
 pub fn slides_at_no_thrust(stones: &Stones, friction: &Friction, contact: JointContact) -> bool {
     let (Some(phi), Some(beta)) = (friction_turn(friction), stones.exact_turn(contact.1)) else {
         return false;
@@ -93,7 +94,7 @@ mod tests {
         Arch::parse("heyman", alpha, mu).unwrap()
     }
 
-    /// What is said to be zero is, as far as 300 bits tell, and its neighbours are not.
+    /// Every tie that is said to be zero is so, as far as 300 bits tell, and its neighbours are not.
     #[test]
     fn the_ties_are_ties() {
         let friction = |alpha, mu| {

@@ -1,4 +1,4 @@
-//! What an arch does that is not its state at the least thickness: the other verdicts, and what decides each.
+//! Verdicts on an arch besides its state at the least thickness, and what decides each.
 //!
 //! Three say that it does not stand. Each compares what is given with a limit, the root of a system:
 //!
@@ -7,9 +7,9 @@
 //!   `d(-T/N)/dh = alpha/N²` there while `N > 0`, and no admissible state has `N <= 0`; a smaller one asks for more at
 //!   `beta_s`, as `d(T/N)/dh = -beta_s/N²`. So no thrust does with less than `mu0`, whatever the thickness.
 //! - **It is too wide**: the half opening is beyond the one at which the physical limit `eta = 2` is just enough at the
-//!   least thrust that friction allows. [`arch::contact`](crate::arch::contact) has why then no thickness is enough, for
-//!   a negative margin; and over `1 - cos alpha` the margin is `2 h cos alpha/(1 - cos alpha) + 2 alpha cot(alpha/2)`
-//!   and a constant, which fall as `alpha` grows.
+//!   least thrust that friction allows. [`arch::contact`](crate::arch::contact) has why then no thickness is
+//!   enough, for a negative margin; and over `1 - cos alpha` the margin is `2 h cos alpha/(1 - cos alpha) + 2 alpha
+//!   cot(alpha/2)` and a constant, which fall as `alpha` grows.
 //! - **It is too thin**: the thickness is below the least one, whose state shows that no thinner arch stands.
 //!
 //! One says that it **stands** at a thickness: a thrust `h` and a crown moment `p`, with which the line of thrust is
@@ -25,19 +25,20 @@ use crate::number::{Dyadic, Engine, ExactNumber, Ternary};
 /// A verdict on an arch.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// It stands at no thickness: the friction is below that of the purely sliding state.
+    /// The arch stands at no thickness: the friction is below that of the purely sliding state.
     Slides,
-    /// It stands at no thickness: the half opening is beyond one that no arch with this friction exceeds. The widest
-    /// that stands may be narrower, as nothing is asked here of the friction at the shoulder.
+    /// The arch stands at no thickness: the half opening is beyond one that no arch with this friction
+    /// exceeds. The widest that stands may be narrower, as nothing is asked here of the friction at the
+    /// shoulder.
     TooWide,
-    /// It does not stand: it is thinner than its least thickness.
+    /// The arch does not stand: it is thinner than its least thickness.
     TooThin {
-        /// How it collapses at the least thickness.
+        /// Mode of its collapse at the least thickness.
         mode: Mode,
         /// The thickness it has.
         thickness: ExactNumber,
     },
-    /// It stands.
+    /// The arch stands.
     Stands(Standing),
 }
 
@@ -50,18 +51,18 @@ pub struct Standing {
     pub thrust: Dyadic,
     /// `p = h (1 + e0)`, exactly.
     pub crown_moment: Dyadic,
-    /// Where the line of thrust comes nearest to the intrados.
+    /// Place where the line of thrust comes nearest to the intrados.
     pub nearest: Nearest,
 }
 
-/// Where a line of thrust comes nearest to the intrados.
+/// Place where a line of thrust comes nearest to the intrados.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Nearest {
-    /// At the crown.
+    /// The place is at the crown.
     Crown,
-    /// At a joint between the crown and the shoulder.
+    /// The place is at a joint between the crown and the shoulder.
     Haunch,
-    /// At the shoulder.
+    /// The place is at the shoulder.
     Shoulder,
 }
 
@@ -106,7 +107,7 @@ impl Verdict {
         }
     }
 
-    /// What is given, in numbers of `bits` bits.
+    /// Given variables, in numbers of `bits` bits.
     pub(super) fn given<E: Engine>(&self, arch: &Arch, bits: u32) -> Configuration<E> {
         let given = arch.given(bits);
         match self {
@@ -120,7 +121,7 @@ impl Verdict {
         }
     }
 
-    /// Whether a quantity can be stated: what is given or fixed is no result.
+    /// Tells whether a quantity can be stated: what is given or fixed is no result.
     pub(super) fn has(&self, arch: &Arch, quantity: Quantity) -> bool {
         let system = self.system(arch);
         let solves = |unknown| system.index(unknown).is_some();
@@ -130,7 +131,7 @@ impl Verdict {
         }
     }
 
-    /// What has to be positive at the root.
+    /// Conditions that hold at the root.
     pub(super) fn conditions(&self, arch: &Arch) -> Vec<Condition> {
         use {Condition as C, Unknown as U};
         let opening = [C::Above(U::HalfOpening), C::Below(U::HalfOpening)];
@@ -168,7 +169,7 @@ impl Verdict {
     }
 }
 
-/// How far what is given is beyond the limit that a root is.
+/// Distance of the given value beyond the limit that a root is.
 pub(super) fn beyond<E: Engine>(
     unknown: Unknown,
     given: &Configuration<E>,
@@ -181,7 +182,7 @@ pub(super) fn beyond<E: Engine>(
     }
 }
 
-/// What a condition of an arch that stands has to spare, if it is one that a given crown moment changes.
+/// Margin of a condition of an arch that stands, if it is one that a given crown moment changes.
 pub(super) fn standing_margin<E: Engine>(
     condition: Condition,
     weight: SelfWeight,

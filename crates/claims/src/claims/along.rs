@@ -81,7 +81,7 @@ impl CurveStates {
         Self { weight, alpha, thrust, rotation: None }
     }
 
-    /// All states between two.
+    /// States between two, all of them.
     pub(super) fn up_to(&self, other: &Self) -> Result<Self, Undecided> {
         let rotation = match (&self.rotation, &other.rotation) {
             (Some(a), Some(b)) => Some((a.0.hull(&b.0), a.1.hull(&b.1))),
@@ -154,8 +154,8 @@ impl CurveStates {
     }
 }
 
-/// Whether `holds` is proved on `[low, high]`, where it is asked with the states at the ends of a range and
-/// has to speak for all states between.
+/// Tells whether `holds` is proved on `[low, high]`, where it is asked with the states at the ends of a range
+/// and has to speak for all states between.
 pub(super) fn on_all(
     (low, high): (&Rational, &Rational),
     state: &dyn Fn(&Rational) -> Result<CurveStates, Undecided>,

@@ -33,7 +33,7 @@ fn cells(weight: SelfWeight) -> &'static Areas {
     CELLS[index].get_or_init(|| Areas::new(weight, PARTS))
 }
 
-/// Whether a quantity grows with the friction angle all along a line.
+/// Tells whether a quantity grows with the friction angle all along a line.
 fn grows(quantity: Variable, line: Line, weight: SelfWeight) -> Result<Ternary, Undecided> {
     let trace = Trace::new(Curve::Line(line), weight, TOLERANCE)?;
     let slopes = trace.pieces().map(|piece| {

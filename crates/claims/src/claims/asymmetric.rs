@@ -1,9 +1,9 @@
-//! Above the least thickness some horseshoes have an asymmetric mechanism without dilatancy: Eq. (19) on the whole arch does
-//! not have its solution at one thickness.
+//! Above the least thickness some horseshoes have an asymmetric mechanism without dilatancy: Eq. (19) on the whole
+//! arch does not have its solution at one thickness.
 //!
-//! The usual argument of the static theorem takes friction as associated. In symmetric states the slips can be scaled, so that
-//! it holds all the same; where a vertical force in the crown works too, it does not. The examples are
-//! certified: [`certify::asymmetric`](crate::certify::asymmetric()).
+//! The usual argument of the static theorem takes friction as associated. In symmetric states the slips can be
+//! scaled, so that it holds all the same; where a vertical force in the crown works too, it does not. The examples
+//! are certified: [`certify::asymmetric`](crate::certify::asymmetric()).
 
 use super::letters::ring;
 use super::uniqueness::ONE_THICKNESS;

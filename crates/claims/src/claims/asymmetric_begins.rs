@@ -1,7 +1,9 @@
-//! Where the symmetric state at an edge of `[s,r,r]` has an asymmetric mechanism too: from a half opening on, up to T.
+//! Half openings at which the symmetric state at an edge of `[s,r,r]` has an asymmetric mechanism too: from a
+//! half opening on, up to T.
 //!
-//! There the curves of asymmetric solutions leave the symmetric ones: with `b0 = v = 0` the equations of the first kind are those of the
-//! line between `[s,r,r]` and `[s,s]`, those of the second that between `[r,r,r]` and `[s,r,r]`.
+//! There the curves of asymmetric solutions leave the symmetric ones: with `b0 = v = 0` the equations of the first
+//! kind are those of the line between `[s,r,r]` and `[s,s]`, those of the second that between `[r,r,r]` and
+//! `[s,r,r]`.
 
 use super::along::landmark;
 use super::asymmetric::ASYMMETRIC_MOTION;
@@ -30,7 +32,7 @@ pub(super) const CLAIMS: &[Claim] = &[claim("asymmetric-begins", "Eq. (19)", beg
 #[derive(Clone, Copy, Debug)]
 struct Edge {
     weight: SelfWeight,
-    /// With a joint that slides inside, `[s,s]`, or with a shoulder that opens, `[r,r,r]`.
+    /// Mode of the edge: with a joint that slides inside, `[s,s]`, or with a shoulder that opens, `[r,r,r]`.
     mode: AsymmetricMode,
     /// Hundredths of a degree between which the mechanism begins to exist.
     begins: [i32; 2],
@@ -52,8 +54,9 @@ const BITS: u32 = 96;
 /// A range is halved so often at the most.
 const DEPTH: usize = 16;
 
-/// The equations of an edge, for all half openings of a ball: `h, p, eta, beta_r + h`, the friction, and `beta_s` with the first kind. At
-/// `sb` the joint `beta_r` alone turns back, and a box that is as narrow as it moves has no room for the rest.
+/// The equations of an edge, for all half openings of a ball: `h, p, eta, beta_r + h`, the friction, and `beta_s`
+/// with the first kind. At `sb` the joint `beta_r` alone turns back, and a box that is as narrow as it moves has no
+/// room for the rest.
 struct BeginEquations {
     edge: Edge,
     half_opening: Ball,
@@ -115,8 +118,8 @@ impl Edge {
         Ok((unknowns, Rational::from((hundredths, 100))))
     }
 
-    /// Whether the mechanism exists (or not) at every half opening between two, in degrees; `start` are the unknowns next
-    /// to the larger one, and next to the smaller one in the end.
+    /// Tells whether the mechanism exists (or not) at every half opening between two, in degrees; `start` are
+    /// the unknowns next to the larger one, and next to the smaller one in the end.
     fn is_so(
         self,
         exists: bool,
@@ -138,7 +141,7 @@ impl Edge {
         Ok(())
     }
 
-    /// The same on a piece, without halving it.
+    /// Tells whether the mechanism exists (or not) on a piece, without halving it.
     fn tells(
         self,
         exists: bool,
@@ -160,7 +163,7 @@ impl Edge {
         is_decided.then(centre).ok_or_else(|| Undecided::new("the sign of a rate"))
     }
 
-    /// That the mechanism begins where it is said to, from 90° on up to T.
+    /// Proves that the mechanism begins where it is said to, from 90° on up to T.
     fn proved(self) -> Result<(), Undecided> {
         let (mut start, end) = self.end()?;
         let [fails, holds] = self.begins.map(|hundredths| Rational::from((hundredths, 100)));
@@ -169,7 +172,7 @@ impl Edge {
     }
 }
 
-/// Whether each edge is as said, decided once.
+/// Results of deciding whether each edge is as said, decided once.
 fn decided() -> &'static [Result<(), Undecided>] {
     static DECIDED: OnceLock<Vec<Result<(), Undecided>>> = OnceLock::new();
     DECIDED.get_or_init(|| EDGES.iter().map(|edge| edge.proved()).collect())

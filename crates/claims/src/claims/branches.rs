@@ -235,7 +235,7 @@ fn signs_of_the_branches(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::Implicit)
 }
 
-/// Where the radicand changes its sign: ends of intervals that hold `beta_sb` and the next zero.
+/// Sign changes of the radicand: ends of intervals that hold `beta_sb` and the next zero.
 fn sign_changes(weight: SelfWeight) -> [(i32, i32); 2] {
     match weight {
         SelfWeight::Heyman => [(112, 114), (250, 251)],

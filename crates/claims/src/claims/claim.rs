@@ -13,42 +13,42 @@ pub struct Claim {
     pub id: &'static str,
     /// The equation, table or section.
     pub place: &'static str,
-    /// What is claimed, as it is printed where it is.
+    /// Statement that is claimed, as it is printed where it is.
     pub statement: &'static str,
     decide: Decide,
 }
 
 type Decide = fn(&mut Derivation) -> Result<Finding, Undecided>;
 
-/// What a completed derivation says of the statement.
+/// Finding of a completed derivation on the statement.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Finding {
-    /// It holds as it is printed.
+    /// The statement holds as it is printed.
     AsPrinted,
-    /// It holds; the paper does not state it.
+    /// The statement holds; the paper does not state it.
     Implicit,
-    /// It holds as it is printed, but in some places only with equality.
+    /// The statement holds as it is printed, but in some places only with equality.
     Equality {
-        /// Where both sides are the same: `thickness at B is 2 for both weights`.
+        /// Place where both sides are the same: `thickness at B is 2 for both weights`.
         at: String,
     },
-    /// It speaks of an amount without a number, or with a rounded one: "about", "limited", "suffices".
+    /// The statement speaks of an amount without a number, or with a rounded one: "about", "limited", "suffices".
     Measured {
         /// The number with which it is proved.
         holds_with: String,
         /// A number with which it is refuted, the printed one above all.
         fails_with: Option<String>,
     },
-    /// It is false as printed.
+    /// The statement is false as printed.
     Misprint {
-        /// Where it fails: a point with the two values, or the difference that is not zero.
+        /// Place where it fails: a point with the two values, or the difference that is not zero.
         counterexample: String,
-        /// What holds instead, and is proved by the derivation.
+        /// Statement that holds instead, and is proved by the derivation.
         corrected: &'static str,
     },
 }
 
-/// How a claim was decided.
+/// Decision on a claim.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Decision {
@@ -58,7 +58,7 @@ pub struct Decision {
     pub outcome: Result<Finding, Undecided>,
     /// The steps, as far as they went.
     pub derivation: Derivation,
-    /// How long it took.
+    /// Time that it took.
     pub time: Duration,
 }
 
@@ -73,7 +73,7 @@ impl Claim {
         Self { statement, ..self }
     }
 
-    /// Whether a name means this claim: its id, or the beginning of it up to a hyphen.
+    /// Tells whether a name means this claim: its id, or the beginning of it up to a hyphen.
     pub fn is_named(&self, name: &str) -> bool {
         self.id.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
     }
@@ -101,7 +101,7 @@ pub(super) fn lemmas<const N: usize>(
     Ok(())
 }
 
-/// What a claim that is used rests on, if it holds as it is stated; each is decided once in a process.
+/// Supports of a claim that is used, if it holds as it is stated; each is decided once in a process.
 fn used(claim: &Claim) -> Result<Vec<Support>, Undecided> {
     type Used = Result<Vec<Support>, Undecided>;
     static KNOWN: Mutex<BTreeMap<&str, Used>> = Mutex::new(BTreeMap::new());

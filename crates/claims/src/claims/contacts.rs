@@ -24,7 +24,7 @@ pub(super) const CONTACTS: Claim = claim("modes-contacts", "Sec. 3, 4", contacts
      only, above a shoulder at its limit, and outwards at the shoulder only",
 );
 
-/// What must not be negative at a joint.
+/// Margin at a joint, which must not be negative.
 pub(super) fn margin_at(contact: Contact, joint: &Angle<Fraction>) -> Fraction {
     let [h, p, mu] =
         [Symbol::Thrust, Symbol::CrownMoment, Symbol::Friction].map(|symbol| symbol.number());

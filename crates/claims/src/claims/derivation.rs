@@ -10,9 +10,9 @@ use std::borrow::Borrow;
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Formula {
-    /// For a terminal.
+    /// Text for a terminal.
     pub text: String,
-    /// For a document.
+    /// Text for a document.
     pub latex: String,
 }
 
@@ -41,12 +41,12 @@ impl From<&Fraction> for Formula {
     }
 }
 
-/// What a step rests on.
+/// Support of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Support {
-    /// It is assumed.
+    /// The step is assumed.
     Hypothesis,
-    /// It gives a name.
+    /// The step gives a name.
     Definition,
     /// A normal form that is zero, or exact arithmetic.
     Algebra,
@@ -79,20 +79,20 @@ impl Support {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Step {
-    /// What it rests on.
+    /// Support of the step.
     pub support: Support,
-    /// What it says.
+    /// Words that it says.
     pub words: String,
     /// The formula it is about.
     pub formula: Option<Formula>,
 }
 
-/// Where an argument in words is that no machine has checked.
+/// Place of an argument in words that no machine has checked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Argument {
-    /// In the claim itself.
+    /// The argument is in the claim itself.
     Own,
-    /// In a claim that is used.
+    /// The argument is in a claim that is used.
     Beneath,
 }
 
@@ -105,7 +105,7 @@ impl Argument {
         }
     }
 
-    /// How it is told.
+    /// Description of the argument.
     pub fn words(self) -> &'static str {
         match self {
             Self::Own => "and an argument in words",
@@ -114,7 +114,7 @@ impl Argument {
     }
 }
 
-/// What the false twin of a check has changed.
+/// Change that the false twin of a check makes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Twin {
     /// The first coefficient of an identity or of a series.
@@ -123,11 +123,12 @@ pub(super) enum Twin {
     Value,
     /// The sign of what is positive, on each piece of a range.
     Sign,
-    /// Where the statement is made: another arch, landmark, range or bound, at which it does not hold.
+    /// The twin changes the input with which the statement is made: another arch, landmark, range or bound,
+    /// at which it does not hold.
     Input,
     /// The sides of an inequality between two numbers.
     Sides,
-    /// Only the verdict: what is proved is a box or a cell, which has no false place at hand.
+    /// The twin changes only the verdict: what is proved is a box or a cell, which has no false place at hand.
     Verdict,
 }
 
@@ -137,14 +138,14 @@ pub struct Derivation {
     steps: Vec<Step>,
     /// The false twins that the checks so far have.
     twins: Vec<Twin>,
-    /// What the claims used rest on.
+    /// Supports of the claims used.
     beneath: Vec<Support>,
     /// The check that is made on a false twin.
     spoiled: Option<usize>,
 }
 
 impl Derivation {
-    /// Nothing yet.
+    /// Derivation without any step yet.
     pub fn new() -> Self {
         Self::default()
     }
@@ -160,19 +161,19 @@ impl Derivation {
         &self.steps
     }
 
-    /// What the false twin of each check changes.
+    /// Changes that the false twin of each check changes.
     #[cfg(test)]
     pub(super) fn twins(&self) -> &[Twin] {
         &self.twins
     }
 
-    /// What is assumed.
+    /// Assumptions of the derivation.
     pub fn hypotheses(&self) -> impl Iterator<Item = &str> {
         let assumed = self.steps.iter().filter(|step| step.support == Support::Hypothesis);
         assumed.map(|step| step.words.as_str())
     }
 
-    /// What the derivation rests on, in words.
+    /// Description of what the derivation rests on, in words.
     pub fn method(&self) -> String {
         let uses = |support| self.supports().any(|other| other == support);
         let checked = match (uses(Support::Algebra), uses(Support::Balls)) {
@@ -186,7 +187,7 @@ impl Derivation {
         }
     }
 
-    /// Whether an argument in words carries the claim, or one that it uses.
+    /// Tells whether an argument in words carries the claim, or one that it uses.
     pub fn argument(&self) -> Option<Argument> {
         let carries = |support: &Support| *support == Support::Argument;
         match self.steps.iter().any(|step| carries(&step.support)) {
@@ -220,7 +221,7 @@ impl Derivation {
         self.push(Support::Claim, words, None);
     }
 
-    /// What the steps rest on, and those of the claims used.
+    /// Supports of the steps, and those of the claims used.
     pub(super) fn supports(&self) -> impl Iterator<Item = Support> {
         self.steps.iter().map(|step| step.support).chain(self.beneath.iter().copied())
     }
@@ -236,7 +237,7 @@ impl Derivation {
         self.push(Support::Definition, words, Some(formula));
     }
 
-    /// Whether the check that comes next is to be made on its false twin.
+    /// Tells whether the check that comes next is to be made on its false twin.
     fn twin(&mut self, twin: Twin) -> bool {
         let index = self.twins.len();
         self.twins.push(twin);
@@ -364,8 +365,8 @@ impl Derivation {
         Ok(())
     }
 
-    /// Checks a statement about an input. Its false twin is the same statement about another input, at which it does not
-    /// hold: a statement that does not look at its input is not proved here.
+    /// Checks a statement about an input. Its false twin is the same statement about another input, at which it
+    /// does not hold: a statement that does not look at its input is not proved here.
     pub fn certain<X>(
         &mut self,
         support: Support,

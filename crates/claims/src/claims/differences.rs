@@ -1,4 +1,4 @@
-//! How much the two weights differ at the same half opening, in numbers.
+//! Difference of the two weights at the same half opening, in numbers.
 
 use super::along;
 use super::landmarks::{both, state_of};
@@ -85,7 +85,7 @@ fn largest(
     Ok(())
 }
 
-/// Those of one arch.
+/// Differences of one arch.
 fn at(
     d: &mut Derivation,
     bounds: &mut MeasuredBounds,
@@ -96,7 +96,8 @@ fn at(
     note(d, bounds, &place, arch, variables)
 }
 
-/// What is said to differ slightly or much at the landmarks, and whether it is larger for Milankovitch's weight.
+/// Differences that are said to be slight or much at the landmarks, and whether it is larger for
+/// Milankovitch's weight.
 const AT_LANDMARKS: &[(Landmark, Unknown, bool)] = &[
     (Landmark::RotationEnd, Unknown::HalfOpening, false),
     (Landmark::RotationEnd, Unknown::Thickness, false),

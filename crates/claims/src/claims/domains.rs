@@ -1,4 +1,4 @@
-//! Where on the map the modes are: T, S, J and B as limits of the modes, sections 3 and 5.
+//! Places of the modes on the map: T, S, J and B as limits of the modes, sections 3 and 5.
 //!
 //! All about mixed modes follows from the order of the two frictions along rotation, since an admissible
 //! state with a hinge at the shoulder has at least the thrust of rotation, and one that slides there has

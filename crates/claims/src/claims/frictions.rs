@@ -61,7 +61,7 @@ pub(super) const ROTATION_MEETS_SLIDING: Claim = claim("map-T", "Sec. 2.2, 3", o
          m, beyond T for less, M < m",
     );
 
-/// How (17) and (18) change with the half opening and the thrust.
+/// Change of (17) and (18) with the half opening and the thrust.
 fn friction_slopes(d: &mut Derivation) -> Result<Finding, Undecided> {
     let (alpha, joint, h) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thrust.number());
     let shoulder = sliding::shoulder(&alpha, &h).value();

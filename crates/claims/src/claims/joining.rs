@@ -1,4 +1,4 @@
-//! How the rotational and the overturning branch join at `l`.
+//! Junction of the rotational and the overturning branch at `l`.
 
 use super::asymptotics::check_states;
 use super::{Claim, Derivation, Finding, claim};

@@ -26,7 +26,7 @@ impl MeasuredBounds {
         Ok(())
     }
 
-    /// The same with the lower one as the bound that holds.
+    /// Adds a bound of which the lower end is the one that holds.
     pub(super) fn at_least(
         &mut self,
         d: &mut Derivation,

@@ -1,5 +1,5 @@
-//! The motion of each mode: its blocks fit, its rates have their signs, it moves where joints are at their limits, and the
-//! weight works by as much as friction takes.
+//! The motion of each mode: its blocks fit, its rates have their signs, it moves where joints are at their limits,
+//! and the weight works by as much as friction takes.
 
 use super::contacts::{CONTACTS, label};
 use super::letters::{ring, variables};
@@ -49,7 +49,7 @@ fn joints(mechanism: &Mechanism<Fraction>) -> impl Iterator<Item = &Joint<Fracti
     mechanism.joints.iter().chain(&mechanism.crown)
 }
 
-/// What a joint opens for a slip of one.
+/// Opening of a joint for a slip of one.
 const OPENS: Symbol = Symbol::Friction;
 
 fn compatible(d: &mut Derivation) -> Result<Finding, Undecided> {

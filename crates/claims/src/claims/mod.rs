@@ -1,4 +1,4 @@
-//! What the paper claims, one statement at a time, each proved or refuted.
+//! Claims of the paper, one statement at a time, each proved or refuted.
 //!
 //! | claims about | file |
 //! |---|---|
@@ -158,7 +158,7 @@ mod tests {
         assert!(survivors.is_empty(), "{survivors:?}");
     }
 
-    /// How many checks have which twin is told in `proofs/README.md`, and held here.
+    /// The number of checks with each twin is told in `proofs/README.md`, and held here.
     #[test]
     fn what_false_twins_change_is_told() {
         let mut counts = BTreeMap::new();

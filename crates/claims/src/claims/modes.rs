@@ -1,4 +1,4 @@
-//! Why there are seven collapse modes, and no others.
+//! Reasons why there are seven collapse modes, and no others.
 //!
 //! A mechanism gives each joint at its limit a rate that is not negative, so that neither the thrust `h` nor the
 //! crown moment `p` works on it. In an admissible state few joints are at their limit. Let `u` be the rate of the
@@ -185,8 +185,9 @@ fn modes_occur(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-/// What is left to a line of thrust in an arch that only slides: half opening 1, thickness 1, thrust in the middle
-/// of the crown; and the same where it is not positive, with a thrust that pulls, or with the half opening 3.
+/// Room that is left to a line of thrust in an arch that only slides: half opening 1, thickness 1, thrust in
+/// the middle of the crown; and the same where it is not positive, with a thrust that pulls, or with the half
+/// opening 3.
 pub(super) fn room_of_pure_sliding(
     weight: SelfWeight,
 ) -> Result<[(&'static str, Ball, Ball); 4], Undecided> {

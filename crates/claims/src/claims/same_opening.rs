@@ -32,15 +32,15 @@ pub(super) const DIFFERENCES_GROW: Claim =
          weights grow with the half opening; up to 2/5 they are below 0.01 %",
     );
 
-/// How a rotational state moves with `delta_M` while its half opening is kept: logarithmic slopes.
+/// Change of a rotational state with `delta_M` while its half opening is kept: logarithmic slopes.
 struct WeightSlopes<T> {
-    /// Of `eta`; positive.
+    /// Slope of `eta`; positive.
     thickness: T,
-    /// Of `h`; negative.
+    /// Slope of `h`; negative.
     thrust: T,
-    /// Of `beta_r`; negative.
+    /// Slope of `beta_r`; negative.
     joint: T,
-    /// What the slope of the cubic `p`, kept at zero, leaves to the joint; positive.
+    /// Push that the slope of the cubic `p`, kept at zero, leaves to the joint; positive.
     push: T,
 }
 
@@ -190,7 +190,7 @@ fn growth(sign: i32) -> Result<usize, Undecided> {
     })
 }
 
-/// That they grow, decided once.
+/// Proves that the differences grow, decided once.
 fn grown() -> Result<usize, Undecided> {
     static DECIDED: OnceLock<Result<usize, Undecided>> = OnceLock::new();
     DECIDED.get_or_init(|| growth(1)).clone()

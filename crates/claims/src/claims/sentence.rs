@@ -3,22 +3,22 @@
 /// An equation or a sentence of the paper.
 #[derive(Clone, Copy, Debug)]
 pub struct Sentence {
-    /// Where it stands.
+    /// Place in the paper.
     pub place: &'static str,
-    /// What it says.
+    /// Content of the sentence.
     pub says: &'static str,
-    /// What decides it.
+    /// Decision on it.
     pub decided: Decided,
 }
 
-/// What decides a sentence.
+/// Decision on a sentence.
 #[derive(Clone, Copy, Debug)]
 pub enum Decided {
     /// Claims, by their ids; there is at least one.
     Claims(&'static [&'static str]),
     /// Printed digits: `couplet audit` compares each with its certified value.
     Audit,
-    /// Not decided here, and why.
+    /// The sentence is not decided here, and why.
     Open(&'static str),
 }
 

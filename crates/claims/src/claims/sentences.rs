@@ -1,4 +1,4 @@
-//! What the paper says, place by place, and what decides it: the data of the index.
+//! Sentences of the paper, place by place, and what decides it: the data of the index.
 
 use super::sentence::{Decided, Sentence};
 

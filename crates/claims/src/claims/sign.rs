@@ -28,12 +28,12 @@ pub(super) struct NotNegative(Expression);
 struct Expression {
     value: Fraction,
     formula: Formula,
-    /// Whether it needs brackets in a product.
+    /// True if the text needs brackets in a product.
     is_sum: bool,
 }
 
 impl Expression {
-    /// Of nothing else.
+    /// Made value of the value itself and nothing else.
     fn whole(value: &Fraction) -> Self {
         let is_sum = value.as_polynomial().is_none_or(|polynomial| polynomial.len() > 1);
         Self { value: value.clone(), formula: value.into(), is_sum }
@@ -90,7 +90,7 @@ pub(super) struct FromZero<'a> {
 }
 
 impl Positive {
-    /// What a hypothesis says is positive: `0 < beta < pi` of `beta` and of its sine.
+    /// Quantities that a hypothesis says are positive: `0 < beta < pi` of `beta` and of its sine.
     pub(super) fn given<const N: usize>(
         d: &mut Derivation,
         hypothesis: &str,
@@ -181,7 +181,7 @@ impl Positive {
 }
 
 impl NotNegative {
-    /// What a hypothesis says is not negative.
+    /// Quantities that a hypothesis says are not negative.
     pub(super) fn given<const N: usize>(
         d: &mut Derivation,
         hypothesis: &str,
@@ -231,7 +231,7 @@ pub(super) struct AngleSigns {
 }
 
 impl AngleSigns {
-    /// Those of the rotational joint.
+    /// Signs of the rotational joint.
     pub(super) fn of_joint(d: &mut Derivation) -> Result<Self, Undecided> {
         let at_zero = |symbol| match symbol {
             Symbol::Joint | Symbol::Sine => Some(0),
@@ -243,7 +243,7 @@ impl AngleSigns {
         Self::of(d, "beta", &Symbol::joint(), &range)
     }
 
-    /// Those of the half opening.
+    /// Signs of the half opening.
     pub(super) fn of_half_opening(d: &mut Derivation) -> Result<Self, Undecided> {
         let at_zero = |symbol| match symbol {
             Symbol::HalfOpening | Symbol::SineOfOpening => Some(0),

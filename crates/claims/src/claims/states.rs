@@ -41,8 +41,8 @@ fn flags((least, widest): &RationalRange, eta: &Ball) -> Option<Ball> {
     is_possible.then(|| end(low).hull(&end(high)))
 }
 
-/// How many pieces it takes to prove that all of `values`, of the joint, `delta_M` and the thickness, are
-/// positive at all states of a range of thicknesses. They are given balls that contain the states.
+/// Number of pieces that it takes to prove that all of `values`, of the joint, `delta_M` and the thickness,
+/// are positive at all states of a range of thicknesses. They are given balls that contain the states.
 pub(super) fn at_all_states(
     range: &RationalRange,
     values: &dyn Fn(&Ball, &Ball, &Ball) -> Vec<Ball>,

@@ -104,7 +104,7 @@ fn columns(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-/// That `beta_s` falls with the friction right of T: `h_s` falls from `h_T` on.
+/// Proves that `beta_s` falls with the friction right of T: `h_s` falls from `h_T` on.
 pub(super) fn thrust_at_triple_is_below_half(
     d: &mut Derivation,
     weight: SelfWeight,

@@ -1,4 +1,4 @@
-//! What `r`, `w` and `h` are: (1), and the caption of Fig. 1.
+//! Units of `r`, `w` and `h`: (1), and the caption of Fig. 1.
 
 use super::letters::{ring, with};
 use super::{Claim, Derivation, Finding, claim};
@@ -33,7 +33,7 @@ fn intrinsic_thrust(d: &mut Derivation) -> Result<Finding, Undecided> {
 /// A formula of `eta` and the ring's centroid factor.
 type PrintedFormula<T> = fn(&Ring<T>) -> T;
 
-/// What the formula says of a ring whose centreline has the radius `r (1 + eta/2)`, so that `r` is its inner
+/// Value of the formula for a ring whose centreline has the radius `r (1 + eta/2)`, so that `r` is its inner
 /// radius: `eta` and the value, both in units of the centreline, become those in units of `r`.
 fn measured_inside<T: Field>(delta: &T, eta: &T, printed: PrintedFormula<T>) -> T {
     let centreline = eta.int(1) + eta.ratio(1, 2) * eta;

@@ -20,7 +20,7 @@ use rug::Float;
 use std::f64::consts::LOG10_2;
 use std::time::Duration;
 
-/// How much is measured.
+/// Amount of what is measured.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct Effort {
@@ -48,7 +48,7 @@ const JOINTS: &[usize] = &[100, 1000];
 /// Bits by which the reference is more precise than what is measured.
 const REFERENCE: u32 = 160;
 
-/// What the product does for a state: the certified digits of the command.
+/// Name of the product's own way to a state: the certified digits of the command.
 pub const COMMAND: &str = "what couplet state does";
 
 /// The quantity of the rows of [`sines`].
@@ -200,7 +200,8 @@ impl CaseStudy<'_> {
         timed(self.effort.budget, || enclose(&self.case.problem, &self.case.start, bits))
     }
 
-    /// What the product proves: a landmark, isolated and refined, or a state with everything that belongs to it.
+    /// Values that the product proves: a landmark, isolated and refined, or a state with everything that
+    /// belongs to it.
     fn certified(&self, bits: u32) -> Option<Vec<Ball>> {
         match &self.case.problem {
             Task::Landmark { weight, landmark } => {
@@ -307,7 +308,7 @@ impl CaseStudy<'_> {
     }
 }
 
-/// What a ball of doubles holds.
+/// Ball of MPFR of what a ball of doubles holds.
 fn double_ball(ball: &DoubleBall) -> Ball {
     let [mid, rad] = [ball.mid(), ball.rad()].map(|x| Float::with_val(53, x));
     Ball::exact(mid, 170).widened(Magnitude::upper(&rad))

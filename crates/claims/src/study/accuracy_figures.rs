@@ -42,7 +42,7 @@ struct ProfilePoint {
     times: [f64; 3],
     /// The median of its correct digits; not a number where no case has any.
     digits: f64,
-    /// Whether it has no value in some case.
+    /// True if the method has no value in some case.
     fails: bool,
 }
 
@@ -170,7 +170,7 @@ fn profile(rows: &[Row]) -> Figure {
     Figure { title: "Performance profile".into(), panels: vec![panel], columns: 1 }
 }
 
-/// By how many digits a claimed bound is above the true error, against the precision.
+/// Number of digits by which a claimed bound is above the true error, against the precision.
 fn overestimation(rows: &[Row]) -> Figure {
     let claims: Vec<Row> =
         rows.iter().filter(|r| r.claimed_relative_log10.is_some()).cloned().collect();

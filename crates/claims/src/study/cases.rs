@@ -1,4 +1,4 @@
-//! What is measured: problems of every kind, with the numbers from which every method starts.
+//! Cases that are measured: problems of every kind, with the numbers from which every method starts.
 
 use super::Task;
 use super::closed::{ClosedForm, RootBranch, trigonometric};
@@ -14,9 +14,9 @@ use rug::Rational;
 pub struct Case {
     /// The kind of quantity.
     pub quantity: &'static str,
-    /// Which of them.
+    /// Name of the case.
     pub name: String,
-    /// What is computed.
+    /// Task that is computed.
     pub problem: Task,
     /// Start values, good to three digits or so.
     pub start: Vec<f64>,

@@ -37,7 +37,7 @@ pub enum RootBranch {
     Lower,
 }
 
-/// As printed, with complex square and cube roots in doubles; the real part.
+/// Closed form as printed, with complex square and cube roots in doubles; the real part.
 pub fn printed(form: ClosedForm, branch: RootBranch, joint: f64) -> f64 {
     let real = cubic::abbreviations(&Angle::new(joint));
     let complex = |x: f64| Complex::new(x, 0.0);

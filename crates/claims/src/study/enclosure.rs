@@ -14,7 +14,7 @@ pub fn enclose<E: Engine>(task: &Task, start: &[f64], bits: u32) -> Option<Vec<E
     enclose_at(task, &centre, bits)
 }
 
-/// The same around a centre that is known.
+/// Encloses a solution around a centre that is known.
 pub fn enclose_at<E: Engine>(task: &Task, centre: &[Float], bits: u32) -> Option<Vec<E>> {
     // The inverse only has to be near; but a stiff system is told from a singular one by many bits.
     let near = bits.min(2048);
@@ -53,8 +53,8 @@ fn decimal_exponent((mantissa, exponent): (f64, i32)) -> f64 {
     mantissa.abs().log10() + f64::from(exponent) * std::f64::consts::LOG10_2
 }
 
-/// How far a value is from the truth. Sizes are decimal logarithms, as errors of `10^-20000` occur;
-/// minus infinity is exact.
+/// Distance of a value from the truth. Sizes are decimal logarithms, as errors of `10^-20000` occur; minus
+/// infinity is exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ErrorSizes {
@@ -62,7 +62,7 @@ pub struct ErrorSizes {
     pub absolute: f64,
     /// `log10 |value - truth|/|truth|`.
     pub relative: f64,
-    /// In units of the last place of the value.
+    /// Error in units of the last place of the value.
     pub units: f64,
 }
 

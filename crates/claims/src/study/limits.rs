@@ -11,11 +11,11 @@ use rug::{Float, Rational};
 pub struct StudyLimit {
     /// A short name.
     pub name: &'static str,
-    /// What happens there.
+    /// Description of the limit.
     pub words: &'static str,
-    /// What is computed.
+    /// Value that is computed.
     pub output: &'static str,
-    /// Whether it is that of small half openings.
+    /// True if the limit is that of small half openings.
     pub(super) is_small: bool,
     /// The problem at the distance `10^-k`.
     pub(super) at: fn(&Rational) -> Option<LimitTarget>,

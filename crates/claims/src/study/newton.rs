@@ -8,7 +8,7 @@ use rug::Float;
 /// Steps after which the iteration is given up.
 const STEPS: usize = 100;
 
-/// Where the iteration ended, and how many steps it took.
+/// End of the iteration, and number of its steps.
 pub struct Newton<T> {
     /// The last iterate.
     pub root: Vec<T>,

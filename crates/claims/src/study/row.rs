@@ -1,4 +1,4 @@
-//! What is measured of one method on one case.
+//! Row of measurements: one method on one case.
 
 use super::enclosure::ErrorSizes;
 use crate::certify::processor_time;
@@ -12,9 +12,9 @@ use std::time::{Duration, Instant};
 pub struct Row {
     /// The kind of quantity: `eta-cubic`, `landmark`, `state`, …
     pub quantity: String,
-    /// Which of them: a joint and a branch, a landmark, a mode.
+    /// Name of the case: a joint and a branch, a landmark, a mode.
     pub case: String,
-    /// How it was computed.
+    /// Method of its computation.
     pub method: String,
     /// The bits the method was given.
     pub precision_bits: Option<u32>,
@@ -24,7 +24,7 @@ pub struct Row {
     pub cpu_seconds: f64,
     /// The quartile of these times below it, s.
     pub cpu_lower_seconds: f64,
-    /// And the one above it, s.
+    /// Upper end of the processor time, s.
     pub cpu_upper_seconds: f64,
     /// CPU time of the first call, s.
     pub first_seconds: f64,
@@ -68,7 +68,7 @@ pub struct Timed<T> {
 }
 
 impl<T> Timed<T> {
-    /// The same of what is made of the value, outside of what was timed.
+    /// Maps what is made of the value, outside of what was timed.
     pub fn map<U>(self, make: impl FnOnce(T) -> U) -> Timed<U> {
         let Self { value, first, cpu, wall } = self;
         Timed { value: make(value), first, cpu, wall }

@@ -1,4 +1,4 @@
-//! What is lost where the problem is hard: ladders of distances towards each limit.
+//! Digits lost where the problem is hard: ladders of distances towards each limit.
 //!
 //! The [condition number](super::condition) of a problem says how many digits of the result the input
 //! decides. What a method loses beyond it, the method has lost.
@@ -22,13 +22,13 @@ use std::time::Duration;
 #[derive(Clone, Debug, Default, Serialize)]
 #[non_exhaustive]
 pub struct Rung {
-    /// Which limit.
+    /// Limit that is approached.
     pub limit: &'static str,
-    /// What is computed.
+    /// Value that is computed.
     pub output: &'static str,
     /// `log10` of the distance from the limit.
     pub distance_log10: i32,
-    /// How it was computed.
+    /// Method of its computation.
     pub method: &'static str,
     /// The bits that the method was given, or needed.
     pub working_bits: u32,
@@ -167,7 +167,7 @@ fn certified(
 
 /// The rungs that are climbed: powers of a tenth.
 pub const FULL: [u32; 13] = [1, 2, 3, 4, 6, 8, 12, 16, 20, 30, 40, 50, 60];
-/// The same for a quick look.
+/// Distances for a quick look.
 pub const QUICK: [u32; 5] = [1, 3, 8, 20, 60];
 
 #[cfg(test)]

@@ -15,8 +15,8 @@ fn digits_left(rung: &Rung) -> Option<f64> {
     Some(f64::from(rung.working_bits) * LOG10_2 - rung.digits_lost?)
 }
 
-/// Correct digits left against the distance, a panel for each limit, with those that the problem leaves to doubles. A method
-/// without a value has a mark at no digit.
+/// Correct digits left against the distance, a panel for each limit, with those that the problem leaves to doubles.
+/// A method without a value has a mark at no digit.
 pub fn figure(rungs: &[Rung]) -> Figure {
     let panels = LIMITS.iter().filter_map(|limit| {
         let here: Vec<&Rung> = rungs.iter().filter(|rung| rung.limit == limit.name).collect();

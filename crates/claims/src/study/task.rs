@@ -1,4 +1,4 @@
-//! What is computed: square systems of equations with exact parameters, over any number.
+//! Tasks that are computed: square systems of equations with exact parameters, over any number.
 
 use super::closed::ClosedForm;
 use crate::arch::{Configuration, SelfWeight, Unknown, cubic, thrust};
@@ -69,7 +69,7 @@ impl Task {
         self.equations(x, parameters.into_iter().map(Dual::constant).collect())
     }
 
-    /// The same, with the derivatives to the parameters after those to the unknowns.
+    /// Residuals with the derivatives to the parameters after those to the unknowns.
     pub fn residuals_with_parameters<T: Real>(&self, x: &[T]) -> Vec<Dual<T>> {
         let parameters = self.parameters(&x[0]).into_iter().enumerate();
         let variables = parameters.map(|(k, a)| Dual::variable(a, x.len() + k)).collect();

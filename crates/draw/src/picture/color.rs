@@ -12,7 +12,7 @@ pub const INK: Color = Color(0x22, 0x22, 0x22);
 pub const WHITE: Color = Color(0xFF, 0xFF, 0xFF);
 /// The lines of a grid.
 pub const GRID: Color = Color(0xE2, 0xE2, 0xE2);
-/// What leads the eye.
+/// Colour of guides, which lead the eye.
 pub const GUIDE: Color = Color(0xAA, 0xAA, 0xAA);
 
 /// The colours of Okabe and Ito (Color Universal Design, 2008), which the colour-blind can tell apart,

@@ -11,11 +11,11 @@ use super::text::LEADING;
 pub struct Frame {
     /// The upper left corner on the page.
     pub corner: Point,
-    /// Its width and height on the page.
+    /// Width and height on the page.
     pub size: Point,
-    /// What is at the left and at the right edge.
+    /// Values at the left and at the right edge.
     pub x: [f64; 2],
-    /// What is at the bottom and at the top.
+    /// Values at the bottom and at the top.
     pub y: [f64; 2],
 }
 
@@ -32,20 +32,20 @@ pub enum Side {
     Right,
 }
 
-/// From the frame to the labels of its ticks.
+/// Distance from the frame to the labels of its ticks.
 const OFF: f64 = 8.0;
 /// The length of a tick.
 const TICK: f64 = 5.0;
 
 impl Frame {
-    /// Where a point of the plane is on the page.
+    /// Place of a point of the plane on the page.
     pub fn at(&self, (x, y): Point) -> Point {
         let share = |value: f64, [from, to]: [f64; 2]| (value - from) / (to - from);
         let (across, up) = (share(x, self.x), share(y, self.y));
         (self.corner.0 + across * self.size.0, self.corner.1 + (1.0 - up) * self.size.1)
     }
 
-    /// Whether a point of the plane is in it.
+    /// Tells whether a point of the plane is in it.
     pub fn shows(&self, (x, y): Point) -> bool {
         let within = |value: f64, [from, to]: [f64; 2]| (from..=to).contains(&value);
         within(x, self.x) && within(y, self.y)
@@ -61,7 +61,7 @@ impl Frame {
         self.corner.1 + self.size.1
     }
 
-    /// Its edges on the page.
+    /// Edges of the frame on the page.
     pub fn outline(&self) -> Path {
         Path::rectangle(self.corner, (self.right(), self.bottom()))
     }

@@ -5,10 +5,11 @@ use std::fmt;
 /// A coordinate of a path is written to this of the unit.
 pub const ROUNDED: f64 = 0.001;
 
-/// The longest arc that is drawn as one curve, in rad: the curve is nowhere further from it than 4 millionths of the radius.
+/// The longest arc that is drawn as one curve, in rad: the curve is nowhere further from it than 4 millionths of
+/// the radius.
 const ARC: f64 = 0.8;
 
-/// To the right and down, in units of the picture.
+/// Point to the right and down, in units of the picture.
 pub type Point = (f64, f64);
 
 /// A chain of straight lines and cubic Bézier curves, in one piece or several.
@@ -81,7 +82,7 @@ impl Path {
     }
 }
 
-/// As the attribute `d` of SVG has it.
+/// Writes the path as the attribute `d` of SVG has it.
 impl fmt::Display for Path {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let pair = |(x, y): Point| format!("{} {}", Short(x), Short(y));

@@ -8,7 +8,7 @@ static FONT: &[u8] = include_bytes!("../../assets/DejaVuSans.ttf");
 /// Pixels a unit of the picture: enough for print.
 pub const FINE: f32 = 2.0;
 
-/// What the program itself writes, with its font, as a tree.
+/// Tree of an SVG as the program itself writes it, with its font.
 pub(super) fn tree(svg: &str) -> Tree {
     let mut options = Options { font_family: "DejaVu Sans".into(), ..Options::default() };
     options.fontdb_mut().load_font_data(FONT.to_vec());

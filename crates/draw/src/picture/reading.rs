@@ -1,4 +1,4 @@
-//! What tests read out of a picture.
+//! Readings of a picture, for tests.
 
 /// The texts of a document, if its tags are closed in order, its attributes quoted, and nothing is
 /// left unescaped.
@@ -39,7 +39,7 @@ fn what_is_not_well_formed_is_refused() {
     assert_eq!(texts("<svg a=\"1\"><g><b c=\"\"/>x</g></svg>").unwrap(), ["x"]);
 }
 
-/// Where the texts of a document are, with the page.
+/// Boxes of the texts of a document, with the page.
 #[cfg(feature = "plots")]
 pub mod boxes {
     use crate::picture::png;

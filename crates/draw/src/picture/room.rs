@@ -1,4 +1,4 @@
-//! Where a label has room.
+//! Search for room for a label.
 
 use super::path::Point;
 
@@ -70,7 +70,7 @@ fn fine(corners: &[Point]) -> Vec<Point> {
     points.collect()
 }
 
-/// Whether a ray from the point leaves the area.
+/// Tells whether a point is inside an area: whether a ray from it leaves the area.
 fn is_inside(corners: &[Point], (x, y): Point) -> bool {
     let sides = corners.iter().zip(corners.iter().cycle().skip(1));
     let crossed = sides

@@ -1,17 +1,17 @@
-//! Where a value lies on an axis, and the ticks.
+//! Scales: the place of a value on an axis, and the ticks.
 
 use super::text;
 
-/// Where a value lies on an axis.
+/// Scale that gives the place of a value on an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scale {
     /// Evenly.
     Linear,
-    /// By its decimal logarithm.
+    /// Values lie by their decimal logarithm.
     Log10,
     /// Evenly, since it is a decimal logarithm already; the ticks say of what.
     Exponent,
-    /// As `Exponent`, but from high to low: the distance to something, ever closer.
+    /// Values lie as with `Exponent`, but from high to low: the distance to something, ever closer.
     Approach,
 }
 
@@ -29,7 +29,7 @@ impl Scale {
 
 /// No place is larger, so that differences are finite.
 const LARGEST: f64 = 1e300;
-/// Of the range, free at each end.
+/// Part of the range, free at each end.
 const PADDING: f64 = 0.04;
 /// Ticks on an axis at most.
 const MOST: usize = 8;
@@ -39,16 +39,16 @@ pub struct Ruler {
     low: f64,
     high: f64,
     falling: bool,
-    /// In the order of the axis.
+    /// Ticks in the order of the axis.
     pub ticks: Vec<Tick>,
 }
 
 /// A labelled place.
 #[derive(Debug)]
 pub struct Tick {
-    /// Its place.
+    /// Place of the tick.
     pub place: f64,
-    /// What is written there.
+    /// Text that is written there.
     pub label: String,
 }
 
@@ -83,14 +83,14 @@ impl Ruler {
         Self { low, high, falling, ticks }
     }
 
-    /// From 0 at the start to 1 at the end.
+    /// Share of a place, from 0 at the start to 1 at the end.
     pub fn share(&self, place: f64) -> f64 {
         let from = if self.falling { self.high - place } else { place - self.low };
         from / (self.high - self.low)
     }
 }
 
-/// What an axis covers: all places, some room beside them, and not too little.
+/// Range of an axis: all places, some room beside them, and not too little.
 fn range(scale: Scale, places: impl Iterator<Item = f64>) -> (f64, f64) {
     let ends = places.fold(None, |ends, p| match ends {
         None => Some((p, p)),

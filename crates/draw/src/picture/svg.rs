@@ -6,28 +6,28 @@ use super::text::LEADING;
 use std::fmt::Write as _;
 
 const FAMILY: &str = "DejaVu Sans, Verdana, sans-serif";
-/// From the middle of small letters to the line on which they stand, in sizes of the font.
+/// Height from the middle of small letters to the line on which they stand, in sizes of the font.
 const MIDDLE: f64 = 0.28;
-/// What is around a text that stands on lines, in sizes of the font.
+/// Width of the halo around a text that stands on lines, in sizes of the font.
 const HALO: f64 = 0.25;
 
-/// Which end of a text is at its place.
+/// End of a text that is at its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Anchor {
-    /// It begins there.
+    /// The text begins there.
     Start,
-    /// Its middle is there.
+    /// The middle of the text is there.
     Middle,
-    /// It ends there.
+    /// The text ends there.
     End,
 }
 
-/// How a line looks.
+/// Look of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stroke {
     /// Its colour.
     pub color: Color,
-    /// Its width.
+    /// Width of the line.
     pub width: f64,
     /// Lengths of strokes and gaps in turn; none for a whole line.
     pub dashes: &'static [f64],
@@ -43,11 +43,11 @@ impl Stroke {
 /// Slanted lines over a ground, so that areas differ without colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hatch {
-    /// Between the lines.
+    /// Colour between the lines.
     pub ground: Color,
-    /// Of the lines.
+    /// Colour of the lines.
     pub color: Color,
-    /// From one line to the next.
+    /// Distance from one line to the next.
     pub gap: f64,
     /// Degrees, clockwise from lines that go up and down.
     pub turn: f64,
@@ -56,11 +56,11 @@ pub struct Hatch {
 /// A rigid motion on the page: a rotation about a point, and then a shift.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rigid {
-    /// To the right and down.
+    /// Shift to the right and down.
     pub shift: Point,
     /// Clockwise.
     pub degrees: f64,
-    /// What it turns about.
+    /// Point that the body turns about.
     pub about: Point,
 }
 
@@ -74,14 +74,14 @@ impl Rigid {
     }
 }
 
-/// How a text looks.
+/// Look of a text.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Type {
-    /// Of the font.
+    /// Size of the font.
     pub size: f64,
     /// Its colour.
     pub color: Color,
-    /// Which end is at its place.
+    /// End of the text that is at its place.
     pub anchor: Anchor,
     /// Degrees, clockwise about its place; -90 reads upwards.
     pub turn: f64,
@@ -95,7 +95,7 @@ impl Type {
         Self { size, color, anchor: Anchor::Start, turn: 0.0, halo: None }
     }
 
-    /// With another end at its place.
+    /// Type with another end at its place.
     pub const fn at(self, anchor: Anchor) -> Self {
         Self { anchor, ..self }
     }
@@ -105,7 +105,7 @@ impl Type {
         Self { turn, ..self }
     }
 
-    /// With a colour around the letters.
+    /// Type with a colour around the letters.
     pub const fn on(self, ground: Color) -> Self {
         Self { halo: Some(ground), ..self }
     }
@@ -160,14 +160,14 @@ impl Svg {
         let _ = writeln!(self.text, "{line}");
     }
 
-    /// What belongs together, under a name of its own.
+    /// Draws a group: what belongs together, under a name of its own.
     pub fn group(&mut self, id: &str, draw: impl FnOnce(&mut Self)) {
         self.write(format_args!("<g id=\"{}\">", escaped(id)));
         draw(self);
         self.write(format_args!("</g>"));
     }
 
-    /// What is seen within a path only.
+    /// Draws what is seen within a path only.
     pub fn clipped(&mut self, within: &Path, draw: impl FnOnce(&mut Self)) {
         let name = self.name("clip");
         self.write(format_args!("<clipPath id=\"{name}\"><path d=\"{within}\"/></clipPath>"));
@@ -216,8 +216,8 @@ impl Svg {
         self.write(format_args!("<path d=\"{path}\" fill=\"{color}\" fill-opacity=\"{share}\"/>"));
     }
 
-    /// What is drawn at rest, moved; with `steps`, moving through them again and again, in so many seconds. Who does not
-    /// know of animations sees it where it is moved to.
+    /// Draws something at rest, moved; with `steps`, moving through them again and again, in so many seconds.
+    /// Who does not know of animations sees it where it is moved to.
     pub fn moved(
         &mut self,
         to: Rigid,

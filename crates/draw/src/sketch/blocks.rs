@@ -21,11 +21,12 @@ pub struct Blocks {
 
 /// Steps from there to rest.
 const STEPS: u32 = 12;
-/// There and back.
+/// Time of the way there and back.
 const SECONDS: f64 = 5.0;
 
 impl Blocks {
-    /// Those of a mode, no corner moved by more than an amplitude in units of `r`; `joints` are those between stones.
+    /// Blocks of a mode, no corner moved by more than an amplitude in units of `r`; `joints` are those
+    /// between stones.
     pub fn new<T: Drawable>(
         collapse: &Collapse<T>,
         at: &Configuration<T>,
@@ -47,7 +48,7 @@ impl Blocks {
         }
     }
 
-    /// Whether a stone lies over the crown, so that the block there is one for both halves.
+    /// Tells whether a stone lies over the crown, so that the block there is one for both halves.
     pub fn has_keystone(&self) -> bool {
         self.joints.first().is_some_and(|first| *first > 0.0)
     }

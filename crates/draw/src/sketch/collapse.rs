@@ -5,26 +5,26 @@ use crate::arch::{Configuration, Ring, SelfWeight};
 use crate::number::{Drawable, Ternary, says};
 use crate::problem::Mode;
 
-/// How an arch falls in a mode: rates that are proved to be positive.
+/// Motion in which an arch falls in a mode, with rates that are proved to be positive.
 #[derive(Clone, Debug)]
 pub struct Collapse<T> {
     /// The mode.
     pub mode: Mode,
-    /// Its joints and rates; the first free rate is one.
+    /// Joints and rates of the mechanism; the first free rate is one.
     pub mechanism: Mechanism<T>,
     /// The twists of the blocks, from the shoulder.
     pub twists: Vec<Twist<T>>,
-    /// How fast the crown goes down.
+    /// Speed with which the crown goes down.
     pub crown_drop: T,
     /// The power of the weight of the half arch, in `w r`.
     pub power: T,
-    /// What friction takes of it.
+    /// Power that friction takes of it.
     pub friction_power: T,
-    /// Whether joints that slide open too.
+    /// True if sliding joints open too.
     pub is_dilatant: bool,
 }
 
-/// What of a mechanism these enclosures do not tell.
+/// Part of a mechanism that these enclosures do not tell.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NoCollapse {
     /// Not every rate is proved to be positive.
@@ -39,7 +39,7 @@ says!(NoCollapse {
 });
 
 impl<T: Drawable> Collapse<T> {
-    /// How each joint gives way, and where, rad; a crown that opens along its whole joint is none.
+    /// Contact and place (rad) of each joint that gives way; a crown that opens along its whole joint is none.
     pub fn joints_at_limit(&self) -> Vec<(Contact, f64)> {
         let joints = self.mechanism.joints.iter().chain(self.mechanism.crown_hinge());
         joints.map(|joint| (joint.contact, joint.at.rad.double())).collect()

@@ -17,7 +17,7 @@ pub struct Forces<T> {
     pub thrust_lines: Vec<Line>,
     /// The line of friction.
     pub friction_line: Line,
-    /// What limits the thrust, in words, if it is an end of a range.
+    /// Limit of the thrust, in words, if it is an end of a range.
     pub limited_by: Option<String>,
     /// The joints at their limits.
     pub marks: Vec<Mark<T>>,
@@ -26,7 +26,7 @@ pub struct Forces<T> {
 /// A joint at its limit.
 #[derive(Clone, Debug)]
 pub struct Mark<T> {
-    /// Which limit.
+    /// Limit that is reached.
     pub contact: Contact,
     /// The joint, rad.
     pub at: T,
@@ -40,8 +40,9 @@ impl<T: Drawable> Mark<T> {
 }
 
 impl<T: Drawable> Forces<T> {
-    /// Those of the thrust of a configuration with one crown moment or, where two are given, between two; the friction is
-    /// unlimited if it is not. Of an arch of stones the joints between them, from the crown on; of another there are none.
+    /// Forces of the thrust of a configuration with one crown moment or, where two are given, between two;
+    /// the friction is unlimited if it is not. Of an arch of stones the joints between them, from the crown
+    /// on; of another there are none.
     pub fn new(
         weight: SelfWeight,
         (at, joints): (&Configuration<T>, &[f64]),
@@ -114,7 +115,7 @@ fn thrust_line<T: Drawable>(
     })
 }
 
-/// At the offset `(eta/2) T/(mu N)` from the centreline.
+/// Points at the offset `(eta/2) T/(mu N)` from the centreline.
 fn friction_line<T: Drawable>((at, joints): (&Configuration<T>, &[f64]), is_limited: bool) -> Line {
     if !is_limited {
         return centreline(&at.half_opening.rad, &at.thickness);

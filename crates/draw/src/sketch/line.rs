@@ -5,8 +5,8 @@ use crate::number::{Angle, Drawable};
 /// A line from the crown to the shoulder.
 #[derive(Clone, Debug)]
 pub struct Line {
-    /// Angle from the crown and offset from the centreline of each point, in rad and in thicknesses, outwards: from -1/2 at
-    /// the intrados to 1/2 at the extrados.
+    /// Angle from the crown and offset from the centreline of each point, in rad and in thicknesses, outwards: from
+    /// -1/2 at the intrados to 1/2 at the extrados.
     pub points: Vec<[f64; 2]>,
     /// The thickness, in units of `r`.
     pub thickness: f64,
@@ -14,15 +14,15 @@ pub struct Line {
 
 /// Angles between two points at first.
 const STEP: f64 = 0.05;
-/// The largest distance of the true line from a chord, looked at in its middle, in units of `r`, and of a half opening below
-/// one in units of that.
+/// The largest distance of the true line from a chord, looked at in its middle, in units of `r`, and of a half
+/// opening below one in units of that.
 const CHORD: f64 = 1e-4;
 /// The largest error of an offset that is read off between two points, in thicknesses.
 const PART: f64 = 2e-3;
 /// A chord is halved so often at most.
 const HALVINGS: u32 = 12;
 
-/// To the right and up.
+/// Place to the right and up.
 fn place([angle, offset]: [f64; 2], thickness: f64) -> [f64; 2] {
     let radius = 1.0 + offset * thickness;
     [radius * angle.sin(), radius * angle.cos()]
@@ -58,8 +58,8 @@ impl Line {
         Self { points, thickness: eta }
     }
 
-    /// The chain through the points of a line at some joints, from the crown on, and at the shoulder: between stones it is
-    /// said of joints alone. It is straight over a keystone, too.
+    /// The chain through the points of a line at some joints, from the crown on, and at the shoulder: between
+    /// stones it is said of joints alone. It is straight over a keystone, too.
     pub fn through_joints<T: Drawable>(
         [half_opening, thickness]: [&T; 2],
         joints: &[f64],
@@ -83,13 +83,13 @@ impl Line {
         Self { points, thickness: eta }
     }
 
-    /// Its points to the right and up.
+    /// Points of the line to the right and up.
     pub fn places(&self) -> impl DoubleEndedIterator<Item = [f64; 2]> + ExactSizeIterator + '_ {
         self.points.iter().map(|point| place(*point, self.thickness))
     }
 }
 
-/// How far a line may be from what its points say, on its way and in its offset.
+/// Distance that a line may have from what its points say, on its way and in its offset.
 #[derive(Clone, Copy)]
 struct Within {
     chord: f64,

@@ -1,4 +1,5 @@
-//! An arch as it is drawn: its lines of thrust and of friction, the joints at their limits, how it falls, and all that as SVG.
+//! An arch as it is drawn: its lines of thrust and of friction, the joints at their limits, how it falls, and all
+//! that as SVG.
 //!
 //! | file | what it does |
 //! |---|---|
@@ -12,8 +13,9 @@
 //! | `look` | colours and lines |
 //! | `picture` | that arch alone, as a picture |
 //!
-//! It is one text over any enclosure that can be seen as doubles: balls of MPFR for `couplet draw`, balls of double-doubles
-//! where there is no C compiler, as in a browser. What it says is as certain as the configuration that it is given.
+//! It is one text over any enclosure that can be seen as doubles: balls of MPFR for `couplet draw`, balls of
+//! double-doubles where there is no C compiler, as in a browser. What it says is as certain as the configuration
+//! that it is given.
 
 mod blocks;
 mod collapse;

@@ -10,18 +10,18 @@ use crate::number::Drawable;
 pub struct Moved {
     /// The blocks: those of the mechanism that have an extent.
     pub blocks: Vec<Block>,
-    /// How far the corner that moved most has moved, in units of `r`.
+    /// Distance by which the corner that moved most has moved, in units of `r`.
     pub by: f64,
 }
 
 /// A rigid block of the right half.
 #[derive(Clone, Debug)]
 pub struct Block {
-    /// Which of the mechanism it is: the place of its twist.
+    /// Number of the block in the mechanism: the place of its twist.
     pub place: usize,
-    /// Its joints nearer to the crown and to the shoulder, rad.
+    /// Joints nearer to the crown and to the shoulder, rad.
     pub between: [f64; 2],
-    /// Where it is.
+    /// Motion by which it is where it is.
     pub motion: Motion<f64>,
 }
 
@@ -29,13 +29,13 @@ pub struct Block {
 const NARROW: f64 = 1e-9;
 /// Halvings of the parameter.
 const HALVINGS: u32 = 60;
-/// What is missing of an amplitude that is reached, but for the halvings.
+/// Relative distance from an amplitude at which it counts as reached, but for the halvings.
 const REACHED: f64 = 1e-9;
 /// The parameter, an angle or a slip, is less.
 const LARGEST: f64 = 1.5;
 
-/// The blocks from the shoulder, moved so far that no corner has moved by more than `amplitude`, in units of `r`, and one
-/// by so much, or as far as they go: thin arches are flat before.
+/// The blocks from the shoulder, moved so far that no corner has moved by more than `amplitude`, in units of `r`,
+/// and one by so much, or as far as they go: thin arches are flat before.
 pub fn moved<T: Drawable>(collapse: &Collapse<T>, at: &Configuration<T>, amplitude: f64) -> Moved {
     let at = at.map_ref(T::double);
     let dilatancy = if collapse.is_dilatant { at.friction } else { 0.0 };

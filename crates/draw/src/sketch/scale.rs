@@ -1,8 +1,8 @@
-//! From units of `r` to the page.
+//! Scale from units of `r` to the page.
 
 use crate::picture::{Path, Point};
 
-/// Where the centre of an arch is on the page, and how large the radius is.
+/// Scale: the place of the centre of an arch on the page, and how large the radius is.
 #[derive(Clone, Copy, Debug)]
 pub struct Scale {
     /// The centre of the centreline.
@@ -12,8 +12,8 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// A point to the right and up of the centre; `side` is -1 for the left half. To a hundredth of the page's unit, which no
-    /// eye sees and files are shorter by.
+    /// A point to the right and up of the centre; `side` is -1 for the left half. To a hundredth of the page's
+    /// unit, which no eye sees and files are shorter by.
     pub fn at(&self, [x, y]: [f64; 2], side: f64) -> Point {
         let to = |length: f64| (100.0 * length).round() / 100.0;
         (to(self.center.0 + side * self.radius * x), to(self.center.1 - self.radius * y))

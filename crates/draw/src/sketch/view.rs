@@ -13,32 +13,32 @@ use crate::picture::{Path, Svg};
 pub struct View<'a> {
     /// The half opening, rad.
     pub half_opening: f64,
-    /// Of the intrados and the extrados.
+    /// Radii of the intrados and the extrados.
     pub radii: [f64; 2],
     /// The lines of each thrust.
     pub lines: Vec<Lines<'a>>,
-    /// Whether these are the ends of a range, the least thrust first.
+    /// True if these are the ends of a range, the least thrust first.
     pub is_standing: bool,
-    /// Whether the line of friction jumps at the crown.
+    /// True if the line of friction jumps at the crown.
     pub has_jump: bool,
     /// The joints at their limits, rad.
     pub marks: Vec<(Contact, f64)>,
-    /// How it falls.
+    /// Blocks in which it falls.
     pub blocks: Option<Blocks>,
     /// The joints between stones of the right half, rad.
     pub stones: Vec<f64>,
-    /// Only the right half.
+    /// True if only the right half is drawn.
     pub half: bool,
-    /// Only the right half falls.
+    /// True if only the right half falls.
     pub falls_right: bool,
 }
 
 /// The lines of a thrust.
 #[derive(Clone, Copy, Debug)]
 pub struct Lines<'a> {
-    /// Of thrust: one, or the two between which all others are.
+    /// Lines of thrust: one, or the two between which all others are.
     pub thrust: &'a [Line],
-    /// Of friction.
+    /// Line of friction.
     pub friction: &'a Line,
 }
 
@@ -56,7 +56,7 @@ impl View<'_> {
         if self.half || self.falls_right { &[1.0] } else { &[1.0, -1.0] }
     }
 
-    /// What it takes in units of `r`: left, right, below and above the centre.
+    /// Extent in units of `r`: left, right, below and above the centre.
     pub fn extent(&self) -> [f64; 4] {
         let [inner, outer] = self.radii;
         let alpha = self.half_opening;
@@ -108,7 +108,7 @@ impl View<'_> {
         scale.sector([from, alpha], self.radii, 1.0)
     }
 
-    /// Between two lines of thrust.
+    /// Draws the bands between two lines of thrust.
     fn bands(&self, svg: &mut Svg, scale: &Scale) {
         let lines: Vec<&Line> = self.lines.iter().flat_map(|of| of.thrust).collect();
         let [one, other] = lines[..] else { return };

@@ -10,9 +10,9 @@ use super::{Dual, Field, Real};
 pub struct Angle<T> {
     /// The angle in radians.
     pub rad: T,
-    /// Its sine.
+    /// Sine of the angle.
     pub sin: T,
-    /// Its cosine.
+    /// Cosine of the angle.
     pub cos: T,
 }
 

@@ -153,7 +153,7 @@ impl End for Astro {
         pi.unwrap_or_else(|| Self::infinite(to == Direction::Down))
     }
 
-    /// Each rounded down, and the number above that: what an evaluation costs is not paid twice.
+    /// Sine and cosine, each rounded down, and the number above that: what an evaluation costs is not paid twice.
     fn sin_cos(&self, prec: usize) -> Option<[(Self, Self); 2]> {
         let down = RoundingMode::Down;
         let [sin, cos] = with_constants(|constants| {

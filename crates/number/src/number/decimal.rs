@@ -13,11 +13,11 @@ pub struct Decimal {
     exponent: i64,
 }
 
-/// Why a text is not a decimal number.
+/// Reason why a text is not a decimal number.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ParseDecimalError {
-    /// Not digits with at most one point, a sign and an exponent.
+    /// The text is not digits with at most one point, a sign and an exponent.
     Syntax(String),
     /// The exponent is beyond ±1,000,000.
     Exponent(String),
@@ -55,7 +55,7 @@ impl Decimal {
         &self.digits
     }
 
-    /// Whether it is below zero.
+    /// Tells whether the decimal is below zero.
     pub fn is_negative(&self) -> bool {
         self.negative
     }
@@ -85,7 +85,7 @@ impl Decimal {
         if self.negative { -value } else { value }
     }
 
-    /// This decimal moved by one unit of its last place, away from zero or towards it.
+    /// Neighbour of the decimal, one unit of its last place, away from zero or towards it.
     pub fn neighbour(&self, away: bool) -> Self {
         let mut digits = self.digits.clone().into_bytes();
         let (from, to) = if away { (b'9', b'0') } else { (b'0', b'9') };

@@ -36,7 +36,7 @@ fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - (sum - t)) + (b - t))
 }
 
-/// The same for `|a| >= |b|` or `a = 0` (Dekker's Fast2Sum).
+/// Sum of two doubles and its rounding error, for `|a| >= |b|` or `a = 0` (Dekker's Fast2Sum).
 #[inline(always)]
 fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -91,7 +91,7 @@ impl DoubleDouble {
         self.hi
     }
 
-    /// What the nearest double leaves: at most half a unit in its last place.
+    /// Rest that the nearest double leaves: at most half a unit in its last place.
     #[inline(always)]
     pub const fn lo(self) -> f64 {
         self.lo
@@ -199,7 +199,7 @@ mod tests {
         part(x.hi) + part(x.lo)
     }
 
-    /// Whether `found` is within `units` of `u²`, and as many of `8 u³`, of `truth`, relative to it.
+    /// Tells whether `found` is within `units` of `u²`, and as many of `8 u³`, of `truth`, relative to it.
     fn is_within(found: DoubleDouble, truth: &Rational, units: (u32, u32)) -> bool {
         let error = Rational::from(&value(found) - truth).abs();
         let bound = (Rational::from(units) >> 106u32) + (Rational::from(8 * units.0) >> 159u32);

@@ -67,7 +67,7 @@ mod mpfr {
     use rug::{Float, float::Round};
 
     impl DoubleDoubleBall {
-        /// The same set as a ball of MPFR, with results to be rounded to `prec` bits. Only a midpoint that spans
+        /// Gives the set as a ball of MPFR, with results to be rounded to `prec` bits. Only a midpoint that spans
         /// more than 256 bits is rounded, outward.
         pub fn to_ball(&self, prec: u32) -> Ball {
             let part = |x: f64| Ball::exact(Float::with_val(53, x), prec.max(256));
@@ -96,7 +96,7 @@ mod mpfr {
     }
 }
 
-/// The same set with the double nearest to the midpoint as midpoint: outward.
+/// Converts the set to a ball around the double nearest to the midpoint, outward.
 impl From<DoubleDoubleBall> for DoubleBall {
     #[inline(always)]
     fn from(ball: DoubleDoubleBall) -> Self {

@@ -8,16 +8,16 @@
 //! are below `2^-40` of what is added up here.
 //!
 //! *Reduction.* `k` is the integer nearest to `32 hi` (adding and taking away `1.5 2^52` rounds to it). For `k >= 1`,
-//! `hi` is between `k/64` and `k/16`, so that `s = hi - k/32` is exact (Sterbenz); `s` is zero or at least a unit in the last
-//! place of `hi`, of which `lo` is at most a half, so that `r = s + lo = x - k/32` is exact too, and `|r| <= 1/64 + 2^-52`.
-//! `y = r²` errs by `7u²`, relative to it.
+//! `hi` is between `k/64` and `k/16`, so that `s = hi - k/32` is exact (Sterbenz); `s` is zero or at least a unit
+//! in the last place of `hi`, of which `lo` is at most a half, so that `r = s + lo = x - k/32` is exact too, and
+//! `|r| <= 1/64 + 2^-52`. `y = r²` errs by `7u²`, relative to it.
 //!
-//! *Series.* What is left out of `sin r` after `r^13` is below `|r| 2^-84/15! < 2^-124 |r|`, of `cos r` after `r^12` below
-//! `2^-84/14! < 2^-120`. The innermost terms, `1/9! - y/11! + y²/13!` and `1/8! - y/10! + y²/12!`, are doubles with an error of
-//! less than `2^-70` and `2^-67`; with `y^4 < 2^-47` before them they add less than `2^-117 |r|` and `2^-114`. Each further
-//! coefficient `h <- h y ± 1/n!` is a sum whose second term exceeds the first more than `2^12` times, so that it errs
-//! by less than `3 + 1 + 1 = 5 u²`, relative to it. Hence, relative to themselves, `h y` errs by `19u²` and `h y r` by
-//! `26u²`; with `|h y| < 2^-14` and `|c| < 2^-13`, where
+//! *Series.* What is left out of `sin r` after `r^13` is below `|r| 2^-84/15! < 2^-124 |r|`, of `cos r` after
+//! `r^12` below `2^-84/14! < 2^-120`. The innermost terms, `1/9! - y/11! + y²/13!` and `1/8! - y/10! + y²/12!`, are
+//! doubles with an error of less than `2^-70` and `2^-67`; with `y^4 < 2^-47` before them they add less than
+//! `2^-117 |r|` and `2^-114`. Each further coefficient `h <- h y ± 1/n!` is a sum whose second term exceeds the
+//! first more than `2^12` times, so that it errs by less than `3 + 1 + 1 = 5 u²`, relative to it. Hence, relative
+//! to themselves, `h y` errs by `19u²` and `h y r` by `26u²`; with `|h y| < 2^-14` and `|c| < 2^-13`, where
 //!
 //! ```text
 //! sin r = r + h y r         errs by less than (3 + 26/2^14 + 0.01) u² |r| < 3.1 u² |r|
@@ -33,9 +33,9 @@
 //!
 //! For `k = 0`, where `S = 0` and `C = 1`, the products are exact and `sin x = sin r`: `3.1 u² |x|`.
 //!
-//! *Underflow.* Below `2^-60` the answer is `x` and 1: the errors are `|x|³/6` and `x²/2`. From there on, for `k = 0`, all
-//! leading terms are above `2^-300`; for `k >= 1`, where `r` may be anything, and in the low parts, an underflow adds less
-//! than `2^-1000`. ∎
+//! *Underflow.* Below `2^-60` the answer is `x` and 1: the errors are `|x|³/6` and `x²/2`. From there on, for `k =
+//! 0`, all leading terms are above `2^-300`; for `k >= 1`, where `r` may be anything, and in the low parts, an
+//! underflow adds less than `2^-1000`. ∎
 //!
 //! The tests compare with MPFR: the largest error seen in 10^7 hard arguments is in the test that is ignored.
 
@@ -45,7 +45,7 @@ use super::double_sine_table::{RECIPROCAL_FACTORIALS, SINES_COSINES};
 /// The bound of the error: `2^-103`.
 pub(super) const ERROR: f64 = DoubleDouble::UNIT / 2.0;
 
-/// Up to here the error of the sine is relative to its argument.
+/// Argument up to which the error of the sine is relative to its argument.
 pub(super) const RELATIVE: f64 = 1.0 / 64.0;
 
 /// The largest argument.

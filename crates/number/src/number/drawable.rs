@@ -10,7 +10,7 @@ pub trait Drawable: Engine {
     /// A double, with the precision of this set.
     fn of_double(&self, x: f64) -> Self;
 
-    /// Whether the set holds zero and nothing else.
+    /// Tells whether the set holds zero and nothing else.
     fn is_zero(&self) -> bool;
 }
 

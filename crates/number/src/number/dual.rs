@@ -29,7 +29,7 @@ impl<T: Field> Dual<T> {
         Self::with_derivative(value, index, one)
     }
 
-    /// Each value as an unknown, numbered in order.
+    /// Variables: each value as an unknown, numbered in order.
     pub fn variables(values: &[T]) -> Vec<Self> {
         let values = values.iter().enumerate();
         values.map(|(index, value)| Self::variable(value.clone(), index)).collect()

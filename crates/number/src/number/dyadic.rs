@@ -18,11 +18,11 @@ pub struct Dyadic {
 /// The largest exponent of a number in a certificate, of either sign.
 pub const MAX_EXPONENT: i32 = 10_000_000;
 
-/// Why a text is not an exact binary number.
+/// Reason why a text is not an exact binary number.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ParseDyadicError {
-    /// Not `[-]0x<hexadecimal digits>p<exponent>`.
+    /// The text is not `[-]0x<hexadecimal digits>p<exponent>`.
     Syntax,
     /// The exponent is too large.
     Exponent,
@@ -43,12 +43,12 @@ impl Dyadic {
         Self { negative: negative && !words.is_empty(), words, exponent }
     }
 
-    /// Whether it is below zero.
+    /// Tells whether the number is below zero.
     pub fn is_negative(&self) -> bool {
         self.negative
     }
 
-    /// Whether it is zero.
+    /// Tells whether the number is zero.
     pub fn is_zero(&self) -> bool {
         self.words.is_empty()
     }

@@ -1,22 +1,23 @@
-//! What may stand at an end of an interval: a floating-point number that is rounded the way it is told.
+//! Number at an end of an interval: a floating-point number that is rounded the way it is told.
 
 use std::cmp::Ordering;
 use std::fmt::Debug;
 
-/// Which way a number that does not fit is rounded.
+/// Direction in which a number that does not fit is rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
-    /// To the next number below.
+    /// The number is rounded to the next number below.
     Down,
-    /// To the next number above.
+    /// The number is rounded to the next number above.
     Up,
 }
 
 /// A floating-point number that may stand at an end of an interval, infinite or not.
 ///
-/// Each operation has the precision of its result, in bits, and its direction: the answer is at most the true one if that
-/// is [`Direction::Down`], at least the true one if it is [`Direction::Up`], and no number at all where there is none. Too
-/// large or too small for an exponent makes no exception. More bits than those asked for do no harm.
+/// Each operation has the precision of its result, in bits, and its direction: the answer is at most the true one
+/// if that is [`Direction::Down`], at least the true one if it is [`Direction::Up`], and no number at all where
+/// there is none. Too large or too small for an exponent makes no exception. More bits than those asked for do no
+/// harm.
 pub trait End: Clone + Debug {
     /// From so many bits on sines are computed by products, which are quicker than what the arithmetic has.
     const HALVED: usize;
@@ -24,20 +25,21 @@ pub trait End: Clone + Debug {
     /// An end of the whole line.
     fn infinite(negative: bool) -> Self;
 
-    /// The number `± mantissa * 2^exponent`, exactly; the mantissa in words, the least significant first and the last not
-    /// zero. `None` where its size is too large or too small for a number.
+    /// The number `± mantissa * 2^exponent`, exactly; the mantissa in words, the least significant first and the
+    /// last not zero. `None` where its size is too large or too small for a number.
     fn dyadic(negative: bool, mantissa: &[u64], exponent: i32) -> Option<Self>;
 
-    /// Sign, mantissa and exponent, as they are given to [`End::dyadic`]; zero has no words. `None` for what is not finite.
+    /// Sign, mantissa and exponent, as they are given to [`End::dyadic`]; zero has no words. `None` for what is not
+    /// finite.
     fn parts(&self) -> Option<(bool, Vec<u64>, i32)>;
 
-    /// Which of two is the larger; `None` if one of them is no number.
+    /// Order of two numbers; `None` if one of them is no number.
     fn order(&self, other: &Self) -> Option<Ordering>;
 
-    /// Where it lies from zero; `None` if it is no number.
+    /// Side of zero on which it lies; `None` if it is no number.
     fn sign(&self) -> Option<Ordering>;
 
-    /// Whether it is a number and not infinite.
+    /// Tells whether the end is a number and not infinite.
     fn is_finite(&self) -> bool;
 
     /// The least power of two above its size; `None` for zero and for what is not finite.
@@ -55,7 +57,7 @@ pub trait End: Clone + Debug {
     /// The number on the other side of zero.
     fn negated(&self) -> Self;
 
-    /// The same number if it has at most so many bits; rounded otherwise.
+    /// Gives the number itself if it has at most so many bits, and rounds it otherwise.
     fn rounded(&self, prec: usize, to: Direction) -> Self;
 
     /// `self + other`.

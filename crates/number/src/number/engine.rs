@@ -16,7 +16,7 @@ pub trait Engine: Enclosure {
         Self::exact(&Dyadic::new(false, Vec::new(), 0), bits)
     }
 
-    /// The same set, or one that holds it, with results to be rounded to at least `bits` bits.
+    /// Gives the set, or one that holds it, with results to be rounded to at least `bits` bits.
     fn with_bits(&self, bits: usize) -> Self;
 
     /// All numbers within `radius` of one of this set.

@@ -15,11 +15,11 @@ pub struct ExactNumber {
     /// The rational number of its form.
     factor: BigRational,
     form: Form,
-    /// As it was given.
+    /// Text as it was given.
     text: String,
 }
 
-/// What an exact number is, made of a rational number `q`.
+/// Form of an exact number, made of a rational number `q`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Form {
     /// `q`.
@@ -34,10 +34,10 @@ pub enum Form {
 const MAX_LENGTH: usize = 20_000;
 /// Exponents beyond this are refused.
 const MAX_EXPONENT: u32 = 1_000;
-/// The same in bits, and a little more.
+/// Bits of the largest exponent, and a little more.
 const MAX_BITS: u64 = 3_330;
 
-/// Why a text is not an exact number.
+/// Reason why a text is not an exact number.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ParseExactError {
@@ -115,17 +115,17 @@ impl ExactNumber {
         Self { factor, form: Form::TimesPi, text: format!("{}deg", self.text) }
     }
 
-    /// Whether it was given in degrees.
+    /// Tells whether the number was given in degrees.
     pub fn is_in_degrees(&self) -> bool {
         self.text.ends_with("deg")
     }
 
-    /// What it is, made of its [factor](Self::factor).
+    /// Form of the number, made of its [factor](Self::factor).
     pub fn form(&self) -> Form {
         self.form
     }
 
-    /// Whether it is its factor.
+    /// Tells whether the number is its factor.
     pub fn is_rational(&self) -> bool {
         self.form == Form::Rational
     }
@@ -322,8 +322,8 @@ fn rational(decimal: &Decimal) -> BigRational {
     }
 }
 
-/// The same of a decimal fraction that fits words: what it has in common with its power of ten is found by counting
-/// twos and fives, which is much cheaper than a common divisor of long integers.
+/// Rational number of a decimal fraction that fits words: what it has in common with its power of ten is
+/// found by counting twos and fives, which is much cheaper than a common divisor of long integers.
 fn short_rational(decimal: &Decimal) -> Option<BigRational> {
     let places = u32::try_from(-decimal.exponent()).ok().filter(|places| *places < 19)?;
     let mut numerator: u64 = decimal.digits().parse().ok()?;

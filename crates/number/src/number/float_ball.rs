@@ -125,8 +125,8 @@ impl Midpoint for DoubleDouble {
     }
 }
 
-/// A midpoint of size `size` and its radius put into range: `Some((true, rad))` keeps the midpoint, `Some((false, rad))`
-/// has it replaced by zero, `None` is the whole line.
+/// A midpoint of size `size` and its radius put into range: `Some((true, rad))` keeps the midpoint, `Some((false,
+/// rad))` has it replaced by zero, `None` is the whole line.
 #[inline(always)]
 fn settled(size: f64, rad: f64) -> Option<(bool, f64)> {
     // Nearly always, and without a branch between the four. A NaN is in no range.
@@ -186,7 +186,7 @@ impl<M: Midpoint> FloatBall<M> {
         self.rad
     }
 
-    /// The same midpoint with `more`, not negative, added to the radius.
+    /// Ball with the midpoint of this one and `more`, not negative, added to the radius.
     #[inline]
     pub fn widened(&self, more: f64) -> Self {
         Self::new(self.mid, (self.rad + more) * UP)
@@ -316,14 +316,14 @@ impl<M: Midpoint> FloatBall<M> {
         Self::rounded(self.mid - other.mid, self.rad + other.rad)
     }
 
-    /// For `|x - a| <= r` and `|y - b| <= s`, `|xy - ab| <= |a| s + (|b| + s) r`.
+    /// Product of balls: for `|x - a| <= r` and `|y - b| <= s`, `|xy - ab| <= |a| s + (|b| + s) r`.
     #[inline]
     fn times(self, other: &Self) -> Self {
         let (a, b) = (self.mid.hi().abs(), other.mid.hi().abs());
         Self::rounded(self.mid * other.mid, a * other.rad + (b + other.rad) * self.rad)
     }
 
-    /// For `|x - a| <= r` and `|y - b| <= s`, `|x/y - a/b| <= (r + |a/b| s) / (|b| - s)`.
+    /// Quotient of balls: for `|x - a| <= r` and `|y - b| <= s`, `|x/y - a/b| <= (r + |a/b| s) / (|b| - s)`.
     #[inline]
     fn over(self, other: &Self) -> Self {
         let least = (other.mid.shortened().abs() - other.rad) * DOWN;

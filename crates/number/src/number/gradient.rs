@@ -28,7 +28,7 @@ impl<T: Field + Copy, const N: usize> Gradient<T, N> {
         Self { value, slopes: [value.int(0); N] }
     }
 
-    /// Each value as an unknown, numbered in order.
+    /// Variables: each value as an unknown, numbered in order.
     pub fn variables(values: &[T; N]) -> [Self; N] {
         array::from_fn(|index| {
             let mut variable = Self::constant(values[index]);

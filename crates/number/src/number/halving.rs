@@ -1,5 +1,5 @@
-//! Sine and cosine by products: the angle is halved until it is small, its versine `v = 1 - cos` summed as a series, and
-//! doubled again.
+//! Sine and cosine by products: the angle is halved until it is small, its versine `v = 1 - cos` summed as a
+//! series, and doubled again.
 //!
 //! ```text
 //! v(y) = t/2 (1 - t/(3·4) (1 - t/(5·6) (…))),  t = y²        v(2y) = 4 v - 2 v²        sin = √(v (2 - v))
@@ -11,9 +11,9 @@
 
 use super::Enclosure;
 
-/// How sine and cosine of an angle between zero and pi are computed.
+/// Way to compute sine and cosine of an angle between zero and pi.
 pub(super) struct Halving {
-    /// How often the angle is halved.
+    /// Number of times that the angle is halved.
     pub halvings: usize,
     /// The bits to work in.
     pub bits: usize,
@@ -28,7 +28,7 @@ const GUARD: usize = 64;
 const TERMS: usize = 20_000;
 
 impl Halving {
-    /// For results of about `prec` bits; `None` if there are too many.
+    /// Halving for results of about `prec` bits; `None` if there are too many.
     pub(super) fn new(prec: usize) -> Option<Self> {
         // The angle is below four.
         let small = prec.isqrt() / 6 + 8;

@@ -27,8 +27,9 @@ impl<E: End> Interval<E> {
         Self::dyadic(n < 0, &[n.unsigned_abs().into()], 0, prec)
     }
 
-    /// The number `± mantissa * 2^exponent`, exactly, with results to be rounded to `prec` bits, at least 64; the mantissa in
-    /// words of 64 bits, the least significant first. The whole line where the arithmetic has no such exponent.
+    /// The number `± mantissa * 2^exponent`, exactly, with results to be rounded to `prec` bits, at least 64; the
+    /// mantissa in words of 64 bits, the least significant first. The whole line where the arithmetic has no such
+    /// exponent.
     pub fn dyadic(negative: bool, mantissa: &[u64], exponent: i32, prec: usize) -> Self {
         let size = mantissa.iter().rposition(|word| *word != 0).map_or(0, |last| last + 1);
         match E::dyadic(negative, &mantissa[..size], exponent) {
@@ -53,7 +54,8 @@ impl<E: End> Interval<E> {
         Self { low: E::infinite(true), high: E::infinite(false), prec: prec.max(LEAST) }
     }
 
-    /// The same set, its ends rounded outward if they have more bits, with results to be rounded to `prec` bits, at least
+    /// Gives the set, its ends rounded outward if they have more bits, with results to be rounded to `prec`
+    /// bits, at least
     /// 64.
     pub fn with_precision(&self, prec: usize) -> Self {
         let prec = prec.max(LEAST);
@@ -81,7 +83,7 @@ impl<E: End> Interval<E> {
         self.high.sign().is_some_and(Ordering::is_le)
     }
 
-    /// From the least to the largest product of two ends.
+    /// Interval from the least to the largest product of two ends.
     fn corners(&self, other: &Self, prec: usize) -> Self {
         let ends = [
             (&self.low, &other.low),
@@ -96,8 +98,8 @@ impl<E: End> Interval<E> {
         Self::new(pick(Down, Ordering::Less), pick(Up, Ordering::Greater), prec)
     }
 
-    /// Sine and cosine of an exact number from 1/8 to 3, by products; `None` for others and next to a right angle, where
-    /// one of them may be small, and for few bits.
+    /// Sine and cosine of an exact number from 1/8 to 3, by products; `None` for others and next to a right angle,
+    /// where one of them may be small, and for few bits.
     fn by_halving(&self) -> Option<(Self, Self)> {
         if self.prec < E::HALVED {
             return None;

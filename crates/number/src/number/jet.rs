@@ -121,7 +121,7 @@ impl<T: Real> Real for Jet<T> {
 }
 
 impl<T: Stumpff> Stumpff for Jet<T> {
-    /// By `2 dc_n/du = n c_(n+2) - c_(n+1)`: each order needs two functions more of the order before.
+    /// Derivatives by `2 dc_n/du = n c_(n+2) - c_(n+1)`: each order needs two functions more of the order before.
     fn stumpff(&self, count: usize) -> Vec<Self> {
         let more = self.length() - 1;
         let mut functions: Vec<Vec<T>> =

@@ -1,10 +1,10 @@
 //! A quicker arithmetic for the checker, in pure Rust: ends of intervals by malachite.
 //!
-//! Its algorithms are in part those of MPFR, so that it is no witness beside [`Ball`](super::Ball): what an error in those
-//! would make of both is the same. [`AstroInterval`](super::AstroInterval) is the independent one.
+//! Its algorithms are in part those of MPFR, so that it is no witness beside [`Ball`](super::Ball): what an error
+//! in those would make of both is the same. [`AstroInterval`](super::AstroInterval) is the independent one.
 //!
-//! malachite rounds as it is asked, to precisions of any bits, and has exponents to 30 bits: beyond them a number rounded
-//! down is the largest, rounded up infinite. It panics at a precision of zero, which no [`Interval`] has.
+//! malachite rounds as it is asked, to precisions of any bits, and has exponents to 30 bits: beyond them a number
+//! rounded down is the largest, rounded up infinite. It panics at a precision of zero, which no [`Interval`] has.
 
 use super::end::{Direction, End};
 use super::interval::Interval;
@@ -44,7 +44,7 @@ impl Malachite {
 }
 
 impl End for Malachite {
-    /// Its own are quicker at any number of bits.
+    /// Malachite's own functions are quicker at any number of bits.
     const HALVED: usize = usize::MAX;
 
     fn infinite(negative: bool) -> Self {

@@ -162,7 +162,7 @@ pub trait Field:
 
 /// A field that recognises its zero: what a proof by normal form or an exact division needs.
 pub trait ExactField: Field {
-    /// Whether this is exactly zero; `false` means that it is not.
+    /// Tells whether the number is exactly zero; `false` means that it is not.
     fn is_zero(&self) -> bool;
 }
 
@@ -220,7 +220,7 @@ pub trait Enclosure: Real {
 pub mod test_config {
     use proptest::test_runner::{Config, RngSeed};
 
-    /// The same arguments in every run, and bounded shrinking.
+    /// Configuration of a property test: the same arguments in every run, and bounded shrinking.
     pub fn config(cases: u32) -> Config {
         Config {
             cases,

@@ -41,7 +41,7 @@ pub(super) fn from_series<T: Field>(u: &T, count: usize, terms: i32, tail: &T) -
     functions
 }
 
-/// How many terms are enough for `bits` bits where `|u| < 2^exponent`.
+/// Number of terms that is enough for `bits` bits where `|u| < 2^exponent`.
 pub fn terms(bits: u32, exponent: i64) -> i32 {
     // The last term, over the first: u^k over at least (2k)!, and each factor of that is above k.
     let (mut terms, mut gained) = (1i32, 0);

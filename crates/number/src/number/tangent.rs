@@ -4,8 +4,8 @@
 //! atan(q) = 2 atan(q / (1 + √(1 + q²)))        atan(x) = x (1 - x²/3 + x⁴/5 - …)
 //! ```
 //!
-//! The angle is halved until it is small and its series summed. All of it is done in enclosures, so that only the tail needs
-//! a bound of its own: it is at most the first term left out, as the terms alternate and fall.
+//! The angle is halved until it is small and its series summed. All of it is done in enclosures, so that only the
+//! tail needs a bound of its own: it is at most the first term left out, as the terms alternate and fall.
 
 use super::{Dyadic, Engine};
 

@@ -5,7 +5,7 @@
 pub enum Ternary {
     /// Proved.
     True,
-    /// Its opposite is proved.
+    /// The statement's opposite is proved.
     False,
     /// Nothing is known: at this precision it could be either.
     Undecided,
@@ -27,7 +27,7 @@ impl Ternary {
         }
     }
 
-    /// Whether the statement is proved; `false` for a refuted **and** for an undecided one.
+    /// Tells whether the statement is proved; `false` for a refuted **and** for an undecided one.
     pub fn is_proved(self) -> bool {
         self == Self::True
     }

@@ -8,7 +8,7 @@ pub(super) enum AngleUnit {
     Degrees,
 }
 
-/// How units are written, in any case, with or without a space before them.
+/// Spellings of units, in any case, with or without a space before them.
 const UNITS: [(&str, AngleUnit); 6] = [
     ("°", AngleUnit::Degrees),
     ("degrees", AngleUnit::Degrees),
@@ -28,7 +28,7 @@ pub(super) fn unit(text: &str) -> (&str, AngleUnit) {
     UNITS.iter().find_map(behind).unwrap_or((text, AngleUnit::None))
 }
 
-/// Whether a number is written with the unit of an angle.
+/// Tells whether a number is written with the unit of an angle.
 pub fn is_angle(text: &str) -> bool {
     unit(text).1 != AngleUnit::None
 }

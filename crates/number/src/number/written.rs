@@ -50,12 +50,12 @@ impl Written {
         Some(Self { negative, digits, exponent })
     }
 
-    /// Whether it is zero.
+    /// Tells whether the number is zero.
     pub fn is_zero(&self) -> bool {
         self.digits.is_empty()
     }
 
-    /// How many significant digits are written.
+    /// Number of significant digits that are written.
     pub fn significant_digits(&self) -> usize {
         self.digits.len()
     }
@@ -78,7 +78,7 @@ impl Written {
 }
 
 impl fmt::Display for Written {
-    /// The same digits in the one spelling of [`Decimal`]: plain for ordinary sizes, else with a power of ten.
+    /// Writes the digits in the one spelling of [`Decimal`]: plain for ordinary sizes, else with a power of ten.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let digits = self.digits.iter().map(|digit| char::from(b'0' + digit)).collect();
         Decimal::new(self.negative, digits, self.exponent).fmt(f)

@@ -4,13 +4,13 @@ use super::{Fraction, Polynomial, Symbol};
 use rug::Rational;
 use std::fmt;
 
-/// How a formula is written.
+/// Notation of a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Notation {
-    /// For a terminal: `3 S eta^2`.
+    /// Text for a terminal: `3 S eta^2`.
     Text,
-    /// For a document: `3 S \eta^{2}`.
+    /// Text for a document: `3 S \eta^{2}`.
     Latex,
 }
 
@@ -88,7 +88,7 @@ impl Polynomial {
         if text.is_empty() { "0".to_owned() } else { text }
     }
 
-    /// With the rational factor and the powers of symbols that all terms share before a bracket.
+    /// Shows the polynomial with the rational factor and the powers of symbols that all terms share before a bracket.
     pub fn show_factored(&self, notation: Notation) -> String {
         let Some((first, _)) = self.leading() else { return "0".to_owned() };
         let mut shared = *first;

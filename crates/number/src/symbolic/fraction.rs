@@ -61,8 +61,8 @@ impl Fraction {
         self.denominator.as_constant().map(|_| &self.numerator)
     }
 
-    /// Whether it is zero wherever the relations hold and the denominator does not vanish: the normal
-    /// form of the numerator is zero.
+    /// Tells whether the fraction is zero wherever the relations hold and the denominator does not vanish:
+    /// the normal form of the numerator is zero.
     pub fn vanishes(&self, relations: &Relations) -> bool {
         relations.normal_form(&self.numerator).is_zero()
     }

@@ -3,7 +3,7 @@
 use super::{Fraction, Polynomial, Symbol};
 use crate::number::Angle;
 
-/// What a formula is written with.
+/// Letters that a formula is written with.
 pub trait Letters: Sized {
     /// The indeterminate as a polynomial.
     fn polynomial(self) -> Polynomial;

@@ -93,7 +93,7 @@ impl Polynomial {
         }
     }
 
-    /// Whether it has no terms. This is exact: the representation is unique.
+    /// Tells whether the polynomial has no terms. This is exact: the representation is unique.
     pub fn is_zero(&self) -> bool {
         self.terms.is_empty()
     }
@@ -109,12 +109,12 @@ impl Polynomial {
         }
     }
 
-    /// How many terms.
+    /// Number of terms.
     pub fn len(&self) -> usize {
         self.terms.len()
     }
 
-    /// Whether it has no terms, as [`Polynomial::is_zero`].
+    /// Tells whether the polynomial has no terms, as [`Polynomial::is_zero`].
     pub fn is_empty(&self) -> bool {
         self.is_zero()
     }

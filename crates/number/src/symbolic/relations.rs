@@ -1,4 +1,4 @@
-//! What the indeterminates know of each other: `S² + C² = 1`, `q² =` a radicand.
+//! Relations between the indeterminates: `S² + C² = 1`, `q² =` a radicand.
 
 use super::{Polynomial, Symbol};
 use std::fmt;
@@ -35,9 +35,9 @@ impl Relations {
         )
     }
 
-    /// These relations and `symbol^power = value`. The value must have a smaller degree than
-    /// `power` in `symbol`, and contain no symbol whose rule, applied to it, would bring `symbol`
-    /// back: else a normal form would not be reached.
+    /// Adds the rule `symbol^power = value`. The value must have a smaller degree than `power` in `symbol`,
+    /// and contain no symbol whose rule, applied to it, would bring `symbol` back: else a normal form would
+    /// not be reached.
     pub fn with(mut self, symbol: Symbol, power: u16, value: Polynomial) -> Self {
         assert!(value.degree(symbol).unwrap_or(0) < usize::from(power), "the rule must reduce");
         self.0.push(Rule { symbol, power, value });

@@ -23,7 +23,7 @@ pub struct Series<T> {
     /// The power of the first coefficient.
     start: i32,
     terms: Vec<T>,
-    /// How many terms a constant is given.
+    /// Number of terms that a constant is given.
     length: usize,
     zero: T,
 }
@@ -52,7 +52,7 @@ impl<T: ExactField> Series<T> {
         (Self::new(like, quotient, length), Self::new(like, cosine, length))
     }
 
-    /// How many terms a constant has.
+    /// Number of terms of a constant.
     pub fn length(&self) -> usize {
         self.length
     }
@@ -87,7 +87,7 @@ impl<T: ExactField> Series<T> {
             .map_or_else(|| self.zero.clone(), |place| self.terms[place].clone())
     }
 
-    /// What is known below the power `order`.
+    /// Part of the series that is known below the power `order`.
     pub fn truncated(mut self, order: i32) -> Self {
         self.terms.truncate(usize::try_from(order - self.start).unwrap_or(0));
         self.start = self.start.min(order);
@@ -103,14 +103,14 @@ impl<T: ExactField> Series<T> {
         }
     }
 
-    /// The same terms with zeros for what is not known: a guess, not a value.
+    /// Series completed with zeros for what is not known: a guess, not a value.
     fn completed(mut self) -> Self {
         let missing = self.length as i32 - self.order();
         self.terms.resize(self.terms.len() + missing.max(0) as usize, self.zero.clone());
         self
     }
 
-    /// This series, which must have no negative powers, with `inner`, which must begin with a
+    /// Composes this series, which must have no negative powers, with `inner`, which must begin with a
     /// positive power, in place of the variable.
     pub fn compose(&self, inner: &Self) -> Self {
         let step = inner.valuation();
@@ -181,7 +181,7 @@ impl<T: ExactField + ToString> Series<T> {
     }
 }
 
-/// Whether a text has a sign outside brackets and after its beginning.
+/// Tells whether a text has a sign outside brackets and after its beginning.
 fn is_sum(text: &str) -> bool {
     let mut depth = 0;
     text.chars().enumerate().any(|(place, c)| {

@@ -2,8 +2,8 @@
 //!
 //! Along a piece the unknowns lie in a tube about cubics `X(s)` of the parameter. What follows from them, `q(X(s))`, is
 //! not a cubic; Hermite's cubic through its ends is off by no more than the fourth Taylor coefficient over the part,
-//! from [jets](crate::number::Jet), times the fourth power of its half-length, and the tube adds the slopes of `q` over it
-//! times its half-widths.
+//! from [jets](crate::number::Jet), times the fourth power of its half-length, and the tube adds the slopes of `q`
+//! over it times its half-widths.
 
 use super::cubic::{BITS, exact};
 use super::form::CurveForm;
@@ -39,13 +39,13 @@ pub enum Coordinate {
 /// A quantity between two parameters: a cubic by its values and slopes to the parameter at both ends.
 #[derive(Clone, Copy, Debug)]
 pub struct CubicArc {
-    /// At the ends.
+    /// Values at the ends.
     pub values: [f64; 2],
-    /// To the parameter.
+    /// Slopes to the parameter.
     pub slopes: [f64; 2],
-    /// How far the quantity is from the cubic, at most, for each parameter.
+    /// Largest distance of the quantity from the cubic, for each parameter.
     pub off: f64,
-    /// What of that a shorter part would reduce.
+    /// Part of that distance that a shorter part of the curve would reduce.
     pub by_length: f64,
 }
 
@@ -65,12 +65,12 @@ impl Coordinate {
         }
     }
 
-    /// Whether it is a variable itself, whose cubics the curves have.
+    /// Tells whether the coordinate is a variable itself, whose cubics the curves have.
     pub fn is_variable(self) -> bool {
         matches!(self, Self::HalfOpening | Self::FrictionAngle | Self::Thickness)
     }
 
-    /// Its value, or, of a logarithm, what it is of.
+    /// Value of the coordinate, or, of a logarithm, what it is of.
     fn of<T: Real + Stumpff>(self, at: &VariableValues<T>) -> T {
         match self {
             Self::HalfOpening => at.half_opening.clone(),
@@ -197,8 +197,8 @@ mod tests {
     use super::*;
     use crate::arch::SelfWeight;
 
-    /// At each parameter the quantity, as the tube has it, is no further from the cubic than is said, and not always much
-    /// nearer.
+    /// At each parameter the quantity, as the tube has it, is no further from the cubic than is said, and not
+    /// always much nearer.
     #[test]
     fn cubics_are_as_near_as_is_said() {
         use Coordinate as C;

@@ -34,7 +34,7 @@ impl<'a> TubeCell<'a> {
         Some([from?, to?])
     }
 
-    /// Whether the value may be on it.
+    /// Tells whether the value may be on the cell.
     pub(super) fn may_have(&self, variable: Variable, value: &Ball) -> bool {
         let [low, high] = self.range().map(exact);
         let all = low.hull(&high);
@@ -42,7 +42,7 @@ impl<'a> TubeCell<'a> {
         values.is_none_or(|values| values.overlaps(value))
     }
 
-    /// Whether the variable rises on all of it, or falls.
+    /// Tells whether the variable rises on all of the cell, or falls.
     pub(super) fn rises(&self, variable: Variable) -> Option<bool> {
         let one = exact(1.0);
         let slope = self.form.value(variable, &one, &self.tube.slopes)?;
@@ -53,7 +53,7 @@ impl<'a> TubeCell<'a> {
         }
     }
 
-    /// Its two halves, in tubes of their own, which hold the same branch: the root between them is in its tube.
+    /// Halves of the cell, in tubes of their own, which hold the same branch: the root between them is in its tube.
     pub(super) fn halves(&self) -> Option<[Self; 2]> {
         let [low, high] = self.range();
         let middle = low + (high - low) / 2.0;

@@ -1,8 +1,8 @@
 //! The mode of each arch in a rectangle of frictions and thicknesses, by signs.
 //!
-//! To a thickness belongs the rotational state with its thrust `h_R` and half opening `alpha_0`, to a friction the thrust
-//! `h_s` at which an inner joint slides and the half opening `alpha_P` that just slides. Their order tells the mode
-//! ([`ThicknessRow::mode`]; why is the claim `map-columns`):
+//! To a thickness belongs the rotational state with its thrust `h_R` and half opening `alpha_0`, to a friction the
+//! thrust `h_s` at which an inner joint slides and the half opening `alpha_P` that just slides. Their order tells
+//! the mode ([`ThicknessRow::mode`]; why is the claim `map-columns`):
 //!
 //! ```text
 //! h_R > h_s:  [r,r,r] if the shoulder does not slide at alpha_0, else [s,r,r]
@@ -37,14 +37,14 @@ pub struct FrictionColumn {
     half_opening: Angle<Ball>,
 }
 
-/// Of the balls, and the most steps of a bisection.
+/// Bits of the balls, and the most steps of a bisection.
 const BITS: u32 = 96;
 
 fn exact(x: f64) -> Ball {
     Ball::exact(Float::with_val(53, x), BITS)
 }
 
-/// Where a function falls through zero between two exact numbers, between which it has one zero.
+/// Zero of a function that falls between two exact numbers, between which it has one.
 fn falling(low: Ball, high: Ball, f: impl Fn(&Ball) -> Ball) -> Ball {
     let (mut low, mut high) = (low, high);
     for _ in 0..BITS {
@@ -173,7 +173,7 @@ impl FrictionColumn {
     }
 }
 
-/// How much of the map is proved to be in each domain.
+/// Areas of the map that are proved to be in each domain.
 #[derive(Clone, Debug)]
 pub struct Areas {
     /// The modes whose domains have an area, each with the part of the map that is proved to be in its domain, and
@@ -181,9 +181,9 @@ pub struct Areas {
     pub domains: Vec<(Mode, [Ball; 2])>,
     /// The part that is proved to be in one domain or another.
     pub proved: Ball,
-    /// How many cells that is.
+    /// Number of cells of that area.
     pub cells: usize,
-    /// How many others have a corner at which a comparison is not decided.
+    /// Number of other cells that have a corner at which a comparison is not decided.
     pub open: usize,
 }
 
@@ -303,7 +303,7 @@ mod tests {
         ThicknessRow::new(weight, eta)?.mode(&FrictionColumn::new(exact(inclination(phi))))
     }
 
-    /// Whether the modes of a line are above and below a thickness, a small step away.
+    /// Tells whether the modes of a line are above and below a thickness, a small step away.
     fn divides(line: Line, weight: SelfWeight, (phi, eta): (f64, f64)) -> bool {
         const AWAY: f64 = 5e-7;
         let sides = [eta - AWAY, eta + AWAY].map(|eta| mode(weight, phi, eta));

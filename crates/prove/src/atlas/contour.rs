@@ -1,4 +1,4 @@
-//! What is the same along a level.
+//! Quantities that are the same along a level.
 
 use super::variable::Variable;
 use crate::number::{Ball, ExactNumber, arctangent};

@@ -1,4 +1,4 @@
-//! Where a curve of the map has a half opening, a thickness or a friction: once, or nowhere, either proved.
+//! Crossings of a curve of the map with a half opening, a thickness or a friction: once, or nowhere, either proved.
 
 use super::cell::TubeCell;
 use super::form::CurveForm;
@@ -73,7 +73,7 @@ impl root::Form<Ball> for AtParameter<'_> {
 /// Bits in which crossings are enclosed.
 pub(super) const BITS: u32 = 128;
 
-/// How often a piece is halved.
+/// Number of times that a piece is halved.
 const DEPTH: u32 = 12;
 
 /// The parts of a cell, in order: nothing where the value is not, else with whether the variable rises. `None` if that
@@ -106,7 +106,7 @@ struct MonotoneRun<'a> {
 }
 
 impl MonotoneRun<'_> {
-    /// Whether the value is on it, of so many parts of the curve.
+    /// Tells whether the value is on the run, of so many parts of the curve.
     fn has(&self, trace: &Trace, parts: usize, variable: Variable, value: &Ball) -> Ternary {
         let of_curve = |place: &Place| place.coordinate(variable).cloned();
         let inner =
@@ -159,10 +159,10 @@ impl Crossing {
         Self { form: form.clone(), s, root }
     }
 
-    /// Where a curve has the value; `None` where it is proved to have it nowhere.
+    /// Crossing where a curve has the value; `None` where it is proved to have it nowhere.
     ///
-    /// On each run of parts next to each other on which the value may be, the variable rises, or falls: so it is there once
-    /// if it lies between the values at the ends of the run, else nowhere. On one run only it is there.
+    /// On each run of parts next to each other on which the value may be, the variable rises, or falls: so it is
+    /// there once if it lies between the values at the ends of the run, else nowhere. On one run only it is there.
     pub(super) fn find(
         trace: &Trace,
         variable: Variable,

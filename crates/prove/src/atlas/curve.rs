@@ -33,7 +33,7 @@ pub enum Curve {
     Overturning,
     /// The purely sliding states; their thickness is any from that of their line on.
     Sliding,
-    /// Where one mode becomes another.
+    /// The line where one mode becomes another.
     Line(Line),
     /// The overturning-sliding states at the physical limit, `eta = 2`: beyond it no thickness is enough.
     Limit,
@@ -43,7 +43,7 @@ pub enum Curve {
 #[derive(Clone, Debug)]
 pub(super) struct Leg {
     pub form: CurveForm,
-    /// Where it begins and ends, if not at the ends of the curve.
+    /// Parameter at which it begins and ends, if not at the ends of the curve.
     pub from: Option<f64>,
     pub to: Option<f64>,
 }
@@ -99,7 +99,7 @@ impl Curve {
         Self::ALL.into_iter().find(named).or_else(|| name.parse().ok().map(Self::Line))
     }
 
-    /// Where it begins and ends, in the direction in which its parameter grows or falls.
+    /// Parameters at which it begins and ends, in the direction in which its parameter grows or falls.
     pub fn ends(self) -> [End; 2] {
         use crate::problem::Landmark as L;
         match self {
@@ -111,7 +111,7 @@ impl Curve {
         }
     }
 
-    /// What it is traced by.
+    /// Parameter by which it is traced.
     pub fn parameter(self) -> Variable {
         match self {
             Self::Rotation | Self::Line(Line::RotationShoulder) => Variable::HalfOpening,
@@ -120,12 +120,12 @@ impl Curve {
         }
     }
 
-    /// Whether it is the same for every weight: sliding does not see the thickness.
+    /// Tells whether the curve is the same for every weight: sliding does not see the thickness.
     pub fn is_weightless(self) -> bool {
         self == Self::Sliding
     }
 
-    /// Its equations, part by part.
+    /// Equations of the curve, part by part.
     pub(super) fn legs(self, weight: SelfWeight) -> Vec<Leg> {
         use {Law as L, Variable as V};
         let form = |unknowns, laws| CurveForm::new(weight, self.parameter(), unknowns, laws);
@@ -179,7 +179,8 @@ impl Curve {
         }
     }
 
-    /// Its equations with the inclination as the parameter, of a line: to it belongs one friction angle, whatever slides.
+    /// Equations of the curve with the inclination as the parameter, of a line: to it belongs one friction
+    /// angle, whatever slides.
     pub(super) fn legs_over_inclination(self, weight: SelfWeight) -> Vec<Leg> {
         use {Law as L, Variable as V};
         let form = |unknowns, laws| CurveForm::new(weight, V::Inclination, unknowns, laws);

@@ -1,8 +1,8 @@
-//! How much thicker the arches on the lines between modes are for one weight than for the other, at equal friction.
+//! Difference in thickness between arches of the two weights on the lines between modes, at equal friction.
 //!
-//! To a friction angle belongs one inclination, `phi = chi - sin chi cos chi`, whatever the weight. Over the inclination the
-//! thickness on a line is a chain of cubics, each with a proved tube; of two weights the difference of these is a cubic
-//! too, in a tube as wide as both together.
+//! To a friction angle belongs one inclination, `phi = chi - sin chi cos chi`, whatever the weight. Over the
+//! inclination the thickness on a line is a chain of cubics, each with a proved tube; of two weights the difference
+//! of these is a cubic too, in a tube as wide as both together.
 //!
 //! Lines that follow each other are one dividing curve. Its landmarks are at another friction for each weight: between
 //! these one weight is on one line, and the other already on the next.
@@ -21,13 +21,13 @@ use std::fmt;
 /// A curve of lines between modes, one after the other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Divide {
-    /// Whether the shoulder slides or turns: from the origin by T, S and J to B.
+    /// Divide between a shoulder that slides and one that turns: from the origin by T, S and J to B.
     Shoulder,
-    /// Whether an inner joint slides or the crown turns: from the origin by T to l.
+    /// Divide between an inner joint that slides and a crown that turns: from the origin by T to l.
     Inner,
-    /// Whether the haunch is above the joint that slides or below it: from S to l.
+    /// Divide between a haunch above the joint that slides and one below it: from S to l.
     Joints,
-    /// Whether the haunch is at the crown: from J to l.
+    /// Divide at which the haunch arrives at the crown: from J to l.
     Crown,
 }
 
@@ -59,7 +59,7 @@ pub struct Step {
     pub difference: CubicArc,
 }
 
-/// What is known at an inclination.
+/// Values at an inclination.
 #[derive(Clone, Debug)]
 pub struct DifferencePoint {
     /// The inclination, exactly.
@@ -80,10 +80,10 @@ struct Track<'a> {
 }
 
 impl Divide {
-    /// All of them.
+    /// All four divides.
     pub const ALL: [Self; 4] = [Self::Shoulder, Self::Inner, Self::Joints, Self::Crown];
 
-    /// Its lines, in order.
+    /// Lines of the divide, in order.
     pub fn lines(self) -> &'static [Line] {
         use Line as L;
         match self {
@@ -224,12 +224,12 @@ impl Difference {
         (!steps.is_empty()).then_some(Self { divide, steps, landmarks, nodes })
     }
 
-    /// Its steps, in order.
+    /// Steps of the difference, in order.
     pub fn steps(&self) -> &[Step] {
         &self.steps
     }
 
-    /// Where each step begins, and where the last one ends.
+    /// Points where each step begins, and where the last one ends.
     pub fn points(&self) -> &[DifferencePoint] {
         &self.nodes
     }

@@ -33,7 +33,7 @@ pub enum Corner {
 }
 
 impl Side {
-    /// Where it begins and ends.
+    /// Corners where it begins and ends.
     pub fn ends(self) -> [Corner; 2] {
         match self {
             Self::Along(curve) => curve.ends().map(Corner::End),

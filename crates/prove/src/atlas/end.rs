@@ -1,4 +1,4 @@
-//! Where a curve ends, by values that are proved.
+//! Ends of curves, by values that are proved.
 
 use super::variable::Variable;
 use crate::arch::{SelfWeight, Unknown};
@@ -20,7 +20,7 @@ pub enum End {
 }
 
 impl End {
-    /// Whether its friction is unlimited.
+    /// Tells whether the end's friction is unlimited.
     pub fn is_unlimited(self) -> bool {
         use Landmark::{OverturningEnd, RotationEnd};
         matches!(self, Self::Circle | Self::Landmark(RotationEnd | OverturningEnd))
@@ -86,7 +86,8 @@ impl EndValues {
         })
     }
 
-    /// The value of a variable; of a ratio its limit at the origin, and nothing elsewhere: `q = 2`, `p³ = 4`, `s = p²/2`.
+    /// The value of a variable; of a ratio its limit at the origin, and nothing elsewhere: `q = 2`, `p³ = 4`, `s =
+    /// p²/2`.
     pub(super) fn value(&self, variable: Variable) -> Ball {
         match variable {
             Variable::HalfOpening => self.half_opening.clone(),
@@ -104,7 +105,7 @@ impl EndValues {
     }
 }
 
-/// Between 1 and 2, rounded to the nearest.
+/// Cube root of four, between 1 and 2, rounded to the nearest.
 fn cube_root_of_four() -> Ball {
     let last = Magnitude::power_of_two(-i64::from(BITS) + 1);
     Ball::new(Float::with_val(BITS, 4).cbrt(), last, BITS)

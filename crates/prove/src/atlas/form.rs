@@ -12,10 +12,10 @@ use crate::arch::haunch::Haunch;
 use crate::arch::{Ring, SelfWeight, cycloid, thrust};
 use crate::number::{Angle, Ball, Real, Stumpff};
 
-/// Where the thrust comes from.
+/// Source of the thrust.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Thrust {
-    /// There is none.
+    /// There is no thrust.
     Zero,
     /// An inner joint slides: (18).
     Sliding,
@@ -25,12 +25,12 @@ pub(super) enum Thrust {
     Shoulder,
 }
 
-/// Where the rotational joint is, if it is no unknown.
+/// Place of the rotational joint, if it is no unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum FixedJoint {
-    /// At the crown.
+    /// The joint is at the crown.
     Crown,
-    /// Where an inner joint slides.
+    /// The joint is where an inner joint slides.
     Sliding,
 }
 
@@ -59,7 +59,7 @@ impl CurveForm {
         Self { weight, parameter, unknowns, laws, thrust, joint, given: None }
     }
 
-    /// Whether it is the parameter, an unknown or given.
+    /// Tells whether the variable is the parameter, an unknown or given.
     pub(super) fn knows(&self, variable: Variable) -> bool {
         self.parameter == variable || self.unknowns.contains(&variable) || self.gives(variable)
     }
@@ -140,12 +140,13 @@ impl CurveForm {
         }
     }
 
-    /// Whether the rotational joint is a joint of its own, not the crown or without meaning.
+    /// Tells whether the rotational joint is a joint of its own, not the crown or without meaning.
     pub(super) fn has_haunch(&self) -> bool {
         self.knows(Variable::JointSquare) || self.joint == FixedJoint::Sliding
     }
 
-    /// Whether the thickness is the physical limit, 2: a form that turns about the shoulder and knows no thickness.
+    /// Tells whether the thickness is the physical limit, 2: a form that turns about the shoulder and knows
+    /// no thickness.
     pub(super) fn fixes_limit(&self) -> bool {
         !self.knows(Variable::Thickness) && self.laws.contains(&Law::Upper)
     }
@@ -172,8 +173,8 @@ impl CurveForm {
         law.residual(self.weight, &self.spot(number, s, x))
     }
 
-    /// What the equations have cleared and what has to be positive for them to be the printed ones: the lever
-    /// arm of (3), the normal force on a shoulder that slides, `2 - eta` in (5).
+    /// Divisors that the equations have cleared and what has to be positive for them to be the printed ones:
+    /// the lever arm of (3), the normal force on a shoulder that slides, `2 - eta` in (5).
     pub(super) fn divisors<T: Real + Stumpff>(
         &self,
         number: &impl Fn(&Ball) -> T,

@@ -31,7 +31,7 @@ pub(super) enum Law {
     Touching,
     /// The square root of that, regular where the thrust vanishes.
     TouchingRoot,
-    /// The same put into (5): what (2) and (5) leave of the thickness and the joint.
+    /// The common thrust of (2) and (5) put into (5): what both leave of the thickness and the joint.
     Rotation,
     /// (4).
     Whole,
@@ -46,10 +46,10 @@ pub(super) enum Law {
     /// The line of thrust is on the extrados next to the crown, and touches it.
     OnCrown,
     TouchesCrown,
-    /// It is on the intrados at the left haunch, and touches it.
+    /// The line of thrust is on the intrados at the left haunch, and touches it.
     OnHaunch,
     TouchesHaunch,
-    /// It is on the extrados of the right shoulder.
+    /// The line of thrust is on the extrados of the right shoulder.
     ShoulderOpens,
     /// Two hinges and a sliding shoulder move without another joint.
     HingesFit,

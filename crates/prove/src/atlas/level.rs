@@ -2,15 +2,17 @@
 //!
 //! In the plane of friction angle and thickness the line of a half opening comes down from the physical limit at the
 //! friction of pure sliding, `[s,s]`, or begins on the limit itself; it then runs through the domains in which the arch
-//! needs the less thickness the more friction there is, and ends level, `[r,r,r]`, or at unlimited friction, `[r]`. A line of one thickness
-//! runs across the same domains from the edge of `[s,s]` on, one of a friction up through them from the edge of `[r,r,r]`.
+//! needs the less thickness the more friction there is, and ends level, `[r,r,r]`, or at unlimited friction, `[r]`.
+//! A line of one thickness runs across the same domains from the edge of `[s,s]` on, one of a friction up through
+//! them from the edge of `[r,r,r]`.
 //!
-//! Each part is one chain of proved pieces, or straight; the parts meet on the lines between the modes, in points that are
-//! proved. Each line between modes is proved to be met there only, and the others nowhere
+//! Each part is one chain of proved pieces, or straight; the parts meet on the lines between the modes, in points
+//! that are proved. Each line between modes is proved to be met there only, and the others nowhere
 //! ([`Crossing`](super::crossing)), so that a part stays in the domain of its mode. A straight part is what an
-//! equation without the thickness or the friction leaves: `[s,s]` begins in a point in which (17) and (18) hold, which do not see the
-//! thickness, `[r,r,r]` in one in which (2), (4) and (5) hold, which do not see the friction. That the arch stands as far as
-//! the part is drawn are the claims `unique-thicker` and `map-rows` of `couplet prove`.
+//! equation without the thickness or the friction leaves: `[s,s]` begins in a point in which (17) and (18) hold,
+//! which do not see the thickness, `[r,r,r]` in one in which (2), (4) and (5) hold, which do not see the friction.
+//! That the arch stands as far as the part is drawn are the claims `unique-thicker` and `map-rows` of `couplet
+//! prove`.
 
 use super::contour::Contour;
 use super::crossing::{BITS, Crossing};
@@ -24,14 +26,14 @@ use crate::certify::Undecided;
 use crate::number::{Ball, Enclosure, Ternary};
 use crate::problem::{Line, Mode};
 
-/// Why there is no line.
+/// Reason why there is no line.
 #[derive(Clone, Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoLevel {
     /// No arch has it.
     #[error("{0}")]
     Outside(String),
-    /// It is that of a landmark, or a proof fails.
+    /// The level is that of a landmark, or a proof fails.
     #[error("{0}: {1}")]
     Undecided(String, Undecided),
 }
@@ -55,9 +57,9 @@ fn no_arch(contour: &Contour) -> String {
 pub struct Level {
     /// The self-weight model.
     pub weight: SelfWeight,
-    /// What is the same on it.
+    /// Quantity that is the same on it.
     pub contour: Contour,
-    /// Its parts, from the least friction on; of a friction from the least thickness on.
+    /// Parts of the level, from the least friction on; of a friction from the least thickness on.
     pub parts: Vec<Part>,
 }
 
@@ -106,13 +108,13 @@ impl Level {
         pieces.filter_map(|piece| piece.width()).fold(0.0, f64::max)
     }
 
-    /// The quantities at a friction angle, of a half opening or a thickness; `None` in pure sliding, where an inner joint slides, and where a proof
-    /// fails.
+    /// The quantities at a friction angle, of a half opening or a thickness; `None` in pure sliding, where an inner
+    /// joint slides, and where a proof fails.
     pub fn at_friction_angle(&self, phi: &Ball) -> Option<Place> {
         Part::among(&self.parts, phi)
     }
 
-    /// Whether a piece is not proved.
+    /// Tells whether a piece is not proved.
     pub fn has_gap(&self) -> bool {
         self.parts.iter().flat_map(Part::pieces).any(|piece| !piece.is_proved())
     }
@@ -122,20 +124,20 @@ impl Level {
         Line::ALL.into_iter().map(Curve::Line).chain([Curve::Limit])
     }
 
-    /// These curves of a weight.
+    /// Some curves of a weight.
     pub fn lines(weight: SelfWeight) -> Result<Vec<Trace>, Undecided> {
         Self::curves().map(|curve| Trace::new(curve, weight, FINE)).collect()
     }
 
-    /// Follows a line, in tubes as [`Trace::new`] has them: of a half opening between 0 and that of `L`, beyond which nothing stands,
-    /// of a thickness between 0 and 2, of a positive friction. Undecided if a landmark lies on it, or if a proof
-    /// fails.
+    /// Follows a line, in tubes as [`Trace::new`] has them: of a half opening between 0 and that of `L`, beyond
+    /// which nothing stands, of a thickness between 0 and 2, of a positive friction. Undecided if a landmark lies
+    /// on it, or if a proof fails.
     pub fn new(weight: SelfWeight, contour: &Contour, tolerance: f64) -> Result<Self, NoLevel> {
         let undecided = |error| NoLevel::Undecided(contour.to_string(), error);
         Self::among(&Self::lines(weight).map_err(undecided)?, weight, contour, tolerance)
     }
 
-    /// The same, with the lines between modes among some curves.
+    /// Level with the lines between modes among some curves.
     pub fn among(
         traces: &[Trace],
         weight: SelfWeight,
@@ -165,7 +167,7 @@ impl Level {
     }
 }
 
-/// From the edge of pure sliding, or from the limit, towards unlimited friction.
+/// Parts from the edge of pure sliding, or from the limit, towards unlimited friction.
 fn falling(
     met: &mut Crossings,
     given: (Variable, &Ball),
@@ -192,7 +194,7 @@ fn falling(
     Ok(parts)
 }
 
-/// From the edge of pure rotation to that of pure sliding, and up to the limit.
+/// Parts from the edge of pure rotation to that of pure sliding, and up to the limit.
 fn rising(
     met: &mut Crossings,
     given: (Variable, &Ball),

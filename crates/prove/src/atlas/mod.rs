@@ -1,9 +1,9 @@
 //! The map as data: its curves from end to end, each proved for every value of a parameter.
 //!
-//! A [`Curve`] is followed by [`Trace::new`] in pieces. On each a [tube](Trace) about a cubic holds exactly one solution
-//! for every parameter; neighbouring tubes join; the ends are landmarks. A [`Level`] is the line of one half opening,
-//! thickness or friction, mode by mode; a [`Difference`] is that of two weights along the lines; [`boundary`] has the domains of the modes as loops of curves. A [`Sketch`] is an arch to be
-//! drawn.
+//! A [`Curve`] is followed by [`Trace::new`] in pieces. On each a [tube](Trace) about a cubic holds exactly one
+//! solution for every parameter; neighbouring tubes join; the ends are landmarks. A [`Level`] is the line of one
+//! half opening, thickness or friction, mode by mode; a [`Difference`] is that of two weights along the lines;
+//! [`boundary`] has the domains of the modes as loops of curves. A [`Sketch`] is an arch to be drawn.
 //!
 //! ```
 //! use couplet_check::arch::SelfWeight;

@@ -110,7 +110,7 @@ impl Part {
         }
     }
 
-    /// What it is traced by; nothing where it is straight.
+    /// Variable by which it is traced; nothing where it is straight.
     pub fn parameter(&self) -> Option<Variable> {
         self.section().map(|section| section.form.parameter)
     }

@@ -16,7 +16,7 @@ pub struct Place {
     pub friction_angle: Option<Ball>,
     /// `mu = tan phi`; the whole line where the friction angle may be a right one.
     pub friction: Option<Ball>,
-    /// Whether the friction is unlimited, exactly.
+    /// True if the friction is unlimited, exactly.
     pub is_unlimited: bool,
     /// `eta`.
     pub thickness: Option<Ball>,

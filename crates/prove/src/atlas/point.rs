@@ -9,7 +9,7 @@ use crate::certify::{Refused, Undecided};
 use crate::number::{Ball, Enclosure, ExactNumber, Rounded, bits_of};
 use crate::problem::Quantity;
 
-/// Why there is no point at a parameter.
+/// Reason why there is no point at a parameter.
 #[derive(Clone, Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoPoint {
@@ -18,7 +18,7 @@ pub enum NoPoint {
     Outside {
         /// The name of the parameter.
         name: &'static str,
-        /// What was asked for.
+        /// Value that was asked for.
         parameter: String,
         /// About where the curve begins.
         low: f64,
@@ -38,8 +38,9 @@ const GUARD: u32 = 48;
 const ATTEMPTS: u32 = 6;
 
 /// The quantities of the point of a curve at an exact parameter, strictly between those of its ends, each correctly
-/// rounded to `digits` significant digits, up to [`MAX_DIGITS`](crate::certify::MAX_DIGITS). What the curve fixes, as the thickness 2 of its limit, is left out, as is
-/// what was given. That the point is on the curve, and not on another branch, is proved by the tube around it.
+/// rounded to `digits` significant digits, up to [`MAX_DIGITS`](crate::certify::MAX_DIGITS). What the curve fixes,
+/// as the thickness 2 of its limit, is left out, as is what was given. That the point is on the curve, and not on
+/// another branch, is proved by the tube around it.
 pub fn point(
     trace: &Trace,
     parameter: &ExactNumber,

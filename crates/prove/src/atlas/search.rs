@@ -1,4 +1,4 @@
-//! Where the curve probably runs, in doubles. Nothing here proves anything.
+//! Probable course of the curve, in doubles. Nothing here proves anything.
 
 use super::form::CurveForm;
 use crate::number::{Ball, Dual};

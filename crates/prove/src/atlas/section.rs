@@ -28,7 +28,8 @@ impl Section {
         Ok(Self { form, walk, ends: [from.place(), to.place()] })
     }
 
-    /// The line from a point to unlimited friction, whose parameter is the friction angle; the point is proved to be on it.
+    /// The line from a point to unlimited friction, whose parameter is the friction angle; the point is proved to
+    /// be on it.
     pub(super) fn to_unlimited_friction(
         form: CurveForm,
         from: &Crossing,
@@ -70,7 +71,7 @@ impl Section {
         self.pieces().filter_map(|piece| piece.width()).fold(0.0, f64::max)
     }
 
-    /// Whether a piece is not proved.
+    /// Tells whether a piece is not proved.
     pub fn has_gap(&self) -> bool {
         self.pieces().any(|piece| !piece.is_proved())
     }

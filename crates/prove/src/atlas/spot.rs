@@ -29,7 +29,7 @@ pub(super) struct VariableValues<T> {
     pub whole: WholeState<T>,
 }
 
-/// As an asymmetric state of the whole arch, worked out when one of its laws asks.
+/// Spot as an asymmetric state of the whole arch, worked out when one of its laws asks.
 #[derive(Clone, Debug)]
 pub(super) struct WholeState<T> {
     state: OnceCell<Asymmetric<T>>,
@@ -44,7 +44,7 @@ impl<T> Default for WholeState<T> {
 }
 
 impl<T: Real + Stumpff> VariableValues<T> {
-    /// As a flat arch that turns at the haunch.
+    /// Spot as a flat arch that turns at the haunch.
     pub(super) fn flat(&self) -> Flat<T> {
         Flat {
             opening: self.opening_ratio.clone(),
@@ -74,26 +74,26 @@ impl<T: Real> VariableValues<T> {
         }
     }
 
-    /// As an asymmetric state of the whole arch: the haunch is the rotational joint.
+    /// Spot as an asymmetric state of the whole arch: the haunch is the rotational joint.
     pub(super) fn asymmetric(&self) -> &Asymmetric<T> {
         self.whole.state.get_or_init(|| self.new_asymmetric())
     }
 
-    /// How far the line of thrust is from the extrados next to the crown, and the slope of that.
+    /// Distance of the line of thrust from the extrados next to the crown, and the slope of that.
     pub(super) fn at_crown(&self, weight: SelfWeight) -> &[T; 2] {
         self.whole
             .crown
             .get_or_init(|| self.asymmetric().crown(&Ring::new(weight, &self.thickness)))
     }
 
-    /// The same of the intrados at the left haunch.
+    /// Distance of the line of thrust from the intrados at the left haunch, and the slope of that.
     pub(super) fn at_haunch(&self, weight: SelfWeight) -> &[T; 2] {
         self.whole
             .haunch
             .get_or_init(|| self.asymmetric().haunch(&Ring::new(weight, &self.thickness)))
     }
 
-    /// What is zero where a kind of mechanism closes, of those that have one equation for it.
+    /// Quantity that is zero where a kind of mechanism closes, of those that have one equation for it.
     pub(super) fn closing(&self, kind: AsymmetricMode, weight: SelfWeight) -> T {
         self.asymmetric().closing(kind, weight).swap_remove(0)
     }

@@ -1,7 +1,7 @@
 //! The tangents of the lines between modes in the landmarks.
 //!
-//! A line is an analytic curve up to its ends and, in the equations of its form, beyond them; there the slopes of the unknowns
-//! to the parameter solve `F_x x' = -F_s`, by elimination over balls about the landmark's proved root.
+//! A line is an analytic curve up to its ends and, in the equations of its form, beyond them; there the slopes of
+//! the unknowns to the parameter solve `F_x x' = -F_s`, by elimination over balls about the landmark's proved root.
 
 use super::curve::Curve;
 use super::end::{End, EndValues};
@@ -11,8 +11,8 @@ use crate::certify::{Eliminated, Error, Refused, Undecided};
 use crate::number::{Ball, Dual, Enclosure};
 use crate::problem::{Landmark, Line};
 
-/// `d eta/d phi`, `phi` in rad, of a line in one of the two landmarks between which it runs. Refused if it does not end there,
-/// undecided if it may be upright.
+/// `d eta/d phi`, `phi` in rad, of a line in one of the two landmarks between which it runs. Refused if it does not
+/// end there, undecided if it may be upright.
 pub fn tangent(line: Line, weight: SelfWeight, at: Landmark) -> Result<Ball, Error> {
     let curve = Curve::Line(line);
     let failed =

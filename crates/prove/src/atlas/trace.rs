@@ -20,8 +20,8 @@ pub const LEAST_TOLERANCE: f64 = 1e-12;
 /// A curve from end to end, as nodes and the pieces between them.
 ///
 /// Guaranteed: on each piece there is, for **each** value of the parameter, exactly one solution in the tube about the
-/// cubic that has the values and slopes of its two nodes; the solutions of neighbouring pieces join; and both ends of the curve, which are
-/// proved on their own, lie on it. Not guaranteed: anything about a piece that is a gap.
+/// cubic that has the values and slopes of its two nodes; the solutions of neighbouring pieces join; and both ends
+/// of the curve, which are proved on their own, lie on it. Not guaranteed: anything about a piece that is a gap.
 #[derive(Clone, Debug)]
 pub struct Trace {
     /// The curve.
@@ -60,8 +60,8 @@ impl Trace {
         Self::along(curve, weight, curve.legs(weight), tolerance)
     }
 
-    /// The same with the inclination `chi` as the parameter, of a line between modes: to it belongs one friction angle,
-    /// `phi = chi - sin chi cos chi`, whatever the weight and the mode.
+    /// Trace with the inclination `chi` as the parameter, of a line between modes: to it belongs one friction
+    /// angle, `phi = chi - sin chi cos chi`, whatever the weight and the mode.
     pub(super) fn over_inclination(
         line: Line,
         weight: SelfWeight,
@@ -213,7 +213,8 @@ fn last_value(form: &CurveForm, walk: &Walk, variable: Variable) -> f64 {
     value.unwrap_or(f64::NAN)
 }
 
-/// Whether the root at the last node of a part, which solves the equations of the next one too, lies in its first tube.
+/// Tells whether the root at the last node of a part, which solves the equations of the next one too, lies in
+/// its first tube.
 fn joins((before, walk): &(CurveForm, Walk), (after, next): &(CurveForm, Walk)) -> bool {
     let (Some(node), Some(Some(tube))) = (walk.nodes.last(), next.tubes.first()) else {
         return false;
@@ -230,13 +231,13 @@ impl<'a> Piece<'a> {
         [self.from.sketch.s, self.to.sketch.s]
     }
 
-    /// Whether it is proved.
+    /// Tells whether the piece is proved.
     pub fn is_proved(&self) -> bool {
         self.tube.is_some()
     }
 
-    /// The values and the slopes at its two ends of the cubic of a coordinate; `None` for one that the curve leaves open or
-    /// that is constant.
+    /// The values and the slopes at its two ends of the cubic of a coordinate; `None` for one that the curve leaves
+    /// open or that is constant.
     pub fn cubic(&self, variable: Variable) -> Option<[[f64; 2]; 2]> {
         let index = self.form.unknowns.iter().position(|unknown| *unknown == variable);
         let ends = [&self.from.sketch, &self.to.sketch];
@@ -260,8 +261,8 @@ impl<'a> Piece<'a> {
         }
     }
 
-    /// The slope of one variable to another, `dy/dx`, over the whole piece; `None` if a curve leaves one of them open or
-    /// `x` may stand still.
+    /// The slope of one variable to another, `dy/dx`, over the whole piece; `None` if a curve leaves one of them
+    /// open or `x` may stand still.
     pub fn slope_of(&self, y: Variable, x: Variable) -> Option<Ball> {
         let slope = self.slope(y)? / self.slope(x)?;
         slope.is_bounded().then_some(slope)
@@ -272,12 +273,12 @@ impl<'a> Piece<'a> {
         self.form
     }
 
-    /// Its two nodes.
+    /// Nodes of the piece.
     pub(super) fn nodes(&self) -> [&'a Node; 2] {
         [self.from, self.to]
     }
 
-    /// What lies between its nodes, if that is proved.
+    /// Tube between its nodes, if that is proved.
     pub(super) fn tube(&self) -> Option<&'a Tube> {
         self.tube
     }

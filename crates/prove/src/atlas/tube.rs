@@ -8,9 +8,9 @@
 //!
 //! lies in the interior of `Z` for all `s` of the piece, then for **each** of these `s` there is exactly one
 //! root of `F(·, s)` in `X(s) + Z`, it lies in `X(s) + K`, and, as `F_x` is regular there, it is an analytic
-//! function of `s` (Krawczyk's test about the centre `X(s)`, with the same `Z` for each). `F(X(s), s)` nearly vanishes twice at both ends;
-//! Taylor's theorem to the fourth order about the middle of the piece, by [jets](crate::number::Jet), sees
-//! that, so that the tube narrows like the fourth power of the length.
+//! function of `s` (Krawczyk's test about the centre `X(s)`, with the same `Z` for each). `F(X(s), s)` nearly
+//! vanishes twice at both ends; Taylor's theorem to the fourth order about the middle of the piece, by
+//! [jets](crate::number::Jet), sees that, so that the tube narrows like the fourth power of the length.
 //!
 //! **Two pieces join** where the root of their common node, enclosed and proved to be unique on its own, lies in
 //! both tubes: there each tube holds one root only, so that the branches are one.
@@ -45,7 +45,7 @@ pub(super) struct Tube {
 
 /// Below this half-width, in bits, no tube is looked for: doubles are rounded nodes.
 const LEAST: i64 = -44;
-/// How often a tube that is not mapped into itself is widened.
+/// Number of times that a tube that is not mapped into itself is widened.
 const TRIALS: usize = 4;
 
 fn size(x: &Ball) -> Magnitude {
@@ -194,7 +194,7 @@ impl Tube {
         self.cubics.iter().map(|cubic| cubic.about(&t)).collect()
     }
 
-    /// Whether a root at a parameter of the piece lies where only one is, and so is that of the curve.
+    /// Tells whether a root at a parameter of the piece lies where only one is, and so is that of the curve.
     pub(super) fn holds(&self, s: &Ball, root: &[Ball]) -> bool {
         let t = s.clone() - &self.middle;
         let sides = self.cubics.iter().zip(&self.unique).zip(root);

@@ -1,4 +1,4 @@
-//! From one end of a form to the other, in pieces as long as the tolerance lets them be.
+//! Walk from one end of a form to the other, in pieces as long as the tolerance lets them be.
 
 use super::form::CurveForm;
 use super::search::{self, CurvePoint};
@@ -107,7 +107,7 @@ mod tests {
         }
     }
 
-    /// What cannot be proved is a gap, which is seen, and the way goes on behind it.
+    /// A part that cannot be proved is a gap, which is seen, and the way goes on behind it.
     #[test]
     fn no_tube_is_as_narrow_as_nothing() {
         let walk = walk(&rotation(), 0.0, vec![0.0, 0.0], 1.5, 0.0).unwrap();

@@ -2,14 +2,14 @@
 //!
 //! For a half opening, a friction and a weight, with candidates from [`solve`](crate::solve::asymmetric):
 //!
-//! 1. **The state.** The equations of an [`AsymmetricMode`] have exactly one solution in a box (Krawczyk): joints are at their
-//!    limits where the mechanism moves.
-//! 2. **Admissible on the whole arch**, at every joint of `[-alpha, alpha]`, as [`check`](crate::check) sees it too: each of the
-//!    four margins is positive, but next to a joint that touches its limit, where the margin and its slope are zero at the root and
-//!    the curvature is positive, and at the shoulder that slides, where the margin falls to zero. Margins at the two faces add up to `eta N`, so that
-//!    `N >= 0` needs no word.
-//! 3. **The motion.** The blocks fit by the choice of the rates, and every rate is positive. So each condition of Eq. (19)
-//!    holds: `phi <= 0`, `lambda >= 0`, `phi^T lambda = 0`, and compatibility without dilatancy.
+//! 1. **The state.** The equations of an [`AsymmetricMode`] have exactly one solution in a box (Krawczyk): joints
+//!    are at their limits where the mechanism moves.
+//! 2. **Admissible on the whole arch**, at every joint of `[-alpha, alpha]`, as [`check`](crate::check) sees it
+//!    too: each of the four margins is positive, but next to a joint that touches its limit, where the margin and
+//!    its slope are zero at the root and the curvature is positive, and at the shoulder that slides, where the
+//!    margin falls to zero. Margins at the two faces add up to `eta N`, so that `N >= 0` needs no word.
+//! 3. **The motion.** The blocks fit by the choice of the rates, and every rate is positive. So each condition of
+//!    Eq. (19) holds: `phi <= 0`, `lambda >= 0`, `phi^T lambda = 0`, and compatibility without dilatancy.
 //! 4. The power of the weight is that of friction, block by block: not needed, but another route to the same.
 //!
 //! The mirror image is a solution at the same thickness. **What is found is proved; that there are no others is not.**
@@ -33,7 +33,7 @@ use rug::Float;
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct AsymmetricDigits {
-    /// How its mechanism closes.
+    /// Way in which its mechanism closes.
     pub mode: AsymmetricMode,
     /// `eta`.
     pub thickness: Figure,
@@ -53,11 +53,11 @@ pub struct AsymmetricDigits {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct AsymmetricJoint {
-    /// How, on its side.
+    /// Limit that it is at, on its side.
     pub contact: Contact,
-    /// On which side of the crown.
+    /// Side of the crown.
     pub side: Side,
-    /// At the shoulder, or where.
+    /// Place of the joint: at the shoulder, or elsewhere.
     pub place: Place,
     /// The angle from the crown, rad.
     pub angle: Figure,
@@ -69,11 +69,11 @@ pub struct AsymmetricJoint {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct CertifiedAsymmetric<T = Ball> {
-    /// How its mechanism closes.
+    /// Way in which its mechanism closes.
     pub mode: AsymmetricMode,
-    /// Its variables.
+    /// Variables of the solution.
     pub at: Asymmetric<T>,
-    /// Its motion: every rate is positive.
+    /// Motion of the solution: every rate is positive.
     pub motion: Motion<T>,
     /// The power of the weight.
     pub power: T,
@@ -84,8 +84,9 @@ const GUARD: u32 = 64;
 /// Bits of what a search in doubles is given.
 const SEARCH_BITS: u32 = 64;
 
-/// The asymmetric solutions that the search finds for an arch, each proved, to `digits` significant digits; or why one is
-/// not. With unlimited friction there are none to find. Digits beyond [`MAX_ARCH_DIGITS`](super::MAX_ARCH_DIGITS) are refused.
+/// The asymmetric solutions that the search finds for an arch, each proved, to `digits` significant digits; or why
+/// one is not. With unlimited friction there are none to find. Digits beyond
+/// [`MAX_ARCH_DIGITS`](super::MAX_ARCH_DIGITS) are refused.
 pub fn asymmetric(
     arch: &Arch,
     digits: usize,
@@ -289,7 +290,8 @@ mod tests {
         CertifiedAsymmetric::new(&arch, &found(&arch)[0], 128).unwrap()
     }
 
-    /// The proof refuses what is not a solution: a contact moved, a rate turned, a friction or a thickness that is another.
+    /// The proof refuses what is not a solution: a contact moved, a rate turned, a friction or a thickness that is
+    /// another.
     #[test]
     fn false_twins_are_refused() {
         let arch = arch("milankovitch", "2.3", "1.05");
@@ -352,8 +354,8 @@ mod tests {
         assert_eq!(known.power.to_string(), "2.26695671354");
     }
 
-    /// The thickness at which the two hinges fit between the faces, at a vertical force, found by halving in doubles: no
-    /// derivative, no Newton, the joints by looking at many.
+    /// The thickness at which the two hinges fit between the faces, at a vertical force, found by halving in
+    /// doubles: no derivative, no Newton, the joints by looking at many.
     fn thickness_by_halving(heyman: bool, alpha: f64, mu: f64, v: f64) -> f64 {
         let h = (alpha - v) / (alpha - mu.atan()).tan();
         let room = |eta: f64| {

@@ -9,7 +9,7 @@ use crate::problem::{Arch, Known, Problem, Quantity};
 use crate::prover::root::no_candidate;
 use crate::prover::{Error, Refused};
 
-/// What is stated of a solution, if its kind has it.
+/// Quantities stated of a solution, if its kind has it.
 const STATED: [Quantity; 12] = [
     Quantity::Thickness,
     Quantity::Thrust,

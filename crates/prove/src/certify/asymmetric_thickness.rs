@@ -1,5 +1,5 @@
-//! The thicknesses of asymmetric solutions, which go with each verdict that an arch stands: in balls of double-doubles first,
-//! in balls of MPFR what those leave open.
+//! The thicknesses of asymmetric solutions, which go with each verdict that an arch stands: in balls of
+//! double-doubles first, in balls of MPFR what those leave open.
 
 use super::asymmetric::{CertifiedAsymmetric, certified, found};
 use super::state::{DOUBLE_DOUBLE, is_quick};
@@ -12,9 +12,10 @@ use crate::prover::in_doubles;
 use crate::prover::posed::Posed;
 use crate::solve::asymmetric::AsymmetricCandidate;
 
-/// The thicknesses of the asymmetric solutions that are found and proved for an arch, the largest first, to `digits` significant digits.
-/// **That there are no others is not proved.** Nothing is computed where [none is known](crate::problem::asymmetric_region).
-/// Digits beyond [`MAX_ARCH_DIGITS`](super::MAX_ARCH_DIGITS) are refused.
+/// The thicknesses of the asymmetric solutions that are found and proved for an arch, the largest first, to
+/// `digits` significant digits. **That there are no others is not proved.** Nothing is computed where [none is
+/// known](crate::problem::asymmetric_region). Digits beyond [`MAX_ARCH_DIGITS`](super::MAX_ARCH_DIGITS) are
+/// refused.
 pub fn asymmetric_thicknesses(arch: &Arch, digits: usize) -> Result<Vec<Figure>, Refused> {
     Refused::arch_digits(digits)?;
     if !may_move_asymmetrically(arch) {

@@ -18,7 +18,7 @@ use rug::Float;
 
 /// Bits beyond the digits asked for, at the first attempt.
 const GUARD: u32 = 64;
-/// How often the precision is raised.
+/// Number of times that the precision is raised.
 const ATTEMPTS: u32 = 8;
 /// Up to this many digits a certificate is released only if the second arithmetic accepts it too; beyond,
 /// that would take as long as everything else.
@@ -43,7 +43,7 @@ pub fn certify_landmark(
     Ok(landmark_certificate(&CertifiedLandmark::new(landmark, weight)?, digits)?)
 }
 
-/// The same of a landmark that is proved already.
+/// Certificate of a landmark that is proved already.
 pub(super) fn landmark_certificate(
     point: &CertifiedLandmark,
     digits: usize,
@@ -71,7 +71,7 @@ pub(super) fn value_file(quantity: Quantity, value: &Value) -> ValueFile {
     ValueFile { quantity: quantity.name().to_owned(), value: text }
 }
 
-/// What the solver knows of a root.
+/// Knowledge that the solver has of a root.
 pub(super) struct Root {
     pub problem: Problem,
     pub centre: Vec<Float>,

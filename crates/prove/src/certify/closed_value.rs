@@ -23,7 +23,7 @@ pub enum Exact {
 }
 
 impl Exact {
-    /// As a mathematician would write it.
+    /// Text as a mathematician would write it.
     pub fn text(&self) -> String {
         match self {
             Self::Surd(surd) => surd.to_string(),
@@ -71,7 +71,7 @@ fn thickness(landmark: Landmark, isolated: &Isolated) -> Option<Surd> {
     is_thickness_without_thrust(system.weight, &closed_form, domain).then_some(closed_form)
 }
 
-/// Whether `value` is the only number in `domain` that solves (5) at `beta_r -> 0` with `h = 0`.
+/// Tells whether `value` is the only number in `domain` that solves (5) at `beta_r -> 0` with `h = 0`.
 fn is_thickness_without_thrust(weight: SelfWeight, value: &Surd, domain: &Ball) -> bool {
     let residual_is_zero = residual(weight, value).is_zero();
     let slope = residual(weight, &Dual::variable(domain.clone(), 0)).derivative(0);

@@ -21,7 +21,7 @@ pub struct Constant {
     pub exact: Option<String>,
     /// The nearest double of the true value, not of its digits; infinite where the value is.
     pub double: f64,
-    /// What that double leaves open.
+    /// Bounds of what that double leaves open.
     pub binary: Binary,
 }
 

@@ -32,7 +32,7 @@ impl Enclosed {
         Self { landmark, isolated, refined }
     }
 
-    /// The same in other enclosures of its root.
+    /// Landmark in other enclosures of its root.
     pub(super) fn narrowed(self, refined: Refined) -> Self {
         Self { refined, ..self }
     }

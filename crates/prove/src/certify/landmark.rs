@@ -11,7 +11,7 @@ use crate::prover::{Error, Isolated, Refused, Undecided};
 use crate::solve::{newton, start};
 use rayon::prelude::*;
 
-/// How often the precision is raised before a rounding counts as undecided.
+/// Number of times that the precision is raised before a rounding counts as undecided.
 const ATTEMPTS: u32 = 6;
 /// The bits that an enclosure has at least.
 const NARROW: u32 = 256;
@@ -73,7 +73,7 @@ impl CertifiedLandmark {
         self.enclosure_with(bits, &|| ())
     }
 
-    /// The same, calling `tick` [`stages`] times on the way.
+    /// Encloses the landmark, calling `tick` [`stages`] times on the way.
     fn enclosure_with(&self, bits: u32, tick: &(dyn Fn() + Sync)) -> Result<Enclosed, Undecided> {
         if bits > NARROW {
             let refined = refine_watched(self.isolated(), bits, tick)?;
@@ -101,7 +101,7 @@ impl CertifiedLandmark {
         self.constants_with(digits, &|| ())
     }
 
-    /// The same, calling `tick` [`CertifiedLandmark::ticks`] times on the way.
+    /// Constants of the landmark, calling `tick` [`CertifiedLandmark::ticks`] times on the way.
     pub fn constants_with(
         &self,
         digits: usize,
@@ -118,7 +118,7 @@ impl CertifiedLandmark {
         self.constants_of_with(asked, &|| ())
     }
 
-    /// The same, calling `tick` [`CertifiedLandmark::ticks_of`] times on the way.
+    /// Constants of some quantities, calling `tick` [`CertifiedLandmark::ticks_of`] times on the way.
     pub fn constants_of_with(
         &self,
         asked: &[(Quantity, usize)],
@@ -152,12 +152,12 @@ impl CertifiedLandmark {
         Ok(found.into_iter().filter_map(|(_, constant)| constant).collect())
     }
 
-    /// How often [`CertifiedLandmark::constants`] reports progress for a landmark.
+    /// Number of times that [`CertifiedLandmark::constants`] reports progress for a landmark.
     pub fn ticks(landmark: Landmark) -> u64 {
         Self::ticks_of(landmark, quantities(landmark).count())
     }
 
-    /// How often [`CertifiedLandmark::constants_of`] reports progress for a number of quantities.
+    /// Number of times that [`CertifiedLandmark::constants_of`] reports progress for a number of quantities.
     pub fn ticks_of(landmark: Landmark, quantities: usize) -> u64 {
         stages(&landmark.system(SelfWeight::Heyman)) + quantities as u64
     }
@@ -204,7 +204,7 @@ mod tests {
         assert!(widest.contains(&"rotation_joint") && widest.contains(&"A"));
     }
 
-    /// What a landmark leaves out of the conditions of its modes is zero there, and only that.
+    /// The conditions of its modes that a landmark leaves out are zero there, and only that.
     #[test]
     fn what_is_left_out_of_the_conditions_is_zero() {
         let mut ties = 0;

@@ -1,34 +1,40 @@
 //! The least value of the bilinear programme (20) of an arch of stones, enclosed.
 //!
-//! The forces `x = (h, p, v)` satisfy `phi(x) <= 0`, four conditions at each joint; the rates `lambda >= 0` fit, without dilatancy, and
-//! add up to one. `-phi(x)^T lambda` is not negative, and is zero where (19) has a solution.
+//! The forces `x = (h, p, v)` satisfy `phi(x) <= 0`, four conditions at each joint; the rates `lambda >= 0` fit,
+//! without dilatancy, and add up to one. `-phi(x)^T lambda` is not negative, and is zero where (19) has a solution.
 //!
-//! For fixed rates the value is linear in `x`: so it is least at a vertex of the admissible forces, if there is one. Each vertex lies on
-//! the line on which two conditions are zero, at an end of what the others leave of that line. In balls:
+//! For fixed rates the value is linear in `x`: so it is least at a vertex of the admissible forces, if there is
+//! one. Each vertex lies on the line on which two conditions are zero, at an end of what the others leave of that
+//! line. In balls:
 //!
-//! 1. On each such line every other condition bounds a ray; where two bounds exclude each other, nothing is left. If nothing is
-//!    left on any line there is no vertex; and as there is no line among the admissible forces, nothing is admissible.
-//! 2. At each end, prices `y` of the equations give the lower bound `min (-phi_j - y . b_j)` of the value for all rates: they come from
-//!    [`solve`](crate::solve::rates) and are trusted for nothing. A bound that is left out, as its direction
-//!    is not decided, makes the stretch longer; as the value is linear on it, what holds at its ends holds between.
-//! 3. Two conditions that may be parallel make no line here. A vertex on them is on two other lines, unless three conditions may be parallel
-//!    in pairs; then nothing is decided.
-//! 4. The least of these bounds is a lower bound of the programme; the value at one end, with rates that are proved to be positive and to
-//!    fit, is an upper one.
+//! 1. On each such line every other condition bounds a ray; where two bounds exclude each other, nothing is left.
+//!    If nothing is left on any line there is no vertex; and as there is no line among the admissible forces,
+//!    nothing is admissible.
+//! 2. At each end, prices `y` of the equations give the lower bound `min (-phi_j - y . b_j)` of the value for all
+//!    rates: they come from [`solve`](crate::solve::rates) and are trusted for nothing. A bound that is left out,
+//!    as its direction is not decided, makes the stretch longer; as the value is linear on it, what holds at its
+//!    ends holds between.
+//! 3. Two conditions that may be parallel make no line here. A vertex on them is on two other lines, unless three
+//!    conditions may be parallel in pairs; then nothing is decided.
+//! 4. The least of these bounds is a lower bound of the programme; the value at one end, with rates that are proved
+//!    to be positive and to fit, is an upper one.
 //!
-//! 5. **By the letter** the value is zero where a joint bears nothing in an admissible state, `N = T = 0`: both of its slips are zero, and as their
-//!    motions are opposite, equal rates of both fit. With one hinge of this joint the two slips fix such a state, and the other hinge is zero with
-//!    them; that all other joints have room is proved.
-//! 6. A solid arch, of thickness 2, has its intrados at the centre: the hinges there say `p >= -fac (1 - cos beta)`, each for its joint, and all but
-//!    those nearest to the crown follow from these. Conditions that follow from another with the same row make no lines, as no vertex needs them.
+//! 5. **By the letter** the value is zero where a joint bears nothing in an admissible state, `N = T = 0`: both of
+//!    its slips are zero, and as their motions are opposite, equal rates of both fit. With one hinge of this joint
+//!    the two slips fix such a state, and the other hinge is zero with them; that all other joints have room is
+//!    proved.
+//! 6. A solid arch, of thickness 2, has its intrados at the centre: the hinges there say `p >= -fac (1 - cos
+//!    beta)`, each for its joint, and all but those nearest to the crown follow from these. Conditions that follow
+//!    from another with the same row make no lines, as no vertex needs them.
 //!
-//! **Complete** for the joints that there are: all pairs of conditions are looked at. Between the joints nothing is asked.
+//! **Complete** for the joints that there are: all pairs of conditions are looked at. Between the joints nothing is
+//! asked.
 //!
-//! **Of a half arch** the forces are `(h, p)` and two equations of compatibility are left: `v = 0` takes the place of the first condition
-//! of each pair.
+//! **Of a half arch** the forces are `(h, p)` and two equations of compatibility are left: `v = 0` takes the place
+//! of the first condition of each pair.
 //!
-//! **At the least thickness** the value is exactly zero, which no ball tells from a small one: there (19) has the solution that is proved with
-//! the other thicknesses ([`enumerate`](super::enumerate)).
+//! **At the least thickness** the value is exactly zero, which no ball tells from a small one: there (19) has the
+//! solution that is proved with the other thicknesses ([`enumerate`](super::enumerate)).
 
 use crate::arch::mechanism::Contact;
 use crate::number::{DoubleBall, Enclosure, ExactNumber, Field};
@@ -41,21 +47,22 @@ use conditions::{Limit, conditions, follows};
 
 mod conditions;
 
-/// What is proved of the programme (20).
+/// Result of the programme (20).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Programme {
     /// No forces satisfy the conditions at all joints.
     NothingAdmissible,
-    /// Its least value is zero: (19) has a solution.
+    /// The least value of the programme is zero: (19) has a solution.
     Zero,
-    /// Its least value is zero by the letter alone: in an admissible state a joint bears nothing, and its two opposite slips, which are no motion,
-    /// cost nothing. Whether a motion costs nothing is not said.
+    /// The least value of the programme is zero by the letter alone: in an admissible state a joint bears
+    /// nothing, and its two opposite slips, which are no motion, cost nothing. Whether a motion costs nothing
+    /// is not said.
     Idle,
-    /// Its least value is positive, and lies between two numbers.
+    /// The least value of the programme is positive, and lies between two numbers.
     Least {
-        /// Not above it; positive.
+        /// Bound not above the least value; positive.
         lower: f64,
-        /// Not below it, if rates are proved.
+        /// Bound not below the least value, if rates are proved.
         upper: Option<f64>,
     },
 }
@@ -63,7 +70,8 @@ pub enum Programme {
 /// More stones are refused: the cost grows with the cube of their number.
 pub const MOST_JOINTED_STONES: u64 = 100;
 
-/// The programme of an arch of equal stones, 2 to [`MOST_JOINTED_STONES`], at a thickness: of the whole arch, or of its half.
+/// The programme of an arch of equal stones, 2 to [`MOST_JOINTED_STONES`], at a thickness: of the whole arch, or of
+/// its half.
 pub fn programme(
     arch: &Arch,
     thickness: &ExactNumber,
@@ -82,18 +90,18 @@ pub fn programme(
 struct Search {
     all: Vec<Limit>,
     columns: Vec<[f64; 4]>,
-    /// Which of them follow from another one.
+    /// Flags of the conditions that follow from another one.
     follows: Vec<bool>,
-    /// What a state of a half arch satisfies beside them: `v = 0`.
+    /// Condition that a state of a half arch satisfies beside them: `v = 0`.
     plane: Option<Limit>,
 }
 
-/// What two conditions leave to all others on the line where they are zero.
+/// Stretch that two conditions leave to all others on the line where they are zero.
 enum Stretch {
     Empty,
     /// The two may be parallel.
     Parallel,
-    /// Its ends, and whether they are proved to be admissible.
+    /// Ends of the stretch, and whether they are proved to be admissible.
     Ends(Vec<Vector>, bool),
 }
 
@@ -155,13 +163,14 @@ impl Search {
         })
     }
 
-    /// Whether some joint bears nothing in a state that is proved to be admissible.
+    /// Tells whether some joint bears nothing in a state that is proved to be admissible.
     fn bears_nothing(&self) -> bool {
         let joints = self.all.chunks_exact(Contact::ALL.len());
         joints.into_iter().any(|at| self.state_without(at).is_some())
     }
 
-    /// The admissible state in which a joint, given by its conditions, bears nothing. In a half arch only the crown may, whose slips are one condition.
+    /// The admissible state in which a joint, given by its conditions, bears nothing. In a half arch only the crown
+    /// may, whose slips are one condition.
     fn state_without(&self, joint: &[Limit]) -> Option<Vector> {
         let [hinge, _, slip, other] = joint else { return None };
         let last = match &self.plane {
@@ -195,7 +204,7 @@ impl Search {
         }
     }
 
-    /// What the conditions leave of the line where two of them are zero.
+    /// Stretch that the conditions leave of the line where two of them are zero.
     fn stretch(&self, [i, j]: [usize; 2]) -> Result<Stretch, Undecided> {
         let at = |place| self.all.get(place).or(self.plane.as_ref());
         let (Some(a), Some(b)) = (at(i), at(j)) else { return Ok(Stretch::Empty) };
@@ -230,7 +239,8 @@ impl Search {
         if let (Some(least), Some(most)) = (&least, &most) {
             is_whole &= least.is_less_than(most).is_proved();
         }
-        // A bound left out makes a stretch longer, which loses nothing; but a ray has no vertex where a stretch would end.
+        // A bound left out makes a stretch longer, which loses nothing; but a ray has no vertex where a stretch
+        // would end.
         if is_open && (least.is_none() || most.is_none()) {
             return Err(Undecided::new("whether a line is admissible as a whole"));
         }
@@ -257,8 +267,8 @@ impl Search {
         Ok((rest.fold(f64::INFINITY, f64::min), best))
     }
 
-    /// An upper bound of the value at admissible forces, with rates that fit, one more than there are equations; `None` where they are not proved to
-    /// be positive.
+    /// An upper bound of the value at admissible forces, with rates that fit, one more than there are equations;
+    /// `None` where they are not proved to be positive.
     fn value(&self, forces: &Vector, best: &Rates) -> Option<f64> {
         let columns = &best.moving;
         if let [a, b] = columns[..] {
@@ -300,7 +310,7 @@ impl Search {
     }
 }
 
-/// Whether three are paired with each other.
+/// Tells whether three are paired with each other.
 fn has_triangle(pairs: &[[usize; 2]]) -> bool {
     let paired = |a: usize, b: usize| pairs.contains(&[a.max(b), a.min(b)]);
     pairs.iter().enumerate().any(|(n, [a, b])| {

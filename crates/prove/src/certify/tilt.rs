@@ -1,15 +1,17 @@
 //! The largest horizontal acceleration at which an arch of a given thickness has an admissible state, proved.
 //!
-//! **From above**: conditions at a few joints, whose multipliers are positive and leave nothing of `h, p` and `v`, leave a bound of `k`. It
-//! holds wherever the joints are; near the true ones it is off by the square of the distance. **From below**: a state that is
-//! admissible at every joint of `[-alpha, alpha]`, by pieces that cover it: a piece where a margin is convex is decided by its value and slope
-//! at one point, however little room there is. Between the candidate of the limit and a state well inside there is one as near to the
-//! limit as one likes; so both bounds come together to any number of digits.
+//! **From above**: conditions at a few joints, whose multipliers are positive and leave nothing of `h, p` and `v`,
+//! leave a bound of `k`. It is valid for any choice of joints; its error is quadratic in their distance from the true
+//! ones. **From below**: a state that is admissible at every joint of `[-alpha, alpha]`, by pieces that cover
+//! it: a piece where a margin is convex is decided by its value and slope at one point, however little room there
+//! is. Between the candidate of the limit and a state well inside there is one as near to the limit as one likes;
+//! so both bounds come together to any number of digits.
 //!
-//! **What it means.** Admissible states at an acceleration lie between those at two others, and the mirror image is one to the left. So
-//! there are some exactly up to the largest, and beyond it the arch falls. Below it, the static theorem says that an arch stands
-//! if its joints open and do not slide, as with unlimited friction. With friction an admissible state
-//! does not exclude a motion, as sliding opens no joint: the value then is an upper bound of what the arch can bear.
+//! **What it means.** Admissible states at an acceleration lie between those at two others, and the mirror image is
+//! one to the left. So there are some exactly up to the largest, and beyond it the arch falls. Below it, the static
+//! theorem says that an arch stands if its joints open and do not slide, as with unlimited friction. With friction
+//! an admissible state does not exclude a motion, as sliding opens no joint: the value then is an upper bound of
+//! what the arch can bear.
 
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
@@ -28,9 +30,9 @@ use std::cell::OnceCell;
 pub struct TiltLimit {
     /// The condition, by its sign: on the left half `Inwards` slides outwards, and the other way round.
     pub contact: Contact,
-    /// Whether it is at a springing.
+    /// True if the joint is at a springing.
     pub is_springing: bool,
-    /// Whether it is on the right half, to which the acceleration pushes.
+    /// True if the joint is on the right half, to which the acceleration pushes.
     pub is_right: bool,
     /// The joint between two stones, from the crown; `None` where there is one at every angle.
     pub joint: Option<u64>,
@@ -39,25 +41,26 @@ pub struct TiltLimit {
 /// The largest acceleration with an admissible state.
 #[derive(Clone, Debug)]
 pub enum LargestTilt {
-    /// This, over that of gravity, and the conditions that leave the bound.
+    /// The largest acceleration, over that of gravity, and the conditions that leave the bound.
     Limited(Box<Figure>, Vec<TiltLimit>),
     /// There is an admissible state at every acceleration.
     Unlimited,
 }
 
-/// What is certain of an arch under a horizontal acceleration.
+/// Certain answers about an arch under a horizontal acceleration.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct TiltDigits {
-    /// Whether there is an admissible state at the acceleration asked for.
+    /// True if there is an admissible state at the acceleration asked for.
     pub is_admissible: Result<bool, Undecided>,
     /// The largest acceleration with one.
     pub largest: Result<LargestTilt, Undecided>,
 }
 
 impl TiltDigits {
-    /// What is proved of an acceleration and of the largest, to some digits: `largest` proves that one, and `told` sees in it alone whether the
-    /// acceleration asked for has a state. One nearer to the largest than its digits tell takes more bits.
+    /// What is proved of an acceleration and of the largest, to some digits: `largest` proves that one, and `told`
+    /// sees in it alone whether the acceleration asked for has a state. One nearer to the largest than its digits
+    /// tell takes more bits.
     pub(super) fn found(
         (first, digits): (u32, usize),
         tilt: &Slope,
@@ -92,14 +95,14 @@ impl TiltDigits {
     }
 }
 
-/// What stays open where no direction with room is found.
+/// Question that stays open where no direction with room is found.
 const UNBOUNDED: &str = "whether the acceleration is bounded";
-/// What stays open where the search finds no conditions that limit it.
+/// Question that stays open where the search finds no conditions that limit it.
 pub(super) const NOT_FOUND: &str = "which conditions limit the acceleration";
 /// Bits beyond a third, as the state from below is nearer to the limit than these.
 const GUARD: u32 = 16;
 
-/// What holds for an arch that stands at this thickness under an acceleration, to `digits` significant digits.
+/// Proves what holds for an arch that stands at this thickness under an acceleration, to `digits` significant digits.
 pub fn tilted(
     arch: &Arch,
     thickness: &ExactNumber,
@@ -124,14 +127,15 @@ pub fn tilted(
     Ok(TiltDigits::found((first, digits), tilt, largest, told))
 }
 
-/// Whether an acceleration is below the largest; `None` if that is not told.
+/// Tells whether an acceleration is below the largest; `None` if that is not told.
 fn compared(largest: Option<&Ball>, tilt: &Slope, bits: u32) -> Option<bool> {
     let Some(largest) = largest else { return Some(true) };
     let room = largest.clone() - acceleration(tilt, bits);
     room.excludes_zero().then(|| *room.mid() > 0)
 }
 
-/// The acceleration over gravity that is asked for, in balls of some bits: given like a friction, by itself or by its angle.
+/// The acceleration over gravity that is asked for, in balls of some bits: given like a friction, by itself or by
+/// its angle.
 pub(super) fn acceleration(tilt: &Slope, bits: u32) -> Ball {
     let Grip { shear, normal } = tilt.grip::<Ball>(bits);
     normal / shear
@@ -167,7 +171,7 @@ impl Proof {
         Search::new(mid(&self.half_opening), self.joints.map(mid), self.is_limited, self.bits)
     }
 
-    /// Whether the state at an acceleration that is farthest from all conditions satisfies them.
+    /// Tells whether the state at an acceleration that is farthest from all conditions satisfies them.
     fn has_state(&self, tilt: &Slope) -> bool {
         let tilt = acceleration(tilt, self.bits);
         let Some(state) = self.search().inside_at(tilt.mid().to_f64()) else { return false };
@@ -192,8 +196,8 @@ impl Proof {
         }
     }
 
-    /// A bound from above. A line that touches at fewer joints than are needed: one of them becomes two beside it, the first with which there is a
-    /// bound. Two hinges at an intrados that is one point are not.
+    /// A bound from above. A line that touches at fewer joints than are needed: one of them becomes two beside it,
+    /// the first with which there is a bound. Two hinges at an intrados that is one point are not.
     fn bound_above(&self, touches: &[Touch]) -> Result<Bound, Undecided> {
         let is_pinned = touches.iter().any(|touch| touch.contact.is_hinge());
         let kept: &[usize] = if is_pinned { &[0, 1, 2] } else { &[0, 2] };
@@ -212,7 +216,7 @@ impl Proof {
         Ok((bound, touches.iter().map(limit).collect()))
     }
 
-    /// So many touches, with those of some joints, in turn, at two joints beside them.
+    /// Lists so many touches, with those of some joints, in turn, at two joints beside them.
     fn apart<'a>(
         &self,
         touches: &[Touch],
@@ -233,7 +237,8 @@ impl Proof {
         apart
     }
 
-    /// The bound that conditions at some joints leave, if their multipliers are positive and nothing is left of the numbers kept.
+    /// The bound that conditions at some joints leave, if their multipliers are positive and nothing is left of the
+    /// numbers kept.
     fn bound_by(&self, apart: &[Touch], kept: &[usize]) -> Option<Ball> {
         // A joint beyond the springings is none of the arch.
         let is_of_arch = |touch: &Touch| {
@@ -286,7 +291,8 @@ impl Proof {
         Ok(tilt)
     }
 
-    /// More thrust, and with it more acceleration, passes no condition: to a state that is admissible any amount of it is added.
+    /// More thrust, and with it more acceleration, passes no condition: to a state that is admissible any amount of
+    /// it is added.
     fn unlimited(&self) -> Result<(), Undecided> {
         let ball = |x: &Ball| Ball::exact(Float::with_val(self.bits, x.mid()), self.bits);
         let ring = &self.joints.ring;
@@ -302,7 +308,7 @@ impl Proof {
         found.ok_or_else(|| Undecided::new(UNBOUNDED))
     }
 
-    /// All margins are positive on the whole arch.
+    /// Checks that all margins are positive on the whole arch.
     fn is_admissible(&self, line: &Line<'_>) -> Result<(), Undecided> {
         let most = self.half_opening.upper();
         contacts(self.is_limited).iter().try_for_each(|contact| {

@@ -1,12 +1,14 @@
 //! The largest horizontal acceleration at which an arch of stones of a given thickness has an admissible state, proved.
 //!
-//! Between stones it is a linear programme in `h, p, v` and `k`. **From above**: conditions that are zero together at one state, with positive multipliers
-//! that leave `k` alone, leave this `k` as a bound. **From below**: that state satisfies all other conditions, each with room but for the fourth of a
-//! joint whose other three are zero, and which bears nothing, or of both hinges of a joint whose two slips are zero, where `p` is chosen so. So the largest acceleration is that of the state, exactly. Four conditions fix the state, or three slips, which leave room for `p`. What a search
-//! says of which they are is trusted for nothing.
+//! Between stones it is a linear programme in `h, p, v` and `k`. **From above**: conditions that are zero together
+//! at one state, with positive multipliers that leave `k` alone, leave this `k` as a bound. **From below**: that
+//! state satisfies all other conditions, each with room but for the fourth of a joint whose other three are zero,
+//! and which bears nothing, or of both hinges of a joint whose two slips are zero, where `p` is chosen so. So the
+//! largest acceleration is that of the state, exactly. Four conditions fix the state, or three slips, which leave
+//! room for `p`. What a search says of which they are is trusted for nothing.
 //!
-//! **At one acceleration** a state with room says that there is one, and four conditions that contradict each other that there is none, whatever of the
-//! largest stays open.
+//! **At one acceleration** a state with room says that there is one, and four conditions that contradict each other
+//! that there is none, whatever of the largest stays open.
 //!
 //! What it means is said in [`tilted`](super::tilted): with friction an admissible state does not exclude a motion.
 
@@ -32,12 +34,13 @@ const GUARD: u32 = 64;
 struct StoneLimit {
     contact: Contact,
     side: Side,
-    /// From the crown.
+    /// Number of the joint, from the crown.
     joint: u64,
     row: TiltedRow<Ball>,
 }
 
-/// What holds for an arch of stones that stands at this thickness under an acceleration, to `digits` significant digits.
+/// Proves what holds for an arch of stones that stands at this thickness under an acceleration, to `digits`
+/// significant digits.
 pub fn tilted_stones(
     arch: &Arch,
     stones: &Stones,
@@ -61,7 +64,7 @@ pub fn tilted_stones(
     Ok(TiltDigits::found((first, digits), tilt, |bits| largest_of(&all(bits), bits), told))
 }
 
-/// Whether the state at an acceleration that is farthest from all conditions satisfies them.
+/// Tells whether the state at an acceleration that is farthest from all conditions satisfies them.
 fn has_state(all: &[StoneLimit], tilt: &Slope, bits: u32) -> bool {
     let tilt = acceleration(tilt, bits);
     let Some(state) = inside(&in_doubles(all), tilt.mid().to_f64()) else { return false };
@@ -70,7 +73,8 @@ fn has_state(all: &[StoneLimit], tilt: &Slope, bits: u32) -> bool {
     all.iter().all(|of| (-of.row.at(&unknowns, &one)).is_positive().is_proved())
 }
 
-/// Whether four conditions, with positive multipliers that leave nothing of `h, p` and `v`, contradict each other at an acceleration.
+/// Tells whether four conditions, with positive multipliers that leave nothing of `h, p` and `v`, contradict
+/// each other at an acceleration.
 fn has_none(all: &[StoneLimit], tilt: &Slope, bits: u32) -> bool {
     let tilt = acceleration(tilt, bits);
     let Some(places) = against(&in_doubles(all), tilt.mid().to_f64()) else {
@@ -178,7 +182,8 @@ fn limited(
         unknowns[*k] = replaced(column, &|i| -of[i].row.load.clone());
     }
     let one = zero.int(1);
-    // Both slips of a joint leave it no force, and with one hinge, which pins p, no moment: the other hinge is zero too.
+    // Both slips of a joint leave it no force, and with one hinge, which pins p, no moment: the other hinge is zero
+    // too.
     let joint = |of: &StoneLimit| (of.joint, of.side);
     let slips = |at: &StoneLimit| {
         of.iter().filter(|other| joint(other) == joint(at) && !other.contact.is_hinge()).count()
@@ -279,7 +284,8 @@ mod tests {
         }
     }
 
-    /// A keystone whose left joint bears nothing at the largest acceleration, with slips alone: its hinges pin the moment. Beside it an acceleration is decided.
+    /// A keystone whose left joint bears nothing at the largest acceleration, with slips alone: its hinges pin the
+    /// moment. Beside it an acceleration is decided.
     #[test]
     fn a_joint_that_bears_nothing_pins_the_moment() {
         let arch = ["heyman", "2.203", "1.838"];
@@ -300,7 +306,8 @@ mod tests {
         assert!(inside(figure.double - 1e-6) && !inside(figure.double + 1e-6));
     }
 
-    /// Where the conditions of the largest are dependent, and it stays open, four conditions still exclude an acceleration beyond it.
+    /// Where the conditions of the largest are dependent, and it stays open, four conditions still exclude an
+    /// acceleration beyond it.
     #[test]
     fn an_acceleration_is_excluded_where_the_largest_is_open() {
         let arch = ["heyman", "2pi/3", "inf"];

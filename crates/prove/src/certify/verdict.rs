@@ -21,8 +21,8 @@ const MOST_LOST: u32 = EXTRA_BITS as u32 - 64;
 
 /// A certificate of what an arch does, with `digits` significant digits of each value: of its state at
 /// the least thickness, or why it stands at no thickness; with a `thickness`, in `(0, 2]`, that it stands with it or
-/// does not. Digits beyond [`MAX_ARCH_DIGITS`](super::MAX_ARCH_DIGITS) and any other thickness are refused; undecided if
-/// a comparison stays open.
+/// does not. Digits beyond [`MAX_ARCH_DIGITS`](super::MAX_ARCH_DIGITS) and any other thickness are refused;
+/// undecided if a comparison stays open.
 pub fn certify_arch(
     arch: &Arch,
     thickness: Option<&ExactNumber>,
@@ -173,7 +173,7 @@ mod tests {
     use crate::number::AstroInterval;
     use rug::ops::Pow;
 
-    /// What both arithmetics accept.
+    /// Problem of a certificate that both arithmetics accept.
     fn accepted(certificate: &Certificate, digits: usize) -> Problem {
         let bytes = serde_json::to_vec(certificate).unwrap();
         let by_mpfr = check::<Ball>(&bytes, digits).unwrap();

@@ -15,7 +15,7 @@ const BITS: u32 = 256;
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Audited {
-    /// What is printed, and where.
+    /// Value that is printed, and where.
     pub printed: &'static Printed,
     /// `|printed - true|` in units of the last printed place, correctly rounded to three digits;
     /// `0` if the printed number is exactly the true one.
@@ -23,7 +23,7 @@ pub struct Audited {
     /// The most digits `k` for which the error is at most half a unit of the `k`-th significant digit of
     /// the true value; all that are printed if they are exactly that.
     pub correct_digits: usize,
-    /// How good the last place is.
+    /// Verdict on the last place.
     pub verdict: PrintedVerdict,
 }
 
@@ -36,9 +36,9 @@ pub struct Comparison {
     pub landmark: Landmark,
     /// The quantity compared.
     pub quantity: Quantity,
-    /// What the paper says of Milankovitch's value.
+    /// Relation that the paper states for Milankovitch's value.
     pub claimed: Relation,
-    /// What is certified.
+    /// Relation that is certified.
     pub certified: Relation,
 }
 
@@ -49,14 +49,14 @@ impl Comparison {
     }
 }
 
-/// How Milankovitch's value relates to Heyman's.
+/// Relation of Milankovitch's value to Heyman's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Relation {
-    /// Below it.
+    /// The value is lower.
     Lower,
     /// Exactly the same.
     Equal,
-    /// Above it.
+    /// The value is higher.
     Higher,
 }
 
@@ -99,7 +99,7 @@ pub fn compare_weights() -> Result<Vec<Comparison>, Undecided> {
 const COMPARED: [Landmark; 4] =
     [Landmark::Triple, Landmark::Shift, Landmark::Junction, Landmark::Border];
 
-/// The same at those of some landmarks that are there for both weights.
+/// Compares the weights at those of some landmarks that are there for both weights.
 pub fn compare_weights_of(points: &[Enclosed]) -> Result<Vec<Comparison>, Undecided> {
     use {Quantity::*, Relation::*};
     let points = Points(points);

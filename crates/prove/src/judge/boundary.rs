@@ -1,4 +1,4 @@
-//! How near another mode is, where the one that is claimed is wrong.
+//! Distance to another mode, where the one that is claimed is wrong.
 
 use crate::certify::state::{Answer, Certify};
 use crate::number::{Decimal, ExactNumber, Rounded};
@@ -9,9 +9,9 @@ use rug::{Integer, Rational};
 /// A boundary between two modes, within the rounding of what is given of an arch.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Boundary {
-    /// What has to be moved for the other mode: the friction or the half opening.
+    /// Quantity that has to be moved for the other mode: the friction or the half opening.
     pub quantity: Quantity,
-    /// By less than this, in the unit in which it is given.
+    /// Bound of the distance, in the unit in which it is given.
     pub within: Decimal,
 }
 

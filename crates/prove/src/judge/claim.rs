@@ -1,33 +1,33 @@
-//! What a row of results says.
+//! Content of a row of results.
 
 use super::printed::PrintedNumber;
 use crate::certify::Refused;
 use crate::number::{Decimal, ExactNumber, shown as short};
 use crate::problem::{Mode, Quantity};
 
-/// What a row says of an arch.
+/// Statement of a row on an arch.
 #[derive(Clone, Debug)]
 pub struct Claim {
-    /// Whether the arch can stand at some thickness; `None` if the row does not say.
+    /// True if the arch can stand at some thickness; `None` if the row does not say.
     pub can_stand: Option<bool>,
     /// The thickness that the arch has, if it has one, in `(0, 2]`.
     pub thickness: Option<ExactNumber>,
-    /// Whether it stands at that thickness; `None` if the row does not say.
+    /// True if the arch stands at that thickness; `None` if the row does not say.
     pub stands: Option<bool>,
-    /// How it collapses.
+    /// Mode of its collapse.
     pub mode: Option<Mode>,
-    /// Its numbers.
+    /// Numbers of the row.
     pub numbers: Vec<Claimed>,
 }
 
 /// A number that is claimed.
 #[derive(Clone, Debug)]
 pub struct Claimed {
-    /// Which.
+    /// Quantity that is claimed.
     pub quantity: Quantity,
-    /// As it is written.
+    /// Number as it is written.
     pub text: String,
-    /// Whether it is an angle in degrees.
+    /// True if the number is an angle in degrees.
     pub degrees: bool,
     pub(super) value: ClaimedValue,
     size: u64,
@@ -37,18 +37,18 @@ pub struct Claimed {
 pub(super) enum ClaimedValue {
     Number(PrintedNumber),
     Infinite,
-    /// That there is none.
+    /// The claim is that there is none.
     Nothing,
 }
 
 /// The text of a row, by column; a column that the file does not have is `None`.
 #[derive(Clone, Debug, Default)]
 pub struct Said<'a> {
-    /// Whether the arch can stand at some thickness.
+    /// Text on whether the arch can stand at some thickness.
     pub can_stand: Option<&'a str>,
     /// The thickness that it has.
     pub thickness: Option<ExactNumber>,
-    /// Whether it stands at that thickness; without one, the same as `can_stand`.
+    /// Text on whether the arch stands at that thickness; without one, the same as `can_stand`.
     pub stands: Option<&'a str>,
     /// The mode.
     pub mode: Option<&'a str>,
@@ -56,7 +56,7 @@ pub struct Said<'a> {
     pub numbers: Vec<(Quantity, &'a str, bool)>,
 }
 
-/// Why a row says nothing that can be judged.
+/// Reason why a row says nothing that can be judged.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ClaimError {
     /// Neither yes nor no.
@@ -64,13 +64,13 @@ pub enum ClaimError {
         "'{0}' does not say whether the arch stands: true, yes, 1, stands or false, no, 0, falls"
     )]
     Stands(String),
-    /// Not the letters of a mode.
+    /// The text is not the letters of a mode.
     #[error(
         "'{0}' is not a mode: [r,r,r], [s,r,r], [r,r,s], [r,s,r], [r,s], [r] or [s,s], with or without \
          brackets and commas"
     )]
     Mode(String),
-    /// Not a decimal number.
+    /// The text is not a decimal number.
     #[error("the {0} '{1}' is not a decimal number, nor empty, nan, inf, none or falls")]
     Number(&'static str, String),
     /// Too long or too far from one to be meant.
@@ -162,7 +162,7 @@ impl Claim {
         Ok(Self { can_stand, thickness, stands, mode, numbers })
     }
 
-    /// Whether the row says nothing.
+    /// Tells whether the row says nothing.
     pub(super) fn is_empty(&self) -> bool {
         let Self { can_stand, thickness, stands, numbers, .. } = self;
         let of_opening = numbers.iter().any(Claimed::is_of_half_opening);
@@ -171,7 +171,7 @@ impl Claim {
     }
 }
 
-/// Whether a text says yes or no; an empty one says nothing.
+/// Reads whether a text says yes or no; an empty one says nothing.
 fn yes_or_no(text: &str) -> Result<Option<bool>, ClaimError> {
     match text {
         "" => Ok(None),
@@ -214,7 +214,8 @@ impl Claimed {
         Ok(Self { quantity, text: text.to_owned(), degrees, value, size })
     }
 
-    /// Whether it belongs to the half opening, whatever the arch does: the friction below which nothing stands.
+    /// Tells whether the quantity belongs to the half opening, whatever the arch does: the friction below
+    /// which nothing stands.
     fn is_of_half_opening(&self) -> bool {
         self.quantity == Quantity::SlidingFriction
     }

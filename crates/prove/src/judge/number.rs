@@ -13,22 +13,22 @@ use std::cmp::Ordering;
 /// A claimed number beside the certified one.
 #[derive(Clone, Debug)]
 pub struct Judged {
-    /// Which.
+    /// Quantity that is judged.
     pub quantity: Quantity,
-    /// As it is claimed.
+    /// Number as it is claimed.
     pub claimed: String,
     /// The true value, in the unit of the claim.
     pub certified: Certified,
-    /// How far they are apart; `None` unless both are finite.
+    /// Errors of the claim; `None` unless both are finite.
     pub errors: Option<Errors>,
-    /// To how many digits the claim is correct.
+    /// Number of digits to which the claim is correct.
     pub correct_digits: CorrectDigits,
-    /// How the last place was rounded; `None` unless both are finite.
+    /// Rounding of the last place; `None` unless both are finite.
     pub rounding: Option<PrintedVerdict>,
-    /// Whether the claim, read as a double, is the double nearest to the truth: the best that a program
-    /// in double precision can print, however it rounds. `None` unless both are finite.
+    /// True if the claim, read as a double, is the double nearest to the truth: the best that a program in
+    /// double precision can print, however it rounds. `None` unless both are finite.
     pub is_nearest_double: Option<bool>,
-    /// Whether the claim is below, equal to or above the truth; `None` unless both are finite.
+    /// Order of the claim and the truth: below, equal or above; `None` unless both are finite.
     pub order: Option<Ordering>,
 }
 
@@ -43,26 +43,26 @@ pub enum Certified {
     Missing,
 }
 
-/// How far a claim is from the truth: each correctly rounded to three digits.
+/// Distance of a claim from the truth: each correctly rounded to three digits.
 #[derive(Clone, Debug)]
 pub struct Errors {
     /// `|claimed - true|`, in the unit of the claim.
     pub absolute: Decimal,
-    /// The same over the true value; `None` where that is zero and the claim is not.
+    /// Distance over the true value; `None` where that is zero and the claim is not.
     pub relative: Option<Decimal>,
-    /// In units of the last claimed place.
+    /// Error in units of the last claimed place.
     pub units: Decimal,
-    /// In units of the last place of the double next to the true value; `None` where that is zero or
+    /// Error in units of the last place of the double next to the true value; `None` where that is zero or
     /// beyond all doubles.
     pub ulp: Option<Decimal>,
 }
 
-/// To how many digits a number is correct.
+/// Number of digits to which a number is correct.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum CorrectDigits {
-    /// So many.
+    /// The number of correct digits.
     Digits(usize),
-    /// All there are: the claim is exactly the truth.
+    /// All digits that there are: the claim is exactly the truth.
     Exact,
 }
 
@@ -165,14 +165,14 @@ impl Judged {
         Some(())
     }
 
-    /// Whether the number is right as far as it goes: exact, or the correct rounding of the truth with at
-    /// least one correct digit. A zero that stands for a number below half a unit has none.
+    /// Tells whether the number is right as far as it goes: exact, or the correct rounding of the truth with
+    /// at least one correct digit. A zero that stands for a number below half a unit has none.
     pub fn is_correctly_rounded(&self) -> bool {
         self.is_rounded(&[PrintedVerdict::CorrectlyRounded])
     }
 
-    /// Whether the number is right to the digits with which it is printed: exact, or less than one unit of
-    /// its last place away, with at least one correct digit.
+    /// Tells whether the number is right to the digits with which it is printed: exact, or less than one unit
+    /// of its last place away, with at least one correct digit.
     pub fn is_right_as_printed(&self) -> bool {
         self.is_rounded(&[PrintedVerdict::CorrectlyRounded, PrintedVerdict::Faithful])
     }
@@ -183,12 +183,12 @@ impl Judged {
         (rounded && has_digits) || self.correct_digits == CorrectDigits::Exact
     }
 
-    /// Whether it is a least thickness that is too small: the unsafe side.
+    /// Tells whether the number is a least thickness that is too small: the unsafe side.
     pub fn is_too_thin(&self) -> bool {
         self.is_least_thickness() && self.order == Some(Ordering::Less)
     }
 
-    /// Whether it is the least thickness of an arch.
+    /// Tells whether the number is the least thickness of an arch.
     pub fn is_least_thickness(&self) -> bool {
         matches!(self.quantity, Quantity::Thickness | Quantity::LeastThickness)
     }

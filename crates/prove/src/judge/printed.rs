@@ -6,7 +6,7 @@ use rug::{Integer, Rational, ops::Pow};
 /// Significant digits of an error.
 const ERROR_DIGITS: usize = 3;
 
-/// How good the last printed place is.
+/// Verdict on the last printed place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PrintedVerdict {
     /// The error is at most half a unit of the last place.
@@ -109,7 +109,7 @@ pub(super) enum KnownValue {
 }
 
 impl KnownValue {
-    /// What is printed minus this, in a unit that is not zero.
+    /// Difference of what is printed and this, in a unit that is not zero.
     pub(super) fn error_of(&self, printed: &Rational, unit: &Rational) -> PrintedError {
         match self {
             Self::Exact(truth) => PrintedError::Exact(Rational::from(printed - truth) / unit),
@@ -130,7 +130,7 @@ pub(super) enum PrintedError {
 }
 
 impl PrintedError {
-    /// How good the last place is, of an error in its units; `None` asks for a narrower enclosure.
+    /// Verdict on the last place, of an error in its units; `None` asks for a narrower enclosure.
     pub(super) fn verdict(&self) -> Option<PrintedVerdict> {
         Some(match self.is_within(&Rational::from((1, 2)))? {
             true => PrintedVerdict::CorrectlyRounded,
@@ -139,7 +139,7 @@ impl PrintedError {
         })
     }
 
-    /// Whether its size is at most so much. An enclosure never decides a tie.
+    /// Tells whether the size of the error is at most so much. An enclosure never decides a tie.
     pub(super) fn is_within(&self, limit: &Rational) -> Option<bool> {
         match self {
             Self::Exact(error) => Some(error.clone().abs() <= *limit),
@@ -147,7 +147,7 @@ impl PrintedError {
         }
     }
 
-    /// Whether its size is less than so much.
+    /// Tells whether the size of the error is less than so much.
     fn is_below(&self, limit: &Rational) -> Option<bool> {
         match self {
             Self::Exact(error) => Some(error.clone().abs() < *limit),
@@ -158,7 +158,7 @@ impl PrintedError {
         }
     }
 
-    /// Whether it is below zero.
+    /// Tells whether the error is below zero.
     pub(super) fn is_negative(&self) -> Option<bool> {
         match self {
             Self::Exact(error) => Some(*error < 0),
@@ -166,7 +166,7 @@ impl PrintedError {
         }
     }
 
-    /// Its size, correctly rounded to three digits; `0` where it is exactly zero.
+    /// Size of the error, correctly rounded to three digits; `0` where it is exactly zero.
     pub(super) fn shown(&self) -> Option<Decimal> {
         match self {
             Self::Exact(error) => {

@@ -1,4 +1,4 @@
-//! What is proved of a quantity that somebody claims.
+//! Truth of a quantity that somebody claims.
 
 use super::printed::KnownValue;
 use crate::certify::Undecided;
@@ -7,7 +7,7 @@ use crate::number::Ball;
 use crate::problem::Quantity;
 use rug::Rational;
 
-/// What is certain of a quantity of an arch.
+/// Certain knowledge of a quantity of an arch.
 #[derive(Clone, Debug)]
 pub(super) enum Truth {
     Finite(KnownValue),
@@ -16,18 +16,18 @@ pub(super) enum Truth {
     Missing,
 }
 
-/// What is proved of an arch.
+/// Proof about an arch.
 pub(super) struct Proved {
-    /// At its least thickness.
+    /// Outcome at its least thickness.
     pub outcome: Outcome,
-    /// At the thickness that it has, if it has one.
+    /// Assessment at the thickness that it has, if it has one.
     pub assessment: Option<Assessment>,
     /// The friction below which nothing stands, of an arch that falls.
     pub sliding_friction: Option<Ball>,
 }
 
 impl Proved {
-    /// What is certain of one of [`Quantity::STATE`] or [`Quantity::ASSESSMENT`].
+    /// Certain knowledge of one of [`Quantity::STATE`] or [`Quantity::ASSESSMENT`].
     pub(super) fn truth(&self, quantity: Quantity) -> Truth {
         let state = match &self.outcome {
             Outcome::Stands(state) => Some(state),

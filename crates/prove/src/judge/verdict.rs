@@ -41,7 +41,7 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// All of them.
+    /// All verdicts.
     pub const ALL: [Self; 11] = [
         Self::CorrectlyRounded,
         Self::Correct,
@@ -73,23 +73,23 @@ impl Verdict {
         }
     }
 
-    /// Whether the row passes.
+    /// Tells whether the row passes.
     pub fn is_accepted(self) -> bool {
         self <= Self::Correct
     }
 
-    /// Whether the row was compared with a certified state at all.
+    /// Tells whether the row was compared with a certified state at all.
     pub fn is_judged(self) -> bool {
         self <= Self::Falls
     }
 }
 
-/// What is demanded of every number of a row.
+/// Demand on every number of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Demand {
     /// Correct digits.
     pub digits: usize,
-    /// Whether fewer are enough for a number that is right to the digits with which it is printed.
+    /// True if fewer digits are enough for a number that is right to the digits with which it is printed.
     pub or_as_printed: bool,
 }
 
@@ -109,18 +109,18 @@ impl Demand {
     }
 }
 
-/// What is certain of the arch.
+/// Certain knowledge of the arch.
 #[derive(Clone, Debug)]
 pub enum Standing {
-    /// It stands from a least thickness on, and collapses there in this mode.
+    /// The arch stands from a least thickness on, and collapses there in this mode.
     Stands(Mode),
-    /// It does not stand at any thickness.
+    /// The arch does not stand at any thickness.
     Falls(Fall),
-    /// This could not be told.
+    /// The standing of the arch could not be told.
     Undecided(Undecided),
 }
 
-/// On which side of the truth a thickness is.
+/// Side of the truth on which a thickness is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     /// Too small: the unsafe side.
@@ -132,15 +132,15 @@ pub enum Side {
 /// A claim beside the certified state.
 #[derive(Clone, Debug)]
 pub struct Judgement {
-    /// What is certain of the arch.
+    /// Standing of the arch.
     pub standing: Standing,
-    /// Whether it stands at the thickness that it has, if it has one and that is certain.
+    /// True if the arch stands at the thickness that it has, if it has one and that is certain.
     pub stands: Option<bool>,
     /// The row as a whole.
     pub verdict: Verdict,
-    /// Where the mode is wrong: a boundary to the one claimed, within the rounding of what is given.
+    /// Boundary to the mode that is claimed, where it is wrong: one within the rounding of what is given.
     pub boundary: Option<Boundary>,
-    /// Its numbers, unless the row is wrong about whether the arch stands.
+    /// Numbers of the row, unless the row is wrong about whether the arch stands.
     pub numbers: Vec<Judged>,
 }
 
@@ -154,7 +154,7 @@ impl Judgement {
         self.numbers.iter().map(|number| number.correct_digits).min()
     }
 
-    /// On which side the claimed thickness is, if on any.
+    /// Side on which the claimed thickness is, if on any.
     pub fn side(&self) -> Option<Side> {
         let thickness = self.numbers.iter().find(|number| number.is_least_thickness())?;
         match thickness.order? {
@@ -183,7 +183,7 @@ pub fn judge(arch: &Arch, claim: &Claim, demand: Demand) -> Judgement {
     judgement
 }
 
-/// What the row speaks of, in numbers of `bits` bits.
+/// Proof of what the row speaks of, in numbers of `bits` bits.
 fn proved(arch: &Arch, claim: &Claim, bits: u32) -> Result<Proved, Undecided> {
     let frictions = claim.numbers.iter().any(|number| number.quantity.is_friction());
     let outcome = state_enclosed(arch, bits, frictions)?;

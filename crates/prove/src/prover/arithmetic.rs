@@ -31,8 +31,8 @@ pub(crate) trait Arithmetic: Engine + Stumpff {
     /// `1 - x`, with as many bits as these numbers can have.
     fn rest_to_one(&self) -> Self;
 
-    /// Whether an angle is so small, in numbers of `bits` bits, that equations are used in variables in which
-    /// nothing cancels; `2^exponent` bounds its square.
+    /// Tells whether an angle is so small, in numbers of `bits` bits, that equations are used in variables in
+    /// which nothing cancels; `2^exponent` bounds its square.
     fn is_small(exponent: i64, bits: u32) -> bool;
 
     /// Encloses the root of equations next to a start value, proved to exist and to be unique in a box on which

@@ -5,7 +5,7 @@ use super::arithmetic::Arithmetic;
 use crate::number::Ternary;
 use crate::problem::{Condition, Mode};
 
-/// Whether a margin is positive, if that can be told.
+/// Decides whether a margin is positive, if that can be told.
 pub(crate) fn decide<E: Arithmetic>(
     margin: &E,
     question: &'static str,

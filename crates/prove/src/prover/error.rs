@@ -1,4 +1,4 @@
-//! Why there is no answer: one type for `?`.
+//! Reasons why there is no answer: one type for `?`.
 
 use super::{Refused, Undecided};
 use crate::number::ParseExactError;

@@ -12,7 +12,7 @@ pub struct Figure {
     pub decimal: Rounded,
     /// The correctly rounded double.
     pub double: f64,
-    /// What that double leaves open; the quadruple is known from balls of MPFR alone.
+    /// Bounds of what that double leaves open; the quadruple is known from balls of MPFR alone.
     pub binary: Binary,
 }
 
@@ -88,7 +88,7 @@ mod tests {
     use crate::problem::Arch;
     use rug::Rational;
 
-    /// What a failed test shows of a state is a line.
+    /// A state that a failed test shows is a line.
     #[test]
     fn figures_are_shown_as_they_are_written() {
         let state = Arch::parse("milankovitch", "80deg", "0.6").unwrap().least(17).unwrap();

@@ -88,11 +88,11 @@ const LAST_STEP: f64 = 1.0 / (1u64 << 40) as f64;
 const SHORT_STEP: f64 = 1.0 / (1u64 << 24) as f64;
 /// Boxes that are tried, each about the middle of the image of the one before.
 const BOXES: usize = 3;
-/// How many times as wide a box is as the correction that the residuals ask for.
+/// Ratio of the width of a box to the correction that the residuals ask for.
 const INFLATION: f64 = 4.0;
 
-/// Encloses the root of at most seven equations, but five, next to a start value, proved to exist and to be unique in a box on
-/// which the equations are regular.
+/// Encloses the root of at most seven equations, but five, next to a start value, proved to exist and to be unique
+/// in a box on which the equations are regular.
 pub(crate) fn root_near<E: Doubles>(
     equations: &impl Form<E>,
     start: &[f64],
@@ -158,7 +158,7 @@ fn settle<E: Doubles, const N: usize>(
     None
 }
 
-/// What a step of the operator finds.
+/// Result of a step of the operator.
 struct Image<E, const N: usize> {
     /// A better centre.
     middle: [E; N],
@@ -207,7 +207,7 @@ mod tests {
     /// `x² - 2x + 1 = 2^-2k` as it stands: the smaller the right-hand side, the fewer digits doubles leave of the root.
     struct Close {
         k: u32,
-        /// How many boxes were tried.
+        /// Number of boxes that were tried.
         boxes: Cell<usize>,
     }
 

@@ -41,12 +41,12 @@ impl Isolated {
         &self.image
     }
 
-    /// How to get to some hundred bits quickly, if there is a way; found out when first asked for.
+    /// Quick way to some hundred bits, if there is one; found out when first asked for.
     pub(super) fn approach(&self) -> Option<&Approach> {
         self.approach.get_or_init(|| Approach::new(&self.system, &self.domain)).as_ref()
     }
 
-    /// As if there were no quick way.
+    /// Root as if there were no quick way.
     #[cfg(test)]
     pub(super) fn without_approach(self) -> Self {
         Self { approach: OnceLock::from(None), ..self }
@@ -70,7 +70,7 @@ impl Isolated {
 
 /// Precision of the isolation in bits: ample for boxes as wide as these.
 const BITS: u32 = 64;
-/// From the whole value down to about `1e-14` of it.
+/// Scales from the whole value down to about `1e-14` of it.
 const LADDER: Ladder = Ladder { step: 0.85, trials: 200 };
 
 /// Proves that `candidate` lies next to the root of a landmark's system that is unique in a box around
@@ -100,7 +100,7 @@ fn isolated(problem: &Problem, candidate: &[Float], bits: u32) -> Result<Isolate
     isolated_where(problem, candidate, bits, |in_doubles, radii| in_doubles.image(radii).is_some())
 }
 
-/// The same, where the search begins at boxes that seem to be contracted.
+/// Largest box that the proof carries, where the search begins at boxes that seem to be contracted.
 fn isolated_where(
     problem: &Problem,
     candidate: &[Float],

@@ -19,7 +19,7 @@ struct Pivot {
     row: usize,
     column: usize,
     reciprocal: Ball,
-    /// How many times the row is subtracted from others.
+    /// Number of times that the row is subtracted from others.
     multiples: Vec<(usize, Ball)>,
     /// The other entries of the row, by columns whose pivots come later.
     others: Vec<(usize, Ball)>,

@@ -1,7 +1,8 @@
 //! A function positive on an interval, however little room it leaves.
 //!
-//! On pieces its sign follows from Taylor's theorem; where it is monotone from the lower end, where it is concave from both, and where it is
-//! convex from its value and slope at one point, best near the lowest: `f(c) - f'(c)²/(2 min f'')` is below all its values.
+//! On pieces its sign follows from Taylor's theorem; where it is monotone from the lower end, where it is concave
+//! from both, and where it is convex from its value and slope at one point, best near the lowest: `f(c) - f'(c)²/(2
+//! min f'')` is below all its values.
 
 use super::Undecided;
 use crate::number::{Ball, Enclosure, Field, Jet};

@@ -1,27 +1,27 @@
-//! From a proved box to a box of any number of digits.
+//! Refinement from a proved box to a box of any number of digits.
 //!
 //! Sine and cosine are what costs; everything else in a system is algebraic in an angle, its sine and
 //! its cosine. So each level of the ladder evaluates them **once**, at a short argument:
 //!
 //! 1. the root to a hundredth of the bits, or a little more, comes from the level below, the first bits by [`short`];
 //! 2. it becomes the [`Anchor`] of each angle: sine and cosine to full precision there;
-//! 3. Newton steps triple the bits, two with one Jacobian, up to a third, sine and cosine moved along from the anchor, which moves
-//!    too when the root is known better;
+//! 3. Newton steps triple the bits, two with one Jacobian, up to a third, sine and cosine moved along from the
+//!    anchor, which moves too when the root is known better;
 //! 4. the Jacobian is taken once more; with that each further step gains a third, at the
 //!    precision it reaches.
 //!
-//! On the last level the last step is the interval Newton operator. Let `A` enclose the Jacobian on a box `X` and `m` be a
-//! point of it. If elimination shows each matrix in `A` to be regular, and
+//! On the last level the last step is the interval Newton operator. Let `A` enclose the Jacobian on a box `X` and
+//! `m` be a point of it. If elimination shows each matrix in `A` to be regular, and
 //!
 //! ```text
 //! N(X) = m - A⁻¹ F(m)
 //! ```
 //!
-//! lies in `X`, then `X` holds a root, and `N(X)` holds it (Moore 1966; Neumaier 1990, chapter 5): for each `x` of `X` there is
-//! `A(x)` in `A`, the mean of the Jacobian from `m` to `x`, with `F(x) = F(m) + A(x) (x - m)`, and `x -> m - A(x)⁻¹ F(m)` maps
-//! `X` into itself, so that it has a fixed point. `X` is the box on which the Jacobian was taken, to a third of the bits; with
-//! the residual at full precision the step refines and encloses in one. The box has to lie in the one where the root is known to
-//! be unique.
+//! lies in `X`, then `X` holds a root, and `N(X)` holds it (Moore 1966; Neumaier 1990, chapter 5): for each `x` of
+//! `X` there is `A(x)` in `A`, the mean of the Jacobian from `m` to `x`, with `F(x) = F(m) + A(x) (x - m)`, and `x
+//! -> m - A(x)⁻¹ F(m)` maps `X` into itself, so that it has a fixed point. `X` is the box on which the Jacobian was
+//! taken, to a third of the bits; with the residual at full precision the step refines and encloses in one. The box
+//! has to lie in the one where the root is known to be unique.
 
 use super::linear::Eliminated;
 use super::{Isolated, Undecided, short};
@@ -46,7 +46,7 @@ const GUARD: u32 = 32;
 const WORTH_THREADS: u32 = 1 << 14;
 /// A result has at least so many bits.
 const FLOOR: u32 = 256;
-/// So many bits of the root are cheaper without a level than with one, though anchors have fewer.
+/// Bits of the root up to which no level is cheaper than one, though anchors have fewer.
 const EASY: u32 = 400;
 
 /// The root of a system in a box of many digits.
@@ -84,7 +84,7 @@ pub fn refine(isolated: &Isolated, bits: u32) -> Result<Refined, Undecided> {
     refine_watched(isolated, bits, &|| ())
 }
 
-/// The same, calling `tick` [`stages`] times on the way.
+/// Refines the root, calling `tick` [`stages`] times on the way.
 pub fn refine_watched(
     isolated: &Isolated,
     bits: u32,
@@ -101,7 +101,7 @@ pub fn refine_watched(
     refine_by(isolated, bits, tick, |bits| Level::new(isolated, bits, tick))
 }
 
-/// The same by a ladder that is given: where it leads astray, Newton's method at all bits is asked.
+/// Refines the root by a ladder that is given: where it leads astray, Newton's method at all bits is asked.
 fn refine_by(
     isolated: &Isolated,
     bits: u32,
@@ -118,7 +118,7 @@ fn refine_by(
     Ok(Refined { system: *isolated.system(), at, friction_angle: OnceLock::new() })
 }
 
-/// How often [`refine_watched`] reports progress: once for each angle and once at the end.
+/// Number of times that [`refine_watched`] reports progress: once for each angle and once at the end.
 pub fn stages(system: &System) -> u64 {
     system.unknowns.iter().filter(|unknown| unknown.is_angle()).count() as u64 + 1
 }
@@ -205,7 +205,7 @@ impl Level {
         Ok(level)
     }
 
-    /// The same without anchors, by Newton's method at all bits: what the ladder finds, at any price.
+    /// Level without anchors, by Newton's method at all bits: what the ladder finds, at any price.
     fn plain(isolated: &Isolated, bits: u32) -> Result<Self, Undecided> {
         let bits = bits + GUARD;
         let centre = newton(isolated, bits)?;
@@ -213,7 +213,8 @@ impl Level {
         Self::at(isolated, centre, anchors, bits, bits)
     }
 
-    /// A level at a centre that is known to `step` bits, with the Jacobian on a box that is wide enough to hold the root.
+    /// A level at a centre that is known to `step` bits, with the Jacobian on a box that is wide enough to hold the
+    /// root.
     fn at(
         isolated: &Isolated,
         centre: Vec<Float>,

@@ -30,17 +30,17 @@ pub enum Refused {
     /// No value has so many digits, or none at all.
     #[error("digits are a whole number from 1 to {most}")]
     Digits {
-        /// What was asked for.
+        /// Number that was asked for.
         asked: usize,
         /// The most that there are.
         most: usize,
     },
-    /// What is asked about does not have the quantity.
+    /// The subject does not have the quantity.
     #[error("there is no {} here; the quantities are {}", .quantity.name(), names(.possible))]
     NoSuchQuantity {
-        /// What was asked for.
+        /// Quantity that was asked for.
         quantity: Quantity,
-        /// What there is.
+        /// Quantities that there are.
         possible: Vec<Quantity>,
     },
     /// The thickness is not above 0 and at most 2, or a multiple of pi, which is no ratio.
@@ -55,7 +55,7 @@ pub enum Refused {
     /// The stones are too few, or more than this question is answered for.
     #[error("{asked} is no number of stones here: give one from 2 to {most}")]
     StoneCount {
-        /// What was asked for.
+        /// Number that was asked for.
         asked: u64,
         /// The most that there may be.
         most: u64,
@@ -77,12 +77,12 @@ pub enum Refused {
 }
 
 impl Refused {
-    /// Whether a constant may have so many digits.
+    /// Checks that a constant may have so many digits.
     pub(crate) fn digits(asked: usize) -> Result<(), Self> {
         Self::digits_to(asked, MAX_DIGITS)
     }
 
-    /// Whether the values of an arch may have so many digits.
+    /// Checks that the values of an arch may have so many digits.
     pub(crate) fn arch_digits(asked: usize) -> Result<(), Self> {
         Self::digits_to(asked, MAX_ARCH_DIGITS)
     }
@@ -92,7 +92,7 @@ impl Refused {
         (1..=most).contains(&asked).then_some(()).ok_or(Self::Digits { asked, most })
     }
 
-    /// Whether a number is a thickness.
+    /// Checks that a number is a thickness.
     pub(crate) fn thickness(thickness: &ExactNumber) -> Result<(), Self> {
         Ok(ThicknessError::check(thickness, &thickness.to_string())?)
     }

@@ -19,7 +19,7 @@ pub trait Equations<E> {
     /// The residuals with their slopes.
     fn slopes(&self, bits: u32, x: &[E]) -> Vec<Dual<E>>;
 
-    /// Whether nothing that was divided by or cleared vanishes anywhere in a box.
+    /// Tells whether nothing that was divided by or cleared vanishes anywhere in a box.
     fn is_regular(&self, bits: u32, x: &[E]) -> bool;
 }
 
@@ -47,7 +47,7 @@ pub trait Form<E> {
     /// The residuals; `number` makes a number like those of `x` of what is given.
     fn at<T: Real + Stumpff>(&self, number: impl Fn(&E) -> T, x: &[T]) -> Vec<T>;
 
-    /// Whether nothing that was divided by or cleared vanishes anywhere in a box; `number` as before.
+    /// Tells whether nothing that was divided by or cleared vanishes anywhere in a box; `number` as before.
     fn is_regular<T: Enclosure + Stumpff>(&self, number: impl Fn(&E) -> T, x: &[T]) -> bool;
 }
 
@@ -105,7 +105,7 @@ impl<'a, S: Equations<E>, E: Engine> Operator<'a, S, E> {
         self.image_of(&domain).filter(|image| krawczyk::is_contracted(image, &domain))
     }
 
-    /// The same with room to spare: the image lies in the interior of a smaller box.
+    /// Image of a box, with room to spare: the image lies in the interior of a smaller box.
     pub(crate) fn image_in(&self, radii: &[Magnitude], smaller: &[Magnitude]) -> Option<Vec<E>> {
         let image = self.image_of(&self.domain(radii))?;
         krawczyk::is_contracted(&image, &self.domain(smaller)).then_some(image)
@@ -134,9 +134,9 @@ pub fn inverse_jacobian(slopes: &[Dual<Ball>], bits: u32) -> Option<Vec<Vec<Floa
 /// The ladder of scales on which a large box is sought.
 #[derive(Clone, Copy)]
 pub(crate) struct Ladder {
-    /// Each scale over the one before.
+    /// Ratio of each scale to the one before.
     pub step: f64,
-    /// How many scales are tried, from one downwards.
+    /// Number of scales that are tried, from one downwards.
     pub trials: i32,
 }
 
@@ -206,7 +206,7 @@ fn first<P>(
 
 /// Up to this precision all cost about the same.
 const SHORT: u32 = 512;
-/// How many times as wide as the correction that the residuals ask for a box is, in bits.
+/// Ratio of the width of a box to the correction that the residuals ask for, in bits.
 const INFLATIONS: [i64; 3] = [2, 8, 20];
 
 /// Encloses the root of equations next to a start value, proved to exist and to be unique in a box on which
@@ -226,7 +226,7 @@ pub fn root_near<S: Form<Ball>>(
     }
 }
 
-/// What is undecided where there is nothing to prove.
+/// Undecided answer where there is nothing to prove.
 pub(crate) fn no_candidate() -> Undecided {
     Undecided::root("no candidate is found")
 }

@@ -1,8 +1,8 @@
-//! From a proved box to some hundred bits, by steps with one inverse and without a heap.
+//! Refinement from a proved box to some hundred bits, by steps with one inverse and without a heap.
 //!
 //! Next to the root the Jacobian hardly changes. Its inverse `Y`, to the bits of a double-double, is computed once, and
-//! with it, over balls of double-doubles, a bound `C` of `|I - Y F'(X)|`, entry by entry, on one small box `X` about the
-//! root. Then for every box `x ± r` within `X` the image of the Krawczyk operator is within
+//! with it, over balls of double-doubles, a bound `C` of `|I - Y F'(X)|`, entry by entry, on one small box `X`
+//! about the root. Then for every box `x ± r` within `X` the image of the Krawczyk operator is within
 //!
 //! ```text
 //! x - Y F(x) ± C r
@@ -11,8 +11,9 @@
 //! So each step costs residuals and nothing else, and gains the bits of `C`; the last one proves. With more bits it is
 //! cheaper to compute slopes again and to double what a step gains.
 //!
-//! Residuals are over [`ShortBall`]; what is small, they and the steps, becomes double-doubles, times a power of two. Sines
-//! and cosines are computed once, at the candidate, and moved along. The first steps are made in fewer words.
+//! Residuals are over [`ShortBall`]; what is small, they and the steps, becomes double-doubles, times a power of
+//! two. Sines and cosines are computed once, at the candidate, and moved along. The first steps are made in fewer
+//! words.
 
 use crate::arch::{Configuration, Unknown};
 use crate::check::krawczyk;
@@ -22,11 +23,11 @@ use crate::number::{
 use crate::problem::{System, tally};
 use crate::solve::inverse;
 
-/// Up to this many bits it pays.
+/// Largest number of bits for which it pays.
 pub(super) const MOST: u32 = 928;
 /// Bits of a result beyond those asked for, so that the condition of the system eats no digits.
 const GUARD: u32 = 32;
-/// How many times as wide as the corrections ask for `X` is.
+/// Ratio of the width of `X` to the one that the corrections ask for.
 const ROOM: f64 = 64.0;
 /// The words of the first steps, and the bits to which they are made.
 const FEW_WORDS: usize = 8;
@@ -34,7 +35,7 @@ const FEW_BITS: u32 = 64 * (FEW_WORDS as u32 - 1) - GUARD;
 /// The least gain of a step that is worth while, in bits.
 const LEAST_GAIN: u32 = 32;
 
-/// What the steps need to know of a root.
+/// Numbers that the steps need to know of a root.
 #[derive(Clone, Debug)]
 pub(super) struct Approach {
     system: System,
@@ -52,7 +53,8 @@ pub(super) struct Approach {
 }
 
 impl Approach {
-    /// For the root next to the centre of a box in which it is unique; `None` where double-doubles do not tell enough.
+    /// Approach to the root next to the centre of a box in which it is unique; `None` where double-doubles do
+    /// not tell enough.
     pub(super) fn new(system: &System, domain: &[Ball]) -> Option<Self> {
         let start = domain.iter().map(|x| DoubleDoubleBall::from(&x.midpoint()).mid());
         let mut centre: Vec<DoubleDouble> = start.collect();
@@ -193,8 +195,8 @@ impl Approach {
         self.inverse.iter().map(step).unzip()
     }
 
-    /// The proof: `-Y F(x) ± C r` on a box just wide enough, if it lies in the interior of the box and the box in `X`; all
-    /// times `2^known`.
+    /// The proof: `-Y F(x) ± C r` on a box just wide enough, if it lies in the interior of the box and the box in
+    /// `X`; all times `2^known`.
     fn image<const N: usize>(
         &self,
         x: &[ShortBall<N>],
@@ -281,8 +283,8 @@ fn bits_below(size: f64) -> Option<u32> {
 
 /// The angle by a small `step` further, but for `rad`.
 ///
-/// `sin d` and `1 - cos d` by their series, up to the first power `d^k/k!` that is below one unit: it bounds what is left
-/// out of both.
+/// `sin d` and `1 - cos d` by their series, up to the first power `d^k/k!` that is below one unit: it bounds what
+/// is left out of both.
 fn moved<const N: usize>(from: &Angle<ShortBall<N>>, step: &ShortBall<N>) -> Angle<ShortBall<N>> {
     let Angle { rad, sin, cos } = *from;
     if step.bound() > 1.0 / 256.0 {
@@ -355,7 +357,7 @@ mod tests {
         }
     }
 
-    /// What is not proved is not handed out, and the other way is taken.
+    /// A step that proves nothing hands nothing out, and the other way is taken.
     #[test]
     fn a_step_that_proves_nothing_costs_no_more_than_time() {
         let isolated = isolated(Landmark::Triple, SelfWeight::Milankovitch);

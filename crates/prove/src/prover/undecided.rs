@@ -23,9 +23,9 @@ use std::borrow::Cow;
 #[error("undecided: {reason}")]
 #[non_exhaustive]
 pub struct Undecided {
-    /// What could not be told.
+    /// Question that could not be told.
     pub reason: Cow<'static, str>,
-    /// What kind of question that is.
+    /// Kind of that question.
     pub kind: Open,
     /// The most bits with which it was tried, where more were tried until it stayed open.
     pub bits: Option<u32>,
@@ -35,7 +35,7 @@ pub struct Undecided {
     pub gap: Option<f64>,
 }
 
-/// What kind of question stayed open.
+/// Kind of question that stayed open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Open {
@@ -64,17 +64,17 @@ impl Undecided {
         Self { kind: Open::Root, ..Self::new(reason) }
     }
 
-    /// The same, between these modes.
+    /// Adds the modes between which the question is open.
     pub fn between(self, modes: &[Mode]) -> Self {
         Self { between: modes.to_vec(), ..self }
     }
 
-    /// The same, tried with as many bits.
+    /// Adds the bits that were tried.
     pub(crate) fn at(self, bits: u32) -> Self {
         Self { bits: Some(bits), ..self }
     }
 
-    /// The same, with a statement before the reason.
+    /// Adds a statement before the reason.
     pub fn about(self, statement: &str) -> Self {
         Self { reason: format!("{statement}: {}", self.reason).into(), ..self }
     }

@@ -1,10 +1,10 @@
 //! Candidates of asymmetric solutions of Eq. (19), in doubles.
 //!
-//! The states whose right shoulder slides and whose line of thrust touches the extrados near the crown and the intrados at the left
-//! haunch are a curve, one for each vertical force `v` in the crown; at `v = 0` it is the symmetric state of shoulder sliding,
-//! admissible or not. Newton's method follows it to larger `v`. Where one of the three closing conditions changes its sign
-//! along the curve, the system of that [`AsymmetricMode`] is solved; what has a rate or, at one of some joints, a margin below zero
-//! is left out.
+//! The states whose right shoulder slides and whose line of thrust touches the extrados near the crown and the
+//! intrados at the left haunch are a curve, one for each vertical force `v` in the crown; at `v = 0` it is the
+//! symmetric state of shoulder sliding, admissible or not. Newton's method follows it to larger `v`. Where one of
+//! the three closing conditions changes its sign along the curve, the system of that [`AsymmetricMode`] is solved;
+//! what has a rate or, at one of some joints, a margin below zero is left out.
 //!
 //! **Nothing is proved, and nothing says that these are all.**
 
@@ -19,7 +19,7 @@ use crate::number::{Angle, Dual};
 /// A solution that seems to be one.
 #[derive(Clone, Debug)]
 pub struct AsymmetricCandidate {
-    /// How its mechanism closes.
+    /// Way in which its mechanism closes.
     pub mode: AsymmetricMode,
     /// `h, p, v, eta, b0, b1` and, where an inner joint slides, `b2`.
     pub unknowns: Vec<f64>,
@@ -27,14 +27,15 @@ pub struct AsymmetricCandidate {
 
 /// The curve is followed in steps of this part of the half opening.
 const STEP: f64 = 1.0 / 128.0;
-/// It is followed up to a vertical force of this part of the half opening: solutions of all half openings and frictions between which
-/// they are known have at most 0.073 of it (`couplet complementarity --branch`).
+/// Part of the half opening up to which a branch is followed, by its vertical force: solutions of all half
+/// openings and frictions between which they are known have at most 0.073 of it (`couplet complementarity
+/// --branch`).
 const LARGEST: f64 = 1.0 / 8.0;
 /// Newton's method takes fewer steps from a neighbour.
 const NEWTON_STEPS: usize = 20;
 /// A step that is this short beside the unknowns is the last one.
 const SHORT: f64 = 1e-13;
-/// The same on the way, where the error that is left is about its square.
+/// Tolerance on the way, where the error that is left is about its square.
 const ROUGH: f64 = 1e-6;
 /// Joints of half an arch at which the margins of a candidate are looked at.
 const JOINTS: i32 = 64;
@@ -103,8 +104,8 @@ impl CurveSearch<'_> {
         Asymmetric::from_unknowns(&Dual::constant(self.half_opening), grip, x)
     }
 
-    /// The state whose both shoulders slide: the thrust is that of the shoulder, and the thickness the largest of those at which a
-    /// line of thrust from the crown's extrados is on the intrados of a joint.
+    /// The state whose both shoulders slide: the thrust is that of the shoulder, and the thickness the largest of
+    /// those at which a line of thrust from the crown's extrados is on the intrados of a joint.
     fn symmetric(&self) -> Option<Vec<f64>> {
         let (sin, cos) = self.half_opening.sin_cos();
         let Grip { shear, normal } = self.grip;
@@ -126,7 +127,7 @@ impl CurveSearch<'_> {
         is_physical.then(|| vec![h, (1.0 + eta / 2.0) * h, 0.0, eta, 0.0, haunch])
     }
 
-    /// What is zero where a kind of mechanism closes, by kinds.
+    /// Conditions that are zero where a kind of mechanism closes, by kinds.
     fn closing(&self, unknowns: &[f64]) -> Option<[f64; 3]> {
         let grip = self.grip.clone();
         let at = Asymmetric::from_unknowns(&self.half_opening, grip, unknowns)?;
@@ -136,8 +137,8 @@ impl CurveSearch<'_> {
         Some([inner, of(AsymmetricMode::ShoulderOpening)?, of(AsymmetricMode::ShoulderSliding)?])
     }
 
-    /// Where the forces of the left half are steepest, and the vertical force at which they slide there, for a thrust:
-    /// `h = cos² chi`, `b2 = chi - phi`, `b2 + v = sin chi cos chi`.
+    /// Joint where the forces of the left half are steepest, and the vertical force at which they slide
+    /// there, for a thrust: `h = cos² chi`, `b2 = chi - phi`, `b2 + v = sin chi cos chi`.
     fn sliding_joint(&self, thrust: f64) -> (f64, f64) {
         let phi = self.grip.normal.atan2(self.grip.shear);
         let joint = thrust.sqrt().acos() - phi;
@@ -176,7 +177,7 @@ impl CurveSearch<'_> {
         None
     }
 
-    /// Whether all unknowns and rates are positive, and no margin is below zero at some joints.
+    /// Tells whether all unknowns and rates are positive, and no margin is below zero at some joints.
     fn seems_admissible(&self, candidate: &AsymmetricCandidate) -> bool {
         let AsymmetricCandidate { mode, unknowns } = candidate;
         let grip = self.grip.clone();

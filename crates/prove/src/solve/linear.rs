@@ -10,7 +10,8 @@ pub trait Approximate: Field + PartialOrd {
     /// The exponent of its size in base two; very small for zero.
     fn exponent(&self) -> i64;
 
-    /// Whether it is so long that several quotients by it take longer than products with its reciprocal.
+    /// Tells whether the number is so long that several quotients by it take longer than products with its
+    /// reciprocal.
     fn is_long(&self) -> bool {
         false
     }
@@ -80,7 +81,7 @@ pub fn newton_step<T: Approximate>(residuals: &[Dual<T>]) -> Option<Vec<T>> {
     Some(solved.into_iter().flatten().collect())
 }
 
-/// What is to the right of a square matrix when that has become the identity.
+/// Matrix to the right of a square one when that has become the identity.
 fn eliminate<T: Approximate>(mut rows: Vec<Vec<T>>) -> Option<Vec<Vec<T>>> {
     let n = rows.len();
     let is_zero = |x: &T| x.exponent() == i64::MIN;

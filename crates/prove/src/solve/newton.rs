@@ -34,7 +34,8 @@ pub fn newton(system: &System, start: &[f64], bits: u32) -> Option<Candidate> {
     Some(Candidate(root.iter().map(|x| Float::with_val(bits, x)).collect()))
 }
 
-/// As much of the way as doubles go, which cost nothing beside MPFR; `None` where they lose it.
+/// Newton's steps in doubles: as much of the way as doubles go, which cost nothing beside MPFR; `None` where
+/// they lose it.
 fn in_doubles(system: &System, start: &[f64]) -> Option<Vec<f64>> {
     let mut x = start.to_vec();
     for _ in 0..STEPS_IN_DOUBLES {
@@ -103,7 +104,7 @@ fn relative_exponent(step: &Float, x: &Float) -> i64 {
     }
 }
 
-/// Whether a step is so short that what it leaves, about its square, is as good as nothing.
+/// Tells whether a step is so short that what it leaves, about its square, is as good as nothing.
 fn is_last(step: &Float, x: &Float) -> bool {
     relative_exponent(step, x) < SLACK - i64::from(x.prec()) / 2
 }

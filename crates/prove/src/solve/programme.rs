@@ -1,7 +1,7 @@
 //! A linear programme in four unknowns, in doubles: the largest last unknown under many conditions.
 //!
-//! The dual simplex method: four conditions hold with equality, their multipliers being positive; the one that is passed
-//! farthest comes in, and one goes out. It starts from bounds so large that they mean nothing.
+//! The dual simplex method: four conditions hold with equality, their multipliers being positive; the one that is
+//! passed farthest comes in, and one goes out. It starts from bounds so large that they mean nothing.
 
 use super::invert;
 use crate::arch::tilt::TiltedRow;
@@ -20,7 +20,7 @@ impl HalfSpace {
     }
 }
 
-/// What is probably so.
+/// Probable optimum of a programme.
 #[derive(Clone, Debug)]
 pub(super) enum Optimum {
     /// The unknowns, and the conditions that hold with equality, by index and multiplier.

@@ -11,8 +11,9 @@ pub struct Rates {
     pub moving: Vec<usize>,
 }
 
-/// Where `costs . x` is least, for `x >= 0` and `sum x_j columns_j = (0, 0, 0, 1)`; the last entry of each column is one. Sought by its dual,
-/// the largest price of the last equation for which no column is sold below its cost.
+/// Solution where `costs . x` is least, for `x >= 0` and `sum x_j columns_j = (0, 0, 0, 1)`; the last entry
+/// of each column is one. Sought by its dual, the largest price of the last equation for which no column is
+/// sold below its cost.
 ///
 /// Nothing is guaranteed; `None` where nothing is found.
 pub fn least_cost(columns: &[[f64; 4]], costs: &[f64]) -> Option<Rates> {
@@ -29,8 +30,8 @@ pub fn least_cost(columns: &[[f64; 4]], costs: &[f64]) -> Option<Rates> {
 /// The entries of a direction are of this size at most.
 const FAR: f64 = 16.0;
 
-/// A direction `y` in which every column points, `y . column > 0`, as far as possible for entries of limited size, with a given last entry;
-/// `None` if none is found.
+/// A direction `y` in which every column points, `y . column > 0`, as far as possible for entries of limited size,
+/// with a given last entry; `None` if none is found.
 pub fn parting(columns: &[[f64; 4]], last: f64) -> Option<[f64; 4]> {
     let toward = columns.iter().map(|[a, b, c, w]| HalfSpace { a: [-a, -b, -c, 1.0], d: w * last });
     let bounds = (0..6).map(|k| {

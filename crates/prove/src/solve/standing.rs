@@ -13,7 +13,7 @@ pub struct StandingCandidate {
     pub thrust: Float,
     /// `p`.
     pub crown_moment: Float,
-    /// Where the line of thrust comes nearest to the intrados.
+    /// Place where the line of thrust comes nearest to the intrados.
     pub nearest: Nearest,
     /// The joint there, rad; zero at the crown.
     pub joint: Float,

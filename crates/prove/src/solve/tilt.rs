@@ -1,7 +1,8 @@
 //! Candidates for the largest horizontal acceleration that an arch of a given thickness can bear.
 //!
-//! On many joints of the whole arch it is a linear programme in `h, p, v` and `k`. The conditions that hold with equality are then
-//! moved to where they touch: Newton's method on the unknowns, the joints and the multipliers together,
+//! On many joints of the whole arch it is a linear programme in `h, p, v` and `k`. The conditions that hold with
+//! equality are then moved to where they touch: Newton's method on the unknowns, the joints and the multipliers
+//! together,
 //!
 //! ```text
 //! sum of rates times coefficients = (0, 0, 0, 1)      condition = 0      slope of the condition = 0 inside the arch
@@ -23,20 +24,20 @@ use rug::Float;
 pub struct Touch {
     /// The condition, by its sign.
     pub contact: Contact,
-    /// Where, rad, in `[-alpha, alpha]`.
+    /// Angle of the joint, rad, in `[-alpha, alpha]`.
     pub joint: Float,
-    /// Whether it is between the springings.
+    /// True if the touch is between the springings.
     pub is_inside: bool,
 }
 
-/// What is probably true of the largest acceleration.
+/// Probable limit of the largest acceleration.
 #[derive(Clone, Debug)]
 pub enum TiltCandidate {
-    /// This.
+    /// The largest acceleration is this.
     Limited(Box<TiltNear>),
-    /// There is none.
+    /// There is no largest acceleration.
     Unlimited,
-    /// Nothing is admissible at any.
+    /// Nothing is admissible at any acceleration.
     Nothing,
 }
 
@@ -229,19 +230,19 @@ impl Search {
     }
 }
 
-/// What is probably true of the largest acceleration of an arch of stones.
+/// Probable limit of the largest acceleration of an arch of stones.
 #[derive(Clone, Debug)]
 pub enum StoneTilt {
-    /// These conditions limit it, by place; if none of them is a hinge, with a crown moment that leaves room.
+    /// Some conditions limit it, by place; if none of them is a hinge, with a crown moment that leaves room.
     Limited {
         /// The conditions.
         active: Vec<usize>,
         /// `p`.
         moment: f64,
     },
-    /// There is none: this `h, p, v` may be added for each unit of the acceleration.
+    /// There is no largest acceleration: this `h, p, v` may be added for each unit of the acceleration.
     Unlimited([f64; 3]),
-    /// Nothing is admissible at any.
+    /// Nothing is admissible at any acceleration.
     Nothing,
 }
 

@@ -1,7 +1,7 @@
 //! Candidates for the range of thrusts of an arch of voussoirs at a given thickness, and for the friction it asks for.
 //!
-//! The room for the crown moment is a concave function of the thrust, made of straight pieces: from beyond an end Newton's method
-//! reaches it in a few steps and never passes it.
+//! The room for the crown moment is a concave function of the thrust, made of straight pieces: from beyond an end
+//! Newton's method reaches it in a few steps and never passes it.
 
 use super::voussoirs::{Search, peak};
 use crate::arch::joint::{Row, even_thrust};
@@ -20,29 +20,29 @@ pub enum Side {
 }
 
 impl Side {
-    /// Both.
+    /// Both sides.
     pub const BOTH: [Self; 2] = [Self::Least, Self::Largest];
 }
 
-/// What probably limits the thrust.
+/// Probable limit of the thrust.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ThrustEnd {
     /// A joint that slides or opens, or a hinge at the extrados and one at the intrados.
     At(Vec<JointContact>),
-    /// Nothing does.
+    /// Nothing limits the thrust.
     Unbounded,
     /// The first conditions ask for a larger thrust than the second allow.
     Contradiction([Vec<JointContact>; 2]),
 }
 
-/// Where the least friction is probably needed.
+/// Thrust at which the least friction is probably needed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Needed {
-    /// At the thrust at which this joint asks for as much as the shoulder.
+    /// The least friction is needed at the thrust at which this joint asks for as much as the shoulder.
     Even(u64),
-    /// At the least thrust, by the shoulder.
+    /// The least friction is needed at the least thrust, by the shoulder.
     AtLeast,
-    /// At the largest thrust, by this joint.
+    /// The least friction is needed at the largest thrust, by this joint.
     AtLargest(u64),
 }
 
@@ -56,7 +56,7 @@ fn bounds(side: Side, row: &Row<Float>) -> bool {
     }
 }
 
-/// What conditions on one joint, or two hinges, say of the thrust.
+/// Sum of the conditions on the thrust of one joint, or two hinges.
 fn together(
     search: &Search<'_>,
     contacts: &[JointContact],
@@ -134,7 +134,7 @@ fn steepest(search: &Search<'_>, thrust: &Float) -> u64 {
     })
 }
 
-/// Where the least friction is needed, of thrusts between two.
+/// Thrust at which the least friction is needed, of those between two.
 pub fn needed(search: &Search<'_>, [least, largest]: [Option<&Float>; 2]) -> Needed {
     let shoulder = search.angle(search.last());
     let mut joint = search.last().div_ceil(2);

@@ -1,9 +1,9 @@
 //! A candidate for the least thickness of an arch of voussoirs: which conditions hold with equality there.
 //!
-//! For three conditions, one of them a hinge at the intrados, the thickness is the root of a polynomial. The hinge is moved to the
-//! joint where the line of thrust passes the intrados farthest, until there is none: every step is a lower bound, and a few are
-//! enough. On the joints each condition rises and then falls ([`contact`](crate::arch::contact)), so that its largest value
-//! is found by halving.
+//! For three conditions, one of them a hinge at the intrados, the thickness is the root of a polynomial. The hinge
+//! is moved to the joint where the line of thrust passes the intrados farthest, until there is none: every step is
+//! a lower bound, and a few are enough. On the joints each condition rises and then falls
+//! ([`contact`](crate::arch::contact)), so that its largest value is found by halving.
 
 use crate::arch::joint::{Grip, Row, combination};
 use crate::arch::mechanism::Contact;
@@ -13,7 +13,7 @@ use crate::problem::Joints;
 use crate::problem::stones::{JointContact, Stones};
 use rug::Float;
 
-/// What is probably true of an arch of voussoirs.
+/// Probable verdict on an arch of voussoirs.
 #[derive(Clone, Debug)]
 pub enum VoussoirCandidate {
     /// The conditions that hold with equality at the least thickness.
@@ -23,7 +23,7 @@ pub enum VoussoirCandidate {
         /// The thickness.
         thickness: Float,
     },
-    /// It stands however thin it is.
+    /// The arch stands however thin it is.
     AnyThickness,
     /// Nothing stands: an inner joint slides, or the shoulder.
     Slides {
@@ -182,7 +182,7 @@ impl<'a> Search<'a> {
     }
 }
 
-/// Where a function that rises and then falls is largest.
+/// Place where a function that rises and then falls is largest.
 pub(super) fn peak(mut first: u64, mut last: u64, value: impl Fn(u64) -> Float) -> u64 {
     while first < last {
         let middle = first + (last - first) / 2;

@@ -1,4 +1,4 @@
-//! Where on the map a mode or a landmark is: candidates, for a strategy to know where to look.
+//! Places on the map of a mode or a landmark: candidates, for a strategy to know where to look.
 
 use crate::arch::{SelfWeight, Unknown};
 use crate::certify::CertifiedLandmark;

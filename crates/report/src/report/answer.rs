@@ -20,15 +20,16 @@ use std::borrow::Cow;
 /// A landmark or an arch, what became of it, and its proved values.
 #[derive(Clone, Debug)]
 pub struct Answer {
-    /// What it is about.
+    /// Subject of the answer.
     pub subject: Subject,
-    /// What became of it.
+    /// Status of the subject.
     pub status: Status,
-    /// Whether an arch can stand at some thickness, where that is asked and decided.
+    /// True if an arch can stand at some thickness, where that is asked and decided.
     pub can_stand: Option<bool>,
-    /// Whether an arch stands at the thickness that it has, where that is decided.
+    /// True if an arch stands at the thickness that it has, where that is decided.
     pub stands: Option<bool>,
-    /// How an arch collapses at its least thickness; at a landmark the modes that meet there, if asked for.
+    /// Modes in which an arch collapses at its least thickness; at a landmark the modes that meet there, if
+    /// asked for.
     pub modes: Vec<Mode>,
     /// The values, all proved.
     pub values: Vec<(Quantity, Value)>,
@@ -36,24 +37,24 @@ pub struct Answer {
     pub open: Vec<(Quantity, Undecided)>,
     /// The circle at which an arch is measured, where it is.
     pub measured_at: Option<Circle>,
-    /// What would be enough for an arch that stands at no thickness: the least friction at its half opening,
-    /// and the widest half opening (rad) with its friction.
+    /// Remedies for an arch that stands at no thickness: the least friction at its half opening, and the
+    /// widest half opening (rad) with its friction.
     pub enough: [Option<Value>; 2],
     /// The thicknesses of the asymmetric solutions of (19) that are found for an arch that stands, the largest first.
     pub asymmetric: Vec<Figure>,
-    /// Whether such a solution is known of any of the arches of which a finding says that they stand.
+    /// True if an asymmetric solution is known of any of the arches of which a finding says that they stand.
     pub some_may_move: bool,
-    /// What is proved of a finding besides its digits.
+    /// Statement that is proved of a finding besides its digits.
     pub proved: Option<String>,
-    /// How a landmark is proved.
+    /// Proof of a landmark.
     pub proof: Option<Proof>,
     /// The certificate that holds these values, or why there is none.
     pub certificate: Result<Fingerprint, String>,
-    /// What the query has beside the arch, by name, and is handed on.
+    /// Values that the query has beside the arch, by name, and is handed on.
     pub kept: Vec<(String, Kept)>,
 }
 
-/// What is handed on from a query to its answer.
+/// Value that is handed on from a query to its answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Kept {
     /// A text.
@@ -71,20 +72,20 @@ impl Kept {
     }
 }
 
-/// What became of a subject.
+/// Status of a subject.
 #[derive(Clone, Debug)]
 pub enum Status {
-    /// Its values are proved.
+    /// The values of the subject are proved.
     Proved,
-    /// It is proved that no thickness is enough.
+    /// A proof says that no thickness is enough.
     Falls(Fall),
-    /// Nothing is known.
+    /// Nothing is known of the subject.
     Undecided(Undecided),
     /// The query is wrong, and how.
     Refused(String),
 }
 
-/// How a landmark is proved: one solution of its equations in a box.
+/// Proof of a landmark: one solution of its equations in a box.
 #[derive(Clone, Debug)]
 pub struct Proof {
     /// The equations.
@@ -93,7 +94,7 @@ pub struct Proof {
     pub radii: Vec<(&'static str, f64)>,
 }
 
-/// What ties values to a certificate.
+/// Fingerprint that ties values to a certificate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fingerprint {
     /// The command that writes the certificate.
@@ -112,7 +113,7 @@ impl Status {
         }
     }
 
-    /// Why there are no values, or why an arch falls.
+    /// Reason why there are no values, or why an arch falls.
     pub fn reason(&self) -> Option<&str> {
         match self {
             Self::Proved => None,
@@ -132,11 +133,11 @@ impl From<&Error> for Status {
     }
 }
 
-/// Why no friction is enough at a thickness.
+/// Reason why no friction is enough at a thickness.
 const TOO_THIN: &str = "there is none: the arch is too thin, whatever the friction";
 
 impl Answer {
-    /// Without values.
+    /// Answer without values.
     fn new(subject: Subject, status: Status) -> Self {
         Self {
             subject,
@@ -178,7 +179,7 @@ impl Answer {
         answer
     }
 
-    /// The same with the hash of the certificate of its values to `digits` digits, or why there is none
+    /// Answer with the hash of the certificate of its values to `digits` digits, or why there is none
     /// ([`fingerprint`](crate::certify::fingerprint)). What is not proved has no certificate.
     pub fn with_certificate(mut self, digits: usize, hash: Result<String, Error>) -> Self {
         if let (Subject::Landmark { landmark, weight }, Some(_)) = (&self.subject, &self.proof) {
@@ -252,7 +253,7 @@ impl Answer {
         answer
     }
 
-    /// The same with the sizes of an arch that is measured at a circle, or why they are not proved.
+    /// Answer with the sizes of an arch that is measured at a circle, or why they are not proved.
     pub fn measured(
         mut self,
         circle: Circle,
@@ -270,7 +271,8 @@ impl Answer {
         self
     }
 
-    /// The same with the [thicknesses](crate::certify::asymmetric_thicknesses) of its asymmetric solutions of (19), if it stands.
+    /// Answer with the [thicknesses](crate::certify::asymmetric_thicknesses) of its asymmetric solutions of
+    /// (19), if it stands.
     pub fn with_asymmetric(
         mut self,
         thicknesses: impl FnOnce() -> Result<Vec<Figure>, Refused>,
@@ -289,7 +291,7 @@ impl Answer {
         self
     }
 
-    /// What was found the other way round.
+    /// Answer to a question asked the other way round.
     pub fn finding(
         line: u64,
         (weight, question): (SelfWeight, &Question),
@@ -316,7 +318,7 @@ impl Answer {
         answer
     }
 
-    /// What is proved of a finding besides its digits, and what that leaves open.
+    /// Statement that is proved of a finding besides its digits, and what that leaves open.
     pub fn proved_in_words(&self) -> Option<String> {
         let proved = self.proved.clone()?;
         let known = "asymmetric mechanisms are known of some of these arches";
@@ -339,8 +341,8 @@ impl Answer {
         self.values.iter().find(|(of, _)| *of == quantity).map(|(_, value)| value)
     }
 
-    /// The same with only some of its values; with a thrust stays the joint that limits it, the least thickness is
-    /// the thickness of a state, and what goes with the verdict stays.
+    /// Answer with only some of its values; with a thrust stays the joint that limits it, the least thickness
+    /// is the thickness of a state, and what goes with the verdict stays.
     pub fn only(mut self, quantities: &[Quantity]) -> Self {
         let is_least = |of: Quantity| of == Quantity::LeastThickness;
         let asked: Vec<Quantity> = quantities
@@ -358,12 +360,12 @@ impl Answer {
         self
     }
 
-    /// Whether not everything could be told.
+    /// Tells whether not everything could be told.
     pub fn is_undecided(&self) -> bool {
         self.first_open().is_some()
     }
 
-    /// What could not be told, and why: all of it, or the first quantity that stays open.
+    /// First question that could not be told, and why: all of it, or the first quantity that stays open.
     pub fn first_open(&self) -> Option<Undecided> {
         match &self.status {
             Status::Undecided(undecided) => Some(undecided.clone()),
@@ -371,7 +373,7 @@ impl Answer {
         }
     }
 
-    /// Why there are no values, why an arch falls, or which quantities stay open and why.
+    /// Reason why there are no values, why an arch falls, or which quantities stay open and why.
     pub fn reason(&self) -> Option<Cow<'_, str>> {
         if self.open.is_empty() || matches!(self.status, Status::Undecided(_)) {
             return self.status.reason().map(Cow::Borrowed);
@@ -381,7 +383,7 @@ impl Answer {
         Some(known.chain(open).collect::<Vec<_>>().join("; ").into())
     }
 
-    /// Why a quantity stays open, if it does.
+    /// Reason why a quantity stays open, if it does.
     pub fn why_open(&self, quantity: Quantity) -> Option<&Undecided> {
         self.open.iter().find(|(of, _)| *of == quantity).map(|(_, why)| why)
     }

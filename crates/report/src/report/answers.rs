@@ -7,7 +7,7 @@ use crate::problem::Quantity;
 /// The program and its version.
 pub(super) const TOOL: &str = concat!("couplet ", env!("CARGO_PKG_VERSION"));
 
-/// What answers are of.
+/// Scope of answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scope {
     /// Landmarks with their constants.
@@ -20,14 +20,14 @@ pub enum Scope {
     Arches,
     /// Many arches, some of which have a thickness.
     Mixed,
-    /// What was found the other way round.
+    /// Values found the other way round.
     Found,
 }
 
 /// Answers of one kind.
 #[derive(Clone, Debug)]
 pub struct Answers {
-    /// What they are of.
+    /// Scope of the answers.
     pub scope: Scope,
     /// Significant digits of each value.
     pub digits: usize,
@@ -41,23 +41,23 @@ pub struct Answers {
 }
 
 impl Answers {
-    /// Of landmarks.
+    /// Answers of landmarks.
     pub fn constants(digits: usize, list: Vec<Answer>) -> Self {
         Self { scope: Scope::Constants, list, ..Self::without_arches(digits) }
     }
 
-    /// Of one landmark, with the modes that meet there.
+    /// Answers of one landmark, with the modes that meet there.
     pub fn point(digits: usize, answer: Answer) -> Self {
         Self { scope: Scope::Point, list: vec![answer], ..Self::without_arches(digits) }
     }
 
-    /// Of one arch, with all that was found.
+    /// Answers of one arch, with all that was found.
     pub fn arch(digits: usize, answer: Answer) -> Self {
         let assessed = answer.subject.is_assessed();
         Self { scope: Scope::Arch, list: vec![answer], ..Self::arches(digits, assessed) }
     }
 
-    /// Of many arches, with every quantity and no answers yet; `assessed` if they have a thickness.
+    /// Answers of many arches, with every quantity and no answers yet; `assessed` if they have a thickness.
     pub fn arches(digits: usize, assessed: bool) -> Self {
         let quantities = match assessed {
             true => Quantity::ASSESSMENT.to_vec(),
@@ -66,15 +66,15 @@ impl Answers {
         Self { scope: Scope::Arches, quantities, ..Self::without_arches(digits) }
     }
 
-    /// Of many arches, some of which have a thickness: in a table the least thickness is in one column,
-    /// whatever was asked.
+    /// Answers of many arches, some of which have a thickness: in a table the least thickness is in one
+    /// column, whatever was asked.
     pub fn mixed(digits: usize) -> Self {
         let state = Quantity::STATE.into_iter().filter(|of| *of != Quantity::Thickness);
         let quantities = Quantity::ASSESSMENT.into_iter().chain(state).collect();
         Self { scope: Scope::Mixed, quantities, ..Self::without_arches(digits) }
     }
 
-    /// Of many arches as they come, with only some of the quantities.
+    /// Answers of many arches as they come, with only some of the quantities.
     pub fn of(self, quantities: &[Quantity]) -> Self {
         let shown = |of: &Quantity| match (self.scope, of) {
             (Scope::Mixed, Quantity::Thickness) => Quantity::LeastThickness,
@@ -94,30 +94,30 @@ impl Answers {
         Self { scope: Scope::Arches, digits, quantities, list, kept }
     }
 
-    /// Whether any of the arches may have a thickness.
+    /// Tells whether any of the arches may have a thickness.
     pub fn have_assessments(&self) -> bool {
         let is_theirs = |quantity: &Quantity| Quantity::ASSESSMENT.contains(quantity);
         self.scope == Scope::Mixed || self.quantities.iter().any(is_theirs)
     }
 
-    /// Whether any of the arches may have none.
+    /// Tells whether any of the arches may have none.
     pub fn have_states(&self) -> bool {
         let is_theirs = |quantity: &Quantity| Quantity::STATE.contains(quantity);
         self.scope == Scope::Mixed || self.quantities.iter().any(is_theirs)
     }
 
-    /// Whether the arches are measured.
+    /// Tells whether the arches are measured.
     pub(super) fn are_measured(&self) -> bool {
         self.quantities.iter().any(|quantity| quantity.is_measured())
     }
 
-    /// Whether a quantity of an arch is shown; in a mixed table the thickness of a state is the least.
+    /// Tells whether a quantity of an arch is shown; in a mixed table the thickness of a state is the least.
     pub(super) fn shows(&self, quantity: Quantity) -> bool {
         let is_least = quantity == Quantity::Thickness && self.have_assessments();
         self.quantities.contains(if is_least { &Quantity::LeastThickness } else { &quantity })
     }
 
-    /// Whether the nearest double of each value is shown too.
+    /// Tells whether the nearest double of each value is shown too.
     pub(super) fn have_doubles(&self) -> bool {
         self.digits == DOUBLE_DIGITS
     }

@@ -1,4 +1,4 @@
-//! What `couplet audit` found: a table for a person, CSV, and JSON, `couplet.audit/2`, in which fields may be
+//! Results of `couplet audit`: a table for a person, CSV, and JSON, `couplet.audit/2`, in which fields may be
 //! added and none changes its meaning.
 
 use super::csv;

@@ -8,23 +8,23 @@ use super::subject::Subject;
 use crate::problem::Quantity;
 use crate::problem::measures::Circle;
 
-/// What was asked of an arch, and so which fields it has.
+/// Question that was asked of an arch, and so which fields it has.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Asked {
-    /// Whether it can stand at all.
+    /// True if the question is whether it can stand at all.
     pub state: bool,
-    /// Whether it stands at a given thickness.
+    /// True if the question is whether it stands at a given thickness.
     pub assessment: bool,
 }
 
 impl Asked {
-    /// Of one arch.
+    /// Question of one arch.
     pub(super) fn of(answer: &Answer) -> Self {
         let assessment = answer.subject.is_assessed();
         Self { state: !assessment, assessment }
     }
 
-    /// Of the arches of a table.
+    /// Question of the arches of a table.
     fn in_table(report: &Answers) -> Self {
         Self { state: report.have_states(), assessment: report.have_assessments() }
     }
@@ -47,7 +47,7 @@ pub(super) fn given(answer: &Answer, asked: Asked) -> Fields {
     fields
 }
 
-/// The same as numbers; what no double holds is nothing.
+/// Fields as numbers; what no double holds is nothing.
 pub(super) fn doubles(answer: &Answer, asked: Asked) -> Vec<(&'static str, Option<f64>)> {
     let found = match &answer.subject {
         Subject::Arch { doubles, .. } => *doubles,
@@ -100,7 +100,7 @@ pub(super) fn double_names(report: &Answers) -> impl Iterator<Item = String> {
     doubles(&empty, Asked::in_table(report)).into_iter().map(|(name, _)| name.to_owned())
 }
 
-/// Their cells.
+/// Cells of the doubles.
 pub(super) fn double_cells(report: &Answers, answer: &Answer) -> impl Iterator<Item = String> {
     let doubles = doubles(answer, Asked::in_table(report)).into_iter();
     doubles.map(|(_, x)| x.map_or(String::new(), |x| format!("{x:?}")))
@@ -115,7 +115,7 @@ pub(super) fn kept_names(kept: &[String], own: &[String]) -> Vec<String> {
     kept.iter().map(name).collect()
 }
 
-/// Their cells.
+/// Cells of what is handed on.
 pub(super) fn kept_cells(names: &[String], row: &[(String, Kept)]) -> impl Iterator<Item = String> {
     names.iter().map(|name| {
         let kept = row.iter().find(|(of, _)| of == name);
@@ -126,7 +126,7 @@ pub(super) fn kept_cells(names: &[String], row: &[(String, Kept)]) -> impl Itera
     })
 }
 
-/// The same as one object.
+/// Fields of what is handed on, as one object.
 pub(super) fn kept_fields(row: &[(String, Kept)]) -> Fields {
     let mut kept = Fields::default();
     row.iter().for_each(|(name, value)| kept.keep(name, value));

@@ -15,7 +15,7 @@ use std::io;
 pub struct ComplementarityArch {
     /// The arch.
     pub arch: Arch,
-    /// Its symmetric state, or why nothing stands.
+    /// Symmetric state of the arch, or why nothing stands.
     pub symmetric: Result<Answer, Undecided>,
     /// The asymmetric solutions, or why one that is found is not proved.
     pub asymmetric: Vec<Result<AsymmetricDigits, Undecided>>,
@@ -29,7 +29,7 @@ pub struct ComplementarityArch {
 #[derive(Debug)]
 pub struct ComplementarityArches(pub Vec<ComplementarityArch>);
 
-/// How the solutions are sought, and what is not proved.
+/// Description of the search for solutions, and what is not proved.
 const SEARCH: [&str; 5] = [
     "Among symmetric states there is at most one such thickness (couplet prove unique-thickness),",
     "except at the friction of pure sliding. Asymmetric states are sought with three kinds of",
@@ -38,7 +38,7 @@ const SEARCH: [&str; 5] = [
     "states may exist. With unlimited friction nothing slides, and none is sought.",
 ];
 
-/// What an asymmetric solution means.
+/// Meaning of an asymmetric solution.
 const MEANING: [&str; 6] = [
     "At an asymmetric thickness the arch has an admissible state, and also a motion in which friction",
     "takes exactly the power that the weight gives. Friction without dilatancy does not forbid this",
@@ -48,7 +48,7 @@ const MEANING: [&str; 6] = [
     "",
 ];
 
-/// What of a solution is proved.
+/// Statements of what of a solution is proved.
 const PROOF: [&str; 3] = [
     "proved: its equations have one solution in a box, which is admissible at every joint of the whole",
     "arch, and every rate is positive",
@@ -63,7 +63,7 @@ enum Solution<'a> {
 }
 
 impl ComplementarityArch {
-    /// Why something stays open, if it does.
+    /// Reason why something stays open, if it does.
     pub fn first_open(&self) -> Option<Undecided> {
         let asymmetric = self.asymmetric.iter().find_map(|solution| solution.as_ref().err());
         let programme = self.programme.as_ref().and_then(|of| of.found.as_ref().err());
@@ -74,7 +74,7 @@ impl ComplementarityArch {
         self.symmetric.as_ref().err().or(asymmetric).or(programme).cloned().or(enumeration)
     }
 
-    /// Those that are proved, thin arches first.
+    /// Solutions that are proved, thin arches first.
     fn solutions(&self) -> Vec<Solution<'_>> {
         let symmetric = match &self.symmetric {
             Ok(Answer::Stands(state)) => Some(Solution::Symmetric(state)),
@@ -87,7 +87,7 @@ impl ComplementarityArch {
         all
     }
 
-    /// Why there is no symmetric state.
+    /// Reason why there is no symmetric state.
     fn fall(&self) -> Option<&'static str> {
         match &self.symmetric {
             Ok(Answer::Falls { fall, .. }) => Some(fall.reason()),
@@ -129,7 +129,7 @@ impl<'a> Solution<'a> {
         }
     }
 
-    /// The same for a person.
+    /// Description for a person.
     fn words(self) -> String {
         match self {
             Self::Symmetric(state) => {

@@ -80,7 +80,7 @@ fn constants(report: &Answers) -> Vec<Vec<String>> {
     records
 }
 
-/// Whether the doubles of the values have columns.
+/// Tells whether the doubles of the values have columns.
 fn has_doubles(report: &Answers) -> bool {
     matches!(report.scope, Scope::Arches | Scope::Mixed) && report.have_doubles()
 }
@@ -121,7 +121,7 @@ fn record(report: &Answers, answer: &Answer, with_lines: bool) -> Vec<String> {
     record
 }
 
-/// What is given and what is found, in the same columns.
+/// Fields of what is given and what is found, in the same columns.
 fn finding(answer: &Answer) -> Fields {
     let modes: Vec<&str> = answer.modes.iter().map(|mode| mode.label()).collect();
     find::fields(answer, modes.join(" "), |fields, quantity| {

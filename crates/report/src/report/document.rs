@@ -88,7 +88,7 @@ struct CertificateEntry<'a> {
 }
 
 impl<'a> Document<'a> {
-    /// Of landmarks or arches.
+    /// Document of landmarks or arches.
     pub(super) fn new(report: &'a Answers) -> Self {
         let values = |answer: &'a Answer| {
             answer.values.iter().map(|(of, value)| ValueEntry::new(&answer.subject, *of, value))

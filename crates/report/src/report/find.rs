@@ -1,4 +1,4 @@
-//! What was found the other way round: a half opening or a friction, with what goes with it.
+//! Answer to a question asked the other way round: a half opening or a friction, with what goes with it.
 
 use super::answer::{Answer, Status};
 use super::answers::Answers;
@@ -10,7 +10,7 @@ use crate::problem::Quantity;
 use serde_json::Value as Json;
 use std::io;
 
-/// What is given, in words: `thickness 0.15, friction 0.6`.
+/// Given values, in words: `thickness 0.15, friction 0.6`.
 fn given(subject: &Subject) -> String {
     let Subject::Sought { half_opening, friction, thickness, .. } = subject else {
         return String::new();
@@ -69,7 +69,7 @@ fn one(report: &Answers, answer: &Answer, out: &mut dyn io::Write) -> io::Result
     }
 }
 
-/// Why nothing is known, and the modes between which that is.
+/// Writes why nothing is known, and the modes between which that is.
 pub(super) fn undecided(undecided: &Undecided, out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(out, "{undecided}")?;
     let between: Vec<_> = undecided.between.iter().map(|mode| mode.label()).collect();

@@ -16,7 +16,7 @@ use super::words::list;
 use super::{c, csv, fortran, json, julia, latex, matlab, plain, python, rust, table, toml};
 use std::io;
 
-/// What can be written.
+/// Content that can be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Content {
     /// Landmarks or arches.
@@ -39,7 +39,7 @@ pub enum Content {
     Figure,
     /// A point of a curve of the map.
     MapPoint,
-    /// What two weights make of the lines of the map.
+    /// Difference between two weights of the lines of the map.
     MapDifference,
     /// Arches of voussoirs.
     Voussoirs,
@@ -61,17 +61,18 @@ type Opener = fn(Answers) -> io::Result<Box<dyn Rows>>;
 /// A format, and what it can write.
 #[derive(Clone, Copy, Debug)]
 pub struct Format {
-    /// Its name on the command line and in scenes.
+    /// Name of the format on the command line and in scenes.
     pub name: &'static str,
-    /// What the name of a file ends with.
+    /// Ending of the names of its files.
     pub extension: &'static str,
-    /// Whether it is not text.
+    /// True if the format is not text.
     pub is_binary: bool,
-    /// Whether it is a picture, and nothing beside.
+    /// True if the format is a picture, and nothing beside.
     pub is_picture: bool,
-    /// Whether of arches it has the error of each double, or quadruples: of both more is known with more bits.
+    /// True if the format has, of arches, the error of each double, or quadruples: of both more is known with
+    /// more bits.
     pub has_errors: bool,
-    /// Whether it names the certificate of each landmark by its hash.
+    /// True if the format names the certificate of each landmark by its hash.
     pub has_certificates: bool,
     /// The feature without which it is not built in, where that is missing.
     missing: Option<&'static str>,
@@ -283,12 +284,12 @@ impl Format {
         })
     }
 
-    /// Their names in a sentence.
+    /// Names of the formats in a sentence.
     pub fn names(content: Content) -> String {
         list(Self::all(content).map(|format| format.name))
     }
 
-    /// What the names of their files end with: `.txt, .json or .csv`.
+    /// Endings of the names of their files: `.txt, .json or .csv`.
     pub fn extensions(content: Content) -> String {
         let mut ends: Vec<String> = Vec::new();
         for format in Self::all(content) {
@@ -316,12 +317,12 @@ impl Format {
         Self::all(content).find(|format| format.extension.eq_ignore_ascii_case(extension))
     }
 
-    /// Whether it is a page that holds the whole map.
+    /// Tells whether the format is a page that holds the whole map.
     pub fn is_page(&self) -> bool {
         self.name == "html"
     }
 
-    /// Why the format cannot be used, if it is not built in.
+    /// Reason why the format cannot be used, if it is not built in.
     pub fn missing(&self) -> Option<String> {
         let feature = self.missing?;
         Some(format!(

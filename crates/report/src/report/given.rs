@@ -1,4 +1,4 @@
-//! What is given of an arch, as numbers that every program reads.
+//! Given values of an arch, as numbers that every program reads.
 
 use crate::number::{Ball, DoubleDoubleBall, Engine, ExactNumber, Form, nearest_double};
 use crate::problem::{Arch, Friction};
@@ -18,7 +18,7 @@ pub struct GivenDoubles {
 }
 
 impl GivenDoubles {
-    /// Of an arch, and of its thickness if it has one.
+    /// Doubles of an arch, and of its thickness if it has one.
     pub fn new(arch: &Arch, thickness: Option<&ExactNumber>) -> Self {
         let half_opening = arch.half_opening();
         Self {

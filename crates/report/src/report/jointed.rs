@@ -7,7 +7,7 @@ use crate::problem::Extent;
 use serde_json::Value as Json;
 use std::io;
 
-/// How many joints have conditions.
+/// Number of joints that have conditions.
 pub(super) fn joints(extent: Extent, stones: u64) -> u64 {
     match extent {
         Extent::Whole => stones + 1,
@@ -15,7 +15,7 @@ pub(super) fn joints(extent: Extent, stones: u64) -> u64 {
     }
 }
 
-/// In a word.
+/// Extent in a word.
 pub(super) fn extent(extent: Extent) -> &'static str {
     match extent {
         Extent::Whole => "whole",

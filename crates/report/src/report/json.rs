@@ -55,7 +55,7 @@ pub(super) fn write_all(
     }
 }
 
-/// The same of texts of other people.
+/// Writes texts of other people.
 pub(super) fn write_printable(
     document: &impl Serialize,
     out: &mut dyn io::Write,

@@ -1,4 +1,4 @@
-//! What every language has in common: comments by lines, and one subject after the other.
+//! Parts common to every language: comments by lines, and one subject after the other.
 
 use super::answers::Answers;
 use super::names::{Named, about};
@@ -13,7 +13,7 @@ pub(super) fn comments(
     lines.into_iter().try_for_each(|line| writeln!(out, "{}", format!("{mark}{line}").trim_end()))
 }
 
-/// Each answer after an empty line: its comments, and its values as `value` writes them.
+/// Writes each answer after an empty line: its comments, and its values as `value` writes them.
 pub(super) fn listing(
     report: &Answers,
     mark: &str,

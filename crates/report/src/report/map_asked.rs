@@ -1,30 +1,30 @@
-//! What a map is asked to show, and whether it goes together: for the command and for a scene.
+//! Request for a map: what is to be shown, and whether it goes together: for the command and for a scene.
 
 use super::drawn::{Axes, Plane};
 use super::format::Format;
 use crate::atlas::Contour;
 
-/// What a map is asked to show.
+/// Request for a map.
 pub struct MapAsked<'a> {
-    /// As what it is written.
+    /// Format in which it is written.
     pub format: &'a Format,
-    /// Of how many weights.
+    /// Number of weights.
     pub weights: usize,
-    /// Whether curves are named.
+    /// True if curves are named.
     pub names_curves: bool,
     /// The levels that are named.
     pub contours: &'a [Contour],
     /// The plane, if one is named.
     pub plane: Option<Plane>,
-    /// Whether the lines alone are.
+    /// True if the lines alone are named.
     pub lines: bool,
-    /// Whether there are no levels.
+    /// True if there are no levels.
     pub bare: bool,
-    /// Whether there are asymmetric branches.
+    /// True if there are asymmetric branches.
     pub asymmetric: bool,
-    /// How the quantities are shown.
+    /// Ranges and units in which the quantities are shown.
     pub axes: &'a Axes,
-    /// Whether arches are marked.
+    /// True if arches are marked.
     pub has_marks: bool,
 }
 
@@ -34,7 +34,8 @@ impl MapAsked<'_> {
         self.plane.unwrap_or(Plane::ThicknessFriction)
     }
 
-    /// What has no effect or no sense beside the rest, in the words of who asks: `key` says what he calls an option.
+    /// Misfit of an option: one that has no effect or no sense beside the rest, in the words of who asks:
+    /// `key` says what he calls an option.
     pub fn misfit(&self, key: fn(&str) -> String) -> Option<String> {
         let (is_picture, is_page) = (self.format.is_picture, self.format.is_page());
         let (plane, has_axes) = (self.plane(), *self.axes != Axes::default());

@@ -103,7 +103,7 @@ pub enum Report {
     Map(Map),
     /// A point of a curve of the map, for each weight.
     MapPoints(MapPoints),
-    /// What two weights make of the lines of the map.
+    /// Difference between two weights of the lines of the map.
     MapDifferences(MapDifferences),
     /// Arches of voussoirs.
     Voussoirs(VoussoirArches),

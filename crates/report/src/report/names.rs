@@ -85,7 +85,7 @@ pub(super) fn head(report: &Answers) -> Vec<String> {
     ]
 }
 
-/// What a program says in addition.
+/// Words that a program adds.
 const NUMBERS: [&str; 6] = [
     "Each title is followed by the command that writes the certificate of the values, and the SHA-256",
     "of its output (| sha256sum).",

@@ -25,7 +25,7 @@ use Column::*;
 use std::io;
 use std::sync::Arc;
 
-/// How the cells of a column are found; each may be null.
+/// Way to find the cells of a column; each may be null.
 enum Column {
     Text(for<'a> fn(&'a ValueRow<'a>) -> Option<&'a str>),
     Double(fn(&ValueRow) -> Option<f64>),
@@ -67,7 +67,7 @@ const COLUMNS: [(&str, Column); 25] = [
 /// A Parquet file that is written group by group.
 struct ParquetRows {
     writer: SerializedFileWriter<Vec<u8>>,
-    /// What is handed on from queries has a column each, behind the others.
+    /// Names of what is handed on from queries, a column each, behind the others.
     kept: Vec<String>,
 }
 

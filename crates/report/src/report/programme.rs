@@ -14,24 +14,24 @@ use std::io;
 pub struct AtThickness {
     /// The thickness as given.
     pub thickness: String,
-    /// What that is, where it is given by a name.
+    /// Thickness, where it is given by a name.
     pub named: Option<Figure>,
     /// The stones of the whole arch.
     pub stones: u64,
-    /// Which states are looked at.
+    /// States that are looked at.
     pub extent: Extent,
-    /// What is proved.
+    /// Result that is proved.
     pub found: Result<ProgrammeFound, Undecided>,
 }
 
-/// What is proved of the programme (20), or of the thickness that is asked for by its name.
+/// Result of the programme (20), or of the thickness that is asked for by its name.
 #[derive(Clone, Debug)]
 pub enum ProgrammeFound {
-    /// At a thickness.
+    /// The programme at a thickness.
     At(Programme),
     /// There is no least thickness, as every thickness up to 2 stands.
     EveryThicknessStands,
-    /// There is none, as no thickness up to 2 stands.
+    /// There is no least thickness, as no thickness up to 2 stands.
     NoThicknessStands,
 }
 
@@ -64,7 +64,7 @@ impl AtThickness {
     }
 }
 
-/// Where a joint bears nothing.
+/// Words where a joint bears nothing.
 const IDLE: [&str; 3] = [
     "least value 0 by the letter, proved: in an admissible state a joint bears nothing, and its two",
     "opposite slips, which are no motion, cost nothing. Whether a motion costs nothing as well is",

@@ -11,7 +11,7 @@ pub trait Rows: Send {
         Ok(Vec::new())
     }
 
-    /// Some answers.
+    /// Writes some answers.
     fn group(&mut self, answers: &[Answer]) -> io::Result<Vec<u8>>;
 
     /// The footer.

@@ -11,7 +11,7 @@ use std::io;
 pub struct SampledLines {
     /// The header.
     pub header: fn() -> io::Result<Vec<u8>>,
-    /// One arch, with its number.
+    /// Writer of one arch, with its number.
     pub row: fn(u64, &Sample) -> io::Result<Vec<u8>>,
 }
 

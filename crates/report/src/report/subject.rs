@@ -1,4 +1,4 @@
-//! What an answer is about: a landmark, an arch, a question the other way round.
+//! Subject of an answer: a landmark, an arch, a question the other way round.
 
 use super::given::GivenDoubles;
 use crate::arch::SelfWeight;
@@ -6,12 +6,12 @@ use crate::certify::state::find::{Given, Question};
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Landmark, Line, Sought};
 
-/// What an answer is about.
+/// Subject of an answer.
 #[derive(Clone, Debug)]
 pub enum Subject {
     /// A landmark point.
     Landmark {
-        /// Which.
+        /// Landmark that is meant.
         landmark: Landmark,
         /// The self-weight model.
         weight: SelfWeight,
@@ -28,7 +28,7 @@ pub enum Subject {
         friction: String,
         /// The thickness as given, where the arch has one.
         thickness: Option<String>,
-        /// The same as numbers.
+        /// Given values as numbers.
         doubles: GivenDoubles,
     },
     /// A question the other way round. What was given is text from outside.
@@ -37,7 +37,7 @@ pub enum Subject {
         line: u64,
         /// The self-weight model.
         weight: SelfWeight,
-        /// What is asked for.
+        /// Quantity that is asked for.
         sought: Sought,
         /// The line of the map on which it is asked for.
         boundary: Option<Line>,
@@ -50,7 +50,7 @@ pub enum Subject {
     },
     /// A query that could not be read.
     Query {
-        /// Its line.
+        /// Line of the query in its input.
         line: u64,
     },
 }
@@ -89,7 +89,7 @@ impl Subject {
         }
     }
 
-    /// Whether it is an arch of a given thickness.
+    /// Tells whether the subject is an arch of a given thickness.
     pub fn is_assessed(&self) -> bool {
         matches!(self, Self::Arch { thickness: Some(_), .. })
     }

@@ -95,7 +95,7 @@ fn arch(report: &Answers, answer: &Answer, out: &mut dyn io::Write) -> io::Resul
     asymmetric(answer, out)
 }
 
-/// What the static theorem does not exclude.
+/// Writes what the static theorem does not exclude.
 fn asymmetric(answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
     match may_move(&answer.asymmetric) {
         Some(words) => writeln!(out, "\n{words}"),
@@ -160,8 +160,8 @@ fn measured(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io:
     open.map_or(Ok(()), |(_, undecided)| writeln!(out, "   {undecided}"))
 }
 
-/// What is told of an arch of a given thickness, in the order of [`Quantity::ASSESSMENT`]: its words, and those where
-/// there is none; without these it is left out then.
+/// Words on an arch of a given thickness, in the order of [`Quantity::ASSESSMENT`]: its words, and those
+/// where there is none; without these it is left out then.
 const ASSESSED: [(Quantity, &str, Option<&str>); 6] = [
     (Quantity::LeastThickness, "least thickness", Some("none is enough")),
     (Quantity::GeometricSafety, "geometric safety factor", Some("none")),

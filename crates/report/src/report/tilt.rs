@@ -18,11 +18,11 @@ pub struct TiltedArch {
     pub weight: SelfWeight,
     /// Half opening, friction, thickness and acceleration as given.
     pub given: [String; 4],
-    /// Its stones, where it has joints between these only.
+    /// Stones of the arch, where it has joints between these only.
     pub stones: Option<Stones>,
-    /// Whether its friction is limited.
+    /// True if the arch's friction is limited.
     pub is_limited: bool,
-    /// What is proved; `None` if it does not even stand without acceleration.
+    /// Result that is proved; `None` if the arch does not even stand without acceleration.
     pub found: Result<Option<TiltDigits>, Undecided>,
 }
 
@@ -31,7 +31,7 @@ pub struct TiltedArch {
 pub struct TiltedArches(pub Vec<TiltedArch>);
 
 impl TiltedArch {
-    /// Whether there is an admissible state; `None` if that stays open.
+    /// Tells whether there is an admissible state; `None` if that stays open.
     fn is_admissible(&self) -> Option<bool> {
         match &self.found {
             Ok(None) => Some(false),
@@ -40,7 +40,7 @@ impl TiltedArch {
         }
     }
 
-    /// Why something stays open, if anything does.
+    /// Reason why something stays open, if anything does.
     pub fn first_open(&self) -> Option<&Undecided> {
         match &self.found {
             Ok(None) => None,
@@ -49,7 +49,7 @@ impl TiltedArch {
         }
     }
 
-    /// What became of it, in a word.
+    /// Outcome in a word.
     fn outcome(&self) -> &'static str {
         match self.is_admissible() {
             Some(true) => "stands",
@@ -58,7 +58,7 @@ impl TiltedArch {
         }
     }
 
-    /// Whether that does not exclude a motion: joints that slide do not open.
+    /// Tells whether an admissible state does not exclude a motion: joints that slide do not open.
     fn may_move(&self) -> bool {
         self.is_limited && self.is_admissible() == Some(true)
     }
@@ -68,7 +68,7 @@ impl TiltedArch {
         self.found.as_ref().ok()?.as_ref()?.largest.as_ref().ok()
     }
 
-    /// The same as a figure.
+    /// Largest acceleration as a figure.
     fn figure(&self) -> Option<&Figure> {
         match self.largest()? {
             LargestTilt::Limited(figure, _) => Some(figure),
@@ -76,7 +76,7 @@ impl TiltedArch {
         }
     }
 
-    /// What limits it, in words.
+    /// Limits of the acceleration, in words.
     fn limits(&self) -> Vec<String> {
         let words = |limit: &TiltLimit| {
             let side = if limit.is_right { Side::Right } else { Side::Left };

@@ -12,13 +12,13 @@ pub struct Value {
     pub decimal: Option<Rounded>,
     /// The nearest double of the true value.
     pub double: f64,
-    /// What that double leaves open.
+    /// Bounds of what that double leaves open.
     pub binary: Binary,
     /// The exact value, where there is one.
     pub exact: Option<String>,
-    /// What the paper prints for it, each text once. Not proved.
+    /// Texts that the paper prints for the value, each text once. Not proved.
     pub printed: Vec<&'static str>,
-    /// What limits a thrust.
+    /// Limit of a thrust.
     pub limited_by: Option<&'static str>,
 }
 

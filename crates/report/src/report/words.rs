@@ -68,7 +68,8 @@ pub fn did_you_mean(written: &str, names: &[&str]) -> String {
         .map_or(String::new(), |name| format!(" (did you mean \"{name}\"?)"))
 }
 
-/// What an arch that stands may do all the same, if anything is proved of that: the one sentence of all formats.
+/// Sentence on what an arch that stands may do all the same, if anything is proved of that: the one sentence
+/// of all formats.
 pub(crate) fn may_move(thicknesses: &[Figure]) -> Option<String> {
     let at: Vec<String> = thicknesses.iter().map(ToString::to_string).collect();
     let noun = if at.len() == 1 { "thickness" } else { "thicknesses" };
@@ -77,7 +78,7 @@ pub(crate) fn may_move(thicknesses: &[Figure]) -> Option<String> {
     (!thicknesses.is_empty()).then_some(words)
 }
 
-/// The same of stones and limited friction, of which it depends on their number.
+/// Sentence on stones and limited friction, of which it depends on their number.
 pub(crate) fn stones_may_move(stones: &Stones) -> String {
     match stones {
         Stones::Equal { stones, .. } => format!("{MAY_MOVE} ({LOOK} --stones {stones})"),
@@ -146,7 +147,7 @@ pub(crate) fn printable(text: String, escape: impl Fn(char) -> String) -> String
     text.chars().map(|c| if is_text(c) { c.to_string() } else { escape(c) }).collect()
 }
 
-/// How an arch is divided into stones.
+/// Description of how an arch is divided into stones.
 pub(super) fn division(stones: &Stones) -> String {
     match stones {
         Stones::Equal { stones, .. } => format!("{stones} equal stones"),
@@ -157,7 +158,7 @@ pub(super) fn division(stones: &Stones) -> String {
     }
 }
 
-/// With a capital at its beginning.
+/// Words with a capital at its beginning.
 pub(super) fn capital(words: &str) -> String {
     let mut letters = words.chars();
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())

@@ -11,11 +11,11 @@ use rug::Rational;
 
 /// How the arches of rows are read.
 pub struct ArchReader {
-    /// What the cells of a row are.
+    /// Roles of the cells of a row.
     pub columns: Columns,
     /// The weight of the rows that have none of their own.
     pub weight: SelfWeight,
-    /// Whether the arches are those at the nearest doubles of what the file has.
+    /// True if the arches are those at the nearest doubles of what the file has.
     pub doubles: bool,
     /// The words that a table uses for infinity and for nothing.
     pub spelling: Spelling,

@@ -1,4 +1,4 @@
-//! Which column of a file is what.
+//! Columns of a file, and what each is.
 
 use super::object::JsonObject;
 use super::roles::{Purpose, Role};
@@ -11,11 +11,11 @@ pub type Cells = Vec<Option<String>>;
 /// A column and its role.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RowColumn {
-    /// Its name in the file; our own one in small letters.
+    /// Name of the column in the file; our own one in small letters.
     pub theirs: String,
-    /// What it is.
+    /// Role of the column.
     pub role: Role,
-    /// Whether it is an angle in degrees.
+    /// True if the column is an angle in degrees.
     pub degrees: bool,
 }
 
@@ -24,7 +24,7 @@ pub struct RowColumn {
 pub struct Columns {
     /// Those that may be there.
     pub all: Vec<RowColumn>,
-    /// Whether they were named, and so have to be there.
+    /// True if the columns were named, and so have to be there.
     named: bool,
     purpose: Purpose,
 }
@@ -61,19 +61,19 @@ impl Columns {
         Ok(Self { all, named: true, purpose: Purpose::Judge })
     }
 
-    /// Whether a name of the file is that of a column. Our own names may have capitals and blanks.
+    /// Tells whether a name of the file is that of a column. Our own names may have capitals and blanks.
     fn is(&self, column: &RowColumn, name: &str) -> bool {
         column.theirs == name || (!self.named && column.theirs == plain(name))
     }
 
-    /// What our own states call the thickness is the least one, which asks nothing.
+    /// Leaves out the thickness of our own states: it is the least one, which asks nothing.
     fn leave_least_thickness(&mut self, has: impl Fn(&str) -> bool) {
         if self.purpose == Purpose::Ask && has("can_stand") && !has("least_thickness") {
             self.all.retain(|column| column.role != Role::GivenThickness);
         }
     }
 
-    /// Whether a name of the file is that of any column.
+    /// Tells whether a name of the file is that of any column.
     pub(crate) fn have(&self, name: &str) -> bool {
         self.all.iter().any(|column| self.is(column, name))
     }

@@ -12,7 +12,7 @@ pub struct TextTable {
     pub header: Vec<String>,
     lines: InputLines,
     dialect: Dialect,
-    /// Whether lines that begin with `#` are remarks, as before the header.
+    /// True if lines that begin with `#` are remarks, as before the header.
     has_remarks: bool,
     is_broken: bool,
 }
@@ -26,13 +26,13 @@ struct RawRecord {
     first: usize,
 }
 
-/// Why a row cannot be read, and whether no other can.
+/// Reason why a row cannot be read, and whether no other can.
 struct RowFault {
     message: String,
     ends: bool,
 }
 
-/// Where a field of a header may begin before it is known what separates them.
+/// Marks after which a field of a header may begin before it is known what separates them.
 const SEPARATORS: &[u8] = b",;\t";
 
 impl TextTable {
@@ -70,7 +70,7 @@ impl TextTable {
         Ok(Self { header, lines, dialect, has_remarks, is_broken: false })
     }
 
-    /// The same header over rows of another input, of which the first line has this number.
+    /// Table with the same header over rows of another input, of which the first line has this number.
     pub fn with_rows(self, input: Input, line: u64) -> Self {
         Self { lines: InputLines::new(input, line), is_broken: false, ..self }
     }
@@ -81,13 +81,14 @@ impl TextTable {
         (self.lines.number, self.lines.offset)
     }
 
-    /// Where that ends which was looked at since the beginning or that of a piece (bytes). It alone decides what the rows of
-    /// the piece are, and may be more than they are: a quote that is not closed is looked for far beyond.
+    /// End of the bytes that were looked at since the beginning or that of a piece (bytes). It alone decides
+    /// what the rows of the piece are, and may be more than they are: a quote that is not closed is looked
+    /// for far beyond.
     pub fn looked(&self) -> u64 {
         self.lines.looked
     }
 
-    /// Whether numbers may have a decimal comma: where a semicolon separates.
+    /// Tells whether numbers may have a decimal comma: where a semicolon separates.
     pub fn has_decimal_commas(&self) -> bool {
         self.dialect == Dialect::Separated(b';')
     }
@@ -161,7 +162,7 @@ fn is_remark(bytes: &[u8]) -> bool {
     bytes.trim_ascii_start().starts_with(b"#")
 }
 
-/// Whether a remark names the fields of a row of numbers.
+/// Tells whether a remark names the fields of a row of numbers.
 fn is_header_of(remark: &[u8], row: &[u8]) -> bool {
     let dialect = Dialect::of(remark);
     let (Ok(names), Ok(row)) = (dialect.fields(remark), dialect.fields(row)) else { return false };
@@ -258,7 +259,7 @@ mod tests {
     }
 
     proptest::proptest! {
-        /// Who goes past rows finds them at the lines of who reads them.
+        /// A reader that goes past rows finds them at the lines of one that reads them.
         #[test]
         fn rows_that_are_passed_are_those_that_are_read(text in "[a\"\n,]{0,24}") {
             let open = || table(io::Cursor::new("a,b\n".to_owned() + &text));

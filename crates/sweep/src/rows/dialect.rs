@@ -1,8 +1,8 @@
-//! How the fields of a table are separated, which its header tells.
+//! Dialect of a table: how its fields are separated, which its header tells.
 
 use std::borrow::Cow;
 
-/// What separates the fields of a row.
+/// Separator of the fields of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Dialect {
     /// A comma, a semicolon or a tab; a field may be quoted.
@@ -12,8 +12,8 @@ pub(super) enum Dialect {
 }
 
 impl Dialect {
-    /// What separates the names of a header: that of comma, semicolon and tab which makes the most fields,
-    /// or else blanks.
+    /// Separator of the names of a header: that of comma, semicolon and tab which makes the most fields, or
+    /// else blanks.
     pub(super) fn of(header: &[u8]) -> Self {
         let fields = |separator: u8| {
             let mut state = QuoteState::Start;
@@ -57,8 +57,8 @@ impl Dialect {
     }
 }
 
-/// The fields of a row, without their quotes; none of an empty one. A reader of the CSV library is made for a file: one a row
-/// costs as much as a state.
+/// The fields of a row, without their quotes; none of an empty one. A reader of the CSV library is made for a file:
+/// one a row costs as much as a state.
 fn unquoted(record: &[u8], separator: u8) -> Vec<Cow<'_, [u8]>> {
     if !record.contains(&b'"') {
         // Nearly all rows: what is between two separators is a field.
@@ -89,14 +89,14 @@ fn unquoted(record: &[u8], separator: u8) -> Vec<Cow<'_, [u8]>> {
     fields
 }
 
-/// Where in a row a character stands. A quote is one only where a field begins.
+/// Place of a character in a row. A quote is one only where a field begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum QuoteState {
-    /// At the beginning of a field.
+    /// The character is at the beginning of a field.
     Start,
-    /// In a field without quotes.
+    /// The character is in a field without quotes.
     Field,
-    /// Between quotes.
+    /// The character is between quotes.
     Quoted,
     /// Behind a quote, which ends the field unless another follows.
     Closing,

@@ -96,7 +96,7 @@ struct Elements<R> {
     input: R,
     /// The line of the next character.
     line: u64,
-    /// Whether an array has begun and not ended.
+    /// True if an array has begun and not ended.
     is_in_array: bool,
     is_over: bool,
 }

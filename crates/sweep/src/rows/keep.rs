@@ -1,4 +1,4 @@
-//! What is handed on from the rows of the input to those of the output.
+//! Values that are handed on from the rows of the input to those of the output.
 
 use super::columns::{Cells, Columns};
 use super::object::JsonObject;
@@ -7,18 +7,18 @@ use crate::report::words::shortened;
 
 /// A row as it was read.
 pub struct ReadRow {
-    /// What is read of it.
+    /// Cells that are read.
     pub cells: Cells,
-    /// What is handed on.
+    /// Values that are handed on.
     pub kept: Vec<(String, Kept)>,
 }
 
 /// Which columns or keys are handed on.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Keep {
-    /// Those that are not read.
+    /// All that are not read.
     All,
-    /// Those named.
+    /// The columns or keys that are named.
     Named(Vec<String>),
 }
 

@@ -11,20 +11,20 @@ pub(super) struct InputLines {
     read: usize,
     /// The number of the next line.
     pub number: u64,
-    /// Where the next line begins, in bytes from the beginning.
+    /// Offset where the next line begins, in bytes from the beginning.
     pub offset: u64,
     /// The end of what was looked at, which may have been given back.
     pub looked: u64,
 }
 
-/// What became of reading a line.
+/// Result of reading a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Reading {
-    /// It is there, with its end unless it is the last.
+    /// The line is there, with its end unless it is the last.
     Line,
-    /// It would make the record too long; a part of it is there.
+    /// The line would make the record too long; a part of it is there.
     TooLong,
-    /// There are no more.
+    /// There are no more lines.
     End,
 }
 
@@ -78,7 +78,7 @@ impl InputLines {
         self.offset -= bytes.len() as u64;
     }
 
-    /// What is not read yet, and how many lines were.
+    /// Rest that is not read yet, and how many lines were.
     pub(super) fn into_rest(self) -> (impl BufRead + Send, u64) {
         let back = io::Cursor::new(self.back[self.read..].to_vec());
         (io::Read::chain(back, self.input), self.number)

@@ -1,4 +1,4 @@
-//! What the columns of files are about, and what they are called.
+//! Roles of the columns of files, and what they are called.
 
 use crate::problem::Quantity;
 
@@ -15,9 +15,9 @@ pub enum Role {
     FrictionAngle,
     /// The thickness that an arch has.
     GivenThickness,
-    /// Whether it stands at some thickness.
+    /// Statement of whether the arch stands at some thickness.
     CanStand,
-    /// Whether it stands at the thickness that it has, or at some thickness if it has none.
+    /// Statement of whether the arch stands at the thickness that it has, or at some thickness if it has none.
     Stands,
     /// The collapse mode.
     Mode,
@@ -90,12 +90,12 @@ impl Role {
         names
     }
 
-    /// Whether it is called so.
+    /// Tells whether the role is called so.
     pub(super) fn is_called(self, purpose: Purpose, name: &str) -> bool {
         self.names(purpose).contains(&name)
     }
 
-    /// Whether it may be in degrees.
+    /// Tells whether the role may be in degrees.
     pub(super) fn is_angle(self) -> bool {
         match self {
             Self::HalfOpening | Self::FrictionAngle => true,
@@ -104,7 +104,7 @@ impl Role {
         }
     }
 
-    /// Whether it is about an arch of a given thickness.
+    /// Tells whether the role is about an arch of a given thickness.
     pub fn is_of_thickness(self) -> bool {
         match self {
             Self::GivenThickness => true,
@@ -113,7 +113,7 @@ impl Role {
         }
     }
 
-    /// Whether it is something that can be judged.
+    /// Tells whether the role is something that can be judged.
     pub(crate) fn is_claim(self) -> bool {
         matches!(self, Self::CanStand | Self::Stands | Self::Mode | Self::Number(_))
     }

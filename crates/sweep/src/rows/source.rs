@@ -1,4 +1,4 @@
-//! Where rows come from: standard input or a file, as CSV or as JSON.
+//! Sources of rows: standard input or a file, as CSV or as JSON.
 
 use crate::check::visible_name;
 use crate::failure::Failure;
@@ -36,9 +36,9 @@ pub struct RowSource {
     input: Input,
     /// Bytes in all, where that is known.
     pub length: Option<u64>,
-    /// What the rows are written in.
+    /// Syntax of the rows.
     pub syntax: Syntax,
-    /// Whether somebody types them.
+    /// True if somebody types them.
     pub is_typed: bool,
 }
 

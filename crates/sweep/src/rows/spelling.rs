@@ -6,7 +6,7 @@ use std::borrow::Cow;
 /// How the numbers of a file may be spelt.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Spelling {
-    /// Whether a comma may be the decimal point.
+    /// True if a comma may be the decimal point.
     pub decimal_comma: bool,
 }
 
@@ -24,8 +24,8 @@ impl Spelling {
         spelt
     }
 
-    /// The same where nothing but the exact value counts, and with a unit behind the number: a hexadecimal
-    /// double, `0x1.8p+1`, is the fraction that it is.
+    /// Respells a number where nothing but the exact value counts, and with a unit behind the number: a
+    /// hexadecimal double, `0x1.8p+1`, is the fraction that it is.
     pub fn exact(self, text: &str) -> Cow<'_, str> {
         let is_unit = |c: char| c.is_alphabetic() || c == '°' || c == ' ';
         let number = text.trim_end_matches(is_unit);
@@ -40,7 +40,7 @@ impl Spelling {
     }
 }
 
-/// Whether a text is a number with the exponent of Fortran's double precision.
+/// Tells whether a text is a number with the exponent of Fortran's double precision.
 fn is_fortran(text: &str) -> bool {
     let Some((number, power)) = text.split_once(['d', 'D']) else { return false };
     let is_digits = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());

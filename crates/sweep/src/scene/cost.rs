@@ -1,4 +1,4 @@
-//! What a piece of work cost, and the threads that do it.
+//! Cost of a piece of work, and the threads that do it.
 //!
 //! Evaluations are counted by thread, so the work is done by threads of its own: one that belongs to a
 //! pool may take up other work while it waits, and count that too.
@@ -13,9 +13,9 @@ use std::time::Duration;
 /// Processor time and evaluations.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cost {
-    /// Of the processor, in the thread that did it, whatever else the machine has to do.
+    /// Time of the processor, in the thread that did it, whatever else the machine has to do.
     pub time: Duration,
-    /// What was evaluated.
+    /// Number of evaluations.
     pub tally: Tally,
 }
 

@@ -16,7 +16,7 @@ pub struct DrawnArch {
     pub pose: Pose,
     /// Its stones, if its joints are between them alone.
     pub stones: Option<u64>,
-    /// Whether joints that slide open too.
+    /// True if sliding joints open too.
     pub is_dilatant: bool,
 }
 

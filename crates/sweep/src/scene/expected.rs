@@ -1,5 +1,5 @@
-//! How an arch seems to collapse, in doubles: a plan says beforehand which equations it will need.
-//! Nothing of it enters a result.
+//! Expected collapse of an arch, in doubles: a plan says beforehand which equations it will need. Nothing of
+//! it enters a result.
 
 use crate::number::Ball;
 use crate::problem::{Arch, Equation, Mode};

@@ -15,9 +15,9 @@ pub struct Position {
 /// A fault and what is allowed instead: one line of text.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Fault {
-    /// Where it begins.
+    /// Place where it begins.
     pub place: Position,
-    /// What it is.
+    /// Message that says what it is.
     pub message: String,
 }
 
@@ -32,7 +32,7 @@ pub(super) struct SceneText<'s> {
 const STRIDE: usize = 1 << 10;
 
 impl<'s> SceneText<'s> {
-    /// Of a text.
+    /// Source of a text.
     pub(super) fn new(text: &'s str) -> Self {
         // Editors do not count a byte order mark.
         let column = if text.starts_with('\u{feff}') { 0 } else { 1 };

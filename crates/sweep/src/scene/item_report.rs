@@ -11,12 +11,12 @@ use crate::problem::Quantity;
 use crate::report::{Answer, Answers, Audit, Claims, Drawing, Format, Map, Report, Sketched};
 use std::io;
 
-/// What an item asked for.
+/// Answer to an item.
 pub struct ItemReport {
     format: &'static Format,
-    /// Nothing where not even a part is known.
+    /// Report, or nothing where not even a part is known.
     report: Option<Report>,
-    /// What could not be decided.
+    /// Questions that could not be decided.
     pub undecided: Vec<String>,
 }
 
@@ -66,7 +66,7 @@ impl ItemReport {
         self.report.as_ref().map_or(Ok(()), |report| report.write(self.format, out))
     }
 
-    /// Whether there is anything to write.
+    /// Tells whether there is anything to write.
     pub fn is_known(&self) -> bool {
         self.report.is_some()
     }

@@ -12,7 +12,7 @@ use crate::claims::claims;
 use crate::problem::{Equation, Landmark, Quantity};
 use crate::report::words::{count, list};
 
-/// What is not computed, and why.
+/// Statements of what is not computed, and why.
 pub(super) fn left_out(plan: &Plan, costs: Option<&Costs>) -> Vec<String> {
     let (mut landmarks, mut arches_asked, mut curves) = (Vec::new(), Vec::new(), Vec::new());
     let mut claims_asked = 0;

@@ -63,12 +63,12 @@ impl Manifest {
             .ok_or_else(|| io::ErrorKind::InvalidData.into())
     }
 
-    /// Whether an output is one that a run wrote, or was about to write.
+    /// Tells whether an output is one that a run wrote, or was about to write.
     pub fn names(&self, output: &Path) -> bool {
         self.outputs.contains_key(&key(output))
     }
 
-    /// Whether the output of an item is there and is what would be written again.
+    /// Tells whether the output of an item is there and is what would be written again.
     pub fn is_complete(&self, folder: &Path, item: &SceneItem) -> bool {
         let Some(output) = &item.output else { return false };
         let entry = self.outputs.get(&key(output));

@@ -58,7 +58,7 @@ pub struct LandmarkNode {
     pub asked: Vec<(Quantity, usize)>,
     /// The digits of the certificates whose hashes the outputs name.
     pub certificates: BTreeSet<usize>,
-    /// Whether printed numbers are compared with it.
+    /// True if printed numbers are compared with it.
     pub audited: bool,
 }
 
@@ -74,7 +74,7 @@ pub struct ArchNode<'s> {
     pub thicknesses: Vec<ThicknessNode>,
     /// Their places in this list, by thickness and digits.
     places: HashMap<(Rational, usize), usize>,
-    /// Whether a format asks for the errors of doubles, of which more is known with more bits.
+    /// True if a format asks for the errors of doubles, of which more is known with more bits.
     pub errors: bool,
 }
 
@@ -85,14 +85,14 @@ pub struct ThicknessNode {
     pub thickness: ExactNumber,
     /// Significant digits.
     pub digits: usize,
-    /// How much is to be found out.
+    /// Question that is asked of it.
     pub wanted: Wanted,
 }
 
 /// A curve of the map, or a level.
 #[derive(Debug)]
 pub struct CurveNode {
-    /// Which.
+    /// Line of the map.
     pub line: MapLine,
     /// The self-weight model.
     pub weight: SelfWeight,
@@ -194,15 +194,14 @@ impl<'s> ArchNode<'s> {
         self.places.get(&(thickness.to_rational(), digits)).copied()
     }
 
-    /// What is asked, if it is one state that may share the proofs of its half opening: its digits, and whether the
-    /// frictions at which the mode changes are.
+    /// Digits that are asked, and whether the frictions at which the mode changes are.
     pub(super) fn shared(&self) -> Option<(usize, bool)> {
         let mut states = self.states.iter().map(|(digits, frictions)| (*digits, *frictions));
         let first = states.next().filter(|_| self.thicknesses.is_empty() && !self.errors);
         first.filter(|_| states.next().is_none())
     }
 
-    /// Whether the frictions at which the mode changes are asked for.
+    /// Tells whether the frictions at which the mode changes are asked for.
     pub fn frictions(&self) -> bool {
         self.states.values().any(|frictions| *frictions)
     }

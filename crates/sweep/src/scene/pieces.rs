@@ -47,11 +47,11 @@ impl WorkDone {
 pub(super) struct LandmarkPiece {
     /// The proof.
     pub point: CertifiedLandmark,
-    /// In the order in which they are asked for.
+    /// Constants in the order in which they are asked for.
     constants: Vec<Constant>,
     /// The hash of its certificate, or why there is none, by the number of digits.
     pub certificates: BTreeMap<usize, Result<String, Error>>,
-    /// For the printed numbers, if they are asked for.
+    /// Enclosures for the printed numbers, if they are asked for.
     pub enclosed: Option<Enclosed>,
 }
 
@@ -61,11 +61,11 @@ pub(super) enum CurvePiece {
     Level(Level),
 }
 
-/// What is certain of an arch.
+/// Certain knowledge of an arch.
 pub(super) struct ArchPiece {
-    /// By the number of digits.
+    /// States by the number of digits.
     pub states: BTreeMap<usize, Result<Answer, Error>>,
-    /// In the order in which they are asked for.
+    /// Thicknesses in the order in which they are asked for.
     pub thicknesses: Vec<Result<AssessmentDigits, Refused>>,
     /// The thicknesses of its asymmetric solutions, by the number of digits.
     pub asymmetric: BTreeMap<usize, Result<Vec<Figure>, Refused>>,
@@ -85,7 +85,7 @@ impl LandmarkPiece {
         Ok(Self { point, constants, certificates, enclosed })
     }
 
-    /// What one item asks for, in the order in which it is always shown, whoever asked first.
+    /// Constants that an item asks for, in the order in which it is always shown, whoever asked first.
     pub(super) fn constants(
         &self,
         node: &LandmarkNode,
@@ -109,7 +109,7 @@ pub(super) struct Shared {
 }
 
 impl Shared {
-    /// Nothing is proved yet.
+    /// Proofs of which nothing is proved yet.
     pub(super) fn new(plan: &Plan) -> Self {
         let asked = plan.parts.iter().filter_map(|part| match &part.work {
             Work::Arch(node) => node.shared(),

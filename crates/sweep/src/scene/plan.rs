@@ -8,12 +8,12 @@ use crate::arch::SelfWeight;
 use crate::problem::{Landmark, Quantity};
 use std::collections::{BTreeSet, HashMap};
 
-/// What is computed, and what each item takes from it.
+/// Pieces that are computed, and what each item takes from it.
 #[derive(Debug)]
 pub struct Plan<'s> {
-    /// What was asked for.
+    /// Scene that was asked for.
     pub scene: &'s Scene,
-    /// For each item, whether its output is complete, so that nothing is computed for it.
+    /// Flags of the items whose output is complete, so that nothing is computed for it.
     pub complete: Vec<bool>,
     /// What is computed, each once.
     pub parts: Vec<PlannedPart<'s>>,
@@ -71,7 +71,7 @@ impl<'s> Plan<'s> {
         self.parts.iter().map(|part| part.work.size()).sum()
     }
 
-    /// How often the run reports progress.
+    /// Number of times that the run reports progress.
     pub fn ticks(&self) -> u64 {
         self.parts.iter().map(|part| part.work.ticks()).sum()
     }

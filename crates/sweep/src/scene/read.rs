@@ -1,4 +1,4 @@
-//! From TOML to a valid scene, or to everything that is wrong with it.
+//! Reading from TOML to a valid scene, or to everything that is wrong with it.
 
 use super::fault::{Fault, SceneText};
 use super::read_arches::arches;

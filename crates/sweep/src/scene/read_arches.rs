@@ -1,4 +1,4 @@
-//! From TOML to arches: every half opening with every friction, thickness and weight.
+//! Reading from TOML to arches: every half opening with every friction, thickness and weight.
 
 use super::read_numbers::{Meaning, Numbers, SceneNumber, numbers};
 use super::schema::{MAX_ARCHES, Request, SceneArch};
@@ -53,7 +53,7 @@ pub(super) fn arches(table: &mut TableReader, used: &mut usize) -> Option<Reques
     Some(Request::Arches { arches, quantities, with_thickness, digits })
 }
 
-/// Whether quantities of arches of given thickness are asked for: then that is what is missing.
+/// Tells whether quantities of arches of given thickness are asked for: then that is what is missing.
 fn needs_thickness(reader: &mut TomlReader, value: &TomlValue) -> bool {
     let before = reader.faults.len();
     for element in reader.elements("quantities", value, "names of quantities") {

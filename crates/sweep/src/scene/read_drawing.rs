@@ -1,4 +1,4 @@
-//! From TOML to arches that are drawn: any arch, or those of a figure of the paper.
+//! Reading from TOML to arches that are drawn: any arch, or those of a figure of the paper.
 
 use super::drawn::{DrawnArch, Pose};
 use super::read_arches::{frictions, product};

@@ -1,4 +1,4 @@
-//! From TOML to curves of the map, as data or as a picture.
+//! Reading from TOML to curves of the map, as data or as a picture.
 
 use super::read_drawing::arch_figure;
 use super::read_numbers::{Meaning, numbers};
@@ -10,7 +10,7 @@ use crate::atlas::{Contour, Curve, LEAST_TOLERANCE};
 use crate::problem::Landmark;
 use crate::report::{Axes, Format, MapAsked, Marked, Plane, Shown, Unit, View, arches_of_figure};
 
-/// Where a scene does not say how wide a tube may be.
+/// Tolerance where a scene does not say how wide a tube may be.
 const TOLERANCE: f64 = 1e-4;
 
 /// The map, or curves of it.
@@ -119,7 +119,7 @@ const AXES: [(&str, &str, &[&str]); 3] = [
     ("scale", "thickness_range", &["linear", "log"]),
 ];
 
-/// How a map shows its quantities, and from where to where.
+/// Axes: how a map shows its quantities, and from where to where.
 fn axes(table: &mut TableReader) -> Option<Axes> {
     let mut shown = |(unit, range, units): (&str, &str, &[&str])| {
         let known: Vec<(&str, Unit)> =
@@ -168,7 +168,7 @@ fn command(name: &str, weights: &[SelfWeight], tolerance: f64) -> String {
     format!("couplet {name} --weight {weight} --tolerance {tolerance:?}")
 }
 
-/// In the order in which they are always shown.
+/// Weights in the order in which they are always shown.
 fn in_order(weights: Vec<SelfWeight>) -> Vec<SelfWeight> {
     SelfWeight::ALL.into_iter().filter(|weight| weights.contains(weight)).collect()
 }
@@ -187,7 +187,7 @@ fn curves(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Vec<C
     reader.named(key, value, &names, find)
 }
 
-/// What an option of the command is called here.
+/// Key for an option of the command.
 fn key(option: &str) -> String {
     match option {
         "curve" | "mark" => format!("{option}s"),

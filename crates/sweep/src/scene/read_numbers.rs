@@ -9,7 +9,7 @@ use crate::report::words::shortened;
 use rug::Rational;
 use toml::de::{DeTable, DeValue};
 
-/// What an exact number is.
+/// Meaning of an exact number.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Meaning {
     HalfOpening,
@@ -20,7 +20,7 @@ pub(super) enum Meaning {
 
 /// The numbers of a key. A range is written out only when it is known not to be too much.
 pub(super) enum Numbers {
-    /// As they were given.
+    /// Numbers as they were given.
     Listed(Vec<SceneNumber>),
     /// `steps` numbers, each `step` above the one before.
     Range {
@@ -33,7 +33,7 @@ pub(super) enum Numbers {
 }
 
 impl Numbers {
-    /// How many there are.
+    /// Number of values.
     pub(super) fn len(&self) -> usize {
         match self {
             Self::Listed(all) => all.len(),
@@ -60,7 +60,7 @@ impl Numbers {
 pub(super) struct SceneNumber {
     /// `None` is infinite.
     pub number: Option<ExactNumber>,
-    /// Whether it is the angle of a friction.
+    /// True if the number is the angle of a friction.
     is_angle: bool,
     pub text: String,
 }
@@ -90,7 +90,7 @@ impl Meaning {
         self.quantity().name()
     }
 
-    /// What may be given.
+    /// Description of what may be given.
     pub(super) fn allowed(self) -> &'static str {
         match self {
             Self::HalfOpening => "an angle (2.45, \"pi/2\", \"80deg\")",

@@ -1,4 +1,4 @@
-//! Where the items of a scene go: each file inside the folder of outputs, and written by one item only.
+//! Destinations of the items of a scene: each file inside the folder of outputs, and written by one item only.
 
 use super::fault::Position;
 use super::manifest;

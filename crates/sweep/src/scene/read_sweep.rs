@@ -1,4 +1,4 @@
-//! From TOML to the plan of a sweep, or to everything that is wrong with it.
+//! Reading from TOML to the plan of a sweep, or to everything that is wrong with it.
 
 use super::fault::Fault;
 use super::read::text_of;

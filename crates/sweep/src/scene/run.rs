@@ -19,14 +19,14 @@ pub struct SceneRun<'p> {
 pub struct Costs(pub Vec<Option<Cost>>);
 
 impl Costs {
-    /// All of it.
+    /// Sum of all costs.
     pub fn total(&self) -> Cost {
         self.0.iter().flatten().sum()
     }
 }
 
 impl<'p> SceneRun<'p> {
-    /// Nothing is computed yet.
+    /// Run of which nothing is computed yet.
     pub fn new(plan: &'p Plan<'p>) -> Self {
         let done = plan.parts.iter().map(|_| None).collect();
         Self { plan, done, costs: Costs(vec![None; plan.parts.len()]), shared: Shared::new(plan) }

@@ -1,4 +1,4 @@
-//! What makes two pieces of a scene the same, so that they are computed once.
+//! Keys that make two pieces of a scene the same, so that they are computed once.
 
 use crate::arch::SelfWeight;
 use crate::atlas::Contour;
@@ -6,7 +6,7 @@ use crate::number::{ExactNumber, Form};
 use crate::problem::{Arch, Friction};
 use rug::Rational;
 
-/// What makes two arches the same, however they are written.
+/// Key that makes two arches the same, however they are written.
 pub(super) type ArchKey = (SelfWeight, Number, Option<(bool, Number)>);
 type Number = (Rational, Form);
 
@@ -26,7 +26,7 @@ pub(super) fn arch_key(arch: &Arch) -> ArchKey {
     (arch.weight(), number(arch.half_opening()), friction(arch.friction()))
 }
 
-/// What makes two levels of the map the same, however they are written.
+/// Key that makes two levels of the map the same, however they are written.
 pub fn contour_key(contour: &Contour) -> (&'static str, Option<(bool, Number)>) {
     let value = match contour {
         Contour::HalfOpening(x) | Contour::Thickness(x) => Some((false, number(x))),

@@ -1,4 +1,4 @@
-//! What a scene may hold: `couplet.scene/1`. Keys may be added, none changes its meaning.
+//! Content that a scene may hold: `couplet.scene/1`. Keys may be added, none changes its meaning.
 
 use super::drawn::DrawnArch;
 use super::fault::{Fault, Position};
@@ -29,20 +29,20 @@ pub const MAX_BYTES: usize = 1 << 20;
 /// A valid scene.
 #[derive(Clone, Debug)]
 pub struct Scene {
-    /// What is asked for, in the order of the file.
+    /// Items that are asked for, in the order of the file.
     pub items: Vec<SceneItem>,
-    /// What is answered but worth a remark.
+    /// Remarks on what is answered all the same.
     pub notes: Vec<Fault>,
 }
 
 /// Something that is asked for, and where it goes.
 #[derive(Clone, Debug)]
 pub struct SceneItem {
-    /// Where the file asks for it.
+    /// Place where the file asks for it.
     pub place: Position,
     /// What is asked.
     pub what: Request,
-    /// How it is written.
+    /// Format in which it is written.
     pub format: &'static Format,
     /// The file, relative to the folder of outputs; standard output if there is none.
     pub output: Option<PathBuf>,
@@ -55,7 +55,7 @@ pub enum Request {
     Constants {
         /// The landmarks.
         points: Vec<(Landmark, SelfWeight)>,
-        /// Which quantities of them, where they exist.
+        /// Quantities of them, where they exist.
         quantities: Vec<Quantity>,
         /// Significant digits.
         digits: usize,
@@ -64,9 +64,9 @@ pub enum Request {
     Arches {
         /// The arches.
         arches: Vec<SceneArch>,
-        /// Which quantities of them.
+        /// Quantities of them.
         quantities: Vec<Quantity>,
-        /// Whether they have a thickness.
+        /// True if the arches have a thickness.
         with_thickness: bool,
         /// Significant digits.
         digits: usize,
@@ -75,7 +75,7 @@ pub enum Request {
     Claims {
         /// The claims, in the order of the paper.
         claims: Vec<Claim>,
-        /// Whether to give the derivations.
+        /// True if the derivations are given.
         show: bool,
     },
     /// Printed numbers against certified values.
@@ -94,9 +94,9 @@ pub enum Request {
 /// Arches that are drawn.
 #[derive(Clone, Debug)]
 pub struct SceneDrawing {
-    /// Each with the modes that are shown; all if none is named.
+    /// Arches, each with the modes that are shown; all if none is named.
     pub arches: Vec<(DrawnArch, Vec<Mode>)>,
-    /// How.
+    /// Style in which they are drawn.
     pub style: Style,
     /// The command that asks for the same.
     pub command: String,
@@ -111,7 +111,7 @@ pub struct SceneMap {
     pub tolerance: f64,
     /// The landmarks that are shown beside.
     pub landmarks: Vec<(Landmark, SelfWeight)>,
-    /// What a picture of them shows.
+    /// View that a picture of them shows.
     pub view: View,
     /// The axes of a map.
     pub axes: Axes,
@@ -135,7 +135,7 @@ pub enum MapLine {
 pub struct SceneArch {
     /// The arch.
     pub arch: Arch,
-    /// Its thickness, if it has one.
+    /// Thickness of the arch, if it has one.
     pub thickness: Option<ExactNumber>,
 }
 
@@ -204,7 +204,7 @@ impl ItemKind {
         self.described().0
     }
 
-    /// What is written of it.
+    /// Content that is written of it.
     pub fn content(self) -> Content {
         self.described().1
     }
@@ -240,7 +240,7 @@ impl Request {
 }
 
 impl SceneItem {
-    /// All that its output depends on, in words that are the same however the file has them.
+    /// Description of all that its output depends on, in words that are the same however the file has them.
     pub fn description(&self) -> String {
         let points = |points: &[(Landmark, SelfWeight)]| -> String {
             points.iter().map(|(l, w)| format!(" {} {},", l.symbol(), w.name())).collect()

@@ -1,4 +1,4 @@
-//! What a sweep asks for: `couplet.sweep/1`. Keys may be added, none changes its meaning.
+//! Request of a sweep: `couplet.sweep/1`. Keys may be added, none changes its meaning.
 
 use super::fault::Fault;
 use crate::arch::SelfWeight;
@@ -32,7 +32,7 @@ pub struct SweepPlan {
     pub chunk: Option<usize>,
     /// The arches.
     pub arches: SweepArches,
-    /// What is swept but worth a remark.
+    /// Remarks on what is swept all the same.
     pub notes: Vec<Fault>,
 }
 
@@ -41,23 +41,23 @@ pub struct SweepPlan {
 pub enum SweepArches {
     /// Every weight with every half opening and every friction, in this order.
     Grid {
-        /// In `(0, pi)`, rad.
+        /// Half openings in `(0, pi)`, rad.
         half_openings: Vec<ExactNumber>,
         /// The frictions.
         frictions: Vec<Friction>,
     },
     /// Arches drawn from a seed.
     Sample {
-        /// How many.
+        /// Number of arches.
         count: usize,
-        /// What the first are drawn from.
+        /// Seed that the first are drawn from.
         seed: u64,
-        /// Whether they are hard ones.
+        /// True if the arches are hard ones.
         hard: bool,
     },
     /// The rows of files: paths as they are written.
     Data {
-        /// One after the other.
+        /// Files, one after the other.
         files: Vec<String>,
     },
 }

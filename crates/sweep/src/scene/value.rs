@@ -44,7 +44,7 @@ impl<'s> TomlReader<'s> {
         Err(std::mem::take(&mut self.faults))
     }
 
-    /// Whether a file is of the version that is read here: of another nothing can be said.
+    /// Tells whether a file is of the version that is read here: of another nothing can be said.
     pub(super) fn has_schema(&mut self, root: &DeTable, schema: &str, what: &str) -> bool {
         match root.get("schema") {
             Some(value) if value.get_ref().as_str() == Some(schema) => true,

@@ -44,7 +44,8 @@ pub(super) fn cells<T: DataType>(of: ColumnOf, rows: Range<usize>) -> Result<Vec
     })
 }
 
-/// Whether the pages of a column have a value for each row of its group: what is said of them elsewhere may be anything.
+/// Tells whether the pages of a column have a value for each row of its group: what is said of them elsewhere
+/// may be anything.
 pub(super) fn has_its_rows(of: ColumnOf) -> Result<bool> {
     let (mut pages, mut values) = (pages(of)?, 0u64);
     while let Some(page) = pages.peek_next_page()? {

@@ -1,4 +1,4 @@
-//! How many rows make a part: about two seconds of work, whatever the machine makes of it.
+//! Number of rows that make a part: about two seconds of work, whatever the machine makes of it.
 
 use crate::scene::{SweepArches, SweepPlan};
 
@@ -12,8 +12,8 @@ const ROWS: f64 = 250_000.0;
 const PARTS: f64 = 64.0;
 /// The most parts of a sweep: they are listed.
 pub(super) const MAX_PARTS: u64 = 1_000_000;
-/// What a half opening costs once, and each of its frictions, in single arches: most share what is proved once.
-/// Measured on 400 half openings by 1,000 frictions.
+/// Cost of a half opening, paid once, and each of its frictions, in single arches: most share what is proved
+/// once. Measured on 400 half openings by 1,000 frictions.
 const COLUMN: f64 = 3.0;
 const SHARED: f64 = 0.1;
 /// Digits up to which balls of double-doubles are enough.

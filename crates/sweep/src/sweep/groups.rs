@@ -28,7 +28,7 @@ pub(super) struct GroupSlice {
     group: usize,
     /// Rows of the group before it.
     skip: u64,
-    /// Of the columns of the group that are read, with their names and types.
+    /// Hash of the columns of the group that are read, with their names and types.
     sha256: String,
 }
 
@@ -132,8 +132,8 @@ pub(super) fn read(
     Ok(((first + 1..=first + slice.rows).collect(), listed))
 }
 
-/// Bytes of a text that are usual, and of all texts of a piece that are held whatever its rows: many rows may name one long
-/// text, and be few bytes of a file.
+/// Bytes of a text that are usual, and of all texts of a piece that are held whatever its rows: many rows may name
+/// one long text, and be few bytes of a file.
 const USUAL_TEXT: u64 = 512;
 const TEXTS: u64 = 64 << 20;
 

@@ -1,4 +1,4 @@
-//! What the values of a column of a Parquet file mean: what is stored as a whole number may be hundredths, or a day.
+//! Meaning of the values of a column of a Parquet file: what is stored as a whole number may be hundredths, or a day.
 
 use ::parquet::basic::{ConvertedType, LogicalType, Type};
 use ::parquet::schema::types::ColumnDescriptor;
@@ -6,7 +6,7 @@ use ::parquet::schema::types::ColumnDescriptor;
 /// What values are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ValueKind {
-    /// What they are stored as.
+    /// The values mean what they are stored as.
     Plain,
     /// Whole numbers of either sign.
     Signed,
@@ -23,7 +23,7 @@ pub(super) enum ValueKind {
 const MAX_SCALE: usize = 18;
 
 impl ValueKind {
-    /// Of a column; or that it has neither numbers nor texts.
+    /// Kind of a column; or that it has neither numbers nor texts.
     pub(super) fn of(column: &ColumnDescriptor) -> Result<Self, String> {
         // Old files have the one note, new ones both, which say the same.
         let kind = match (Self::logical(column), Self::converted(column)) {

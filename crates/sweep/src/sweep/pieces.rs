@@ -51,5 +51,5 @@ pub(super) fn hash_of_pieces(file: &mut File, pieces: &[(u64, u64)]) -> io::Resu
     Ok(hexadecimal(hash))
 }
 
-/// What is said where a file is no longer what the sweep was made of.
+/// Message where a file is no longer what the sweep was made of.
 pub(super) const CHANGED: &str = "it has changed since the sweep began; run again for a new one";

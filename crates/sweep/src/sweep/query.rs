@@ -19,9 +19,9 @@ pub(super) struct PartQueries {
 
 /// The arches of a part.
 pub(super) enum PartArches {
-    /// Of a grid: every half opening with every friction.
+    /// Arches of a grid: every half opening with every friction.
     Grid(PartGrid),
-    /// One by one.
+    /// Arches that are listed one by one.
     Listed(Box<Listed>),
 }
 
@@ -43,7 +43,7 @@ pub(super) struct AxisNumber<T> {
 /// Arches of which each has numbers of its own.
 #[derive(Default)]
 pub(super) struct Listed {
-    /// In a data set the file, and the lines or the rows of it.
+    /// File of the data set, if there is one, and the lines or the rows of it.
     pub origin: Option<(ByteArray, Vec<u64>)>,
     /// The texts of weights, half openings and frictions.
     pub texts: [Texts; 3],
@@ -61,7 +61,7 @@ pub(super) struct Texts {
 }
 
 impl PartQueries {
-    /// How many rows there are.
+    /// Number of rows.
     pub(super) fn len(&self) -> usize {
         match &self.arches {
             PartArches::Grid(PartGrid { columns, frictions, .. }) => {

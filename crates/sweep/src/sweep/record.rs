@@ -17,7 +17,7 @@ use std::path::Path;
 /// The version of the program.
 pub(super) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// What a sweep is, in names and exact texts.
+/// Record of a sweep, in names and exact texts.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct SweepRecord {
@@ -34,7 +34,7 @@ pub(super) struct SweepRecord {
     pub arches: Arches,
 }
 
-/// Where the arches come from.
+/// Source of the arches.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "snake_case")]
 pub(super) enum Arches {
@@ -50,17 +50,17 @@ pub(super) enum Arches {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct DataFile {
-    /// As the plan names it.
+    /// Name of the file, as the plan names it.
     pub file: String,
-    /// What is wrong with it; then it has no rows.
+    /// Fault of the file; then it has no rows.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fault: Option<String>,
-    /// Its pieces, each the rows of a part.
+    /// Pieces of the file, each the rows of a part.
     pub slices: Slices,
 }
 
 impl SweepRecord {
-    /// Of a plan whose paths begin in a folder. Files of a data set are read once.
+    /// Record of a plan whose paths begin in a folder. Files of a data set are read once.
     pub(super) fn new(plan: &SweepPlan, base: &Path) -> Self {
         let chunk = rows_of_a_part(plan);
         let weights: Vec<String> = plan.weights.iter().map(|w| w.name().to_owned()).collect();
@@ -121,7 +121,7 @@ impl SweepRecord {
         self.quantities.iter().filter_map(|name| Quantity::named(name)).collect()
     }
 
-    /// Whether it makes sense, and its parts can be listed: it may come from elsewhere.
+    /// Checks that the record makes sense, and its parts can be listed: it may come from elsewhere.
     pub(super) fn check(&self) -> Result<(), String> {
         let all = |numbers: &[usize]| {
             numbers.iter().try_fold(1, |all: u64, number| all.checked_mul(*number as u64))
@@ -153,7 +153,7 @@ impl SweepRecord {
         }
     }
 
-    /// How many parts there are.
+    /// Number of parts.
     fn count(&self) -> u64 {
         match &self.arches {
             Arches::Grid { friction, .. } => {

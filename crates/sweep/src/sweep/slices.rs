@@ -15,21 +15,21 @@ use std::path::Path;
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "snake_case")]
 pub(super) enum Slices {
-    /// Of a table of text.
+    /// Slices of a table of text.
     Text { head: Head, slices: Vec<TextSlice> },
-    /// Of a Parquet file.
+    /// Slices of a Parquet file.
     Parquet(Vec<GroupSlice>),
 }
 
 impl Default for Slices {
-    /// Of a file that cannot be read.
+    /// Slices of a file that cannot be read.
     fn default() -> Self {
         Self::Parquet(Vec::new())
     }
 }
 
 impl Slices {
-    /// Of a file, with at most so many rows each; or what is wrong with the file.
+    /// Slices of a file, with at most so many rows each; or what is wrong with the file.
     pub(super) fn of(path: &Path, rows: u64) -> Result<Self, String> {
         let read = |error: io::Error| reason(&error);
         // A pipe would be waited for.

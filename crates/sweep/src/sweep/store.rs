@@ -1,6 +1,6 @@
-//! The folder of the parts of a sweep, which has nothing else and so is a data set for any reader; the record is beside it.
-//! A part is written whole under a name of its own, and then appears; its name has the hash of its content, which tells
-//! whether it is what was written.
+//! The folder of the parts of a sweep, which has nothing else and so is a data set for any reader; the record is
+//! beside it. A part is written whole under a name of its own, and then appears; its name has the hash of its
+//! content, which tells whether it is what was written.
 
 use super::pieces::{hash_of, hash_of_pieces};
 use super::record::{SweepRecord, VERSION};
@@ -14,24 +14,24 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// How the folder of a sweep begins, and the record beside it.
+/// Beginning of the name of the folder of a sweep, and the record beside it.
 const FOLDER: &str = "sweep-";
-/// How the record ends, otherwise named as the folder.
+/// Ending of the name of the record, which is otherwise named as the folder.
 const RECORD: &str = ".json";
 /// The record where it was before, among the parts.
 const OLD_RECORD: &str = "_plan.json";
-/// How an unfinished file begins.
+/// Beginning of the name of an unfinished file.
 const UNFINISHED: &str = ".couplet-";
 /// Digits of a hash that are in names.
 const SHOWN: usize = 16;
-/// Nobody writes a part for so long.
+/// Age from which an unfinished part is stale.
 const ABANDONED: Duration = Duration::from_secs(3600);
 
 /// The folder of a sweep.
 #[derive(Clone, Debug)]
 pub(super) struct Store {
     pub folder: PathBuf,
-    /// Where that is, with the record.
+    /// Path of the folder, with the record.
     output: PathBuf,
     /// The hash of the record.
     plan: String,
@@ -42,14 +42,14 @@ pub(super) struct Store {
 pub(super) struct PartFiles {
     /// The names of the files of each part.
     pub parts: BTreeMap<usize, Vec<String>>,
-    /// What is no part of the sweep, by name: every reader would take it for one, or not know what to do.
+    /// Strays: what is no part of the sweep, by name: every reader would take it for one, or not know what to do.
     pub strays: Vec<String>,
 }
 
 /// What there is of a part.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum PartState {
-    /// Nothing, or files that are not what was written.
+    /// The part is missing: there is nothing, or files that are not what was written.
     Missing,
     /// The part, by its name, and the counts of its verdicts.
     Whole(String, [u64; 4]),
@@ -111,7 +111,7 @@ impl Store {
         named(&self.plan) + RECORD
     }
 
-    /// How an unfinished file of this sweep begins; it is beside the folder too.
+    /// Beginning of the name of an unfinished file of this sweep; it is beside the folder too.
     fn unfinished(&self) -> String {
         format!("{UNFINISHED}{}-", named(&self.plan))
     }
@@ -150,7 +150,7 @@ impl Store {
         }
     }
 
-    /// What is in the folder of a sweep of so many parts. Hidden names are nobody's data.
+    /// Files in the folder of a sweep of so many parts. Hidden names are nobody's data.
     pub(super) fn files(&self, parts: usize) -> Result<PartFiles, String> {
         let failed = |error: io::Error| self.unread(&self.folder, &error);
         let mut files = PartFiles::default();
@@ -182,7 +182,7 @@ impl Store {
         format!("cannot read {}: {}", path.display(), reason(error))
     }
 
-    /// What there is of a part of these rows. Files that are not what was written are removed, if they may be.
+    /// State of the files of a part of these rows. Files that are not what was written are removed, if they may be.
     pub(super) fn there(
         &self,
         names: &[String],
@@ -243,7 +243,7 @@ impl Store {
     }
 }
 
-/// What a file says of itself, if its content is what its name says; nothing if it is no part of any sweep.
+/// Notes of a file on itself, if its content is what its name says; nothing if it is no part of any sweep.
 fn content(path: &Path, name: &str) -> io::Result<Option<Option<Notes>>> {
     let mut file = File::open(path)?;
     let length = file.metadata()?.len();

@@ -13,10 +13,10 @@ use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// Why a sweep does not go on.
+/// Reason why a sweep does not go on.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SweepError {
-    /// What is asked makes no sense, or a file of the data set is not what it was.
+    /// The question makes no sense, or a file of the data set is not what it was.
     #[error("{0}")]
     Input(String),
     /// A file or a folder cannot be read or written.
@@ -28,13 +28,13 @@ pub enum SweepError {
 pub struct Sweep {
     pub(super) record: SweepRecord,
     pub(super) store: Store,
-    /// Where the paths of a data set begin.
+    /// Folder where the paths of a data set begin.
     pub(super) base: PathBuf,
     pub(super) batch: Batch,
     parts: Vec<Range<u64>>,
 }
 
-/// What a part is: complete, with the counts of its verdicts, or missing.
+/// State of a part: complete, with the counts of its verdicts, or missing.
 pub type SurveyedPart = (usize, Option<[u64; 4]>);
 
 impl Sweep {
@@ -66,7 +66,7 @@ impl Sweep {
         &self.store.folder
     }
 
-    /// How many parts it has.
+    /// Number of parts.
     pub fn parts(&self) -> usize {
         self.parts.len()
     }
@@ -104,8 +104,8 @@ impl Sweep {
         SweepError::Io(format!("cannot write {}: {}", self.folder().display(), reason(error)))
     }
 
-    /// What there is of some parts, told by their content. What is not whole is removed; what is no part of the sweep is
-    /// an error.
+    /// Surveys some parts, told by their content. What is not whole is removed; what is no part of the sweep
+    /// is an error.
     pub fn survey(&self, parts: &[usize]) -> Result<Vec<SurveyedPart>, SweepError> {
         let files = self.store.files(self.parts()).map_err(SweepError::Io)?;
         let foreign = |name: &str, what: &str| {

@@ -24,7 +24,7 @@ use std::sync::Arc;
 /// were written at once.
 const BATCH: usize = DEFAULT_WRITE_BATCH_SIZE;
 
-/// What writes.
+/// Name of the program that writes.
 const TOOL: &str = concat!("couplet ", env!("CARGO_PKG_VERSION"));
 
 /// The cells of a column as they were read; they may be null.
@@ -58,12 +58,12 @@ pub(super) struct PartTable<'a> {
     pub columns: Vec<(String, PartColumn<'a>)>,
 }
 
-/// What a part says of itself.
+/// Notes of a part on itself.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Notes {
     /// The hash of the record of its sweep.
     pub plan: String,
-    /// Its rows.
+    /// Rows of the part.
     pub rows: Range<u64>,
     /// How many of them have which verdict, in the order of [`RowVerdict::ALL`].
     pub counts: [u64; 4],
@@ -232,7 +232,7 @@ impl<'a> PartColumn<'a> {
         Self::Short(Box::new(cell))
     }
 
-    /// Whether a cell is one that was read, bit for bit.
+    /// Tells whether a cell is one that was read, bit for bit.
     pub(super) fn is_same(&self, row: usize, there: &ReadCells, place: usize) -> bool {
         match (self, there) {
             (Self::Text(cell), ReadCells::Text(there)) => there.get(place) == Some(&cell(row)),
@@ -279,7 +279,7 @@ impl ReadTable {
 }
 
 impl Notes {
-    /// What a file says of itself; none if it is no part of a sweep, or is not whole.
+    /// Notes of a file on itself; none if it is no part of a sweep, or is not whole.
     pub(super) fn of(file: &File) -> Option<Self> {
         let reader = SerializedFileReader::new(file.try_clone().ok()?).ok()?;
         let notes = reader.metadata().file_metadata().key_value_metadata()?;

@@ -11,8 +11,8 @@ use std::io::{self, BufRead, BufReader, Cursor, Seek, SeekFrom};
 use std::path::Path;
 use std::{iter, mem};
 
-/// What tells the columns: the header with all that was looked at to know it, which is the first row too where a remark is
-/// the header.
+/// Head of a text, which tells the columns: the header with all that was looked at to know it, which is the
+/// first row too where a remark is the header.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Head {
@@ -33,7 +33,7 @@ pub(super) struct TextSlice {
     sha256: String,
 }
 
-/// Where the text of a file begins.
+/// Place where the text of a file begins.
 fn start(file: &mut File) -> io::Result<u64> {
     let mark = bytes_of(file, 0, BYTE_ORDER_MARK.len() as u64)?;
     Ok(if mark == BYTE_ORDER_MARK { mark.len() as u64 } else { 0 })

@@ -19,18 +19,18 @@ use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// What was looked through, and what is wrong.
+/// Result of looking through a sweep, and what is wrong.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Verified {
     /// Parts that are there and whole.
     pub parts: usize,
-    /// Their rows.
+    /// Number of rows in them.
     pub rows: u64,
     /// Rows that were proved again, and are the same bit for bit.
     pub again: usize,
     /// Rows with a certificate that the second arithmetic accepts.
     pub certified: usize,
-    /// What is wrong.
+    /// Faults that were found.
     pub faults: Vec<String>,
 }
 
@@ -186,8 +186,8 @@ fn accepted(arch: &Arch) -> Result<Option<Accepted>, String> {
     check(&bytes).map(Some).map_err(|refusal| format!("its certificate is refused: {refusal}"))
 }
 
-/// Whether a double, with the side on which the truth is, is compatible with a value that is correctly rounded to
-/// [`DIGITS`] digits.
+/// Tells whether a double, with the side on which the truth is, is compatible with a value that is correctly
+/// rounded to [`DIGITS`] digits.
 fn agrees(text: &str, double: f64, side: Option<i32>) -> bool {
     let value = text.parse::<crate::number::ExactNumber>().map(|value| value.to_rational());
     let (Ok(value), Some(nearest)) = (value, Rational::from_f64(double)) else { return false };

@@ -6,7 +6,7 @@ use crate::report::judged::JudgedRow;
 use crate::sweep::parse::thickness;
 use crate::sweep::rows::{ArchReader, Cells, ReadRow, Role};
 
-/// How rows are read and judged.
+/// Reader and judge of rows.
 pub(super) struct Judge {
     pub reader: ArchReader,
     pub demand: Demand,

@@ -1,4 +1,4 @@
-//! What the command is asked.
+//! Arguments of the command.
 
 use clap::Args;
 use std::path::PathBuf;
@@ -6,8 +6,8 @@ use std::path::PathBuf;
 /// Prove many arches, and write them as a partitioned Parquet data set.
 ///
 /// A plan is a TOML file with a grid, a sample or a data set; --schema prints one with every key. The parts go
-/// into a folder whose name tells the sweep, so that two sweeps never meet and the same one finds its own. A run that was
-/// stopped goes on where it was: parts that are there and whole are kept, by their content. The bytes are
+/// into a folder whose name tells the sweep, so that two sweeps never meet and the same one finds its own. A run
+/// that was stopped goes on where it was: parts that are there and whole are kept, by their content. The bytes are
 /// the same however many threads, processes or machines share the work, and whatever happened meanwhile.
 ///
 /// Needs the feature parquet.

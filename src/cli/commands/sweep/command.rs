@@ -70,7 +70,7 @@ fn failure(error: SweepError) -> Failure {
 
 /// What was made of the parts of a share.
 struct MadeParts {
-    /// Of rows by verdict, of all parts that are there now.
+    /// Numbers of rows by verdict, of all parts that are there now.
     counts: [u64; 4],
     computed: usize,
     kept: usize,

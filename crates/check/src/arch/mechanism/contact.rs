@@ -1,5 +1,5 @@
-//! The four ways in which a joint can be at its limit, as conditions on the thrust `h` and the crown moment `p`, and how
-//! it gives way there.
+//! The four ways in which a joint can be at its limit, as conditions on the thrust `h` and the crown moment `p`,
+//! and how it gives way there.
 
 use super::Twist;
 use crate::arch::Ring;
@@ -20,7 +20,7 @@ pub enum Contact {
 }
 
 impl Contact {
-    /// All four.
+    /// All four contacts.
     pub const ALL: [Self; 4] = [Self::Extrados, Self::Intrados, Self::Inwards, Self::Outwards];
 
     /// The name in files.
@@ -33,12 +33,12 @@ impl Contact {
         }
     }
 
-    /// Whether the joint is a hinge.
+    /// Tells whether the joint is a hinge.
     pub fn is_hinge(self) -> bool {
         matches!(self, Self::Extrados | Self::Intrados)
     }
 
-    /// What must not be positive at a joint.
+    /// Row of a joint's condition: what must not be positive.
     pub fn row<T: Field>(self, joint: &Angle<T>, ring: &Ring<T>, grip: &Grip<T>) -> Row<T> {
         match self {
             Self::Extrados => joint::extrados(joint, ring),
@@ -48,8 +48,8 @@ impl Contact {
         }
     }
 
-    /// What must not be negative at a joint, for a thrust `h` and a crown moment `p`: the distances of the line of
-    /// thrust from the extrados and from the intrados, times `N`; `mu N - T` and `mu N + T`.
+    /// Margin of a joint, for a thrust `h` and a crown moment `p`: the distances of the line of thrust from
+    /// the extrados and from the intrados, times `N`; `mu N - T` and `mu N + T`.
     pub fn margin<T: Field>(
         self,
         joint: &Angle<T>,
@@ -60,8 +60,9 @@ impl Contact {
         -self.row(joint, ring, &grip).at(thrust, crown_moment)
     }
 
-    /// How the crown side of a joint moves against its shoulder side at the rate one. A hinge turns about its face, so
-    /// that the other face opens; a joint slides along itself and, with `dilatancy`, opens by so much a slip.
+    /// Motion of the crown side of a joint against its shoulder side at the rate one. A hinge turns about its
+    /// face, so that the other face opens; a joint slides along itself and, with `dilatancy`, opens by so
+    /// much a slip.
     pub fn twist<T: Field>(self, joint: &Angle<T>, thickness: &T, dilatancy: &T) -> Twist<T> {
         let two = thickness.int(2);
         let at = |twice: T| [&joint.sin, &joint.cos].map(|x| twice.clone() * x / &two);
@@ -89,13 +90,13 @@ impl Contact {
 /// A joint that gives way.
 #[derive(Clone, Debug)]
 pub struct Joint<T> {
-    /// How.
+    /// Contact of the joint.
     pub contact: Contact,
-    /// Where.
+    /// Place of the joint.
     pub at: Angle<T>,
     /// The rotation or the slip: not negative.
     pub rate: T,
-    /// How much it opens with the slip; zero without dilatancy.
+    /// Opening for each unit of slip; zero without dilatancy.
     pub dilatancy: T,
 }
 

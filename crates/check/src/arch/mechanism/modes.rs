@@ -1,7 +1,7 @@
 //! The joints of each mode, from the shoulder to the crown, and their rates.
 //!
-//! The rates are the multipliers of [`contact`](crate::arch::contact), by which no thinner arch is proved to stand; that of
-//! friction is the horizontal part of the slip.
+//! The rates are the multipliers of [`contact`](crate::arch::contact), by which no thinner arch is proved to stand;
+//! that of friction is the horizontal part of the slip.
 
 use super::contact::{Contact, Joint};
 use super::twist::Twist;
@@ -11,9 +11,9 @@ use crate::number::{Angle, Field};
 /// The joints that give way together, with one degree of freedom.
 #[derive(Clone, Debug)]
 pub struct Mechanism<T> {
-    /// Those below the crown, from the shoulder: each has a block above it.
+    /// Joints below the crown, from the shoulder: each has a block above it.
     pub joints: Vec<Joint<T>>,
-    /// Those at the crown: none if it stays closed, both hinges if it opens along the whole joint.
+    /// Joints at the crown: none if it stays closed, both hinges if it opens along the whole joint.
     pub crown: Vec<Joint<T>>,
 }
 
@@ -26,8 +26,8 @@ impl<T: Field> Mechanism<T> {
         }
     }
 
-    /// How fast a crown that opens along its whole joint does so at the centreline, in units of `r`: the mean of what
-    /// its two hinges open at the other face. `None` of a crown that turns or stays closed.
+    /// Rate at which a crown that opens along its whole joint opens at the centreline, in units of `r`: the
+    /// mean of what its two hinges open at the other face. `None` of a crown that turns or stays closed.
     pub fn opening(&self, thickness: &T) -> Option<T> {
         match &self.crown[..] {
             [inner, outer] => {
@@ -37,7 +37,7 @@ impl<T: Field> Mechanism<T> {
         }
     }
 
-    /// The same beside a keystone, which is a block above the hinge of the crown and moves up and down only.
+    /// Mechanism beside a keystone, which is a block above the hinge of the crown and moves up and down only.
     pub fn below_keystone(mut self) -> Self {
         self.joints.append(&mut self.crown);
         self
@@ -151,7 +151,8 @@ pub fn overturning_sliding<T: Field>(at: &Configuration<T>, dilatancy: &T) -> Me
     Mechanism { joints, crown }
 }
 
-/// `[r]`, with rotation one at the shoulder. The crown opens along the whole joint, without thrust: it is at both faces.
+/// `[r]`, with rotation one at the shoulder. The crown opens along the whole joint, without thrust: it is at both
+/// faces.
 pub fn overturning<T: Field>(at: &Configuration<T>) -> Mechanism<T> {
     let rates = contact::rates_of_inner_sliding(at);
     let (crown, outer) = (Angle::zero(&at.thickness), rates.sliding / &at.thickness);

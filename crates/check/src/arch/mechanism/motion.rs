@@ -1,7 +1,7 @@
 //! Finite motions of the blocks: what a picture shows, as scaled velocities would stretch the blocks.
 //!
-//! Each mode has one parameter, the angle by which the half arch turns about the shoulder's hinge, clockwise, or the slip
-//! at the shoulder. Everything else follows in closed form: a crown that stays on the axis.
+//! Each mode has one parameter, the angle by which the half arch turns about the shoulder's hinge, clockwise, or
+//! the slip at the shoulder. Everything else follows in closed form: a crown that stays on the axis.
 
 use super::Contact;
 use crate::arch::Configuration;
@@ -29,13 +29,13 @@ impl<T: Field> Motion<T> {
         Self { shift, ..turned }
     }
 
-    /// Where a point goes.
+    /// Place to which a point goes.
     pub fn to(&self, [x, y]: &[T; 2]) -> [T; 2] {
         let ([cos, sin], [right, up]) = (&self.turn, &self.shift);
         [cos.clone() * x - sin.clone() * y + right, sin.clone() * x + cos.clone() * y + up]
     }
 
-    /// The same, and then a translation by so many times a vector, which turns with the block.
+    /// Motion followed by a translation by so many times a vector, which turns with the block.
     fn slid(&self, by: &T, [x, y]: &[T; 2]) -> Self {
         let [cos, sin] = &self.turn;
         let along = [cos.clone() * x - sin.clone() * y, sin.clone() * x + cos.clone() * y];
@@ -69,7 +69,8 @@ fn direction<T: Field>(contact: Contact, joint: &Angle<T>, dilatancy: &T) -> [T;
     contact.twist(joint, dilatancy, dilatancy).velocity
 }
 
-/// The part above the haunch, as its hinge moves with the part below and the crown's stays on the axis, or as far from it.
+/// The part above the haunch, as its hinge moves with the part below and the crown's stays on the axis, or as far
+/// from it.
 fn above_haunch<T: Real>(at: &Configuration<T>, lower: Motion<T>) -> Vec<Motion<T>> {
     let [_, haunch, crown] = hinges(at);
     let (moved, [x, y]) = (lower.to(&haunch), difference(&crown, &haunch));

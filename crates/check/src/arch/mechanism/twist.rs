@@ -28,7 +28,7 @@ impl<T: Field> Twist<T> {
         Self { rotation, velocity }
     }
 
-    /// Both at once.
+    /// Sum of both motions.
     pub fn plus(&self, other: &Self) -> Self {
         let [x, y] = [0, 1].map(|k| self.velocity[k].clone() + &other.velocity[k]);
         Self { rotation: self.rotation.clone() + &other.rotation, velocity: [x, y] }

@@ -15,7 +15,7 @@ use rug::Rational;
 
 /// Decimals of the ends of a neighbourhood.
 const PLACES: u32 = 3;
-/// How wide it may be on either side, in thousandths.
+/// Widths that it may have on either side, in thousandths.
 const WIDTHS: [u32; 9] = [500, 400, 300, 200, 100, 50, 20, 10, 5];
 
 /// The name and the content of the file, for a root of the kind with an inner joint that slides.

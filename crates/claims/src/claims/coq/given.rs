@@ -1,4 +1,4 @@
-//! What is given of an arch, as Coq reads it.
+//! Given values of an arch, as Coq reads them.
 
 use super::names::symbol;
 use super::numeral::text;

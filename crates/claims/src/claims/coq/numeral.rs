@@ -38,7 +38,7 @@ pub(super) fn down(value: &Rational, places: u32) -> Rational {
     scaled(value, places, |x| x.numer().clone().div_floor(x.denom()))
 }
 
-/// How many decimals show `digits` significant digits of a positive number below one.
+/// Number of decimals that show `digits` significant digits of a positive number below one.
 pub(super) fn places(value: &Rational, digits: u32) -> u32 {
     let one = Rational::from(1);
     (0..MOST).find(|&n| value.clone() * power(n) >= one).unwrap_or(MOST) + digits - 1

@@ -1,4 +1,4 @@
-//! What follows for the values that the paper prints.
+//! Consequences for the values that the paper prints.
 
 use super::names::{Symbols, symbol};
 use super::numeral::{text, unit};

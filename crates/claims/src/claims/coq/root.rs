@@ -11,7 +11,7 @@ use crate::problem::{Problem, System};
 pub(super) struct CoqRoot {
     /// The equations.
     pub system: System,
-    /// What is given.
+    /// Given values.
     pub given: Configuration<Ball>,
     /// The root, in the order of the unknowns.
     pub values: Vec<Ball>,

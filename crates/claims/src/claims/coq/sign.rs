@@ -1,4 +1,4 @@
-//! What has to be positive for a state, in the names of `Arch.v` and `States.v`.
+//! Signs for a state: what has to be positive, in the names of `Arch.v` and `States.v`.
 
 use super::names::argument;
 use crate::arch::Unknown;

@@ -91,7 +91,8 @@ fn claim(system: &System, symbols: &Symbols, table: &ContractionTable) -> Holes 
     ]
 }
 
-/// An equation as the paper prints it, in the names of `Arch.v` and `Instance.v`; of an asymmetric state in those of `Whole.v`.
+/// An equation as the paper prints it, in the names of `Arch.v` and `Instance.v`; of an asymmetric state in those
+/// of `Whole.v`.
 fn equation(equation: Equation, system: &System) -> String {
     let of = |unknown| argument(system, unknown);
     let (alpha, eta) = (of(Unknown::HalfOpening), of(Unknown::Thickness));
@@ -171,7 +172,7 @@ fn matrix(rows: &[Vec<Rational>]) -> String {
     rows.join(";\n    ")
 }
 
-/// What the check has to spell out for each unknown or equation.
+/// Values that the check has to spell out for each unknown or equation.
 fn check(system: &System, symbols: &Symbols) -> Holes {
     let n = system.unknowns.len();
     let each = |f: &dyn Fn(usize) -> String| (0..n).map(f).collect::<Vec<_>>();

@@ -16,14 +16,14 @@ use crate::problem::{Arch, Mode, Problem, System, Verdict};
 use rug::float::Round;
 use rug::{Float, Rational};
 
-/// Why a certificate does not become a theorem.
+/// Reason why a certificate does not become a theorem.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum StateError {
     /// The checker does not accept it.
     #[error("refused: {0}")]
     Refused(#[from] Refusal),
-    /// It is about something else.
+    /// The certificate is about something else.
     #[error(
         "it is not the certificate of a state, of an arch that slides (`couplet certify state` writes them), or of an asymmetric \
          solution with an inner joint that slides (`couplet certify asymmetric`)"
@@ -36,8 +36,8 @@ pub enum StateError {
 
 /// The file of the state that a certificate is about, name and content, after a check of the certificate.
 ///
-/// Of an arch that slides it is the purely sliding state, which has no thickness but a friction. Of the asymmetric solutions
-/// those with an inner joint that slides have one.
+/// Of an arch that slides it is the purely sliding state, which has no thickness but a friction. Of the asymmetric
+/// solutions those with an inner joint that slides have one.
 pub fn state(certificate: &[u8]) -> Result<(String, String), StateError> {
     let problem = verify(certificate)?.problem;
     let root = || -> Result<CoqRoot, StateError> {
@@ -69,7 +69,7 @@ pub fn state(certificate: &[u8]) -> Result<(String, String), StateError> {
     Ok((format!("State{mode:?}{weight}.v"), solution.between(templates)))
 }
 
-/// Whether the digits that are printed tell every sign.
+/// Tells whether the digits that are printed tell every sign.
 fn signs_hold(problem: &Problem, root: &CoqRoot, solution: &CoqSolution) -> Result<(), Undecided> {
     let radius = Magnitude::upper(&Float::with_val_round(64, unit(DECIMALS), Round::Up).0);
     let digits = |x: &Rational| Ball::enclosing(x, BITS).widened(radius);
@@ -81,7 +81,7 @@ fn signs_hold(problem: &Problem, root: &CoqRoot, solution: &CoqSolution) -> Resu
     })
 }
 
-/// What is claimed of the state beside the digits of its solution.
+/// Claims on the state beside the digits of its solution.
 fn claims(problem: &Problem, mode: Mode, arch: &Arch, solution: &CoqSolution) -> Holes {
     let system = problem.system();
     let conditions = problem.conditions().into_iter().flat_map(|(_, conditions)| conditions);
@@ -105,7 +105,7 @@ fn claims(problem: &Problem, mode: Mode, arch: &Arch, solution: &CoqSolution) ->
     values
 }
 
-/// What is claimed on the whole half arch, and the theorem of `States.v` behind it.
+/// Claims on the whole half arch, and the theorem of `States.v` behind it.
 fn admissibility(mode: Mode, arch: &Arch, system: &System) -> Holes {
     let delta = system.weight.flag();
     let h = argument(system, Unknown::Thrust);

@@ -26,7 +26,7 @@ const LADDER: [TableDecimals; 5] = [
 const CONTRACTION: (u32, u32) = (9, 10);
 /// The largest radius: the small box is that part of the wide one which shows the decimals where a radius is one.
 const LARGEST: (u32, u32) = (99, 100);
-/// By how much a bound is printed larger than the balls find it; Coq's intervals differ from them.
+/// Factor by which a bound is printed larger than the balls find it; Coq's intervals differ from them.
 const ROOM: (u32, u32) = (21, 20);
 /// The box is made smaller by a twentieth this often before it is given up.
 const TRIALS: u32 = 100;
@@ -34,9 +34,9 @@ const TRIALS: u32 = 100;
 /// How many decimals are printed.
 #[derive(Clone, Copy)]
 struct TableDecimals {
-    /// Of a centre: the first Newton step has to stay far inside the small box.
+    /// Decimals of a centre: the first Newton step has to stay far inside the small box.
     centre: u32,
-    /// Of the preconditioner and of the slopes at the centre.
+    /// Decimals of the preconditioner and of the slopes at the centre.
     matrix: u32,
 }
 
@@ -44,7 +44,7 @@ struct TableDecimals {
 pub(super) struct ClearedSystem {
     /// One term for each equation.
     pub residuals: Vec<Term>,
-    /// Their derivatives to the unknowns.
+    /// Derivatives of the equations to the unknowns.
     pub jacobian: Vec<Vec<Term>>,
 }
 
@@ -95,7 +95,7 @@ pub(super) struct ContractionTable {
     pub inverse: Vec<Vec<Rational>>,
     /// The slopes `M` at the centre.
     pub slopes: Vec<Vec<Rational>>,
-    /// How far the slopes are from those on the wide box, `D`.
+    /// Distances of the slopes from those on the wide box, `D`.
     pub spreads: Vec<Vec<Rational>>,
     /// A bound `e` of all residuals at the centre.
     pub residual: Rational,
@@ -115,7 +115,7 @@ impl ContractionTable {
         })
     }
 
-    /// The same with some decimals.
+    /// Table with some decimals.
     fn with_decimals(
         root: &CoqRoot,
         cleared: &ClearedSystem,
@@ -220,7 +220,7 @@ impl TermValues {
         }
     }
 
-    /// How far the Jacobian on the box can be from the slopes at its centre, rounded up.
+    /// Bounds of how far the Jacobian on the box can be from the slopes at its centre, rounded up.
     fn spreads(
         &self,
         cleared: &ClearedSystem,
@@ -267,7 +267,7 @@ fn contraction(
     (0..n).map(row).max().unwrap_or_default()
 }
 
-/// Whether the first Newton step stays far inside the small box.
+/// Tells whether the first Newton step stays far inside the small box.
 fn starts(
     inverse: &[Vec<Rational>],
     residual: &Rational,

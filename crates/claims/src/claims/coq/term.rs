@@ -147,7 +147,7 @@ impl Term {
         }
     }
 
-    /// How strongly the outermost operation binds, as Coq reads it.
+    /// Strength with which the outermost operation binds, as Coq reads it.
     fn strength(&self) -> Strength {
         match &*self.0 {
             Sum(..) | Difference(..) => Strength::Sum,

@@ -32,7 +32,7 @@ pub(super) fn file() -> Result<String, Undecided> {
     Ok(out)
 }
 
-/// What is certified, if the quantity is one of the variables.
+/// Claim that is certified, if the quantity is one of the variables.
 fn claim(comparison: &Comparison) -> Option<String> {
     let unknown = comparison.quantity.variable()?;
     comparison.landmark.system(SelfWeight::Heyman).index(unknown)?;

@@ -23,7 +23,7 @@ use crate::picture::{Svg, Type, text};
 /// ```
 #[derive(Clone, Debug)]
 pub struct Figure {
-    /// Above all panels; may be empty.
+    /// Title above all panels; may be empty.
     pub title: String,
     /// Row by row.
     pub panels: Vec<Panel>,
@@ -33,11 +33,11 @@ pub struct Figure {
 
 /// Around the figure.
 const MARGIN: f64 = 16.0;
-/// Between columns, and between rows.
+/// Distances between columns, and between rows.
 const BETWEEN: (f64, f64) = (30.0, 26.0);
 /// Size of the title.
 const TITLE: f64 = 22.0;
-/// Of the panels, where there are several and enough letters.
+/// Letters of the panels, where there are several and enough letters.
 const LETTERS: &str = "abcdefghijklmnopqrstuvwxyz";
 
 impl Figure {

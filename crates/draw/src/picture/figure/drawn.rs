@@ -14,7 +14,7 @@ const HEADING: f64 = 18.0;
 const LABEL: f64 = 17.0;
 const TICK: f64 = 16.0;
 const NAME: f64 = 16.0;
-/// Between the frame and the labels of ticks.
+/// Distance between the frame and the labels of ticks.
 const OFF: f64 = 7.0;
 /// Beside the frame: the leader to a name, the sample before it.
 const LEADER: f64 = 20.0;
@@ -28,7 +28,7 @@ const STEP_MARKERS: f64 = 110.0;
 /// A line that ends no further from the frame has a leader to its name.
 const NEAR: f64 = 24.0;
 
-/// What a panel needs: around its frame, and for it.
+/// Space that a panel needs: around its frame, and for it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Room {
     pub left: f64,
@@ -51,12 +51,12 @@ impl Room {
         }
     }
 
-    /// From end to end.
+    /// Width from end to end.
     pub(super) fn width(&self) -> f64 {
         self.left + FRAME.0 + self.right
     }
 
-    /// From end to end.
+    /// Height from end to end.
     pub(super) fn height(&self) -> f64 {
         self.top + self.frame + self.bottom
     }
@@ -70,7 +70,7 @@ pub(super) struct Drawn<'a> {
     title: Vec<String>,
     x_label: Vec<String>,
     y_label: Vec<String>,
-    /// What it needs.
+    /// Space that it needs.
     pub room: Room,
 }
 
@@ -238,7 +238,7 @@ fn names(traces: &[&Trace], [top, bottom]: [f64; 2]) -> Vec<f64> {
 }
 
 impl Trace<'_> {
-    /// With its places elsewhere.
+    /// Trace with its places elsewhere.
     fn map(&self, at: impl Fn(&(f64, f64)) -> (f64, f64)) -> Self {
         let runs = self.runs.iter().map(|run| run.iter().map(&at).collect()).collect();
         Self { runs, ..*self }
@@ -258,7 +258,7 @@ impl Trace<'_> {
         held.chain(run.last().copied()).collect()
     }
 
-    /// Where the markers are.
+    /// Places of the markers.
     fn markers(&self) -> Vec<Point> {
         let far = |(a, b): (f64, f64), (c, d): (f64, f64)| (c - a).hypot(d - b);
         let mut markers: Vec<Point> = Vec::new();
@@ -289,8 +289,8 @@ impl Trace<'_> {
     }
 }
 
-/// From the end of a line to its name, where the line reaches the frame. Through the panel a leader would
-/// look like data; there the sample before the name has to do.
+/// Draws a leader from the end of a line to its name, where the line reaches the frame. Through the panel a
+/// leader would look like data; there the sample before the name has to do.
 fn leader(svg: &mut Svg, end: Option<Point>, (right, name): Point) {
     if let Some((x, y)) = end.filter(|(x, _)| right - x < NEAR) {
         let path = Path::through([(x, y), (right, y), (right + LEADER - 3.0, name)]);

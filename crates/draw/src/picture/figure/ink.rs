@@ -32,12 +32,12 @@ enum Marker {
     Ring,
 }
 
-/// How a line looks.
+/// Look of a line.
 #[derive(Clone, Copy)]
 pub(super) struct Ink {
     stroke: Stroke,
     marker: Option<Marker>,
-    /// From 0 to 1, different for lines that may lie on each other.
+    /// Phase from 0 to 1, different for lines that may lie on each other.
     pub phase: f64,
 }
 
@@ -48,7 +48,7 @@ pub(super) struct Inks<'a> {
 }
 
 impl<'a> Inks<'a> {
-    /// One for each label, in the order in which they come up.
+    /// Inks, one for each label, in the order in which they come up.
     pub(super) fn new(lines: impl Iterator<Item = &'a Line>) -> Self {
         let mut inks = Self { references: Vec::new(), others: Vec::new() };
         for line in lines {
@@ -63,7 +63,7 @@ impl<'a> Inks<'a> {
         inks
     }
 
-    /// That of a line of the figure.
+    /// Ink of a line of the figure.
     pub(super) fn of(&self, line: &Line) -> Ink {
         let turn = |labels: &[&str]| {
             labels.iter().position(|label| *label == line.label).expect("a line of the figure")
@@ -150,7 +150,7 @@ fn square(half: f64) -> [Point; 4] {
     [(-half, -half), (half, -half), (half, half), (-half, half)]
 }
 
-/// With the tip up; down for a negative size.
+/// Triangle with the tip up; down for a negative size.
 fn triangle(size: f64) -> [Point; 3] {
     [(0.0, -size), (0.9 * size, 0.6 * size), (-0.9 * size, 0.6 * size)]
 }

@@ -1,11 +1,11 @@
-//! What a panel shows.
+//! Content of a panel.
 
 use crate::picture::scale::Scale;
 
 /// Lines over two axes.
 #[derive(Clone, Debug)]
 pub struct Panel {
-    /// Above the panel; may be empty.
+    /// Title above the panel; may be empty.
     pub title: String,
     /// The horizontal axis.
     pub x: Axis,
@@ -15,12 +15,12 @@ pub struct Panel {
     pub lines: Vec<Line>,
 }
 
-/// What an axis shows.
+/// Range and name of an axis.
 #[derive(Clone, Debug)]
 pub struct Axis {
     /// The quantity, with its unit.
     pub label: String,
-    /// Where a value lies.
+    /// Scale on which values lie.
     pub scale: Scale,
 }
 
@@ -29,25 +29,25 @@ pub struct Axis {
 pub struct Line {
     /// Written at the right end.
     pub label: String,
-    /// In the order in which they are joined. A point without a place on the axes (a NaN, an infinity,
+    /// Points in the order in which they are joined. A point without a place on the axes (a NaN, an infinity,
     /// what is not positive on a logarithmic scale) is a gap.
     pub points: Vec<(f64, f64)>,
-    /// How they are joined.
+    /// Way in which they are joined.
     pub kind: Kind,
 }
 
-/// How the points of a line are joined.
+/// Way in which the points of a line are joined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Kind {
     /// Straight, with markers at the points; where points are dense, at some of them.
     Measured,
-    /// Not at all: a marker at every point, and nothing is said of what lies between.
+    /// Points that are not joined: a marker at every point, and nothing is said of what lies between.
     Points,
-    /// As [`Kind::Measured`], in a wider stroke and above all others.
+    /// Line as [`Kind::Measured`], in a wider stroke and above all others.
     Bold,
-    /// A thin bar from each point to the next, up to a gap: the spread of the line that has the same label, without a name of
-    /// its own.
+    /// A thin bar from each point to the next, up to a gap: the spread of the line that has the same label, without
+    /// a name of its own.
     Spread,
     /// A crossed ring at each point: where the line that has the same label has no value, without a name of its own.
     Failures,
@@ -58,7 +58,7 @@ pub enum Kind {
 }
 
 impl Line {
-    /// Whether it is named beside the frame.
+    /// Tells whether the line is named beside the frame.
     pub(super) fn is_named(&self) -> bool {
         !matches!(self.kind, Kind::Spread | Kind::Failures)
     }

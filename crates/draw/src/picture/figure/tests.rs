@@ -121,7 +121,7 @@ fn profile() -> Figure {
     Figure { title: "Performance profile".into(), panels: vec![panel], columns: 1 }
 }
 
-/// What there should not be, and yet may be.
+/// Figure with things that there should not be, and yet may be.
 fn odd() -> Figure {
     let nan = f64::NAN;
     let cases: [&[(f64, f64)]; 8] = [

@@ -115,7 +115,7 @@ impl Ball {
         Float::with_val_round(self.mid.prec().max(self.prec) + 32, &self.mid + &step, round).0
     }
 
-    /// Whether `x` is one of the numbers of the ball, decided exactly.
+    /// Tells whether `x` is one of the numbers of the ball, decided exactly.
     pub fn contains(&self, x: &Rational) -> bool {
         if !self.is_bounded() {
             return true;
@@ -134,7 +134,7 @@ impl Ball {
         (low == high).then_some(low + 0.0)
     }
 
-    /// The same midpoint with `more` added to the radius.
+    /// Ball with the midpoint of this one and `more` added to the radius.
     pub fn widened(mut self, more: Magnitude) -> Self {
         self.rad = self.rad.plus(more);
         if self.rad.is_finite() { self } else { Self::whole(self.prec) }
@@ -345,7 +345,7 @@ impl Ball {
         Self::rounded(mid, rad, prec)
     }
 
-    /// For `x` in `a ± r` and `y` in `b ± s`, `|x/y - a/b| <= (r + |a/b| s) / (|b| - s)`.
+    /// Quotient of balls: for `x` in `a ± r` and `y` in `b ± s`, `|x/y - a/b| <= (r + |a/b| s) / (|b| - s)`.
     fn over(self, other: &Self) -> Self {
         let prec = self.common(other);
         let least = Magnitude::lower(&other.mid).minus_down(other.rad);

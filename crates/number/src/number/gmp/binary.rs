@@ -5,7 +5,7 @@ use crate::number::DoubleDoubleBall;
 use rug::Float;
 use rug::float::Round;
 
-/// What is known of a real number beside the double nearest to it.
+/// Knowledge of a real number beside the double nearest to it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Binary {
     /// A double that is not above the number.
@@ -51,9 +51,9 @@ impl Binary {
         }
     }
 
-    /// Of the number enclosed by a ball of double-doubles, with its nearest double: the same bounds as of a ball of
-    /// MPFR, an error that holds the radius, and no quadruple. `None` if the ball is too wide, and for zero and sizes
-    /// far from one.
+    /// Bounds of the number enclosed by a ball of double-doubles, with its nearest double: the same bounds as
+    /// of a ball of MPFR, an error that holds the radius, and no quadruple. `None` if the ball is too wide,
+    /// and for zero and sizes far from one.
     pub fn of_double_double(ball: &DoubleDoubleBall) -> Option<(f64, Self)> {
         let (double, rest, rad) = (ball.nearest_double()?, ball.mid().lo(), ball.rad());
         // On which side of the double the number lies.
@@ -68,7 +68,7 @@ impl Binary {
         Some((double, Self { lower, upper, error, quad: None }))
     }
 
-    /// Of infinity.
+    /// Bounds of infinity.
     pub fn infinite() -> Self {
         Self { lower: f64::INFINITY, upper: f64::INFINITY, error: 0.0, quad: None }
     }

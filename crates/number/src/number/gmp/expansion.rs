@@ -2,16 +2,16 @@
 //!
 //! A fraction times `10^a` is the integer of its first `a` digits and the fraction of the others; so the digits
 //! are found by splitting them in halves, each from as many bits as it has digits, down to [`LEAF`] of them. All
-//! values of one number of digits are split alike and share the powers of five, and nothing is divided: 1.2 to 1.6 times as
-//! fast as a conversion of the integer, from five thousand to a million digits.
+//! values of one number of digits are split alike and share the powers of five, and nothing is divided: 1.2 to 1.6
+//! times as fast as a conversion of the integer, from five thousand to a million digits.
 //!
-//! **Error.** Let a part of `d` digits be computed from `x`, with `w >= d log2(10) + 64` bits behind the point, and belong
-//! to the true fraction `X` in `[x, x + e 2^-w)`. Its first half is that of the same `X`, cut to fewer bits, so that `e` grows
-//! by one. In the other half `X 10^a` has `w - a` bits behind the point and `e 5^a` units of error; cut to
-//! `b log2(10) + 64` bits, rounded up, it has less than `2 e + 1`: for `w` has no fewer than `d log2(10) + 64` bits, and
-//! `10^a 2^(b log2(10) + 65 - w) <= 2`. After at most [`LEVELS`] halvings `e` is below `2^(LEVELS + 2)`, and what
-//! is left out below `2^(LEVELS + 2 - 64) < 2^-MARGIN` of the last digit of the part. No digit is wrong unless a product
-//! that is cut off lies so near below an integer: then the answer is `None`.
+//! **Error.** Let a part of `d` digits be computed from `x`, with `w >= d log2(10) + 64` bits behind the point, and
+//! belong to the true fraction `X` in `[x, x + e 2^-w)`. Its first half is that of the same `X`, cut to fewer bits,
+//! so that `e` grows by one. In the other half `X 10^a` has `w - a` bits behind the point and `e 5^a` units of
+//! error; cut to `b log2(10) + 64` bits, rounded up, it has less than `2 e + 1`: for `w` has no fewer than `d
+//! log2(10) + 64` bits, and `10^a 2^(b log2(10) + 65 - w) <= 2`. After at most [`LEVELS`] halvings `e` is below
+//! `2^(LEVELS + 2)`, and what is left out below `2^(LEVELS + 2 - 64) < 2^-MARGIN` of the last digit of the part. No
+//! digit is wrong unless a product that is cut off lies so near below an integer: then the answer is `None`.
 
 use rug::Integer;
 use rug::ops::Pow;
@@ -19,7 +19,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 /// Digits that are converted at once.
 const LEAF: usize = 600;
-/// How often digits are halved at most: `LEAF 2^LEVELS` is more than a million.
+/// Largest number of times that digits are halved: `LEAF 2^LEVELS` is more than a million.
 const LEVELS: usize = 11;
 /// Bits behind the last digit of a part that are told apart.
 pub(super) const MARGIN: u32 = 48;
@@ -28,14 +28,14 @@ const GUARD: u32 = 64;
 
 /// The digits of a fraction, and what follows them.
 pub(super) struct Expansion {
-    /// So many digits as were asked for, with zeros in front.
+    /// Digits as many as were asked for, with zeros in front.
     pub digits: String,
     /// The first [`MARGIN`] bits behind the last digit; what follows it is at least that and less than two units more.
     pub rest: u64,
 }
 
-/// The first `count` digits of the fractions in `[x, x + 1) / 2^bits`, if they are the same and can be told. There have to be
-/// 64 bits beyond the digits, and at most a million and one of these.
+/// The first `count` digits of the fractions in `[x, x + 1) / 2^bits`, if they are the same and can be told. There
+/// have to be 64 bits beyond the digits, and at most a million and one of these.
 pub(super) fn expansion(x: &Integer, bits: u32, count: usize) -> Option<Expansion> {
     if bits < width(count) || count > LEAF << LEVELS || x.significant_bits() > bits {
         return None;
@@ -188,7 +188,8 @@ mod tests {
         }
     }
 
-    /// A decimal that ends, cut to bits, lies just below itself: at the end of a part, of a leaf, or behind the last digit.
+    /// A decimal that ends, cut to bits, lies just below itself: at the end of a part, of a leaf, or behind the
+    /// last digit.
     #[test]
     fn what_cannot_be_told_is_not() {
         let count = 4 * LEAF;

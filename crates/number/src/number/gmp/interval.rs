@@ -1,4 +1,4 @@
-//! Between intervals and GMP, MPFR: exactly, in both directions.
+//! Conversions between intervals and GMP, MPFR: exactly, in both directions.
 
 use crate::number::end::End;
 use crate::number::interval::Interval;
@@ -28,7 +28,7 @@ impl<E: End> Interval<E> {
         }
     }
 
-    /// Both ends as exact MPFR numbers; `None` for an unbounded interval.
+    /// Ends as exact MPFR numbers; `None` for an unbounded interval.
     pub fn ends(&self) -> Option<(Float, Float)> {
         let number = |end: &E| {
             let (negative, words, exponent) = end.parts()?;

@@ -69,17 +69,17 @@ impl Magnitude {
         Self::round(head.saturating_add(unit), exponent, up)
     }
 
-    /// Whether the bound is zero.
+    /// Tells whether the bound is zero.
     pub fn is_zero(self) -> bool {
         self.mantissa == 0
     }
 
-    /// Whether there is a bound.
+    /// Tells whether there is a bound.
     pub fn is_finite(self) -> bool {
         self.exponent != i64::MAX
     }
 
-    /// Some `e` with `self < 2^e`; `None` for zero and infinity.
+    /// Exponent `e` with `self < 2^e`; `None` for zero and infinity.
     pub fn exponent(self) -> Option<i64> {
         (!self.is_zero() && self.is_finite()).then_some(self.exponent + 32)
     }

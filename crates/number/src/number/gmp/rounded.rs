@@ -13,9 +13,9 @@ use std::fmt;
 pub struct Rounded {
     /// The true value rounded to nearest.
     pub value: Decimal,
-    /// Not above the true value.
+    /// Decimal not above the true value.
     pub lower: Decimal,
-    /// Not below the true value.
+    /// Decimal not below the true value.
     pub upper: Decimal,
 }
 
@@ -68,8 +68,8 @@ impl Rounded {
     }
 
     /// The same, decided too for numbers next to a decimal of so many digits, as those are that were given as one: the
-    /// value is the correct rounding of each of them, and the bounds are those of all. `None` if they round to different
-    /// decimals.
+    /// value is the correct rounding of each of them, and the bounds are those of all. `None` if they round to
+    /// different decimals.
     ///
     /// ```
     /// use couplet_number::number::{Ball, Field, Rounded};
@@ -159,9 +159,9 @@ fn decimal_magnitude(x: &Float) -> i64 {
     ((head.log2() + f64::from(exponent)) * std::f64::consts::LOG10_2).floor() as i64 + 1
 }
 
-/// The cell of the decimal grid in which all numbers from `low` to `high` lie strictly, as `digits + 1` digits and the power
-/// of ten of the last: one digit more than asked for tells the halves of a unit apart. `None` if they lie in more than
-/// one.
+/// The cell of the decimal grid in which all numbers from `low` to `high` lie strictly, as `digits + 1` digits and
+/// the power of ten of the last: one digit more than asked for tells the halves of a unit apart. `None` if they lie
+/// in more than one.
 fn at_once(low: &Float, high: &Float, digits: usize) -> Option<(String, i64)> {
     let mut exponent = decimal_magnitude(low) - digits as i64 - 1;
     // Binary places kept behind that grid: all that the number has.
@@ -179,7 +179,7 @@ fn at_once(low: &Float, high: &Float, digits: usize) -> Option<(String, i64)> {
     (!start.is_zero() && end.significant_bits() <= fraction).then_some((text, exponent))
 }
 
-/// The same where it can be told by splitting the digits, which is fast.
+/// Rounds by splitting the digits, where that tells, which is fast.
 fn by_splitting(low: &Float, high: &Float, digits: usize) -> Option<(String, i64)> {
     let count = digits + 1;
     let bits = expansion::width(count);

@@ -81,9 +81,9 @@ fn shifted(x: f64, scale: i32) -> Option<i128> {
 
 /// A cell of the decimal grid.
 struct DecimalCell {
-    /// Its lower end in units of the grid.
+    /// Lower end in units of the grid.
     number: u128,
-    /// Whether all numbers lie strictly inside.
+    /// True if all numbers lie strictly inside.
     holds_all: bool,
 }
 
@@ -98,7 +98,7 @@ fn cell(low: u128, width: u128, places: u32, scale: i32) -> Option<DecimalCell> 
     Some(DecimalCell { number, holds_all: is_inside })
 }
 
-/// How many decimal digits a number has.
+/// Number of decimal digits of an integer.
 fn length(number: u128) -> usize {
     number.checked_ilog10().map_or(1, |log| log as usize + 1)
 }

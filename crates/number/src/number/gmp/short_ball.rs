@@ -1,13 +1,13 @@
 //! Balls of fixed point: some words on the stack and a radius that is a double.
 //!
-//! The midpoint is `± m 2^-64(N-1)` with an integer `m` of `N` words, of which the topmost is the whole part, below `2^31`.
-//! The radius counts units of the last place, `2^-64(N-1)`. Sums and products with integers are exact; any other product or
-//! quotient is cut off, which is below one unit and `2^-60`.
+//! The midpoint is `± m 2^-64(N-1)` with an integer `m` of `N` words, of which the topmost is the whole part, below
+//! `2^31`. The radius counts units of the last place, `2^-64(N-1)`. Sums and products with integers are exact; any
+//! other product or quotient is cut off, which is below one unit and `2^-60`.
 //!
-//! **The radius is rounded up**: it is a sum of products of doubles that are not negative, with at most sixteen roundings
-//! on any path, each of which takes away less than a part `2^-53`; the last factor is [`UP`] `= 1 + 2^-48`, which is more by a
-//! part `2^-49`. It is zero or at
-//! least one, and at most `2^64(N-1) < 2^1000`, so that nothing underflows or overflows; what is beyond, or NaN, becomes the whole line.
+//! **The radius is rounded up**: it is a sum of products of doubles that are not negative, with at most sixteen
+//! roundings on any path, each of which takes away less than a part `2^-53`; the last factor is [`UP`] `= 1 +
+//! 2^-48`, which is more by a part `2^-49`. It is zero or at least one, and at most `2^64(N-1) < 2^1000`, so that
+//! nothing underflows or overflows; what is beyond, or NaN, becomes the whole line.
 
 use super::words;
 use super::{Ball, Magnitude};
@@ -23,7 +23,7 @@ pub struct ShortBall<const N: usize> {
     negative: bool,
     /// The least significant first.
     words: [u64; N],
-    /// In units of the last place.
+    /// Radius in units of the last place.
     rad: f64,
 }
 
@@ -38,7 +38,7 @@ impl<const N: usize> ShortBall<N> {
     /// The whole line: nothing is known.
     pub const WHOLE: Self = Self { negative: false, words: [0; N], rad: f64::INFINITY };
 
-    /// One in units of the last place.
+    /// Number one in units of the last place.
     const UNITS: f64 = {
         assert!(2 <= N && N <= 16);
         power_of_two(64 * (N as i32 - 1))
@@ -110,7 +110,7 @@ impl<const N: usize> ShortBall<N> {
         mid.widened(self.rad * power_of_two(exponent))
     }
 
-    /// The same set as a ball of MPFR, with results to be rounded to `prec` bits.
+    /// Gives the set as a ball of MPFR, with results to be rounded to `prec` bits.
     pub fn to_ball(&self, prec: u32) -> Ball {
         let places = 64 * (N as i32 - 1);
         let integer = Integer::from_digits(&self.words, Order::Lsf);
@@ -120,7 +120,7 @@ impl<const N: usize> ShortBall<N> {
         Ball::exact(mid, prec).widened(Magnitude::upper(&rad)).with_precision(prec)
     }
 
-    /// The same midpoint without a radius; zero for the whole line.
+    /// Midpoint without a radius; zero for the whole line.
     pub fn midpoint(&self) -> Self {
         Self { rad: 0.0, ..*self }
     }
@@ -131,7 +131,7 @@ impl<const N: usize> ShortBall<N> {
         ShortBall { negative: self.negative, words, rad: 0.0 }
     }
 
-    /// The same midpoint with `more` added to the radius, a number that is not negative.
+    /// Ball with the midpoint of this one and `more` added to the radius, a number that is not negative.
     pub fn widened(&self, more: f64) -> Self {
         let more = if more >= 0.0 { more } else { f64::INFINITY };
         Self::settled(self.negative, self.words, (self.rad + (more * Self::UNITS).max(1.0)) * UP)
@@ -142,7 +142,7 @@ impl<const N: usize> ShortBall<N> {
         (self.size() + self.rad / Self::UNITS) * UP
     }
 
-    /// Whether the midpoint is zero.
+    /// Tells whether the midpoint is zero.
     pub fn is_about_zero(&self) -> bool {
         self.words.iter().all(|word| *word == 0)
     }
@@ -155,7 +155,7 @@ impl<const N: usize> ShortBall<N> {
         (self.words[top] as f64 + next) * power_of_two(64 * (top as i32 + 1 - N as i32)) * UP
     }
 
-    /// Whether this is a whole number, exactly.
+    /// Tells whether the ball is a whole number, exactly.
     #[inline]
     fn is_integer(&self) -> bool {
         self.rad == 0.0 && self.words[..N - 1].iter().all(|word| *word == 0)
@@ -208,7 +208,7 @@ impl<const N: usize> ShortBall<N> {
         self + -*other
     }
 
-    /// For `|x - a| <= r` and `|y - b| <= s`, `|xy - ab| <= |a| s + (|b| + s) r`.
+    /// Product of balls: for `|x - a| <= r` and `|y - b| <= s`, `|xy - ab| <= |a| s + (|b| + s) r`.
     fn times(self, other: &Self) -> Self {
         if other.is_integer() {
             return self.times_integer(other.words[N - 1], other.negative);
@@ -223,8 +223,8 @@ impl<const N: usize> ShortBall<N> {
         Self::cut(self.negative != other.negative, words::product(&self.words, &other.words), rad)
     }
 
-    /// Some quotient `q` of the midpoints `a` and `b`, with what it leaves: for `|x - a| <= r` and `|y - b| <= s`,
-    /// `|x/y - q| <= |a - q b| / |b| + (r + |a/b| s) / (|b| - s)`.
+    /// Quotient of balls: some quotient `q` of the midpoints `a` and `b`, with what it leaves: for `|x - a|
+    /// <= r` and `|y - b| <= s`, `|x/y - q| <= |a - q b| / |b| + (r + |a/b| s) / (|b| - s)`.
     fn over(self, other: &Self) -> Self {
         if other.is_integer() && other.words[N - 1] != 0 {
             return self.over_integer(other.words[N - 1], other.negative);
@@ -255,7 +255,7 @@ impl<const N: usize> ShortBall<N> {
 
 operators!([const N: usize] ShortBall<N>);
 
-/// The same set, but for what is cut off.
+/// Converts the set, but for what is cut off.
 impl<const N: usize> From<&Ball> for ShortBall<N> {
     fn from(ball: &Ball) -> Self {
         let places = 64 * (N as i64 - 1);
@@ -323,13 +323,13 @@ mod tests {
         Some(mid + rad * Rational::from_f64(place)?)
     }
 
-    /// Whether a ball with a radius changed by a factor holds a number.
+    /// Tells whether a ball with a radius changed by a factor holds a number.
     fn holds<const N: usize>(x: &ShortBall<N>, truth: &Rational, factor: f64) -> bool {
         let Some((mid, rad)) = parts(x) else { return true };
         (mid - truth).abs() <= rad * Rational::from_f64(factor).unwrap()
     }
 
-    /// How many of the operations on two samples do not hold the truth with radii scaled by a factor.
+    /// Number of operations on two samples that do not hold the truth with radii scaled by a factor.
     fn misses<const N: usize>(a: &Sample, b: &Sample, factor: f64) -> usize {
         let (x, y) = (ball::<N>(a), ball::<N>(b));
         let (Some(p), Some(q)) = (number(&x, a.4), number(&y, b.4)) else { return 0 };

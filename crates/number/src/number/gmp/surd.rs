@@ -108,8 +108,8 @@ impl Surd {
 operators!(Surd);
 
 impl fmt::Display for Surd {
-    /// As a mathematician would write it: `2/3`, `√3−1`, `2(2√3−3)`, a positive term first and a
-    /// common factor before the bracket. The minus inside is the typographic one.
+    /// Writes the number as a mathematician would write it: `2/3`, `√3−1`, `2(2√3−3)`, a positive term first
+    /// and a common factor before the bracket. The minus inside is the typographic one.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.factor.is_zero() {
             return write!(f, "{}", self.rational);

@@ -33,8 +33,9 @@ pub(super) fn difference<const N: usize>(a: &[u64; N], b: &[u64; N]) -> [u64; N]
 
 /// `a b 2^-64(N-1)`, cut off, less than `1 + 2^-60` too small, for at most 16 words; the topmost have room for it.
 ///
-/// Left out are the columns from the third below the last word of the result on: a product of words in column `c` is below
-/// `2^64(c+2)`, and the uppermost of these columns, `N - 4`, has at most 13, so that they are below `14 2^64(N-2)` together.
+/// Left out are the columns from the third below the last word of the result on: a product of words in column `c`
+/// is below `2^64(c+2)`, and the uppermost of these columns, `N - 4`, has at most 13, so that they are below `14
+/// 2^64(N-2)` together.
 #[inline]
 pub(super) fn product<const N: usize>(a: &[u64; N], b: &[u64; N]) -> [u64; N] {
     let mut all = [0u64; 32];

@@ -93,7 +93,7 @@ fn large_angles<E: End>() {
     }
 }
 
-/// What is no number, or nowhere, is the whole line and nothing less.
+/// An interval of no number, or nowhere, is the whole line and nothing less.
 fn nowhere_is_everywhere<E: End>() {
     let (zero, one) = (Interval::<E>::integer(0, 64), Interval::<E>::integer(1, 64));
     let unit = one.symmetric();

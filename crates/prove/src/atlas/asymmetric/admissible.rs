@@ -1,18 +1,19 @@
-//! That each state of a part of a branch is admissible at every joint of the whole arch, with rates that are not negative.
+//! Proof that each state of a part of a branch is admissible at every joint of the whole arch, with rates
+//! that are not negative.
 //!
 //! A tube is halved until all states over the vertical forces `v` of a half are decided at once:
 //!
-//! 1. **Signs.** The left sides of the two equations that other kinds close by are not negative: as balls, or, next to the end at which
-//!    one is zero, by the sign of its slope along the curve. So is the rate that closes the motion; of the hinges
-//!    that fit alone it is zero.
-//! 2. **Sliding.** With `v >= 0` and `N > 0` the force on a joint is inclined by `atan((beta -+ v)/h) - beta`, `-` on the
-//!    right. Inwards that is largest where `h = cos² chi`: on the left it is no more than `phi` where `phi - chi +
-//!    sin chi cos chi - v >= 0`, and on the right less by `2 v`. Outwards, for `v² < h - h²`, it is least at an
-//!    end: at the right springing, which slides, or in the crown, where `v cos phi <= h sin phi` is enough.
+//! 1. **Signs.** The left sides of the two equations that other kinds close by are not negative: as balls, or, next
+//!    to the end at which one is zero, by the sign of its slope along the curve. So is the rate that closes the
+//!    motion; of the hinges that fit alone it is zero.
+//! 2. **Sliding.** With `v >= 0` and `N > 0` the force on a joint is inclined by `atan((beta -+ v)/h) - beta`, `-`
+//!    on the right. Inwards that is largest where `h = cos² chi`: on the left it is no more than `phi` where `phi -
+//!    chi + sin chi cos chi - v >= 0`, and on the right less by `2 v`. Outwards, for `v² < h - h²`, it is least at
+//!    an end: at the right springing, which slides, or in the crown, where `v cos phi <= h sin phi` is enough.
 //! 3. **Faces.** The distance from the extrados on the left is that on the right and `(2 + eta) v sin beta`; from the
-//!    intrados on the right, that on the left and `(2 - eta) v sin beta`. So one half is enough for each: it is covered by balls,
-//!    but next to the hinge, where the curvature is positive, and next to the right springing, where the slope falls to
-//!    what is known not to be negative.
+//!    intrados on the right, that on the left and `(2 - eta) v sin beta`. So one half is enough for each: it is
+//!    covered by balls, but next to the hinge, where the curvature is positive, and next to the right springing,
+//!    where the slope falls to what is known not to be negative.
 //!
 //! Each is said of all `v` between two nodes, so that nothing is left out.
 
@@ -104,7 +105,7 @@ impl Slice<'_> {
         Slice { kind, cell: last, ends: [None, high] }.prove(depth)
     }
 
-    /// The same in one tube.
+    /// Checks admissibility in one tube.
     fn is_admissible(&self, range: [f64; 2], depth: u32) -> Result<(), Undecided> {
         let [from, to] = range;
         match (self.is_admissible_on(&exact(from).hull(&exact(to))), depth.checked_sub(1)) {
@@ -118,7 +119,7 @@ impl Slice<'_> {
         }
     }
 
-    /// The same at once for some vertical forces.
+    /// Checks admissibility at once for some vertical forces.
     fn is_admissible_on(&self, s: &Ball) -> Result<(), Undecided> {
         let TubeCell { form, tube, .. } = &self.cell;
         let spot = form.spot(&few, s, &tube.enclosure(s));
@@ -179,7 +180,7 @@ impl Slice<'_> {
         })
     }
 
-    /// One of them along the curve, with its slope.
+    /// Margin of one of the states along the curve, with its slope.
     fn along(&self, kept: OpenSign, s: &Ball, order: usize) -> Jet<Ball> {
         let TubeCell { form, tube, .. } = &self.cell;
         let line = Jet::new(vec![s.clone(), s.int(1)], order);
@@ -241,8 +242,8 @@ fn rational(x: &Float) -> Result<Rational, Undecided> {
     x.to_rational().ok_or_else(|| Undecided::new("a joint is not bounded"))
 }
 
-/// That a margin is not negative from the crown up to an angle: it is zero at a hinge, with its slope, and is curved upwards next to
-/// it.
+/// Proves that a margin is not negative from the crown up to an angle: it is zero at a hinge, with its slope,
+/// and is curved upwards next to it.
 fn is_not_negative(
     hinge: &Ball,
     end: &Rational,

@@ -1,4 +1,4 @@
-//! Between which half openings and frictions asymmetric branches run, and where their kinds change.
+//! Ranges of half opening and friction in which asymmetric branches run, and where their kinds change.
 //!
 //! In the plane of half opening and friction angle four lines are proved for each weight, each over the half opening:
 //!
@@ -9,10 +9,10 @@
 //! | alone/opening | the hinges fit, and the shoulder just opens | Y – Z |
 //! | inner/opening | an inner joint slides, and the shoulder just opens | Z – T |
 //!
-//! X is on the edge of `[s,s]`, Y on that of `[r,r,r]`, both symmetric; in Z three kinds meet. For each half opening its
-//! [`Branch`](super::Branch) leaves the edge of `[s,s]` between X and T, and ends on the first line or, between Y and T, on the
-//! edge of `[r,r,r]`. For Heyman's weight the last two lines are beyond that edge: there a branch turns back, so that they bound
-//! what it reaches; for Milankovitch's they are before it.
+//! X is on the edge of `[s,s]`, Y on that of `[r,r,r]`, both symmetric; in Z three kinds meet. For each half
+//! opening its [`Branch`](super::Branch) leaves the edge of `[s,s]` between X and T, and ends on the first line or,
+//! between Y and T, on the edge of `[r,r,r]`. For Heyman's weight the last two lines are beyond that edge: there a
+//! branch turns back, so that they bound what it reaches; for Milankovitch's they are before it.
 //!
 //! **That there are no others outside is not proved.**
 
@@ -35,17 +35,17 @@ use crate::number::{Angle, Ball, Field};
 use crate::problem::{Landmark, Line};
 use rug::Float;
 
-/// One of the lines.
+/// Line that bounds asymmetric branches, or divides their kinds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BorderLine {
     /// The symmetric states in which a branch ends.
     Begins,
-    /// Where one kind becomes another.
+    /// The line where one kind becomes another.
     Between([AsymmetricMode; 2]),
 }
 
 impl BorderLine {
-    /// All four, as above.
+    /// All four lines, as above.
     pub const ALL: [Self; 4] = [
         Self::Begins,
         Self::Between([InnerSliding, ShoulderSliding]),
@@ -61,7 +61,7 @@ impl BorderLine {
         }
     }
 
-    /// Whether it bounds what the branches of a weight reach.
+    /// Tells whether the line bounds what the branches of a weight reach.
     pub fn is_outer(self, weight: SelfWeight) -> bool {
         match self {
             Self::Begins => true,
@@ -80,11 +80,11 @@ impl BorderLine {
 /// A line, proved from end to end.
 #[derive(Clone, Debug)]
 pub struct Border {
-    /// Which.
+    /// Line that is the border.
     pub line: BorderLine,
     /// The self-weight model.
     pub weight: SelfWeight,
-    /// It, over the half opening.
+    /// Section of the line over the half opening.
     pub section: Section,
 }
 
@@ -151,7 +151,7 @@ fn start(weight: SelfWeight) -> Result<Crossing, Undecided> {
     Crossing::proved(&form, Some(Law::InnerSlides), starts)
 }
 
-/// Where another equation holds on a line, from one of its points on.
+/// Point where another equation holds on a line, from one of its points on.
 fn along(form: &CurveForm, from: &Crossing, law: Law, far: f64) -> Result<Crossing, Undecided> {
     let lost = || Undecided::new("the end of a line is not found");
     let double = |variable: &Variable| from.value(*variable).mid().to_f64();

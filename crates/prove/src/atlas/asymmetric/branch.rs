@@ -1,9 +1,9 @@
 //! The asymmetric solutions of one half opening that begin at the friction of pure sliding, from end to end.
 //!
-//! The branch leaves the symmetric states where the least thickness is that of pure sliding, with an inner joint that slides, and is
-//! followed over the vertical force `v` in the crown. Where the left side of another closing equation becomes zero
-//! the kind changes, and from there on `v` falls; it ends in a symmetric state, `v = 0`. Ends and changes are
-//! points that are proved, and lie in the tubes on both their sides, so that it is one curve.
+//! The branch leaves the symmetric states where the least thickness is that of pure sliding, with an inner joint
+//! that slides, and is followed over the vertical force `v` in the crown. Where the left side of another closing
+//! equation becomes zero the kind changes, and from there on `v` falls; it ends in a symmetric state, `v = 0`. Ends
+//! and changes are points that are proved, and lie in the tubes on both their sides, so that it is one curve.
 //!
 //! **That it is all is not proved**: other asymmetric solutions may exist.
 
@@ -24,7 +24,7 @@ use crate::number::{Ball, Enclosure, ExactNumber, Ternary};
 use crate::problem::Line;
 use rug::Float;
 
-/// Why there is no branch.
+/// Reason why there is no branch.
 #[derive(Clone, Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoBranch {
@@ -43,7 +43,7 @@ pub struct Branch {
     pub weight: SelfWeight,
     /// The half opening.
     pub half_opening: ExactNumber,
-    /// Its parts, each with the point where it begins.
+    /// Parts of the branch, each with the point where it begins.
     pub stretches: Vec<(Meeting, Stretch)>,
     /// The symmetric state in which it ends.
     pub end: Meeting,

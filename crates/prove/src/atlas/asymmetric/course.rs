@@ -1,4 +1,4 @@
-//! Where the curve of one half opening probably runs, in doubles. Nothing here proves anything.
+//! Probable course of the curve of one half opening, in doubles. Nothing here proves anything.
 
 use super::super::form::CurveForm;
 use super::super::law::Law;
@@ -8,16 +8,16 @@ use crate::number::Ball;
 /// Steps from no vertical force up to one as large as half the weight of half the arch.
 const STEPS: f64 = 512.0;
 
-/// Where a walk along the vertical force ends.
+/// End of a walk along the vertical force.
 pub(super) enum CourseEnd {
-    /// Without a vertical force.
+    /// The walk ends without a vertical force.
     Symmetric(Vec<f64>),
-    /// Where an equation holds besides: with the vertical force and the unknowns next to it.
+    /// The walk ends where an equation holds besides: with the vertical force and the unknowns next to it.
     Holds(Law, f64, Vec<f64>),
 }
 
-/// Walks from a vertical force on, up or down, until one of some equations holds; each of their left sides is positive at
-/// first. `None` where no course is found.
+/// Walks from a vertical force on, up or down, until one of some equations holds; each of their left sides is
+/// positive at first. `None` where no course is found.
 pub(super) fn follow(
     form: &CurveForm,
     half_opening: f64,

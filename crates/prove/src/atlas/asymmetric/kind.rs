@@ -16,7 +16,7 @@ pub(super) fn closing(kind: AsymmetricMode) -> Law {
     }
 }
 
-/// The same the other way round.
+/// Kind that a law closes.
 pub(super) fn closed_by(law: Law) -> Option<AsymmetricMode> {
     AsymmetricMode::ALL.into_iter().find(|kind| closing(*kind) == law)
 }

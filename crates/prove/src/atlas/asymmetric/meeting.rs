@@ -1,4 +1,4 @@
-//! Where two kinds meet, or where a kind meets the symmetric states.
+//! Meetings of two kinds, or of a kind and the symmetric states.
 
 use super::super::crossing::Crossing;
 use super::super::law::Law;
@@ -6,7 +6,7 @@ use super::super::place::Place;
 use super::kind::closing;
 use crate::arch::asymmetric::AsymmetricMode;
 
-/// Where two kinds meet, or where a kind meets the symmetric states.
+/// Meeting of two kinds, or of a kind and the symmetric states.
 #[derive(Clone, Debug)]
 pub struct Meeting {
     pub(super) crossing: Crossing,
@@ -20,12 +20,12 @@ impl Meeting {
         self.crossing.place()
     }
 
-    /// Whether it is a symmetric state.
+    /// Tells whether the meeting is a symmetric state.
     pub fn is_symmetric(&self) -> bool {
         self.other.is_none()
     }
 
-    /// Whether an equation holds there.
+    /// Tells whether an equation holds there.
     pub(super) fn has(&self, law: Law) -> bool {
         self.other.is_some_and(|other| closing(other) == law)
             || self.crossing.form.laws.contains(&law)

@@ -10,8 +10,8 @@
 //! | `branch` | the curve of one half opening from end to end, over friction |
 //! | `border` | between which half openings and frictions branches run |
 //!
-//! The kinds have five equations in common, and one that closes: an inner joint slides, the shoulder opens, or the hinges
-//! fit. In each state the left sides of the other two are not negative; where one of them becomes zero the
+//! The kinds have five equations in common, and one that closes: an inner joint slides, the shoulder opens, or the
+//! hinges fit. In each state the left sides of the other two are not negative; where one of them becomes zero the
 //! kind changes.
 
 mod admissible;

@@ -10,16 +10,17 @@ use crate::number::Ball;
 
 /// A part of a branch, of one kind.
 ///
-/// Guaranteed, where [`is_admissible`](Self::is_admissible) and no piece is a gap: for **each** vertical force between those of the two
-/// ends there is exactly one solution of the equations in the tube, and it is admissible at every joint of the
-/// whole arch, with a motion of its kind whose rates are not negative: a solution of Eq. (19).
+/// Guaranteed, where [`is_admissible`](Self::is_admissible) and no piece is a gap: for **each** vertical force
+/// between those of the two ends there is exactly one solution of the equations in the tube, and it is admissible
+/// at every joint of the whole arch, with a motion of its kind whose rates are not negative: a solution of Eq.
+/// (19).
 #[derive(Clone, Debug)]
 pub struct Stretch {
     /// The kind.
     pub kind: AsymmetricMode,
-    /// It, from the smaller vertical force to the larger one.
+    /// Section of the curve, from the smaller vertical force to the larger one.
     pub section: Section,
-    /// Whether the branch runs to smaller vertical forces.
+    /// True if the branch runs to smaller vertical forces.
     falls: bool,
     admissible: Result<(), Undecided>,
 }
@@ -43,17 +44,17 @@ impl Stretch {
         Ok(Self { kind, section, falls, admissible })
     }
 
-    /// Whether the branch runs from the larger vertical force to the smaller one.
+    /// Tells whether the branch runs from the larger vertical force to the smaller one.
     pub fn falls(&self) -> bool {
         self.falls
     }
 
-    /// Whether every state of it is proved to be admissible; else where that failed.
+    /// Checks that every state of it is proved to be admissible, and says where that failed.
     pub fn is_admissible(&self) -> Result<(), &Undecided> {
         self.admissible.as_ref().copied()
     }
 
-    /// Whether nothing is left open.
+    /// Tells whether nothing is left open.
     pub fn is_proved(&self) -> bool {
         self.admissible.is_ok() && self.section.pieces().all(|piece| piece.is_proved())
     }

@@ -10,7 +10,7 @@ use crate::number::{Ball, Field};
 use crate::problem::Mode;
 use crate::sketch::{joints_of, moment_of};
 
-/// Those of a state in a mode; the friction is unlimited if it is not.
+/// Forces of a state in a mode; the friction is unlimited if it is not.
 pub(super) fn forces_of_mode(
     weight: SelfWeight,
     mode: Mode,
@@ -24,7 +24,7 @@ pub(super) fn forces_of_mode(
     Ok(Forces::new(weight, (at, &[]), is_limited, &moments, joints_of(mode, at)))
 }
 
-/// Those of an end of a range of thrusts, at least or at most so much; `None` where there is no bound.
+/// Forces of an end of a range of thrusts, at least or at most so much; `None` where there is no bound.
 pub(super) fn forces_of_limit(
     weight: SelfWeight,
     given: &Configuration<Ball>,

@@ -24,7 +24,7 @@ pub use stability::{Bound, Stability};
 
 use crate::number::Ball;
 
-/// How an arch falls in a mode.
+/// Motion in which an arch falls in a mode.
 pub type Collapse = crate::sketch::Collapse<Ball>;
 /// A thrust with its lines.
 pub type Forces = crate::sketch::Forces<Ball>;

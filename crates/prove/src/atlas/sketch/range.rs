@@ -1,9 +1,9 @@
-//! The crown moments that fit a given thrust: from the one whose line of thrust touches the intrados to the one that reaches
-//! the extrados.
+//! The crown moments that fit a given thrust: from the one whose line of thrust touches the intrados to the one
+//! that reaches the extrados.
 //!
-//! At a given thrust the line of thrust is fixed by the crown moment `p`, and lies higher for a larger one. It touches the
-//! intrados where `L` is least: at the crown, at the shoulder, or where `L' = 0`, and there is one such joint, since
-//! `beta cot(beta)` falls (see [`contact`]).
+//! At a given thrust the line of thrust is fixed by the crown moment `p`, and lies higher for a larger one. It
+//! touches the intrados where `L` is least: at the crown, at the shoulder, or where `L' = 0`, and there is one such
+//! joint, since `beta cot(beta)` falls (see [`contact`]).
 
 use crate::arch::{Configuration, SelfWeight, contact};
 use crate::certify::Undecided;

@@ -1,4 +1,4 @@
-//! Which arch is drawn: at its least thickness, at a landmark, or as it stands.
+//! Drawing of an arch: at its least thickness, at a landmark, or as it stands.
 
 use super::forces::{forces_of_limit, forces_of_mode};
 use super::stability::Stability;
@@ -20,23 +20,23 @@ use crate::sketch::{NoCollapse, joints_of};
 /// An arch to be drawn.
 #[derive(Clone, Debug)]
 pub struct Sketch {
-    /// What it is.
+    /// Subject of the drawing.
     pub subject: Subject,
     /// The self-weight model.
     pub weight: SelfWeight,
     /// Half opening and thickness; joints, thrust and friction as far as they are known, else zero.
     pub at: Configuration<Ball>,
-    /// Whether the friction is limited.
+    /// True if the friction is limited.
     pub is_limited: bool,
-    /// Its stones, if its joints are between them alone.
+    /// Stones of the arch, if its joints are between them alone.
     pub stones: Option<Stones>,
     /// The lines: of the state, or of the least and the largest thrust. None if it does not stand.
     pub forces: Vec<Forces>,
-    /// How it falls: in one mode, in several at once, or not at all.
+    /// Mechanisms in which the arch falls: in one mode, in several at once, or not at all.
     pub collapses: Vec<Collapse>,
 }
 
-/// What is drawn.
+/// Subject of a drawing.
 #[derive(Clone, Debug)]
 pub enum Subject {
     /// An arch at its least thickness.
@@ -47,9 +47,9 @@ pub enum Subject {
     Standing {
         /// The arch.
         arch: Box<Arch>,
-        /// Its thickness as given.
+        /// Thickness of the arch as given.
         thickness: ExactNumber,
-        /// What holds for it.
+        /// Stability of the arch.
         stability: Box<Stability>,
         /// The thicknesses of its asymmetric solutions, if it stands and has a joint at every angle.
         asymmetric: Vec<Figure>,
@@ -58,12 +58,12 @@ pub enum Subject {
     Sliding {
         /// The arch, without its friction.
         arch: Box<Arch>,
-        /// Its thickness as given.
+        /// Thickness of the arch as given.
         thickness: ExactNumber,
     },
 }
 
-/// Why there is nothing to draw.
+/// Reason why there is nothing to draw.
 #[derive(Clone, Debug, thiserror::Error)]
 pub enum NoSketch {
     /// The arch stands at no thickness, which is proved.
@@ -262,7 +262,7 @@ impl Sketch {
         })?
     }
 
-    /// Only these modes, in this order, if any is named: each has to be one in which the arch falls.
+    /// Sketch with only some modes, in this order, if any is named: each has to be one in which the arch falls.
     pub fn in_modes(mut self, modes: &[Mode]) -> Result<Self, NoSketch> {
         if modes.is_empty() {
             return Ok(self);
@@ -278,7 +278,7 @@ impl Sketch {
         Ok(self)
     }
 
-    /// The same, if every number can be rounded.
+    /// Sketch, if every number can be rounded.
     fn decided(self) -> Option<Self> {
         let angles = [&self.at.half_opening, &self.at.rotation_joint, &self.at.sliding_joint];
         let angles = angles.into_iter().map(|angle| &angle.rad);
@@ -302,8 +302,8 @@ impl Sketch {
         self.at.half_opening.rad.double()
     }
 
-    /// The joints between stones of the right half but for the shoulder, from the crown, rad; none of an arch that is not of
-    /// stones.
+    /// The joints between stones of the right half but for the shoulder, from the crown, rad; none of an arch that
+    /// is not of stones.
     pub fn stone_joints(&self) -> Vec<f64> {
         self.stones.iter().flat_map(stones::joints).collect()
     }
@@ -319,7 +319,7 @@ impl Sketch {
         [1.0 - eta / 2.0, 1.0 + eta / 2.0]
     }
 
-    /// Whether the line of friction jumps at the crown: without thrust it is at its limit next to it.
+    /// Tells whether the line of friction jumps at the crown: without thrust it is at its limit next to it.
     pub fn has_jump(&self) -> bool {
         !self.is_limited && self.forces.iter().any(|forces| Drawable::is_zero(&forces.thrust))
     }

@@ -1,4 +1,4 @@
-//! What holds for an arch of a given thickness that is drawn, with a joint at every angle or between stones.
+//! Stability of an arch of a given thickness that is drawn, with a joint at every angle or between stones.
 
 use crate::certify::state::{Assessment, Fall, Figure, Limit};
 use crate::certify::{Undecided, VoussoirAssessment, VoussoirLimit, VoussoirStanding, Voussoirs};
@@ -6,12 +6,12 @@ use crate::number::Ball;
 use crate::problem::Quantity;
 use crate::problem::stones::Stones;
 
-/// What holds for an arch of a given thickness, all of it decided.
+/// Stability of an arch of a given thickness, all of it decided.
 #[derive(Clone, Debug)]
 pub struct Stability {
-    /// Whether it stands.
+    /// Tells whether the arch stands.
     pub stands: bool,
-    /// Why no thickness is enough, if none is.
+    /// Reason why no thickness is enough, if none is.
     pub fall: Option<Fall>,
     /// The least thickness; `None` if there is none.
     pub least_thickness: Option<Ball>,
@@ -30,12 +30,12 @@ pub struct Stability {
 pub struct Bound {
     /// The thrust; `None` if any size will do.
     pub thrust: Option<Ball>,
-    /// What limits it, in words.
+    /// Description of the limit, in words.
     pub by: String,
 }
 
 impl Stability {
-    /// Of an arch with a joint at every angle.
+    /// Stability of an arch with a joint at every angle.
     pub(super) fn of_arch(found: &Assessment) -> Result<Self, Undecided> {
         for quantity in Quantity::ASSESSMENT {
             if let Some(open) = found.why_open(quantity) {
@@ -58,7 +58,7 @@ impl Stability {
         })
     }
 
-    /// Of an arch of stones, with what is proved of its least thickness.
+    /// Stability of an arch of stones, with what is proved of its least thickness.
     pub(super) fn of_stones(
         (stones, is_limited): (&Stones, bool),
         least: &Voussoirs,
@@ -92,7 +92,7 @@ impl Stability {
     }
 }
 
-/// What limits the thrust of an arch of stones, in words.
+/// Description of the limit of the thrust of an arch of stones, in words.
 pub(super) fn limited_by((stones, is_limited): (&Stones, bool), limit: &VoussoirLimit) -> String {
     let one = |(contact, joint): &(_, u64)| {
         format!("{} {}", stones.at_limit((*contact, *joint), is_limited), stones.place(*joint))
@@ -106,7 +106,7 @@ pub(super) fn limited_by((stones, is_limited): (&Stones, bool), limit: &Voussoir
 /// Bits that hold the bounds of a figure.
 const BITS: u32 = 256;
 
-/// Where the value of a figure lies.
+/// Ball in which the value of a figure lies.
 pub(super) fn ball(figure: &Figure) -> Ball {
     let [lower, upper] = [&figure.decimal.lower, &figure.decimal.upper]
         .map(|end| Ball::enclosing(&end.to_rational(), BITS));

@@ -27,7 +27,8 @@ pub(super) fn joints(stones: &Stones) -> Vec<f64> {
     (0..stones.count() - 1).map(|index| angle(stones, index).rad.double()).collect()
 }
 
-/// Where it is at its least thickness: the hinge at the intrados is the rotational joint, that of a keystone the hinge of the crown.
+/// Configuration of an arch of stones at its least thickness: the hinge at the intrados is the rotational
+/// joint, that of a keystone the hinge of the crown.
 pub(super) fn state(arch: &Arch, stones: &Stones, found: &VoussoirDigits) -> Configuration<Ball> {
     let [first, haunch, _] = found.contacts.map(|(_, joint)| angle(stones, joint));
     let at = arch.given(BITS).with(Unknown::Thickness, ball(&found.thickness));
@@ -56,7 +57,7 @@ pub(super) fn moment(
     Some(row.moment_at(&at.thrust))
 }
 
-/// Of two numbers the larger one, as far as this is decided.
+/// Larger of two numbers, as far as this is decided.
 fn larger(a: Ball, b: Ball) -> Ball {
     match a.is_less_than(&b) {
         Ternary::True => b,

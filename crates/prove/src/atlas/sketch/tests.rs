@@ -183,8 +183,8 @@ fn rates_are_those_computed_elsewhere() {
     }
 }
 
-/// Between stones too, with a keystone that goes up and down or with a joint at the crown: blocks displaced by a millionth are
-/// where their velocities bring them.
+/// Between stones too, with a keystone that goes up and down or with a joint at the crown: blocks displaced by a
+/// millionth are where their velocities bring them.
 #[test]
 fn stones_move_as_their_rates_say() {
     let number = |x: &Ball| x.double();
@@ -223,7 +223,7 @@ fn stones_move_as_their_rates_say() {
     }
 }
 
-/// The same at B, where the intrados is a point, and at l and L, where friction is unlimited: rises of the crown.
+/// Rates at B, where the intrados is a point, and at l and L, where friction is unlimited: rises of the crown.
 #[test]
 fn rates_of_degenerate_states_are_those_computed_elsewhere() {
     let of = |landmark, mode, is_dilatant| {
@@ -269,8 +269,8 @@ fn rates_of_degenerate_states_are_those_computed_elsewhere() {
     }
 }
 
-/// Blocks of true states, turned by a millionth, are where their rates bring them: each mode with each weight, and where
-/// joints meet, the intrados is a point or friction is unlimited. Rates that are turned the other way do not.
+/// Blocks of true states, turned by a millionth, are where their rates bring them: each mode with each weight, and
+/// where joints meet, the intrados is a point or friction is unlimited. Rates that are turned the other way do not.
 #[test]
 fn blocks_turned_by_a_millionth_follow_their_rates() {
     const BY: f64 = 1e-6;

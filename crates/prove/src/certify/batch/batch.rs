@@ -77,7 +77,7 @@ impl Threads {
 const PIECE: usize = 64;
 
 impl Batch {
-    /// Whether the frictions at which the mode changes are asked for.
+    /// Tells whether the frictions at which the mode changes are asked for.
     pub fn has_frictions(&self) -> bool {
         self.quantities.iter().any(|of| of.is_friction())
     }

@@ -42,7 +42,7 @@ pub(super) const ALONE: usize = 2;
 /// See also: [`Certify::certify`](crate::certify::state::Certify::certify), which answers one.
 #[derive(Debug)]
 pub struct SharedOpening {
-    /// At unlimited friction.
+    /// Arch of the half opening with unlimited friction.
     unlimited: Arch,
     digits: usize,
     /// The answer at unlimited friction, where it is proved.
@@ -54,7 +54,7 @@ pub struct SharedOpening {
     slides: Answer,
     /// The frictions at which the mode changes, where some arch stands and they are proved; asked for by the first.
     frictions: OnceLock<Option<Frictions<Figure>>>,
-    /// What would be enough at this half opening, asked for by the first arch that falls.
+    /// Remedies at this half opening, asked for by the first arch that falls.
     enough: OnceLock<AtOpening>,
 }
 
@@ -255,7 +255,7 @@ mod tests {
         }
     }
 
-    /// Those that rotate, that overturn and that fall whatever the friction.
+    /// Half openings that rotate, that overturn and that fall whatever the friction.
     const OPENINGS: [&str; 6] = ["1e-3", "1/2", "80deg", "2.45", "2.62", "2.85"];
 
     #[test]

@@ -34,10 +34,10 @@ pub struct SharedOpenings {
     seen: Mutex<HashMap<(SelfWeight, ExactNumber), Seen>>,
 }
 
-/// What has come of a half opening and weight.
+/// State of a half opening and weight.
 #[derive(Clone, Debug)]
 enum Seen {
-    /// So many arches, each proved alone.
+    /// Number of arches so far, each proved alone.
     Arches(usize),
     /// An arch whose thread makes the shared proofs. Others do not wait for it: its proof may wait for the work of
     /// this one.
@@ -46,7 +46,7 @@ enum Seen {
     Shared(Arc<SharedOpening>),
 }
 
-/// So many half openings are remembered, a few megabytes; then all are forgotten.
+/// Number of half openings that are remembered, a few megabytes; then all are forgotten.
 const MOST: usize = 4096;
 
 impl SharedOpenings {
@@ -112,7 +112,7 @@ mod tests {
         seen.values().filter(|seen| matches!(seen, Seen::Shared(_))).count()
     }
 
-    /// What is asked of an arch, as text.
+    /// Answer about an arch, as text.
     fn told(found: &Result<Answer, Error>) -> String {
         let shown = |x: Option<&Figure>| match x {
             Some(x) => format!("{:?} {:?}", x.decimal, [x.double, x.binary.lower, x.binary.upper]),

@@ -1,4 +1,5 @@
-//! All solutions on a grid of thicknesses in doubles, by looking at all sets of four conditions: what the enumeration is compared with.
+//! All solutions on a grid of thicknesses in doubles, by looking at all sets of four conditions: what the
+//! enumeration is compared with.
 
 use super::{Extent, enumerate};
 use crate::arch::joint::Grip;
@@ -56,7 +57,7 @@ fn determinant<const N: usize>(mut rows: [[f64; N]; N]) -> f64 {
     product
 }
 
-/// Whether conditions are zero together at an admissible state and have rates that fit.
+/// Tells whether conditions are zero together at an admissible state and have rates that fit.
 fn is_solution(rows: &Rows, of: &[usize; 4]) -> bool {
     let triples = [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]].map(|t| t.map(|k| of[k]));
     let whole = |t: &[usize; 3]| determinant(t.map(|k| [rows[k].0[0], rows[k].0[1], rows[k].0[2]]));
@@ -86,8 +87,8 @@ fn is_solution(rows: &Rows, of: &[usize; 4]) -> bool {
     sum.abs() > 1e-9 && rates.iter().all(|rate| rate / sum > -1e-9)
 }
 
-/// All thicknesses with a solution whose four conditions are zero together, by looking at all sets of four: where their determinant
-/// changes its sign on a grid.
+/// All thicknesses with a solution whose four conditions are zero together, by looking at all sets of four: where
+/// their determinant changes its sign on a grid.
 fn by_brute_force(of: &Doubles) -> Vec<f64> {
     let grid: Vec<f64> = (1..=80).map(|k| f64::from(k) / 40.0 + 1e-4).collect();
     let rows: Vec<Rows> = grid.iter().map(|eta| of.rows(*eta)).collect();
@@ -147,8 +148,8 @@ fn compare((weight, alpha, mu, stones, count): (&str, &str, &str, i32, usize)) {
     assert!(brute.iter().zip(&found).all(|(a, b)| (a - b).abs() < 1e-7), "{brute:?} {found:?}");
 }
 
-/// Another way, which knows neither vertices nor pieces, finds the same thicknesses: of arches with asymmetric solutions; of three stones that stand
-/// at every thickness; and where the crown bears nothing.
+/// Another way, which knows neither vertices nor pieces, finds the same thicknesses: of arches with asymmetric
+/// solutions; of three stones that stand at every thickness; and where the crown bears nothing.
 #[test]
 fn brute_force_finds_the_same() {
     for of in [

@@ -11,12 +11,13 @@ use crate::prover::arithmetic::Arithmetic;
 pub(super) struct Conditions<T> {
     /// Four at each joint, in the order of [`Contact::ALL`], from the left.
     pub all: Vec<JointLimit<Polynomial<T>>>,
-    /// What is free of the forces in the force that works on each motion: of a hinge that of the row, of a slip that of `T` or `-T`.
+    /// What is free of the forces in the force that works on each motion: of a hinge that of the row, of a slip
+    /// that of `T` or `-T`.
     pub weights: Vec<Polynomial<T>>,
     pub extent: Extent,
-    /// At each joint `-N`: both hinges together are `eta` times this.
+    /// Conditions `-N` at each joint: both hinges together are `eta` times this.
     compressions: Vec<[Polynomial<T>; 4]>,
-    /// What a state of the half arch satisfies beside them: no vertical force.
+    /// Condition that a state of the half arch satisfies beside them: no vertical force.
     no_vertical_force: [Polynomial<T>; 4],
     /// The radius of the intrados, `1 - eta/2`.
     intrados: Polynomial<T>,
@@ -25,7 +26,8 @@ pub(super) struct Conditions<T> {
 /// The order of jets in the thickness: that of the load.
 const ORDER: usize = 2;
 
-/// What goes with `h, p` and `v`. With `v` it is linear in the thickness: the centroids, of second order, drop out exactly.
+/// What goes with `h, p` and `v`. With `v` it is linear in the thickness: the centroids, of second order, drop out
+/// exactly.
 fn entries<T: Field>([h, p, v]: &[Jet<T>; 3]) -> [Polynomial<T>; 3] {
     let linear = Jet::new(v.coefficients().iter().take(2).cloned().collect(), ORDER);
     [h, p, &linear].map(Polynomial::of)
@@ -62,8 +64,8 @@ impl<T: Arithmetic> Conditions<T> {
         Self { all, weights, extent, compressions, no_vertical_force, intrados }
     }
 
-    /// The row of a condition beside others that are zero: where the opposite hinge of its joint is one of them, `-N`, which has its sign and is
-    /// free of the factor `eta` that both hinges together have.
+    /// The row of a condition beside others that are zero: where the opposite hinge of its joint is one of them,
+    /// `-N`, which has its sign and is free of the factor `eta` that both hinges together have.
     fn row_beside(&self, place: usize, of: &[usize]) -> &[Polynomial<T>; 4] {
         let opposite = match place % 4 {
             0 => Some(place + 1),
@@ -105,7 +107,7 @@ impl<T: Arithmetic> Conditions<T> {
         places
     }
 
-    /// How many rates are as many as the equations of compatibility and one more.
+    /// Number of the equations of compatibility and one more, which is that of the rates.
     pub(super) fn rank(&self) -> usize {
         match self.extent {
             Extent::Whole => 3,
@@ -115,8 +117,8 @@ impl<T: Arithmetic> Conditions<T> {
 
     /// The state at which three conditions are zero, or two of a half arch: `h, p, v` and one, times a common factor.
     ///
-    /// Two mirror images are zero together where one is and `v` is zero. Of three hinges at the intrados the factor `1 - eta/2`, which all
-    /// four have, is left out, and of the two hinges of a joint the factor `eta`.
+    /// Two mirror images are zero together where one is and `v` is zero. Of three hinges at the intrados the factor
+    /// `1 - eta/2`, which all four have, is left out, and of the two hinges of a joint the factor `eta`.
     pub(super) fn meeting(&self, of: &[usize]) -> [Polynomial<T>; 4] {
         let is_intrados = |place: &usize| self.all[*place].contact == Contact::Intrados;
         let without_vertical_force = |of: &[usize]| {
@@ -142,7 +144,7 @@ impl<T: Arithmetic> Conditions<T> {
         }
     }
 
-    /// Of three conditions, two of which are mirror images, one of these and the third.
+    /// Pair of mirror images among three conditions, as one of these and the third.
     fn mirror_images(&self, of: &[usize]) -> Option<[usize; 2]> {
         let [a, b, c] = *of else { return None };
         let are = |a: usize, b: usize| self.mirrored(&[a]) == [b];
@@ -154,8 +156,8 @@ impl<T: Arithmetic> Conditions<T> {
         }
     }
 
-    /// The left side of a condition at the state of [`meeting`](Self::meeting) of some, times the common factor; divided by `eta` where these have the
-    /// opposite hinge.
+    /// The left side of a condition at the state of [`meeting`](Self::meeting) of some, times the common factor;
+    /// divided by `eta` where these have the opposite hinge.
     pub(super) fn value(
         &self,
         place: usize,
@@ -168,7 +170,8 @@ impl<T: Arithmetic> Conditions<T> {
         Polynomial::alternating(&[[h, a], [p, &minus[0]], [v, c], [load, &minus[1]]])
     }
 
-    /// Rates, up to a common factor, of one condition more than the equations of compatibility, with which the motion fits.
+    /// Rates, up to a common factor, of one condition more than the equations of compatibility, with which the
+    /// motion fits.
     pub(super) fn rates(&self, of: &[usize]) -> Vec<Polynomial<T>> {
         let motion = |k: usize| &self.all[of[k]].motion;
         let cross = |i: usize, j: usize, [x, y]: [usize; 2]| {

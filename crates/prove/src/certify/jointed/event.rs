@@ -1,8 +1,9 @@
 //! A solution of (19) on a piece of thicknesses, which has no other one there.
 //!
-//! At a vertex one more condition becomes zero, or the motions of its own begin to fit with each other. Either is the zero of a polynomial:
-//! with a slope that keeps its sign, and two signs at the ends, there is exactly one. **There** the state is admissible, as all other conditions
-//! keep their sign, and the rates are positive. **Elsewhere** on the piece only the vertex's own conditions are zero, and no motion fits.
+//! At a vertex one more condition becomes zero, or the motions of its own begin to fit with each other. Either is
+//! the zero of a polynomial: with a slope that keeps its sign, and two signs at the ends, there is exactly one.
+//! **There** the state is admissible, as all other conditions keep their sign, and the rates are positive.
+//! **Elsewhere** on the piece only the vertex's own conditions are zero, and no motion fits.
 
 use super::conditions::Conditions;
 use super::polynomial::Polynomial;
@@ -13,11 +14,11 @@ use crate::number::{DoubleBall, Enclosure, Field};
 #[derive(Clone, Debug)]
 pub(super) struct Event {
     pub kind: Kind,
-    /// Where it is.
+    /// Piece on which it lies.
     pub piece: Piece,
 }
 
-/// What is zero there.
+/// Quantity that is zero there.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Kind {
     /// One condition more than fix the forces: the first ones, and that one.
@@ -63,7 +64,7 @@ pub(super) fn event(
     Some(Event { kind, piece })
 }
 
-/// Whether a polynomial is zero exactly once on a piece.
+/// Tells whether a polynomial is zero exactly once on a piece.
 fn is_once_zero(polynomial: &Polynomial<DoubleBall>, piece: &Piece) -> bool {
     let [low, high] = [piece.low, piece.high].map(|x| polynomial.at(&DoubleBall::exact(x)));
     polynomial.derivative().on(&piece.ball()).excludes_zero()
@@ -72,7 +73,7 @@ fn is_once_zero(polynomial: &Polynomial<DoubleBall>, piece: &Piece) -> bool {
         && (low.mid() > 0.0) != (high.mid() > 0.0)
 }
 
-/// Whether all have one sign on a piece, the same.
+/// Tells whether all rates have the same sign on a piece.
 fn have_one_sign(rates: &[Polynomial<DoubleBall>], piece: &Piece) -> bool {
     let ball = piece.ball();
     let all = |sign: i32| {
@@ -115,7 +116,8 @@ mod tests {
         Conditions::new(&arch, 8, Extent::Whole, 106)
     }
 
-    /// What is known of three conditions on a piece: whether a solution is proved there, and whether it is proved that there is none.
+    /// Knowledge of three conditions on a piece: whether a solution is proved there, and whether it is proved
+    /// that there is none.
     fn known(mu: &str, of: &[(Contact, i32)], [low, high]: [f64; 2]) -> [bool; 2] {
         let conditions = conditions(mu);
         let places = of.iter().map(|at| conditions.place(at.0, at.1).unwrap());
@@ -128,8 +130,9 @@ mod tests {
         [event(&mut vertex, &piece, range, None).is_some(), nothing]
     }
 
-    /// Next to the asymmetric solution at 0.684421733 it is proved, and elsewhere that there is none: on a piece beside it, with another friction, with
-    /// a condition that moves the other way, or with three that are no vertex there.
+    /// Next to the asymmetric solution at 0.684421733 it is proved, and elsewhere that there is none: on a piece
+    /// beside it, with another friction, with a condition that moves the other way, or with three that are no
+    /// vertex there.
     #[test]
     fn a_solution_is_proved_where_it_is_and_refused_elsewhere() {
         use Contact::{Extrados, Intrados, Inwards, Outwards};

@@ -1,4 +1,4 @@
-//! What is proved of the solutions of (19) between equal stones.
+//! Proofs about the solutions of (19) between equal stones.
 
 use crate::arch::mechanism::Contact;
 use crate::arch::whole::Side;
@@ -12,7 +12,7 @@ use rug::Float;
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct JointedSolution {
-    /// Whether its state and its motion are symmetric; the mirror image of another one is a solution too.
+    /// True if the solution's state and its motion are symmetric; the mirror image of another one is a solution too.
     pub is_symmetric: bool,
     /// `eta`.
     pub thickness: Figure,
@@ -30,9 +30,9 @@ pub struct JointedSolution {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct JointedMotion {
-    /// How, on its side.
+    /// Limit that it is at, on its side.
     pub contact: Contact,
-    /// On which side of the crown; `None` at the crown.
+    /// Side of the crown; `None` at the crown.
     pub side: Option<Side>,
     /// The angle from the crown, rad.
     pub angle: Figure,
@@ -43,9 +43,9 @@ pub struct JointedMotion {
 /// The thicknesses at which there is an admissible state.
 #[derive(Clone, Debug)]
 pub enum Standing {
-    /// From this one on, up to 2.
+    /// Every thickness from this one on stands, up to 2.
     From(Box<Figure>),
-    /// All up to 2.
+    /// Every thickness stands, up to 2.
     Always,
     /// None up to 2.
     Never,
@@ -54,11 +54,11 @@ pub enum Standing {
 /// The solution at the least thickness, or that there is no such thickness.
 #[derive(Clone, Debug)]
 pub enum LeastSolution {
-    /// There it is.
+    /// The least solution is there.
     At(Box<JointedSolution>),
     /// There is none, as every thickness up to 2 stands.
     Always,
-    /// There is none, as no thickness up to 2 stands.
+    /// There is no least thickness, as no thickness up to 2 stands.
     Never,
 }
 
@@ -66,22 +66,24 @@ pub enum LeastSolution {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Enumeration {
-    /// Which states are looked at.
+    /// States that are looked at.
     pub extent: Extent,
     /// The stones of the whole arch.
     pub stones: u64,
-    /// Where there is anything admissible.
+    /// Thicknesses at which there is anything admissible.
     pub standing: Standing,
-    /// The solutions, thin arches first, each alone at its thickness but for its mirror image; or why the digits of one stay open.
+    /// The solutions, thin arches first, each alone at its thickness but for its mirror image; or why the digits of
+    /// one stay open.
     pub solutions: Vec<Result<JointedSolution, Undecided>>,
-    /// The pieces of `(0, 2]` on which nothing is proved, by their bounds. On all the rest there are no other solutions.
+    /// The pieces of `(0, 2]` on which nothing is proved, by their bounds. On all the rest there are no other
+    /// solutions.
     pub open: Vec<[f64; 2]>,
     /// The triples of conditions that are looked at, or the pairs of a half arch.
     pub triples: u64,
 }
 
 impl Enumeration {
-    /// Why something stays open, if anything does.
+    /// Reason why something stays open, if anything does.
     pub fn first_open(&self) -> Option<Undecided> {
         let open = self.solutions.iter().find_map(|solution| solution.as_ref().err());
         let piece = || {

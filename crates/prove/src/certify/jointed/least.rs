@@ -1,8 +1,9 @@
 //! The solution at the least thickness of the stones.
 //!
-//! That the state there is admissible, and none in a thinner arch, is proved with the [voussoirs](crate::certify::voussoirs()). Without dilatancy the rates of
-//! its three conditions are others than the multipliers, but positive too: then it is a solution of (19). Of the whole
-//! arch it is one with each rate shared by both sides.
+//! That the state there is admissible, and none in a thinner arch, is proved with the
+//! [voussoirs](crate::certify::voussoirs()). Without dilatancy the rates of its three conditions are others than
+//! the multipliers, but positive too: then it is a solution of (19). Of the whole arch it is one with each rate
+//! shared by both sides.
 
 use super::conditions::Conditions;
 use super::event::Kind;
@@ -26,8 +27,8 @@ fn joint(number: i32, (_, index): &JointContact) -> Option<i32> {
     Some(2 * i32::try_from(*index).ok()? + number % 2)
 }
 
-/// The conditions of a half arch that are zero at its least thickness and move. A crown that bears nothing, where an arch overturns, opens: both of its
-/// hinges turn.
+/// The conditions of a half arch that are zero at its least thickness and move. A crown that bears nothing, where
+/// an arch overturns, opens: both of its hinges turn.
 fn moving(state: &VoussoirDigits) -> [JointContact; 3] {
     match (state.mode == Mode::Overturning, state.contacts) {
         (true, [_, haunch, shoulder]) => [(Contact::Extrados, 0), haunch, shoulder],
@@ -35,7 +36,7 @@ fn moving(state: &VoussoirDigits) -> [JointContact; 3] {
     }
 }
 
-/// Their places.
+/// Places of contacts among the conditions.
 fn places<T: Arithmetic>(
     conditions: &Conditions<T>,
     number: i32,
@@ -44,7 +45,7 @@ fn places<T: Arithmetic>(
     contacts.iter().map(|at| conditions.place(at.0, joint(number, at)?)).collect()
 }
 
-/// Where the search begins: at the least thickness, with its conditions on both sides.
+/// Start of the search: at the least thickness, with its conditions on both sides.
 pub(super) fn start(
     conditions: &Conditions<DoubleBall>,
     number: i32,
@@ -64,8 +65,9 @@ pub(super) fn start(
     Some(Start { below, touching })
 }
 
-/// Where the search begins if every thickness stands, with two or three stones: at 0, where the line of thrust through the middle of all joints is a state in
-/// which all hinges are zero. So the polynomials of four of them at different joints are zero there.
+/// Start of the search if every thickness stands, with two or three stones: at 0, where the line of thrust
+/// through the middle of all joints is a state in which all hinges are zero. So the polynomials of four of
+/// them at different joints are zero there.
 pub(super) fn start_at_zero(conditions: &Conditions<DoubleBall>) -> Start {
     let is_hinge = |place: &usize| conditions.all[*place].contact.is_hinge();
     Start { below: 0.0, touching: (0..conditions.all.len()).filter(is_hinge).collect() }
@@ -87,7 +89,8 @@ pub(super) fn solution(
         let kind = Kind::Statics(outer.to_vec(), of[1]);
         let polynomial = conditions.value(of[1], &outer, &conditions.meeting(&outer));
         let thickness = zero_near(&polynomial, found.thickness.double, bits)?;
-        // The zero next to a number is the one that is proved to be the least thickness: it is the only one between them.
+        // The zero next to a number is the one that is proved to be the least thickness: it is the only one between
+        // them.
         let [low, high] = [&found.thickness.decimal.lower, &found.thickness.decimal.upper]
             .map(|bound| Ball::enclosing(&bound.to_rational(), bits));
         let around = thickness.hull(&low).hull(&high);

@@ -1,22 +1,26 @@
 //! Three conditions that may be dependent.
 //!
-//! Where the rows of a triple are dependent at a thickness, or at all, its polynomials have a common zero there, and balls around it tell no
-//! sign. But two of the three, with rows that are not parallel anywhere on the piece, leave a line of states at each of its thicknesses. What satisfies the
-//! third condition too is on that line.
+//! Where the rows of a triple are dependent at a thickness, or at all, its polynomials have a common zero there,
+//! and balls around it tell no sign. But two of the three, with rows that are not parallel anywhere on the piece,
+//! leave a line of states at each of its thicknesses. What satisfies the third condition too is on that line.
 //!
 //! - **The line.** With rows `a`, `b` and loads `c`, `d` it is `x = place + t along`, with `along = a x b` and
-//!   `place = -(c b x along + d along x a)/|along|^2`: there `a . x = -c` and `b . x = -d` for every `t`. In balls over the piece both hold those of all its
-//!   thicknesses, and so does `value + slope t` for what another condition is on the line, with any ball around `t`.
-//! - **The stretch.** An admissible state has `value + slope t <= 0`. Where `slope > 0` on the piece this is `t <= -value/slope`, where `slope < 0` it is
-//!   `t >= -value/slope`; what is kept is the upper bound of the one and the lower bound of the other. So at every thickness of the piece
-//!   all admissible states of the line have a `t` in between, and there are none if the bounds have passed each other. Without a bound on both sides nothing is told.
-//! - **The parts.** The stretch is halved until on each part the third condition is not zero, or another one is positive, so that no state of the
-//!   triple is admissible; or the motions of the triple, and of all conditions that may be zero there, fit with no rates but zero (`vertex`). That
-//!   may be said without the state: a motion that is looked at is one more that has to be parted from rates, so that too many cost a proof and
-//!   never make one.
-//! - **Three hinges** alone have motions that may fit where they are dependent, and are passed all the same: a vertex has independent rows, so that where
-//!   these are dependent the state is found by other triples. That is all that is said of a triple: at no thickness of the piece is it
-//!   the vertex of a solution.
+//!   `place = -(c b x along + d along x a)/|along|^2`: there `a . x = -c` and `b . x = -d` for every `t`. In balls
+//!   over the piece both hold those of all its thicknesses, and so does `value + slope t` for what another
+//!   condition is on the line, with any ball around `t`.
+//! - **The stretch.** An admissible state has `value + slope t <= 0`. Where `slope > 0` on the piece this is `t <=
+//!   -value/slope`, where `slope < 0` it is `t >= -value/slope`; what is kept is the upper bound of the one and the
+//!   lower bound of the other. So at every thickness of the piece all admissible states of the line have a `t` in
+//!   between, and there are none if the bounds have passed each other. Without a bound on both sides nothing is
+//!   told.
+//! - **The parts.** The stretch is halved until on each part the third condition is not zero, or another one is
+//!   positive, so that no state of the triple is admissible; or the motions of the triple, and of all conditions
+//!   that may be zero there, fit with no rates but zero (`vertex`). That may be said without the state: a motion
+//!   that is looked at is one more that has to be parted from rates, so that too many cost a proof and never make
+//!   one.
+//! - **Three hinges** alone have motions that may fit where they are dependent, and are passed all the same: a
+//!   vertex has independent rows, so that where these are dependent the state is found by other triples. That is
+//!   all that is said of a triple: at no thickness of the piece is it the vertex of a solution.
 
 use super::polynomial::Polynomial;
 use super::vertex::{Piece, Vertex, is_positive};
@@ -26,21 +30,21 @@ use crate::prover::vector::{Line, Row, cross, dot, parts};
 /// Parts of a stretch that are looked at, at most.
 const PARTS: usize = 200;
 
-/// What is free of `t` in a condition on a line, and what multiplies it.
+/// Part free of `t` in a condition on a line, and what multiplies it.
 type OnLine = [DoubleBall; 2];
 
-/// Where on a line the states may be admissible.
+/// Part of a line on which the states may be admissible.
 #[derive(Debug, PartialEq)]
 enum Stretch {
     /// Nowhere.
     Empty,
-    /// At these `t` at most.
+    /// The states may be admissible at these `t` at most.
     Within(Piece),
-    /// Nothing limits them, as far as is seen.
+    /// Nothing limits the states, as far as is seen.
     Endless,
 }
 
-/// What conditions leave of a line.
+/// Stretch that conditions leave of a line.
 fn stretch(conditions: &[OnLine]) -> Stretch {
     let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
     for [value, slope] in conditions {
@@ -58,7 +62,8 @@ fn stretch(conditions: &[OnLine]) -> Stretch {
     }
 }
 
-/// The line of the two conditions that are the least parallel, and the third one on it; `None` if no two are sure to leave a line.
+/// The line of the two conditions that are the least parallel, and the third one on it; `None` if no two are sure
+/// to leave a line.
 fn line_of(own: [Row; 3]) -> Option<(Line, OnLine)> {
     let [a, b, c] = own;
     let size = |one: &Row, other: &Row| {
@@ -73,7 +78,8 @@ fn line_of(own: [Row; 3]) -> Option<(Line, OnLine)> {
     Some((line, third))
 }
 
-/// Whether at no thickness of a piece the three conditions are a vertex that bears a motion. `false` tells nothing.
+/// Tells whether at no thickness of a piece the three conditions are a vertex that bears a motion. `false`
+/// tells nothing.
 pub(super) fn bears_no_motion(vertex: &Vertex<'_>, piece: &Piece) -> bool {
     let ball = piece.ball();
     let on = |row: &[Polynomial<DoubleBall>; 4]| row.each_ref().map(|entry| entry.on(&ball));
@@ -122,7 +128,8 @@ mod tests {
     use crate::problem::Arch;
     use crate::problem::Extent;
 
-    /// The ends of a stretch are outside of what the conditions allow, by little; a slope of which the sign is open is no limit.
+    /// The ends of a stretch are outside of what the conditions allow, by little; a slope of which the sign is open
+    /// is no limit.
     #[test]
     fn a_stretch_holds_all_that_is_allowed() {
         let on_line = |value: f64, slope: f64| [value, slope].map(|x| DoubleBall::new(x, 1e-6));
@@ -140,7 +147,7 @@ mod tests {
         assert!(matches!(stretch(&[near, on_line(1.0, -3.0)]), Stretch::Within(_)));
     }
 
-    /// Whether a triple may be dependent next to a thickness, and whether it is proved to bear no motion.
+    /// Tells whether a triple may be dependent next to a thickness, and whether it is proved to bear no motion.
     fn told(conditions: &Conditions<DoubleBall>, mut of: Vec<usize>, eta: f64) -> [bool; 2] {
         of.sort_unstable();
         let vertex = Vertex::new(conditions, of);
@@ -148,8 +155,9 @@ mod tests {
         [vertex.may_be_dependent(&piece), bears_no_motion(&vertex, &piece)]
     }
 
-    /// A slip at 45 degrees with a friction of one says `h >= 0`, as a crown without force does: dependent at all thicknesses, whether the state without
-    /// thrust is admissible or not. With another friction the three are independent.
+    /// A slip at 45 degrees with a friction of one says `h >= 0`, as a crown without force does: dependent at all
+    /// thicknesses, whether the state without thrust is admissible or not. With another friction the three are
+    /// independent.
     #[test]
     fn dependent_conditions_are_decided_along_their_line() {
         let of: [(Contact, i32); 3] = [(Outwards, -2), (Extrados, 0), (Intrados, 0)];
@@ -181,8 +189,8 @@ mod tests {
         of.joints.iter().map(place).collect()
     }
 
-    /// A motion is never denied: at solutions, symmetric or not, under a crown that bears nothing too, no three of the conditions that move are
-    /// told to bear none; beside the solutions some are.
+    /// A motion is never denied: at solutions, symmetric or not, under a crown that bears nothing too, no three of
+    /// the conditions that move are told to bear none; beside the solutions some are.
     #[test]
     fn a_motion_is_not_denied() {
         for (alpha, mu, stones, count) in

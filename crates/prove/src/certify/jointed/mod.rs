@@ -3,21 +3,25 @@
 //! The conditions hold at the joints between the stones. Their coefficients are polynomials in the thickness `eta`:
 //! of the rows of the static matrix, and of the matrix of compatibility without dilatancy.
 //!
-//! 1. **A vertex is enough.** A solution is an admissible state with rates of conditions that are zero there. The states at which these
-//!    are zero are a face of the admissible ones, and have the same rates; the face has a vertex, as the hinges' rows leave no direction free. And of the
-//!    conditions that are zero at a vertex three have independent rows, or two in a half arch.
-//! 2. **All triples are looked at**, each on all of the range: on a piece of thicknesses it is proved to be no vertex, or to bear no motion together
-//!    with every condition that may be zero there (`vertex`); or to have exactly one solution (`event`); or, where its conditions may be dependent,
-//!    to bear no motion anywhere on the line of two of them (`line`); or the piece is halved. What stays open after many
-//!    halvings is said. So **completeness** rests on signs of polynomials in balls and on nothing that is found by a
-//!    search: neither the order of the pieces nor the directions `y` are trusted.
-//! 3. **Where the range begins.** Below the least thickness nothing is admissible, as proved with the voussoirs: an admissible state and its
-//!    mirror image have a symmetric one between them. At the least thickness is the symmetric solution (`least`). Next to it all conditions that
-//!    touch there are nearly zero on every piece; the slopes of the polynomials tell their signs.
+//! 1. **A vertex is enough.** A solution is an admissible state with rates of conditions that are zero there. The
+//!    states at which these are zero are a face of the admissible ones, and have the same rates; the face has a
+//!    vertex, as the hinges' rows leave no direction free. And of the conditions that are zero at a vertex three
+//!    have independent rows, or two in a half arch.
+//! 2. **All triples are looked at**, each on all of the range: on a piece of thicknesses it is proved to be no
+//!    vertex, or to bear no motion together with every condition that may be zero there (`vertex`); or to have
+//!    exactly one solution (`event`); or, where its conditions may be dependent, to bear no motion anywhere on the
+//!    line of two of them (`line`); or the piece is halved. What stays open after many halvings is said. So
+//!    **completeness** rests on signs of polynomials in balls and on nothing that is found by a search: neither the
+//!    order of the pieces nor the directions `y` are trusted.
+//! 3. **Where the range begins.** Below the least thickness nothing is admissible, as proved with the voussoirs: an
+//!    admissible state and its mirror image have a symmetric one between them. At the least thickness is the
+//!    symmetric solution (`least`). Next to it all conditions that touch there are nearly zero on every piece; the
+//!    slopes of the polynomials tell their signs.
 //! 4. **Digits** of a solution follow from its equations in balls of more bits (`refine`).
 //!
-//! Where a joint bears nothing, `N = T = 0`, both of its slips are zero and their motions are opposite: a solution of (19) by the letter,
-//! in which nothing moves. It is not counted: of the two slips of a joint one rate at most is positive.
+//! Where a joint bears nothing, `N = T = 0`, both of its slips are zero and their motions are opposite: a
+//! degenerate solution of (19), in which no block moves. It is not counted: of the two slips of a joint one rate at
+//! most is positive.
 
 #[cfg(test)]
 mod brute_force;
@@ -100,8 +104,8 @@ pub fn enumerate(
     })
 }
 
-/// The solution at the least thickness of so many equal stones, 2 to [`MOST_JOINTED_STONES`], to `digits` significant digits: there the programme (20)
-/// is zero. Or that there is no least thickness.
+/// The solution at the least thickness of so many equal stones, 2 to [`MOST_JOINTED_STONES`], to `digits`
+/// significant digits: there the programme (20) is zero. Or that there is no least thickness.
 pub fn least_solution(
     arch: &Arch,
     stones: u64,
@@ -132,8 +136,8 @@ fn standing(
     Ok((equal, number, found))
 }
 
-/// Each solution once: a vertex on two pieces, and others with the same conditions, find it again. On pieces that overlap their
-/// polynomial is monotone, so that together they have one zero.
+/// Each solution once: a vertex on two pieces, and others with the same conditions, find it again. On pieces that
+/// overlap their polynomial is monotone, so that together they have one zero.
 fn alone(conditions: &Conditions<DoubleBall>, mut events: Vec<Event>) -> Vec<Event> {
     let name = |event: &Event| {
         let own = event.kind.conditions();
@@ -228,8 +232,8 @@ mod tests {
         assert_eq!(found(&arch("milankovitch", "1", "3"), 4, Extent::Whole).len(), 1);
     }
 
-    /// With two or three stones and much friction every thickness stands, and none has a solution: next to zero as well, where the polynomials
-    /// have a factor, or a slope. Without the slope three stones stay open there.
+    /// With two or three stones and much friction every thickness stands, and none has a solution: next to zero as
+    /// well, where the polynomials have a factor, or a slope. Without the slope three stones stay open there.
     #[test]
     fn where_every_thickness_stands_nothing_is_left() {
         for (weight, alpha, mu, stones) in [
@@ -263,7 +267,7 @@ mod tests {
         }
     }
 
-    /// How many of so many arches at random stand at some thickness, and how many of them have anything left open.
+    /// Number of random arches that stand at some thickness, and of those that have anything left open.
     fn at_random(count: u32) -> [u32; 2] {
         let mut draw = Draw(0);
         let mut between = |low: u64, high: u64| low + draw.next() % (high - low + 1);
@@ -288,7 +292,7 @@ mod tests {
         assert!(open == 0 && stand >= 10, "{stand} {open}");
     }
 
-    /// What the documentation says of them.
+    /// The counts of the documentation are those of many arches at random.
     #[test]
     #[ignore = "long"]
     fn many_arches_at_random_have_nothing_left_open() {

@@ -55,13 +55,13 @@ impl<T: Field> Polynomial<T> {
         Self { terms: self.terms.map(|x| -x), ..self }
     }
 
-    /// Its value.
+    /// Value at a number.
     pub(super) fn at(&self, x: &T) -> T {
         let terms = self.terms[..=self.degree].iter().rev();
         terms.fold(x.int(0), |sum, term| sum * x + term)
     }
 
-    /// Its derivative.
+    /// Derivative of the polynomial.
     pub(super) fn derivative(&self) -> Self {
         let terms = std::array::from_fn(|k| match self.terms.get(k + 1) {
             Some(term) => term.int(k as i32 + 1) * term,
@@ -70,7 +70,7 @@ impl<T: Field> Polynomial<T> {
         Self { terms, degree: self.degree.saturating_sub(1) }
     }
 
-    /// The same in powers of the distance from a number.
+    /// Polynomial in powers of the distance from a number.
     fn about(&self, centre: &T) -> Self {
         let mut terms = self.terms.clone();
         for first in 0..self.degree {
@@ -83,18 +83,18 @@ impl<T: Field> Polynomial<T> {
 }
 
 impl Polynomial<DoubleBall> {
-    /// Its values on a piece, given by its middle and what is around it.
+    /// Values on a piece, given by its middle and what is around it.
     pub(super) fn on(&self, piece: &DoubleBall) -> DoubleBall {
         use crate::number::Enclosure;
         self.about(&piece.midpoint()).at(&piece.centred())
     }
 
-    /// Whether it is exactly zero.
+    /// Tells whether the polynomial is exactly zero.
     pub(super) fn is_zero(&self) -> bool {
         self.terms.iter().all(|term| term.mid() == 0.0 && term.rad() == 0.0)
     }
 
-    /// Its value in doubles.
+    /// Value in doubles.
     pub(super) fn near(&self, x: f64) -> f64 {
         self.terms[..=self.degree].iter().rev().fold(0.0, |sum, term| sum * x + term.mid())
     }

@@ -39,8 +39,8 @@ fn open(question: &'static str) -> Undecided {
 }
 
 impl State {
-    /// The state of a solution at its thickness, with positive rates. The hinges of one face turn by as much as those of the other: by one
-    /// together, or without hinges all rates add up to one.
+    /// The state of a solution at its thickness, with positive rates. The hinges of one face turn by as much as
+    /// those of the other: by one together, or without hinges all rates add up to one.
     pub(super) fn at(
         conditions: &Conditions<Ball>,
         kind: &Kind,

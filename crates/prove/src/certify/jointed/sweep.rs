@@ -1,7 +1,7 @@
 //! All vertices and all thicknesses.
 //!
-//! Each triple of conditions is looked at on the whole range of thicknesses; a piece on which nothing is proved of it is halved. A triple and its mirror
-//! image share their fate.
+//! Each triple of conditions is looked at on the whole range of thicknesses; a piece on which nothing is proved of
+//! it is halved. A triple and its mirror image share their fate.
 
 use super::conditions::Conditions;
 use super::event::{Event, event};
@@ -10,23 +10,23 @@ use super::vertex::{Passed, Piece, Start, Vertex, in_doubles};
 use crate::number::DoubleBall;
 use rayon::prelude::*;
 
-/// What is left of the range of thicknesses.
+/// Rest of the range of thicknesses.
 #[derive(Debug, Default)]
 pub(super) struct Swept {
     /// Solutions, each alone on its piece.
     pub events: Vec<Event>,
     /// Pieces on which nothing is proved.
     pub open: Vec<Piece>,
-    /// How many triples there are.
+    /// Number of triples.
     pub triples: u64,
-    /// How many pieces were looked at.
+    /// Number of pieces that were looked at.
     pieces: usize,
 }
 
 /// Pieces of a triple at most.
 const PIECES: usize = 4_000;
-/// Pieces of all triples with the same first condition: where halving proves nothing of most of them, as in an arch of a thousandth of a radian,
-/// the rest is left open.
+/// Pieces of all triples with the same first condition: where halving proves nothing of most of them, as in an arch
+/// of a thousandth of a radian, the rest is left open.
 const PIECES_TOGETHER: usize = 400_000;
 /// Halvings at most.
 const DEPTH: u32 = 44;

@@ -1,18 +1,19 @@
 //! A vertex of the admissible forces, as it moves with the thickness.
 //!
-//! Three conditions that are zero together, or two of a half arch, leave one state for each thickness, `(h, p, v) = (M_0, M_1, M_2)/M_3`
-//! with polynomials `M` in the thickness, and `M_3` the determinant of their rows. Any other condition there is `D/M_3` with a
-//! polynomial `D` too. So on a piece of thicknesses, without a quotient:
+//! Three conditions that are zero together, or two of a half arch, leave one state for each thickness, `(h, p, v) =
+//! (M_0, M_1, M_2)/M_3` with polynomials `M` in the thickness, and `M_3` the determinant of their rows. Any other
+//! condition there is `D/M_3` with a polynomial `D` too. So on a piece of thicknesses, without a quotient:
 //!
 //! - **It is no vertex** if `M_3 <= 0` or some `D > 0` on the piece, and `M_3 >= 0` or some `D < 0`.
 //! - **At most those conditions are zero with it** whose `D` may vanish on the piece.
 //! - **It bears no motion** if some `y` has `y . b > 0` for the motions `b` of its conditions and of all those: then no
-//!   rates but zero fit. Each `b` is linear in the thickness. Where both slips of a joint are among them there is such a `y` without the one, and
-//!   one without the other.
-//! - **Nor does it** if `y . b + z w > 0` for the motions and what the weight does along each, `w`, with `z <= 0`, or any `z` if all are hinges.
-//!   A hinge's condition is zero, `b . x + w = 0`, and a slip's takes what friction takes, `b . x + w = mu N >= 0`. So rates with
-//!   `sum rate b = 0` have `sum rate w = sum rate mu N >= 0`, which is zero for hinges; and then `sum rate (y . b + z w) <= 0`.
-//!   Hinges on one line have motions that fit, with a thrust that has no limit, and only the weight tells that they are not in equilibrium.
+//!   rates but zero fit. Each `b` is linear in the thickness. Where both slips of a joint are among them there is
+//!   such a `y` without the one, and one without the other.
+//! - **Nor does it** if `y . b + z w > 0` for the motions and what the weight does along each, `w`, with `z <= 0`,
+//!   or any `z` if all are hinges. A hinge's condition is zero, `b . x + w = 0`, and a slip's takes what friction
+//!   takes, `b . x + w = mu N >= 0`. So rates with `sum rate b = 0` have `sum rate w = sum rate mu N >= 0`, which
+//!   is zero for hinges; and then `sum rate (y . b + z w) <= 0`. Hinges on one line have motions that fit, with a
+//!   thrust that has no limit, and only the weight tells that they are not in equilibrium.
 
 use super::conditions::Conditions;
 use super::polynomial::Polynomial;
@@ -42,14 +43,14 @@ impl Piece {
     }
 }
 
-/// What is known of three conditions on a piece.
+/// Knowledge of three conditions on a piece.
 #[derive(Clone, Debug)]
 pub(super) struct Near {
     /// The conditions that may be zero with them, where they may be a vertex.
     pub others: Vec<usize>,
 }
 
-/// What is exactly so where the range begins: at the least thickness, or at 0.
+/// Exact zeros where the range begins: at the least thickness, or at 0.
 #[derive(Clone, Debug)]
 pub(super) struct Start {
     /// A double below the least thickness and next to it; or 0.
@@ -59,8 +60,9 @@ pub(super) struct Start {
 }
 
 impl Start {
-    /// Whether the polynomial of a condition, at the state of others, is zero where the range begins. At 0 both faces are one line, and both
-    /// hinges of a joint one condition, which is left out with the factor `eta`: it is said of different joints alone.
+    /// Tells whether the polynomial of a condition, at the state of others, is zero where the range begins.
+    /// At 0 both faces are one line, and both hinges of a joint one condition, which is left out with the
+    /// factor `eta`: it is said of different joints alone.
     fn is_tied(&self, of: &[usize], place: usize) -> bool {
         let are_apart = || {
             let mut joints: Vec<usize> = of.iter().chain([&place]).map(|at| at / 4).collect();
@@ -75,7 +77,7 @@ impl Start {
 /// Three conditions, or two of a half arch.
 pub(super) struct Vertex<'a> {
     conditions: &'a Conditions<DoubleBall>,
-    /// Their places, in order.
+    /// Places of the conditions, in order.
     pub of: Vec<usize>,
     meeting: [Polynomial<DoubleBall>; 4],
     /// The other conditions there, when they are needed.
@@ -103,7 +105,7 @@ impl<'a> Vertex<'a> {
         [factor.upper() > 0.0 && !is_zero(&factor), factor.lower() < 0.0 && !is_zero(&factor)]
     }
 
-    /// Whether a single condition shows that it is no vertex on a piece; a guess says which.
+    /// Tells whether a single condition shows that the triple is no vertex on a piece; a guess says which.
     pub(super) fn is_passed_by_one(&self, piece: &Piece, rows: &[[[f64; 3]; 4]]) -> Passed {
         let ball = piece.ball();
         let [mut plus, mut minus] = self.signs(&ball);
@@ -135,10 +137,11 @@ impl<'a> Vertex<'a> {
         }
     }
 
-    /// What all other conditions leave of it on a piece, which may begin at the least thickness; `None` if it is nowhere a vertex.
+    /// Rest that all other conditions leave of the vertex on a piece, which may begin at the least thickness;
+    /// `None` if it is nowhere a vertex.
     ///
-    /// Where its conditions and another one are all zero at the least thickness, a slope with a sign gives that other one this sign
-    /// on the rest of the piece.
+    /// Where its conditions and another one are all zero at the least thickness, a slope with a sign gives that
+    /// other one this sign on the rest of the piece.
     pub(super) fn near(&mut self, piece: &Piece, start: Option<&Start>) -> Option<Near> {
         if self.values.is_empty() {
             let value = |place| self.conditions.value(place, &self.of, &self.meeting);
@@ -171,8 +174,9 @@ impl<'a> Vertex<'a> {
         (plus || minus).then_some(Near { others })
     }
 
-    /// Whether no joint moves with rates of its conditions and of others on a piece. Opposite slips of a joint are no motion: one of the two is
-    /// left out, in turn. Nor is a slip of the crown of a half arch, which moves with its axis.
+    /// Tells whether no joint moves with rates of its conditions and of others on a piece. Opposite slips of
+    /// a joint are no motion: one of the two is left out, in turn. Nor is a slip of the crown of a half arch,
+    /// which moves with its axis.
     ///
     /// Motions of hinges are the rows of their conditions: those of a vertex are independent.
     pub(super) fn bears_no_motion(&self, others: &[usize], piece: &Piece) -> bool {
@@ -227,13 +231,13 @@ impl<'a> Vertex<'a> {
         found.any(|y| places.iter().all(|place| points(y, *place)))
     }
 
-    /// Whether its rows may be dependent somewhere on a piece.
+    /// Tells whether the vertex's rows may be dependent somewhere on a piece.
     pub(super) fn may_be_dependent(&self, piece: &Piece) -> bool {
         let ball = piece.ball();
         self.meeting.iter().all(|entry| !entry.on(&ball).excludes_zero())
     }
 
-    /// Whether its conditions leave one state at every thickness of a piece.
+    /// Tells whether the vertex's conditions leave one state at every thickness of a piece.
     pub(super) fn is_regular(&self, piece: &Piece) -> bool {
         self.meeting[3].on(&piece.ball()).excludes_zero()
     }
@@ -249,14 +253,14 @@ impl<'a> Vertex<'a> {
     }
 }
 
-/// Whether one condition passes a vertex on a piece.
+/// Result of trying whether one condition passes a vertex on a piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Passed {
-    /// It does: on the whole piece it is no vertex.
+    /// The condition passes: on the whole piece it is no vertex.
     Proved,
-    /// In the middle, in doubles.
+    /// The condition seems to pass in the middle of the piece, in doubles.
     Likely,
-    /// Not that it would be seen.
+    /// The condition does not seem to pass.
     Unlikely,
 }
 
@@ -293,8 +297,8 @@ mod tests {
         Vertex::new(&conditions, places).bears_no_motion(&[other], &piece)
     }
 
-    /// The springings' extrados and the keystone's intrados lie on one line at `(1 + eta/2) cos alpha = (1 - eta/2) cos(alpha/5)`. Their motions fit
-    /// there, and the weight tells that nothing moves.
+    /// The springings' extrados and the keystone's intrados lie on one line at `(1 + eta/2) cos alpha = (1 - eta/2)
+    /// cos(alpha/5)`. Their motions fit there, and the weight tells that nothing moves.
     #[test]
     fn hinges_on_one_line_bear_no_motion() {
         let on_one_line = [(Extrados, -5), (Intrados, -1), (Intrados, 1), (Extrados, 5)];
@@ -303,7 +307,8 @@ mod tests {
         for eta in [eta, eta + 0.1, eta - 0.1] {
             assert!(bears_no_motion("0.8", on_one_line, eta), "{eta}");
         }
-        // A thrust as large as one likes, with slips that the friction takes: only a price of the other sign would part them.
+        // A thrust as large as one likes, with slips that the friction takes: only a price of the other sign would
+        // part them.
         let slips = [(Extrados, -5), (Intrados, -1), (Intrados, 1), (Outwards, 5)];
         assert!(bears_no_motion("0.8", slips, eta), "a slip does not fit");
     }

@@ -42,8 +42,8 @@ fn nothing_is_admissible_below_the_least_thickness_of_the_stones() {
     }
 }
 
-/// Well above the least thickness the least value falls to zero again and rises: where two straight lines to it meet the
-/// axis, next to the asymmetric solution of the arch with a joint at every angle, 0.577518.
+/// Well above the least thickness the least value falls to zero again and rises: where two straight lines to it
+/// meet the axis, next to the asymmetric solution of the arch with a joint at every angle, 0.577518.
 #[test]
 fn the_least_value_vanishes_a_second_time() {
     let arch = arch("milankovitch", "2.3", "1.0454");
@@ -135,8 +135,8 @@ fn enumeration_finds_the_same() {
     }
 }
 
-/// A crown that bears nothing is admissible from the thickness on at which two halves stand each for itself; thinner, nothing costs nothing. At joints that
-/// bear something no state is found.
+/// A crown that bears nothing is admissible from the thickness on at which two halves stand each for itself;
+/// thinner, nothing costs nothing. At joints that bear something no state is found.
 #[test]
 fn a_joint_that_bears_nothing_costs_nothing() {
     let arch = arch("heyman", "1.868", "1.411");
@@ -178,8 +178,8 @@ fn three_parallel_conditions_are_seen() {
     assert!(has_triangle(&[[1, 0], [2, 1], [2, 0]]));
 }
 
-/// Next to a friction angle of the half opening a line may be admissible for ever, or end far away: an end that is lost would be a wrong
-/// value, so that nothing is said. Beside it all is decided.
+/// Next to a friction angle of the half opening a line may be admissible for ever, or end far away: an end that is
+/// lost would be a wrong value, so that nothing is said. Beside it all is decided.
 #[test]
 fn a_line_that_may_have_no_end_is_not_decided() {
     let of = |mu: &str, extent| {

@@ -16,13 +16,13 @@ use crate::prover::Undecided;
 use crate::prover::arithmetic::Arithmetic;
 use crate::prover::decide::{decide, require};
 
-/// What is certain of an arch of a given thickness, each answer with a reason where it stays open.
+/// Certain answers about an arch of a given thickness, each answer with a reason where it stays open.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Assessment<T = Ball> {
-    /// Whether it stands.
+    /// Tells whether the arch stands.
     pub stands: Result<bool, Undecided>,
-    /// Why no thickness is enough, if none is.
+    /// Reason why no thickness is enough, if none is.
     pub fall: Option<Fall>,
     /// The least thickness of the arch with this friction; `None` if there is none.
     pub least_thickness: Result<Option<T>, Undecided>,
@@ -37,7 +37,7 @@ pub struct Assessment<T = Ball> {
 }
 
 impl<T> Assessment<T> {
-    /// The same in other numbers.
+    /// Maps all values to other numbers.
     pub(super) fn map<U>(self, f: impl Fn(T) -> U) -> Assessment<U> {
         let value = |x: Result<Option<T>, Undecided>| x.map(|x| x.map(&f));
         Assessment {
@@ -51,7 +51,7 @@ impl<T> Assessment<T> {
         }
     }
 
-    /// Why a quantity of [`Quantity::ASSESSMENT`] stays open, if it does.
+    /// Reason why a quantity of [`Quantity::ASSESSMENT`] stays open, if it does.
     pub fn why_open(&self, quantity: Quantity) -> Option<&Undecided> {
         match quantity {
             Quantity::LeastThickness => self.least_thickness.as_ref().err(),
@@ -65,10 +65,10 @@ impl<T> Assessment<T> {
     }
 }
 
-/// What is asked of an arch of a given thickness.
+/// Question about an arch of a given thickness.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wanted {
-    /// Whether it stands, and how far its thickness is from the least: its state says so.
+    /// Verdict on whether the arch stands, and how far its thickness is from the least: its state says so.
     Standing,
     /// Also the range of thrusts, and the friction that it asks for.
     Everything,
@@ -169,7 +169,7 @@ fn not_empty<E: Arithmetic>(
     }
 }
 
-/// What follows from an answer, where it is known and there is one.
+/// Maps an answer, where it is known and there is one.
 fn of<T, U>(
     known: &Result<Option<T>, Undecided>,
     f: impl FnOnce(&T) -> Result<U, Undecided>,

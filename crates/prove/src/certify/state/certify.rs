@@ -1,4 +1,4 @@
-//! What can be proved of an arch: the door to this folder.
+//! Questions that can be proved of an arch: the door to this folder.
 
 use super::assess::{Assessment, Wanted};
 use super::balls::Balls;
@@ -15,10 +15,10 @@ use crate::prover::{Error, Refused, Undecided};
 /// Fewer bits tell nothing of any arch.
 const LEAST_BITS: u32 = 32;
 
-/// Why an arch has no least thickness to show.
+/// Reason why an arch has no least thickness to show.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum NoState {
-    /// It stands at no thickness, which is proved.
+    /// The arch stands at no thickness, which is proved.
     #[error("the arch stands at no thickness: {}", .0.reason())]
     Falls(Fall),
     /// The question makes no sense.
@@ -66,11 +66,11 @@ pub trait Certify {
     /// [`Balls::Mpfr`], just as valid, and the nearest quadruple is not known.
     fn certify(&self, digits: usize) -> Result<Answer, Error>;
 
-    /// The same without the frictions at which the mode changes: nothing is evaluated that the proof of
-    /// the state does not need.
+    /// State without the frictions at which the mode changes: nothing is evaluated that the proof of the
+    /// state does not need.
     fn certify_alone(&self, digits: usize) -> Result<Answer, Error>;
 
-    /// What holds for the arch with a given thickness `t/r` in `(0, 2]`, in the same way.
+    /// Proves what holds for the arch with a given thickness `t/r` in `(0, 2]`, in the same way.
     fn certify_thickness(
         &self,
         thickness: &ExactNumber,
@@ -81,7 +81,7 @@ pub trait Certify {
     /// ordinary arch. What these cannot tell is undecided; more bits may.
     fn state(&self, bits: u32) -> Result<Outcome, Undecided>;
 
-    /// The same without the frictions at which the mode changes.
+    /// State in enclosures without the frictions at which the mode changes.
     fn state_alone(&self, bits: u32) -> Result<Outcome, Undecided>;
 
     /// The state, without the frictions at which its mode changes, in balls of doubles: the same proof at a fraction of
@@ -99,7 +99,7 @@ pub trait Certify {
     /// ```
     fn state_in_doubles(&self) -> Result<Outcome<DoubleBall>, Undecided>;
 
-    /// What holds for the arch with a given thickness in `(0, 2]`, in enclosures.
+    /// Proves what holds for the arch with a given thickness in `(0, 2]`, in enclosures.
     fn assess(&self, thickness: &ExactNumber, bits: u32) -> Result<Assessment, Refused>;
 
     /// The friction below which nothing stands at this half opening: that of the purely sliding state.

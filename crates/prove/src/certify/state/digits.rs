@@ -14,11 +14,11 @@ use crate::prover::figure::{Figure, Figured};
 pub enum Answer {
     /// The arch stands from a least thickness on.
     Stands(Box<Digits>),
-    /// It does not stand at any thickness up to the physical limit.
+    /// The arch does not stand at any thickness up to the physical limit.
     Falls {
-        /// Why.
+        /// Reason why it falls.
         fall: Fall,
-        /// What would be enough, if the frictions at which the mode changes are asked for.
+        /// Remedies that would be enough, if the frictions at which the mode changes are asked for.
         enough: Option<Box<Enough>>,
     },
 }
@@ -27,7 +27,7 @@ pub enum Answer {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Digits {
-    /// How it collapses.
+    /// Mode of its collapse.
     pub mode: Mode,
     /// `eta`.
     pub thickness: Figure,
@@ -43,14 +43,14 @@ pub struct Digits {
     pub frictions: Option<Frictions<Figure>>,
 }
 
-/// What is certain of an arch of a given thickness, correctly rounded; each answer with a reason where it stays
-/// open.
+/// Certain answers about an arch of a given thickness, correctly rounded; each answer with a reason where it
+/// stays open.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct AssessmentDigits {
-    /// Whether it stands.
+    /// Tells whether the arch stands.
     pub stands: Result<bool, Undecided>,
-    /// Why no thickness is enough, if none is.
+    /// Reason why no thickness is enough, if none is.
     pub fall: Option<Fall>,
     /// The least thickness; `None` if there is none.
     pub least_thickness: Result<Option<Figure>, Undecided>,
@@ -70,7 +70,7 @@ pub struct AssessmentDigits {
 pub struct LimitDigits {
     /// The thrust; `None` if there is no bound.
     pub thrust: Option<Figure>,
-    /// What limits it.
+    /// Name of the limit.
     pub limited_by: &'static str,
     /// The joint that limits it, where it is not at an end of the half arch.
     pub joint: Option<Figure>,
@@ -151,7 +151,7 @@ impl AssessmentDigits {
         }))
     }
 
-    /// Whether it stands and nothing slides: some friction is required, and it is unlimited.
+    /// Tells whether the arch stands and nothing slides: some friction is required, and it is unlimited.
     fn is_safe_from_sliding(&self) -> bool {
         let Self { stands, required_friction, friction_safety, .. } = self;
         let is_required = !matches!(required_friction, Ok(None));
@@ -171,12 +171,13 @@ impl AssessmentDigits {
         single.chain(thrusts.filter_map(|(of, limit)| Some((of, limit.as_ref().err()?))))
     }
 
-    /// Why not everything is decided, where it is not.
+    /// Reason why not everything is decided, where it is not.
     pub(super) fn first_open(&self) -> Option<&Undecided> {
         self.stands.as_ref().err().or_else(|| self.open().next().map(|(_, undecided)| undecided))
     }
 
-    /// Every value rounded to `digits` significant digits; one that the enclosures, of `bits` bits, do not decide is open.
+    /// Every value rounded to `digits` significant digits; one that the enclosures, of `bits` bits, do not decide
+    /// is open.
     pub(super) fn new<E: Figured>(assessment: Assessment<E>, (digits, bits): (usize, u32)) -> Self {
         let at = |open: Undecided| open.at(bits);
         let rounding = || Undecided::rounding("the rounding");
@@ -204,7 +205,7 @@ impl AssessmentDigits {
         }
     }
 
-    /// The same, with what another precision has decided where this one has not.
+    /// Assessment completed with what another precision has decided where this one has not.
     pub(super) fn or(self, other: Self) -> Self {
         let [[least, largest], [other_least, other_largest]] = [self.thrust, other.thrust];
         Self {

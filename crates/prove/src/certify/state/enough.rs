@@ -1,4 +1,4 @@
-//! What would be enough for an arch that stands at no thickness.
+//! Remedies for an arch that stands at no thickness.
 
 use super::assess::{Wanted, assessment};
 use super::find;
@@ -13,8 +13,8 @@ use crate::prover::figure::{Figure, Figured};
 use crate::prover::raise;
 use rug::Rational;
 
-/// What would be enough for an arch that stands at no thickness, correctly rounded; `None` where there is no
-/// such value, or where it could not be told.
+/// Remedies that would be enough for an arch that stands at no thickness, correctly rounded; `None` where
+/// there is no such value, or where it could not be told.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Enough {
@@ -73,7 +73,7 @@ impl Enough {
     }
 }
 
-/// What would be enough for an arch.
+/// Finds what would be enough for an arch.
 pub(super) fn enough(arch: &Arch, digits: usize, quickly: bool) -> Enough {
     Enough::new(arch, &AtOpening::new(arch, digits, quickly), digits, quickly)
 }
@@ -121,7 +121,7 @@ fn widest<E: Arithmetic>(arch: &Arch, limit: &ExactNumber, bits: u32) -> Result<
 mod tests {
     use super::*;
 
-    /// What double-doubles leave open is asked of balls of MPFR, which say the same where both decide.
+    /// Balls of MPFR, which are asked what double-doubles leave open, say the same where both decide.
     #[test]
     fn what_would_be_enough_does_not_depend_on_the_numbers() {
         let figures = |enough: Enough| {

@@ -57,8 +57,8 @@ impl<'a> Inquiry<'a> {
         })
     }
 
-    /// What holds for the arch with a given thickness, in `(0, 2]`, to `digits` digits; any other thickness, and digits beyond
-    /// [`MAX_ARCH_DIGITS`], are refused.
+    /// Proves what holds for the arch with a given thickness, in `(0, 2]`, to `digits` digits; any other
+    /// thickness, and digits beyond [`MAX_ARCH_DIGITS`], are refused.
     pub fn assess(
         &mut self,
         thickness: &ExactNumber,
@@ -84,7 +84,7 @@ impl<'a> Inquiry<'a> {
         Ok(found.unwrap_or_else(|| at(first)))
     }
 
-    /// What holds for the arch with a given thickness, in `(0, 2]`, in enclosures of `bits` bits.
+    /// Proves what holds for the arch with a given thickness, in `(0, 2]`, in enclosures of `bits` bits.
     pub(super) fn assessment(
         &mut self,
         thickness: &ExactNumber,
@@ -104,7 +104,7 @@ impl<'a> Inquiry<'a> {
         state.or_insert_with(|| outcome(&Query::new(arch, bits), frictions)).clone()
     }
 
-    /// The same with unlimited friction.
+    /// State of the arch with numbers of `bits` bits and unlimited friction.
     fn unlimited(&mut self, bits: u32) -> Result<Outcome, Undecided> {
         if !self.arch.is_limited() {
             return self.outcome(bits);

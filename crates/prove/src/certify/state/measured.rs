@@ -1,4 +1,4 @@
-//! What a measured arch has in metres and kilonewtons.
+//! Sizes of a measured arch in metres and kilonewtons.
 
 use super::assess::Assessment;
 use super::query::raised;
@@ -90,7 +90,7 @@ impl From<Ball> for Size {
     }
 }
 
-/// What is measured of an arch whatever its thickness.
+/// Sizes of an arch that are the same whatever its thickness.
 fn shape(arch: &Arch, measures: &Measures, bits: u32) -> Vec<(Quantity, Option<Size>)> {
     let alpha = half_opening(arch, bits);
     let [span, rise] = measures.span_and_rise(&alpha, bits);

@@ -1,4 +1,4 @@
-//! Which mode an arch collapses in: every comparison decided, or the reason why not.
+//! Mode that an arch collapses in: every comparison decided, or the reason why not.
 
 use super::inner::inner_state;
 use super::query::Query;
@@ -37,12 +37,12 @@ impl<E: Arithmetic> RotationalState<E> {
     }
 }
 
-/// What is found where the friction is above the purely sliding one.
+/// Result where the friction is above the purely sliding one.
 enum AboveSliding<E> {
     /// A state, and the friction from which collapse is purely rotational, if any is enough and it was
     /// asked for.
     State(Box<State<E>>, Option<E>),
-    /// It would have to be thicker than twice the radius.
+    /// The arch would have to be thicker than twice the radius.
     Falls,
 }
 
@@ -84,7 +84,7 @@ pub(super) fn outcome<E: Arithmetic>(
     }
 }
 
-/// Whether the friction seems to be below the purely sliding one: a candidate.
+/// Tells whether the friction seems to be below the purely sliding one: a candidate.
 fn seems_to_slide<E: Arithmetic>(query: &Query<E>) -> bool {
     query.friction().is_some_and(|friction| {
         let [least, ..] = start::sliding(&query.alpha().rough());

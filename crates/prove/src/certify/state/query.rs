@@ -20,7 +20,7 @@ pub(super) const DOUBLE: u32 = 53;
 pub(super) struct Query<E = Ball> {
     pub weight: SelfWeight,
     pub bits: u32,
-    /// What is given: the half opening and, if finite, the friction.
+    /// Given variables: the half opening and, if finite, the friction.
     pub given: Configuration<E>,
     pub is_limited: bool,
 }
@@ -65,15 +65,14 @@ pub(crate) fn bits_lost(arch: &Arch) -> u32 {
     opening.min(0).unsigned_abs() * 6 + friction.unsigned_abs() * 4
 }
 
-/// The same, where equations that lose none are used for small half openings, at a precision of `bits`
-/// bits.
+/// Bits lost, where equations that lose none are used for small half openings, at a precision of `bits` bits.
 pub(super) fn bits_lost_unless_small(arch: &Arch, bits: u32) -> u32 {
     let opening: Ball = arch.half_opening().enclosure(64);
     let is_small = opening.mid().get_exp().is_some_and(|e| Ball::is_small(2 * i64::from(e), bits));
     if is_small { 0 } else { bits_lost(arch) }
 }
 
-/// What a proof about an arch finds, with more bits until it decides everything, first with enough for
+/// Answer that a proof about an arch finds, with more bits until it decides everything, first with enough for
 /// `digits` digits; what stays undecided otherwise.
 pub(crate) fn raised<T>(
     arch: &Arch,

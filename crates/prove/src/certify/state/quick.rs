@@ -81,7 +81,7 @@ pub(crate) fn state_enclosed(
     enclosed(bits, quick, || outcome(&Query::new(arch, bits), frictions))
 }
 
-/// What a proof in such enclosures decides, for `digits` digits: with the bits that these numbers have first.
+/// Answer that a proof in such enclosures decides, for `digits` digits: with the bits that these numbers have first.
 pub(crate) fn raised_from_doubles<T>(
     arch: &Arch,
     digits: usize,
@@ -115,7 +115,7 @@ pub(crate) fn assessment_enclosed(arch: &Arch, thickness: &ExactNumber, bits: u3
     enclosed(bits, quick, proof)
 }
 
-/// What holds for an arch of a given thickness, if all of it is decided.
+/// Proves what holds for an arch of a given thickness, if all of it is decided.
 fn decided(arch: &Arch, thickness: &ExactNumber) -> Option<Assessment<DoubleDoubleBall>> {
     let state = |is_limited| match is_limited {
         true => state_in_double_doubles(arch),
@@ -130,7 +130,7 @@ fn decided(arch: &Arch, thickness: &ExactNumber) -> Option<Assessment<DoubleDoub
     (!is_near && !is_open).then_some(found)
 }
 
-/// What holds for an arch of a given thickness, to `digits` digits.
+/// Proves what holds for an arch of a given thickness, to `digits` digits.
 pub(super) fn assess(
     arch: &Arch,
     thickness: &ExactNumber,

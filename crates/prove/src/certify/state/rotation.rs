@@ -76,7 +76,7 @@ impl<E> Form<E> for RotationEquations<'_, E> {
         vec![Equation::WholeThrust.residual(weight, &at), tangency]
     }
 
-    /// Then (2) follows: with the thrust that (2) and (5) have in common, it is a multiple of (5).
+    /// Equation (2) follows: with the thrust that (2) and (5) have in common, it is a multiple of (5).
     fn is_regular<T: Enclosure + Stumpff>(&self, _number: impl Fn(&E) -> T, x: &[T]) -> bool {
         let ring = Ring::new(self.query.weight, &x[1]);
         let haunch = self.joint.haunch(x[0].clone());

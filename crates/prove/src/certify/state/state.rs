@@ -1,20 +1,20 @@
-//! What is certain of an arch: enclosures, all proved.
+//! Certain answers about an arch: enclosures, all proved.
 
 use crate::arch::{Configuration, Unknown};
 use crate::number::Ball;
 use crate::problem::Mode;
 
-/// What is certain of an arch.
+/// Certain answer about an arch.
 #[derive(Clone, Debug)]
 pub enum Outcome<T = Ball> {
-    /// It stands from a least thickness on.
+    /// The arch stands from a least thickness on.
     Stands(Box<State<T>>),
-    /// It does not stand at any thickness up to the physical limit 2.
+    /// The arch does not stand at any thickness up to the physical limit 2.
     Falls(Fall),
 }
 
 impl<T> Outcome<T> {
-    /// The same in other numbers.
+    /// Maps the values to other numbers.
     pub(super) fn map<U>(self, f: impl Fn(T) -> U) -> Outcome<U> {
         match self {
             Self::Stands(state) => Outcome::Stands(Box::new(state.map(f))),
@@ -23,12 +23,12 @@ impl<T> Outcome<T> {
     }
 }
 
-/// Why no thickness is enough.
+/// Reason why no thickness is enough.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fall {
     /// The friction is below that of the purely sliding state.
     Sliding,
-    /// It would have to be thicker than twice the radius.
+    /// The arch would have to be thicker than twice the radius.
     Thickness,
 }
 
@@ -46,7 +46,7 @@ impl Fall {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct State<T = Ball> {
-    /// How it collapses.
+    /// Mode of its collapse.
     pub mode: Mode,
     /// `eta`.
     pub thickness: T,

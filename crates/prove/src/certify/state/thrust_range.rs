@@ -30,12 +30,12 @@ use crate::solve::start::{self, Start};
 pub struct Limit<T = Ball> {
     /// The thrust; `None` if there is no bound.
     pub thrust: Option<T>,
-    /// What limits it.
+    /// Touch that limits it.
     pub touch: Touch<T>,
 }
 
 impl<T> Limit<T> {
-    /// The same in other numbers.
+    /// Maps the values to other numbers.
     pub(super) fn map<U>(self, f: impl Fn(T) -> U) -> Limit<U> {
         let thrust = self.thrust.map(&f);
         let touch = match self.touch {
@@ -52,7 +52,7 @@ impl<T> Limit<T> {
     }
 }
 
-/// What limits a thrust.
+/// Limit of a thrust.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum Touch<T = Ball> {
@@ -62,15 +62,15 @@ pub enum Touch<T = Ball> {
     Crown,
     /// The line of thrust is on the intrados of the shoulder.
     Shoulder,
-    /// It touches the intrados at the shoulder, or so near to it that the two cannot be told apart.
+    /// The line of thrust touches the intrados at the shoulder, or so near to it that the two cannot be told apart.
     AtShoulder,
-    /// This inner joint slides.
+    /// An inner joint slides.
     InnerSliding(T),
     /// The shoulder slides outwards.
     ShoulderSliding,
     /// The shoulder slides inwards: in a shallow arch the steepest joint would lie beyond it.
     ShoulderSlidingInwards,
-    /// Nothing does.
+    /// Nothing limits the thrust.
     Nothing,
 }
 
@@ -199,7 +199,7 @@ pub(super) fn required_friction<E: Arithmetic>(
     Ok(slides.friction)
 }
 
-/// What is asked where friction and the line of thrust may limit a thrust.
+/// Question that is open where friction and the line of thrust may limit a thrust.
 const WHICH_LIMIT: &str = "whether sliding or the line of thrust limits the thrust";
 
 /// The least thrust of an arch that stands, where a joint may slide sooner.
@@ -227,7 +227,7 @@ pub(super) fn cut_at_least<E: Arithmetic>(
     Ok(if slides_first { Limit { thrust: Some(slid), touch } } else { least })
 }
 
-/// The same at the largest thrust; `never_slides` if the friction angle is exactly the half opening.
+/// Cuts the range at the largest thrust; `never_slides` if the friction angle is exactly the half opening.
 pub(super) fn cut_at_largest<E: Arithmetic>(
     query: &Query<E>,
     largest: Limit<E>,

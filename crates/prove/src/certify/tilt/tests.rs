@@ -18,7 +18,8 @@ fn near(proof: &Proof) -> Box<TiltNear> {
     }
 }
 
-/// Joints beside the true ones give a bound that is a little higher; rates below zero give none, and so does a state beyond the limit.
+/// Joints beside the true ones give a bound that is a little higher; rates below zero give none, and so does a
+/// state beyond the limit.
 #[test]
 fn what_is_beyond_the_limit_is_refused() {
     for (alpha, mu, eta) in
@@ -80,8 +81,8 @@ fn an_acceleration_is_compared_with_the_largest() {
     assert_eq!((at(&lower), at(&upper)), (Ok(true), Ok(false)));
 }
 
-/// Where so large an acceleration is borne that no limit is seen, a state inside all conditions still tells of a smaller one; of one
-/// beyond the limit there is no such state.
+/// Where so large an acceleration is borne that no limit is seen, a state inside all conditions still tells of a
+/// smaller one; of one beyond the limit there is no such state.
 #[test]
 fn a_state_tells_of_an_acceleration_alone() {
     let found = found(["milankovitch", "0.01", "0.01"], "0.1", "0.1");
@@ -93,7 +94,8 @@ fn a_state_tells_of_an_acceleration_alone() {
     assert!(has_state("0") && has_state("0.05") && !has_state("0.053"));
 }
 
-/// Where no proof of the largest succeeds, as its conditions are not told, the acceleration asked for is decided all the same.
+/// Where no proof of the largest succeeds, as its conditions are not told, the acceleration asked for is decided
+/// all the same.
 #[test]
 fn an_acceleration_is_decided_where_the_largest_is_not() {
     let of = |tilt: &str| found(["milankovitch", "1.27", "0.769"], "1.5", tilt);

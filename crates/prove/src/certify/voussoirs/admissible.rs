@@ -1,9 +1,9 @@
-//! Whether a state of an arch of voussoirs is admissible at all of its joints, by signs at a few.
+//! Proof that a state of an arch of voussoirs is admissible at all of its joints, by signs at a few.
 //!
-//! On `(0, pi)`, at any thrust, the distance from the extrados first grows and then falls, that from the intrados falls and
-//! then grows, and where `N > 0` so does the room for inward sliding ([`contact`](crate::arch::contact)). So the joints beside the
-//! one that touches the intrados, or that slides, speak for all, and the first and the last joint for the extrados, for
-//! outward sliding and for `N`.
+//! On `(0, pi)`, at any thrust, the distance from the extrados first grows and then falls, that from the intrados
+//! falls and then grows, and where `N > 0` so does the room for inward sliding ([`contact`](crate::arch::contact)).
+//! So the joints beside the one that touches the intrados, or that slides, speak for all, and the first and the
+//! last joint for the extrados, for outward sliding and for `N`.
 
 use super::joints::{StoneJoints, is_positive, is_zero, require};
 use crate::arch::Ring;
@@ -34,8 +34,8 @@ pub(super) fn line_is_inside(
     })
 }
 
-/// The line of thrust is inside the arch at the first and the last joint and above the intrados at these, but for its contacts
-/// and joints that are open; `beyond` is how far it is outside.
+/// The line of thrust is inside the arch at the first and the last joint and above the intrados at these, but for
+/// its contacts and joints that are open; `beyond` is how far it is outside.
 fn inside_at(
     joints: &StoneJoints<'_>,
     beside: impl Iterator<Item = u64>,
@@ -52,14 +52,15 @@ fn inside_at(
     Ok(())
 }
 
-/// Whether a joint is open: it has no normal force, and no moment.
+/// Tells whether a joint is open: it has no normal force, and no moment.
 pub(super) fn is_open(joints: &StoneJoints<'_>, contacts: &[JointContact], joint: u64) -> bool {
     let slides = |contact| contacts.contains(&(contact, joint));
     joints.stones.may_open(joint, joints.is_limited())
         && (slides(Contact::Inwards) || slides(Contact::Outwards) && !joints.is_limited())
 }
 
-/// The state is admissible, and its contacts are the only conditions that hold with equality, but for slips at no thrust.
+/// The state is admissible, and its contacts are the only conditions that hold with equality, but for slips at no
+/// thrust.
 pub(super) fn is_admissible(
     joints: &StoneJoints<'_>,
     contacts: &[JointContact],
@@ -75,8 +76,8 @@ pub(super) fn is_admissible(
     })
 }
 
-/// The joints, at most three, that have between them the angle at which the line of thrust comes nearest to the intrados: where
-/// `fac sin beta - (1 - eta/2) [(1 - h) sin beta + beta cos beta]` changes its sign.
+/// The joints, at most three, that have between them the angle at which the line of thrust comes nearest to the
+/// intrados: where `fac sin beta - (1 - eta/2) [(1 - h) sin beta + beta cos beta]` changes its sign.
 fn around_lowest(
     joints: &StoneJoints<'_>,
     thrust: &Ball,
@@ -113,7 +114,7 @@ fn around_lowest(
     }
 }
 
-/// Nothing slides, nor is about to but for the contacts, and every normal force is positive.
+/// Checks that nothing slides, nor is about to but for the contacts, and every normal force is positive.
 pub(super) fn friction_holds(
     joints: &StoneJoints<'_>,
     contacts: &[JointContact],
@@ -124,7 +125,8 @@ pub(super) fn friction_holds(
     no_slip_is_passed(joints, contacts, (thrust, moment), ring, |_| false)
 }
 
-/// The same, where a slip that is no contact may be at its limit if this says that it is exactly there.
+/// Checks that no slip is passed, where a slip that is no contact may be at its limit if this says that it is
+/// exactly there.
 fn no_slip_is_passed(
     joints: &StoneJoints<'_>,
     contacts: &[JointContact],
@@ -165,8 +167,8 @@ fn no_slip_is_passed(
     Ok(())
 }
 
-/// Two joints next to each other, or one, that have between them `sqrt(h (1 - h))`, where the shear over the normal force is
-/// largest; at `h` outside `(0, 1)` it falls from the crown on.
+/// Two joints next to each other, or one, that have between them `sqrt(h (1 - h))`, where the shear over the normal
+/// force is largest; at `h` outside `(0, 1)` it falls from the crown on.
 fn around_steepest(joints: &StoneJoints<'_>, thrust: &Ball) -> Result<[u64; 2], Undecided> {
     let square = (thrust.int(1) - thrust) * thrust;
     let beyond = |joint: u64| joints.angle(joint).rad.square() - &square;

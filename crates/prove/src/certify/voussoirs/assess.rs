@@ -18,26 +18,26 @@ use crate::prover::{Figure, raise};
 pub struct VoussoirLimit {
     /// The thrust; `None` if there is no bound.
     pub thrust: Option<Figure>,
-    /// What limits it: a joint that slides or opens, or a hinge at the extrados and one at the intrados.
+    /// Contacts that limit it: a joint that slides or opens, or a hinge at the extrados and one at the intrados.
     pub contacts: Vec<JointContact>,
     /// The angles of their joints, rad.
     pub joints: Vec<Figure>,
 }
 
-/// Whether an arch of voussoirs of a given thickness stands.
+/// Verdict on whether an arch of voussoirs of a given thickness stands.
 #[derive(Clone, Debug)]
 pub enum VoussoirStanding {
-    /// It does, with thrusts from the first to the second.
+    /// The arch stands, with thrusts from the first to the second.
     Stands([VoussoirLimit; 2]),
-    /// It does not: no thrust is as large as the first asks for and as small as the second allows.
+    /// The arch does not stand: no thrust is as large as the first asks for and as small as the second allows.
     Falls([VoussoirLimit; 2]),
 }
 
-/// What is certain of an arch of voussoirs of a given thickness, each answer with a reason where it stays open.
+/// Certain answers about an arch of voussoirs of a given thickness, each answer with a reason where it stays open.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct VoussoirAssessment {
-    /// Whether it stands.
+    /// Tells whether the arch stands.
     pub standing: Result<VoussoirStanding, Undecided>,
     /// The thickness over the least thickness; `None` if there is none.
     pub geometric_safety: Result<Option<Figure>, Undecided>,
@@ -48,14 +48,14 @@ pub struct VoussoirAssessment {
 }
 
 impl VoussoirAssessment {
-    /// Why something stays open, if anything does.
+    /// Reason why something stays open, if anything does.
     pub fn first_open(&self) -> Option<&Undecided> {
         let others = [&self.geometric_safety, &self.required_friction, &self.friction_safety];
         self.standing.as_ref().err().or_else(|| others.into_iter().find_map(|x| x.as_ref().err()))
     }
 }
 
-/// What holds for an arch of voussoirs with a thickness in `(0, 2]`, to `digits` significant digits.
+/// Proves what holds for an arch of voussoirs with a thickness in `(0, 2]`, to `digits` significant digits.
 pub(super) fn assessed(
     stones: &Stones,
     arch: &Arch,

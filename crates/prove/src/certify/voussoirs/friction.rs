@@ -1,9 +1,9 @@
 //! The least friction with which an arch of voussoirs stands at a given thickness.
 //!
-//! As the thrust grows the shoulder asks for more friction and every other joint for less: `d(T/N)/dh = -beta/N²`. So the least is
-//! at the thrust at which an inner joint and the shoulder ask for the same, or, where that is not in the
-//! range of thrusts with unlimited friction, at the nearer end of it. Two stones have no inner joint: none asks for any where
-//! the shoulder bears no shear force.
+//! As the thrust grows the shoulder asks for more friction and every other joint for less: `d(T/N)/dh = -beta/N²`.
+//! So the least is at the thrust at which an inner joint and the shoulder ask for the same, or, where that is not
+//! in the range of thrusts with unlimited friction, at the nearer end of it. Two stones have no inner joint: none
+//! asks for any where the shoulder bears no shear force.
 
 use super::admissible::friction_holds;
 use super::joints::{StoneJoints, is_positive, require};

@@ -36,7 +36,7 @@ impl<'a> StoneJoints<'a> {
         self.friction != Some(Friction::Infinite)
     }
 
-    /// Where to look for candidates.
+    /// Search for candidates.
     pub(super) fn search(&self) -> Search<'a> {
         Search::new(self.stones, self.weight, self.grip.clone().map(midpoint), self.bits)
     }
@@ -65,7 +65,8 @@ impl<'a> StoneJoints<'a> {
         contacts.map(|(contact, index)| joints.row_at(contact, self.angle(index), DEGREE))
     }
 
-    /// A condition at a thickness. The load of a slip is exactly zero where the joint slides at no thrust, which no ball tells.
+    /// A condition at a thickness. The load of a slip is exactly zero where the joint slides at no thrust, which no
+    /// ball tells.
     pub(super) fn row(&self, contact: JointContact, ring: &Ring<Ball>) -> Row<Ball> {
         let row = contact.0.row(&self.angle(contact.1), ring, &self.grip);
         let is_given = |friction| slides_at_no_thrust(self.stones, friction, contact);
@@ -85,7 +86,8 @@ pub(super) fn require(is_proved: bool, question: &'static str) -> Result<(), Und
     if is_proved { Ok(()) } else { Err(Undecided::new(question)) }
 }
 
-/// Of two conditions that are free of the crown moment the first asks for a larger thrust than the second allows.
+/// Checks that of two conditions that are free of the crown moment the first asks for a larger thrust than
+/// the second allows.
 pub(super) fn leave_no_thrust([least, most]: [&Row<Ball>; 2]) -> Result<(), Undecided> {
     require(is_positive(&-least.thrust.clone()), "whether the thrust is bounded from below")?;
     require(is_positive(&most.thrust), "whether the thrust is bounded from above")?;
@@ -94,12 +96,12 @@ pub(super) fn leave_no_thrust([least, most]: [&Row<Ball>; 2]) -> Result<(), Unde
     require(is_positive(&sum), "whether no thrust is admissible")
 }
 
-/// Whether it is zero exactly.
+/// Tells whether a number is zero exactly.
 pub(super) fn is_zero(x: &Ball) -> bool {
     x.mid().is_zero() && x.rad().is_zero()
 }
 
-/// Whether it is.
+/// Tells whether a number is positive.
 pub(super) fn is_positive(x: &Ball) -> bool {
     x.is_positive().is_proved()
 }

@@ -1,16 +1,16 @@
-//! By how much an arch of voussoirs needs less than one with a joint at every angle.
+//! Saving of an arch of voussoirs over one with a joint at every angle.
 
 use super::joints::is_positive;
 use crate::number::{Ball, Rounded};
 use crate::prover::Figure;
 
-/// What an arch of voussoirs needs less, rounded to at most four digits.
+/// Savings of an arch of voussoirs over one with a joint at every angle, rounded to at most four digits.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct VoussoirLoss {
     /// The difference of the two least thicknesses.
     pub thickness: Rounded,
-    /// That over the one with a joint at every angle.
+    /// Part that the difference is of the least thickness with a joint at every angle.
     pub share: Rounded,
 }
 

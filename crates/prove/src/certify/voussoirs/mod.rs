@@ -3,19 +3,20 @@
 //! Three conditions hold with equality; their multipliers leave a polynomial `W` in the thickness
 //! ([`combination`](crate::arch::joint::combination)). The proof, in balls:
 //!
-//! 1. **None thinner stands.** The multipliers are positive from 0 to the thickness, and so is `W` below it: by the coefficients
-//!    of Bernstein's form, which bound a polynomial on an interval. Any admissible thrust and moment would make the
-//!    combination zero or negative.
-//! 2. **One thickness.** `W` changes its sign between two numbers next to each other: there is the root, and the thrust and the
-//!    moment follow.
+//! 1. **None thinner stands.** The multipliers are positive from 0 to the thickness, and so is `W` below it: by the
+//!    coefficients of Bernstein's form, which bound a polynomial on an interval. Any admissible thrust and moment
+//!    would make the combination zero or negative.
+//! 2. **One thickness.** `W` changes its sign between two numbers next to each other: there is the root, and the
+//!    thrust and the moment follow.
 //! 3. **Admissible at every joint**, by signs at a few, so that the cost does not depend on the number of stones.
 //!
-//! **Thicker arches stand.** At the thrust of the state let `n = N(alpha)/(cos beta_0 - cos alpha)`. That the moments have room between
-//! the extrados of the shoulder and the intrados of the first joint says `(1 + eta/2) n - 1 - delta_M eta²/12 >= 0`, as `N >= 0`
-//! there. For Heyman's weight the left side grows. For Milankovitch's it is concave and, if `n < 2/3`, at most its value
-//! `(3n² + 4n - 4)/4 < 0` at `eta = 3n`; so `n >= 2/3`, and it is not negative at 2 either, for joints below the first still
-//! less. The room below the shoulder's extrados is concave in `eta` at every joint, that below the first joint's grows, and friction
-//! does not see the thickness: so there is room from the least thickness up to 2.
+//! **Thicker arches stand.** At the thrust of the state let `n = N(alpha)/(cos beta_0 - cos alpha)`. That the
+//! moments have room between the extrados of the shoulder and the intrados of the first joint says `(1 + eta/2) n -
+//! 1 - delta_M eta²/12 >= 0`, as `N >= 0` there. For Heyman's weight the left side grows. For Milankovitch's it is
+//! concave and, if `n < 2/3`, at most its value `(3n² + 4n - 4)/4 < 0` at `eta = 3n`; so `n >= 2/3`, and it is not
+//! negative at 2 either, for joints below the first still less. The room below the shoulder's extrados is concave
+//! in `eta` at every joint, that below the first joint's grows, and friction does not see the thickness: so there
+//! is room from the least thickness up to 2.
 //!
 //! With unlimited friction the value is that to which those of large frictions come: a keystone may hang between joints
 //! that bear shear alone.
@@ -72,7 +73,7 @@ pub fn voussoirs(
     })?)
 }
 
-/// What holds for an arch of voussoirs with a thickness in `(0, 2]`, to `digits` significant digits.
+/// Proves what holds for an arch of voussoirs with a thickness in `(0, 2]`, to `digits` significant digits.
 pub fn assess_voussoirs(
     stones: &Stones,
     weight: SelfWeight,
@@ -85,7 +86,7 @@ pub fn assess_voussoirs(
     Ok(assess::assessed(stones, &arch, thickness, (bits_of(digits) + GUARD, digits)))
 }
 
-/// What is public may not have been made by those who check it.
+/// A certificate from elsewhere may not have been made by those who check it.
 fn checked(
     stones: &Stones,
     weight: SelfWeight,

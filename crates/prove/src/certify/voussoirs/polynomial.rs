@@ -39,8 +39,8 @@ pub(super) fn bracket(polynomial: &Jet<Ball>, near: &Float, bits: u32) -> [Ball;
     [beside(-room.clone()), beside(room)]
 }
 
-/// Whether a polynomial of at most [`DEGREE`] is positive from 0 to `most`, by the coefficients of its Bernstein form:
-/// `b_i = sum over k <= i of C(i,k)/C(n,k) c_k most^k`.
+/// Tells whether a polynomial of at most [`DEGREE`] is positive from 0 to `most`, by the coefficients of its
+/// Bernstein form: `b_i = sum over k <= i of C(i,k)/C(n,k) c_k most^k`.
 pub(super) fn is_positive_up_to(polynomial: &Jet<Ball>, most: &Ball) -> bool {
     const BINOMIALS: [[i32; DEGREE + 1]; DEGREE + 1] =
         [[1, 0, 0, 0], [1, 1, 0, 0], [1, 2, 1, 0], [1, 3, 3, 1]];

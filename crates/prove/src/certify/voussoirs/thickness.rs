@@ -19,7 +19,7 @@ use rug::Float;
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct VoussoirDigits {
-    /// How it collapses.
+    /// Mode of its collapse.
     pub mode: Mode,
     /// The conditions that hold with equality.
     pub contacts: [JointContact; 3],
@@ -33,16 +33,17 @@ pub struct VoussoirDigits {
     pub sliding_joint: Option<Figure>,
 }
 
-/// What is proved of an arch of voussoirs.
+/// Proof about an arch of voussoirs.
 #[derive(Clone, Debug)]
 pub enum Voussoirs {
-    /// It stands from a least thickness on.
+    /// The arch stands from a least thickness on.
     Stands(Box<VoussoirDigits>),
-    /// It stands at every thickness up to 2: it has no joint inside its halves.
+    /// The arch stands at every thickness up to 2: it has no joint inside its halves.
     AnyThickness,
-    /// It stands at none: an inner joint slides at a smaller thrust than the shoulder, or the shoulder before it.
+    /// The arch stands at no thickness: an inner joint slides at a smaller thrust than the shoulder, or the
+    /// shoulder before it.
     Slides,
-    /// It stands at none up to 2.
+    /// The arch stands at no thickness up to 2.
     TooThick,
 }
 
@@ -56,21 +57,21 @@ pub(super) struct State {
     thrust: Ball,
 }
 
-/// What is proved, before it is rounded.
+/// Proof before it is rounded.
 #[derive(Clone, Debug)]
 pub(super) enum Outcome {
-    /// It stands from the least thickness on.
+    /// The arch stands from the least thickness on.
     Stands(State),
-    /// At every thickness.
+    /// The arch stands at every thickness.
     AnyThickness,
-    /// At none.
+    /// The arch stands at no thickness, as it slides.
     Slides,
-    /// At none up to 2.
+    /// The arch stands at no thickness up to 2.
     TooThick,
 }
 
 impl Outcome {
-    /// The same in digits; `None` if the rounding is not decided.
+    /// Outcome in digits; `None` if the rounding is not decided.
     pub(super) fn rounded(&self, joints: &StoneJoints<'_>, digits: usize) -> Option<Voussoirs> {
         let State { mode, contacts, thickness, thrust } = match self {
             Self::Stands(state) => state,
@@ -94,7 +95,7 @@ impl Outcome {
     }
 }
 
-/// What a candidate says, proved.
+/// Proves what a candidate says.
 pub(super) fn proved(
     joints: &StoneJoints<'_>,
     candidate: VoussoirCandidate,
@@ -132,9 +133,10 @@ fn contradiction(
     require(is_positive_up_to(&combination(&rows), most), "whether a thinner arch stands")
 }
 
-/// Arches of two or three stones stand at every thickness if they do with the thrust `h` of the line through the middle of
-/// both joints, which belongs to `fac = 1`. At thickness `eta` the room for the crown moment between the extrados of
-/// one joint and the intrados of the other is then `eta/2 [N_0 + N_1 ± delta_M eta (cos_0 - cos_1)/6]`, and `eta` is at most 2.
+/// Arches of two or three stones stand at every thickness if they do with the thrust `h` of the line through the
+/// middle of both joints, which belongs to `fac = 1`. At thickness `eta` the room for the crown moment between the
+/// extrados of one joint and the intrados of the other is then `eta/2 [N_0 + N_1 ± delta_M eta (cos_0 - cos_1)/6]`,
+/// and `eta` is at most 2.
 fn any_thickness(joints: &StoneJoints<'_>) -> Result<Outcome, Undecided> {
     require(joints.stones.count() == 2, "whether every thickness is enough")?;
     let zero = Ball::integer(0, joints.bits);

@@ -1,10 +1,10 @@
 //! The range of thrusts of an arch of voussoirs at a given thickness: it stands exactly if there is one.
 //!
-//! A joint that slides or opens bounds the thrust, and so do a hinge at the extrados and one at the intrados, whose sum is free of the
-//! crown moment. **An end** is proved by such a bound and by a state there that is admissible at all joints. **It falls**
-//! if one bound from below lies above one from above. The admissible thrusts and moments are a convex set, so
-//! that all between two ends are admissible. A slip that is exactly at no thrust, which only arithmetic tells, may hold with equality beside those
-//! that make the end: the conditions ask for no more.
+//! A joint that slides or opens bounds the thrust, and so do a hinge at the extrados and one at the intrados, whose
+//! sum is free of the crown moment. **An end** is proved by such a bound and by a state there that is admissible at
+//! all joints. **It falls** if one bound from below lies above one from above. The admissible thrusts and moments
+//! are a convex set, so that all between two ends are admissible. A slip that is exactly at no thrust, which only
+//! arithmetic tells, may hold with equality beside those that make the end: the conditions ask for no more.
 
 use super::admissible::{is_admissible, is_open};
 use super::joints::{StoneJoints, is_positive, is_zero, leave_no_thrust, require};
@@ -26,16 +26,16 @@ pub(super) struct End {
     pub contacts: Vec<JointContact>,
 }
 
-/// Whether an arch stands.
+/// Range of thrusts of an arch, if it stands.
 #[derive(Clone, Debug)]
 pub(super) enum Range {
-    /// From the first thrust to the second.
+    /// Range from the first thrust to the second.
     Stands([End; 2]),
     /// The first conditions ask for a larger thrust than the second allow.
     Falls([End; 2]),
 }
 
-/// What is exactly so and cannot be told from balls.
+/// Ties: exact zeros that cannot be told from balls.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Ties {
     /// The friction angle is the half opening: the shoulder never slides outwards.
@@ -47,7 +47,8 @@ pub(super) struct Ties {
 }
 
 impl Ties {
-    /// A semicircle of thickness 2: its shoulder is level and its intrados the centre, so that without limit of friction no thrust is too large.
+    /// A semicircle of thickness 2: its shoulder is level and its intrados the centre, so that without limit of
+    /// friction no thrust is too large.
     fn is_solid_semicircle(self) -> bool {
         self.is_solid && self.has_no_arm
     }
@@ -94,7 +95,7 @@ pub(super) fn range(
     Ok(Range::Stands([least, most]))
 }
 
-/// What a slip, or two hinges, say of the thrust: nothing, if they say it of the crown moment too.
+/// Bound that a slip, or two hinges, set on the thrust: none, if they bind the crown moment too.
 fn together(
     joints: &StoneJoints<'_>,
     contacts: &[JointContact],
@@ -190,7 +191,7 @@ mod tests {
     use crate::arch::SelfWeight;
     use crate::problem::stones::Stones;
 
-    /// What two hinges say is free of the crown moment only if they are at opposite faces.
+    /// The conditions of two hinges are free of the crown moment only if they are at opposite faces.
     #[test]
     fn conditions_together_are_free_of_the_crown_moment_or_refused() {
         let stones = Stones::equal(8, "1".parse().unwrap()).unwrap();

@@ -1,4 +1,4 @@
-//! Where Newton's method starts: candidates good to a few digits, found without a table and not trusted.
+//! Starts of Newton's method: candidates good to a few digits, found without a table and not trusted.
 //!
 //! Why the root found is the admissible one. All states with hinges at the haunch lie where the line of
 //! thrust touches the intrados. At a given thrust and thickness that happens at one joint only, because (5)

@@ -11,7 +11,7 @@ use crate::problem::Mode;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct QuickState {
-    /// How it seems to collapse; `None` if nothing seems to stand.
+    /// Mode in which it seems to collapse; `None` if nothing seems to stand.
     pub mode: Option<Mode>,
     /// `eta`.
     pub thickness: f64,

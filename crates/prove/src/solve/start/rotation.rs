@@ -27,7 +27,7 @@ fn end<T: Real>(weight: SelfWeight, like: &T) -> Ring<T> {
     Ring::new(weight, &overturning::thickness_at_end(weight, &like.int(3).sqrt()))
 }
 
-/// Whether a half opening seems to be below that of `l`, by its first digits.
+/// Tells whether a half opening seems to be below that of `l`, by its first digits.
 pub fn seems_to_rotate(weight: SelfWeight, alpha: &impl Start) -> bool {
     before_end(weight, alpha.to_double()) > 0.0
 }
@@ -46,7 +46,7 @@ pub fn rotational<T: Start>(weight: SelfWeight, alpha: &T) -> [T; 3] {
     rotational_in_doubles(weight, alpha.to_double()).map(|x| alpha.like(x))
 }
 
-/// The same for half openings that are neither small nor next to the end.
+/// Rotational state of half openings that are neither small nor next to the end.
 pub(super) fn rotational_in_doubles(weight: SelfWeight, alpha: f64) -> [f64; 3] {
     let a = thrust::opening_variable(&Angle::new(alpha)).value();
     let (joint, ring) = with_opening_variable(weight, a);

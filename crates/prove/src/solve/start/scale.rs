@@ -8,7 +8,7 @@ pub trait Start: Real + Stumpff + PartialOrd<f64> {
     /// The double nearest to it.
     fn to_double(&self) -> f64;
 
-    /// Its first digits.
+    /// First digits of the number.
     fn rough(&self) -> Self;
 
     /// `x` with the precision of this number.

@@ -77,7 +77,7 @@ pub fn sliding<T: Start>(alpha: &T) -> [T; 3] {
     sliding_in_doubles(&opening).map(|x| alpha.like(x))
 }
 
-/// The same in doubles.
+/// Sliding state in doubles.
 pub(super) fn sliding_in_doubles(opening: &Angle<f64>) -> [f64; 3] {
     let excess = |theta: f64| {
         let at @ [h, _] = steepest(theta);

@@ -42,7 +42,7 @@ pub struct InnerStart {
     pub thickness: f64,
     /// `beta_r`, rad, or `None` if the intrados is touched at the crown.
     pub joint: Option<f64>,
-    /// Whether doubles may be wrong about that: the joint is at the crown or next to it.
+    /// True if doubles may be wrong about that: the joint is at the crown or next to it.
     pub is_near_crown: bool,
 }
 

@@ -17,8 +17,8 @@ pub fn arch() -> impl Strategy<Value = Arch> {
 }
 
 /// Arches that stand, with their state at the least thickness, correctly rounded to `digits`
-/// significant digits, 1 to [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS); with others everything is rejected. What falls,
-/// and what is undecided, is left out.
+/// significant digits, 1 to [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS); with others everything is
+/// rejected. What falls, and what is undecided, is left out.
 ///
 /// ```
 /// use couplet_prove::strategies::standing;
@@ -74,7 +74,7 @@ pub fn collapsing(mode: Mode, digits: usize) -> impl Strategy<Value = (Query, Bo
         )
 }
 
-/// Why an arch is left out: because of the digits, if none can be had to so many.
+/// Reason why an arch is left out: because of the digits, if none can be had to so many.
 fn whence(otherwise: &str, digits: usize) -> String {
     Refused::arch_digits(digits)
         .map_or_else(|refused| refused.to_string(), |()| otherwise.to_owned())

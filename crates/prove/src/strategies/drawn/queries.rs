@@ -10,7 +10,7 @@ use proptest::prelude::*;
 use proptest::sample::select;
 use std::fmt;
 
-/// What is asked of an arch. It is shown as the command that answers it.
+/// Question about an arch. It is shown as the command that answers it.
 #[derive(Clone, PartialEq, Eq)]
 pub struct Query {
     /// The self-weight model.

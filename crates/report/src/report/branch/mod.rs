@@ -1,5 +1,5 @@
-//! Asymmetric solutions of Eq. (19) over friction, for one half opening: for a person, their nodes as JSON (`couplet.branch/1`) or
-//! CSV, and a picture beside the least thickness.
+//! Asymmetric solutions of Eq. (19) over friction, for one half opening: for a person, their nodes as JSON
+//! (`couplet.branch/1`) or CSV, and a picture beside the least thickness.
 
 mod json;
 mod picture;
@@ -41,7 +41,7 @@ pub struct BranchArches {
 }
 
 impl BranchArch {
-    /// What is not proved.
+    /// Parts that are not proved.
     pub fn open(&self) -> Vec<String> {
         match &self.found {
             Ok((branch, least)) => {
@@ -62,7 +62,7 @@ impl BranchArch {
     }
 }
 
-/// What of a branch is proved, and what is not.
+/// Statements of what of a branch is proved, and what is not.
 const PROOF: [&str; 7] = [
     "proved, for each vertical force between the ends of a part: its equations have exactly one solution in",
     "the tube, the states are one curve from end to end, each is admissible at every joint of the whole arch,",
@@ -73,7 +73,7 @@ const PROOF: [&str; 7] = [
     "not proved: that the branch is all; other asymmetric solutions may exist.",
 ];
 
-/// What happens in a point, by the parts before and behind it.
+/// Event at a point, by the parts before and behind it.
 fn event(before: Option<&Stretch>, behind: Option<&Stretch>) -> &'static str {
     match (before.map(|of| of.kind), behind.map(|of| of.kind)) {
         (None, _) => "leaves the least thickness, at the friction of pure sliding",

@@ -6,7 +6,7 @@ use crate::report::csv;
 use crate::report::map::{COLUMNS, Row, lower, upper};
 use std::io;
 
-/// What a row has beside the columns of a map.
+/// Columns that a row has beside the columns of a map.
 const MORE: [&str; 5] = [
     "vertical_force_lower",
     "vertical_force_upper",

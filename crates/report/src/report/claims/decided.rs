@@ -7,11 +7,11 @@ use std::iter;
 /// Claims with what was found of them.
 #[derive(Debug)]
 pub struct Claims {
-    /// One per claim, in the order of the paper.
+    /// Decisions, one per claim, in the order of the paper.
     pub decisions: Vec<Decision>,
-    /// Whether to give the derivations too.
+    /// True if the derivations are given too.
     pub show: bool,
-    /// Whether to say how long each took, which is another time in every run.
+    /// True if the time that each took is given, which is another time in every run.
     pub timed: bool,
 }
 
@@ -27,8 +27,8 @@ pub(super) fn as_printed(decision: &Decision) -> &'static str {
     }
 }
 
-/// What became of the statement, in one of three words: what holds with equality in some places, or with a number, is
-/// proved.
+/// Verdict on the statement, in one of three words: what holds with equality in some places, or with a
+/// number, is proved.
 pub(super) fn verdict(decision: &Decision) -> &'static str {
     match decision.outcome {
         Ok(Finding::Misprint { .. }) => "refuted",
@@ -37,7 +37,7 @@ pub(super) fn verdict(decision: &Decision) -> &'static str {
     }
 }
 
-/// What was found besides the word, each with what it is: `as printed`, `corrected`, `holds with`.
+/// Remarks beside the verdict, each with what it is: `as printed`, `corrected`, `holds with`.
 pub(super) fn remarks(decision: &Decision) -> Vec<(&'static str, &str)> {
     match &decision.outcome {
         Ok(Finding::AsPrinted | Finding::Implicit) => Vec::new(),
@@ -53,7 +53,7 @@ pub(super) fn remarks(decision: &Decision) -> Vec<(&'static str, &str)> {
     }
 }
 
-/// How many claims there are of each kind, in words.
+/// Number of claims of each kind, in words.
 pub(super) fn summary(decisions: &[Decision]) -> String {
     let of = |word| decisions.iter().filter(|decision| as_printed(decision) == word).count();
     let kinds = [

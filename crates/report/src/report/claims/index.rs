@@ -12,7 +12,7 @@ use std::io;
 /// The index of the paper.
 #[derive(Debug)]
 pub struct Index {
-    /// One per claim, as they were decided.
+    /// Decisions, one per claim, as they were decided.
     pub decisions: Vec<Decision>,
 }
 

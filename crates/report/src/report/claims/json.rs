@@ -16,7 +16,7 @@ fn step(step: &Step) -> Fields {
     Fields::named("support words formula latex", values)
 }
 
-/// All claims.
+/// Writes all claims.
 pub(crate) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
     let claims = report.decisions.iter().map(|decision| {
         let remarks = remarks(decision);

@@ -11,7 +11,7 @@ const HEAD: &str = r"\documentclass{article}
 \begin{document}
 \raggedright";
 
-/// All claims.
+/// Writes all claims.
 pub(crate) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(out, "{HEAD}")?;
     writeln!(out, "{}\n", plain(&summary(&report.decisions)))?;

@@ -1,4 +1,4 @@
-//! What `couplet prove` found: text for a person, LaTeX for a document, JSON for a program.
+//! Results of `couplet prove`: text for a person, LaTeX for a document, JSON for a program.
 
 mod decided;
 mod index;

@@ -4,7 +4,7 @@ use super::decided::{Claims, as_printed, remarks, summary};
 use crate::claims::{Decision, Support};
 use std::io;
 
-/// All claims.
+/// Writes all claims.
 pub(crate) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
     for decision in &report.decisions {
         heading(decision, report.timed, out)?;
@@ -63,7 +63,7 @@ fn wrapped(words: &str, indent: &str, out: &mut dyn io::Write) -> io::Result<()>
     lines(words, indent, indent, out)
 }
 
-/// The same with another beginning of the first line.
+/// Lines of a claim, with another beginning of the first line.
 pub(super) fn lines(
     words: &str,
     first: &str,

@@ -1,4 +1,4 @@
-//! What asymmetric branches reach in the plane of half opening and friction.
+//! Reach of asymmetric branches in the plane of half opening and friction.
 
 use super::canvas::Canvas;
 use super::chain::Chain;
@@ -19,7 +19,8 @@ pub(super) struct Asymmetric {
     region: Option<Chain>,
 }
 
-/// Where a branch ends, and where its mechanism changes; the first differs from the lines between modes by its dashes.
+/// Stroke where a branch ends, and where its mechanism changes; the first differs from the lines between
+/// modes by its dashes.
 const OUTER: Stroke = Stroke { color: Color(0x5B, 0x2A, 0x86), width: 3.0, dashes: &[7.0, 3.0] };
 const INNER: Stroke = Stroke { color: Color(0x5B, 0x2A, 0x86), width: 1.4, dashes: &[2.0, 3.0] };
 const GROUND: Color = Color(0xE4, 0xD6, 0xF0);
@@ -29,7 +30,7 @@ fn fill(svg: &mut Svg, path: &Path) {
     svg.hatch(path, Hatch { ground: GROUND, color: OVER, gap: 5.0, turn: 0.0 });
 }
 
-/// What a line goes through from a place on, if it runs to the right.
+/// Rest of a line from a place on, if it runs to the right.
 fn after(chain: Chain, place: f64) -> Option<Chain> {
     let [from, to] = chain.ends()?;
     if from.0 >= to.0 {
@@ -72,7 +73,7 @@ impl Asymmetric {
         Some(way)
     }
 
-    /// What is enclosed.
+    /// Draws the areas that are enclosed.
     pub(super) fn fill(&self, svg: &mut Svg, frame: &Frame, of: &str) {
         let Some(way) = &self.region else { return };
         svg.group(&format!("{of}asymmetric"), |svg| fill(svg, &domain::area(way, frame)));
@@ -91,7 +92,7 @@ impl Asymmetric {
         self.lines.iter().map(|(.., chain)| chain)
     }
 
-    /// What the legend takes of the page.
+    /// Area that the legend takes of the page.
     pub(super) fn taken(&self, frame: &Frame) -> Rectangle {
         let widest = LEGEND.iter().map(|(name, _)| text::width(name, SMALL)).fold(0.0, f64::max);
         let across = widest + GAP / 2.0 + SAMPLE + GAP;
@@ -99,7 +100,7 @@ impl Asymmetric {
         [(frame.right() - across, frame.bottom() - up), (frame.right(), frame.bottom())]
     }
 
-    /// Their names, below on the right, where nothing stands.
+    /// Draws the names of the areas, below on the right, where nothing stands.
     pub(super) fn legend(&self, svg: &mut Svg, frame: &Frame) {
         let right = frame.right() - GAP;
         svg.group("legend", |svg| {
@@ -133,7 +134,7 @@ const LEADING: f64 = 21.0;
 const SAMPLE: f64 = 42.0;
 const SMALL: f64 = 15.0;
 
-/// What is said of it below.
+/// Description of the areas for the caption.
 pub(super) fn words(weight: SelfWeight) -> String {
     let [meet, turn] = match weight {
         SelfWeight::Milankovitch => ["the dashed line", ""],

@@ -12,7 +12,7 @@ use crate::picture::{Color, Point, Stroke};
 /// The least thickness.
 const LEAST: Stroke = Stroke::new(INK, 1.4);
 
-/// How a kind looks: by dashes too, so that grey is enough.
+/// Look of a kind: by dashes too, so that grey is enough.
 fn look(kind: AsymmetricMode) -> Stroke {
     let (color, width, dashes): (_, _, &[f64]) = match kind {
         AsymmetricMode::InnerSliding => (Color(0, 0x5A, 0x8C), 2.6, &[]),

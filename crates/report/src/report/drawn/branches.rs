@@ -22,7 +22,7 @@ pub enum Branches {
     Rotation,
     /// The thickness of overturning over `A = alpha cot(alpha/2)` and over the half opening.
     Overturning,
-    /// The same with rotation before it, and how they join.
+    /// Branches with rotation before it, and how they join.
     Joined,
 }
 
@@ -31,9 +31,9 @@ const SLIDING: Stroke = Stroke::new(INK, 1.6);
 const BEYOND: Stroke = Stroke { color: INK, width: 1.6, dashes: &[3.0, 4.0] };
 /// The tangent that two curves have in common.
 const TANGENT: Stroke = Stroke { color: INK, width: 1.2, dashes: &[16.0, 5.0, 3.0, 5.0] };
-/// How far it is drawn, to each side, in degrees.
+/// Distance to which it is drawn, to each side, in degrees.
 const FAR: f64 = 4.5;
-/// What is no further from the foot of a panel is on it.
+/// Tolerance within which a point is on the foot of a panel.
 const FOOT: f64 = 1e-9;
 
 /// An axis of an angle in degrees, or of what else there is.
@@ -48,7 +48,7 @@ const fn axis(coordinate: Coordinate, label: &'static str, range: [f64; 2], step
 const OPENING: Axis = axis(Coordinate::HalfOpening, "half opening α (°)", [0.0, 180.0], 20.0);
 const VARIABLE: Axis = axis(Coordinate::OpeningVariable, "A = α cot(α/2)", [0.0, 2.0], 0.2);
 const THICKNESS: Axis = thickness_axis([0.0, 2.2], 0.5);
-/// Where half arches overturn.
+/// Axis where half arches overturn.
 const WIDE: Axis = Axis { range: [146.0, 162.0], step: 2.0, ..OPENING };
 const WIDE_VARIABLE: Axis = Axis { range: [0.4, 1.0], step: 0.1, ..VARIABLE };
 const THICK: Axis = thickness_axis([0.8, 2.2], 0.2);
@@ -196,7 +196,7 @@ fn tangent(sheet: &Sheet) -> Option<Line> {
     Some(Line { id, chain: Chain::straight(end(-FAR), end(FAR)), stroke: TANGENT })
 }
 
-/// How a curve of a weight looks: overturning is told from rotation by its dashes.
+/// Look of a curve of a weight: overturning is told from rotation by its dashes.
 fn look_of(weight: SelfWeight, curve: Curve) -> Stroke {
     let stroke = look::of_weight(weight);
     match (curve, weight) {
@@ -210,7 +210,7 @@ fn look_of(weight: SelfWeight, curve: Curve) -> Stroke {
     }
 }
 
-/// How far lines may be from the truth, along each axis.
+/// Distance that lines may have from the truth, along each axis.
 fn off(panels: &[Graph]) -> Vec<(Axis, f64)> {
     let of_panel = |panel: &Graph| {
         let [across, up] = panel.off();
@@ -276,7 +276,7 @@ fn widest(sheets: &[Sheet]) -> Vec<Dot> {
     sheets.iter().filter_map(mark).collect()
 }
 
-/// How a line runs, and which weight's is the upper one.
+/// Course of a line, and which weight's is the upper one.
 #[derive(Clone, Copy)]
 enum Course {
     /// Upwards, Milankovitch's above.

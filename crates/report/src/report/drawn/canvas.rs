@@ -4,7 +4,8 @@ use super::plane::{Axis, DEGREES, Plane, step};
 use crate::atlas::{Coordinate, LEAST_TOLERANCE};
 use crate::number::shown;
 
-/// How a quantity is shown along an axis, and from where to where. What is not asked for is as usual.
+/// Ranges of the axes: how a quantity is shown along an axis, and from where to where. What is not asked for
+/// is as usual.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Axes {
     /// The half opening in degrees, in radians, or as `A`.
@@ -20,7 +21,7 @@ pub struct Axes {
 pub struct Shown {
     /// The unit.
     pub unit: Unit,
-    /// From where to where, in the unit; of a logarithm the thicknesses.
+    /// Range in the unit; of a logarithm the thicknesses.
     pub range: Option<[f64; 2]>,
 }
 
@@ -32,7 +33,7 @@ pub enum Unit {
     Usual,
     /// Radians.
     Radians,
-    /// What follows from it: `A = alpha cot(alpha/2)`, `mu = tan phi`, the logarithm of the thickness.
+    /// A derived quantity: `A = alpha cot(alpha/2)`, `mu = tan phi`, the logarithm of the thickness.
     Derived,
 }
 
@@ -52,7 +53,7 @@ impl Unit {
 }
 
 impl Axes {
-    /// Why these are no axes of a map in a plane.
+    /// Reason why these are no axes of a map in a plane.
     pub fn misfit(&self, plane: Plane) -> Option<String> {
         let name = plane.name();
         for (quantity, asked) in [
@@ -90,9 +91,9 @@ impl Axes {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Canvas {
     pub plane: Plane,
-    /// To the right, and up.
+    /// Axes to the right, and up.
     pub axes: [Axis; 2],
-    /// Whether they are as usual, so that insets and words have their places.
+    /// True if the axes are as usual, so that insets and words have their places.
     pub is_usual: bool,
 }
 
@@ -113,7 +114,7 @@ impl Canvas {
 }
 
 impl Shown {
-    /// From where to where, as it is written: `0..0.5`.
+    /// Reads a range as it is written: `0..0.5`.
     pub fn range_of(text: &str) -> Result<[f64; 2], String> {
         let wrong = || {
             format!("'{}' is no range: two numbers, the smaller first, as in 0..0.5", shown(text))

@@ -1,4 +1,4 @@
-//! What is said below.
+//! Caption of a map: what is said below.
 
 use super::canvas::Canvas;
 use super::page::SIZE;
@@ -10,8 +10,8 @@ use crate::picture::{Point, text};
 use crate::report::words;
 use std::collections::BTreeMap;
 
-/// What the picture shows, how far it is proved, if its lines are off by no more than so much along each axis, and the
-/// command, each a paragraph.
+/// Caption of a picture: what the picture shows, how far it is proved, if its lines are off by no more than
+/// so much along each axis, and the command, each a paragraph.
 pub(super) fn caption(
     shows: &str,
     sheets: &[&Sheet],
@@ -37,8 +37,8 @@ pub(super) fn caption(
     vec![format!("{shows}. {weights}.{levels} {proved}"), format!("Command: {command}")]
 }
 
-/// How near the lines drawn in a frame of a size are to the true ones, by how far they are off along each axis, and
-/// what is not proved.
+/// Statement of how near the lines drawn in a frame of a size are to the true ones, by how far they are off
+/// along each axis, and what is not proved.
 pub(super) fn proved(sheets: &[&Sheet], off: &[(Axis, f64)], size: Point) -> String {
     let mut open: Vec<String> = Vec::new();
     for sheet in sheets {
@@ -51,7 +51,7 @@ pub(super) fn proved(sheets: &[&Sheet], off: &[(Axis, f64)], size: Point) -> Str
     format!("{}; {open}.", told(off, size))
 }
 
-/// How near lines are to the true ones, in words.
+/// Statement of how near lines are to the true ones, in words.
 pub(super) fn told(off: &[(Axis, f64)], size: Point) -> String {
     let mut units: BTreeMap<&str, f64> = BTreeMap::new();
     for (axis, off) in off {
@@ -64,7 +64,7 @@ pub(super) fn told(off: &[(Axis, f64)], size: Point) -> String {
     format!("Each line is proved to lie within {widths} of where it is drawn")
 }
 
-/// In what a distance along an axis is told.
+/// Unit in which a distance along an axis is told.
 fn unit(coordinate: Coordinate) -> &'static str {
     match coordinate {
         Coordinate::HalfOpening | Coordinate::FrictionAngle => "radians",
@@ -77,13 +77,13 @@ fn unit(coordinate: Coordinate) -> &'static str {
     }
 }
 
-/// What the rounding of the file to thousandths of a unit makes of a place in a frame of a size, in η or rad.
+/// Effect on a place in a frame of a size, in η or rad, of rounding the file to thousandths of a unit.
 fn rounding(axis: &Axis, (width, height): Point) -> f64 {
     let length = (axis.range[1] - axis.range[0]) / axis.unit;
     ROUNDED / 2.0 * length / width.min(height)
 }
 
-/// To two digits, rounded up: `9.3×10⁻⁵`.
+/// Text of a width to two digits, rounded up: `9.3×10⁻⁵`.
 fn upwards(width: f64) -> String {
     let order = width.log10().floor() as i32;
     let digits = (width / 10f64.powi(order - 1)).ceil();

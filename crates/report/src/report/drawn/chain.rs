@@ -15,9 +15,9 @@ pub(super) struct Chain(pub Vec<Arc>);
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Arc {
     pub corners: [Point; 4],
-    /// Whether it is in a proved tube.
+    /// True if the arc is in a proved tube.
     pub is_proved: bool,
-    /// How far it may be from the truth along each axis, in rad or in what else is shown.
+    /// Distance that it may have from the truth along each axis, in rad or in what else is shown.
     pub off: [f64; 2],
 }
 
@@ -102,7 +102,8 @@ impl Chain {
         self.add(piece, [middle, range[1]], (axes, still), near, depth - 1)
     }
 
-    /// How far the arcs that a frame shows may be from the truth, in rad and in what else lies along the axes.
+    /// Distance that the arcs that a frame shows may have from the truth, in rad and in what else lies along
+    /// the axes.
     pub(super) fn off(&self, frame: &Frame) -> [f64; 2] {
         let is_seen = |arc: &&Arc| {
             let within = |of: fn(&Point) -> f64, [low, high]: [f64; 2]| {
@@ -122,7 +123,7 @@ impl Chain {
         Self(vec![Arc { corners, is_proved: true, off: [0.0; 2] }])
     }
 
-    /// From its end to its start.
+    /// Chain from its end to its start.
     pub(super) fn reversed(&self) -> Self {
         let back = |arc: &Arc| {
             let [a, b, c, d] = arc.corners;
@@ -131,7 +132,7 @@ impl Chain {
         Self(self.0.iter().rev().map(back).collect())
     }
 
-    /// What is left and right of a place, of a chain that runs to the right.
+    /// Parts left and right of a place, of a chain that runs to the right.
     pub(super) fn split(&self, place: f64) -> [Self; 2] {
         let (mut before, mut after) = (Self::default(), Self::default());
         for arc in &self.0 {
@@ -148,7 +149,7 @@ impl Chain {
         [before, after]
     }
 
-    /// Its two ends.
+    /// Ends of the chain.
     pub(super) fn ends(&self) -> Option<[Point; 2]> {
         Some([self.0.first()?.corners[0], self.0.last()?.corners[3]])
     }
@@ -194,7 +195,7 @@ pub(super) fn larger(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 }
 
 impl Arc {
-    /// At which share it passes a place, going to the right.
+    /// Share at which it passes a place, going to the right.
     fn share_at(&self, place: f64) -> f64 {
         let (mut low, mut high) = (0.0, 1.0);
         while high - low > 1e-15 {
@@ -207,7 +208,7 @@ impl Arc {
         low
     }
 
-    /// Its two parts (de Casteljau).
+    /// Halves of the arc (de Casteljau).
     fn halves(&self, share: f64) -> (Self, Self) {
         let mix = |a: Point, b: Point| (a.0 + share * (b.0 - a.0), a.1 + share * (b.1 - a.1));
         let [a, b, c, d] = self.corners;
@@ -230,12 +231,12 @@ impl Arc {
 /// A part of a piece along an axis.
 struct Along {
     handles: [f64; 4],
-    /// How far it may be from the truth, and what of that shorter parts would reduce.
+    /// Distance that it may have from the truth, and the part of it that shorter parts would reduce.
     off: f64,
     by_length: f64,
 }
 
-/// What is drawn no nearer, where tubes are narrower still.
+/// Distance below which nothing is drawn nearer, where tubes are narrower still.
 const NEAR: f64 = 1e-6;
 
 /// A part of a piece along an axis. Hermite's cubic in the parameter is Bézier's with its handles a third of the way

@@ -1,4 +1,4 @@
-//! What a map shows, in its frame or in an inset.
+//! Content of a map, in its frame or in an inset.
 
 use super::asymmetric::Asymmetric;
 use super::canvas::Canvas;
@@ -20,7 +20,7 @@ pub(super) struct Content {
     pub levels: Vec<(Contour, Chain)>,
     /// Overturning, at unlimited friction.
     pub edge: Option<Chain>,
-    /// What asymmetric branches reach.
+    /// Reach of asymmetric branches.
     pub asymmetric: Option<Asymmetric>,
     /// The landmarks.
     pub landmarks: Vec<(Landmark, Point)>,
@@ -34,7 +34,7 @@ pub(super) fn lines() -> impl Iterator<Item = Curve> {
 }
 
 impl Content {
-    /// What the curves of a weight are on a canvas.
+    /// Content of the curves of a weight on a canvas.
     pub(super) fn new(sheet: &Sheet, canvas: &Canvas) -> Self {
         let chain = |curve| sheet.chain(curve, canvas);
         let area = |mode| Some((mode, domain::around(mode, canvas, chain)?));
@@ -57,7 +57,7 @@ impl Content {
         }
     }
 
-    /// How far a line that a frame shows may be from the truth.
+    /// Distance that a line that a frame shows may have from the truth.
     pub(super) fn off(&self, frame: &Frame) -> [f64; 2] {
         let lines = self.lines.iter().map(|(_, chain)| chain);
         let levels = self.levels.iter().map(|(_, chain)| chain);
@@ -65,7 +65,7 @@ impl Content {
         lines.chain(levels).chain(asymmetric).map(|chain| chain.off(frame)).fold([0.0; 2], larger)
     }
 
-    /// Where a landmark is.
+    /// Place of a landmark.
     pub(super) fn of(&self, landmark: Landmark) -> Option<Point> {
         self.landmarks.iter().find(|(of, _)| *of == landmark).map(|(_, at)| *at)
     }

@@ -1,4 +1,4 @@
-//! What two weights make of the lines between modes, as graphs over the friction angle.
+//! Difference between two weights in the lines between modes, as graphs over the friction angle.
 
 use super::caption::told;
 use super::chain::{Arc, Chain};
@@ -20,7 +20,7 @@ const fn axis(range: [f64; 2], step: f64) -> Axis {
     Axis { coordinate: Coordinate::Thickness, unit: 1.0, label, range, step }
 }
 
-/// How a curve looks: by dashes too, so that grey is enough.
+/// Look of a curve: by dashes too, so that grey is enough.
 fn look(divide: Divide) -> Stroke {
     let (color, width, dashes): (_, _, &[f64]) = match divide {
         Divide::Shoulder => (Color(0, 0x5A, 0x8C), 2.2, &[]),
@@ -54,7 +54,7 @@ fn drawn(step: &Step) -> Arc {
     }
 }
 
-/// Where a landmark of a weight is on a curve.
+/// Place of a landmark of a weight on a curve.
 fn place(difference: &Difference, chi: f64) -> Option<Point> {
     let is_over = |step: &&Step| (step.range[0]..=step.range[1]).contains(&chi);
     let step = difference.steps().iter().find(is_over)?;

@@ -15,7 +15,7 @@ enum Part {
     Corner(Point),
 }
 
-/// Whether a mode has an area in a plane, and not only a line.
+/// Tells whether a mode has an area in a plane, and not only a line.
 fn is_area(mode: Mode, plane: Plane) -> bool {
     match mode {
         Mode::Overturning => false,
@@ -25,8 +25,8 @@ fn is_area(mode: Mode, plane: Plane) -> bool {
     }
 }
 
-/// What a side is in a plane. Of an edge this is its end, where that is a corner of the plane; those along which the
-/// half opening changes are curves.
+/// Part of a side in a plane. Of an edge this is its end, where that is a corner of the plane; those along
+/// which the half opening changes are curves.
 fn part(side: Side, canvas: &Canvas) -> Option<Part> {
     match side {
         Side::Along(curve) => Some(Part::Along(curve)),

@@ -1,4 +1,4 @@
-//! Which picture is asked for, and its file.
+//! Drawing that is asked for, and its file.
 
 use super::branches::Branches;
 use super::canvas::{Axes, Canvas};
@@ -15,7 +15,7 @@ use std::io;
 /// The picture that some curves are drawn as.
 #[derive(Clone, Debug)]
 pub struct Drawing {
-    /// What it shows.
+    /// View that it shows.
     pub view: View,
     /// The axes of a map.
     pub axes: Axes,
@@ -25,7 +25,7 @@ pub struct Drawing {
     pub command: String,
 }
 
-/// What a picture shows.
+/// View of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum View {
     /// The map of one weight in a plane; of several, of the first.
@@ -42,12 +42,12 @@ pub(in crate::report) struct FramedMap {
     pub weight: SelfWeight,
     /// The picture as SVG.
     pub svg: String,
-    /// Where it shows friction angles in degrees and thicknesses: its insets, then the map itself.
+    /// Frames where it shows friction angles in degrees and thicknesses: its insets, then the map itself.
     pub frames: Vec<Frame>,
 }
 
 impl View {
-    /// What a figure of the paper shows; it has 2 to 6.
+    /// View of a figure of the paper; it has 2 to 6.
     pub fn of_figure(number: usize) -> Option<Self> {
         Some(match number {
             2 => Self::Branches(Branches::Rotation),
@@ -59,7 +59,7 @@ impl View {
         })
     }
 
-    /// Whether it shows one weight.
+    /// Tells whether the view shows one weight.
     pub fn is_of_one_weight(self) -> bool {
         matches!(self, Self::Map(_))
     }

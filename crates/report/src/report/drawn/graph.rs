@@ -41,22 +41,22 @@ pub(super) struct Dot {
 
 pub(super) const WIDTH: f64 = 700.0;
 const LEFT: f64 = 92.0;
-/// Above, and where there is an axis of friction.
+/// Space above, and where there is an axis of friction.
 const TOP: f64 = 24.0;
 const AXIS: f64 = 76.0;
 const RIGHT: f64 = 40.0;
 const BETWEEN: f64 = 26.0;
 const BELOW: f64 = 80.0;
 const MARGIN: f64 = 20.0;
-/// From the labels of ticks to that of their axis.
+/// Distance from the labels of ticks to that of their axis.
 const NEXT: f64 = 24.0;
 const LABEL: f64 = 18.0;
 const TICK: f64 = 16.0;
 const SMALL: f64 = 15.0;
-/// Of a sample in the legend.
+/// Length of a sample in the legend.
 const SAMPLE: f64 = 48.0;
 
-/// Of each of so many panels.
+/// Height of each of so many panels.
 pub(super) fn height(panels: usize) -> f64 {
     if panels > 1 { 250.0 } else { 440.0 }
 }
@@ -101,7 +101,7 @@ impl Graphs {
         svg.finish()
     }
 
-    /// Whether a panel has the ticks of its horizontal axis: it is the last over that.
+    /// Tells whether a panel has the ticks of its horizontal axis: it is the last over that.
     fn has_ticks(&self, k: usize) -> bool {
         self.panels.get(k + 1).is_none_or(|below| below.x != self.panels[k].x)
     }

@@ -12,7 +12,7 @@ use crate::problem::Landmark;
 
 /// A part of the map, larger.
 pub(super) struct Inset {
-    /// Where it is on the page, and what it shows.
+    /// Frame of the inset on the page, and what it shows.
     pub frame: Frame,
     name: &'static str,
 }
@@ -22,17 +22,17 @@ const JOINTS: &str = "inset-sj";
 const MIXED: &str = "inset-tl";
 const ENDS: &str = "inset-l";
 const TRIPLE: &str = "inset-t";
-/// For the labels of its ticks, to the left and below, and around the rest.
+/// Space for the labels of its ticks, to the left and below, and around the rest.
 const LEFT: f64 = 50.0;
 const BELOW: f64 = 28.0;
 const REST: f64 = 8.0;
 const TICK: f64 = 14.0;
-/// For the name of a landmark, around it.
+/// Space for the name of a landmark, around it.
 const NAME: f64 = 26.0;
 
 impl Inset {
-    /// The insets of a map: S and J, which are close, and where thin domains lie side by side, these too. On axes as usual
-    /// each has its place; on others it is put where a domain has room for it, off what is `taken`.
+    /// The insets of a map: S and J, which are close, and where thin domains lie side by side, these too. On axes
+    /// as usual each has its place; on others it is put where a domain has room for it, off what is `taken`.
     pub(super) fn all(
         content: &Content,
         canvas: &Canvas,
@@ -82,7 +82,7 @@ impl Inset {
         ]
     }
 
-    /// Whether S and J are told apart in it.
+    /// Tells whether S and J are told apart in it.
     pub(super) fn is_close(&self) -> bool {
         self.name == JOINTS
     }
@@ -92,13 +92,13 @@ impl Inset {
         self.name
     }
 
-    /// Whether it lies over a point of the page, or nearly.
+    /// Tells whether the inset lies over a point of the page, or nearly.
     pub(super) fn covers(&self, (x, y): Point) -> bool {
         let [low, high] = self.taken();
         (low.0..=high.0).contains(&x) && (low.1..=high.1).contains(&y)
     }
 
-    /// What it takes of the page.
+    /// Area that the inset takes of the page.
     pub(super) fn taken(&self) -> Rectangle {
         let (left, top) = self.frame.corner;
         [
@@ -107,7 +107,7 @@ impl Inset {
         ]
     }
 
-    /// From the part of the map that it shows to where it shows it, which is drawn before.
+    /// Draws guides from the part of the map that it shows to where it shows it, which is drawn before.
     pub(super) fn draw_guides(&self, svg: &mut Svg, map: &Frame) {
         let Frame { x, y, corner: (left, top), .. } = self.frame;
         let (low, high) = (map.at((x[0], y[0])), map.at((x[1], y[1])));
@@ -187,7 +187,7 @@ fn parts(content: &Content, canvas: &Canvas) -> Vec<Part> {
 
 /// Sizes of an inset that are tried where it has no place of its own.
 const SIZES: [Point; 3] = [(260.0, 215.0), (210.0, 170.0), (170.0, 130.0)];
-/// What is at least half as large in the map needs no inset.
+/// Ratio of an inset to the map up to which nothing needs an inset: half the size is enough.
 const LARGER: f64 = 2.0;
 
 /// Insets where domains have room for them.

@@ -1,4 +1,4 @@
-//! What stands below the lines of both weights: their landmarks and the tangents at T, to 15 digits.
+//! Known values below the lines of both weights: their landmarks and the tangents at T, to 15 digits.
 
 use super::sheet::Sheet;
 use crate::arch::SelfWeight;

@@ -1,4 +1,4 @@
-//! How the modes and the weights look.
+//! Look of the modes and the weights.
 
 use crate::arch::SelfWeight;
 use crate::picture::color::INK;
@@ -34,7 +34,7 @@ pub(super) fn fill(svg: &mut Svg, mode: Mode, path: &Path) {
 pub(super) const DIVIDE: Stroke = Stroke::new(INK, 2.0);
 /// A line of equal half opening, thickness or friction.
 pub(super) const LEVEL: Stroke = Stroke::new(Color(0x55, 0x55, 0x55), 1.0);
-/// Where a line is not proved.
+/// Stroke where a line is not proved.
 pub(super) const OPEN: Stroke = Stroke { color: INK, width: 2.0, dashes: &[2.0, 4.0] };
 /// Unlimited friction, where half arches overturn.
 pub(super) const EDGE: Stroke = Stroke::new(INK, 6.0);

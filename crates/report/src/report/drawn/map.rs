@@ -19,9 +19,9 @@ use crate::problem::Mode;
 
 /// The map of one weight, as a picture.
 pub(super) struct MapPicture<'a> {
-    /// Its curves.
+    /// Curves of the map.
     pub sheet: &'a Sheet<'a>,
-    /// What lies along the axes.
+    /// Canvas: what lies along the axes.
     pub canvas: Canvas,
     /// Arches that are marked in it.
     pub marks: &'a [Mark],
@@ -93,7 +93,7 @@ impl MapPicture<'_> {
         svg.finish()
     }
 
-    /// Where it shows points of the plane: its insets, then the map itself.
+    /// Frames where it shows points of the plane: its insets, then the map itself.
     pub(super) fn frames(&self) -> Vec<Frame> {
         let content = Content::new(self.sheet, &self.canvas);
         let (page, _) = Page::new(&self.canvas, "", &[], !content.levels.is_empty());

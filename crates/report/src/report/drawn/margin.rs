@@ -10,13 +10,14 @@ use crate::picture::{Anchor, Frame, Path, Point, Stroke, Svg, Type, text};
 
 const SIZE: f64 = 15.0;
 const LABEL: f64 = 18.0;
-/// From the frame to the values, to which a leader goes, and to what they are; above it names of landmarks come first.
+/// Distance from the frame to the values, to which a leader goes, and to what they are; above it names of
+/// landmarks come first.
 const OFF: f64 = 18.0;
 const ABOVE: f64 = 40.0;
 const AWAY: f64 = 72.0;
-/// Between a leader and its value.
+/// Distance between a leader and its value.
 const GAP: f64 = 4.0;
-/// Between two values, in sizes of the font.
+/// Distance between two values, in sizes of the font.
 const APART: f64 = 1.1;
 
 /// A value as it is read: `80°`, or with its letter where not all lines are those of the plane.
@@ -30,7 +31,7 @@ fn shown(contour: &Contour, is_named: bool) -> String {
     }
 }
 
-/// Where a chain leaves a frame for the last time, by its right or by its upper edge.
+/// Place where a chain leaves a frame for the last time, by its right or by its upper edge.
 fn leaves(chain: &Chain, frame: &Frame, is_right: bool) -> Option<Point> {
     let points = chain.points();
     let edge = if is_right { frame.x[1] } else { frame.y[1] };

@@ -24,17 +24,17 @@ pub struct Mark {
     least: Option<f64>,
     /// The one of the arch, if it is given.
     given: Option<f64>,
-    /// What is proved of it.
+    /// Statement of what is proved of it.
     words: String,
 }
 
 /// Digits of the least thickness, and bits of the coordinates.
 const DIGITS: usize = 6;
 const BITS: u32 = 64;
-/// Of the ring.
+/// Radius of the ring.
 const RADIUS: f64 = 10.0;
 const LINE: f64 = 1.4;
-/// Of the end of a stroke, to each side.
+/// Width of the end of a stroke, to each side.
 const CAP: f64 = 5.0;
 const SIZE: f64 = 12.0;
 
@@ -87,7 +87,8 @@ impl Mark {
         Ok(Self { weight, half_opening, friction_angle, least, given, words })
     }
 
-    /// Where an arch of its shape and friction and of some thickness is on a canvas, if that needs none or there is one.
+    /// Place where an arch of its shape and friction and of some thickness is on a canvas, if that needs none
+    /// or there is one.
     fn at(&self, canvas: &Canvas, thickness: Option<f64>) -> Option<Point> {
         let on = |axis: &Axis| {
             let value = match axis.coordinate.variable()? {
@@ -105,18 +106,18 @@ impl Mark {
 /// A mark on the page: its state, where its mode is that of the domain around it.
 pub(super) struct Placed {
     number: String,
-    /// At the least thickness.
+    /// Place at the least thickness.
     pub at: Point,
     /// The end of a stroke to the thickness that is given, and whether the frame shows that.
     given: Option<(Point, bool)>,
 }
 
-/// Those of a weight.
+/// Marks of a weight.
 pub(super) fn of_weight(marks: &[Mark], weight: SelfWeight) -> Vec<Mark> {
     marks.iter().filter(|mark| mark.weight == weight).cloned().collect()
 }
 
-/// What is said of marks below, with their numbers.
+/// Words on marks below, with their numbers.
 pub(super) fn words(marks: &[Mark], canvas: &Canvas) -> Vec<String> {
     let all = (1..).zip(marks).map(|(number, mark)| format!("({number}) {}", mark.words));
     let has_stroke = |mark: &Mark| {
@@ -126,7 +127,7 @@ pub(super) fn words(marks: &[Mark], canvas: &Canvas) -> Vec<String> {
     all.chain(stroke).collect()
 }
 
-/// What is said where a thickness is given and shown.
+/// Words where a thickness is given and shown.
 const STROKE: &str = "A mark is the state of its arch at the least thickness, where the map has its mode; the stroke goes to \
                       the thickness that is given.";
 
@@ -144,7 +145,7 @@ pub(super) fn places(marks: &[Mark], canvas: &Canvas, frame: &Frame) -> Vec<Plac
     (1..).zip(marks).filter_map(place).collect()
 }
 
-/// What a mark takes of the page.
+/// Area that a mark takes of the page.
 pub(super) fn taken((x, y): Point) -> Rectangle {
     [(x - RADIUS, y - RADIUS), (x + RADIUS, y + RADIUS)]
 }

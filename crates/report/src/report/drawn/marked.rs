@@ -11,7 +11,7 @@ use std::str::FromStr;
 /// An arch to mark, but for its weight.
 #[derive(Clone, Debug)]
 pub struct Marked {
-    /// As it was asked for.
+    /// Text as it was asked for.
     text: String,
     half_opening: ExactNumber,
     friction: Friction,
@@ -60,12 +60,12 @@ impl Marked {
         Arch::new(weight, self.half_opening.clone(), self.friction.clone())
     }
 
-    /// Its friction.
+    /// Friction of the arch.
     pub fn friction(&self) -> &Friction {
         &self.friction
     }
 
-    /// With what is proved of it.
+    /// Mark with what is proved of it.
     pub fn proved(&self, weight: SelfWeight) -> Result<Mark, Error> {
         let arch = self.arch(weight)?;
         let open = |mut undecided: Undecided| {

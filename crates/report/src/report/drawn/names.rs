@@ -16,28 +16,28 @@ pub(super) struct Names<'a> {
     pub content: &'a Content,
     pub plane: Plane,
     pub frame: &'a Frame,
-    /// Of the fonts for modes and for landmarks.
+    /// Sizes of the fonts for modes and for landmarks.
     pub sizes: [f64; 2],
-    /// Whether the first axis runs the other way, as `A` does.
+    /// True if the first axis runs the other way, as `A` does.
     pub is_mirrored: bool,
-    /// What other things take of the page.
+    /// Areas of the page that other things take.
     pub taken: Vec<Rectangle>,
 }
 
 /// Half the room that a leader needs at its end.
 const TIP: Point = (2.0, 2.0);
-/// How far a name may be from its domain.
+/// Distances that a name may have from its domain.
 const REACH: [f64; 5] = [36.0, 46.0, 60.0, 80.0, 104.0];
 /// The sides of a landmark on which its name is tried.
 const MIRRORS: [Point; 4] = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
-/// Between S and J, in sizes of the font, if each has its name.
+/// Distance between S and J, in sizes of the font, if each has its name.
 const APART: f64 = 2.0;
 /// Directions that are tried.
 const TURNS: u32 = 24;
 
 impl Names<'_> {
-    /// Landmarks with their names. Next to each other S and J share one, unless they are `told_apart` or far enough from each
-    /// other.
+    /// Landmarks with their names. Next to each other S and J share one, unless they are `told_apart` or far enough
+    /// from each other.
     pub(super) fn landmarks(&mut self, svg: &mut Svg, told_apart: bool) {
         let told_apart = told_apart || self.are_apart();
         for (landmark, at) in &self.content.landmarks {
@@ -64,7 +64,7 @@ impl Names<'_> {
         }
     }
 
-    /// Whether S and J have room for a name each.
+    /// Tells whether S and J have room for a name each.
     fn are_apart(&self) -> bool {
         let [s, j] =
             [Landmark::Shift, Landmark::Junction].map(|l| Some(self.frame.at(self.content.of(l)?)));
@@ -125,7 +125,7 @@ impl Names<'_> {
         named
     }
 
-    /// Whether nothing is there yet.
+    /// Tells whether nothing is in a rectangle yet.
     fn is_free(&self, [low, high]: Rectangle) -> bool {
         let meets = |[a, b]: &Rectangle| a.0 < high.0 && low.0 < b.0 && a.1 < high.1 && low.1 < b.1;
         !self.taken.iter().any(meets)
@@ -176,7 +176,7 @@ fn rectangle(at: Point, half: Point) -> Rectangle {
     [(at.0 - half.0, at.1 - half.1), (at.0 + half.0, at.1 + half.1)]
 }
 
-/// Where the way from the middle of a rectangle to a point leaves it.
+/// Point where the way from the middle of a rectangle to a point leaves it.
 fn edge(middle: Point, half: Point, to: Point) -> Point {
     let (dx, dy) = (to.0 - middle.0, to.1 - middle.1);
     let share = (half.0 / dx.abs()).min(half.1 / dy.abs()).min(1.0);

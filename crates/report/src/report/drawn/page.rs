@@ -17,10 +17,10 @@ pub(super) const SIZE: Point = (760.0, 610.0);
 const LEFT: f64 = 88.0;
 const BELOW: f64 = 80.0;
 const MARGIN: f64 = 20.0;
-/// Where there is an axis of friction, and where there is none.
+/// Space where there is an axis of friction, and where there is none.
 const AXIS: f64 = 76.0;
 const NO_AXIS: f64 = 40.0;
-/// Above, where levels end.
+/// Space above, where levels end.
 const LEVELS: f64 = 92.0;
 /// Sizes of fonts.
 const LABEL: f64 = 18.0;

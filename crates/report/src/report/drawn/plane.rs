@@ -1,4 +1,4 @@
-//! What lies along the axes.
+//! Quantities along the axes.
 
 use crate::atlas::{Contour, Coordinate, Place};
 use crate::picture::scale::Tick;
@@ -18,15 +18,15 @@ pub enum Plane {
 /// One of its axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Axis {
-    /// What it shows.
+    /// Coordinate that it shows.
     pub coordinate: Coordinate,
     /// Units shown in a radian, or in one of what else it shows.
     pub unit: f64,
     /// The text beside it.
     pub label: &'static str,
-    /// In the unit shown.
+    /// Range in the unit shown.
     pub range: [f64; 2],
-    /// Between two ticks; of a logarithm a decade.
+    /// Step between two ticks; of a logarithm a decade.
     pub step: f64,
 }
 
@@ -107,7 +107,7 @@ impl Plane {
         }
     }
 
-    /// What is written beside their values.
+    /// Label of contours, beside their values.
     pub(super) fn contour_label(self) -> &'static str {
         match self {
             Self::ThicknessFriction => "lines of equal half opening α",
@@ -116,7 +116,7 @@ impl Plane {
         }
     }
 
-    /// Whether the levels of a quantity are lines in the plane.
+    /// Tells whether the levels of a quantity are lines in the plane.
     pub fn is_crossed_by(self, contour: &Contour) -> bool {
         contour.name() == self.contour_name()
     }
@@ -138,7 +138,7 @@ impl Plane {
         values.iter().filter_map(contour).collect()
     }
 
-    /// To the right, and up.
+    /// Axes to the right, and up.
     pub(super) fn axes(self) -> [Axis; 2] {
         match self {
             Self::ThicknessFriction => [FRICTION, THICKNESS],
@@ -152,7 +152,7 @@ impl Plane {
 const FAR: f64 = 4.0;
 
 impl Axis {
-    /// Whether it shows the friction angle.
+    /// Tells whether the axis shows the friction angle.
     pub(super) fn is_friction_angle(&self) -> bool {
         self.coordinate == Coordinate::FrictionAngle
     }
@@ -165,12 +165,12 @@ impl Axis {
         (self.coordinate.drawn(value) * self.unit).clamp(low - far, high + far)
     }
 
-    /// Where a place is on it, in the unit shown.
+    /// Place of a point on the axis, in the unit shown.
     pub(super) fn place(&self, place: &Place) -> Option<f64> {
         Some(self.shown(place.coordinate(self.coordinate.variable()?)?.mid().to_f64()))
     }
 
-    /// Its ticks within a range.
+    /// Ticks of the axis within a range.
     pub(super) fn ticks(&self, range: [f64; 2], step: Option<f64>) -> Vec<Tick> {
         if self.coordinate == Coordinate::LogThickness {
             return decades(range);
@@ -201,7 +201,7 @@ pub(super) fn step(range: [f64; 2], least: f64) -> Option<f64> {
     steps.into_iter().find(|step| count(*step) >= least)
 }
 
-/// Of a logarithm, a part in which there may be no power of ten: its values have ticks at equal steps.
+/// Part of a logarithm in which there may be no power of ten: its values have ticks at equal steps.
 const SHORT: f64 = 0.5;
 
 /// Ticks at powers of ten, and between few of them at twice and five times these.

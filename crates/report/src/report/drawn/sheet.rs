@@ -1,4 +1,4 @@
-//! What a picture is drawn from: the proved curves of one weight.
+//! Data of a picture: the proved curves of one weight.
 
 use super::canvas::Canvas;
 use super::chain::Chain;
@@ -11,16 +11,16 @@ use crate::problem::Landmark;
 pub(super) struct Sheet<'a> {
     /// The weight.
     pub weight: SelfWeight,
-    /// Its curves, some or all.
+    /// Curves of the weight, some or all.
     pub traces: Vec<&'a Trace>,
-    /// Its levels.
+    /// Levels of the weight.
     pub levels: Vec<&'a Level>,
-    /// Its lines between asymmetric branches.
+    /// Lines between asymmetric branches.
     pub borders: Vec<&'a Border>,
 }
 
 impl<'a> Sheet<'a> {
-    /// One for each weight of some curves.
+    /// Sheets, one for each weight of some curves.
     pub(super) fn all(
         traces: &'a [Trace],
         levels: &'a [Level],
@@ -69,7 +69,7 @@ impl<'a> Sheet<'a> {
         self.traces.iter().map(|trace| trace.width()).chain(of_levels).fold(0.0, f64::max)
     }
 
-    /// What has pieces that are not proved.
+    /// Names of what has pieces that are not proved.
     pub(super) fn open(&self) -> Vec<String> {
         let traces = self.traces.iter().filter(|trace| trace.gaps().next().is_some());
         let levels = self.levels.iter().filter(|level| level.has_gap());

@@ -1,4 +1,4 @@
-//! Where the names of landmarks stand.
+//! Places of the names of landmarks.
 
 use super::plane::Plane;
 use crate::picture::color::{INK, WHITE};
@@ -6,7 +6,7 @@ use crate::picture::room::Rectangle;
 use crate::picture::{Anchor, Point, Svg, Type, text};
 use crate::problem::Landmark;
 
-/// Of a landmark's disc.
+/// Radius of a landmark's disc.
 const RADIUS: f64 = 4.0;
 
 /// A name beside its point.
@@ -16,7 +16,7 @@ pub(super) struct Spot {
     size: f64,
 }
 
-/// From a landmark to the middle of its name, in sizes of the font: away from the lines.
+/// Direction from a landmark to the middle of its name, in sizes of the font: away from the lines.
 fn away(landmark: Landmark, plane: Plane) -> Point {
     use Landmark as L;
     match (plane, landmark) {
@@ -53,7 +53,7 @@ impl Spot {
         Self { name, middle, size }
     }
 
-    /// What it takes of the page.
+    /// Area that the spot takes of the page.
     pub(super) fn taken(&self) -> Rectangle {
         let half = (text::width(self.name, self.size) / 2.0 + 2.0, self.size * 0.55);
         [

@@ -26,7 +26,7 @@ fn picture(weights: &[SelfWeight], view: View, tolerance: f64) -> String {
     drawing.svg(&traces, &levels, &[]).unwrap()
 }
 
-/// The same as `picture`, with marks.
+/// Picture of a plane with marks.
 fn marked(plane: Plane) -> String {
     let weight = SelfWeight::Milankovitch;
     let traces: Vec<Trace> =
@@ -182,8 +182,8 @@ fn a_map_has_every_domain_line_and_name() {
     }
 }
 
-/// Overturning over A and over the half opening, each with its axis; then rotation and overturning, told apart by dashes, and
-/// their tangent where they join.
+/// Overturning over A and over the half opening, each with its axis; then rotation and overturning, told apart by
+/// dashes, and their tangent where they join.
 #[test]
 fn overturning_has_figures_of_its_own() {
     let of = |name: &str| &pictures().iter().find(|(other, _)| other == name).unwrap().1;

@@ -24,7 +24,7 @@ pub(super) fn header(quantities: &[Quantity], kept: &[String]) -> io::Result<Vec
     line([kept_names(kept, &own), own].concat())
 }
 
-/// One row.
+/// Writes one row.
 pub(super) fn row(
     row: &JudgedRow,
     quantities: &[Quantity],

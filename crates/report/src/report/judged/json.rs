@@ -23,7 +23,7 @@ fn entry(row: &JudgedRow) -> Fields {
     fields
 }
 
-/// One row on one line.
+/// Writes one row on one line.
 pub(super) fn row(row: &JudgedRow) -> io::Result<Vec<u8>> {
     json::line(&entry(row))
 }
@@ -40,7 +40,7 @@ fn quantity(of: &QuantitySummary) -> Fields {
     fields
 }
 
-/// All of them.
+/// Writes the whole summary.
 pub(crate) fn summary(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
     let verdicts: BTreeMap<_, _> =
         Verdict::ALL.into_iter().map(|v| (v.name(), summary.count(v).into())).collect();

@@ -11,7 +11,7 @@ use serde_json::Value as Json;
 /// A row of results, judged or not.
 #[derive(Clone, Debug)]
 pub struct JudgedRow {
-    /// Its line in the file.
+    /// Line of the row in the file.
     pub line: u64,
     /// The self-weight model as given.
     pub weight: String,
@@ -21,13 +21,13 @@ pub struct JudgedRow {
     pub friction: String,
     /// The thickness as given, where the arch has one.
     pub thickness: Option<String>,
-    /// Whether it is claimed that the arch can stand at some thickness.
+    /// True if the claim is that the arch can stand at some thickness.
     pub claimed_can_stand: Option<bool>,
-    /// Whether it is claimed that it stands at the thickness that it has.
+    /// True if the claim is that the arch stands at the thickness that it has.
     pub claimed_stands: Option<bool>,
     /// The mode that is claimed.
     pub claimed_mode: Option<&'static str>,
-    /// What is handed on from the row.
+    /// Values handed on from the row.
     pub kept: Vec<(String, Kept)>,
     /// The judgement, or why the row cannot be read.
     pub outcome: Result<Judgement, String>,
@@ -43,7 +43,7 @@ pub(super) const NUMBER: &str = "claimed value lower upper error relative_error 
     rounding nearest_double";
 
 impl Default for JudgedRow {
-    /// Of which nothing is read yet.
+    /// Row of which nothing is read yet.
     fn default() -> Self {
         Self {
             line: 0,
@@ -81,7 +81,7 @@ impl JudgedRow {
         self.judgement()?.correct_digits()
     }
 
-    /// Whether the arch can stand, if that is certain.
+    /// Tells whether the arch can stand, if that is certain.
     fn can_stand(&self) -> Option<bool> {
         match self.judgement()?.standing {
             Standing::Stands(_) => Some(true),
@@ -102,7 +102,7 @@ impl JudgedRow {
         }
     }
 
-    /// Why it falls, is undecided or cannot be read.
+    /// Reason why it falls, is undecided or cannot be read.
     pub(crate) fn reason(&self) -> Option<&str> {
         match &self.outcome {
             Err(error) => Some(error),

@@ -23,7 +23,7 @@ pub struct JudgeSummary {
     pub(super) thicker: u64,
     /// Rows by the digits to which their worst number is correct.
     pub(super) histogram: BTreeMap<CorrectDigits, u64>,
-    /// From the worst.
+    /// Rows from the worst.
     pub(super) worst: Vec<JudgedRow>,
     /// The first that cannot be judged.
     pub(super) unjudged: Vec<JudgedRow>,
@@ -42,7 +42,7 @@ pub(super) struct QuantitySummary {
 }
 
 impl JudgeSummary {
-    /// Of no rows; `kept` is how many of the worst are to be kept.
+    /// Summary of no rows; `kept` is how many of the worst are to be kept.
     pub fn new(demand: Demand, assumed: Option<SelfWeight>, kept: usize) -> Self {
         Self {
             demand,
@@ -167,7 +167,7 @@ fn worst_relative(row: &JudgedRow) -> Option<&Decimal> {
     errors.max_by(|a, b| by_size(Some(a), Some(b)))
 }
 
-/// Which of two sizes that are not negative is larger; none is the least.
+/// Order of two sizes that are not negative; none is the least.
 fn by_size(a: Option<&Decimal>, b: Option<&Decimal>) -> Ordering {
     let key = |x: &Decimal| {
         let zero = x.digits().is_empty();

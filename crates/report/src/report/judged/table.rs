@@ -25,7 +25,7 @@ pub fn write(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> 
     Ok(())
 }
 
-/// How many rows have which verdict, and how many pass.
+/// Number of rows that have each verdict, and how many pass.
 pub fn verdicts(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
     let (rows, accepted) = (summary.rows, summary.accepted());
     let demanded = count(summary.demand.digits, "digit", "digits");

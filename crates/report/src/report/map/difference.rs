@@ -1,4 +1,5 @@
-//! Milankovitch's thickness less Heyman's along the dividing curves: for a person, CSV, and JSON (`couplet.map_difference/1`).
+//! Milankovitch's thickness less Heyman's along the dividing curves: for a person, CSV, and JSON
+//! (`couplet.map_difference/1`).
 
 use super::rows::{lower, upper};
 use crate::atlas::{Difference, DifferencePoint, Step};
@@ -34,8 +35,9 @@ enum Column {
 
 use Column::{Double, Text};
 
-/// The columns of a node. Bounds are rounded outward. Between two nodes the difference is as near as `tube` to the cubic in the
-/// parameter from `begins` to `ends` with these rates at its ends; the friction angle is `chi - sin chi cos chi`.
+/// The columns of a node. Bounds are rounded outward. Between two nodes the difference is as near as `tube` to the
+/// cubic in the parameter from `begins` to `ends` with these rates at its ends; the friction angle is `chi - sin
+/// chi cos chi`.
 const COLUMNS: [(&str, Column); 18] = [
     ("line_heyman", Text(|row| Some(row.step?.lines[0].to_string()))),
     ("line_milankovitch", Text(|row| Some(row.step?.lines[1].to_string()))),

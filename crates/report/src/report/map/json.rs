@@ -58,7 +58,7 @@ fn number(x: f64) -> Json {
     if x.is_finite() { x.into() } else { "inf".into() }
 }
 
-/// What the rows say of a node, without what the curve says.
+/// Fields of the rows on a node, without what the curve says.
 pub(in crate::report) fn node(row: &Row) -> Fields {
     let of_node =
         COLUMNS.iter().filter(|(name, _)| !["weight", "curve", "mode", "node"].contains(name));

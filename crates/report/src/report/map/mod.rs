@@ -48,7 +48,7 @@ pub struct Map {
     pub borders: Vec<Border>,
     /// The landmarks, for a page.
     pub landmarks: Vec<Answer>,
-    /// How a picture shows them.
+    /// Way in which a picture shows them.
     pub drawing: Drawing,
 }
 

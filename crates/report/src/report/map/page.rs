@@ -22,7 +22,7 @@ const STYLE: &str = include_str!("page/page.css");
 const SCRIPT: &str =
     concat!("\"use strict\";\n", include_str!("page/function.js"), include_str!("page/page.js"));
 
-/// What the table of landmarks has of each.
+/// Quantities that the table of landmarks has of each.
 const QUANTITIES: [Quantity; 7] = [
     Quantity::HalfOpening,
     Quantity::FrictionAngle,

@@ -1,4 +1,4 @@
-//! What a page may do: its own style and script, told by their hashes, and nothing else.
+//! Permissions of a page: its own style and script, told by their hashes, and nothing else.
 
 use sha2::{Digest, Sha256};
 

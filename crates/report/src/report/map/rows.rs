@@ -22,7 +22,7 @@ pub(in crate::report) struct Row<'a> {
     before: Option<Piece<'a>>,
 }
 
-/// How the cells of a column are found; each may be missing.
+/// Way to find the cells of a column; each may be missing.
 pub(in crate::report) enum Column {
     Text(fn(&Row) -> Option<String>),
     Double(fn(&Row) -> Option<f64>),
@@ -45,9 +45,9 @@ impl Column {
     }
 }
 
-/// The columns. Bounds are rounded outward, as decimals and as doubles. Between two nodes the curve is as near as `tube`, in half
-/// opening, friction angle and thickness, to the cubic in the parameter that goes through `…_node` with the
-/// slopes `…_rate`.
+/// The columns. Bounds are rounded outward, as decimals and as doubles. Between two nodes the curve is as near as
+/// `tube`, in half opening, friction angle and thickness, to the cubic in the parameter that goes through `…_node`
+/// with the slopes `…_rate`.
 pub(in crate::report) const COLUMNS: [(&str, Column); 30] = [
     ("weight", Text(|row| Some(row.weight?.to_owned()))),
     ("curve", Text(|row| Some(row.curve.clone()))),

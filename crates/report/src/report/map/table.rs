@@ -1,4 +1,4 @@
-//! What was proved, curve by curve, for a person.
+//! Report of what was proved, curve by curve, for a person.
 
 use super::Map;
 use super::rows::weight_of;
@@ -6,7 +6,7 @@ use crate::atlas::{Part, Piece, Trace};
 use crate::report::words::count;
 use std::io;
 
-/// What names a curve.
+/// Titles of the columns that name a curve.
 pub(super) const TITLES: [&str; 5] = ["curve", "weight", "parameter", "from", "to"];
 
 pub(super) fn names(trace: &Trace) -> [String; 5] {
@@ -62,7 +62,7 @@ pub(in crate::report) fn table(report: &Map, out: &mut dyn io::Write) -> io::Res
     writeln!(out, "\n{}", verdict(report))
 }
 
-/// What is proved of all pieces, in words.
+/// Statement of what is proved of all pieces, in words.
 pub(super) fn verdict(report: &Map) -> String {
     let of_levels = report.levels.iter().flat_map(|level| &level.parts).flat_map(Part::pieces);
     let of_borders = report.borders.iter().flat_map(|border| border.section.pieces());

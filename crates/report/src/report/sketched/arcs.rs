@@ -1,7 +1,7 @@
 //! A chain of points as few arcs, for files that have arcs.
 
-/// Where an arc begins, and a quarter of its angle by its tangent: positive if it turns counter-clockwise to the next, zero if
-/// it is straight. The last begins nothing.
+/// Point where an arc begins, and a quarter of its angle by its tangent: positive if it turns
+/// counter-clockwise to the next, zero if it is straight. The last begins nothing.
 pub(super) type Bulge = ([f64; 2], f64);
 
 /// Arcs through some of the points, none of which is further away from them than `within`.
@@ -41,7 +41,7 @@ fn through([from, middle, to]: [[f64; 2]; 3]) -> f64 {
     -(half / 2.0).tan()
 }
 
-/// How far a point is from an arc, of which more than a half counts as the whole circle.
+/// Distance of a point from an arc, of which more than a half counts as the whole circle.
 fn distance([from, to]: [[f64; 2]; 2], bulge: f64, point: [f64; 2]) -> f64 {
     let ([x, y], [u, v]) = (minus(to, from), minus(point, from));
     let chord = x.hypot(y);
@@ -50,7 +50,8 @@ fn distance([from, to]: [[f64; 2]; 2], bulge: f64, point: [f64; 2]) -> f64 {
     if bulge.abs() <= 1.0 && !(0.0..=chord).contains(&along) {
         return u.hypot(v).min((u - x).hypot(v - y));
     }
-    // The circle through both ends whose height over the chord is bulge times its half, to the right: its power at the point.
+    // The circle through both ends whose height over the chord is bulge times its half, to the right: its power at
+    // the point.
     let height = bulge * chord / 2.0;
     let straight = height * height - chord * chord / 4.0;
     let off = height * (along * (along - chord) + aside * aside) + aside * straight;

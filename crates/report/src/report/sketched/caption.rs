@@ -1,4 +1,4 @@
-//! What is said of an arch above and below its picture.
+//! Caption of an arch above and below its picture.
 
 use super::Sketched;
 use super::metres::{Metres, Size};
@@ -27,13 +27,13 @@ pub(super) fn shown(x: &Size, digits: usize) -> String {
     shortened(&in_full(x, digits))
 }
 
-/// The same with the zeros at its end, where others of as many digits stand beside it.
+/// Number with the zeros at its end, where others of as many digits stand beside it.
 pub(super) fn in_full(x: &Size, digits: usize) -> String {
     let rounded = (digits..=digits + MORE).find_map(|digits| x.rounded(digits));
     rounded.map_or_else(|| "undecided".to_owned(), |rounded| rounded.value.to_string())
 }
 
-/// Without the zeros at the end of a decimal fraction.
+/// Text without the zeros at the end of a decimal fraction.
 fn shortened(text: &str) -> String {
     match text.contains('.') && !text.contains('e') {
         true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
@@ -49,7 +49,7 @@ pub(super) fn label(symbol: &str, joint: f64) -> String {
     }
 }
 
-/// How a mode falls, in a few words.
+/// Description of how a mode falls, in a few words.
 fn falls(mode: Mode) -> &'static str {
     match mode {
         Mode::Rotational => "shoulder, haunch and crown open",
@@ -110,7 +110,7 @@ pub(super) fn title(sketch: &Sketch, collapse: Option<&Collapse>) -> [String; 2]
     }
 }
 
-/// Which condition an arch that does not stand fails.
+/// Name of the condition that an arch that does not stand fails.
 fn fails(stability: &Stability) -> &'static str {
     match &stability.required_friction {
         None => "no line of thrust lies within it",
@@ -118,7 +118,7 @@ fn fails(stability: &Stability) -> &'static str {
     }
 }
 
-/// What a picture shows, for those who do not see it.
+/// Heading that says what the picture shows, for those who do not see it.
 pub(super) fn heading(drawn: &Sketched) -> String {
     let all: Vec<String> = drawn
         .sketches
@@ -128,7 +128,7 @@ pub(super) fn heading(drawn: &Sketched) -> String {
     all.join("; ")
 }
 
-/// What is drawn, in words.
+/// Description of what is drawn.
 fn subject(sketch: &Sketch, metres: Option<&Metres>) -> String {
     let model = words::model(sketch.weight);
     let shape = |arch: &Arch| shape(arch, sketch, metres);
@@ -180,7 +180,7 @@ fn metre(length: &Size) -> String {
     format!("{} m", shown(length, DIGITS))
 }
 
-/// What is known in metres and kilonewtons beyond the span and the rise.
+/// Values known in metres and kilonewtons beyond the span and the rise.
 fn in_metres(sketch: &Sketch, measures: &Measures, of: &Metres) -> String {
     let mut said = format!(
         " In metres: r = {}, t = {}",
@@ -213,7 +213,7 @@ fn in_metres(sketch: &Sketch, measures: &Measures, of: &Metres) -> String {
     said + "."
 }
 
-/// What the symbols of Figure 1 mean.
+/// Meaning of the symbols of Figure 1.
 const SYMBOLS: &str = "α half opening; βᵣ and βₛ rotational and sliding inner joint, from the crown; r radius of the centreline, t thickness, η = t/r; \
      w = γtd weight of a unit length of the centreline, for the weight γ of a unit volume and the depth d; μ = tan φ friction; W = wrα weight of the half \
      arch, V and H reactions of the shoulder, H also the thrust at the crown, h = H/(wr). The weight of an element acts at its centroid G, at the radius \
@@ -254,7 +254,7 @@ pub(super) fn paragraphs(drawn: &Sketched) -> Vec<String> {
     all
 }
 
-/// How far blocks are moved: as far as asked, or in each panel as far as they go.
+/// Statement of how far blocks are moved: as far as asked, or in each panel as far as they go.
 fn reached(drawn: &Sketched) -> String {
     let asked = drawn.style.amplitude;
     let by = |(sketch, collapse): (&Sketch, Option<&Collapse>)| {
@@ -329,7 +329,7 @@ fn values(sketch: &Sketch) -> impl Iterator<Item = String> + '_ {
     .flatten()
 }
 
-/// How the crown moves, and what takes the power.
+/// Statement of how the crown moves, and what takes the power.
 fn balance(sketch: &Sketch, collapse: &Collapse) -> String {
     let (label, _) = name(sketch, collapse.mode);
     let drop = collapse.crown_drop.mid().to_f64();
@@ -433,7 +433,7 @@ fn standing(found: &Stability, sketch: &Sketch) -> String {
         )
 }
 
-/// What is said of an arch of stones.
+/// Words for an arch of stones; none for another.
 fn at_joints<'a>(sketch: &Sketch, words: &'a str) -> &'a str {
     if sketch.stones.is_some() { words } else { "" }
 }

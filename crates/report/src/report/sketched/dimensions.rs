@@ -8,9 +8,9 @@ use crate::picture::{Anchor, Path, Point, Stroke, Svg, Type, text};
 use crate::problem::measures::Circle;
 use crate::sketch::{Scale, arrow};
 
-/// On the left, for the rise and for a force.
+/// Space on the left, for the rise and for a force.
 pub(super) const SIDE: f64 = 164.0;
-/// Below, for the span; and for a force above it.
+/// Space below, for the span; and for a force above it.
 pub(super) const BELOW: f64 = 64.0;
 pub(super) const FORCE: f64 = 46.0;
 /// Digits of a size.
@@ -19,12 +19,12 @@ const DIGITS: usize = 4;
 const LABEL: f64 = 15.0;
 const LINE: Stroke = Stroke::new(INK, 1.0);
 const EXTENDED: Stroke = Stroke::new(GUIDE, 0.8);
-/// From what is measured to its line, and of the line beyond.
+/// Distance from what is measured to its line, and of the line beyond.
 const OFF: f64 = 13.0;
 const OVER: f64 = 5.0;
 /// The length of a force.
 const ARROW: f64 = 62.0;
-/// From its head to the point on which it acts.
+/// Distance from its head to the point on which it acts.
 const NEAR: f64 = 6.5;
 
 /// The sizes of an arch on the page.
@@ -131,7 +131,7 @@ impl Dimensions<'_> {
         svg.text(&text, (at.0 + x, at.1), Type::new(LABEL, INK).at(anchor).on(WHITE));
     }
 
-    /// What the ground bears on the left shoulder, or on that of the half arch.
+    /// Draws the reaction of the ground on the left shoulder, or on that of the half arch.
     fn reaction(&self, svg: &mut Svg) {
         let Some(loads) = &self.metres.loads else { return };
         let side = if self.half { 1.0 } else { -1.0 };

@@ -1,5 +1,5 @@
-//! DXF (release 12, text): lines and arcs in units of `r` or in metres, `y` up, each kind on a layer of its own. An arch that
-//! is shown with several modes is a block, which each panel inserts.
+//! DXF (release 12, text): lines and arcs in units of `r` or in metres, `y` up, each kind on a layer of its own. An
+//! arch that is shown with several modes is a block, which each panel inserts.
 
 use super::Sketched;
 use super::arcs::{Bulge, arcs};
@@ -18,10 +18,10 @@ const LAYERS: [(&str, u8); 7] = [
     ("SLIDING", 5),
     ("MECHANISM", 3),
 ];
-/// How far a line's points may be from the arcs that stand for it, and that as a part of the thickness.
+/// Distance that a line's points may have from the arcs that stand for it, and that as a part of the thickness.
 const WITHIN: f64 = 1e-5;
 const PART: f64 = 4e-4;
-/// Between two arches.
+/// Distance between two arches.
 const BETWEEN: f64 = 0.5;
 /// The radius of a hinge.
 const HINGE: f64 = 0.015;
@@ -29,7 +29,7 @@ const HINGE: f64 = 0.015;
 /// A file in the making: pairs of a code and a value.
 struct Dxf {
     text: String,
-    /// Where the centre of the arch is, in units of `r`.
+    /// Centre of the arch, in units of `r`.
     x: f64,
     /// A unit of `r` in that of the file.
     unit: f64,
@@ -53,7 +53,7 @@ impl Dxf {
         self.put(code, if short == "-0" { "0" } else { short });
     }
 
-    /// As precise a length in a small unit as in a large one.
+    /// Writes a length, as precise in a small unit as in a large one.
     fn length(&mut self, code: u16, value: f64) {
         let value = value * self.unit;
         self.number(code, value, DECIMALS - self.unit.log10().floor() as i32);

@@ -1,4 +1,4 @@
-//! Which arches the figures of the paper show.
+//! Arches of the figures of the paper.
 
 use crate::problem::{Landmark, Mode};
 

@@ -21,7 +21,7 @@ fn figure(x: &Ball) -> Json {
     size(&Size::from(x.clone()))
 }
 
-/// The same of what may be known exactly.
+/// Writes a size, of what may be known exactly.
 fn size(x: &Size) -> Json {
     let (Some(rounded), Some(double)) = (x.rounded(DIGITS), x.value.nearest_double()) else {
         return enclosure(&x.value);
@@ -66,7 +66,7 @@ fn given(sketch: &Sketch) -> Fields {
     fields
 }
 
-/// What an arch measures, m and kN.
+/// Measures of an arch, m and kN.
 fn measures(of: &Metres) -> Json {
     let load = |get: fn(&Loads) -> &Size| of.loads.as_ref().map(|loads| size(get(loads)));
     json!({
@@ -163,7 +163,7 @@ fn collapse(sketch: &Sketch, collapse: &Collapse, amplitude: f64, unit: f64) -> 
     })
 }
 
-/// All geometry as numbers: the right half, to the right and up of the centre.
+/// Writes all geometry as numbers: the right half, to the right and up of the centre.
 pub(in crate::report) fn json(report: &Sketched, out: &mut dyn io::Write) -> io::Result<()> {
     let arch = |sketch: &Sketch| {
         let mut fields = given(sketch);

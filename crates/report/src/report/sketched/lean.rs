@@ -4,7 +4,7 @@ use serde::Serialize;
 use serde_json::ser::{Formatter, Serializer};
 use std::io;
 
-/// How deep in objects it is.
+/// Depth of a writer in objects.
 #[derive(Default)]
 struct Lean {
     depth: usize,

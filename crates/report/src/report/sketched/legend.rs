@@ -1,4 +1,4 @@
-//! What is what, in a row below the arches.
+//! Legend in a row below the arches.
 
 use super::Sketched;
 use crate::atlas::Subject;
@@ -93,7 +93,7 @@ impl Legend {
         self.rows.len() as f64 * ROW
     }
 
-    /// Each row in the middle of a width, from a point downwards.
+    /// Draws each row in the middle of a width, from a point downwards.
     pub(super) fn draw(&self, svg: &mut Svg, (left, top): Point, limit: f64) {
         svg.group("legend", |svg| {
             for (row, y) in self.rows.iter().zip(0..) {

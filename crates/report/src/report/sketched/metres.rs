@@ -1,4 +1,4 @@
-//! What an arch measures in metres and kilonewtons.
+//! Measures of an arch in metres and kilonewtons.
 
 use crate::atlas::{Sketch, Subject};
 use crate::number::{Ball, Enclosure, Field, Rounded};
@@ -15,11 +15,11 @@ pub(super) struct Metres {
     pub radius: Size,
     /// The thickness, m.
     pub thickness: Size,
-    /// Between the springing points of the circle that is measured, m.
+    /// Distance between the springing points of the circle that is measured, m.
     pub span: Size,
-    /// From their height to its crown, m.
+    /// Rise of the crown above these points, m.
     pub rise: Size,
-    /// What it weighs and what it bears, where that is known.
+    /// Loads: what the arch weighs and what it bears, where that is known.
     pub loads: Option<Loads>,
 }
 
@@ -27,9 +27,9 @@ pub(super) struct Metres {
 pub(super) struct Loads {
     /// `w r`, the unit of the thrust.
     pub unit: Size,
-    /// Of the whole arch, `2 w r alpha`.
+    /// Weight of the whole arch, `2 w r alpha`.
     pub weight: Size,
-    /// Of a half: what a shoulder carries.
+    /// Load of a half: what a shoulder carries.
     pub reaction: Size,
 }
 
@@ -62,7 +62,7 @@ impl Size {
         }
     }
 
-    /// For the eye.
+    /// Size as a double, for the eye.
     pub(super) fn double(&self) -> f64 {
         self.value.mid().to_f64()
     }
@@ -104,7 +104,8 @@ impl Metres {
         measures.sizes(eta, &sketch.at.half_opening.rad, eta.prec()).thickness.into()
     }
 
-    /// Whether a drawing can have these sizes: from a millimetre to a thousand kilometres, and forces that doubles hold.
+    /// Tells whether a drawing can have these sizes: from a millimetre to a thousand kilometres, and forces
+    /// that doubles hold.
     pub(super) fn can_be_drawn(&self) -> bool {
         let forces = self.loads.iter().map(|loads| loads.weight.double());
         let lengths = [&self.radius, &self.thickness].map(Size::double);

@@ -45,20 +45,20 @@ use std::ops::RangeInclusive;
 pub struct Sketched {
     /// The arches.
     pub sketches: Vec<Sketch>,
-    /// How they are drawn.
+    /// Style in which they are drawn.
     pub style: Style,
-    /// How large they are, if they are measured.
+    /// Measures of the arches, if they are measured.
     pub measures: Option<Measures>,
     /// The command that makes it, for its caption.
     pub command: String,
 }
 
-/// How an arch is drawn.
+/// Style of an arch.
 #[derive(Clone, Copy, Debug)]
 pub struct Style {
-    /// How far the corner that moves most has moved, in units of `r`.
+    /// Distance by which the corner that moves most has moved, in units of `r`.
     pub amplitude: f64,
-    /// Only the right half.
+    /// True if only the right half is drawn.
     pub half: bool,
     /// Arrows from where the blocks were to where they are.
     pub arrows: bool,
@@ -74,7 +74,7 @@ impl Style {
     /// Stones that can be asked for.
     pub const STONES: RangeInclusive<u32> = 2..=500;
 
-    /// How a figure of the paper is drawn.
+    /// Style of a figure of the paper.
     pub fn of_figure(number: usize) -> Self {
         Self { notation: number == 1, ..Self::default() }
     }
@@ -88,18 +88,18 @@ impl Default for Style {
 }
 
 impl Sketched {
-    /// What an arch measures, if it does.
+    /// Measures of an arch, if it has any.
     fn metres(&self, sketch: &Sketch) -> Option<Metres> {
         Some(Metres::new(self.measures.as_ref()?, sketch))
     }
 
-    /// Whether its sizes, if there are any, can be drawn: a radius from a millimetre to a thousand kilometres, and forces
-    /// that doubles hold.
+    /// Tells whether the sizes of the arches, if there are any, can be drawn: a radius from a millimetre to a
+    /// thousand kilometres, and forces that doubles hold.
     pub fn can_be_drawn(&self) -> bool {
         self.sketches.iter().filter_map(|sketch| self.metres(sketch)).all(|of| of.can_be_drawn())
     }
 
-    /// Each arch with a mode in which it falls, or with none.
+    /// Panels: each arch with a mode in which it falls, or with none.
     fn panels(&self) -> impl Iterator<Item = (&Sketch, Option<&Collapse>)> {
         self.sketches.iter().flat_map(|sketch| shown(sketch).map(move |one| (sketch, one)))
     }

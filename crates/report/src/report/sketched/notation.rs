@@ -1,5 +1,5 @@
-//! The symbols of the problem in an arch, as Figure 1 of the paper has them: angles and forces, an element with its centroid in
-//! both models of self-weight on the left.
+//! The symbols of the problem in an arch, as Figure 1 of the paper has them: angles and forces, an element with its
+//! centroid in both models of self-weight on the left.
 
 use crate::arch::{Ring, SelfWeight};
 use crate::atlas::Sketch;
@@ -23,11 +23,11 @@ const RAY: Stroke =
     Stroke { color: Color(0x77, 0x77, 0x77), width: 1.0, dashes: &[7.0, 3.0, 1.5, 3.0] };
 /// The radii at which angles are marked.
 const ANGLES: [f64; 3] = [0.22, 0.36, 0.53];
-/// Where `r` and `t` are measured and the element is, on the left, rad from the crown.
+/// Angles at which `r` and `t` are measured and the element is, on the left, rad from the crown.
 const RADIUS: f64 = 1.45;
 const THICKNESS: f64 = 1.78;
 const ELEMENT: [f64; 2] = [0.78, 0.88];
-/// Below, for a force.
+/// Space below, for a force.
 pub(super) const BELOW: f64 = 44.0;
 /// The length of a force.
 const FORCE: f64 = 74.0;

@@ -16,7 +16,7 @@ pub(super) struct Panel<'a> {
     pub collapse: Option<&'a Collapse>,
     pub view: View<'a>,
     pub style: Style,
-    /// What it measures, if it does.
+    /// Measures of the arch, if it has any.
     pub metres: Option<Metres>,
 }
 
@@ -25,7 +25,7 @@ const TITLE: f64 = 19.0;
 const LABEL: f64 = 16.0;
 /// Above the picture there is room for the title; around it for names of joints.
 pub(super) const HEAD: f64 = 48.0;
-/// From the outermost point of a joint to its name, in units of the page.
+/// Distance from the outermost point of a joint to its name, in units of the page.
 const AWAY: f64 = 13.0;
 
 impl<'a> Panel<'a> {
@@ -38,7 +38,7 @@ impl<'a> Panel<'a> {
         drawn.panels().map(panel).collect()
     }
 
-    /// What it takes in units of `r` and around it on the page: left, right, below and above the centre.
+    /// Extent of the panel in units of `r` and around it on the page: left, right, below and above the centre.
     pub(super) fn extent(&self) -> [f64; 4] {
         self.view.extent()
     }
@@ -73,8 +73,8 @@ impl<'a> Panel<'a> {
         }
     }
 
-    /// The names of the joints, outside the arch: the rotational joint and the half opening on the right, the sliding joint on the
-    /// left.
+    /// The names of the joints, outside the arch: the rotational joint and the half opening on the right, the
+    /// sliding joint on the left.
     fn names(&self, svg: &mut Svg, scale: &Scale) {
         let [_, outer] = self.sketch.radii();
         let alpha = self.sketch.half_opening();
@@ -122,7 +122,7 @@ impl<'a> Panel<'a> {
 
 /// Room for the names of joints above and below.
 pub(super) const ABOVE: f64 = 38.0;
-/// And on both sides.
+/// Space on both sides.
 const SIDE: f64 = 104.0;
 
 impl Panel<'_> {
@@ -141,7 +141,7 @@ impl Panel<'_> {
     }
 }
 
-/// What is drawn of an arch, in the mode of its panel where there is one.
+/// View of an arch, in the mode of its panel where there is one.
 fn view<'a>(sketch: &'a Sketch, collapse: Option<&Collapse>, style: Style) -> View<'a> {
     let stones = sketch.stone_joints();
     let marks = match collapse {

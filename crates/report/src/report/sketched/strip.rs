@@ -11,7 +11,7 @@ use crate::sketch::look;
 pub(super) struct Strip {
     alpha: f64,
     half: bool,
-    /// How much larger the thickness is drawn than the length.
+    /// Factor by which the thickness is drawn larger than the length.
     times: f64,
 }
 
@@ -21,11 +21,11 @@ const THIN: f64 = 26.0;
 const ACROSS: f64 = 130.0;
 const TOP: f64 = 34.0;
 const SMALL: f64 = 15.0;
-/// Of the strip with what is around it.
+/// Height of the strip with what is around it.
 pub(super) const HEIGHT: f64 = TOP + ACROSS + 40.0;
 
 impl Strip {
-    /// Of an arch of some radius on the page, if it is thin there.
+    /// Strip of an arch of some radius on the page, if it is thin there.
     pub(super) fn of(sketch: &Sketch, radius: f64, half: bool) -> Option<Self> {
         let thickness = radius * sketch.thickness();
         let times = ACROSS / thickness;

@@ -240,7 +240,7 @@ fn a_file_for_cad_has_its_layers_and_ends() {
     assert!(text.is_ascii() && text.len() < 40_000, "four arches: {}", text.len());
 }
 
-/// The same numbers, larger by the radius.
+/// Files for CAD have the numbers in metres where the arch has them: larger by the radius.
 #[test]
 fn files_for_cad_are_in_metres_where_the_arch_is() {
     let sketch = || Sketch::least(&arch("80deg", "0.35"), false).unwrap();

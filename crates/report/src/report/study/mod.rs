@@ -1,4 +1,4 @@
-//! What `couplet study` measured: tables for a person, files with the raw numbers and figures.
+//! Results of `couplet study`: tables for a person, files with the raw numbers and figures.
 
 mod files;
 mod tables;

@@ -5,8 +5,8 @@ use crate::study::row::{Row, quartiles};
 use crate::study::stability::Rung;
 use std::io;
 
-/// One line for each method at each precision: the quartiles of the times and the worst of the rest over the cases of a
-/// quantity.
+/// Writes one line for each method at each precision: the quartiles of the times and the worst of the rest
+/// over the cases of a quantity.
 pub fn accuracy_table(rows: &[Row], out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(
         out,

@@ -17,29 +17,29 @@ pub struct VoussoirArch {
     pub weight: SelfWeight,
     /// The friction as given.
     pub friction: String,
-    /// Its stones.
+    /// Stones of the arch.
     pub stones: Stones,
-    /// What is proved.
+    /// Result that is proved.
     pub found: Result<Voussoirs, Undecided>,
     /// The least thickness with a joint at every angle; `None` where there is none, or it is not proved.
     pub continuous: Option<Figure>,
-    /// What it needs less than that; `None` where the digits do not tell it.
+    /// Savings over an arch with a joint at every angle; `None` where the digits do not tell it.
     pub loss: Option<VoussoirLoss>,
-    /// What holds at a thickness that is given.
+    /// Result at a thickness that is given.
     pub given: Option<GivenThickness>,
 }
 
-/// What is proved of an arch of voussoirs of a given thickness.
+/// Result for an arch of voussoirs of a given thickness.
 #[derive(Debug)]
 pub struct GivenThickness {
     /// The thickness.
     pub thickness: ExactNumber,
-    /// What holds for it.
+    /// Assessment at that thickness.
     pub found: VoussoirAssessment,
 }
 
 impl GivenThickness {
-    /// Whether it stands; `None` if that stays open.
+    /// Tells whether the arch stands; `None` if that stays open.
     pub(super) fn stands(&self) -> Option<bool> {
         let standing = self.found.standing.as_ref().ok()?;
         Some(matches!(standing, VoussoirStanding::Stands(_)))
@@ -51,12 +51,12 @@ impl GivenThickness {
 pub struct VoussoirArches {
     /// The arches.
     pub arches: Vec<VoussoirArch>,
-    /// Whether a range of numbers of stones was asked for.
+    /// True if a range of numbers of stones was asked for.
     pub is_range: bool,
 }
 
 impl VoussoirArch {
-    /// What became of it, in a word.
+    /// Outcome in a word.
     pub(super) fn outcome(&self) -> &'static str {
         match &self.found {
             Ok(Voussoirs::Stands(_)) => "stands",
@@ -67,7 +67,7 @@ impl VoussoirArch {
         }
     }
 
-    /// Why something stays open, if anything does.
+    /// Reason why something stays open, if anything does.
     pub fn first_open(&self) -> Option<&Undecided> {
         match &self.given {
             Some(given) => given.found.first_open(),
@@ -75,12 +75,12 @@ impl VoussoirArch {
         }
     }
 
-    /// Whether its friction is limited.
+    /// Tells whether the arch's friction is limited.
     fn is_limited(&self) -> bool {
         self.friction != Friction::Infinite.to_string()
     }
 
-    /// Whether it stands with limited friction, which does not exclude a motion.
+    /// Tells whether the arch stands with limited friction, which does not exclude a motion.
     pub(super) fn may_move(&self) -> bool {
         let stands = match &self.given {
             Some(given) => given.stands() == Some(true),
@@ -89,7 +89,7 @@ impl VoussoirArch {
         stands && self.is_limited()
     }
 
-    /// That in words, with the command that looks for one.
+    /// Statement in words of what may move, with the command that looks for one.
     pub(super) fn may_move_in_words(&self) -> Option<String> {
         self.may_move().then(|| words::stones_may_move(&self.stones))
     }
@@ -112,7 +112,7 @@ impl VoussoirArch {
         ]
     }
 
-    /// How it is divided, in words.
+    /// Division of the arch, in words.
     pub(super) fn division(&self) -> String {
         words::division(&self.stones)
     }

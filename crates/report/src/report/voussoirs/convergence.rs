@@ -19,7 +19,7 @@ fn groups(VoussoirArches { arches, .. }: &VoussoirArches) -> Vec<&[VoussoirArch]
     arches.chunk_by(|a, b| a.weight == b.weight).collect()
 }
 
-/// Of whom a group is.
+/// Title of a group of arches.
 fn title(arches: &[VoussoirArch]) -> String {
     let (first, friction) = (&arches[0], &arches[0].friction);
     let (alpha, weight) = (first.stones.half_opening(), model(first.weight));

@@ -1,4 +1,4 @@
-//! What holds at a given thickness: lines for a person, cells of a row, and an object.
+//! Results at a given thickness: lines for a person, cells of a row, and an object.
 
 use super::arch::{GivenThickness, VoussoirArch, at_limit};
 use crate::certify::state::Figure;
@@ -19,7 +19,7 @@ fn quotients(found: &VoussoirAssessment) -> [(&'static str, &'static str, &Round
     ]
 }
 
-/// What stands where a value is missing.
+/// Text where a value is missing.
 fn none(arch: &VoussoirArch, name: &str, found: &VoussoirAssessment) -> &'static str {
     match (name, &arch.found, &found.required_friction) {
         ("geometric_safety", Ok(Voussoirs::AnyThickness), _) => "unbounded",
@@ -86,7 +86,7 @@ pub(super) fn lines(
     Ok(())
 }
 
-/// What limits a thrust, in words.
+/// Limit of a thrust, in words.
 fn limited(arch: &VoussoirArch, end: &VoussoirLimit) -> String {
     let one = |(contact, joint): (&JointContact, &Figure)| {
         let at = arch.stones.place(contact.1);

@@ -45,7 +45,7 @@ pub(crate) fn table(all: &VoussoirArches, out: &mut dyn io::Write) -> io::Result
     })
 }
 
-/// What the static theorem does not exclude.
+/// Writes what the static theorem does not exclude.
 fn may_move(arch: &VoussoirArch, out: &mut dyn io::Write) -> io::Result<()> {
     arch.may_move_in_words().map_or(Ok(()), |words| writeln!(out, "\n{words}"))
 }

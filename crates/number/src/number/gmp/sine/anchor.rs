@@ -52,8 +52,8 @@ impl Anchor {
         PrimeArguments::to(prec + 2 * GUARD);
     }
 
-    /// By Gaussian primes with relations up to `rho`; `None` where this is not worth it, or where no small rest or
-    /// no small powers are found.
+    /// Anchor by Gaussian primes with relations up to `rho`; `None` where this is not worth it, or where no
+    /// small rest or no small powers are found.
     fn reduced(near: &Float, prec: u32, places: u32, rho: u32) -> Option<Self> {
         let exponent = near.get_exp().filter(|exponent| (-64..=4).contains(exponent))?;
         let short = near.prec().checked_add_signed(-exponent)?;
@@ -135,7 +135,7 @@ impl Anchor {
     }
 }
 
-/// How near the Gaussian primes bring an anchor of as many places, as a power of two; measured.
+/// Nearness to which the Gaussian primes bring an anchor of as many places, as a power of two; measured.
 fn relations_to(places: u32) -> u32 {
     match places {
         0..4_000 => 36,
@@ -146,7 +146,7 @@ fn relations_to(places: u32) -> u32 {
     }
 }
 
-/// Some `e` with every number of the ball below `2^e` in size.
+/// Exponent `e` with every number of the ball below `2^e` in size.
 fn size_exponent(x: &Ball) -> Option<i64> {
     let bound = Magnitude::upper(x.mid()).plus(x.rad());
     if bound.is_zero() { Some(-i64::from(x.prec())) } else { bound.exponent() }

@@ -35,12 +35,13 @@ pub fn arctangent(x: &Ball) -> Ball {
     from(&anchor.here(prec), x)
 }
 
-/// `atan x = a + atan t`, `t = (x cos a - sin a)/(cos a + x sin a)`, for a point `a` in `(-1, 3)` near it. For a positive `x` the
-/// divisor is positive exactly if `x` is less than a right angle from `a`.
+/// `atan x = a + atan t`, `t = (x cos a - sin a)/(cos a + x sin a)`, for a point `a` in `(-1, 3)` near it. For a
+/// positive `x` the divisor is positive exactly if `x` is less than a right angle from `a`.
 ///
-/// `atan t = t (1 - t²/3 + t⁴/5 - …)` is summed from the innermost term outwards, as `1 - q(1) t² (1 - q(2) t² (…))` with
-/// `q(k) = (2k-1)/(2k+1)`. The innermost factor is replaced by the interval `[0, 1]`, in which the rest of an alternating
-/// series with falling terms lies. A term of relative size `2^-k` is computed with `k` bits fewer.
+/// `atan t = t (1 - t²/3 + t⁴/5 - …)` is summed from the innermost term outwards, as `1 - q(1) t² (1 - q(2) t²
+/// (…))` with `q(k) = (2k-1)/(2k+1)`. The innermost factor is replaced by the interval `[0, 1]`, in which the rest
+/// of an alternating series with falling terms lies. A term of relative size `2^-k` is computed with `k` bits
+/// fewer.
 fn from(a: &Angle<Ball>, x: &Ball) -> Ball {
     let prec = x.prec();
     let rise = (x.clone() * &a.cos - &a.sin).trimmed();
@@ -68,7 +69,7 @@ fn from(a: &Angle<Ball>, x: &Ball) -> Ball {
     (t * series).with_precision(prec) + &a.rad
 }
 
-/// Some `e` with every number of the ball below `2^e` in size.
+/// Exponent `e` with every number of the ball below `2^e` in size.
 fn exponent(x: &Ball) -> Option<i64> {
     let size = Magnitude::upper(x.mid()).plus(x.rad());
     if size.is_zero() { Some(-i64::from(x.prec())) } else { size.exponent() }

@@ -103,7 +103,7 @@ pub(super) struct PrimeArguments {
 static KNOWN: RwLock<Option<Arc<PrimeArguments>>> = RwLock::new(None);
 
 impl PrimeArguments {
-    /// To at least `places` binary places; computed where they are not known to so many.
+    /// Arguments to at least `places` binary places; computed where they are not known to so many.
     pub(super) fn to(places: u32) -> Arc<Self> {
         let read = || KNOWN.read().unwrap_or_else(PoisonError::into_inner).clone();
         if let Some(known) = read().filter(|known| known.places >= places) {
@@ -178,8 +178,8 @@ mod tests {
     use super::*;
     use rug::Float;
 
-    /// How often each prime divides `x + i`, conjugates counted as negative; the unit left over is a power
-    /// of `i`, which is the square of `1 + i` but for a positive factor.
+    /// Exponent of each prime in `x + i`, conjugates counted as negative; the unit left over is a power of
+    /// `i`, which is the square of `1 + i` but for a positive factor.
     fn exponents(x: u32) -> [i64; COUNT] {
         let (mut re, mut im) = (i64::from(x), 1i64);
         let mut exponents = [0; COUNT];

@@ -85,7 +85,7 @@ fn vector(c: &[i16; COUNT], rho: u32) -> LatticeVector {
     vector
 }
 
-/// What an exponent costs: the bits of the norm of its prime. `1 + i` costs next to nothing.
+/// Cost of an exponent: the bits of the norm of its prime. `1 + i` costs next to nothing.
 fn weights() -> [f64; COUNT] {
     let mut weights = PRIMES.map(|(re, im)| f64::from(re * re + im * im).log2());
     weights[0] = 0.01;

@@ -18,7 +18,7 @@ const GUARD: u32 = 32;
 
 /// A number with the powers that the series of its sine and of its versine share.
 pub(super) struct Argument {
-    /// It is `root 2^-short`, without zeros at its end, and below `2^-small`.
+    /// Integer of the number `root 2^-short`, without zeros at its end, and below `2^-small`.
     root: Integer,
     short: u32,
     small: u32,
@@ -164,7 +164,7 @@ fn of_versine(k: u64) -> u64 {
     (2 * k + 1) * (2 * k + 2)
 }
 
-/// How many terms leave a rest below `2^-width`: the first with `t^(2k)/(d(1) … d(k))` below that.
+/// Number of terms that leave a rest below `2^-width`: the first with `t^(2k)/(d(1) … d(k))` below that.
 fn count(small: u32, width: u32, divisor: fn(u64) -> u64) -> u32 {
     let (mut terms, mut size) = (0, 0);
     while size < u64::from(width) {

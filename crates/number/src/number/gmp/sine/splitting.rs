@@ -55,8 +55,9 @@ struct SineSeries {
     powers: BTreeMap<u32, Integer>,
 }
 
-/// Some terms relative to the one before them: their sum is `sum / (denominator 2^shift)`, and their factors
-/// multiply to a power of `u²` over `denominator 2^twos`. Both shifts are equal while nothing is cut.
+/// Part of a series: some terms relative to the one before them: their sum is `sum / (denominator 2^shift)`,
+/// and their factors multiply to a power of `u²` over `denominator 2^twos`. Both shifts are equal while
+/// nothing is cut.
 struct PartialSum {
     sum: Integer,
     denominator: Integer,
@@ -115,7 +116,7 @@ fn cut(x: Integer, shift: i64, bits: u32) -> (Integer, i64) {
     }
 }
 
-/// How many terms after the first leave a rest below `2^-places`: `r^(2k)/(2k+1)!` is below that.
+/// Number of terms after the first that leave a rest below `2^-places`: `r^(2k)/(2k+1)!` is below that.
 fn count(small: u32, places: u32) -> u32 {
     let (mut terms, mut size) = (0u32, u64::from(small));
     while size < u64::from(places) {

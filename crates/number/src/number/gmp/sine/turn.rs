@@ -30,7 +30,7 @@ impl Turn {
         }
     }
 
-    /// From enclosures of sine and cosine.
+    /// Turn from enclosures of sine and cosine.
     pub(super) fn new((sin, cos): (Ball, Ball), places: u32) -> Self {
         let error = sin.rad().plus(cos.rad());
         let [sin, cos] = [sin, cos].map(|x| fixed(x.mid(), places));
@@ -115,7 +115,7 @@ impl Turn {
         (ball(&self.sin), ball(&self.cos))
     }
 
-    /// With as many units more in the bound of the error.
+    /// Turn with as many units more in the bound of the error.
     fn off_by(mut self, units: u64) -> Self {
         let unit = Magnitude::power_of_two(-i64::from(self.places));
         self.error = self.error.plus(unit.times(Magnitude::from_integer(units)));

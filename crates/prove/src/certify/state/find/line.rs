@@ -1,4 +1,4 @@
-//! Where one mode becomes another: a point of a line of the map.
+//! Boundaries where one mode becomes another: a point of a line of the map.
 
 use crate::arch::{Configuration, Unknown};
 use crate::certify::state::query::Query;
@@ -52,7 +52,7 @@ pub(super) fn point_on(
     Ok(at)
 }
 
-/// What is said where no point of the line is found.
+/// Undecided answer where no point of the line is found.
 fn none(line: Line, open: &Undecided) -> Undecided {
     let ends = line.ends().map(|end| end.map_or("a half opening of zero", Landmark::symbol));
     let [from, to] = ends;

@@ -29,9 +29,9 @@
 //! joint slides at a larger thrust, and the thickness is not smaller; at a friction the thrust is fixed and the
 //! thickness grows with the half opening. By (5) `beta cot(beta) = h - 1 + 2 fac/(2 - eta)` grows strictly either
 //! way: `beta_r` falls and the slope at the crown grows, while `beta_s` does not fall (as `h < 1/2`, which is
-//! checked for the largest thrust of the half opening, that of pure sliding). So each is crossed once. The frictions that a purely rotational state asks for, and the friction
-//! of the purely sliding states, grow with the half opening (the claims `friction-rotation` and `sliding-order`
-//! of `couplet prove`).
+//! checked for the largest thrust of the half opening, that of pure sliding). So each is crossed once. The
+//! frictions that a purely rotational state asks for, and the friction of the purely sliding states, grow with the
+//! half opening (the claims `friction-rotation` and `sliding-order` of `couplet prove`).
 
 mod line;
 mod question;

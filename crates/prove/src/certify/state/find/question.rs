@@ -1,4 +1,4 @@
-//! What can be asked the other way round, and the answers in digits.
+//! Questions that can be asked the other way round, and the answers in digits.
 
 use super::line::point_on;
 use super::widest::{at_thickness, bits_lost, widest};
@@ -33,16 +33,16 @@ pub enum Question {
         /// The thickness.
         thickness: Option<ExactNumber>,
     },
-    /// Where one mode becomes another.
+    /// Question about the boundary where one mode becomes another.
     Boundary {
         /// The line of the map.
         line: Line,
-        /// What is given of its point.
+        /// Given values of its point.
         given: Given,
     },
 }
 
-/// What is given of a point on a line of the map.
+/// Given values of a point on a line of the map.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Given {
     /// The half opening, rad; the friction is asked for.
@@ -54,24 +54,25 @@ pub enum Given {
 /// The answer to a question the other way round.
 #[derive(Clone, Debug)]
 pub enum Finding {
-    /// What was asked for, and what else is known there.
+    /// The answer is found, and what else is known there.
     Found(Found),
-    /// It is proved that there is none, as nothing stands; or, without a reason for that, as the thickness is
+    /// A proof says that there is none, as nothing stands; or, without a reason for that, as the thickness is
     /// below the least one whatever the friction.
     Nothing(Option<Fall>),
 }
 
-/// What was asked for, correctly rounded.
+/// Answer that was asked for, correctly rounded.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Found {
-    /// How the arch collapses there; both modes on a line.
+    /// Modes in which the arch collapses there; both modes on a line.
     pub modes: Vec<Mode>,
-    /// What was asked for, and what else is known there.
+    /// Figures that were asked for, and what else is known there.
     pub figures: Vec<(Quantity, Figure)>,
-    /// What is proved besides: why there is no other answer.
+    /// Statement of what is proved besides: why there is no other answer.
     pub proved: String,
-    /// Whether an asymmetric mechanism of (19) is [known](crate::problem::asymmetric_region) of any of the arches that stand by this.
+    /// True if an asymmetric mechanism of (19) is [known](crate::problem::asymmetric_region) of any of the
+    /// arches that stand by this.
     pub some_may_move: bool,
 }
 
@@ -83,7 +84,7 @@ struct FoundBalls {
 }
 
 impl Question {
-    /// What is asked for.
+    /// Quantity that is asked for.
     pub fn sought(&self) -> Sought {
         match self {
             Self::HalfOpening { .. } => Sought::HalfOpening,
@@ -93,7 +94,7 @@ impl Question {
         }
     }
 
-    /// What is given of an arch, with something else in place of what is not: it has to be in its range.
+    /// Arch that is given, with something else in place of what is not: it has to be in its range.
     fn arch(&self, weight: SelfWeight) -> Result<Arch, ArchError> {
         let one = || ExactNumber::from(&Rational::from(1));
         let (half_opening, friction) = match self {
@@ -118,8 +119,8 @@ impl Question {
     }
 }
 
-/// Answers a question, with every value correctly rounded to `digits` significant digits. Refused if what is given is out of its
-/// range, and digits beyond [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS).
+/// Answers a question, with every value correctly rounded to `digits` significant digits. Refused if what is given
+/// is out of its range, and digits beyond [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS).
 pub fn find(weight: SelfWeight, question: &Question, digits: usize) -> Result<Finding, Error> {
     Refused::arch_digits(digits)?;
     let arch = question.arch(weight)?;
@@ -174,7 +175,7 @@ pub fn find(weight: SelfWeight, question: &Question, digits: usize) -> Result<Fi
     })
 }
 
-/// Whether an asymmetric mechanism is known of any of the arches of which the answer says that they stand.
+/// Tells whether an asymmetric mechanism is known of any of the arches of which the answer says that they stand.
 fn some_may_move(question: &Question, arch: &Arch, found: &Found) -> bool {
     let given = arch.given::<DoubleBall>(53);
     let range = |x: &DoubleBall| [x.lower(), x.upper()];
@@ -222,12 +223,12 @@ fn least_friction(
     })
 }
 
-/// What is proved, with the meaning of its word.
+/// Statement that is proved, with the meaning of its word.
 fn defined(proved: &str) -> String {
     format!("{proved}; stands: {STANDS}")
 }
 
-/// What is on which side of a line.
+/// Description of the two sides of a line.
 fn sides(line: Line, sought: Sought) -> String {
     let [first, second] = line.modes();
     let (what, more, less) = match sought {
@@ -266,7 +267,7 @@ fn place(modes: Vec<Mode>, at: &Configuration<Ball>, sought: Sought, proved: Str
     FoundBalls { modes, values, proved }
 }
 
-/// What a proof finds, with more bits until every digit is decided.
+/// Figures that a proof finds, with more bits until every digit is decided.
 fn in_digits(
     query: &dyn Fn(u32) -> Query,
     digits: usize,

@@ -23,7 +23,7 @@ type ModeStart<E> = (Mode, Vec<<E as Arithmetic>::Candidate>);
 /// Above this friction no thickness in the range is limited by sliding at both places: a start only.
 const ROUGH: f64 = 10.0;
 
-/// What is given of an arch at a thickness; its half opening is asked for.
+/// Given values of an arch at a thickness; its half opening is asked for.
 pub(in crate::certify::state) fn at_thickness<E: Arithmetic>(
     arch: &Arch,
     thickness: &ExactNumber,
@@ -92,8 +92,8 @@ fn in_range<E: Arithmetic>(at: &Configuration<E>) -> Result<(), Undecided> {
     require(&(alpha.pi() - alpha), Condition::Below(Unknown::HalfOpening).label())
 }
 
-/// Whether the crown moment that puts the line of thrust on the intrados, at the thrust of `at`, leaves room at
-/// the extrados of the crown and of the shoulder.
+/// Tells whether the crown moment that puts the line of thrust on the intrados, at the thrust of `at`, leaves
+/// room at the extrados of the crown and of the shoulder.
 fn has_room<E: Arithmetic>(query: &Query<E>, at: &Configuration<E>) -> Result<bool, Undecided> {
     let joint = touched_joint(query, at)?;
     let question = "whether sliding or the thickness limits the half opening";
@@ -108,7 +108,7 @@ fn has_room<E: Arithmetic>(query: &Query<E>, at: &Configuration<E>) -> Result<bo
     Ok(decide(&crown, question, &[])? && decide(&shoulder, question, &[])?)
 }
 
-/// Where the line of thrust comes nearest to the intrados: the crown, or the joint where (5) holds.
+/// Joint where the line of thrust comes nearest to the intrados: the crown, or the joint where (5) holds.
 fn touched_joint<E: Arithmetic>(
     query: &Query<E>,
     at: &Configuration<E>,
