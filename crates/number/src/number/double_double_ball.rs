@@ -61,7 +61,7 @@ impl DoubleDoubleBall {
 
 #[cfg(feature = "mpfr")]
 mod mpfr {
-    use super::*;
+    use super::{DoubleDouble, DoubleDoubleBall, UP};
     use crate::number::float_ball::SMALLEST;
     use crate::number::{Ball, Magnitude};
     use rug::{Float, float::Round};

@@ -27,3 +27,18 @@ impl Drawable for DoubleDoubleBall {
         self.mid().hi() == 0.0 && self.rad() == 0.0
     }
 }
+
+#[cfg(feature = "mpfr")]
+impl Drawable for super::Ball {
+    fn double(&self) -> f64 {
+        self.nearest_double().unwrap_or_else(|| self.mid().to_f64())
+    }
+
+    fn of_double(&self, x: f64) -> Self {
+        Self::exact(rug::Float::with_val(53, x), self.prec())
+    }
+
+    fn is_zero(&self) -> bool {
+        self.mid().is_zero() && self.rad().is_zero()
+    }
+}

@@ -156,7 +156,7 @@ impl ExactNumber {
 
 #[cfg(feature = "mpfr")]
 mod mpfr {
-    use super::*;
+    use super::{BigInt, BigRational, ExactNumber, Sign};
     use crate::number::nearest_double;
     use rug::integer::Order;
     use rug::{Integer, Rational};

@@ -377,19 +377,5 @@ impl fmt::Debug for Ball {
     }
 }
 
-impl crate::number::Drawable for Ball {
-    fn double(&self) -> f64 {
-        self.nearest_double().unwrap_or_else(|| self.mid().to_f64())
-    }
-
-    fn of_double(&self, x: f64) -> Self {
-        Self::exact(Float::with_val(53, x), self.prec())
-    }
-
-    fn is_zero(&self) -> bool {
-        self.mid().is_zero() && self.rad().is_zero()
-    }
-}
-
 #[cfg(test)]
 mod tests;
