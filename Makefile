@@ -2,7 +2,7 @@
 # every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build check test lint docs msrv deny snapshots pictures constants states checker combinations crates house examples exporters c header wheel notebooks wheel-manylinux page page-test bench peers \
+.PHONY: run build check test lint docs msrv deny snapshots pictures constants states checker combinations house examples exporters c header wheel notebooks wheel-manylinux page page-test bench peers \
         proofs witness m4 coq
 
 # Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
@@ -118,10 +118,6 @@ combinations: m4
 # The size of the house; `benches/house.py --time` has the seconds of builds too.
 house: m4
 	@benches/house.py
-
-# The columns `crates` and `seconds` of docs/features.md: each build from nothing.
-crates: m4
-	@benches/crates.sh
 
 # The programs of examples/; each ends with what it asserts.
 examples: m4

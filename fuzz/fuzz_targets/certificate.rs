@@ -2,8 +2,8 @@
 //! refuses it names in one line.
 #![no_main]
 
-use couplet::check::check;
-use couplet::number::AstroInterval;
+use couplet_check::check::check;
+use couplet_number::number::AstroInterval;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {

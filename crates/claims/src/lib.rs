@@ -6,6 +6,5 @@ pub mod claims;
 pub mod study;
 
 use couplet_check::{arch, check, problem};
-use couplet_draw::picture;
 use couplet_number::{number, symbolic};
 use couplet_prove::{atlas, certify, judge, prover, solve};

@@ -2,7 +2,7 @@
 
 use super::accuracy::{COMMAND, SINES};
 use super::row::{Row, quartiles};
-use crate::picture::figure::{Axis, Figure, Kind, Line, Panel, Scale};
+use couplet_draw::picture::figure::{Axis, Figure, Kind, Line, Panel, Scale};
 
 /// Digits that a method has to reach to count in the performance profile.
 const TARGET: f64 = 12.0;

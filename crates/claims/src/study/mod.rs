@@ -31,5 +31,5 @@ pub mod static_programme;
 mod target;
 mod task;
 
-pub use crate::picture::figure;
+pub use couplet_draw::picture::figure;
 pub use task::Task;

@@ -2,7 +2,7 @@
 
 use super::limits::LIMITS;
 use super::stability::Rung;
-use crate::picture::figure::{Axis, Figure, Kind, Line, Panel, Scale};
+use couplet_draw::picture::figure::{Axis, Figure, Kind, Line, Panel, Scale};
 use std::f64::consts::LOG10_2;
 
 /// Digits that the problem leaves to who computes in doubles: those of a double, less the loss of the problem itself.

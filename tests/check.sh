@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# A built couplet checks itself, in a minute or so: stored certificates in two arithmetics; the same made anew, byte for byte; the
+# numbers of the paper; the examples of the pages. The argument is the program.
+set -euo pipefail
+program=$(realpath "$1")
+cd "$(dirname "$0")/.."
+house=$PWD
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+failed() { echo "couplet: $*" >&2; exit 1; }
+
+stored=(proofs/constants/*.json proofs/states/*.json proofs/asymmetric/*.json)
+for engine in astro mpfr; do
+    "$program" check --engine $engine "${stored[@]}" >"$work/said" || failed "a stored certificate: $(grep -v ': accepted' "$work/said")"
+    echo "${#stored[@]} stored certificates accepted by $engine"
+done
+
+"$program" certify all --digits 100 --output "$work/constants" >/dev/null
+diff -r proofs/constants "$work/constants" >/dev/null || failed "the landmarks have other certificates than proofs/constants"
+mkdir "$work/states" "$work/asymmetric"
+while read -r name weight alpha mu; do
+    "$program" certify state --weight "$weight" --alpha "$alpha" --mu "$mu" --digits 30 --output "$work/states/$name.json" >/dev/null
+    cmp "proofs/states/$name.json" "$work/states/$name.json"
+done <proofs/states/arches.txt
+while read -r name weight alpha mu mode; do
+    "$program" certify asymmetric --weight "$weight" --alpha "$alpha" --mu "$mu" --mode "$mode" --digits 30 \
+        --output "$work/asymmetric/$name.json" >/dev/null
+    cmp "proofs/asymmetric/$name.json" "$work/asymmetric/$name.json"
+done <proofs/asymmetric/arches.txt
+echo "${#stored[@]} certificates are made byte for byte as they are stored"
+
+{ echo '$ couplet audit | head -20'; "$program" audit | head -20; } | cmp - tests/it/snapshots/audit.txt
+echo "the numbers of the paper are judged as stored"
+
+# The commands of the blocks marked `console`. A line of them that is shown has to be printed; `…` stands for what may be.
+PATH=$(dirname "$program"):$PATH
+count=0
+example() {
+    [ -n "$command" ] || return 0
+    case $command in "cat "*) sed '/^$/d' "$work/shown" >"${command#cat }" ;; esac
+    bash -c "$command" >"$work/printed" 2>"$work/error" || failed "$page: $command: $(cat "$work/error")"
+    while IFS= read -r line; do
+        case $line in
+        "" | "…") ;;
+        *"…") grep -qF -- "${line%…}" "$work/printed" || failed "$page: $command does not print: $line" ;;
+        *) grep -qxF -- "$line" "$work/printed" || failed "$page: $command does not print: $line" ;;
+        esac
+    done <"$work/shown"
+    count=$((count + 1))
+    command=""
+}
+for page in README.md docs/commands.md; do
+    rm -rf "$work/folder" && mkdir "$work/folder" && cd "$work/folder"
+    inside="" command=""
+    while IFS= read -r line; do
+        case $line in
+        '```console') inside=yes ;;
+        '```'*) example; inside="" ;;
+        '$ '*) [ -n "$inside" ] && example && command=${line#'$ '} && : >"$work/shown" ;;
+        *) [ -z "$command" ] || printf '%s\n' "$line" >>"$work/shown" ;;
+        esac
+    done <"$house/$page"
+    cd "$house"
+done
+echo "$count examples of the pages print what is shown"
