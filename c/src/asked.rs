@@ -12,7 +12,7 @@ use couplet::certify::{self, CertifiedLandmark, asymmetric_thicknesses, quantiti
 use couplet::check::{Certificate, Refusal};
 use couplet::problem::{Arch, Landmark, Quantity};
 use couplet::report::{self, Answers, Scope};
-use couplet::sweep::{engine::Engine, parse};
+use couplet::sweep::parse;
 use std::ffi::{c_char, c_int, c_void};
 use std::fmt::Display;
 
@@ -285,7 +285,7 @@ pub unsafe extern "C" fn couplet_check(
         answered(answer, || {
             let bytes = Array::<u8>::new(certificate.cast(), Some(length), "certificate")?.values();
             let engine = optional(engine, "engine")?.unwrap_or("astro");
-            Ok(match Engine::named(engine).map_err(wrong)?.check(bytes) {
+            Ok(match parse::engine(engine).map_err(wrong)?.check(bytes) {
                 Ok(accepted) => Answer::accepted(&accepted),
                 Err(limit @ Refusal::Limit(..)) => Answer::not_checked(limit.to_string()),
                 Err(refusal) => Answer::refused(refusal.to_string()),

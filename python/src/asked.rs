@@ -13,7 +13,7 @@ use couplet::check::{Certificate, Refusal};
 use couplet::cli;
 use couplet::problem::{Arch, Landmark, Mode, Quantity};
 use couplet::report::{Answer, Claims, Content, Format, Report, Sketched, Style};
-use couplet::sweep::{engine::Engine, parse};
+use couplet::sweep::parse;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
@@ -227,7 +227,7 @@ pub(crate) fn check<'py>(
     certificate: &[u8],
     engine: &str,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let engine = Engine::named(engine).map_err(wrong)?;
+    let engine = parse::engine(engine).map_err(wrong)?;
     let found = py.detach(|| on_threads(1, || engine.check(certificate)))?;
     match found {
         Ok(accepted) => told::checked(py, ("accepted", None), Some(&accepted)),

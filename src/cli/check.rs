@@ -1,8 +1,8 @@
 //! `couplet check`: what the small program `couplet-check` does, with the arithmetic of MPFR beside.
 
-use crate::check::{Engine, MAX_DIGITS, check, check_files};
-use crate::number::Ball;
+use crate::check::{Engine, check_files};
 use crate::sweep::failure::Failure;
+use crate::sweep::parse;
 use clap::Args;
 use std::ffi::OsString;
 
@@ -21,12 +21,9 @@ pub(super) struct Arguments {
     /// Arithmetic: astro (pure Rust, shares nothing with MPFR, up to 50000 digits); where they are built in, mpfr, and
     /// malachite (pure Rust, quicker than astro, up to 50000 digits; in part MPFR's algorithms, so no witness
     /// beside mpfr).
-    #[arg(long, default_value = "astro", value_parser = |name: &str| Engine::named(name, OTHERS))]
+    #[arg(long, default_value = "astro", value_parser = parse::engine)]
     engine: Engine,
 }
-
-/// The arithmetics beside those of the checker.
-const OTHERS: &[Engine] = &[Engine::new("mpfr", |bytes| check::<Ball>(bytes, MAX_DIGITS))];
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     Ok(check_files(&arguments.files, arguments.engine, "--engine mpfr")?)

@@ -4,8 +4,9 @@ use crate::arch::asymmetric::AsymmetricMode;
 use crate::arch::{NoWeight, SelfWeight};
 use crate::certify::state::find::{Given, Question};
 use crate::certify::{MAX_ARCH_DIGITS, MAX_DIGITS, Refused};
+use crate::check::{self, Engine};
 use crate::claims::{Claim, claims};
-use crate::number::ExactNumber;
+use crate::number::{Ball, ExactNumber};
 use crate::problem::{Arch, Friction, Landmark, Line, Mode, NoLandmark, Quantity};
 use crate::report::words::{did_you_mean, list, shortened};
 use crate::report::{Content, Format};
@@ -15,6 +16,12 @@ use std::str::FromStr;
 pub fn unknown(kind: &str, written: &str, names: &[&str]) -> String {
     let hint = did_you_mean(written, names);
     format!("{kind} is one of {}{hint}", list(names.iter().copied()))
+}
+
+/// An arithmetic that checks certificates: one of the checker's own, or that of MPFR.
+pub fn engine(text: &str) -> Result<Engine, String> {
+    let mpfr = Engine::new("mpfr", |bytes| check::check::<Ball>(bytes, check::MAX_DIGITS));
+    Engine::named(text, &[mpfr])
 }
 
 /// A landmark by its symbol or its long name.
