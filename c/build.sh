@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 folder=${1:-target/c}
-version=$(sed -n 's/^version = "\(.*\)"/\1/p' c/Cargo.toml | head -n 1)
+version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
 
 cargo build --locked --profile wheel --package couplet-c
 made=${CARGO_TARGET_DIR:-target}/wheel

@@ -41,7 +41,7 @@ def build_sdist(directory, *arguments, **options):
 
 
 def leave_out_benches(archive):
-    """The benchmarks are not in a package, and so must not be in its manifest, as cargo has it in its own packages."""
+    """Benchmarks and tests are not in a package, and so must not be in its manifest, as cargo has it in its own packages."""
     whole = archive.with_suffix(".whole")
     archive.replace(whole)
     with tarfile.open(whole) as old, tarfile.open(archive, "w:gz") as new:
@@ -49,7 +49,7 @@ def leave_out_benches(archive):
         for member in old:
             data = old.extractfile(member).read() if member.isfile() else b""
             if member.name == f"{top}/Cargo.toml":
-                data = re.sub(rb"\[\[bench\]\]\n(?:[^\[\n].*\n|\n)*", b"", data)
+                data = re.sub(rb"\[\[(?:bench|test)\]\]\n(?:[^\[\n].*\n|\n)*", b"", data)
                 member.size = len(data)
             new.addfile(member, io.BytesIO(data) if member.isfile() else None)
     whole.unlink()
