@@ -1,4 +1,4 @@
-//! What the paper claims, proved or refuted, for a reader and for Coq; and how others would compute.
+//! The claims of the paper, proved or refuted, for a reader and for Coq; and how others would compute.
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
 pub mod claims;

@@ -15,7 +15,7 @@ use couplet_check::{arch, check, problem};
 use couplet_draw::sketch;
 use couplet_number::{number, symbolic};
 
-/// What most programs need: `use couplet_prove::prelude::*`.
+/// Names that most programs need: `use couplet_prove::prelude::*`.
 ///
 /// ```
 /// use couplet_prove::prelude::*;

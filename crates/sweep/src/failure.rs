@@ -70,7 +70,7 @@ macro_rules! input {
 input!(&str, String, Refused, ParseExactError, ArchError, StonesError, MeasureError);
 
 impl Failure {
-    /// What could not be read, and why.
+    /// A failure to read: the source, and the reason.
     pub fn reading(what: impl Display, error: &io::Error) -> Self {
         Self::Io(format!("cannot read {what}: {}", reason(error)))
     }
@@ -84,7 +84,7 @@ impl Failure {
         }
     }
 
-    /// What could not be written, and why.
+    /// A failure to write: the destination, and the reason.
     pub fn writing(what: impl Display, error: &io::Error) -> Self {
         Self::Io(format!("cannot write {what}: {}", reason(error)))
     }

@@ -115,7 +115,7 @@ pub fn asymmetric_mode(text: &str) -> Result<AsymmetricMode, String> {
     mode.ok_or_else(|| format!("it is one of {}", names.join(", ")))
 }
 
-/// What reads the name of a format.
+/// Reader of the name of a format.
 pub fn format(
     content: Content,
 ) -> impl Fn(&str) -> Result<&'static Format, String> + Clone + Send + Sync + 'static {
@@ -127,12 +127,12 @@ pub fn format(
     }
 }
 
-/// What an option of formats is for.
+/// Help of an option of formats.
 pub fn format_help(content: Content) -> String {
     format!("Output format: {}", Format::names(content))
 }
 
-/// The same where one is usual.
+/// Help of an option of formats of which one is usual.
 pub fn usual_format_help(content: Content, usual: &str) -> String {
     let names = format_help(content);
     format!(

@@ -70,7 +70,7 @@ impl ArchArguments {
     }
 }
 
-/// What a command misses beside the arch, and a command line that has everything.
+/// Options that a command misses beside the arch, and a command line that has everything.
 pub(super) struct Missing {
     /// The option that is missing beside the arch.
     pub option: Option<&'static str>,

@@ -10,9 +10,9 @@ use std::path::Path;
 
 /// The rows of a file.
 pub(super) struct GivenRows {
-    /// Those of its columns that are read.
+    /// Columns that are read.
     pub columns: Columns,
-    /// How its numbers are spelt.
+    /// Spelling of the numbers.
     pub spelling: Spelling,
     /// The names of what is handed on, where the rows are those of a table.
     pub kept: Vec<String>,

@@ -140,11 +140,11 @@ fn unwritten(error: io::Error) -> Failure {
     Failure::writing("the rows", &error)
 }
 
-/// What is asked of every row.
+/// Question to every row.
 struct RowQuestion {
     digits: usize,
     quantities: Vec<Quantity>,
-    /// What is proved of the arches.
+    /// Proofs that arches share.
     openings: SharedOpenings,
 }
 

@@ -23,7 +23,7 @@ Exit codes: 0 every file was accepted; 1 a file was refused; 2 bad usage; 3 none
 not read.
 ";
 
-/// What the arguments ask for.
+/// Request that the arguments make.
 enum Asked {
     Check(Vec<OsString>, Engine),
     Page(&'static str),

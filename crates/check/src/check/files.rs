@@ -1,4 +1,4 @@
-//! What `couplet check` and `couplet-check` say of files: a line for each, and the exit code.
+//! Lines that `couplet check` and `couplet-check` print on files, one for each, and the exit code.
 
 use super::checker::MAX_DIGITS;
 use super::engine::Engine;

@@ -9,17 +9,17 @@ use serde::{Deserialize, Deserializer};
 use std::fmt;
 use std::marker::PhantomData;
 
-/// What a field holds.
+/// Content of a field.
 pub(super) trait Entry: Sized {
     /// Reads it.
     fn read<'de, D: Deserializer<'de>>(from: D) -> Result<Self, D::Error>;
 
-    /// What a field is that is left out, if it may be.
+    /// Content of a field that is left out, if it may be.
     fn absent() -> Option<Self> {
         None
     }
 
-    /// Whether the field is left out.
+    /// True if the field is left out.
     fn is_absent(&self) -> bool {
         false
     }

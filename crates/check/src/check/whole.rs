@@ -69,7 +69,7 @@ pub fn first_failure<E: Engine>(
     Whole::new(weight, at).first_failure(&joints)
 }
 
-/// What is asked of a margin, in words.
+/// Condition on a margin, in words.
 pub fn label(contact: Contact) -> &'static str {
     match contact {
         Contact::Extrados => "the line of thrust inside the extrados on the whole arch",

@@ -15,7 +15,7 @@ use crate::arch::whole::{motion_row, static_row};
 use crate::arch::{Ring, SelfWeight};
 use crate::number::{Angle, Field, Jet};
 
-/// What all joints of an arch share: the ring and the friction.
+/// Properties that all joints of an arch share: the ring and the friction.
 #[derive(Clone, Debug)]
 pub struct Joints<T> {
     /// Thickness and weight.
@@ -61,12 +61,12 @@ impl<T: Field> Joints<T> {
         self.map(|x| Jet::constant(x.clone(), order))
     }
 
-    /// What must not be positive at a joint of the half arch.
+    /// Condition at a joint of the half arch: its left side must not be positive.
     pub fn row(&self, contact: Contact, at: &Angle<T>) -> Row<T> {
         contact.row(at, &self.ring, &self.grip)
     }
 
-    /// What must not be positive at a joint of the whole arch under a horizontal acceleration.
+    /// Condition at a joint of the whole arch under a horizontal acceleration: its left side must not be positive.
     pub fn tilted(&self, contact: Contact, at: &Angle<T>) -> TiltedRow<T> {
         row(contact, at, &self.ring, &self.grip)
     }
@@ -83,7 +83,7 @@ impl<T: Field> Joints<T> {
 }
 
 impl<T: Field> Joints<Jet<T>> {
-    /// What must not be positive at a joint of the half arch whose place is no series.
+    /// Condition at a joint of the half arch whose place is no series: its left side must not be positive.
     pub fn row_at(&self, contact: Contact, at: Angle<T>, order: usize) -> Row<Jet<T>> {
         self.row(contact, &at.map(|x| Jet::constant(x, order)))
     }

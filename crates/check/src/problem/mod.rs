@@ -1,4 +1,4 @@
-//! What is asked, stated once: landmarks and states, their unknowns, equations and conditions.
+//! Questions, stated once: landmarks and states, their unknowns, equations and conditions.
 //!
 //! | file | what it states |
 //! |---|---|

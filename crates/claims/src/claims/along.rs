@@ -177,7 +177,7 @@ pub(super) fn on_all(
     Ok(Ternary::True)
 }
 
-/// Whether `holds` is proved on a range, where it is asked with all states between those at the ends of a part of it.
+/// Tells whether `holds` is proved on a range: it is asked with all states between those at the ends of each part.
 pub(super) fn on_parts(
     range: (&Rational, &Rational),
     state: &dyn Fn(&Rational) -> Result<CurveStates, Undecided>,

@@ -6,7 +6,7 @@ use crate::number::{Angle, Field, Real};
 use num_complex::Complex;
 use rug::Float;
 
-/// Which of the closed forms.
+/// Closed forms of the study.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ClosedForm {
     /// (9), `A`.

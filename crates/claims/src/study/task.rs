@@ -12,7 +12,7 @@ use rug::Rational;
 pub enum Task {
     /// A root of one of the cubics (7) at a joint: `A`, `eta` or `h`.
     Cubic {
-        /// Which.
+        /// The closed form.
         form: ClosedForm,
         /// The self-weight model.
         weight: SelfWeight,

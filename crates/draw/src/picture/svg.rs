@@ -25,7 +25,7 @@ pub enum Anchor {
 /// Look of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stroke {
-    /// Its colour.
+    /// Colour of the line.
     pub color: Color,
     /// Width of the line.
     pub width: f64,
@@ -79,7 +79,7 @@ impl Rigid {
 pub struct Type {
     /// Size of the font.
     pub size: f64,
-    /// Its colour.
+    /// Colour of the letters.
     pub color: Color,
     /// End of the text that is at its place.
     pub anchor: Anchor,

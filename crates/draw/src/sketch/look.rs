@@ -16,7 +16,7 @@ const GREEN: Color = Color(0x00, 0x7A, 0x5A);
 
 /// The line of thrust, or that of the least thrust.
 pub const THRUST: Stroke = Stroke::new(RED, 2.6);
-/// That of the largest thrust.
+/// The line of the largest thrust.
 pub const LARGEST: Stroke = Stroke { color: RED, width: 2.6, dashes: &[11.0, 4.0] };
 /// An end of the band of several.
 pub const EXTREME: Stroke = Stroke::new(RED, 1.3);
@@ -24,7 +24,7 @@ pub const EXTREME: Stroke = Stroke::new(RED, 1.3);
 pub const BAND: Color = RED;
 /// The line of friction, or that of the least thrust.
 pub const FRICTION: Stroke = Stroke { color: BLUE, width: 1.9, dashes: &[6.0, 3.0] };
-/// That of the largest thrust.
+/// The line of friction under the largest thrust.
 pub const LARGEST_FRICTION: Stroke = Stroke { color: BLUE, width: 1.9, dashes: &[2.0, 2.6] };
 /// A joint that slides.
 pub const SLIDES: Stroke = Stroke::new(BLUE, 5.0);
@@ -38,7 +38,7 @@ pub const FALLEN: Color = GREEN;
 pub const FALLEN_EDGE: Stroke = Stroke::new(GREEN, 1.5);
 pub(crate) const FALLEN_JOINT: Stroke = Stroke::new(GREEN, 0.6);
 pub(crate) const ARROW: Stroke = Stroke::new(INK, 1.3);
-/// How much of what is below a tint hides.
+/// Opacity of a tint: the less, the more is seen through it.
 pub const SHEER: f64 = 0.22;
 /// Opacity of a faint tint.
 pub const FAINT: f64 = 0.14;

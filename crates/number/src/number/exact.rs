@@ -162,7 +162,7 @@ mod mpfr {
     use rug::{Integer, Rational};
 
     impl ExactNumber {
-        /// The same as a number of GMP.
+        /// The number as one of GMP.
         pub fn to_rational(&self) -> Rational {
             let integer = |x: &BigInt| {
                 let (sign, words) = x.to_u64_digits();

@@ -1,4 +1,4 @@
-//! What an error says, variant by variant, without a procedural macro: a checker is built without one.
+//! Texts of errors, variant by variant, without a procedural macro: a checker is built without one.
 
 /// `Display` and `Error` of a type, from the text of each of its variants:
 ///

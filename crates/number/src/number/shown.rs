@@ -17,7 +17,7 @@ pub fn visible(text: &str) -> String {
     text.chars().flat_map(visible).collect()
 }
 
-/// The same, and not all of a long text: 40 characters at the most.
+/// A text on one line as it is shown, and not all of a long one: 40 characters at the most.
 ///
 /// ```
 /// assert_eq!(couplet_number::number::shown(&"1".repeat(50)).chars().count(), 40);

@@ -161,7 +161,7 @@ pub fn arc(piece: &Piece, coordinate: Coordinate, [from, to]: [f64; 2]) -> Optio
     }
 }
 
-/// What the tube adds.
+/// Distance that the tube adds.
 fn by_tube(form: &CurveForm, coordinate: Coordinate, s: &Ball, tube: &Tube) -> Option<f64> {
     let number = |given: &Ball| Dual::constant(given.with_precision(BITS));
     let x = Dual::variables(&tube.enclosure(s));

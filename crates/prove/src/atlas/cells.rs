@@ -20,7 +20,7 @@ use crate::problem::Mode;
 use rug::Float;
 use std::collections::HashMap;
 
-/// What belongs to a thickness.
+/// Row of cells: all that belongs to a thickness alone.
 #[derive(Clone, Debug)]
 pub struct ThicknessRow {
     ring: Ring<Ball>,
@@ -28,7 +28,7 @@ pub struct ThicknessRow {
     rotation: Option<(Ball, Ball)>,
 }
 
-/// What belongs to a friction.
+/// Column of cells: all that belongs to a friction alone.
 #[derive(Clone, Debug)]
 pub struct FrictionColumn {
     inclination: Angle<Ball>,

@@ -26,11 +26,11 @@ struct Closed<'a> {
     by: Closing<'a>,
 }
 
-/// What closes a form that has one unknown more than equations.
+/// Equation that closes a form with one unknown more than equations.
 enum Closing<'a> {
     Value(Variable, &'a Ball),
     Law(Law),
-    /// It is closed: it has as many equations as unknowns.
+    /// None, for a form that is closed: it has as many equations as unknowns.
     Nothing,
 }
 

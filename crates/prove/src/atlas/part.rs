@@ -21,7 +21,7 @@ pub struct Part {
     course: PartShape,
 }
 
-/// How a part runs between its ends.
+/// Shape of a part between its ends.
 #[derive(Clone, Debug)]
 enum PartShape {
     Straight([Place; 2]),

@@ -76,7 +76,7 @@ fn slopes(form: &CurveForm, s: &Ball, x: &[Ball]) -> Vec<Dual<Ball>> {
     form.residuals(&number, &Dual::variable(s.clone(), x.len()), &Dual::variables(x))
 }
 
-/// What Krawczyk's test has proved.
+/// Result of Krawczyk's test.
 struct Contraction {
     /// `Z`.
     domain: Vec<Ball>,

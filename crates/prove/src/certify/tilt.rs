@@ -58,7 +58,7 @@ pub struct TiltDigits {
 }
 
 impl TiltDigits {
-    /// What is proved of an acceleration and of the largest, to some digits: `largest` proves that one, and `told`
+    /// Proves an acceleration and the largest one, to some digits: `largest` proves that one, and `told`
     /// sees in it alone whether the acceleration asked for has a state. One nearer to the largest than its digits
     /// tell takes more bits.
     pub(super) fn found(

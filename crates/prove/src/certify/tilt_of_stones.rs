@@ -84,7 +84,7 @@ fn has_none(all: &[StoneLimit], tilt: &Slope, bits: u32) -> bool {
     contradict(&of, &tilt)
 }
 
-/// Whether these four do.
+/// Tells whether four given conditions contradict each other at an acceleration.
 fn contradict(of: &[&StoneLimit], tilt: &Ball) -> bool {
     if of.len() != 4 {
         return false;

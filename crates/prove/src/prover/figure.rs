@@ -42,7 +42,7 @@ impl Figure {
     }
 }
 
-/// What has figures.
+/// A value that has figures.
 pub(crate) trait Figured {
     /// The value to `digits` significant digits, at least one; `None` if the enclosure is too wide to decide them or
     /// the double.

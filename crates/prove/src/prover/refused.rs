@@ -13,7 +13,7 @@ pub const MAX_DIGITS: usize = 1_000_000;
 /// digit is worth its time.
 pub const MAX_ARCH_DIGITS: usize = 10_000;
 
-/// What was asked wrongly. Nothing was computed, and the same question is refused again.
+/// Refusal of a question that was asked wrongly. Nothing was computed, and the same question is refused again.
 ///
 /// ```
 /// use couplet_prove::certify::Refused;
@@ -87,7 +87,7 @@ impl Refused {
         Self::digits_to(asked, MAX_ARCH_DIGITS)
     }
 
-    /// The same up to a number of one's own.
+    /// Checks that no more digits are asked for than a number of one's own.
     pub fn digits_to(asked: usize, most: usize) -> Result<(), Self> {
         (1..=most).contains(&asked).then_some(()).ok_or(Self::Digits { asked, most })
     }
@@ -97,7 +97,7 @@ impl Refused {
         Ok(ThicknessError::check(thickness, &thickness.to_string())?)
     }
 
-    /// Whether a quantity is one of these.
+    /// Checks that a quantity is one of the possible ones.
     pub fn quantity(asked: Quantity, possible: &[Quantity]) -> Result<(), Self> {
         let refused = || Self::NoSuchQuantity { quantity: asked, possible: possible.to_vec() };
         possible.contains(&asked).then_some(()).ok_or_else(refused)

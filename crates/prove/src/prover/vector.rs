@@ -3,7 +3,7 @@
 use crate::number::{DoubleBall, Enclosure};
 
 pub(crate) type Vector = [DoubleBall; 3];
-/// What goes with `h, p, v` and one in a condition.
+/// Coefficients of `h, p, v` and one in a condition.
 pub(crate) type Row = [DoubleBall; 4];
 
 pub(crate) fn dot(a: &Vector, b: &Vector) -> DoubleBall {
@@ -15,7 +15,7 @@ pub(crate) fn cross(a: &Vector, b: &Vector) -> Vector {
     [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
-/// What goes with the forces, and what is free of them.
+/// Coefficients of the forces, and the part that is free of them.
 pub(crate) fn parts(row: &Row) -> (Vector, DoubleBall) {
     let [h, p, v, load] = *row;
     ([h, p, v], load)

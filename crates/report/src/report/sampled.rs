@@ -6,7 +6,7 @@ use super::{csv, json};
 use crate::strategies::Sample;
 use std::io;
 
-/// How drawn arches are written.
+/// Writers of drawn arches.
 #[derive(Clone, Copy, Debug)]
 pub struct SampledLines {
     /// The header.

@@ -9,7 +9,7 @@ use crate::parse;
 use crate::problem::{Arch, Friction};
 use rug::Rational;
 
-/// How the arches of rows are read.
+/// Reader of the arches of rows.
 pub struct ArchReader {
     /// Roles of the cells of a row.
     pub columns: Columns,
@@ -30,7 +30,7 @@ impl ArchReader {
         })
     }
 
-    /// The same where the cell is not empty.
+    /// The text of a role, where the cell is not empty.
     pub fn given<'a>(&self, cells: &'a Cells, role: Role) -> Option<(&'a str, bool)> {
         self.said(cells, role).filter(|(text, _)| !text.is_empty())
     }

@@ -22,7 +22,7 @@ pub struct RowColumn {
 /// The columns of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Columns {
-    /// Those that may be there.
+    /// Columns that may be there.
     pub all: Vec<RowColumn>,
     /// True if the columns were named, and so have to be there.
     named: bool,

@@ -13,7 +13,7 @@ pub struct ReadRow {
     pub kept: Vec<(String, Kept)>,
 }
 
-/// Which columns or keys are handed on.
+/// Choice of the columns or keys that are handed on.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Keep {
     /// All that are not read.

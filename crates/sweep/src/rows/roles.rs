@@ -2,7 +2,7 @@
 
 use crate::problem::Quantity;
 
-/// What a column can be.
+/// Role of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
     /// The model of self-weight.
@@ -25,7 +25,7 @@ pub enum Role {
     Number(Quantity),
 }
 
-/// What a file is read for.
+/// Purpose for which a file is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
     /// Arches to be answered.

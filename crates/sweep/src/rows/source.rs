@@ -12,7 +12,7 @@ pub type Numbered<T> = (u64, Result<T, String>);
 /// Bytes that are read on a thread of their own.
 pub type Input = Box<dyn BufRead + Send>;
 
-/// What the rows are written in.
+/// Syntax in which rows are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Syntax {
     /// A table with a header.
@@ -71,7 +71,7 @@ impl RowSource {
     }
 }
 
-/// What some programs write before the text.
+/// Mark that some programs write before the text.
 pub const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
 
 /// Skips a byte order mark and empty lines before the first row of JSON; in a table they count as lines.

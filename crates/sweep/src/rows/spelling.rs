@@ -3,7 +3,7 @@
 use crate::number::hexadecimal;
 use std::borrow::Cow;
 
-/// How the numbers of a file may be spelt.
+/// Spelling of the numbers of a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Spelling {
     /// True if a comma may be the decimal point.

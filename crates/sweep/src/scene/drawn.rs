@@ -14,7 +14,7 @@ use std::fmt;
 pub struct DrawnArch {
     /// The arch, and the state in which it is drawn.
     pub pose: Pose,
-    /// Its stones, if its joints are between them alone.
+    /// Number of stones, if the joints are between them alone.
     pub stones: Option<u64>,
     /// True if sliding joints open too.
     pub is_dilatant: bool,

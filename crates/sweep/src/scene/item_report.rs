@@ -1,4 +1,4 @@
-//! What an item asked for, as a report.
+//! The report of an item.
 
 use super::nodes::Work;
 use super::pieces::{CurvePiece, WorkDone};
@@ -21,7 +21,7 @@ pub struct ItemReport {
 }
 
 impl ItemReport {
-    /// What an item asked for, from parts that are all there.
+    /// The report of an item, from parts that are all there.
     pub(super) fn new(plan: &Plan, done: &[Option<WorkDone>], index: usize) -> Self {
         let item = &plan.scene.items[index];
         let (report, undecided) = match &item.what {

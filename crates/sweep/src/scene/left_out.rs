@@ -1,4 +1,4 @@
-//! What a plan leaves out, and why.
+//! Parts of the work that a plan leaves out, and why.
 
 use super::nodes::{ArchNode, RANGE_OF_THRUSTS, Work};
 use super::plan::Plan;

@@ -1,4 +1,4 @@
-//! What is computed for a scene, and what is asked of each.
+//! Nodes of a plan: the work that a scene needs, and the questions to each piece of it.
 
 use super::drawn::{DrawnArch, DrawnKey};
 use super::same::ArchKey;
@@ -42,7 +42,7 @@ pub(super) enum WorkKey {
     Landmark(Landmark, SelfWeight),
     Arch(ArchKey),
     Claim(&'static str),
-    /// Its name and the bits of its tolerance.
+    /// The name of a curve and the bits of its tolerance.
     Curve(String, u64),
     Drawing(DrawnKey),
 }
@@ -72,7 +72,7 @@ pub struct ArchNode<'s> {
     pub states: BTreeMap<usize, bool>,
     /// The thicknesses with which it is asked about.
     pub thicknesses: Vec<ThicknessNode>,
-    /// Their places in this list, by thickness and digits.
+    /// Places in the list of thicknesses, by thickness and digits.
     places: HashMap<(Rational, usize), usize>,
     /// True if a format asks for the errors of doubles, of which more is known with more bits.
     pub errors: bool,
@@ -214,7 +214,7 @@ impl<'s> ArchNode<'s> {
 }
 
 impl fmt::Display for CurveNode {
-    /// Its name, as in files.
+    /// Writes the name of the curve, as in files.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let weight = self.weight.name();
         match &self.line {

@@ -1,4 +1,4 @@
-//! What a scene needs computed: each part once, to the most digits that any item asks of it. The first
+//! The plan of a scene: each part of the work once, to the most digits that any item asks of it. The first
 //! item that needs a part waits for all of its digits.
 
 use super::nodes::{ArchNode, CurveNode, LandmarkNode, Work, WorkKey};
@@ -15,7 +15,7 @@ pub struct Plan<'s> {
     pub scene: &'s Scene,
     /// Flags of the items whose output is complete, so that nothing is computed for it.
     pub complete: Vec<bool>,
-    /// What is computed, each once.
+    /// Parts that are computed, each once.
     pub parts: Vec<PlannedPart<'s>>,
     /// For each item, the places of the parts that it takes.
     pub needs: Vec<Vec<usize>>,
@@ -24,7 +24,7 @@ pub struct Plan<'s> {
 /// A part of the work, and who takes it.
 #[derive(Debug)]
 pub struct PlannedPart<'s> {
-    /// What is computed.
+    /// The work of this part.
     pub work: Work<'s>,
     /// The first item that takes it, for which it is computed.
     pub first: usize,

@@ -81,7 +81,7 @@ pub(super) fn drawing(table: &mut TableReader, format: Option<&'static Format>) 
     table.is_well_since(before).then_some(drawing)
 }
 
-/// What is drawn.
+/// Reads the pose in which an arch is drawn.
 fn pose(table: &mut TableReader, weight: SelfWeight, mode: Option<Mode>) -> Option<Pose> {
     let mut given = |meaning: Meaning| Some((meaning, table.given(meaning)?));
     let alpha = given(Meaning::HalfOpening);

@@ -149,7 +149,7 @@ fn marks(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Vec<Ma
     })
 }
 
-/// What a command says of axes and marks.
+/// Options of axes and marks, as a command line has them.
 fn words(table: &TableReader, marks: &[Marked]) -> String {
     let keys = AXES.iter().flat_map(|(unit, range, _)| [*unit, *range]);
     let axes = keys.filter_map(|key| {

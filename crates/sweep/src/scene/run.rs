@@ -8,13 +8,13 @@ use super::plan::Plan;
 /// A plan that is being carried out.
 pub struct SceneRun<'p> {
     plan: &'p Plan<'p>,
-    /// What is there of the parts, in the order of the plan.
+    /// Results of the parts that are there, in the order of the plan.
     done: Vec<Option<WorkDone>>,
     costs: Costs,
     shared: Shared,
 }
 
-/// What each part of a plan cost, in the order of the plan; nothing for what was not needed yet.
+/// Costs of the parts of a plan, in the order of the plan; nothing for a part that was not needed yet.
 #[derive(Clone, Debug, Default)]
 pub struct Costs(pub Vec<Option<Cost>>);
 
@@ -32,7 +32,7 @@ impl<'p> SceneRun<'p> {
         Self { plan, done, costs: Costs(vec![None; plan.parts.len()]), shared: Shared::new(plan) }
     }
 
-    /// What the parts cost so far.
+    /// Costs of the parts so far.
     pub fn costs(&self) -> &Costs {
         &self.costs
     }

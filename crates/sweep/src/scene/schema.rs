@@ -40,7 +40,7 @@ pub struct Scene {
 pub struct SceneItem {
     /// Place where the file asks for it.
     pub place: Position,
-    /// What is asked.
+    /// The request of the item.
     pub what: Request,
     /// Format in which it is written.
     pub format: &'static Format,
@@ -48,7 +48,7 @@ pub struct SceneItem {
     pub output: Option<PathBuf>,
 }
 
-/// What can be asked for.
+/// Request that an item makes.
 #[derive(Clone, Debug)]
 pub enum Request {
     /// Landmark constants.

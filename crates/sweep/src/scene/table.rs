@@ -47,7 +47,7 @@ impl<'a, 's> TableReader<'a, 's> {
         self.or(key, None, |reader, key, value| read(reader, key, value).map(Some))
     }
 
-    /// Whether a key is true.
+    /// True if the table says so under a key.
     pub(super) fn truth(&mut self, key: &str) -> Option<bool> {
         self.or(key, false, TomlReader::truth)
     }
@@ -67,7 +67,7 @@ impl<'a, 's> TableReader<'a, 's> {
         self.or(key, all, |reader, key, value| reader.names(key, value, &known))
     }
 
-    /// What the table says of a quantity, under its name or its letter.
+    /// Value of a quantity in the table, under its name or its letter.
     pub(super) fn given(&mut self, meaning: Meaning) -> Option<&'a TomlValue<'a>> {
         let (key, letter) = (meaning.key(), meaning.quantity().letter());
         let named = self.get(key);
@@ -86,7 +86,7 @@ impl<'a, 's> TableReader<'a, 's> {
         numbers.all().map_err(|error| self.refuse::<()>(error.to_string())).ok()
     }
 
-    /// Whether nothing was wrong since there were so many faults.
+    /// Tells whether nothing was wrong since there were so many faults.
     pub(super) fn is_well_since(&self, faults: usize) -> bool {
         self.reader.faults.len() == faults
     }

@@ -225,7 +225,7 @@ impl<'s> TomlReader<'s> {
         self.named(key, value, &names, place)
     }
 
-    /// What `find` finds by its name, each once by the key beside it. `None` if any is wrong.
+    /// Values that `find` finds by name, each once by the key beside it. `None` if any is wrong.
     pub(super) fn named<K: Eq + Hash, T>(
         &mut self,
         key: &str,

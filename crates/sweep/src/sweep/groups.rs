@@ -137,7 +137,7 @@ pub(super) fn read(
 const USUAL_TEXT: u64 = 512;
 const TEXTS: u64 = 64 << 20;
 
-/// Whether texts are short enough to be held, one for each row that has one.
+/// Checks that texts are short enough to be held, one for each row that has one.
 fn fit(texts: &[Option<ByteArray>]) -> Result<(), ParquetError> {
     let lengths = || texts.iter().flatten().map(|text| text.len() as u64);
     let (rows, bytes) = (lengths().count(), lengths().sum::<u64>());

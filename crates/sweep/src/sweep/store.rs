@@ -37,7 +37,7 @@ pub(super) struct Store {
     plan: String,
 }
 
-/// What is in the folder of a sweep.
+/// Files of parts in the folder of a sweep.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct PartFiles {
     /// The names of the files of each part.
@@ -46,7 +46,7 @@ pub(super) struct PartFiles {
     pub strays: Vec<String>,
 }
 
-/// What there is of a part.
+/// State of the files of a part.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum PartState {
     /// The part is missing: there is nothing, or files that are not what was written.

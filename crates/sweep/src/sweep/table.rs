@@ -65,7 +65,7 @@ pub(super) struct Notes {
     pub plan: String,
     /// Rows of the part.
     pub rows: Range<u64>,
-    /// How many of them have which verdict, in the order of [`RowVerdict::ALL`].
+    /// Numbers of rows with each verdict, in the order of [`RowVerdict::ALL`].
     pub counts: [u64; 4],
 }
 

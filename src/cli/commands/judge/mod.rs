@@ -183,7 +183,7 @@ fn verdict(summary: &JudgeSummary) -> Result<(), Failure> {
     }
 }
 
-/// Whether the columns that were seen have a weight, and what they claim.
+/// Tells whether the columns that were seen have a weight, and which quantities they claim.
 fn claimed(columns: &Columns, seen: &[bool]) -> (bool, Vec<Quantity>) {
     let there = || columns.all.iter().zip(seen).filter(|(_, seen)| **seen).map(|(c, _)| c.role);
     let is_given = there().any(Role::is_of_thickness);

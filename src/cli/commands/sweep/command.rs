@@ -68,7 +68,7 @@ fn failure(error: SweepError) -> Failure {
     }
 }
 
-/// What was made of the parts of a share.
+/// Result of a share: the parts that were made.
 struct MadeParts {
     /// Numbers of rows by verdict, of all parts that are there now.
     counts: [u64; 4],

@@ -37,7 +37,7 @@ pub(super) fn bracket(value: &Ball) -> Vec<(&'static str, String)> {
     named.map(|(name, value)| (name, text(&value))).to_vec()
 }
 
-/// How a self-weight is spoken of.
+/// Name of a self-weight in a sentence.
 pub(super) fn weight_name(weight: SelfWeight) -> &'static str {
     match weight {
         SelfWeight::Heyman => "Heyman's self-weight",

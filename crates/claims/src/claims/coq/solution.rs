@@ -11,12 +11,12 @@ use crate::certify::Undecided;
 use crate::problem::{Arch, Equation, System};
 use rug::Rational;
 
-/// What fills a template.
+/// Texts that fill the holes of a template.
 pub(super) type Holes = Vec<(&'static str, String)>;
 
 /// The theorem that a system has one solution in a box.
 pub(super) struct CoqSolution {
-    /// What its text is made of.
+    /// Texts that the theorem is made of.
     pub values: Holes,
     /// The names of its unknowns.
     pub symbols: Symbols,
@@ -69,7 +69,7 @@ impl CoqSolution {
     }
 }
 
-/// What the theorem says.
+/// Statement of the theorem.
 fn claim(system: &System, symbols: &Symbols, table: &ContractionTable) -> Holes {
     let labels: Vec<&str> = system.equations.iter().map(|equation| equation.label()).collect();
     let equations = system.equations.iter().map(|&e| equation(e, system));

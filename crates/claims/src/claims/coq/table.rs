@@ -31,7 +31,7 @@ const ROOM: (u32, u32) = (21, 20);
 /// The box is made smaller by a twentieth this often before it is given up.
 const TRIALS: u32 = 100;
 
-/// How many decimals are printed.
+/// Numbers of decimals that are printed.
 #[derive(Clone, Copy)]
 struct TableDecimals {
     /// Decimals of a centre: the first Newton step has to stay far inside the small box.

@@ -67,9 +67,8 @@ impl Rounded {
         Some(Self::between([below, above], last >= '5', negative))
     }
 
-    /// The same, decided too for numbers next to a decimal of so many digits, as those are that were given as one: the
-    /// value is the correct rounding of each of them, and the bounds are those of all. `None` if they round to
-    /// different decimals.
+    /// The correct rounding of every number in a ball, decided too for numbers next to a decimal of so many digits, as
+    /// those are that were given as one; the bounds are those of all. `None` if they round to different decimals.
     ///
     /// ```
     /// use couplet_number::number::{Ball, Field, Rounded};

@@ -66,7 +66,7 @@ struct Slice<'a> {
     ends: [Option<&'a Meeting>; 2],
 }
 
-/// What is not negative.
+/// Quantity that is not negative on an admissible branch.
 #[derive(Clone, Copy)]
 enum OpenSign {
     /// The left side of an equation that another kind closes by.

@@ -20,7 +20,7 @@ pub struct Batch {
     pub quantities: Vec<Quantity>,
     /// Significant digits.
     pub digits: usize,
-    /// Whether values are kept as text too.
+    /// True if values are kept as text too.
     pub has_texts: bool,
 }
 
@@ -54,7 +54,7 @@ pub fn grouped<K: Eq + Hash>(keys: impl Iterator<Item = Option<K>>) -> Vec<Vec<u
 pub enum Threads {
     /// The one that asks.
     One,
-    /// Those of the pool of rayon in which it is asked, if it is one: the global pool is not asked for, as a forked
+    /// Threads of the pool of rayon in which it is asked, if it is one: the global pool is not asked for, as a forked
     /// process would wait for it for ever.
     Pool,
 }
@@ -215,7 +215,7 @@ impl Batch {
         BatchRow { verdict, mode: None, values, reason: None }
     }
 
-    /// Whether rows of a verdict are asked for the asymmetric thickness of their arches, of which each has its own.
+    /// Tells whether rows of a verdict are asked for the asymmetric thickness of each of their arches.
     fn asks_asymmetric(&self, verdict: RowVerdict) -> bool {
         let of = Quantity::AsymmetricThickness;
         verdict == RowVerdict::Stands && self.quantities.contains(&of)

@@ -179,8 +179,8 @@ impl SharedOpening {
     }
 }
 
-/// What is proved once. Threads that ask for it at a time each prove it: none waits for another, whose proof may
-/// wait for the work of this one.
+/// A value that is proved once. Threads that ask for it at a time each prove it: none waits for another, whose
+/// proof may wait for the work of this one.
 fn kept<T>(place: &OnceLock<T>, proved: impl FnOnce() -> T) -> &T {
     match place.get() {
         Some(kept) => kept,

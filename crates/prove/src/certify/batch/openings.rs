@@ -42,7 +42,7 @@ enum Seen {
     /// An arch whose thread makes the shared proofs. Others do not wait for it: its proof may wait for the work of
     /// this one.
     Begun,
-    /// Their proofs.
+    /// The shared proofs.
     Shared(Arc<SharedOpening>),
 }
 
@@ -76,7 +76,7 @@ impl SharedOpenings {
         self.balls.assess(arch, thickness, self.digits)
     }
 
-    /// What the half opening of an arch shares, if it does by now.
+    /// Proofs that the half opening of an arch shares, if it does by now.
     fn opening(&self, arch: &Arch) -> Option<Arc<SharedOpening>> {
         let key = (arch.weight(), arch.half_opening().clone());
         {

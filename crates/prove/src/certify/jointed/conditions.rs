@@ -11,7 +11,7 @@ use crate::prover::arithmetic::Arithmetic;
 pub(super) struct Conditions<T> {
     /// Four at each joint, in the order of [`Contact::ALL`], from the left.
     pub all: Vec<JointLimit<Polynomial<T>>>,
-    /// What is free of the forces in the force that works on each motion: of a hinge that of the row, of a slip
+    /// Loads of the force that works on each motion, free of the forces: of a hinge that of the row, of a slip
     /// that of `T` or `-T`.
     pub weights: Vec<Polynomial<T>>,
     pub extent: Extent,
@@ -26,7 +26,7 @@ pub(super) struct Conditions<T> {
 /// The order of jets in the thickness: that of the load.
 const ORDER: usize = 2;
 
-/// What goes with `h, p` and `v`. With `v` it is linear in the thickness: the centroids, of second order, drop out
+/// Coefficients of `h, p` and `v`. With `v` it is linear in the thickness: the centroids, of second order, drop out
 /// exactly.
 fn entries<T: Field>([h, p, v]: &[Jet<T>; 3]) -> [Polynomial<T>; 3] {
     let linear = Jet::new(v.coefficients().iter().take(2).cloned().collect(), ORDER);

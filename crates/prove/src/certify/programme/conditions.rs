@@ -12,7 +12,7 @@ const BITS: u32 = 106;
 /// A condition `row . (x, 1) <= 0` and its motion.
 pub(super) type Limit = JointLimit<DoubleBall>;
 
-/// Whether a condition follows from another one: the row of the forces is exactly the other's, and the load is
+/// Tells whether a condition follows from another one: the row of the forces is exactly the other's, and the load is
 /// smaller, or that of the mirror image of its joint.
 pub(super) fn follows(one: &Limit, other: &Limit) -> bool {
     let is_exact = |x: &DoubleBall| x.rad() == 0.0;

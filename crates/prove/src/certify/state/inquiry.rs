@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 /// Questions about an arch, which share its state: it is proved once at each precision.
 pub struct Inquiry<'a> {
     arch: &'a Arch,
-    /// Whether the frictions at which the mode changes are asked for at every precision.
+    /// True if the frictions at which the mode changes are asked for at every precision.
     frictions: bool,
     /// Bits enough for the question with the most digits, if the equations lose none.
     bits: u32,

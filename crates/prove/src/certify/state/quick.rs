@@ -19,7 +19,7 @@ use crate::prover::Undecided;
 /// Beyond so many digits few values would be decided.
 const MOST_DIGITS: usize = 25;
 
-/// Whether these numbers are asked first.
+/// Tells whether the numbers of this file are asked first for so many digits.
 pub(crate) fn is_quick(digits: usize) -> bool {
     (1..=MOST_DIGITS).contains(&digits)
 }

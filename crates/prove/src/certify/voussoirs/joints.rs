@@ -31,7 +31,7 @@ impl<'a> StoneJoints<'a> {
         Self { stones, weight, grip: friction.grip(bits), bits, friction: Some(friction.clone()) }
     }
 
-    /// Whether the friction has a limit.
+    /// True if the friction has a limit.
     pub(super) fn is_limited(&self) -> bool {
         self.friction != Some(Friction::Infinite)
     }

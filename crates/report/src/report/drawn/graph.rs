@@ -117,7 +117,7 @@ impl Graphs {
 }
 
 impl Graph {
-    /// How far the lines that the panel shows may be from the truth, along each axis.
+    /// Bounds on the distance of the lines that the panel shows from the truth, along each axis.
     pub(super) fn off(&self) -> [f64; 2] {
         let (x, y) = (self.x.range, self.y.range);
         let frame = Frame { corner: (0.0, 0.0), size: (1.0, 1.0), x, y };

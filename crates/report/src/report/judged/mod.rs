@@ -17,7 +17,7 @@ use std::io;
 /// Writes a row, with the quantities that have columns and the texts of what is handed on.
 type RowWriter = fn(&JudgedRow, &[Quantity], &[String]) -> io::Result<Vec<u8>>;
 
-/// How rows are written as they come.
+/// Writers of rows as they come.
 #[derive(Clone, Copy, Debug)]
 pub struct JudgedLines {
     /// The header, with the quantities that have columns, and with the names of what is handed on.

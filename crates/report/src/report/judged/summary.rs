@@ -78,17 +78,17 @@ impl JudgeSummary {
         self.keep(row);
     }
 
-    /// How many rows there are.
+    /// Number of all rows.
     pub fn rows(&self) -> u64 {
         self.rows
     }
 
-    /// How many rows pass.
+    /// Number of rows that pass.
     pub fn accepted(&self) -> u64 {
         self.verdicts.iter().filter(|(v, _)| v.is_accepted()).map(|(_, count)| count).sum()
     }
 
-    /// How many rows have a verdict.
+    /// Number of rows with a verdict.
     pub fn count(&self, verdict: Verdict) -> u64 {
         self.verdicts.get(&verdict).copied().unwrap_or(0)
     }

@@ -48,7 +48,7 @@ pub(in crate::report) fn table(all: &MapPoints, out: &mut dyn io::Write) -> io::
     })
 }
 
-/// What names a point.
+/// Fields that name a point.
 fn named(point: &MapPoint) -> Fields {
     let mut fields = Fields::default();
     fields.add("schema", "couplet.map_point/1");

@@ -76,7 +76,7 @@ pub struct Found {
     pub some_may_move: bool,
 }
 
-/// What is found, in enclosures.
+/// Quantities that are found, in enclosures.
 struct FoundBalls {
     modes: Vec<Mode>,
     values: Vec<(Quantity, Ball)>,
@@ -243,7 +243,7 @@ fn sides(line: Line, sought: Sought) -> String {
     }
 }
 
-/// What is known where a state was found.
+/// Quantities that are known where a state was found.
 fn place(modes: Vec<Mode>, at: &Configuration<Ball>, sought: Sought, proved: String) -> FoundBalls {
     let alpha = &at.half_opening.rad;
     let is_line = modes.len() > 1;
