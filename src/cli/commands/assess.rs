@@ -1,7 +1,7 @@
 //! `couplet assess`.
 
 use super::arch::{ArchArguments, Missing};
-use super::measures::{self, MeasureArguments, Measured};
+use super::measures::{self, MeasureArguments, MeasuredArch};
 use super::notes;
 use super::output::AnswerOutput;
 use super::state::print;
@@ -71,7 +71,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             let answer = Answer::assessment(line, (&arch, &eta), &found)
                 .with_asymmetric(|| asymmetric_thicknesses(&arch, digits));
             match &measured {
-                Some(Measured { measures, .. }) => {
+                Some(MeasuredArch { measures, .. }) => {
                     let sizes = measured_assessment((&arch, &eta), measures, digits);
                     answer.measured(measures.circle(), sizes)
                 }

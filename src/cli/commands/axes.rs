@@ -20,29 +20,32 @@ pub(super) struct AxesArguments {
 
     /// For a map, the half openings shown, in their unit (120..160).
     #[arg(long, value_name = "FROM..TO", value_parser = range, allow_hyphen_values = true)]
-    half_opening_range: Option<Range>,
+    half_opening_range: Option<AxisRange>,
 
     /// For a map, the frictions shown, in their unit (0..45).
     #[arg(long, value_name = "FROM..TO", value_parser = range, allow_hyphen_values = true)]
-    friction_range: Option<Range>,
+    friction_range: Option<AxisRange>,
 
     /// For a map, the thicknesses shown (0..0.5).
     #[arg(long, value_name = "FROM..TO", value_parser = range, allow_hyphen_values = true)]
-    thickness_range: Option<Range>,
+    thickness_range: Option<AxisRange>,
 }
 
 /// From where to where an axis goes.
 #[derive(Clone, Copy, Debug)]
-struct Range([f64; 2]);
+struct AxisRange([f64; 2]);
 
-fn range(text: &str) -> Result<Range, String> {
-    Shown::range_of(text).map(Range)
+fn range(text: &str) -> Result<AxisRange, String> {
+    Shown::range_of(text).map(AxisRange)
 }
 
 impl AxesArguments {
     /// The axes of a map.
     pub(super) fn axes(&self) -> Axes {
-        let of = |unit, range: Option<Range>| Shown { unit, range: range.map(|Range(ends)| ends) };
+        let of = |unit, range: Option<AxisRange>| Shown {
+            unit,
+            range: range.map(|AxisRange(ends)| ends),
+        };
         Axes {
             half_opening: of(Unit::named(&self.half_opening_unit), self.half_opening_range),
             friction: of(Unit::named(&self.friction_unit), self.friction_range),

@@ -1,7 +1,7 @@
 //! `couplet draw`.
 
 use super::arch::{Missing, ShapeArguments};
-use super::measures::{self, MeasureArguments, Measured};
+use super::measures::{self, MeasureArguments, MeasuredArch};
 use super::notes;
 use super::output::OutputFile;
 use crate::arch::SelfWeight;
@@ -132,7 +132,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 impl Arguments {
     /// Sketch of what is asked for, in the modes asked for.
-    fn sketch(&self, measured: Option<&Measured>) -> Result<Sketch, Failure> {
+    fn sketch(&self, measured: Option<&MeasuredArch>) -> Result<Sketch, Failure> {
         let (stones, is_dilatant) = (self.stones.map(u64::from), self.dilatant);
         let shape = self.shape.with_half_opening(measures::half_opening(measured));
         let is_sliding = self.mode == Some(Mode::Sliding) && !shape.has_friction();

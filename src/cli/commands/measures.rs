@@ -44,7 +44,7 @@ pub(super) struct MeasureArguments {
 }
 
 /// Measures of an arch, and its sizes.
-pub(super) struct Measured {
+pub(super) struct MeasuredArch {
     /// The half opening, where it follows.
     pub half_opening: Option<ExactNumber>,
     /// The sizes.
@@ -52,7 +52,10 @@ pub(super) struct Measured {
 }
 
 /// The thickness-to-radius ratio that a text says, of an arch that may be measured: then as a length too.
-pub(super) fn thickness(measured: Option<&Measured>, text: &str) -> Result<ExactNumber, Failure> {
+pub(super) fn thickness(
+    measured: Option<&MeasuredArch>,
+    text: &str,
+) -> Result<ExactNumber, Failure> {
     let measures = measured.map(|measured| &measured.measures);
     crate::problem::thickness(text, measures).map_err(|error| {
         let lengths = match error {
@@ -67,7 +70,7 @@ pub(super) fn thickness(measured: Option<&Measured>, text: &str) -> Result<Exact
 }
 
 /// The half opening of an arch that is measured, where it follows.
-pub(super) fn half_opening(measured: Option<&Measured>) -> Option<&ExactNumber> {
+pub(super) fn half_opening(measured: Option<&MeasuredArch>) -> Option<&ExactNumber> {
     measured?.half_opening.as_ref()
 }
 
@@ -75,16 +78,16 @@ pub(super) fn half_opening(measured: Option<&Measured>) -> Option<&ExactNumber> 
 pub(super) fn quantities(
     usual: &[Quantity],
     of_measured: &[Quantity],
-    measured: Option<&Measured>,
+    measured: Option<&MeasuredArch>,
 ) -> Vec<Quantity> {
-    let Some(Measured { measures, .. }) = measured else { return usual.to_vec() };
+    let Some(MeasuredArch { measures, .. }) = measured else { return usual.to_vec() };
     let told = |of: &&Quantity| measures.has_forces() || !of.is_force();
     usual.iter().chain(of_measured.iter().filter(told)).copied().collect()
 }
 
 impl MeasureArguments {
     /// The sizes, if any is given.
-    pub(super) fn measured(&self) -> Result<Option<Measured>, Failure> {
+    pub(super) fn measured(&self) -> Result<Option<MeasuredArch>, Failure> {
         let made = self.span.as_ref().zip(self.rise.as_ref());
         let made = made.map(|(span, rise)| of_span_and_rise(span, rise));
         let (half_opening, radius) = match (made, &self.radius) {
@@ -108,6 +111,6 @@ impl MeasureArguments {
         let circle = self.measured_at.unwrap_or_default();
         let loaded = self.density.clone().zip(self.depth.clone());
         let measures = Measures::new(circle, radius, loaded);
-        Ok(Some(Measured { half_opening, measures }))
+        Ok(Some(MeasuredArch { half_opening, measures }))
     }
 }

@@ -1,7 +1,7 @@
 //! `couplet state`.
 
 use super::arch::{ArchArguments, Missing};
-use super::measures::{self, MeasureArguments, Measured};
+use super::measures::{self, MeasureArguments, MeasuredArch};
 use super::notes;
 use super::output::AnswerOutput;
 use crate::certify::state::{Balls, measured_state};
@@ -60,7 +60,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             let answer = Answer::state(line, &arch, &found)
                 .with_asymmetric(|| asymmetric_thicknesses(&arch, digits));
             match &measured {
-                Some(Measured { measures, .. }) => {
+                Some(MeasuredArch { measures, .. }) => {
                     answer.measured(measures.circle(), measured_state(&arch, measures, digits))
                 }
                 None => answer,

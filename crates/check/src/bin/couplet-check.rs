@@ -24,7 +24,7 @@ not read.
 ";
 
 /// Request that the arguments make.
-enum Asked {
+enum CheckRequest {
     Check(Vec<OsString>, Engine),
     Page(&'static str),
 }
@@ -35,8 +35,8 @@ fn main() -> ExitCode {
         Err(said) => return failed(&said, 2),
     };
     let done = match asked {
-        Asked::Check(files, engine) => check_files(&files, engine, NO_MPFR),
-        Asked::Page(page) => print(page.as_bytes()),
+        CheckRequest::Check(files, engine) => check_files(&files, engine, NO_MPFR),
+        CheckRequest::Page(page) => print(page.as_bytes()),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
@@ -52,13 +52,17 @@ fn failed(said: &str, code: u8) -> ExitCode {
 }
 
 /// Reads the arguments; else says what is wrong with them.
-fn asked(mut arguments: impl Iterator<Item = OsString>) -> Result<Asked, String> {
+fn asked(mut arguments: impl Iterator<Item = OsString>) -> Result<CheckRequest, String> {
     let (mut files, mut engine) = (Vec::new(), Engine::ASTRO);
     while let Some(argument) = arguments.next() {
         match argument.to_str() {
-            Some("-h" | "--help") => return Ok(Asked::Page(HELP)),
+            Some("-h" | "--help") => return Ok(CheckRequest::Page(HELP)),
             Some("-V" | "--version") => {
-                return Ok(Asked::Page(concat!("couplet-check ", env!("CARGO_PKG_VERSION"), "\n")));
+                return Ok(CheckRequest::Page(concat!(
+                    "couplet-check ",
+                    env!("CARGO_PKG_VERSION"),
+                    "\n"
+                )));
             }
             Some("--") => files.extend(arguments.by_ref()),
             Some("--engine") => engine = named(arguments.next().as_ref().and_then(|x| x.to_str()))?,
@@ -73,7 +77,7 @@ fn asked(mut arguments: impl Iterator<Item = OsString>) -> Result<Asked, String>
     }
     match files.is_empty() {
         true => Err("<FILE>... is missing; usage: couplet-check [--engine ENGINE] FILE...".into()),
-        false => Ok(Asked::Check(files, engine)),
+        false => Ok(CheckRequest::Check(files, engine)),
     }
 }
 
@@ -87,13 +91,13 @@ fn named(name: Option<&str>) -> Result<Engine, String> {
 mod tests {
     use super::*;
 
-    fn read(words: &[&str]) -> Result<Asked, String> {
+    fn read(words: &[&str]) -> Result<CheckRequest, String> {
         asked(words.iter().map(OsString::from))
     }
 
     fn files(words: &[&str]) -> Vec<OsString> {
         match read(words) {
-            Ok(Asked::Check(files, _)) => files,
+            Ok(CheckRequest::Check(files, _)) => files,
             _ => panic!("{words:?}"),
         }
     }
@@ -109,7 +113,9 @@ mod tests {
     #[test]
     fn pages_need_no_file() {
         for (word, start) in [("-h", "Check certificates: "), ("--version", "couplet-check ")] {
-            assert!(matches!(read(&[word, "a"]), Ok(Asked::Page(page)) if page.starts_with(start)));
+            assert!(
+                matches!(read(&[word, "a"]), Ok(CheckRequest::Page(page)) if page.starts_with(start))
+            );
         }
     }
 

@@ -19,11 +19,11 @@ pub const MAY_MOVE: &str = "friction without dilatancy may let such an arch move
 pub const LOOK: &str = "couplet complementarity";
 
 /// A half opening (rad), and the least and the largest friction there.
-type Node = [f64; 3];
+type RegionNode = [f64; 3];
 
 /// Nodes from `couplet map --asymmetric` and `couplet map --curve srr/ss,rrr/srr`, rounded outward by 0.0005
 /// to 0.006 of the friction; straight lines between.
-const MILANKOVITCH: &[Node] = &[
+const MILANKOVITCH: &[RegionNode] = &[
     [2.2, 0.87, 0.875],
     [2.225, 0.906, 0.938],
     [2.247, 0.938, 1.001],
@@ -34,7 +34,7 @@ const MILANKOVITCH: &[Node] = &[
     [2.4325, 1.28, 1.285],
 ];
 /// Nodes of the region for Heyman's weight.
-const HEYMAN: &[Node] = &[
+const HEYMAN: &[RegionNode] = &[
     [2.19, 0.857, 0.862],
     [2.22, 0.898, 0.936],
     [2.247, 0.938, 1.011],

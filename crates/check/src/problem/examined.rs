@@ -11,11 +11,11 @@ pub struct Examined<'a, E> {
     weight: SelfWeight,
     mode: Mode,
     at: &'a Configuration<E>,
-    mechanism: OnceCell<Mechanism<E>>,
+    mechanism: OnceCell<ExaminedMechanism<E>>,
 }
 
 /// The rates of the collapse mechanism, and its weight `W` as a linear function of the thrust.
-struct Mechanism<E> {
+struct ExaminedMechanism<E> {
     rates: Rates<E>,
     weight: E,
     slope: E,
@@ -28,7 +28,7 @@ impl<'a, E: Enclosure> Examined<'a, E> {
         Self { weight, mode, at, mechanism: OnceCell::new() }
     }
 
-    fn mechanism(&self) -> &Mechanism<E> {
+    fn mechanism(&self) -> &ExaminedMechanism<E> {
         self.mechanism.get_or_init(|| {
             let at = self.at;
             let rates = match self.mode {
@@ -38,14 +38,14 @@ impl<'a, E: Enclosure> Examined<'a, E> {
             };
             let weight = contact::weight_term(&rates, at);
             let slope = contact::thrust_coefficient(&rates, at);
-            Mechanism { rates, weight, slope }
+            ExaminedMechanism { rates, weight, slope }
         })
     }
 
     /// Condition of the thinnest arch at the largest thrust that the shoulder bears: nothing more than at
     /// none if the weight of the mechanism grows with the thrust.
     fn at_largest_thrust(&self, margin: impl Fn(E) -> E) -> E {
-        let Mechanism { weight, slope, .. } = self.mechanism();
+        let ExaminedMechanism { weight, slope, .. } = self.mechanism();
         match slope.is_positive() {
             Ternary::True => slope.clone(),
             _ => {

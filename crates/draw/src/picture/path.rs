@@ -14,10 +14,10 @@ pub type Point = (f64, f64);
 
 /// A chain of straight lines and cubic Bézier curves, in one piece or several.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Path(Vec<Step>);
+pub struct Path(Vec<PathStep>);
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Step {
+enum PathStep {
     Move(Point),
     Line(Point),
     Curve(Point, Point, Point),
@@ -29,7 +29,7 @@ impl Path {
     pub fn through(points: impl IntoIterator<Item = Point>) -> Self {
         let mut path = Self::default();
         for (k, point) in points.into_iter().enumerate() {
-            path.0.push(if k == 0 { Step::Move(point) } else { Step::Line(point) });
+            path.0.push(if k == 0 { PathStep::Move(point) } else { PathStep::Line(point) });
         }
         path
     }
@@ -48,17 +48,17 @@ impl Path {
 
     /// Begins a piece.
     pub fn start(&mut self, at: Point) {
-        self.0.push(Step::Move(at));
+        self.0.push(PathStep::Move(at));
     }
 
     /// Goes on straight.
     pub fn line(&mut self, to: Point) {
-        self.0.push(Step::Line(to));
+        self.0.push(PathStep::Line(to));
     }
 
     /// Goes on along a cubic Bézier curve.
     pub fn curve(&mut self, first_handle: Point, second_handle: Point, to: Point) {
-        self.0.push(Step::Curve(first_handle, second_handle, to));
+        self.0.push(PathStep::Curve(first_handle, second_handle, to));
     }
 
     /// Goes on along a circle, from one angle to another, both clockwise from upwards: it has to be at the first.
@@ -78,7 +78,7 @@ impl Path {
 
     /// Ends a piece where it began.
     pub fn close(&mut self) {
-        self.0.push(Step::Close);
+        self.0.push(PathStep::Close);
     }
 }
 
@@ -88,10 +88,10 @@ impl fmt::Display for Path {
         let pair = |(x, y): Point| format!("{} {}", Short(x), Short(y));
         for step in &self.0 {
             match *step {
-                Step::Move(to) => write!(f, "M{}", pair(to))?,
-                Step::Line(to) => write!(f, "L{}", pair(to))?,
-                Step::Curve(a, b, to) => write!(f, "C{} {} {}", pair(a), pair(b), pair(to))?,
-                Step::Close => f.write_str("Z")?,
+                PathStep::Move(to) => write!(f, "M{}", pair(to))?,
+                PathStep::Line(to) => write!(f, "L{}", pair(to))?,
+                PathStep::Curve(a, b, to) => write!(f, "C{} {} {}", pair(a), pair(b), pair(to))?,
+                PathStep::Close => f.write_str("Z")?,
             }
         }
         Ok(())
@@ -125,7 +125,7 @@ mod tests {
         path.arc((3.0, 4.0), 3.0, [0.0, 2.0]);
         let (mut at, mut pieces) = ((3.0, 1.0), 0);
         for step in &path.0[1..] {
-            let Step::Curve(a, b, to) = *step else { panic!("{step:?}") };
+            let PathStep::Curve(a, b, to) = *step else { panic!("{step:?}") };
             for k in 0..=10 {
                 let (t, u) = (f64::from(k) / 10.0, 1.0 - f64::from(k) / 10.0);
                 let mix = |p: f64, a: f64, b: f64, q: f64| {

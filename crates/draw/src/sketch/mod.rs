@@ -36,4 +36,4 @@ pub use moved::{Block, Moved, moved};
 pub use picture::picture;
 pub use scale::Scale;
 pub use view::CROWN;
-pub use view::{Lines, View};
+pub use view::{ArchView, Lines};

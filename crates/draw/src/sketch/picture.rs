@@ -1,14 +1,14 @@
 //! An arch alone, as a picture: what a page shows beside words of its own.
 
 use super::scale::Scale;
-use super::view::View;
+use super::view::ArchView;
 use crate::picture::Svg;
 
 /// Around the arch.
 const MARGIN: f64 = 14.0;
 
 /// The arch as SVG, `width` units wide and at most as high, with words for those who do not see it.
-pub fn picture(view: &View, width: f64, title: &str) -> String {
+pub fn picture(view: &ArchView, width: f64, title: &str) -> String {
     let [left, right, low, high] = view.extent();
     let room = width - 2.0 * MARGIN;
     let radius = room / (right - left).max(high - low);

@@ -10,7 +10,7 @@ use crate::picture::{Path, Svg};
 
 /// An arch in doubles, in units of `r`.
 #[derive(Clone, Debug)]
-pub struct View<'a> {
+pub struct ArchView<'a> {
     /// The half opening, rad.
     pub half_opening: f64,
     /// Radii of the intrados and the extrados.
@@ -45,7 +45,7 @@ pub struct Lines<'a> {
 /// A joint nearer to the crown than this part of the half arch is the crown.
 pub const CROWN: f64 = 1e-6;
 
-impl View<'_> {
+impl ArchView<'_> {
     /// The halves that are drawn.
     fn sides(&self) -> &'static [f64] {
         if self.half { &[1.0] } else { &[1.0, -1.0] }

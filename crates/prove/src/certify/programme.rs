@@ -40,10 +40,10 @@ use crate::arch::mechanism::Contact;
 use crate::number::{DoubleBall, Enclosure, ExactNumber, Field};
 use crate::problem::{Arch, Extent};
 use crate::prover::arithmetic::Arithmetic;
-use crate::prover::vector::{Line, Vector, at, cross, dot, parts};
+use crate::prover::vector::{ForceLine, Vector, at, cross, dot, parts};
 use crate::prover::{Error, Refused, Undecided};
-use crate::solve::rates::{Rates, least_cost};
-use conditions::{Limit, conditions, follows};
+use crate::solve::rates::{PositiveRates, least_cost};
+use conditions::{MovingLimit, conditions, follows};
 
 mod conditions;
 
@@ -82,22 +82,22 @@ pub fn programme(
     if !arch.is_limited() {
         return Err(Undecided::new("whether a joint opens without friction to limit it").into());
     }
-    let all = Search::new(conditions(arch, thickness, (number, extent)), extent);
+    let all = RateSearch::new(conditions(arch, thickness, (number, extent)), extent);
     Ok(all.least()?)
 }
 
 /// The conditions, and their motions as columns of the programme of the rates.
-struct Search {
-    all: Vec<Limit>,
+struct RateSearch {
+    all: Vec<MovingLimit>,
     columns: Vec<[f64; 4]>,
     /// Flags of the conditions that follow from another one.
     follows: Vec<bool>,
     /// Condition that a state of a half arch satisfies beside them: `v = 0`.
-    plane: Option<Limit>,
+    plane: Option<MovingLimit>,
 }
 
 /// Stretch that two conditions leave to all others on the line where they are zero.
-enum Stretch {
+enum FreeStretch {
     Empty,
     /// The two may be parallel.
     Parallel,
@@ -105,17 +105,17 @@ enum Stretch {
     Ends(Vec<Vector>, bool),
 }
 
-impl Search {
-    fn new(all: Vec<Limit>, extent: Extent) -> Self {
-        let column = |limit: &Limit| {
+impl RateSearch {
+    fn new(all: Vec<MovingLimit>, extent: Extent) -> Self {
+        let column = |limit: &MovingLimit| {
             let [a, b, c] = limit.motion.map(|x| x.mid());
             [a, b, c, 1.0]
         };
         let row = [0.0, 0.0, 1.0, 0.0].map(DoubleBall::exact);
-        let plane = Limit { contact: Contact::Inwards, joint: 0, row, motion: [row[0]; 3] };
+        let plane = MovingLimit { contact: Contact::Inwards, joint: 0, row, motion: [row[0]; 3] };
         let plane = (extent == Extent::Half).then_some(plane);
         let columns = all.iter().map(column).collect();
-        let follows = |of: &Limit| all.iter().any(|other| follows(of, other));
+        let follows = |of: &MovingLimit| all.iter().any(|other| follows(of, other));
         let follows = all.iter().map(follows).collect();
         Self { columns, follows, all, plane }
     }
@@ -125,12 +125,12 @@ impl Search {
         let mut parallel = Vec::new();
         for pair in self.pairs() {
             let (ends, admissible) = match self.stretch(pair)? {
-                Stretch::Empty => continue,
-                Stretch::Parallel => {
+                FreeStretch::Empty => continue,
+                FreeStretch::Parallel => {
                     parallel.push(pair);
                     continue;
                 }
-                Stretch::Ends(ends, admissible) => (ends, admissible),
+                FreeStretch::Ends(ends, admissible) => (ends, admissible),
             };
             for end in &ends {
                 let (lower, best) = self.bound(end)?;
@@ -171,7 +171,7 @@ impl Search {
 
     /// The admissible state in which a joint, given by its conditions, bears nothing. In a half arch only the crown
     /// may, whose slips are one condition.
-    fn state_without(&self, joint: &[Limit]) -> Option<Vector> {
+    fn state_without(&self, joint: &[MovingLimit]) -> Option<Vector> {
         let [hinge, _, slip, other] = joint else { return None };
         let last = match &self.plane {
             None => other,
@@ -205,10 +205,10 @@ impl Search {
     }
 
     /// Stretch that the conditions leave of the line where two of them are zero.
-    fn stretch(&self, [i, j]: [usize; 2]) -> Result<Stretch, Undecided> {
+    fn stretch(&self, [i, j]: [usize; 2]) -> Result<FreeStretch, Undecided> {
         let at = |place| self.all.get(place).or(self.plane.as_ref());
-        let (Some(a), Some(b)) = (at(i), at(j)) else { return Ok(Stretch::Empty) };
-        let Some(line) = Line::of(&a.row, &b.row) else { return Ok(Stretch::Parallel) };
+        let (Some(a), Some(b)) = (at(i), at(j)) else { return Ok(FreeStretch::Empty) };
+        let Some(line) = ForceLine::of(&a.row, &b.row) else { return Ok(FreeStretch::Parallel) };
         let (mut least, mut most): (Option<DoubleBall>, Option<DoubleBall>) = (None, None);
         let (mut is_whole, mut is_open) = (true, false);
         let others = self.all.iter().enumerate();
@@ -224,7 +224,7 @@ impl Search {
                 least = Some(least.map_or(bound, |least| -lesser(-least, -bound)));
             } else if slope.mid() == 0.0 && slope.rad() == 0.0 {
                 if value.is_positive().is_proved() {
-                    return Ok(Stretch::Empty);
+                    return Ok(FreeStretch::Empty);
                 }
                 is_whole &= (-value).is_positive().is_proved();
             } else {
@@ -233,7 +233,7 @@ impl Search {
             if let (Some(least), Some(most)) = (&least, &most)
                 && most.is_less_than(least).is_proved()
             {
-                return Ok(Stretch::Empty);
+                return Ok(FreeStretch::Empty);
             }
         }
         if let (Some(least), Some(most)) = (&least, &most) {
@@ -249,11 +249,11 @@ impl Search {
         if ends.is_empty() {
             return Err(Undecided::new("whether a line is admissible as a whole"));
         }
-        Ok(Stretch::Ends(ends, is_whole))
+        Ok(FreeStretch::Ends(ends, is_whole))
     }
 
     /// A lower bound of the value for all rates, for forces in a box; and the rates that made it.
-    fn bound(&self, forces: &Vector) -> Result<(f64, Rates), Undecided> {
+    fn bound(&self, forces: &Vector) -> Result<(f64, PositiveRates), Undecided> {
         let costs: Vec<DoubleBall> = self.all.iter().map(|other| -at(&other.row, forces)).collect();
         let middles: Vec<f64> = costs.iter().map(DoubleBall::mid).collect();
         let best = least_cost(&self.columns, &middles);
@@ -269,7 +269,7 @@ impl Search {
 
     /// An upper bound of the value at admissible forces, with rates that fit, one more than there are equations;
     /// `None` where they are not proved to be positive.
-    fn value(&self, forces: &Vector, best: &Rates) -> Option<f64> {
+    fn value(&self, forces: &Vector, best: &PositiveRates) -> Option<f64> {
         let columns = &best.moving;
         if let [a, b] = columns[..] {
             return self.value_of_opposites([&self.all[a], &self.all[b]], forces);
@@ -302,7 +302,7 @@ impl Search {
     }
 
     /// An upper bound with the two slips of a joint alone, whose motions are opposite: equal rates fit.
-    fn value_of_opposites(&self, [a, b]: [&Limit; 2], forces: &Vector) -> Option<f64> {
+    fn value_of_opposites(&self, [a, b]: [&MovingLimit; 2], forces: &Vector) -> Option<f64> {
         let are_slips = !a.contact.is_hinge() && !b.contact.is_hinge();
         let are_opposite = are_slips && a.joint == b.joint && a.contact != b.contact;
         let sum = at(&a.row, forces) + at(&b.row, forces);

@@ -21,7 +21,7 @@ use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Jet, bits_of};
 use crate::problem::{Arch, Joints, Slope};
 use crate::prover::positive::is_positive_on;
 use crate::prover::{Figure, Refused, Undecided, raise};
-use crate::solve::tilt::{Search, TiltCandidate, Touch, contacts};
+use crate::solve::tilt::{TiltCandidate, TiltSearch, TiltTouch, contacts};
 use rug::Float;
 use std::cell::OnceCell;
 
@@ -64,10 +64,10 @@ impl TiltDigits {
     pub(super) fn found(
         (first, digits): (u32, usize),
         tilt: &Slope,
-        largest: impl Fn(u32) -> Result<Option<Bound>, Undecided>,
+        largest: impl Fn(u32) -> Result<Option<TiltBound>, Undecided>,
         told: impl Fn(u32) -> Option<bool>,
     ) -> Self {
-        let compare = |found: &Option<Bound>, bits| {
+        let compare = |found: &Option<TiltBound>, bits| {
             compared(found.as_ref().map(|(largest, _)| largest), tilt, bits)
         };
         let mut decided = None;
@@ -116,14 +116,14 @@ pub fn tilted(
     let hopeless = OnceCell::new();
     let largest = |bits| match hopeless.get() {
         Some(open) => Err(Undecided::clone(open)),
-        None => Proof::new(arch, thickness, bits).largest().inspect_err(|open| {
+        None => TiltProof::new(arch, thickness, bits).largest().inspect_err(|open| {
             if open.reason == UNBOUNDED {
                 hopeless.get_or_init(|| open.clone());
             }
         }),
     };
     // A state well inside tells by itself that there is one, whatever of the largest stays open.
-    let told = |bits| Proof::new(arch, thickness, bits).has_state(tilt).then_some(true);
+    let told = |bits| TiltProof::new(arch, thickness, bits).has_state(tilt).then_some(true);
     Ok(TiltDigits::found((first, digits), tilt, largest, told))
 }
 
@@ -142,7 +142,7 @@ pub(super) fn acceleration(tilt: &Slope, bits: u32) -> Ball {
 }
 
 /// An arch in balls of some bits.
-struct Proof {
+struct TiltProof {
     half_opening: Ball,
     joints: Joints<Ball>,
     is_limited: bool,
@@ -150,15 +150,15 @@ struct Proof {
 }
 
 /// Numbers `h, p, v, k`, and the weight that goes with them: none for a direction.
-struct Line<'a> {
+struct TiltedLine<'a> {
     unknowns: &'a [Ball; 4],
     weight: &'a Ball,
 }
 
 /// The largest acceleration, and the conditions that limit it.
-pub(super) type Bound = (Ball, Vec<TiltLimit>);
+pub(super) type TiltBound = (Ball, Vec<TiltLimit>);
 
-impl Proof {
+impl TiltProof {
     fn new(arch: &Arch, thickness: &ExactNumber, bits: u32) -> Self {
         let half_opening = arch.half_opening().enclosure(bits);
         let grip = arch.friction().grip(bits);
@@ -166,9 +166,9 @@ impl Proof {
         Self { half_opening, joints, is_limited: arch.is_limited(), bits }
     }
 
-    fn search(&self) -> Search {
+    fn search(&self) -> TiltSearch {
         let mid = |x: &Ball| Float::with_val(self.bits, x.mid());
-        Search::new(mid(&self.half_opening), self.joints.map(mid), self.is_limited, self.bits)
+        TiltSearch::new(mid(&self.half_opening), self.joints.map(mid), self.is_limited, self.bits)
     }
 
     /// Tells whether the state at an acceleration that is farthest from all conditions satisfies them.
@@ -177,11 +177,11 @@ impl Proof {
         let Some(state) = self.search().inside_at(tilt.mid().to_f64()) else { return false };
         let [h, p, v, _] = state.map(|x| Ball::exact(Float::with_val(self.bits, x), self.bits));
         let (weight, unknowns) = (h.int(1), [h, p, v, tilt]);
-        self.is_admissible(&Line { unknowns: &unknowns, weight: &weight }).is_ok()
+        self.is_admissible(&TiltedLine { unknowns: &unknowns, weight: &weight }).is_ok()
     }
 
     /// The largest acceleration, between two bounds; `None` if there is none.
-    fn largest(&self) -> Result<Option<Bound>, Undecided> {
+    fn largest(&self) -> Result<Option<TiltBound>, Undecided> {
         match self.search().candidate() {
             TiltCandidate::Nothing => Err(Undecided::new(NOT_FOUND)),
             TiltCandidate::Unlimited => self.unlimited().map(|()| None),
@@ -198,7 +198,7 @@ impl Proof {
 
     /// A bound from above. A line that touches at fewer joints than are needed: one of them becomes two beside it,
     /// the first with which there is a bound. Two hinges at an intrados that is one point are not.
-    fn bound_above(&self, touches: &[Touch]) -> Result<Bound, Undecided> {
+    fn bound_above(&self, touches: &[TiltTouch]) -> Result<TiltBound, Undecided> {
         let is_pinned = touches.iter().any(|touch| touch.contact.is_hinge());
         let kept: &[usize] = if is_pinned { &[0, 1, 2] } else { &[0, 2] };
         let inside = || touches.iter().filter(|touch| touch.is_inside);
@@ -207,7 +207,7 @@ impl Proof {
             self.bound_by(&self.apart(touches, in_turn, kept.len() + 1), kept)
         });
         let bound = found.ok_or_else(|| Undecided::new("a bound of the acceleration"))?;
-        let limit = |touch: &Touch| TiltLimit {
+        let limit = |touch: &TiltTouch| TiltLimit {
             contact: touch.contact,
             is_springing: !touch.is_inside,
             is_right: touch.joint > 0,
@@ -219,17 +219,17 @@ impl Proof {
     /// Lists so many touches, with those of some joints, in turn, at two joints beside them.
     fn apart<'a>(
         &self,
-        touches: &[Touch],
-        joints: impl Iterator<Item = &'a Touch>,
+        touches: &[TiltTouch],
+        joints: impl Iterator<Item = &'a TiltTouch>,
         count: usize,
-    ) -> Vec<Touch> {
+    ) -> Vec<TiltTouch> {
         let mut apart = touches.to_vec();
         let offset = Float::with_val(self.bits, 1) >> (self.bits / 4);
         for touch in joints {
             if apart.len() >= count {
                 break;
             }
-            let beside = |joint| Touch { joint, ..touch.clone() };
+            let beside = |joint| TiltTouch { joint, ..touch.clone() };
             let at = apart.iter().position(|other| other.joint == touch.joint).unwrap_or(0);
             apart[at] = beside(Float::with_val(self.bits, &touch.joint - &offset));
             apart.push(beside(Float::with_val(self.bits, &touch.joint + &offset)));
@@ -239,9 +239,9 @@ impl Proof {
 
     /// The bound that conditions at some joints leave, if their multipliers are positive and nothing is left of the
     /// numbers kept.
-    fn bound_by(&self, apart: &[Touch], kept: &[usize]) -> Option<Ball> {
+    fn bound_by(&self, apart: &[TiltTouch], kept: &[usize]) -> Option<Ball> {
         // A joint beyond the springings is none of the arch.
-        let is_of_arch = |touch: &Touch| {
+        let is_of_arch = |touch: &TiltTouch| {
             let size = Ball::exact(touch.joint.clone().abs(), self.bits);
             !touch.is_inside || (self.half_opening.clone() - size).is_positive().is_proved()
         };
@@ -268,7 +268,7 @@ impl Proof {
         is_bound.then(|| -sum(&|row| row.load.clone()) / slope)
     }
 
-    fn row(&self, touch: &Touch) -> TiltedRow<Ball> {
+    fn row(&self, touch: &TiltTouch) -> TiltedRow<Ball> {
         let joint = match (touch.is_inside, touch.joint > 0) {
             (true, _) => Ball::exact(touch.joint.clone(), self.bits),
             (false, true) => self.half_opening.clone(),
@@ -286,7 +286,7 @@ impl Proof {
         };
         let unknowns: [Ball; 4] = std::array::from_fn(mix);
         let weight = Ball::integer(1, self.bits);
-        self.is_admissible(&Line { unknowns: &unknowns, weight: &weight })?;
+        self.is_admissible(&TiltedLine { unknowns: &unknowns, weight: &weight })?;
         let [.., tilt] = unknowns;
         Ok(tilt)
     }
@@ -302,14 +302,14 @@ impl Proof {
         let zero = moment.int(0);
         let holds = |k: i64| {
             let unknowns = [zero.int(1), moment.clone(), zero.clone(), zero.int(1).scaled(-k)];
-            self.is_admissible(&Line { unknowns: &unknowns, weight: &zero })
+            self.is_admissible(&TiltedLine { unknowns: &unknowns, weight: &zero })
         };
         let found = (3..30).step_by(3).find_map(|k| holds(k).ok());
         found.ok_or_else(|| Undecided::new(UNBOUNDED))
     }
 
     /// Checks that all margins are positive on the whole arch.
-    fn is_admissible(&self, line: &Line<'_>) -> Result<(), Undecided> {
+    fn is_admissible(&self, line: &TiltedLine<'_>) -> Result<(), Undecided> {
         let most = self.half_opening.upper();
         contacts(self.is_limited).iter().try_for_each(|contact| {
             let margin = |joint: &Ball| self.margin(*contact, joint, line);
@@ -318,7 +318,7 @@ impl Proof {
     }
 
     /// A margin as a series along the arch.
-    fn margin(&self, contact: Contact, joint: &Ball, line: &Line<'_>) -> Jet<Ball> {
+    fn margin(&self, contact: Contact, joint: &Ball, line: &TiltedLine<'_>) -> Jet<Ball> {
         let constant = |x: &Ball| Jet::constant(x.clone(), 2);
         let row = self.joints.constant(2).tilted(contact, &along(&Angle::new(joint.clone())));
         -row.at(&line.unknowns.each_ref().map(constant), &constant(line.weight))

@@ -12,7 +12,7 @@
 //!
 //! What it means is said in [`tilted`](super::tilted): with friction an admissible state does not exclude a motion.
 
-use super::tilt::{Bound, NOT_FOUND, TiltDigits, TiltLimit, acceleration, determinant, rates};
+use super::tilt::{NOT_FOUND, TiltBound, TiltDigits, TiltLimit, acceleration, determinant, rates};
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
 use crate::arch::tilt::TiltedRow;
@@ -132,7 +132,7 @@ fn conditions(arch: &Arch, stones: &Stones, thickness: &ExactNumber, bits: u32) 
 }
 
 /// The largest acceleration with the conditions that leave it; `None` if there is none.
-fn largest_of(all: &[StoneLimit], bits: u32) -> Result<Option<Bound>, Undecided> {
+fn largest_of(all: &[StoneLimit], bits: u32) -> Result<Option<TiltBound>, Undecided> {
     match largest(&in_doubles(all)) {
         StoneTilt::Nothing => Err(Undecided::new(NOT_FOUND)),
         StoneTilt::Unlimited(direction) => unlimited(all, &direction, bits).map(|()| None),
@@ -146,7 +146,7 @@ fn limited(
     active: &[usize],
     moment: f64,
     bits: u32,
-) -> Result<Bound, Undecided> {
+) -> Result<TiltBound, Undecided> {
     let open = || Undecided::new(NOT_FOUND);
     let of: Vec<&StoneLimit> = active.iter().filter_map(|place| all.get(*place)).collect();
     let is_pinned = of.iter().any(|condition| condition.contact.is_hinge());

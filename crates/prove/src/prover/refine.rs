@@ -4,7 +4,7 @@
 //! its cosine. So each level of the ladder evaluates them **once**, at a short argument:
 //!
 //! 1. the root to a hundredth of the bits, or a little more, comes from the level below, the first bits by [`short`];
-//! 2. it becomes the [`Anchor`] of each angle: sine and cosine to full precision there;
+//! 2. it becomes the [`SineAnchor`] of each angle: sine and cosine to full precision there;
 //! 3. Newton steps triple the bits, two with one Jacobian, up to a third, sine and cosine moved along from the
 //!    anchor, which moves too when the root is known better;
 //! 4. the Jacobian is taken once more; with that each further step gains a third, at the
@@ -27,7 +27,7 @@ use super::linear::Eliminated;
 use super::{Isolated, Undecided, short};
 use crate::arch::{Configuration, Unknown};
 use crate::check::krawczyk;
-use crate::number::{Anchor, Angle, Ball, Enclosure, Magnitude, arctangent};
+use crate::number::{Angle, Ball, Enclosure, Magnitude, SineAnchor, arctangent};
 use crate::problem::{Fixed, System, tally};
 use rayon::prelude::*;
 use rug::Float;
@@ -98,7 +98,7 @@ pub fn refine_watched(
         (0..stages(&system)).for_each(|_| tick());
         return Ok(Refined { system, at, friction_angle: OnceLock::new() });
     }
-    refine_by(isolated, bits, tick, |bits| Level::new(isolated, bits, tick))
+    refine_by(isolated, bits, tick, |bits| LadderLevel::new(isolated, bits, tick))
 }
 
 /// Refines the root by a ladder that is given: where it leads astray, Newton's method at all bits is asked.
@@ -106,14 +106,14 @@ fn refine_by(
     isolated: &Isolated,
     bits: u32,
     tick: &(dyn Fn() + Sync),
-    ladder: impl Fn(u32) -> Result<Level, Undecided>,
+    ladder: impl Fn(u32) -> Result<LadderLevel, Undecided>,
 ) -> Result<Refined, Undecided> {
     let bits = bits.max(FLOOR);
     tally::working_bits(bits + GUARD);
-    let prove = |level: Level| level.enclose(isolated);
+    let prove = |level: LadderLevel| level.enclose(isolated);
     let at = ladder(bits)
         .and_then(prove)
-        .or_else(|_: Undecided| Level::plain(isolated, bits).and_then(prove))?;
+        .or_else(|_: Undecided| LadderLevel::plain(isolated, bits).and_then(prove))?;
     tick();
     Ok(Refined { system: *isolated.system(), at, friction_angle: OnceLock::new() })
 }
@@ -147,10 +147,10 @@ fn climb(start: u32, goal: u32) -> Vec<u32> {
 }
 
 /// One level of the ladder.
-struct Level {
+struct LadderLevel {
     system: System,
     bits: u32,
-    anchors: Vec<Option<Anchor>>,
+    anchors: Vec<Option<SineAnchor>>,
     centre: Vec<Float>,
     /// The bits to which the centre was known when the Jacobian was taken: what a step with it gains.
     step: u32,
@@ -159,7 +159,7 @@ struct Level {
     jacobian: Eliminated,
 }
 
-impl Level {
+impl LadderLevel {
     /// Everything but the last step: the centre is known to all bits but those of one step.
     fn new(isolated: &Isolated, bits: u32, tick: &(dyn Fn() + Sync)) -> Result<Self, Undecided> {
         let near = anchor_bits(bits);
@@ -170,15 +170,15 @@ impl Level {
         let mut centre = approximate(isolated, step)?;
         let anchor = |index: usize| {
             isolated.system().unknowns[index].is_angle().then(|| {
-                let anchor = Anchor::new(&Float::with_val(near, &centre[index]), bits);
+                let anchor = SineAnchor::new(&Float::with_val(near, &centre[index]), bits);
                 tick();
                 anchor
             })
         };
-        let mut anchors: Vec<Option<Anchor>> = match bits < WORTH_THREADS {
+        let mut anchors: Vec<Option<SineAnchor>> = match bits < WORTH_THREADS {
             true => (0..centre.len()).map(anchor).collect(),
             false => {
-                Anchor::prepare(bits);
+                SineAnchor::prepare(bits);
                 (0..centre.len()).into_par_iter().map(anchor).collect()
             }
         };
@@ -218,7 +218,7 @@ impl Level {
     fn at(
         isolated: &Isolated,
         centre: Vec<Float>,
-        anchors: Vec<Option<Anchor>>,
+        anchors: Vec<Option<SineAnchor>>,
         step: u32,
         bits: u32,
     ) -> Result<Self, Undecided> {
@@ -280,7 +280,7 @@ impl Level {
 /// Values with their angles, moved from the anchors, at a precision.
 fn place(
     system: &System,
-    anchors: &[Option<Anchor>],
+    anchors: &[Option<SineAnchor>],
     values: &[Ball],
     bits: u32,
 ) -> Configuration<Ball> {
@@ -313,7 +313,7 @@ fn approximate(isolated: &Isolated, bits: u32) -> Result<Vec<Float>, Undecided> 
             None => newton(isolated, bits),
         };
     }
-    let level = Level::new(isolated, bits, &|| ())?;
+    let level = LadderLevel::new(isolated, bits, &|| ())?;
     let (_, corrections) = level.corrections(level.bits);
     let corrected = level.centre.iter().zip(corrections);
     Ok(corrected.map(|(x, dx)| Float::with_val(bits, x - dx.mid())).collect())

@@ -149,7 +149,7 @@ impl Approach {
         &self,
         x: Vec<ShortBall<N>>,
         angles: &[Option<Angle<Ball>>],
-    ) -> Point<N> {
+    ) -> ShortPoint<N> {
         let centre = self.centre_in::<N>().into_iter().zip(&x);
         let angle =
             |(angle, (centre, x)): (&Option<Angle<Ball>>, (ShortBall<N>, &ShortBall<N>))| {
@@ -158,11 +158,11 @@ impl Approach {
                 Some(moved(&from, &(*x - centre)))
             };
         let angles = angles.iter().zip(centre).map(angle).collect();
-        Point { x, angles }
+        ShortPoint { x, angles }
     }
 
     /// Steps without a proof, until one more has `bits` bits. Any point near by will do, so that radii are left away.
-    fn climb<const N: usize>(&self, point: &mut Point<N>, mut known: u32, bits: u32) -> u32 {
+    fn climb<const N: usize>(&self, point: &mut ShortPoint<N>, mut known: u32, bits: u32) -> u32 {
         while known + self.gain < bits {
             let (steps, _) = self.steps(&self.place(point), known);
             point.advance(steps.iter().map(|step| ShortBall::of(step, known).midpoint()));
@@ -171,7 +171,7 @@ impl Approach {
         known
     }
 
-    fn place<const N: usize>(&self, at: &Point<N>) -> Configuration<ShortBall<N>> {
+    fn place<const N: usize>(&self, at: &ShortPoint<N>) -> Configuration<ShortBall<N>> {
         let given = Configuration::zero(&at.x[0]);
         self.system.place_with(given, &at.x, |index, rad| {
             at.angles[index].clone().unwrap_or_else(|| Angle::zero(rad))
@@ -229,12 +229,12 @@ impl Approach {
 }
 
 /// Values of the unknowns, and those that are angles with sine and cosine.
-struct Point<const N: usize> {
+struct ShortPoint<const N: usize> {
     x: Vec<ShortBall<N>>,
     angles: Vec<Option<Angle<ShortBall<N>>>>,
 }
 
-impl<const N: usize> Point<N> {
+impl<const N: usize> ShortPoint<N> {
     fn advance(&mut self, steps: impl Iterator<Item = ShortBall<N>>) {
         for ((x, angle), step) in self.x.iter_mut().zip(&mut self.angles).zip(steps) {
             *x = *x + step;

@@ -4,7 +4,7 @@ use crate::number::{DoubleBall, Enclosure};
 
 pub(crate) type Vector = [DoubleBall; 3];
 /// Coefficients of `h, p, v` and one in a condition.
-pub(crate) type Row = [DoubleBall; 4];
+pub(crate) type ForceRow = [DoubleBall; 4];
 
 pub(crate) fn dot(a: &Vector, b: &Vector) -> DoubleBall {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
@@ -16,26 +16,26 @@ pub(crate) fn cross(a: &Vector, b: &Vector) -> Vector {
 }
 
 /// Coefficients of the forces, and the part that is free of them.
-pub(crate) fn parts(row: &Row) -> (Vector, DoubleBall) {
+pub(crate) fn parts(row: &ForceRow) -> (Vector, DoubleBall) {
     let [h, p, v, load] = *row;
     ([h, p, v], load)
 }
 
 /// The left side of a condition at some forces.
-pub(crate) fn at(row: &Row, forces: &Vector) -> DoubleBall {
+pub(crate) fn at(row: &ForceRow, forces: &Vector) -> DoubleBall {
     let (row, load) = parts(row);
     dot(&row, forces) + load
 }
 
 /// Forces `place + along t`.
-pub(crate) struct Line {
+pub(crate) struct ForceLine {
     place: Vector,
     along: Vector,
 }
 
-impl Line {
+impl ForceLine {
     /// The forces at which two conditions are zero; `None` if their rows may be parallel.
-    pub(crate) fn of(one: &Row, other: &Row) -> Option<Self> {
+    pub(crate) fn of(one: &ForceRow, other: &ForceRow) -> Option<Self> {
         let ((a, load_a), (b, load_b)) = (parts(one), parts(other));
         let along = cross(&a, &b);
         let size = dot(&along, &along);
@@ -48,7 +48,7 @@ impl Line {
     }
 
     /// A condition on the line: what is free of `t`, and what multiplies it.
-    pub(crate) fn value(&self, row: &Row) -> [DoubleBall; 2] {
+    pub(crate) fn value(&self, row: &ForceRow) -> [DoubleBall; 2] {
         [at(row, &self.place), dot(&parts(row).0, &self.along)]
     }
 
@@ -68,7 +68,7 @@ mod tests {
         let row = |entries: [f64; 4]| entries.map(|entry| DoubleBall::new(entry, 1e-9));
         let [a, b, c] =
             [[3.0, -1.0, 2.0, 0.7], [1.0, 4.0, -2.0, -5.0], [1.0, 4.0, -2.0, 5.0]].map(row);
-        let line = Line::of(&a, &b).unwrap();
+        let line = ForceLine::of(&a, &b).unwrap();
         for of in [&a, &b] {
             let [value, slope] = line.value(of);
             assert!(!value.excludes_zero() && !slope.excludes_zero());
@@ -77,7 +77,7 @@ mod tests {
         let [value, slope] = line.value(&c);
         assert!(value.excludes_zero() && !slope.excludes_zero(), "false twin");
         let nearly = row([1.0 + 1e-10, 4.0, -2.0, 5.0]);
-        assert!(Line::of(&b, &c).is_none() && Line::of(&b, &nearly).is_none());
-        assert!(Line::of(&b, &row([1.01, 4.0, -2.0, 5.0])).is_some());
+        assert!(ForceLine::of(&b, &c).is_none() && ForceLine::of(&b, &nearly).is_none());
+        assert!(ForceLine::of(&b, &row([1.01, 4.0, -2.0, 5.0])).is_some());
     }
 }

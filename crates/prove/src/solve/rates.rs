@@ -4,7 +4,7 @@ use super::programme::{HalfSpace, Optimum, largest_last};
 
 /// The prices of the equations, and the columns whose rates are positive.
 #[derive(Clone, Debug)]
-pub struct Rates {
+pub struct PositiveRates {
     /// One price for each equation; the last one is the least cost.
     pub prices: [f64; 4],
     /// The columns that move.
@@ -16,10 +16,10 @@ pub struct Rates {
 /// sold below its cost.
 ///
 /// Nothing is guaranteed; `None` where nothing is found.
-pub fn least_cost(columns: &[[f64; 4]], costs: &[f64]) -> Option<Rates> {
+pub fn least_cost(columns: &[[f64; 4]], costs: &[f64]) -> Option<PositiveRates> {
     let conditions = columns.iter().zip(costs).map(|(a, d)| HalfSpace { a: *a, d: *d });
     match largest_last(&conditions.collect::<Vec<_>>()) {
-        Optimum::At { unknowns, active } => Some(Rates {
+        Optimum::At { unknowns, active } => Some(PositiveRates {
             prices: unknowns,
             moving: active.into_iter().map(|(column, _)| column).collect(),
         }),

@@ -21,7 +21,7 @@ use rug::Float;
 
 /// A condition at a joint of the whole arch.
 #[derive(Clone, Debug)]
-pub struct Touch {
+pub struct TiltTouch {
     /// The condition, by its sign.
     pub contact: Contact,
     /// Angle of the joint, rad, in `[-alpha, alpha]`.
@@ -45,7 +45,7 @@ pub enum TiltCandidate {
 #[derive(Clone, Debug)]
 pub struct TiltNear {
     /// The conditions that hold with equality.
-    pub touches: Vec<Touch>,
+    pub touches: Vec<TiltTouch>,
     /// The state there, `h, p, v, k`.
     pub limit: [Float; 4],
     /// A state inside all conditions.
@@ -53,7 +53,7 @@ pub struct TiltNear {
 }
 
 /// An arch of a given thickness in numbers of some bits.
-pub struct Search {
+pub struct TiltSearch {
     half_opening: Float,
     joints: Joints<Float>,
     /// The conditions that are asked at each joint.
@@ -71,7 +71,7 @@ pub fn contacts(is_limited: bool) -> &'static [Contact] {
     if is_limited { &Contact::ALL } else { &Contact::ALL[..3] }
 }
 
-impl Search {
+impl TiltSearch {
     /// An arch by its half opening, and what its joints share.
     pub fn new(half_opening: Float, joints: Joints<Float>, is_limited: bool, bits: u32) -> Self {
         Self { half_opening, joints, contacts: contacts(is_limited), bits }
@@ -114,7 +114,11 @@ impl Search {
     }
 
     /// The joints of the programme that hold with equality: neighbours are one.
-    fn touches(&self, places: &[(Contact, f64)], active: Vec<(usize, f64)>) -> Vec<(Touch, Float)> {
+    fn touches(
+        &self,
+        places: &[(Contact, f64)],
+        active: Vec<(usize, f64)>,
+    ) -> Vec<(TiltTouch, Float)> {
         let alpha = self.half_opening.to_f64();
         let step = 2.0 * alpha / (JOINTS - 1) as f64;
         let mut merged: Vec<(Contact, f64, f64)> = Vec::new();
@@ -139,19 +143,19 @@ impl Search {
                 false if joint > 0.0 => self.half_opening.clone(),
                 false => -self.half_opening.clone(),
             };
-            (Touch { contact, joint, is_inside }, float(rate))
+            (TiltTouch { contact, joint, is_inside }, float(rate))
         };
         merged.into_iter().map(touch).collect()
     }
 
     /// The row at a joint as a series along the arch.
-    fn series(&self, touch: &Touch) -> TiltedRow<Jet<Float>> {
+    fn series(&self, touch: &TiltTouch) -> TiltedRow<Jet<Float>> {
         let at = along(&Angle::new(touch.joint.clone()));
         self.joints.constant(2).tilted(touch.contact, &at)
     }
 
     /// Newton's method: the unknowns, with the touching joints moved.
-    fn settled(&self, start: [f64; 4], touches: &mut [(Touch, Float)]) -> [Float; 4] {
+    fn settled(&self, start: [f64; 4], touches: &mut [(TiltTouch, Float)]) -> [Float; 4] {
         let mut unknowns = start.map(|x| Float::with_val(self.bits, x));
         let is_pinned = touches.iter().any(|(touch, _)| touch.contact.is_hinge());
         // Of the unknowns: without a hinge nothing is said of p.
@@ -177,7 +181,7 @@ impl Search {
     fn step(
         &self,
         unknowns: &[Float; 4],
-        touches: &[(Touch, Float)],
+        touches: &[(TiltTouch, Float)],
         kept: &[usize],
     ) -> Option<Vec<Float>> {
         let zero = Float::with_val(self.bits, 0);

@@ -12,14 +12,14 @@ use rug::Float;
 
 /// The end of a range of thrusts that is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
+pub enum ThrustSide {
     /// The least thrust.
     Least,
     /// The largest.
     Largest,
 }
 
-impl Side {
+impl ThrustSide {
     /// Both sides.
     pub const BOTH: [Self; 2] = [Self::Least, Self::Largest];
 }
@@ -49,10 +49,10 @@ pub enum Needed {
 /// More rounds than pieces near an end.
 const ROUNDS: usize = 100;
 
-fn bounds(side: Side, row: &Row<Float>) -> bool {
+fn bounds(side: ThrustSide, row: &Row<Float>) -> bool {
     match side {
-        Side::Least => row.thrust < 0,
-        Side::Largest => row.thrust > 0,
+        ThrustSide::Least => row.thrust < 0,
+        ThrustSide::Largest => row.thrust > 0,
     }
 }
 
@@ -67,13 +67,13 @@ fn together(
 }
 
 /// An end of the range of thrusts.
-pub fn thrust_end(search: &Search<'_>, thickness: &Float, side: Side) -> ThrustEnd {
+pub fn thrust_end(search: &Search<'_>, thickness: &Float, side: ThrustSide) -> ThrustEnd {
     let (zero, last) = (Float::with_val(search.bits, 0), search.last());
     let [slip, upper, lower] = match side {
-        Side::Least => {
+        ThrustSide::Least => {
             [(Contact::Inwards, search.inner()), (Contact::Extrados, 0), (Contact::Intrados, last)]
         }
-        Side::Largest => {
+        ThrustSide::Largest => {
             [(Contact::Outwards, last), (Contact::Extrados, last), (Contact::Intrados, 0)]
         }
     };
@@ -82,8 +82,8 @@ pub fn thrust_end(search: &Search<'_>, thickness: &Float, side: Side) -> ThrustE
         let row = together(search, &contacts, thickness).filter(|row| bounds(side, row));
         let Some(thrust) = row.map(|row| row.bound()) else { continue };
         let is_tighter = at.as_ref().is_none_or(|(best, _)| match side {
-            Side::Least => thrust > *best,
-            Side::Largest => thrust < *best,
+            ThrustSide::Least => thrust > *best,
+            ThrustSide::Largest => thrust < *best,
         });
         if is_tighter {
             at = Some((thrust, contacts));
@@ -101,8 +101,8 @@ pub fn thrust_end(search: &Search<'_>, thickness: &Float, side: Side) -> ThrustE
         }
         if !bounds(side, &row) {
             return ThrustEnd::Contradiction(match side {
-                Side::Least => [contacts, pair],
-                Side::Largest => [pair, contacts],
+                ThrustSide::Least => [contacts, pair],
+                ThrustSide::Largest => [pair, contacts],
             });
         }
         thrust = row.bound();

@@ -10,11 +10,11 @@ use std::borrow::Cow;
 
 /// Named fields in their order.
 #[derive(Debug, Default)]
-pub(crate) struct Fields(Vec<(Cow<'static, str>, Field)>);
+pub(crate) struct Fields(Vec<(Cow<'static, str>, FieldValue)>);
 
 #[derive(Debug, Serialize)]
 #[serde(untagged)]
-enum Field {
+enum FieldValue {
     Value(Json),
     Raw(Box<RawValue>),
     Fields(Fields),
@@ -24,12 +24,13 @@ enum Field {
 impl Fields {
     /// Adds a field; nothing is `null`.
     pub(crate) fn add(&mut self, name: &'static str, value: impl Into<Json>) {
-        self.0.push((name.into(), Field::Value(value.into())));
+        self.0.push((name.into(), FieldValue::Value(value.into())));
     }
 
     /// Adds an object, or `null`.
     pub(crate) fn add_fields(&mut self, name: &'static str, fields: Option<Fields>) {
-        self.0.push((name.into(), fields.map_or(Field::Value(Json::Null), Field::Fields)));
+        self.0
+            .push((name.into(), fields.map_or(FieldValue::Value(Json::Null), FieldValue::Fields)));
     }
 
     /// Adds an object of objects, in the order of their names.
@@ -40,13 +41,13 @@ impl Fields {
     ) {
         let mut all: Vec<_> = all.into_iter().collect();
         all.sort_by_key(|(name, _)| *name);
-        let all = all.into_iter().map(|(name, fields)| (name.into(), Field::Fields(fields)));
+        let all = all.into_iter().map(|(name, fields)| (name.into(), FieldValue::Fields(fields)));
         self.add_fields(name, Some(Self(all.collect())));
     }
 
     /// Adds a list of objects.
     pub(crate) fn add_list(&mut self, name: &'static str, list: impl IntoIterator<Item = Fields>) {
-        self.0.push((name.into(), Field::List(list.into_iter().collect())));
+        self.0.push((name.into(), FieldValue::List(list.into_iter().collect())));
     }
 
     /// Adds a figure with its bounds, or `null`.
@@ -76,11 +77,11 @@ impl Fields {
 
     /// Adds what is handed on under a name from outside.
     pub(crate) fn keep(&mut self, name: &str, kept: &Kept) {
-        let text = || Field::Value(kept.text().into());
+        let text = || FieldValue::Value(kept.text().into());
         let field = match kept {
             Kept::Text(_) => text(),
             Kept::Json(json) => {
-                RawValue::from_string(json.clone()).map_or_else(|_| text(), Field::Raw)
+                RawValue::from_string(json.clone()).map_or_else(|_| text(), FieldValue::Raw)
             }
         };
         self.0.push((name.to_owned().into(), field));
@@ -103,7 +104,7 @@ impl Fields {
     }
 }
 
-impl Field {
+impl FieldValue {
     /// The field in a cell: of a value with bounds the value, of texts all; `null` and other lists are empty.
     fn text(&self) -> String {
         match self {
@@ -121,7 +122,12 @@ impl Field {
 
 impl FromIterator<(&'static str, Json)> for Fields {
     fn from_iter<I: IntoIterator<Item = (&'static str, Json)>>(fields: I) -> Self {
-        Self(fields.into_iter().map(|(name, value)| (name.into(), Field::Value(value))).collect())
+        Self(
+            fields
+                .into_iter()
+                .map(|(name, value)| (name.into(), FieldValue::Value(value)))
+                .collect(),
+        )
     }
 }
 

@@ -28,7 +28,7 @@ pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
         Scope::Arches | Scope::Mixed => {
             let quantities = report.quantities.iter().map(|quantity| quantity.name()).collect();
             let (schema, digits) = ("couplet.arches/2", report.digits);
-            write(&ArchesFile { schema, digits, quantities, arches: Entries(report) }, out)
+            write(&ArchesFile { schema, digits, quantities, arches: ArchEntries(report) }, out)
         }
     }
 }
@@ -87,13 +87,13 @@ struct ArchesFile<'a> {
     schema: &'static str,
     digits: usize,
     quantities: Vec<&'static str>,
-    arches: Entries<'a>,
+    arches: ArchEntries<'a>,
 }
 
 /// The entries of the arches, made one after the other.
-struct Entries<'a>(&'a Answers);
+struct ArchEntries<'a>(&'a Answers);
 
-impl Serialize for Entries<'_> {
+impl Serialize for ArchEntries<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_seq(self.0.list.iter().map(|answer| entry(self.0, answer, false)))
     }

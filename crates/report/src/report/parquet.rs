@@ -21,12 +21,12 @@ use ::parquet::file::properties::WriterProperties;
 use ::parquet::file::writer::SerializedFileWriter;
 use ::parquet::schema::parser::parse_message_type;
 use ::parquet::schema::types::Type;
-use Column::*;
+use AnswerColumn::*;
 use std::io;
 use std::sync::Arc;
 
 /// Way to find the cells of a column; each may be null.
-enum Column {
+enum AnswerColumn {
     Text(for<'a> fn(&'a ValueRow<'a>) -> Option<&'a str>),
     Double(fn(&ValueRow) -> Option<f64>),
     Integer(fn(&ValueRow) -> Option<u64>),
@@ -36,7 +36,7 @@ enum Column {
 /// The columns. `double` is the nearest to the true value, the doubles after it bound that value and its
 /// error; `half_opening`, `friction` and `thickness` are the texts of the query in `line`, with the doubles
 /// nearest to them.
-const COLUMNS: [(&str, Column); 25] = [
+const COLUMNS: [(&str, AnswerColumn); 25] = [
     ("line", Integer(|row| row.answer.subject.line())),
     ("weight", Text(|row| row.answer.subject.weight().map(|weight| weight.name()))),
     ("landmark", Text(|row| row.answer.subject.landmark().map(|landmark| landmark.symbol()))),
@@ -206,7 +206,7 @@ struct ValueRow<'a> {
 }
 
 /// An arch as it was asked about.
-struct Query<'a> {
+struct AskedArch<'a> {
     half_opening: Option<&'a str>,
     friction: Option<&'a str>,
     thickness: Option<&'a str>,
@@ -231,18 +231,18 @@ impl<'a> ValueRow<'a> {
         self.answer.kept.iter().find(|(of, _)| of == name).map(|(_, kept)| kept.text())
     }
 
-    fn query(&self) -> Option<Query<'_>> {
+    fn query(&self) -> Option<AskedArch<'_>> {
         match &self.answer.subject {
             Subject::Arch { half_opening, friction, thickness, doubles, .. } => {
                 let (half_opening, friction) = (Some(&half_opening[..]), Some(&friction[..]));
                 let (thickness, doubles) = (thickness.as_deref(), *doubles);
-                Some(Query { half_opening, friction, thickness, doubles })
+                Some(AskedArch { half_opening, friction, thickness, doubles })
             }
             Subject::Sought { half_opening, friction, thickness, .. } => {
                 let given = [half_opening, friction, thickness].map(|text| text.as_deref());
                 let ([half_opening, friction, thickness], doubles) =
                     (given, GivenDoubles::default());
-                Some(Query { half_opening, friction, thickness, doubles })
+                Some(AskedArch { half_opening, friction, thickness, doubles })
             }
             Subject::Landmark { .. } | Subject::Query { .. } => None,
         }

@@ -64,7 +64,7 @@ impl Room {
 
 /// A panel, ready to be drawn.
 pub(super) struct Drawn<'a> {
-    lines: Vec<Trace<'a>>,
+    lines: Vec<LineRuns<'a>>,
     x: Ruler,
     y: Ruler,
     title: Vec<String>,
@@ -75,7 +75,7 @@ pub(super) struct Drawn<'a> {
 }
 
 /// A line as unbroken runs of places: on the axes, then on the canvas.
-struct Trace<'a> {
+struct LineRuns<'a> {
     line: &'a Line,
     ink: Ink,
     runs: Vec<Vec<Point>>,
@@ -84,10 +84,10 @@ struct Trace<'a> {
 impl<'a> Drawn<'a> {
     /// Chooses the axes and measures the texts; the letter stands before the title.
     pub(super) fn new(panel: &'a Panel, letter: Option<&str>, inks: &Inks) -> Self {
-        let lines: Vec<Trace> = panel
+        let lines: Vec<LineRuns> = panel
             .lines
             .iter()
-            .map(|line| Trace { line, ink: inks.of(line), runs: runs(panel, line) })
+            .map(|line| LineRuns { line, ink: inks.of(line), runs: runs(panel, line) })
             .collect();
         let named = lines.iter().filter(|trace| trace.line.is_named()).count();
         let frame = FRAME.1.max(named as f64 * NAME_HEIGHT);
@@ -136,14 +136,14 @@ impl<'a> Drawn<'a> {
             |&(x, y): &Point| (left + self.x.share(x) * FRAME.0, bottom - self.y.share(y) * height);
         self.axes(svg, [left, right], [top, bottom]);
 
-        let traces: Vec<Trace> = self.lines.iter().map(|trace| trace.map(at)).collect();
-        let named: Vec<&Trace> = traces.iter().filter(|trace| trace.line.is_named()).collect();
+        let traces: Vec<LineRuns> = self.lines.iter().map(|trace| trace.map(at)).collect();
+        let named: Vec<&LineRuns> = traces.iter().filter(|trace| trace.line.is_named()).collect();
         let names = names(&named, [top, bottom]);
         for (trace, name) in named.iter().zip(&names) {
             leader(svg, trace.end(), (right, *name));
         }
         // References and spreads below the measured, the bold above.
-        let mut order: Vec<&Trace> = traces.iter().collect();
+        let mut order: Vec<&LineRuns> = traces.iter().collect();
         order.sort_by_key(|trace| match trace.line.kind {
             Kind::Reference => 0,
             Kind::Spread => 1,
@@ -217,8 +217,8 @@ impl<'a> Drawn<'a> {
 
 /// The heights of the names: each at the end of its line, or as near as the others allow; those of
 /// lines without a point last.
-fn names(traces: &[&Trace], [top, bottom]: [f64; 2]) -> Vec<f64> {
-    let key = |trace: &Trace| {
+fn names(traces: &[&LineRuns], [top, bottom]: [f64; 2]) -> Vec<f64> {
+    let key = |trace: &LineRuns| {
         let points = || trace.runs.iter().flatten();
         // Where lines end together, that one first which was above the other.
         let mean = points().map(|p| p.1).sum::<f64>() / points().count().max(1) as f64;
@@ -237,7 +237,7 @@ fn names(traces: &[&Trace], [top, bottom]: [f64; 2]) -> Vec<f64> {
     names
 }
 
-impl Trace<'_> {
+impl LineRuns<'_> {
     /// Trace with its places elsewhere.
     fn map(&self, at: impl Fn(&(f64, f64)) -> (f64, f64)) -> Self {
         let runs = self.runs.iter().map(|run| run.iter().map(&at).collect()).collect();

@@ -28,7 +28,7 @@ pub use rational::rational_like;
 pub use rounded::{Rounded, bits_of, terminating};
 pub use rounded_double::{nearest_double, rounded_double};
 pub use short_ball::ShortBall;
-pub use sine::{Anchor, arctangent};
+pub use sine::{SineAnchor, arctangent};
 pub use surd::Surd;
 
 use super::{Angle, Decimal, Enclosure, ExactField, Field, Real, Ternary};

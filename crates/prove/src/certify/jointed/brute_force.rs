@@ -10,18 +10,18 @@ use crate::number::{Angle, DoubleBall};
 use crate::problem::Arch;
 
 /// An arch in doubles, by joints of the whole arch.
-struct Doubles {
+struct ArchInDoubles {
     weight: SelfWeight,
     alpha: f64,
     mu: f64,
     stones: i32,
 }
 
-type Rows = Vec<([f64; 4], [f64; 3])>;
+type ConditionRows = Vec<([f64; 4], [f64; 3])>;
 
-impl Doubles {
+impl ArchInDoubles {
     /// The rows of all conditions with their motions.
-    fn rows(&self, eta: f64) -> Rows {
+    fn rows(&self, eta: f64) -> ConditionRows {
         let (ring, grip) = (Ring::new(self.weight, &eta), Grip { shear: 1.0, normal: self.mu });
         let joints = (-self.stones..=self.stones).step_by(2);
         let at = |k: i32| Angle::new(self.alpha * f64::from(k) / f64::from(self.stones));
@@ -58,7 +58,7 @@ fn determinant<const N: usize>(mut rows: [[f64; N]; N]) -> f64 {
 }
 
 /// Tells whether conditions are zero together at an admissible state and have rates that fit.
-fn is_solution(rows: &Rows, of: &[usize; 4]) -> bool {
+fn is_solution(rows: &ConditionRows, of: &[usize; 4]) -> bool {
     let triples = [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]].map(|t| t.map(|k| of[k]));
     let whole = |t: &[usize; 3]| determinant(t.map(|k| [rows[k].0[0], rows[k].0[1], rows[k].0[2]]));
     let largest =
@@ -89,9 +89,9 @@ fn is_solution(rows: &Rows, of: &[usize; 4]) -> bool {
 
 /// All thicknesses with a solution whose four conditions are zero together, by looking at all sets of four: where
 /// their determinant changes its sign on a grid.
-fn by_brute_force(of: &Doubles) -> Vec<f64> {
+fn by_brute_force(of: &ArchInDoubles) -> Vec<f64> {
     let grid: Vec<f64> = (1..=80).map(|k| f64::from(k) / 40.0 + 1e-4).collect();
-    let rows: Vec<Rows> = grid.iter().map(|eta| of.rows(*eta)).collect();
+    let rows: Vec<ConditionRows> = grid.iter().map(|eta| of.rows(*eta)).collect();
     let count = rows[0].len();
     let mut all: Vec<f64> = Vec::new();
     // Opposite slips of a joint are no motion.
@@ -133,7 +133,7 @@ fn by_brute_force(of: &Doubles) -> Vec<f64> {
 /// Both ways find the same thicknesses, so many.
 fn compare((weight, alpha, mu, stones, count): (&str, &str, &str, i32, usize)) {
     let arch = Arch::parse(weight, alpha, mu).unwrap();
-    let of = Doubles {
+    let of = ArchInDoubles {
         weight: arch.weight(),
         alpha: arch.half_opening().enclosure::<DoubleBall>(53).mid(),
         mu: mu.parse().unwrap(),

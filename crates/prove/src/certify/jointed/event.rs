@@ -7,27 +7,27 @@
 
 use super::conditions::Conditions;
 use super::polynomial::Polynomial;
-use super::vertex::{Piece, Start, Vertex};
+use super::vertex::{SweepStart, ThicknessPiece, Vertex};
 use crate::number::{DoubleBall, Enclosure, Field};
 
 /// A solution that is alone on a piece.
 #[derive(Clone, Debug)]
 pub(super) struct Event {
-    pub kind: Kind,
+    pub kind: EventKind,
     /// Piece on which it lies.
-    pub piece: Piece,
+    pub piece: ThicknessPiece,
 }
 
 /// Quantity that is zero there.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Kind {
+pub(super) enum EventKind {
     /// One condition more than fix the forces: the first ones, and that one.
     Statics(Vec<usize>, usize),
     /// The determinant of three motions, of which the rates follow from these equations.
     Motion([usize; 3], [usize; 2]),
 }
 
-impl Kind {
+impl EventKind {
     /// The conditions that are zero.
     pub(super) fn conditions(&self) -> Vec<usize> {
         let mut all = match self {
@@ -45,13 +45,15 @@ const MARGIN: f64 = 0.25;
 /// The solution on a piece or next to it, if it can be proved, and that there is no other one for this vertex.
 pub(super) fn event(
     vertex: &mut Vertex<'_>,
-    piece: &Piece,
-    range: Piece,
-    start: Option<&Start>,
+    piece: &ThicknessPiece,
+    range: ThicknessPiece,
+    start: Option<&SweepStart>,
 ) -> Option<Event> {
     let room = MARGIN * (piece.high - piece.low);
-    let piece =
-        Piece { low: (piece.low - room).max(range.low), high: (piece.high + room).min(range.high) };
+    let piece = ThicknessPiece {
+        low: (piece.low - room).max(range.low),
+        high: (piece.high + room).min(range.high),
+    };
     if start.is_some_and(|start| piece.low == start.below) || !vertex.is_regular(&piece) {
         return None;
     }
@@ -65,7 +67,7 @@ pub(super) fn event(
 }
 
 /// Tells whether a polynomial is zero exactly once on a piece.
-fn is_once_zero(polynomial: &Polynomial<DoubleBall>, piece: &Piece) -> bool {
+fn is_once_zero(polynomial: &Polynomial<DoubleBall>, piece: &ThicknessPiece) -> bool {
     let [low, high] = [piece.low, piece.high].map(|x| polynomial.at(&DoubleBall::exact(x)));
     polynomial.derivative().on(&piece.ball()).excludes_zero()
         && low.excludes_zero()
@@ -74,7 +76,7 @@ fn is_once_zero(polynomial: &Polynomial<DoubleBall>, piece: &Piece) -> bool {
 }
 
 /// Tells whether all rates have the same sign on a piece.
-fn have_one_sign(rates: &[Polynomial<DoubleBall>], piece: &Piece) -> bool {
+fn have_one_sign(rates: &[Polynomial<DoubleBall>], piece: &ThicknessPiece) -> bool {
     let ball = piece.ball();
     let all = |sign: i32| {
         rates.iter().all(|rate| (ball.int(sign) * rate.on(&ball)).is_positive().is_proved())
@@ -82,17 +84,17 @@ fn have_one_sign(rates: &[Polynomial<DoubleBall>], piece: &Piece) -> bool {
     all(1) || all(-1)
 }
 
-fn statics(vertex: &Vertex<'_>, other: usize, piece: &Piece) -> Option<Kind> {
+fn statics(vertex: &Vertex<'_>, other: usize, piece: &ThicknessPiece) -> Option<EventKind> {
     let mut all = vertex.of.clone();
     all.push(other);
     let rates = vertex.conditions().rates(&all);
     let is_solution = is_once_zero(&vertex.value(other), piece) && have_one_sign(&rates, piece);
     // Where the other one is not zero, these alone have to do.
     let is_alone = vertex.bears_no_motion(&[], piece);
-    (is_solution && is_alone).then(|| Kind::Statics(vertex.of.clone(), other))
+    (is_solution && is_alone).then(|| EventKind::Statics(vertex.of.clone(), other))
 }
 
-fn motion(vertex: &Vertex<'_>, piece: &Piece) -> Option<Kind> {
+fn motion(vertex: &Vertex<'_>, piece: &ThicknessPiece) -> Option<EventKind> {
     let of: [usize; 3] = vertex.of.clone().try_into().ok()?;
     let conditions: &Conditions<DoubleBall> = vertex.conditions();
     if !is_once_zero(&conditions.determinant(&of), piece) {
@@ -101,7 +103,7 @@ fn motion(vertex: &Vertex<'_>, piece: &Piece) -> Option<Kind> {
     let by = [[0, 1], [0, 2], [1, 2]]
         .into_iter()
         .find(|by| have_one_sign(&conditions.rates_of_three(&of, *by), piece))?;
-    Some(Kind::Motion(of, by))
+    Some(EventKind::Motion(of, by))
 }
 
 #[cfg(test)]
@@ -123,7 +125,8 @@ mod tests {
         let places = of.iter().map(|at| conditions.place(at.0, at.1).unwrap());
         let mut places: Vec<usize> = places.collect();
         places.sort_unstable();
-        let (piece, range) = (Piece { low, high }, Piece { low: 0.52, high: 2.0 });
+        let (piece, range) =
+            (ThicknessPiece { low, high }, ThicknessPiece { low: 0.52, high: 2.0 });
         let mut vertex = Vertex::new(&conditions, places);
         let near = vertex.near(&piece, None);
         let nothing = near.is_none_or(|near| vertex.bears_no_motion(&near.others, &piece));

@@ -6,10 +6,10 @@
 //! shared by both sides.
 
 use super::conditions::Conditions;
-use super::event::Kind;
+use super::event::EventKind;
 use super::found::JointedSolution;
-use super::refine::{Digits, State, zero_near};
-use super::vertex::Start;
+use super::refine::{RefinedState, StonesInDigits, zero_near};
+use super::vertex::SweepStart;
 use crate::arch::mechanism::Contact;
 use crate::certify::voussoirs::VoussoirDigits;
 use crate::number::{Ball, DoubleBall, Enclosure, Field, bits_of};
@@ -50,7 +50,7 @@ pub(super) fn start(
     conditions: &Conditions<DoubleBall>,
     number: i32,
     state: &VoussoirDigits,
-) -> Option<Start> {
+) -> Option<SweepStart> {
     let below = state.thickness.double.next_down();
     let moving = moving(state);
     // A crown that bears nothing is at all of its limits.
@@ -62,31 +62,31 @@ pub(super) fn start(
     let mut touching: Vec<usize> = half.into_iter().chain(mirrored).collect();
     touching.sort_unstable();
     touching.dedup();
-    Some(Start { below, touching })
+    Some(SweepStart { below, touching })
 }
 
 /// Start of the search if every thickness stands, with two or three stones: at 0, where the line of thrust
 /// through the middle of all joints is a state in which all hinges are zero. So the polynomials of four of
 /// them at different joints are zero there.
-pub(super) fn start_at_zero(conditions: &Conditions<DoubleBall>) -> Start {
+pub(super) fn start_at_zero(conditions: &Conditions<DoubleBall>) -> SweepStart {
     let is_hinge = |place: &usize| conditions.all[*place].contact.is_hinge();
-    Start { below: 0.0, touching: (0..conditions.all.len()).filter(is_hinge).collect() }
+    SweepStart { below: 0.0, touching: (0..conditions.all.len()).filter(is_hinge).collect() }
 }
 
 /// The solution at the least thickness.
 pub(super) fn solution(
-    digits: &Digits<'_>,
+    digits: &StonesInDigits<'_>,
     found: &VoussoirDigits,
 ) -> Result<JointedSolution, Undecided> {
     let contacts = moving(found);
     raise(bits_of(digits.digits) + GUARD, |bits| {
-        let half = Digits { extent: Extent::Half, ..*digits };
+        let half = StonesInDigits { extent: Extent::Half, ..*digits };
         let conditions = half.conditions(bits);
         let question = || Undecided::new("which conditions are zero at the least thickness");
         let of = places(&conditions, digits.number, &contacts).ok_or_else(question)?;
         // The outer two fix the forces; the order is that of the rates.
         let outer = [of[0], of[2]];
-        let kind = Kind::Statics(outer.to_vec(), of[1]);
+        let kind = EventKind::Statics(outer.to_vec(), of[1]);
         let polynomial = conditions.value(of[1], &outer, &conditions.meeting(&outer));
         let thickness = zero_near(&polynomial, found.thickness.double, bits)?;
         // The zero next to a number is the one that is proved to be the least thickness: it is the only one between
@@ -97,7 +97,7 @@ pub(super) fn solution(
         if !polynomial.derivative().at(&around).excludes_zero() {
             return Err(question());
         }
-        let mut state = State::at(&conditions, &kind, thickness)?;
+        let mut state = RefinedState::at(&conditions, &kind, thickness)?;
         if found.mode == Mode::Overturning {
             // A crown that bears nothing: no ball tells that the thrust and its moment are zero.
             let zero = state.thickness.int(0);
@@ -119,6 +119,6 @@ pub(super) fn solution(
                 moving.extend([(right, share.clone()), (left, share)]);
             }
         }
-        Ok(digits.rounded(&whole, &State { moving, ..state }, true))
+        Ok(digits.rounded(&whole, &RefinedState { moving, ..state }, true))
     })
 }

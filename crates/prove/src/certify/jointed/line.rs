@@ -23,9 +23,9 @@
 //!   all that is said of a triple: at no thickness of the piece is it the vertex of a solution.
 
 use super::polynomial::Polynomial;
-use super::vertex::{Piece, Vertex, is_positive};
+use super::vertex::{ThicknessPiece, Vertex, is_positive};
 use crate::number::{DoubleBall, Enclosure};
-use crate::prover::vector::{Line, Row, cross, dot, parts};
+use crate::prover::vector::{ForceLine, ForceRow, cross, dot, parts};
 
 /// Parts of a stretch that are looked at, at most.
 const PARTS: usize = 200;
@@ -35,17 +35,17 @@ type OnLine = [DoubleBall; 2];
 
 /// Part of a line on which the states may be admissible.
 #[derive(Debug, PartialEq)]
-enum Stretch {
+enum LineStretch {
     /// Nowhere.
     Empty,
     /// The states may be admissible at these `t` at most.
-    Within(Piece),
+    Within(ThicknessPiece),
     /// Nothing limits the states, as far as is seen.
     Endless,
 }
 
 /// Stretch that conditions leave of a line.
-fn stretch(conditions: &[OnLine]) -> Stretch {
+fn stretch(conditions: &[OnLine]) -> LineStretch {
     let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
     for [value, slope] in conditions {
         let bound = || -*value / slope;
@@ -56,44 +56,44 @@ fn stretch(conditions: &[OnLine]) -> Stretch {
         }
     }
     match (least > most, least.is_finite() && most.is_finite()) {
-        (true, _) => Stretch::Empty,
-        (false, true) => Stretch::Within(Piece { low: least, high: most }),
-        (false, false) => Stretch::Endless,
+        (true, _) => LineStretch::Empty,
+        (false, true) => LineStretch::Within(ThicknessPiece { low: least, high: most }),
+        (false, false) => LineStretch::Endless,
     }
 }
 
 /// The line of the two conditions that are the least parallel, and the third one on it; `None` if no two are sure
 /// to leave a line.
-fn line_of(own: [Row; 3]) -> Option<(Line, OnLine)> {
+fn line_of(own: [ForceRow; 3]) -> Option<(ForceLine, OnLine)> {
     let [a, b, c] = own;
-    let size = |one: &Row, other: &Row| {
+    let size = |one: &ForceRow, other: &ForceRow| {
         let along = cross(&parts(one).0, &parts(other).0);
         dot(&along, &along).mid()
     };
     let pairs = [(a, b, c), (a, c, b), (b, c, a)];
     let (one, other, third) =
         pairs.into_iter().max_by(|x, y| size(&x.0, &x.1).total_cmp(&size(&y.0, &y.1)))?;
-    let line = Line::of(&one, &other)?;
+    let line = ForceLine::of(&one, &other)?;
     let third = line.value(&third);
     Some((line, third))
 }
 
 /// Tells whether at no thickness of a piece the three conditions are a vertex that bears a motion. `false`
 /// tells nothing.
-pub(super) fn bears_no_motion(vertex: &Vertex<'_>, piece: &Piece) -> bool {
+pub(super) fn bears_no_motion(vertex: &Vertex<'_>, piece: &ThicknessPiece) -> bool {
     let ball = piece.ball();
     let on = |row: &[Polynomial<DoubleBall>; 4]| row.each_ref().map(|entry| entry.on(&ball));
     let conditions = vertex.conditions();
-    let own: Vec<Row> = conditions.rows_of(&vertex.of).into_iter().map(on).collect();
+    let own: Vec<ForceRow> = conditions.rows_of(&vertex.of).into_iter().map(on).collect();
     let Some((line, third)) = own.try_into().ok().and_then(line_of) else { return false };
     let (places, others): (Vec<usize>, Vec<OnLine>) = (0..conditions.all.len())
         .filter(|place| !vertex.of.contains(place))
         .map(|place| (place, line.value(&on(&conditions.all[place].row))))
         .unzip();
     let mut pending = match stretch(&others) {
-        Stretch::Empty => return true,
-        Stretch::Endless => return false,
-        Stretch::Within(all) => vec![all],
+        LineStretch::Empty => return true,
+        LineStretch::Endless => return false,
+        LineStretch::Within(all) => vec![all],
     };
     for _ in 0..PARTS {
         let Some(part) = pending.pop() else { return true };
@@ -113,7 +113,10 @@ pub(super) fn bears_no_motion(vertex: &Vertex<'_>, piece: &Piece) -> bool {
         if middle <= part.low || middle >= part.high {
             return false;
         }
-        pending.extend([Piece { low: middle, ..part }, Piece { high: middle, ..part }]);
+        pending.extend([
+            ThicknessPiece { low: middle, ..part },
+            ThicknessPiece { high: middle, ..part },
+        ]);
     }
     pending.is_empty()
 }
@@ -135,23 +138,25 @@ mod tests {
         let on_line = |value: f64, slope: f64| [value, slope].map(|x| DoubleBall::new(x, 1e-6));
         // `3 t - 1 <= 0`, `t - 1 <= 0` and `-7 t - 2 <= 0`.
         let (near, far, below) = (on_line(-1.0, 3.0), on_line(-1.0, 1.0), on_line(-2.0, -7.0));
-        let Stretch::Within(Piece { low, high }) = stretch(&[far, near, below]) else { panic!() };
+        let LineStretch::Within(ThicknessPiece { low, high }) = stretch(&[far, near, below]) else {
+            panic!()
+        };
         // What the balls allow at most, but for the rounding of the test.
         let ends = [-(2.0 + 1e-6) / (7.0 - 1e-6), (1.0 + 1e-6) / (3.0 - 1e-6)];
         assert!((0.0..1e-6).contains(&(ends[0] + 1e-12 - low)), "{low}");
         assert!((0.0..1e-6).contains(&(high - ends[1] + 1e-12)), "{high}");
-        assert_eq!(stretch(&[near]), Stretch::Endless);
-        assert_eq!(stretch(&[near, on_line(-2.0, 1e-7)]), Stretch::Endless);
+        assert_eq!(stretch(&[near]), LineStretch::Endless);
+        assert_eq!(stretch(&[near, on_line(-2.0, 1e-7)]), LineStretch::Endless);
         // `t >= 1/2` leaves nothing, and `t >= 1/3` what the balls cannot tell from it.
-        assert_eq!(stretch(&[near, on_line(1.0, -2.0)]), Stretch::Empty);
-        assert!(matches!(stretch(&[near, on_line(1.0, -3.0)]), Stretch::Within(_)));
+        assert_eq!(stretch(&[near, on_line(1.0, -2.0)]), LineStretch::Empty);
+        assert!(matches!(stretch(&[near, on_line(1.0, -3.0)]), LineStretch::Within(_)));
     }
 
     /// Tells whether a triple may be dependent next to a thickness, and whether it is proved to bear no motion.
     fn told(conditions: &Conditions<DoubleBall>, mut of: Vec<usize>, eta: f64) -> [bool; 2] {
         of.sort_unstable();
         let vertex = Vertex::new(conditions, of);
-        let piece = Piece { low: eta - 1e-6, high: eta + 1e-6 };
+        let piece = ThicknessPiece { low: eta - 1e-6, high: eta + 1e-6 };
         [vertex.may_be_dependent(&piece), bears_no_motion(&vertex, &piece)]
     }
 

@@ -45,9 +45,9 @@ use crate::problem::stones::Stones;
 use crate::problem::{Arch, Extent};
 use conditions::Conditions;
 use event::Event;
-use refine::Digits;
+use refine::StonesInDigits;
 use sweep::sweep;
-use vertex::Piece;
+use vertex::ThicknessPiece;
 
 /// More stones are refused: the cost grows with the cube of their number.
 pub const MOST_ENUMERATED_STONES: u64 = 60;
@@ -86,8 +86,8 @@ pub fn enumerate(
         None => Some(least::start_at_zero(&conditions)),
     };
     let low = state.as_ref().map_or(0.0, |state| state.thickness.double.next_down());
-    let swept = sweep(&conditions, Piece { low, high: 2.0 }, start.as_ref());
-    let of = Digits { arch, stones: &equal, number, extent, digits };
+    let swept = sweep(&conditions, ThicknessPiece { low, high: 2.0 }, start.as_ref());
+    let of = StonesInDigits { arch, stones: &equal, number, extent, digits };
     let least: Option<Result<JointedSolution, Undecided>> =
         state.as_ref().map(|state| least::solution(&of, state));
     let others = alone(&conditions, swept.events).into_iter().map(|event| of.of(&event));
@@ -113,7 +113,7 @@ pub fn least_solution(
     digits: usize,
 ) -> Result<LeastSolution, Error> {
     let (equal, number, found) = standing((arch, stones, MOST_JOINTED_STONES), digits)?;
-    let of = Digits { arch, stones: &equal, number, extent, digits };
+    let of = StonesInDigits { arch, stones: &equal, number, extent, digits };
     Ok(match found {
         Voussoirs::Stands(state) => LeastSolution::At(Box::new(least::solution(&of, &state)?)),
         Voussoirs::AnyThickness => LeastSolution::Always,
@@ -151,10 +151,10 @@ fn alone(conditions: &Conditions<DoubleBall>, mut events: Vec<Event>) -> Vec<Eve
 }
 
 /// Pieces as few intervals.
-fn joined(mut pieces: Vec<Piece>) -> Vec<[f64; 2]> {
+fn joined(mut pieces: Vec<ThicknessPiece>) -> Vec<[f64; 2]> {
     pieces.sort_by(|a, b| a.low.total_cmp(&b.low));
     let mut all: Vec<[f64; 2]> = Vec::new();
-    for Piece { low, high } in pieces {
+    for ThicknessPiece { low, high } in pieces {
         match all.last_mut() {
             Some(last) if low <= last[1] => last[1] = last[1].max(high),
             _ => all.push([low, high]),
@@ -248,7 +248,7 @@ mod tests {
                 assert!(all.first_open().is_none(), "{alpha} {mu} {extent:?}: {:?}", all.open);
             }
             let conditions = Conditions::new(&arch, stones as i32, Extent::Whole, BITS);
-            let range = Piece { low: 0.0, high: 2.0 };
+            let range = ThicknessPiece { low: 0.0, high: 2.0 };
             let open = joined(sweep(&conditions, range, None).open);
             let is_open = open.first().is_some_and(|first| first[0] == 0.0);
             assert_eq!(is_open, stones == 3, "{alpha} {mu}: {open:?}");

@@ -1,7 +1,7 @@
 //! The digits of a solution that is alone on its piece.
 
 use super::conditions::Conditions;
-use super::event::{Event, Kind};
+use super::event::{Event, EventKind};
 use super::found::{JointedMotion, JointedSolution};
 use super::polynomial::Polynomial;
 use crate::arch::mechanism::Contact;
@@ -15,7 +15,7 @@ use rug::{Float, Rational};
 
 /// An arch of equal stones, in as many digits as are asked for.
 #[derive(Clone, Copy)]
-pub(super) struct Digits<'a> {
+pub(super) struct StonesInDigits<'a> {
     pub arch: &'a Arch,
     pub stones: &'a Stones,
     pub number: i32,
@@ -27,7 +27,7 @@ pub(super) struct Digits<'a> {
 const GUARD: u32 = 64;
 
 /// A thickness with its forces, and the conditions with their rates.
-pub(super) struct State {
+pub(super) struct RefinedState {
     pub thickness: Ball,
     /// `h, p, v`.
     pub forces: [Ball; 3],
@@ -38,21 +38,23 @@ fn open(question: &'static str) -> Undecided {
     Undecided::new(question)
 }
 
-impl State {
+impl RefinedState {
     /// The state of a solution at its thickness, with positive rates. The hinges of one face turn by as much as
     /// those of the other: by one together, or without hinges all rates add up to one.
     pub(super) fn at(
         conditions: &Conditions<Ball>,
-        kind: &Kind,
+        kind: &EventKind,
         thickness: Ball,
     ) -> Result<Self, Undecided> {
         let (of, places, rates) = match kind {
-            Kind::Statics(of, other) => {
+            EventKind::Statics(of, other) => {
                 let places: Vec<usize> = of.iter().copied().chain([*other]).collect();
                 let rates = conditions.rates(&places);
                 (of.clone(), places, rates)
             }
-            Kind::Motion(of, by) => (of.to_vec(), of.to_vec(), conditions.rates_of_three(of, *by)),
+            EventKind::Motion(of, by) => {
+                (of.to_vec(), of.to_vec(), conditions.rates_of_three(of, *by))
+            }
         };
         let rates: Vec<Ball> = rates.iter().map(|rate| rate.at(&thickness)).collect();
         let contact = |place: &usize| conditions.all[*place].contact;
@@ -71,7 +73,7 @@ impl State {
     }
 }
 
-impl Digits<'_> {
+impl StonesInDigits<'_> {
     /// The conditions in balls.
     pub(super) fn conditions(&self, bits: u32) -> Conditions<Ball> {
         Conditions::new(self.arch, self.number, self.extent, bits)
@@ -82,15 +84,17 @@ impl Digits<'_> {
         raise(bits_of(self.digits) + GUARD, |bits| {
             let conditions = self.conditions(bits);
             let polynomial = match &event.kind {
-                Kind::Statics(of, other) => conditions.value(*other, of, &conditions.meeting(of)),
-                Kind::Motion(of, _) => conditions.determinant(of),
+                EventKind::Statics(of, other) => {
+                    conditions.value(*other, of, &conditions.meeting(of))
+                }
+                EventKind::Motion(of, _) => conditions.determinant(of),
             };
             let thickness = zero_near(&polynomial, event.piece.middle(), bits)?;
             let [low, high] = [event.piece.low, event.piece.high].map(|x| Float::with_val(64, x));
             if thickness.lower() < low || thickness.upper() > high {
                 return Err(open("which zero of the conditions it is"));
             }
-            let mut state = State::at(&conditions, &event.kind, thickness)?;
+            let mut state = RefinedState::at(&conditions, &event.kind, thickness)?;
             // Of two mirror images the one with a positive vertical force.
             if (-state.forces[2].clone()).is_positive().is_proved() {
                 for (place, _) in &mut state.moving {
@@ -106,7 +110,7 @@ impl Digits<'_> {
     pub(super) fn rounded(
         &self,
         conditions: &Conditions<Ball>,
-        state: &State,
+        state: &RefinedState,
         is_symmetric: bool,
     ) -> Option<JointedSolution> {
         let figure = |x: &Ball| Figure::new(x, self.digits);

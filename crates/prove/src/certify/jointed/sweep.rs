@@ -6,7 +6,7 @@
 use super::conditions::Conditions;
 use super::event::{Event, event};
 use super::line;
-use super::vertex::{Passed, Piece, Start, Vertex, in_doubles};
+use super::vertex::{Passed, SweepStart, ThicknessPiece, Vertex, in_doubles};
 use crate::number::DoubleBall;
 use rayon::prelude::*;
 
@@ -16,7 +16,7 @@ pub(super) struct Swept {
     /// Solutions, each alone on its piece.
     pub events: Vec<Event>,
     /// Pieces on which nothing is proved.
-    pub open: Vec<Piece>,
+    pub open: Vec<ThicknessPiece>,
     /// Number of triples.
     pub triples: u64,
     /// Number of pieces that were looked at.
@@ -48,8 +48,8 @@ impl Swept {
 /// Looks at all triples of conditions of the whole arch, or pairs of the half, on a range of thicknesses.
 pub(super) fn sweep(
     conditions: &Conditions<DoubleBall>,
-    range: Piece,
-    start: Option<&Start>,
+    range: ThicknessPiece,
+    start: Option<&SweepStart>,
 ) -> Swept {
     let rows = in_doubles(conditions);
     let count = conditions.all.len();
@@ -77,8 +77,8 @@ pub(super) fn sweep(
 
 fn one(
     mut vertex: Vertex<'_>,
-    range: Piece,
-    start: Option<&Start>,
+    range: ThicknessPiece,
+    start: Option<&SweepStart>,
     rows: &[[[f64; 3]; 4]],
 ) -> Swept {
     let mut found = Swept { triples: 1, ..Swept::default() };
@@ -114,8 +114,8 @@ fn one(
             found.open.push(piece);
             continue;
         }
-        pending.push((Piece { low: middle, ..piece }, depth + 1));
-        pending.push((Piece { high: middle, ..piece }, depth + 1));
+        pending.push((ThicknessPiece { low: middle, ..piece }, depth + 1));
+        pending.push((ThicknessPiece { high: middle, ..piece }, depth + 1));
     }
     found
 }

@@ -23,12 +23,12 @@ use crate::solve::rates::parting;
 
 /// A piece of thicknesses.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Piece {
+pub(super) struct ThicknessPiece {
     pub low: f64,
     pub high: f64,
 }
 
-impl Piece {
+impl ThicknessPiece {
     /// A ball that holds it.
     pub(super) fn ball(&self) -> DoubleBall {
         let [low, high] = [self.low, self.high].map(DoubleBall::exact);
@@ -52,14 +52,14 @@ pub(super) struct Near {
 
 /// Exact zeros where the range begins: at the least thickness, or at 0.
 #[derive(Clone, Debug)]
-pub(super) struct Start {
+pub(super) struct SweepStart {
     /// A double below the least thickness and next to it; or 0.
     pub below: f64,
     /// Conditions that are all zero in the state there.
     pub touching: Vec<usize>,
 }
 
-impl Start {
+impl SweepStart {
     /// Tells whether the polynomial of a condition, at the state of others, is zero where the range begins.
     /// At 0 both faces are one line, and both hinges of a joint one condition, which is left out with the
     /// factor `eta`: it is said of different joints alone.
@@ -106,7 +106,11 @@ impl<'a> Vertex<'a> {
     }
 
     /// Tells whether a single condition shows that the triple is no vertex on a piece; a guess says which.
-    pub(super) fn is_passed_by_one(&self, piece: &Piece, rows: &[[[f64; 3]; 4]]) -> Passed {
+    pub(super) fn is_passed_by_one(
+        &self,
+        piece: &ThicknessPiece,
+        rows: &[[[f64; 3]; 4]],
+    ) -> Passed {
         let ball = piece.ball();
         let [mut plus, mut minus] = self.signs(&ball);
         let x = piece.middle();
@@ -142,7 +146,11 @@ impl<'a> Vertex<'a> {
     ///
     /// Where its conditions and another one are all zero at the least thickness, a slope with a sign gives that
     /// other one this sign on the rest of the piece.
-    pub(super) fn near(&mut self, piece: &Piece, start: Option<&Start>) -> Option<Near> {
+    pub(super) fn near(
+        &mut self,
+        piece: &ThicknessPiece,
+        start: Option<&SweepStart>,
+    ) -> Option<Near> {
         if self.values.is_empty() {
             let value = |place| self.conditions.value(place, &self.of, &self.meeting);
             self.values = (0..self.conditions.all.len()).map(value).collect();
@@ -179,7 +187,7 @@ impl<'a> Vertex<'a> {
     /// which moves with its axis.
     ///
     /// Motions of hinges are the rows of their conditions: those of a vertex are independent.
-    pub(super) fn bears_no_motion(&self, others: &[usize], piece: &Piece) -> bool {
+    pub(super) fn bears_no_motion(&self, others: &[usize], piece: &ThicknessPiece) -> bool {
         let is_hinge = |place: &usize| self.conditions.all[*place].contact.is_hinge();
         if others.is_empty() && self.of.iter().all(is_hinge) {
             return true;
@@ -190,7 +198,7 @@ impl<'a> Vertex<'a> {
         self.are_parted(&all, piece)
     }
 
-    fn are_parted(&self, places: &[usize], piece: &Piece) -> bool {
+    fn are_parted(&self, places: &[usize], piece: &ThicknessPiece) -> bool {
         let is_opposite = |place: &&usize| {
             let of = |place: usize| (self.conditions.all[place].contact, place / 4);
             let (contact, joint) = of(**place);
@@ -232,13 +240,13 @@ impl<'a> Vertex<'a> {
     }
 
     /// Tells whether the vertex's rows may be dependent somewhere on a piece.
-    pub(super) fn may_be_dependent(&self, piece: &Piece) -> bool {
+    pub(super) fn may_be_dependent(&self, piece: &ThicknessPiece) -> bool {
         let ball = piece.ball();
         self.meeting.iter().all(|entry| !entry.on(&ball).excludes_zero())
     }
 
     /// Tells whether the vertex's conditions leave one state at every thickness of a piece.
-    pub(super) fn is_regular(&self, piece: &Piece) -> bool {
+    pub(super) fn is_regular(&self, piece: &ThicknessPiece) -> bool {
         self.meeting[3].on(&piece.ball()).excludes_zero()
     }
 
@@ -293,7 +301,7 @@ mod tests {
         let conditions = Conditions::new(&arch, 5, Extent::Whole, 106);
         let mut places = of.map(|at| conditions.place(at.0, at.1).unwrap()).to_vec();
         let other = places.pop().unwrap();
-        let piece = Piece { low: eta - 1e-9, high: eta + 1e-9 };
+        let piece = ThicknessPiece { low: eta - 1e-9, high: eta + 1e-9 };
         Vertex::new(&conditions, places).bears_no_motion(&[other], &piece)
     }
 

@@ -10,11 +10,11 @@ use crate::prover::arithmetic::Arithmetic;
 const BITS: u32 = 106;
 
 /// A condition `row . (x, 1) <= 0` and its motion.
-pub(super) type Limit = JointLimit<DoubleBall>;
+pub(super) type MovingLimit = JointLimit<DoubleBall>;
 
 /// Tells whether a condition follows from another one: the row of the forces is exactly the other's, and the load is
 /// smaller, or that of the mirror image of its joint.
-pub(super) fn follows(one: &Limit, other: &Limit) -> bool {
+pub(super) fn follows(one: &MovingLimit, other: &MovingLimit) -> bool {
     let is_exact = |x: &DoubleBall| x.rad() == 0.0;
     let mut entries = one.row[..3].iter().zip(&other.row);
     let is_same = entries.all(|(a, b)| is_exact(a) && is_exact(b) && a.mid() == b.mid());
@@ -27,7 +27,7 @@ pub(super) fn conditions(
     arch: &Arch,
     thickness: &ExactNumber,
     (stones, extent): (i32, Extent),
-) -> Vec<Limit> {
+) -> Vec<MovingLimit> {
     let alpha: DoubleBall = arch.half_opening().enclosure(BITS);
     let grip: Grip<Ball> = arch.friction().grip(BITS);
     let grip = grip.map(|x| DoubleBall::from_ball(&x, BITS));
@@ -35,12 +35,12 @@ pub(super) fn conditions(
     let is_solid = thickness.is_rational() && thickness.to_rational() == 2;
     let at = extent.joints(stones, &alpha).into_iter();
     let limits = at.flat_map(|(joint, angle)| joints.limits((joint, &angle), extent));
-    let exact = |limit: Limit| match limit.contact {
+    let exact = |limit: MovingLimit| match limit.contact {
         // The radius of the intrados is zero exactly, and so is what it multiplies.
         Contact::Intrados if is_solid => {
             let motion = [0, -1, 0].map(|n| alpha.int(n));
             let [h, p, v] = motion;
-            Limit { row: [h, p, v, limit.row[3]], motion, ..limit }
+            MovingLimit { row: [h, p, v, limit.row[3]], motion, ..limit }
         }
         _ => limit,
     };

@@ -145,7 +145,7 @@ fn a_joint_that_bears_nothing_costs_nothing() {
         assert_eq!(at("1.041"), Programme::Idle);
         assert!(matches!(at("0.6"), Programme::Least { lower, .. } if lower > 0.0));
         let all = conditions(&arch, &"1.041".parse().unwrap(), (4, extent));
-        let search = Search::new(all, extent);
+        let search = RateSearch::new(all, extent);
         for at in search.all.chunks_exact(4) {
             let state = search.state_without(at);
             assert_eq!(state.is_some(), at[0].joint == 0, "{extent:?} {}", at[0].joint);
@@ -161,7 +161,8 @@ fn hinges_at_the_centre_follow_from_each_other() {
     let arch = arch("milankovitch", "1", "0.7");
     for (stones, eta, kept) in [(4, "2", 1), (5, "2", 1), (4, "1.999", 5)] {
         let eta = eta.parse().unwrap();
-        let search = Search::new(conditions(&arch, &eta, (stones, Extent::Whole)), Extent::Whole);
+        let search =
+            RateSearch::new(conditions(&arch, &eta, (stones, Extent::Whole)), Extent::Whole);
         let lines = search.all.iter().zip(&search.follows).filter(|(_, follows)| !**follows);
         let intrados: Vec<i32> = lines
             .filter(|(at, _)| at.contact == Contact::Intrados)

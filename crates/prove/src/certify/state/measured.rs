@@ -21,7 +21,8 @@ pub fn measured_state(arch: &Arch, measures: &Measures, digits: usize) -> Result
         if let Outcome::Stands(state) = state_enclosed(arch, bits, false)? {
             let sizes = measures.sizes(&state.thickness, &half_opening(arch, bits), bits);
             let force = sizes.force.map(|force| force * &state.thrust);
-            let radius = Size { enclosed: sizes.radius, exact: measures.exact_radius(None) };
+            let radius =
+                MeasuredSize { enclosed: sizes.radius, exact: measures.exact_radius(None) };
             sized.push((Quantity::Radius, Some(radius)));
             sized.push((Quantity::ThicknessInMetres, Some(sizes.thickness.into())));
             let forces = [(Quantity::Weight, sizes.weight), (Quantity::Force, force)];
@@ -52,13 +53,17 @@ pub fn measured_assessment(
         });
         let radius = measures.exact_radius(Some(thickness));
         let metres = radius.as_ref().map(|radius| radius.factor() * thickness.factor());
-        let ratio = Size { enclosed: thickness.enclosure(bits), exact: Some(thickness.clone()) };
+        let ratio =
+            MeasuredSize { enclosed: thickness.enclosure(bits), exact: Some(thickness.clone()) };
         let mut sized = shape(arch, measures, bits);
         sized.extend([
-            (Quantity::Radius, Some(Size { enclosed: sizes.radius, exact: radius })),
+            (Quantity::Radius, Some(MeasuredSize { enclosed: sizes.radius, exact: radius })),
             (
                 Quantity::GivenThicknessInMetres,
-                Some(Size { enclosed: sizes.thickness, exact: metres.map(ExactNumber::rational) }),
+                Some(MeasuredSize {
+                    enclosed: sizes.thickness,
+                    exact: metres.map(ExactNumber::rational),
+                }),
             ),
             (Quantity::GivenThickness, Some(ratio)),
         ]);
@@ -68,7 +73,7 @@ pub fn measured_assessment(
             (Quantity::LeastForce, least_thrust),
             (Quantity::LargestForce, largest_thrust),
         ];
-        sized.extend(rest.into_iter().filter_map(|(of, x)| Some((of, x?.map(Size::from)))));
+        sized.extend(rest.into_iter().filter_map(|(of, x)| Some((of, x?.map(MeasuredSize::from)))));
         Ok(figures(sized, digits))
     });
     Ok(found?)
@@ -79,24 +84,25 @@ fn half_opening(arch: &Arch, bits: u32) -> Ball {
 }
 
 /// A size; the number itself where it is rational: no ball decides a tie.
-struct Size {
+struct MeasuredSize {
     enclosed: Ball,
     exact: Option<ExactNumber>,
 }
 
-impl From<Ball> for Size {
+impl From<Ball> for MeasuredSize {
     fn from(enclosed: Ball) -> Self {
         Self { enclosed, exact: None }
     }
 }
 
 /// Sizes of an arch that are the same whatever its thickness.
-fn shape(arch: &Arch, measures: &Measures, bits: u32) -> Vec<(Quantity, Option<Size>)> {
+fn shape(arch: &Arch, measures: &Measures, bits: u32) -> Vec<(Quantity, Option<MeasuredSize>)> {
     let alpha = half_opening(arch, bits);
     let [span, rise] = measures.span_and_rise(&alpha, bits);
     let exact = measures.exact_span_and_rise(arch.half_opening());
     let lengths = [(Quantity::Span, span), (Quantity::Rise, rise)].into_iter().zip(exact);
-    let lengths = lengths.map(|((of, enclosed), exact)| (of, Some(Size { enclosed, exact })));
+    let lengths =
+        lengths.map(|((of, enclosed), exact)| (of, Some(MeasuredSize { enclosed, exact })));
     // Another angle is told in degrees well enough by what was given.
     let made = arch.half_opening().form() == Form::TwiceArctangent;
     let angle = made.then(|| (Quantity::HalfOpeningDegrees, Some(degrees(&alpha).into())));
@@ -104,12 +110,12 @@ fn shape(arch: &Arch, measures: &Measures, bits: u32) -> Vec<(Quantity, Option<S
 }
 
 /// All values, if they are decided.
-fn figures(sized: Vec<(Quantity, Option<Size>)>, digits: usize) -> Option<Measured> {
-    let figure = |size: Size| match size.exact {
+fn figures(sized: Vec<(Quantity, Option<MeasuredSize>)>, digits: usize) -> Option<Measured> {
+    let figure = |size: MeasuredSize| match size.exact {
         Some(exact) => Figure::exact(&exact, digits),
         None => size.enclosed.figure(digits),
     };
-    let value = |(of, size): (Quantity, Option<Size>)| match size {
+    let value = |(of, size): (Quantity, Option<MeasuredSize>)| match size {
         Some(size) => Some((of, Some(figure(size)?))),
         None => Some((of, None)),
     };

@@ -7,11 +7,11 @@ fn found(arch: [&str; 3], eta: &str, tilt: &str) -> TiltDigits {
     tilted(&arch, &eta.parse().unwrap(), &tilt.parse().unwrap(), 12).unwrap()
 }
 
-fn proof(alpha: &str, mu: &str, eta: &str, bits: u32) -> Proof {
-    Proof::new(&Arch::parse("heyman", alpha, mu).unwrap(), &eta.parse().unwrap(), bits)
+fn proof(alpha: &str, mu: &str, eta: &str, bits: u32) -> TiltProof {
+    TiltProof::new(&Arch::parse("heyman", alpha, mu).unwrap(), &eta.parse().unwrap(), bits)
 }
 
-fn near(proof: &Proof) -> Box<TiltNear> {
+fn near(proof: &TiltProof) -> Box<TiltNear> {
     match proof.search().candidate() {
         TiltCandidate::Limited(near) => near,
         other => panic!("{other:?}"),

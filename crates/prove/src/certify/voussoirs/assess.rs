@@ -2,8 +2,8 @@
 
 use super::friction::required;
 use super::joints::StoneJoints;
-use super::thickness::{Outcome, proved};
-use super::thrusts::{End, Range, Ties, range};
+use super::thickness::{LeastOutcome, proved};
+use super::thrusts::{ProvedThrustEnd, ThrustRange, Ties, range};
 use crate::arch::Ring;
 use crate::arch::joint::Grip;
 use crate::number::{Ball, Enclosure, ExactNumber};
@@ -73,12 +73,12 @@ pub(super) fn assessed(
     let own = arch.friction();
     let standing = raise(first, |bits| {
         let joints = joints(own, bits);
-        let limit = |end: &End| limit(&joints, end, digits);
+        let limit = |end: &ProvedThrustEnd| limit(&joints, end, digits);
         Ok(match range(&joints, &eta(bits), ties)? {
-            Range::Stands([least, most]) => {
+            ThrustRange::Stands([least, most]) => {
                 limit(&least).zip(limit(&most)).map(|(a, b)| VoussoirStanding::Stands([a, b]))
             }
-            Range::Falls([least, most]) => {
+            ThrustRange::Falls([least, most]) => {
                 limit(&least).zip(limit(&most)).map(|(a, b)| VoussoirStanding::Falls([a, b]))
             }
         })
@@ -86,15 +86,15 @@ pub(super) fn assessed(
     let geometric_safety = raise(first, |bits| {
         let joints = joints(own, bits);
         Ok(match proved(&joints, joints.search().candidate())? {
-            Outcome::Stands(state) => {
+            LeastOutcome::Stands(state) => {
                 Figure::new(&(eta(bits) / &state.thickness), digits).map(Some)
             }
             _ => Some(None),
         })
     });
     let required = |bits| match range(&joints(&Friction::Infinite, bits), &eta(bits), ties)? {
-        Range::Falls(_) => Ok(None),
-        Range::Stands(ends) => {
+        ThrustRange::Falls(_) => Ok(None),
+        ThrustRange::Stands(ends) => {
             let ring = Ring::new(arch.weight(), &eta(bits));
             required(&joints(&Friction::Infinite, bits), &ring, &ends).map(Some)
         }
@@ -119,7 +119,7 @@ fn coefficient(friction: &Friction, bits: u32) -> Option<Ball> {
 }
 
 /// An end in digits; `None` if the rounding is not decided.
-fn limit(joints: &StoneJoints<'_>, end: &End, digits: usize) -> Option<VoussoirLimit> {
+fn limit(joints: &StoneJoints<'_>, end: &ProvedThrustEnd, digits: usize) -> Option<VoussoirLimit> {
     let thrust = match &end.thrust {
         Some(thrust) => Some(Figure::new(thrust, digits)?),
         None => None,

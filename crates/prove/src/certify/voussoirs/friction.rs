@@ -7,7 +7,7 @@
 
 use super::admissible::friction_holds;
 use super::joints::{StoneJoints, is_positive, require};
-use super::thrusts::End;
+use super::thrusts::ProvedThrustEnd;
 use crate::arch::Ring;
 use crate::arch::joint::{Grip, even_thrust};
 use crate::arch::mechanism::Contact;
@@ -21,7 +21,7 @@ use rug::Float;
 pub(super) fn required(
     joints: &StoneJoints<'_>,
     ring: &Ring<Ball>,
-    ends: &[End; 2],
+    ends: &[ProvedThrustEnd; 2],
 ) -> Result<Ball, Undecided> {
     let question = "which joint the friction is needed for";
     let thrusts = ends.each_ref().map(|end| end.thrust.as_ref());

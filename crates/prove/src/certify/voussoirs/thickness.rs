@@ -49,7 +49,7 @@ pub enum Voussoirs {
 
 /// The state at the least thickness, in balls.
 #[derive(Clone, Debug)]
-pub(super) struct State {
+pub(super) struct LeastState {
     mode: Mode,
     contacts: [JointContact; 3],
     /// `eta`.
@@ -59,9 +59,9 @@ pub(super) struct State {
 
 /// Proof before it is rounded.
 #[derive(Clone, Debug)]
-pub(super) enum Outcome {
+pub(super) enum LeastOutcome {
     /// The arch stands from the least thickness on.
-    Stands(State),
+    Stands(LeastState),
     /// The arch stands at every thickness.
     AnyThickness,
     /// The arch stands at no thickness, as it slides.
@@ -70,10 +70,10 @@ pub(super) enum Outcome {
     TooThick,
 }
 
-impl Outcome {
+impl LeastOutcome {
     /// Outcome in digits; `None` if the rounding is not decided.
     pub(super) fn rounded(&self, joints: &StoneJoints<'_>, digits: usize) -> Option<Voussoirs> {
-        let State { mode, contacts, thickness, thrust } = match self {
+        let LeastState { mode, contacts, thickness, thrust } = match self {
             Self::Stands(state) => state,
             Self::AnyThickness => return Some(Voussoirs::AnyThickness),
             Self::Slides => return Some(Voussoirs::Slides),
@@ -99,27 +99,27 @@ impl Outcome {
 pub(super) fn proved(
     joints: &StoneJoints<'_>,
     candidate: VoussoirCandidate,
-) -> Result<Outcome, Undecided> {
+) -> Result<LeastOutcome, Undecided> {
     match candidate {
         VoussoirCandidate::Slides { inner } => slides(joints, inner),
         VoussoirCandidate::TooThick { contacts } => {
             contradiction(joints, &contacts, &Ball::integer(2, joints.bits))?;
-            Ok(Outcome::TooThick)
+            Ok(LeastOutcome::TooThick)
         }
         VoussoirCandidate::AnyThickness => any_thickness(joints),
         VoussoirCandidate::Collapses { contacts, thickness } => {
-            collapses(joints, contacts, &thickness).map(Outcome::Stands)
+            collapses(joints, contacts, &thickness).map(LeastOutcome::Stands)
         }
     }
 }
 
 /// No thrust is at the same time large enough for an inner joint and small enough for the shoulder.
-fn slides(joints: &StoneJoints<'_>, inner: u64) -> Result<Outcome, Undecided> {
+fn slides(joints: &StoneJoints<'_>, inner: u64) -> Result<LeastOutcome, Undecided> {
     let ring = Ring::new(joints.weight, &Ball::integer(1, joints.bits));
     let inner = joints.row((Contact::Inwards, inner), &ring);
     let shoulder = joints.row((Contact::Outwards, joints.last()), &ring);
     leave_no_thrust([&inner, &shoulder])?;
-    Ok(Outcome::Slides)
+    Ok(LeastOutcome::Slides)
 }
 
 /// Nothing stands from 0 to `most`: multipliers and combination are positive there.
@@ -137,7 +137,7 @@ fn contradiction(
 /// middle of both joints, which belongs to `fac = 1`. At thickness `eta` the room for the crown moment between the
 /// extrados of one joint and the intrados of the other is then `eta/2 [N_0 + N_1 ± delta_M eta (cos_0 - cos_1)/6]`,
 /// and `eta` is at most 2.
-fn any_thickness(joints: &StoneJoints<'_>) -> Result<Outcome, Undecided> {
+fn any_thickness(joints: &StoneJoints<'_>) -> Result<LeastOutcome, Undecided> {
     require(joints.stones.count() == 2, "whether every thickness is enough")?;
     let zero = Ball::integer(0, joints.bits);
     let ring = Ring { centroid_factor: zero.int(1), thickness: zero };
@@ -149,7 +149,7 @@ fn any_thickness(joints: &StoneJoints<'_>) -> Result<Outcome, Undecided> {
     let tilt = thrust.int(joints.weight.flag()) * (upper.cos - &lower.cos);
     let room = normal * thrust.int(3) - tilt;
     require(is_positive(&room), "whether every thickness is enough")?;
-    Ok(Outcome::AnyThickness)
+    Ok(LeastOutcome::AnyThickness)
 }
 
 /// The state, if its thickness is the least.
@@ -157,7 +157,7 @@ fn collapses(
     joints: &StoneJoints<'_>,
     contacts: [JointContact; 3],
     near: &Float,
-) -> Result<State, Undecided> {
+) -> Result<LeastState, Undecided> {
     let mode = joints.stones.mode(&contacts, joints.is_limited());
     let mode = mode.ok_or_else(|| Undecided::new("how the arch collapses"))?;
     let polynomials = joints.polynomial_rows(&contacts);
@@ -174,7 +174,7 @@ fn collapses(
     let (thrust, moment) = rows[0].meeting(&rows[2]);
     friction_holds(joints, &contacts, &thrust, &moment, &ring)?;
     line_is_inside(joints, &contacts, &thrust, &moment, &ring)?;
-    Ok(State { mode, contacts, thickness, thrust })
+    Ok(LeastState { mode, contacts, thickness, thrust })
 }
 
 #[cfg(test)]
@@ -248,7 +248,7 @@ mod tests {
                 let thickness = thickness.clone();
                 proved(&joints, VoussoirCandidate::Collapses { contacts, thickness })
             };
-            assert!(matches!(prove(contacts, &thickness), Ok(Outcome::Stands(_))));
+            assert!(matches!(prove(contacts, &thickness), Ok(LeastOutcome::Stands(_))));
             let (first, last) = (contacts[0], contacts[2]);
             let haunch = contacts[1].1;
             for forged in [

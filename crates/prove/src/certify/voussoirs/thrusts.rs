@@ -14,12 +14,12 @@ use crate::arch::mechanism::Contact;
 use crate::number::{Ball, Field};
 use crate::problem::stones::JointContact;
 use crate::prover::Undecided;
-use crate::solve::voussoir_thrust::{Side, ThrustEnd, moment_between, thrust_end};
+use crate::solve::voussoir_thrust::{ThrustEnd, ThrustSide, moment_between, thrust_end};
 use rug::Float;
 
 /// An end of the range.
 #[derive(Clone, Debug)]
-pub(super) struct End {
+pub(super) struct ProvedThrustEnd {
     /// `None` if there is no bound.
     pub thrust: Option<Ball>,
     /// The conditions that hold with equality there.
@@ -28,11 +28,11 @@ pub(super) struct End {
 
 /// Range of thrusts of an arch, if it stands.
 #[derive(Clone, Debug)]
-pub(super) enum Range {
+pub(super) enum ThrustRange {
     /// Range from the first thrust to the second.
-    Stands([End; 2]),
+    Stands([ProvedThrustEnd; 2]),
     /// The first conditions ask for a larger thrust than the second allow.
-    Falls([End; 2]),
+    Falls([ProvedThrustEnd; 2]),
 }
 
 /// Ties: exact zeros that cannot be told from balls.
@@ -59,13 +59,14 @@ pub(super) fn range(
     joints: &StoneJoints<'_>,
     thickness: &Ball,
     ties: Ties,
-) -> Result<Range, Undecided> {
+) -> Result<ThrustRange, Undecided> {
     let near = Float::with_val(joints.bits, thickness.mid());
     let search = joints.search();
     let ring = Ring::new(joints.weight, thickness);
     let mut ends = Vec::new();
-    for side in Side::BOTH {
-        let is_free = side == Side::Largest && ties.is_solid_semicircle() && !joints.is_limited();
+    for side in ThrustSide::BOTH {
+        let is_free =
+            side == ThrustSide::Largest && ties.is_solid_semicircle() && !joints.is_limited();
         let end = if is_free { ThrustEnd::Unbounded } else { thrust_end(&search, &near, side) };
         match end {
             ThrustEnd::Contradiction(both) => return falls(joints, &ring, both),
@@ -86,13 +87,14 @@ pub(super) fn range(
     let proved = |side, end: &ThrustEnd| match end {
         ThrustEnd::At(contacts) => {
             let thrust = reached(joints, &ring, side, contacts)?;
-            Ok(End { thrust: Some(thrust), contacts: contacts.clone() })
+            Ok(ProvedThrustEnd { thrust: Some(thrust), contacts: contacts.clone() })
         }
         _ => unbounded(joints, &ring, side, ties),
     };
-    let [least, most] = [proved(Side::Least, &ends[0])?, proved(Side::Largest, &ends[1])?];
+    let [least, most] =
+        [proved(ThrustSide::Least, &ends[0])?, proved(ThrustSide::Largest, &ends[1])?];
     require(least.thrust.is_some() || most.thrust.is_some(), "whether any thrust is admissible")?;
-    Ok(Range::Stands([least, most]))
+    Ok(ThrustRange::Stands([least, most]))
 }
 
 /// Bound that a slip, or two hinges, set on the thrust: none, if they bind the crown moment too.
@@ -112,15 +114,15 @@ fn falls(
     joints: &StoneJoints<'_>,
     ring: &Ring<Ball>,
     contacts: [Vec<JointContact>; 2],
-) -> Result<Range, Undecided> {
+) -> Result<ThrustRange, Undecided> {
     let [lower, upper] = &contacts;
     let rows = [together(joints, lower, ring)?, together(joints, upper, ring)?];
     leave_no_thrust(rows.each_ref())?;
     let [least, most] = rows.map(|row| Some(row.bound()));
     let [lower, upper] = contacts;
-    Ok(Range::Falls([
-        End { thrust: least, contacts: lower },
-        End { thrust: most, contacts: upper },
+    Ok(ThrustRange::Falls([
+        ProvedThrustEnd { thrust: least, contacts: lower },
+        ProvedThrustEnd { thrust: most, contacts: upper },
     ]))
 }
 
@@ -128,13 +130,13 @@ fn falls(
 fn reached(
     joints: &StoneJoints<'_>,
     ring: &Ring<Ball>,
-    side: Side,
+    side: ThrustSide,
     contacts: &[JointContact],
 ) -> Result<Ball, Undecided> {
     let row = together(joints, contacts, ring)?;
     let slope = match side {
-        Side::Least => -row.thrust.clone(),
-        Side::Largest => row.thrust.clone(),
+        ThrustSide::Least => -row.thrust.clone(),
+        ThrustSide::Largest => row.thrust.clone(),
     };
     require(is_positive(&slope), "whether the thrust is bounded")?;
     let thrust = row.bound();
@@ -167,11 +169,11 @@ fn moment(
 fn unbounded(
     joints: &StoneJoints<'_>,
     ring: &Ring<Ball>,
-    side: Side,
+    side: ThrustSide,
     ties: Ties,
-) -> Result<End, Undecided> {
+) -> Result<ProvedThrustEnd, Undecided> {
     let question = "whether the thrust is bounded";
-    require(side == Side::Largest, question)?;
+    require(side == ThrustSide::Largest, question)?;
     let last = joints.last();
     let hinges = together(joints, &[(Contact::Extrados, last), (Contact::Intrados, 0)], ring)?;
     let has_no_arm = ties.has_no_arm && (joints.stones.has_joint_at_crown() || ties.is_solid);
@@ -182,7 +184,7 @@ fn unbounded(
         false => ties.is_solid_semicircle(),
     };
     require(never_slides || is_positive(&-slip.thrust), question)?;
-    Ok(End { thrust: None, contacts: Vec::new() })
+    Ok(ProvedThrustEnd { thrust: None, contacts: Vec::new() })
 }
 
 #[cfg(test)]

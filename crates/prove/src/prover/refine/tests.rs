@@ -62,7 +62,7 @@ fn the_ladder_stands_without_its_quick_start() {
     let slow = quick.clone().without_approach();
     for bits in [300, 2500] {
         overlap(&quick, &refine(&slow, bits).unwrap(), &refine(&quick, bits).unwrap());
-        Level::new(&slow, bits, &|| ()).unwrap().enclose(&slow).unwrap();
+        LadderLevel::new(&slow, bits, &|| ()).unwrap().enclose(&slow).unwrap();
     }
 }
 
@@ -71,7 +71,7 @@ fn the_ladder_stands_without_its_quick_start() {
 #[test]
 fn a_last_step_that_proves_nothing_is_repeated_plainly() {
     let isolated = isolated(Landmark::Triple, SelfWeight::Milankovitch);
-    type Spoil = fn(&mut Level);
+    type Spoil = fn(&mut LadderLevel);
     let cases: [(Spoil, &str); 4] = [
         (|level| level.around[1] = level.around[1].midpoint(), "not mapped into itself"),
         (|level| level.centre[2] += 1e-9, "not mapped into itself"),
@@ -89,7 +89,7 @@ fn a_last_step_that_proves_nothing_is_repeated_plainly() {
     ];
     for (spoil, reason) in cases {
         let spoiled = |bits| {
-            let mut level = Level::new(&isolated, bits, &|| ())?;
+            let mut level = LadderLevel::new(&isolated, bits, &|| ())?;
             spoil(&mut level);
             Ok(level)
         };

@@ -99,10 +99,10 @@ fn events(branch: &Branch) -> Vec<(&Meeting, &'static str)> {
 }
 
 /// A quantity of a point: its name, its symbol and its value.
-type Quantity = (&'static str, &'static str, Ball);
+type PlaceQuantity = (&'static str, &'static str, Ball);
 
 /// The quantities of a point, with the least thickness at its friction.
-fn quantities(place: &Place, least: &Level) -> Vec<Quantity> {
+fn quantities(place: &Place, least: &Level) -> Vec<PlaceQuantity> {
     let at_friction = || least.at_friction_angle(place.friction_angle.as_ref()?)?.thickness;
     let or_zero = |value: &Option<Ball>| value.clone().or_else(|| Some(Ball::integer(0, 64)));
     [

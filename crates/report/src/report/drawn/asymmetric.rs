@@ -14,7 +14,7 @@ use crate::picture::{Anchor, Color, Frame, Hatch, Path, Stroke, Svg, Type};
 use crate::problem::Line;
 
 /// The lines of one weight, and what they enclose together with those between modes.
-pub(super) struct Asymmetric {
+pub(super) struct AsymmetricLines {
     lines: Vec<(BorderLine, bool, Chain)>,
     region: Option<Chain>,
 }
@@ -40,7 +40,7 @@ fn after(chain: Chain, place: f64) -> Option<Chain> {
     Some(after)
 }
 
-impl Asymmetric {
+impl AsymmetricLines {
     /// The lines of a sheet; `None` where there are none, or in another plane.
     pub(super) fn new(sheet: &Sheet, canvas: &Canvas) -> Option<Self> {
         if sheet.borders.is_empty() || canvas.plane != Plane::OpeningFriction {

@@ -2,7 +2,7 @@
 
 use super::caption::told;
 use super::chain::{Chain, larger};
-use super::graph::{Dot, Graph, Graphs, Line, WIDTH, height};
+use super::graph::{Dot, Graph, GraphLine, Graphs, WIDTH, height};
 use super::plane::{Axis, step};
 use crate::arch::asymmetric::AsymmetricMode;
 use crate::atlas::{Branch, Coordinate, Level, Meeting};
@@ -105,10 +105,10 @@ pub(in crate::report) fn branches(
 fn panel(branch: &Branch, least: &Level, x: Axis, y: Axis) -> Graph {
     let axes = [x, y];
     let least = Chain::of_level(least, &axes);
-    let least = least.map(|chain| Line { id: "least".to_owned(), chain, stroke: LEAST });
+    let least = least.map(|chain| GraphLine { id: "least".to_owned(), chain, stroke: LEAST });
     let parts = branch.stretches.iter().filter_map(|(_, stretch)| {
         let chain = Chain::of_pieces(stretch.section.pieces(), &stretch.section.ends()[0], &axes)?;
-        Some(Line { id: stretch.kind.name().to_owned(), chain, stroke: look(stretch.kind) })
+        Some(GraphLine { id: stretch.kind.name().to_owned(), chain, stroke: look(stretch.kind) })
     });
     let mark = |meeting: &Meeting| {
         let at = place(meeting)?;

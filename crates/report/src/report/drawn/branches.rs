@@ -2,7 +2,7 @@
 
 use super::caption::proved;
 use super::chain::Chain;
-use super::graph::{Dot, Graph, Graphs, Line, WIDTH, height};
+use super::graph::{Dot, Graph, GraphLine, Graphs, WIDTH, height};
 use super::look;
 use super::plane::{Axis, DEGREES};
 use super::sheet::Sheet;
@@ -187,13 +187,13 @@ fn joined(sheets: &[Sheet]) -> Vec<Graph> {
 }
 
 /// The tangent of a weight at the end of rotation: that with which overturning begins.
-fn tangent(sheet: &Sheet) -> Option<Line> {
+fn tangent(sheet: &Sheet) -> Option<GraphLine> {
     let chain = along(sheet.trace(Curve::Overturning)?, &[NEAR, NEAR_THICKNESS])?;
     let [(x, y), (across, up), ..] = chain.0.first()?.corners;
     let slope = (up - y) / (across - x);
     let end = |far: f64| (x + far, y + far * slope);
     let id = format!("{}-tangent", sheet.weight.name());
-    Some(Line { id, chain: Chain::straight(end(-FAR), end(FAR)), stroke: TANGENT })
+    Some(GraphLine { id, chain: Chain::straight(end(-FAR), end(FAR)), stroke: TANGENT })
 }
 
 /// Look of a curve of a weight: overturning is told from rotation by its dashes.
@@ -223,17 +223,17 @@ fn along(trace: &Trace, axes: &[Axis; 2]) -> Option<Chain> {
     Chain::of_pieces(trace.pieces(), &trace.points().first()?.place, axes)
 }
 
-fn lines(sheets: &[Sheet], curves: &[Curve], axes: &[Axis; 2]) -> Vec<Line> {
+fn lines(sheets: &[Sheet], curves: &[Curve], axes: &[Axis; 2]) -> Vec<GraphLine> {
     let line = |sheet: &Sheet, curve: &Curve| {
         let chain = along(sheet.trace(*curve)?, axes)?;
         let id = format!("{}-{curve}", sheet.weight.name());
-        Some(Line { id, chain, stroke: look_of(sheet.weight, *curve) })
+        Some(GraphLine { id, chain, stroke: look_of(sheet.weight, *curve) })
     };
     sheets.iter().flat_map(|sheet| curves.iter().filter_map(move |c| line(sheet, c))).collect()
 }
 
 /// The thrust of purely sliding states, up to the first border point and beyond.
-fn sliding(sheets: &[Sheet], axes: &[Axis; 2]) -> Vec<Line> {
+fn sliding(sheets: &[Sheet], axes: &[Axis; 2]) -> Vec<GraphLine> {
     let border = sheets.iter().filter_map(|sheet| {
         let trace = sheet.trace(Curve::Limit)?;
         opening(&trace.points().first()?.place)
@@ -242,7 +242,7 @@ fn sliding(sheets: &[Sheet], axes: &[Axis; 2]) -> Vec<Line> {
     let trace = sheets.first().and_then(|sheet| sheet.trace(Curve::Sliding));
     let Some(chain) = trace.and_then(|trace| along(trace, axes)) else { return Vec::new() };
     let [before, after] = chain.split(border);
-    let line = |id: &str, chain, stroke| Line { id: id.into(), chain, stroke };
+    let line = |id: &str, chain, stroke| GraphLine { id: id.into(), chain, stroke };
     vec![line("sliding", before, SLIDING), line("sliding-beyond", after, BEYOND)]
 }
 

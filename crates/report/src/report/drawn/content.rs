@@ -1,6 +1,6 @@
 //! Content of a map, in its frame or in an inset.
 
-use super::asymmetric::Asymmetric;
+use super::asymmetric::AsymmetricLines;
 use super::canvas::Canvas;
 use super::chain::{Chain, larger};
 use super::plane::Plane;
@@ -21,7 +21,7 @@ pub(super) struct Content {
     /// Overturning, at unlimited friction.
     pub edge: Option<Chain>,
     /// Reach of asymmetric branches.
-    pub asymmetric: Option<Asymmetric>,
+    pub asymmetric: Option<AsymmetricLines>,
     /// The landmarks.
     pub landmarks: Vec<(Landmark, Point)>,
     canvas: Canvas,
@@ -51,7 +51,7 @@ impl Content {
             lines: lines.filter_map(|curve| Some((curve, chain(curve)?))).collect(),
             levels: sheet.levels.iter().filter_map(level).collect(),
             edge: chain(Curve::Overturning),
-            asymmetric: Asymmetric::new(sheet, canvas),
+            asymmetric: AsymmetricLines::new(sheet, canvas),
             landmarks: sheet.landmarks(canvas),
             canvas: *canvas,
         }
@@ -61,7 +61,7 @@ impl Content {
     pub(super) fn off(&self, frame: &Frame) -> [f64; 2] {
         let lines = self.lines.iter().map(|(_, chain)| chain);
         let levels = self.levels.iter().map(|(_, chain)| chain);
-        let asymmetric = self.asymmetric.iter().flat_map(Asymmetric::chains);
+        let asymmetric = self.asymmetric.iter().flat_map(AsymmetricLines::chains);
         lines.chain(levels).chain(asymmetric).map(|chain| chain.off(frame)).fold([0.0; 2], larger)
     }
 

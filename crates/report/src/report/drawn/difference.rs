@@ -2,7 +2,7 @@
 
 use super::caption::told;
 use super::chain::{Arc, Chain};
-use super::graph::{Dot, Graph, Graphs, Line, WIDTH, height};
+use super::graph::{Dot, Graph, GraphLine, Graphs, WIDTH, height};
 use super::plane::{Axis, DEGREES, Plane};
 use crate::arch::SelfWeight;
 use crate::atlas::{Coordinate, Difference, Divide, Step};
@@ -109,8 +109,8 @@ fn named(
 /// The graphs of all curves as SVG.
 pub(in crate::report) fn differences(differences: &[Difference], command: &str) -> String {
     let [x, _] = Plane::ThicknessFriction.axes();
-    let lines = || -> Vec<Line> {
-        let line = |difference: &Difference| Line {
+    let lines = || -> Vec<GraphLine> {
+        let line = |difference: &Difference| GraphLine {
             id: format!("difference-{}", difference.divide),
             chain: Chain(difference.steps().iter().map(drawn).collect()),
             stroke: look(difference.divide),

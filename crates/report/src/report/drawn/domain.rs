@@ -9,7 +9,7 @@ use crate::problem::Mode;
 use std::f64::consts::FRAC_PI_2;
 
 /// A part of the way around a domain.
-enum Part {
+enum LoopPart {
     Along(Curve),
     Back(Curve),
     Corner(Point),
@@ -27,12 +27,12 @@ fn is_area(mode: Mode, plane: Plane) -> bool {
 
 /// Part of a side in a plane. Of an edge this is its end, where that is a corner of the plane; those along
 /// which the half opening changes are curves.
-fn part(side: Side, canvas: &Canvas) -> Option<Part> {
+fn part(side: Side, canvas: &Canvas) -> Option<LoopPart> {
     match side {
-        Side::Along(curve) => Some(Part::Along(curve)),
-        Side::Back(curve) => Some(Part::Back(curve)),
-        Side::Edge(_, Corner::RightTop) => Some(Part::Along(Curve::Overturning)),
-        Side::Edge(Corner::RightTop, _) => Some(Part::Back(Curve::Limit)),
+        Side::Along(curve) => Some(LoopPart::Along(curve)),
+        Side::Back(curve) => Some(LoopPart::Back(curve)),
+        Side::Edge(_, Corner::RightTop) => Some(LoopPart::Along(Curve::Overturning)),
+        Side::Edge(Corner::RightTop, _) => Some(LoopPart::Back(Curve::Limit)),
         Side::Edge(_, corner) => {
             // Friction angle, thickness and half opening there.
             let (friction, thickness, opening) = match corner {
@@ -45,12 +45,12 @@ fn part(side: Side, canvas: &Canvas) -> Option<Part> {
                 Plane::OpeningFriction => (opening, friction),
                 Plane::OpeningThickness => (opening, thickness),
             };
-            Some(Part::Corner((canvas.axes[0].shown(x), canvas.axes[1].shown(y))))
+            Some(LoopPart::Corner((canvas.axes[0].shown(x), canvas.axes[1].shown(y))))
         }
     }
 }
 
-fn parts(mode: Mode, canvas: &Canvas) -> Vec<Part> {
+fn parts(mode: Mode, canvas: &Canvas) -> Vec<LoopPart> {
     boundary(mode).into_iter().filter_map(|side| part(side, canvas)).collect()
 }
 
@@ -63,9 +63,9 @@ pub(super) fn around(
     let mut way = Chain::default();
     for part in parts(mode, canvas).iter().filter(|_| is_area(mode, canvas.plane)) {
         let next = match *part {
-            Part::Along(curve) => chain(curve)?,
-            Part::Back(curve) => chain(curve)?.reversed(),
-            Part::Corner(point) => Chain::straight(point, point),
+            LoopPart::Along(curve) => chain(curve)?,
+            LoopPart::Back(curve) => chain(curve)?.reversed(),
+            LoopPart::Corner(point) => Chain::straight(point, point),
         };
         // Straight from where the last part ends: along an edge, or not at all.
         if let (Some([_, from]), Some([to, _])) = (way.ends(), next.ends()) {
@@ -104,10 +104,10 @@ mod tests {
                 for mode in Mode::ALL.into_iter().filter(|mode| is_area(*mode, plane)) {
                     let canvas = Canvas::usual(plane);
                     let chain = |curve| Chain::new(&traces[&curve], &canvas);
-                    let ends = |part: &Part| match *part {
-                        Part::Along(curve) => chain(curve).unwrap().ends().unwrap(),
-                        Part::Back(curve) => chain(curve).unwrap().reversed().ends().unwrap(),
-                        Part::Corner(point) => [point, point],
+                    let ends = |part: &LoopPart| match *part {
+                        LoopPart::Along(curve) => chain(curve).unwrap().ends().unwrap(),
+                        LoopPart::Back(curve) => chain(curve).unwrap().reversed().ends().unwrap(),
+                        LoopPart::Corner(point) => [point, point],
                     };
                     let parts = parts(mode, &canvas);
                     let all: Vec<[Point; 2]> = parts.iter().map(ends).collect();

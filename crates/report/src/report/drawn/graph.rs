@@ -20,12 +20,12 @@ pub(super) struct Graphs {
 pub(super) struct Graph {
     pub x: Axis,
     pub y: Axis,
-    pub lines: Vec<Line>,
+    pub lines: Vec<GraphLine>,
     pub marks: Vec<Dot>,
 }
 
 /// A line.
-pub(super) struct Line {
+pub(super) struct GraphLine {
     pub id: String,
     pub chain: Chain,
     pub stroke: Stroke,

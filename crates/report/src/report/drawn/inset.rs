@@ -44,7 +44,7 @@ impl Inset {
             return roomy(content, &parts, map, taken);
         }
         let at = |(x, y): Point| (map.corner.0 + x, map.corner.1 + y);
-        let inset = |(name, [x, y]): &Part| {
+        let inset = |(name, [x, y]): &EnlargedPart| {
             let (place, size) = match (canvas.plane, *name) {
                 (Plane::ThicknessFriction, _) => ((72.0, 54.0), SIZES[0]),
                 (_, MIXED) => ((76.0, 36.0), (250.0, 220.0)),
@@ -152,10 +152,10 @@ impl Inset {
 }
 
 /// A part of the map that is shown larger: the name of its inset, and what is along the axes.
-type Part = (&'static str, [[f64; 2]; 2]);
+type EnlargedPart = (&'static str, [[f64; 2]; 2]);
 
 /// The parts that are shown larger, within the map.
-fn parts(content: &Content, canvas: &Canvas) -> Vec<Part> {
+fn parts(content: &Content, canvas: &Canvas) -> Vec<EnlargedPart> {
     use Landmark as L;
     let [Some(s), Some(t), Some(j), Some(l)] =
         [L::Shift, L::Triple, L::Junction, L::OverturningEnd].map(|landmark| content.of(landmark))
@@ -191,7 +191,12 @@ const SIZES: [Point; 3] = [(260.0, 215.0), (210.0, 170.0), (170.0, 130.0)];
 const LARGER: f64 = 2.0;
 
 /// Insets where domains have room for them.
-fn roomy(content: &Content, parts: &[Part], map: &Frame, taken: &[Rectangle]) -> Vec<Inset> {
+fn roomy(
+    content: &Content,
+    parts: &[EnlargedPart],
+    map: &Frame,
+    taken: &[Rectangle],
+) -> Vec<Inset> {
     let window = [map.corner, (map.right(), map.bottom())];
     let outline = |way: &super::chain::Chain| -> Vec<Point> {
         let points: Vec<Point> = way.points().into_iter().map(|at| map.at(at)).collect();

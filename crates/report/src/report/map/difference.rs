@@ -23,22 +23,22 @@ pub struct MapDifferences {
 }
 
 /// A node with the step that begins there; behind the last node there is none.
-struct Node<'a> {
+struct DifferenceNode<'a> {
     point: &'a DifferencePoint,
     step: Option<&'a Step>,
 }
 
-enum Column {
-    Text(fn(&Node) -> Option<String>),
-    Double(fn(&Node) -> Option<f64>),
+enum DifferenceColumn {
+    Text(fn(&DifferenceNode) -> Option<String>),
+    Double(fn(&DifferenceNode) -> Option<f64>),
 }
 
-use Column::{Double, Text};
+use DifferenceColumn::{Double, Text};
 
 /// The columns of a node. Bounds are rounded outward. Between two nodes the difference is as near as `tube` to the
 /// cubic in the parameter from `begins` to `ends` with these rates at its ends; the friction angle is `chi - sin
 /// chi cos chi`.
-const COLUMNS: [(&str, Column); 18] = [
+const COLUMNS: [(&str, DifferenceColumn); 18] = [
     ("line_heyman", Text(|row| Some(row.step?.lines[0].to_string()))),
     ("line_milankovitch", Text(|row| Some(row.step?.lines[1].to_string()))),
     ("parameter", Double(|row| Some(row.point.parameter))),
@@ -59,9 +59,9 @@ const COLUMNS: [(&str, Column); 18] = [
     ("tube", Double(|row| Some(row.step?.difference.off))),
 ];
 
-fn rows(difference: &Difference) -> impl Iterator<Item = Node<'_>> {
+fn rows(difference: &Difference) -> impl Iterator<Item = DifferenceNode<'_>> {
     let steps = difference.steps().iter().map(Some).chain([None]);
-    difference.points().iter().zip(steps).map(|(point, step)| Node { point, step })
+    difference.points().iter().zip(steps).map(|(point, step)| DifferenceNode { point, step })
 }
 
 /// The lines of a curve, in order.
@@ -128,7 +128,7 @@ pub(in crate::report) fn csv(report: &MapDifferences, out: &mut dyn io::Write) -
     let header = header.map(str::to_owned).collect();
     let rows = report.differences.iter().flat_map(|difference| {
         rows(difference).enumerate().map(|(node, row)| {
-            let cell = |(_, column): &(&str, Column)| match column {
+            let cell = |(_, column): &(&str, DifferenceColumn)| match column {
                 Text(cell) => cell(&row).unwrap_or_default(),
                 Double(cell) => cell(&row).map(|x| format!("{x:?}")).unwrap_or_default(),
             };
@@ -140,8 +140,8 @@ pub(in crate::report) fn csv(report: &MapDifferences, out: &mut dyn io::Write) -
 }
 
 pub(in crate::report) fn json(report: &MapDifferences, out: &mut dyn io::Write) -> io::Result<()> {
-    let node = |row: Node| -> Fields {
-        let cell = |(name, column): &(&'static str, Column)| {
+    let node = |row: DifferenceNode| -> Fields {
+        let cell = |(name, column): &(&'static str, DifferenceColumn)| {
             let value: Option<Json> = match column {
                 Text(cell) => cell(&row).map(Json::from),
                 Double(cell) => cell(&row).map(Json::from),

@@ -7,7 +7,7 @@ use crate::picture::{Path, Point, Stroke, Svg, Type, text};
 use crate::sketch::look;
 
 /// An entry: a sample and its name.
-enum Sample {
+enum LegendSample {
     Line(Stroke),
     Band,
     Hinge,
@@ -17,7 +17,7 @@ enum Sample {
 
 /// The legend of a page of some width.
 pub(super) struct Legend {
-    rows: Vec<Vec<(Sample, &'static str)>>,
+    rows: Vec<Vec<(LegendSample, &'static str)>>,
 }
 
 const SIZE: f64 = 15.0;
@@ -35,45 +35,47 @@ impl Legend {
         let forces = || drawn.sketches.iter().flat_map(|sketch| &sketch.forces);
         let is_standing =
             drawn.sketches.iter().any(|sketch| matches!(sketch.subject, Subject::Standing { .. }));
-        let mut entries: Vec<(Sample, &'static str)> = Vec::new();
+        let mut entries: Vec<(LegendSample, &'static str)> = Vec::new();
         match (is_standing, forces().count()) {
             (_, 0) => {}
             (true, 1) => {
-                entries.push((Sample::Line(look::THRUST), "line of thrust, least thrust"));
-                entries.push((Sample::Line(look::FRICTION), "line of friction"));
+                entries.push((LegendSample::Line(look::THRUST), "line of thrust, least thrust"));
+                entries.push((LegendSample::Line(look::FRICTION), "line of friction"));
             }
             (true, _) => {
-                entries.push((Sample::Line(look::THRUST), "line of thrust, least thrust"));
-                entries.push((Sample::Line(look::LARGEST), "line of thrust, largest thrust"));
-                entries.push((Sample::Band, "between them"));
-                entries.push((Sample::Line(look::FRICTION), "line of friction, least thrust"));
+                entries.push((LegendSample::Line(look::THRUST), "line of thrust, least thrust"));
+                entries.push((LegendSample::Line(look::LARGEST), "line of thrust, largest thrust"));
+                entries.push((LegendSample::Band, "between them"));
+                entries
+                    .push((LegendSample::Line(look::FRICTION), "line of friction, least thrust"));
                 entries.push((
-                    Sample::Line(look::LARGEST_FRICTION),
+                    LegendSample::Line(look::LARGEST_FRICTION),
                     "line of friction, largest thrust",
                 ));
             }
             _ if forces().any(|forces| forces.thrust_lines.len() > 1) => {
-                entries.push((Sample::Line(look::EXTREME), "extreme lines of thrust"));
-                entries.push((Sample::Band, "all others"));
-                entries.push((Sample::Line(look::FRICTION), "line of friction"));
+                entries.push((LegendSample::Line(look::EXTREME), "extreme lines of thrust"));
+                entries.push((LegendSample::Band, "all others"));
+                entries.push((LegendSample::Line(look::FRICTION), "line of friction"));
             }
             _ => {
-                entries.push((Sample::Line(look::THRUST), "line of thrust"));
-                entries.push((Sample::Line(look::FRICTION), "line of friction"));
+                entries.push((LegendSample::Line(look::THRUST), "line of thrust"));
+                entries.push((LegendSample::Line(look::FRICTION), "line of friction"));
             }
         }
         let marks = || forces().flat_map(|forces| &forces.marks);
         if marks().any(|mark| mark.contact.is_hinge()) {
-            entries.push((Sample::Hinge, if is_standing { "touches a face" } else { "hinge" }));
+            entries
+                .push((LegendSample::Hinge, if is_standing { "touches a face" } else { "hinge" }));
         }
         if marks().any(|mark| !mark.contact.is_hinge()) {
             let name = if is_standing { "friction used up" } else { "joint that slides" };
-            entries.push((Sample::Sliding, name));
+            entries.push((LegendSample::Sliding, name));
         }
         if drawn.sketches.iter().any(|sketch| !sketch.collapses.is_empty()) {
-            entries.push((Sample::Fallen, "as it falls"));
+            entries.push((LegendSample::Fallen, "as it falls"));
         }
-        let mut rows: Vec<Vec<(Sample, &'static str)>> = Vec::new();
+        let mut rows: Vec<Vec<(LegendSample, &'static str)>> = Vec::new();
         let mut room = 0.0;
         for entry in entries {
             let wide = width(entry.1) + BETWEEN;
@@ -110,7 +112,7 @@ impl Legend {
     }
 }
 
-impl Sample {
+impl LegendSample {
     fn draw(&self, svg: &mut Svg, (x, y): Point) {
         let (right, middle) = (x + SAMPLE, x + SAMPLE / 2.0);
         let area = Path::rectangle((x, y - 7.0), (right, y + 7.0));

@@ -12,7 +12,7 @@ pub(super) const TITLE: [&str; 2] =
     ["Symbols", "at the triple point T; on the right its mode [r,r,s], one of four"];
 
 /// An arch with its symbols.
-pub(super) struct Notation<'a> {
+pub(super) struct ArchNotation<'a> {
     pub sketch: &'a Sketch,
     pub scale: &'a Scale,
 }
@@ -38,7 +38,7 @@ fn text(svg: &mut Svg, words: &str, at: Point, anchor: Anchor, ground: Option<Co
     svg.text(words, at, ground.map_or(style, |ground| style.on(ground)));
 }
 
-impl Notation<'_> {
+impl ArchNotation<'_> {
     pub(super) fn draw(&self, svg: &mut Svg) {
         self.rays(svg);
         self.angles(svg);

@@ -3,18 +3,18 @@
 use super::caption::{label, title};
 use super::dimensions::{self, Dimensions};
 use super::metres::Metres;
-use super::notation::{self, Notation};
+use super::notation::{self, ArchNotation};
 use super::{Sketched, Style};
 use crate::atlas::{Collapse, Sketch, Subject};
 use crate::picture::color::{GUIDE, INK, WHITE};
 use crate::picture::{Anchor, Path, Point, Stroke, Svg, Type};
-use crate::sketch::{Blocks, CROWN, Lines, Scale, View};
+use crate::sketch::{ArchView, Blocks, CROWN, Lines, Scale};
 
 /// One arch with a mode in which it falls.
-pub(super) struct Panel<'a> {
+pub(super) struct ModePanel<'a> {
     pub sketch: &'a Sketch,
     pub collapse: Option<&'a Collapse>,
-    pub view: View<'a>,
+    pub view: ArchView<'a>,
     pub style: Style,
     /// Measures of the arch, if it has any.
     pub metres: Option<Metres>,
@@ -28,7 +28,7 @@ pub(super) const HEAD: f64 = 48.0;
 /// Distance from the outermost point of a joint to its name, in units of the page.
 const AWAY: f64 = 13.0;
 
-impl<'a> Panel<'a> {
+impl<'a> ModePanel<'a> {
     pub(super) fn all(drawn: &'a Sketched) -> Vec<Self> {
         let style = drawn.style;
         let panel = |(sketch, collapse): (&'a Sketch, Option<&'a Collapse>)| {
@@ -66,7 +66,7 @@ impl<'a> Panel<'a> {
         self.view.lines(svg, scale);
         self.view.marks(svg, scale);
         if self.style.notation {
-            svg.group("notation", |svg| Notation { sketch, scale }.draw(svg));
+            svg.group("notation", |svg| ArchNotation { sketch, scale }.draw(svg));
         }
         if self.style.arrows {
             self.view.arrows(svg, scale);
@@ -125,7 +125,7 @@ pub(super) const ABOVE: f64 = 38.0;
 /// Space on both sides.
 const SIDE: f64 = 104.0;
 
-impl Panel<'_> {
+impl ModePanel<'_> {
     /// Room on both sides and below.
     pub(super) fn around(&self) -> [f64; 2] {
         match &self.metres {
@@ -142,7 +142,7 @@ impl Panel<'_> {
 }
 
 /// View of an arch, in the mode of its panel where there is one.
-fn view<'a>(sketch: &'a Sketch, collapse: Option<&Collapse>, style: Style) -> View<'a> {
+fn view<'a>(sketch: &'a Sketch, collapse: Option<&Collapse>, style: Style) -> ArchView<'a> {
     let stones = sketch.stone_joints();
     let marks = match collapse {
         Some(collapse) => collapse.joints_at_limit(),
@@ -153,7 +153,7 @@ fn view<'a>(sketch: &'a Sketch, collapse: Option<&Collapse>, style: Style) -> Vi
     };
     let lines = sketch.forces.iter();
     let lines = lines.map(|of| Lines { thrust: &of.thrust_lines, friction: &of.friction_line });
-    View {
+    ArchView {
         half_opening: sketch.half_opening(),
         radii: sketch.radii(),
         lines: lines.collect(),

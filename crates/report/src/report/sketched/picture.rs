@@ -3,7 +3,7 @@
 use super::Sketched;
 use super::caption::{heading, paragraphs};
 use super::legend::Legend;
-use super::panel::{ABOVE, HEAD, Panel};
+use super::panel::{ABOVE, HEAD, ModePanel};
 use super::strip::{self, Strip};
 use crate::picture::color::INK;
 use crate::picture::{Svg, Type, text};
@@ -19,16 +19,16 @@ const GAP: f64 = 16.0;
 
 /// The picture as SVG.
 pub(in crate::report) fn picture(report: &Sketched) -> String {
-    let panels = Panel::all(report);
+    let panels = ModePanel::all(report);
     let columns = panels.len().clamp(1, 2);
     let wide = WIDTHS[columns - 1];
-    let extents: Vec<[f64; 4]> = panels.iter().map(Panel::extent).collect();
+    let extents: Vec<[f64; 4]> = panels.iter().map(ModePanel::extent).collect();
     let hull = extents
         .iter()
         .copied()
         .reduce(|[a, b, c, d], [e, f, g, h]| [a.min(e), b.max(f), c.min(g), d.max(h)]);
     let [left, right, low, high] = hull.unwrap_or([-1.0, 1.0, 0.0, 1.0]);
-    let around = panels.iter().map(Panel::around);
+    let around = panels.iter().map(ModePanel::around);
     let [side, under] = around.fold([0.0, 0.0], |[a, b]: [f64; 2], [c, d]| [a.max(c), b.max(d)]);
     let radius = ((wide - 2.0 * side) / (right - left)).min(HEIGHT / (high - low));
     let strip = panels

@@ -1,6 +1,6 @@
 //! A thin arch, unrolled: along it the joints, across it the thickness, enlarged.
 
-use super::panel::Panel;
+use super::panel::ModePanel;
 use crate::arch::mechanism::Contact;
 use crate::atlas::{Line, Sketch, Subject};
 use crate::picture::color::{INK, WHITE};
@@ -34,7 +34,7 @@ impl Strip {
         (thickness < THIN && !sketch.forces.is_empty()).then_some(of)
     }
 
-    pub(super) fn draw(&self, svg: &mut Svg, panel: &Panel, (left, top): Point, width: f64) {
+    pub(super) fn draw(&self, svg: &mut Svg, panel: &ModePanel, (left, top): Point, width: f64) {
         let [inner, outer] = [-0.5, 0.5];
         let from = if self.half { 0.0 } else { -self.alpha };
         let at = |joint: f64, offset: f64| -> Point {

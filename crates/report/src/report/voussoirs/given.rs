@@ -8,10 +8,10 @@ use crate::problem::stones::JointContact;
 use crate::report::fields::Fields;
 use std::io;
 
-type Rounded = Result<Option<Figure>, Undecided>;
+type RoundedGiven = Result<Option<Figure>, Undecided>;
 
 /// The safety factors and the friction, by their names.
-fn quotients(found: &VoussoirAssessment) -> [(&'static str, &'static str, &Rounded); 3] {
+fn quotients(found: &VoussoirAssessment) -> [(&'static str, &'static str, &RoundedGiven); 3] {
     [
         ("geometric_safety", "geometric safety factor", &found.geometric_safety),
         ("required_friction", "required friction", &found.required_friction),
@@ -123,7 +123,7 @@ pub(super) fn cells(arch: &VoussoirArch, given: &GivenThickness) -> Fields {
     cells
 }
 
-fn value(found: &Rounded) -> Option<&Figure> {
+fn value(found: &RoundedGiven) -> Option<&Figure> {
     found.as_ref().ok()?.as_ref()
 }
 

@@ -1,6 +1,6 @@
 //! Sine and cosine near a point where they are known.
 //!
-//! Sine and cosine of a full-length argument are the most expensive part of a landmark. An [`Anchor`]
+//! Sine and cosine of a full-length argument are the most expensive part of a landmark. A [`SineAnchor`]
 //! holds them at a point where they are cheap, and reaches every argument nearby by a few
 //! multiplications. The point is
 //!
@@ -22,7 +22,7 @@ use rug::{Float, Integer};
 
 /// Sine and cosine at one point, to the precision given, ready to be moved to points nearby.
 #[derive(Clone, Debug)]
-pub struct Anchor {
+pub struct SineAnchor {
     at: Ball,
     turn: Turn,
 }
@@ -34,7 +34,7 @@ const GUARD: u32 = 24;
 /// Below this many bits MPFR's own sine is faster.
 const THRESHOLD: u32 = 1_000;
 
-impl Anchor {
+impl SineAnchor {
     /// Computes sine and cosine next to `near` to `prec` bits: not quite there, but as close as its own last bit.
     /// The fewer bits `near` has, the cheaper.
     pub fn new(near: &Float, prec: u32) -> Self {
@@ -171,7 +171,7 @@ mod tests {
             let at = Float::with_val(short, start);
             let step = Float::with_val(40, if sign { 1.3 } else { -1.3 }) >> far;
             let x = Float::with_val(4000, &at + &step);
-            let angle = Anchor::new(&at, prec).angle(&Ball::exact(x.clone(), prec));
+            let angle = SineAnchor::new(&at, prec).angle(&Ball::exact(x.clone(), prec));
             let (sin, cos) = high(&x);
             for (ours, truth) in [(&angle.sin, &sin), (&angle.cos, &cos)] {
                 prop_assert!(ours.lower() <= truth.lower() && truth.upper() <= ours.upper(), "{ours:?} {truth:?}");
@@ -183,7 +183,7 @@ mod tests {
         fn a_wide_argument_keeps_its_image(start in 0.1f64..3.0, width in 12i64..200, inside in -1.0f64..1.0) {
             let at = Float::with_val(100, start);
             let argument = Ball::new(at.clone(), Magnitude::power_of_two(-width), 300);
-            let angle = Anchor::new(&at, 300).angle(&argument);
+            let angle = SineAnchor::new(&at, 300).angle(&argument);
             let offset = Float::with_val(60, inside) >> i32::try_from(width).unwrap();
             let (sin, cos) = high(&Float::with_val(1000, &at + &offset));
             prop_assert!(angle.sin.lower() <= sin.lower() && sin.upper() <= angle.sin.upper());
@@ -201,7 +201,7 @@ mod tests {
             let prec = extra + match rho { 36..=80 => 1500, 120 => 25_000, _ => 150_000 };
             let depth = near.get_exp().map_or(0, |e| e.min(0).unsigned_abs());
             let places = prec + depth + GUARD;
-            let anchor = Anchor::reduced(&near, prec, places, rho).unwrap();
+            let anchor = SineAnchor::reduced(&near, prec, places, rho).unwrap();
             let nearer = Float::with_val(short + 200, &near + ((near.clone() / 1000u32) >> 20));
             for (anchor, prec) in [
                 (anchor.moved(&nearer), prec),
@@ -223,10 +223,10 @@ mod tests {
     #[test]
     fn what_is_short_of_bits_or_too_long_is_not_reduced() {
         let is_reduced = |near: &Float, prec: u32| {
-            let anchor = Anchor::new(near, prec);
+            let anchor = SineAnchor::new(near, prec);
             let (sin, _) = anchor.here(prec).rad.sin_cos();
             assert!(anchor.here(prec).sin.overlaps(&sin));
-            Anchor::reduced(near, prec, prec + GUARD, 36).is_some()
+            SineAnchor::reduced(near, prec, prec + GUARD, 36).is_some()
         };
         let float = |bits: u32, x: f64| Float::with_val(bits, x);
         assert!(is_reduced(&float(100, 0.7), 2000));
@@ -235,14 +235,14 @@ mod tests {
         assert!(!is_reduced(&float(60, 17.0), 2000), "far away");
         assert!(!is_reduced(&(float(60, 0.7) >> 70), 2000), "tiny");
         assert!(!is_reduced(&Float::new(60), 2000), "zero");
-        assert!(Anchor::reduced(&float(100, 0.7), 2000, 2024, 160).is_none(), "large powers");
+        assert!(SineAnchor::reduced(&float(100, 0.7), 2000, 2024, 160).is_none(), "large powers");
     }
 
     #[test]
     fn a_point_out_of_reach_is_computed_afresh() {
         let (here, there) = (Float::with_val(60, 0.5), Float::with_val(60, 2.5));
         for prec in [300, 2000] {
-            let anchor = Anchor::new(&here, prec);
+            let anchor = SineAnchor::new(&here, prec);
             let angles = [
                 anchor.moved(&there).here(prec),
                 anchor.angle(&Ball::exact(there.clone(), prec)),

@@ -1,6 +1,6 @@
 //! The arctangent, from sine and cosine at a point nearby.
 
-use super::{Anchor, Angle, Ball, Enclosure, Field, Magnitude};
+use super::{Angle, Ball, Enclosure, Field, Magnitude, SineAnchor};
 
 /// At this size MPFR's arctangent is taken for the first point.
 const FLOOR: u32 = 512;
@@ -25,7 +25,7 @@ pub fn arctangent(x: &Ball) -> Ball {
         true => rug::Float::with_val(bits, x.mid()).atan(),
         false => rug::Float::with_val(bits, arctangent(&x.with_precision(bits)).mid()),
     };
-    let mut anchor = Anchor::new(&near((prec / FIRST).max(64)), prec);
+    let mut anchor = SineAnchor::new(&near((prec / FIRST).max(64)), prec);
     let middle = prec / SECOND + GUARD as u32;
     if prec > FLOOR {
         let short = x.with_precision(middle);

@@ -1,6 +1,6 @@
 //! Sines, cosines and arctangents of many digits, quicker than MPFR's own.
 //!
-//! An [`Anchor`] turns the angle by Gaussian primes, whose arguments are computed once, until it is small; the rest
+//! A [`SineAnchor`] turns the angle by Gaussian primes, whose arguments are computed once, until it is small; the rest
 //! is a series.
 
 mod anchor;
@@ -16,7 +16,7 @@ mod small_angle;
 mod splitting;
 mod turn;
 
-pub use anchor::Anchor;
+pub use anchor::SineAnchor;
 pub use arctangent::arctangent;
 
 use super::ball::fixed;

@@ -17,7 +17,7 @@ use rug::Integer;
 const GUARD: u32 = 32;
 
 /// A number with the powers that the series of its sine and of its versine share.
-pub(super) struct Argument {
+pub(super) struct SineArgument {
     /// Integer of the number `root 2^-short`, without zeros at its end, and below `2^-small`.
     root: Integer,
     short: u32,
@@ -27,7 +27,7 @@ pub(super) struct Argument {
     powers: Vec<(Integer, u32)>,
 }
 
-impl Argument {
+impl SineArgument {
     /// `t` units of `2^-places`, `0 < t < 1/4`; `None` for zero.
     pub(super) fn new(t: &Integer, places: u32) -> Option<Self> {
         let zeros = t.find_one(0)?.min(places);
@@ -209,7 +209,7 @@ mod tests {
             let t = if ones { (Integer::from(1) << length) - 1 } else { scrambled(seed, length) };
             let t = t << (places - small - length);
             let exact = Float::with_val(places + 8, &t) >> places;
-            let argument = Argument::new(&t, places).unwrap();
+            let argument = SineArgument::new(&t, places).unwrap();
             let high = 3 * places + 200;
             let (sin, cos) = (Float::with_val(high, exact.sin_ref()), Float::with_val(high, exact.cos_ref()));
             prop_assert!(distance(&argument.sine(), sin, places) < 3.0);
@@ -219,8 +219,8 @@ mod tests {
 
     #[test]
     fn zero_and_one_unit() {
-        assert!(Argument::new(&Integer::new(), 100).is_none());
-        let unit = Argument::new(&Integer::from(1), 100).unwrap();
+        assert!(SineArgument::new(&Integer::new(), 100).is_none());
+        let unit = SineArgument::new(&Integer::from(1), 100).unwrap();
         assert!(unit.sine() <= 1 && unit.versine() == 0);
     }
 }

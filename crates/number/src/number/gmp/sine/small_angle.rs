@@ -1,7 +1,7 @@
 //! Sine and versine of a small angle in fixed point.
 
 use super::product::square;
-use super::rectangular::Argument;
+use super::rectangular::SineArgument;
 use super::splitting;
 use rug::Integer;
 
@@ -21,7 +21,7 @@ impl SmallAngle {
 
     /// `d` units of `2^-places`, `|d| < 1/4`; by Taylor's series.
     pub(super) fn by_series(d: &Integer, places: u32) -> Self {
-        let Some(argument) = Argument::new(&Integer::from(d.abs_ref()), places) else {
+        let Some(argument) = SineArgument::new(&Integer::from(d.abs_ref()), places) else {
             return Self { sin: Integer::new(), versine: Integer::new(), small: places };
         };
         let (sin, small) = (argument.sine(), argument.small());
