@@ -7,7 +7,7 @@ use couplet::certify::state::{Answer, Certify};
 use couplet::number::{Ball, ExactNumber};
 use couplet::problem::Friction;
 use couplet::problem::{Landmark, Mode};
-use couplet::strategies::{Query, arch, collapsing, query, standing};
+use couplet::strategies::{DrawnQuery, arch, collapsing, query, standing};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{TestError, TestRunner};
@@ -57,7 +57,7 @@ fn every_query_is_in_the_domain_and_hard_ones_are_among_them() {
         for weight in SelfWeight::ALL {
             let point = CertifiedLandmark::new(landmark, weight).unwrap();
             let at = point.enclosure(128).unwrap().value(Unknown::HalfOpening).unwrap();
-            let near = |query: &&Query| {
+            let near = |query: &&DrawnQuery| {
                 let gap = query.half_opening.enclosure::<Ball>(128) - &at;
                 query.weight == weight && gap.mid().to_f64().abs() < 1e-8
             };

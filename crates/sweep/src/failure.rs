@@ -37,11 +37,11 @@ impl From<Undecided> for Failure {
     }
 }
 
-impl From<check::Failure> for Failure {
-    fn from(failure: check::Failure) -> Self {
+impl From<check::CheckFailure> for Failure {
+    fn from(failure: check::CheckFailure) -> Self {
         match failure {
-            check::Failure::Refused(said) => Self::Undecided(said),
-            check::Failure::Open(said) => Self::Io(said),
+            check::CheckFailure::Refused(said) => Self::Undecided(said),
+            check::CheckFailure::Open(said) => Self::Io(said),
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::arches::{H, arch};
 use crate::hard::config;
 use couplet::certify::state::{Answer, Certify, Digits, Outcome};
-use couplet::judge::{Claim, CorrectDigits, Demand, Said, Verdict, judge};
+use couplet::judge::{CorrectDigits, Demand, RowClaim, Said, Verdict, judge};
 use couplet::number::Decimal;
 use couplet::problem::Arch;
 use couplet::problem::Mode;
@@ -24,7 +24,7 @@ fn what_cannot_be_told_is_accepted_of_nobody() {
     let verdict = |mode: &str, thickness: &str| {
         let numbers = vec![(Quantity::Thickness, thickness, false)];
         let said = Said { can_stand: Some("yes"), mode: Some(mode), numbers, ..Said::default() };
-        judge(&line, &Claim::read(&said).unwrap(), USUAL).verdict
+        judge(&line, &RowClaim::read(&said).unwrap(), USUAL).verdict
     };
     // Even of the two modes that meet at the line: nearer than can be told is not on it.
     assert_eq!(verdict("rrr", ""), Verdict::Undecided);
@@ -62,7 +62,7 @@ proptest! {
         let written = couplet::number::Rounded::from_rational(&moved, places as usize + 7 + extra).unwrap();
         let text = written.value.to_string();
         let numbers = vec![(Quantity::Thickness, text.as_str(), false)];
-        let claim = Claim::read(&Said { numbers, ..Said::default() }).unwrap();
+        let claim = RowClaim::read(&Said { numbers, ..Said::default() }).unwrap();
         let found = judge(&arch, &claim, USUAL);
         let thickness = &found.numbers[0];
         let claimed = written.value.to_rational();
@@ -96,7 +96,7 @@ proptest! {
         let text = state.thickness.decimal.value.to_string();
         let numbers = vec![(Quantity::Thickness, text.as_str(), false)];
         let said = Said { mode: Some(mode.label()), numbers, ..Said::default() };
-        let found = judge(&arch, &Claim::read(&said).unwrap(), USUAL);
+        let found = judge(&arch, &RowClaim::read(&said).unwrap(), USUAL);
         prop_assert_eq!(found.verdict == Verdict::WrongMode, mode != state.mode);
         prop_assert_eq!(found.verdict == Verdict::CorrectlyRounded, mode == state.mode);
     }

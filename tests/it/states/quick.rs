@@ -5,7 +5,7 @@ use crate::hard::config;
 use couplet::certify::state::{Answer, Certify, Figure, Inquiry, Outcome, Wanted};
 use couplet::number::{AstroInterval, Dyadic, Enclosure, Engine, ExactNumber, Field};
 use couplet::problem::{Arch, Mode, Problem};
-use couplet::strategies::{Query, query};
+use couplet::strategies::{DrawnQuery, query};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
@@ -35,7 +35,7 @@ fn state(answer: &Answer) -> String {
 }
 
 /// The same answers with balls of MPFR alone.
-fn agree(query: &Query, digits: usize) {
+fn agree(query: &DrawnQuery, digits: usize) {
     let arch = query.arch().unwrap();
     let by_mpfr = Inquiry::new(&arch, digits, true).state(digits, true);
     match (arch.certify(digits), by_mpfr) {
@@ -46,7 +46,7 @@ fn agree(query: &Query, digits: usize) {
 }
 
 /// The same of an arch with a thickness.
-fn agree_at(query: &Query, thickness: &ExactNumber, digits: usize) {
+fn agree_at(query: &DrawnQuery, thickness: &ExactNumber, digits: usize) {
     let arch = query.arch().unwrap();
     let found = arch.certify_thickness(thickness, digits).unwrap();
     let mut inquiry = Inquiry::new(&arch, digits, false);
@@ -105,7 +105,7 @@ fn over_astro_float(count: usize) -> [usize; 7] {
     let mut runner = TestRunner::new(config(1));
     let mut met = [0; 7];
     while met.iter().sum::<usize>() < count {
-        let query: Query = query().new_tree(&mut runner).unwrap().current();
+        let query: DrawnQuery = query().new_tree(&mut runner).unwrap().current();
         let arch: Arch = query.arch().unwrap();
         // Of small half openings twenty digits do not tell the thrust from one.
         if query.doubles().0 < 0.1 {

@@ -15,7 +15,7 @@
 
 use super::joint::Grip;
 use super::mechanism::{Contact, Joint};
-use super::whole::{Forces, Motion, Side, margin, margin_along, motion_row};
+use super::whole::{Forces, Side, WholeMotion, margin, margin_along, motion_row};
 use super::{Configuration, Ring, SelfWeight};
 use crate::number::{Angle, Field, Real};
 use std::fmt;
@@ -244,7 +244,7 @@ impl<T: Field> Asymmetric<T> {
     /// Motion of the blocks, with the rotation one at the hinge next to the crown. It fits for the first two
     /// kinds whatever the variables are, and for the third where [`closing`](Self::closing) is zero.
     /// Undefined where the two joints that close the motion do the same.
-    pub fn motion(&self, mode: AsymmetricMode) -> Motion<T> {
+    pub fn motion(&self, mode: AsymmetricMode) -> WholeMotion<T> {
         let (eta, none) = (&self.thickness, self.thickness.int(0));
         let one = eta.int(1);
         let row = |(contact, side, place): (Contact, Side, Place)| {
@@ -283,7 +283,7 @@ impl<T: Field> Asymmetric<T> {
             rate,
             dilatancy: none.clone(),
         };
-        Motion(mode.contacts().iter().zip(rates).map(joint).collect())
+        WholeMotion(mode.contacts().iter().zip(rates).map(joint).collect())
     }
 }
 

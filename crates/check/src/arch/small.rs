@@ -19,15 +19,15 @@ use crate::number::{Field, Stumpff};
 #[derive(Clone, Debug)]
 pub struct Scaled<T> {
     /// `y = alpha²`.
-    pub opening: Joint<T>,
+    pub opening: SquaredAngle<T>,
     /// `c_n(y/4)`, for half the half opening.
     pub half: Vec<T>,
     /// `p`, with the functions at `beta_r² = y p`.
-    pub rotation: Joint<T>,
+    pub rotation: SquaredAngle<T>,
     /// `z = beta_s/alpha`.
     pub sliding_joint: T,
     /// `z²`, with the functions at `beta_s² = y z²`.
-    pub sliding: Joint<T>,
+    pub sliding: SquaredAngle<T>,
     /// `q = eta/alpha⁴`.
     pub thickness: T,
     /// `r = (1 - h)/alpha²`.
@@ -38,7 +38,7 @@ pub struct Scaled<T> {
 
 /// An angle by its square.
 #[derive(Clone, Debug)]
-pub struct Joint<T> {
+pub struct SquaredAngle<T> {
     /// The square of the angle; for a joint over that of the half opening.
     pub square: T,
     /// `c_0, ..., c_4` at the square of the angle.
@@ -52,8 +52,8 @@ impl<T: Stumpff> Scaled<T> {
     /// The half opening `sqrt(y)`, all else zero.
     pub fn new(y: &T) -> Self {
         let zero = y.int(0);
-        let opening = Joint { square: y.clone(), functions: y.stumpff(FUNCTIONS) };
-        let at_crown = Joint { square: zero.clone(), functions: zero.stumpff(FUNCTIONS) };
+        let opening = SquaredAngle { square: y.clone(), functions: y.stumpff(FUNCTIONS) };
+        let at_crown = SquaredAngle { square: zero.clone(), functions: zero.stumpff(FUNCTIONS) };
         Self {
             opening,
             half: (y.clone() / y.int(4)).stumpff(FUNCTIONS),
@@ -70,7 +70,7 @@ impl<T: Stumpff> Scaled<T> {
     pub fn with(mut self, unknown: Unknown, value: T) -> Self {
         let joint = |square: T| {
             let functions = (self.opening.square.clone() * &square).stumpff(FUNCTIONS);
-            Joint { square, functions }
+            SquaredAngle { square, functions }
         };
         match unknown {
             Unknown::HalfOpening => return Self::new(&value),
@@ -93,7 +93,8 @@ impl<T> Scaled<T> {
     /// Maps the variables to another number.
     pub fn map<U>(self, f: impl Fn(T) -> U) -> Scaled<U> {
         let all = |functions: Vec<T>| functions.into_iter().map(&f).collect();
-        let joint = |j: Joint<T>| Joint { square: f(j.square), functions: all(j.functions) };
+        let joint =
+            |j: SquaredAngle<T>| SquaredAngle { square: f(j.square), functions: all(j.functions) };
         Scaled {
             opening: joint(self.opening),
             half: all(self.half),
@@ -129,7 +130,7 @@ fn centroid_term<T: Field>(weight: SelfWeight, at: &Scaled<T>) -> T {
 /// 2 p² (c_3 - 2 c_4) - 2 p r c_2 + q [2 (1 - y r) + y p (c_1 - c_2 (1 - y r))] + delta_M eta²/6 p c_2 / y
 /// ```
 pub fn lower<T: Field>(weight: SelfWeight, at: &Scaled<T>) -> T {
-    let Joint { square: p, functions: c } = &at.rotation;
+    let SquaredAngle { square: p, functions: c } = &at.rotation;
     let two = p.int(2);
     let (h, u) = (two.int(1) - rest(at), at.opening.square.clone() * p);
     let bending = p.square() * (c[3].clone() - two.clone() * &c[4]);
@@ -144,7 +145,7 @@ pub fn lower<T: Field>(weight: SelfWeight, at: &Scaled<T>) -> T {
 /// (2 - eta) (p (c_2 - c_3) - r c_1) + c_1 (y q + delta_M eta²/6 / y)
 /// ```
 pub fn tangency<T: Field>(weight: SelfWeight, at: &Scaled<T>) -> T {
-    let Joint { square: p, functions: c } = &at.rotation;
+    let SquaredAngle { square: p, functions: c } = &at.rotation;
     let intrados = p.int(2) - thickness(at);
     let gap = (c[2].clone() - &c[3]) * p - at.deficit.clone() * &c[1];
     let added = at.opening.square.clone() * &at.thickness + centroid_term(weight, at);
@@ -176,7 +177,7 @@ pub fn shoulder<T: Field>(at: &Scaled<T>) -> Quotient<T> {
 
 /// `N(alpha) = h cos(alpha) + alpha sin(alpha)`.
 pub fn normal_force<T: Field>(at: &Scaled<T>) -> T {
-    let Joint { square: y, functions: c } = &at.opening;
+    let SquaredAngle { square: y, functions: c } = &at.opening;
     (y.int(1) - rest(at)) * &c[0] + y.clone() * &c[1]
 }
 
@@ -186,7 +187,7 @@ pub fn normal_force<T: Field>(at: &Scaled<T>) -> T {
 /// m = (r² - r z² c_2 + z⁴ c_3) / (z (y r c_1 + c_0))
 /// ```
 pub fn inner<T: Field>(at: &Scaled<T>) -> Quotient<T> {
-    let Joint { square, functions: c } = &at.sliding;
+    let SquaredAngle { square, functions: c } = &at.sliding;
     let r = &at.deficit;
     Quotient {
         numerator: r.square() - square.clone() * r * &c[2] + square.square() * &c[3],
@@ -206,7 +207,7 @@ pub fn steepest<T: Field>(at: &Scaled<T>) -> T {
 /// (1 + eta/2) (r c_2 - c_3 + 2 c_4) + c_2 (y q/2 - delta_M eta²/12 / y)
 /// ```
 pub fn extrados_margin_at_shoulder<T: Field>(weight: SelfWeight, at: &Scaled<T>) -> T {
-    let Joint { square: y, functions: c } = &at.opening;
+    let SquaredAngle { square: y, functions: c } = &at.opening;
     let two = y.int(2);
     let extrados = two.clone() + thickness(at);
     let gap = at.deficit.clone() * &c[2] - &c[3] + two.clone() * &c[4];
@@ -245,12 +246,12 @@ mod tests {
         let (x, b, z) =
             (Symbol::HalfOpening.number(), Symbol::Joint.number(), Symbol::SquareRoot.number());
         let y = x.square();
-        let joint = |part: &Fraction, c3, c4| Joint {
+        let joint = |part: &Fraction, c3, c4| SquaredAngle {
             square: part.square(),
             functions: functions(&(y.clone() * part.square()), c3, c4),
         };
         Scaled {
-            opening: Joint {
+            opening: SquaredAngle {
                 square: y.clone(),
                 functions: functions(&y, Symbol::SineOfOpening, Symbol::CosineOfOpening),
             },

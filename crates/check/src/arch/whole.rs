@@ -157,9 +157,9 @@ fn components<T: Field>(twist: Twist<T>) -> [T; 3] {
 /// Joints that give way together, from the right springing to the left, each by its sign at a joint of `[-alpha,
 /// alpha]`.
 #[derive(Clone, Debug)]
-pub struct Motion<T>(pub Vec<Joint<T>>);
+pub struct WholeMotion<T>(pub Vec<Joint<T>>);
 
-impl<T: Field> Motion<T> {
+impl<T: Field> WholeMotion<T> {
     /// The twist beyond the last joint by components, as in [`motion_row`]: zero, if the motion is compatible.
     pub fn gap(&self, thickness: &T) -> [T; 3] {
         let add = |sum: Twist<T>, joint: &Joint<T>| sum.plus(&joint.twist(thickness));
@@ -312,9 +312,9 @@ mod tests {
                 rate: rate.clone(),
                 dilatancy: none.clone(),
             });
-            Motion(joints.collect())
+            WholeMotion(joints.collect())
         };
-        let balance = |motion: &Motion<Rational>| {
+        let balance = |motion: &WholeMotion<Rational>| {
             let forces = forces((2, 9));
             let terms = motion.complementarity(&ring(), &grip(), &forces);
             let terms = terms.into_iter().fold(Rational::new(), |sum, term| sum + term);

@@ -1,7 +1,7 @@
 //! `couplet-check`: files in, a line for each out. The lines are those of `couplet check`; the arguments are read
 //! here, so that nothing more has to be trusted.
 
-use couplet_check::check::{Engine, Failure, NO_MPFR, check_files, print, visible};
+use couplet_check::check::{CheckFailure, Engine, NO_MPFR, check_files, print, visible};
 use std::ffi::OsString;
 use std::process::ExitCode;
 
@@ -40,8 +40,8 @@ fn main() -> ExitCode {
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
-        Err(Failure::Refused(said)) => failed(&said, 1),
-        Err(Failure::Open(said)) => failed(&said, 3),
+        Err(CheckFailure::Refused(said)) => failed(&said, 1),
+        Err(CheckFailure::Open(said)) => failed(&said, 3),
     }
 }
 

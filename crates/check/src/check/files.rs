@@ -17,7 +17,7 @@ pub const NO_MPFR: &str = "--engine mpfr, in a build that has it,";
 
 /// Why not every file was accepted, in one line.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Failure {
+pub enum CheckFailure {
     /// At least one was refused.
     Refused(String),
     /// None was refused; one was not read or not checked, or a line could not be written.
@@ -25,7 +25,7 @@ pub enum Failure {
 }
 
 /// Verdict on a file.
-enum Verdict {
+enum FileVerdict {
     Accepted,
     Refused,
     /// Not checked, or not read.
@@ -34,45 +34,48 @@ enum Verdict {
 
 /// Checks files in the arithmetic `engine`; `-` is standard input. Each gets one line on standard output: `accepted`,
 /// `refused`, `not checked` or `not read`. `larger` are the words for an arithmetic that takes more digits.
-pub fn check_files(names: &[OsString], engine: Engine, larger: &str) -> Result<(), Failure> {
+pub fn check_files(names: &[OsString], engine: Engine, larger: &str) -> Result<(), CheckFailure> {
     let (mut refused, mut open) = (0, 0);
     for name in names {
         let (verdict, said) = verdict(name, engine, larger);
         match verdict {
-            Verdict::Accepted => {}
-            Verdict::Refused => refused += 1,
-            Verdict::Open => open += 1,
+            FileVerdict::Accepted => {}
+            FileVerdict::Refused => refused += 1,
+            FileVerdict::Open => open += 1,
         }
         print(format!("{}: {said}\n", visible_name(name)).as_bytes())?;
     }
     let all = names.len();
     match (refused, open) {
         (0, 0) => Ok(()),
-        (0, open) => Err(Failure::Open(format!("{open} of {all} not checked"))),
-        (refused, 0) => Err(Failure::Refused(format!("{refused} of {all} refused"))),
+        (0, open) => Err(CheckFailure::Open(format!("{open} of {all} not checked"))),
+        (refused, 0) => Err(CheckFailure::Refused(format!("{refused} of {all} refused"))),
         (refused, open) => {
-            Err(Failure::Refused(format!("{refused} of {all} refused, {open} not checked")))
+            Err(CheckFailure::Refused(format!("{refused} of {all} refused, {open} not checked")))
         }
     }
 }
 
 /// The verdict on a file, and its words.
-fn verdict(name: &OsStr, engine: Engine, larger: &str) -> (Verdict, String) {
+fn verdict(name: &OsStr, engine: Engine, larger: &str) -> (FileVerdict, String) {
     let bytes = match read(name) {
         Ok(bytes) => bytes,
-        Err(error) => return (Verdict::Open, format!("not read: {}", reason(&error))),
+        Err(error) => return (FileVerdict::Open, format!("not read: {}", reason(&error))),
     };
     if bytes.len() as u64 > MAX_BYTES {
-        return (Verdict::Refused, format!("refused: the file has more than {MAX_BYTES} bytes"));
+        return (
+            FileVerdict::Refused,
+            format!("refused: the file has more than {MAX_BYTES} bytes"),
+        );
     }
     match engine.check(&bytes) {
         Ok(accepted) => {
-            (Verdict::Accepted, format!("accepted  {}{}", summary(&accepted), engine.remark()))
+            (FileVerdict::Accepted, format!("accepted  {}{}", summary(&accepted), engine.remark()))
         }
         Err(limit @ Refusal::Limit(..)) => {
-            (Verdict::Open, format!("not checked: {limit}; {larger} checks up to {MAX_DIGITS}"))
+            (FileVerdict::Open, format!("not checked: {limit}; {larger} checks up to {MAX_DIGITS}"))
         }
-        Err(refusal) => (Verdict::Refused, format!("refused: {refusal}")),
+        Err(refusal) => (FileVerdict::Refused, format!("refused: {refusal}")),
     }
 }
 
@@ -104,11 +107,11 @@ pub fn reason(error: &io::Error) -> String {
 }
 
 /// Writes to standard output. A reader that closes the pipe early is no failure.
-pub fn print(bytes: &[u8]) -> Result<(), Failure> {
+pub fn print(bytes: &[u8]) -> Result<(), CheckFailure> {
     let mut out = io::stdout().lock();
     match out.write_all(bytes).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(Failure::Open(format!("cannot write to standard output: {}", reason(&error))))
+            Err(CheckFailure::Open(format!("cannot write to standard output: {}", reason(&error))))
         }
         _ => Ok(()),
     }

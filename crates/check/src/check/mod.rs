@@ -25,7 +25,7 @@ pub use checker::{
 };
 pub use claim::{ArchFile, AsymmetricFile, ClaimFile, StandsFile, StateFile, TooThinFile};
 pub use engine::Engine;
-pub use files::{Failure, NO_MPFR, check_files, print, read, reason};
+pub use files::{CheckFailure, NO_MPFR, check_files, print, read, reason};
 pub use format::{Certificate, SCHEMA, ValueFile, Witness};
 pub use refusal::Refusal;
 pub use summary::summary;

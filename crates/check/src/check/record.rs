@@ -74,7 +74,7 @@ impl<'de, T: Entry> Visitor<'de> for Entries<T> {
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Vec<T>, A::Error> {
         let mut all = Vec::new();
-        while let Some(entry) = list.next_element_seed(Value(PhantomData))? {
+        while let Some(entry) = list.next_element_seed(RecordValue(PhantomData))? {
             if all.len() == LONGEST {
                 return Err(A::Error::custom(format_args!(
                     "a list of more than {LONGEST} entries"
@@ -87,9 +87,9 @@ impl<'de, T: Entry> Visitor<'de> for Entries<T> {
 }
 
 /// The value of a field, or an entry of a list.
-pub(super) struct Value<T>(pub PhantomData<T>);
+pub(super) struct RecordValue<T>(pub PhantomData<T>);
 
-impl<'de, T: Entry> DeserializeSeed<'de> for Value<T> {
+impl<'de, T: Entry> DeserializeSeed<'de> for RecordValue<T> {
     type Value = T;
 
     fn deserialize<D: Deserializer<'de>>(self, from: D) -> Result<T, D::Error> {
@@ -150,7 +150,7 @@ macro_rules! record {
                                 if $field.is_some() {
                                     return Err(A::Error::duplicate_field(name));
                                 }
-                                $field = Some(map.next_value_seed(read::Value(PhantomData))?);
+                                $field = Some(map.next_value_seed(read::RecordValue(PhantomData))?);
                             })+
                         }
                         Ok($record {

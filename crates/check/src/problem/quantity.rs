@@ -94,14 +94,14 @@ pub enum Quantity {
 }
 
 /// Names of a quantity.
-struct Row {
+struct QuantityNames {
     name: &'static str,
     symbol: &'static str,
     latex: &'static str,
 }
 
-const fn row(name: &'static str, symbol: &'static str, latex: &'static str) -> Row {
-    Row { name, symbol, latex }
+const fn row(name: &'static str, symbol: &'static str, latex: &'static str) -> QuantityNames {
+    QuantityNames { name, symbol, latex }
 }
 
 /// A list with the asymmetric thickness behind it.
@@ -212,7 +212,7 @@ impl Quantity {
     ];
 
     /// The one place where a quantity gets its names.
-    const fn row(self) -> Row {
+    const fn row(self) -> QuantityNames {
         match self {
             Self::Thickness => row("thickness", "eta = t/r", r"$\eta = t/r$"),
             Self::Friction => row("friction", "mu", r"$\mu$"),

@@ -11,7 +11,7 @@ use super::{Claim, Derivation, Finding, claim, lemmas};
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
 use crate::arch::joint::Grip;
-use crate::arch::whole::{Forces, Motion};
+use crate::arch::whole::{Forces, WholeMotion};
 use crate::certify::state::{Certify, Outcome};
 use crate::certify::{CertifiedAsymmetric, Undecided};
 use crate::number::{Angle, Ball, Field, Rounded};
@@ -54,7 +54,7 @@ fn variables() -> Asymmetric<Fraction> {
 }
 
 /// The power of the weight less that of friction, and the margins at the hinges times their rates.
-fn balance(motion: &Motion<Fraction>, at: &Asymmetric<Fraction>) -> [Fraction; 2] {
+fn balance(motion: &WholeMotion<Fraction>, at: &Asymmetric<Fraction>) -> [Fraction; 2] {
     let ring = ring();
     let left = motion.power(&ring) - motion.friction_power(&at.forces);
     let terms = motion.complementarity(&ring, &at.grip, &at.forces);

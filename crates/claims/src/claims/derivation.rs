@@ -78,7 +78,7 @@ impl Support {
 /// One line of a derivation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct Step {
+pub struct DerivationStep {
     /// Support of the step.
     pub support: Support,
     /// Words that it says.
@@ -135,7 +135,7 @@ pub(super) enum Twin {
 /// A proof as far as it has come. A check that fails ends it.
 #[derive(Clone, Debug, Default)]
 pub struct Derivation {
-    steps: Vec<Step>,
+    steps: Vec<DerivationStep>,
     /// The false twins that the checks so far have.
     twins: Vec<Twin>,
     /// Supports of the claims used.
@@ -157,7 +157,7 @@ impl Derivation {
     }
 
     /// The steps so far.
-    pub fn steps(&self) -> &[Step] {
+    pub fn steps(&self) -> &[DerivationStep] {
         &self.steps
     }
 
@@ -197,7 +197,7 @@ impl Derivation {
     }
 
     fn push(&mut self, support: Support, words: impl Into<String>, formula: Option<Formula>) {
-        self.steps.push(Step { support, words: words.into(), formula });
+        self.steps.push(DerivationStep { support, words: words.into(), formula });
     }
 
     /// Assumes something: it becomes part of the claim.

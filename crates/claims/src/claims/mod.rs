@@ -82,7 +82,7 @@ mod units;
 mod weights;
 
 pub use claim::{Claim, Decision, Finding};
-pub use derivation::{Argument, Derivation, Formula, Step, Support};
+pub use derivation::{Argument, Derivation, DerivationStep, Formula, Support};
 pub use index::index;
 pub use sentence::{Decided, Sentence};
 

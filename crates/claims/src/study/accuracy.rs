@@ -6,7 +6,7 @@ use super::closed::{printed, trigonometric};
 use super::double_double;
 use super::enclosure::{ErrorSizes, enclose, error, relative_radius};
 use super::newton::{doubling, newton};
-use super::row::{Row, Timed, timed};
+use super::row::{Measurement, Timed, timed};
 use super::static_programme::least_thickness;
 use crate::arch::Unknown;
 use crate::certify::CertifiedLandmark;
@@ -55,19 +55,19 @@ pub const COMMAND: &str = "what couplet state does";
 pub const SINES: &str = "sin-cos";
 
 /// One sine and cosine in MPFR at each precision: the unit in which everything else can be read.
-pub fn sines(effort: &Effort) -> Vec<Row> {
+pub fn sines(effort: &Effort) -> Vec<Measurement> {
     let measure = |&bits: &u32| {
         let angle = Float::with_val(bits, 3).sqrt();
         let timed = timed(effort.budget, || Real::sin_cos(&angle));
         let digits = f64::from(bits) * LOG10_2;
-        let row = Row {
+        let row = Measurement {
             quantity: SINES.into(),
             case: "sqrt(3)".into(),
             method: "one sine and cosine, MPFR".into(),
             precision_bits: Some(bits),
             error_relative_log10: Some(-digits),
             verdict: "computed".into(),
-            ..Row::default()
+            ..Measurement::default()
         };
         row.with_times(&timed)
     };
@@ -75,22 +75,28 @@ pub fn sines(effort: &Effort) -> Vec<Row> {
 }
 
 /// All measurements of one case.
-pub fn measure(case: &Case, effort: &Effort) -> Vec<Row> {
+pub fn measure(case: &Case, effort: &Effort) -> Vec<Measurement> {
     let mut rows = Vec::new();
     let most = effort.bits.iter().max().copied().unwrap_or(64);
     let Some(truth) = enclose::<Ball>(&case.problem, &case.start, most + REFERENCE) else {
-        return vec![Row { verdict: "no reference".into(), ..named(case, "reference", None) }];
+        return vec![Measurement {
+            verdict: "no reference".into(),
+            ..named(case, "reference", None)
+        }];
     };
     let study = CaseStudy { case, effort, truth: &truth };
     let mut computed =
         |method: &str, bits: u32, steps: Option<usize>, timed: Timed<Option<Vec<Float>>>| {
             let evaluations = steps.map(|steps| steps * truth.len());
-            let row = Row { newton_steps: steps, evaluations, ..study.row(method, Some(bits)) };
+            let row =
+                Measurement { newton_steps: steps, evaluations, ..study.row(method, Some(bits)) };
             let row = row.with_times(&timed);
             rows.push(match &timed.value {
-                Some(values) => Row { verdict: "computed".into(), working_bits: Some(bits), ..row }
-                    .with_errors(&study.errors(values), bits),
-                None => Row { verdict: "no value".into(), ..row },
+                Some(values) => {
+                    Measurement { verdict: "computed".into(), working_bits: Some(bits), ..row }
+                        .with_errors(&study.errors(values), bits)
+                }
+                None => Measurement { verdict: "no value".into(), ..row },
             });
         };
     let double = |x: f64| x.is_finite().then(|| vec![Float::with_val(53, x)]);
@@ -152,14 +158,14 @@ pub fn measure(case: &Case, effort: &Effort) -> Vec<Row> {
 }
 
 /// The row of a method on a case.
-fn named(case: &Case, method: &str, bits: Option<u32>) -> Row {
-    Row {
+fn named(case: &Case, method: &str, bits: Option<u32>) -> Measurement {
+    Measurement {
         quantity: case.quantity.into(),
         case: case.name.clone(),
         method: method.into(),
         precision_bits: bits,
         threads: 1,
-        ..Row::default()
+        ..Measurement::default()
     }
 }
 
@@ -172,7 +178,7 @@ struct CaseStudy<'a> {
 }
 
 impl CaseStudy<'_> {
-    fn row(&self, method: &str, bits: Option<u32>) -> Row {
+    fn row(&self, method: &str, bits: Option<u32>) -> Measurement {
         named(self.case, method, bits)
     }
 
@@ -181,7 +187,7 @@ impl CaseStudy<'_> {
     }
 
     /// The discrete static programme, for the thickness of a state: its error is that of the joints.
-    fn static_programme(&self, joints: usize) -> Option<Row> {
+    fn static_programme(&self, joints: usize) -> Option<Measurement> {
         let Task::State { weight, mode, half_opening, friction } = &self.case.problem else {
             return None;
         };
@@ -191,7 +197,7 @@ impl CaseStudy<'_> {
         let value = Float::with_val(53, timed.value);
         let row = self.row(&format!("static programme, {joints} joints"), Some(53));
         let row = row.with_times(&timed).with_errors(&[error(&value, &self.truth[index])], 53);
-        Some(Row { verdict: "computed".into(), working_bits: Some(53), ..row })
+        Some(Measurement { verdict: "computed".into(), working_bits: Some(53), ..row })
     }
 
     /// One root, from the start to proved digits: the centre by Newton's method in MPFR, its box in the arithmetic of a
@@ -230,11 +236,11 @@ impl CaseStudy<'_> {
     }
 
     /// The proofs of the product, at one precision.
-    fn proofs(&self, bits: u32) -> Row {
+    fn proofs(&self, bits: u32) -> Measurement {
         let timed = timed(self.effort.budget, || self.certified(bits));
         let (_, tally) = tally::measure(|| self.certified(bits));
         let counted = |count: u64| (count > 0).then_some(count as usize);
-        Row {
+        Measurement {
             evaluations: counted(tally.evaluations()),
             newton_steps: counted(tally.newton_steps),
             ..self.proved("certified, balls of MPFR", bits, timed)
@@ -242,7 +248,7 @@ impl CaseStudy<'_> {
     }
 
     /// The proofs of a state that the product asks first, and what the command does.
-    fn quick_proofs(&self) -> Vec<Row> {
+    fn quick_proofs(&self) -> Vec<Measurement> {
         let Task::State { weight, half_opening, friction, .. } = &self.case.problem else {
             return Vec::new();
         };
@@ -290,14 +296,14 @@ impl CaseStudy<'_> {
     }
 
     /// The row of a method that proves balls, or nothing.
-    fn proved(&self, method: &str, bits: u32, timed: Timed<Option<Vec<Ball>>>) -> Row {
+    fn proved(&self, method: &str, bits: u32, timed: Timed<Option<Vec<Ball>>>) -> Measurement {
         let row = self.row(method, Some(bits)).with_times(&timed);
         let Some(balls) = &timed.value else {
-            return Row { verdict: "undecided".into(), ..row };
+            return Measurement { verdict: "undecided".into(), ..row };
         };
         let values: Vec<Float> = balls.iter().map(|x| x.mid().clone()).collect();
         let claimed = balls.iter().map(relative_radius).fold(f64::NEG_INFINITY, f64::max);
-        Row {
+        Measurement {
             verdict: "proved".into(),
             claimed_relative_log10: Some(claimed),
             certified_digits: Some(-claimed),

@@ -1,14 +1,14 @@
 //! The figures of the study of accuracy, from its rows.
 
 use super::accuracy::{COMMAND, SINES};
-use super::row::{Row, quartiles};
-use couplet_draw::picture::figure::{Axis, Figure, Kind, Line, Panel, Scale};
+use super::row::{Measurement, quartiles};
+use couplet_draw::picture::figure::{Axis, Figure, Kind, Panel, PlottedLine, Scale};
 
 /// Digits that a method has to reach to count in the performance profile.
 const TARGET: f64 = 12.0;
 
 /// Name and figure.
-pub fn figures(rows: &[Row]) -> Vec<(&'static str, Figure)> {
+pub fn figures(rows: &[Measurement]) -> Vec<(&'static str, Figure)> {
     vec![
         ("error-against-time", error_against_time(rows)),
         ("performance-profile", profile(rows)),
@@ -17,7 +17,10 @@ pub fn figures(rows: &[Row]) -> Vec<(&'static str, Figure)> {
 }
 
 /// The values of a key in the order in which they come.
-fn distinct<'a, T: PartialEq>(rows: &'a [Row], key: impl Fn(&'a Row) -> T) -> Vec<T> {
+fn distinct<'a, T: PartialEq>(
+    rows: &'a [Measurement],
+    key: impl Fn(&'a Measurement) -> T,
+) -> Vec<T> {
     rows.iter().map(key).fold(Vec::new(), |mut all, value| {
         if !all.contains(&value) {
             all.push(value);
@@ -32,7 +35,7 @@ fn median(values: Vec<f64>) -> Option<f64> {
 }
 
 /// A method without the number of joints behind it.
-fn family(row: &Row) -> &str {
+fn family(row: &Measurement) -> &str {
     row.method.split(", 1").next().unwrap_or(&row.method)
 }
 
@@ -47,7 +50,7 @@ struct ProfilePoint {
 }
 
 impl ProfilePoint {
-    fn of(rows: &[&Row]) -> Option<Self> {
+    fn of(rows: &[&Measurement]) -> Option<Self> {
         let times = quartiles(rows.iter().map(|row| row.cpu_seconds).collect())?;
         let digits = rows.iter().filter_map(|row| Some(-row.error_relative_log10?));
         let digits = median(digits.filter(|digits| digits.is_finite()).collect());
@@ -58,14 +61,15 @@ impl ProfilePoint {
 
 /// The lines of a method: its medians, the quartiles of its times as bars, and a mark where a case has no value, at one
 /// digit if none has.
-fn lines_of(method: &str, rows: &[Row]) -> [Line; 3] {
+fn lines_of(method: &str, rows: &[Measurement]) -> [PlottedLine; 3] {
     let keys = distinct(rows, |row| (row.precision_bits, &row.method));
     let points = keys.into_iter().filter_map(|key| {
         let group = rows.iter().filter(|row| (row.precision_bits, &row.method) == key);
         ProfilePoint::of(&group.collect::<Vec<_>>())
     });
     let points: Vec<ProfilePoint> = points.collect();
-    let line = |kind, points: Vec<(f64, f64)>| Line { label: method.to_owned(), points, kind };
+    let line =
+        |kind, points: Vec<(f64, f64)>| PlottedLine { label: method.to_owned(), points, kind };
     let median = |point: &ProfilePoint| (point.times[1], point.digits);
     let bar = |point: &ProfilePoint| {
         let [low, _, high] = point.times;
@@ -87,20 +91,21 @@ fn lines_of(method: &str, rows: &[Row]) -> [Line; 3] {
 /// Correct digits (the median over the cases) against CPU time, a panel for each kind of quantity. With
 /// logarithmic axes sixteen digits and twenty thousand fit one panel, and where a method stops to improve
 /// its line turns flat.
-fn error_against_time(rows: &[Row]) -> Figure {
-    let (sines, rows): (Vec<Row>, Vec<Row>) =
+fn error_against_time(rows: &[Measurement]) -> Figure {
+    let (sines, rows): (Vec<Measurement>, Vec<Measurement>) =
         rows.iter().cloned().partition(|row| row.quantity == SINES);
     let sine_points: Vec<(f64, f64)> = sines
         .iter()
         .filter_map(|row| Some((row.cpu_seconds, -row.error_relative_log10?)))
         .collect();
     let panels = distinct(&rows, |row| &row.quantity).into_iter().map(|quantity| {
-        let here: Vec<Row> = rows.iter().filter(|r| r.quantity == *quantity).cloned().collect();
+        let here: Vec<Measurement> =
+            rows.iter().filter(|r| r.quantity == *quantity).cloned().collect();
         let lines = distinct(&here, family).into_iter().flat_map(|method| {
             let of_method = here.iter().filter(|row| family(row) == method);
             lines_of(method, &of_method.cloned().collect::<Vec<_>>())
         });
-        let unit = Line {
+        let unit = PlottedLine {
             label: "for comparison: a sine and a cosine".into(),
             points: sine_points.clone(),
             kind: Kind::Reference,
@@ -123,8 +128,9 @@ fn error_against_time(rows: &[Row]) -> Figure {
 
 /// Dolan and Moré's performance profile: the part of the cases of a method that it solves to twelve digits in at
 /// most so many times the time of the fastest method.
-fn profile(rows: &[Row]) -> Figure {
-    let rows: &[Row] = &rows.iter().filter(|r| r.quantity != SINES).cloned().collect::<Vec<_>>();
+fn profile(rows: &[Measurement]) -> Figure {
+    let rows: &[Measurement] =
+        &rows.iter().filter(|r| r.quantity != SINES).cloned().collect::<Vec<_>>();
     let cases = distinct(rows, |row| (&row.quantity, &row.case));
     let methods = distinct(rows, family);
     let best = |case: &(&String, &String), method: Option<&str>| {
@@ -147,7 +153,7 @@ fn profile(rows: &[Row]) -> Figure {
     let slowest = profiles.iter().flat_map(|(_, ratios)| ratios).fold(1.0, |a: f64, b| a.max(*b));
     let lines = profiles.iter().map(|(method, ratios)| {
         // A closed form has not failed where there is none.
-        let of_method: Vec<Row> =
+        let of_method: Vec<Measurement> =
             rows.iter().filter(|row| family(row) == *method).cloned().collect();
         let measured = distinct(&of_method, |row| (&row.quantity, &row.case)).len();
         let part = |n: usize| (n + 1) as f64 / measured as f64;
@@ -159,7 +165,7 @@ fn profile(rows: &[Row]) -> Figure {
             true => (*method).to_owned(),
             false => format!("{method} (of {measured} cases)"),
         };
-        Line { label, points, kind: Kind::Steps }
+        PlottedLine { label, points, kind: Kind::Steps }
     });
     let panel = Panel {
         title: String::new(),
@@ -171,8 +177,8 @@ fn profile(rows: &[Row]) -> Figure {
 }
 
 /// Number of digits by which a claimed bound is above the true error, against the precision.
-fn overestimation(rows: &[Row]) -> Figure {
-    let claims: Vec<Row> =
+fn overestimation(rows: &[Measurement]) -> Figure {
+    let claims: Vec<Measurement> =
         rows.iter().filter(|r| r.claimed_relative_log10.is_some()).cloned().collect();
     let panels = distinct(&claims, |row| &row.method).into_iter().map(|method| {
         let lines = distinct(&claims, |r| &r.quantity).into_iter().map(|quantity| {
@@ -185,7 +191,7 @@ fn overestimation(rows: &[Row]) -> Figure {
                     .filter(|digits| digits.is_finite());
                 Some((f64::from(bits?), median(digits.collect())?))
             });
-            Line { label: quantity.clone(), points: points.collect(), kind: Kind::Measured }
+            PlottedLine { label: quantity.clone(), points: points.collect(), kind: Kind::Measured }
         });
         Panel {
             title: method.clone(),

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 /// One measurement. Empty where a column does not apply.
 #[derive(Clone, Debug, Default, Serialize)]
 #[non_exhaustive]
-pub struct Row {
+pub struct Measurement {
     /// The kind of quantity: `eta-cubic`, `landmark`, `state`, …
     pub quantity: String,
     /// Name of the case: a joint and a branch, a landmark, a mode.
@@ -117,7 +117,7 @@ pub fn peak_memory_kb() -> Option<u64> {
     line.split_whitespace().nth(1)?.parse().ok()
 }
 
-impl Row {
+impl Measurement {
     /// The row with the times of a measurement.
     pub fn with_times<T>(mut self, timed: &Timed<T>) -> Self {
         self.threads = 1;

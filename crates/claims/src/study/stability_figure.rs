@@ -2,7 +2,7 @@
 
 use super::limits::LIMITS;
 use super::stability::Rung;
-use couplet_draw::picture::figure::{Axis, Figure, Kind, Line, Panel, Scale};
+use couplet_draw::picture::figure::{Axis, Figure, Kind, Panel, PlottedLine, Scale};
 use std::f64::consts::LOG10_2;
 
 /// Digits that the problem leaves to who computes in doubles: those of a double, less the loss of the problem itself.
@@ -28,14 +28,14 @@ pub fn figure(rungs: &[Rung]) -> Figure {
             }
         }
         let distance = |rung: &Rung| f64::from(rung.distance_log10);
-        let mut lines: Vec<Line> = Vec::new();
+        let mut lines: Vec<PlottedLine> = Vec::new();
         for method in methods {
             let of_method = || here.iter().filter(|rung| rung.method == method);
             let left = of_method().map(|rung| (distance(rung), digits_left(rung)));
             let (known, none): (Vec<_>, Vec<_>) = left.partition(|(_, digits)| digits.is_some());
             let points = known.into_iter().map(|(x, y)| (x, y.unwrap_or(f64::NAN)));
             let none = none.into_iter().map(|(x, _)| (x, 0.0));
-            let line = |kind, points| Line { label: method.to_owned(), points, kind };
+            let line = |kind, points| PlottedLine { label: method.to_owned(), points, kind };
             // Few distances, far apart: a line between them would invent values.
             lines.push(line(Kind::Points, points.collect()));
             lines.push(line(Kind::Failures, none.collect()));
@@ -43,7 +43,7 @@ pub fn figure(rungs: &[Rung]) -> Figure {
         let mut own: Vec<(f64, f64)> =
             here.iter().map(|rung| (distance(rung), left_in_doubles(rung))).collect();
         own.dedup();
-        lines.push(Line {
+        lines.push(PlottedLine {
             label: "what the problem leaves to doubles".into(),
             points: own,
             kind: Kind::Reference,

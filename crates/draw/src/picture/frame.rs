@@ -21,7 +21,7 @@ pub struct Frame {
 
 /// An edge of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
+pub enum FrameSide {
     /// The first coordinate from below.
     Bottom,
     /// The first coordinate from above.
@@ -67,24 +67,24 @@ impl Frame {
     }
 
     /// Ticks at an edge, pointing inwards, with their labels outside.
-    pub fn ticks(&self, svg: &mut Svg, side: Side, ticks: &[Tick], size: f64) {
+    pub fn ticks(&self, svg: &mut Svg, side: FrameSide, ticks: &[Tick], size: f64) {
         let half = size * LEADING / 2.0;
         for tick in ticks {
             let (x, y) = self.at((tick.place, tick.place));
             let (from, to, label, anchor) = match side {
-                Side::Bottom => {
+                FrameSide::Bottom => {
                     let y = self.bottom();
                     ((x, y), (x, y - TICK), (x, y + 1.25 * OFF + half), Anchor::Middle)
                 }
-                Side::Top => {
+                FrameSide::Top => {
                     let y = self.corner.1;
                     ((x, y), (x, y + TICK), (x, y - OFF / 2.0 - half), Anchor::Middle)
                 }
-                Side::Left => {
+                FrameSide::Left => {
                     let x = self.corner.0;
                     ((x, y), (x + TICK, y), (x - OFF, y), Anchor::End)
                 }
-                Side::Right => {
+                FrameSide::Right => {
                     let x = self.right();
                     ((x, y), (x - TICK, y), (x + OFF, y), Anchor::Start)
                 }
@@ -115,10 +115,10 @@ mod tests {
             Frame { corner: (0.0, 0.0), size: (100.0, 100.0), x: [0.0, 1.0], y: [0.0, 1.0] };
         let ticks = [Tick { place: 0.25, label: "a".into() }];
         for (side, tick) in [
-            (Side::Bottom, "M25 100L25 95"),
-            (Side::Top, "M25 0L25 5"),
-            (Side::Left, "M0 75L5 75"),
-            (Side::Right, "M100 75L95 75"),
+            (FrameSide::Bottom, "M25 100L25 95"),
+            (FrameSide::Top, "M25 0L25 5"),
+            (FrameSide::Left, "M0 75L5 75"),
+            (FrameSide::Right, "M100 75L95 75"),
         ] {
             let mut svg = Svg::new((100.0, 100.0), "", "");
             frame.ticks(&mut svg, side, &ticks, 10.0);

@@ -31,6 +31,6 @@ pub mod svg;
 pub mod text;
 
 pub use color::Color;
-pub use frame::{Frame, Side};
+pub use frame::{Frame, FrameSide};
 pub use path::{Path, Point};
 pub use svg::{Anchor, Hatch, Rigid, Stroke, Svg, Type};

@@ -3,7 +3,7 @@
 use super::Collapse;
 use super::look;
 use super::moved::{Block, moved};
-use super::scale::Scale;
+use super::scale::PageScale;
 use crate::arch::Configuration;
 use crate::number::Drawable;
 use crate::picture::{Path, Point, Rigid, Svg};
@@ -54,14 +54,14 @@ impl Blocks {
     }
 
     /// The outlines of both halves or of one, 1 for the right one and -1 for the left.
-    pub fn draw(&self, svg: &mut Svg, scale: &Scale, sides: &[f64]) {
+    pub fn draw(&self, svg: &mut Svg, scale: &PageScale, sides: &[f64]) {
         for side in sides {
             self.draw_half(svg, scale, *side, self.has_keystone() && sides.len() > 1);
         }
     }
 
     /// A half; the right one has the whole of a block that is one for both.
-    fn draw_half(&self, svg: &mut Svg, scale: &Scale, side: f64, has_keystone: bool) {
+    fn draw_half(&self, svg: &mut Svg, scale: &PageScale, side: f64, has_keystone: bool) {
         for (place, block) in self.fallen.iter().enumerate() {
             let is_keystone = has_keystone && block.between[0] == 0.0;
             if is_keystone && side < 0.0 {
@@ -94,7 +94,7 @@ impl Blocks {
     }
 
     /// Arrows from where the blocks were to where they are.
-    pub fn arrows(&self, svg: &mut Svg, scale: &Scale, side: f64) {
+    pub fn arrows(&self, svg: &mut Svg, scale: &PageScale, side: f64) {
         for block in &self.fallen {
             let [from, to] = block.between;
             let half = (to - from) / 2.0;
@@ -120,7 +120,7 @@ impl Blocks {
 }
 
 /// A motion on the page.
-fn rigid(block: &Block, scale: &Scale, side: f64) -> Rigid {
+fn rigid(block: &Block, scale: &PageScale, side: f64) -> Rigid {
     let ([cos, sin], [right, up]) = (block.motion.turn, block.motion.shift);
     Rigid {
         shift: (side * scale.radius * right, -scale.radius * up),

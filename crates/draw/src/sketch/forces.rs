@@ -1,6 +1,6 @@
 //! A thrust with the lines that belong to it.
 
-use super::line::{Line, centreline};
+use super::line::{SketchedLine, centreline};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Configuration, Ring, SelfWeight, contact, statics};
 use crate::number::{Angle, Drawable};
@@ -14,9 +14,9 @@ pub struct Forces<T> {
     /// The least and the largest crown moment that fit it; the same where one does.
     pub moments: [T; 2],
     /// The line of thrust of each of these: one where they are the same.
-    pub thrust_lines: Vec<Line>,
+    pub thrust_lines: Vec<SketchedLine>,
     /// The line of friction.
-    pub friction_line: Line,
+    pub friction_line: SketchedLine,
     /// Limit of the thrust, in words, if it is an end of a range.
     pub limited_by: Option<String>,
     /// The joints at their limits.
@@ -92,11 +92,11 @@ pub fn joints_of<T: Drawable>(mode: Mode, at: &Configuration<T>) -> Vec<Mark<T>>
 fn line<T: Drawable>(
     (at, joints): (&Configuration<T>, &[f64]),
     radius: impl Fn(&Angle<T>) -> T,
-) -> Line {
+) -> SketchedLine {
     let ends = [&at.half_opening.rad, &at.thickness];
     match joints {
-        [] => Line::new(ends, radius),
-        some => Line::through_joints(ends, some, radius),
+        [] => SketchedLine::new(ends, radius),
+        some => SketchedLine::through_joints(ends, some, radius),
     }
 }
 
@@ -105,7 +105,7 @@ fn thrust_line<T: Drawable>(
     weight: SelfWeight,
     (at, joints): (&Configuration<T>, &[f64]),
     moment: &T,
-) -> Line {
+) -> SketchedLine {
     let fac = Ring::new(weight, &at.thickness).centroid_factor;
     let without_thrust = at.thrust.is_zero();
     line((at, joints), |joint| match without_thrust {
@@ -116,7 +116,10 @@ fn thrust_line<T: Drawable>(
 }
 
 /// Points at the offset `(eta/2) T/(mu N)` from the centreline.
-fn friction_line<T: Drawable>((at, joints): (&Configuration<T>, &[f64]), is_limited: bool) -> Line {
+fn friction_line<T: Drawable>(
+    (at, joints): (&Configuration<T>, &[f64]),
+    is_limited: bool,
+) -> SketchedLine {
     if !is_limited {
         return centreline(&at.half_opening.rad, &at.thickness);
     }

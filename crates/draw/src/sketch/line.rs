@@ -4,7 +4,7 @@ use crate::number::{Angle, Drawable};
 
 /// A line from the crown to the shoulder.
 #[derive(Clone, Debug)]
-pub struct Line {
+pub struct SketchedLine {
     /// Angle from the crown and offset from the centreline of each point, in rad and in thicknesses, outwards: from
     /// -1/2 at the intrados to 1/2 at the extrados.
     pub points: Vec<[f64; 2]>,
@@ -28,7 +28,7 @@ fn place([angle, offset]: [f64; 2], thickness: f64) -> [f64; 2] {
     [radius * angle.sin(), radius * angle.cos()]
 }
 
-impl Line {
+impl SketchedLine {
     /// The line of a radius at each joint, in units of `r`, down to the shoulder at `half_opening`.
     pub fn new<T: Drawable>(
         [half_opening, thickness]: [&T; 2],
@@ -117,8 +117,8 @@ fn refine(
 }
 
 /// The centreline.
-pub(super) fn centreline<T: Drawable>(half_opening: &T, thickness: &T) -> Line {
-    Line::new([half_opening, thickness], |joint| joint.rad.int(1))
+pub(super) fn centreline<T: Drawable>(half_opening: &T, thickness: &T) -> SketchedLine {
+    SketchedLine::new([half_opening, thickness], |joint| joint.rad.int(1))
 }
 
 #[cfg(test)]
@@ -133,7 +133,7 @@ mod tests {
             let tenth = Ball::integer(1, 200) / Ball::integer(10, 200);
             let thin = (0..places).fold(Ball::integer(1, 200), |thin, _| thin * &tenth);
             let alpha = thin.clone();
-            let line = Line::new([&alpha, &thin], |joint| {
+            let line = SketchedLine::new([&alpha, &thin], |joint| {
                 let share = joint.rad.clone() / &alpha;
                 joint.rad.int(1) + (share.int(1) - share.clone() * share) * &thin / joint.rad.int(2)
             });

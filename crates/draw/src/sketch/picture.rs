@@ -1,6 +1,6 @@
 //! An arch alone, as a picture: what a page shows beside words of its own.
 
-use super::scale::Scale;
+use super::scale::PageScale;
 use super::view::ArchView;
 use crate::picture::Svg;
 
@@ -14,7 +14,7 @@ pub fn picture(view: &ArchView, width: f64, title: &str) -> String {
     let radius = room / (right - left).max(high - low);
     let height = 2.0 * MARGIN + radius * (high - low);
     let center = (width / 2.0 - radius * (left + right) / 2.0, MARGIN + radius * high);
-    let scale = Scale { center, radius };
+    let scale = PageScale { center, radius };
     let mut svg = Svg::new((width, height), title, "");
     view.body(&mut svg, &scale);
     view.lines(&mut svg, &scale);

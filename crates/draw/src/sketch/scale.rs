@@ -4,14 +4,14 @@ use crate::picture::{Path, Point};
 
 /// Scale: the place of the centre of an arch on the page, and how large the radius is.
 #[derive(Clone, Copy, Debug)]
-pub struct Scale {
+pub struct PageScale {
     /// The centre of the centreline.
     pub center: Point,
     /// The radius of the centreline.
     pub radius: f64,
 }
 
-impl Scale {
+impl PageScale {
     /// A point to the right and up of the centre; `side` is -1 for the left half. To a hundredth of the page's
     /// unit, which no eye sees and files are shorter by.
     pub fn at(&self, [x, y]: [f64; 2], side: f64) -> Point {

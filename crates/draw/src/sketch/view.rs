@@ -1,9 +1,9 @@
 //! One arch on the page: its outline, its lines, the joints at their limits, and the blocks as they fall.
 
 use super::blocks::Blocks;
-use super::line::Line;
+use super::line::SketchedLine;
 use super::look;
-use super::scale::Scale;
+use super::scale::PageScale;
 use crate::arch::mechanism::Contact;
 use crate::picture::color::WHITE;
 use crate::picture::{Path, Svg};
@@ -37,9 +37,9 @@ pub struct ArchView<'a> {
 #[derive(Clone, Copy, Debug)]
 pub struct Lines<'a> {
     /// Lines of thrust: one, or the two between which all others are.
-    pub thrust: &'a [Line],
+    pub thrust: &'a [SketchedLine],
     /// Line of friction.
-    pub friction: &'a Line,
+    pub friction: &'a SketchedLine,
 }
 
 /// A joint nearer to the crown than this part of the half arch is the crown.
@@ -73,7 +73,7 @@ impl ArchView<'_> {
     }
 
     /// The stone, the forces between extremes, the blocks as they fall, and the outline.
-    pub fn body(&self, svg: &mut Svg, scale: &Scale) {
+    pub fn body(&self, svg: &mut Svg, scale: &PageScale) {
         svg.group("arch", |svg| {
             for side in self.sides() {
                 svg.fill(&scale.sector([0.0, self.half_opening], self.radii, *side), look::STONE);
@@ -93,7 +93,7 @@ impl ArchView<'_> {
     }
 
     /// Arrows from where the blocks were to where they are.
-    pub fn arrows(&self, svg: &mut Svg, scale: &Scale) {
+    pub fn arrows(&self, svg: &mut Svg, scale: &PageScale) {
         if let Some(blocks) = &self.blocks {
             svg.group("arrows", |svg| {
                 self.falling().iter().for_each(|side| blocks.arrows(svg, scale, *side));
@@ -102,15 +102,15 @@ impl ArchView<'_> {
     }
 
     /// Once round the arch.
-    fn outline(&self, scale: &Scale) -> Path {
+    fn outline(&self, scale: &PageScale) -> Path {
         let alpha = self.half_opening;
         let from = if self.half { 0.0 } else { -alpha };
         scale.sector([from, alpha], self.radii, 1.0)
     }
 
     /// Draws the bands between two lines of thrust.
-    fn bands(&self, svg: &mut Svg, scale: &Scale) {
-        let lines: Vec<&Line> = self.lines.iter().flat_map(|of| of.thrust).collect();
+    fn bands(&self, svg: &mut Svg, scale: &PageScale) {
+        let lines: Vec<&SketchedLine> = self.lines.iter().flat_map(|of| of.thrust).collect();
         let [one, other] = lines[..] else { return };
         svg.group("between", |svg| {
             for side in self.sides() {
@@ -121,7 +121,7 @@ impl ArchView<'_> {
         });
     }
 
-    fn along(&self, line: &Line, scale: &Scale) -> Path {
+    fn along(&self, line: &SketchedLine, scale: &PageScale) -> Path {
         let right = line.places().map(|point| scale.at(point, 1.0));
         if self.half {
             return Path::through(right);
@@ -131,7 +131,7 @@ impl ArchView<'_> {
     }
 
     /// The lines of thrust and of friction.
-    pub fn lines(&self, svg: &mut Svg, scale: &Scale) {
+    pub fn lines(&self, svg: &mut Svg, scale: &PageScale) {
         for (place, of) in self.lines.iter().enumerate() {
             let name = match (self.is_standing, place) {
                 (true, 0) => "-least",
@@ -160,7 +160,7 @@ impl ArchView<'_> {
     }
 
     /// The joints at their limits.
-    pub fn marks(&self, svg: &mut Svg, scale: &Scale) {
+    pub fn marks(&self, svg: &mut Svg, scale: &PageScale) {
         let [inner, outer] = self.radii;
         let crown = CROWN * self.half_opening;
         let sides = |joint: f64| if joint < crown { &[1.0][..] } else { self.falling() };

@@ -16,7 +16,7 @@
 //!
 //! `chi` is the inclination of the force on the inner joint that slides.
 
-use super::end::End;
+use super::end::CurveEnd;
 use super::form::{CurveForm, FixedJoint, Thrust};
 use super::law::Law;
 use super::variable::Variable;
@@ -100,14 +100,16 @@ impl Curve {
     }
 
     /// Parameters at which it begins and ends, in the direction in which its parameter grows or falls.
-    pub fn ends(self) -> [End; 2] {
+    pub fn ends(self) -> [CurveEnd; 2] {
         use crate::problem::Landmark as L;
         match self {
-            Self::Rotation => [End::Origin, End::Landmark(L::RotationEnd)],
-            Self::Overturning => [L::RotationEnd, L::OverturningEnd].map(End::Landmark),
-            Self::Sliding => [End::Origin, End::Circle],
-            Self::Line(line) => line.ends().map(|end| end.map_or(End::Origin, End::Landmark)),
-            Self::Limit => [L::Border, L::OverturningEnd].map(End::Landmark),
+            Self::Rotation => [CurveEnd::Origin, CurveEnd::Landmark(L::RotationEnd)],
+            Self::Overturning => [L::RotationEnd, L::OverturningEnd].map(CurveEnd::Landmark),
+            Self::Sliding => [CurveEnd::Origin, CurveEnd::Circle],
+            Self::Line(line) => {
+                line.ends().map(|end| end.map_or(CurveEnd::Origin, CurveEnd::Landmark))
+            }
+            Self::Limit => [L::Border, L::OverturningEnd].map(CurveEnd::Landmark),
         }
     }
 

@@ -5,12 +5,12 @@
 //! say are the claims `map-…` of `couplet prove`; `[r]` is an edge, at unlimited friction.
 
 use super::curve::Curve;
-use super::end::End;
+use super::end::CurveEnd;
 use crate::problem::{Landmark, Line, Mode};
 
 /// A side of a domain, in the direction in which the loop runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
+pub enum DomainSide {
     /// A curve from its beginning to its end.
     Along(Curve),
     /// A curve from its end to its beginning.
@@ -23,7 +23,7 @@ pub enum Side {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Corner {
     /// An end of curves.
-    End(End),
+    End(CurveEnd),
     /// `phi = pi/2`, `eta = 0`.
     RightBottom,
     /// `phi = pi/2`, `eta = 2`: what `L` is there.
@@ -32,7 +32,7 @@ pub enum Corner {
     LeftTop,
 }
 
-impl Side {
+impl DomainSide {
     /// Corners where it begins and ends.
     pub fn ends(self) -> [Corner; 2] {
         match self {
@@ -48,12 +48,15 @@ impl Side {
 
 /// The loop around the domain of a mode, counterclockwise where the friction angle runs to the right and the
 /// thickness upwards; of `[r]` the edge alone.
-pub fn boundary(mode: Mode) -> Vec<Side> {
-    use Side::{Along, Back, Edge};
+pub fn boundary(mode: Mode) -> Vec<DomainSide> {
+    use DomainSide::{Along, Back, Edge};
     let line = Curve::Line;
-    let landmark = |landmark| Corner::End(End::Landmark(landmark));
-    let (origin, l, b) =
-        (Corner::End(End::Origin), landmark(Landmark::RotationEnd), landmark(Landmark::Border));
+    let landmark = |landmark| Corner::End(CurveEnd::Landmark(landmark));
+    let (origin, l, b) = (
+        Corner::End(CurveEnd::Origin),
+        landmark(Landmark::RotationEnd),
+        landmark(Landmark::Border),
+    );
     match mode {
         Mode::Rotational => vec![
             Edge(origin, Corner::RightBottom),
@@ -124,9 +127,13 @@ mod tests {
             domains().flat_map(|mode| boundary(mode).into_iter().map(move |s| (mode, s)))
         {
             match side {
-                Side::Along(Curve::Line(line)) => used.entry(line).or_default().push((mode, true)),
-                Side::Back(Curve::Line(line)) => used.entry(line).or_default().push((mode, false)),
-                Side::Edge(from, to) => edges.push((from, to)),
+                DomainSide::Along(Curve::Line(line)) => {
+                    used.entry(line).or_default().push((mode, true))
+                }
+                DomainSide::Back(Curve::Line(line)) => {
+                    used.entry(line).or_default().push((mode, false))
+                }
+                DomainSide::Edge(from, to) => edges.push((from, to)),
                 other => panic!("{other:?} divides nothing"),
             }
         }

@@ -10,7 +10,7 @@ use std::fmt;
 
 /// An end of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum End {
+pub enum CurveEnd {
     /// The arch of no half opening, no thickness and no friction.
     Origin,
     /// A landmark.
@@ -19,7 +19,7 @@ pub enum End {
     Circle,
 }
 
-impl End {
+impl CurveEnd {
     /// Tells whether the end's friction is unlimited.
     pub fn is_unlimited(self) -> bool {
         use Landmark::{OverturningEnd, RotationEnd};
@@ -27,7 +27,7 @@ impl End {
     }
 }
 
-impl fmt::Display for End {
+impl fmt::Display for CurveEnd {
     /// The symbol of the landmark, `0` or `pi`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {
@@ -53,7 +53,7 @@ const BITS: u32 = 128;
 
 impl EndValues {
     /// The values at an end; those of a landmark are refined from its proof.
-    pub(super) fn of(end: End, weight: SelfWeight) -> Result<Self, Undecided> {
+    pub(super) fn of(end: CurveEnd, weight: SelfWeight) -> Result<Self, Undecided> {
         let zero = Ball::integer(0, BITS);
         let quarter_turn = zero.pi() / zero.int(2);
         let flat = |half_opening: &Ball, angle: &Ball| Self {
@@ -64,9 +64,9 @@ impl EndValues {
             thickness: zero.clone(),
         };
         let landmark = match end {
-            End::Origin => return Ok(flat(&zero, &zero)),
-            End::Circle => return Ok(flat(&zero.pi(), &quarter_turn)),
-            End::Landmark(landmark) => landmark,
+            CurveEnd::Origin => return Ok(flat(&zero, &zero)),
+            CurveEnd::Circle => return Ok(flat(&zero.pi(), &quarter_turn)),
+            CurveEnd::Landmark(landmark) => landmark,
         };
         let refined = CertifiedLandmark::new(landmark, weight)?.enclosure(BITS)?;
         let value = |unknown| refined.value(unknown).unwrap_or_else(|| zero.clone());

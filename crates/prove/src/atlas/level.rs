@@ -219,7 +219,7 @@ fn rising(
 
 #[cfg(test)]
 mod tests {
-    use super::super::trace::Point;
+    use super::super::trace::TracePoint;
     use super::*;
     use Mode::{
         OverturningSliding as Rs, Rotational as Rrr, RotationalSliding as Rrs,
@@ -291,14 +291,15 @@ mod tests {
                 let level = of(weight, quantity, value);
                 let exact = level.contour.value(64).unwrap();
                 let fixed = level.contour.variable();
-                let points: Vec<Vec<Point>> = level.parts.iter().map(Part::points).collect();
+                let points: Vec<Vec<TracePoint>> = level.parts.iter().map(Part::points).collect();
                 for pair in points.windows(2) {
                     // Pure sliding begins where the next part does.
                     let is_upright =
                         pair[0].len() == 2 && pair[0][1].place.rotation_joint.is_none();
                     let one = &pair[0][if is_upright { 0 } else { pair[0].len() - 1 }];
                     for variable in Variable::PLANE {
-                        let at = |point: &Point| point.place.coordinate(variable).unwrap().clone();
+                        let at =
+                            |point: &TracePoint| point.place.coordinate(variable).unwrap().clone();
                         assert!(
                             at(one).overlaps(&at(&pair[1][0])),
                             "{weight:?} {quantity} {value}"

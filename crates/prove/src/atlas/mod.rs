@@ -48,16 +48,17 @@ pub use cells::{Areas, FrictionColumn, ThicknessRow};
 pub use contour::Contour;
 pub use curve::Curve;
 pub use difference::{Difference, DifferencePoint, Divide, LEAST_DIFFERENCE, Step};
-pub use domain::{Corner, Side, boundary};
-pub use end::End;
+pub use domain::{Corner, DomainSide, boundary};
+pub use end::CurveEnd;
 pub use level::{Level, NoLevel};
 pub use part::Part;
 pub use place::Place;
 pub use point::{NoPoint, point};
 pub use section::Section;
 pub use sketch::{
-    Block, Bound, Collapse, Forces, Line, Mark, Moved, NoSketch, Sketch, Stability, Subject, moved,
+    Block, Bound, Collapse, Forces, Mark, Moved, NoSketch, Sketch, SketchedLine, Stability,
+    Subject, moved,
 };
 pub use tangent::tangent;
-pub use trace::{LEAST_TOLERANCE, Piece, Point, Trace};
+pub use trace::{LEAST_TOLERANCE, Piece, Trace, TracePoint};
 pub use variable::Variable;

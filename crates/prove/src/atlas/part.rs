@@ -6,7 +6,7 @@ use super::form::{CurveForm, Thrust};
 use super::law::Law;
 use super::place::Place;
 use super::section::Section;
-use super::trace::{Piece, Point};
+use super::trace::{Piece, TracePoint};
 use super::variable::Variable;
 use crate::arch::SelfWeight;
 use crate::certify::Undecided;
@@ -102,8 +102,9 @@ impl Part {
     }
 
     /// The nodes; of a straight part its two ends.
-    pub fn points(&self) -> Vec<Point> {
-        let end = |place: &Place| Point { parameter: f64::NAN, end: None, place: place.clone() };
+    pub fn points(&self) -> Vec<TracePoint> {
+        let end =
+            |place: &Place| TracePoint { parameter: f64::NAN, end: None, place: place.clone() };
         match &self.course {
             PartShape::Straight(ends) => ends.iter().map(end).collect(),
             PartShape::Curved(section) => section.points(),

@@ -3,7 +3,7 @@
 use super::crossing::Crossing;
 use super::form::CurveForm;
 use super::place::Place;
-use super::trace::{Piece, Point, pieces_of, points_of};
+use super::trace::{Piece, TracePoint, pieces_of, points_of};
 use super::walk::{Walk, walk};
 use crate::certify::Undecided;
 use crate::number::{Ball, Field, Real};
@@ -53,7 +53,7 @@ impl Section {
     }
 
     /// The nodes; those at the ends are the ends themselves.
-    pub fn points(&self) -> Vec<Point> {
+    pub fn points(&self) -> Vec<TracePoint> {
         let mut points = points_of(&self.form, &self.walk);
         for (point, place) in [(0, &self.ends[0]), (points.len() - 1, &self.ends[1])] {
             points[point].place = place.clone();

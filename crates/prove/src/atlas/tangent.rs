@@ -4,7 +4,7 @@
 //! the unknowns to the parameter solve `F_x x' = -F_s`, by elimination over balls about the landmark's proved root.
 
 use super::curve::Curve;
-use super::end::{End, EndValues};
+use super::end::{CurveEnd, EndValues};
 use super::variable::Variable;
 use crate::arch::SelfWeight;
 use crate::certify::{Eliminated, Error, Refused, Undecided};
@@ -24,7 +24,7 @@ pub fn tangent(line: Line, weight: SelfWeight, at: Landmark) -> Result<Ball, Err
         _ => return Err(Refused::NoEnd { line, at }.into()),
     };
     let form = leg.ok_or_else(|| failed("it has no equations"))?.form;
-    let values = EndValues::of(End::Landmark(at), weight)?;
+    let values = EndValues::of(CurveEnd::Landmark(at), weight)?;
     let s = values.value(form.parameter);
     let x: Vec<Ball> = form.unknowns.iter().map(|unknown| values.value(*unknown)).collect();
     let number = |given: &Ball| Dual::constant(given.clone());

@@ -2,7 +2,7 @@
 
 use super::cubic::exact;
 use super::curve::{Curve, Leg};
-use super::end::{End, EndValues};
+use super::end::{CurveEnd, EndValues};
 use super::form::CurveForm;
 use super::place::Place;
 use super::tube::{Node, Tube};
@@ -44,11 +44,11 @@ pub struct Piece<'a> {
 
 /// A node of a curve.
 #[derive(Clone, Debug)]
-pub struct Point {
+pub struct TracePoint {
     /// The parameter, exactly; at an end the double next to that of the end.
     pub parameter: f64,
     /// The end of the curve, if it is one.
-    pub end: Option<End>,
+    pub end: Option<CurveEnd>,
     /// The quantities; at an end those of the end.
     pub place: Place,
 }
@@ -113,7 +113,7 @@ impl Trace {
                 return Err(about(&format!("it is not proved to reach {name}")));
             }
         }
-        let at_end = |name: End, values: &EndValues, leg: Option<&(CurveForm, Walk)>| {
+        let at_end = |name: CurveEnd, values: &EndValues, leg: Option<&(CurveForm, Walk)>| {
             let (form, _) = leg?;
             let root: Vec<Ball> = form.unknowns.iter().map(|u| values.value(*u)).collect();
             let place = Place::new(form, &values.value(form.parameter), &root);
@@ -154,9 +154,9 @@ impl Trace {
     }
 
     /// The nodes in order, from end to end.
-    pub fn points(&self) -> Vec<Point> {
+    pub fn points(&self) -> Vec<TracePoint> {
         let [first, last] = self.curve.ends();
-        let mut points: Vec<Point> = Vec::new();
+        let mut points: Vec<TracePoint> = Vec::new();
         for (index, (form, walk)) in self.legs.iter().enumerate() {
             // The last node of a part is the first one of the next.
             points.extend(points_of(form, walk).into_iter().skip(usize::from(index > 0)));
@@ -197,8 +197,8 @@ pub(super) fn pieces_of<'a>(
 }
 
 /// The nodes of a walk.
-pub(super) fn points_of(form: &CurveForm, walk: &Walk) -> Vec<Point> {
-    let point = |node: &Node| Point {
+pub(super) fn points_of(form: &CurveForm, walk: &Walk) -> Vec<TracePoint> {
+    let point = |node: &Node| TracePoint {
         parameter: node.sketch.s,
         end: None,
         place: Place::new(form, &exact(node.sketch.s), &node.root),
@@ -330,7 +330,7 @@ mod tests {
             .map(|line| Trace::new(Curve::Line(line), weight, 1e-3).unwrap().points());
         let (one, other) = (&one[one.len() - 1], &other[0]);
         assert_eq!(one.end, other.end);
-        let eta = |point: &Point| point.place.thickness.clone().unwrap();
+        let eta = |point: &TracePoint| point.place.thickness.clone().unwrap();
         assert!(eta(one).overlaps(&eta(other)) && eta(one).rad().to_float() < 1e-30);
     }
 

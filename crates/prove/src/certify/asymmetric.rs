@@ -17,7 +17,7 @@
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode, Place};
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
-use crate::arch::whole::{Motion, Side};
+use crate::arch::whole::{Side, WholeMotion};
 use crate::arch::{Configuration, Ring};
 use crate::check::whole;
 use crate::number::{Ball, DoubleBall, DoubleDoubleBall, Engine, ExactNumber, bits_of};
@@ -74,7 +74,7 @@ pub struct CertifiedAsymmetric<T = Ball> {
     /// Variables of the solution.
     pub at: Asymmetric<T>,
     /// Motion of the solution: every rate is positive.
-    pub motion: Motion<T>,
+    pub motion: WholeMotion<T>,
     /// The power of the weight.
     pub power: T,
 }

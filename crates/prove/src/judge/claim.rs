@@ -7,7 +7,7 @@ use crate::problem::{Mode, Quantity};
 
 /// Statement of a row on an arch.
 #[derive(Clone, Debug)]
-pub struct Claim {
+pub struct RowClaim {
     /// True if the arch can stand at some thickness; `None` if the row does not say.
     pub can_stand: Option<bool>,
     /// The thickness that the arch has, if it has one, in `(0, 2]`.
@@ -99,7 +99,7 @@ fn is_word(text: &str, words: &[&str]) -> bool {
     words.iter().any(|word| text.eq_ignore_ascii_case(word))
 }
 
-impl Claim {
+impl RowClaim {
     /// Reads what a row says.
     ///
     /// `can_stand`, the least thickness or the mode claim that there is no solution: by one of the words for
@@ -241,7 +241,7 @@ mod tests {
     fn read(stands: Option<&str>, mode: Option<&str>, thickness: Option<&str>) -> Option<bool> {
         let numbers =
             thickness.map(|text| (Quantity::Thickness, text, false)).into_iter().collect();
-        Claim::read(&Said { stands, mode, numbers, ..Said::default() }).unwrap().can_stand
+        RowClaim::read(&Said { stands, mode, numbers, ..Said::default() }).unwrap().can_stand
     }
 
     #[test]
@@ -274,7 +274,7 @@ mod tests {
     fn what_makes_no_sense_is_told() {
         let error = |stands, mode, thickness: &str| {
             let numbers = vec![(Quantity::Thickness, thickness, false)];
-            Claim::read(&Said { stands, mode, numbers, ..Said::default() }).unwrap_err()
+            RowClaim::read(&Said { stands, mode, numbers, ..Said::default() }).unwrap_err()
         };
         assert!(matches!(error(Some("false"), None, "0.1"), ClaimError::Contradiction(..)));
         assert!(matches!(error(None, Some("rrr"), "nan"), ClaimError::Contradiction(..)));

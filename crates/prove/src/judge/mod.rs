@@ -10,12 +10,12 @@
 //! counts in the same way. The verdict also says how the last printed place was rounded.
 //!
 //! ```
-//! use couplet_prove::judge::{Claim, CorrectDigits, Demand, Said, Verdict, judge};
+//! use couplet_prove::judge::{RowClaim, CorrectDigits, Demand, Said, Verdict, judge};
 //! use couplet_prove::prelude::*;
 //!
 //! let arch = Arch::parse("heyman", "90deg", "0.38")?;
 //! let said = Said { numbers: vec![(Quantity::Thickness, "0.12220", false)], ..Said::default() };
-//! let judgement = judge(&arch, &Claim::read(&said)?, Demand::USUAL);
+//! let judgement = judge(&arch, &RowClaim::read(&said)?, Demand::USUAL);
 //! assert_eq!(judgement.verdict, Verdict::Correct);
 //! assert_eq!(judgement.numbers[0].correct_digits, CorrectDigits::Digits(4));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -43,7 +43,7 @@ pub use audit::{
     Audited, Comparison, Relation, audit, audit_of, compare_weights, compare_weights_of, enclosed,
 };
 pub use boundary::Boundary;
-pub use claim::{Claim, ClaimError, Claimed, Said};
+pub use claim::{ClaimError, Claimed, RowClaim, Said};
 pub use number::{Certified, CorrectDigits, Errors, Judged};
 pub use printed::PrintedVerdict;
-pub use verdict::{Demand, Judgement, Side, Standing, Verdict, judge};
+pub use verdict::{Demand, ErrorSide, Judgement, Standing, Verdict, judge};

@@ -221,7 +221,7 @@ mod tests {
             numbers: vec![(Quantity::Thrust, text, false)],
             ..Default::default()
         };
-        let claim = super::super::Claim::read(&said).unwrap();
+        let claim = super::super::RowClaim::read(&said).unwrap();
         Judged::new(&claim.numbers[0], truth.clone()).unwrap()
     }
 
@@ -332,7 +332,7 @@ mod tests {
             numbers: vec![(Quantity::Thrust, "0.333", false)],
             ..Default::default()
         };
-        let claim = super::super::Claim::read(&said).unwrap();
+        let claim = super::super::RowClaim::read(&said).unwrap();
         let wide = KnownValue::Enclosed(Ball::integer(1, 20) / Ball::integer(3, 20));
         assert!(Judged::new(&claim.numbers[0], Truth::Finite(wide)).is_none());
     }

@@ -1,7 +1,7 @@
 //! A row as a whole.
 
 use super::boundary::Boundary;
-use super::claim::Claim;
+use super::claim::RowClaim;
 use super::number::{CorrectDigits, Judged, compared_digits};
 use super::truth::Proved;
 use crate::certify::Undecided;
@@ -122,7 +122,7 @@ pub enum Standing {
 
 /// Side of the truth on which a thickness is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
+pub enum ErrorSide {
     /// Too small: the unsafe side.
     Thinner,
     /// Too large: the safe side.
@@ -155,19 +155,19 @@ impl Judgement {
     }
 
     /// Side on which the claimed thickness is, if on any.
-    pub fn side(&self) -> Option<Side> {
+    pub fn side(&self) -> Option<ErrorSide> {
         let thickness = self.numbers.iter().find(|number| number.is_least_thickness())?;
         match thickness.order? {
-            Ordering::Less => Some(Side::Thinner),
+            Ordering::Less => Some(ErrorSide::Thinner),
             Ordering::Equal => None,
-            Ordering::Greater => Some(Side::Thicker),
+            Ordering::Greater => Some(ErrorSide::Thicker),
         }
     }
 }
 
 /// Judges what is claimed of an arch by what is proved of it, raising the precision until every comparison
 /// is decided.
-pub fn judge(arch: &Arch, claim: &Claim, demand: Demand) -> Judgement {
+pub fn judge(arch: &Arch, claim: &RowClaim, demand: Demand) -> Judgement {
     let digits = claim.numbers.iter().map(compared_digits).max().unwrap_or(1);
     let compare = |bits| Ok(compare(claim, &proved(arch, claim, bits)?, demand));
     let compared = raised_from_doubles(arch, digits, compare);
@@ -184,7 +184,7 @@ pub fn judge(arch: &Arch, claim: &Claim, demand: Demand) -> Judgement {
 }
 
 /// Proof of what the row speaks of, in numbers of `bits` bits.
-fn proved(arch: &Arch, claim: &Claim, bits: u32) -> Result<Proved, Undecided> {
+fn proved(arch: &Arch, claim: &RowClaim, bits: u32) -> Result<Proved, Undecided> {
     let frictions = claim.numbers.iter().any(|number| number.quantity.is_friction());
     let outcome = state_enclosed(arch, bits, frictions)?;
     let falls = matches!(outcome, Outcome::Falls(_));
@@ -205,7 +205,7 @@ fn proved(arch: &Arch, claim: &Claim, bits: u32) -> Result<Proved, Undecided> {
 fn assessed(
     arch: &Arch,
     thickness: &ExactNumber,
-    claim: &Claim,
+    claim: &RowClaim,
     bits: u32,
 ) -> Result<Assessment, Undecided> {
     let found = assessment_enclosed(arch, thickness, bits);
@@ -219,7 +219,7 @@ fn assessed(
 }
 
 /// A claim beside what is proved; `None` asks for a narrower enclosure.
-fn compare(claim: &Claim, proved: &Proved, demand: Demand) -> Option<Judgement> {
+fn compare(claim: &RowClaim, proved: &Proved, demand: Demand) -> Option<Judgement> {
     let (standing, mode) = match &proved.outcome {
         Outcome::Stands(state) => (Standing::Stands(state.mode), Some(state.mode)),
         Outcome::Falls(fall) => (Standing::Falls(*fall), None),

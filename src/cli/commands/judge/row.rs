@@ -1,6 +1,6 @@
 //! A row of results: its arch, and what it claims.
 
-use crate::judge::{Claim, Demand, Said, judge};
+use crate::judge::{Demand, RowClaim, Said, judge};
 use crate::problem::Quantity;
 use crate::report::judged::JudgedRow;
 use crate::sweep::parse::thickness;
@@ -35,7 +35,7 @@ impl Judge {
         row
     }
 
-    fn claim(&self, cells: &Cells) -> Result<Claim, String> {
+    fn claim(&self, cells: &Cells) -> Result<RowClaim, String> {
         let text = |role| self.reader.said(cells, role).map(|(text, _)| text);
         let columns = || self.reader.columns.all.iter().zip(cells);
         // Beside what is said of an arch that has a thickness, `thickness` is that one.
@@ -64,6 +64,6 @@ impl Judge {
             mode: text(Role::Mode),
             numbers,
         };
-        Claim::read(&said).map_err(|error| error.to_string())
+        RowClaim::read(&said).map_err(|error| error.to_string())
     }
 }

@@ -1,7 +1,7 @@
 //! The room that a panel needs, and how it is drawn.
 
 use super::ink::{Ink, Inks};
-use super::panel::{Kind, Line, Panel};
+use super::panel::{Kind, Panel, PlottedLine};
 use crate::picture::color::{GRID, GUIDE, INK};
 use crate::picture::scale::{Ruler, Tick};
 use crate::picture::spread::spread;
@@ -76,7 +76,7 @@ pub(super) struct Drawn<'a> {
 
 /// A line as unbroken runs of places: on the axes, then on the canvas.
 struct LineRuns<'a> {
-    line: &'a Line,
+    line: &'a PlottedLine,
     ink: Ink,
     runs: Vec<Vec<Point>>,
 }
@@ -299,7 +299,7 @@ fn leader(svg: &mut Svg, end: Option<Point>, (right, name): Point) {
 }
 
 /// The places of a line's points, broken where a point has none.
-fn runs(panel: &Panel, line: &Line) -> Vec<Vec<Point>> {
+fn runs(panel: &Panel, line: &PlottedLine) -> Vec<Vec<Point>> {
     let place = |&(x, y): &Point| Some((panel.x.scale.place(x)?, panel.y.scale.place(y)?));
     let places: Vec<_> = line.points.iter().map(place).collect();
     places

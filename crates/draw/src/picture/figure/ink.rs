@@ -1,6 +1,6 @@
 //! The colour, dashes and marker of a line.
 
-use super::panel::{Kind, Line};
+use super::panel::{Kind, PlottedLine};
 use crate::picture::color::{Color, OKABE_ITO, WHITE};
 use crate::picture::{Path, Point, Stroke, Svg};
 
@@ -49,7 +49,7 @@ pub(super) struct Inks<'a> {
 
 impl<'a> Inks<'a> {
     /// Inks, one for each label, in the order in which they come up.
-    pub(super) fn new(lines: impl Iterator<Item = &'a Line>) -> Self {
+    pub(super) fn new(lines: impl Iterator<Item = &'a PlottedLine>) -> Self {
         let mut inks = Self { references: Vec::new(), others: Vec::new() };
         for line in lines {
             let labels = match line.kind {
@@ -64,7 +64,7 @@ impl<'a> Inks<'a> {
     }
 
     /// Ink of a line of the figure.
-    pub(super) fn of(&self, line: &Line) -> Ink {
+    pub(super) fn of(&self, line: &PlottedLine) -> Ink {
         let turn = |labels: &[&str]| {
             labels.iter().position(|label| *label == line.label).expect("a line of the figure")
         };

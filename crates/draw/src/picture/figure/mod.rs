@@ -16,7 +16,7 @@ mod panel;
 
 pub use crate::picture::scale::Scale;
 pub use drawing::Figure;
-pub use panel::{Axis, Kind, Line, Panel};
+pub use panel::{Axis, Kind, Panel, PlottedLine};
 
 #[cfg(test)]
 mod tests;

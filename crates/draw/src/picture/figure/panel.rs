@@ -12,7 +12,7 @@ pub struct Panel {
     /// The vertical axis.
     pub y: Axis,
     /// Lines with one label look the same in all panels.
-    pub lines: Vec<Line>,
+    pub lines: Vec<PlottedLine>,
 }
 
 /// Range and name of an axis.
@@ -26,7 +26,7 @@ pub struct Axis {
 
 /// Points with a label.
 #[derive(Clone, Debug)]
-pub struct Line {
+pub struct PlottedLine {
     /// Written at the right end.
     pub label: String,
     /// Points in the order in which they are joined. A point without a place on the axes (a NaN, an infinity,
@@ -57,7 +57,7 @@ pub enum Kind {
     Steps,
 }
 
-impl Line {
+impl PlottedLine {
     /// Tells whether the line is named beside the frame.
     pub(super) fn is_named(&self) -> bool {
         !matches!(self.kind, Kind::Spread | Kind::Failures)

@@ -5,8 +5,8 @@ fn axis(label: &str, scale: Scale) -> Axis {
     Axis { label: label.into(), scale }
 }
 
-fn line(label: &str, kind: Kind, points: impl IntoIterator<Item = (f64, f64)>) -> Line {
-    Line { label: label.into(), points: points.into_iter().collect(), kind }
+fn line(label: &str, kind: Kind, points: impl IntoIterator<Item = (f64, f64)>) -> PlottedLine {
+    PlottedLine { label: label.into(), points: points.into_iter().collect(), kind }
 }
 
 /// Numbers that look measured, from 0 to 1.
@@ -66,7 +66,7 @@ fn losses() -> Figure {
             let steep = [0.5, 1.0, 1.5, 2.0][m] * if p.is_multiple_of(2) { 1.0 } else { 0.6 };
             steep * f64::from(k) * 0.98 + 0.8 * noise(31 * p + 7 * m + k as usize)
         };
-        let mut lines: Vec<Line> =
+        let mut lines: Vec<PlottedLine> =
             ["as printed", "real form", "Newton on the system", "Newton on the cubic"]
                 .iter()
                 .enumerate()

@@ -18,7 +18,7 @@
 
 use super::super::crossing::Crossing;
 use super::super::curve::Curve;
-use super::super::end::{End, EndValues};
+use super::super::end::{CurveEnd, EndValues};
 use super::super::form::CurveForm;
 use super::super::law::Law;
 use super::super::search;
@@ -120,7 +120,7 @@ impl Border {
 
 /// T on a line that ends there.
 fn triple(form: &CurveForm, weight: SelfWeight) -> Result<Crossing, Undecided> {
-    let values = EndValues::of(End::Landmark(Landmark::Triple), weight)?;
+    let values = EndValues::of(CurveEnd::Landmark(Landmark::Triple), weight)?;
     let thrust = values.value(Variable::Inclination);
     let thrust = cycloid::thrust(&Angle::new(thrust));
     let eta = values.value(Variable::Thickness);
@@ -202,7 +202,7 @@ mod tests {
                 assert!((0..2).all(is_near), "{weight:?} {found:?}");
             }
             assert_eq!(ends(2)[1], ends(3)[0], "three kinds meet");
-            let triple = EndValues::of(End::Landmark(Landmark::Triple), weight).unwrap();
+            let triple = EndValues::of(CurveEnd::Landmark(Landmark::Triple), weight).unwrap();
             let last = &lines[3].section.ends()[1];
             assert!(triple.value(Variable::Thickness).overlaps(&value(last, Variable::Thickness)));
         }

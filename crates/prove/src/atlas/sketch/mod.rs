@@ -18,7 +18,7 @@ mod sketch;
 mod stability;
 mod stones;
 
-pub use crate::sketch::{Block, Line, Moved, moved};
+pub use crate::sketch::{Block, Moved, SketchedLine, moved};
 pub use sketch::{NoSketch, Sketch, Subject};
 pub use stability::{Bound, Stability};
 

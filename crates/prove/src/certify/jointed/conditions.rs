@@ -1,6 +1,6 @@
 //! The conditions of an arch of equal stones as polynomials in its thickness.
 
-use super::polynomial::Polynomial;
+use super::polynomial::ShortPolynomial;
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
 use crate::number::{Ball, Field, Jet};
@@ -10,17 +10,17 @@ use crate::prover::arithmetic::Arithmetic;
 /// The conditions of an arch.
 pub(super) struct Conditions<T> {
     /// Four at each joint, in the order of [`Contact::ALL`], from the left.
-    pub all: Vec<JointLimit<Polynomial<T>>>,
+    pub all: Vec<JointLimit<ShortPolynomial<T>>>,
     /// Loads of the force that works on each motion, free of the forces: of a hinge that of the row, of a slip
     /// that of `T` or `-T`.
-    pub weights: Vec<Polynomial<T>>,
+    pub weights: Vec<ShortPolynomial<T>>,
     pub extent: Extent,
     /// Conditions `-N` at each joint: both hinges together are `eta` times this.
-    compressions: Vec<[Polynomial<T>; 4]>,
+    compressions: Vec<[ShortPolynomial<T>; 4]>,
     /// Condition that a state of the half arch satisfies beside them: no vertical force.
-    no_vertical_force: [Polynomial<T>; 4],
+    no_vertical_force: [ShortPolynomial<T>; 4],
     /// The radius of the intrados, `1 - eta/2`.
-    intrados: Polynomial<T>,
+    intrados: ShortPolynomial<T>,
 }
 
 /// The order of jets in the thickness: that of the load.
@@ -28,9 +28,9 @@ const ORDER: usize = 2;
 
 /// Coefficients of `h, p` and `v`. With `v` it is linear in the thickness: the centroids, of second order, drop out
 /// exactly.
-fn entries<T: Field>([h, p, v]: &[Jet<T>; 3]) -> [Polynomial<T>; 3] {
+fn entries<T: Field>([h, p, v]: &[Jet<T>; 3]) -> [ShortPolynomial<T>; 3] {
     let linear = Jet::new(v.coefficients().iter().take(2).cloned().collect(), ORDER);
-    [h, p, &linear].map(Polynomial::of)
+    [h, p, &linear].map(ShortPolynomial::of)
 }
 
 impl<T: Arithmetic> Conditions<T> {
@@ -49,24 +49,25 @@ impl<T: Arithmetic> Conditions<T> {
             for limit in joints.limits((k, &angle), extent) {
                 let [h, p, v, load] = limit.row;
                 let [h, p, v] = entries(&[h, p, v]);
-                let row = [h, p, v, Polynomial::of(&load)];
+                let row = [h, p, v, ShortPolynomial::of(&load)];
                 let JointLimit { contact, joint, .. } = limit;
                 all.push(JointLimit { contact, joint, row, motion: entries(&limit.motion) });
-                weights.push(Polynomial::of(&without_friction.row(contact, &angle).load));
+                weights.push(ShortPolynomial::of(&without_friction.row(contact, &angle).load));
             }
             let [h, p, v] = extent.seen([-angle.cos.clone(), angle.cos.int(0), angle.sin.clone()]);
             let load = -(angle.rad * &angle.sin);
-            compressions.push([&h, &p, &v, &load].map(Polynomial::of));
+            compressions.push([&h, &p, &v, &load].map(ShortPolynomial::of));
         }
-        let entry = |n: i32| Polynomial::constant(alpha.int(n));
+        let entry = |n: i32| ShortPolynomial::constant(alpha.int(n));
         let intrados = Jet::new(vec![alpha.int(1), -alpha.ratio(1, 2)], ORDER);
-        let (no_vertical_force, intrados) = ([0, 0, 1, 0].map(entry), Polynomial::of(&intrados));
+        let (no_vertical_force, intrados) =
+            ([0, 0, 1, 0].map(entry), ShortPolynomial::of(&intrados));
         Self { all, weights, extent, compressions, no_vertical_force, intrados }
     }
 
     /// The row of a condition beside others that are zero: where the opposite hinge of its joint is one of them,
     /// `-N`, which has its sign and is free of the factor `eta` that both hinges together have.
-    fn row_beside(&self, place: usize, of: &[usize]) -> &[Polynomial<T>; 4] {
+    fn row_beside(&self, place: usize, of: &[usize]) -> &[ShortPolynomial<T>; 4] {
         let opposite = match place % 4 {
             0 => Some(place + 1),
             1 => Some(place - 1),
@@ -79,7 +80,7 @@ impl<T: Arithmetic> Conditions<T> {
     }
 
     /// The rows of conditions that are zero together, with `-N` for the second hinge of a joint.
-    pub(super) fn rows_of(&self, of: &[usize]) -> Vec<&[Polynomial<T>; 4]> {
+    pub(super) fn rows_of(&self, of: &[usize]) -> Vec<&[ShortPolynomial<T>; 4]> {
         (0..of.len()).map(|k| self.row_beside(of[k], &of[..k])).collect()
     }
 
@@ -119,7 +120,7 @@ impl<T: Arithmetic> Conditions<T> {
     ///
     /// Two mirror images are zero together where one is and `v` is zero. Of three hinges at the intrados the factor
     /// `1 - eta/2`, which all four have, is left out, and of the two hinges of a joint the factor `eta`.
-    pub(super) fn meeting(&self, of: &[usize]) -> [Polynomial<T>; 4] {
+    pub(super) fn meeting(&self, of: &[usize]) -> [ShortPolynomial<T>; 4] {
         let is_intrados = |place: &usize| self.all[*place].contact == Contact::Intrados;
         let without_vertical_force = |of: &[usize]| {
             let rows = self.rows_of(of);
@@ -134,7 +135,8 @@ impl<T: Arithmetic> Conditions<T> {
                     [h.first(), p.clone(), v.first(), load.clone()]
                 });
                 let [h, p, v, whole] = crossed(reduced.each_ref());
-                let times = |x: &Polynomial<T>| Polynomial::alternating(&[[&self.intrados, x]]);
+                let times =
+                    |x: &ShortPolynomial<T>| ShortPolynomial::alternating(&[[&self.intrados, x]]);
                 [h, times(&p), v, times(&whole)]
             }
             _ => {
@@ -162,21 +164,21 @@ impl<T: Arithmetic> Conditions<T> {
         &self,
         place: usize,
         of: &[usize],
-        meeting: &[Polynomial<T>; 4],
-    ) -> Polynomial<T> {
+        meeting: &[ShortPolynomial<T>; 4],
+    ) -> ShortPolynomial<T> {
         let [h, p, v, load] = self.row_beside(place, of);
         let [a, b, c, d] = meeting;
         let minus = [b, d].map(|x| x.clone().negative());
-        Polynomial::alternating(&[[h, a], [p, &minus[0]], [v, c], [load, &minus[1]]])
+        ShortPolynomial::alternating(&[[h, a], [p, &minus[0]], [v, c], [load, &minus[1]]])
     }
 
     /// Rates, up to a common factor, of one condition more than the equations of compatibility, with which the
     /// motion fits.
-    pub(super) fn rates(&self, of: &[usize]) -> Vec<Polynomial<T>> {
+    pub(super) fn rates(&self, of: &[usize]) -> Vec<ShortPolynomial<T>> {
         let motion = |k: usize| &self.all[of[k]].motion;
         let cross = |i: usize, j: usize, [x, y]: [usize; 2]| {
             let (a, b) = (motion(i), motion(j));
-            Polynomial::alternating(&[[&a[x], &b[y]], [&a[y], &b[x]]])
+            ShortPolynomial::alternating(&[[&a[x], &b[y]], [&a[y], &b[x]]])
         };
         let rate = |k: usize| {
             let rest: Vec<usize> = (0..of.len()).filter(|i| *i != k).collect();
@@ -190,10 +192,11 @@ impl<T: Arithmetic> Conditions<T> {
     }
 
     /// The determinant of three motions: zero where they fit with each other.
-    pub(super) fn determinant(&self, of: &[usize; 3]) -> Polynomial<T> {
+    pub(super) fn determinant(&self, of: &[usize; 3]) -> ShortPolynomial<T> {
         let [a, b, c] = of.map(|k| &self.all[k].motion);
-        let minor = |i: usize, j: usize| Polynomial::alternating(&[[&b[i], &c[j]], [&b[j], &c[i]]]);
-        Polynomial::alternating(&[
+        let minor =
+            |i: usize, j: usize| ShortPolynomial::alternating(&[[&b[i], &c[j]], [&b[j], &c[i]]]);
+        ShortPolynomial::alternating(&[
             [&a[0], &minor(1, 2)],
             [&a[1], &minor(0, 2)],
             [&a[2], &minor(0, 1)],
@@ -201,22 +204,30 @@ impl<T: Arithmetic> Conditions<T> {
     }
 
     /// Rates of three motions that fit with each other, from two of their three equations.
-    pub(super) fn rates_of_three(&self, of: &[usize; 3], by: [usize; 2]) -> Vec<Polynomial<T>> {
+    pub(super) fn rates_of_three(
+        &self,
+        of: &[usize; 3],
+        by: [usize; 2],
+    ) -> Vec<ShortPolynomial<T>> {
         let cross = |i: usize, j: usize| {
             let (a, b) = (&self.all[of[i]].motion, &self.all[of[j]].motion);
-            Polynomial::alternating(&[[&a[by[0]], &b[by[1]]], [&a[by[1]], &b[by[0]]]])
+            ShortPolynomial::alternating(&[[&a[by[0]], &b[by[1]]], [&a[by[1]], &b[by[0]]]])
         };
         vec![cross(1, 2), cross(2, 0), cross(0, 1)]
     }
 }
 
 /// Four numbers at right angles to three rows, up to a common factor.
-fn crossed<T: Arithmetic>([a, b, c]: [&[Polynomial<T>; 4]; 3]) -> [Polynomial<T>; 4] {
-    let minor = |i: usize, j: usize| Polynomial::alternating(&[[&a[i], &b[j]], [&a[j], &b[i]]]);
+fn crossed<T: Arithmetic>([a, b, c]: [&[ShortPolynomial<T>; 4]; 3]) -> [ShortPolynomial<T>; 4] {
+    let minor =
+        |i: usize, j: usize| ShortPolynomial::alternating(&[[&a[i], &b[j]], [&a[j], &b[i]]]);
     let [m01, m02, m03] = [minor(0, 1), minor(0, 2), minor(0, 3)];
     let [m12, m13, m23] = [minor(1, 2), minor(1, 3), minor(2, 3)];
-    let det = |ab: &Polynomial<T>, ac: &Polynomial<T>, bc: &Polynomial<T>, at: [usize; 3]| {
-        Polynomial::alternating(&[[ab, &c[at[2]]], [ac, &c[at[1]]], [bc, &c[at[0]]]])
+    let det = |ab: &ShortPolynomial<T>,
+               ac: &ShortPolynomial<T>,
+               bc: &ShortPolynomial<T>,
+               at: [usize; 3]| {
+        ShortPolynomial::alternating(&[[ab, &c[at[2]]], [ac, &c[at[1]]], [bc, &c[at[0]]]])
     };
     [
         det(&m12, &m13, &m23, [1, 2, 3]),
@@ -240,7 +251,7 @@ mod tests {
             let eta = Ball::integer(3, 100) / &Ball::integer(7, 100);
             for joint in 0..conditions.compressions.len() {
                 let (outer, inner) = (4 * joint, 4 * joint + 1);
-                let at = |of: &[Polynomial<Ball>; 4]| of.each_ref().map(|x| x.at(&eta));
+                let at = |of: &[ShortPolynomial<Ball>; 4]| of.each_ref().map(|x| x.at(&eta));
                 let [a, b] = [outer, inner].map(|place| at(&conditions.all[place].row));
                 let n = at(conditions.row_beside(inner, &[outer]));
                 let same = |k: usize| (a[k].clone() + &b[k]).overlaps(&(n[k].clone() * &eta));
@@ -262,7 +273,7 @@ mod tests {
         let conditions: Conditions<Ball> = Conditions::new(&arch, 4, Extent::Whole, 100);
         let eta = Ball::integer(1, 100) / &Ball::integer(3, 100);
         let forces = [2, 3, 5].map(|n| Ball::integer(n, 100) / &Ball::integer(7, 100));
-        let along = |of: [&Polynomial<Ball>; 3], load: &Polynomial<Ball>| {
+        let along = |of: [&ShortPolynomial<Ball>; 3], load: &ShortPolynomial<Ball>| {
             let terms = of.into_iter().zip(&forces);
             terms.fold(load.at(&eta), |sum, (entry, force)| sum + entry.at(&eta) * force)
         };

@@ -6,7 +6,7 @@
 //! **Elsewhere** on the piece only the vertex's own conditions are zero, and no motion fits.
 
 use super::conditions::Conditions;
-use super::polynomial::Polynomial;
+use super::polynomial::ShortPolynomial;
 use super::vertex::{SweepStart, ThicknessPiece, Vertex};
 use crate::number::{DoubleBall, Enclosure, Field};
 
@@ -67,7 +67,7 @@ pub(super) fn event(
 }
 
 /// Tells whether a polynomial is zero exactly once on a piece.
-fn is_once_zero(polynomial: &Polynomial<DoubleBall>, piece: &ThicknessPiece) -> bool {
+fn is_once_zero(polynomial: &ShortPolynomial<DoubleBall>, piece: &ThicknessPiece) -> bool {
     let [low, high] = [piece.low, piece.high].map(|x| polynomial.at(&DoubleBall::exact(x)));
     polynomial.derivative().on(&piece.ball()).excludes_zero()
         && low.excludes_zero()
@@ -76,7 +76,7 @@ fn is_once_zero(polynomial: &Polynomial<DoubleBall>, piece: &ThicknessPiece) -> 
 }
 
 /// Tells whether all rates have the same sign on a piece.
-fn have_one_sign(rates: &[Polynomial<DoubleBall>], piece: &ThicknessPiece) -> bool {
+fn have_one_sign(rates: &[ShortPolynomial<DoubleBall>], piece: &ThicknessPiece) -> bool {
     let ball = piece.ball();
     let all = |sign: i32| {
         rates.iter().all(|rate| (ball.int(sign) * rate.on(&ball)).is_positive().is_proved())

@@ -22,7 +22,7 @@
 //!   vertex has independent rows, so that where these are dependent the state is found by other triples. That is
 //!   all that is said of a triple: at no thickness of the piece is it the vertex of a solution.
 
-use super::polynomial::Polynomial;
+use super::polynomial::ShortPolynomial;
 use super::vertex::{ThicknessPiece, Vertex, is_positive};
 use crate::number::{DoubleBall, Enclosure};
 use crate::prover::vector::{ForceLine, ForceRow, cross, dot, parts};
@@ -82,7 +82,7 @@ fn line_of(own: [ForceRow; 3]) -> Option<(ForceLine, OnLine)> {
 /// tells nothing.
 pub(super) fn bears_no_motion(vertex: &Vertex<'_>, piece: &ThicknessPiece) -> bool {
     let ball = piece.ball();
-    let on = |row: &[Polynomial<DoubleBall>; 4]| row.each_ref().map(|entry| entry.on(&ball));
+    let on = |row: &[ShortPolynomial<DoubleBall>; 4]| row.each_ref().map(|entry| entry.on(&ball));
     let conditions = vertex.conditions();
     let own: Vec<ForceRow> = conditions.rows_of(&vertex.of).into_iter().map(on).collect();
     let Some((line, third)) = own.try_into().ok().and_then(line_of) else { return false };

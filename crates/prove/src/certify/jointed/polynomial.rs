@@ -7,12 +7,12 @@ pub(super) const DEGREE: usize = 4;
 
 /// `sum of terms[k] x^k` up to its degree; the terms above it are zero.
 #[derive(Clone, Debug)]
-pub(super) struct Polynomial<T> {
+pub(super) struct ShortPolynomial<T> {
     terms: [T; DEGREE + 1],
     degree: usize,
 }
 
-impl<T: Field> Polynomial<T> {
+impl<T: Field> ShortPolynomial<T> {
     /// A number.
     pub(super) fn constant(value: T) -> Self {
         let zero = value.int(0);
@@ -82,7 +82,7 @@ impl<T: Field> Polynomial<T> {
     }
 }
 
-impl Polynomial<DoubleBall> {
+impl ShortPolynomial<DoubleBall> {
     /// Values on a piece, given by its middle and what is around it.
     pub(super) fn on(&self, piece: &DoubleBall) -> DoubleBall {
         use crate::number::Enclosure;
@@ -106,19 +106,19 @@ mod tests {
     use crate::number::Enclosure;
     use rug::Rational;
 
-    fn of(terms: &[i32]) -> Polynomial<Rational> {
-        Polynomial::of(&Jet::new(terms.iter().map(|n| Rational::from(*n)).collect(), DEGREE))
+    fn of(terms: &[i32]) -> ShortPolynomial<Rational> {
+        ShortPolynomial::of(&Jet::new(terms.iter().map(|n| Rational::from(*n)).collect(), DEGREE))
     }
 
     #[test]
     fn products_derivatives_and_shifts() {
         let (a, b) = (of(&[1, 2]), of(&[3, 0, 5]));
         let x = Rational::from((2, 7));
-        let value = |of: &Polynomial<Rational>| of.at(&x);
-        let sum = Polynomial::alternating(&[[&a, &b], [&b, &b], [&a, &a]]);
+        let value = |of: &ShortPolynomial<Rational>| of.at(&x);
+        let sum = ShortPolynomial::alternating(&[[&a, &b], [&b, &b], [&a, &a]]);
         let expected = value(&a) * value(&b) - value(&b) * value(&b) + value(&a) * value(&a);
         assert_eq!(value(&sum), expected);
-        assert_ne!(value(&Polynomial::alternating(&[[&a, &b], [&b, &b]])), expected);
+        assert_ne!(value(&ShortPolynomial::alternating(&[[&a, &b], [&b, &b]])), expected);
         assert_eq!(value(&sum.clone().negative()), -expected);
         assert_eq!(of(&[7, 3, 0, 2, 1]).derivative().at(&x), of(&[3, 0, 6, 4]).at(&x));
         let centre = Rational::from((5, 3));
@@ -131,7 +131,7 @@ mod tests {
     fn a_piece_holds_its_values() {
         let ball = |x: f64| DoubleBall::exact(x);
         let jet = Jet::new([0.3, -1.0, 0.5, 0.25, -2.0].map(ball).to_vec(), DEGREE);
-        let polynomial = Polynomial::of(&jet);
+        let polynomial = ShortPolynomial::of(&jet);
         let piece = DoubleBall::new(0.7, 1e-3);
         let values = polynomial.on(&piece);
         for x in [0.699, 0.6995, 0.7, 0.701] {

@@ -3,7 +3,7 @@
 use super::conditions::Conditions;
 use super::event::{Event, EventKind};
 use super::found::{JointedMotion, JointedSolution};
-use super::polynomial::Polynomial;
+use super::polynomial::ShortPolynomial;
 use crate::arch::mechanism::Contact;
 use crate::arch::whole::Side;
 use crate::number::{Ball, Enclosure, ExactNumber, bits_of};
@@ -117,7 +117,7 @@ impl StonesInDigits<'_> {
         let whole = |n: i32| ExactNumber::from(&Rational::from(n));
         let zero = Figure::exact(&whole(0), 1);
         let [h, p, v] = &state.forces;
-        let mut moving: Vec<(&JointLimit<Polynomial<Ball>>, &Ball)> =
+        let mut moving: Vec<(&JointLimit<ShortPolynomial<Ball>>, &Ball)> =
             state.moving.iter().map(|(place, rate)| (&conditions.all[*place], rate)).collect();
         moving.sort_by_key(|(condition, _)| -condition.joint);
         let contacts: Vec<Contact> =
@@ -159,7 +159,7 @@ impl StonesInDigits<'_> {
 
 /// Encloses a zero of a polynomial next to a number, by a change of sign.
 pub(super) fn zero_near(
-    polynomial: &Polynomial<Ball>,
+    polynomial: &ShortPolynomial<Ball>,
     near: f64,
     bits: u32,
 ) -> Result<Ball, Undecided> {

@@ -16,7 +16,7 @@
 //!   thrust that has no limit, and only the weight tells that they are not in equilibrium.
 
 use super::conditions::Conditions;
-use super::polynomial::Polynomial;
+use super::polynomial::ShortPolynomial;
 use crate::arch::mechanism::Contact;
 use crate::number::{DoubleBall, Enclosure};
 use crate::solve::rates::parting;
@@ -79,9 +79,9 @@ pub(super) struct Vertex<'a> {
     conditions: &'a Conditions<DoubleBall>,
     /// Places of the conditions, in order.
     pub of: Vec<usize>,
-    meeting: [Polynomial<DoubleBall>; 4],
+    meeting: [ShortPolynomial<DoubleBall>; 4],
     /// The other conditions there, when they are needed.
-    values: Vec<Polynomial<DoubleBall>>,
+    values: Vec<ShortPolynomial<DoubleBall>>,
 }
 
 pub(super) fn is_positive(x: &DoubleBall) -> bool {
@@ -192,8 +192,9 @@ impl<'a> Vertex<'a> {
         if others.is_empty() && self.of.iter().all(is_hinge) {
             return true;
         }
-        let moves =
-            |place: &usize| !self.conditions.all[*place].motion.iter().all(Polynomial::is_zero);
+        let moves = |place: &usize| {
+            !self.conditions.all[*place].motion.iter().all(ShortPolynomial::is_zero)
+        };
         let all: Vec<usize> = self.of.iter().chain(others).copied().filter(moves).collect();
         self.are_parted(&all, piece)
     }
@@ -256,7 +257,7 @@ impl<'a> Vertex<'a> {
     }
 
     /// The other condition as a polynomial in the thickness.
-    pub(super) fn value(&self, place: usize) -> Polynomial<DoubleBall> {
+    pub(super) fn value(&self, place: usize) -> ShortPolynomial<DoubleBall> {
         self.conditions.value(place, &self.of, &self.meeting)
     }
 }
@@ -283,7 +284,7 @@ fn is_zero(x: &DoubleBall) -> bool {
 
 /// The rows in doubles, by the powers of the thickness.
 pub(super) fn in_doubles(conditions: &Conditions<DoubleBall>) -> Vec<[[f64; 3]; 4]> {
-    let entry = |of: &Polynomial<DoubleBall>| {
+    let entry = |of: &ShortPolynomial<DoubleBall>| {
         let second = of.derivative().derivative().near(0.0) / 2.0;
         [of.near(0.0), of.derivative().near(0.0), second]
     };

@@ -1,7 +1,7 @@
 //! Arches, and arches with a certified state.
 
 use super::numbers::{decimal, weight};
-use super::queries::{Query, query};
+use super::queries::{DrawnQuery, query};
 use crate::arch::{SelfWeight, Unknown};
 use crate::certify::Refused;
 use crate::certify::state::{Answer, Certify, Digits};
@@ -34,7 +34,7 @@ pub fn arch() -> impl Strategy<Value = Arch> {
 /// });
 /// assert!(verdict.is_ok());
 /// ```
-pub fn standing(digits: usize) -> impl Strategy<Value = (Query, Box<Digits>)> {
+pub fn standing(digits: usize) -> impl Strategy<Value = (DrawnQuery, Box<Digits>)> {
     let whence = whence("stands", digits);
     query().prop_filter_map(whence, move |query| Some((query.clone(), stands(&query, digits)?)))
 }
@@ -45,7 +45,7 @@ pub fn standing(digits: usize) -> impl Strategy<Value = (Query, Box<Digits>)> {
 ///
 /// The purely sliding states are a curve of the map, on which no such arch lies: with
 /// [`Mode::Sliding`] everything is rejected.
-pub fn collapsing(mode: Mode, digits: usize) -> impl Strategy<Value = (Query, Box<Digits>)> {
+pub fn collapsing(mode: Mode, digits: usize) -> impl Strategy<Value = (DrawnQuery, Box<Digits>)> {
     weight()
         .prop_filter_map("has a place on the map", move |weight| {
             Some((weight, half_openings(mode, weight)?))
@@ -67,7 +67,7 @@ pub fn collapsing(mode: Mode, digits: usize) -> impl Strategy<Value = (Query, Bo
                         Friction::Coefficient(format!("{mu:.places$}").parse().ok()?)
                     }
                 };
-                let query = Query { weight, half_opening: alpha.parse().ok()?, friction };
+                let query = DrawnQuery { weight, half_opening: alpha.parse().ok()?, friction };
                 let state = stands(&query, digits).filter(|state| state.mode == mode)?;
                 Some((query, state))
             },
@@ -81,7 +81,7 @@ fn whence(otherwise: &str, digits: usize) -> String {
 }
 
 /// The proved state of an arch that stands.
-fn stands(query: &Query, digits: usize) -> Option<Box<Digits>> {
+fn stands(query: &DrawnQuery, digits: usize) -> Option<Box<Digits>> {
     match query.arch().ok()?.certify(digits) {
         Ok(Answer::Stands(state)) => Some(state),
         _ => None,

@@ -6,4 +6,4 @@ mod queries;
 
 pub use arches::{arch, collapsing, standing};
 pub use numbers::{friction, half_opening, weight};
-pub use queries::{Query, query};
+pub use queries::{DrawnQuery, query};

@@ -12,7 +12,7 @@ use std::fmt;
 
 /// Question about an arch. It is shown as the command that answers it.
 #[derive(Clone, PartialEq, Eq)]
-pub struct Query {
+pub struct DrawnQuery {
     /// The self-weight model.
     pub weight: SelfWeight,
     /// The half opening, rad; its text is what was drawn.
@@ -21,7 +21,7 @@ pub struct Query {
     pub friction: Friction,
 }
 
-impl Query {
+impl DrawnQuery {
     /// The arch, to be certified; an error for a query that no strategy here draws.
     pub fn arch(&self) -> Result<Arch, ArchError> {
         Arch::new(self.weight, self.half_opening.clone(), self.friction.clone())
@@ -44,7 +44,7 @@ impl Query {
     }
 }
 
-impl fmt::Display for Query {
+impl fmt::Display for DrawnQuery {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { weight, half_opening, friction } = self;
         write!(f, "couplet state --weight {} --half-opening {half_opening}", weight.name())?;
@@ -56,7 +56,7 @@ impl fmt::Display for Query {
     }
 }
 
-impl fmt::Debug for Query {
+impl fmt::Debug for DrawnQuery {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)
     }
@@ -64,14 +64,14 @@ impl fmt::Debug for Query {
 
 /// Any query of the domain: half opening in `(0, pi)`, friction in `[0, inf]`; one in five next to a
 /// landmark, of which it shares 3 to 40 digits.
-pub fn query() -> impl Strategy<Value = Query> {
+pub fn query() -> impl Strategy<Value = DrawnQuery> {
     let anywhere = (weight(), half_opening(), friction())
-        .prop_map(|(weight, half_opening, friction)| Query { weight, half_opening, friction });
+        .prop_map(|(weight, half_opening, friction)| DrawnQuery { weight, half_opening, friction });
     prop_oneof![4 => anywhere, 1 => beside_a_landmark()]
 }
 
 /// Half opening and, where the landmark has one, friction just below or above those of a landmark.
-fn beside_a_landmark() -> impl Strategy<Value = Query> {
+fn beside_a_landmark() -> impl Strategy<Value = DrawnQuery> {
     let digits = || (3..=DIGITS, any::<bool>());
     let drawn = (weight(), select(&Landmark::ALL), digits(), digits(), friction());
     drawn.prop_filter_map("the landmark is certified", |(weight, landmark, first, second, any)| {
@@ -79,6 +79,6 @@ fn beside_a_landmark() -> impl Strategy<Value = Query> {
             beside(landmark, weight, unknown, digits, above)?.parse::<ExactNumber>().ok()
         };
         let friction = beside(Unknown::Friction, second).map_or(any, Friction::Coefficient);
-        Some(Query { weight, half_opening: beside(Unknown::HalfOpening, first)?, friction })
+        Some(DrawnQuery { weight, half_opening: beside(Unknown::HalfOpening, first)?, friction })
     })
 }

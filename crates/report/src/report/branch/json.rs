@@ -4,7 +4,7 @@ use super::{BranchArch, BranchArches, PROOF, events, quantities, rounded};
 use crate::atlas::{Level, NoBranch, Part, Stretch, Variable};
 use crate::report::fields::Fields;
 use crate::report::json as file;
-use crate::report::map::{Row, node};
+use crate::report::map::{MapRow, node};
 use std::io;
 
 pub(in crate::report) fn json(all: &BranchArches, out: &mut dyn io::Write) -> io::Result<()> {
@@ -38,7 +38,7 @@ fn entry(arch: &BranchArch, all: &BranchArches) -> Fields {
     fields.add_list("points", points);
     let parts = found.into_iter().flat_map(|(branch, _)| {
         branch.stretches.iter().map(move |(_, stretch)| {
-            let nodes = Row::of_stretch(branch, stretch).iter().map(node).collect();
+            let nodes = MapRow::of_stretch(branch, stretch).iter().map(node).collect();
             part(stretch, nodes)
         })
     });
@@ -64,6 +64,6 @@ fn of_least(least: &Level, part: &Part) -> Fields {
     let mut fields = Fields::default();
     fields.add("mode", part.mode.label());
     fields.add("parameter", part.parameter().map(Variable::name));
-    fields.add_list("nodes", Row::of_part(least, part).iter().map(node));
+    fields.add_list("nodes", MapRow::of_part(least, part).iter().map(node));
     fields
 }

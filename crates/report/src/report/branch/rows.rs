@@ -3,7 +3,7 @@
 use super::BranchArches;
 use crate::atlas::{Branch, Stretch};
 use crate::report::csv;
-use crate::report::map::{COLUMNS, Row, lower, upper};
+use crate::report::map::{COLUMNS, MapRow, lower, upper};
 use std::io;
 
 /// Columns that a row has beside the columns of a map.
@@ -15,7 +15,7 @@ const MORE: [&str; 5] = [
     "admissible",
 ];
 
-fn more(row: &Row, stretch: Option<&Stretch>) -> [String; 5] {
+fn more(row: &MapRow, stretch: Option<&Stretch>) -> [String; 5] {
     let place = row.place();
     let text = |bound: Option<f64>| bound.map(|x| format!("{x:?}")).unwrap_or_default();
     let [v, b0] = [&place.vertical_force, &place.crown_hinge].map(Option::as_ref);
@@ -30,19 +30,19 @@ fn more(row: &Row, stretch: Option<&Stretch>) -> [String; 5] {
 
 pub(in crate::report) fn csv(all: &BranchArches, out: &mut dyn io::Write) -> io::Result<()> {
     let header = COLUMNS.iter().map(|(name, _)| *name).chain(MORE).map(str::to_owned).collect();
-    let cells = |row: &Row, stretch: Option<&Stretch>| -> Vec<String> {
+    let cells = |row: &MapRow, stretch: Option<&Stretch>| -> Vec<String> {
         COLUMNS.iter().map(|(_, column)| column.text(row)).chain(more(row, stretch)).collect()
     };
     let of_branch = |branch: &Branch| -> Vec<Vec<String>> {
         let parts = branch.stretches.iter().map(|(_, stretch)| stretch);
         let rows = parts.flat_map(|part| {
-            Row::of_stretch(branch, part).into_iter().map(move |row| cells(&row, Some(part)))
+            MapRow::of_stretch(branch, part).into_iter().map(move |row| cells(&row, Some(part)))
         });
         rows.collect()
     };
     let rows = all.arches.iter().filter_map(|arch| arch.found.as_ref().ok()).flat_map(
         |(branch, least)| {
-            let parts = least.parts.iter().flat_map(|part| Row::of_part(least, part));
+            let parts = least.parts.iter().flat_map(|part| MapRow::of_part(least, part));
             of_branch(branch)
                 .into_iter()
                 .chain(parts.map(|row| cells(&row, None)))

@@ -1,13 +1,13 @@
 //! Claims as JSON, `couplet.claims/3`. Fields may be added, none changes its meaning.
 
 use super::decided::{Claims, as_printed, remarks, verdict};
-use crate::claims::{Argument, Step};
+use crate::claims::{Argument, DerivationStep};
 use crate::report::fields::Fields;
 use crate::report::json;
 use serde_json::Value as Json;
 use std::io;
 
-fn step(step: &Step) -> Fields {
+fn step(step: &DerivationStep) -> Fields {
     let [formula, latex] = match &step.formula {
         Some(formula) => [formula.text.as_str().into(), formula.latex.as_str().into()],
         None => [Json::Null, Json::Null],

@@ -3,7 +3,7 @@
 use super::caption::told;
 use super::chain::{Chain, larger};
 use super::graph::{Dot, Graph, GraphLine, Graphs, WIDTH, height};
-use super::plane::{Axis, step};
+use super::plane::{PlaneAxis, step};
 use crate::arch::asymmetric::AsymmetricMode;
 use crate::atlas::{Branch, Coordinate, Level, Meeting};
 use crate::picture::color::INK;
@@ -42,12 +42,12 @@ fn axis(
     label: &'static str,
     values: impl Iterator<Item = f64> + Clone,
     room: [f64; 2],
-) -> Axis {
+) -> PlaneAxis {
     let least = values.clone().fold(f64::INFINITY, f64::min);
     let most = values.fold(f64::NEG_INFINITY, f64::max);
     let range = [least - room[0] * (most - least), most + room[1] * (most - least)];
     let step = step(range, 5.0).unwrap_or(1.0);
-    Axis { coordinate, unit: 1.0, label, range, step }
+    PlaneAxis { coordinate, unit: 1.0, label, range, step }
 }
 
 /// The branches of some weights and one half opening as SVG, each in a panel with its least thickness.
@@ -102,7 +102,7 @@ pub(in crate::report) fn branches(
     Graphs { title, panels, legend, legend_at, words }.svg()
 }
 
-fn panel(branch: &Branch, least: &Level, x: Axis, y: Axis) -> Graph {
+fn panel(branch: &Branch, least: &Level, x: PlaneAxis, y: PlaneAxis) -> Graph {
     let axes = [x, y];
     let least = Chain::of_level(least, &axes);
     let least = least.map(|chain| GraphLine { id: "least".to_owned(), chain, stroke: LEAST });

@@ -4,10 +4,10 @@ use super::caption::proved;
 use super::chain::Chain;
 use super::graph::{Dot, Graph, GraphLine, Graphs, WIDTH, height};
 use super::look;
-use super::plane::{Axis, DEGREES};
+use super::plane::{DEGREES, PlaneAxis};
 use super::sheet::Sheet;
 use crate::arch::{SelfWeight, Unknown};
-use crate::atlas::{Coordinate, Curve, End, Place, Trace};
+use crate::atlas::{Coordinate, Curve, CurveEnd, Place, Trace};
 use crate::certify::CertifiedLandmark;
 use crate::number::Ball;
 use crate::picture::color::INK;
@@ -37,26 +37,31 @@ const FAR: f64 = 4.5;
 const FOOT: f64 = 1e-9;
 
 /// An axis of an angle in degrees, or of what else there is.
-const fn axis(coordinate: Coordinate, label: &'static str, range: [f64; 2], step: f64) -> Axis {
+const fn axis(
+    coordinate: Coordinate,
+    label: &'static str,
+    range: [f64; 2],
+    step: f64,
+) -> PlaneAxis {
     let unit = match coordinate {
         Coordinate::HalfOpening | Coordinate::RotationJoint => DEGREES,
         _ => 1.0,
     };
-    Axis { coordinate, unit, label, range, step }
+    PlaneAxis { coordinate, unit, label, range, step }
 }
 
-const OPENING: Axis = axis(Coordinate::HalfOpening, "half opening α (°)", [0.0, 180.0], 20.0);
-const VARIABLE: Axis = axis(Coordinate::OpeningVariable, "A = α cot(α/2)", [0.0, 2.0], 0.2);
-const THICKNESS: Axis = thickness_axis([0.0, 2.2], 0.5);
+const OPENING: PlaneAxis = axis(Coordinate::HalfOpening, "half opening α (°)", [0.0, 180.0], 20.0);
+const VARIABLE: PlaneAxis = axis(Coordinate::OpeningVariable, "A = α cot(α/2)", [0.0, 2.0], 0.2);
+const THICKNESS: PlaneAxis = thickness_axis([0.0, 2.2], 0.5);
 /// Axis where half arches overturn.
-const WIDE: Axis = Axis { range: [146.0, 162.0], step: 2.0, ..OPENING };
-const WIDE_VARIABLE: Axis = Axis { range: [0.4, 1.0], step: 0.1, ..VARIABLE };
-const THICK: Axis = thickness_axis([0.8, 2.2], 0.2);
+const WIDE: PlaneAxis = PlaneAxis { range: [146.0, 162.0], step: 2.0, ..OPENING };
+const WIDE_VARIABLE: PlaneAxis = PlaneAxis { range: [0.4, 1.0], step: 0.1, ..VARIABLE };
+const THICK: PlaneAxis = thickness_axis([0.8, 2.2], 0.2);
 /// About the ends of rotation.
-const NEAR: Axis = Axis { range: [143.0, 157.0], step: 2.0, ..OPENING };
-const NEAR_THICKNESS: Axis = thickness_axis([0.6, 1.4], 0.2);
+const NEAR: PlaneAxis = PlaneAxis { range: [143.0, 157.0], step: 2.0, ..OPENING };
+const NEAR_THICKNESS: PlaneAxis = thickness_axis([0.6, 1.4], 0.2);
 
-const fn thickness_axis(range: [f64; 2], step: f64) -> Axis {
+const fn thickness_axis(range: [f64; 2], step: f64) -> PlaneAxis {
     axis(Coordinate::Thickness, "thickness η = t/r", range, step)
 }
 
@@ -211,7 +216,7 @@ fn look_of(weight: SelfWeight, curve: Curve) -> Stroke {
 }
 
 /// Distance that lines may have from the truth, along each axis.
-fn off(panels: &[Graph]) -> Vec<(Axis, f64)> {
+fn off(panels: &[Graph]) -> Vec<(PlaneAxis, f64)> {
     let of_panel = |panel: &Graph| {
         let [across, up] = panel.off();
         [(panel.x, across), (panel.y, up)]
@@ -219,11 +224,11 @@ fn off(panels: &[Graph]) -> Vec<(Axis, f64)> {
     panels.iter().flat_map(of_panel).collect()
 }
 
-fn along(trace: &Trace, axes: &[Axis; 2]) -> Option<Chain> {
+fn along(trace: &Trace, axes: &[PlaneAxis; 2]) -> Option<Chain> {
     Chain::of_pieces(trace.pieces(), &trace.points().first()?.place, axes)
 }
 
-fn lines(sheets: &[Sheet], curves: &[Curve], axes: &[Axis; 2]) -> Vec<GraphLine> {
+fn lines(sheets: &[Sheet], curves: &[Curve], axes: &[PlaneAxis; 2]) -> Vec<GraphLine> {
     let line = |sheet: &Sheet, curve: &Curve| {
         let chain = along(sheet.trace(*curve)?, axes)?;
         let id = format!("{}-{curve}", sheet.weight.name());
@@ -233,7 +238,7 @@ fn lines(sheets: &[Sheet], curves: &[Curve], axes: &[Axis; 2]) -> Vec<GraphLine>
 }
 
 /// The thrust of purely sliding states, up to the first border point and beyond.
-fn sliding(sheets: &[Sheet], axes: &[Axis; 2]) -> Vec<GraphLine> {
+fn sliding(sheets: &[Sheet], axes: &[PlaneAxis; 2]) -> Vec<GraphLine> {
     let border = sheets.iter().filter_map(|sheet| {
         let trace = sheet.trace(Curve::Limit)?;
         opening(&trace.points().first()?.place)
@@ -254,7 +259,7 @@ const ENDS: [Curve; 3] =
 fn marks(sheets: &[Sheet], curves: &[Curve], (x, y): (Read, Read), course: Course) -> Vec<Dot> {
     let mark = |sheet: &Sheet, curve: Curve| {
         let point = sheet.trace(curve)?.points().pop()?;
-        let Some(End::Landmark(landmark)) = point.end else { return None };
+        let Some(CurveEnd::Landmark(landmark)) = point.end else { return None };
         let at = (x(&point.place)?, y(&point.place)?);
         Some(named(landmark, sheet.weight, at, course))
     };

@@ -1,6 +1,6 @@
 //! A plane with its axes, in the units and ranges asked for.
 
-use super::plane::{Axis, DEGREES, Plane, step};
+use super::plane::{DEGREES, Plane, PlaneAxis, step};
 use crate::atlas::{Coordinate, LEAST_TOLERANCE};
 use crate::number::shown;
 
@@ -92,7 +92,7 @@ impl Axes {
 pub(super) struct Canvas {
     pub plane: Plane,
     /// Axes to the right, and up.
-    pub axes: [Axis; 2],
+    pub axes: [PlaneAxis; 2],
     /// True if the axes are as usual, so that insets and words have their places.
     pub is_usual: bool,
 }
@@ -103,7 +103,7 @@ impl Canvas {
     }
 
     pub(super) fn new(plane: Plane, axes: &Axes) -> Self {
-        let with = |axis: Axis| match axis.coordinate {
+        let with = |axis: PlaneAxis| match axis.coordinate {
             Coordinate::HalfOpening => axes.half_opening.of(axis),
             Coordinate::FrictionAngle => axes.friction.of(axis),
             _ => axes.thickness.of(axis),
@@ -127,7 +127,7 @@ impl Shown {
         (to - from > 1e-6 * to).then_some([from, to]).ok_or_else(wrong)
     }
 
-    fn of(self, axis: Axis) -> Axis {
+    fn of(self, axis: PlaneAxis) -> PlaneAxis {
         use Coordinate as C;
         let (coordinate, unit, label, usual): (_, _, _, [f64; 2]) =
             match (self.unit, axis.coordinate) {
@@ -156,7 +156,7 @@ impl Shown {
         let is_logarithm = coordinate == C::LogThickness;
         let range = if is_logarithm { range.map(f64::log10) } else { range };
         let step = step(range, 5.0).unwrap_or(axis.step);
-        Axis { coordinate, unit, label, range, step }
+        PlaneAxis { coordinate, unit, label, range, step }
     }
 }
 

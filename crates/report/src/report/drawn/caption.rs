@@ -2,7 +2,7 @@
 
 use super::canvas::Canvas;
 use super::page::SIZE;
-use super::plane::Axis;
+use super::plane::PlaneAxis;
 use super::sheet::Sheet;
 use crate::atlas::Coordinate;
 use crate::picture::path::ROUNDED;
@@ -39,7 +39,7 @@ pub(super) fn caption(
 
 /// Statement of how near the lines drawn in a frame of a size are to the true ones, by how far they are off
 /// along each axis, and what is not proved.
-pub(super) fn proved(sheets: &[&Sheet], off: &[(Axis, f64)], size: Point) -> String {
+pub(super) fn proved(sheets: &[&Sheet], off: &[(PlaneAxis, f64)], size: Point) -> String {
     let mut open: Vec<String> = Vec::new();
     for sheet in sheets {
         open.extend(sheet.open().iter().map(|curve| format!("{curve} ({})", sheet.weight.name())));
@@ -52,7 +52,7 @@ pub(super) fn proved(sheets: &[&Sheet], off: &[(Axis, f64)], size: Point) -> Str
 }
 
 /// Statement of how near lines are to the true ones, in words.
-pub(super) fn told(off: &[(Axis, f64)], size: Point) -> String {
+pub(super) fn told(off: &[(PlaneAxis, f64)], size: Point) -> String {
     let mut units: BTreeMap<&str, f64> = BTreeMap::new();
     for (axis, off) in off {
         let most = units.entry(unit(axis.coordinate)).or_default();
@@ -78,7 +78,7 @@ fn unit(coordinate: Coordinate) -> &'static str {
 }
 
 /// Effect on a place in a frame of a size, in η or rad, of rounding the file to thousandths of a unit.
-fn rounding(axis: &Axis, (width, height): Point) -> f64 {
+fn rounding(axis: &PlaneAxis, (width, height): Point) -> f64 {
     let length = (axis.range[1] - axis.range[0]) / axis.unit;
     ROUNDED / 2.0 * length / width.min(height)
 }

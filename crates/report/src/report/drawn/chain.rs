@@ -2,7 +2,7 @@
 
 use super::canvas::Canvas;
 use super::look;
-use super::plane::Axis;
+use super::plane::PlaneAxis;
 use crate::atlas::{Level, Piece, Place, Trace, arc};
 use crate::picture::{Frame, Path, Point, Stroke, Svg};
 use crate::problem::Mode;
@@ -35,7 +35,7 @@ impl Chain {
     }
 
     /// A level along two axes, to unlimited friction or to the physical limit.
-    pub(super) fn of_level(level: &Level, axes: &[Axis; 2]) -> Option<Self> {
+    pub(super) fn of_level(level: &Level, axes: &[PlaneAxis; 2]) -> Option<Self> {
         let mut whole = Self::default();
         for (k, part) in level.parts.iter().enumerate() {
             let chain = match part.parameter() {
@@ -60,7 +60,7 @@ impl Chain {
     pub(super) fn of_pieces<'a>(
         pieces: impl Iterator<Item = Piece<'a>>,
         start: &Place,
-        axes: &[Axis; 2],
+        axes: &[PlaneAxis; 2],
     ) -> Option<Self> {
         // What a curve does not move along is the same at its start.
         let still = axes.each_ref().map(|axis| axis.place(start));
@@ -76,7 +76,7 @@ impl Chain {
         &mut self,
         piece: &Piece,
         range: [f64; 2],
-        (axes, still): (&[Axis; 2], [Option<f64>; 2]),
+        (axes, still): (&[PlaneAxis; 2], [Option<f64>; 2]),
         near: f64,
         depth: u32,
     ) -> Option<()> {
@@ -241,7 +241,12 @@ const NEAR: f64 = 1e-6;
 
 /// A part of a piece along an axis. Hermite's cubic in the parameter is Bézier's with its handles a third of the way
 /// along the slopes.
-fn along(piece: &Piece, axis: &Axis, [from, to]: [f64; 2], still: Option<f64>) -> Option<Along> {
+fn along(
+    piece: &Piece,
+    axis: &PlaneAxis,
+    [from, to]: [f64; 2],
+    still: Option<f64>,
+) -> Option<Along> {
     let third = (to - from) / 3.0;
     let far = |value: f64| {
         let [low, high] = axis.range;

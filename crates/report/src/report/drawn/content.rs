@@ -11,7 +11,7 @@ use crate::picture::{Frame, Point, Svg};
 use crate::problem::{Landmark, Mode};
 
 /// The domains, lines and landmarks of one weight in a plane.
-pub(super) struct Content {
+pub(super) struct PlaneContent {
     /// The domains that are areas, with the way around each.
     pub areas: Vec<(Mode, Chain)>,
     /// The lines around them.
@@ -33,7 +33,7 @@ pub(super) fn lines() -> impl Iterator<Item = Curve> {
     Curve::ALL.into_iter().filter(is_line)
 }
 
-impl Content {
+impl PlaneContent {
     /// Content of the curves of a weight on a canvas.
     pub(super) fn new(sheet: &Sheet, canvas: &Canvas) -> Self {
         let chain = |curve| sheet.chain(curve, canvas);

@@ -3,7 +3,7 @@
 use super::caption::told;
 use super::chain::{Arc, Chain};
 use super::graph::{Dot, Graph, GraphLine, Graphs, WIDTH, height};
-use super::plane::{Axis, DEGREES, Plane};
+use super::plane::{DEGREES, Plane, PlaneAxis};
 use crate::arch::SelfWeight;
 use crate::atlas::{Coordinate, Difference, Divide, Step};
 use crate::picture::color::INK;
@@ -12,12 +12,12 @@ use crate::problem::Landmark;
 use crate::report::words;
 
 /// The difference, from below all of them to above, and where most of them are.
-const ALL: Axis = axis([-0.2, 1.0], 0.2);
-const NEAR: Axis = axis([-0.08, 0.08], 0.02);
+const ALL: PlaneAxis = axis([-0.2, 1.0], 0.2);
+const NEAR: PlaneAxis = axis([-0.08, 0.08], 0.02);
 
-const fn axis(range: [f64; 2], step: f64) -> Axis {
+const fn axis(range: [f64; 2], step: f64) -> PlaneAxis {
     let label = "ηₘ − ηₕ";
-    Axis { coordinate: Coordinate::Thickness, unit: 1.0, label, range, step }
+    PlaneAxis { coordinate: Coordinate::Thickness, unit: 1.0, label, range, step }
 }
 
 /// Look of a curve: by dashes too, so that grey is enough.

@@ -3,7 +3,7 @@
 use super::canvas::Canvas;
 use super::chain::Chain;
 use super::plane::Plane;
-use crate::atlas::{Corner, Curve, Side, boundary};
+use crate::atlas::{Corner, Curve, DomainSide, boundary};
 use crate::picture::{Frame, Path, Point};
 use crate::problem::Mode;
 use std::f64::consts::FRAC_PI_2;
@@ -27,13 +27,13 @@ fn is_area(mode: Mode, plane: Plane) -> bool {
 
 /// Part of a side in a plane. Of an edge this is its end, where that is a corner of the plane; those along
 /// which the half opening changes are curves.
-fn part(side: Side, canvas: &Canvas) -> Option<LoopPart> {
+fn part(side: DomainSide, canvas: &Canvas) -> Option<LoopPart> {
     match side {
-        Side::Along(curve) => Some(LoopPart::Along(curve)),
-        Side::Back(curve) => Some(LoopPart::Back(curve)),
-        Side::Edge(_, Corner::RightTop) => Some(LoopPart::Along(Curve::Overturning)),
-        Side::Edge(Corner::RightTop, _) => Some(LoopPart::Back(Curve::Limit)),
-        Side::Edge(_, corner) => {
+        DomainSide::Along(curve) => Some(LoopPart::Along(curve)),
+        DomainSide::Back(curve) => Some(LoopPart::Back(curve)),
+        DomainSide::Edge(_, Corner::RightTop) => Some(LoopPart::Along(Curve::Overturning)),
+        DomainSide::Edge(Corner::RightTop, _) => Some(LoopPart::Back(Curve::Limit)),
+        DomainSide::Edge(_, corner) => {
             // Friction angle, thickness and half opening there.
             let (friction, thickness, opening) = match corner {
                 Corner::RightBottom => (FRAC_PI_2, 0.0, 0.0),

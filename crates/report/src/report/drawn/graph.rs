@@ -1,10 +1,10 @@
 //! Graphs below each other; neighbours over the same axis share its ticks.
 
 use super::chain::{Chain, larger};
-use super::plane::{Axis, FRICTION_LABEL, friction_ticks};
+use super::plane::{FRICTION_LABEL, PlaneAxis, friction_ticks};
 use super::spot::disc;
 use crate::picture::color::{GRID, INK, WHITE};
-use crate::picture::{Anchor, Color, Frame, Path, Point, Side, Stroke, Svg, Type, text};
+use crate::picture::{Anchor, Color, Frame, FrameSide, Path, Point, Stroke, Svg, Type, text};
 
 /// Graphs, a legend in one of them, and paragraphs below.
 pub(super) struct Graphs {
@@ -18,8 +18,8 @@ pub(super) struct Graphs {
 
 /// One graph.
 pub(super) struct Graph {
-    pub x: Axis,
-    pub y: Axis,
+    pub x: PlaneAxis,
+    pub y: PlaneAxis,
     pub lines: Vec<GraphLine>,
     pub marks: Vec<Dot>,
 }
@@ -126,7 +126,7 @@ impl Graph {
 
     /// The friction coefficient, above.
     fn friction(&self, svg: &mut Svg, frame: &Frame) {
-        frame.ticks(svg, Side::Top, &friction_ticks(&self.x), TICK);
+        frame.ticks(svg, FrameSide::Top, &friction_ticks(&self.x), TICK);
         let at = (frame.corner.0 + WIDTH / 2.0, frame.corner.1 - 46.0);
         svg.text(FRICTION_LABEL, at, Type::new(LABEL, INK).at(Anchor::Middle));
     }
@@ -149,14 +149,14 @@ impl Graph {
             }
         });
         svg.stroke(&frame.outline(), Stroke::new(INK, 1.2));
-        frame.ticks(svg, Side::Left, &y, TICK);
+        frame.ticks(svg, FrameSide::Left, &y, TICK);
         let middle = Type::new(LABEL, INK).at(Anchor::Middle);
         let up = frame.corner.1 + frame.size.1 / 2.0;
         let widest = y.iter().map(|tick| text::width(&tick.label, TICK)).fold(0.0, f64::max);
         let off = (widest + NEXT).max(64.0);
         svg.text(self.y.label, (frame.corner.0 - off, up), middle.turned(-90.0));
         if has_ticks {
-            frame.ticks(svg, Side::Bottom, &x, TICK);
+            frame.ticks(svg, FrameSide::Bottom, &x, TICK);
             let across = frame.corner.0 + WIDTH / 2.0;
             svg.text(self.x.label, (across, frame.bottom() + 49.0), middle);
         }

@@ -1,13 +1,13 @@
 //! Small frames that show a part of the map larger.
 
 use super::canvas::Canvas;
-use super::content::Content;
+use super::content::PlaneContent;
 use super::plane::{Plane, step};
 use crate::picture::color::{GUIDE, INK, WHITE};
 use crate::picture::room::{Rectangle, roomiest, within};
 use crate::picture::scale::Tick;
 use crate::picture::text;
-use crate::picture::{Frame, Path, Point, Side, Stroke, Svg};
+use crate::picture::{Frame, FrameSide, Path, Point, Stroke, Svg};
 use crate::problem::Landmark;
 
 /// A part of the map, larger.
@@ -34,7 +34,7 @@ impl Inset {
     /// The insets of a map: S and J, which are close, and where thin domains lie side by side, these too. On axes
     /// as usual each has its place; on others it is put where a domain has room for it, off what is `taken`.
     pub(super) fn all(
-        content: &Content,
+        content: &PlaneContent,
         canvas: &Canvas,
         map: &Frame,
         taken: &[Rectangle],
@@ -146,8 +146,8 @@ impl Inset {
             ticks.iter().map(|tick| text::width(&tick.label, TICK) + TICK).sum()
         };
         let across = [3.0, 2.0].map(ticks).into_iter().find(|ticks| length(ticks) < frame.size.0);
-        frame.ticks(svg, Side::Bottom, &across.unwrap_or_default(), TICK);
-        frame.ticks(svg, Side::Left, &y.ticks(frame.y, step(frame.y, 3.0)), TICK);
+        frame.ticks(svg, FrameSide::Bottom, &across.unwrap_or_default(), TICK);
+        frame.ticks(svg, FrameSide::Left, &y.ticks(frame.y, step(frame.y, 3.0)), TICK);
     }
 }
 
@@ -155,7 +155,7 @@ impl Inset {
 type EnlargedPart = (&'static str, [[f64; 2]; 2]);
 
 /// The parts that are shown larger, within the map.
-fn parts(content: &Content, canvas: &Canvas) -> Vec<EnlargedPart> {
+fn parts(content: &PlaneContent, canvas: &Canvas) -> Vec<EnlargedPart> {
     use Landmark as L;
     let [Some(s), Some(t), Some(j), Some(l)] =
         [L::Shift, L::Triple, L::Junction, L::OverturningEnd].map(|landmark| content.of(landmark))
@@ -192,7 +192,7 @@ const LARGER: f64 = 2.0;
 
 /// Insets where domains have room for them.
 fn roomy(
-    content: &Content,
+    content: &PlaneContent,
     parts: &[EnlargedPart],
     map: &Frame,
     taken: &[Rectangle],

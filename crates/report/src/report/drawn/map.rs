@@ -3,7 +3,7 @@
 use super::asymmetric;
 use super::canvas::Canvas;
 use super::caption::caption;
-use super::content::Content;
+use super::content::PlaneContent;
 use super::inset::Inset;
 use super::margin;
 use super::mark::{self, Mark};
@@ -38,7 +38,7 @@ impl MapPicture<'_> {
     /// The picture as SVG.
     pub(super) fn svg(&self) -> String {
         let canvas = &self.canvas;
-        let content = Content::new(self.sheet, canvas);
+        let content = PlaneContent::new(self.sheet, canvas);
         let has_levels = !content.levels.is_empty();
         let (Page { frame, .. }, _) = Page::new(canvas, "", &[], has_levels);
         let off = content.off(&frame);
@@ -95,7 +95,7 @@ impl MapPicture<'_> {
 
     /// Frames where it shows points of the plane: its insets, then the map itself.
     pub(super) fn frames(&self) -> Vec<Frame> {
-        let content = Content::new(self.sheet, &self.canvas);
+        let content = PlaneContent::new(self.sheet, &self.canvas);
         let (page, _) = Page::new(&self.canvas, "", &[], !content.levels.is_empty());
         let insets = Inset::all(&content, &self.canvas, &page.frame, &[]);
         insets.iter().map(|inset| inset.frame).chain([page.frame]).collect()
@@ -115,7 +115,7 @@ impl MapPicture<'_> {
         }
     }
 
-    fn names<'a>(&self, content: &'a Content, frame: &'a Frame, sizes: [f64; 2]) -> Names<'a> {
+    fn names<'a>(&self, content: &'a PlaneContent, frame: &'a Frame, sizes: [f64; 2]) -> Names<'a> {
         let is_mirrored = self.canvas.axes[0].coordinate == Coordinate::OpeningVariable;
         Names { content, plane: self.canvas.plane, frame, sizes, is_mirrored, taken: Vec::new() }
     }

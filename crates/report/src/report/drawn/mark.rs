@@ -1,7 +1,7 @@
 //! Arches that are marked in a map, with what is proved of them.
 
 use super::canvas::Canvas;
-use super::plane::Axis;
+use super::plane::PlaneAxis;
 use crate::arch::SelfWeight;
 use crate::atlas::Variable;
 use crate::certify::state::{Answer, Certify};
@@ -90,7 +90,7 @@ impl Mark {
     /// Place where an arch of its shape and friction and of some thickness is on a canvas, if that needs none
     /// or there is one.
     fn at(&self, canvas: &Canvas, thickness: Option<f64>) -> Option<Point> {
-        let on = |axis: &Axis| {
+        let on = |axis: &PlaneAxis| {
             let value = match axis.coordinate.variable()? {
                 Variable::HalfOpening => self.half_opening,
                 Variable::FrictionAngle => self.friction_angle,

@@ -1,7 +1,7 @@
 //! The names of landmarks and modes: in their domain where there is room, else beside it with a leader.
 
 use super::chain::Chain;
-use super::content::Content;
+use super::content::PlaneContent;
 use super::look;
 use super::plane::Plane;
 use super::spot::{Spot, disc};
@@ -13,7 +13,7 @@ use crate::report::words;
 
 /// Names in a frame of the map.
 pub(super) struct Names<'a> {
-    pub content: &'a Content,
+    pub content: &'a PlaneContent,
     pub plane: Plane,
     pub frame: &'a Frame,
     /// Sizes of the fonts for modes and for landmarks.

@@ -3,7 +3,7 @@
 use super::canvas::Canvas;
 use super::plane::{FRICTION_LABEL, Plane, friction_ticks};
 use crate::picture::color::INK;
-use crate::picture::{Anchor, Frame, Point, Side, Stroke, Svg, Type, text};
+use crate::picture::{Anchor, Frame, FrameSide, Point, Stroke, Svg, Type, text};
 
 /// The frame of a map, and the lines below it.
 pub(super) struct Page {
@@ -61,16 +61,16 @@ impl Page {
         let (frame, [x, y]) = (&self.frame, &self.canvas.axes);
         let style = Type::new(LABEL, INK).at(Anchor::Middle);
         let (across, up) = (frame.corner.0 + SIZE.0 / 2.0, frame.corner.1 + SIZE.1 / 2.0);
-        frame.ticks(svg, Side::Bottom, &x.ticks(x.range, None), TICK);
-        frame.ticks(svg, Side::Left, &y.ticks(y.range, None), TICK);
+        frame.ticks(svg, FrameSide::Bottom, &x.ticks(x.range, None), TICK);
+        frame.ticks(svg, FrameSide::Left, &y.ticks(y.range, None), TICK);
         svg.text(x.label, (across, frame.bottom() + 49.0), style);
         svg.text(y.label, (frame.corner.0 - 58.0, up), style.turned(-90.0));
         if x.is_friction_angle() {
-            frame.ticks(svg, Side::Top, &friction_ticks(x), TICK);
+            frame.ticks(svg, FrameSide::Top, &friction_ticks(x), TICK);
             svg.text(FRICTION_LABEL, (across, frame.corner.1 - 46.0), style);
         }
         if y.is_friction_angle() {
-            frame.ticks(svg, Side::Right, &friction_ticks(y), TICK);
+            frame.ticks(svg, FrameSide::Right, &friction_ticks(y), TICK);
             svg.text(FRICTION_LABEL, (frame.right() + 70.0, up), style.turned(-90.0));
         }
     }

@@ -17,7 +17,7 @@ pub enum Plane {
 
 /// One of its axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Axis {
+pub(super) struct PlaneAxis {
     /// Coordinate that it shows.
     pub coordinate: Coordinate,
     /// Units shown in a radian, or in one of what else it shows.
@@ -33,21 +33,21 @@ pub(super) struct Axis {
 /// Degrees in a radian.
 pub(super) const DEGREES: f64 = 180.0 / std::f64::consts::PI;
 
-const FRICTION: Axis = Axis {
+const FRICTION: PlaneAxis = PlaneAxis {
     coordinate: Coordinate::FrictionAngle,
     unit: DEGREES,
     label: "friction angle φ (°)",
     range: [0.0, 90.0],
     step: 10.0,
 };
-const THICKNESS: Axis = Axis {
+const THICKNESS: PlaneAxis = PlaneAxis {
     coordinate: Coordinate::Thickness,
     unit: 1.0,
     label: "thickness to radius η = t/r",
     range: [0.0, 2.0],
     step: 0.2,
 };
-const OPENING: Axis = Axis {
+const OPENING: PlaneAxis = PlaneAxis {
     coordinate: Coordinate::HalfOpening,
     unit: DEGREES,
     label: "half opening α (°)",
@@ -139,7 +139,7 @@ impl Plane {
     }
 
     /// Axes to the right, and up.
-    pub(super) fn axes(self) -> [Axis; 2] {
+    pub(super) fn axes(self) -> [PlaneAxis; 2] {
         match self {
             Self::ThicknessFriction => [FRICTION, THICKNESS],
             Self::OpeningFriction => [OPENING, FRICTION],
@@ -151,7 +151,7 @@ impl Plane {
 /// Lengths of an axis.
 const FAR: f64 = 4.0;
 
-impl Axis {
+impl PlaneAxis {
     /// Tells whether the axis shows the friction angle.
     pub(super) fn is_friction_angle(&self) -> bool {
         self.coordinate == Coordinate::FrictionAngle
@@ -230,7 +230,7 @@ fn decades([low, high]: [f64; 2]) -> Vec<Tick> {
 }
 
 /// Ticks of the friction coefficient, at friction angles in the unit of an axis, where it shows them.
-pub(super) fn friction_ticks(axis: &Axis) -> Vec<Tick> {
+pub(super) fn friction_ticks(axis: &PlaneAxis) -> Vec<Tick> {
     let tick =
         |(mu, label): (f64, &str)| Tick { place: mu.atan() * axis.unit, label: label.into() };
     let [low, high] = axis.range;

@@ -3,7 +3,7 @@
 use super::canvas::Canvas;
 use super::chain::Chain;
 use crate::arch::SelfWeight;
-use crate::atlas::{Border, Curve, End, Level, Trace};
+use crate::atlas::{Border, Curve, CurveEnd, Level, Trace};
 use crate::picture::Point;
 use crate::problem::Landmark;
 
@@ -51,7 +51,7 @@ impl<'a> Sheet<'a> {
         let mut found: Vec<(Landmark, Point)> = Vec::new();
         for trace in &self.traces {
             for point in trace.points() {
-                let Some(End::Landmark(landmark)) = point.end else { continue };
+                let Some(CurveEnd::Landmark(landmark)) = point.end else { continue };
                 let [x, y] = canvas.axes.each_ref().map(|axis| axis.place(&point.place));
                 if let (Some(x), Some(y)) = (x, y)
                     && found.iter().all(|(known, _)| *known != landmark)

@@ -1,6 +1,6 @@
 //! A judged row, and what every format writes of it.
 
-use crate::judge::{Certified, CorrectDigits, Judged, Judgement, Side, Standing, Verdict};
+use crate::judge::{Certified, CorrectDigits, ErrorSide, Judged, Judgement, Standing, Verdict};
 use crate::number::Decimal;
 use crate::problem::Quantity;
 use crate::report::Kept;
@@ -118,8 +118,8 @@ impl JudgedRow {
     pub(crate) fn fields(&self) -> Fields {
         let verdict = self.verdict();
         let side = self.judgement().and_then(|judgement| judgement.side()).map(|side| match side {
-            Side::Thinner => "thinner",
-            Side::Thicker => "thicker",
+            ErrorSide::Thinner => "thinner",
+            ErrorSide::Thicker => "thicker",
         });
         let boundary = self.judgement().and_then(|judgement| judgement.boundary.as_ref());
         let values: [Json; 18] = [

@@ -2,7 +2,7 @@
 
 use super::row::JudgedRow;
 use crate::arch::SelfWeight;
-use crate::judge::{CorrectDigits, Demand, Judged, PrintedVerdict, Side, Verdict};
+use crate::judge::{CorrectDigits, Demand, ErrorSide, Judged, PrintedVerdict, Verdict};
 use crate::number::Decimal;
 use crate::problem::Quantity;
 use std::cmp::Ordering;
@@ -68,8 +68,8 @@ impl JudgeSummary {
             *self.histogram.entry(digits).or_default() += 1;
         }
         match row.judgement().and_then(|judgement| judgement.side()) {
-            Some(Side::Thinner) => self.thinner += 1,
-            Some(Side::Thicker) => self.thicker += 1,
+            Some(ErrorSide::Thinner) => self.thinner += 1,
+            Some(ErrorSide::Thicker) => self.thicker += 1,
             None => {}
         }
         for number in row.numbers() {

@@ -1,6 +1,6 @@
 //! The domains of the modes as loops of named curves.
 
-use crate::atlas::{Corner, Side, boundary};
+use crate::atlas::{Corner, DomainSide, boundary};
 use crate::problem::Mode;
 use crate::report::fields::Fields;
 use serde_json::Value as Json;
@@ -14,13 +14,13 @@ fn corner(corner: Corner) -> String {
     }
 }
 
-fn side(side: Side) -> Fields {
+fn side(side: DomainSide) -> Fields {
     let mut fields = Fields::default();
     let [from, to] = side.ends().map(corner);
     let (curve, is_forward) = match side {
-        Side::Along(curve) => (Some(curve), true),
-        Side::Back(curve) => (Some(curve), false),
-        Side::Edge(..) => (None, true),
+        DomainSide::Along(curve) => (Some(curve), true),
+        DomainSide::Back(curve) => (Some(curve), false),
+        DomainSide::Edge(..) => (None, true),
     };
     fields.add("curve", curve.map(|curve| curve.to_string()));
     fields.add("forward", is_forward);

@@ -2,7 +2,7 @@
 
 use super::Map;
 use super::domains::domains;
-use super::rows::{COLUMNS, Column, Row, weight_of};
+use super::rows::{COLUMNS, Column, MapRow, weight_of};
 use crate::atlas::{Border, Level, Part, Trace, Variable};
 use crate::report::fields::Fields;
 use crate::report::json;
@@ -20,7 +20,7 @@ fn curve(trace: &Trace) -> Fields {
     fields.add("pieces", trace.pieces().count());
     fields.add("widest_tube", trace.width());
     fields.add("gaps", trace.gaps().map(|gap| gap.range().to_vec()).collect::<Vec<_>>());
-    fields.add_list("nodes", Row::of_trace(trace).iter().map(node));
+    fields.add_list("nodes", MapRow::of_trace(trace).iter().map(node));
     fields
 }
 
@@ -29,7 +29,7 @@ fn level(level: &Level) -> Fields {
         let mut fields = Fields::default();
         fields.add("mode", part.mode.label());
         fields.add("parameter", part.parameter().map(Variable::name));
-        fields.add_list("nodes", Row::of_part(level, part).iter().map(node));
+        fields.add_list("nodes", MapRow::of_part(level, part).iter().map(node));
         fields
     };
     let given = |variable| (level.contour.variable() == variable).then(|| level.contour.given());
@@ -49,7 +49,7 @@ fn border(border: &Border) -> Fields {
     fields.add("parameter", Variable::HalfOpening.name());
     fields.add("pieces", border.section.pieces().count());
     fields.add("widest_tube", border.section.width());
-    fields.add_list("nodes", Row::of_border(border).iter().map(node));
+    fields.add_list("nodes", MapRow::of_border(border).iter().map(node));
     fields
 }
 
@@ -59,7 +59,7 @@ fn number(x: f64) -> Json {
 }
 
 /// Fields of the rows on a node, without what the curve says.
-pub(in crate::report) fn node(row: &Row) -> Fields {
+pub(in crate::report) fn node(row: &MapRow) -> Fields {
     let of_node =
         COLUMNS.iter().filter(|(name, _)| !["weight", "curve", "mode", "node"].contains(name));
     let field = |(name, column): &(&'static str, Column)| {

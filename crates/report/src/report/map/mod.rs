@@ -22,7 +22,7 @@ pub(super) use difference::{
 pub(super) use json::{json, node};
 pub(super) use page::html;
 pub(super) use point::{csv as point_csv, json as point_json, table as point_table};
-pub(super) use rows::{COLUMNS, Row, csv, lower, upper};
+pub(super) use rows::{COLUMNS, MapRow, csv, lower, upper};
 pub(super) use table::table;
 
 use super::answer::Answer;

@@ -1,7 +1,7 @@
 //! Parquet: a row for each node, in one group.
 
 use super::Map;
-use super::rows::{COLUMNS, Column, Row};
+use super::rows::{COLUMNS, Column, MapRow};
 use crate::report::answers::TOOL;
 use ::parquet::basic::Compression;
 use ::parquet::column::writer::ColumnWriter;
@@ -15,11 +15,11 @@ use std::io;
 use std::sync::Arc;
 
 pub(in crate::report) fn parquet(report: &Map, out: &mut dyn io::Write) -> io::Result<()> {
-    let rows = Row::of_map(report);
+    let rows = MapRow::of_map(report);
     out.write_all(&file(report, &rows).map_err(io::Error::other)?)
 }
 
-fn file(report: &Map, rows: &[Row]) -> Result<Vec<u8>> {
+fn file(report: &Map, rows: &[MapRow]) -> Result<Vec<u8>> {
     let note = |key: &str, value: String| KeyValue::new(key.to_owned(), value);
     let notes = vec![
         note("couplet.schema", "couplet.map/1".to_owned()),
@@ -71,7 +71,10 @@ fn file(report: &Map, rows: &[Row]) -> Result<Vec<u8>> {
 }
 
 /// The cells that are there, and for each row whether it has one.
-fn present<'a, T>(rows: &[Row<'a>], cell: impl Fn(&Row<'a>) -> Option<T>) -> (Vec<T>, Vec<i16>) {
+fn present<'a, T>(
+    rows: &[MapRow<'a>],
+    cell: impl Fn(&MapRow<'a>) -> Option<T>,
+) -> (Vec<T>, Vec<i16>) {
     let (mut values, mut there) = (Vec::new(), Vec::new());
     for cell in rows.iter().map(cell) {
         there.push(i16::from(cell.is_some()));

@@ -2,7 +2,7 @@
 
 use super::Map;
 use crate::atlas::{
-    Border, Branch, Contour, Level, Part, Piece, Place, Point, Stretch, Trace, Variable,
+    Border, Branch, Contour, Level, Part, Piece, Place, Stretch, Trace, TracePoint, Variable,
 };
 use crate::number::{Ball, Enclosure};
 use crate::report::csv;
@@ -11,12 +11,12 @@ use rug::float::Round;
 use std::io;
 
 /// A node with the piece that begins there; behind the last node there is none.
-pub(in crate::report) struct Row<'a> {
+pub(in crate::report) struct MapRow<'a> {
     index: usize,
     weight: Option<&'static str>,
     curve: String,
     mode: Option<String>,
-    point: Point,
+    point: TracePoint,
     piece: Option<Piece<'a>>,
     /// The piece whose cubic ends here, for the last node.
     before: Option<Piece<'a>>,
@@ -24,17 +24,17 @@ pub(in crate::report) struct Row<'a> {
 
 /// Way to find the cells of a column; each may be missing.
 pub(in crate::report) enum Column {
-    Text(fn(&Row) -> Option<String>),
-    Double(fn(&Row) -> Option<f64>),
-    Integer(fn(&Row) -> Option<u64>),
-    Truth(fn(&Row) -> Option<bool>),
+    Text(fn(&MapRow) -> Option<String>),
+    Double(fn(&MapRow) -> Option<f64>),
+    Integer(fn(&MapRow) -> Option<u64>),
+    Truth(fn(&MapRow) -> Option<bool>),
 }
 
 use Column::{Double, Integer, Text, Truth};
 
 impl Column {
     /// The cell of a row, empty where there is nothing.
-    pub(in crate::report) fn text(&self, row: &Row) -> String {
+    pub(in crate::report) fn text(&self, row: &MapRow) -> String {
         let text = match self {
             Text(cell) => cell(row),
             Double(cell) => cell(row).map(|x| format!("{x:?}")),
@@ -86,7 +86,7 @@ pub(super) fn weight_of(trace: &Trace) -> Option<&'static str> {
     (!trace.curve.is_weightless()).then(|| trace.weight.name())
 }
 
-impl<'a> Row<'a> {
+impl<'a> MapRow<'a> {
     /// The rows of a curve.
     pub(super) fn of_trace(trace: &'a Trace) -> Vec<Self> {
         let named = (weight_of(trace), trace.curve.to_string(), None);
@@ -115,10 +115,10 @@ impl<'a> Row<'a> {
 
     fn all(
         (weight, curve, mode): &(Option<&'static str>, String, Option<String>),
-        points: Vec<Point>,
+        points: Vec<TracePoint>,
         pieces: &[Piece<'a>],
     ) -> Vec<Self> {
-        let row = |(index, point): (usize, Point)| Self {
+        let row = |(index, point): (usize, TracePoint)| Self {
             index,
             weight: *weight,
             curve: curve.clone(),
@@ -192,7 +192,7 @@ pub(in crate::report) fn upper(ball: Option<&Ball>) -> Option<f64> {
 /// A row for each node, with a header.
 pub(in crate::report) fn csv(report: &Map, out: &mut dyn io::Write) -> io::Result<()> {
     let header = COLUMNS.iter().map(|(name, _)| (*name).to_owned()).collect();
-    let rows = Row::of_map(report)
+    let rows = MapRow::of_map(report)
         .into_iter()
         .map(|row| COLUMNS.iter().map(|(_, column)| column.text(&row)).collect());
     csv::write(std::iter::once(header).chain(rows), out)

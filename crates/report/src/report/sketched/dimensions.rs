@@ -2,11 +2,11 @@
 
 use super::caption::{in_full, shown};
 use super::metres::Metres;
-use crate::atlas::{Line, Sketch, Subject};
+use crate::atlas::{Sketch, SketchedLine, Subject};
 use crate::picture::color::{GUIDE, INK, WHITE};
 use crate::picture::{Anchor, Path, Point, Stroke, Svg, Type, text};
 use crate::problem::measures::Circle;
-use crate::sketch::{Scale, arrow};
+use crate::sketch::{PageScale, arrow};
 
 /// Space on the left, for the rise and for a force.
 pub(super) const SIDE: f64 = 164.0;
@@ -33,7 +33,7 @@ pub(super) struct Dimensions<'a> {
     /// Only the right half is there.
     pub half: bool,
     pub metres: &'a Metres,
-    pub scale: &'a Scale,
+    pub scale: &'a PageScale,
     /// Left, right and low ends of what is shown, on the page.
     pub ends: [f64; 3],
 }
@@ -137,8 +137,8 @@ impl Dimensions<'_> {
         let side = if self.half { 1.0 } else { -1.0 };
         let alpha = self.sketch.half_opening();
         let lines = || self.sketch.forces.iter().flat_map(|forces| &forces.thrust_lines);
-        let radii =
-            lines().filter_map(|line: &Line| Some(1.0 + line.thickness * line.points.last()?[1]));
+        let radii = lines()
+            .filter_map(|line: &SketchedLine| Some(1.0 + line.thickness * line.points.last()?[1]));
         let (sum, count) = radii.fold((0.0, 0.0), |(sum, count), x| (sum + x, count + 1.0));
         if count == 0.0 {
             return;

@@ -4,7 +4,7 @@
 use super::Sketched;
 use super::arcs::{Bulge, arcs};
 use crate::arch::mechanism::Contact;
-use crate::atlas::{Collapse, Line, Sketch};
+use crate::atlas::{Collapse, Sketch, SketchedLine};
 use crate::sketch::Blocks;
 use std::io;
 
@@ -126,7 +126,7 @@ fn mirrored([x, y]: [f64; 2], side: f64) -> [f64; 2] {
     [side * x, y]
 }
 
-fn along(line: &Line, half: bool) -> Vec<[f64; 2]> {
+fn along(line: &SketchedLine, half: bool) -> Vec<[f64; 2]> {
     let left = line.places().skip(1).rev().map(|point| mirrored(point, -1.0));
     let left = left.filter(|_| !half);
     left.chain(line.places()).collect()

@@ -5,7 +5,7 @@ use super::caption::name;
 use super::lean;
 use super::metres::{Loads, Metres, Size};
 use crate::arch::mechanism::{Joint, Mechanism, Twist};
-use crate::atlas::{Block, Collapse, Forces, Line, Sketch, Subject, moved};
+use crate::atlas::{Block, Collapse, Forces, Sketch, SketchedLine, Subject, moved};
 use crate::number::Ball;
 use crate::problem::Mode;
 use crate::report::fields::Fields;
@@ -82,7 +82,7 @@ fn measures(of: &Metres) -> Json {
 }
 
 /// Points in a unit of so many `r`.
-fn polyline(line: &Line, unit: f64) -> Json {
+fn polyline(line: &SketchedLine, unit: f64) -> Json {
     line.places().map(|point| Vec::from(point.map(|x| x * unit))).collect::<Vec<_>>().into()
 }
 
@@ -91,7 +91,7 @@ fn forces(forces: &Forces, metres: Option<&Metres>, unit: f64) -> Json {
         .marks
         .iter()
         .map(|mark| json!({ "contact": mark.contact.name(), "joint": figure(&mark.at) }));
-    let polyline = |line: &Line| polyline(line, unit);
+    let polyline = |line: &SketchedLine| polyline(line, unit);
     let loads = metres.and_then(|of| of.loads.as_ref());
     json!({
         "thrust": figure(&forces.thrust),

@@ -5,7 +5,7 @@ use crate::arch::{Ring, SelfWeight};
 use crate::atlas::Sketch;
 use crate::picture::color::{INK, WHITE};
 use crate::picture::{Anchor, Color, Path, Point, Stroke, Svg, Type};
-use crate::sketch::{Scale, arrow, look};
+use crate::sketch::{PageScale, arrow, look};
 
 /// The heading.
 pub(super) const TITLE: [&str; 2] =
@@ -14,7 +14,7 @@ pub(super) const TITLE: [&str; 2] =
 /// An arch with its symbols.
 pub(super) struct ArchNotation<'a> {
     pub sketch: &'a Sketch,
-    pub scale: &'a Scale,
+    pub scale: &'a PageScale,
 }
 
 const SIZE: f64 = 17.0;

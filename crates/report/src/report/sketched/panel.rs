@@ -8,7 +8,7 @@ use super::{Sketched, Style};
 use crate::atlas::{Collapse, Sketch, Subject};
 use crate::picture::color::{GUIDE, INK, WHITE};
 use crate::picture::{Anchor, Path, Point, Stroke, Svg, Type};
-use crate::sketch::{ArchView, Blocks, CROWN, Lines, Scale};
+use crate::sketch::{ArchView, Blocks, CROWN, Lines, PageScale};
 
 /// One arch with a mode in which it falls.
 pub(super) struct ModePanel<'a> {
@@ -43,7 +43,7 @@ impl<'a> ModePanel<'a> {
         self.view.extent()
     }
 
-    pub(super) fn draw(&self, svg: &mut Svg, scale: &Scale, at: (Point, f64)) {
+    pub(super) fn draw(&self, svg: &mut Svg, scale: &PageScale, at: (Point, f64)) {
         let sketch = self.sketch;
         let ((left, top), width) = at;
         let [heading, words] = match self.style.notation {
@@ -75,7 +75,7 @@ impl<'a> ModePanel<'a> {
 
     /// The names of the joints, outside the arch: the rotational joint and the half opening on the right, the
     /// sliding joint on the left.
-    fn names(&self, svg: &mut Svg, scale: &Scale) {
+    fn names(&self, svg: &mut Svg, scale: &PageScale) {
         let [_, outer] = self.sketch.radii();
         let alpha = self.sketch.half_opening();
         let beyond = |joint: f64, side: f64| {

@@ -7,7 +7,7 @@ use super::panel::{ABOVE, HEAD, ModePanel};
 use super::strip::{self, Strip};
 use crate::picture::color::INK;
 use crate::picture::{Svg, Type, text};
-use crate::sketch::Scale;
+use crate::sketch::PageScale;
 
 const MARGIN: f64 = 20.0;
 /// The width of a panel where there is one, and where there are more.
@@ -59,7 +59,7 @@ pub(in crate::report) fn picture(report: &Sketched) -> String {
         let y = MARGIN + row as f64 * tall;
         let centre =
             (x + wide / 2.0 - radius * (left + right) / 2.0, y + HEAD + ABOVE + radius * high);
-        let scale = Scale { center: centre, radius };
+        let scale = PageScale { center: centre, radius };
         svg.group(&format!("panel-{place}"), |svg| {
             panel.draw(svg, &scale, ((x, y), wide));
             if let Some(strip) = &strip {

@@ -2,7 +2,7 @@
 
 use super::panel::ModePanel;
 use crate::arch::mechanism::Contact;
-use crate::atlas::{Line, Sketch, Subject};
+use crate::atlas::{Sketch, SketchedLine, Subject};
 use crate::picture::color::{INK, WHITE};
 use crate::picture::{Anchor, Path, Point, Svg, Type, text};
 use crate::sketch::look;
@@ -43,7 +43,7 @@ impl Strip {
         };
         let frame = Path::rectangle(at(from, outer), at(self.alpha, inner));
         let sides: &[f64] = if self.half { &[1.0] } else { &[1.0, -1.0] };
-        let along = |line: &Line| {
+        let along = |line: &SketchedLine| {
             let right = line.points.iter().map(|[joint, offset]| at(*joint, *offset));
             let left = line.points.iter().skip(1).rev().map(|[joint, offset]| at(-joint, *offset));
             match self.half {

@@ -1,7 +1,7 @@
 //! The files of a study: raw numbers as CSV, a README with what they mean and where they come from, and
 //! the figures.
 
-use crate::study::row::Row;
+use crate::study::row::Measurement;
 use crate::study::stability::Rung;
 use crate::study::{accuracy_figures, figure::Figure, stability_figure};
 use serde::Serialize;
@@ -12,7 +12,7 @@ pub struct StudyFiles(pub Vec<(String, Vec<u8>)>);
 
 impl StudyFiles {
     /// The files of `couplet study accuracy`.
-    pub fn accuracy(rows: &[Row], command: &str) -> Self {
+    pub fn accuracy(rows: &[Measurement], command: &str) -> Self {
         let mut files = vec![
             ("accuracy.csv".into(), table(rows)),
             ("README.md".into(), readme("Error against run time", command, ACCURACY)),

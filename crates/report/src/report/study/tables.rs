@@ -1,13 +1,13 @@
 //! The studies for a person at a terminal.
 
 use crate::study::limits::LIMITS;
-use crate::study::row::{Row, quartiles};
+use crate::study::row::{Measurement, quartiles};
 use crate::study::stability::Rung;
 use std::io;
 
 /// Writes one line for each method at each precision: the quartiles of the times and the worst of the rest
 /// over the cases of a quantity.
-pub fn accuracy_table(rows: &[Row], out: &mut dyn io::Write) -> io::Result<()> {
+pub fn accuracy_table(rows: &[Measurement], out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(
         out,
         "{:<13} {:<34} {:>6} {:>6} {:>9} {:>9} {:>9} {:>10} {:>8} {:>9}",
@@ -31,13 +31,13 @@ pub fn accuracy_table(rows: &[Row], out: &mut dyn io::Write) -> io::Result<()> {
     }
     let mut last = "";
     for (quantity, method, bits) in seen {
-        let same = |row: &&Row| {
+        let same = |row: &&Measurement| {
             row.quantity == quantity && row.method == method && row.precision_bits == bits
         };
-        let group: Vec<&Row> = rows.iter().filter(same).collect();
+        let group: Vec<&Measurement> = rows.iter().filter(same).collect();
         let times = group.iter().map(|row| row.cpu_seconds).collect();
         let [lower, median, upper] = quartiles(times).unwrap_or_default().map(duration);
-        let worst = |f: fn(&Row) -> Option<f64>| {
+        let worst = |f: fn(&Measurement) -> Option<f64>| {
             group.iter().filter_map(|row| f(row)).fold(f64::NEG_INFINITY, f64::max)
         };
         let good =

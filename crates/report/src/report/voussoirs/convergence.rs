@@ -1,7 +1,7 @@
 //! Arches of ever more stones: rows for a person, and a figure.
 
 use super::arch::{VoussoirArch, VoussoirArches};
-use crate::picture::figure::{Axis, Figure, Kind, Line, Panel, Scale};
+use crate::picture::figure::{Axis, Figure, Kind, Panel, PlottedLine, Scale};
 use crate::problem::stones::Stones;
 use crate::report::words::{apart, model};
 use std::io;
@@ -80,7 +80,7 @@ fn figure(all: &VoussoirArches) -> Figure {
         let ends = [f64::min as fn(f64, f64) -> f64, f64::max];
         let ends = ends.map(|end| all().map(|point| point.0).reduce(end).unwrap_or(1.0));
         let bound = ends.map(|n| (n, most / (n * n))).to_vec();
-        let line = |label: String, points, kind| Line { label, points, kind };
+        let line = |label: String, points, kind| PlottedLine { label, points, kind };
         Panel {
             title: title(arches),
             x: Axis { label: "stones".into(), scale: Scale::Log10 },
