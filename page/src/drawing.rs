@@ -2,7 +2,9 @@
 
 use couplet_check::arch::{Configuration, SelfWeight};
 use couplet_check::problem::Mode;
-use couplet_draw::sketch::{Blocks, Collapse, Forces, Lines, View, joints_of, moment_of, picture};
+use couplet_draw::sketch::{
+    ArchView, Blocks, Collapse, Forces, Lines, joints_of, moment_of, picture,
+};
 use couplet_number::number::{DoubleDoubleBall, Drawable};
 
 /// The width in units of the picture.
@@ -50,7 +52,7 @@ impl Drawing<'_> {
         let eta = self.at.thickness.double();
         let lines = forces.iter();
         let lines = lines.map(|of| Lines { thrust: &of.thrust_lines, friction: &of.friction_line });
-        let view = View {
+        let view = ArchView {
             half_opening: self.at.half_opening.rad.double(),
             radii: [1.0 - eta / 2.0, 1.0 + eta / 2.0],
             lines: lines.collect(),

@@ -9,14 +9,14 @@ use crate::picture::{Svg, Type, text};
 /// Panels in rows, under a title.
 ///
 /// ```
-/// use couplet_draw::picture::figure::{Axis, Figure, Kind, Line, Panel, Scale};
+/// use couplet_draw::picture::figure::{Axis, Figure, Kind, PlottedLine, Panel, Scale};
 ///
 /// let points = vec![(1e-6, 1e-16), (1e-4, 1e-60), (1e-2, 1e-300)];
 /// let panel = Panel {
 ///     title: "Landmark T".into(),
 ///     x: Axis { label: "time (s)".into(), scale: Scale::Log10 },
 ///     y: Axis { label: "relative error".into(), scale: Scale::Log10 },
-///     lines: vec![Line { label: "Newton".into(), points, kind: Kind::Measured }],
+///     lines: vec![PlottedLine { label: "Newton".into(), points, kind: Kind::Measured }],
 /// };
 /// let figure = Figure { title: "Error against time".into(), panels: vec![panel], columns: 1 };
 /// assert!(figure.svg().starts_with("<svg "));
