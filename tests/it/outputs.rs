@@ -194,7 +194,6 @@ outputs! {
         "couplet prove --index eq-16",
         "couplet study accuracy --only T",
         "couplet certify T --half-opening 1",
-        "couplet check --engine gmp T.json",
         "couplet judge",
     ]);
     wrong_arches: each(&[

@@ -1,7 +1,7 @@
 //! One language for all commands: the same thing may be said in the same ways everywhere.
 
 use super::printed;
-use crate::program::{couplet, text};
+use crate::program::{couplet, refused, text};
 
 /// Arguments that mean the same have the same output.
 fn same(ways: &[&[&str]]) {
@@ -138,10 +138,15 @@ fn an_audit_can_be_of_some_landmarks() {
 #[test]
 fn the_version_tells_the_arithmetic() {
     let version = printed(&["--version"]);
-    for words in ["couplet 0.", "commit: ", "features: mpfr", "GMP ", "MPFR ", "astro-float"] {
+    for words in ["couplet 0.", "commit: ", "features: ", "plots", "GMP ", "MPFR ", "astro-float"] {
         assert!(version.contains(words), "{version}");
     }
     assert_eq!(printed(&["-V"]).lines().count(), 1);
+}
+
+#[test]
+fn an_arithmetic_has_a_name_of_the_list() {
+    refused(&["check", "--engine", "gmp", "T.json"], "", "an arithmetic is one of astro, ");
 }
 
 #[test]
