@@ -36,7 +36,7 @@
 //! | (2), (4), (5), (17), (18) where the half opening is small | [`arch::small`] |
 //! | what is claimed of them, proved or refuted | [`claims`] |
 //! | collapse modes, admissibility, least thickness | [`problem::Mode`], [`arch::contact`] |
-//! | Tables 1–4, 16-digit values of the text | [`problem::published`] |
+//! | Tables 1–4, 16-digit values of the text | [`judge::published`] |
 //!
 //! # What is proved, and what is not
 //!

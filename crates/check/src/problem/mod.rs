@@ -15,12 +15,10 @@
 //! | `joints`, `extent` | conditions and motions of all joints of an arch |
 //! | `asymmetric` | an asymmetric solution of (19): system, conditions, quantities |
 //! | [`asymmetric_region`] | of which arches one is known; what "stands" means |
-//! | `ties` | what is exactly zero in an arch |
 //! | `problem` | a landmark or the state of an arch: system, what is given, conditions |
 //! | `condition` | what makes a state admissible, and the thinnest |
 //! | `examined`, `examined_small` | how much a state has to spare of each |
 //! | `quantity`, `known` | what can be asked of a landmark or a state, and what is known of it |
-//! | [`published`] | the numbers that the paper prints |
 //! | [`tally`] | counters of evaluations |
 //!
 //! Nothing here searches or proves; it is pure Rust.
@@ -41,14 +39,12 @@ pub mod measures;
 mod mode;
 #[allow(clippy::module_inception, reason = "the room is named after its statement")]
 mod problem;
-pub mod published;
 mod quantity;
 mod slope;
 pub mod stones;
 mod system;
 pub mod tally;
 mod thickness;
-mod ties;
 mod verdict;
 
 pub use arch::{Arch, ArchError, Friction, is_thickness};
@@ -71,5 +67,4 @@ pub use quantity::Quantity;
 pub use slope::{Slope, SlopeError};
 pub use system::{Fixed, System};
 pub use thickness::{ThicknessError, bare_ratio, thickness};
-pub use ties::{friction_angle_is_half_opening, has_no_arm_at_crown, slides_at_no_thrust};
 pub use verdict::{Nearest, Standing, Verdict};

@@ -22,14 +22,6 @@ pub struct Tally {
 }
 
 impl Tally {
-    const EMPTY: Self = Self {
-        equations: [0; Equation::ALL.len()],
-        conditions: 0,
-        landmarks: 0,
-        newton_steps: 0,
-        working_bits: 0,
-    };
-
     /// Number of times that an equation was evaluated, whatever the number type and the precision.
     pub fn of(&self, equation: Equation) -> u64 {
         self.equations[equation as usize]
@@ -54,7 +46,7 @@ impl AddAssign for Tally {
 }
 
 thread_local! {
-    static CURRENT: Cell<Tally> = const { Cell::new(Tally::EMPTY) };
+    static CURRENT: Cell<Tally> = Cell::default();
 }
 
 /// The result of a job and what this thread evaluated for it. Jobs may be nested: the outer one counts
@@ -68,11 +60,10 @@ thread_local! {
 /// assert_eq!((tally.of(Equation::Steepest), tally.evaluations()), (1, 2));
 /// ```
 pub fn measure<T>(job: impl FnOnce() -> T) -> (T, Tally) {
-    let mut before = CURRENT.replace(Tally::EMPTY);
+    let before = CURRENT.take();
     let result = job();
     let during = CURRENT.get();
-    before += during;
-    CURRENT.set(before);
+    change(|tally| *tally += before);
     (result, during)
 }
 

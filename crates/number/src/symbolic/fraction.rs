@@ -11,12 +11,13 @@ use rug::Rational;
 /// each other is brought in by [`Fraction::vanishes`].
 ///
 /// ```
-/// use couplet_check::arch::cubic;
+/// use couplet_number::number::Field;
 /// use couplet_number::symbolic::{Letters, Relations, Symbol};
-/// // Identity (8): zero because S² + C² = 1, and not without.
-/// let link = cubic::link(&Symbol::joint());
-/// assert!(link.vanishes(&Relations::trigonometric()));
-/// assert!(!link.vanishes(&Relations::none()));
+/// // Zero because S² + C² = 1, and not without.
+/// let joint = Symbol::joint();
+/// let circle = joint.sin.square() + joint.cos.square() - joint.sin.int(1);
+/// assert!(circle.vanishes(&Relations::trigonometric()));
+/// assert!(!circle.vanishes(&Relations::none()));
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fraction {

@@ -1,10 +1,10 @@
 //! The printed values against the certified ones, and the two weights against each other.
 
 use super::printed::{KnownValue, PrintedNumber, PrintedVerdict, correct_digits};
+use super::published::{PRINTED, Printed};
 use crate::arch::SelfWeight;
 use crate::certify::{CertifiedLandmark, Enclosed, Exact, Undecided};
 use crate::number::{Ball, Decimal, Enclosure, Rounded, Ternary};
-use crate::problem::published::{PRINTED, Printed};
 use crate::problem::{Landmark, Quantity};
 use rug::{Integer, Rational};
 

@@ -24,6 +24,7 @@
 //! | file | what it does |
 //! |---|---|
 //! | `audit` | every printed number of the paper, and the two weights beside each other |
+//! | [`published`] | the numbers that the paper prints |
 //! | `printed` | a printed number: its error, and how good its last place is |
 //! | `claim` | what a row says |
 //! | `truth` | what is proved of a quantity |
@@ -36,6 +37,7 @@ mod boundary;
 mod claim;
 mod number;
 mod printed;
+pub mod published;
 mod truth;
 mod verdict;
 

@@ -9,6 +9,7 @@
 //! | `linear`, `vector` | linear equations; forces and the lines of conditions on them |
 //! | `decide`, `positive`, `cover` | signs, a function positive on an interval, pieces of one |
 //! | `raise` | more bits until everything is decided |
+//! | `ties` | what is exactly zero in an arch |
 //! | `figure` | a proved value with its digits |
 //! | `undecided`, `refused`, `error` | why nothing is known, or was asked |
 
@@ -27,6 +28,7 @@ pub(crate) mod refine;
 pub(crate) mod refused;
 pub mod root;
 pub(crate) mod short;
+pub(crate) mod ties;
 pub(crate) mod undecided;
 pub(crate) mod vector;
 

@@ -2,8 +2,8 @@
 
 use crate::certify::state::Figure;
 use crate::certify::{self, Constant};
+use crate::judge::published::PRINTED;
 use crate::number::{Binary, Rounded};
-use crate::problem::published::PRINTED;
 
 /// One proved value.
 #[derive(Clone, Debug)]

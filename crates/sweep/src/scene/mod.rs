@@ -13,7 +13,7 @@
 //! | `sweep`, `read_sweep` | the plan of a sweep, `couplet.sweep/1` |
 //!
 //! ```
-//! use couplet::scene::{Plan, SceneRun, read};
+//! use couplet_sweep::scene::{Plan, SceneRun, read};
 //!
 //! let text = r#"
 //!     schema = "couplet.scene/1"

@@ -19,8 +19,8 @@ const DIGITS: usize = 17;
 /// Arches in arrays of doubles.
 ///
 /// ```
-/// use couplet::certify::batch::{DoubleArches, RowVerdict};
-/// use couplet::prelude::*;
+/// use couplet_prove::certify::batch::{DoubleArches, RowVerdict};
+/// use couplet_prove::prelude::*;
 /// let (half_openings, frictions) = (&[2.45, 2.45, 4.0], &[1.35, 0.1, 1.0]);
 /// let weight = SelfWeight::Milankovitch;
 /// let arches = DoubleArches { weight, half_openings, frictions, thicknesses: None };
@@ -28,7 +28,7 @@ const DIGITS: usize = 17;
 /// assert_eq!((rows[0].mode, rows[0].doubles(0)[0]), (Mode::named("rrs"), 0.65024378080138357));
 /// assert_eq!(rows[1].verdict, RowVerdict::Falls);
 /// assert_eq!(rows[2].verdict, RowVerdict::Refused);
-/// # Ok::<(), couplet::Error>(())
+/// # Ok::<(), couplet_prove::certify::Error>(())
 /// ```
 ///
 /// See also: [`Balls::state`](crate::certify::state::Balls::state) and
@@ -58,9 +58,9 @@ impl DoubleArches<'_> {
     /// arches do not have.
     ///
     /// ```
-    /// use couplet::Refused;
-    /// use couplet::certify::batch::DoubleArches;
-    /// use couplet::prelude::*;
+    /// use couplet_prove::certify::Refused;
+    /// use couplet_prove::certify::batch::DoubleArches;
+    /// use couplet_prove::prelude::*;
     /// let (weight, half_openings) = (SelfWeight::Heyman, &[1.0, 1.2][..]);
     /// let arches = DoubleArches { weight, half_openings, frictions: &[0.5], thicknesses: None };
     /// let safety = [Quantity::GeometricSafety];

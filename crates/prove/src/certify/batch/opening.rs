@@ -26,9 +26,9 @@ pub(super) const ALONE: usize = 2;
 /// The arches of one half opening and weight, whatever their friction.
 ///
 /// ```
-/// use couplet::certify::batch::SharedOpening;
-/// use couplet::certify::state::Answer;
-/// use couplet::prelude::*;
+/// use couplet_prove::certify::batch::SharedOpening;
+/// use couplet_prove::certify::state::Answer;
+/// use couplet_prove::prelude::*;
 /// let opening = SharedOpening::new(SelfWeight::Milankovitch, "80deg".parse()?, 17)?;
 /// for friction in ["0.1", "0.35", "0.6", "1.2"] {
 ///     match &*opening.certify(friction.parse()?, false)? {
@@ -36,7 +36,7 @@ pub(super) const ALONE: usize = 2;
 ///         Answer::Falls { fall, .. } => println!("{friction}: {}", fall.reason()),
 ///     }
 /// }
-/// # Ok::<(), couplet::Error>(())
+/// # Ok::<(), couplet_prove::certify::Error>(())
 /// ```
 ///
 /// See also: [`Certify::certify`](crate::certify::state::Certify::certify), which answers one.
@@ -82,13 +82,13 @@ impl SharedOpening {
     /// are asked for; refused if the friction is out of its range.
     ///
     /// ```
-    /// use couplet::certify::batch::SharedOpening;
-    /// use couplet::certify::state::Answer;
-    /// use couplet::prelude::*;
+    /// use couplet_prove::certify::batch::SharedOpening;
+    /// use couplet_prove::certify::state::Answer;
+    /// use couplet_prove::prelude::*;
     /// let opening = SharedOpening::new(SelfWeight::Milankovitch, "80deg".parse()?, 17)?;
     /// let Answer::Stands(state) = opening.certify("0.6".parse()?, true)?.into_owned() else { panic!() };
     /// assert_eq!(state.frictions.unwrap().sliding.to_string(), "0.21939417869493803");
-    /// # Ok::<(), couplet::Error>(())
+    /// # Ok::<(), couplet_prove::certify::Error>(())
     /// ```
     pub fn certify(&self, friction: Friction, frictions: bool) -> Result<Cow<'_, Answer>, Error> {
         if let Friction::Coefficient(mu) = &friction

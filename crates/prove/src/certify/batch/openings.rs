@@ -16,15 +16,15 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// Arches that are asked the same, by any number of threads.
 ///
 /// ```
-/// use couplet::certify::batch::SharedOpenings;
-/// use couplet::certify::state::{Answer, Balls};
-/// use couplet::prelude::*;
+/// use couplet_prove::certify::batch::SharedOpenings;
+/// use couplet_prove::certify::state::{Answer, Balls};
+/// use couplet_prove::prelude::*;
 /// let openings = SharedOpenings::new(Balls::DoubleDoubles, 17, true)?;
 /// for friction in ["0.1", "0.35", "0.6", "1.2"] {
 ///     let arch = Arch::parse("milankovitch", "80deg", friction)?;
 ///     assert_eq!(matches!(openings.state(&arch)?, Answer::Stands(_)), friction != "0.1");
 /// }
-/// # Ok::<(), couplet::Error>(())
+/// # Ok::<(), couplet_prove::certify::Error>(())
 /// ```
 #[derive(Debug)]
 pub struct SharedOpenings {

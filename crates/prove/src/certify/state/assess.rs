@@ -11,10 +11,11 @@ use super::thrust_range::{
 };
 use crate::arch::Unknown;
 use crate::number::{Ball, ExactNumber, Ternary};
-use crate::problem::{Arch, Quantity, friction_angle_is_half_opening, has_no_arm_at_crown};
+use crate::problem::{Arch, Quantity};
 use crate::prover::Undecided;
 use crate::prover::arithmetic::Arithmetic;
 use crate::prover::decide::{decide, require};
+use crate::prover::ties::{friction_angle_is_half_opening, has_no_arm_at_crown};
 
 /// Certain answers about an arch of a given thickness, each answer with a reason where it stays open.
 #[derive(Clone, Debug)]

@@ -8,8 +8,9 @@ use crate::arch::Ring;
 use crate::arch::joint::Grip;
 use crate::number::{Ball, Enclosure, ExactNumber};
 use crate::problem::stones::{JointContact, Stones};
-use crate::problem::{Arch, Friction, friction_angle_is_half_opening, has_no_arm_at_crown};
+use crate::problem::{Arch, Friction};
 use crate::prover::Undecided;
+use crate::prover::ties::{friction_angle_is_half_opening, has_no_arm_at_crown};
 use crate::prover::{Figure, raise};
 
 /// A bound of the thrust.

@@ -4,9 +4,10 @@ use crate::arch::joint::{Grip, Row};
 use crate::arch::{Ring, SelfWeight};
 use crate::number::{Angle, Ball, Enclosure, Field, Jet};
 use crate::problem::stones::{JointContact, Stones};
-use crate::problem::{Friction, Joints, slides_at_no_thrust};
+use crate::problem::{Friction, Joints};
 use crate::prover::Figure;
 use crate::prover::Undecided;
+use crate::prover::ties::slides_at_no_thrust;
 use crate::solve::voussoirs::{DEGREE, Search};
 use rug::Float;
 

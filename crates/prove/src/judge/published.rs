@@ -2,8 +2,8 @@
 //!
 //! Tables 1–4, and every value of 16 digits in the text and the captions, occurrence by occurrence.
 
-use super::{Landmark, Quantity};
 use crate::arch::SelfWeight;
+use crate::problem::{Landmark, Quantity};
 use Landmark::*;
 use Quantity::*;
 use SelfWeight::*;
