@@ -7,8 +7,8 @@ cd "$(dirname "$0")/.."
 folder=${1:-target/c}
 version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
 
-cargo build --locked --profile wheel --package couplet-c
-made=${CARGO_TARGET_DIR:-target}/wheel
+cargo build --locked --release --package couplet-c
+made=${CARGO_TARGET_DIR:-target}/release
 
 rm -rf "$folder"
 mkdir -p "$folder/include" "$folder/lib/pkgconfig"

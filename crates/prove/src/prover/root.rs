@@ -1,7 +1,7 @@
 //! Exactly one root in a box: the only prover.
 //!
-//! It is asked in two ways. [`Operator::image`] tells whether a given box is mapped into itself, and
-//! [`largest_box`] looks for a large one of that kind; [`smallest_box`] looks for one that is just wide
+//! It is asked in two ways. `Operator::image` tells whether a given box is mapped into itself, and
+//! `largest_box` looks for a large one of that kind; `smallest_box` looks for one that is just wide
 //! enough around a centre. The operator is in [`check::krawczyk`](crate::check::krawczyk).
 
 use super::Undecided;

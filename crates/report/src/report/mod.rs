@@ -19,7 +19,7 @@
 //! ```
 //!
 //! See also [`certify`](crate::certify), which finds what is written here, and
-//! [`scene`](crate::scene), which writes many reports at once.
+//! `scene`, which writes many reports at once.
 
 mod answer;
 mod answers;
