@@ -12,5 +12,7 @@ pub mod sweep;
 use couplet_check::{arch, check, problem};
 use couplet_claims::claims;
 use couplet_number::number;
-use couplet_prove::{atlas, certify, judge, solve, strategies};
+#[cfg(feature = "parquet")]
+use couplet_prove::strategies;
+use couplet_prove::{atlas, certify, judge, solve};
 use couplet_report::report;
