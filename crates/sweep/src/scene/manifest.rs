@@ -6,8 +6,8 @@
 //! A run replaces only files that the record names; so each is named before it is written.
 
 use super::schema::SceneItem;
+use crate::hash::{Hashing, hash_of};
 use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::{self, BufReader, Read, Write};
@@ -74,7 +74,7 @@ impl Manifest {
         let entry = self.outputs.get(&key(output));
         entry.is_some_and(|entry| {
             entry.asked.as_ref() == Some(&asked(item))
-                && hash_of(&folder.join(output)).is_ok_and(|content| content == entry.content)
+                && content_of(&folder.join(output)).is_ok_and(|content| content == entry.content)
         })
     }
 
@@ -103,56 +103,16 @@ fn key(output: &Path) -> String {
 
 fn asked(item: &SceneItem) -> String {
     let text = format!("couplet {}\n{}", env!("CARGO_PKG_VERSION"), item.description());
-    hexadecimal(Sha256::digest(text))
+    hash_of(text.as_bytes())
 }
 
-fn hexadecimal(bytes: impl AsRef<[u8]>) -> String {
-    bytes.as_ref().iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
-fn hash_of(path: &Path) -> io::Result<String> {
+fn content_of(path: &Path) -> io::Result<String> {
     if !path.is_file() {
         return Err(io::ErrorKind::InvalidInput.into());
     }
-    let mut file = BufReader::new(File::open(path)?);
     let mut hashing = Hashing::new(io::sink());
-    let mut buffer = [0; 1 << 16];
-    loop {
-        match file.read(&mut buffer)? {
-            0 => return Ok(hashing.hash()),
-            length => hashing.write_all(&buffer[..length])?,
-        }
-    }
-}
-
-/// Writes through, and knows the hash of what was written.
-pub struct Hashing<W> {
-    inner: W,
-    hash: Sha256,
-}
-
-impl<W: Write> Hashing<W> {
-    /// Nothing is written yet.
-    pub fn new(inner: W) -> Self {
-        Self { inner, hash: Sha256::new() }
-    }
-
-    /// SHA-256 of all that was written.
-    pub fn hash(self) -> String {
-        hexadecimal(self.hash.finalize())
-    }
-}
-
-impl<W: Write> Write for Hashing<W> {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let written = self.inner.write(bytes)?;
-        self.hash.update(&bytes[..written]);
-        Ok(written)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.inner.flush()
-    }
+    io::copy(&mut File::open(path)?, &mut hashing)?;
+    Ok(hashing.hash())
 }
 
 #[cfg(test)]

@@ -57,12 +57,13 @@ mod sweep;
 mod table;
 mod value;
 
+pub use crate::hash::Hashing;
 pub use cost::Cost;
 pub use drawn::{DrawnArch, Pose};
 pub use explain::explain;
 pub use fault::{Fault, Position};
 pub use item_report::ItemReport;
-pub use manifest::{Hashing, Manifest, NAME as MANIFEST};
+pub use manifest::{Manifest, NAME as MANIFEST};
 pub use nodes::{ArchNode, CurveNode, LandmarkNode, ThicknessNode, Work};
 pub use plan::{Plan, PlannedPart};
 pub use read::{read, read_bytes};

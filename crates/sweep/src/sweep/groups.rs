@@ -3,10 +3,11 @@
 use super::column::{ColumnOf, cells, has_its_rows};
 use super::cost::MAX_PARTS;
 use super::kind::ValueKind;
-use super::pieces::{CHANGED, columns, hash_of, hash_of_pieces};
+use super::pieces::{CHANGED, columns, hash_of_pieces};
 use super::query::Listed;
 use crate::arch::SelfWeight;
 use crate::check::reason;
+use crate::hash::hash_of;
 use crate::number::ExactNumber;
 use crate::rows::{ArchReader, Cells, Spelling};
 use ::parquet::basic::{Compression, Type};

@@ -1,18 +1,9 @@
-//! Pieces of files, and their hashes.
+//! Pieces of files.
 
+use crate::hash::Hashing;
 use crate::rows::{Columns, Purpose, Role};
-use sha2::{Digest, Sha256};
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
-
-/// SHA-256 of some bytes.
-pub(super) fn hash_of(bytes: &[u8]) -> String {
-    hexadecimal(Sha256::new_with_prefix(bytes))
-}
-
-fn hexadecimal(hash: Sha256) -> String {
-    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
-}
 
 /// The columns of a file that asks for states.
 pub(super) fn columns(header: &[String]) -> Result<(Columns, Vec<usize>), String> {
@@ -36,19 +27,12 @@ pub(super) fn bytes_of(file: &mut File, offset: u64, length: u64) -> io::Result<
 
 /// The hash of pieces of a file, each an offset and a length.
 pub(super) fn hash_of_pieces(file: &mut File, pieces: &[(u64, u64)]) -> io::Result<String> {
-    let mut hash = Sha256::new();
-    let mut buffer = vec![0; 1 << 16];
+    let mut hashing = Hashing::new(io::sink());
     for &(offset, length) in pieces {
         file.seek(SeekFrom::Start(offset))?;
-        let mut piece = file.take(length);
-        loop {
-            match piece.read(&mut buffer)? {
-                0 => break,
-                read => hash.update(&buffer[..read]),
-            }
-        }
+        io::copy(&mut file.take(length), &mut hashing)?;
     }
-    Ok(hexadecimal(hash))
+    Ok(hashing.hash())
 }
 
 /// Message where a file is no longer what the sweep was made of.

@@ -4,10 +4,10 @@
 //! and the same sweep always finds its own.
 
 use super::cost::{MAX_PARTS, rows_of_a_part};
-use super::pieces::hash_of;
 use super::slices::Slices;
 use crate::arch::SelfWeight;
 use crate::certify::MAX_ARCH_DIGITS;
+use crate::hash::hash_of;
 use crate::problem::Quantity;
 use crate::scene::{MAX_CHUNK, MAX_SAMPLE, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArches, SweepPlan};
 use serde::{Deserialize, Serialize};

@@ -1,9 +1,10 @@
 //! Pieces of a table of text.
 
-use super::pieces::{CHANGED, bytes_of, columns, hash_of, hash_of_pieces};
+use super::pieces::{CHANGED, bytes_of, columns, hash_of_pieces};
 use super::query::Listed;
 use crate::arch::SelfWeight;
 use crate::check::reason;
+use crate::hash::hash_of;
 use crate::rows::{ArchReader, BYTE_ORDER_MARK, Cells, Spelling, TextTable};
 use serde::{Deserialize, Serialize};
 use std::fs::File;
