@@ -3,16 +3,17 @@
 use crate::CoupletError;
 use crate::pool::on_threads;
 use couplet::scene::{Fault, read_sweep};
-use couplet::sweep::sweep::{Sweep, SweepError, verify};
+use couplet::sweep::failure::Failure;
+use couplet::sweep::sweep::{Sweep, verify};
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-fn wrong(error: SweepError) -> PyErr {
-    match error {
-        SweepError::Input(message) => CoupletError::new_err(message),
-        SweepError::Io(message) => PyOSError::new_err(message),
+fn wrong(failure: Failure) -> PyErr {
+    match failure {
+        Failure::Input(message) | Failure::Undecided(message) => CoupletError::new_err(message),
+        Failure::Io(message) => PyOSError::new_err(message),
     }
 }
 

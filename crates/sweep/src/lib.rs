@@ -2,7 +2,6 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
 pub mod failure;
-mod hash;
 pub mod parse;
 pub mod pool;
 pub mod rows;

@@ -1,7 +1,6 @@
 //! Rows answered on all cores a chunk at a time, so that memory does not grow with the file.
 
-use super::progress::styled;
-use crate::report::words::count;
+use super::progress::{ROWS, show_rows, styled};
 use crate::sweep::rows::{Input, Numbered, RowSource};
 use indicatif::ProgressBar;
 use rayon::prelude::*;
@@ -55,7 +54,7 @@ pub(super) fn in_order<T: Send + 'static, A: Send, E: From<io::Error>>(
         // Where rows go to the terminal too, they do not stand behind the bar.
         progress.bar.suspend(|| take(answers))?;
         rows += count;
-        progress.show(rows);
+        show_rows(&progress.bar, rows);
     }
     progress.bar.finish_and_clear();
     // There are no more rows because there are none, not because the thread is gone.
@@ -75,9 +74,7 @@ impl Progress {
             return Self { bar: ProgressBar::hidden() };
         }
         let style = match source.length {
-            Some(_) => {
-                "{spinner} {bar:40} {percent:>3}%  {msg}, {elapsed} elapsed, about {eta} left"
-            }
+            Some(_) => ROWS,
             None => "{spinner} {msg}, {elapsed} elapsed",
         };
         let bar = styled(source.length, style);
@@ -88,10 +85,5 @@ impl Progress {
     /// Counts the bytes that are read.
     pub(crate) fn counted(&self, input: Input) -> Input {
         Box::new(BufReader::new(self.bar.wrap_read(input)))
-    }
-
-    fn show(&self, rows: u64) {
-        let rate = rows as f64 / self.bar.elapsed().as_secs_f64().max(1e-3);
-        self.bar.set_message(format!("{}, {rate:.0} rows/s", count(rows, "row", "rows")));
     }
 }

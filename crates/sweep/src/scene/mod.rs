@@ -9,7 +9,7 @@
 //! | `run` | computes the parts, item by item: `pieces`; `cost` counts |
 //! | `item_report` | what an item asked for, as a report |
 //! | `explain` | the plan as a tree, with what `expected` says of the arches |
-//! | `manifest` | which outputs are complete, told by their content |
+//! | `manifest`, `hash` | which outputs are complete, told by their content |
 //! | `sweep`, `read_sweep` | the plan of a sweep, `couplet.sweep/1` |
 //!
 //! ```
@@ -37,6 +37,7 @@ mod drawn;
 mod expected;
 mod explain;
 mod fault;
+mod hash;
 mod item_report;
 mod left_out;
 mod manifest;
@@ -57,11 +58,13 @@ mod sweep;
 mod table;
 mod value;
 
-pub use crate::hash::Hashing;
 pub use cost::Cost;
 pub use drawn::{DrawnArch, Pose};
 pub use explain::explain;
 pub use fault::{Fault, Position};
+pub use hash::Hashing;
+#[cfg(feature = "parquet")]
+pub(crate) use hash::hash_of;
 pub use item_report::ItemReport;
 pub use manifest::{Manifest, NAME as MANIFEST};
 pub use nodes::{ArchNode, CurveNode, LandmarkNode, ThicknessNode, Work};

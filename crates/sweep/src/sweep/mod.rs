@@ -28,5 +28,5 @@ mod table;
 mod text;
 mod verify;
 
-pub use sweep::{SurveyedPart, Sweep, SweepError};
+pub use sweep::{SurveyedPart, Sweep};
 pub use verify::{Verified, verify};

@@ -1,7 +1,7 @@
 //! Pieces of files.
 
-use crate::hash::Hashing;
 use crate::rows::{Columns, Purpose, Role};
+use crate::scene::Hashing;
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 

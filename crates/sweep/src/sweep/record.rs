@@ -7,9 +7,10 @@ use super::cost::{MAX_PARTS, rows_of_a_part};
 use super::slices::Slices;
 use crate::arch::SelfWeight;
 use crate::certify::MAX_ARCH_DIGITS;
-use crate::hash::hash_of;
 use crate::problem::Quantity;
-use crate::scene::{MAX_CHUNK, MAX_SAMPLE, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArches, SweepPlan};
+use crate::scene::{
+    MAX_CHUNK, MAX_SAMPLE, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArches, SweepPlan, hash_of,
+};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::path::Path;
@@ -75,13 +76,12 @@ impl SweepRecord {
                 (*count as u64, Arches::Sample { seed: *seed, hard: *hard })
             }
             SweepArches::Data { files } => {
-                let file = |name: &String| match Slices::of(&base.join(name), chunk) {
-                    Ok(slices) => DataFile { file: name.clone(), fault: None, slices },
-                    Err(fault) => DataFile {
-                        file: name.clone(),
-                        fault: Some(fault),
-                        slices: Slices::default(),
-                    },
+                let file = |name: &String| {
+                    let (slices, fault) = match Slices::of(&base.join(name), chunk) {
+                        Ok(slices) => (slices, None),
+                        Err(fault) => (Slices::default(), Some(fault)),
+                    };
+                    DataFile { file: name.clone(), fault, slices }
                 };
                 let files: Vec<DataFile> = files.iter().map(file).collect();
                 let rows = files.iter().map(|file| file.slices.rows()).sum();

@@ -2,11 +2,13 @@
 //! beside it. A part is written whole under a name of its own, and then appears; its name has the hash of its
 //! content, which tells whether it is what was written.
 
-use super::pieces::{hash_of, hash_of_pieces};
+use super::pieces::hash_of_pieces;
 use super::record::{SweepRecord, VERSION};
 use super::table::Notes;
 use crate::check::reason;
+use crate::failure::Failure;
 use crate::report::words::shortened;
+use crate::scene::hash_of;
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::{self, Write};
@@ -151,8 +153,8 @@ impl Store {
     }
 
     /// Files in the folder of a sweep of so many parts. Hidden names are nobody's data.
-    pub(super) fn files(&self, parts: usize) -> Result<PartFiles, String> {
-        let failed = |error: io::Error| self.unread(&self.folder, &error);
+    pub(super) fn files(&self, parts: usize) -> Result<PartFiles, Failure> {
+        let failed = |error: io::Error| Failure::reading(self.folder.display(), &error);
         let mut files = PartFiles::default();
         let entries = match fs::read_dir(&self.folder) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(files),
@@ -178,21 +180,17 @@ impl Store {
         Ok(files)
     }
 
-    fn unread(&self, path: &Path, error: &io::Error) -> String {
-        format!("cannot read {}: {}", path.display(), reason(error))
-    }
-
     /// State of the files of a part of these rows. Files that are not what was written are removed, if they may be.
     pub(super) fn there(
         &self,
         names: &[String],
         rows: &Range<u64>,
         removes: bool,
-    ) -> Result<PartState, String> {
+    ) -> Result<PartState, Failure> {
         let mut there = PartState::Missing;
         for name in names {
             let path = self.folder.join(name);
-            let failed = |error: io::Error| self.unread(&path, &error);
+            let failed = |error: io::Error| Failure::reading(path.display(), &error);
             match content(&path, name).map_err(failed)? {
                 None if removes => fs::remove_file(&path).map_err(failed)?,
                 None => {}

@@ -6,23 +6,12 @@ use super::record::{Arches, SweepRecord};
 use super::store::{PartState, Store};
 use super::table::{Notes, PartTable};
 use crate::certify::batch::{Batch, Threads};
-use crate::check::reason;
+use crate::failure::Failure;
 use crate::scene::{SWEEP_DIGITS, SweepPlan};
 use rayon::prelude::*;
 use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-
-/// Reason why a sweep does not go on.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum SweepError {
-    /// The question makes no sense, or a file of the data set is not what it was.
-    #[error("{0}")]
-    Input(String),
-    /// A file or a folder cannot be read or written.
-    #[error("{0}")]
-    Io(String),
-}
 
 /// A sweep and the folder of its parts.
 pub struct Sweep {
@@ -40,17 +29,16 @@ pub type SurveyedPart = (usize, Option<[u64; 4]>);
 impl Sweep {
     /// The sweep of a plan, with results in a folder of `output`; `base` is where the paths of a data set begin. The
     /// files of a data set are read once.
-    pub fn new(plan: &SweepPlan, base: &Path, output: &Path) -> Result<Self, SweepError> {
+    pub fn new(plan: &SweepPlan, base: &Path, output: &Path) -> Result<Self, Failure> {
         let record = SweepRecord::new(plan, base);
-        record.check().map_err(SweepError::Input)?;
+        record.check()?;
         Ok(Self::of(Store::new(output, &record), record, base))
     }
 
     /// A sweep that was begun, by the folder of its parts.
-    pub fn open(folder: &Path, base: &Path) -> Result<Self, SweepError> {
+    pub fn open(folder: &Path, base: &Path) -> Result<Self, Failure> {
         let opened = Store::open(folder);
-        let (store, record) =
-            opened.map_err(|fault| SweepError::Input(format!("{}: {fault}", folder.display())))?;
+        let (store, record) = opened.map_err(|fault| format!("{}: {fault}", folder.display()))?;
         Ok(Self::of(store, record, base))
     }
 
@@ -96,29 +84,28 @@ impl Sweep {
     }
 
     /// Makes the folder, with the record of the sweep.
-    pub fn prepare(&self) -> Result<(), SweepError> {
+    pub fn prepare(&self) -> Result<(), Failure> {
         self.store.prepare(&self.record).map_err(|error| self.unwritten(&error))
     }
 
-    fn unwritten(&self, error: &io::Error) -> SweepError {
-        SweepError::Io(format!("cannot write {}: {}", self.folder().display(), reason(error)))
+    fn unwritten(&self, error: &io::Error) -> Failure {
+        Failure::writing(self.folder().display(), error)
     }
 
     /// Surveys some parts, told by their content. What is not whole is removed; what is no part of the sweep
     /// is an error.
-    pub fn survey(&self, parts: &[usize]) -> Result<Vec<SurveyedPart>, SweepError> {
-        let files = self.store.files(self.parts()).map_err(SweepError::Io)?;
+    pub fn survey(&self, parts: &[usize]) -> Result<Vec<SurveyedPart>, Failure> {
+        let files = self.store.files(self.parts())?;
         let foreign = |name: &str, what: &str| {
             let path = self.folder().join(name);
-            SweepError::Input(format!("{} is {what}; take it away", path.display()))
+            Failure::Input(format!("{} is {what}; take it away", path.display()))
         };
         if let Some(name) = files.strays.first() {
             return Err(foreign(name, "no part of the sweep"));
         }
         let state = |&part: &usize| {
             let Some(names) = files.parts.get(&part) else { return Ok((part, None)) };
-            let there = self.store.there(names, &self.parts[part], true);
-            match there.map_err(SweepError::Io)? {
+            match self.store.there(names, &self.parts[part], true)? {
                 PartState::Missing => Ok((part, None)),
                 PartState::Whole(_, counts) => Ok((part, Some(counts))),
                 PartState::Foreign(name) => {
@@ -131,15 +118,15 @@ impl Sweep {
 
     /// Computes a part, writes it, and counts its verdicts. It appears whole or not at all, and whoever computes it
     /// writes the same bytes.
-    pub fn compute(&self, part: usize) -> Result<[u64; 4], SweepError> {
+    pub fn compute(&self, part: usize) -> Result<[u64; 4], Failure> {
         let rows = self.parts[part].clone();
-        let queries = queries(&self.record, &rows, &self.base).map_err(SweepError::Input)?;
+        let queries = queries(&self.record, &rows, &self.base)?;
         let found = self.batch.states(&queries, Threads::One);
         let mut counts = [0; 4];
         found.iter().for_each(|row| counts[row.verdict as usize] += 1);
         let notes = Notes { plan: self.store.plan().to_owned(), rows, counts };
         let table = PartTable::new(&self.batch, &queries, &found);
-        let bytes = table.bytes(&notes).map_err(|error| SweepError::Io(error.to_string()))?;
+        let bytes = table.bytes(&notes).map_err(|error| Failure::Io(error.to_string()))?;
         let put = self.store.put(&Store::name(part, &bytes), &bytes);
         put.map_err(|error| self.unwritten(&error))?;
         Ok(counts)

@@ -7,7 +7,7 @@ use crate::certify::batch::{Batch, BatchRow, RowVerdict};
 use crate::problem::Mode;
 use crate::scene::SWEEP_SCHEMA;
 use ::parquet::basic::{Compression, Encoding, LogicalType, Repetition, Type as PhysicalType};
-use ::parquet::column::writer::{ColumnWriter, ColumnWriterImpl};
+use ::parquet::column::writer::ColumnWriterImpl;
 use ::parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, Int32Type, Int64Type};
 use ::parquet::errors::{ParquetError, Result};
 use ::parquet::file::metadata::KeyValue;
@@ -192,21 +192,12 @@ impl<'a> PartTable<'a> {
         for (_, cells) in &self.columns {
             let Some(mut column) = group.next_column()? else { break };
             let rows = self.rows;
-            match (cells, column.untyped()) {
-                (PartColumn::Text(cell), ColumnWriter::ByteArrayColumnWriter(out)) => {
-                    write(out, rows, cell)?
-                }
-                (PartColumn::Double(cell), ColumnWriter::DoubleColumnWriter(out)) => {
-                    write(out, rows, cell)?
-                }
-                (PartColumn::Whole(cell), ColumnWriter::Int64ColumnWriter(out)) => {
-                    write(out, rows, cell)?
-                }
-                (PartColumn::Short(cell), ColumnWriter::Int32ColumnWriter(out)) => {
-                    write(out, rows, cell)?
-                }
-                // The schema is made of the same columns.
-                _ => unreachable!(),
+            // The schema is made of the same columns.
+            match cells {
+                PartColumn::Text(cell) => write(column.typed::<ByteArrayType>(), rows, cell)?,
+                PartColumn::Double(cell) => write(column.typed::<DoubleType>(), rows, cell)?,
+                PartColumn::Whole(cell) => write(column.typed::<Int64Type>(), rows, cell)?,
+                PartColumn::Short(cell) => write(column.typed::<Int32Type>(), rows, cell)?,
             }
             column.close()?;
         }

@@ -2,11 +2,12 @@
 
 use super::queries::queries;
 use super::store::PartState;
-use super::sweep::{Sweep, SweepError};
+use super::sweep::Sweep;
 use super::table::{Notes, PartTable, ReadCells, ReadTable};
 use crate::certify::batch::{BatchArches, RowVerdict};
 use crate::certify::certify_arch;
 use crate::check::{Accepted, verify as check};
+use crate::failure::Failure;
 use crate::problem::{Arch, Problem};
 use crate::strategies::Draw;
 use ::parquet::data_type::ByteArray;
@@ -46,16 +47,16 @@ pub fn verify(
     parts: &[usize],
     sample: usize,
     tick: &(dyn Fn(u64) + Sync),
-) -> Result<Verified, SweepError> {
-    let files = sweep.store.files(sweep.parts()).map_err(SweepError::Io)?;
+) -> Result<Verified, Failure> {
+    let files = sweep.store.files(sweep.parts())?;
     let ranges: Vec<Range<u64>> = parts.iter().map(|&part| sweep.rows(part)).collect();
     let certified = AtomicUsize::new(0);
     let chosen = chosen(&ranges, sample, sweep.store.plan());
     let none = Vec::new();
     let each = |&part: &usize| {
         let rows = sweep.rows(part);
-        let there = sweep.store.there(files.parts.get(&part).unwrap_or(&none), &rows, false);
-        let found = match there.map_err(SweepError::Io)? {
+        let names = files.parts.get(&part).unwrap_or(&none);
+        let found = match sweep.store.there(names, &rows, false)? {
             PartState::Missing => Verified::wrong(format!("part {part} is missing or spoiled")),
             PartState::Foreign(name) => Verified::wrong(format!("{name} does not belong here")),
             PartState::Whole(name, _) => {
@@ -67,7 +68,7 @@ pub fn verify(
         tick(rows.end - rows.start);
         Ok(found)
     };
-    let each = parts.par_iter().map(each).collect::<Result<Vec<_>, _>>()?;
+    let each = parts.par_iter().map(each).collect::<Result<Vec<_>, Failure>>()?;
     let mut all = Verified::default();
     all.faults.extend(files.strays.iter().map(|name| format!("{name} is no part of the sweep")));
     for found in each {

@@ -4,11 +4,11 @@ use super::arguments::{Arguments, Share};
 use crate::certify::batch::RowVerdict;
 use crate::cli::commands::described::{described, remark, say};
 use crate::cli::commands::output::Output;
-use crate::cli::commands::progress::styled;
+use crate::cli::commands::progress::{ROWS, show_rows, styled};
 use crate::report::words::count;
 use crate::sweep::failure::{Failure, print};
 use crate::sweep::scene::{SWEEP_EXAMPLE, read_sweep};
-use crate::sweep::sweep::{Sweep, SweepError, verify};
+use crate::sweep::sweep::{Sweep, verify};
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use std::path::Path;
@@ -28,11 +28,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     remark(path, &plan.notes);
     let base = path.parent().unwrap_or(Path::new(""));
     let output = arguments.output.as_deref().unwrap_or(Path::new(""));
-    let sweep = Sweep::new(&plan, base, output).map_err(failure)?;
+    let sweep = Sweep::new(&plan, base, output)?;
     let Share { k, n } = arguments.only.unwrap_or(Share { k: 1, n: 1 });
     let parts = sweep.share(k, n);
     let others = sweep.others();
-    sweep.prepare().map_err(failure)?;
+    sweep.prepare()?;
     let folder = sweep.folder().display().to_string();
     if !others.is_empty() {
         let others = others.join(", ");
@@ -58,13 +58,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             "{} could not be read; the rest is there",
             count(bad, "file or piece", "files or pieces")
         ))),
-    }
-}
-
-fn failure(error: SweepError) -> Failure {
-    match error {
-        SweepError::Input(message) => Failure::Input(message),
-        SweepError::Io(message) => Failure::Io(message),
     }
 }
 
@@ -98,7 +91,7 @@ impl MadeParts {
 
 /// Computes the parts that are missing.
 fn make(sweep: &Sweep, parts: &[usize]) -> Result<MadeParts, Failure> {
-    let survey = sweep.survey(parts).map_err(failure)?;
+    let survey = sweep.survey(parts)?;
     let mut made = MadeParts { counts: [0; 4], computed: 0, kept: 0, lost: Vec::new() };
     let mut missing = Vec::new();
     for (part, there) in survey {
@@ -121,7 +114,7 @@ fn make(sweep: &Sweep, parts: &[usize]) -> Result<MadeParts, Failure> {
                 add(&mut made.counts, counts);
             }
             // The other parts have their files.
-            Err(SweepError::Input(message)) => made.lost.push(format!("part {part}: {message}")),
+            Err(Failure::Input(message)) => made.lost.push(format!("part {part}: {message}")),
             Err(error) => return Err(error),
         }
         tell(&bar, length(sweep, part));
@@ -129,7 +122,7 @@ fn make(sweep: &Sweep, parts: &[usize]) -> Result<MadeParts, Failure> {
     };
     let done = missing.par_iter().with_max_len(1).try_for_each(compute);
     bar.finish_and_clear();
-    done.map_err(failure)?;
+    done?;
     let mut made = made.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
     made.lost.sort();
     Ok(made)
@@ -144,19 +137,15 @@ fn length(sweep: &Sweep, part: usize) -> u64 {
     rows.end - rows.start
 }
 
-/// A bar with rate and time left, by rows.
 fn bar(rows: u64) -> ProgressBar {
-    let style = "{spinner} {bar:40} {percent:>3}%  {msg}, {elapsed} elapsed, about {eta} left";
-    let bar = styled(Some(rows), style);
+    let bar = styled(Some(rows), ROWS);
     bar.set_message("0 rows");
     bar
 }
 
 fn tell(bar: &ProgressBar, rows: u64) {
     bar.inc(rows);
-    let done = bar.position();
-    let rate = done as f64 / bar.elapsed().as_secs_f64().max(1e-3);
-    bar.set_message(format!("{}, {rate:.0} rows/s", count(done as usize, "row", "rows")));
+    show_rows(bar, bar.position());
 }
 
 /// A folder of a sweep without its plan. The files of a data set are looked for beside the working folder.
@@ -165,7 +154,7 @@ fn look_through(folder: &Path, arguments: &Arguments) -> Result<(), Failure> {
         let message = "a folder is looked through where it is; --output belongs to a plan";
         return Err(Failure::Input(message.into()));
     }
-    let sweep = Sweep::open(folder, Path::new("")).map_err(failure)?;
+    let sweep = Sweep::open(folder, Path::new(""))?;
     let Share { k, n } = arguments.only.unwrap_or(Share { k: 1, n: 1 });
     if arguments.verify.is_none() {
         say(&format!(
@@ -179,7 +168,7 @@ fn look(sweep: &Sweep, parts: &[usize], sample: usize) -> Result<(), Failure> {
     let bar = bar(parts.iter().map(|&part| length(sweep, part)).sum());
     let found = verify(sweep, parts, sample, &|rows| tell(&bar, rows));
     bar.finish_and_clear();
-    let found = found.map_err(failure)?;
+    let found = found?;
     let folder = sweep.folder().display();
     found.faults.iter().for_each(|fault| say(&format!("couplet: {fault}")));
     let summary = format!(

@@ -41,3 +41,18 @@ impl<W: Write> Write for Hashing<W> {
         self.inner.flush()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_hash_is_that_of_what_was_written() {
+        let mut hashing = Hashing::new(Vec::new());
+        hashing.write_all(b"ab").unwrap();
+        hashing.write_all(b"c").unwrap();
+        assert_eq!(hashing.inner, b"abc");
+        let abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+        assert_eq!(hashing.hash(), abc);
+    }
+}
