@@ -10,6 +10,7 @@ use crate::number::{Ball, ExactNumber};
 use crate::problem::{Arch, Friction, Landmark, Line, Mode, NoLandmark, Quantity};
 use crate::report::words::{did_you_mean, list, shortened};
 use crate::report::{Content, Format};
+use std::collections::HashSet;
 use std::str::FromStr;
 
 /// A name that is not known: what the names are, and the one that was perhaps meant.
@@ -88,15 +89,12 @@ pub fn weights(text: &str) -> Result<Weights, String> {
 
 /// A quantity by its name.
 pub fn quantity(text: &str) -> Result<Quantity, String> {
-    let mut names: Vec<&str> = Vec::new();
-    let measured = [&Quantity::MEASURED_STATE[..], &Quantity::MEASURED_ASSESSMENT];
-    let all = [&Quantity::LANDMARK[..], &Quantity::STATE, &Quantity::ASSESSMENT].concat();
-    let all = [all, measured.concat()].concat();
-    for name in all.into_iter().map(Quantity::name) {
-        if !names.contains(&name) {
-            names.push(name);
-        }
-    }
+    use Quantity as Q;
+    let measured = [&Q::MEASURED_STATE[..], &Q::MEASURED_ASSESSMENT].concat();
+    let all = [&Q::LANDMARK[..], &Q::STATE, &Q::ASSESSMENT, &measured].concat();
+    let mut seen = HashSet::new();
+    let names = all.into_iter().map(Q::name).filter(|name| seen.insert(*name));
+    let names: Vec<&str> = names.collect();
     Quantity::named(text).ok_or_else(|| unknown("a quantity", text, &names))
 }
 

@@ -215,7 +215,8 @@ fn column(text: &str) -> Result<RowColumn, String> {
     let theirs = if text.contains('=') { theirs } else { ours };
     let roles = Purpose::Judge.roles();
     let name = plain(ours.trim());
-    let Some(role) = roles.iter().copied().find(|role| role.is_called(Purpose::Judge, &name))
+    let Some(role) =
+        roles.iter().copied().find(|role| role.names(Purpose::Judge).contains(&&*name))
     else {
         let names: Vec<_> = roles.iter().map(|role| role.name()).collect();
         return Err(format!("'{ours}' is not one of our columns: {}", names.join(", ")));

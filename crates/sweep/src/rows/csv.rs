@@ -26,12 +26,6 @@ struct RawRecord {
     first: usize,
 }
 
-/// Reason why a row cannot be read, and whether no other can.
-struct RowFault {
-    message: String,
-    ends: bool,
-}
-
 /// Marks after which a field of a header may begin before it is known what separates them.
 const SEPARATORS: &[u8] = b",;\t";
 
@@ -43,12 +37,12 @@ impl TextTable {
         let mut remark: Option<RawRecord> = None;
         let failed = |error: String| Failure::Input(format!("the header: {error}"));
         let first = loop {
-            match next(&mut lines, SEPARATORS) {
+            let record = next(&mut lines, SEPARATORS).map_err(|error| failed(error.to_string()))?;
+            match record.transpose().map_err(failed)? {
                 None => break None,
-                Some((_, Err(fault))) => return Err(failed(fault.message)),
-                Some((_, Ok(record))) if is_remark(&record.bytes) => remark = Some(record),
-                Some((_, Ok(record))) if is_blank(&record.bytes) => {}
-                Some((_, Ok(record))) => break Some(record),
+                Some(record) if is_remark(&record.bytes) => remark = Some(record),
+                Some(record) if is_blank(&record.bytes) => {}
+                Some(record) => break Some(record),
             }
         };
         let has_remarks = remark.is_some();
@@ -96,14 +90,14 @@ impl TextTable {
     /// The next row as it is written, or why it cannot be read, with its line.
     fn record(&mut self) -> Option<Numbered<RawRecord>> {
         while !self.is_broken {
-            let (line, record) = next(&mut self.lines, self.dialect.separators())?;
-            match record {
-                Ok(record) if is_blank(&record.bytes) => {}
-                Ok(record) if self.has_remarks && is_remark(&record.bytes) => {}
-                Ok(record) => return Some((line, Ok(record))),
-                Err(fault) => {
-                    self.is_broken = fault.ends;
-                    return Some((line, Err(fault.message)));
+            let line = self.lines.number;
+            match next(&mut self.lines, self.dialect.separators()) {
+                Ok(Some(Ok(record))) if is_blank(&record.bytes) => {}
+                Ok(Some(Ok(record))) if self.has_remarks && is_remark(&record.bytes) => {}
+                Ok(record) => return record.map(|record| (line, record)),
+                Err(error) => {
+                    self.is_broken = true;
+                    return Some((line, Err(error.to_string())));
                 }
             }
         }
@@ -171,29 +165,27 @@ fn is_header_of(remark: &[u8], row: &[u8]) -> bool {
     names.len() == row.len() && row.iter().any(is_number)
 }
 
-/// The next row as it is written, with its line.
-fn next(lines: &mut InputLines, separators: &[u8]) -> Option<(u64, Result<RawRecord, RowFault>)> {
+/// The next row as it is written, or why it cannot be read. Behind an error of the input there is no other.
+fn next(
+    lines: &mut InputLines,
+    separators: &[u8],
+) -> io::Result<Option<Result<RawRecord, String>>> {
     let first = lines.number;
-    let fault = |message: String| Some((first, Err(RowFault { message, ends: false })));
-    let broken =
-        |error: io::Error| Some((first, Err(RowFault { message: error.to_string(), ends: true })));
+    let fault = |message: String| Ok(Some(Err(message)));
     let mut record = RawRecord { bytes: Vec::new(), lines: [first, first], first: 0 };
     let (mut state, mut passed, mut is_spoiled) = (QuoteState::Start, 0, false);
     // Where the open quote stands: its line, and the end of that line.
     let (mut opened, mut resume) = (first, 0);
     loop {
         let line = lines.number;
-        match lines.next_into(&mut record.bytes) {
-            Err(error) => return broken(error),
-            Ok(Reading::Line) => {}
-            Ok(Reading::End) if record.bytes.is_empty() => return None,
-            Ok(Reading::TooLong) if record.lines[1] == first => {
-                return match lines.skip() {
-                    Ok(()) => fault(format!("a line of more than {MAX_RECORD} bytes")),
-                    Err(error) => broken(error),
-                };
+        match lines.next_into(&mut record.bytes)? {
+            Reading::Line => {}
+            Reading::End if record.bytes.is_empty() => return Ok(None),
+            Reading::TooLong if record.lines[1] == first => {
+                lines.skip()?;
+                return fault(format!("a line of more than {MAX_RECORD} bytes"));
             }
-            Ok(reading) => {
+            reading => {
                 // What has been read of the line that is too long is held in the record.
                 let within = match reading {
                     Reading::TooLong => format!(" within {MAX_RECORD} bytes"),
@@ -232,7 +224,7 @@ fn next(lines: &mut InputLines, separators: &[u8]) -> Option<(u64, Result<RawRec
             return fault(format!("a quote that opens in line {opened} closes within a field"));
         }
         if state != QuoteState::Quoted {
-            return Some((first, Ok(record)));
+            return Ok(Some(Ok(record)));
         }
     }
 }

@@ -21,13 +21,16 @@ impl<'a> JsonObject<'a> {
     /// A value as text: a string without its quotes, the value of an object, nothing for `null`, anything
     /// else as written. `None` if the key is missing.
     pub(crate) fn text(&self, key: &str) -> Option<String> {
-        let (_, raw) = self.0.iter().find(|(name, _)| name == key)?;
-        Some(text(raw))
+        self.entry(key).map(text)
     }
 
     /// A value as it is written.
     pub(crate) fn raw(&self, key: &str) -> Option<&'a str> {
-        self.0.iter().find(|(name, _)| name == key).map(|(_, raw)| raw.get())
+        self.entry(key).map(RawValue::get)
+    }
+
+    fn entry(&self, key: &str) -> Option<&'a RawValue> {
+        self.0.iter().find(|(name, _)| name == key).map(|(_, raw)| *raw)
     }
 
     /// The keys.
@@ -58,8 +61,7 @@ impl JsonObject<'_> {
     /// A value as `couplet states` writes it: with its bounds, or a thrust with what limits it, which
     /// without a bound is infinite.
     fn value(&self) -> Option<String> {
-        let entry = |key: &str| self.0.iter().find(|(name, _)| name == key).map(|(_, raw)| *raw);
-        match (entry("value"), entry("thrust")) {
+        match (self.entry("value"), self.entry("thrust")) {
             (Some(value), _) => (!value.get().starts_with('{')).then(|| text(value)),
             (None, Some(thrust)) if thrust.get() == "null" => Some("inf".to_owned()),
             (None, Some(thrust)) => JsonObject::parse(thrust.get().as_bytes()).ok()?.value(),

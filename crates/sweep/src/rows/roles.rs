@@ -90,11 +90,6 @@ impl Role {
         names
     }
 
-    /// Tells whether the role is called so.
-    pub(super) fn is_called(self, purpose: Purpose, name: &str) -> bool {
-        self.names(purpose).contains(&name)
-    }
-
     /// Tells whether the role may be in degrees.
     pub(super) fn is_angle(self) -> bool {
         match self {

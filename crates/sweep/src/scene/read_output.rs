@@ -30,6 +30,9 @@ pub(super) fn output(
         (None, Some(value), Some(path)) => format_of(reader, kind, value, path),
         (None, Some(_), None) => None,
     }?;
+    if let (Some(message), Some(value)) = (format.missing(), named.or(output)) {
+        reader.fault(value.span(), message);
+    }
     if let (true, None, Some(value)) = (format.is_binary, output, named) {
         reader.is_not("format", value, "text; give it an output");
     }
@@ -39,11 +42,10 @@ pub(super) fn output(
 /// The format of a name.
 fn format(reader: &mut TomlReader, kind: ItemKind, value: &TomlValue) -> Option<&'static Format> {
     let name = value.get_ref().as_str().unwrap_or_default();
-    let format = Format::named(kind.content(), name).or_else(|| {
+    Format::named(kind.content(), name).or_else(|| {
         let names = Format::names(kind.content());
         reader.reject("format", value, &format!("one of {names}"))
-    });
-    built_in(reader, value, format)
+    })
 }
 
 /// The format that the end of a file's name tells.
@@ -54,7 +56,7 @@ fn format_of(
     path: &Path,
 ) -> Option<&'static Format> {
     let end = path.extension().and_then(|end| end.to_str()).unwrap_or_default();
-    let format = Format::of_extension(kind.content(), end).or_else(|| {
+    Format::of_extension(kind.content(), end).or_else(|| {
         let ends = list(Format::all(kind.content()).map(|format| format.extension));
         let message = format!(
             "output {} does not tell a format by its end ({ends}); give it such an end, or a format, \
@@ -63,20 +65,7 @@ fn format_of(
             Format::names(kind.content())
         );
         reader.refuse(value.span(), message)
-    });
-    built_in(reader, value, format)
-}
-
-/// A format; a fault if it is left out of this build.
-fn built_in(
-    reader: &mut TomlReader,
-    value: &TomlValue,
-    format: Option<&'static Format>,
-) -> Option<&'static Format> {
-    if let Some(message) = format.and_then(Format::missing) {
-        reader.fault(value.span(), message);
-    }
-    format
+    })
 }
 
 fn file(reader: &mut TomlReader, value: &TomlValue, files: &mut OutputFiles) -> Option<PathBuf> {
