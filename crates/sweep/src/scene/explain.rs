@@ -11,6 +11,7 @@ use crate::certify::state::Wanted;
 use crate::problem::{Equation, tally::Tally};
 use crate::report::words::{count, list};
 use cpu_time::ProcessTime;
+use std::collections::BTreeSet;
 use std::io;
 
 /// A node of the tree: its lines, and what hangs on it.
@@ -150,10 +151,8 @@ fn landmark(node: &LandmarkNode) -> Vec<String> {
     let equations = list(system.equations.iter().map(|equation| equation.label()));
     let name = format!("{} {}", node.landmark.symbol(), node.weight.name());
     let mut lines = vec![name, format!("from {equations}")];
-    let mut digits: Vec<usize> = node.asked.iter().map(|(_, digits)| *digits).collect();
-    digits.sort_unstable();
-    digits.dedup();
-    for digits in digits {
+    let all: BTreeSet<usize> = node.asked.iter().map(|(_, digits)| *digits).collect();
+    for digits in all {
         let asked = node.asked.iter().filter(|(_, of)| *of == digits);
         let names = list(asked.map(|(quantity, _)| quantity.name()));
         lines.push(format!("to {digits} digits: {names}"));

@@ -24,14 +24,15 @@ impl ItemReport {
     /// The report of an item, from parts that are all there.
     pub(super) fn new(plan: &Plan, done: &[Option<WorkDone>], index: usize) -> Self {
         let item = &plan.scene.items[index];
+        let parts = ItemParts { plan, done, index };
         let (report, undecided) = match &item.what {
             Request::Constants { quantities, digits, .. } => {
-                let list = constants(plan, done, index, (quantities, *digits));
+                let list = parts.constants(quantities, *digits);
                 let undecided = undecided_landmarks(&list);
                 (Some(Report::Answers(Answers::constants(*digits, list))), undecided)
             }
-            Request::Arches { quantities, digits, with_thickness, .. } => {
-                let list = arches(plan, done, index, *digits);
+            Request::Arches { arches, quantities, digits, with_thickness } => {
+                let list = parts.arches(arches, *digits);
                 let (open, all) =
                     (list.iter().filter(|answer| answer.is_undecided()).count(), list.len());
                 let undecided = (open > 0).then(|| format!("{open} of {all} arches"));
@@ -44,16 +45,16 @@ impl ItemReport {
                     WorkDone::Claim(decision) => Some(decision.clone()),
                     _ => None,
                 };
-                let decisions: Vec<_> = done_of(plan, done, index).filter_map(decision).collect();
+                let decisions: Vec<_> = parts.done().filter_map(decision).collect();
                 let open = decisions.iter().filter(|decision| decision.outcome.is_err());
                 let undecided = open.map(|decision| decision.claim.id.to_owned()).collect();
                 // How long a claim took would be another output in every run.
                 let claims = Claims { decisions, show: *show, timed: false };
                 (Some(Report::Claims(claims)), undecided)
             }
-            Request::Map(asked) | Request::Figure(asked) => map(plan, done, index, asked),
-            Request::Drawing(asked) => drawing(plan, done, index, asked),
-            Request::Audit { .. } => match audit(plan, done, index) {
+            Request::Map(asked) | Request::Figure(asked) => parts.map(asked, item.format),
+            Request::Drawing(asked) => parts.drawing(asked),
+            Request::Audit { .. } => match parts.audit() {
                 Ok(audit) => (Some(Report::Audit(audit)), Vec::new()),
                 Err(undecided) => (None, vec![undecided.to_string()]),
             },
@@ -72,117 +73,136 @@ impl ItemReport {
     }
 }
 
-/// Results of the parts of an item.
-fn done_of<'d>(
-    plan: &Plan,
-    done: &'d [Option<WorkDone>],
+/// Parts of an item, all of them done.
+struct ItemParts<'a> {
+    plan: &'a Plan<'a>,
+    done: &'a [Option<WorkDone>],
     index: usize,
-) -> impl Iterator<Item = &'d WorkDone> {
-    plan.needs[index].iter().filter_map(|place| done[*place].as_ref())
 }
 
-fn constants(
-    plan: &Plan,
-    done: &[Option<WorkDone>],
-    index: usize,
-    (quantities, digits): (&[Quantity], usize),
-) -> Vec<Answer> {
-    let answer = |(work, done): (&Work, &WorkDone)| {
-        let (Work::Landmark(node), WorkDone::Landmark(found)) = (work, done) else { return None };
-        let name = (node.landmark, node.weight);
-        Some(match &**found {
-            Err(undecided) => Answer::landmark(name, Err(undecided)),
-            Ok(piece) => {
-                let constants = piece.constants(node, quantities, digits);
-                let answer = Answer::landmark(name, Ok((&piece.point, constants)));
-                match piece.certificates.get(&digits) {
-                    Some(hash) if plan.scene.items[index].format.has_certificates => {
-                        answer.with_certificate(digits, hash.clone())
+impl<'a> ItemParts<'a> {
+    /// The work of each part, with its result.
+    fn parts(&self) -> impl Iterator<Item = (&'a Work<'a>, &'a WorkDone)> {
+        let Self { plan, done, index } = *self;
+        let part = |place: &usize| Some((&plan.parts[*place].work, done[*place].as_ref()?));
+        plan.needs[index].iter().filter_map(part)
+    }
+
+    /// Results of the parts.
+    fn done(&self) -> impl Iterator<Item = &'a WorkDone> {
+        self.parts().map(|(_, done)| done)
+    }
+
+    fn constants(&self, quantities: &[Quantity], digits: usize) -> Vec<Answer> {
+        let format = self.plan.scene.items[self.index].format;
+        let answer = |(work, done): (&Work, &WorkDone)| {
+            let (Work::Landmark(node), WorkDone::Landmark(found)) = (work, done) else {
+                return None;
+            };
+            let name = (node.landmark, node.weight);
+            Some(match &**found {
+                Err(undecided) => Answer::landmark(name, Err(undecided)),
+                Ok(piece) => {
+                    let constants = piece.constants(node, quantities, digits);
+                    let answer = Answer::landmark(name, Ok((&piece.point, constants)));
+                    match piece.certificates.get(&digits) {
+                        Some(hash) if format.has_certificates => {
+                            answer.with_certificate(digits, hash.clone())
+                        }
+                        _ => answer,
                     }
-                    _ => answer,
                 }
-            }
-        })
-    };
-    plan.work_of(index).zip(done_of(plan, done, index)).filter_map(answer).collect()
-}
-
-fn arches(plan: &Plan, done: &[Option<WorkDone>], index: usize, digits: usize) -> Vec<Answer> {
-    let Request::Arches { arches, .. } = &plan.scene.items[index].what else { return Vec::new() };
-    let parts = plan.work_of(index).zip(done_of(plan, done, index));
-    let answers = (1..).zip(arches.iter().zip(parts)).map(|(line, (asked, part))| {
-        let SceneArch { arch, thickness } = asked;
-        let (Work::Arch(node), WorkDone::Arch(piece)) = part else { return None };
-        let answer = match thickness {
-            Some(eta) => {
-                let found = &piece.thicknesses[node.place(eta, digits)?];
-                Answer::assessment(line, (arch, eta), found)
-            }
-            None => Answer::state(line, arch, piece.states.get(&digits)?),
+            })
         };
-        let asymmetric = || piece.asymmetric.get(&digits).cloned().unwrap_or(Ok(Vec::new()));
-        Some(answer.with_asymmetric(asymmetric))
-    });
-    answers.flatten().collect()
-}
+        self.parts().filter_map(answer).collect()
+    }
 
-/// A map of what is proved; a picture needs all its curves, as without one it would show other domains.
-fn map(
-    plan: &Plan,
-    done: &[Option<WorkDone>],
-    index: usize,
-    asked: &SceneMap,
-) -> (Option<Report>, Vec<String>) {
-    let format = plan.scene.items[index].format;
-    let (mut traces, mut levels, mut open) = (Vec::new(), Vec::new(), Vec::new());
-    for part in done_of(plan, done, index) {
-        match part {
-            WorkDone::Curve(Ok(CurvePiece::Curve(trace))) => traces.push((**trace).clone()),
-            WorkDone::Curve(Ok(CurvePiece::Level(level))) => levels.push(level.clone()),
-            WorkDone::Curve(Err(undecided)) => open.push(undecided.to_string()),
-            _ => {}
-        }
+    fn arches(&self, arches: &[SceneArch], digits: usize) -> Vec<Answer> {
+        let answers = (1..).zip(arches.iter().zip(self.parts())).map(|(line, (asked, part))| {
+            let SceneArch { arch, thickness } = asked;
+            let (Work::Arch(node), WorkDone::Arch(piece)) = part else { return None };
+            let answer = match thickness {
+                Some(eta) => {
+                    let found = &piece.thicknesses[node.place(eta, digits)?];
+                    Answer::assessment(line, (arch, eta), found)
+                }
+                None => Answer::state(line, arch, piece.states.get(&digits)?),
+            };
+            let asymmetric = || piece.asymmetric.get(&digits).cloned().unwrap_or(Ok(Vec::new()));
+            Some(answer.with_asymmetric(asymmetric))
+        });
+        answers.flatten().collect()
     }
-    if (format.is_picture || format.is_page()) && !open.is_empty() {
-        return (None, open);
-    }
-    let landmarks = constants(plan, done, index, (&Quantity::LANDMARK, PAGE_DIGITS));
-    let names = undecided_landmarks(&landmarks);
-    let is_asked = |weight: &SelfWeight| asked.lines.iter().any(|(of, _)| of == weight);
-    let weights = SelfWeight::ALL.into_iter().filter(is_asked);
-    let mut marks = Vec::new();
-    for (weight, mark) in weights.flat_map(|weight| asked.marks.iter().map(move |m| (weight, m))) {
-        match mark.proved(weight) {
-            Ok(mark) => marks.push(mark),
-            Err(undecided) => open.push(undecided.to_string()),
-        }
-    }
-    let (view, axes, command) = (asked.view, asked.axes, asked.command.clone());
-    let drawing = Drawing { view, axes, marks, command };
-    let map =
-        Map { tolerance: asked.tolerance, traces, levels, borders: Vec::new(), landmarks, drawing };
-    open.extend(map.open().into_iter().chain(names));
-    (Some(Report::Map(map)), open)
-}
 
-/// Arches that are drawn, in the modes that are asked for; all of them or none.
-fn drawing(
-    plan: &Plan,
-    done: &[Option<WorkDone>],
-    index: usize,
-    asked: &SceneDrawing,
-) -> (Option<Report>, Vec<String>) {
-    let (mut sketches, mut open) = (Vec::new(), Vec::new());
-    for ((_, modes), part) in asked.arches.iter().zip(done_of(plan, done, index)) {
-        let WorkDone::Drawing(found) = part else { continue };
-        match (**found).clone().and_then(|sketch| sketch.in_modes(modes)) {
-            Ok(sketch) => sketches.push(sketch),
-            Err(none) => open.push(none.to_string()),
+    /// A map of what is proved; a picture needs all its curves, as without one it would show other domains.
+    fn map(&self, asked: &SceneMap, format: &Format) -> (Option<Report>, Vec<String>) {
+        let (mut traces, mut levels, mut open) = (Vec::new(), Vec::new(), Vec::new());
+        for part in self.done() {
+            match part {
+                WorkDone::Curve(Ok(CurvePiece::Curve(trace))) => traces.push((**trace).clone()),
+                WorkDone::Curve(Ok(CurvePiece::Level(level))) => levels.push(level.clone()),
+                WorkDone::Curve(Err(undecided)) => open.push(undecided.to_string()),
+                _ => {}
+            }
         }
+        if (format.is_picture || format.is_page()) && !open.is_empty() {
+            return (None, open);
+        }
+        let landmarks = self.constants(&Quantity::LANDMARK, PAGE_DIGITS);
+        let names = undecided_landmarks(&landmarks);
+        let is_asked = |weight: &SelfWeight| asked.lines.iter().any(|(of, _)| of == weight);
+        let weights = SelfWeight::ALL.into_iter().filter(is_asked);
+        let mut marks = Vec::new();
+        for (weight, mark) in
+            weights.flat_map(|weight| asked.marks.iter().map(move |m| (weight, m)))
+        {
+            match mark.proved(weight) {
+                Ok(mark) => marks.push(mark),
+                Err(undecided) => open.push(undecided.to_string()),
+            }
+        }
+        let (view, axes, command) = (asked.view, asked.axes, asked.command.clone());
+        let drawing = Drawing { view, axes, marks, command };
+        let map = Map {
+            tolerance: asked.tolerance,
+            traces,
+            levels,
+            borders: Vec::new(),
+            landmarks,
+            drawing,
+        };
+        open.extend(map.open().into_iter().chain(names));
+        (Some(Report::Map(map)), open)
     }
-    let (style, command) = (asked.style, asked.command.clone());
-    let drawn = Sketched { sketches, style, measures: None, command };
-    (open.is_empty().then_some(Report::Sketched(drawn)), open)
+
+    /// Arches that are drawn, in the modes that are asked for; all of them or none.
+    fn drawing(&self, asked: &SceneDrawing) -> (Option<Report>, Vec<String>) {
+        let (mut sketches, mut open) = (Vec::new(), Vec::new());
+        for ((_, modes), part) in asked.arches.iter().zip(self.done()) {
+            let WorkDone::Drawing(found) = part else { continue };
+            match (**found).clone().and_then(|sketch| sketch.in_modes(modes)) {
+                Ok(sketch) => sketches.push(sketch),
+                Err(none) => open.push(none.to_string()),
+            }
+        }
+        let (style, command) = (asked.style, asked.command.clone());
+        let drawn = Sketched { sketches, style, measures: None, command };
+        (open.is_empty().then_some(Report::Sketched(drawn)), open)
+    }
+
+    fn audit(&self) -> Result<Audit, Error> {
+        let enclosed = |part: &WorkDone| match part {
+            WorkDone::Landmark(found) => found
+                .as_ref()
+                .as_ref()
+                .map(|piece| piece.enclosed.clone())
+                .map_err(Clone::clone)
+                .transpose(),
+            _ => None,
+        };
+        let points: Vec<Enclosed> = self.done().filter_map(enclosed).collect::<Result<_, _>>()?;
+        Ok(Audit { printed: audit_of(&points)?, comparisons: compare_weights_of(&points)? })
+    }
 }
 
 fn undecided_landmarks(list: &[Answer]) -> Vec<String> {
@@ -192,19 +212,4 @@ fn undecided_landmarks(list: &[Answer]) -> Vec<String> {
         Some(format!("{} {}", subject.landmark()?.symbol(), subject.weight()?.name()))
     });
     names.collect()
-}
-
-fn audit(plan: &Plan, done: &[Option<WorkDone>], index: usize) -> Result<Audit, Error> {
-    let enclosed = |part: &WorkDone| match part {
-        WorkDone::Landmark(found) => found
-            .as_ref()
-            .as_ref()
-            .map(|piece| piece.enclosed.clone())
-            .map_err(Clone::clone)
-            .transpose(),
-        _ => None,
-    };
-    let points: Vec<Enclosed> =
-        done_of(plan, done, index).filter_map(enclosed).collect::<Result<_, _>>()?;
-    Ok(Audit { printed: audit_of(&points)?, comparisons: compare_weights_of(&points)? })
 }

@@ -61,11 +61,6 @@ impl<'s> Plan<'s> {
         Self { scene, complete, parts: planning.parts, needs }
     }
 
-    /// The work that an item takes.
-    pub(super) fn work_of(&self, item: usize) -> impl Iterator<Item = &Work<'s>> {
-        self.needs[item].iter().map(|place| &self.parts[*place].work)
-    }
-
     /// The work, in digits of landmarks that take as long.
     pub fn size(&self) -> usize {
         self.parts.iter().map(|part| part.work.size()).sum()
