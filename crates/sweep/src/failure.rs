@@ -84,6 +84,17 @@ impl Failure {
         }
     }
 
+    /// A failure if anything of what was to be `done` stays open.
+    pub fn unless_all(done: &str, open: &[impl AsRef<str>]) -> Result<(), Self> {
+        let open: Vec<&str> = open.iter().map(AsRef::as_ref).collect();
+        match open.is_empty() {
+            true => Ok(()),
+            false => {
+                Err(Self::Undecided(format!("not everything was {done}: {}", open.join(", "))))
+            }
+        }
+    }
+
     /// A failure to write: the destination, and the reason.
     pub fn writing(what: impl Display, error: &io::Error) -> Self {
         Self::Io(format!("cannot write {what}: {}", reason(error)))

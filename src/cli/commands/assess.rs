@@ -1,8 +1,7 @@
 //! `couplet assess`.
 
 use super::arch::{ArchArguments, Missing};
-use super::measures::{self, MeasureArguments, MeasuredArch};
-use super::notes;
+use super::measures::MeasureArguments;
 use super::output::AnswerOutput;
 use super::state::print;
 use super::tilt::{acceleration, tilted_as, write};
@@ -47,39 +46,32 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let option = arguments.thickness.is_none().then_some("--thickness");
     let measured = arguments.measures.measured()?;
     let needs = Missing { option, example: EXAMPLE };
-    let arches = arguments.arch.arches(&needs, measures::half_opening(measured.as_ref()))?;
+    let arches = arguments.arch.arches(&needs, measured.half_opening.as_ref())?;
     let eta = arguments.thickness.as_deref().unwrap_or_default();
-    let eta = measures::thickness(measured.as_ref(), eta)?;
+    let eta = measured.thickness(eta)?;
     if let Some(tilt) = &arguments.tilt {
-        if measured.is_some_and(|measured| measured.measures.has_forces()) {
+        if measured.measures.is_some_and(|measures| measures.has_forces()) {
             return Err("--tilt tells no forces: leave out --density and --depth".into());
         }
         return tilted(arguments, &arches, &eta, tilt);
     }
-    let all = measures::quantities(
-        &Quantity::ASSESSMENT,
-        &Quantity::MEASURED_ASSESSMENT,
-        measured.as_ref(),
-    );
+    let all = measured.quantities(&Quantity::ASSESSMENT, &Quantity::MEASURED_ASSESSMENT);
     let quantities = arguments.output.quantities(&all)?;
     let digits = arguments.arch.digits;
-    notes::frictions(arches.iter().take(1).map(Arch::friction));
-    print(&arguments.output, digits, quantities, || {
-        let answer = |(line, arch): (u64, Arch)| {
-            // Some formats have quadruples, which take more bits than the digits.
-            let found = Balls::Mpfr.assess(&arch, &eta, digits);
-            let answer = Answer::assessment(line, (&arch, &eta), &found)
-                .with_asymmetric(|| asymmetric_thicknesses(&arch, digits));
-            match &measured {
-                Some(MeasuredArch { measures, .. }) => {
-                    let sizes = measured_assessment((&arch, &eta), measures, digits);
-                    answer.measured(measures.circle(), sizes)
-                }
-                None => answer,
+    let answer = |line, arch: &Arch| {
+        // Some formats have quadruples, which take more bits than the digits.
+        let found = Balls::Mpfr.assess(arch, &eta, digits);
+        let answer = Answer::assessment(line, (arch, &eta), &found)
+            .with_asymmetric(|| asymmetric_thicknesses(arch, digits));
+        match &measured.measures {
+            Some(measures) => {
+                let sizes = measured_assessment((arch, &eta), measures, digits);
+                answer.measured(measures.circle(), sizes)
             }
-        };
-        (1..).zip(arches).map(answer).collect()
-    })
+            None => answer,
+        }
+    };
+    print(&arguments.output, (digits, quantities), &arches, answer)
 }
 
 /// The arches under an acceleration.
@@ -91,7 +83,7 @@ fn tilted(
 ) -> Result<(), Failure> {
     let format = tilted_as(arguments.output.format()?)?;
     let tilt = acceleration(text, arches)?;
-    let output = arguments.output.open()?;
+    let (output, _) = arguments.output.open()?;
     let digits = arguments.arch.digits;
     write((output, format), arches, (eta, &tilt), None, |arch| {
         let standing = Inquiry::new(arch, digits, false).assess(eta, digits, Wanted::Standing)?;

@@ -19,37 +19,26 @@ pub(super) struct AxesArguments {
     scale: String,
 
     /// For a map, the half openings shown, in their unit (120..160).
-    #[arg(long, value_name = "FROM..TO", value_parser = range, allow_hyphen_values = true)]
-    half_opening_range: Option<AxisRange>,
+    #[arg(long, value_name = "FROM..TO", value_parser = Shown::range_of, allow_hyphen_values = true)]
+    half_opening_range: Option<[f64; 2]>,
 
     /// For a map, the frictions shown, in their unit (0..45).
-    #[arg(long, value_name = "FROM..TO", value_parser = range, allow_hyphen_values = true)]
-    friction_range: Option<AxisRange>,
+    #[arg(long, value_name = "FROM..TO", value_parser = Shown::range_of, allow_hyphen_values = true)]
+    friction_range: Option<[f64; 2]>,
 
     /// For a map, the thicknesses shown (0..0.5).
-    #[arg(long, value_name = "FROM..TO", value_parser = range, allow_hyphen_values = true)]
-    thickness_range: Option<AxisRange>,
-}
-
-/// From where to where an axis goes.
-#[derive(Clone, Copy, Debug)]
-struct AxisRange([f64; 2]);
-
-fn range(text: &str) -> Result<AxisRange, String> {
-    Shown::range_of(text).map(AxisRange)
+    #[arg(long, value_name = "FROM..TO", value_parser = Shown::range_of, allow_hyphen_values = true)]
+    thickness_range: Option<[f64; 2]>,
 }
 
 impl AxesArguments {
     /// The axes of a map.
     pub(super) fn axes(&self) -> Axes {
-        let of = |unit, range: Option<AxisRange>| Shown {
-            unit,
-            range: range.map(|AxisRange(ends)| ends),
-        };
+        let of = |unit: &str, range| Shown { unit: Unit::named(unit), range };
         Axes {
-            half_opening: of(Unit::named(&self.half_opening_unit), self.half_opening_range),
-            friction: of(Unit::named(&self.friction_unit), self.friction_range),
-            thickness: of(Unit::named(&self.scale), self.thickness_range),
+            half_opening: of(&self.half_opening_unit, self.half_opening_range),
+            friction: of(&self.friction_unit, self.friction_range),
+            thickness: of(&self.scale, self.thickness_range),
         }
     }
 }

@@ -1,9 +1,9 @@
 //! `couplet complementarity`.
 
 use super::arch::{ArchArguments, Missing};
-use super::map::{is_written, tolerance};
+use super::map::tolerance;
 use super::notes;
-use super::output::OutputFile;
+use super::output::{OutputFile, is_written};
 use crate::atlas::{Branch, Contour, Level, NoBranch, NoLevel};
 use crate::certify::state::Balls;
 use crate::certify::{

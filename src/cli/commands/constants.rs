@@ -6,7 +6,6 @@ use super::progress;
 use crate::arch::SelfWeight;
 use crate::certify::{CertifiedLandmark, Error, fingerprint, quantities};
 use crate::problem::{Landmark, Quantity};
-use crate::report::words::list;
 use crate::report::{Answer, Answers, Report};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
@@ -46,7 +45,6 @@ pub(crate) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (format, digits) = (arguments.output.format()?, arguments.digits);
     let wanted = arguments.output.quantities(&Quantity::LANDMARK)?;
-    let hashed = format.has_certificates;
     let symbol = |landmark: &Landmark| landmark.symbol().to_owned();
     let named = each_once(arguments.landmarks.iter().copied(), |landmark| *landmark, symbol);
     let is_named = |landmark: &Landmark| named.is_empty() || named.contains(landmark);
@@ -65,31 +63,37 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if points.iter().all(|&(landmark, _)| asked(landmark).is_empty()) {
         return Err("none of these landmarks has what was asked for".into());
     }
-    let output = arguments.output.open()?;
+    let (output, _) = arguments.output.open()?;
     let ticks_of = |landmark| CertifiedLandmark::ticks_of(landmark, asked(landmark).len());
     let ticks = points.iter().map(|&(landmark, _)| ticks_of(landmark)).sum();
     let bar = progress::bar(ticks, points.len() * digits);
+    let certificate = format.has_certificates.then_some(digits);
     let answer = |point: (Landmark, SelfWeight)| {
-        let proved = || -> Result<Answer, Error> {
-            let landmark = CertifiedLandmark::new(point.0, point.1)?;
-            let constants = landmark.constants_of_with(&asked(point.0), &|| bar.inc(1))?;
-            let hash = hashed.then(|| fingerprint(&landmark, digits));
-            let answer = Answer::landmark(point, Ok((&landmark, constants)));
-            Ok(match hash {
-                Some(hash) => answer.with_certificate(digits, hash),
-                None => answer,
-            })
-        };
-        proved().unwrap_or_else(|error| Answer::landmark(point, Err(&error)))
+        let answer = proved(point, &asked(point.0), certificate, &|| bar.inc(1));
+        answer.unwrap_or_else(|error| Answer::landmark(point, Err(&error)))
     };
     let answers: Vec<Answer> = points.into_par_iter().map(answer).collect();
     bar.finish_and_clear();
     let open = answers.iter().filter(|answer| answer.is_undecided());
-    let undecided = list(open.filter_map(|answer| Some(answer.subject.landmark()?.symbol())));
+    let undecided: Vec<&str> =
+        open.filter_map(|answer| Some(answer.subject.landmark()?.symbol())).collect();
     let report = Report::Answers(Answers::constants(digits, answers));
     output.write(|out| report.write(format, out))?;
-    match undecided.is_empty() {
-        true => Ok(()),
-        false => Err(Failure::Undecided(format!("not everything was proved: {undecided}"))),
-    }
+    Failure::unless_all("proved", &undecided)
+}
+
+/// Proves what is asked of a landmark; with the hash of its certificate to so many digits, if any.
+pub(super) fn proved(
+    point: (Landmark, SelfWeight),
+    asked: &[(Quantity, usize)],
+    certificate: Option<usize>,
+    tick: &(dyn Fn() + Sync),
+) -> Result<Answer, Error> {
+    let landmark = CertifiedLandmark::new(point.0, point.1)?;
+    let constants = landmark.constants_of_with(asked, tick)?;
+    let answer = Answer::landmark(point, Ok((&landmark, constants)));
+    Ok(match certificate {
+        Some(digits) => answer.with_certificate(digits, fingerprint(&landmark, digits)),
+        None => answer,
+    })
 }

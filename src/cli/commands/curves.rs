@@ -1,8 +1,9 @@
 //! Curves of the map, levels and landmarks, computed on all cores.
 
+use super::constants::proved;
 use crate::arch::SelfWeight;
 use crate::atlas::{Border, Contour, Curve, Level, NoLevel, Trace};
-use crate::certify::{CertifiedLandmark, Error, Undecided, quantities};
+use crate::certify::{Undecided, quantities};
 use crate::problem::Landmark;
 use crate::report::{Answer, Format};
 use crate::sweep::failure::Failure;
@@ -38,12 +39,8 @@ pub(super) fn landmarks(weights: &[SelfWeight]) -> Vec<Answer> {
         weights.iter().flat_map(|&weight| Landmark::ALL.map(|landmark| (landmark, weight)));
     let answer = |point: (Landmark, SelfWeight)| {
         let asked: Vec<_> = quantities(point.0).map(|of| (of, LANDMARK_DIGITS)).collect();
-        let proved = || -> Result<Answer, Error> {
-            let landmark = CertifiedLandmark::new(point.0, point.1)?;
-            let constants = landmark.constants_of(&asked)?;
-            Ok(Answer::landmark(point, Ok((&landmark, constants))))
-        };
-        proved().unwrap_or_else(|error| Answer::landmark(point, Err(&error)))
+        let answer = proved(point, &asked, None, &|| ());
+        answer.unwrap_or_else(|error| Answer::landmark(point, Err(&error)))
     };
     points.map(answer).collect()
 }

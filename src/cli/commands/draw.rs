@@ -1,7 +1,7 @@
 //! `couplet draw`.
 
 use super::arch::{Missing, ShapeArguments};
-use super::measures::{self, MeasureArguments, MeasuredArch};
+use super::measures::{MeasureArguments, MeasuredArch};
 use super::notes;
 use super::output::OutputFile;
 use crate::arch::SelfWeight;
@@ -109,8 +109,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err(format!("only svg and png have arrows, not {}", format.name).into());
     }
     let measured = arguments.measures.measured()?;
-    let sketch = arguments.sketch(measured.as_ref())?;
-    let measures = measured.map(|measured| measured.measures);
+    let sketch = arguments.sketch(&measured)?;
     let style = Style {
         amplitude: arguments.amplitude,
         half: arguments.half,
@@ -118,7 +117,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         animate: arguments.animate,
         notation: false,
     };
-    let drawn = Sketched { sketches: vec![sketch], style, measures, command: typed() };
+    let drawn =
+        Sketched { sketches: vec![sketch], style, measures: measured.measures, command: typed() };
     if !drawn.can_be_drawn() {
         let message =
             "a drawing has a radius from 1mm to 1000000m, and forces of a size that doubles hold";
@@ -132,14 +132,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 impl Arguments {
     /// Sketch of what is asked for, in the modes asked for.
-    fn sketch(&self, measured: Option<&MeasuredArch>) -> Result<Sketch, Failure> {
+    fn sketch(&self, measured: &MeasuredArch) -> Result<Sketch, Failure> {
         let (stones, is_dilatant) = (self.stones.map(u64::from), self.dilatant);
-        let shape = self.shape.with_half_opening(measures::half_opening(measured));
+        let shape = self.shape.with_half_opening(measured.half_opening.as_ref());
         let is_sliding = self.mode == Some(Mode::Sliding) && !shape.has_friction();
         if stones.is_some() && (self.at.is_some() || is_sliding && self.thickness.is_some()) {
             return Err(STONES.into());
         }
-        let thickness = |eta: &String| measures::thickness(measured, eta);
+        let thickness = |eta: &String| measured.thickness(eta);
         let needs = Missing { option: None, example: EXAMPLE };
         let pose = match (self.at, self.thickness.as_ref().map(thickness).transpose()?) {
             (Some(landmark), _) => Pose::Landmark(landmark, self.weight),

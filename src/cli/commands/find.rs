@@ -66,7 +66,7 @@ fn line(text: &str) -> Result<Line, String> {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let question = question(arguments)?;
     let quantities = arguments.output.quantities(&found_by(&question))?;
-    let (file, format) = (arguments.output.open()?, arguments.output.format()?);
+    let (file, format) = arguments.output.open()?;
     notes::frictions(&arguments.arch.given()?.1);
     let digits = arguments.arch.digits;
     let answer = |(line, weight)| {

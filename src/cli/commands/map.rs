@@ -3,7 +3,7 @@
 use super::axes::AxesArguments;
 use super::curves::{borders, landmarks, levels, traced};
 use super::notes::{self, each_once};
-use super::output::{Output, OutputFile};
+use super::output::{Output, OutputFile, is_written};
 use crate::arch::SelfWeight;
 use crate::atlas::BorderLine;
 use crate::atlas::{
@@ -14,12 +14,12 @@ use crate::cli::line::typed;
 use crate::number::ExactNumber;
 use crate::problem::Friction;
 use crate::report::{
-    Content, Drawing, Format, Map, MapAsked, MapDifferences, MapPoint, MapPoints, Marked, Plane,
-    Report, View,
+    Content, Drawing, Format, Map, MapAsked, MapDifferences, MapPoint, MapPoints, Mark, Marked,
+    Plane, Report, View,
 };
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
-use crate::sweep::scene::contour_key;
+use crate::sweep::scene::{contour_key, map_lines};
 use clap::Args;
 use rayon::prelude::*;
 
@@ -120,7 +120,7 @@ pub(crate) struct Arguments {
 
     /// For a map, an arch to mark, with its proved state: half opening, friction and, if it has one, thickness
     /// (80deg,0.6,0.15). May be repeated.
-    #[arg(long = "mark", value_name = "ALPHA,MU[,ETA]", value_parser = marked, allow_hyphen_values = true)]
+    #[arg(long = "mark", value_name = "ALPHA,MU[,ETA]", allow_hyphen_values = true)]
     marks: Vec<Marked>,
 
     /// For a map, without lines of equal half opening, thickness or friction.
@@ -190,10 +190,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-fn marked(text: &str) -> Result<Marked, String> {
-    text.parse()
-}
-
 fn plane(text: &str) -> Result<Plane, String> {
     let names = Plane::ALL.map(Plane::name);
     Plane::named(text).ok_or_else(|| parse::unknown("a plane", text, &names))
@@ -214,31 +210,12 @@ impl Arguments {
         self.weight.unwrap_or(usual).all()
     }
 
-    /// Drawing that a picture shows, if all that is asked for goes together.
-    fn drawing(&self, format: &Format) -> Result<Drawing, Failure> {
-        let (weights, contours, axes) = (self.weights(format), self.contours(), self.axes.axes());
-        let asked = MapAsked {
-            format,
-            weights: weights.len(),
-            names_curves: !self.curves.is_empty(),
-            contours: &contours,
-            plane: self.plane,
-            lines: self.lines,
-            bare: self.bare,
-            asymmetric: self.asymmetric,
-            axes: &axes,
-            has_marks: !self.marks.is_empty(),
-        };
-        let misfit = asked.misfit(|key| format!("--{}", key.replace('_', "-")));
-        misfit.map_or(Ok(()), Err)?;
+    /// The arches to mark, proved.
+    fn marks(&self, weights: &[SelfWeight]) -> Result<Vec<Mark>, Error> {
         notes::frictions(self.frictions.iter().chain(self.marks.iter().map(Marked::friction)));
         let marks = each_once(&self.marks, ToString::to_string, |mark| format!("the mark {mark}"));
-        let view = if self.lines { View::Lines } else { View::Map(asked.plane()) };
-        let all = weights.into_iter();
-        let all = all.flat_map(|weight| marks.iter().map(move |mark| (mark, weight)));
-        let marks = all.map(|(mark, weight)| mark.proved(weight));
-        let marks = marks.collect::<Result<_, Error>>()?;
-        Ok(Drawing { view, axes, marks, command: typed() })
+        let all = weights.iter().flat_map(|weight| marks.iter().map(move |mark| (mark, *weight)));
+        all.map(|(mark, weight)| mark.proved(weight)).collect()
     }
 
     /// The levels asked for.
@@ -257,29 +234,36 @@ impl Arguments {
 
 fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
     let format = arguments.format()?;
-    let drawing = arguments.drawing(format)?;
+    let weights = arguments.weights(format);
+    let (contours, axes) = (arguments.contours(), arguments.axes.axes());
+    let asked = MapAsked {
+        format,
+        weights: weights.len(),
+        names_curves: !arguments.curves.is_empty(),
+        contours: &contours,
+        plane: arguments.plane,
+        lines: arguments.lines,
+        bare: arguments.bare,
+        asymmetric: arguments.asymmetric,
+        axes: &axes,
+        has_marks: !arguments.marks.is_empty(),
+    };
+    let misfit = asked.misfit(|key| format!("--{}", key.replace('_', "-")));
+    misfit.map_or(Ok(()), Err)?;
+    let marks = arguments.marks(&weights)?;
     let file = arguments.file.open_for(format)?;
     let curves = arguments.curves();
-    let contours = each_once(arguments.contours(), contour_key, |contour| format!("the {contour}"));
-    let is_drawn = format.is_picture || format.is_page();
-    let is_alone = contours.is_empty() && !arguments.asymmetric;
-    let is_whole = curves.is_empty() && (is_alone || is_drawn);
-    let is_asked = |curve: &Curve| is_whole || curves.contains(curve);
-    let weights = arguments.weights(format);
-    let all = Curve::of_weights(&weights).into_iter();
-    let asked = all.filter(|(_, curve)| is_asked(curve)).collect();
+    let contours = each_once(contours.clone(), contour_key, |contour| format!("the {contour}"));
+    let (curves, contours) = map_lines(&asked, &weights, &curves, contours);
+    let view = if arguments.lines { View::Lines } else { View::Map(asked.plane()) };
+    let drawing = Drawing { view, axes, marks, command: typed() };
     let tolerance = drawing.axes.tolerance(arguments.tolerance);
-    let (traces, mut open) = traced(asked, tolerance, format)?;
+    let (traces, mut open) = traced(curves, tolerance, format)?;
     let landmarks = if format.is_page() { landmarks(&weights) } else { Vec::new() };
     let undecided = landmarks.iter().filter(|answer| answer.is_undecided());
     open.extend(
         undecided.filter_map(|answer| Some(answer.subject.landmark()?.symbol().to_owned())),
     );
-    let is_map = format.is_picture && is_whole && !arguments.lines;
-    let contours = match is_map && contours.is_empty() && !arguments.bare {
-        true => arguments.plane.unwrap_or(Plane::ThicknessFriction).contours(),
-        false => contours,
-    };
     let levels = levels(&contours, &weights, &traces, tolerance, &mut open)?;
     let borders = match arguments.asymmetric {
         true => borders(&weights, tolerance)?,
@@ -328,15 +312,6 @@ fn one_point(arguments: &Arguments, parameter: &str) -> Result<(), Failure> {
     let points: Vec<MapPoint> = points.collect::<Result<_, Failure>>()?;
     let file = arguments.file.open_for(format)?;
     file.write(|out| Report::MapPoints(MapPoints(points)).write(format, out))
-}
-
-/// Refuses a format that cannot hold what is asked for.
-pub(super) fn is_written(what: &str, content: Content, format: &Format) -> Result<(), Failure> {
-    let formats: Vec<&str> = Format::all(content).map(|format| format.name).collect();
-    match formats.contains(&format.name) {
-        true => Ok(()),
-        false => Err(format!("{what} is written only as {}", formats.join(", ")).into()),
-    }
 }
 
 fn difference(arguments: &Arguments) -> Result<(), Failure> {

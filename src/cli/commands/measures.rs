@@ -43,51 +43,43 @@ pub(super) struct MeasureArguments {
     depth: Option<Length>,
 }
 
-/// Measures of an arch, and its sizes.
+/// Measures of an arch, and the half opening that follows from them.
+#[derive(Default)]
 pub(super) struct MeasuredArch {
     /// The half opening, where it follows.
     pub half_opening: Option<ExactNumber>,
-    /// The sizes.
-    pub measures: Measures,
+    /// The sizes, if any is given.
+    pub measures: Option<Measures>,
 }
 
-/// The thickness-to-radius ratio that a text says, of an arch that may be measured: then as a length too.
-pub(super) fn thickness(
-    measured: Option<&MeasuredArch>,
-    text: &str,
-) -> Result<ExactNumber, Failure> {
-    let measures = measured.map(|measured| &measured.measures);
-    crate::problem::thickness(text, measures).map_err(|error| {
-        let lengths = match error {
-            ThicknessError::Length(_) => ", or the arch in metres: --span and --rise, or --radius",
-            ThicknessError::NoRatio(_) => {
-                ", or of an arch in metres a length in m, cm, mm, ft or in"
-            }
-            _ => "",
-        };
-        Failure::Input(format!("{error}{lengths}"))
-    })
-}
+impl MeasuredArch {
+    /// The thickness-to-radius ratio that a text says, of an arch that may be measured: then as a length too.
+    pub(super) fn thickness(&self, text: &str) -> Result<ExactNumber, Failure> {
+        crate::problem::thickness(text, self.measures.as_ref()).map_err(|error| {
+            let lengths = match error {
+                ThicknessError::Length(_) => {
+                    ", or the arch in metres: --span and --rise, or --radius"
+                }
+                ThicknessError::NoRatio(_) => {
+                    ", or of an arch in metres a length in m, cm, mm, ft or in"
+                }
+                _ => "",
+            };
+            Failure::Input(format!("{error}{lengths}"))
+        })
+    }
 
-/// The half opening of an arch that is measured, where it follows.
-pub(super) fn half_opening(measured: Option<&MeasuredArch>) -> Option<&ExactNumber> {
-    measured?.half_opening.as_ref()
-}
-
-/// Quantities that can be asked of an arch, and of one that is measured.
-pub(super) fn quantities(
-    usual: &[Quantity],
-    of_measured: &[Quantity],
-    measured: Option<&MeasuredArch>,
-) -> Vec<Quantity> {
-    let Some(MeasuredArch { measures, .. }) = measured else { return usual.to_vec() };
-    let told = |of: &&Quantity| measures.has_forces() || !of.is_force();
-    usual.iter().chain(of_measured.iter().filter(told)).copied().collect()
+    /// Quantities that can be asked of an arch, and of one that is measured.
+    pub(super) fn quantities(&self, usual: &[Quantity], of_measured: &[Quantity]) -> Vec<Quantity> {
+        let Some(measures) = &self.measures else { return usual.to_vec() };
+        let told = |of: &&Quantity| measures.has_forces() || !of.is_force();
+        usual.iter().chain(of_measured.iter().filter(told)).copied().collect()
+    }
 }
 
 impl MeasureArguments {
-    /// The sizes, if any is given.
-    pub(super) fn measured(&self) -> Result<Option<MeasuredArch>, Failure> {
+    /// Measures that are given.
+    pub(super) fn measured(&self) -> Result<MeasuredArch, Failure> {
         let made = self.span.as_ref().zip(self.rise.as_ref());
         let made = made.map(|(span, rise)| of_span_and_rise(span, rise));
         let (half_opening, radius) = match (made, &self.radius) {
@@ -106,11 +98,10 @@ impl MeasureArguments {
                     "--measured-at needs a size: give --span and --rise, or --radius".into()
                 );
             }
-            (None, None) => return Ok(None),
+            (None, None) => return Ok(MeasuredArch::default()),
         };
         let circle = self.measured_at.unwrap_or_default();
         let loaded = self.density.clone().zip(self.depth.clone());
-        let measures = Measures::new(circle, radius, loaded);
-        Ok(Some(MeasuredArch { half_opening, measures }))
+        Ok(MeasuredArch { half_opening, measures: Some(Measures::new(circle, radius, loaded)) })
     }
 }

@@ -53,9 +53,10 @@ impl AnswerOutput {
         chosen(&self.quantities, all)
     }
 
-    /// Opens the destination, before any work is done.
-    pub(super) fn open(&self) -> Result<Output, Failure> {
-        self.file.open_for(self.format()?)
+    /// Opens the destination, before any work is done, and tells the format.
+    pub(super) fn open(&self) -> Result<(Output, &'static Format), Failure> {
+        let format = self.format()?;
+        Ok((self.file.open_for(format)?, format))
     }
 }
 
@@ -67,8 +68,12 @@ impl OutputFile {
 
     /// Opens the output for a format, which may be binary.
     pub(super) fn open_for(&self, format: &Format) -> Result<Output, Failure> {
-        if self.output.as_deref().is_none_or(is_standard) {
-            fits_standard_output(format)?;
+        if format.is_binary && !self.is_file() && io::stdout().is_terminal() {
+            let name = format.name;
+            return Err(format!(
+                "refusing to write {name} to a terminal; use --output or redirect"
+            )
+            .into());
         }
         self.open()
     }
@@ -88,8 +93,7 @@ impl OutputFile {
 
     /// The format that the end of the file's name tells, if it has one.
     pub(super) fn by_name(&self, content: Content) -> Result<Option<&'static Format>, Failure> {
-        let named = self.output.as_deref().filter(|path| !is_standard(path));
-        let Some(end) = named.and_then(Path::extension) else { return Ok(None) };
+        let Some(end) = self.path().and_then(Path::extension) else { return Ok(None) };
         let end = end.to_string_lossy();
         let format = Format::of_extension(content, &end);
         format.map(Some).ok_or_else(|| {
@@ -99,9 +103,14 @@ impl OutputFile {
         })
     }
 
+    /// The file named, if that is not standard output.
+    fn path(&self) -> Option<&Path> {
+        self.output.as_deref().filter(|path| !is_standard(path))
+    }
+
     /// Tells whether the output is not standard output.
     pub(super) fn is_file(&self) -> bool {
-        self.output.as_deref().is_some_and(|path| !is_standard(path))
+        self.path().is_some()
     }
 
     /// Tells whether the output is a file that is there.
@@ -118,14 +127,11 @@ pub(super) fn chosen(asked: &[Quantity], all: &[Quantity]) -> Result<Vec<Quantit
     Ok(if asked.is_empty() { all.to_vec() } else { asked })
 }
 
-/// Refuses to write a binary file to a terminal.
-pub(super) fn fits_standard_output(format: &Format) -> Result<(), Failure> {
-    match format.is_binary && io::stdout().is_terminal() {
-        true => Err(Failure::Input(format!(
-            "refusing to write {} to a terminal; use --output or redirect",
-            format.name
-        ))),
-        false => Ok(()),
+/// Refuses a format that cannot hold what is asked for.
+pub(super) fn is_written(what: &str, content: Content, format: &Format) -> Result<(), Failure> {
+    match Format::all(content).any(|one| one.name == format.name) {
+        true => Ok(()),
+        false => Err(format!("{what} is written only as {}", Format::names(content)).into()),
     }
 }
 

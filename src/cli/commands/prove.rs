@@ -1,7 +1,7 @@
 //! `couplet prove`.
 
 use super::notes::each_once;
-use super::output::{Output, OutputFile};
+use super::output::{Output, OutputFile, is_written};
 use crate::check::{read, visible_name};
 use crate::claims::Claim;
 use crate::claims::coq::{self, StateError};
@@ -62,9 +62,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return write_coq(folder, files);
     }
     let format = arguments.file.format(arguments.format, Content::Claims, "text")?;
-    if arguments.index && !Format::all(Content::Index).any(|index| index.name == format.name) {
-        let names = Format::names(Content::Index);
-        return Err(format!("the index is written only as {names}").into());
+    if arguments.index {
+        is_written("the index", Content::Index, format)?;
     }
     let named = each_once(arguments.claims.clone(), String::clone, String::clone);
     let chosen =
@@ -79,16 +78,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .filter(|decision| decision.outcome.is_err())
         .map(|decision| decision.claim.id)
         .collect();
-    let undecided = undecided.join(", ");
     let report = match arguments.index {
         true => Report::Index(Index { decisions }),
         false => Report::Claims(Claims { decisions, show: arguments.show, timed: true }),
     };
     output.write(|out| report.write(format, out))?;
-    match undecided.is_empty() {
-        true => Ok(()),
-        false => Err(Failure::Undecided(format!("not everything was decided: {undecided}"))),
-    }
+    Failure::unless_all("decided", &undecided)
 }
 
 /// The claims: id, place in the paper, statement.

@@ -127,10 +127,5 @@ fn carry_out(plan: &Plan, folder: &mut RunFolder, explained: bool) -> Result<(),
         // A reader of it may be gone.
         let _ = io::stderr().write_all(&tree);
     }
-    match undecided.is_empty() {
-        true => Ok(()),
-        false => {
-            Err(Failure::Undecided(format!("not everything was proved: {}", undecided.join(", "))))
-        }
-    }
+    Failure::unless_all("proved", &undecided)
 }

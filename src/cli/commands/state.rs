@@ -1,13 +1,12 @@
 //! `couplet state`.
 
 use super::arch::{ArchArguments, Missing};
-use super::measures::{self, MeasureArguments, MeasuredArch};
+use super::constants::proved;
+use super::measures::MeasureArguments;
 use super::notes;
 use super::output::AnswerOutput;
 use crate::certify::state::{Balls, measured_state};
-use crate::certify::{
-    CertifiedLandmark, Error, asymmetric_thicknesses, quantities as quantities_of,
-};
+use crate::certify::{Error, asymmetric_thicknesses, quantities as quantities_of};
 use crate::problem::{Arch, Landmark, Quantity};
 use crate::report::{Answer, Answers, Report, Scope};
 use crate::sweep::failure::Failure;
@@ -47,39 +46,37 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let measured = arguments.measures.measured()?;
     let needs = Missing { option: None, example: EXAMPLE };
-    let arches = arguments.arch.arches(&needs, measures::half_opening(measured.as_ref()))?;
-    let all = measures::quantities(&Quantity::STATE, &Quantity::MEASURED_STATE, measured.as_ref());
+    let arches = arguments.arch.arches(&needs, measured.half_opening.as_ref())?;
+    let all = measured.quantities(&Quantity::STATE, &Quantity::MEASURED_STATE);
     let quantities = arguments.output.quantities(&all)?;
     let digits = arguments.arch.digits;
     let frictions = quantities.iter().any(|quantity| quantity.is_friction());
-    notes::frictions(arches.iter().take(1).map(Arch::friction));
-    print(&arguments.output, digits, quantities, || {
-        let answer = |(line, arch): (u64, Arch)| {
-            // Some formats have quadruples, which take more bits than the digits.
-            let found = Balls::Mpfr.state(&arch, digits, frictions);
-            let answer = Answer::state(line, &arch, &found)
-                .with_asymmetric(|| asymmetric_thicknesses(&arch, digits));
-            match &measured {
-                Some(MeasuredArch { measures, .. }) => {
-                    answer.measured(measures.circle(), measured_state(&arch, measures, digits))
-                }
-                None => answer,
+    let answer = |line, arch: &Arch| {
+        // Some formats have quadruples, which take more bits than the digits.
+        let found = Balls::Mpfr.state(arch, digits, frictions);
+        let answer = Answer::state(line, arch, &found)
+            .with_asymmetric(|| asymmetric_thicknesses(arch, digits));
+        match &measured.measures {
+            Some(measures) => {
+                answer.measured(measures.circle(), measured_state(arch, measures, digits))
             }
-        };
-        (1..).zip(arches).map(answer).collect()
-    })
+            None => answer,
+        }
+    };
+    print(&arguments.output, (digits, quantities), &arches, answer)
 }
 
 /// Computes and prints the answers for one arch, or for several.
 pub(super) fn print(
     output: &AnswerOutput,
-    digits: usize,
-    quantities: Vec<Quantity>,
-    answers: impl FnOnce() -> Vec<Answer>,
+    (digits, quantities): (usize, Vec<Quantity>),
+    arches: &[Arch],
+    answer: impl Fn(u64, &Arch) -> Answer,
 ) -> Result<(), Failure> {
-    let (file, format) = (output.open()?, output.format()?);
-    let answers: Vec<Answer> =
-        answers().into_iter().map(|answer| answer.only(&quantities)).collect();
+    notes::frictions(arches.iter().take(1).map(Arch::friction));
+    let (file, format) = output.open()?;
+    let answers = (1..).zip(arches).map(|(line, arch)| answer(line, arch).only(&quantities));
+    let answers: Vec<Answer> = answers.collect();
     let open = answers.iter().find_map(Answer::first_open);
     let scope = if answers.len() == 1 { Scope::Arch } else { Scope::Arches };
     let answers = Answers { scope, digits, quantities, list: answers, kept: Vec::new() };
@@ -88,16 +85,14 @@ pub(super) fn print(
 
 fn at_landmark(landmark: Landmark, arguments: &Arguments) -> Result<(), Failure> {
     let quantities = arguments.output.quantities(&Quantity::LANDMARK)?;
-    let (output, format) = (arguments.output.open()?, arguments.output.format()?);
+    let (output, format) = arguments.output.open()?;
     let digits = arguments.arch.digits;
     let asked: Vec<(Quantity, usize)> = quantities_of(landmark)
         .filter(|quantity| quantities.contains(quantity))
         .map(|quantity| (quantity, digits))
         .collect();
     let answer = |weight| {
-        let point = CertifiedLandmark::new(landmark, weight)?;
-        let constants = point.constants_of(&asked)?;
-        let answer = Answer::landmark((landmark, weight), Ok((&point, constants)));
+        let answer = proved((landmark, weight), &asked, None, &|| ())?;
         Ok(Answer { modes: landmark.modes().to_vec(), ..answer })
     };
     let list: Result<_, Error> = arguments.arch.weight.all().into_iter().map(answer).collect();

@@ -11,7 +11,7 @@ use crate::study::stability;
 use crate::sweep::failure::Failure;
 use clap::{Args, Subcommand};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Duration;
 
 /// Measure error against run time, or digits lost near the limits of the problem.
@@ -121,7 +121,8 @@ impl StudyFolder {
                 )
                 .into());
             }
-            fs::create_dir_all(folder).map_err(|error| cannot_write(folder, &error))?;
+            fs::create_dir_all(folder)
+                .map_err(|error| Failure::writing(folder.display(), &error))?;
         }
         Ok(Self(options.output.clone()))
     }
@@ -139,8 +140,4 @@ impl StudyFolder {
         }
         Ok(())
     }
-}
-
-fn cannot_write(path: &Path, error: &std::io::Error) -> Failure {
-    Failure::writing(path.display(), error)
 }

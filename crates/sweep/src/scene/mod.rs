@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `schema` | what a scene may hold, `couplet.scene/1` |
 //! | `read` | TOML to a valid scene, or all its faults; with `table`, `read_arches`, `read_drawing`, `read_map`, `read_numbers`, `read_output`, `value`, `fault` |
+//! | `map_lines` | which lines a map shows |
 //! | `plan` | what has to be computed, each part once |
 //! | `nodes`, `drawn` | what a part is |
 //! | `run` | computes the parts, item by item: `pieces`; `cost` counts |
@@ -41,6 +42,7 @@ mod hash;
 mod item_report;
 mod left_out;
 mod manifest;
+mod map_lines;
 mod nodes;
 mod pieces;
 mod plan;
@@ -67,6 +69,7 @@ pub use hash::Hashing;
 pub(crate) use hash::hash_of;
 pub use item_report::ItemReport;
 pub use manifest::{Manifest, NAME as MANIFEST};
+pub use map_lines::map_lines;
 pub use nodes::{ArchNode, CurveNode, LandmarkNode, ThicknessNode, Work};
 pub use plan::{Plan, PlannedPart};
 pub use read::{read, read_bytes};

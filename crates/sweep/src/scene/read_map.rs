@@ -1,5 +1,6 @@
 //! Reading from TOML to curves of the map, as data or as a picture.
 
+use super::map_lines::map_lines;
 use super::read_drawing::arch_figure;
 use super::read_numbers::{Meaning, numbers};
 use super::schema::{MAX_ITEMS, MapLine, Request, SceneMap};
@@ -27,7 +28,6 @@ pub(super) fn map(table: &mut TableReader, format: Option<&'static Format>) -> O
     let (weights, curves, contours, bare) = (weights?, curves?, contours?, bare?);
     let (axes, marks) = (axes?, marks?);
     let (tolerance, plane, lines, format) = (tolerance?, plane?, lines?, format?);
-    let is_whole = curves.is_empty() && (contours.is_empty() || format.is_picture || is_page);
     let asked = MapAsked {
         format,
         weights: weights.len(),
@@ -45,9 +45,6 @@ pub(super) fn map(table: &mut TableReader, format: Option<&'static Format>) -> O
     }
     let plane = asked.plane();
     let mut command = command("map", &weights, tolerance);
-    let is_asked = |curve: &Curve| is_whole || curves.contains(curve);
-    let all = Curve::of_weights(&weights).into_iter().filter(|(_, curve)| is_asked(curve));
-    let all = all.map(|(weight, curve)| (weight, MapLine::Curve(curve)));
     let names: Vec<String> = curves.iter().map(ToString::to_string).collect();
     if !names.is_empty() {
         command += &format!(" --curve {}", names.join(","));
@@ -58,11 +55,8 @@ pub(super) fn map(table: &mut TableReader, format: Option<&'static Format>) -> O
     if bare {
         command += " --bare";
     }
-    let is_map = format.is_picture && is_whole && !lines;
-    let contours = match is_map && contours.is_empty() && !bare {
-        true => plane.contours(),
-        false => contours,
-    };
+    let (all, contours) = map_lines(&asked, &weights, &curves, contours.clone());
+    let all = all.into_iter().map(|(weight, curve)| (weight, MapLine::Curve(curve)));
     let levels = weights.iter().flat_map(|weight| {
         contours.iter().map(|contour| (*weight, MapLine::Level(contour.clone())))
     });
