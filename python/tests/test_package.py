@@ -66,7 +66,7 @@ def test_licences_are_in_the_package():
     texts = {name: files[name].locate().read_text(encoding="utf-8") for name in names}
     assert "GMP 6" in texts["LICENCES.txt"] and "MPFR 4" in texts["LICENCES.txt"]
     assert "Lesser General Public License" in texts["LGPL-3.0.md"]
-    for crate in ["pyo3", "rayon", "serde", "astro-float", "num-bigint", "clap"]:
+    for crate in ["pyo3", "rayon", "serde", "astro-float-num", "num-bigint", "clap"]:
         assert f"{crate} " in texts["NOTICES.txt"], crate
     assert "rug 1" not in texts["NOTICES.txt"]
     assert "py.typed" in files and "_core.pyi" in files
