@@ -8,12 +8,11 @@ use super::contacts::{CONTACTS, margin_at, row_at};
 use super::landmarks::certain_if;
 use super::letters::{ring, variables, with};
 use super::modes::SEVEN_MODES;
-use super::{Claim, Derivation, Finding, Support, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, Support, claim, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{
     Configuration, SelfWeight, Unknown, contact, overturning, sliding, statics, thrust,
 };
-use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Enclosure, Field, Ternary};
 use crate::problem::{Condition, Examined, Fixed, Landmark, Mode};
 use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint};
@@ -36,7 +35,7 @@ pub(super) const CLAIMS: &[Claim] = &[
 ];
 
 /// Every condition of every mode that meets at a landmark, but for those that are zero by its equations.
-fn conditions_hold(d: &mut Derivation, point: Landmark) -> Result<(), Undecided> {
+fn conditions_hold(d: &mut Derivation, point: Landmark) -> Proof {
     for weight in SelfWeight::ALL {
         let at = landmark(point, weight)?;
         let turned = turned(&at);
@@ -72,7 +71,7 @@ fn turned(at: &Configuration<Ball>) -> Configuration<Ball> {
     }
 }
 
-fn landmarks_stand(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn landmarks_stand(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&CONTACTS])?;
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
     let (h, mu) = (Symbol::Thrust.number(), Symbol::Friction.number());
@@ -115,7 +114,7 @@ fn landmarks_stand(d: &mut Derivation) -> Result<Finding, Undecided> {
     })
 }
 
-fn landmarks_without_thrust_stand(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn landmarks_without_thrust_stand(d: &mut Derivation) -> Proof<Finding> {
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
     let h = Symbol::Thrust.number();
     let (none, two) = (h.int(0), h.int(2));
@@ -172,7 +171,7 @@ fn motions() -> [MotionRates; 4] {
     ]
 }
 
-fn four_mechanisms_at_t(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn four_mechanisms_at_t(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&SEVEN_MODES])?;
     let [turns, shoulder, inner, slides] = motions();
     let (a, ratio) = (shoulder[4].clone(), turns[2].clone());
@@ -215,7 +214,7 @@ fn four_mechanisms_at_t(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn one_joint_rotates_and_slides(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn one_joint_rotates_and_slides(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&SEVEN_MODES])?;
     for weight in SelfWeight::ALL {
         let (name, at) = (weight.name(), landmark(Landmark::Shift, weight)?);

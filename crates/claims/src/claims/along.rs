@@ -5,6 +5,7 @@
 //! grows and the thrust falls, on the sliding one the thrust falls and the friction grows. So the
 //! states at the two ends of a range bound all states between.
 
+use super::Proof;
 use crate::arch::{Configuration, Ring, SelfWeight, overturning, sliding, statics, thrust};
 use crate::certify::state::{Certify, Outcome, State};
 use crate::certify::{CertifiedLandmark, Undecided};
@@ -28,12 +29,12 @@ pub(super) struct CurveStates {
     rotation: Option<(Ball, Ball)>,
 }
 
-fn arch(weight: SelfWeight, alpha: &Rational) -> Result<Arch, Undecided> {
+fn arch(weight: SelfWeight, alpha: &Rational) -> Proof<Arch> {
     Arch::new(weight, ExactNumber::from(alpha), Friction::Infinite)
         .map_err(|e| Undecided::new(e.to_string()))
 }
 
-fn state(weight: SelfWeight, alpha: &Rational) -> Result<State, Undecided> {
+fn state(weight: SelfWeight, alpha: &Rational) -> Proof<State> {
     match arch(weight, alpha)?.state_alone(BITS) {
         Ok(Outcome::Stands(state)) => Ok(*state),
         Ok(Outcome::Falls(_)) => Err(Undecided::new(format!("no arch of {alpha} stands"))),
@@ -42,16 +43,13 @@ fn state(weight: SelfWeight, alpha: &Rational) -> Result<State, Undecided> {
 }
 
 /// A landmark's variables.
-pub(super) fn landmark(
-    landmark: Landmark,
-    weight: SelfWeight,
-) -> Result<Configuration<Ball>, Undecided> {
+pub(super) fn landmark(landmark: Landmark, weight: SelfWeight) -> Proof<Configuration<Ball>> {
     Ok(CertifiedLandmark::new(landmark, weight)?.enclosure(BITS)?.configuration().clone())
 }
 
 impl CurveStates {
     /// The purely rotational state.
-    pub(super) fn rotational(weight: SelfWeight, alpha: &Rational) -> Result<Self, Undecided> {
+    pub(super) fn rotational(weight: SelfWeight, alpha: &Rational) -> Proof<Self> {
         let state = state(weight, alpha)?;
         if state.mode != Mode::Rotational {
             return Err(Undecided::new(format!("the state of {alpha} is not purely rotational")));
@@ -65,7 +63,7 @@ impl CurveStates {
     }
 
     /// The purely sliding state, which does not depend on the weight.
-    pub(super) fn sliding(alpha: &Rational) -> Result<Self, Undecided> {
+    pub(super) fn sliding(alpha: &Rational) -> Proof<Self> {
         let weight = SelfWeight::Heyman;
         let friction = arch(weight, alpha)?
             .sliding_friction(BITS)
@@ -82,7 +80,7 @@ impl CurveStates {
     }
 
     /// States between two, all of them.
-    pub(super) fn up_to(&self, other: &Self) -> Result<Self, Undecided> {
+    pub(super) fn up_to(&self, other: &Self) -> Proof<Self> {
         let rotation = match (&self.rotation, &other.rotation) {
             (Some(a), Some(b)) => Some((a.0.hull(&b.0), a.1.hull(&b.1))),
             _ => None,
@@ -125,7 +123,7 @@ impl CurveStates {
     }
 
     /// Along rotation, `d/d eta` of the friction of the shoulder less that of an inner joint.
-    pub(super) fn friction_gap_slope(&self) -> Result<Ball, Undecided> {
+    pub(super) fn friction_gap_slope(&self) -> Proof<Ball> {
         let (thickness, joint) =
             self.rotation.clone().ok_or_else(|| Undecided::new("no rotational state"))?;
         let ring = Ring::new(self.weight, &Dual::variable(thickness, 0));
@@ -158,9 +156,9 @@ impl CurveStates {
 /// and has to speak for all states between.
 pub(super) fn on_all(
     (low, high): (&Rational, &Rational),
-    state: &dyn Fn(&Rational) -> Result<CurveStates, Undecided>,
+    state: &dyn Fn(&Rational) -> Proof<CurveStates>,
     holds: &dyn Fn(&CurveStates, &CurveStates) -> Ternary,
-) -> Result<Ternary, Undecided> {
+) -> Proof<Ternary> {
     let mut open = vec![((low.clone(), state(low)?), (high.clone(), state(high)?), 0)];
     while let Some((left, right, depth)) = open.pop() {
         match holds(&left.1, &right.1) {
@@ -180,24 +178,24 @@ pub(super) fn on_all(
 /// Tells whether `holds` is proved on a range: it is asked with all states between those at the ends of each part.
 pub(super) fn on_parts(
     range: (&Rational, &Rational),
-    state: &dyn Fn(&Rational) -> Result<CurveStates, Undecided>,
+    state: &dyn Fn(&Rational) -> Proof<CurveStates>,
     holds: &dyn Fn(&CurveStates) -> Ternary,
-) -> Result<Ternary, Undecided> {
+) -> Proof<Ternary> {
     on_all(range, state, &|a, b| a.up_to(b).map_or(Ternary::Undecided, |all| holds(&all)))
 }
 
 /// Multiples of `1/scale` around a value, a little apart from it.
-pub(super) fn around(value: &Ball, scale: i32) -> Result<(Rational, Rational), Undecided> {
+pub(super) fn around(value: &Ball, scale: i32) -> Proof<(Rational, Rational)> {
     let low = multiple(value, scale)?;
     Ok((Rational::from((low - 1, scale)), Rational::from((low + 2, scale))))
 }
 
 /// A multiple of `1/scale` close below a value.
-pub(super) fn below(value: &Ball, scale: i32) -> Result<Rational, Undecided> {
+pub(super) fn below(value: &Ball, scale: i32) -> Proof<Rational> {
     Ok(Rational::from((multiple(value, scale)? - 1, scale)))
 }
 
-fn multiple(value: &Ball, scale: i32) -> Result<i32, Undecided> {
+fn multiple(value: &Ball, scale: i32) -> Proof<i32> {
     let scaled = (value.clone() * value.int(scale)).lower();
     let integer = scaled.floor().to_integer().and_then(|n| n.to_i32());
     integer.ok_or_else(|| Undecided::new("an unbounded landmark"))

@@ -7,7 +7,7 @@
 
 use super::letters::ring;
 use super::uniqueness::ONE_THICKNESS;
-use super::{Claim, Derivation, Finding, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, claim, lemmas};
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
 use crate::arch::joint::Grip;
@@ -63,7 +63,7 @@ fn balance(motion: &WholeMotion<Fraction>, at: &Asymmetric<Fraction>) -> [Fracti
     [left, sum]
 }
 
-fn motion(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn motion(d: &mut Derivation) -> Proof<Finding> {
     use AsymmetricMode::{InnerSliding, ShoulderOpening, ShoulderSliding};
     let (at, free) = (variables(), Relations::none());
     let (eta, none) = (at.thickness.clone(), at.thickness.int(0));
@@ -121,7 +121,7 @@ const DIGITS: usize = 12;
 /// The least thickness of an arch, and that of its asymmetric solution of a kind.
 fn thicknesses(
     (weight, alpha, mu, mode): (SelfWeight, &str, &str, AsymmetricMode),
-) -> Result<[Ball; 2], Undecided> {
+) -> Proof<[Ball; 2]> {
     let arch = Arch::parse(weight.name(), alpha, mu);
     let arch = arch.map_err(|error| Undecided::new(error.to_string()))?;
     let least = match arch.state(BITS) {
@@ -133,7 +133,7 @@ fn thicknesses(
     Ok([least, at.thickness])
 }
 
-fn unique(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn unique(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&ONE_THICKNESS, &ASYMMETRIC_MOTION])?;
     let mut examples = Vec::new();
     for witness in WITNESSES {

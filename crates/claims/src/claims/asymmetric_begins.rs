@@ -7,7 +7,7 @@
 
 use super::along::landmark;
 use super::asymmetric::ASYMMETRIC_MOTION;
-use super::{Claim, Derivation, Finding, Support, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, Support, claim, lemmas};
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
 use crate::arch::joint::Grip;
@@ -101,7 +101,7 @@ impl Form<Ball> for BeginEquations {
 
 impl Edge {
     /// The unknowns at T, where the edge ends, and its half opening in degrees, rounded up.
-    fn end(self) -> Result<(Vec<Float>, Rational), Undecided> {
+    fn end(self) -> Proof<(Vec<Float>, Rational)> {
         let at = landmark(Landmark::Triple, self.weight)?;
         let moment =
             at.thrust.clone() * (at.thickness.clone() / at.thrust.int(2) + at.thrust.int(1));
@@ -120,12 +120,7 @@ impl Edge {
 
     /// Tells whether the mechanism exists (or not) at every half opening between two, in degrees; `start` are
     /// the unknowns next to the larger one, and next to the smaller one in the end.
-    fn is_so(
-        self,
-        exists: bool,
-        [low, high]: [Rational; 2],
-        start: &mut Vec<Float>,
-    ) -> Result<(), Undecided> {
+    fn is_so(self, exists: bool, [low, high]: [Rational; 2], start: &mut Vec<Float>) -> Proof {
         let mut open = vec![(low, high, 0)];
         while let Some((low, high, depth)) = open.pop() {
             match self.tells(exists, [&low, &high], start) {
@@ -147,7 +142,7 @@ impl Edge {
         exists: bool,
         [low, high]: [&Rational; 2],
         start: &[Float],
-    ) -> Result<Vec<Float>, Undecided> {
+    ) -> Proof<Vec<Float>> {
         let degrees = between(low, high).with_precision(BITS);
         let half_opening = degrees.pi() * degrees / Ball::integer(180, BITS);
         let equations = BeginEquations { edge: self, half_opening };
@@ -164,7 +159,7 @@ impl Edge {
     }
 
     /// Proves that the mechanism begins where it is said to, from 90° on up to T.
-    fn proved(self) -> Result<(), Undecided> {
+    fn proved(self) -> Proof {
         let (mut start, end) = self.end()?;
         let [fails, holds] = self.begins.map(|hundredths| Rational::from((hundredths, 100)));
         self.is_so(true, [holds, end], &mut start)?;
@@ -173,12 +168,12 @@ impl Edge {
 }
 
 /// Results of deciding whether each edge is as said, decided once.
-fn decided() -> &'static [Result<(), Undecided>] {
-    static DECIDED: OnceLock<Vec<Result<(), Undecided>>> = OnceLock::new();
+fn decided() -> &'static [Proof] {
+    static DECIDED: OnceLock<Vec<Proof>> = OnceLock::new();
     DECIDED.get_or_init(|| EDGES.iter().map(|edge| edge.proved()).collect())
 }
 
-fn begins(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn begins(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&ASYMMETRIC_MOTION])?;
     for (edge, decided) in EDGES.iter().zip(decided()) {
         let Edge { weight, mode, begins } = edge;

@@ -7,7 +7,7 @@
 //! `alpha²` begins with `2 u`, so that it can be reverted.
 
 use super::landmarks::both;
-use super::{Claim, Derivation, Finding, claim};
+use super::{Claim, Derivation, Finding, Proof, claim};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::certify::Undecided;
 use crate::number::{Dual, ExactField, Field};
@@ -45,7 +45,7 @@ pub(super) fn check_states<T: ExactField + ToString>(
     weight: SelfWeight,
     [joint_squared, thickness, thrust]: [&Series<T>; 3],
     a: &Series<T>,
-) -> Result<(), Undecided> {
+) -> Proof {
     let ring = Ring::new(weight, thickness);
     let lower = thrust::lower(&expansion::joint(joint_squared), &ring);
     let tangency = thrust::tangency(&expansion::times_cotangent(joint_squared), &ring);
@@ -55,7 +55,7 @@ pub(super) fn check_states<T: ExactField + ToString>(
     d.vanishes("(4)", &(opening - a))
 }
 
-fn small_openings(d: &mut Derivation, weight: SelfWeight) -> Result<Finding, Undecided> {
+fn small_openings(d: &mut Derivation, weight: SelfWeight) -> Proof<Finding> {
     d.assume("y = alpha^2, small");
     let ByOpening { joint_squared, thickness, thrust } =
         expansion::by_opening(weight, TERMS).ok_or_else(unsettled)?;
@@ -91,7 +91,7 @@ fn small_openings(d: &mut Derivation, weight: SelfWeight) -> Result<Finding, Und
     Ok(Finding::Implicit)
 }
 
-fn difference(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn difference(d: &mut Derivation) -> Proof<Finding> {
     d.assume("y = alpha^2, small");
     let series = |weight| expansion::by_opening(weight, TERMS).ok_or_else(unsettled);
     let [heyman, milankovitch] = both(series)?;
@@ -114,7 +114,7 @@ fn begins_with(
     series: &Series<Rational>,
     power: i32,
     leading: (i32, i32),
-) -> Result<(), Undecided> {
+) -> Proof {
     let found = Rational::from(series.valuation());
     d.equal(format!("{name}: the first power of y"), &found, &Rational::from(power))?;
     let found = series.coefficient(power);

@@ -11,9 +11,9 @@
 use super::along::{CurveStates, around, below, landmark, on_parts};
 use super::map_of_weights::{LINES_RISE, WHERE_THE_SHOULDER_TURNS};
 use super::measured::MeasuredBounds;
-use super::{Claim, Derivation, Finding, Support, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, Support, claim, lemmas};
 use crate::arch::{Ring, SelfWeight, sliding, thrust};
-use crate::certify::{Undecided, between};
+use crate::certify::between;
 use crate::number::{Angle, Ball, Enclosure, Field};
 use crate::problem::Landmark;
 use crate::symbolic::{Letters, Symbol};
@@ -48,7 +48,7 @@ fn slopes(at: &CurveStates) -> SlidingSlopes {
     SlidingSlopes { a: part(0), c: part(1), friction }
 }
 
-fn equation(d: &mut Derivation) -> Result<(), Undecided> {
+fn equation(d: &mut Derivation) -> Proof {
     let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
     let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
     let ring = Ring::with_flag(&delta, &eta);
@@ -59,7 +59,7 @@ fn equation(d: &mut Derivation) -> Result<(), Undecided> {
     d.identity(words, &third, -(sum * alpha.versine() * h.int(2)))
 }
 
-fn divide_deviates(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn divide_deviates(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&LINES_RISE, &WHERE_THE_SHOULDER_TURNS])?;
     equation(d)?;
     let (eta, c) = (Symbol::Thickness.number(), Symbol::F.number());
@@ -110,7 +110,7 @@ fn divide_deviates(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn slope_at_the_border(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn slope_at_the_border(d: &mut Derivation) -> Proof<Finding> {
     equation(d)?;
     let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
     let factor = Ring::with_flag(&delta, &eta).centroid_factor;

@@ -1,6 +1,6 @@
 //! A claim, what decides it and what comes out, and how the proof of one uses others.
 
-use super::derivation::{Derivation, Support};
+use super::derivation::{Derivation, Proof, Support};
 use crate::certify::Undecided;
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
@@ -18,7 +18,7 @@ pub struct Claim {
     decide: Decide,
 }
 
-type Decide = fn(&mut Derivation) -> Result<Finding, Undecided>;
+type Decide = fn(&mut Derivation) -> Proof<Finding>;
 
 /// Finding of a completed derivation on the statement.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -55,7 +55,7 @@ pub struct Decision {
     /// The claim.
     pub claim: Claim,
     /// The finding, or why there is none.
-    pub outcome: Result<Finding, Undecided>,
+    pub outcome: Proof<Finding>,
     /// The steps, as far as they went.
     pub derivation: Derivation,
     /// Time that it took.
@@ -91,10 +91,7 @@ impl Claim {
 }
 
 /// Uses claims in the proof of another, which are decided too. One that does not hold as it is stated cannot be used.
-pub(super) fn lemmas<const N: usize>(
-    d: &mut Derivation,
-    claims: [&Claim; N],
-) -> Result<(), Undecided> {
+pub(super) fn lemmas<const N: usize>(d: &mut Derivation, claims: [&Claim; N]) -> Proof {
     for claim in claims {
         d.use_claim(format!("{}: {}", claim.id, claim.statement), used(claim)?);
     }
@@ -102,8 +99,8 @@ pub(super) fn lemmas<const N: usize>(
 }
 
 /// Supports of a claim that is used, if it holds as it is stated; each is decided once in a process.
-fn used(claim: &Claim) -> Result<Vec<Support>, Undecided> {
-    type Used = Result<Vec<Support>, Undecided>;
+fn used(claim: &Claim) -> Proof<Vec<Support>> {
+    type Used = Proof<Vec<Support>>;
     static KNOWN: Mutex<BTreeMap<&str, Used>> = Mutex::new(BTreeMap::new());
     let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some(used) = known().get(claim.id) {

@@ -2,10 +2,9 @@
 
 use super::letters::with;
 use super::sign::{AngleSigns, NotNegative, Positive, RingSigns};
-use super::{Claim, Derivation, Finding, claim};
+use super::{Claim, Derivation, Finding, Proof, claim};
 use crate::arch::cubic::{self, Abbreviations};
 use crate::arch::{Quotient, Ring, overturning, thrust};
-use crate::certify::Undecided;
 use crate::number::Field;
 use crate::symbolic::{Elimination, Fraction, Letters, Polynomial, Symbol};
 use crate::symbolic::{along_the_joint, eliminate};
@@ -40,7 +39,7 @@ fn polynomial(fraction: &Fraction) -> Polynomial {
     fraction.as_polynomial().expect("an equation without denominators").clone()
 }
 
-fn abbreviations(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn abbreviations(d: &mut Derivation) -> Proof<Finding> {
     let joint = Symbol::joint();
     let Abbreviations { sin, f, g } = cubic::abbreviations(&joint);
     let product = joint.rad.clone() * &sin;
@@ -52,7 +51,7 @@ fn abbreviations(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn in_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn in_thickness(d: &mut Derivation) -> Proof<Finding> {
     let (joint, eta, delta) = (Symbol::joint(), Symbol::Thickness.number(), Symbol::Flag.number());
     let ring = Ring::with_flag(&delta, &eta);
     assume_denominators(d);
@@ -89,7 +88,7 @@ struct Reduced {
     tangent: Fraction,
 }
 
-fn reduced(d: &mut Derivation) -> Result<Reduced, Undecided> {
+fn reduced(d: &mut Derivation) -> Proof<Reduced> {
     let (eta, h, delta) =
         (Symbol::Thickness.number(), Symbol::Thrust.number(), Symbol::Flag.number());
     let ring = Ring::with_flag(&delta, &eta);
@@ -114,7 +113,7 @@ fn reduced(d: &mut Derivation) -> Result<Reduced, Undecided> {
     Ok(free)
 }
 
-fn in_opening_variable(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn in_opening_variable(d: &mut Derivation) -> Proof<Finding> {
     let (a, eta) = (Symbol::OpeningVariable.number(), Symbol::Thickness.number());
     let delta = Symbol::Flag.number();
     assume_denominators(d);
@@ -163,7 +162,7 @@ fn in_opening_variable(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn in_thrust(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn in_thrust(d: &mut Derivation) -> Proof<Finding> {
     let (h, delta) = (Symbol::Thrust.number(), Symbol::Flag.number());
     assume_denominators(d);
     let free = reduced(d)?;
@@ -207,7 +206,7 @@ fn in_thrust(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn denominators(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn denominators(d: &mut Derivation) -> Proof<Finding> {
     let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
     let opening = Symbol::OpeningVariable.number();
     let [positive_opening] = Positive::given(d, "A > 0", [&opening]);

@@ -18,9 +18,8 @@
 
 use super::letters::ring;
 use super::sign::{AngleSigns, Positive, RingSigns};
-use super::{Claim, Derivation, Finding, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, claim, lemmas};
 use crate::arch::{Ring, cubic, overturning, thrust};
-use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Dual, Field, Real};
 use crate::problem::Mode;
 use crate::symbolic::{Fraction, Letters, Symbol, along_the_joint, along_the_opening};
@@ -74,7 +73,7 @@ fn cubic_in_thickness() -> Fraction {
     )
 }
 
-fn one_joint_for_each_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn one_joint_for_each_thickness(d: &mut Derivation) -> Proof<Finding> {
     let (joint, ring) = (Symbol::joint(), ring());
     let (eta, delta, p) = (&ring.thickness, Symbol::Flag.number(), cubic_in_thickness());
     let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
@@ -114,7 +113,7 @@ fn one_joint_for_each_thickness(d: &mut Derivation) -> Result<Finding, Undecided
     Ok(Finding::Implicit)
 }
 
-fn two_thicknesses_for_each_joint(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn two_thicknesses_for_each_joint(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&ONE_JOINT_FOR_EACH_THICKNESS])?;
     let joint = Symbol::joint();
     let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
@@ -142,7 +141,7 @@ fn two_thicknesses_for_each_joint(d: &mut Derivation) -> Result<Finding, Undecid
 }
 
 /// Thicker states are wider and carry less thrust.
-fn states_in_order(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn states_in_order(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&ONE_JOINT_FOR_EACH_THICKNESS])?;
     let (joint, ring) = (Symbol::joint(), ring());
     let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
@@ -196,7 +195,7 @@ fn states_in_order(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 /// At one thickness a larger `delta_M` means a smaller half opening and a smaller thrust.
-fn states_of_one_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn states_of_one_thickness(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&STATES_IN_ORDER])?;
     let (joint, ring) = (Symbol::joint(), ring());
     let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
@@ -238,7 +237,7 @@ fn states_of_one_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 /// `d beta/d alpha = 0` exactly at the double root, which is the widest joint.
-fn widest_joint(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn widest_joint(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&ONE_JOINT_FOR_EACH_THICKNESS, &TWO_THICKNESSES_FOR_EACH_JOINT, &STATES_IN_ORDER])?;
     // The two equations that define the landmark `sb` besides (4): p and its derivative, up to 3 S.
     let (joint, ring) = (Symbol::joint(), ring());

@@ -6,6 +6,9 @@ use crate::symbolic::{Fraction, Notation, Polynomial, Relations, Series, Symbol}
 use rug::Rational;
 use std::borrow::Borrow;
 
+/// What a proof gives, or why nothing is proved.
+pub(super) type Proof<T = ()> = Result<T, Undecided>;
+
 /// A formula in both notations.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -250,7 +253,7 @@ impl Derivation {
         words: impl Into<String>,
         left: impl Borrow<Fraction>,
         right: impl Borrow<Fraction>,
-    ) -> Result<(), Undecided> {
+    ) -> Proof {
         self.identity_under(words, left, right, &Relations::none())
     }
 
@@ -260,7 +263,7 @@ impl Derivation {
         words: impl Into<String>,
         left: impl Borrow<Fraction>,
         right: impl Borrow<Fraction>,
-    ) -> Result<(), Undecided> {
+    ) -> Proof {
         self.identity_under(words, left, right, &Relations::trigonometric())
     }
 
@@ -271,7 +274,7 @@ impl Derivation {
         left: impl Borrow<Fraction>,
         right: impl Borrow<Fraction>,
         relations: &Relations,
-    ) -> Result<(), Undecided> {
+    ) -> Proof {
         let right = right.borrow();
         self.identity_as(words, left.borrow(), right, relations, right.into())
     }
@@ -284,7 +287,7 @@ impl Derivation {
         right: &Fraction,
         relations: &Relations,
         shown: Formula,
-    ) -> Result<(), Undecided> {
+    ) -> Proof {
         let words = words.into();
         let left = if self.twin(Twin::Coefficient) { false_twin(left) } else { left.clone() };
         if [&left, right].iter().any(|x| relations.normal_form(x.denominator()).is_zero()) {
@@ -305,7 +308,7 @@ impl Derivation {
         words: impl Into<String>,
         left: &T,
         right: &T,
-    ) -> Result<(), Undecided> {
+    ) -> Proof {
         let words = words.into();
         let left = if self.twin(Twin::Value) { left.int(1) + left } else { left.clone() };
         if !(left.clone() - right).is_zero() {
@@ -325,7 +328,7 @@ impl Derivation {
         words: &str,
         left: &T,
         right: &T,
-    ) -> Result<String, Undecided> {
+    ) -> Proof<String> {
         let left = if self.twin(Twin::Value) { right.clone() } else { left.clone() };
         if (left.clone() - right).is_zero() {
             return Err(Undecided::new(format!("{words}: both are {}", right.to_string())));
@@ -346,11 +349,7 @@ impl Derivation {
     }
 
     /// Checks that a series vanishes to the order to which it is known.
-    pub fn vanishes<T: ExactField + ToString>(
-        &mut self,
-        words: &str,
-        series: &Series<T>,
-    ) -> Result<(), Undecided> {
+    pub fn vanishes<T: ExactField + ToString>(&mut self, words: &str, series: &Series<T>) -> Proof {
         let spoiled = self.twin(Twin::Coefficient);
         let series = if spoiled { series.int(1) + series } else { series.clone() };
         let (valuation, order) = (series.valuation(), series.order());
@@ -372,48 +371,31 @@ impl Derivation {
         support: Support,
         words: impl Into<String>,
         [input, elsewhere]: [X; 2],
-        holds: impl FnOnce(X) -> Result<Ternary, Undecided>,
-    ) -> Result<(), Undecided> {
+        holds: impl FnOnce(X) -> Proof<Ternary>,
+    ) -> Proof {
         let input = if self.twin(Twin::Input) { elsewhere } else { input };
         self.decided(support, words.into(), holds(input)?)
     }
 
     /// Checks that one number is less than another. Its false twin exchanges them.
-    pub fn less(
-        &mut self,
-        words: impl Into<String>,
-        [less, more]: [&Ball; 2],
-    ) -> Result<(), Undecided> {
+    pub fn less(&mut self, words: impl Into<String>, [less, more]: [&Ball; 2]) -> Proof {
         let sides = if self.twin(Twin::Sides) { [more, less] } else { [less, more] };
         self.decided(Support::Balls, words.into(), sides[0].is_less_than(sides[1]))
     }
 
     /// Checks that a number is positive. Its false twin is the same number at another input, where it is not.
-    pub fn above_zero(
-        &mut self,
-        words: impl Into<String>,
-        values: [&Ball; 2],
-    ) -> Result<(), Undecided> {
+    pub fn above_zero(&mut self, words: impl Into<String>, values: [&Ball; 2]) -> Proof {
         self.certain(Support::Balls, words, values, |value| Ok(value.is_positive()))
     }
 
     /// Notes what was proved elsewhere about a whole curve or area. Its false twin has nothing but the other verdict.
-    pub fn proved_elsewhere(
-        &mut self,
-        words: impl Into<String>,
-        is_proved: bool,
-    ) -> Result<(), Undecided> {
+    pub fn proved_elsewhere(&mut self, words: impl Into<String>, is_proved: bool) -> Proof {
         let is_proved = is_proved != self.twin(Twin::Verdict);
         let truth = if is_proved { Ternary::True } else { Ternary::Undecided };
         self.decided(Support::Balls, words.into(), truth)
     }
 
-    fn decided(
-        &mut self,
-        support: Support,
-        words: String,
-        truth: Ternary,
-    ) -> Result<(), Undecided> {
+    fn decided(&mut self, support: Support, words: String, truth: Ternary) -> Proof {
         match truth {
             Ternary::True => {
                 self.push(support, words, None);
@@ -430,7 +412,7 @@ impl Derivation {
         words: &str,
         (low, high): (&Rational, &Rational),
         value: impl Fn(&Ball) -> Ball,
-    ) -> Result<(), Undecided> {
+    ) -> Proof {
         let negated = self.twin(Twin::Sign);
         let holds = |x: &Ball| {
             let value = value(x);

@@ -4,9 +4,8 @@ use super::along;
 use super::landmarks::{both, state_of};
 use super::measured::MeasuredBounds;
 use super::same_opening::DIFFERENCES_GROW;
-use super::{Claim, Derivation, Finding, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, claim, lemmas};
 use crate::arch::Unknown;
-use crate::certify::Undecided;
 use crate::certify::state::State;
 use crate::number::{Ball, Field};
 use crate::problem::Landmark;
@@ -60,7 +59,7 @@ fn note(
     place: &str,
     (alpha, friction): (&str, Option<&str>),
     variables: &[MovedVariable],
-) -> Result<(), Undecided> {
+) -> Proof {
     let [heyman, milankovitch] = both(|weight| state_of(alpha, friction, weight))?;
     for (name, is_larger, value) in variables {
         let percent = percent([value(&heyman), value(&milankovitch)], *is_larger);
@@ -75,7 +74,7 @@ fn largest(
     bounds: &mut MeasuredBounds,
     openings: &[&str],
     variables: &[MovedVariable],
-) -> Result<(), Undecided> {
+) -> Proof {
     lemmas(d, [&DIFFERENCES_GROW])?;
     for alpha in openings {
         let place = format!("mu = inf, up to alpha = {alpha}");
@@ -91,7 +90,7 @@ fn at(
     bounds: &mut MeasuredBounds,
     arch: (&str, Option<&str>),
     variables: &[MovedVariable],
-) -> Result<(), Undecided> {
+) -> Proof {
     let place = format!("mu = {}, at alpha = {}", arch.1.unwrap_or("inf"), arch.0);
     note(d, bounds, &place, arch, variables)
 }
@@ -109,7 +108,7 @@ const AT_LANDMARKS: &[(Landmark, Unknown, bool)] = &[
     (Landmark::Border, Unknown::Friction, false),
 ];
 
-fn at_landmarks(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn at_landmarks(d: &mut Derivation) -> Proof<Finding> {
     let mut bounds = MeasuredBounds::default();
     for (landmark, unknown, is_larger) in AT_LANDMARKS {
         let [heyman, milankovitch] = both(|weight| along::landmark(*landmark, weight))?;

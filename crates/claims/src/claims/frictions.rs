@@ -7,9 +7,8 @@
 use super::along::{CurveStates, around, below, landmark, on_all};
 use super::curve::STATES_IN_ORDER;
 use super::letters::{ring, term};
-use super::{Claim, Derivation, Finding, Support, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, Support, claim, lemmas};
 use crate::arch::{Ring, SelfWeight, overturning, sliding, statics, thrust};
-use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Enclosure, Field, Surd};
 use crate::problem::Landmark;
 use crate::symbolic::{Letters, Relations, Symbol, along_the_joint, along_the_opening};
@@ -62,7 +61,7 @@ pub(super) const ROTATION_MEETS_SLIDING: Claim = claim("map-T", "Sec. 2.2, 3", o
     );
 
 /// Change of (17) and (18) with the half opening and the thrust.
-fn friction_slopes(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn friction_slopes(d: &mut Derivation) -> Proof<Finding> {
     let (alpha, joint, h) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thrust.number());
     let shoulder = sliding::shoulder(&alpha, &h).value();
     let normal = statics::normal_force(&alpha, &h).square();
@@ -90,7 +89,7 @@ fn friction_slopes(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 /// `mu_is` is unbounded for small thrusts.
-fn friction_of_small_thrust(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn friction_of_small_thrust(d: &mut Derivation) -> Proof<Finding> {
     let joint = Symbol::joint();
     let none = joint.rad.int(0);
     let shear = statics::shear_force(&joint, &none);
@@ -104,7 +103,7 @@ fn friction_of_small_thrust(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::Implicit)
 }
 
-fn sliding_states_in_order(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn sliding_states_in_order(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&SLOPES_OF_FRICTION, &FRICTION_OF_SMALL_THRUST])?;
     let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
     let numerator = -statics::shear_force(&alpha, &h);
@@ -121,7 +120,7 @@ fn sliding_states_in_order(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 /// `h <= 1/(4 mu²)` where an inner joint slides.
-fn thrust_of_large_friction(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn thrust_of_large_friction(d: &mut Derivation) -> Proof<Finding> {
     let (joint, h) = (Symbol::joint(), Symbol::Thrust.number());
     let (shear, normal) = (statics::shear_force(&joint, &h), statics::normal_force(&joint, &h));
     d.identity(
@@ -147,7 +146,7 @@ fn thrust_of_large_friction(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::Implicit)
 }
 
-fn sliding_thrust_goes_flatly_to_zero(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn sliding_thrust_goes_flatly_to_zero(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&THRUST_OF_LARGE_FRICTION])?;
     let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
     let cotangent = alpha.cos.clone() / &alpha.sin;
@@ -163,7 +162,7 @@ fn sliding_thrust_goes_flatly_to_zero(d: &mut Derivation) -> Result<Finding, Und
     Ok(Finding::AsPrinted)
 }
 
-fn dividing_lines_tend_to_the_end_of_rotation(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn dividing_lines_tend_to_the_end_of_rotation(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&THRUST_OF_LARGE_FRICTION])?;
     let (ring, eta) = (ring(), Symbol::Thickness.number());
     let limit = thrust::tangency(&eta.int(1), &ring);
@@ -187,7 +186,7 @@ fn dividing_lines_tend_to_the_end_of_rotation(d: &mut Derivation) -> Result<Find
 }
 
 /// `M` and `m` grow along rotation.
-fn frictions_grow(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn frictions_grow(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&SLOPES_OF_FRICTION, &STATES_IN_ORDER, &FRICTION_OF_SMALL_THRUST])?;
     let alpha = Symbol::half_opening();
     let Angle { rad, sin, cos } = alpha.clone();
@@ -228,7 +227,7 @@ fn frictions_grow(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 /// `M > m` for `alpha <= 1/2`, from Taylor's theorem.
-fn small_openings(d: &mut Derivation) -> Result<(), Undecided> {
+fn small_openings(d: &mut Derivation) -> Proof {
     // A >= 2 - alpha²/5, times 1 - cos.
     let versine = term(1, 2, 2) - term(1, 24, 4) + term(1, 720, 6);
     let sine = term(1, 1, 1) - term(1, 6, 3);
@@ -262,7 +261,7 @@ fn small_openings(d: &mut Derivation) -> Result<(), Undecided> {
 }
 
 /// `M > m` before `T` and `M < m` beyond.
-fn order_of_frictions(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn order_of_frictions(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&SLOPES_OF_FRICTION, &FRICTION_FOR_ROTATION_GROWS])?;
     small_openings(d)?;
     for weight in SelfWeight::ALL {

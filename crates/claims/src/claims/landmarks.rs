@@ -2,7 +2,7 @@
 
 use super::along::landmark;
 use super::letters::{ring, variables};
-use super::{Claim, Derivation, Finding, Support, claim};
+use super::{Claim, Derivation, Finding, Proof, Support, claim};
 use crate::arch::{Ring, SelfWeight, Unknown, contact, overturning, sliding, statics, thrust};
 use crate::certify::Undecided;
 use crate::certify::state::{Certify, Outcome, State};
@@ -33,7 +33,7 @@ pub(super) fn certain_if(holds: bool) -> Ternary {
     if holds { Ternary::True } else { Ternary::Undecided }
 }
 
-fn triple_point(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn triple_point(d: &mut Derivation) -> Proof<Finding> {
     let (at, ring) = (variables(), ring());
     let upper = thrust::upper(&at.half_opening, &at.rotation_joint, &ring).residual(&at.thrust);
     let whole = thrust::whole(&at.half_opening, &ring).residual(&at.thrust);
@@ -56,7 +56,7 @@ fn triple_point(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn shift_point(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn shift_point(d: &mut Derivation) -> Proof<Finding> {
     let [below, above] = [Mode::RotationalSliding, Mode::RotationalSlidingRotational];
     for weight in SelfWeight::ALL {
         d.certain(
@@ -78,7 +78,7 @@ fn shift_point(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn junction_point(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn junction_point(d: &mut Derivation) -> Proof<Finding> {
     let at = variables();
     for weight in SelfWeight::ALL {
         let ring = Ring::new(weight, &at.thickness);
@@ -107,7 +107,7 @@ fn junction_point(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn border_point(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn border_point(d: &mut Derivation) -> Proof<Finding> {
     let two = Rational::from(2);
     for weight in SelfWeight::ALL {
         let ring = Ring::new(weight, &two);
@@ -125,7 +125,7 @@ fn border_point(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::Implicit)
 }
 
-fn no_thrust_needs_unlimited_friction(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn no_thrust_needs_unlimited_friction(d: &mut Derivation) -> Proof<Finding> {
     let joint = Symbol::joint();
     let none = joint.rad.int(0);
     let (shear, normal) =
@@ -164,9 +164,7 @@ fn lower_moment_slope() -> Fraction {
 }
 
 /// A value for each of the two self-weights.
-pub(super) fn both<T>(
-    of: impl Fn(SelfWeight) -> Result<T, Undecided>,
-) -> Result<[T; 2], Undecided> {
+pub(super) fn both<T>(of: impl Fn(SelfWeight) -> Proof<T>) -> Proof<[T; 2]> {
     let [heyman, milankovitch] = SelfWeight::ALL.map(of);
     Ok([heyman?, milankovitch?])
 }
@@ -176,7 +174,7 @@ pub(super) fn state_of(
     half_opening: &str,
     friction: Option<&str>,
     weight: SelfWeight,
-) -> Result<State, Undecided> {
+) -> Proof<State> {
     let number =
         |text: &str| text.parse::<ExactNumber>().map_err(|error| Undecided::new(error.to_string()));
     let friction = match friction {
@@ -193,7 +191,7 @@ pub(super) fn state_of(
 }
 
 /// The thickness of a semicircle with unlimited friction, and the friction that its shoulder asks for.
-pub(super) fn semicircle(weight: SelfWeight) -> Result<[Ball; 2], Undecided> {
+pub(super) fn semicircle(weight: SelfWeight) -> Proof<[Ball; 2]> {
     let State { thickness, thrust, .. } = state_of("pi/2", None, weight)?;
     let half = thrust.pi() / thrust.int(2);
     let right = Angle { rad: half, sin: thrust.int(1), cos: thrust.int(0) };

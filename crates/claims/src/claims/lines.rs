@@ -1,10 +1,9 @@
 //! The lines of the map as curves: each one arc from landmark to landmark.
 
 use super::regular::{CYCLOID, SHOULDER_IN_ANGLES};
-use super::{Claim, Derivation, Finding, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, claim, lemmas};
 use crate::arch::SelfWeight;
 use crate::atlas::{Curve, Trace};
-use crate::certify::Undecided;
 use std::sync::OnceLock;
 
 pub(super) const CLAIMS: &[Claim] = &[claim("map-lines", "Sec. 3, Fig. 5, 6", lines).states(
@@ -17,8 +16,8 @@ pub(super) const CLAIMS: &[Claim] = &[claim("map-lines", "Sec. 3, Fig. 5, 6", li
 const TOLERANCE: f64 = 1e-3;
 
 /// Each curve with its weight, and whether every piece of it is proved, decided once.
-fn traced() -> &'static [(String, Result<bool, Undecided>)] {
-    static DECIDED: OnceLock<Vec<(String, Result<bool, Undecided>)>> = OnceLock::new();
+fn traced() -> &'static [(String, Proof<bool>)] {
+    static DECIDED: OnceLock<Vec<(String, Proof<bool>)>> = OnceLock::new();
     DECIDED.get_or_init(|| {
         let all = SelfWeight::ALL.into_iter().flat_map(|weight| Curve::ALL.map(|c| (c, weight)));
         let trace = |(curve, weight): (Curve, SelfWeight)| {
@@ -31,7 +30,7 @@ fn traced() -> &'static [(String, Result<bool, Undecided>)] {
     })
 }
 
-fn lines(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn lines(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&CYCLOID, &SHOULDER_IN_ANGLES])?;
     for (words, is_whole) in traced() {
         d.proved_elsewhere(format!("{words}: one solution for each parameter"), is_whole.clone()?)?;

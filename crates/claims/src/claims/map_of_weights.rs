@@ -9,7 +9,7 @@ use super::letters::ring;
 use super::modes::LEVER;
 use super::sign::{Positive, RingSigns};
 use super::uniqueness::THICKER_HAS_ROOM;
-use super::{Claim, Derivation, Finding, Support, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, Support, claim, lemmas};
 use crate::arch::{Ring, SelfWeight, statics, thrust};
 use crate::certify::{Undecided, between};
 use crate::number::{Angle, Ball, Dual, Enclosure, Field, Rounded};
@@ -47,7 +47,7 @@ const WHERE_THE_JOINT_IS_GIVEN: Claim =
     );
 
 /// Where the shoulder turns, (3) gives the thickness of a given thrust and half opening.
-fn thickness_where_the_shoulder_turns(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn thickness_where_the_shoulder_turns(d: &mut Derivation) -> Proof<Finding> {
     let (alpha, joint, h) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thrust.number());
     let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
     let ring = Ring::with_flag(&delta, &eta);
@@ -83,7 +83,7 @@ fn thickness_where_the_shoulder_turns(d: &mut Derivation) -> Result<Finding, Und
 }
 
 /// (5) gives the thickness of a given thrust and joint.
-fn thickness_where_the_joint_is_given(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn thickness_where_the_joint_is_given(d: &mut Derivation) -> Proof<Finding> {
     let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
     let ring = Ring::with_flag(&delta, &eta);
     let signs = RingSigns::of(d)?;
@@ -101,7 +101,7 @@ fn thickness_where_the_joint_is_given(d: &mut Derivation) -> Result<Finding, Und
 }
 
 /// No arch of Milankovitch's weight is as thin as that of Heyman's, unless its shoulder slides.
-fn thicker_unless_the_shoulder_slides(d: &mut Derivation) -> Result<(), Undecided> {
+fn thicker_unless_the_shoulder_slides(d: &mut Derivation) -> Proof {
     lemmas(d, [&THICKER_HAS_ROOM, &LEVER])?;
     let (alpha, joint, ring) = (Symbol::half_opening(), Symbol::joint(), ring());
     let (eta, h) = (&ring.thickness, Symbol::Thrust.number());
@@ -136,7 +136,7 @@ fn thicker(
     d: &mut Derivation,
     (alpha, friction): (&str, Option<&str>),
     is_thicker: bool,
-) -> Result<String, Undecided> {
+) -> Proof<String> {
     let [heyman, milankovitch] = both(|weight| state_of(alpha, friction, weight))?;
     let (eta, other) = (&milankovitch.thickness, &heyman.thickness);
     let modes =
@@ -149,7 +149,7 @@ fn thicker(
     Ok(format!("{place}: eta = {}, but {} for Heyman's weight", shown(eta)?, shown(other)?))
 }
 
-fn same_opening_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn same_opening_compared(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&STATES_IN_ORDER, &STATES_OF_ONE_THICKNESS])?;
     thicker_unless_the_shoulder_slides(d)?;
     d.argue(
@@ -173,7 +173,7 @@ fn same_opening_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 /// Each line, in turn.
-fn lines_rise(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn lines_rise(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&FRICTION_FOR_ROTATION_GROWS, &STATES_IN_ORDER, &SLOPES_OF_FRICTION])?;
     d.conclude(
         "About pure rotation: M and m grow with alpha, as eta does. On [s,r,r]|[s,s], by (2) and (5), eta \
@@ -235,7 +235,7 @@ fn lines_rise(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::Implicit)
 }
 
-fn dividing_lines_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn dividing_lines_compared(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&LINES_RISE, &STATES_OF_ONE_THICKNESS, &SLOPES_OF_FRICTION])?;
     d.conclude(
         "About pure rotation, at one thickness, alpha and h are smaller for Milankovitch's weight, so that M \
@@ -270,7 +270,7 @@ fn dividing_lines_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
     })
 }
 
-fn shown(value: &Ball) -> Result<String, Undecided> {
+fn shown(value: &Ball) -> Proof<String> {
     let rounded = Rounded::from_ball(value, 6).map(|rounded| rounded.value.to_string());
     rounded.ok_or_else(|| Undecided::new("no six digits"))
 }

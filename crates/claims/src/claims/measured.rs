@@ -1,6 +1,6 @@
 //! Numbers where a sentence has none: proved bounds in few digits.
 
-use super::{Derivation, Finding, Support};
+use super::{Derivation, Finding, Proof, Support};
 use crate::certify::Undecided;
 use crate::number::{Ball, Decimal, Enclosure, Field, Real, Rounded};
 
@@ -19,7 +19,7 @@ impl MeasuredBounds {
         d: &mut Derivation,
         (words, value, unit): (&str, &Ball, &str),
         digits: usize,
-    ) -> Result<(), Undecided> {
+    ) -> Proof {
         let (below, above) = neighbours(d, (words, value, unit), digits)?;
         self.hold.push(format!("{words}: at most {above}{unit}"));
         self.fail.push(format!("{words}: at most {below}{unit}"));
@@ -32,7 +32,7 @@ impl MeasuredBounds {
         d: &mut Derivation,
         (words, value, unit): (&str, &Ball, &str),
         digits: usize,
-    ) -> Result<(), Undecided> {
+    ) -> Proof {
         let (below, above) = neighbours(d, (words, value, unit), digits)?;
         self.hold.push(format!("{words}: at least {below}{unit}"));
         self.fail.push(format!("{words}: at least {above}{unit}"));
@@ -68,7 +68,7 @@ fn neighbours(
     d: &mut Derivation,
     (words, value, unit): (&str, &Ball, &str),
     digits: usize,
-) -> Result<(String, String), Undecided> {
+) -> Proof<(String, String)> {
     let rounded = Rounded::from_ball(value, digits)
         .ok_or_else(|| Undecided::new(format!("{words}: no digits")))?;
     let near = |decimal: &Decimal| Ball::enclosing(&decimal.to_rational(), value.prec());

@@ -4,10 +4,9 @@
 use super::contacts::{CONTACTS, label};
 use super::letters::{ring, variables};
 use super::modes::{LEVER, SEVEN_MODES};
-use super::{Claim, Derivation, Finding, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, claim, lemmas};
 use crate::arch::mechanism::{Contact, Joint, Mechanism};
 use crate::arch::{Configuration, contact, sliding, thrust};
-use crate::certify::Undecided;
 use crate::number::{Angle, Field};
 use crate::problem::Mode;
 use crate::symbolic::{Fraction, Letters, Relations, Symbol};
@@ -52,7 +51,7 @@ fn joints(mechanism: &Mechanism<Fraction>) -> impl Iterator<Item = &Joint<Fracti
 /// Opening of a joint for a slip of one.
 const OPENS: Symbol = Symbol::Friction;
 
-fn compatible(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn compatible(d: &mut Derivation) -> Proof<Finding> {
     d.define("a joint that slides opens, for a slip of one, by; none for zero", &OPENS.number());
     for mode in Mode::ALL {
         let at = at(mode);
@@ -68,7 +67,7 @@ fn compatible(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::Implicit)
 }
 
-fn rates(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn rates(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&SEVEN_MODES, &LEVER])?;
     let mu = OPENS.number();
     for mode in Mode::ALL {
@@ -120,7 +119,7 @@ fn rates(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::Implicit)
 }
 
-fn at_limit(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn at_limit(d: &mut Derivation) -> Proof<Finding> {
     let (free, mu) = (Relations::none(), Symbol::Friction.number());
     let square = Symbol::Thrust.polynomial() - &Symbol::Thrust.polynomial().power(2);
     let steepest = Relations::none().with(Symbol::SlidingJoint, 2, square);
@@ -168,7 +167,7 @@ fn at_limit(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::Implicit)
 }
 
-fn power(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn power(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&CONTACTS])?;
     let (mu, p) = (Symbol::Friction.number(), Symbol::CrownMoment.number());
     for (dilatancy, rule) in [(mu.int(0), "without dilatancy"), (mu.clone(), "with it")] {

@@ -87,6 +87,7 @@ pub use index::index;
 pub use sentence::{Decided, Sentence};
 
 use claim::{claim, lemmas};
+use derivation::Proof;
 
 /// All claims, in the order of the paper.
 pub fn claims() -> Vec<Claim> {

@@ -16,10 +16,9 @@ use super::along::CurveStates;
 use super::contacts::{CONTACTS, label, margin_at, row_at, slopes};
 use super::landmarks::{certain_if, state_of};
 use super::letters::{ring, variables, with};
-use super::{Claim, Derivation, Finding, Support, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, Support, claim, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Configuration, SelfWeight, contact, statics};
-use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Field};
 use crate::problem::Mode;
 use crate::symbolic::{Fraction, Letters, Symbol, along_the_joint};
@@ -41,7 +40,7 @@ const MODES_OCCUR: Claim = claim("modes-occur", "Sec. 3", modes_occur)
     .states("each of the seven modes occurs, with either weight");
 
 /// The lever arm between the haunch's intrados and the shoulder's extrados.
-fn lever(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn lever(d: &mut Derivation) -> Proof<Finding> {
     d.assume("0 < alpha < pi, 0 <= beta <= alpha, 0 < eta <= 2, h >= 0");
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
     let (h, eta) = (Symbol::Thrust.number(), &ring.thickness);
@@ -69,7 +68,7 @@ fn lever(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::Implicit)
 }
 
-fn seven_modes(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn seven_modes(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&CONTACTS, &LEVER])?;
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
     let (h, crown) = (Symbol::Thrust.number(), Angle::zero(&ring.thickness));
@@ -159,7 +158,7 @@ const EXAMPLES: [(Mode, [GivenArch; 2]); 6] = [
     (Mode::Overturning, [("2.7", None), ("2.62", None)]),
 ];
 
-fn modes_occur(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn modes_occur(d: &mut Derivation) -> Proof<Finding> {
     // Each arch beside that of the next mode, which has another.
     for ((mode, arches), (_, others)) in EXAMPLES.iter().zip(EXAMPLES.iter().cycle().skip(1)) {
         for (weight, (arch, other)) in SelfWeight::ALL.into_iter().zip(arches.iter().zip(others)) {
@@ -188,9 +187,7 @@ fn modes_occur(d: &mut Derivation) -> Result<Finding, Undecided> {
 /// Room that is left to a line of thrust in an arch that only slides: half opening 1, thickness 1, thrust in
 /// the middle of the crown; and the same where it is not positive, with a thrust that pulls, or with the half
 /// opening 3.
-pub(super) fn room_of_pure_sliding(
-    weight: SelfWeight,
-) -> Result<[(&'static str, Ball, Ball); 4], Undecided> {
+pub(super) fn room_of_pure_sliding(weight: SelfWeight) -> Proof<[(&'static str, Ball, Ball); 4]> {
     let CurveStates { alpha, thrust: h, .. } = CurveStates::sliding(&Rational::from(1))?;
     let at = Configuration {
         half_opening: alpha,

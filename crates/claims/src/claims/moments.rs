@@ -1,8 +1,7 @@
 //! Moments, tangency and centroids: (2)–(6).
 
-use super::{Claim, Derivation, Finding, claim};
+use super::{Claim, Derivation, Finding, Proof, claim};
 use crate::arch::{Ring, statics, thrust};
-use crate::certify::Undecided;
 use crate::number::{Angle, Dual, Field};
 use crate::symbolic::{Fraction, Letters, Symbol};
 
@@ -65,7 +64,7 @@ impl RingLetters {
 
 const NORMAL: &str = "N != 0 at the joints: else there is no pressure point";
 
-fn lower(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn lower(d: &mut Derivation) -> Proof<Finding> {
     let arch = arch();
     let joint = Symbol::joint();
     d.assume(NORMAL);
@@ -78,7 +77,7 @@ fn lower(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn upper(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn upper(d: &mut Derivation) -> Proof<Finding> {
     let arch = arch();
     let (joint, shoulder) = (Symbol::joint(), Symbol::half_opening());
     d.assume(NORMAL);
@@ -92,7 +91,7 @@ fn upper(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn whole(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn whole(d: &mut Derivation) -> Proof<Finding> {
     let arch = arch();
     let shoulder = Symbol::half_opening();
     d.assume(NORMAL);
@@ -109,7 +108,7 @@ fn whole(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn opening_variable_forms(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn opening_variable_forms(d: &mut Derivation) -> Proof<Finding> {
     let half = Symbol::joint();
     d.assume("sin(alpha/2) != 0");
     d.assume("S = sin(alpha/2), C = cos(alpha/2): sin(alpha) = 2 S C, cos(alpha) = 1 - 2 S^2");
@@ -126,7 +125,7 @@ fn opening_variable_forms(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn upper_follows(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn upper_follows(d: &mut Derivation) -> Proof<Finding> {
     let arch = arch();
     let (joint, shoulder) = (Symbol::joint(), Symbol::half_opening());
     d.assume("the denominators of (2), (3), (4) do not vanish");
@@ -140,7 +139,7 @@ fn upper_follows(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::Implicit)
 }
 
-fn tangency(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn tangency(d: &mut Derivation) -> Proof<Finding> {
     let arch = arch();
     let joint = Symbol::joint();
     d.assume(NORMAL);
@@ -165,7 +164,7 @@ fn tangency(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn tangency_forms(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn tangency_forms(d: &mut Derivation) -> Proof<Finding> {
     let arch = arch();
     d.assume("eta != 0 and eta != 2");
     let (eta, factor) = (&arch.ring.thickness, &arch.ring.centroid_factor);
@@ -182,7 +181,7 @@ fn tangency_forms(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn centroid(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn centroid(d: &mut Derivation) -> Proof<Finding> {
     d.assume("delta_M = 1: the true centroids; lengths in units of r");
     // The radius of a point of the wedge is written S here, a free letter with S' = 1.
     let radius = Symbol::Sine.number();
@@ -206,7 +205,7 @@ fn centroid(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn thin_arch(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn thin_arch(d: &mut Derivation) -> Proof<Finding> {
     let RingLetters { ring, .. } = arch();
     let (eta, delta) = (&ring.thickness, Symbol::Flag.number());
     let cotangent = Symbol::joint().times_cotangent();
@@ -219,7 +218,7 @@ fn thin_arch(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn no_friction(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn no_friction(d: &mut Derivation) -> Proof<Finding> {
     let RingLetters { ring, .. } = arch();
     let (joint, shoulder) = (Symbol::joint(), Symbol::half_opening());
     let forms = [

@@ -1,9 +1,8 @@
 //! Purely overturning states and the end of rotation: (13)–(16).
 
 use super::letters::{ring, with};
-use super::{Claim, Derivation, Finding, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, claim, lemmas};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
-use crate::certify::Undecided;
 use crate::number::{Angle, Field, Surd};
 use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_opening};
 use rug::Rational;
@@ -40,7 +39,7 @@ pub(super) const A_FIXES_ALPHA: Claim =
     claim("alpha-one-to-one", "Sec. 2.1", opening_variable_falls)
         .states("A(alpha) falls strictly from 2 to 0 on (0, pi), so that A fixes alpha");
 
-fn without_thrust(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn without_thrust(d: &mut Derivation) -> Proof<Finding> {
     d.assume("h = 0; 2 + eta != 0; cos(alpha) != 1");
     let (ring, alpha) = (ring(), Symbol::half_opening());
     let zero = ring.thickness.int(0);
@@ -59,7 +58,7 @@ fn without_thrust(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn heyman(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn heyman(d: &mut Derivation) -> Proof<Finding> {
     d.assume("2 + eta != 0, A != 0");
     let (eta, a) = (Symbol::Thickness.number(), Symbol::OpeningVariable.number());
     let value = overturning::opening_variable(&Ring::new(SelfWeight::Heyman, &eta)).value();
@@ -79,7 +78,7 @@ fn radicand(a: &Fraction) -> Fraction {
     (a.int(3) * a.square() + a.int(4) * a - a.int(4)) * a.int(3)
 }
 
-fn milankovitch(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn milankovitch(d: &mut Derivation) -> Proof<Finding> {
     let (eta, a, q) =
         (Symbol::Thickness.number(), Symbol::OpeningVariable.number(), Symbol::SquareRoot.number());
     d.assume("2 + eta != 0; q^2 = 3 (3A^2 + 4A - 4)");
@@ -98,7 +97,7 @@ fn milankovitch(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn milankovitch_branch(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn milankovitch_branch(d: &mut Derivation) -> Proof<Finding> {
     let (eta, a) = (Symbol::Thickness.number(), Symbol::OpeningVariable.number());
     let ring = Ring::new(SelfWeight::Milankovitch, &eta);
     let value = overturning::opening_variable(&ring).value();
@@ -128,7 +127,7 @@ fn milankovitch_branch(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn end_of_rotation(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn end_of_rotation(d: &mut Derivation) -> Proof<Finding> {
     let ring = ring();
     let (eta, delta) = (&ring.thickness, Symbol::Flag.number());
     d.assume("h = 0; 2 - eta != 0; beta cot(beta) = 1, its limit at beta = 0");
@@ -168,7 +167,7 @@ fn end_of_rotation(d: &mut Derivation) -> Result<Finding, Undecided> {
     })
 }
 
-fn limit_values(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn limit_values(d: &mut Derivation) -> Proof<Finding> {
     d.assume("h = 0, beta_r -> 0, 0 < eta < 2");
     let cases = [
         (SelfWeight::Heyman, Surd::rational(1, 3), Surd::rational((2, 3), 3)),
@@ -194,7 +193,7 @@ fn limit_values(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn physical_limit(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn physical_limit(d: &mut Derivation) -> Proof<Finding> {
     for (weight, a) in [(SelfWeight::Heyman, (1, 2)), (SelfWeight::Milankovitch, (2, 3))] {
         let ring = Ring::new(weight, &Rational::from(2));
         let opening = overturning::opening_variable(&ring).value();
@@ -203,7 +202,7 @@ fn physical_limit(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn opening_variable_falls(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn opening_variable_falls(d: &mut Derivation) -> Proof<Finding> {
     let alpha = Symbol::half_opening();
     d.assume("0 < alpha < pi");
     let rules = along_the_opening();
@@ -231,7 +230,7 @@ fn opening_variable_falls(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::Implicit)
 }
 
-fn shared_opening(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn shared_opening(d: &mut Derivation) -> Proof<Finding> {
     d.assume("A fixes alpha (alpha-one-to-one)");
     let milankovitch = Ring::new(SelfWeight::Milankovitch, &Rational::from(2));
     let heyman = Ring::new(SelfWeight::Heyman, &Rational::from(1));

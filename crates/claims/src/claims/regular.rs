@@ -1,10 +1,9 @@
 //! The forms in which the curves of the map are regular up to their ends, each against the printed equations.
 
 use super::letters::{ring, variables};
-use super::{Claim, Derivation, Finding, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, claim, lemmas};
 use crate::arch::haunch::{Haunch, opening_variable_at_half};
 use crate::arch::{cycloid, sliding, statics, thrust};
-use crate::certify::Undecided;
 use crate::number::{Angle, Field};
 use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_opening};
 
@@ -40,7 +39,7 @@ fn inclination() -> Angle<Fraction> {
     Symbol::half_opening()
 }
 
-fn cycloid(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn cycloid(d: &mut Derivation) -> Proof<Finding> {
     d.assume("0 < chi < pi/2");
     let chi = inclination();
     let (h, beta) = (cycloid::thrust(&chi), cycloid::joint(&chi));
@@ -62,7 +61,7 @@ fn cycloid(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::Implicit)
 }
 
-fn shoulder(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn shoulder(d: &mut Derivation) -> Proof<Finding> {
     d.assume("0 <= phi < pi/2; beta stands for alpha - phi");
     let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
     let inclination = Symbol::joint();
@@ -85,7 +84,7 @@ fn functions(u: &Fraction) -> [Fraction; 4] {
     [u.int(1) - u.clone() * &c2, u.int(1) - u.clone() * &c3, c2, c3]
 }
 
-fn flat_shoulder(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn flat_shoulder(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&CYCLOID, &SHOULDER_IN_ANGLES])?;
     d.assume("0 < chi; c_2, c_3 at q² chi² are the letters f, g, and u stands for q");
     let (chi, q) = (inclination(), Symbol::CubeRoot.number());
@@ -111,7 +110,7 @@ fn flat_shoulder(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::Implicit)
 }
 
-fn touching(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn touching(d: &mut Derivation) -> Proof<Finding> {
     d.assume("0 < beta < pi, 0 < eta < 2");
     let (at, ring) = (variables(), ring());
     let (joint, h) = (&at.rotation_joint, &at.thrust);
@@ -142,7 +141,7 @@ fn touching(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::Implicit)
 }
 
-fn squares(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn squares(d: &mut Derivation) -> Proof<Finding> {
     d.assume("c_2, c_3 at beta² are the letters f, g: sin(beta) = beta c_1, cos(beta) = c_0");
     let beta = Symbol::Joint.number();
     let c = functions(&beta.square());

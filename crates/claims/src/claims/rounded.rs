@@ -4,7 +4,7 @@ use super::along::{CurveStates, landmark};
 use super::domains::{NO_PURE_SLIDING_BEYOND_B, NO_SHOULDER_SLIDING_BEYOND_T};
 use super::landmarks::{both, certain_if, semicircle, state_of};
 use super::measured::{MeasuredBounds, in_degrees};
-use super::{Claim, Derivation, Finding, Support, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, Support, claim, lemmas};
 use crate::arch::{SelfWeight, Unknown};
 use crate::certify::{CertifiedLandmark, Undecided};
 use crate::number::{Ball, Decimal, Field, Rounded, arctangent};
@@ -61,7 +61,7 @@ const ROUNDED: &[(Landmark, SelfWeight, Quantity, &[&str])] = {
 };
 
 /// Checks that `text` is the value rounded to its digits.
-fn rounds_to(d: &mut Derivation, words: &str, value: &Ball, text: &str) -> Result<(), Undecided> {
+fn rounds_to(d: &mut Derivation, words: &str, value: &Ball, text: &str) -> Proof {
     let printed: Decimal = text.parse().map_err(|e| Undecided::new(format!("{e}")))?;
     let rounded = Rounded::from_ball(value, printed.significant_digits())
         .ok_or_else(|| Undecided::new(format!("the rounding of {words}")))?;
@@ -69,7 +69,7 @@ fn rounds_to(d: &mut Derivation, words: &str, value: &Ball, text: &str) -> Resul
     d.equal(words, &rounded.value.to_rational(), &printed.to_rational())
 }
 
-fn rounded_values(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn rounded_values(d: &mut Derivation) -> Proof<Finding> {
     for (landmark, weight, quantity, texts) in ROUNDED {
         let point = CertifiedLandmark::new(*landmark, *weight)?;
         let words = format!("{} at {}, {}", quantity.name(), landmark.symbol(), weight.name());
@@ -100,7 +100,7 @@ fn rounded_values(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn nearness(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn nearness(d: &mut Derivation) -> Proof<Finding> {
     let mut bounds = MeasuredBounds::default();
     for weight in SelfWeight::ALL {
         let shift = landmark(Landmark::Shift, weight)?;
@@ -121,7 +121,7 @@ fn least_friction(
     words: &str,
     friction: &Ball,
     digits: usize,
-) -> Result<(), Undecided> {
+) -> Proof {
     bounds.at_most(d, (words, friction, ""), digits)?;
     let degrees = in_degrees(&arctangent(friction));
     bounds.at_most(d, ("its angle", &degrees, "°"), 3)
@@ -133,7 +133,7 @@ fn collapses(
     (alpha, [friction, other]): (&str, [&str; 2]),
     weight: SelfWeight,
     mode: Mode,
-) -> Result<(), Undecided> {
+) -> Proof {
     let words = format!(
         "alpha = {alpha}, mu = {friction} gives {}, {} weight",
         mode.label(),
@@ -144,7 +144,7 @@ fn collapses(
     })
 }
 
-fn semicircle_suffices(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn semicircle_suffices(d: &mut Derivation) -> Proof<Finding> {
     let mut bounds = MeasuredBounds::default();
     let sufficient = [(SelfWeight::Milankovitch, "0.3953"), (SelfWeight::Heyman, "0.3959")];
     for (weight, enough) in sufficient {
@@ -157,7 +157,7 @@ fn semicircle_suffices(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(bounds.finding())
 }
 
-fn no_shoulder_sliding(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn no_shoulder_sliding(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&NO_SHOULDER_SLIDING_BEYOND_T])?;
     let mut bounds = MeasuredBounds::default();
     let (weight, words) = (SelfWeight::Milankovitch, "mu_T, milankovitch weight");
@@ -167,7 +167,7 @@ fn no_shoulder_sliding(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(bounds.finding())
 }
 
-fn no_pure_sliding(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn no_pure_sliding(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&NO_PURE_SLIDING_BEYOND_B])?;
     let mut bounds = MeasuredBounds::default();
     let (weight, words) = (SelfWeight::Milankovitch, "mu_B, milankovitch weight");

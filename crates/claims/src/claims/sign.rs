@@ -5,9 +5,8 @@
 //! with a positive slope, or as one of two whose sum and product are positive. Nothing else makes one.
 
 use super::letters::ring;
-use super::{Derivation, Formula};
+use super::{Derivation, Formula, Proof};
 use crate::arch::thrust;
-use crate::certify::Undecided;
 use crate::number::{Angle, Field};
 use crate::symbolic::{
     Fraction, Letters, Polynomial, Relations, Symbol, along_the_joint, along_the_opening,
@@ -111,7 +110,7 @@ impl Positive {
         d: &mut Derivation,
         words: &str,
         value: impl Borrow<Fraction>,
-    ) -> Result<Self, Undecided> {
+    ) -> Proof<Self> {
         self.is_under(d, words, value.borrow(), &Relations::none())
     }
 
@@ -121,7 +120,7 @@ impl Positive {
         d: &mut Derivation,
         words: &str,
         value: impl Borrow<Fraction>,
-    ) -> Result<Self, Undecided> {
+    ) -> Proof<Self> {
         self.is_under(d, words, value.borrow(), &Relations::trigonometric())
     }
 
@@ -131,7 +130,7 @@ impl Positive {
         words: &str,
         value: &Fraction,
         relations: &Relations,
-    ) -> Result<Self, Undecided> {
+    ) -> Proof<Self> {
         self.check(d, format!("{words}: positive"), value, relations)?;
         Ok(Self(Expression::whole(value)))
     }
@@ -142,7 +141,7 @@ impl Positive {
         words: String,
         value: &Fraction,
         relations: &Relations,
-    ) -> Result<(), Undecided> {
+    ) -> Proof {
         d.identity_as(words, value, &self.0.value, relations, self.0.formula.clone())
     }
 
@@ -153,7 +152,7 @@ impl Positive {
         words: &str,
         value: &Fraction,
         range: &FromZero<'_>,
-    ) -> Result<Self, Undecided> {
+    ) -> Proof<Self> {
         let zero = value.int(0);
         let at_zero =
             |symbol: Symbol| (range.at_zero)(symbol).map_or(symbol.number(), |n| zero.int(n));
@@ -172,7 +171,7 @@ impl Positive {
         values: [&Fraction; 2],
         sum: &Self,
         relations: &Relations,
-    ) -> Result<[Self; 2], Undecided> {
+    ) -> Proof<[Self; 2]> {
         let [a, b] = values;
         self.check(d, format!("the product of {words}: positive"), &(a.clone() * b), relations)?;
         sum.check(d, "their sum: positive, so both are".to_owned(), &(a.clone() + b), relations)?;
@@ -232,7 +231,7 @@ pub(super) struct AngleSigns {
 
 impl AngleSigns {
     /// Signs of the rotational joint.
-    pub(super) fn of_joint(d: &mut Derivation) -> Result<Self, Undecided> {
+    pub(super) fn of_joint(d: &mut Derivation) -> Proof<Self> {
         let at_zero = |symbol| match symbol {
             Symbol::Joint | Symbol::Sine => Some(0),
             Symbol::Cosine => Some(1),
@@ -244,7 +243,7 @@ impl AngleSigns {
     }
 
     /// Signs of the half opening.
-    pub(super) fn of_half_opening(d: &mut Derivation) -> Result<Self, Undecided> {
+    pub(super) fn of_half_opening(d: &mut Derivation) -> Proof<Self> {
         let at_zero = |symbol| match symbol {
             Symbol::HalfOpening | Symbol::SineOfOpening => Some(0),
             Symbol::CosineOfOpening => Some(1),
@@ -260,7 +259,7 @@ impl AngleSigns {
         name: &str,
         angle: &Angle<Fraction>,
         range: &FromZero<'_>,
-    ) -> Result<Self, Undecided> {
+    ) -> Proof<Self> {
         let Angle { rad, sin, cos } = angle;
         let [positive_rad, positive_sin] =
             Positive::given(d, &format!("0 < {name} < pi"), [rad, sin]);
@@ -299,7 +298,7 @@ pub(super) struct RingSigns {
 }
 
 impl RingSigns {
-    pub(super) fn of(d: &mut Derivation) -> Result<Self, Undecided> {
+    pub(super) fn of(d: &mut Derivation) -> Proof<Self> {
         let ring = ring();
         let flag = Symbol::Flag.number();
         let [thickness, intrados] =
@@ -319,11 +318,7 @@ impl RingSigns {
     }
 
     /// `2 + eta - (2 - eta) cos(beta)`, the lever arm in (2).
-    pub(super) fn lever_arm(
-        &self,
-        d: &mut Derivation,
-        angle: &AngleSigns,
-    ) -> Result<Positive, Undecided> {
+    pub(super) fn lever_arm(&self, d: &mut Derivation, angle: &AngleSigns) -> Proof<Positive> {
         let arm = Positive::int(2) * &angle.versine + &(self.thickness.clone() * &angle.coversine);
         let lower = thrust::lower(&Symbol::joint(), &ring());
         arm.is(d, "the lever arm in (2)", &lower.denominator)

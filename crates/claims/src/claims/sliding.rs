@@ -1,8 +1,7 @@
 //! Sliding joints: (17) and (18).
 
-use super::{Claim, Derivation, Finding, claim};
+use super::{Claim, Derivation, Finding, Proof, claim};
 use crate::arch::{sliding, statics};
-use crate::certify::Undecided;
 use crate::number::Field;
 use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint, along_the_opening};
 
@@ -33,7 +32,7 @@ fn forces() -> (Fraction, Fraction) {
     (statics::shear_force(&joint, &thrust), statics::normal_force(&joint, &thrust))
 }
 
-fn shoulder(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn shoulder(d: &mut Derivation) -> Proof<Finding> {
     let (alpha, thrust, friction) =
         (Symbol::half_opening(), Symbol::Thrust.number(), Symbol::Friction.number());
     d.assume("N(alpha) != 0; sin(alpha) - mu cos(alpha) != 0");
@@ -52,7 +51,7 @@ fn shoulder(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn stationary(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn stationary(d: &mut Derivation) -> Proof<Finding> {
     d.assume("0 < h < 1, 0 <= beta < pi, N > 0 there (it is h at the crown)");
     let (shear, normal) = forces();
     let slope = (shear / &normal).derivative(&along_the_joint());
@@ -64,7 +63,7 @@ fn stationary(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn inner(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn inner(d: &mut Derivation) -> Proof<Finding> {
     let (joint, thrust) = (Symbol::joint(), Symbol::Thrust.number());
     d.assume("beta^2 = h (1-h), 0 < h < 1; the denominators do not vanish");
     let steepest = &Symbol::Thrust.polynomial() - &Symbol::Thrust.polynomial().power(2);
@@ -79,7 +78,7 @@ fn inner(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn inner_falls(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn inner_falls(d: &mut Derivation) -> Proof<Finding> {
     d.assume("0 < h < 1; N > 0 at beta_s");
     let (shear, normal) = forces();
     let slope = (shear / &normal).partial(Symbol::Thrust);
@@ -93,7 +92,7 @@ fn inner_falls(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::Implicit)
 }
 
-fn no_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn no_thickness(d: &mut Derivation) -> Proof<Finding> {
     let (alpha, joint, thrust) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thrust.number());
     let forms = [
         ("(17)", sliding::shoulder(&alpha, &thrust).value()),
@@ -109,7 +108,7 @@ fn no_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn no_half_opening(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn no_half_opening(d: &mut Derivation) -> Proof<Finding> {
     let (alpha, joint, thrust) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thrust.number());
     let rules = along_the_opening();
     let inner = sliding::inner(&joint, &thrust).value().derivative(&rules);

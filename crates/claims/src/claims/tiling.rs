@@ -16,10 +16,9 @@ use super::frictions::{
 use super::letters::{ring, variables};
 use super::modes::SEVEN_MODES;
 use super::uniqueness::{MECHANISM_BOUNDS, ONE_HALF_OPENING, ONE_THICKNESS, THICKER_HAS_ROOM};
-use super::{Claim, Derivation, Finding, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, claim, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Ring, SelfWeight, contact, overturning, sliding, statics, thrust};
-use crate::certify::Undecided;
 use crate::number::{Angle, Field, Surd};
 use crate::problem::Landmark;
 use crate::symbolic::{Letters, Symbol, along_the_joint};
@@ -49,7 +48,7 @@ pub(super) const CLAIMS: &[Claim] = &[
     ),
 ];
 
-fn columns(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn columns(d: &mut Derivation) -> Proof<Finding> {
     d.assume("0 < eta <= 2, 0 < mu < inf");
     lemmas(d, [&ONE_HALF_OPENING, &SEVEN_MODES, &CONTACTS, &THICKER_HAS_ROOM])?;
     lemmas(d, [&SLOPES_OF_FRICTION, &FRICTION_OF_SMALL_THRUST, &STATES_IN_ORDER])?;
@@ -105,16 +104,13 @@ fn columns(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 /// Proves that `beta_s` falls with the friction right of T: `h_s` falls from `h_T` on.
-pub(super) fn thrust_at_triple_is_below_half(
-    d: &mut Derivation,
-    weight: SelfWeight,
-) -> Result<(), Undecided> {
+pub(super) fn thrust_at_triple_is_below_half(d: &mut Derivation, weight: SelfWeight) -> Proof {
     let thrust = landmark(Landmark::Triple, weight)?.thrust;
     d.less(format!("h_T < 1/2, {}", weight.name()), [&thrust, &thrust.ratio(1, 2)])
 }
 
 /// By (5) the rotational joint falls as the thickness grows.
-pub(super) fn falls_with_the_thickness(d: &mut Derivation) -> Result<(), Undecided> {
+pub(super) fn falls_with_the_thickness(d: &mut Derivation) -> Proof {
     let (ring, two) = (ring(), Symbol::Thickness.number().int(2));
     let rest = two.clone() * &ring.centroid_factor / ring.intrados();
     let slope = rest.partial(Symbol::Thickness);
@@ -124,7 +120,7 @@ pub(super) fn falls_with_the_thickness(d: &mut Derivation) -> Result<(), Undecid
     d.identity("2 fac/(2 - eta), by which beta_r falls in (5), grows", &slope, &expected)
 }
 
-fn rows(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn rows(d: &mut Derivation) -> Proof<Finding> {
     d.assume("0 < mu < inf, and the arch stands at a thickness up to 2");
     lemmas(d, [&SEVEN_MODES, &ONE_THICKNESS, &SLOPES_OF_FRICTION, &SLIDING_STATES_IN_ORDER])?;
     lemmas(d, [&FRICTION_FOR_ROTATION_GROWS, &INNER_SLIDING_BEYOND_T])?;
@@ -163,7 +159,7 @@ fn rows(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::Implicit)
 }
 
-fn frictions_beyond_t(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn frictions_beyond_t(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&ROTATION_MEETS_SLIDING, &FRICTION_OF_SMALL_THRUST])?;
     let alpha = Symbol::half_opening();
     let none = alpha.rad.int(0);
@@ -176,7 +172,7 @@ fn frictions_beyond_t(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::AsPrinted)
 }
 
-fn overturning_sliding_beyond_l(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn overturning_sliding_beyond_l(d: &mut Derivation) -> Proof<Finding> {
     d.assume("alpha_l <= alpha < pi, 0 < mu < inf, and the arch stands at a thickness up to 2");
     lemmas(d, [&CONTACTS, &SEVEN_MODES, &STATES_IN_ORDER, &MECHANISM_BOUNDS, &THICKER_HAS_ROOM])?;
     lemmas(d, [&ONE_THICKNESS])?;

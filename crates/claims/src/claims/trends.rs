@@ -5,9 +5,8 @@ use super::landmarks::both;
 use super::letters::{ring, with};
 use super::measured::{MeasuredBounds, in_degrees};
 use super::overturning::A_FIXES_ALPHA;
-use super::{Claim, Derivation, Finding, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, claim, lemmas};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
-use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Field};
 use crate::problem::Landmark::OverturningEnd;
 use crate::symbolic::{Letters, Symbol};
@@ -30,7 +29,7 @@ fn leverage(alpha: &Ball) -> Ball {
     alpha.versine() / (alpha.rad - alpha.sin)
 }
 
-fn trends_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn trends_compared(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&A_FIXES_ALPHA])?;
     let ring = ring();
     let (eta, delta) = (&ring.thickness, Symbol::Flag.number());
@@ -89,7 +88,7 @@ fn trends_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(bounds.finding())
 }
 
-fn ranges_compared(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn ranges_compared(d: &mut Derivation) -> Proof<Finding> {
     let mut bounds = MeasuredBounds::default();
     let mut ends = Vec::new();
     for weight in [SelfWeight::Milankovitch, SelfWeight::Heyman] {

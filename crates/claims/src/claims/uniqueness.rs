@@ -11,10 +11,9 @@ use super::frictions::{SLIDING_STATES_IN_ORDER, SLOPES_OF_FRICTION};
 use super::letters::{ring, with};
 use super::modes::{SEVEN_MODES, room_of_pure_sliding};
 use super::overturning::A_FIXES_ALPHA;
-use super::{Claim, Derivation, Finding, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, claim, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{SelfWeight, statics, thrust};
-use crate::certify::Undecided;
 use crate::number::{Angle, Field};
 use crate::symbolic::{Fraction, Letters, Symbol, along_the_joint};
 
@@ -67,7 +66,7 @@ fn without_forces(value: &Fraction) -> Fraction {
     with(value, &[Symbol::Thrust, Symbol::CrownMoment], &value.int(0))
 }
 
-fn symmetric_mean(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn symmetric_mean(d: &mut Derivation) -> Proof<Finding> {
     let (joint, h, v) = (Symbol::joint(), Symbol::Thrust.number(), Symbol::CrownShear.number());
     let two = h.int(2);
     d.assume("a vertical force v in the crown carries v of the weight above each joint");
@@ -89,7 +88,7 @@ fn symmetric_mean(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::Implicit)
 }
 
-fn mechanism_bounds(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn mechanism_bounds(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&SEVEN_MODES])?;
     let (joint, h) = (Symbol::joint(), Symbol::Thrust.number());
     let p = Symbol::CrownMoment.number();
@@ -119,7 +118,7 @@ fn mechanism_bounds(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::Implicit)
 }
 
-fn thicker_has_room(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn thicker_has_room(d: &mut Derivation) -> Proof<Finding> {
     d.assume("0 <= beta <= alpha, 0 < eta < 2, 0 <= delta_M <= 1, h > 0");
     lemmas(d, [&DISTANCES_RISE_AND_FALL])?;
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
@@ -161,7 +160,7 @@ fn thicker_has_room(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::Implicit)
 }
 
-fn one_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn one_thickness(d: &mut Derivation) -> Proof<Finding> {
     d.assume("0 < mu < inf, 0 < eta <= 2");
     lemmas(d, [&CONTACTS, &MECHANISM_BOUNDS, &THICKER_HAS_ROOM, &LIMIT_STANDS])?;
     lemmas(d, [&SLOPES_OF_FRICTION, &SLIDING_STATES_IN_ORDER])?;
@@ -195,7 +194,7 @@ fn one_thickness(d: &mut Derivation) -> Result<Finding, Undecided> {
 }
 
 /// Thrusts without bound leave room everywhere in their limit.
-fn limit_stands(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn limit_stands(d: &mut Derivation) -> Proof<Finding> {
     d.assume("0 < mu < inf; the limit has 0 < alpha <= pi, 0 <= eta <= 2");
     lemmas(d, [&A_FIXES_ALPHA, &DISTANCES_RISE_AND_FALL])?;
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
@@ -245,7 +244,7 @@ fn limit_stands(d: &mut Derivation) -> Result<Finding, Undecided> {
     Ok(Finding::Implicit)
 }
 
-fn one_half_opening(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn one_half_opening(d: &mut Derivation) -> Proof<Finding> {
     lemmas(d, [&LIMIT_STANDS, &CONTACTS, &SEVEN_MODES, &MECHANISM_BOUNDS])?;
     let h = Symbol::Thrust.number();
     let (crown, one) = (Angle::zero(&h), h.int(1));

@@ -1,9 +1,8 @@
 //! Units of `r`, `w` and `h`: (1), and the caption of Fig. 1.
 
 use super::letters::{ring, with};
-use super::{Claim, Derivation, Finding, claim};
+use super::{Claim, Derivation, Finding, Proof, claim};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
-use crate::certify::Undecided;
 use crate::number::Field;
 use crate::symbolic::{Fraction, Letters, Symbol};
 use rug::Rational;
@@ -15,7 +14,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         .states("r is the inner radius of the arch"),
 ];
 
-fn intrinsic_thrust(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn intrinsic_thrust(d: &mut Derivation) -> Proof<Finding> {
     let [eta, h, radius] = [Symbol::Thickness, Symbol::Thrust, Symbol::Radius].map(Symbol::number);
     let [depth, gamma] = [Symbol::Depth, Symbol::SpecificWeight].map(Symbol::number);
     d.assume("gamma, d, r are not zero");
@@ -50,7 +49,7 @@ fn centroid<T: Field>(ring: &Ring<T>) -> T {
     ring.centroid_factor.clone()
 }
 
-fn inner_radius(d: &mut Derivation) -> Result<Finding, Undecided> {
+fn inner_radius(d: &mut Derivation) -> Proof<Finding> {
     let (ring, alpha) = (ring(), Symbol::half_opening());
     let (eta, delta) = (&ring.thickness, Symbol::Flag.number());
     d.assume("eta > 0; lengths in units of r, forces in units of w r");

@@ -2,18 +2,18 @@
 
 use super::Task;
 use super::cases::{Case, arch};
-use super::closed::{printed, trigonometric};
+use super::closed::{printed, trigonometric, trigonometric_at};
 use super::double_double;
 use super::enclosure::{ErrorSizes, enclose, error, relative_radius};
-use super::newton::{doubling, newton};
-use super::row::{Measurement, Timed, timed};
+use super::newton::{Newton, doubling, in_double_doubles, in_doubles};
+use super::row::{Measurement, timed};
 use super::static_programme::least_thickness;
 use crate::arch::Unknown;
 use crate::certify::CertifiedLandmark;
 use crate::certify::state::{Answer, Certify, Outcome, state_in_double_doubles};
 use crate::number::{
-    Angle, AstroInterval, Ball, DoubleBall, Enclosure, Engine, Magnitude, Real, Rounded,
-    rational_like,
+    Angle, AstroInterval, Ball, DoubleBall, DoubleDoubleBall, Enclosure, Engine, Magnitude, Real,
+    Rounded,
 };
 use crate::problem::tally;
 use rug::Float;
@@ -85,55 +85,44 @@ pub fn measure(case: &Case, effort: &Effort) -> Vec<Measurement> {
         }];
     };
     let study = CaseStudy { case, effort, truth: &truth };
-    let mut computed =
-        |method: &str, bits: u32, steps: Option<usize>, timed: Timed<Option<Vec<Float>>>| {
-            let evaluations = steps.map(|steps| steps * truth.len());
-            let row =
-                Measurement { newton_steps: steps, evaluations, ..study.row(method, Some(bits)) };
-            let row = row.with_times(&timed);
-            rows.push(match &timed.value {
-                Some(values) => {
-                    Measurement { verdict: "computed".into(), working_bits: Some(bits), ..row }
-                        .with_errors(&study.errors(values), bits)
+    let mut computed = |method: &str, bits: u32, job: &dyn Fn() -> Option<Newton<Float>>| {
+        let timed = timed(effort.budget, job);
+        let row = study.row(method, Some(bits)).with_times(&timed);
+        rows.push(match &timed.value {
+            Some(Newton { root, steps }) => {
+                let newton_steps = (*steps > 0).then_some(*steps);
+                Measurement {
+                    newton_steps,
+                    evaluations: newton_steps.map(|steps| steps * truth.len()),
+                    verdict: "computed".into(),
+                    working_bits: Some(bits),
+                    ..row
                 }
-                None => Measurement { verdict: "no value".into(), ..row },
-            });
-        };
-    let double = |x: f64| x.is_finite().then(|| vec![Float::with_val(53, x)]);
+                .with_errors(&study.errors(root), bits)
+            }
+            None => Measurement { verdict: "no value".into(), ..row },
+        });
+    };
+    let value = |x: Float| x.is_finite().then(|| Newton { root: vec![x], steps: 0 });
+    let double = |x: f64| value(Float::with_val(53, x));
+    let (problem, start) = (&case.problem, &case.start);
     if let Some((form, branch, joint)) = &case.closed {
         let joint = joint.to_f64();
-        let timed_form = timed(effort.budget, || double(printed(*form, *branch, joint)));
-        computed("closed form, complex double", 53, None, timed_form);
-        let timed_form =
-            timed(effort.budget, || double(trigonometric(*form, *branch, &Angle::new(joint))));
-        computed("trigonometric form, double", 53, None, timed_form);
+        computed("closed form, complex double", 53, &|| double(printed(*form, *branch, joint)));
+        computed("trigonometric form, double", 53, &|| {
+            double(trigonometric(*form, *branch, &Angle::new(joint)))
+        });
     }
-    let steps = newton(&case.problem, &case.start, 53).map(|found| found.steps);
-    let by_newton = timed(effort.budget, || {
-        let found = newton(&case.problem, &case.start, 53)?;
-        Some(found.root.iter().map(|x| Float::with_val(53, x)).collect())
-    });
-    computed("Newton, double", 53, steps, by_newton);
-    let start: Vec<double_double::Qd> =
-        case.start.iter().map(|&x| double_double::Qd::from(x)).collect();
-    let steps = newton(&case.problem, &start, double_double::BITS).map(|found| found.steps);
-    let by_newton = timed(effort.budget, || {
-        let found = newton(&case.problem, &start, double_double::BITS)?;
-        Some(found.root.iter().map(double_double::to_float).collect())
-    });
-    computed("Newton, double-double", double_double::BITS, steps, by_newton);
+    computed("Newton, double", 53, &|| in_doubles(problem, start));
+    let bits = double_double::BITS;
+    computed("Newton, double-double", bits, &|| in_double_doubles(problem, start));
     for &bits in effort.bits {
         if let Some((form, branch, joint)) = &case.closed {
-            let by_form = timed(effort.budget, || {
-                let joint = rational_like(&Float::new(bits), joint);
-                Some(vec![trigonometric(*form, *branch, &Angle::new(joint))])
+            computed("trigonometric form, MPFR", bits, &|| {
+                value(trigonometric_at(*form, *branch, joint, bits))
             });
-            computed("trigonometric form, MPFR", bits, None, by_form);
         }
-        let steps = doubling(&case.problem, &case.start, bits).map(|found| found.steps);
-        let by_newton =
-            timed(effort.budget, || Some(doubling(&case.problem, &case.start, bits)?.root));
-        computed("Newton, MPFR", bits, steps, by_newton);
+        computed("Newton, MPFR", bits, &|| doubling(problem, start, bits));
     }
     for &joints in JOINTS {
         if let Some(row) = study.static_programme(joints) {
@@ -142,12 +131,11 @@ pub fn measure(case: &Case, effort: &Effort) -> Vec<Measurement> {
     }
     for &bits in effort.bits {
         let method = "one proved root, balls of MPFR";
-        rows.push(study.proved(method, bits, study.root(bits)));
+        rows.push(study.proved(method, bits, || enclose(problem, start, bits), Some));
         if bits <= effort.astro_bits {
-            let found = study.root::<AstroInterval>(bits);
             let hulls = |all: Vec<AstroInterval>| all.iter().map(|x| hull(x, bits + 64)).collect();
-            let found = found.map(|root| root.and_then(hulls));
-            rows.push(study.proved("one proved root, astro-float", bits, found));
+            let method = "one proved root, astro-float";
+            rows.push(study.proved(method, bits, || enclose(problem, start, bits), hulls));
         }
         if matches!(case.problem, Task::Landmark { .. } | Task::State { .. }) {
             rows.push(study.proofs(bits));
@@ -200,12 +188,6 @@ impl CaseStudy<'_> {
         Some(Measurement { verdict: "computed".into(), working_bits: Some(53), ..row })
     }
 
-    /// One root, from the start to proved digits: the centre by Newton's method in MPFR, its box in the arithmetic of a
-    /// method.
-    fn root<E: Engine>(&self, bits: u32) -> Timed<Option<Vec<E>>> {
-        timed(self.effort.budget, || enclose(&self.case.problem, &self.case.start, bits))
-    }
-
     /// Values that the product proves: a landmark, isolated and refined, or a state with everything that
     /// belongs to it.
     fn certified(&self, bits: u32) -> Option<Vec<Ball>> {
@@ -237,13 +219,13 @@ impl CaseStudy<'_> {
 
     /// The proofs of the product, at one precision.
     fn proofs(&self, bits: u32) -> Measurement {
-        let timed = timed(self.effort.budget, || self.certified(bits));
+        let row = self.proved("certified, balls of MPFR", bits, || self.certified(bits), Some);
         let (_, tally) = tally::measure(|| self.certified(bits));
         let counted = |count: u64| (count > 0).then_some(count as usize);
         Measurement {
             evaluations: counted(tally.evaluations()),
             newton_steps: counted(tally.newton_steps),
-            ..self.proved("certified, balls of MPFR", bits, timed)
+            ..row
         }
     }
 
@@ -253,21 +235,27 @@ impl CaseStudy<'_> {
             return Vec::new();
         };
         let Some(arch) = arch(*weight, half_opening, friction) else { return Vec::new() };
-        let doubles = timed(self.effort.budget, || self.enclosures(&arch.state_in_doubles().ok()?));
-        let doubles = doubles.map(|found| found.map(|all| all.iter().map(double_ball).collect()));
+        let doubles = |found: Vec<DoubleBall>| Some(found.iter().map(double_ball).collect());
         let pairs =
-            timed(self.effort.budget, || self.enclosures(&state_in_double_doubles(&arch).ok()?));
-        let pairs =
-            pairs.map(|found| found.map(|all| all.iter().map(|x| x.to_ball(170)).collect()));
+            |found: Vec<DoubleDoubleBall>| Some(found.iter().map(|x| x.to_ball(170)).collect());
         let mut rows = vec![
-            self.proved("certified, balls of doubles", 53, doubles),
-            self.proved("certified, balls of double-doubles", 106, pairs),
+            self.proved(
+                "certified, balls of doubles",
+                53,
+                || self.enclosures(&arch.state_in_doubles().ok()?),
+                doubles,
+            ),
+            self.proved(
+                "certified, balls of double-doubles",
+                106,
+                || self.enclosures(&state_in_double_doubles(&arch).ok()?),
+                pairs,
+            ),
         ];
         for &bits in self.effort.bits {
             let digits = (f64::from(bits) * LOG10_2) as usize - 2;
-            let command = timed(self.effort.budget, || arch.certify_alone(digits).ok());
-            let command = command.map(|answer| self.rounded(&answer?, bits));
-            rows.push(self.proved(COMMAND, bits, command));
+            let answer = || arch.certify_alone(digits).ok();
+            rows.push(self.proved(COMMAND, bits, answer, |answer| self.rounded(&answer, bits)));
         }
         rows
     }
@@ -295,10 +283,17 @@ impl CaseStudy<'_> {
         mode.system(*weight).unknowns.iter().map(value).collect()
     }
 
-    /// The row of a method that proves balls, or nothing.
-    fn proved(&self, method: &str, bits: u32, timed: Timed<Option<Vec<Ball>>>) -> Measurement {
+    /// The row of a method that proves something, of which balls are made outside of what is timed, or nothing.
+    fn proved<T>(
+        &self,
+        method: &str,
+        bits: u32,
+        job: impl Fn() -> Option<T>,
+        balls: impl FnOnce(T) -> Option<Vec<Ball>>,
+    ) -> Measurement {
+        let timed = timed(self.effort.budget, job);
         let row = self.row(method, Some(bits)).with_times(&timed);
-        let Some(balls) = &timed.value else {
+        let Some(balls) = timed.value.and_then(balls) else {
             return Measurement { verdict: "undecided".into(), ..row };
         };
         let values: Vec<Float> = balls.iter().map(|x| x.mid().clone()).collect();

@@ -17,10 +17,7 @@ pub fn figures(rows: &[Measurement]) -> Vec<(&'static str, Figure)> {
 }
 
 /// The values of a key in the order in which they come.
-fn distinct<'a, T: PartialEq>(
-    rows: &'a [Measurement],
-    key: impl Fn(&'a Measurement) -> T,
-) -> Vec<T> {
+pub(super) fn distinct<'a, R, T: PartialEq>(rows: &'a [R], key: impl Fn(&'a R) -> T) -> Vec<T> {
     rows.iter().map(key).fold(Vec::new(), |mut all, value| {
         if !all.contains(&value) {
             all.push(value);

@@ -2,9 +2,9 @@
 
 use crate::arch::closed_form;
 use crate::arch::cubic::{self, Abbreviations};
-use crate::number::{Angle, Field, Real};
+use crate::number::{Angle, Field, Real, rational_like};
 use num_complex::Complex;
-use rug::Float;
+use rug::{Float, Rational};
 
 /// Closed forms of the study.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -113,6 +113,16 @@ pub fn trigonometric<T: Trigonometric>(
         ClosedForm::Thickness => closed_form::thickness_from(&at, terms),
         ClosedForm::Thrust => closed_form::thrust_from(&at, terms),
     }
+}
+
+/// The real form in MPFR, at an exact joint.
+pub fn trigonometric_at(
+    form: ClosedForm,
+    branch: RootBranch,
+    joint: &Rational,
+    bits: u32,
+) -> Float {
+    trigonometric(form, branch, &Angle::new(rational_like(&Float::new(bits), joint)))
 }
 
 #[cfg(test)]

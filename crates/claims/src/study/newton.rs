@@ -1,6 +1,6 @@
 //! Newton's method over any approximate number: what a careful user would write.
 
-use super::Task;
+use super::{Task, double_double};
 use crate::number::Real;
 use crate::solve::{Approximate, newton_step};
 use rug::Float;
@@ -12,7 +12,7 @@ const STEPS: usize = 100;
 pub struct Newton<T> {
     /// The last iterate.
     pub root: Vec<T>,
-    /// Steps, each with one evaluation of the residuals and their slopes.
+    /// Steps, each with one evaluation of the residuals and their slopes; none of a closed form.
     pub steps: usize,
 }
 
@@ -37,6 +37,19 @@ pub fn newton<T: Approximate + Real>(problem: &Task, start: &[T], bits: u32) -> 
         last = size;
     }
     None
+}
+
+/// Newton's method in doubles.
+pub fn in_doubles(problem: &Task, start: &[f64]) -> Option<Newton<Float>> {
+    let Newton { root, steps } = newton(problem, start, 53)?;
+    Some(Newton { root: root.iter().map(|x| Float::with_val(53, x)).collect(), steps })
+}
+
+/// Newton's method in double-doubles.
+pub fn in_double_doubles(problem: &Task, start: &[f64]) -> Option<Newton<Float>> {
+    let start: Vec<double_double::Qd> = start.iter().map(|&x| x.into()).collect();
+    let Newton { root, steps } = newton(problem, &start, double_double::BITS)?;
+    Some(Newton { root: root.iter().map(double_double::to_float).collect(), steps })
 }
 
 /// Newton's method in MPFR, the precision doubled with each step from a start in doubles.

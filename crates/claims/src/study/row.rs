@@ -67,14 +67,6 @@ pub struct Timed<T> {
     pub wall: Duration,
 }
 
-impl<T> Timed<T> {
-    /// Maps what is made of the value, outside of what was timed.
-    pub fn map<U>(self, make: impl FnOnce(T) -> U) -> Timed<U> {
-        let Self { value, first, cpu, wall } = self;
-        Timed { value: make(value), first, cpu, wall }
-    }
-}
-
 /// Shorter than this a clock does not tell: so long are calls put together.
 const SHORTEST: Duration = Duration::from_micros(50);
 
@@ -110,6 +102,12 @@ pub fn quartiles<T: PartialOrd + Copy>(mut values: Vec<T>) -> Option<[T; 3]> {
     Some([last / 4, values.len() / 2, last - last / 4].map(|place| values[place]))
 }
 
+/// Decimal digits of a precision that a value with this `log10` of its relative error has lost.
+pub fn digits_lost(bits: u32, relative: f64) -> f64 {
+    let digits = f64::from(bits) * std::f64::consts::LOG10_2;
+    (digits + relative).clamp(0.0, digits)
+}
+
 /// The largest resident memory of the process, where Linux tells.
 pub fn peak_memory_kb() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
@@ -137,8 +135,7 @@ impl Measurement {
         self.error_absolute_log10 = Some(worst(|e| e.absolute));
         self.error_relative_log10 = Some(relative);
         self.error_units = Some(worst(|e| e.units));
-        let digits = f64::from(bits) * std::f64::consts::LOG10_2;
-        self.digits_lost = Some((digits + relative).clamp(0.0, digits));
+        self.digits_lost = Some(digits_lost(bits, relative));
         self
     }
 }

@@ -7,8 +7,8 @@ use super::closed::{ClosedForm, RootBranch, printed, trigonometric};
 use super::double_double;
 use super::enclosure::{error, relative_radius};
 use super::limits::StudyLimit;
-use super::newton::{doubling, newton};
-use super::row::timed;
+use super::newton::{Newton, doubling, in_double_doubles, in_doubles};
+use super::row::{digits_lost, timed};
 use super::target::{LimitTarget, WEIGHT, factored};
 use crate::arch::overturning;
 use crate::number::{Angle, Ball};
@@ -81,9 +81,8 @@ pub fn climb(limit: &StudyLimit, k: u32, budget: Duration) -> Vec<Rung> {
         };
         if let Some(value) = timed.value.filter(|x| x.is_finite()) {
             let relative = error(&value, &truth).relative;
-            let digits = f64::from(bits) * std::f64::consts::LOG10_2;
             found.error_relative_log10 = Some(relative);
-            found.digits_lost = Some((digits + relative).clamp(0.0, digits));
+            found.digits_lost = Some(digits_lost(bits, relative));
             found.verdict = "computed";
         }
         rungs.push(found);
@@ -111,18 +110,12 @@ pub fn climb(limit: &StudyLimit, k: u32, budget: Duration) -> Vec<Rung> {
         let start: Option<Vec<f64>> =
             target.start(512).map(|start| start.iter().map(Float::to_f64).collect());
         if let Some(start) = start.filter(|x| x.iter().all(|x| x.is_normal())) {
-            add("equations, Newton, double", 53, &|| {
-                double(newton(&problem, &start, 53)?.root[index])
-            });
+            let output = |found: Option<Newton<Float>>| Some(found?.root.swap_remove(index));
+            add("equations, Newton, double", 53, &|| output(in_doubles(&problem, &start)));
             add("equations, Newton, double-double", double_double::BITS, &|| {
-                let start: Vec<double_double::Qd> =
-                    start.iter().map(|&x| double_double::Qd::from(x)).collect();
-                let found = newton(&problem, &start, double_double::BITS)?;
-                Some(double_double::to_float(&found.root[index]))
+                output(in_double_doubles(&problem, &start))
             });
-            add("equations, Newton, 256 bits", 256, &|| {
-                Some(doubling(&problem, &start, 256)?.root.swap_remove(index))
-            });
+            add("equations, Newton, 256 bits", 256, &|| output(doubling(&problem, &start, 256)));
         }
         if limit.is_small {
             add("scaled equations, 53 bits", 53, &|| target.scaled(53));

@@ -1,5 +1,6 @@
 //! The figure of the study of stability, from its rungs.
 
+use super::accuracy_figures::distinct;
 use super::limits::LIMITS;
 use super::stability::Rung;
 use couplet_draw::picture::figure::{Axis, Figure, Kind, Panel, PlottedLine, Scale};
@@ -21,15 +22,9 @@ pub fn figure(rungs: &[Rung]) -> Figure {
     let panels = LIMITS.iter().filter_map(|limit| {
         let here: Vec<&Rung> = rungs.iter().filter(|rung| rung.limit == limit.name).collect();
         let first = here.first()?;
-        let mut methods: Vec<&str> = Vec::new();
-        for rung in &here {
-            if !methods.contains(&rung.method) {
-                methods.push(rung.method);
-            }
-        }
         let distance = |rung: &Rung| f64::from(rung.distance_log10);
         let mut lines: Vec<PlottedLine> = Vec::new();
-        for method in methods {
+        for method in distinct(&here, |rung| rung.method) {
             let of_method = || here.iter().filter(|rung| rung.method == method);
             let left = of_method().map(|rung| (distance(rung), digits_left(rung)));
             let (known, none): (Vec<_>, Vec<_>) = left.partition(|(_, digits)| digits.is_some());

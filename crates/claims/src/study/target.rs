@@ -1,7 +1,7 @@
 //! A problem next to a limit: its certified value, its condition, and where a search starts.
 
 use super::Task;
-use super::closed::{ClosedForm, RootBranch, trigonometric};
+use super::closed::{ClosedForm, RootBranch, trigonometric_at};
 use super::condition::condition;
 use super::enclosure::enclose_at;
 use super::newton::newton;
@@ -9,7 +9,7 @@ use crate::arch::small::Scaled;
 use crate::arch::{SelfWeight, Unknown, overturning};
 use crate::certify::CertifiedLandmark;
 use crate::certify::state::{Certify, Outcome};
-use crate::number::{Angle, Ball, Dual, ExactNumber, Real, rational_like};
+use crate::number::{Ball, Dual, ExactNumber, Real};
 use crate::problem::{Arch, Friction};
 use crate::problem::{Landmark, Mode};
 use crate::solve::{settle, start};
@@ -64,14 +64,10 @@ impl LimitTarget {
             }
             Self::Sliding { half_opening } => arch(half_opening, None)?.sliding_friction(bits).ok(),
             Self::Closed { joint } => {
-                let at = Angle::new(rational_like(&Float::new(bits), joint));
-                let centre = trigonometric(ClosedForm::Thickness, RootBranch::Upper, &at);
+                let centre = thin_root(joint, bits);
                 Some(enclose_at::<Ball>(&self.problem()?, &[centre], bits)?.swap_remove(0))
             }
-            Self::Overturning { distance } => {
-                let x = Ball::enclosing(distance, bits);
-                Some(factored(&x))
-            }
+            Self::Overturning { distance } => Some(factored(&Ball::enclosing(distance, bits))),
         }
     }
 
@@ -122,10 +118,7 @@ impl LimitTarget {
                 values?.iter().map(|x| Float::with_val(bits, x) * 1.0001f64).collect()
             }
             Self::Sliding { half_opening } => start::sliding(&number(half_opening)).to_vec(),
-            Self::Closed { joint } => {
-                let at = Angle::new(rational_like(&Float::new(bits), joint));
-                vec![trigonometric(ClosedForm::Thickness, RootBranch::Upper, &at)]
-            }
+            Self::Closed { joint } => vec![thin_root(joint, bits)],
             Self::Overturning { .. } => return None,
         })
     }
@@ -174,6 +167,11 @@ impl LimitTarget {
             _ => second.clone() * y.square(),
         })
     }
+}
+
+/// The thin root of the cubic in `eta`, by its closed form.
+fn thin_root(joint: &Rational, bits: u32) -> Float {
+    trigonometric_at(ClosedForm::Thickness, RootBranch::Upper, joint, bits)
 }
 
 /// (15) with its radicand `9 (A - 2/3)(A + 2)`, from `x = A - 2/3`.
