@@ -8,7 +8,7 @@ use super::contacts::{CONTACTS, margin_at, row_at};
 use super::landmarks::certain_if;
 use super::letters::{ring, variables, with};
 use super::modes::SEVEN_MODES;
-use super::{Claim, Derivation, Finding, Proof, Support, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, Support, claim, found, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{
     Configuration, SelfWeight, Unknown, contact, overturning, sliding, statics, thrust,
@@ -18,11 +18,11 @@ use crate::problem::{Condition, Examined, Fixed, Landmark, Mode};
 use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint};
 
 pub(super) const CLAIMS: &[Claim] = &[
-    claim("landmark-inside", "Sec. 4, Fig. 7-11", landmarks_stand).states(
+    found("landmark-inside", "Sec. 4, Fig. 7-11", landmarks_stand).states(
         "at T, S, J and B the lines of thrust and of friction are strictly inside the whole arch, \
          and no thinner arch stands",
     ),
-    claim("landmark-inside-unlimited", "Sec. 4, Fig. 12", landmarks_without_thrust_stand).states(
+    found("landmark-inside-unlimited", "Sec. 4, Fig. 12", landmarks_without_thrust_stand).states(
         "at l and L the lines of thrust and of friction are strictly inside the whole arch, and no \
          thinner arch stands",
     ),
@@ -102,11 +102,11 @@ fn landmarks_stand(d: &mut Derivation) -> Proof<Finding> {
     d.conclude(
         "So the equations of a landmark say which margins are exactly zero: those of the joints that turn or \
          slide in one of its modes.",
-    );
+    )?;
     for landmark in [Landmark::Triple, Landmark::Shift, Landmark::Junction, Landmark::Border] {
         conditions_hold(d, landmark)?;
     }
-    d.conclude("With the ends, the steepest joint and the touching joint inside, every joint is.");
+    d.conclude("With the ends, the steepest joint and the touching joint inside, every joint is.")?;
     Ok(Finding::Equality {
         at: "the joints of the mechanisms: hinges, where the line of thrust is on a face, and sliding \
              joints, where the line of friction is at its limit"
@@ -133,7 +133,7 @@ fn landmarks_without_thrust_stand(d: &mut Derivation) -> Proof<Finding> {
     d.conclude(
         "So L, zero at the crown, grows. U grows and then falls from 0 to 0, and is positive between. Thinner arches \
          have a positive bracket: at L it is zero for Milankovitch's weight, and falls as the thickness grows.",
-    );
+    )?;
     for landmark in [Landmark::RotationEnd, Landmark::OverturningEnd] {
         conditions_hold(d, landmark)?;
     }
@@ -142,7 +142,7 @@ fn landmarks_without_thrust_stand(d: &mut Derivation) -> Proof<Finding> {
     d.conclude(
         "It is bounded on any part of the arch off the crown, and unbounded next to it: the line of friction is inside if \
          friction is infinite, and for no finite friction.",
-    );
+    )?;
     Ok(Finding::Equality {
         at: "the crown, where no force acts, and the shoulder's extrados; with infinite friction alone"
             .to_owned(),
@@ -171,7 +171,7 @@ fn motions() -> [MotionRates; 4] {
     ]
 }
 
-fn four_mechanisms_at_t(d: &mut Derivation) -> Proof<Finding> {
+fn four_mechanisms_at_t(d: &mut Derivation) -> Proof {
     lemmas(d, [&SEVEN_MODES])?;
     let [turns, shoulder, inner, slides] = motions();
     let (a, ratio) = (shoulder[4].clone(), turns[2].clone());
@@ -210,11 +210,10 @@ fn four_mechanisms_at_t(d: &mut Derivation) -> Proof<Finding> {
         "All rates are positive, and five rates with two balances leave three free: three of the four span all \
          motions, and as neither 1, c nor a is zero, any three do. Not all with positive coefficients: \
          [r,r,r] + a [s,s] = [s,r,r] + c [r,r,s].",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }
 
-fn one_joint_rotates_and_slides(d: &mut Derivation) -> Proof<Finding> {
+fn one_joint_rotates_and_slides(d: &mut Derivation) -> Proof {
     lemmas(d, [&SEVEN_MODES])?;
     for weight in SelfWeight::ALL {
         let (name, at) = (weight.name(), landmark(Landmark::Shift, weight)?);
@@ -236,6 +235,5 @@ fn one_joint_rotates_and_slides(d: &mut Derivation) -> Proof<Finding> {
     }
     d.conclude(
         "The crown has no hinge; the joint turns as the shoulder does, which slides too in [s,s].",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }

@@ -3,7 +3,7 @@
 use super::curve::STATES_IN_ORDER;
 use super::frictions::{FRICTION_FOR_ROTATION_GROWS, SLIDING_STATES_IN_ORDER};
 use super::tiling::{COLUMNS, falls_with_the_thickness, thrust_at_triple_is_below_half};
-use super::{Claim, Derivation, Finding, Proof, Support, claim, lemmas};
+use super::{Claim, Derivation, Proof, Support, implied, lemmas};
 use crate::arch::SelfWeight;
 use crate::atlas::{Areas, Curve, Trace, Variable};
 use crate::number::{Ball, Enclosure, Ternary};
@@ -12,7 +12,7 @@ use rug::Rational;
 use rug::float::Round;
 use std::sync::OnceLock;
 
-pub(super) const CLAIMS: &[Claim] = &[claim("map-areas", "Sec. 3, Fig. 6", areas).states(
+pub(super) const CLAIMS: &[Claim] = &[implied("map-areas", "Sec. 3, Fig. 6", areas).states(
     "in the plane of friction angles up to a right one and thicknesses up to 2, cells in each \
          of which one mode is proved fill more than 99 % of the area; the others are cut by lines \
          between modes",
@@ -53,7 +53,7 @@ fn percent(share: i32) -> String {
     format!("{}.{:02} %", share / 100, share % 100)
 }
 
-fn areas(d: &mut Derivation) -> Proof<Finding> {
+fn areas(d: &mut Derivation) -> Proof {
     lemmas(d, [&COLUMNS, &STATES_IN_ORDER, &FRICTION_FOR_ROTATION_GROWS])?;
     lemmas(d, [&SLIDING_STATES_IN_ORDER])?;
     falls_with_the_thickness(d)?;
@@ -72,7 +72,7 @@ fn areas(d: &mut Derivation) -> Proof<Finding> {
          thickness, and with less friction, as the line at which it stops to stand grows, and ends in B, at the thickness 2; and beta_r grows with less thickness and, as \
          h_s falls, with more friction, while beta_s falls with more friction, as h_s <= h_T < 1/2 there. So an arch between two others, \
          of which one has less friction and more thickness, and both of which have one mode, has this mode too: a cell is in one domain if two of its corners are.",
-    );
+    )?;
     for weight in SelfWeight::ALL {
         let areas = cells(weight);
         let name = weight.name();
@@ -99,6 +99,5 @@ fn areas(d: &mut Derivation) -> Proof<Finding> {
         "At a corner the comparisons are decided in balls; that they tell the mode, and that two corners are enough, is \
          said above. A line passes through a cell that has corners in two domains. Where l of Heyman's weight, eta = 1, is a corner, \
          nothing is decided.",
-    );
-    Ok(Finding::Implicit)
+    )
 }

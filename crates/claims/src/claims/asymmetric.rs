@@ -7,7 +7,7 @@
 
 use super::letters::ring;
 use super::uniqueness::ONE_THICKNESS;
-use super::{Claim, Derivation, Finding, Proof, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, found, implied, lemmas};
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
 use crate::arch::joint::Grip;
@@ -20,13 +20,13 @@ use crate::symbolic::{Fraction, Letters, Relations, Symbol};
 
 pub(super) const CLAIMS: &[Claim] = &[ASYMMETRIC_MOTION, UNIQUE];
 
-pub(super) const ASYMMETRIC_MOTION: Claim = claim("asymmetric-motion", "Eq. (19)", motion).states(
+pub(super) const ASYMMETRIC_MOTION: Claim = implied("asymmetric-motion", "Eq. (19)", motion).states(
     "three kinds of asymmetric mechanisms fit, by a sliding shoulder, hinges at the crown and at \
      the far haunch, and an inner joint that slides, the shoulder that opens too, or neither; \
      where their joints are at their limits the weight works by as much as friction takes",
 );
 
-const UNIQUE: Claim = claim("unique-asymmetric", "Sec. 5", unique).states(
+const UNIQUE: Claim = found("unique-asymmetric", "Sec. 5", unique).states(
     "the least thickness is unique for asymmetric motions too: at no other thickness has (19) a \
      solution on the whole arch, except at the friction of pure sliding",
 );
@@ -63,7 +63,7 @@ fn balance(motion: &WholeMotion<Fraction>, at: &Asymmetric<Fraction>) -> [Fracti
     [left, sum]
 }
 
-fn motion(d: &mut Derivation) -> Proof<Finding> {
+fn motion(d: &mut Derivation) -> Proof {
     use AsymmetricMode::{InnerSliding, ShoulderOpening, ShoulderSliding};
     let (at, free) = (variables(), Relations::none());
     let (eta, none) = (at.thickness.clone(), at.thickness.int(0));
@@ -99,8 +99,7 @@ fn motion(d: &mut Derivation) -> Proof<Finding> {
     d.conclude(
         "The left springing stays, and so the part of the arch beyond the left haunch has to. The third kind is the first with an \
          inner slip of zero. In a solution of (19) the margin at each hinge is zero, and |T| = mu N where a joint slides.",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
 /// Arches whose solutions are certified: for each weight one of each kind.
@@ -158,7 +157,7 @@ fn unique(d: &mut Derivation) -> Proof<Finding> {
         "Each is a solution of (19): its equations have one root in a box, by Krawczyk's test; balls cover the arch; the blocks fit, \
          and each rate is positive. The mirror image is one too. What the least thickness is does not change: below it nothing \
          is admissible. The paper says that none was recorded; its references on the programme, [7, 8], were not at hand.",
-    );
+    )?;
     Ok(Finding::Misprint {
         counterexample: examples.swap_remove(0),
         corrected: "it is unique among symmetric motions (unique-thickness); some horseshoes have asymmetric solutions of (19) at \

@@ -7,7 +7,7 @@
 
 use super::along::landmark;
 use super::asymmetric::ASYMMETRIC_MOTION;
-use super::{Claim, Derivation, Finding, Proof, Support, claim, lemmas};
+use super::{Claim, Derivation, Proof, Support, implied, lemmas};
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
 use crate::arch::joint::Grip;
@@ -20,7 +20,7 @@ use crate::symbolic::{Letters, Symbol};
 use rug::{Float, Rational};
 use std::sync::OnceLock;
 
-pub(super) const CLAIMS: &[Claim] = &[claim("asymmetric-begins", "Eq. (19)", begins).states(
+pub(super) const CLAIMS: &[Claim] = &[implied("asymmetric-begins", "Eq. (19)", begins).states(
     "the equations of the line where [s,r,r] meets [s,s] have a symmetric solution with an \
          asymmetric mechanism of the first kind at each alpha from near 126.21° (Milankovitch) or \
          125.63° (Heyman) on up to T, and one without at each from 90° on before; those of the \
@@ -173,7 +173,7 @@ fn decided() -> &'static [Proof] {
     DECIDED.get_or_init(|| EDGES.iter().map(|edge| edge.proved()).collect())
 }
 
-fn begins(d: &mut Derivation) -> Proof<Finding> {
+fn begins(d: &mut Derivation) -> Proof {
     lemmas(d, [&ASYMMETRIC_MOTION])?;
     for (edge, decided) in EDGES.iter().zip(decided()) {
         let Edge { weight, mode, begins } = edge;
@@ -216,8 +216,7 @@ fn begins(d: &mut Derivation) -> Proof<Finding> {
          The first bracket is positive, as the arm above the haunch is. So nothing of the kind exists where cos(alpha) >= 0, and \
          the condition is up |cot(alpha)| > (1 - eta/2) sin(beta_r), with up the height of the crown's extrados above the intrados \
          of the haunch.",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@
 //! `alpha²` begins with `2 u`, so that it can be reverted.
 
 use super::landmarks::both;
-use super::{Claim, Derivation, Finding, Proof, claim};
+use super::{Claim, Derivation, Proof, implied};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::certify::Undecided;
 use crate::number::{Dual, ExactField, Field};
@@ -16,16 +16,18 @@ use crate::symbolic::Series;
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
-    claim("series-heyman", "small openings", |d| small_openings(d, SelfWeight::Heyman)).states(
+    implied("series-heyman", "small openings", |d| small_openings(d, SelfWeight::Heyman)).states(
         "for Heyman's weight beta_r^2, eta and h are analytic in alpha^2 at 0 and begin with \
          alpha^2/2, alpha^4/48 and 1 - alpha^2/6",
     ),
-    claim("series-milankovitch", "small openings", |d| small_openings(d, SelfWeight::Milankovitch))
-        .states(
-            "for Milankovitch's weight beta_r^2, eta and h are analytic in alpha^2 at 0 and begin \
+    implied("series-milankovitch", "small openings", |d| {
+        small_openings(d, SelfWeight::Milankovitch)
+    })
+    .states(
+        "for Milankovitch's weight beta_r^2, eta and h are analytic in alpha^2 at 0 and begin \
          with alpha^2/2, alpha^4/48 and 1 - alpha^2/6",
-        ),
-    claim("series-difference", "Sec. 2.1", difference).states(
+    ),
+    implied("series-difference", "Sec. 2.1", difference).states(
         "the two weights differ little while the arch is thin: eta by alpha^12/1327104 and h \
          by -alpha^8/27648, to leading order",
     ),
@@ -55,7 +57,7 @@ pub(super) fn check_states<T: ExactField + ToString>(
     d.vanishes("(4)", &(opening - a))
 }
 
-fn small_openings(d: &mut Derivation, weight: SelfWeight) -> Proof<Finding> {
+fn small_openings(d: &mut Derivation, weight: SelfWeight) -> Proof {
     d.assume("y = alpha^2, small");
     let ByOpening { joint_squared, thickness, thrust } =
         expansion::by_opening(weight, TERMS).ok_or_else(unsettled)?;
@@ -88,10 +90,10 @@ fn small_openings(d: &mut Derivation, weight: SelfWeight) -> Proof<Finding> {
     ] {
         begins_with(d, name, series, power, leading)?;
     }
-    Ok(Finding::Implicit)
+    Ok(())
 }
 
-fn difference(d: &mut Derivation) -> Proof<Finding> {
+fn difference(d: &mut Derivation) -> Proof {
     d.assume("y = alpha^2, small");
     let series = |weight| expansion::by_opening(weight, TERMS).ok_or_else(unsettled);
     let [heyman, milankovitch] = both(series)?;
@@ -104,7 +106,7 @@ fn difference(d: &mut Derivation) -> Proof<Finding> {
     {
         begins_with(d, name, series, power, leading)?;
     }
-    Ok(Finding::Implicit)
+    Ok(())
 }
 
 /// Checks the power and the factor with which a series in `y` begins.

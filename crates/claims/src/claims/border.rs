@@ -11,7 +11,7 @@
 use super::along::{CurveStates, around, below, landmark, on_parts};
 use super::map_of_weights::{LINES_RISE, WHERE_THE_SHOULDER_TURNS};
 use super::measured::MeasuredBounds;
-use super::{Claim, Derivation, Finding, Proof, Support, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, Support, claim, found, lemmas};
 use crate::arch::{Ring, SelfWeight, sliding, thrust};
 use crate::certify::between;
 use crate::number::{Angle, Ball, Enclosure, Field};
@@ -24,7 +24,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         "from J to B the divide deviates to the left for Milankovitch's weight, the more the \
          larger the thickness",
     ),
-    claim("weights-B-slope", "Sec. 3, Fig. 5", slope_at_the_border)
+    found("weights-B-slope", "Sec. 3, Fig. 5", slope_at_the_border)
         .states("for Milankovitch's weight the divide arrives almost vertically at B"),
 ];
 
@@ -59,7 +59,7 @@ fn equation(d: &mut Derivation) -> Proof {
     d.identity(words, &third, -(sum * alpha.versine() * h.int(2)))
 }
 
-fn divide_deviates(d: &mut Derivation) -> Proof<Finding> {
+fn divide_deviates(d: &mut Derivation) -> Proof {
     lemmas(d, [&LINES_RISE, &WHERE_THE_SHOULDER_TURNS])?;
     equation(d)?;
     let (eta, c) = (Symbol::Thickness.number(), Symbol::F.number());
@@ -106,8 +106,7 @@ fn divide_deviates(d: &mut Derivation) -> Proof<Finding> {
          falls, and so a' + c' eta < 0. A purely \
          sliding state of the divide is thicker for Milankovitch's weight; as the lines rise, at the same \
          thickness its friction is smaller, and the difference grows with eta.",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }
 
 fn slope_at_the_border(d: &mut Derivation) -> Proof<Finding> {
@@ -136,6 +135,6 @@ fn slope_at_the_border(d: &mut Derivation) -> Proof<Finding> {
             }
         }
     }
-    d.conclude("d eta/d mu = -(a' + c' eta)/(c - delta_M eta/6)/mu', finite for both weights.");
+    d.conclude("d eta/d mu = -(a' + c' eta)/(c - delta_M eta/6)/mu', finite for both weights.")?;
     Ok(bounds.finding())
 }

@@ -15,7 +15,7 @@
 use super::cubics::letters;
 use super::curve::{STATES_IN_ORDER, TWO_THICKNESSES_FOR_EACH_JOINT};
 use super::landmarks::certain_if;
-use super::{Claim, Derivation, Finding, Proof, Support, claim, lemmas};
+use super::{Claim, Derivation, Proof, Support, claim, implied, lemmas};
 use crate::arch::cubic::Abbreviations;
 use crate::arch::{Ring, SelfWeight, closed_form, cubic, overturning};
 use crate::certify::{CertifiedLandmark, between};
@@ -32,7 +32,7 @@ pub(super) const CLAIMS: &[Claim] = &[
     claim("eq-11", "Eq. (11)", thrust_root)
         .states("h_M of (11), with either sign, is a root of the third cubic (7)"),
     RADICAND_IS_THE_DISCRIMINANT,
-    claim("eq-9-11-signs", "Eq. (9)-(11)", signs_of_the_branches).states(
+    implied("eq-9-11-signs", "Eq. (9)-(11)", signs_of_the_branches).states(
         "with principal roots the upper signs give the states with alpha < alpha_sb, the lower \
          signs those with alpha > alpha_sb, the same sign in all three",
     ),
@@ -66,7 +66,7 @@ fn solves(
     d: &mut Derivation,
     (words, cube, nonzero): (&str, Cube, &str),
     cubic: impl Fn(&Abbreviations<Fraction>, &Fraction, &Fraction) -> Fraction,
-) -> Proof<Finding> {
+) -> Proof {
     let [u, q, k] =
         [Symbol::CubeRoot, Symbol::SquareRoot, Symbol::RootOfMinusThree].map(Symbol::number);
     let at = letters();
@@ -78,31 +78,31 @@ fn solves(
         let words = format!("the cubic at its closed form, {sign} signs");
         d.identity_under(words, cubic(&at, &u, &k), k.int(0), &relations(&cube))?;
     }
-    Ok(Finding::AsPrinted)
+    Ok(())
 }
 
-fn opening_root(d: &mut Derivation) -> Proof<Finding> {
+fn opening_root(d: &mut Derivation) -> Proof {
     let cube: Cube = closed_form::opening_cube;
     solves(d, ("u³, half the bracket", cube, "S, 3g - 2S and u are not zero"), |at, u, k| {
         cubic::in_opening_variable(at, &k.int(1), &closed_form::opening_variable(at, u, k))
     })
 }
 
-fn thickness_root(d: &mut Derivation) -> Proof<Finding> {
+fn thickness_root(d: &mut Derivation) -> Proof {
     let cube: Cube = closed_form::thickness_cube;
     solves(d, ("u³, the bracket", cube, "S and u are not zero"), |at, u, k| {
         cubic::in_thickness(at, &k.int(1), &closed_form::thickness(at, u, k))
     })
 }
 
-fn thrust_root(d: &mut Derivation) -> Proof<Finding> {
+fn thrust_root(d: &mut Derivation) -> Proof {
     let cube: Cube = closed_form::thrust_cube;
     solves(d, ("u³, the bracket", cube, "S and u are not zero"), |at, u, k| {
         cubic::in_thrust(at, &k.int(1), &closed_form::thrust(at, u, k))
     })
 }
 
-fn radicand_is_the_discriminant(d: &mut Derivation) -> Proof<Finding> {
+fn radicand_is_the_discriminant(d: &mut Derivation) -> Proof {
     let at = letters();
     let (one, delta) = (at.sin.int(1), Symbol::Flag.number());
     let of = |cubic: Fraction, x| Fraction::from(discriminant(cubic.numerator(), x));
@@ -134,8 +134,7 @@ fn radicand_is_the_discriminant(d: &mut Derivation) -> Proof<Finding> {
     )?;
     d.conclude(
         "Where (12) is negative, and f + g is not zero, each cubic has only simple real roots.",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }
 
 /// `beta_sb` is below a right angle.
@@ -153,7 +152,7 @@ fn widest_joint(weight: SelfWeight) -> Proof<Ball> {
     Ok(point.enclosure(128)?.configuration().rotation_joint.rad.clone())
 }
 
-fn signs_of_the_branches(d: &mut Derivation) -> Proof<Finding> {
+fn signs_of_the_branches(d: &mut Derivation) -> Proof {
     lemmas(d, [&RADICAND_IS_THE_DISCRIMINANT, &TWO_THICKNESSES_FOR_EACH_JOINT, &STATES_IN_ORDER])?;
     // The cubic in eta is linear in g: its points are (eta, f, S), free.
     let Abbreviations { sin, f, .. } = letters();
@@ -179,7 +178,7 @@ fn signs_of_the_branches(d: &mut Derivation) -> Proof<Finding> {
          alpha_sb < alpha_2, A_1 > A_2 > 0 and h_1 > h_2 > 0. In each cubic the product of the roots, \
          -(constant)/(leading coefficient), is negative, so that the third root is negative: the two \
          of the states are the two largest.",
-    );
+    )?;
 
     let at = letters();
     let (q, no_root) = (Symbol::SquareRoot.number(), at.sin.int(0));
@@ -231,8 +230,7 @@ fn signs_of_the_branches(d: &mut Derivation) -> Proof<Finding> {
          with positive scales, keep that order. The upper sign is (1 + k)/2 in (9) and (11), which takes the larger A and h, and \
          (1 - k)/2 in (10), which takes the smaller eta of the two: all belong to alpha_1. The lower \
          sign belongs to alpha_2.",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
 /// Sign changes of the radicand: ends of intervals that hold `beta_sb` and the next zero.
@@ -243,13 +241,13 @@ fn sign_changes(weight: SelfWeight) -> [(i32, i32); 2] {
     }
 }
 
-fn radicand_in_the_range_of_interest(d: &mut Derivation) -> Proof<Finding> {
+fn radicand_in_the_range_of_interest(d: &mut Derivation) -> Proof {
     lemmas(d, [&RADICAND_IS_THE_DISCRIMINANT, &TWO_THICKNESSES_FOR_EACH_JOINT])?;
     d.conclude(
         "For 0 < beta < beta_sb the roots are real and simple, so the discriminant is positive and (12) \
          negative (for delta_M = 0 the quadratic has two, and f + g = (beta + S)(1 + C) > 0). At \
          beta_sb there is a double root and (12) vanishes.",
-    );
+    )?;
     for weight in SelfWeight::ALL {
         let name = weight.name();
         let hundredths = |n: i32| Rational::from((n, 100));
@@ -277,6 +275,5 @@ fn radicand_in_the_range_of_interest(d: &mut Derivation) -> Proof<Finding> {
         "So (12) is negative before beta_sb, zero there with a positive slope, and positive after it up \
          to 5/2 (Heyman) and 271/100 (Milankovitch). It vanishes once more before 251/100 and 68/25; \
          there the roots of the cubic lie outside of (0, 2]. The range of interest has to end before.",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }

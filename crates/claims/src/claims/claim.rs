@@ -18,7 +18,19 @@ pub struct Claim {
     decide: Decide,
 }
 
-type Decide = fn(&mut Derivation) -> Proof<Finding>;
+type Prove = fn(&mut Derivation) -> Proof;
+type Find = fn(&mut Derivation) -> Proof<Finding>;
+
+/// What decides a claim.
+#[derive(Clone, Copy, Debug)]
+enum Decide {
+    /// A proof of the statement as it is printed.
+    AsPrinted(Prove),
+    /// A proof of what the paper leaves implicit.
+    Implicit(Prove),
+    /// A derivation that finds how far the statement holds.
+    Finds(Find),
+}
 
 /// Finding of a completed derivation on the statement.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -62,9 +74,23 @@ pub struct Decision {
     pub time: Duration,
 }
 
-/// A claim of an id and a place, and what decides it.
-pub(super) const fn claim(id: &'static str, place: &'static str, decide: Decide) -> Claim {
+const fn named(id: &'static str, place: &'static str, decide: Decide) -> Claim {
     Claim { id, place, statement: "", decide }
+}
+
+/// A claim of an id and a place that holds as it is printed, and its proof.
+pub(super) const fn claim(id: &'static str, place: &'static str, prove: Prove) -> Claim {
+    named(id, place, Decide::AsPrinted(prove))
+}
+
+/// A claim that the paper leaves implicit, and its proof.
+pub(super) const fn implied(id: &'static str, place: &'static str, prove: Prove) -> Claim {
+    named(id, place, Decide::Implicit(prove))
+}
+
+/// A claim that holds otherwise than printed, with equality, with a number or corrected, and what finds that.
+pub(super) const fn found(id: &'static str, place: &'static str, find: Find) -> Claim {
+    named(id, place, Decide::Finds(find))
 }
 
 impl Claim {
@@ -85,7 +111,11 @@ impl Claim {
 
     pub(super) fn decide_with(&self, mut derivation: Derivation) -> Decision {
         let start = Instant::now();
-        let outcome = (self.decide)(&mut derivation);
+        let outcome = match self.decide {
+            Decide::AsPrinted(prove) => prove(&mut derivation).map(|()| Finding::AsPrinted),
+            Decide::Implicit(prove) => prove(&mut derivation).map(|()| Finding::Implicit),
+            Decide::Finds(find) => find(&mut derivation),
+        };
         Decision { claim: *self, outcome, derivation, time: start.elapsed() }
     }
 }

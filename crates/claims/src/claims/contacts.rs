@@ -3,7 +3,7 @@
 
 use super::frictions::SLOPES_OF_FRICTION;
 use super::letters::{ring, term, with};
-use super::{Claim, Derivation, Finding, Proof, claim, lemmas};
+use super::{Claim, Derivation, Proof, implied, lemmas};
 use crate::arch::mechanism::{Contact, Twist};
 use crate::arch::{statics, thrust};
 use crate::number::{Angle, Field};
@@ -12,12 +12,12 @@ use crate::symbolic::{Fraction, Letters, Symbol, along_the_joint};
 pub(super) const CLAIMS: &[Claim] = &[DISTANCES_RISE_AND_FALL, CONTACTS];
 
 pub(super) const DISTANCES_RISE_AND_FALL: Claim =
-    claim("map-distances", "Sec. 2.1", distances_rise_and_fall).states(
+    implied("map-distances", "Sec. 2.1", distances_rise_and_fall).states(
         "along an admissible arch the normal force N and the distance U from the extrados first \
          grow and then fall",
     );
 
-pub(super) const CONTACTS: Claim = claim("modes-contacts", "Sec. 3, 4", contacts).states(
+pub(super) const CONTACTS: Claim = implied("modes-contacts", "Sec. 3, 4", contacts).states(
     "in an admissible state the line of thrust reaches the extrados at the crown and at the \
      shoulder only, and the intrados at one joint only; friction is used up inwards at one joint \
      only, above a shoulder at its limit, and outwards at the shoulder only",
@@ -62,7 +62,7 @@ pub(super) fn cotangent_falls(d: &mut Derivation) -> Proof {
 }
 
 /// `N` and `U` along an arch first grow and then fall.
-fn distances_rise_and_fall(d: &mut Derivation) -> Proof<Finding> {
+fn distances_rise_and_fall(d: &mut Derivation) -> Proof {
     let (joint, h, ring) = (Symbol::joint(), Symbol::Thrust.number(), ring());
     let rules = along_the_joint();
     let normal = statics::normal_force(&joint, &h);
@@ -76,12 +76,11 @@ fn distances_rise_and_fall(d: &mut Derivation) -> Proof<Finding> {
     d.conclude(
         "As beta cot(beta) falls, either slope changes its sign at most once, from + to -: N and U are \
          positive between two joints where they are.",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
 /// `U`, `L` at a joint, whose difference is known and whose directions change once.
-fn contacts(d: &mut Derivation) -> Proof<Finding> {
+fn contacts(d: &mut Derivation) -> Proof {
     d.assume("0 < alpha < pi, 0 < eta <= 2; 0 < mu < inf, or h > 0 and mu = inf");
     lemmas(d, [&DISTANCES_RISE_AND_FALL, &SLOPES_OF_FRICTION])?;
     let (joint, alpha) = (Symbol::joint(), Symbol::half_opening());
@@ -106,7 +105,7 @@ fn contacts(d: &mut Derivation) -> Proof<Finding> {
          starts from 0 at the crown, grows up to beta_s and falls beyond: it is mu at one joint at most, at \
          beta_s or, in an arch that ends before, at the shoulder; it is -mu at the shoulder only, and then \
          beta_s < alpha. If h >= 1, there is no beta_s: T/N falls from 0, and no joint slides inwards.",
-    );
+    )?;
     let crown = Angle::zero(&h);
     let distances = margin_at(Contact::Extrados, &crown) - margin_at(Contact::Extrados, &alpha);
     let opening = thrust::opening_variable(&alpha);
@@ -126,6 +125,5 @@ fn contacts(d: &mut Derivation) -> Proof<Finding> {
     d.conclude(
         "So for h < 1 a shoulder on the extrados has 1 - h <= 2 - A < alpha² if alpha <= 1/2, and beta_s < alpha; \
          for alpha > 1/2 that is so anyway, as beta_s <= 1/2.",
-    );
-    Ok(Finding::Implicit)
+    )
 }

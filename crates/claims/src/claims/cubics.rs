@@ -2,7 +2,7 @@
 
 use super::letters::with;
 use super::sign::{AngleSigns, NotNegative, Positive, RingSigns};
-use super::{Claim, Derivation, Finding, Proof, claim};
+use super::{Claim, Derivation, Proof, claim, implied};
 use crate::arch::cubic::{self, Abbreviations};
 use crate::arch::{Quotient, Ring, overturning, thrust};
 use crate::number::Field;
@@ -25,7 +25,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         "the thrust of the purely rotational state is a root of pol_h; for symbolic delta_M, with \
          Heyman's quadratic at delta_M = 0",
     ),
-    claim("eq-7-denominators", "Sec. 2.1", denominators).states(
+    implied("eq-7-denominators", "Sec. 2.1", denominators).states(
         "no denominator on the way to (7) vanishes for 0 < beta < pi, 0 < eta < 2, and 0 < A",
     ),
 ];
@@ -39,7 +39,7 @@ fn polynomial(fraction: &Fraction) -> Polynomial {
     fraction.as_polynomial().expect("an equation without denominators").clone()
 }
 
-fn abbreviations(d: &mut Derivation) -> Proof<Finding> {
+fn abbreviations(d: &mut Derivation) -> Proof {
     let joint = Symbol::joint();
     let Abbreviations { sin, f, g } = cubic::abbreviations(&joint);
     let product = joint.rad.clone() * &sin;
@@ -47,11 +47,10 @@ fn abbreviations(d: &mut Derivation) -> Proof<Finding> {
     d.on_circle("(beta S)' by beta' = 1, S' = C, C' = -S", &slope, &f)?;
     let first_form = f.clone() * &joint.cos + joint.rad.clone() * sin.square();
     d.on_circle("f C + beta S^2 with C^2 = 1 - S^2", &first_form, &g)?;
-    d.on_circle("beta S^2 + C f - g", cubic::link(&joint), sin.int(0))?;
-    Ok(Finding::AsPrinted)
+    d.on_circle("beta S^2 + C f - g", cubic::link(&joint), sin.int(0))
 }
 
-fn in_thickness(d: &mut Derivation) -> Proof<Finding> {
+fn in_thickness(d: &mut Derivation) -> Proof {
     let (joint, eta, delta) = (Symbol::joint(), Symbol::Thickness.number(), Symbol::Flag.number());
     let ring = Ring::with_flag(&delta, &eta);
     assume_denominators(d);
@@ -61,7 +60,7 @@ fn in_thickness(d: &mut Derivation) -> Proof<Finding> {
     let difference = lower.difference(&tangent) * eta.int(3) * &joint.sin;
     let words = "3 S times (2) - (5), times both denominators, is pol_eta with delta_M kept";
     d.on_circle(words, &difference, &cubic)?;
-    d.conclude("where S and the denominators are not zero, (2) and (5) give one thrust exactly where pol_eta = 0");
+    d.conclude("where S and the denominators are not zero, (2) and (5) give one thrust exactly where pol_eta = 0")?;
     let free = cubic::in_thickness(&letters(), &delta, &eta);
     d.define_by("pol_eta in f, g, S", &polynomial(&free), Symbol::Thickness);
     let [one, zero] = [1, 0].map(|n| cubic::in_thickness(&letters(), &eta.int(n), &eta));
@@ -71,8 +70,7 @@ fn in_thickness(d: &mut Derivation) -> Proof<Finding> {
         + (g - &f) * eta.int(12);
     let printed = sin * &eta * eta.square() + &quadratic;
     d.identity("delta_M = 1: as printed", &one, &printed)?;
-    d.identity("delta_M = 0: Heyman's quadratic", &zero, &quadratic)?;
-    Ok(Finding::AsPrinted)
+    d.identity("delta_M = 0: Heyman's quadratic", &zero, &quadratic)
 }
 
 fn assume_denominators(d: &mut Derivation) {
@@ -113,7 +111,7 @@ fn reduced(d: &mut Derivation) -> Proof<Reduced> {
     Ok(free)
 }
 
-fn in_opening_variable(d: &mut Derivation) -> Proof<Finding> {
+fn in_opening_variable(d: &mut Derivation) -> Proof {
     let (a, eta) = (Symbol::OpeningVariable.number(), Symbol::Thickness.number());
     let delta = Symbol::Flag.number();
     assume_denominators(d);
@@ -158,11 +156,10 @@ fn in_opening_variable(d: &mut Derivation) -> Proof<Finding> {
         "delta_M = 0: 3/2 (S A + g) times Heyman's quadratic; the factor is extraneous, S A + g > 0",
         &zero,
         &heyman,
-    )?;
-    Ok(Finding::AsPrinted)
+    )
 }
 
-fn in_thrust(d: &mut Derivation) -> Proof<Finding> {
+fn in_thrust(d: &mut Derivation) -> Proof {
     let (h, delta) = (Symbol::Thrust.number(), Symbol::Flag.number());
     assume_denominators(d);
     let free = reduced(d)?;
@@ -202,11 +199,10 @@ fn in_thrust(d: &mut Derivation) -> Proof<Finding> {
     let wide = cubic::abbreviations(&Symbol::joint());
     let factor = Symbol::Thrust.number() * &wide.sin * wide.sin.int(2) + (wide.g - &wide.f);
     let positive = h * &angle.sin * &Positive::int(2) + &(angle.excess * &angle.versine);
-    positive.is(d, "2 S h + g - f, which is extraneous", &factor)?;
-    Ok(Finding::AsPrinted)
+    positive.is(d, "2 S h + g - f, which is extraneous", &factor).map(|_| ())
 }
 
-fn denominators(d: &mut Derivation) -> Proof<Finding> {
+fn denominators(d: &mut Derivation) -> Proof {
     let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
     let opening = Symbol::OpeningVariable.number();
     let [positive_opening] = Positive::given(d, "A > 0", [&opening]);
@@ -216,6 +212,5 @@ fn denominators(d: &mut Derivation) -> Proof<Finding> {
     difference.is(d, "g - f", g.clone() - f)?;
     let sum = (angle.excess + &(angle.sin.clone() * &angle.coversine)).is(d, "g", &g)?;
     let whole = sum + &(angle.sin * &positive_opening);
-    whole.is(d, "g + S A", g + sin * &opening)?;
-    Ok(Finding::Implicit)
+    whole.is(d, "g + S A", g + sin * &opening).map(|_| ())
 }

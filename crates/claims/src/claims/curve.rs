@@ -18,7 +18,7 @@
 
 use super::letters::ring;
 use super::sign::{AngleSigns, Positive, RingSigns};
-use super::{Claim, Derivation, Finding, Proof, claim, lemmas};
+use super::{Claim, Derivation, Proof, claim, implied, lemmas};
 use crate::arch::{Ring, cubic, overturning, thrust};
 use crate::number::{Angle, Ball, Dual, Field, Real};
 use crate::problem::Mode;
@@ -34,7 +34,7 @@ pub(super) const CLAIMS: &[Claim] = &[
 ];
 
 pub(super) const ONE_JOINT_FOR_EACH_THICKNESS: Claim =
-    claim("curve-joint", "Sec. 2.1", one_joint_for_each_thickness).states(
+    implied("curve-joint", "Sec. 2.1", one_joint_for_each_thickness).states(
         "for each thickness below eta_l the line of thrust can touch the intrados at exactly one \
          joint beta(eta), and for none from eta_l up to 2; p/S, where p is the cubic (7) in eta, \
          grows with beta",
@@ -55,7 +55,7 @@ pub(super) const STATES_IN_ORDER: Claim = claim("curve-order", "Sec. 2.1, Fig. 2
     );
 
 pub(super) const STATES_OF_ONE_THICKNESS: Claim =
-    claim("curve-weights", "Sec. 3", states_of_one_thickness).states(
+    implied("curve-weights", "Sec. 3", states_of_one_thickness).states(
         "at the same thickness the purely rotational state of Milankovitch's weight has a smaller \
          half opening and a smaller thrust than that of Heyman's, and the purely overturning one a \
          smaller half opening; its rotational joint is the smaller one, and below a right angle",
@@ -73,7 +73,7 @@ fn cubic_in_thickness() -> Fraction {
     )
 }
 
-fn one_joint_for_each_thickness(d: &mut Derivation) -> Proof<Finding> {
+fn one_joint_for_each_thickness(d: &mut Derivation) -> Proof {
     let (joint, ring) = (Symbol::joint(), ring());
     let (eta, delta, p) = (&ring.thickness, Symbol::Flag.number(), cubic_in_thickness());
     let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
@@ -109,11 +109,10 @@ fn one_joint_for_each_thickness(d: &mut Derivation) -> Proof<Finding> {
         "p/S grows with beta on (0, pi), from eta (delta_M eta^2 + 12 eta - 12) to +inf. The bracket \
          grows with eta and vanishes at eta_l. So p = 0 has exactly one root beta(eta) if eta < eta_l and none if \
          eta_l <= eta < 2; beta(eta) is analytic, since the slope is not zero.",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
-fn two_thicknesses_for_each_joint(d: &mut Derivation) -> Proof<Finding> {
+fn two_thicknesses_for_each_joint(d: &mut Derivation) -> Proof {
     lemmas(d, [&ONE_JOINT_FOR_EACH_THICKNESS])?;
     let joint = Symbol::joint();
     let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
@@ -136,12 +135,11 @@ fn two_thicknesses_for_each_joint(d: &mut Derivation) -> Proof<Finding> {
          exists, as beta(eta) -> 0 for eta -> 0, where p > 0, and for eta -> eta_l). For beta < \
          beta_sb, p(eta_sb) < 0, since p/S grows with beta: two roots, one on each side of eta_sb. At \
          beta_sb, p >= 0 and eta_sb is a double root. Beyond, p > 0 on [0, 2].",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }
 
 /// Thicker states are wider and carry less thrust.
-fn states_in_order(d: &mut Derivation) -> Proof<Finding> {
+fn states_in_order(d: &mut Derivation) -> Proof {
     lemmas(d, [&ONE_JOINT_FOR_EACH_THICKNESS])?;
     let (joint, ring) = (Symbol::joint(), ring());
     let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
@@ -185,17 +183,16 @@ fn states_in_order(d: &mut Derivation) -> Proof<Finding> {
         "Along the curve dh/d eta is the partial derivative of h_L, which is negative, and with (4) \
          dA/d eta is negative too, so that d alpha/d eta > 0: eta, alpha and -h \
          grow together. (4) with 0 <= alpha < alpha_l is then met exactly once.",
-    );
+    )?;
     d.conclude(format!(
         "So the equations of {} have exactly one solution with 0 < beta < pi and 0 < eta < 2 for each \
          alpha < alpha_l, and none from alpha_l on.",
         Mode::Rotational.label()
-    ));
-    Ok(Finding::AsPrinted)
+    ))
 }
 
 /// At one thickness a larger `delta_M` means a smaller half opening and a smaller thrust.
-fn states_of_one_thickness(d: &mut Derivation) -> Proof<Finding> {
+fn states_of_one_thickness(d: &mut Derivation) -> Proof {
     lemmas(d, [&STATES_IN_ORDER])?;
     let (joint, ring) = (Symbol::joint(), ring());
     let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
@@ -232,12 +229,11 @@ fn states_of_one_thickness(d: &mut Derivation) -> Proof<Finding> {
          so that every beta(eta) is smaller, cos(beta) > 0. As h_L is stationary in beta, the partial derivatives are those \
          along the states of one thickness: A grows with delta_M, so that alpha falls, and h falls. \
          Where the state is overturning, A = 2 fac/(2 + eta) grows too.",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
 /// `d beta/d alpha = 0` exactly at the double root, which is the widest joint.
-fn widest_joint(d: &mut Derivation) -> Proof<Finding> {
+fn widest_joint(d: &mut Derivation) -> Proof {
     lemmas(d, [&ONE_JOINT_FOR_EACH_THICKNESS, &TWO_THICKNESSES_FOR_EACH_JOINT, &STATES_IN_ORDER])?;
     // The two equations that define the landmark `sb` besides (4): p and its derivative, up to 3 S.
     let (joint, ring) = (Symbol::joint(), ring());
@@ -254,6 +250,5 @@ fn widest_joint(d: &mut Derivation) -> Proof<Finding> {
          exactly where dp/d eta = 0, at a double root of the cubic, where its discriminant, and with it \
          (12), is zero. With p convex in eta this is a maximum of beta(eta); so there is only one, it is \
          the widest joint of all, and it is the root of the system of sb.",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }

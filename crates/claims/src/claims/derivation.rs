@@ -208,14 +208,16 @@ impl Derivation {
         self.push(Support::Hypothesis, words, None);
     }
 
-    /// Draws a conclusion from the checks before.
-    pub fn conclude(&mut self, words: impl Into<String>) {
+    /// Draws a conclusion from the checks before. It ends a proof, or a part of one.
+    pub fn conclude(&mut self, words: impl Into<String>) -> Proof {
         self.push(Support::Conclusion, words, None);
+        Ok(())
     }
 
     /// Draws a conclusion that carries the claim, by an argument in words.
-    pub fn argue(&mut self, words: impl Into<String>) {
+    pub fn argue(&mut self, words: impl Into<String>) -> Proof {
         self.push(Support::Argument, words, None);
+        Ok(())
     }
 
     /// Uses a claim that has been decided: its steps are not repeated, but what they rest on counts here too.

@@ -4,14 +4,14 @@ use super::along;
 use super::landmarks::{both, state_of};
 use super::measured::MeasuredBounds;
 use super::same_opening::DIFFERENCES_GROW;
-use super::{Claim, Derivation, Finding, Proof, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, found, lemmas};
 use crate::arch::Unknown;
 use crate::certify::state::State;
 use crate::number::{Ball, Field};
 use crate::problem::Landmark;
 
 pub(super) const CLAIMS: &[Claim] = &[
-    claim("weights-minimal", "Sec. 2.1, Fig. 2", |d| {
+    found("weights-minimal", "Sec. 2.1, Fig. 2", |d| {
         let mut bounds = MeasuredBounds::default();
         largest(d, &mut bounds, &["pi/2", "2", "2.4", "2.55"], &[ETA, H])?;
         at(d, &mut bounds, ("2.59", None), &[ETA, H])?;
@@ -21,7 +21,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         "at the same half opening eta and h differ really little between the two weights, even as \
          the thickness grows",
     ),
-    claim("weights-marginal", "Sec. 5", |d| {
+    found("weights-marginal", "Sec. 5", |d| {
         let mut bounds = MeasuredBounds::default();
         largest(d, &mut bounds, &["pi/2"], &[ETA, H, BETA])?;
         at(d, &mut bounds, ("pi/2", Some("0.31")), &[ETA_SMALLER])?;
@@ -31,7 +31,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         "for openings up to the semicircle the differences between the two weights are quite \
          marginal",
     ),
-    claim("weights-slightly", "Sec. 2.1, 3", at_landmarks).states(
+    found("weights-slightly", "Sec. 2.1, 3", at_landmarks).states(
         "alpha_l, eta_l, the joints at the landmarks and alpha at B differ slightly between the \
          two weights, mu at B much",
     ),
@@ -80,8 +80,7 @@ fn largest(
         let place = format!("mu = inf, up to alpha = {alpha}");
         note(d, bounds, &place, (alpha, None), variables)?;
     }
-    d.conclude("They grow with the half opening, so that the last of a range is the largest.");
-    Ok(())
+    d.conclude("They grow with the half opening, so that the last of a range is the largest.")
 }
 
 /// Differences of one arch.

@@ -15,7 +15,7 @@ use super::letters::{ring, variables, with};
 use super::modes::LEVER;
 use super::overturning::A_FIXES_ALPHA;
 use super::uniqueness::{MECHANISM_BOUNDS, ONE_HALF_OPENING, THICKER_HAS_ROOM};
-use super::{Claim, Derivation, Finding, Proof, Support, claim, lemmas};
+use super::{Claim, Derivation, Proof, Support, claim, implied, lemmas};
 use crate::arch::{Ring, SelfWeight, contact, overturning, sliding, statics, thrust};
 use crate::number::{Angle, Ball, Enclosure, Field, Real};
 use crate::problem::Landmark;
@@ -25,7 +25,7 @@ use rug::Rational;
 pub(super) const CLAIMS: &[Claim] = &[
     NO_SHOULDER_SLIDING_BEYOND_T,
     INNER_SLIDING_BEYOND_T,
-    claim("map-S", "Sec. 3, Fig. 6", shift_beyond_s).states(
+    implied("map-S", "Sec. 3, Fig. 6", shift_beyond_s).states(
         "modes with the sliding joint below the rotational one are seen only on the right of S, \
          and above it",
     ),
@@ -70,7 +70,7 @@ fn shoulder_margin(d: &mut Derivation) -> Proof {
     Ok(())
 }
 
-fn no_shoulder_sliding_beyond_t(d: &mut Derivation) -> Proof<Finding> {
+fn no_shoulder_sliding_beyond_t(d: &mut Derivation) -> Proof {
     lemmas(d, [&STATES_IN_ORDER, &SLOPES_OF_FRICTION, &FRICTION_FOR_ROTATION_GROWS])?;
     lemmas(d, [&ROTATION_MEETS_SLIDING])?;
     shoulder_margin(d)?;
@@ -80,11 +80,10 @@ fn no_shoulder_sliding_beyond_t(d: &mut Derivation) -> Proof<Finding> {
          within the extrados means A(alpha) >= h + 2 fac/(2 + eta) = A(alpha_0), alpha <= alpha_0. So mu \
          = mu_ss(alpha, h) <= M(alpha_0), as mu_ss grows with alpha. And mu >= m(alpha_0). So M >= m: \
          alpha <= alpha_0 <= alpha_T, eta <= eta_T, and mu <= M(alpha_0) <= mu_T.",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }
 
-fn inner_sliding_beyond_t(d: &mut Derivation) -> Proof<Finding> {
+fn inner_sliding_beyond_t(d: &mut Derivation) -> Proof {
     lemmas(d, [&STATES_IN_ORDER, &SLOPES_OF_FRICTION, &FRICTION_FOR_ROTATION_GROWS])?;
     lemmas(d, [&ROTATION_MEETS_SLIDING, &LEVER, &MECHANISM_BOUNDS, &THICKER_HAS_ROOM])?;
     shoulder_margin(d)?;
@@ -100,14 +99,13 @@ fn inner_sliding_beyond_t(d: &mut Derivation) -> Proof<Finding> {
          rotational state of alpha. That has a mechanism, since its lever arm is positive, whatever the \
          friction: no state of thickness eta_0 has room, and no thinner arch stands, so that eta >= eta_0. The crown \
          within the extrados gives h >= A(alpha) - 2 fac/(2 + eta), which is at least h_0, its value at eta_0.",
-    );
+    )?;
     d.conclude(
         "If besides an inner joint slides, mu = mu_is(h) <= m(alpha), and the shoulder gives mu >= mu_ss(alpha, h) \
          >= M(alpha). So M <= m: alpha >= alpha_T, eta >= eta_0 >= eta_T and mu >= M(alpha) >= mu_T. For alpha >= \
          alpha_l the parts of the arch stand: eta >= eta_l; and mu >= mu_ss(alpha, 0) >= mu_ss(alpha_l, 0), the limit \
          of M. This is so for [r,r,s], [r,s,r] and [r,s].",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }
 
 /// A line on which the rotational joint is known: at the crown, or where the inner joint slides.
@@ -167,26 +165,23 @@ fn touching_thickness(d: &mut Derivation) -> Proof {
         let expected = (q.square() - &radicand) * h.ratio(3, 2) * h.int(weight.flag());
         d.identity(words, &residual, &expected)?;
     }
-    d.conclude("The last is zero, as q is the square root of the radicand.");
-    Ok(())
+    d.conclude("The last is zero, as q is the square root of the radicand.")
 }
 
-fn shift_beyond_s(d: &mut Derivation) -> Proof<Finding> {
+fn shift_beyond_s(d: &mut Derivation) -> Proof {
     only_beyond(d, HaunchPlace::Sliding, Landmark::Shift)?;
     d.conclude(
         "[r,s,r] has beta_r < beta_s, so that eta > eta_5(h), as by (5) beta_r falls as eta grows. So mu >= mu_S, h <= h_S and \
          eta >= eta_5(h_S) = eta_S, as beta_s cot(beta_s) - h falls with h below 1/2, and eta_5 with it.",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
-fn overturning_sliding_beyond_j(d: &mut Derivation) -> Proof<Finding> {
+fn overturning_sliding_beyond_j(d: &mut Derivation) -> Proof {
     only_beyond(d, HaunchPlace::Crown, Landmark::Junction)?;
     d.conclude(
         "[r,s] has L = 0 at the crown with a slope that is not negative and grows with eta, so that eta >= eta_5(h). \
          So mu >= mu_J, h <= h_J and eta >= eta_5(h_J) = eta_J, as eta_5 falls with h.",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }
 
 /// Left of a landmark the purely sliding arch stands at the thickness of (5).
@@ -226,8 +221,7 @@ fn only_beyond(d: &mut Derivation, haunch: HaunchPlace, end: Landmark) -> Proof 
         "Let mu_T <= mu < mu_{symbol}. The arch that just slides stands at the thickness eta_5 of its thrust h, with room at crown \
          and shoulder, and at each larger one with room at all faces. There [s,s] moves, and no other half opening has a \
          mechanism; this one has none that turns at the shoulder."
-    ));
-    Ok(())
+    ))
 }
 
 /// The largest `n` at which no thickness up to 2 holds the shoulder of a purely sliding state.
@@ -235,7 +229,7 @@ fn bound_at_b(weight: SelfWeight) -> Rational {
     Ring::new(weight, &Rational::from(2)).centroid_factor / 2
 }
 
-fn pure_sliding_ends_at_b(d: &mut Derivation) -> Proof<Finding> {
+fn pure_sliding_ends_at_b(d: &mut Derivation) -> Proof {
     lemmas(d, [&DISTANCES_RISE_AND_FALL, &SLOPES_OF_FRICTION, &SLIDING_STATES_IN_ORDER])?;
     lemmas(d, [&A_FIXES_ALPHA])?;
     let (n, eta) = (Symbol::OpeningVariable.number(), Symbol::Thickness.number());
@@ -255,7 +249,9 @@ fn pure_sliding_ends_at_b(d: &mut Derivation) -> Proof<Finding> {
         margin(SelfWeight::Milankovitch),
         top - (eta.clone() - n.int(3) * &n).square() / n.int(12),
     )?;
-    d.conclude("It is negative for all eta in (0, 2] if n < 1/2 (Heyman), n < 2/3 (Milankovitch).");
+    d.conclude(
+        "It is negative for all eta in (0, 2] if n < 1/2 (Heyman), n < 2/3 (Milankovitch).",
+    )?;
     for weight in SelfWeight::ALL {
         let thick = with(&margin(weight), &[Symbol::Thickness], &n.int(2));
         let excess = (n.clone() - Fraction::from(bound_at_b(weight))) * n.int(2);
@@ -317,11 +313,10 @@ fn pure_sliding_ends_at_b(d: &mut Derivation) -> Proof<Finding> {
         "At B n is the bound, by (3) at eta = 2; beyond it n is below, and from alpha_L on so is A, \
          above n. A friction above mu_B makes alpha > alpha_B along the purely sliding states, where U \
          at the shoulder is negative for every thickness up to 2, wherever the thrust acts.",
-    );
+    )?;
     d.conclude(
         "Before B n is above the bound, for alpha < 3/2 since n > A and A falls. At eta = 2 each of these states \
          stands with a small p > 0: L >= p, U > 0 from crown to shoulder, and T/N is largest at beta_s, -T/N at the shoulder: \
          [s,s]. Their frictions are all those below mu_B: mu goes to 0 with alpha, as alpha cot(alpha) < h < 1.",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }

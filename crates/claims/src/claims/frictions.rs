@@ -7,7 +7,7 @@
 use super::along::{CurveStates, around, below, landmark, on_all};
 use super::curve::STATES_IN_ORDER;
 use super::letters::{ring, term};
-use super::{Claim, Derivation, Finding, Proof, Support, claim, lemmas};
+use super::{Claim, Derivation, Proof, Support, claim, implied, lemmas};
 use crate::arch::{Ring, SelfWeight, overturning, sliding, statics, thrust};
 use crate::number::{Angle, Ball, Enclosure, Field, Surd};
 use crate::problem::Landmark;
@@ -28,17 +28,17 @@ pub(super) const CLAIMS: &[Claim] = &[
 ];
 
 pub(super) const SLOPES_OF_FRICTION: Claim =
-    claim("friction-slopes", "Eq. (17), (18)", friction_slopes).states(
+    implied("friction-slopes", "Eq. (17), (18)", friction_slopes).states(
         "where N > 0, mu_ss grows with the thrust and, from beta_s on, with the half opening, and \
          is not positive before; mu_is falls as the thrust grows",
     );
 
 pub(super) const FRICTION_OF_SMALL_THRUST: Claim =
-    claim("friction-unbounded", "Eq. (18)", friction_of_small_thrust)
+    implied("friction-unbounded", "Eq. (18)", friction_of_small_thrust)
         .states("mu_is is unbounded as the thrust falls to 0");
 
 const THRUST_OF_LARGE_FRICTION: Claim =
-    claim("friction-large", "Eq. (18)", thrust_of_large_friction)
+    implied("friction-large", "Eq. (18)", thrust_of_large_friction)
         .states("where an inner joint slides, h <= 1/(4 mu²)");
 
 pub(super) const SLIDING_STATES_IN_ORDER: Claim =
@@ -61,7 +61,7 @@ pub(super) const ROTATION_MEETS_SLIDING: Claim = claim("map-T", "Sec. 2.2, 3", o
     );
 
 /// Change of (17) and (18) with the half opening and the thrust.
-fn friction_slopes(d: &mut Derivation) -> Proof<Finding> {
+fn friction_slopes(d: &mut Derivation) -> Proof {
     let (alpha, joint, h) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thrust.number());
     let shoulder = sliding::shoulder(&alpha, &h).value();
     let normal = statics::normal_force(&alpha, &h).square();
@@ -84,12 +84,11 @@ fn friction_slopes(d: &mut Derivation) -> Proof<Finding> {
     d.conclude(
         "mu_ss grows with h, and with alpha from beta_s on; before, -T/N is not positive, since T/N is \
          0 at the crown and grows up to beta_s. mu_is falls as h grows.",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
 /// `mu_is` is unbounded for small thrusts.
-fn friction_of_small_thrust(d: &mut Derivation) -> Proof<Finding> {
+fn friction_of_small_thrust(d: &mut Derivation) -> Proof {
     let joint = Symbol::joint();
     let none = joint.rad.int(0);
     let shear = statics::shear_force(&joint, &none);
@@ -99,11 +98,10 @@ fn friction_of_small_thrust(d: &mut Derivation) -> Proof<Finding> {
     d.conclude(
         "mu_is(h) is at least T/N at any joint, which tends to cot(beta) as h -> 0: as beta may be as \
          small as one likes, mu_is(h) -> inf.",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
-fn sliding_states_in_order(d: &mut Derivation) -> Proof<Finding> {
+fn sliding_states_in_order(d: &mut Derivation) -> Proof {
     lemmas(d, [&SLOPES_OF_FRICTION, &FRICTION_OF_SMALL_THRUST])?;
     let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
     let numerator = -statics::shear_force(&alpha, &h);
@@ -115,12 +113,11 @@ fn sliding_states_in_order(d: &mut Derivation) -> Proof<Finding> {
          from inf to 0 as h grows from 0 to 1, while mu_ss grows from -cot(alpha) to a positive number \
          or, if N vanishes before, to inf: there is one thrust at which they are equal. Along these states dh/d alpha = -(d mu_ss/d alpha)/(d mu_ss/dh \
          - d mu_is/dh) < 0, and mu = mu_is(h) grows.",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }
 
 /// `h <= 1/(4 mu²)` where an inner joint slides.
-fn thrust_of_large_friction(d: &mut Derivation) -> Proof<Finding> {
+fn thrust_of_large_friction(d: &mut Derivation) -> Proof {
     let (joint, h) = (Symbol::joint(), Symbol::Thrust.number());
     let (shear, normal) = (statics::shear_force(&joint, &h), statics::normal_force(&joint, &h));
     d.identity(
@@ -142,11 +139,10 @@ fn thrust_of_large_friction(d: &mut Derivation) -> Proof<Finding> {
         (root - &joint.rad).square(),
         &rooted,
     )?;
-    d.conclude("As tan(beta) > beta, mu_is <= beta/(h + beta²) <= 1/(2 √h): h <= 1/(4 mu²).");
-    Ok(Finding::Implicit)
+    d.conclude("As tan(beta) > beta, mu_is <= beta/(h + beta²) <= 1/(2 √h): h <= 1/(4 mu²).")
 }
 
-fn sliding_thrust_goes_flatly_to_zero(d: &mut Derivation) -> Proof<Finding> {
+fn sliding_thrust_goes_flatly_to_zero(d: &mut Derivation) -> Proof {
     lemmas(d, [&THRUST_OF_LARGE_FRICTION])?;
     let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
     let cotangent = alpha.cos.clone() / &alpha.sin;
@@ -158,11 +154,10 @@ fn sliding_thrust_goes_flatly_to_zero(d: &mut Derivation) -> Proof<Finding> {
     d.conclude(
         "With N > 0, mu >= -cot(alpha), so that h <= tan²(alpha)/4, which vanishes at pi with its \
          slope.",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }
 
-fn dividing_lines_tend_to_the_end_of_rotation(d: &mut Derivation) -> Proof<Finding> {
+fn dividing_lines_tend_to_the_end_of_rotation(d: &mut Derivation) -> Proof {
     lemmas(d, [&THRUST_OF_LARGE_FRICTION])?;
     let (ring, eta) = (ring(), Symbol::Thickness.number());
     let limit = thrust::tangency(&eta.int(1), &ring);
@@ -181,12 +176,11 @@ fn dividing_lines_tend_to_the_end_of_rotation(d: &mut Derivation) -> Proof<Findi
     d.conclude(
         "On either line beta_r <= beta_s <= √h, and h <= 1/(4 mu²): as mu -> inf, (5) tends to this \
          condition, whose only root in (0, 2) is eta_l.",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }
 
 /// `M` and `m` grow along rotation.
-fn frictions_grow(d: &mut Derivation) -> Proof<Finding> {
+fn frictions_grow(d: &mut Derivation) -> Proof {
     lemmas(d, [&SLOPES_OF_FRICTION, &STATES_IN_ORDER, &FRICTION_OF_SMALL_THRUST])?;
     let alpha = Symbol::half_opening();
     let Angle { rad, sin, cos } = alpha.clone();
@@ -222,8 +216,7 @@ fn frictions_grow(d: &mut Derivation) -> Proof<Finding> {
          both A and A - h fall, so that d alpha >= -dh (1 - cos)/(alpha - sin): N² dM is at least -dh \
          times (3/4 alpha² (1 - cos)/(alpha - sin) - alpha), which is positive. So M grows with alpha; m \
          = mu_is(h) grows, since h falls, and without bound, since h -> 0 at l.",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }
 
 /// `M > m` for `alpha <= 1/2`, from Taylor's theorem.
@@ -256,12 +249,11 @@ fn small_openings(d: &mut Derivation) -> Proof {
     d.conclude(
         "T(beta) <= y beta and N >= h = 1 - y at beta_s = √(y (1-y)), so that m <= y^(3/2)/√(1-y), \
          which grows with y; so M > m for alpha <= 1/2.",
-    );
-    Ok(())
+    )
 }
 
 /// `M > m` before `T` and `M < m` beyond.
-fn order_of_frictions(d: &mut Derivation) -> Proof<Finding> {
+fn order_of_frictions(d: &mut Derivation) -> Proof {
     lemmas(d, [&SLOPES_OF_FRICTION, &FRICTION_FOR_ROTATION_GROWS])?;
     small_openings(d)?;
     for weight in SelfWeight::ALL {
@@ -299,10 +291,9 @@ fn order_of_frictions(d: &mut Derivation) -> Proof<Finding> {
     d.conclude(
         "M, m grow with alpha, so that the values at the ends of a range speak for all of it. M = m at \
          T, by (17) and (18): M > m before and M < m beyond.",
-    );
+    )?;
     d.conclude(
         "At a given half opening mu_ss - mu_is grows with h and vanishes for the purely sliding state: \
          the thrust of rotation is larger than that of sliding where M > m, and smaller where M < m.",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }

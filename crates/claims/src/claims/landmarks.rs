@@ -2,7 +2,7 @@
 
 use super::along::landmark;
 use super::letters::{ring, variables};
-use super::{Claim, Derivation, Finding, Proof, Support, claim};
+use super::{Claim, Derivation, Proof, Support, claim, implied};
 use crate::arch::{Ring, SelfWeight, Unknown, contact, overturning, sliding, statics, thrust};
 use crate::certify::Undecided;
 use crate::certify::state::{Certify, Outcome, State};
@@ -21,7 +21,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         "at J the modes [r,s,r] and [r,s] meet: the line of thrust touches the intrados at the \
          crown and has, to first order, the direction of the intrados there",
     ),
-    claim("landmark-B", "Fig. 11", border_point)
+    implied("landmark-B", "Fig. 11", border_point)
         .states("at B, where beta_r = 0, the tangency condition (5) does not hold"),
     claim("landmark-l", "Sec. 3, Tables 3-4", no_thrust_needs_unlimited_friction).states(
         "states without thrust, l, L and all purely overturning ones, strictly require infinite \
@@ -33,7 +33,7 @@ pub(super) fn certain_if(holds: bool) -> Ternary {
     if holds { Ternary::True } else { Ternary::Undecided }
 }
 
-fn triple_point(d: &mut Derivation) -> Proof<Finding> {
+fn triple_point(d: &mut Derivation) -> Proof {
     let (at, ring) = (variables(), ring());
     let upper = thrust::upper(&at.half_opening, &at.rotation_joint, &ring).residual(&at.thrust);
     let whole = thrust::whole(&at.half_opening, &ring).residual(&at.thrust);
@@ -52,11 +52,10 @@ fn triple_point(d: &mut Derivation) -> Proof<Finding> {
     }
     d.conclude(
         "T is defined by (2), (4), (5), (17), (18), so (3), (5), (18) hold: those of [r,r,s].",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }
 
-fn shift_point(d: &mut Derivation) -> Proof<Finding> {
+fn shift_point(d: &mut Derivation) -> Proof {
     let [below, above] = [Mode::RotationalSliding, Mode::RotationalSlidingRotational];
     for weight in SelfWeight::ALL {
         d.certain(
@@ -75,10 +74,10 @@ fn shift_point(d: &mut Derivation) -> Proof<Finding> {
             Ok(certain_if(same && all))
         })?;
     }
-    Ok(Finding::AsPrinted)
+    Ok(())
 }
 
-fn junction_point(d: &mut Derivation) -> Proof<Finding> {
+fn junction_point(d: &mut Derivation) -> Proof {
     let at = variables();
     for weight in SelfWeight::ALL {
         let ring = Ring::new(weight, &at.thickness);
@@ -103,11 +102,10 @@ fn junction_point(d: &mut Derivation) -> Proof<Finding> {
     d.conclude(
         "[r,s] needs this slope not to be negative, and [r,s,r] has the line of thrust touch at \
          beta_r > 0: they meet where it is zero.",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }
 
-fn border_point(d: &mut Derivation) -> Proof<Finding> {
+fn border_point(d: &mut Derivation) -> Proof {
     let two = Rational::from(2);
     for weight in SelfWeight::ALL {
         let ring = Ring::new(weight, &two);
@@ -122,10 +120,10 @@ fn border_point(d: &mut Derivation) -> Proof<Finding> {
         d.identity(words, &residual, Fraction::from(value.clone()))?;
         d.differ("its residual", &value, &Rational::new())?;
     }
-    Ok(Finding::Implicit)
+    Ok(())
 }
 
-fn no_thrust_needs_unlimited_friction(d: &mut Derivation) -> Proof<Finding> {
+fn no_thrust_needs_unlimited_friction(d: &mut Derivation) -> Proof {
     let joint = Symbol::joint();
     let none = joint.rad.int(0);
     let (shear, normal) =
@@ -134,7 +132,7 @@ fn no_thrust_needs_unlimited_friction(d: &mut Derivation) -> Proof<Finding> {
     d.identity("T/N at any joint where h = 0", shear / normal, &ratio)?;
     d.conclude(
         "It is cot(beta), which is unbounded next to the crown: no finite friction is enough there.",
-    );
+    )?;
     let crown = Angle::zero(&none);
     let lower = thrust::lower(&crown, &ring());
     d.identity("(2) at beta = 0 and h = 0", lower.residual(&none), &none)?;
@@ -146,8 +144,7 @@ fn no_thrust_needs_unlimited_friction(d: &mut Derivation) -> Proof<Finding> {
     d.identity(words, &moved, overturning::end_of_rotation(&ring()) * ring().thickness.int(2))?;
     d.conclude(
         "At l that is zero too, so the line of thrust stays at the intrados to higher order.",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }
 
 /// The second derivative of the numerator of (2) to `beta`, at the crown.

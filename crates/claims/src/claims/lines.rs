@@ -1,12 +1,12 @@
 //! The lines of the map as curves: each one arc from landmark to landmark.
 
 use super::regular::{CYCLOID, SHOULDER_IN_ANGLES};
-use super::{Claim, Derivation, Finding, Proof, claim, lemmas};
+use super::{Claim, Derivation, Proof, implied, lemmas};
 use crate::arch::SelfWeight;
 use crate::atlas::{Curve, Trace};
 use std::sync::OnceLock;
 
-pub(super) const CLAIMS: &[Claim] = &[claim("map-lines", "Sec. 3, Fig. 5, 6", lines).states(
+pub(super) const CLAIMS: &[Claim] = &[implied("map-lines", "Sec. 3, Fig. 5, 6", lines).states(
     "each line between two modes is one curve without a gap from landmark to landmark, \
          analytic inside, and so are the purely rotational, overturning and sliding states; the \
          corners of the domains are T, S, J, B, l and L",
@@ -30,7 +30,7 @@ fn traced() -> &'static [(String, Proof<bool>)] {
     })
 }
 
-fn lines(d: &mut Derivation) -> Proof<Finding> {
+fn lines(d: &mut Derivation) -> Proof {
     lemmas(d, [&CYCLOID, &SHOULDER_IN_ANGLES])?;
     for (words, is_whole) in traced() {
         d.proved_elsewhere(format!("{words}: one solution for each parameter"), is_whole.clone()?)?;
@@ -39,10 +39,9 @@ fn lines(d: &mut Derivation) -> Proof<Finding> {
         "On each piece Krawczyk's test holds for every value of the parameter: one solution in a tube, with a regular \
          derivative, so that it is an analytic function of the parameter. At a node the solution lies in the tubes on both \
          sides, where there is no other. The enclosures of the landmarks lie in the first and the last tube.",
-    );
+    )?;
     d.argue(
         "The lines, with the edges phi = 0, phi = pi/2, eta = 0 and eta = 2, close a loop around each domain, and each \
          line is a side of its two modes: so the corners are where the lines end.",
-    );
-    Ok(Finding::Implicit)
+    )
 }

@@ -9,7 +9,7 @@ use super::letters::ring;
 use super::modes::LEVER;
 use super::sign::{Positive, RingSigns};
 use super::uniqueness::THICKER_HAS_ROOM;
-use super::{Claim, Derivation, Finding, Proof, Support, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, Support, found, implied, lemmas};
 use crate::arch::{Ring, SelfWeight, statics, thrust};
 use crate::certify::{Undecided, between};
 use crate::number::{Angle, Ball, Dual, Enclosure, Field, Rounded};
@@ -20,34 +20,34 @@ use rug::Rational;
 pub(super) const CLAIMS: &[Claim] = &[
     WHERE_THE_SHOULDER_TURNS,
     WHERE_THE_JOINT_IS_GIVEN,
-    claim("weights-same-opening", "Sec. 3", same_opening_compared).states(
+    found("weights-same-opening", "Sec. 3", same_opening_compared).states(
         "in the eta-mu map the curves of one half opening lie lower for Milankovitch's weight: \
          Heyman's is on the safe side",
     ),
     LINES_RISE,
-    claim("weights-dividing-lines", "Sec. 3, Fig. 5", dividing_lines_compared).states(
+    found("weights-dividing-lines", "Sec. 3, Fig. 5", dividing_lines_compared).states(
         "in the eta-mu map the dividing lines of Milankovitch's weight lie always below and left \
          of Heyman's",
     ),
 ];
 
-pub(super) const LINES_RISE: Claim = claim("weights-lines-rise", "Sec. 3, Fig. 5", lines_rise)
+pub(super) const LINES_RISE: Claim = implied("weights-lines-rise", "Sec. 3, Fig. 5", lines_rise)
     .states("in the eta-mu map each dividing line rises, so that what lies left of it lies above");
 
 pub(super) const WHERE_THE_SHOULDER_TURNS: Claim =
-    claim("weights-shoulder-turns", "Sec. 3", thickness_where_the_shoulder_turns).states(
+    implied("weights-shoulder-turns", "Sec. 3", thickness_where_the_shoulder_turns).states(
         "where the shoulder turns about the extrados, (3), the same thrust and half opening mean a \
          larger thickness for Milankovitch's weight",
     );
 
 const WHERE_THE_JOINT_IS_GIVEN: Claim =
-    claim("weights-joint-given", "Sec. 3", thickness_where_the_joint_is_given).states(
+    implied("weights-joint-given", "Sec. 3", thickness_where_the_joint_is_given).states(
         "where the line of thrust touches the intrados, (5), the same thrust and joint mean a \
          smaller thickness for Milankovitch's weight",
     );
 
 /// Where the shoulder turns, (3) gives the thickness of a given thrust and half opening.
-fn thickness_where_the_shoulder_turns(d: &mut Derivation) -> Proof<Finding> {
+fn thickness_where_the_shoulder_turns(d: &mut Derivation) -> Proof {
     let (alpha, joint, h) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thrust.number());
     let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
     let ring = Ring::with_flag(&delta, &eta);
@@ -78,12 +78,11 @@ fn thickness_where_the_shoulder_turns(d: &mut Derivation) -> Proof<Finding> {
          delta_M = 0, W = 0 at its joint, and an admissible one of thickness eta_1 have delta_M = 1 and \
          the shoulder on the extrados, so that W >= 0 at each joint. With delta_M = 1, W < 0 at eta_0 and \
          the joint of the first, and W >= 0 there at eta_1: eta_0 < eta_1.",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
 /// (5) gives the thickness of a given thrust and joint.
-fn thickness_where_the_joint_is_given(d: &mut Derivation) -> Proof<Finding> {
+fn thickness_where_the_joint_is_given(d: &mut Derivation) -> Proof {
     let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
     let ring = Ring::with_flag(&delta, &eta);
     let signs = RingSigns::of(d)?;
@@ -96,8 +95,7 @@ fn thickness_where_the_joint_is_given(d: &mut Derivation) -> Proof<Finding> {
         + &(Positive::int(2) * &signs.factor);
     let words = "the fall of h_e with eta";
     (gain / &(signs.intrados.clone() * &signs.intrados)).is(d, words, fall(Symbol::Thickness))?;
-    d.conclude("So with the thrust and the joint kept, the thickness falls as delta_M grows.");
-    Ok(Finding::Implicit)
+    d.conclude("So with the thrust and the joint kept, the thickness falls as delta_M grows.")
 }
 
 /// No arch of Milankovitch's weight is as thin as that of Heyman's, unless its shoulder slides.
@@ -127,8 +125,7 @@ fn thicker_unless_the_shoulder_slides(d: &mut Derivation) -> Proof {
          its joint, below pi/2, and Z < 0 there for delta_M = 1. If it has an inner sliding joint, or no \
          thrust, W = 0 at its joint, and no arch of this friction has less thrust, so that W < 0 there for \
          delta_M = 1. So Milankovitch's arch is thicker, however it collapses.",
-    );
-    Ok(())
+    )
 }
 
 /// Arches of both weights, by half opening and friction, and whether Milankovitch's is the thicker one.
@@ -155,7 +152,7 @@ fn same_opening_compared(d: &mut Derivation) -> Proof<Finding> {
     d.argue(
         "[s,r,r] with both: friction gives the thrust by (17), and on the curve of (2) and (5) the thrust \
          falls with eta and, at one eta, with delta_M: Milankovitch's arch is thinner.",
-    );
+    )?;
     let first = thicker(d, ("pi/2", None), true)?;
     let second = thicker(d, ("2.6", Some("1.9")), true)?;
     thicker(d, ("pi/2", Some("0.38")), false)?;
@@ -173,12 +170,12 @@ fn same_opening_compared(d: &mut Derivation) -> Proof<Finding> {
 }
 
 /// Each line, in turn.
-fn lines_rise(d: &mut Derivation) -> Proof<Finding> {
+fn lines_rise(d: &mut Derivation) -> Proof {
     lemmas(d, [&FRICTION_FOR_ROTATION_GROWS, &STATES_IN_ORDER, &SLOPES_OF_FRICTION])?;
     d.conclude(
         "About pure rotation: M and m grow with alpha, as eta does. On [s,r,r]|[s,s], by (2) and (5), eta \
          grows as h falls, and so does mu.",
-    );
+    )?;
     cotangent_falls(d)?;
     let ring = ring();
     let (eta, delta) = (&ring.thickness, Symbol::Flag.number());
@@ -195,7 +192,7 @@ fn lines_rise(d: &mut Derivation) -> Proof<Finding> {
         "On [r,r,s]|[r,s,r] and [r,s,r]|[r,s] (5) is h - beta cot(beta) = 1 - 2 fac/(2 - eta) at beta_s = \
          sqrt(h (1-h)), which grows with h < 1/2, or at the crown, where beta cot(beta) = 1: eta grows as h \
          falls and mu grows.",
-    );
+    )?;
     lemmas(d, [&SLIDING_STATES_IN_ORDER, &WHERE_THE_SHOULDER_TURNS])?;
     let [first, last] =
         [(Landmark::Triple, SelfWeight::Milankovitch), (Landmark::Border, SelfWeight::Heyman)].map(
@@ -231,8 +228,7 @@ fn lines_rise(d: &mut Derivation) -> Proof<Finding> {
     d.conclude(
         "About pure sliding from T to B, W = 0 at the joint, which by (5) is below pi/2. Further along W < 0 \
          there at the same thickness and, as W/(2 + eta) grows with eta, at each smaller one: eta grows.",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
 fn dividing_lines_compared(d: &mut Derivation) -> Proof<Finding> {
@@ -241,7 +237,7 @@ fn dividing_lines_compared(d: &mut Derivation) -> Proof<Finding> {
         "About pure rotation, at one thickness, alpha and h are smaller for Milankovitch's weight, so that M \
          is smaller, as mu_ss grows with both, and m = mu_is(h) is larger: [r,r,r]|[s,r,r] lies left, \
          [r,r,r]|[r,r,s] right.",
-    );
+    )?;
     lemmas(d, [&WHERE_THE_SHOULDER_TURNS, &WHERE_THE_JOINT_IS_GIVEN])?;
     d.conclude(
         "On the other lines friction gives the thrust by (18) and, on those about pure sliding, the half \
@@ -249,7 +245,7 @@ fn dividing_lines_compared(d: &mut Derivation) -> Proof<Finding> {
          on [r,r,s]|[r,s,r] and [r,s,r]|[r,s] from (5) at beta_s or at the crown: it is smaller for \
          Milankovitch's weight. On the lines from T to B about pure sliding it follows from (3): it is \
          larger.",
-    );
+    )?;
     let [heyman, milankovitch] = both(semicircle)?;
     let words = "the semicircle's point on the first line is higher for Milankovitch's weight";
     d.less(words, [&heyman[0], &milankovitch[0]])?;

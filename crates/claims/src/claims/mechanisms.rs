@@ -4,7 +4,7 @@
 use super::contacts::{CONTACTS, label};
 use super::letters::{ring, variables};
 use super::modes::{LEVER, SEVEN_MODES};
-use super::{Claim, Derivation, Finding, Proof, claim, lemmas};
+use super::{Claim, Derivation, Proof, implied, lemmas};
 use crate::arch::mechanism::{Contact, Joint, Mechanism};
 use crate::arch::{Configuration, contact, sliding, thrust};
 use crate::number::{Angle, Field};
@@ -13,21 +13,21 @@ use crate::symbolic::{Fraction, Letters, Relations, Symbol};
 
 pub(super) const CLAIMS: &[Claim] = &[COMPATIBLE, RATES, AT_LIMIT, POWER];
 
-const COMPATIBLE: Claim = claim("mechanism-fits", "Sec. 4, Fig. 7-12", compatible).states(
+const COMPATIBLE: Claim = implied("mechanism-fits", "Sec. 4, Fig. 7-12", compatible).states(
     "in each of the seven modes rigid blocks move together: behind the crown nothing turns and \
      nothing moves sideways, whether a joint that slides opens or not",
 );
 
-const RATES: Claim = claim("mechanism-rates", "Sec. 4, Fig. 7-12", rates).states(
+const RATES: Claim = implied("mechanism-rates", "Sec. 4, Fig. 7-12", rates).states(
     "each hinge opens on its side and each joint slides its way, where the lever arms that the \
      mode has are positive; with a dilatancy up to the friction the slips are others, still \
      positive, and the hinges turn as without",
 );
 
-const AT_LIMIT: Claim = claim("mechanism-limits", "Sec. 4, Fig. 7-12", at_limit)
+const AT_LIMIT: Claim = implied("mechanism-limits", "Sec. 4, Fig. 7-12", at_limit)
     .states("the equations of a mode put the joints of its mechanism at their limits");
 
-const POWER: Claim = claim("mechanism-power", "Sec. 4, Fig. 7-12", power).states(
+const POWER: Claim = implied("mechanism-power", "Sec. 4, Fig. 7-12", power).states(
     "at collapse the weight works by as much as friction takes, and by nothing if joints that \
      slide open as the associated flow rule has it",
 );
@@ -51,7 +51,7 @@ fn joints(mechanism: &Mechanism<Fraction>) -> impl Iterator<Item = &Joint<Fracti
 /// Opening of a joint for a slip of one.
 const OPENS: Symbol = Symbol::Friction;
 
-fn compatible(d: &mut Derivation) -> Proof<Finding> {
+fn compatible(d: &mut Derivation) -> Proof {
     d.define("a joint that slides opens, for a slip of one, by; none for zero", &OPENS.number());
     for mode in Mode::ALL {
         let at = at(mode);
@@ -63,11 +63,10 @@ fn compatible(d: &mut Derivation) -> Proof<Finding> {
     d.conclude(
         "By symmetry the axis behind the crown moves up and down only, and the left half is the mirror image. For the open \
          crown of [r] the two hinges together are the opening along the whole joint.",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
-fn rates(d: &mut Derivation) -> Proof<Finding> {
+fn rates(d: &mut Derivation) -> Proof {
     lemmas(d, [&SEVEN_MODES, &LEVER])?;
     let mu = OPENS.number();
     for mode in Mode::ALL {
@@ -115,11 +114,10 @@ fn rates(d: &mut Derivation) -> Proof<Finding> {
         "The arm above the haunch is positive, that below is a condition of each state whose mechanism has it, and \
          0 < beta_s <= 1/2, 0 < alpha < pi; where the shoulder slides sin(alpha) - mu cos(alpha) is positive, as h is. So \
          numerators and denominators are positive. The rates of the hinges are free of mu.",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
-fn at_limit(d: &mut Derivation) -> Proof<Finding> {
+fn at_limit(d: &mut Derivation) -> Proof {
     let (free, mu) = (Relations::none(), Symbol::Friction.number());
     let square = Symbol::Thrust.polynomial() - &Symbol::Thrust.polynomial().power(2);
     let steepest = Relations::none().with(Symbol::SlidingJoint, 2, square);
@@ -163,11 +161,10 @@ fn at_limit(d: &mut Derivation) -> Proof<Finding> {
         "Each is zero where the equations of the mode hold: every rate stands with a margin that is zero. The crown moment p \
          puts the line of thrust on the extrados of the crown where the mode has (2) or no thrust, else on that of the \
          shoulder; [s,s] leaves it open.",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
-fn power(d: &mut Derivation) -> Proof<Finding> {
+fn power(d: &mut Derivation) -> Proof {
     lemmas(d, [&CONTACTS])?;
     let (mu, p) = (Symbol::Friction.number(), Symbol::CrownMoment.number());
     for (dilatancy, rule) in [(mu.int(0), "without dilatancy"), (mu.clone(), "with it")] {
@@ -191,8 +188,7 @@ fn power(d: &mut Derivation) -> Proof<Finding> {
     d.conclude(
         "For any thrust and crown moment it is the sum of the rates times the margins, with its sign turned: zero in the \
          state of the mode, where each of these margins is.",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
 #[cfg(test)]

@@ -16,7 +16,7 @@ use super::along::CurveStates;
 use super::contacts::{CONTACTS, label, margin_at, row_at, slopes};
 use super::landmarks::{certain_if, state_of};
 use super::letters::{ring, variables, with};
-use super::{Claim, Derivation, Finding, Proof, Support, claim, lemmas};
+use super::{Claim, Derivation, Proof, Support, claim, implied, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Configuration, SelfWeight, contact, statics};
 use crate::number::{Angle, Ball, Field};
@@ -26,7 +26,7 @@ use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[LEVER, SEVEN_MODES, MODES_OCCUR];
 
-pub(super) const LEVER: Claim = claim("modes-lever", "Sec. 3", lever).states(
+pub(super) const LEVER: Claim = implied("modes-lever", "Sec. 3", lever).states(
     "a line of thrust on the shoulder's extrados and on the intrados above it has a positive lever \
      arm between the two",
 );
@@ -40,7 +40,7 @@ const MODES_OCCUR: Claim = claim("modes-occur", "Sec. 3", modes_occur)
     .states("each of the seven modes occurs, with either weight");
 
 /// The lever arm between the haunch's intrados and the shoulder's extrados.
-fn lever(d: &mut Derivation) -> Proof<Finding> {
+fn lever(d: &mut Derivation) -> Proof {
     d.assume("0 < alpha < pi, 0 <= beta <= alpha, 0 < eta <= 2, h >= 0");
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
     let (h, eta) = (Symbol::Thrust.number(), &ring.thickness);
@@ -64,11 +64,10 @@ fn lever(d: &mut Derivation) -> Proof<Finding> {
         "Suppose b <= 0. As cos(alpha) <= cos(beta), cos(alpha) is not negative, so that alpha <= pi/2, \
          and each of the three terms is not negative; one is positive, as alpha > 0. But L = U = 0 \
          and -h b >= 0: a contradiction. So b > 0.",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
-fn seven_modes(d: &mut Derivation) -> Proof<Finding> {
+fn seven_modes(d: &mut Derivation) -> Proof {
     lemmas(d, [&CONTACTS, &LEVER])?;
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
     let (h, crown) = (Symbol::Thrust.number(), Angle::zero(&ring.thickness));
@@ -130,7 +129,7 @@ fn seven_modes(d: &mut Derivation) -> Proof<Finding> {
          balanced by itself: u and v, [r,r,r]; u and t, [s,r,r]; s and t, [s,s]; s and v, which is \
          [r,r,s] for beta_r >= beta_s, [r,s,r] for 0 < beta_r <= beta_s and [r,s] for beta_r = 0. With u, beta_r is \
          not 0.",
-    );
+    )?;
     let p = Symbol::CrownMoment.number();
     for (contact, expected) in [(Contact::Extrados, -p.clone()), (Contact::Intrados, p)] {
         let words = format!("{} at the crown without thrust", label(contact));
@@ -140,8 +139,7 @@ fn seven_modes(d: &mut Derivation) -> Proof<Finding> {
     d.argue(
         "With unlimited friction s = t = 0, and u and v remain: [r,r,r] for h > 0, where the same joints are at their \
          faces. For h = 0, p is 0, the crown is at both faces and opens, and L grows from there: [r].",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }
 
 /// A half opening and a friction, none if it is unlimited.
@@ -158,7 +156,7 @@ const EXAMPLES: [(Mode, [GivenArch; 2]); 6] = [
     (Mode::Overturning, [("2.7", None), ("2.62", None)]),
 ];
 
-fn modes_occur(d: &mut Derivation) -> Proof<Finding> {
+fn modes_occur(d: &mut Derivation) -> Proof {
     // Each arch beside that of the next mode, which has another.
     for ((mode, arches), (_, others)) in EXAMPLES.iter().zip(EXAMPLES.iter().cycle().skip(1)) {
         for (weight, (arch, other)) in SelfWeight::ALL.into_iter().zip(arches.iter().zip(others)) {
@@ -180,8 +178,7 @@ fn modes_occur(d: &mut Derivation) -> Proof<Finding> {
         "At its least friction the arch of half opening 1 and thickness 1 has room for the line of thrust \
          that starts in the middle of the crown: L is least at the crown, U at crown or shoulder. It \
          can only slide, at beta_s and at the shoulder: [s,s].",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }
 
 /// Room that is left to a line of thrust in an arch that only slides: half opening 1, thickness 1, thrust in

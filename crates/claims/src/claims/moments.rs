@@ -1,6 +1,6 @@
 //! Moments, tangency and centroids: (2)–(6).
 
-use super::{Claim, Derivation, Finding, Proof, claim};
+use super::{Claim, Derivation, Proof, claim, implied};
 use crate::arch::{Ring, statics, thrust};
 use crate::number::{Angle, Dual, Field};
 use crate::symbolic::{Fraction, Letters, Symbol};
@@ -20,7 +20,7 @@ pub(super) const CLAIMS: &[Claim] = &[
     ),
     claim("eq-4-forms", "Eq. (4)", opening_variable_forms)
         .states("A(alpha) = alpha sin(alpha)/(1 - cos(alpha)) = alpha cot(alpha/2)"),
-    claim("eq-2-4-imply-3", "Sec. 2.1", upper_follows).states("(3) follows from (2) and (4)"),
+    implied("eq-2-4-imply-3", "Sec. 2.1", upper_follows).states("(3) follows from (2) and (4)"),
     claim("eq-5", "Eq. (5)", tangency)
         .states("h_e is the thrust at which the line of thrust is tangent to the intrados at beta"),
     claim("eq-5-forms", "Eq. (5)", tangency_forms).states("both printed forms of h_e are equal"),
@@ -64,7 +64,7 @@ impl RingLetters {
 
 const NORMAL: &str = "N != 0 at the joints: else there is no pressure point";
 
-fn lower(d: &mut Derivation) -> Proof<Finding> {
+fn lower(d: &mut Derivation) -> Proof {
     let arch = arch();
     let joint = Symbol::joint();
     d.assume(NORMAL);
@@ -73,11 +73,10 @@ fn lower(d: &mut Derivation) -> Proof<Finding> {
     d.define("(2) without its denominator, h [2 + eta - (2-eta) C] - …", &residual);
     let miss = arch.miss(&joint, &arch.half, &-arch.half.clone());
     let words = "2 N (e + eta/2) at beta, with e0 = eta/2 at the crown, is the same";
-    d.identity(words, &miss, &residual)?;
-    Ok(Finding::AsPrinted)
+    d.identity(words, &miss, &residual)
 }
 
-fn upper(d: &mut Derivation) -> Proof<Finding> {
+fn upper(d: &mut Derivation) -> Proof {
     let arch = arch();
     let (joint, shoulder) = (Symbol::joint(), Symbol::half_opening());
     d.assume(NORMAL);
@@ -87,11 +86,10 @@ fn upper(d: &mut Derivation) -> Proof<Finding> {
     let at_shoulder = arch.miss(&shoulder, &arch.crown, &arch.half);
     let at_joint = arch.miss(&joint, &arch.crown, &-arch.half.clone());
     let words = "2 N (e - eta/2) at alpha minus 2 N (e + eta/2) at beta, for any e0 at the crown";
-    d.identity(words, at_shoulder - &at_joint, &residual)?;
-    Ok(Finding::AsPrinted)
+    d.identity(words, at_shoulder - &at_joint, &residual)
 }
 
-fn whole(d: &mut Derivation) -> Proof<Finding> {
+fn whole(d: &mut Derivation) -> Proof {
     let arch = arch();
     let shoulder = Symbol::half_opening();
     d.assume(NORMAL);
@@ -104,11 +102,10 @@ fn whole(d: &mut Derivation) -> Proof<Finding> {
     let printed = opening
         - arch.ring.centroid_factor.int(2) * &arch.ring.centroid_factor / arch.ring.extrados();
     let value = thrust::whole(&shoulder, &arch.ring).value();
-    d.identity("h_2 = A - 2 fac_M/(2 + eta)", &value, &printed)?;
-    Ok(Finding::AsPrinted)
+    d.identity("h_2 = A - 2 fac_M/(2 + eta)", &value, &printed)
 }
 
-fn opening_variable_forms(d: &mut Derivation) -> Proof<Finding> {
+fn opening_variable_forms(d: &mut Derivation) -> Proof {
     let half = Symbol::joint();
     d.assume("sin(alpha/2) != 0");
     d.assume("S = sin(alpha/2), C = cos(alpha/2): sin(alpha) = 2 S C, cos(alpha) = 1 - 2 S^2");
@@ -121,11 +118,10 @@ fn opening_variable_forms(d: &mut Derivation) -> Proof<Finding> {
     d.on_circle("they lie on the circle", &circle, half.sin.int(1))?;
     let cotangent = alpha.rad.clone() * &half.cos / &half.sin;
     let value = thrust::opening_variable(&alpha).value();
-    d.identity("A = alpha C/S", &value, &cotangent)?;
-    Ok(Finding::AsPrinted)
+    d.identity("A = alpha C/S", &value, &cotangent)
 }
 
-fn upper_follows(d: &mut Derivation) -> Proof<Finding> {
+fn upper_follows(d: &mut Derivation) -> Proof {
     let arch = arch();
     let (joint, shoulder) = (Symbol::joint(), Symbol::half_opening());
     d.assume("the denominators of (2), (3), (4) do not vanish");
@@ -135,11 +131,10 @@ fn upper_follows(d: &mut Derivation) -> Proof<Finding> {
     d.define("(2) without its denominator", &second);
     d.define("(4) without its denominator", &fourth);
     let combination = fourth - second;
-    d.identity("(4) minus (2) is (3): the cofactors are 1 and -1", &combination, &third)?;
-    Ok(Finding::Implicit)
+    d.identity("(4) minus (2) is (3): the cofactors are 1 and -1", &combination, &third)
 }
 
-fn tangency(d: &mut Derivation) -> Proof<Finding> {
+fn tangency(d: &mut Derivation) -> Proof {
     let arch = arch();
     let joint = Symbol::joint();
     d.assume(NORMAL);
@@ -160,11 +155,10 @@ fn tangency(d: &mut Derivation) -> Proof<Finding> {
         + two * normal.derivative(0) * &(e.value().clone() + &arch.half);
     let right = residual * &joint.sin;
     d.on_circle("2 N e' + 2 N' (e + eta/2) = sin(beta) times it", &left, &right)?;
-    d.conclude("where e = -eta/2, the derivative e' is zero exactly where (5) holds");
-    Ok(Finding::AsPrinted)
+    d.conclude("where e = -eta/2, the derivative e' is zero exactly where (5) holds")
 }
 
-fn tangency_forms(d: &mut Derivation) -> Proof<Finding> {
+fn tangency_forms(d: &mut Derivation) -> Proof {
     let arch = arch();
     d.assume("eta != 0 and eta != 2");
     let (eta, factor) = (&arch.ring.thickness, &arch.ring.centroid_factor);
@@ -173,15 +167,10 @@ fn tangency_forms(d: &mut Derivation) -> Proof<Finding> {
     d.define("the first form, beta cot(beta) + 1 - 2 fac_M/(2-eta)", &first);
     let bracket = eta.int(1) + eta.int(2) / eta * &(factor.clone() - eta.int(1));
     let second = cotangent - eta.clone() / arch.ring.intrados() * bracket;
-    d.identity(
-        "beta cot(beta) - eta/(2-eta) [1 + 2/eta (fac_M - 1)] is the same",
-        &second,
-        &first,
-    )?;
-    Ok(Finding::AsPrinted)
+    d.identity("beta cot(beta) - eta/(2-eta) [1 + 2/eta (fac_M - 1)] is the same", &second, &first)
 }
 
-fn centroid(d: &mut Derivation) -> Proof<Finding> {
+fn centroid(d: &mut Derivation) -> Proof {
     d.assume("delta_M = 1: the true centroids; lengths in units of r");
     // The radius of a point of the wedge is written S here, a free letter with S' = 1.
     let radius = Symbol::Sine.number();
@@ -201,11 +190,10 @@ fn centroid(d: &mut Derivation) -> Proof<Finding> {
     let factor = Ring::with_flag(&eta.int(1), &eta).centroid_factor;
     d.identity("moment over area, from 1 - eta/2 to 1 + eta/2", &centroid, &factor)?;
     let square = (factor - eta.int(1)) * eta.int(12);
-    d.identity("12 (fac_M - 1) is a square, so that fac_M >= 1", &square, eta.square())?;
-    Ok(Finding::AsPrinted)
+    d.identity("12 (fac_M - 1) is a square, so that fac_M >= 1", &square, eta.square())
 }
 
-fn thin_arch(d: &mut Derivation) -> Proof<Finding> {
+fn thin_arch(d: &mut Derivation) -> Proof {
     let RingLetters { ring, .. } = arch();
     let (eta, delta) = (&ring.thickness, Symbol::Flag.number());
     let cotangent = Symbol::joint().times_cotangent();
@@ -214,11 +202,10 @@ fn thin_arch(d: &mut Derivation) -> Proof<Finding> {
     d.identity("h_e at eta = 0", &limit, &cotangent)?;
     let rest = thrust::tangency(&cotangent, &ring).value() - cotangent;
     let expected = -(eta.clone() / ring.intrados() * (eta.int(1) + delta * eta / eta.int(6)));
-    d.identity("h_e less beta cot(beta), of the order of eta for either weight", &rest, &expected)?;
-    Ok(Finding::AsPrinted)
+    d.identity("h_e less beta cot(beta), of the order of eta for either weight", &rest, &expected)
 }
 
-fn no_friction(d: &mut Derivation) -> Proof<Finding> {
+fn no_friction(d: &mut Derivation) -> Proof {
     let RingLetters { ring, .. } = arch();
     let (joint, shoulder) = (Symbol::joint(), Symbol::half_opening());
     let forms = [
@@ -231,5 +218,5 @@ fn no_friction(d: &mut Derivation) -> Proof<Finding> {
         let slope = form.value().partial(Symbol::Friction);
         d.identity(format!("the derivative of {name} to mu"), &slope, slope.int(0))?;
     }
-    Ok(Finding::AsPrinted)
+    Ok(())
 }

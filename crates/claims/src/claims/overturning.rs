@@ -1,7 +1,7 @@
 //! Purely overturning states and the end of rotation: (13)–(16).
 
 use super::letters::{ring, with};
-use super::{Claim, Derivation, Finding, Proof, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, claim, found, implied, lemmas};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::number::{Angle, Field, Surd};
 use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_opening};
@@ -22,7 +22,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         "on 0 <= eta <= 2, A falls from 1 to 2/3, where the square root in (15) is zero and eta(A) \
          and eta(alpha) have a vertical tangent; the other sign of the root has eta >= 2",
     ),
-    claim("eq-16", "Eq. (16)", end_of_rotation).states(
+    found("eq-16", "Eq. (16)", end_of_rotation).states(
         "h_e = 0 at beta_r = 0 in (5) gives 1 - eta/(2-eta) (1 + delta_M eta^2/12) = 0, with the \
          root 2 (2√3 - 3) for delta_M = 1",
     ),
@@ -36,10 +36,10 @@ pub(super) const CLAIMS: &[Claim] = &[
 ];
 
 pub(super) const A_FIXES_ALPHA: Claim =
-    claim("alpha-one-to-one", "Sec. 2.1", opening_variable_falls)
+    implied("alpha-one-to-one", "Sec. 2.1", opening_variable_falls)
         .states("A(alpha) falls strictly from 2 to 0 on (0, pi), so that A fixes alpha");
 
-fn without_thrust(d: &mut Derivation) -> Proof<Finding> {
+fn without_thrust(d: &mut Derivation) -> Proof {
     d.assume("h = 0; 2 + eta != 0; cos(alpha) != 1");
     let (ring, alpha) = (ring(), Symbol::half_opening());
     let zero = ring.thickness.int(0);
@@ -54,11 +54,10 @@ fn without_thrust(d: &mut Derivation) -> Proof<Finding> {
     d.identity("(4) at h = 0, cleared, is the same", &fourth, &difference)?;
     let crown = Angle::zero(&zero);
     let third = -thrust::upper(&alpha, &crown, &ring).residual(&zero);
-    d.identity("(3) at h = 0 and beta = 0 too", &third, &difference)?;
-    Ok(Finding::AsPrinted)
+    d.identity("(3) at h = 0 and beta = 0 too", &third, &difference)
 }
 
-fn heyman(d: &mut Derivation) -> Proof<Finding> {
+fn heyman(d: &mut Derivation) -> Proof {
     d.assume("2 + eta != 0, A != 0");
     let (eta, a) = (Symbol::Thickness.number(), Symbol::OpeningVariable.number());
     let value = overturning::opening_variable(&Ring::new(SelfWeight::Heyman, &eta)).value();
@@ -69,8 +68,7 @@ fn heyman(d: &mut Derivation) -> Proof<Finding> {
     d.identity("A(eta(A)) = A, with eta(A) = 2 (1/A - 1)", &back, &a)?;
     let forth = value.evaluate(&eta, |_| eta.clone());
     let both = with(&inverse, &[Symbol::OpeningVariable], &forth);
-    d.identity("eta(A(eta)) = eta", both, &eta)?;
-    Ok(Finding::AsPrinted)
+    d.identity("eta(A(eta)) = eta", both, &eta)
 }
 
 /// `3 (3A² + 4A - 4)`.
@@ -78,7 +76,7 @@ fn radicand(a: &Fraction) -> Fraction {
     (a.int(3) * a.square() + a.int(4) * a - a.int(4)) * a.int(3)
 }
 
-fn milankovitch(d: &mut Derivation) -> Proof<Finding> {
+fn milankovitch(d: &mut Derivation) -> Proof {
     let (eta, a, q) =
         (Symbol::Thickness.number(), Symbol::OpeningVariable.number(), Symbol::SquareRoot.number());
     d.assume("2 + eta != 0; q^2 = 3 (3A^2 + 4A - 4)");
@@ -93,11 +91,10 @@ fn milankovitch(d: &mut Derivation) -> Proof<Finding> {
     let root =
         |sign: i32| with(&quadratic, &[Symbol::Thickness], &(a.int(3) * &a - q.int(sign) * &q));
     d.identity_under("eta = 3A - q is a root", root(1), a.int(0), &rooted)?;
-    d.identity_under("and so is eta = 3A + q", root(-1), a.int(0), &rooted)?;
-    Ok(Finding::AsPrinted)
+    d.identity_under("and so is eta = 3A + q", root(-1), a.int(0), &rooted)
 }
 
-fn milankovitch_branch(d: &mut Derivation) -> Proof<Finding> {
+fn milankovitch_branch(d: &mut Derivation) -> Proof {
     let (eta, a) = (Symbol::Thickness.number(), Symbol::OpeningVariable.number());
     let ring = Ring::new(SelfWeight::Milankovitch, &eta);
     let value = overturning::opening_variable(&ring).value();
@@ -123,8 +120,7 @@ fn milankovitch_branch(d: &mut Derivation) -> Proof<Finding> {
     d.conclude(
         "With one root in [0, 2] the other is 6A - eta >= 2: the sign in (15) is right. d alpha/d eta is \
          dA/d eta over dA/d alpha, which is not zero: both vanish at eta = 2.",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }
 
 fn end_of_rotation(d: &mut Derivation) -> Proof<Finding> {
@@ -167,7 +163,7 @@ fn end_of_rotation(d: &mut Derivation) -> Proof<Finding> {
     })
 }
 
-fn limit_values(d: &mut Derivation) -> Proof<Finding> {
+fn limit_values(d: &mut Derivation) -> Proof {
     d.assume("h = 0, beta_r -> 0, 0 < eta < 2");
     let cases = [
         (SelfWeight::Heyman, Surd::rational(1, 3), Surd::rational((2, 3), 3)),
@@ -189,20 +185,19 @@ fn limit_values(d: &mut Derivation) -> Proof<Finding> {
         "12 times (16) is 12 - 12 eta - eta^2 for Milankovitch: falling for eta > 0, so the root is the only one",
         &residual,
         &quadratic,
-    )?;
-    Ok(Finding::AsPrinted)
+    )
 }
 
-fn physical_limit(d: &mut Derivation) -> Proof<Finding> {
+fn physical_limit(d: &mut Derivation) -> Proof {
     for (weight, a) in [(SelfWeight::Heyman, (1, 2)), (SelfWeight::Milankovitch, (2, 3))] {
         let ring = Ring::new(weight, &Rational::from(2));
         let opening = overturning::opening_variable(&ring).value();
         d.equal(format!("{}: A by (13) at eta = 2", weight.name()), &opening, &Rational::from(a))?;
     }
-    Ok(Finding::AsPrinted)
+    Ok(())
 }
 
-fn opening_variable_falls(d: &mut Derivation) -> Proof<Finding> {
+fn opening_variable_falls(d: &mut Derivation) -> Proof {
     let alpha = Symbol::half_opening();
     d.assume("0 < alpha < pi");
     let rules = along_the_opening();
@@ -226,17 +221,15 @@ fn opening_variable_falls(d: &mut Derivation) -> Proof<Finding> {
     }
     let straight = |x| Rational::from(i32::from(x == Symbol::HalfOpening));
     let end = parts.numerator.evaluate(&Rational::new(), straight);
-    d.equal("alpha sin(alpha) at pi, where sin(alpha) = 0", &end, &Rational::new())?;
-    Ok(Finding::Implicit)
+    d.equal("alpha sin(alpha) at pi, where sin(alpha) = 0", &end, &Rational::new())
 }
 
-fn shared_opening(d: &mut Derivation) -> Proof<Finding> {
+fn shared_opening(d: &mut Derivation) -> Proof {
     d.assume("A fixes alpha (alpha-one-to-one)");
     let milankovitch = Ring::new(SelfWeight::Milankovitch, &Rational::from(2));
     let heyman = Ring::new(SelfWeight::Heyman, &Rational::from(1));
     let a = |ring: &Ring<Rational>| overturning::opening_variable(ring).value();
     d.equal("A_L of Milankovitch's weight and A_l of Heyman's", &a(&milankovitch), &a(&heyman))?;
     let rest = overturning::end_of_rotation(&heyman);
-    d.equal("eta = 1 is Heyman's eta_l", &rest, &Rational::new())?;
-    Ok(Finding::AsPrinted)
+    d.equal("eta = 1 is Heyman's eta_l", &rest, &Rational::new())
 }

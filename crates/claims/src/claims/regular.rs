@@ -1,7 +1,7 @@
 //! The forms in which the curves of the map are regular up to their ends, each against the printed equations.
 
 use super::letters::{ring, variables};
-use super::{Claim, Derivation, Finding, Proof, claim, lemmas};
+use super::{Claim, Derivation, Proof, implied, lemmas};
 use crate::arch::haunch::{Haunch, opening_variable_at_half};
 use crate::arch::{cycloid, sliding, statics, thrust};
 use crate::number::{Angle, Field};
@@ -10,26 +10,26 @@ use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_opening};
 pub(super) const CLAIMS: &[Claim] = &[
     CYCLOID,
     SHOULDER_IN_ANGLES,
-    claim("eq-17-flat", "Eq. (17), (18)", flat_shoulder).states(
+    implied("eq-17-flat", "Eq. (17), (18)", flat_shoulder).states(
         "the purely sliding states of flat arches: with q = (alpha - phi)/chi, (17) is chi³ times \
          q (q² (c_2 - c_3) - c_1(chi²)² c_1) - 4 c_3(4 chi²) c_0, Stumpff's functions at q² chi²",
     ),
-    claim("eq-2-touching", "Eq. (2)-(5)", touching).states(
+    implied("eq-2-touching", "Eq. (2)-(5)", touching).states(
         "(2) and (5) hold where (5) does and h = (2 - eta)/(2 eta) (1 - cos(beta)) (beta/sin(beta) \
          - 1), which has no quotient that vanishes with the thickness",
     ),
-    claim("eq-2-square", "Eq. (2)-(5)", squares).states(
+    implied("eq-2-square", "Eq. (2)-(5)", squares).states(
         "(2)-(5) see the joint through functions of its square, analytic at the crown, and A \
          through those of a quarter of that of the half opening",
     ),
 ];
 
-pub(super) const CYCLOID: Claim = claim("eq-18-cycloid", "Eq. (18)", cycloid).states(
+pub(super) const CYCLOID: Claim = implied("eq-18-cycloid", "Eq. (18)", cycloid).states(
     "(18) is a cycloid: h = cos²(chi), beta_s = sin(chi) cos(chi) and phi = chi - sin(chi) \
      cos(chi), with chi in (0, pi/2) the inclination of the force on the joint that slides",
 );
 
-pub(super) const SHOULDER_IN_ANGLES: Claim = claim("eq-17-angles", "Eq. (17)", shoulder).states(
+pub(super) const SHOULDER_IN_ANGLES: Claim = implied("eq-17-angles", "Eq. (17)", shoulder).states(
     "(17) is h sin(alpha - phi) = alpha cos(alpha - phi), and N is cos(phi) times h cos(alpha - \
      phi) + alpha sin(alpha - phi)",
 );
@@ -39,7 +39,7 @@ fn inclination() -> Angle<Fraction> {
     Symbol::half_opening()
 }
 
-fn cycloid(d: &mut Derivation) -> Proof<Finding> {
+fn cycloid(d: &mut Derivation) -> Proof {
     d.assume("0 < chi < pi/2");
     let chi = inclination();
     let (h, beta) = (cycloid::thrust(&chi), cycloid::joint(&chi));
@@ -57,11 +57,10 @@ fn cycloid(d: &mut Derivation) -> Proof<Finding> {
     d.conclude(
         "mu = tan(phi) with phi = chi - beta_s, which grows from 0 to pi/2 as chi does: to each friction belongs one \
          chi, and h falls from 1 to 0.",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
-fn shoulder(d: &mut Derivation) -> Proof<Finding> {
+fn shoulder(d: &mut Derivation) -> Proof {
     d.assume("0 <= phi < pi/2; beta stands for alpha - phi");
     let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
     let inclination = Symbol::joint();
@@ -74,8 +73,7 @@ fn shoulder(d: &mut Derivation) -> Proof<Finding> {
     let normal = statics::normal_force(&alpha, &h);
     let rest = along * &cosine - angles * &sine;
     d.on_circle("N, less the part that vanishes where the shoulder slides", &normal, &rest)?;
-    d.conclude("So where this holds, N > 0 if h cos(alpha - phi) + alpha sin(alpha - phi) > 0.");
-    Ok(Finding::Implicit)
+    d.conclude("So where this holds, N > 0 if h cos(alpha - phi) + alpha sin(alpha - phi) > 0.")
 }
 
 /// Stumpff's functions `c_0, …, c_3` at `u` in two letters.
@@ -84,7 +82,7 @@ fn functions(u: &Fraction) -> [Fraction; 4] {
     [u.int(1) - u.clone() * &c2, u.int(1) - u.clone() * &c3, c2, c3]
 }
 
-fn flat_shoulder(d: &mut Derivation) -> Proof<Finding> {
+fn flat_shoulder(d: &mut Derivation) -> Proof {
     lemmas(d, [&CYCLOID, &SHOULDER_IN_ANGLES])?;
     d.assume("0 < chi; c_2, c_3 at q² chi² are the letters f, g, and u stands for q");
     let (chi, q) = (inclination(), Symbol::CubeRoot.number());
@@ -106,11 +104,10 @@ fn flat_shoulder(d: &mut Derivation) -> Proof<Finding> {
     let root = (q.clone() - one.int(2)) * (q.clone() + &one).square() / one.int(3);
     let words =
         "at chi = 0, where c_2 - c_3 = 1/3, c_3 = 1/6: one positive root, q = 2, and it is simple";
-    d.identity(words, &at_zero, &root)?;
-    Ok(Finding::Implicit)
+    d.identity(words, &at_zero, &root)
 }
 
-fn touching(d: &mut Derivation) -> Proof<Finding> {
+fn touching(d: &mut Derivation) -> Proof {
     d.assume("0 < beta < pi, 0 < eta < 2");
     let (at, ring) = (variables(), ring());
     let (joint, h) = (&at.rotation_joint, &at.thrust);
@@ -137,11 +134,10 @@ fn touching(d: &mut Derivation) -> Proof<Finding> {
     d.conclude(
         "Where the square root of the last is taken, h and the bow are positive, and so are their roots, of which the one of \
          (1 - cos(beta)) (beta/sin(beta) - 1) is analytic in beta².",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
-fn squares(d: &mut Derivation) -> Proof<Finding> {
+fn squares(d: &mut Derivation) -> Proof {
     d.assume("c_2, c_3 at beta² are the letters f, g: sin(beta) = beta c_1, cos(beta) = c_0");
     let beta = Symbol::Joint.number();
     let c = functions(&beta.square());
@@ -174,6 +170,5 @@ fn squares(d: &mut Derivation) -> Proof<Finding> {
         opening_variable_at_half(&c).value(),
     )?;
     let through = thrust::whole_through(&opening_variable_at_half(&c), &ring);
-    d.identity("(4)", thrust::whole(&whole, &ring).value(), through.value())?;
-    Ok(Finding::Implicit)
+    d.identity("(4)", thrust::whole(&whole, &ring).value(), through.value())
 }

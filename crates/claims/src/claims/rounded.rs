@@ -4,7 +4,7 @@ use super::along::{CurveStates, landmark};
 use super::domains::{NO_PURE_SLIDING_BEYOND_B, NO_SHOULDER_SLIDING_BEYOND_T};
 use super::landmarks::{both, certain_if, semicircle, state_of};
 use super::measured::{MeasuredBounds, in_degrees};
-use super::{Claim, Derivation, Finding, Proof, Support, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, Support, claim, found, lemmas};
 use crate::arch::{SelfWeight, Unknown};
 use crate::certify::{CertifiedLandmark, Undecided};
 use crate::number::{Ball, Decimal, Field, Rounded, arctangent};
@@ -16,16 +16,16 @@ pub(super) const CLAIMS: &[Claim] = &[
         "the values given to few digits, such as beta_r = 59.7° at T or, coarser, 20° for 22°, are \
          roundings of the true ones",
     ),
-    claim("landmark-S-near-J", "Sec. 4", nearness)
+    found("landmark-S-near-J", "Sec. 4", nearness)
         .states("S and J are rather near in the eta-mu map"),
-    claim("semicircle", "Sec. 5", semicircle_suffices).states(
+    found("semicircle", "Sec. 5", semicircle_suffices).states(
         "for the semicircle a friction of about 0.395, 22°, suffices to prevent sliding of the \
          shoulder and warrants purely rotational collapse",
     ),
-    claim("suffices-T", "Sec. 5", no_shoulder_sliding).states(
+    found("suffices-T", "Sec. 5", no_shoulder_sliding).states(
         "a friction of about 1.277, 52°, suffices to prevent any mixed sliding-rotational mode",
     ),
-    claim("suffices-B", "Sec. 5", no_pure_sliding)
+    found("suffices-B", "Sec. 5", no_pure_sliding)
         .states("a friction of about 1.854, 62°, suffices to prevent any purely sliding mode"),
 ];
 
@@ -69,7 +69,7 @@ fn rounds_to(d: &mut Derivation, words: &str, value: &Ball, text: &str) -> Proof
     d.equal(words, &rounded.value.to_rational(), &printed.to_rational())
 }
 
-fn rounded_values(d: &mut Derivation) -> Proof<Finding> {
+fn rounded_values(d: &mut Derivation) -> Proof {
     for (landmark, weight, quantity, texts) in ROUNDED {
         let point = CertifiedLandmark::new(*landmark, *weight)?;
         let words = format!("{} at {}, {}", quantity.name(), landmark.symbol(), weight.name());
@@ -97,7 +97,7 @@ fn rounded_values(d: &mut Derivation) -> Proof<Finding> {
             )?;
         }
     }
-    Ok(Finding::AsPrinted)
+    Ok(())
 }
 
 fn nearness(d: &mut Derivation) -> Proof<Finding> {

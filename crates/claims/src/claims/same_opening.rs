@@ -9,7 +9,7 @@ use super::curve::{ONE_JOINT_FOR_EACH_THICKNESS, STATES_IN_ORDER, STATES_OF_ONE_
 use super::landmarks::{certain_if, state_of};
 use super::letters::ring;
 use super::states::at_all_states;
-use super::{Claim, Derivation, Finding, Proof, Support, claim, lemmas};
+use super::{Claim, Derivation, Proof, Support, claim, lemmas};
 use crate::arch::{Ring, SelfWeight, cubic, overturning, thrust};
 use crate::number::{Angle, Ball, Dual, Field};
 use crate::symbolic::{Fraction, Letters, Polynomial, Symbol, along_the_joint};
@@ -98,7 +98,7 @@ fn widening<T: Field>(joint: &Angle<T>, delta: &T, eta: &T, h: &T) -> T {
     by_thickness * &joint.sin / (intrados * lever * bow(joint, &ring, h))
 }
 
-fn states_of_one_opening(d: &mut Derivation) -> Proof<Finding> {
+fn states_of_one_opening(d: &mut Derivation) -> Proof {
     lemmas(d, [&ONE_JOINT_FOR_EACH_THICKNESS, &STATES_IN_ORDER, &STATES_OF_ONE_THICKNESS])?;
     d.assume("0 <= delta_M <= 1");
     let (joint, ring) = (Symbol::joint(), ring());
@@ -148,8 +148,7 @@ fn states_of_one_opening(d: &mut Derivation) -> Proof<Finding> {
         "As S < beta, fac < 2 and cos(beta) > 0, each term has the sign named; p grows with beta, so that \
          the joint falls as delta_M grows from 0 to 1. A half opening below alpha_l at delta_M = 1 is below \
          alpha_l at every delta_M, and has one state at each.",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }
 
 /// `beta/sin(beta) - 1` with its slope, both of which grow with `beta`, from the ends of the ball.
@@ -195,7 +194,7 @@ fn grown() -> Proof<usize> {
     DECIDED.get_or_init(|| growth(1)).clone()
 }
 
-fn differences_grow(d: &mut Derivation) -> Proof<Finding> {
+fn differences_grow(d: &mut Derivation) -> Proof {
     lemmas(d, [&STATES_OF_ONE_OPENING])?;
     let pieces = grown()?;
     let words = "d log/d delta_M of eta, h and beta_r grow in size with eta along the states of any \
@@ -236,6 +235,5 @@ fn differences_grow(d: &mut Derivation) -> Proof<Finding> {
          (2 - eta)/(2 eta) V, where V = (1 - cos)(beta/sin - 1): d log(V)/d log(beta) >= A(beta) >= 1. The \
          differences of the logarithms are the integrals over delta_M of these slopes, and eta grows with \
          the half opening at each delta_M.",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }

@@ -1,6 +1,6 @@
 //! Sliding joints: (17) and (18).
 
-use super::{Claim, Derivation, Finding, Proof, claim};
+use super::{Claim, Derivation, Proof, claim, implied};
 use crate::arch::{sliding, statics};
 use crate::number::Field;
 use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint, along_the_opening};
@@ -18,7 +18,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         "the friction at which an inner joint slides is ((1-h) cos(beta) - beta sin(beta))/((1-h) \
          sin(beta) + beta cos(beta)) at beta_s",
     ),
-    claim("eq-18-falls", "Eq. (18)", inner_falls)
+    implied("eq-18-falls", "Eq. (18)", inner_falls)
         .states("mu_is falls strictly as h grows on (0, 1)"),
     claim("sliding-thickness", "Sec. 2.2", no_thickness)
         .states("(17) and (18) see neither the thickness nor the self-weight model"),
@@ -32,7 +32,7 @@ fn forces() -> (Fraction, Fraction) {
     (statics::shear_force(&joint, &thrust), statics::normal_force(&joint, &thrust))
 }
 
-fn shoulder(d: &mut Derivation) -> Proof<Finding> {
+fn shoulder(d: &mut Derivation) -> Proof {
     let (alpha, thrust, friction) =
         (Symbol::half_opening(), Symbol::Thrust.number(), Symbol::Friction.number());
     d.assume("N(alpha) != 0; sin(alpha) - mu cos(alpha) != 0");
@@ -47,11 +47,10 @@ fn shoulder(d: &mut Derivation) -> Proof<Finding> {
         / (alpha.sin.clone() - friction.clone() * &alpha.cos);
     d.identity("h_mu as printed", &inverse, &printed)?;
     let back = sliding::shoulder(&alpha, &inverse).value();
-    d.on_circle("mu_ss(h_mu) = mu", &back, &friction)?;
-    Ok(Finding::AsPrinted)
+    d.on_circle("mu_ss(h_mu) = mu", &back, &friction)
 }
 
-fn stationary(d: &mut Derivation) -> Proof<Finding> {
+fn stationary(d: &mut Derivation) -> Proof {
     d.assume("0 < h < 1, 0 <= beta < pi, N > 0 there (it is h at the crown)");
     let (shear, normal) = forces();
     let slope = (shear / &normal).derivative(&along_the_joint());
@@ -59,11 +58,10 @@ fn stationary(d: &mut Derivation) -> Proof<Finding> {
     let joint = Symbol::Joint.number();
     let expected = -sliding::steepest(&joint, &Symbol::Thrust.number()) / normal.square();
     let words = "it is (h (1-h) - beta^2)/N^2: positive before beta_s, negative after";
-    d.on_circle(words, &slope, &expected)?;
-    Ok(Finding::AsPrinted)
+    d.on_circle(words, &slope, &expected)
 }
 
-fn inner(d: &mut Derivation) -> Proof<Finding> {
+fn inner(d: &mut Derivation) -> Proof {
     let (joint, thrust) = (Symbol::joint(), Symbol::Thrust.number());
     d.assume("beta^2 = h (1-h), 0 < h < 1; the denominators do not vanish");
     let steepest = &Symbol::Thrust.polynomial() - &Symbol::Thrust.polynomial().power(2);
@@ -74,11 +72,10 @@ fn inner(d: &mut Derivation) -> Proof<Finding> {
     let value = sliding::inner(&joint, &thrust).value();
     d.identity("(18) as printed", &value, &printed)?;
     let (shear, normal) = forces();
-    d.identity_under("it is T/N at beta_s", shear / &normal, &value, &relations)?;
-    Ok(Finding::AsPrinted)
+    d.identity_under("it is T/N at beta_s", shear / &normal, &value, &relations)
 }
 
-fn inner_falls(d: &mut Derivation) -> Proof<Finding> {
+fn inner_falls(d: &mut Derivation) -> Proof {
     d.assume("0 < h < 1; N > 0 at beta_s");
     let (shear, normal) = forces();
     let slope = (shear / &normal).partial(Symbol::Thrust);
@@ -88,11 +85,10 @@ fn inner_falls(d: &mut Derivation) -> Proof<Finding> {
     let steepest = &Symbol::Thrust.polynomial() - &Symbol::Thrust.polynomial().power(2);
     let relations = Relations::trigonometric().with(Symbol::Joint, 2, steepest);
     let words = "d(T/N)/d beta = 0 at beta_s, so that d mu_is/dh is -beta_s/N(beta_s)^2";
-    d.identity_under(words, &moved, moved.int(0), &relations)?;
-    Ok(Finding::Implicit)
+    d.identity_under(words, &moved, moved.int(0), &relations)
 }
 
-fn no_thickness(d: &mut Derivation) -> Proof<Finding> {
+fn no_thickness(d: &mut Derivation) -> Proof {
     let (alpha, joint, thrust) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thrust.number());
     let forms = [
         ("(17)", sliding::shoulder(&alpha, &thrust).value()),
@@ -105,10 +101,10 @@ fn no_thickness(d: &mut Derivation) -> Proof<Finding> {
             d.identity(words, &slope, slope.int(0))?;
         }
     }
-    Ok(Finding::AsPrinted)
+    Ok(())
 }
 
-fn no_half_opening(d: &mut Derivation) -> Proof<Finding> {
+fn no_half_opening(d: &mut Derivation) -> Proof {
     let (alpha, joint, thrust) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thrust.number());
     let rules = along_the_opening();
     let inner = sliding::inner(&joint, &thrust).value().derivative(&rules);
@@ -118,6 +114,5 @@ fn no_half_opening(d: &mut Derivation) -> Proof<Finding> {
         "the derivative of (17) to alpha, not zero but at beta_s",
         sliding::shoulder(&alpha, &thrust).value().derivative(&rules),
         steepest / statics::normal_force(&alpha, &thrust).square(),
-    )?;
-    Ok(Finding::AsPrinted)
+    )
 }

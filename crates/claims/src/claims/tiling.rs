@@ -16,7 +16,7 @@ use super::frictions::{
 use super::letters::{ring, variables};
 use super::modes::SEVEN_MODES;
 use super::uniqueness::{MECHANISM_BOUNDS, ONE_HALF_OPENING, ONE_THICKNESS, THICKER_HAS_ROOM};
-use super::{Claim, Derivation, Finding, Proof, claim, lemmas};
+use super::{Claim, Derivation, Proof, claim, implied, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Ring, SelfWeight, contact, overturning, sliding, statics, thrust};
 use crate::number::{Angle, Field, Surd};
@@ -31,7 +31,7 @@ pub(super) const COLUMNS: Claim = claim("map-columns", "Sec. 3, Fig. 5, 6", colu
 
 pub(super) const CLAIMS: &[Claim] = &[
     COLUMNS,
-    claim("map-rows", "Sec. 3, Fig. 5, 6", rows).states(
+    implied("map-rows", "Sec. 3, Fig. 5, 6", rows).states(
         "at a given half opening the modes follow each other as the friction grows: before T \
          [s,s], [s,r,r], [r,r,r], beyond T [s,s], [r,s], [r,s,r], [r,r,s], [r,r,r], each on an \
          interval or not at all, so that the line of a half opening meets each domain at most once",
@@ -48,7 +48,7 @@ pub(super) const CLAIMS: &[Claim] = &[
     ),
 ];
 
-fn columns(d: &mut Derivation) -> Proof<Finding> {
+fn columns(d: &mut Derivation) -> Proof {
     d.assume("0 < eta <= 2, 0 < mu < inf");
     lemmas(d, [&ONE_HALF_OPENING, &SEVEN_MODES, &CONTACTS, &THICKER_HAS_ROOM])?;
     lemmas(d, [&SLOPES_OF_FRICTION, &FRICTION_OF_SMALL_THRUST, &STATES_IN_ORDER])?;
@@ -87,7 +87,7 @@ fn columns(d: &mut Derivation) -> Proof<Finding> {
          mu_is(h) <= mu, and mu_is falls. A hinge at the crown has h = h_R, \
          an inner joint that slides h = h_s: below one thickness h_R > h_s, and the mode has the first, above it \
          the second.",
-    );
+    )?;
     falls_with_the_thickness(d)?;
     d.argue(
         "Below it h = h_R, and the haunch is that of the rotational state of half opening alpha_0(eta), which grows: \
@@ -95,12 +95,11 @@ fn columns(d: &mut Derivation) -> Proof<Finding> {
          just slides. If it stands, alpha* = alpha_P, [s,s]; and it stands from one thickness on. Below that the \
          shoulder opens, beta_r cot(beta_r) = h_s - 1 + 2 fac/(2 - eta) grows up to 1: beta_r falls, past beta_s, to the crown, \
          where it is up to eta = 2: [r,r,s], [r,s,r], [r,s].",
-    );
+    )?;
     d.argue(
         "At the thickness where h_R = h_s, mu = m(alpha_0). For mu < mu_T, alpha_0 < alpha_T and M > m: [s,r,r] comes before, \
          and then [s,s], as no inner joint slides with a hinge at the shoulder left of T. For mu >= mu_T, M <= m: [s,r,r] is left out.",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }
 
 /// Proves that `beta_s` falls with the friction right of T: `h_s` falls from `h_T` on.
@@ -120,7 +119,7 @@ pub(super) fn falls_with_the_thickness(d: &mut Derivation) -> Proof {
     d.identity("2 fac/(2 - eta), by which beta_r falls in (5), grows", &slope, &expected)
 }
 
-fn rows(d: &mut Derivation) -> Proof<Finding> {
+fn rows(d: &mut Derivation) -> Proof {
     d.assume("0 < mu < inf, and the arch stands at a thickness up to 2");
     lemmas(d, [&SEVEN_MODES, &ONE_THICKNESS, &SLOPES_OF_FRICTION, &SLIDING_STATES_IN_ORDER])?;
     lemmas(d, [&FRICTION_FOR_ROTATION_GROWS, &INNER_SLIDING_BEYOND_T])?;
@@ -145,21 +144,20 @@ fn rows(d: &mut Derivation) -> Proof<Finding> {
         "A state of pure rotation does not see the friction, from which on it is admissible: [r,r,r] holds from some \
          friction on, or never. [s,s] holds at one friction, the least. What is admissible stays so with more friction, so \
          that the thickness does not grow with it.",
-    );
+    )?;
     d.argue(
         "With an inner joint that slides mu >= mu_T, and h < 1/2 falls strictly as mu grows. So, as mu falls, h - 1 + 2 fac/(2 - eta) \
          grows strictly: beta_r falls while beta_s grows, until the slope at the crown is not negative. [r,r,s] with beta_r > \
          beta_s, [r,s,r] with beta_r < beta_s and [r,s] are passed in this order, each once.",
-    );
+    )?;
     d.argue(
         "In [s,r,r] alpha <= alpha_T and mu <= mu_T. There M <= mu_T and m <= mu_T, as both grow with alpha and meet at T: \
          from mu_T on the arch is [r,r,r], and no inner joint slides with a hinge. So before T [s,r,r] alone is between [s,s] and \
          [r,r,r], and beyond T it is not there.",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
-fn frictions_beyond_t(d: &mut Derivation) -> Proof<Finding> {
+fn frictions_beyond_t(d: &mut Derivation) -> Proof {
     lemmas(d, [&ROTATION_MEETS_SLIDING, &FRICTION_OF_SMALL_THRUST])?;
     let alpha = Symbol::half_opening();
     let none = alpha.rad.int(0);
@@ -168,11 +166,10 @@ fn frictions_beyond_t(d: &mut Derivation) -> Proof<Finding> {
     d.conclude(
         "In [r,r,r] beyond T, M < m; in [r], m is unbounded. In [r,r,s], [r,s,r] and [r,s] mu = mu_is, and the \
          shoulder, which does not slide, asks for no more.",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }
 
-fn overturning_sliding_beyond_l(d: &mut Derivation) -> Proof<Finding> {
+fn overturning_sliding_beyond_l(d: &mut Derivation) -> Proof {
     d.assume("alpha_l <= alpha < pi, 0 < mu < inf, and the arch stands at a thickness up to 2");
     lemmas(d, [&CONTACTS, &SEVEN_MODES, &STATES_IN_ORDER, &MECHANISM_BOUNDS, &THICKER_HAS_ROOM])?;
     lemmas(d, [&ONE_THICKNESS])?;
@@ -197,11 +194,10 @@ fn overturning_sliding_beyond_l(d: &mut Derivation) -> Proof<Finding> {
          below alpha_l, or there would be room at that: eta >= eta_l. So L grows, and is zero at the crown alone, \
          where then U = eta h > 0: no hinge opens at the crown's extrados, which leaves [r,s] and [s,s]. One of them moves \
          at the least thickness.",
-    );
+    )?;
     d.conclude(
         "If [s,s] does, mu is the friction of pure sliding, the least with which the arch stands, and a thinner arch \
          has the same thrust. So none stands only if U = 0 at the shoulder with L = 0 at the crown, and then [r,s] \
          moves too.",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }

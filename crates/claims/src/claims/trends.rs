@@ -5,7 +5,7 @@ use super::landmarks::both;
 use super::letters::{ring, with};
 use super::measured::{MeasuredBounds, in_degrees};
 use super::overturning::A_FIXES_ALPHA;
-use super::{Claim, Derivation, Finding, Proof, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, found, lemmas};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::number::{Angle, Ball, Field};
 use crate::problem::Landmark::OverturningEnd;
@@ -13,11 +13,11 @@ use crate::symbolic::{Letters, Symbol};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
-    claim("weights-overturning", "Sec. 2.1, Fig. 3", trends_compared).states(
+    found("weights-overturning", "Sec. 2.1, Fig. 3", trends_compared).states(
         "for purely overturning modes the trends of eta differ to a quite limited extent between \
          the two weights",
     ),
-    claim("weights-range", "Sec. 2.1", ranges_compared).states(
+    found("weights-range", "Sec. 2.1", ranges_compared).states(
         "the half openings of rotational states, purely overturning ones among them, end at about \
          150° for Milankovitch's weight and about 160° for Heyman's",
     ),
@@ -71,7 +71,7 @@ fn trends_compared(d: &mut Derivation) -> Proof<Finding> {
     d.conclude(
         "12 - 4 eta - eta² <= 7 for eta >= 1: as eta grows from 1 to 2, alpha grows faster for Heyman's \
          weight, so that the difference is largest at eta = 2.",
-    );
+    )?;
     let [heyman, milankovitch] = both(|weight| landmark(OverturningEnd, weight))?;
     let difference = heyman.half_opening.rad - milankovitch.half_opening.rad;
     let degrees = in_degrees(&difference);

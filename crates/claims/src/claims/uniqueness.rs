@@ -11,7 +11,7 @@ use super::frictions::{SLIDING_STATES_IN_ORDER, SLOPES_OF_FRICTION};
 use super::letters::{ring, with};
 use super::modes::{SEVEN_MODES, room_of_pure_sliding};
 use super::overturning::A_FIXES_ALPHA;
-use super::{Claim, Derivation, Finding, Proof, claim, lemmas};
+use super::{Claim, Derivation, Proof, claim, implied, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{SelfWeight, statics, thrust};
 use crate::number::{Angle, Field};
@@ -33,30 +33,30 @@ pub(super) const ONE_THICKNESS: Claim = claim("unique-thickness", "Sec. 5", one_
      asymmetric mechanisms, which may move thicker arches",
 );
 
-const SYMMETRIC_MEAN: Claim = claim("unique-mean", "Sec. 2, 4", symmetric_mean).states(
+const SYMMETRIC_MEAN: Claim = implied("unique-mean", "Sec. 2, 4", symmetric_mean).states(
     "if the whole arch has an admissible state, asymmetric or not, it has a symmetric one: the \
      mean of the state and its mirror image",
 );
 
-pub(super) const MECHANISM_BOUNDS: Claim = claim("unique-work", "Sec. 4, 5", mechanism_bounds)
+pub(super) const MECHANISM_BOUNDS: Claim = implied("unique-work", "Sec. 4, 5", mechanism_bounds)
     .states(
         "no thrust and crown moment leave a positive margin at all joints that move in a symmetric \
          mechanism without dilatancy: all these margins are zero, or one is negative",
     );
 
-pub(super) const THICKER_HAS_ROOM: Claim = claim("unique-thicker", "Sec. 4, 5", thicker_has_room)
+pub(super) const THICKER_HAS_ROOM: Claim = implied("unique-thicker", "Sec. 4, 5", thicker_has_room)
     .states(
         "a positive thrust that is admissible at one thickness is so at each larger one up to 2, \
          with a line of thrust off both faces at every joint",
     );
 
-pub(super) const LIMIT_STANDS: Claim = claim("unique-attained", "Sec. 2, 5", limit_stands).states(
+pub(super) const LIMIT_STANDS: Claim = implied("unique-attained", "Sec. 2, 5", limit_stands).states(
     "at a friction 0 < mu < inf the limit of arches that stand stands: the least thickness of an \
      arch and the widest half opening of a thickness are attained",
 );
 
 pub(super) const ONE_HALF_OPENING: Claim =
-    claim("map-function", "Sec. 3, Fig. 5, 6", one_half_opening).states(
+    implied("map-function", "Sec. 3, Fig. 5, 6", one_half_opening).states(
         "to each thickness 0 < eta <= 2 and each friction 0 < mu < inf belongs one half opening: \
          narrower arches stand, wider ones fall, and there alone a symmetric mechanism exists",
     );
@@ -66,7 +66,7 @@ fn without_forces(value: &Fraction) -> Fraction {
     with(value, &[Symbol::Thrust, Symbol::CrownMoment], &value.int(0))
 }
 
-fn symmetric_mean(d: &mut Derivation) -> Proof<Finding> {
+fn symmetric_mean(d: &mut Derivation) -> Proof {
     let (joint, h, v) = (Symbol::joint(), Symbol::Thrust.number(), Symbol::CrownShear.number());
     let two = h.int(2);
     d.assume("a vertical force v in the crown carries v of the weight above each joint");
@@ -84,11 +84,10 @@ fn symmetric_mean(d: &mut Derivation) -> Proof<Finding> {
     d.conclude(
         "What both sides of the arch satisfy, (1 - eta/2) N <= M <= (1 + eta/2) N and -mu N <= T, -T <= mu N, \
          their means satisfy, as each condition is linear: the state (h, p, 0).",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
-fn mechanism_bounds(d: &mut Derivation) -> Proof<Finding> {
+fn mechanism_bounds(d: &mut Derivation) -> Proof {
     lemmas(d, [&SEVEN_MODES])?;
     let (joint, h) = (Symbol::joint(), Symbol::Thrust.number());
     let p = Symbol::CrownMoment.number();
@@ -114,11 +113,10 @@ fn mechanism_bounds(d: &mut Derivation) -> Proof<Finding> {
         "Divide the rates of sliding joints by this positive number, and leave those of the hinges: then the \
          sum of the rates times the margins is free of h and p. It is zero in the state in which the \
          mechanism moves, so in all: the margins with a rate are all zero, or one is negative.",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
-fn thicker_has_room(d: &mut Derivation) -> Proof<Finding> {
+fn thicker_has_room(d: &mut Derivation) -> Proof {
     d.assume("0 <= beta <= alpha, 0 < eta < 2, 0 <= delta_M <= 1, h > 0");
     lemmas(d, [&DISTANCES_RISE_AND_FALL])?;
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
@@ -156,11 +154,10 @@ fn thicker_has_room(d: &mut Derivation) -> Proof<Finding> {
          So each lower bound of p, from the intrados of a joint, is below both upper bounds, from the extrados of \
          crown and shoulder, and U, which is least at these two, is positive at every joint. Friction does not see the \
          thickness.",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
-fn one_thickness(d: &mut Derivation) -> Proof<Finding> {
+fn one_thickness(d: &mut Derivation) -> Proof {
     d.assume("0 < mu < inf, 0 < eta <= 2");
     lemmas(d, [&CONTACTS, &MECHANISM_BOUNDS, &THICKER_HAS_ROOM, &LIMIT_STANDS])?;
     lemmas(d, [&SLOPES_OF_FRICTION, &SLIDING_STATES_IN_ORDER])?;
@@ -168,18 +165,18 @@ fn one_thickness(d: &mut Derivation) -> Proof<Finding> {
         "Let an arch stand that is thicker than one that stands too. It has an admissible state with room at both \
          faces everywhere: so no hinge has a rate. What remains is [s,s], and then the friction is that of the purely \
          sliding state of the half opening.",
-    );
+    )?;
     d.argue(
         "At that friction h is the thrust h_P of this state in each admissible one: if h < h_P, T/N exceeds mu at the \
          joint beta_s(h_P), which is above the shoulder, and if h > h_P, -T/N does at the shoulder. So both slips \
          are at their limit, and [s,s] moves.",
-    );
+    )?;
     d.argue(
         "The least thickness stands, and there no state leaves a positive margin at all joints, or a thinner arch would \
          stand, as the margins are continuous. Linear inequalities without a strict solution have multipliers: \
          rates in balance, not all zero, which move only joints at their limit. With those of the sliding joints \
          scaled back they are a mechanism.",
-    );
+    )?;
     for weight in SelfWeight::ALL {
         for (words, margin, elsewhere) in room_of_pure_sliding(weight)? {
             let words = format!("the exception: {words}, {}", weight.name());
@@ -189,12 +186,11 @@ fn one_thickness(d: &mut Derivation) -> Proof<Finding> {
     d.argue(
         "There the line of thrust is off both faces, so that thinner arches of half opening 1 stand too, and yet \
          [s,s] can move at thickness 1.",
-    );
-    Ok(Finding::AsPrinted)
+    )
 }
 
 /// Thrusts without bound leave room everywhere in their limit.
-fn limit_stands(d: &mut Derivation) -> Proof<Finding> {
+fn limit_stands(d: &mut Derivation) -> Proof {
     d.assume("0 < mu < inf; the limit has 0 < alpha <= pi, 0 <= eta <= 2");
     lemmas(d, [&A_FIXES_ALPHA, &DISTANCES_RISE_AND_FALL])?;
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
@@ -209,7 +205,7 @@ fn limit_stands(d: &mut Derivation) -> Proof<Finding> {
         "If the thrusts of the arches are bounded, so are the moments p, which are between (1 - eta/2) h and \
          (1 + eta/2) h. The conditions are closed: a limit of states is a state of the limit. It has eta > 0, as U + L = \
          eta N.",
-    );
+    )?;
     let outwards = (mu.clone() * &joint.cos - &joint.sin) * &h
         + (mu.clone() * &joint.sin + &joint.cos) * &joint.rad;
     d.identity("mu N + T", margin_at(Contact::Outwards, &joint), &outwards)?;
@@ -224,7 +220,7 @@ fn limit_stands(d: &mut Derivation) -> Proof<Finding> {
         "Neither is negative where an arch stands. So thrusts without bound need mu cos(alpha) >= sin(alpha) and \
          (2 + eta) cos(alpha) >= 2 - eta in the limit, so that alpha < pi/2 and eta > 0. Let c > 0 be small there, h large, and \
          p = (1 - eta/2) h + c, so that L = c and U > 0 at the crown.",
-    );
+    )?;
     let area = joint.rad.clone() * &joint.sin + &joint.cos;
     let words = "d(x sin(x) + cos(x))/dx: positive, so that U > 0 at the shoulder";
     let slope = joint.rad.clone() * &joint.cos;
@@ -240,11 +236,10 @@ fn limit_stands(d: &mut Derivation) -> Proof<Finding> {
     d.identity(words, margin_at(Contact::Inwards, &joint), &expected)?;
     d.argue(
         "So L, U, mu N + T and mu N - T are positive at all joints: the limit stands, with this state.",
-    );
-    Ok(Finding::Implicit)
+    )
 }
 
-fn one_half_opening(d: &mut Derivation) -> Proof<Finding> {
+fn one_half_opening(d: &mut Derivation) -> Proof {
     lemmas(d, [&LIMIT_STANDS, &CONTACTS, &SEVEN_MODES, &MECHANISM_BOUNDS])?;
     let h = Symbol::Thrust.number();
     let (crown, one) = (Angle::zero(&h), h.int(1));
@@ -267,13 +262,12 @@ fn one_half_opening(d: &mut Derivation) -> Proof<Finding> {
         "So narrow arches stand, by continuity; none of half opening pi does, as N > 0 in an admissible state; and \
          a part of an arch that stands, cut off at a joint, stands. The limit of arches that stand \
          stands: the widest is alpha* < pi.",
-    );
+    )?;
     d.argue(
         "At alpha* no state leaves a positive margin at all joints, else a wider arch would stand. So it has a mechanism \
          (linear inequalities without a strict solution have multipliers). Suppose a narrower arch has one. In a state \
          of a wider one, U > 0 and mu N + T > 0 at its shoulder, a joint within. But margins that are not negative \
          are all zero where the mechanism moves: so it does not move at the shoulder, and then nowhere, as it has a term on \
          each side.",
-    );
-    Ok(Finding::Implicit)
+    )
 }

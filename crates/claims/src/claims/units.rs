@@ -1,7 +1,7 @@
 //! Units of `r`, `w` and `h`: (1), and the caption of Fig. 1.
 
 use super::letters::{ring, with};
-use super::{Claim, Derivation, Finding, Proof, claim};
+use super::{Claim, Derivation, Finding, Proof, claim, found};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::number::Field;
 use crate::symbolic::{Fraction, Letters, Symbol};
@@ -10,11 +10,11 @@ use rug::Rational;
 pub(super) const CLAIMS: &[Claim] = &[
     claim("eq-1", "Eq. (1)", intrinsic_thrust)
         .states("the intrinsic thrust eta h is H/(gamma d r^2)"),
-    claim("eq-1-radius", "Fig. 1, caption", inner_radius)
+    found("eq-1-radius", "Fig. 1, caption", inner_radius)
         .states("r is the inner radius of the arch"),
 ];
 
-fn intrinsic_thrust(d: &mut Derivation) -> Proof<Finding> {
+fn intrinsic_thrust(d: &mut Derivation) -> Proof {
     let [eta, h, radius] = [Symbol::Thickness, Symbol::Thrust, Symbol::Radius].map(Symbol::number);
     let [depth, gamma] = [Symbol::Depth, Symbol::SpecificWeight].map(Symbol::number);
     d.assume("gamma, d, r are not zero");
@@ -25,8 +25,7 @@ fn intrinsic_thrust(d: &mut Derivation) -> Proof<Finding> {
     let force = h.clone() * weight * &radius;
     d.define("H, from h = H/(w r)", &force);
     let intrinsic = force / (gamma * depth * radius.square());
-    d.identity("H/(gamma d r^2) is eta h", &intrinsic, eta * h)?;
-    Ok(Finding::AsPrinted)
+    d.identity("H/(gamma d r^2) is eta h", &intrinsic, eta * h)
 }
 
 /// A formula of `eta` and the ring's centroid factor.
@@ -57,7 +56,7 @@ fn inner_radius(d: &mut Derivation) -> Proof<Finding> {
         "(2)-(6) are proved of a ring between the radii 1 - eta/2 and 1 + eta/2. Were r the inner radius, \
          the ring would lie between 1 and 1 + eta: the same equations would hold with eta and h over the \
          radius 1 + eta/2 of its centreline.",
-    );
+    )?;
     let opening = thrust::opening_variable(&alpha).value();
     let words = "h_2 of (4), less A, is h_2 at A = 1 less 1";
     let second = thrust::whole(&alpha, &ring).value() - opening;

@@ -3,7 +3,7 @@
 use super::along::landmark;
 use super::curve::STATES_OF_ONE_THICKNESS;
 use super::landmarks::{both, certain_if};
-use super::{Claim, Derivation, Finding, Proof, Support, claim, lemmas};
+use super::{Claim, Derivation, Finding, Proof, Support, claim, found, lemmas};
 use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::certify::{CertifiedLandmark, Exact, Undecided};
 use crate::judge::{Comparison, Relation, compare_weights};
@@ -12,21 +12,21 @@ use crate::problem::{Fixed, Landmark, Quantity};
 use std::sync::OnceLock;
 
 pub(super) const CLAIMS: &[Claim] = &[
-    claim("weights-thickness", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::Thickness))
+    found("weights-thickness", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::Thickness))
         .states("at T, S, J and B the thickness is lower for Milankovitch's weight"),
-    claim("weights-friction", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::Friction))
+    found("weights-friction", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::Friction))
         .states("at T, S, J and B the friction is lower for Milankovitch's weight"),
-    claim("weights-opening", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::HalfOpening))
+    found("weights-opening", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::HalfOpening))
         .states("at T, S, J and B the half opening is lower for Milankovitch's weight"),
-    claim("weights-thrust", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::Thrust))
+    found("weights-thrust", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::Thrust))
         .states("at T, S, J and B the thrust is higher for Milankovitch's weight"),
-    claim("weights-beta-r", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::RotationJoint))
+    found("weights-beta-r", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::RotationJoint))
         .states("at T, S, J and B the rotational joint is wider for Milankovitch's weight"),
-    claim("weights-beta-s", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::SlidingJoint))
+    found("weights-beta-s", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::SlidingJoint))
         .states("at T, S, J and B the sliding joint is wider for Milankovitch's weight"),
     claim("weights-limits", "Sec. 2.1, Tables 3-4", limits_compared)
         .states("eta_l, alpha_l and alpha_L are higher for Heyman's weight, A_l and A_L lower"),
-    claim("weights-eta-l", "Sec. 3", limit_thickness_compared)
+    found("weights-eta-l", "Sec. 3", limit_thickness_compared)
         .states("the thickness is lower for Milankovitch's weight at l and at L"),
     claim("weights-widest-joint", "Sec. 2.1, Fig. 2", widest_joints_compared).states(
         "the rotational joint of Heyman's solution overshoots that of Milankovitch's at the peak \
@@ -94,7 +94,7 @@ fn limit_thickness_compared(d: &mut Derivation) -> Proof<Finding> {
     Ok(Finding::Equality { at: "thickness at L is 2 for both weights".to_owned() })
 }
 
-fn limits_compared(d: &mut Derivation) -> Proof<Finding> {
+fn limits_compared(d: &mut Derivation) -> Proof {
     use {Landmark::*, Quantity::*};
     for (point, quantity, higher) in [
         (RotationEnd, Thickness, false),
@@ -113,20 +113,19 @@ fn limits_compared(d: &mut Derivation) -> Proof<Finding> {
         let [high, low] = both(|w| landmark(point, w).map(|at| at.half_opening.rad))?;
         d.less(format!("alpha at {} is lower", point.symbol()), [&low, &high])?;
     }
-    Ok(Finding::AsPrinted)
+    Ok(())
 }
 
-fn widest_joints_compared(d: &mut Derivation) -> Proof<Finding> {
+fn widest_joints_compared(d: &mut Derivation) -> Proof {
     lemmas(d, [&STATES_OF_ONE_THICKNESS])?;
     let joint = |weight| landmark(Landmark::WidestJoint, weight).map(|at| at.rotation_joint.rad);
     let [heyman, milankovitch] = both(joint)?;
     d.less("beta_sb is larger for Heyman's weight", [&milankovitch, &heyman])?;
-    d.conclude("At the same thickness it is larger everywhere, not only at the peak.");
-    Ok(Finding::AsPrinted)
+    d.conclude("At the same thickness it is larger everywhere, not only at the peak.")
 }
 
 /// The differences at T, S, J, B grow in this order.
-fn most_at_the_border(d: &mut Derivation) -> Proof<Finding> {
+fn most_at_the_border(d: &mut Derivation) -> Proof {
     use Landmark::{Border, Junction, Shift, Triple};
     type LandmarkReading = fn(&Configuration<Ball>) -> &Ball;
     let variables: [(&str, LandmarkReading); 2] =
@@ -142,5 +141,5 @@ fn most_at_the_border(d: &mut Derivation) -> Proof<Finding> {
             d.less(words, [&difference(less)?, &difference(more)?])?;
         }
     }
-    Ok(Finding::AsPrinted)
+    Ok(())
 }
