@@ -22,10 +22,10 @@ pub(super) fn find(
     landmark: Landmark,
     weight: SelfWeight,
 ) -> Result<&CertifiedLandmark, Undecided> {
-    points
-        .iter()
-        .find(|point| (point.landmark(), point.weight()) == (landmark, weight))
-        .ok_or_else(|| Undecided::new(format!("{} is missing", landmark.symbol())))
+    let is_it =
+        |point: &&CertifiedLandmark| (point.landmark(), point.weight()) == (landmark, weight);
+    let missing = || Undecided::new(format!("{} is missing", landmark.symbol()));
+    points.iter().find(is_it).ok_or_else(missing)
 }
 
 /// The digits of a number and the bracket that proves them.
@@ -61,29 +61,8 @@ pub(super) fn symbol(unknown: Unknown) -> &'static str {
 }
 
 /// The names of the unknowns of a system, in its order.
-pub(super) struct Symbols(Vec<&'static str>);
-
-impl Symbols {
-    pub(super) fn of(system: &System) -> Self {
-        Self(system.unknowns.iter().map(|&unknown| symbol(unknown)).collect())
-    }
-
-    pub(super) fn iter(&self) -> impl Iterator<Item = &'static str> + '_ {
-        self.0.iter().copied()
-    }
-
-    pub(super) fn get(&self, index: usize) -> &'static str {
-        self.0[index]
-    }
-
-    pub(super) fn index(&self, name: &str) -> Option<(usize, &'static str)> {
-        self.0.iter().position(|symbol| *symbol == name).map(|k| (k, self.0[k]))
-    }
-
-    /// The names, with this between.
-    pub(super) fn joined(&self, between: &str) -> String {
-        self.0.join(between)
-    }
+pub(super) fn symbols(system: &System) -> Vec<&'static str> {
+    system.unknowns.iter().map(|&unknown| symbol(unknown)).collect()
 }
 
 /// A variable of a system as an argument in Coq: its name, or the value it is fixed to.

@@ -1,6 +1,6 @@
 //! Consequences for the values that the paper prints.
 
-use super::names::{Symbols, symbol};
+use super::names::symbol;
 use super::numeral::{text, unit};
 use super::template::fill;
 use crate::certify::CertifiedLandmark;
@@ -14,7 +14,7 @@ use rug::Rational;
 pub(super) fn corollaries(
     point: &CertifiedLandmark,
     audited: &[Audited],
-    symbols: &Symbols,
+    symbols: &[&str],
 ) -> String {
     let mut out = String::new();
     let mut seen = Vec::new();
@@ -30,11 +30,9 @@ pub(super) fn corollaries(
             continue;
         };
         let distance = format!("Rabs ({quantity} - {})", printed.text);
-        let right = value.verdict == PrintedVerdict::CorrectlyRounded;
-        let (relation, verdict) = if right {
-            (format!("{distance} <= {half}"), "right")
-        } else {
-            (format!("{half} < {distance}"), "wrong")
+        let (relation, verdict) = match value.verdict {
+            PrintedVerdict::CorrectlyRounded => (format!("{distance} <= {half}"), "right"),
+            _ => (format!("{half} < {distance}"), "wrong"),
         };
         if out.is_empty() {
             out.push_str("\n(** ** The printed values\n\n");
@@ -43,7 +41,7 @@ pub(super) fn corollaries(
             );
         }
         let values =
-            [("name", name(value, verdict)), ("args", symbols.joined(" ")), ("claim", relation)];
+            [("name", name(value, verdict)), ("args", symbols.join(" ")), ("claim", relation)];
         out.push_str(&fill(include_str!("templates/printed.v"), &values));
     }
     out

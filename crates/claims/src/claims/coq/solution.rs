@@ -1,7 +1,7 @@
 //! One solution of a system: the claim in printed equations, the table, and its check.
 
 use super::given::given;
-use super::names::{DECIMALS, Symbols, argument, weight_name};
+use super::names::{DECIMALS, argument, symbols, weight_name};
 use super::numeral::{text, unit};
 use super::root::CoqRoot;
 use super::table::{ClearedSystem, ContractionTable};
@@ -19,7 +19,7 @@ pub(super) struct CoqSolution {
     /// Texts that the theorem is made of.
     pub values: Holes,
     /// The names of its unknowns.
-    pub symbols: Symbols,
+    pub symbols: Vec<&'static str>,
     /// The numbers.
     pub table: ContractionTable,
 }
@@ -30,7 +30,7 @@ impl CoqSolution {
         let system = &root.system;
         let cleared = ClearedSystem::new(system);
         let table = ContractionTable::new(root, &cleared)?;
-        let symbols = Symbols::of(system);
+        let symbols = symbols(system);
         let mut values = claim(system, &symbols, &table);
         values.extend(numbers(&cleared, &table));
         values.extend(check(system, &symbols));
@@ -45,7 +45,7 @@ impl CoqSolution {
         let names: Vec<&str> = given.iter().map(|(name, _)| *name).collect();
         let mut solution = Self::new(root, &names)?;
         let definitions = given.iter().map(|(name, x)| format!("Definition {name} : R := {x}."));
-        let witness = solution.symbols.joined(" & ");
+        let witness = solution.symbols.join(" & ");
         solution.values.push(("arch", definitions.collect::<Vec<_>>().join("\n")));
         solution.values.push(("witness", witness));
         Ok(solution)
@@ -70,7 +70,7 @@ impl CoqSolution {
 }
 
 /// Statement of the theorem.
-fn claim(system: &System, symbols: &Symbols, table: &ContractionTable) -> Holes {
+fn claim(system: &System, symbols: &[&str], table: &ContractionTable) -> Holes {
     let labels: Vec<&str> = system.equations.iter().map(|equation| equation.label()).collect();
     let equations = system.equations.iter().map(|&e| equation(e, system));
     let wide = symbols.iter().zip(&table.wide);
@@ -83,7 +83,7 @@ fn claim(system: &System, symbols: &Symbols, table: &ContractionTable) -> Holes 
         ("weight", weight_name(system.weight).into()),
         ("delta", system.weight.flag().to_string()),
         ("labels", labels.join("; ")),
-        ("args", symbols.joined(" ")),
+        ("args", symbols.join(" ")),
         ("equations", all(equations.collect())),
         ("wide", all(wide.collect())),
         ("narrow", all(narrow.collect())),
@@ -173,11 +173,10 @@ fn matrix(rows: &[Vec<Rational>]) -> String {
 }
 
 /// Values that the check has to spell out for each unknown or equation.
-fn check(system: &System, symbols: &Symbols) -> Holes {
+fn check(system: &System, symbols: &[&str]) -> Holes {
     let n = system.unknowns.len();
     let each = |f: &dyn Fn(usize) -> String| (0..n).map(f).collect::<Vec<_>>();
-    let primed = |x: &'static str| format!("{x}'");
-    let others: Vec<String> = symbols.iter().map(primed).collect();
+    let others: Vec<String> = symbols.iter().map(|x| format!("{x}'")).collect();
     let equal: Vec<String> = symbols.iter().map(|x| format!("{x}' = {x}")).collect();
     let coordinates = each(&|k| format!("(x {k}%nat)"));
     let bounds = each(&|k| format!("generalize (bounds Hx {k} ltac:(lia))."));

@@ -55,16 +55,16 @@ pub fn state(certificate: &[u8]) -> Result<(String, String), StateError> {
     let mut solution = CoqSolution::of_arch(&root, arch)?;
     signs_hold(&problem, &root, &solution)?;
     solution.values.extend(claims(&problem, mode, arch, &solution));
-    let templates = match mode {
-        Mode::Sliding => {
-            [include_str!("templates/sliding.v"), include_str!("templates/least_friction.v")]
-        }
-        _ => [include_str!("templates/state.v"), include_str!("templates/least_thickness.v")],
-    };
     // Pure sliding does not know the weight.
-    let weight = match mode {
-        Mode::Sliding => String::new(),
-        _ => format!("{:?}", arch.weight()),
+    let (weight, templates) = match mode {
+        Mode::Sliding => (
+            String::new(),
+            [include_str!("templates/sliding.v"), include_str!("templates/least_friction.v")],
+        ),
+        _ => (
+            format!("{:?}", arch.weight()),
+            [include_str!("templates/state.v"), include_str!("templates/least_thickness.v")],
+        ),
     };
     Ok((format!("State{mode:?}{weight}.v"), solution.between(templates)))
 }
@@ -123,15 +123,14 @@ fn admissibility(mode: Mode, arch: &Arch, system: &System) -> Holes {
         Mode::Overturning => "overturning",
         Mode::Sliding => "purely_sliding",
     };
-    let [admissible, stands_from, holds, given] = match arch.is_limited() {
-        true => ["admissible", "stands_from", ", and friction holds,", "alpha mu"],
-        false => ["thrust_inside", "stands_without_limit_from", "", "alpha"],
+    let [admissible, stands_from, holds, mu] = match arch.is_limited() {
+        true => ["admissible", "stands_from", ", and friction holds,", " mu"],
+        false => ["thrust_inside", "stands_without_limit_from", "", ""],
     };
-    let mu = if arch.is_limited() { " mu" } else { "" };
     vec![
         ("admissible", format!("{admissible} {delta} alpha eta{mu} {h} {moment}")),
-        ("stands_from", format!("{stands_from} {delta} {given}")),
+        ("stands_from", format!("{stands_from} {delta} alpha{mu}")),
         ("holds", holds.into()),
-        ("theorem", format!("{theorem} {delta} {given}")),
+        ("theorem", format!("{theorem} {delta} alpha{mu}")),
     ]
 }

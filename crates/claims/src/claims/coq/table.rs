@@ -3,7 +3,7 @@
 //! Nothing here is trusted: Coq checks every number. Floats and balls only choose them, such that the
 //! check succeeds with some room.
 
-use super::names::{BITS, DECIMALS, Symbols, symbol};
+use super::names::{BITS, DECIMALS, symbol, symbols};
 use super::numeral::{distance, down, exact, nearest, places, radius, unit, up};
 use super::root::CoqRoot;
 use super::term::Term;
@@ -51,14 +51,14 @@ pub(super) struct ClearedSystem {
 impl ClearedSystem {
     /// The equations of the system, in its own order, in variables named by their symbols; so is what is given.
     pub(super) fn new(system: &System) -> Self {
-        let symbols = Symbols::of(system);
-        let variables: Vec<Term> = symbols.iter().map(Term::variable).collect();
+        let symbols = symbols(system);
+        let variables: Vec<Term> = symbols.iter().copied().map(Term::variable).collect();
         let given = Configuration {
             half_opening: Term::angle(symbol(Unknown::HalfOpening)),
             friction: Term::variable(symbol(Unknown::Friction)),
             ..Configuration::zero(&Term::constant(0))
         };
-        let at = system.place_with(given, &variables, |k, _| Term::angle(symbols.get(k)));
+        let at = system.place_with(given, &variables, |k, _| Term::angle(symbols[k]));
         let residuals: Vec<Term> =
             system.residuals(&at).iter().map(|term| term.fraction().0).collect();
         let slopes = |term: &Term| gradient(term, &symbols);
@@ -68,13 +68,13 @@ impl ClearedSystem {
 }
 
 /// The derivatives of a term to some of its variables.
-fn gradient(term: &Term, symbols: &Symbols) -> Vec<Term> {
+fn gradient(term: &Term, symbols: &[&str]) -> Vec<Term> {
     let like = Dual::constant(Term::constant(0));
-    let slope = term.evaluate(&like, &|name| match symbols.index(name) {
-        Some((k, symbol)) => Term::angle(symbol).variable(k),
+    let slope = term.evaluate(&like, &|name| match symbols.iter().position(|x| *x == name) {
+        Some(k) => Term::angle(name).variable(k),
         None => Term::angle(name).map(Dual::constant),
     });
-    symbols.iter().enumerate().map(|(k, _)| slope.derivative(k)).collect()
+    (0..symbols.len()).map(|k| slope.derivative(k)).collect()
 }
 
 /// The derivative of a term in one variable.
@@ -183,7 +183,7 @@ fn short_bounds(centre: &[Rational], radii: &[Rational]) -> Vec<(Rational, Ratio
 
 /// Enclosures of terms on a box.
 struct TermValues {
-    symbols: Symbols,
+    symbols: Vec<&'static str>,
     angles: Vec<Angle<Ball>>,
     given: Configuration<Ball>,
 }
@@ -200,13 +200,13 @@ impl TermValues {
             }
         };
         let angles = centre.iter().zip(radii).zip(root.system.unknowns).map(angle).collect();
-        Self { symbols: Symbols::of(&root.system), angles, given: root.given.clone() }
+        Self { symbols: symbols(&root.system), angles, given: root.given.clone() }
     }
 
     fn of(&self, term: &Term) -> Ball {
         let like = &self.angles[0].rad;
-        term.evaluate(like, &|name| match self.symbols.index(name) {
-            Some((k, _)) => self.angles[k].clone(),
+        term.evaluate(like, &|name| match self.symbols.iter().position(|x| *x == name) {
+            Some(k) => self.angles[k].clone(),
             None if name == symbol(Unknown::HalfOpening) => self.given.half_opening.clone(),
             None => Angle { rad: self.given.friction.clone(), ..Angle::zero(like) },
         })

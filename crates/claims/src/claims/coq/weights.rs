@@ -1,7 +1,7 @@
 //! The two self-weights compared at the landmarks of the map.
 
 use super::landmark::title;
-use super::names::{Symbols, module, symbol};
+use super::names::{module, symbol, symbols};
 use super::template::fill;
 use crate::arch::SelfWeight;
 use crate::certify::Undecided;
@@ -16,12 +16,12 @@ pub(super) fn file() -> Result<String, Undecided> {
     let mut out = include_str!("templates/weights.v").to_owned();
     for landmark in landmarks {
         let claims = comparisons.iter().filter(|c| c.landmark == landmark).filter_map(claim);
-        let symbols = Symbols::of(&landmark.system(SelfWeight::Heyman));
+        let symbols = symbols(&landmark.system(SelfWeight::Heyman));
         let others: Vec<String> = symbols.iter().map(|x| format!("{x}'")).collect();
         let values = [
             ("title", title(landmark)),
             ("name", landmark.name().replace(' ', "_")),
-            ("args", symbols.joined(" ")),
+            ("args", symbols.join(" ")),
             ("others", others.join(" ")),
             ("heyman", module(landmark, SelfWeight::Heyman)),
             ("milankovitch", module(landmark, SelfWeight::Milankovitch)),
