@@ -30,15 +30,21 @@ pub(super) struct CurveStates {
 }
 
 fn arch(weight: SelfWeight, alpha: &Rational) -> Proof<Arch> {
-    Arch::new(weight, ExactNumber::from(alpha), Friction::Infinite)
-        .map_err(|e| Undecided::new(e.to_string()))
+    let arch = Arch::new(weight, ExactNumber::from(alpha), Friction::Infinite);
+    arch.map_err(|error| Undecided::new(error.to_string()))
 }
 
-fn state(weight: SelfWeight, alpha: &Rational) -> Proof<State> {
-    match arch(weight, alpha)?.state_alone(BITS) {
-        Ok(Outcome::Stands(state)) => Ok(*state),
-        Ok(Outcome::Falls(_)) => Err(Undecided::new(format!("no arch of {alpha} stands"))),
-        Err(doubt) => Err(Undecided::new(doubt.reason)),
+/// An arch of a half opening and a friction that are given as text.
+pub(super) fn parsed(weight: SelfWeight, alpha: &str, friction: &str) -> Proof<Arch> {
+    let arch = Arch::parse(weight.name(), alpha, friction);
+    arch.map_err(|error| Undecided::new(error.to_string()))
+}
+
+/// The state of an arch that stands.
+pub(super) fn standing(outcome: Outcome) -> Proof<State> {
+    match outcome {
+        Outcome::Stands(state) => Ok(*state),
+        Outcome::Falls(fall) => Err(Undecided::new(fall.reason())),
     }
 }
 
@@ -50,7 +56,7 @@ pub(super) fn landmark(landmark: Landmark, weight: SelfWeight) -> Proof<Configur
 impl CurveStates {
     /// The purely rotational state.
     pub(super) fn rotational(weight: SelfWeight, alpha: &Rational) -> Proof<Self> {
-        let state = state(weight, alpha)?;
+        let state = standing(arch(weight, alpha)?.state_alone(BITS)?)?;
         if state.mode != Mode::Rotational {
             return Err(Undecided::new(format!("the state of {alpha} is not purely rotational")));
         }
@@ -65,9 +71,7 @@ impl CurveStates {
     /// The purely sliding state, which does not depend on the weight.
     pub(super) fn sliding(alpha: &Rational) -> Proof<Self> {
         let weight = SelfWeight::Heyman;
-        let friction = arch(weight, alpha)?
-            .sliding_friction(BITS)
-            .map_err(|doubt| Undecided::new(doubt.reason))?;
+        let friction = arch(weight, alpha)?.sliding_friction(BITS)?;
         let alpha = Angle::new(Ball::enclosing(alpha, BITS));
         let thrust = sliding::shoulder_thrust(&alpha, &friction).value();
         Ok(Self { weight, alpha, thrust, rotation: None })
@@ -80,17 +84,17 @@ impl CurveStates {
     }
 
     /// States between two, all of them.
-    pub(super) fn up_to(&self, other: &Self) -> Proof<Self> {
+    pub(super) fn up_to(&self, other: &Self) -> Self {
         let rotation = match (&self.rotation, &other.rotation) {
             (Some(a), Some(b)) => Some((a.0.hull(&b.0), a.1.hull(&b.1))),
             _ => None,
         };
-        Ok(Self {
+        Self {
             weight: self.weight,
             alpha: Angle::new(self.alpha.rad.hull(&other.alpha.rad)),
             thrust: self.thrust.hull(&other.thrust),
             rotation,
-        })
+        }
     }
 
     /// The friction that the shoulder asks for, (17).
@@ -181,7 +185,7 @@ pub(super) fn on_parts(
     state: &dyn Fn(&Rational) -> Proof<CurveStates>,
     holds: &dyn Fn(&CurveStates) -> Ternary,
 ) -> Proof<Ternary> {
-    on_all(range, state, &|a, b| a.up_to(b).map_or(Ternary::Undecided, |all| holds(&all)))
+    on_all(range, state, &|a, b| holds(&a.up_to(b)))
 }
 
 /// Multiples of `1/scale` around a value, a little apart from it.

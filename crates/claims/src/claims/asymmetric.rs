@@ -5,6 +5,7 @@
 //! scaled, so that it holds all the same; where a vertical force in the crown works too, it does not. The examples
 //! are certified: [`certify::asymmetric`](crate::certify::asymmetric()).
 
+use super::along::{parsed, standing};
 use super::letters::ring;
 use super::uniqueness::ONE_THICKNESS;
 use super::{Claim, Derivation, Finding, Proof, found, implied, lemmas};
@@ -12,10 +13,9 @@ use crate::arch::SelfWeight;
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
 use crate::arch::joint::Grip;
 use crate::arch::whole::{Forces, WholeMotion};
-use crate::certify::state::{Certify, Outcome};
-use crate::certify::{CertifiedAsymmetric, Undecided};
+use crate::certify::CertifiedAsymmetric;
+use crate::certify::state::Certify;
 use crate::number::{Angle, Ball, Field, Rounded};
-use crate::problem::Arch;
 use crate::symbolic::{Fraction, Letters, Relations, Symbol};
 
 pub(super) const CLAIMS: &[Claim] = &[ASYMMETRIC_MOTION, UNIQUE];
@@ -32,7 +32,7 @@ const UNIQUE: Claim = found("unique-asymmetric", "Sec. 5", unique).states(
 );
 
 /// The variables as letters; `b0` has none of its own.
-fn variables() -> Asymmetric<Fraction> {
+pub(super) fn variables() -> Asymmetric<Fraction> {
     let one = Symbol::Thrust.number().int(1);
     Asymmetric {
         half_opening: Symbol::half_opening(),
@@ -121,13 +121,8 @@ const DIGITS: usize = 12;
 fn thicknesses(
     (weight, alpha, mu, mode): (SelfWeight, &str, &str, AsymmetricMode),
 ) -> Proof<[Ball; 2]> {
-    let arch = Arch::parse(weight.name(), alpha, mu);
-    let arch = arch.map_err(|error| Undecided::new(error.to_string()))?;
-    let least = match arch.state(BITS) {
-        Ok(Outcome::Stands(state)) => state.thickness,
-        Ok(Outcome::Falls(fall)) => return Err(Undecided::new(fall.reason())),
-        Err(doubt) => return Err(Undecided::new(doubt.reason)),
-    };
+    let arch = parsed(weight, alpha, mu)?;
+    let least = standing(arch.state(BITS)?)?.thickness;
     let CertifiedAsymmetric { at, .. } = CertifiedAsymmetric::of(&arch, mode, BITS)?;
     Ok([least, at.thickness])
 }

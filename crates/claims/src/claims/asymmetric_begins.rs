@@ -6,7 +6,7 @@
 //! `[s,r,r]`.
 
 use super::along::landmark;
-use super::asymmetric::ASYMMETRIC_MOTION;
+use super::asymmetric::{ASYMMETRIC_MOTION, variables};
 use super::{Claim, Derivation, Proof, Support, implied, lemmas};
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
@@ -16,7 +16,6 @@ use crate::certify::{Undecided, between};
 use crate::number::{Angle, Ball, Enclosure, Field, Real, Stumpff, Ternary};
 use crate::problem::Landmark;
 use crate::prover::root::{Form, root_near};
-use crate::symbolic::{Letters, Symbol};
 use rug::{Float, Rational};
 use std::sync::OnceLock;
 
@@ -189,26 +188,16 @@ fn begins(d: &mut Derivation) -> Proof {
             twin.map_or_else(|| decided.clone(), Edge::proved).map(|()| Ternary::True)
         })?;
     }
-    let (alpha, joint, eta) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thickness.number());
     let edge = Edge { weight: SelfWeight::Heyman, ..EDGES[0] };
-    let letters = Asymmetric {
-        half_opening: alpha.clone(),
-        grip: Grip { shear: eta.int(1), normal: Symbol::Friction.number() },
-        thickness: eta.clone(),
-        forces: Forces {
-            thrust: Symbol::Thrust.number(),
-            moment: Symbol::CrownMoment.number(),
-            vertical: eta.int(0),
-        },
-        crown_hinge: Angle::zero(&eta),
-        haunch: joint.clone(),
-        sliding_joint: Symbol::sliding_joint(),
-    };
-    let misfit = letters.closing(AsymmetricMode::ShoulderSliding, edge.weight).swap_remove(0);
+    let at = variables();
+    let (alpha, joint, eta) = (&at.half_opening, &at.haunch, &at.thickness);
+    let forces = Forces { vertical: eta.int(0), ..at.forces.clone() };
+    let symmetric = Asymmetric { forces, crown_hinge: Angle::zero(eta), ..at.clone() };
+    let misfit = symmetric.closing(AsymmetricMode::ShoulderSliding, edge.weight).swap_remove(0);
     let two = eta.int(2);
-    let inner = (two.clone() - &eta) * &joint.cos;
-    let up = two.clone() + &eta - &inner;
-    let expected = -(up * &alpha.cos + (two - &eta) * &joint.sin * &alpha.sin);
+    let inner = (two.clone() - eta) * &joint.cos;
+    let up = two.clone() + eta - &inner;
+    let expected = -(up * &alpha.cos + (two - eta) * &joint.sin * &alpha.sin);
     let words = "at a symmetric state, twice sin(alpha + beta_s) times the slip of the inner joint";
     d.identity(words, &misfit, &expected)?;
     d.conclude(

@@ -11,7 +11,7 @@
 use super::along::{CurveStates, around, below, landmark, on_parts};
 use super::map_of_weights::{LINES_RISE, WHERE_THE_SHOULDER_TURNS};
 use super::measured::MeasuredBounds;
-use super::{Claim, Derivation, Finding, Proof, Support, claim, found, lemmas};
+use super::{Claim, Derivation, Proof, Support, claim, lemmas, measured};
 use crate::arch::{Ring, SelfWeight, sliding, thrust};
 use crate::certify::between;
 use crate::number::{Angle, Ball, Enclosure, Field};
@@ -24,7 +24,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         "from J to B the divide deviates to the left for Milankovitch's weight, the more the \
          larger the thickness",
     ),
-    found("weights-B-slope", "Sec. 3, Fig. 5", slope_at_the_border)
+    measured("weights-B-slope", "Sec. 3, Fig. 5", slope_at_the_border)
         .states("for Milankovitch's weight the divide arrives almost vertically at B"),
 ];
 
@@ -109,13 +109,12 @@ fn divide_deviates(d: &mut Derivation) -> Proof {
     )
 }
 
-fn slope_at_the_border(d: &mut Derivation) -> Proof<Finding> {
-    equation(d)?;
+fn slope_at_the_border(bounds: &mut MeasuredBounds<'_>) -> Proof {
+    equation(bounds.d)?;
     let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
     let factor = Ring::with_flag(&delta, &eta).centroid_factor;
     let slope = factor.partial(Symbol::Thickness);
-    d.identity("d fac/d eta", &slope, delta * &eta / eta.int(6))?;
-    let mut bounds = MeasuredBounds::default();
+    bounds.d.identity("d fac/d eta", &slope, delta * &eta / eta.int(6))?;
     for weight in [SelfWeight::Milankovitch, SelfWeight::Heyman] {
         let at = landmark(Landmark::Border, weight)?;
         let along = CurveStates::of_landmark(weight, &at);
@@ -130,11 +129,13 @@ fn slope_at_the_border(d: &mut Derivation) -> Proof<Finding> {
             [format!("d eta/d mu at B, {name} weight"), format!("d eta/d phi at B, {name} weight")];
         for (words, value) in words.iter().zip([by_friction, by_angle]) {
             match weight {
-                SelfWeight::Heyman => bounds.at_most(d, (words, &value, ""), 3)?,
-                SelfWeight::Milankovitch => bounds.at_least(d, (words, &value, ""), 3)?,
+                SelfWeight::Heyman => bounds.at_most((words, &value, ""), 3)?,
+                SelfWeight::Milankovitch => bounds.at_least((words, &value, ""), 3)?,
             }
         }
     }
-    d.conclude("d eta/d mu = -(a' + c' eta)/(c - delta_M eta/6)/mu', finite for both weights.")?;
-    Ok(bounds.finding())
+    bounds.d.conclude(
+        "d eta/d mu = -(a' + c' eta)/(c - delta_M eta/6)/mu', finite for both weights.",
+    )?;
+    Ok(())
 }

@@ -12,13 +12,14 @@
 //! Both values are real and above the third root, `-2 √P cos(t/3)`; that with the difference of the
 //! angles is the larger. Which sign belongs to which states is thereby decided without a number.
 
+use super::along::landmark;
 use super::cubics::letters;
 use super::curve::{STATES_IN_ORDER, TWO_THICKNESSES_FOR_EACH_JOINT};
 use super::landmarks::certain_if;
 use super::{Claim, Derivation, Proof, Support, claim, implied, lemmas};
 use crate::arch::cubic::Abbreviations;
 use crate::arch::{Ring, SelfWeight, closed_form, cubic, overturning};
-use crate::certify::{CertifiedLandmark, between};
+use crate::certify::between;
 use crate::number::{Angle, Ball, Dual, Enclosure, Field, Real};
 use crate::problem::Landmark;
 use crate::symbolic::{Fraction, Letters, Polynomial, Relations, Symbol, discriminant};
@@ -148,8 +149,7 @@ fn widest_joint_is_below_a_right_angle(d: &mut Derivation) -> Proof {
 }
 
 fn widest_joint(weight: SelfWeight) -> Proof<Ball> {
-    let point = CertifiedLandmark::new(Landmark::WidestJoint, weight)?;
-    Ok(point.enclosure(128)?.configuration().rotation_joint.rad.clone())
+    Ok(landmark(Landmark::WidestJoint, weight)?.rotation_joint.rad)
 }
 
 fn signs_of_the_branches(d: &mut Derivation) -> Proof {

@@ -1,6 +1,7 @@
 //! A claim, what decides it and what comes out, and how the proof of one uses others.
 
 use super::derivation::{Derivation, Proof, Support};
+use super::measured::MeasuredBounds;
 use crate::certify::Undecided;
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
@@ -19,6 +20,7 @@ pub struct Claim {
 }
 
 type Prove = fn(&mut Derivation) -> Proof;
+type Measure = fn(&mut MeasuredBounds<'_>) -> Proof;
 type Find = fn(&mut Derivation) -> Proof<Finding>;
 
 /// What decides a claim.
@@ -28,6 +30,8 @@ enum Decide {
     AsPrinted(Prove),
     /// A proof of what the paper leaves implicit.
     Implicit(Prove),
+    /// A proof of bounds, where the paper has no number or a rounded one.
+    Measured(Measure),
     /// A derivation that finds how far the statement holds.
     Finds(Find),
 }
@@ -88,7 +92,12 @@ pub(super) const fn implied(id: &'static str, place: &'static str, prove: Prove)
     named(id, place, Decide::Implicit(prove))
 }
 
-/// A claim that holds otherwise than printed, with equality, with a number or corrected, and what finds that.
+/// A claim without a number, or with a rounded one, and what bounds it.
+pub(super) const fn measured(id: &'static str, place: &'static str, measure: Measure) -> Claim {
+    named(id, place, Decide::Measured(measure))
+}
+
+/// A claim that may hold otherwise than printed, with equality or corrected, and what finds that.
 pub(super) const fn found(id: &'static str, place: &'static str, find: Find) -> Claim {
     named(id, place, Decide::Finds(find))
 }
@@ -114,6 +123,13 @@ impl Claim {
         let outcome = match self.decide {
             Decide::AsPrinted(prove) => prove(&mut derivation).map(|()| Finding::AsPrinted),
             Decide::Implicit(prove) => prove(&mut derivation).map(|()| Finding::Implicit),
+            Decide::Measured(measure) => {
+                let mut bounds = MeasuredBounds::new(&mut derivation);
+                measure(&mut bounds).map(|()| {
+                    let [holds_with, fails] = bounds.texts();
+                    Finding::Measured { holds_with, fails_with: Some(fails) }
+                })
+            }
             Decide::Finds(find) => find(&mut derivation),
         };
         Decision { claim: *self, outcome, derivation, time: start.elapsed() }

@@ -4,34 +4,30 @@ use super::along;
 use super::landmarks::{both, state_of};
 use super::measured::MeasuredBounds;
 use super::same_opening::DIFFERENCES_GROW;
-use super::{Claim, Derivation, Finding, Proof, found, lemmas};
+use super::{Claim, Proof, lemmas, measured};
 use crate::arch::Unknown;
 use crate::certify::state::State;
 use crate::number::{Ball, Field};
 use crate::problem::Landmark;
 
 pub(super) const CLAIMS: &[Claim] = &[
-    found("weights-minimal", "Sec. 2.1, Fig. 2", |d| {
-        let mut bounds = MeasuredBounds::default();
-        largest(d, &mut bounds, &["pi/2", "2", "2.4", "2.55"], &[ETA, H])?;
-        at(d, &mut bounds, ("2.59", None), &[ETA, H])?;
-        Ok(bounds.finding())
+    measured("weights-minimal", "Sec. 2.1, Fig. 2", |bounds| {
+        largest(bounds, &["pi/2", "2", "2.4", "2.55"], &[ETA, H])?;
+        at(bounds, ("2.59", "inf"), &[ETA, H])
     })
     .states(
         "at the same half opening eta and h differ really little between the two weights, even as \
          the thickness grows",
     ),
-    found("weights-marginal", "Sec. 5", |d| {
-        let mut bounds = MeasuredBounds::default();
-        largest(d, &mut bounds, &["pi/2"], &[ETA, H, BETA])?;
-        at(d, &mut bounds, ("pi/2", Some("0.31")), &[ETA_SMALLER])?;
-        Ok(bounds.finding())
+    measured("weights-marginal", "Sec. 5", |bounds| {
+        largest(bounds, &["pi/2"], &[ETA, H, BETA])?;
+        at(bounds, ("pi/2", "0.31"), &[ETA_SMALLER])
     })
     .states(
         "for openings up to the semicircle the differences between the two weights are quite \
          marginal",
     ),
-    found("weights-slightly", "Sec. 2.1, 3", at_landmarks).states(
+    measured("weights-slightly", "Sec. 2.1, 3", at_landmarks).states(
         "alpha_l, eta_l, the joints at the landmarks and alpha at B differ slightly between the \
          two weights, mu at B much",
     ),
@@ -54,44 +50,41 @@ fn percent([heyman, milankovitch]: [&Ball; 2], is_larger: bool) -> Ball {
 
 /// Notes the relative differences of an arch.
 fn note(
-    d: &mut Derivation,
-    bounds: &mut MeasuredBounds,
+    bounds: &mut MeasuredBounds<'_>,
     place: &str,
-    (alpha, friction): (&str, Option<&str>),
+    (alpha, friction): (&str, &str),
     variables: &[MovedVariable],
 ) -> Proof {
     let [heyman, milankovitch] = both(|weight| state_of(alpha, friction, weight))?;
     for (name, is_larger, value) in variables {
         let percent = percent([value(&heyman), value(&milankovitch)], *is_larger);
-        bounds.at_most(d, (&format!("{name}, {place}"), &percent, " %"), 3)?;
+        bounds.at_most((&format!("{name}, {place}"), &percent, " %"), 3)?;
     }
     Ok(())
 }
 
 /// The largest relative differences of rotational states up to some half openings, which are those at these.
 fn largest(
-    d: &mut Derivation,
-    bounds: &mut MeasuredBounds,
+    bounds: &mut MeasuredBounds<'_>,
     openings: &[&str],
     variables: &[MovedVariable],
 ) -> Proof {
-    lemmas(d, [&DIFFERENCES_GROW])?;
+    lemmas(bounds.d, [&DIFFERENCES_GROW])?;
     for alpha in openings {
         let place = format!("mu = inf, up to alpha = {alpha}");
-        note(d, bounds, &place, (alpha, None), variables)?;
+        note(bounds, &place, (alpha, "inf"), variables)?;
     }
-    d.conclude("They grow with the half opening, so that the last of a range is the largest.")
+    let words = "They grow with the half opening, so that the last of a range is the largest.";
+    bounds.d.conclude(words)
 }
 
 /// Differences of one arch.
 fn at(
-    d: &mut Derivation,
-    bounds: &mut MeasuredBounds,
-    arch: (&str, Option<&str>),
+    bounds: &mut MeasuredBounds<'_>,
+    arch @ (alpha, friction): (&str, &str),
     variables: &[MovedVariable],
 ) -> Proof {
-    let place = format!("mu = {}, at alpha = {}", arch.1.unwrap_or("inf"), arch.0);
-    note(d, bounds, &place, arch, variables)
+    note(bounds, &format!("mu = {friction}, at alpha = {alpha}"), arch, variables)
 }
 
 /// Differences that are said to be slight or much at the landmarks, and whether it is larger for
@@ -107,14 +100,13 @@ const AT_LANDMARKS: &[(Landmark, Unknown, bool)] = &[
     (Landmark::Border, Unknown::Friction, false),
 ];
 
-fn at_landmarks(d: &mut Derivation) -> Proof<Finding> {
-    let mut bounds = MeasuredBounds::default();
+fn at_landmarks(bounds: &mut MeasuredBounds<'_>) -> Proof {
     for (landmark, unknown, is_larger) in AT_LANDMARKS {
         let [heyman, milankovitch] = both(|weight| along::landmark(*landmark, weight))?;
         let percent = percent([heyman.value(*unknown), milankovitch.value(*unknown)], *is_larger);
         let relation = if *is_larger { "larger" } else { "smaller" };
         let words = format!("{} {relation}, at {}", unknown.name(), landmark.symbol());
-        bounds.at_most(d, (&words, &percent, " %"), 3)?;
+        bounds.at_most((&words, &percent, " %"), 3)?;
     }
-    Ok(bounds.finding())
+    Ok(())
 }

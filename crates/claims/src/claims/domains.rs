@@ -210,7 +210,7 @@ fn only_beyond(d: &mut Derivation, haunch: HaunchPlace, end: Landmark) -> Proof 
             let range = (&start, &beyond);
             on_parts(range, &CurveStates::sliding, &|all| room(all).is_positive())
         })?;
-        let all = sliding(&before)?.up_to(&sliding(&beyond)?)?;
+        let all = sliding(&before)?.up_to(&sliding(&beyond)?);
         let slope = all.slope_along_sliding(|alpha, h| haunch.room(weight, alpha, h));
         let words = format!(
             "U at the shoulder falls from {before} to {beyond}, which holds alpha_{symbol}, {name}"
@@ -269,7 +269,7 @@ fn pure_sliding_ends_at_b(d: &mut Derivation) -> Proof {
         let border = landmark(Landmark::Border, weight)?.half_opening.rad;
         let end = landmark(Landmark::OverturningEnd, weight)?.half_opening;
         let (before, beyond) = around(&border, 1000)?;
-        let all = sliding(&before)?.up_to(&sliding(&beyond)?)?;
+        let all = sliding(&before)?.up_to(&sliding(&beyond)?);
         let slope =
             all.slope_along_sliding(|alpha, h| statics::normal_force(alpha, h) / alpha.versine());
         let words = format!("n falls from {before} to {beyond}, which holds alpha_B, {name}");

@@ -270,7 +270,7 @@ fn order_of_frictions(d: &mut Derivation) -> Proof {
             b.inner_friction().is_less_than(&a.shoulder_friction())
         };
         d.certain(Support::Balls, words, ranges, |range| on_all(range, &rotational, &holds))?;
-        let all = rotational(&before)?.up_to(&rotational(&beyond)?)?;
+        let all = rotational(&before)?.up_to(&rotational(&beyond)?);
         // There the joint falls with the half opening, as all else is monotone too.
         let widest = landmark(Landmark::WidestJoint, weight)?.half_opening.rad;
         let words = format!("alpha_sb < {before}, {name}");

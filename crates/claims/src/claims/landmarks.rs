@@ -1,13 +1,11 @@
 //! The landmark points: what holds beyond the equations that define them.
 
-use super::along::landmark;
+use super::along::{landmark, parsed, standing};
 use super::letters::{ring, variables};
 use super::{Claim, Derivation, Proof, Support, claim, implied};
 use crate::arch::{Ring, SelfWeight, Unknown, contact, overturning, sliding, statics, thrust};
-use crate::certify::Undecided;
-use crate::certify::state::{Certify, Outcome, State};
-use crate::number::{Angle, Ball, ExactNumber, Field, Real, Ternary};
-use crate::problem::{Arch, Friction};
+use crate::certify::state::{Certify, State};
+use crate::number::{Angle, Ball, Field, Real, Ternary};
 use crate::problem::{Fixed, Landmark, Mode};
 use crate::symbolic::{Fraction, Letters, Symbol, along_the_joint};
 use rug::Rational;
@@ -167,29 +165,13 @@ pub(super) fn both<T>(of: impl Fn(SelfWeight) -> Proof<T>) -> Proof<[T; 2]> {
 }
 
 /// The state of an arch at its least thickness; the half opening and the friction as text.
-pub(super) fn state_of(
-    half_opening: &str,
-    friction: Option<&str>,
-    weight: SelfWeight,
-) -> Proof<State> {
-    let number =
-        |text: &str| text.parse::<ExactNumber>().map_err(|error| Undecided::new(error.to_string()));
-    let friction = match friction {
-        Some(text) => Friction::Coefficient(number(text)?),
-        None => Friction::Infinite,
-    };
-    let arch = Arch::new(weight, number(half_opening)?, friction)
-        .map_err(|error| Undecided::new(error.to_string()))?;
-    match arch.state(128) {
-        Ok(Outcome::Stands(state)) => Ok(*state),
-        Ok(Outcome::Falls(_)) => Err(Undecided::new("the arch does not stand")),
-        Err(doubt) => Err(Undecided::new(doubt.reason)),
-    }
+pub(super) fn state_of(half_opening: &str, friction: &str, weight: SelfWeight) -> Proof<State> {
+    standing(parsed(weight, half_opening, friction)?.state(128)?)
 }
 
 /// The thickness of a semicircle with unlimited friction, and the friction that its shoulder asks for.
 pub(super) fn semicircle(weight: SelfWeight) -> Proof<[Ball; 2]> {
-    let State { thickness, thrust, .. } = state_of("pi/2", None, weight)?;
+    let State { thickness, thrust, .. } = state_of("pi/2", "inf", weight)?;
     let half = thrust.pi() / thrust.int(2);
     let right = Angle { rad: half, sin: thrust.int(1), cos: thrust.int(0) };
     Ok([thickness, sliding::shoulder(&right, &thrust).value()])

@@ -129,16 +129,12 @@ fn thicker_unless_the_shoulder_slides(d: &mut Derivation) -> Proof {
 }
 
 /// Arches of both weights, by half opening and friction, and whether Milankovitch's is the thicker one.
-fn thicker(
-    d: &mut Derivation,
-    (alpha, friction): (&str, Option<&str>),
-    is_thicker: bool,
-) -> Proof<String> {
+fn thicker(d: &mut Derivation, (alpha, friction): (&str, &str), is_thicker: bool) -> Proof<String> {
     let [heyman, milankovitch] = both(|weight| state_of(alpha, friction, weight))?;
     let (eta, other) = (&milankovitch.thickness, &heyman.thickness);
     let modes =
         format!("{} with Heyman's weight, {}", heyman.mode.label(), milankovitch.mode.label());
-    let place = format!("at alpha = {alpha}, mu = {}", friction.unwrap_or("inf"));
+    let place = format!("at alpha = {alpha}, mu = {friction}");
     let (word, less, more) =
         if is_thicker { ("thicker", other, eta) } else { ("thinner", eta, other) };
     let words = format!("{place} Milankovitch's arch is {word}: {modes} with Milankovitch's");
@@ -153,13 +149,13 @@ fn same_opening_compared(d: &mut Derivation) -> Proof<Finding> {
         "[s,r,r] with both: friction gives the thrust by (17), and on the curve of (2) and (5) the thrust \
          falls with eta and, at one eta, with delta_M: Milankovitch's arch is thinner.",
     )?;
-    let first = thicker(d, ("pi/2", None), true)?;
-    let second = thicker(d, ("2.6", Some("1.9")), true)?;
-    thicker(d, ("pi/2", Some("0.38")), false)?;
-    thicker(d, ("2.3", Some("1.071")), false)?;
-    thicker(d, ("2.3", Some("1.083")), true)?;
-    thicker(d, ("2.45", Some("1.324")), false)?;
-    thicker(d, ("2.45", Some("1.338")), true)?;
+    let first = thicker(d, ("pi/2", "inf"), true)?;
+    let second = thicker(d, ("2.6", "1.9"), true)?;
+    thicker(d, ("pi/2", "0.38"), false)?;
+    thicker(d, ("2.3", "1.071"), false)?;
+    thicker(d, ("2.3", "1.083"), true)?;
+    thicker(d, ("2.45", "1.324"), false)?;
+    thicker(d, ("2.45", "1.338"), true)?;
     Ok(Finding::Misprint {
         counterexample: format!("{first}; {second}"),
         corrected: "at the same half opening and friction, where both stand, Milankovitch's thickness is the \

@@ -1,41 +1,42 @@
 //! Numbers where a sentence has none: proved bounds in few digits.
 
-use super::{Derivation, Finding, Proof, Support};
+use super::{Derivation, Proof, Support};
 use crate::certify::Undecided;
 use crate::number::{Ball, Decimal, Enclosure, Field, Real, Rounded};
 
-/// Bounds of values: decimals next to each, between which it is proved to lie.
-#[derive(Default)]
-pub(super) struct MeasuredBounds {
+/// A value with its words and its unit.
+type MeasuredValue<'a> = (&'a str, &'a Ball, &'a str);
+
+/// Bounds of values in a derivation: decimals next to each, between which it is proved to lie.
+pub(super) struct MeasuredBounds<'a> {
+    pub(super) d: &'a mut Derivation,
     hold: Vec<String>,
     fail: Vec<String>,
 }
 
-impl MeasuredBounds {
+impl<'a> MeasuredBounds<'a> {
+    /// No bounds yet.
+    pub(super) fn new(d: &'a mut Derivation) -> Self {
+        Self { d, hold: Vec::new(), fail: Vec::new() }
+    }
+
     /// Checks between which neighbours of few significant digits a positive value lies; the upper one is
     /// noted as a bound that holds.
-    pub(super) fn at_most(
-        &mut self,
-        d: &mut Derivation,
-        (words, value, unit): (&str, &Ball, &str),
-        digits: usize,
-    ) -> Proof {
-        let (below, above) = neighbours(d, (words, value, unit), digits)?;
-        self.hold.push(format!("{words}: at most {above}{unit}"));
-        self.fail.push(format!("{words}: at most {below}{unit}"));
-        Ok(())
+    pub(super) fn at_most(&mut self, value: MeasuredValue<'_>, digits: usize) -> Proof {
+        let [below, above] = neighbours(self.d, value, digits)?;
+        self.note(value, "at most", [above, below])
     }
 
     /// Adds a bound of which the lower end is the one that holds.
-    pub(super) fn at_least(
-        &mut self,
-        d: &mut Derivation,
-        (words, value, unit): (&str, &Ball, &str),
-        digits: usize,
-    ) -> Proof {
-        let (below, above) = neighbours(d, (words, value, unit), digits)?;
-        self.hold.push(format!("{words}: at least {below}{unit}"));
-        self.fail.push(format!("{words}: at least {above}{unit}"));
+    pub(super) fn at_least(&mut self, value: MeasuredValue<'_>, digits: usize) -> Proof {
+        let ends = neighbours(self.d, value, digits)?;
+        self.note(value, "at least", ends)
+    }
+
+    fn note(&mut self, (words, _, unit): MeasuredValue<'_>, is: &str, ends: [Decimal; 2]) -> Proof {
+        let [holds, fails] = ends.map(|end| format!("{words}: {is} {end}{unit}"));
+        self.hold.push(holds);
+        self.fail.push(fails);
         Ok(())
     }
 
@@ -49,12 +50,9 @@ impl MeasuredBounds {
         self.fail.push(words.to_owned());
     }
 
-    /// The values as bounds that hold, next to such as do not.
-    pub(super) fn finding(self) -> Finding {
-        Finding::Measured {
-            holds_with: self.hold.join("; "),
-            fails_with: Some(self.fail.join("; ")),
-        }
+    /// The bounds that hold, and those next to them that do not.
+    pub(super) fn texts(self) -> [String; 2] {
+        [self.hold, self.fail].map(|bounds| bounds.join("; "))
     }
 }
 
@@ -66,17 +64,17 @@ pub(super) fn in_degrees(angle: &Ball) -> Ball {
 /// The decimals of few significant digits between which a value is proved to lie.
 fn neighbours(
     d: &mut Derivation,
-    (words, value, unit): (&str, &Ball, &str),
+    (words, value, unit): MeasuredValue<'_>,
     digits: usize,
-) -> Proof<(String, String)> {
+) -> Proof<[Decimal; 2]> {
     let rounded = Rounded::from_ball(value, digits)
         .ok_or_else(|| Undecided::new(format!("{words}: no digits")))?;
     let near = |decimal: &Decimal| Ball::enclosing(&decimal.to_rational(), value.prec());
-    let (below, above) = (&rounded.lower, &rounded.upper);
+    let ends @ [below, above] = &[rounded.lower, rounded.upper];
     let found = format!("{words} is between {below}{unit} and {above}{unit}");
     let further = value.clone() + near(above) - near(below);
     d.certain(Support::Balls, found, [value, &further], |value| {
         Ok(near(below).is_less_than(value).and(value.is_less_than(&near(above))))
     })?;
-    Ok((below.to_string(), above.to_string()))
+    Ok(ends.clone())
 }

@@ -142,29 +142,28 @@ fn seven_modes(d: &mut Derivation) -> Proof {
     )
 }
 
-/// A half opening and a friction, none if it is unlimited.
-type GivenArch = (&'static str, Option<&'static str>);
+/// A half opening and a friction.
+type GivenArch = (&'static str, &'static str);
 
 /// Half opening and friction of an arch of each mode that has a least thickness, for Heyman's and for Milankovitch's
 /// weight.
 const EXAMPLES: [(Mode, [GivenArch; 2]); 6] = [
-    (Mode::Rotational, [("3/2", Some("1")); 2]),
-    (Mode::SlidingRotational, [("pi/2", Some("0.35")); 2]),
-    (Mode::RotationalSliding, [("2.54", Some("1.6")), ("2.45", Some("1.35"))]),
-    (Mode::RotationalSlidingRotational, [("2.607", Some("1.9")), ("2.535", Some("1.57"))]),
-    (Mode::OverturningSliding, [("2.65", Some("2.2")), ("2.57", Some("2.2"))]),
-    (Mode::Overturning, [("2.7", None), ("2.62", None)]),
+    (Mode::Rotational, [("3/2", "1"); 2]),
+    (Mode::SlidingRotational, [("pi/2", "0.35"); 2]),
+    (Mode::RotationalSliding, [("2.54", "1.6"), ("2.45", "1.35")]),
+    (Mode::RotationalSlidingRotational, [("2.607", "1.9"), ("2.535", "1.57")]),
+    (Mode::OverturningSliding, [("2.65", "2.2"), ("2.57", "2.2")]),
+    (Mode::Overturning, [("2.7", "inf"), ("2.62", "inf")]),
 ];
 
 fn modes_occur(d: &mut Derivation) -> Proof {
     // Each arch beside that of the next mode, which has another.
     for ((mode, arches), (_, others)) in EXAMPLES.iter().zip(EXAMPLES.iter().cycle().skip(1)) {
         for (weight, (arch, other)) in SelfWeight::ALL.into_iter().zip(arches.iter().zip(others)) {
-            let (half_opening, friction) = (arch.0, arch.1.unwrap_or("inf"));
-            let words =
-                format!("alpha = {half_opening}, mu = {friction}: {mode}, {}", weight.name());
-            d.certain(Support::Balls, words, [arch, other], |(half_opening, friction)| {
-                Ok(certain_if(state_of(half_opening, *friction, weight)?.mode == *mode))
+            let (alpha, mu) = arch;
+            let words = format!("alpha = {alpha}, mu = {mu}: {mode}, {}", weight.name());
+            d.certain(Support::Balls, words, [arch, other], |(alpha, mu)| {
+                Ok(certain_if(state_of(alpha, mu, weight)?.mode == *mode))
             })?;
         }
     }

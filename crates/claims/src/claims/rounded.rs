@@ -4,7 +4,7 @@ use super::along::{CurveStates, landmark};
 use super::domains::{NO_PURE_SLIDING_BEYOND_B, NO_SHOULDER_SLIDING_BEYOND_T};
 use super::landmarks::{both, certain_if, semicircle, state_of};
 use super::measured::{MeasuredBounds, in_degrees};
-use super::{Claim, Derivation, Finding, Proof, Support, claim, found, lemmas};
+use super::{Claim, Derivation, Proof, Support, claim, lemmas, measured};
 use crate::arch::{SelfWeight, Unknown};
 use crate::certify::{CertifiedLandmark, Undecided};
 use crate::number::{Ball, Decimal, Field, Rounded, arctangent};
@@ -16,16 +16,16 @@ pub(super) const CLAIMS: &[Claim] = &[
         "the values given to few digits, such as beta_r = 59.7° at T or, coarser, 20° for 22°, are \
          roundings of the true ones",
     ),
-    found("landmark-S-near-J", "Sec. 4", nearness)
+    measured("landmark-S-near-J", "Sec. 4", nearness)
         .states("S and J are rather near in the eta-mu map"),
-    found("semicircle", "Sec. 5", semicircle_suffices).states(
+    measured("semicircle", "Sec. 5", semicircle_suffices).states(
         "for the semicircle a friction of about 0.395, 22°, suffices to prevent sliding of the \
          shoulder and warrants purely rotational collapse",
     ),
-    found("suffices-T", "Sec. 5", no_shoulder_sliding).states(
+    measured("suffices-T", "Sec. 5", no_shoulder_sliding).states(
         "a friction of about 1.277, 52°, suffices to prevent any mixed sliding-rotational mode",
     ),
-    found("suffices-B", "Sec. 5", no_pure_sliding)
+    measured("suffices-B", "Sec. 5", no_pure_sliding)
         .states("a friction of about 1.854, 62°, suffices to prevent any purely sliding mode"),
 ];
 
@@ -100,31 +100,29 @@ fn rounded_values(d: &mut Derivation) -> Proof {
     Ok(())
 }
 
-fn nearness(d: &mut Derivation) -> Proof<Finding> {
-    let mut bounds = MeasuredBounds::default();
+fn nearness(bounds: &mut MeasuredBounds<'_>) -> Proof {
     for weight in SelfWeight::ALL {
         let shift = landmark(Landmark::Shift, weight)?;
         let junction = landmark(Landmark::Junction, weight)?;
         for unknown in [Unknown::Thickness, Unknown::Friction] {
             let distance = junction.value(unknown).clone() - shift.value(unknown);
             let words = format!("{} from S to J, {} weight", unknown.name(), weight.name());
-            bounds.at_most(d, (&words, &distance, ""), 3)?;
+            bounds.at_most((&words, &distance, ""), 3)?;
         }
     }
-    Ok(bounds.finding())
+    Ok(())
 }
 
 /// Notes a friction, and its angle, that is the least to suffice.
 fn least_friction(
-    d: &mut Derivation,
-    bounds: &mut MeasuredBounds,
+    bounds: &mut MeasuredBounds<'_>,
     words: &str,
     friction: &Ball,
     digits: usize,
 ) -> Proof {
-    bounds.at_most(d, (words, friction, ""), digits)?;
+    bounds.at_most((words, friction, ""), digits)?;
     let degrees = in_degrees(&arctangent(friction));
-    bounds.at_most(d, ("its angle", &degrees, "°"), 3)
+    bounds.at_most(("its angle", &degrees, "°"), 3)
 }
 
 /// Checks the mode of an arch; with the other friction it has another.
@@ -140,48 +138,47 @@ fn collapses(
         weight.name()
     );
     d.certain(Support::Balls, words, [friction, other], |friction| {
-        Ok(certain_if(state_of(alpha, Some(friction), weight)?.mode == mode))
+        Ok(certain_if(state_of(alpha, friction, weight)?.mode == mode))
     })
 }
 
-fn semicircle_suffices(d: &mut Derivation) -> Proof<Finding> {
-    let mut bounds = MeasuredBounds::default();
+fn semicircle_suffices(bounds: &mut MeasuredBounds<'_>) -> Proof {
     let sufficient = [(SelfWeight::Milankovitch, "0.3953"), (SelfWeight::Heyman, "0.3959")];
     for (weight, enough) in sufficient {
         let words = format!("the friction that the shoulder asks for, {} weight", weight.name());
-        least_friction(d, &mut bounds, &words, &semicircle(weight)?[1], 4)?;
-        collapses(d, ("pi/2", [enough, "0.395"]), weight, Mode::Rotational)?;
-        collapses(d, ("pi/2", ["0.395", enough]), weight, Mode::SlidingRotational)?;
+        least_friction(bounds, &words, &semicircle(weight)?[1], 4)?;
+        collapses(bounds.d, ("pi/2", [enough, "0.395"]), weight, Mode::Rotational)?;
+        collapses(bounds.d, ("pi/2", ["0.395", enough]), weight, Mode::SlidingRotational)?;
     }
     bounds.fails("a friction of 0.395 itself: [s,r,r] with either weight");
-    Ok(bounds.finding())
+    Ok(())
 }
 
-fn no_shoulder_sliding(d: &mut Derivation) -> Proof<Finding> {
-    lemmas(d, [&NO_SHOULDER_SLIDING_BEYOND_T])?;
-    let mut bounds = MeasuredBounds::default();
+fn no_shoulder_sliding(bounds: &mut MeasuredBounds<'_>) -> Proof {
+    lemmas(bounds.d, [&NO_SHOULDER_SLIDING_BEYOND_T])?;
     let (weight, words) = (SelfWeight::Milankovitch, "mu_T, milankovitch weight");
-    least_friction(d, &mut bounds, words, &landmark(Landmark::Triple, weight)?.friction, 5)?;
-    collapses(d, ("2.430058", ["1.277", "1.3"]), weight, Mode::SlidingRotational)?;
+    least_friction(bounds, words, &landmark(Landmark::Triple, weight)?.friction, 5)?;
+    collapses(bounds.d, ("2.430058", ["1.277", "1.3"]), weight, Mode::SlidingRotational)?;
     bounds.fails("a friction of 1.277 itself: alpha = 2.430058 is [s,r,r]");
-    Ok(bounds.finding())
+    Ok(())
 }
 
-fn no_pure_sliding(d: &mut Derivation) -> Proof<Finding> {
-    lemmas(d, [&NO_PURE_SLIDING_BEYOND_B])?;
-    let mut bounds = MeasuredBounds::default();
+fn no_pure_sliding(bounds: &mut MeasuredBounds<'_>) -> Proof {
+    lemmas(bounds.d, [&NO_PURE_SLIDING_BEYOND_B])?;
     let (weight, words) = (SelfWeight::Milankovitch, "mu_B, milankovitch weight");
     let friction = landmark(Landmark::Border, weight)?.friction;
-    least_friction(d, &mut bounds, words, &friction, 5)?;
+    least_friction(bounds, words, &friction, 5)?;
     // An arch thinner than B that slides purely with hardly less friction.
     let (text, alpha) = ("2.62307", Rational::from((262_307, 100_000)));
     let slides = CurveStates::sliding(&alpha)?.inner_friction();
     let least = Ball::enclosing(&Rational::from((18_537, 10_000)), slides.prec());
-    d.less(format!("alpha = {text} slides purely with more than 1.8537"), [&least, &slides])?;
-    let state = state_of(text, Some("1.8538"), weight)?;
-    d.less("with 1.8538 it stands, with eta < 2", [&state.thickness, &friction.int(2)])?;
+    bounds
+        .d
+        .less(format!("alpha = {text} slides purely with more than 1.8537"), [&least, &slides])?;
+    let state = state_of(text, "1.8538", weight)?;
+    bounds.d.less("with 1.8538 it stands, with eta < 2", [&state.thickness, &friction.int(2)])?;
     let printed = Ball::enclosing(&Rational::from((1854, 1000)), friction.prec());
-    d.less("mu_B is below 1.854", [&friction, &printed])?;
+    bounds.d.less("mu_B is below 1.854", [&friction, &printed])?;
     bounds.holds("a friction of 1.854 itself");
-    Ok(bounds.finding())
+    Ok(())
 }

@@ -204,10 +204,10 @@ fn differences_grow(d: &mut Derivation) -> Proof {
         Ok(certain_if(if sign == 1 { pieces > 0 } else { growth(sign)? > 0 }))
     })?;
     let number = |n: i32, m: i32| Ball::enclosing(&Rational::from((n, m)), 128);
-    let first = state_of("0.4", None, SelfWeight::Heyman)?.thickness;
+    let first = state_of("0.4", "inf", SelfWeight::Heyman)?.thickness;
     let words = "eta > 1/2000 from alpha = 2/5 on, with Heyman's weight and so with any";
     d.less(words, [&number(1, 2000), &first])?;
-    let last = state_of("2.58", None, SelfWeight::Milankovitch)?.thickness;
+    let last = state_of("2.58", "inf", SelfWeight::Milankovitch)?.thickness;
     let words = "eta < 9/10 up to alpha = 2.58, with Milankovitch's weight and so with any";
     d.less(words, [&last, &number(9, 10)])?;
     // Where the arch is thin, bounds are enough.
@@ -220,7 +220,7 @@ fn differences_grow(d: &mut Derivation) -> Proof {
     let slope = touching.value().partial(Symbol::Thickness) / touching.value();
     let words = "d log h/d log eta at a fixed joint, where (2) and (5) hold";
     d.identity(words, slope * eta, -(eta.int(2) / ring.intrados()))?;
-    let thin = state_of("0.4", None, SelfWeight::Milankovitch)?;
+    let thin = state_of("0.4", "inf", SelfWeight::Milankovitch)?;
     let (eta, h) = (&thin.thickness, &thin.thrust);
     let ring = Ring::with_flag(&eta.int(1), eta);
     let bound = eta.clone() * ring.extrados() * eta.int(2)

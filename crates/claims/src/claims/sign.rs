@@ -7,7 +7,7 @@
 use super::letters::ring;
 use super::{Derivation, Formula, Proof};
 use crate::arch::thrust;
-use crate::number::{Angle, Field};
+use crate::number::Field;
 use crate::symbolic::{
     Fraction, Letters, Polynomial, Relations, Symbol, along_the_joint, along_the_opening,
 };
@@ -232,35 +232,25 @@ pub(super) struct AngleSigns {
 impl AngleSigns {
     /// Signs of the rotational joint.
     pub(super) fn of_joint(d: &mut Derivation) -> Proof<Self> {
-        let at_zero = |symbol| match symbol {
-            Symbol::Joint | Symbol::Sine => Some(0),
-            Symbol::Cosine => Some(1),
-            _ => None,
-        };
-        let (rules, relations) = (along_the_joint(), Relations::trigonometric());
-        let range = FromZero { rules: &rules, at_zero: &at_zero, relations: &relations };
-        Self::of(d, "beta", &Symbol::joint(), &range)
+        Self::of(d, "beta", [Symbol::Joint, Symbol::Sine, Symbol::Cosine], &along_the_joint())
     }
 
     /// Signs of the half opening.
     pub(super) fn of_half_opening(d: &mut Derivation) -> Proof<Self> {
-        let at_zero = |symbol| match symbol {
-            Symbol::HalfOpening | Symbol::SineOfOpening => Some(0),
-            Symbol::CosineOfOpening => Some(1),
-            _ => None,
-        };
-        let (rules, relations) = (along_the_opening(), Relations::trigonometric());
-        let range = FromZero { rules: &rules, at_zero: &at_zero, relations: &relations };
-        Self::of(d, "alpha", &Symbol::half_opening(), &range)
+        let letters = [Symbol::HalfOpening, Symbol::SineOfOpening, Symbol::CosineOfOpening];
+        Self::of(d, "alpha", letters, &along_the_opening())
     }
 
     fn of(
         d: &mut Derivation,
         name: &str,
-        angle: &Angle<Fraction>,
-        range: &FromZero<'_>,
+        letters: [Symbol; 3],
+        rules: &[(Symbol, Polynomial)],
     ) -> Proof<Self> {
-        let Angle { rad, sin, cos } = angle;
+        let [rad, sin, cos] = &letters.map(Symbol::number);
+        // Angle and sine begin with zero, the cosine with one.
+        let at_zero = |symbol| letters.iter().position(|x| *x == symbol).map(|k| (k == 2).into());
+        let range = &FromZero { rules, at_zero: &at_zero, relations: &Relations::trigonometric() };
         let [positive_rad, positive_sin] =
             Positive::given(d, &format!("0 < {name} < pi"), [rad, sin]);
         let square = positive_sin.clone() * &positive_sin;

@@ -5,7 +5,7 @@ use super::landmarks::both;
 use super::letters::{ring, with};
 use super::measured::{MeasuredBounds, in_degrees};
 use super::overturning::A_FIXES_ALPHA;
-use super::{Claim, Derivation, Finding, Proof, found, lemmas};
+use super::{Claim, Proof, lemmas, measured};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::number::{Angle, Ball, Field};
 use crate::problem::Landmark::OverturningEnd;
@@ -13,11 +13,11 @@ use crate::symbolic::{Letters, Symbol};
 use rug::Rational;
 
 pub(super) const CLAIMS: &[Claim] = &[
-    found("weights-overturning", "Sec. 2.1, Fig. 3", trends_compared).states(
+    measured("weights-overturning", "Sec. 2.1, Fig. 3", trends_compared).states(
         "for purely overturning modes the trends of eta differ to a quite limited extent between \
          the two weights",
     ),
-    found("weights-range", "Sec. 2.1", ranges_compared).states(
+    measured("weights-range", "Sec. 2.1", ranges_compared).states(
         "the half openings of rotational states, purely overturning ones among them, end at about \
          150° for Milankovitch's weight and about 160° for Heyman's",
     ),
@@ -29,23 +29,23 @@ fn leverage(alpha: &Ball) -> Ball {
     alpha.versine() / (alpha.rad - alpha.sin)
 }
 
-fn trends_compared(d: &mut Derivation) -> Proof<Finding> {
-    lemmas(d, [&A_FIXES_ALPHA])?;
+fn trends_compared(bounds: &mut MeasuredBounds<'_>) -> Proof {
+    lemmas(bounds.d, [&A_FIXES_ALPHA])?;
     let ring = ring();
     let (eta, delta) = (&ring.thickness, Symbol::Flag.number());
     let opening = overturning::opening_variable(&ring).value();
     let at = |n: i32| with(&opening, &[Symbol::Flag], &delta.int(n));
     let gap = at(1) - at(0);
     let words = "A at the same eta, Milankovitch's weight less Heyman's";
-    d.identity(words, &gap, eta.square() / (eta.int(6) * ring.extrados()))?;
+    bounds.d.identity(words, &gap, eta.square() / (eta.int(6) * ring.extrados()))?;
     let fall = eta.int(12) - (eta.int(4) + eta) * eta * &delta;
     let slope = -(fall / (eta.int(6) * ring.extrados().square()));
-    d.identity("dA/d eta", opening.partial(Symbol::Thickness), &slope)?;
+    bounds.d.identity("dA/d eta", opening.partial(Symbol::Thickness), &slope)?;
     let two = Rational::from(2);
     let a = |weight| overturning::opening_variable(&Ring::new(weight, &two)).value();
     let [heyman_end, milankovitch_end] = SelfWeight::ALL.map(a);
     let largest = Rational::from(&milankovitch_end - &heyman_end);
-    d.equal("the largest difference in A, at eta = 2", &largest, &Rational::from((1, 6)))?;
+    bounds.d.equal("the largest difference in A, at eta = 2", &largest, &Rational::from((1, 6)))?;
     // alpha falls with A; on 1 <= eta <= 2 all of it lies between 5/2 and 14/5.
     let [low, high] = [(5, 2), (14, 5)].map(|x| Ball::enclosing(&Rational::from(x), 128));
     for (bound, eta, weight, is_above) in
@@ -57,49 +57,49 @@ fn trends_compared(d: &mut Derivation) -> Proof<Finding> {
             true => ("above 5/2", [&a, &at_bound]),
             false => ("below 14/5", [&at_bound, &a]),
         };
-        d.less(format!("alpha is {side} at eta = {eta}, {} weight", weight.name()), order)?;
+        bounds
+            .d
+            .less(format!("alpha is {side} at eta = {eta}, {} weight", weight.name()), order)?;
     }
     let margin = |n, m| leverage(&high) * low.int(n) - leverage(&low) * low.int(m);
     let words = "12 k(14/5) > 7 k(5/2), where k = (1 - cos)/(alpha - sin), d alpha = -k dA";
-    d.above_zero(words, [&margin(12, 7), &margin(7, 12)])?;
+    bounds.d.above_zero(words, [&margin(12, 7), &margin(7, 12)])?;
     let falling = |alpha: &Ball| {
         let Angle { rad, sin, cos } = Angle::new(alpha.clone());
         (rad.int(1) - &cos).square() - (rad - &sin) * sin
     };
     let range = (&Rational::from((5, 2)), &Rational::from((14, 5)));
-    d.positive("k falls: (1 - cos)² - (alpha - sin) sin", range, falling)?;
-    d.conclude(
+    bounds.d.positive("k falls: (1 - cos)² - (alpha - sin) sin", range, falling)?;
+    bounds.d.conclude(
         "12 - 4 eta - eta² <= 7 for eta >= 1: as eta grows from 1 to 2, alpha grows faster for Heyman's \
          weight, so that the difference is largest at eta = 2.",
     )?;
     let [heyman, milankovitch] = both(|weight| landmark(OverturningEnd, weight))?;
     let difference = heyman.half_opening.rad - milankovitch.half_opening.rad;
     let degrees = in_degrees(&difference);
-    let mut bounds = MeasuredBounds::default();
     let words = "alpha, at the same eta between 1 and 2";
-    bounds.at_most(d, (words, &difference, ""), 3)?;
-    bounds.at_most(d, ("in degrees", &degrees, "°"), 3)?;
+    bounds.at_most((words, &difference, ""), 3)?;
+    bounds.at_most(("in degrees", &degrees, "°"), 3)?;
     let ring = Ring::new(SelfWeight::Heyman, &Rational::from(1));
     let words = "A at eta = 1 with Heyman's weight is A_L with Milankovitch's, where eta = 2";
-    d.equal(words, &overturning::opening_variable(&ring).value(), &milankovitch_end)?;
+    bounds.d.equal(words, &overturning::opening_variable(&ring).value(), &milankovitch_end)?;
     bounds.fails(
         "eta at the same half opening: 2 and 1 at alpha_L, the only one where both overturn",
     );
-    Ok(bounds.finding())
+    Ok(())
 }
 
-fn ranges_compared(d: &mut Derivation) -> Proof<Finding> {
-    let mut bounds = MeasuredBounds::default();
+fn ranges_compared(bounds: &mut MeasuredBounds<'_>) -> Proof {
     let mut ends = Vec::new();
     for weight in [SelfWeight::Milankovitch, SelfWeight::Heyman] {
         let end = in_degrees(&landmark(OverturningEnd, weight)?.half_opening.rad);
         let words = format!("alpha_L, {} weight", weight.name());
-        bounds.at_most(d, (&words, &end, "°"), 4)?;
+        bounds.at_most((&words, &end, "°"), 4)?;
         ends.push(end);
     }
     let [narrow, wide] = [&ends[0], &ends[1]];
-    d.less("150° is below alpha_L of Milankovitch's weight", [&narrow.int(150), narrow])?;
-    d.less("160° is above alpha_L of Heyman's weight", [wide, &wide.int(160)])?;
+    bounds.d.less("150° is below alpha_L of Milankovitch's weight", [&narrow.int(150), narrow])?;
+    bounds.d.less("160° is above alpha_L of Heyman's weight", [wide, &wide.int(160)])?;
     bounds.fails("150° is too small, 160° too large");
-    Ok(bounds.finding())
+    Ok(())
 }
