@@ -8,7 +8,7 @@ use super::contacts::{CONTACTS, margin_at, row_at};
 use super::landmarks::certain_if;
 use super::letters::{ring, variables, with};
 use super::modes::SEVEN_MODES;
-use super::{Claim, Derivation, Finding, Proof, Support, claim, found, lemmas};
+use super::{Checked, Claim, Derivation, Finding, Support, claim, found, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{
     Configuration, SelfWeight, Unknown, contact, overturning, sliding, statics, thrust,
@@ -35,7 +35,7 @@ pub(super) const CLAIMS: &[Claim] = &[
 ];
 
 /// Every condition of every mode that meets at a landmark, but for those that are zero by its equations.
-fn conditions_hold(d: &mut Derivation, point: Landmark) -> Proof {
+fn conditions_hold(d: &mut Derivation, point: Landmark) -> Checked {
     for weight in SelfWeight::ALL {
         let at = landmark(point, weight)?;
         let turned = turned(&at);
@@ -71,7 +71,7 @@ fn turned(at: &Configuration<Ball>) -> Configuration<Ball> {
     }
 }
 
-fn landmarks_stand(d: &mut Derivation) -> Proof<Finding> {
+fn landmarks_stand(d: &mut Derivation) -> Checked<Finding> {
     lemmas(d, [&CONTACTS])?;
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
     let (h, mu) = (Symbol::Thrust.number(), Symbol::Friction.number());
@@ -114,7 +114,7 @@ fn landmarks_stand(d: &mut Derivation) -> Proof<Finding> {
     })
 }
 
-fn landmarks_without_thrust_stand(d: &mut Derivation) -> Proof<Finding> {
+fn landmarks_without_thrust_stand(d: &mut Derivation) -> Checked<Finding> {
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
     let h = Symbol::Thrust.number();
     let (none, two) = (h.int(0), h.int(2));
@@ -171,20 +171,23 @@ fn motions() -> [MotionRates; 4] {
     ]
 }
 
-fn four_mechanisms_at_t(d: &mut Derivation) -> Proof {
+fn four_mechanisms_at_t(d: &mut Derivation) -> Checked {
     lemmas(d, [&SEVEN_MODES])?;
     let [turns, shoulder, inner, slides] = motions();
     let (a, ratio) = (shoulder[4].clone(), turns[2].clone());
     d.define("a, the rate of the shoulder in [s,r,r]", &a);
     d.define("c, that of the shoulder's hinge in [r,r,r]", &ratio);
-    for (place, rate) in ["crown", "haunch", "shoulder"].into_iter().zip(0..) {
+    let sum = "[s,r,r] + c [r,r,s] - a [s,s] is [r,r,r], hinge at the";
+    let places = [
+        format!("{sum} crown"),
+        format!("{sum} haunch"),
+        format!("{sum} shoulder"),
+        "the same, the inner joint sliding".to_owned(),
+        "the same, the shoulder sliding".to_owned(),
+    ];
+    for (rate, words) in places.into_iter().enumerate() {
         let sum = shoulder[rate].clone() + ratio.clone() * &inner[rate] - a.clone() * &slides[rate];
-        let words = format!("[s,r,r] + c [r,r,s] - a [s,s] is [r,r,r], hinge at the {place}");
         d.identity(words, &sum, &turns[rate])?;
-    }
-    for (place, rate) in [("the inner joint", 3), ("the shoulder", 4)] {
-        let sum = shoulder[rate].clone() + ratio.clone() * &inner[rate] - a.clone() * &slides[rate];
-        d.identity(format!("the same, {place} sliding"), &sum, &turns[rate])?;
     }
     let [x, y, z] =
         [&shoulder, &inner, &slides].map(|motion| [0, 2, 3].map(|rate| motion[rate].clone()));
@@ -213,7 +216,7 @@ fn four_mechanisms_at_t(d: &mut Derivation) -> Proof {
     )
 }
 
-fn one_joint_rotates_and_slides(d: &mut Derivation) -> Proof {
+fn one_joint_rotates_and_slides(d: &mut Derivation) -> Checked {
     lemmas(d, [&SEVEN_MODES])?;
     for weight in SelfWeight::ALL {
         let (name, at) = (weight.name(), landmark(Landmark::Shift, weight)?);

@@ -5,7 +5,7 @@
 //! grows and the thrust falls, on the sliding one the thrust falls and the friction grows. So the
 //! states at the two ends of a range bound all states between.
 
-use super::Proof;
+use super::Checked;
 use crate::arch::{Configuration, Ring, SelfWeight, overturning, sliding, statics, thrust};
 use crate::certify::state::{Certify, Outcome, State};
 use crate::certify::{CertifiedLandmark, Undecided};
@@ -29,19 +29,19 @@ pub(super) struct CurveStates {
     rotation: Option<(Ball, Ball)>,
 }
 
-fn arch(weight: SelfWeight, alpha: &Rational) -> Proof<Arch> {
+fn arch(weight: SelfWeight, alpha: &Rational) -> Checked<Arch> {
     let arch = Arch::new(weight, ExactNumber::from(alpha), Friction::Infinite);
     arch.map_err(|error| Undecided::new(error.to_string()))
 }
 
 /// An arch of a half opening and a friction that are given as text.
-pub(super) fn parsed(weight: SelfWeight, alpha: &str, friction: &str) -> Proof<Arch> {
+pub(super) fn parsed(weight: SelfWeight, alpha: &str, friction: &str) -> Checked<Arch> {
     let arch = Arch::parse(weight.name(), alpha, friction);
     arch.map_err(|error| Undecided::new(error.to_string()))
 }
 
 /// The state of an arch that stands.
-pub(super) fn standing(outcome: Outcome) -> Proof<State> {
+pub(super) fn standing(outcome: Outcome) -> Checked<State> {
     match outcome {
         Outcome::Stands(state) => Ok(*state),
         Outcome::Falls(fall) => Err(Undecided::new(fall.reason())),
@@ -49,13 +49,13 @@ pub(super) fn standing(outcome: Outcome) -> Proof<State> {
 }
 
 /// A landmark's variables.
-pub(super) fn landmark(landmark: Landmark, weight: SelfWeight) -> Proof<Configuration<Ball>> {
+pub(super) fn landmark(landmark: Landmark, weight: SelfWeight) -> Checked<Configuration<Ball>> {
     Ok(CertifiedLandmark::new(landmark, weight)?.enclosure(BITS)?.configuration().clone())
 }
 
 impl CurveStates {
     /// The purely rotational state.
-    pub(super) fn rotational(weight: SelfWeight, alpha: &Rational) -> Proof<Self> {
+    pub(super) fn rotational(weight: SelfWeight, alpha: &Rational) -> Checked<Self> {
         let state = standing(arch(weight, alpha)?.state_alone(BITS)?)?;
         if state.mode != Mode::Rotational {
             return Err(Undecided::new(format!("the state of {alpha} is not purely rotational")));
@@ -69,7 +69,7 @@ impl CurveStates {
     }
 
     /// The purely sliding state, which does not depend on the weight.
-    pub(super) fn sliding(alpha: &Rational) -> Proof<Self> {
+    pub(super) fn sliding(alpha: &Rational) -> Checked<Self> {
         let weight = SelfWeight::Heyman;
         let friction = arch(weight, alpha)?.sliding_friction(BITS)?;
         let alpha = Angle::new(Ball::enclosing(alpha, BITS));
@@ -127,7 +127,7 @@ impl CurveStates {
     }
 
     /// Along rotation, `d/d eta` of the friction of the shoulder less that of an inner joint.
-    pub(super) fn friction_gap_slope(&self) -> Proof<Ball> {
+    pub(super) fn friction_gap_slope(&self) -> Checked<Ball> {
         let (thickness, joint) =
             self.rotation.clone().ok_or_else(|| Undecided::new("no rotational state"))?;
         let ring = Ring::new(self.weight, &Dual::variable(thickness, 0));
@@ -160,9 +160,9 @@ impl CurveStates {
 /// and has to speak for all states between.
 pub(super) fn on_all(
     (low, high): (&Rational, &Rational),
-    state: &dyn Fn(&Rational) -> Proof<CurveStates>,
+    state: &dyn Fn(&Rational) -> Checked<CurveStates>,
     holds: &dyn Fn(&CurveStates, &CurveStates) -> Ternary,
-) -> Proof<Ternary> {
+) -> Checked<Ternary> {
     let mut open = vec![((low.clone(), state(low)?), (high.clone(), state(high)?), 0)];
     while let Some((left, right, depth)) = open.pop() {
         match holds(&left.1, &right.1) {
@@ -182,24 +182,24 @@ pub(super) fn on_all(
 /// Tells whether `holds` is proved on a range: it is asked with all states between those at the ends of each part.
 pub(super) fn on_parts(
     range: (&Rational, &Rational),
-    state: &dyn Fn(&Rational) -> Proof<CurveStates>,
+    state: &dyn Fn(&Rational) -> Checked<CurveStates>,
     holds: &dyn Fn(&CurveStates) -> Ternary,
-) -> Proof<Ternary> {
+) -> Checked<Ternary> {
     on_all(range, state, &|a, b| holds(&a.up_to(b)))
 }
 
 /// Multiples of `1/scale` around a value, a little apart from it.
-pub(super) fn around(value: &Ball, scale: i32) -> Proof<(Rational, Rational)> {
+pub(super) fn around(value: &Ball, scale: i32) -> Checked<(Rational, Rational)> {
     let low = multiple(value, scale)?;
     Ok((Rational::from((low - 1, scale)), Rational::from((low + 2, scale))))
 }
 
 /// A multiple of `1/scale` close below a value.
-pub(super) fn below(value: &Ball, scale: i32) -> Proof<Rational> {
+pub(super) fn below(value: &Ball, scale: i32) -> Checked<Rational> {
     Ok(Rational::from((multiple(value, scale)? - 1, scale)))
 }
 
-fn multiple(value: &Ball, scale: i32) -> Proof<i32> {
+fn multiple(value: &Ball, scale: i32) -> Checked<i32> {
     let scaled = (value.clone() * value.int(scale)).lower();
     let integer = scaled.floor().to_integer().and_then(|n| n.to_i32());
     integer.ok_or_else(|| Undecided::new("an unbounded landmark"))

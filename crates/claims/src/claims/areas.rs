@@ -3,7 +3,7 @@
 use super::curve::STATES_IN_ORDER;
 use super::frictions::{FRICTION_FOR_ROTATION_GROWS, SLIDING_STATES_IN_ORDER};
 use super::tiling::{COLUMNS, falls_with_the_thickness, thrust_at_triple_is_below_half};
-use super::{Claim, Derivation, Proof, Support, implied, lemmas};
+use super::{Checked, Claim, Derivation, Support, implied, lemmas};
 use crate::arch::SelfWeight;
 use crate::atlas::{Areas, Curve, Trace, Variable};
 use crate::number::{Ball, Enclosure, Ternary};
@@ -33,7 +33,7 @@ fn cells(weight: SelfWeight) -> &'static Areas {
 }
 
 /// Tells whether a quantity grows with the friction angle all along a line.
-fn grows(quantity: Variable, line: Line, weight: SelfWeight) -> Proof<Ternary> {
+fn grows(quantity: Variable, line: Line, weight: SelfWeight) -> Checked<Ternary> {
     let trace = Trace::new(Curve::Line(line), weight, TOLERANCE)?;
     let slopes = trace.pieces().map(|piece| {
         let slope = piece.slope_of(quantity, Variable::FrictionAngle);
@@ -53,7 +53,7 @@ fn percent(share: i32) -> String {
     format!("{}.{:02} %", share / 100, share % 100)
 }
 
-fn areas(d: &mut Derivation) -> Proof {
+fn areas(d: &mut Derivation) -> Checked {
     lemmas(d, [&COLUMNS, &STATES_IN_ORDER, &FRICTION_FOR_ROTATION_GROWS])?;
     lemmas(d, [&SLIDING_STATES_IN_ORDER])?;
     falls_with_the_thickness(d)?;

@@ -8,7 +8,7 @@
 use super::along::{parsed, standing};
 use super::letters::ring;
 use super::uniqueness::ONE_THICKNESS;
-use super::{Claim, Derivation, Finding, Proof, found, implied, lemmas};
+use super::{Checked, Claim, Derivation, Finding, found, implied, lemmas};
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
 use crate::arch::joint::Grip;
@@ -63,7 +63,7 @@ fn balance(motion: &WholeMotion<Fraction>, at: &Asymmetric<Fraction>) -> [Fracti
     [left, sum]
 }
 
-fn motion(d: &mut Derivation) -> Proof {
+fn motion(d: &mut Derivation) -> Checked {
     use AsymmetricMode::{InnerSliding, ShoulderOpening, ShoulderSliding};
     let (at, free) = (variables(), Relations::none());
     let (eta, none) = (at.thickness.clone(), at.thickness.int(0));
@@ -120,14 +120,14 @@ const DIGITS: usize = 12;
 /// The least thickness of an arch, and that of its asymmetric solution of a kind.
 fn thicknesses(
     (weight, alpha, mu, mode): (SelfWeight, &str, &str, AsymmetricMode),
-) -> Proof<[Ball; 2]> {
+) -> Checked<[Ball; 2]> {
     let arch = parsed(weight, alpha, mu)?;
     let least = standing(arch.state(BITS)?)?.thickness;
     let CertifiedAsymmetric { at, .. } = CertifiedAsymmetric::of(&arch, mode, BITS)?;
     Ok([least, at.thickness])
 }
 
-fn unique(d: &mut Derivation) -> Proof<Finding> {
+fn unique(d: &mut Derivation) -> Checked<Finding> {
     lemmas(d, [&ONE_THICKNESS, &ASYMMETRIC_MOTION])?;
     let mut examples = Vec::new();
     for witness in WITNESSES {

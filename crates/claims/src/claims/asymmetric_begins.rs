@@ -7,7 +7,7 @@
 
 use super::along::landmark;
 use super::asymmetric::{ASYMMETRIC_MOTION, variables};
-use super::{Claim, Derivation, Proof, Support, implied, lemmas};
+use super::{Checked, Claim, Derivation, Support, implied, lemmas};
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
 use crate::arch::joint::Grip;
@@ -100,7 +100,7 @@ impl Form<Ball> for BeginEquations {
 
 impl Edge {
     /// The unknowns at T, where the edge ends, and its half opening in degrees, rounded up.
-    fn end(self) -> Proof<(Vec<Float>, Rational)> {
+    fn end(self) -> Checked<(Vec<Float>, Rational)> {
         let at = landmark(Landmark::Triple, self.weight)?;
         let moment =
             at.thrust.clone() * (at.thickness.clone() / at.thrust.int(2) + at.thrust.int(1));
@@ -119,7 +119,7 @@ impl Edge {
 
     /// Tells whether the mechanism exists (or not) at every half opening between two, in degrees; `start` are
     /// the unknowns next to the larger one, and next to the smaller one in the end.
-    fn is_so(self, exists: bool, [low, high]: [Rational; 2], start: &mut Vec<Float>) -> Proof {
+    fn is_so(self, exists: bool, [low, high]: [Rational; 2], start: &mut Vec<Float>) -> Checked {
         let mut open = vec![(low, high, 0)];
         while let Some((low, high, depth)) = open.pop() {
             match self.tells(exists, [&low, &high], start) {
@@ -141,7 +141,7 @@ impl Edge {
         exists: bool,
         [low, high]: [&Rational; 2],
         start: &[Float],
-    ) -> Proof<Vec<Float>> {
+    ) -> Checked<Vec<Float>> {
         let degrees = between(low, high).with_precision(BITS);
         let half_opening = degrees.pi() * degrees / Ball::integer(180, BITS);
         let equations = BeginEquations { edge: self, half_opening };
@@ -158,7 +158,7 @@ impl Edge {
     }
 
     /// Proves that the mechanism begins where it is said to, from 90° on up to T.
-    fn proved(self) -> Proof {
+    fn proved(self) -> Checked {
         let (mut start, end) = self.end()?;
         let [fails, holds] = self.begins.map(|hundredths| Rational::from((hundredths, 100)));
         self.is_so(true, [holds, end], &mut start)?;
@@ -167,12 +167,12 @@ impl Edge {
 }
 
 /// Results of deciding whether each edge is as said, decided once.
-fn decided() -> &'static [Proof] {
-    static DECIDED: OnceLock<Vec<Proof>> = OnceLock::new();
+fn decided() -> &'static [Checked] {
+    static DECIDED: OnceLock<Vec<Checked>> = OnceLock::new();
     DECIDED.get_or_init(|| EDGES.iter().map(|edge| edge.proved()).collect())
 }
 
-fn begins(d: &mut Derivation) -> Proof {
+fn begins(d: &mut Derivation) -> Checked {
     lemmas(d, [&ASYMMETRIC_MOTION])?;
     for (edge, decided) in EDGES.iter().zip(decided()) {
         let Edge { weight, mode, begins } = edge;

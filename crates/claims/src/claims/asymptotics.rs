@@ -7,7 +7,7 @@
 //! `alpha²` begins with `2 u`, so that it can be reverted.
 
 use super::landmarks::both;
-use super::{Claim, Derivation, Proof, implied};
+use super::{Checked, Claim, Derivation, implied};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::certify::Undecided;
 use crate::number::{Dual, ExactField, Field};
@@ -47,7 +47,7 @@ pub(super) fn check_states<T: ExactField + ToString>(
     weight: SelfWeight,
     [joint_squared, thickness, thrust]: [&Series<T>; 3],
     a: &Series<T>,
-) -> Proof {
+) -> Checked {
     let ring = Ring::new(weight, thickness);
     let lower = thrust::lower(&expansion::joint(joint_squared), &ring);
     let tangency = thrust::tangency(&expansion::times_cotangent(joint_squared), &ring);
@@ -57,7 +57,7 @@ pub(super) fn check_states<T: ExactField + ToString>(
     d.vanishes("(4)", &(opening - a))
 }
 
-fn small_openings(d: &mut Derivation, weight: SelfWeight) -> Proof {
+fn small_openings(d: &mut Derivation, weight: SelfWeight) -> Checked {
     d.assume("y = alpha^2, small");
     let ByOpening { joint_squared, thickness, thrust } =
         expansion::by_opening(weight, TERMS).ok_or_else(unsettled)?;
@@ -93,7 +93,7 @@ fn small_openings(d: &mut Derivation, weight: SelfWeight) -> Proof {
     Ok(())
 }
 
-fn difference(d: &mut Derivation) -> Proof {
+fn difference(d: &mut Derivation) -> Checked {
     d.assume("y = alpha^2, small");
     let series = |weight| expansion::by_opening(weight, TERMS).ok_or_else(unsettled);
     let [heyman, milankovitch] = both(series)?;
@@ -116,7 +116,7 @@ fn begins_with(
     series: &Series<Rational>,
     power: i32,
     leading: (i32, i32),
-) -> Proof {
+) -> Checked {
     let found = Rational::from(series.valuation());
     d.equal(format!("{name}: the first power of y"), &found, &Rational::from(power))?;
     let found = series.coefficient(power);

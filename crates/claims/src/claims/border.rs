@@ -11,7 +11,7 @@
 use super::along::{CurveStates, around, below, landmark, on_parts};
 use super::map_of_weights::{LINES_RISE, WHERE_THE_SHOULDER_TURNS};
 use super::measured::MeasuredBounds;
-use super::{Claim, Derivation, Proof, Support, claim, lemmas, measured};
+use super::{Checked, Claim, Derivation, Support, claim, lemmas, measured};
 use crate::arch::{Ring, SelfWeight, sliding, thrust};
 use crate::certify::between;
 use crate::number::{Angle, Ball, Enclosure, Field};
@@ -48,7 +48,7 @@ fn slopes(at: &CurveStates) -> SlidingSlopes {
     SlidingSlopes { a: part(0), c: part(1), friction }
 }
 
-fn equation(d: &mut Derivation) -> Proof {
+fn equation(d: &mut Derivation) -> Checked {
     let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
     let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
     let ring = Ring::with_flag(&delta, &eta);
@@ -59,7 +59,7 @@ fn equation(d: &mut Derivation) -> Proof {
     d.identity(words, &third, -(sum * alpha.versine() * h.int(2)))
 }
 
-fn divide_deviates(d: &mut Derivation) -> Proof {
+fn divide_deviates(d: &mut Derivation) -> Checked {
     lemmas(d, [&LINES_RISE, &WHERE_THE_SHOULDER_TURNS])?;
     equation(d)?;
     let (eta, c) = (Symbol::Thickness.number(), Symbol::F.number());
@@ -109,7 +109,7 @@ fn divide_deviates(d: &mut Derivation) -> Proof {
     )
 }
 
-fn slope_at_the_border(bounds: &mut MeasuredBounds<'_>) -> Proof {
+fn slope_at_the_border(bounds: &mut MeasuredBounds<'_>) -> Checked {
     equation(bounds.d)?;
     let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
     let factor = Ring::with_flag(&delta, &eta).centroid_factor;

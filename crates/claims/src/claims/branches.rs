@@ -16,7 +16,7 @@ use super::along::landmark;
 use super::cubics::letters;
 use super::curve::{STATES_IN_ORDER, TWO_THICKNESSES_FOR_EACH_JOINT};
 use super::landmarks::certain_if;
-use super::{Claim, Derivation, Proof, Support, claim, implied, lemmas};
+use super::{Checked, Claim, Derivation, Support, claim, implied, lemmas};
 use crate::arch::cubic::Abbreviations;
 use crate::arch::{Ring, SelfWeight, closed_form, cubic, overturning};
 use crate::certify::between;
@@ -67,7 +67,7 @@ fn solves(
     d: &mut Derivation,
     (words, cube, nonzero): (&str, Cube, &str),
     cubic: impl Fn(&Abbreviations<Fraction>, &Fraction, &Fraction) -> Fraction,
-) -> Proof {
+) -> Checked {
     let [u, q, k] =
         [Symbol::CubeRoot, Symbol::SquareRoot, Symbol::RootOfMinusThree].map(Symbol::number);
     let at = letters();
@@ -82,28 +82,28 @@ fn solves(
     Ok(())
 }
 
-fn opening_root(d: &mut Derivation) -> Proof {
+fn opening_root(d: &mut Derivation) -> Checked {
     let cube: Cube = closed_form::opening_cube;
     solves(d, ("u³, half the bracket", cube, "S, 3g - 2S and u are not zero"), |at, u, k| {
         cubic::in_opening_variable(at, &k.int(1), &closed_form::opening_variable(at, u, k))
     })
 }
 
-fn thickness_root(d: &mut Derivation) -> Proof {
+fn thickness_root(d: &mut Derivation) -> Checked {
     let cube: Cube = closed_form::thickness_cube;
     solves(d, ("u³, the bracket", cube, "S and u are not zero"), |at, u, k| {
         cubic::in_thickness(at, &k.int(1), &closed_form::thickness(at, u, k))
     })
 }
 
-fn thrust_root(d: &mut Derivation) -> Proof {
+fn thrust_root(d: &mut Derivation) -> Checked {
     let cube: Cube = closed_form::thrust_cube;
     solves(d, ("u³, the bracket", cube, "S and u are not zero"), |at, u, k| {
         cubic::in_thrust(at, &k.int(1), &closed_form::thrust(at, u, k))
     })
 }
 
-fn radicand_is_the_discriminant(d: &mut Derivation) -> Proof {
+fn radicand_is_the_discriminant(d: &mut Derivation) -> Checked {
     let at = letters();
     let (one, delta) = (at.sin.int(1), Symbol::Flag.number());
     let of = |cubic: Fraction, x| Fraction::from(discriminant(cubic.numerator(), x));
@@ -139,7 +139,7 @@ fn radicand_is_the_discriminant(d: &mut Derivation) -> Proof {
 }
 
 /// `beta_sb` is below a right angle.
-fn widest_joint_is_below_a_right_angle(d: &mut Derivation) -> Proof {
+fn widest_joint_is_below_a_right_angle(d: &mut Derivation) -> Checked {
     for weight in SelfWeight::ALL {
         let joint = widest_joint(weight)?;
         let right = joint.pi() / joint.int(2);
@@ -148,11 +148,11 @@ fn widest_joint_is_below_a_right_angle(d: &mut Derivation) -> Proof {
     Ok(())
 }
 
-fn widest_joint(weight: SelfWeight) -> Proof<Ball> {
+fn widest_joint(weight: SelfWeight) -> Checked<Ball> {
     Ok(landmark(Landmark::WidestJoint, weight)?.rotation_joint.rad)
 }
 
-fn signs_of_the_branches(d: &mut Derivation) -> Proof {
+fn signs_of_the_branches(d: &mut Derivation) -> Checked {
     lemmas(d, [&RADICAND_IS_THE_DISCRIMINANT, &TWO_THICKNESSES_FOR_EACH_JOINT, &STATES_IN_ORDER])?;
     // The cubic in eta is linear in g: its points are (eta, f, S), free.
     let Abbreviations { sin, f, .. } = letters();
@@ -241,7 +241,7 @@ fn sign_changes(weight: SelfWeight) -> [(i32, i32); 2] {
     }
 }
 
-fn radicand_in_the_range_of_interest(d: &mut Derivation) -> Proof {
+fn radicand_in_the_range_of_interest(d: &mut Derivation) -> Checked {
     lemmas(d, [&RADICAND_IS_THE_DISCRIMINANT, &TWO_THICKNESSES_FOR_EACH_JOINT])?;
     d.conclude(
         "For 0 < beta < beta_sb the roots are real and simple, so the discriminant is positive and (12) \

@@ -1,6 +1,6 @@
 //! A claim, what decides it and what comes out, and how the proof of one uses others.
 
-use super::derivation::{Derivation, Proof, Support};
+use super::derivation::{Checked, Derivation, Support};
 use super::measured::MeasuredBounds;
 use crate::certify::Undecided;
 use std::collections::BTreeMap;
@@ -19,9 +19,9 @@ pub struct Claim {
     decide: Decide,
 }
 
-type Prove = fn(&mut Derivation) -> Proof;
-type Measure = fn(&mut MeasuredBounds<'_>) -> Proof;
-type Find = fn(&mut Derivation) -> Proof<Finding>;
+type Prove = fn(&mut Derivation) -> Checked;
+type Measure = fn(&mut MeasuredBounds<'_>) -> Checked;
+type Find = fn(&mut Derivation) -> Checked<Finding>;
 
 /// What decides a claim.
 #[derive(Clone, Copy, Debug)]
@@ -71,7 +71,7 @@ pub struct Decision {
     /// The claim.
     pub claim: Claim,
     /// The finding, or why there is none.
-    pub outcome: Proof<Finding>,
+    pub outcome: Result<Finding, Undecided>,
     /// The steps, as far as they went.
     pub derivation: Derivation,
     /// Time that it took.
@@ -137,7 +137,7 @@ impl Claim {
 }
 
 /// Uses claims in the proof of another, which are decided too. One that does not hold as it is stated cannot be used.
-pub(super) fn lemmas<const N: usize>(d: &mut Derivation, claims: [&Claim; N]) -> Proof {
+pub(super) fn lemmas<const N: usize>(d: &mut Derivation, claims: [&Claim; N]) -> Checked {
     for claim in claims {
         d.use_claim(format!("{}: {}", claim.id, claim.statement), used(claim)?);
     }
@@ -145,8 +145,8 @@ pub(super) fn lemmas<const N: usize>(d: &mut Derivation, claims: [&Claim; N]) ->
 }
 
 /// Supports of a claim that is used, if it holds as it is stated; each is decided once in a process.
-fn used(claim: &Claim) -> Proof<Vec<Support>> {
-    type Used = Proof<Vec<Support>>;
+fn used(claim: &Claim) -> Checked<Vec<Support>> {
+    type Used = Checked<Vec<Support>>;
     static KNOWN: Mutex<BTreeMap<&str, Used>> = Mutex::new(BTreeMap::new());
     let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some(used) = known().get(claim.id) {

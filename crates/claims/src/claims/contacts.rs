@@ -3,7 +3,7 @@
 
 use super::frictions::SLOPES_OF_FRICTION;
 use super::letters::{ring, term, with};
-use super::{Claim, Derivation, Proof, implied, lemmas};
+use super::{Checked, Claim, Derivation, implied, lemmas};
 use crate::arch::mechanism::{Contact, Twist};
 use crate::arch::{statics, thrust};
 use crate::number::{Angle, Field};
@@ -54,7 +54,7 @@ pub(super) fn slopes(condition: &Fraction) -> [Fraction; 2] {
 }
 
 /// `beta cot(beta)` falls.
-pub(super) fn cotangent_falls(d: &mut Derivation) -> Proof {
+pub(super) fn cotangent_falls(d: &mut Derivation) -> Checked {
     let joint = Symbol::joint();
     let bow = joint.rad.clone() - joint.sin.clone() * &joint.cos;
     let slope = joint.times_cotangent().derivative(&along_the_joint());
@@ -62,7 +62,7 @@ pub(super) fn cotangent_falls(d: &mut Derivation) -> Proof {
 }
 
 /// `N` and `U` along an arch first grow and then fall.
-fn distances_rise_and_fall(d: &mut Derivation) -> Proof {
+fn distances_rise_and_fall(d: &mut Derivation) -> Checked {
     let (joint, h, ring) = (Symbol::joint(), Symbol::Thrust.number(), ring());
     let rules = along_the_joint();
     let normal = statics::normal_force(&joint, &h);
@@ -80,7 +80,7 @@ fn distances_rise_and_fall(d: &mut Derivation) -> Proof {
 }
 
 /// `U`, `L` at a joint, whose difference is known and whose directions change once.
-fn contacts(d: &mut Derivation) -> Proof {
+fn contacts(d: &mut Derivation) -> Checked {
     d.assume("0 < alpha < pi, 0 < eta <= 2; 0 < mu < inf, or h > 0 and mu = inf");
     lemmas(d, [&DISTANCES_RISE_AND_FALL, &SLOPES_OF_FRICTION])?;
     let (joint, alpha) = (Symbol::joint(), Symbol::half_opening());

@@ -2,7 +2,7 @@
 
 use super::letters::with;
 use super::sign::{AngleSigns, NotNegative, Positive, RingSigns};
-use super::{Claim, Derivation, Proof, claim, implied};
+use super::{Checked, Claim, Derivation, claim, implied};
 use crate::arch::cubic::{self, Abbreviations};
 use crate::arch::{Quotient, Ring, overturning, thrust};
 use crate::number::Field;
@@ -39,7 +39,7 @@ fn polynomial(fraction: &Fraction) -> Polynomial {
     fraction.as_polynomial().expect("an equation without denominators").clone()
 }
 
-fn abbreviations(d: &mut Derivation) -> Proof {
+fn abbreviations(d: &mut Derivation) -> Checked {
     let joint = Symbol::joint();
     let Abbreviations { sin, f, g } = cubic::abbreviations(&joint);
     let product = joint.rad.clone() * &sin;
@@ -50,7 +50,7 @@ fn abbreviations(d: &mut Derivation) -> Proof {
     d.on_circle("beta S^2 + C f - g", cubic::link(&joint), sin.int(0))
 }
 
-fn in_thickness(d: &mut Derivation) -> Proof {
+fn in_thickness(d: &mut Derivation) -> Checked {
     let (joint, eta, delta) = (Symbol::joint(), Symbol::Thickness.number(), Symbol::Flag.number());
     let ring = Ring::with_flag(&delta, &eta);
     assume_denominators(d);
@@ -86,7 +86,7 @@ struct Reduced {
     tangent: Fraction,
 }
 
-fn reduced(d: &mut Derivation) -> Proof<Reduced> {
+fn reduced(d: &mut Derivation) -> Checked<Reduced> {
     let (eta, h, delta) =
         (Symbol::Thickness.number(), Symbol::Thrust.number(), Symbol::Flag.number());
     let ring = Ring::with_flag(&delta, &eta);
@@ -111,7 +111,7 @@ fn reduced(d: &mut Derivation) -> Proof<Reduced> {
     Ok(free)
 }
 
-fn in_opening_variable(d: &mut Derivation) -> Proof {
+fn in_opening_variable(d: &mut Derivation) -> Checked {
     let (a, eta) = (Symbol::OpeningVariable.number(), Symbol::Thickness.number());
     let delta = Symbol::Flag.number();
     assume_denominators(d);
@@ -159,7 +159,7 @@ fn in_opening_variable(d: &mut Derivation) -> Proof {
     )
 }
 
-fn in_thrust(d: &mut Derivation) -> Proof {
+fn in_thrust(d: &mut Derivation) -> Checked {
     let (h, delta) = (Symbol::Thrust.number(), Symbol::Flag.number());
     assume_denominators(d);
     let free = reduced(d)?;
@@ -202,7 +202,7 @@ fn in_thrust(d: &mut Derivation) -> Proof {
     positive.is(d, "2 S h + g - f, which is extraneous", &factor).map(|_| ())
 }
 
-fn denominators(d: &mut Derivation) -> Proof {
+fn denominators(d: &mut Derivation) -> Checked {
     let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
     let opening = Symbol::OpeningVariable.number();
     let [positive_opening] = Positive::given(d, "A > 0", [&opening]);

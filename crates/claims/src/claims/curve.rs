@@ -18,7 +18,7 @@
 
 use super::letters::ring;
 use super::sign::{AngleSigns, Positive, RingSigns};
-use super::{Claim, Derivation, Proof, claim, implied, lemmas};
+use super::{Checked, Claim, Derivation, claim, implied, lemmas};
 use crate::arch::{Ring, cubic, overturning, thrust};
 use crate::number::{Angle, Ball, Dual, Field, Real};
 use crate::problem::Mode;
@@ -73,7 +73,7 @@ fn cubic_in_thickness() -> Fraction {
     )
 }
 
-fn one_joint_for_each_thickness(d: &mut Derivation) -> Proof {
+fn one_joint_for_each_thickness(d: &mut Derivation) -> Checked {
     let (joint, ring) = (Symbol::joint(), ring());
     let (eta, delta, p) = (&ring.thickness, Symbol::Flag.number(), cubic_in_thickness());
     let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
@@ -112,7 +112,7 @@ fn one_joint_for_each_thickness(d: &mut Derivation) -> Proof {
     )
 }
 
-fn two_thicknesses_for_each_joint(d: &mut Derivation) -> Proof {
+fn two_thicknesses_for_each_joint(d: &mut Derivation) -> Checked {
     lemmas(d, [&ONE_JOINT_FOR_EACH_THICKNESS])?;
     let joint = Symbol::joint();
     let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
@@ -139,7 +139,7 @@ fn two_thicknesses_for_each_joint(d: &mut Derivation) -> Proof {
 }
 
 /// Thicker states are wider and carry less thrust.
-fn states_in_order(d: &mut Derivation) -> Proof {
+fn states_in_order(d: &mut Derivation) -> Checked {
     lemmas(d, [&ONE_JOINT_FOR_EACH_THICKNESS])?;
     let (joint, ring) = (Symbol::joint(), ring());
     let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
@@ -192,7 +192,7 @@ fn states_in_order(d: &mut Derivation) -> Proof {
 }
 
 /// At one thickness a larger `delta_M` means a smaller half opening and a smaller thrust.
-fn states_of_one_thickness(d: &mut Derivation) -> Proof {
+fn states_of_one_thickness(d: &mut Derivation) -> Checked {
     lemmas(d, [&STATES_IN_ORDER])?;
     let (joint, ring) = (Symbol::joint(), ring());
     let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
@@ -233,7 +233,7 @@ fn states_of_one_thickness(d: &mut Derivation) -> Proof {
 }
 
 /// `d beta/d alpha = 0` exactly at the double root, which is the widest joint.
-fn widest_joint(d: &mut Derivation) -> Proof {
+fn widest_joint(d: &mut Derivation) -> Checked {
     lemmas(d, [&ONE_JOINT_FOR_EACH_THICKNESS, &TWO_THICKNESSES_FOR_EACH_JOINT, &STATES_IN_ORDER])?;
     // The two equations that define the landmark `sb` besides (4): p and its derivative, up to 3 S.
     let (joint, ring) = (Symbol::joint(), ring());

@@ -6,8 +6,8 @@ use crate::symbolic::{Fraction, Notation, Polynomial, Relations, Series, Symbol}
 use rug::Rational;
 use std::borrow::Borrow;
 
-/// What a proof gives, or why nothing is proved.
-pub(super) type Proof<T = ()> = Result<T, Undecided>;
+/// What a check gives, or why nothing is proved.
+pub(super) type Checked<T = ()> = Result<T, Undecided>;
 
 /// A formula in both notations.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -209,13 +209,13 @@ impl Derivation {
     }
 
     /// Draws a conclusion from the checks before. It ends a proof, or a part of one.
-    pub fn conclude(&mut self, words: impl Into<String>) -> Proof {
+    pub fn conclude(&mut self, words: impl Into<String>) -> Checked {
         self.push(Support::Conclusion, words, None);
         Ok(())
     }
 
     /// Draws a conclusion that carries the claim, by an argument in words.
-    pub fn argue(&mut self, words: impl Into<String>) -> Proof {
+    pub fn argue(&mut self, words: impl Into<String>) -> Checked {
         self.push(Support::Argument, words, None);
         Ok(())
     }
@@ -255,7 +255,7 @@ impl Derivation {
         words: impl Into<String>,
         left: impl Borrow<Fraction>,
         right: impl Borrow<Fraction>,
-    ) -> Proof {
+    ) -> Checked {
         self.identity_under(words, left, right, &Relations::none())
     }
 
@@ -265,7 +265,7 @@ impl Derivation {
         words: impl Into<String>,
         left: impl Borrow<Fraction>,
         right: impl Borrow<Fraction>,
-    ) -> Proof {
+    ) -> Checked {
         self.identity_under(words, left, right, &Relations::trigonometric())
     }
 
@@ -276,7 +276,7 @@ impl Derivation {
         left: impl Borrow<Fraction>,
         right: impl Borrow<Fraction>,
         relations: &Relations,
-    ) -> Proof {
+    ) -> Checked {
         let right = right.borrow();
         self.identity_as(words, left.borrow(), right, relations, right.into())
     }
@@ -289,7 +289,7 @@ impl Derivation {
         right: &Fraction,
         relations: &Relations,
         shown: Formula,
-    ) -> Proof {
+    ) -> Checked {
         let words = words.into();
         let left = if self.twin(Twin::Coefficient) { false_twin(left) } else { left.clone() };
         if [&left, right].iter().any(|x| relations.normal_form(x.denominator()).is_zero()) {
@@ -310,7 +310,7 @@ impl Derivation {
         words: impl Into<String>,
         left: &T,
         right: &T,
-    ) -> Proof {
+    ) -> Checked {
         let words = words.into();
         let left = if self.twin(Twin::Value) { left.int(1) + left } else { left.clone() };
         if !(left.clone() - right).is_zero() {
@@ -330,7 +330,7 @@ impl Derivation {
         words: &str,
         left: &T,
         right: &T,
-    ) -> Proof<String> {
+    ) -> Checked<String> {
         let left = if self.twin(Twin::Value) { right.clone() } else { left.clone() };
         if (left.clone() - right).is_zero() {
             return Err(Undecided::new(format!("{words}: both are {}", right.to_string())));
@@ -351,7 +351,11 @@ impl Derivation {
     }
 
     /// Checks that a series vanishes to the order to which it is known.
-    pub fn vanishes<T: ExactField + ToString>(&mut self, words: &str, series: &Series<T>) -> Proof {
+    pub fn vanishes<T: ExactField + ToString>(
+        &mut self,
+        words: &str,
+        series: &Series<T>,
+    ) -> Checked {
         let spoiled = self.twin(Twin::Coefficient);
         let series = if spoiled { series.int(1) + series } else { series.clone() };
         let (valuation, order) = (series.valuation(), series.order());
@@ -373,31 +377,31 @@ impl Derivation {
         support: Support,
         words: impl Into<String>,
         [input, elsewhere]: [X; 2],
-        holds: impl FnOnce(X) -> Proof<Ternary>,
-    ) -> Proof {
+        holds: impl FnOnce(X) -> Checked<Ternary>,
+    ) -> Checked {
         let input = if self.twin(Twin::Input) { elsewhere } else { input };
         self.decided(support, words.into(), holds(input)?)
     }
 
     /// Checks that one number is less than another. Its false twin exchanges them.
-    pub fn less(&mut self, words: impl Into<String>, [less, more]: [&Ball; 2]) -> Proof {
+    pub fn less(&mut self, words: impl Into<String>, [less, more]: [&Ball; 2]) -> Checked {
         let sides = if self.twin(Twin::Sides) { [more, less] } else { [less, more] };
         self.decided(Support::Balls, words.into(), sides[0].is_less_than(sides[1]))
     }
 
     /// Checks that a number is positive. Its false twin is the same number at another input, where it is not.
-    pub fn above_zero(&mut self, words: impl Into<String>, values: [&Ball; 2]) -> Proof {
+    pub fn above_zero(&mut self, words: impl Into<String>, values: [&Ball; 2]) -> Checked {
         self.certain(Support::Balls, words, values, |value| Ok(value.is_positive()))
     }
 
     /// Notes what was proved elsewhere about a whole curve or area. Its false twin has nothing but the other verdict.
-    pub fn proved_elsewhere(&mut self, words: impl Into<String>, is_proved: bool) -> Proof {
+    pub fn proved_elsewhere(&mut self, words: impl Into<String>, is_proved: bool) -> Checked {
         let is_proved = is_proved != self.twin(Twin::Verdict);
         let truth = if is_proved { Ternary::True } else { Ternary::Undecided };
         self.decided(Support::Balls, words.into(), truth)
     }
 
-    fn decided(&mut self, support: Support, words: String, truth: Ternary) -> Proof {
+    fn decided(&mut self, support: Support, words: String, truth: Ternary) -> Checked {
         match truth {
             Ternary::True => {
                 self.push(support, words, None);
@@ -414,7 +418,7 @@ impl Derivation {
         words: &str,
         (low, high): (&Rational, &Rational),
         value: impl Fn(&Ball) -> Ball,
-    ) -> Proof {
+    ) -> Checked {
         let negated = self.twin(Twin::Sign);
         let holds = |x: &Ball| {
             let value = value(x);

@@ -4,7 +4,7 @@ use super::along;
 use super::landmarks::{both, state_of};
 use super::measured::MeasuredBounds;
 use super::same_opening::DIFFERENCES_GROW;
-use super::{Claim, Proof, lemmas, measured};
+use super::{Checked, Claim, lemmas, measured};
 use crate::arch::Unknown;
 use crate::certify::state::State;
 use crate::number::{Ball, Field};
@@ -54,7 +54,7 @@ fn note(
     place: &str,
     (alpha, friction): (&str, &str),
     variables: &[MovedVariable],
-) -> Proof {
+) -> Checked {
     let [heyman, milankovitch] = both(|weight| state_of(alpha, friction, weight))?;
     for (name, is_larger, value) in variables {
         let percent = percent([value(&heyman), value(&milankovitch)], *is_larger);
@@ -68,7 +68,7 @@ fn largest(
     bounds: &mut MeasuredBounds<'_>,
     openings: &[&str],
     variables: &[MovedVariable],
-) -> Proof {
+) -> Checked {
     lemmas(bounds.d, [&DIFFERENCES_GROW])?;
     for alpha in openings {
         let place = format!("mu = inf, up to alpha = {alpha}");
@@ -83,7 +83,7 @@ fn at(
     bounds: &mut MeasuredBounds<'_>,
     arch @ (alpha, friction): (&str, &str),
     variables: &[MovedVariable],
-) -> Proof {
+) -> Checked {
     note(bounds, &format!("mu = {friction}, at alpha = {alpha}"), arch, variables)
 }
 
@@ -100,7 +100,7 @@ const AT_LANDMARKS: &[(Landmark, Unknown, bool)] = &[
     (Landmark::Border, Unknown::Friction, false),
 ];
 
-fn at_landmarks(bounds: &mut MeasuredBounds<'_>) -> Proof {
+fn at_landmarks(bounds: &mut MeasuredBounds<'_>) -> Checked {
     for (landmark, unknown, is_larger) in AT_LANDMARKS {
         let [heyman, milankovitch] = both(|weight| along::landmark(*landmark, weight))?;
         let percent = percent([heyman.value(*unknown), milankovitch.value(*unknown)], *is_larger);

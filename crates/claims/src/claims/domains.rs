@@ -15,7 +15,7 @@ use super::letters::{ring, variables, with};
 use super::modes::LEVER;
 use super::overturning::A_FIXES_ALPHA;
 use super::uniqueness::{MECHANISM_BOUNDS, ONE_HALF_OPENING, THICKER_HAS_ROOM};
-use super::{Claim, Derivation, Proof, Support, claim, implied, lemmas};
+use super::{Checked, Claim, Derivation, Support, claim, implied, lemmas};
 use crate::arch::{Ring, SelfWeight, contact, overturning, sliding, statics, thrust};
 use crate::number::{Angle, Ball, Enclosure, Field, Real};
 use crate::problem::Landmark;
@@ -53,7 +53,7 @@ pub(super) const INNER_SLIDING_BEYOND_T: Claim =
     );
 
 /// The shoulder's distance from the extrados with the crown's pressure point on the extrados.
-fn shoulder_margin(d: &mut Derivation) -> Proof {
+fn shoulder_margin(d: &mut Derivation) -> Checked {
     let at = variables();
     for weight in SelfWeight::ALL {
         let ring = Ring::new(weight, &at.thickness);
@@ -70,7 +70,7 @@ fn shoulder_margin(d: &mut Derivation) -> Proof {
     Ok(())
 }
 
-fn no_shoulder_sliding_beyond_t(d: &mut Derivation) -> Proof {
+fn no_shoulder_sliding_beyond_t(d: &mut Derivation) -> Checked {
     lemmas(d, [&STATES_IN_ORDER, &SLOPES_OF_FRICTION, &FRICTION_FOR_ROTATION_GROWS])?;
     lemmas(d, [&ROTATION_MEETS_SLIDING])?;
     shoulder_margin(d)?;
@@ -83,7 +83,7 @@ fn no_shoulder_sliding_beyond_t(d: &mut Derivation) -> Proof {
     )
 }
 
-fn inner_sliding_beyond_t(d: &mut Derivation) -> Proof {
+fn inner_sliding_beyond_t(d: &mut Derivation) -> Checked {
     lemmas(d, [&STATES_IN_ORDER, &SLOPES_OF_FRICTION, &FRICTION_FOR_ROTATION_GROWS])?;
     lemmas(d, [&ROTATION_MEETS_SLIDING, &LEVER, &MECHANISM_BOUNDS, &THICKER_HAS_ROOM])?;
     shoulder_margin(d)?;
@@ -150,7 +150,7 @@ impl HaunchPlace {
 }
 
 /// The thickness at which the line of thrust touches the intrados, from (5) solved for it.
-fn touching_thickness(d: &mut Derivation) -> Proof {
+fn touching_thickness(d: &mut Derivation) -> Checked {
     let (h, q, cotangent) =
         (Symbol::Thrust.number(), Symbol::SquareRoot.number(), Symbol::joint().times_cotangent());
     let sum = cotangent.clone() + h.int(1) - &h;
@@ -168,7 +168,7 @@ fn touching_thickness(d: &mut Derivation) -> Proof {
     d.conclude("The last is zero, as q is the square root of the radicand.")
 }
 
-fn shift_beyond_s(d: &mut Derivation) -> Proof {
+fn shift_beyond_s(d: &mut Derivation) -> Checked {
     only_beyond(d, HaunchPlace::Sliding, Landmark::Shift)?;
     d.conclude(
         "[r,s,r] has beta_r < beta_s, so that eta > eta_5(h), as by (5) beta_r falls as eta grows. So mu >= mu_S, h <= h_S and \
@@ -176,7 +176,7 @@ fn shift_beyond_s(d: &mut Derivation) -> Proof {
     )
 }
 
-fn overturning_sliding_beyond_j(d: &mut Derivation) -> Proof {
+fn overturning_sliding_beyond_j(d: &mut Derivation) -> Checked {
     only_beyond(d, HaunchPlace::Crown, Landmark::Junction)?;
     d.conclude(
         "[r,s] has L = 0 at the crown with a slope that is not negative and grows with eta, so that eta >= eta_5(h). \
@@ -185,7 +185,7 @@ fn overturning_sliding_beyond_j(d: &mut Derivation) -> Proof {
 }
 
 /// Left of a landmark the purely sliding arch stands at the thickness of (5).
-fn only_beyond(d: &mut Derivation, haunch: HaunchPlace, end: Landmark) -> Proof {
+fn only_beyond(d: &mut Derivation, haunch: HaunchPlace, end: Landmark) -> Checked {
     lemmas(d, [&SLOPES_OF_FRICTION, &INNER_SLIDING_BEYOND_T, &SLIDING_STATES_IN_ORDER])?;
     lemmas(d, [&THICKER_HAS_ROOM, &ONE_HALF_OPENING])?;
     touching_thickness(d)?;
@@ -229,7 +229,7 @@ fn bound_at_b(weight: SelfWeight) -> Rational {
     Ring::new(weight, &Rational::from(2)).centroid_factor / 2
 }
 
-fn pure_sliding_ends_at_b(d: &mut Derivation) -> Proof {
+fn pure_sliding_ends_at_b(d: &mut Derivation) -> Checked {
     lemmas(d, [&DISTANCES_RISE_AND_FALL, &SLOPES_OF_FRICTION, &SLIDING_STATES_IN_ORDER])?;
     lemmas(d, [&A_FIXES_ALPHA])?;
     let (n, eta) = (Symbol::OpeningVariable.number(), Symbol::Thickness.number());

@@ -7,9 +7,11 @@
 use super::along::{CurveStates, around, below, landmark, on_all};
 use super::curve::STATES_IN_ORDER;
 use super::letters::{ring, term};
-use super::{Claim, Derivation, Proof, Support, claim, implied, lemmas};
-use crate::arch::{Ring, SelfWeight, overturning, sliding, statics, thrust};
-use crate::number::{Angle, Ball, Enclosure, Field, Surd};
+use super::overturning::end_of_rotation_is_simple;
+use super::sliding::ratio_without_thrust;
+use super::{Checked, Claim, Derivation, Support, claim, implied, lemmas};
+use crate::arch::{SelfWeight, overturning, sliding, statics, thrust};
+use crate::number::{Angle, Ball, Enclosure, Field};
 use crate::problem::Landmark;
 use crate::symbolic::{Letters, Relations, Symbol, along_the_joint, along_the_opening};
 use rug::Rational;
@@ -61,7 +63,7 @@ pub(super) const ROTATION_MEETS_SLIDING: Claim = claim("map-T", "Sec. 2.2, 3", o
     );
 
 /// Change of (17) and (18) with the half opening and the thrust.
-fn friction_slopes(d: &mut Derivation) -> Proof {
+fn friction_slopes(d: &mut Derivation) -> Checked {
     let (alpha, joint, h) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thrust.number());
     let shoulder = sliding::shoulder(&alpha, &h).value();
     let normal = statics::normal_force(&alpha, &h).square();
@@ -88,20 +90,15 @@ fn friction_slopes(d: &mut Derivation) -> Proof {
 }
 
 /// `mu_is` is unbounded for small thrusts.
-fn friction_of_small_thrust(d: &mut Derivation) -> Proof {
-    let joint = Symbol::joint();
-    let none = joint.rad.int(0);
-    let shear = statics::shear_force(&joint, &none);
-    let ratio = shear / statics::normal_force(&joint, &none);
-    let cotangent = joint.cos / joint.sin;
-    d.identity("T/N at any joint where h = 0", &ratio, &cotangent)?;
+fn friction_of_small_thrust(d: &mut Derivation) -> Checked {
+    ratio_without_thrust(d)?;
     d.conclude(
         "mu_is(h) is at least T/N at any joint, which tends to cot(beta) as h -> 0: as beta may be as \
          small as one likes, mu_is(h) -> inf.",
     )
 }
 
-fn sliding_states_in_order(d: &mut Derivation) -> Proof {
+fn sliding_states_in_order(d: &mut Derivation) -> Checked {
     lemmas(d, [&SLOPES_OF_FRICTION, &FRICTION_OF_SMALL_THRUST])?;
     let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
     let numerator = -statics::shear_force(&alpha, &h);
@@ -117,7 +114,7 @@ fn sliding_states_in_order(d: &mut Derivation) -> Proof {
 }
 
 /// `h <= 1/(4 mu²)` where an inner joint slides.
-fn thrust_of_large_friction(d: &mut Derivation) -> Proof {
+fn thrust_of_large_friction(d: &mut Derivation) -> Checked {
     let (joint, h) = (Symbol::joint(), Symbol::Thrust.number());
     let (shear, normal) = (statics::shear_force(&joint, &h), statics::normal_force(&joint, &h));
     d.identity(
@@ -142,7 +139,7 @@ fn thrust_of_large_friction(d: &mut Derivation) -> Proof {
     d.conclude("As tan(beta) > beta, mu_is <= beta/(h + beta²) <= 1/(2 √h): h <= 1/(4 mu²).")
 }
 
-fn sliding_thrust_goes_flatly_to_zero(d: &mut Derivation) -> Proof {
+fn sliding_thrust_goes_flatly_to_zero(d: &mut Derivation) -> Checked {
     lemmas(d, [&THRUST_OF_LARGE_FRICTION])?;
     let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
     let cotangent = alpha.cos.clone() / &alpha.sin;
@@ -157,22 +154,15 @@ fn sliding_thrust_goes_flatly_to_zero(d: &mut Derivation) -> Proof {
     )
 }
 
-fn dividing_lines_tend_to_the_end_of_rotation(d: &mut Derivation) -> Proof {
+fn dividing_lines_tend_to_the_end_of_rotation(d: &mut Derivation) -> Checked {
     lemmas(d, [&THRUST_OF_LARGE_FRICTION])?;
     let (ring, eta) = (ring(), Symbol::Thickness.number());
     let limit = thrust::tangency(&eta.int(1), &ring);
     let words = "(5), cleared, for h -> 0 and beta -> 0, where beta cot(beta) -> 1";
     let condition = overturning::end_of_rotation(&ring);
-    d.identity(words, limit.residual(&eta.int(0)), eta.int(-2) * &condition)?;
-    let slope = -(eta.int(1) + Symbol::Flag.number() * &eta / eta.int(6));
+    d.identity(words, limit.residual(&eta.int(0)), eta.int(-2) * condition)?;
     let words = "its slope to eta, up to the factor, is not zero";
-    d.identity(words, condition.partial(Symbol::Thickness), &slope)?;
-    for weight in SelfWeight::ALL {
-        let end = overturning::thickness_at_end(weight, &Surd::new(0, 1, 3));
-        let value = overturning::end_of_rotation(&Ring::new(weight, &end));
-        let words = format!("it vanishes at eta_l = {end}, {} weight", weight.name());
-        d.equal(words, &value, &end.int(0))?;
-    }
+    end_of_rotation_is_simple(d, words, |end| format!(" = {end}"))?;
     d.conclude(
         "On either line beta_r <= beta_s <= √h, and h <= 1/(4 mu²): as mu -> inf, (5) tends to this \
          condition, whose only root in (0, 2) is eta_l.",
@@ -180,7 +170,7 @@ fn dividing_lines_tend_to_the_end_of_rotation(d: &mut Derivation) -> Proof {
 }
 
 /// `M` and `m` grow along rotation.
-fn frictions_grow(d: &mut Derivation) -> Proof {
+fn frictions_grow(d: &mut Derivation) -> Checked {
     lemmas(d, [&SLOPES_OF_FRICTION, &STATES_IN_ORDER, &FRICTION_OF_SMALL_THRUST])?;
     let alpha = Symbol::half_opening();
     let Angle { rad, sin, cos } = alpha.clone();
@@ -220,7 +210,7 @@ fn frictions_grow(d: &mut Derivation) -> Proof {
 }
 
 /// `M > m` for `alpha <= 1/2`, from Taylor's theorem.
-fn small_openings(d: &mut Derivation) -> Proof {
+fn small_openings(d: &mut Derivation) -> Checked {
     // A >= 2 - alpha²/5, times 1 - cos.
     let versine = term(1, 2, 2) - term(1, 24, 4) + term(1, 720, 6);
     let sine = term(1, 1, 1) - term(1, 6, 3);
@@ -253,7 +243,7 @@ fn small_openings(d: &mut Derivation) -> Proof {
 }
 
 /// `M > m` before `T` and `M < m` beyond.
-fn order_of_frictions(d: &mut Derivation) -> Proof {
+fn order_of_frictions(d: &mut Derivation) -> Checked {
     lemmas(d, [&SLOPES_OF_FRICTION, &FRICTION_FOR_ROTATION_GROWS])?;
     small_openings(d)?;
     for weight in SelfWeight::ALL {

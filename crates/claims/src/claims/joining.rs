@@ -1,7 +1,7 @@
 //! Junction of the rotational and the overturning branch at `l`.
 
 use super::asymptotics::check_states;
-use super::{Claim, Derivation, Proof, claim};
+use super::{Checked, Claim, Derivation, claim};
 use crate::arch::{Ring, SelfWeight, overturning};
 use crate::certify::Undecided;
 use crate::number::{ExactField, Field, Surd};
@@ -28,7 +28,7 @@ pub(super) const CLAIMS: &[Claim] = &[
 /// Coefficients shown and checked.
 const TERMS: usize = 8;
 
-fn joining(d: &mut Derivation, weight: SelfWeight, slope: &Surd) -> Proof {
+fn joining(d: &mut Derivation, weight: SelfWeight, slope: &Surd) -> Checked {
     let thickness = &overturning::thickness_at_end(weight, &Surd::new(0, 1, 3));
     d.assume(
         "x = A - A_l; rotation for x >= 0 with u = beta_r^2, overturning for x <= 0 with h = 0",

@@ -2,8 +2,9 @@
 
 use super::along::{landmark, parsed, standing};
 use super::letters::{ring, variables};
-use super::{Claim, Derivation, Proof, Support, claim, implied};
-use crate::arch::{Ring, SelfWeight, Unknown, contact, overturning, sliding, statics, thrust};
+use super::sliding::ratio_without_thrust;
+use super::{Checked, Claim, Derivation, Support, claim, implied};
+use crate::arch::{Ring, SelfWeight, Unknown, contact, overturning, sliding, thrust};
 use crate::certify::state::{Certify, State};
 use crate::number::{Angle, Ball, Field, Real, Ternary};
 use crate::problem::{Fixed, Landmark, Mode};
@@ -31,7 +32,7 @@ pub(super) fn certain_if(holds: bool) -> Ternary {
     if holds { Ternary::True } else { Ternary::Undecided }
 }
 
-fn triple_point(d: &mut Derivation) -> Proof {
+fn triple_point(d: &mut Derivation) -> Checked {
     let (at, ring) = (variables(), ring());
     let upper = thrust::upper(&at.half_opening, &at.rotation_joint, &ring).residual(&at.thrust);
     let whole = thrust::whole(&at.half_opening, &ring).residual(&at.thrust);
@@ -53,7 +54,7 @@ fn triple_point(d: &mut Derivation) -> Proof {
     )
 }
 
-fn shift_point(d: &mut Derivation) -> Proof {
+fn shift_point(d: &mut Derivation) -> Checked {
     let [below, above] = [Mode::RotationalSliding, Mode::RotationalSlidingRotational];
     for weight in SelfWeight::ALL {
         d.certain(
@@ -75,7 +76,7 @@ fn shift_point(d: &mut Derivation) -> Proof {
     Ok(())
 }
 
-fn junction_point(d: &mut Derivation) -> Proof {
+fn junction_point(d: &mut Derivation) -> Checked {
     let at = variables();
     for weight in SelfWeight::ALL {
         let ring = Ring::new(weight, &at.thickness);
@@ -103,7 +104,7 @@ fn junction_point(d: &mut Derivation) -> Proof {
     )
 }
 
-fn border_point(d: &mut Derivation) -> Proof {
+fn border_point(d: &mut Derivation) -> Checked {
     let two = Rational::from(2);
     for weight in SelfWeight::ALL {
         let ring = Ring::new(weight, &two);
@@ -121,16 +122,12 @@ fn border_point(d: &mut Derivation) -> Proof {
     Ok(())
 }
 
-fn no_thrust_needs_unlimited_friction(d: &mut Derivation) -> Proof {
-    let joint = Symbol::joint();
-    let none = joint.rad.int(0);
-    let (shear, normal) =
-        (statics::shear_force(&joint, &none), statics::normal_force(&joint, &none));
-    let ratio = joint.cos.clone() / &joint.sin;
-    d.identity("T/N at any joint where h = 0", shear / normal, &ratio)?;
+fn no_thrust_needs_unlimited_friction(d: &mut Derivation) -> Checked {
+    ratio_without_thrust(d)?;
     d.conclude(
         "It is cot(beta), which is unbounded next to the crown: no finite friction is enough there.",
     )?;
+    let none = ring().thickness.int(0);
     let crown = Angle::zero(&none);
     let lower = thrust::lower(&crown, &ring());
     d.identity("(2) at beta = 0 and h = 0", lower.residual(&none), &none)?;
@@ -159,18 +156,18 @@ fn lower_moment_slope() -> Fraction {
 }
 
 /// A value for each of the two self-weights.
-pub(super) fn both<T>(of: impl Fn(SelfWeight) -> Proof<T>) -> Proof<[T; 2]> {
+pub(super) fn both<T>(of: impl Fn(SelfWeight) -> Checked<T>) -> Checked<[T; 2]> {
     let [heyman, milankovitch] = SelfWeight::ALL.map(of);
     Ok([heyman?, milankovitch?])
 }
 
 /// The state of an arch at its least thickness; the half opening and the friction as text.
-pub(super) fn state_of(half_opening: &str, friction: &str, weight: SelfWeight) -> Proof<State> {
+pub(super) fn state_of(half_opening: &str, friction: &str, weight: SelfWeight) -> Checked<State> {
     standing(parsed(weight, half_opening, friction)?.state(128)?)
 }
 
 /// The thickness of a semicircle with unlimited friction, and the friction that its shoulder asks for.
-pub(super) fn semicircle(weight: SelfWeight) -> Proof<[Ball; 2]> {
+pub(super) fn semicircle(weight: SelfWeight) -> Checked<[Ball; 2]> {
     let State { thickness, thrust, .. } = state_of("pi/2", "inf", weight)?;
     let half = thrust.pi() / thrust.int(2);
     let right = Angle { rad: half, sin: thrust.int(1), cos: thrust.int(0) };

@@ -1,7 +1,7 @@
 //! The lines of the map as curves: each one arc from landmark to landmark.
 
 use super::regular::{CYCLOID, SHOULDER_IN_ANGLES};
-use super::{Claim, Derivation, Proof, implied, lemmas};
+use super::{Checked, Claim, Derivation, implied, lemmas};
 use crate::arch::SelfWeight;
 use crate::atlas::{Curve, Trace};
 use std::sync::OnceLock;
@@ -16,8 +16,8 @@ pub(super) const CLAIMS: &[Claim] = &[implied("map-lines", "Sec. 3, Fig. 5, 6", 
 const TOLERANCE: f64 = 1e-3;
 
 /// Each curve with its weight, and whether every piece of it is proved, decided once.
-fn traced() -> &'static [(String, Proof<bool>)] {
-    static DECIDED: OnceLock<Vec<(String, Proof<bool>)>> = OnceLock::new();
+fn traced() -> &'static [(String, Checked<bool>)] {
+    static DECIDED: OnceLock<Vec<(String, Checked<bool>)>> = OnceLock::new();
     DECIDED.get_or_init(|| {
         let all = SelfWeight::ALL.into_iter().flat_map(|weight| Curve::ALL.map(|c| (c, weight)));
         let trace = |(curve, weight): (Curve, SelfWeight)| {
@@ -30,7 +30,7 @@ fn traced() -> &'static [(String, Proof<bool>)] {
     })
 }
 
-fn lines(d: &mut Derivation) -> Proof {
+fn lines(d: &mut Derivation) -> Checked {
     lemmas(d, [&CYCLOID, &SHOULDER_IN_ANGLES])?;
     for (words, is_whole) in traced() {
         d.proved_elsewhere(format!("{words}: one solution for each parameter"), is_whole.clone()?)?;

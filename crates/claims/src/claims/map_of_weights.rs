@@ -8,8 +8,9 @@ use super::landmarks::{both, semicircle, state_of};
 use super::letters::ring;
 use super::modes::LEVER;
 use super::sign::{Positive, RingSigns};
+use super::tiling::intrados_factor_grows;
 use super::uniqueness::THICKER_HAS_ROOM;
-use super::{Claim, Derivation, Finding, Proof, Support, found, implied, lemmas};
+use super::{Checked, Claim, Derivation, Finding, Support, found, implied, lemmas};
 use crate::arch::{Ring, SelfWeight, statics, thrust};
 use crate::certify::{Undecided, between};
 use crate::number::{Angle, Ball, Dual, Enclosure, Field, Rounded};
@@ -47,7 +48,7 @@ const WHERE_THE_JOINT_IS_GIVEN: Claim =
     );
 
 /// Where the shoulder turns, (3) gives the thickness of a given thrust and half opening.
-fn thickness_where_the_shoulder_turns(d: &mut Derivation) -> Proof {
+fn thickness_where_the_shoulder_turns(d: &mut Derivation) -> Checked {
     let (alpha, joint, h) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thrust.number());
     let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
     let ring = Ring::with_flag(&delta, &eta);
@@ -82,7 +83,7 @@ fn thickness_where_the_shoulder_turns(d: &mut Derivation) -> Proof {
 }
 
 /// (5) gives the thickness of a given thrust and joint.
-fn thickness_where_the_joint_is_given(d: &mut Derivation) -> Proof {
+fn thickness_where_the_joint_is_given(d: &mut Derivation) -> Checked {
     let (eta, delta) = (Symbol::Thickness.number(), Symbol::Flag.number());
     let ring = Ring::with_flag(&delta, &eta);
     let signs = RingSigns::of(d)?;
@@ -99,7 +100,7 @@ fn thickness_where_the_joint_is_given(d: &mut Derivation) -> Proof {
 }
 
 /// No arch of Milankovitch's weight is as thin as that of Heyman's, unless its shoulder slides.
-fn thicker_unless_the_shoulder_slides(d: &mut Derivation) -> Proof {
+fn thicker_unless_the_shoulder_slides(d: &mut Derivation) -> Checked {
     lemmas(d, [&THICKER_HAS_ROOM, &LEVER])?;
     let (alpha, joint, ring) = (Symbol::half_opening(), Symbol::joint(), ring());
     let (eta, h) = (&ring.thickness, Symbol::Thrust.number());
@@ -129,7 +130,11 @@ fn thicker_unless_the_shoulder_slides(d: &mut Derivation) -> Proof {
 }
 
 /// Arches of both weights, by half opening and friction, and whether Milankovitch's is the thicker one.
-fn thicker(d: &mut Derivation, (alpha, friction): (&str, &str), is_thicker: bool) -> Proof<String> {
+fn thicker(
+    d: &mut Derivation,
+    (alpha, friction): (&str, &str),
+    is_thicker: bool,
+) -> Checked<String> {
     let [heyman, milankovitch] = both(|weight| state_of(alpha, friction, weight))?;
     let (eta, other) = (&milankovitch.thickness, &heyman.thickness);
     let modes =
@@ -142,7 +147,7 @@ fn thicker(d: &mut Derivation, (alpha, friction): (&str, &str), is_thicker: bool
     Ok(format!("{place}: eta = {}, but {} for Heyman's weight", shown(eta)?, shown(other)?))
 }
 
-fn same_opening_compared(d: &mut Derivation) -> Proof<Finding> {
+fn same_opening_compared(d: &mut Derivation) -> Checked<Finding> {
     lemmas(d, [&STATES_IN_ORDER, &STATES_OF_ONE_THICKNESS])?;
     thicker_unless_the_shoulder_slides(d)?;
     d.argue(
@@ -166,19 +171,14 @@ fn same_opening_compared(d: &mut Derivation) -> Proof<Finding> {
 }
 
 /// Each line, in turn.
-fn lines_rise(d: &mut Derivation) -> Proof {
+fn lines_rise(d: &mut Derivation) -> Checked {
     lemmas(d, [&FRICTION_FOR_ROTATION_GROWS, &STATES_IN_ORDER, &SLOPES_OF_FRICTION])?;
     d.conclude(
         "About pure rotation: M and m grow with alpha, as eta does. On [s,r,r]|[s,s], by (2) and (5), eta \
          grows as h falls, and so does mu.",
     )?;
     cotangent_falls(d)?;
-    let ring = ring();
-    let (eta, delta) = (&ring.thickness, Symbol::Flag.number());
-    let rest = ring.centroid_factor.int(2) * &ring.centroid_factor / ring.intrados();
-    let gain = delta * eta * ring.intrados() / eta.int(3) + eta.int(2) * &ring.centroid_factor;
-    let words = "d(2 fac/(2 - eta))/d eta, positive";
-    d.identity(words, rest.partial(Symbol::Thickness), gain / ring.intrados().square())?;
+    intrados_factor_grows(d, "d(2 fac/(2 - eta))/d eta, positive")?;
     for weight in SelfWeight::ALL {
         let thrust = landmark(Landmark::Triple, weight)?.thrust;
         let words = format!("h < 1/2 at T and beyond, {} weight", weight.name());
@@ -227,7 +227,7 @@ fn lines_rise(d: &mut Derivation) -> Proof {
     )
 }
 
-fn dividing_lines_compared(d: &mut Derivation) -> Proof<Finding> {
+fn dividing_lines_compared(d: &mut Derivation) -> Checked<Finding> {
     lemmas(d, [&LINES_RISE, &STATES_OF_ONE_THICKNESS, &SLOPES_OF_FRICTION])?;
     d.conclude(
         "About pure rotation, at one thickness, alpha and h are smaller for Milankovitch's weight, so that M \
@@ -262,7 +262,7 @@ fn dividing_lines_compared(d: &mut Derivation) -> Proof<Finding> {
     })
 }
 
-fn shown(value: &Ball) -> Proof<String> {
+fn shown(value: &Ball) -> Checked<String> {
     let rounded = Rounded::from_ball(value, 6).map(|rounded| rounded.value.to_string());
     rounded.ok_or_else(|| Undecided::new("no six digits"))
 }

@@ -1,6 +1,6 @@
 //! Numbers where a sentence has none: proved bounds in few digits.
 
-use super::{Derivation, Proof, Support};
+use super::{Checked, Derivation, Support};
 use crate::certify::Undecided;
 use crate::number::{Ball, Decimal, Enclosure, Field, Real, Rounded};
 
@@ -22,18 +22,23 @@ impl<'a> MeasuredBounds<'a> {
 
     /// Checks between which neighbours of few significant digits a positive value lies; the upper one is
     /// noted as a bound that holds.
-    pub(super) fn at_most(&mut self, value: MeasuredValue<'_>, digits: usize) -> Proof {
+    pub(super) fn at_most(&mut self, value: MeasuredValue<'_>, digits: usize) -> Checked {
         let [below, above] = neighbours(self.d, value, digits)?;
         self.note(value, "at most", [above, below])
     }
 
     /// Adds a bound of which the lower end is the one that holds.
-    pub(super) fn at_least(&mut self, value: MeasuredValue<'_>, digits: usize) -> Proof {
+    pub(super) fn at_least(&mut self, value: MeasuredValue<'_>, digits: usize) -> Checked {
         let ends = neighbours(self.d, value, digits)?;
         self.note(value, "at least", ends)
     }
 
-    fn note(&mut self, (words, _, unit): MeasuredValue<'_>, is: &str, ends: [Decimal; 2]) -> Proof {
+    fn note(
+        &mut self,
+        (words, _, unit): MeasuredValue<'_>,
+        is: &str,
+        ends: [Decimal; 2],
+    ) -> Checked {
         let [holds, fails] = ends.map(|end| format!("{words}: {is} {end}{unit}"));
         self.hold.push(holds);
         self.fail.push(fails);
@@ -66,7 +71,7 @@ fn neighbours(
     d: &mut Derivation,
     (words, value, unit): MeasuredValue<'_>,
     digits: usize,
-) -> Proof<[Decimal; 2]> {
+) -> Checked<[Decimal; 2]> {
     let rounded = Rounded::from_ball(value, digits)
         .ok_or_else(|| Undecided::new(format!("{words}: no digits")))?;
     let near = |decimal: &Decimal| Ball::enclosing(&decimal.to_rational(), value.prec());

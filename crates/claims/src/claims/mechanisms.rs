@@ -4,7 +4,7 @@
 use super::contacts::{CONTACTS, label};
 use super::letters::{ring, variables};
 use super::modes::{LEVER, SEVEN_MODES};
-use super::{Claim, Derivation, Proof, implied, lemmas};
+use super::{Checked, Claim, Derivation, implied, lemmas};
 use crate::arch::mechanism::{Contact, Joint, Mechanism};
 use crate::arch::{Configuration, contact, sliding, thrust};
 use crate::number::{Angle, Field};
@@ -51,7 +51,7 @@ fn joints(mechanism: &Mechanism<Fraction>) -> impl Iterator<Item = &Joint<Fracti
 /// Opening of a joint for a slip of one.
 const OPENS: Symbol = Symbol::Friction;
 
-fn compatible(d: &mut Derivation) -> Proof {
+fn compatible(d: &mut Derivation) -> Checked {
     d.define("a joint that slides opens, for a slip of one, by; none for zero", &OPENS.number());
     for mode in Mode::ALL {
         let at = at(mode);
@@ -66,7 +66,7 @@ fn compatible(d: &mut Derivation) -> Proof {
     )
 }
 
-fn rates(d: &mut Derivation) -> Proof {
+fn rates(d: &mut Derivation) -> Checked {
     lemmas(d, [&SEVEN_MODES, &LEVER])?;
     let mu = OPENS.number();
     for mode in Mode::ALL {
@@ -117,7 +117,7 @@ fn rates(d: &mut Derivation) -> Proof {
     )
 }
 
-fn at_limit(d: &mut Derivation) -> Proof {
+fn at_limit(d: &mut Derivation) -> Checked {
     let (free, mu) = (Relations::none(), Symbol::Friction.number());
     let square = Symbol::Thrust.polynomial() - &Symbol::Thrust.polynomial().power(2);
     let steepest = Relations::none().with(Symbol::SlidingJoint, 2, square);
@@ -164,7 +164,7 @@ fn at_limit(d: &mut Derivation) -> Proof {
     )
 }
 
-fn power(d: &mut Derivation) -> Proof {
+fn power(d: &mut Derivation) -> Checked {
     lemmas(d, [&CONTACTS])?;
     let (mu, p) = (Symbol::Friction.number(), Symbol::CrownMoment.number());
     for (dilatancy, rule) in [(mu.int(0), "without dilatancy"), (mu.clone(), "with it")] {

@@ -87,7 +87,7 @@ pub use index::index;
 pub use sentence::{Decided, Sentence};
 
 use claim::{claim, found, implied, lemmas, measured};
-use derivation::Proof;
+use derivation::Checked;
 
 /// All claims, in the order of the paper.
 pub fn claims() -> Vec<Claim> {

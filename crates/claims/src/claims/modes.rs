@@ -16,7 +16,7 @@ use super::along::CurveStates;
 use super::contacts::{CONTACTS, label, margin_at, row_at, slopes};
 use super::landmarks::{certain_if, state_of};
 use super::letters::{ring, variables, with};
-use super::{Claim, Derivation, Proof, Support, claim, implied, lemmas};
+use super::{Checked, Claim, Derivation, Support, claim, implied, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Configuration, SelfWeight, contact, statics};
 use crate::number::{Angle, Ball, Field};
@@ -40,7 +40,7 @@ const MODES_OCCUR: Claim = claim("modes-occur", "Sec. 3", modes_occur)
     .states("each of the seven modes occurs, with either weight");
 
 /// The lever arm between the haunch's intrados and the shoulder's extrados.
-fn lever(d: &mut Derivation) -> Proof {
+fn lever(d: &mut Derivation) -> Checked {
     d.assume("0 < alpha < pi, 0 <= beta <= alpha, 0 < eta <= 2, h >= 0");
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
     let (h, eta) = (Symbol::Thrust.number(), &ring.thickness);
@@ -67,7 +67,7 @@ fn lever(d: &mut Derivation) -> Proof {
     )
 }
 
-fn seven_modes(d: &mut Derivation) -> Proof {
+fn seven_modes(d: &mut Derivation) -> Checked {
     lemmas(d, [&CONTACTS, &LEVER])?;
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
     let (h, crown) = (Symbol::Thrust.number(), Angle::zero(&ring.thickness));
@@ -156,7 +156,7 @@ const EXAMPLES: [(Mode, [GivenArch; 2]); 6] = [
     (Mode::Overturning, [("2.7", "inf"), ("2.62", "inf")]),
 ];
 
-fn modes_occur(d: &mut Derivation) -> Proof {
+fn modes_occur(d: &mut Derivation) -> Checked {
     // Each arch beside that of the next mode, which has another.
     for ((mode, arches), (_, others)) in EXAMPLES.iter().zip(EXAMPLES.iter().cycle().skip(1)) {
         for (weight, (arch, other)) in SelfWeight::ALL.into_iter().zip(arches.iter().zip(others)) {
@@ -183,7 +183,7 @@ fn modes_occur(d: &mut Derivation) -> Proof {
 /// Room that is left to a line of thrust in an arch that only slides: half opening 1, thickness 1, thrust in
 /// the middle of the crown; and the same where it is not positive, with a thrust that pulls, or with the half
 /// opening 3.
-pub(super) fn room_of_pure_sliding(weight: SelfWeight) -> Proof<[(&'static str, Ball, Ball); 4]> {
+pub(super) fn room_of_pure_sliding(weight: SelfWeight) -> Checked<[(&'static str, Ball, Ball); 4]> {
     let CurveStates { alpha, thrust: h, .. } = CurveStates::sliding(&Rational::from(1))?;
     let at = Configuration {
         half_opening: alpha,

@@ -1,6 +1,7 @@
 //! Moments, tangency and centroids: (2)–(6).
 
-use super::{Claim, Derivation, Proof, claim, implied};
+use super::letters::ring;
+use super::{Checked, Claim, Derivation, claim, implied};
 use crate::arch::{Ring, statics, thrust};
 use crate::number::{Angle, Dual, Field};
 use crate::symbolic::{Fraction, Letters, Symbol};
@@ -34,78 +35,74 @@ pub(super) const CLAIMS: &[Claim] = &[
     claim("rotation-friction", "Sec. 2.2", no_friction).states("(2)-(5) see no friction"),
 ];
 
-/// The letters of this file: thrust, crown eccentricity, and a ring with symbolic `delta_M`.
-struct RingLetters {
-    thrust: Fraction,
-    crown: Fraction,
-    ring: Ring<Fraction>,
-    half: Fraction,
+/// `eta/2`, the distance of a face from the centreline.
+fn half() -> Fraction {
+    Symbol::Thickness.number() / Symbol::Thickness.number().int(2)
 }
 
-fn arch() -> RingLetters {
-    let thickness = Symbol::Thickness.number();
-    RingLetters {
-        thrust: Symbol::Thrust.number(),
-        crown: Symbol::CrownEccentricity.number(),
-        half: thickness.ratio(1, 2) * &thickness,
-        ring: Ring::with_flag(&Symbol::Flag.number(), &thickness),
-    }
-}
-
-impl RingLetters {
-    /// `2 N (e - target)` at a joint: zero where the pressure point has the eccentricity `target`.
-    fn miss(&self, joint: &Angle<Fraction>, crown: &Fraction, target: &Fraction) -> Fraction {
-        let factor = &self.ring.centroid_factor;
-        let e = statics::eccentricity(joint, &self.thrust, crown, factor);
-        let normal = statics::normal_force(joint, &self.thrust);
-        normal * &(e - target) * target.int(2)
-    }
+/// `2 N (e - target)` at a joint, with the eccentricity `crown` at the crown: zero where the pressure point has the
+/// eccentricity `target`.
+fn miss(joint: &Angle<Fraction>, crown: &Fraction, target: &Fraction) -> Fraction {
+    let h = Symbol::Thrust.number();
+    let e = statics::eccentricity(joint, &h, crown, &ring().centroid_factor);
+    statics::normal_force(joint, &h) * &(e - target) * target.int(2)
 }
 
 const NORMAL: &str = "N != 0 at the joints: else there is no pressure point";
 
-fn lower(d: &mut Derivation) -> Proof {
-    let arch = arch();
-    let joint = Symbol::joint();
+/// Checks that an equation without its denominator says how far pressure points miss the faces.
+fn misses(
+    d: &mut Derivation,
+    [denominator, name, words]: [&str; 3],
+    residual: &Fraction,
+    miss: Fraction,
+) -> Checked {
     d.assume(NORMAL);
-    d.assume("2 + eta - (2-eta) cos(beta) != 0");
-    let residual = thrust::lower(&joint, &arch.ring).residual(&arch.thrust);
-    d.define("(2) without its denominator, h [2 + eta - (2-eta) C] - …", &residual);
-    let miss = arch.miss(&joint, &arch.half, &-arch.half.clone());
-    let words = "2 N (e + eta/2) at beta, with e0 = eta/2 at the crown, is the same";
-    d.identity(words, &miss, &residual)
+    d.assume(denominator);
+    d.define(name, residual);
+    d.identity(words, miss, residual)
 }
 
-fn upper(d: &mut Derivation) -> Proof {
-    let arch = arch();
-    let (joint, shoulder) = (Symbol::joint(), Symbol::half_opening());
-    d.assume(NORMAL);
-    d.assume("(2-eta) cos(beta) - (2+eta) cos(alpha) != 0");
-    let residual = thrust::upper(&shoulder, &joint, &arch.ring).residual(&arch.thrust);
-    d.define("(3) without its denominator", &residual);
-    let at_shoulder = arch.miss(&shoulder, &arch.crown, &arch.half);
-    let at_joint = arch.miss(&joint, &arch.crown, &-arch.half.clone());
-    let words = "2 N (e - eta/2) at alpha minus 2 N (e + eta/2) at beta, for any e0 at the crown";
-    d.identity(words, at_shoulder - &at_joint, &residual)
+fn lower(d: &mut Derivation) -> Checked {
+    let (joint, half) = (Symbol::joint(), half());
+    let words = [
+        "2 + eta - (2-eta) cos(beta) != 0",
+        "(2) without its denominator, h [2 + eta - (2-eta) C] - …",
+        "2 N (e + eta/2) at beta, with e0 = eta/2 at the crown, is the same",
+    ];
+    let residual = thrust::lower(&joint, &ring()).residual(&Symbol::Thrust.number());
+    misses(d, words, &residual, miss(&joint, &half, &-half.clone()))
 }
 
-fn whole(d: &mut Derivation) -> Proof {
-    let arch = arch();
-    let shoulder = Symbol::half_opening();
-    d.assume(NORMAL);
-    d.assume("(1 - cos(alpha)) (2 + eta) != 0");
-    let residual = thrust::whole(&shoulder, &arch.ring).residual(&arch.thrust);
-    d.define("(4) without its denominator", &residual);
-    let words = "2 N (e - eta/2) at alpha, with e0 = eta/2 at the crown, is the same";
-    d.identity(words, arch.miss(&shoulder, &arch.half, &arch.half), &residual)?;
+fn upper(d: &mut Derivation) -> Checked {
+    let (joint, shoulder, half) = (Symbol::joint(), Symbol::half_opening(), half());
+    let words = [
+        "(2-eta) cos(beta) - (2+eta) cos(alpha) != 0",
+        "(3) without its denominator",
+        "2 N (e - eta/2) at alpha minus 2 N (e + eta/2) at beta, for any e0 at the crown",
+    ];
+    let residual = thrust::upper(&shoulder, &joint, &ring()).residual(&Symbol::Thrust.number());
+    let crown = Symbol::CrownEccentricity.number();
+    let both = miss(&shoulder, &crown, &half) - miss(&joint, &crown, &-half.clone());
+    misses(d, words, &residual, both)
+}
+
+fn whole(d: &mut Derivation) -> Checked {
+    let (shoulder, ring, half) = (Symbol::half_opening(), ring(), half());
+    let words = [
+        "(1 - cos(alpha)) (2 + eta) != 0",
+        "(4) without its denominator",
+        "2 N (e - eta/2) at alpha, with e0 = eta/2 at the crown, is the same",
+    ];
+    let whole = thrust::whole(&shoulder, &ring);
+    let residual = whole.residual(&Symbol::Thrust.number());
+    misses(d, words, &residual, miss(&shoulder, &half, &half))?;
     let opening = thrust::opening_variable(&shoulder).value();
-    let printed = opening
-        - arch.ring.centroid_factor.int(2) * &arch.ring.centroid_factor / arch.ring.extrados();
-    let value = thrust::whole(&shoulder, &arch.ring).value();
-    d.identity("h_2 = A - 2 fac_M/(2 + eta)", &value, &printed)
+    let printed = opening - ring.centroid_factor.int(2) * &ring.centroid_factor / ring.extrados();
+    d.identity("h_2 = A - 2 fac_M/(2 + eta)", whole.value(), &printed)
 }
 
-fn opening_variable_forms(d: &mut Derivation) -> Proof {
+fn opening_variable_forms(d: &mut Derivation) -> Checked {
     let half = Symbol::joint();
     d.assume("sin(alpha/2) != 0");
     d.assume("S = sin(alpha/2), C = cos(alpha/2): sin(alpha) = 2 S C, cos(alpha) = 1 - 2 S^2");
@@ -121,56 +118,56 @@ fn opening_variable_forms(d: &mut Derivation) -> Proof {
     d.identity("A = alpha C/S", &value, &cotangent)
 }
 
-fn upper_follows(d: &mut Derivation) -> Proof {
-    let arch = arch();
-    let (joint, shoulder) = (Symbol::joint(), Symbol::half_opening());
+fn upper_follows(d: &mut Derivation) -> Checked {
+    let (joint, shoulder, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
+    let h = Symbol::Thrust.number();
     d.assume("the denominators of (2), (3), (4) do not vanish");
-    let second = thrust::lower(&joint, &arch.ring).residual(&arch.thrust);
-    let third = thrust::upper(&shoulder, &joint, &arch.ring).residual(&arch.thrust);
-    let fourth = thrust::whole(&shoulder, &arch.ring).residual(&arch.thrust);
+    let second = thrust::lower(&joint, &ring).residual(&h);
+    let third = thrust::upper(&shoulder, &joint, &ring).residual(&h);
+    let fourth = thrust::whole(&shoulder, &ring).residual(&h);
     d.define("(2) without its denominator", &second);
     d.define("(4) without its denominator", &fourth);
     let combination = fourth - second;
     d.identity("(4) minus (2) is (3): the cofactors are 1 and -1", &combination, &third)
 }
 
-fn tangency(d: &mut Derivation) -> Proof {
-    let arch = arch();
-    let joint = Symbol::joint();
+fn tangency(d: &mut Derivation) -> Checked {
+    let (joint, ring, half) = (Symbol::joint(), ring(), half());
     d.assume(NORMAL);
     d.assume("sin(beta) != 0 and eta != 2");
     d.assume("the pressure point at beta lies on the intrados, e = -eta/2");
     let along = joint.variable(0);
     let constant = |x: &Fraction| Dual::constant(x.clone());
-    let (thrust, crown) = (constant(&arch.thrust), constant(&arch.crown));
-    let factor = constant(&arch.ring.centroid_factor);
-    let e = statics::eccentricity(&along, &thrust, &crown, &factor);
-    let normal = statics::normal_force(&along, &thrust);
+    let [thrust, crown] = [Symbol::Thrust, Symbol::CrownEccentricity].map(Symbol::number);
+    let (h, crown) = (constant(&thrust), constant(&crown));
+    let factor = constant(&ring.centroid_factor);
+    let e = statics::eccentricity(&along, &h, &crown, &factor);
+    let normal = statics::normal_force(&along, &h);
     d.define("the eccentricity e(beta)", e.value());
     d.define("N'(beta)", &normal.derivative(0));
-    let residual = thrust::tangency(&joint.times_cotangent(), &arch.ring).residual(&arch.thrust);
+    let residual = thrust::tangency(&joint.times_cotangent(), &ring).residual(&thrust);
     d.define("(5) without its denominator 2 - eta", &residual);
-    let two = arch.half.int(2);
+    let two = half.int(2);
     let left = two.clone() * normal.value() * &e.derivative(0)
-        + two * normal.derivative(0) * &(e.value().clone() + &arch.half);
+        + two * normal.derivative(0) * &(e.value().clone() + &half);
     let right = residual * &joint.sin;
     d.on_circle("2 N e' + 2 N' (e + eta/2) = sin(beta) times it", &left, &right)?;
     d.conclude("where e = -eta/2, the derivative e' is zero exactly where (5) holds")
 }
 
-fn tangency_forms(d: &mut Derivation) -> Proof {
-    let arch = arch();
+fn tangency_forms(d: &mut Derivation) -> Checked {
+    let ring = ring();
     d.assume("eta != 0 and eta != 2");
-    let (eta, factor) = (&arch.ring.thickness, &arch.ring.centroid_factor);
+    let (eta, factor) = (&ring.thickness, &ring.centroid_factor);
     let cotangent = Symbol::joint().times_cotangent();
-    let first = thrust::tangency(&cotangent, &arch.ring).value();
+    let first = thrust::tangency(&cotangent, &ring).value();
     d.define("the first form, beta cot(beta) + 1 - 2 fac_M/(2-eta)", &first);
     let bracket = eta.int(1) + eta.int(2) / eta * &(factor.clone() - eta.int(1));
-    let second = cotangent - eta.clone() / arch.ring.intrados() * bracket;
+    let second = cotangent - eta.clone() / ring.intrados() * bracket;
     d.identity("beta cot(beta) - eta/(2-eta) [1 + 2/eta (fac_M - 1)] is the same", &second, &first)
 }
 
-fn centroid(d: &mut Derivation) -> Proof {
+fn centroid(d: &mut Derivation) -> Checked {
     d.assume("delta_M = 1: the true centroids; lengths in units of r");
     // The radius of a point of the wedge is written S here, a free letter with S' = 1.
     let radius = Symbol::Sine.number();
@@ -193,8 +190,8 @@ fn centroid(d: &mut Derivation) -> Proof {
     d.identity("12 (fac_M - 1) is a square, so that fac_M >= 1", &square, eta.square())
 }
 
-fn thin_arch(d: &mut Derivation) -> Proof {
-    let RingLetters { ring, .. } = arch();
+fn thin_arch(d: &mut Derivation) -> Checked {
+    let ring = ring();
     let (eta, delta) = (&ring.thickness, Symbol::Flag.number());
     let cotangent = Symbol::joint().times_cotangent();
     let none = Ring::with_flag(&delta, &eta.int(0));
@@ -205,8 +202,8 @@ fn thin_arch(d: &mut Derivation) -> Proof {
     d.identity("h_e less beta cot(beta), of the order of eta for either weight", &rest, &expected)
 }
 
-fn no_friction(d: &mut Derivation) -> Proof {
-    let RingLetters { ring, .. } = arch();
+fn no_friction(d: &mut Derivation) -> Checked {
+    let ring = ring();
     let (joint, shoulder) = (Symbol::joint(), Symbol::half_opening());
     let forms = [
         ("(2)", thrust::lower(&joint, &ring)),

@@ -1,7 +1,7 @@
 //! Purely overturning states and the end of rotation: (13)–(16).
 
 use super::letters::{ring, with};
-use super::{Claim, Derivation, Finding, Proof, claim, found, implied, lemmas};
+use super::{Checked, Claim, Derivation, Finding, claim, found, implied, lemmas};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::number::{Angle, Field, Surd};
 use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_opening};
@@ -39,7 +39,7 @@ pub(super) const A_FIXES_ALPHA: Claim =
     implied("alpha-one-to-one", "Sec. 2.1", opening_variable_falls)
         .states("A(alpha) falls strictly from 2 to 0 on (0, pi), so that A fixes alpha");
 
-fn without_thrust(d: &mut Derivation) -> Proof {
+fn without_thrust(d: &mut Derivation) -> Checked {
     d.assume("h = 0; 2 + eta != 0; cos(alpha) != 1");
     let (ring, alpha) = (ring(), Symbol::half_opening());
     let zero = ring.thickness.int(0);
@@ -57,7 +57,7 @@ fn without_thrust(d: &mut Derivation) -> Proof {
     d.identity("(3) at h = 0 and beta = 0 too", &third, &difference)
 }
 
-fn heyman(d: &mut Derivation) -> Proof {
+fn heyman(d: &mut Derivation) -> Checked {
     d.assume("2 + eta != 0, A != 0");
     let (eta, a) = (Symbol::Thickness.number(), Symbol::OpeningVariable.number());
     let value = overturning::opening_variable(&Ring::new(SelfWeight::Heyman, &eta)).value();
@@ -76,7 +76,7 @@ fn radicand(a: &Fraction) -> Fraction {
     (a.int(3) * a.square() + a.int(4) * a - a.int(4)) * a.int(3)
 }
 
-fn milankovitch(d: &mut Derivation) -> Proof {
+fn milankovitch(d: &mut Derivation) -> Checked {
     let (eta, a, q) =
         (Symbol::Thickness.number(), Symbol::OpeningVariable.number(), Symbol::SquareRoot.number());
     d.assume("2 + eta != 0; q^2 = 3 (3A^2 + 4A - 4)");
@@ -94,7 +94,7 @@ fn milankovitch(d: &mut Derivation) -> Proof {
     d.identity_under("and so is eta = 3A + q", root(-1), a.int(0), &rooted)
 }
 
-fn milankovitch_branch(d: &mut Derivation) -> Proof {
+fn milankovitch_branch(d: &mut Derivation) -> Checked {
     let (eta, a) = (Symbol::Thickness.number(), Symbol::OpeningVariable.number());
     let ring = Ring::new(SelfWeight::Milankovitch, &eta);
     let value = overturning::opening_variable(&ring).value();
@@ -123,7 +123,7 @@ fn milankovitch_branch(d: &mut Derivation) -> Proof {
     )
 }
 
-fn end_of_rotation(d: &mut Derivation) -> Proof<Finding> {
+fn end_of_rotation(d: &mut Derivation) -> Checked<Finding> {
     let ring = ring();
     let (eta, delta) = (&ring.thickness, Symbol::Flag.number());
     d.assume("h = 0; 2 - eta != 0; beta cot(beta) = 1, its limit at beta = 0");
@@ -163,7 +163,25 @@ fn end_of_rotation(d: &mut Derivation) -> Proof<Finding> {
     })
 }
 
-fn limit_values(d: &mut Derivation) -> Proof {
+/// The condition behind (16) falls with the thickness, and vanishes at `eta_l`.
+pub(super) fn end_of_rotation_is_simple(
+    d: &mut Derivation,
+    words: &str,
+    shown: impl Fn(&Surd) -> String,
+) -> Checked {
+    let (ring, delta) = (ring(), Symbol::Flag.number());
+    let slope = overturning::end_of_rotation(&ring).partial(Symbol::Thickness);
+    d.identity(words, slope, -(delta.int(1) + delta.clone() * &ring.thickness / delta.int(6)))?;
+    for weight in SelfWeight::ALL {
+        let end = overturning::thickness_at_end(weight, &Surd::new(0, 1, 3));
+        let value = overturning::end_of_rotation(&Ring::new(weight, &end));
+        let words = format!("it vanishes at eta_l{}, {} weight", shown(&end), weight.name());
+        d.equal(words, &value, &end.int(0))?;
+    }
+    Ok(())
+}
+
+fn limit_values(d: &mut Derivation) -> Checked {
     d.assume("h = 0, beta_r -> 0, 0 < eta < 2");
     let cases = [
         (SelfWeight::Heyman, Surd::rational(1, 3), Surd::rational((2, 3), 3)),
@@ -188,7 +206,7 @@ fn limit_values(d: &mut Derivation) -> Proof {
     )
 }
 
-fn physical_limit(d: &mut Derivation) -> Proof {
+fn physical_limit(d: &mut Derivation) -> Checked {
     for (weight, a) in [(SelfWeight::Heyman, (1, 2)), (SelfWeight::Milankovitch, (2, 3))] {
         let ring = Ring::new(weight, &Rational::from(2));
         let opening = overturning::opening_variable(&ring).value();
@@ -197,7 +215,7 @@ fn physical_limit(d: &mut Derivation) -> Proof {
     Ok(())
 }
 
-fn opening_variable_falls(d: &mut Derivation) -> Proof {
+fn opening_variable_falls(d: &mut Derivation) -> Checked {
     let alpha = Symbol::half_opening();
     d.assume("0 < alpha < pi");
     let rules = along_the_opening();
@@ -224,7 +242,7 @@ fn opening_variable_falls(d: &mut Derivation) -> Proof {
     d.equal("alpha sin(alpha) at pi, where sin(alpha) = 0", &end, &Rational::new())
 }
 
-fn shared_opening(d: &mut Derivation) -> Proof {
+fn shared_opening(d: &mut Derivation) -> Checked {
     d.assume("A fixes alpha (alpha-one-to-one)");
     let milankovitch = Ring::new(SelfWeight::Milankovitch, &Rational::from(2));
     let heyman = Ring::new(SelfWeight::Heyman, &Rational::from(1));

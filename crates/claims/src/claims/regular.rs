@@ -1,7 +1,7 @@
 //! The forms in which the curves of the map are regular up to their ends, each against the printed equations.
 
 use super::letters::{ring, variables};
-use super::{Claim, Derivation, Proof, implied, lemmas};
+use super::{Checked, Claim, Derivation, implied, lemmas};
 use crate::arch::haunch::{Haunch, opening_variable_at_half};
 use crate::arch::{cycloid, sliding, statics, thrust};
 use crate::number::{Angle, Field};
@@ -39,7 +39,7 @@ fn inclination() -> Angle<Fraction> {
     Symbol::half_opening()
 }
 
-fn cycloid(d: &mut Derivation) -> Proof {
+fn cycloid(d: &mut Derivation) -> Checked {
     d.assume("0 < chi < pi/2");
     let chi = inclination();
     let (h, beta) = (cycloid::thrust(&chi), cycloid::joint(&chi));
@@ -60,7 +60,7 @@ fn cycloid(d: &mut Derivation) -> Proof {
     )
 }
 
-fn shoulder(d: &mut Derivation) -> Proof {
+fn shoulder(d: &mut Derivation) -> Checked {
     d.assume("0 <= phi < pi/2; beta stands for alpha - phi");
     let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
     let inclination = Symbol::joint();
@@ -82,7 +82,7 @@ fn functions(u: &Fraction) -> [Fraction; 4] {
     [u.int(1) - u.clone() * &c2, u.int(1) - u.clone() * &c3, c2, c3]
 }
 
-fn flat_shoulder(d: &mut Derivation) -> Proof {
+fn flat_shoulder(d: &mut Derivation) -> Checked {
     lemmas(d, [&CYCLOID, &SHOULDER_IN_ANGLES])?;
     d.assume("0 < chi; c_2, c_3 at q² chi² are the letters f, g, and u stands for q");
     let (chi, q) = (inclination(), Symbol::CubeRoot.number());
@@ -107,7 +107,7 @@ fn flat_shoulder(d: &mut Derivation) -> Proof {
     d.identity(words, &at_zero, &root)
 }
 
-fn touching(d: &mut Derivation) -> Proof {
+fn touching(d: &mut Derivation) -> Checked {
     d.assume("0 < beta < pi, 0 < eta < 2");
     let (at, ring) = (variables(), ring());
     let (joint, h) = (&at.rotation_joint, &at.thrust);
@@ -137,7 +137,7 @@ fn touching(d: &mut Derivation) -> Proof {
     )
 }
 
-fn squares(d: &mut Derivation) -> Proof {
+fn squares(d: &mut Derivation) -> Checked {
     d.assume("c_2, c_3 at beta² are the letters f, g: sin(beta) = beta c_1, cos(beta) = c_0");
     let beta = Symbol::Joint.number();
     let c = functions(&beta.square());

@@ -4,7 +4,7 @@ use super::along::{CurveStates, landmark};
 use super::domains::{NO_PURE_SLIDING_BEYOND_B, NO_SHOULDER_SLIDING_BEYOND_T};
 use super::landmarks::{both, certain_if, semicircle, state_of};
 use super::measured::{MeasuredBounds, in_degrees};
-use super::{Claim, Derivation, Proof, Support, claim, lemmas, measured};
+use super::{Checked, Claim, Derivation, Support, claim, lemmas, measured};
 use crate::arch::{SelfWeight, Unknown};
 use crate::certify::{CertifiedLandmark, Undecided};
 use crate::number::{Ball, Decimal, Field, Rounded, arctangent};
@@ -61,7 +61,7 @@ const ROUNDED: &[(Landmark, SelfWeight, Quantity, &[&str])] = {
 };
 
 /// Checks that `text` is the value rounded to its digits.
-fn rounds_to(d: &mut Derivation, words: &str, value: &Ball, text: &str) -> Proof {
+fn rounds_to(d: &mut Derivation, words: &str, value: &Ball, text: &str) -> Checked {
     let printed: Decimal = text.parse().map_err(|e| Undecided::new(format!("{e}")))?;
     let rounded = Rounded::from_ball(value, printed.significant_digits())
         .ok_or_else(|| Undecided::new(format!("the rounding of {words}")))?;
@@ -69,7 +69,7 @@ fn rounds_to(d: &mut Derivation, words: &str, value: &Ball, text: &str) -> Proof
     d.equal(words, &rounded.value.to_rational(), &printed.to_rational())
 }
 
-fn rounded_values(d: &mut Derivation) -> Proof {
+fn rounded_values(d: &mut Derivation) -> Checked {
     for (landmark, weight, quantity, texts) in ROUNDED {
         let point = CertifiedLandmark::new(*landmark, *weight)?;
         let words = format!("{} at {}, {}", quantity.name(), landmark.symbol(), weight.name());
@@ -100,7 +100,7 @@ fn rounded_values(d: &mut Derivation) -> Proof {
     Ok(())
 }
 
-fn nearness(bounds: &mut MeasuredBounds<'_>) -> Proof {
+fn nearness(bounds: &mut MeasuredBounds<'_>) -> Checked {
     for weight in SelfWeight::ALL {
         let shift = landmark(Landmark::Shift, weight)?;
         let junction = landmark(Landmark::Junction, weight)?;
@@ -119,7 +119,7 @@ fn least_friction(
     words: &str,
     friction: &Ball,
     digits: usize,
-) -> Proof {
+) -> Checked {
     bounds.at_most((words, friction, ""), digits)?;
     let degrees = in_degrees(&arctangent(friction));
     bounds.at_most(("its angle", &degrees, "°"), 3)
@@ -131,7 +131,7 @@ fn collapses(
     (alpha, [friction, other]): (&str, [&str; 2]),
     weight: SelfWeight,
     mode: Mode,
-) -> Proof {
+) -> Checked {
     let words = format!(
         "alpha = {alpha}, mu = {friction} gives {}, {} weight",
         mode.label(),
@@ -142,7 +142,7 @@ fn collapses(
     })
 }
 
-fn semicircle_suffices(bounds: &mut MeasuredBounds<'_>) -> Proof {
+fn semicircle_suffices(bounds: &mut MeasuredBounds<'_>) -> Checked {
     let sufficient = [(SelfWeight::Milankovitch, "0.3953"), (SelfWeight::Heyman, "0.3959")];
     for (weight, enough) in sufficient {
         let words = format!("the friction that the shoulder asks for, {} weight", weight.name());
@@ -154,7 +154,7 @@ fn semicircle_suffices(bounds: &mut MeasuredBounds<'_>) -> Proof {
     Ok(())
 }
 
-fn no_shoulder_sliding(bounds: &mut MeasuredBounds<'_>) -> Proof {
+fn no_shoulder_sliding(bounds: &mut MeasuredBounds<'_>) -> Checked {
     lemmas(bounds.d, [&NO_SHOULDER_SLIDING_BEYOND_T])?;
     let (weight, words) = (SelfWeight::Milankovitch, "mu_T, milankovitch weight");
     least_friction(bounds, words, &landmark(Landmark::Triple, weight)?.friction, 5)?;
@@ -163,7 +163,7 @@ fn no_shoulder_sliding(bounds: &mut MeasuredBounds<'_>) -> Proof {
     Ok(())
 }
 
-fn no_pure_sliding(bounds: &mut MeasuredBounds<'_>) -> Proof {
+fn no_pure_sliding(bounds: &mut MeasuredBounds<'_>) -> Checked {
     lemmas(bounds.d, [&NO_PURE_SLIDING_BEYOND_B])?;
     let (weight, words) = (SelfWeight::Milankovitch, "mu_B, milankovitch weight");
     let friction = landmark(Landmark::Border, weight)?.friction;

@@ -9,7 +9,7 @@ use super::curve::{ONE_JOINT_FOR_EACH_THICKNESS, STATES_IN_ORDER, STATES_OF_ONE_
 use super::landmarks::{certain_if, state_of};
 use super::letters::ring;
 use super::states::at_all_states;
-use super::{Claim, Derivation, Proof, Support, claim, lemmas};
+use super::{Checked, Claim, Derivation, Support, claim, lemmas};
 use crate::arch::{Ring, SelfWeight, cubic, overturning, thrust};
 use crate::number::{Angle, Ball, Dual, Field};
 use crate::symbolic::{Fraction, Letters, Polynomial, Symbol, along_the_joint};
@@ -98,7 +98,7 @@ fn widening<T: Field>(joint: &Angle<T>, delta: &T, eta: &T, h: &T) -> T {
     by_thickness * &joint.sin / (intrados * lever * bow(joint, &ring, h))
 }
 
-fn states_of_one_opening(d: &mut Derivation) -> Proof {
+fn states_of_one_opening(d: &mut Derivation) -> Checked {
     lemmas(d, [&ONE_JOINT_FOR_EACH_THICKNESS, &STATES_IN_ORDER, &STATES_OF_ONE_THICKNESS])?;
     d.assume("0 <= delta_M <= 1");
     let (joint, ring) = (Symbol::joint(), ring());
@@ -180,7 +180,7 @@ fn slopes_along(joint: &Ball, delta: &Ball, eta: &Ball) -> WeightSlopes<Dual<Bal
 }
 
 /// The pieces on which the slopes are proved to grow in size along the states, or with the other sign to fall.
-fn growth(sign: i32) -> Proof<usize> {
+fn growth(sign: i32) -> Checked<usize> {
     let range = (Rational::from((1, 2000)), Rational::from((9, 10)));
     at_all_states(&range, &|joint, delta, eta| {
         let WeightSlopes { thickness, thrust, joint, .. } = slopes_along(joint, delta, eta);
@@ -189,12 +189,12 @@ fn growth(sign: i32) -> Proof<usize> {
 }
 
 /// Proves that the differences grow, decided once.
-fn grown() -> Proof<usize> {
-    static DECIDED: OnceLock<Proof<usize>> = OnceLock::new();
+fn grown() -> Checked<usize> {
+    static DECIDED: OnceLock<Checked<usize>> = OnceLock::new();
     DECIDED.get_or_init(|| growth(1)).clone()
 }
 
-fn differences_grow(d: &mut Derivation) -> Proof {
+fn differences_grow(d: &mut Derivation) -> Checked {
     lemmas(d, [&STATES_OF_ONE_OPENING])?;
     let pieces = grown()?;
     let words = "d log/d delta_M of eta, h and beta_r grow in size with eta along the states of any \

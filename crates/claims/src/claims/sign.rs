@@ -5,7 +5,7 @@
 //! with a positive slope, or as one of two whose sum and product are positive. Nothing else makes one.
 
 use super::letters::ring;
-use super::{Derivation, Formula, Proof};
+use super::{Checked, Derivation, Formula};
 use crate::arch::thrust;
 use crate::number::Field;
 use crate::symbolic::{
@@ -110,7 +110,7 @@ impl Positive {
         d: &mut Derivation,
         words: &str,
         value: impl Borrow<Fraction>,
-    ) -> Proof<Self> {
+    ) -> Checked<Self> {
         self.is_under(d, words, value.borrow(), &Relations::none())
     }
 
@@ -120,7 +120,7 @@ impl Positive {
         d: &mut Derivation,
         words: &str,
         value: impl Borrow<Fraction>,
-    ) -> Proof<Self> {
+    ) -> Checked<Self> {
         self.is_under(d, words, value.borrow(), &Relations::trigonometric())
     }
 
@@ -130,7 +130,7 @@ impl Positive {
         words: &str,
         value: &Fraction,
         relations: &Relations,
-    ) -> Proof<Self> {
+    ) -> Checked<Self> {
         self.check(d, format!("{words}: positive"), value, relations)?;
         Ok(Self(Expression::whole(value)))
     }
@@ -141,7 +141,7 @@ impl Positive {
         words: String,
         value: &Fraction,
         relations: &Relations,
-    ) -> Proof {
+    ) -> Checked {
         d.identity_as(words, value, &self.0.value, relations, self.0.formula.clone())
     }
 
@@ -152,7 +152,7 @@ impl Positive {
         words: &str,
         value: &Fraction,
         range: &FromZero<'_>,
-    ) -> Proof<Self> {
+    ) -> Checked<Self> {
         let zero = value.int(0);
         let at_zero =
             |symbol: Symbol| (range.at_zero)(symbol).map_or(symbol.number(), |n| zero.int(n));
@@ -171,7 +171,7 @@ impl Positive {
         values: [&Fraction; 2],
         sum: &Self,
         relations: &Relations,
-    ) -> Proof<[Self; 2]> {
+    ) -> Checked<[Self; 2]> {
         let [a, b] = values;
         self.check(d, format!("the product of {words}: positive"), &(a.clone() * b), relations)?;
         sum.check(d, "their sum: positive, so both are".to_owned(), &(a.clone() + b), relations)?;
@@ -231,12 +231,12 @@ pub(super) struct AngleSigns {
 
 impl AngleSigns {
     /// Signs of the rotational joint.
-    pub(super) fn of_joint(d: &mut Derivation) -> Proof<Self> {
+    pub(super) fn of_joint(d: &mut Derivation) -> Checked<Self> {
         Self::of(d, "beta", [Symbol::Joint, Symbol::Sine, Symbol::Cosine], &along_the_joint())
     }
 
     /// Signs of the half opening.
-    pub(super) fn of_half_opening(d: &mut Derivation) -> Proof<Self> {
+    pub(super) fn of_half_opening(d: &mut Derivation) -> Checked<Self> {
         let letters = [Symbol::HalfOpening, Symbol::SineOfOpening, Symbol::CosineOfOpening];
         Self::of(d, "alpha", letters, &along_the_opening())
     }
@@ -246,7 +246,7 @@ impl AngleSigns {
         name: &str,
         letters: [Symbol; 3],
         rules: &[(Symbol, Polynomial)],
-    ) -> Proof<Self> {
+    ) -> Checked<Self> {
         let [rad, sin, cos] = &letters.map(Symbol::number);
         // Angle and sine begin with zero, the cosine with one.
         let at_zero = |symbol| letters.iter().position(|x| *x == symbol).map(|k| (k == 2).into());
@@ -288,7 +288,7 @@ pub(super) struct RingSigns {
 }
 
 impl RingSigns {
-    pub(super) fn of(d: &mut Derivation) -> Proof<Self> {
+    pub(super) fn of(d: &mut Derivation) -> Checked<Self> {
         let ring = ring();
         let flag = Symbol::Flag.number();
         let [thickness, intrados] =
@@ -308,7 +308,7 @@ impl RingSigns {
     }
 
     /// `2 + eta - (2 - eta) cos(beta)`, the lever arm in (2).
-    pub(super) fn lever_arm(&self, d: &mut Derivation, angle: &AngleSigns) -> Proof<Positive> {
+    pub(super) fn lever_arm(&self, d: &mut Derivation, angle: &AngleSigns) -> Checked<Positive> {
         let arm = Positive::int(2) * &angle.versine + &(self.thickness.clone() * &angle.coversine);
         let lower = thrust::lower(&Symbol::joint(), &ring());
         arm.is(d, "the lever arm in (2)", &lower.denominator)

@@ -1,6 +1,6 @@
 //! Sliding joints: (17) and (18).
 
-use super::{Claim, Derivation, Proof, claim, implied};
+use super::{Checked, Claim, Derivation, claim, implied};
 use crate::arch::{sliding, statics};
 use crate::number::Field;
 use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint, along_the_opening};
@@ -32,7 +32,15 @@ fn forces() -> (Fraction, Fraction) {
     (statics::shear_force(&joint, &thrust), statics::normal_force(&joint, &thrust))
 }
 
-fn shoulder(d: &mut Derivation) -> Proof {
+/// Without thrust an inner joint asks for the cotangent.
+pub(super) fn ratio_without_thrust(d: &mut Derivation) -> Checked {
+    let joint = Symbol::joint();
+    let none = joint.rad.int(0);
+    let ratio = statics::shear_force(&joint, &none) / statics::normal_force(&joint, &none);
+    d.identity("T/N at any joint where h = 0", ratio, joint.cos / joint.sin)
+}
+
+fn shoulder(d: &mut Derivation) -> Checked {
     let (alpha, thrust, friction) =
         (Symbol::half_opening(), Symbol::Thrust.number(), Symbol::Friction.number());
     d.assume("N(alpha) != 0; sin(alpha) - mu cos(alpha) != 0");
@@ -50,7 +58,7 @@ fn shoulder(d: &mut Derivation) -> Proof {
     d.on_circle("mu_ss(h_mu) = mu", &back, &friction)
 }
 
-fn stationary(d: &mut Derivation) -> Proof {
+fn stationary(d: &mut Derivation) -> Checked {
     d.assume("0 < h < 1, 0 <= beta < pi, N > 0 there (it is h at the crown)");
     let (shear, normal) = forces();
     let slope = (shear / &normal).derivative(&along_the_joint());
@@ -61,7 +69,7 @@ fn stationary(d: &mut Derivation) -> Proof {
     d.on_circle(words, &slope, &expected)
 }
 
-fn inner(d: &mut Derivation) -> Proof {
+fn inner(d: &mut Derivation) -> Checked {
     let (joint, thrust) = (Symbol::joint(), Symbol::Thrust.number());
     d.assume("beta^2 = h (1-h), 0 < h < 1; the denominators do not vanish");
     let steepest = &Symbol::Thrust.polynomial() - &Symbol::Thrust.polynomial().power(2);
@@ -75,7 +83,7 @@ fn inner(d: &mut Derivation) -> Proof {
     d.identity_under("it is T/N at beta_s", shear / &normal, &value, &relations)
 }
 
-fn inner_falls(d: &mut Derivation) -> Proof {
+fn inner_falls(d: &mut Derivation) -> Checked {
     d.assume("0 < h < 1; N > 0 at beta_s");
     let (shear, normal) = forces();
     let slope = (shear / &normal).partial(Symbol::Thrust);
@@ -88,7 +96,7 @@ fn inner_falls(d: &mut Derivation) -> Proof {
     d.identity_under(words, &moved, moved.int(0), &relations)
 }
 
-fn no_thickness(d: &mut Derivation) -> Proof {
+fn no_thickness(d: &mut Derivation) -> Checked {
     let (alpha, joint, thrust) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thrust.number());
     let forms = [
         ("(17)", sliding::shoulder(&alpha, &thrust).value()),
@@ -104,7 +112,7 @@ fn no_thickness(d: &mut Derivation) -> Proof {
     Ok(())
 }
 
-fn no_half_opening(d: &mut Derivation) -> Proof {
+fn no_half_opening(d: &mut Derivation) -> Checked {
     let (alpha, joint, thrust) = (Symbol::half_opening(), Symbol::joint(), Symbol::Thrust.number());
     let rules = along_the_opening();
     let inner = sliding::inner(&joint, &thrust).value().derivative(&rules);

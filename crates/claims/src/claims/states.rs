@@ -3,7 +3,7 @@
 //! A thickness and a joint are those of a state where the cubic (7) in `eta`, which grows with `delta_M`, is
 //! not positive for `delta_M = 0` and not negative for `delta_M = 1`.
 
-use super::Proof;
+use super::Checked;
 use crate::arch::cubic;
 use crate::certify::{Undecided, between, cover};
 use crate::number::{Angle, Ball, Enclosure, Field, Real, Ternary};
@@ -47,7 +47,7 @@ fn flags((least, widest): &RationalRange, eta: &Ball) -> Option<Ball> {
 pub(super) fn at_all_states(
     range: &RationalRange,
     values: &dyn Fn(&Ball, &Ball, &Ball) -> Vec<Ball>,
-) -> Proof<usize> {
+) -> Checked<usize> {
     let ((low, high), (first, last)) = (range, joints());
     let at = |x: &Rational| Ball::enclosing(x, BITS);
     cover(low, high, &|eta| (-cubic(&at(&first), 1, eta)).is_positive())?;

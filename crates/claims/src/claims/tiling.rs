@@ -15,11 +15,12 @@ use super::frictions::{
 };
 use super::letters::{ring, variables};
 use super::modes::SEVEN_MODES;
+use super::overturning::end_of_rotation_is_simple;
 use super::uniqueness::{MECHANISM_BOUNDS, ONE_HALF_OPENING, ONE_THICKNESS, THICKER_HAS_ROOM};
-use super::{Claim, Derivation, Proof, claim, implied, lemmas};
+use super::{Checked, Claim, Derivation, claim, implied, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Ring, SelfWeight, contact, overturning, sliding, statics, thrust};
-use crate::number::{Angle, Field, Surd};
+use crate::number::{Angle, Field};
 use crate::problem::Landmark;
 use crate::symbolic::{Letters, Symbol, along_the_joint};
 
@@ -48,7 +49,7 @@ pub(super) const CLAIMS: &[Claim] = &[
     ),
 ];
 
-fn columns(d: &mut Derivation) -> Proof {
+fn columns(d: &mut Derivation) -> Checked {
     d.assume("0 < eta <= 2, 0 < mu < inf");
     lemmas(d, [&ONE_HALF_OPENING, &SEVEN_MODES, &CONTACTS, &THICKER_HAS_ROOM])?;
     lemmas(d, [&SLOPES_OF_FRICTION, &FRICTION_OF_SMALL_THRUST, &STATES_IN_ORDER])?;
@@ -103,23 +104,26 @@ fn columns(d: &mut Derivation) -> Proof {
 }
 
 /// Proves that `beta_s` falls with the friction right of T: `h_s` falls from `h_T` on.
-pub(super) fn thrust_at_triple_is_below_half(d: &mut Derivation, weight: SelfWeight) -> Proof {
+pub(super) fn thrust_at_triple_is_below_half(d: &mut Derivation, weight: SelfWeight) -> Checked {
     let thrust = landmark(Landmark::Triple, weight)?.thrust;
     d.less(format!("h_T < 1/2, {}", weight.name()), [&thrust, &thrust.ratio(1, 2)])
 }
 
 /// By (5) the rotational joint falls as the thickness grows.
-pub(super) fn falls_with_the_thickness(d: &mut Derivation) -> Proof {
-    let (ring, two) = (ring(), Symbol::Thickness.number().int(2));
-    let rest = two.clone() * &ring.centroid_factor / ring.intrados();
-    let slope = rest.partial(Symbol::Thickness);
-    let expected = (two.clone() * &ring.centroid_factor
-        + Symbol::Flag.number() * &ring.thickness * ring.intrados() / two.int(3))
-        / ring.intrados().square();
-    d.identity("2 fac/(2 - eta), by which beta_r falls in (5), grows", &slope, &expected)
+pub(super) fn falls_with_the_thickness(d: &mut Derivation) -> Checked {
+    intrados_factor_grows(d, "2 fac/(2 - eta), by which beta_r falls in (5), grows")
 }
 
-fn rows(d: &mut Derivation) -> Proof {
+/// `2 fac/(2 - eta)` grows with the thickness.
+pub(super) fn intrados_factor_grows(d: &mut Derivation, words: &str) -> Checked {
+    let (ring, delta) = (ring(), Symbol::Flag.number());
+    let factor = delta.int(2) * &ring.centroid_factor;
+    let slope = (factor.clone() / ring.intrados()).partial(Symbol::Thickness);
+    let gain = factor + delta * &ring.thickness * ring.intrados() / ring.thickness.int(3);
+    d.identity(words, slope, gain / ring.intrados().square())
+}
+
+fn rows(d: &mut Derivation) -> Checked {
     d.assume("0 < mu < inf, and the arch stands at a thickness up to 2");
     lemmas(d, [&SEVEN_MODES, &ONE_THICKNESS, &SLOPES_OF_FRICTION, &SLIDING_STATES_IN_ORDER])?;
     lemmas(d, [&FRICTION_FOR_ROTATION_GROWS, &INNER_SLIDING_BEYOND_T])?;
@@ -157,7 +161,7 @@ fn rows(d: &mut Derivation) -> Proof {
     )
 }
 
-fn frictions_beyond_t(d: &mut Derivation) -> Proof {
+fn frictions_beyond_t(d: &mut Derivation) -> Checked {
     lemmas(d, [&ROTATION_MEETS_SLIDING, &FRICTION_OF_SMALL_THRUST])?;
     let alpha = Symbol::half_opening();
     let none = alpha.rad.int(0);
@@ -169,20 +173,14 @@ fn frictions_beyond_t(d: &mut Derivation) -> Proof {
     )
 }
 
-fn overturning_sliding_beyond_l(d: &mut Derivation) -> Proof {
+fn overturning_sliding_beyond_l(d: &mut Derivation) -> Checked {
     d.assume("alpha_l <= alpha < pi, 0 < mu < inf, and the arch stands at a thickness up to 2");
     lemmas(d, [&CONTACTS, &SEVEN_MODES, &STATES_IN_ORDER, &MECHANISM_BOUNDS, &THICKER_HAS_ROOM])?;
     lemmas(d, [&ONE_THICKNESS])?;
     let (joint, h, ring) = (Symbol::joint(), Symbol::Thrust.number(), ring());
     let condition = overturning::end_of_rotation(&ring);
-    let slope = -(h.int(1) + Symbol::Flag.number() * &ring.thickness / h.int(6));
     let words = "the condition behind (16) falls as eta grows";
-    d.identity(words, condition.partial(Symbol::Thickness), &slope)?;
-    for weight in SelfWeight::ALL {
-        let end = overturning::thickness_at_end(weight, &Surd::new(0, 1, 3));
-        let value = overturning::end_of_rotation(&Ring::new(weight, &end));
-        d.equal(format!("it vanishes at eta_l, {} weight", weight.name()), &value, &end.int(0))?;
-    }
+    end_of_rotation_is_simple(d, words, |_| String::new())?;
     let fall = (h.int(1) - joint.times_cotangent() + &h) * ring.intrados() / h.int(2);
     d.on_circle(
         "dL/d beta: positive where that condition is not, as beta cot(beta) < 1 and h > 0",

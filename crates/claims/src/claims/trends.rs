@@ -5,7 +5,7 @@ use super::landmarks::both;
 use super::letters::{ring, with};
 use super::measured::{MeasuredBounds, in_degrees};
 use super::overturning::A_FIXES_ALPHA;
-use super::{Claim, Proof, lemmas, measured};
+use super::{Checked, Claim, lemmas, measured};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::number::{Angle, Ball, Field};
 use crate::problem::Landmark::OverturningEnd;
@@ -29,7 +29,7 @@ fn leverage(alpha: &Ball) -> Ball {
     alpha.versine() / (alpha.rad - alpha.sin)
 }
 
-fn trends_compared(bounds: &mut MeasuredBounds<'_>) -> Proof {
+fn trends_compared(bounds: &mut MeasuredBounds<'_>) -> Checked {
     lemmas(bounds.d, [&A_FIXES_ALPHA])?;
     let ring = ring();
     let (eta, delta) = (&ring.thickness, Symbol::Flag.number());
@@ -89,7 +89,7 @@ fn trends_compared(bounds: &mut MeasuredBounds<'_>) -> Proof {
     Ok(())
 }
 
-fn ranges_compared(bounds: &mut MeasuredBounds<'_>) -> Proof {
+fn ranges_compared(bounds: &mut MeasuredBounds<'_>) -> Checked {
     let mut ends = Vec::new();
     for weight in [SelfWeight::Milankovitch, SelfWeight::Heyman] {
         let end = in_degrees(&landmark(OverturningEnd, weight)?.half_opening.rad);

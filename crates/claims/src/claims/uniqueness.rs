@@ -11,7 +11,7 @@ use super::frictions::{SLIDING_STATES_IN_ORDER, SLOPES_OF_FRICTION};
 use super::letters::{ring, with};
 use super::modes::{SEVEN_MODES, room_of_pure_sliding};
 use super::overturning::A_FIXES_ALPHA;
-use super::{Claim, Derivation, Proof, claim, implied, lemmas};
+use super::{Checked, Claim, Derivation, claim, implied, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{SelfWeight, statics, thrust};
 use crate::number::{Angle, Field};
@@ -66,7 +66,7 @@ fn without_forces(value: &Fraction) -> Fraction {
     with(value, &[Symbol::Thrust, Symbol::CrownMoment], &value.int(0))
 }
 
-fn symmetric_mean(d: &mut Derivation) -> Proof {
+fn symmetric_mean(d: &mut Derivation) -> Checked {
     let (joint, h, v) = (Symbol::joint(), Symbol::Thrust.number(), Symbol::CrownShear.number());
     let two = h.int(2);
     d.assume("a vertical force v in the crown carries v of the weight above each joint");
@@ -87,7 +87,7 @@ fn symmetric_mean(d: &mut Derivation) -> Proof {
     )
 }
 
-fn mechanism_bounds(d: &mut Derivation) -> Proof {
+fn mechanism_bounds(d: &mut Derivation) -> Checked {
     lemmas(d, [&SEVEN_MODES])?;
     let (joint, h) = (Symbol::joint(), Symbol::Thrust.number());
     let p = Symbol::CrownMoment.number();
@@ -116,7 +116,7 @@ fn mechanism_bounds(d: &mut Derivation) -> Proof {
     )
 }
 
-fn thicker_has_room(d: &mut Derivation) -> Proof {
+fn thicker_has_room(d: &mut Derivation) -> Checked {
     d.assume("0 <= beta <= alpha, 0 < eta < 2, 0 <= delta_M <= 1, h > 0");
     lemmas(d, [&DISTANCES_RISE_AND_FALL])?;
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
@@ -157,7 +157,7 @@ fn thicker_has_room(d: &mut Derivation) -> Proof {
     )
 }
 
-fn one_thickness(d: &mut Derivation) -> Proof {
+fn one_thickness(d: &mut Derivation) -> Checked {
     d.assume("0 < mu < inf, 0 < eta <= 2");
     lemmas(d, [&CONTACTS, &MECHANISM_BOUNDS, &THICKER_HAS_ROOM, &LIMIT_STANDS])?;
     lemmas(d, [&SLOPES_OF_FRICTION, &SLIDING_STATES_IN_ORDER])?;
@@ -190,7 +190,7 @@ fn one_thickness(d: &mut Derivation) -> Proof {
 }
 
 /// Thrusts without bound leave room everywhere in their limit.
-fn limit_stands(d: &mut Derivation) -> Proof {
+fn limit_stands(d: &mut Derivation) -> Checked {
     d.assume("0 < mu < inf; the limit has 0 < alpha <= pi, 0 <= eta <= 2");
     lemmas(d, [&A_FIXES_ALPHA, &DISTANCES_RISE_AND_FALL])?;
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
@@ -239,7 +239,7 @@ fn limit_stands(d: &mut Derivation) -> Proof {
     )
 }
 
-fn one_half_opening(d: &mut Derivation) -> Proof {
+fn one_half_opening(d: &mut Derivation) -> Checked {
     lemmas(d, [&LIMIT_STANDS, &CONTACTS, &SEVEN_MODES, &MECHANISM_BOUNDS])?;
     let h = Symbol::Thrust.number();
     let (crown, one) = (Angle::zero(&h), h.int(1));

@@ -1,7 +1,7 @@
 //! Units of `r`, `w` and `h`: (1), and the caption of Fig. 1.
 
 use super::letters::{ring, with};
-use super::{Claim, Derivation, Finding, Proof, claim, found};
+use super::{Checked, Claim, Derivation, Finding, claim, found};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::number::Field;
 use crate::symbolic::{Fraction, Letters, Symbol};
@@ -14,7 +14,7 @@ pub(super) const CLAIMS: &[Claim] = &[
         .states("r is the inner radius of the arch"),
 ];
 
-fn intrinsic_thrust(d: &mut Derivation) -> Proof {
+fn intrinsic_thrust(d: &mut Derivation) -> Checked {
     let [eta, h, radius] = [Symbol::Thickness, Symbol::Thrust, Symbol::Radius].map(Symbol::number);
     let [depth, gamma] = [Symbol::Depth, Symbol::SpecificWeight].map(Symbol::number);
     d.assume("gamma, d, r are not zero");
@@ -48,7 +48,7 @@ fn centroid<T: Field>(ring: &Ring<T>) -> T {
     ring.centroid_factor.clone()
 }
 
-fn inner_radius(d: &mut Derivation) -> Proof<Finding> {
+fn inner_radius(d: &mut Derivation) -> Checked<Finding> {
     let (ring, alpha) = (ring(), Symbol::half_opening());
     let (eta, delta) = (&ring.thickness, Symbol::Flag.number());
     d.assume("eta > 0; lengths in units of r, forces in units of w r");

@@ -3,7 +3,7 @@
 use super::along::landmark;
 use super::curve::STATES_OF_ONE_THICKNESS;
 use super::landmarks::{both, certain_if};
-use super::{Claim, Derivation, Finding, Proof, Support, claim, found, lemmas};
+use super::{Checked, Claim, Derivation, Finding, Support, claim, found, lemmas};
 use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::certify::{CertifiedLandmark, Exact, Undecided};
 use crate::judge::{Comparison, Relation, compare_weights};
@@ -39,12 +39,12 @@ pub(super) const CLAIMS: &[Claim] = &[
 ];
 
 /// The claims of the paper on the two weights, decided once.
-fn comparisons() -> Proof<&'static [Comparison]> {
-    static DECIDED: OnceLock<Proof<Vec<Comparison>>> = OnceLock::new();
+fn comparisons() -> Checked<&'static [Comparison]> {
+    static DECIDED: OnceLock<Checked<Vec<Comparison>>> = OnceLock::new();
     DECIDED.get_or_init(compare_weights).as_deref().map_err(Clone::clone)
 }
 
-fn exact(landmark: Landmark, weight: SelfWeight, quantity: Quantity) -> Proof<Surd> {
+fn exact(landmark: Landmark, weight: SelfWeight, quantity: Quantity) -> Checked<Surd> {
     match CertifiedLandmark::new(landmark, weight)?.exact(quantity) {
         Some(Exact::Surd(value)) => Ok(value),
         _ => Err(Undecided::new(format!("{} at {}", quantity.name(), landmark.symbol()))),
@@ -52,7 +52,7 @@ fn exact(landmark: Landmark, weight: SelfWeight, quantity: Quantity) -> Proof<Su
 }
 
 /// A quantity at T, S, J and B: as claimed, or equal by exact values.
-fn compared(d: &mut Derivation, quantity: Quantity) -> Proof<Finding> {
+fn compared(d: &mut Derivation, quantity: Quantity) -> Checked<Finding> {
     let mut equalities = Vec::new();
     for comparison in comparisons()?.iter().filter(|c| c.quantity == quantity) {
         let landmark = comparison.landmark;
@@ -82,7 +82,7 @@ fn compared(d: &mut Derivation, quantity: Quantity) -> Proof<Finding> {
     }
 }
 
-fn limit_thickness_compared(d: &mut Derivation) -> Proof<Finding> {
+fn limit_thickness_compared(d: &mut Derivation) -> Checked<Finding> {
     let [heyman, milankovitch] = both(|weight| landmark(Landmark::RotationEnd, weight))?;
     d.less("thickness at l is lower", [&milankovitch.thickness, &heyman.thickness])?;
     let ends = [Landmark::OverturningEnd, Landmark::RotationEnd];
@@ -94,7 +94,7 @@ fn limit_thickness_compared(d: &mut Derivation) -> Proof<Finding> {
     Ok(Finding::Equality { at: "thickness at L is 2 for both weights".to_owned() })
 }
 
-fn limits_compared(d: &mut Derivation) -> Proof {
+fn limits_compared(d: &mut Derivation) -> Checked {
     use {Landmark::*, Quantity::*};
     for (point, quantity, higher) in [
         (RotationEnd, Thickness, false),
@@ -116,7 +116,7 @@ fn limits_compared(d: &mut Derivation) -> Proof {
     Ok(())
 }
 
-fn widest_joints_compared(d: &mut Derivation) -> Proof {
+fn widest_joints_compared(d: &mut Derivation) -> Checked {
     lemmas(d, [&STATES_OF_ONE_THICKNESS])?;
     let joint = |weight| landmark(Landmark::WidestJoint, weight).map(|at| at.rotation_joint.rad);
     let [heyman, milankovitch] = both(joint)?;
@@ -125,7 +125,7 @@ fn widest_joints_compared(d: &mut Derivation) -> Proof {
 }
 
 /// The differences at T, S, J, B grow in this order.
-fn most_at_the_border(d: &mut Derivation) -> Proof {
+fn most_at_the_border(d: &mut Derivation) -> Checked {
     use Landmark::{Border, Junction, Shift, Triple};
     type LandmarkReading = fn(&Configuration<Ball>) -> &Ball;
     let variables: [(&str, LandmarkReading); 2] =

@@ -235,22 +235,14 @@ impl CaseStudy<'_> {
             return Vec::new();
         };
         let Some(arch) = arch(*weight, half_opening, friction) else { return Vec::new() };
-        let doubles = |found: Vec<DoubleBall>| Some(found.iter().map(double_ball).collect());
-        let pairs =
-            |found: Vec<DoubleDoubleBall>| Some(found.iter().map(|x| x.to_ball(170)).collect());
+        let doubles = || self.enclosures(&arch.state_in_doubles().ok()?);
+        let pairs = || self.enclosures(&state_in_double_doubles(&arch).ok()?);
+        let of_doubles = |all: Vec<DoubleBall>| Some(all.iter().map(double_ball).collect());
+        let of_pairs =
+            |all: Vec<DoubleDoubleBall>| Some(all.iter().map(|x| x.to_ball(170)).collect());
         let mut rows = vec![
-            self.proved(
-                "certified, balls of doubles",
-                53,
-                || self.enclosures(&arch.state_in_doubles().ok()?),
-                doubles,
-            ),
-            self.proved(
-                "certified, balls of double-doubles",
-                106,
-                || self.enclosures(&state_in_double_doubles(&arch).ok()?),
-                pairs,
-            ),
+            self.proved("certified, balls of doubles", 53, doubles, of_doubles),
+            self.proved("certified, balls of double-doubles", 106, pairs, of_pairs),
         ];
         for &bits in self.effort.bits {
             let digits = (f64::from(bits) * LOG10_2) as usize - 2;

@@ -28,6 +28,11 @@ pub struct Case {
 pub const QUANTITIES: [&str; 7] =
     ["eta-cubic", "A-cubic", "h-cubic", "radicand", "half-opening", "landmark", "state"];
 
+/// A case without a closed form.
+fn case(quantity: &'static str, name: String, problem: Task, start: Vec<f64>) -> Case {
+    Case { quantity, name, problem, start, closed: None }
+}
+
 /// All cases.
 pub fn cases() -> Vec<Case> {
     let mut cases = Vec::new();
@@ -43,46 +48,29 @@ pub fn cases() -> Vec<Case> {
                 ("h-cubic", ClosedForm::Thrust),
             ];
             for (quantity, form) in kinds {
-                let joint = joint.clone();
                 let problem = Task::Cubic { form, weight, joint: joint.clone() };
-                cases.push(Case {
-                    quantity,
-                    name: format!("beta = {joint}, {side}"),
-                    problem,
-                    start: vec![trigonometric(form, branch, &at)],
-                    closed: Some((form, branch, joint)),
-                });
+                let start = vec![trigonometric(form, branch, &at)];
+                let closed = Some((form, branch, joint.clone()));
+                let name = format!("beta = {joint}, {side}");
+                cases.push(Case { closed, ..case(quantity, name, problem, start) });
             }
         }
-        cases.push(Case {
-            quantity: "radicand",
-            name: format!("beta = {joint}"),
-            start: vec![cubic::radicand(&cubic::abbreviations(&at), &1.0)],
-            problem: Task::Radicand { weight, joint: joint.clone() },
-            closed: None,
-        });
+        let start = vec![cubic::radicand(&cubic::abbreviations(&at), &1.0)];
+        let problem = Task::Radicand { weight, joint: joint.clone() };
+        cases.push(case("radicand", format!("beta = {joint}"), problem, start));
     }
     for (a, alpha) in
         [((19, 10), 0.77), ((1, 1), 2.33), ((7, 10), 2.618), ((19_999, 10_000), 0.02449)]
     {
         let a = Rational::from(a);
-        cases.push(Case {
-            quantity: "half-opening",
-            name: format!("A = {a}"),
-            problem: Task::HalfOpening { a },
-            start: vec![alpha],
-            closed: None,
-        });
+        let name = format!("A = {a}");
+        cases.push(case("half-opening", name, Task::HalfOpening { a }, vec![alpha]));
     }
     for landmark in Landmark::ALL {
         for weight in SelfWeight::ALL {
-            cases.push(Case {
-                quantity: "landmark",
-                name: format!("{} {}", landmark.symbol(), weight.name()),
-                problem: Task::Landmark { weight, landmark },
-                start: start::landmark(landmark, weight).to_vec(),
-                closed: None,
-            });
+            let name = format!("{} {}", landmark.symbol(), weight.name());
+            let start = start::landmark(landmark, weight).to_vec();
+            cases.push(case("landmark", name, Task::Landmark { weight, landmark }, start));
         }
     }
     cases.extend(states());
@@ -106,13 +94,9 @@ fn states() -> Vec<Case> {
         // Nobody starts at the solution.
         let start = |&unknown| Some(state.value(unknown)?.mid().to_f64() * 1.001);
         let start: Option<_> = mode.system(weight).unknowns.iter().map(start).collect();
-        (state.mode == mode).then_some(Case {
-            quantity: "state",
-            name: format!("{} alpha = {half_opening}, mu = {friction}", mode.label()),
-            start: start?,
-            problem: Task::State { weight, mode, half_opening, friction },
-            closed: None,
-        })
+        let name = format!("{} alpha = {half_opening}, mu = {friction}", mode.label());
+        let problem = Task::State { weight, mode, half_opening, friction };
+        (state.mode == mode).then_some(case("state", name, problem, start?))
     });
     cases.collect()
 }

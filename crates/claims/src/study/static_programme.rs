@@ -81,6 +81,15 @@ fn margin(weight: SelfWeight, alpha: f64, eta: f64, (low, high): (f64, f64), joi
     fx.max(fy).max(value(low)).max(value(high))
 }
 
+/// The last number found, from `inside` towards `outside`, at which something holds.
+fn bisected(steps: usize, mut inside: f64, mut outside: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    for _ in 0..steps {
+        let middle = 0.5 * (inside + outside);
+        if holds(middle) { inside = middle } else { outside = middle }
+    }
+    inside
+}
+
 /// The admissible thrusts of a given thickness `eta`, half opening `alpha` (rad) and friction `mu`: where
 /// the margin is not negative at each of `joints` equidistant joints and the crown. `None` if there are
 /// none; good to about 1e-9 beside what the number of joints makes of it.
@@ -101,15 +110,12 @@ pub fn thrust_range(
     if value(a) < 0.0 {
         return None;
     }
-    let edge = |mut inside: f64, mut outside: f64| {
+    let edge = |inside, outside| {
         if value(outside) >= 0.0 {
-            return outside;
+            outside
+        } else {
+            bisected(60, inside, outside, |h| value(h) >= 0.0)
         }
-        for _ in 0..60 {
-            let middle = 0.5 * (inside + outside);
-            if value(middle) >= 0.0 { inside = middle } else { outside = middle }
-        }
-        inside
     };
     Some((edge(a, low), edge(a, high)))
 }
@@ -118,14 +124,5 @@ pub fn thrust_range(
 /// the whole half arch, up to the rounding of doubles. Infinite where friction allows no thrust.
 pub fn least_thickness(weight: SelfWeight, alpha: f64, mu: f64, joints: usize) -> f64 {
     let Some(range) = thrusts(alpha, mu, joints) else { return f64::INFINITY };
-    let (mut low, mut high) = (0.0, 2.0);
-    for _ in 0..40 {
-        let middle = 0.5 * (low + high);
-        if margin(weight, alpha, middle, range, joints) < 0.0 {
-            low = middle
-        } else {
-            high = middle
-        }
-    }
-    low
+    bisected(40, 0.0, 2.0, |eta| margin(weight, alpha, eta, range, joints) < 0.0)
 }
