@@ -119,11 +119,7 @@ impl CurveStates {
 
     /// The half opening and the thrust as functions of a parameter with the slopes given.
     fn moving(&self, alpha: Ball, thrust: Ball) -> (Angle<Dual<Ball>>, Dual<Ball>) {
-        let Angle { rad, sin, cos } = self.alpha.clone();
-        let dual = |value: Ball, slope| Dual::with_derivative(value, 0, slope);
-        let (up, down) = (cos.clone() * &alpha, -(sin.clone() * &alpha));
-        let opening = Angle { rad: dual(rad, alpha), sin: dual(sin, up), cos: dual(cos, down) };
-        (opening, dual(self.thrust.clone(), thrust))
+        (moving(self.alpha.clone(), &alpha), Dual::with_derivative(self.thrust.clone(), 0, thrust))
     }
 
     /// Along rotation, `d/d eta` of the friction of the shoulder less that of an inner joint.
@@ -154,6 +150,22 @@ impl CurveStates {
         let (alpha, thrust) = self.moving(alpha.int(1), -(by_alpha / by_thrust));
         value(&alpha, &thrust).derivative(0)
     }
+}
+
+/// An angle as a function of a parameter, of which it has this slope.
+pub(super) fn moving(angle: Angle<Ball>, slope: &Ball) -> Angle<Dual<Ball>> {
+    let dual = |value, slope| Dual::with_derivative(value, 0, slope);
+    let Angle { rad, sin, cos } = angle;
+    let (up, down) = (cos.clone() * slope, -(sin.clone() * slope));
+    Angle { rad: dual(rad, slope.clone()), sin: dual(sin, up), cos: dual(cos, down) }
+}
+
+/// Tells whether `holds` is proved on all purely sliding states of a range.
+pub(super) fn on_sliding(
+    range: (&Rational, &Rational),
+    holds: impl Fn(&CurveStates) -> Ternary,
+) -> Checked<Ternary> {
+    on_parts(range, &CurveStates::sliding, &holds)
 }
 
 /// Tells whether `holds` is proved on `[low, high]`, where it is asked with the states at the ends of a range

@@ -8,7 +8,7 @@
 //!
 //! where `a` and `c` do not depend on the weight.
 
-use super::along::{CurveStates, around, below, landmark, on_parts};
+use super::along::{CurveStates, around, below, landmark, on_sliding};
 use super::map_of_weights::{LINES_RISE, WHERE_THE_SHOULDER_TURNS};
 use super::measured::MeasuredBounds;
 use super::{Checked, Claim, Derivation, Support, claim, lemmas, measured};
@@ -98,7 +98,7 @@ fn divide_deviates(d: &mut Derivation) -> Checked {
         let words = format!("d mu/d eta is {side} on the divide, alpha in [{first}, {last}]");
         let words = format!("{words}, {} weight", weight.name());
         d.certain(Support::Balls, words, bounds, |bound| {
-            on_parts((&first, &last), &CurveStates::sliding, &|all| holds(all, bound))
+            on_sliding((&first, &last), |all| holds(all, bound))
         })?;
     }
     d.conclude(

@@ -17,6 +17,10 @@ use super::cubics::letters;
 use super::curve::{STATES_IN_ORDER, TWO_THICKNESSES_FOR_EACH_JOINT};
 use super::landmarks::certain_if;
 use super::{Checked, Claim, Derivation, Support, claim, implied, lemmas};
+use crate::arch::closed_form::{
+    opening_cube, opening_product, opening_root_factor, thickness_cube, thickness_product,
+    thrust_cube, thrust_product,
+};
 use crate::arch::cubic::Abbreviations;
 use crate::arch::{Ring, SelfWeight, closed_form, cubic, overturning};
 use crate::certify::between;
@@ -83,22 +87,23 @@ fn solves(
 }
 
 fn opening_root(d: &mut Derivation) -> Checked {
-    let cube: Cube = closed_form::opening_cube;
-    solves(d, ("u³, half the bracket", cube, "S, 3g - 2S and u are not zero"), |at, u, k| {
-        cubic::in_opening_variable(at, &k.int(1), &closed_form::opening_variable(at, u, k))
-    })
+    solves(
+        d,
+        ("u³, half the bracket", opening_cube, "S, 3g - 2S and u are not zero"),
+        |at, u, k| {
+            cubic::in_opening_variable(at, &k.int(1), &closed_form::opening_variable(at, u, k))
+        },
+    )
 }
 
 fn thickness_root(d: &mut Derivation) -> Checked {
-    let cube: Cube = closed_form::thickness_cube;
-    solves(d, ("u³, the bracket", cube, "S and u are not zero"), |at, u, k| {
+    solves(d, ("u³, the bracket", thickness_cube, "S and u are not zero"), |at, u, k| {
         cubic::in_thickness(at, &k.int(1), &closed_form::thickness(at, u, k))
     })
 }
 
 fn thrust_root(d: &mut Derivation) -> Checked {
-    let cube: Cube = closed_form::thrust_cube;
-    solves(d, ("u³, the bracket", cube, "S and u are not zero"), |at, u, k| {
+    solves(d, ("u³, the bracket", thrust_cube, "S and u are not zero"), |at, u, k| {
         cubic::in_thrust(at, &k.int(1), &closed_form::thrust(at, u, k))
     })
 }
@@ -182,26 +187,11 @@ fn signs_of_the_branches(d: &mut Derivation) -> Checked {
 
     let at = letters();
     let (q, no_root) = (Symbol::SquareRoot.number(), at.sin.int(0));
-    let relations = relations(&closed_form::thickness_cube(&at, &q));
+    let relations = relations(&thickness_cube(&at, &q));
     let forms: [(&str, Cube, Fraction, Fraction); 3] = [
-        (
-            "(9)",
-            closed_form::opening_cube,
-            closed_form::opening_product(&at),
-            closed_form::opening_root_factor(&at) / at.sin.int(2),
-        ),
-        (
-            "(10)",
-            closed_form::thickness_cube,
-            closed_form::thickness_product(&at),
-            at.sin.int(2) * &at.sin,
-        ),
-        (
-            "(11)",
-            closed_form::thrust_cube,
-            closed_form::thrust_product(&at),
-            at.sin.int(3) * (at.g.clone() - &at.f),
-        ),
+        ("(9)", opening_cube, opening_product(&at), opening_root_factor(&at) / at.sin.int(2)),
+        ("(10)", thickness_cube, thickness_product(&at), at.sin.int(2) * &at.sin),
+        ("(11)", thrust_cube, thrust_product(&at), at.sin.int(3) * (at.g.clone() - &at.f)),
     ];
     for (name, cube, product, _) in &forms {
         let norm = cube(&at, &q) * cube(&at, &-q.clone());
@@ -218,7 +208,7 @@ fn signs_of_the_branches(d: &mut Derivation) -> Checked {
     let positive =
         excess.int(3) * &excess + joint.sin.int(3) * &joint.sin * &joint.cos + &joint.sin;
     let words = "3g - 2S, a sum of positive parts for beta < pi/2";
-    d.identity(words, closed_form::opening_root_factor(&wide), &positive)?;
+    d.identity(words, opening_root_factor(&wide), &positive)?;
     d.identity("g - f, a product of positive factors", wide.g - &wide.f, excess * joint.versine())?;
     widest_joint_is_below_a_right_angle(d)?;
     d.conclude(

@@ -64,13 +64,14 @@ pub(super) const STATES_OF_ONE_THICKNESS: Claim =
 const WIDEST_JOINT: Claim = claim("curve-widest", "Sec. 2.1", widest_joint)
     .states("beta_r(alpha) is stationary where (12) vanishes, and widest there");
 
+/// The cubic (7) in `eta`.
+pub(super) fn cubic_of<T: Field>(joint: &Angle<T>, delta: &T, eta: &T) -> T {
+    cubic::in_thickness(&cubic::abbreviations(joint), delta, eta)
+}
+
 /// The cubic (7) in `eta`, with `beta`, `S`, `C`, `delta_M` as letters.
 fn cubic_in_thickness() -> Fraction {
-    cubic::in_thickness(
-        &cubic::abbreviations(&Symbol::joint()),
-        &Symbol::Flag.number(),
-        &Symbol::Thickness.number(),
-    )
+    cubic_of(&Symbol::joint(), &Symbol::Flag.number(), &Symbol::Thickness.number())
 }
 
 fn one_joint_for_each_thickness(d: &mut Derivation) -> Checked {
@@ -88,12 +89,12 @@ fn one_joint_for_each_thickness(d: &mut Derivation) -> Checked {
     let crown = Angle { rad: p.int(1), sin: p.int(1), cos: p.int(1) };
     let at_crown = (delta.clone() * eta.square() + eta.int(12) * eta - eta.int(12)) * eta;
     let words = "p/beta in the limit beta -> 0, where S/beta and C are 1";
-    d.identity(words, cubic::in_thickness(&cubic::abbreviations(&crown), &delta, eta), &at_crown)?;
+    d.identity(words, cubic_of(&crown, &delta, eta), &at_crown)?;
     let flat = Angle { rad: joint.rad.clone(), sin: p.int(0), cos: p.int(-1) };
     (Positive::int(12) * &signs.intrados * &angle.rad).is(
         d,
         "p at beta = pi, where S = 0 and C = -1",
-        cubic::in_thickness(&cubic::abbreviations(&flat), &delta, eta),
+        cubic_of(&flat, &delta, eta),
     )?;
     (signs.flag.clone() * &signs.thickness * &Positive::int(2) + &Positive::int(12)).is(
         d,
@@ -117,7 +118,7 @@ fn two_thicknesses_for_each_joint(d: &mut Derivation) -> Checked {
     let joint = Symbol::joint();
     let (angle, signs) = (AngleSigns::of_joint(d)?, RingSigns::of(d)?);
     let (p, delta) = (cubic_in_thickness(), Symbol::Flag.number());
-    let at = |eta: i32| cubic::in_thickness(&cubic::abbreviations(&joint), &delta, &p.int(eta));
+    let at = |eta: i32| cubic_of(&joint, &delta, &p.int(eta));
     let thin = Positive::int(12) * &angle.excess * &angle.versine;
     thin.is(d, "p at eta = 0", at(0))?;
     let thick = Positive::int(8) * &angle.sin * &(signs.flag.clone() + &Positive::int(3));
@@ -220,7 +221,7 @@ fn states_of_one_thickness(d: &mut Derivation) -> Checked {
     let at_right_angle = |eta: &Ball| {
         let half = eta.pi() / eta.int(2);
         let right = Angle { rad: half, sin: eta.int(1), cos: eta.int(0) };
-        cubic::in_thickness(&cubic::abbreviations(&right), &eta.int(0), eta)
+        cubic_of(&right, &eta.int(0), eta)
     };
     let range = (&Rational::new(), &Rational::from(2));
     d.positive("p at beta = pi/2 with delta_M = 0, in eta,", range, at_right_angle)?;

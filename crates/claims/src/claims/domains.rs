@@ -4,7 +4,7 @@
 //! state with a hinge at the shoulder has at least the thrust of rotation, and one that slides there has
 //! at most the half opening of rotation.
 
-use super::along::{CurveStates, around, below, landmark, on_all, on_parts};
+use super::along::{CurveStates, around, below, landmark, on_all, on_sliding};
 use super::contacts::DISTANCES_RISE_AND_FALL;
 use super::curve::STATES_IN_ORDER;
 use super::frictions::{
@@ -199,7 +199,7 @@ fn only_beyond(d: &mut Derivation, haunch: HaunchPlace, end: Landmark) -> Checke
         let further = beyond.clone() + Rational::from((1, 100));
         let words = format!("U at the shoulder, along sliding from {start} to {before}, {name}");
         d.certain(Support::Balls, words, [(&start, &before), (&beyond, &further)], |range| {
-            on_parts(range, &CurveStates::sliding, &|all| shoulder(all).is_positive())
+            on_sliding(range, |all| shoulder(all).is_positive())
         })?;
         // At three, beyond the shoulder, there is no room.
         let words = format!("U at the crown, along sliding from {start} to {beyond}, {name}");
@@ -208,7 +208,7 @@ fn only_beyond(d: &mut Derivation, haunch: HaunchPlace, end: Landmark) -> Checke
                 haunch.room(weight, &Angle::new(at.thrust.int(joint)), &at.thrust)
             };
             let range = (&start, &beyond);
-            on_parts(range, &CurveStates::sliding, &|all| room(all).is_positive())
+            on_sliding(range, |all| room(all).is_positive())
         })?;
         let all = sliding(&before)?.up_to(&sliding(&beyond)?);
         let slope = all.slope_along_sliding(|alpha, h| haunch.room(weight, alpha, h));
@@ -289,7 +289,7 @@ fn pure_sliding_ends_at_b(d: &mut Derivation) -> Checked {
         let words = format!("n is above the bound from {first} to {before}, {name}");
         d.certain(Support::Balls, words, ranges, |range| {
             let above = |all: &CurveStates| bound.is_less_than(&largest(&all.alpha, &all.thrust));
-            on_parts(range, &CurveStates::sliding, &above)
+            on_sliding(range, above)
         })?;
         let words = format!("n is below the bound from {beyond} to {last}, {name}");
         d.certain(Support::Balls, words, [ranges[1], ranges[0]], |range| {

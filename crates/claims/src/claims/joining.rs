@@ -1,10 +1,11 @@
 //! Junction of the rotational and the overturning branch at `l`.
 
 use super::asymptotics::check_states;
+use super::overturning::opening_at;
 use super::{Checked, Claim, Derivation, claim};
-use crate::arch::{Ring, SelfWeight, overturning};
+use crate::arch::{SelfWeight, overturning};
 use crate::certify::Undecided;
-use crate::number::{ExactField, Field, Surd};
+use crate::number::{Field, Surd};
 use crate::solve::expansion::{AboutEnd, about_end};
 use crate::symbolic::Series;
 
@@ -36,8 +37,8 @@ fn joining(d: &mut Derivation, weight: SelfWeight, slope: &Surd) -> Checked {
     let AboutEnd { joint_squared, thickness: rotation, thrust, overturning_thickness: overturned } =
         about_end(weight, thickness, TERMS)
             .ok_or_else(|| Undecided::new("the series about l do not settle"))?;
-    let a_at_end = overturning::opening_variable(&Ring::new(weight, thickness)).value();
-    d.equal("A_l", &overturned_opening(weight, &overturned).coefficient(0), &a_at_end)?;
+    let a_at_end = opening_at(weight, thickness);
+    d.equal("A_l", &opening_at(weight, &overturned).coefficient(0), &a_at_end)?;
 
     d.series("u", &joint_squared, "x");
     d.series("eta, rotation", &rotation, "x");
@@ -46,7 +47,7 @@ fn joining(d: &mut Derivation, weight: SelfWeight, slope: &Surd) -> Checked {
     let x = Series::variable(thickness, rotation.length());
     let a = Series::new(thickness, vec![a_at_end.clone()], rotation.length()) + &x;
     check_states(d, weight, [&joint_squared, &rotation, &thrust], &a)?;
-    let rest = overturned_opening(weight, &overturned) - &a;
+    let rest = opening_at(weight, &overturned) - &a;
     d.vanishes("(13) on the side of overturning", &rest)?;
 
     let zero = thickness.int(0);
@@ -68,9 +69,4 @@ fn joining(d: &mut Derivation, weight: SelfWeight, slope: &Surd) -> Checked {
         &zero,
     )?;
     d.conclude("dA/d alpha is not zero at alpha_l (alpha-one-to-one), so that in alpha, too, the slopes agree and the curvatures differ")
-}
-
-/// `A` of (13) at a thickness given as a series.
-fn overturned_opening<T: ExactField>(weight: SelfWeight, eta: &Series<T>) -> Series<T> {
-    overturning::opening_variable(&Ring::new(weight, eta)).value()
 }

@@ -1,6 +1,6 @@
 //! The two self-weights compared on the map: at one half opening and friction, and along the dividing lines.
 
-use super::along::{CurveStates, around, landmark, on_parts};
+use super::along::{around, landmark, on_sliding};
 use super::contacts::cotangent_falls;
 use super::curve::{STATES_IN_ORDER, STATES_OF_ONE_THICKNESS};
 use super::frictions::{FRICTION_FOR_ROTATION_GROWS, SLIDING_STATES_IN_ORDER, SLOPES_OF_FRICTION};
@@ -203,7 +203,7 @@ fn lines_rise(d: &mut Derivation) -> Checked {
     let any_ring = Ring { thickness: range((0, 2), 1), centroid_factor: range((3, 4), 3) };
     let any_joint = Angle::new(range((0, 8), 5));
     let falls = |range| {
-        on_parts(range, &CurveStates::sliding, &|all| {
+        on_sliding(range, |all| {
             let slope = all.slope_along_sliding(|alpha, h| {
                 let constant = |x: &Ball| Dual::constant(x.clone());
                 let ring = Ring {

@@ -57,14 +57,19 @@ fn without_thrust(d: &mut Derivation) -> Checked {
     d.identity("(3) at h = 0 and beta = 0 too", &third, &difference)
 }
 
+/// `A` of (13) at a thickness.
+pub(super) fn opening_at<T: Field>(weight: SelfWeight, eta: &T) -> T {
+    overturning::opening_variable(&Ring::new(weight, eta)).value()
+}
+
 fn heyman(d: &mut Derivation) -> Checked {
     d.assume("2 + eta != 0, A != 0");
     let (eta, a) = (Symbol::Thickness.number(), Symbol::OpeningVariable.number());
-    let value = overturning::opening_variable(&Ring::new(SelfWeight::Heyman, &eta)).value();
+    let value = opening_at(SelfWeight::Heyman, &eta);
     let printed = eta.int(2) / (eta.int(2) + &eta);
     d.identity("A(eta)", &value, &printed)?;
     let inverse = (a.int(1) / &a - a.int(1)) * a.int(2);
-    let back = overturning::opening_variable(&Ring::new(SelfWeight::Heyman, &inverse)).value();
+    let back = opening_at(SelfWeight::Heyman, &inverse);
     d.identity("A(eta(A)) = A, with eta(A) = 2 (1/A - 1)", &back, &a)?;
     let forth = value.evaluate(&eta, |_| eta.clone());
     let both = with(&inverse, &[Symbol::OpeningVariable], &forth);
@@ -102,10 +107,7 @@ fn milankovitch_branch(d: &mut Derivation) -> Checked {
     let expected = (eta.clone() - eta.int(2)) * (eta.clone() + eta.int(6))
         / (ring.extrados().square() * eta.int(6));
     d.identity("dA/d eta, negative on 0 <= eta < 2", &slope, &expected)?;
-    let at = |n: i32| {
-        let ring = Ring::new(SelfWeight::Milankovitch, &Rational::from(n));
-        overturning::opening_variable(&ring).value()
-    };
+    let at = |n: i32| opening_at(SelfWeight::Milankovitch, &Rational::from(n));
     d.equal("A at eta = 0", &at(0), &Rational::from(1))?;
     d.equal("A at eta = 2", &at(2), &Rational::from((2, 3)))?;
     let factors = (a.int(3) * &a - a.int(2)) * (a.clone() + a.int(2)) * a.int(3);
@@ -192,8 +194,7 @@ fn limit_values(d: &mut Derivation) -> Checked {
         let name = weight.name();
         let rest = overturning::end_of_rotation(&ring);
         d.equal(format!("{name}: (16) corrected at eta = {eta}"), &rest, &eta.int(0))?;
-        let opening = overturning::opening_variable(&ring).value();
-        d.equal(format!("{name}: A by (13)"), &opening, &a)?;
+        d.equal(format!("{name}: A by (13)"), &opening_at(weight, &eta), &a)?;
     }
     let eta = Symbol::Thickness.number();
     let residual =
@@ -208,8 +209,7 @@ fn limit_values(d: &mut Derivation) -> Checked {
 
 fn physical_limit(d: &mut Derivation) -> Checked {
     for (weight, a) in [(SelfWeight::Heyman, (1, 2)), (SelfWeight::Milankovitch, (2, 3))] {
-        let ring = Ring::new(weight, &Rational::from(2));
-        let opening = overturning::opening_variable(&ring).value();
+        let opening = opening_at(weight, &Rational::from(2));
         d.equal(format!("{}: A by (13) at eta = 2", weight.name()), &opening, &Rational::from(a))?;
     }
     Ok(())
@@ -244,10 +244,10 @@ fn opening_variable_falls(d: &mut Derivation) -> Checked {
 
 fn shared_opening(d: &mut Derivation) -> Checked {
     d.assume("A fixes alpha (alpha-one-to-one)");
-    let milankovitch = Ring::new(SelfWeight::Milankovitch, &Rational::from(2));
-    let heyman = Ring::new(SelfWeight::Heyman, &Rational::from(1));
-    let a = |ring: &Ring<Rational>| overturning::opening_variable(ring).value();
-    d.equal("A_L of Milankovitch's weight and A_l of Heyman's", &a(&milankovitch), &a(&heyman))?;
-    let rest = overturning::end_of_rotation(&heyman);
+    let [one, two] = [1, 2].map(Rational::from);
+    let (last, end) =
+        (opening_at(SelfWeight::Milankovitch, &two), opening_at(SelfWeight::Heyman, &one));
+    d.equal("A_L of Milankovitch's weight and A_l of Heyman's", &last, &end)?;
+    let rest = overturning::end_of_rotation(&Ring::new(SelfWeight::Heyman, &one));
     d.equal("eta = 1 is Heyman's eta_l", &rest, &Rational::new())
 }

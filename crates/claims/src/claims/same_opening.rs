@@ -5,12 +5,15 @@
 //! With `A = h_L + 2 fac/(2 + eta)` kept, and `h_L` stationary in the joint, the slopes are quotients of
 //! sums whose terms have one sign each.
 
-use super::curve::{ONE_JOINT_FOR_EACH_THICKNESS, STATES_IN_ORDER, STATES_OF_ONE_THICKNESS};
+use super::along::moving;
+use super::curve::{
+    ONE_JOINT_FOR_EACH_THICKNESS, STATES_IN_ORDER, STATES_OF_ONE_THICKNESS, cubic_of,
+};
 use super::landmarks::{certain_if, state_of};
 use super::letters::ring;
 use super::states::at_all_states;
 use super::{Checked, Claim, Derivation, Support, claim, lemmas};
-use crate::arch::{Ring, SelfWeight, cubic, overturning, thrust};
+use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::number::{Angle, Ball, Dual, Field};
 use crate::symbolic::{Fraction, Letters, Polynomial, Symbol, along_the_joint};
 use rug::Rational;
@@ -124,7 +127,7 @@ fn states_of_one_opening(d: &mut Derivation) -> Checked {
     let words = "dh/d delta_M there: negative, a sum of terms of one sign";
     d.on_circle(words, -moved, lower.value() * &slopes.thrust)?;
     // p = 0 is kept too. On the curve the slope of p is that of what p is a multiple of.
-    let p = cubic::in_thickness(&cubic::abbreviations(&joint), &delta, eta);
+    let p = cubic_of(&joint, &delta, eta);
     let multiple = lower.denominator * ring.intrados();
     let over = multiple.partial(Symbol::Thickness) / &multiple;
     let slope = p.partial(Symbol::Thickness) - p.clone() * over;
@@ -168,11 +171,8 @@ fn slopes_along(joint: &Ball, delta: &Ball, eta: &Ball) -> WeightSlopes<Dual<Bal
     let ring = Ring::with_flag(delta, eta);
     let h = thrust::touching(&angle.versine(), &excess, &ring).value();
     let slope = widening(&angle, delta, eta, &h);
-    let dual = |value, slope| Dual::with_derivative(value, 0, slope);
-    let Angle { rad, sin, cos } = angle;
-    let (up, down) = (cos.clone() * &slope, -(sin.clone() * &slope));
-    let excess = dual(excess, slope_of_excess * &slope);
-    let joint = Angle { rad: dual(rad, slope), sin: dual(sin, up), cos: dual(cos, down) };
+    let joint = moving(angle, &slope);
+    let excess = Dual::with_derivative(excess, 0, slope_of_excess * slope);
     let (delta, eta) = (Dual::constant(delta.clone()), Dual::variable(eta.clone(), 0));
     let ring = Ring::with_flag(&delta, &eta);
     let h = thrust::touching(&joint.versine(), &excess, &ring).value();

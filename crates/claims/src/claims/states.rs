@@ -4,7 +4,7 @@
 //! not positive for `delta_M = 0` and not negative for `delta_M = 1`.
 
 use super::Checked;
-use crate::arch::cubic;
+use super::curve::cubic_of;
 use crate::certify::{Undecided, between, cover};
 use crate::number::{Angle, Ball, Enclosure, Field, Real, Ternary};
 use rug::{Float, Rational};
@@ -24,8 +24,7 @@ fn joints() -> RationalRange {
 
 /// The cubic (7) in `eta`.
 fn cubic(joint: &Ball, delta: i32, eta: &Ball) -> Ball {
-    let joint = Angle::new(joint.clone());
-    cubic::in_thickness(&cubic::abbreviations(&joint), &eta.int(delta), eta)
+    cubic_of(&Angle::new(joint.clone()), &eta.int(delta), eta)
 }
 
 /// The `delta_M` between 0 and 1 with states in a range of joints, at some of the thicknesses; none if there

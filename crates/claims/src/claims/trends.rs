@@ -4,9 +4,9 @@ use super::along::landmark;
 use super::landmarks::both;
 use super::letters::{ring, with};
 use super::measured::{MeasuredBounds, in_degrees};
-use super::overturning::A_FIXES_ALPHA;
+use super::overturning::{A_FIXES_ALPHA, opening_at};
 use super::{Checked, Claim, lemmas, measured};
-use crate::arch::{Ring, SelfWeight, overturning, thrust};
+use crate::arch::{SelfWeight, overturning, thrust};
 use crate::number::{Angle, Ball, Field};
 use crate::problem::Landmark::OverturningEnd;
 use crate::symbolic::{Letters, Symbol};
@@ -42,8 +42,7 @@ fn trends_compared(bounds: &mut MeasuredBounds<'_>) -> Checked {
     let slope = -(fall / (eta.int(6) * ring.extrados().square()));
     bounds.d.identity("dA/d eta", opening.partial(Symbol::Thickness), &slope)?;
     let two = Rational::from(2);
-    let a = |weight| overturning::opening_variable(&Ring::new(weight, &two)).value();
-    let [heyman_end, milankovitch_end] = SelfWeight::ALL.map(a);
+    let [heyman_end, milankovitch_end] = SelfWeight::ALL.map(|weight| opening_at(weight, &two));
     let largest = Rational::from(&milankovitch_end - &heyman_end);
     bounds.d.equal("the largest difference in A, at eta = 2", &largest, &Rational::from((1, 6)))?;
     // alpha falls with A; on 1 <= eta <= 2 all of it lies between 5/2 and 14/5.
@@ -51,7 +50,7 @@ fn trends_compared(bounds: &mut MeasuredBounds<'_>) -> Checked {
     for (bound, eta, weight, is_above) in
         [(&low, 1, SelfWeight::Milankovitch, true), (&high, 2, SelfWeight::Heyman, false)]
     {
-        let a = overturning::opening_variable(&Ring::new(weight, &bound.int(eta))).value();
+        let a = opening_at(weight, &bound.int(eta));
         let at_bound = thrust::opening_variable(&Angle::new(bound.clone())).value();
         let (side, order) = match is_above {
             true => ("above 5/2", [&a, &at_bound]),
@@ -80,9 +79,9 @@ fn trends_compared(bounds: &mut MeasuredBounds<'_>) -> Checked {
     let words = "alpha, at the same eta between 1 and 2";
     bounds.at_most((words, &difference, ""), 3)?;
     bounds.at_most(("in degrees", &degrees, "°"), 3)?;
-    let ring = Ring::new(SelfWeight::Heyman, &Rational::from(1));
+    let thinner = opening_at(SelfWeight::Heyman, &Rational::from(1));
     let words = "A at eta = 1 with Heyman's weight is A_L with Milankovitch's, where eta = 2";
-    bounds.d.equal(words, &overturning::opening_variable(&ring).value(), &milankovitch_end)?;
+    bounds.d.equal(words, &thinner, &milankovitch_end)?;
     bounds.fails(
         "eta at the same half opening: 2 and 1 at alpha_L, the only one where both overturn",
     );

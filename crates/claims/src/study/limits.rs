@@ -1,8 +1,7 @@
 //! The limits of the problem, and the problem at each distance from them.
 
-use super::target::{LimitTarget, arch, before, rotational};
+use super::target::{LimitTarget, before, reference, rotational, state_target};
 use crate::arch::Unknown;
-use crate::certify::state::{Certify, Outcome};
 use crate::problem::{Landmark, Mode};
 use rug::{Float, Rational};
 
@@ -59,12 +58,8 @@ pub const LIMITS: [StudyLimit; 8] = [
     limit("eta-to-two", "thickness", |x| Some(LimitTarget::Overturning { distance: x.clone() }))
         .told("overturning at A above 2/3: the square root in (15) tends to 0"),
     limit("mu-to-infinity", "thrust", |x| {
-        Some(LimitTarget::State {
-            mode: Mode::OverturningSliding,
-            half_opening: Rational::from((13, 5)),
-            friction: Some(x.clone().recip()),
-            output: Unknown::Thrust,
-        })
+        let (alpha, friction) = (Rational::from((13, 5)), x.clone().recip());
+        state_target(Mode::OverturningSliding, alpha, Some(friction), Unknown::Thrust)
     })
     .told("a large friction: an inner joint slides at a thrust like 1/(4 mu^2)"),
     limit("mu-to-zero", "friction", |x| Some(LimitTarget::Sliding { half_opening: x.clone() }))
@@ -81,16 +76,8 @@ pub const LIMITS: [StudyLimit; 8] = [
         let zero = Rational::new();
         let alpha = before(Landmark::Triple, Unknown::HalfOpening, &zero)? + x;
         let friction = before(Landmark::Triple, Unknown::Friction, &zero)? + x.clone() * 10;
-        let mode = match arch(&alpha, Some(&friction))?.state(1024).ok()? {
-            Outcome::Stands(state) => state.mode,
-            Outcome::Falls(_) => return None,
-        };
-        Some(LimitTarget::State {
-            mode,
-            half_opening: alpha,
-            friction: Some(friction),
-            output: Unknown::Thickness,
-        })
+        let mode = reference(&alpha, Some(&friction))?.mode;
+        state_target(mode, alpha, Some(friction), Unknown::Thickness)
     })
     .told("a half opening and a friction above those of T: four modes meet"),
 ];

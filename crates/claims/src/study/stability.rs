@@ -70,15 +70,12 @@ pub fn climb(limit: &StudyLimit, k: u32, budget: Duration) -> Vec<Rung> {
     let high = 2048 + 48 * k;
     let Some(truth) = target.enclosure(high) else { return nothing("no reference") };
     let Some(condition_log10) = target.condition(high) else { return nothing("no condition") };
+    let rung = |method, bits| Rung { condition_log10, ..rung(method, bits) };
     let mut rungs = Vec::new();
     let mut add = |method, bits: u32, job: &dyn Fn() -> Option<Float>| {
         let timed = timed(budget, job);
-        let mut found = Rung {
-            condition_log10,
-            cpu_seconds: timed.cpu[1].as_secs_f64(),
-            verdict: "no value",
-            ..rung(method, bits)
-        };
+        let cpu_seconds = timed.cpu[1].as_secs_f64();
+        let mut found = Rung { cpu_seconds, verdict: "no value", ..rung(method, bits) };
         if let Some(value) = timed.value.filter(|x| x.is_finite()) {
             let relative = error(&value, &truth).relative;
             found.error_relative_log10 = Some(relative);
@@ -124,18 +121,12 @@ pub fn climb(limit: &StudyLimit, k: u32, budget: Duration) -> Vec<Rung> {
             add("start value, double", 53, &|| Some(target.start(53)?.swap_remove(index)));
         }
     }
-    rungs.push(certified(&target, &truth, rung("certified", 0), condition_log10, budget));
+    rungs.push(certified(&target, &truth, rung("certified", 0), budget));
     rungs
 }
 
 /// The certified result: the working precision is doubled until sixteen digits are proved.
-fn certified(
-    target: &LimitTarget,
-    truth: &Ball,
-    rung: Rung,
-    condition_log10: f64,
-    budget: Duration,
-) -> Rung {
+fn certified(target: &LimitTarget, truth: &Ball, rung: Rung, budget: Duration) -> Rung {
     let mut bits = 64;
     while bits <= MOST_BITS {
         let proved = target.enclosure(bits).filter(|ball| -relative_radius(ball) >= DIGITS);
@@ -144,7 +135,6 @@ fn certified(
             let digits = f64::from(bits) * std::f64::consts::LOG10_2;
             return Rung {
                 working_bits: bits,
-                condition_log10,
                 error_relative_log10: Some(error(ball.mid(), truth).relative),
                 digits_lost: Some((digits + relative_radius(&ball)).max(0.0)),
                 cpu_seconds: timed.cpu[1].as_secs_f64(),
@@ -155,7 +145,7 @@ fn certified(
         // Steps of a quarter: the precision that is needed shows.
         bits += (bits / 4).next_multiple_of(32);
     }
-    Rung { condition_log10, verdict: "undecided", ..rung }
+    Rung { verdict: "undecided", ..rung }
 }
 
 /// The rungs that are climbed: powers of a tenth.

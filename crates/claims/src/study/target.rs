@@ -8,7 +8,7 @@ use super::newton::newton;
 use crate::arch::small::Scaled;
 use crate::arch::{SelfWeight, Unknown, overturning};
 use crate::certify::CertifiedLandmark;
-use crate::certify::state::{Certify, Outcome};
+use crate::certify::state::{Certify, Outcome, State};
 use crate::number::{Ball, Dual, ExactNumber, Real};
 use crate::problem::{Arch, Friction};
 use crate::problem::{Landmark, Mode};
@@ -30,8 +30,18 @@ pub(super) enum LimitTarget {
     Overturning { distance: Rational },
 }
 
+/// A state of a mode, looked at in one of its unknowns.
+pub(super) fn state_target(
+    mode: Mode,
+    half_opening: Rational,
+    friction: Option<Rational>,
+    output: Unknown,
+) -> Option<LimitTarget> {
+    Some(LimitTarget::State { mode, half_opening, friction, output })
+}
+
 pub(super) fn rotational(half_opening: Rational, output: Unknown) -> Option<LimitTarget> {
-    Some(LimitTarget::State { mode: Mode::Rotational, half_opening, friction: None, output })
+    state_target(Mode::Rotational, half_opening, None, output)
 }
 
 /// A variable of a landmark, to many places, less a distance.
@@ -44,10 +54,19 @@ pub(super) fn before(
     Some(refined.value(unknown)?.mid().to_rational()? - distance)
 }
 
-pub(super) fn arch(half_opening: &Rational, friction: Option<&Rational>) -> Option<Arch> {
+fn arch(half_opening: &Rational, friction: Option<&Rational>) -> Option<Arch> {
     let friction =
         friction.map_or(Friction::Infinite, |mu| Friction::Coefficient(ExactNumber::from(mu)));
     Arch::new(WEIGHT, ExactNumber::from(half_opening), friction).ok()
+}
+
+/// The state of an arch that stands, far beyond what is measured.
+pub(super) fn reference(half_opening: &Rational, friction: Option<&Rational>) -> Option<State> {
+    standing(arch(half_opening, friction)?.state(1024).ok()?)
+}
+
+fn standing(outcome: Outcome) -> Option<State> {
+    if let Outcome::Stands(state) = outcome { Some(*state) } else { None }
 }
 
 impl LimitTarget {
@@ -55,11 +74,8 @@ impl LimitTarget {
     pub(super) fn enclosure(&self, bits: u32) -> Option<Ball> {
         match self {
             Self::State { half_opening, friction, output, mode } => {
-                let Outcome::Stands(state) =
-                    arch(half_opening, friction.as_ref())?.state_alone(bits).ok()?
-                else {
-                    return None;
-                };
+                let arch = arch(half_opening, friction.as_ref())?;
+                let state = standing(arch.state_alone(bits).ok()?)?;
                 state.value(*output).filter(|_| state.mode == *mode).cloned()
             }
             Self::Sliding { half_opening } => arch(half_opening, None)?.sliding_friction(bits).ok(),
@@ -107,11 +123,7 @@ impl LimitTarget {
             }
             Self::State { mode, half_opening, friction, .. } => {
                 // Next to the certified state: what is measured is the last digits.
-                let Outcome::Stands(state) =
-                    arch(half_opening, friction.as_ref())?.state(1024).ok()?
-                else {
-                    return None;
-                };
+                let state = reference(half_opening, friction.as_ref())?;
                 let value = |&unknown| state.value(unknown).map(|x| x.mid().clone());
                 let unknowns = mode.system(WEIGHT).unknowns.iter();
                 let values: Option<Vec<Float>> = unknowns.map(value).collect();
