@@ -7,6 +7,7 @@
 
 use super::along::{parsed, standing};
 use super::letters::ring;
+use super::measured::shown;
 use super::uniqueness::ONE_THICKNESS;
 use super::{Checked, Claim, Derivation, Finding, found, implied, lemmas};
 use crate::arch::SelfWeight;
@@ -15,7 +16,7 @@ use crate::arch::joint::Grip;
 use crate::arch::whole::{Forces, WholeMotion};
 use crate::certify::CertifiedAsymmetric;
 use crate::certify::state::Certify;
-use crate::number::{Angle, Ball, Field, Rounded};
+use crate::number::{Angle, Ball, Field};
 use crate::symbolic::{Fraction, Letters, Relations, Symbol};
 
 pub(super) const CLAIMS: &[Claim] = &[ASYMMETRIC_MOTION, UNIQUE];
@@ -133,20 +134,15 @@ fn unique(d: &mut Derivation) -> Checked<Finding> {
     for witness in WITNESSES {
         let (weight, alpha, mu, mode) = witness;
         let [least, other] = thicknesses(witness)?;
-        let shown = |x: &Ball| {
-            let rounded = Rounded::from_ball(x, DIGITS);
-            rounded.map_or_else(String::new, |rounded| rounded.value.to_string())
-        };
+        let [shown, least_shown] = [shown(&other, DIGITS)?, shown(&least, DIGITS)?];
         let name = format!("{}, alpha = {alpha}, mu = {mu}", weight.name());
         let words = format!(
-            "{name}: {}, a solution admissible at every joint of the whole arch, with positive rates, at eta = {}, above \
-             the least thickness {}",
-            mode.name(),
-            shown(&other),
-            shown(&least)
+            "{name}: {}, a solution admissible at every joint of the whole arch, with positive rates, at eta = {shown}, above \
+             the least thickness {least_shown}",
+            mode.name()
         );
         d.less(words, [&least, &other])?;
-        examples.push(format!("{name}: also at {}, beside {}", shown(&other), shown(&least)));
+        examples.push(format!("{name}: also at {shown}, beside {least_shown}"));
     }
     d.conclude(
         "Each is a solution of (19): its equations have one root in a box, by Krawczyk's test; balls cover the arch; the blocks fit, \

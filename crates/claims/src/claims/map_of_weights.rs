@@ -6,14 +6,15 @@ use super::curve::{STATES_IN_ORDER, STATES_OF_ONE_THICKNESS};
 use super::frictions::{FRICTION_FOR_ROTATION_GROWS, SLIDING_STATES_IN_ORDER, SLOPES_OF_FRICTION};
 use super::landmarks::{both, semicircle, state_of};
 use super::letters::ring;
+use super::measured::shown;
 use super::modes::LEVER;
 use super::sign::{Positive, RingSigns};
 use super::tiling::intrados_factor_grows;
 use super::uniqueness::THICKER_HAS_ROOM;
 use super::{Checked, Claim, Derivation, Finding, Support, found, implied, lemmas};
 use crate::arch::{Ring, SelfWeight, statics, thrust};
-use crate::certify::{Undecided, between};
-use crate::number::{Angle, Ball, Dual, Enclosure, Field, Rounded};
+use crate::certify::between;
+use crate::number::{Angle, Ball, Dual, Enclosure, Field};
 use crate::problem::Landmark;
 use crate::symbolic::{Letters, Symbol};
 use rug::Rational;
@@ -144,7 +145,7 @@ fn thicker(
         if is_thicker { ("thicker", other, eta) } else { ("thinner", eta, other) };
     let words = format!("{place} Milankovitch's arch is {word}: {modes} with Milankovitch's");
     d.less(words, [less, more])?;
-    Ok(format!("{place}: eta = {}, but {} for Heyman's weight", shown(eta)?, shown(other)?))
+    Ok(format!("{place}: eta = {}, but {} for Heyman's weight", shown(eta, 6)?, shown(other, 6)?))
 }
 
 fn same_opening_compared(d: &mut Derivation) -> Checked<Finding> {
@@ -250,19 +251,14 @@ fn dividing_lines_compared(d: &mut Derivation) -> Checked<Finding> {
         counterexample: format!(
             "[r,r,r]|[s,r,r] at alpha = pi/2: mu = {}, eta = {} for Milankovitch's weight is left of and \
              above mu = {}, eta = {} for Heyman's, on a line that rises",
-            shown(&milankovitch[1])?,
-            shown(&milankovitch[0])?,
-            shown(&heyman[1])?,
-            shown(&heyman[0])?
+            shown(&milankovitch[1], 6)?,
+            shown(&milankovitch[0], 6)?,
+            shown(&heyman[1], 6)?,
+            shown(&heyman[0], 6)?
         ),
         corrected: "as each line rises, left of it is above it, and right below: Milankovitch's lines lie left \
                     of Heyman's and above where they are [r,r,r]|[s,r,r] or, from T to B, bound pure sliding; \
                     the others, [r,r,r]|[r,r,s], [s,r,r]|[s,s], [r,r,s]|[r,s,r] and [r,s,r]|[r,s], lie right \
                     and below",
     })
-}
-
-fn shown(value: &Ball) -> Checked<String> {
-    let rounded = Rounded::from_ball(value, 6).map(|rounded| rounded.value.to_string());
-    rounded.ok_or_else(|| Undecided::new("no six digits"))
 }

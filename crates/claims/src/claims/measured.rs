@@ -45,14 +45,16 @@ impl<'a> MeasuredBounds<'a> {
         Ok(())
     }
 
-    /// Notes a number with which the sentence holds besides.
-    pub(super) fn holds(&mut self, words: &str) {
+    /// Notes a number with which the sentence holds besides. It may end a proof, as a conclusion does.
+    pub(super) fn holds(&mut self, words: &str) -> Checked {
         self.hold.push(words.to_owned());
+        Ok(())
     }
 
     /// Notes where the sentence fails besides.
-    pub(super) fn fails(&mut self, words: &str) {
+    pub(super) fn fails(&mut self, words: &str) -> Checked {
         self.fail.push(words.to_owned());
+        Ok(())
     }
 
     /// The bounds that hold, and those next to them that do not.
@@ -64,6 +66,12 @@ impl<'a> MeasuredBounds<'a> {
 /// An angle in degrees.
 pub(super) fn in_degrees(angle: &Ball) -> Ball {
     angle.clone() * angle.int(180) / angle.pi()
+}
+
+/// A value to some significant digits.
+pub(super) fn shown(value: &Ball, digits: usize) -> Checked<String> {
+    let rounded = Rounded::from_ball(value, digits);
+    rounded.map_or_else(|| Err(Undecided::new("no digits")), |r| Ok(r.value.to_string()))
 }
 
 /// The decimals of few significant digits between which a value is proved to lie.

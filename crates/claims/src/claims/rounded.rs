@@ -150,8 +150,7 @@ fn semicircle_suffices(bounds: &mut MeasuredBounds<'_>) -> Checked {
         collapses(bounds.d, ("pi/2", [enough, "0.395"]), weight, Mode::Rotational)?;
         collapses(bounds.d, ("pi/2", ["0.395", enough]), weight, Mode::SlidingRotational)?;
     }
-    bounds.fails("a friction of 0.395 itself: [s,r,r] with either weight");
-    Ok(())
+    bounds.fails("a friction of 0.395 itself: [s,r,r] with either weight")
 }
 
 fn no_shoulder_sliding(bounds: &mut MeasuredBounds<'_>) -> Checked {
@@ -159,8 +158,7 @@ fn no_shoulder_sliding(bounds: &mut MeasuredBounds<'_>) -> Checked {
     let (weight, words) = (SelfWeight::Milankovitch, "mu_T, milankovitch weight");
     least_friction(bounds, words, &landmark(Landmark::Triple, weight)?.friction, 5)?;
     collapses(bounds.d, ("2.430058", ["1.277", "1.3"]), weight, Mode::SlidingRotational)?;
-    bounds.fails("a friction of 1.277 itself: alpha = 2.430058 is [s,r,r]");
-    Ok(())
+    bounds.fails("a friction of 1.277 itself: alpha = 2.430058 is [s,r,r]")
 }
 
 fn no_pure_sliding(bounds: &mut MeasuredBounds<'_>) -> Checked {
@@ -179,6 +177,5 @@ fn no_pure_sliding(bounds: &mut MeasuredBounds<'_>) -> Checked {
     bounds.d.less("with 1.8538 it stands, with eta < 2", [&state.thickness, &friction.int(2)])?;
     let printed = Ball::enclosing(&Rational::from((1854, 1000)), friction.prec());
     bounds.d.less("mu_B is below 1.854", [&friction, &printed])?;
-    bounds.holds("a friction of 1.854 itself");
-    Ok(())
+    bounds.holds("a friction of 1.854 itself")
 }

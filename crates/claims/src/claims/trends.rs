@@ -82,10 +82,8 @@ fn trends_compared(bounds: &mut MeasuredBounds<'_>) -> Checked {
     let thinner = opening_at(SelfWeight::Heyman, &Rational::from(1));
     let words = "A at eta = 1 with Heyman's weight is A_L with Milankovitch's, where eta = 2";
     bounds.d.equal(words, &thinner, &milankovitch_end)?;
-    bounds.fails(
-        "eta at the same half opening: 2 and 1 at alpha_L, the only one where both overturn",
-    );
-    Ok(())
+    bounds
+        .fails("eta at the same half opening: 2 and 1 at alpha_L, the only one where both overturn")
 }
 
 fn ranges_compared(bounds: &mut MeasuredBounds<'_>) -> Checked {
@@ -99,6 +97,5 @@ fn ranges_compared(bounds: &mut MeasuredBounds<'_>) -> Checked {
     let [narrow, wide] = [&ends[0], &ends[1]];
     bounds.d.less("150° is below alpha_L of Milankovitch's weight", [&narrow.int(150), narrow])?;
     bounds.d.less("160° is above alpha_L of Heyman's weight", [wide, &wide.int(160)])?;
-    bounds.fails("150° is too small, 160° too large");
-    Ok(())
+    bounds.fails("150° is too small, 160° too large")
 }
