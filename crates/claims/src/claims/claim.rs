@@ -23,7 +23,7 @@ type Prove = fn(&mut Derivation) -> Checked;
 type Measure = fn(&mut MeasuredBounds<'_>) -> Checked;
 type Find = fn(&mut Derivation) -> Checked<Finding>;
 
-/// What decides a claim.
+/// Means by which a claim is decided.
 #[derive(Clone, Copy, Debug)]
 enum Decide {
     /// A proof of the statement as it is printed.

@@ -6,7 +6,7 @@ use crate::symbolic::{Fraction, Notation, Polynomial, Relations, Series, Symbol}
 use rug::Rational;
 use std::borrow::Borrow;
 
-/// What a check gives, or why nothing is proved.
+/// Result of a check: what it gives, or why nothing is proved.
 pub(super) type Checked<T = ()> = Result<T, Undecided>;
 
 /// A formula in both notations.
