@@ -22,10 +22,10 @@ use crate::arch::{Configuration, Ring};
 use crate::check::whole;
 use crate::number::{Ball, DoubleBall, DoubleDoubleBall, Engine, ExactNumber, bits_of};
 use crate::problem::{Arch, Problem};
+use crate::prover::decide::ensure;
 use crate::prover::posed::Posed;
 use crate::prover::root::{no_candidate, root_near};
-use crate::prover::{Figure, raise};
-use crate::prover::{Refused, Undecided};
+use crate::prover::{Figure, Refused, Undecided, raise};
 use crate::solve::asymmetric::{AsymmetricCandidate, asymmetric as candidates};
 use rug::Float;
 
@@ -117,10 +117,6 @@ pub(crate) fn found(arch: &Arch) -> Vec<AsymmetricCandidate> {
     candidates(arch.weight(), half_opening.mid().to_f64(), &grip)
 }
 
-fn require(is_proved: bool, question: &'static str) -> Result<(), Undecided> {
-    if is_proved { Ok(()) } else { Err(Undecided::new(question)) }
-}
-
 fn rough(x: &Ball) -> DoubleBall {
     DoubleDoubleBall::from(x).into()
 }
@@ -151,7 +147,7 @@ impl<E: Engine> CertifiedAsymmetric<E> {
         let (mode, weight) = (*mode, arch.weight());
         let residuals = problem.system().residuals(at);
         let at_limit = residuals.iter().all(|residual| !residual.excludes_zero());
-        require(at_limit, "whether the joints are at their limits")?;
+        ensure(at_limit, "whether the joints are at their limits")?;
         if let Some(condition) = problem.first_failure(at, bits) {
             return Err(Undecided::new(condition.label()));
         }
@@ -166,7 +162,7 @@ impl<E: Engine> CertifiedAsymmetric<E> {
         let motion = at.motion(mode);
         let power = motion.power(&Ring::new(weight, &at.thickness));
         let balance = power.overlaps(&motion.friction_power(&at.forces));
-        require(balance, "whether the weight works by as much as friction takes")?;
+        ensure(balance, "whether the weight works by as much as friction takes")?;
         Ok(Self { mode, at, motion, power })
     }
 }

@@ -19,6 +19,7 @@ use crate::arch::tilt::TiltedRow;
 use crate::arch::whole::along;
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Jet, bits_of};
 use crate::problem::{Arch, Joints, Slope};
+use crate::prover::decide::is_positive;
 use crate::prover::positive::is_positive_on;
 use crate::prover::{Figure, Refused, Undecided, raise};
 use crate::solve::tilt::{TiltCandidate, TiltSearch, TiltTouch, contacts};
@@ -263,7 +264,6 @@ impl TiltProof {
             terms.fold(zero.clone(), |sum, (rate, row)| sum + rate.clone() * of(row))
         };
         let slope = sum(&|row| row.coefficients[3].clone());
-        let is_positive = |x: &Ball| x.is_positive().is_proved();
         let is_bound = rates.iter().all(is_positive) && is_positive(&slope);
         is_bound.then(|| -sum(&|row| row.load.clone()) / slope)
     }

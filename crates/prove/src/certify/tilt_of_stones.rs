@@ -20,6 +20,7 @@ use crate::arch::whole::Side;
 use crate::number::{Ball, Enclosure, ExactNumber, Field, bits_of};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Joints, Slope};
+use crate::prover::decide::is_positive;
 use crate::prover::{Refused, Undecided};
 use crate::solve::tilt::{StoneTilt, against, inside, largest};
 use rug::Float;
@@ -95,7 +96,6 @@ fn contradict(of: &[&StoneLimit], tilt: &Ball) -> bool {
     let passed = |of: &StoneLimit| of.row.coefficients[3].clone() * tilt + &of.row.load;
     let sum = rates.iter().zip(of).fold(zero, |sum, (rate, of)| sum + rate.clone() * passed(of));
     // The multipliers may all be negative: then so is what is left.
-    let is_positive = |x: &Ball| x.is_positive().is_proved();
     let is_negative = |x: &Ball| is_positive(&-x.clone());
     rates.iter().all(is_positive) && is_positive(&sum)
         || rates.iter().all(is_negative) && is_negative(&sum)

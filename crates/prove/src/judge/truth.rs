@@ -3,7 +3,7 @@
 use super::printed::KnownValue;
 use crate::certify::Undecided;
 use crate::certify::state::{Assessment, Outcome};
-use crate::number::Ball;
+use crate::number::{Ball, Drawable};
 use crate::problem::Quantity;
 use rug::Rational;
 
@@ -71,8 +71,7 @@ impl Proved {
 
 impl Truth {
     fn known(x: &Ball) -> Self {
-        let zero = x.mid().is_zero() && x.rad().is_zero();
-        Self::Finite(match zero {
+        Self::Finite(match x.is_zero() {
             true => KnownValue::Exact(Rational::new()),
             false => KnownValue::Enclosed(x.clone()),
         })

@@ -2,7 +2,7 @@
 
 use super::Undecided;
 use super::arithmetic::Arithmetic;
-use crate::number::Ternary;
+use crate::number::{Enclosure, Ternary};
 use crate::problem::{Condition, Mode};
 
 /// Decides whether a margin is positive, if that can be told.
@@ -25,10 +25,17 @@ pub(crate) fn decide<E: Arithmetic>(
 
 /// Requires a margin to be positive for a proof to go on; where it is not, nothing is known.
 pub(crate) fn require<E: Arithmetic>(margin: &E, question: &'static str) -> Result<(), Undecided> {
-    match decide(margin, question, &[])? {
-        true => Ok(()),
-        false => Err(Undecided::new(question)),
-    }
+    ensure(decide(margin, question, &[])?, question)
+}
+
+/// Checks a statement that has to be proved.
+pub(crate) fn ensure(is_proved: bool, question: &'static str) -> Result<(), Undecided> {
+    if is_proved { Ok(()) } else { Err(Undecided::new(question)) }
+}
+
+/// Tells whether a number is proved to be positive.
+pub(crate) fn is_positive(x: &impl Enclosure) -> bool {
+    x.is_positive().is_proved()
 }
 
 /// Requires a condition of a mode. A candidate that is proved to fail it is not the state of the arch: then it

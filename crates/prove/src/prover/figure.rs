@@ -1,6 +1,8 @@
 //! A proved value with its digits.
 
-use crate::number::{Ball, Binary, DoubleDoubleBall, ExactNumber, Rounded, rounded_double};
+use crate::number::{
+    Ball, Binary, DoubleDoubleBall, Drawable, ExactNumber, Rounded, rounded_double,
+};
 use rug::Rational;
 use std::fmt;
 
@@ -23,16 +25,14 @@ impl Figure {
     /// The value of a ball to `digits` significant digits, at least one; `None` if the ball is too wide to
     /// decide them or the double.
     pub fn new(x: &Ball, digits: usize) -> Option<Self> {
-        let decimal = match x.mid().is_zero() && x.rad().is_zero() {
+        let decimal = match x.is_zero() {
             true => Rounded::from_rational(&Rational::new(), digits)?,
             false => Rounded::from_ball(x, digits)?,
         };
         let double = x.nearest_double()?;
         Some(Self { decimal, double, binary: Binary::new(x, double) })
     }
-}
 
-impl Figure {
     /// A rational number to `digits` significant digits, at least one; ties to even.
     pub(crate) fn exact(x: &ExactNumber, digits: usize) -> Option<Self> {
         let ball: Ball = x.enclosure(GUARDED);
@@ -40,6 +40,21 @@ impl Figure {
             (Rounded::from_rational(&x.to_rational(), digits)?, x.nearest_double()?);
         Some(Self { decimal, double, binary: Binary::new(&ball, double) })
     }
+
+    /// Ball of `bits` bits about the decimal bounds.
+    pub(crate) fn enclosure(&self, bits: u32) -> Ball {
+        let [lower, upper] = [&self.decimal.lower, &self.decimal.upper]
+            .map(|bound| Ball::enclosing(&bound.to_rational(), bits));
+        lower.hull(&upper)
+    }
+}
+
+/// Rounds a value that may be missing; `None` if the rounding is not decided.
+pub(crate) fn optional<T, U>(
+    x: Option<T>,
+    round: impl FnOnce(T) -> Option<U>,
+) -> Option<Option<U>> {
+    x.map_or(Some(None), |x| round(x).map(Some))
 }
 
 /// A value that has figures.

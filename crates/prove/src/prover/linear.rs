@@ -3,7 +3,7 @@
 //! The steps are the same for each matrix in the balls, so that their results are enclosed. If no pivot can be zero,
 //! each of these matrices is regular, and what comes out holds its solution (Neumaier 1990, section 4.5).
 
-use crate::number::{Ball, Derivatives, Enclosure, Field, Magnitude};
+use crate::number::{Ball, Derivatives, Drawable, Enclosure, Field, Magnitude};
 
 /// A pivot is at most so many bits below the largest entry of its column.
 const THRESHOLD: i64 = 6;
@@ -29,7 +29,8 @@ impl Eliminated {
     /// The matrix of the derivatives of as many numbers as there are unknowns. `None` if a pivot may be zero.
     pub(crate) fn new(slopes: &[impl Derivatives<Ball>]) -> Option<Self> {
         let places = 0..slopes.len();
-        let entry = |row: &_, k| Derivatives::slope(row, k).filter(|x| !is_zero(x)).cloned();
+        let entry =
+            |row: &_, k| Derivatives::slope(row, k).filter(|x: &&Ball| !x.is_zero()).cloned();
         let row = |row| places.clone().map(|k| entry(row, k)).collect();
         // Rows become empty once they are used.
         let mut rows: Vec<Vec<Option<Ball>>> = slopes.iter().map(row).collect();
@@ -99,10 +100,6 @@ fn choose(rows: &[Vec<Option<Ball>>]) -> Option<(usize, usize)> {
         (in_row - 1) * (column(k).count() - 1)
     };
     sizes.iter().filter(is_large).min_by_key(made).map(|&(i, k, _)| (i, k))
-}
-
-fn is_zero(x: &Ball) -> bool {
-    x.mid().is_zero() && x.rad().is_zero()
 }
 
 #[cfg(test)]

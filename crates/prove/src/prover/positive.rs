@@ -5,6 +5,7 @@
 //! min f'')` is below all its values.
 
 use super::Undecided;
+use super::decide::is_positive;
 use crate::number::{Ball, Enclosure, Field, Jet};
 use rug::Float;
 
@@ -18,7 +19,6 @@ pub(crate) fn is_positive_on(
     bits: u32,
 ) -> Result<(), Undecided> {
     let exact = |x: &Float| Ball::exact(x.clone(), bits);
-    let is_positive = |x: &Ball| x.is_positive().is_proved();
     let at = |x: &Float| is_positive(series(&exact(x)).value());
     let mut open = vec![(low.clone(), high.clone(), 0)];
     while let Some((low, high, depth)) = open.pop() {

@@ -30,6 +30,7 @@ use crate::arch::whole::{Side, carried, margin_along};
 use crate::arch::{Ring, SelfWeight, statics};
 use crate::certify::{Undecided, between, cover};
 use crate::number::{Angle, Ball, Enclosure, Field, Jet};
+use crate::prover::decide::{ensure, is_positive};
 use rug::{Float, Rational};
 
 /// A tube is halved no more often than this, and the vertical forces of one in it.
@@ -85,14 +86,6 @@ impl OpenSign {
     }
 }
 
-fn require(is_proved: bool, question: &'static str) -> Result<(), Undecided> {
-    if is_proved { Ok(()) } else { Err(Undecided::new(question)) }
-}
-
-fn is_positive(x: &Ball) -> bool {
-    x.is_positive().is_proved()
-}
-
 impl Slice<'_> {
     /// Proves it, or its halves, each in a tube of its own.
     fn prove(self, depth: u32) -> Result<(), Undecided> {
@@ -127,20 +120,20 @@ impl Slice<'_> {
         self.signs(s, at)?;
         let (h, v, phi) = (&at.forces.thrust, &at.forces.vertical, &spot.friction_angle);
         let above = h.int(1) - h;
-        require(is_positive(h) && is_positive(&above), "0 < h < 1")?;
+        ensure(is_positive(h) && is_positive(&above), "0 < h < 1")?;
         let shoulder = Angle::new(spot.half_opening.clone() - phi);
         let is_steep = is_positive(&shoulder.sin) && is_positive(&shoulder.cos);
-        require(is_positive(phi) && is_steep, "0 < alpha - phi < pi/2")?;
-        require(is_positive(&(above * h - v.square())), "v² < h - h²")?;
+        ensure(is_positive(phi) && is_steep, "0 < alpha - phi < pi/2")?;
+        ensure(is_positive(&(above * h - v.square())), "v² < h - h²")?;
         let room = h.clone() * &at.grip.normal - v.clone() * &at.grip.shear;
-        require(is_positive(&room), "v < mu h")?;
+        ensure(is_positive(&room), "v < mu h")?;
         is_between_the_faces(form.weight, at)
     }
 
     /// The signs that the equations of the kind leave open, and the order of the joints.
     fn signs(&self, s: &Ball, at: &Asymmetric<Ball>) -> Result<(), Undecided> {
         let eta = &at.thickness;
-        require(is_positive(eta) && is_positive(&(eta.int(2) - eta)), "0 < eta < 2")?;
+        ensure(is_positive(eta) && is_positive(&(eta.int(2) - eta)), "0 < eta < 2")?;
         let others = match self.kind {
             AsymmetricMode::InnerSliding => [OpenSign::Law(Law::ShoulderOpens), OpenSign::Rate],
             AsymmetricMode::ShoulderOpening => [OpenSign::Law(Law::InnerSlides), OpenSign::Rate],
@@ -149,10 +142,10 @@ impl Slice<'_> {
             }
         };
         for other in others {
-            require(self.is_not_negative(other, s), "a sign at which the kind changes")?;
+            ensure(self.is_not_negative(other, s), "a sign at which the kind changes")?;
         }
         let slip = &at.motion(self.kind).0[0].rate;
-        require(is_positive(slip), "whether the shoulder slides outwards")?;
+        ensure(is_positive(slip), "whether the shoulder slides outwards")?;
         let Asymmetric { half_opening, crown_hinge, haunch, sliding_joint, .. } = at;
         // From the right springing to the left.
         let left = match self.kind {
@@ -165,7 +158,7 @@ impl Slice<'_> {
             .chain([-half_opening.rad.clone()])
             .collect();
         let falls = all.windows(2).all(|pair| is_positive(&(pair[0].clone() - &pair[1])));
-        require(falls, "in which order the joints are")
+        ensure(falls, "in which order the joints are")
     }
 
     fn is_not_negative(&self, kept: OpenSign, s: &Ball) -> bool {

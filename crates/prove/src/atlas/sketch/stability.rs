@@ -108,7 +108,5 @@ const BITS: u32 = 256;
 
 /// Ball in which the value of a figure lies.
 pub(super) fn ball(figure: &Figure) -> Ball {
-    let [lower, upper] = [&figure.decimal.lower, &figure.decimal.upper]
-        .map(|end| Ball::enclosing(&end.to_rational(), BITS));
-    lower.hull(&upper)
+    figure.enclosure(BITS)
 }

@@ -23,8 +23,9 @@
 //!   all that is said of a triple: at no thickness of the piece is it the vertex of a solution.
 
 use super::polynomial::ShortPolynomial;
-use super::vertex::{ThicknessPiece, Vertex, is_positive};
+use super::vertex::{ThicknessPiece, Vertex};
 use crate::number::{DoubleBall, Enclosure};
+use crate::prover::decide::is_positive;
 use crate::prover::vector::{ForceLine, ForceRow, cross, dot, parts};
 
 /// Parts of a stretch that are looked at, at most.

@@ -19,6 +19,7 @@ use super::conditions::Conditions;
 use super::polynomial::ShortPolynomial;
 use crate::arch::mechanism::Contact;
 use crate::number::{DoubleBall, Enclosure};
+use crate::prover::decide::is_positive;
 use crate::solve::rates::parting;
 
 /// A piece of thicknesses.
@@ -82,10 +83,6 @@ pub(super) struct Vertex<'a> {
     meeting: [ShortPolynomial<DoubleBall>; 4],
     /// The other conditions there, when they are needed.
     values: Vec<ShortPolynomial<DoubleBall>>,
-}
-
-pub(super) fn is_positive(x: &DoubleBall) -> bool {
-    x.is_positive().is_proved()
 }
 
 fn is_negative(x: &DoubleBall) -> bool {

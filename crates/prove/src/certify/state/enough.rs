@@ -9,7 +9,7 @@ use crate::number::{Ball, DoubleDoubleBall, ExactNumber, bits_of};
 use crate::problem::Arch;
 use crate::prover::Undecided;
 use crate::prover::arithmetic::Arithmetic;
-use crate::prover::figure::{Figure, Figured};
+use crate::prover::figure::{Figure, Figured, optional};
 use crate::prover::raise;
 use rug::Rational;
 
@@ -89,10 +89,7 @@ fn quick<T>(quickly: bool, proof: impl FnOnce(u32) -> Option<T>) -> Option<T> {
 
 /// The figure of a value, if it is decided or there is no value.
 fn figure<E: Figured>(value: Option<E>, digits: usize) -> Option<Option<Figure>> {
-    match value {
-        Some(value) => value.figure(digits).map(Some),
-        None => Some(None),
-    }
+    optional(value, |value| value.figure(digits))
 }
 
 /// The friction of the purely sliding state.

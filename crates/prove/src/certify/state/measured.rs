@@ -7,7 +7,7 @@ use super::state::Outcome;
 use crate::number::{Ball, ExactNumber, Form, degrees};
 use crate::problem::measures::Measures;
 use crate::problem::{Arch, Quantity};
-use crate::prover::figure::{Figure, Figured};
+use crate::prover::figure::{Figure, Figured, optional};
 use crate::prover::{Error, Refused};
 
 /// Values with their names; `None` for a thrust without bound.
@@ -115,9 +115,5 @@ fn figures(sized: Vec<(Quantity, Option<MeasuredSize>)>, digits: usize) -> Optio
         Some(exact) => Figure::exact(&exact, digits),
         None => size.enclosed.figure(digits),
     };
-    let value = |(of, size): (Quantity, Option<MeasuredSize>)| match size {
-        Some(size) => Some((of, Some(figure(size)?))),
-        None => Some((of, None)),
-    };
-    sized.into_iter().map(value).collect()
+    sized.into_iter().map(|(of, size)| Some((of, optional(size, figure)?))).collect()
 }

@@ -3,13 +3,14 @@
 use super::friction::required;
 use super::joints::StoneJoints;
 use super::thickness::{LeastOutcome, proved};
-use super::thrusts::{ProvedThrustEnd, ThrustRange, Ties, range};
+use super::thrusts::{ProvedThrustEnd, ThickStones, ThrustRange, Ties};
 use crate::arch::Ring;
 use crate::arch::joint::Grip;
 use crate::number::{Ball, Enclosure, ExactNumber};
 use crate::problem::stones::{JointContact, Stones};
 use crate::problem::{Arch, Friction};
 use crate::prover::Undecided;
+use crate::prover::figure::optional;
 use crate::prover::ties::{friction_angle_is_half_opening, has_no_arm_at_crown};
 use crate::prover::{Figure, raise};
 
@@ -25,13 +26,13 @@ pub struct VoussoirLimit {
     pub joints: Vec<Figure>,
 }
 
-/// Verdict on whether an arch of voussoirs of a given thickness stands.
+/// Verdict on whether an arch of voussoirs of a given thickness stands, with the ends of its range of thrusts.
 #[derive(Clone, Debug)]
-pub enum VoussoirStanding {
+pub enum VoussoirStanding<E = VoussoirLimit> {
     /// The arch stands, with thrusts from the first to the second.
-    Stands([VoussoirLimit; 2]),
+    Stands([E; 2]),
     /// The arch does not stand: no thrust is as large as the first asks for and as small as the second allows.
-    Falls([VoussoirLimit; 2]),
+    Falls([E; 2]),
 }
 
 /// Certain answers about an arch of voussoirs of a given thickness, each answer with a reason where it stays open.
@@ -75,13 +76,10 @@ pub(super) fn assessed(
     let standing = raise(first, |bits| {
         let joints = joints(own, bits);
         let limit = |end: &ProvedThrustEnd| limit(&joints, end, digits);
-        Ok(match range(&joints, &eta(bits), ties)? {
-            ThrustRange::Stands([least, most]) => {
-                limit(&least).zip(limit(&most)).map(|(a, b)| VoussoirStanding::Stands([a, b]))
-            }
-            ThrustRange::Falls([least, most]) => {
-                limit(&least).zip(limit(&most)).map(|(a, b)| VoussoirStanding::Falls([a, b]))
-            }
+        let limits = |[least, most]: &[ProvedThrustEnd; 2]| Some([limit(least)?, limit(most)?]);
+        Ok(match ThickStones::new(&joints, &eta(bits), ties).range()? {
+            ThrustRange::Stands(ends) => limits(&ends).map(VoussoirStanding::Stands),
+            ThrustRange::Falls(ends) => limits(&ends).map(VoussoirStanding::Falls),
         })
     });
     let geometric_safety = raise(first, |bits| {
@@ -93,17 +91,16 @@ pub(super) fn assessed(
             _ => Some(None),
         })
     });
-    let required = |bits| match range(&joints(&Friction::Infinite, bits), &eta(bits), ties)? {
-        ThrustRange::Falls(_) => Ok(None),
-        ThrustRange::Stands(ends) => {
-            let ring = Ring::new(arch.weight(), &eta(bits));
-            required(&joints(&Friction::Infinite, bits), &ring, &ends).map(Some)
+    let required = |bits| {
+        let joints = joints(&Friction::Infinite, bits);
+        match ThickStones::new(&joints, &eta(bits), ties).range()? {
+            ThrustRange::Falls(_) => Ok(None),
+            ThrustRange::Stands(ends) => {
+                required(&joints, &Ring::new(arch.weight(), &eta(bits)), &ends).map(Some)
+            }
         }
     };
-    let figure = |x: Option<Ball>| match x {
-        Some(x) => Figure::new(&x, digits).map(Some),
-        None => Some(None),
-    };
+    let figure = |x: Option<Ball>| optional(x.as_ref(), |x| Figure::new(x, digits));
     let required_friction = raise(first, |bits| required(bits).map(figure));
     let friction_safety = raise(first, |bits| {
         // Where none is needed any is enough.
@@ -121,10 +118,7 @@ fn coefficient(friction: &Friction, bits: u32) -> Option<Ball> {
 
 /// An end in digits; `None` if the rounding is not decided.
 fn limit(joints: &StoneJoints<'_>, end: &ProvedThrustEnd, digits: usize) -> Option<VoussoirLimit> {
-    let thrust = match &end.thrust {
-        Some(thrust) => Some(Figure::new(thrust, digits)?),
-        None => None,
-    };
+    let thrust = optional(end.thrust.as_ref(), |thrust| Figure::new(thrust, digits))?;
     let angles = end.contacts.iter().map(|(_, joint)| joints.figure(*joint, digits));
     let angles: Option<Vec<Figure>> = angles.collect();
     Some(VoussoirLimit { thrust, contacts: end.contacts.clone(), joints: angles? })

@@ -5,8 +5,8 @@
 //! in the range of thrusts with unlimited friction, at the nearer end of it. Two stones have no inner joint: none
 //! asks for any where the shoulder bears no shear force.
 
-use super::admissible::friction_holds;
-use super::joints::{StoneJoints, is_positive, require};
+use super::admissible::StoneLine;
+use super::joints::StoneJoints;
 use super::thrusts::ProvedThrustEnd;
 use crate::arch::Ring;
 use crate::arch::joint::{Grip, even_thrust};
@@ -14,6 +14,7 @@ use crate::arch::mechanism::Contact;
 use crate::arch::statics::{normal_force, shear_force};
 use crate::number::{Angle, Ball, Field};
 use crate::prover::Undecided;
+use crate::prover::decide::{ensure, is_positive};
 use crate::solve::voussoir_thrust::{Needed, needed};
 use rug::Float;
 
@@ -25,26 +26,26 @@ pub(super) fn required(
 ) -> Result<Ball, Undecided> {
     let question = "which joint the friction is needed for";
     let thrusts = ends.each_ref().map(|end| end.thrust.as_ref());
+    let is_within = |thrust: &Ball, [least, most]: [Option<&Ball>; 2]| {
+        least.is_none_or(|least| is_positive(&(thrust.clone() - least)))
+            && most.is_none_or(|most| is_positive(&(most.clone() - thrust)))
+    };
     let near = thrusts.map(|thrust| thrust.map(|x| Float::with_val(joints.bits, x.mid())));
     let last = joints.last();
     let shoulder = (Contact::Outwards, last);
     if last == 1 && joints.stones.has_joint_at_crown() {
         let Angle { rad, sin, cos } = joints.angle(last);
         let thrust = rad * cos / sin;
-        let above = thrusts[0].is_none_or(|least| is_positive(&(thrust.clone() - least)));
-        let below = thrusts[1].is_none_or(|most| is_positive(&(most.clone() - &thrust)));
         // There N(alpha) = alpha/sin(alpha), and N = h at the crown.
-        if above && below && is_positive(&thrust) {
+        if is_within(&thrust, thrusts) && is_positive(&thrust) {
             return Ok(thrust.int(0));
         }
     }
     let needed = needed(&joints.search(), near.each_ref().map(Option::as_ref));
     let (thrust, contacts) = match (needed, thrusts) {
-        (Needed::Even(joint), [least, most]) => {
+        (Needed::Even(joint), _) => {
             let thrust = even_thrust(&joints.angle(joint), &joints.angle(last));
-            let above = least.is_none_or(|least| is_positive(&(thrust.clone() - least)));
-            let below = most.is_none_or(|most| is_positive(&(most.clone() - &thrust)));
-            require(above && below, question)?;
+            ensure(is_within(&thrust, thrusts), question)?;
             (thrust, vec![(Contact::Inwards, joint), shoulder])
         }
         (Needed::AtLeast, [Some(least), _]) => {
@@ -61,10 +62,11 @@ pub(super) fn required(
     let at = joints.angle(joint);
     let ratio = shear_force(&at, &thrust) / normal_force(&at, &thrust);
     let friction = if contact == Contact::Outwards { -ratio } else { ratio };
-    require(is_positive(&friction), question)?;
+    ensure(is_positive(&friction), question)?;
     // With so much no other joint slides.
     let grip = Grip { shear: friction.int(1), normal: friction.clone() };
     let with_it = StoneJoints { grip, friction: None, ..*joints };
-    friction_holds(&with_it, &contacts, &thrust, &thrust.int(0), ring)?;
+    let (joints, moment) = (&with_it, &thrust.int(0));
+    StoneLine { joints, ring, contacts: &contacts, thrust: &thrust, moment }.friction_holds()?;
     Ok(friction)
 }

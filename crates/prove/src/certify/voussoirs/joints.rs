@@ -1,12 +1,14 @@
 //! The joints of an arch of voussoirs in balls, and the conditions there.
 
 use crate::arch::joint::{Grip, Row};
+use crate::arch::mechanism::Contact;
 use crate::arch::{Ring, SelfWeight};
-use crate::number::{Angle, Ball, Enclosure, Field, Jet};
+use crate::number::{Angle, Ball, Field, Jet};
 use crate::problem::stones::{JointContact, Stones};
 use crate::problem::{Friction, Joints};
 use crate::prover::Figure;
 use crate::prover::Undecided;
+use crate::prover::decide::{ensure, is_positive};
 use crate::prover::ties::slides_at_no_thrust;
 use crate::solve::voussoirs::{DEGREE, Search};
 use rug::Float;
@@ -55,6 +57,13 @@ impl<'a> StoneJoints<'a> {
         }
     }
 
+    /// Tells whether a joint is open: it has no normal force, and no moment.
+    pub(super) fn is_open(&self, contacts: &[JointContact], joint: u64) -> bool {
+        let slides = |contact| contacts.contains(&(contact, joint));
+        self.stones.may_open(joint, self.is_limited())
+            && (slides(Contact::Inwards) || slides(Contact::Outwards) && !self.is_limited())
+    }
+
     /// The index of the shoulder.
     pub(super) fn last(&self) -> u64 {
         self.stones.last()
@@ -82,27 +91,12 @@ fn midpoint(x: Ball) -> Float {
     Float::with_val(x.prec(), x.mid())
 }
 
-/// A statement that has to be proved.
-pub(super) fn require(is_proved: bool, question: &'static str) -> Result<(), Undecided> {
-    if is_proved { Ok(()) } else { Err(Undecided::new(question)) }
-}
-
 /// Checks that of two conditions that are free of the crown moment the first asks for a larger thrust than
 /// the second allows.
 pub(super) fn leave_no_thrust([least, most]: [&Row<Ball>; 2]) -> Result<(), Undecided> {
-    require(is_positive(&-least.thrust.clone()), "whether the thrust is bounded from below")?;
-    require(is_positive(&most.thrust), "whether the thrust is bounded from above")?;
+    ensure(is_positive(&-least.thrust.clone()), "whether the thrust is bounded from below")?;
+    ensure(is_positive(&most.thrust), "whether the thrust is bounded from above")?;
     // The two, each times the other's coefficient.
     let sum = least.load.clone() * &most.thrust - least.thrust.clone() * &most.load;
-    require(is_positive(&sum), "whether no thrust is admissible")
-}
-
-/// Tells whether a number is zero exactly.
-pub(super) fn is_zero(x: &Ball) -> bool {
-    x.mid().is_zero() && x.rad().is_zero()
-}
-
-/// Tells whether a number is positive.
-pub(super) fn is_positive(x: &Ball) -> bool {
-    x.is_positive().is_proved()
+    ensure(is_positive(&sum), "whether no thrust is admissible")
 }

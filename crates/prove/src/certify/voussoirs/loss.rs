@@ -1,8 +1,8 @@
 //! Saving of an arch of voussoirs over one with a joint at every angle.
 
-use super::joints::is_positive;
 use crate::number::{Ball, Rounded};
 use crate::prover::Figure;
+use crate::prover::decide::is_positive;
 
 /// Savings of an arch of voussoirs over one with a joint at every angle, rounded to at most four digits.
 #[derive(Clone, Debug)]
@@ -22,13 +22,8 @@ const BITS: u32 = 64;
 /// The loss, from the digits of both least thicknesses; `None` where these do not tell it.
 pub fn voussoir_loss(continuous: &Figure, stones: &Figure) -> Option<VoussoirLoss> {
     let bits = BITS + 4 * continuous.decimal.value.significant_digits() as u32;
-    let enclosing = |figure: &Figure| {
-        let [lower, upper] = [&figure.decimal.lower, &figure.decimal.upper]
-            .map(|bound| Ball::enclosing(&bound.to_rational(), bits));
-        lower.hull(&upper)
-    };
-    let continuous = enclosing(continuous);
-    let thickness = continuous.clone() - enclosing(stones);
+    let continuous = continuous.enclosure(bits);
+    let thickness = continuous.clone() - stones.enclosure(bits);
     let share = thickness.clone() / &continuous;
     if !is_positive(&thickness) {
         return None;

@@ -1,16 +1,16 @@
 //! Polynomials in the thickness: their signs on an interval, and their roots.
 
-use super::joints::{is_positive, require};
 use crate::arch::joint::{Row, multipliers};
 use crate::number::{Ball, Field, Jet};
 use crate::prover::Undecided;
+use crate::prover::decide::{ensure, is_positive};
 use crate::solve::voussoirs::DEGREE;
 use rug::Float;
 
 /// The multipliers are positive at every thickness up to `most`.
 pub(super) fn rates_are_positive(rows: &[Row<Jet<Ball>>; 3], most: &Ball) -> Result<(), Undecided> {
     let is_positive = multipliers(rows).iter().all(|rate| is_positive_up_to(rate, most));
-    require(is_positive, "the rates of the mechanism")
+    ensure(is_positive, "the rates of the mechanism")
 }
 
 /// Two numbers about a root of a polynomial, as near to each other as the bits allow: a candidate that is refined.

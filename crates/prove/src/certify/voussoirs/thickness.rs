@@ -1,7 +1,7 @@
 //! The least thickness of an arch of voussoirs, with its state.
 
-use super::admissible::{friction_holds, line_is_inside};
-use super::joints::{StoneJoints, is_positive, leave_no_thrust, require};
+use super::admissible::StoneLine;
+use super::joints::{StoneJoints, leave_no_thrust};
 use super::polynomial::{bracket, is_positive_up_to, rates_are_positive};
 use crate::arch::Ring;
 use crate::arch::joint::combination;
@@ -10,8 +10,9 @@ use crate::arch::statics::normal_force;
 use crate::number::{Ball, Field};
 use crate::problem::Mode;
 use crate::problem::stones::JointContact;
-use crate::prover::Figure;
-use crate::prover::Undecided;
+use crate::prover::decide::{ensure, is_positive};
+use crate::prover::figure::optional;
+use crate::prover::{Figure, Undecided};
 use crate::solve::voussoirs::VoussoirCandidate;
 use rug::Float;
 
@@ -33,11 +34,11 @@ pub struct VoussoirDigits {
     pub sliding_joint: Option<Figure>,
 }
 
-/// Proof about an arch of voussoirs.
+/// Proof about an arch of voussoirs, with the state at its least thickness in digits or in balls.
 #[derive(Clone, Debug)]
-pub enum Voussoirs {
+pub enum Voussoirs<S = Box<VoussoirDigits>> {
     /// The arch stands from a least thickness on.
-    Stands(Box<VoussoirDigits>),
+    Stands(S),
     /// The arch stands at every thickness up to 2: it has no joint inside its halves.
     AnyThickness,
     /// The arch stands at no thickness: an inner joint slides at a smaller thrust than the shoulder, or the
@@ -58,17 +59,7 @@ pub(super) struct LeastState {
 }
 
 /// Proof before it is rounded.
-#[derive(Clone, Debug)]
-pub(super) enum LeastOutcome {
-    /// The arch stands from the least thickness on.
-    Stands(LeastState),
-    /// The arch stands at every thickness.
-    AnyThickness,
-    /// The arch stands at no thickness, as it slides.
-    Slides,
-    /// The arch stands at no thickness up to 2.
-    TooThick,
-}
+pub(super) type LeastOutcome = Voussoirs<LeastState>;
 
 impl LeastOutcome {
     /// Outcome in digits; `None` if the rounding is not decided.
@@ -87,10 +78,7 @@ impl LeastOutcome {
             thickness: Figure::new(thickness, digits)?,
             thrust: Figure::new(thrust, digits)?,
             rotation_joint: joint(contacts[1])?,
-            sliding_joint: match slides {
-                true => Some(joint(contacts[0])?),
-                false => None,
-            },
+            sliding_joint: optional(slides.then_some(contacts[0]), joint)?,
         })))
     }
 }
@@ -130,7 +118,7 @@ fn contradiction(
 ) -> Result<(), Undecided> {
     let rows = joints.polynomial_rows(contacts);
     rates_are_positive(&rows, most)?;
-    require(is_positive_up_to(&combination(&rows), most), "whether a thinner arch stands")
+    ensure(is_positive_up_to(&combination(&rows), most), "whether a thinner arch stands")
 }
 
 /// Arches of two or three stones stand at every thickness if they do with the thrust `h` of the line through the
@@ -138,17 +126,18 @@ fn contradiction(
 /// extrados of one joint and the intrados of the other is then `eta/2 [N_0 + N_1 ± delta_M eta (cos_0 - cos_1)/6]`,
 /// and `eta` is at most 2.
 fn any_thickness(joints: &StoneJoints<'_>) -> Result<LeastOutcome, Undecided> {
-    require(joints.stones.count() == 2, "whether every thickness is enough")?;
+    ensure(joints.stones.count() == 2, "whether every thickness is enough")?;
     let zero = Ball::integer(0, joints.bits);
     let ring = Ring { centroid_factor: zero.int(1), thickness: zero };
     let [upper, lower] = [0, 1].map(|joint| joints.row((Contact::Extrados, joint), &ring));
     let (thrust, moment) = upper.meeting(&lower);
-    friction_holds(joints, &[], &thrust, &moment, &ring)?;
+    let (ring, thrust, moment) = (&ring, &thrust, &moment);
+    StoneLine { joints, ring, contacts: &[], thrust, moment }.friction_holds()?;
     let [upper, lower] = [0, 1].map(|index| joints.angle(index));
-    let normal = normal_force(&upper, &thrust) + normal_force(&lower, &thrust);
+    let normal = normal_force(&upper, thrust) + normal_force(&lower, thrust);
     let tilt = thrust.int(joints.weight.flag()) * (upper.cos - &lower.cos);
     let room = normal * thrust.int(3) - tilt;
-    require(is_positive(&room), "whether every thickness is enough")?;
+    ensure(is_positive(&room), "whether every thickness is enough")?;
     Ok(LeastOutcome::AnyThickness)
 }
 
@@ -163,17 +152,19 @@ fn collapses(
     let polynomials = joints.polynomial_rows(&contacts);
     let polynomial = combination(&polynomials);
     let [low, high] = bracket(&polynomial, near, joints.bits);
-    require(is_positive(&-polynomial.at(&high)), "whether there is a least thickness")?;
+    ensure(is_positive(&-polynomial.at(&high)), "whether there is a least thickness")?;
     contradiction(joints, &contacts, &low)?;
     let two = Ball::integer(2, joints.bits);
-    require(is_positive(&(two - &high)), "whether the physical limit is enough")?;
+    ensure(is_positive(&(two - &high)), "whether the physical limit is enough")?;
     let thickness = low.hull(&high);
     let ring = Ring::new(joints.weight, &thickness);
     let rows = contacts.map(|contact| joints.row(contact, &ring));
     rates_are_positive(&polynomials, &high)?;
     let (thrust, moment) = rows[0].meeting(&rows[2]);
-    friction_holds(joints, &contacts, &thrust, &moment, &ring)?;
-    line_is_inside(joints, &contacts, &thrust, &moment, &ring)?;
+    let line =
+        StoneLine { joints, ring: &ring, contacts: &contacts, thrust: &thrust, moment: &moment };
+    line.friction_holds()?;
+    line.is_inside()?;
     Ok(LeastState { mode, contacts, thickness, thrust })
 }
 
