@@ -53,7 +53,7 @@ fn agree_at(query: &DrawnQuery, thickness: &ExactNumber, digits: usize) {
     let by_mpfr = inquiry.assess(thickness, digits, Wanted::Everything).unwrap();
     let all = |x: &couplet::certify::state::AssessmentDigits| {
         let figures: Vec<_> = x.figures().map(|(of, x)| (of, shown(x))).collect();
-        let limits = x.limits().map(|limit| limit.map(|limit| limit.limited_by));
+        let limits = x.limits().map(|limit| limit.map(|limit| limit.touch.name()));
         format!("{:?} {:?} {figures:?} {limits:?} {:?}", x.stands, x.fall, x.open().count())
     };
     assert_eq!(all(&found), all(&by_mpfr), "{query} {thickness}");

@@ -245,7 +245,7 @@ impl Answer {
                 answer.values = digits.figures().map(|(of, x)| (of, Value::figure(x))).collect();
                 let thrusts = answer.values.iter_mut().filter(|(of, _)| of.joint().is_some());
                 for ((_, value), limit) in thrusts.zip(digits.limits().into_iter().flatten()) {
-                    value.limited_by = Some(limit.limited_by);
+                    value.limited_by = Some(limit.touch.name());
                 }
             }
             Err(refused) => answer.status = Status::Refused(refused.to_string()),

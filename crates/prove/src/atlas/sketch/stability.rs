@@ -3,7 +3,6 @@
 use crate::certify::state::{Assessment, Fall, Figure, Limit};
 use crate::certify::{Undecided, VoussoirAssessment, VoussoirLimit, VoussoirStanding, Voussoirs};
 use crate::number::Ball;
-use crate::problem::Quantity;
 use crate::problem::stones::Stones;
 
 /// Stability of an arch of a given thickness, all of it decided.
@@ -37,10 +36,8 @@ pub struct Bound {
 impl Stability {
     /// Stability of an arch with a joint at every angle.
     pub(super) fn of_arch(found: &Assessment) -> Result<Self, Undecided> {
-        for quantity in Quantity::ASSESSMENT {
-            if let Some(open) = found.why_open(quantity) {
-                return Err(open.clone());
-            }
+        if let Some((_, open)) = found.open().next() {
+            return Err(open.clone());
         }
         let bound = |limit: &Limit| Bound {
             thrust: limit.thrust.clone(),

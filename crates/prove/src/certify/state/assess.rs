@@ -15,6 +15,7 @@ use crate::problem::{Arch, Quantity};
 use crate::prover::Undecided;
 use crate::prover::arithmetic::Arithmetic;
 use crate::prover::decide::{decide, require};
+use crate::prover::figure::{Figure, Figured};
 use crate::prover::ties::{friction_angle_is_half_opening, has_no_arm_at_crown};
 
 /// Certain answers about an arch of a given thickness, each answer with a reason where it stays open.
@@ -38,33 +39,109 @@ pub struct Assessment<T = Ball> {
 }
 
 impl<T> Assessment<T> {
-    /// Maps all values to other numbers.
-    pub(super) fn map<U>(self, f: impl Fn(T) -> U) -> Assessment<U> {
-        let value = |x: Result<Option<T>, Undecided>| x.map(|x| x.map(&f));
+    /// Turns all values into others, each of which may stay open; `open` says more of what does.
+    pub(super) fn each<U>(
+        self,
+        value: impl Fn(T) -> Result<U, Undecided>,
+        open: impl Fn(Undecided) -> Undecided,
+    ) -> Assessment<U> {
+        let single = |x: Result<Option<T>, Undecided>| {
+            x.and_then(|x| x.map(&value).transpose()).map_err(&open)
+        };
+        let limit = |end: Result<Option<Limit<T>>, Undecided>| {
+            end.and_then(|end| end.map(|limit| limit.each(&value)).transpose()).map_err(&open)
+        };
         Assessment {
-            stands: self.stands,
+            stands: self.stands.map_err(&open),
             fall: self.fall,
-            least_thickness: value(self.least_thickness),
-            geometric_safety: value(self.geometric_safety),
-            required_friction: value(self.required_friction),
-            friction_safety: value(self.friction_safety),
-            thrust: self.thrust.map(|end| end.map(|limit| limit.map(|limit| limit.map(&f)))),
+            least_thickness: single(self.least_thickness),
+            geometric_safety: single(self.geometric_safety),
+            required_friction: single(self.required_friction),
+            friction_safety: single(self.friction_safety),
+            thrust: self.thrust.map(limit),
         }
+    }
+
+    /// Every value rounded to `digits` significant digits; those that enclosures of `bits` bits do not decide
+    /// stay open.
+    pub(super) fn rounded(self, digits: usize, bits: u32) -> AssessmentDigits
+    where
+        T: Figured,
+    {
+        let rounding = || Undecided::rounding("the rounding");
+        self.each(|x| x.figure(digits).ok_or_else(rounding), |open| open.at(bits))
+    }
+
+    fn single(&self) -> [&Result<Option<T>, Undecided>; 4] {
+        let Self { least_thickness, geometric_safety, required_friction, friction_safety, .. } =
+            self;
+        [least_thickness, geometric_safety, required_friction, friction_safety]
+    }
+
+    /// The values that there are, in the order of [`Quantity::ASSESSMENT`] and each limiting joint behind its
+    /// thrust; `None` for a thrust or a safety without bound.
+    pub fn figures(&self) -> impl Iterator<Item = (Quantity, Option<&T>)> {
+        let single = Quantity::ASSESSMENT.into_iter().zip(self.single());
+        let single = single.filter_map(|(of, figure)| Some((of, figure.as_ref().ok()?.as_ref())));
+        let single = single.filter(|(of, figure)| {
+            figure.is_some() || *of == Quantity::FrictionSafety && self.is_safe_from_sliding()
+        });
+        single.chain(THRUSTS.into_iter().zip(self.limits()).flat_map(|(thrust, limit)| {
+            let joint = limit.and_then(|limit| thrust.joint().zip(limit.touch.joint()));
+            let joint = joint.map(|(joint, figure)| (joint, Some(figure)));
+            limit.map(|limit| (thrust, limit.thrust.as_ref())).into_iter().chain(joint)
+        }))
+    }
+
+    /// Tells whether the arch stands and nothing slides: some friction is required, and it is unlimited.
+    fn is_safe_from_sliding(&self) -> bool {
+        let Self { stands, required_friction, friction_safety, .. } = self;
+        let is_required = !matches!(required_friction, Ok(None));
+        *stands == Ok(true) && is_required && matches!(friction_safety, Ok(None))
+    }
+
+    /// The ends of the range of thrusts, where they are known and the arch stands.
+    pub fn limits(&self) -> [Option<&Limit<T>>; 2] {
+        self.thrust.each_ref().map(|limit| limit.as_ref().ok()?.as_ref())
     }
 
     /// Reason why a quantity of [`Quantity::ASSESSMENT`] stays open, if it does.
     pub fn why_open(&self, quantity: Quantity) -> Option<&Undecided> {
-        match quantity {
-            Quantity::LeastThickness => self.least_thickness.as_ref().err(),
-            Quantity::GeometricSafety => self.geometric_safety.as_ref().err(),
-            Quantity::RequiredFriction => self.required_friction.as_ref().err(),
-            Quantity::FrictionSafety => self.friction_safety.as_ref().err(),
-            Quantity::LeastThrust => self.thrust[0].as_ref().err(),
-            Quantity::LargestThrust => self.thrust[1].as_ref().err(),
-            _ => None,
+        self.open().find(|(of, _)| *of == quantity).map(|(_, open)| open)
+    }
+
+    /// The quantities that stay open, and why.
+    pub fn open(&self) -> impl Iterator<Item = (Quantity, &Undecided)> {
+        let single = self.single().map(|x| x.as_ref().err());
+        let thrusts = self.thrust.each_ref().map(|limit| limit.as_ref().err());
+        let all = Quantity::ASSESSMENT.into_iter().zip(single.into_iter().chain(thrusts));
+        all.filter_map(|(of, open)| Some((of, open?)))
+    }
+
+    /// Reason why not everything is decided, where it is not.
+    pub(super) fn first_open(&self) -> Option<&Undecided> {
+        self.stands.as_ref().err().or_else(|| self.open().next().map(|(_, undecided)| undecided))
+    }
+
+    /// Assessment completed with what another precision has decided where this one has not.
+    pub(super) fn or(self, other: Self) -> Self {
+        let [[least, largest], [other_least, other_largest]] = [self.thrust, other.thrust];
+        Self {
+            stands: self.stands.or(other.stands),
+            fall: self.fall.or(other.fall),
+            least_thickness: self.least_thickness.or(other.least_thickness),
+            geometric_safety: self.geometric_safety.or(other.geometric_safety),
+            required_friction: self.required_friction.or(other.required_friction),
+            friction_safety: self.friction_safety.or(other.friction_safety),
+            thrust: [least.or(other_least), largest.or(other_largest)],
         }
     }
 }
+/// Certain answers in digits, correctly rounded.
+pub type AssessmentDigits = Assessment<Figure>;
+
+/// The ends of the range of thrusts.
+const THRUSTS: [Quantity; 2] = [Quantity::LeastThrust, Quantity::LargestThrust];
 
 /// Question about an arch of a given thickness.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

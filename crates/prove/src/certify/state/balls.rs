@@ -1,7 +1,7 @@
 //! The one policy of arithmetic for the digits of an arch.
 
-use super::assess::Wanted;
-use super::digits::{Answer, AssessmentDigits};
+use super::assess::{AssessmentDigits, Wanted};
+use super::digits::Answer;
 use super::inquiry::Inquiry;
 use super::quick;
 use crate::certify::{Error, Refused};

@@ -1,8 +1,8 @@
 //! Questions that can be proved of an arch: the door to this folder.
 
-use super::assess::{Assessment, Wanted};
+use super::assess::{Assessment, AssessmentDigits, Wanted};
 use super::balls::Balls;
-use super::digits::{Answer, AssessmentDigits, Digits};
+use super::digits::{Answer, Digits};
 use super::inquiry::Inquiry;
 use super::mode::{outcome, pure_sliding};
 use super::query::{DOUBLE, Query, bits_lost};

@@ -1,7 +1,7 @@
 //! Several questions about one arch, which share what is proved on the way.
 
-use super::assess::{Assessment, Wanted, assessment};
-use super::digits::{Answer, AssessmentDigits, Digits};
+use super::assess::{Assessment, AssessmentDigits, Wanted, assessment};
+use super::digits::{Answer, Digits};
 use super::enough::enough;
 use super::mode::outcome;
 use super::query::GUARD;
@@ -68,8 +68,7 @@ impl<'a> Inquiry<'a> {
         Refused::arch_digits(digits)?;
         Refused::thickness(thickness)?;
         let first = self.bits + bits_lost(self.arch);
-        let mut at =
-            |bits| AssessmentDigits::new(self.assessment(thickness, bits, wanted), (digits, bits));
+        let mut at = |bits| self.assessment(thickness, bits, wanted).rounded(digits, bits);
         let mut found: Option<AssessmentDigits> = None;
         // What stays open says so itself.
         let _ = raise(first, |bits| {

@@ -51,10 +51,10 @@ mod state;
 mod thrust_range;
 
 pub use crate::prover::Figure;
-pub use assess::{Assessment, Wanted};
+pub use assess::{Assessment, AssessmentDigits, Wanted};
 pub use balls::Balls;
 pub use certify::{Certify, NoState};
-pub use digits::{Answer, AssessmentDigits, Digits, LimitDigits};
+pub use digits::{Answer, Digits};
 pub(super) use enough::AtOpening;
 pub use enough::Enough;
 pub use inquiry::Inquiry;

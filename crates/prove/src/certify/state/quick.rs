@@ -3,8 +3,8 @@
 //! It is the text of this folder over another number. What these balls decide is proved; where they leave anything
 //! open, a sign, a box or a rounding, the answer is `None`, and balls of MPFR are asked.
 
-use super::assess::{Assessment, Wanted, assessment};
-use super::digits::{Answer, AssessmentDigits, Digits};
+use super::assess::{Assessment, AssessmentDigits, Wanted, assessment};
+use super::digits::{Answer, Digits};
 use super::enough::enough;
 use super::inquiry::Inquiry;
 use super::mode::{outcome, pure_sliding, sliding_root};
@@ -13,7 +13,7 @@ use super::state::Outcome;
 use super::thrust_range::Touch;
 use crate::arch::Configuration;
 use crate::number::{Ball, DoubleDoubleBall, ExactNumber};
-use crate::problem::{Arch, Quantity};
+use crate::problem::Arch;
 use crate::prover::Undecided;
 
 /// Beyond so many digits few values would be decided.
@@ -110,7 +110,7 @@ pub(crate) fn sliding_configuration(
 
 /// Everything that holds for an arch of a given thickness, in `(0, 2]`, in enclosures of `bits` bits.
 pub(crate) fn assessment_enclosed(arch: &Arch, thickness: &ExactNumber, bits: u32) -> Assessment {
-    let quick = || Some(decided(arch, thickness)?.map(|x| x.to_ball(bits)));
+    let quick = || Some(decided(arch, thickness)?.each(|x| Ok(x.to_ball(bits)), |open| open));
     let proof = || Inquiry::new(arch, 1, false).assessment(thickness, bits, Wanted::Everything);
     enclosed(bits, quick, proof)
 }
@@ -125,8 +125,7 @@ fn decided(arch: &Arch, thickness: &ExactNumber) -> Option<Assessment<DoubleDoub
     // More bits may tell a joint from the shoulder next to it.
     let mut touches = found.thrust.iter().flatten().flatten().map(|limit| &limit.touch);
     let is_near = touches.any(|touch| matches!(touch, Touch::AtShoulder));
-    let is_open = found.stands.is_err()
-        || Quantity::ASSESSMENT.into_iter().any(|quantity| found.why_open(quantity).is_some());
+    let is_open = found.first_open().is_some();
     (!is_near && !is_open).then_some(found)
 }
 
@@ -139,7 +138,7 @@ pub(super) fn assess(
     if !is_quick(digits) {
         return None;
     }
-    let found = AssessmentDigits::new(decided(arch, thickness)?, (digits, DOUBLE_DOUBLE));
+    let found = decided(arch, thickness)?.rounded(digits, DOUBLE_DOUBLE);
     found.first_open().is_none().then_some(found)
 }
 

@@ -36,11 +36,11 @@ pub struct Limit<T = Ball> {
 
 impl<T> Limit<T> {
     /// Maps the values to other numbers.
-    pub(super) fn map<U>(self, f: impl Fn(T) -> U) -> Limit<U> {
-        let thrust = self.thrust.map(&f);
+    pub(super) fn each<U, E>(self, f: impl Fn(T) -> Result<U, E>) -> Result<Limit<U>, E> {
+        let thrust = self.thrust.map(&f).transpose()?;
         let touch = match self.touch {
-            Touch::Haunch(joint) => Touch::Haunch(f(joint)),
-            Touch::InnerSliding(joint) => Touch::InnerSliding(f(joint)),
+            Touch::Haunch(joint) => Touch::Haunch(f(joint)?),
+            Touch::InnerSliding(joint) => Touch::InnerSliding(f(joint)?),
             Touch::Crown => Touch::Crown,
             Touch::Shoulder => Touch::Shoulder,
             Touch::AtShoulder => Touch::AtShoulder,
@@ -48,7 +48,7 @@ impl<T> Limit<T> {
             Touch::ShoulderSlidingInwards => Touch::ShoulderSlidingInwards,
             Touch::Nothing => Touch::Nothing,
         };
-        Limit { thrust, touch }
+        Ok(Limit { thrust, touch })
     }
 }
 
