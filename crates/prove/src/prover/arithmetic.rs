@@ -4,7 +4,7 @@ use super::Undecided;
 use super::in_doubles::{self, Doubles};
 use super::root::{self, Form};
 use crate::number::{
-    Ball, DoubleBall, DoubleDoubleBall, Engine, Field, Magnitude, Stumpff, stumpff_terms,
+    Ball, DoubleDoubleBall, Engine, Field, FloatBall, Magnitude, Midpoint, Stumpff, stumpff_terms,
 };
 use crate::solve::start::Start;
 use rug::Float;
@@ -92,44 +92,41 @@ impl Arithmetic for Ball {
 const SMALL_IN_DOUBLES: i64 = -6;
 
 /// Balls of doubles of both kinds.
-macro_rules! in_doubles {
-    ($ball:ty) => {
-        impl Arithmetic for $ball {
-            type Candidate = f64;
+impl<M: Midpoint> Arithmetic for FloatBall<M>
+where
+    Self: Engine + Doubles + From<DoubleDoubleBall>,
+{
+    type Candidate = f64;
 
-            fn from_ball(ball: &Ball, _bits: u32) -> Self {
-                DoubleDoubleBall::from(ball).into()
-            }
+    fn from_ball(ball: &Ball, _bits: u32) -> Self {
+        DoubleDoubleBall::from(ball).into()
+    }
 
-            fn candidate(&self) -> f64 {
-                Doubles::nearest(self)
-            }
+    fn candidate(&self) -> f64 {
+        Doubles::nearest(self)
+    }
 
-            fn hull_with(&self, other: &Self) -> Self {
-                self.widened((*self - other).size()).widened(other.rad())
-            }
+    fn hull_with(&self, other: &Self) -> Self {
+        self.widened((*self - other).size()).widened(other.rad())
+    }
 
-            fn bound(&self) -> f64 {
-                self.size()
-            }
+    fn bound(&self) -> f64 {
+        self.size()
+    }
 
-            fn rest_to_one(&self) -> Self {
-                self.int(1) - self
-            }
+    fn rest_to_one(&self) -> Self {
+        self.int(1) - self
+    }
 
-            fn is_small(exponent: i64, _bits: u32) -> bool {
-                exponent <= SMALL_IN_DOUBLES
-            }
+    fn is_small(exponent: i64, _bits: u32) -> bool {
+        exponent <= SMALL_IN_DOUBLES
+    }
 
-            fn root_near(
-                equations: &impl Form<Self>,
-                _bits: u32,
-                start: &[f64],
-            ) -> Result<Vec<Self>, Undecided> {
-                in_doubles::root_near(equations, start)
-            }
-        }
-    };
+    fn root_near(
+        equations: &impl Form<Self>,
+        _bits: u32,
+        start: &[f64],
+    ) -> Result<Vec<Self>, Undecided> {
+        in_doubles::root_near(equations, start)
+    }
 }
-in_doubles!(DoubleBall);
-in_doubles!(DoubleDoubleBall);

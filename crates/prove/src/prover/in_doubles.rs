@@ -15,7 +15,7 @@
 use super::Undecided;
 use super::root::{Form, no_candidate};
 use crate::check::krawczyk;
-use crate::number::{DoubleBall, DoubleDouble, DoubleDoubleBall, Enclosure, Gradient, Stumpff};
+use crate::number::{DoubleBall, Enclosure, FloatBall, Gradient, Midpoint, Stumpff};
 use crate::problem::tally;
 use crate::solve::invert;
 use std::array;
@@ -40,28 +40,14 @@ pub(crate) trait Doubles:
     fn radius(&self) -> f64;
 }
 
-impl Doubles for DoubleBall {
-    const NARROW: f64 = f64::INFINITY;
-
-    fn nearest(&self) -> f64 {
-        self.mid()
-    }
-
-    fn bound(&self) -> f64 {
-        self.size()
-    }
-
-    fn around(&self, radius: f64) -> Self {
-        Self::new(self.mid(), radius)
-    }
-
-    fn radius(&self) -> f64 {
-        self.rad()
-    }
-}
-
-impl Doubles for DoubleDoubleBall {
-    const NARROW: f64 = (1u64 << 20) as f64 * DoubleDouble::UNIT;
+impl<M: Midpoint> Doubles for FloatBall<M>
+where
+    Self: From<DoubleBall> + Into<DoubleBall>,
+{
+    const NARROW: f64 = match M::BITS == <f64 as Midpoint>::BITS {
+        true => f64::INFINITY,
+        false => (1u64 << 20) as f64 * M::UNIT,
+    };
 
     fn nearest(&self) -> f64 {
         self.mid().hi()
@@ -200,6 +186,7 @@ fn image<E: Doubles, const N: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::DoubleDoubleBall;
     use crate::number::{Ball, Real};
     use rug::Rational;
     use std::cell::Cell;
