@@ -39,8 +39,8 @@ pub(super) enum FixedJoint {
 pub(super) struct CurveForm {
     pub weight: SelfWeight,
     pub parameter: Variable,
-    pub unknowns: &'static [Variable],
-    pub laws: &'static [Law],
+    pub unknowns: Vec<Variable>,
+    pub laws: Vec<Law>,
     pub thrust: Thrust,
     pub joint: FixedJoint,
     /// The variable that is the same throughout, with its value.
@@ -52,11 +52,22 @@ impl CurveForm {
     pub(super) fn new(
         weight: SelfWeight,
         parameter: Variable,
-        unknowns: &'static [Variable],
-        laws: &'static [Law],
+        unknowns: &[Variable],
+        laws: &[Law],
     ) -> Self {
         let (thrust, joint) = (Thrust::Sliding, FixedJoint::Crown);
+        let (unknowns, laws) = (unknowns.to_vec(), laws.to_vec());
         Self { weight, parameter, unknowns, laws, thrust, joint, given: None }
+    }
+
+    /// The parameter and the unknowns.
+    pub(super) fn variables(&self) -> impl Iterator<Item = &Variable> {
+        [&self.parameter].into_iter().chain(&self.unknowns)
+    }
+
+    /// A point of the curve by the values of its variables: the parameter and the unknowns.
+    pub(super) fn point(&self, value: impl Fn(Variable) -> Ball) -> (Ball, Vec<Ball>) {
+        (value(self.parameter), self.unknowns.iter().map(|unknown| value(*unknown)).collect())
     }
 
     /// Tells whether the variable is the parameter, an unknown or given.

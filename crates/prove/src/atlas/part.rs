@@ -133,27 +133,22 @@ impl Part {
 /// The equations with what is given of a mode in which a joint slides.
 fn form(mode: Mode, weight: SelfWeight, (fixed, value): (Variable, &Ball)) -> CurveForm {
     use {Law as L, Variable as V};
-    let kind = (mode.slides_inside(), mode.has_haunch());
-    let (laws, thrust): (&[L], Thrust) = match kind {
+    let (slides, has_haunch) = (mode.slides_inside(), mode.has_haunch());
+    let (laws, thrust): (&[L], Thrust) = match (slides, has_haunch) {
         (false, _) => (&[L::Tangency, L::Touching], Thrust::Shoulder),
         (true, true) => (&[L::Cycloid, L::Tangency, L::Upper], Thrust::Sliding),
         (true, false) => (&[L::Cycloid, L::Upper], Thrust::Sliding),
     };
-    let (parameter, unknowns): (V, &[V]) = match (kind, fixed) {
-        ((false, _), V::HalfOpening) => (V::FrictionAngle, &[V::JointSquare, V::Thickness]),
-        ((false, _), V::Thickness) => (V::FrictionAngle, &[V::JointSquare, V::HalfOpening]),
-        ((false, _), _) => (V::HalfOpening, &[V::JointSquare, V::Thickness]),
-        ((true, true), V::HalfOpening) => {
-            (V::Inclination, &[V::FrictionAngle, V::JointSquare, V::Thickness])
-        }
-        ((true, false), V::HalfOpening) => (V::Inclination, &[V::FrictionAngle, V::Thickness]),
-        ((true, true), V::Thickness) => {
-            (V::Inclination, &[V::FrictionAngle, V::JointSquare, V::HalfOpening])
-        }
-        ((true, false), V::Thickness) => (V::Inclination, &[V::FrictionAngle, V::HalfOpening]),
-        ((true, true), _) => (V::Thickness, &[V::Inclination, V::JointSquare, V::HalfOpening]),
-        ((true, false), _) => (V::Thickness, &[V::Inclination, V::HalfOpening]),
+    let (parameter, force, last) = match (slides, fixed) {
+        (false, V::HalfOpening) => (V::FrictionAngle, None, V::Thickness),
+        (false, V::Thickness) => (V::FrictionAngle, None, V::HalfOpening),
+        (false, _) => (V::HalfOpening, None, V::Thickness),
+        (true, V::HalfOpening) => (V::Inclination, Some(V::FrictionAngle), V::Thickness),
+        (true, V::Thickness) => (V::Inclination, Some(V::FrictionAngle), V::HalfOpening),
+        (true, _) => (V::Thickness, Some(V::Inclination), V::HalfOpening),
     };
+    let joint = (has_haunch || !slides).then_some(V::JointSquare);
+    let unknowns: Vec<V> = force.into_iter().chain(joint).chain([last]).collect();
     let given = Some((fixed, value.clone()));
-    CurveForm { thrust, given, ..CurveForm::new(weight, parameter, unknowns, laws) }
+    CurveForm { thrust, given, ..CurveForm::new(weight, parameter, &unknowns, laws) }
 }

@@ -98,11 +98,8 @@ fn chained(
         [start.lower().to_f64_round(Round::Down) + 0.0, end.upper().to_f64_round(Round::Up)];
     let walk = walk(form, low, guess, high, tolerance)
         .ok_or_else(|| Undecided::new("a node cannot be proved"))?;
-    let meets = |crossing: &Crossing, is_first: bool| {
-        let tube = if is_first { walk.tubes.first() } else { walk.tubes.last() };
-        let root: Vec<Ball> = form.unknowns.iter().map(|u| crossing.value(*u)).collect();
-        let s = crossing.value(form.parameter);
-        tube.and_then(Option::as_ref).is_some_and(|tube| tube.holds(&s, &root))
+    let meets = |crossing: &Crossing, is_first| {
+        walk.reaches(form, |variable| crossing.value(variable), is_first)
     };
     match meets(from, true) && to.is_none_or(|to| meets(to, false)) {
         true => Ok(walk),

@@ -25,8 +25,7 @@ pub fn tangent(line: Line, weight: SelfWeight, at: Landmark) -> Result<Ball, Err
     };
     let form = leg.ok_or_else(|| failed("it has no equations"))?.form;
     let values = EndValues::of(CurveEnd::Landmark(at), weight)?;
-    let s = values.value(form.parameter);
-    let x: Vec<Ball> = form.unknowns.iter().map(|unknown| values.value(*unknown)).collect();
+    let (s, x) = form.point(|variable| values.value(variable));
     let number = |given: &Ball| Dual::constant(given.clone());
     let rows = form.residuals(&number, &Dual::variable(s.clone(), x.len()), &Dual::variables(&x));
     let right = rows.iter().map(|row| -row.derivative(x.len())).collect();

@@ -100,11 +100,9 @@ impl Trace {
             }
         }
         let reaches = |values: &EndValues, leg: Option<&(CurveForm, Walk)>, is_first: bool| {
-            let Some((form, walk)) = leg else { return false };
-            let tube = if is_first { walk.tubes.first() } else { walk.tubes.last() };
-            let root: Vec<Ball> = form.unknowns.iter().map(|u| values.value(*u)).collect();
-            let s = values.value(form.parameter);
-            tube.and_then(Option::as_ref).is_some_and(|tube| tube.holds(&s, &root))
+            leg.is_some_and(|(form, walk)| {
+                walk.reaches(form, |variable| values.value(variable), is_first)
+            })
         };
         for (values, leg, is_first, name) in
             [(&start, legs.first(), true, first), (&end, legs.last(), false, last)]
@@ -115,8 +113,8 @@ impl Trace {
         }
         let at_end = |name: CurveEnd, values: &EndValues, leg: Option<&(CurveForm, Walk)>| {
             let (form, _) = leg?;
-            let root: Vec<Ball> = form.unknowns.iter().map(|u| values.value(*u)).collect();
-            let place = Place::new(form, &values.value(form.parameter), &root);
+            let (s, root) = form.point(|variable| values.value(variable));
+            let place = Place::new(form, &s, &root);
             let has_friction = place.friction.is_some();
             let is_unlimited = place.is_unlimited || (has_friction && name.is_unlimited());
             Some(Place { is_unlimited, ..place })
@@ -255,10 +253,7 @@ impl<'a> Piece<'a> {
     /// The slope of a variable to the parameter, over the whole piece.
     pub fn slope(&self, variable: Variable) -> Option<Ball> {
         let tube = self.tube?;
-        match self.form.unknowns.iter().position(|unknown| *unknown == variable) {
-            Some(index) => tube.slopes.get(index).cloned(),
-            None => (self.form.parameter == variable).then(|| exact(1.0)),
-        }
+        self.form.value(variable, &exact(1.0), &tube.slopes).cloned()
     }
 
     /// The slope of one variable to another, `dy/dx`, over the whole piece; `None` if a curve leaves one of them

@@ -4,12 +4,27 @@ use super::form::CurveForm;
 use super::search::{self, CurvePoint};
 use super::tube::{Node, Tube};
 use super::variable::Variable;
+use crate::number::Ball;
 
 /// Nodes in order, and what lies between each and the next: a tube, or nothing where none is proved.
 #[derive(Clone, Debug)]
 pub(super) struct Walk {
     pub nodes: Vec<Node>,
     pub tubes: Vec<Option<Tube>>,
+}
+
+impl Walk {
+    /// Tells whether the point with these values is proved to be on the curve, in the first tube or in the last.
+    pub(super) fn reaches(
+        &self,
+        form: &CurveForm,
+        value: impl Fn(Variable) -> Ball,
+        is_first: bool,
+    ) -> bool {
+        let tube = if is_first { self.tubes.first() } else { self.tubes.last() };
+        let (s, root) = form.point(value);
+        tube.and_then(Option::as_ref).is_some_and(|tube| tube.holds(&s, &root))
+    }
 }
 
 /// The parts into which the way is cut at least.

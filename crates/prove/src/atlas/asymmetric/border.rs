@@ -125,12 +125,11 @@ fn triple(form: &CurveForm, weight: SelfWeight) -> Result<Crossing, Undecided> {
     let thrust = cycloid::thrust(&Angle::new(thrust));
     let eta = values.value(Variable::Thickness);
     let moment = (eta.clone() / eta.int(2) + eta.int(1)) * &thrust;
-    let value = |variable: &Variable| match variable {
+    let (s, root) = form.point(|variable| match variable {
         Variable::CrownMoment => moment.clone(),
-        known => values.value(*known),
-    };
-    let root = form.unknowns.iter().map(value).collect();
-    Ok(Crossing::known(form, values.value(form.parameter), root))
+        known => values.value(known),
+    });
+    Ok(Crossing::known(form, s, root))
 }
 
 /// X: on the edge of `[s,s]` the hinges fit.
@@ -146,7 +145,7 @@ fn start(weight: SelfWeight) -> Result<Crossing, Undecided> {
         known => double(*known),
     };
     let form = beginning(weight);
-    let starts = [&form.parameter].into_iter().chain(form.unknowns).map(value);
+    let starts = form.variables().map(value);
     let starts = starts.map(|x| Float::with_val(BITS, x)).collect();
     Crossing::proved(&form, Some(Law::InnerSlides), starts)
 }

@@ -120,7 +120,7 @@ fn beginning(weight: SelfWeight, alpha: &Ball) -> Result<Meeting, NoBranch> {
         known => at.value(*known).mid().clone(),
     };
     let form = symmetric(kind, weight, alpha);
-    let starts = [&form.parameter].into_iter().chain(form.unknowns).map(start).collect();
+    let starts = form.variables().map(start).collect();
     let crossing = Crossing::proved(&form, None, starts)?;
     match crossing.residual(Law::HingesFit).is_positive() {
         Ternary::True => Ok(Meeting { crossing, other: None }),
@@ -158,8 +158,7 @@ fn next(
                 index.and_then(|k| ends.get(k)).map(number)
             };
             let form = symmetric(kind, weight, alpha);
-            let starts: Option<Vec<Float>> =
-                [&form.parameter].into_iter().chain(form.unknowns).map(value).collect();
+            let starts: Option<Vec<Float>> = form.variables().map(value).collect();
             let crossing = Crossing::proved(&form, None, starts.ok_or_else(lost)?)?;
             Ok(Meeting { crossing, other: None })
         }

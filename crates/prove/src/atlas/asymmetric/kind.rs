@@ -21,24 +21,16 @@ pub(super) fn closed_by(law: Law) -> Option<AsymmetricMode> {
     AsymmetricMode::ALL.into_iter().find(|kind| closing(*kind) == law)
 }
 
-macro_rules! laws {
-    ($($closing:ident),*) => {
-        &[
-            Law::CarriedShoulder,
-            Law::OnCrown,
-            Law::TouchesCrown,
-            Law::OnHaunch,
-            Law::TouchesHaunch,
-            $(Law::$closing),*
-        ]
-    };
-}
+/// The laws of a state, but for those by which it closes.
+const STATE: [Law; 5] =
+    [Law::CarriedShoulder, Law::OnCrown, Law::TouchesCrown, Law::OnHaunch, Law::TouchesHaunch];
 
-/// The laws of a symmetric state, whose line of thrust is level in the crown.
-macro_rules! symmetric {
-    ($closing:ident) => {
-        &[Law::CarriedShoulder, Law::OnCrown, Law::OnHaunch, Law::TouchesHaunch, Law::$closing]
-    };
+/// The laws of a symmetric state, whose line of thrust is level in the crown, but for that by which it closes.
+const SYMMETRIC: [Law; 4] = [Law::CarriedShoulder, Law::OnCrown, Law::OnHaunch, Law::TouchesHaunch];
+
+/// Laws of states together with those of the kinds by which they close.
+fn closed(laws: &[Law], kinds: &[AsymmetricMode]) -> Vec<Law> {
+    laws.iter().copied().chain(kinds.iter().map(|kind| closing(*kind))).collect()
 }
 
 /// The states of a kind of a half opening, by the vertical force. The inclination is that with the thrust `cos² chi`,
@@ -50,13 +42,11 @@ pub(super) fn over_vertical_force(
 ) -> CurveForm {
     use Variable::{CrownHinge, CrownMoment, FrictionAngle, Inclination, JointSquare, Thickness};
     let unknowns = &[Inclination, FrictionAngle, CrownMoment, Thickness, CrownHinge, JointSquare];
-    let laws = match kind {
-        AsymmetricMode::InnerSliding => laws!(InnerSlides),
-        AsymmetricMode::ShoulderOpening => laws!(ShoulderOpens),
-        AsymmetricMode::ShoulderSliding => laws!(HingesFit),
-    };
     let given = Some((Variable::HalfOpening, half_opening.clone()));
-    CurveForm { given, ..CurveForm::new(weight, Variable::VerticalForce, unknowns, laws) }
+    CurveForm {
+        given,
+        ..CurveForm::new(weight, Variable::VerticalForce, unknowns, &closed(&STATE, &[kind]))
+    }
 }
 
 /// The symmetric state of a half opening in which a kind ends: one equation more than unknowns.
@@ -66,26 +56,24 @@ pub(super) fn symmetric(
     half_opening: &Ball,
 ) -> CurveForm {
     use Variable::{CrownMoment, FrictionAngle, Inclination, JointSquare, Thickness};
-    let laws = match kind {
-        AsymmetricMode::InnerSliding => symmetric!(InnerSlides),
-        AsymmetricMode::ShoulderOpening => symmetric!(ShoulderOpens),
-        AsymmetricMode::ShoulderSliding => symmetric!(HingesFit),
-    };
     let unknowns = &[Inclination, CrownMoment, Thickness, JointSquare];
     let given = Some((Variable::HalfOpening, half_opening.clone()));
-    CurveForm { given, ..CurveForm::new(weight, FrictionAngle, unknowns, laws) }
+    CurveForm {
+        given,
+        ..CurveForm::new(weight, FrictionAngle, unknowns, &closed(&SYMMETRIC, &[kind]))
+    }
 }
 
 /// The symmetric states in which the hinges and the shoulders fit, by the half opening.
 pub(super) fn beginning(weight: SelfWeight) -> CurveForm {
     use Variable::{CrownMoment, FrictionAngle, Inclination, JointSquare, Thickness};
     let unknowns = &[FrictionAngle, Inclination, CrownMoment, Thickness, JointSquare];
-    CurveForm::new(weight, Variable::HalfOpening, unknowns, symmetric!(HingesFit))
+    let laws = closed(&SYMMETRIC, &[AsymmetricMode::ShoulderSliding]);
+    CurveForm::new(weight, Variable::HalfOpening, unknowns, &laws)
 }
 
 /// The states in which one kind becomes the other, by the half opening.
 pub(super) fn between(kinds: [AsymmetricMode; 2], weight: SelfWeight) -> CurveForm {
-    use AsymmetricMode::{InnerSliding, ShoulderOpening};
     use Variable::{CrownHinge, CrownMoment, FrictionAngle, Inclination};
     use Variable::{JointSquare, Thickness, VerticalForce};
     let unknowns = &[
@@ -97,10 +85,5 @@ pub(super) fn between(kinds: [AsymmetricMode; 2], weight: SelfWeight) -> CurveFo
         JointSquare,
         VerticalForce,
     ];
-    let laws = match (kinds.contains(&InnerSliding), kinds.contains(&ShoulderOpening)) {
-        (true, true) => laws!(InnerSlides, ShoulderOpens),
-        (true, false) => laws!(InnerSlides, HingesFit),
-        (false, _) => laws!(HingesFit, ShoulderOpens),
-    };
-    CurveForm::new(weight, Variable::HalfOpening, unknowns, laws)
+    CurveForm::new(weight, Variable::HalfOpening, unknowns, &closed(&STATE, &kinds))
 }
