@@ -6,10 +6,9 @@ use super::state::{DOUBLE_DOUBLE, is_quick};
 use crate::number::DoubleDoubleBall;
 use crate::problem::asymmetric_region::may_move_asymmetrically;
 use crate::problem::{Arch, Problem};
-use crate::prover::Refused;
 use crate::prover::figure::{Figure, Figured};
-use crate::prover::in_doubles;
 use crate::prover::posed::Posed;
+use crate::prover::{Refused, in_doubles};
 use crate::solve::asymmetric::AsymmetricCandidate;
 
 /// The thicknesses of the asymmetric solutions that are found and proved for an arch, the largest first, to

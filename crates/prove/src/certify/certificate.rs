@@ -4,7 +4,8 @@
 //! same shape**, so that the slopes of the large one prove it too. Nothing is handed out that the checker
 //! does not accept.
 
-use super::{CertifiedLandmark, Constant, Value};
+use super::constant::{Constant, Value};
+use super::landmark::CertifiedLandmark;
 use crate::arch::{SelfWeight, Unknown};
 use crate::check::{
     Certificate, ClaimFile, EXTRA_BITS, Refusal, SCHEMA, ValueFile, WITNESS_BITS, Witness,

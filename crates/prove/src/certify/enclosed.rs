@@ -1,12 +1,13 @@
 //! A landmark in enclosures of some bits, which knows of what it is.
 
 use super::closed_value::{Exact, exact};
-use super::constant::quantities;
-use super::{Constant, Refined, Value};
+use super::constant::{Constant, Value, quantities};
+
 use crate::arch::{Configuration, SelfWeight, Unknown, thrust};
 use crate::number::{Ball, Binary, Real, Rounded, degrees};
 use crate::problem::{Landmark, Quantity};
 use crate::prover::Isolated;
+use crate::prover::refine::Refined;
 use rayon::prelude::*;
 
 /// A landmark whose variables are enclosed; [`CertifiedLandmark::enclosure`](super::CertifiedLandmark::enclosure)

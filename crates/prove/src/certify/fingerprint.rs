@@ -1,7 +1,7 @@
 //! The hash of a landmark's certificate: what ties a number that was handed on to a proof of it.
 
-use super::CertifiedLandmark;
 use super::certificate::landmark_certificate;
+use super::landmark::CertifiedLandmark;
 use crate::prover::{Error, Refused, Undecided};
 use sha2::{Digest, Sha256};
 

@@ -1,12 +1,13 @@
 //! The constants: each quantity of each landmark, with all its digits proved.
 
 use super::closed_value::Exact;
-use super::constant::quantities;
-use super::{Constant, Enclosed};
-use super::{isolate, refine, refine_watched, stages};
+use super::constant::{Constant, quantities};
+use super::enclosed::Enclosed;
 use crate::arch::SelfWeight;
 use crate::number::bits_of;
 use crate::problem::{Landmark, Problem, Quantity};
+use crate::prover::isolate::isolate;
+use crate::prover::refine::{refine, refine_watched, stages};
 use crate::prover::{Error, Isolated, Refused, Undecided};
 use crate::solve::{newton, start};
 use rayon::prelude::*;
@@ -98,17 +99,8 @@ impl CertifiedLandmark {
     /// All quantities of the landmark, correctly rounded to `digits` significant digits, 1 to
     /// [`MAX_DIGITS`](super::MAX_DIGITS); undecided if a rounding stays open.
     pub fn constants(&self, digits: usize) -> Result<Vec<Constant>, Error> {
-        self.constants_with(digits, &|| ())
-    }
-
-    /// Constants of the landmark, calling `tick` [`CertifiedLandmark::ticks`] times on the way.
-    pub fn constants_with(
-        &self,
-        digits: usize,
-        tick: &(dyn Fn() + Sync),
-    ) -> Result<Vec<Constant>, Error> {
         let all: Vec<_> = quantities(self.landmark()).map(|quantity| (quantity, digits)).collect();
-        self.constants_of_with(&all, tick)
+        self.constants_of(&all)
     }
 
     /// Some quantities of the landmark, each correctly rounded to its own number of significant digits:
@@ -130,11 +122,11 @@ impl CertifiedLandmark {
             Refused::quantity(quantity, &possible)?;
         }
         let most = asked.iter().map(|(_, digits)| *digits).max();
-        let mut precision = Precision::new(most.unwrap_or(1));
-        let mut refined = self.enclosure_with(precision.bits, tick)?;
+        let mut bits = bits_of(most.unwrap_or(1)) + GUARD;
+        let mut refined = self.enclosure_with(bits, tick)?;
         let mut found: Vec<((Quantity, usize), Option<Constant>)> =
             asked.iter().map(|&asked| (asked, None)).collect();
-        loop {
+        for attempt in 1.. {
             found.par_iter_mut().filter(|(_, constant)| constant.is_none()).for_each(
                 |((quantity, digits), constant)| {
                     *constant = refined.rounded(*quantity, *digits);
@@ -143,11 +135,15 @@ impl CertifiedLandmark {
                     }
                 },
             );
-            match found.iter().find(|(_, constant)| constant.is_none()) {
-                None => break,
-                Some(((quantity, _), _)) => precision.raise(*quantity)?,
+            let open = found.iter().find(|(_, constant)| constant.is_none());
+            let Some(((quantity, _), _)) = open else { break };
+            if attempt > ATTEMPTS {
+                let name = quantity.name();
+                let reason = format!("the rounding of {name} is not decided at {bits} bits");
+                return Err(Undecided::rounding(reason).at(bits).into());
             }
-            refined = self.enclosure(precision.bits)?;
+            bits += GUARD << attempt;
+            refined = self.enclosure(bits)?;
         }
         Ok(found.into_iter().filter_map(|(_, constant)| constant).collect())
     }
@@ -160,29 +156,6 @@ impl CertifiedLandmark {
     /// Number of times that [`CertifiedLandmark::constants_of`] reports progress for a number of quantities.
     pub fn ticks_of(landmark: Landmark, quantities: usize) -> u64 {
         stages(&landmark.system(SelfWeight::Heyman)) + quantities as u64
-    }
-}
-
-/// Bits enough for a number of digits, raised while a rounding is undecided.
-struct Precision {
-    bits: u32,
-    attempt: u32,
-}
-
-impl Precision {
-    fn new(digits: usize) -> Self {
-        Self { bits: bits_of(digits) + GUARD, attempt: 0 }
-    }
-
-    fn raise(&mut self, quantity: Quantity) -> Result<(), Undecided> {
-        self.attempt += 1;
-        if self.attempt > ATTEMPTS {
-            let (name, bits) = (quantity.name(), self.bits);
-            let reason = format!("the rounding of {name} is not decided at {bits} bits");
-            return Err(Undecided::rounding(reason).at(bits));
-        }
-        self.bits += GUARD << self.attempt;
-        Ok(())
     }
 }
 

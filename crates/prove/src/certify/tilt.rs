@@ -150,12 +150,6 @@ struct TiltProof {
     bits: u32,
 }
 
-/// Numbers `h, p, v, k`, and the weight that goes with them: none for a direction.
-struct TiltedLine<'a> {
-    unknowns: &'a [Ball; 4],
-    weight: &'a Ball,
-}
-
 /// The largest acceleration, and the conditions that limit it.
 pub(super) type TiltBound = (Ball, Vec<TiltLimit>);
 
@@ -178,7 +172,7 @@ impl TiltProof {
         let Some(state) = self.search().inside_at(tilt.mid().to_f64()) else { return false };
         let [h, p, v, _] = state.map(|x| Ball::exact(Float::with_val(self.bits, x), self.bits));
         let (weight, unknowns) = (h.int(1), [h, p, v, tilt]);
-        self.is_admissible(&TiltedLine { unknowns: &unknowns, weight: &weight }).is_ok()
+        self.is_admissible(&unknowns, &weight).is_ok()
     }
 
     /// The largest acceleration, between two bounds; `None` if there is none.
@@ -286,7 +280,7 @@ impl TiltProof {
         };
         let unknowns: [Ball; 4] = std::array::from_fn(mix);
         let weight = Ball::integer(1, self.bits);
-        self.is_admissible(&TiltedLine { unknowns: &unknowns, weight: &weight })?;
+        self.is_admissible(&unknowns, &weight)?;
         let [.., tilt] = unknowns;
         Ok(tilt)
     }
@@ -302,26 +296,32 @@ impl TiltProof {
         let zero = moment.int(0);
         let holds = |k: i64| {
             let unknowns = [zero.int(1), moment.clone(), zero.clone(), zero.int(1).scaled(-k)];
-            self.is_admissible(&TiltedLine { unknowns: &unknowns, weight: &zero })
+            self.is_admissible(&unknowns, &zero)
         };
         let found = (3..30).step_by(3).find_map(|k| holds(k).ok());
         found.ok_or_else(|| Undecided::new(UNBOUNDED))
     }
 
-    /// Checks that all margins are positive on the whole arch.
-    fn is_admissible(&self, line: &TiltedLine<'_>) -> Result<(), Undecided> {
+    /// Checks that at numbers `h, p, v, k`, with the weight that goes with them (none for a direction), all margins are
+    /// positive on the whole arch.
+    fn is_admissible(&self, unknowns: &[Ball; 4], weight: &Ball) -> Result<(), Undecided> {
         let most = self.half_opening.upper();
         contacts(self.is_limited).iter().try_for_each(|contact| {
-            let margin = |joint: &Ball| self.margin(*contact, joint, line);
+            let margin = |joint: &Ball| self.margin(*contact, joint, (unknowns, weight));
             is_positive_on(&margin, (&-most.clone(), &most), self.bits)
         })
     }
 
     /// A margin as a series along the arch.
-    fn margin(&self, contact: Contact, joint: &Ball, line: &TiltedLine<'_>) -> Jet<Ball> {
+    fn margin(
+        &self,
+        contact: Contact,
+        joint: &Ball,
+        (unknowns, weight): (&[Ball; 4], &Ball),
+    ) -> Jet<Ball> {
         let constant = |x: &Ball| Jet::constant(x.clone(), 2);
         let row = self.joints.constant(2).tilted(contact, &along(&Angle::new(joint.clone())));
-        -row.at(&line.unknowns.each_ref().map(constant), &constant(line.weight))
+        -row.at(&unknowns.each_ref().map(constant), &constant(weight))
     }
 }
 

@@ -1,8 +1,8 @@
 //! Makes the certificate of an arch, whatever the verdict is: its state at the least thickness, why it stands at no
 //! thickness, or that it stands or does not at one that is given.
 
-use super::Value;
 use super::certificate::{Root, attempt, value_file};
+use super::constant::Value;
 use super::state::{Certify, Fall, Figure, Outcome, State, bits_lost};
 use crate::arch::Unknown;
 use crate::check::{Certificate, EXTRA_BITS, ValueFile};

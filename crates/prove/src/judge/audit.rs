@@ -4,7 +4,7 @@ use super::printed::{KnownValue, PrintedNumber, PrintedVerdict, correct_digits};
 use super::published::{PRINTED, Printed};
 use crate::arch::SelfWeight;
 use crate::certify::{CertifiedLandmark, Enclosed, Exact, Undecided};
-use crate::number::{Ball, Decimal, Enclosure, Rounded, Ternary};
+use crate::number::{Ball, Decimal, Enclosure, Ternary};
 use crate::problem::{Landmark, Quantity};
 use rug::{Integer, Rational};
 
@@ -174,11 +174,7 @@ fn audit_one(printed: &'static Printed, points: &Points<'_>) -> Result<Audited, 
     let [error, absolute] = [&unit, &Rational::from(1)].map(|unit| truth.error_of(&value, unit));
     let verdict = error.verdict().ok_or_else(undecided)?;
     let size = absolute.shown().ok_or_else(undecided)?;
-    let rounded = match &truth {
-        KnownValue::Exact(truth) => Rounded::from_rational(truth, digits.len()),
-        KnownValue::Enclosed(truth) => Rounded::from_ball(truth, digits.len()),
-    };
-    let rounded = rounded.ok_or_else(undecided)?;
+    let rounded = truth.rounded(digits.len()).ok_or_else(undecided)?;
     let correct_digits = match size.digits().is_empty() {
         true => digits.len(),
         false => correct_digits(&absolute, &size, &rounded).ok_or_else(undecided)?,

@@ -1,5 +1,6 @@
 //! Distance to another mode, where the one that is claimed is wrong.
 
+use super::printed::power_of_ten;
 use crate::certify::state::{Answer, Certify};
 use crate::number::{Decimal, ExactNumber, Rounded};
 use crate::problem::{Arch, Friction, Mode, Quantity};
@@ -49,9 +50,7 @@ fn half_unit(x: &ExactNumber) -> Option<Rational> {
     let text = x.to_string();
     let number = text.strip_suffix("deg").unwrap_or(&text);
     let decimal: Decimal = number.parse().ok().filter(|_| number.contains('.'))?;
-    let power = Integer::from(10).pow(u32::try_from(decimal.exponent().unsigned_abs()).ok()?);
-    let unit = if decimal.exponent() < 0 { Rational::from((1, power)) } else { power.into() };
-    Some(unit / 2u32)
+    Some(power_of_ten(decimal.exponent())? / 2u32)
 }
 
 /// The mode of the arch in which what is given is moved by a step; `None` if it falls or that is not certain.

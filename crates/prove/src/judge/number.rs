@@ -92,12 +92,7 @@ impl Judged {
             truth => truth,
         };
         let certified = match &truth {
-            Truth::Finite(KnownValue::Exact(x)) => {
-                Certified::Finite(Rounded::from_rational(x, digits)?)
-            }
-            Truth::Finite(KnownValue::Enclosed(x)) => {
-                Certified::Finite(Rounded::from_ball(x, digits)?)
-            }
+            Truth::Finite(known) => Certified::Finite(known.rounded(digits)?),
             Truth::Infinite => Certified::Infinite,
             Truth::Missing => Certified::Missing,
         };

@@ -47,8 +47,7 @@ impl PrintedNumber {
         };
         let zeros = decimal.digits().len().saturating_sub(digits.len());
         let last = decimal.exponent() + zeros as i64;
-        let power = Integer::from(10).pow(u32::try_from(last.unsigned_abs()).ok()?);
-        let unit = if last < 0 { Rational::from((1, power)) } else { power.into() };
+        let unit = power_of_ten(last)?;
         Some(Self { value: decimal.to_rational(), unit, digits: digits.to_owned() })
     }
 
@@ -87,7 +86,7 @@ pub(super) fn correct_digits(
     // The size may have been rounded up to a power of ten or down from above a half of one.
     let mut digits = magnitude - size.magnitude() + 1;
     while digits > 0 {
-        if error.is_within(&(power_of_ten(magnitude - digits) / 2u32))? {
+        if error.is_within(&(power_of_ten(magnitude - digits)? / 2u32))? {
             return usize::try_from(digits).ok();
         }
         digits -= 1;
@@ -95,10 +94,9 @@ pub(super) fn correct_digits(
     Some(0)
 }
 
-fn power_of_ten(exponent: i64) -> Rational {
-    // Exponents of claims and of states are moderate.
-    let power = Integer::from(10).pow(exponent.unsigned_abs() as u32);
-    if exponent < 0 { Rational::from((1, power)) } else { power.into() }
+pub(super) fn power_of_ten(exponent: i64) -> Option<Rational> {
+    let power = Integer::from(10).pow(u32::try_from(exponent.unsigned_abs()).ok()?);
+    Some(if exponent < 0 { Rational::from((1, power)) } else { power.into() })
 }
 
 /// A certified value: exact, or in an enclosure.
@@ -109,6 +107,14 @@ pub(super) enum KnownValue {
 }
 
 impl KnownValue {
+    /// The value to `digits` significant digits; `None` if the rounding is not decided.
+    pub(super) fn rounded(&self, digits: usize) -> Option<Rounded> {
+        match self {
+            Self::Exact(truth) => Rounded::from_rational(truth, digits),
+            Self::Enclosed(truth) => Rounded::from_ball(truth, digits),
+        }
+    }
+
     /// Difference of what is printed and this, in a unit that is not zero.
     pub(super) fn error_of(&self, printed: &Rational, unit: &Rational) -> PrintedError {
         match self {

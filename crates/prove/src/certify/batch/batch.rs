@@ -2,10 +2,11 @@
 
 use super::opening::{PAYS_FROM, SharedOpening};
 use super::row::{BatchRow, RowValue, RowVerdict};
+use crate::certify::asymmetric_thickness::asymmetric_thicknesses;
 use crate::certify::state::{Answer, Balls, Figure};
-use crate::certify::{Error, asymmetric_thicknesses};
 use crate::number::{DoubleDoubleBall, ExactNumber};
 use crate::problem::{Arch, Quantity};
+use crate::prover::Error;
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::collections::HashMap;

@@ -12,9 +12,9 @@ use crate::certify::state::{
     Answer, AtOpening, Balls, DOUBLE_DOUBLE, Digits, Enough, Fall, Figure, Frictions,
     critical_frictions, is_quick,
 };
-use crate::certify::{Error, Refused};
 use crate::number::{DoubleDouble, DoubleDoubleBall, Enclosure, ExactNumber, Real};
 use crate::problem::{Arch, Friction};
+use crate::prover::{Error, Refused};
 use std::borrow::Cow;
 use std::sync::OnceLock;
 

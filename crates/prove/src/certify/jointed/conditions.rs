@@ -175,15 +175,11 @@ impl<T: Arithmetic> Conditions<T> {
     /// Rates, up to a common factor, of one condition more than the equations of compatibility, with which the
     /// motion fits.
     pub(super) fn rates(&self, of: &[usize]) -> Vec<ShortPolynomial<T>> {
-        let motion = |k: usize| &self.all[of[k]].motion;
-        let cross = |i: usize, j: usize, [x, y]: [usize; 2]| {
-            let (a, b) = (motion(i), motion(j));
-            ShortPolynomial::alternating(&[[&a[x], &b[y]], [&a[y], &b[x]]])
-        };
+        let motion = |k: usize| &self.all[of[k]].motion[..];
         let rate = |k: usize| {
             let rest: Vec<usize> = (0..of.len()).filter(|i| *i != k).collect();
             let size = match rest[..] {
-                [i, j] => cross(i, j, [0, 1]),
+                [i, j] => ShortPolynomial::minor([motion(i), motion(j)], [0, 1]),
                 _ => self.determinant(&[rest[0], rest[1], rest[2]].map(|i| of[i])),
             };
             if k.is_multiple_of(2) { size } else { size.negative() }
@@ -194,8 +190,7 @@ impl<T: Arithmetic> Conditions<T> {
     /// The determinant of three motions: zero where they fit with each other.
     pub(super) fn determinant(&self, of: &[usize; 3]) -> ShortPolynomial<T> {
         let [a, b, c] = of.map(|k| &self.all[k].motion);
-        let minor =
-            |i: usize, j: usize| ShortPolynomial::alternating(&[[&b[i], &c[j]], [&b[j], &c[i]]]);
+        let minor = |i, j| ShortPolynomial::minor([b, c], [i, j]);
         ShortPolynomial::alternating(&[
             [&a[0], &minor(1, 2)],
             [&a[1], &minor(0, 2)],
@@ -209,18 +204,15 @@ impl<T: Arithmetic> Conditions<T> {
         of: &[usize; 3],
         by: [usize; 2],
     ) -> Vec<ShortPolynomial<T>> {
-        let cross = |i: usize, j: usize| {
-            let (a, b) = (&self.all[of[i]].motion, &self.all[of[j]].motion);
-            ShortPolynomial::alternating(&[[&a[by[0]], &b[by[1]]], [&a[by[1]], &b[by[0]]]])
-        };
+        let motion = |k: usize| &self.all[of[k]].motion[..];
+        let cross = |i, j| ShortPolynomial::minor([motion(i), motion(j)], by);
         vec![cross(1, 2), cross(2, 0), cross(0, 1)]
     }
 }
 
 /// Four numbers at right angles to three rows, up to a common factor.
 fn crossed<T: Arithmetic>([a, b, c]: [&[ShortPolynomial<T>; 4]; 3]) -> [ShortPolynomial<T>; 4] {
-    let minor =
-        |i: usize, j: usize| ShortPolynomial::alternating(&[[&a[i], &b[j]], [&a[j], &b[i]]]);
+    let minor = |i, j| ShortPolynomial::minor([a, b], [i, j]);
     let [m01, m02, m03] = [minor(0, 1), minor(0, 2), minor(0, 3)];
     let [m12, m13, m23] = [minor(1, 2), minor(1, 3), minor(2, 3)];
     let det = |ab: &ShortPolynomial<T>,

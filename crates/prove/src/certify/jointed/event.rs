@@ -57,8 +57,8 @@ pub(super) fn event(
     if start.is_some_and(|start| piece.low == start.below) || !vertex.is_regular(&piece) {
         return None;
     }
-    let near = vertex.near(&piece, start)?;
-    let kind = match near.others[..] {
+    let others = vertex.near(&piece, start)?;
+    let kind = match others[..] {
         [] => motion(vertex, &piece)?,
         [other] => statics(vertex, other, &piece)?,
         _ => return None,
@@ -129,7 +129,7 @@ mod tests {
             (ThicknessPiece { low, high }, ThicknessPiece { low: 0.52, high: 2.0 });
         let mut vertex = Vertex::new(&conditions, places);
         let near = vertex.near(&piece, None);
-        let nothing = near.is_none_or(|near| vertex.bears_no_motion(&near.others, &piece));
+        let nothing = near.is_none_or(|near| vertex.bears_no_motion(&near, &piece));
         [event(&mut vertex, &piece, range, None).is_some(), nothing]
     }
 

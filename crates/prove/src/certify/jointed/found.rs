@@ -4,8 +4,7 @@ use crate::arch::mechanism::Contact;
 use crate::arch::whole::Side;
 use crate::number::Rounded;
 use crate::problem::Extent;
-use crate::prover::Figure;
-use crate::prover::Undecided;
+use crate::prover::{Figure, Undecided};
 use rug::Float;
 
 /// A solution at the joints between equal stones, with its digits, correctly rounded.

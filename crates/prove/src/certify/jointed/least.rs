@@ -15,9 +15,8 @@ use crate::certify::voussoirs::VoussoirDigits;
 use crate::number::{Ball, DoubleBall, Enclosure, Field, bits_of};
 use crate::problem::stones::JointContact;
 use crate::problem::{Extent, Mode};
-use crate::prover::Undecided;
 use crate::prover::arithmetic::Arithmetic;
-use crate::prover::raise;
+use crate::prover::{Undecided, raise};
 
 /// Bits beyond those of the digits.
 const GUARD: u32 = 64;

@@ -39,10 +39,10 @@ pub use found::{Enumeration, JointedMotion, JointedSolution, LeastSolution, Stan
 
 use super::programme::MOST_JOINTED_STONES;
 use super::voussoirs::{Voussoirs, voussoirs};
-use super::{Error, Refused, Undecided};
 use crate::number::DoubleBall;
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Extent};
+use crate::prover::{Error, Refused, Undecided};
 use conditions::Conditions;
 use event::Event;
 use refine::StonesInDigits;

@@ -50,6 +50,11 @@ impl<T: Field> ShortPolynomial<T> {
         sum
     }
 
+    /// Minor of two rows by two of their columns.
+    pub(super) fn minor([a, b]: [&[Self]; 2], [i, j]: [usize; 2]) -> Self {
+        Self::alternating(&[[&a[i], &b[j]], [&a[j], &b[i]]])
+    }
+
     /// The other sign.
     pub(super) fn negative(self) -> Self {
         Self { terms: self.terms.map(|x| -x), ..self }

@@ -9,8 +9,7 @@ use crate::arch::whole::Side;
 use crate::number::{Ball, Enclosure, ExactNumber, bits_of};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Extent, JointLimit};
-use crate::prover::Undecided;
-use crate::prover::{Figure, raise};
+use crate::prover::{Figure, Undecided, raise};
 use rug::{Float, Rational};
 
 /// An arch of equal stones, in as many digits as are asked for.

@@ -100,8 +100,8 @@ fn one(
             continue;
         }
         if passed == Passed::Unlikely || depth > COARSE {
-            let Some(near) = vertex.near(&piece, start) else { continue };
-            if vertex.bears_no_motion(&near.others, &piece) {
+            let Some(others) = vertex.near(&piece, start) else { continue };
+            if vertex.bears_no_motion(&others, &piece) {
                 continue;
             }
             if let Some(event) = event(&mut vertex, &piece, range, start) {

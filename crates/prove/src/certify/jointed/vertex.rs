@@ -44,13 +44,6 @@ impl ThicknessPiece {
     }
 }
 
-/// Knowledge of three conditions on a piece.
-#[derive(Clone, Debug)]
-pub(super) struct Near {
-    /// The conditions that may be zero with them, where they may be a vertex.
-    pub others: Vec<usize>,
-}
-
 /// Exact zeros where the range begins: at the least thickness, or at 0.
 #[derive(Clone, Debug)]
 pub(super) struct SweepStart {
@@ -138,8 +131,8 @@ impl<'a> Vertex<'a> {
         }
     }
 
-    /// Rest that all other conditions leave of the vertex on a piece, which may begin at the least thickness;
-    /// `None` if it is nowhere a vertex.
+    /// Other conditions that may be zero with its own on a piece, which may begin at the least thickness, where they
+    /// may be a vertex; `None` if it is nowhere one.
     ///
     /// Where its conditions and another one are all zero at the least thickness, a slope with a sign gives that
     /// other one this sign on the rest of the piece.
@@ -147,7 +140,7 @@ impl<'a> Vertex<'a> {
         &mut self,
         piece: &ThicknessPiece,
         start: Option<&SweepStart>,
-    ) -> Option<Near> {
+    ) -> Option<Vec<usize>> {
         if self.values.is_empty() {
             let value = |place| self.conditions.value(place, &self.of, &self.meeting);
             self.values = (0..self.conditions.all.len()).map(value).collect();
@@ -176,7 +169,7 @@ impl<'a> Vertex<'a> {
                 return None;
             }
         }
-        (plus || minus).then_some(Near { others })
+        (plus || minus).then_some(others)
     }
 
     /// Tells whether no joint moves with rates of its conditions and of others on a piece. Opposite slips of

@@ -4,9 +4,9 @@ use super::assess::{AssessmentDigits, Wanted};
 use super::digits::Answer;
 use super::inquiry::Inquiry;
 use super::quick;
-use crate::certify::{Error, Refused};
 use crate::number::ExactNumber;
 use crate::problem::Arch;
+use crate::prover::{Error, Refused};
 
 /// Balls that are asked first. Digits and nearest doubles are the same either way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

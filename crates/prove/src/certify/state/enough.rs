@@ -3,14 +3,12 @@
 use super::assess::{Wanted, assessment};
 use super::find;
 use super::mode::{outcome, pure_sliding};
-use super::query::{DOUBLE_DOUBLE, Query};
-use super::query::{GUARD, raised};
+use super::query::{DOUBLE_DOUBLE, GUARD, Query, raised};
 use crate::number::{Ball, DoubleDoubleBall, ExactNumber, bits_of};
 use crate::problem::Arch;
-use crate::prover::Undecided;
 use crate::prover::arithmetic::Arithmetic;
 use crate::prover::figure::{Figure, Figured, optional};
-use crate::prover::raise;
+use crate::prover::{Undecided, raise};
 use rug::Rational;
 
 /// Remedies that would be enough for an arch that stands at no thickness, correctly rounded; `None` where

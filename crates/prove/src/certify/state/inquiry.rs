@@ -4,14 +4,12 @@ use super::assess::{Assessment, AssessmentDigits, Wanted, assessment};
 use super::digits::{Answer, Digits};
 use super::enough::enough;
 use super::mode::outcome;
-use super::query::GUARD;
-use super::query::{Query, bits_lost, bits_lost_unless_small};
+use super::query::{GUARD, Query, bits_lost, bits_lost_unless_small};
 use super::state::Outcome;
-use crate::certify::MAX_ARCH_DIGITS;
 use crate::number::{ExactNumber, bits_of};
 use crate::problem::Arch;
-use crate::prover::raise;
-use crate::prover::{Error, Refused, Undecided};
+use crate::prover::refused::MAX_ARCH_DIGITS;
+use crate::prover::{Error, Refused, Undecided, raise};
 use std::collections::BTreeMap;
 
 /// Questions about an arch, which share its state: it is proved once at each precision.
@@ -21,9 +19,8 @@ pub struct Inquiry<'a> {
     frictions: bool,
     /// Bits enough for the question with the most digits, if the equations lose none.
     bits: u32,
-    states: BTreeMap<u32, Result<Outcome, Undecided>>,
-    /// States with unlimited friction.
-    unlimited: BTreeMap<u32, Result<Outcome, Undecided>>,
+    /// States by their bits, with the friction of the arch or, where it has a limit, with unlimited friction.
+    states: BTreeMap<(u32, bool), Result<Outcome, Undecided>>,
 }
 
 impl<'a> Inquiry<'a> {
@@ -31,8 +28,7 @@ impl<'a> Inquiry<'a> {
     /// the mode changes.
     pub fn new(arch: &'a Arch, most_digits: usize, frictions: bool) -> Self {
         let bits = bits_of(most_digits.min(MAX_ARCH_DIGITS)) + GUARD;
-        let (states, unlimited) = (BTreeMap::new(), BTreeMap::new());
-        Self { arch, frictions, bits, states, unlimited }
+        Self { arch, frictions, bits, states: BTreeMap::new() }
     }
 
     /// The state to `digits` digits. The frictions at which the mode changes are left out unless they are
@@ -41,7 +37,7 @@ impl<'a> Inquiry<'a> {
         Refused::arch_digits(digits)?;
         let lost = bits_lost_unless_small(self.arch, self.bits);
         let answer = raise(self.bits + lost, |bits| {
-            Ok(match self.outcome(bits)? {
+            Ok(match self.outcome(bits, true)? {
                 Outcome::Falls(fall) => Some(Answer::Falls { fall, enough: None }),
                 Outcome::Stands(mut state) => {
                     state.frictions = state.frictions.filter(|_| frictions);
@@ -90,26 +86,17 @@ impl<'a> Inquiry<'a> {
         bits: u32,
         wanted: Wanted,
     ) -> Assessment {
-        assessment(self.arch, thickness, bits, wanted, |is_limited| match is_limited {
-            true => self.outcome(bits),
-            false => self.unlimited(bits),
-        })
+        assessment(self.arch, thickness, bits, wanted, |is_own| self.outcome(bits, is_own))
     }
 
-    /// The state of the arch with numbers of `bits` bits.
-    fn outcome(&mut self, bits: u32) -> Result<Outcome, Undecided> {
+    /// The state of the arch with numbers of `bits` bits, with its own friction or with unlimited friction.
+    fn outcome(&mut self, bits: u32, is_own: bool) -> Result<Outcome, Undecided> {
+        let is_own = is_own || !self.arch.is_limited();
         let (arch, frictions) = (self.arch, self.frictions);
-        let state = self.states.entry(bits);
-        state.or_insert_with(|| outcome(&Query::new(arch, bits), frictions)).clone()
-    }
-
-    /// State of the arch with numbers of `bits` bits and unlimited friction.
-    fn unlimited(&mut self, bits: u32) -> Result<Outcome, Undecided> {
-        if !self.arch.is_limited() {
-            return self.outcome(bits);
-        }
-        let arch = self.arch.unlimited();
-        let state = self.unlimited.entry(bits);
-        state.or_insert_with(|| outcome(&Query::new(&arch, bits), false)).clone()
+        let proved = || match is_own {
+            true => outcome(&Query::new(arch, bits), frictions),
+            false => outcome(&Query::new(&arch.unlimited(), bits), false),
+        };
+        self.states.entry((bits, is_own)).or_insert_with(proved).clone()
     }
 }

@@ -6,7 +6,7 @@ use super::rotation::rotational_root;
 use super::small::Small;
 use super::state::{Fall, Frictions, Outcome, State};
 use crate::arch::{Configuration, PerWeight, SelfWeight, contact, overturning, sliding, thrust};
-use crate::certify::CertifiedLandmark;
+use crate::certify::landmark::CertifiedLandmark;
 use crate::number::{Angle, Ball, Ternary};
 use crate::problem::{
     Condition, Examined, Landmark, Mode, System, inner_friction, room_for_steepest,

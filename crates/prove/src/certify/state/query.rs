@@ -3,10 +3,9 @@
 use crate::arch::{Configuration, SelfWeight};
 use crate::number::{Ball, bits_of};
 use crate::problem::{Arch, Friction, System};
-use crate::prover::Undecided;
 use crate::prover::arithmetic::Arithmetic;
 use crate::prover::posed::Posed;
-use crate::prover::raise;
+use crate::prover::{Undecided, raise};
 
 /// Bits beyond the digits asked for, at the first attempt.
 pub(super) const GUARD: u32 = 48;

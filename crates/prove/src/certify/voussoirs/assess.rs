@@ -3,37 +3,17 @@
 use super::friction::required;
 use super::joints::StoneJoints;
 use super::thickness::{LeastOutcome, proved};
-use super::thrusts::{ProvedThrustEnd, ThickStones, ThrustRange, Ties};
+use super::thrusts::{
+    ProvedThrustEnd, ThickStones, ThrustRange, Ties, VoussoirLimit, VoussoirStanding,
+};
 use crate::arch::Ring;
 use crate::arch::joint::Grip;
 use crate::number::{Ball, Enclosure, ExactNumber};
-use crate::problem::stones::{JointContact, Stones};
+use crate::problem::stones::Stones;
 use crate::problem::{Arch, Friction};
-use crate::prover::Undecided;
 use crate::prover::figure::optional;
 use crate::prover::ties::{friction_angle_is_half_opening, has_no_arm_at_crown};
-use crate::prover::{Figure, raise};
-
-/// A bound of the thrust.
-#[derive(Clone, Debug)]
-#[non_exhaustive]
-pub struct VoussoirLimit {
-    /// The thrust; `None` if there is no bound.
-    pub thrust: Option<Figure>,
-    /// Contacts that limit it: a joint that slides or opens, or a hinge at the extrados and one at the intrados.
-    pub contacts: Vec<JointContact>,
-    /// The angles of their joints, rad.
-    pub joints: Vec<Figure>,
-}
-
-/// Verdict on whether an arch of voussoirs of a given thickness stands, with the ends of its range of thrusts.
-#[derive(Clone, Debug)]
-pub enum VoussoirStanding<E = VoussoirLimit> {
-    /// The arch stands, with thrusts from the first to the second.
-    Stands([E; 2]),
-    /// The arch does not stand: no thrust is as large as the first asks for and as small as the second allows.
-    Falls([E; 2]),
-}
+use crate::prover::{Figure, Undecided, raise};
 
 /// Certain answers about an arch of voussoirs of a given thickness, each answer with a reason where it stays open.
 #[derive(Clone, Debug)]

@@ -6,10 +6,9 @@ use crate::arch::{Ring, SelfWeight};
 use crate::number::{Angle, Ball, Field, Jet};
 use crate::problem::stones::{JointContact, Stones};
 use crate::problem::{Friction, Joints};
-use crate::prover::Figure;
-use crate::prover::Undecided;
 use crate::prover::decide::{ensure, is_positive};
 use crate::prover::ties::slides_at_no_thrust;
+use crate::prover::{Figure, Undecided};
 use crate::solve::voussoirs::{DEGREE, Search};
 use rug::Float;
 

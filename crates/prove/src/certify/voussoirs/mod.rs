@@ -43,16 +43,16 @@ mod polynomial;
 mod thickness;
 mod thrusts;
 
-pub use assess::{VoussoirAssessment, VoussoirLimit, VoussoirStanding};
+pub use assess::VoussoirAssessment;
 pub use loss::{VoussoirLoss, voussoir_loss};
 pub use thickness::{VoussoirDigits, Voussoirs};
+pub use thrusts::{VoussoirLimit, VoussoirStanding};
 
-use super::{Error, Refused};
 use crate::arch::SelfWeight;
 use crate::number::{ExactNumber, bits_of};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Friction};
-use crate::prover::raise;
+use crate::prover::{Error, Refused, raise};
 use joints::StoneJoints;
 use thickness::proved;
 

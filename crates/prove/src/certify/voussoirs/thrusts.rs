@@ -7,17 +7,37 @@
 //! arithmetic tells, may hold with equality beside those that make the end: the conditions ask for no more.
 
 use super::admissible::StoneLine;
-use super::assess::VoussoirStanding;
 use super::joints::{StoneJoints, leave_no_thrust};
 use crate::arch::Ring;
 use crate::arch::joint::Row;
 use crate::arch::mechanism::Contact;
 use crate::number::{Ball, Drawable, Field};
 use crate::problem::stones::JointContact;
-use crate::prover::Undecided;
 use crate::prover::decide::{ensure, is_positive};
+use crate::prover::{Figure, Undecided};
 use crate::solve::voussoir_thrust::{ThrustEnd, ThrustSide, moment_between, thrust_end};
 use rug::Float;
+
+/// A bound of the thrust.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct VoussoirLimit {
+    /// The thrust; `None` if there is no bound.
+    pub thrust: Option<Figure>,
+    /// Contacts that limit it: a joint that slides or opens, or a hinge at the extrados and one at the intrados.
+    pub contacts: Vec<JointContact>,
+    /// The angles of their joints, rad.
+    pub joints: Vec<Figure>,
+}
+
+/// Verdict on whether an arch of voussoirs of a given thickness stands, with the ends of its range of thrusts.
+#[derive(Clone, Debug)]
+pub enum VoussoirStanding<E = VoussoirLimit> {
+    /// The arch stands, with thrusts from the first to the second.
+    Stands([E; 2]),
+    /// The arch does not stand: no thrust is as large as the first asks for and as small as the second allows.
+    Falls([E; 2]),
+}
 
 /// An end of the range.
 #[derive(Clone, Debug)]

@@ -3,8 +3,7 @@
 use super::numbers::{friction, half_opening, weight};
 use crate::arch::{SelfWeight, Unknown};
 use crate::number::{Ball, ExactNumber, Real};
-use crate::problem::Landmark;
-use crate::problem::{Arch, ArchError, Friction};
+use crate::problem::{Arch, ArchError, Friction, Landmark};
 use crate::strategies::places::{DIGITS, beside};
 use proptest::prelude::*;
 use proptest::sample::select;

@@ -5,15 +5,12 @@ use super::widest::{at_thickness, bits_lost, widest};
 use crate::arch::{Configuration, SelfWeight};
 use crate::certify::state::assess::Wanted;
 use crate::certify::state::inquiry::Inquiry;
-use crate::certify::state::query::GUARD;
-use crate::certify::state::query::Query;
+use crate::certify::state::query::{GUARD, Query};
 use crate::certify::state::state::Fall;
 use crate::number::{Ball, DoubleBall, ExactNumber, Field, Real, bits_of};
 use crate::problem::asymmetric_region::{STANDS, some_may_move as reaches};
 use crate::problem::{Arch, ArchError, Friction, Line, Mode, Quantity, Sought};
-use crate::prover::Figure;
-use crate::prover::raise;
-use crate::prover::{Error, Refused, Undecided};
+use crate::prover::{Error, Figure, Refused, Undecided, raise};
 use rug::Rational;
 
 /// A question the other way round.
@@ -76,12 +73,8 @@ pub struct Found {
     pub some_may_move: bool,
 }
 
-/// Quantities that are found, in enclosures.
-struct FoundBalls {
-    modes: Vec<Mode>,
-    values: Vec<(Quantity, Ball)>,
-    proved: String,
-}
+/// Modes that meet there, and the values.
+type FoundBalls = (Vec<Mode>, Vec<(Quantity, Ball)>);
 
 impl Question {
     /// Quantity that is asked for.
@@ -138,10 +131,9 @@ pub fn find(weight: SelfWeight, question: &Question, digits: usize) -> Result<Fi
                 Some(_) => "every narrower arch stands at this thickness, no wider one does",
                 None => "every narrower arch stands at some thickness, no wider one does at any",
             };
-            let proved = defined(proved);
-            Ok(in_digits(&query, digits, |query| {
+            Ok(in_digits(&query, digits, &defined(proved), |query| {
                 let (mode, at) = widest(query, limit)?;
-                Ok(place(vec![mode], &at, Sought::HalfOpening, proved.clone()))
+                Ok(place(vec![mode], &at, Sought::HalfOpening))
             })?)
         }
         Question::Friction { thickness, .. } => {
@@ -159,10 +151,9 @@ pub fn find(weight: SelfWeight, question: &Question, digits: usize) -> Result<Fi
             if *given == Given::Friction(Friction::Infinite) {
                 return Err(Refused::UnlimitedFriction.into());
             }
-            let proved = sides(*line, sought);
-            Ok(in_digits(&query, digits, |query| {
+            Ok(in_digits(&query, digits, &sides(*line, sought), |query| {
                 let at = point_on(query, *line, sought)?;
-                Ok(place(line.modes().to_vec(), &at, sought, proved.clone()))
+                Ok(place(line.modes().to_vec(), &at, sought))
             })?)
         }
     };
@@ -244,7 +235,7 @@ fn sides(line: Line, sought: Sought) -> String {
 }
 
 /// Quantities that are known where a state was found.
-fn place(modes: Vec<Mode>, at: &Configuration<Ball>, sought: Sought, proved: String) -> FoundBalls {
+fn place(modes: Vec<Mode>, at: &Configuration<Ball>, sought: Sought) -> FoundBalls {
     let alpha = &at.half_opening.rad;
     let is_line = modes.len() > 1;
     let mut values = match sought {
@@ -264,21 +255,23 @@ fn place(modes: Vec<Mode>, at: &Configuration<Ball>, sought: Sought, proved: Str
     if modes.iter().any(|mode| mode.slides_inside()) {
         values.push((Quantity::SlidingJoint, at.sliding_joint.rad.clone()));
     }
-    FoundBalls { modes, values, proved }
+    (modes, values)
 }
 
 /// Figures that a proof finds, with more bits until every digit is decided.
 fn in_digits(
     query: &dyn Fn(u32) -> Query,
     digits: usize,
+    proved: &str,
     proof: impl Fn(&Query) -> Result<FoundBalls, Undecided>,
 ) -> Result<Finding, Undecided> {
     let first = bits_of(digits) + GUARD;
     let first = first.saturating_add(bits_lost(&query(first)));
     raise(first, |bits| {
-        let FoundBalls { modes, values, proved } = proof(&query(bits))?;
+        let (modes, values) = proof(&query(bits))?;
         let figures = values.iter().map(|(of, x)| Some((*of, Figure::new(x, digits)?)));
         let Some(figures) = figures.collect::<Option<Vec<_>>>() else { return Ok(None) };
+        let proved = proved.to_owned();
         Ok(Some(Finding::Found(Found { modes, figures, proved, some_may_move: false })))
     })
 }
