@@ -99,30 +99,22 @@ impl Trace {
                 return Err(about("its parts do not join"));
             }
         }
-        let reaches = |values: &EndValues, leg: Option<&(CurveForm, Walk)>, is_first: bool| {
-            leg.is_some_and(|(form, walk)| {
-                walk.reaches(form, |variable| values.value(variable), is_first)
-            })
+        let (Some(leg), Some(last_leg)) = (legs.first(), legs.last()) else {
+            return Err(about("it has no equations"));
         };
-        for (values, leg, is_first, name) in
-            [(&start, legs.first(), true, first), (&end, legs.last(), false, last)]
-        {
-            if !reaches(values, leg, is_first) {
+        let sides = [(first, &start, leg, true), (last, &end, last_leg, false)];
+        for (name, values, (form, walk), is_first) in sides {
+            if !walk.reaches(form, |variable| values.value(variable), is_first) {
                 return Err(about(&format!("it is not proved to reach {name}")));
             }
         }
-        let at_end = |name: CurveEnd, values: &EndValues, leg: Option<&(CurveForm, Walk)>| {
-            let (form, _) = leg?;
+        let ends = sides.map(|(name, values, (form, _), _)| {
             let (s, root) = form.point(|variable| values.value(variable));
             let place = Place::new(form, &s, &root);
-            let has_friction = place.friction.is_some();
-            let is_unlimited = place.is_unlimited || (has_friction && name.is_unlimited());
-            Some(Place { is_unlimited, ..place })
-        };
-        let ends = [at_end(first, &start, legs.first()), at_end(last, &end, legs.last())];
-        let ends = ends.map(Option::unwrap_or_default);
-        let parameter = legs.first().map_or(curve.parameter(), |(form, _)| form.parameter);
-        let parameters = [&start, &end].map(|values| values.value(parameter));
+            let is_unlimited = place.friction.is_some() && name.is_unlimited();
+            Place { is_unlimited: place.is_unlimited || is_unlimited, ..place }
+        });
+        let parameters = [&start, &end].map(|values| values.value(leg.0.parameter));
         Ok(Self { curve, weight, ends, parameters, legs })
     }
 

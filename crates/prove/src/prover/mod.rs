@@ -37,4 +37,4 @@ pub use figure::Figure;
 pub use isolate::Isolated;
 pub(crate) use raise::raise;
 pub use refused::Refused;
-pub use undecided::{Open, Undecided};
+pub use undecided::{Answered, Open, Undecided};

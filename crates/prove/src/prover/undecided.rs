@@ -47,6 +47,9 @@ pub enum Open {
     Root,
 }
 
+/// An answer that is known; `None` if there is no such thing; or the reason why it stays open.
+pub type Answered<T> = Result<Option<T>, Undecided>;
+
 impl Undecided {
     /// A comparison that stayed open for this reason.
     pub fn new(reason: impl Into<Cow<'static, str>>) -> Self {

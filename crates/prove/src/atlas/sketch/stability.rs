@@ -1,7 +1,9 @@
 //! Stability of an arch of a given thickness that is drawn, with a joint at every angle or between stones.
 
 use crate::certify::state::{Assessment, Fall, Figure, Limit};
-use crate::certify::{Undecided, VoussoirAssessment, VoussoirLimit, VoussoirStanding, Voussoirs};
+use crate::certify::{
+    Answered, Undecided, VoussoirAssessment, VoussoirLimit, VoussoirStanding, Voussoirs,
+};
 use crate::number::Ball;
 use crate::problem::stones::Stones;
 
@@ -69,7 +71,7 @@ impl Stability {
             VoussoirStanding::Stands(ends) => Some(ends.map(|end| bound(&end))),
             VoussoirStanding::Falls(_) => None,
         };
-        let value = |x: &Result<Option<Figure>, Undecided>| Ok(x.clone()?.as_ref().map(ball));
+        let value = |x: &Answered<Figure>| Ok(x.clone()?.as_ref().map(ball));
         Ok(Self {
             stands: thrust.is_some(),
             fall: match least {

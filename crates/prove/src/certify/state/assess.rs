@@ -12,11 +12,11 @@ use super::thrust_range::{
 use crate::arch::Unknown;
 use crate::number::{Ball, ExactNumber, Ternary};
 use crate::problem::{Arch, Quantity};
-use crate::prover::Undecided;
 use crate::prover::arithmetic::Arithmetic;
 use crate::prover::decide::{decide, require};
 use crate::prover::figure::{Figure, Figured};
 use crate::prover::ties::{friction_angle_is_half_opening, has_no_arm_at_crown};
+use crate::prover::{Answered, Undecided};
 
 /// Certain answers about an arch of a given thickness, each answer with a reason where it stays open.
 #[derive(Clone, Debug)]
@@ -27,15 +27,15 @@ pub struct Assessment<T = Ball> {
     /// Reason why no thickness is enough, if none is.
     pub fall: Option<Fall>,
     /// The least thickness of the arch with this friction; `None` if there is none.
-    pub least_thickness: Result<Option<T>, Undecided>,
+    pub least_thickness: Answered<T>,
     /// The thickness over the least thickness.
-    pub geometric_safety: Result<Option<T>, Undecided>,
+    pub geometric_safety: Answered<T>,
     /// The least friction with which the arch of this thickness stands; `None` if none is enough.
-    pub required_friction: Result<Option<T>, Undecided>,
+    pub required_friction: Answered<T>,
     /// The friction over the required one; `None` if either is unbounded.
-    pub friction_safety: Result<Option<T>, Undecided>,
+    pub friction_safety: Answered<T>,
     /// The least and the largest admissible thrust; `None` if the arch does not stand.
-    pub thrust: [Result<Option<Limit<T>>, Undecided>; 2],
+    pub thrust: [Answered<Limit<T>>; 2],
 }
 
 impl<T> Assessment<T> {
@@ -45,10 +45,8 @@ impl<T> Assessment<T> {
         value: impl Fn(T) -> Result<U, Undecided>,
         open: impl Fn(Undecided) -> Undecided,
     ) -> Assessment<U> {
-        let single = |x: Result<Option<T>, Undecided>| {
-            x.and_then(|x| x.map(&value).transpose()).map_err(&open)
-        };
-        let limit = |end: Result<Option<Limit<T>>, Undecided>| {
+        let single = |x: Answered<T>| x.and_then(|x| x.map(&value).transpose()).map_err(&open);
+        let limit = |end: Answered<Limit<T>>| {
             end.and_then(|end| end.map(|limit| limit.each(&value)).transpose()).map_err(&open)
         };
         Assessment {
@@ -72,7 +70,7 @@ impl<T> Assessment<T> {
         self.each(|x| x.figure(digits).ok_or_else(rounding), |open| open.at(bits))
     }
 
-    fn single(&self) -> [&Result<Option<T>, Undecided>; 4] {
+    fn single(&self) -> [&Answered<T>; 4] {
         let Self { least_thickness, geometric_safety, required_friction, friction_safety, .. } =
             self;
         [least_thickness, geometric_safety, required_friction, friction_safety]
@@ -173,16 +171,17 @@ pub(super) fn assessment<E: Arithmetic>(
     let stands = of(&least_thickness, |least| enough(least, "whether the thickness is enough"));
     let stands = stands.map(|enough| enough == Some(true));
     let geometric_safety = of(&least_thickness, |least| Ok(eta.clone() / least));
+    let standing = Assessment {
+        stands,
+        fall,
+        least_thickness,
+        geometric_safety,
+        required_friction: Ok(None),
+        friction_safety: Ok(None),
+        thrust: [Ok(None), Ok(None)],
+    };
     if wanted == Wanted::Standing {
-        return Assessment {
-            stands,
-            fall,
-            least_thickness,
-            geometric_safety,
-            required_friction: Ok(None),
-            friction_safety: Ok(None),
-            thrust: [Ok(None), Ok(None)],
-        };
+        return standing;
     }
     let mut query: Query<E> = Query::new(arch, bits);
     query.given = query.given.with(Unknown::Thickness, eta.clone());
@@ -199,16 +198,17 @@ pub(super) fn assessment<E: Arithmetic>(
     ];
     let required_friction = of(&line_fits, |()| required_friction(&query, &ends));
     // Friction enough and a line of thrust that fits are the other way to say that it stands.
-    let stands = stands.or_else(|open| match (&required_friction, query.friction()) {
-        (Ok(None), _) => Ok(false),
-        (Ok(Some(_)), None) => Ok(true),
-        (Ok(Some(least)), Some(mu)) => match least.is_less_than(mu) {
-            Ternary::True => Ok(true),
-            Ternary::False => Ok(false),
-            Ternary::Undecided => Err(open),
-        },
-        (Err(_), _) => Err(open),
-    });
+    let stands =
+        standing.stands.clone().or_else(|open| match (&required_friction, query.friction()) {
+            (Ok(None), _) => Ok(false),
+            (Ok(Some(_)), None) => Ok(true),
+            (Ok(Some(least)), Some(mu)) => match least.is_less_than(mu) {
+                Ternary::True => Ok(true),
+                Ternary::False => Ok(false),
+                Ternary::Undecided => Err(open),
+            },
+            (Err(_), _) => Err(open),
+        });
     let friction_safety = match query.friction() {
         Some(friction) => of(&required_friction, |required| Ok(friction.clone() / required)),
         None => Ok(None),
@@ -223,21 +223,11 @@ pub(super) fn assessment<E: Arithmetic>(
         ]),
         Err(ref open) => [Err(open.clone()), Err(open.clone())],
     };
-    Assessment {
-        stands,
-        fall,
-        least_thickness,
-        geometric_safety,
-        required_friction,
-        friction_safety,
-        thrust,
-    }
+    Assessment { stands, required_friction, friction_safety, thrust, ..standing }
 }
 
 /// The range of an arch that stands: the two routes have to agree.
-fn not_empty<E: Arithmetic>(
-    ends: [Result<Option<Limit<E>>, Undecided>; 2],
-) -> [Result<Option<Limit<E>>, Undecided>; 2] {
+fn not_empty<E: Arithmetic>(ends: [Answered<Limit<E>>; 2]) -> [Answered<Limit<E>>; 2] {
     let [least, largest] = ends.each_ref().map(|end| end.as_ref().ok()?.as_ref()?.thrust.as_ref());
     let Some((least, largest)) = least.zip(largest) else { return ends };
     let question = "a range of thrusts that is not empty";
@@ -248,9 +238,6 @@ fn not_empty<E: Arithmetic>(
 }
 
 /// Maps an answer, where it is known and there is one.
-fn of<T, U>(
-    known: &Result<Option<T>, Undecided>,
-    f: impl FnOnce(&T) -> Result<U, Undecided>,
-) -> Result<Option<U>, Undecided> {
+fn of<T, U>(known: &Answered<T>, f: impl FnOnce(&T) -> Result<U, Undecided>) -> Answered<U> {
     known.as_ref().map_err(Clone::clone)?.as_ref().map(f).transpose()
 }

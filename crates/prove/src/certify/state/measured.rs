@@ -21,10 +21,8 @@ pub fn measured_state(arch: &Arch, measures: &Measures, digits: usize) -> Result
         if let Outcome::Stands(state) = state_enclosed(arch, bits, false)? {
             let sizes = measures.sizes(&state.thickness, &half_opening(arch, bits), bits);
             let force = sizes.force.map(|force| force * &state.thrust);
-            let radius =
-                MeasuredSize { enclosed: sizes.radius, exact: measures.exact_radius(None) };
-            sized.push((Quantity::Radius, Some(radius)));
-            sized.push((Quantity::ThicknessInMetres, Some(sizes.thickness.into())));
+            sized.push(size(Quantity::Radius, sizes.radius, measures.exact_radius(None)));
+            sized.push(size(Quantity::ThicknessInMetres, sizes.thickness, None));
             let forces = [(Quantity::Weight, sizes.weight), (Quantity::Force, force)];
             sized.extend(forces.into_iter().filter_map(|(of, x)| Some((of, Some(x?.into())))));
         }
@@ -53,19 +51,12 @@ pub fn measured_assessment(
         });
         let radius = measures.exact_radius(Some(thickness));
         let metres = radius.as_ref().map(|radius| radius.factor() * thickness.factor());
-        let ratio =
-            MeasuredSize { enclosed: thickness.enclosure(bits), exact: Some(thickness.clone()) };
+        let (eta, metres) = (thickness.enclosure(bits), metres.map(ExactNumber::rational));
         let mut sized = shape(arch, measures, bits);
         sized.extend([
-            (Quantity::Radius, Some(MeasuredSize { enclosed: sizes.radius, exact: radius })),
-            (
-                Quantity::GivenThicknessInMetres,
-                Some(MeasuredSize {
-                    enclosed: sizes.thickness,
-                    exact: metres.map(ExactNumber::rational),
-                }),
-            ),
-            (Quantity::GivenThickness, Some(ratio)),
+            size(Quantity::Radius, sizes.radius, radius),
+            size(Quantity::GivenThicknessInMetres, sizes.thickness, metres),
+            size(Quantity::GivenThickness, eta, Some(thickness.clone())),
         ]);
         let rest = [
             (Quantity::ThicknessInMetres, least.map(Some)),
@@ -89,28 +80,34 @@ struct MeasuredSize {
     exact: Option<ExactNumber>,
 }
 
+/// A quantity with its size; `None` if it has no bound.
+type MeasuredQuantity = (Quantity, Option<MeasuredSize>);
+
 impl From<Ball> for MeasuredSize {
     fn from(enclosed: Ball) -> Self {
         Self { enclosed, exact: None }
     }
 }
 
+fn size(of: Quantity, enclosed: Ball, exact: Option<ExactNumber>) -> MeasuredQuantity {
+    (of, Some(MeasuredSize { enclosed, exact }))
+}
+
 /// Sizes of an arch that are the same whatever its thickness.
-fn shape(arch: &Arch, measures: &Measures, bits: u32) -> Vec<(Quantity, Option<MeasuredSize>)> {
+fn shape(arch: &Arch, measures: &Measures, bits: u32) -> Vec<MeasuredQuantity> {
     let alpha = half_opening(arch, bits);
     let [span, rise] = measures.span_and_rise(&alpha, bits);
     let exact = measures.exact_span_and_rise(arch.half_opening());
     let lengths = [(Quantity::Span, span), (Quantity::Rise, rise)].into_iter().zip(exact);
-    let lengths =
-        lengths.map(|((of, enclosed), exact)| (of, Some(MeasuredSize { enclosed, exact })));
+    let lengths = lengths.map(|((of, enclosed), exact)| size(of, enclosed, exact));
     // Another angle is told in degrees well enough by what was given.
     let made = arch.half_opening().form() == Form::TwiceArctangent;
-    let angle = made.then(|| (Quantity::HalfOpeningDegrees, Some(degrees(&alpha).into())));
+    let angle = made.then(|| size(Quantity::HalfOpeningDegrees, degrees(&alpha), None));
     lengths.chain(angle).collect()
 }
 
 /// All values, if they are decided.
-fn figures(sized: Vec<(Quantity, Option<MeasuredSize>)>, digits: usize) -> Option<Measured> {
+fn figures(sized: Vec<MeasuredQuantity>, digits: usize) -> Option<Measured> {
     let figure = |size: MeasuredSize| match size.exact {
         Some(exact) => Figure::exact(&exact, digits),
         None => size.enclosed.figure(digits),

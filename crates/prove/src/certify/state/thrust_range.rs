@@ -19,9 +19,9 @@ use super::query::Query;
 use crate::arch::{Ring, Unknown, contact, sliding, thrust};
 use crate::number::{Angle, Ball, Ternary};
 use crate::problem::{Condition, Mode, System, inner_friction, room_for_steepest};
-use crate::prover::Undecided;
 use crate::prover::arithmetic::Arithmetic;
 use crate::prover::decide::{decide, require};
+use crate::prover::{Answered, Undecided};
 use crate::solve::start::{self, Start};
 
 /// An end of the range of admissible thrusts.
@@ -176,12 +176,12 @@ pub(super) fn largest_thrust<E: Arithmetic>(
 /// same, or the end of the range next to it.
 pub(super) fn required_friction<E: Arithmetic>(
     query: &Query<E>,
-    [least, largest]: &[Result<Option<Limit<E>>, Undecided>; 2],
+    [least, largest]: &[Answered<Limit<E>>; 2],
 ) -> Result<E, Undecided> {
     let slides = query.root(Mode::Sliding.system(query.weight), &start::sliding(&query.alpha()))?;
     require(&slides.friction, "a positive purely sliding friction")?;
     let question = "which joint the friction is needed for";
-    let bound = |end: &Result<Option<Limit<E>>, Undecided>| -> Result<Option<E>, Undecided> {
+    let bound = |end: &Answered<Limit<E>>| -> Answered<E> {
         Ok(end.clone()?.and_then(|limit| limit.thrust))
     };
     if let Some(least) = bound(least)?

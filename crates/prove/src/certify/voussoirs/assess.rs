@@ -13,7 +13,7 @@ use crate::problem::stones::Stones;
 use crate::problem::{Arch, Friction};
 use crate::prover::figure::optional;
 use crate::prover::ties::{friction_angle_is_half_opening, has_no_arm_at_crown};
-use crate::prover::{Figure, Undecided, raise};
+use crate::prover::{Answered, Figure, Undecided, raise};
 
 /// Certain answers about an arch of voussoirs of a given thickness, each answer with a reason where it stays open.
 #[derive(Clone, Debug)]
@@ -22,11 +22,11 @@ pub struct VoussoirAssessment {
     /// Tells whether the arch stands.
     pub standing: Result<VoussoirStanding, Undecided>,
     /// The thickness over the least thickness; `None` if there is none.
-    pub geometric_safety: Result<Option<Figure>, Undecided>,
+    pub geometric_safety: Answered<Figure>,
     /// The least friction with which it stands; `None` if none is enough.
-    pub required_friction: Result<Option<Figure>, Undecided>,
+    pub required_friction: Answered<Figure>,
     /// The friction over the required one; `None` if either is unbounded.
-    pub friction_safety: Result<Option<Figure>, Undecided>,
+    pub friction_safety: Answered<Figure>,
 }
 
 impl VoussoirAssessment {
