@@ -153,10 +153,7 @@ fn next(
     match follow(&form, alpha.mid().to_f64(), start, !falls, until).ok_or_else(lost)? {
         CourseEnd::Symmetric(x) => {
             let ends = search::point(&form, 0.0, x).ok_or_else(lost)?.x;
-            let value = |variable: &Variable| {
-                let index = form.unknowns.iter().position(|unknown| unknown == variable);
-                index.and_then(|k| ends.get(k)).map(number)
-            };
+            let value = |variable: &Variable| form.value(*variable, &0.0, &ends).map(number);
             let form = symmetric(kind, weight, alpha);
             let starts: Option<Vec<Float>> = form.variables().map(value).collect();
             let crossing = Crossing::proved(&form, None, starts.ok_or_else(lost)?)?;

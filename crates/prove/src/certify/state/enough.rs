@@ -8,7 +8,7 @@ use crate::number::{Ball, DoubleDoubleBall, ExactNumber, bits_of};
 use crate::problem::Arch;
 use crate::prover::arithmetic::Arithmetic;
 use crate::prover::figure::{Figure, Figured, optional};
-use crate::prover::{Undecided, raise};
+use crate::prover::{Answered, raise};
 use rug::Rational;
 
 /// Remedies that would be enough for an arch that stands at no thickness, correctly rounded; `None` where
@@ -36,20 +36,17 @@ impl AtOpening {
     /// double-doubles first.
     pub(crate) fn new(arch: &Arch, digits: usize, quickly: bool) -> Self {
         let limit = &limit();
-        let raised = |proof: &dyn Fn(u32) -> Result<Option<Option<Figure>>, Undecided>| {
-            raised(arch, digits, proof).ok()
-        };
-        let sliding_friction = quick(quickly, |bits| {
-            figure(Some(sliding::<DoubleDoubleBall>(arch, bits).ok()?), digits)
-        });
-        let sliding_friction = sliding_friction
-            .or_else(|| raised(&|bits| Ok(figure(Some(sliding::<Ball>(arch, bits)?), digits))));
-        let friction = quick(quickly, |bits| {
-            figure(required::<DoubleDoubleBall>(arch, limit, bits).ok()?, digits)
-        });
-        let friction = friction
-            .or_else(|| raised(&|bits| Ok(figure(required::<Ball>(arch, limit, bits)?, digits))));
-        Self { sliding_friction: sliding_friction.flatten(), friction: friction.flatten() }
+        let sliding_friction = proved(
+            quickly,
+            || figure(sliding::<DoubleDoubleBall>(arch, DOUBLE_DOUBLE), digits),
+            || raised(arch, digits, |bits| figure(sliding::<Ball>(arch, bits), digits)),
+        );
+        let friction = proved(
+            quickly,
+            || figure(required::<DoubleDoubleBall>(arch, limit, DOUBLE_DOUBLE), digits),
+            || raised(arch, digits, |bits| figure(required::<Ball>(arch, limit, bits), digits)),
+        );
+        Self { sliding_friction, friction }
     }
 }
 
@@ -57,17 +54,18 @@ impl Enough {
     /// With what the half opening decides.
     pub(crate) fn new(arch: &Arch, at: &AtOpening, digits: usize, quickly: bool) -> Self {
         let limit = &limit();
-        let half_opening = quick(quickly, |bits| {
-            figure(Some(widest::<DoubleDoubleBall>(arch, limit, bits).ok()?), digits)
-        });
-        let half_opening = half_opening.or_else(|| {
-            let first = bits_of(digits) + GUARD;
-            let lost = find::bits_lost(&find::at_thickness(arch, limit, first));
-            let proof = |bits| Ok(figure(Some(widest::<Ball>(arch, limit, bits)?), digits));
-            raise(first.saturating_add(lost), proof).ok()
-        });
+        let first = bits_of(digits) + GUARD;
+        let half_opening = proved(
+            quickly,
+            || figure(widest::<DoubleDoubleBall>(arch, limit, DOUBLE_DOUBLE), digits),
+            || {
+                let lost = find::bits_lost(&find::at_thickness(arch, limit, first));
+                let proof = |bits| figure(widest::<Ball>(arch, limit, bits), digits);
+                raise(first.saturating_add(lost), proof)
+            },
+        );
         let AtOpening { sliding_friction, friction } = at.clone();
-        Self { sliding_friction, friction, half_opening: half_opening.flatten() }
+        Self { sliding_friction, friction, half_opening }
     }
 }
 
@@ -81,35 +79,37 @@ fn limit() -> ExactNumber {
     ExactNumber::from(&Rational::from(2))
 }
 
-fn quick<T>(quickly: bool, proof: impl FnOnce(u32) -> Option<T>) -> Option<T> {
-    if quickly { proof(DOUBLE_DOUBLE) } else { None }
+/// The figure that a quick proof decides, if one is asked, or else one whose bits are raised.
+fn proved(
+    quickly: bool,
+    quick: impl FnOnce() -> Answered<Option<Figure>>,
+    raised: impl FnOnce() -> Answered<Figure>,
+) -> Option<Figure> {
+    let quick = if quickly { quick().ok().flatten() } else { None };
+    quick.or_else(|| raised().ok()).flatten()
 }
 
 /// The figure of a value, if it is decided or there is no value.
-fn figure<E: Figured>(value: Option<E>, digits: usize) -> Option<Option<Figure>> {
-    optional(value, |value| value.figure(digits))
+fn figure<E: Figured>(value: Answered<E>, digits: usize) -> Answered<Option<Figure>> {
+    Ok(optional(value?, |value| value.figure(digits)))
 }
 
 /// The friction of the purely sliding state.
-fn sliding<E: Arithmetic>(arch: &Arch, bits: u32) -> Result<E, Undecided> {
-    pure_sliding(&Query::new(arch, bits))
+fn sliding<E: Arithmetic>(arch: &Arch, bits: u32) -> Answered<E> {
+    pure_sliding(&Query::new(arch, bits)).map(Some)
 }
 
 /// The friction with which the half opening stands at the limit.
-fn required<E: Arithmetic>(
-    arch: &Arch,
-    limit: &ExactNumber,
-    bits: u32,
-) -> Result<Option<E>, Undecided> {
+fn required<E: Arithmetic>(arch: &Arch, limit: &ExactNumber, bits: u32) -> Answered<E> {
     let unlimited = arch.unlimited();
     let state = outcome::<E>(&Query::new(&unlimited, bits), false);
     assessment(&unlimited, limit, bits, Wanted::Everything, |_| state.clone()).required_friction
 }
 
 /// The widest half opening that stands at the limit.
-fn widest<E: Arithmetic>(arch: &Arch, limit: &ExactNumber, bits: u32) -> Result<E, Undecided> {
+fn widest<E: Arithmetic>(arch: &Arch, limit: &ExactNumber, bits: u32) -> Answered<E> {
     let (_, at) = find::widest(&find::at_thickness(arch, limit, bits), true)?;
-    Ok(at.half_opening.rad)
+    Ok(Some(at.half_opening.rad))
 }
 
 #[cfg(test)]
@@ -125,7 +125,8 @@ mod tests {
         };
         for (half_opening, friction) in [("1.5", "0.1"), ("2.5", "0.9"), ("2.7", "inf")] {
             let arch = Arch::parse("heyman", half_opening, friction).unwrap();
-            let quick = |digits| figure(sliding::<DoubleDoubleBall>(&arch, 104).ok(), digits);
+            let sliding = || sliding::<DoubleDoubleBall>(&arch, 104);
+            let quick = |digits| figure(sliding(), digits).ok().flatten();
             assert!(quick(16).is_some_and(|x| x.is_some()) && quick(30).is_none(), "{arch}");
             for digits in [16, 30] {
                 let [first, other] =
