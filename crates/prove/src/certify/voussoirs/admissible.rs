@@ -24,7 +24,7 @@ pub(super) struct StoneLine<'a> {
 }
 
 impl StoneLine<'_> {
-    /// How far a condition is passed.
+    /// Distance by which a condition is passed.
     fn beyond(&self, contact: JointContact) -> Ball {
         self.joints.row(contact, self.ring).at(self.thrust, self.moment)
     }

@@ -78,7 +78,7 @@ pub(super) struct ThickStones<'a> {
 }
 
 impl<'a> ThickStones<'a> {
-    /// These joints at a thickness.
+    /// Arch with these joints at a thickness.
     pub(super) fn new(joints: &'a StoneJoints<'a>, thickness: &Ball, ties: Ties) -> Self {
         Self { joints, ring: Ring::new(joints.weight, thickness), ties }
     }
