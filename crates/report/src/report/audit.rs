@@ -48,8 +48,7 @@ fn compared(entry: &Comparison) -> Fields {
 
 /// JSON.
 pub(super) fn json(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
-    let mut file = Fields::default();
-    file.add("schema", "couplet.audit/2");
+    let mut file = Fields::of("couplet.audit/2");
     file.add_list("printed", report.printed.iter().map(printed));
     file.add_list("comparisons", report.comparisons.iter().map(compared));
     json::write(&file, out)

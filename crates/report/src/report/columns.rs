@@ -3,7 +3,6 @@
 use super::answer::{Answer, Kept};
 use super::answers::Answers;
 use super::fields::Fields;
-use super::given::GivenDoubles;
 use super::subject::Subject;
 use crate::problem::Quantity;
 use crate::problem::measures::Circle;
@@ -25,7 +24,7 @@ impl Asked {
     }
 
     /// Question of the arches of a table.
-    fn in_table(report: &Answers) -> Self {
+    pub(super) fn in_table(report: &Answers) -> Self {
         Self { state: report.have_states(), assessment: report.have_assessments() }
     }
 }
@@ -33,11 +32,7 @@ impl Asked {
 /// The arch as it was given.
 pub(super) fn given(answer: &Answer, asked: Asked) -> Fields {
     let mut fields = Fields::default();
-    let (mut alpha, mut mu, mut eta) = (None, None, None);
-    if let Subject::Arch { half_opening, friction, thickness, .. } = &answer.subject {
-        (alpha, mu, eta) =
-            (Some(half_opening.as_str()), Some(friction.as_str()), thickness.as_deref());
-    }
+    let [alpha, mu, eta] = answer.subject.given();
     fields.add("weight", answer.subject.weight().map(|weight| weight.name()));
     fields.add("half_opening", alpha);
     fields.add("friction", mu);
@@ -48,20 +43,15 @@ pub(super) fn given(answer: &Answer, asked: Asked) -> Fields {
 }
 
 /// Fields as numbers; what no double holds is nothing.
-pub(super) fn doubles(answer: &Answer, asked: Asked) -> Vec<(&'static str, Option<f64>)> {
-    let found = match &answer.subject {
-        Subject::Arch { doubles, .. } => *doubles,
-        _ => GivenDoubles::default(),
-    };
-    let mut doubles = vec![
-        ("half_opening_rad", found.half_opening_rad),
-        ("half_opening_deg", found.half_opening_deg),
-        ("friction_double", found.friction),
-    ];
+pub(super) fn doubles(answer: &Answer, asked: Asked) -> Fields {
+    let (found, mut fields) = (answer.subject.doubles(), Fields::default());
+    fields.add_double("half_opening_rad", found.half_opening_rad);
+    fields.add_double("half_opening_deg", found.half_opening_deg);
+    fields.add_double("friction_double", found.friction);
     if asked.assessment {
-        doubles.push(("thickness_double", found.thickness));
+        fields.add_double("thickness_double", found.thickness);
     }
-    doubles
+    fields
 }
 
 /// The verdict and the mode.
@@ -78,32 +68,6 @@ pub(super) fn verdict(answer: &Answer, asked: Asked) -> Fields {
         fields.add("mode", answer.modes.first().map(|mode| mode.label()));
     }
     fields
-}
-
-/// The names of the columns of arches.
-pub(super) fn names(report: &Answers) -> Vec<String> {
-    let empty = Answer::refused(0, String::new());
-    row(report, &empty).names().map(str::to_owned).collect()
-}
-
-/// The cells of an arch, all empty for a query that could not be read.
-pub(super) fn cells(report: &Answers, answer: &Answer) -> Vec<String> {
-    match answer.subject {
-        Subject::Query { .. } => vec![String::new(); names(report).len()],
-        _ => row(report, answer).texts().collect(),
-    }
-}
-
-/// The names of the columns with the numbers that are given.
-pub(super) fn double_names(report: &Answers) -> impl Iterator<Item = String> {
-    let empty = Answer::refused(0, String::new());
-    doubles(&empty, Asked::in_table(report)).into_iter().map(|(name, _)| name.to_owned())
-}
-
-/// Cells of the doubles.
-pub(super) fn double_cells(report: &Answers, answer: &Answer) -> impl Iterator<Item = String> {
-    let doubles = doubles(answer, Asked::in_table(report)).into_iter();
-    doubles.map(|(_, x)| x.map_or(String::new(), |x| format!("{x:?}")))
 }
 
 /// The names of the columns that are handed on: one that the table has of its own is another there.
@@ -142,7 +106,8 @@ pub(super) fn circle(report: &Answers, answer: &Answer) -> Fields {
     fields
 }
 
-fn row(report: &Answers, answer: &Answer) -> Fields {
+/// The cells of an arch in a table, all empty for a query that could not be read.
+pub(super) fn row(report: &Answers, answer: &Answer) -> Fields {
     let asked = Asked::in_table(report);
     let mut fields = given(answer, asked);
     fields.append(circle(report, answer));
@@ -158,5 +123,13 @@ fn row(report: &Answers, answer: &Answer) -> Fields {
         fields.add("limited_by", limits.join("; "));
     }
     fields.add("reason", answer.reason());
+    if let Subject::Query { .. } = answer.subject {
+        fields.clear();
+    }
     fields
+}
+
+/// The names of the columns of a table, each row of which is made so.
+pub(super) fn header(row: impl Fn(&Answer) -> Fields) -> Vec<String> {
+    row(&Answer::refused(0, String::new())).names().map(str::to_owned).collect()
 }

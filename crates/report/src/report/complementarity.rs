@@ -240,8 +240,7 @@ fn given(arch: &Arch) -> Fields {
 }
 
 fn entry(of: &ComplementarityArch) -> Fields {
-    let mut fields = Fields::default();
-    fields.add("schema", "couplet.complementarity/1");
+    let mut fields = Fields::of("couplet.complementarity/1");
     fields.append(given(&of.arch));
     fields.add("verdict", if of.first_open().is_some() { "undecided" } else { "proved" });
     fields.add("reason", of.first_open().map(|open| open.reason.to_string()));

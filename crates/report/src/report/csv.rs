@@ -2,18 +2,24 @@
 
 use super::answer::{Answer, Status};
 use super::answers::{Answers, Scope};
-use super::columns;
+use super::columns::{self, Asked};
 use super::fields::Fields;
 use super::find;
 use super::rows::{Rows, in_parallel};
-use super::subject::Subject;
-use super::words::{hexadecimal, printable};
+use super::value::Value;
+use super::words::{hexadecimal, labels, printable};
+use crate::problem::Quantity;
 use std::io;
 
 /// Landmarks or arches.
 pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     match report.scope {
-        Scope::Constants | Scope::Point => write(constants(report), out),
+        Scope::Constants => {
+            table("weight landmark quantity value lower upper exact", constants(report), out)
+        }
+        Scope::Point => {
+            table("weight landmark modes quantity value lower upper", constants(report), out)
+        }
         Scope::Found => {
             let all: Vec<Fields> = report.list.iter().map(finding).collect();
             let header = all.iter().take(1).map(|row| row.names().map(str::to_owned).collect());
@@ -55,76 +61,58 @@ pub(super) fn table(
 }
 
 /// A row for each value that is proved.
-fn constants(report: &Answers) -> Vec<Vec<String>> {
-    let with_modes = report.scope == Scope::Point;
-    let record =
-        |modes: &str, exact: &str, [weight, landmark, quantity]: [&str; 3], value: [String; 3]| {
-            let mut record = vec![weight.to_owned(), landmark.to_owned()];
-            record.extend(with_modes.then(|| modes.to_owned()));
-            record.push(quantity.to_owned());
-            record.extend(value);
-            record.extend((!with_modes).then(|| exact.to_owned()));
-            record
-        };
-    let bounds = ["value", "lower", "upper"].map(str::to_owned);
-    let mut records = vec![record("modes", "exact", ["weight", "landmark", "quantity"], bounds)];
-    for answer in &report.list {
-        let Subject::Landmark { landmark, weight } = &answer.subject else { continue };
-        let modes: Vec<&str> = answer.modes.iter().map(|mode| mode.label()).collect();
-        records.extend(answer.values.iter().map(|(quantity, value)| {
-            let names = [weight.name(), landmark.symbol(), quantity.name()];
-            let exact = value.exact.as_deref().unwrap_or_default();
-            record(&modes.join(" "), exact, names, value.texts())
-        }));
-    }
-    records
-}
-
-/// Tells whether the doubles of the values have columns.
-fn has_doubles(report: &Answers) -> bool {
-    matches!(report.scope, Scope::Arches | Scope::Mixed) && report.have_doubles()
+fn constants(report: &Answers) -> Vec<Fields> {
+    let row = |answer: &Answer, quantity: Quantity, value: &Value| {
+        let mut row = Fields::default();
+        row.add("weight", answer.subject.weight().map(|weight| weight.name()));
+        row.add("landmark", answer.subject.landmark().map(|landmark| landmark.symbol()));
+        row.add("modes", labels(&answer.modes).join(" "));
+        row.add("quantity", quantity.name());
+        row.append(Fields::named("value lower upper", value.texts().map(Into::into)));
+        row.add("exact", value.exact.as_deref());
+        row
+    };
+    let rows = |answer: &Answer| -> Vec<Fields> {
+        answer.values.iter().map(|(quantity, value)| row(answer, *quantity, value)).collect()
+    };
+    report.list.iter().flat_map(rows).collect()
 }
 
 fn header(report: &Answers, with_lines: bool) -> Vec<String> {
-    let mut header = columns::names(report);
-    header.extend(["line", "error"].into_iter().filter(|_| with_lines).map(str::to_owned));
-    header.extend(columns::double_names(report));
-    if has_doubles(report) {
-        let names = report.quantities.iter().map(|quantity| quantity.name());
-        header.extend(names.flat_map(|name| [format!("{name}_double"), format!("{name}_hex")]));
-    }
-    let mut all = columns::kept_names(&report.kept, &header);
-    all.append(&mut header);
-    all
+    let header = columns::header(|answer| own(report, answer, with_lines));
+    [columns::kept_names(&report.kept, &header), header].concat()
 }
 
 fn record(report: &Answers, answer: &Answer, with_lines: bool) -> Vec<String> {
-    let mut record: Vec<String> = columns::kept_cells(&report.kept, &answer.kept).collect();
-    record.extend(columns::cells(report, answer));
+    let kept = columns::kept_cells(&report.kept, &answer.kept);
+    kept.chain(own(report, answer, with_lines).texts()).collect()
+}
+
+/// The cells of an arch behind what is handed on.
+fn own(report: &Answers, answer: &Answer, with_lines: bool) -> Fields {
+    let mut row = columns::row(report, answer);
     if with_lines {
         let error = match &answer.status {
-            Status::Refused(error) => error.as_str(),
-            _ => "",
+            Status::Refused(error) => Some(error.as_str()),
+            _ => None,
         };
-        let line = answer.subject.line().map_or(String::new(), |line| line.to_string());
-        record.extend([line, error.to_owned()]);
+        row.add("line", answer.subject.line());
+        row.add("error", error);
     }
-    record.extend(columns::double_cells(report, answer));
-    if has_doubles(report) {
-        record.extend(report.quantities.iter().flat_map(
-            |&quantity| match answer.value(quantity) {
-                Some(value) => [format!("{:?}", value.double), hexadecimal(value.double)],
-                None => [const { String::new() }; 2],
-            },
-        ));
+    row.append(columns::doubles(answer, Asked::in_table(report)));
+    if matches!(report.scope, Scope::Arches | Scope::Mixed) && report.have_doubles() {
+        for quantity in &report.quantities {
+            let double = answer.value(*quantity).map(|value| value.double);
+            row.add_double(format!("{}_double", quantity.name()), double);
+            row.add(format!("{}_hex", quantity.name()), double.map(hexadecimal));
+        }
     }
-    record
+    row
 }
 
 /// Fields of what is given and what is found, in the same columns.
 fn finding(answer: &Answer) -> Fields {
-    let modes: Vec<&str> = answer.modes.iter().map(|mode| mode.label()).collect();
-    find::fields(answer, modes.join(" "), |fields, quantity| {
+    find::fields(answer, labels(&answer.modes).join(" "), |fields, quantity| {
         fields.add(quantity.name(), answer.value(quantity).map(|value| value.text()));
     })
 }

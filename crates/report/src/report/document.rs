@@ -5,178 +5,81 @@
 
 use super::answer::Answer;
 use super::answers::{Answers, TOOL};
-use super::given::GivenDoubles;
+use super::columns::{self, Asked};
+use super::fields::Fields;
 use super::subject::Subject;
 use super::value::Value;
 use super::words::hexadecimal;
 use crate::problem::Quantity;
-use serde::Serialize;
-use std::collections::BTreeMap;
 
-/// The document.
-#[derive(Serialize)]
-pub(super) struct Document<'a> {
-    schema: &'static str,
-    tool: &'static str,
-    digits: usize,
-    constants: Vec<ValueEntry<'a>>,
-    proofs: Vec<AnswerEntry<'a>>,
+/// Document of landmarks or arches.
+pub(super) fn document(report: &Answers) -> Fields {
+    let mut file = Fields::of(report.schema());
+    file.add("tool", TOOL);
+    file.add("digits", report.digits);
+    let values = |answer: &Answer| -> Vec<Fields> {
+        answer.values.iter().map(|(of, value)| constant(&answer.subject, *of, value)).collect()
+    };
+    file.add_list("constants", report.list.iter().flat_map(values));
+    file.add_list("proofs", report.list.iter().map(proof));
+    file
 }
 
 /// Whose value it is.
-#[derive(Serialize)]
-struct Owner {
-    weight: Option<&'static str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    landmark: Option<&'static str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    line: Option<u64>,
+fn owner(subject: &Subject) -> Fields {
+    let mut fields = Fields::default();
+    fields.add("weight", subject.weight().map(|weight| weight.name()));
+    if let Some(landmark) = subject.landmark() {
+        fields.add("landmark", landmark.symbol());
+    }
+    if let Some(line) = subject.line() {
+        fields.add("line", line);
+    }
+    fields
 }
 
 /// A proved value. `double` is the nearest to the true value, the doubles after it its bounds and a bound
 /// of its error.
-#[derive(Serialize)]
-struct ValueEntry<'a> {
-    #[serde(flatten)]
-    owner: Owner,
-    quantity: &'static str,
-    value: String,
-    lower: String,
-    upper: String,
-    exact: Option<&'a str>,
-    double: f64,
-    hex: Option<String>,
-    double_lower: f64,
-    double_upper: f64,
-    double_error: f64,
+fn constant(subject: &Subject, quantity: Quantity, value: &Value) -> Fields {
+    let mut fields = owner(subject);
+    fields.add("quantity", quantity.name());
+    fields.append(Fields::named("value lower upper", value.texts().map(Into::into)));
+    fields.add("exact", value.exact.as_deref());
+    fields.add_double("double", value.double);
+    fields.add("hex", value.double.is_finite().then(|| hexadecimal(value.double)));
+    fields.add_double("double_lower", value.binary.lower);
+    fields.add_double("double_upper", value.binary.upper);
+    fields.add_double("double_error", value.binary.error);
+    fields
 }
 
-#[derive(Serialize)]
-struct AnswerEntry<'a> {
-    #[serde(flatten)]
-    owner: Owner,
-    #[serde(flatten)]
-    arch: Option<ArchEntry<'a>>,
-    verdict: &'static str,
-    reason: Option<&'a str>,
-    equations: &'a [&'static str],
-    /// Radius of the box of uniqueness for each unknown, relative to its value.
-    box_relative_radius: BTreeMap<&'static str, f64>,
-    certificate: CertificateEntry<'a>,
-}
-
-#[derive(Serialize)]
-struct ArchEntry<'a> {
-    half_opening: Option<&'a str>,
-    friction: Option<&'a str>,
-    thickness: Option<&'a str>,
-    half_opening_rad: Option<f64>,
-    half_opening_deg: Option<f64>,
-    friction_double: Option<f64>,
-    thickness_double: Option<f64>,
-    can_stand: Option<bool>,
-    stands: Option<bool>,
-    mode: Option<&'static str>,
-}
-
-/// The command that writes the certificate and the SHA-256 of its output; or why there is none.
-#[derive(Serialize)]
-struct CertificateEntry<'a> {
-    command: Option<&'a str>,
-    sha256: Option<&'a str>,
-    reason: Option<&'a str>,
-}
-
-impl<'a> Document<'a> {
-    /// Document of landmarks or arches.
-    pub(super) fn new(report: &'a Answers) -> Self {
-        let values = |answer: &'a Answer| {
-            answer.values.iter().map(|(of, value)| ValueEntry::new(&answer.subject, *of, value))
-        };
-        Self {
-            schema: report.schema(),
-            tool: TOOL,
-            digits: report.digits,
-            constants: report.list.iter().flat_map(values).collect(),
-            proofs: report.list.iter().map(AnswerEntry::new).collect(),
-        }
+fn proof(answer: &Answer) -> Fields {
+    let mut fields = owner(&answer.subject);
+    if matches!(answer.subject, Subject::Arch { .. } | Subject::Sought { .. }) {
+        let asked = Asked { state: true, assessment: true };
+        let given = answer.subject.given().map(Into::into);
+        fields.append(Fields::named("half_opening friction thickness", given));
+        fields.append(columns::doubles(answer, asked));
+        fields.add("can_stand", answer.can_stand);
+        fields.add("stands", answer.stands);
+        fields.add("mode", answer.modes.first().map(|mode| mode.label()));
     }
-}
-
-impl Owner {
-    fn new(subject: &Subject) -> Self {
-        Self {
-            weight: subject.weight().map(|weight| weight.name()),
-            landmark: subject.landmark().map(|landmark| landmark.symbol()),
-            line: subject.line(),
-        }
-    }
-}
-
-impl<'a> ValueEntry<'a> {
-    fn new(subject: &Subject, quantity: Quantity, value: &'a Value) -> Self {
-        let [text, lower, upper] = value.texts();
-        Self {
-            owner: Owner::new(subject),
-            quantity: quantity.name(),
-            value: text,
-            lower,
-            upper,
-            exact: value.exact.as_deref(),
-            double: value.double,
-            hex: value.double.is_finite().then(|| hexadecimal(value.double)),
-            double_lower: value.binary.lower,
-            double_upper: value.binary.upper,
-            double_error: value.binary.error,
-        }
-    }
-}
-
-impl<'a> ArchEntry<'a> {
-    fn new(answer: &Answer, given: [Option<&'a String>; 3], doubles: GivenDoubles) -> Self {
-        let [half_opening, friction, thickness] = given.map(|text| text.map(String::as_str));
-        Self {
-            half_opening,
-            friction,
-            thickness,
-            half_opening_rad: doubles.half_opening_rad,
-            half_opening_deg: doubles.half_opening_deg,
-            friction_double: doubles.friction,
-            thickness_double: doubles.thickness,
-            can_stand: answer.can_stand,
-            stands: answer.stands,
-            mode: answer.modes.first().map(|mode| mode.label()),
-        }
-    }
-}
-
-impl<'a> AnswerEntry<'a> {
-    fn new(answer: &'a Answer) -> Self {
-        let arch = match &answer.subject {
-            Subject::Arch { half_opening, friction, thickness, doubles, .. } => {
-                let given = [Some(half_opening), Some(friction), thickness.as_ref()];
-                Some(ArchEntry::new(answer, given, *doubles))
-            }
-            Subject::Sought { half_opening, friction, thickness, .. } => {
-                let given = [half_opening, friction, thickness].map(Option::as_ref);
-                Some(ArchEntry::new(answer, given, GivenDoubles::default()))
-            }
-            Subject::Landmark { .. } | Subject::Query { .. } => None,
-        };
-        let fingerprint = answer.certificate.as_ref();
-        let proof = answer.proof.as_ref();
-        Self {
-            owner: Owner::new(&answer.subject),
-            arch,
-            verdict: answer.status.name(),
-            reason: answer.status.reason(),
-            equations: proof.map_or(&[], |proof| &proof.equations),
-            box_relative_radius: proof.iter().flat_map(|proof| proof.radii.clone()).collect(),
-            certificate: CertificateEntry {
-                command: fingerprint.ok().map(|certificate| certificate.command.as_str()),
-                sha256: fingerprint.ok().map(|certificate| certificate.sha256.as_str()),
-                reason: fingerprint.err().map(String::as_str),
-            },
-        }
-    }
+    fields.add("verdict", answer.status.name());
+    fields.add("reason", answer.status.reason());
+    let proof = answer.proof.as_ref();
+    fields.add("equations", proof.map_or(&[][..], |proof| &proof.equations));
+    // Radius of the box of uniqueness for each unknown, relative to its value.
+    let mut radii = proof.map_or(Vec::new(), |proof| proof.radii.clone());
+    radii.sort_by_key(|(unknown, _)| *unknown);
+    let mut relative = Fields::default();
+    radii.into_iter().for_each(|(unknown, radius)| relative.add_double(unknown, radius));
+    fields.add_fields("box_relative_radius", Some(relative));
+    // The command that writes the certificate and the SHA-256 of its output; or why there is none.
+    let certificate = match &answer.certificate {
+        Ok(of) => [of.command.as_str().into(), of.sha256.as_str().into(), None],
+        Err(reason) => [None, None, Some(reason.as_str())],
+    };
+    let certificate = Fields::named("command sha256 reason", certificate.map(Into::into));
+    fields.add_fields("certificate", Some(certificate));
+    fields
 }

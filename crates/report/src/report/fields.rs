@@ -15,22 +15,38 @@ pub(crate) struct Fields(Vec<(Cow<'static, str>, FieldValue)>);
 #[derive(Debug, Serialize)]
 #[serde(untagged)]
 enum FieldValue {
-    Value(Json),
+    Value(Option<Json>),
+    /// Infinity is `null` in JSON.
+    Double(f64),
     Raw(Box<RawValue>),
     Fields(Fields),
     List(Vec<Fields>),
 }
 
 impl Fields {
+    /// Fields of a document of a schema.
+    pub(crate) fn of(schema: &'static str) -> Self {
+        Self::named("schema", [schema.into()])
+    }
+
     /// Adds a field; nothing is `null`.
-    pub(crate) fn add(&mut self, name: &'static str, value: impl Into<Json>) {
-        self.0.push((name.into(), FieldValue::Value(value.into())));
+    pub(crate) fn add(&mut self, name: impl Into<Cow<'static, str>>, value: impl Into<Json>) {
+        self.0.push((name.into(), FieldValue::new(value.into())));
+    }
+
+    /// Adds a double, which is infinite in CSV and TOML too.
+    pub(crate) fn add_double(
+        &mut self,
+        name: impl Into<Cow<'static, str>>,
+        value: impl Into<Option<f64>>,
+    ) {
+        self.0
+            .push((name.into(), value.into().map_or(FieldValue::Value(None), FieldValue::Double)));
     }
 
     /// Adds an object, or `null`.
     pub(crate) fn add_fields(&mut self, name: &'static str, fields: Option<Fields>) {
-        self.0
-            .push((name.into(), fields.map_or(FieldValue::Value(Json::Null), FieldValue::Fields)));
+        self.0.push((name.into(), fields.map_or(FieldValue::Value(None), FieldValue::Fields)));
     }
 
     /// Adds an object of objects, in the order of their names.
@@ -57,12 +73,13 @@ impl Fields {
 
     /// Adds a decimal with its bounds, or `null`.
     pub(crate) fn add_rounded(&mut self, name: &'static str, decimal: Option<&Rounded>) {
-        let [value, lower, upper] = ["value", "lower", "upper"];
-        let fields = decimal.map(|of| {
-            let texts = [(value, &of.value), (lower, &of.lower), (upper, &of.upper)];
-            texts.map(|(name, x)| (name, Json::from(x.to_string()))).into_iter().collect()
-        });
-        self.add_fields(name, fields);
+        self.add_fields(name, decimal.map(Self::bounds));
+    }
+
+    /// A decimal with its bounds.
+    pub(crate) fn bounds(of: &Rounded) -> Self {
+        let texts = [&of.value, &of.lower, &of.upper].map(|x| x.to_string().into());
+        Self::named("value lower upper", texts)
     }
 
     /// Values under names that are given in one text, in its order.
@@ -77,7 +94,7 @@ impl Fields {
 
     /// Adds what is handed on under a name from outside.
     pub(crate) fn keep(&mut self, name: &str, kept: &Kept) {
-        let text = || FieldValue::Value(kept.text().into());
+        let text = || FieldValue::new(kept.text().into());
         let field = match kept {
             Kept::Text(_) => text(),
             Kept::Json(json) => {
@@ -85,6 +102,11 @@ impl Fields {
             }
         };
         self.0.push((name.to_owned().into(), field));
+    }
+
+    /// Takes away all values, not their names.
+    pub(crate) fn clear(&mut self) {
+        self.0.iter_mut().for_each(|(_, field)| *field = FieldValue::Value(None));
     }
 
     /// The names of the fields.
@@ -105,15 +127,20 @@ impl Fields {
 }
 
 impl FieldValue {
+    fn new(value: Json) -> Self {
+        Self::Value(Some(value).filter(|value| !value.is_null()))
+    }
+
     /// The field in a cell: of a value with bounds the value, of texts all; `null` and other lists are empty.
     fn text(&self) -> String {
         match self {
-            Self::Value(Json::String(text)) => text.clone(),
-            Self::Value(Json::Array(texts)) => {
+            Self::Value(Some(Json::String(text))) => text.clone(),
+            Self::Value(Some(Json::Array(texts))) => {
                 texts.iter().filter_map(Json::as_str).collect::<Vec<_>>().join("; ")
             }
-            Self::Value(Json::Null) | Self::List(_) => String::new(),
-            Self::Value(other) => other.to_string(),
+            Self::Value(None) | Self::List(_) => String::new(),
+            Self::Value(Some(other)) => other.to_string(),
+            Self::Double(x) => format!("{x:?}"),
             Self::Raw(json) => json.get().to_owned(),
             Self::Fields(fields) => fields.text("value"),
         }
@@ -122,12 +149,8 @@ impl FieldValue {
 
 impl FromIterator<(&'static str, Json)> for Fields {
     fn from_iter<I: IntoIterator<Item = (&'static str, Json)>>(fields: I) -> Self {
-        Self(
-            fields
-                .into_iter()
-                .map(|(name, value)| (name.into(), FieldValue::Value(value)))
-                .collect(),
-        )
+        let field = |(name, value): (&'static str, Json)| (name.into(), FieldValue::new(value));
+        Self(fields.into_iter().map(field).collect())
     }
 }
 

@@ -4,7 +4,7 @@ use super::answer::{Answer, Status};
 use super::answers::Answers;
 use super::fields::Fields;
 use super::subject::Subject;
-use super::words::{apart, model, reason};
+use super::words::{apart, labels, model, reason};
 use crate::certify::Undecided;
 use crate::problem::Quantity;
 use serde_json::Value as Json;
@@ -12,16 +12,10 @@ use std::io;
 
 /// Given values, in words: `thickness 0.15, friction 0.6`.
 fn given(subject: &Subject) -> String {
-    let Subject::Sought { half_opening, friction, thickness, .. } = subject else {
-        return String::new();
-    };
-    let said = |name: &str, text: &Option<String>| Some(format!("{name} {}", text.as_ref()?));
-    let parts = [
-        said("half opening", half_opening),
-        said("thickness", thickness),
-        said("friction", friction),
-    ];
-    parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+    let [half_opening, friction, thickness] = subject.given();
+    let parts = [("half opening", half_opening), ("thickness", thickness), ("friction", friction)];
+    let said = parts.into_iter().filter_map(|(name, text)| Some(format!("{name} {}", text?)));
+    said.collect::<Vec<_>>().join(", ")
 }
 
 /// The question in words: `widest half opening for thickness 0.15, friction 0.6`.
@@ -56,8 +50,7 @@ fn one(report: &Answers, answer: &Answer, out: &mut dyn io::Write) -> io::Result
             writeln!(out, "   {name:<20} {symbol:<12} {}", value.text())?;
         }
     }
-    let modes: Vec<&str> = answer.modes.iter().map(|mode| mode.label()).collect();
-    match (boundary, &modes[..]) {
+    match (boundary, &labels(&answer.modes)[..]) {
         (_, []) => {}
         (Some(_), modes) => writeln!(out, "\nbetween {}", modes.join(" and "))?,
         (None, ["[s,s]"]) => writeln!(out, "\nslides there as [s,s], whatever the thickness")?,
@@ -72,7 +65,7 @@ fn one(report: &Answers, answer: &Answer, out: &mut dyn io::Write) -> io::Result
 /// Writes why nothing is known, and the modes between which that is.
 pub(super) fn undecided(undecided: &Undecided, out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(out, "{undecided}")?;
-    let between: Vec<_> = undecided.between.iter().map(|mode| mode.label()).collect();
+    let between = labels(&undecided.between);
     match undecided.gap.filter(|_| !between.is_empty()) {
         Some(gap) => {
             let place = match &between[..] {
@@ -92,11 +85,8 @@ pub(super) fn fields(
     value: impl Fn(&mut Fields, Quantity),
 ) -> Fields {
     let mut fields = Fields::default();
-    let Subject::Sought { weight, sought, boundary, half_opening, friction, thickness, .. } =
-        &answer.subject
-    else {
-        return fields;
-    };
+    let Subject::Sought { weight, sought, boundary, .. } = &answer.subject else { return fields };
+    let [half_opening, friction, thickness] = answer.subject.given();
     fields.add("weight", weight.name());
     fields.add("sought", sought.name());
     fields.add("boundary", boundary.map(|line| line.to_string()));
@@ -107,7 +97,7 @@ pub(super) fn fields(
     ];
     for (quantity, text) in given {
         match text {
-            Some(text) => fields.add(quantity.name(), text.as_str()),
+            Some(text) => fields.add(quantity.name(), text),
             None => value(&mut fields, quantity),
         }
     }

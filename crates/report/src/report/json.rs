@@ -5,13 +5,13 @@
 use super::answer::{Answer, Status};
 use super::answers::{Answers, Scope};
 use super::columns::{self, Asked};
-use super::document::Document;
+use super::document::document;
 use super::fields::Fields;
 use super::find;
 use super::rows::{Rows, in_parallel};
 use super::subject::Subject;
 use super::value::Value;
-use super::words::{hexadecimal, printable};
+use super::words::{hexadecimal, labels, printable};
 use crate::problem::Quantity;
 use serde::{Serialize, Serializer};
 use std::io;
@@ -19,7 +19,7 @@ use std::io;
 /// Writes landmarks or arches as JSON, for a program that wants no other format.
 pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     match report.scope {
-        Scope::Constants => write(&Document::new(report), out),
+        Scope::Constants => write(&document(report), out),
         Scope::Point => report.list.iter().try_for_each(|answer| write(&point(answer), out)),
         Scope::Arch => {
             report.list.iter().try_for_each(|answer| write(&entry(report, answer, false), out))
@@ -124,29 +124,26 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Fields {
     }
     fields.append(columns::given(answer, asked));
     fields.append(columns::circle(report, answer));
-    columns::doubles(answer, asked).into_iter().for_each(|(name, x)| fields.add(name, x));
+    fields.append(columns::doubles(answer, asked));
     fields.append(columns::verdict(answer, asked));
-    let asymmetric = answer.value(Quantity::AsymmetricThickness);
-    let asymmetric = asymmetric.map(|value| figure(value, report.have_doubles()));
-    fields.add_fields(Quantity::AsymmetricThickness.name(), asymmetric);
+    let figure = |value: Option<&Value>| Some(figure(value?, report.have_doubles()));
+    let asymmetric = Quantity::AsymmetricThickness;
+    fields.add_fields(asymmetric.name(), figure(answer.value(asymmetric)));
     let quantities =
         if asked.assessment { &Quantity::ASSESSMENT[..] } else { &Quantity::STATE[..] };
     for &quantity in quantities {
-        let value = answer.value(quantity).map(|value| match quantity.joint() {
-            Some(joint) => limit(value, answer.value(joint), report.have_doubles()),
-            None => figure(value, report.have_doubles()),
-        });
-        let open = answer.why_open(quantity).map(|why| {
-            let mut fields = Fields::default();
-            fields.add("undecided", why.reason.as_ref());
-            fields
-        });
+        let value = answer.value(quantity);
+        let value = match quantity.joint() {
+            Some(joint) => value.map(|thrust| limit(thrust, answer.value(joint), &figure)),
+            None => figure(value),
+        };
+        let open = answer.why_open(quantity);
+        let open = open.map(|why| Fields::named("undecided", [why.reason.as_ref().into()]));
         fields.add_fields(quantity.name(), value.or(open).filter(|_| report.shows(quantity)));
     }
     // Those of an arch that is measured are there if they are asked for.
     for quantity in report.quantities.iter().filter(|of| of.is_measured()) {
-        let value = answer.value(*quantity).map(|value| figure(value, report.have_doubles()));
-        fields.add_fields(quantity.name(), value);
+        fields.add_fields(quantity.name(), figure(answer.value(*quantity)));
     }
     fields.add("reason", answer.reason());
     if asked.state {
@@ -154,18 +151,13 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Fields {
             Status::Undecided(undecided) => (&undecided.between[..], undecided.gap),
             _ => (&[][..], None),
         };
-        let between: Vec<&str> = between.iter().map(|mode| mode.label()).collect();
-        fields.add("between", between);
+        fields.add("between", labels(between));
         fields.add("gap", gap);
         let [friction, half_opening] = &answer.enough;
         let enough = (friction.is_some() || half_opening.is_some()).then(|| {
             let mut enough = Fields::default();
-            for (of, value) in
-                [(Quantity::Friction, friction), (Quantity::HalfOpening, half_opening)]
-            {
-                let figure = value.as_ref().map(|value| figure(value, report.have_doubles()));
-                enough.add_fields(of.name(), figure);
-            }
+            enough.add_fields(Quantity::Friction.name(), figure(friction.as_ref()));
+            enough.add_fields(Quantity::HalfOpening.name(), figure(half_opening.as_ref()));
             enough
         });
         fields.add_fields("enough", enough);
@@ -175,10 +167,8 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Fields {
 
 /// `couplet.find/1`: what is given is text, what is found has bounds.
 fn finding(report: &Answers, answer: &Answer) -> Fields {
-    let mut fields = Fields::default();
-    fields.add("schema", "couplet.find/1");
-    let modes: Vec<&str> = answer.modes.iter().map(|mode| mode.label()).collect();
-    fields.append(find::fields(answer, modes, |fields, quantity| {
+    let mut fields = Fields::of("couplet.find/1");
+    fields.append(find::fields(answer, labels(&answer.modes), |fields, quantity| {
         let value = answer.value(quantity);
         let figure = value.map(|value| figure(value, report.have_doubles()));
         fields.add_fields(quantity.name(), figure);
@@ -188,11 +178,7 @@ fn finding(report: &Answers, answer: &Answer) -> Fields {
 
 /// A value with its bounds, and with its nearest double if that is shown.
 fn figure(value: &Value, with_double: bool) -> Fields {
-    let mut fields = Fields::default();
-    let [text, lower, upper] = value.texts();
-    fields.add("value", text);
-    fields.add("lower", lower);
-    fields.add("upper", upper);
+    let mut fields = Fields::named("value lower upper", value.texts().map(Into::into));
     if with_double && value.decimal.is_some() {
         fields.add("double", value.double);
         fields.add("hex", hexadecimal(value.double));
@@ -201,23 +187,25 @@ fn figure(value: &Value, with_double: bool) -> Fields {
 }
 
 /// An end of the range of thrusts; a thrust of null has no bound.
-fn limit(thrust: &Value, joint: Option<&Value>, with_doubles: bool) -> Fields {
+fn limit(
+    thrust: &Value,
+    joint: Option<&Value>,
+    figure: impl Fn(Option<&Value>) -> Option<Fields>,
+) -> Fields {
     let mut fields = Fields::default();
-    let bounded = thrust.decimal.is_some();
-    fields.add_fields("thrust", bounded.then(|| figure(thrust, with_doubles)));
+    fields.add_fields("thrust", figure(Some(thrust).filter(|thrust| thrust.decimal.is_some())));
     fields.add("limited_by", thrust.limited_by);
-    fields.add_fields("joint", joint.map(|joint| figure(joint, with_doubles)));
+    fields.add_fields("joint", figure(joint));
     fields
 }
 
 /// A landmark with the modes that meet there; its values in the order of their names.
 fn point(answer: &Answer) -> Fields {
-    let mut fields = Fields::default();
-    fields.add("schema", "couplet.state_at/1");
+    let mut fields = Fields::of("couplet.state_at/1");
     fields.add("weight", answer.subject.weight().map(|weight| weight.name()));
     fields.add("landmark", answer.subject.landmark().map(|landmark| landmark.symbol()));
     fields.add("verdict", answer.status.name());
-    fields.add("modes", answer.modes.iter().map(|mode| mode.label()).collect::<Vec<_>>());
+    fields.add("modes", labels(&answer.modes));
     let values = answer.values.iter().map(|(of, value)| (of.name(), figure(value, false)));
     fields.add_sorted("values", values);
     fields

@@ -36,8 +36,7 @@ pub(super) const CSV: SampledLines = SampledLines {
 pub(super) const JSON_LINES: SampledLines = SampledLines {
     header: || Ok(Vec::new()),
     row: |id, sample| {
-        let mut all = Fields::default();
-        all.add("schema", "couplet.sample/1");
+        let mut all = Fields::of("couplet.sample/1");
         all.append(fields(id, sample));
         json::line(&all)
     },

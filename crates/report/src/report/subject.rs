@@ -112,6 +112,27 @@ impl Subject {
         }
     }
 
+    /// Half opening, friction and thickness as given, where they are.
+    pub(super) fn given(&self) -> [Option<&str>; 3] {
+        match self {
+            Self::Arch { half_opening, friction, thickness, .. } => {
+                [Some(half_opening), Some(friction), thickness.as_deref()]
+            }
+            Self::Sought { half_opening, friction, thickness, .. } => {
+                [half_opening, friction, thickness].map(Option::as_deref)
+            }
+            Self::Landmark { .. } | Self::Query { .. } => [None; 3],
+        }
+    }
+
+    /// Values of an arch as numbers.
+    pub(super) fn doubles(&self) -> GivenDoubles {
+        match self {
+            Self::Arch { doubles, .. } => *doubles,
+            _ => GivenDoubles::default(),
+        }
+    }
+
     /// The self-weight model, where it could be read.
     pub fn weight(&self) -> Option<SelfWeight> {
         match self {

@@ -210,8 +210,8 @@ fn arches(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
         false => "Arches at their least thickness",
     };
     writeln!(out, "{what}, {}; stands: {STANDS}\n", rounding(report))?;
-    let header = columns::names(report);
-    let rows = report.list.iter().map(|answer| columns::cells(report, answer));
+    let header = columns::header(|answer| columns::row(report, answer));
+    let rows = report.list.iter().map(|answer| columns::row(report, answer).texts().collect());
     let rows: Vec<Vec<String>> = std::iter::once(header).chain(rows).collect();
     // A column without a value in any row says nothing.
     let width = |k: &usize| rows.iter().map(|row| row[*k].chars().count()).max().unwrap_or(0);

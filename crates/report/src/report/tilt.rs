@@ -175,8 +175,7 @@ pub(super) fn json(all: &TiltedArches, out: &mut dyn io::Write) -> io::Result<()
 }
 
 fn fields(arch: &TiltedArch) -> Fields {
-    let mut fields = Fields::default();
-    fields.add("schema", "couplet.tilt/2");
+    let mut fields = Fields::of("couplet.tilt/2");
     fields.add("weight", arch.weight.name());
     let given = arch.given.each_ref().map(|text| text.as_str().into());
     fields.append(Fields::named("half_opening friction thickness tilt", given));

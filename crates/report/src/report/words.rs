@@ -5,7 +5,7 @@ use crate::arch::asymmetric::AsymmetricMode;
 use crate::certify::state::{Fall, Figure};
 use crate::problem::asymmetric_region::{LOOK, MAY_MOVE};
 use crate::problem::stones::Stones;
-use crate::problem::{Landmark, Quantity};
+use crate::problem::{Landmark, Mode, Quantity};
 use std::fmt::Display;
 use std::io;
 
@@ -46,6 +46,11 @@ pub(super) fn kind(mode: AsymmetricMode) -> &'static str {
 /// Names in a sentence: `a, b, c`.
 pub fn list<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
     names.into_iter().collect::<Vec<_>>().join(", ")
+}
+
+/// Labels of modes.
+pub(super) fn labels(modes: &[Mode]) -> Vec<&'static str> {
+    modes.iter().map(|mode| mode.label()).collect()
 }
 
 /// Minimum similarity of a suggestion.

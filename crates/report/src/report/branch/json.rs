@@ -12,8 +12,7 @@ pub(in crate::report) fn json(all: &BranchArches, out: &mut dyn io::Write) -> io
 }
 
 fn entry(arch: &BranchArch, all: &BranchArches) -> Fields {
-    let mut fields = Fields::default();
-    fields.add("schema", "couplet.branch/1");
+    let mut fields = Fields::of("couplet.branch/1");
     fields.add("weight", arch.weight.name());
     fields.add("half_opening", arch.half_opening.to_string());
     fields.add("tolerance", all.tolerance);

@@ -51,8 +51,7 @@ pub(crate) fn json(report: &Index, out: &mut dyn io::Write) -> io::Result<()> {
         fields.add("reason", reason);
         fields
     };
-    let mut file = Fields::default();
-    file.add("schema", "couplet.index/1");
+    let mut file = Fields::of("couplet.index/1");
     file.add_list("sentences", index().into_iter().map(entry));
     json::write(&file, out)
 }

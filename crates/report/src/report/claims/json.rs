@@ -47,8 +47,7 @@ pub(crate) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()>
         }
         fields
     });
-    let mut file = Fields::default();
-    file.add("schema", "couplet.claims/3");
+    let mut file = Fields::of("couplet.claims/3");
     file.add_list("claims", claims);
     json::write(&file, out)
 }

@@ -12,8 +12,7 @@ use std::io;
 
 /// A row; `inf` correct digits are those of an exact number.
 fn entry(row: &JudgedRow) -> Fields {
-    let mut fields = Fields::default();
-    fields.add("schema", "couplet.judged/2");
+    let mut fields = Fields::of("couplet.judged/2");
     if !row.kept.is_empty() {
         fields.add_fields("kept", Some(kept_fields(&row.kept)));
     }
@@ -48,8 +47,7 @@ pub(crate) fn summary(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Re
     let bar = |(correct, rows): (&CorrectDigits, &u64)| {
         Fields::named("digits rows", [digits(*correct).into(), (*rows).into()])
     };
-    let mut file = Fields::default();
-    file.add("schema", "couplet.judge/2");
+    let mut file = Fields::of("couplet.judge/2");
     file.add("rows", summary.rows);
     file.add("accepted", summary.accepted());
     file.add("demanded_digits", summary.demand.digits);

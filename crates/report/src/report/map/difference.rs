@@ -163,8 +163,7 @@ pub(in crate::report) fn json(report: &MapDifferences, out: &mut dyn io::Write) 
         fields.add_list("nodes", rows(difference).map(node));
         fields
     };
-    let mut file = Fields::default();
-    file.add("schema", "couplet.map_difference/1");
+    let mut file = Fields::of("couplet.map_difference/1");
     file.add("tolerance", report.tolerance);
     file.add_list("differences", report.differences.iter().map(entry));
     json::write(&file, out)

@@ -76,8 +76,7 @@ pub(in crate::report) fn node(row: &MapRow) -> Fields {
 
 /// The curves and the domains.
 pub(in crate::report) fn json(report: &Map, out: &mut dyn io::Write) -> io::Result<()> {
-    let mut file = Fields::default();
-    file.add("schema", "couplet.map/1");
+    let mut file = Fields::of("couplet.map/1");
     file.add("tolerance", report.tolerance);
     file.add_list("curves", report.traces.iter().map(curve));
     file.add_list("levels", report.levels.iter().map(level));

@@ -50,8 +50,7 @@ pub(in crate::report) fn table(all: &MapPoints, out: &mut dyn io::Write) -> io::
 
 /// Fields that name a point.
 fn named(point: &MapPoint) -> Fields {
-    let mut fields = Fields::default();
-    fields.add("schema", "couplet.map_point/1");
+    let mut fields = Fields::of("couplet.map_point/1");
     fields.add("weight", point.weight());
     fields.add("curve", point.curve.to_string());
     fields.add("parameter", point.curve.parameter().name());

@@ -201,8 +201,7 @@ pub(in crate::report) fn json(report: &Sketched, out: &mut dyn io::Write) -> io:
         fields
     };
     let unit = if report.measures.is_some() { "m" } else { "r" };
-    let mut file = Fields::default();
-    file.add("schema", "couplet.drawing/2");
+    let mut file = Fields::of("couplet.drawing/2");
     file.add("unit", unit);
     file.add_list("arches", report.sketches.iter().map(arch));
     lean::write(&file, out)

@@ -19,8 +19,7 @@ pub(crate) fn json(
 }
 
 pub(super) fn entry(arch: &VoussoirArch) -> Fields {
-    let mut fields = Fields::default();
-    fields.add("schema", "couplet.voussoirs/1");
+    let mut fields = Fields::of("couplet.voussoirs/1");
     fields.add("weight", arch.weight.name());
     fields.add("half_opening", arch.stones.half_opening().to_string());
     match &arch.stones {
