@@ -48,7 +48,7 @@ fn seed(text: &str) -> Result<u64, String> {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let format = arguments.output.format(arguments.format, Content::Samples, "csv")?;
-    let Some(lines) = format.samples else { return Ok(()) };
+    let Some(lines) = format.samples() else { return Ok(()) };
     arguments.output.open()?.write(|out| {
         out.write_all(&(lines.header)()?)?;
         let samples = samples(arguments.seed, arguments.hard);

@@ -81,7 +81,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         given => given,
     };
     let format = format.or_else(|| Format::named(Content::Rows, syntax.format()));
-    let Some((format, open)) = format.and_then(|format| Some((format, format.rows?))) else {
+    let Some((format, open)) = format.and_then(|format| Some((format, format.rows()?))) else {
         return Ok(());
     };
     let output = arguments.output.open_for(format)?;

@@ -38,7 +38,7 @@ pub(super) fn acceleration(text: &str, arches: &[Arch]) -> Result<Slope, Failure
 pub(super) fn tilted_as(format: &'static Format) -> Result<&'static Format, Failure> {
     let names = Format::names(Content::Tilted);
     let message = || format!("--tilt is not written as {}; the formats are {names}", format.name);
-    Ok(format.tilt.map(|_| format).ok_or_else(message)?)
+    Ok(Content::Tilted.is_written_as(format).then_some(format).ok_or_else(message)?)
 }
 
 /// Proves and writes the answers for arches under an acceleration.

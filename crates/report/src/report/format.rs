@@ -7,6 +7,8 @@ use super::claims::{self, Claims, Index};
 use super::complementarity::{self, ComplementarityArches};
 use super::judged::{self, JudgeSummary, JudgedLines};
 use super::map::{self, Map, MapDifferences, MapPoints};
+#[cfg(feature = "parquet")]
+use super::parquet;
 use super::rows::Rows;
 use super::sampled::{self, SampledLines};
 use super::sketched::{self, Sketched};
@@ -53,12 +55,163 @@ pub enum Content {
     Drawing,
 }
 
-/// Writes all at once.
-type Writer<T> = fn(&T, &mut dyn io::Write) -> io::Result<()>;
 /// Opens a file of arches that come one after the other.
 type Opener = fn(Answers) -> io::Result<Box<dyn Rows>>;
 
-/// A format, and what it can write.
+/// What writes something in each format that it has.
+pub(super) struct Writers<W: 'static>(&'static [(&'static str, W)]);
+
+/// Writers of all at once.
+type AtOnce<T> = Writers<fn(&T, &mut dyn io::Write) -> io::Result<()>>;
+
+impl<W: Copy> Writers<W> {
+    fn of(&self, format: &Format) -> Option<W> {
+        self.0.iter().find(|(name, _)| *name == format.name).map(|(_, writer)| *writer)
+    }
+}
+
+impl<T> AtOnce<T> {
+    /// Writes it. A format that cannot write it is an error.
+    pub(super) fn write(&self, it: &T, format: &Format, out: &mut dyn io::Write) -> io::Result<()> {
+        self.of(format).map_or_else(unsupported, |write| write(it, out))
+    }
+}
+
+pub(super) const ANSWERS: AtOnce<Answers> = Writers(&[
+    ("table", table::answers),
+    ("plain", plain::answers),
+    ("json", json::answers),
+    ("csv", csv::answers),
+    ("toml", toml::answers),
+    ("latex", latex::answers),
+    ("c", c::answers),
+    ("rust", rust::answers),
+    ("python", python::answers),
+    ("julia", julia::answers),
+    ("matlab", matlab::answers),
+    ("fortran", fortran::answers),
+    ("parquet", parquet::answers),
+]);
+const ROWS: Writers<Opener> =
+    Writers(&[("csv", csv::rows), ("jsonl", json::lines), ("parquet", parquet::rows)]);
+pub(super) const AUDIT: AtOnce<Audit> =
+    Writers(&[("table", audit::table), ("json", audit::json), ("csv", audit::csv)]);
+pub(super) const CLAIMS: AtOnce<Claims> =
+    Writers(&[("text", claims::text), ("json", claims::json), ("latex", claims::latex)]);
+pub(super) const INDEX: AtOnce<Index> =
+    Writers(&[("text", claims::index_text), ("json", claims::index_json)]);
+const JUDGED: AtOnce<JudgeSummary> = Writers(&[("table", judged::table), ("json", judged::json)]);
+const JUDGED_LINES: Writers<JudgedLines> =
+    Writers(&[("csv", judged::CSV), ("jsonl", judged::JSON_LINES)]);
+const SAMPLES: Writers<SampledLines> =
+    Writers(&[("csv", sampled::CSV), ("jsonl", sampled::JSON_LINES)]);
+pub(super) const MAP: AtOnce<Map> = Writers(&[
+    ("table", map::table),
+    ("json", map::json),
+    ("csv", map::csv),
+    ("parquet", parquet::map),
+    ("svg", svg),
+    ("html", map::html),
+    ("png", png),
+]);
+pub(super) const MAP_POINTS: AtOnce<MapPoints> =
+    Writers(&[("table", map::point_table), ("json", map::point_json), ("csv", map::point_csv)]);
+pub(super) const MAP_DIFFERENCES: AtOnce<MapDifferences> = Writers(&[
+    ("table", map::difference_table),
+    ("json", map::difference_json),
+    ("csv", map::difference_csv),
+    ("svg", svg),
+    ("png", png),
+]);
+pub(super) const VOUSSOIRS: AtOnce<VoussoirArches> = Writers(&[
+    ("table", voussoirs::table),
+    ("json", voussoirs::json),
+    ("csv", voussoirs::csv),
+    ("svg", svg),
+    ("png", png),
+]);
+pub(super) const TILTED: AtOnce<TiltedArches> =
+    Writers(&[("table", tilt::table), ("json", tilt::json), ("csv", tilt::csv)]);
+pub(super) const COMPLEMENTARITY: AtOnce<ComplementarityArches> = Writers(&[
+    ("table", complementarity::table),
+    ("json", complementarity::json),
+    ("csv", complementarity::csv),
+]);
+pub(super) const BRANCH: AtOnce<BranchArches> = Writers(&[
+    ("table", branch::table),
+    ("json", branch::json),
+    ("csv", branch::csv),
+    ("svg", svg),
+    ("png", png),
+]);
+pub(super) const DRAWING: AtOnce<Sketched> =
+    Writers(&[("json", sketched::json), ("svg", svg), ("png", png), ("dxf", sketched::dxf)]);
+
+impl Content {
+    /// Tells whether it can be written in a format.
+    pub fn is_written_as(self, format: &Format) -> bool {
+        match self {
+            Self::Answers => ANSWERS.of(format).is_some(),
+            Self::Rows => format.rows().is_some(),
+            Self::Audit => AUDIT.of(format).is_some(),
+            Self::Claims => CLAIMS.of(format).is_some(),
+            Self::Index => INDEX.of(format).is_some(),
+            Self::Judged => format.judged().is_some() || format.judged_lines().is_some(),
+            Self::Samples => format.samples().is_some(),
+            Self::Map => MAP.of(format).is_some(),
+            Self::Figure => format.is_picture,
+            Self::MapPoint => MAP_POINTS.of(format).is_some(),
+            Self::MapDifference => MAP_DIFFERENCES.of(format).is_some(),
+            Self::Voussoirs => VOUSSOIRS.of(format).is_some(),
+            Self::Tilted => TILTED.of(format).is_some(),
+            Self::Complementarity => COMPLEMENTARITY.of(format).is_some(),
+            Self::Branch => BRANCH.of(format).is_some(),
+            Self::Drawing => DRAWING.of(format).is_some(),
+        }
+    }
+}
+
+/// Content that can be drawn.
+pub(super) trait Pictured {
+    /// The picture as SVG.
+    fn picture(&self) -> io::Result<String>;
+}
+
+fn svg(of: &impl Pictured, out: &mut dyn io::Write) -> io::Result<()> {
+    out.write_all(of.picture()?.as_bytes())
+}
+
+#[cfg(feature = "plots")]
+fn png(of: &impl Pictured, out: &mut dyn io::Write) -> io::Result<()> {
+    out.write_all(&crate::picture::png::render(&of.picture()?))
+}
+
+#[cfg(not(feature = "plots"))]
+fn png<T>(_: &T, _: &mut dyn io::Write) -> io::Result<()> {
+    unsupported()
+}
+
+/// Stand-ins of a format that is not built in.
+#[cfg(not(feature = "parquet"))]
+mod parquet {
+    use super::{Answers, Rows, io, unsupported};
+
+    pub(super) fn answers<T>(_: &T, _: &mut dyn io::Write) -> io::Result<()> {
+        unsupported()
+    }
+
+    pub(super) use answers as map;
+
+    pub(super) fn rows(_: Answers) -> io::Result<Box<dyn Rows>> {
+        unsupported()
+    }
+}
+
+fn unsupported<T>() -> io::Result<T> {
+    Err(io::ErrorKind::Unsupported.into())
+}
+
+/// A format.
 #[derive(Clone, Copy, Debug)]
 pub struct Format {
     /// Name of the format on the command line and in scenes.
@@ -76,27 +229,6 @@ pub struct Format {
     pub has_certificates: bool,
     /// The feature without which it is not built in, where that is missing.
     missing: Option<&'static str>,
-    pub(super) answers: Option<Writer<Answers>>,
-    /// Writer of rows one after another.
-    pub rows: Option<Opener>,
-    pub(super) audit: Option<Writer<Audit>>,
-    pub(super) claims: Option<Writer<Claims>>,
-    pub(super) index: Option<Writer<Index>>,
-    /// Writer of the summary of judged rows.
-    pub judged: Option<Writer<JudgeSummary>>,
-    /// Writer of judged rows, one by one.
-    pub judged_lines: Option<JudgedLines>,
-    /// Writer of arches drawn from a seed, one by one.
-    pub samples: Option<SampledLines>,
-    pub(super) map: Option<Writer<Map>>,
-    pub(super) map_points: Option<Writer<MapPoints>>,
-    pub(super) map_differences: Option<Writer<MapDifferences>>,
-    pub(super) voussoirs: Option<Writer<VoussoirArches>>,
-    /// Writer of arches under a horizontal acceleration.
-    pub tilt: Option<Writer<TiltedArches>>,
-    pub(super) complementarity: Option<Writer<ComplementarityArches>>,
-    pub(super) branch: Option<Writer<BranchArches>>,
-    pub(super) drawing: Option<Writer<Sketched>>,
 }
 
 const fn text(name: &'static str, extension: &'static str) -> Format {
@@ -108,180 +240,69 @@ const fn text(name: &'static str, extension: &'static str) -> Format {
         has_errors: false,
         has_certificates: false,
         missing: None,
-        answers: None,
-        rows: None,
-        audit: None,
-        claims: None,
-        index: None,
-        judged: None,
-        judged_lines: None,
-        samples: None,
-        map: None,
-        map_points: None,
-        map_differences: None,
-        voussoirs: None,
-        tilt: None,
-        complementarity: None,
-        branch: None,
-        drawing: None,
     }
 }
 
 /// A language of another program.
-const fn language(name: &'static str, extension: &'static str, answers: Writer<Answers>) -> Format {
-    Format {
-        has_errors: true,
-        has_certificates: true,
-        answers: Some(answers),
-        ..text(name, extension)
-    }
+const fn language(name: &'static str, extension: &'static str) -> Format {
+    Format { has_errors: true, has_certificates: true, ..text(name, extension) }
 }
 
 static FORMATS: [Format; 19] = [
+    text("table", "txt"),
+    text("text", "txt"),
+    text("plain", "txt"),
+    Format { has_certificates: true, ..text("json", "json") },
+    text("csv", "csv"),
+    text("jsonl", "jsonl"),
+    language("toml", "toml"),
+    Format { has_certificates: true, ..text("latex", "tex") },
+    language("c", "h"),
+    language("rust", "rs"),
+    language("python", "py"),
+    language("julia", "jl"),
+    language("matlab", "m"),
+    language("fortran", "f90"),
     Format {
-        answers: Some(table::answers),
-        audit: Some(audit::table),
-        judged: Some(judged::table),
-        map: Some(map::table),
-        map_points: Some(map::point_table),
-        map_differences: Some(map::difference_table),
-        voussoirs: Some(voussoirs::table),
-        tilt: Some(tilt::table),
-        complementarity: Some(complementarity::table),
-        branch: Some(branch::table),
-        ..text("table", "txt")
+        is_binary: true,
+        missing: if cfg!(feature = "parquet") { None } else { Some("parquet") },
+        ..language("parquet", "parquet")
     },
-    Format { claims: Some(claims::text), index: Some(claims::index_text), ..text("text", "txt") },
-    Format { answers: Some(plain::answers), ..text("plain", "txt") },
+    Format { is_picture: true, ..text("svg", "svg") },
+    text("html", "html"),
     Format {
-        audit: Some(audit::json),
-        claims: Some(claims::json),
-        index: Some(claims::index_json),
-        judged: Some(judged::json),
-        map: Some(map::json),
-        map_points: Some(map::point_json),
-        map_differences: Some(map::difference_json),
-        voussoirs: Some(voussoirs::json),
-        tilt: Some(tilt::json),
-        complementarity: Some(complementarity::json),
-        branch: Some(branch::json),
-        drawing: Some(sketched::json),
-        has_errors: false,
-        ..language("json", "json", json::answers)
-    },
-    Format {
-        answers: Some(csv::answers),
-        rows: Some(csv::rows),
-        audit: Some(audit::csv),
-        judged_lines: Some(judged::CSV),
-        samples: Some(sampled::CSV),
-        map: Some(map::csv),
-        map_points: Some(map::point_csv),
-        map_differences: Some(map::difference_csv),
-        voussoirs: Some(voussoirs::csv),
-        tilt: Some(tilt::csv),
-        complementarity: Some(complementarity::csv),
-        branch: Some(branch::csv),
-        ..text("csv", "csv")
-    },
-    Format {
-        rows: Some(json::lines),
-        judged_lines: Some(judged::JSON_LINES),
-        samples: Some(sampled::JSON_LINES),
-        ..text("jsonl", "jsonl")
-    },
-    language("toml", "toml", toml::answers),
-    Format {
-        has_errors: false,
-        claims: Some(claims::latex),
-        ..language("latex", "tex", latex::answers)
-    },
-    language("c", "h", c::answers),
-    language("rust", "rs", rust::answers),
-    language("python", "py", python::answers),
-    language("julia", "jl", julia::answers),
-    language("matlab", "m", matlab::answers),
-    language("fortran", "f90", fortran::answers),
-    PARQUET,
-    Format {
+        is_binary: true,
         is_picture: true,
-        voussoirs: Some(|all, out| svg(&voussoirs::picture(all), out)),
-        map: Some(|map, out| svg(&map::picture(map)?, out)),
-        map_differences: Some(|all, out| svg(&map::difference_picture(all), out)),
-        branch: Some(|all, out| svg(&branch::picture(all)?, out)),
-        drawing: Some(|all, out| svg(&sketched::picture(all), out)),
-        ..text("svg", "svg")
+        missing: if cfg!(feature = "plots") { None } else { Some("plots") },
+        ..text("png", "png")
     },
-    Format { map: Some(map::html), ..text("html", "html") },
-    PNG,
-    Format { drawing: Some(sketched::dxf), ..text("dxf", "dxf") },
+    text("dxf", "dxf"),
 ];
-
-#[cfg(feature = "parquet")]
-const PARQUET: Format = Format {
-    is_binary: true,
-    rows: Some(super::parquet::rows),
-    map: Some(map::parquet::parquet),
-    ..language("parquet", "parquet", super::parquet::answers)
-};
-
-/// A stand-in that names the missing feature.
-#[cfg(not(feature = "parquet"))]
-const PARQUET: Format = Format {
-    is_binary: true,
-    missing: Some("parquet"),
-    rows: Some(|_| Err(io::ErrorKind::Unsupported.into())),
-    map: Some(|_, _| Err(io::ErrorKind::Unsupported.into())),
-    ..language("parquet", "parquet", |_, _| Err(io::ErrorKind::Unsupported.into()))
-};
-
-const PNG: Format = Format {
-    is_binary: true,
-    is_picture: true,
-    missing: if cfg!(feature = "plots") { None } else { Some("plots") },
-    voussoirs: Some(|all, out| png(&voussoirs::picture(all), out)),
-    map: Some(|map, out| png(&map::picture(map)?, out)),
-    map_differences: Some(|all, out| png(&map::difference_picture(all), out)),
-    branch: Some(|all, out| png(&branch::picture(all)?, out)),
-    drawing: Some(|all, out| png(&sketched::picture(all), out)),
-    ..text("png", "png")
-};
-
-fn svg(picture: &str, out: &mut dyn io::Write) -> io::Result<()> {
-    out.write_all(picture.as_bytes())
-}
-
-#[cfg(feature = "plots")]
-fn png(picture: &str, out: &mut dyn io::Write) -> io::Result<()> {
-    out.write_all(&crate::picture::png::render(picture))
-}
-
-#[cfg(not(feature = "plots"))]
-fn png(_: &str, _: &mut dyn io::Write) -> io::Result<()> {
-    Err(io::ErrorKind::Unsupported.into())
-}
 
 impl Format {
     /// The formats in which something can be written, the usual one first.
     pub fn all(content: Content) -> impl Iterator<Item = &'static Self> {
-        FORMATS.iter().filter(move |format| match content {
-            Content::Answers => format.answers.is_some(),
-            Content::Rows => format.rows.is_some(),
-            Content::Audit => format.audit.is_some(),
-            Content::Claims => format.claims.is_some(),
-            Content::Index => format.index.is_some(),
-            Content::Judged => format.judged.is_some() || format.judged_lines.is_some(),
-            Content::Samples => format.samples.is_some(),
-            Content::Map => format.map.is_some(),
-            Content::Figure => format.is_picture,
-            Content::MapPoint => format.map_points.is_some(),
-            Content::MapDifference => format.map_differences.is_some(),
-            Content::Voussoirs => format.voussoirs.is_some(),
-            Content::Tilted => format.tilt.is_some(),
-            Content::Complementarity => format.complementarity.is_some(),
-            Content::Branch => format.branch.is_some(),
-            Content::Drawing => format.drawing.is_some(),
-        })
+        FORMATS.iter().filter(move |format| content.is_written_as(format))
+    }
+
+    /// Writer of rows one after another.
+    pub fn rows(&self) -> Option<Opener> {
+        ROWS.of(self)
+    }
+
+    /// Writer of the summary of judged rows.
+    pub fn judged(&self) -> Option<fn(&JudgeSummary, &mut dyn io::Write) -> io::Result<()>> {
+        JUDGED.of(self)
+    }
+
+    /// Writer of judged rows, one by one.
+    pub fn judged_lines(&self) -> Option<JudgedLines> {
+        JUDGED_LINES.of(self)
+    }
+
+    /// Writer of arches drawn from a seed, one by one.
+    pub fn samples(&self) -> Option<SampledLines> {
+        SAMPLES.of(self)
     }
 
     /// Names of the formats in a sentence.

@@ -27,6 +27,7 @@ mod audit;
 mod branch;
 mod c;
 mod claims;
+mod column;
 mod columns;
 mod complementarity;
 mod csv;
@@ -120,20 +121,19 @@ pub enum Report {
 impl Report {
     /// Writes the report. A format that cannot write it is an error.
     pub fn write(&self, format: &Format, out: &mut dyn io::Write) -> io::Result<()> {
-        let written = match self {
-            Self::Answers(answers) => format.answers.map(|write| write(answers, out)),
-            Self::Audit(audit) => format.audit.map(|write| write(audit, out)),
-            Self::Claims(claims) => format.claims.map(|write| write(claims, out)),
-            Self::Index(index) => format.index.map(|write| write(index, out)),
-            Self::Map(map) => format.map.map(|write| write(map, out)),
-            Self::MapPoints(points) => format.map_points.map(|write| write(points, out)),
-            Self::MapDifferences(all) => format.map_differences.map(|write| write(all, out)),
-            Self::Tilted(arches) => format.tilt.map(|write| write(arches, out)),
-            Self::Voussoirs(arches) => format.voussoirs.map(|write| write(arches, out)),
-            Self::Complementarity(arches) => format.complementarity.map(|write| write(arches, out)),
-            Self::Branches(arches) => format.branch.map(|write| write(arches, out)),
-            Self::Sketched(sketched) => format.drawing.map(|write| write(sketched, out)),
-        };
-        written.unwrap_or_else(|| Err(io::ErrorKind::Unsupported.into()))
+        match self {
+            Self::Answers(answers) => format::ANSWERS.write(answers, format, out),
+            Self::Audit(audit) => format::AUDIT.write(audit, format, out),
+            Self::Claims(claims) => format::CLAIMS.write(claims, format, out),
+            Self::Index(index) => format::INDEX.write(index, format, out),
+            Self::Map(map) => format::MAP.write(map, format, out),
+            Self::MapPoints(points) => format::MAP_POINTS.write(points, format, out),
+            Self::MapDifferences(all) => format::MAP_DIFFERENCES.write(all, format, out),
+            Self::Tilted(arches) => format::TILTED.write(arches, format, out),
+            Self::Voussoirs(arches) => format::VOUSSOIRS.write(arches, format, out),
+            Self::Complementarity(arches) => format::COMPLEMENTARITY.write(arches, format, out),
+            Self::Branches(arches) => format::BRANCH.write(arches, format, out),
+            Self::Sketched(sketched) => format::DRAWING.write(sketched, format, out),
+        }
     }
 }

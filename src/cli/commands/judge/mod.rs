@@ -100,7 +100,7 @@ pub(crate) struct Arguments {
 }
 
 fn format_help() -> String {
-    let each = Format::all(Content::Judged).filter(|format| format.judged_lines.is_some());
+    let each = Format::all(Content::Judged).filter(|format| format.judged_lines().is_some());
     format!(
         "{}; {} list every row and put a short summary on standard error, the others are a summary with a \
          histogram and the worst rows",
@@ -117,7 +117,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let syntax = source.syntax;
     let input = progress.counted(source.into_input());
     let keep = Keep::new(&arguments.keep);
-    let each = format.judged_lines;
+    let each = format.judged_lines();
     let in_lines = each.is_none() || format.name == "jsonl";
     let given = GivenRows::new((syntax, input), columns, keep, in_lines)?;
     let GivenRows { columns, spelling, kept, mut rows } = given;
@@ -156,7 +156,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             out.flush()?;
             Ok::<_, io::Error>(())
         })?;
-        if let Some(write) = format.judged {
+        if let Some(write) = format.judged() {
             write(&summary, out)?;
         }
         complete = true;

@@ -3,7 +3,7 @@
 use super::BranchArches;
 use crate::atlas::{Branch, Stretch};
 use crate::report::csv;
-use crate::report::map::{COLUMNS, MapRow, lower, upper};
+use crate::report::map::{MapRow, lower, upper};
 use std::io;
 
 /// Columns that a row has beside the columns of a map.
@@ -29,9 +29,14 @@ fn more(row: &MapRow, stretch: Option<&Stretch>) -> [String; 5] {
 }
 
 pub(in crate::report) fn csv(all: &BranchArches, out: &mut dyn io::Write) -> io::Result<()> {
-    let header = COLUMNS.iter().map(|(name, _)| *name).chain(MORE).map(str::to_owned).collect();
+    let header =
+        MapRow::COLUMNS.iter().map(|(name, _)| *name).chain(MORE).map(str::to_owned).collect();
     let cells = |row: &MapRow, stretch: Option<&Stretch>| -> Vec<String> {
-        COLUMNS.iter().map(|(_, column)| column.text(row)).chain(more(row, stretch)).collect()
+        MapRow::COLUMNS
+            .iter()
+            .map(|(_, column)| column.text(row))
+            .chain(more(row, stretch))
+            .collect()
     };
     let of_branch = |branch: &Branch| -> Vec<Vec<String>> {
         let parts = branch.stretches.iter().map(|(_, stretch)| stretch);

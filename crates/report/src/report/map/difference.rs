@@ -6,9 +6,11 @@ use crate::atlas::{Difference, DifferencePoint, Step};
 use crate::number::Ball;
 use crate::picture::text::number;
 use crate::problem::Line;
+use crate::report::column::Column::{Double, Text};
+use crate::report::column::NamedColumn;
 use crate::report::fields::Fields;
+use crate::report::format::Pictured;
 use crate::report::{csv, drawn, json};
-use serde_json::Value as Json;
 use std::io;
 
 /// The differences along all dividing curves.
@@ -26,42 +28,42 @@ pub struct MapDifferences {
 struct DifferenceNode<'a> {
     point: &'a DifferencePoint,
     step: Option<&'a Step>,
+    /// The lines of each weight on it.
+    lines: Option<[String; 2]>,
 }
 
-enum DifferenceColumn {
-    Text(fn(&DifferenceNode) -> Option<String>),
-    Double(fn(&DifferenceNode) -> Option<f64>),
+impl DifferenceNode<'_> {
+    /// The columns of a node. Bounds are rounded outward. Between two nodes the difference is as near as `tube` to the
+    /// cubic in the parameter from `begins` to `ends` with these rates at its ends; the friction angle is `chi - sin
+    /// chi cos chi`.
+    const COLUMNS: [NamedColumn<Self>; 18] = [
+        ("line_heyman", Text(|row| Some(&row.lines.as_ref()?[0]))),
+        ("line_milankovitch", Text(|row| Some(&row.lines.as_ref()?[1]))),
+        ("parameter", Double(|row| Some(row.point.parameter))),
+        ("friction_angle_lower", Double(|row| lower(Some(&row.point.friction_angle)))),
+        ("friction_angle_upper", Double(|row| upper(Some(&row.point.friction_angle)))),
+        ("friction_lower", Double(|row| lower(Some(&row.point.friction)))),
+        ("friction_upper", Double(|row| upper(Some(&row.point.friction)))),
+        ("thickness_heyman_lower", Double(|row| lower(Some(&row.point.thickness[0])))),
+        ("thickness_heyman_upper", Double(|row| upper(Some(&row.point.thickness[0])))),
+        ("thickness_milankovitch_lower", Double(|row| lower(Some(&row.point.thickness[1])))),
+        ("thickness_milankovitch_upper", Double(|row| upper(Some(&row.point.thickness[1])))),
+        ("difference_lower", Double(|row| lower(Some(&row.point.difference)))),
+        ("difference_upper", Double(|row| upper(Some(&row.point.difference)))),
+        ("begins", Double(|row| Some(row.step?.difference.values[0]))),
+        ("begins_rate", Double(|row| Some(row.step?.difference.slopes[0]))),
+        ("ends", Double(|row| Some(row.step?.difference.values[1]))),
+        ("ends_rate", Double(|row| Some(row.step?.difference.slopes[1]))),
+        ("tube", Double(|row| Some(row.step?.difference.off))),
+    ];
 }
-
-use DifferenceColumn::{Double, Text};
-
-/// The columns of a node. Bounds are rounded outward. Between two nodes the difference is as near as `tube` to the
-/// cubic in the parameter from `begins` to `ends` with these rates at its ends; the friction angle is `chi - sin
-/// chi cos chi`.
-const COLUMNS: [(&str, DifferenceColumn); 18] = [
-    ("line_heyman", Text(|row| Some(row.step?.lines[0].to_string()))),
-    ("line_milankovitch", Text(|row| Some(row.step?.lines[1].to_string()))),
-    ("parameter", Double(|row| Some(row.point.parameter))),
-    ("friction_angle_lower", Double(|row| lower(Some(&row.point.friction_angle)))),
-    ("friction_angle_upper", Double(|row| upper(Some(&row.point.friction_angle)))),
-    ("friction_lower", Double(|row| lower(Some(&row.point.friction)))),
-    ("friction_upper", Double(|row| upper(Some(&row.point.friction)))),
-    ("thickness_heyman_lower", Double(|row| lower(Some(&row.point.thickness[0])))),
-    ("thickness_heyman_upper", Double(|row| upper(Some(&row.point.thickness[0])))),
-    ("thickness_milankovitch_lower", Double(|row| lower(Some(&row.point.thickness[1])))),
-    ("thickness_milankovitch_upper", Double(|row| upper(Some(&row.point.thickness[1])))),
-    ("difference_lower", Double(|row| lower(Some(&row.point.difference)))),
-    ("difference_upper", Double(|row| upper(Some(&row.point.difference)))),
-    ("begins", Double(|row| Some(row.step?.difference.values[0]))),
-    ("begins_rate", Double(|row| Some(row.step?.difference.slopes[0]))),
-    ("ends", Double(|row| Some(row.step?.difference.values[1]))),
-    ("ends_rate", Double(|row| Some(row.step?.difference.slopes[1]))),
-    ("tube", Double(|row| Some(row.step?.difference.off))),
-];
 
 fn rows(difference: &Difference) -> impl Iterator<Item = DifferenceNode<'_>> {
     let steps = difference.steps().iter().map(Some).chain([None]);
-    difference.points().iter().zip(steps).map(|(point, step)| DifferenceNode { point, step })
+    difference.points().iter().zip(steps).map(|(point, step)| {
+        let lines = step.map(|step| step.lines.each_ref().map(Line::to_string));
+        DifferenceNode { point, step, lines }
+    })
 }
 
 /// The lines of a curve, in order.
@@ -124,16 +126,12 @@ pub(in crate::report) fn table(report: &MapDifferences, out: &mut dyn io::Write)
 }
 
 pub(in crate::report) fn csv(report: &MapDifferences, out: &mut dyn io::Write) -> io::Result<()> {
-    let header = ["divide", "node"].into_iter().chain(COLUMNS.iter().map(|(name, _)| *name));
-    let header = header.map(str::to_owned).collect();
+    let names = DifferenceNode::COLUMNS.iter().map(|(name, _)| *name);
+    let header = ["divide", "node"].into_iter().chain(names).map(str::to_owned).collect();
     let rows = report.differences.iter().flat_map(|difference| {
         rows(difference).enumerate().map(|(node, row)| {
-            let cell = |(_, column): &(&str, DifferenceColumn)| match column {
-                Text(cell) => cell(&row).unwrap_or_default(),
-                Double(cell) => cell(&row).map(|x| format!("{x:?}")).unwrap_or_default(),
-            };
-            let named = [difference.divide.to_string(), node.to_string()].into_iter();
-            named.chain(COLUMNS.iter().map(cell)).collect()
+            let cells = DifferenceNode::COLUMNS.iter().map(|(_, column)| column.text(&row));
+            [difference.divide.to_string(), node.to_string()].into_iter().chain(cells).collect()
         })
     });
     csv::write(std::iter::once(header).chain(rows), out)
@@ -141,14 +139,7 @@ pub(in crate::report) fn csv(report: &MapDifferences, out: &mut dyn io::Write) -
 
 pub(in crate::report) fn json(report: &MapDifferences, out: &mut dyn io::Write) -> io::Result<()> {
     let node = |row: DifferenceNode| -> Fields {
-        let cell = |(name, column): &(&'static str, DifferenceColumn)| {
-            let value: Option<Json> = match column {
-                Text(cell) => cell(&row).map(Json::from),
-                Double(cell) => cell(&row).map(Json::from),
-            };
-            (*name, value.unwrap_or_default())
-        };
-        COLUMNS.iter().map(cell).collect()
+        DifferenceNode::COLUMNS.iter().map(|(name, column)| (*name, column.json(&row))).collect()
     };
     let entry = |difference: &Difference| {
         let [least, most] = difference.bounds();
@@ -169,7 +160,8 @@ pub(in crate::report) fn json(report: &MapDifferences, out: &mut dyn io::Write) 
     json::write(&file, out)
 }
 
-/// As a picture, SVG.
-pub(in crate::report) fn picture(report: &MapDifferences) -> String {
-    drawn::differences(&report.differences, &report.command)
+impl Pictured for MapDifferences {
+    fn picture(&self) -> io::Result<String> {
+        Ok(drawn::differences(&self.differences, &self.command))
+    }
 }

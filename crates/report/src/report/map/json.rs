@@ -2,11 +2,10 @@
 
 use super::Map;
 use super::domains::domains;
-use super::rows::{COLUMNS, Column, MapRow, weight_of};
+use super::rows::{MapRow, weight_of};
 use crate::atlas::{Border, Level, Part, Trace, Variable};
 use crate::report::fields::Fields;
 use crate::report::json;
-use serde_json::Value as Json;
 use std::io;
 
 fn curve(trace: &Trace) -> Fields {
@@ -53,25 +52,11 @@ fn border(border: &Border) -> Fields {
     fields
 }
 
-/// An infinite number is the text `inf`.
-fn number(x: f64) -> Json {
-    if x.is_finite() { x.into() } else { "inf".into() }
-}
-
 /// Fields of the rows on a node, without what the curve says.
 pub(in crate::report) fn node(row: &MapRow) -> Fields {
-    let of_node =
-        COLUMNS.iter().filter(|(name, _)| !["weight", "curve", "mode", "node"].contains(name));
-    let field = |(name, column): &(&'static str, Column)| {
-        let value: Option<Json> = match column {
-            Column::Text(cell) => cell(row).map(Json::from),
-            Column::Double(cell) => cell(row).map(number),
-            Column::Integer(cell) => cell(row).map(Json::from),
-            Column::Truth(cell) => cell(row).map(Json::from),
-        };
-        (*name, value.unwrap_or_default())
-    };
-    of_node.map(field).collect()
+    let named_before = ["weight", "curve", "mode", "node"];
+    let of_node = MapRow::COLUMNS.iter().filter(|(name, _)| !named_before.contains(name));
+    of_node.map(|(name, column)| (*name, column.json(row))).collect()
 }
 
 /// The curves and the domains.

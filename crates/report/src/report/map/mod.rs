@@ -5,8 +5,6 @@ mod difference;
 mod domains;
 mod json;
 mod page;
-#[cfg(feature = "parquet")]
-pub(super) mod parquet;
 mod point;
 mod policy;
 mod rows;
@@ -16,23 +14,24 @@ pub use difference::MapDifferences;
 pub use point::{MapPoint, MapPoints};
 
 pub(super) use difference::{
-    csv as difference_csv, json as difference_json, picture as difference_picture,
-    table as difference_table,
+    csv as difference_csv, json as difference_json, table as difference_table,
 };
 pub(super) use json::{json, node};
 pub(super) use page::html;
 pub(super) use point::{csv as point_csv, json as point_json, table as point_table};
-pub(super) use rows::{COLUMNS, MapRow, csv, lower, upper};
+pub(super) use rows::{MapRow, csv, lower, upper};
 pub(super) use table::table;
 
 use super::answer::Answer;
 use super::drawn::Drawing;
+use super::format::Pictured;
 use crate::atlas::{Border, Level, Trace};
 use std::io;
 
-/// The curves as a picture, SVG.
-pub(super) fn picture(map: &Map) -> io::Result<String> {
-    map.drawing.svg(&map.traces, &map.levels, &map.borders)
+impl Pictured for Map {
+    fn picture(&self) -> io::Result<String> {
+        self.drawing.svg(&self.traces, &self.levels, &self.borders)
+    }
 }
 
 /// The curves of the map, each proved piece by piece.

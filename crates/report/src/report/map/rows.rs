@@ -5,6 +5,8 @@ use crate::atlas::{
     Border, Branch, Contour, Level, Part, Piece, Place, Stretch, Trace, TracePoint, Variable,
 };
 use crate::number::{Ball, Enclosure};
+use crate::report::column::Column::{Double, Integer, Text, Truth};
+use crate::report::column::NamedColumn;
 use crate::report::csv;
 use rug::Float;
 use rug::float::Round;
@@ -16,70 +18,12 @@ pub(in crate::report) struct MapRow<'a> {
     weight: Option<&'static str>,
     curve: String,
     mode: Option<String>,
+    end: Option<String>,
     point: TracePoint,
     piece: Option<Piece<'a>>,
     /// The piece whose cubic ends here, for the last node.
     before: Option<Piece<'a>>,
 }
-
-/// Way to find the cells of a column; each may be missing.
-pub(in crate::report) enum Column {
-    Text(fn(&MapRow) -> Option<String>),
-    Double(fn(&MapRow) -> Option<f64>),
-    Integer(fn(&MapRow) -> Option<u64>),
-    Truth(fn(&MapRow) -> Option<bool>),
-}
-
-use Column::{Double, Integer, Text, Truth};
-
-impl Column {
-    /// The cell of a row, empty where there is nothing.
-    pub(in crate::report) fn text(&self, row: &MapRow) -> String {
-        let text = match self {
-            Text(cell) => cell(row),
-            Double(cell) => cell(row).map(|x| format!("{x:?}")),
-            Integer(cell) => cell(row).map(|x| x.to_string()),
-            Truth(cell) => cell(row).map(|x| x.to_string()),
-        };
-        text.unwrap_or_default()
-    }
-}
-
-/// The columns. Bounds are rounded outward, as decimals and as doubles. Between two nodes the curve is as near as
-/// `tube`, in half opening, friction angle and thickness, to the cubic in the parameter that goes through `…_node`
-/// with the slopes `…_rate`.
-pub(in crate::report) const COLUMNS: [(&str, Column); 30] = [
-    ("weight", Text(|row| Some(row.weight?.to_owned()))),
-    ("curve", Text(|row| Some(row.curve.clone()))),
-    ("mode", Text(|row| row.mode.clone())),
-    ("node", Integer(|row| Some(row.index as u64))),
-    ("end", Text(|row| Some(row.point.end?.to_string()))),
-    ("parameter", Double(|row| Some(row.point.parameter).filter(|s| s.is_finite()))),
-    ("half_opening_lower", Double(|row| lower(row.place().half_opening.as_ref()))),
-    ("half_opening_upper", Double(|row| upper(row.place().half_opening.as_ref()))),
-    ("friction_angle_lower", Double(|row| lower(row.place().friction_angle.as_ref()))),
-    ("friction_angle_upper", Double(|row| upper(row.place().friction_angle.as_ref()))),
-    ("friction_lower", Double(|row| row.friction(lower))),
-    ("friction_upper", Double(|row| row.friction(upper))),
-    ("thickness_lower", Double(|row| lower(row.place().thickness.as_ref()))),
-    ("thickness_upper", Double(|row| upper(row.place().thickness.as_ref()))),
-    ("thrust_lower", Double(|row| lower(row.place().thrust.as_ref()))),
-    ("thrust_upper", Double(|row| upper(row.place().thrust.as_ref()))),
-    ("rotation_joint_lower", Double(|row| lower(row.place().rotation_joint.as_ref()))),
-    ("rotation_joint_upper", Double(|row| upper(row.place().rotation_joint.as_ref()))),
-    ("sliding_joint_lower", Double(|row| lower(row.place().sliding_joint.as_ref()))),
-    ("sliding_joint_upper", Double(|row| upper(row.place().sliding_joint.as_ref()))),
-    ("half_opening_node", Double(|row| row.cubic(Variable::HalfOpening, 0))),
-    ("half_opening_rate", Double(|row| row.cubic(Variable::HalfOpening, 1))),
-    ("friction_angle_node", Double(|row| row.cubic(Variable::FrictionAngle, 0))),
-    ("friction_angle_rate", Double(|row| row.cubic(Variable::FrictionAngle, 1))),
-    ("thickness_node", Double(|row| row.cubic(Variable::Thickness, 0))),
-    ("thickness_rate", Double(|row| row.cubic(Variable::Thickness, 1))),
-    ("slope_lower", Double(|row| lower(row.slope().as_ref()))),
-    ("slope_upper", Double(|row| upper(row.slope().as_ref()))),
-    ("tube", Double(|row| row.piece.as_ref()?.width())),
-    ("proved", Truth(|row| Some(row.piece.as_ref()?.is_proved()))),
-];
 
 /// Whose weight a curve belongs to; sliding is the same for both.
 pub(super) fn weight_of(trace: &Trace) -> Option<&'static str> {
@@ -87,6 +31,42 @@ pub(super) fn weight_of(trace: &Trace) -> Option<&'static str> {
 }
 
 impl<'a> MapRow<'a> {
+    /// The columns. Bounds are rounded outward, as decimals and as doubles. Between two nodes the curve is as near as
+    /// `tube`, in half opening, friction angle and thickness, to the cubic in the parameter that goes through `…_node`
+    /// with the slopes `…_rate`.
+    pub(in crate::report) const COLUMNS: [NamedColumn<Self>; 30] = [
+        ("weight", Text(|row| row.weight)),
+        ("curve", Text(|row| Some(&row.curve))),
+        ("mode", Text(|row| row.mode.as_deref())),
+        ("node", Integer(|row| Some(row.index as u64))),
+        ("end", Text(|row| row.end.as_deref())),
+        ("parameter", Double(|row| Some(row.point.parameter).filter(|s| s.is_finite()))),
+        ("half_opening_lower", Double(|row| lower(row.place().half_opening.as_ref()))),
+        ("half_opening_upper", Double(|row| upper(row.place().half_opening.as_ref()))),
+        ("friction_angle_lower", Double(|row| lower(row.place().friction_angle.as_ref()))),
+        ("friction_angle_upper", Double(|row| upper(row.place().friction_angle.as_ref()))),
+        ("friction_lower", Double(|row| row.friction(lower))),
+        ("friction_upper", Double(|row| row.friction(upper))),
+        ("thickness_lower", Double(|row| lower(row.place().thickness.as_ref()))),
+        ("thickness_upper", Double(|row| upper(row.place().thickness.as_ref()))),
+        ("thrust_lower", Double(|row| lower(row.place().thrust.as_ref()))),
+        ("thrust_upper", Double(|row| upper(row.place().thrust.as_ref()))),
+        ("rotation_joint_lower", Double(|row| lower(row.place().rotation_joint.as_ref()))),
+        ("rotation_joint_upper", Double(|row| upper(row.place().rotation_joint.as_ref()))),
+        ("sliding_joint_lower", Double(|row| lower(row.place().sliding_joint.as_ref()))),
+        ("sliding_joint_upper", Double(|row| upper(row.place().sliding_joint.as_ref()))),
+        ("half_opening_node", Double(|row| row.cubic(Variable::HalfOpening, 0))),
+        ("half_opening_rate", Double(|row| row.cubic(Variable::HalfOpening, 1))),
+        ("friction_angle_node", Double(|row| row.cubic(Variable::FrictionAngle, 0))),
+        ("friction_angle_rate", Double(|row| row.cubic(Variable::FrictionAngle, 1))),
+        ("thickness_node", Double(|row| row.cubic(Variable::Thickness, 0))),
+        ("thickness_rate", Double(|row| row.cubic(Variable::Thickness, 1))),
+        ("slope_lower", Double(|row| lower(row.slope().as_ref()))),
+        ("slope_upper", Double(|row| upper(row.slope().as_ref()))),
+        ("tube", Double(|row| row.piece.as_ref()?.width())),
+        ("proved", Truth(|row| Some(row.piece.as_ref()?.is_proved()))),
+    ];
+
     /// The rows of a curve.
     pub(super) fn of_trace(trace: &'a Trace) -> Vec<Self> {
         let named = (weight_of(trace), trace.curve.to_string(), None);
@@ -123,6 +103,7 @@ impl<'a> MapRow<'a> {
             weight: *weight,
             curve: curve.clone(),
             mode: mode.clone(),
+            end: point.end.map(|end| end.to_string()),
             point,
             piece: pieces.get(index).copied(),
             before: index.checked_sub(1).and_then(|i| pieces.get(i)).copied(),
@@ -131,7 +112,7 @@ impl<'a> MapRow<'a> {
     }
 
     /// The rows of all that a report has.
-    pub(super) fn of_map(report: &'a Map) -> Vec<Self> {
+    pub(in crate::report) fn of_map(report: &'a Map) -> Vec<Self> {
         let levels = report
             .levels
             .iter()
@@ -191,10 +172,10 @@ pub(in crate::report) fn upper(ball: Option<&Ball>) -> Option<f64> {
 
 /// A row for each node, with a header.
 pub(in crate::report) fn csv(report: &Map, out: &mut dyn io::Write) -> io::Result<()> {
-    let header = COLUMNS.iter().map(|(name, _)| (*name).to_owned()).collect();
+    let header = MapRow::COLUMNS.iter().map(|(name, _)| (*name).to_owned()).collect();
     let rows = MapRow::of_map(report)
         .into_iter()
-        .map(|row| COLUMNS.iter().map(|(_, column)| column.text(&row)).collect());
+        .map(|row| MapRow::COLUMNS.iter().map(|(_, column)| column.text(&row)).collect());
     csv::write(std::iter::once(header).chain(rows), out)
 }
 

@@ -33,7 +33,6 @@ mod strip;
 pub(super) use dxf::dxf;
 pub use figures::arches_of_figure;
 pub(super) use json::json;
-pub(super) use picture::picture;
 
 use crate::atlas::{Collapse, Sketch};
 use crate::problem::measures::Measures;

@@ -3,6 +3,7 @@
 use super::arch::{VoussoirArch, VoussoirArches};
 use crate::picture::figure::{Axis, Figure, Kind, Panel, PlottedLine, Scale};
 use crate::problem::stones::Stones;
+use crate::report::format::Pictured;
 use crate::report::words::{apart, model};
 use std::io;
 
@@ -99,7 +100,8 @@ fn figure(all: &VoussoirArches) -> Figure {
     Figure { title: "The least thickness of arches of n stones".into(), panels, columns: 1 }
 }
 
-/// The figure as SVG.
-pub(crate) fn picture(arches: &VoussoirArches) -> String {
-    figure(arches).svg()
+impl Pictured for VoussoirArches {
+    fn picture(&self) -> io::Result<String> {
+        Ok(figure(self).svg())
+    }
 }

@@ -8,7 +8,6 @@ mod json;
 mod table;
 
 pub use arch::{GivenThickness, VoussoirArch, VoussoirArches};
-pub(crate) use convergence::picture;
 pub(crate) use csv::csv;
 pub(crate) use json::json;
 pub(crate) use table::table;

@@ -1,0 +1,38 @@
+//! Columns of rows that are no fields: each finds its cells, which CSV, JSON and Parquet write alike.
+
+use serde_json::Value as Json;
+
+/// Way to find the cells of a column; each may be missing.
+pub(super) enum Column<R> {
+    Text(fn(&R) -> Option<&str>),
+    Double(fn(&R) -> Option<f64>),
+    Integer(fn(&R) -> Option<u64>),
+    Truth(fn(&R) -> Option<bool>),
+}
+
+/// A column with its name.
+pub(super) type NamedColumn<R> = (&'static str, Column<R>);
+
+impl<R> Column<R> {
+    /// The cell of a row, empty where there is nothing.
+    pub(super) fn text(&self, row: &R) -> String {
+        let text = match self {
+            Self::Text(cell) => cell(row).map(str::to_owned),
+            Self::Double(cell) => cell(row).map(|x| format!("{x:?}")),
+            Self::Integer(cell) => cell(row).map(|x| x.to_string()),
+            Self::Truth(cell) => cell(row).map(|x| x.to_string()),
+        };
+        text.unwrap_or_default()
+    }
+
+    /// The field of a row; an infinite number is the text `inf`.
+    pub(super) fn json(&self, row: &R) -> Json {
+        let number = |x: f64| if x.is_finite() { Json::from(x) } else { "inf".into() };
+        match self {
+            Self::Text(cell) => cell(row).into(),
+            Self::Double(cell) => cell(row).map_or(Json::Null, number),
+            Self::Integer(cell) => cell(row).into(),
+            Self::Truth(cell) => cell(row).into(),
+        }
+    }
+}
