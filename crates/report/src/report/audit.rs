@@ -61,28 +61,16 @@ pub(super) fn csv(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
 
 /// A table.
 pub(super) fn table(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
+    let titles = ["place", "weight", "", "quantity", "printed", "error", "digits", "verdict"];
     writeln!(
         out,
         "Printed numbers against certified values; errors in units of the last printed place\n"
     )?;
-    writeln!(
-        out,
-        "{:<8} {:<12} {:<2} {:<20} {:<20} {:>8} {:>7}  verdict",
-        "place", "weight", "", "quantity", "printed", "error", "digits"
-    )?;
-    for entry in &report.printed {
-        let printed = entry.printed;
+    for cells in with_titles(titles, report.printed.iter().map(printed)) {
+        let [place, weight, of, quantity, printed, error, digits, verdict] = &cells;
         writeln!(
             out,
-            "{:<8} {:<12} {:<2} {:<20} {:<20} {:>8} {:>7}  {}",
-            printed.place,
-            printed.weight.name(),
-            printed.landmark.symbol(),
-            printed.quantity.name(),
-            printed.text,
-            entry.error_units.to_string(),
-            entry.correct_digits,
-            entry.verdict.name(),
+            "{place:<8} {weight:<12} {of:<2} {quantity:<20} {printed:<20} {error:>8} {digits:>7}  {verdict}"
         )?;
     }
     let count = |verdict| report.printed.iter().filter(|entry| entry.verdict == verdict).count();
@@ -100,17 +88,22 @@ pub(super) fn table(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
         return Ok(());
     }
     writeln!(out, "\nMilankovitch's weight compared with Heyman's\n")?;
-    writeln!(out, "{:<2} {:<20} {:<8} {:<10} verdict", "", "quantity", "claimed", "certified")?;
-    for entry in &report.comparisons {
-        writeln!(
-            out,
-            "{:<2} {:<20} {:<8} {:<10} {}",
-            entry.landmark.symbol(),
-            entry.quantity.name(),
-            entry.claimed.name(),
-            entry.certified.name(),
-            entry.verdict(),
-        )?;
+    let titles = ["", "quantity", "claimed", "certified", "verdict"];
+    for cells in with_titles(titles, report.comparisons.iter().map(compared)) {
+        let [of, quantity, claimed, certified, verdict] = &cells;
+        writeln!(out, "{of:<2} {quantity:<20} {claimed:<8} {certified:<10} {verdict}")?;
     }
     Ok(())
+}
+
+/// The texts of rows, below their titles.
+fn with_titles<const N: usize>(
+    titles: [&str; N],
+    rows: impl Iterator<Item = Fields>,
+) -> impl Iterator<Item = [String; N]> {
+    let cells = |row: Fields| {
+        let mut texts = row.texts();
+        std::array::from_fn(|_| texts.next().unwrap_or_default())
+    };
+    std::iter::once(titles.map(str::to_owned)).chain(rows.map(cells))
 }

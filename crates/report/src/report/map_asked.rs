@@ -40,65 +40,60 @@ impl MapAsked<'_> {
         let (is_picture, is_page) = (self.format.is_picture, self.format.is_page());
         let (plane, has_axes) = (self.plane(), *self.axes != Axes::default());
         let is_drawn_otherwise = self.plane.is_some() || self.lines || self.bare;
-        let options = || format!("{}, {} and {}", key("plane"), key("lines"), key("bare"));
-        if is_page && (self.names_curves || is_drawn_otherwise) {
-            return Some(format!(
-                "a page shows the whole map; leave out {}, {}",
-                key("curve"),
-                options()
-            ));
-        }
-        if !is_picture && is_drawn_otherwise {
-            return Some(format!("{} are for a picture, svg or png", options()));
-        }
-        if self.lines && plane != Plane::ThicknessFriction {
-            let (lines, plane) = (key("lines"), key("plane"));
-            return Some(format!(
-                "{lines} are drawn over thickness and friction; leave out {plane}"
-            ));
-        }
-        if is_picture && !self.lines && self.weights > 1 {
-            let (weight, lines) = (key("weight"), key("lines"));
-            return Some(format!("a map shows one {weight}; {lines} shows the lines of both"));
-        }
-        if self.lines && (self.bare || !self.contours.is_empty()) {
-            let others = ["bare", "half_opening", "thickness"].map(key).join(", ");
-            return Some(format!(
-                "{} are drawn alone; leave out {others} and {}",
-                key("lines"),
-                key("friction")
-            ));
-        }
-        if self.bare && !self.contours.is_empty() {
-            let lines = ["half_opening", "thickness"].map(key).join(", ");
-            return Some(format!(
-                "a map that is {} has no {lines} or {}",
-                key("bare"),
-                key("friction")
-            ));
-        }
-        if is_picture && !self.contours.iter().all(|contour| plane.is_crossed_by(contour)) {
-            let axes = plane.name().replace('-', " and ");
-            return Some(format!("over {axes} lines of a {} are drawn", plane.contour_name()));
-        }
+        let has_contours = !self.contours.is_empty();
         let is_over_opening = is_picture && plane == Plane::OpeningFriction;
-        if self.asymmetric && (is_page || (is_picture && !is_over_opening)) {
-            let (asymmetric, plane) = (key("asymmetric"), key("plane"));
-            return Some(format!(
-                "{asymmetric} is drawn with {plane} opening-friction, as svg or png"
-            ));
-        }
-        if self.has_marks && (!(is_picture || is_page) || self.lines) {
-            let (mark, lines) = (key("mark"), key("lines"));
-            return Some(format!("for {mark} give a map as svg, png or html, without {lines}"));
-        }
-        if has_axes && (!is_picture || self.lines) {
-            let lines = key("lines");
-            return Some(format!(
-                "units, ranges and a scale are for a map as svg or png, without {lines}"
-            ));
-        }
-        self.axes.misfit(plane)
+        let crosses = self.contours.iter().all(|contour| plane.is_crossed_by(contour));
+        let [curve, over, lines, bare, weight, asymmetric, mark, friction] =
+            ["curve", "plane", "lines", "bare", "weight", "asymmetric", "mark", "friction"]
+                .map(key);
+        let levels = ["half_opening", "thickness"].map(key).join(", ");
+        let axes = plane.name().replace('-', " and ");
+        let misfits = [
+            (
+                is_page && (self.names_curves || is_drawn_otherwise),
+                format!(
+                    "a page shows the whole map; leave out {curve}, {over}, {lines} and {bare}"
+                ),
+            ),
+            (
+                !is_picture && is_drawn_otherwise,
+                format!("{over}, {lines} and {bare} are for a picture, svg or png"),
+            ),
+            (
+                self.lines && plane != Plane::ThicknessFriction,
+                format!("{lines} are drawn over thickness and friction; leave out {over}"),
+            ),
+            (
+                is_picture && !self.lines && self.weights > 1,
+                format!("a map shows one {weight}; {lines} shows the lines of both"),
+            ),
+            (
+                self.lines && (self.bare || has_contours),
+                format!("{lines} are drawn alone; leave out {bare}, {levels} and {friction}"),
+            ),
+            (
+                self.bare && has_contours,
+                format!("a map that is {bare} has no {levels} or {friction}"),
+            ),
+            (
+                is_picture && !crosses,
+                format!("over {axes} lines of a {} are drawn", plane.contour_name()),
+            ),
+            (
+                self.asymmetric && (is_page || (is_picture && !is_over_opening)),
+                format!("{asymmetric} is drawn with {over} opening-friction, as svg or png"),
+            ),
+            (
+                self.has_marks && (!(is_picture || is_page) || self.lines),
+                format!("for {mark} give a map as svg, png or html, without {lines}"),
+            ),
+            (
+                has_axes && (!is_picture || self.lines),
+                format!("units, ranges and a scale are for a map as svg or png, without {lines}"),
+            ),
+        ];
+        let first = misfits.into_iter().find_map(|(is_so, words)| is_so.then_some(words));
+        first.or_else(|| self.axes.misfit(plane))
     }
 }
 

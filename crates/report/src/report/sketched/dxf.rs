@@ -43,6 +43,10 @@ impl Dxf {
         self.text += &format!("{code}\n{value}\n");
     }
 
+    fn put_all(&mut self, pairs: &[(u16, &str)]) {
+        pairs.iter().for_each(|(code, value)| self.put(*code, value));
+    }
+
     /// A number as short as it goes.
     fn number(&mut self, code: u16, value: f64, decimals: i32) {
         let text = format!("{value:.*}", decimals.max(0) as usize);
@@ -64,8 +68,7 @@ impl Dxf {
     }
 
     fn begin(&mut self, kind: &str, layer: &str) {
-        self.put(0, kind);
-        self.put(8, layer);
+        self.put_all(&[(0, kind), (8, layer)]);
     }
 
     fn point(&mut self, first: u16, [x, y]: [f64; 2]) {
@@ -81,11 +84,8 @@ impl Dxf {
 
     fn chain(&mut self, layer: &str, points: &[Bulge]) {
         self.begin("POLYLINE", layer);
-        self.put(66, "1");
-        // Which the release asks for, and which says nothing.
-        self.put(10, "0");
-        self.put(20, "0");
-        self.put(70, "0");
+        // What is zero says nothing, and the release asks for it.
+        self.put_all(&[(66, "1"), (10, "0"), (20, "0"), (70, "0")]);
         for (point, bulge) in points {
             self.begin("VERTEX", layer);
             self.point(10, *point);
@@ -160,33 +160,26 @@ fn arch(dxf: &mut Dxf, sketch: &Sketch, half: bool) {
 /// The tables of a file: its layers.
 fn head(dxf: &mut Dxf, unit: &str) {
     dxf.put(999, &format!("couplet: lengths in {unit}"));
-    for (code, value) in [(0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1009")] {
-        dxf.put(code, value);
-    }
-    // Younger than the release, and read by those who know them: metres, and metric.
-    let metric = [(9, "$INSUNITS"), (70, "6"), (9, "$MEASUREMENT"), (70, "1")];
-    for (code, value) in metric.into_iter().filter(|_| unit == "m") {
-        dxf.put(code, value);
-    }
-    dxf.put(0, "ENDSEC");
-    for (code, value) in [(0, "SECTION"), (2, "TABLES"), (0, "TABLE"), (2, "LAYER"), (70, "7")] {
-        dxf.put(code, value);
-    }
-    for (name, color) in LAYERS {
-        for (code, value) in
-            [(0, "LAYER"), (2, name), (70, "0"), (62, &color.to_string()), (6, "CONTINUOUS")]
-        {
-            dxf.put(code, value);
+    section(dxf, "HEADER", |dxf| {
+        dxf.put_all(&[(9, "$ACADVER"), (1, "AC1009")]);
+        if unit == "m" {
+            // Younger than the release, and read by those who know them: metres, and metric.
+            dxf.put_all(&[(9, "$INSUNITS"), (70, "6"), (9, "$MEASUREMENT"), (70, "1")]);
         }
-    }
-    dxf.put(0, "ENDTAB");
-    dxf.put(0, "ENDSEC");
+    });
+    section(dxf, "TABLES", |dxf| {
+        dxf.put_all(&[(0, "TABLE"), (2, "LAYER"), (70, "7")]);
+        for (name, color) in LAYERS {
+            let color = color.to_string();
+            dxf.put_all(&[(0, "LAYER"), (2, name), (70, "0"), (62, &color), (6, "CONTINUOUS")]);
+        }
+        dxf.put(0, "ENDTAB");
+    });
 }
 
 /// A section with what is put into it.
 fn section(dxf: &mut Dxf, name: &str, fill: impl FnOnce(&mut Dxf)) {
-    dxf.put(0, "SECTION");
-    dxf.put(2, name);
+    dxf.put_all(&[(0, "SECTION"), (2, name)]);
     fill(dxf);
     dxf.put(0, "ENDSEC");
 }
@@ -194,9 +187,7 @@ fn section(dxf: &mut Dxf, name: &str, fill: impl FnOnce(&mut Dxf)) {
 /// Under its name, for panels to insert.
 fn block(dxf: &mut Dxf, name: &str, sketch: &Sketch, half: bool) {
     dxf.begin("BLOCK", "0");
-    for (code, value) in [(2, name), (70, "0"), (10, "0"), (20, "0"), (3, name)] {
-        dxf.put(code, value);
-    }
+    dxf.put_all(&[(2, name), (70, "0"), (10, "0"), (20, "0"), (3, name)]);
     arch(dxf, sketch, half);
     dxf.begin("ENDBLK", "0");
 }

@@ -15,6 +15,8 @@ enum LegendSample {
     Fallen,
 }
 
+use LegendSample::{Band, Fallen, Hinge, Line, Sliding};
+
 /// The legend of a page of some width.
 pub(super) struct Legend {
     rows: Vec<Vec<(LegendSample, &'static str)>>,
@@ -35,45 +37,39 @@ impl Legend {
         let forces = || drawn.sketches.iter().flat_map(|sketch| &sketch.forces);
         let is_standing =
             drawn.sketches.iter().any(|sketch| matches!(sketch.subject, Subject::Standing { .. }));
-        let mut entries: Vec<(LegendSample, &'static str)> = Vec::new();
-        match (is_standing, forces().count()) {
-            (_, 0) => {}
-            (true, 1) => {
-                entries.push((LegendSample::Line(look::THRUST), "line of thrust, least thrust"));
-                entries.push((LegendSample::Line(look::FRICTION), "line of friction"));
-            }
-            (true, _) => {
-                entries.push((LegendSample::Line(look::THRUST), "line of thrust, least thrust"));
-                entries.push((LegendSample::Line(look::LARGEST), "line of thrust, largest thrust"));
-                entries.push((LegendSample::Band, "between them"));
-                entries
-                    .push((LegendSample::Line(look::FRICTION), "line of friction, least thrust"));
-                entries.push((
-                    LegendSample::Line(look::LARGEST_FRICTION),
-                    "line of friction, largest thrust",
-                ));
-            }
-            _ if forces().any(|forces| forces.thrust_lines.len() > 1) => {
-                entries.push((LegendSample::Line(look::EXTREME), "extreme lines of thrust"));
-                entries.push((LegendSample::Band, "all others"));
-                entries.push((LegendSample::Line(look::FRICTION), "line of friction"));
-            }
-            _ => {
-                entries.push((LegendSample::Line(look::THRUST), "line of thrust"));
-                entries.push((LegendSample::Line(look::FRICTION), "line of friction"));
-            }
-        }
+        let mut entries: Vec<(LegendSample, &'static str)> = match (is_standing, forces().count()) {
+            (_, 0) => Vec::new(),
+            (true, 1) => vec![
+                (Line(look::THRUST), "line of thrust, least thrust"),
+                (Line(look::FRICTION), "line of friction"),
+            ],
+            (true, _) => vec![
+                (Line(look::THRUST), "line of thrust, least thrust"),
+                (Line(look::LARGEST), "line of thrust, largest thrust"),
+                (Band, "between them"),
+                (Line(look::FRICTION), "line of friction, least thrust"),
+                (Line(look::LARGEST_FRICTION), "line of friction, largest thrust"),
+            ],
+            _ if forces().any(|forces| forces.thrust_lines.len() > 1) => vec![
+                (Line(look::EXTREME), "extreme lines of thrust"),
+                (Band, "all others"),
+                (Line(look::FRICTION), "line of friction"),
+            ],
+            _ => vec![
+                (Line(look::THRUST), "line of thrust"),
+                (Line(look::FRICTION), "line of friction"),
+            ],
+        };
         let marks = || forces().flat_map(|forces| &forces.marks);
         if marks().any(|mark| mark.contact.is_hinge()) {
-            entries
-                .push((LegendSample::Hinge, if is_standing { "touches a face" } else { "hinge" }));
+            entries.push((Hinge, if is_standing { "touches a face" } else { "hinge" }));
         }
         if marks().any(|mark| !mark.contact.is_hinge()) {
             let name = if is_standing { "friction used up" } else { "joint that slides" };
-            entries.push((LegendSample::Sliding, name));
+            entries.push((Sliding, name));
         }
         if drawn.sketches.iter().any(|sketch| !sketch.collapses.is_empty()) {
-            entries.push((LegendSample::Fallen, "as it falls"));
+            entries.push((Fallen, "as it falls"));
         }
         let mut rows: Vec<Vec<(LegendSample, &'static str)>> = Vec::new();
         let mut room = 0.0;
