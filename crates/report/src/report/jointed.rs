@@ -24,11 +24,7 @@ pub(super) fn extent(extent: Extent) -> &'static str {
 }
 
 fn side(motion: &JointedMotion) -> &'static str {
-    match motion.side {
-        Some(Side::Right) => "right",
-        Some(Side::Left) => "left",
-        None => "crown",
-    }
+    motion.side.map_or("crown", Side::name)
 }
 
 pub(super) fn table(all: &Enumeration, out: &mut dyn io::Write) -> io::Result<()> {

@@ -110,11 +110,7 @@ impl AsymmetricLines {
                 match stroke {
                     Some(stroke) => svg.stroke(&Path::through([(from, y), (to, y)]), stroke),
                     None => {
-                        let [up, down] = [y - 7.0, y + 7.0];
-                        let mut path =
-                            Path::through([(from, up), (to, up), (to, down), (from, down)]);
-                        path.close();
-                        fill(svg, &path);
+                        fill(svg, &Path::rectangle((from, y - 7.0), (to, y + 7.0)));
                     }
                 }
                 let style = Type::new(SMALL, INK).at(Anchor::End).on(WHITE);

@@ -8,6 +8,7 @@ use crate::arch::asymmetric::AsymmetricMode;
 use crate::atlas::{Branch, Coordinate, Level, Meeting};
 use crate::picture::color::INK;
 use crate::picture::{Color, Point, Stroke};
+use crate::report::words::kind;
 
 /// The least thickness.
 const LEAST: Stroke = Stroke::new(INK, 1.4);
@@ -22,12 +23,9 @@ fn look(kind: AsymmetricMode) -> Stroke {
     Stroke { color, width, dashes }
 }
 
-fn name(kind: AsymmetricMode) -> &'static str {
-    match kind {
-        AsymmetricMode::InnerSliding => "a shoulder slides out, a joint of the other half in",
-        AsymmetricMode::ShoulderOpening => "a shoulder slides and opens",
-        AsymmetricMode::ShoulderSliding => "a shoulder slides",
-    }
+/// A kind of mechanism, of either shoulder.
+fn name(mode: AsymmetricMode) -> String {
+    kind(mode).replacen("one ", "a ", 1)
 }
 
 /// The friction and the thickness of a point.
@@ -47,7 +45,7 @@ fn axis(
     let most = values.fold(f64::NEG_INFINITY, f64::max);
     let range = [least - room[0] * (most - least), most + room[1] * (most - least)];
     let step = step(range, 5.0).unwrap_or(1.0);
-    PlaneAxis { coordinate, unit: 1.0, label, range, step }
+    PlaneAxis::new(coordinate, label, range, step)
 }
 
 /// The branches of some weights and one half opening as SVG, each in a panel with its least thickness.
@@ -79,7 +77,7 @@ pub(in crate::report) fn branches(
         let has = |(branch, _): &(&Branch, &Level)| {
             branch.stretches.iter().any(|(_, stretch)| stretch.kind == kind)
         };
-        legend.extend(found.iter().any(has).then(|| (name(kind).to_owned(), look(kind))));
+        legend.extend(found.iter().any(has).then(|| (name(kind), look(kind))));
     }
     let off = panels.iter().map(Graph::off).fold([0.0; 2], larger);
     let told = told(&[(x, off[0]), (y, off[1])], (WIDTH, height(panels.len())));

@@ -4,7 +4,7 @@ use super::caption::proved;
 use super::chain::Chain;
 use super::graph::{Dot, Graph, GraphLine, Graphs, WIDTH, height};
 use super::look;
-use super::plane::{DEGREES, PlaneAxis};
+use super::plane::PlaneAxis;
 use super::sheet::Sheet;
 use crate::arch::{SelfWeight, Unknown};
 use crate::atlas::{Coordinate, Curve, CurveEnd, Place, Trace};
@@ -36,22 +36,10 @@ const FAR: f64 = 4.5;
 /// Tolerance within which a point is on the foot of a panel.
 const FOOT: f64 = 1e-9;
 
-/// An axis of an angle in degrees, or of what else there is.
-const fn axis(
-    coordinate: Coordinate,
-    label: &'static str,
-    range: [f64; 2],
-    step: f64,
-) -> PlaneAxis {
-    let unit = match coordinate {
-        Coordinate::HalfOpening | Coordinate::RotationJoint => DEGREES,
-        _ => 1.0,
-    };
-    PlaneAxis { coordinate, unit, label, range, step }
-}
-
-const OPENING: PlaneAxis = axis(Coordinate::HalfOpening, "half opening α (°)", [0.0, 180.0], 20.0);
-const VARIABLE: PlaneAxis = axis(Coordinate::OpeningVariable, "A = α cot(α/2)", [0.0, 2.0], 0.2);
+const OPENING: PlaneAxis =
+    PlaneAxis::new(Coordinate::HalfOpening, "half opening α (°)", [0.0, 180.0], 20.0);
+const VARIABLE: PlaneAxis =
+    PlaneAxis::new(Coordinate::OpeningVariable, "A = α cot(α/2)", [0.0, 2.0], 0.2);
 const THICKNESS: PlaneAxis = thickness_axis([0.0, 2.2], 0.5);
 /// Axis where half arches overturn.
 const WIDE: PlaneAxis = PlaneAxis { range: [146.0, 162.0], step: 2.0, ..OPENING };
@@ -62,82 +50,58 @@ const NEAR: PlaneAxis = PlaneAxis { range: [143.0, 157.0], step: 2.0, ..OPENING 
 const NEAR_THICKNESS: PlaneAxis = thickness_axis([0.6, 1.4], 0.2);
 
 const fn thickness_axis(range: [f64; 2], step: f64) -> PlaneAxis {
-    axis(Coordinate::Thickness, "thickness η = t/r", range, step)
+    PlaneAxis::new(Coordinate::Thickness, "thickness η = t/r", range, step)
 }
 
 fn number(ball: &Ball) -> f64 {
     ball.mid().to_f64()
 }
 
-fn opening(place: &Place) -> Option<f64> {
-    Some(number(place.half_opening.as_ref()?).to_degrees())
+/// Place of a point on an axis, in the unit shown.
+fn on(axis: &PlaneAxis, place: &Place) -> Option<f64> {
+    let other = |ball: &Option<Ball>| Some(number(ball.as_ref()?) * axis.unit);
+    match axis.coordinate {
+        Coordinate::Thrust => other(&place.thrust),
+        Coordinate::RotationJoint => other(&place.rotation_joint),
+        _ => axis.place(place),
+    }
 }
-
-fn opening_variable(place: &Place) -> Option<f64> {
-    Some(Coordinate::OpeningVariable.drawn(number(place.half_opening.as_ref()?)))
-}
-
-fn thickness(place: &Place) -> Option<f64> {
-    place.thickness.as_ref().map(number)
-}
-
-fn thrust(place: &Place) -> Option<f64> {
-    place.thrust.as_ref().map(number)
-}
-
-fn rotation_joint(place: &Place) -> Option<f64> {
-    Some(number(place.rotation_joint.as_ref()?).to_degrees())
-}
-
-type Read = fn(&Place) -> Option<f64>;
 
 impl Branches {
     /// The figure of both weights as SVG.
     pub(super) fn svg(self, sheets: &[Sheet], command: &str) -> String {
         let panels = match self {
             Self::Rotation => over_the_half_opening(sheets),
-            Self::Overturning => [
-                (WIDE_VARIABLE, opening_variable as Read, Course::FallsOpposite),
-                (WIDE, opening, Course::Rises),
-            ]
-            .map(|(x, read_x, course)| Graph {
-                x,
-                y: THICK,
-                lines: lines(sheets, &[Curve::Overturning], &[x, THICK]),
-                marks: marks(sheets, &ENDS[1..], (read_x, thickness), course),
-            })
-            .into(),
+            Self::Overturning => [(WIDE_VARIABLE, Course::FallsOpposite), (WIDE, Course::Rises)]
+                .map(|(x, course)| Graph {
+                    x,
+                    y: THICK,
+                    lines: lines(sheets, &[Curve::Overturning], &[x, THICK]),
+                    marks: marks(sheets, &ENDS[1..], &[x, THICK], course),
+                })
+                .into(),
             Self::Joined => joined(sheets),
         };
-        let title = match self {
-            Self::Rotation => "Purely rotational and purely sliding states over the half opening",
-            Self::Overturning => {
-                "Thickness of purely overturning states over A and over the half opening"
+        let rotation = "Purely rotational and purely sliding states over the half opening";
+        let overturning = "Thickness of purely overturning states over A and over the half opening";
+        let joined = "Thickness of purely rotational and purely overturning states over A and over the half opening";
+        let (title, curves, more, legend_at): (_, &[Curve], _, _) = match self {
+            Self::Rotation => {
+                let sliding = ("pure sliding, dotted beyond B".to_owned(), SLIDING);
+                (rotation, &[Curve::Rotation], Some(sliding), (1, 60.0))
             }
+            Self::Overturning => (overturning, &[Curve::Overturning], None, (0, 395.0)),
             Self::Joined => {
-                "Thickness of purely rotational and purely overturning states over A and over the half opening"
+                let tangent = ("common tangent at ℓ".to_owned(), TANGENT);
+                (joined, &[Curve::Rotation, Curve::Overturning], Some(tangent), (0, 340.0))
             }
         };
         let of_weight = |sheet: &Sheet, curve: Curve| {
-            (
-                format!("{curve}, {}-like", words::capital(sheet.weight.name())),
-                look_of(sheet.weight, curve),
-            )
-        };
-        let curves: &[Curve] = match self {
-            Self::Rotation => &[Curve::Rotation],
-            Self::Overturning => &[Curve::Overturning],
-            Self::Joined => &[Curve::Rotation, Curve::Overturning],
+            let name = format!("{curve}, {}-like", words::capital(sheet.weight.name()));
+            (name, look_of(sheet.weight, curve))
         };
         let names =
             sheets.iter().flat_map(|sheet| curves.iter().map(move |c| of_weight(sheet, *c)));
-        let (more, legend_at) = match self {
-            Self::Rotation => {
-                (Some(("pure sliding, dotted beyond B".to_owned(), SLIDING)), (1, 60.0))
-            }
-            Self::Overturning => (None, (0, 395.0)),
-            Self::Joined => (Some(("common tangent at ℓ".to_owned(), TANGENT)), (0, 340.0)),
-        };
         let legend = names.chain(more).collect();
         let joins = match self {
             Self::Joined => {
@@ -159,34 +123,34 @@ impl Branches {
 /// The joint, the thickness and the thrust of rotation, and the thrust of sliding.
 fn over_the_half_opening(sheets: &[Sheet]) -> Vec<Graph> {
     let x = OPENING;
-    let joint = axis(Coordinate::RotationJoint, "joint βᵣ (°)", [0.0, 70.0], 10.0);
-    let push = axis(Coordinate::Thrust, "thrust h = H/(w r)", [0.0, 1.0], 0.2);
-    let panel = |y, read, course| Graph {
+    let joint = PlaneAxis::new(Coordinate::RotationJoint, "joint βᵣ (°)", [0.0, 70.0], 10.0);
+    let push = PlaneAxis::new(Coordinate::Thrust, "thrust h = H/(w r)", [0.0, 1.0], 0.2);
+    let panel = |y, course| Graph {
         x,
         y,
         lines: lines(sheets, &[Curve::Rotation], &[x, y]),
-        marks: marks(sheets, &ENDS[..2], (opening, read), course),
+        marks: marks(sheets, &ENDS[..2], &[x, y], course),
     };
-    let mut first = panel(joint, rotation_joint as Read, Course::Falls);
+    let mut first = panel(joint, Course::Falls);
     first.marks.extend(widest(sheets));
-    let mut last = panel(push, thrust as Read, Course::Falls);
+    let mut last = panel(push, Course::Falls);
     last.lines.extend(sliding(sheets, &[x, push]));
-    vec![first, panel(thickness_axis([0.0, 1.1], 0.2), thickness as Read, Course::Rises), last]
+    vec![first, panel(thickness_axis([0.0, 1.1], 0.2), Course::Rises), last]
 }
 
 /// Rotation and overturning, over the opening variable, over the half opening, and near the points where they join.
 fn joined(sheets: &[Sheet]) -> Vec<Graph> {
-    let panel = |x, y, (read_x, curves): (Read, &[Curve]), course| Graph {
+    let panel = |x, y, curves: &[Curve], course| Graph {
         x,
         y,
         lines: lines(sheets, &[Curve::Rotation, Curve::Overturning], &[x, y]),
-        marks: marks(sheets, curves, (read_x, thickness), course),
+        marks: marks(sheets, curves, &[x, y], course),
     };
-    let mut near = panel(NEAR, NEAR_THICKNESS, (opening, &ENDS[1..2]), Course::Rises);
+    let mut near = panel(NEAR, NEAR_THICKNESS, &ENDS[1..2], Course::Rises);
     near.lines.extend(sheets.iter().filter_map(tangent));
     vec![
-        panel(VARIABLE, THICKNESS, (opening_variable, &ENDS), Course::FallsOpposite),
-        panel(OPENING, THICKNESS, (opening, &ENDS), Course::Rises),
+        panel(VARIABLE, THICKNESS, &ENDS, Course::FallsOpposite),
+        panel(OPENING, THICKNESS, &ENDS, Course::Rises),
         near,
     ]
 }
@@ -241,7 +205,7 @@ fn lines(sheets: &[Sheet], curves: &[Curve], axes: &[PlaneAxis; 2]) -> Vec<Graph
 fn sliding(sheets: &[Sheet], axes: &[PlaneAxis; 2]) -> Vec<GraphLine> {
     let border = sheets.iter().filter_map(|sheet| {
         let trace = sheet.trace(Curve::Limit)?;
-        opening(&trace.points().first()?.place)
+        on(&OPENING, &trace.points().first()?.place)
     });
     let border = border.fold(f64::INFINITY, f64::min);
     let trace = sheets.first().and_then(|sheet| sheet.trace(Curve::Sliding));
@@ -256,11 +220,11 @@ const ENDS: [Curve; 3] =
     [Curve::Line(crate::problem::Line::RotationShoulder), Curve::Rotation, Curve::Overturning];
 
 /// The landmarks at the ends of some curves.
-fn marks(sheets: &[Sheet], curves: &[Curve], (x, y): (Read, Read), course: Course) -> Vec<Dot> {
+fn marks(sheets: &[Sheet], curves: &[Curve], [x, y]: &[PlaneAxis; 2], course: Course) -> Vec<Dot> {
     let mark = |sheet: &Sheet, curve: Curve| {
         let point = sheet.trace(curve)?.points().pop()?;
         let Some(CurveEnd::Landmark(landmark)) = point.end else { return None };
-        let at = (x(&point.place)?, y(&point.place)?);
+        let at = (on(x, &point.place)?, on(y, &point.place)?);
         Some(named(landmark, sheet.weight, at, course))
     };
     sheets.iter().flat_map(|sheet| curves.iter().filter_map(move |c| mark(sheet, *c))).collect()

@@ -16,8 +16,7 @@ const ALL: PlaneAxis = axis([-0.2, 1.0], 0.2);
 const NEAR: PlaneAxis = axis([-0.08, 0.08], 0.02);
 
 const fn axis(range: [f64; 2], step: f64) -> PlaneAxis {
-    let label = "ηₘ − ηₕ";
-    PlaneAxis { coordinate: Coordinate::Thickness, unit: 1.0, label, range, step }
+    PlaneAxis::new(Coordinate::Thickness, "ηₘ − ηₕ", range, step)
 }
 
 /// Look of a curve: by dashes too, so that grey is enough.

@@ -4,16 +4,9 @@ use super::canvas::Canvas;
 use super::chain::Chain;
 use super::plane::Plane;
 use crate::atlas::{Corner, Curve, DomainSide, boundary};
-use crate::picture::{Frame, Path, Point};
+use crate::picture::{Frame, Path};
 use crate::problem::Mode;
 use std::f64::consts::FRAC_PI_2;
-
-/// A part of the way around a domain.
-enum LoopPart {
-    Along(Curve),
-    Back(Curve),
-    Corner(Point),
-}
 
 /// Tells whether a mode has an area in a plane, and not only a line.
 fn is_area(mode: Mode, plane: Plane) -> bool {
@@ -25,33 +18,38 @@ fn is_area(mode: Mode, plane: Plane) -> bool {
     }
 }
 
-/// Part of a side in a plane. Of an edge this is its end, where that is a corner of the plane; those along
-/// which the half opening changes are curves.
-fn part(side: DomainSide, canvas: &Canvas) -> Option<LoopPart> {
-    match side {
-        DomainSide::Along(curve) => Some(LoopPart::Along(curve)),
-        DomainSide::Back(curve) => Some(LoopPart::Back(curve)),
-        DomainSide::Edge(_, Corner::RightTop) => Some(LoopPart::Along(Curve::Overturning)),
-        DomainSide::Edge(Corner::RightTop, _) => Some(LoopPart::Back(Curve::Limit)),
-        DomainSide::Edge(_, corner) => {
-            // Friction angle, thickness and half opening there.
-            let (friction, thickness, opening) = match corner {
-                Corner::RightBottom => (FRAC_PI_2, 0.0, 0.0),
-                Corner::LeftTop => (0.0, 2.0, 0.0),
-                _ => return None,
-            };
-            let (x, y) = match canvas.plane {
-                Plane::ThicknessFriction => (friction, thickness),
-                Plane::OpeningFriction => (opening, friction),
-                Plane::OpeningThickness => (opening, thickness),
-            };
-            Some(LoopPart::Corner((canvas.axes[0].shown(x), canvas.axes[1].shown(y))))
-        }
+/// Parts of the way around the domain of a mode; `None` if one of its curves is not there. Of an edge the part is its
+/// end, where that is a corner of the plane; edges along which the half opening changes are curves.
+fn parts(
+    mode: Mode,
+    canvas: &Canvas,
+    chain: impl Fn(Curve) -> Option<Chain>,
+) -> Option<Vec<Chain>> {
+    let mut parts = Vec::new();
+    for side in boundary(mode) {
+        parts.push(match side {
+            DomainSide::Along(curve) => chain(curve)?,
+            DomainSide::Back(curve) => chain(curve)?.reversed(),
+            DomainSide::Edge(_, Corner::RightTop) => chain(Curve::Overturning)?,
+            DomainSide::Edge(Corner::RightTop, _) => chain(Curve::Limit)?.reversed(),
+            DomainSide::Edge(_, corner) => {
+                // Friction angle, thickness and half opening there.
+                let (friction, thickness, opening) = match corner {
+                    Corner::RightBottom => (FRAC_PI_2, 0.0, 0.0),
+                    Corner::LeftTop => (0.0, 2.0, 0.0),
+                    _ => continue,
+                };
+                let (x, y) = match canvas.plane {
+                    Plane::ThicknessFriction => (friction, thickness),
+                    Plane::OpeningFriction => (opening, friction),
+                    Plane::OpeningThickness => (opening, thickness),
+                };
+                let point = (canvas.axes[0].shown(x), canvas.axes[1].shown(y));
+                Chain::straight(point, point)
+            }
+        });
     }
-}
-
-fn parts(mode: Mode, canvas: &Canvas) -> Vec<LoopPart> {
-    boundary(mode).into_iter().filter_map(|side| part(side, canvas)).collect()
+    Some(parts)
 }
 
 /// The way around the domain of a mode, if it is an area and all its curves are there.
@@ -61,12 +59,8 @@ pub(super) fn around(
     chain: impl Fn(Curve) -> Option<Chain>,
 ) -> Option<Chain> {
     let mut way = Chain::default();
-    for part in parts(mode, canvas).iter().filter(|_| is_area(mode, canvas.plane)) {
-        let next = match *part {
-            LoopPart::Along(curve) => chain(curve)?,
-            LoopPart::Back(curve) => chain(curve)?.reversed(),
-            LoopPart::Corner(point) => Chain::straight(point, point),
-        };
+    let parts = is_area(mode, canvas.plane).then(|| parts(mode, canvas, chain))??;
+    for next in parts {
         // Straight from where the last part ends: along an edge, or not at all.
         if let (Some([_, from]), Some([to, _])) = (way.ends(), next.ends()) {
             way.0.extend(Chain::straight(from, to).0);
@@ -92,6 +86,7 @@ mod tests {
     use super::*;
     use crate::arch::SelfWeight;
     use crate::atlas::Trace;
+    use crate::picture::Point;
     use std::collections::HashMap;
 
     /// Neighbouring parts meet, but where an edge of the plane is between them.
@@ -104,13 +99,9 @@ mod tests {
                 for mode in Mode::ALL.into_iter().filter(|mode| is_area(*mode, plane)) {
                     let canvas = Canvas::usual(plane);
                     let chain = |curve| Chain::new(&traces[&curve], &canvas);
-                    let ends = |part: &LoopPart| match *part {
-                        LoopPart::Along(curve) => chain(curve).unwrap().ends().unwrap(),
-                        LoopPart::Back(curve) => chain(curve).unwrap().reversed().ends().unwrap(),
-                        LoopPart::Corner(point) => [point, point],
-                    };
-                    let parts = parts(mode, &canvas);
-                    let all: Vec<[Point; 2]> = parts.iter().map(ends).collect();
+                    let parts = parts(mode, &canvas, chain).unwrap();
+                    let all: Vec<[Point; 2]> =
+                        parts.iter().map(|part| part.ends().unwrap()).collect();
                     for (one, next) in all.iter().zip(all.iter().cycle().skip(1)) {
                         let (from, to) = (one[1], next[0]);
                         let along = |a: f64, b: f64| (a - b).abs() < 1e-9;

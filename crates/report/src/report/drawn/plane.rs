@@ -33,27 +33,12 @@ pub(super) struct PlaneAxis {
 /// Degrees in a radian.
 pub(super) const DEGREES: f64 = 180.0 / std::f64::consts::PI;
 
-const FRICTION: PlaneAxis = PlaneAxis {
-    coordinate: Coordinate::FrictionAngle,
-    unit: DEGREES,
-    label: "friction angle φ (°)",
-    range: [0.0, 90.0],
-    step: 10.0,
-};
-const THICKNESS: PlaneAxis = PlaneAxis {
-    coordinate: Coordinate::Thickness,
-    unit: 1.0,
-    label: "thickness to radius η = t/r",
-    range: [0.0, 2.0],
-    step: 0.2,
-};
-const OPENING: PlaneAxis = PlaneAxis {
-    coordinate: Coordinate::HalfOpening,
-    unit: DEGREES,
-    label: "half opening α (°)",
-    range: [0.0, 170.0],
-    step: 20.0,
-};
+const FRICTION: PlaneAxis =
+    PlaneAxis::new(Coordinate::FrictionAngle, "friction angle φ (°)", [0.0, 90.0], 10.0);
+const THICKNESS: PlaneAxis =
+    PlaneAxis::new(Coordinate::Thickness, "thickness to radius η = t/r", [0.0, 2.0], 0.2);
+const OPENING: PlaneAxis =
+    PlaneAxis::new(Coordinate::HalfOpening, "half opening α (°)", [0.0, 170.0], 20.0);
 
 /// Friction coefficients that have a tick.
 const FRICTIONS: [(f64, &str); 13] = [
@@ -152,6 +137,19 @@ impl Plane {
 const FAR: f64 = 4.0;
 
 impl PlaneAxis {
+    /// Axis of an angle in degrees, or of what else there is.
+    pub(super) const fn new(
+        coordinate: Coordinate,
+        label: &'static str,
+        range: [f64; 2],
+        step: f64,
+    ) -> Self {
+        use Coordinate::{FrictionAngle, HalfOpening, RotationJoint};
+        let is_angle = matches!(coordinate, HalfOpening | FrictionAngle | RotationJoint);
+        let unit = if is_angle { DEGREES } else { 1.0 };
+        Self { coordinate, unit, label, range, step }
+    }
+
     /// Tells whether the axis shows the friction angle.
     pub(super) fn is_friction_angle(&self) -> bool {
         self.coordinate == Coordinate::FrictionAngle

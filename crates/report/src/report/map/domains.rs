@@ -3,7 +3,6 @@
 use crate::atlas::{Corner, DomainSide, boundary};
 use crate::problem::Mode;
 use crate::report::fields::Fields;
-use serde_json::Value as Json;
 
 fn corner(corner: Corner) -> String {
     match corner {
@@ -34,10 +33,7 @@ pub(super) fn domains() -> Vec<Fields> {
     let domain = |mode: Mode| {
         let mut fields = Fields::default();
         fields.add("mode", mode.label());
-        let sides = boundary(mode).into_iter().map(side);
-        let sides: Vec<Json> =
-            sides.map(|side| serde_json::to_value(side).unwrap_or_default()).collect();
-        fields.add("boundary", sides);
+        fields.add_list("boundary", boundary(mode).into_iter().map(side));
         fields
     };
     Mode::ALL.into_iter().map(domain).collect()

@@ -13,7 +13,7 @@ fn drawn(sketches: Vec<Sketch>, style: Style) -> Sketched {
 }
 
 fn as_svg(drawn: &Sketched) -> String {
-    super::picture::page(drawn)
+    picture::page(drawn)
 }
 
 fn picture(sketches: Vec<Sketch>, style: Style) -> String {
