@@ -56,10 +56,14 @@ const PROOF: [&str; 3] = [
 ];
 
 /// A solution of an arch.
-#[derive(Clone, Copy)]
-enum Solution<'a> {
-    Symmetric(&'a Digits),
-    Asymmetric(&'a AsymmetricDigits),
+struct Solution<'a> {
+    thickness: &'a Figure,
+    thrust: &'a Figure,
+    mode: &'static str,
+    /// Description for a person.
+    words: String,
+    /// The rest of an asymmetric solution.
+    asymmetric: Option<&'a AsymmetricDigits>,
 }
 
 impl ComplementarityArch {
@@ -77,13 +81,13 @@ impl ComplementarityArch {
     /// Solutions that are proved, thin arches first.
     fn solutions(&self) -> Vec<Solution<'_>> {
         let symmetric = match &self.symmetric {
-            Ok(Answer::Stands(state)) => Some(Solution::Symmetric(state)),
+            Ok(Answer::Stands(state)) => Some(Solution::symmetric(state)),
             _ => None,
         };
         let proved = self.asymmetric.iter().filter_map(|solution| solution.as_ref().ok());
         let mut all: Vec<Solution<'_>> =
-            symmetric.into_iter().chain(proved.map(Solution::Asymmetric)).collect();
-        all.sort_by(|a, b| a.thickness().double.total_cmp(&b.thickness().double));
+            symmetric.into_iter().chain(proved.map(Solution::asymmetric)).collect();
+        all.sort_by(|a, b| a.thickness.double.total_cmp(&b.thickness.double));
         all
     }
 
@@ -101,42 +105,16 @@ impl ComplementarityArch {
 }
 
 impl<'a> Solution<'a> {
-    fn thickness(self) -> &'a Figure {
-        match self {
-            Self::Symmetric(state) => &state.thickness,
-            Self::Asymmetric(state) => &state.thickness,
-        }
+    fn symmetric(state: &'a Digits) -> Self {
+        let (mode, Digits { thickness, thrust, .. }) = (state.mode.label(), state);
+        let words = format!("symmetric, {mode}: the least thickness");
+        Self { thickness, thrust, mode, words, asymmetric: None }
     }
 
-    fn thrust(self) -> &'a Figure {
-        match self {
-            Self::Symmetric(state) => &state.thrust,
-            Self::Asymmetric(state) => &state.thrust,
-        }
-    }
-
-    fn asymmetric(self) -> Option<&'a AsymmetricDigits> {
-        match self {
-            Self::Symmetric(_) => None,
-            Self::Asymmetric(state) => Some(state),
-        }
-    }
-
-    fn mode(self) -> &'static str {
-        match self {
-            Self::Symmetric(state) => state.mode.label(),
-            Self::Asymmetric(state) => state.mode.name(),
-        }
-    }
-
-    /// Description for a person.
-    fn words(self) -> String {
-        match self {
-            Self::Symmetric(state) => {
-                format!("symmetric, {}: the least thickness", state.mode.label())
-            }
-            Self::Asymmetric(state) => format!("asymmetric: {}", kind(state.mode)),
-        }
+    fn asymmetric(state: &'a AsymmetricDigits) -> Self {
+        let (mode, AsymmetricDigits { thickness, thrust, .. }) = (state.mode.name(), state);
+        let words = format!("asymmetric: {}", kind(state.mode));
+        Self { thickness, thrust, mode, words, asymmetric: Some(state) }
     }
 }
 
@@ -154,7 +132,7 @@ fn one(of: &ComplementarityArch, out: &mut dyn io::Write) -> io::Result<()> {
         writeln!(out, "it has a solution at the thickness")?;
     }
     for solution in &solutions {
-        writeln!(out, "   {}  {}", solution.thickness(), solution.words())?;
+        writeln!(out, "   {}  {}", solution.thickness, solution.words)?;
     }
     if let Some(reason) = of.fall() {
         writeln!(out, "no thickness is enough: {reason}")?;
@@ -165,7 +143,7 @@ fn one(of: &ComplementarityArch, out: &mut dyn io::Write) -> io::Result<()> {
     for undecided in of.asymmetric.iter().filter_map(|solution| solution.as_ref().err()) {
         writeln!(out, "an asymmetric solution that is found is {undecided}")?;
     }
-    for state in solutions.iter().filter_map(|solution| solution.asymmetric()) {
+    for state in solutions.iter().filter_map(|solution| solution.asymmetric) {
         details(state, out)?;
     }
     writeln!(out)?;
@@ -212,7 +190,7 @@ const COLUMNS: &str = "weight half_opening friction symmetric mode thickness thr
 pub(super) fn csv(all: &ComplementarityArches, out: &mut dyn io::Write) -> io::Result<()> {
     let rows = all.0.iter().flat_map(|of| {
         let found = of.solutions().into_iter().map(|solution| {
-            let mut row = solved(solution);
+            let mut row = solved(&solution);
             row.add("outcome", "solution");
             row
         });
@@ -245,8 +223,7 @@ fn entry(of: &ComplementarityArch) -> Fields {
     fields.add("verdict", if of.first_open().is_some() { "undecided" } else { "proved" });
     fields.add("reason", of.first_open().map(|open| open.reason.to_string()));
     fields.add("fall", of.fall());
-    let solutions = of.solutions();
-    fields.add_list("solutions", solutions.into_iter().map(solved));
+    fields.add_list("solutions", of.solutions().iter().map(solved));
     fields.add("search", SEARCH.join(" "));
     if let Some(all) = &of.enumeration {
         fields.add_fields("enumeration", Some(jointed::fields(all)));
@@ -257,14 +234,13 @@ fn entry(of: &ComplementarityArch) -> Fields {
     fields
 }
 
-fn solved(solution: Solution<'_>) -> Fields {
+fn solved(solution: &Solution<'_>) -> Fields {
     let mut fields = Fields::default();
-    let state = solution.asymmetric();
-    fields.add("symmetric", state.is_none());
-    fields.add("mode", solution.mode());
-    fields.add_bounds("thickness", Some(solution.thickness()));
-    fields.add_bounds("thrust", Some(solution.thrust()));
-    if let Some(state) = state {
+    fields.add("symmetric", solution.asymmetric.is_none());
+    fields.add("mode", solution.mode);
+    fields.add_bounds("thickness", Some(solution.thickness));
+    fields.add_bounds("thrust", Some(solution.thrust));
+    if let Some(state) = solution.asymmetric {
         fields.add_bounds("crown_moment", Some(&state.crown_moment));
         fields.add_bounds("vertical_force", Some(&state.vertical_force));
         fields.add_bounds("power", Some(&state.power));

@@ -2,6 +2,7 @@
 
 use super::answer::{Answer, Status};
 use super::answers::{Answers, Scope};
+use super::column::NamedColumn;
 use super::columns::{self, Asked};
 use super::fields::Fields;
 use super::find;
@@ -57,6 +58,17 @@ pub(super) fn table(
 ) -> io::Result<()> {
     let cells = |row: Fields| columns.split(' ').map(|name| row.text(name)).collect();
     let header = columns.split(' ').map(str::to_owned).collect();
+    write(std::iter::once(header).chain(rows.into_iter().map(cells)), out)
+}
+
+/// Writes rows in the cells of some columns.
+pub(super) fn columns<'a, R: 'a>(
+    columns: impl Iterator<Item = &'a NamedColumn<R>> + Clone,
+    rows: impl IntoIterator<Item = R>,
+    out: &mut dyn io::Write,
+) -> io::Result<()> {
+    let header = columns.clone().map(|(name, _)| (*name).to_owned()).collect();
+    let cells = |row| columns.clone().map(|(_, column)| column.text(&row)).collect();
     write(std::iter::once(header).chain(rows.into_iter().map(cells)), out)
 }
 

@@ -82,41 +82,34 @@ pub(super) fn table(at: &AtThickness, out: &mut dyn io::Write) -> io::Result<()>
         out,
         "\nProgramme (20) at thickness {eta}, {stones} equal stones, {joints} joints{half}"
     )?;
-    let found = match &at.found {
-        Err(undecided) => return writeln!(out, "   {undecided}"),
+    let complete = "complete for these joints: all pairs of conditions are looked at, in balls";
+    let lines: Vec<String> = match &at.found {
+        Err(undecided) => vec![undecided.to_string()],
         Ok(ProgrammeFound::EveryThicknessStands) => {
-            return writeln!(out, "   there is none, proved: every thickness up to 2 stands");
+            vec!["there is none, proved: every thickness up to 2 stands".into()]
         }
         Ok(ProgrammeFound::NoThicknessStands) => {
-            return writeln!(out, "   there is none, proved: no thickness up to 2 stands");
+            vec!["there is none, proved: no thickness up to 2 stands".into()]
         }
-        Ok(ProgrammeFound::At(found)) => found,
+        Ok(ProgrammeFound::At(Programme::NothingAdmissible)) => {
+            vec!["nothing is admissible at these joints, proved".into(), complete.into()]
+        }
+        Ok(ProgrammeFound::At(Programme::Zero)) => vec![
+            "least value 0, exactly".into(),
+            "proved: (19) has a solution there, an admissible state with positive rates that fit"
+                .into(),
+        ],
+        Ok(ProgrammeFound::At(Programme::Idle)) => IDLE.map(str::to_owned).to_vec(),
+        Ok(ProgrammeFound::At(Programme::Least { .. })) => {
+            let value = at.value().map(|value| match value {
+                Ok(value) => format!("least value {}", value.value),
+                Err(bound) => format!("least value at least {}", bound.lower),
+            });
+            let proved = "positive, proved: at these joints (19) has no solution at this thickness";
+            value.into_iter().chain([proved.into(), complete.into()]).collect()
+        }
     };
-    match found {
-        Programme::NothingAdmissible => {
-            writeln!(out, "   nothing is admissible at these joints, proved")?;
-        }
-        Programme::Zero => {
-            writeln!(out, "   least value 0, exactly")?;
-            let words = "proved: (19) has a solution there, an admissible state with positive rates that fit";
-            return writeln!(out, "   {words}");
-        }
-        Programme::Idle => {
-            return IDLE.iter().try_for_each(|line| writeln!(out, "   {line}"));
-        }
-        Programme::Least { .. } => {
-            match at.value() {
-                Some(Ok(value)) => writeln!(out, "   least value {}", value.value)?,
-                Some(Err(bound)) => writeln!(out, "   least value at least {}", bound.lower)?,
-                None => {}
-            }
-            writeln!(
-                out,
-                "   positive, proved: at these joints (19) has no solution at this thickness"
-            )?;
-        }
-    }
-    writeln!(out, "   complete for these joints: all pairs of conditions are looked at, in balls")
+    lines.iter().try_for_each(|line| writeln!(out, "   {line}"))
 }
 
 /// The programme (20) as a row.

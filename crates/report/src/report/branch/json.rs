@@ -1,10 +1,10 @@
 //! JSON: the points of a branch, its parts with their nodes, and the line of the least thickness.
 
 use super::{BranchArch, BranchArches, PROOF, events, quantities, rounded};
-use crate::atlas::{Level, NoBranch, Part, Stretch, Variable};
+use crate::atlas::{Branch, NoBranch, Stretch, Variable};
 use crate::report::fields::Fields;
 use crate::report::json as file;
-use crate::report::map::{MapRow, node};
+use crate::report::map::{MapRow, node, parts};
 use std::io;
 
 pub(in crate::report) fn json(all: &BranchArches, out: &mut dyn io::Write) -> io::Result<()> {
@@ -35,34 +35,22 @@ fn entry(arch: &BranchArch, all: &BranchArches) -> Fields {
         })
     });
     fields.add_list("points", points);
-    let parts = found.into_iter().flat_map(|(branch, _)| {
-        branch.stretches.iter().map(move |(_, stretch)| {
-            let nodes = MapRow::of_stretch(branch, stretch).iter().map(node).collect();
-            part(stretch, nodes)
-        })
-    });
-    fields.add_list("parts", parts);
-    let least = found.map(|(_, least)| least.parts.iter().map(|part| of_least(least, part)));
-    fields.add_list("least", least.into_iter().flatten());
+    let of_branch = found
+        .into_iter()
+        .flat_map(|(branch, _)| branch.stretches.iter().map(|(_, stretch)| part(branch, stretch)));
+    fields.add_list("parts", of_branch);
+    fields.add_list("least", found.into_iter().flat_map(|(_, least)| parts(least)));
     fields.add("proof", PROOF.join(" "));
     fields
 }
 
-fn part(stretch: &Stretch, nodes: Vec<Fields>) -> Fields {
+fn part(branch: &Branch, stretch: &Stretch) -> Fields {
     let mut fields = Fields::default();
     fields.add("kind", stretch.kind.name());
     fields.add("parameter", Variable::VerticalForce.name());
     fields.add("falls", stretch.falls());
     fields.add("admissible", stretch.is_admissible().is_ok());
     fields.add("pieces", stretch.section.pieces().count());
-    fields.add_list("nodes", nodes);
-    fields
-}
-
-fn of_least(least: &Level, part: &Part) -> Fields {
-    let mut fields = Fields::default();
-    fields.add("mode", part.mode.label());
-    fields.add("parameter", part.parameter().map(Variable::name));
-    fields.add_list("nodes", MapRow::of_part(least, part).iter().map(node));
+    fields.add_list("nodes", MapRow::of_stretch(branch, stretch).iter().map(node));
     fields
 }

@@ -1,6 +1,6 @@
 //! Claims with what was found of them, and the words for it.
 
-use crate::claims::{Argument, Decision, Finding};
+use crate::claims::{Argument, Decision, Finding, Support};
 use crate::report::words::count;
 use std::iter;
 
@@ -50,6 +50,19 @@ pub(super) fn remarks(decision: &Decision) -> Vec<(&'static str, &str)> {
             vec![("as printed", counterexample), ("corrected", corrected)]
         }
         Err(undecided) => vec![("reason", &undecided.reason)],
+    }
+}
+
+/// The word before a step, in a text and in a document.
+pub(super) fn lead(support: Support) -> [&'static str; 2] {
+    match support {
+        Support::Hypothesis => ["given", "Given: "],
+        Support::Definition => ["let", "Let: "],
+        Support::Algebra => ["exact", "Exactly: "],
+        Support::Balls => ["balls", "By balls: "],
+        Support::Claim => ["by", "By "],
+        Support::Conclusion => ["so", "So: "],
+        Support::Argument => ["words", "In words: "],
     }
 }
 

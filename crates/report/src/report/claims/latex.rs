@@ -1,7 +1,6 @@
 //! Claims as a LaTeX document: words as text, each formula in a paragraph of its own.
 
-use super::decided::{Claims, as_printed, remarks, summary};
-use crate::claims::Support;
+use super::decided::{Claims, as_printed, lead, remarks, summary};
 use std::io;
 
 const HEAD: &str = r"\documentclass{article}
@@ -30,15 +29,7 @@ pub(crate) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()>
             continue;
         }
         for step in decision.derivation.steps() {
-            let lead = match step.support {
-                Support::Hypothesis => "Given: ",
-                Support::Definition => "Let: ",
-                Support::Algebra => "Exactly: ",
-                Support::Balls => "By balls: ",
-                Support::Claim => "By ",
-                Support::Conclusion => "So: ",
-                Support::Argument => "In words: ",
-            };
+            let [_, lead] = lead(step.support);
             writeln!(out, "\\textit{{{lead}}}{}", plain(&step.words))?;
             match &step.formula {
                 Some(formula) => {

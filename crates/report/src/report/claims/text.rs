@@ -1,7 +1,7 @@
 //! Claims for a person at a terminal.
 
-use super::decided::{Claims, as_printed, remarks, summary};
-use crate::claims::{Decision, Support};
+use super::decided::{Claims, as_printed, lead, remarks, summary};
+use crate::claims::Decision;
 use std::io;
 
 /// Writes all claims.
@@ -41,16 +41,8 @@ fn heading(decision: &Decision, timed: bool, out: &mut dyn io::Write) -> io::Res
 fn steps(decision: &Decision, out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(out, "           by {}", decision.derivation.method())?;
     for step in decision.derivation.steps() {
-        let mark = match step.support {
-            Support::Hypothesis => "given ",
-            Support::Definition => "let   ",
-            Support::Algebra => "exact ",
-            Support::Balls => "balls ",
-            Support::Claim => "by    ",
-            Support::Conclusion => "so    ",
-            Support::Argument => "words ",
-        };
-        lines(&step.words, &format!("    {mark} "), INDENT, out)?;
+        let [mark, _] = lead(step.support);
+        lines(&step.words, &format!("    {mark:<6} "), INDENT, out)?;
         if let Some(formula) = &step.formula {
             writeln!(out, "             {}", formula.text)?;
         }

@@ -4,7 +4,7 @@ use super::canvas::Canvas;
 use super::plane::PlaneAxis;
 use crate::arch::SelfWeight;
 use crate::atlas::Variable;
-use crate::certify::state::{Answer, Certify};
+use crate::certify::state::{Answer, Certify, Digits};
 use crate::certify::{Error, asymmetric_thicknesses};
 use crate::number::{Ball, ExactNumber, arctangent};
 use crate::picture::color::{INK, WHITE};
@@ -59,14 +59,15 @@ impl Mark {
             Some(false) => "falls; ",
             None => "",
         };
-        let least = match &answer {
+        let (least, found) = match &answer {
             Answer::Stands(state) => {
-                format!(
-                    "{verdict}least thickness {}, {}",
-                    state.thickness.decimal.value, state.mode
-                )
+                let Digits { thickness, mode, .. } = &**state;
+                let found = format!("{verdict}least thickness {}, {mode}", thickness.decimal.value);
+                (Some(thickness.double), found)
             }
-            Answer::Falls { fall, .. } => format!("stands at no thickness: {}", fall.reason()),
+            Answer::Falls { fall, .. } => {
+                (None, format!("stands at no thickness: {}", fall.reason()))
+            }
         };
         let moves = match stands {
             Some(true) => may_move(&asymmetric_thicknesses(arch, DIGITS)?),
@@ -74,14 +75,10 @@ impl Mark {
         };
         let moves = moves.map_or(String::new(), |words| format!("; {words}"));
         let words = format!(
-            "α = {}, μ = {}{given}: {least}{moves}",
+            "α = {}, μ = {}{given}: {found}{moves}",
             alpha.replace("deg", "°"),
             mu.replace("deg", "°").replace("inf", "∞")
         );
-        let least = match answer {
-            Answer::Stands(state) => Some(state.thickness.double),
-            Answer::Falls { .. } => None,
-        };
         let half_opening = number(arch.half_opening());
         let (weight, given) = (arch.weight(), thickness.map(number));
         Ok(Self { weight, half_opening, friction_angle, least, given, words })

@@ -1,7 +1,7 @@
 //! All rows for a person at a terminal: verdicts, numbers, a histogram, the worst rows.
 
 use super::row::{JudgedRow, certified, digits};
-use super::summary::JudgeSummary;
+use super::summary::{JudgeSummary, QuantitySummary};
 use crate::judge::{CorrectDigits, Judged, Verdict};
 use crate::report::words::{count, shortened};
 use std::io;
@@ -57,24 +57,19 @@ fn numbers(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
     if summary.quantities.is_empty() {
         return Ok(());
     }
-    writeln!(
-        out,
-        "\n{:<19} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7} {:>14}",
-        "numbers", "judged", "rounded", "faithful", "wrong", "doubles", "digits", "relative error"
-    )?;
-    for m in &summary.quantities {
-        writeln!(
-            out,
-            "{:<19} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7} {:>14}",
-            m.quantity.name(),
-            m.judged,
-            m.correctly_rounded,
-            m.faithful,
-            m.wrong(),
-            m.nearest_doubles,
-            digits(m.least),
-            m.largest_relative.as_ref().map_or(String::new(), ToString::to_string),
-        )?;
+    let titles = "numbers,judged,rounded,faithful,wrong,doubles,digits,relative error";
+    let cells = |m: &QuantitySummary| {
+        let relative = m.largest_relative.as_ref().map_or(String::new(), ToString::to_string);
+        let counts = [m.judged, m.correctly_rounded, m.faithful, m.wrong(), m.nearest_doubles];
+        let counts = counts.map(|count| count.to_string());
+        [&[m.quantity.name().to_owned()], &counts[..], &[digits(m.least), relative]].concat()
+    };
+    let titles = titles.split(',').map(str::to_owned).collect();
+    writeln!(out)?;
+    for row in std::iter::once(titles).chain(summary.quantities.iter().map(cells)) {
+        let [name, counts @ .., digits, relative] = &row[..] else { continue };
+        let counts: String = counts.iter().map(|count| format!(" {count:>9}")).collect();
+        writeln!(out, "{name:<19}{counts} {digits:>7} {relative:>14}")?;
     }
     writeln!(
         out,

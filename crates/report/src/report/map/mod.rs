@@ -2,7 +2,6 @@
 //! point at. Fields may be added, none changes its meaning.
 
 mod difference;
-mod domains;
 mod json;
 mod page;
 mod point;
@@ -16,10 +15,10 @@ pub use point::{MapPoint, MapPoints};
 pub(super) use difference::{
     csv as difference_csv, json as difference_json, table as difference_table,
 };
-pub(super) use json::{json, node};
+pub(super) use json::{json, node, parts};
 pub(super) use page::html;
 pub(super) use point::{csv as point_csv, json as point_json, table as point_table};
-pub(super) use rows::{MapRow, csv, lower, upper};
+pub(super) use rows::{MapRow, csv};
 pub(super) use table::table;
 
 use super::answer::Answer;

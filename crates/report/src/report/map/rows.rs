@@ -23,6 +23,8 @@ pub(in crate::report) struct MapRow<'a> {
     piece: Option<Piece<'a>>,
     /// The piece whose cubic ends here, for the last node.
     before: Option<Piece<'a>>,
+    /// True if the states are admissible on the part of an asymmetric branch.
+    is_admissible: Option<bool>,
 }
 
 /// Whose weight a curve belongs to; sliding is the same for both.
@@ -67,37 +69,49 @@ impl<'a> MapRow<'a> {
         ("proved", Truth(|row| Some(row.piece.as_ref()?.is_proved()))),
     ];
 
+    /// Columns that a row of a branch has beside the columns of a map.
+    pub(in crate::report) const OF_BRANCHES: [NamedColumn<Self>; 5] = [
+        ("vertical_force_lower", Double(|row| lower(row.place().vertical_force.as_ref()))),
+        ("vertical_force_upper", Double(|row| upper(row.place().vertical_force.as_ref()))),
+        ("crown_hinge_lower", Double(|row| lower(row.place().crown_hinge.as_ref()))),
+        ("crown_hinge_upper", Double(|row| upper(row.place().crown_hinge.as_ref()))),
+        ("admissible", Truth(|row| row.is_admissible)),
+    ];
+
     /// The rows of a curve.
     pub(super) fn of_trace(trace: &'a Trace) -> Vec<Self> {
         let named = (weight_of(trace), trace.curve.to_string(), None);
-        Self::all(&named, trace.points(), &trace.pieces().collect::<Vec<_>>())
+        Self::all(&named, trace.points(), trace.pieces())
     }
 
     /// The rows of a part of a level, whose name it has.
     pub(in crate::report) fn of_part(level: &Level, part: &'a Part) -> Vec<Self> {
         let named =
             (Some(level.weight.name()), level.contour.to_string(), Some(part.mode.to_string()));
-        Self::all(&named, part.points(), &part.pieces().collect::<Vec<_>>())
+        Self::all(&named, part.points(), part.pieces())
     }
 
     /// The rows of a part of an asymmetric branch, by the vertical force.
     pub(in crate::report) fn of_stretch(branch: &Branch, stretch: &'a Stretch) -> Vec<Self> {
         let curve = Contour::HalfOpening(branch.half_opening.clone()).to_string();
         let named = (Some(branch.weight.name()), curve, Some(stretch.kind.name().to_owned()));
-        Self::all(&named, stretch.section.points(), &stretch.section.pieces().collect::<Vec<_>>())
+        let is_admissible = Some(stretch.is_admissible().is_ok());
+        let rows = Self::all(&named, stretch.section.points(), stretch.section.pieces());
+        rows.into_iter().map(|row| Self { is_admissible, ..row }).collect()
     }
 
     /// The rows of a line between asymmetric branches.
     pub(super) fn of_border(border: &'a Border) -> Vec<Self> {
         let named = (Some(border.weight.name()), border.line.name(), None);
-        Self::all(&named, border.section.points(), &border.section.pieces().collect::<Vec<_>>())
+        Self::all(&named, border.section.points(), border.section.pieces())
     }
 
     fn all(
         (weight, curve, mode): &(Option<&'static str>, String, Option<String>),
         points: Vec<TracePoint>,
-        pieces: &[Piece<'a>],
+        pieces: impl Iterator<Item = Piece<'a>>,
     ) -> Vec<Self> {
+        let pieces: Vec<Piece> = pieces.collect();
         let row = |(index, point): (usize, TracePoint)| Self {
             index,
             weight: *weight,
@@ -106,6 +120,7 @@ impl<'a> MapRow<'a> {
             end: point.end.map(|end| end.to_string()),
             point,
             piece: pieces.get(index).copied(),
+            is_admissible: None,
             before: index.checked_sub(1).and_then(|i| pieces.get(i)).copied(),
         };
         points.into_iter().enumerate().map(row).collect()
@@ -172,11 +187,7 @@ pub(in crate::report) fn upper(ball: Option<&Ball>) -> Option<f64> {
 
 /// A row for each node, with a header.
 pub(in crate::report) fn csv(report: &Map, out: &mut dyn io::Write) -> io::Result<()> {
-    let header = MapRow::COLUMNS.iter().map(|(name, _)| (*name).to_owned()).collect();
-    let rows = MapRow::of_map(report)
-        .into_iter()
-        .map(|row| MapRow::COLUMNS.iter().map(|(_, column)| column.text(&row)).collect());
-    csv::write(std::iter::once(header).chain(rows), out)
+    csv::columns(MapRow::COLUMNS.iter(), MapRow::of_map(report), out)
 }
 
 #[cfg(test)]

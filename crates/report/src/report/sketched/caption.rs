@@ -182,25 +182,20 @@ fn metre(length: &Size) -> String {
 
 /// Values known in metres and kilonewtons beyond the span and the rise.
 fn in_metres(sketch: &Sketch, measures: &Measures, of: &Metres) -> String {
-    let mut said = format!(
-        " In metres: r = {}, t = {}",
-        shown(&of.radius, DIGITS),
-        shown(&of.thickness, DIGITS)
-    );
+    let size = |size: &Size| shown(size, DIGITS);
+    let mut said = format!(" In metres: r = {}, t = {}", size(&of.radius), size(&of.thickness));
     if let Subject::Standing { stability, .. } = &sketch.subject
         && let Some(least) = &stability.least_thickness
     {
-        let least = Metres::thickness_of(measures, sketch, least);
-        said += &format!(", least t = {}", shown(&least, DIGITS));
+        said += &format!(", least t = {}", size(&Metres::thickness_of(measures, sketch, least)));
     }
     let Some(loads) = &of.loads else { return said + "." };
-    let force = |size: &Size| shown(size, DIGITS);
     said += &format!(
         ". In kN: weight of the arch {}, on each shoulder V = {}",
-        force(&loads.weight),
-        force(&loads.reaction)
+        size(&loads.weight),
+        size(&loads.reaction)
     );
-    let thrust = |of: &Forces| force(&loads.thrust(&of.thrust));
+    let thrust = |of: &Forces| size(&loads.thrust(&of.thrust));
     let is_standing = matches!(sketch.subject, Subject::Standing { .. });
     said += &match &sketch.forces[..] {
         [] => String::new(),
@@ -378,38 +373,29 @@ fn relation(sketch: &Sketch) -> String {
 
 /// The safety of an arch as it stands, in words.
 fn standing(found: &Stability, sketch: &Sketch) -> String {
-    let least = found.least_thickness.as_ref();
-    let required = found.required_friction.as_ref();
+    let six = |x: &Option<Ball>| x.as_ref().map(|x| rounded(x, DIGITS));
+    let few = |x: &Option<Ball>| x.as_ref().map(|x| rounded(x, FEW));
+    let (least, required) = (six(&found.least_thickness), six(&found.required_friction));
     if !found.stands {
         let said = match (least, found.fall) {
             (_, Some(fall)) => format!("It stands at no thickness: {}", fall.reason()),
-            (Some(least), _) => format!(
-                "It does not stand: it is thinner than the least, t/r = {}",
-                rounded(least, DIGITS)
-            ),
+            (Some(least), _) => {
+                format!("It does not stand: it is thinner than the least, t/r = {least}")
+            }
             _ => "It does not stand".into(),
         };
-        let more = required.map(|required| {
-            format!("; with its thickness it asks for a friction of {}", rounded(required, DIGITS))
-        });
+        let more =
+            required.map(|of| format!("; with its thickness it asks for a friction of {of}"));
         return said + &more.unwrap_or_default() + ". Proved.";
     }
     let mut said = format!("It stands, which is proved: {STANDS}");
-    if let (Some(least), Some(safety)) = (least, &found.geometric_safety) {
-        said += &format!(
-            "; its thickness is {} times the least, t/r = {}",
-            rounded(safety, FEW),
-            rounded(least, DIGITS)
-        );
+    if let (Some(least), Some(safety)) = (least, few(&found.geometric_safety)) {
+        said += &format!("; its thickness is {safety} times the least, t/r = {least}");
     }
     if let Some(required) = required {
-        said += &match &found.friction_safety {
-            Some(times) => format!(
-                ", its friction {} times what it asks for, {}",
-                rounded(times, FEW),
-                rounded(required, DIGITS)
-            ),
-            None => format!("; it asks for a friction of {}", rounded(required, DIGITS)),
+        said += &match few(&found.friction_safety) {
+            Some(times) => format!(", its friction {times} times what it asks for, {required}"),
+            None => format!("; it asks for a friction of {required}"),
         };
     }
     let end = |Bound { thrust, by }: &Bound| match thrust {

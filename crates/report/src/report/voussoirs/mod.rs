@@ -2,12 +2,10 @@
 
 mod arch;
 mod convergence;
-mod csv;
 mod given;
-mod json;
+mod record;
 mod table;
 
 pub use arch::{GivenThickness, VoussoirArch, VoussoirArches};
-pub(crate) use csv::csv;
-pub(crate) use json::json;
+pub(crate) use record::{csv, json};
 pub(crate) use table::table;

@@ -1,10 +1,10 @@
-//! Arches of voussoirs as JSON, `couplet.voussoirs/1`.
+//! Arches of voussoirs as CSV, a row for each, and as JSON, `couplet.voussoirs/1`.
 
 use super::arch::{VoussoirArch, VoussoirArches, at_limit};
 use super::given;
 use crate::problem::stones::{JointContact, Stones};
 use crate::report::fields::Fields;
-use crate::report::json;
+use crate::report::{csv, json};
 use std::io;
 
 pub(crate) fn json(
@@ -18,7 +18,26 @@ pub(crate) fn json(
     }
 }
 
-pub(super) fn entry(arch: &VoussoirArch) -> Fields {
+const COLUMNS: &str = "weight half_opening stones friction outcome mode thickness thrust rotation_joint sliding_joint \
+                       continuous_thickness loss relative_loss may_move";
+
+pub(crate) fn csv(
+    VoussoirArches { arches, .. }: &VoussoirArches,
+    out: &mut dyn io::Write,
+) -> io::Result<()> {
+    let row = |arch: &VoussoirArch| {
+        let mut row = entry(arch);
+        row.append(arch.given.as_ref().map(|given| given::cells(arch, given)).unwrap_or_default());
+        row
+    };
+    let rows = arches.iter().map(row);
+    match arches.iter().any(|arch| arch.given.is_some()) {
+        true => csv::table(&[COLUMNS, given::COLUMNS].join(" "), rows, out),
+        false => csv::table(COLUMNS, rows, out),
+    }
+}
+
+fn entry(arch: &VoussoirArch) -> Fields {
     let mut fields = Fields::of("couplet.voussoirs/1");
     fields.add("weight", arch.weight.name());
     fields.add("half_opening", arch.stones.half_opening().to_string());
