@@ -183,14 +183,13 @@ impl Svg {
 
     /// A line.
     pub fn stroke(&mut self, path: &Path, Stroke { color, width, dashes }: Stroke) {
-        let mut dashed = String::new();
+        let (mut dashed, width) = (String::new(), Short(width));
         if !dashes.is_empty() {
             let lengths: Vec<String> = dashes.iter().map(|x| Short(*x).to_string()).collect();
             dashed = format!(" stroke-dasharray=\"{}\"", lengths.join(" "));
         }
         self.write(format_args!(
-            "<path d=\"{path}\" fill=\"none\" stroke=\"{color}\" stroke-width=\"{}\"{dashed}/>",
-            Short(width)
+            "<path d=\"{path}\" fill=\"none\" stroke=\"{color}\" stroke-width=\"{width}\"{dashed}/>"
         ));
     }
 
@@ -245,24 +244,17 @@ impl Svg {
 
     /// A disc with a line around it.
     pub fn ring(&mut self, (x, y): Point, radius: f64, color: Color, line: Stroke) {
+        let (x, y, radius, width) = (Short(x), Short(y), Short(radius), Short(line.width));
         self.write(format_args!(
-            "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{color}\" stroke=\"{}\" stroke-width=\"{}\"/>",
-            Short(x),
-            Short(y),
-            Short(radius),
-            line.color,
-            Short(line.width)
+            "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" fill=\"{color}\" stroke=\"{}\" stroke-width=\"{width}\"/>",
+            line.color
         ));
     }
 
     /// A disc.
     pub fn disc(&mut self, (x, y): Point, radius: f64, color: Color) {
-        self.write(format_args!(
-            "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{color}\"/>",
-            Short(x),
-            Short(y),
-            Short(radius)
-        ));
+        let (x, y, radius) = (Short(x), Short(y), Short(radius));
+        self.write(format_args!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" fill=\"{color}\"/>"));
     }
 
     /// A text whose small letters are centred at the height of its place.

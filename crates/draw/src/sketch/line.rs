@@ -28,6 +28,11 @@ fn place([angle, offset]: [f64; 2], thickness: f64) -> [f64; 2] {
     [radius * angle.sin(), radius * angle.cos()]
 }
 
+/// Offset of a line of some radius from the centreline, in thicknesses.
+fn offset<T: Drawable>(radius: impl Fn(&Angle<T>) -> T, joint: T, thickness: &T) -> f64 {
+    ((radius(&Angle::new(joint)) - thickness.int(1)) / thickness).double()
+}
+
 impl SketchedLine {
     /// The line of a radius at each joint, in units of `r`, down to the shoulder at `half_opening`.
     pub fn new<T: Drawable>(
@@ -39,12 +44,10 @@ impl SketchedLine {
         let eta = thickness.double();
         let at = |beta: f64| {
             // The shoulder itself, not its nearest double.
-            let joint = match beta == alpha {
-                true => half_opening.clone(),
-                false => half_opening.of_double(beta),
-            };
-            let aside = radius(&Angle::new(joint)) - thickness.int(1);
-            [beta, (aside / thickness).double()]
+            let is_shoulder = beta == alpha;
+            let joint =
+                if is_shoulder { half_opening.clone() } else { half_opening.of_double(beta) };
+            [beta, offset(&radius, joint, thickness)]
         };
         let steps = (alpha / STEP).ceil().max(8.0) as u32;
         let mut points = vec![at(0.0)];
@@ -66,11 +69,7 @@ impl SketchedLine {
         radius: impl Fn(&Angle<T>) -> T,
     ) -> Self {
         let eta = thickness.double();
-        let at = |joint: T| {
-            let beta = joint.double();
-            let aside = radius(&Angle::new(joint)) - thickness.int(1);
-            [beta, (aside / thickness).double()]
-        };
+        let at = |joint: T| [joint.double(), offset(&radius, joint, thickness)];
         let inside = joints.iter().map(|joint| at(half_opening.of_double(*joint)));
         let mut points: Vec<[f64; 2]> = inside.collect();
         points.push(at(half_opening.clone()));
@@ -84,9 +83,21 @@ impl SketchedLine {
     }
 
     /// Points of the line to the right and up.
-    pub fn places(&self) -> impl DoubleEndedIterator<Item = [f64; 2]> + ExactSizeIterator + '_ {
+    pub fn places(
+        &self,
+    ) -> impl DoubleEndedIterator<Item = [f64; 2]> + ExactSizeIterator + Clone + '_ {
         self.points.iter().map(|point| place(*point, self.thickness))
     }
+}
+
+/// A chain from the crown to the right, and before it the left half, which is its mirror image, unless only `half` is
+/// shown.
+pub fn across(
+    right: impl DoubleEndedIterator<Item = [f64; 2]> + ExactSizeIterator + Clone,
+    half: bool,
+) -> Vec<[f64; 2]> {
+    let left = right.clone().skip(1).rev().filter(|_| !half).map(|[x, y]| [-x, y]);
+    left.chain(right).collect()
 }
 
 /// Distance that a line may have from what its points say, on its way and in its offset.

@@ -31,7 +31,7 @@ pub use blocks::Blocks;
 pub use blocks::arrow;
 pub use collapse::{Collapse, NoCollapse};
 pub use forces::{Forces, Mark, joints_of, moment_of};
-pub use line::SketchedLine;
+pub use line::{SketchedLine, across};
 pub use moved::{Block, Moved, moved};
 pub use picture::picture;
 pub use scale::PageScale;

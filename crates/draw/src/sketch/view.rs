@@ -1,7 +1,7 @@
 //! One arch on the page: its outline, its lines, the joints at their limits, and the blocks as they fall.
 
 use super::blocks::Blocks;
-use super::line::SketchedLine;
+use super::line::{SketchedLine, across};
 use super::look;
 use super::scale::PageScale;
 use crate::arch::mechanism::Contact;
@@ -122,12 +122,7 @@ impl ArchView<'_> {
     }
 
     fn along(&self, line: &SketchedLine, scale: &PageScale) -> Path {
-        let right = line.places().map(|point| scale.at(point, 1.0));
-        if self.half {
-            return Path::through(right);
-        }
-        let left = line.places().skip(1).rev().map(|point| scale.at(point, -1.0));
-        Path::through(left.chain(right))
+        Path::through(across(line.places(), self.half).into_iter().map(|at| scale.at(at, 1.0)))
     }
 
     /// The lines of thrust and of friction.

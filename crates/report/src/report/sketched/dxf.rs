@@ -4,8 +4,8 @@
 use super::Sketched;
 use super::arcs::{Bulge, arcs};
 use crate::arch::mechanism::Contact;
-use crate::atlas::{Collapse, Sketch, SketchedLine};
-use crate::sketch::Blocks;
+use crate::atlas::{Collapse, Sketch};
+use crate::sketch::{Blocks, across};
 use std::io;
 
 /// The layers and their colours by number.
@@ -126,12 +126,6 @@ fn mirrored([x, y]: [f64; 2], side: f64) -> [f64; 2] {
     [side * x, y]
 }
 
-fn along(line: &SketchedLine, half: bool) -> Vec<[f64; 2]> {
-    let left = line.places().skip(1).rev().map(|point| mirrored(point, -1.0));
-    let left = left.filter(|_| !half);
-    left.chain(line.places()).collect()
-}
-
 fn arch(dxf: &mut Dxf, sketch: &Sketch, half: bool) {
     let (alpha, radii) = (sketch.half_opening(), sketch.radii());
     let degrees = |joint: f64| 90.0 - joint.to_degrees();
@@ -151,9 +145,9 @@ fn arch(dxf: &mut Dxf, sketch: &Sketch, half: bool) {
     let within = WITHIN.min(PART * sketch.thickness());
     for forces in &sketch.forces {
         for line in &forces.thrust_lines {
-            dxf.chain("THRUST", &arcs(&along(line, half), within));
+            dxf.chain("THRUST", &arcs(&across(line.places(), half), within));
         }
-        dxf.chain("FRICTION", &arcs(&along(&forces.friction_line, half), within));
+        dxf.chain("FRICTION", &arcs(&across(forces.friction_line.places(), half), within));
     }
 }
 
@@ -194,11 +188,7 @@ fn block(dxf: &mut Dxf, name: &str, sketch: &Sketch, half: bool) {
 
 fn marks(dxf: &mut Dxf, sketch: &Sketch, collapse: Option<&Collapse>, sides: &[f64]) {
     let [inner, outer] = sketch.radii();
-    let marks = match collapse {
-        Some(collapse) => collapse.joints_at_limit(),
-        None => sketch.forces.iter().flat_map(|f| f.marks.iter().map(|m| m.place())).collect(),
-    };
-    for (contact, joint) in marks {
+    for (contact, joint) in super::at_limit(sketch, collapse) {
         for side in sides {
             let at = |radius| mirrored(polar(joint, radius), *side);
             match contact {

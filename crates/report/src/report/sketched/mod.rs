@@ -34,6 +34,7 @@ pub(super) use dxf::dxf;
 pub use figures::arches_of_figure;
 pub(super) use json::json;
 
+use crate::arch::mechanism::Contact;
 use crate::atlas::{Collapse, Sketch};
 use crate::problem::measures::Measures;
 use metres::Metres;
@@ -102,6 +103,12 @@ impl Sketched {
     fn panels(&self) -> impl Iterator<Item = (&Sketch, Option<&Collapse>)> {
         self.sketches.iter().flat_map(|sketch| shown(sketch).map(move |one| (sketch, one)))
     }
+}
+
+/// The joints that give way in a mode, or of none those at their limits.
+fn at_limit(sketch: &Sketch, collapse: Option<&Collapse>) -> Vec<(Contact, f64)> {
+    let marks = || sketch.forces.iter().flat_map(|of| &of.marks).map(|mark| mark.place());
+    collapse.map_or_else(|| marks().collect(), Collapse::joints_at_limit)
 }
 
 /// The modes in which an arch is shown, or none.

@@ -4,7 +4,7 @@ use super::caption::{label, title};
 use super::dimensions::{self, Dimensions};
 use super::metres::Metres;
 use super::notation::{self, ArchNotation};
-use super::{Sketched, Style};
+use super::{Sketched, Style, at_limit};
 use crate::atlas::{Collapse, Sketch, Subject};
 use crate::picture::color::{GUIDE, INK, WHITE};
 use crate::picture::{Anchor, Path, Point, Stroke, Svg, Type};
@@ -144,13 +144,7 @@ impl ModePanel<'_> {
 /// View of an arch, in the mode of its panel where there is one.
 fn view<'a>(sketch: &'a Sketch, collapse: Option<&Collapse>, style: Style) -> ArchView<'a> {
     let stones = sketch.stone_joints();
-    let marks = match collapse {
-        Some(collapse) => collapse.joints_at_limit(),
-        None => {
-            let forces = sketch.forces.iter();
-            forces.flat_map(|forces| forces.marks.iter().map(|mark| mark.place())).collect()
-        }
-    };
+    let marks = at_limit(sketch, collapse);
     let lines = sketch.forces.iter();
     let lines = lines.map(|of| Lines { thrust: &of.thrust_lines, friction: &of.friction_line });
     ArchView {

@@ -5,7 +5,7 @@ use crate::arch::mechanism::Contact;
 use crate::atlas::{Sketch, SketchedLine, Subject};
 use crate::picture::color::{INK, WHITE};
 use crate::picture::{Anchor, Path, Point, Svg, Type, text};
-use crate::sketch::look;
+use crate::sketch::{across, look};
 
 /// The frame of an arch that is unrolled.
 pub(super) struct Strip {
@@ -44,12 +44,8 @@ impl Strip {
         let frame = Path::rectangle(at(from, outer), at(self.alpha, inner));
         let sides: &[f64] = if self.half { &[1.0] } else { &[1.0, -1.0] };
         let along = |line: &SketchedLine| {
-            let right = line.points.iter().map(|[joint, offset]| at(*joint, *offset));
-            let left = line.points.iter().skip(1).rev().map(|[joint, offset]| at(-joint, *offset));
-            match self.half {
-                true => Path::through(right),
-                false => Path::through(left.chain(right)),
-            }
+            let points = across(line.points.iter().copied(), self.half);
+            Path::through(points.into_iter().map(|[joint, offset]| at(joint, offset)))
         };
         svg.group("unrolled", |svg| {
             let times = match self.times {
