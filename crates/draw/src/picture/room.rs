@@ -5,6 +5,11 @@ use super::path::Point;
 /// A rectangle by its upper left and its lower right corner.
 pub type Rectangle = [Point; 2];
 
+/// Rectangle about its middle, by half its width and height.
+pub fn about(middle: Point, half: Point) -> Rectangle {
+    [(middle.0 - half.0, middle.1 - half.1), (middle.0 + half.0, middle.1 + half.1)]
+}
+
 /// Points of the grid that is searched, in each direction; then around the best, ever finer.
 const GRID: usize = 40;
 const TURNS: usize = 3;

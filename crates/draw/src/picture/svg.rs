@@ -22,6 +22,17 @@ pub enum Anchor {
     End,
 }
 
+impl Anchor {
+    /// Anchor of a text beside a place, so far across from what it names: away from it.
+    pub fn beside(across: f64) -> Self {
+        match across {
+            x if x > 0.3 => Self::Start,
+            x if x < -0.3 => Self::End,
+            _ => Self::Middle,
+        }
+    }
+}
+
 /// Look of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stroke {

@@ -1,7 +1,7 @@
 //! Answers of one kind, with what a report shows of them.
 
 use super::answer::Answer;
-use super::words::DOUBLE_DIGITS;
+use super::words::{DOUBLE_DIGITS, distinct};
 use crate::problem::Quantity;
 
 /// The program and its version.
@@ -80,13 +80,7 @@ impl Answers {
             (Scope::Mixed, Quantity::Thickness) => Quantity::LeastThickness,
             _ => *of,
         };
-        let mut all: Vec<Quantity> = Vec::new();
-        for quantity in quantities.iter().map(shown) {
-            if !all.contains(&quantity) {
-                all.push(quantity);
-            }
-        }
-        Self { quantities: all, ..self }
+        Self { quantities: distinct(quantities.iter().map(shown)), ..self }
     }
 
     fn without_arches(digits: usize) -> Self {

@@ -14,7 +14,7 @@ use super::sampled::{self, SampledLines};
 use super::sketched::{self, Sketched};
 use super::tilt::{self, TiltedArches};
 use super::voussoirs::{self, VoussoirArches};
-use super::words::list;
+use super::words::{distinct, list};
 use super::{c, csv, fortran, json, julia, latex, matlab, plain, python, rust, table, toml};
 use std::io;
 
@@ -312,13 +312,7 @@ impl Format {
 
     /// Endings of the names of their files: `.txt, .json or .csv`.
     pub fn extensions(content: Content) -> String {
-        let mut ends: Vec<String> = Vec::new();
-        for format in Self::all(content) {
-            let end = format!(".{}", format.extension);
-            if !ends.contains(&end) {
-                ends.push(end);
-            }
-        }
+        let ends = distinct(Self::all(content).map(|format| format!(".{}", format.extension)));
         match ends.split_last() {
             Some((last, others)) if !others.is_empty() => {
                 format!("{} or {last}", list(others.iter().map(String::as_str)))

@@ -5,7 +5,7 @@ use super::answers::{Answers, Scope};
 use super::columns;
 use super::find;
 use super::subject::Subject;
-use super::words::{count, may_move, model};
+use super::words::{aligned, count, may_move, model};
 use crate::certify::state::Fall;
 use crate::problem::Quantity;
 use crate::problem::asymmetric_region::STANDS;
@@ -214,16 +214,11 @@ fn arches(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     let rows = report.list.iter().map(|answer| columns::row(report, answer).texts().collect());
     let rows: Vec<Vec<String>> = std::iter::once(header).chain(rows).collect();
     // A column without a value in any row says nothing.
-    let width = |k: &usize| rows.iter().map(|row| row[*k].chars().count()).max().unwrap_or(0);
-    let shown = |k: &usize| rows[1..].iter().any(|row| !row[*k].is_empty());
-    let widths: Vec<(usize, usize)> =
-        (0..rows[0].len()).filter(shown).map(|k| (k, width(&k))).collect();
-    for row in &rows {
-        let cells: Vec<String> =
-            widths.iter().map(|&(k, width)| format!("{:<width$}", row[k])).collect();
-        writeln!(out, "{}", cells.join("  ").trim_end())?;
-    }
-    Ok(())
+    let is_shown = |k: &usize| rows[1..].iter().any(|row| !row[*k].is_empty());
+    let shown: Vec<usize> = (0..rows[0].len()).filter(is_shown).collect();
+    let cells = |row: &Vec<String>| shown.iter().map(|k| row[*k].clone()).collect();
+    let rows: Vec<Vec<String>> = rows.iter().map(cells).collect();
+    aligned(&rows).try_for_each(|line| writeln!(out, "{line}"))
 }
 
 #[cfg(test)]

@@ -117,29 +117,18 @@ pub(super) fn table(all: &TiltedArches, out: &mut dyn io::Write) -> io::Result<(
             writeln!(out, "{}", division(stones))?;
         }
         writeln!(out)?;
-        match (arch.outcome(), &arch.found) {
-            (_, Ok(None)) => {
-                let words = "collapses, proved: it does not stand without tilt either";
-                return writeln!(out, "{words}");
-            }
-            ("stands", _) => {
-                let joints =
-                    if arch.stones.is_some() { "between the stones" } else { "on the whole arch" };
-                let state = "an admissible state exists";
-                writeln!(
-                    out,
-                    "stands, proved: {state}, {joints} no joint slides or is under tension"
-                )?;
-                if arch.may_move() {
-                    writeln!(out, "{MAY_MOVE}: that is not excluded")?;
-                }
-            }
-            ("collapses", _) => writeln!(out, "collapses, proved: no state is admissible")?,
-            _ => {
-                if let Some(open) = arch.first_open() {
-                    writeln!(out, "{open}")?;
-                }
-            }
+        let joints = if arch.stones.is_some() { "between the stones" } else { "on the whole arch" };
+        let outcome = match (arch.is_admissible(), &arch.found) {
+            (_, Ok(None)) => "collapses, proved: it does not stand without tilt either".to_owned(),
+            (Some(true), _) => format!(
+                "stands, proved: an admissible state exists, {joints} no joint slides or is under tension"
+            ),
+            (Some(false), _) => "collapses, proved: no state is admissible".to_owned(),
+            (None, _) => arch.first_open().map_or(String::new(), ToString::to_string),
+        };
+        writeln!(out, "{outcome}")?;
+        if arch.may_move() {
+            writeln!(out, "{MAY_MOVE}: that is not excluded")?;
         }
         if let Some(largest) = arch.largest() {
             let text = match largest {

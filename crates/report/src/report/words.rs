@@ -53,6 +53,28 @@ pub(super) fn labels(modes: &[Mode]) -> Vec<&'static str> {
     modes.iter().map(|mode| mode.label()).collect()
 }
 
+/// Rows of cells as lines, each column as wide as its longest cell.
+pub(super) fn aligned(rows: &[Vec<String>]) -> impl Iterator<Item = String> {
+    let columns = rows.first().map_or(0, Vec::len);
+    let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    rows.iter().map(move |row| {
+        let cells = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}"));
+        cells.collect::<Vec<_>>().join("  ").trim_end().to_owned()
+    })
+}
+
+/// Each once, in the order in which they come.
+pub(crate) fn distinct<T: PartialEq>(all: impl IntoIterator<Item = T>) -> Vec<T> {
+    let mut found = Vec::new();
+    for one in all {
+        if !found.contains(&one) {
+            found.push(one);
+        }
+    }
+    found
+}
+
 /// Minimum similarity of a suggestion.
 const ALIKE: f64 = 0.75;
 

@@ -133,15 +133,12 @@ impl Graph {
 
     fn draw(&self, svg: &mut Svg, frame: &Frame, has_ticks: bool) {
         let (x, y) = (self.x.ticks(self.x.range, None), self.y.ticks(self.y.range, None));
-        for tick in &x {
-            let (x, _) = frame.at((tick.place, 0.0));
-            let line = Path::through([(x, frame.corner.1), (x, frame.bottom())]);
-            svg.stroke(&line, Stroke::new(GRID, 1.0));
-        }
-        for tick in &y {
-            let (_, y) = frame.at((0.0, tick.place));
-            let line = Path::through([(frame.corner.0, y), (frame.right(), y)]);
-            svg.stroke(&line, Stroke::new(GRID, 1.0));
+        let (left, top) = frame.corner;
+        let upright = x.iter().map(|tick| frame.at((tick.place, 0.0)).0);
+        let upright = upright.map(|x| [(x, top), (x, frame.bottom())]);
+        let level = y.iter().map(|tick| frame.at((0.0, tick.place)).1);
+        for ends in upright.chain(level.map(|y| [(left, y), (frame.right(), y)])) {
+            svg.stroke(&Path::through(ends), Stroke::new(GRID, 1.0));
         }
         svg.clipped(&frame.outline(), |svg| {
             for line in &self.lines {

@@ -4,7 +4,7 @@ use super::canvas::Canvas;
 use super::content::PlaneContent;
 use super::plane::{Plane, step};
 use crate::picture::color::{GUIDE, INK, WHITE};
-use crate::picture::room::{Rectangle, roomiest, within};
+use crate::picture::room::{Rectangle, about, roomiest, within};
 use crate::picture::scale::Tick;
 use crate::picture::text;
 use crate::picture::{Frame, FrameSide, Path, Point, Stroke, Svg};
@@ -204,9 +204,11 @@ fn roomy(
     };
     let outlines: Vec<Vec<Point>> = content.areas.iter().map(|(_, way)| outline(way)).collect();
     let discs = content.landmarks.iter().filter(|(_, at)| map.shows(*at));
-    let disc = |(x, y): Point| [(x - NAME, y - NAME), (x + NAME, y + NAME)];
-    let mut taken: Vec<Rectangle> =
-        taken.iter().copied().chain(discs.map(|(_, at)| disc(map.at(*at)))).collect();
+    let mut taken: Vec<Rectangle> = taken
+        .iter()
+        .copied()
+        .chain(discs.map(|(_, at)| about(map.at(*at), (NAME, NAME))))
+        .collect();
     let mut found = Vec::new();
     for (name, [x, y]) in parts {
         let (low, high) = (map.at((x[0], y[0])), map.at((x[1], y[1])));

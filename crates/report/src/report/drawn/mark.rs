@@ -8,7 +8,7 @@ use crate::certify::state::{Answer, Certify, Digits};
 use crate::certify::{Error, asymmetric_thicknesses};
 use crate::number::{Ball, ExactNumber, arctangent};
 use crate::picture::color::{INK, WHITE};
-use crate::picture::room::Rectangle;
+use crate::picture::room::{Rectangle, about};
 use crate::picture::{Anchor, Frame, Path, Point, Stroke, Svg, Type};
 use crate::problem::{Arch, Friction};
 use crate::report::words::may_move;
@@ -143,8 +143,8 @@ pub(super) fn places(marks: &[Mark], canvas: &Canvas, frame: &Frame) -> Vec<Plac
 }
 
 /// Area that a mark takes of the page.
-pub(super) fn taken((x, y): Point) -> Rectangle {
-    [(x - RADIUS, y - RADIUS), (x + RADIUS, y + RADIUS)]
+pub(super) fn taken(at: Point) -> Rectangle {
+    about(at, (RADIUS, RADIUS))
 }
 
 /// Draws them, in a group for each; an `inset` sets the names of its groups apart.

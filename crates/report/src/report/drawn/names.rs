@@ -6,7 +6,7 @@ use super::look;
 use super::plane::Plane;
 use super::spot::{Spot, disc};
 use crate::picture::color::{INK, WHITE};
-use crate::picture::room::{Rectangle, roomiest, within};
+use crate::picture::room::{Rectangle, about, roomiest, within};
 use crate::picture::{Anchor, Frame, Path, Point, Stroke, Svg, Type, text};
 use crate::problem::{Landmark, Mode};
 use crate::report::words;
@@ -88,7 +88,7 @@ impl Names<'_> {
                 Plane::OpeningThickness => (x + beside, y),
             }
         };
-        let is_free = |at: &Point| self.is_free(rectangle(*at, half(Mode::Overturning, size)));
+        let is_free = |at: &Point| self.is_free(about(*at, half(Mode::Overturning, size)));
         // From the middle outwards.
         let middle = points.len() / 2;
         let mut order: Vec<usize> = (0..points.len()).collect();
@@ -134,7 +134,7 @@ impl Names<'_> {
     fn write(&mut self, svg: &mut Svg, mode: Mode, at: Point, ground: crate::picture::Color) {
         let style = Type::new(self.sizes[0], INK).at(Anchor::Middle).on(ground);
         svg.text(mode.label(), at, style);
-        self.taken.push(rectangle(at, half(mode, self.sizes[0])));
+        self.taken.push(about(at, half(mode, self.sizes[0])));
     }
 
     /// The nearest place for a name beside its domain, off all lines and all other names.
@@ -146,7 +146,7 @@ impl Names<'_> {
         let lines: Vec<Vec<Point>> =
             self.content.lines.iter().map(|(_, chain)| on_page(chain)).collect();
         let is_free = |at: &Point| {
-            let [low, high] = rectangle(*at, half);
+            let [low, high] = about(*at, half);
             let inside = low.0 > self.frame.corner.0 + 4.0
                 && low.1 > self.frame.corner.1 + 4.0
                 && high.0 < self.frame.right() - 4.0
@@ -170,10 +170,6 @@ impl Names<'_> {
 /// Half the width and the height of a name, with some room.
 fn half(mode: Mode, size: f64) -> Point {
     (text::width(mode.label(), size) / 2.0 + 4.0, 0.64 * size)
-}
-
-fn rectangle(at: Point, half: Point) -> Rectangle {
-    [(at.0 - half.0, at.1 - half.1), (at.0 + half.0, at.1 + half.1)]
 }
 
 /// Point where the way from the middle of a rectangle to a point leaves it.

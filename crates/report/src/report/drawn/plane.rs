@@ -174,18 +174,21 @@ impl PlaneAxis {
             return decades(range);
         }
         let step = step.unwrap_or(self.step);
-        let decimals = (-step.log10().floor()).max(0.0) as usize;
-        let [first, last] = multiples(range, step);
-        let (first, last) = (first as i64, last as i64);
-        let place = |k: i64| k as f64 * step;
-        let tick = |k| Tick { place: place(k), label: text::number(place(k), decimals) };
-        (first..=last).map(tick).collect()
+        even(range, step, |value| value)
     }
 }
 
 /// The first and the last multiple of a step in a range; an end that is one but for rounding is one.
 fn multiples([from, to]: [f64; 2], step: f64) -> [f64; 2] {
     [(from / step - 1e-9).ceil(), (to / step + 1e-9).floor()]
+}
+
+/// Ticks at the multiples of a step in a range, each where `place` has it.
+fn even(range: [f64; 2], step: f64, place: impl Fn(f64) -> f64) -> Vec<Tick> {
+    let decimals = (-step.log10().floor()).max(0.0) as usize;
+    let [first, last] = multiples(range, step).map(|k| k as i64);
+    let values = (first..=last).map(|k| k as f64 * step);
+    values.map(|x| Tick { place: place(x), label: text::number(x, decimals) }).collect()
 }
 
 /// The largest round step with so many multiples in a range.
@@ -207,11 +210,7 @@ fn decades([low, high]: [f64; 2]) -> Vec<Tick> {
     if high - low < SHORT {
         let range = [low, high].map(|end| 10f64.powf(end));
         let step = step(range, 3.0).unwrap_or(range[1] - range[0]);
-        let decimals = (-step.log10().floor()).max(0.0) as usize;
-        let [first, last] = multiples(range, step);
-        let value = |k: i64| k as f64 * step;
-        let tick = |k| Tick { place: value(k).log10(), label: text::number(value(k), decimals) };
-        return (first as i64..=last as i64).map(tick).collect();
+        return even(range, step, f64::log10);
     }
     let digits: &[u32] = if high - low < 3.0 { &[1, 2, 5] } else { &[1] };
     let label = |digit: u32, order: i64| match digit {

@@ -2,7 +2,7 @@
 
 use super::plane::Plane;
 use crate::picture::color::{INK, WHITE};
-use crate::picture::room::Rectangle;
+use crate::picture::room::{Rectangle, about};
 use crate::picture::{Anchor, Point, Svg, Type, text};
 use crate::problem::Landmark;
 
@@ -56,10 +56,7 @@ impl Spot {
     /// Area that the spot takes of the page.
     pub(super) fn taken(&self) -> Rectangle {
         let half = (text::width(self.name, self.size) / 2.0 + 2.0, self.size * 0.55);
-        [
-            (self.middle.0 - half.0, self.middle.1 - half.1),
-            (self.middle.0 + half.0, self.middle.1 + half.1),
-        ]
+        about(self.middle, half)
     }
 
     /// Writes it.

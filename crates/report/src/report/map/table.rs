@@ -3,7 +3,7 @@
 use super::Map;
 use super::rows::weight_of;
 use crate::atlas::{Part, Piece, Trace};
-use crate::report::words::count;
+use crate::report::words::{aligned, count};
 use std::io;
 
 /// Titles of the columns that name a curve.
@@ -22,26 +22,23 @@ pub(in crate::report) fn table(report: &Map, out: &mut dyn io::Write) -> io::Res
         "The curves of the map, in tubes of a half-width of at most {:?}\n",
         report.tolerance
     )?;
-    let lines: Vec<[String; 5]> = report.traces.iter().map(names).collect();
-    let width = |column: usize| {
-        let longest = lines.iter().map(|line| line[column].len()).max().unwrap_or(0);
-        longest.max(TITLES[column].len())
+    let titles = TITLES.into_iter().chain(["pieces", "widest"]).map(str::to_owned).collect();
+    let cells = |trace: &Trace| -> Vec<String> {
+        let found = [trace.pieces().count().to_string(), format!("{:.1e}", trace.width())];
+        names(trace).into_iter().chain(found).collect()
     };
-    let widths = [0, 1, 2, 3, 4].map(width);
-    let row = |cells: [&str; 5]| -> String {
-        let padded = cells.iter().zip(widths).map(|(cell, width)| format!("{cell:<width$}  "));
-        padded.collect()
-    };
-    if !lines.is_empty() {
-        writeln!(out, "{}pieces  widest", row(TITLES))?;
+    let rows: Vec<Vec<String>> =
+        std::iter::once(titles).chain(report.traces.iter().map(cells)).collect();
+    let mut lines = aligned(&rows);
+    if let (Some(titles), false) = (lines.next(), report.traces.is_empty()) {
+        writeln!(out, "{titles}")?;
     }
-    for (line, trace) in lines.iter().zip(&report.traces) {
-        let cells = line.each_ref().map(String::as_str);
-        writeln!(out, "{}{:<6}  {:.1e}", row(cells), trace.pieces().count(), trace.width())?;
+    for (line, trace) in lines.zip(&report.traces) {
+        writeln!(out, "{line}")?;
         gaps(trace.gaps(), out)?;
     }
     let are_alone = report.levels.is_empty() && report.borders.is_empty();
-    if !lines.is_empty() && !are_alone {
+    if !report.traces.is_empty() && !are_alone {
         writeln!(out)?;
     }
     for level in &report.levels {

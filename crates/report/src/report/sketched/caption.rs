@@ -3,7 +3,7 @@
 use super::Sketched;
 use super::metres::{Metres, Size};
 use crate::atlas::{Bound, Collapse, Forces, Sketch, Stability, Subject, moved};
-use crate::number::{Ball, Form, arctangent, degrees};
+use crate::number::{Ball, ExactNumber, Form, arctangent, degrees};
 use crate::picture::text;
 use crate::problem::asymmetric_region::STANDS;
 use crate::problem::measures::Measures;
@@ -132,6 +132,7 @@ pub(super) fn heading(drawn: &Sketched) -> String {
 fn subject(sketch: &Sketch, metres: Option<&Metres>) -> String {
     let model = words::model(sketch.weight);
     let shape = |arch: &Arch| shape(arch, sketch, metres);
+    let eta = |given: &ExactNumber| metres.map_or(given.to_string(), |of| metre(&of.thickness));
     match &sketch.subject {
         Subject::Least(arch) => {
             format!("Arch of {}, friction {}, {model}", shape(arch), arch.friction())
@@ -143,12 +144,12 @@ fn subject(sketch: &Sketch, metres: Option<&Metres>) -> String {
             "Arch of {}, friction {}, thickness {}, {model}",
             shape(arch),
             arch.friction(),
-            metres.map_or(thickness.to_string(), |metres| metre(&metres.thickness))
+            eta(thickness)
         ),
         Subject::Sliding { arch, thickness } => format!(
             "Arch of {}, thickness {}, {model}, at the friction at which it slides",
             shape(arch),
-            metres.map_or(thickness.to_string(), |metres| metre(&metres.thickness))
+            eta(thickness)
         ),
     }
 }

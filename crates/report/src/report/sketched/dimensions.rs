@@ -121,11 +121,8 @@ impl Dimensions<'_> {
         svg.stroke(&Path::through(ends), LINE);
         ends.iter().for_each(|end| arrow(svg, middle, *end));
         let text = format!("t {} m", shown(&self.metres.thickness, DIGITS));
-        let (x, anchor) = match sign * across {
-            x if x > 0.3 => (6.0, Anchor::Start),
-            x if x < -0.3 => (-6.0, Anchor::End),
-            _ => (0.0, Anchor::Middle),
-        };
+        let anchor = Anchor::beside(sign * across);
+        let x = if anchor == Anchor::Middle { 0.0 } else { 6.0 * (sign * across).signum() };
         // Off the springing, whose end is beside the line.
         let at = beyond(middle, 15.0);
         svg.text(&text, (at.0 + x, at.1), Type::new(LABEL, INK).at(anchor).on(WHITE));

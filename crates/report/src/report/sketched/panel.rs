@@ -108,13 +108,8 @@ impl<'a> ModePanel<'a> {
                 let (guide, at) = beyond(joint, side);
                 svg.stroke(&Path::through(guide), Stroke::new(GUIDE, 1.0));
                 let (across, down) = (side * joint.sin(), -joint.cos());
-                let anchor = match across {
-                    x if x > 0.3 => Anchor::Start,
-                    x if x < -0.3 => Anchor::End,
-                    _ => Anchor::Middle,
-                };
                 let at = (at.0 + 4.0 * across, at.1 + 9.0 * down);
-                svg.text(&name, at, Type::new(LABEL, INK).at(anchor).on(WHITE));
+                svg.text(&name, at, Type::new(LABEL, INK).at(Anchor::beside(across)).on(WHITE));
             }
         });
     }

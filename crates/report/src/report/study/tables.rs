@@ -1,5 +1,6 @@
 //! The studies for a person at a terminal.
 
+use crate::report::words::distinct;
 use crate::study::limits::LIMITS;
 use crate::study::row::{Measurement, quartiles};
 use crate::study::stability::Rung;
@@ -7,7 +8,7 @@ use std::io;
 
 /// Writes one line for each method at each precision: the quartiles of the times and the worst of the rest
 /// over the cases of a quantity.
-pub fn accuracy_table(rows: &[Measurement], out: &mut dyn io::Write) -> io::Result<()> {
+pub fn accuracy_table<'a>(rows: &'a [Measurement], out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(
         out,
         "{:<13} {:<34} {:>6} {:>6} {:>9} {:>9} {:>9} {:>10} {:>8} {:>9}",
@@ -22,19 +23,13 @@ pub fn accuracy_table(rows: &[Measurement], out: &mut dyn io::Write) -> io::Resu
         "lost",
         "verdicts"
     )?;
-    let mut seen: Vec<(&str, &str, Option<u32>)> = Vec::new();
-    for row in rows {
-        let key = (row.quantity.as_str(), row.method.as_str(), row.precision_bits);
-        if !seen.contains(&key) {
-            seen.push(key);
-        }
-    }
+    let key =
+        |row: &'a Measurement| (row.quantity.as_str(), row.method.as_str(), row.precision_bits);
+    let seen = distinct(rows.iter().map(key));
     let mut last = "";
     for (quantity, method, bits) in seen {
-        let same = |row: &&Measurement| {
-            row.quantity == quantity && row.method == method && row.precision_bits == bits
-        };
-        let group: Vec<&Measurement> = rows.iter().filter(same).collect();
+        let is_same = |row: &&'a Measurement| key(row) == (quantity, method, bits);
+        let group: Vec<&Measurement> = rows.iter().filter(is_same).collect();
         let times = group.iter().map(|row| row.cpu_seconds).collect();
         let [lower, median, upper] = quartiles(times).unwrap_or_default().map(duration);
         let worst = |f: fn(&Measurement) -> Option<f64>| {
@@ -77,15 +72,8 @@ pub fn stability_table(rungs: &[Rung], out: &mut dyn io::Write) -> io::Result<()
         if here.is_empty() {
             continue;
         }
-        let (mut methods, mut steps): (Vec<&str>, Vec<i32>) = (Vec::new(), Vec::new());
-        for rung in &here {
-            if !methods.contains(&rung.method) {
-                methods.push(rung.method);
-            }
-            if !steps.contains(&rung.distance_log10) {
-                steps.push(rung.distance_log10);
-            }
-        }
+        let methods = distinct(here.iter().map(|rung| rung.method));
+        let steps = distinct(here.iter().map(|rung| rung.distance_log10));
         writeln!(out, "\n{}: {} ({})", limit.name, limit.words, limit.output)?;
         let line = |name: &str, cells: Vec<String>| {
             let cells: String = cells.iter().map(|cell| format!("{cell:>6}")).collect();
