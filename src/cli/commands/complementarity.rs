@@ -14,8 +14,8 @@ use crate::cli::line::typed;
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Extent};
 use crate::report::{
-    AtThickness, BranchArch, BranchArches, ComplementarityArch, ComplementarityArches, Content,
-    Format, ProgrammeFound, Report,
+    AtThickness, BranchArch, BranchArches, ComplementarityArch, Content, Format, ProgrammeFound,
+    Report,
 };
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
@@ -139,9 +139,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             arch,
         })
     };
-    let arches = arches.into_iter().map(answer).collect::<Result<_, Failure>>()?;
-    let answers = ComplementarityArches(arches);
-    let open = answers.0.iter().find_map(ComplementarityArch::first_open);
+    let answers: Vec<ComplementarityArch> =
+        arches.into_iter().map(answer).collect::<Result<_, Failure>>()?;
+    let open = answers.iter().find_map(ComplementarityArch::first_open);
     file.report((&Report::Complementarity(answers), format), open)
 }
 

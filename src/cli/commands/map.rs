@@ -14,8 +14,8 @@ use crate::cli::line::typed;
 use crate::number::ExactNumber;
 use crate::problem::Friction;
 use crate::report::{
-    Content, Drawing, Format, Map, MapAsked, MapDifferences, MapPoint, MapPoints, Mark, Marked,
-    Plane, Report, View,
+    Content, Drawing, Format, Map, MapAsked, MapDifferences, MapPoint, Mark, Marked, Plane, Report,
+    View,
 };
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
@@ -311,7 +311,7 @@ fn one_point(arguments: &Arguments, parameter: &str) -> Result<(), Failure> {
     });
     let points: Vec<MapPoint> = points.collect::<Result<_, Failure>>()?;
     let file = arguments.file.open_for(format)?;
-    file.write(|out| Report::MapPoints(MapPoints(points)).write(format, out))
+    file.write(|out| Report::MapPoints(points).write(format, out))
 }
 
 fn difference(arguments: &Arguments) -> Result<(), Failure> {

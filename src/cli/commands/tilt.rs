@@ -6,7 +6,7 @@ use crate::certify::{TiltDigits, Undecided};
 use crate::number::{ExactNumber, shown};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Friction, Slope, SlopeError};
-use crate::report::{Content, Format, Report, TiltedArch, TiltedArches};
+use crate::report::{Content, Format, Report, TiltedArch};
 use crate::sweep::failure::Failure;
 
 /// Tells whether a friction is zero.
@@ -58,7 +58,7 @@ pub(super) fn write(
         let given = [alpha, mu, eta.to_string(), tilt.to_string()];
         Ok(TiltedArch { weight, given, stones, is_limited, found })
     };
-    let answers = TiltedArches(arches.iter().map(answer).collect::<Result<_, Failure>>()?);
-    let open = answers.0.iter().find_map(TiltedArch::first_open).cloned();
+    let answers: Vec<TiltedArch> = arches.iter().map(answer).collect::<Result<_, Failure>>()?;
+    let open = answers.iter().find_map(TiltedArch::first_open).cloned();
     output.report((&Report::Tilted(answers), format), open)
 }

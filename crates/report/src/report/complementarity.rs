@@ -25,10 +25,6 @@ pub struct ComplementarityArch {
     pub programme: Option<AtThickness>,
 }
 
-/// An arch for each weight asked for.
-#[derive(Debug)]
-pub struct ComplementarityArches(pub Vec<ComplementarityArch>);
-
 /// Description of the search for solutions, and what is not proved.
 const SEARCH: [&str; 5] = [
     "Among symmetric states there is at most one such thickness (couplet prove unique-thickness),",
@@ -118,8 +114,8 @@ impl<'a> Solution<'a> {
     }
 }
 
-pub(super) fn table(all: &ComplementarityArches, out: &mut dyn io::Write) -> io::Result<()> {
-    apart(&all.0, out, one)
+pub(super) fn table(all: &[ComplementarityArch], out: &mut dyn io::Write) -> io::Result<()> {
+    apart(all, out, one)
 }
 
 fn one(of: &ComplementarityArch, out: &mut dyn io::Write) -> io::Result<()> {
@@ -187,8 +183,8 @@ fn details(state: &AsymmetricDigits, out: &mut dyn io::Write) -> io::Result<()> 
 const COLUMNS: &str = "weight half_opening friction symmetric mode thickness thrust crown_moment \
                        vertical_force stones outcome until least_value least_value_lower";
 
-pub(super) fn csv(all: &ComplementarityArches, out: &mut dyn io::Write) -> io::Result<()> {
-    let rows = all.0.iter().flat_map(|of| {
+pub(super) fn csv(all: &[ComplementarityArch], out: &mut dyn io::Write) -> io::Result<()> {
+    let rows = all.iter().flat_map(|of| {
         let found = of.solutions().into_iter().map(|solution| {
             let mut row = solved(&solution);
             row.add("outcome", "solution");
@@ -205,8 +201,8 @@ pub(super) fn csv(all: &ComplementarityArches, out: &mut dyn io::Write) -> io::R
     csv::table(COLUMNS, rows, out)
 }
 
-pub(super) fn json(all: &ComplementarityArches, out: &mut dyn io::Write) -> io::Result<()> {
-    json::write_all(all.0.iter().map(entry), out)
+pub(super) fn json(all: &[ComplementarityArch], out: &mut dyn io::Write) -> io::Result<()> {
+    json::write_all(all.iter().map(entry), out)
 }
 
 fn given(arch: &Arch) -> Fields {

@@ -4,18 +4,18 @@ use super::answers::Answers;
 use super::audit::{self, Audit};
 use super::branch::{self, BranchArches};
 use super::claims::{self, Claims, Index};
-use super::complementarity::{self, ComplementarityArches};
+use super::complementarity::{self, ComplementarityArch};
 use super::judged::{self, JudgeSummary, JudgedLines};
-use super::map::{self, Map, MapDifferences, MapPoints};
+use super::map::{self, Map, MapDifferences, MapPoint};
 #[cfg(feature = "parquet")]
 use super::parquet;
 use super::rows::Rows;
 use super::sampled::{self, SampledLines};
 use super::sketched::{self, Sketched};
-use super::tilt::{self, TiltedArches};
+use super::tilt::{self, TiltedArch};
 use super::voussoirs::{self, VoussoirArches};
 use super::words::{distinct, list};
-use super::{c, csv, fortran, json, julia, latex, matlab, plain, python, rust, table, toml};
+use super::{c, csv, drawn, fortran, json, julia, latex, matlab, plain, python, rust, table, toml};
 use std::io;
 
 /// Content that can be written.
@@ -58,136 +58,144 @@ pub enum Content {
 /// Opens a file of arches that come one after the other.
 type Opener = fn(Answers) -> io::Result<Box<dyn Rows>>;
 
-/// What writes something in each format that it has.
-pub(super) struct Writers<W: 'static>(&'static [(&'static str, W)]);
+/// Writers by the names of formats.
+type Named<W> = &'static [(&'static str, W)];
 
-/// Writers of all at once.
-type AtOnce<T> = Writers<fn(&T, &mut dyn io::Write) -> io::Result<()>>;
-
-impl<W: Copy> Writers<W> {
-    fn of(&self, format: &Format) -> Option<W> {
-        self.0.iter().find(|(name, _)| *name == format.name).map(|(_, writer)| *writer)
-    }
+/// What writes something at once, in each format that it has.
+pub(super) struct Writers<T: ?Sized + 'static> {
+    texts: Named<fn(&T, &mut dyn io::Write) -> io::Result<()>>,
+    /// The picture as SVG, of what can be drawn.
+    picture: Option<fn(&T) -> io::Result<String>>,
 }
 
-impl<T> AtOnce<T> {
+impl<T: ?Sized> Writers<T> {
+    fn has(&self, format: &Format) -> bool {
+        if format.is_picture { self.picture.is_some() } else { format.of(self.texts).is_some() }
+    }
+
     /// Writes it. A format that cannot write it is an error.
     pub(super) fn write(&self, it: &T, format: &Format, out: &mut dyn io::Write) -> io::Result<()> {
-        self.of(format).map_or_else(unsupported, |write| write(it, out))
+        match (self.picture, format.of(self.texts)) {
+            (Some(picture), _) if format.name == "png" => png(&picture(it)?, out),
+            (Some(picture), _) if format.is_picture => out.write_all(picture(it)?.as_bytes()),
+            (_, Some(write)) => write(it, out),
+            (_, None) => unsupported(),
+        }
     }
 }
 
-pub(super) const ANSWERS: AtOnce<Answers> = Writers(&[
-    ("table", table::answers),
-    ("plain", plain::answers),
-    ("json", json::answers),
-    ("csv", csv::answers),
-    ("toml", toml::answers),
-    ("latex", latex::answers),
-    ("c", c::answers),
-    ("rust", rust::answers),
-    ("python", python::answers),
-    ("julia", julia::answers),
-    ("matlab", matlab::answers),
-    ("fortran", fortran::answers),
-    ("parquet", parquet::answers),
-]);
-const ROWS: Writers<Opener> =
-    Writers(&[("csv", csv::rows), ("jsonl", json::lines), ("parquet", parquet::rows)]);
-pub(super) const AUDIT: AtOnce<Audit> =
-    Writers(&[("table", audit::table), ("json", audit::json), ("csv", audit::csv)]);
-pub(super) const CLAIMS: AtOnce<Claims> =
-    Writers(&[("text", claims::text), ("json", claims::json), ("latex", claims::latex)]);
-pub(super) const INDEX: AtOnce<Index> =
-    Writers(&[("text", claims::index_text), ("json", claims::index_json)]);
-const JUDGED: AtOnce<JudgeSummary> = Writers(&[("table", judged::table), ("json", judged::json)]);
-const JUDGED_LINES: Writers<JudgedLines> =
-    Writers(&[("csv", judged::CSV), ("jsonl", judged::JSON_LINES)]);
-const SAMPLES: Writers<SampledLines> =
-    Writers(&[("csv", sampled::CSV), ("jsonl", sampled::JSON_LINES)]);
-pub(super) const MAP: AtOnce<Map> = Writers(&[
-    ("table", map::table),
-    ("json", map::json),
-    ("csv", map::csv),
-    ("parquet", parquet::map),
-    ("svg", svg),
-    ("html", map::html),
-    ("png", png),
-]);
-pub(super) const MAP_POINTS: AtOnce<MapPoints> =
-    Writers(&[("table", map::point_table), ("json", map::point_json), ("csv", map::point_csv)]);
-pub(super) const MAP_DIFFERENCES: AtOnce<MapDifferences> = Writers(&[
-    ("table", map::difference_table),
-    ("json", map::difference_json),
-    ("csv", map::difference_csv),
-    ("svg", svg),
-    ("png", png),
-]);
-pub(super) const VOUSSOIRS: AtOnce<VoussoirArches> = Writers(&[
-    ("table", voussoirs::table),
-    ("json", voussoirs::json),
-    ("csv", voussoirs::csv),
-    ("svg", svg),
-    ("png", png),
-]);
-pub(super) const TILTED: AtOnce<TiltedArches> =
-    Writers(&[("table", tilt::table), ("json", tilt::json), ("csv", tilt::csv)]);
-pub(super) const COMPLEMENTARITY: AtOnce<ComplementarityArches> = Writers(&[
-    ("table", complementarity::table),
-    ("json", complementarity::json),
-    ("csv", complementarity::csv),
-]);
-pub(super) const BRANCH: AtOnce<BranchArches> = Writers(&[
-    ("table", branch::table),
-    ("json", branch::json),
-    ("csv", branch::csv),
-    ("svg", svg),
-    ("png", png),
-]);
-pub(super) const DRAWING: AtOnce<Sketched> =
-    Writers(&[("json", sketched::json), ("svg", svg), ("png", png), ("dxf", sketched::dxf)]);
+pub(super) const ANSWERS: Writers<Answers> = Writers {
+    texts: &[
+        ("table", table::answers),
+        ("plain", plain::answers),
+        ("json", json::answers),
+        ("csv", csv::answers),
+        ("toml", toml::answers),
+        ("latex", latex::answers),
+        ("c", c::answers),
+        ("rust", rust::answers),
+        ("python", python::answers),
+        ("julia", julia::answers),
+        ("matlab", matlab::answers),
+        ("fortran", fortran::answers),
+        ("parquet", parquet::answers),
+    ],
+    picture: None,
+};
+const ROWS: Named<Opener> =
+    &[("csv", csv::rows), ("jsonl", json::lines), ("parquet", parquet::rows)];
+pub(super) const AUDIT: Writers<Audit> = Writers {
+    texts: &[("table", audit::table), ("json", audit::json), ("csv", audit::csv)],
+    picture: None,
+};
+pub(super) const CLAIMS: Writers<Claims> = Writers {
+    texts: &[("text", claims::text), ("json", claims::json), ("latex", claims::latex)],
+    picture: None,
+};
+pub(super) const INDEX: Writers<Index> =
+    Writers { texts: &[("text", claims::index_text), ("json", claims::index_json)], picture: None };
+const JUDGED: Named<fn(&JudgeSummary, &mut dyn io::Write) -> io::Result<()>> =
+    &[("table", judged::table), ("json", judged::json)];
+const JUDGED_LINES: Named<JudgedLines> = &[("csv", judged::CSV), ("jsonl", judged::JSON_LINES)];
+const SAMPLES: Named<SampledLines> = &[("csv", sampled::CSV), ("jsonl", sampled::JSON_LINES)];
+pub(super) const MAP: Writers<Map> = Writers {
+    texts: &[
+        ("table", map::table),
+        ("json", map::json),
+        ("csv", map::csv),
+        ("parquet", parquet::map),
+        ("html", map::html),
+    ],
+    picture: Some(|map| map.drawing.svg(&map.traces, &map.levels, &map.borders)),
+};
+pub(super) const MAP_POINTS: Writers<[MapPoint]> = Writers {
+    texts: &[("table", map::point_table), ("json", map::point_json), ("csv", map::point_csv)],
+    picture: None,
+};
+pub(super) const MAP_DIFFERENCES: Writers<MapDifferences> = Writers {
+    texts: &[
+        ("table", map::difference_table),
+        ("json", map::difference_json),
+        ("csv", map::difference_csv),
+    ],
+    picture: Some(|all| Ok(drawn::differences(&all.differences, &all.command))),
+};
+pub(super) const VOUSSOIRS: Writers<VoussoirArches> = Writers {
+    texts: &[("table", voussoirs::table), ("json", voussoirs::json), ("csv", voussoirs::csv)],
+    picture: Some(|all| Ok(voussoirs::figure(all).svg())),
+};
+pub(super) const TILTED: Writers<[TiltedArch]> = Writers {
+    texts: &[("table", tilt::table), ("json", tilt::json), ("csv", tilt::csv)],
+    picture: None,
+};
+pub(super) const COMPLEMENTARITY: Writers<[ComplementarityArch]> = Writers {
+    texts: &[
+        ("table", complementarity::table),
+        ("json", complementarity::json),
+        ("csv", complementarity::csv),
+    ],
+    picture: None,
+};
+pub(super) const BRANCH: Writers<BranchArches> = Writers {
+    texts: &[("table", branch::table), ("json", branch::json), ("csv", branch::csv)],
+    picture: Some(branch::picture),
+};
+pub(super) const DRAWING: Writers<Sketched> = Writers {
+    texts: &[("json", sketched::json), ("dxf", sketched::dxf)],
+    picture: Some(|all| Ok(sketched::picture(all))),
+};
 
 impl Content {
     /// Tells whether it can be written in a format.
     pub fn is_written_as(self, format: &Format) -> bool {
         match self {
-            Self::Answers => ANSWERS.of(format).is_some(),
+            Self::Answers => ANSWERS.has(format),
             Self::Rows => format.rows().is_some(),
-            Self::Audit => AUDIT.of(format).is_some(),
-            Self::Claims => CLAIMS.of(format).is_some(),
-            Self::Index => INDEX.of(format).is_some(),
+            Self::Audit => AUDIT.has(format),
+            Self::Claims => CLAIMS.has(format),
+            Self::Index => INDEX.has(format),
             Self::Judged => format.judged().is_some() || format.judged_lines().is_some(),
             Self::Samples => format.samples().is_some(),
-            Self::Map => MAP.of(format).is_some(),
+            Self::Map => MAP.has(format),
             Self::Figure => format.is_picture,
-            Self::MapPoint => MAP_POINTS.of(format).is_some(),
-            Self::MapDifference => MAP_DIFFERENCES.of(format).is_some(),
-            Self::Voussoirs => VOUSSOIRS.of(format).is_some(),
-            Self::Tilted => TILTED.of(format).is_some(),
-            Self::Complementarity => COMPLEMENTARITY.of(format).is_some(),
-            Self::Branch => BRANCH.of(format).is_some(),
-            Self::Drawing => DRAWING.of(format).is_some(),
+            Self::MapPoint => MAP_POINTS.has(format),
+            Self::MapDifference => MAP_DIFFERENCES.has(format),
+            Self::Voussoirs => VOUSSOIRS.has(format),
+            Self::Tilted => TILTED.has(format),
+            Self::Complementarity => COMPLEMENTARITY.has(format),
+            Self::Branch => BRANCH.has(format),
+            Self::Drawing => DRAWING.has(format),
         }
     }
 }
 
-/// Content that can be drawn.
-pub(super) trait Pictured {
-    /// The picture as SVG.
-    fn picture(&self) -> io::Result<String>;
-}
-
-fn svg(of: &impl Pictured, out: &mut dyn io::Write) -> io::Result<()> {
-    out.write_all(of.picture()?.as_bytes())
-}
-
 #[cfg(feature = "plots")]
-fn png(of: &impl Pictured, out: &mut dyn io::Write) -> io::Result<()> {
-    out.write_all(&crate::picture::png::render(&of.picture()?))
+fn png(picture: &str, out: &mut dyn io::Write) -> io::Result<()> {
+    out.write_all(&crate::picture::png::render(picture))
 }
 
 #[cfg(not(feature = "plots"))]
-fn png<T>(_: &T, _: &mut dyn io::Write) -> io::Result<()> {
+fn png(_: &str, _: &mut dyn io::Write) -> io::Result<()> {
     unsupported()
 }
 
@@ -285,24 +293,28 @@ impl Format {
         FORMATS.iter().filter(move |format| content.is_written_as(format))
     }
 
+    fn of<W: Copy>(&self, writers: Named<W>) -> Option<W> {
+        writers.iter().find(|(name, _)| *name == self.name).map(|(_, writer)| *writer)
+    }
+
     /// Writer of rows one after another.
     pub fn rows(&self) -> Option<Opener> {
-        ROWS.of(self)
+        self.of(ROWS)
     }
 
     /// Writer of the summary of judged rows.
     pub fn judged(&self) -> Option<fn(&JudgeSummary, &mut dyn io::Write) -> io::Result<()>> {
-        JUDGED.of(self)
+        self.of(JUDGED)
     }
 
     /// Writer of judged rows, one by one.
     pub fn judged_lines(&self) -> Option<JudgedLines> {
-        JUDGED_LINES.of(self)
+        self.of(JUDGED_LINES)
     }
 
     /// Writer of arches drawn from a seed, one by one.
     pub fn samples(&self) -> Option<SampledLines> {
-        SAMPLES.of(self)
+        self.of(SAMPLES)
     }
 
     /// Names of the formats in a sentence.

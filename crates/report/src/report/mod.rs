@@ -72,18 +72,18 @@ pub use answers::{Answers, Scope};
 pub use audit::Audit;
 pub use branch::{BranchArch, BranchArches};
 pub use claims::{Claims, Index};
-pub use complementarity::{ComplementarityArch, ComplementarityArches};
+pub use complementarity::ComplementarityArch;
 pub use drawn::{Axes, Branches, Drawing, Mark, Marked, Plane, Shown, Unit, View};
 pub use format::{Content, Format};
 pub use given::GivenDoubles;
 pub use json::answers as write_json;
-pub use map::{Map, MapDifferences, MapPoint, MapPoints};
+pub use map::{Map, MapDifferences, MapPoint};
 pub use map_asked::MapAsked;
 pub use programme::{AtThickness, ProgrammeFound};
 pub use rows::Rows;
 pub use sketched::{Sketched, Style, arches_of_figure};
 pub use subject::Subject;
-pub use tilt::{TiltedArch, TiltedArches};
+pub use tilt::TiltedArch;
 pub use value::Value;
 pub use voussoirs::{GivenThickness, VoussoirArch, VoussoirArches};
 
@@ -103,15 +103,15 @@ pub enum Report {
     /// Curves of the map.
     Map(Map),
     /// A point of a curve of the map, for each weight.
-    MapPoints(MapPoints),
+    MapPoints(Vec<MapPoint>),
     /// Difference between two weights of the lines of the map.
     MapDifferences(MapDifferences),
     /// Arches of voussoirs.
     Voussoirs(VoussoirArches),
     /// Arches under a horizontal acceleration.
-    Tilted(TiltedArches),
+    Tilted(Vec<TiltedArch>),
     /// Solutions of the complementarity problem.
-    Complementarity(ComplementarityArches),
+    Complementarity(Vec<ComplementarityArch>),
     /// Asymmetric solutions over friction.
     Branches(BranchArches),
     /// Arches to be drawn.

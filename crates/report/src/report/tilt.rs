@@ -26,10 +26,6 @@ pub struct TiltedArch {
     pub found: Result<Option<TiltDigits>, Undecided>,
 }
 
-/// An arch for each weight asked for.
-#[derive(Debug)]
-pub struct TiltedArches(pub Vec<TiltedArch>);
-
 impl TiltedArch {
     /// Tells whether there is an admissible state; `None` if that stays open.
     fn is_admissible(&self) -> Option<bool> {
@@ -105,8 +101,8 @@ impl TiltedArch {
     }
 }
 
-pub(super) fn table(all: &TiltedArches, out: &mut dyn io::Write) -> io::Result<()> {
-    apart(&all.0, out, |arch, out| {
+pub(super) fn table(all: &[TiltedArch], out: &mut dyn io::Write) -> io::Result<()> {
+    apart(all, out, |arch, out| {
         let [alpha, mu, eta, tilt] = &arch.given;
         let weight = model(arch.weight);
         writeln!(
@@ -148,7 +144,7 @@ pub(super) fn table(all: &TiltedArches, out: &mut dyn io::Write) -> io::Result<(
 
 const COLUMNS: &str = "weight half_opening friction thickness tilt outcome largest_tilt limited_by reason may_move stones";
 
-pub(super) fn csv(all: &TiltedArches, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn csv(all: &[TiltedArch], out: &mut dyn io::Write) -> io::Result<()> {
     let row = |arch: &TiltedArch| {
         let mut fields = fields(arch);
         if let Some(LargestTilt::Unlimited) = arch.largest() {
@@ -156,11 +152,11 @@ pub(super) fn csv(all: &TiltedArches, out: &mut dyn io::Write) -> io::Result<()>
         }
         fields
     };
-    csv::table(COLUMNS, all.0.iter().map(row), out)
+    csv::table(COLUMNS, all.iter().map(row), out)
 }
 
-pub(super) fn json(all: &TiltedArches, out: &mut dyn io::Write) -> io::Result<()> {
-    json::write_all(all.0.iter().map(fields), out)
+pub(super) fn json(all: &[TiltedArch], out: &mut dyn io::Write) -> io::Result<()> {
+    json::write_all(all.iter().map(fields), out)
 }
 
 fn fields(arch: &TiltedArch) -> Fields {

@@ -7,6 +7,7 @@ mod rows;
 mod table;
 
 pub(super) use json::json;
+pub(super) use picture::picture;
 pub(super) use rows::csv;
 pub(super) use table::table;
 

@@ -108,17 +108,17 @@ impl Plane {
 
     /// The levels that are drawn unless others are asked for.
     pub fn contours(self) -> Vec<Contour> {
-        let values: &[&str] = match self {
-            Self::ThicknessFriction => &OPENINGS,
-            Self::OpeningFriction => &THICKNESSES,
-            Self::OpeningThickness => &FRICTION_LEVELS,
-        };
         let contour = |text: &&str| {
             Some(match self {
                 Self::ThicknessFriction => Contour::HalfOpening(text.parse().ok()?),
                 Self::OpeningFriction => Contour::Thickness(text.parse().ok()?),
                 Self::OpeningThickness => Contour::Friction(text.parse().ok()?),
             })
+        };
+        let values = match self {
+            Self::ThicknessFriction => OPENINGS,
+            Self::OpeningFriction => THICKNESSES,
+            Self::OpeningThickness => FRICTION_LEVELS,
         };
         values.iter().filter_map(contour).collect()
     }

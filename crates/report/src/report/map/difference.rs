@@ -9,8 +9,7 @@ use crate::problem::Line;
 use crate::report::column::Column::{Double, Text};
 use crate::report::column::NamedColumn;
 use crate::report::fields::Fields;
-use crate::report::format::Pictured;
-use crate::report::{csv, drawn, json};
+use crate::report::{csv, json};
 use std::io;
 
 /// The differences along all dividing curves.
@@ -158,10 +157,4 @@ pub(in crate::report) fn json(report: &MapDifferences, out: &mut dyn io::Write) 
     file.add("tolerance", report.tolerance);
     file.add_list("differences", report.differences.iter().map(entry));
     json::write(&file, out)
-}
-
-impl Pictured for MapDifferences {
-    fn picture(&self) -> io::Result<String> {
-        Ok(drawn::differences(&self.differences, &self.command))
-    }
 }

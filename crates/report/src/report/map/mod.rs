@@ -10,7 +10,7 @@ mod rows;
 mod table;
 
 pub use difference::MapDifferences;
-pub use point::{MapPoint, MapPoints};
+pub use point::MapPoint;
 
 pub(super) use difference::{
     csv as difference_csv, json as difference_json, table as difference_table,
@@ -23,15 +23,7 @@ pub(super) use table::table;
 
 use super::answer::Answer;
 use super::drawn::Drawing;
-use super::format::Pictured;
 use crate::atlas::{Border, Level, Trace};
-use std::io;
-
-impl Pictured for Map {
-    fn picture(&self) -> io::Result<String> {
-        self.drawing.svg(&self.traces, &self.levels, &self.borders)
-    }
-}
 
 /// The curves of the map, each proved piece by piece.
 #[derive(Debug)]

@@ -22,18 +22,14 @@ pub struct MapPoint {
     pub values: Vec<(Quantity, Rounded)>,
 }
 
-/// A point of a curve for each weight asked for.
-#[derive(Debug)]
-pub struct MapPoints(pub Vec<MapPoint>);
-
 impl MapPoint {
     fn weight(&self) -> Option<&'static str> {
         (!self.curve.is_weightless()).then(|| self.weight.name())
     }
 }
 
-pub(in crate::report) fn table(all: &MapPoints, out: &mut dyn io::Write) -> io::Result<()> {
-    apart(&all.0, out, |point, out| {
+pub(in crate::report) fn table(all: &[MapPoint], out: &mut dyn io::Write) -> io::Result<()> {
+    apart(all, out, |point, out| {
         let parameter = point.curve.parameter().name().replace('_', " ");
         let weight = match point.weight() {
             Some(_) => model(point.weight),
@@ -58,7 +54,7 @@ fn named(point: &MapPoint) -> Fields {
     fields
 }
 
-pub(in crate::report) fn csv(all: &MapPoints, out: &mut dyn io::Write) -> io::Result<()> {
+pub(in crate::report) fn csv(all: &[MapPoint], out: &mut dyn io::Write) -> io::Result<()> {
     let row = |point, quantity: Quantity, of: &Rounded| {
         let mut row = named(point);
         row.add("quantity", quantity.name());
@@ -68,16 +64,16 @@ pub(in crate::report) fn csv(all: &MapPoints, out: &mut dyn io::Write) -> io::Re
         row
     };
     let rows =
-        all.0.iter().flat_map(|point| point.values.iter().map(move |(q, x)| row(point, *q, x)));
+        all.iter().flat_map(|point| point.values.iter().map(move |(q, x)| row(point, *q, x)));
     csv::table("weight curve parameter given quantity value lower upper", rows, out)
 }
 
-pub(in crate::report) fn json(all: &MapPoints, out: &mut dyn io::Write) -> io::Result<()> {
+pub(in crate::report) fn json(all: &[MapPoint], out: &mut dyn io::Write) -> io::Result<()> {
     let entry = |point: &MapPoint| {
         let (mut fields, mut values) = (named(point), Fields::default());
         point.values.iter().for_each(|(of, value)| values.add_rounded(of.name(), Some(value)));
         fields.add_fields("values", Some(values));
         fields
     };
-    json::write_all(all.0.iter().map(entry), out)
+    json::write_all(all.iter().map(entry), out)
 }

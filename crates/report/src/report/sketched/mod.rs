@@ -33,6 +33,7 @@ mod strip;
 pub(super) use dxf::dxf;
 pub use figures::arches_of_figure;
 pub(super) use json::json;
+pub(super) use picture::picture;
 
 use crate::arch::mechanism::Contact;
 use crate::atlas::{Collapse, Sketch};

@@ -7,9 +7,7 @@ use super::panel::{ABOVE, HEAD, ModePanel};
 use super::strip::{self, Strip};
 use crate::picture::color::INK;
 use crate::picture::{Svg, Type, text};
-use crate::report::format::Pictured;
 use crate::sketch::PageScale;
-use std::io;
 
 const MARGIN: f64 = 20.0;
 /// The width of a panel where there is one, and where there are more.
@@ -19,14 +17,8 @@ const HEIGHT: f64 = 620.0;
 const SMALL: f64 = 15.0;
 const GAP: f64 = 16.0;
 
-impl Pictured for Sketched {
-    fn picture(&self) -> io::Result<String> {
-        Ok(page(self))
-    }
-}
-
 /// The picture as SVG.
-pub(super) fn page(report: &Sketched) -> String {
+pub(in crate::report) fn picture(report: &Sketched) -> String {
     let panels = ModePanel::all(report);
     let columns = panels.len().clamp(1, 2);
     let wide = WIDTHS[columns - 1];

@@ -13,7 +13,7 @@ fn drawn(sketches: Vec<Sketch>, style: Style) -> Sketched {
 }
 
 fn as_svg(drawn: &Sketched) -> String {
-    picture::page(drawn)
+    super::picture(drawn)
 }
 
 fn picture(sketches: Vec<Sketch>, style: Style) -> String {

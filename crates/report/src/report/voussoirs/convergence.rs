@@ -3,7 +3,6 @@
 use super::arch::{VoussoirArch, VoussoirArches};
 use crate::picture::figure::{Axis, Figure, Kind, Panel, PlottedLine, Scale};
 use crate::problem::stones::Stones;
-use crate::report::format::Pictured;
 use crate::report::words::{apart, model};
 use std::io;
 
@@ -65,7 +64,7 @@ pub(super) fn rows(all: &VoussoirArches, out: &mut dyn io::Write) -> io::Result<
 }
 
 /// The share of the thickness that is lost, over the number of stones: both logarithmic, odd and even numbers apart.
-fn figure(all: &VoussoirArches) -> Figure {
+pub(crate) fn figure(all: &VoussoirArches) -> Figure {
     let panel = |arches: &[VoussoirArch]| {
         let share = |arch: &VoussoirArch| {
             let share: f64 = arch.loss.as_ref()?.share.value.to_string().parse().ok()?;
@@ -98,10 +97,4 @@ fn figure(all: &VoussoirArches) -> Figure {
     };
     let panels = groups(all).into_iter().map(panel).collect();
     Figure { title: "The least thickness of arches of n stones".into(), panels, columns: 1 }
-}
-
-impl Pictured for VoussoirArches {
-    fn picture(&self) -> io::Result<String> {
-        Ok(figure(self).svg())
-    }
 }

@@ -63,18 +63,15 @@ pub(super) fn lines(
         };
         line(name, &text)?;
     }
-    let (ends, names) = match &found.standing {
-        Ok(VoussoirStanding::Stands(ends)) => {
-            (ends, [["least thrust", "largest thrust"], ["        limited by"; 2]])
-        }
-        Ok(VoussoirStanding::Falls(ends)) => (
-            ends,
-            [
-                ["needs a thrust from", "bears a thrust up to"],
-                ["        asked for by", "        limited by"],
-            ],
-        ),
-        Err(_) => return Ok(()),
+    let Ok(VoussoirStanding::Stands(ends) | VoussoirStanding::Falls(ends)) = &found.standing else {
+        return Ok(());
+    };
+    let names = match given.stands() {
+        Some(true) => [["least thrust", "largest thrust"], ["        limited by"; 2]],
+        _ => [
+            ["needs a thrust from", "bears a thrust up to"],
+            ["        asked for by", "        limited by"],
+        ],
     };
     for (side, end) in ends.iter().enumerate() {
         let thrust = end.thrust.as_ref().map_or("unbounded".to_owned(), ToString::to_string);
@@ -113,11 +110,10 @@ pub(super) fn cells(arch: &VoussoirArch, given: &GivenThickness) -> Fields {
         cells.add_bounds("least_thrust", least.thrust.as_ref());
         cells.add_bounds("largest_thrust", largest.thrust.as_ref());
     }
-    let ends = match &given.found.standing {
-        Ok(VoussoirStanding::Stands(ends) | VoussoirStanding::Falls(ends)) => Some(ends),
-        Err(_) => None,
-    };
-    let limits = ends.map(|ends| ends.each_ref().map(|end| limited(arch, end)).join("; "));
+    let limits = given.found.standing.as_ref().ok().map(|standing| {
+        let (VoussoirStanding::Stands(ends) | VoussoirStanding::Falls(ends)) = standing;
+        ends.each_ref().map(|end| limited(arch, end)).join("; ")
+    });
     cells.add("limited_by", limits);
     cells.add("reason", arch.first_open().map(|open| open.reason.to_string()));
     cells
