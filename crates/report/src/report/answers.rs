@@ -90,14 +90,16 @@ impl Answers {
 
     /// Tells whether any of the arches may have a thickness.
     pub fn have_assessments(&self) -> bool {
-        let is_theirs = |quantity: &Quantity| Quantity::ASSESSMENT.contains(quantity);
-        self.scope == Scope::Mixed || self.quantities.iter().any(is_theirs)
+        self.have(&Quantity::ASSESSMENT)
     }
 
     /// Tells whether any of the arches may have none.
     pub fn have_states(&self) -> bool {
-        let is_theirs = |quantity: &Quantity| Quantity::STATE.contains(quantity);
-        self.scope == Scope::Mixed || self.quantities.iter().any(is_theirs)
+        self.have(&Quantity::STATE)
+    }
+
+    fn have(&self, some: &[Quantity]) -> bool {
+        self.scope == Scope::Mixed || self.quantities.iter().any(|of| some.contains(of))
     }
 
     /// Tells whether the arches are measured.

@@ -107,19 +107,13 @@ pub(super) fn about(answer: &Answer) -> Vec<String> {
             format!("{}, {}, {}", landmark.symbol(), landmark.name(), model(*weight))
         }
         Subject::Arch { line, weight, half_opening, friction, thickness, .. } => {
-            let thickness = thickness.as_ref().map(|eta| format!(", thickness {}", safe(eta)));
-            let circle = answer.measured_at.map(|at| format!(", measured at its {}", at.name()));
-            let mode = answer.modes.first();
-            let mode = mode.map(|mode| format!(", collapses as {}", mode.label()));
-            format!(
-                "{line}: half opening {}, friction {}{}{}, {}{}",
-                safe(half_opening),
-                safe(friction),
-                thickness.unwrap_or_default(),
-                circle.unwrap_or_default(),
-                model(*weight),
-                mode.unwrap_or_default(),
-            )
+            let thickness = thickness.as_ref().map(|eta| format!("thickness {}", safe(eta)));
+            let circle = answer.measured_at.map(|at| format!("measured at its {}", at.name()));
+            let mode = answer.modes.first().map(|mode| format!("collapses as {}", mode.label()));
+            let (alpha, mu) = (safe(half_opening), safe(friction));
+            let shape = Some(format!("{line}: half opening {alpha}, friction {mu}"));
+            let parts = [shape, thickness, circle, Some(model(*weight)), mode];
+            parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
         }
         Subject::Sought { line, weight, .. } => {
             format!("{line}: {}, {}", safe(&find::asked(&answer.subject)), model(*weight))

@@ -76,23 +76,21 @@ impl TiltedArch {
     fn limits(&self) -> Vec<String> {
         let words = |limit: &TiltLimit| {
             let side = if limit.is_right { Side::Right } else { Side::Left };
-            let name = if limit.is_right { "right" } else { "left" };
+            let name = side.name();
             let words = match side.contact(limit.contact) {
                 slip if !slip.is_hinge() && !self.is_limited => "opens",
                 other => other.name(),
             };
-            let is_at_crown = |stones: &Stones| stones.has_joint_at_crown();
-            match (limit.is_springing, limit.joint.zip(self.stones.as_ref())) {
-                (true, _) => format!("{words} at the {name} springing"),
-                (false, None) => format!("{words} on the {name}"),
-                (false, Some((0, stones))) if is_at_crown(stones) => {
-                    format!("{words} at the crown")
-                }
+            let place = match (limit.is_springing, limit.joint.zip(self.stones.as_ref())) {
+                (true, _) => format!("at the {name} springing"),
+                (false, None) => format!("on the {name}"),
+                (false, Some((0, stones))) if stones.has_joint_at_crown() => "at the crown".into(),
                 (false, Some((joint, stones))) => {
-                    let number = joint + u64::from(!is_at_crown(stones));
-                    format!("{words} at joint {number} on the {name}")
+                    let number = joint + u64::from(!stones.has_joint_at_crown());
+                    format!("at joint {number} on the {name}")
                 }
-            }
+            };
+            format!("{words} {place}")
         };
         match self.largest() {
             Some(LargestTilt::Limited(_, limits)) => limits.iter().map(words).collect(),

@@ -38,11 +38,6 @@ impl<'a> ModePanel<'a> {
         drawn.panels().map(panel).collect()
     }
 
-    /// Extent of the panel in units of `r` and around it on the page: left, right, below and above the centre.
-    pub(super) fn extent(&self) -> [f64; 4] {
-        self.view.extent()
-    }
-
     pub(super) fn draw(&self, svg: &mut Svg, scale: &PageScale, at: (Point, f64)) {
         let sketch = self.sketch;
         let ((left, top), width) = at;
@@ -58,7 +53,7 @@ impl<'a> ModePanel<'a> {
             self.names(svg, scale);
         }
         if let Some(metres) = &self.metres {
-            let [left, right, low, _] = self.extent();
+            let [left, right, low, _] = self.view.extent();
             let ((x, low), right) = (scale.at([left, low], 1.0), scale.at([right, 0.0], 1.0).0);
             let half = self.style.half;
             Dimensions { sketch, half, metres, scale, ends: [x, right, low] }.draw(svg);

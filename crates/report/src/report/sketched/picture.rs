@@ -22,7 +22,7 @@ pub(in crate::report) fn picture(report: &Sketched) -> String {
     let panels = ModePanel::all(report);
     let columns = panels.len().clamp(1, 2);
     let wide = WIDTHS[columns - 1];
-    let extents: Vec<[f64; 4]> = panels.iter().map(ModePanel::extent).collect();
+    let extents: Vec<[f64; 4]> = panels.iter().map(|panel| panel.view.extent()).collect();
     let hull = extents
         .iter()
         .copied()
