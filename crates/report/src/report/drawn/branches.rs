@@ -1,6 +1,6 @@
 //! The purely rotational, overturning and sliding states along the half opening: Figures 2 to 4 of the paper.
 
-use super::caption::proved;
+use super::caption::caption;
 use super::chain::Chain;
 use super::graph::{Dot, Graph, GraphLine, Graphs, WIDTH, height};
 use super::look;
@@ -110,12 +110,8 @@ impl Branches {
             }
             _ => "",
         };
-        let all: Vec<&Sheet> = sheets.iter().collect();
-        let proved = proved(&all, &off(&panels), (WIDTH, height(panels.len())));
-        let weights: Vec<String> = sheets.iter().map(|sheet| words::model(sheet.weight)).collect();
-        let weights = weights.join(" and ");
-        let words =
-            vec![format!("{title}. {weights}.{joins} {proved}"), format!("Command: {command}")];
+        let off = (&off(&panels)[..], (WIDTH, height(panels.len())));
+        let words = caption(title, sheets, off, joins, command);
         Graphs { title, panels, legend, legend_at, words }.svg()
     }
 }

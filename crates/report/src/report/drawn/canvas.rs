@@ -1,8 +1,9 @@
 //! A plane with its axes, in the units and ranges asked for.
 
 use super::plane::{DEGREES, Plane, PlaneAxis, step};
-use crate::atlas::{Coordinate, LEAST_TOLERANCE};
+use crate::atlas::{Coordinate, LEAST_TOLERANCE, Place};
 use crate::number::shown;
+use crate::picture::Point;
 
 /// Ranges of the axes: how a quantity is shown along an axis, and from where to where. What is not asked for
 /// is as usual.
@@ -98,6 +99,12 @@ pub(super) struct Canvas {
 }
 
 impl Canvas {
+    /// Place of a point, in the units shown.
+    pub(super) fn place(&self, place: &Place) -> Option<Point> {
+        let [x, y] = &self.axes;
+        Some((x.place(place)?, y.place(place)?))
+    }
+
     pub(super) fn usual(plane: Plane) -> Self {
         Self { plane, axes: plane.axes(), is_usual: true }
     }

@@ -1,7 +1,5 @@
 //! Caption of a map: what is said below.
 
-use super::canvas::Canvas;
-use super::page::SIZE;
 use super::plane::PlaneAxis;
 use super::sheet::Sheet;
 use crate::atlas::Coordinate;
@@ -10,36 +8,38 @@ use crate::picture::{Point, text};
 use crate::report::words;
 use std::collections::BTreeMap;
 
-/// Caption of a picture: what the picture shows, how far it is proved, if its lines are off by no more than
-/// so much along each axis, and the command, each a paragraph.
+/// Caption of a picture: what the picture shows, how far it is proved, if its lines in a frame of a size are off by no
+/// more than so much along each axis, and the command, each a paragraph.
 pub(super) fn caption(
     shows: &str,
-    sheets: &[&Sheet],
-    canvas: &Canvas,
-    off: [f64; 2],
+    sheets: &[Sheet],
+    (off, size): (&[(PlaneAxis, f64)], Point),
+    more: &str,
     command: &str,
 ) -> Vec<String> {
     let weights: Vec<String> = sheets.iter().map(|sheet| words::model(sheet.weight)).collect();
-    let weights = weights.join(" and ");
-    let [x, y] = canvas.axes;
-    let proved = proved(sheets, &[(x, off[0]), (y, off[1])], SIZE);
-    let mut names: Vec<&str> =
-        sheets.iter().flat_map(|sheet| &sheet.levels).map(|level| level.contour.name()).collect();
+    let (weights, proved) = (weights.join(" and "), proved(sheets, off, size));
+    vec![format!("{shows}. {weights}.{more} {proved}"), format!("Command: {command}")]
+}
+
+/// Words on the levels of a map, if it has any.
+pub(super) fn of_levels(sheets: &[Sheet]) -> String {
+    let levels = sheets.iter().flat_map(|sheet| &sheet.levels);
+    let mut names: Vec<&str> = levels.map(|level| level.contour.name()).collect();
     names.dedup();
-    let levels = match sheets.iter().all(|sheet| sheet.levels.is_empty()) {
+    match names.is_empty() {
         true => String::new(),
         false => format!(
             " Thin lines: equal {}; their straight parts rest on the claims unique-thicker and map-rows of \
              couplet prove.",
             names.join(" and ")
         ),
-    };
-    vec![format!("{shows}. {weights}.{levels} {proved}"), format!("Command: {command}")]
+    }
 }
 
 /// Statement of how near the lines drawn in a frame of a size are to the true ones, by how far they are off
 /// along each axis, and what is not proved.
-pub(super) fn proved(sheets: &[&Sheet], off: &[(PlaneAxis, f64)], size: Point) -> String {
+fn proved(sheets: &[Sheet], off: &[(PlaneAxis, f64)], size: Point) -> String {
     let mut open: Vec<String> = Vec::new();
     for sheet in sheets {
         open.extend(sheet.open().iter().map(|curve| format!("{curve} ({})", sheet.weight.name())));

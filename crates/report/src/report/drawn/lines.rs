@@ -1,12 +1,12 @@
 //! The lines of both weights in one plane.
 
 use super::canvas::Canvas;
-use super::caption::caption;
+use super::caption::{caption, of_levels};
 use super::content::lines;
 use super::inset::Inset;
 use super::known::{TANGENTS, known};
 use super::look;
-use super::page::Page;
+use super::page::{Page, SIZE};
 use super::plane::{DEGREES, Plane};
 use super::sheet::Sheet;
 use super::spot::disc;
@@ -35,19 +35,16 @@ const SHOWS: &str = "The lines between the domains of the collapse modes";
 impl LinesPicture<'_> {
     /// The picture as SVG.
     pub(super) fn svg(&self) -> String {
-        let sheets: Vec<&Sheet> = self.sheets.iter().collect();
+        let sheets = self.sheets;
         let canvas = Canvas::usual(PLANE);
         let width = sheets.iter().map(|sheet| sheet.width()).fold(0.0, f64::max);
-        let of = |landmark| {
-            let points = self.sheets.iter().filter_map(move |sheet| {
-                let landmarks = sheet.landmarks(&Canvas::usual(PLANE));
-                landmarks.into_iter().find(|(of, _)| *of == landmark).map(|(_, at)| at)
-            });
-            points.collect::<Vec<Point>>()
+        let of = |landmark| -> Vec<Point> {
+            sheets.iter().filter_map(|sheet| sheet.landmark(landmark, &canvas)).collect()
         };
         let (page, _) = Page::new(&canvas, "", &[], false);
         let insets = Inset::of_both(of, page.frame.corner);
-        let mut words = caption(SHOWS, &sheets, &canvas, [width; 2], self.command);
+        let off = canvas.axes.map(|axis| (axis, width));
+        let mut words = caption(SHOWS, sheets, (&off, SIZE), &of_levels(sheets), self.command);
         if !insets.is_empty() {
             words.splice(1..1, known(self.sheets));
         }
@@ -82,9 +79,8 @@ impl LinesPicture<'_> {
     /// The tangents at T, where a frame shows T larger.
     fn tangents(&self, svg: &mut Svg, frame: &Frame, of: &str) {
         for sheet in self.sheets {
-            let landmarks = sheet.landmarks(&Canvas::usual(PLANE));
-            let triple = landmarks.into_iter().find(|(of, _)| *of == Landmark::Triple);
-            let Some((_, at)) = triple.filter(|(_, at)| frame.shows(*at)) else { continue };
+            let triple = sheet.landmark(Landmark::Triple, &Canvas::usual(PLANE));
+            let Some(at) = triple.filter(|at| frame.shows(*at)) else { continue };
             let color = look::of_weight(sheet.weight).color;
             for line in TANGENTS {
                 let Ok(slope) = tangent(line, sheet.weight, Landmark::Triple) else { continue };

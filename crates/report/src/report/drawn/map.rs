@@ -2,13 +2,13 @@
 
 use super::asymmetric;
 use super::canvas::Canvas;
-use super::caption::caption;
+use super::caption::{caption, of_levels};
 use super::content::PlaneContent;
 use super::inset::Inset;
 use super::margin;
 use super::mark::{self, Mark};
 use super::names::Names;
-use super::page::Page;
+use super::page::{Page, SIZE};
 use super::plane::Plane;
 use super::sheet::Sheet;
 use crate::atlas::Coordinate;
@@ -41,8 +41,10 @@ impl MapPicture<'_> {
         let content = PlaneContent::new(self.sheet, canvas);
         let has_levels = !content.levels.is_empty();
         let (Page { frame, .. }, _) = Page::new(canvas, "", &[], has_levels);
-        let off = content.off(&frame);
-        let mut words = caption(self.shows(), &[self.sheet], canvas, off, self.command);
+        let ([x, y], [across, up]) = (canvas.axes, content.off(&frame));
+        let (sheets, off) = (std::slice::from_ref(self.sheet), [(x, across), (y, up)]);
+        let mut words =
+            caption(self.shows(), sheets, (&off, SIZE), &of_levels(sheets), self.command);
         if content.asymmetric.is_some() {
             words[0].push_str(&asymmetric::words(self.sheet.weight));
         }

@@ -49,18 +49,19 @@ impl<'a> Sheet<'a> {
     /// The landmarks that have a place on a canvas.
     pub(super) fn landmarks(&self, canvas: &Canvas) -> Vec<(Landmark, Point)> {
         let mut found: Vec<(Landmark, Point)> = Vec::new();
-        for trace in &self.traces {
-            for point in trace.points() {
-                let Some(CurveEnd::Landmark(landmark)) = point.end else { continue };
-                let [x, y] = canvas.axes.each_ref().map(|axis| axis.place(&point.place));
-                if let (Some(x), Some(y)) = (x, y)
-                    && found.iter().all(|(known, _)| *known != landmark)
-                {
-                    found.push((landmark, (x, y)));
-                }
-            }
+        for point in self.traces.iter().flat_map(|trace| trace.points()) {
+            let Some(CurveEnd::Landmark(landmark)) = point.end else { continue };
+            let at = canvas.place(&point.place);
+            let is_new = found.iter().all(|(known, _)| *known != landmark);
+            found.extend(at.filter(|_| is_new).map(|at| (landmark, at)));
         }
         found
+    }
+
+    /// Place of a landmark on a canvas, if it has one.
+    pub(super) fn landmark(&self, landmark: Landmark, canvas: &Canvas) -> Option<Point> {
+        let mut all = self.landmarks(canvas).into_iter();
+        all.find(|(of, _)| *of == landmark).map(|(_, at)| at)
     }
 
     /// The largest half-width of a tube.
