@@ -55,6 +55,9 @@ pub enum Content {
     Drawing,
 }
 
+/// Writes all at once.
+type Writer<T> = fn(&T, &mut dyn io::Write) -> io::Result<()>;
+
 /// Opens a file of arches that come one after the other.
 type Opener = fn(Answers) -> io::Result<Box<dyn Rows>>;
 
@@ -63,7 +66,7 @@ type Named<W> = &'static [(&'static str, W)];
 
 /// What writes something at once, in each format that it has.
 pub(super) struct Writers<T: ?Sized + 'static> {
-    texts: Named<fn(&T, &mut dyn io::Write) -> io::Result<()>>,
+    texts: Named<Writer<T>>,
     /// The picture as SVG, of what can be drawn.
     picture: Option<fn(&T) -> io::Result<String>>,
 }
@@ -114,8 +117,7 @@ pub(super) const CLAIMS: Writers<Claims> = Writers {
 };
 pub(super) const INDEX: Writers<Index> =
     Writers { texts: &[("text", claims::index_text), ("json", claims::index_json)], picture: None };
-const JUDGED: Named<fn(&JudgeSummary, &mut dyn io::Write) -> io::Result<()>> =
-    &[("table", judged::table), ("json", judged::json)];
+const JUDGED: Named<Writer<JudgeSummary>> = &[("table", judged::table), ("json", judged::json)];
 const JUDGED_LINES: Named<JudgedLines> = &[("csv", judged::CSV), ("jsonl", judged::JSON_LINES)];
 const SAMPLES: Named<SampledLines> = &[("csv", sampled::CSV), ("jsonl", sampled::JSON_LINES)];
 pub(super) const MAP: Writers<Map> = Writers {
@@ -303,7 +305,7 @@ impl Format {
     }
 
     /// Writer of the summary of judged rows.
-    pub fn judged(&self) -> Option<fn(&JudgeSummary, &mut dyn io::Write) -> io::Result<()>> {
+    pub fn judged(&self) -> Option<Writer<JudgeSummary>> {
         self.of(JUDGED)
     }
 

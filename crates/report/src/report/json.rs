@@ -134,7 +134,7 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Fields {
     for &quantity in quantities {
         let value = answer.value(quantity);
         let value = match quantity.joint() {
-            Some(joint) => value.map(|thrust| limit(thrust, answer.value(joint), &figure)),
+            Some(joint) => value.map(|thrust| limit(thrust, answer.value(joint), figure)),
             None => figure(value),
         };
         let open = answer.why_open(quantity);

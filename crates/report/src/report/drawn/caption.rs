@@ -93,6 +93,7 @@ fn upwards(width: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::page::SIZE;
     use super::super::plane::Plane;
     use super::*;
 
