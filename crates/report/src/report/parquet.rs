@@ -52,8 +52,8 @@ pub(super) fn map(report: &Map, out: &mut dyn io::Write) -> io::Result<()> {
     out.write_all(&file.into_inner()?)
 }
 
-/// An empty file of some columns, and behind them a text for each name from outside, which may be any text; with what is
-/// said of it.
+/// An empty file of some columns, and behind them a text for each name from outside, which may be any text; with
+/// notes on it.
 fn file<R>(
     columns: &[NamedColumn<R>],
     kept: &[String],

@@ -33,9 +33,9 @@ pub(super) fn weight_of(trace: &Trace) -> Option<&'static str> {
 }
 
 impl<'a> MapRow<'a> {
-    /// The columns. Bounds are rounded outward, as decimals and as doubles. Between two nodes the curve is as near as
-    /// `tube`, in half opening, friction angle and thickness, to the cubic in the parameter that goes through `…_node`
-    /// with the slopes `…_rate`.
+    /// The columns. Bounds are rounded outward, as decimals and as doubles. Between two nodes the curve is as near
+    /// as `tube`, in half opening, friction angle and thickness, to the cubic in the parameter that goes through
+    /// `…_node` with the slopes `…_rate`.
     pub(in crate::report) const COLUMNS: [NamedColumn<Self>; 30] = [
         ("weight", Text(|row| row.weight)),
         ("curve", Text(|row| Some(&row.curve))),
