@@ -31,16 +31,11 @@ pub fn width(text: &str, size: f64) -> f64 {
 
 /// A text in lines no wider than `limit`, unless a word is.
 pub fn wrap(text: &str, size: f64, limit: f64) -> Vec<String> {
-    wrap_by(text, limit, |text| width(text, size))
-}
-
-/// A text in lines no wider than `limit`, unless a word is, by the width of its parts.
-pub fn wrap_by(text: &str, limit: f64, width: impl Fn(&str) -> f64) -> Vec<String> {
     let words = text.split(|c: char| c.is_whitespace() || c.is_control());
     let mut lines: Vec<String> = Vec::new();
     for word in words.filter(|word| !word.is_empty()) {
         match lines.last_mut() {
-            Some(line) if width(line) + width(" ") + width(word) <= limit => {
+            Some(line) if width(line, size) + width(" ", size) + width(word, size) <= limit => {
                 line.push(' ');
                 line.push_str(word);
             }

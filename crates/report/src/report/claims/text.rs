@@ -2,7 +2,6 @@
 
 use super::decided::{Claims, as_printed, lead, remarks, summary};
 use crate::claims::Decision;
-use crate::picture::text;
 use std::io;
 
 /// Writes all claims.
@@ -56,17 +55,26 @@ fn wrapped(words: &str, indent: &str, out: &mut dyn io::Write) -> io::Result<()>
     lines(words, indent, indent, out)
 }
 
-/// Lines of a claim, with another beginning of the first line, which is as long.
+/// Lines of a claim, with another beginning of the first line.
 pub(super) fn lines(
     words: &str,
     first: &str,
     indent: &str,
     out: &mut dyn io::Write,
 ) -> io::Result<()> {
-    let room = WIDTH - indent.chars().count();
-    let lines = text::wrap_by(words, room as f64, |text| text.chars().count() as f64);
-    lines
-        .iter()
-        .enumerate()
-        .try_for_each(|(k, line)| writeln!(out, "{}{line}", if k == 0 { first } else { indent }))
+    let mut line = first.to_owned();
+    let mut fresh = true;
+    for word in words.split_whitespace() {
+        if !fresh && line.chars().count() + 1 + word.chars().count() > WIDTH {
+            writeln!(out, "{line}")?;
+            line = indent.to_owned();
+            fresh = true;
+        }
+        if !fresh {
+            line.push(' ');
+        }
+        line += word;
+        fresh = false;
+    }
+    writeln!(out, "{line}")
 }
