@@ -64,7 +64,7 @@ type Opener = fn(Answers) -> io::Result<Box<dyn Rows>>;
 /// Writers by the names of formats.
 type Named<W> = &'static [(&'static str, W)];
 
-/// What writes something at once, in each format that it has.
+/// Writers of something at once, one for each format that it has.
 pub(super) struct Writers<T: ?Sized + 'static> {
     texts: Named<Writer<T>>,
     /// The picture as SVG, of what can be drawn.
