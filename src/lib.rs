@@ -66,10 +66,12 @@ pub use couplet_claims::study;
 #[doc(hidden)]
 pub use couplet_draw::{picture, sketch};
 pub use couplet_number::{number, symbolic};
-pub use couplet_prove::{atlas, certify, judge, prelude, strategies};
 #[doc(hidden)]
-pub use couplet_prove::{prover, solve};
+pub use couplet_prove::prover;
+pub use couplet_prove::{atlas, certify, judge, prelude, strategies};
 pub use couplet_report::report;
+#[doc(hidden)]
+pub use couplet_solve::solve;
 #[doc(hidden)]
 pub use couplet_sweep::{self as sweep, scene};
 

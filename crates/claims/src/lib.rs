@@ -7,4 +7,5 @@ pub mod study;
 
 use couplet_check::{arch, check, problem};
 use couplet_number::{number, symbolic};
-use couplet_prove::{atlas, certify, judge, prover, solve};
+use couplet_prove::{atlas, certify, judge, prover};
+use couplet_solve::solve;

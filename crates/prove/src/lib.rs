@@ -1,6 +1,6 @@
-//! Candidates and proofs: landmarks, the state of any arch, the map, and judgements of what others computed.
+//! Proofs: landmarks, the state of any arch, the map, and judgements of what others computed.
 //!
-//! [`solve`] finds, [`certify`] proves; an answer is proved, or says why not.
+//! `couplet-solve` finds, [`certify`] proves; an answer is proved, or says why not.
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
 pub mod atlas;
@@ -8,12 +8,12 @@ pub mod certify;
 pub mod judge;
 #[doc(hidden)]
 pub mod prover;
-pub mod solve;
 pub mod strategies;
 
 use couplet_check::{arch, check, problem};
 use couplet_draw::sketch;
-use couplet_number::{number, symbolic};
+use couplet_number::number;
+use couplet_solve::solve;
 
 /// Names that most programs need: `use couplet_prove::prelude::*`.
 ///

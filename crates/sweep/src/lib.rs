@@ -14,5 +14,6 @@ use couplet_claims::claims;
 use couplet_number::number;
 #[cfg(feature = "parquet")]
 use couplet_prove::strategies;
-use couplet_prove::{atlas, certify, judge, solve};
+use couplet_prove::{atlas, certify, judge};
 use couplet_report::report;
+use couplet_solve::solve;

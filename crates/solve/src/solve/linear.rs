@@ -2,7 +2,6 @@
 //! numbers and at the precision of their entries. Zeros are not computed with.
 
 use crate::number::{Dual, Field};
-use rug::Float;
 use std::cmp::Ordering;
 
 /// A number with a size, so that a pivot and a last step can be chosen.
@@ -20,16 +19,6 @@ pub trait Approximate: Field + PartialOrd {
 impl Approximate for f64 {
     fn exponent(&self) -> i64 {
         if *self == 0.0 { i64::MIN } else { self.abs().log2().floor() as i64 }
-    }
-}
-
-impl Approximate for Float {
-    fn exponent(&self) -> i64 {
-        self.get_exp().map_or(i64::MIN, i64::from)
-    }
-
-    fn is_long(&self) -> bool {
-        self.prec() > 2_000
     }
 }
 
@@ -123,6 +112,7 @@ fn eliminate<T: Approximate>(mut rows: Vec<Vec<T>>) -> Option<Vec<Vec<T>>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use rug::Float;
 
     fn matrix(rows: &[&[i32]]) -> Vec<Vec<Float>> {
         rows.iter().map(|row| row.iter().map(|&x| Float::with_val(80, x)).collect()).collect()

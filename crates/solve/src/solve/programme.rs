@@ -4,20 +4,12 @@
 //! passed farthest comes in, and one goes out. It starts from bounds so large that they mean nothing.
 
 use super::invert;
-use crate::arch::tilt::TiltedRow;
 
 /// The unknowns with `a x <= d`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct HalfSpace {
     pub a: [f64; 4],
     pub d: f64,
-}
-
-impl HalfSpace {
-    /// The forces and the accelerations that satisfy a condition.
-    pub(super) fn of(row: &TiltedRow<f64>) -> Self {
-        Self { a: row.coefficients, d: -row.load }
-    }
 }
 
 /// Probable optimum of a programme.

@@ -1,6 +1,7 @@
 //! Start values on the lines of the map, at a given half opening or at a given friction.
 
 use super::rotation::{before_end, rotational, rotational_with_thrust};
+use super::scale::Start;
 use super::sliding::{friction_inside, inner_sliding, sliding};
 use super::touch::{ring_at_crown, rotational_sliding, touched_ring};
 use super::wide::{widest_rotational, widest_sliding, widest_touching};
@@ -8,7 +9,6 @@ use crate::arch::{Configuration, SelfWeight, Unknown, sliding as friction};
 use crate::number::Angle;
 use crate::problem::{Line, Sought};
 use crate::solve::zero::zero;
-use rug::Float;
 
 /// Below this friction the rotational state at which the shoulder slides is found from the leading term.
 const SLIPPERY: f64 = 1e-5;
@@ -17,12 +17,12 @@ const LEAST_THRUST: f64 = 1e-12;
 
 /// A candidate on a line, where the half opening or the friction is `given` and the other is sought. Only what
 /// the equations of the line read is set.
-pub fn on_line(
+pub fn on_line<T: Start>(
     weight: SelfWeight,
     line: Line,
     sought: Sought,
-    given: &Float,
-) -> Configuration<Float> {
+    given: &T,
+) -> Configuration<T> {
     match sought {
         Sought::Friction => at_half_opening(weight, line, given),
         Sought::HalfOpening => at_friction(weight, line, given),
@@ -30,13 +30,12 @@ pub fn on_line(
 }
 
 /// Puts values to what is given.
-fn point(given: Configuration<Float>, values: &[(Unknown, Float)]) -> Configuration<Float> {
+fn point<T: Start>(given: Configuration<T>, values: &[(Unknown, T)]) -> Configuration<T> {
     values.iter().fold(given, |at, (unknown, value)| at.with(*unknown, value.clone()))
 }
 
-fn at_half_opening(weight: SelfWeight, line: Line, alpha: &Float) -> Configuration<Float> {
+fn at_half_opening<T: Start>(weight: SelfWeight, line: Line, alpha: &T) -> Configuration<T> {
     use Unknown as U;
-    let float = |x: f64| Float::with_val(alpha.prec(), x);
     let given = Configuration::zero(alpha).with(U::HalfOpening, alpha.clone());
     match line {
         Line::RotationShoulder | Line::RotationInner => {
@@ -55,10 +54,10 @@ fn at_half_opening(weight: SelfWeight, line: Line, alpha: &Float) -> Configurati
             with_haunch(weight, line, point(given, &slides))
         }
         Line::Joints | Line::Crown => {
-            let wide = alpha.to_f64();
-            let [_, most, _] = sliding(alpha).map(|x| x.to_f64());
+            let wide = alpha.to_double();
+            let [_, most, _] = sliding(alpha).map(|x| x.to_double());
             let least = match before_end(weight, wide) > 0.0 {
-                true => rotational(weight, alpha)[2].to_f64(),
+                true => rotational(weight, alpha)[2].to_double(),
                 false => LEAST_THRUST,
             };
             // Where the thrust is h, how far the rotational joint is below the other, or the crown.
@@ -80,14 +79,13 @@ fn at_half_opening(weight: SelfWeight, line: Line, alpha: &Float) -> Configurati
                 (U::SlidingJoint, steepest),
                 (U::Thickness, eta),
             ];
-            point(given, &values.map(|(unknown, value)| (unknown, float(value))))
+            point(given, &values.map(|(unknown, value)| (unknown, alpha.like(value))))
         }
     }
 }
 
-fn at_friction(weight: SelfWeight, line: Line, mu: &Float) -> Configuration<Float> {
+fn at_friction<T: Start>(weight: SelfWeight, line: Line, mu: &T) -> Configuration<T> {
     use Unknown as U;
-    let float = |x: f64| Float::with_val(mu.prec(), x);
     let given = Configuration::zero(mu).with(U::Friction, mu.clone());
     let alpha = match line {
         Line::RotationShoulder => rotating(weight, mu),
@@ -103,11 +101,11 @@ fn at_friction(weight: SelfWeight, line: Line, mu: &Float) -> Configuration<Floa
         }
         Line::Joints | Line::Crown => {
             let [h, joint] = inner_sliding(mu);
-            let beta = if line == Line::Joints { joint.to_f64() } else { 0.0 };
+            let beta = if line == Line::Joints { joint.to_double() } else { 0.0 };
             let times_cotangent = if beta > 0.0 { beta / beta.tan() } else { 1.0 };
-            let eta = touched_ring(weight, times_cotangent, h.to_f64()).thickness;
-            let alpha = float(widest_touching(weight, eta, h.to_f64(), beta));
-            let values = [(U::HalfOpening, alpha), (U::Thickness, float(eta)), (U::Thrust, h)];
+            let eta = touched_ring(weight, times_cotangent, h.to_double()).thickness;
+            let alpha = mu.like(widest_touching(weight, eta, h.to_double(), beta));
+            let values = [(U::HalfOpening, alpha), (U::Thickness, mu.like(eta)), (U::Thrust, h)];
             return point(given, &values).with(U::SlidingJoint, joint);
         }
     };
@@ -115,23 +113,22 @@ fn at_friction(weight: SelfWeight, line: Line, mu: &Float) -> Configuration<Floa
 }
 
 /// The half opening whose rotational state asks for a friction at the shoulder.
-fn rotating(weight: SelfWeight, mu: &Float) -> Float {
-    let bits = mu.prec();
+fn rotating<T: Start>(weight: SelfWeight, mu: &T) -> T {
     if *mu < SLIPPERY {
         // alpha³/6.
-        return Float::with_val(bits, mu * 6u32).cbrt();
+        return (mu.int(6) * mu).cube_root();
     }
     let end = zero(2.0, 3.0, |alpha| before_end(weight, alpha));
-    let target = mu.to_f64();
+    let target = mu.to_double();
     let found = zero(1e-3, end, |alpha| {
-        let [_, _, h] = rotational(weight, &Float::with_val(64, alpha)).map(|x| x.to_f64());
+        let [_, _, h] = rotational(weight, &mu.rough().like(alpha)).map(|x| x.to_double());
         friction::shoulder(&Angle::new(alpha), &h).value() - target
     });
-    Float::with_val(bits, found)
+    mu.like(found)
 }
 
 /// The thickness and the rotational joint at the thrust of a purely sliding state.
-fn with_haunch(weight: SelfWeight, line: Line, at: Configuration<Float>) -> Configuration<Float> {
+fn with_haunch<T: Start>(weight: SelfWeight, line: Line, at: Configuration<T>) -> Configuration<T> {
     let h = at.thrust.clone();
     let [beta, eta] = match line {
         Line::ShoulderEnd => {
@@ -139,9 +136,8 @@ fn with_haunch(weight: SelfWeight, line: Line, at: Configuration<Float>) -> Conf
             [beta, eta]
         }
         _ => {
-            let start = rotational_sliding(weight, at.half_opening.rad.to_f64(), h.to_f64());
-            let float = |x: f64| Float::with_val(h.prec(), x);
-            [float(start.joint.unwrap_or(0.0)), float(start.thickness)]
+            let start = rotational_sliding(weight, at.half_opening.rad.to_double(), h.to_double());
+            [h.like(start.joint.unwrap_or(0.0)), h.like(start.thickness)]
         }
     };
     at.with(Unknown::RotationJoint, beta).with(Unknown::Thickness, eta)
@@ -151,6 +147,7 @@ fn with_haunch(weight: SelfWeight, line: Line, at: Configuration<Float>) -> Conf
 mod tests {
     use super::*;
     use crate::arch::SelfWeight::{Heyman, Milankovitch};
+    use rug::Float;
 
     /// On every line, at a friction and at the half opening found there.
     #[test]

@@ -1,15 +1,24 @@
 //! The numbers in which start values are made.
 
 use crate::number::{Real, Stumpff};
-use rug::Float;
+use crate::solve::linear::Approximate;
 
 /// A double; or an MPFR number, where start values leave the range of doubles or need more digits.
-pub trait Start: Real + Stumpff + PartialOrd<f64> {
+pub trait Start: Approximate + Real + Stumpff + PartialOrd<f64> {
+    /// Bits that are kept of a difference of two of these numbers that are near to each other.
+    const KEPT: u32;
+
+    /// The bits of the number.
+    fn bits(&self) -> u32;
+
     /// The double nearest to it.
     fn to_double(&self) -> f64;
 
     /// First digits of the number.
     fn rough(&self) -> Self;
+
+    /// The number to so many bits, where these numbers can be shorter than they are.
+    fn cut(self, bits: u32) -> Self;
 
     /// `x` with the precision of this number.
     fn like(&self, x: f64) -> Self;
@@ -28,12 +37,22 @@ pub trait Start: Real + Stumpff + PartialOrd<f64> {
 }
 
 impl Start for f64 {
+    const KEPT: u32 = 13;
+
+    fn bits(&self) -> u32 {
+        Self::MANTISSA_DIGITS
+    }
+
     fn to_double(&self) -> f64 {
         *self
     }
 
     fn rough(&self) -> Self {
         *self
+    }
+
+    fn cut(self, _bits: u32) -> Self {
+        self
     }
 
     fn like(&self, x: f64) -> Self {
@@ -47,36 +66,6 @@ impl Start for f64 {
 
     fn shifted(self, power: i64) -> Self {
         self * (power as f64).exp2()
-    }
-
-    fn cube_root(self) -> Self {
-        self.cbrt()
-    }
-
-    fn arctangent(self) -> Self {
-        self.atan()
-    }
-}
-
-impl Start for Float {
-    fn to_double(&self) -> f64 {
-        self.to_f64()
-    }
-
-    fn rough(&self) -> Self {
-        Self::with_val(64, self)
-    }
-
-    fn like(&self, x: f64) -> Self {
-        Self::with_val(self.prec(), x)
-    }
-
-    fn exponent_of_size(&self) -> Option<i64> {
-        self.get_exp().map(i64::from)
-    }
-
-    fn shifted(self, power: i64) -> Self {
-        self << i32::try_from(power).unwrap_or(i32::MIN)
     }
 
     fn cube_root(self) -> Self {

@@ -10,13 +10,13 @@
 //!
 //! as a line that touches may need fewer joints than unknowns. Where only slips count, nothing fixes `p`.
 
-use super::inverse;
-use super::programme::{HalfSpace, Optimum, largest_last};
 use crate::arch::mechanism::Contact;
 use crate::arch::tilt::TiltedRow;
 use crate::arch::whole::along;
 use crate::number::{Angle, Field, Jet};
 use crate::problem::Joints;
+use crate::solve::inverse;
+use crate::solve::programme::{HalfSpace, Optimum, largest_last};
 use rug::Float;
 
 /// A condition at a joint of the whole arch.
@@ -251,7 +251,7 @@ pub enum StoneTilt {
 }
 
 fn half_spaces(rows: &[TiltedRow<f64>]) -> Vec<HalfSpace> {
-    rows.iter().map(HalfSpace::of).collect()
+    rows.iter().map(|row| HalfSpace { a: row.coefficients, d: -row.load }).collect()
 }
 
 /// The largest acceleration under conditions.
