@@ -1,7 +1,7 @@
 //! What is given of an arch, read as the command reads it.
 
 use crate::prove::Question;
-use crate::rounding::rounded;
+use crate::rounding::{BITS, rounded};
 use couplet_check::problem::measures::{Circle, Length, Measures, of_span_and_rise};
 use couplet_check::problem::{self, Arch, Friction, Known};
 use couplet_number::number::{DoubleDouble, DoubleDoubleBall, ExactNumber, Field, Real};
@@ -15,9 +15,6 @@ pub(crate) struct Given {
     /// Its size, if it is measured.
     pub(crate) measures: Option<Measures>,
 }
-
-/// Bits of a double-double.
-const BITS: u32 = 106;
 
 /// Reads it; span and rise are those of the intrados, unless another circle is named.
 pub(crate) fn given(question: &Question) -> Result<Given, String> {

@@ -8,7 +8,6 @@ mod drawing;
 mod given;
 mod prove;
 mod rounding;
-mod standing;
 
 use couplet_check::check::{Refusal, summary, verify};
 use serde::Serialize;

@@ -3,20 +3,20 @@
 //! The witnesses come from a candidate. The checker believes none of them; what it accepts is proved, and the file that
 //! it accepted is the one that the page hands out.
 
-use crate::candidate::{Candidate, candidate, dyadic};
+use crate::candidate::{Candidate, candidate};
 use crate::drawing::Drawing;
 use crate::given::{Given, given};
-use crate::rounding::{rounded, with_zeros};
-use crate::standing;
+use crate::rounding::{BITS, rounded, with_zeros};
 use couplet_check::arch::{Configuration, Unknown};
 use couplet_check::check::{
     Certificate, ClaimFile, Refusal, SCHEMA, ValueFile, Witness, check_certificate,
 };
 use couplet_check::problem::asymmetric_region::{LOOK, MAY_MOVE, STANDS, may_move_asymmetrically};
-use couplet_check::problem::{Known, Mode, Nearest, Problem, Quantity, Standing, Verdict};
+use couplet_check::problem::{Known, Mode, Problem, Quantity, Standing, Verdict};
 use couplet_number::number::{
     AstroInterval, DoubleDouble, DoubleDoubleBall, Drawable, Dyadic, Enclosure, Engine, Ternary,
 };
+use couplet_solve::solve;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -203,8 +203,6 @@ pub fn proof(question: &Question) -> Result<Proved, String> {
     Ok(proved)
 }
 
-/// Bits of a double-double.
-const BITS: u32 = 106;
 /// Digits of a safety.
 const SAFETY: usize = 4;
 
@@ -228,16 +226,13 @@ fn standing(
     digits: usize,
 ) -> Result<(Standing, Certificate), String> {
     let arch = &given.arch;
-    let thickness = given.thickness.clone().ok_or("no thickness is given")?;
+    let thickness = given.thickness.as_ref().ok_or("no thickness is given")?;
     let at = least.map_ref(Drawable::double).with(Unknown::Thickness, eta.double());
-    let line = standing::line(arch.weight(), &at, arch.is_limited(), least.thrust.double());
+    let line = solve::standing(arch.weight(), &at, arch.is_limited(), &least.thrust.double());
     let line = line.ok_or("no line of thrust inside the arch is found here")?;
-    let exact = |x: f64| -> Dyadic { dyadic(DoubleDouble::exact(x)) };
-    let (thrust, crown_moment) = (exact(line.thrust), exact(line.moment));
-    let found = Standing { thickness, thrust, crown_moment, nearest: line.nearest };
+    let (found, start) = line.stated(thickness);
     let verdict = Verdict::Stands(found.clone());
     let problem = Problem::Verdict { verdict, arch: arch.clone() };
-    let start = if line.nearest == Nearest::Haunch { vec![line.joint] } else { Vec::new() };
     Ok((found, certified(&problem, &start, digits)?))
 }
 
@@ -280,15 +275,15 @@ fn accepted(problem: &Problem, found: &Candidate, digits: usize) -> Result<Certi
 }
 
 fn certificate(problem: &Problem, found: &Candidate, digits: usize, large: i32) -> Certificate {
-    let centre: Vec<_> = found.root.iter().map(|x| dyadic(*x)).collect();
+    let centre: Vec<Dyadic> = found.root.iter().map(|x| (*x).into()).collect();
     let witness = |power: i32| {
         // A power of two has one bit.
         let side =
             |x: &DoubleDouble| (x.hi().abs().max(1e-9).log2().floor() + f64::from(power)).exp2();
-        let radius = found.root.iter().map(|x| dyadic(DoubleDouble::exact(side(x)))).collect();
+        let radius = found.root.iter().map(|x| side(x).into()).collect();
         Witness { centre: centre.clone(), radius }
     };
-    let row = |row: &Vec<f64>| row.iter().map(|x| dyadic(DoubleDouble::exact(*x))).collect();
+    let row = |row: &Vec<f64>| row.iter().map(|x| (*x).into()).collect();
     Certificate {
         schema: SCHEMA.to_owned(),
         tool: concat!("couplet-page ", env!("CARGO_PKG_VERSION")).to_owned(),

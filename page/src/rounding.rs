@@ -2,8 +2,8 @@
 
 use couplet_number::number::{DoubleDoubleBall, Enclosure, Tens, Written};
 
-/// Bits of what it is compared with.
-const BITS: usize = 106;
+/// Bits of a double-double.
+pub(crate) const BITS: u32 = 106;
 
 /// The correct rounding to as many of `digits` digits as are decided, without zeros at the end of a fraction.
 pub(crate) fn rounded(x: &DoubleDoubleBall, digits: usize) -> Option<String> {
@@ -12,7 +12,7 @@ pub(crate) fn rounded(x: &DoubleDoubleBall, digits: usize) -> Option<String> {
 
 /// The same with these zeros, which say how near a quotient is to one.
 pub(crate) fn with_zeros(x: &DoubleDoubleBall, digits: usize) -> Option<String> {
-    let mut tens = Tens::new(BITS);
+    let mut tens = Tens::new(BITS as usize);
     (1..=digits).rev().find_map(|digits| {
         let text = format!("{:.*e}", digits - 1, x.mid().hi());
         let written = Written::parse(&text)?;

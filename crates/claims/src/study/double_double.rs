@@ -75,6 +75,10 @@ impl Approximate for Qd {
     fn exponent(&self) -> i64 {
         self.0.0.exponent()
     }
+
+    fn bits(&self) -> u32 {
+        BITS
+    }
 }
 
 /// The sum of the two doubles.

@@ -1,6 +1,6 @@
 //! Exact binary numbers as text: `-0x1f3p-12` is `-499 / 2^12`.
 
-use super::says;
+use super::{DoubleDouble, says};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
@@ -66,6 +66,29 @@ impl Dyadic {
     /// The number of bits of the mantissa.
     pub fn bits(&self) -> usize {
         self.words.last().map_or(0, |top| 64 * self.words.len() - top.leading_zeros() as usize)
+    }
+}
+
+/// The number to 110 bits, if both its parts are in the range of balls; zero for what is not finite.
+impl From<DoubleDouble> for Dyadic {
+    fn from(x: DoubleDouble) -> Self {
+        if x.hi() == 0.0 {
+            return Self::new(false, Vec::new(), 0);
+        }
+        let exponent = x.hi().abs().log2().floor() as i32 - 110;
+        let part = |x: f64| (x * (-exponent as f64).exp2()).round() as i128;
+        let mantissa = part(x.hi()) + part(x.lo());
+        let size = mantissa.unsigned_abs();
+        let zeros = size.trailing_zeros() % 128;
+        let size = size >> zeros;
+        Self::new(mantissa < 0, vec![size as u64, (size >> 64) as u64], exponent + zeros as i32)
+    }
+}
+
+/// The number itself, in the same range.
+impl From<f64> for Dyadic {
+    fn from(x: f64) -> Self {
+        DoubleDouble::exact(x).into()
     }
 }
 
@@ -144,6 +167,17 @@ mod tests {
             let number = Dyadic::new(negative, words, exponent);
             prop_assert_eq!(number.to_string().parse::<Dyadic>(), Ok(number));
         }
+    }
+
+    #[test]
+    fn a_double_double_is_written_exactly() {
+        assert_eq!(Dyadic::from(0.75).to_string(), "0x3p-2");
+        assert_eq!(Dyadic::from(-1.0).to_string(), "-0x1p0");
+        assert_eq!(
+            Dyadic::from(DoubleDouble::sum(1.0, (-80f64).exp2())).to_string(),
+            "0x100000000000000000001p-80"
+        );
+        assert_eq!(Dyadic::from(DoubleDouble::ZERO).to_string(), "0x0p0");
     }
 
     #[test]

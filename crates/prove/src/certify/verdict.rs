@@ -6,8 +6,8 @@ use super::constant::Value;
 use super::state::{Certify, Fall, Figure, Outcome, State, bits_lost};
 use crate::arch::Unknown;
 use crate::check::{Certificate, EXTRA_BITS, ValueFile};
-use crate::number::{Ball, Dyadic, ExactNumber};
-use crate::problem::{Arch, Nearest, Problem, Quantity, Standing, Verdict};
+use crate::number::{Ball, ExactNumber};
+use crate::problem::{Arch, Problem, Quantity, Verdict};
 use crate::prover::decide::decide;
 use crate::prover::posed::Posed;
 use crate::prover::root::root_near;
@@ -155,13 +155,7 @@ fn standing(
     let found = solve::standing(arch.weight(), &given, arch.is_limited(), &float(&state.thrust));
     let found =
         found.ok_or_else(|| Undecided::root("no line of thrust inside the arch is found"))?;
-    let standing = Standing {
-        thickness: thickness.clone(),
-        thrust: Dyadic::from(&found.thrust),
-        crown_moment: Dyadic::from(&found.crown_moment),
-        nearest: found.nearest,
-    };
-    let centre = if found.nearest == Nearest::Haunch { vec![found.joint] } else { Vec::new() };
+    let (standing, centre) = found.stated(thickness);
     let problem = Problem::Verdict { verdict: Verdict::Stands(standing), arch: arch.clone() };
     Ok(Root { problem, centre, values: Vec::new() })
 }

@@ -9,16 +9,20 @@ pub trait Approximate: Field + PartialOrd {
     /// The exponent of its size in base two; very small for zero.
     fn exponent(&self) -> i64;
 
-    /// Tells whether the number is so long that several quotients by it take longer than products with its
-    /// reciprocal.
-    fn is_long(&self) -> bool {
-        false
-    }
+    /// The bits of the number.
+    fn bits(&self) -> u32;
 }
+
+/// Several quotients by a number of more bits take longer than products with its reciprocal.
+const LONG: u32 = 2_000;
 
 impl Approximate for f64 {
     fn exponent(&self) -> i64 {
         if *self == 0.0 { i64::MIN } else { self.abs().log2().floor() as i64 }
+    }
+
+    fn bits(&self) -> u32 {
+        Self::MANTISSA_DIGITS
     }
 }
 
@@ -83,7 +87,7 @@ fn eliminate<T: Approximate>(mut rows: Vec<Vec<T>>) -> Option<Vec<Vec<T>>> {
         rows.swap(column, pivot);
         let head = rows[column][column].clone();
         let pivot_row = std::mem::take(&mut rows[column]).into_iter();
-        let reciprocal = head.is_long().then(|| head.int(1) / &head);
+        let reciprocal = (head.bits() > LONG).then(|| head.int(1) / &head);
         let over_head = |x: T| match &reciprocal {
             Some(reciprocal) => x * reciprocal,
             None => x / &head,

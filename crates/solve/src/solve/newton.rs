@@ -1,7 +1,6 @@
 //! Newton's method, with the Jacobian from dual numbers, at the precision of its numbers.
 
-use super::linear::newton_step;
-use super::start::Start;
+use super::linear::{Approximate, newton_step};
 use crate::number::Dual;
 use crate::problem::tally;
 
@@ -22,7 +21,10 @@ const SHORT: i64 = -24;
 /// positive. `None` if the Jacobian is singular, the numbers overflow or nothing settles in 200 steps.
 ///
 /// Not guaranteed: that there is a root next to the answer, or that it is the root nearest to the start.
-pub fn settle<T: Start>(mut x: Vec<T>, residuals: impl Fn(&[T]) -> Vec<Dual<T>>) -> Option<Vec<T>> {
+pub fn settle<T: Approximate>(
+    mut x: Vec<T>,
+    residuals: impl Fn(&[T]) -> Vec<Dual<T>>,
+) -> Option<Vec<T>> {
     let mut last = i64::MAX;
     for _ in 0..STEPS {
         tally::newton_step();
@@ -31,16 +33,17 @@ pub fn settle<T: Start>(mut x: Vec<T>, residuals: impl Fn(&[T]) -> Vec<Dual<T>>)
         for (x, step) in x.iter_mut().zip(steps) {
             // A variable never crosses zero: a longer step stops half-way there.
             let next = x.clone() - &step;
-            if next > 0.0 {
+            if next > x.int(0) {
                 settled &= is_last(&step, x);
                 longest = longest.max(relative_exponent(&step, x));
                 *x = next;
             } else {
                 (settled, longest) = (false, i64::MAX);
-                *x = x.clone().shifted(-1);
+                *x = x.ratio(1, 2) * &*x;
             }
-            // Neither zero nor beyond all numbers.
-            x.exponent_of_size()?;
+            if x.exponent() == i64::MIN {
+                return None;
+            }
         }
         if settled || (longest < SHORT && longest >= last) {
             return Some(x);
@@ -51,16 +54,16 @@ pub fn settle<T: Start>(mut x: Vec<T>, residuals: impl Fn(&[T]) -> Vec<Dual<T>>)
 }
 
 /// The size of a step beside its variable, in bits.
-fn relative_exponent<T: Start>(step: &T, x: &T) -> i64 {
-    match (step.exponent_of_size(), x.exponent_of_size()) {
-        (Some(step), Some(size)) => step - size,
-        (None, _) => i64::MIN,
-        _ => i64::MAX,
+fn relative_exponent<T: Approximate>(step: &T, x: &T) -> i64 {
+    match (step.exponent(), x.exponent()) {
+        (i64::MIN, _) => i64::MIN,
+        (_, i64::MIN) => i64::MAX,
+        (step, size) => step - size,
     }
 }
 
 /// Tells whether a step is so short that what it leaves, about its square, is as good as nothing.
-fn is_last<T: Start>(step: &T, x: &T) -> bool {
+fn is_last<T: Approximate>(step: &T, x: &T) -> bool {
     relative_exponent(step, x) < SLACK - i64::from(x.bits()) / 2
 }
 

@@ -3,8 +3,8 @@
 use super::settle;
 use super::start::{Start, tangent_joint};
 use crate::arch::{Configuration, Ring, SelfWeight, Unknown, contact};
-use crate::number::{Angle, Dual};
-use crate::problem::{Nearest, inward_friction, room_for_steepest, shoulder_friction};
+use crate::number::{Angle, Dual, ExactNumber};
+use crate::problem::{Nearest, Standing, inward_friction, room_for_steepest, shoulder_friction};
 
 /// A thrust and a crown moment that seem to be admissible.
 #[derive(Clone, Debug)]
@@ -17,6 +17,16 @@ pub struct StandingCandidate<T> {
     pub nearest: Nearest,
     /// The joint there, rad; zero at the crown.
     pub joint: T,
+}
+
+impl<T: Start> StandingCandidate<T> {
+    /// The state of an arch of a thickness as its certificate has it, and candidates for the unknowns that it has there.
+    pub fn stated(self, thickness: &ExactNumber) -> (Standing, Vec<T>) {
+        let Self { thrust, crown_moment, nearest, joint } = self;
+        let (thrust, crown_moment) = (thrust.exact(), crown_moment.exact());
+        let unknowns = if nearest == Nearest::Haunch { vec![joint] } else { Vec::new() };
+        (Standing { thickness: thickness.clone(), thrust, crown_moment, nearest }, unknowns)
+    }
 }
 
 /// A candidate for an arch that stands: `given` has its half opening, friction and thickness, and a `thrust` next to

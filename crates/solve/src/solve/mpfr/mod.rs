@@ -10,6 +10,7 @@ pub use root::{Candidate, newton};
 
 use super::linear::Approximate;
 use super::start::Start;
+use crate::number::Dyadic;
 use rug::Float;
 
 impl Approximate for Float {
@@ -17,16 +18,16 @@ impl Approximate for Float {
         self.get_exp().map_or(i64::MIN, i64::from)
     }
 
-    fn is_long(&self) -> bool {
-        self.prec() > 2_000
+    fn bits(&self) -> u32 {
+        self.prec()
     }
 }
 
 impl Start for Float {
     const KEPT: u32 = 32;
 
-    fn bits(&self) -> u32 {
-        self.prec()
+    fn exact(&self) -> Dyadic {
+        Dyadic::from(self)
     }
 
     fn to_double(&self) -> f64 {

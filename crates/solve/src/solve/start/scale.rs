@@ -1,6 +1,6 @@
 //! The numbers in which start values are made.
 
-use crate::number::{Real, Stumpff};
+use crate::number::{Dyadic, Real, Stumpff};
 use crate::solve::linear::Approximate;
 
 /// A double; or an MPFR number, where start values leave the range of doubles or need more digits.
@@ -8,8 +8,8 @@ pub trait Start: Approximate + Real + Stumpff + PartialOrd<f64> {
     /// Bits that are kept of a difference of two of these numbers that are near to each other.
     const KEPT: u32;
 
-    /// The bits of the number.
-    fn bits(&self) -> u32;
+    /// The number itself, as a certificate has it.
+    fn exact(&self) -> Dyadic;
 
     /// The double nearest to it.
     fn to_double(&self) -> f64;
@@ -39,8 +39,8 @@ pub trait Start: Approximate + Real + Stumpff + PartialOrd<f64> {
 impl Start for f64 {
     const KEPT: u32 = 13;
 
-    fn bits(&self) -> u32 {
-        Self::MANTISSA_DIGITS
+    fn exact(&self) -> Dyadic {
+        Dyadic::from(*self)
     }
 
     fn to_double(&self) -> f64 {
