@@ -3,6 +3,7 @@
 //! No arch is known here: the traits are what its equations are written against.
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
+#[macro_use]
 pub mod number;
 #[cfg(feature = "mpfr")]
 pub mod symbolic;

@@ -4,6 +4,5 @@
 pub mod solve;
 
 use couplet_check::{arch, problem};
-use couplet_number::number;
-#[cfg(feature = "mpfr")]
-use couplet_number::symbolic;
+// The room `number`, and `symbolic` where there is MPFR.
+use couplet_number::*;

@@ -48,7 +48,6 @@ pub const MAX_DIGITS: usize = 1_000_000;
 pub const ASTRO_DIGITS: usize = 50_000;
 
 /// Largest number of digits for malachite, which is quicker.
-#[cfg(feature = "malachite")]
 pub const MALACHITE_DIGITS: usize = 50_000;
 
 /// Checks the bytes of a file in pure Rust, up to [`ASTRO_DIGITS`] digits.

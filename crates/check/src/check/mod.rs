@@ -18,10 +18,9 @@ mod visible;
 pub mod whole;
 
 pub use crate::number::visible;
-#[cfg(feature = "malachite")]
-pub use checker::MALACHITE_DIGITS;
 pub use checker::{
-    ASTRO_DIGITS, Accepted, EXTRA_BITS, MAX_DIGITS, WITNESS_BITS, check, check_certificate, verify,
+    ASTRO_DIGITS, Accepted, EXTRA_BITS, MALACHITE_DIGITS, MAX_DIGITS, WITNESS_BITS, check,
+    check_certificate, verify,
 };
 pub use claim::{ArchFile, AsymmetricFile, ClaimFile, StandsFile, StateFile, TooThinFile};
 pub use engine::Engine;

@@ -59,9 +59,6 @@ macro_rules! operators {
     };
 }
 
-#[cfg(feature = "mpfr")]
-pub(crate) use operators;
-
 mod angle;
 mod astro;
 mod decimal;

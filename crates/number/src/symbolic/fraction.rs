@@ -1,7 +1,7 @@
 //! Quotients of polynomials: the number over which the equations of the paper become formulas.
 
 use super::{Polynomial, Relations, Symbol};
-use crate::number::{ExactField, Field, operators};
+use crate::number::{ExactField, Field};
 use rug::Rational;
 
 /// A quotient of two polynomials, in lowest terms; the denominator has leading coefficient one.

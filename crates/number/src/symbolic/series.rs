@@ -1,6 +1,6 @@
 //! Truncated power series in one variable, with exact coefficients.
 
-use crate::number::{Dual, ExactField, Field, operators};
+use crate::number::{Dual, ExactField, Field};
 
 /// `c_0 x^s + c_1 x^(s+1) + … + O(x^n)`: finitely many exact coefficients, and the order `n` from which
 /// on nothing is known.

@@ -87,7 +87,7 @@ pub(super) fn outcome<E: Arithmetic>(
 /// Tells whether the friction seems to be below the purely sliding one: a candidate.
 fn seems_to_slide<E: Arithmetic>(query: &Query<E>) -> bool {
     query.friction().is_some_and(|friction| {
-        let [least, ..] = start::sliding(&query.alpha().rough());
+        let [least, ..] = start::sliding(&query.alpha().cut(64));
         friction.candidate() / (least.like(1.001) * least) < 1.0
     })
 }

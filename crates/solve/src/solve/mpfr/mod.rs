@@ -1,4 +1,4 @@
-//! Candidates to any number of bits, and those in which more is asked of a number than of any other: what needs MPFR.
+//! Candidates to any number of bits: what needs MPFR.
 
 pub mod expansion;
 mod root;
@@ -32,10 +32,6 @@ impl Start for Float {
 
     fn to_double(&self) -> f64 {
         self.to_f64()
-    }
-
-    fn rough(&self) -> Self {
-        Self::with_val(64, self)
     }
 
     fn cut(self, bits: u32) -> Self {

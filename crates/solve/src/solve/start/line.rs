@@ -121,7 +121,7 @@ fn rotating<T: Start>(weight: SelfWeight, mu: &T) -> T {
     let end = zero(2.0, 3.0, |alpha| before_end(weight, alpha));
     let target = mu.to_double();
     let found = zero(1e-3, end, |alpha| {
-        let [_, _, h] = rotational(weight, &mu.rough().like(alpha)).map(|x| x.to_double());
+        let [_, _, h] = rotational(weight, &mu.clone().cut(64).like(alpha)).map(|x| x.to_double());
         friction::shoulder(&Angle::new(alpha), &h).value() - target
     });
     mu.like(found)

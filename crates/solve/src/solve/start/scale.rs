@@ -14,9 +14,6 @@ pub trait Start: Approximate + Real + Stumpff + PartialOrd<f64> {
     /// The double nearest to it.
     fn to_double(&self) -> f64;
 
-    /// First digits of the number.
-    fn rough(&self) -> Self;
-
     /// The number to so many bits, where these numbers can be shorter than they are.
     fn cut(self, bits: u32) -> Self;
 
@@ -44,10 +41,6 @@ impl Start for f64 {
     }
 
     fn to_double(&self) -> f64 {
-        *self
-    }
-
-    fn rough(&self) -> Self {
         *self
     }
 
