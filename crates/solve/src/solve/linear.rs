@@ -137,6 +137,13 @@ mod tests {
     }
 
     #[test]
+    fn a_matrix_of_doubles_times_its_inverse_is_one() {
+        let found = inverse(vec![vec![0.0, 2.0], vec![4.0, 1.0]]).unwrap();
+        assert_eq!(found, [[-0.125, 0.25], [0.5, 0.0]]);
+        assert!(inverse(vec![vec![1.0, 2.0], vec![2.0, 4.0]]).is_none());
+    }
+
+    #[test]
     fn a_singular_matrix_has_none() {
         assert!(inverse(matrix(&[&[1, 2], &[2, 4]])).is_none());
     }
