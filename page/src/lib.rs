@@ -1,7 +1,7 @@
 //! What the page runs in the browser, over linear memory: a text goes in, a text comes out.
 //!
 //! The script writes a text where [`input`] says, calls [`check`] or [`prove`], and reads the answer, JSON, where
-//! [`output`] says. Nothing here looks for a candidate: the script of the map does, in doubles, and is not believed.
+//! [`output`] says. A start is not looked for here: the script of the map has it, in doubles, and is not believed.
 
 mod candidate;
 mod drawing;

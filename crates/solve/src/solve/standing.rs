@@ -20,7 +20,7 @@ pub struct StandingCandidate<T> {
 }
 
 impl<T: Start> StandingCandidate<T> {
-    /// The state of an arch of a thickness as its certificate has it, and candidates for the unknowns that it has there.
+    /// The state as the certificate of an arch of this thickness has it, and candidates for the unknowns there.
     pub fn stated(self, thickness: &ExactNumber) -> (Standing, Vec<T>) {
         let Self { thrust, crown_moment, nearest, joint } = self;
         let (thrust, crown_moment) = (thrust.exact(), crown_moment.exact());
