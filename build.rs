@@ -21,8 +21,8 @@ fn packaged() -> Option<String> {
     rest.split_once('"').map(|(commit, _)| commit.to_owned())
 }
 
-/// The last commit of this repository that changed the sources, and whether what is built differs from it. A commit of other
-/// files changes nothing of the program, so nothing is built again.
+/// The last commit of this repository that changed the sources, and whether what is built differs from it. A commit of
+/// other files changes nothing of the program, so nothing is built again.
 fn checked_out() -> Option<String> {
     let top = git(&["rev-parse", "--show-toplevel"])?;
     let is_ours = fs::canonicalize(top).ok()? == fs::canonicalize(".").ok()?;

@@ -50,7 +50,10 @@ def code(path):
 
 
 def is_tests(path):
-    return path.name == "tests.rs" or "tests" in path.parts
+    """Whether a file is compiled for tests only."""
+    folder = path.parent / "mod.rs"
+    declared = folder.read_text() if folder.exists() else ""
+    return path.name == "tests.rs" or "tests" in path.parts or f"#[cfg(test)]\nmod {path.stem};" in declared
 
 
 def floors():

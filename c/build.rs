@@ -1,5 +1,5 @@
-//! The name that programs look for the shared library by. Its number rises when a program that was linked with it could not
-//! go on.
+//! The name that programs look for the shared library by. Its number rises when a program that was linked with it could
+//! not go on.
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");

@@ -1,5 +1,5 @@
-//! Has the linker put functions that look alike next to each other, if it can: a wheel has a thirtieth less then, as what
-//! compresses it looks back 32 kB.
+//! Has the linker put functions that look alike next to each other, if it can: a wheel has a thirtieth less then, as
+//! what compresses it looks back 32 kB.
 
 use std::env;
 use std::path::PathBuf;

@@ -59,8 +59,8 @@ impl Given {
         )
     }
 
-    /// What is given in other units, each correctly rounded to as many of `digits` digits as are decided. The names are not
-    /// those of results: a limit may be one of the same quantity.
+    /// What is given in other units, each correctly rounded to as many of `digits` digits as are decided. The names are
+    /// not those of results: a limit may be one of the same quantity.
     pub(crate) fn values(&self, digits: usize) -> Vec<(&'static str, String)> {
         let at = self.arch.given::<DoubleDoubleBall>(BITS);
         let alpha = &at.half_opening.rad;

@@ -78,7 +78,8 @@ pub struct Proved {
     pub stands: Option<bool>,
     /// What that says, if it has one and stands.
     pub meaning: Option<&'static str>,
-    /// What it may do all the same, where an asymmetric mechanism is known of such arches; this page does not look for it.
+    /// What it may do all the same, where an asymmetric mechanism is known of such arches; this page does not look for
+    /// it.
     pub may_move: Option<String>,
     /// Whether a line of thrust that fits its thickness is proved too.
     pub has_line: bool,
@@ -457,7 +458,8 @@ mod tests {
         assert!(slides("0.31").is_err());
     }
 
-    /// Beyond B the friction with which it slides is not enough, beyond L none is: what the page adds to a proof that it slides.
+    /// Beyond B the friction with which it slides is not enough, beyond L none is: what the page adds to a proof that
+    /// it slides.
     #[test]
     fn more_friction_is_proved_not_to_help() {
         let of = |alpha, mu, subject, start: &[(&str, f64)]| {

@@ -1,8 +1,8 @@
-//! The library as programs have it: those of `examples` and `programs` are compiled against it and run, each by the language
-//! that it is written in, if that is installed.
+//! The library as programs have it: those of `examples` and `programs` are compiled against it and run, each by the
+//! language that it is written in, if that is installed.
 //!
-//! `COUPLET_C` is the folder that `make c` puts together, with `lib` and `include`, and `COUPLET` the command that answers are
-//! compared with.
+//! `COUPLET_C` is the folder that `make c` puts together, with `lib` and `include`, and `COUPLET` the command that
+//! answers are compared with.
 
 mod header;
 mod languages;

@@ -12,8 +12,6 @@ pub mod sweep;
 use couplet_check::{arch, check, problem};
 use couplet_claims::claims;
 use couplet_number::number;
-#[cfg(feature = "parquet")]
-use couplet_prove::strategies;
 use couplet_prove::{atlas, certify, judge};
 use couplet_report::report;
 use couplet_solve::solve;

@@ -28,5 +28,6 @@ mod table;
 mod text;
 mod verify;
 
+use couplet_prove::strategies;
 pub use sweep::{SurveyedPart, Sweep};
 pub use verify::{Verified, verify};

@@ -3,12 +3,12 @@
 use super::query::{AxisNumber, Listed, PartArches, PartGrid, PartQueries};
 use super::record::{self, DataFile, SweepRecord};
 use super::slices::read_slice;
+use super::strategies::samples;
 use crate::arch::SelfWeight;
 use crate::certify::batch::SharedOpening;
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Friction};
 use crate::report::GivenDoubles;
-use crate::strategies::samples;
 use ::parquet::data_type::ByteArray;
 use std::ops::Range;
 use std::path::Path;

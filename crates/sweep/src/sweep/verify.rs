@@ -2,6 +2,7 @@
 
 use super::queries::queries;
 use super::store::PartState;
+use super::strategies::Draw;
 use super::sweep::Sweep;
 use super::table::{Notes, PartTable, ReadCells, ReadTable};
 use crate::certify::batch::{BatchArches, RowVerdict};
@@ -9,7 +10,6 @@ use crate::certify::certify_arch;
 use crate::check::{Accepted, verify as check};
 use crate::failure::Failure;
 use crate::problem::{Arch, Problem};
-use crate::strategies::Draw;
 use ::parquet::data_type::ByteArray;
 use rayon::prelude::*;
 use rug::{Integer, Rational};
