@@ -30,7 +30,9 @@ use clap::Args;
 /// not are listed.
 #[derive(Args)]
 #[command(
-    override_usage = "couplet complementarity --half-opening <ANGLE> --friction <MU> [--stones <N> [--half] [--thickness <ETA>]] [OPTIONS]\n       couplet complementarity --half-opening <ANGLE> --branch [OPTIONS]"
+    override_usage = "couplet complementarity --half-opening <ANGLE> --friction <MU> [--stones <N> [--half] \
+                      [--thickness <ETA>]] [OPTIONS]\n       couplet complementarity --half-opening <ANGLE> --branch \
+                      [OPTIONS]"
 )]
 pub(crate) struct Arguments {
     #[command(flatten)]
@@ -38,7 +40,10 @@ pub(crate) struct Arguments {
 
     /// Enclose the least value of the programme (20) at this thickness-to-radius ratio (0.55, 11/20) instead of all
     /// solutions, between the stones; at the `least` thickness of these it is zero.
-    #[arg(long, visible_alias = "eta", value_name = "ETA", requires = "stones", value_parser = at, allow_hyphen_values = true)]
+    #[arg(
+        long, visible_alias = "eta", value_name = "ETA", requires = "stones", value_parser = at,
+        allow_hyphen_values = true
+    )]
     thickness: Option<At>,
 
     /// Find all solutions between so many equal stones of the whole arch, 2 to 60, at any thickness up to 2; with

@@ -40,7 +40,10 @@ pub(crate) struct Arguments {
     thickness: Option<String>,
 
     /// A landmark instead of an arch, by symbol or name: T, S, J, B, l or L.
-    #[arg(long, value_name = "LANDMARK", value_parser = parse::landmark, conflicts_with_all = ["half_opening", "friction", "friction_angle", "thickness", "span", "radius", "density"])]
+    #[arg(
+        long, value_name = "LANDMARK", value_parser = parse::landmark,
+        conflicts_with_all = ["half_opening", "friction", "friction_angle", "thickness", "span", "radius", "density"]
+    )]
     at: Option<Landmark>,
 
     /// Only this mode, where several are possible (rrs, [s,s]).
@@ -84,8 +87,8 @@ pub(crate) struct Arguments {
 }
 
 /// Message why there are no stones.
-const STONES: &str = "--stones is for an arch with --half-opening and --friction: a landmark, and an arch at the friction at which it \
-                      slides, have a joint at every angle";
+const STONES: &str = "--stones is for an arch with --half-opening and --friction: a landmark, and an arch at the \
+                      friction at which it slides, have a joint at every angle";
 
 /// A command line that has everything.
 const EXAMPLE: &str = "couplet draw --half-opening 80deg --friction 0.35 -o arch.svg";

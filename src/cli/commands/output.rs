@@ -18,7 +18,10 @@ use tempfile::NamedTempFile;
 /// How and where answers are written.
 #[derive(Args)]
 pub(super) struct AnswerOutput {
-    #[arg(long, value_parser = parse::format(Content::Answers), help = parse::usual_format_help(Content::Answers, "table"))]
+    #[arg(
+        long, value_parser = parse::format(Content::Answers),
+        help = parse::usual_format_help(Content::Answers, "table")
+    )]
     format: Option<&'static Format>,
 
     /// Only the values, one a line: short for --format plain.
@@ -26,7 +29,10 @@ pub(super) struct AnswerOutput {
     plain: bool,
 
     /// Only these quantities (thickness, thrust, …; eta, mu, h too), with commas between several.
-    #[arg(long = "quantity", alias = "quantities", value_name = "NAME", value_delimiter = ',', value_parser = parse::quantity)]
+    #[arg(
+        long = "quantity", alias = "quantities", value_name = "NAME", value_delimiter = ',',
+        value_parser = parse::quantity
+    )]
     quantities: Vec<Quantity>,
 
     #[command(flatten)]

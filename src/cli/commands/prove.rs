@@ -38,7 +38,10 @@ pub(crate) struct Arguments {
     #[arg(long)]
     show: bool,
 
-    #[arg(long, value_parser = parse::format(Content::Claims), help = parse::usual_format_help(Content::Claims, "text"))]
+    #[arg(
+        long, value_parser = parse::format(Content::Claims),
+        help = parse::usual_format_help(Content::Claims, "text")
+    )]
     format: Option<&'static Format>,
 
     #[command(flatten)]

@@ -27,7 +27,10 @@ pub(crate) struct Arguments {
     #[arg(long, default_value = "1", allow_negative_numbers = true, value_parser = seed)]
     seed: u64,
 
-    #[arg(long, value_parser = parse::format(Content::Samples), help = parse::usual_format_help(Content::Samples, "csv"))]
+    #[arg(
+        long, value_parser = parse::format(Content::Samples),
+        help = parse::usual_format_help(Content::Samples, "csv")
+    )]
     format: Option<&'static Format>,
 
     #[command(flatten)]

@@ -27,7 +27,10 @@ pub(crate) struct Arguments {
     arch: ArchArguments,
 
     /// A landmark instead of an arch, by symbol or name (T, triple), with all modes that meet there.
-    #[arg(long, value_name = "LANDMARK", value_parser = parse::landmark, conflicts_with_all = ["half_opening", "friction", "friction_angle", "span", "radius", "density"])]
+    #[arg(
+        long, value_name = "LANDMARK", value_parser = parse::landmark,
+        conflicts_with_all = ["half_opening", "friction", "friction_angle", "span", "radius", "density"]
+    )]
     at: Option<Landmark>,
 
     #[command(flatten)]

@@ -58,13 +58,17 @@ pub(crate) struct Arguments {
 
     /// Only these quantities (thickness, thrust, …), with commas between several. Without a
     /// friction among them the frictions at which the mode changes are not proved, which saves time.
-    #[arg(long = "quantity", alias = "quantities", value_name = "NAME", value_delimiter = ',', value_parser = parse::quantity)]
+    #[arg(
+        long = "quantity", alias = "quantities", value_name = "NAME", value_delimiter = ',',
+        value_parser = parse::quantity
+    )]
     quantities: Vec<Quantity>,
 
     #[arg(
         long,
         value_parser = parse::format(Content::Rows),
-        help = parse::format_help(Content::Rows) + "; if not given what the name of the file ends with tells it, else that of the input"
+        help = parse::format_help(Content::Rows) + "; if not given what the name of the file ends with tells it, else \
+            that of the input"
     )]
     format: Option<&'static Format>,
 

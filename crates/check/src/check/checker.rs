@@ -74,7 +74,8 @@ pub fn verify(bytes: &[u8]) -> Result<Accepted, Refusal> {
 #[cfg_attr(
     feature = "malachite",
     doc = "",
-    doc = "With [`MalachiteInterval`](crate::number::MalachiteInterval) it is quicker than [`verify`]; its algorithms are in",
+    doc = "With [`MalachiteInterval`](crate::number::MalachiteInterval) it is quicker than [`verify`]; its algorithms \
+           are in",
     doc = "part those of MPFR, so that its verdict is none beside that of [`Ball`](crate::number::Ball).",
     doc = "",
     doc = "```",

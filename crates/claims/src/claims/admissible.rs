@@ -140,8 +140,8 @@ fn landmarks_without_thrust_stand(d: &mut Derivation) -> Checked<Finding> {
     let ratio = statics::shear_force(&joint, &none) / normal;
     d.identity("T/N", &ratio, joint.cos / joint.sin)?;
     d.conclude(
-        "It is bounded on any part of the arch off the crown, and unbounded next to it: the line of friction is inside if \
-         friction is infinite, and for no finite friction.",
+        "It is bounded on any part of the arch off the crown, and unbounded next to it: the line of friction is \
+         inside if friction is infinite, and for no finite friction.",
     )?;
     Ok(Finding::Equality {
         at: "the crown, where no force acts, and the shoulder's extrados; with infinite friction alone"

@@ -67,11 +67,13 @@ fn areas(d: &mut Derivation) -> Checked {
         }
     }
     d.argue(
-        "With more friction, or with less thickness, h_R - h_s grows: h_R falls with the thickness, h_s with the friction. \
-         So does mu - M(alpha_0), below the inner divide. Above it a state that stands as [s,s] does so with more \
-         thickness, and with less friction, as the line at which it stops to stand grows, and ends in B, at the thickness 2; and beta_r grows with less thickness and, as \
-         h_s falls, with more friction, while beta_s falls with more friction, as h_s <= h_T < 1/2 there. So an arch between two others, \
-         of which one has less friction and more thickness, and both of which have one mode, has this mode too: a cell is in one domain if two of its corners are.",
+        "With more friction, or with less thickness, h_R - h_s grows: h_R falls with the thickness, h_s with the \
+         friction. So does mu - M(alpha_0), below the inner divide. Above it a state that stands as [s,s] does so \
+         with more thickness, and with less friction, as the line at which it stops to stand grows, and ends in B, at \
+         the thickness 2; and beta_r grows with less thickness and, as h_s falls, with more friction, while beta_s \
+         falls with more friction, as h_s <= h_T < 1/2 there. So an arch between two others, of which one has less \
+         friction and more thickness, and both of which have one mode, has this mode too: a cell is in one domain if \
+         two of its corners are.",
     )?;
     for weight in SelfWeight::ALL {
         let areas = cells(weight);
@@ -96,8 +98,8 @@ fn areas(d: &mut Derivation) -> Checked {
         }
     }
     d.argue(
-        "At a corner the comparisons are decided in balls; that they tell the mode, and that two corners are enough, is \
-         said above. A line passes through a cell that has corners in two domains. Where l of Heyman's weight, eta = 1, is a corner, \
-         nothing is decided.",
+        "At a corner the comparisons are decided in balls; that they tell the mode, and that two corners are enough, \
+         is said above. A line passes through a cell that has corners in two domains. Where l of Heyman's weight, eta \
+         = 1, is a corner, nothing is decided.",
     )
 }

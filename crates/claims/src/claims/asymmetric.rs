@@ -98,8 +98,9 @@ fn motion(d: &mut Derivation) -> Checked {
     let expected = -(misfit / (alpha.sin.clone() * none.int(2)));
     d.identity(words, &gap[2], &expected)?;
     d.conclude(
-        "The left springing stays, and so the part of the arch beyond the left haunch has to. The third kind is the first with an \
-         inner slip of zero. In a solution of (19) the margin at each hinge is zero, and |T| = mu N where a joint slides.",
+        "The left springing stays, and so the part of the arch beyond the left haunch has to. The third kind is the \
+         first with an inner slip of zero. In a solution of (19) the margin at each hinge is zero, and |T| = mu N \
+         where a joint slides.",
     )
 }
 
@@ -137,22 +138,23 @@ fn unique(d: &mut Derivation) -> Checked<Finding> {
         let [shown, least_shown] = [shown(&other, DIGITS)?, shown(&least, DIGITS)?];
         let name = format!("{}, alpha = {alpha}, mu = {mu}", weight.name());
         let words = format!(
-            "{name}: {}, a solution admissible at every joint of the whole arch, with positive rates, at eta = {shown}, above \
-             the least thickness {least_shown}",
+            "{name}: {}, a solution admissible at every joint of the whole arch, with positive rates, at eta = \
+             {shown}, above the least thickness {least_shown}",
             mode.name()
         );
         d.less(words, [&least, &other])?;
         examples.push(format!("{name}: also at {shown}, beside {least_shown}"));
     }
     d.conclude(
-        "Each is a solution of (19): its equations have one root in a box, by Krawczyk's test; balls cover the arch; the blocks fit, \
-         and each rate is positive. The mirror image is one too. What the least thickness is does not change: below it nothing \
-         is admissible. The paper says that none was recorded; its references on the programme, [7, 8], were not at hand.",
+        "Each is a solution of (19): its equations have one root in a box, by Krawczyk's test; balls cover the arch; \
+         the blocks fit, and each rate is positive. The mirror image is one too. What the least thickness is does not \
+         change: below it nothing is admissible. The paper says that none was recorded; its references on the \
+         programme, [7, 8], were not at hand.",
     )?;
     Ok(Finding::Misprint {
         counterexample: examples.swap_remove(0),
-        corrected: "it is unique among symmetric motions (unique-thickness); some horseshoes have asymmetric solutions of (19) at \
-                    larger thicknesses, for either weight and of three kinds",
+        corrected: "it is unique among symmetric motions (unique-thickness); some horseshoes have asymmetric \
+                    solutions of (19) at larger thicknesses, for either weight and of three kinds",
     })
 }
 

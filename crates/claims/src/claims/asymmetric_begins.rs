@@ -178,7 +178,8 @@ fn begins(d: &mut Derivation) -> Checked {
         let Edge { weight, mode, begins } = edge;
         let [fails, holds] = begins.map(|n| format!("{}.{:02}", n / 100, n % 100));
         let words = format!(
-            "{}, {}: at each alpha from 90° to {fails}° a solution has a negative rate, and at each from {holds}° to T one has positive rates",
+            "{}, {}: at each alpha from 90° to {fails}° a solution has a negative rate, and at each from {holds}° to \
+             T one has positive rates",
             weight.name(),
             mode.name(),
         );
@@ -201,10 +202,10 @@ fn begins(d: &mut Derivation) -> Checked {
     let words = "at a symmetric state, twice sin(alpha + beta_s) times the slip of the inner joint";
     d.identity(words, &misfit, &expected)?;
     d.conclude(
-        "The solutions are sought one from the next, from T on; that they are one curve, which is admissible, is not proved here. \
-         The first bracket is positive, as the arm above the haunch is. So nothing of the kind exists where cos(alpha) >= 0, and \
-         the condition is up |cot(alpha)| > (1 - eta/2) sin(beta_r), with up the height of the crown's extrados above the intrados \
-         of the haunch.",
+        "The solutions are sought one from the next, from T on; that they are one curve, which is admissible, is not \
+         proved here. The first bracket is positive, as the arm above the haunch is. So nothing of the kind exists \
+         where cos(alpha) >= 0, and the condition is up |cot(alpha)| > (1 - eta/2) sin(beta_r), with up the height of \
+         the crown's extrados above the intrados of the haunch.",
     )
 }
 

@@ -212,14 +212,13 @@ fn signs_of_the_branches(d: &mut Derivation) -> Checked {
     d.identity("g - f, a product of positive factors", wide.g - &wide.f, excess * joint.versine())?;
     widest_joint_is_below_a_right_angle(d)?;
     d.conclude(
-        "For beta < beta_sb the cubic has three simple real roots, so that (12) is negative; each c is \
-         positive; the norm of u³ is P³ > 0. So u, the principal cube root, is √P e^(i t/3) with 0 < t < pi, and the two terms \
-         are 2 √P cos(t/3 - pi/3) for (1 + k)/2 and 2 √P cos(t/3 + pi/3) for (1 - k)/2, where k = i√3; \
-         the third root has -2 √P cos(t/3). As t/3 < pi/3, the first is the largest and the second the \
-         middle one; scale and shift, \
-         with positive scales, keep that order. The upper sign is (1 + k)/2 in (9) and (11), which takes the larger A and h, and \
-         (1 - k)/2 in (10), which takes the smaller eta of the two: all belong to alpha_1. The lower \
-         sign belongs to alpha_2.",
+        "For beta < beta_sb the cubic has three simple real roots, so that (12) is negative; each c is positive; the \
+         norm of u³ is P³ > 0. So u, the principal cube root, is √P e^(i t/3) with 0 < t < pi, and the two terms are \
+         2 √P cos(t/3 - pi/3) for (1 + k)/2 and 2 √P cos(t/3 + pi/3) for (1 - k)/2, where k = i√3; the third root has \
+         -2 √P cos(t/3). As t/3 < pi/3, the first is the largest and the second the middle one; scale and shift, with \
+         positive scales, keep that order. The upper sign is (1 + k)/2 in (9) and (11), which takes the larger A and \
+         h, and (1 - k)/2 in (10), which takes the smaller eta of the two: all belong to alpha_1. The lower sign \
+         belongs to alpha_2.",
     )
 }
 

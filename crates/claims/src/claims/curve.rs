@@ -226,10 +226,10 @@ fn states_of_one_thickness(d: &mut Derivation) -> Checked {
     let range = (&Rational::new(), &Rational::from(2));
     d.positive("p at beta = pi/2 with delta_M = 0, in eta,", range, at_right_angle)?;
     d.conclude(
-        "p grows with delta_M, and with beta over S: beta(eta) falls with delta_M. At pi/2 p is positive, \
-         so that every beta(eta) is smaller, cos(beta) > 0. As h_L is stationary in beta, the partial derivatives are those \
-         along the states of one thickness: A grows with delta_M, so that alpha falls, and h falls. \
-         Where the state is overturning, A = 2 fac/(2 + eta) grows too.",
+        "p grows with delta_M, and with beta over S: beta(eta) falls with delta_M. At pi/2 p is positive, so that \
+         every beta(eta) is smaller, cos(beta) > 0. As h_L is stationary in beta, the partial derivatives are those \
+         along the states of one thickness: A grows with delta_M, so that alpha falls, and h falls. Where the state \
+         is overturning, A = 2 fac/(2 + eta) grows too.",
     )
 }
 

@@ -171,8 +171,8 @@ fn touching_thickness(d: &mut Derivation) -> Checked {
 fn shift_beyond_s(d: &mut Derivation) -> Checked {
     only_beyond(d, HaunchPlace::Sliding, Landmark::Shift)?;
     d.conclude(
-        "[r,s,r] has beta_r < beta_s, so that eta > eta_5(h), as by (5) beta_r falls as eta grows. So mu >= mu_S, h <= h_S and \
-         eta >= eta_5(h_S) = eta_S, as beta_s cot(beta_s) - h falls with h below 1/2, and eta_5 with it.",
+        "[r,s,r] has beta_r < beta_s, so that eta > eta_5(h), as by (5) beta_r falls as eta grows. So mu >= mu_S, h \
+         <= h_S and eta >= eta_5(h_S) = eta_S, as beta_s cot(beta_s) - h falls with h below 1/2, and eta_5 with it.",
     )
 }
 
@@ -218,9 +218,9 @@ fn only_beyond(d: &mut Derivation, haunch: HaunchPlace, end: Landmark) -> Checke
         d.less(words, [&slope, &slope.int(0)])?;
     }
     d.conclude(format!(
-        "Let mu_T <= mu < mu_{symbol}. The arch that just slides stands at the thickness eta_5 of its thrust h, with room at crown \
-         and shoulder, and at each larger one with room at all faces. There [s,s] moves, and no other half opening has a \
-         mechanism; this one has none that turns at the shoulder."
+        "Let mu_T <= mu < mu_{symbol}. The arch that just slides stands at the thickness eta_5 of its thrust h, with \
+         room at crown and shoulder, and at each larger one with room at all faces. There [s,s] moves, and no other \
+         half opening has a mechanism; this one has none that turns at the shoulder."
     ))
 }
 
@@ -316,7 +316,8 @@ fn pure_sliding_ends_at_b(d: &mut Derivation) -> Checked {
     )?;
     d.conclude(
         "Before B n is above the bound, for alpha < 3/2 since n > A and A falls. At eta = 2 each of these states \
-         stands with a small p > 0: L >= p, U > 0 from crown to shoulder, and T/N is largest at beta_s, -T/N at the shoulder: \
-         [s,s]. Their frictions are all those below mu_B: mu goes to 0 with alpha, as alpha cot(alpha) < h < 1.",
+         stands with a small p > 0: L >= p, U > 0 from crown to shoulder, and T/N is largest at beta_s, -T/N at the \
+         shoulder: [s,s]. Their frictions are all those below mu_B: mu goes to 0 with alpha, as alpha cot(alpha) < h \
+         < 1.",
     )
 }

@@ -106,10 +106,10 @@ fn sliding_states_in_order(d: &mut Derivation) -> Checked {
     let rest = alpha.rad.clone() * &alpha.sin - (h.int(1) - &h) * &alpha.cos;
     d.identity("d(-T)/d alpha", &slope, &rest)?;
     d.conclude(
-        "At h = 1 this is alpha sin(alpha), so that -T > 0 there. At a given half opening mu_is falls \
-         from inf to 0 as h grows from 0 to 1, while mu_ss grows from -cot(alpha) to a positive number \
-         or, if N vanishes before, to inf: there is one thrust at which they are equal. Along these states dh/d alpha = -(d mu_ss/d alpha)/(d mu_ss/dh \
-         - d mu_is/dh) < 0, and mu = mu_is(h) grows.",
+        "At h = 1 this is alpha sin(alpha), so that -T > 0 there. At a given half opening mu_is falls from inf to 0 \
+         as h grows from 0 to 1, while mu_ss grows from -cot(alpha) to a positive number or, if N vanishes before, to \
+         inf: there is one thrust at which they are equal. Along these states dh/d alpha = -(d mu_ss/d alpha)/(d \
+         mu_ss/dh - d mu_is/dh) < 0, and mu = mu_is(h) grows.",
     )
 }
 
@@ -202,10 +202,11 @@ fn frictions_grow(d: &mut Derivation) -> Checked {
         joint.rad.square() * &joint.cos / one.int(2),
     )?;
     d.conclude(
-        "On the curve h >= A - 1, since 2 fac/(2 + eta) <= 1, and A = 2 x cot(x) >= 2 - x² with x = alpha/2, so that h (1-h) <= 1 - h <= alpha²/4. In N² dM = (alpha² - h (1-h)) d alpha + alpha dh \
-         both A and A - h fall, so that d alpha >= -dh (1 - cos)/(alpha - sin): N² dM is at least -dh \
-         times (3/4 alpha² (1 - cos)/(alpha - sin) - alpha), which is positive. So M grows with alpha; m \
-         = mu_is(h) grows, since h falls, and without bound, since h -> 0 at l.",
+        "On the curve h >= A - 1, since 2 fac/(2 + eta) <= 1, and A = 2 x cot(x) >= 2 - x² with x = alpha/2, so that \
+         h (1-h) <= 1 - h <= alpha²/4. In N² dM = (alpha² - h (1-h)) d alpha + alpha dh both A and A - h fall, so \
+         that d alpha >= -dh (1 - cos)/(alpha - sin): N² dM is at least -dh times (3/4 alpha² (1 - cos)/(alpha - sin) \
+         - alpha), which is positive. So M grows with alpha; m = mu_is(h) grows, since h falls, and without bound, \
+         since h -> 0 at l.",
     )
 }
 

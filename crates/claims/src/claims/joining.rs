@@ -68,5 +68,6 @@ fn joining(d: &mut Derivation, weight: SelfWeight, slope: &Surd) -> Checked {
         &joint_squared.coefficient(1),
         &zero,
     )?;
-    d.conclude("dA/d alpha is not zero at alpha_l (alpha-one-to-one), so that in alpha, too, the slopes agree and the curvatures differ")
+    d.conclude("dA/d alpha is not zero at alpha_l (alpha-one-to-one), so that in alpha, too, the slopes agree and the \
+                curvatures differ")
 }

@@ -37,8 +37,8 @@ fn lines(d: &mut Derivation) -> Checked {
     }
     d.argue(
         "On each piece Krawczyk's test holds for every value of the parameter: one solution in a tube, with a regular \
-         derivative, so that it is an analytic function of the parameter. At a node the solution lies in the tubes on both \
-         sides, where there is no other. The enclosures of the landmarks lie in the first and the last tube.",
+         derivative, so that it is an analytic function of the parameter. At a node the solution lies in the tubes on \
+         both sides, where there is no other. The enclosures of the landmarks lie in the first and the last tube.",
     )?;
     d.argue(
         "The lines, with the edges phi = 0, phi = pi/2, eta = 0 and eta = 2, close a loop around each domain, and each \

@@ -61,8 +61,8 @@ fn compatible(d: &mut Derivation) -> Checked {
         d.on_circle(format!("{mode}: the horizontal velocity behind it"), &across, &none)?;
     }
     d.conclude(
-        "By symmetry the axis behind the crown moves up and down only, and the left half is the mirror image. For the open \
-         crown of [r] the two hinges together are the opening along the whole joint.",
+        "By symmetry the axis behind the crown moves up and down only, and the left half is the mirror image. For the \
+         open crown of [r] the two hinges together are the opening along the whole joint.",
     )
 }
 
@@ -111,9 +111,9 @@ fn rates(d: &mut Derivation) -> Checked {
     let words = "mu N + T at the shoulder; were sin(alpha) <= mu cos(alpha), it would be positive";
     d.identity(words, &outwards, &expected)?;
     d.conclude(
-        "The arm above the haunch is positive, that below is a condition of each state whose mechanism has it, and \
-         0 < beta_s <= 1/2, 0 < alpha < pi; where the shoulder slides sin(alpha) - mu cos(alpha) is positive, as h is. So \
-         numerators and denominators are positive. The rates of the hinges are free of mu.",
+        "The arm above the haunch is positive, that below is a condition of each state whose mechanism has it, and 0 \
+         < beta_s <= 1/2, 0 < alpha < pi; where the shoulder slides sin(alpha) - mu cos(alpha) is positive, as h is. \
+         So numerators and denominators are positive. The rates of the hinges are free of mu.",
     )
 }
 
@@ -158,9 +158,9 @@ fn at_limit(d: &mut Derivation) -> Checked {
         }
     }
     d.conclude(
-        "Each is zero where the equations of the mode hold: every rate stands with a margin that is zero. The crown moment p \
-         puts the line of thrust on the extrados of the crown where the mode has (2) or no thrust, else on that of the \
-         shoulder; [s,s] leaves it open.",
+        "Each is zero where the equations of the mode hold: every rate stands with a margin that is zero. The crown \
+         moment p puts the line of thrust on the extrados of the crown where the mode has (2) or no thrust, else on \
+         that of the shoulder; [s,s] leaves it open.",
     )
 }
 
@@ -186,8 +186,8 @@ fn power(d: &mut Derivation) -> Checked {
         }
     }
     d.conclude(
-        "For any thrust and crown moment it is the sum of the rates times the margins, with its sign turned: zero in the \
-         state of the mode, where each of these margins is.",
+        "For any thrust and crown moment it is the sum of the rates times the margins, with its sign turned: zero in \
+         the state of the mode, where each of these margins is.",
     )
 }
 

@@ -132,8 +132,8 @@ fn touching(d: &mut Derivation) -> Checked {
         &rooted,
     )?;
     d.conclude(
-        "Where the square root of the last is taken, h and the bow are positive, and so are their roots, of which the one of \
-         (1 - cos(beta)) (beta/sin(beta) - 1) is analytic in beta².",
+        "Where the square root of the last is taken, h and the bow are positive, and so are their roots, of which the \
+         one of (1 - cos(beta)) (beta/sin(beta) - 1) is analytic in beta².",
     )
 }
 

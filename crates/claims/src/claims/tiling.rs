@@ -80,26 +80,26 @@ fn columns(d: &mut Derivation) -> Checked {
     let words = "-T at the shoulder: positive where it slides, so that h > alpha cot(alpha)";
     d.identity(words, -statics::shear_force(&at.half_opening, &at.thrust), &outwards)?;
     d.argue(
-        "Let h_R(eta) be the thrust of the rotational state of the thickness, alpha_0 its half opening; h_R falls as eta \
-         grows, and is 0 from eta_l on. At alpha*, h >= h_R: if its haunch is a joint of the arch, as h >= h_L; else, \
-         if the shoulder slides, since h > alpha cot(alpha) is more than that at the haunch; and if it is on the extrados, since \
-         h >= A(alpha) - 2 fac/(2 + eta), and alpha < alpha_0. And h >= h_s(mu), \
-         the thrust below 1 at which mu_is is mu: for h < 1 beta_s is above the shoulder, which is at its limit, so that \
-         mu_is(h) <= mu, and mu_is falls. A hinge at the crown has h = h_R, \
-         an inner joint that slides h = h_s: below one thickness h_R > h_s, and the mode has the first, above it \
-         the second.",
+        "Let h_R(eta) be the thrust of the rotational state of the thickness, alpha_0 its half opening; h_R falls as \
+         eta grows, and is 0 from eta_l on. At alpha*, h >= h_R: if its haunch is a joint of the arch, as h >= h_L; \
+         else, if the shoulder slides, since h > alpha cot(alpha) is more than that at the haunch; and if it is on \
+         the extrados, since h >= A(alpha) - 2 fac/(2 + eta), and alpha < alpha_0. And h >= h_s(mu), the thrust below \
+         1 at which mu_is is mu: for h < 1 beta_s is above the shoulder, which is at its limit, so that mu_is(h) <= \
+         mu, and mu_is falls. A hinge at the crown has h = h_R, an inner joint that slides h = h_s: below one \
+         thickness h_R > h_s, and the mode has the first, above it the second.",
     )?;
     falls_with_the_thickness(d)?;
     d.argue(
         "Below it h = h_R, and the haunch is that of the rotational state of half opening alpha_0(eta), which grows: \
-         [r,r,r] as long as M(alpha_0) <= mu, [s,r,r] from there on. Above it h = h_s: let alpha_P be the half opening that \
-         just slides. If it stands, alpha* = alpha_P, [s,s]; and it stands from one thickness on. Below that the \
-         shoulder opens, beta_r cot(beta_r) = h_s - 1 + 2 fac/(2 - eta) grows up to 1: beta_r falls, past beta_s, to the crown, \
-         where it is up to eta = 2: [r,r,s], [r,s,r], [r,s].",
+         [r,r,r] as long as M(alpha_0) <= mu, [s,r,r] from there on. Above it h = h_s: let alpha_P be the half \
+         opening that just slides. If it stands, alpha* = alpha_P, [s,s]; and it stands from one thickness on. Below \
+         that the shoulder opens, beta_r cot(beta_r) = h_s - 1 + 2 fac/(2 - eta) grows up to 1: beta_r falls, past \
+         beta_s, to the crown, where it is up to eta = 2: [r,r,s], [r,s,r], [r,s].",
     )?;
     d.argue(
-        "At the thickness where h_R = h_s, mu = m(alpha_0). For mu < mu_T, alpha_0 < alpha_T and M > m: [s,r,r] comes before, \
-         and then [s,s], as no inner joint slides with a hinge at the shoulder left of T. For mu >= mu_T, M <= m: [s,r,r] is left out.",
+        "At the thickness where h_R = h_s, mu = m(alpha_0). For mu < mu_T, alpha_0 < alpha_T and M > m: [s,r,r] comes \
+         before, and then [s,s], as no inner joint slides with a hinge at the shoulder left of T. For mu >= mu_T, M \
+         <= m: [s,r,r] is left out.",
     )
 }
 
@@ -146,18 +146,19 @@ fn rows(d: &mut Derivation) -> Checked {
     d.identity("d beta_s²/dh, positive below 1/2", square.partial(Symbol::Thrust), &slope)?;
     d.argue(
         "A state of pure rotation does not see the friction, from which on it is admissible: [r,r,r] holds from some \
-         friction on, or never. [s,s] holds at one friction, the least. What is admissible stays so with more friction, so \
-         that the thickness does not grow with it.",
+         friction on, or never. [s,s] holds at one friction, the least. What is admissible stays so with more \
+         friction, so that the thickness does not grow with it.",
     )?;
     d.argue(
-        "With an inner joint that slides mu >= mu_T, and h < 1/2 falls strictly as mu grows. So, as mu falls, h - 1 + 2 fac/(2 - eta) \
-         grows strictly: beta_r falls while beta_s grows, until the slope at the crown is not negative. [r,r,s] with beta_r > \
-         beta_s, [r,s,r] with beta_r < beta_s and [r,s] are passed in this order, each once.",
+        "With an inner joint that slides mu >= mu_T, and h < 1/2 falls strictly as mu grows. So, as mu falls, h - 1 + \
+         2 fac/(2 - eta) grows strictly: beta_r falls while beta_s grows, until the slope at the crown is not \
+         negative. [r,r,s] with beta_r > beta_s, [r,s,r] with beta_r < beta_s and [r,s] are passed in this order, \
+         each once.",
     )?;
     d.argue(
-        "In [s,r,r] alpha <= alpha_T and mu <= mu_T. There M <= mu_T and m <= mu_T, as both grow with alpha and meet at T: \
-         from mu_T on the arch is [r,r,r], and no inner joint slides with a hinge. So before T [s,r,r] alone is between [s,s] and \
-         [r,r,r], and beyond T it is not there.",
+        "In [s,r,r] alpha <= alpha_T and mu <= mu_T. There M <= mu_T and m <= mu_T, as both grow with alpha and meet \
+         at T: from mu_T on the arch is [r,r,r], and no inner joint slides with a hinge. So before T [s,r,r] alone is \
+         between [s,s] and [r,r,r], and beyond T it is not there.",
     )
 }
 
@@ -188,10 +189,10 @@ fn overturning_sliding_beyond_l(d: &mut Derivation) -> Checked {
         (fall - condition) * &joint.sin,
     )?;
     d.conclude(
-        "The parts of the arch stand, so that eta is at least the thickness of the rotational state of each half opening \
-         below alpha_l, or there would be room at that: eta >= eta_l. So L grows, and is zero at the crown alone, \
-         where then U = eta h > 0: no hinge opens at the crown's extrados, which leaves [r,s] and [s,s]. One of them moves \
-         at the least thickness.",
+        "The parts of the arch stand, so that eta is at least the thickness of the rotational state of each half \
+         opening below alpha_l, or there would be room at that: eta >= eta_l. So L grows, and is zero at the crown \
+         alone, where then U = eta h > 0: no hinge opens at the crown's extrados, which leaves [r,s] and [s,s]. One \
+         of them moves at the least thickness.",
     )?;
     d.conclude(
         "If [s,s] does, mu is the friction of pure sliding, the least with which the arch stands, and a thinner arch \

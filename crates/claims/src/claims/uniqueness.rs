@@ -150,10 +150,10 @@ fn thicker_has_room(d: &mut Derivation) -> Checked {
         "and that, times 1 + eta/2, is 2 (p + U) of the shoulder at eta and a positive number";
     d.identity(words, margin * ring.extrados() / &two, held + gain * alpha.versine())?;
     d.conclude(
-        "p is not negative, so that the room is positive at 2; concave and not negative at eta, it is positive between. \
-         So each lower bound of p, from the intrados of a joint, is below both upper bounds, from the extrados of \
-         crown and shoulder, and U, which is least at these two, is positive at every joint. Friction does not see the \
-         thickness.",
+        "p is not negative, so that the room is positive at 2; concave and not negative at eta, it is positive \
+         between. So each lower bound of p, from the intrados of a joint, is below both upper bounds, from the \
+         extrados of crown and shoulder, and U, which is least at these two, is positive at every joint. Friction \
+         does not see the thickness.",
     )
 }
 
@@ -172,8 +172,8 @@ fn one_thickness(d: &mut Derivation) -> Checked {
          are at their limit, and [s,s] moves.",
     )?;
     d.argue(
-        "The least thickness stands, and there no state leaves a positive margin at all joints, or a thinner arch would \
-         stand, as the margins are continuous. Linear inequalities without a strict solution have multipliers: \
+        "The least thickness stands, and there no state leaves a positive margin at all joints, or a thinner arch \
+         would stand, as the margins are continuous. Linear inequalities without a strict solution have multipliers: \
          rates in balance, not all zero, which move only joints at their limit. With those of the sliding joints \
          scaled back they are a mechanism.",
     )?;
@@ -202,8 +202,8 @@ fn limit_stands(d: &mut Derivation) -> Checked {
     let words = "U less U at the crown, at eta = 0: not zero at all joints, as A falls";
     d.identity(words, with(&distance, &[Symbol::Thickness], &h.int(0)), &expected)?;
     d.argue(
-        "If the thrusts of the arches are bounded, so are the moments p, which are between (1 - eta/2) h and \
-         (1 + eta/2) h. The conditions are closed: a limit of states is a state of the limit. It has eta > 0, as U + L = \
+        "If the thrusts of the arches are bounded, so are the moments p, which are between (1 - eta/2) h and (1 + \
+         eta/2) h. The conditions are closed: a limit of states is a state of the limit. It has eta > 0, as U + L = \
          eta N.",
     )?;
     let outwards = (mu.clone() * &joint.cos - &joint.sin) * &h
@@ -217,9 +217,9 @@ fn limit_stands(d: &mut Derivation) -> Checked {
         + alpha.versine() * gain;
     d.identity("L at the crown and U at the shoulder add up to", &ends, &expected)?;
     d.argue(
-        "Neither is negative where an arch stands. So thrusts without bound need mu cos(alpha) >= sin(alpha) and \
-         (2 + eta) cos(alpha) >= 2 - eta in the limit, so that alpha < pi/2 and eta > 0. Let c > 0 be small there, h large, and \
-         p = (1 - eta/2) h + c, so that L = c and U > 0 at the crown.",
+        "Neither is negative where an arch stands. So thrusts without bound need mu cos(alpha) >= sin(alpha) and (2 + \
+         eta) cos(alpha) >= 2 - eta in the limit, so that alpha < pi/2 and eta > 0. Let c > 0 be small there, h \
+         large, and p = (1 - eta/2) h + c, so that L = c and U > 0 at the crown.",
     )?;
     let area = joint.rad.clone() * &joint.sin + &joint.cos;
     let words = "d(x sin(x) + cos(x))/dx: positive, so that U > 0 at the shoulder";
@@ -264,10 +264,10 @@ fn one_half_opening(d: &mut Derivation) -> Checked {
          stands: the widest is alpha* < pi.",
     )?;
     d.argue(
-        "At alpha* no state leaves a positive margin at all joints, else a wider arch would stand. So it has a mechanism \
-         (linear inequalities without a strict solution have multipliers). Suppose a narrower arch has one. In a state \
-         of a wider one, U > 0 and mu N + T > 0 at its shoulder, a joint within. But margins that are not negative \
-         are all zero where the mechanism moves: so it does not move at the shoulder, and then nowhere, as it has a term on \
-         each side.",
+        "At alpha* no state leaves a positive margin at all joints, else a wider arch would stand. So it has a \
+         mechanism (linear inequalities without a strict solution have multipliers). Suppose a narrower arch has one. \
+         In a state of a wider one, U > 0 and mu N + T > 0 at its shoulder, a joint within. But margins that are not \
+         negative are all zero where the mechanism moves: so it does not move at the shoulder, and then nowhere, as \
+         it has a term on each side.",
     )
 }

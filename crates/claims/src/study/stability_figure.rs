@@ -51,7 +51,8 @@ pub fn figure(rungs: &[Rung]) -> Figure {
         })
     });
     Figure {
-        title: "Correct digits left towards each limit; certified: those that are proved, 16 asked for; crossed rings: no value"
+        title: "Correct digits left towards each limit; certified: those that are proved, 16 asked for; crossed \
+                rings: no value"
             .into(),
         panels: panels.collect(),
         columns: 2,

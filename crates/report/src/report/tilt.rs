@@ -140,7 +140,8 @@ pub(super) fn table(all: &[TiltedArch], out: &mut dyn io::Write) -> io::Result<(
     })
 }
 
-const COLUMNS: &str = "weight half_opening friction thickness tilt outcome largest_tilt limited_by reason may_move stones";
+const COLUMNS: &str = "weight half_opening friction thickness tilt outcome largest_tilt limited_by reason may_move \
+                       stones";
 
 pub(super) fn csv(all: &[TiltedArch], out: &mut dyn io::Write) -> io::Result<()> {
     let row = |arch: &TiltedArch| {

@@ -61,8 +61,8 @@ pub(super) fn drawing(table: &mut TableReader, format: Option<&'static Format>) 
     let is_picture = format.is_none_or(|format| format.is_picture);
     let wrong = match &pose {
         Pose::Landmark(..) | Pose::Sliding(..) if stones.is_some() => Some(
-            "stones are of an arch with half_opening and friction: a landmark, and an arch at the friction at which it slides, \
-             have a joint at every angle",
+            "stones are of an arch with half_opening and friction: a landmark, and an arch at the friction at which \
+             it slides, have a joint at every angle",
         ),
         _ if style.arrows && !is_picture => Some("only svg and png have arrows; leave out arrows"),
         _ if style.animate && !is_svg => Some("only svg moves; leave out animate"),

@@ -80,7 +80,8 @@ impl Store {
             true => {}
             false if whole.join(OLD_RECORD).is_file() => {
                 return Err(format!(
-                    "it is of an older couplet, which kept the record among the parts: move {OLD_RECORD} beside it, as {shown}"
+                    "it is of an older couplet, which kept the record among the parts: move {OLD_RECORD} beside it, \
+                     as {shown}"
                 ));
             }
             false => return Err(format!("{none}: it has no {shown} beside it")),

@@ -89,7 +89,10 @@ pub(crate) struct Arguments {
     accept: Option<usize>,
 
     /// How many of the worst rows are shown, up to 1000.
-    #[arg(long, value_name = "N", default_value = "5", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(0..=1000))]
+    #[arg(
+        long, value_name = "N", default_value = "5", allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u16).range(0..=1000)
+    )]
     worst: u16,
 
     #[arg(long, value_parser = parse::format(Content::Judged), help = format_help())]

@@ -172,8 +172,8 @@ fn look(sweep: &Sweep, parts: &[usize], sample: usize) -> Result<(), Failure> {
     let folder = sweep.folder().display();
     found.faults.iter().for_each(|fault| say(&format!("couplet: {fault}")));
     let summary = format!(
-        "{folder}: {} in {} are there and as the plan asks; {} proved again bit for bit, {} of them certified and checked in \
-         the second arithmetic\n",
+        "{folder}: {} in {} are there and as the plan asks; {} proved again bit for bit, {} of them certified and \
+         checked in the second arithmetic\n",
         count(found.rows as usize, "row", "rows"),
         count(found.parts, "part", "parts"),
         count(found.again, "row", "rows"),

@@ -25,8 +25,8 @@ pub enum StateError {
     Refused(#[from] Refusal),
     /// The certificate is about something else.
     #[error(
-        "it is not the certificate of a state, of an arch that slides (`couplet certify state` writes them), or of an asymmetric \
-         solution with an inner joint that slides (`couplet certify asymmetric`)"
+        "it is not the certificate of a state, of an arch that slides (`couplet certify state` writes them), or of an \
+         asymmetric solution with an inner joint that slides (`couplet certify asymmetric`)"
     )]
     NotState,
     /// The numbers for Coq were not found.

@@ -85,8 +85,8 @@ pub enum NoSketch {
     AnyThickness(u64),
     /// A keystone without a thrust on it.
     #[error(
-        "with unlimited friction the keystone of {0} stones hangs where there is no thrust: give a limited --friction, or an even number \
-         of stones"
+        "with unlimited friction the keystone of {0} stones hangs where there is no thrust: give a limited \
+         --friction, or an even number of stones"
     )]
     HangingKeystone(u64),
     /// A mode in which the arch does not fall.

@@ -139,8 +139,9 @@ pub(super) fn words(weight: SelfWeight) -> String {
         }
     };
     format!(
-        " Hatched in violet: what asymmetric solutions of (19) reach, in branches from the edge of [s,s] that are above the least \
-         thickness and meet it on {meet} and where [s,r,r] meets [r,r,r]{turn}. The lines are proved, and single branches \
-         by couplet complementarity --branch; that there are no other solutions is not. All is said of the model."
+        " Hatched in violet: what asymmetric solutions of (19) reach, in branches from the edge of [s,s] that are \
+         above the least thickness and meet it on {meet} and where [s,r,r] meets [r,r,r]{turn}. The lines are proved, \
+         and single branches by couplet complementarity --branch; that there are no other solutions is not. All is \
+         said of the model."
     )
 }

@@ -91,9 +91,10 @@ pub(in crate::report) fn branches(
     let legend_at = (0, 20.0 + WIDTH * share / (x.range[1] - first));
     let words = vec![
         format!(
-            "{title}, {words}. On the thick lines an arch has an admissible state, and also a motion in which friction takes what \
-             the weight gives; discs: where a line meets the least thickness, and where the mechanism changes; upright: pure sliding, at any thickness from the least on. {told}, {open}; that \
-             there are no others is not proved."
+            "{title}, {words}. On the thick lines an arch has an admissible state, and also a motion in which \
+             friction takes what the weight gives; discs: where a line meets the least thickness, and where the \
+             mechanism changes; upright: pure sliding, at any thickness from the least on. {told}, {open}; that there \
+             are no others is not proved."
         ),
         format!("Command: {command}"),
     ];

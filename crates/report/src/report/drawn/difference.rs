@@ -126,8 +126,8 @@ pub(in crate::report) fn differences(differences: &[Difference], command: &str) 
     let told = told(&[(x, off[0]), (ALL, off[1])], (WIDTH, height(panels.len())));
     let words = vec![
         format!(
-            "{title}; below the same, larger. The landmarks of the two weights (ₕ, ₘ) are at different frictions; between \
-             them one weight is on the next line already. {told}; nothing is left open."
+            "{title}; below the same, larger. The landmarks of the two weights (ₕ, ₘ) are at different frictions; \
+             between them one weight is on the next line already. {told}; nothing is left open."
         ),
         format!("Command: {command}"),
     ];

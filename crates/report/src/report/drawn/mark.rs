@@ -125,8 +125,8 @@ pub(super) fn words(marks: &[Mark], canvas: &Canvas) -> Vec<String> {
 }
 
 /// Words where a thickness is given and shown.
-const STROKE: &str = "A mark is the state of its arch at the least thickness, where the map has its mode; the stroke goes to \
-                      the thickness that is given.";
+const STROKE: &str = "A mark is the state of its arch at the least thickness, where the map has its mode; the stroke \
+                      goes to the thickness that is given.";
 
 /// The marks that a frame shows, with their places on the page.
 pub(super) fn places(marks: &[Mark], canvas: &Canvas, frame: &Frame) -> Vec<Placed> {

@@ -120,7 +120,8 @@ pub(in crate::report) fn table(report: &MapDifferences, out: &mut dyn io::Write)
     }
     writeln!(
         out,
-        "\nproved: for each friction angle between these, here rounded, the difference is in the tube, and between its least and its most"
+        "\nproved: for each friction angle between these, here rounded, the difference is in the tube, and between \
+         its least and its most"
     )
 }
 

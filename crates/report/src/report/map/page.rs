@@ -98,8 +98,8 @@ fn figure(map: &FramedMap, shown: Option<SelfWeight>) -> String {
     let svg = map.svg.replace("id=\"", &format!("id=\"{name}-"));
     let svg = svg.replace("url(#", &format!("url(#{name}-"));
     format!(
-        "<figure id=\"{name}\" data-frames=\"{frames:?}\" tabindex=\"0\" role=\"application\" \
-         aria-label=\"Map, {}: arrow keys move the cross, + and - bring it closer, 0 shows all\"{hidden}>\n{svg}</figure>\n",
+        "<figure id=\"{name}\" data-frames=\"{frames:?}\" tabindex=\"0\" role=\"application\" aria-label=\"Map, {}: \
+         arrow keys move the cross, + and - bring it closer, 0 shows all\"{hidden}>\n{svg}</figure>\n",
         model(map.weight)
     )
 }

@@ -210,10 +210,12 @@ fn in_metres(sketch: &Sketch, measures: &Measures, of: &Metres) -> String {
 }
 
 /// Meaning of the symbols of Figure 1.
-const SYMBOLS: &str = "α half opening; βᵣ and βₛ rotational and sliding inner joint, from the crown; r radius of the centreline, t thickness, η = t/r; \
-     w = γtd weight of a unit length of the centreline, for the weight γ of a unit volume and the depth d; μ = tan φ friction; W = wrα weight of the half \
-     arch, V and H reactions of the shoulder, H also the thrust at the crown, h = H/(wr). The weight of an element acts at its centroid G, at the radius \
-     r(1 + η²/12), in the Milankovitch-like model, on the centreline in the Heyman-like one.";
+const SYMBOLS: &str = "α half opening; βᵣ and βₛ rotational and sliding inner joint, from the crown; r radius of the \
+                       centreline, t thickness, η = t/r; w = γtd weight of a unit length of the centreline, for the \
+                       weight γ of a unit volume and the depth d; μ = tan φ friction; W = wrα weight of the half \
+                       arch, V and H reactions of the shoulder, H also the thrust at the crown, h = H/(wr). The \
+                       weight of an element acts at its centroid G, at the radius r(1 + η²/12), in the \
+                       Milankovitch-like model, on the centreline in the Heyman-like one.";
 
 /// The paragraphs below.
 pub(super) fn paragraphs(drawn: &Sketched) -> Vec<String> {
@@ -233,16 +235,16 @@ pub(super) fn paragraphs(drawn: &Sketched) -> Vec<String> {
                 "the conditions hold at every joint between the stones, where the lines have their points, none thinner"
             }
             (_, true) => {
-                "the lines within the arch and on its faces only at joints that give way in one of the modes there, none \
-                 thinner"
+                "the lines within the arch and on its faces only at joints that give way in one of the modes there, \
+                 none thinner"
             }
             _ => {
                 "the lines within the arch and on its faces only at the joints that give way, none thinner"
             }
         };
         all.push(format!(
-            "Proved: one solution of the equations, {lines}; every rate of a mechanism is positive. Blocks are moved rigidly, \
-             the corner that moves most by {}.",
+            "Proved: one solution of the equations, {lines}; every rate of a mechanism is positive. Blocks are moved \
+             rigidly, the corner that moves most by {}.",
             reached(drawn)
         ));
     }
@@ -410,8 +412,8 @@ fn standing(found: &Stability, sketch: &Sketch) -> String {
     }
     let several = |forces: &Forces| forces.marks.iter().any(|mark| !mark.contact.is_hinge());
     if sketch.forces.iter().any(several) {
-        said += ". Where friction limits the thrust, several lines of thrust fit: drawn is the highest at the crown for the \
-                 least thrust, the lowest for the largest";
+        said += ". Where friction limits the thrust, several lines of thrust fit: drawn is the highest at the crown \
+                 for the least thrust, the lowest for the largest";
     }
     said + "."
         + at_joints(
