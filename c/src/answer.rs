@@ -1,7 +1,8 @@
 //! An answer: an object that is made by one call, read by any thread, and freed once.
 
-use crate::border::{Failure, c_text, optional, or_else, taken};
+use crate::border::{Outcome, c_text, optional, or_else, taken};
 use crate::codes::{COUPLET_FAULT, COUPLET_OPEN, COUPLET_PROVED, COUPLET_RESOURCE, COUPLET_USAGE};
+use crate::failure::Failure;
 use couplet::check::{Accepted, Certificate, summary};
 use couplet::problem::Quantity;
 use couplet::report::{self, Answers, Status, Subject, Value, write_json};
@@ -46,6 +47,20 @@ impl Known {
     }
 }
 
+impl Outcome for Answer {
+    fn failed(failure: Failure) -> Self {
+        match failure {
+            Failure::Usage(reason) => Self::new(COUPLET_USAGE, "refused", reason),
+            Failure::Resource(reason) => Self::new(COUPLET_RESOURCE, "failed", reason),
+            Failure::Fault(reason) => Self::new(COUPLET_FAULT, "failed", reason),
+        }
+    }
+
+    fn code(&self) -> c_int {
+        self.code
+    }
+}
+
 impl Answer {
     /// Without values.
     fn new(code: c_int, verdict: &str, reason: impl Into<String>) -> Self {
@@ -59,15 +74,6 @@ impl Answer {
             values,
             whole: Whole::Nothing,
             json,
-        }
-    }
-
-    /// Why there is none.
-    pub(crate) fn failed(failure: Failure) -> Self {
-        match failure {
-            Failure::Usage(reason) => Self::new(COUPLET_USAGE, "refused", reason),
-            Failure::Resource(reason) => Self::new(COUPLET_RESOURCE, "failed", reason),
-            Failure::Fault(reason) => Self::new(COUPLET_FAULT, "failed", reason),
         }
     }
 
@@ -124,10 +130,6 @@ impl Answer {
     /// A certificate that is not checked, and why.
     pub(crate) fn not_checked(reason: String) -> Self {
         Self::new(COUPLET_RESOURCE, "not checked", reason)
-    }
-
-    pub(crate) fn code(&self) -> c_int {
-        self.code
     }
 
     #[cfg(test)]

@@ -2,7 +2,8 @@
 
 use crate::answer::Answer;
 use crate::asked::{named, wrong};
-use crate::border::{Array, Failure, answered, apart, optional, text};
+use crate::border::{Array, answered, apart, optional, text};
+use crate::failure::Failure;
 use crate::texts::exact;
 use crate::threads::{checked, on_threads};
 use couplet::certify::batch::{BatchRow, DoubleArches, RowVerdict};

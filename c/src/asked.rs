@@ -2,7 +2,8 @@
 //! sentence.
 
 use crate::answer::Answer;
-use crate::border::{Array, Failure, answered, optional, text};
+use crate::border::{Array, answered, optional, text};
+use crate::failure::Failure;
 use crate::threads::{checked, on_threads};
 use couplet::Error;
 use couplet::arch::SelfWeight;

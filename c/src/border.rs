@@ -1,7 +1,8 @@
 //! The border to C: pointers become texts and slices, or a code; a panic becomes a code; nothing else of this crate reads or
 //! writes where a pointer says.
 
-use crate::answer::Answer;
+use crate::failure::Failure;
+use crate::threads::give_back_at_the_end;
 use std::any::Any;
 use std::ffi::{CStr, CString, c_char, c_int};
 use std::mem::MaybeUninit;
@@ -9,15 +10,12 @@ use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::slice;
 
-/// Why there is no answer.
-#[derive(Debug, PartialEq, Eq)]
-pub(crate) enum Failure {
-    /// The question makes no sense.
-    Usage(String),
-    /// Threads cannot be started.
-    Resource(String),
-    /// A mistake of couplet's own.
-    Fault(String),
+/// What comes back to C: a code, and what is handed over with it.
+pub(crate) trait Outcome {
+    /// Outcome of what was not answered.
+    fn failed(failure: Failure) -> Self;
+    /// The code that the function returns.
+    fn code(&self) -> c_int;
 }
 
 /// Runs the body of a function. Whatever becomes of it, there is an answer, and where it is asked for it is handed over.
@@ -25,11 +23,11 @@ pub(crate) enum Failure {
 /// # Safety
 ///
 /// The pointer is null, or a pointer can be written there.
-pub(crate) unsafe fn answered(
-    out: *mut *mut Answer,
-    body: impl FnOnce() -> Result<Answer, Failure>,
+pub(crate) unsafe fn answered<A: Outcome>(
+    out: *mut *mut A,
+    body: impl FnOnce() -> Result<A, Failure>,
 ) -> c_int {
-    let answer = caught(body).unwrap_or_else(Answer::failed);
+    let answer = caught(body).unwrap_or_else(A::failed);
     let code = answer.code();
     if !out.is_null() {
         // SAFETY: as the caller promises.
@@ -40,7 +38,7 @@ pub(crate) unsafe fn answered(
 
 /// What a body makes; a panic is a fault.
 fn caught<T>(body: impl FnOnce() -> Result<T, Failure>) -> Result<T, Failure> {
-    crate::threads::give_back_at_the_end();
+    give_back_at_the_end();
     let words = |panic: Box<dyn Any + Send>| {
         let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
         let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
@@ -59,7 +57,7 @@ pub(crate) fn or_else<T>(instead: T, body: impl FnOnce() -> T) -> T {
 /// # Safety
 ///
 /// The pointer is null, or from [`answered`] and not taken back yet.
-pub(crate) unsafe fn taken(answer: *mut Answer) -> Option<Box<Answer>> {
+pub(crate) unsafe fn taken<A>(answer: *mut A) -> Option<Box<A>> {
     // SAFETY: it was made of a box, and the caller promises that nobody has it any more.
     (!answer.is_null()).then(|| unsafe { Box::from_raw(answer) })
 }
@@ -195,6 +193,7 @@ pub(crate) fn apart(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::answer::Answer;
     use std::slice::from_ref;
 
     fn answer_of(body: impl FnOnce() -> Result<Answer, Failure>) -> (c_int, String) {
@@ -220,7 +219,9 @@ mod tests {
             assert_eq!(answer_of(|| Err(failure)), (code, "a".to_owned()));
         }
         // SAFETY: null is allowed.
-        let code = unsafe { answered(std::ptr::null_mut(), || Err(Failure::Usage(String::new()))) };
+        let code = unsafe {
+            answered::<Answer>(std::ptr::null_mut(), || Err(Failure::Usage(String::new())))
+        };
         assert_eq!(code, 2);
     }
 

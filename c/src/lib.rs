@@ -27,6 +27,7 @@ mod answer;
 mod texts;
 
 mod border;
+mod failure;
 mod threads;
 
 pub use answer::*;

@@ -1,6 +1,6 @@
 //! Threads of a call, which end with it: the library keeps none, so that a process can be forked at any time.
 
-use crate::border::Failure;
+use crate::failure::Failure;
 use couplet::rug::float::{FreeCache, free_cache};
 use couplet::sweep::pool::{MAX_THREADS, usual_threads};
 use rayon::ThreadPoolBuilder;

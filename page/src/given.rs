@@ -1,6 +1,6 @@
 //! What is given of an arch, read as the command reads it.
 
-use crate::prove::Question;
+use crate::question::Question;
 use crate::rounding::{BITS, rounded};
 use couplet_check::problem::measures::{Circle, Length, Measures, of_span_and_rise};
 use couplet_check::problem::{self, Arch, Friction, Known};

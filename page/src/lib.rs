@@ -7,13 +7,15 @@ mod candidate;
 mod drawing;
 mod given;
 mod prove;
+mod question;
 mod rounding;
 
 use couplet_check::check::{Refusal, summary, verify};
 use serde::Serialize;
 use std::cell::RefCell;
 
-pub use prove::{Answer, Proved, Question, proof};
+pub use prove::{Answer, Proved, proof};
+pub use question::Question;
 
 thread_local! {
     static INPUT: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
