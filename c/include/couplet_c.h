@@ -66,31 +66,31 @@ typedef struct couplet_answer couplet_answer;
 extern "C" {
 #endif // __cplusplus
 
-// The state of an arch at its least thickness, proved: whether it stands at any thickness, the least one, how it collapses
-// there, and the frictions at which that changes.
+// The state of an arch at its least thickness, proved: whether it stands at any thickness, the least one, how it
+// collapses there, and the frictions at which that changes.
 //
-// weight: "heyman" or "milankovitch". half_opening: from the crown to the shoulder, between 0 and pi, exact text: radians
-// ("1.4", "pi/2", "7/5") or degrees ("80deg"). friction: a coefficient, 0 or more ("0.6", "3/5", "inf"), or an angle
-// ("31deg"). digits: significant digits, 1 to 10000; up to 25 cost a tenth of what 30 cost.
+// weight: "heyman" or "milankovitch". half_opening: from the crown to the shoulder, between 0 and pi, exact text:
+// radians ("1.4", "pi/2", "7/5") or degrees ("80deg"). friction: a coefficient, 0 or more ("0.6", "3/5", "inf"), or an
+// angle ("31deg"). digits: significant digits, 1 to 10000; up to 25 cost a tenth of what 30 cost.
 //
 // Values: thickness (t/r), thrust (H/(w r)), intrinsic_thrust, rotation_joint and sliding_joint (rad from the crown),
-// sliding_friction, rotational_friction, and asymmetric_thickness, the largest above the least at which an asymmetric mechanism
-// is found and proved: none where none is found. Verdict: "stands" (an admissible symmetric state exists, which with friction
-// does not exclude such a mechanism), "falls" or "undecided".
+// sliding_friction, rotational_friction, and asymmetric_thickness, the largest above the least at which an asymmetric
+// mechanism is found and proved: none where none is found. Verdict: "stands" (an admissible symmetric state exists,
+// which with friction does not exclude such a mechanism), "falls" or "undecided".
 int couplet_state(const char *weight,
                   const char *half_opening,
                   const char *friction,
                   size_t digits,
                   struct couplet_answer **answer);
 
-// Whether an arch of a thickness stands, its safety factors, and the thrusts that it can bear, proved. The arch is as for
-// `couplet_state`.
+// Whether an arch of a thickness stands, its safety factors, and the thrusts that it can bear, proved. The arch is as
+// for `couplet_state`.
 //
 // thickness: t/r, above 0 and at most 2, exact text ("0.12", "3/25").
 //
-// Values: least_thickness, geometric_safety, required_friction, friction_safety, least_thrust, largest_thrust, the joints
-// that limit the thrusts, and asymmetric_thickness as for `couplet_state`. Verdict: "stands", "falls" or "undecided"; a value that stays open beside it makes the code
-// `COUPLET_OPEN`.
+// Values: least_thickness, geometric_safety, required_friction, friction_safety, least_thrust, largest_thrust, the
+// joints that limit the thrusts, and asymmetric_thickness as for `couplet_state`. Verdict: "stands", "falls" or
+// "undecided"; a value that stays open beside it makes the code `COUPLET_OPEN`.
 int couplet_assess(const char *weight,
                    const char *half_opening,
                    const char *friction,
@@ -100,11 +100,11 @@ int couplet_assess(const char *weight,
 
 // A question the other way round: the one answer, with the proof that there is no other. What is not given is NULL.
 //
-// With a friction: the widest half opening that stands; with a half opening: the least friction; at the thickness, or at
-// any if that is NULL. With the two modes of a boundary ("rrs/rsr") and either: where one becomes the other.
+// With a friction: the widest half opening that stands; with a half opening: the least friction; at the thickness, or
+// at any if that is NULL. With the two modes of a boundary ("rrs/rsr") and either: where one becomes the other.
 //
-// Values: half_opening (rad), half_opening_degrees, friction, thickness, thrust, rotation_joint, sliding_joint. Verdict:
-// "found", "nothing" or "undecided".
+// Values: half_opening (rad), half_opening_degrees, friction, thickness, thrust, rotation_joint, sliding_joint.
+// Verdict: "found", "nothing" or "undecided".
 int couplet_find(const char *weight,
                  const char *modes,
                  const char *half_opening,
@@ -115,9 +115,9 @@ int couplet_find(const char *weight,
 
 // Constants of a landmark, each proved to exist, to be unique in a box, and to have the digits shown.
 //
-// landmark: symbol or name: "T" triple, "S" shift, "J" junction, "B" border, "l" rotation-end, "L" overturning-end, "sb"
-// widest-joint. quantity: one, or several with commas ("thickness", "eta,mu"); NULL for all. digits: 1 to 1000000. threads:
-// 1 to 1024, or 0 for one on each core; they end with the call.
+// landmark: symbol or name: "T" triple, "S" shift, "J" junction, "B" border, "l" rotation-end, "L" overturning-end,
+// "sb" widest-joint. quantity: one, or several with commas ("thickness", "eta,mu"); NULL for all. digits: 1 to
+// 1000000. threads: 1 to 1024, or 0 for one on each core; they end with the call.
 //
 // Verdict: "proved" or "undecided".
 int couplet_constant(const char *landmark,
@@ -127,16 +127,16 @@ int couplet_constant(const char *landmark,
                      size_t threads,
                      struct couplet_answer **answer);
 
-// A certificate of a landmark, which `couplet_check` accepts without trusting the solver; `couplet_json` has it. Arguments
-// are as for `couplet_constant`.
+// A certificate of a landmark, which `couplet_check` accepts without trusting the solver; `couplet_json` has it.
+// Arguments are as for `couplet_constant`.
 int couplet_certify_landmark(const char *landmark,
                              const char *weight,
                              size_t digits,
                              size_t threads,
                              struct couplet_answer **answer);
 
-// A certificate of the state of an arch at its least thickness, or why it stands at none; with a thickness, which may be
-// NULL, that it stands with it or does not. Arguments are as for `couplet_assess`.
+// A certificate of the state of an arch at its least thickness, or why it stands at none; with a thickness, which may
+// be NULL, that it stands with it or does not. Arguments are as for `couplet_assess`.
 int couplet_certify_arch(const char *weight,
                          const char *half_opening,
                          const char *friction,
@@ -144,33 +144,35 @@ int couplet_certify_arch(const char *weight,
                          size_t digits,
                          struct couplet_answer **answer);
 
-// Checks the bytes of a certificate: that the equations have the root claimed, and that every digit is right. Nothing that
-// they say is believed, and any bytes get a verdict.
+// Checks the bytes of a certificate: that the equations have the root claimed, and that every digit is right. Nothing
+// that they say is believed, and any bytes get a verdict.
 //
 // engine: "astro", pure Rust, up to 50000 digits, which NULL is too; or "mpfr".
 //
-// Values: those of the certificate, without bounds. Verdict: "accepted"; "refused", with `COUPLET_OPEN`; "not checked" beyond
-// the digits of the engine, with `COUPLET_RESOURCE`.
+// Values: those of the certificate, without bounds. Verdict: "accepted"; "refused", with `COUPLET_OPEN`; "not checked"
+// beyond the digits of the engine, with `COUPLET_RESOURCE`.
 int couplet_check(const void *certificate,
                   size_t length,
                   const char *engine,
                   struct couplet_answer **answer);
 
-// The states of `n` arches, or with thicknesses whether they stand, proved; each double is exactly the number that it is.
+// The states of `n` arches, or with thicknesses whether they stand, proved; each double is exactly the number that it
+// is.
 //
-// weight: as for `couplet_state`, of all. half_opening, friction: `n` doubles each; infinity is a friction. thickness: `n`
-// doubles, or NULL. quantities: names with commas ("thickness,thrust"), those of `couplet_state`, or with thicknesses those of
-// `couplet_assess`; NULL for none. asymmetric_thickness costs rows only where such mechanisms are known. threads: 1 for the calling thread alone, up to 1024, or 0 for one on each core; they end
-// with the call.
+// weight: as for `couplet_state`, of all. half_opening, friction: `n` doubles each; infinity is a friction. thickness:
+// `n` doubles, or NULL. quantities: names with commas ("thickness,thrust"), those of `couplet_state`, or with
+// thicknesses those of `couplet_assess`; NULL for none. asymmetric_thickness costs rows only where such mechanisms are
+// known. threads: 1 for the calling thread alone, up to 1024, or 0 for one on each core; they end with the call.
 //
-// verdict: `n` bytes, `COUPLET_STANDS`, `COUPLET_FALLS`, `COUPLET_UNDECIDED` or `COUPLET_REFUSED`. mode: `n` bytes, which
-// `couplet_mode_name` names, or NULL. values: for each quantity `n` nearest doubles, then `n` lower bounds, then `n` upper
-// bounds: the place of row i is `values[(3*q + b)*n + i]`, in a language with columns `values(i, b, q)`. Not a number where
-// there is no value. NULL without quantities.
+// verdict: `n` bytes, `COUPLET_STANDS`, `COUPLET_FALLS`, `COUPLET_UNDECIDED` or `COUPLET_REFUSED`. mode: `n` bytes,
+// which `couplet_mode_name` names, or NULL. values: for each quantity `n` nearest doubles, then `n` lower bounds, then
+// `n` upper bounds: the place of row i is `values[(3*q + b)*n + i]`, in a language with columns `values(i, b, q)`. Not
+// a number where there is no value. NULL without quantities.
 //
-// A row that makes no sense, or is undecided, is a row: its verdict says so, the code is `COUPLET_OPEN`, and the reason counts
-// such rows and has that of the first. Rows of one half opening share its proofs, and no bit depends on it, nor on the
-// threads. Nothing may overlap what is written; if the code is 2 or more, nothing that is written may be used.
+// A row that makes no sense, or is undecided, is a row: its verdict says so, the code is `COUPLET_OPEN`, and the
+// reason counts such rows and has that of the first. Rows of one half opening share its proofs, and no bit depends on
+// it, nor on the threads. Nothing may overlap what is written; if the code is 2 or more, nothing that is written may
+// be used.
 int couplet_states(const char *weight,
                    size_t n,
                    const double *half_opening,
@@ -183,17 +185,18 @@ int couplet_states(const char *weight,
                    double *values,
                    struct couplet_answer **answer);
 
-// The verdict, a word: of an arch "stands", "falls" or "undecided"; of what is found "found", "nothing" or "undecided"; of
-// constants, certificates and arrays "proved" or "undecided"; of a check "accepted", "refused" or "not checked". A question
-// that makes no sense is "refused", any other failure "failed".
+// The verdict, a word: of an arch "stands", "falls" or "undecided"; of what is found "found", "nothing" or
+// "undecided"; of constants, certificates and arrays "proved" or "undecided"; of a check "accepted", "refused" or "not
+// checked". A question that makes no sense is "refused", any other failure "failed".
 const char *couplet_verdict(const struct couplet_answer *answer);
 
-// Why: why an arch falls, why something is undecided, what was wrong with the question; what is proved of something found;
-// of a certificate that is accepted what it proves, in the words of the command. Empty where there is nothing to say.
+// Why: why an arch falls, why something is undecided, what was wrong with the question; what is proved of something
+// found; of a certificate that is accepted what it proves, in the words of the command. Empty where there is nothing
+// to say.
 const char *couplet_reason(const struct couplet_answer *answer);
 
-// How the arch collapses at its least thickness, joints from the shoulder inward, as "[r,r,s]"; of a boundary both modes,
-// as "[r,r,s]/[r,s,r]". Empty where that is not asked, or there is none.
+// How the arch collapses at its least thickness, joints from the shoulder inward, as "[r,r,s]"; of a boundary both
+// modes, as "[r,r,s]/[r,s,r]". Empty where that is not asked, or there is none.
 const char *couplet_mode(const struct couplet_answer *answer);
 
 // How many values there are.
@@ -204,14 +207,14 @@ const char *couplet_quantity(const struct couplet_answer *answer,
                              size_t index);
 
 // A value as text, "inf" if it is infinite: correctly rounded to the digits asked for (`COUPLET_VALUE`), or a bound
-// (`COUPLET_LOWER`, `COUPLET_UPPER`). Empty if there is none: not of this arch, undecided, not asked for, no such name or
-// bound. A certificate that is checked has no bounds. A quantity is a name as "thickness" or a letter as "eta".
+// (`COUPLET_LOWER`, `COUPLET_UPPER`). Empty if there is none: not of this arch, undecided, not asked for, no such name
+// or bound. A certificate that is checked has no bounds. A quantity is a name as "thickness" or a letter as "eta".
 const char *couplet_text(const struct couplet_answer *answer,
                          const char *quantity,
                          int which);
 
-// A value as the nearest double, correctly rounded, between the two nearest doubles that are bounds of it. Any of the three
-// pointers may be NULL. `COUPLET_PROVED` if there is such a value; `COUPLET_OPEN` if this answer has none, and
+// A value as the nearest double, correctly rounded, between the two nearest doubles that are bounds of it. Any of the
+// three pointers may be NULL. `COUPLET_PROVED` if there is such a value; `COUPLET_OPEN` if this answer has none, and
 // `COUPLET_USAGE` if there is no such quantity or no answer: then all three are not a number.
 int couplet_double(const struct couplet_answer *answer,
                    const char *quantity,
@@ -219,9 +222,9 @@ int couplet_double(const struct couplet_answer *answer,
                    double *lower,
                    double *upper);
 
-// The whole as JSON, as the command prints it (docs/columns.md); of `couplet_certify_landmark` and `couplet_certify_arch`
-// the certificate, as its file has it. Empty of a check, of arrays, and where nothing could be asked. It is made at the
-// first call.
+// The whole as JSON, as the command prints it (docs/columns.md); of `couplet_certify_landmark` and
+// `couplet_certify_arch` the certificate, as its file has it. Empty of a check, of arrays, and where nothing could be
+// asked. It is made at the first call.
 const char *couplet_json(const struct couplet_answer *answer);
 
 // Frees an answer with all its texts; NULL is nothing.
@@ -233,9 +236,9 @@ const char *couplet_version(void);
 // The label of a mode by its code in arrays, as "[r,r,s]"; empty if there is none. The text is never freed.
 const char *couplet_mode_name(int code);
 
-// Copies a text into a buffer of `size` bytes, zero included, for languages that have no pointers to texts, and returns
-// its length without the zero. If that is not below `size`, the buffer gets the empty text: a number is not cut. A NULL
-// text is empty; with a NULL buffer only the length is told.
+// Copies a text into a buffer of `size` bytes, zero included, for languages that have no pointers to texts, and
+// returns its length without the zero. If that is not below `size`, the buffer gets the empty text: a number is not
+// cut. A NULL text is empty; with a NULL buffer only the length is told.
 size_t couplet_copy(const char *text,
                     char *buffer,
                     size_t size);

@@ -182,23 +182,24 @@ fn told<'a>(
     or_else(c"".as_ptr(), text)
 }
 
-/// The verdict, a word: of an arch "stands", "falls" or "undecided"; of what is found "found", "nothing" or "undecided"; of
-/// constants, certificates and arrays "proved" or "undecided"; of a check "accepted", "refused" or "not checked". A question
-/// that makes no sense is "refused", any other failure "failed".
+/// The verdict, a word: of an arch "stands", "falls" or "undecided"; of what is found "found", "nothing" or
+/// "undecided"; of constants, certificates and arrays "proved" or "undecided"; of a check "accepted", "refused" or "not
+/// checked". A question that makes no sense is "refused", any other failure "failed".
 #[unsafe(no_mangle)]
 pub extern "C" fn couplet_verdict(answer: Option<&Answer>) -> *const c_char {
     told(answer, |answer| Some(&answer.verdict))
 }
 
-/// Why: why an arch falls, why something is undecided, what was wrong with the question; what is proved of something found;
-/// of a certificate that is accepted what it proves, in the words of the command. Empty where there is nothing to say.
+/// Why: why an arch falls, why something is undecided, what was wrong with the question; what is proved of something
+/// found; of a certificate that is accepted what it proves, in the words of the command. Empty where there is nothing
+/// to say.
 #[unsafe(no_mangle)]
 pub extern "C" fn couplet_reason(answer: Option<&Answer>) -> *const c_char {
     told(answer, |answer| Some(&answer.reason))
 }
 
-/// How the arch collapses at its least thickness, joints from the shoulder inward, as "[r,r,s]"; of a boundary both modes,
-/// as "[r,r,s]/[r,s,r]". Empty where that is not asked, or there is none.
+/// How the arch collapses at its least thickness, joints from the shoulder inward, as "[r,r,s]"; of a boundary both
+/// modes, as "[r,r,s]/[r,s,r]". Empty where that is not asked, or there is none.
 #[unsafe(no_mangle)]
 pub extern "C" fn couplet_mode(answer: Option<&Answer>) -> *const c_char {
     told(answer, |answer| Some(&answer.mode))
@@ -217,8 +218,8 @@ pub extern "C" fn couplet_quantity(answer: Option<&Answer>, index: usize) -> *co
 }
 
 /// A value as text, "inf" if it is infinite: correctly rounded to the digits asked for (`COUPLET_VALUE`), or a bound
-/// (`COUPLET_LOWER`, `COUPLET_UPPER`). Empty if there is none: not of this arch, undecided, not asked for, no such name or
-/// bound. A certificate that is checked has no bounds. A quantity is a name as "thickness" or a letter as "eta".
+/// (`COUPLET_LOWER`, `COUPLET_UPPER`). Empty if there is none: not of this arch, undecided, not asked for, no such name
+/// or bound. A certificate that is checked has no bounds. A quantity is a name as "thickness" or a letter as "eta".
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn couplet_text(
     answer: Option<&Answer>,
@@ -234,8 +235,8 @@ pub unsafe extern "C" fn couplet_text(
     })
 }
 
-/// A value as the nearest double, correctly rounded, between the two nearest doubles that are bounds of it. Any of the three
-/// pointers may be NULL. `COUPLET_PROVED` if there is such a value; `COUPLET_OPEN` if this answer has none, and
+/// A value as the nearest double, correctly rounded, between the two nearest doubles that are bounds of it. Any of the
+/// three pointers may be NULL. `COUPLET_PROVED` if there is such a value; `COUPLET_OPEN` if this answer has none, and
 /// `COUPLET_USAGE` if there is no such quantity or no answer: then all three are not a number.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn couplet_double(
@@ -263,9 +264,9 @@ pub unsafe extern "C" fn couplet_double(
     found.err().unwrap_or(COUPLET_PROVED)
 }
 
-/// The whole as JSON, as the command prints it (docs/columns.md); of `couplet_certify_landmark` and `couplet_certify_arch`
-/// the certificate, as its file has it. Empty of a check, of arrays, and where nothing could be asked. It is made at the
-/// first call.
+/// The whole as JSON, as the command prints it (docs/columns.md); of `couplet_certify_landmark` and
+/// `couplet_certify_arch` the certificate, as its file has it. Empty of a check, of arrays, and where nothing could be
+/// asked. It is made at the first call.
 #[unsafe(no_mangle)]
 pub extern "C" fn couplet_json(answer: Option<&Answer>) -> *const c_char {
     told(answer, |answer| Some(answer.json()))

@@ -19,21 +19,23 @@ use std::sync::Arc;
 /// As many rows are answered before they are written: half openings that occur often are counted among these.
 const ROWS: usize = 1 << 16;
 
-/// The states of `n` arches, or with thicknesses whether they stand, proved; each double is exactly the number that it is.
+/// The states of `n` arches, or with thicknesses whether they stand, proved; each double is exactly the number that it
+/// is.
 ///
-/// weight: as for `couplet_state`, of all. half_opening, friction: `n` doubles each; infinity is a friction. thickness: `n`
-/// doubles, or NULL. quantities: names with commas ("thickness,thrust"), those of `couplet_state`, or with thicknesses those of
-/// `couplet_assess`; NULL for none. asymmetric_thickness costs rows only where such mechanisms are known. threads: 1 for the calling thread alone, up to 1024, or 0 for one on each core; they end
-/// with the call.
+/// weight: as for `couplet_state`, of all. half_opening, friction: `n` doubles each; infinity is a friction. thickness:
+/// `n` doubles, or NULL. quantities: names with commas ("thickness,thrust"), those of `couplet_state`, or with
+/// thicknesses those of `couplet_assess`; NULL for none. asymmetric_thickness costs rows only where such mechanisms are
+/// known. threads: 1 for the calling thread alone, up to 1024, or 0 for one on each core; they end with the call.
 ///
-/// verdict: `n` bytes, `COUPLET_STANDS`, `COUPLET_FALLS`, `COUPLET_UNDECIDED` or `COUPLET_REFUSED`. mode: `n` bytes, which
-/// `couplet_mode_name` names, or NULL. values: for each quantity `n` nearest doubles, then `n` lower bounds, then `n` upper
-/// bounds: the place of row i is `values[(3*q + b)*n + i]`, in a language with columns `values(i, b, q)`. Not a number where
-/// there is no value. NULL without quantities.
+/// verdict: `n` bytes, `COUPLET_STANDS`, `COUPLET_FALLS`, `COUPLET_UNDECIDED` or `COUPLET_REFUSED`. mode: `n` bytes,
+/// which `couplet_mode_name` names, or NULL. values: for each quantity `n` nearest doubles, then `n` lower bounds, then
+/// `n` upper bounds: the place of row i is `values[(3*q + b)*n + i]`, in a language with columns `values(i, b, q)`. Not
+/// a number where there is no value. NULL without quantities.
 ///
-/// A row that makes no sense, or is undecided, is a row: its verdict says so, the code is `COUPLET_OPEN`, and the reason counts
-/// such rows and has that of the first. Rows of one half opening share its proofs, and no bit depends on it, nor on the
-/// threads. Nothing may overlap what is written; if the code is 2 or more, nothing that is written may be used.
+/// A row that makes no sense, or is undecided, is a row: its verdict says so, the code is `COUPLET_OPEN`, and the
+/// reason counts such rows and has that of the first. Rows of one half opening share its proofs, and no bit depends on
+/// it, nor on the threads. Nothing may overlap what is written; if the code is 2 or more, nothing that is written may
+/// be used.
 #[unsafe(no_mangle)]
 #[allow(clippy::too_many_arguments, reason = "C has no other way")]
 pub unsafe extern "C" fn couplet_states(

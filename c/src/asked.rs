@@ -1,5 +1,5 @@
-//! One question at a time. Every argument is text, read by what reads the command's, so that the same input gets the same
-//! sentence.
+//! One question at a time. Every argument is text, read by what reads the command's, so that the same input gets the
+//! same sentence.
 
 use crate::answer::Answer;
 use crate::border::{Array, answered, optional, text};
@@ -59,17 +59,17 @@ pub(crate) fn named(names: &str, possible: &[Quantity]) -> Result<Vec<Quantity>,
     }
 }
 
-/// The state of an arch at its least thickness, proved: whether it stands at any thickness, the least one, how it collapses
-/// there, and the frictions at which that changes.
+/// The state of an arch at its least thickness, proved: whether it stands at any thickness, the least one, how it
+/// collapses there, and the frictions at which that changes.
 ///
-/// weight: "heyman" or "milankovitch". half_opening: from the crown to the shoulder, between 0 and pi, exact text: radians
-/// ("1.4", "pi/2", "7/5") or degrees ("80deg"). friction: a coefficient, 0 or more ("0.6", "3/5", "inf"), or an angle
-/// ("31deg"). digits: significant digits, 1 to 10000; up to 25 cost a tenth of what 30 cost.
+/// weight: "heyman" or "milankovitch". half_opening: from the crown to the shoulder, between 0 and pi, exact text:
+/// radians ("1.4", "pi/2", "7/5") or degrees ("80deg"). friction: a coefficient, 0 or more ("0.6", "3/5", "inf"), or an
+/// angle ("31deg"). digits: significant digits, 1 to 10000; up to 25 cost a tenth of what 30 cost.
 ///
 /// Values: thickness (t/r), thrust (H/(w r)), intrinsic_thrust, rotation_joint and sliding_joint (rad from the crown),
-/// sliding_friction, rotational_friction, and asymmetric_thickness, the largest above the least at which an asymmetric mechanism
-/// is found and proved: none where none is found. Verdict: "stands" (an admissible symmetric state exists, which with friction
-/// does not exclude such a mechanism), "falls" or "undecided".
+/// sliding_friction, rotational_friction, and asymmetric_thickness, the largest above the least at which an asymmetric
+/// mechanism is found and proved: none where none is found. Verdict: "stands" (an admissible symmetric state exists,
+/// which with friction does not exclude such a mechanism), "falls" or "undecided".
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn couplet_state(
     weight: *const c_char,
@@ -90,14 +90,14 @@ pub unsafe extern "C" fn couplet_state(
     }
 }
 
-/// Whether an arch of a thickness stands, its safety factors, and the thrusts that it can bear, proved. The arch is as for
-/// `couplet_state`.
+/// Whether an arch of a thickness stands, its safety factors, and the thrusts that it can bear, proved. The arch is as
+/// for `couplet_state`.
 ///
 /// thickness: t/r, above 0 and at most 2, exact text ("0.12", "3/25").
 ///
-/// Values: least_thickness, geometric_safety, required_friction, friction_safety, least_thrust, largest_thrust, the joints
-/// that limit the thrusts, and asymmetric_thickness as for `couplet_state`. Verdict: "stands", "falls" or "undecided"; a value that stays open beside it makes the code
-/// `COUPLET_OPEN`.
+/// Values: least_thickness, geometric_safety, required_friction, friction_safety, least_thrust, largest_thrust, the
+/// joints that limit the thrusts, and asymmetric_thickness as for `couplet_state`. Verdict: "stands", "falls" or
+/// "undecided"; a value that stays open beside it makes the code `COUPLET_OPEN`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn couplet_assess(
     weight: *const c_char,
@@ -123,11 +123,11 @@ pub unsafe extern "C" fn couplet_assess(
 
 /// A question the other way round: the one answer, with the proof that there is no other. What is not given is NULL.
 ///
-/// With a friction: the widest half opening that stands; with a half opening: the least friction; at the thickness, or at
-/// any if that is NULL. With the two modes of a boundary ("rrs/rsr") and either: where one becomes the other.
+/// With a friction: the widest half opening that stands; with a half opening: the least friction; at the thickness, or
+/// at any if that is NULL. With the two modes of a boundary ("rrs/rsr") and either: where one becomes the other.
 ///
-/// Values: half_opening (rad), half_opening_degrees, friction, thickness, thrust, rotation_joint, sliding_joint. Verdict:
-/// "found", "nothing" or "undecided".
+/// Values: half_opening (rad), half_opening_degrees, friction, thickness, thrust, rotation_joint, sliding_joint.
+/// Verdict: "found", "nothing" or "undecided".
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn couplet_find(
     weight: *const c_char,
@@ -161,9 +161,9 @@ pub unsafe extern "C" fn couplet_find(
 
 /// Constants of a landmark, each proved to exist, to be unique in a box, and to have the digits shown.
 ///
-/// landmark: symbol or name: "T" triple, "S" shift, "J" junction, "B" border, "l" rotation-end, "L" overturning-end, "sb"
-/// widest-joint. quantity: one, or several with commas ("thickness", "eta,mu"); NULL for all. digits: 1 to 1000000. threads:
-/// 1 to 1024, or 0 for one on each core; they end with the call.
+/// landmark: symbol or name: "T" triple, "S" shift, "J" junction, "B" border, "l" rotation-end, "L" overturning-end,
+/// "sb" widest-joint. quantity: one, or several with commas ("thickness", "eta,mu"); NULL for all. digits: 1 to
+/// 1000000. threads: 1 to 1024, or 0 for one on each core; they end with the call.
 ///
 /// Verdict: "proved" or "undecided".
 #[unsafe(no_mangle)]
@@ -224,8 +224,8 @@ fn certified(made: Result<Certificate, Error>) -> Result<Answer, Failure> {
     }
 }
 
-/// A certificate of a landmark, which `couplet_check` accepts without trusting the solver; `couplet_json` has it. Arguments
-/// are as for `couplet_constant`.
+/// A certificate of a landmark, which `couplet_check` accepts without trusting the solver; `couplet_json` has it.
+/// Arguments are as for `couplet_constant`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn couplet_certify_landmark(
     landmark: *const c_char,
@@ -245,8 +245,8 @@ pub unsafe extern "C" fn couplet_certify_landmark(
     }
 }
 
-/// A certificate of the state of an arch at its least thickness, or why it stands at none; with a thickness, which may be
-/// NULL, that it stands with it or does not. Arguments are as for `couplet_assess`.
+/// A certificate of the state of an arch at its least thickness, or why it stands at none; with a thickness, which may
+/// be NULL, that it stands with it or does not. Arguments are as for `couplet_assess`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn couplet_certify_arch(
     weight: *const c_char,
@@ -267,13 +267,13 @@ pub unsafe extern "C" fn couplet_certify_arch(
     }
 }
 
-/// Checks the bytes of a certificate: that the equations have the root claimed, and that every digit is right. Nothing that
-/// they say is believed, and any bytes get a verdict.
+/// Checks the bytes of a certificate: that the equations have the root claimed, and that every digit is right. Nothing
+/// that they say is believed, and any bytes get a verdict.
 ///
 /// engine: "astro", pure Rust, up to 50000 digits, which NULL is too; or "mpfr".
 ///
-/// Values: those of the certificate, without bounds. Verdict: "accepted"; "refused", with `COUPLET_OPEN`; "not checked" beyond
-/// the digits of the engine, with `COUPLET_RESOURCE`.
+/// Values: those of the certificate, without bounds. Verdict: "accepted"; "refused", with `COUPLET_OPEN`; "not checked"
+/// beyond the digits of the engine, with `COUPLET_RESOURCE`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn couplet_check(
     certificate: *const c_void,

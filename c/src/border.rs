@@ -1,5 +1,5 @@
-//! The border to C: pointers become texts and slices, or a code; a panic becomes a code; nothing else of this crate reads or
-//! writes where a pointer says.
+//! The border to C: pointers become texts and slices, or a code; a panic becomes a code; nothing else of this crate
+//! reads or writes where a pointer says.
 
 use crate::failure::Failure;
 use crate::threads::give_back_at_the_end;
@@ -18,7 +18,8 @@ pub(crate) trait Outcome {
     fn code(&self) -> c_int;
 }
 
-/// Runs the body of a function. Whatever becomes of it, there is an answer, and where it is asked for it is handed over.
+/// Runs the body of a function. Whatever becomes of it, there is an answer, and where it is asked for it is handed
+/// over.
 ///
 /// # Safety
 ///
@@ -95,8 +96,8 @@ pub(crate) fn c_text(text: impl Into<String>) -> CString {
     CString::new(text.into().replace('\0', "\u{fffd}")).unwrap_or_default()
 }
 
-/// Writes a text with its zero, if it fits; else nothing but a zero, as no part of a number is that number. The length of
-/// the whole text without its zero.
+/// Writes a text with its zero, if it fits; else nothing but a zero, as no part of a number is that number. The length
+/// of the whole text without its zero.
 ///
 /// # Safety
 ///

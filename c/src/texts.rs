@@ -22,9 +22,9 @@ pub extern "C" fn couplet_mode_name(code: c_int) -> *const c_char {
     or_else(c"".as_ptr(), || label().map_or(c"".as_ptr(), |label| label.as_ptr()))
 }
 
-/// Copies a text into a buffer of `size` bytes, zero included, for languages that have no pointers to texts, and returns
-/// its length without the zero. If that is not below `size`, the buffer gets the empty text: a number is not cut. A NULL
-/// text is empty; with a NULL buffer only the length is told.
+/// Copies a text into a buffer of `size` bytes, zero included, for languages that have no pointers to texts, and
+/// returns its length without the zero. If that is not below `size`, the buffer gets the empty text: a number is not
+/// cut. A NULL text is empty; with a NULL buffer only the length is told.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn couplet_copy(
     text: *const c_char,
