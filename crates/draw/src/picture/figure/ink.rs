@@ -6,19 +6,37 @@ use crate::picture::{Path, Point, Stroke, Svg};
 
 /// Lengths of strokes and gaps in turn. None is a whole line.
 const DASHES: [&[f64]; 5] = [&[], &[9.0, 3.0], &[15.0, 3.0, 3.0, 3.0], &[4.0, 2.5], &[18.0, 5.0]];
-/// Markers that differ by shape and filling, in turn.
-const MARKERS: usize = 8;
-
+const MARKERS: [Marker; 8] = [
+    Marker::Disc,
+    Marker::OpenSquare,
+    Marker::Triangle,
+    Marker::OpenDiamond,
+    Marker::Cross,
+    Marker::Square,
+    Marker::OpenTriangle,
+    Marker::Ring,
+];
 /// References, in turn.
 const REFERENCES: [&[f64]; 3] = [&[7.0, 5.0], &[2.0, 4.0], &[12.0, 4.0, 2.0, 4.0]];
 const REFERENCE: Color = Color(0x77, 0x77, 0x77);
+
+#[derive(Clone, Copy, PartialEq)]
+enum Marker {
+    Disc,
+    OpenSquare,
+    Triangle,
+    OpenDiamond,
+    Cross,
+    Square,
+    OpenTriangle,
+    Ring,
+}
 
 /// Look of a line.
 #[derive(Clone, Copy)]
 pub(super) struct Ink {
     stroke: Stroke,
-    /// Number of the marker, if it has one.
-    marker: Option<usize>,
+    marker: Option<Marker>,
     /// Phase from 0 to 1, different for lines that may lie on each other.
     pub phase: f64,
 }
@@ -67,7 +85,7 @@ impl<'a> Inks<'a> {
                 },
                 dashes: DASHES[turn % DASHES.len()],
             },
-            marker: Some(turn % MARKERS),
+            marker: Some(MARKERS[turn % MARKERS.len()]),
             phase: (turn as f64 * 0.618).fract(),
         }
     }
@@ -87,25 +105,29 @@ impl Ink {
             corners.iter().map(|(dx, dy)| (x + dx, y + dy)).collect()
         };
         match marker {
-            0 => svg.disc((x, y), 4.2, color),
-            1 => open(svg, at(&square(3.6)), color),
-            2 => svg.fill(&Path::around(at(&triangle(5.6))), color),
-            3 => open(svg, at(&[(0.0, -5.2), (4.6, 0.0), (0.0, 5.2), (-4.6, 0.0)]), color),
-            4 => {
+            Marker::Disc => svg.disc((x, y), 4.2, color),
+            Marker::Ring => {
+                svg.disc((x, y), 4.8, color);
+                svg.disc((x, y), 3.2, WHITE);
+            }
+            Marker::Square => svg.fill(&Path::around(at(&square(3.9))), color),
+            Marker::Triangle => svg.fill(&Path::around(at(&triangle(5.6))), color),
+            Marker::OpenSquare => open(svg, at(&square(3.6)), color),
+            Marker::OpenTriangle => open(svg, at(&triangle(-5.2)), color),
+            Marker::OpenDiamond => {
+                open(svg, at(&[(0.0, -5.2), (4.6, 0.0), (0.0, 5.2), (-4.6, 0.0)]), color);
+            }
+            Marker::Cross => {
                 let mut cross = Path::through(at(&[(-3.8, -3.8), (3.8, 3.8)]));
                 cross.start((x - 3.8, y + 3.8));
                 cross.line((x + 3.8, y - 3.8));
                 svg.stroke(&cross, Stroke::new(color, 2.2));
             }
-            5 => svg.fill(&Path::around(at(&square(3.9))), color),
-            6 => open(svg, at(&triangle(-5.2)), color),
-            _ => {
-                svg.disc((x, y), 4.8, color);
-                svg.disc((x, y), 3.2, WHITE);
-            }
         }
     }
+}
 
+impl Ink {
     /// The mark of a failure at a point.
     pub(super) fn fail(&self, svg: &mut Svg, (x, y): Point) {
         let color = self.stroke.color;
