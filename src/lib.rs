@@ -58,6 +58,7 @@ pub use rug;
 
 pub use certify::{Error, Refused, Undecided};
 
+pub use couplet_ask::ask;
 pub use couplet_check::{arch, check, problem};
 pub use couplet_claims::claims;
 #[cfg(feature = "study")]

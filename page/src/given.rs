@@ -2,8 +2,10 @@
 
 use crate::question::Question;
 use crate::rounding::{BITS, rounded};
-use couplet_check::problem::measures::{Circle, Length, Measures, of_span_and_rise};
-use couplet_check::problem::{self, Arch, Friction, Known};
+use couplet_ask::ask::{ArchAsked, ArchGiven, ArchQuestion, Spelling};
+use couplet_check::arch::NoWeight;
+use couplet_check::problem::measures::Measures;
+use couplet_check::problem::{Arch, Friction, Known};
 use couplet_number::number::{DoubleDouble, DoubleDoubleBall, ExactNumber, Field, Real};
 
 /// What is given of an arch.
@@ -16,27 +18,27 @@ pub(crate) struct Given {
     pub(crate) measures: Option<Measures>,
 }
 
+/// Question of the page: an arch with a joint at every angle, at its least thickness or with one.
+const QUESTION: ArchQuestion =
+    ArchQuestion { refuses: &[], needs: &[], unlimited: false, example: "" };
+
 /// Reads it; span and rise are those of the intrados, unless another circle is named.
 pub(crate) fn given(question: &Question) -> Result<Given, String> {
-    let Question { weight, half_opening, span, rise, measured_at, friction, .. } = question;
-    let circle = measured_at.as_deref().map_or(Ok(Circle::default()), str::parse);
-    let circle = circle.map_err(|names| format!("an arch is measured at {names}"))?;
-    let length = |text: &str| text.parse::<Length>().map_err(|error| error.to_string());
-    let mut measures = None;
-    let half_opening = match (half_opening, span, rise) {
-        (Some(half_opening), None, None) => half_opening.clone(),
-        (None, Some(span), Some(rise)) => {
-            let (half_opening, radius) = of_span_and_rise(&length(span)?, &length(rise)?);
-            measures = Some(Measures::new(circle, radius, None));
-            half_opening.to_string()
-        }
-        _ => return Err("an arch has a half opening, or a span and a rise".into()),
+    let Question { weight, half_opening, span, rise, measured_at, thickness, .. } = question;
+    let asked = ArchAsked {
+        half_opening: half_opening.clone(),
+        span: span.clone(),
+        rise: rise.clone(),
+        measured_at: measured_at.clone(),
+        friction: Some(question.friction.clone()),
+        thickness: thickness.clone(),
+        ..ArchAsked::default()
     };
-    let arch = Arch::parse(weight, &half_opening, friction).map_err(|error| error.to_string())?;
-    let thickness = question.thickness.as_deref();
-    let thickness = thickness.map(|text| problem::thickness(text, measures.as_ref()));
-    let thickness = thickness.transpose().map_err(|error| error.to_string())?;
-    Ok(Given { arch, thickness, measures })
+    let weight = weight.parse().map_err(|none: NoWeight| none.to_string())?;
+    let given =
+        ArchGiven::read(&QUESTION, &asked, Spelling::Key).map_err(|misfit| misfit.to_string())?;
+    let arch = given.arch(weight).map_err(|misfit| misfit.to_string())?;
+    Ok(Given { arch, thickness: given.thickness, measures: given.measures })
 }
 
 /// As a shell reads it.

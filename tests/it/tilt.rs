@@ -61,7 +61,7 @@ fn a_wrong_tilt_is_one_line() {
         ("--mu 1 --tilt 90deg", "below 90deg"),
         ("--mu 1 --tilt much", "'much'"),
         ("--mu 1 --tilt 0.1 --plain", "table, json, csv"),
-        ("--mu 1 --tilt 0.1 --quantity least_thickness", "cannot be used"),
+        ("--mu 1 --tilt 0.1 --quantity least_thickness", "leave out --quantity"),
     ] {
         let (code, _, error) = of(&format!("{arch} {arguments}"));
         assert_eq!(code, Some(2), "{arguments}");

@@ -1,10 +1,11 @@
 //! Why a command did not do what was asked.
 
+use crate::ask::Misfit;
 use crate::atlas::NoSketch;
 use crate::certify::{Error, Refused, Undecided};
 use crate::check::{self, reason};
 use crate::number::ParseExactError;
-use crate::problem::{ArchError, measures::MeasureError, stones::StonesError};
+use crate::problem::{ArchError, stones::StonesError};
 use std::fmt::Display;
 use std::io;
 
@@ -67,7 +68,7 @@ macro_rules! input {
     )*};
 }
 
-input!(&str, String, Refused, ParseExactError, ArchError, StonesError, MeasureError);
+input!(&str, String, Misfit, Refused, ParseExactError, ArchError, StonesError);
 
 impl Failure {
     /// A failure to read: the source, and the reason.

@@ -9,6 +9,7 @@ pub mod scene;
 #[cfg(feature = "parquet")]
 pub mod sweep;
 
+use couplet_ask::ask;
 use couplet_check::{arch, check, problem};
 use couplet_claims::claims;
 use couplet_number::number;

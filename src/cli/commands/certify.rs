@@ -1,16 +1,15 @@
 //! `couplet certify`.
 
-use super::arch::{Missing, ShapeArguments};
 use super::notes;
 use super::output::{Output, is_standard};
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::AsymmetricMode;
+use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling};
 use crate::certify::{asymmetric_kinds, certify_arch, certify_asymmetric, certify_landmark};
 use crate::check::Certificate;
-use crate::number::ExactNumber;
 use crate::problem::{Arch, Landmark};
 use crate::sweep::failure::Failure;
-use crate::sweep::parse::{self, thickness};
+use crate::sweep::parse;
 use clap::Args;
 use rayon::prelude::*;
 use std::fs;
@@ -22,6 +21,11 @@ use std::path::{Path, PathBuf};
 /// that an arch stands with it or does not; of an asymmetric solution of the complementarity problem (19). An arch
 /// stands if an admissible symmetric state exists, which does not exclude such a solution.
 #[derive(Args)]
+#[command(mut_arg("stones", |arg| arg.hide(true)))]
+#[command(mut_arg("joints", |arg| arg.hide(true)))]
+#[command(mut_arg("tilt", |arg| arg.hide(true)))]
+#[command(mut_arg("density", |arg| arg.hide(true)))]
+#[command(mut_arg("depth", |arg| arg.hide(true)))]
 pub(crate) struct Arguments {
     /// A landmark (T, S, J, B, l, L, sb), `state` for the state of an arch, `arch` for an arch of a thickness,
     /// `asymmetric` for an asymmetric solution of (19), or `all` for all landmarks.
@@ -29,11 +33,7 @@ pub(crate) struct Arguments {
     target: CertifyTarget,
 
     #[command(flatten)]
-    shape: ShapeArguments,
-
-    /// Thickness-to-radius ratio, for `arch`, above 0 and up to 2 (0.12, 3/25).
-    #[arg(long, visible_alias = "eta", value_name = "ETA", value_parser = thickness, allow_hyphen_values = true)]
-    thickness: Option<ExactNumber>,
+    arch: ArchAsked,
 
     /// For `asymmetric`, how the mechanism closes: inner_sliding, shoulder_opening or shoulder_sliding; the one that is
     /// found if not given.
@@ -73,41 +73,55 @@ fn target(text: &str) -> Result<CertifyTarget, String> {
     }
 }
 
-/// Command lines that have everything.
-const STATE: &str = "couplet certify state --half-opening 80deg --friction 0.6";
-const ARCH: &str = "couplet certify arch --half-opening 80deg --friction 0.6 --thickness 0.1";
-
-const ASYMMETRIC: &str = "couplet certify asymmetric --half-opening 2.3 --friction 1.05";
+const STATE: ArchQuestion = ArchQuestion {
+    refuses: &[
+        (Field::Stones, "the checker knows an arch with a joint at every angle"),
+        (Field::Joints, "the checker knows an arch with a joint at every angle"),
+        (Field::Tilt, "the checker knows an arch without acceleration"),
+        (Field::Density, "a certificate has no forces"),
+        (Field::Thickness, "a thickness belongs to `arch`"),
+    ],
+    needs: &[],
+    unlimited: false,
+    example: "couplet certify state --half-opening 80deg --friction 0.6",
+};
+const ASYMMETRIC: ArchQuestion = ArchQuestion {
+    example: "couplet certify asymmetric --half-opening 2.3 --friction 1.05",
+    ..STATE
+};
+const ARCH: ArchQuestion = ArchQuestion {
+    refuses: STATE.refuses.split_last().unwrap().1,
+    needs: &[Field::Thickness],
+    unlimited: false,
+    example: "couplet certify arch --half-opening 80deg --friction 0.6 --thickness 0.1",
+};
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let is_arch = matches!(
         arguments.target,
         CertifyTarget::State | CertifyTarget::Arch | CertifyTarget::Asymmetric
     );
-    if !is_arch && arguments.shape.is_given() {
-        let message = "a half opening and a friction belong to `state`, `arch` and `asymmetric`";
-        return Err(message.into());
-    }
-    if arguments.target != CertifyTarget::Arch && arguments.thickness.is_some() {
-        return Err("a thickness belongs to `arch`".into());
+    if !is_arch && arguments.arch != ArchAsked::default() {
+        return Err("an arch belongs to `state`, `arch` and `asymmetric`".into());
     }
     if arguments.target != CertifyTarget::Asymmetric && arguments.mode.is_some() {
         return Err("a mode belongs to `asymmetric`".into());
     }
     let weight = arguments.weight.unwrap_or(SelfWeight::Milankovitch);
-    let (digits, thickness) = (arguments.digits, arguments.thickness.as_ref());
+    let digits = arguments.digits;
     let output = || Output::open(arguments.output.as_deref());
-    let (option, example) = match arguments.target {
+    let question = match arguments.target {
         CertifyTarget::All => return all(arguments),
         CertifyTarget::Landmark(landmark) => {
             let output = output()?;
             return write(output, &certify_landmark(landmark, weight, digits)?);
         }
-        CertifyTarget::Asymmetric => (None, ASYMMETRIC),
-        CertifyTarget::State => (None, STATE),
-        CertifyTarget::Arch => (thickness.is_none().then_some("--thickness"), ARCH),
+        CertifyTarget::Asymmetric => ASYMMETRIC,
+        CertifyTarget::State => STATE,
+        CertifyTarget::Arch => ARCH,
     };
-    let arch = arguments.shape.arch(weight, &Missing { option, example })?;
+    let given = ArchGiven::read(&question, &arguments.arch, Spelling::Option)?;
+    let arch = given.arch(weight)?;
     let is_asymmetric = arguments.target == CertifyTarget::Asymmetric;
     if is_asymmetric && !arch.is_limited() {
         let words = "an asymmetric solution needs a limited friction: give --friction a number";
@@ -122,7 +136,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     notes::frictions([arch.friction()]);
     let made = match mode {
         Some(mode) => certify_asymmetric(&arch, mode, digits)?,
-        None => certify_arch(&arch, thickness, digits)?,
+        None => certify_arch(&arch, given.thickness.as_ref(), digits)?,
     };
     write(output, &made)
 }

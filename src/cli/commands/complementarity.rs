@@ -1,9 +1,10 @@
 //! `couplet complementarity`.
 
-use super::arch::{ArchArguments, Missing};
+use super::arch::ArchArguments;
 use super::map::tolerance;
 use super::notes;
 use super::output::{OutputFile, is_written};
+use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling, StonesAsked};
 use crate::atlas::{Branch, Contour, Level, NoBranch, NoLevel};
 use crate::certify::state::Balls;
 use crate::certify::{
@@ -26,9 +27,14 @@ use clap::Args;
 /// A solution is an admissible state with a motion of the joints that are at their limits, without dilatancy. Among
 /// symmetric ones there is one thickness, the least; some horseshoes have asymmetric ones at a larger thickness.
 /// What is printed is proved; that there are no others is not. With --stones there are joints between so many equal
-/// stones only: then all solutions are found, and that there are no others is proved; thicknesses at which it is
-/// not are listed.
+/// stones only, 2 to 60: then all solutions are found, at any thickness up to 2, and that there are no others is
+/// proved; thicknesses at which it is not are listed. With --thickness too, and up to 100 stones, the least value of
+/// the programme (20) at that thickness is enclosed instead; at the `least` thickness of the stones it is zero.
 #[derive(Args)]
+#[command(mut_arg("joints", |arg| arg.hide(true)))]
+#[command(mut_arg("tilt", |arg| arg.hide(true)))]
+#[command(mut_arg("density", |arg| arg.hide(true)))]
+#[command(mut_arg("depth", |arg| arg.hide(true)))]
 #[command(
     override_usage = "couplet complementarity --half-opening <ANGLE> --friction <MU> [--stones <N> [--half] \
                       [--thickness <ETA>]] [OPTIONS]\n       couplet complementarity --half-opening <ANGLE> --branch \
@@ -37,19 +43,6 @@ use clap::Args;
 pub(crate) struct Arguments {
     #[command(flatten)]
     arch: ArchArguments,
-
-    /// Enclose the least value of the programme (20) at this thickness-to-radius ratio (0.55, 11/20) instead of all
-    /// solutions, between the stones; at the `least` thickness of these it is zero.
-    #[arg(
-        long, visible_alias = "eta", value_name = "ETA", requires = "stones", value_parser = at,
-        allow_hyphen_values = true
-    )]
-    thickness: Option<At>,
-
-    /// Find all solutions between so many equal stones of the whole arch, 2 to 60, at any thickness up to 2; with
-    /// --thickness up to 100.
-    #[arg(long, value_name = "N", value_parser = stones, allow_negative_numbers = true)]
-    stones: Option<u64>,
 
     /// Between the stones look at the half arch, whose states are symmetric, instead of the whole.
     #[arg(long, requires = "stones")]
@@ -70,34 +63,61 @@ pub(crate) struct Arguments {
     file: OutputFile,
 }
 
-/// A number of stones.
-fn stones(text: &str) -> Result<u64, String> {
-    let number = text.parse().ok().filter(|number| (2..=MOST_JOINTED_STONES).contains(number));
-    number.ok_or_else(|| {
-        format!(
-            "stones are a whole number from 2 to {MOST_ENUMERATED_STONES}, or to {MOST_JOINTED_STONES} with --thickness"
-        )
-    })
-}
+/// Numbers of stones that are enumerated, and of the programme (20).
+const STONES: &str = "stones are a whole number from 2 to 60, or to 100 with --thickness";
+const _: () = assert!(MOST_ENUMERATED_STONES == 60 && MOST_JOINTED_STONES == 100);
 
 /// A thickness, or the least one.
-#[derive(Clone)]
 enum At {
     Given(ExactNumber),
     Least,
 }
 
-fn at(text: &str) -> Result<At, String> {
-    match text.trim() {
-        "least" => Ok(At::Least),
-        number => parse::thickness(number)
-            .map(At::Given)
-            .map_err(|why| format!("{why}; or `least`, that of the stones")),
+const QUESTION: ArchQuestion = ArchQuestion {
+    refuses: &[
+        (Field::Joints, "stones are of one angle here, --stones"),
+        (Field::Tilt, "the conditions (19) have no acceleration"),
+        (Field::Density, "no forces are told"),
+    ],
+    needs: &[],
+    unlimited: false,
+    example: "couplet complementarity --half-opening 2.3 --friction 1.05",
+};
+
+/// Thickness that is asked for, beside what is given of the arch.
+fn read(asked: &ArchAsked) -> Result<(Option<At>, ArchGiven), Failure> {
+    let is_least = asked.thickness.as_deref().is_some_and(|text| text.trim() == "least");
+    let thickness = asked.thickness.clone().filter(|_| !is_least);
+    let given =
+        ArchGiven::read(&QUESTION, &ArchAsked { thickness, ..asked.clone() }, Spelling::Option);
+    let given = given.map_err(|misfit| match misfit.field {
+        Some(Field::Thickness) => {
+            Failure::Input(format!("{misfit}; or `least`, that of the stones"))
+        }
+        Some(Field::Stones) => STONES.into(),
+        _ => misfit.into(),
+    })?;
+    if asked.thickness.is_some() && asked.stones.is_none() {
+        return Err(
+            "--thickness needs --stones here: the programme (20) has joints between them".into()
+        );
     }
+    let at = is_least.then_some(At::Least).or_else(|| given.thickness.clone().map(At::Given));
+    Ok((at, given))
 }
 
-/// A command line that has everything.
-const EXAMPLE: &str = "couplet complementarity --half-opening 2.3 --friction 1.05";
+/// Number of stones that is asked for.
+fn stones(given: &ArchGiven) -> Result<Option<u64>, Failure> {
+    match given.stones {
+        None => Ok(None),
+        Some(StonesAsked::Numbers { first, is_range: false, .. })
+            if first <= MOST_JOINTED_STONES =>
+        {
+            Ok(Some(first))
+        }
+        Some(_) => Err(STONES.into()),
+    }
+}
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.branch {
@@ -106,28 +126,30 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.tolerance.is_some() {
         return Err("--tolerance is for --branch".into());
     }
-    let needs = Missing { option: None, example: EXAMPLE };
-    let arches = arguments.arch.arches(&needs, None)?;
+    let (at, given) = read(&arguments.arch.asked)?;
+    let stones = stones(&given)?;
+    let weights = arguments.arch.weight.all().into_iter();
+    let arches: Vec<Arch> = weights.map(|weight| given.arch(weight)).collect::<Result<_, _>>()?;
     let format = arguments.file.format(arguments.format, Content::Complementarity, "table")?;
     is_written("without --branch a solution", Content::Complementarity, format)?;
     let file = arguments.file.open_for(format)?;
     let digits = arguments.arch.digits;
     let extent = if arguments.half { Extent::Half } else { Extent::Whole };
-    let too_many = arguments.stones.filter(|n| *n > MOST_ENUMERATED_STONES);
-    if let (Some(stones), None) = (too_many, &arguments.thickness) {
+    let too_many = stones.filter(|n| *n > MOST_ENUMERATED_STONES);
+    if let (Some(stones), None) = (too_many, &at) {
         return Err(format!(
             "all solutions are found between at most {MOST_ENUMERATED_STONES} stones, not {stones}: with --thickness \
              {MOST_JOINTED_STONES} are allowed"
         )
         .into());
     }
-    if arguments.stones.is_some() && arches.iter().any(|arch| !arch.is_limited()) {
+    if stones.is_some() && arches.iter().any(|arch| !arch.is_limited()) {
         let words = "conditions between stones need a limited friction: give --friction a number";
         return Err(words.into());
     }
     notes::frictions(arches.iter().take(1).map(Arch::friction));
     let answer = |arch: Arch| {
-        let (enumeration, programme) = match (arguments.stones, &arguments.thickness) {
+        let (enumeration, programme) = match (stones, &at) {
             (Some(stones), None) => {
                 (Some(Error::apart(enumerate(&arch, stones, extent, digits))?), None)
             }
@@ -178,15 +200,20 @@ fn at_thickness(
     Ok(AtThickness { thickness, named, stones, extent, found })
 }
 
-/// A command line of a branch.
-const BRANCH: &str = "couplet complementarity --half-opening 2.3 --branch";
+/// Solutions over all frictions.
+const BRANCH: ArchQuestion = ArchQuestion {
+    unlimited: true,
+    example: "couplet complementarity --half-opening 2.3 --branch",
+    ..QUESTION
+};
 /// The half-width of a tube that is asked for if none is given.
 const TOLERANCE: f64 = 1e-4;
 /// Digits of the points of a branch, at most.
 const DIGITS: usize = 30;
 
 fn branches(arguments: &Arguments) -> Result<(), Failure> {
-    let half_opening = arguments.arch.half_opening(&Missing { option: None, example: BRANCH })?;
+    let (_, arches) = arguments.arch.read(&BRANCH)?;
+    let Some(half_opening) = arches.first().map(Arch::half_opening) else { return Ok(()) };
     let digits = arguments.arch.digits;
     if digits > DIGITS {
         return Err(format!("with --branch digits are 1 to {DIGITS}").into());
@@ -195,7 +222,7 @@ fn branches(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.file.open_for(format)?;
     let tolerance = arguments.tolerance.unwrap_or(TOLERANCE);
     let found = |weight| -> Result<(Branch, Level), NoBranch> {
-        let branch = Branch::new(weight, &half_opening, tolerance)?;
+        let branch = Branch::new(weight, half_opening, tolerance)?;
         let contour = Contour::HalfOpening(half_opening.clone());
         let least = Level::new(weight, &contour, tolerance).map_err(|none| match none {
             NoLevel::Undecided(_, open) => NoBranch::from(open),

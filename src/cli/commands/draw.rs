@@ -1,10 +1,9 @@
 //! `couplet draw`.
 
-use super::arch::{Missing, ShapeArguments};
-use super::measures::{MeasureArguments, MeasuredArch};
 use super::notes;
 use super::output::OutputFile;
 use crate::arch::SelfWeight;
+use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Misfit, Spelling, StonesAsked};
 use crate::atlas::Sketch;
 use crate::cli::line::typed;
 use crate::problem::{Landmark, Mode};
@@ -19,30 +18,27 @@ use clap::Args;
 /// Without --thickness: the arch at its least thickness, its lines of thrust and of friction, and its mechanism.
 /// With it: the lines of the least and of the largest thrust, what limits each, and the safety. --at: a landmark,
 /// one picture for each mode that is possible there. --mode [s,s] with --thickness and no friction: an arch at the
-/// friction at which it slides. --stones: an arch of so many stones, as couplet voussoirs proves it. In metres,
+/// friction at which it slides. --stones: an arch of 2 to 500 stones, as couplet voussoirs proves it. In metres,
 /// with --span and --rise or with --radius: sizes in the picture and its caption, and JSON and DXF in metres.
 #[derive(Args)]
+#[command(mut_arg("joints", |arg| arg.hide(true)))]
+#[command(mut_arg("tilt", |arg| arg.hide(true)))]
 #[command(
     override_usage = "couplet draw --half-opening <ANGLE> --friction <MU> [--thickness <ETA>] [OPTIONS]\n       \
                             couplet draw --at <LANDMARK> [--mode <MODE>] [OPTIONS]"
 )]
 pub(crate) struct Arguments {
     #[command(flatten)]
-    shape: ShapeArguments,
+    arch: ArchAsked,
 
     /// Self-weight model: heyman or milankovitch.
     #[arg(long, default_value = "milankovitch", value_parser = parse::weight)]
     weight: SelfWeight,
 
-    /// Thickness-to-radius ratio of an arch as it stands, between 0 and 2 (0.12, 3/25, 0.12r); of an arch in metres a
-    /// length (60cm), or a ratio with its r.
-    #[arg(long, visible_alias = "eta", value_name = "ETA", allow_hyphen_values = true)]
-    thickness: Option<String>,
-
     /// A landmark instead of an arch, by symbol or name: T, S, J, B, l or L.
     #[arg(
         long, value_name = "LANDMARK", value_parser = parse::landmark,
-        conflicts_with_all = ["half_opening", "friction", "friction_angle", "thickness", "span", "radius", "density"]
+        conflicts_with_all = ["half_opening", "friction", "friction_angle", "thickness", "joints", "span", "radius", "density"]
     )]
     at: Option<Landmark>,
 
@@ -66,11 +62,6 @@ pub(crate) struct Arguments {
     #[arg(long)]
     arrows: bool,
 
-    /// An arch of so many stones, 2 to 500, which opens and slides between them alone: at its own least thickness,
-    /// or as it stands.
-    #[arg(long, value_name = "N", value_parser = stones, allow_negative_numbers = true)]
-    stones: Option<u32>,
-
     /// For svg: the blocks move, again and again; where nothing moves the picture is a still.
     #[arg(long)]
     animate: bool,
@@ -81,26 +72,27 @@ pub(crate) struct Arguments {
 
     #[command(flatten)]
     file: OutputFile,
-
-    #[command(flatten)]
-    measures: MeasureArguments,
 }
 
 /// Message why there are no stones.
 const STONES: &str = "--stones is for an arch with --half-opening and --friction: a landmark, and an arch at the \
                       friction at which it slides, have a joint at every angle";
 
-/// A command line that has everything.
-const EXAMPLE: &str = "couplet draw --half-opening 80deg --friction 0.35 -o arch.svg";
+const QUESTION: ArchQuestion = ArchQuestion {
+    refuses: &[
+        (Field::Tilt, "a tilted arch is told by `couplet assess`, and not drawn"),
+        (Field::Joints, "stones of one angle are drawn, --stones"),
+    ],
+    needs: &[],
+    unlimited: false,
+    example: "couplet draw --half-opening 80deg --friction 0.35 -o arch.svg",
+};
+/// An arch at the friction at which it slides, which has none of its own.
+const SLIDING: ArchQuestion = ArchQuestion { unlimited: true, ..QUESTION };
 
 fn amplitude(text: &str) -> Result<f64, String> {
     let amplitude = text.parse().ok().filter(|r| Style::AMPLITUDES.contains(r));
     amplitude.ok_or_else(|| "an amplitude is a number from 0.001 to 1, in units of r".to_owned())
-}
-
-fn stones(text: &str) -> Result<u32, String> {
-    let stones = text.parse().ok().filter(|n| Style::STONES.contains(n));
-    stones.ok_or_else(|| "stones are a whole number from 2 to 500".to_owned())
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -111,8 +103,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.arrows && !format.is_picture {
         return Err(format!("only svg and png have arrows, not {}", format.name).into());
     }
-    let measured = arguments.measures.measured()?;
-    let sketch = arguments.sketch(&measured)?;
+    let (sketch, given) = arguments.sketch()?;
     let style = Style {
         amplitude: arguments.amplitude,
         half: arguments.half,
@@ -120,45 +111,95 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         animate: arguments.animate,
         notation: false,
     };
-    let drawn =
-        Sketched { sketches: vec![sketch], style, measures: measured.measures, command: typed() };
+    write((sketch, &given), style, format, &arguments.file)
+}
+
+/// Draws the arch that any question was about, as it stands or at its least thickness.
+pub(super) fn arch(
+    given: &ArchGiven,
+    weight: SelfWeight,
+    format: &'static Format,
+    file: &OutputFile,
+) -> Result<(), Failure> {
+    if given.tilt.is_some() {
+        return Err("a tilted arch is not drawn: leave out --tilt, or write a table".into());
+    }
+    let arch = given.arch(weight)?;
+    let pose = match &given.thickness {
+        Some(thickness) => Pose::Standing(arch, thickness.clone()),
+        None => Pose::Least(arch),
+    };
+    let sketch = DrawnArch { pose, stones: stones(given)?, is_dilatant: false }.sketch()?;
+    write((sketch, given), Style::default(), format, file)
+}
+
+/// Number of stones that are drawn.
+fn stones(given: &ArchGiven) -> Result<Option<u64>, Misfit> {
+    let wrong = |message: &str| Err(Misfit { field: Some(Field::Stones), message: message.into() });
+    match given.stones {
+        None => Ok(None),
+        Some(StonesAsked::Numbers { first, is_range: false, .. })
+            if u32::try_from(first).is_ok_and(|n| Style::STONES.contains(&n)) =>
+        {
+            Ok(Some(first))
+        }
+        Some(StonesAsked::Numbers { .. }) => {
+            wrong("the stones that are drawn are a whole number from 2 to 500")
+        }
+        Some(StonesAsked::Joints(_)) => wrong("stones of one angle are drawn: give --stones"),
+    }
+}
+
+fn write(
+    (sketch, given): (Sketch, &ArchGiven),
+    style: Style,
+    format: &Format,
+    file: &OutputFile,
+) -> Result<(), Failure> {
+    let measures = given.measures.clone();
+    let drawn = Sketched { sketches: vec![sketch], style, measures, command: typed() };
     if !drawn.can_be_drawn() {
         let message =
             "a drawing has a radius from 1mm to 1000000m, and forces of a size that doubles hold";
         return Err(message.into());
     }
-    let file = arguments.file.open_for(format)?;
-    notes::frictions(&arguments.shape.friction());
+    let file = file.open_for(format)?;
+    notes::frictions(&given.friction);
     let report = Report::Sketched(drawn);
     file.write(|out| report.write(format, out))
 }
 
 impl Arguments {
-    /// Sketch of what is asked for, in the modes asked for.
-    fn sketch(&self, measured: &MeasuredArch) -> Result<Sketch, Failure> {
-        let (stones, is_dilatant) = (self.stones.map(u64::from), self.dilatant);
-        let shape = self.shape.with_half_opening(measured.half_opening.as_ref());
-        let is_sliding = self.mode == Some(Mode::Sliding) && !shape.has_friction();
-        if stones.is_some() && (self.at.is_some() || is_sliding && self.thickness.is_some()) {
+    /// Sketch of what is asked for, in the modes asked for, with what is given.
+    fn sketch(&self) -> Result<(Sketch, ArchGiven), Failure> {
+        let is_dilatant = self.dilatant;
+        let is_sliding = self.mode == Some(Mode::Sliding) && self.arch.friction_text().is_none();
+        let has_thickness = self.arch.thickness.is_some();
+        let is_any = self.at.is_some() || is_sliding && has_thickness;
+        if is_any && self.arch.stones.is_some() {
             return Err(STONES.into());
         }
-        let thickness = |eta: &String| measured.thickness(eta);
-        let needs = Missing { option: None, example: EXAMPLE };
-        let pose = match (self.at, self.thickness.as_ref().map(thickness).transpose()?) {
+        let given = match self.at {
+            Some(_) => ArchGiven::new(&self.arch, Spelling::Option)?,
+            None if is_any => ArchGiven::read(&SLIDING, &self.arch, Spelling::Option)?,
+            None => ArchGiven::read(&QUESTION, &self.arch, Spelling::Option)?,
+        };
+        let pose = match (self.at, given.thickness.clone()) {
             (Some(landmark), _) => Pose::Landmark(landmark, self.weight),
             (None, Some(thickness)) if is_sliding => {
-                Pose::Sliding(shape.without_friction(self.weight, &needs)?, thickness)
+                Pose::Sliding(given.arch(self.weight)?, thickness)
             }
             (None, Some(_)) if self.mode.is_some() || is_dilatant || self.animate => {
                 let message = "an arch as it stands does not move: leave out --mode, --dilatant and --animate, or \
                                --thickness";
                 return Err(message.into());
             }
-            (None, Some(thickness)) => Pose::Standing(shape.arch(self.weight, &needs)?, thickness),
-            (None, None) => Pose::Least(shape.arch(self.weight, &needs)?),
+            (None, Some(thickness)) => Pose::Standing(given.arch(self.weight)?, thickness),
+            (None, None) => Pose::Least(given.arch(self.weight)?),
         };
         let is_moved = matches!(pose, Pose::Landmark(..) | Pose::Least(_));
-        let sketch = DrawnArch { pose, stones, is_dilatant }.sketch()?;
-        Ok(if is_moved { sketch.in_modes(self.mode.as_slice())? } else { sketch })
+        let sketch = DrawnArch { pose, stones: stones(&given)?, is_dilatant }.sketch()?;
+        let sketch = if is_moved { sketch.in_modes(self.mode.as_slice())? } else { sketch };
+        Ok((sketch, given))
     }
 }

@@ -3,13 +3,14 @@
 use super::arch::ArchArguments;
 use super::notes;
 use super::output::AnswerOutput;
+use crate::ask::{ArchGiven, ArchQuestion, Field, Spelling};
 use crate::certify::state::find::{Given, Question, find};
 use crate::certify::{Error, Refused};
 use crate::problem::{Friction, Line, Quantity, Sought};
 use crate::report::words::list;
 use crate::report::{Answer, Answers, Report, Scope};
 use crate::sweep::failure::Failure;
-use crate::sweep::parse::{self, thickness};
+use crate::sweep::parse;
 use clap::Args;
 
 /// Find the widest half opening that stands, the least friction, or where one mode becomes another, with a proof.
@@ -17,6 +18,11 @@ use clap::Args;
 /// Without --thickness an arch counts if it stands at any. The least thickness of an arch is what `couplet state`
 /// finds.
 #[derive(Args)]
+#[command(mut_arg("stones", |arg| arg.hide(true)))]
+#[command(mut_arg("joints", |arg| arg.hide(true)))]
+#[command(mut_arg("tilt", |arg| arg.hide(true)))]
+#[command(mut_arg("density", |arg| arg.hide(true)))]
+#[command(mut_arg("depth", |arg| arg.hide(true)))]
 #[command(
     override_usage = "couplet find half-opening --friction <MU> [--thickness <ETA>] [OPTIONS]\n       \
                             couplet find friction --half-opening <ANGLE> [--thickness <ETA>] [OPTIONS]\n       \
@@ -33,10 +39,6 @@ pub(crate) struct Arguments {
 
     #[command(flatten)]
     arch: ArchArguments,
-
-    /// Thickness-to-radius ratio, between 0 and 2 (0.12, 3/25); any if not given.
-    #[arg(long, visible_alias = "eta", value_name = "ETA", allow_hyphen_values = true)]
-    thickness: Option<String>,
 
     #[command(flatten)]
     output: AnswerOutput,
@@ -63,11 +65,26 @@ fn line(text: &str) -> Result<Line, String> {
     text.parse().map_err(|error: crate::problem::NoLine| error.to_string())
 }
 
+const QUESTION: ArchQuestion = ArchQuestion {
+    refuses: &[
+        (Field::Stones, "what is found is of an arch with a joint at every angle"),
+        (Field::Joints, "what is found is of an arch with a joint at every angle"),
+        (Field::Tilt, "what is found is of an arch without acceleration"),
+        (Field::Density, "no forces are found"),
+    ],
+    needs: &[],
+    unlimited: false,
+    example: "",
+};
+
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let question = question(arguments)?;
+    QUESTION.fits(&arguments.arch.asked, Spelling::Option)?;
+    let given = ArchGiven::new(&arguments.arch.asked, Spelling::Option)?;
+    let friction = given.friction.clone();
+    let question = question(arguments, given)?;
     let quantities = arguments.output.quantities(&found_by(&question))?;
     let (file, format) = arguments.output.open()?;
-    notes::frictions(&arguments.arch.given()?.1);
+    notes::frictions(&friction);
     let digits = arguments.arch.digits;
     let answer = |(line, weight)| {
         let found = find(weight, &question, digits);
@@ -100,9 +117,8 @@ fn found_by(question: &Question) -> Vec<Quantity> {
 }
 
 /// The question asked, if what is given fits it.
-fn question(arguments: &Arguments) -> Result<Question, Failure> {
-    let (half_opening, friction) = arguments.arch.given()?;
-    let eta = arguments.thickness.as_deref().map(thickness).transpose()?;
+fn question(arguments: &Arguments, given: ArchGiven) -> Result<Question, Failure> {
+    let ArchGiven { half_opening, friction, thickness: eta, .. } = given;
     let given = [half_opening.is_some(), friction.is_some(), eta.is_some()];
     let too_much = |wrong: &[(bool, &str)]| {
         let wrong: Vec<&str> = wrong.iter().filter(|(given, _)| *given).map(|x| x.1).collect();

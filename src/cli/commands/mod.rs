@@ -16,7 +16,6 @@ mod folder;
 mod given_rows;
 mod judge;
 mod map;
-mod measures;
 mod notes;
 mod output;
 mod progress;

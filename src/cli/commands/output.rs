@@ -59,6 +59,32 @@ impl AnswerOutput {
         chosen(&self.quantities, all)
     }
 
+    /// The format and the file of a picture, where the end of the file's name tells one: svg, png or dxf.
+    pub(super) fn drawing(&self) -> Result<Option<(&'static Format, &OutputFile)>, Failure> {
+        let end = self.file.path().and_then(Path::extension).unwrap_or_default().to_string_lossy();
+        let is_answer = Format::of_extension(Content::Answers, &end).is_some();
+        let format = Format::of_extension(Content::Drawing, &end);
+        let format = format.filter(|_| !is_answer && !self.plain && self.format.is_none());
+        let Some(format) = format else { return Ok(None) };
+        self.tells_all("a picture")?;
+        Ok(Some((format.missing().map_or(Ok(format), Err)?, &self.file)))
+    }
+
+    /// The file that is written.
+    pub(super) fn file(&self) -> &OutputFile {
+        &self.file
+    }
+
+    /// Refuses a choice of quantities beside what has all of them.
+    pub(super) fn tells_all(&self, what: &str) -> Result<(), Failure> {
+        match self.quantities.is_empty() {
+            true => Ok(()),
+            false => {
+                Err(format!("{what} tells all of its quantities: leave out --quantity").into())
+            }
+        }
+    }
+
     /// Opens the destination, before any work is done, and tells the format.
     pub(super) fn open(&self) -> Result<(Output, &'static Format), Failure> {
         let format = self.format()?;
@@ -135,9 +161,12 @@ pub(super) fn chosen(asked: &[Quantity], all: &[Quantity]) -> Result<Vec<Quantit
 
 /// Refuses a format that cannot hold what is asked for.
 pub(super) fn is_written(what: &str, content: Content, format: &Format) -> Result<(), Failure> {
-    match Format::all(content).any(|one| one.name == format.name) {
+    match content.is_written_as(format) {
         true => Ok(()),
-        false => Err(format!("{what} is written only as {}", Format::names(content)).into()),
+        false => {
+            let names = Format::names(content);
+            Err(format!("{what} is written only as {names}, not {}", format.name).into())
+        }
     }
 }
 

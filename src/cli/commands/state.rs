@@ -1,10 +1,12 @@
 //! `couplet state`.
 
-use super::arch::{ArchArguments, Missing};
+use super::arch::ArchArguments;
 use super::constants::proved;
-use super::measures::MeasureArguments;
+use super::draw;
 use super::notes;
 use super::output::AnswerOutput;
+use super::voussoirs;
+use crate::ask::{ArchQuestion, Field};
 use crate::certify::state::{Balls, measured_state};
 use crate::certify::{Error, asymmetric_thicknesses, quantities as quantities_of};
 use crate::problem::{Arch, Landmark, Quantity};
@@ -18,6 +20,8 @@ use clap::Args;
 /// The proof: the equations of the mode have one solution in a box; that state is admissible on the
 /// whole half arch; no thinner arch has an admissible state; every comparison is decided.
 #[derive(Args)]
+#[command(mut_arg("thickness", |arg| arg.hide(true)))]
+#[command(mut_arg("tilt", |arg| arg.hide(true)))]
 #[command(
     override_usage = "couplet state --half-opening <ANGLE> --friction <MU> [OPTIONS]\n       \
                             couplet state --at <LANDMARK> [OPTIONS]"
@@ -29,28 +33,36 @@ pub(crate) struct Arguments {
     /// A landmark instead of an arch, by symbol or name (T, triple), with all modes that meet there.
     #[arg(
         long, value_name = "LANDMARK", value_parser = parse::landmark,
-        conflicts_with_all = ["half_opening", "friction", "friction_angle", "span", "radius", "density"]
+        conflicts_with_all = ["half_opening", "friction", "friction_angle", "stones", "joints", "span", "radius", "density"]
     )]
     at: Option<Landmark>,
-
-    #[command(flatten)]
-    measures: MeasureArguments,
 
     #[command(flatten)]
     output: AnswerOutput,
 }
 
-/// A command line that has everything.
-const EXAMPLE: &str = "couplet state --half-opening 80deg --friction 0.6";
+const QUESTION: ArchQuestion = ArchQuestion {
+    refuses: &[
+        (Field::Thickness, "`couplet assess` tells of an arch of a thickness"),
+        (Field::Tilt, "`couplet assess` tells of an arch of a thickness that is tilted"),
+    ],
+    needs: &[],
+    unlimited: false,
+    example: "couplet state --half-opening 80deg --friction 0.6",
+};
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(landmark) = arguments.at {
         return at_landmark(landmark, arguments);
     }
-    let measured = arguments.measures.measured()?;
-    let needs = Missing { option: None, example: EXAMPLE };
-    let arches = arguments.arch.arches(&needs, measured.half_opening.as_ref())?;
-    let all = measured.quantities(&Quantity::STATE, &Quantity::MEASURED_STATE);
+    let (given, arches) = arguments.arch.read(&QUESTION)?;
+    if let Some((format, file)) = arguments.output.drawing()? {
+        return draw::arch(&given, arguments.arch.one_weight()?, format, file);
+    }
+    if given.stones.is_some() {
+        return voussoirs::print(&given, &arches, arguments.arch.digits, &arguments.output);
+    }
+    let all = given.quantities(&Quantity::STATE, &Quantity::MEASURED_STATE);
     let quantities = arguments.output.quantities(&all)?;
     let digits = arguments.arch.digits;
     let frictions = quantities.iter().any(|quantity| quantity.is_friction());
@@ -59,7 +71,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let found = Balls::Mpfr.state(arch, digits, frictions);
         let answer = Answer::state(line, arch, &found)
             .with_asymmetric(|| asymmetric_thicknesses(arch, digits));
-        match &measured.measures {
+        match &given.measures {
             Some(measures) => {
                 answer.measured(measures.circle(), measured_state(arch, measures, digits))
             }

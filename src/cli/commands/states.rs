@@ -4,14 +4,17 @@ use super::given_rows::{GivenRows, source};
 use super::output::{OutputFile, chosen};
 use super::stream::{Chunk, Progress, in_order};
 use crate::arch::SelfWeight;
+use crate::ask::Field;
 use crate::certify::batch::SharedOpenings;
-use crate::certify::state::Balls;
+use crate::certify::state::{Balls, measured_assessment, measured_state};
 use crate::certify::{Refused, asymmetric_thicknesses};
-use crate::problem::Quantity;
+use crate::problem::{Quantity, thickness};
 use crate::report::{Answer, Answers, Content, Format, Status};
 use crate::sweep::failure::Failure;
-use crate::sweep::parse::{self, thickness};
-use crate::sweep::rows::{ArchReader, Cells, Columns, Keep, Numbered, Purpose, ReadRow, Role};
+use crate::sweep::parse;
+use crate::sweep::rows::{
+    ArchReader, Cells, Columns, Keep, Numbered, Purpose, ReadRow, Role, Syntax,
+};
 use clap::Args;
 use std::io;
 use std::path::PathBuf;
@@ -103,8 +106,17 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if answers.have_assessments() {
         all.extend(Quantity::ASSESSMENT);
     }
+    let is_size = |role| [Field::Span, Field::Radius].map(Role::Size).contains(&role);
+    let measured = match columns.all.iter().any(|column| is_size(column.role)) {
+        // Each object may have sizes or not.
+        _ if matches!(syntax, Syntax::Json) && !in_lines => Vec::new(),
+        true if answers.have_assessments() => measured(&Quantity::MEASURED_ASSESSMENT),
+        true => measured(&Quantity::MEASURED_STATE),
+        false => Vec::new(),
+    };
+    all.extend(&measured);
     let answers = match arguments.quantities.is_empty() {
-        true => answers,
+        true => Answers { quantities: [&answers.quantities[..], &measured].concat(), ..answers },
         false => answers.of(&chosen(&arguments.quantities, &all)?),
     };
     let asked = RowQuestion::new(&answers, format)?;
@@ -138,6 +150,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             Err(Failure::Input(format!("{bad} of {rows} rows could not be read; see their errors")))
         }
     }
+}
+
+/// Sizes of an arch of which no forces are known.
+fn measured(all: &[Quantity]) -> Vec<Quantity> {
+    all.iter().copied().filter(|quantity| !quantity.is_force()).collect()
 }
 
 fn unwritten(error: io::Error) -> Failure {
@@ -178,13 +195,22 @@ fn found(
     cells: &Cells,
     asked: &RowQuestion,
 ) -> Result<Answer, String> {
-    let (arch, digits) = (reader.arch(cells)?, asked.digits);
+    let ((arch, measures), digits) = (reader.measured_arch(cells)?, asked.digits);
     let with_asymmetric =
         |answer: Answer| answer.with_asymmetric(|| asymmetric_thicknesses(&arch, digits));
     let Some((text, _)) = reader.given(cells, Role::GivenThickness) else {
-        return Ok(with_asymmetric(Answer::state(line, &arch, &asked.openings.state(&arch))));
+        let answer = with_asymmetric(Answer::state(line, &arch, &asked.openings.state(&arch)));
+        return Ok(match measures {
+            Some(of) => answer.measured(of.circle(), measured_state(&arch, &of, digits)),
+            None => answer,
+        });
     };
-    let eta = thickness(&reader.spelling.exact(text))?;
+    let eta = thickness(&reader.spelling.exact(text), measures.as_ref());
+    let eta = eta.map_err(|error| error.to_string())?;
     let found = asked.openings.assess(&arch, &eta);
-    Ok(with_asymmetric(Answer::assessment(line, (&arch, &eta), &found)))
+    let answer = with_asymmetric(Answer::assessment(line, (&arch, &eta), &found));
+    Ok(match measures {
+        Some(of) => answer.measured(of.circle(), measured_assessment((&arch, &eta), &of, digits)),
+        None => answer,
+    })
 }

@@ -112,7 +112,7 @@ wrong_uses! {
     nothing_to_certify: ["certify"] => "SUBJECT";
     a_subject_that_is_none: ["certify", "Q"] => "one of T, S, J, B, l, L, sb";
     a_certificate_without_digits: ["certify", "T", "--digits", "0"] => "from 1 to";
-    a_landmark_with_a_half_opening: ["certify", "T", "--alpha", "1"] => "half opening";
+    a_landmark_with_a_half_opening: ["certify", "T", "--alpha", "1"] => "an arch belongs to";
     a_state_beyond_a_turn: ["certify", "state", "--alpha", "4", "--mu", "1"] => "between 0 and pi";
     a_state_without_friction: ["certify", "state", "--alpha", "1"] => "--friction";
 }

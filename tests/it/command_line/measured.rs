@@ -220,7 +220,7 @@ fn wrong_measures_are_one_line() {
         ("--span 10m", "--rise"),
         ("--span 10m --rise -3m", "-3m is not above 0"),
         ("--span 10m --rise 3m --radius 5m", "contradicts"),
-        ("--span 10m --rise 3m --half-opening 1", "cannot be used"),
+        ("--span 10m --rise 3m --half-opening 1", "--half-opening and --span say the same"),
         ("--span 10m --rise 3m --density 2400kg/m3", "--depth"),
         ("--span 10m --rise 3m --density 2400 --depth 1m", "'2400' is not a density"),
         ("--half-opening 1 --density 24kN/m3 --depth 1m", "need a size"),
@@ -261,4 +261,125 @@ fn wrong_measures_are_one_line() {
     let error = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(2));
     assert!(error.lines().count() == 1 && error.contains("is a point"), "{error}");
+}
+
+/// Every command that takes an arch reads it in metres, and answers as of its ratios.
+#[test]
+fn an_arch_in_metres_is_the_same_at_every_command() {
+    let measured = "--span 18.9m --rise 4.2m --friction 0.6";
+    let ratios = "--half-opening 2atan(4/9) --friction 0.6";
+    for (command, thickness) in [
+        ("assess --stones 41 --digits 9", ["90cm", "48/703"]),
+        ("assess --stones 41 --tilt 5deg --digits 9", ["90cm", "48/703"]),
+        ("assess --tilt 0.1 --digits 9", ["90cm", "48/703"]),
+        ("voussoirs --stones 40 --digits 9", ["90cm", "48/703"]),
+        ("voussoirs --stones 11..13 --digits 5", ["", ""]),
+        ("state --stones 7 --digits 9", ["", ""]),
+        ("certify arch --digits 9", ["90cm", "48/703"]),
+        ("complementarity --stones 9 --digits 9", ["90cm", "48/703"]),
+    ] {
+        let [one, other] = [(measured, thickness[0]), (ratios, thickness[1])].map(|(arch, eta)| {
+            let eta = if eta.is_empty() { String::new() } else { format!(" --thickness {eta}") };
+            let line = format!("{command} {arch}{eta}");
+            printed(&line.split(' ').collect::<Vec<_>>())
+        });
+        assert_eq!(one, other, "{command}");
+    }
+    let found = |line: &str| printed(&line.split(' ').collect::<Vec<_>>());
+    let of = "--plain --quantity friction --digits 12";
+    assert_eq!(
+        found(&format!("find friction --span 18.9m --rise 4.2m --thickness 90cm {of}")),
+        found(&format!("find friction --half-opening 2atan(4/9) --thickness 48/703 {of}"))
+    );
+}
+
+/// The end of a file's name asks for a picture: that of `couplet draw`.
+#[test]
+fn an_answer_is_a_picture_where_its_file_is_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let picture = |name: &str, line: &str| {
+        let path = folder.path().join(name);
+        let words: Vec<&str> = line.split(' ').chain(["-o", path.to_str().unwrap()]).collect();
+        printed(&words);
+        // The caption has the command, which is another.
+        let text = std::fs::read_to_string(path).unwrap();
+        let lines = text.lines().filter(|line| !line.contains("couplet "));
+        lines.map(str::to_owned).collect::<Vec<_>>()
+    };
+    let bridge = "--span 18.9m --rise 4.2m --friction 0.6";
+    for (command, rest) in
+        [("assess", " --thickness 90cm --stones 41"), ("state", ""), ("state", " --stones 9")]
+    {
+        let [one, other] =
+            [command, "draw"].map(|name| picture("a.svg", &format!("{name} {bridge}{rest}")));
+        assert_eq!(one, other, "{command}{rest}");
+        assert!(one.len() > 20);
+    }
+    for (line, why) in [
+        ("assess --alpha 1 --mu 1 --eta 0.1 --tilt 0.1", "a tilted arch is not drawn"),
+        ("state --alpha 1 --mu 1 --weight both", "one weight"),
+        ("state --alpha 1 --mu 1 --quantity eta", "leave out --quantity"),
+        ("state --alpha 1 --mu 1 --stones 501", "from 2 to 500"),
+        ("state --alpha 1 --mu 1 --joints 0,0.5,1", "say the same"),
+        ("state --mu 1 --joints 0,0.5,1", "stones of one angle"),
+    ] {
+        let path = folder.path().join("b.svg");
+        let words: Vec<&str> = line.split(' ').chain(["-o", path.to_str().unwrap()]).collect();
+        let output = couplet(&words);
+        let error = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{line}: {error}");
+        assert!(
+            error.lines().count() == 1 && error.contains(why) && !path.exists(),
+            "{line}: {error}"
+        );
+    }
+}
+
+/// Rows in metres have the answers of the same arches by the command, and their errors.
+#[test]
+fn rows_may_be_in_metres() {
+    let rows = "span,rise,radius,half_opening,friction,thickness,measured_at\n\
+                10m,3m,,,0.6,60cm,\n33ft,9ft,,,31deg,,extrados\n,,5m,80deg,0.6,0.1r,centreline\n,,,1,0.6,0.1,\n\
+                10m,,,,0.6,,\n10m,3m,,1,0.6,,\n10m,3m,,,0.6,0.1,\n,,5m,,0.6,,\n1,3m,,,0.6,,\n";
+    let output = fed(&["states", "--digits", "9"], rows);
+    assert_eq!(output.status.code(), Some(2));
+    let text = stdout(&output);
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let header = reader.headers().unwrap().clone();
+    let records: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    let cell = |row: usize, name: &str| {
+        let place = header.iter().position(|column| column == name).unwrap();
+        records[row].get(place).unwrap().to_owned()
+    };
+    for (row, line) in [
+        "assess --span 10m --rise 3m --friction 0.6 --thickness 60cm",
+        "state --span 33ft --rise 9ft --friction 31deg --measured-at extrados",
+        "assess --radius 5m --half-opening 80deg --friction 0.6 --thickness 0.1r --measured-at centreline",
+        "assess --half-opening 1 --friction 0.6 --thickness 0.1",
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let answer = object(&format!("{line} --digits 9"));
+        for name in ["least_thickness_m", "radius_m", "span_m", "measured_at", "geometric_safety"] {
+            let value = &answer[name];
+            let value = value["value"].as_str().or(value.as_str()).unwrap_or_default();
+            assert_eq!(cell(row, name), value, "{line} {name}");
+        }
+    }
+    for (row, why) in [
+        (4, "span needs rise"),
+        (5, "half_opening and span say the same"),
+        (6, "has no unit"),
+        (7, "the half_opening is empty"),
+        (8, "'1' is not a length"),
+    ] {
+        assert!(cell(row, "error").contains(why), "{}", cell(row, "error"));
+    }
+    // An object of JSON has its sizes, another none.
+    let rows = "{\"span\":\"10m\",\"rise\":\"3m\",\"mu\":0.6}\n{\"alpha\":1,\"mu\":0.6}\n";
+    let text = stdout(&fed(&["states", "--format", "jsonl"], rows));
+    let all: Vec<Value> = text.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert_eq!(all[0]["span_m"]["value"], "10");
+    assert!(all[1].get("span_m").is_none() && all[0].get("thickness_m").is_none());
 }

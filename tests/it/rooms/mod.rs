@@ -17,12 +17,13 @@ use std::fs;
 use std::path::Path;
 
 /// From the top: what a room may use stands before it.
-pub(crate) const ROOMS: [&str; 23] = [
+pub(crate) const ROOMS: [&str; 24] = [
     "number",
     "symbolic",
     "arch",
     "problem",
     "check",
+    "ask",
     "picture",
     "sketch",
     "solve",

@@ -62,7 +62,7 @@ fn wrong_stones_are_one_line() {
         ("--joints=-0.1,1", "above the crown"),
         ("--joints 0,1,4", "half opening 4"),
         ("--joints 0,x", "'x' is not a number"),
-        ("--stones 5 --joints 0,1", "cannot be used"),
+        ("--stones 5 --joints 0,1", "say the same"),
         ("--alpha 180deg --stones 5", "half opening 180deg"),
         ("--alpha 1 --stones 5..3", "from 2 to"),
         ("--alpha 1 --stones 1..3", "from 2 to"),

@@ -82,41 +82,46 @@ pub enum MeasureError {
 
 says!(MeasureError {
     Self::Length(text) => "'{text}' is not a length: give a number and its unit, m, cm, mm, ft or in (10m, 60cm)";
-    Self::Density(text) => "'{text}' is not a density: give a number and its unit, kg/m3 or kN/m3 (2400kg/m3)";
+    Self::Density(text) => "'{text}' is not a density: give a number and its unit, kg/m3, kN/m3 or lb/ft3 (2400kg/m3)";
     Self::NotPositive(text) => "{text} is not above 0";
     Self::Thickness { thickness, circle, most, rule } =>
         "the thickness {thickness} is too large for this {circle}: at most {most}, its {rule}";
     Self::Radius { given, made } => "the radius {given} contradicts the span and the rise, which make it {made}";
 });
 
-/// Units of length in metres: the numerator over ten thousand.
-const LENGTHS: [(&str, i32); 5] =
-    [("cm", 100), ("mm", 10), ("m", 10_000), ("ft", 3_048), ("in", 254)];
-/// Units of density in kN/m³: the numerator over a hundred million. The standard acceleration of gravity is 9.80665
-/// m/s² exactly (3rd General Conference on Weights and Measures, 1901).
-const DENSITIES: [(&str, i32); 4] =
-    [("kg/m3", 980_665), ("kg/m³", 980_665), ("kN/m3", 100_000_000), ("kN/m³", 100_000_000)];
+/// Units of length in metres: numerator and denominator.
+const LENGTHS: [(&str, i64, i64); 5] =
+    [("cm", 1, 100), ("mm", 1, 1000), ("m", 1, 1), ("ft", 3_048, 10_000), ("in", 254, 10_000)];
+/// Units of density in kN/m³. The standard acceleration of gravity is 9.80665 m/s² (3rd General Conference on Weights
+/// and Measures, 1901), a pound 0.45359237 kg (1959), both exactly.
+const DENSITIES: [(&str, i64, i64); 6] = [
+    ("kg/m3", 980_665, 100_000_000),
+    ("kg/m³", 980_665, 100_000_000),
+    ("kN/m3", 1, 1),
+    ("kN/m³", 1, 1),
+    ("lb/ft3", 45_359_237 * 980_665, 283_168_465_920_000),
+    ("lb/ft³", 45_359_237 * 980_665, 283_168_465_920_000),
+];
 
 /// A rational number above zero with one of these units behind it, in the unit's base; or why it is none.
 fn with_unit(
     text: &str,
-    units: &[(&str, i32)],
-    base: i32,
+    units: &[(&str, i64, i64)],
     is_none: fn(String) -> MeasureError,
 ) -> Result<BigRational, MeasureError> {
-    let value = quantity(text, units, base).ok_or_else(|| is_none(shown(text)))?;
+    let value = quantity(text, units).ok_or_else(|| is_none(shown(text)))?;
     match value > BigInt::ZERO.into() {
         true => Ok(value),
         false => Err(MeasureError::NotPositive(shown(text))),
     }
 }
 
-fn quantity(text: &str, units: &[(&str, i32)], base: i32) -> Option<BigRational> {
+fn quantity(text: &str, units: &[(&str, i64, i64)]) -> Option<BigRational> {
     let text = text.trim();
-    let found = units.iter().find_map(|(unit, size)| Some((text.strip_suffix(unit)?, size)));
-    let (number, size) = found?;
+    let found = units.iter().find_map(|(unit, n, d)| Some((text.strip_suffix(unit)?, *n, *d)));
+    let (number, n, d) = found?;
     let number: ExactNumber = number.trim_end().parse().ok()?;
-    let value = number.factor() * BigRational::new((*size).into(), base.into());
+    let value = number.factor() * BigRational::new(n.into(), d.into());
     number.is_rational().then_some(value)
 }
 
@@ -125,16 +130,16 @@ impl FromStr for Length {
 
     /// Reads `10m`, `3.5 m`, `60cm`, `600mm`, `33ft`, `7in`, with a decimal or a fraction.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        with_unit(text, &LENGTHS, 10_000, MeasureError::Length).map(Self)
+        with_unit(text, &LENGTHS, MeasureError::Length).map(Self)
     }
 }
 
 impl FromStr for UnitWeight {
     type Err = MeasureError;
 
-    /// Reads `24kN/m3`, or a density, `2400kg/m3`, in standard gravity.
+    /// Reads `24kN/m3`, or a density in standard gravity, `2400kg/m3`, `150lb/ft3`.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        with_unit(text, &DENSITIES, 100_000_000, MeasureError::Density).map(Self)
+        with_unit(text, &DENSITIES, MeasureError::Density).map(Self)
     }
 }
 
@@ -345,6 +350,11 @@ mod tests {
         let weight = |text: &str| text.parse::<UnitWeight>().unwrap().0;
         assert_eq!(weight("24kN/m3"), quotient(24, 1));
         assert_eq!(weight("1000 kg/m³"), quotient(980_665, 100_000));
+        // A pound, standard gravity and a foot: 0.45359237 kg, 9.80665 m/s², 0.3048 m.
+        let pound = quotient(45_359_237, 100_000_000) * quotient(980_665, 100_000);
+        let foot = quotient(3048, 10_000);
+        let cube = foot.clone() * &foot * &foot * quotient(1000, 1);
+        assert_eq!(weight("150lb/ft3"), quotient(150, 1) * pound / cube);
         assert!("2400".parse::<UnitWeight>().is_err() && "24m".parse::<UnitWeight>().is_err());
     }
 

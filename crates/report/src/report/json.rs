@@ -141,8 +141,15 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Fields {
         let open = open.map(|why| Fields::named("undecided", [why.reason.as_ref().into()]));
         fields.add_fields(quantity.name(), value.or(open).filter(|_| report.shows(quantity)));
     }
-    // Those of an arch that is measured are there if they are asked for.
-    for quantity in report.quantities.iter().filter(|of| of.is_measured()) {
+    // Those of an arch that is measured are there if they are asked for; of rows, each has its own.
+    let is_of = |of: &&Quantity| match (report.scope, asked.assessment) {
+        (Scope::Mixed, true) => answer.measured_at.is_some(),
+        (Scope::Mixed, false) => {
+            answer.measured_at.is_some() && Quantity::MEASURED_STATE.contains(of)
+        }
+        _ => true,
+    };
+    for quantity in report.quantities.iter().filter(|of| of.is_measured()).filter(is_of) {
         fields.add_fields(quantity.name(), figure(answer.value(*quantity)));
     }
     fields.add("reason", answer.reason());

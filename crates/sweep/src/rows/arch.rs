@@ -1,13 +1,19 @@
 //! The arch of a row.
 
 use super::columns::{Cells, Columns};
-use super::roles::Role;
+use super::roles::{Role, SIZES};
 use super::spelling::Spelling;
 use crate::arch::SelfWeight;
+use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling as Names};
 use crate::number::{ExactNumber, ParseExactError, is_angle};
 use crate::parse;
+use crate::problem::measures::Measures;
 use crate::problem::{Arch, Friction};
 use rug::Rational;
+
+/// Question of a row that has sizes.
+const SIZED: ArchQuestion =
+    ArchQuestion { refuses: &[], needs: &[], unlimited: false, example: "" };
 
 /// Reader of the arches of rows.
 pub struct ArchReader {
@@ -49,8 +55,32 @@ impl ArchReader {
         ]
     }
 
+    /// The half opening that follows from the sizes of the row, and its measures; nothing if it has no size.
+    pub fn sizes(&self, cells: &Cells) -> Result<(Option<ExactNumber>, Option<Measures>), String> {
+        let size = |field| Some((field, self.given(cells, Role::Size(field))?.0));
+        let sizes: Vec<(Field, &str)> = SIZES.into_iter().filter_map(size).collect();
+        if sizes.is_empty() {
+            return Ok((None, None));
+        }
+        let spelt = sizes.iter().map(|(field, text)| (*field, self.spelling.exact(text)));
+        let spelt: Vec<_> = spelt.collect();
+        let mut asked = ArchAsked::of(spelt.iter().map(|(field, text)| (*field, text.as_ref())));
+        // Whether the row has one beside the span is what is checked of it here; it is read below.
+        asked.half_opening = self.given(cells, Role::HalfOpening).map(|_| "1".to_owned());
+        let given =
+            SIZED.fits(&asked, Names::Key).and_then(|()| ArchGiven::new(&asked, Names::Key));
+        let ArchGiven { half_opening, measures, .. } =
+            given.map_err(|misfit| misfit.to_string())?;
+        Ok((half_opening.filter(|_| asked.half_opening.is_none()), measures))
+    }
+
     /// The arch.
     pub fn arch(&self, cells: &Cells) -> Result<Arch, String> {
+        Ok(self.measured_arch(cells)?.0)
+    }
+
+    /// The arch, with its measures if it has any.
+    pub fn measured_arch(&self, cells: &Cells) -> Result<(Arch, Option<Measures>), String> {
         let weight = match self.given(cells, Role::Weight) {
             Some((text, _)) => parse::weight(text)?,
             None => self.weight,
@@ -59,8 +89,12 @@ impl ArchReader {
             Some(_) => format!("the {} is empty", role.name()),
             None => format!("the {} is missing", role.name()),
         };
-        let half_opening = self.given(cells, Role::HalfOpening);
-        let half_opening = half_opening.ok_or_else(|| missing(Role::HalfOpening))?;
+        let (made, measures) = self.sizes(cells)?;
+        let half_opening = match (made, self.given(cells, Role::HalfOpening)) {
+            (Some(made), _) => made,
+            (None, Some(given)) => self.angle(given)?,
+            (None, None) => return Err(missing(Role::HalfOpening)),
+        };
         let [mu, phi] = [Role::Friction, Role::FrictionAngle].map(|role| self.given(cells, role));
         let friction = match (mu, phi) {
             (Some((text, _)), None) => self.coefficient(text)?,
@@ -71,7 +105,8 @@ impl ArchReader {
             (None, None) => return Err(missing(Role::Friction)),
             (Some(_), Some(_)) => return Err("both friction and friction_angle are given".into()),
         };
-        Arch::new(weight, self.angle(half_opening)?, friction).map_err(|error| error.to_string())
+        let arch = Arch::new(weight, half_opening, friction).map_err(|error| error.to_string())?;
+        Ok((arch, measures))
     }
 
     fn coefficient(&self, text: &str) -> Result<Friction, String> {

@@ -2,6 +2,7 @@
 
 use super::object::JsonObject;
 use super::roles::{Purpose, Role};
+use crate::ask::Field;
 use crate::problem::Quantity;
 use crate::report::words::shortened;
 
@@ -172,7 +173,8 @@ impl Columns {
                 }
             })
         };
-        if !has(Role::HalfOpening) {
+        let [span, rise] = [Field::Span, Field::Rise].map(|field| has(Role::Size(field)));
+        if !has(Role::HalfOpening) && !(span && rise) {
             return wanted("the half opening", Role::HalfOpening);
         }
         match (has(Role::Friction), has(Role::FrictionAngle)) {

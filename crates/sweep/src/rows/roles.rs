@@ -1,5 +1,6 @@
 //! Roles of the columns of files, and what they are called.
 
+use crate::ask::Field;
 use crate::problem::Quantity;
 
 /// Role of a column.
@@ -13,6 +14,8 @@ pub enum Role {
     Friction,
     /// The angle of friction.
     FrictionAngle,
+    /// A size of an arch that is measured, or the circle at which it is.
+    Size(Field),
     /// The thickness that an arch has.
     GivenThickness,
     /// Statement of whether the arch stands at some thickness.
@@ -34,6 +37,9 @@ pub enum Purpose {
     Judge,
 }
 
+/// Sizes that a row may have.
+pub(super) const SIZES: [Field; 4] = [Field::Span, Field::Rise, Field::Radius, Field::MeasuredAt];
+
 const ARCH: [Role; 4] = [Role::Weight, Role::HalfOpening, Role::Friction, Role::FrictionAngle];
 
 impl Purpose {
@@ -41,7 +47,9 @@ impl Purpose {
     pub(super) fn roles(self) -> Vec<Role> {
         let mut roles = ARCH.to_vec();
         roles.push(Role::GivenThickness);
-        if self == Self::Judge {
+        if self == Self::Ask {
+            roles.extend(SIZES.map(Role::Size));
+        } else {
             roles.extend([Role::CanStand, Role::Stands, Role::Mode]);
             roles.extend(Quantity::STATE.map(Role::Number));
             roles.extend(Quantity::ASSESSMENT.map(Role::Number));
@@ -58,6 +66,7 @@ impl Role {
             Self::HalfOpening => "half_opening",
             Self::Friction => "friction",
             Self::FrictionAngle => "friction_angle",
+            Self::Size(field) => field.name(),
             Self::GivenThickness => "given_thickness",
             Self::CanStand => "can_stand",
             Self::Stands => "stands",

@@ -1,0 +1,117 @@
+//! Text of an arch: each thing that it may be given by once, with the help that a command prints of it.
+
+/// Declares [`ArchAsked`] and [`Field`] in one list.
+macro_rules! fields {
+    ($($(#[doc = $doc:literal])+ $variant:ident $name:ident $value:literal $($letter:literal)? $(in $heading:literal)?),* $(,)?) => {
+        /// Arch as it is asked about: exact text, of which nothing is read yet.
+        #[derive(Clone, Debug, Default, PartialEq, Eq)]
+        #[cfg_attr(feature = "clap", derive(clap::Args))]
+        #[cfg_attr(feature = "clap", group(skip))]
+        pub struct ArchAsked {
+            $(
+                $(#[doc = $doc])+
+                #[cfg_attr(
+                    feature = "clap",
+                    arg(long, value_name = $value, $(visible_alias = $letter,)? $(help_heading = $heading,)? allow_hyphen_values = true)
+                )]
+                pub $name: Option<String>,
+            )*
+        }
+
+        /// Thing that an arch may be given by.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Field {
+            $($(#[doc = $doc])+ $variant,)*
+        }
+
+        impl Field {
+            /// All of them, in the order in which they are shown.
+            pub const ALL: &[Self] = &[$(Self::$variant),*];
+
+            /// Name of the field, in keys and columns.
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$variant => stringify!($name),)* }
+            }
+
+            /// Letter of the field in the paper, which is a name too.
+            pub fn letter(self) -> Option<&'static str> {
+                let letters: &[&str] = match self { $(Self::$variant => &[$($letter)?],)* };
+                letters.first().copied()
+            }
+        }
+
+        impl ArchAsked {
+            /// Text of a field.
+            pub fn get(&self, field: Field) -> Option<&str> {
+                match field { $(Field::$variant => self.$name.as_deref(),)* }
+            }
+
+            /// Place of the text of a field.
+            pub fn at(&mut self, field: Field) -> &mut Option<String> {
+                match field { $(Field::$variant => &mut self.$name,)* }
+            }
+        }
+    };
+}
+
+fields!(
+    /// Half opening in radians (2.45, 1/3, pi/2) or degrees (80deg, 80°), between 0 and pi.
+    HalfOpening half_opening "ANGLE" "alpha",
+    /// Friction coefficient mu (0.6, 3/5, inf), or an angle with its unit (31deg).
+    Friction friction "MU" "mu",
+    /// Friction angle phi instead of the coefficient (21deg, pi/6).
+    FrictionAngle friction_angle "ANGLE" "phi",
+    /// Thickness-to-radius ratio, above 0 and up to 2 (0.12, 3/25, 0.12r); of an arch in metres a length (60cm), or a
+    /// ratio with its r.
+    Thickness thickness "ETA" "eta",
+    /// Stones of the whole arch, all of the same angle, with joints between them alone; an odd number has a keystone.
+    Stones stones "N",
+    /// Angles of the joints of the half arch instead, with commas between them, from the crown (0, or half a
+    /// keystone) to the shoulder.
+    Joints joints "ANGLES",
+    /// A uniform horizontal acceleration over that of gravity (0.1), or the angle by which the ground is tilted (5deg):
+    /// whether an admissible state of the whole arch is left, and the largest one with which there is.
+    Tilt tilt "K",
+    /// Span, with --rise instead of the half opening; a length with its unit (10m, 60cm, 600mm, 33ft, 7in).
+    Span span "LENGTH" in "In metres",
+    /// Rise, from the springing joints' height to the crown.
+    Rise rise "LENGTH" in "In metres",
+    /// Radius, with --half-opening.
+    Radius radius "LENGTH" in "In metres",
+    /// Circle at which these are measured: intrados (if not given: the clear span), centreline or extrados.
+    MeasuredAt measured_at "CIRCLE" in "In metres",
+    /// Density of the material (2400kg/m3, 24kN/m3, 150lb/ft3); with --depth, forces are told in kN.
+    Density density "DENSITY" in "In metres",
+    /// Depth of the arch, across its span.
+    Depth depth "LENGTH" in "In metres",
+);
+
+impl Field {
+    /// Field of a name or a letter.
+    pub fn named(name: &str) -> Option<Self> {
+        let is = |field: &&Self| field.name() == name || field.letter() == Some(name);
+        Self::ALL.iter().find(is).copied()
+    }
+}
+
+impl ArchAsked {
+    /// Arch of these texts.
+    pub fn of<'a>(texts: impl IntoIterator<Item = (Field, &'a str)>) -> Self {
+        let mut asked = Self::default();
+        for (field, text) in texts {
+            *asked.at(field) = Some(text.to_owned());
+        }
+        asked
+    }
+
+    /// Fields that are given.
+    pub fn fields(&self) -> impl Iterator<Item = Field> {
+        Field::ALL.iter().copied().filter(|field| self.get(*field).is_some())
+    }
+
+    /// Friction as [`Friction`](crate::problem::Friction) reads it.
+    pub fn friction_text(&self) -> Option<String> {
+        let angle = || self.friction_angle.as_ref().map(|phi| format!("tan({phi})"));
+        self.friction.clone().or_else(angle)
+    }
+}

@@ -1,0 +1,20 @@
+//! Questions about arches. Every door fills one [`ArchAsked`] with exact text: the options of a command, the columns of
+//! a row, the fields of the page. One reader makes an [`ArchGiven`] of it, or a [`Misfit`] that names what is wrong in
+//! the words of the door.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `arch` | what an arch may be given by, as text |
+//! | `question` | which of it a question takes and needs, and why not the rest |
+//! | `given` | the reader: text to an arch, its measures, thickness, stones and tilt |
+//! | `stones` | numbers of stones, and ranges of them |
+
+mod arch;
+mod given;
+mod question;
+mod stones;
+
+pub use arch::{ArchAsked, Field};
+pub use given::ArchGiven;
+pub use question::{ArchQuestion, Misfit, Spelling};
+pub use stones::{MOST_NUMBERS, StonesAsked};
