@@ -94,13 +94,10 @@ const LENGTHS: [(&str, i64, i64); 5] =
     [("cm", 1, 100), ("mm", 1, 1000), ("m", 1, 1), ("ft", 3_048, 10_000), ("in", 254, 10_000)];
 /// Units of density in kN/m³. The standard acceleration of gravity is 9.80665 m/s² (3rd General Conference on Weights
 /// and Measures, 1901), a pound 0.45359237 kg (1959), both exactly.
-const DENSITIES: [(&str, i64, i64); 6] = [
+const DENSITIES: [(&str, i64, i64); 3] = [
     ("kg/m3", 980_665, 100_000_000),
-    ("kg/m³", 980_665, 100_000_000),
     ("kN/m3", 1, 1),
-    ("kN/m³", 1, 1),
     ("lb/ft3", 45_359_237 * 980_665, 283_168_465_920_000),
-    ("lb/ft³", 45_359_237 * 980_665, 283_168_465_920_000),
 ];
 
 /// A rational number above zero with one of these units behind it, in the unit's base; or why it is none.
@@ -117,9 +114,8 @@ fn with_unit(
 }
 
 fn quantity(text: &str, units: &[(&str, i64, i64)]) -> Option<BigRational> {
-    let text = text.trim();
-    let found = units.iter().find_map(|(unit, n, d)| Some((text.strip_suffix(unit)?, *n, *d)));
-    let (number, n, d) = found?;
+    let of = |(unit, n, d): &(&str, i64, i64)| Some((text.trim().strip_suffix(unit)?, *n, *d));
+    let (number, n, d) = units.iter().find_map(of)?;
     let number: ExactNumber = number.trim_end().parse().ok()?;
     let value = number.factor() * BigRational::new(n.into(), d.into());
     number.is_rational().then_some(value)
@@ -139,7 +135,7 @@ impl FromStr for UnitWeight {
 
     /// Reads `24kN/m3`, or a density in standard gravity, `2400kg/m3`, `150lb/ft3`.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        with_unit(text, &DENSITIES, MeasureError::Density).map(Self)
+        with_unit(&text.replace('³', "3"), &DENSITIES, MeasureError::Density).map(Self)
     }
 }
 

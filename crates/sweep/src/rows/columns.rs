@@ -174,7 +174,7 @@ impl Columns {
             })
         };
         let [span, rise] = [Field::Span, Field::Rise].map(|field| has(Role::Size(field)));
-        if !has(Role::HalfOpening) && !(span && rise) {
+        if !(has(Role::HalfOpening) || span && rise) {
             return wanted("the half opening", Role::HalfOpening);
         }
         match (has(Role::Friction), has(Role::FrictionAngle)) {
