@@ -3,6 +3,7 @@
 
 pub mod report;
 
+use couplet_ask::ask;
 use couplet_check::{arch, problem};
 use couplet_claims::claims;
 #[cfg(feature = "study")]

@@ -3,6 +3,7 @@
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Spelling};
 use crate::problem::Arch;
+use crate::report::Understood;
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
 use clap::Args;
@@ -29,6 +30,11 @@ impl ArchArguments {
         let arches: Result<_, _> =
             self.weight.all().into_iter().map(|weight| given.arch(weight)).collect();
         Ok((given, arches?))
+    }
+
+    /// The question as it is understood.
+    pub(super) fn understood(&self, given: &ArchGiven) -> Understood {
+        Understood::new(&self.asked, given)
     }
 
     /// The self-weight, if it is one.

@@ -12,11 +12,13 @@ use crate::certify::state::{Balls, Inquiry, Wanted, measured_assessment};
 use crate::number::ExactNumber;
 use crate::problem::measures::Measures;
 use crate::problem::{Arch, Quantity, Slope};
-use crate::report::{Answer, Content};
+use crate::report::{Answer, Content, Understood};
 use crate::sweep::failure::Failure;
 use clap::Args;
 
 /// Print whether an arch of a given thickness stands, its safety factors, and the thrusts it can bear.
+///
+/// Its own weight is the only load: no answer is about fill, traffic, settlement or the strength of the stone.
 #[derive(Args)]
 #[command(
     override_usage = "couplet assess --half-opening <ANGLE> --friction <MU> --thickness <ETA> [OPTIONS]"
@@ -49,10 +51,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return draw::arch(&given, arguments.arch.one_weight()?, format, file);
     }
     if given.stones.is_some() {
-        return voussoirs::print(&given, &arches, arguments.arch.digits, &arguments.output);
+        return voussoirs::print(&arguments.arch, &given, &arches, &arguments.output);
     }
+    let asked = arguments.arch.understood(&given);
     if let Some(tilt) = &given.tilt {
-        return tilted(arguments, &arches, eta, tilt);
+        return tilted(arguments, (&asked, &arches), eta, tilt);
     }
     let all = given.quantities(&Quantity::ASSESSMENT, &Quantity::MEASURED_ASSESSMENT);
     let quantities = arguments.output.quantities(&all)?;
@@ -70,13 +73,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             None => answer,
         }
     };
-    print(&arguments.output, (digits, quantities), &arches, answer)
+    print(&arguments.output, (digits, quantities), (&asked, &arches), answer)
 }
 
 /// The arches under an acceleration.
 fn tilted(
     arguments: &Arguments,
-    arches: &[Arch],
+    arches: (&Understood, &[Arch]),
     eta: &ExactNumber,
     tilt: &Slope,
 ) -> Result<(), Failure> {

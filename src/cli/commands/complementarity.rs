@@ -127,6 +127,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err("--tolerance is for --branch".into());
     }
     let (at, given) = read(&arguments.arch.asked)?;
+    let asked = arguments.arch.understood(&given);
     let stones = stones(&given)?;
     let weights = arguments.arch.weight.all().into_iter();
     let arches: Vec<Arch> = weights.map(|weight| given.arch(weight)).collect::<Result<_, _>>()?;
@@ -163,6 +164,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             asymmetric: asymmetric(&arch, digits)?,
             enumeration,
             programme,
+            asked: asked.clone(),
             arch,
         })
     };

@@ -81,6 +81,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     QUESTION.fits(&arguments.arch.asked, Spelling::Option)?;
     let given = ArchGiven::new(&arguments.arch.asked, Spelling::Option)?;
     let friction = given.friction.clone();
+    let asked = arguments.arch.understood(&given);
     let question = question(arguments, given)?;
     let quantities = arguments.output.quantities(&found_by(&question))?;
     let (file, format) = arguments.output.open()?;
@@ -91,7 +92,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         if let Err(Error::Refused(refused)) = found {
             return Err(refused.into());
         }
-        Ok(Answer::finding(line, (weight, &question), &found).only(&quantities))
+        let answer = Answer::finding(line, (weight, &question), &found).only(&quantities);
+        Ok(Answer { asked: Some(Box::new(asked.clone())), ..answer })
     };
     let weights = (1..).zip(arguments.arch.weight.all());
     let answers: Vec<Answer> = weights.map(answer).collect::<Result<_, Failure>>()?;

@@ -10,7 +10,7 @@ use crate::ask::{ArchQuestion, Field};
 use crate::certify::state::{Balls, measured_state};
 use crate::certify::{Error, asymmetric_thicknesses, quantities as quantities_of};
 use crate::problem::{Arch, Landmark, Quantity};
-use crate::report::{Answer, Answers, Report, Scope};
+use crate::report::{Answer, Answers, Report, Scope, Understood};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use clap::Args;
@@ -60,8 +60,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return draw::arch(&given, arguments.arch.one_weight()?, format, file);
     }
     if given.stones.is_some() {
-        return voussoirs::print(&given, &arches, arguments.arch.digits, &arguments.output);
+        return voussoirs::print(&arguments.arch, &given, &arches, &arguments.output);
     }
+    let asked = arguments.arch.understood(&given);
     let all = given.quantities(&Quantity::STATE, &Quantity::MEASURED_STATE);
     let quantities = arguments.output.quantities(&all)?;
     let digits = arguments.arch.digits;
@@ -78,20 +79,23 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             None => answer,
         }
     };
-    print(&arguments.output, (digits, quantities), &arches, answer)
+    print(&arguments.output, (digits, quantities), (&asked, &arches), answer)
 }
 
 /// Computes and prints the answers for one arch, or for several.
 pub(super) fn print(
     output: &AnswerOutput,
     (digits, quantities): (usize, Vec<Quantity>),
-    arches: &[Arch],
+    (asked, arches): (&Understood, &[Arch]),
     answer: impl Fn(u64, &Arch) -> Answer,
 ) -> Result<(), Failure> {
     notes::frictions(arches.iter().take(1).map(Arch::friction));
     let (file, format) = output.open()?;
-    let answers = (1..).zip(arches).map(|(line, arch)| answer(line, arch).only(&quantities));
-    let answers: Vec<Answer> = answers.collect();
+    let answer = |(line, arch)| Answer {
+        asked: Some(Box::new(asked.clone())),
+        ..answer(line, arch).only(&quantities)
+    };
+    let answers: Vec<Answer> = (1..).zip(arches).map(answer).collect();
     let open = answers.iter().find_map(Answer::first_open);
     let scope = if answers.len() == 1 { Scope::Arch } else { Scope::Arches };
     let answers = Answers { scope, digits, quantities, list: answers, kept: Vec::new() };

@@ -6,13 +6,13 @@ use crate::certify::{TiltDigits, Undecided};
 use crate::number::ExactNumber;
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Slope};
-use crate::report::{Format, Report, TiltedArch};
+use crate::report::{Format, Report, TiltedArch, Understood};
 use crate::sweep::failure::Failure;
 
 /// Proves and writes the answers for arches under an acceleration.
 pub(super) fn write(
     (output, format): (Output, &Format),
-    arches: &[Arch],
+    (asked, arches): (&Understood, &[Arch]),
     (eta, tilt): (&ExactNumber, &Slope),
     stones: Option<&Stones>,
     found: impl Fn(&Arch) -> Result<Result<Option<TiltDigits>, Undecided>, Failure>,
@@ -24,7 +24,8 @@ pub(super) fn write(
         let (weight, is_limited, stones) = (arch.weight(), arch.is_limited(), stones.cloned());
         let (alpha, mu) = (arch.half_opening().to_string(), arch.friction().to_string());
         let given = [alpha, mu, eta.to_string(), tilt.to_string()];
-        Ok(TiltedArch { weight, given, stones, is_limited, found })
+        let asked = asked.clone();
+        Ok(TiltedArch { asked, weight, given, stones, is_limited, found })
     };
     let answers: Vec<TiltedArch> = arches.iter().map(answer).collect::<Result<_, Failure>>()?;
     let open = answers.iter().find_map(TiltedArch::first_open).cloned();

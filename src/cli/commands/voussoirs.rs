@@ -14,7 +14,9 @@ use crate::number::ExactNumber;
 use crate::problem::measures::Measures;
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Slope};
-use crate::report::{Content, Format, GivenThickness, Report, VoussoirArch, VoussoirArches};
+use crate::report::{
+    Content, Format, GivenThickness, Report, Understood, VoussoirArch, VoussoirArches,
+};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use clap::Args;
@@ -54,26 +56,27 @@ const QUESTION: ArchQuestion = ArchQuestion {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (given, arches) = arguments.arch.read(&QUESTION)?;
     let format = arguments.file.format(arguments.format, Content::Voussoirs, "table")?;
-    answers(&given, &arches, arguments.arch.digits, (&arguments.file, format))
+    answers(&arguments.arch, &given, &arches, (&arguments.file, format))
 }
 
 /// Answers for an arch of stones, where the question was one of any arch.
 pub(super) fn print(
+    arguments: &ArchArguments,
     given: &ArchGiven,
     arches: &[Arch],
-    digits: usize,
     output: &AnswerOutput,
 ) -> Result<(), Failure> {
     output.tells_all("--stones")?;
-    answers(given, arches, digits, (output.file(), output.format()?))
+    answers(arguments, given, arches, (output.file(), output.format()?))
 }
 
 fn answers(
+    arguments: &ArchArguments,
     given: &ArchGiven,
     arches: &[Arch],
-    digits: usize,
     (file, format): (&OutputFile, &'static Format),
 ) -> Result<(), Failure> {
+    let (asked, digits) = (arguments.understood(given), arguments.digits);
     let (stones, eta) = (given.divisions()?, given.thickness.as_ref());
     let is_range = given.stones.as_ref().is_some_and(StonesAsked::is_range);
     if given.measures.as_ref().is_some_and(Measures::has_forces) {
@@ -84,7 +87,7 @@ fn answers(
     }
     if let Some(tilt) = &given.tilt {
         let (Some(eta), [stones]) = (eta, &stones[..]) else { return Err(TILTED.into()) };
-        return tilted(arches, (stones, eta, tilt), digits, (file, format));
+        return tilted((&asked, arches), (stones, eta, tilt), digits, (file, format));
     }
     is_written("an arch of stones", Content::Voussoirs, format)?;
     if format.is_picture && !is_range {
@@ -103,7 +106,7 @@ fn answers(
             .map(move |stones| answer(&arch, stones, continuous.as_ref(), eta, digits))
     };
     let arches = arches.iter().flat_map(of_weight).collect::<Result<_, Failure>>()?;
-    let answers = VoussoirArches { arches, is_range };
+    let answers = VoussoirArches { asked, arches, is_range };
     if format.is_picture && answers.arches.iter().all(|arch| arch.loss.is_none()) {
         let message =
             "there is nothing to draw: of none of these numbers of stones a loss is proved";
@@ -115,7 +118,7 @@ fn answers(
 
 /// The arches under an acceleration.
 fn tilted(
-    arches: &[Arch],
+    arches: (&Understood, &[Arch]),
     (stones, eta, tilt): (&Stones, &ExactNumber, &Slope),
     digits: usize,
     (file, format): (&OutputFile, &'static Format),

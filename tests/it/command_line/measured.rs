@@ -136,6 +136,12 @@ fn a_span_is_measured_at_the_intrados() {
     assert_eq!((at("intrados"), at("centreline")), ("1.0533".into(), "1.1165".into()));
 }
 
+/// An answer behind the question, which is told as it was written.
+fn without_question(mut answer: Value) -> Value {
+    assert!(answer.as_object_mut().unwrap().remove("asked").is_some());
+    answer
+}
+
 /// A ratio says that it is one, beside lengths and alone.
 #[test]
 fn a_thickness_beside_lengths_has_its_unit() {
@@ -145,7 +151,7 @@ fn a_thickness_beside_lengths_has_its_unit() {
     assert_eq!(ratio["thickness_m"]["value"], "0.6");
     let alone = "assess --half-opening 80deg --friction 0.6 --digits 17 --thickness";
     let [with, without] = ["0.1r", "0.1"].map(|eta| object(&format!("{alone} {eta}")));
-    assert_eq!(with, without);
+    assert_eq!(without_question(with.clone()), without_question(without));
     for command in ["assess --span 10m --rise 3m", "draw --radius 5m --half-opening 1"] {
         for eta in ["0.1", "3/5", "1.5"] {
             let line = format!("{command} --friction 0.6 --thickness {eta}");
@@ -281,7 +287,11 @@ fn an_arch_in_metres_is_the_same_at_every_command() {
         let [one, other] = [(measured, thickness[0]), (ratios, thickness[1])].map(|(arch, eta)| {
             let eta = if eta.is_empty() { String::new() } else { format!(" --thickness {eta}") };
             let line = format!("{command} {arch}{eta}");
-            printed(&line.split(' ').collect::<Vec<_>>())
+            let out = printed(&line.split(' ').collect::<Vec<_>>());
+            // The question is told as it was written.
+            let said =
+                |line: &str| line.contains("self-weight alone") || line.contains("\"words\"");
+            out.lines().filter(|line| !said(line)).map(str::to_owned).collect::<Vec<_>>()
         });
         assert_eq!(one, other, "{command}");
     }

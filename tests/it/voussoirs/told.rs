@@ -35,7 +35,9 @@ fn a_range_of_stones_is_told_in_every_format() {
     let (table, csv) = (of("3..12", "table"), of("3..12", "csv"));
     for row in rows.as_array().unwrap() {
         let stones = row["stones"].as_u64().unwrap();
-        let alone: Value = serde_json::from_str(&of(&stones.to_string(), "json")).unwrap();
+        let mut alone: Value = serde_json::from_str(&of(&stones.to_string(), "json")).unwrap();
+        let asked = alone.as_object_mut().unwrap().remove("asked").unwrap();
+        assert_eq!(asked["stones"], stones.to_string());
         assert_eq!(*row, alone, "{stones}");
         let Some(eta) = row["thickness"]["value"].as_str() else { continue };
         assert!(table.contains(eta) && csv.contains(eta), "{stones}");

@@ -3,7 +3,9 @@
 //! **No format computes anything.** Doubles are correctly rounded and their bounds rounded outward before
 //! they come here ([`Binary`](crate::number::Binary)). What is not proved has a reason and no values.
 
+use super::kept::Kept;
 use super::subject::Subject;
+use super::understood::Understood;
 use super::value::Value;
 use super::words::reason;
 use crate::arch::{SelfWeight, Unknown};
@@ -22,6 +24,8 @@ use std::borrow::Cow;
 pub struct Answer {
     /// Subject of the answer.
     pub subject: Subject,
+    /// Question as it is understood, where it was asked about one arch.
+    pub asked: Option<Box<Understood>>,
     /// Status of the subject.
     pub status: Status,
     /// True if an arch can stand at some thickness, where that is asked and decided.
@@ -52,24 +56,6 @@ pub struct Answer {
     pub certificate: Result<Fingerprint, String>,
     /// Values that the query has beside the arch, by name, and is handed on.
     pub kept: Vec<(String, Kept)>,
-}
-
-/// Value that is handed on from a query to its answer.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Kept {
-    /// A text.
-    Text(String),
-    /// JSON, as it was written.
-    Json(String),
-}
-
-impl Kept {
-    /// The text, or the JSON as it was written.
-    pub fn text(&self) -> &str {
-        match self {
-            Self::Text(text) | Self::Json(text) => text,
-        }
-    }
 }
 
 /// Status of a subject.
@@ -141,6 +127,7 @@ impl Answer {
     fn new(subject: Subject, status: Status) -> Self {
         Self {
             subject,
+            asked: None,
             status,
             can_stand: None,
             stands: None,

@@ -1,8 +1,9 @@
 //! The fields of an arch that JSON and tables of columns share.
 
-use super::answer::{Answer, Kept};
+use super::answer::Answer;
 use super::answers::Answers;
 use super::fields::Fields;
+use super::kept::Kept;
 use super::subject::Subject;
 use crate::problem::Quantity;
 use crate::problem::measures::Circle;

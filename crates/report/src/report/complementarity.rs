@@ -3,7 +3,8 @@
 use super::fields::Fields;
 use super::jointed;
 use super::programme::{self, AtThickness};
-use super::words::{apart, kind, model};
+use super::understood::Understood;
+use super::words::{apart, kind};
 use super::{csv, json};
 use crate::certify::state::{Answer, Digits, Figure};
 use crate::certify::{AsymmetricDigits, AsymmetricJoint, Enumeration, Undecided};
@@ -13,6 +14,8 @@ use std::io;
 /// An arch with the solutions that are found.
 #[derive(Debug)]
 pub struct ComplementarityArch {
+    /// Question as it is understood.
+    pub asked: Understood,
     /// The arch.
     pub arch: Arch,
     /// Symmetric state of the arch, or why nothing stands.
@@ -120,9 +123,8 @@ pub(super) fn table(all: &[ComplementarityArch], out: &mut dyn io::Write) -> io:
 
 fn one(of: &ComplementarityArch, out: &mut dyn io::Write) -> io::Result<()> {
     let arch = &of.arch;
-    let (alpha, mu, weight) = (arch.half_opening(), arch.friction(), model(arch.weight()));
     writeln!(out, "Complementarity problem (19) of the whole arch")?;
-    writeln!(out, "half opening {alpha}, friction {mu}, {weight}\n")?;
+    writeln!(out, "{}\n", of.asked.with_weight(arch.weight()))?;
     let solutions = of.solutions();
     if !solutions.is_empty() {
         writeln!(out, "it has a solution at the thickness")?;
@@ -215,6 +217,7 @@ fn given(arch: &Arch) -> Fields {
 
 fn entry(of: &ComplementarityArch) -> Fields {
     let mut fields = Fields::of("couplet.complementarity/1");
+    fields.add_fields("asked", Some(of.asked.fields()));
     fields.append(given(&of.arch));
     fields.add("verdict", if of.first_open().is_some() { "undecided" } else { "proved" });
     fields.add("reason", of.first_open().map(|open| open.reason.to_string()));

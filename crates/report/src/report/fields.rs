@@ -1,6 +1,6 @@
 //! Named fields in the order in which they are written: an object in JSON, cells of a row in CSV.
 
-use super::answer::Kept;
+use super::kept::Kept;
 use crate::certify::state::Figure;
 use crate::number::Rounded;
 use serde::{Serialize, Serializer};

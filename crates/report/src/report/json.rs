@@ -122,6 +122,9 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Fields {
         fields.add("error", error.as_str());
         return fields;
     }
+    if let Some(asked) = &answer.asked {
+        fields.add_fields("asked", Some(asked.fields()));
+    }
     fields.append(columns::given(answer, asked));
     fields.append(columns::circle(report, answer));
     fields.append(columns::doubles(answer, asked));
@@ -175,6 +178,9 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Fields {
 /// `couplet.find/1`: what is given is text, what is found has bounds.
 fn finding(report: &Answers, answer: &Answer) -> Fields {
     let mut fields = Fields::of("couplet.find/1");
+    if let Some(asked) = &answer.asked {
+        fields.add_fields("asked", Some(asked.fields()));
+    }
     fields.append(find::fields(answer, labels(&answer.modes), |fields, quantity| {
         let value = answer.value(quantity);
         let figure = value.map(|value| figure(value, report.have_doubles()));

@@ -42,6 +42,7 @@ mod jointed;
 mod json;
 pub mod judged;
 mod julia;
+mod kept;
 mod latex;
 mod listing;
 mod map;
@@ -63,11 +64,12 @@ mod subject;
 mod table;
 mod tilt;
 mod toml;
+mod understood;
 mod value;
 mod voussoirs;
 pub mod words;
 
-pub use answer::{Answer, Fingerprint, Kept, Proof, Status};
+pub use answer::{Answer, Fingerprint, Proof, Status};
 pub use answers::{Answers, Scope};
 pub use audit::Audit;
 pub use branch::{BranchArch, BranchArches};
@@ -77,6 +79,7 @@ pub use drawn::{Axes, Branches, Drawing, Mark, Marked, Plane, Shown, Unit, View}
 pub use format::{Content, Format};
 pub use given::GivenDoubles;
 pub use json::answers as write_json;
+pub use kept::Kept;
 pub use map::{Map, MapDifferences, MapPoint};
 pub use map_asked::MapAsked;
 pub use programme::{AtThickness, ProgrammeFound};
@@ -84,6 +87,7 @@ pub use rows::Rows;
 pub use sketched::{Sketched, Style, arches_of_figure};
 pub use subject::Subject;
 pub use tilt::TiltedArch;
+pub use understood::Understood;
 pub use value::Value;
 pub use voussoirs::{GivenThickness, VoussoirArch, VoussoirArches};
 

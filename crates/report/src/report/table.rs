@@ -77,8 +77,11 @@ fn arch(report: &Answers, answer: &Answer, out: &mut dyn io::Write) -> io::Resul
         return Ok(());
     };
     let eta = thickness.as_ref().map_or(String::new(), |eta| format!(" thickness {eta},"));
-    let weight = model(*weight);
-    writeln!(out, "Arch of half opening {half_opening},{eta} friction {friction}, {weight}\n")?;
+    let words = answer.asked.as_ref().map_or_else(
+        || format!("half opening {half_opening},{eta} friction {friction}, {}", model(*weight)),
+        |asked| asked.with_weight(*weight),
+    );
+    writeln!(out, "Arch of {words}\n")?;
     match (thickness, &answer.status) {
         (_, Status::Undecided(undecided))
             if thickness.is_none() || answer.values.is_empty() && answer.open.is_empty() =>
@@ -209,7 +212,11 @@ fn arches(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
         true => "Arches of given thickness",
         false => "Arches at their least thickness",
     };
-    writeln!(out, "{what}, {}; stands: {STANDS}\n", rounding(report))?;
+    writeln!(out, "{what}, {}; stands: {STANDS}", rounding(report))?;
+    if let Some(asked) = report.list.first().and_then(|answer| answer.asked.as_ref()) {
+        writeln!(out, "{}", asked.in_words())?;
+    }
+    writeln!(out)?;
     let header = columns::header(|answer| columns::row(report, answer));
     let rows = report.list.iter().map(|answer| columns::row(report, answer).texts().collect());
     let rows: Vec<Vec<String>> = std::iter::once(header).chain(rows).collect();

@@ -1,7 +1,8 @@
 //! Arches under a horizontal acceleration: for a person, CSV, and JSON (`couplet.tilt/2`).
 
 use super::fields::Fields;
-use super::words::{apart, division, model};
+use super::understood::Understood;
+use super::words::{apart, division};
 use super::{csv, json};
 use crate::arch::SelfWeight;
 use crate::arch::whole::Side;
@@ -16,6 +17,8 @@ use std::io;
 pub struct TiltedArch {
     /// The self-weight model.
     pub weight: SelfWeight,
+    /// Question as it is understood.
+    pub asked: Understood,
     /// Half opening, friction, thickness and acceleration as given.
     pub given: [String; 4],
     /// Stones of the arch, where it has joints between these only.
@@ -101,16 +104,7 @@ impl TiltedArch {
 
 pub(super) fn table(all: &[TiltedArch], out: &mut dyn io::Write) -> io::Result<()> {
     apart(all, out, |arch, out| {
-        let [alpha, mu, eta, tilt] = &arch.given;
-        let weight = model(arch.weight);
-        writeln!(
-            out,
-            "Arch of half opening {alpha}, thickness {eta}, friction {mu}, {weight}, tilt {tilt}"
-        )?;
-        if let Some(stones) = &arch.stones {
-            writeln!(out, "{}", division(stones))?;
-        }
-        writeln!(out)?;
+        writeln!(out, "Arch of {}\n", arch.asked.with_weight(arch.weight))?;
         let joints = if arch.stones.is_some() { "between the stones" } else { "on the whole arch" };
         let outcome = match (arch.is_admissible(), &arch.found) {
             (_, Ok(None)) => "collapses, proved: it does not stand without tilt either".to_owned(),
@@ -160,6 +154,7 @@ pub(super) fn json(all: &[TiltedArch], out: &mut dyn io::Write) -> io::Result<()
 
 fn fields(arch: &TiltedArch) -> Fields {
     let mut fields = Fields::of("couplet.tilt/2");
+    fields.add_fields("asked", Some(arch.asked.fields()));
     fields.add("weight", arch.weight.name());
     let given = arch.given.each_ref().map(|text| text.as_str().into());
     fields.append(Fields::named("half_opening friction thickness tilt", given));

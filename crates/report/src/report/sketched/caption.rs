@@ -18,7 +18,7 @@ const FEW: usize = 4;
 const MORE: usize = 6;
 
 /// A value correctly rounded.
-pub(super) fn rounded(x: &Ball, digits: usize) -> String {
+pub(in crate::report) fn rounded(x: &Ball, digits: usize) -> String {
     shown(&Size::from(x.clone()), digits)
 }
 

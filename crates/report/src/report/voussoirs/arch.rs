@@ -8,6 +8,7 @@ use crate::certify::{
 use crate::number::ExactNumber;
 use crate::problem::stones::{JointContact, Stones};
 use crate::problem::{Friction, Quantity};
+use crate::report::understood::Understood;
 use crate::report::words;
 
 /// An arch of voussoirs, what is proved of it, and the same arch without end of joints.
@@ -49,6 +50,8 @@ impl GivenThickness {
 /// An arch for each weight asked for, or one for each number of stones too.
 #[derive(Debug)]
 pub struct VoussoirArches {
+    /// Question as it is understood.
+    pub asked: Understood,
     /// The arches.
     pub arches: Vec<VoussoirArch>,
     /// True if a range of numbers of stones was asked for.
@@ -110,11 +113,6 @@ impl VoussoirArch {
             (Quantity::RotationJoint, state.map(|state| &state.rotation_joint)),
             (Quantity::SlidingJoint, state.and_then(|state| state.sliding_joint.as_ref())),
         ]
-    }
-
-    /// Division of the arch, in words.
-    pub(super) fn division(&self) -> String {
-        words::division(&self.stones)
     }
 }
 

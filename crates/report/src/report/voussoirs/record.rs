@@ -8,9 +8,17 @@ use crate::report::{csv, json};
 use std::io;
 
 pub(crate) fn json(
-    VoussoirArches { arches, is_range }: &VoussoirArches,
+    VoussoirArches { asked, arches, is_range }: &VoussoirArches,
     out: &mut dyn io::Write,
 ) -> io::Result<()> {
+    let entry = |arch| {
+        let mut fields = Fields::of("couplet.voussoirs/1");
+        if !is_range {
+            fields.add_fields("asked", Some(asked.fields()));
+        }
+        fields.append(entry(arch));
+        fields
+    };
     let entries = arches.iter().map(entry);
     match is_range {
         true => json::write(&entries.collect::<Vec<_>>(), out),
@@ -38,7 +46,7 @@ pub(crate) fn csv(
 }
 
 fn entry(arch: &VoussoirArch) -> Fields {
-    let mut fields = Fields::of("couplet.voussoirs/1");
+    let mut fields = Fields::default();
     fields.add("weight", arch.weight.name());
     fields.add("half_opening", arch.stones.half_opening().to_string());
     match &arch.stones {

@@ -4,7 +4,7 @@ use super::arch::{VoussoirArch, VoussoirArches, at_limit};
 use super::{convergence, given};
 use crate::certify::{VoussoirDigits, Voussoirs};
 use crate::problem::asymmetric_region::STANDS;
-use crate::report::words::{apart, model};
+use crate::report::words::apart;
 use std::io;
 
 pub(crate) fn table(all: &VoussoirArches, out: &mut dyn io::Write) -> io::Result<()> {
@@ -13,16 +13,8 @@ pub(crate) fn table(all: &VoussoirArches, out: &mut dyn io::Write) -> io::Result
     }
     let arches = &all.arches;
     apart(arches, out, |arch, out| {
-        let (alpha, mu) = (arch.stones.half_opening(), &arch.friction);
-        let weight = model(arch.weight);
-        let given = arch.given.as_ref();
-        let eta = given.map_or(String::new(), |given| format!(" thickness {},", given.thickness));
-        writeln!(
-            out,
-            "Arch of half opening {alpha} in {},{eta} friction {mu}, {weight}\n",
-            arch.division()
-        )?;
-        if let Some(given) = given {
+        writeln!(out, "Arch of {}\n", all.asked.with_weight(arch.weight))?;
+        if let Some(given) = &arch.given {
             given::lines(arch, given, out)?;
             return may_move(arch, out);
         }

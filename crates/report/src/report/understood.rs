@@ -1,0 +1,179 @@
+//! The question as it is understood: what is given, in the words of who asks and in the paper's units.
+
+use super::fields::Fields;
+use super::sketched::rounded;
+use super::words::model;
+use crate::arch::SelfWeight;
+use crate::ask::{ArchAsked, ArchGiven, Field};
+use crate::number::{Ball, ExactNumber, Form, arctangent, degrees};
+use crate::problem::Friction;
+use num_bigint::BigInt;
+
+/// Bits in which a given value is shown in other units.
+const BITS: u32 = 192;
+/// Digits of such a value.
+const DIGITS: usize = 6;
+/// Fields as they are said one after the other; the circle is said with what is measured there.
+const SAID: [Field; 12] = [
+    Field::Span,
+    Field::Rise,
+    Field::Radius,
+    Field::HalfOpening,
+    Field::Stones,
+    Field::Joints,
+    Field::Thickness,
+    Field::Friction,
+    Field::FrictionAngle,
+    Field::Tilt,
+    Field::Density,
+    Field::Depth,
+];
+
+/// Arch as it is understood, beside the text of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Understood {
+    given: Vec<(Field, String)>,
+    words: String,
+}
+
+impl Understood {
+    /// The question of these texts, which were read as `given`.
+    pub fn new(asked: &ArchAsked, given: &ArchGiven) -> Self {
+        let text = |field| Some((field, asked.get(field)?.trim()));
+        let words = SAID.into_iter().filter_map(text).map(|(of, text)| in_words(of, text, given));
+        let texts = Field::ALL.iter().copied().filter_map(text);
+        Self {
+            words: words.collect::<Vec<_>>().join(", "),
+            given: texts.map(|(field, text)| (field, text.to_owned())).collect(),
+        }
+    }
+
+    /// Words without the self-weight: `half opening 80deg = 1.39626 rad, friction 0.6 = 30.9638 deg`. What stands
+    /// behind an equals sign is correctly rounded to six digits.
+    pub fn in_words(&self) -> &str {
+        &self.words
+    }
+
+    /// Words with the self-weight, which is the only load.
+    pub fn with_weight(&self, weight: SelfWeight) -> String {
+        format!("{}, {} alone", self.words, model(weight))
+    }
+
+    /// Given values as they were written, and the words.
+    pub(crate) fn fields(&self) -> Fields {
+        let mut fields = Fields::default();
+        for (field, text) in &self.given {
+            fields.add(field.name(), text.as_str());
+        }
+        fields.add("words", self.words.as_str());
+        fields
+    }
+}
+
+/// Words for a field that is given.
+fn in_words(field: Field, text: &str, given: &ArchGiven) -> String {
+    let name = field.name().replace('_', " ");
+    match (field, given) {
+        (Field::HalfOpening, ArchGiven { half_opening: Some(alpha), .. }) => {
+            let other = match alpha.is_in_degrees() {
+                true => format!("{} rad", short(&alpha.enclosure(BITS))),
+                false => in_degrees(alpha),
+            };
+            format!("{name} {text} = {other}")
+        }
+        (Field::Rise, ArchGiven { half_opening: Some(alpha), measures: Some(measures), .. }) => {
+            let circle = measures.circle().name();
+            format!("{name} {text} at the {circle} (half opening {})", in_degrees(alpha))
+        }
+        (Field::Radius, ArchGiven { measures: Some(measures), .. }) => {
+            format!("{name} {text} of the {}", measures.circle().name())
+        }
+        (Field::Friction | Field::FrictionAngle, ArchGiven { friction: Some(friction), .. }) => {
+            match friction {
+                Friction::Coefficient(mu) => {
+                    let phi = degrees(&arctangent(&mu.enclosure(BITS)));
+                    format!("friction {text} = {} deg", short(&phi))
+                }
+                Friction::Angle(_) => format!("friction {text} = {}", short(&slope(friction))),
+                Friction::Infinite => format!("friction {text}: no joint slides"),
+            }
+        }
+        (Field::Thickness, ArchGiven { thickness: Some(eta), .. }) => {
+            // A ratio says itself what it is.
+            match text.ends_with(char::is_alphabetic) && !text.ends_with('r') {
+                true => format!("{name} {text} = {} r", short(&eta.enclosure(BITS))),
+                false => format!("{name} {text}"),
+            }
+        }
+        (Field::Tilt, ArchGiven { tilt: Some(tilt), .. }) => match &**tilt {
+            Friction::Angle(_) => format!("{name} {text} = {} g", short(&slope(tilt))),
+            _ => format!("{name} {text} g"),
+        },
+        (Field::Stones, _) => format!("{text} equal stones"),
+        (Field::Joints, _) => format!("joints at {text}"),
+        _ => format!("{name} {text}"),
+    }
+}
+
+fn short(value: &Ball) -> String {
+    rounded(value, DIGITS)
+}
+
+fn in_degrees(angle: &ExactNumber) -> String {
+    let exact = || ExactNumber::rational(angle.factor() * BigInt::from(180)).enclosure(BITS);
+    let in_degrees = match angle.form() {
+        Form::TimesPi => exact(),
+        _ => degrees(&angle.enclosure(BITS)),
+    };
+    format!("{} deg", short(&in_degrees))
+}
+
+/// The tangent of an angle.
+fn slope(of: &Friction) -> Ball {
+    let grip = of.grip::<Ball>(BITS);
+    grip.normal / grip.shear
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn words(of: &[(Field, &str)]) -> String {
+        let asked = ArchAsked::of(of.iter().copied());
+        let given = ArchGiven::new(&asked, crate::ask::Spelling::Key).unwrap();
+        Understood::new(&asked, &given).in_words().to_owned()
+    }
+
+    #[test]
+    fn what_is_given_is_said_in_both_units() {
+        use Field as F;
+        let measured = [
+            (F::Friction, "31deg"),
+            (F::Thickness, "60cm"),
+            (F::Span, "10m"),
+            (F::Rise, "3m"),
+            (F::Stones, "41"),
+        ];
+        // 2 atan(3/5) = 61.9275… deg, R = 34/6 m, eta = 0.6/(R + 0.3), tan 31 deg = 0.600860…
+        assert_eq!(
+            words(&measured),
+            "span 10m, rise 3m at the intrados (half opening 61.9275 deg), 41 equal stones, thickness 60cm = 0.100559 r, \
+             friction 31deg = 0.600861"
+        );
+        let ratios = [
+            (F::HalfOpening, "80deg"),
+            (F::Friction, "0.6"),
+            (F::Thickness, "3/25"),
+            (F::Tilt, "5deg"),
+        ];
+        assert_eq!(
+            words(&ratios),
+            "half opening 80deg = 1.39626 rad, thickness 3/25, friction 0.6 = 30.9638 deg, tilt 5deg = 0.0874887 g"
+        );
+        let unlimited = [(F::HalfOpening, "pi/2"), (F::Friction, "inf"), (F::Radius, "2m")];
+        assert_eq!(
+            words(&unlimited),
+            "radius 2m of the intrados, half opening pi/2 = 90 deg, friction inf: no joint slides"
+        );
+    }
+}
