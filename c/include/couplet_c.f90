@@ -29,6 +29,14 @@ module couplet_c
       integer(c_int) :: code
     end function
 
+    function couplet_arch(weight, arch, digits, answer) bind(c) result(code)
+      import
+      character(kind=c_char), intent(in) :: weight(*), arch(*)
+      integer(c_size_t), value :: digits
+      type(c_ptr), intent(out) :: answer
+      integer(c_int) :: code
+    end function
+
     ! What is not given is c_null_ptr, and what is given c_loc of a target.
     function couplet_find(weight, modes, half_opening, friction, thickness, digits, answer) bind(c) result(code)
       import

@@ -98,6 +98,20 @@ int couplet_assess(const char *weight,
                    size_t digits,
                    struct couplet_answer **answer);
 
+// An arch as it is measured, in ratios or in metres: as `couplet_assess` where it has a thickness, else as
+// `couplet_state`.
+//
+// arch: fields with semicolons between them, named as the options of the command, in any order: "span=10m; rise=3m;
+// thickness=60cm; friction=0.6; density=24kN/m3; depth=1m". half_opening, or span and rise, or radius with
+// half_opening; friction or friction_angle; measured_at intrados, centreline or extrados.
+//
+// Values: those of these functions and, in metres, span_m, rise_m, half_opening_degrees, radius_m, thickness_m and
+// least_thickness_m; with density and depth weight_kn and the thrusts in kN.
+int couplet_arch(const char *weight,
+                 const char *arch,
+                 size_t digits,
+                 struct couplet_answer **answer);
+
 // A question the other way round: the one answer, with the proof that there is no other. What is not given is NULL.
 //
 // With a friction: the widest half opening that stands; with a half opening: the least friction; at the thickness, or

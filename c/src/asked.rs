@@ -7,13 +7,14 @@ use crate::failure::Failure;
 use crate::threads::{checked, on_threads};
 use couplet::Error;
 use couplet::arch::SelfWeight;
+use couplet::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling};
 use couplet::certify::state::Certify;
 use couplet::certify::state::find as seek;
-use couplet::certify::{self, CertifiedLandmark, asymmetric_thicknesses, quantities};
+use couplet::certify::{self, CertifiedLandmark, quantities};
 use couplet::check::{Certificate, Refusal};
 use couplet::problem::{Arch, Landmark, Quantity};
-use couplet::report::{self, Answers, Scope};
-use couplet::sweep::parse;
+use couplet::report::{self, Answers, Scope, Understood};
+use couplet::sweep::{answer, parse};
 use std::ffi::{c_char, c_int, c_void};
 use std::fmt::Display;
 
@@ -22,22 +23,73 @@ pub(crate) fn wrong(error: impl Display) -> Failure {
     Failure::Usage(error.to_string())
 }
 
-/// The arch of three texts.
+/// Arch of the texts of fields, with its weight.
 ///
 /// # Safety
 ///
 /// As of [`text`].
-unsafe fn arch(
-    weight: *const c_char,
-    half_opening: *const c_char,
-    friction: *const c_char,
-) -> Result<Arch, Failure> {
+unsafe fn arch(weight: *const c_char, asked: ArchAsked) -> Result<ArchRead, Failure> {
     // SAFETY: as the caller promises.
-    let texts = unsafe {
-        let (alpha, mu) = (text(half_opening, "half_opening")?, text(friction, "friction")?);
-        [text(weight, "weight")?, alpha, mu]
+    let weight = parse::weight(unsafe { text(weight, "weight")? }).map_err(wrong)?;
+    let given = ArchGiven::read(&ARCH, &asked, Spelling::Key).map_err(wrong)?;
+    let arch = given.arch(weight).map_err(wrong)?;
+    Ok(ArchRead { understood: Understood::new(&asked, &given), given, arch })
+}
+
+/// Fields of an arch by their pointers, of which none is NULL.
+///
+/// # Safety
+///
+/// As of [`text`].
+unsafe fn fields<const N: usize>(given: [(Field, *const c_char); N]) -> Result<ArchAsked, Failure> {
+    let read = |(field, pointer): (Field, *const c_char)| {
+        // SAFETY: as the caller promises.
+        Ok((field, unsafe { text(pointer, field.name())? }))
     };
-    parse::arch(texts).map_err(wrong)
+    let given: Vec<(Field, &str)> = given.into_iter().map(read).collect::<Result<_, Failure>>()?;
+    Ok(ArchAsked::of(given))
+}
+
+/// Arch that is read.
+struct ArchRead {
+    understood: Understood,
+    given: ArchGiven,
+    arch: Arch,
+}
+
+/// Question about an arch with a joint at every angle.
+const ARCH: ArchQuestion = ArchQuestion {
+    refuses: &[
+        (Field::Stones, JOINTS),
+        (Field::Joints, JOINTS),
+        (Field::Tilt, "the command `couplet assess` tells of an arch that is tilted"),
+    ],
+    needs: &[],
+    unlimited: false,
+    example: "",
+};
+const JOINTS: &str = "the command `couplet voussoirs` tells of an arch of stones";
+
+impl ArchRead {
+    /// Answer at the thickness, or at the least one.
+    fn answer(&self, digits: usize) -> Answer {
+        let (arch, measures) = (&self.arch, self.given.measures.as_ref());
+        let found = match &self.given.thickness {
+            Some(eta) => {
+                let found = arch.certify_thickness(eta, digits);
+                answer::assessment(1, (arch, eta, measures), digits, &found)
+            }
+            None => answer::state(1, (arch, measures), digits, &arch.certify(digits)),
+        };
+        let asked = Some(Box::new(self.understood.clone()));
+        let told = Answers::arch(digits, report::Answer { asked, ..found });
+        let [usual, of_measured]: [&[Quantity]; 2] = match self.given.thickness {
+            Some(_) => [&Quantity::ASSESSMENT, &Quantity::MEASURED_ASSESSMENT],
+            None => [&Quantity::STATE, &Quantity::MEASURED_STATE],
+        };
+        let quantities = self.given.quantities(usual, of_measured);
+        Answer::told(Answers { quantities, ..told })
+    }
 }
 
 /// The digits of a state.
@@ -81,11 +133,8 @@ pub unsafe extern "C" fn couplet_state(
     // SAFETY: the caller promises texts, and a place for the answer.
     unsafe {
         answered(answer, || {
-            let arch = arch(weight, half_opening, friction)?;
-            let digits = state_digits(digits)?;
-            let found = report::Answer::state(1, &arch, &arch.certify(digits))
-                .with_asymmetric(|| asymmetric_thicknesses(&arch, digits));
-            Ok(Answer::told(Answers::arch(digits, found)))
+            let asked = fields([(Field::HalfOpening, half_opening), (Field::Friction, friction)])?;
+            Ok(arch(weight, asked)?.answer(state_digits(digits)?))
         })
     }
 }
@@ -110,13 +159,37 @@ pub unsafe extern "C" fn couplet_assess(
     // SAFETY: as above.
     unsafe {
         answered(answer, || {
-            let arch = arch(weight, half_opening, friction)?;
-            let eta = parse::thickness(text(thickness, "thickness")?).map_err(wrong)?;
-            let digits = state_digits(digits)?;
-            let found = arch.certify_thickness(&eta, digits);
-            let found = report::Answer::assessment(1, (&arch, &eta), &found)
-                .with_asymmetric(|| asymmetric_thicknesses(&arch, digits));
-            Ok(Answer::told(Answers::arch(digits, found)))
+            let asked = fields([
+                (Field::HalfOpening, half_opening),
+                (Field::Friction, friction),
+                (Field::Thickness, thickness),
+            ])?;
+            Ok(arch(weight, asked)?.answer(state_digits(digits)?))
+        })
+    }
+}
+
+/// An arch as it is measured, in ratios or in metres: as `couplet_assess` where it has a thickness, else as
+/// `couplet_state`.
+///
+/// arch: fields with semicolons between them, named as the options of the command, in any order: "span=10m; rise=3m;
+/// thickness=60cm; friction=0.6; density=24kN/m3; depth=1m". half_opening, or span and rise, or radius with
+/// half_opening; friction or friction_angle; measured_at intrados, centreline or extrados.
+///
+/// Values: those of these functions and, in metres, span_m, rise_m, half_opening_degrees, radius_m, thickness_m and
+/// least_thickness_m; with density and depth weight_kn and the thrusts in kN.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn couplet_arch(
+    weight: *const c_char,
+    arch: *const c_char,
+    digits: usize,
+    answer: *mut *mut Answer,
+) -> c_int {
+    // SAFETY: as above.
+    unsafe {
+        answered(answer, || {
+            let asked = ArchAsked::parse(text(arch, "arch")?).map_err(wrong)?;
+            Ok(self::arch(weight, asked)?.answer(state_digits(digits)?))
         })
     }
 }
@@ -259,10 +332,11 @@ pub unsafe extern "C" fn couplet_certify_arch(
     // SAFETY: as above.
     unsafe {
         answered(answer, || {
-            let arch = arch(weight, half_opening, friction)?;
-            let eta = optional(thickness, "thickness")?;
-            let eta = eta.map(|text| parse::thickness(text).map_err(wrong)).transpose()?;
-            certified(certify::certify_arch(&arch, eta.as_ref(), state_digits(digits)?))
+            let mut asked =
+                fields([(Field::HalfOpening, half_opening), (Field::Friction, friction)])?;
+            asked.thickness = optional(thickness, "thickness")?.map(str::to_owned);
+            let ArchRead { arch, given, .. } = arch(weight, asked)?;
+            certified(certify::certify_arch(&arch, given.thickness.as_ref(), state_digits(digits)?))
         })
     }
 }

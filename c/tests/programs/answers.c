@@ -85,6 +85,21 @@ static void assess(void) {
   couplet_free(answer);
 }
 
+static void measured(void) {
+  couplet_answer *answer;
+  double value;
+  const char *arch = "span=10m; rise=3m; thickness=60cm; friction=0.6; density=24kN/m3; depth=1m";
+  IS(couplet_arch(M, arch, 5, &answer) == COUPLET_PROVED);
+  SAYS(couplet_verdict(answer), "stands");
+  SAYS(couplet_text(answer, "least_thickness_m", COUPLET_VALUE), "0.14813");
+  SAYS(couplet_text(answer, "weight_kn", COUPLET_VALUE), "185.73");
+  TELLS(couplet_json(answer), "thickness 60cm = 0.100559 r");
+  couplet_free(answer);
+  IS(couplet_arch(M, "radius=5m; alpha=80deg; phi=31deg; measured_at=centreline", 5, &answer) == COUPLET_PROVED);
+  IS(couplet_double(answer, "radius_m", &value, NULL, NULL) == COUPLET_PROVED && value == 5);
+  couplet_free(answer);
+}
+
 static void found(void) {
   couplet_answer *answer;
   IS(couplet_find(M, NULL, NULL, "0.5", "0.2", 12, &answer) == COUPLET_PROVED);
@@ -164,6 +179,7 @@ int main(void) {
   state();
   undecided();
   assess();
+  measured();
   found();
   constant();
   certificates();

@@ -36,6 +36,13 @@ static void texts(void) {
   REFUSED("not between 0 and pi/2", couplet_state, M, "1", "91deg", 10);
   REFUSED("is not between 0 and 2", couplet_assess, M, "1", "1", "2.5", 10);
   REFUSED("no ratio of thickness", couplet_assess, M, "1", "1", "5deg", 10);
+  REFUSED("arch is NULL", couplet_arch, M, NULL, 10);
+  REFUSED("half_opening, friction (or friction_angle) are missing", couplet_arch, M, "", 10);
+  REFUSED("'colour' is none of the fields of an arch", couplet_arch, M, "colour=red", 10);
+  REFUSED("friction is given twice", couplet_arch, M, "mu=1; friction=1", 10);
+  REFUSED("span needs rise", couplet_arch, M, "span=10m; mu=1", 10);
+  REFUSED("'10' is not a length", couplet_arch, M, "span=10; rise=3m; mu=1", 10);
+  REFUSED("stones does not belong here: the command", couplet_arch, M, "alpha=1; mu=1; stones=7", 10);
   char *one = malloc(1000001);
   memset(one, '1', 1000000);
   one[1000000] = 0;

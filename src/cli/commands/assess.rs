@@ -7,12 +7,12 @@ use super::state::print;
 use super::tilt::write;
 use super::voussoirs;
 use crate::ask::{ArchQuestion, Field};
-use crate::certify::asymmetric_thicknesses;
-use crate::certify::state::{Balls, Inquiry, Wanted, measured_assessment};
+use crate::certify::state::{Balls, Inquiry, Wanted};
 use crate::number::ExactNumber;
 use crate::problem::measures::Measures;
 use crate::problem::{Arch, Quantity, Slope};
-use crate::report::{Answer, Content, Understood};
+use crate::report::{Content, Understood};
+use crate::sweep::answer;
 use crate::sweep::failure::Failure;
 use clap::Args;
 
@@ -63,15 +63,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let answer = |line, arch: &Arch| {
         // Some formats have quadruples, which take more bits than the digits.
         let found = Balls::Mpfr.assess(arch, eta, digits);
-        let answer = Answer::assessment(line, (arch, eta), &found)
-            .with_asymmetric(|| asymmetric_thicknesses(arch, digits));
-        match &given.measures {
-            Some(measures) => {
-                let sizes = measured_assessment((arch, eta), measures, digits);
-                answer.measured(measures.circle(), sizes)
-            }
-            None => answer,
-        }
+        answer::assessment(line, (arch, eta, given.measures.as_ref()), digits, &found)
     };
     print(&arguments.output, (digits, quantities), (&asked, &arches), answer)
 }

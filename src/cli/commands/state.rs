@@ -7,10 +7,11 @@ use super::notes;
 use super::output::AnswerOutput;
 use super::voussoirs;
 use crate::ask::{ArchQuestion, Field};
-use crate::certify::state::{Balls, measured_state};
-use crate::certify::{Error, asymmetric_thicknesses, quantities as quantities_of};
+use crate::certify::state::Balls;
+use crate::certify::{Error, quantities as quantities_of};
 use crate::problem::{Arch, Landmark, Quantity};
 use crate::report::{Answer, Answers, Report, Scope, Understood};
+use crate::sweep::answer;
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use clap::Args;
@@ -70,14 +71,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let answer = |line, arch: &Arch| {
         // Some formats have quadruples, which take more bits than the digits.
         let found = Balls::Mpfr.state(arch, digits, frictions);
-        let answer = Answer::state(line, arch, &found)
-            .with_asymmetric(|| asymmetric_thicknesses(arch, digits));
-        match &given.measures {
-            Some(measures) => {
-                answer.measured(measures.circle(), measured_state(arch, measures, digits))
-            }
-            None => answer,
-        }
+        answer::state(line, (arch, given.measures.as_ref()), digits, &found)
     };
     print(&arguments.output, (digits, quantities), (&asked, &arches), answer)
 }

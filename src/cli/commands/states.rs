@@ -5,11 +5,12 @@ use super::output::{OutputFile, chosen};
 use super::stream::{Chunk, Progress, in_order};
 use crate::arch::SelfWeight;
 use crate::ask::Field;
+use crate::certify::Refused;
 use crate::certify::batch::SharedOpenings;
-use crate::certify::state::{Balls, measured_assessment, measured_state};
-use crate::certify::{Refused, asymmetric_thicknesses};
+use crate::certify::state::Balls;
 use crate::problem::{Quantity, thickness};
 use crate::report::{Answer, Answers, Content, Format, Status};
+use crate::sweep::answer;
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use crate::sweep::rows::{
@@ -196,21 +197,13 @@ fn found(
     asked: &RowQuestion,
 ) -> Result<Answer, String> {
     let ((arch, measures), digits) = (reader.measured_arch(cells)?, asked.digits);
-    let with_asymmetric =
-        |answer: Answer| answer.with_asymmetric(|| asymmetric_thicknesses(&arch, digits));
+    let measures = measures.as_ref();
     let Some((text, _)) = reader.given(cells, Role::GivenThickness) else {
-        let answer = with_asymmetric(Answer::state(line, &arch, &asked.openings.state(&arch)));
-        return Ok(match measures {
-            Some(of) => answer.measured(of.circle(), measured_state(&arch, &of, digits)),
-            None => answer,
-        });
+        let found = asked.openings.state(&arch);
+        return Ok(answer::state(line, (&arch, measures), digits, &found));
     };
-    let eta = thickness(&reader.spelling.exact(text), measures.as_ref());
+    let eta = thickness(&reader.spelling.exact(text), measures);
     let eta = eta.map_err(|error| error.to_string())?;
     let found = asked.openings.assess(&arch, &eta);
-    let answer = with_asymmetric(Answer::assessment(line, (&arch, &eta), &found));
-    Ok(match measures {
-        Some(of) => answer.measured(of.circle(), measured_assessment((&arch, &eta), &of, digits)),
-        None => answer,
-    })
+    Ok(answer::assessment(line, (&arch, &eta, measures), digits, &found))
 }

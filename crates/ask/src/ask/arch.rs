@@ -1,5 +1,8 @@
 //! Text of an arch: each thing that it may be given by once, with the help that a command prints of it.
 
+use super::question::{Misfit, Spelling};
+use crate::number::shown;
+
 /// Declares [`ArchAsked`] and [`Field`] in one list.
 macro_rules! fields {
     ($($(#[doc = $doc:literal])+ $variant:ident $name:ident $value:literal $($letter:literal)? $(in $heading:literal)?),* $(,)?) => {
@@ -104,6 +107,35 @@ impl ArchAsked {
         asked
     }
 
+    /// Reads `span=10m; rise=3m; friction=0.6`: fields by name or letter, each once.
+    pub fn parse(text: &str) -> Result<Self, Misfit> {
+        let mut asked = Self::default();
+        for pair in text.split(';').map(str::trim).filter(|pair| !pair.is_empty()) {
+            let (name, value) = pair.split_once('=').unwrap_or((pair, ""));
+            let Some(field) = Field::named(name.trim()) else {
+                let names: Vec<&str> = Field::ALL.iter().map(|field| field.name()).collect();
+                let (name, names) = (shown(name.trim()), names.join(", "));
+                return Err(format!("'{name}' is none of the fields of an arch: {names}").into());
+            };
+            if asked.at(field).replace(value.trim().to_owned()).is_some() {
+                return Err(Misfit::new(field, format!("{} is given twice", field.name())));
+            }
+        }
+        Ok(asked)
+    }
+
+    /// Options of the command that ask the same.
+    pub fn options(&self) -> String {
+        let said = |field: Field| Some((Spelling::Option.of(field), self.get(field)?));
+        let quoted =
+            |text: &str| match text.chars().all(|c| c.is_alphanumeric() || "./+-°".contains(c)) {
+                true => text.to_owned(),
+                false => format!("'{}'", text.replace('\'', "'\\''")),
+            };
+        let options = Field::ALL.iter().copied().filter_map(said);
+        options.map(|(name, text)| format!(" {name} {}", quoted(text))).collect()
+    }
+
     /// Fields that are given.
     pub fn fields(&self) -> impl Iterator<Item = Field> {
         Field::ALL.iter().copied().filter(|field| self.get(*field).is_some())
@@ -113,5 +145,24 @@ impl ArchAsked {
     pub fn friction_text(&self) -> Option<String> {
         let angle = || self.friction_angle.as_ref().map(|phi| format!("tan({phi})"));
         self.friction.clone().or_else(angle)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_arch_is_one_line_of_text_and_one_of_options() {
+        let asked = ArchAsked::parse(" span = 10m;rise=3m; mu=1/2; joints=0,1 ;").unwrap();
+        assert_eq!(asked.options(), " --friction 1/2 --joints '0,1' --span 10m --rise 3m");
+        for (text, why) in [
+            ("colour=red", "none of the fields of an arch: half_opening"),
+            ("mu=1; friction=2", "friction is given twice"),
+        ] {
+            let misfit = ArchAsked::parse(text).unwrap_err();
+            assert!(misfit.message.contains(why), "{misfit}");
+        }
+        assert_eq!(ArchAsked::parse("").unwrap(), ArchAsked::default());
     }
 }

@@ -41,6 +41,12 @@ impl Display for Misfit {
 
 impl std::error::Error for Misfit {}
 
+impl From<String> for Misfit {
+    fn from(message: String) -> Self {
+        Self { field: None, message }
+    }
+}
+
 impl Spelling {
     /// Field as the door calls it.
     pub fn of(self, field: Field) -> String {

@@ -1,0 +1,42 @@
+//! An answer about one arch, with the asymmetric solutions that are known of it and, in metres, its sizes: for every
+//! door.
+
+use crate::certify::state::{Answer as Outcome, AssessmentDigits};
+use crate::certify::state::{measured_assessment, measured_state};
+use crate::certify::{Error, Refused, asymmetric_thicknesses};
+use crate::number::ExactNumber;
+use crate::problem::Arch;
+use crate::problem::measures::Measures;
+use crate::report::Answer;
+
+/// State of an arch at its least thickness, as it was found to so many digits. The line tells arches apart.
+pub fn state(
+    line: u64,
+    (arch, measures): (&Arch, Option<&Measures>),
+    digits: usize,
+    found: &Result<Outcome, Error>,
+) -> Answer {
+    let answer =
+        Answer::state(line, arch, found).with_asymmetric(|| asymmetric_thicknesses(arch, digits));
+    match measures {
+        Some(of) => answer.measured(of.circle(), measured_state(arch, of, digits)),
+        None => answer,
+    }
+}
+
+/// Arch of a given thickness, as it was found to so many digits.
+pub fn assessment(
+    line: u64,
+    (arch, thickness, measures): (&Arch, &ExactNumber, Option<&Measures>),
+    digits: usize,
+    found: &Result<AssessmentDigits, Refused>,
+) -> Answer {
+    let answer = Answer::assessment(line, (arch, thickness), found)
+        .with_asymmetric(|| asymmetric_thicknesses(arch, digits));
+    match measures {
+        Some(of) => {
+            answer.measured(of.circle(), measured_assessment((arch, thickness), of, digits))
+        }
+        None => answer,
+    }
+}
