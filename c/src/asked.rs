@@ -14,6 +14,7 @@ use couplet::certify::{self, CertifiedLandmark, quantities};
 use couplet::check::{Certificate, Refusal};
 use couplet::problem::{Arch, Landmark, Quantity};
 use couplet::report::{self, Answers, Scope, Understood};
+use couplet::sweep::find::{self as sought, FindTarget};
 use couplet::sweep::{answer, parse};
 use std::ffi::{c_char, c_int, c_void};
 use std::fmt::Display;
@@ -215,16 +216,36 @@ pub unsafe extern "C" fn couplet_find(
     unsafe {
         answered(answer, || {
             let weight = parse::weight(text(weight, "weight")?).map_err(wrong)?;
-            let modes = optional(modes, "modes")?;
-            let given = (optional(half_opening, "half_opening")?, optional(friction, "friction")?);
-            let thickness = optional(thickness, "thickness")?;
-            let question = parse::question(modes, given, thickness).map_err(wrong)?;
+            let modes = optional(modes, "modes")?.map(sought::line).transpose().map_err(wrong)?;
+            let given = [
+                (Field::HalfOpening, half_opening),
+                (Field::Friction, friction),
+                (Field::Thickness, thickness),
+            ];
+            let mut asked = ArchAsked::default();
+            for (field, pointer) in given {
+                *asked.at(field) = optional(pointer, field.name())?.map(str::to_owned);
+            }
+            // What is not given is sought.
+            let target = match (modes, &asked.half_opening, &asked.friction) {
+                (Some(_), ..) => FindTarget::Boundary,
+                (None, None, Some(_)) => FindTarget::HalfOpening,
+                (None, Some(_), None) => FindTarget::Friction,
+                (None, ..) => {
+                    return Err(wrong("give friction or half_opening; the other one is found"));
+                }
+            };
+            let (question, understood) =
+                sought::question((target, modes), &asked, Spelling::Key).map_err(wrong)?;
             let digits = state_digits(digits)?;
             let found = seek::find(weight, &question, digits);
             if let Err(Error::Refused(refused)) = &found {
                 return Err(wrong(refused));
             }
-            let found = report::Answer::finding(1, (weight, &question), &found);
+            let found = report::Answer {
+                asked: Some(Box::new(understood)),
+                ..report::Answer::finding(1, (weight, &question), &found)
+            };
             let quantities = Quantity::FOUND.to_vec();
             let scope = Scope::Found;
             Ok(Answer::told(Answers { scope, quantities, ..Answers::arch(digits, found) }))

@@ -3,6 +3,7 @@
 
 pub mod answer;
 pub mod failure;
+pub mod find;
 pub mod parse;
 pub mod pool;
 pub mod rows;

@@ -2,23 +2,19 @@
 
 use super::arch::ArchArguments;
 use super::draw;
-use super::output::{AnswerOutput, is_written};
+use super::output::AnswerOutput;
 use super::state::print;
-use super::tilt::write;
+use super::tilt;
 use super::voussoirs;
 use crate::ask::{ArchQuestion, Field};
-use crate::certify::state::{Balls, Inquiry, Wanted};
-use crate::number::ExactNumber;
+use crate::certify::state::Balls;
 use crate::problem::measures::Measures;
-use crate::problem::{Arch, Quantity, Slope};
-use crate::report::{Content, Understood};
+use crate::problem::{Arch, Quantity};
 use crate::sweep::answer;
 use crate::sweep::failure::Failure;
 use clap::Args;
 
 /// Print whether an arch of a given thickness stands, its safety factors, and the thrusts it can bear.
-///
-/// Its own weight is the only load: no answer is about fill, traffic, settlement or the strength of the stone.
 #[derive(Args)]
 #[command(
     override_usage = "couplet assess --half-opening <ANGLE> --friction <MU> --thickness <ETA> [OPTIONS]"
@@ -31,7 +27,8 @@ pub(crate) struct Arguments {
     output: AnswerOutput,
 }
 
-const QUESTION: ArchQuestion = ArchQuestion {
+/// Question about an arch of a thickness.
+pub const QUESTION: ArchQuestion = ArchQuestion {
     refuses: &[],
     needs: &[Field::Thickness],
     unlimited: false,
@@ -55,7 +52,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let asked = arguments.arch.understood(&given);
     if let Some(tilt) = &given.tilt {
-        return tilted(arguments, (&asked, &arches), eta, tilt);
+        let output = (arguments.output.file(), arguments.output.format()?);
+        return tilt::write(output, (&asked, &arches), (eta, tilt), None, arguments.arch.digits);
     }
     let all = given.quantities(&Quantity::ASSESSMENT, &Quantity::MEASURED_ASSESSMENT);
     let quantities = arguments.output.quantities(&all)?;
@@ -66,24 +64,4 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         answer::assessment(line, (arch, eta, given.measures.as_ref()), digits, &found)
     };
     print(&arguments.output, (digits, quantities), (&asked, &arches), answer)
-}
-
-/// The arches under an acceleration.
-fn tilted(
-    arguments: &Arguments,
-    arches: (&Understood, &[Arch]),
-    eta: &ExactNumber,
-    tilt: &Slope,
-) -> Result<(), Failure> {
-    let (output, format) = arguments.output.open()?;
-    is_written("--tilt", Content::Tilted, format)?;
-    let digits = arguments.arch.digits;
-    write((output, format), arches, (eta, tilt), None, |arch| {
-        let standing = Inquiry::new(arch, digits, false).assess(eta, digits, Wanted::Standing)?;
-        Ok(match standing.stands {
-            Ok(true) => Ok(Some(crate::certify::tilted(arch, eta, tilt, digits)?)),
-            Ok(false) => Ok(None),
-            Err(undecided) => Err(undecided),
-        })
-    })
 }

@@ -3,14 +3,14 @@
 use super::arch::ArchArguments;
 use super::notes;
 use super::output::AnswerOutput;
-use crate::ask::{ArchGiven, ArchQuestion, Field, Spelling};
-use crate::certify::state::find::{Given, Question, find};
-use crate::certify::{Error, Refused};
+use crate::ask::Spelling;
+use crate::certify::Error;
+use crate::certify::state::find as seek;
+use crate::certify::state::find::{Given, Question};
 use crate::problem::{Friction, Line, Quantity, Sought};
-use crate::report::words::list;
 use crate::report::{Answer, Answers, Report, Scope};
 use crate::sweep::failure::Failure;
-use crate::sweep::parse;
+use crate::sweep::find::{self, FindTarget};
 use clap::Args;
 
 /// Find the widest half opening that stands, the least friction, or where one mode becomes another, with a proof.
@@ -30,11 +30,11 @@ use clap::Args;
 )]
 pub(crate) struct Arguments {
     /// What to find: half-opening, friction or boundary.
-    #[arg(value_name = "WHAT", value_parser = what)]
+    #[arg(value_name = "WHAT", value_parser = find::what)]
     what: FindTarget,
 
     /// The two modes of a boundary (rrs/rsr, [r,s,r]/[r,s]).
-    #[arg(value_name = "MODES", value_parser = line)]
+    #[arg(value_name = "MODES", value_parser = find::line)]
     modes: Option<Line>,
 
     #[command(flatten)]
@@ -44,51 +44,15 @@ pub(crate) struct Arguments {
     output: AnswerOutput,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum FindTarget {
-    HalfOpening,
-    Friction,
-    Boundary,
-}
-
-fn what(text: &str) -> Result<FindTarget, String> {
-    match &text.replace('_', "-").to_lowercase()[..] {
-        "half-opening" | "alpha" => Ok(FindTarget::HalfOpening),
-        "friction" | "mu" => Ok(FindTarget::Friction),
-        "boundary" => Ok(FindTarget::Boundary),
-        "thickness" | "eta" => Err("the least thickness is what `couplet state` finds".into()),
-        _ => Err(parse::unknown("what is found", text, &["half-opening", "friction", "boundary"])),
-    }
-}
-
-fn line(text: &str) -> Result<Line, String> {
-    text.parse().map_err(|error: crate::problem::NoLine| error.to_string())
-}
-
-const QUESTION: ArchQuestion = ArchQuestion {
-    refuses: &[
-        (Field::Stones, "what is found is of an arch with a joint at every angle"),
-        (Field::Joints, "what is found is of an arch with a joint at every angle"),
-        (Field::Tilt, "what is found is of an arch without acceleration"),
-        (Field::Density, "no forces are found"),
-    ],
-    needs: &[],
-    unlimited: false,
-    example: "",
-};
-
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    QUESTION.fits(&arguments.arch.asked, Spelling::Option)?;
-    let given = ArchGiven::new(&arguments.arch.asked, Spelling::Option)?;
-    let friction = given.friction.clone();
-    let asked = arguments.arch.understood(&given);
-    let question = question(arguments, given)?;
+    let target = (arguments.what, arguments.modes);
+    let (question, asked) = find::question(target, &arguments.arch.asked, Spelling::Option)?;
     let quantities = arguments.output.quantities(&found_by(&question))?;
     let (file, format) = arguments.output.open()?;
-    notes::frictions(&friction);
+    notes::frictions(given_friction(&question));
     let digits = arguments.arch.digits;
     let answer = |(line, weight)| {
-        let found = find(weight, &question, digits);
+        let found = seek::find(weight, &question, digits);
         if let Err(Error::Refused(refused)) = found {
             return Err(refused.into());
         }
@@ -101,6 +65,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let kept = Vec::new();
     let report = Answers { scope: Scope::Found, digits, quantities, kept, list: answers };
     file.report((&Report::Answers(report), format), open)
+}
+
+/// The friction that is given.
+fn given_friction(question: &Question) -> Option<&Friction> {
+    match question {
+        Question::HalfOpening { friction, .. }
+        | Question::Boundary { given: Given::Friction(friction), .. } => Some(friction),
+        _ => None,
+    }
 }
 
 /// The quantities that an answer can have: not what is given.
@@ -116,52 +89,4 @@ fn found_by(question: &Question) -> Vec<Quantity> {
         Question::Boundary { .. } => &[Q::Thickness, Q::Thrust, Q::RotationJoint, Q::SlidingJoint],
     };
     [sought, others].concat()
-}
-
-/// The question asked, if what is given fits it.
-fn question(arguments: &Arguments, given: ArchGiven) -> Result<Question, Failure> {
-    let ArchGiven { half_opening, friction, thickness: eta, .. } = given;
-    let given = [half_opening.is_some(), friction.is_some(), eta.is_some()];
-    let too_much = |wrong: &[(bool, &str)]| {
-        let wrong: Vec<&str> = wrong.iter().filter(|(given, _)| *given).map(|x| x.1).collect();
-        match wrong.is_empty() {
-            true => Ok(()),
-            false => Err(Failure::Input(format!("{} does not belong here", list(wrong)))),
-        }
-    };
-    let missing = |what: &str, example: &str| {
-        Failure::Input(format!("{what} is missing; for example: couplet find {example}"))
-    };
-    let modes = (arguments.modes.is_some(), "a pair of modes");
-    let [alpha, _, thick] = given;
-    Ok(match arguments.what {
-        FindTarget::HalfOpening => {
-            too_much(&[modes, (alpha, "--half-opening")])?;
-            let example = "half-opening --thickness 0.15 --friction 0.6";
-            let friction =
-                friction.ok_or_else(|| missing("--friction (or --friction-angle)", example))?;
-            Question::HalfOpening { friction, thickness: eta }
-        }
-        FindTarget::Friction => {
-            too_much(&[modes, (friction.is_some(), "--friction")])?;
-            let example = "friction --half-opening 80deg --thickness 0.1";
-            let half_opening = half_opening.ok_or_else(|| missing("--half-opening", example))?;
-            Question::Friction { half_opening, thickness: eta }
-        }
-        FindTarget::Boundary => {
-            too_much(&[(thick, "--thickness")])?;
-            let example = "boundary rrs/rsr --friction 1.6";
-            let line = arguments.modes.ok_or_else(|| missing("the pair of modes", example))?;
-            let given = match (half_opening, friction) {
-                (Some(alpha), None) => Given::HalfOpening(alpha),
-                (None, Some(Friction::Infinite)) => return Err(Refused::UnlimitedFriction.into()),
-                (None, Some(mu)) => Given::Friction(mu),
-                (None, None) => return Err(missing("--friction or --half-opening", example)),
-                (Some(_), Some(_)) => {
-                    return Err("give --friction or --half-opening; the other one is found".into());
-                }
-            };
-            Question::Boundary { line, given }
-        }
-    })
 }
