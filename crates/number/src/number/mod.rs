@@ -91,9 +91,10 @@ mod tangent;
 mod tens;
 mod ternary;
 mod unit;
+mod worded;
 mod written;
 
-pub use crate::says;
+pub use crate::{says, worded};
 pub use angle::Angle;
 pub use astro::{Astro, AstroInterval};
 pub use decimal::{Decimal, ParseDecimalError};

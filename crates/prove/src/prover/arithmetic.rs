@@ -4,7 +4,8 @@ use super::Undecided;
 use super::in_doubles::{self, Doubles};
 use super::root::{self, Form};
 use crate::number::{
-    Ball, DoubleDoubleBall, Engine, Field, FloatBall, Magnitude, Midpoint, Stumpff, Ternary, stumpff_terms,
+    Ball, DoubleDoubleBall, Engine, Field, FloatBall, Magnitude, Midpoint, Stumpff, Ternary,
+    stumpff_terms,
 };
 use crate::solve::start::Start;
 use rug::Float;
