@@ -71,7 +71,7 @@ impl fmt::Display for AsymmetricMode {
 
 worded! {
     /// Place of a joint that gives way.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
     pub enum Place {
         /// The springing.
         Shoulder = "shoulder",

@@ -29,41 +29,17 @@
 
 use super::{Condition, Equation, Fixed, Mode, System};
 use crate::arch::{SelfWeight, Unknown};
-use crate::number::worded;
-use std::fmt;
+use crate::number::{says, worded};
 use std::iter;
-use std::str::FromStr;
 
 /// Reason why a text is no landmark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NoLandmark;
 
-impl fmt::Display for NoLandmark {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [symbols, names] =
-            [Landmark::symbol, Landmark::long_name].map(|name| Landmark::ALL.map(name).join(", "));
-        write!(f, "a landmark is one of {symbols}, or {names}")
-    }
-}
-
-impl std::error::Error for NoLandmark {}
-
-impl FromStr for Landmark {
-    type Err = NoLandmark;
-
-    /// Reads what [`Landmark::named`] does.
-    ///
-    /// ```
-    /// use couplet_check::problem::Landmark;
-    /// assert_eq!("T".parse(), Ok(Landmark::Triple));
-    /// assert_eq!("rotation-end".parse(), Ok(Landmark::RotationEnd));
-    /// let error = "X".parse::<Landmark>().unwrap_err();
-    /// assert!(error.to_string().starts_with("a landmark is one of T, S, J, B, l, L, sb, or triple"));
-    /// ```
-    fn from_str(text: &str) -> Result<Self, NoLandmark> {
-        Self::named(text).ok_or(NoLandmark)
-    }
-}
+says!(NoLandmark {
+    Self => "a landmark is one of {}, or {}",
+        Landmark::ALL.map(Landmark::symbol).join(", "), Landmark::ALL.map(Landmark::long_name).join(", ");
+});
 
 worded! {
     /// A landmark point.

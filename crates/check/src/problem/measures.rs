@@ -24,7 +24,7 @@ use std::str::FromStr;
 
 worded! {
     /// The circle at which an arch is measured.
-    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
     pub enum Circle {
         /// The inner face: the clear span.
         #[default]
@@ -41,15 +41,15 @@ worded! {
 }
 
 /// A length above zero, in metres.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Length(BigRational);
 
 /// The weight of a volume, in kN/m³, above zero.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct UnitWeight(BigRational);
 
 /// The size of an arch.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Measures {
     circle: Circle,
     radius: Length,

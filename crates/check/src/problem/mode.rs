@@ -4,7 +4,6 @@ use super::{Equation, Fixed, System};
 use crate::arch::mechanism::{self, Mechanism};
 use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::number::{Angle, Field, Real, worded};
-use std::fmt;
 
 worded! {
     /// A collapse mode of the half arch.
@@ -165,9 +164,3 @@ const _: () = match Mode::Rotational {
     | Mode::Overturning
     | Mode::Sliding => assert!(Mode::ALL.len() == 7),
 };
-
-impl fmt::Display for Mode {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.label())
-    }
-}

@@ -57,7 +57,7 @@ pub struct Standing {
 
 worded! {
     /// Place where a line of thrust comes nearest to the intrados.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
     pub enum Nearest {
         /// The place is at the crown.
         Crown = "crown",

@@ -5,7 +5,7 @@ use std::fmt;
 use std::str::FromStr;
 
 /// The decimal number `sign digits * 10^exponent`, with `digits` an integer.
-#[derive(Clone, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Decimal {
     negative: bool,
     /// Decimal digits without leading zeros; empty for zero.

@@ -7,7 +7,7 @@ use std::fmt;
 use std::str::FromStr;
 
 /// `± mantissa * 2^exponent`, exactly. The mantissa is an integer.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Dyadic {
     negative: bool,
     /// Words of 64 bits, the least significant first, without zeros at the top; empty for zero.

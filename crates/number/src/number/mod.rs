@@ -60,6 +60,7 @@ macro_rules! operators {
 }
 
 mod angle;
+mod as_text;
 mod astro;
 mod decimal;
 mod derivatives;
@@ -94,7 +95,7 @@ mod unit;
 mod worded;
 mod written;
 
-pub use crate::{says, worded};
+pub use crate::{as_text, says, worded};
 pub use angle::Angle;
 pub use astro::{Astro, AstroInterval};
 pub use decimal::{Decimal, ParseDecimalError};

@@ -51,7 +51,7 @@ impl Comparison {
 
 worded! {
     /// Relation of Milankovitch's value to Heyman's.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
     pub enum Relation {
         /// The value is lower.
         Lower = "lower",

@@ -8,7 +8,7 @@ const ERROR_DIGITS: usize = 3;
 
 worded! {
     /// Verdict on the last printed place.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
     pub enum PrintedVerdict {
         /// The error is at most half a unit of the last place.
         CorrectlyRounded = "correctly rounded",

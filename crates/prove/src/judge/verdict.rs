@@ -95,7 +95,7 @@ pub enum Standing {
 }
 
 /// Side of the truth on which a thickness is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ErrorSide {
     /// Too small: the unsafe side.
     Thinner,

@@ -8,7 +8,7 @@ use crate::number::{Angle, Field, worded};
 
 worded! {
     /// A joint at its limit.
-    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
     pub enum Contact {
         /// The line of thrust is on the extrados, `U = 0`.
         Extrados = "hinge at the extrados",

@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 use std::fmt;
 
 /// A real number known to lie between two decimals, with its correctly rounded value.
-#[derive(Clone, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Rounded {
     /// The true value rounded to nearest.
     pub value: Decimal,

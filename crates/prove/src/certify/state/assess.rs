@@ -142,7 +142,7 @@ pub type AssessmentDigits = Assessment<Figure>;
 const THRUSTS: [Quantity; 2] = [Quantity::LeastThrust, Quantity::LargestThrust];
 
 /// Question about an arch of a given thickness.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Wanted {
     /// Verdict on whether the arch stands, and how far its thickness is from the least: its state says so.
     Standing,
