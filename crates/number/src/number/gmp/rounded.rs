@@ -91,6 +91,13 @@ impl Rounded {
         Self { value, lower, upper }
     }
 
+    /// Ball of `bits` bits about the bounds.
+    pub fn enclosure(&self, bits: u32) -> Ball {
+        let ends = [&self.lower, &self.upper];
+        let [lower, upper] = ends.map(|end| Ball::enclosing(&end.to_rational(), bits));
+        lower.hull(&upper)
+    }
+
     /// An exact value: all three are the same decimal.
     pub fn exact(value: Decimal) -> Self {
         Self { lower: value.clone(), upper: value.clone(), value }
