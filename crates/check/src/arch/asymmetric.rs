@@ -17,33 +17,27 @@ use super::joint::Grip;
 use super::mechanism::{Contact, Joint};
 use super::whole::{Forces, Side, WholeMotion, margin, margin_along, motion_row};
 use super::{Configuration, Ring, SelfWeight};
-use crate::number::{Angle, Field, Real};
+use crate::number::{Angle, Field, Real, worded};
 use std::fmt;
 
-/// Way in which an asymmetric mechanism closes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum AsymmetricMode {
-    /// An inner joint slides on the other side.
-    InnerSliding,
-    /// The shoulder that slides opens too.
-    ShoulderOpening,
-    /// Two hinges and the shoulder close it alone.
-    ShoulderSliding,
+worded! {
+    /// Way in which an asymmetric mechanism closes.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum AsymmetricMode {
+        /// An inner joint slides on the other side.
+        InnerSliding = "inner_sliding",
+        /// The shoulder that slides opens too.
+        ShoulderOpening = "shoulder_opening",
+        /// Two hinges and the shoulder close it alone.
+        ShoulderSliding = "shoulder_sliding",
+    }
+    /// All three kinds.
+    pub const ALL;
+    /// The name in files.
+    pub fn name -> &'static str;
 }
 
 impl AsymmetricMode {
-    /// All three kinds.
-    pub const ALL: [Self; 3] = [Self::InnerSliding, Self::ShoulderOpening, Self::ShoulderSliding];
-
-    /// The name in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::InnerSliding => "inner_sliding",
-            Self::ShoulderOpening => "shoulder_opening",
-            Self::ShoulderSliding => "shoulder_sliding",
-        }
-    }
-
     /// The joints that give way, from the right springing to the left, each as it does on its side.
     pub fn contacts(self) -> &'static [(Contact, Side, Place)] {
         use Contact::{Extrados, Intrados, Inwards, Outwards};
@@ -75,29 +69,23 @@ impl fmt::Display for AsymmetricMode {
     }
 }
 
-/// Place of a joint that gives way.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
-    /// The springing.
-    Shoulder,
-    /// Next to the crown, at `b0`.
-    Crown,
-    /// The haunch, at `b1`.
-    Haunch,
-    /// Between them, at `b2`.
-    Inner,
-}
-
-impl Place {
-    /// The name in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Shoulder => "shoulder",
-            Self::Crown => "crown",
-            Self::Haunch => "haunch",
-            Self::Inner => "inner",
-        }
+worded! {
+    /// Place of a joint that gives way.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Place {
+        /// The springing.
+        Shoulder = "shoulder",
+        /// Next to the crown, at `b0`.
+        Crown = "crown",
+        /// The haunch, at `b1`.
+        Haunch = "haunch",
+        /// Between them, at `b2`.
+        Inner = "inner",
     }
+    /// All of them, in order.
+    pub const ALL;
+    /// The name in files.
+    pub fn name -> &'static str;
 }
 
 /// The variables of a state.

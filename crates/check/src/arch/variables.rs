@@ -1,46 +1,37 @@
 //! The variables of the problem, and a value for each.
 
-use crate::number::{Angle, Field, Real};
+use crate::number::{Angle, Field, Real, worded};
 
-/// A variable of the problem.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Unknown {
-    /// `alpha`, in `(0, pi)`.
-    HalfOpening,
-    /// `beta_r`, in `[0, alpha]`.
-    RotationJoint,
-    /// `beta_s`, in `[0, 1/2]`.
-    SlidingJoint,
-    /// `eta`, in `(0, 2]`.
-    Thickness,
-    /// `h`, in `[0, 1)`.
-    Thrust,
-    /// `mu`, in `[0, inf]`.
-    Friction,
-    /// `b0`, the hinge right of the crown of an asymmetric state, in `(-alpha, alpha)`.
-    CrownHinge,
-    /// `p`, the moment of the forces in the crown about the centre.
-    CrownMoment,
-    /// `v`, the vertical force in the crown.
-    VerticalForce,
+worded! {
+    /// A variable of the problem.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Unknown {
+        /// `alpha`, in `(0, pi)`.
+        HalfOpening = "half_opening",
+        /// `beta_r`, in `[0, alpha]`.
+        RotationJoint = "rotation_joint",
+        /// `beta_s`, in `[0, 1/2]`.
+        SlidingJoint = "sliding_joint",
+        /// `eta`, in `(0, 2]`.
+        Thickness = "thickness",
+        /// `h`, in `[0, 1)`.
+        Thrust = "thrust",
+        /// `mu`, in `[0, inf]`.
+        Friction = "friction",
+        /// `b0`, the hinge right of the crown of an asymmetric state, in `(-alpha, alpha)`.
+        CrownHinge = "crown_hinge",
+        /// `p`, the moment of the forces in the crown about the centre.
+        CrownMoment = "crown_moment",
+        /// `v`, the vertical force in the crown.
+        VerticalForce = "vertical_force",
+    }
+    /// All of them, in order.
+    pub const ALL;
+    /// The name used in files.
+    pub fn name -> &'static str;
 }
 
 impl Unknown {
-    /// The name used in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::HalfOpening => "half_opening",
-            Self::RotationJoint => "rotation_joint",
-            Self::SlidingJoint => "sliding_joint",
-            Self::Thickness => "thickness",
-            Self::Thrust => "thrust",
-            Self::Friction => "friction",
-            Self::CrownHinge => "crown_hinge",
-            Self::CrownMoment => "crown_moment",
-            Self::VerticalForce => "vertical_force",
-        }
-    }
-
     /// Tells whether the sine and cosine of the unknown are needed.
     pub fn is_angle(self) -> bool {
         matches!(

@@ -1,29 +1,12 @@
 //! Place where the self-weight of a thin slice of the arch acts: the two models, and Eq. (6).
 
-use crate::number::Field;
-use std::fmt;
-use std::str::FromStr;
+use crate::number::{Field, says};
 
 /// Reason why a text is no self-weight model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NoWeight;
 
-impl fmt::Display for NoWeight {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "a weight is one of {}", SelfWeight::ALL.map(SelfWeight::name).join(", "))
-    }
-}
-
-impl std::error::Error for NoWeight {}
-
-impl FromStr for SelfWeight {
-    type Err = NoWeight;
-
-    /// Reads what [`SelfWeight::named`] does.
-    fn from_str(text: &str) -> Result<Self, NoWeight> {
-        Self::named(text).ok_or(NoWeight)
-    }
-}
+says!(NoWeight { Self => "a weight is one of {}", SelfWeight::ALL.map(SelfWeight::name).join(", "); });
 
 /// The self-weight model, `delta_M` of the paper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

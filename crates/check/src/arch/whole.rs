@@ -36,7 +36,7 @@ pub struct Forces<T> {
 }
 
 /// A half of the arch.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Side {
     /// The side of the positive angles.
     Right,

@@ -31,7 +31,7 @@ pub enum Friction {
 /// assert!(Arch::parse("milankovitch", "180deg", "0.6").is_err(), "not below pi");
 /// assert!(std::collections::HashSet::from([arch.clone()]).contains(&arch));
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Arch {
     weight: SelfWeight,
     half_opening: ExactNumber,
@@ -183,6 +183,29 @@ impl Arch {
         Self::new(weight, half_opening.parse()?, friction.parse()?)
     }
 
+    /// An arch from doubles, each taken as the number that it is: a half opening in radians, and a friction coefficient,
+    /// of which an infinite one is unlimited friction. NaN is refused.
+    ///
+    /// ```
+    /// use couplet_check::arch::SelfWeight;
+    /// use couplet_check::problem::Arch;
+    /// let arch = Arch::from_doubles(SelfWeight::Heyman, 1.25, 0.5).unwrap();
+    /// assert_eq!(arch.to_string(), "heyman, half opening 5/4, friction 1/2");
+    /// assert!(!Arch::from_doubles(SelfWeight::Heyman, 1.3, f64::INFINITY).unwrap().is_limited());
+    /// assert!(Arch::from_doubles(SelfWeight::Heyman, f64::NAN, 0.5).is_err());
+    /// ```
+    pub fn from_doubles(
+        weight: SelfWeight,
+        half_opening: f64,
+        friction: f64,
+    ) -> Result<Self, ArchError> {
+        let friction = match friction {
+            f64::INFINITY => Friction::Infinite,
+            mu => Friction::Coefficient(mu.try_into()?),
+        };
+        Self::new(weight, half_opening.try_into()?, friction)
+    }
+
     /// Arch with the measures of this one and unlimited friction.
     pub fn unlimited(&self) -> Self {
         Self { friction: Friction::Infinite, ..self.clone() }
@@ -228,6 +251,13 @@ impl fmt::Display for Arch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { weight, half_opening, friction } = self;
         write!(f, "{}, half opening {half_opening}, friction {friction}", weight.name())
+    }
+}
+
+impl fmt::Debug for Arch {
+    /// The arch in a line.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
     }
 }
 

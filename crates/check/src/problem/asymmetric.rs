@@ -9,17 +9,19 @@ use crate::number::Field;
 /// The equations of a kind: its joints are at their limits.
 pub(super) fn system(mode: AsymmetricMode, weight: SelfWeight) -> System {
     use {Equation as E, Unknown as U};
+    // Without an inner joint that slides, all but the last.
+    const UNKNOWNS: &[U] = &[
+        U::Thrust,
+        U::CrownMoment,
+        U::VerticalForce,
+        U::Thickness,
+        U::CrownHinge,
+        U::RotationJoint,
+        U::SlidingJoint,
+    ];
     let (unknowns, equations): (&[U], &[E]) = match mode {
         AsymmetricMode::InnerSliding => (
-            &[
-                U::Thrust,
-                U::CrownMoment,
-                U::VerticalForce,
-                U::Thickness,
-                U::CrownHinge,
-                U::RotationJoint,
-                U::SlidingJoint,
-            ],
+            UNKNOWNS,
             &[
                 E::CrownHinge,
                 E::CrownTangency,
@@ -31,14 +33,6 @@ pub(super) fn system(mode: AsymmetricMode, weight: SelfWeight) -> System {
             ],
         ),
         AsymmetricMode::ShoulderOpening | AsymmetricMode::ShoulderSliding => {
-            let unknowns = &[
-                U::Thrust,
-                U::CrownMoment,
-                U::VerticalForce,
-                U::Thickness,
-                U::CrownHinge,
-                U::RotationJoint,
-            ];
             let [opening, alone]: [&[E]; 2] = [
                 &[
                     E::CrownHinge,
@@ -57,7 +51,7 @@ pub(super) fn system(mode: AsymmetricMode, weight: SelfWeight) -> System {
                     E::Fits,
                 ],
             ];
-            (unknowns, if mode == AsymmetricMode::ShoulderOpening { opening } else { alone })
+            (&UNKNOWNS[..6], if mode == AsymmetricMode::ShoulderOpening { opening } else { alone })
         }
     };
     System { weight, unknowns, equations, fixed: &[] }

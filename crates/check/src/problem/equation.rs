@@ -4,102 +4,62 @@
 use crate::arch::asymmetric::Asymmetric;
 use crate::arch::small::{self, Scaled};
 use crate::arch::{Configuration, Ring, SelfWeight, sliding, thrust};
-use crate::number::{Dual, Field};
+use crate::number::{Dual, Field, worded};
 
-/// An equation of a system, named by its number in the paper.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Equation {
-    /// (2).
-    LowerThrust,
-    /// (3).
-    UpperThrust,
-    /// (4).
-    WholeThrust,
-    /// (5).
-    Tangency,
-    /// (5) in the limit `beta_r -> 0`, where `beta cot(beta) = 1`.
-    TangencyAtCrown,
-    /// `d/d eta` of (2) = (5), cleared of denominators: with (2) and (5) themselves it says that
-    /// the thickness is a double root of the cubic (7), so that the radicand (12) is zero. The
-    /// radicand itself would make the Jacobian singular there; this keeps the root simple.
-    DoubleThickness,
-    /// (17).
-    ShoulderSliding,
-    /// (18), at the joint given by [`Equation::Steepest`].
-    InnerSliding,
-    /// `beta_s² = h (1 - h)`, the other half of (18).
-    Steepest,
-    /// The line of thrust meets the extrados at the hinge next to the crown. Like what follows of an
-    /// [asymmetric state](crate::arch::asymmetric).
-    CrownHinge,
-    /// The line of thrust touches the extrados there.
-    CrownTangency,
-    /// The line of thrust meets the intrados at the left haunch.
-    HaunchHinge,
-    /// The line of thrust touches the intrados there.
-    HaunchTangency,
-    /// The right shoulder is at its limit of friction.
-    ShoulderSlides,
-    /// An inner joint of the left half is at its limit of friction.
-    InnerSlides,
-    /// The inner joint is where friction is nearest to its limit.
-    InnerSteepest,
-    /// The line of thrust meets the extrados at the right shoulder.
-    ShoulderOpens,
-    /// The two hinges and the shoulder alone fit.
-    Fits,
+worded! {
+    /// An equation of a system, named by its number in the paper.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Equation {
+        /// (2).
+        LowerThrust = "(2)",
+        /// (3).
+        UpperThrust = "(3)",
+        /// (4).
+        WholeThrust = "(4)",
+        /// (5).
+        Tangency = "(5)",
+        /// (5) in the limit `beta_r -> 0`, where `beta cot(beta) = 1`.
+        TangencyAtCrown = "(5) at beta_r -> 0",
+        /// `d/d eta` of (2) = (5), cleared of denominators: with (2) and (5) themselves it says that
+        /// the thickness is a double root of the cubic (7), so that the radicand (12) is zero. The
+        /// radicand itself would make the Jacobian singular there; this keeps the root simple.
+        DoubleThickness = "d/d eta of (2) = (5)",
+        /// (17).
+        ShoulderSliding = "(17)",
+        /// (18), at the joint given by [`Equation::Steepest`].
+        InnerSliding = "(18)",
+        /// `beta_s² = h (1 - h)`, the other half of (18).
+        Steepest = "beta_s^2 = h (1 - h)",
+        /// The line of thrust meets the extrados at the hinge next to the crown. Like what follows of an
+        /// [asymmetric state](crate::arch::asymmetric).
+        CrownHinge = "E(b0) = 0",
+        /// The line of thrust touches the extrados there.
+        CrownTangency = "E'(b0) = 0",
+        /// The line of thrust meets the intrados at the left haunch.
+        HaunchHinge = "I(-b1) = 0",
+        /// The line of thrust touches the intrados there.
+        HaunchTangency = "I'(-b1) = 0",
+        /// The right shoulder is at its limit of friction.
+        ShoulderSlides = "O(alpha) = 0",
+        /// An inner joint of the left half is at its limit of friction.
+        InnerSlides = "O(-b2) = 0",
+        /// The inner joint is where friction is nearest to its limit.
+        InnerSteepest = "O'(-b2) = 0",
+        /// The line of thrust meets the extrados at the right shoulder.
+        ShoulderOpens = "E(alpha) = 0",
+        /// The two hinges and the shoulder alone fit.
+        Fits = "(2 - eta) cos(b1 + alpha) = (2 + eta) cos(alpha - b0)",
+    }
+    /// All equations, in the order of the paper; then those of asymmetric states.
+    pub const ALL;
+    /// The number in the paper, and what is special about it.
+    pub fn label -> &'static str;
 }
 
 impl Equation {
-    /// All equations, in the order of the paper; then those of asymmetric states.
-    pub const ALL: [Self; 18] = [
-        Self::LowerThrust,
-        Self::UpperThrust,
-        Self::WholeThrust,
-        Self::Tangency,
-        Self::TangencyAtCrown,
-        Self::DoubleThickness,
-        Self::ShoulderSliding,
-        Self::InnerSliding,
-        Self::Steepest,
-        Self::CrownHinge,
-        Self::CrownTangency,
-        Self::HaunchHinge,
-        Self::HaunchTangency,
-        Self::ShoulderSlides,
-        Self::InnerSlides,
-        Self::InnerSteepest,
-        Self::ShoulderOpens,
-        Self::Fits,
-    ];
-
     /// Tells whether the equation is one of the paper's, of half an arch.
     pub fn is_symmetric(self) -> bool {
         self as usize <= Self::Steepest as usize
-    }
-
-    /// The number in the paper, and what is special about it.
-    pub fn label(self) -> &'static str {
-        match self {
-            Self::LowerThrust => "(2)",
-            Self::UpperThrust => "(3)",
-            Self::WholeThrust => "(4)",
-            Self::Tangency => "(5)",
-            Self::TangencyAtCrown => "(5) at beta_r -> 0",
-            Self::DoubleThickness => "d/d eta of (2) = (5)",
-            Self::ShoulderSliding => "(17)",
-            Self::InnerSliding => "(18)",
-            Self::Steepest => "beta_s^2 = h (1 - h)",
-            Self::CrownHinge => "E(b0) = 0",
-            Self::CrownTangency => "E'(b0) = 0",
-            Self::HaunchHinge => "I(-b1) = 0",
-            Self::HaunchTangency => "I'(-b1) = 0",
-            Self::ShoulderSlides => "O(alpha) = 0",
-            Self::InnerSlides => "O(-b2) = 0",
-            Self::InnerSteepest => "O'(-b2) = 0",
-            Self::ShoulderOpens => "E(alpha) = 0",
-            Self::Fits => "(2 - eta) cos(b1 + alpha) = (2 + eta) cos(alpha - b0)",
-        }
     }
 
     /// The equation with its denominator cleared: zero where it holds.

@@ -4,7 +4,7 @@ use crate::arch::whole::Side;
 use crate::number::{Angle, Field, Real};
 
 /// States that are looked at.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Extent {
     /// The whole arch, with a vertical force in the crown.
     Whole,

@@ -29,109 +29,57 @@
 
 use super::{Condition, Equation, Fixed, Mode, System};
 use crate::arch::{SelfWeight, Unknown};
-use std::fmt;
+use crate::number::{says, worded};
 use std::iter;
-use std::str::FromStr;
 
 /// Reason why a text is no landmark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NoLandmark;
 
-impl fmt::Display for NoLandmark {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [symbols, names] =
-            [Landmark::symbol, Landmark::long_name].map(|name| Landmark::ALL.map(name).join(", "));
-        write!(f, "a landmark is one of {symbols}, or {names}")
+says!(NoLandmark {
+    Self => "a landmark is one of {}, or {}",
+        Landmark::ALL.map(Landmark::symbol).join(", "), Landmark::ALL.map(Landmark::long_name).join(", ");
+});
+
+worded! {
+    /// A landmark point.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+    pub enum Landmark {
+        /// `T`: four collapse modes meet.
+        Triple = ["T", "triple point", "triple"],
+        /// `S`: the rotational and the sliding joint coincide.
+        Shift = ["S", "shift point", "shift"],
+        /// `J`: the rotational joint reaches the crown.
+        Junction = ["J", "junction point", "junction"],
+        /// `B`: the physical limit `eta = 2` is reached.
+        Border = ["B", "border point", "border"],
+        /// `l`: the end of the purely rotational states.
+        RotationEnd = ["l", "end of rotation", "rotation-end"],
+        /// `L`: the end of the purely overturning states.
+        OverturningEnd = ["L", "end of overturning", "overturning-end"],
+        /// `sb`: the rotational joint is widest.
+        WidestJoint = ["sb", "widest rotational joint", "widest-joint"],
     }
-}
-
-impl std::error::Error for NoLandmark {}
-
-impl FromStr for Landmark {
-    type Err = NoLandmark;
-
-    /// Reads what [`Landmark::named`] does.
-    ///
-    /// ```
-    /// use couplet_check::problem::Landmark;
-    /// assert_eq!("T".parse(), Ok(Landmark::Triple));
-    /// assert_eq!("rotation-end".parse(), Ok(Landmark::RotationEnd));
-    /// let error = "X".parse::<Landmark>().unwrap_err();
-    /// assert!(error.to_string().starts_with("a landmark is one of T, S, J, B, l, L, sb, or triple"));
-    /// ```
-    fn from_str(text: &str) -> Result<Self, NoLandmark> {
-        Self::named(text).ok_or(NoLandmark)
-    }
-}
-
-/// A landmark point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Landmark {
-    /// `T`: four collapse modes meet.
-    Triple,
-    /// `S`: the rotational and the sliding joint coincide.
-    Shift,
-    /// `J`: the rotational joint reaches the crown.
-    Junction,
-    /// `B`: the physical limit `eta = 2` is reached.
-    Border,
-    /// `l`: the end of the purely rotational states.
-    RotationEnd,
-    /// `L`: the end of the purely overturning states.
-    OverturningEnd,
-    /// `sb`: the rotational joint is widest.
-    WidestJoint,
+    /// All landmarks in the order in which they are shown.
+    pub const ALL;
+    /// Symbol, name to show, and name to type.
+    fn names -> [&'static str; 3];
 }
 
 impl Landmark {
-    /// All landmarks in the order in which they are shown.
-    pub const ALL: [Self; 7] = [
-        Self::Triple,
-        Self::Shift,
-        Self::Junction,
-        Self::Border,
-        Self::RotationEnd,
-        Self::OverturningEnd,
-        Self::WidestJoint,
-    ];
-
     /// The symbol used on the command line and in files; `l` and `L` differ.
     pub fn symbol(self) -> &'static str {
-        match self {
-            Self::Triple => "T",
-            Self::Shift => "S",
-            Self::Junction => "J",
-            Self::Border => "B",
-            Self::RotationEnd => "l",
-            Self::OverturningEnd => "L",
-            Self::WidestJoint => "sb",
-        }
+        self.names()[0]
     }
 
     /// A name to show.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Triple => "triple point",
-            Self::Shift => "shift point",
-            Self::Junction => "junction point",
-            Self::Border => "border point",
-            Self::RotationEnd => "end of rotation",
-            Self::OverturningEnd => "end of overturning",
-            Self::WidestJoint => "widest rotational joint",
-        }
+        self.names()[1]
     }
 
     /// A name to type: the symbols `l` and `L` are easily confused.
     pub fn long_name(self) -> &'static str {
-        match self {
-            Self::Triple => "triple",
-            Self::Shift => "shift",
-            Self::Junction => "junction",
-            Self::Border => "border",
-            Self::RotationEnd => "rotation-end",
-            Self::OverturningEnd => "overturning-end",
-            Self::WidestJoint => "widest-joint",
-        }
+        self.names()[2]
     }
 
     /// The landmark of a symbol or of a long name, whose case does not matter.
@@ -160,71 +108,52 @@ impl Landmark {
 
     /// The system whose root the landmark is.
     pub fn system(self, weight: SelfWeight) -> System {
-        use {Equation as E, Fixed as F, Unknown as U};
-        let unlimited: &[(U, F)] = &[
-            (U::Thrust, F::Integer(0)),
-            (U::RotationJoint, F::Integer(0)),
-            (U::SlidingJoint, F::Integer(0)),
-            (U::Friction, F::Infinite),
+        use {Equation::*, Fixed::*, Unknown::*};
+        let unlimited: &[(Unknown, Fixed)] = &[
+            (Thrust, Integer(0)),
+            (RotationJoint, Integer(0)),
+            (SlidingJoint, Integer(0)),
+            (Friction, Infinite),
         ];
-        let (unknowns, equations, fixed): (&[U], &[E], &[(U, F)]) = match self {
+        type Parts<'a> = (&'a [Unknown], &'a [Equation], &'a [(Unknown, Fixed)]);
+        let (unknowns, equations, fixed): Parts = match self {
             Self::Triple => (
-                &[
-                    U::HalfOpening,
-                    U::RotationJoint,
-                    U::SlidingJoint,
-                    U::Thickness,
-                    U::Thrust,
-                    U::Friction,
-                ],
-                &[
-                    E::LowerThrust,
-                    E::WholeThrust,
-                    E::Tangency,
-                    E::ShoulderSliding,
-                    E::InnerSliding,
-                    E::Steepest,
-                ],
+                &[HalfOpening, RotationJoint, SlidingJoint, Thickness, Thrust, Friction],
+                &[LowerThrust, WholeThrust, Tangency, ShoulderSliding, InnerSliding, Steepest],
                 &[],
             ),
             Self::Shift => (
-                &[U::HalfOpening, U::SlidingJoint, U::Thickness, U::Thrust, U::Friction],
-                &[E::UpperThrust, E::Tangency, E::ShoulderSliding, E::InnerSliding, E::Steepest],
-                &[(U::RotationJoint, F::SameAs(U::SlidingJoint))],
+                &[HalfOpening, SlidingJoint, Thickness, Thrust, Friction],
+                &[UpperThrust, Tangency, ShoulderSliding, InnerSliding, Steepest],
+                &[(RotationJoint, SameAs(SlidingJoint))],
             ),
             Self::Junction => (
-                &[U::HalfOpening, U::SlidingJoint, U::Thickness, U::Thrust, U::Friction],
-                &[
-                    E::UpperThrust,
-                    E::TangencyAtCrown,
-                    E::ShoulderSliding,
-                    E::InnerSliding,
-                    E::Steepest,
-                ],
-                &[(U::RotationJoint, F::Integer(0))],
+                &[HalfOpening, SlidingJoint, Thickness, Thrust, Friction],
+                &[UpperThrust, TangencyAtCrown, ShoulderSliding, InnerSliding, Steepest],
+                &[(RotationJoint, Integer(0))],
             ),
             Self::Border => (
-                &[U::HalfOpening, U::SlidingJoint, U::Thrust, U::Friction],
-                &[E::UpperThrust, E::ShoulderSliding, E::InnerSliding, E::Steepest],
-                &[(U::RotationJoint, F::Integer(0)), (U::Thickness, F::Integer(2))],
+                &[HalfOpening, SlidingJoint, Thrust, Friction],
+                &[UpperThrust, ShoulderSliding, InnerSliding, Steepest],
+                &[(RotationJoint, Integer(0)), (Thickness, Integer(2))],
             ),
             Self::RotationEnd => {
-                (&[U::HalfOpening, U::Thickness], &[E::WholeThrust, E::TangencyAtCrown], unlimited)
+                (&[HalfOpening, Thickness], &[WholeThrust, TangencyAtCrown], unlimited)
             }
             Self::OverturningEnd => (
-                &[U::HalfOpening],
-                &[E::WholeThrust],
+                &[HalfOpening],
+                &[WholeThrust],
                 &[
-                    (U::Thickness, F::Integer(2)),
-                    (U::Thrust, F::Integer(0)),
-                    (U::RotationJoint, F::Integer(0)),
-                    (U::SlidingJoint, F::Integer(0)),
-                    (U::Friction, F::Infinite),
+                    (Thickness, Integer(2)),
+                    (Thrust, Integer(0)),
+                    (RotationJoint, Integer(0)),
+                    (SlidingJoint, Integer(0)),
+                    (Friction, Infinite),
                 ],
             ),
             Self::WidestJoint => (
-                &[U::HalfOpening, U::RotationJoint, U::Thickness, U::Thrust],
-                &[E::LowerThrust, E::WholeThrust, E::Tangency, E::DoubleThickness],
+                &[HalfOpening, RotationJoint, Thickness, Thrust],
+                &[LowerThrust, WholeThrust, Tangency, DoubleThickness],
                 &[],
             ),
         };

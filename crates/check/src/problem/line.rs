@@ -13,63 +13,43 @@
 //! A line has one unknown more than equations: at a half opening the friction is solved for, at a friction
 //! the half opening.
 
+use super::Mode::*;
 use super::{Condition, Equation, Fixed, Landmark, Mode, System};
 use crate::arch::{SelfWeight, Unknown};
-use crate::number::says;
+use crate::number::{says, worded};
 use std::fmt;
 
 /// Unknowns that are solved for, with the half opening and with the friction.
 type Unknowns = [&'static [Unknown]; 2];
 
-/// A line of the map.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Line {
-    /// `[r,r,r]/[s,r,r]`: the shoulder begins to slide.
-    RotationShoulder,
-    /// `[r,r,r]/[r,r,s]`: an inner joint begins to slide.
-    RotationInner,
-    /// `[s,r,r]/[s,s]`: nothing stands below.
-    ShoulderEnd,
-    /// `[r,r,s]/[s,s]`: nothing stands below.
-    AboveHaunchEnd,
-    /// `[r,s,r]/[s,s]`: nothing stands below.
-    BelowHaunchEnd,
-    /// `[r,s]/[s,s]`: nothing stands below.
-    CrownEnd,
-    /// `[r,r,s]/[r,s,r]`: the rotational and the sliding joint coincide.
-    Joints,
-    /// `[r,s,r]/[r,s]`: the rotational joint reaches the crown.
-    Crown,
+worded! {
+    /// A line of the map.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Line {
+        /// `[r,r,r]/[s,r,r]`: the shoulder begins to slide.
+        RotationShoulder = [Rotational, SlidingRotational],
+        /// `[r,r,r]/[r,r,s]`: an inner joint begins to slide.
+        RotationInner = [Rotational, RotationalSliding],
+        /// `[s,r,r]/[s,s]`: nothing stands below.
+        ShoulderEnd = [SlidingRotational, Sliding],
+        /// `[r,r,s]/[s,s]`: nothing stands below.
+        AboveHaunchEnd = [RotationalSliding, Sliding],
+        /// `[r,s,r]/[s,s]`: nothing stands below.
+        BelowHaunchEnd = [RotationalSlidingRotational, Sliding],
+        /// `[r,s]/[s,s]`: nothing stands below.
+        CrownEnd = [OverturningSliding, Sliding],
+        /// `[r,r,s]/[r,s,r]`: the rotational and the sliding joint coincide.
+        Joints = [RotationalSliding, RotationalSlidingRotational],
+        /// `[r,s,r]/[r,s]`: the rotational joint reaches the crown.
+        Crown = [RotationalSlidingRotational, OverturningSliding],
+    }
+    /// All lines.
+    pub const ALL;
+    /// The modes on its two sides: the first where there is more friction, or the narrower half opening.
+    pub fn modes -> [Mode; 2];
 }
 
 impl Line {
-    /// All lines.
-    pub const ALL: [Self; 8] = [
-        Self::RotationShoulder,
-        Self::RotationInner,
-        Self::ShoulderEnd,
-        Self::AboveHaunchEnd,
-        Self::BelowHaunchEnd,
-        Self::CrownEnd,
-        Self::Joints,
-        Self::Crown,
-    ];
-
-    /// The modes on its two sides: the first where there is more friction, or the narrower half opening.
-    pub fn modes(self) -> [Mode; 2] {
-        use Mode::*;
-        match self {
-            Self::RotationShoulder => [Rotational, SlidingRotational],
-            Self::RotationInner => [Rotational, RotationalSliding],
-            Self::ShoulderEnd => [SlidingRotational, Sliding],
-            Self::AboveHaunchEnd => [RotationalSliding, Sliding],
-            Self::BelowHaunchEnd => [RotationalSlidingRotational, Sliding],
-            Self::CrownEnd => [OverturningSliding, Sliding],
-            Self::Joints => [RotationalSliding, RotationalSlidingRotational],
-            Self::Crown => [RotationalSlidingRotational, OverturningSliding],
-        }
-    }
-
     /// The landmarks between which the line runs; some begin where the half opening is zero.
     pub fn ends(self) -> [Option<Landmark>; 2] {
         use Landmark::*;

@@ -16,34 +16,40 @@
 //!
 //! Everything given is rational, and so is `eta`. A span is measured at the intrados unless another circle is named.
 
-use crate::number::{Engine, ExactNumber, Form, says, shown};
+use crate::number::{Engine, ExactNumber, Form, says, shown, worded};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use std::fmt;
 use std::str::FromStr;
 
-/// The circle at which an arch is measured.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Circle {
-    /// The inner face: the clear span.
-    #[default]
-    Intrados,
-    /// The circle half a thickness from both faces: the radius `r` of the paper.
-    Centreline,
-    /// The outer face.
-    Extrados,
+worded! {
+    /// The circle at which an arch is measured.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+    pub enum Circle {
+        /// The inner face: the clear span.
+        #[default]
+        Intrados = "intrados",
+        /// The circle half a thickness from both faces: the radius `r` of the paper.
+        Centreline = "centreline",
+        /// The outer face.
+        Extrados = "extrados",
+    }
+    /// All of them, in order.
+    pub const ALL;
+    /// Name of the circle in files and on the command line.
+    pub fn name -> &'static str;
 }
 
 /// A length above zero, in metres.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Length(BigRational);
 
 /// The weight of a volume, in kN/m³, above zero.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct UnitWeight(BigRational);
 
 /// The size of an arch.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Measures {
     circle: Circle,
     radius: Length,
@@ -156,15 +162,6 @@ impl fmt::Display for Length {
 }
 
 impl Circle {
-    /// Name of the circle in files and on the command line.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Intrados => "intrados",
-            Self::Centreline => "centreline",
-            Self::Extrados => "extrados",
-        }
-    }
-
     /// Half thicknesses from it to the centreline, outwards.
     const fn to_centreline(self) -> i32 {
         match self {

@@ -19,6 +19,7 @@
 //! | `condition` | what makes a state admissible, and the thinnest |
 //! | `examined`, `examined_small` | how much a state has to spare of each |
 //! | `quantity`, `known` | what can be asked of a landmark or a state, and what is known of it |
+//! | `named` | what has a name as its name, an arch as its texts |
 //! | [`tally`] | counters of evaluations |
 //!
 //! Nothing here searches or proves; it is pure Rust.
@@ -37,6 +38,7 @@ mod landmark;
 mod line;
 pub mod measures;
 mod mode;
+mod named;
 #[allow(clippy::module_inception, reason = "the room is named after its statement")]
 mod problem;
 mod quantity;
@@ -62,6 +64,7 @@ pub use known::Known;
 pub use landmark::{Landmark, NoLandmark};
 pub use line::{Line, NoLine, Sought};
 pub use mode::Mode;
+pub use named::{NoMode, NoQuantity};
 pub use problem::Problem;
 pub use quantity::Quantity;
 pub use slope::{Slope, SlopeError};

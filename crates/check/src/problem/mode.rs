@@ -3,54 +3,35 @@
 use super::{Equation, Fixed, System};
 use crate::arch::mechanism::{self, Mechanism};
 use crate::arch::{Configuration, SelfWeight, Unknown};
-use crate::number::{Angle, Field, Real};
-use std::fmt;
+use crate::number::{Angle, Field, Real, worded};
 
-/// A collapse mode of the half arch.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Mode {
-    /// `[r,r,r]`: hinges at the shoulder, at the haunch and at the crown.
-    Rotational,
-    /// `[s,r,r]`: the shoulder slides, the haunch and the crown open.
-    SlidingRotational,
-    /// `[r,r,s]`: shoulder and haunch open, a joint above the haunch slides; `beta_r > beta_s`.
-    RotationalSliding,
-    /// `[r,s,r]`: the same with the sliding joint below the rotational one; `beta_r < beta_s`.
-    RotationalSlidingRotational,
-    /// `[r,s]`: the half arch turns about the shoulder with the crown's intrados as its other hinge,
-    /// and a joint slides; `beta_r = 0`.
-    OverturningSliding,
-    /// `[r]`: the half arch turns about the shoulder, without thrust, at unlimited friction.
-    Overturning,
-    /// `[s,s]`: the shoulder and an inner joint slide, whatever the thickness.
-    Sliding,
+worded! {
+    /// A collapse mode of the half arch.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Mode {
+        /// `[r,r,r]`: hinges at the shoulder, at the haunch and at the crown.
+        Rotational = "[r,r,r]",
+        /// `[s,r,r]`: the shoulder slides, the haunch and the crown open.
+        SlidingRotational = "[s,r,r]",
+        /// `[r,r,s]`: shoulder and haunch open, a joint above the haunch slides; `beta_r > beta_s`.
+        RotationalSliding = "[r,r,s]",
+        /// `[r,s,r]`: the same with the sliding joint below the rotational one; `beta_r < beta_s`.
+        RotationalSlidingRotational = "[r,s,r]",
+        /// `[r,s]`: the half arch turns about the shoulder with the crown's intrados as its other hinge,
+        /// and a joint slides; `beta_r = 0`.
+        OverturningSliding = "[r,s]",
+        /// `[r]`: the half arch turns about the shoulder, without thrust, at unlimited friction.
+        Overturning = "[r]",
+        /// `[s,s]`: the shoulder and an inner joint slide, whatever the thickness.
+        Sliding = "[s,s]",
+    }
+    /// All modes.
+    pub const ALL;
+    /// The joints from the shoulder, rotational or sliding, as the paper writes them.
+    pub fn label -> &'static str;
 }
 
 impl Mode {
-    /// All modes.
-    pub const ALL: [Self; 7] = [
-        Self::Rotational,
-        Self::SlidingRotational,
-        Self::RotationalSliding,
-        Self::RotationalSlidingRotational,
-        Self::OverturningSliding,
-        Self::Overturning,
-        Self::Sliding,
-    ];
-
-    /// The joints from the shoulder, rotational or sliding, as the paper writes them.
-    pub fn label(self) -> &'static str {
-        match self {
-            Self::Rotational => "[r,r,r]",
-            Self::SlidingRotational => "[s,r,r]",
-            Self::RotationalSliding => "[r,r,s]",
-            Self::RotationalSlidingRotational => "[r,s,r]",
-            Self::OverturningSliding => "[r,s]",
-            Self::Overturning => "[r]",
-            Self::Sliding => "[s,s]",
-        }
-    }
-
     /// The mode of a label, by its letters: brackets, commas, spaces, hyphens and the case do not matter.
     pub fn named(text: &str) -> Option<Self> {
         let letters = |text: &str| -> String {
@@ -183,9 +164,3 @@ const _: () = match Mode::Rotational {
     | Mode::Overturning
     | Mode::Sliding => assert!(Mode::ALL.len() == 7),
 };
-
-impl fmt::Display for Mode {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.label())
-    }
-}

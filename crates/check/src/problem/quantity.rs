@@ -1,96 +1,104 @@
 //! Quantities of a landmark, of a state and of an arch of a given thickness: one vocabulary.
 
 use crate::arch::Unknown;
+use crate::number::worded;
 
-/// A quantity of a landmark, of a state, or of an arch of a given thickness.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Quantity {
-    /// `eta = t/r`, thickness over centreline radius.
-    Thickness,
-    /// `mu`, the friction coefficient.
-    Friction,
-    /// `phi = atan(mu)`, rad.
-    FrictionAngle,
-    /// `phi` in degrees.
-    FrictionAngleDegrees,
-    /// `alpha`, the half-angle of embrace, rad.
-    HalfOpening,
-    /// `alpha` in degrees.
-    HalfOpeningDegrees,
-    /// `h = H/(w r)`, the horizontal thrust.
-    Thrust,
-    /// `eta h = H/(gamma d r²)`, the intrinsic thrust.
-    IntrinsicThrust,
-    /// `beta_r`, the inner rotational joint, rad from the crown.
-    RotationJoint,
-    /// `beta_r` in degrees.
-    RotationJointDegrees,
-    /// `beta_s`, the inner sliding joint, rad from the crown; a mode without one has none.
-    SlidingJoint,
-    /// `beta_s` in degrees.
-    SlidingJointDegrees,
-    /// `A = alpha cot(alpha/2)`.
-    OpeningVariable,
-    /// `p`, the moment of the forces in the crown about the centre. Like what follows of an asymmetric solution of
-    /// (19).
-    CrownMoment,
-    /// `v`, the vertical force in the crown.
-    VerticalForce,
-    /// `b0`, the hinge right of the crown, rad from there.
-    CrownHinge,
-    /// `b0` in degrees.
-    CrownHingeDegrees,
-    /// The slip of the shoulder where the hinge next to the crown turns by one.
-    ShoulderSlip,
-    /// The opening of the shoulder then.
-    ShoulderOpening,
-    /// The slip of the inner joint then.
-    InnerSlip,
-    /// The power of the weight then, which is that of friction.
-    Power,
-    /// The friction below which no arch of this half opening stands.
-    SlidingFriction,
-    /// The friction from which collapse is purely rotational; infinite where none is enough.
-    RotationalFriction,
-    /// The largest thickness of an asymmetric solution of (19) that is found for an arch that stands.
-    AsymmetricThickness,
-    /// The least thickness at which an arch stands.
-    LeastThickness,
-    /// The thickness over the least thickness.
-    GeometricSafety,
-    /// The least friction with which an arch of given thickness stands.
-    RequiredFriction,
-    /// The friction over the required one.
-    FrictionSafety,
-    /// The least admissible thrust.
-    LeastThrust,
-    /// The joint that limits it, rad.
-    LeastThrustJoint,
-    /// The largest admissible thrust; infinite where it has no bound.
-    LargestThrust,
-    /// The joint that limits it, rad.
-    LargestThrustJoint,
-    /// The span of the circle that is measured, m.
-    Span,
-    /// The rise of that circle, m.
-    Rise,
-    /// The radius of the centreline, m.
-    Radius,
-    /// The thickness that an arch has, m.
-    GivenThicknessInMetres,
-    /// The thickness that an arch has, over the radius of the centreline.
-    GivenThickness,
-    /// The least thickness, m.
-    ThicknessInMetres,
-    /// The weight of the whole arch, kN.
-    Weight,
-    /// The horizontal thrust, kN.
-    Force,
-    /// The least admissible one, kN.
-    LeastForce,
-    /// The largest admissible one, kN; infinite where it has no bound.
-    LargestForce,
+worded! {
+    /// A quantity of a landmark, of a state, or of an arch of a given thickness.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+    pub enum Quantity {
+        /// `eta = t/r`, thickness over centreline radius.
+        Thickness = row("thickness", "eta = t/r", r"$\eta = t/r$"),
+        /// `mu`, the friction coefficient.
+        Friction = row("friction", "mu", r"$\mu$"),
+        /// `phi = atan(mu)`, rad.
+        FrictionAngle = row("friction_angle", "phi, rad", r"$\varphi$, rad"),
+        /// `phi` in degrees.
+        FrictionAngleDegrees = row("friction_angle_degrees", "phi, deg", r"$\varphi$, deg"),
+        /// `alpha`, the half-angle of embrace, rad.
+        HalfOpening = row("half_opening", "alpha, rad", r"$\alpha$, rad"),
+        /// `alpha` in degrees.
+        HalfOpeningDegrees = row("half_opening_degrees", "alpha, deg", r"$\alpha$, deg"),
+        /// `h = H/(w r)`, the horizontal thrust.
+        Thrust = row("thrust", "h = H/(w r)", r"$h = H/(w r)$"),
+        /// `eta h = H/(gamma d r²)`, the intrinsic thrust.
+        IntrinsicThrust = row("intrinsic_thrust", "eta h", r"$\eta h$"),
+        /// `beta_r`, the inner rotational joint, rad from the crown.
+        RotationJoint = row("rotation_joint", "beta_r, rad", r"$\beta_r$, rad"),
+        /// `beta_r` in degrees.
+        RotationJointDegrees = row("rotation_joint_degrees", "beta_r, deg", r"$\beta_r$, deg"),
+        /// `beta_s`, the inner sliding joint, rad from the crown; a mode without one has none.
+        SlidingJoint = row("sliding_joint", "beta_s, rad", r"$\beta_s$, rad"),
+        /// `beta_s` in degrees.
+        SlidingJointDegrees = row("sliding_joint_degrees", "beta_s, deg", r"$\beta_s$, deg"),
+        /// `A = alpha cot(alpha/2)`.
+        OpeningVariable = row("A", "alpha cot(alpha/2)", r"$A = \alpha \cot(\alpha/2)$"),
+        /// `p`, the moment of the forces in the crown about the centre. Like what follows of an asymmetric solution of
+        /// (19).
+        CrownMoment = row("crown_moment", "p", r"$p$"),
+        /// `v`, the vertical force in the crown.
+        VerticalForce = row("vertical_force", "v", r"$v$"),
+        /// `b0`, the hinge right of the crown, rad from there.
+        CrownHinge = row("crown_hinge", "b0, rad", r"$b_0$, rad"),
+        /// `b0` in degrees.
+        CrownHingeDegrees = row("crown_hinge_degrees", "b0, deg", r"$b_0$, deg"),
+        /// The slip of the shoulder where the hinge next to the crown turns by one.
+        ShoulderSlip = row("shoulder_slip", "slip of the shoulder", "slip of the shoulder"),
+        /// The opening of the shoulder then.
+        ShoulderOpening = row("shoulder_opening", "opening of the shoulder", "opening of the shoulder"),
+        /// The slip of the inner joint then.
+        InnerSlip = row("inner_slip", "slip of the inner joint", "slip of the inner joint"),
+        /// The power of the weight then, which is that of friction.
+        Power = row("power", "w r", r"$w r$"),
+        /// The friction below which no arch of this half opening stands.
+        SlidingFriction = row("sliding_friction", "mu at pure sliding", r"$\mu$ at pure sliding"),
+        /// The friction from which collapse is purely rotational; infinite where none is enough.
+        RotationalFriction =
+            row("rotational_friction", "mu from which nothing slides", r"$\mu$ from which nothing slides"),
+        /// The largest thickness of an asymmetric solution of (19) that is found for an arch that stands.
+        AsymmetricThickness = row("asymmetric_thickness", "eta of (19)", r"$\eta$ of (19)"),
+        /// The least thickness at which an arch stands.
+        LeastThickness = row("least_thickness", "least eta", r"least $\eta$"),
+        /// The thickness over the least thickness.
+        GeometricSafety = row("geometric_safety", "eta over least eta", r"$\eta$ over least $\eta$"),
+        /// The least friction with which an arch of given thickness stands.
+        RequiredFriction = row("required_friction", "least mu", r"least $\mu$"),
+        /// The friction over the required one.
+        FrictionSafety = row("friction_safety", "mu over least mu", r"$\mu$ over least $\mu$"),
+        /// The least admissible thrust.
+        LeastThrust = row("least_thrust", "least h", r"least $h$"),
+        /// The joint that limits it, rad.
+        LeastThrustJoint = row("least_thrust_joint", "its joint, rad", "its joint, rad"),
+        /// The largest admissible thrust; infinite where it has no bound.
+        LargestThrust = row("largest_thrust", "largest h", r"largest $h$"),
+        /// The joint that limits it, rad.
+        LargestThrustJoint = row("largest_thrust_joint", "its joint, rad", "its joint, rad"),
+        /// The span of the circle that is measured, m.
+        Span = row("span_m", "span, m", "span, m"),
+        /// The rise of that circle, m.
+        Rise = row("rise_m", "rise, m", "rise, m"),
+        /// The radius of the centreline, m.
+        Radius = row("radius_m", "r, m", r"$r$, m"),
+        /// The thickness that an arch has, m.
+        GivenThicknessInMetres = row("thickness_m", "t, m", r"$t$, m"),
+        /// The thickness that an arch has, over the radius of the centreline.
+        GivenThickness = row("thickness_ratio", "t/r", "$t/r$"),
+        /// The least thickness, m.
+        ThicknessInMetres = row("least_thickness_m", "least t, m", r"least $t$, m"),
+        /// The weight of the whole arch, kN.
+        Weight = row("weight_kn", "2 w r alpha, kN", r"$2 w r \alpha$, kN"),
+        /// The horizontal thrust, kN.
+        Force = row("thrust_kn", "H, kN", r"$H$, kN"),
+        /// The least admissible one, kN.
+        LeastForce = row("least_thrust_kn", "least H, kN", r"least $H$, kN"),
+        /// The largest admissible one, kN; infinite where it has no bound.
+        LargestForce = row("largest_thrust_kn", "largest H, kN", r"largest $H$, kN"),
+    }
+    /// All of them, in order.
+    pub const ALL;
+    /// The one place where a quantity gets its names.
+    fn row -> QuantityNames;
 }
 
 /// Names of a quantity.
@@ -210,80 +218,6 @@ impl Quantity {
         Self::LeastForce,
         Self::LargestForce,
     ];
-
-    /// The one place where a quantity gets its names.
-    const fn row(self) -> QuantityNames {
-        match self {
-            Self::Thickness => row("thickness", "eta = t/r", r"$\eta = t/r$"),
-            Self::Friction => row("friction", "mu", r"$\mu$"),
-            Self::FrictionAngle => row("friction_angle", "phi, rad", r"$\varphi$, rad"),
-            Self::FrictionAngleDegrees => {
-                row("friction_angle_degrees", "phi, deg", r"$\varphi$, deg")
-            }
-            Self::HalfOpening => row("half_opening", "alpha, rad", r"$\alpha$, rad"),
-            Self::HalfOpeningDegrees => row("half_opening_degrees", "alpha, deg", r"$\alpha$, deg"),
-            Self::Thrust => row("thrust", "h = H/(w r)", r"$h = H/(w r)$"),
-            Self::IntrinsicThrust => row("intrinsic_thrust", "eta h", r"$\eta h$"),
-            Self::RotationJoint => row("rotation_joint", "beta_r, rad", r"$\beta_r$, rad"),
-            Self::RotationJointDegrees => {
-                row("rotation_joint_degrees", "beta_r, deg", r"$\beta_r$, deg")
-            }
-            Self::SlidingJoint => row("sliding_joint", "beta_s, rad", r"$\beta_s$, rad"),
-            Self::SlidingJointDegrees => {
-                row("sliding_joint_degrees", "beta_s, deg", r"$\beta_s$, deg")
-            }
-            Self::OpeningVariable => row("A", "alpha cot(alpha/2)", r"$A = \alpha \cot(\alpha/2)$"),
-            Self::CrownMoment => row("crown_moment", "p", r"$p$"),
-            Self::VerticalForce => row("vertical_force", "v", r"$v$"),
-            Self::CrownHinge => row("crown_hinge", "b0, rad", r"$b_0$, rad"),
-            Self::CrownHingeDegrees => row("crown_hinge_degrees", "b0, deg", r"$b_0$, deg"),
-            Self::ShoulderSlip => {
-                row("shoulder_slip", "slip of the shoulder", "slip of the shoulder")
-            }
-            Self::ShoulderOpening => {
-                row("shoulder_opening", "opening of the shoulder", "opening of the shoulder")
-            }
-            Self::InnerSlip => {
-                row("inner_slip", "slip of the inner joint", "slip of the inner joint")
-            }
-            Self::Power => row("power", "w r", r"$w r$"),
-            Self::SlidingFriction => {
-                row("sliding_friction", "mu at pure sliding", r"$\mu$ at pure sliding")
-            }
-            Self::RotationalFriction => row(
-                "rotational_friction",
-                "mu from which nothing slides",
-                r"$\mu$ from which nothing slides",
-            ),
-            Self::AsymmetricThickness => {
-                row("asymmetric_thickness", "eta of (19)", r"$\eta$ of (19)")
-            }
-            Self::LeastThickness => row("least_thickness", "least eta", r"least $\eta$"),
-            Self::GeometricSafety => {
-                row("geometric_safety", "eta over least eta", r"$\eta$ over least $\eta$")
-            }
-            Self::RequiredFriction => row("required_friction", "least mu", r"least $\mu$"),
-            Self::FrictionSafety => {
-                row("friction_safety", "mu over least mu", r"$\mu$ over least $\mu$")
-            }
-            Self::LeastThrust => row("least_thrust", "least h", r"least $h$"),
-            Self::LeastThrustJoint => row("least_thrust_joint", "its joint, rad", "its joint, rad"),
-            Self::LargestThrust => row("largest_thrust", "largest h", r"largest $h$"),
-            Self::LargestThrustJoint => {
-                row("largest_thrust_joint", "its joint, rad", "its joint, rad")
-            }
-            Self::Span => row("span_m", "span, m", "span, m"),
-            Self::Rise => row("rise_m", "rise, m", "rise, m"),
-            Self::GivenThicknessInMetres => row("thickness_m", "t, m", r"$t$, m"),
-            Self::GivenThickness => row("thickness_ratio", "t/r", "$t/r$"),
-            Self::Radius => row("radius_m", "r, m", r"$r$, m"),
-            Self::ThicknessInMetres => row("least_thickness_m", "least t, m", r"least $t$, m"),
-            Self::Weight => row("weight_kn", "2 w r alpha, kN", r"$2 w r \alpha$, kN"),
-            Self::Force => row("thrust_kn", "H, kN", r"$H$, kN"),
-            Self::LeastForce => row("least_thrust_kn", "least H, kN", r"least $H$, kN"),
-            Self::LargestForce => row("largest_thrust_kn", "largest H, kN", r"largest $H$, kN"),
-        }
-    }
 
     /// The name used in files and on the command line; stable, and an identifier in every language.
     pub const fn name(self) -> &'static str {

@@ -17,7 +17,7 @@ use std::str::FromStr;
 pub struct Slope(Friction);
 
 /// Why a slope is refused.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum SlopeError {
     /// A text is neither a ratio nor an angle.

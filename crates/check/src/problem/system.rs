@@ -6,7 +6,7 @@ use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::number::{Angle, Dual, Field, Real};
 
 /// Fixed value of a variable that a system does not solve for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Fixed {
     /// An exact value; for an angle it is zero.
     Integer(i32),

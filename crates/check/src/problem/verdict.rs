@@ -20,7 +20,7 @@
 use super::{Arch, Condition, Equation, Fixed, Landmark, Mode, Quantity, System};
 use super::{inward_friction, room_for_steepest};
 use crate::arch::{Configuration, SelfWeight, Unknown, contact};
-use crate::number::{Dyadic, Engine, ExactNumber, Ternary};
+use crate::number::{Dyadic, Engine, ExactNumber, Ternary, worded};
 
 /// A verdict on an arch.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -55,29 +55,21 @@ pub struct Standing {
     pub nearest: Nearest,
 }
 
-/// Place where a line of thrust comes nearest to the intrados.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Nearest {
-    /// The place is at the crown.
-    Crown,
-    /// The place is at a joint between the crown and the shoulder.
-    Haunch,
-    /// The place is at the shoulder.
-    Shoulder,
-}
-
-impl Nearest {
-    /// All places.
-    pub const ALL: [Self; 3] = [Self::Crown, Self::Haunch, Self::Shoulder];
-
-    /// The name used in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Crown => "crown",
-            Self::Haunch => "haunch",
-            Self::Shoulder => "shoulder",
-        }
+worded! {
+    /// Place where a line of thrust comes nearest to the intrados.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Nearest {
+        /// The place is at the crown.
+        Crown = "crown",
+        /// The place is at a joint between the crown and the shoulder.
+        Haunch = "haunch",
+        /// The place is at the shoulder.
+        Shoulder = "shoulder",
     }
+    /// All places.
+    pub const ALL;
+    /// The name used in files.
+    pub fn name -> &'static str;
 }
 
 impl Verdict {

@@ -8,7 +8,7 @@ use super::contacts::{CONTACTS, margin_at, row_at};
 use super::landmarks::certain_if;
 use super::letters::{ring, variables, with};
 use super::modes::SEVEN_MODES;
-use super::{Checked, Claim, Derivation, Finding, Support, claim, found, lemmas};
+use super::{Checked, Derivation, Finding, Support, claims, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{
     Configuration, SelfWeight, Unknown, contact, overturning, sliding, statics, thrust,
@@ -17,22 +17,18 @@ use crate::number::{Angle, Ball, Enclosure, Field, Ternary};
 use crate::problem::{Condition, Examined, Fixed, Landmark, Mode};
 use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint};
 
-pub(super) const CLAIMS: &[Claim] = &[
-    found("landmark-inside", "Sec. 4, Fig. 7-11", landmarks_stand).states(
-        "at T, S, J and B the lines of thrust and of friction are strictly inside the whole arch, \
-         and no thinner arch stands",
-    ),
-    found("landmark-inside-unlimited", "Sec. 4, Fig. 12", landmarks_without_thrust_stand).states(
-        "at l and L the lines of thrust and of friction are strictly inside the whole arch, and no \
-         thinner arch stands",
-    ),
-    claim("landmark-T-modes", "Sec. 4, Fig. 7-8", four_mechanisms_at_t).states(
-        "at T four modes are possible at once, and the mechanism of each is a linear combination \
-         of the other three",
-    ),
-    claim("landmark-S-joint", "Sec. 4, Fig. 9", one_joint_rotates_and_slides)
-        .states("at S one inner joint both rotates and slides: [r,r+s]"),
-];
+claims! {
+    Finds("landmark-inside", "Sec. 4, Fig. 7-11", landmarks_stand):
+        "at T, S, J and B the lines of thrust and of friction are strictly inside the whole arch, and no thinner \
+         arch stands";
+    Finds("landmark-inside-unlimited", "Sec. 4, Fig. 12", landmarks_without_thrust_stand):
+        "at l and L the lines of thrust and of friction are strictly inside the whole arch, and no thinner arch \
+         stands";
+    AsPrinted("landmark-T-modes", "Sec. 4, Fig. 7-8", four_mechanisms_at_t):
+        "at T four modes are possible at once, and the mechanism of each is a linear combination of the other three";
+    AsPrinted("landmark-S-joint", "Sec. 4, Fig. 9", one_joint_rotates_and_slides):
+        "at S one inner joint both rotates and slides: [r,r+s]";
+}
 
 /// Every condition of every mode that meets at a landmark, but for those that are zero by its equations.
 fn conditions_hold(d: &mut Derivation, point: Landmark) -> Checked {

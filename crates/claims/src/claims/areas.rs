@@ -3,7 +3,7 @@
 use super::curve::STATES_IN_ORDER;
 use super::frictions::{FRICTION_FOR_ROTATION_GROWS, SLIDING_STATES_IN_ORDER};
 use super::tiling::{COLUMNS, falls_with_the_thickness, thrust_at_triple_is_below_half};
-use super::{Checked, Claim, Derivation, Support, implied, lemmas};
+use super::{Checked, Derivation, Support, claims, lemmas};
 use crate::arch::SelfWeight;
 use crate::atlas::{Areas, Curve, Trace, Variable};
 use crate::number::{Ball, Enclosure, Ternary};
@@ -12,11 +12,11 @@ use rug::Rational;
 use rug::float::Round;
 use std::sync::OnceLock;
 
-pub(super) const CLAIMS: &[Claim] = &[implied("map-areas", "Sec. 3, Fig. 6", areas).states(
-    "in the plane of friction angles up to a right one and thicknesses up to 2, cells in each \
-         of which one mode is proved fill more than 99 % of the area; the others are cut by lines \
-         between modes",
-)];
+claims! {
+    Implicit("map-areas", "Sec. 3, Fig. 6", areas):
+        "in the plane of friction angles up to a right one and thicknesses up to 2, cells in each of which one mode \
+         is proved fill more than 99 % of the area; the others are cut by lines between modes";
+}
 
 /// The finest cells of a map, along each axis.
 const PARTS: u32 = 512;

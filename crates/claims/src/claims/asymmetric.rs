@@ -9,7 +9,7 @@ use super::along::{parsed, standing};
 use super::letters::ring;
 use super::measured::shown;
 use super::uniqueness::ONE_THICKNESS;
-use super::{Checked, Claim, Derivation, Finding, found, implied, lemmas};
+use super::{Checked, Derivation, Finding, claims, lemmas};
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
 use crate::arch::joint::Grip;
@@ -19,18 +19,15 @@ use crate::certify::state::Certify;
 use crate::number::{Angle, Ball, Field};
 use crate::symbolic::{Fraction, Letters, Relations, Symbol};
 
-pub(super) const CLAIMS: &[Claim] = &[ASYMMETRIC_MOTION, UNIQUE];
-
-pub(super) const ASYMMETRIC_MOTION: Claim = implied("asymmetric-motion", "Eq. (19)", motion).states(
-    "three kinds of asymmetric mechanisms fit, by a sliding shoulder, hinges at the crown and at \
-     the far haunch, and an inner joint that slides, the shoulder that opens too, or neither; \
-     where their joints are at their limits the weight works by as much as friction takes",
-);
-
-const UNIQUE: Claim = found("unique-asymmetric", "Sec. 5", unique).states(
-    "the least thickness is unique for asymmetric motions too: at no other thickness has (19) a \
-     solution on the whole arch, except at the friction of pure sliding",
-);
+claims! {
+    Implicit("asymmetric-motion", "Eq. (19)", motion) as ASYMMETRIC_MOTION:
+        "three kinds of asymmetric mechanisms fit, by a sliding shoulder, hinges at the crown and at the far haunch, \
+         and an inner joint that slides, the shoulder that opens too, or neither; where their joints are at their \
+         limits the weight works by as much as friction takes";
+    Finds("unique-asymmetric", "Sec. 5", unique):
+        "the least thickness is unique for asymmetric motions too: at no other thickness has (19) a solution on the \
+         whole arch, except at the friction of pure sliding";
+}
 
 /// The variables as letters; `b0` has none of its own.
 pub(super) fn variables() -> Asymmetric<Fraction> {

@@ -7,7 +7,7 @@
 
 use super::along::landmark;
 use super::asymmetric::{ASYMMETRIC_MOTION, variables};
-use super::{Checked, Claim, Derivation, Support, implied, lemmas};
+use super::{Checked, Derivation, Support, claims, lemmas};
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
 use crate::arch::joint::Grip;
@@ -19,13 +19,13 @@ use crate::prover::root::{Form, root_near};
 use rug::{Float, Rational};
 use std::sync::OnceLock;
 
-pub(super) const CLAIMS: &[Claim] = &[implied("asymmetric-begins", "Eq. (19)", begins).states(
-    "the equations of the line where [s,r,r] meets [s,s] have a symmetric solution with an \
-         asymmetric mechanism of the first kind at each alpha from near 126.21° (Milankovitch) or \
-         125.63° (Heyman) on up to T, and one without at each from 90° on before; those of the \
-         line where [r,r,r] meets [s,r,r] one of the second kind from 128.73° on up to T, and one \
-         without before",
-)];
+claims! {
+    Implicit("asymmetric-begins", "Eq. (19)", begins):
+        "the equations of the line where [s,r,r] meets [s,s] have a symmetric solution with an asymmetric mechanism \
+         of the first kind at each alpha from near 126.21° (Milankovitch) or 125.63° (Heyman) on up to T, and one \
+         without at each from 90° on before; those of the line where [r,r,r] meets [s,r,r] one of the second kind \
+         from 128.73° on up to T, and one without before";
+}
 
 /// The symmetric states of an edge of `[s,r,r]`, by their half opening.
 #[derive(Clone, Copy, Debug)]

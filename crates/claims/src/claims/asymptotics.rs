@@ -7,7 +7,7 @@
 //! `alpha²` begins with `2 u`, so that it can be reverted.
 
 use super::landmarks::both;
-use super::{Checked, Claim, Derivation, implied};
+use super::{Checked, Derivation, claims};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::certify::Undecided;
 use crate::number::{Dual, ExactField, Field};
@@ -15,23 +15,17 @@ use crate::solve::expansion::{self, ByJoint, ByOpening};
 use crate::symbolic::Series;
 use rug::Rational;
 
-pub(super) const CLAIMS: &[Claim] = &[
-    implied("series-heyman", "small openings", |d| small_openings(d, SelfWeight::Heyman)).states(
-        "for Heyman's weight beta_r^2, eta and h are analytic in alpha^2 at 0 and begin with \
-         alpha^2/2, alpha^4/48 and 1 - alpha^2/6",
-    ),
-    implied("series-milankovitch", "small openings", |d| {
-        small_openings(d, SelfWeight::Milankovitch)
-    })
-    .states(
-        "for Milankovitch's weight beta_r^2, eta and h are analytic in alpha^2 at 0 and begin \
-         with alpha^2/2, alpha^4/48 and 1 - alpha^2/6",
-    ),
-    implied("series-difference", "Sec. 2.1", difference).states(
-        "the two weights differ little while the arch is thin: eta by alpha^12/1327104 and h \
-         by -alpha^8/27648, to leading order",
-    ),
-];
+claims! {
+    Implicit("series-heyman", "small openings", |d| small_openings(d, SelfWeight::Heyman)):
+        "for Heyman's weight beta_r^2, eta and h are analytic in alpha^2 at 0 and begin with alpha^2/2, alpha^4/48 \
+         and 1 - alpha^2/6";
+    Implicit("series-milankovitch", "small openings", |d| small_openings(d, SelfWeight::Milankovitch)):
+        "for Milankovitch's weight beta_r^2, eta and h are analytic in alpha^2 at 0 and begin with alpha^2/2, \
+         alpha^4/48 and 1 - alpha^2/6";
+    Implicit("series-difference", "Sec. 2.1", difference):
+        "the two weights differ little while the arch is thin: eta by alpha^12/1327104 and h by -alpha^8/27648, to \
+         leading order";
+}
 
 /// Coefficients shown and checked.
 const TERMS: usize = 9;

@@ -11,7 +11,7 @@
 use super::along::{CurveStates, around, below, landmark, on_sliding};
 use super::map_of_weights::{LINES_RISE, WHERE_THE_SHOULDER_TURNS};
 use super::measured::MeasuredBounds;
-use super::{Checked, Claim, Derivation, Support, claim, lemmas, measured};
+use super::{Checked, Derivation, Support, claims, lemmas};
 use crate::arch::{Ring, SelfWeight, sliding, thrust};
 use crate::certify::between;
 use crate::number::{Angle, Ball, Enclosure, Field};
@@ -19,14 +19,12 @@ use crate::problem::Landmark;
 use crate::symbolic::{Letters, Symbol};
 use rug::Rational;
 
-pub(super) const CLAIMS: &[Claim] = &[
-    claim("weights-J-B", "Sec. 3, Fig. 5", divide_deviates).states(
-        "from J to B the divide deviates to the left for Milankovitch's weight, the more the \
-         larger the thickness",
-    ),
-    measured("weights-B-slope", "Sec. 3, Fig. 5", slope_at_the_border)
-        .states("for Milankovitch's weight the divide arrives almost vertically at B"),
-];
+claims! {
+    AsPrinted("weights-J-B", "Sec. 3, Fig. 5", divide_deviates):
+        "from J to B the divide deviates to the left for Milankovitch's weight, the more the larger the thickness";
+    Measured("weights-B-slope", "Sec. 3, Fig. 5", slope_at_the_border):
+        "for Milankovitch's weight the divide arrives almost vertically at B";
+}
 
 /// `a` and `c`.
 fn parts<T: Field>(alpha: &Angle<T>, h: &T) -> [T; 2] {

@@ -16,7 +16,7 @@ use super::along::landmark;
 use super::cubics::letters;
 use super::curve::{STATES_IN_ORDER, TWO_THICKNESSES_FOR_EACH_JOINT};
 use super::landmarks::certain_if;
-use super::{Checked, Claim, Derivation, Support, claim, implied, lemmas};
+use super::{Checked, Derivation, Support, claims, lemmas};
 use crate::arch::closed_form::{
     opening_cube, opening_product, opening_root_factor, thickness_cube, thickness_product,
     thrust_cube, thrust_product,
@@ -29,29 +29,20 @@ use crate::problem::Landmark;
 use crate::symbolic::{Fraction, Letters, Polynomial, Relations, Symbol, discriminant};
 use rug::Rational;
 
-pub(super) const CLAIMS: &[Claim] = &[
-    claim("eq-9", "Eq. (9)", opening_root)
-        .states("A_M of (9), with either sign, is a root of the first cubic (7)"),
-    claim("eq-10", "Eq. (10)", thickness_root)
-        .states("eta_M of (10), with either sign, is a root of the second cubic (7)"),
-    claim("eq-11", "Eq. (11)", thrust_root)
-        .states("h_M of (11), with either sign, is a root of the third cubic (7)"),
-    RADICAND_IS_THE_DISCRIMINANT,
-    implied("eq-9-11-signs", "Eq. (9)-(11)", signs_of_the_branches).states(
-        "with principal roots the upper signs give the states with alpha < alpha_sb, the lower \
-         signs those with alpha > alpha_sb, the same sign in all three",
-    ),
-    claim("eq-12-range", "Eq. (12)", radicand_in_the_range_of_interest).states(
-        "the term under the square root is negative in the range of interest until it vanishes at \
-         beta_sb",
-    ),
-];
-
-const RADICAND_IS_THE_DISCRIMINANT: Claim =
-    claim("eq-12", "Eq. (12)", radicand_is_the_discriminant).states(
-        "the radicand of (12) is the discriminant of each cubic (7), up to a negative number and a \
-         square",
-    );
+claims! {
+    AsPrinted("eq-9", "Eq. (9)", opening_root): "A_M of (9), with either sign, is a root of the first cubic (7)";
+    AsPrinted("eq-10", "Eq. (10)", thickness_root):
+        "eta_M of (10), with either sign, is a root of the second cubic (7)";
+    AsPrinted("eq-11", "Eq. (11)", thrust_root):
+        "h_M of (11), with either sign, is a root of the third cubic (7)";
+    AsPrinted("eq-12", "Eq. (12)", radicand_is_the_discriminant) as RADICAND_IS_THE_DISCRIMINANT:
+        "the radicand of (12) is the discriminant of each cubic (7), up to a negative number and a square";
+    Implicit("eq-9-11-signs", "Eq. (9)-(11)", signs_of_the_branches):
+        "with principal roots the upper signs give the states with alpha < alpha_sb, the lower signs those with \
+         alpha > alpha_sb, the same sign in all three";
+    AsPrinted("eq-12-range", "Eq. (12)", radicand_in_the_range_of_interest):
+        "the term under the square root is negative in the range of interest until it vanishes at beta_sb";
+}
 
 /// `u³` as given, `q²` the radicand (12), `k² = -3`.
 fn relations(cube: &Fraction) -> Relations {

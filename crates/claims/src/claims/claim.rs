@@ -25,7 +25,7 @@ type Find = fn(&mut Derivation) -> Checked<Finding>;
 
 /// Means by which a claim is decided.
 #[derive(Clone, Copy, Debug)]
-enum Decide {
+pub(super) enum Decide {
     /// A proof of the statement as it is printed.
     AsPrinted(Prove),
     /// A proof of what the paper leaves implicit.
@@ -78,36 +78,34 @@ pub struct Decision {
     pub time: Duration,
 }
 
-const fn named(id: &'static str, place: &'static str, decide: Decide) -> Claim {
-    Claim { id, place, statement: "", decide }
+/// The claims of a file, in the order of the paper: how each is decided, its id and place, what decides it, a name where
+/// others use it, and its statement.
+macro_rules! claims {
+    (@ $kind:ident $id:literal, $place:literal, $decide:expr, $says:literal) => {
+        $crate::claims::claim::row($id, $place, $crate::claims::claim::Decide::$kind($decide), $says)
+    };
+    ($($kind:ident($id:literal, $place:literal, $decide:expr) $(as $name:ident)?: $says:literal;)+) => {
+        pub(super) const CLAIMS: &[$crate::claims::Claim] =
+            &[$(claims!(@ $kind $id, $place, $decide, $says)),+];
+        $($(
+            pub(super) const $name: $crate::claims::Claim =
+                claims!(@ $kind $id, $place, $decide, $says);
+        )?)+
+    };
 }
+pub(super) use claims;
 
-/// A claim of an id and a place that holds as it is printed, and its proof.
-pub(super) const fn claim(id: &'static str, place: &'static str, prove: Prove) -> Claim {
-    named(id, place, Decide::AsPrinted(prove))
-}
-
-/// A claim that the paper leaves implicit, and its proof.
-pub(super) const fn implied(id: &'static str, place: &'static str, prove: Prove) -> Claim {
-    named(id, place, Decide::Implicit(prove))
-}
-
-/// A claim without a number, or with a rounded one, and what bounds it.
-pub(super) const fn measured(id: &'static str, place: &'static str, measure: Measure) -> Claim {
-    named(id, place, Decide::Measured(measure))
-}
-
-/// A claim that may hold otherwise than printed, with equality or corrected, and what finds that.
-pub(super) const fn found(id: &'static str, place: &'static str, find: Find) -> Claim {
-    named(id, place, Decide::Finds(find))
+/// A row of the table.
+pub(super) const fn row(
+    id: &'static str,
+    place: &'static str,
+    decide: Decide,
+    statement: &'static str,
+) -> Claim {
+    Claim { id, place, statement, decide }
 }
 
 impl Claim {
-    /// Puts the claim in words.
-    pub(super) const fn states(self, statement: &'static str) -> Self {
-        Self { statement, ..self }
-    }
-
     /// Tells whether a name means this claim: its id, or the beginning of it up to a hyphen.
     pub fn is_named(&self, name: &str) -> bool {
         self.id.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))

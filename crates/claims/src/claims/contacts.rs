@@ -3,25 +3,20 @@
 
 use super::frictions::SLOPES_OF_FRICTION;
 use super::letters::{ring, term, with};
-use super::{Checked, Claim, Derivation, implied, lemmas};
+use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::mechanism::{Contact, Twist};
 use crate::arch::{statics, thrust};
 use crate::number::{Angle, Field};
 use crate::symbolic::{Fraction, Letters, Symbol, along_the_joint};
 
-pub(super) const CLAIMS: &[Claim] = &[DISTANCES_RISE_AND_FALL, CONTACTS];
-
-pub(super) const DISTANCES_RISE_AND_FALL: Claim =
-    implied("map-distances", "Sec. 2.1", distances_rise_and_fall).states(
-        "along an admissible arch the normal force N and the distance U from the extrados first \
-         grow and then fall",
-    );
-
-pub(super) const CONTACTS: Claim = implied("modes-contacts", "Sec. 3, 4", contacts).states(
-    "in an admissible state the line of thrust reaches the extrados at the crown and at the \
-     shoulder only, and the intrados at one joint only; friction is used up inwards at one joint \
-     only, above a shoulder at its limit, and outwards at the shoulder only",
-);
+claims! {
+    Implicit("map-distances", "Sec. 2.1", distances_rise_and_fall) as DISTANCES_RISE_AND_FALL:
+        "along an admissible arch the normal force N and the distance U from the extrados first grow and then fall";
+    Implicit("modes-contacts", "Sec. 3, 4", contacts) as CONTACTS:
+        "in an admissible state the line of thrust reaches the extrados at the crown and at the shoulder only, and \
+         the intrados at one joint only; friction is used up inwards at one joint only, above a shoulder at its \
+         limit, and outwards at the shoulder only";
+}
 
 /// Margin at a joint, which must not be negative.
 pub(super) fn margin_at(contact: Contact, joint: &Angle<Fraction>) -> Fraction {

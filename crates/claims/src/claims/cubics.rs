@@ -2,33 +2,28 @@
 
 use super::letters::with;
 use super::sign::{AngleSigns, NotNegative, Positive, RingSigns};
-use super::{Checked, Claim, Derivation, claim, implied};
+use super::{Checked, Derivation, claims};
 use crate::arch::cubic::{self, Abbreviations};
 use crate::arch::{Quotient, Ring, overturning, thrust};
 use crate::number::Field;
 use crate::symbolic::{Elimination, Fraction, Letters, Polynomial, Symbol};
 use crate::symbolic::{along_the_joint, eliminate};
 
-pub(super) const CLAIMS: &[Claim] = &[
-    claim("eq-8", "Eq. (8)", abbreviations).states(
-        "f = (beta S)' = S + beta C; g = f C + beta S^2 = beta + S C; beta S^2 + C f - g = 0",
-    ),
-    claim("eq-7-eta", "Eq. (7), second", in_thickness).states(
-        "the thickness of the purely rotational state is a root of pol_eta; for symbolic delta_M, \
-         with Heyman's quadratic at delta_M = 0",
-    ),
-    claim("eq-7-A", "Eq. (7), first", in_opening_variable).states(
-        "the A of the purely rotational state is a root of pol_A; for symbolic delta_M, with \
-         Heyman's quadratic at delta_M = 0",
-    ),
-    claim("eq-7-h", "Eq. (7), third", in_thrust).states(
-        "the thrust of the purely rotational state is a root of pol_h; for symbolic delta_M, with \
-         Heyman's quadratic at delta_M = 0",
-    ),
-    implied("eq-7-denominators", "Sec. 2.1", denominators).states(
-        "no denominator on the way to (7) vanishes for 0 < beta < pi, 0 < eta < 2, and 0 < A",
-    ),
-];
+claims! {
+    AsPrinted("eq-8", "Eq. (8)", abbreviations):
+        "f = (beta S)' = S + beta C; g = f C + beta S^2 = beta + S C; beta S^2 + C f - g = 0";
+    AsPrinted("eq-7-eta", "Eq. (7), second", in_thickness):
+        "the thickness of the purely rotational state is a root of pol_eta; for symbolic delta_M, with Heyman's \
+         quadratic at delta_M = 0";
+    AsPrinted("eq-7-A", "Eq. (7), first", in_opening_variable):
+        "the A of the purely rotational state is a root of pol_A; for symbolic delta_M, with Heyman's quadratic at \
+         delta_M = 0";
+    AsPrinted("eq-7-h", "Eq. (7), third", in_thrust):
+        "the thrust of the purely rotational state is a root of pol_h; for symbolic delta_M, with Heyman's quadratic \
+         at delta_M = 0";
+    Implicit("eq-7-denominators", "Sec. 2.1", denominators):
+        "no denominator on the way to (7) vanishes for 0 < beta < pi, 0 < eta < 2, and 0 < A";
+}
 
 /// `S`, `f`, `g` as free letters.
 pub(super) fn letters() -> Abbreviations<Fraction> {

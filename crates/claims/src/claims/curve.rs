@@ -18,51 +18,30 @@
 
 use super::letters::ring;
 use super::sign::{AngleSigns, Positive, RingSigns};
-use super::{Checked, Claim, Derivation, claim, implied, lemmas};
+use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::{Ring, cubic, overturning, thrust};
 use crate::number::{Angle, Ball, Dual, Field, Real};
 use crate::problem::Mode;
 use crate::symbolic::{Fraction, Letters, Symbol, along_the_joint, along_the_opening};
 use rug::Rational;
 
-pub(super) const CLAIMS: &[Claim] = &[
-    ONE_JOINT_FOR_EACH_THICKNESS,
-    TWO_THICKNESSES_FOR_EACH_JOINT,
-    STATES_IN_ORDER,
-    STATES_OF_ONE_THICKNESS,
-    WIDEST_JOINT,
-];
-
-pub(super) const ONE_JOINT_FOR_EACH_THICKNESS: Claim =
-    implied("curve-joint", "Sec. 2.1", one_joint_for_each_thickness).states(
-        "for each thickness below eta_l the line of thrust can touch the intrados at exactly one \
-         joint beta(eta), and for none from eta_l up to 2; p/S, where p is the cubic (7) in eta, \
-         grows with beta",
-    );
-
-pub(super) const TWO_THICKNESSES_FOR_EACH_JOINT: Claim =
-    claim("curve-thicknesses", "Eq. (7), (10)", two_thicknesses_for_each_joint).states(
-        "two real branches are meaningful: for each joint beta < beta_sb the cubic in eta has \
-         exactly two roots between 0 and 2, a double one at beta_sb and none beyond; the third, \
-         for delta_M = 1, is negative",
-    );
-
-pub(super) const STATES_IN_ORDER: Claim = claim("curve-order", "Sec. 2.1, Fig. 2", states_in_order)
-    .states(
-        "along the purely rotational states the half opening grows from 0 to alpha_l and the \
-         thrust falls from 1 to 0 as the thickness grows from 0 to eta_l; to each half opening \
-         below alpha_l belongs exactly one state",
-    );
-
-pub(super) const STATES_OF_ONE_THICKNESS: Claim =
-    implied("curve-weights", "Sec. 3", states_of_one_thickness).states(
-        "at the same thickness the purely rotational state of Milankovitch's weight has a smaller \
-         half opening and a smaller thrust than that of Heyman's, and the purely overturning one a \
-         smaller half opening; its rotational joint is the smaller one, and below a right angle",
-    );
-
-const WIDEST_JOINT: Claim = claim("curve-widest", "Sec. 2.1", widest_joint)
-    .states("beta_r(alpha) is stationary where (12) vanishes, and widest there");
+claims! {
+    Implicit("curve-joint", "Sec. 2.1", one_joint_for_each_thickness) as ONE_JOINT_FOR_EACH_THICKNESS:
+        "for each thickness below eta_l the line of thrust can touch the intrados at exactly one joint beta(eta), \
+         and for none from eta_l up to 2; p/S, where p is the cubic (7) in eta, grows with beta";
+    AsPrinted("curve-thicknesses", "Eq. (7), (10)", two_thicknesses_for_each_joint) as TWO_THICKNESSES_FOR_EACH_JOINT:
+        "two real branches are meaningful: for each joint beta < beta_sb the cubic in eta has exactly two roots \
+         between 0 and 2, a double one at beta_sb and none beyond; the third, for delta_M = 1, is negative";
+    AsPrinted("curve-order", "Sec. 2.1, Fig. 2", states_in_order) as STATES_IN_ORDER:
+        "along the purely rotational states the half opening grows from 0 to alpha_l and the thrust falls from 1 to \
+         0 as the thickness grows from 0 to eta_l; to each half opening below alpha_l belongs exactly one state";
+    Implicit("curve-weights", "Sec. 3", states_of_one_thickness) as STATES_OF_ONE_THICKNESS:
+        "at the same thickness the purely rotational state of Milankovitch's weight has a smaller half opening and a \
+         smaller thrust than that of Heyman's, and the purely overturning one a smaller half opening; its rotational \
+         joint is the smaller one, and below a right angle";
+    AsPrinted("curve-widest", "Sec. 2.1", widest_joint):
+        "beta_r(alpha) is stationary where (12) vanishes, and widest there";
+}
 
 /// The cubic (7) in `eta`.
 pub(super) fn cubic_of<T: Field>(joint: &Angle<T>, delta: &T, eta: &T) -> T {

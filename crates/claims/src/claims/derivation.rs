@@ -1,7 +1,7 @@
 //! The steps of a proof, checked as they are written down.
 
 use crate::certify::{Undecided, cover};
-use crate::number::{Ball, Enclosure, ExactField, Field, Ternary};
+use crate::number::{Ball, Enclosure, ExactField, Field, Ternary, worded};
 use crate::symbolic::{Fraction, Notation, Polynomial, Relations, Series, Symbol};
 use rug::Rational;
 use std::borrow::Borrow;
@@ -44,38 +44,29 @@ impl From<&Fraction> for Formula {
     }
 }
 
-/// Support of a step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Support {
-    /// The step is assumed.
-    Hypothesis,
-    /// The step gives a name.
-    Definition,
-    /// A normal form that is zero, or exact arithmetic.
-    Algebra,
-    /// Balls that cover a whole range.
-    Balls,
-    /// Another claim, decided by itself.
-    Claim,
-    /// A conclusion from the steps before, in words.
-    Conclusion,
-    /// An argument in words that carries the claim: what is checked before it does not say as much.
-    Argument,
-}
-
-impl Support {
-    /// The word used in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Hypothesis => "hypothesis",
-            Self::Definition => "definition",
-            Self::Algebra => "algebra",
-            Self::Balls => "balls",
-            Self::Claim => "claim",
-            Self::Conclusion => "conclusion",
-            Self::Argument => "argument",
-        }
+worded! {
+    /// Support of a step.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Support {
+        /// The step is assumed.
+        Hypothesis = "hypothesis",
+        /// The step gives a name.
+        Definition = "definition",
+        /// A normal form that is zero, or exact arithmetic.
+        Algebra = "algebra",
+        /// Balls that cover a whole range.
+        Balls = "balls",
+        /// Another claim, decided by itself.
+        Claim = "claim",
+        /// A conclusion from the steps before, in words.
+        Conclusion = "conclusion",
+        /// An argument in words that carries the claim: what is checked before it does not say as much.
+        Argument = "argument",
     }
+    /// All of them, in order.
+    pub const ALL;
+    /// The word used in files.
+    pub fn name -> &'static str;
 }
 
 /// One line of a derivation.

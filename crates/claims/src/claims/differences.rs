@@ -4,34 +4,22 @@ use super::along;
 use super::landmarks::{both, state_of};
 use super::measured::MeasuredBounds;
 use super::same_opening::DIFFERENCES_GROW;
-use super::{Checked, Claim, lemmas, measured};
+use super::{Checked, claims, lemmas};
 use crate::arch::Unknown;
 use crate::certify::state::State;
 use crate::number::{Ball, Field};
 use crate::problem::Landmark;
 
-pub(super) const CLAIMS: &[Claim] = &[
-    measured("weights-minimal", "Sec. 2.1, Fig. 2", |bounds| {
-        largest(bounds, &["pi/2", "2", "2.4", "2.55"], &[ETA, H])?;
-        at(bounds, ("2.59", "inf"), &[ETA, H])
-    })
-    .states(
-        "at the same half opening eta and h differ really little between the two weights, even as \
-         the thickness grows",
-    ),
-    measured("weights-marginal", "Sec. 5", |bounds| {
-        largest(bounds, &["pi/2"], &[ETA, H, BETA])?;
-        at(bounds, ("pi/2", "0.31"), &[ETA_SMALLER])
-    })
-    .states(
-        "for openings up to the semicircle the differences between the two weights are quite \
-         marginal",
-    ),
-    measured("weights-slightly", "Sec. 2.1, 3", at_landmarks).states(
-        "alpha_l, eta_l, the joints at the landmarks and alpha at B differ slightly between the \
-         two weights, mu at B much",
-    ),
-];
+claims! {
+    Measured("weights-minimal", "Sec. 2.1, Fig. 2", minimal):
+        "at the same half opening eta and h differ really little between the two weights, even as the thickness \
+         grows";
+    Measured("weights-marginal", "Sec. 5", marginal):
+        "for openings up to the semicircle the differences between the two weights are quite marginal";
+    Measured("weights-slightly", "Sec. 2.1, 3", at_landmarks):
+        "alpha_l, eta_l, the joints at the landmarks and alpha at B differ slightly between the two weights, mu at B \
+         much";
+}
 
 /// A variable of a state, and in which direction Milankovitch's weight moves it.
 type MovedVariable = (&'static str, bool, fn(&State) -> &Ball);
@@ -99,6 +87,16 @@ const AT_LANDMARKS: &[(Landmark, Unknown, bool)] = &[
     (Landmark::Border, Unknown::HalfOpening, false),
     (Landmark::Border, Unknown::Friction, false),
 ];
+
+fn minimal(bounds: &mut MeasuredBounds<'_>) -> Checked {
+    largest(bounds, &["pi/2", "2", "2.4", "2.55"], &[ETA, H])?;
+    at(bounds, ("2.59", "inf"), &[ETA, H])
+}
+
+fn marginal(bounds: &mut MeasuredBounds<'_>) -> Checked {
+    largest(bounds, &["pi/2"], &[ETA, H, BETA])?;
+    at(bounds, ("pi/2", "0.31"), &[ETA_SMALLER])
+}
 
 fn at_landmarks(bounds: &mut MeasuredBounds<'_>) -> Checked {
     for (landmark, unknown, is_larger) in AT_LANDMARKS {

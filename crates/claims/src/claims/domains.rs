@@ -15,42 +15,27 @@ use super::letters::{ring, variables, with};
 use super::modes::LEVER;
 use super::overturning::A_FIXES_ALPHA;
 use super::uniqueness::{MECHANISM_BOUNDS, ONE_HALF_OPENING, THICKER_HAS_ROOM};
-use super::{Checked, Claim, Derivation, Support, claim, implied, lemmas};
+use super::{Checked, Derivation, Support, claims, lemmas};
 use crate::arch::{Ring, SelfWeight, contact, overturning, sliding, statics, thrust};
 use crate::number::{Angle, Ball, Enclosure, Field, Real};
 use crate::problem::Landmark;
 use crate::symbolic::{Fraction, Letters, Symbol};
 use rug::Rational;
 
-pub(super) const CLAIMS: &[Claim] = &[
-    NO_SHOULDER_SLIDING_BEYOND_T,
-    INNER_SLIDING_BEYOND_T,
-    implied("map-S", "Sec. 3, Fig. 6", shift_beyond_s).states(
-        "modes with the sliding joint below the rotational one are seen only on the right of S, \
-         and above it",
-    ),
-    claim("map-J", "Sec. 3", overturning_sliding_beyond_j)
-        .states("overturning-sliding modes are seen only on the right of J, and above it"),
-    NO_PURE_SLIDING_BEYOND_B,
-];
-
-pub(super) const NO_SHOULDER_SLIDING_BEYOND_T: Claim =
-    claim("map-T-shoulder", "Sec. 3, 5", no_shoulder_sliding_beyond_t).states(
-        "a friction above mu_T precludes any mixed sliding-rotational mode; its thickness is at \
-         most eta_T and its half opening at most alpha_T",
-    );
-
-pub(super) const NO_PURE_SLIDING_BEYOND_B: Claim =
-    claim("map-B", "Sec. 3, 5", pure_sliding_ends_at_b).states(
-        "a friction above mu_B precludes any purely sliding mode of thickness up to 2; each one \
-         below has such a mode",
-    );
-
-pub(super) const INNER_SLIDING_BEYOND_T: Claim =
-    claim("map-T-inner", "Sec. 3, 5", inner_sliding_beyond_t).states(
-        "modes with shoulder rotation and inner sliding are seen only on the right of T, and above \
-         it",
-    );
+claims! {
+    AsPrinted("map-T-shoulder", "Sec. 3, 5", no_shoulder_sliding_beyond_t) as NO_SHOULDER_SLIDING_BEYOND_T:
+        "a friction above mu_T precludes any mixed sliding-rotational mode; its thickness is at most eta_T and its \
+         half opening at most alpha_T";
+    AsPrinted("map-T-inner", "Sec. 3, 5", inner_sliding_beyond_t) as INNER_SLIDING_BEYOND_T:
+        "modes with shoulder rotation and inner sliding are seen only on the right of T, and above it";
+    Implicit("map-S", "Sec. 3, Fig. 6", shift_beyond_s):
+        "modes with the sliding joint below the rotational one are seen only on the right of S, and above it";
+    AsPrinted("map-J", "Sec. 3", overturning_sliding_beyond_j):
+        "overturning-sliding modes are seen only on the right of J, and above it";
+    AsPrinted("map-B", "Sec. 3, 5", pure_sliding_ends_at_b) as NO_PURE_SLIDING_BEYOND_B:
+        "a friction above mu_B precludes any purely sliding mode of thickness up to 2; each one below has such a \
+         mode";
+}
 
 /// The shoulder's distance from the extrados with the crown's pressure point on the extrados.
 fn shoulder_margin(d: &mut Derivation) -> Checked {

@@ -9,58 +9,34 @@ use super::curve::STATES_IN_ORDER;
 use super::letters::{ring, term};
 use super::overturning::end_of_rotation_is_simple;
 use super::sliding::ratio_without_thrust;
-use super::{Checked, Claim, Derivation, Support, claim, implied, lemmas};
+use super::{Checked, Derivation, Support, claims, lemmas};
 use crate::arch::{SelfWeight, overturning, sliding, statics, thrust};
 use crate::number::{Angle, Ball, Enclosure, Field};
 use crate::problem::Landmark;
 use crate::symbolic::{Letters, Relations, Symbol, along_the_joint, along_the_opening};
 use rug::Rational;
 
-pub(super) const CLAIMS: &[Claim] = &[
-    SLOPES_OF_FRICTION,
-    FRICTION_OF_SMALL_THRUST,
-    THRUST_OF_LARGE_FRICTION,
-    SLIDING_STATES_IN_ORDER,
-    claim("sliding-flat", "Sec. 2.2", sliding_thrust_goes_flatly_to_zero)
-        .states("the thrust of the purely sliding states goes flatly to 0 as alpha -> pi"),
-    claim("map-asymptotes", "Sec. 3", dividing_lines_tend_to_the_end_of_rotation)
-        .states("the lines beta_r = beta_s and beta_r = 0 tend to eta_l as mu -> inf"),
-    FRICTION_FOR_ROTATION_GROWS,
-    ROTATION_MEETS_SLIDING,
-];
-
-pub(super) const SLOPES_OF_FRICTION: Claim =
-    implied("friction-slopes", "Eq. (17), (18)", friction_slopes).states(
-        "where N > 0, mu_ss grows with the thrust and, from beta_s on, with the half opening, and \
-         is not positive before; mu_is falls as the thrust grows",
-    );
-
-pub(super) const FRICTION_OF_SMALL_THRUST: Claim =
-    implied("friction-unbounded", "Eq. (18)", friction_of_small_thrust)
-        .states("mu_is is unbounded as the thrust falls to 0");
-
-const THRUST_OF_LARGE_FRICTION: Claim =
-    implied("friction-large", "Eq. (18)", thrust_of_large_friction)
-        .states("where an inner joint slides, h <= 1/(4 mu²)");
-
-pub(super) const SLIDING_STATES_IN_ORDER: Claim =
-    claim("sliding-order", "Sec. 2.2", sliding_states_in_order).states(
-        "to each half opening belongs one purely sliding state; as it grows, the friction grows \
-         and the thrust falls",
-    );
-
-pub(super) const FRICTION_FOR_ROTATION_GROWS: Claim =
-    claim("friction-rotation", "Sec. 5", frictions_grow).states(
-        "along the purely rotational states the friction needed to prevent sliding grows with the \
-         half opening, M of the shoulder and m of an inner joint, and m is unbounded at the end",
-    );
-
-pub(super) const ROTATION_MEETS_SLIDING: Claim = claim("map-T", "Sec. 2.2, 3", order_of_frictions)
-    .states(
-        "the lines h(alpha) of the purely rotational and of the purely sliding states intersect at \
-         T and nowhere else: before T the shoulder asks for more friction than an inner joint, M > \
-         m, beyond T for less, M < m",
-    );
+claims! {
+    Implicit("friction-slopes", "Eq. (17), (18)", friction_slopes) as SLOPES_OF_FRICTION:
+        "where N > 0, mu_ss grows with the thrust and, from beta_s on, with the half opening, and is not positive \
+         before; mu_is falls as the thrust grows";
+    Implicit("friction-unbounded", "Eq. (18)", friction_of_small_thrust) as FRICTION_OF_SMALL_THRUST:
+        "mu_is is unbounded as the thrust falls to 0";
+    Implicit("friction-large", "Eq. (18)", thrust_of_large_friction) as THRUST_OF_LARGE_FRICTION:
+        "where an inner joint slides, h <= 1/(4 mu²)";
+    AsPrinted("sliding-order", "Sec. 2.2", sliding_states_in_order) as SLIDING_STATES_IN_ORDER:
+        "to each half opening belongs one purely sliding state; as it grows, the friction grows and the thrust falls";
+    AsPrinted("sliding-flat", "Sec. 2.2", sliding_thrust_goes_flatly_to_zero):
+        "the thrust of the purely sliding states goes flatly to 0 as alpha -> pi";
+    AsPrinted("map-asymptotes", "Sec. 3", dividing_lines_tend_to_the_end_of_rotation):
+        "the lines beta_r = beta_s and beta_r = 0 tend to eta_l as mu -> inf";
+    AsPrinted("friction-rotation", "Sec. 5", frictions_grow) as FRICTION_FOR_ROTATION_GROWS:
+        "along the purely rotational states the friction needed to prevent sliding grows with the half opening, M of \
+         the shoulder and m of an inner joint, and m is unbounded at the end";
+    AsPrinted("map-T", "Sec. 2.2, 3", order_of_frictions) as ROTATION_MEETS_SLIDING:
+        "the lines h(alpha) of the purely rotational and of the purely sliding states intersect at T and nowhere \
+         else: before T the shoulder asks for more friction than an inner joint, M > m, beyond T for less, M < m";
+}
 
 /// Change of (17) and (18) with the half opening and the thrust.
 fn friction_slopes(d: &mut Derivation) -> Checked {

@@ -2,29 +2,22 @@
 
 use super::asymptotics::check_states;
 use super::overturning::opening_at;
-use super::{Checked, Claim, Derivation, claim};
+use super::{Checked, Derivation, claims};
 use crate::arch::{SelfWeight, overturning};
 use crate::certify::Undecided;
 use crate::number::{Field, Surd};
 use crate::solve::expansion::{AboutEnd, about_end};
 use crate::symbolic::Series;
 
-pub(super) const CLAIMS: &[Claim] = &[
-    claim("joining-heyman", "Sec. 2.1, Fig. 4", |d| {
-        joining(d, SelfWeight::Heyman, &Surd::rational((-9, 2), 3))
-    })
-    .states(
-        "for Heyman's weight eta(A) and eta(alpha) of the rotational and of the overturning states \
-         join with one slope at l (C1); they do not join C2",
-    ),
-    claim("joining-milankovitch", "Sec. 2.1, Fig. 4", |d| {
-        joining(d, SelfWeight::Milankovitch, &Surd::new(0, -4, 3))
-    })
-    .states(
-        "for Milankovitch's weight eta(A) and eta(alpha) of the rotational and of the overturning \
-         states join with one slope at l (C1); they do not join C2",
-    ),
-];
+claims! {
+    AsPrinted("joining-heyman", "Sec. 2.1, Fig. 4", |d| joining(d, SelfWeight::Heyman, &Surd::rational((-9, 2), 3))):
+        "for Heyman's weight eta(A) and eta(alpha) of the rotational and of the overturning states join with one \
+         slope at l (C1); they do not join C2";
+    AsPrinted("joining-milankovitch", "Sec. 2.1, Fig. 4",
+        |d| joining(d, SelfWeight::Milankovitch, &Surd::new(0, -4, 3))):
+        "for Milankovitch's weight eta(A) and eta(alpha) of the rotational and of the overturning states join with \
+         one slope at l (C1); they do not join C2";
+}
 
 /// Coefficients shown and checked.
 const TERMS: usize = 8;

@@ -3,7 +3,7 @@
 use super::along::{landmark, parsed, standing};
 use super::letters::{ring, variables};
 use super::sliding::ratio_without_thrust;
-use super::{Checked, Claim, Derivation, Support, claim, implied};
+use super::{Checked, Derivation, Support, claims};
 use crate::arch::{Ring, SelfWeight, Unknown, contact, overturning, sliding, thrust};
 use crate::certify::state::{Certify, State};
 use crate::number::{Angle, Ball, Field, Real, Ternary};
@@ -11,22 +11,20 @@ use crate::problem::{Fixed, Landmark, Mode};
 use crate::symbolic::{Fraction, Letters, Symbol, along_the_joint};
 use rug::Rational;
 
-pub(super) const CLAIMS: &[Claim] = &[
-    claim("landmark-T", "Sec. 2.2, Fig. 8", triple_point)
-        .states("at T the mode [r,r,s] meets the other three: (3) holds there too"),
-    claim("landmark-S", "Sec. 3, Fig. 9", shift_point)
-        .states("at S, and where beta_r = beta_s, the modes [r,r,s] and [r,s,r] coincide"),
-    claim("landmark-J", "Sec. 3, Fig. 10", junction_point).states(
-        "at J the modes [r,s,r] and [r,s] meet: the line of thrust touches the intrados at the \
-         crown and has, to first order, the direction of the intrados there",
-    ),
-    implied("landmark-B", "Fig. 11", border_point)
-        .states("at B, where beta_r = 0, the tangency condition (5) does not hold"),
-    claim("landmark-l", "Sec. 3, Tables 3-4", no_thrust_needs_unlimited_friction).states(
-        "states without thrust, l, L and all purely overturning ones, strictly require infinite \
-         friction, against inner sliding; and (2) holds at l too",
-    ),
-];
+claims! {
+    AsPrinted("landmark-T", "Sec. 2.2, Fig. 8", triple_point):
+        "at T the mode [r,r,s] meets the other three: (3) holds there too";
+    AsPrinted("landmark-S", "Sec. 3, Fig. 9", shift_point):
+        "at S, and where beta_r = beta_s, the modes [r,r,s] and [r,s,r] coincide";
+    AsPrinted("landmark-J", "Sec. 3, Fig. 10", junction_point):
+        "at J the modes [r,s,r] and [r,s] meet: the line of thrust touches the intrados at the crown and has, to \
+         first order, the direction of the intrados there";
+    Implicit("landmark-B", "Fig. 11", border_point):
+        "at B, where beta_r = 0, the tangency condition (5) does not hold";
+    AsPrinted("landmark-l", "Sec. 3, Tables 3-4", no_thrust_needs_unlimited_friction):
+        "states without thrust, l, L and all purely overturning ones, strictly require infinite friction, against \
+         inner sliding; and (2) holds at l too";
+}
 
 pub(super) fn certain_if(holds: bool) -> Ternary {
     if holds { Ternary::True } else { Ternary::Undecided }

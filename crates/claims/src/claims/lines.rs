@@ -1,16 +1,17 @@
 //! The lines of the map as curves: each one arc from landmark to landmark.
 
 use super::regular::{CYCLOID, SHOULDER_IN_ANGLES};
-use super::{Checked, Claim, Derivation, implied, lemmas};
+use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::SelfWeight;
 use crate::atlas::{Curve, Trace};
 use std::sync::OnceLock;
 
-pub(super) const CLAIMS: &[Claim] = &[implied("map-lines", "Sec. 3, Fig. 5, 6", lines).states(
-    "each line between two modes is one curve without a gap from landmark to landmark, \
-         analytic inside, and so are the purely rotational, overturning and sliding states; the \
-         corners of the domains are T, S, J, B, l and L",
-)];
+claims! {
+    Implicit("map-lines", "Sec. 3, Fig. 5, 6", lines):
+        "each line between two modes is one curve without a gap from landmark to landmark, analytic inside, and so \
+         are the purely rotational, overturning and sliding states; the corners of the domains are T, S, J, B, l and \
+         L";
+}
 
 /// Half-width of the tubes.
 const TOLERANCE: f64 = 1e-3;

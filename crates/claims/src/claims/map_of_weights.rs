@@ -11,7 +11,7 @@ use super::modes::LEVER;
 use super::sign::{Positive, RingSigns};
 use super::tiling::intrados_factor_grows;
 use super::uniqueness::THICKER_HAS_ROOM;
-use super::{Checked, Claim, Derivation, Finding, Support, found, implied, lemmas};
+use super::{Checked, Derivation, Finding, Support, claims, lemmas};
 use crate::arch::{Ring, SelfWeight, statics, thrust};
 use crate::certify::between;
 use crate::number::{Angle, Ball, Dual, Enclosure, Field};
@@ -19,34 +19,21 @@ use crate::problem::Landmark;
 use crate::symbolic::{Letters, Symbol};
 use rug::Rational;
 
-pub(super) const CLAIMS: &[Claim] = &[
-    WHERE_THE_SHOULDER_TURNS,
-    WHERE_THE_JOINT_IS_GIVEN,
-    found("weights-same-opening", "Sec. 3", same_opening_compared).states(
-        "in the eta-mu map the curves of one half opening lie lower for Milankovitch's weight: \
-         Heyman's is on the safe side",
-    ),
-    LINES_RISE,
-    found("weights-dividing-lines", "Sec. 3, Fig. 5", dividing_lines_compared).states(
-        "in the eta-mu map the dividing lines of Milankovitch's weight lie always below and left \
-         of Heyman's",
-    ),
-];
-
-pub(super) const LINES_RISE: Claim = implied("weights-lines-rise", "Sec. 3, Fig. 5", lines_rise)
-    .states("in the eta-mu map each dividing line rises, so that what lies left of it lies above");
-
-pub(super) const WHERE_THE_SHOULDER_TURNS: Claim =
-    implied("weights-shoulder-turns", "Sec. 3", thickness_where_the_shoulder_turns).states(
-        "where the shoulder turns about the extrados, (3), the same thrust and half opening mean a \
-         larger thickness for Milankovitch's weight",
-    );
-
-const WHERE_THE_JOINT_IS_GIVEN: Claim =
-    implied("weights-joint-given", "Sec. 3", thickness_where_the_joint_is_given).states(
-        "where the line of thrust touches the intrados, (5), the same thrust and joint mean a \
-         smaller thickness for Milankovitch's weight",
-    );
+claims! {
+    Implicit("weights-shoulder-turns", "Sec. 3", thickness_where_the_shoulder_turns) as WHERE_THE_SHOULDER_TURNS:
+        "where the shoulder turns about the extrados, (3), the same thrust and half opening mean a larger thickness \
+         for Milankovitch's weight";
+    Implicit("weights-joint-given", "Sec. 3", thickness_where_the_joint_is_given) as WHERE_THE_JOINT_IS_GIVEN:
+        "where the line of thrust touches the intrados, (5), the same thrust and joint mean a smaller thickness for \
+         Milankovitch's weight";
+    Finds("weights-same-opening", "Sec. 3", same_opening_compared):
+        "in the eta-mu map the curves of one half opening lie lower for Milankovitch's weight: Heyman's is on the \
+         safe side";
+    Implicit("weights-lines-rise", "Sec. 3, Fig. 5", lines_rise) as LINES_RISE:
+        "in the eta-mu map each dividing line rises, so that what lies left of it lies above";
+    Finds("weights-dividing-lines", "Sec. 3, Fig. 5", dividing_lines_compared):
+        "in the eta-mu map the dividing lines of Milankovitch's weight lie always below and left of Heyman's";
+}
 
 /// Where the shoulder turns, (3) gives the thickness of a given thrust and half opening.
 fn thickness_where_the_shoulder_turns(d: &mut Derivation) -> Checked {

@@ -4,33 +4,27 @@
 use super::contacts::{CONTACTS, label};
 use super::letters::{ring, variables};
 use super::modes::{LEVER, SEVEN_MODES};
-use super::{Checked, Claim, Derivation, implied, lemmas};
+use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::mechanism::{Contact, Joint, Mechanism};
 use crate::arch::{Configuration, contact, sliding, thrust};
 use crate::number::{Angle, Field};
 use crate::problem::Mode;
 use crate::symbolic::{Fraction, Letters, Relations, Symbol};
 
-pub(super) const CLAIMS: &[Claim] = &[COMPATIBLE, RATES, AT_LIMIT, POWER];
-
-const COMPATIBLE: Claim = implied("mechanism-fits", "Sec. 4, Fig. 7-12", compatible).states(
-    "in each of the seven modes rigid blocks move together: behind the crown nothing turns and \
-     nothing moves sideways, whether a joint that slides opens or not",
-);
-
-const RATES: Claim = implied("mechanism-rates", "Sec. 4, Fig. 7-12", rates).states(
-    "each hinge opens on its side and each joint slides its way, where the lever arms that the \
-     mode has are positive; with a dilatancy up to the friction the slips are others, still \
-     positive, and the hinges turn as without",
-);
-
-const AT_LIMIT: Claim = implied("mechanism-limits", "Sec. 4, Fig. 7-12", at_limit)
-    .states("the equations of a mode put the joints of its mechanism at their limits");
-
-const POWER: Claim = implied("mechanism-power", "Sec. 4, Fig. 7-12", power).states(
-    "at collapse the weight works by as much as friction takes, and by nothing if joints that \
-     slide open as the associated flow rule has it",
-);
+claims! {
+    Implicit("mechanism-fits", "Sec. 4, Fig. 7-12", compatible):
+        "in each of the seven modes rigid blocks move together: behind the crown nothing turns and nothing moves \
+         sideways, whether a joint that slides opens or not";
+    Implicit("mechanism-rates", "Sec. 4, Fig. 7-12", rates):
+        "each hinge opens on its side and each joint slides its way, where the lever arms that the mode has are \
+         positive; with a dilatancy up to the friction the slips are others, still positive, and the hinges turn as \
+         without";
+    Implicit("mechanism-limits", "Sec. 4, Fig. 7-12", at_limit):
+        "the equations of a mode put the joints of its mechanism at their limits";
+    Implicit("mechanism-power", "Sec. 4, Fig. 7-12", power):
+        "at collapse the weight works by as much as friction takes, and by nothing if joints that slide open as the \
+         associated flow rule has it";
+}
 
 /// The variables of a mode.
 fn at(mode: Mode) -> Configuration<Fraction> {

@@ -86,7 +86,7 @@ pub use derivation::{Argument, Derivation, DerivationStep, Formula, Support};
 pub use index::index;
 pub use sentence::{Decided, Sentence};
 
-use claim::{claim, found, implied, lemmas, measured};
+use claim::{claims, lemmas};
 use derivation::Checked;
 
 /// All claims, in the order of the paper.

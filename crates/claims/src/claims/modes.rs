@@ -16,7 +16,7 @@ use super::along::CurveStates;
 use super::contacts::{CONTACTS, label, margin_at, row_at, slopes};
 use super::landmarks::{certain_if, state_of};
 use super::letters::{ring, variables, with};
-use super::{Checked, Claim, Derivation, Support, claim, implied, lemmas};
+use super::{Checked, Derivation, Support, claims, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Configuration, SelfWeight, contact, statics};
 use crate::number::{Angle, Ball, Field};
@@ -24,20 +24,15 @@ use crate::problem::Mode;
 use crate::symbolic::{Fraction, Letters, Symbol, along_the_joint};
 use rug::Rational;
 
-pub(super) const CLAIMS: &[Claim] = &[LEVER, SEVEN_MODES, MODES_OCCUR];
-
-pub(super) const LEVER: Claim = implied("modes-lever", "Sec. 3", lever).states(
-    "a line of thrust on the shoulder's extrados and on the intrados above it has a positive lever \
-     arm between the two",
-);
-
-pub(super) const SEVEN_MODES: Claim = claim("modes-seven", "Sec. 3", seven_modes).states(
-    "the seven modes are all the symmetric ones there are: a mechanism without dilatancy that is \
-     its own mirror image is one of them, or several at once",
-);
-
-const MODES_OCCUR: Claim = claim("modes-occur", "Sec. 3", modes_occur)
-    .states("each of the seven modes occurs, with either weight");
+claims! {
+    Implicit("modes-lever", "Sec. 3", lever) as LEVER:
+        "a line of thrust on the shoulder's extrados and on the intrados above it has a positive lever arm between \
+         the two";
+    AsPrinted("modes-seven", "Sec. 3", seven_modes) as SEVEN_MODES:
+        "the seven modes are all the symmetric ones there are: a mechanism without dilatancy that is its own mirror \
+         image is one of them, or several at once";
+    AsPrinted("modes-occur", "Sec. 3", modes_occur): "each of the seven modes occurs, with either weight";
+}
 
 /// The lever arm between the haunch's intrados and the shoulder's extrados.
 fn lever(d: &mut Derivation) -> Checked {

@@ -1,39 +1,30 @@
 //! Moments, tangency and centroids: (2)–(6).
 
 use super::letters::ring;
-use super::{Checked, Claim, Derivation, claim, implied};
+use super::{Checked, Derivation, claims};
 use crate::arch::{Ring, statics, thrust};
 use crate::number::{Angle, Dual, Field};
 use crate::symbolic::{Fraction, Letters, Symbol};
 
-pub(super) const CLAIMS: &[Claim] = &[
-    claim("eq-2", "Eq. (2)", lower).states(
-        "h_L is the thrust that puts the line of thrust on the extrados at the crown and on the \
-         intrados at beta",
-    ),
-    claim("eq-3", "Eq. (3)", upper).states(
-        "h_U is the thrust that puts the line of thrust on the intrados at beta and on the \
-         extrados at the shoulder",
-    ),
-    claim("eq-4", "Eq. (4)", whole).states(
-        "h_2 is the thrust that puts the line of thrust on the extrados at the crown and at the \
-         shoulder",
-    ),
-    claim("eq-4-forms", "Eq. (4)", opening_variable_forms)
-        .states("A(alpha) = alpha sin(alpha)/(1 - cos(alpha)) = alpha cot(alpha/2)"),
-    implied("eq-2-4-imply-3", "Sec. 2.1", upper_follows).states("(3) follows from (2) and (4)"),
-    claim("eq-5", "Eq. (5)", tangency)
-        .states("h_e is the thrust at which the line of thrust is tangent to the intrados at beta"),
-    claim("eq-5-forms", "Eq. (5)", tangency_forms).states("both printed forms of h_e are equal"),
-    claim("eq-6", "Eq. (6)", centroid).states(
-        "the centroid of an infinitesimal wedge of the ring lies at the radius r (1 + eta^2/12), \
-         and fac_M >= 1",
-    ),
-    claim("eq-5-thin", "Eq. (5)", thin_arch).states(
-        "Heyman's beta cot(beta) is what is left of h_e for a thin arch, with either weight",
-    ),
-    claim("rotation-friction", "Sec. 2.2", no_friction).states("(2)-(5) see no friction"),
-];
+claims! {
+    AsPrinted("eq-2", "Eq. (2)", lower):
+        "h_L is the thrust that puts the line of thrust on the extrados at the crown and on the intrados at beta";
+    AsPrinted("eq-3", "Eq. (3)", upper):
+        "h_U is the thrust that puts the line of thrust on the intrados at beta and on the extrados at the shoulder";
+    AsPrinted("eq-4", "Eq. (4)", whole):
+        "h_2 is the thrust that puts the line of thrust on the extrados at the crown and at the shoulder";
+    AsPrinted("eq-4-forms", "Eq. (4)", opening_variable_forms):
+        "A(alpha) = alpha sin(alpha)/(1 - cos(alpha)) = alpha cot(alpha/2)";
+    Implicit("eq-2-4-imply-3", "Sec. 2.1", upper_follows): "(3) follows from (2) and (4)";
+    AsPrinted("eq-5", "Eq. (5)", tangency):
+        "h_e is the thrust at which the line of thrust is tangent to the intrados at beta";
+    AsPrinted("eq-5-forms", "Eq. (5)", tangency_forms): "both printed forms of h_e are equal";
+    AsPrinted("eq-6", "Eq. (6)", centroid):
+        "the centroid of an infinitesimal wedge of the ring lies at the radius r (1 + eta^2/12), and fac_M >= 1";
+    AsPrinted("eq-5-thin", "Eq. (5)", thin_arch):
+        "Heyman's beta cot(beta) is what is left of h_e for a thin arch, with either weight";
+    AsPrinted("rotation-friction", "Sec. 2.2", no_friction): "(2)-(5) see no friction";
+}
 
 /// `eta/2`, the distance of a face from the centreline.
 fn half() -> Fraction {

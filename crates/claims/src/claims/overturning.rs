@@ -1,43 +1,33 @@
 //! Purely overturning states and the end of rotation: (13)–(16).
 
 use super::letters::{ring, with};
-use super::{Checked, Claim, Derivation, Finding, claim, found, implied, lemmas};
+use super::{Checked, Derivation, Finding, claims, lemmas};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::number::{Angle, Field, Surd};
 use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_opening};
 use rug::Rational;
 
-pub(super) const CLAIMS: &[Claim] = &[
-    claim("eq-13", "Eq. (13)", without_thrust).states(
-        "h_2 = 0 in (4), or h_U = 0 at beta_r = 0 in (3), gives A = 2/(2+eta) (1 + delta_M \
-         eta^2/12)",
-    ),
-    claim("eq-14", "Eq. (14)", heyman)
-        .states("for Heyman's weight A = 2/(2+eta), and eta = 2 (1/A - 1)"),
-    claim("eq-15", "Eq. (15)", milankovitch).states(
-        "for Milankovitch's weight A = (12 + eta^2)/(6 (2+eta)), and eta = 3A - sqrt(3 (3A^2 + 4A \
-         - 4))",
-    ),
-    claim("eq-15-branch", "Eq. (15)", milankovitch_branch).states(
-        "on 0 <= eta <= 2, A falls from 1 to 2/3, where the square root in (15) is zero and eta(A) \
-         and eta(alpha) have a vertical tangent; the other sign of the root has eta >= 2",
-    ),
-    found("eq-16", "Eq. (16)", end_of_rotation).states(
-        "h_e = 0 at beta_r = 0 in (5) gives 1 - eta/(2-eta) (1 + delta_M eta^2/12) = 0, with the \
-         root 2 (2√3 - 3) for delta_M = 1",
-    ),
-    claim("limit-l", "Sec. 2.1, Tables 3-4", limit_values)
-        .states("eta_l = 1, A_l = 2/3 (Heyman); eta_l = 2 (2√3 - 3), A_l = √3 - 1 (Milankovitch)"),
-    claim("limit-L", "Sec. 2.1, Tables 3-4", physical_limit)
-        .states("at eta = 2: A_L = 1/2 (Heyman), A_L = 2/3 (Milankovitch)"),
-    A_FIXES_ALPHA,
-    claim("alpha-L-is-alpha-l", "Sec. 2.1", shared_opening)
-        .states("alpha_L of Milankovitch's weight is alpha_l of Heyman's"),
-];
-
-pub(super) const A_FIXES_ALPHA: Claim =
-    implied("alpha-one-to-one", "Sec. 2.1", opening_variable_falls)
-        .states("A(alpha) falls strictly from 2 to 0 on (0, pi), so that A fixes alpha");
+claims! {
+    AsPrinted("eq-13", "Eq. (13)", without_thrust):
+        "h_2 = 0 in (4), or h_U = 0 at beta_r = 0 in (3), gives A = 2/(2+eta) (1 + delta_M eta^2/12)";
+    AsPrinted("eq-14", "Eq. (14)", heyman): "for Heyman's weight A = 2/(2+eta), and eta = 2 (1/A - 1)";
+    AsPrinted("eq-15", "Eq. (15)", milankovitch):
+        "for Milankovitch's weight A = (12 + eta^2)/(6 (2+eta)), and eta = 3A - sqrt(3 (3A^2 + 4A - 4))";
+    AsPrinted("eq-15-branch", "Eq. (15)", milankovitch_branch):
+        "on 0 <= eta <= 2, A falls from 1 to 2/3, where the square root in (15) is zero and eta(A) and eta(alpha) \
+         have a vertical tangent; the other sign of the root has eta >= 2";
+    Finds("eq-16", "Eq. (16)", end_of_rotation):
+        "h_e = 0 at beta_r = 0 in (5) gives 1 - eta/(2-eta) (1 + delta_M eta^2/12) = 0, with the root 2 (2√3 - 3) \
+         for delta_M = 1";
+    AsPrinted("limit-l", "Sec. 2.1, Tables 3-4", limit_values):
+        "eta_l = 1, A_l = 2/3 (Heyman); eta_l = 2 (2√3 - 3), A_l = √3 - 1 (Milankovitch)";
+    AsPrinted("limit-L", "Sec. 2.1, Tables 3-4", physical_limit):
+        "at eta = 2: A_L = 1/2 (Heyman), A_L = 2/3 (Milankovitch)";
+    Implicit("alpha-one-to-one", "Sec. 2.1", opening_variable_falls) as A_FIXES_ALPHA:
+        "A(alpha) falls strictly from 2 to 0 on (0, pi), so that A fixes alpha";
+    AsPrinted("alpha-L-is-alpha-l", "Sec. 2.1", shared_opening):
+        "alpha_L of Milankovitch's weight is alpha_l of Heyman's";
+}
 
 fn without_thrust(d: &mut Derivation) -> Checked {
     d.assume("h = 0; 2 + eta != 0; cos(alpha) != 1");

@@ -1,38 +1,29 @@
 //! The forms in which the curves of the map are regular up to their ends, each against the printed equations.
 
 use super::letters::{ring, variables};
-use super::{Checked, Claim, Derivation, implied, lemmas};
+use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::haunch::{Haunch, opening_variable_at_half};
 use crate::arch::{cycloid, sliding, statics, thrust};
 use crate::number::{Angle, Field};
 use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_opening};
 
-pub(super) const CLAIMS: &[Claim] = &[
-    CYCLOID,
-    SHOULDER_IN_ANGLES,
-    implied("eq-17-flat", "Eq. (17), (18)", flat_shoulder).states(
-        "the purely sliding states of flat arches: with q = (alpha - phi)/chi, (17) is chi³ times \
-         q (q² (c_2 - c_3) - c_1(chi²)² c_1) - 4 c_3(4 chi²) c_0, Stumpff's functions at q² chi²",
-    ),
-    implied("eq-2-touching", "Eq. (2)-(5)", touching).states(
-        "(2) and (5) hold where (5) does and h = (2 - eta)/(2 eta) (1 - cos(beta)) (beta/sin(beta) \
-         - 1), which has no quotient that vanishes with the thickness",
-    ),
-    implied("eq-2-square", "Eq. (2)-(5)", squares).states(
-        "(2)-(5) see the joint through functions of its square, analytic at the crown, and A \
-         through those of a quarter of that of the half opening",
-    ),
-];
-
-pub(super) const CYCLOID: Claim = implied("eq-18-cycloid", "Eq. (18)", cycloid).states(
-    "(18) is a cycloid: h = cos²(chi), beta_s = sin(chi) cos(chi) and phi = chi - sin(chi) \
-     cos(chi), with chi in (0, pi/2) the inclination of the force on the joint that slides",
-);
-
-pub(super) const SHOULDER_IN_ANGLES: Claim = implied("eq-17-angles", "Eq. (17)", shoulder).states(
-    "(17) is h sin(alpha - phi) = alpha cos(alpha - phi), and N is cos(phi) times h cos(alpha - \
-     phi) + alpha sin(alpha - phi)",
-);
+claims! {
+    Implicit("eq-18-cycloid", "Eq. (18)", cycloid) as CYCLOID:
+        "(18) is a cycloid: h = cos²(chi), beta_s = sin(chi) cos(chi) and phi = chi - sin(chi) cos(chi), with chi in \
+         (0, pi/2) the inclination of the force on the joint that slides";
+    Implicit("eq-17-angles", "Eq. (17)", shoulder) as SHOULDER_IN_ANGLES:
+        "(17) is h sin(alpha - phi) = alpha cos(alpha - phi), and N is cos(phi) times h cos(alpha - phi) + alpha \
+         sin(alpha - phi)";
+    Implicit("eq-17-flat", "Eq. (17), (18)", flat_shoulder):
+        "the purely sliding states of flat arches: with q = (alpha - phi)/chi, (17) is chi³ times q (q² (c_2 - c_3) \
+         - c_1(chi²)² c_1) - 4 c_3(4 chi²) c_0, Stumpff's functions at q² chi²";
+    Implicit("eq-2-touching", "Eq. (2)-(5)", touching):
+        "(2) and (5) hold where (5) does and h = (2 - eta)/(2 eta) (1 - cos(beta)) (beta/sin(beta) - 1), which has \
+         no quotient that vanishes with the thickness";
+    Implicit("eq-2-square", "Eq. (2)-(5)", squares):
+        "(2)-(5) see the joint through functions of its square, analytic at the crown, and A through those of a \
+         quarter of that of the half opening";
+}
 
 /// `chi` in the letters of the half opening.
 fn inclination() -> Angle<Fraction> {

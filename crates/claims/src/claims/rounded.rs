@@ -4,30 +4,26 @@ use super::along::{CurveStates, landmark};
 use super::domains::{NO_PURE_SLIDING_BEYOND_B, NO_SHOULDER_SLIDING_BEYOND_T};
 use super::landmarks::{both, certain_if, semicircle, state_of};
 use super::measured::{MeasuredBounds, in_degrees};
-use super::{Checked, Claim, Derivation, Support, claim, lemmas, measured};
+use super::{Checked, Derivation, Support, claims, lemmas};
 use crate::arch::{SelfWeight, Unknown};
 use crate::certify::{CertifiedLandmark, Undecided};
 use crate::number::{Ball, Decimal, Field, Rounded, arctangent};
 use crate::problem::{Landmark, Mode, Quantity};
 use rug::Rational;
 
-pub(super) const CLAIMS: &[Claim] = &[
-    claim("rounded-values", "Sec. 2.1-5, Fig. 7-12", rounded_values).states(
-        "the values given to few digits, such as beta_r = 59.7° at T or, coarser, 20° for 22°, are \
-         roundings of the true ones",
-    ),
-    measured("landmark-S-near-J", "Sec. 4", nearness)
-        .states("S and J are rather near in the eta-mu map"),
-    measured("semicircle", "Sec. 5", semicircle_suffices).states(
-        "for the semicircle a friction of about 0.395, 22°, suffices to prevent sliding of the \
-         shoulder and warrants purely rotational collapse",
-    ),
-    measured("suffices-T", "Sec. 5", no_shoulder_sliding).states(
-        "a friction of about 1.277, 52°, suffices to prevent any mixed sliding-rotational mode",
-    ),
-    measured("suffices-B", "Sec. 5", no_pure_sliding)
-        .states("a friction of about 1.854, 62°, suffices to prevent any purely sliding mode"),
-];
+claims! {
+    AsPrinted("rounded-values", "Sec. 2.1-5, Fig. 7-12", rounded_values):
+        "the values given to few digits, such as beta_r = 59.7° at T or, coarser, 20° for 22°, are roundings of the \
+         true ones";
+    Measured("landmark-S-near-J", "Sec. 4", nearness): "S and J are rather near in the eta-mu map";
+    Measured("semicircle", "Sec. 5", semicircle_suffices):
+        "for the semicircle a friction of about 0.395, 22°, suffices to prevent sliding of the shoulder and warrants \
+         purely rotational collapse";
+    Measured("suffices-T", "Sec. 5", no_shoulder_sliding):
+        "a friction of about 1.277, 52°, suffices to prevent any mixed sliding-rotational mode";
+    Measured("suffices-B", "Sec. 5", no_pure_sliding):
+        "a friction of about 1.854, 62°, suffices to prevent any purely sliding mode";
+}
 
 /// The values to few digits: landmark, weight, quantity, text, places where it stands.
 const ROUNDED: &[(Landmark, SelfWeight, Quantity, &[&str])] = {

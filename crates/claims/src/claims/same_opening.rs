@@ -12,27 +12,22 @@ use super::curve::{
 use super::landmarks::{certain_if, state_of};
 use super::letters::ring;
 use super::states::at_all_states;
-use super::{Checked, Claim, Derivation, Support, claim, lemmas};
+use super::{Checked, Derivation, Support, claims, lemmas};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::number::{Angle, Ball, Dual, Field};
 use crate::symbolic::{Fraction, Letters, Polynomial, Symbol, along_the_joint};
 use rug::Rational;
 use std::sync::OnceLock;
 
-pub(super) const CLAIMS: &[Claim] = &[STATES_OF_ONE_OPENING, DIFFERENCES_GROW];
-
-pub(super) const STATES_OF_ONE_OPENING: Claim =
-    claim("weights-rotation", "Sec. 2.1, Fig. 2", states_of_one_opening).states(
-        "at every half opening below alpha_l of Milankovitch's weight its purely rotational state \
-         has a larger thickness, a smaller thrust and a smaller joint than that of Heyman's, whose \
-         beta_r overshoots everywhere, not only about the peak",
-    );
-
-pub(super) const DIFFERENCES_GROW: Claim =
-    claim("weights-differences", "Sec. 2.1, Fig. 2", differences_grow).states(
-        "from alpha = 2/5 up to 2.58 the relative differences of eta, h and beta_r between the two \
-         weights grow with the half opening; up to 2/5 they are below 0.01 %",
-    );
+claims! {
+    AsPrinted("weights-rotation", "Sec. 2.1, Fig. 2", states_of_one_opening) as STATES_OF_ONE_OPENING:
+        "at every half opening below alpha_l of Milankovitch's weight its purely rotational state has a larger \
+         thickness, a smaller thrust and a smaller joint than that of Heyman's, whose beta_r overshoots everywhere, \
+         not only about the peak";
+    AsPrinted("weights-differences", "Sec. 2.1, Fig. 2", differences_grow) as DIFFERENCES_GROW:
+        "from alpha = 2/5 up to 2.58 the relative differences of eta, h and beta_r between the two weights grow with \
+         the half opening; up to 2/5 they are below 0.01 %";
+}
 
 /// Change of a rotational state with `delta_M` while its half opening is kept: logarithmic slopes.
 struct WeightSlopes<T> {

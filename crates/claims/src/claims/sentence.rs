@@ -21,15 +21,3 @@ pub enum Decided {
     /// The sentence is not decided here, and why.
     Open(&'static str),
 }
-
-impl Sentence {
-    /// Names the claims that decide it.
-    pub(super) const fn by(self, claims: &'static [&'static str]) -> Self {
-        Self { decided: Decided::Claims(claims), ..self }
-    }
-
-    /// Says why it is not decided.
-    pub(super) const fn open(self, why: &'static str) -> Self {
-        Self { decided: Decided::Open(why), ..self }
-    }
-}

@@ -1,30 +1,26 @@
 //! Sliding joints: (17) and (18).
 
-use super::{Checked, Claim, Derivation, claim, implied};
+use super::{Checked, Derivation, claims};
 use crate::arch::{sliding, statics};
 use crate::number::Field;
 use crate::symbolic::{Fraction, Letters, Relations, Symbol, along_the_joint, along_the_opening};
 
-pub(super) const CLAIMS: &[Claim] = &[
-    claim("eq-17", "Eq. (17)", shoulder).states(
-        "mu_ss = (h sin(alpha) - alpha cos(alpha))/(h cos(alpha) + alpha sin(alpha)) is the \
-         friction at which the shoulder slides, and h_mu its inverse",
-    ),
-    claim("eq-18-stationary", "Eq. (18)", stationary).states(
-        "T/N is stationary along the arch at beta_s = sqrt(h (1-h)), rises before and falls after: \
-         it has one maximum",
-    ),
-    claim("eq-18", "Eq. (18)", inner).states(
-        "the friction at which an inner joint slides is ((1-h) cos(beta) - beta sin(beta))/((1-h) \
-         sin(beta) + beta cos(beta)) at beta_s",
-    ),
-    implied("eq-18-falls", "Eq. (18)", inner_falls)
-        .states("mu_is falls strictly as h grows on (0, 1)"),
-    claim("sliding-thickness", "Sec. 2.2", no_thickness)
-        .states("(17) and (18) see neither the thickness nor the self-weight model"),
-    claim("sliding-opening", "Sec. 2.2", no_half_opening)
-        .states("the half opening enters sliding by (17) alone: (18) does not see it"),
-];
+claims! {
+    AsPrinted("eq-17", "Eq. (17)", shoulder):
+        "mu_ss = (h sin(alpha) - alpha cos(alpha))/(h cos(alpha) + alpha sin(alpha)) is the friction at which the \
+         shoulder slides, and h_mu its inverse";
+    AsPrinted("eq-18-stationary", "Eq. (18)", stationary):
+        "T/N is stationary along the arch at beta_s = sqrt(h (1-h)), rises before and falls after: it has one \
+         maximum";
+    AsPrinted("eq-18", "Eq. (18)", inner):
+        "the friction at which an inner joint slides is ((1-h) cos(beta) - beta sin(beta))/((1-h) sin(beta) + beta \
+         cos(beta)) at beta_s";
+    Implicit("eq-18-falls", "Eq. (18)", inner_falls): "mu_is falls strictly as h grows on (0, 1)";
+    AsPrinted("sliding-thickness", "Sec. 2.2", no_thickness):
+        "(17) and (18) see neither the thickness nor the self-weight model";
+    AsPrinted("sliding-opening", "Sec. 2.2", no_half_opening):
+        "the half opening enters sliding by (17) alone: (18) does not see it";
+}
 
 /// `T` and `N` at `beta`.
 fn forces() -> (Fraction, Fraction) {

@@ -17,37 +17,29 @@ use super::letters::{ring, variables};
 use super::modes::SEVEN_MODES;
 use super::overturning::end_of_rotation_is_simple;
 use super::uniqueness::{MECHANISM_BOUNDS, ONE_HALF_OPENING, ONE_THICKNESS, THICKER_HAS_ROOM};
-use super::{Checked, Claim, Derivation, claim, implied, lemmas};
+use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Ring, SelfWeight, contact, overturning, sliding, statics, thrust};
 use crate::number::{Angle, Field};
 use crate::problem::Landmark;
 use crate::symbolic::{Letters, Symbol, along_the_joint};
 
-pub(super) const COLUMNS: Claim = claim("map-columns", "Sec. 3, Fig. 5, 6", columns).states(
-    "the modes fill the map: at a given friction they follow each other, as the thickness grows, \
-     in the order [r,r,r], [s,r,r], [r,r,s], [r,s,r], [r,s], [s,s], each on an interval or not at \
-     all; the second is left of T, the next three are right of it",
-);
-
-pub(super) const CLAIMS: &[Claim] = &[
-    COLUMNS,
-    implied("map-rows", "Sec. 3, Fig. 5, 6", rows).states(
-        "at a given half opening the modes follow each other as the friction grows: before T \
-         [s,s], [s,r,r], [r,r,r], beyond T [s,s], [r,s], [r,s,r], [r,r,s], [r,r,r], each on an \
-         interval or not at all, so that the line of a half opening meets each domain at most once",
-    ),
-    claim("map-T-frictions", "Sec. 3", frictions_beyond_t).states(
-        "beyond T an inner joint asks for a higher friction than the shoulder, in the purely \
-         rotational states and, without limit, in the purely overturning ones; in the mixed ones \
-         it takes all there is",
-    ),
-    claim("map-beyond-l", "Sec. 5", overturning_sliding_beyond_l).states(
-        "beyond alpha_l finite friction makes overturning states overturning-sliding: at its least \
-         thickness [r,s] moves the arch, and no other symmetric mode but, at its least friction, \
-         [s,s] as well",
-    ),
-];
+claims! {
+    AsPrinted("map-columns", "Sec. 3, Fig. 5, 6", columns) as COLUMNS:
+        "the modes fill the map: at a given friction they follow each other, as the thickness grows, in the order \
+         [r,r,r], [s,r,r], [r,r,s], [r,s,r], [r,s], [s,s], each on an interval or not at all; the second is left of \
+         T, the next three are right of it";
+    Implicit("map-rows", "Sec. 3, Fig. 5, 6", rows):
+        "at a given half opening the modes follow each other as the friction grows: before T [s,s], [s,r,r], \
+         [r,r,r], beyond T [s,s], [r,s], [r,s,r], [r,r,s], [r,r,r], each on an interval or not at all, so that the \
+         line of a half opening meets each domain at most once";
+    AsPrinted("map-T-frictions", "Sec. 3", frictions_beyond_t):
+        "beyond T an inner joint asks for a higher friction than the shoulder, in the purely rotational states and, \
+         without limit, in the purely overturning ones; in the mixed ones it takes all there is";
+    AsPrinted("map-beyond-l", "Sec. 5", overturning_sliding_beyond_l):
+        "beyond alpha_l finite friction makes overturning states overturning-sliding: at its least thickness [r,s] \
+         moves the arch, and no other symmetric mode but, at its least friction, [s,s] as well";
+}
 
 fn columns(d: &mut Derivation) -> Checked {
     d.assume("0 < eta <= 2, 0 < mu < inf");

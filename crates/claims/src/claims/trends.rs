@@ -5,23 +5,20 @@ use super::landmarks::both;
 use super::letters::{ring, with};
 use super::measured::{MeasuredBounds, in_degrees};
 use super::overturning::{A_FIXES_ALPHA, opening_at};
-use super::{Checked, Claim, lemmas, measured};
+use super::{Checked, claims, lemmas};
 use crate::arch::{SelfWeight, overturning, thrust};
 use crate::number::{Angle, Ball, Field};
 use crate::problem::Landmark::OverturningEnd;
 use crate::symbolic::{Letters, Symbol};
 use rug::Rational;
 
-pub(super) const CLAIMS: &[Claim] = &[
-    measured("weights-overturning", "Sec. 2.1, Fig. 3", trends_compared).states(
-        "for purely overturning modes the trends of eta differ to a quite limited extent between \
-         the two weights",
-    ),
-    measured("weights-range", "Sec. 2.1", ranges_compared).states(
-        "the half openings of rotational states, purely overturning ones among them, end at about \
-         150° for Milankovitch's weight and about 160° for Heyman's",
-    ),
-];
+claims! {
+    Measured("weights-overturning", "Sec. 2.1, Fig. 3", trends_compared):
+        "for purely overturning modes the trends of eta differ to a quite limited extent between the two weights";
+    Measured("weights-range", "Sec. 2.1", ranges_compared):
+        "the half openings of rotational states, purely overturning ones among them, end at about 150° for \
+         Milankovitch's weight and about 160° for Heyman's";
+}
 
 /// `(1 - cos(alpha))/(alpha - sin(alpha))`, by which `A` makes `alpha` fall.
 fn leverage(alpha: &Ball) -> Ball {

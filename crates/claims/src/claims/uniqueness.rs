@@ -11,55 +11,34 @@ use super::frictions::{SLIDING_STATES_IN_ORDER, SLOPES_OF_FRICTION};
 use super::letters::{ring, with};
 use super::modes::{SEVEN_MODES, room_of_pure_sliding};
 use super::overturning::A_FIXES_ALPHA;
-use super::{Checked, Claim, Derivation, claim, implied, lemmas};
+use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{SelfWeight, statics, thrust};
 use crate::number::{Angle, Field};
 use crate::symbolic::{Fraction, Letters, Symbol, along_the_joint};
 
-pub(super) const CLAIMS: &[Claim] = &[
-    SYMMETRIC_MEAN,
-    MECHANISM_BOUNDS,
-    THICKER_HAS_ROOM,
-    LIMIT_STANDS,
-    ONE_HALF_OPENING,
-    ONE_THICKNESS,
-];
-
-pub(super) const ONE_THICKNESS: Claim = claim("unique-thickness", "Sec. 5", one_thickness).states(
-    "above its least thickness an arch has no mechanism without dilatancy that is symmetric: among \
-     symmetric motions the static and the kinematic thickness are one. The only exception is the \
-     friction of pure sliding, where [s,s] moves at each thickness that stands. Nothing is said of \
-     asymmetric mechanisms, which may move thicker arches",
-);
-
-const SYMMETRIC_MEAN: Claim = implied("unique-mean", "Sec. 2, 4", symmetric_mean).states(
-    "if the whole arch has an admissible state, asymmetric or not, it has a symmetric one: the \
-     mean of the state and its mirror image",
-);
-
-pub(super) const MECHANISM_BOUNDS: Claim = implied("unique-work", "Sec. 4, 5", mechanism_bounds)
-    .states(
-        "no thrust and crown moment leave a positive margin at all joints that move in a symmetric \
-         mechanism without dilatancy: all these margins are zero, or one is negative",
-    );
-
-pub(super) const THICKER_HAS_ROOM: Claim = implied("unique-thicker", "Sec. 4, 5", thicker_has_room)
-    .states(
-        "a positive thrust that is admissible at one thickness is so at each larger one up to 2, \
-         with a line of thrust off both faces at every joint",
-    );
-
-pub(super) const LIMIT_STANDS: Claim = implied("unique-attained", "Sec. 2, 5", limit_stands).states(
-    "at a friction 0 < mu < inf the limit of arches that stand stands: the least thickness of an \
-     arch and the widest half opening of a thickness are attained",
-);
-
-pub(super) const ONE_HALF_OPENING: Claim =
-    implied("map-function", "Sec. 3, Fig. 5, 6", one_half_opening).states(
-        "to each thickness 0 < eta <= 2 and each friction 0 < mu < inf belongs one half opening: \
-         narrower arches stand, wider ones fall, and there alone a symmetric mechanism exists",
-    );
+claims! {
+    Implicit("unique-mean", "Sec. 2, 4", symmetric_mean):
+        "if the whole arch has an admissible state, asymmetric or not, it has a symmetric one: the mean of the state \
+         and its mirror image";
+    Implicit("unique-work", "Sec. 4, 5", mechanism_bounds) as MECHANISM_BOUNDS:
+        "no thrust and crown moment leave a positive margin at all joints that move in a symmetric mechanism without \
+         dilatancy: all these margins are zero, or one is negative";
+    Implicit("unique-thicker", "Sec. 4, 5", thicker_has_room) as THICKER_HAS_ROOM:
+        "a positive thrust that is admissible at one thickness is so at each larger one up to 2, with a line of \
+         thrust off both faces at every joint";
+    Implicit("unique-attained", "Sec. 2, 5", limit_stands) as LIMIT_STANDS:
+        "at a friction 0 < mu < inf the limit of arches that stand stands: the least thickness of an arch and the \
+         widest half opening of a thickness are attained";
+    Implicit("map-function", "Sec. 3, Fig. 5, 6", one_half_opening) as ONE_HALF_OPENING:
+        "to each thickness 0 < eta <= 2 and each friction 0 < mu < inf belongs one half opening: narrower arches \
+         stand, wider ones fall, and there alone a symmetric mechanism exists";
+    AsPrinted("unique-thickness", "Sec. 5", one_thickness) as ONE_THICKNESS:
+        "above its least thickness an arch has no mechanism without dilatancy that is symmetric: among symmetric \
+         motions the static and the kinematic thickness are one. The only exception is the friction of pure sliding, \
+         where [s,s] moves at each thickness that stands. Nothing is said of asymmetric mechanisms, which may move \
+         thicker arches";
+}
 
 /// The state with the thrust and the crown moment zero.
 fn without_forces(value: &Fraction) -> Fraction {

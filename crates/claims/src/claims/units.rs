@@ -1,18 +1,16 @@
 //! Units of `r`, `w` and `h`: (1), and the caption of Fig. 1.
 
 use super::letters::{ring, with};
-use super::{Checked, Claim, Derivation, Finding, claim, found};
+use super::{Checked, Derivation, Finding, claims};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::number::Field;
 use crate::symbolic::{Fraction, Letters, Symbol};
 use rug::Rational;
 
-pub(super) const CLAIMS: &[Claim] = &[
-    claim("eq-1", "Eq. (1)", intrinsic_thrust)
-        .states("the intrinsic thrust eta h is H/(gamma d r^2)"),
-    found("eq-1-radius", "Fig. 1, caption", inner_radius)
-        .states("r is the inner radius of the arch"),
-];
+claims! {
+    AsPrinted("eq-1", "Eq. (1)", intrinsic_thrust): "the intrinsic thrust eta h is H/(gamma d r^2)";
+    Finds("eq-1-radius", "Fig. 1, caption", inner_radius): "r is the inner radius of the arch";
+}
 
 fn intrinsic_thrust(d: &mut Derivation) -> Checked {
     let [eta, h, radius] = [Symbol::Thickness, Symbol::Thrust, Symbol::Radius].map(Symbol::number);

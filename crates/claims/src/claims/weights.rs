@@ -3,7 +3,7 @@
 use super::along::landmark;
 use super::curve::STATES_OF_ONE_THICKNESS;
 use super::landmarks::{both, certain_if};
-use super::{Checked, Claim, Derivation, Finding, Support, claim, found, lemmas};
+use super::{Checked, Derivation, Finding, Support, claims, lemmas};
 use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::certify::{CertifiedLandmark, Exact, Undecided};
 use crate::judge::{Comparison, Relation, compare_weights};
@@ -11,32 +11,28 @@ use crate::number::{Ball, Surd};
 use crate::problem::{Fixed, Landmark, Quantity};
 use std::sync::OnceLock;
 
-pub(super) const CLAIMS: &[Claim] = &[
-    found("weights-thickness", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::Thickness))
-        .states("at T, S, J and B the thickness is lower for Milankovitch's weight"),
-    found("weights-friction", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::Friction))
-        .states("at T, S, J and B the friction is lower for Milankovitch's weight"),
-    found("weights-opening", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::HalfOpening))
-        .states("at T, S, J and B the half opening is lower for Milankovitch's weight"),
-    found("weights-thrust", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::Thrust))
-        .states("at T, S, J and B the thrust is higher for Milankovitch's weight"),
-    found("weights-beta-r", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::RotationJoint))
-        .states("at T, S, J and B the rotational joint is wider for Milankovitch's weight"),
-    found("weights-beta-s", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::SlidingJoint))
-        .states("at T, S, J and B the sliding joint is wider for Milankovitch's weight"),
-    claim("weights-limits", "Sec. 2.1, Tables 3-4", limits_compared)
-        .states("eta_l, alpha_l and alpha_L are higher for Heyman's weight, A_l and A_L lower"),
-    found("weights-eta-l", "Sec. 3", limit_thickness_compared)
-        .states("the thickness is lower for Milankovitch's weight at l and at L"),
-    claim("weights-widest-joint", "Sec. 2.1, Fig. 2", widest_joints_compared).states(
-        "the rotational joint of Heyman's solution overshoots that of Milankovitch's at the peak \
-         of beta_r(alpha)",
-    ),
-    claim("weights-at-B", "Sec. 3", most_at_the_border).states(
-        "among T, S, J and B the two weights differ most at B, in the friction and in the half \
-         opening",
-    ),
-];
+claims! {
+    Finds("weights-thickness", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::Thickness)):
+        "at T, S, J and B the thickness is lower for Milankovitch's weight";
+    Finds("weights-friction", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::Friction)):
+        "at T, S, J and B the friction is lower for Milankovitch's weight";
+    Finds("weights-opening", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::HalfOpening)):
+        "at T, S, J and B the half opening is lower for Milankovitch's weight";
+    Finds("weights-thrust", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::Thrust)):
+        "at T, S, J and B the thrust is higher for Milankovitch's weight";
+    Finds("weights-beta-r", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::RotationJoint)):
+        "at T, S, J and B the rotational joint is wider for Milankovitch's weight";
+    Finds("weights-beta-s", "Sec. 3, Tables 1-2", |d| compared(d, Quantity::SlidingJoint)):
+        "at T, S, J and B the sliding joint is wider for Milankovitch's weight";
+    AsPrinted("weights-limits", "Sec. 2.1, Tables 3-4", limits_compared):
+        "eta_l, alpha_l and alpha_L are higher for Heyman's weight, A_l and A_L lower";
+    Finds("weights-eta-l", "Sec. 3", limit_thickness_compared):
+        "the thickness is lower for Milankovitch's weight at l and at L";
+    AsPrinted("weights-widest-joint", "Sec. 2.1, Fig. 2", widest_joints_compared):
+        "the rotational joint of Heyman's solution overshoots that of Milankovitch's at the peak of beta_r(alpha)";
+    AsPrinted("weights-at-B", "Sec. 3", most_at_the_border):
+        "among T, S, J and B the two weights differ most at B, in the friction and in the half opening";
+}
 
 /// The claims of the paper on the two weights, decided once.
 fn comparisons() -> Checked<&'static [Comparison]> {

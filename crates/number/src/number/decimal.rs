@@ -5,7 +5,7 @@ use std::fmt;
 use std::str::FromStr;
 
 /// The decimal number `sign digits * 10^exponent`, with `digits` an integer.
-#[derive(Clone, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Decimal {
     negative: bool,
     /// Decimal digits without leading zeros; empty for zero.
@@ -85,6 +85,14 @@ impl Decimal {
         if self.negative { -value } else { value }
     }
 
+    /// The decimal without the zeros at its end.
+    #[cfg(feature = "mpfr")]
+    pub(super) fn shortened(&self) -> Self {
+        let kept = self.digits.trim_end_matches('0');
+        let zeros = (self.digits.len() - kept.len()) as i64;
+        Self::new(self.negative, kept.to_owned(), self.exponent + zeros)
+    }
+
     /// Neighbour of the decimal, one unit of its last place, away from zero or towards it.
     pub fn neighbour(&self, away: bool) -> Self {
         let mut digits = self.digits.clone().into_bytes();
@@ -115,16 +123,13 @@ impl fmt::Display for Decimal {
         if self.digits.is_empty() {
             return f.write_str("0");
         }
-        if self.negative {
-            f.write_str("-")?;
-        }
         let magnitude = self.magnitude();
         let length = self.digits.len() as i64;
         if !(-6..=21).contains(&magnitude) {
-            let (head, tail) = self.digits.split_at(1);
-            let point = if tail.is_empty() { "" } else { "." };
-            write!(f, "{head}{point}{tail}e{}", magnitude - 1)
-        } else if magnitude <= 0 {
+            return fmt::LowerExp::fmt(self, f);
+        }
+        f.write_str(if self.negative { "-" } else { "" })?;
+        if magnitude <= 0 {
             write!(f, "0.{}{}", "0".repeat(-magnitude as usize), self.digits)
         } else if magnitude >= length {
             write!(f, "{}{}", self.digits, "0".repeat((magnitude - length) as usize))
@@ -132,6 +137,16 @@ impl fmt::Display for Decimal {
             let (head, tail) = self.digits.split_at(magnitude as usize);
             write!(f, "{head}.{tail}")
         }
+    }
+}
+
+impl fmt::LowerExp for Decimal {
+    /// Scientific notation: every digit that is written is one of the number.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (head, tail) = self.digits.split_at(self.digits.len().min(1));
+        let (sign, point) =
+            (if self.negative { "-" } else { "" }, if tail.is_empty() { "" } else { "." });
+        write!(f, "{sign}{head}{point}{tail}e{}", self.magnitude() - 1)
     }
 }
 

@@ -7,7 +7,7 @@ use std::fmt;
 use std::str::FromStr;
 
 /// `± mantissa * 2^exponent`, exactly. The mantissa is an integer.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Dyadic {
     negative: bool,
     /// Words of 64 bits, the least significant first, without zeros at the top; empty for zero.
@@ -69,14 +69,16 @@ impl Dyadic {
     }
 }
 
-/// The number to 110 bits, if both its parts are in the range of balls; zero for what is not finite.
+/// The number to 110 bits; zero for what is not finite.
 impl From<DoubleDouble> for Dyadic {
     fn from(x: DoubleDouble) -> Self {
         if x.hi() == 0.0 {
             return Self::new(false, Vec::new(), 0);
         }
         let exponent = x.hi().abs().log2().floor() as i32 - 110;
-        let part = |x: f64| (x * (-exponent as f64).exp2()).round() as i128;
+        // In two steps: the power of a tiny number is no double.
+        let steps = [-exponent / 2, -exponent - -exponent / 2].map(|step| f64::from(step).exp2());
+        let part = |x: f64| (x * steps[0] * steps[1]).round() as i128;
         let mantissa = part(x.hi()) + part(x.lo());
         let size = mantissa.unsigned_abs();
         let zeros = size.trailing_zeros() % 128;
@@ -85,7 +87,7 @@ impl From<DoubleDouble> for Dyadic {
     }
 }
 
-/// The number itself, in the same range.
+/// The number itself; zero for what is not finite.
 impl From<f64> for Dyadic {
     fn from(x: f64) -> Self {
         DoubleDouble::exact(x).into()
@@ -178,6 +180,18 @@ mod tests {
             "0x100000000000000000001p-80"
         );
         assert_eq!(Dyadic::from(DoubleDouble::ZERO).to_string(), "0x0p0");
+    }
+
+    #[test]
+    fn every_double_is_itself() {
+        let exact = |x: f64| Dyadic::from(x).to_string();
+        assert_eq!(exact(f64::from_bits(1)), "0x1p-1074");
+        assert_eq!(exact(-f64::MIN_POSITIVE), "-0x1p-1022");
+        assert_eq!(exact(3.0 * (-950f64).exp2()), "0x3p-950");
+        assert_eq!(exact(f64::MAX), "0x1fffffffffffffp971");
+        for x in [0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert_eq!(exact(x), "0x0p0", "{x}");
+        }
     }
 
     #[test]

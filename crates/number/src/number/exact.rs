@@ -2,7 +2,7 @@
 
 use super::tangent::angle_of_tangent;
 use super::unit::{AngleUnit, unit};
-use super::{Decimal, Dyadic, Engine, ParseDecimalError, says, shown};
+use super::{Decimal, Dyadic, Engine, ParseDecimalError, as_text, says, shown};
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
 use std::fmt;
@@ -10,7 +10,7 @@ use std::hash::{Hash, Hasher};
 use std::str::FromStr;
 
 /// A number given exactly.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct ExactNumber {
     /// The rational number of its form.
     factor: BigRational,
@@ -179,6 +179,12 @@ mod mpfr {
         }
     }
 
+    impl From<Rational> for ExactNumber {
+        fn from(value: Rational) -> Self {
+            Self::from(&value)
+        }
+    }
+
     impl From<&Rational> for ExactNumber {
         fn from(value: &Rational) -> Self {
             let integer = |x: &Integer| {
@@ -209,6 +215,31 @@ impl Hash for ExactNumber {
 impl fmt::Display for ExactNumber {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.text)
+    }
+}
+
+impl fmt::Debug for ExactNumber {
+    /// The text, which says which number it is.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+as_text!(ExactNumber);
+
+impl From<i32> for ExactNumber {
+    fn from(value: i32) -> Self {
+        Self::rational(BigInt::from(value).into())
+    }
+}
+
+impl TryFrom<f64> for ExactNumber {
+    type Error = ParseExactError;
+
+    /// The double itself: 0.1 is not one tenth. What is not finite is refused.
+    fn try_from(value: f64) -> Result<Self, Self::Error> {
+        let exact = BigRational::from_float(value).map(Self::rational);
+        exact.ok_or_else(|| ParseExactError::Syntax(value.to_string()))
     }
 }
 

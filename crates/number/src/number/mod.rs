@@ -60,6 +60,7 @@ macro_rules! operators {
 }
 
 mod angle;
+mod as_text;
 mod astro;
 mod decimal;
 mod derivatives;
@@ -91,9 +92,10 @@ mod tangent;
 mod tens;
 mod ternary;
 mod unit;
+mod worded;
 mod written;
 
-pub use crate::says;
+pub use crate::{as_text, says, worded};
 pub use angle::Angle;
 pub use astro::{Astro, AstroInterval};
 pub use decimal::{Decimal, ParseDecimalError};

@@ -5,7 +5,7 @@ use std::fmt;
 
 /// A decimal number as it is written: `[-]d[.d…][e±n]`. The zeros at the end of a whole number without a
 /// point only show its size.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Written {
     negative: bool,
     /// All digits without the point, from the first that is not zero; empty for zero.

@@ -5,7 +5,7 @@ use rug::Rational;
 use std::fmt;
 
 /// Notation of a formula.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Notation {
     /// Text for a terminal: `3 S eta^2`.

@@ -143,20 +143,6 @@ impl Polynomial {
         }
         unreachable!("only finitely many values are unlucky")
     }
-
-    /// The polynomial without repeated factors that contain `symbol`: divided by what it shares with
-    /// its derivative.
-    pub fn square_free_part(&self, symbol: Symbol) -> Self {
-        let slope = self.partial(symbol);
-        if slope.is_zero() {
-            return self.clone();
-        }
-        let content =
-            self.coefficients(symbol).iter().fold(Self::zero(), |c, p| c.common_divisor(p));
-        let primitive = self.exact_quotient(&content).expect("the content divides");
-        let repeated = primitive.common_divisor(&slope);
-        self.exact_quotient(&repeated).expect("a common divisor divides")
-    }
 }
 
 #[cfg(test)]
@@ -186,18 +172,6 @@ mod tests {
             prop_assert!(right.exact_quotient(&common).is_some());
             let (x, y) = (left.exact_quotient(&common).unwrap(), right.exact_quotient(&common).unwrap());
             prop_assert_eq!(x.common_divisor(&y), Polynomial::from(1), "and nothing more is shared");
-        }
-
-        #[test]
-        fn squares_are_removed(a in nonzero()) {
-            let symbol = Symbol::F;
-            let part = (&a * &a).square_free_part(symbol);
-            let again = part.square_free_part(symbol);
-            prop_assert_eq!(part.degree(symbol), again.degree(symbol));
-            prop_assert!((&a * &a).exact_quotient(&part).is_some());
-            if a.degree(symbol) > Some(0) {
-                prop_assert!(part.degree(symbol) < (&a * &a).degree(symbol));
-            }
         }
     }
 }

@@ -16,7 +16,7 @@ use crate::arch::haunch::opening_variable_at_half;
 use crate::number::{Ball, Dual, Enclosure, Field, Jet, Magnitude, Real, Stumpff};
 
 /// A quantity that is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Coordinate {
     /// `alpha`, rad.
     HalfOpening,

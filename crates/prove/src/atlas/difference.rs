@@ -13,22 +13,28 @@ use super::place::Place;
 use super::trace::{LEAST_TOLERANCE, Piece, Trace};
 use crate::arch::SelfWeight;
 use crate::certify::Undecided;
-use crate::number::Ball;
+use crate::number::{Ball, worded};
 use crate::problem::{Landmark, Line};
 use rug::float::Round;
 use std::fmt;
 
-/// A curve of lines between modes, one after the other.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Divide {
-    /// Divide between a shoulder that slides and one that turns: from the origin by T, S and J to B.
-    Shoulder,
-    /// Divide between an inner joint that slides and a crown that turns: from the origin by T to l.
-    Inner,
-    /// Divide between a haunch above the joint that slides and one below it: from S to l.
-    Joints,
-    /// Divide at which the haunch arrives at the crown: from J to l.
-    Crown,
+worded! {
+    /// A curve of lines between modes, one after the other.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Divide {
+        /// Divide between a shoulder that slides and one that turns: from the origin by T, S and J to B.
+        Shoulder = "shoulder",
+        /// Divide between an inner joint that slides and a crown that turns: from the origin by T to l.
+        Inner = "inner",
+        /// Divide between a haunch above the joint that slides and one below it: from S to l.
+        Joints = "joints",
+        /// Divide at which the haunch arrives at the crown: from J to l.
+        Crown = "crown",
+    }
+    /// All four divides.
+    pub const ALL;
+    /// The name used in files.
+    pub fn name -> &'static str;
 }
 
 /// The half-width that is left for the tube of each of two weights.
@@ -80,9 +86,6 @@ struct Track<'a> {
 }
 
 impl Divide {
-    /// All four divides.
-    pub const ALL: [Self; 4] = [Self::Shoulder, Self::Inner, Self::Joints, Self::Crown];
-
     /// Lines of the divide, in order.
     pub fn lines(self) -> &'static [Line] {
         use Line as L;
@@ -93,16 +96,6 @@ impl Divide {
             Self::Inner => &[L::ShoulderEnd, L::RotationInner],
             Self::Joints => &[L::Joints],
             Self::Crown => &[L::Crown],
-        }
-    }
-
-    /// The name used in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Shoulder => "shoulder",
-            Self::Inner => "inner",
-            Self::Joints => "joints",
-            Self::Crown => "crown",
         }
     }
 }

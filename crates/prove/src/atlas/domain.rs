@@ -9,7 +9,7 @@ use super::end::CurveEnd;
 use crate::problem::{Landmark, Line, Mode};
 
 /// A side of a domain, in the direction in which the loop runs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum DomainSide {
     /// A curve from its beginning to its end.
     Along(Curve),

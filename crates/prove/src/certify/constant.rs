@@ -1,7 +1,7 @@
 //! A quantity of a landmark with all its digits proved.
 
 use crate::arch::SelfWeight;
-use crate::number::{Binary, Rounded};
+use crate::number::{Ball, Binary, Rounded};
 use crate::problem::{Landmark, Quantity};
 use std::fmt;
 
@@ -32,6 +32,35 @@ pub enum Value {
     Finite(Rounded),
     /// Exactly infinite.
     Infinite,
+}
+
+impl Constant {
+    /// The correctly rounded value with its bounds; `None` for infinity.
+    pub fn rounded(&self) -> Option<&Rounded> {
+        match &self.value {
+            Value::Finite(rounded) => Some(rounded),
+            Value::Infinite => None,
+        }
+    }
+
+    /// Doubles between which the true value lies.
+    ///
+    /// ```
+    /// use couplet_prove::prelude::*;
+    /// let triple = CertifiedLandmark::new(Landmark::Triple, SelfWeight::Heyman)?;
+    /// let friction = triple.constant(Quantity::Friction, 30)?;
+    /// let ([lower, upper], ball) = (friction.bounds(), friction.enclosure(200).unwrap());
+    /// assert!(lower.next_up() == upper && lower <= ball.lower() && ball.upper() <= upper);
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn bounds(&self) -> [f64; 2] {
+        self.binary.bounds()
+    }
+
+    /// Ball of `bits` bits about the decimal bounds; `None` for infinity.
+    pub fn enclosure(&self, bits: u32) -> Option<Ball> {
+        self.rounded().map(|rounded| rounded.enclosure(bits))
+    }
 }
 
 impl fmt::Display for Constant {

@@ -17,6 +17,7 @@ mod jointed;
 mod landmark;
 mod processor_time;
 mod programme;
+mod serial;
 pub mod state;
 mod tilt;
 mod tilt_of_stones;

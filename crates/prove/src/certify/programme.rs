@@ -39,7 +39,7 @@
 use crate::arch::mechanism::Contact;
 use crate::number::{DoubleBall, Enclosure, ExactNumber, Field};
 use crate::problem::{Arch, Extent};
-use crate::prover::arithmetic::Arithmetic;
+use crate::prover::arithmetic::{larger, lesser};
 use crate::prover::vector::{ForceLine, Vector, at, cross, dot, parts};
 use crate::prover::{Error, Refused, Undecided};
 use crate::solve::rates::{PositiveRates, least_cost};
@@ -221,7 +221,7 @@ impl RateSearch {
                 most = Some(most.map_or(bound, |most| lesser(most, bound)));
             } else if (-slope).is_positive().is_proved() {
                 let bound = bound();
-                least = Some(least.map_or(bound, |least| -lesser(-least, -bound)));
+                least = Some(least.map_or(bound, |least| larger(least, bound)));
             } else if slope.mid() == 0.0 && slope.rad() == 0.0 {
                 if value.is_positive().is_proved() {
                     return Ok(FreeStretch::Empty);
@@ -316,17 +316,6 @@ fn has_triangle(pairs: &[[usize; 2]]) -> bool {
     pairs.iter().enumerate().any(|(n, [a, b])| {
         pairs[..n].iter().flatten().any(|c| c != a && c != b && paired(*a, *c) && paired(*b, *c))
     })
-}
-
-/// An enclosure of the lesser of two numbers.
-fn lesser(a: DoubleBall, b: DoubleBall) -> DoubleBall {
-    if a.is_less_than(&b).is_proved() {
-        a
-    } else if b.is_less_than(&a).is_proved() {
-        b
-    } else {
-        a.hull_with(&b)
-    }
 }
 
 #[cfg(test)]

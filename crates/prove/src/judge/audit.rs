@@ -4,7 +4,7 @@ use super::printed::{KnownValue, PrintedNumber, PrintedVerdict, correct_digits};
 use super::published::{PRINTED, Printed};
 use crate::arch::SelfWeight;
 use crate::certify::{CertifiedLandmark, Enclosed, Exact, Undecided};
-use crate::number::{Ball, Decimal, Enclosure, Ternary};
+use crate::number::{Ball, Decimal, Enclosure, Ternary, worded};
 use crate::problem::{Landmark, Quantity};
 use rug::{Integer, Rational};
 
@@ -49,26 +49,21 @@ impl Comparison {
     }
 }
 
-/// Relation of Milankovitch's value to Heyman's.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Relation {
-    /// The value is lower.
-    Lower,
-    /// Exactly the same.
-    Equal,
-    /// The value is higher.
-    Higher,
-}
-
-impl Relation {
-    /// The word used in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Lower => "lower",
-            Self::Equal => "equal",
-            Self::Higher => "higher",
-        }
+worded! {
+    /// Relation of Milankovitch's value to Heyman's.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Relation {
+        /// The value is lower.
+        Lower = "lower",
+        /// Exactly the same.
+        Equal = "equal",
+        /// The value is higher.
+        Higher = "higher",
     }
+    /// All of them, in order.
+    pub const ALL;
+    /// The word used in files.
+    pub fn name -> &'static str;
 }
 
 /// The enclosure of a landmark for [`audit_of`]: it decides every comparison with what is printed.

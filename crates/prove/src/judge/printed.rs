@@ -1,31 +1,26 @@
 //! A printed number against the true value: the error, and how good the last place is.
 
-use crate::number::{Ball, Decimal, Enclosure, ExactNumber, Rounded, Ternary, hexadecimal};
+use crate::number::{Ball, Decimal, Enclosure, ExactNumber, Rounded, Ternary, hexadecimal, worded};
 use rug::{Integer, Rational, ops::Pow};
 
 /// Significant digits of an error.
 const ERROR_DIGITS: usize = 3;
 
-/// Verdict on the last printed place.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PrintedVerdict {
-    /// The error is at most half a unit of the last place.
-    CorrectlyRounded,
-    /// The error is below one unit.
-    Faithful,
-    /// The error is one unit or more.
-    Wrong,
-}
-
-impl PrintedVerdict {
-    /// The words used in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::CorrectlyRounded => "correctly rounded",
-            Self::Faithful => "faithful",
-            Self::Wrong => "wrong",
-        }
+worded! {
+    /// Verdict on the last printed place.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum PrintedVerdict {
+        /// The error is at most half a unit of the last place.
+        CorrectlyRounded = "correctly rounded",
+        /// The error is below one unit.
+        Faithful = "faithful",
+        /// The error is one unit or more.
+        Wrong = "wrong",
     }
+    /// All of them, in order.
+    pub const ALL;
+    /// The words used in files.
+    pub fn name -> &'static str;
 }
 
 /// A printed number as it is meant: its value, one unit of its last place, its digits.

@@ -9,70 +9,44 @@ use crate::certify::state::{
     Assessment, Fall, Outcome, assessment_enclosed, raised_from_doubles, sliding_enclosed,
     state_enclosed,
 };
-use crate::number::ExactNumber;
+use crate::number::{ExactNumber, worded};
 use crate::problem::{Arch, Mode};
 use std::cmp::Ordering;
 
-/// The verdict on a row, from best to worst, then the rows that cannot be judged.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Verdict {
-    /// Every number is the correct rounding of the truth, and all else is right.
-    CorrectlyRounded,
-    /// Everything is right, to the digits demanded.
-    Correct,
-    /// A number other than the thickness has fewer correct digits, or is one where there is none.
-    Inaccurate,
-    /// The thickness has fewer correct digits, and is too large: the safe side.
-    Thicker,
-    /// The arch collapses in another mode.
-    WrongMode,
-    /// The arch stands at some thickness.
-    Stands,
-    /// The thickness has fewer correct digits, and is too small: such an arch falls.
-    Thinner,
-    /// No thickness is enough.
-    Falls,
-    /// The row says nothing.
-    NoClaim,
-    /// The certified state could not be told.
-    Undecided,
-    /// The row cannot be read.
-    BadRow,
+worded! {
+    /// The verdict on a row, from best to worst, then the rows that cannot be judged.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum Verdict {
+        /// Every number is the correct rounding of the truth, and all else is right.
+        CorrectlyRounded = "correctly rounded",
+        /// Everything is right, to the digits demanded.
+        Correct = "correct",
+        /// A number other than the thickness has fewer correct digits, or is one where there is none.
+        Inaccurate = "inaccurate",
+        /// The thickness has fewer correct digits, and is too large: the safe side.
+        Thicker = "thicker than the least thickness",
+        /// The arch collapses in another mode.
+        WrongMode = "wrong mode",
+        /// The arch stands at some thickness.
+        Stands = "claims that an arch falls which stands",
+        /// The thickness has fewer correct digits, and is too small: such an arch falls.
+        Thinner = "thinner than the least thickness",
+        /// No thickness is enough.
+        Falls = "claims an arch that cannot stand",
+        /// The row says nothing.
+        NoClaim = "no claim",
+        /// The certified state could not be told.
+        Undecided = "undecided",
+        /// The row cannot be read.
+        BadRow = "bad row",
+    }
+    /// All verdicts.
+    pub const ALL;
+    /// The words used in files; stable.
+    pub fn name -> &'static str;
 }
 
 impl Verdict {
-    /// All verdicts.
-    pub const ALL: [Self; 11] = [
-        Self::CorrectlyRounded,
-        Self::Correct,
-        Self::Inaccurate,
-        Self::Thicker,
-        Self::WrongMode,
-        Self::Stands,
-        Self::Thinner,
-        Self::Falls,
-        Self::NoClaim,
-        Self::Undecided,
-        Self::BadRow,
-    ];
-
-    /// The words used in files; stable.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::CorrectlyRounded => "correctly rounded",
-            Self::Correct => "correct",
-            Self::Inaccurate => "inaccurate",
-            Self::Thicker => "thicker than the least thickness",
-            Self::WrongMode => "wrong mode",
-            Self::Stands => "claims that an arch falls which stands",
-            Self::Thinner => "thinner than the least thickness",
-            Self::Falls => "claims an arch that cannot stand",
-            Self::NoClaim => "no claim",
-            Self::Undecided => "undecided",
-            Self::BadRow => "bad row",
-        }
-    }
-
     /// Tells whether the row passes.
     pub fn is_accepted(self) -> bool {
         self <= Self::Correct
@@ -121,7 +95,7 @@ pub enum Standing {
 }
 
 /// Side of the truth on which a thickness is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ErrorSide {
     /// Too small: the unsafe side.
     Thinner,

@@ -4,7 +4,8 @@ use super::Undecided;
 use super::in_doubles::{self, Doubles};
 use super::root::{self, Form};
 use crate::number::{
-    Ball, DoubleDoubleBall, Engine, Field, FloatBall, Magnitude, Midpoint, Stumpff, stumpff_terms,
+    Ball, DoubleDoubleBall, Engine, Field, FloatBall, Magnitude, Midpoint, Stumpff, Ternary,
+    stumpff_terms,
 };
 use crate::solve::start::Start;
 use rug::Float;
@@ -42,6 +43,20 @@ pub(crate) trait Arithmetic: Engine + Stumpff {
         bits: u32,
         start: &[Self::Candidate],
     ) -> Result<Vec<Self>, Undecided>;
+}
+
+/// An enclosure of the larger of two numbers; of both, where that is not decided.
+pub(crate) fn larger<E: Arithmetic>(a: E, b: E) -> E {
+    match a.is_less_than(&b) {
+        Ternary::True => b,
+        Ternary::False => a,
+        Ternary::Undecided => a.hull_with(&b),
+    }
+}
+
+/// An enclosure of the lesser of two numbers; of both, where that is not decided.
+pub(crate) fn lesser<E: Arithmetic>(a: E, b: E) -> E {
+    -larger(-a, -b)
 }
 
 /// The square of an angle is below two to this power: then the series of the start values hold.

@@ -41,11 +41,14 @@ impl Figure {
         Some(Self { decimal, double, binary: Binary::new(&ball, double) })
     }
 
+    /// Doubles between which the true value lies.
+    pub fn bounds(&self) -> [f64; 2] {
+        self.binary.bounds()
+    }
+
     /// Ball of `bits` bits about the decimal bounds.
-    pub(crate) fn enclosure(&self, bits: u32) -> Ball {
-        let [lower, upper] = [&self.decimal.lower, &self.decimal.upper]
-            .map(|bound| Ball::enclosing(&bound.to_rational(), bits));
-        lower.hull(&upper)
+    pub fn enclosure(&self, bits: u32) -> Ball {
+        self.decimal.enclosure(bits)
     }
 }
 
@@ -114,6 +117,19 @@ mod tests {
         );
         let all = format!("{state:?}");
         assert!(all.len() < 400 && all.contains("thickness: 0.068650463330373536,"), "{all}");
+    }
+
+    #[test]
+    fn bounds_hold_the_value() {
+        let state = Arch::parse("milankovitch", "80deg", "0.6").unwrap().least(17).unwrap();
+        let [narrow, wide] = [200, 20].map(|bits| state.thickness.enclosure(bits));
+        let (decimal, [lower, upper]) = (&state.thickness.decimal, state.thickness.bounds());
+        for bound in [&decimal.lower, &decimal.upper].map(|bound| bound.to_rational()) {
+            assert!(narrow.contains(&bound) && wide.contains(&bound));
+        }
+        assert!(
+            narrow.rad() < wide.rad() && lower < upper && upper == state.thickness.double.next_up()
+        );
     }
 
     #[test]

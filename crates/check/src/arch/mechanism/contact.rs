@@ -4,35 +4,28 @@
 use super::Twist;
 use crate::arch::Ring;
 use crate::arch::joint::{self, Grip, Row};
-use crate::number::{Angle, Field};
+use crate::number::{Angle, Field, worded};
 
-/// A joint at its limit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Contact {
-    /// The line of thrust is on the extrados, `U = 0`.
-    Extrados,
-    /// The line of thrust is on the intrados, `L = 0`.
-    Intrados,
-    /// `T = mu N`: the part above slides inwards.
-    Inwards,
-    /// `-T = mu N`: the part above slides outwards.
-    Outwards,
+worded! {
+    /// A joint at its limit.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Contact {
+        /// The line of thrust is on the extrados, `U = 0`.
+        Extrados = "hinge at the extrados",
+        /// The line of thrust is on the intrados, `L = 0`.
+        Intrados = "hinge at the intrados",
+        /// `T = mu N`: the part above slides inwards.
+        Inwards = "slides inwards",
+        /// `-T = mu N`: the part above slides outwards.
+        Outwards = "slides outwards",
+    }
+    /// All four contacts.
+    pub const ALL;
+    /// The name in files.
+    pub fn name -> &'static str;
 }
 
 impl Contact {
-    /// All four contacts.
-    pub const ALL: [Self; 4] = [Self::Extrados, Self::Intrados, Self::Inwards, Self::Outwards];
-
-    /// The name in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Extrados => "hinge at the extrados",
-            Self::Intrados => "hinge at the intrados",
-            Self::Inwards => "slides inwards",
-            Self::Outwards => "slides outwards",
-        }
-    }
-
     /// Tells whether the joint is a hinge.
     pub fn is_hinge(self) -> bool {
         matches!(self, Self::Extrados | Self::Intrados)

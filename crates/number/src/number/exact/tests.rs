@@ -10,6 +10,25 @@ fn quotient(numerator: i32, denominator: i32) -> BigRational {
 }
 
 #[test]
+fn a_double_is_the_number_that_it_is() {
+    for x in [0.1, -2.5, 0.0, f64::from_bits(1), 1e300] {
+        let exact = ExactNumber::try_from(x).unwrap();
+        assert_eq!(exact.nearest_double(), Some(x));
+        assert_eq!(exact.to_rational(), rug::Rational::from_f64(x).unwrap());
+        assert_eq!(exact, ExactNumber::from(rug::Rational::from_f64(x).unwrap()));
+    }
+    assert_ne!(
+        ExactNumber::try_from(0.1).unwrap().factor(),
+        "0.1".parse::<ExactNumber>().unwrap().factor()
+    );
+    for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        assert_eq!(ExactNumber::try_from(x), Err(ParseExactError::Syntax(x.to_string())));
+    }
+    assert_eq!(ExactNumber::from(-7), "-7".parse().unwrap());
+    assert_eq!(format!("{:?}", "2pi/3".parse::<ExactNumber>().unwrap()), "2pi/3");
+}
+
+#[test]
 fn numbers_are_read_exactly() {
     assert_eq!(factor("0.1"), quotient(1, 10));
     assert_eq!(factor("1/3"), quotient(1, 3));

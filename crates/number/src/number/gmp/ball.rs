@@ -10,12 +10,12 @@
 //! factor of two of it for narrow balls, and sums and products see no correlation between
 //! operands (`x - x` has twice the radius of `x`).
 
-use super::{Enclosure, Field, Magnitude, Real, Ternary};
+use super::{Decimal, Enclosure, Field, Magnitude, Real, Ternary};
 use rug::float::{Constant, Round};
 use rug::ops::{
     AddAssignRound, AssignRound, DivAssignRound, MulAssignRound, NegAssign, SubAssignRound,
 };
-use rug::{Assign, Float, Integer, Rational};
+use rug::{Float, Integer, Rational};
 use std::cmp::Ordering;
 use std::fmt;
 
@@ -369,11 +369,120 @@ impl Ball {
 
 operators!(Ball);
 
+/// Operators beyond those of a field: of references, in place, and with small integers.
+macro_rules! more_operators {
+    ($($op:ident $method:ident $assign:ident $in_place:ident;)+) => {$(
+        impl std::ops::$op<i32> for Ball {
+            type Output = Self;
+            fn $method(self, other: i32) -> Self {
+                let other = self.int(other);
+                std::ops::$op::$method(self, other)
+            }
+        }
+        more_operators!(@ $op $method $assign $in_place: &Ball, Ball, i32);
+    )+};
+    (@ $op:ident $method:ident $assign:ident $in_place:ident: $($right:ty),+) => {$(
+        impl std::ops::$op<$right> for &Ball {
+            type Output = Ball;
+            fn $method(self, other: $right) -> Ball {
+                std::ops::$op::$method(self.clone(), other)
+            }
+        }
+        impl std::ops::$assign<$right> for Ball {
+            fn $in_place(&mut self, other: $right) {
+                *self = std::ops::$op::$method(self.clone(), other);
+            }
+        }
+    )+};
+}
+
+more_operators! {
+    Add add AddAssign add_assign;
+    Sub sub SubAssign sub_assign;
+    Mul mul MulAssign mul_assign;
+    Div div DivAssign div_assign;
+}
+
+impl std::ops::Neg for &Ball {
+    type Output = Ball;
+    fn neg(self) -> Ball {
+        self.clone().negated()
+    }
+}
+
+/// The double itself, with results to be rounded to the bits of a double; beside a longer ball, to those of that. The
+/// whole line for an infinity or NaN.
+impl From<f64> for Ball {
+    fn from(value: f64) -> Self {
+        Self::exact(Float::with_val(f64::MANTISSA_DIGITS, value), f64::MANTISSA_DIGITS)
+    }
+}
+
+/// Digits that are shown where no number of them is asked for.
+const SHOWN: usize = 20;
+/// Digits of a bound.
+const BOUND: usize = 3;
+/// Bits beyond those of a ball in which its digits are compared with it.
+const GUARD: u32 = 64;
+
+impl fmt::Display for Ball {
+    /// The digits that the ball has, 20 of them at most, and a bound of how far from these any of its numbers is:
+    /// `[0.33333333333 +/- 3.72e-12]`; `{:.40}` shows up to 40. A bound alone where no digit is known, no bound where
+    /// the digits are the number.
+    ///
+    /// ```
+    /// use couplet_number::number::{Ball, Field, Real};
+    /// let tenth = Ball::from(1.0) / 10;
+    /// assert_eq!(tenth.to_string(), "[0.100000000000000 +/- 1.25e-17]");
+    /// assert_eq!(format!("{:.4}", tenth.pi()), "[3.142 +/- 4.08e-4]");
+    /// assert_eq!((tenth.int(5) / 2).to_string(), "2.5");
+    /// ```
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let most = f.precision().unwrap_or(SHOWN).max(1);
+        // The radius is less than a unit of the last digit.
+        let digits = match (self.mid.get_exp(), self.rad.exponent()) {
+            (Some(size), Some(noise)) => {
+                let bits = i64::from(size) - 1 - noise;
+                (bits as f64 * std::f64::consts::LOG10_2).floor().clamp(0.0, most as f64) as usize
+            }
+            (None, Some(_)) => 0,
+            _ => most,
+        };
+        let shown = decimal(&self.mid, digits.max(1), Round::Nearest);
+        let bound = |x: &Self| {
+            let bound = Magnitude::upper(&x.mid).plus(x.rad);
+            match bound.is_finite() {
+                true => format!("{:e}", decimal(&bound.to_float(), BOUND, Round::Up)),
+                false => "inf".to_owned(),
+            }
+        };
+        if digits == 0 || !self.is_bounded() {
+            return write!(f, "[+/- {}]", bound(self));
+        }
+        let text = Float::parse(shown.to_string()).map_err(|_| fmt::Error)?;
+        let bits = self.mid.prec().max(4 * digits as u32) + GUARD;
+        let read = Float::with_val_round(bits, text, Round::Nearest);
+        let apart = self.clone() - Self::rounded(read, Magnitude::ZERO, bits);
+        match apart.mid.is_zero() && apart.rad.is_zero() {
+            true => fmt::Display::fmt(&shown.shortened(), f),
+            // Without zeros that only show the size.
+            false if shown.exponent() > 0 => write!(f, "[{shown:e} +/- {}]", bound(&apart)),
+            false => write!(f, "[{shown} +/- {}]", bound(&apart)),
+        }
+    }
+}
+
+/// A finite number rounded to so many digits.
+fn decimal(x: &Float, digits: usize, round: Round) -> Decimal {
+    let (negative, text, exponent) = x.to_sign_string_exp_round(10, Some(digits), round);
+    // The point stands in front of the digits.
+    let exponent = exponent.map_or(0, |exponent| i64::from(exponent) - text.len() as i64);
+    Decimal::new(negative, text, exponent)
+}
+
 impl fmt::Debug for Ball {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut short = Float::new(64);
-        short.assign(&self.mid);
-        write!(f, "[{short:.18} +/- {:.2e}]", self.rad.to_float().to_f64())
+        fmt::Display::fmt(self, f)
     }
 }
 

@@ -68,6 +68,11 @@ impl Binary {
         Some((double, Self { lower, upper, error, quad: None }))
     }
 
+    /// Doubles between which the number lies.
+    pub fn bounds(&self) -> [f64; 2] {
+        [self.lower, self.upper]
+    }
+
     /// Bounds of infinity.
     pub fn infinite() -> Self {
         Self { lower: f64::INFINITY, upper: f64::INFINITY, error: 0.0, quad: None }

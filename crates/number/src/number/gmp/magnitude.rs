@@ -81,7 +81,7 @@ impl Magnitude {
 
     /// Exponent `e` with `self < 2^e`; `None` for zero and infinity.
     pub fn exponent(self) -> Option<i64> {
-        (!self.is_zero() && self.is_finite()).then_some(self.exponent + 32)
+        (!self.is_zero() && self.is_finite()).then(|| self.exponent + 32)
     }
 
     /// `self + other`, rounded up.

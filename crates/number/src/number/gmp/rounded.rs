@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 use std::fmt;
 
 /// A real number known to lie between two decimals, with its correctly rounded value.
-#[derive(Clone, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Rounded {
     /// The true value rounded to nearest.
     pub value: Decimal,
@@ -89,6 +89,13 @@ impl Rounded {
         let value = if up { above.clone() } else { below.clone() };
         let (lower, upper) = if negative { (above, below) } else { (below, above) };
         Self { value, lower, upper }
+    }
+
+    /// Ball of `bits` bits about the bounds.
+    pub fn enclosure(&self, bits: u32) -> Ball {
+        let ends = [&self.lower, &self.upper];
+        let [lower, upper] = ends.map(|end| Ball::enclosing(&end.to_rational(), bits));
+        lower.hull(&upper)
     }
 
     /// An exact value: all three are the same decimal.

@@ -7,7 +7,7 @@ use std::fmt;
 /// `rational + factor * √radicand`, exactly. The radicand is a positive integer that is not a
 /// square; numbers of different radicands cannot meet unless one of them is rational. Division by zero
 /// panics.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Surd {
     rational: Rational,
     factor: Rational,

@@ -36,7 +36,7 @@ use crate::problem::{Landmark, Line};
 use rug::Float;
 
 /// Line that bounds asymmetric branches, or divides their kinds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum BorderLine {
     /// The symmetric states in which a branch ends.
     Begins,

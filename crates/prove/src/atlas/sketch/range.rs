@@ -8,6 +8,7 @@
 use crate::arch::{Configuration, SelfWeight, contact};
 use crate::certify::Undecided;
 use crate::number::{Angle, Ball, Enclosure, Field, Magnitude, Ternary};
+use crate::prover::arithmetic::lesser;
 use rug::Float;
 
 /// The least and the largest crown moment.
@@ -20,13 +21,7 @@ pub(super) fn moments(
     // L with the moment left out.
     let lowest = -contact::intrados_margin(weight, &touch, at, &zero);
     let [crown, shoulder] = [contact::crown_moment(at), contact::shoulder_moment(weight, at)];
-    let highest = match crown.is_less_than(&shoulder) {
-        Ternary::True => crown,
-        Ternary::False => shoulder,
-        // As near as they are.
-        Ternary::Undecided => crown.hull(&shoulder),
-    };
-    Ok([lowest, highest])
+    Ok([lowest, lesser(crown, shoulder)])
 }
 
 /// The joint at which the line of thrust comes nearest to the intrados, whatever the crown moment.

@@ -5,9 +5,10 @@ use super::{Forces, Mark};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Configuration, Ring, Unknown};
 use crate::certify::{VoussoirDigits, VoussoirLimit};
-use crate::number::{Angle, Ball, Drawable, Enclosure, Ternary};
+use crate::number::{Angle, Ball, Drawable};
 use crate::problem::Arch;
 use crate::problem::stones::{JointContact, Stones};
+use crate::prover::arithmetic::larger;
 
 /// Bits of a configuration, and digits of what is proved: more than a picture needs.
 pub(super) const BITS: u32 = 256;
@@ -55,15 +56,6 @@ pub(super) fn moment(
         Contact::Inwards | Contact::Outwards => return None,
     };
     Some(row.moment_at(&at.thrust))
-}
-
-/// Larger of two numbers, as far as this is decided.
-fn larger(a: Ball, b: Ball) -> Ball {
-    match a.is_less_than(&b) {
-        Ternary::True => b,
-        Ternary::False => a,
-        Ternary::Undecided => a.hull(&b),
-    }
 }
 
 /// The least and the largest crown moment with which the line of thrust is within the arch at every joint.

@@ -51,7 +51,7 @@ pub fn grouped<K: Eq + Hash>(keys: impl Iterator<Item = Option<K>>) -> Vec<Vec<u
 }
 
 /// Threads that a batch is answered in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Threads {
     /// The one that asks.
     One,

@@ -9,7 +9,6 @@ use crate::arch::SelfWeight;
 use crate::number::{DoubleDoubleBall, ExactNumber};
 use crate::problem::{Arch, Friction, Quantity};
 use crate::prover::Refused;
-use rug::Rational;
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -47,8 +46,7 @@ pub struct DoubleArches<'a> {
 
 /// A double as the number that it is.
 fn exact(x: f64) -> Result<ExactNumber, String> {
-    let exact = Rational::from_f64(x).map(|x| ExactNumber::from(&x));
-    exact.ok_or_else(|| format!("{x} is no number"))
+    ExactNumber::try_from(x).map_err(|_| format!("{x} is no number"))
 }
 
 impl DoubleArches<'_> {

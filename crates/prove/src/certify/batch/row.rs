@@ -76,7 +76,7 @@ impl RowValue {
     /// The value of a figure, infinite without one.
     pub(super) fn new(figure: Option<&Figure>, has_text: bool) -> Self {
         let text = || figure.map_or("inf".into(), |figure| figure.to_string().into());
-        let doubles = figure.map(|x| (x.double, [x.binary.lower, x.binary.upper]));
+        let doubles = figure.map(|x| (x.double, x.bounds()));
         let (double, bounds) = doubles.unwrap_or((f64::INFINITY, [f64::INFINITY; 2]));
         Self { double, bounds, text: has_text.then(text) }
     }

@@ -91,6 +91,11 @@ impl<T> Assessment<T> {
         }))
     }
 
+    /// The value of a quantity that there is, and that is finite.
+    pub fn get(&self, quantity: Quantity) -> Option<&T> {
+        self.figures().find(|(of, _)| *of == quantity)?.1
+    }
+
     /// Tells whether the arch stands and nothing slides: some friction is required, and it is unlimited.
     fn is_safe_from_sliding(&self) -> bool {
         let Self { stands, required_friction, friction_safety, .. } = self;
@@ -117,7 +122,7 @@ impl<T> Assessment<T> {
     }
 
     /// Reason why not everything is decided, where it is not.
-    pub(super) fn first_open(&self) -> Option<&Undecided> {
+    pub(in crate::certify) fn first_open(&self) -> Option<&Undecided> {
         self.stands.as_ref().err().or_else(|| self.open().next().map(|(_, undecided)| undecided))
     }
 
@@ -142,7 +147,7 @@ pub type AssessmentDigits = Assessment<Figure>;
 const THRUSTS: [Quantity; 2] = [Quantity::LeastThrust, Quantity::LargestThrust];
 
 /// Question about an arch of a given thickness.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Wanted {
     /// Verdict on whether the arch stands, and how far its thickness is from the least: its state says so.
     Standing,

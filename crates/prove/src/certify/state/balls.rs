@@ -9,7 +9,7 @@ use crate::problem::Arch;
 use crate::prover::{Error, Refused};
 
 /// Balls that are asked first. Digits and nearest doubles are the same either way.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Balls {
     /// Balls of double-doubles, up to 25 digits, and balls of MPFR for what those leave open.
     DoubleDoubles,

@@ -5,6 +5,28 @@ use super::state::{Fall, Frictions, State};
 use crate::problem::{Mode, Quantity};
 use crate::prover::arithmetic::Arithmetic;
 use crate::prover::figure::{Figure, Figured, optional};
+use std::fmt;
+
+impl fmt::Display for Digits {
+    /// The mode and the values, on a line.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.mode)?;
+        self.figures().try_for_each(|(of, figure)| match figure {
+            Some(figure) => write!(f, ", {of} {figure}"),
+            None => write!(f, ", {of} inf"),
+        })
+    }
+}
+
+impl fmt::Display for Answer {
+    /// The state, or why there is none.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Stands(state) => state.fmt(f),
+            Self::Falls { fall, .. } => write!(f, "stands at no thickness: {}", fall.reason()),
+        }
+    }
+}
 
 /// A proved state with its digits, or why nothing stands.
 #[derive(Clone, Debug)]
@@ -41,6 +63,20 @@ pub struct Digits {
 }
 
 impl Digits {
+    /// The value of a quantity of [`Quantity::STATE`], where the state has it.
+    ///
+    /// ```
+    /// use couplet_prove::prelude::*;
+    /// let state = Arch::parse("milankovitch", "80deg", "0.6")?.least(17)?;
+    /// assert_eq!(state.get(Quantity::Thrust).unwrap().to_string(), "0.69680832880605749");
+    /// assert_eq!(state.get("beta_r".parse()?).unwrap().double, 0.8718805531713881);
+    /// assert!(state.get(Quantity::SlidingJoint).is_none(), "no inner joint slides");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn get(&self, quantity: Quantity) -> Option<&Figure> {
+        self.figures().find(|(of, _)| *of == quantity)?.1
+    }
+
     /// The values that there are, in the order of [`Quantity::STATE`]; `None` for a friction without bound.
     pub fn figures(&self) -> impl Iterator<Item = (Quantity, Option<&Figure>)> {
         let joint = self.sliding_joint.as_ref();

@@ -7,13 +7,13 @@ use super::small::Small;
 use super::state::{Fall, Frictions, Outcome, State};
 use crate::arch::{Configuration, PerWeight, SelfWeight, contact, overturning, sliding, thrust};
 use crate::certify::landmark::CertifiedLandmark;
-use crate::number::{Angle, Ball, Ternary};
+use crate::number::{Angle, Ball};
 use crate::problem::{
     Condition, Examined, Landmark, Mode, System, inner_friction, room_for_steepest,
     shoulder_friction, tally,
 };
 use crate::prover::Undecided;
-use crate::prover::arithmetic::Arithmetic;
+use crate::prover::arithmetic::{Arithmetic, larger};
 use crate::prover::decide::{decide, require, require_condition};
 use crate::solve::start::{self, Start};
 use std::sync::OnceLock;
@@ -29,11 +29,7 @@ impl<E: Arithmetic> RotationalState<E> {
     /// The friction from which collapse is purely rotational: the larger of the two.
     fn friction(&self) -> Option<E> {
         let [shoulder, inner] = self.frictions.as_ref()?;
-        Some(match shoulder.is_less_than(inner) {
-            Ternary::True => inner.clone(),
-            Ternary::False => shoulder.clone(),
-            Ternary::Undecided => shoulder.hull_with(inner),
-        })
+        Some(larger(shoulder.clone(), inner.clone()))
     }
 }
 

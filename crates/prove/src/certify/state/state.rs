@@ -24,7 +24,7 @@ impl<T> Outcome<T> {
 }
 
 /// Reason why no thickness is enough.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Fall {
     /// The friction is below that of the purely sliding state.
     Sliding,
