@@ -141,3 +141,46 @@ fn faults_of_drawings_have_their_places() {
     }
     assert_eq!(faults("[[drawing]]").len(), 2, "both are missing");
 }
+
+/// Keys of sizes make the arches of the command in metres.
+#[test]
+fn a_scene_reads_an_arch_in_metres() {
+    let scratch = Scratch::new();
+    let arch = "span = \"18.9m\"\nrise = \"4.2m\"\nfriction = 0.6\n";
+    let scene = scene_in(
+        &scratch,
+        &format!(
+            "[[drawing]]\n{arch}thickness = \"90cm\"\noutput = \"a.svg\"\n[[arches]]\n{arch}digits = 9\noutput = \"a.json\"\n\
+             [[arches]]\n{arch}thickness = [\"90cm\", \"0.1r\"]\ndensity = \"24kN/m3\"\ndepth = \"1m\"\ndigits = 9\noutput = \"b.json\"\n"
+        ),
+    );
+    let output = couplet(&["run", &scene, "--output", &scratch.path("out")]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let printed = |line: &str| text(&couplet(&line.split(' ').collect::<Vec<_>>()).stdout);
+    let metres = "--span 18.9m --rise 4.2m --friction 0.6";
+    let drawn = printed(&format!("draw {metres} --thickness 90cm --weight milankovitch"));
+    let caption = |picture: &str| picture.split_once("<desc").map(|(_, rest)| rest.to_owned());
+    // The command has its options in the order of the arguments, the scene in that of the fields.
+    let bare = |svg: &str| svg.lines().filter(|l| !l.contains("couplet draw")).collect::<String>();
+    let made = scratch.read("out/a.svg");
+    assert!(caption(&made).is_some() && made.contains("--thickness 90cm --span 18.9m --rise 4.2m"));
+    assert_eq!(bare(&made), bare(&drawn));
+    let json = |text: &str| serde_json::from_str::<serde_json::Value>(text).unwrap();
+    let [state, assessed] = ["a", "b"].map(|of| json(&scratch.read(&format!("out/{of}.json"))));
+    let same = |entry: &serde_json::Value, line: &str| {
+        let alone = json(&printed(&format!("{line} --digits 9 --format json")));
+        for (key, value) in alone.as_object().unwrap() {
+            assert_eq!(&entry[key], value, "{line}: {key}");
+        }
+    };
+    same(&state["arches"][0], &format!("state {metres}"));
+    let kn = "--density 24kN/m3 --depth 1m";
+    for (k, eta) in ["90cm", "0.1r"].iter().enumerate() {
+        same(&assessed["arches"][k], &format!("assess {metres} --thickness {eta} {kn}"));
+    }
+    let said = |sizes: &str| faults(&format!("[arches]\n{sizes}\nfriction = 1\n"));
+    assert_eq!(said("span = \"1m\""), ["3:8: span needs rise"]);
+    assert_eq!(said("rise = [\"1m\", \"2m\"]"), ["3:8: rise needs span"]);
+    assert!(said("span = 3\nrise = \"1m\"")[0].starts_with("3:8: '3' is not a length"));
+    assert!(said("half_opening = 1\nspan = \"1m\"")[0].contains("say the same"));
+}

@@ -213,7 +213,9 @@ fn arches(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
         false => "Arches at their least thickness",
     };
     writeln!(out, "{what}, {}; stands: {STANDS}", rounding(report))?;
-    if let Some(asked) = report.list.first().and_then(|answer| answer.asked.as_ref()) {
+    let asked = report.list.first().and_then(|answer| answer.asked.as_ref());
+    if let Some(asked) = asked.filter(|of| report.list.iter().all(|x| x.asked.as_ref() == Some(of)))
+    {
         writeln!(out, "{}", asked.in_words())?;
     }
     writeln!(out)?;

@@ -2,6 +2,7 @@
 
 use super::same::{ArchKey, arch_key};
 use crate::arch::SelfWeight;
+use crate::ask::ArchAsked;
 use crate::atlas::{NoSketch, Sketch};
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Landmark, Mode};
@@ -74,10 +75,17 @@ impl DrawnArch {
     }
 
     /// The command that draws the arch.
-    pub(super) fn command(&self, mode: Option<Mode>, style: &Style) -> String {
+    pub(super) fn command(
+        &self,
+        measured: Option<&ArchAsked>,
+        mode: Option<Mode>,
+        style: &Style,
+    ) -> String {
         let mut command = "couplet draw".to_owned();
+        command += &measured.map_or(String::new(), ArchAsked::options);
         let mut say = |option: &str, value: &str| command += &format!(" --{option} {value}");
         match &self.pose {
+            _ if measured.is_some() => {}
             Pose::Landmark(landmark, _) => say("at", landmark.symbol()),
             Pose::Least(arch) | Pose::Standing(arch, _) | Pose::Sliding(arch, _) => {
                 say("half-opening", &arch.half_opening().to_string());
@@ -86,7 +94,9 @@ impl DrawnArch {
                 }
             }
         }
-        if let Pose::Standing(_, thickness) | Pose::Sliding(_, thickness) = &self.pose {
+        if let (Pose::Standing(_, thickness) | Pose::Sliding(_, thickness), None) =
+            (&self.pose, measured)
+        {
             say("thickness", &thickness.to_string());
         }
         say("weight", self.weight().name());

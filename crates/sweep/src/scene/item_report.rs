@@ -3,12 +3,16 @@
 use super::nodes::Work;
 use super::pieces::{CurvePiece, WorkDone};
 use super::plan::{PAGE_DIGITS, Plan};
-use super::schema::{Request, SceneArch, SceneDrawing, SceneMap};
+use super::schema::{MeasuredArch, Request, SceneArch, SceneDrawing, SceneMap};
 use crate::arch::SelfWeight;
+use crate::certify::state::{measured_assessment, measured_state};
 use crate::certify::{Enclosed, Error};
 use crate::judge::{audit_of, compare_weights_of};
 use crate::problem::Quantity;
-use crate::report::{Answer, Answers, Audit, Claims, Drawing, Format, Map, Report, Sketched};
+use crate::report::{
+    Answer, Answers, Audit, Claims, Drawing, Format, Map, Report, Sketched, Understood,
+};
+use rayon::prelude::*;
 use std::io;
 
 /// Answer to an item.
@@ -118,8 +122,10 @@ impl<'a> ItemParts<'a> {
     }
 
     fn arches(&self, arches: &[SceneArch], digits: usize) -> Vec<Answer> {
-        let answers = (1..).zip(arches.iter().zip(self.parts())).map(|(line, (asked, part))| {
-            let SceneArch { arch, thickness } = asked;
+        let all: Vec<_> = arches.iter().zip(self.parts()).collect();
+        let answers = all.par_iter().enumerate().filter_map(|(index, (asked, part))| {
+            let SceneArch { arch, thickness, measured } = asked;
+            let line = index as u64 + 1;
             let (Work::Arch(node), WorkDone::Arch(piece)) = part else { return None };
             let answer = match thickness {
                 Some(eta) => {
@@ -129,9 +135,19 @@ impl<'a> ItemParts<'a> {
                 None => Answer::state(line, arch, piece.states.get(&digits)?),
             };
             let asymmetric = || piece.asymmetric.get(&digits).cloned().unwrap_or(Ok(Vec::new()));
-            Some(answer.with_asymmetric(asymmetric))
+            let answer = answer.with_asymmetric(asymmetric);
+            let Some(MeasuredArch { asked, given }) = measured.as_deref() else {
+                return Some(answer);
+            };
+            let of = given.measures.as_ref()?;
+            let sizes = match thickness {
+                Some(eta) => measured_assessment((arch, eta), of, digits),
+                None => measured_state(arch, of, digits),
+            };
+            let asked = Some(Box::new(Understood::new(asked, given)));
+            Some(Answer { asked, ..answer.measured(of.circle(), sizes) })
         });
-        answers.flatten().collect()
+        answers.collect()
     }
 
     /// A map of what is proved; a picture needs all its curves, as without one it would show other domains.
@@ -186,7 +202,7 @@ impl<'a> ItemParts<'a> {
             }
         }
         let (style, command) = (asked.style, asked.command.clone());
-        let drawn = Sketched { sketches, style, measures: None, command };
+        let drawn = Sketched { sketches, style, measures: asked.measures.clone(), command };
         (open.is_empty().then_some(Report::Sketched(drawn)), open)
     }
 

@@ -89,7 +89,7 @@ impl<'s> Planning<'s> {
                 points.iter().for_each(|&point| self.landmark(point, |node| node.audited = true));
             }
             Request::Arches { arches, quantities, digits, .. } => {
-                for SceneArch { arch, thickness } in arches {
+                for SceneArch { arch, thickness, .. } in arches {
                     let key = WorkKey::Arch(arch_key(arch));
                     let work = self.part(key, || Work::Arch(ArchNode::new(arch)));
                     if let Work::Arch(node) = work {

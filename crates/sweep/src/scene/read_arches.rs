@@ -21,26 +21,16 @@ pub(super) fn arches(table: &mut TableReader, used: &mut usize) -> Option<Reques
         None => Some(None),
     };
     let all: &[Quantity] = if with_thickness { &Quantity::ASSESSMENT } else { &Quantity::STATE };
-    let known: Vec<_> = all.iter().map(|quantity| (quantity.name(), *quantity)).collect();
-    let asked = table.or("quantities", all.to_vec(), |reader, key, value| {
-        match !with_thickness && needs_thickness(reader, value) {
-            true => None,
-            false => reader.names(key, value, &known),
-        }
-    });
+    let asked = quantities(table, all, with_thickness);
     let digits = digits(table);
     let (weights, half_openings, frictions) = (weights?, half_openings?, frictions?);
-    let (thicknesses, asked, digits) = (thicknesses?, asked?, digits?);
+    let (thicknesses, digits) = (thicknesses?, digits?);
     let thickness_count = thicknesses.as_ref().map_or(1, Numbers::len);
     let count = [weights.len(), half_openings.len(), frictions.len(), thickness_count]
         .into_iter()
         .fold(1usize, usize::saturating_mul);
     if count > MAX_ARCHES - *used {
-        let before = if *used > 0 { format!(" after {used} before") } else { String::new() };
-        return table.refuse(format!(
-            "{count} arches{before} are too many; a scene has at most {MAX_ARCHES}, `couplet states` \
-                 reads any number"
-        ));
+        return table.too_many(count, *used);
     }
     *used += count;
     let (half_openings, frictions) = (table.written(half_openings)?, table.written(frictions)?);
@@ -49,8 +39,23 @@ pub(super) fn arches(table: &mut TableReader, used: &mut usize) -> Option<Reques
         None => vec![None],
     };
     let arches = product(&weights, &half_openings, &frictions, &thicknesses);
-    let quantities = all.iter().copied().filter(|quantity| asked.contains(quantity)).collect();
-    Some(Request::Arches { arches, quantities, with_thickness, digits })
+    Some(Request::Arches { arches, quantities: asked?, with_thickness, digits })
+}
+
+/// Quantities that are asked for, in the order in which they are always shown.
+pub(super) fn quantities(
+    table: &mut TableReader,
+    all: &[Quantity],
+    with_thickness: bool,
+) -> Option<Vec<Quantity>> {
+    let known: Vec<_> = all.iter().map(|quantity| (quantity.name(), *quantity)).collect();
+    let asked = table.or("quantities", all.to_vec(), |reader, key, value| {
+        match !with_thickness && needs_thickness(reader, value) {
+            true => None,
+            false => reader.names(key, value, &known),
+        }
+    })?;
+    Some(all.iter().copied().filter(|quantity| asked.contains(quantity)).collect())
 }
 
 /// Tells whether quantities of arches of given thickness are asked for: then that is what is missing.
@@ -94,7 +99,7 @@ pub(super) fn frictions(table: &mut TableReader) -> Option<Numbers> {
     }
 }
 
-fn digits(table: &mut TableReader) -> Option<usize> {
+pub(super) fn digits(table: &mut TableReader) -> Option<usize> {
     let all = table.reader.digits;
     if table.get("digits").is_none() && all > MAX_ARCH_DIGITS {
         return table.refuse(format!(
@@ -122,6 +127,7 @@ pub(super) fn product(
                 arches.extend(thicknesses.iter().map(|thickness| SceneArch {
                     arch: arch.clone(),
                     thickness: thickness.clone(),
+                    measured: None,
                 }));
             }
         }

@@ -2,8 +2,9 @@
 
 use super::drawn::{DrawnArch, Pose};
 use super::read_arches::{frictions, product};
+use super::read_measured;
 use super::read_numbers::{Meaning, SceneNumber, numbers};
-use super::schema::{Request, SceneArch, SceneDrawing};
+use super::schema::{MeasuredArch, Request, SceneArch, SceneDrawing};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
@@ -27,7 +28,8 @@ pub(super) fn arch_figure(
     };
     let arches = shown.iter().map(arch).collect();
     let command = format!("couplet figure {number} --weight {}", weight.name());
-    Some(Request::Drawing(SceneDrawing { arches, style: Style::of_figure(number), command }))
+    let style = Style::of_figure(number);
+    Some(Request::Drawing(SceneDrawing { arches, style, measures: None, command }))
 }
 
 /// An arch at its least thickness, at a landmark, or as it stands.
@@ -52,7 +54,10 @@ pub(super) fn drawing(table: &mut TableReader, format: Option<&'static Format>) 
     };
     // Of what is wrong any other does, to read the rest.
     let any = weight.unwrap_or(SelfWeight::Milankovitch);
-    let pose = pose(table, any, mode.flatten());
+    let (asked, pose) = match read_measured::is_measured(table) {
+        true => measured(table, any).unzip(),
+        false => (None, pose(table, any, mode.flatten())),
+    };
     let (pose, mode, stones, is_dilatant) = (pose?, mode?, stones?, dilatant?);
     weight?;
     let (amplitude, half, arrows, animate) = (amplitude?, half?, arrows?, animate?);
@@ -75,10 +80,30 @@ pub(super) fn drawing(table: &mut TableReader, format: Option<&'static Format>) 
         return table.refuse(message);
     }
     let drawn = DrawnArch { pose, stones, is_dilatant };
-    let command = drawn.command(mode, &style);
+    let measured = asked.flatten();
+    let command = drawn.command(measured.as_ref().map(|of| &of.asked), mode, &style);
+    let measures = measured.and_then(|of| of.given.measures);
     let arches = vec![(drawn, mode.into_iter().collect())];
-    let drawing = Request::Drawing(SceneDrawing { arches, style, command });
+    let drawing = Request::Drawing(SceneDrawing { arches, style, measures, command });
     table.is_well_since(before).then_some(drawing)
+}
+
+/// Reads an arch in metres, and the pose in which it is drawn.
+fn measured(table: &mut TableReader, weight: SelfWeight) -> Option<(Option<MeasuredArch>, Pose)> {
+    if table.get("at").is_some() {
+        return table.refuse("a landmark has no size; leave out at, or the measures");
+    }
+    let mut all = read_measured::measured(table, &[weight], &mut 0)?;
+    match (all.pop(), all.len()) {
+        (Some(SceneArch { arch, thickness, measured }), 0) => {
+            let pose = match thickness {
+                Some(thickness) => Pose::Standing(arch, thickness),
+                None => Pose::Least(arch),
+            };
+            Some((measured.map(|of| *of), pose))
+        }
+        _ => table.refuse("a drawing shows one arch: give one text for each key"),
+    }
 }
 
 /// Reads the pose in which an arch is drawn.
@@ -123,7 +148,7 @@ fn pose(table: &mut TableReader, weight: SelfWeight, mode: Option<Mode>) -> Opti
         _ => all.all().ok()?,
     };
     let arches = product(&[weight], &[alpha], &friction, &[thickness]);
-    let SceneArch { arch, thickness } = arches.into_iter().next()?;
+    let SceneArch { arch, thickness, .. } = arches.into_iter().next()?;
     Some(match thickness {
         Some(thickness) => Pose::Standing(arch, thickness),
         None => Pose::Least(arch),

@@ -66,6 +66,11 @@ pub(super) struct SceneNumber {
 }
 
 impl SceneNumber {
+    /// Text that every reader of such a number takes.
+    pub(super) fn exact_text(self) -> String {
+        if self.is_angle || self.number.is_none() { self.friction().to_string() } else { self.text }
+    }
+
     /// The friction that it says.
     pub(super) fn friction(self) -> Friction {
         match self.number {

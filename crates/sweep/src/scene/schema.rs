@@ -3,10 +3,12 @@
 use super::drawn::DrawnArch;
 use super::fault::{Fault, Position};
 use crate::arch::SelfWeight;
+use crate::ask::{ArchAsked, ArchGiven};
 use crate::atlas::{Contour, Curve};
 use crate::claims::Claim;
 use crate::number::ExactNumber;
 use crate::problem::Arch;
+use crate::problem::measures::Measures;
 use crate::problem::{Landmark, Mode, Quantity};
 use crate::report::{Axes, Content, Format, Marked, Style, View};
 use std::path::PathBuf;
@@ -98,6 +100,8 @@ pub struct SceneDrawing {
     pub arches: Vec<(DrawnArch, Vec<Mode>)>,
     /// Style in which they are drawn.
     pub style: Style,
+    /// Sizes, if they are measured.
+    pub measures: Option<Measures>,
     /// The command that asks for the same.
     pub command: String,
 }
@@ -137,6 +141,17 @@ pub struct SceneArch {
     pub arch: Arch,
     /// Thickness of the arch, if it has one.
     pub thickness: Option<ExactNumber>,
+    /// Question in metres, if it is one.
+    pub measured: Option<Box<MeasuredArch>>,
+}
+
+/// An arch in metres, as it is asked about and as it is understood.
+#[derive(Clone, Debug)]
+pub struct MeasuredArch {
+    /// The texts.
+    pub asked: ArchAsked,
+    /// The reading of the texts.
+    pub given: ArchGiven,
 }
 
 /// A kind of item, by the table that asks for it.
@@ -179,7 +194,8 @@ impl ItemKind {
             Self::Arches => (
                 "arches",
                 Content::Answers,
-                "half_opening friction friction_angle thickness quantities weight digits format output",
+                "half_opening friction friction_angle thickness span rise radius measured_at density depth quantities \
+                 weight digits format output",
             ),
             Self::Claims => ("claims", Content::Claims, "prove show format output"),
             Self::Audit => ("audit", Content::Audit, "landmarks weight format output"),
@@ -193,7 +209,7 @@ impl ItemKind {
             Self::Drawing => (
                 "drawing",
                 Content::Drawing,
-                "half_opening friction friction_angle thickness at mode weight amplitude dilatant half arrows \
+                "half_opening friction friction_angle thickness span rise radius measured_at density depth at mode weight amplitude dilatant half arrows \
                  stones animate format output",
             ),
         }
@@ -253,11 +269,12 @@ impl SceneItem {
                 format!("{} quantities {} digits {digits}", points(at), names(quantities))
             }
             Request::Arches { arches, quantities, digits, .. } => {
-                let arch = |SceneArch { arch, thickness }: &SceneArch| {
+                let arch = |SceneArch { arch, thickness, measured }: &SceneArch| {
                     let (weight, alpha, mu) =
                         (arch.weight().name(), arch.half_opening(), arch.friction());
                     let thickness = thickness.as_ref().map(ToString::to_string);
-                    format!(" {weight} {alpha} {mu} {},", thickness.unwrap_or_default())
+                    let sizes = measured.as_ref().map_or(String::new(), |of| of.asked.options());
+                    format!(" {weight} {alpha} {mu} {}{sizes},", thickness.unwrap_or_default())
                 };
                 let all: String = arches.iter().map(arch).collect();
                 format!("{all} quantities {} digits {digits}", names(quantities))

@@ -1,8 +1,10 @@
 //! A table of TOML that is read key by key.
 
 use super::read_numbers::{Meaning, Numbers, SceneNumber};
+use super::schema::MAX_ARCHES;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
+use crate::ask::Field;
 use crate::problem::Landmark;
 use std::ops::Range;
 use toml::de::DeTable;
@@ -79,6 +81,19 @@ impl<'a, 's> TableReader<'a, 's> {
             self.reader.fault(value.span(), format!("both {key} and {letter}; give one of them"));
         }
         named.or(Some(value))
+    }
+
+    /// Value of a field of an arch, under its name or its letter.
+    pub(super) fn given_field(&self, field: Field) -> Option<&'a TomlValue<'a>> {
+        self.get(field.name()).or_else(|| self.get(field.letter()?))
+    }
+
+    /// The fault that there are too many arches.
+    pub(super) fn too_many<T>(&mut self, count: usize, used: usize) -> Option<T> {
+        let before = if used > 0 { format!(" after {used} before") } else { String::new() };
+        self.refuse(format!(
+            "{count} arches{before} are too many; a scene has at most {MAX_ARCHES}, `couplet states` reads any number"
+        ))
     }
 
     /// All numbers of a list or of a range, if they can be written as numbers that are read.
