@@ -1,7 +1,7 @@
 //! Proved values for serde: with the names that they have in the documents of the command, each with its bounds.
 
-use super::state::{Answer, AssessmentDigits, Digits, Figure};
 use super::Constant;
+use super::state::{Answer, AssessmentDigits, Digits, Figure};
 use crate::number::Rounded;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
