@@ -53,6 +53,11 @@
 #[doc = include_str!("../README.md")]
 pub struct Readme;
 
+/// The programs of `docs/rust.md`.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/rust.md")]
+pub struct InRust;
+
 /// The numbers of GMP and MPFR that balls are made of, in the version that this crate uses.
 pub use rug;
 

@@ -7,7 +7,7 @@ use couplet::certify::state::{Answer, Certify};
 use couplet::number::{Ball, ExactNumber};
 use couplet::problem::Friction;
 use couplet::problem::{Landmark, Mode};
-use couplet::strategies::{DrawnQuery, arch, collapsing, query, standing};
+use couplet::strategies::{DrawnQuery, arch, assessed, collapsing, query, standing};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{TestError, TestRunner};
@@ -111,6 +111,21 @@ fn what_stands_has_its_own_state() {
         let Ok(Answer::Stands(again)) = query.arch().unwrap().certify(7) else { panic!("{query}") };
         assert_eq!(again.thickness.decimal.value, state.thickness.decimal.value, "{query}");
     }
+}
+
+#[test]
+fn an_oracle_says_yes_and_no_next_to_the_least_thickness() {
+    let all = drawn(200, &assessed());
+    let standing = all.iter().filter(|drawn| drawn.stands).count();
+    assert!((40..160).contains(&standing), "{standing} of 200");
+    for drawn in &all {
+        let arch = drawn.query.arch().unwrap();
+        let told = arch.certify_thickness(&drawn.thickness, 3).unwrap();
+        assert_eq!(told.stands, Ok(drawn.stands), "{drawn}");
+    }
+    let falling = smallest(&assessed(), |drawn| drawn.stands || drawn.query.doubles().0 < 0.7);
+    assert!(falling.to_string().starts_with("couplet assess --weight heyman --half-opening 1 "));
+    assert!(format!("{falling:?}").ends_with(" (it falls)") && falling.to_string().len() < 90);
 }
 
 #[test]

@@ -16,17 +16,8 @@
 use super::Ring;
 use super::joint::Grip;
 use super::mechanism::Contact;
-use super::whole::{Forces, margin, static_row};
+use super::whole::static_row;
 use crate::number::{Angle, Field};
-
-/// The forces in the crown, and the acceleration.
-#[derive(Clone, Debug)]
-pub struct Tilted<T> {
-    /// Forces that the halves bear on each other.
-    pub forces: Forces<T>,
-    /// `k`, the horizontal acceleration over that of gravity.
-    pub tilt: T,
-}
 
 /// A condition `h a_0 + p a_1 + v a_2 + k a_3 + load <= 0`.
 #[derive(Clone, Debug)]
@@ -50,23 +41,6 @@ pub fn row<T: Field>(
     TiltedRow { coefficients: [thrust, moment, vertical, push], load }
 }
 
-/// Margin of a joint: what must not be negative.
-pub fn margin_at<T: Field>(
-    contact: Contact,
-    joint: &Angle<T>,
-    ring: &Ring<T>,
-    grip: &Grip<T>,
-    state: &Tilted<T>,
-) -> T {
-    let Forces { thrust, moment, vertical } = &state.forces;
-    let pushed = Forces {
-        thrust: state.tilt.clone() * &joint.rad + thrust,
-        moment: state.tilt.clone() * &ring.centroid_factor * &joint.sin + moment,
-        vertical: vertical.clone(),
-    };
-    margin(contact, joint, ring, grip, &pushed)
-}
-
 impl<T> TiltedRow<T> {
     /// The row in another number.
     pub fn map<U>(&self, f: impl Fn(&T) -> U) -> TiltedRow<U> {
@@ -86,7 +60,34 @@ impl<T: Field> TiltedRow<T> {
 mod tests {
     use super::*;
     use crate::arch::SelfWeight;
+    use crate::arch::whole::{Forces, margin};
     use rug::Rational;
+
+    /// The forces in the crown, and the acceleration.
+    #[derive(Clone, Debug)]
+    struct Tilted<T> {
+        /// Forces that the halves bear on each other.
+        forces: Forces<T>,
+        /// `k`, the horizontal acceleration over that of gravity.
+        tilt: T,
+    }
+
+    /// Margin of a joint: what must not be negative.
+    fn margin_at<T: Field>(
+        contact: Contact,
+        joint: &Angle<T>,
+        ring: &Ring<T>,
+        grip: &Grip<T>,
+        state: &Tilted<T>,
+    ) -> T {
+        let Forces { thrust, moment, vertical } = &state.forces;
+        let pushed = Forces {
+            thrust: state.tilt.clone() * &joint.rad + thrust,
+            moment: state.tilt.clone() * &ring.centroid_factor * &joint.sin + moment,
+            vertical: vertical.clone(),
+        };
+        margin(contact, joint, ring, grip, &pushed)
+    }
 
     fn r(n: i32, d: i32) -> Rational {
         Rational::from((n, d))

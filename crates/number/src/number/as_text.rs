@@ -4,9 +4,15 @@
 ///
 /// ```
 /// use couplet_number::number::ExactNumber;
-/// let third: ExactNumber = serde_json::from_str("\"1/3\"").unwrap();
-/// assert_eq!(serde_json::to_string(&third).unwrap(), "\"1/3\"");
-/// assert!(serde_json::from_str::<ExactNumber>("\"1/0\"").is_err());
+/// use serde::Deserialize;
+/// use serde::de::IntoDeserializer;
+/// use serde::de::value::{Error, StrDeserializer};
+/// let read = |text: &'static str| {
+///     let text: StrDeserializer<'static, Error> = text.into_deserializer();
+///     ExactNumber::deserialize(text)
+/// };
+/// assert_eq!(read("1/3").unwrap().to_string(), "1/3");
+/// assert!(read("1/0").unwrap_err().to_string().contains("divides by zero"));
 /// ```
 #[macro_export]
 macro_rules! as_text {

@@ -83,6 +83,19 @@ impl<T: Field> Dual<T> {
     }
 }
 
+/// The value and the gradient of a function of some numbers.
+///
+/// ```
+/// use couplet_number::number::{Field, gradient};
+/// let (value, slopes) = gradient(&[3.0, 2.0], |x| x[0].square() * &x[1]);
+/// assert_eq!((value, slopes), (18.0, vec![12.0, 9.0]));
+/// ```
+pub fn gradient<T: Field>(at: &[T], f: impl FnOnce(&[Dual<T>]) -> Dual<T>) -> (T, Vec<T>) {
+    let found = f(&Dual::variables(at));
+    let slopes = (0..at.len()).map(|index| found.derivative(index)).collect();
+    (found.value, slopes)
+}
+
 impl<T> Derivatives<T> for Dual<T> {
     fn slope(&self, index: usize) -> Option<&T> {
         self.gradient.get(index).and_then(Option::as_ref)
@@ -167,6 +180,14 @@ mod tests {
         assert_eq!(q.derivative(0), Rational::from((1, 5)));
         assert_eq!(q.derivative(1), Rational::from((-4, 375)));
         assert_eq!(q.derivative(2), Rational::new());
+    }
+
+    #[test]
+    fn a_gradient_has_an_entry_for_each_number() {
+        let at = [(2, 3), (5, 1), (7, 1)].map(Rational::from);
+        let (value, slopes) = gradient(&at, |x| x[0].clone() * &x[1]);
+        assert_eq!(value, Rational::from((10, 3)));
+        assert_eq!(slopes, [(5, 1), (2, 3), (0, 1)].map(Rational::from));
     }
 
     #[test]

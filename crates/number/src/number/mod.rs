@@ -104,7 +104,7 @@ pub use double_ball::DoubleBall;
 pub use double_double::DoubleDouble;
 pub use double_double_ball::DoubleDoubleBall;
 pub use drawable::Drawable;
-pub use dual::Dual;
+pub use dual::{Dual, gradient};
 pub use dyadic::{Dyadic, MAX_EXPONENT, ParseDyadicError};
 pub use end::{Direction, End};
 pub use engine::Engine;

@@ -161,11 +161,6 @@ impl Trace {
         points
     }
 
-    /// The quantities at any parameter of the curve, as its tube encloses them; `None` outside or in a gap.
-    pub fn place(&self, parameter: f64) -> Option<Place> {
-        self.pieces().find_map(|piece| piece.place(parameter))
-    }
-
     /// The pieces that are not proved.
     pub fn gaps(&self) -> impl Iterator<Item = Piece<'_>> {
         self.pieces().filter(|piece| piece.tube.is_none())
@@ -353,7 +348,7 @@ mod tests {
                     let [from, to] = piece.range();
                     let place = piece.place((from + to) / 2.0).unwrap();
                     let at = place.coordinate(parameter).unwrap().mid().to_f64();
-                    let same = usual.place(at).unwrap();
+                    let same = usual.pieces().find_map(|piece| piece.place(at)).unwrap();
                     for variable in Variable::PLANE {
                         let [one, other] = [&place, &same]
                             .map(|place| place.coordinate(variable).unwrap().mid().to_f64());

@@ -148,11 +148,6 @@ impl CertifiedLandmark {
         Ok(found.into_iter().filter_map(|(_, constant)| constant).collect())
     }
 
-    /// Number of times that [`CertifiedLandmark::constants`] reports progress for a landmark.
-    pub fn ticks(landmark: Landmark) -> u64 {
-        Self::ticks_of(landmark, quantities(landmark).count())
-    }
-
     /// Number of times that [`CertifiedLandmark::constants_of`] reports progress for a number of quantities.
     pub fn ticks_of(landmark: Landmark, quantities: usize) -> u64 {
         stages(&landmark.system(SelfWeight::Heyman)) + quantities as u64

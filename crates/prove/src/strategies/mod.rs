@@ -9,11 +9,13 @@
 //! | `arch` | the same, ready to be certified |
 //! | `standing` | arches that stand, with what is proved of them |
 //! | `collapsing` | the same for one collapse mode, however small its place on the map |
+//! | `assessed` | arches with a thickness, and whether they stand with it |
 //! | `half_opening`, `friction` | the numbers of a query alone |
 //!
 //! Hard are openings like `1e-60` or `0.9999pi`, frictions like `1e80`, `0` and `inf`, and the
-//! neighbourhood of each landmark, where modes meet. A failure shrinks towards an ordinary arch of
-//! Heyman's weight whose numbers have few decimals, and is printed as the command that answers it.
+//! neighbourhood of each landmark, where modes meet. A failure shrinks to an ordinary arch, of
+//! Heyman's weight with a friction of `inf`, 1 or 0.5 and a half opening of few decimals where such a one fails too,
+//! and is printed as the command that answers it.
 
 #[cfg(feature = "proptest")]
 mod drawn;

@@ -283,8 +283,9 @@ mod tests {
                 for share in [0.05, 0.3, 0.6, 0.95] {
                     let alpha = from + share * (to - from);
                     let place = line.section.pieces().find_map(|piece| piece.place(alpha)).unwrap();
-                    let [here, edge] = [place, edge.place(alpha).unwrap()]
-                        .map(|place| value(&place, Variable::FrictionAngle));
+                    let [here, edge] =
+                        [place, edge.pieces().find_map(|piece| piece.place(alpha)).unwrap()]
+                            .map(|place| value(&place, Variable::FrictionAngle));
                     let (one, other) =
                         if line.line.is_outer(weight) { (edge, here) } else { (here, edge) };
                     assert!(one.is_less_than(&other).is_proved(), "{weight:?} {alpha}");

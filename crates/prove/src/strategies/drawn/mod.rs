@@ -3,7 +3,8 @@
 mod arches;
 mod numbers;
 mod queries;
+mod shrinking;
 
-pub use arches::{arch, collapsing, standing};
+pub use arches::{DrawnThickness, arch, assessed, collapsing, query, standing};
 pub use numbers::{friction, half_opening, weight};
-pub use queries::{DrawnQuery, query};
+pub use queries::DrawnQuery;

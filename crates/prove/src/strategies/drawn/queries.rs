@@ -61,9 +61,8 @@ impl fmt::Debug for DrawnQuery {
     }
 }
 
-/// Any query of the domain: half opening in `(0, pi)`, friction in `[0, inf]`; one in five next to a
-/// landmark, of which it shares 3 to 40 digits.
-pub fn query() -> impl Strategy<Value = DrawnQuery> {
+/// Queries of the domain and next to it; one in five next to a landmark.
+pub(super) fn any_query() -> impl Strategy<Value = DrawnQuery> {
     let anywhere = (weight(), half_opening(), friction())
         .prop_map(|(weight, half_opening, friction)| DrawnQuery { weight, half_opening, friction });
     prop_oneof![4 => anywhere, 1 => beside_a_landmark()]
