@@ -10,6 +10,7 @@ mod constants;
 mod curves;
 mod described;
 mod draw;
+mod equation;
 mod figure;
 mod find;
 mod folder;
@@ -63,6 +64,7 @@ commands!(
     State(state),
     Assess(assess),
     Find(find),
+    Equation(equation),
     Voussoirs(voussoirs),
     Complementarity(complementarity),
     Map(map),
