@@ -21,6 +21,7 @@ mod coq;
 mod door;
 mod draw;
 mod ends;
+mod equation;
 mod export;
 mod expressions;
 mod identities;

@@ -154,11 +154,19 @@ outputs! {
 
     study: run("couplet study stability --quick --only eta-to-two");
 
+    equations: each(&[
+        "couplet equation 7 --rotation-joint 1.0 --digits 12 --weight both",
+        "couplet equation 8 --rotation-joint pi/3 --digits 12",
+        "couplet equation 10 --rotation-joint 57deg --digits 12",
+        "couplet equation 12 --rotation-joint 1.2 --digits 12",
+    ]);
+
     help: each(&["couplet --help", "couplet -V"]);
     help_constants: run("couplet constants --help");
     help_state: run("couplet state --help");
     help_assess: run("couplet assess --help");
     help_find: run("couplet find --help");
+    help_equation: run("couplet equation --help");
     help_voussoirs: run("couplet voussoirs --help");
     help_complementarity: run("couplet complementarity --help");
     help_map: run("couplet map --help");

@@ -11,6 +11,7 @@ mod curves;
 mod described;
 pub mod doors;
 mod draw;
+mod equation;
 mod figure;
 mod find;
 mod folder;
@@ -64,6 +65,7 @@ commands!(
     State(state),
     Assess(assess),
     Find(find),
+    Equation(equation),
     Voussoirs(voussoirs),
     Complementarity(complementarity),
     Map(map),

@@ -33,6 +33,14 @@ wrong_uses! {
     an_unknown_experiment: ["study", "accuracy", "--only", "T"] => "the studies are eta-cubic, A-cubic";
     an_unknown_limit: ["study", "stability", "--only", "state"] => "the studies are alpha-to-zero";
 
+    an_equation_of_no_joint: ["equation", "6", "--beta", "1"] => "one of 7, 8, 9, 10, 11, 12";
+    an_equation_without_its_joint: ["equation", "7"] => "--rotation-joint";
+    a_joint_beyond_half_a_turn: ["equation", "7", "--beta", "4"] => "did you mean 4deg?";
+    a_negative_joint: ["equation", "12", "--beta", "-1"] => "between 0 and pi";
+    a_closed_form_of_heyman:
+        ["equation", "9", "--beta", "1", "--weight", "both"] => "for Milankovitch's weight";
+    a_closed_form_beyond_the_widest_joint: ["equation", "11", "--beta", "1.2"] => "beyond the widest";
+
     a_zero_half_opening: ["state", "--alpha", "0", "--mu", "1"] => "between 0 and pi";
     a_negative_half_opening: ["state", "--alpha", "-1", "--mu", "1"] => "between 0 and pi";
     a_half_opening_beyond_a_turn: ["state", "--alpha", "3.2", "--mu", "1"] => "between 0 and pi";

@@ -1,41 +1,11 @@
 //! The closed forms (9)–(11): as printed, in complex doubles; and in their real, trigonometric form.
 
-use crate::arch::closed_form;
 use crate::arch::cubic::{self, Abbreviations};
-use crate::number::{Angle, Field, Real, rational_like};
+use crate::number::{Angle, rational_like};
 use num_complex::Complex;
 use rug::{Float, Rational};
 
-/// Closed forms of the study.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ClosedForm {
-    /// (9), `A`.
-    OpeningVariable,
-    /// (10), `eta`.
-    Thickness,
-    /// (11), `h`.
-    Thrust,
-}
-
-impl ClosedForm {
-    /// The cubic (7) of which it is a root.
-    pub fn cubic<T: Field>(self, at: &Abbreviations<T>, flag: &T, x: &T) -> T {
-        match self {
-            Self::OpeningVariable => cubic::in_opening_variable(at, flag, x),
-            Self::Thickness => cubic::in_thickness(at, flag, x),
-            Self::Thrust => cubic::in_thrust(at, flag, x),
-        }
-    }
-}
-
-/// The two real branches: upper signs for `alpha < alpha_sb`, lower beyond.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RootBranch {
-    /// `alpha < alpha_sb`.
-    Upper,
-    /// `alpha > alpha_sb`.
-    Lower,
-}
+pub use crate::certify::equation::{ClosedForm, RootBranch, trigonometric};
 
 /// Closed form as printed, with complex square and cube roots in doubles; the real part.
 pub fn printed(form: ClosedForm, branch: RootBranch, joint: f64) -> f64 {
@@ -45,74 +15,7 @@ pub fn printed(form: ClosedForm, branch: RootBranch, joint: f64) -> f64 {
     let q = complex(cubic::radicand(&real, &1.0)).sqrt();
     let sign = if branch == RootBranch::Upper { 1.0 } else { -1.0 };
     let k = Complex::new(0.0, sign * 3f64.sqrt());
-    match form {
-        ClosedForm::OpeningVariable => {
-            closed_form::opening_variable(&at, &closed_form::opening_cube(&at, &q).cbrt(), &k).re
-        }
-        ClosedForm::Thickness => {
-            closed_form::thickness(&at, &closed_form::thickness_cube(&at, &q).cbrt(), &k).re
-        }
-        ClosedForm::Thrust => {
-            closed_form::thrust(&at, &closed_form::thrust_cube(&at, &q).cbrt(), &k).re
-        }
-    }
-}
-
-/// A real number with an angle and a cosine: what the trigonometric form needs.
-pub trait Trigonometric: Real {
-    /// The angle of the point `(x, y)`, with `self` as `y`.
-    fn angle(&self, x: &Self) -> Self;
-}
-
-impl Trigonometric for f64 {
-    fn angle(&self, x: &Self) -> Self {
-        self.atan2(*x)
-    }
-}
-
-impl Trigonometric for Float {
-    fn angle(&self, x: &Self) -> Self {
-        self.clone().atan2(x)
-    }
-}
-
-/// The real form: with `q = i |q|` the cube root has the modulus `√P`, and the two terms are conjugate,
-/// `2 √P cos(t/3 ∓ pi/3)` with `t` the angle of the cube. `joint` is `beta` in `(0, beta_sb]`.
-pub fn trigonometric<T: Trigonometric>(
-    form: ClosedForm,
-    branch: RootBranch,
-    joint: &Angle<T>,
-) -> T {
-    let at = cubic::abbreviations(joint);
-    let (zero, one) = (joint.rad.int(0), joint.rad.int(1));
-    let size = (-cubic::radicand(&at, &one)).sqrt();
-    // The cube is linear in q: its real part at q = 0, its imaginary part the slope times |q|.
-    let parts = |cube: fn(&Abbreviations<T>, &T) -> T| {
-        let real = cube(&at, &zero);
-        let slope = cube(&at, &one) - &real;
-        (real, slope * &size)
-    };
-    let ((real, imaginary), product) = match form {
-        ClosedForm::OpeningVariable => {
-            (parts(closed_form::opening_cube), closed_form::opening_product(&at))
-        }
-        ClosedForm::Thickness => {
-            (parts(closed_form::thickness_cube), closed_form::thickness_product(&at))
-        }
-        ClosedForm::Thrust => (parts(closed_form::thrust_cube), closed_form::thrust_product(&at)),
-    };
-    let third = imaginary.angle(&real) / joint.rad.int(3);
-    let turn = joint.rad.pi() / joint.rad.int(3);
-    // (10) is printed with the signs the other way round.
-    let difference = (branch == RootBranch::Upper) != (form == ClosedForm::Thickness);
-    let angle = if difference { third - turn } else { third + turn };
-    let (_, cosine) = angle.sin_cos();
-    let terms = product.sqrt() * cosine * one.int(2);
-    match form {
-        ClosedForm::OpeningVariable => closed_form::opening_variable_from(&at, terms),
-        ClosedForm::Thickness => closed_form::thickness_from(&at, terms),
-        ClosedForm::Thrust => closed_form::thrust_from(&at, terms),
-    }
+    form.value(&at, &form.cube(&at, &q).cbrt(), &k).re
 }
 
 /// The real form in MPFR, at an exact joint.

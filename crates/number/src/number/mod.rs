@@ -8,6 +8,7 @@
 //! | [`ShortBall`] | fixed point of a few words on the stack, with a radius | [`Field`] |
 //! | [`rug::Float`] | MPFR, round to nearest: candidates | [`Field`], [`Real`] |
 //! | [`Ball`] | MPFR midpoint and radius: enclosures | [`Field`], [`Real`], [`Enclosure`] |
+//! | [`ComplexBall`] | a pair of balls: the closed forms with complex roots | [`Field`] |
 //! | [`AstroInterval`] | two astro-float ends, rounded outward: the second arithmetic | [`Field`], [`Real`], [`Enclosure`] |
 //! | `MalachiteInterval` (feature `malachite`) | the same with other ends: quicker, and not independent of MPFR | [`Field`], [`Real`], [`Enclosure`] |
 //! | [`rug::Rational`] | exact | [`Field`] |

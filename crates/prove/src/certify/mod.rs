@@ -12,6 +12,7 @@ mod certificate;
 mod closed_value;
 mod constant;
 mod enclosed;
+pub mod equation;
 mod fingerprint;
 mod jointed;
 mod landmark;

@@ -2,9 +2,10 @@
 //!
 //! Every door of this room asks here before anything is computed.
 
+use crate::arch::SelfWeight;
 use crate::number::ExactNumber;
 use crate::problem::stones::StonesError;
-use crate::problem::{ArchError, Landmark, Line, Quantity, ThicknessError};
+use crate::problem::{Arch, ArchError, Friction, Landmark, Line, Quantity, ThicknessError};
 
 /// The largest number of digits of a constant that can be asked for.
 pub const MAX_DIGITS: usize = 1_000_000;
@@ -71,6 +72,19 @@ pub enum Refused {
     /// A boundary at unlimited friction.
     #[error("a boundary needs a limited friction: with inf nothing slides")]
     UnlimitedFriction,
+    /// The rotational joint is not between 0 and pi.
+    #[error("the rotational joint {} is not between 0 and pi (180deg){}", .0, meant(.0))]
+    RotationJoint(ExactNumber),
+    /// The rotational joint is beyond the widest one.
+    #[error(
+        "the rotational joint {0} is beyond the widest one, beta_sb: (9), (10) and (11) are real up to it"
+    )]
+    BeyondWidestJoint(ExactNumber),
+    /// A closed form that the paper does not have.
+    #[error(
+        "(9), (10) and (11) are for Milankovitch's weight; for Heyman's give (7), which has quadratics then"
+    )]
+    ClosedFormOfHeyman,
     /// Arrays that have to be of one length are not.
     #[error("the arrays are not of one length: {}", lengths(.0))]
     Lengths(Vec<usize>),
@@ -97,6 +111,11 @@ impl Refused {
         Ok(ThicknessError::check(thickness, &thickness.to_string())?)
     }
 
+    /// Checks that a number is an angle of a rotational joint.
+    pub(crate) fn rotation_joint(joint: &ExactNumber) -> Result<(), Self> {
+        as_half_opening(joint).map_err(|_| Self::RotationJoint(joint.clone()))
+    }
+
     /// Checks that a quantity is one of the possible ones.
     pub fn quantity(asked: Quantity, possible: &[Quantity]) -> Result<(), Self> {
         let refused = || Self::NoSuchQuantity { quantity: asked, possible: possible.to_vec() };
@@ -108,6 +127,16 @@ impl Refused {
         let number = i32::try_from(asked).ok().filter(|_| (2..=most).contains(&asked));
         number.ok_or(Self::StoneCount { asked, most })
     }
+}
+
+/// Joints and half openings have one range.
+fn as_half_opening(joint: &ExactNumber) -> Result<(), ArchError> {
+    Arch::new(SelfWeight::Heyman, joint.clone(), Friction::Infinite).map(|_| ())
+}
+
+/// Degrees that a joint was perhaps meant to be given in.
+fn meant(joint: &ExactNumber) -> String {
+    as_half_opening(joint).err().map_or(String::new(), |error| error.hint())
 }
 
 fn names(quantities: &[Quantity]) -> String {

@@ -5,6 +5,7 @@ use super::audit::{self, Audit};
 use super::branch::{self, BranchArches};
 use super::claims::{self, Claims, Index};
 use super::complementarity::{self, ComplementarityArch};
+use super::equation::{self, EquationAtJoint};
 use super::judged::{self, JudgeSummary, JudgedLines};
 use super::map::{self, Map, MapDifferences, MapPoint};
 #[cfg(feature = "parquet")]
@@ -49,6 +50,8 @@ pub enum Content {
     Tilted,
     /// Solutions of the complementarity problem.
     Complementarity,
+    /// Equations of the paper at a joint.
+    Equation,
     /// Asymmetric solutions over friction.
     Branch,
     /// Arches to be drawn.
@@ -158,6 +161,8 @@ pub(super) const COMPLEMENTARITY: Writers<[ComplementarityArch]> = Writers {
     ],
     picture: None,
 };
+pub(super) const EQUATION: Writers<[EquationAtJoint]> =
+    Writers { texts: &[("table", equation::table), ("json", equation::json)], picture: None };
 pub(super) const BRANCH: Writers<BranchArches> = Writers {
     texts: &[("table", branch::table), ("json", branch::json), ("csv", branch::csv)],
     picture: Some(branch::picture),
@@ -185,6 +190,7 @@ impl Content {
             Self::Voussoirs => VOUSSOIRS.has(format),
             Self::Tilted => TILTED.has(format),
             Self::Complementarity => COMPLEMENTARITY.has(format),
+            Self::Equation => EQUATION.has(format),
             Self::Branch => BRANCH.has(format),
             Self::Drawing => DRAWING.has(format),
         }

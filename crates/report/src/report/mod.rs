@@ -33,6 +33,7 @@ mod complementarity;
 mod csv;
 mod document;
 mod drawn;
+mod equation;
 mod fields;
 mod find;
 mod format;
@@ -76,6 +77,7 @@ pub use branch::{BranchArch, BranchArches};
 pub use claims::{Claims, Index};
 pub use complementarity::ComplementarityArch;
 pub use drawn::{Axes, Branches, Drawing, Mark, Marked, Plane, Shown, Unit, View};
+pub use equation::EquationAtJoint;
 pub use format::{Content, Format};
 pub use given::GivenDoubles;
 pub use json::answers as write_json;
@@ -116,6 +118,8 @@ pub enum Report {
     Tilted(Vec<TiltedArch>),
     /// Solutions of the complementarity problem.
     Complementarity(Vec<ComplementarityArch>),
+    /// Equations of the paper at a joint.
+    Equations(Vec<EquationAtJoint>),
     /// Asymmetric solutions over friction.
     Branches(BranchArches),
     /// Arches to be drawn.
@@ -136,6 +140,7 @@ impl Report {
             Self::Tilted(arches) => format::TILTED.write(arches, format, out),
             Self::Voussoirs(arches) => format::VOUSSOIRS.write(arches, format, out),
             Self::Complementarity(arches) => format::COMPLEMENTARITY.write(arches, format, out),
+            Self::Equations(all) => format::EQUATION.write(all, format, out),
             Self::Branches(arches) => format::BRANCH.write(arches, format, out),
             Self::Sketched(sketched) => format::DRAWING.write(sketched, format, out),
         }

@@ -4,6 +4,7 @@ mod ball;
 mod binary;
 #[cfg(feature = "complex")]
 mod complex;
+mod complex_ball;
 mod degrees;
 mod expansion;
 mod hexadecimal;
@@ -21,6 +22,7 @@ mod words;
 
 pub use ball::Ball;
 pub use binary::Binary;
+pub use complex_ball::ComplexBall;
 pub use degrees::degrees;
 pub use hexadecimal::hexadecimal;
 pub use magnitude::Magnitude;

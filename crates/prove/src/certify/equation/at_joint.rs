@@ -1,0 +1,195 @@
+//! One equation at one joint, at one precision.
+
+use super::closed::{ClosedForm, RootBranch, trigonometric};
+use super::evaluated::{ClosedAt, Evaluated, LinkAt, PolynomialAt, RadicandAt, RootAt, outward};
+use super::polynomial::{coefficients, real_roots, value};
+use crate::arch::cubic::{self, Abbreviations};
+use crate::arch::{Ring, SelfWeight, overturning, thrust};
+use crate::number::{Angle, Ball, ComplexBall, Enclosure, Field, Real, Ternary};
+use crate::prover::{Figure, Undecided};
+
+/// What an evaluation finds, to be tried with more bits if it is `None`.
+type Found<T> = Result<Option<T>, Undecided>;
+
+/// A joint in balls.
+pub(super) struct AtJoint {
+    pub(super) weight: SelfWeight,
+    pub(super) joint: Angle<Ball>,
+    pub(super) bits: u32,
+    pub(super) digits: usize,
+}
+
+/// The three unknowns, in the order of (7).
+const UNKNOWNS: [ClosedForm; 3] =
+    [ClosedForm::OpeningVariable, ClosedForm::Thickness, ClosedForm::Thrust];
+
+impl AtJoint {
+    fn abbreviations(&self) -> Abbreviations<Ball> {
+        cubic::abbreviations(&self.joint)
+    }
+
+    /// The radicand and whether it is positive.
+    fn signed_radicand(&self) -> Result<(Ball, bool), Undecided> {
+        let radicand =
+            cubic::radicand(&self.abbreviations(), &self.joint.rad.int(self.weight.flag()));
+        let is_positive = match radicand.is_positive() {
+            Ternary::True => true,
+            Ternary::False if radicand.excludes_zero() => false,
+            _ => {
+                let words = "the sign of (12), which is next to zero: the joint is next to beta_sb";
+                return Err(Undecided::new(words));
+            }
+        };
+        Ok((radicand, is_positive))
+    }
+
+    /// Tells whether the joint is beyond the widest one, where it is next to it.
+    pub(super) fn is_beyond_widest(&self) -> Result<bool, Undecided> {
+        self.signed_radicand().map(|(_, is_positive)| is_positive)
+    }
+
+    fn figure(&self, x: &Ball) -> Option<Figure> {
+        Figure::new(x, self.digits)
+    }
+
+    /// (12).
+    pub(super) fn radicand(&self) -> Found<Evaluated> {
+        let (radicand, is_positive) = self.signed_radicand()?;
+        let value = self.figure(&radicand);
+        Ok(value.map(|value| Evaluated::Radicand(Box::new(RadicandAt { value, is_positive }))))
+    }
+
+    /// (8).
+    pub(super) fn link(&self) -> Found<Evaluated> {
+        let Abbreviations { sin, f, g } = self.abbreviations();
+        let difference = cubic::link(&self.joint);
+        let found = || {
+            let [sin, f, g] = [sin, f, g].map(|x| self.figure(&x));
+            Some(Evaluated::Link(Box::new(LinkAt {
+                abbreviations: [sin?, f?, g?],
+                difference: outward(&difference)?,
+                holds: !difference.excludes_zero(),
+            })))
+        };
+        Ok(found())
+    }
+
+    /// (7).
+    pub(super) fn cubics(&self) -> Found<Evaluated> {
+        let at = self.abbreviations();
+        let polynomials = UNKNOWNS.map(|unknown| coefficients(unknown, self.weight, &at));
+        let roots = self.roots(&polynomials)?;
+        let Some(roots) = roots else { return Ok(None) };
+        Ok(self.shown(&polynomials, roots.map(Ok)))
+    }
+
+    /// Polynomials (7) with their coefficients alone, as the roots stay open.
+    pub(super) fn cubics_without_roots(&self, open: &Undecided) -> Option<Evaluated> {
+        let at = self.abbreviations();
+        let polynomials = UNKNOWNS.map(|unknown| coefficients(unknown, self.weight, &at));
+        self.shown(&polynomials, [0; 3].map(|_| Err(open.clone())))
+    }
+
+    fn shown(
+        &self,
+        polynomials: &[Vec<Ball>; 3],
+        roots: [Result<Vec<RootAt>, Undecided>; 3],
+    ) -> Option<Evaluated> {
+        let shown = |((unknown, polynomial), roots): ((ClosedForm, &Vec<Ball>), _)| {
+            let coefficients = polynomial.iter().map(|x| self.figure(x));
+            Some(PolynomialAt {
+                unknown,
+                coefficients: coefficients.collect::<Option<_>>()?,
+                roots,
+            })
+        };
+        let all = UNKNOWNS.into_iter().zip(polynomials).zip(roots).map(shown);
+        all.collect::<Option<_>>().map(Evaluated::Cubics)
+    }
+
+    /// Real roots of the three polynomials, each with the thickness that belongs to it.
+    ///
+    /// (12) is the discriminant of each, up to a negative factor: where it is negative all roots are real, where it
+    /// is positive two are complex. By (5) and (4) each thickness has a thrust and an opening variable, which are
+    /// roots of the two other polynomials: of the one that they meet and no other.
+    fn roots(&self, polynomials: &[Vec<Ball>; 3]) -> Found<[Vec<RootAt>; 3]> {
+        let (_, is_positive) = self.signed_radicand()?;
+        let degree = polynomials[1].len() - 1;
+        let count = if is_positive { degree - 2 } else { degree };
+        let roots = |of: usize| real_roots(&polynomials[of], count, self.bits);
+        let [openings, thicknesses, thrusts] = [roots(0)?, roots(1)?, roots(2)?];
+        let mut found = [const { Vec::new() }; 3];
+        let mut branches = RootBranch::ALL.into_iter();
+        for eta in &thicknesses {
+            let ring = Ring::new(self.weight, eta);
+            let thrust = thrust::tangency(&self.joint.times_cotangent(), &ring).value();
+            let opening = thrust.clone() + overturning::opening_variable(&ring).value();
+            let inside = [eta.clone(), ring.intrados()].map(|x| x.is_positive());
+            let branch = match inside {
+                [Ternary::True, Ternary::True] => branches.next(),
+                [Ternary::False, _] | [_, Ternary::False] => None,
+                _ => return Ok(None),
+            };
+            let own = [meets(&openings, &opening), Some(eta), meets(&thrusts, &thrust)];
+            for ((root, polynomial), found) in own.into_iter().zip(polynomials).zip(&mut found) {
+                let shown = || {
+                    let root = root?;
+                    let residual = outward(&value(polynomial, root))?;
+                    let [value, thickness] = [root, eta].map(|x| self.figure(x));
+                    Some(RootAt { value: value?, residual, thickness: thickness?, branch })
+                };
+                let Some(root) = shown() else { return Ok(None) };
+                found.push(root);
+            }
+        }
+        for found in &mut found {
+            found.sort_by(|a, b| a.value.double.total_cmp(&b.value.double));
+        }
+        Ok(Some(found))
+    }
+
+    /// (9), (10) or (11).
+    pub(super) fn closed(&self, form: ClosedForm) -> Found<Evaluated> {
+        let (radicand, _) = self.signed_radicand()?;
+        let at = self.abbreviations();
+        let complex = |x: &Ball| ComplexBall::from(x.clone());
+        let of = Abbreviations { sin: complex(&at.sin), f: complex(&at.f), g: complex(&at.g) };
+        let Some(q) = ComplexBall::root_of_real(&radicand) else { return Ok(None) };
+        let Some(u) = form.cube(&of, &q).cube_root() else {
+            return Err(Undecided::new("the cube root, whose argument meets the cut"));
+        };
+        let root_of_three = self.joint.rad.int(3).sqrt();
+        let branch = |branch: RootBranch| {
+            let imaginary = match branch {
+                RootBranch::Upper => root_of_three.clone(),
+                RootBranch::Lower => -root_of_three.clone(),
+            };
+            let k = ComplexBall { re: root_of_three.int(0), im: imaginary };
+            let printed = form.value(&of, &u, &k);
+            let trigonometric = trigonometric(form, branch, &self.joint);
+            Some(ClosedAt {
+                branch,
+                printed_loss: self.digits_lost(&printed.re),
+                printed: self.figure(&printed.re)?,
+                imaginary: outward(&printed.im).filter(|_| !printed.im.excludes_zero())?,
+                trigonometric_loss: self.digits_lost(&trigonometric),
+                trigonometric: self.figure(&trigonometric)?,
+            })
+        };
+        let branches: Option<Vec<ClosedAt>> = RootBranch::ALL.map(branch).into_iter().collect();
+        Ok(branches.map(|branches| Evaluated::Closed(form, branches)))
+    }
+
+    /// Decimal digits of the precision that a value no longer has, rounded up.
+    fn digits_lost(&self, x: &Ball) -> u32 {
+        let (Some(radius), Some(size)) = (x.rad().exponent(), x.mid().get_exp()) else { return 0 };
+        let lost = i64::from(self.bits) + radius - i64::from(size);
+        (lost.max(0) as f64 * std::f64::consts::LOG10_2).ceil() as u32
+    }
+}
+
+/// The one root that a number may be, if it is one.
+fn meets<'a>(roots: &'a [Ball], x: &Ball) -> Option<&'a Ball> {
+    let mut met = roots.iter().filter(|root| root.overlaps(x));
+    met.next().filter(|_| met.next().is_none())
+}
