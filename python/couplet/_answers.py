@@ -3,12 +3,31 @@
 from __future__ import annotations
 
 from . import _core
+from ._asked import named_arch
 from ._certified import Certified
+from ._exact import exact
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
     from typing import Any, NoReturn
+
+
+def plain(value: Any) -> Any:
+    """A value as ``json.dumps`` takes it: numbers that JSON has not are their exact texts."""
+    if value is None or isinstance(value, (bool, str)):
+        return value
+    if hasattr(value, "to_dict"):
+        return value.to_dict()
+    if isinstance(value, dict):
+        return {name: plain(inner) for name, inner in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(inner) for inner in value]
+    if isinstance(value, range):
+        return list(value)
+    if type(value) is int or type(value) is float and abs(value) < float("inf"):
+        return value
+    return exact(value, "number")
 
 
 class Answer:
@@ -46,6 +65,18 @@ class Answer:
     def values(self) -> dict[str, Certified]:
         """The proved values, by the name of their quantity."""
         return {name: Certified(name, told) for name, told in self._told["values"].items()}
+
+    def to_dict(self) -> dict[str, Any]:
+        """All of the answer, for ``json.dumps``: values with their digits, doubles, bounds and units."""
+        names = ("verdict", "reason", *self._more)
+        said = {name: plain(getattr(self, name)) for name in names}
+        return {"given": plain(self.given), **said, "values": plain(self._all())}
+
+    # What a class tells besides, by the names of its properties.
+    _more: tuple[str, ...] = ()
+
+    def _all(self) -> Any:
+        return self.values
 
     def _value(self, name: str) -> Certified | None:
         told = self._told["values"].get(name)
@@ -86,6 +117,36 @@ class _OfArch(Answer):
         return str(self._told["weight"])
 
     @property
+    def measured_at(self) -> str | None:
+        """The circle at which the arch is measured, ``'intrados'``, ``'centreline'`` or ``'extrados'``; None if it has no size."""
+        return self._told.get("measured_at")
+
+    @property
+    def span_m(self) -> Certified | None:
+        """The span in metres, of an arch that is measured."""
+        return self._value("span_m")
+
+    @property
+    def rise_m(self) -> Certified | None:
+        """The rise in metres, of an arch that is measured."""
+        return self._value("rise_m")
+
+    @property
+    def radius_m(self) -> Certified | None:
+        """The radius of the centreline in metres, of an arch that is measured."""
+        return self._value("radius_m")
+
+    @property
+    def least_thickness_m(self) -> Certified | None:
+        """The least thickness in metres, of an arch that is measured."""
+        return self._value("least_thickness_m")
+
+    @property
+    def weight_kn(self) -> Certified | None:
+        """The weight of the arch in kN, where ``density`` and ``depth`` are given."""
+        return self._value("weight_kn")
+
+    @property
     def asymmetric_thickness(self) -> Certified | None:
         """The largest thickness above the least at which an asymmetric mechanism is found and proved: there the arch stands, as an
         admissible symmetric state exists, and friction without dilatancy may let it move. None if none is found; that there is
@@ -100,8 +161,16 @@ class _OfArch(Answer):
     def svg(self) -> str | None:
         """A picture of the arch with its lines of thrust, and how it falls, as SVG; None where there is nothing to
         draw. It is proved anew for this."""
-        half_opening, friction, thickness = self._told["given"]
-        return _core.drawing(self.weight, half_opening, friction, thickness)
+        given = {name: value for name, value in self._given if name not in ("weight", "tilt")}
+        try:
+            return _core.drawing(self.weight, named_arch(given)[0], self._command())
+        except _core.CoupletError:
+            # Joints that are no stones of one angle, more than 500 stones.
+            return None
+
+    def _command(self) -> str:
+        texts = [(name, plain(value)) for name, value in self._given if value is not None]
+        return "couplet draw " + " ".join(f"--{name.replace('_', '-')} {text}" for name, text in texts)
 
     def _repr_svg_(self) -> str | None:
         return self.svg()
@@ -115,6 +184,12 @@ class State(_OfArch):
     """
 
     __slots__ = ()
+    _more: tuple[str, ...] = ("weight", "can_stand", "mode", "enough", "between", "gap", "measured_at")
+
+    @property
+    def thrust_kn(self) -> Certified | None:
+        """The horizontal thrust in kN, where ``density`` and ``depth`` are given."""
+        return self._value("thrust_kn")
 
     @property
     def verdict(self) -> str:
@@ -191,6 +266,22 @@ class Assessment(_OfArch):
     """
 
     __slots__ = ()
+    _more: tuple[str, ...] = ("weight", "open", "measured_at")
+
+    @property
+    def thickness_m(self) -> Certified | None:
+        """The thickness in metres, of an arch that is measured."""
+        return self._value("thickness_m")
+
+    @property
+    def least_thrust_kn(self) -> Certified | None:
+        """The least admissible thrust in kN, where ``density`` and ``depth`` are given."""
+        return self._value("least_thrust_kn")
+
+    @property
+    def largest_thrust_kn(self) -> Certified | None:
+        """The largest admissible thrust in kN, where ``density`` and ``depth`` are given."""
+        return self._value("largest_thrust_kn")
 
     @property
     def verdict(self) -> str:
@@ -238,10 +329,98 @@ class Assessment(_OfArch):
         return [("geometric_safety", self.geometric_safety), ("asymmetric_thickness", moves), ("reason", self.reason)]
 
 
+class Voussoirs(State):
+    """An arch of stones at its least thickness, with joints between them alone; with a thickness also that arch, in
+    ``assessment``."""
+
+    __slots__ = ()
+    _more: tuple[str, ...] = (*State._more, "stones", "joints", "contacts", "loss", "relative_loss", "may_move", "assessment")
+
+    @property
+    def stones(self) -> int | None:
+        """How many stones of one angle it has."""
+        return self._told["said"].get("stones")  # type: ignore[no-any-return]
+
+    @property
+    def joints(self) -> tuple[str, ...] | None:
+        """The angles of its joints, where they were given."""
+        joints = self._told["said"].get("joints")
+        return None if joints is None else tuple(joints)
+
+    @property
+    def contacts(self) -> tuple[str, ...]:
+        """The conditions that hold with equality, each with the number of its joint from the crown."""
+        return tuple(self._told["said"]["contacts"] or ())
+
+    @property
+    def continuous_thickness(self) -> Certified | None:
+        """The least thickness with a joint at every angle."""
+        return self._value("continuous_thickness")
+
+    @property
+    def loss(self) -> tuple[str, str] | None:
+        """Bounds of how much thinner it may be than with a joint at every angle; None where the digits do not tell it."""
+        return self._bounds("loss")
+
+    @property
+    def relative_loss(self) -> tuple[str, str] | None:
+        """Bounds of the part that this is of the other thickness."""
+        return self._bounds("relative_loss")
+
+    @property
+    def may_move(self) -> bool:
+        """Whether it stands with a limited friction, which does not exclude a motion."""
+        return bool(self._told["said"]["may_move"])
+
+    @property
+    def assessment(self) -> Assessment | None:
+        """The arch at the thickness that was given."""
+        told = self._told["assessment"]
+        return None if told is None else Assessment(self._given, told)
+
+    def _bounds(self, name: str) -> tuple[str, str] | None:
+        said = self._told["said"][name]
+        return None if said is None else (said["lower"], said["upper"])
+
+    def _said(self) -> list[tuple[str, Any]]:
+        return [("mode", self.mode), ("thickness", self.thickness), ("reason", self.reason)]
+
+
+class Tilted(Assessment):
+    """An arch of a given thickness under a uniform horizontal acceleration, which a tilt of the ground is too. ``verdict`` is
+    ``'stands'`` if an admissible state of the whole arch is left, ``'falls'`` or ``'undecided'``."""
+
+    __slots__ = ()
+    _more: tuple[str, ...] = ("weight", "limited_by", "may_move")
+
+    @property
+    def largest_tilt(self) -> Certified | None:
+        """The largest acceleration over that of gravity with which there is an admissible state; infinite if any; None if it
+        stands with none, or that is undecided."""
+        return self._value("largest_tilt")
+
+    @property
+    def limited_by(self) -> tuple[str, ...]:
+        """What limits it: the hinges and joints of the mechanism."""
+        return tuple(self._told["said"]["limited_by"])
+
+    @property
+    def may_move(self) -> bool:
+        """Whether it stands with a limited friction, which does not exclude a motion."""
+        return bool(self._told["said"]["may_move"])
+
+    def svg(self) -> None:
+        """None: a tilted arch is not drawn."""
+
+    def _said(self) -> list[tuple[str, Any]]:
+        return [("largest_tilt", self.largest_tilt), ("reason", self.reason)]
+
+
 class Found(Answer):
     """What was found. ``verdict`` is ``'found'``, ``'nothing'`` if it is proved that there is none, or ``'undecided'``."""
 
     __slots__ = ()
+    _more: tuple[str, ...] = ("modes", "proved", "some_may_move")
 
     @property
     def verdict(self) -> str:
@@ -277,10 +456,11 @@ class Found(Answer):
 
 
 class Constants(Answer):
-    """The constants of a landmark, by the name of their quantity: a mapping. ``verdict`` is ``'proved'`` or
+    """The constants of a landmark, by the name of their quantity or its letter: a mapping. ``verdict`` is ``'proved'`` or
     ``'undecided'``."""
 
     __slots__ = ()
+    _more: tuple[str, ...] = ("landmark", "weight")
 
     @property
     def landmark(self) -> str:
@@ -293,7 +473,17 @@ class Constants(Answer):
         return str(self._told["weight"])
 
     def __getitem__(self, quantity: str) -> Certified:
-        return Certified(quantity, self._told["values"][quantity])
+        name = self._name(quantity)
+        return Certified(name, self._told["values"][name])
+
+    def _name(self, quantity: object) -> Any:
+        """The name of a quantity that is there under it or under its letter (``'eta'``)."""
+        if quantity not in self._told["values"] and isinstance(quantity, str):
+            try:
+                return _core.quantity(quantity)
+            except _core.CoupletError:
+                pass
+        return quantity
 
     def keys(self) -> list[str]:
         """The names of the quantities."""
@@ -310,7 +500,7 @@ class Constants(Answer):
         return len(self._told["values"])
 
     def __contains__(self, quantity: object) -> bool:
-        return quantity in self._told["values"]
+        return self._name(quantity) in self._told["values"]
 
     def _said(self) -> list[tuple[str, Any]]:
         return [("quantities", self.keys())]
@@ -342,6 +532,11 @@ class Checked(Answer):
         """Not of a certificate: it has no bounds and no doubles. See ``texts``."""
         raise AttributeError("the values of a certificate are in .texts")
 
+    _more: tuple[str, ...] = ("digits",)
+
+    def _all(self) -> Any:
+        return self.texts
+
     def _said(self) -> list[tuple[str, Any]]:
         return [("digits", self.digits), ("reason", self.reason)]
 
@@ -361,6 +556,10 @@ class Decision:
 
     def __getattr__(self, name: str) -> Any:
         raise AttributeError(name)
+
+    def to_dict(self) -> dict[str, Any]:
+        """All of the decision, for ``json.dumps``."""
+        return dict(vars(self))
 
     def _lasting(self) -> dict[str, Any]:
         return {name: value for name, value in vars(self).items() if name != "seconds"}

@@ -2,15 +2,27 @@
 
 from __future__ import annotations
 
+import re
+
+from . import _core
 from ._core import CoupletError
+from ._exact import exact, text_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import ParamSpec, TypeVar
+    from collections.abc import Callable, Sequence
+    from typing import Any, Optional, ParamSpec, TypeVar
 
+    #: The half opening and the friction of an arch, and what else there is in the order of FIELDS.
+    Texts = tuple[Optional[str], Optional[str], Optional[list[Optional[str]]]]
+    #: What is given, by its names.
+    Given = tuple[tuple[str, Any], ...]
     P = ParamSpec("P")
     T = TypeVar("T")
+
+#: What an arch may be given by.
+FIELDS: tuple[str, ...] = tuple(_core.fields())
+_NOTHING_ELSE = (None,) * (len(FIELDS) - 2)
 
 
 def asked(function: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
@@ -19,3 +31,66 @@ def asked(function: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
         return function(*arguments, **named)
     except UnicodeEncodeError as error:
         raise CoupletError(f"{error.object!r} is no text: it has half a surrogate pair, which is no character") from None
+    except (CoupletError, _core.UndecidedError) as error:
+        said = keyed(str(error))
+        if said == str(error):
+            raise
+        raise type(error)(said) from None
+
+
+def keyed(sentence: str) -> str:
+    """A sentence of the command, with the names of keywords in place of options."""
+    return re.sub(r"--([a-z]+(?:-[a-z]+)*)", lambda option: option[1].replace("-", "_"), sentence)
+
+
+def arch(half_opening: Any, friction: Any, others: tuple[Any, ...]) -> tuple[Texts, Given]:
+    """The texts of an arch, and what is given, by its names."""
+    # What is asked most is asked by two texts or three, in a hurry.
+    if half_opening is not None and friction is not None:
+        if others == _NOTHING_ELSE:
+            texts = exact(half_opening, "half opening"), exact(friction, "friction"), None
+            return texts, (("half_opening", half_opening), ("friction", friction))
+        thickness = others[1]
+        if others[0] is None and others[2:] == _NOTHING_ELSE[2:]:
+            three = exact(half_opening, "half opening"), exact(friction, "friction"), [None, exact(thickness, "thickness")]
+            return three, (("half_opening", half_opening), ("friction", friction), ("thickness", thickness))
+    return named_arch(dict(zip(FIELDS, (half_opening, friction, *others))))
+
+
+def named_arch(named: dict[str, Any]) -> tuple[Texts, Given]:
+    """The same of an arch by its names."""
+    values = [_plain(named.get(name)) for name in FIELDS]
+    half_opening, friction, *others = (_text(name, value) for name, value in zip(FIELDS, values))
+    return (half_opening, friction, others), tuple(zip(FIELDS, values))
+
+
+def _plain(value: Any) -> Any:
+    return tuple(value) if isinstance(value, list) else value
+
+
+def _text(name: str, value: Any) -> str | None:
+    if value is None or isinstance(value, str):
+        return value
+    what = name.replace("_", " ")
+    if name == "joints" and isinstance(value, tuple):
+        return ",".join(exact(angle, "angle of a joint") for angle in value)
+    if name == "stones":
+        return _stones(value)
+    if name == "measured_at":
+        raise TypeError(f"the circle at which an arch is measured is a str, not {type(value).__name__}")
+    return exact(value, what)
+
+
+def _stones(value: Any) -> str:
+    if isinstance(value, range):
+        if value.step != 1 or not value:
+            raise CoupletError("a range of stones has all numbers from its first to its last: range(2, 201)")
+        return f"{value[0]}..{value[-1]}"
+    if isinstance(value, bool) or not hasattr(value, "__index__"):
+        raise TypeError(f"stones are an int, a str or a range, not {type(value).__name__}")
+    return text_of(value.__index__())
+
+
+def words(values: str | Sequence[str]) -> list[str]:
+    """Names, of which one may be given alone."""
+    return [values] if isinstance(values, str) else list(values)

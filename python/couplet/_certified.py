@@ -13,6 +13,22 @@ if TYPE_CHECKING:
 _NUMBERS = tuple("eEfFgG%")
 
 
+_ANGLES = {"friction_angle", "half_opening", "rotation_joint", "sliding_joint", "crown_hinge"}
+_ANGLES |= {"least_thrust_joint", "largest_thrust_joint"}
+_LENGTHS = {"thickness", "least_thickness", "asymmetric_thickness", "continuous_thickness", "thickness_ratio"}
+_FORCES = {"thrust", "least_thrust", "largest_thrust", "vertical_force"}
+
+
+def _unit(quantity: str) -> str:
+    for end, unit in (("_m", "m"), ("_kn", "kN"), ("_degrees", "deg")):
+        if quantity.endswith(end):
+            return unit
+    if quantity == "intrinsic_thrust":
+        return "gamma d r^2"
+    names = ((_ANGLES, "rad"), (_LENGTHS, "r"), (_FORCES, "w r"))
+    return next((unit for those, unit in names if quantity in those), "1")
+
+
 class Certified:
     """A value that is proved: text with all its digits, and the nearest double, both between bounds.
 
@@ -24,6 +40,8 @@ class Certified:
         lower, upper: doubles not above and not below the true value: its neighbours, or the same where it is a double.
         exact: the exact value, where there is one and it says more (``'2(2√3−3)'``); else None.
         limited_by: what limits a thrust; else None.
+        unit: ``'m'``, ``'kN'``, ``'rad'``, ``'deg'``; the radius ``'r'``, the force ``'w r'``, ``'gamma d r^2'``; ``'1'`` of a
+            bare number.
 
     ``str()`` is the text and ``float()`` the double; ``f"{value:.5f}"`` is the true value rounded. ``==`` says whether two are one record: of the same quantity with the
     same digits and bounds. Of the true values it says nothing: compare their bounds.
@@ -81,6 +99,20 @@ class Certified:
     def limited_by(self) -> str | None:
         """What limits a thrust."""
         return self._told[7]
+
+    @property
+    def unit(self) -> str:
+        """The unit of the value."""
+        return _unit(self._quantity)
+
+    def to_dict(self) -> dict[str, Any]:
+        """All of the value, for ``json.dumps``: digits and doubles; what is infinite is the text ``'inf'``."""
+        text, text_lower, text_upper, *doubles, exact, limited_by = self._told
+        double, lower, upper = ("inf" if number == float("inf") else number for number in doubles)
+        told: dict[str, Any] = {"text": text, "text_lower": text_lower, "text_upper": text_upper}
+        told |= {"double": double, "lower": lower, "upper": upper, "unit": self.unit}
+        told |= {"exact": exact, "limited_by": limited_by}
+        return {name: value for name, value in told.items() if value is not None}
 
     def decimal(self) -> Decimal:
         """The text as a decimal.Decimal, which is exactly that."""

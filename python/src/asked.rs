@@ -5,14 +5,17 @@ use crate::pool::on_threads;
 use crate::{CoupletError, UndecidedError, told};
 use couplet::Error;
 use couplet::arch::SelfWeight;
-use couplet::atlas::{NoSketch, Sketch};
+use couplet::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling};
+use couplet::atlas::NoSketch;
 use couplet::certify::state::find as seek;
-use couplet::certify::state::{Balls, Certify};
+use couplet::certify::state::{Balls, Certify, measured_assessment, measured_state};
 use couplet::certify::{self, CertifiedLandmark, asymmetric_thicknesses, quantities};
 use couplet::check::{Certificate, Refusal};
-use couplet::cli;
+use couplet::cli::{self, doors};
+use couplet::problem::measures::Measures;
 use couplet::problem::{Arch, Landmark, Mode, Quantity};
 use couplet::report::{Answer, Claims, Content, Format, Report, Sketched, Style};
+use couplet::sweep::failure::Failure;
 use couplet::sweep::parse;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -25,9 +28,12 @@ fn wrong(error: impl Display) -> PyErr {
     CoupletError::new_err(error.to_string())
 }
 
-/// The arch of three texts.
-fn arch(weight: &str, half_opening: &str, friction: &str) -> PyResult<Arch> {
-    parse::arch([weight, half_opening, friction]).map_err(wrong)
+/// The error of a command that failed.
+fn failed(failure: Failure) -> PyErr {
+    match failure {
+        Failure::Undecided(_) => UndecidedError::new_err(failure.to_string()),
+        Failure::Input(_) | Failure::Io(_) => wrong(failure),
+    }
 }
 
 /// The name of a quantity, of which a letter may be given.
@@ -82,22 +88,64 @@ pub(crate) fn constants<'py>(
     found.iter().map(|found| told::answer(py, found)).collect()
 }
 
+/// The half opening and the friction of an arch, and what else there is in the order of [`Field::ALL`].
+type Texts<'a> = (Option<&'a str>, Option<&'a str>, Option<Vec<Option<String>>>);
+
+/// An arch that is asked about.
+fn asked((half_opening, friction, others): Texts<'_>) -> ArchAsked {
+    let mut asked = ArchAsked::default();
+    let first = [half_opening, friction].map(|text| text.map(str::to_owned));
+    let texts = first.into_iter().chain(others.into_iter().flatten());
+    for (field, text) in Field::ALL.iter().zip(texts) {
+        *asked.at(*field) = text;
+    }
+    asked
+}
+
+/// What is understood of an arch, and the arch.
+fn given(question: &ArchQuestion, weight: &str, texts: Texts<'_>) -> PyResult<(ArchGiven, Arch)> {
+    let weight = parse::weight(weight).map_err(wrong)?;
+    let given = ArchGiven::read(question, &asked(texts), Spelling::Key).map_err(wrong)?;
+    let arch = given.arch(weight).map_err(wrong)?;
+    Ok((given, arch))
+}
+
+/// The names of the fields of an arch, in their order.
+#[pyfunction]
+pub(crate) fn fields() -> Vec<&'static str> {
+    Field::ALL.iter().map(|field| field.name()).collect()
+}
+
 #[pyfunction]
 pub(crate) fn state<'py>(
     py: Python<'py>,
     weight: &str,
-    half_opening: &str,
-    friction: &str,
+    texts: Texts<'_>,
     digits: &str,
     frictions: bool,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let arch = arch(weight, half_opening, friction)?;
+    let (measures, arch) = match texts {
+        // There is nothing to be understood of most arches.
+        (Some(half_opening), Some(friction), None) => {
+            (None, parse::arch([weight, half_opening, friction]).map_err(wrong)?)
+        }
+        _ => {
+            let (given, arch) = given(&doors::STATE, weight, texts)?;
+            (given.measures, arch)
+        }
+    };
     let digits = parse::state_digits(digits).map_err(wrong)?;
     let found = py.detach(|| {
         on_threads(1, || {
             let found = Balls::DoubleDoubles.state(&arch, digits, frictions);
             let answer = Answer::state(1, &arch, &found);
-            answer.with_asymmetric(|| asymmetric_thicknesses(&arch, digits))
+            let answer = answer.with_asymmetric(|| asymmetric_thicknesses(&arch, digits));
+            match &measures {
+                Some(measures) => {
+                    answer.measured(measures.circle(), measured_state(&arch, measures, digits))
+                }
+                None => answer,
+            }
         })
     })?;
     told::answer(py, &found)
@@ -107,37 +155,89 @@ pub(crate) fn state<'py>(
 pub(crate) fn assess<'py>(
     py: Python<'py>,
     weight: &str,
-    half_opening: &str,
-    friction: &str,
-    thickness: &str,
+    texts: Texts<'_>,
     digits: &str,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let arch = arch(weight, half_opening, friction)?;
-    let eta = parse::thickness(thickness).map_err(wrong)?;
+    let (given, arch) = given(&doors::ASSESS, weight, texts)?;
+    let eta = given.thickness.as_ref().ok_or_else(|| wrong("thickness is missing"))?;
     let digits = parse::state_digits(digits).map_err(wrong)?;
     let found = py.detach(|| {
         on_threads(1, || {
-            let found = arch.certify_thickness(&eta, digits);
-            let answer = Answer::assessment(1, (&arch, &eta), &found);
-            answer.with_asymmetric(|| asymmetric_thicknesses(&arch, digits))
+            let found = arch.certify_thickness(eta, digits);
+            let answer = Answer::assessment(1, (&arch, eta), &found);
+            let answer = answer.with_asymmetric(|| asymmetric_thicknesses(&arch, digits));
+            match &given.measures {
+                Some(measures) => {
+                    let sizes = measured_assessment((&arch, eta), measures, digits);
+                    answer.measured(measures.circle(), sizes)
+                }
+                None => answer,
+            }
         })
     })?;
     told::answer(py, &found)
 }
 
-/// The question is the one for which everything is given that it needs: the package sees to that.
+/// JSON of arches of stones, with the values of each and those at its thickness.
+#[pyfunction]
+pub(crate) fn voussoirs<'py>(
+    py: Python<'py>,
+    question: &str,
+    weight: &str,
+    texts: Texts<'_>,
+    digits: &str,
+) -> PyResult<(String, Vec<[Bound<'py, PyDict>; 2]>)> {
+    let question = match question {
+        "state" => &doors::STATE,
+        "assess" => &doors::ASSESS,
+        _ => &doors::VOUSSOIRS,
+    };
+    let (given, arch) = given(question, weight, texts)?;
+    let digits = parse::state_digits(digits).map_err(wrong)?;
+    let made = py.detach(|| on_threads(1, || doors::of_stones(&given, &[arch], digits)))?;
+    let made = made.map_err(failed)?;
+    let values = made.arches.iter().map(|arch| told::voussoirs(py, arch));
+    let values = values.collect::<PyResult<_>>()?;
+    Ok((report(&Report::Voussoirs(made), Content::Voussoirs, "json")?, values))
+}
+
+/// JSON of an arch under an acceleration, and the largest one.
+#[pyfunction]
+pub(crate) fn tilted<'py>(
+    py: Python<'py>,
+    weight: &str,
+    texts: Texts<'_>,
+    digits: &str,
+) -> PyResult<(String, Bound<'py, PyDict>)> {
+    let (given, arch) = given(&doors::ASSESS, weight, texts)?;
+    let (Some(eta), Some(tilt)) = (&given.thickness, &given.tilt) else {
+        return Err(wrong("thickness, tilt are missing"));
+    };
+    if given.measures.as_ref().is_some_and(Measures::has_forces) {
+        return Err(wrong("tilt tells no forces: leave out density and depth"));
+    }
+    let stones = doors::divisions(&given).map_err(failed)?;
+    let digits = parse::state_digits(digits).map_err(wrong)?;
+    let stones = stones.first();
+    let found =
+        py.detach(|| on_threads(1, || doors::tilted(&arch, (eta, tilt), stones, digits)))?;
+    let found = found.map_err(failed)?;
+    let values = told::tilted(py, &found)?;
+    Ok((report(&Report::Tilted(vec![found]), Content::Tilted, "json")?, values))
+}
+
 #[pyfunction]
 pub(crate) fn find<'py>(
     py: Python<'py>,
+    target: (&str, Option<&str>),
     weight: &str,
-    modes: Option<&str>,
-    half_opening: Option<&str>,
-    friction: Option<&str>,
-    thickness: Option<&str>,
+    texts: Texts<'_>,
     digits: &str,
 ) -> PyResult<Bound<'py, PyDict>> {
     let weight = parse::weight(weight).map_err(wrong)?;
-    let question = parse::question(modes, (half_opening, friction), thickness).map_err(wrong)?;
+    let what = doors::what(target.0).map_err(wrong)?;
+    let modes = target.1.map(doors::line).transpose().map_err(wrong)?;
+    let question = doors::find((what, modes), &asked(texts), Spelling::Key).map_err(failed)?;
     let digits = parse::state_digits(digits).map_err(wrong)?;
     let found = py.detach(|| on_threads(1, || seek::find(weight, &question, digits)))?;
     if let Err(Error::Refused(refused)) = &found {
@@ -177,15 +277,16 @@ pub(crate) fn certify_landmark(
 pub(crate) fn certify_arch(
     py: Python<'_>,
     weight: &str,
-    half_opening: &str,
-    friction: &str,
-    thickness: Option<&str>,
+    texts: Texts<'_>,
     digits: &str,
 ) -> PyResult<String> {
-    let arch = arch(weight, half_opening, friction)?;
-    let eta = thickness.map(|text| parse::thickness(text).map_err(wrong)).transpose()?;
+    let thickness = Field::Thickness as usize - 2;
+    let has_thickness = texts.2.as_ref().and_then(|texts| texts.get(thickness)?.as_ref()).is_some();
+    let question = if has_thickness { &doors::CERTIFY_ARCH } else { &doors::CERTIFY_STATE };
+    let (given, arch) = given(question, weight, texts)?;
     let digits = parse::state_digits(digits).map_err(wrong)?;
-    written(py.detach(|| on_threads(1, || certify::certify_arch(&arch, eta.as_ref(), digits)))?)
+    let made = || certify::certify_arch(&arch, given.thickness.as_ref(), digits);
+    written(py.detach(|| on_threads(1, made))?)
 }
 
 /// Of the asymmetric solution of a kind; of that which is found, if it is one alone.
@@ -193,12 +294,11 @@ pub(crate) fn certify_arch(
 pub(crate) fn certify_asymmetric(
     py: Python<'_>,
     weight: &str,
-    half_opening: &str,
-    friction: &str,
+    texts: Texts<'_>,
     mode: Option<&str>,
     digits: &str,
 ) -> PyResult<String> {
-    let arch = arch(weight, half_opening, friction)?;
+    let (_, arch) = given(&doors::CERTIFY_ASYMMETRIC, weight, texts)?;
     if !arch.is_limited() {
         return Err(wrong("an asymmetric solution needs a limited friction"));
     }
@@ -268,32 +368,23 @@ pub(crate) fn prove(py: Python<'_>, names: Vec<String>, threads: usize) -> PyRes
 pub(crate) fn drawing(
     py: Python<'_>,
     weight: &str,
-    half_opening: &str,
-    friction: &str,
-    thickness: Option<&str>,
+    texts: Texts<'_>,
+    command: String,
 ) -> PyResult<Option<String>> {
-    let arch = arch(weight, half_opening, friction)?;
-    let eta = thickness.map(|text| parse::thickness(text).map_err(wrong)).transpose()?;
-    let sketch = py.detach(|| {
-        on_threads(1, || match &eta {
-            Some(eta) => Sketch::standing(&arch, eta),
-            None => Sketch::least(&arch, false),
-        })
-    })?;
-    let sketch = match sketch {
+    let weight = parse::weight(weight).map_err(wrong)?;
+    let given = ArchGiven::read(&doors::DRAW, &asked(texts), Spelling::Key).map_err(wrong)?;
+    let drawn = doors::drawn(&given, weight).map_err(wrong)?;
+    let sketch = match py.detach(|| on_threads(1, || drawn.sketch()))? {
         Ok(sketch) => sketch,
         Err(NoSketch::Falls(_) | NoSketch::Undecided(_)) => return Ok(None),
         Err(error) => return Err(wrong(error)),
     };
-    let style = Style::default();
-    let mut command = format!(
-        "couplet draw --half-opening {half_opening} --friction {friction} --weight {weight}"
-    );
-    if let Some(eta) = thickness {
-        command += &format!(" --thickness {eta}");
+    let (style, measures) = (Style::default(), given.measures);
+    let sketched = Sketched { sketches: vec![sketch], style, measures, command };
+    match sketched.can_be_drawn() {
+        true => report(&Report::Sketched(sketched), Content::Drawing, "svg").map(Some),
+        false => Ok(None),
     }
-    let sketched = Sketched { sketches: vec![sketch], style, measures: None, command };
-    report(&Report::Sketched(sketched), Content::Drawing, "svg").map(Some)
 }
 
 /// The command with these arguments; its exit code.

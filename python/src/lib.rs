@@ -36,7 +36,7 @@ mod _core {
     #[pymodule_export]
     use super::asked::{
         assess, certify_arch, certify_asymmetric, certify_landmark, check, claims, constants,
-        drawing, find, modes, prove, quantity_name, run, state,
+        drawing, fields, find, modes, prove, quantity_name, run, state, tilted, voussoirs,
     };
     #[pymodule_export]
     use super::rows::states;

@@ -1,8 +1,10 @@
 //! An answer as Python gets it: dictionaries, texts and doubles, from which the classes of the package are made.
 
+use couplet::certify::state::Figure;
+use couplet::certify::{LargestTilt, VoussoirStanding, Voussoirs};
 use couplet::check::Accepted;
 use couplet::problem::{Mode, Quantity};
-use couplet::report::{Answer, Status, Subject, Value};
+use couplet::report::{Answer, Status, TiltedArch, Value, VoussoirArch};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -24,8 +26,8 @@ pub(crate) fn answer<'py>(py: Python<'py>, answer: &Answer) -> PyResult<Bound<'p
     let (landmark, weight) = (answer.subject.landmark(), answer.subject.weight());
     all.set_item("landmark", landmark.map(|landmark| landmark.symbol()))?;
     all.set_item("weight", weight.map(|weight| weight.name()))?;
-    if let Subject::Arch { half_opening, friction, thickness, .. } = &answer.subject {
-        all.set_item("given", (half_opening, friction, thickness.as_ref()))?;
+    if let Some(circle) = answer.measured_at {
+        all.set_item("measured_at", circle.name())?;
     }
     all.set_item("status", answer.status.name())?;
     all.set_item("can_stand", answer.can_stand)?;
@@ -53,6 +55,63 @@ pub(crate) fn answer<'py>(py: Python<'py>, answer: &Answer) -> PyResult<Bound<'p
     all.set_item("between", between)?;
     all.set_item("gap", gap)?;
     Ok(all)
+}
+
+/// The values of figures; one that is infinite has no figure.
+fn figures<'py, 'a>(
+    py: Python<'py>,
+    figures: impl IntoIterator<Item = (&'static str, Option<&'a Figure>)>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let all = PyDict::new(py);
+    for (name, figure) in figures {
+        all.set_item(name, told(&Value::figure(figure)))?;
+    }
+    Ok(all)
+}
+
+/// The values of an arch of stones at its least thickness, and of it at a thickness that is given.
+pub(crate) fn voussoirs<'py>(
+    py: Python<'py>,
+    arch: &VoussoirArch,
+) -> PyResult<[Bound<'py, PyDict>; 2]> {
+    let mut least = Vec::new();
+    if let Ok(Voussoirs::Stands(state)) = &arch.found {
+        least.push(("thickness", Some(&state.thickness)));
+        least.push(("thrust", Some(&state.thrust)));
+        least.push(("rotation_joint", Some(&state.rotation_joint)));
+        least.extend(state.sliding_joint.iter().map(|joint| ("sliding_joint", Some(joint))));
+    }
+    let mut at_thickness: Vec<(&str, Option<&Figure>)> = Vec::new();
+    if let Some(found) = arch.given.as_ref().map(|given| &given.found) {
+        let all = [
+            ("geometric_safety", &found.geometric_safety),
+            ("required_friction", &found.required_friction),
+            ("friction_safety", &found.friction_safety),
+        ];
+        for (name, value) in all {
+            at_thickness.extend(value.iter().flatten().map(|figure| (name, Some(figure))));
+        }
+        if let Ok(VoussoirStanding::Stands([from, to])) = &found.standing {
+            let ends = [("least_thrust", from), ("largest_thrust", to)];
+            at_thickness.extend(ends.map(|(name, end)| (name, end.thrust.as_ref())));
+        }
+        at_thickness.extend(least.first().map(|(_, eta)| ("least_thickness", *eta)));
+    }
+    least.extend(arch.continuous.iter().map(|eta| ("continuous_thickness", Some(eta))));
+    Ok([figures(py, least)?, figures(py, at_thickness)?])
+}
+
+/// The largest acceleration of an arch, where it is known.
+pub(crate) fn tilted<'py>(py: Python<'py>, arch: &TiltedArch) -> PyResult<Bound<'py, PyDict>> {
+    let largest = match &arch.found {
+        Ok(Some(found)) => found.largest.as_ref().ok(),
+        _ => None,
+    };
+    let figure = largest.map(|largest| match largest {
+        LargestTilt::Limited(figure, _) => Some(&**figure),
+        LargestTilt::Unlimited => None,
+    });
+    figures(py, figure.map(|figure| ("largest_tilt", figure)))
 }
 
 /// What became of a certificate: the verdict, the reason, and what is accepted.

@@ -257,7 +257,9 @@ WRONG = [
     (lambda: couplet.find("friction", friction=1), "friction does not belong here"),
     (lambda: couplet.find("friction"), "half_opening is missing"),
     (lambda: couplet.find("boundary", friction=1), "the pair of modes is missing"),
-    (lambda: couplet.find("boundary", "rrs/rsr"), "give friction or half_opening"),
+    (lambda: couplet.find("boundary", "rrs/rsr"), "friction or half_opening is missing"),
+    (lambda: couplet.find("boundary", "rrs/rsr", friction=1, half_opening=1), "give friction or half_opening; the other"),
+    (lambda: couplet.state(None, 1), "half_opening is missing"),
     (lambda: couplet.find("boundary", "rrs/rsr", friction="inf"), "needs a limited friction"),
     (lambda: couplet.find("half_opening", friction=1, thickness=3), "the thickness 3 is not between 0 and 2"),
     (lambda: couplet.certify("T", friction=1), "belong to an arch"),
@@ -287,7 +289,7 @@ def test_bad_input_is_one_sentence(question, sentence):
     assert isinstance(caught.value, ValueError)
 
 
-@pytest.mark.parametrize("value", [[1], None, 1j, True, b"1", object()])
+@pytest.mark.parametrize("value", [[1], 1j, True, b"1", object()])
 def test_what_is_no_number_is_a_type_error(value):
     with pytest.raises(TypeError, match="half opening is a str, int, float, Fraction or Decimal"):
         couplet.state(value, 1)

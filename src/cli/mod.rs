@@ -19,6 +19,7 @@ use std::io;
 use std::process::ExitCode;
 
 use commands::Command;
+pub use commands::doors;
 
 /// Certified constants of the finite-friction Couplet–Heyman problem: how thin a circular masonry
 /// arch can be and still stand, and how it falls.

@@ -2,17 +2,16 @@
 
 use super::arch::ArchArguments;
 use super::draw;
-use super::output::{AnswerOutput, is_written};
+use super::output::AnswerOutput;
 use super::state::print;
-use super::tilt::write;
+use super::tilt;
 use super::voussoirs;
 use crate::ask::{ArchQuestion, Field};
 use crate::certify::asymmetric_thicknesses;
-use crate::certify::state::{Balls, Inquiry, Wanted, measured_assessment};
-use crate::number::ExactNumber;
+use crate::certify::state::{Balls, measured_assessment};
 use crate::problem::measures::Measures;
-use crate::problem::{Arch, Quantity, Slope};
-use crate::report::{Answer, Content};
+use crate::problem::{Arch, Quantity};
+use crate::report::Answer;
 use crate::sweep::failure::Failure;
 use clap::Args;
 
@@ -29,7 +28,8 @@ pub(crate) struct Arguments {
     output: AnswerOutput,
 }
 
-const QUESTION: ArchQuestion = ArchQuestion {
+/// Question about an arch of a thickness.
+pub const QUESTION: ArchQuestion = ArchQuestion {
     refuses: &[],
     needs: &[Field::Thickness],
     unlimited: false,
@@ -52,7 +52,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return voussoirs::print(&given, &arches, arguments.arch.digits, &arguments.output);
     }
     if let Some(tilt) = &given.tilt {
-        return tilted(arguments, &arches, eta, tilt);
+        let output = (arguments.output.file(), arguments.output.format()?);
+        return tilt::write(output, &arches, (eta, tilt), None, arguments.arch.digits);
     }
     let all = given.quantities(&Quantity::ASSESSMENT, &Quantity::MEASURED_ASSESSMENT);
     let quantities = arguments.output.quantities(&all)?;
@@ -71,24 +72,4 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
     };
     print(&arguments.output, (digits, quantities), &arches, answer)
-}
-
-/// The arches under an acceleration.
-fn tilted(
-    arguments: &Arguments,
-    arches: &[Arch],
-    eta: &ExactNumber,
-    tilt: &Slope,
-) -> Result<(), Failure> {
-    let (output, format) = arguments.output.open()?;
-    is_written("--tilt", Content::Tilted, format)?;
-    let digits = arguments.arch.digits;
-    write((output, format), arches, (eta, tilt), None, |arch| {
-        let standing = Inquiry::new(arch, digits, false).assess(eta, digits, Wanted::Standing)?;
-        Ok(match standing.stands {
-            Ok(true) => Ok(Some(crate::certify::tilted(arch, eta, tilt, digits)?)),
-            Ok(false) => Ok(None),
-            Err(undecided) => Err(undecided),
-        })
-    })
 }

@@ -73,7 +73,8 @@ fn target(text: &str) -> Result<CertifyTarget, String> {
     }
 }
 
-const STATE: ArchQuestion = ArchQuestion {
+/// Question about an arch at its least thickness.
+pub const STATE: ArchQuestion = ArchQuestion {
     refuses: &[
         (Field::Stones, "the checker knows an arch with a joint at every angle"),
         (Field::Joints, "the checker knows an arch with a joint at every angle"),
@@ -85,11 +86,13 @@ const STATE: ArchQuestion = ArchQuestion {
     unlimited: false,
     example: "couplet certify state --half-opening 80deg --friction 0.6",
 };
-const ASYMMETRIC: ArchQuestion = ArchQuestion {
+/// Question about an asymmetric solution.
+pub const ASYMMETRIC: ArchQuestion = ArchQuestion {
     example: "couplet certify asymmetric --half-opening 2.3 --friction 1.05",
     ..STATE
 };
-const ARCH: ArchQuestion = ArchQuestion {
+/// Question about an arch of a thickness.
+pub const ARCH: ArchQuestion = ArchQuestion {
     refuses: STATE.refuses.split_last().unwrap().1,
     needs: &[Field::Thickness],
     unlimited: false,

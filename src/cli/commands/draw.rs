@@ -78,7 +78,8 @@ pub(crate) struct Arguments {
 const STONES: &str = "--stones is for an arch with --half-opening and --friction: a landmark, and an arch at the \
                       friction at which it slides, have a joint at every angle";
 
-const QUESTION: ArchQuestion = ArchQuestion {
+/// Question about an arch that is drawn.
+pub const QUESTION: ArchQuestion = ArchQuestion {
     refuses: &[
         (Field::Tilt, "a tilted arch is told by `couplet assess`, and not drawn"),
         (Field::Joints, "stones of one angle are drawn, --stones"),
@@ -124,13 +125,17 @@ pub(super) fn arch(
     if given.tilt.is_some() {
         return Err("a tilted arch is not drawn: leave out --tilt, or write a table".into());
     }
+    write((drawn(given, weight)?.sketch()?, given), Style::default(), format, file)
+}
+
+/// Arch of any question, as it is drawn.
+pub fn drawn(given: &ArchGiven, weight: SelfWeight) -> Result<DrawnArch, Misfit> {
     let arch = given.arch(weight)?;
     let pose = match &given.thickness {
         Some(thickness) => Pose::Standing(arch, thickness.clone()),
         None => Pose::Least(arch),
     };
-    let sketch = DrawnArch { pose, stones: stones(given)?, is_dilatant: false }.sketch()?;
-    write((sketch, given), Style::default(), format, file)
+    Ok(DrawnArch { pose, stones: stones(given)?, is_dilatant: false })
 }
 
 /// Number of stones that are drawn.

@@ -3,7 +3,7 @@
 use super::arch::ArchArguments;
 use super::notes;
 use super::output::AnswerOutput;
-use crate::ask::{ArchGiven, ArchQuestion, Field, Spelling};
+use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling};
 use crate::certify::state::find::{Given, Question, find};
 use crate::certify::{Error, Refused};
 use crate::problem::{Friction, Line, Quantity, Sought};
@@ -44,14 +44,19 @@ pub(crate) struct Arguments {
     output: AnswerOutput,
 }
 
+/// Target of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum FindTarget {
+pub enum FindTarget {
+    /// The widest half opening that stands.
     HalfOpening,
+    /// The least friction with which an arch stands.
     Friction,
+    /// The place where one mode becomes another.
     Boundary,
 }
 
-fn what(text: &str) -> Result<FindTarget, String> {
+/// Target of a name.
+pub fn what(text: &str) -> Result<FindTarget, String> {
     match &text.replace('_', "-").to_lowercase()[..] {
         "half-opening" | "alpha" => Ok(FindTarget::HalfOpening),
         "friction" | "mu" => Ok(FindTarget::Friction),
@@ -61,7 +66,8 @@ fn what(text: &str) -> Result<FindTarget, String> {
     }
 }
 
-fn line(text: &str) -> Result<Line, String> {
+/// Pair of modes.
+pub fn line(text: &str) -> Result<Line, String> {
     text.parse().map_err(|error: crate::problem::NoLine| error.to_string())
 }
 
@@ -78,13 +84,11 @@ const QUESTION: ArchQuestion = ArchQuestion {
 };
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    QUESTION.fits(&arguments.arch.asked, Spelling::Option)?;
-    let given = ArchGiven::new(&arguments.arch.asked, Spelling::Option)?;
-    let friction = given.friction.clone();
-    let question = question(arguments, given)?;
+    let asked = &arguments.arch.asked;
+    let question = question((arguments.what, arguments.modes), asked, Spelling::Option)?;
     let quantities = arguments.output.quantities(&found_by(&question))?;
     let (file, format) = arguments.output.open()?;
-    notes::frictions(&friction);
+    notes::frictions(given_friction(&question));
     let digits = arguments.arch.digits;
     let answer = |(line, weight)| {
         let found = find(weight, &question, digits);
@@ -99,6 +103,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let kept = Vec::new();
     let report = Answers { scope: Scope::Found, digits, quantities, kept, list: answers };
     file.report((&Report::Answers(report), format), open)
+}
+
+/// The friction that is given.
+fn given_friction(question: &Question) -> Option<&Friction> {
+    match question {
+        Question::HalfOpening { friction, .. }
+        | Question::Boundary { given: Given::Friction(friction), .. } => Some(friction),
+        _ => None,
+    }
 }
 
 /// The quantities that an answer can have: not what is given.
@@ -117,46 +130,59 @@ fn found_by(question: &Question) -> Vec<Quantity> {
 }
 
 /// The question asked, if what is given fits it.
-fn question(arguments: &Arguments, given: ArchGiven) -> Result<Question, Failure> {
+pub fn question(
+    (what, modes): (FindTarget, Option<Line>),
+    asked: &ArchAsked,
+    spelling: Spelling,
+) -> Result<Question, Failure> {
+    QUESTION.fits(asked, spelling)?;
+    let given = ArchGiven::new(asked, spelling)?;
     let ArchGiven { half_opening, friction, thickness: eta, .. } = given;
     let given = [half_opening.is_some(), friction.is_some(), eta.is_some()];
-    let too_much = |wrong: &[(bool, &str)]| {
-        let wrong: Vec<&str> = wrong.iter().filter(|(given, _)| *given).map(|x| x.1).collect();
+    let name = |field| spelling.of(field);
+    let too_much = |wrong: &[(bool, String)]| {
+        let wrong: Vec<&str> = wrong.iter().filter(|(given, _)| *given).map(|x| &x.1[..]).collect();
         match wrong.is_empty() {
             true => Ok(()),
             false => Err(Failure::Input(format!("{} does not belong here", list(wrong)))),
         }
     };
     let missing = |what: &str, example: &str| {
-        Failure::Input(format!("{what} is missing; for example: couplet find {example}"))
+        let example = match spelling {
+            Spelling::Option => format!("; for example: couplet find {example}"),
+            Spelling::Key => String::new(),
+        };
+        Failure::Input(format!("{what} is missing{example}"))
     };
-    let modes = (arguments.modes.is_some(), "a pair of modes");
-    let [alpha, _, thick] = given;
-    Ok(match arguments.what {
+    let pair = (modes.is_some(), "a pair of modes".to_owned());
+    let [alpha, mu, angle] = [Field::HalfOpening, Field::Friction, Field::FrictionAngle].map(name);
+    let [has_alpha, has_mu, is_thick] = given;
+    Ok(match what {
         FindTarget::HalfOpening => {
-            too_much(&[modes, (alpha, "--half-opening")])?;
+            too_much(&[pair, (has_alpha, alpha)])?;
             let example = "half-opening --thickness 0.15 --friction 0.6";
             let friction =
-                friction.ok_or_else(|| missing("--friction (or --friction-angle)", example))?;
+                friction.ok_or_else(|| missing(&format!("{mu} (or {angle})"), example))?;
             Question::HalfOpening { friction, thickness: eta }
         }
         FindTarget::Friction => {
-            too_much(&[modes, (friction.is_some(), "--friction")])?;
+            too_much(&[pair, (has_mu, mu)])?;
             let example = "friction --half-opening 80deg --thickness 0.1";
-            let half_opening = half_opening.ok_or_else(|| missing("--half-opening", example))?;
+            let half_opening = half_opening.ok_or_else(|| missing(&alpha, example))?;
             Question::Friction { half_opening, thickness: eta }
         }
         FindTarget::Boundary => {
-            too_much(&[(thick, "--thickness")])?;
+            too_much(&[(is_thick, name(Field::Thickness))])?;
             let example = "boundary rrs/rsr --friction 1.6";
-            let line = arguments.modes.ok_or_else(|| missing("the pair of modes", example))?;
+            let line = modes.ok_or_else(|| missing("the pair of modes", example))?;
             let given = match (half_opening, friction) {
                 (Some(alpha), None) => Given::HalfOpening(alpha),
                 (None, Some(Friction::Infinite)) => return Err(Refused::UnlimitedFriction.into()),
                 (None, Some(mu)) => Given::Friction(mu),
-                (None, None) => return Err(missing("--friction or --half-opening", example)),
+                (None, None) => return Err(missing(&format!("{mu} or {alpha}"), example)),
                 (Some(_), Some(_)) => {
-                    return Err("give --friction or --half-opening; the other one is found".into());
+                    let message = format!("give {mu} or {alpha}; the other one is found");
+                    return Err(message.into());
                 }
             };
             Question::Boundary { line, given }

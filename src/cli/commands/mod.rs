@@ -9,6 +9,7 @@ mod complementarity;
 mod constants;
 mod curves;
 mod described;
+pub mod doors;
 mod draw;
 mod figure;
 mod find;

@@ -41,7 +41,8 @@ pub(crate) struct Arguments {
     output: AnswerOutput,
 }
 
-const QUESTION: ArchQuestion = ArchQuestion {
+/// Question about an arch at its least thickness.
+pub const QUESTION: ArchQuestion = ArchQuestion {
     refuses: &[
         (Field::Thickness, "`couplet assess` tells of an arch of a thickness"),
         (Field::Tilt, "`couplet assess` tells of an arch of a thickness that is tilted"),

@@ -1,32 +1,64 @@
 //! Horizontal accelerations on the command line.
 
 use super::notes;
-use super::output::Output;
-use crate::certify::{TiltDigits, Undecided};
+use super::output::{OutputFile, is_written};
+use crate::certify::state::{Inquiry, Wanted};
+use crate::certify::{self, MOST_TILTED_STONES, VoussoirStanding, assess_voussoirs, tilted_stones};
 use crate::number::ExactNumber;
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Slope};
-use crate::report::{Format, Report, TiltedArch};
+use crate::report::{Content, Format, Report, TiltedArch};
 use crate::sweep::failure::Failure;
 
 /// Proves and writes the answers for arches under an acceleration.
 pub(super) fn write(
-    (output, format): (Output, &Format),
+    (file, format): (&OutputFile, &Format),
     arches: &[Arch],
     (eta, tilt): (&ExactNumber, &Slope),
     stones: Option<&Stones>,
-    found: impl Fn(&Arch) -> Result<Result<Option<TiltDigits>, Undecided>, Failure>,
+    digits: usize,
 ) -> Result<(), Failure> {
+    is_written("--tilt", Content::Tilted, format)?;
+    are_few(stones)?;
+    let output = file.open_for(format)?;
     notes::frictions(arches.iter().take(1).map(Arch::friction));
     notes::tilt(tilt);
-    let answer = |arch: &Arch| {
-        let found = found(arch)?;
-        let (weight, is_limited, stones) = (arch.weight(), arch.is_limited(), stones.cloned());
-        let (alpha, mu) = (arch.half_opening().to_string(), arch.friction().to_string());
-        let given = [alpha, mu, eta.to_string(), tilt.to_string()];
-        Ok(TiltedArch { weight, given, stones, is_limited, found })
-    };
+    let answer = |arch: &Arch| tilted(arch, (eta, tilt), stones, digits);
     let answers: Vec<TiltedArch> = arches.iter().map(answer).collect::<Result<_, Failure>>()?;
     let open = answers.iter().find_map(TiltedArch::first_open).cloned();
     output.report((&Report::Tilted(answers), format), open)
+}
+
+/// Arch under an acceleration, with what is proved of it.
+pub fn tilted(
+    arch: &Arch,
+    (eta, tilt): (&ExactNumber, &Slope),
+    stones: Option<&Stones>,
+    digits: usize,
+) -> Result<TiltedArch, Failure> {
+    are_few(stones)?;
+    let stands = match stones {
+        None => Inquiry::new(arch, digits, false).assess(eta, digits, Wanted::Standing)?.stands,
+        Some(stones) => assess_voussoirs(stones, arch.weight(), arch.friction(), eta, digits)?
+            .standing
+            .map(|standing| matches!(standing, VoussoirStanding::Stands(_))),
+    };
+    let found = match (stands, stones) {
+        (Ok(true), None) => Ok(Some(certify::tilted(arch, eta, tilt, digits)?)),
+        (Ok(true), Some(stones)) => Ok(Some(tilted_stones(arch, stones, eta, tilt, digits)?)),
+        (Ok(false), _) => Ok(None),
+        (Err(undecided), _) => Err(undecided),
+    };
+    let (weight, is_limited, stones) = (arch.weight(), arch.is_limited(), stones.cloned());
+    let (alpha, mu) = (arch.half_opening().to_string(), arch.friction().to_string());
+    let given = [alpha, mu, eta.to_string(), tilt.to_string()];
+    Ok(TiltedArch { weight, given, stones, is_limited, found })
+}
+
+fn are_few(stones: Option<&Stones>) -> Result<(), Failure> {
+    let most = MOST_TILTED_STONES;
+    match stones.is_some_and(|stones| stones.count() > most / 2 + 1) {
+        true => Err(format!("--tilt looks at every joint: give at most {most} stones").into()),
+        false => Ok(()),
+    }
 }

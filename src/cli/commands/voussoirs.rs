@@ -3,17 +3,14 @@
 use super::arch::ArchArguments;
 use super::notes;
 use super::output::{AnswerOutput, OutputFile, is_written};
-use super::tilt::write;
+use super::tilt;
 use crate::ask::{ArchGiven, ArchQuestion, Field, StonesAsked};
 use crate::certify::state::{Answer, Balls, Figure};
-use crate::certify::{
-    Error, MOST_TILTED_STONES, VoussoirStanding, Voussoirs, assess_voussoirs, tilted_stones,
-    voussoir_loss, voussoirs,
-};
+use crate::certify::{Error, Voussoirs, assess_voussoirs, voussoir_loss, voussoirs};
 use crate::number::ExactNumber;
+use crate::problem::Arch;
 use crate::problem::measures::Measures;
 use crate::problem::stones::Stones;
-use crate::problem::{Arch, Slope};
 use crate::report::{Content, Format, GivenThickness, Report, VoussoirArch, VoussoirArches};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
@@ -44,7 +41,8 @@ pub(crate) struct Arguments {
     file: OutputFile,
 }
 
-const QUESTION: ArchQuestion = ArchQuestion {
+/// Question about an arch of stones.
+pub const QUESTION: ArchQuestion = ArchQuestion {
     refuses: &[],
     needs: &[Field::Stones],
     unlimited: false,
@@ -74,24 +72,49 @@ fn answers(
     digits: usize,
     (file, format): (&OutputFile, &'static Format),
 ) -> Result<(), Failure> {
-    let (stones, eta) = (given.divisions()?, given.thickness.as_ref());
-    let is_range = given.stones.as_ref().is_some_and(StonesAsked::is_range);
-    if given.measures.as_ref().is_some_and(Measures::has_forces) {
-        return Err("an arch of stones tells no forces: leave out --density and --depth".into());
-    }
-    if is_range && eta.is_some() {
-        return Err(ONE_NUMBER.into());
-    }
+    let stones = divisions(given)?;
     if let Some(tilt) = &given.tilt {
-        let (Some(eta), [stones]) = (eta, &stones[..]) else { return Err(TILTED.into()) };
-        return tilted(arches, (stones, eta, tilt), digits, (file, format));
+        let (Some(eta), [stones]) = (&given.thickness, &stones[..]) else {
+            return Err(TILTED.into());
+        };
+        return tilt::write((file, format), arches, (eta, tilt), Some(stones), digits);
     }
     is_written("an arch of stones", Content::Voussoirs, format)?;
-    if format.is_picture && !is_range {
+    if format.is_picture && !given.stones.as_ref().is_some_and(StonesAsked::is_range) {
         return Err(RANGE.into());
     }
     let file = file.open_for(format)?;
     notes::frictions(arches.iter().take(1).map(Arch::friction));
+    let answers = of_stones(given, arches, digits)?;
+    if format.is_picture && answers.arches.iter().all(|arch| arch.loss.is_none()) {
+        let message =
+            "there is nothing to draw: of none of these numbers of stones a loss is proved";
+        return Err(message.into());
+    }
+    let open = answers.arches.iter().find_map(VoussoirArch::first_open).cloned();
+    file.report((&Report::Voussoirs(answers), format), open)
+}
+
+/// Divisions into stones that are asked about.
+pub fn divisions(given: &ArchGiven) -> Result<Vec<Stones>, Failure> {
+    let stones = given.divisions()?;
+    if given.measures.as_ref().is_some_and(Measures::has_forces) {
+        return Err("an arch of stones tells no forces: leave out --density and --depth".into());
+    }
+    if given.stones.as_ref().is_some_and(StonesAsked::is_range) && given.thickness.is_some() {
+        return Err(ONE_NUMBER.into());
+    }
+    Ok(stones)
+}
+
+/// Arches of stones, one for each self-weight and division, with what is proved of them.
+pub fn of_stones(
+    given: &ArchGiven,
+    arches: &[Arch],
+    digits: usize,
+) -> Result<VoussoirArches, Failure> {
+    let (stones, eta) = (divisions(given)?, given.thickness.as_ref());
+    let is_range = given.stones.as_ref().is_some_and(StonesAsked::is_range);
     let of_weight = |arch: &Arch| {
         let continuous = match Balls::Mpfr.state(arch, digits, false) {
             Ok(Answer::Stands(state)) => Some(state.thickness),
@@ -103,38 +126,7 @@ fn answers(
             .map(move |stones| answer(&arch, stones, continuous.as_ref(), eta, digits))
     };
     let arches = arches.iter().flat_map(of_weight).collect::<Result<_, Failure>>()?;
-    let answers = VoussoirArches { arches, is_range };
-    if format.is_picture && answers.arches.iter().all(|arch| arch.loss.is_none()) {
-        let message =
-            "there is nothing to draw: of none of these numbers of stones a loss is proved";
-        return Err(message.into());
-    }
-    let open = answers.arches.iter().find_map(VoussoirArch::first_open).cloned();
-    file.report((&Report::Voussoirs(answers), format), open)
-}
-
-/// The arches under an acceleration.
-fn tilted(
-    arches: &[Arch],
-    (stones, eta, tilt): (&Stones, &ExactNumber, &Slope),
-    digits: usize,
-    (file, format): (&OutputFile, &'static Format),
-) -> Result<(), Failure> {
-    is_written("--tilt", Content::Tilted, format)?;
-    if stones.count() > MOST_TILTED_STONES / 2 + 1 {
-        let most = MOST_TILTED_STONES;
-        return Err(format!("--tilt looks at every joint: give at most {most} stones").into());
-    }
-    write((file.open_for(format)?, format), arches, (eta, tilt), Some(stones), |arch| {
-        let standing = assess_voussoirs(stones, arch.weight(), arch.friction(), eta, digits)?;
-        Ok(match standing.standing {
-            Ok(VoussoirStanding::Stands(_)) => {
-                Ok(Some(tilted_stones(arch, stones, eta, tilt, digits)?))
-            }
-            Ok(VoussoirStanding::Falls(_)) => Ok(None),
-            Err(undecided) => Err(undecided),
-        })
-    })
+    Ok(VoussoirArches { arches, is_range })
 }
 
 /// Answer that is proved of one arch.

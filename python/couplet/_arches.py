@@ -1,0 +1,380 @@
+"""One arch at a time: its state, with a thickness, of stones, tilted; what is sought; certificates."""
+
+from __future__ import annotations
+
+from . import _core
+from ._answers import Assessment, Found, State, Tilted, Voussoirs
+from ._arrays import whole as _whole
+from ._asked import arch as _arch
+from ._asked import asked as _asked
+from ._core import CoupletError
+from ._exact import text_of as _text_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Any, overload
+
+    from ._exact import Exact
+else:
+
+    def overload(function):
+        return function
+
+
+def state(
+    half_opening: Exact | None = None,
+    friction: Exact | None = None,
+    *,
+    friction_angle: Exact | None = None,
+    thickness: Exact | None = None,
+    stones: int | str | None = None,
+    joints: str | Sequence[Exact] | None = None,
+    tilt: Exact | None = None,
+    span: str | None = None,
+    rise: str | None = None,
+    radius: str | None = None,
+    measured_at: str | None = None,
+    density: str | None = None,
+    depth: str | None = None,
+    weight: str = "milankovitch",
+    digits: int = 30,
+    frictions: bool = True,
+) -> State:
+    """The state of an arch at its least thickness, proved. A float is exactly the double that it is; text is exact.
+
+    Args:
+        half_opening: from the crown to the shoulder, between 0 and pi: radians, or text with a unit ('80deg').
+        friction: the coefficient, 0 or more, float('inf') for no limit; or text: 'inf', an angle ('31deg').
+        friction_angle: the angle instead of the coefficient ('21deg').
+        stones: how many stones of one angle the arch has, with joints between them alone: the answer is one of ``voussoirs``.
+        joints: the angles of its joints instead, from the crown to the shoulder.
+        span, rise: instead of the half opening, as text with a unit ('10m', '60cm', '33ft'); sizes are then told in metres.
+        radius: with a half opening, in the same way.
+        measured_at: the circle at which these are measured, 'intrados' if it is not given, 'centreline' or 'extrados'.
+        density, depth: of the material ('2400kg/m3', '24kN/m3') and across the span; forces are then told in kN.
+        thickness, tilt: not here: see ``assess`` and ``tilt``.
+        weight: the model of self-weight, 'heyman' or 'milankovitch'.
+        digits: significant digits, 1 to 10,000. Up to 22 cost about a third of what 30 cost.
+        frictions: also the frictions at which the mode changes, and what would be enough for an arch that falls.
+
+    Raises: CoupletError if an argument makes no sense; TypeError if it is no number.
+
+        >>> couplet.state("pi/2", "0.38", weight="heyman", digits=12)
+        State(half_opening='pi/2', friction='0.38', weight='heyman', verdict='stands', mode='[s,r,r]', thickness='0.122191586363')
+        >>> bridge = couplet.state(span="10m", rise="3m", friction="0.6", digits=6)
+        >>> print(bridge.least_thickness_m, bridge.least_thickness_m.unit, bridge.measured_at)
+        0.148126 m intrados
+    """
+    others = (friction_angle, thickness, stones, joints, tilt, span, rise, radius, measured_at, density, depth)
+    texts, given = _arch(half_opening, friction, others)
+    if stones is not None or joints is not None:
+        return _of_stones("state", weight, (texts, given), digits)[0]
+    told = _asked(_core.state, weight, texts, _text_of(digits), frictions)
+    return State((*given, ("weight", told["weight"])), told)
+
+
+def assess(
+    half_opening: Exact | None = None,
+    friction: Exact | None = None,
+    thickness: Exact | None = None,
+    *,
+    friction_angle: Exact | None = None,
+    stones: int | str | None = None,
+    joints: str | Sequence[Exact] | None = None,
+    tilt: Exact | None = None,
+    span: str | None = None,
+    rise: str | None = None,
+    radius: str | None = None,
+    measured_at: str | None = None,
+    density: str | None = None,
+    depth: str | None = None,
+    weight: str = "milankovitch",
+    digits: int = 30,
+) -> Assessment:
+    """Whether an arch of a given thickness stands, its safety factors, and the thrusts it can bear, proved. A float is
+    exactly the double that it is; text is exact.
+
+    Args:
+        thickness: t/r, above 0 and at most 2; of an arch in metres a length ('60cm'), or a ratio with its r ('0.12r').
+        tilt: a horizontal acceleration, or the angle by which the ground is tilted: the answer is one of ``tilt``.
+        half_opening, friction, friction_angle, stones, joints, span, rise, radius, measured_at, density, depth, weight, digits:
+            as for ``state``.
+
+    Raises: CoupletError if an argument makes no sense; TypeError if it is no number.
+
+        >>> a = couplet.assess("80deg", "0.6", "0.12", digits=8)
+        >>> a.verdict, str(a.geometric_safety), a.least_thrust.limited_by
+        ('stands', '1.7479853', 'intrados at the haunch')
+        >>> str(couplet.assess(span="10m", rise="3m", thickness="60cm", friction="31deg", digits=5).geometric_safety)
+        '3.8972'
+    """
+    others = (friction_angle, thickness, stones, joints, tilt, span, rise, radius, measured_at, density, depth)
+    texts, given = _arch(half_opening, friction, others)
+    if tilt is not None:
+        return _tilted(weight, (texts, given), digits)
+    if stones is not None or joints is not None:
+        found = _of_stones("assess", weight, (texts, given), digits)[0].assessment
+        assert found is not None
+        return found
+    told = _asked(_core.assess, weight, texts, _text_of(digits))
+    return Assessment((*given, ("weight", weight)), told)
+
+
+def tilt(
+    half_opening: Exact | None = None,
+    friction: Exact | None = None,
+    thickness: Exact | None = None,
+    tilt: Exact = 0,
+    *,
+    friction_angle: Exact | None = None,
+    stones: int | str | None = None,
+    joints: str | Sequence[Exact] | None = None,
+    span: str | None = None,
+    rise: str | None = None,
+    radius: str | None = None,
+    measured_at: str | None = None,
+    density: str | None = None,
+    depth: str | None = None,
+    weight: str = "milankovitch",
+    digits: int = 30,
+) -> Tilted:
+    """Whether an arch of a given thickness stands under a horizontal acceleration, and the largest with which it does, proved.
+
+    Args:
+        tilt: the acceleration over that of gravity ('0.1'), or the angle by which the ground is tilted ('5deg').
+        thickness and others: as for ``assess``; of stones at most 2001. There are no forces: no density and no depth.
+
+    Raises: CoupletError if an argument makes no sense; TypeError if it is no number.
+
+        >>> couplet.tilt("pi/2", "0.6", "0.15", "5deg", digits=8)
+        Tilted(half_opening='pi/2', friction='0.6', thickness='0.15', tilt='5deg', weight='milankovitch', verdict='stands', largest_tilt='0.14432644')
+    """
+    others = (friction_angle, thickness, stones, joints, tilt, span, rise, radius, measured_at, density, depth)
+    return _tilted(weight, _arch(half_opening, friction, others), digits)
+
+
+@overload
+def voussoirs(
+    half_opening: Exact | None = None,
+    friction: Exact | None = None,
+    stones: int | str | None = None,
+    *,
+    friction_angle: Exact | None = None,
+    thickness: Exact | None = None,
+    joints: str | Sequence[Exact] | None = None,
+    tilt: None = None,
+    span: str | None = None,
+    rise: str | None = None,
+    radius: str | None = None,
+    measured_at: str | None = None,
+    density: str | None = None,
+    depth: str | None = None,
+    weight: str = "milankovitch",
+    digits: int = 30,
+) -> Voussoirs: ...
+@overload
+def voussoirs(
+    half_opening: Exact | None = None,
+    friction: Exact | None = None,
+    stones: range = ...,
+    *,
+    friction_angle: Exact | None = None,
+    span: str | None = None,
+    rise: str | None = None,
+    radius: str | None = None,
+    measured_at: str | None = None,
+    weight: str = "milankovitch",
+    digits: int = 30,
+) -> list[Voussoirs]: ...
+def voussoirs(
+    half_opening: Exact | None = None,
+    friction: Exact | None = None,
+    stones: int | str | range | None = None,
+    *,
+    friction_angle: Exact | None = None,
+    thickness: Exact | None = None,
+    joints: str | Sequence[Exact] | None = None,
+    tilt: Exact | None = None,
+    span: str | None = None,
+    rise: str | None = None,
+    radius: str | None = None,
+    measured_at: str | None = None,
+    density: str | None = None,
+    depth: str | None = None,
+    weight: str = "milankovitch",
+    digits: int = 30,
+) -> Voussoirs | list[Voussoirs]:
+    """The state of an arch of stones at its least thickness, with joints between them alone, proved.
+
+    Args:
+        stones: how many, of one angle; an odd number has a keystone. A range, ``range(2, 201)``, asks for each of its numbers.
+        joints: instead, the angles of the joints of the half arch, from the crown (0, or half a keystone) to the shoulder.
+        thickness: then also whether the arch stands with it, in ``assessment``; of one number of stones.
+        half_opening and others: as for ``state``. There are no forces: no density and no depth. Of a tilted arch ``tilt`` tells.
+
+    Returns: an answer; of a range a list of answers.
+
+    Raises: CoupletError if an argument makes no sense; TypeError if it is no number.
+
+        >>> couplet.voussoirs("pi/2", "0.6", 11, digits=8).thickness
+        Certified('thickness', '0.10491034')
+        >>> [str(arch.thickness) for arch in couplet.voussoirs("pi/2", "0.6", range(7, 10), digits=4)]
+        ['0.09625', '0.1009', '0.1021']
+    """
+    if tilt is not None:
+        raise CoupletError("tilt does not belong here: couplet.tilt tells of an arch of a thickness that is tilted")
+    others = (friction_angle, thickness, stones, joints, tilt, span, rise, radius, measured_at, density, depth)
+    found = _of_stones("voussoirs", weight, _arch(half_opening, friction, others), digits)
+    return found if isinstance(stones, range) else found[0]
+
+
+def _of_stones(question: str, weight: str, arch: Any, digits: int) -> list[Voussoirs]:
+    """The answers about an arch of stones."""
+    import json
+
+    texts, given = arch
+    stones = dict(given).get("stones")
+    if isinstance(stones, str) and ".." in stones:
+        raise CoupletError("several numbers of stones are a range: couplet.voussoirs(…, stones=range(2, 201))")
+    if question != "voussoirs" and isinstance(stones, range):
+        raise CoupletError("one number of stones at a time; of several couplet.voussoirs tells")
+    text, values = _asked(_core.voussoirs, question, weight, texts, _text_of(digits))
+    all_said = json.loads(text)
+    all_said = all_said if isinstance(all_said, list) else [all_said]
+    return [_stones_told((*given, ("weight", weight)), said, of) for said, of in zip(all_said, values)]
+
+
+def _stones_told(given: Any, said: dict[str, Any], values: list[dict[str, Any]]) -> Voussoirs:
+    """An answer about an arch of stones, as those about any arch are told."""
+    if "stones" in said:
+        given = tuple((name, said["stones"] if isinstance(value, range) else value) for name, value in given)
+    outcome, weight, assessed = said["outcome"], said["weight"], said.pop("assessment", None)
+    told: dict[str, Any] = {"weight": weight, "open": [], "enough": {}, "between": [], "gap": None, "said": said}
+    told |= {"status": "undecided" if outcome == "undecided" else "proved", "values": values[0], "stands": None}
+    told["can_stand"] = {"stands": True, "any_thickness": True, "undecided": None}.get(outcome, False)
+    told["modes"] = [said["mode"]] if said["mode"] else []
+    told["reason"] = said["reason"] or (outcome if told["can_stand"] is False else None)
+    told["assessment"] = None
+    if assessed is not None:
+        stands = assessed["stands"]
+        told["assessment"] = {**told, "values": values[1], "stands": stands, "reason": assessed["reason"], "can_stand": None}
+        told["assessment"]["status"] = "undecided" if stands is None else "proved"
+        told["assessment"]["said"] = assessed
+    return Voussoirs(given, told)
+
+
+def _tilted(weight: str, arch: Any, digits: int) -> Tilted:
+    """The answer about a tilted arch."""
+    import json
+
+    texts, given = arch
+    text, values = _asked(_core.tilted, weight, texts, _text_of(digits))
+    said = json.loads(text)
+    stands = {"stands": True, "collapses": False}.get(said["outcome"])
+    told = {"weight": said["weight"], "status": "undecided" if stands is None else "proved", "stands": stands, "can_stand": None}
+    told |= {"modes": [], "values": values, "open": [], "reason": said["reason"], "said": said}
+    return Tilted((*given, ("weight", weight)), told)
+
+
+def find(
+    what: str,
+    modes: str | list[str] | tuple[str, ...] | None = None,
+    *,
+    half_opening: Exact | None = None,
+    friction: Exact | None = None,
+    friction_angle: Exact | None = None,
+    thickness: Exact | None = None,
+    stones: int | str | None = None,
+    joints: str | Sequence[Exact] | None = None,
+    tilt: Exact | None = None,
+    span: str | None = None,
+    rise: str | None = None,
+    radius: str | None = None,
+    measured_at: str | None = None,
+    density: str | None = None,
+    depth: str | None = None,
+    weight: str = "milankovitch",
+    digits: int = 30,
+) -> Found:
+    """A question the other way round: the one answer, with the proof that there is no other. A float is exactly the double
+    that it is; text is exact.
+
+    Args:
+        what: 'half_opening', the widest that stands with a ``friction``; 'friction', the least with which a
+            ``half_opening`` stands; 'boundary', where one mode becomes another, at either.
+        modes: the two modes of a boundary ('rrs/rsr'), also as ``Found.modes`` has them: ('[r,r,s]', '[r,s,r]').
+        thickness: t/r, above 0 and at most 2, of an arch in metres a length; any if it is not given. Not of a boundary.
+        half_opening, friction, friction_angle, span, rise, radius, measured_at, weight, digits: as for ``state``.
+        stones, joints, tilt, density, depth: not here; the refusal says why.
+
+    Raises: CoupletError if an argument makes no sense, is missing, or does not belong there.
+
+        >>> couplet.find("friction", half_opening="80deg", thickness="0.1", digits=10).value
+        Certified('friction', '0.2573157331')
+        >>> couplet.find("friction", span="10m", rise="3m", thickness="60cm", digits=6).value
+        Certified('friction', '0.103606')
+    """
+    if isinstance(modes, (list, tuple)):
+        modes = "/".join(map(str, modes))
+    others = (friction_angle, thickness, stones, joints, tilt, span, rise, radius, measured_at, density, depth)
+    texts, given = _arch(half_opening, friction, others)
+    target = (str(what).replace(" ", "_"), modes)
+    told = _asked(_core.find, target, weight, texts, _text_of(digits))
+    return Found((("modes", modes), *given, ("weight", weight)), told)
+
+
+def certify(
+    landmark: str | None = None,
+    *,
+    half_opening: Exact | None = None,
+    friction: Exact | None = None,
+    friction_angle: Exact | None = None,
+    thickness: Exact | None = None,
+    stones: int | str | None = None,
+    joints: str | Sequence[Exact] | None = None,
+    tilt: Exact | None = None,
+    span: str | None = None,
+    rise: str | None = None,
+    radius: str | None = None,
+    measured_at: str | None = None,
+    density: str | None = None,
+    depth: str | None = None,
+    asymmetric: bool | str = False,
+    weight: str = "milankovitch",
+    digits: int = 30,
+    threads: int = 0,
+) -> str:
+    """A certificate that ``check`` accepts without trusting the solver, as JSON (``couplet.certificate/1``). A float is
+    exactly the double that it is; text is exact.
+
+    Args:
+        landmark: of a landmark; or
+        half_opening, friction: of the state of an arch at its least thickness, or why it stands at none; with
+        thickness: that the arch stands with it, or does not; or with
+        asymmetric: of its asymmetric solution of the complementarity problem (19). True for the one that there is, or how its
+            mechanism closes: 'inner_sliding', 'shoulder_opening', 'shoulder_sliding'.
+        friction_angle, span, rise, radius, measured_at: as for ``state``.
+        stones, joints, tilt, density, depth: not here; the refusal says why.
+        weight, digits: as for ``state``; of a landmark up to 1,000,000.
+        threads: threads to compute a landmark with; 0 for one on each core.
+
+    Raises: CoupletError if an argument makes no sense; UndecidedError if the proof does not succeed.
+
+        >>> made = couplet.certify(half_opening="2.3", friction="1.05", asymmetric=True, digits=12)
+        >>> couplet.check(made, engine="mpfr").verdict
+        'accepted'
+    """
+    others = (friction_angle, thickness, stones, joints, tilt, span, rise, radius, measured_at, density, depth)
+    if landmark is not None:
+        if asymmetric is not False or any(given is not None for given in (half_opening, friction, *others)):
+            raise CoupletError("a half opening, a friction, a thickness and asymmetric belong to an arch, not to a landmark")
+        return _asked(_core.certify_landmark, landmark, weight, _text_of(digits), _whole(threads))
+    texts, _ = _arch(half_opening, friction, others)
+    if half_opening is None and span is None and joints is None:
+        raise CoupletError("a landmark, or a half opening and a friction, are missing")
+    if asymmetric is False:
+        return _asked(_core.certify_arch, weight, texts, _text_of(digits))
+    if thickness is not None:
+        raise CoupletError("an asymmetric solution has its own thickness: leave it out")
+    return _asked(_core.certify_asymmetric, weight, texts, None if asymmetric is True else str(asymmetric), _text_of(digits))

@@ -1,0 +1,11 @@
+//! Questions and answers of commands, for doors that are no command line.
+
+pub use super::assess::QUESTION as ASSESS;
+pub use super::certify::{
+    ARCH as CERTIFY_ARCH, ASYMMETRIC as CERTIFY_ASYMMETRIC, STATE as CERTIFY_STATE,
+};
+pub use super::draw::{QUESTION as DRAW, drawn};
+pub use super::find::{line, question as find, what};
+pub use super::state::QUESTION as STATE;
+pub use super::tilt::tilted;
+pub use super::voussoirs::{QUESTION as VOUSSOIRS, divisions, of_stones};
