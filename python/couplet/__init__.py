@@ -15,7 +15,7 @@ from __future__ import annotations
 from . import _core
 from ._answers import Answer, Assessment, Checked, Constants, Decision, Found, State, Tilted, Voussoirs
 from ._arches import assess, certify, find, state, tilt, voussoirs
-from ._arrays import VERDICTS, states, states_columns
+from ._arrays import VERDICTS, reasons, states, states_columns, states_frame
 from ._arrays import whole as _whole
 from ._asked import asked as _asked
 from ._certified import Certified
@@ -26,6 +26,8 @@ from ._sweeps import Swept, sweep
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     import os
+
+    from ._codes import Mode, Verdict
 
 __all__ = [
     "LANDMARKS",
@@ -39,10 +41,12 @@ __all__ = [
     "CoupletError",
     "Decision",
     "Found",
+    "Mode",
     "State",
     "Swept",
     "Tilted",
     "UndecidedError",
+    "Verdict",
     "Voussoirs",
     "__version__",
     "assess",
@@ -52,9 +56,11 @@ __all__ = [
     "constants",
     "find",
     "prove",
+    "reasons",
     "state",
     "states",
     "states_columns",
+    "states_frame",
     "sweep",
     "tilt",
     "voussoirs",
@@ -64,6 +70,15 @@ __all__ = [
 MODES: tuple[str, ...] = tuple(_core.modes())
 #: The landmarks.
 LANDMARKS: tuple[str, ...] = ("T", "S", "J", "B", "l", "L", "sb")
+
+
+def __getattr__(name: str) -> object:
+    # What has enums is imported by those who want them.
+    if name in ("Mode", "Verdict"):
+        from . import _codes
+
+        return getattr(_codes, name)
+    raise AttributeError(f"module 'couplet' has no attribute {name!r}")
 
 
 def constants(

@@ -26,8 +26,8 @@ _MOST_THREADS = 1024
 
 
 def states(
-    alpha: Any,
-    mu: Any,
+    half_opening: Any,
+    friction: Any,
     thickness: Any = None,
     *,
     weight: str = "milankovitch",
@@ -42,8 +42,8 @@ def states(
     others are answered. The interpreter lock is released, and Ctrl-C stops it within a second or so.
 
     Args:
-        alpha: half openings, rad, between 0 and pi: an array of numbers, or anything that NumPy reads without a change.
-        mu: friction coefficients, 0 or more; infinite for no limit.
+        half_opening: rad, between 0 and pi: an array of numbers, or anything that NumPy reads without a change.
+        friction: coefficients, 0 or more; infinite for no limit.
         thickness: t/r, above 0 and at most 2; then each row is asked whether it stands with it.
         weight: the model of self-weight of all, 'heyman' or 'milankovitch'.
         quantities: the values that are computed. Without a thickness of 'thickness' (usual), 'thrust', 'intrinsic_thrust',
@@ -54,14 +54,14 @@ def states(
         progress: True for a bar, if tqdm is installed; or what is called with the rows done and all rows.
 
     Returns: an array of the common shape with the fields
-        verdict: a place in couplet.VERDICTS: 0 stands (an admissible symmetric state exists, which with friction does not
+        verdict: a couplet.Verdict, and a place in couplet.VERDICTS: 0 stands (an admissible symmetric state exists, which with friction does not
             exclude an asymmetric mechanism), 1 falls, 2 undecided, 3 refused.
-        mode: a place in couplet.MODES, how it collapses at its least thickness; 255 where there is none.
+        mode: a couplet.Mode, and a place in couplet.MODES, how it collapses at its least thickness; 255 where there is none.
         and for each quantity NAME, NAME_lower, NAME_upper: the double nearest to the true value, correctly rounded, and
         doubles not above and not below it. Not a number where there is no such value, or it is undecided: an arch that
         falls at every thickness has a sliding_friction, with which it would not slide, and nothing else, so that its
         rotational_friction is not a number.
-        ``couplet.state`` and ``couplet.assess`` tell of one arch why.
+        ``reasons`` tells why of the rows that have no verdict.
 
     Raises: CoupletError if the arrays are not of doubles, do not fit each other, or a name is unknown.
 
@@ -72,7 +72,7 @@ def states(
     _need_numpy()
     import numpy as np
 
-    asked = _Asked(np, alpha, mu, thickness, weight, quantities)
+    asked = _Asked(np, half_opening, friction, thickness, weight, quantities)
     kinds = [(name, np.uint8 if code else np.float64) for name, code in asked.fields()]
     # Aligned, so that every field can be used as it is.
     found = np.zeros(asked.size, dtype=np.dtype(kinds, align=True))
@@ -82,8 +82,8 @@ def states(
 
 
 def states_columns(
-    alpha: Any,
-    mu: Any,
+    half_opening: Any,
+    friction: Any,
     thickness: Any = None,
     *,
     weight: str = "milankovitch",
@@ -99,11 +99,79 @@ def states_columns(
     _need_numpy()
     import numpy as np
 
-    asked = _Asked(np, alpha, mu, thickness, weight, quantities)
+    asked = _Asked(np, half_opening, friction, thickness, weight, quantities)
     found = {name: np.zeros(asked.size, np.uint8 if code else np.float64) for name, code in asked.fields()}
     asked.answer(found, threads, progress)
     given = zip(("half_opening", "friction", "given_thickness"), asked.arrays)
     return {**{name: np.array(array) for name, array in given}, **found}
+
+
+def states_frame(
+    half_opening: Any,
+    friction: Any,
+    thickness: Any = None,
+    *,
+    weight: str = "milankovitch",
+    quantities: Sequence[str] | None = None,
+    threads: int = 0,
+    progress: bool | Callable[[int, int], object] = False,
+) -> Any:
+    """The same as ``states_columns`` as a ``pandas.DataFrame`` for people: ``verdict`` and ``mode`` are categories, words that pandas
+    counts and filters by, and ``reason`` says why a row is refused or undecided. It needs pandas. ``states_frame(…)["mode"].value_counts()`` counts modes.
+    """
+    import pandas  # type: ignore[import-not-found, import-untyped, unused-ignore]
+
+    columns: dict[str, Any] = dict(
+        states_columns(half_opening, friction, thickness, weight=weight, quantities=quantities, threads=threads, progress=progress)
+    )
+    codes = columns["verdict"]
+    given = [columns[name] for name in ("half_opening", "friction", "given_thickness") if name in columns]
+    why = _reasons(codes, given, weight)
+    columns["verdict"] = pandas.Categorical.from_codes(codes, list(VERDICTS))
+    modes = columns["mode"].astype("int16")
+    modes[modes == 255] = -1
+    columns["mode"] = pandas.Categorical.from_codes(modes, _core.modes())
+    columns["reason"] = [why.get(row) for row in range(len(codes))]
+    return pandas.DataFrame(columns)
+
+
+def reasons(
+    found: np.ndarray[Any, Any], half_opening: Any, friction: Any, thickness: Any = None, *, weight: str = "milankovitch"
+) -> dict[Any, str]:
+    """Why rows of ``states`` are refused or undecided, by their places: numbers, or of a grid tuples. Worked out for these alone.
+
+    Args:
+        found: the array that ``states`` has answered to the other arguments.
+
+        >>> arrays = [1.0, 1.0], [0.5, -1.0]
+        >>> couplet.reasons(couplet.states(*arrays), *arrays)
+        {1: 'the friction -1 is negative'}
+    """
+    _need_numpy()
+    import numpy as np
+
+    asked = _Asked(np, half_opening, friction, thickness, weight, None)
+    if asked.shape != found.shape:
+        raise CoupletError(f"the answers have the shape {found.shape}, and the questions {asked.shape}")
+    why = _reasons(found["verdict"].reshape(-1), asked.arrays, weight)
+    if found.ndim == 1:
+        return dict(why)
+    return {tuple(map(int, np.unravel_index(row, asked.shape))): reason for row, reason in why.items()}
+
+
+def _reasons(codes: Any, arrays: list[Any], weight: str) -> dict[int, str]:
+    """The reasons of the rows without a verdict."""
+    from ._arches import assess, state
+
+    why = {}
+    for row in (codes >= VERDICTS.index("undecided")).nonzero()[0].tolist():
+        arch = [float(array[row]) for array in arrays]
+        try:
+            answer = assess(*arch, weight=weight, digits=17) if len(arch) > 2 else state(*arch, weight=weight, digits=17)
+            why[row] = answer.reason or "it is undecided in doubles"
+        except CoupletError as error:
+            why[row] = str(error)
+    return why
 
 
 def _need_numpy() -> None:
@@ -130,9 +198,9 @@ def whole(threads: int) -> int:
 class _Asked:
     """Arrays of one shape, flat, and what is asked of each row."""
 
-    def __init__(self, np: Any, alpha: Any, mu: Any, thickness: Any, weight: str, quantities: Any) -> None:
+    def __init__(self, np: Any, half_opening: Any, friction: Any, thickness: Any, weight: str, quantities: Any) -> None:
         self.np, self.weight = np, weight
-        given = [("half openings", alpha), ("frictions", mu)]
+        given = [("half openings", half_opening), ("frictions", friction)]
         if thickness is not None:
             given.append(("thicknesses", thickness))
         arrays = [_doubles(np, array, what) for what, array in given]

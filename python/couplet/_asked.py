@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from . import _core
 from ._core import CoupletError
 from ._exact import exact, text_of
@@ -40,6 +38,8 @@ def asked(function: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
 
 def keyed(sentence: str) -> str:
     """A sentence of the command, with the names of keywords in place of options."""
+    import re
+
     return re.sub(r"--([a-z]+(?:-[a-z]+)*)", lambda option: option[1].replace("-", "_"), sentence)
 
 

@@ -20,6 +20,7 @@ from ._exact import exact, text_of
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Mapping
+    from re import Match
     from typing import Any
 
     #: A part, the counts of its verdicts if it was written, and otherwise what is wrong and whether that ends the sweep.
@@ -60,6 +61,11 @@ class Swept:
         counts = ", ".join(f"{verdict} {count}" for verdict, count in self.counts.items() if count)
         return f"Swept({self.folder!r}, rows={self.rows}, computed={self.computed}, kept={self.kept}: {counts})"
 
+    def to_dict(self) -> dict[str, Any]:
+        """All of it, for ``json.dumps``."""
+        names = ("folder", "rows", "computed", "kept", "counts", "lost", "others")
+        return {name: getattr(self, name) for name in names}
+
     def verify(self, sample: int = 100, *, threads: int = 0) -> dict[str, Any]:
         """Looks through the parts: content, notes and inputs of each, and that no row is missing. ``sample`` rows are proved
         again bit for bit, up to 20 of them with a certificate that the second arithmetic checks.
@@ -97,7 +103,7 @@ def sweep(
 
     A value that is listed twice in the plan counts once, with a warning.
 
-    Raises: CoupletError if the plan makes no sense; OSError if something cannot be written.
+    Raises: CoupletError if the plan makes no sense, with the line and the column, or of a dictionary the key; OSError if something cannot be written.
 
         >>> import tempfile
         >>> grid = {"half_opening": ["80deg", 2.25], "friction": {"from": "0.1", "to": 1, "steps": 10}}
@@ -112,14 +118,20 @@ def sweep(
         raise CoupletError("only is (k, n), the k-th of n: (1, 4), (2, 4), (3, 4), (4, 4)")
     workers = whole(workers)
     if isinstance(plan, (str, os.PathLike)):
-        base = os.path.dirname(os.path.abspath(plan))
+        base, toml = os.path.dirname(os.path.abspath(plan)), None
         with open(plan, "rb") as file:
             text = file.read()
     else:
-        base, text = os.getcwd(), _toml({"schema": "couplet.sweep/1", **plan}).encode()
-    path, others, lost, notes = _core.sweep_begin(text, base, os.path.abspath(output))
+        base, toml = os.getcwd(), _Toml({"schema": "couplet.sweep/1", **plan})
+        text = toml.text.encode()
+    try:
+        path, others, lost, notes = _core.sweep_begin(text, base, os.path.abspath(output))
+    except CoupletError as error:
+        if toml is None:
+            raise
+        raise CoupletError(toml.named(str(error))) from None
     for note in notes:
-        warnings.warn(note, stacklevel=2)
+        warnings.warn(note if toml is None else toml.named(note), stacklevel=2)
     made = Swept(os.fspath(path), base, (k, n), others, lost)
     survey = _core.sweep_survey(made.folder, base, (k, n), workers)
     rows = {part: length for part, length, counts in survey if counts is None}
@@ -247,23 +259,61 @@ def _dask(client: Any, folder: str, base: str, parts: list[int], workers: int) -
         yield future.result()
 
 
-def _toml(table: Mapping[str, Any]) -> str:
-    """A plan as TOML, with numbers as they are."""
-    return "".join(f"{key} = {_value(value)}\n" for key, value in table.items())
+class _Toml:
+    """A plan as TOML, with numbers as they are, and the place of each of its keys."""
+
+    def __init__(self, table: Mapping[str, Any]) -> None:
+        self.text, self.line = "", ""
+        self.places: list[tuple[int, int, str]] = []
+        for number, (key, value) in enumerate(table.items(), 1):
+            self.line = ""
+            self._pair(number, "", key, value)
+            self.text += self.line + "\n"
+
+    def named(self, sentences: str) -> str:
+        """Sentences about lines and columns, which nobody wrote, with the keys there."""
+        import re
+
+        def key(place: Match[str]) -> str:
+            at = int(place[1]), int(place[2])
+            before = [name for line, column, name in self.places if (1, 1) < at >= (line, column)]
+            return f"{before[-1]}: " if before else ""
+
+        return re.sub(r"^line (\d+), column (\d+): ", key, sentences, flags=re.MULTILINE)
+
+    def _pair(self, number: int, within: str, key: str, value: Any) -> None:
+        name = f"{within}.{key}" if within else str(key)
+        self.places.append((number, len(self.line) + 1, name))
+        self.line += (key if key.isidentifier() and key.isascii() else _text(key)) + " = "
+        self._value(number, name, value)
+
+    def _value(self, number: int, name: str, value: Any) -> None:
+        if hasattr(value, "tolist"):
+            # Of NumPy.
+            value = value.tolist()
+        is_table = hasattr(value, "items")
+        if not is_table and not isinstance(value, (list, tuple, range)):
+            self.line += _plain(value)
+            return
+        self.line += "{ " if is_table else "["
+        for place, inner in enumerate(value.items() if is_table else value):
+            self.line += ", " if place else ""
+            if is_table:
+                self._pair(number, name, *inner)
+            else:
+                self._value(number, name, inner)
+        self.line += " }" if is_table else "]"
 
 
-def _value(value: Any) -> str:
+def _text(text: str) -> str:
     import json
 
-    if hasattr(value, "items"):
-        return "{ " + ", ".join(f"{key} = {_value(inner)}" for key, inner in value.items()) + " }"
-    if hasattr(value, "tolist"):
-        # Of NumPy.
-        value = value.tolist()
-    if isinstance(value, (bool, str)):
-        return json.dumps(value, ensure_ascii=False)
-    if isinstance(value, int):
-        return text_of(value)
-    if isinstance(value, (list, tuple, range)):
-        return "[" + ", ".join(_value(inner) for inner in value) + "]"
-    return json.dumps(exact(value, "number"))
+    return json.dumps(text, ensure_ascii=False)
+
+
+def _plain(value: Any) -> str:
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, str):
+        return _text(value)
+    return text_of(value) if isinstance(value, int) else _text(exact(value, "number"))

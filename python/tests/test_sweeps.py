@@ -229,3 +229,23 @@ def test_what_makes_no_sense(tmp_path, plan):
         couplet.sweep(tmp_path / "none.toml", tmp_path)
     with pytest.raises(OSError, match="cannot write"):
         couplet.sweep(plan, "/dev/null/results")
+
+
+def test_an_error_of_a_dictionary_names_its_key(tmp_path):
+    alpha, mu = ["80deg"], ["0.1"]
+    for plan, lines in [
+        ({"grid": {"half_opening": ["80deg", 7], "friction": ["0.1", "-1"]}}, ["grid.half_opening: half_opening 7", 'grid.friction: friction "-1"']),
+        ({"grid": {"half_opening": alpha, "friction": {"from": 0, "to": 1, "stesp": 3}}}, ["grid.friction: friction has", "grid.friction.stesp: unknown"]),
+        ({"quantities": ["thiknes"], "grid": {"half_opening": alpha, "friction": mu}}, ["quantities: quantities \"thiknes\""]),
+        ({"grid": {"half_opening": alpha, "friction": mu}, "a b": 1}, ['a b: unknown key "a b"']),
+        ({"weight": "heyman"}, ["the plan has no arches"]),
+    ]:
+        with pytest.raises(couplet.CoupletError) as caught:
+            couplet.sweep(plan, tmp_path)
+        said = str(caught.value).split("\n")
+        assert len(said) == len(lines) and all(line.startswith(words) for line, words in zip(said, lines)), said
+    with pytest.warns(UserWarning, match="^grid.friction: "):
+        couplet.sweep({"grid": {"half_opening": alpha, "friction": ["0.1", "1/10"]}}, tmp_path)
+    (tmp_path / "plan.toml").write_text('schema = "couplet.sweep/1"\nweight = 3\n')
+    with pytest.raises(couplet.CoupletError, match="^line 1, column 1: "):
+        couplet.sweep(tmp_path / "plan.toml", tmp_path)

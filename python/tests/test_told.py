@@ -57,3 +57,63 @@ def test_letters_are_names():
     for missing in ["weight", "geometric_safety", "nothing", 3]:
         with pytest.raises(KeyError):
             constants[missing]
+
+
+def test_codes_are_numbers_and_words():
+    assert [str(verdict) for verdict in couplet.Verdict] == list(couplet.VERDICTS)
+    assert [str(mode) for mode in couplet.Mode][:-1] == list(couplet.MODES) and str(couplet.Mode(255)) == "none"
+    assert (couplet.Verdict.STANDS, couplet.Verdict.REFUSED, couplet.Mode.RRR, couplet.Mode.NONE) == (0, 3, 0, 255)
+    for code in [*couplet.Verdict, *couplet.Mode]:
+        assert f"{code}" == f"{code:>1}" == code.word == str(code) and isinstance(code, int)
+    for place, label in enumerate(couplet.MODES):
+        assert couplet.Mode[label.upper().strip("[]").replace(",", "")] == place
+    with pytest.raises(AttributeError, match="no attribute 'Modes'"):
+        couplet.Modes
+
+
+def test_codes_are_those_of_arrays():
+    pytest.importorskip("numpy")
+    found = couplet.states([1.3, 1.3, 2.5, 4.0], [0.5, 0.01, 1.5, 1.0])
+    verdicts = [couplet.Verdict(code) for code in found["verdict"]]
+    assert [str(verdict) for verdict in verdicts] == ["stands", "falls", "stands", "refused"]
+    assert (found["verdict"] == couplet.Verdict.STANDS).tolist() == [True, False, True, False]
+    assert (found["mode"] == couplet.Mode.RRS).tolist() == [False, False, True, False]
+    assert couplet.state(2.5, 1.5, digits=9).mode == str(couplet.Mode(found["mode"][2]))
+
+
+def test_a_bad_row_has_a_reason():
+    np = pytest.importorskip("numpy")
+    alpha, mu = [1.0, 4.0, float("nan"), 1.0], [0.5, 0.5, 0.5, -1.0]
+    found = couplet.states(alpha, mu)
+    why = couplet.reasons(found, alpha, mu)
+    assert list(why) == [1, 2, 3] and "did you mean 4deg?" in why[1] and "'nan'" in why[2] and "negative" in why[3]
+    for row, sentence in why.items():
+        with pytest.raises(couplet.CoupletError) as caught:
+            couplet.state(alpha[row], mu[row])
+        assert str(caught.value) == sentence
+    grid = np.array(alpha)[:, None], np.array([0.5, -1.0])[None, :]
+    assert list(couplet.reasons(couplet.states(*grid), *grid)) == [(0, 1), (1, 0), (1, 1), (2, 0), (2, 1), (3, 1)]
+    thick = couplet.reasons(couplet.states(1.0, 0.5, [0.1, 3.0]), 1.0, 0.5, [0.1, 3.0])
+    assert list(thick) == [1] and "the thickness 3 is not between 0 and 2" in thick[1]
+    assert couplet.reasons(couplet.states(1.0, 0.5), 1.0, 0.5) == {}
+    with pytest.raises(couplet.CoupletError, match="the answers have the shape"):
+        couplet.reasons(found, 1.0, 0.5)
+
+
+def test_an_undecided_row_has_a_reason():
+    pytest.importorskip("numpy")
+    found = couplet.states([1.0, 1.0], 0.5)
+    found["verdict"] = [0, 2]
+    assert couplet.reasons(found, [1.0, 1.0], 0.5) == {1: "it is undecided in doubles"}
+
+
+def test_a_frame():
+    pandas = pytest.importorskip("pandas")
+    frame = couplet.states_frame([1.3, 1.3, 2.5, 4.0], [0.5, 0.01, 1.5, 1.0])
+    assert frame["verdict"].tolist() == ["stands", "falls", "stands", "refused"]
+    assert frame["mode"].astype(object).where(frame["mode"].notna(), None).tolist() == ["[r,r,r]", None, "[r,r,s]", None]
+    for name, words in [("verdict", couplet.VERDICTS), ("mode", couplet.MODES)]:
+        assert isinstance(frame[name].dtype, pandas.CategoricalDtype) and list(frame[name].cat.categories) == list(words)
+    assert frame["reason"].isna().tolist() == [True, True, True, False] and "4deg" in frame["reason"][3]
+    assert list(frame.columns)[-1] == "reason" and "given_thickness" in couplet.states_frame(1.0, 0.5, 0.1)
+    assert frame["thickness"][2] == couplet.states(2.5, 1.5)["thickness"].item()

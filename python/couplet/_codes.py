@@ -1,0 +1,64 @@
+"""The codes in arrays, which are numbers and words."""
+
+from __future__ import annotations
+
+from enum import IntEnum
+
+from ._arrays import VERDICTS
+from ._core import modes
+
+
+class _Code(IntEnum):
+    """A number whose text is a word."""
+
+    @property
+    def word(self) -> str:
+        """The word."""
+        raise NotImplementedError
+
+    def __str__(self) -> str:
+        return self.word
+
+    def __format__(self, spec: str) -> str:
+        return format(self.word, spec)
+
+
+class Verdict(_Code):
+    """The verdict of a row of ``states``: a number that is equal to its code, and whose text is its word.
+
+    >>> found = couplet.states([1.3, 1.4], 0.2)
+    >>> [str(couplet.Verdict(code)) for code in found["verdict"]], couplet.Verdict.FALLS == 1
+    (['stands', 'falls'], True)
+    """
+
+    STANDS = 0
+    FALLS = 1
+    UNDECIDED = 2
+    REFUSED = 3
+
+    @property
+    def word(self) -> str:
+        """The word, of ``couplet.VERDICTS``."""
+        return VERDICTS[self]
+
+
+class Mode(_Code):
+    """The mode of a row of ``states``: a number that is equal to its code, and whose text is as in ``couplet.MODES``.
+
+    >>> str(couplet.Mode(couplet.states(2.5, 1.5)["mode"].item())), str(couplet.Mode.NONE)
+    ('[r,r,s]', 'none')
+    """
+
+    RRR = 0
+    SRR = 1
+    RRS = 2
+    RSR = 3
+    RS = 4
+    R = 5
+    SS = 6
+    NONE = 255
+
+    @property
+    def word(self) -> str:
+        """The joints from the shoulder inward, ``'[r,r,s]'``, or ``'none'``."""
+        return "none" if self is Mode.NONE else modes()[self]
