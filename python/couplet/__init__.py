@@ -19,6 +19,8 @@ from ._arrays import VERDICTS, reasons, states, states_columns, states_frame
 from ._arrays import whole as _whole
 from ._asked import asked as _asked
 from ._certified import Certified
+from ._commands import Curve, Judged, Picture, Ran, audit, curve, draw, figure, judge, run, sample
+from ._commands import map as map
 from ._core import CoupletError, UndecidedError, __version__
 from ._exact import text_of as _text_of
 from ._sweeps import Swept, sweep
@@ -39,9 +41,13 @@ __all__ = [
     "Checked",
     "Constants",
     "CoupletError",
+    "Curve",
     "Decision",
     "Found",
+    "Judged",
     "Mode",
+    "Picture",
+    "Ran",
     "State",
     "Swept",
     "Tilted",
@@ -50,13 +56,20 @@ __all__ = [
     "Voussoirs",
     "__version__",
     "assess",
+    "audit",
     "certify",
     "check",
     "claims",
     "constants",
+    "curve",
+    "draw",
+    "figure",
     "find",
+    "judge",
     "prove",
     "reasons",
+    "run",
+    "sample",
     "state",
     "states",
     "states_columns",
