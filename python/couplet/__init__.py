@@ -15,7 +15,7 @@ from __future__ import annotations
 from . import _core
 from ._answers import Answer, Assessment, Checked, Constants, Decision, Found, State, Tilted, Voussoirs
 from ._arches import assess, certify, find, state, tilt, voussoirs
-from ._arrays import VERDICTS, reasons, states, states_columns, states_frame
+from ._arrays import FOUND, VERDICTS, finds, reasons, states, states_columns, states_frame
 from ._arrays import whole as _whole
 from ._asked import asked as _asked
 from ._certified import Certified
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from ._codes import Mode, Verdict
 
 __all__ = [
+    "FOUND",
     "LANDMARKS",
     "MODES",
     "VERDICTS",
@@ -65,6 +66,7 @@ __all__ = [
     "draw",
     "figure",
     "find",
+    "finds",
     "judge",
     "prove",
     "reasons",

@@ -68,18 +68,16 @@ def test_what_states_answers_is_accepted():
     assert [row["claimed_mode"] for row in judged] == ["[r,r,r]", "[r,r,s]", None]
     columns["mode"][0] = couplet.Mode.SRR
     assert couplet.judge(columns)[0]["verdict"] == "wrong mode"
-    for given in (couplet.states_columns, couplet.states_frame):
-        pytest.importorskip("pandas")
-        columns = given(1.0, 0.5, [0.1, 0.01])
-        judged = couplet.judge(columns)
-        assert judged.accepted == 2 and [row["claimed_stands"] for row in judged] == [True, False]
+    judged = couplet.judge(couplet.states_columns(1.0, 0.5, [0.1, 0.01]))
+    assert judged.accepted == 2 and [row["claimed_stands"] for row in judged] == [True, False]
 
 
 def test_frames_are_judged():
     pytest.importorskip("numpy")
     pandas = pytest.importorskip("pandas")
     assert couplet.judge(pandas.DataFrame(MINE)).rows == couplet.judge(MINE).rows
-    assert couplet.judge(couplet.states_frame([1.3, 2.5], [0.5, 1.5])).accepted == 2
+    assert couplet.judge(couplet.states_frame([1.3, 2.5, 1.3], [0.5, 1.5, 0.01])).accepted == 3
+    assert couplet.judge(couplet.states_frame(1.0, 0.5, [0.1, 0.01])).accepted == 2
     arrow = pytest.importorskip("pyarrow")
     assert couplet.judge(arrow.table(MINE)).rows == couplet.judge(MINE).rows
 
