@@ -159,6 +159,7 @@ def test_the_examples_of_the_documentation(module):
 @pytest.mark.parametrize("page, examples", [("docs/python.md", 10), ("README.md", 2), ("python/README.md", 5)])
 def test_the_examples_of_a_page(page, examples):
     pytest.importorskip("numpy")
+    pytest.importorskip("hypothesis")
     done = doctest.testfile(str(HOME / page), module_relative=False, optionflags=OPTIONS)
     assert done.failed == 0 and done.attempted >= examples
 
