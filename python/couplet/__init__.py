@@ -15,10 +15,12 @@ from __future__ import annotations
 from . import _core
 from ._answers import Answer, Assessment, Checked, Constants, Decision, Found, State, Tilted, Voussoirs
 from ._arches import assess, certify, find, state, tilt, voussoirs
-from ._arrays import VERDICTS, reasons, states, states_columns, states_frame
+from ._arrays import FOUND, VERDICTS, finds, reasons, states, states_columns, states_frame
 from ._arrays import whole as _whole
 from ._asked import asked as _asked
 from ._certified import Certified
+from ._commands import Curve, Judged, Picture, Ran, audit, curve, draw, figure, judge, run, sample
+from ._commands import map as map
 from ._core import CoupletError, UndecidedError, __version__
 from ._exact import text_of as _text_of
 from ._sweeps import Swept, sweep
@@ -30,6 +32,7 @@ if TYPE_CHECKING:
     from ._codes import Mode, Verdict
 
 __all__ = [
+    "FOUND",
     "LANDMARKS",
     "MODES",
     "VERDICTS",
@@ -39,9 +42,13 @@ __all__ = [
     "Checked",
     "Constants",
     "CoupletError",
+    "Curve",
     "Decision",
     "Found",
+    "Judged",
     "Mode",
+    "Picture",
+    "Ran",
     "State",
     "Swept",
     "Tilted",
@@ -50,13 +57,21 @@ __all__ = [
     "Voussoirs",
     "__version__",
     "assess",
+    "audit",
     "certify",
     "check",
     "claims",
     "constants",
+    "curve",
+    "draw",
+    "figure",
     "find",
+    "finds",
+    "judge",
     "prove",
     "reasons",
+    "run",
+    "sample",
     "state",
     "states",
     "states_columns",

@@ -154,6 +154,11 @@ class _OfArch(Answer):
         return self._value("asymmetric_thickness")
 
     @property
+    def open(self) -> dict[str, str]:
+        """The quantities that could not be decided, and why."""
+        return dict(self._told["open"])
+
+    @property
     def can_stand(self) -> bool | None:
         """Whether the arch stands at some thickness; None if that is not asked or undecided."""
         return self._told["can_stand"]  # type: ignore[no-any-return]
@@ -184,7 +189,7 @@ class State(_OfArch):
     """
 
     __slots__ = ()
-    _more: tuple[str, ...] = ("weight", "can_stand", "mode", "enough", "between", "gap", "measured_at")
+    _more: tuple[str, ...] = ("weight", "can_stand", "mode", "open", "enough", "between", "gap", "measured_at")
 
     @property
     def thrust_kn(self) -> Certified | None:
@@ -288,11 +293,6 @@ class Assessment(_OfArch):
         """``'stands'``: with this thickness an admissible symmetric state exists; ``'falls'``; ``'undecided'``."""
         stands = self._told["stands"]
         return "undecided" if stands is None else "stands" if stands else "falls"
-
-    @property
-    def open(self) -> dict[str, str]:
-        """The quantities that could not be decided, and why."""
-        return dict(self._told["open"])
 
     @property
     def least_thickness(self) -> Certified | None:

@@ -8,6 +8,7 @@ import time
 from . import _core
 from ._asked import asked as _ask
 from ._core import CoupletError
+from ._exact import exact
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -135,6 +136,77 @@ def states_frame(
     return pandas.DataFrame(columns)
 
 
+#: What ``verdict`` of ``finds`` is a place in.
+FOUND: tuple[str, ...] = ("found", "nothing", "undecided", "refused")
+
+
+def finds(
+    what: str,
+    modes: str | list[str] | tuple[str, ...] | None = None,
+    *,
+    half_opening: Any = None,
+    friction: Any = None,
+    thickness: Any = None,
+    weight: str = "milankovitch",
+    threads: int = 0,
+    progress: bool | Callable[[int, int], object] = False,
+) -> np.ndarray[Any, Any]:
+    """The questions of ``find`` over arrays of doubles, each answered with its proof, as a structured array.
+
+    Args:
+        what, modes, weight: as for ``find``.
+        half_opening, friction, thickness: arrays of doubles that are broadcast against each other, as far as the question has them.
+        threads, progress: as for ``states``.
+
+    Returns: an array of the common shape with the fields
+        verdict: 0 found, 1 nothing (proved), 2 undecided, 3 refused: a place in couplet.FOUND.
+        value, value_lower, value_upper: the double nearest to what is found, and doubles not above and not below it; else not a
+            number. ``couplet.find`` says of one question why.
+
+    Raises: CoupletError if the arrays are not of doubles, do not fit each other, or something does not belong there.
+
+        >>> found = couplet.finds("half_opening", friction=[0.3, 0.5], thickness=[[0.05], [0.2]])
+        >>> found.shape, float(found["value"][1, 1]) == couplet.find("half_opening", friction=0.5, thickness=0.2).value.double
+        ((2, 2), True)
+    """
+    _need_numpy()
+    import numpy as np
+
+    whole(threads)
+    given = {"half openings": half_opening, "frictions": friction, "thicknesses": thickness}
+    arrays = {name: _doubles(np, array, name) for name, array in given.items() if array is not None}
+    arrays = dict(zip(arrays, _broadcast(np, list(arrays.values()))))
+    shape = next(iter(arrays.values())).shape if arrays else ()
+    flat = {name: array.reshape(-1) for name, array in arrays.items()}
+    target = (str(what).replace(" ", "_"), "/".join(modes) if isinstance(modes, (list, tuple)) else modes)
+    columns = [flat.get(name) for name in given]
+    kinds = [("verdict", np.uint8), *((name, np.float64) for name in ("value", "value_lower", "value_upper"))]
+    found = np.zeros(int(np.prod(shape)), dtype=np.dtype(kinds, align=True))
+    # Of a question that makes no sense, whatever the numbers, the first row says so.
+    names = [None if column is None else "1" for column in columns]
+    code, _, why = _ask(_core.finds, target, weight, [names], 1)[0]
+    if code == FOUND.index("refused"):
+        raise CoupletError(str(why))
+    with Bar(progress, found.size) as bar:
+        for begin in range(0, found.size, _FIRST):
+            rows = [
+                [None if column is None else exact(column[row].item(), "number") for column in columns]
+                for row in range(begin, min(begin + _FIRST, found.size))
+            ]
+            for row, (code, bounds, _) in enumerate(_ask(_core.finds, target, weight, rows, threads), begin):
+                found[row] = (code, *bounds)
+            bar(begin + len(rows))
+    shaped: np.ndarray[Any, Any] = found.reshape(shape)
+    return shaped
+
+
+def _broadcast(np: Any, arrays: list[Any]) -> Any:
+    try:
+        return np.broadcast_arrays(*arrays)
+    except ValueError as error:
+        raise CoupletError(f"the arrays do not fit each other: {error}") from None
+
+
 def reasons(
     found: np.ndarray[Any, Any], half_opening: Any, friction: Any, thickness: Any = None, *, weight: str = "milankovitch"
 ) -> dict[Any, str]:
@@ -204,10 +276,7 @@ class _Asked:
         if thickness is not None:
             given.append(("thicknesses", thickness))
         arrays = [_doubles(np, array, what) for what, array in given]
-        try:
-            arrays = np.broadcast_arrays(*arrays)
-        except ValueError as error:
-            raise CoupletError(f"the arrays do not fit each other: {error}") from None
+        arrays = _broadcast(np, arrays)
         self.shape = arrays[0].shape
         self.arrays = [array.reshape(-1) for array in arrays]
         self.size = self.arrays[0].size

@@ -18,6 +18,7 @@ __all__ = [
     "drawing",
     "fields",
     "find",
+    "finds",
     "modes",
     "prove",
     "quantity",
@@ -55,6 +56,9 @@ def tilted(weight: str, texts: _Texts, digits: str) -> tuple[str, dict[str, Any]
 def find(
     target: tuple[str, str | None], weight: str, texts: _Texts, digits: str
 ) -> dict[str, Any]: ...
+def finds(
+    target: tuple[str, str | None], weight: str, rows: list[list[str | None]], threads: int
+) -> list[tuple[int, list[float], str | None]]: ...
 def certify_landmark(landmark: str, weight: str, digits: str, threads: int) -> str: ...
 def certify_arch(weight: str, texts: _Texts, digits: str) -> str: ...
 def certify_asymmetric(weight: str, texts: _Texts, mode: str | None, digits: str) -> str: ...

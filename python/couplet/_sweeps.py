@@ -270,16 +270,16 @@ class _Toml:
             self._pair(number, "", key, value)
             self.text += self.line + "\n"
 
-    def named(self, sentences: str) -> str:
+    def named(self, sentences: str, place: str = "line {}, column {}: ") -> str:
         """Sentences about lines and columns, which nobody wrote, with the keys there."""
         import re
 
-        def key(place: Match[str]) -> str:
-            at = int(place[1]), int(place[2])
+        def key(found: Match[str]) -> str:
+            at = int(found[1]), int(found[2])
             before = [name for line, column, name in self.places if (1, 1) < at >= (line, column)]
             return f"{before[-1]}: " if before else ""
 
-        return re.sub(r"^line (\d+), column (\d+): ", key, sentences, flags=re.MULTILINE)
+        return re.sub("^" + place.replace("{}", r"(\d+)"), key, sentences, flags=re.MULTILINE)
 
     def _pair(self, number: int, within: str, key: str, value: Any) -> None:
         name = f"{within}.{key}" if within else str(key)

@@ -39,7 +39,7 @@ mod _core {
         drawing, fields, find, modes, prove, quantity_name, run, state, tilted, voussoirs,
     };
     #[pymodule_export]
-    use super::rows::states;
+    use super::rows::{finds, states};
     #[cfg(feature = "parquet")]
     #[pymodule_export]
     use super::sweeps::{sweep_begin, sweep_part, sweep_survey, sweep_verify};

@@ -2,12 +2,18 @@
 
 use crate::pool::on_threads;
 use crate::{CoupletError, asked};
+use couplet::Error;
+use couplet::ask::{ArchAsked, Field, Spelling};
 use couplet::certify::batch::{BatchRow, DoubleArches};
+use couplet::certify::state::find;
+use couplet::cli::doors;
 use couplet::problem::Quantity;
+use couplet::report::Answer;
 use couplet::sweep::parse;
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyBytes;
+use rayon::prelude::*;
 
 /// The doubles of an array, in the order of bytes of this machine.
 fn doubles(bytes: &[u8]) -> Vec<f64> {
@@ -50,4 +56,51 @@ pub(crate) fn states<'py>(
     };
     let values = (0..names.len()).map(|quantity| [0, 1, 2].map(|bound| column(quantity, bound)));
     Ok((codes(|row| row.verdict as u8), codes(BatchRow::mode_code), values.collect()))
+}
+
+/// Digits with which the nearest double is told.
+const DIGITS: usize = 17;
+
+/// Code of what became of a search, the double found with its bounds, and why there is none.
+type Sought = (u8, [f64; 3], Option<String>);
+
+/// What is found of each row: a half opening, a friction, a thickness, as far as they are given.
+#[pyfunction]
+pub(crate) fn finds(
+    py: Python<'_>,
+    target: (&str, Option<&str>),
+    weight: &str,
+    rows: Vec<[Option<String>; 3]>,
+    threads: usize,
+) -> PyResult<Vec<Sought>> {
+    let wrong = CoupletError::new_err::<String>;
+    let weight = parse::weight(weight).map_err(wrong)?;
+    let what = doors::what(target.0).map_err(wrong)?;
+    let modes = target.1.map(doors::line).transpose().map_err(wrong)?;
+    let sought = |[half_opening, friction, thickness]: [Option<String>; 3]| {
+        let mut asked = ArchAsked::default();
+        *asked.at(Field::HalfOpening) = half_opening;
+        *asked.at(Field::Friction) = friction;
+        *asked.at(Field::Thickness) = thickness;
+        let nothing = |code, why: Option<String>| (code, [f64::NAN; 3], why);
+        let question = match doors::find((what, modes), &asked, Spelling::Key) {
+            Ok(question) => question,
+            Err(failure) => return nothing(3, Some(failure.to_string())),
+        };
+        let found = find::find(weight, &question, DIGITS);
+        if let Err(Error::Refused(refused)) = &found {
+            return nothing(3, Some(refused.to_string()));
+        }
+        let answer = Answer::finding(1, (weight, &question), &found);
+        match (answer.values.first(), answer.is_undecided()) {
+            (Some((_, value)), _) => {
+                (0, [value.double, value.binary.lower, value.binary.upper], None)
+            }
+            (None, is_open) => {
+                let why = answer.reason().map(Into::into).or(answer.proved);
+                nothing(1 + u8::from(is_open), why)
+            }
+        }
+    };
+    py.detach(|| on_threads(threads, || rows.into_par_iter().map(sought).collect()))
 }

@@ -48,6 +48,13 @@ def test_an_arch_in_metres():
     assert (plain.radius_m, plain.measured_at) == (None, None)
 
 
+def test_metres_that_stay_open_are_not_the_arch():
+    state = couplet.state("1e-400", "0.6", radius="1m", digits=5)
+    assert state.verdict == "stands" and state.thickness is not None and state.radius_m is None
+    assert list(state.open) == ["radius_m"] and state.open["radius_m"] in state.reason
+    assert couplet.state(**METRES, digits=5).open == {}
+
+
 def test_an_arch_of_a_thickness_in_metres():
     arch = couplet.assess(**METRES, thickness="60cm", density="24kN/m3", depth="1m", digits=10)
     told = json.loads(command("assess", **METRES, thickness="60cm", density="24kN/m3", depth="1m", digits=10, format="json")[1])

@@ -189,3 +189,39 @@ def test_progress():
     assert told[-1] == (600, 600) and len(told) > 1
     pytest.importorskip("tqdm")
     couplet.states(1.0, [0.5, 0.6], progress=True)
+
+
+def test_what_is_found_over_arrays():
+    mu, eta = np.array([0.3, 0.5, np.inf]), np.array([0.001, 0.2])
+    found = couplet.finds("half_opening", friction=mu[None, :], thickness=eta[:, None])
+    assert found.shape == (2, 3)
+    for (i, j), row in np.ndenumerate(found):
+        one = couplet.find("half_opening", friction=float(mu[j]), thickness=float(eta[i]), digits=17)
+        assert couplet.FOUND[row["verdict"]] == one.verdict == "found"
+        assert (row["value"], row["value_lower"], row["value_upper"]) == (one.value.double, one.value.lower, one.value.upper)
+    found = couplet.finds("friction", half_opening=[1.3, 1.3, 4.0, np.nan], thickness=[0.1, 0.01, 0.1, 0.1], threads=2)
+    assert [couplet.FOUND[code] for code in found["verdict"]] == ["found", "nothing", "refused", "refused"]
+    assert np.isnan(found["value"][1:]).all() and np.isnan(found["value_upper"][1:]).all()
+    line = couplet.finds("boundary", ("[r,r,s]", "[r,s,r]"), friction=np.array([1.6, 1.7]))
+    assert line["value"][0] == couplet.find("boundary", "rrs/rsr", friction=1.6, digits=17).value.double
+    told = []
+    assert couplet.finds("friction", half_opening=np.full(600, 1.3), progress=lambda *done: told.append(done)).shape == (600,)
+    assert told == [(512, 600), (600, 600)] and couplet.finds("friction", half_opening=[]).shape == (0,)
+
+
+@pytest.mark.parametrize(
+    ("question", "sentence"),
+    [
+        (lambda: couplet.finds("friction"), "half_opening is missing"),
+        (lambda: couplet.finds("friction", half_opening=[1.0], friction=0.5), "friction does not belong here"),
+        (lambda: couplet.finds("boundary", friction=[1.0]), "the pair of modes is missing"),
+        (lambda: couplet.finds("thrust", friction=[1.0]), "what is found is one of"),
+        (lambda: couplet.finds("friction", half_opening=["1"]), "the half openings are no doubles"),
+        (lambda: couplet.finds("friction", half_opening=[1, 2], thickness=[1, 2, 3]), "do not fit each other"),
+        (lambda: couplet.finds("friction", half_opening=[1.0], weight="mine"), "a weight is one of"),
+        (lambda: couplet.finds("friction", half_opening=[1.0], threads=-1), "threads"),
+    ],
+)
+def test_searches_that_make_no_sense(question, sentence):
+    with pytest.raises(couplet.CoupletError, match=sentence):
+        question()

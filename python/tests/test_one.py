@@ -194,6 +194,10 @@ def test_answers_can_be_sent_to_other_processes():
         couplet.assess("80deg", "0.35", "0.1"),
         couplet.constants("T"),
         couplet.state("80deg", "0.35").thickness,
+        couplet.voussoirs("pi/2", "0.6", 11, thickness="0.12"),
+        couplet.voussoirs(friction="0.6", joints=["0", "0.5", "1"]),
+        couplet.tilt("pi/2", "0.6", "0.15", digits=9),
+        couplet.state(span="10m", rise="3m", friction=0.6),
     ]:
         for other in (pickle.loads(pickle.dumps(answer)), copy.deepcopy(answer)):
             assert repr(other) == repr(answer)

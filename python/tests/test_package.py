@@ -1,6 +1,7 @@
 """The package as it is installed."""
 
 import doctest
+import importlib
 import importlib.metadata
 import inspect
 import os
@@ -72,6 +73,16 @@ def test_licences_are_in_the_package():
     assert "py.typed" in files and "_core.pyi" in files
 
 
+def test_the_page_of_the_package_is_in_it():
+    metadata = importlib.metadata.metadata("couplet")
+    page = (HOME / "python" / "README.md").read_text(encoding="utf-8")
+    told = metadata.get_payload() or metadata["Description"]
+    assert told.strip() == page.strip() and metadata["Description-Content-Type"].startswith("text/markdown")
+    # Nothing there leads out of the package: what has no address has no links.
+    assert "](" not in page and not metadata.get_all("Project-URL")
+    assert "hypothesis" in metadata.get_all("Provides-Extra")
+
+
 def test_what_is_missing_is_named_in_one_line():
     sys.path.insert(0, str(HOME / "python" / "build_backend"))
     from needs import missing
@@ -138,16 +149,17 @@ def test_a_wheel_that_cannot_be_packed_stays(tmp_path, monkeypatch, fault):
     assert wheel.read_bytes() == whole and os.listdir(tmp_path) == ["a.whl"]
 
 
-@pytest.mark.parametrize("module", ["couplet", "couplet._arches", "couplet._arrays", "couplet._certified", "couplet._answers", "couplet._codes", "couplet._sweeps"])
+@pytest.mark.parametrize("module", ["couplet", "couplet._arches", "couplet._arrays", "couplet._certified", "couplet._answers", "couplet._codes", "couplet._commands", "couplet._sweeps"])
 def test_the_examples_of_the_documentation(module):
     pytest.importorskip("numpy")
-    module = sys.modules[module]
+    module = importlib.import_module(module)
     assert doctest.testmod(module, optionflags=OPTIONS, extraglobs={"couplet": couplet}).failed == 0
 
 
-@pytest.mark.parametrize("page, examples", [("docs/python.md", 10), ("README.md", 2)])
+@pytest.mark.parametrize("page, examples", [("docs/python.md", 10), ("README.md", 2), ("python/README.md", 5)])
 def test_the_examples_of_a_page(page, examples):
     pytest.importorskip("numpy")
+    pytest.importorskip("hypothesis")
     done = doctest.testfile(str(HOME / page), module_relative=False, optionflags=OPTIONS)
     assert done.failed == 0 and done.attempted >= examples
 

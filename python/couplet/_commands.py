@@ -1,0 +1,486 @@
+"""What the command makes, as Python has it: pictures, curves, judged results, samples, audits, scenes."""
+
+from __future__ import annotations
+
+import os
+
+from ._arrays import VERDICTS
+from ._asked import FIELDS as _FIELDS
+from ._asked import named_arch
+from ._command import answer, options
+from ._command import run as _run
+from ._core import CoupletError, modes
+from ._sweeps import _Toml
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping, Sequence
+    from typing import Any, Union
+
+    import numpy as np
+
+    from ._exact import Exact
+
+    Several = Union[Exact, Sequence[Exact], None]
+
+
+class Picture:
+    """A picture, which a notebook shows. ``str()`` is its SVG.
+
+    Attributes:
+        svg: the picture as SVG.
+    """
+
+    __slots__ = ("svg", "_arguments")
+
+    def __init__(self, arguments: list[str]) -> None:
+        self._arguments = arguments
+        self.svg = answer([*arguments, "--format=svg"]).decode()
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+    def __str__(self) -> str:
+        return self.svg
+
+    def __repr__(self) -> str:
+        return f"Picture({' '.join(self._arguments)!r}, {len(self.svg)} characters of SVG)"
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes it anew in the format that the end of the name tells, among those of the command: svg, and of an arch json and dxf."""
+        answer([*self._arguments, f"--output={os.fspath(path)}"])
+
+    def to_dict(self) -> Any:
+        """What it shows, as data (the command's JSON), where there is such."""
+        import json
+
+        return json.loads(answer([*self._arguments, "--format=json"]))
+
+
+def draw(
+    half_opening: Exact | None = None,
+    friction: Exact | None = None,
+    *,
+    friction_angle: Exact | None = None,
+    thickness: Exact | None = None,
+    stones: int | str | None = None,
+    joints: str | Sequence[Exact] | None = None,
+    tilt: Exact | None = None,
+    span: str | None = None,
+    rise: str | None = None,
+    radius: str | None = None,
+    measured_at: str | None = None,
+    density: str | None = None,
+    depth: str | None = None,
+    weight: str = "milankovitch",
+    at: str | None = None,
+    mode: str | None = None,
+    amplitude: float | str | None = None,
+    dilatant: bool = False,
+    half: bool = False,
+    arrows: bool = False,
+    animate: bool = False,
+) -> Picture:
+    """An arch at its least thickness and how it falls there, or with a thickness as it stands; or those of a landmark.
+
+    Args:
+        half_opening and others: as for ``state``; with thickness as for ``assess``.
+        stones: from 2 to 500. joints, tilt: not here; the refusal says why.
+        at: a landmark instead of an arch, by symbol or name.
+        mode: only this mode, where several are possible.
+        amplitude: how far the corner that moves most is moved, in units of r, from 0.001 to 1; 0.12 if it is not given.
+        dilatant: joints that slide open too.
+        half: only the right half. arrows: from where the blocks were. animate: the blocks move.
+
+    Raises: CoupletError if an argument makes no sense; UndecidedError if there is nothing to draw, or nothing is proved.
+
+        >>> print(couplet.draw("80deg", "0.35", half=True).svg[:4])
+        <svg
+    """
+    given = (half_opening, friction, friction_angle, thickness, stones, joints, tilt, span, rise, radius, measured_at, density, depth)
+    (first, second, others), _ = named_arch(dict(zip(_FIELDS, given)))
+    shown = {"weight": weight, "at": at, "mode": mode, "dilatant": dilatant, "half": half, "arrows": arrows, "animate": animate}
+    # Of a size that is shown the decimal is what is meant.
+    size = repr(amplitude) if isinstance(amplitude, float) else amplitude
+    arch = dict(zip(_FIELDS, (first, second, *(others or ()))))
+    return Picture(["draw", *options({**arch, **shown, "amplitude": size})])
+
+
+def figure(number: int, *, weight: str | None = None, tolerance: float | str | None = None) -> Picture:
+    """A figure of the paper, 1 to 12, drawn from proved curves and states.
+
+    Args:
+        weight: the model of self-weight, 'heyman' or 'milankovitch'; of the figures 2 to 5 both if none is named.
+        tolerance: of the figures 2 to 6, the largest half-width of a tube, from 1e-12 to 1; 1e-4 if it is not given.
+
+    Raises: CoupletError if an argument makes no sense; UndecidedError if something in it is not proved.
+    """
+    return Picture(["figure", str(number), *options({"weight": weight, "tolerance": _decimal(tolerance)})])
+
+
+def map(
+    curve: str | Sequence[str] | None = None,
+    *,
+    half_opening: Several = None,
+    thickness: Several = None,
+    friction: Several = None,
+    weight: str | None = None,
+    tolerance: float | str | None = None,
+    plane: str | None = None,
+    lines: bool = False,
+    asymmetric: bool = False,
+    difference: bool = False,
+    mark: str | Sequence[str] | None = None,
+    bare: bool = False,
+    half_opening_unit: str | None = None,
+    friction_unit: str | None = None,
+    scale: str | None = None,
+    half_opening_range: str | None = None,
+    friction_range: str | None = None,
+    thickness_range: str | None = None,
+) -> Picture:
+    """The map of the modes, from curves that are proved for every value of their parameter.
+
+    Args:
+        curve: only these curves (see ``curve``); all if none is named.
+        half_opening, thickness, friction: the lines of these values, one or several.
+        weight: 'heyman', 'milankovitch' or, of lines, 'both'.
+        tolerance: the largest half-width of a tube, from 1e-12 to 1; 1e-4 if it is not given.
+        plane: 'thickness-friction' (usual), 'opening-friction' or 'opening-thickness'.
+        lines: only the lines. asymmetric: what asymmetric branches reach. difference: between the weights.
+        mark: arches to mark ('80deg,0.6,0.15'). bare: without lines of equal values.
+        half_opening_unit, friction_unit, scale: 'deg', 'rad' or 'A'; 'deg', 'rad' or 'mu'; 'linear' or 'log'.
+        half_opening_range, friction_range, thickness_range: what is shown ('120..160').
+
+    Raises: CoupletError if an argument makes no sense; UndecidedError if something in it is not proved.
+    """
+    marks = [mark] if isinstance(mark, str) else mark or ()
+    shown = {
+        "curve": curve, "half_opening": half_opening, "thickness": thickness, "friction": friction, "weight": weight,
+        "tolerance": _decimal(tolerance), "plane": plane, "lines": lines, "asymmetric": asymmetric, "difference": difference,
+        "bare": bare, "half_opening_unit": half_opening_unit, "friction_unit": friction_unit, "scale": scale,
+        "half_opening_range": half_opening_range, "friction_range": friction_range, "thickness_range": thickness_range,
+    }  # fmt: skip
+    return Picture(["map", *options(shown), *(f"--mark={arch}" for arch in marks)])
+
+
+def _decimal(value: float | str | None) -> str | None:
+    """A width, of which the decimal is what is meant."""
+    return value if value is None or isinstance(value, str) else repr(float(value))
+
+
+class Curve:
+    """A curve of the map: arrays over its nodes, with bounds that are proved. Between two nodes there is, for each value of the
+    parameter, exactly one solution, in a tube about the cubic through them.
+
+    Attributes:
+        name, weight: the curve and the model of self-weight.
+        parameter: the name of its parameter.
+        ends: the landmarks from which and to which it goes.
+        gaps: where nothing is proved.
+        widest_tube: the largest half-width.
+        columns: a dictionary of arrays, which pandas, polars and pyarrow take: ``parameter``, of each coordinate NAME_lower and
+            NAME_upper (``half_opening``, ``friction``, ``friction_angle``, ``thickness``, ``thrust``, ``rotation_joint``, ``sliding_joint``;
+            not a number where there is none), value and slope of the cubic NAME_node and NAME_rate, ``tube`` and ``proved`` of the
+            piece that begins there.
+    """
+
+    __slots__ = ("name", "weight", "parameter", "ends", "gaps", "widest_tube", "columns")
+
+    def __init__(self, told: dict[str, Any]) -> None:
+        import numpy as np
+
+        self.name, self.weight, self.parameter = told["curve"], told["weight"], told["parameter"]
+        self.ends, self.gaps, self.widest_tube = (told["from"], told["to"]), told["gaps"], told["widest_tube"]
+        nodes = told["nodes"]
+        names = [name for name in nodes[0] if name not in ("end", "proved")]
+        numbers = {name: [np.nan if node[name] is None else float(node[name]) for node in nodes] for name in names}
+        self.columns: dict[str, np.ndarray[Any, Any]] = {name: np.array(column) for name, column in numbers.items()}
+        self.columns["proved"] = np.array([bool(node["proved"]) for node in nodes])
+
+    def __getitem__(self, name: str) -> np.ndarray[Any, Any]:
+        return self.columns[name]
+
+    def __len__(self) -> int:
+        return len(self.columns["parameter"])
+
+    def __repr__(self) -> str:
+        return f"Curve({self.name!r}, weight={self.weight!r}, {self.ends[0]} to {self.ends[1]}, {len(self)} nodes)"
+
+    def to_dict(self) -> dict[str, Any]:
+        """All of it, for ``json.dumps``; what is not a number is None."""
+        columns = {name: [None if x != x else x for x in array.tolist()] for name, array in self.columns.items()}
+        names = ("name", "weight", "parameter", "ends", "gaps", "widest_tube")
+        return {**{name: getattr(self, name) for name in names}, "ends": list(self.ends), "columns": columns}
+
+
+def curve(name: str, *, weight: str = "milankovitch", tolerance: float | str = "1e-4") -> Curve:
+    """A curve of the map as arrays with bounds (needs NumPy).
+
+    Args:
+        name: 'rotation', 'overturning', 'sliding'; two modes that meet ('rrr/srr'); 'limit', where the thickness reaches 2.
+        weight: the model of self-weight, 'heyman' or 'milankovitch'.
+        tolerance: the largest half-width of a tube, from 1e-12 to 1.
+
+    Raises: CoupletError if an argument makes no sense; UndecidedError if it is not proved.
+
+        >>> line = couplet.curve("rrr/srr", tolerance=1e-3)
+        >>> bool((line["friction_lower"][1:-1] <= line["friction_upper"][1:-1]).all()), line.parameter
+        (True, 'half_opening')
+    """
+    import json
+
+    named = options({"curve": name, "weight": weight, "tolerance": _decimal(tolerance)})
+    curves = json.loads(answer(["map", *named, "--format=json"]))["curves"]
+    if len(curves) != 1:
+        raise CoupletError("one curve at a time, of one weight")
+    return Curve(curves[0])
+
+
+class Judged:
+    """Somebody's results, judged: a sequence with a dictionary for each row, as in docs/columns.md.
+
+    Attributes:
+        rows: the dictionaries: ``verdict``, ``accepted``, ``reason``, ``numbers`` with errors and digits of each number, …
+        accepted: how many rows are accepted.
+        verdicts: how many rows have which verdict.
+    """
+
+    __slots__ = ("rows",)
+
+    def __init__(self, rows: list[dict[str, Any]]) -> None:
+        self.rows = rows
+
+    @property
+    def accepted(self) -> int:
+        """How many rows are accepted."""
+        return sum(row["accepted"] for row in self.rows)
+
+    @property
+    def verdicts(self) -> dict[str, int]:
+        """How many rows have which verdict, the most first."""
+        from collections import Counter
+
+        return dict(Counter(row["verdict"] for row in self.rows).most_common())
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def __getitem__(self, row: int) -> dict[str, Any]:
+        return self.rows[row]
+
+    def __iter__(self) -> Iterator[dict[str, Any]]:
+        return iter(self.rows)
+
+    def __repr__(self) -> str:
+        return f"Judged({len(self)} rows, {self.accepted} accepted: {self.verdicts})"
+
+    def to_dict(self) -> dict[str, Any]:
+        """All of it, for ``json.dumps``."""
+        return {"rows": self.rows, "accepted": self.accepted, "verdicts": self.verdicts}
+
+
+def judge(
+    rows: Any,
+    *,
+    columns: Any = None,
+    keep: str | Sequence[str] | None = None,
+    weight: str | None = None,
+    inputs: str | None = None,
+    accept: int | None = None,
+    threads: int = 0,
+) -> Judged:
+    """Judges somebody else's results: each row against the certified state of its arch (``couplet judge --help`` has all of it).
+
+    Args:
+        rows: a frame of pandas or polars, a table of Arrow, a dictionary of columns, a list of dictionaries, or the path of a file.
+            The columns are ``half_opening`` and ``friction``, perhaps ``weight``, and what is claimed: ``thickness``, ``mode``, ``can_stand``,
+            ``thrust``, …; with ``given_thickness`` also ``stands``, ``geometric_safety``, …. Verdicts and modes may be the
+            codes of ``states``.
+        columns: other names, {"alpha_deg": "half_opening:deg", "t": "thickness"}, or as the command has them, ["t=thickness"]; then
+            only these are read.
+        keep: columns that are handed on to each row, or 'all' that are not read.
+        weight: the model of self-weight of rows that have none; 'milankovitch' if it is not given.
+        inputs: 'double': half openings and frictions are the nearest doubles to what is written, 'exact': what is written. If it is
+            not given 'exact' for a file, else 'double', as a frame has doubles.
+        accept: correct digits that every number of an accepted row must have.
+        threads: threads to compute with; 0 for one on each core.
+
+    Raises: CoupletError if there are no rows, or columns are missing; a row that makes no sense is a row, with its ``reason``.
+
+        >>> mine = {"half_opening": [1.3, 1.3], "friction": [0.5, 0.5], "thickness": [0.0523, 0.0417]}
+        >>> [row["verdict"] for row in couplet.judge(mine)]
+        ['correctly rounded', 'thinner than the least thickness']
+    """
+    import json
+
+    path, data = "-", b""
+    if isinstance(rows, (str, os.PathLike)):
+        path = os.path.abspath(rows)
+    else:
+        data = _table(rows, columns if hasattr(columns, "items") else {})
+    pairs = [f"{theirs}={ours}" for theirs, ours in columns.items()] if hasattr(columns, "items") else columns
+    named = {"columns": pairs, "keep": keep, "weight": weight, "accept": accept, "threads": threads or None}
+    named["inputs"] = inputs or ("exact" if path != "-" else "double")
+    done = _run(["judge", *options(named), "--format=jsonl", "--", path], data)
+    if done.code and not done.output:
+        raise done.failure()
+    return Judged([json.loads(line) for line in done.output.splitlines()])
+
+
+def _table(rows: Any, columns: Mapping[str, str]) -> bytes:
+    """Rows as CSV, with every digit of their doubles."""
+    import csv
+    import io
+
+    table = _columns(rows)
+    lengths = {len(column) for column in table.values()}
+    if len(lengths) > 1:
+        raise CoupletError(f"the columns do not fit each other: they have {', '.join(str(n) for n in sorted(lengths))} rows")
+    for name, column in table.items():
+        if columns.get(name, name).lower() == "mode":
+            table[name] = [_word(mode, modes()) for mode in column]
+    if not columns and "verdict" in table and not {"stands", "can_stand"} & {*table}:
+        # What ``states`` says.
+        words = [_word(verdict, list(VERDICTS)) for verdict in table["verdict"]]
+        name = "stands" if "given_thickness" in table else "can_stand"
+        table[name] = [{"stands": "true", "falls": "false"}.get(word, "") for word in words]
+    text = io.StringIO()
+    write = csv.writer(text)
+    write.writerow(table)
+    write.writerows(zip(*table.values()))
+    return text.getvalue().encode()
+
+
+def _columns(rows: Any) -> dict[str, list[Any]]:
+    if isinstance(rows, (list, tuple)):
+        if not all(hasattr(row, "get") for row in rows):
+            raise TypeError("rows are a frame, a dictionary of columns, a list of dictionaries or the path of a file")
+        keys = dict.fromkeys(name for row in rows for name in row)
+        return {str(name): [_cell(row.get(name)) for row in rows] for name in keys}
+    # Of Arrow; of pandas and polars; of NumPy.
+    names: Any = getattr(rows, "column_names", getattr(rows, "columns", None))
+    names = getattr(getattr(rows, "dtype", None), "names", names)
+    if names is None and not hasattr(rows, "keys"):
+        raise TypeError("rows are a frame, a dictionary of columns, a list of dictionaries or the path of a file")
+    names = rows.keys() if names is None else names
+    table = {}
+    for name in names:
+        column = rows[name]
+        to_list = getattr(column, "tolist", None) or getattr(column, "to_list", None) or getattr(column, "to_pylist", None)
+        table[str(name)] = [_cell(value) for value in (to_list() if to_list else column)]
+    return table
+
+
+def _cell(value: Any) -> Any:
+    """A cell: doubles with all their digits; no other number loses any."""
+    if hasattr(value, "item"):
+        # Of NumPy.
+        value = value.item()
+    return repr(value) if type(value) is float else "" if value is None else value
+
+
+def _word(code: Any, words: list[str]) -> Any:
+    """A word, of which the code may be given; of one that a frame lacks nothing is claimed."""
+    if code == "nan":
+        return ""
+    if not isinstance(code, int):
+        return code
+    return words[code] if 0 <= code < len(words) else ""
+
+
+def sample(count: int = 100, *, hard: bool = False, seed: int = 1) -> list[dict[str, Any]]:
+    """Arches to test a solver with, the same for the same seed: ordinary ones, or hard ones: next to landmarks, tiny, next to half a
+    turn, with frictions like 0, 1e80 and inf. ``couplet.hypothesis`` has strategies of them.
+
+    Returns: a dictionary for each: exact texts ``weight``, ``half_opening``, ``friction``; their doubles ``half_opening_rad``,
+    ``friction_double``; ``family``, the kind.
+
+    Raises: CoupletError if an argument makes no sense.
+
+        >>> arch = couplet.sample(1)[0]
+        >>> couplet.state(arch["half_opening"], arch["friction"], weight=arch["weight"], digits=6).verdict
+        'stands'
+    """
+    import json
+
+    lines = answer(["sample", *options({"count": count, "hard": hard, "seed": seed}), "--format=jsonl"]).splitlines()
+    return [json.loads(line) for line in lines]
+
+
+def audit(*, only: str | Sequence[str] | None = None, weight: str = "both") -> dict[str, Any]:
+    """Every number the paper prints, and its claims on the two weights, against certified values: ``couplet.audit/2``.
+
+    Args:
+        only: the numbers of these landmarks alone.
+        weight: 'heyman', 'milankovitch' or 'both'.
+
+    Returns: a dictionary with ``printed``, a list of numbers with their verdicts, and ``comparisons``.
+
+    Raises: CoupletError if an argument makes no sense; UndecidedError if something is not proved.
+
+        >>> [number["verdict"] for number in couplet.audit(only="T", weight="heyman")["printed"]][:3]
+        ['wrong', 'faithful', 'correctly rounded']
+    """
+    import json
+
+    told: dict[str, Any] = json.loads(answer(["audit", *options({"only": only, "weight": weight}), "--format=json"]))
+    return told
+
+
+class Ran:
+    """What a scene has made.
+
+    Attributes:
+        folder: where its outputs are.
+        outputs: the paths of the files that were written or kept.
+        text: what has no file.
+        undecided: what was not proved, or None.
+    """
+
+    __slots__ = ("folder", "outputs", "text", "undecided")
+
+    def __init__(self, folder: str, outputs: list[str], text: str, undecided: str | None) -> None:
+        self.folder, self.outputs, self.text, self.undecided = folder, outputs, text, undecided
+
+    def __repr__(self) -> str:
+        return f"Ran({self.folder!r}, outputs={self.outputs!r}, undecided={self.undecided!r})"
+
+    def to_dict(self) -> dict[str, Any]:
+        """All of it, for ``json.dumps``."""
+        return {name: getattr(self, name) for name in self.__slots__}
+
+
+def run(
+    scene: str | os.PathLike[str] | Mapping[str, Any],
+    output: str | os.PathLike[str] = "",
+    *,
+    resume: bool = False,
+    overwrite: bool = False,
+) -> Ran:
+    """Computes what a scene asks for, and writes it (``couplet run --schema`` shows every key).
+
+    Args:
+        scene: the path of a scene (TOML), or its keys as a dictionary, of which a float is the double that it is.
+        output: the folder of its outputs, made if need be; the working folder if it is not given.
+        resume: keep an output that is there if what is asked has not changed. overwrite: replace files that no run wrote.
+
+    Raises: CoupletError if the scene makes no sense, with all its faults, of a dictionary with their keys; OSError if something
+        cannot be read or written.
+
+        >>> couplet.run({"arches": [{"half_opening": "80deg", "friction": "0.6", "quantities": "thickness", "digits": 5}]}).text.split()[-1]
+        '0.068650'
+    """
+    toml, path = None, "-"
+    if isinstance(scene, (str, os.PathLike)):
+        path = os.path.abspath(scene)
+    else:
+        toml = _Toml({"schema": "couplet.scene/1", **scene})
+    folder = os.path.abspath(output)
+    named = options({"resume": resume, "overwrite": overwrite})
+    done = _run(["run", *named, f"--output={folder}", "--", path], toml.text.encode() if toml else b"")
+    if done.code > 1 or done.code < 0:
+        faults = "\n".join(toml.named(line, "standard input:{}:{}: ") if toml else line for line in done.lines)
+        raise CoupletError(faults) if done.code == 2 and faults else done.failure()
+    outputs = [line.split(None, 1)[1] for line in done.lines if line.startswith(("written ", "kept "))]
+    return Ran(folder, outputs, done.output.decode(), done.sentence or None)
