@@ -235,8 +235,9 @@ pub unsafe extern "C" fn couplet_find(
                     return Err(wrong("give friction or half_opening; the other one is found"));
                 }
             };
-            let (question, understood) =
+            let question =
                 sought::question((target, modes), &asked, Spelling::Key).map_err(wrong)?;
+            let understood = sought::understood(&asked, Spelling::Key).map_err(wrong)?;
             let digits = state_digits(digits)?;
             let found = seek::find(weight, &question, digits);
             if let Err(Error::Refused(refused)) = &found {

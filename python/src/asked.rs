@@ -225,8 +225,7 @@ pub(crate) fn find<'py>(
     let weight = parse::weight(weight).map_err(wrong)?;
     let what = sought::what(target.0).map_err(wrong)?;
     let modes = target.1.map(sought::line).transpose().map_err(wrong)?;
-    let (question, _) =
-        sought::question((what, modes), &asked(texts), Spelling::Key).map_err(failed)?;
+    let question = sought::question((what, modes), &asked(texts), Spelling::Key).map_err(failed)?;
     let digits = parse::state_digits(digits).map_err(wrong)?;
     let found = py.detach(|| on_threads(1, || seek::find(weight, &question, digits)))?;
     if let Err(Error::Refused(refused)) = &found {

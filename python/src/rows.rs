@@ -6,10 +6,9 @@ use couplet::Error;
 use couplet::ask::{ArchAsked, Field, Spelling};
 use couplet::certify::batch::{BatchRow, DoubleArches};
 use couplet::certify::state::find;
-use couplet::cli::doors;
 use couplet::problem::Quantity;
 use couplet::report::Answer;
-use couplet::sweep::parse;
+use couplet::sweep::{find as sought, parse};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyBytes;
@@ -75,15 +74,15 @@ pub(crate) fn finds(
 ) -> PyResult<Vec<Sought>> {
     let wrong = CoupletError::new_err::<String>;
     let weight = parse::weight(weight).map_err(wrong)?;
-    let what = doors::what(target.0).map_err(wrong)?;
-    let modes = target.1.map(doors::line).transpose().map_err(wrong)?;
+    let what = sought::what(target.0).map_err(wrong)?;
+    let modes = target.1.map(sought::line).transpose().map_err(wrong)?;
     let sought = |[half_opening, friction, thickness]: [Option<String>; 3]| {
         let mut asked = ArchAsked::default();
         *asked.at(Field::HalfOpening) = half_opening;
         *asked.at(Field::Friction) = friction;
         *asked.at(Field::Thickness) = thickness;
         let nothing = |code, why: Option<String>| (code, [f64::NAN; 3], why);
-        let question = match doors::find((what, modes), &asked, Spelling::Key) {
+        let question = match sought::question((what, modes), &asked, Spelling::Key) {
             Ok(question) => question,
             Err(failure) => return nothing(3, Some(failure.to_string())),
         };

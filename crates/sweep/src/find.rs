@@ -53,10 +53,9 @@ pub fn question(
     (what, modes): (FindTarget, Option<Line>),
     asked: &ArchAsked,
     spelling: Spelling,
-) -> Result<(Question, Understood), Failure> {
+) -> Result<Question, Failure> {
     QUESTION.fits(asked, spelling)?;
     let given = ArchGiven::new(asked, spelling)?;
-    let understood = Understood::new(asked, &given);
     let ArchGiven { half_opening, friction, thickness: eta, .. } = given;
     let given = [half_opening.is_some(), friction.is_some(), eta.is_some()];
     let name = |field| spelling.of(field);
@@ -77,7 +76,7 @@ pub fn question(
     let pair = (modes.is_some(), "a pair of modes".to_owned());
     let [alpha, mu, angle] = [Field::HalfOpening, Field::Friction, Field::FrictionAngle].map(name);
     let [has_alpha, has_mu, is_thick] = given;
-    let question = match what {
+    Ok(match what {
         FindTarget::HalfOpening => {
             too_much(&[pair, (has_alpha, alpha)])?;
             let example = "half-opening --thickness 0.15 --friction 0.6";
@@ -107,6 +106,10 @@ pub fn question(
             };
             Question::Boundary { line, given }
         }
-    };
-    Ok((question, understood))
+    })
+}
+
+/// The question as it is understood, once it is read.
+pub fn understood(asked: &ArchAsked, spelling: Spelling) -> Result<Understood, Failure> {
+    Ok(Understood::new(asked, &ArchGiven::new(asked, spelling)?))
 }

@@ -2,16 +2,14 @@
 
 use crate::arch::asymmetric::AsymmetricMode;
 use crate::arch::{NoWeight, SelfWeight};
-use crate::certify::state::find::{Given, Question};
 use crate::certify::{MAX_ARCH_DIGITS, MAX_DIGITS, Refused};
 use crate::check::{self, Engine};
 use crate::claims::{Claim, claims};
 use crate::number::{Ball, ExactNumber};
-use crate::problem::{Arch, Friction, Landmark, Line, Mode, NoLandmark, Quantity};
+use crate::problem::{Arch, Landmark, Mode, NoLandmark, Quantity};
 use crate::report::words::{did_you_mean, list, shortened};
 use crate::report::{Content, Format};
 use std::collections::HashSet;
-use std::str::FromStr;
 
 /// A name that is not known: what the names are, and the one that was perhaps meant.
 pub fn unknown(kind: &str, written: &str, names: &[&str]) -> String {
@@ -163,33 +161,6 @@ pub fn thickness(text: &str) -> Result<ExactNumber, String> {
 pub fn arch([weight, half_opening, friction]: [&str; 3]) -> Result<Arch, String> {
     let weight = self::weight(weight)?;
     Arch::parse(weight.name(), half_opening, friction).map_err(|error| error.to_string())
-}
-
-/// The question of which one answer is found: with the modes of a boundary that where one becomes the other, else the
-/// friction if the half opening is given, and the half opening if the friction is.
-pub fn question(
-    modes: Option<&str>,
-    (half_opening, friction): (Option<&str>, Option<&str>),
-    thickness: Option<&str>,
-) -> Result<Question, String> {
-    fn read<T: FromStr<Err: ToString>>(text: Option<&str>) -> Result<Option<T>, String> {
-        text.map(|text| text.parse().map_err(|error: T::Err| error.to_string())).transpose()
-    }
-    let (half_opening, friction) = (read::<ExactNumber>(half_opening)?, read(friction)?);
-    let thickness = thickness.map(self::thickness).transpose()?;
-    match (read::<Line>(modes)?, half_opening, friction) {
-        (Some(_), ..) if thickness.is_some() => {
-            Err("a thickness does not belong to a boundary".to_owned())
-        }
-        (Some(_), None, Some(Friction::Infinite)) => Err(Refused::UnlimitedFriction.to_string()),
-        (Some(line), None, Some(mu)) => Ok(Question::Boundary { line, given: Given::Friction(mu) }),
-        (Some(line), Some(alpha), None) => {
-            Ok(Question::Boundary { line, given: Given::HalfOpening(alpha) })
-        }
-        (None, None, Some(friction)) => Ok(Question::HalfOpening { friction, thickness }),
-        (None, Some(half_opening), None) => Ok(Question::Friction { half_opening, thickness }),
-        _ => Err("give friction or half_opening; the other one is found".to_owned()),
-    }
 }
 
 /// The claims named, all if none is: each by its id or by the beginning of it up to a hyphen.

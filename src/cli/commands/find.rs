@@ -46,7 +46,8 @@ pub(crate) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let target = (arguments.what, arguments.modes);
-    let (question, asked) = find::question(target, &arguments.arch.asked, Spelling::Option)?;
+    let question = find::question(target, &arguments.arch.asked, Spelling::Option)?;
+    let asked = find::understood(&arguments.arch.asked, Spelling::Option)?;
     let quantities = arguments.output.quantities(&found_by(&question))?;
     let (file, format) = arguments.output.open()?;
     notes::frictions(given_friction(&question));
