@@ -56,7 +56,7 @@ pub fn run() -> ExitCode {
 /// Exit code of a run with these arguments, without the name of the program; the exit code.
 pub fn run_from(arguments: Vec<OsString>) -> u8 {
     line::keep(&arguments);
-    let program = Cli::command().color(color(&arguments));
+    let program = grouped(Cli::command()).color(color(&arguments));
     let words = std::iter::once("couplet".into()).chain(arguments);
     let parsed = program.try_get_matches_from(words);
     let parsed = parsed.and_then(|found| Cli::from_arg_matches(&found));
@@ -76,6 +76,18 @@ pub fn run_from(arguments: Vec<OsString>) -> u8 {
             }
         }
     }
+}
+
+/// The program with its commands in groups.
+fn grouped(program: clap::Command) -> clap::Command {
+    let groups = commands::grouped(&program);
+    let template = format!(
+        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{groups}{{all-args}}{{after-help}}"
+    );
+    program
+        .override_usage("couplet [OPTIONS] <COMMAND>")
+        .mut_subcommands(|command| command.hide(true))
+        .help_template(template)
 }
 
 impl Cli {

@@ -32,6 +32,7 @@ mod misuse;
 mod number_suite;
 #[cfg(unix)]
 mod outputs;
+mod questions;
 mod rooms;
 mod scenes;
 mod standing;

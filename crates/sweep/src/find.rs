@@ -36,7 +36,8 @@ pub fn line(text: &str) -> Result<Line, String> {
     text.parse().map_err(|error: NoLine| error.to_string())
 }
 
-const QUESTION: ArchQuestion = ArchQuestion {
+/// Question about an arch of which one thing is sought.
+pub const QUESTION: ArchQuestion = ArchQuestion {
     refuses: &[
         (Field::Stones, "what is found is of an arch with a joint at every angle"),
         (Field::Joints, "what is found is of an arch with a joint at every angle"),

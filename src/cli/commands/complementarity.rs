@@ -73,7 +73,8 @@ enum At {
     Least,
 }
 
-const QUESTION: ArchQuestion = ArchQuestion {
+/// Question about the solutions of (19).
+pub const QUESTION: ArchQuestion = ArchQuestion {
     refuses: &[
         (Field::Joints, "stones are of one angle here, --stones"),
         (Field::Tilt, "the conditions (19) have no acceleration"),

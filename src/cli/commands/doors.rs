@@ -4,6 +4,7 @@ pub use super::assess::QUESTION as ASSESS;
 pub use super::certify::{
     ARCH as CERTIFY_ARCH, ASYMMETRIC as CERTIFY_ASYMMETRIC, STATE as CERTIFY_STATE,
 };
+pub use super::complementarity::QUESTION as COMPLEMENTARITY;
 pub use super::draw::{QUESTION as DRAW, drawn};
 pub use super::state::QUESTION as STATE;
 pub use super::tilt::tilted;

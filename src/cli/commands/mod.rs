@@ -37,21 +37,32 @@ use super::{check, completions, man};
 use crate::sweep::failure::Failure;
 use clap::Subcommand;
 
-/// The commands, each with the module of its arguments; completions and the manual are made of them all.
+/// The commands in the groups of the help: each with the module of its arguments, what else it is called by who does
+/// not know its name yet, and examples. Completions and the manual are made of them all.
 macro_rules! commands {
-    ($($(#[$feature:meta])? $name:ident($module:ident)),*) => {
+    ($($group:literal {
+        $($(#[$feature:meta])? $name:ident($module:ident) [$($alias:literal)*] $($example:expr),+;)*
+    })*) => {
         #[derive(Subcommand)]
         pub(super) enum Command {
-            $($(#[$feature])? $name($module::Arguments),)*
+            $($(
+                $(#[$feature])?
+                #[command(aliases = [$($alias),*] as [&str; _], after_help = examples(&[$($example),+]))]
+                $name($module::Arguments),
+            )*)*
             Completions(completions::Arguments),
             Man(man::Arguments),
         }
 
         impl Command {
+            /// Groups of commands, each with its heading.
+            pub(super) const GROUPS: &[(&str, &[&str])] =
+                &[$(($group, &[$(stringify!($name)),*]),)* ("The program", &["Completions", "Man"])];
+
             /// Runs the command; `program` describes the whole command line.
             pub(super) fn run(&self, program: fn() -> clap::Command) -> Result<(), Failure> {
                 match self {
-                    $($(#[$feature])? Self::$name(arguments) => $module::run(arguments),)*
+                    $($($(#[$feature])? Self::$name(arguments) => $module::run(arguments),)*)*
                     Self::Completions(arguments) => completions::run(arguments, program()),
                     Self::Man(arguments) => man::run(arguments, program()),
                 }
@@ -60,29 +71,85 @@ macro_rules! commands {
     };
 }
 
-commands!(
-    Constants(constants),
-    State(state),
-    Assess(assess),
-    Find(find),
-    Equation(equation),
-    Voussoirs(voussoirs),
-    Complementarity(complementarity),
-    Map(map),
-    Draw(draw),
-    Figure(figure),
-    States(states),
-    Sweep(sweep),
-    Sample(sample),
-    Judge(judge),
-    Audit(audit),
-    Prove(prove),
-    Run(run),
-    Certify(certify),
-    Check(check),
-    #[cfg(feature = "study")]
-    Study(study)
-);
+commands! {
+    "An arch" {
+        State(state) ["mechanism"]
+            state::QUESTION.example,
+            "couplet state --span 10m --rise 3m --friction 31deg --weight both --digits 6";
+        Assess(assess) ["safety" "thrust"]
+            assess::QUESTION.example,
+            "couplet assess --span 18.9m --rise 4.2m --thickness 90cm --stones 41 --friction 0.6 --tilt 5deg",
+            "couplet assess --span 33ft --rise 10ft --thickness 2ft --friction 0.6 -o bridge.svg";
+        Find(find) []
+            "couplet find half-opening --thickness 0.15 --friction 0.6",
+            "couplet find friction --half-opening 80deg --thickness 0.1",
+            "couplet find boundary rrs/rsr --friction 1.6";
+        Equation(equation) []
+            "couplet equation 7 --rotation-joint 1.0",
+            "couplet equation 12 --rotation-joint 57deg --weight heyman --digits 50";
+        Voussoirs(voussoirs) ["stones"]
+            voussoirs::QUESTION.example,
+            "couplet voussoirs --half-opening pi/2 --friction 0.6 --stones 2..40 -o convergence.svg";
+        Complementarity(complementarity) []
+            complementarity::QUESTION.example,
+            "couplet complementarity --half-opening pi/2 --friction 0.4 --stones 5 --half";
+    }
+    "Many arches" {
+        States(states) []
+            "couplet sample --count 20 -o arches.csv && couplet states arches.csv --digits 17 -o states.csv";
+        Sweep(sweep) [] "couplet sweep --schema";
+        Sample(sample) [] "couplet sample --hard --count 1000 --seed 1 -o hard.csv";
+        Judge(judge) ["compare" "verify"]
+            "couplet sample --count 20 | couplet states - --digits 17 --format csv -o theirs.csv && \
+             couplet judge theirs.csv";
+        Run(run) ["scene"] "couplet run --schema > scene.toml && couplet run scene.toml --plan";
+    }
+    "Pictures" {
+        Map(map) ["plot"]
+            "couplet map --lines --tolerance 1e-2 -o map.svg",
+            "couplet map --curve rrr/srr --at 80deg --digits 50";
+        Draw(draw) ["picture"]
+            draw::QUESTION.example,
+            "couplet draw --at T --mode [s,r,r] -o triple.png";
+        Figure(figure) [] "couplet figure 7 -o figure7.svg";
+    }
+    "Proofs for others" {
+        Certify(certify) ["certificate"]
+            "couplet certify T --digits 100 -o T.json",
+            certify::STATE.example;
+        Check(check) [] "couplet certify T --digits 100 -o T.json && couplet check T.json";
+    }
+    "The paper" {
+        Constants(constants) ["landmarks"]
+            "couplet constants T --digits 50",
+            "couplet constants --weight milankovitch --format csv -o constants.csv";
+        Audit(audit) [] "couplet audit --weight heyman";
+        Prove(prove) ["claims"] "couplet prove eq-8 --show", "couplet prove --index";
+        #[cfg(feature = "study")]
+        Study(study) [] "couplet study --help";
+    }
+}
+
+/// Examples below the help of a command.
+fn examples(all: &[&str]) -> String {
+    let lines: Vec<String> = all.iter().map(|example| format!("  {example}")).collect();
+    format!("Examples:\n{}", lines.join("\n"))
+}
+
+/// Commands of a program in groups, for its help.
+pub(super) fn grouped(program: &clap::Command) -> String {
+    let mut help = String::new();
+    for (group, names) in Command::GROUPS {
+        help += &format!("{group}:\n");
+        let of = |name: &&str| program.find_subcommand(name.to_lowercase());
+        for command in names.iter().filter_map(of) {
+            let about = command.get_about().map(ToString::to_string).unwrap_or_default();
+            help += &format!("  {:<16} {about}\n", command.get_name());
+        }
+        help.push('\n');
+    }
+    help
+}
 
 impl Command {
     /// Tells whether the command computes on many threads.

@@ -4,11 +4,11 @@ use super::given_rows::{GivenRows, source};
 use super::output::{OutputFile, chosen};
 use super::stream::{Chunk, Progress, in_order};
 use crate::arch::SelfWeight;
-use crate::ask::Field;
+use crate::ask::{Field, Spelling, given_thickness};
 use crate::certify::Refused;
 use crate::certify::batch::SharedOpenings;
 use crate::certify::state::Balls;
-use crate::problem::{Quantity, thickness};
+use crate::problem::Quantity;
 use crate::report::{Answer, Answers, Content, Format, Status};
 use crate::sweep::answer;
 use crate::sweep::failure::Failure;
@@ -202,8 +202,8 @@ fn found(
         let found = asked.openings.state(&arch);
         return Ok(answer::state(line, (&arch, measures), digits, &found));
     };
-    let eta = thickness(&reader.spelling.exact(text), measures);
-    let eta = eta.map_err(|error| error.to_string())?;
+    let eta = given_thickness(&reader.spelling.exact(text), measures, Spelling::Key);
+    let eta = eta.map_err(|misfit| misfit.message)?;
     let found = asked.openings.assess(&arch, &eta);
     Ok(answer::assessment(line, (&arch, &eta, measures), digits, &found))
 }

@@ -4,11 +4,47 @@ use crate::program::couplet;
 use std::process::{Command, Stdio};
 
 /// The commands of this build, from its help.
-fn commands() -> Vec<String> {
+pub(super) fn commands() -> Vec<String> {
     let help = String::from_utf8(couplet(&["--help"]).stdout).unwrap();
-    let list = help.split("Commands:\n").nth(1).unwrap().split("\n\n").next().unwrap().to_owned();
-    let names = list.lines().map(|line| line.split_whitespace().next().unwrap().to_owned());
-    names.filter(|name| name != "help").collect()
+    let (groups, _) = help.split_once("\nOptions:").unwrap();
+    let lines = groups.lines().skip(4).filter_map(|line| line.strip_prefix("  "));
+    lines.map(|line| line.split_whitespace().next().unwrap().to_owned()).collect()
+}
+
+/// The help of each command ends with examples, and they work, one after the other in a folder that was empty.
+#[test]
+fn the_examples_of_the_help_work() {
+    let program = std::path::Path::new(env!("CARGO_BIN_EXE_couplet")).parent().unwrap();
+    let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap());
+    let all = commands();
+    assert!(all.len() >= 20 && all.contains(&"state".to_owned()), "{all:?}");
+    for name in all.iter().filter(|name| !["completions", "man"].contains(&name.as_str())) {
+        let help = String::from_utf8(couplet(&[name, "--help"]).stdout).unwrap();
+        let (_, examples) = help.split_once("\nExamples:\n").unwrap_or_else(|| panic!("{name}"));
+        let folder = tempfile::tempdir().unwrap();
+        for example in examples.lines() {
+            let mut shell = Command::new("sh");
+            shell.args(["-c", example]).env("PATH", &path).current_dir(folder.path());
+            let output = shell.output().unwrap();
+            let said = String::from_utf8_lossy(&output.stderr);
+            assert!(output.status.success(), "{example}: {said}");
+            assert!(example.contains(&format!("couplet {name}")), "{example}");
+        }
+    }
+}
+
+/// What is typed first by who does not know a command's name is that command.
+#[test]
+fn other_words_for_a_command_are_it() {
+    for (word, name) in [
+        ("plot", "map"),
+        ("mechanism", "state"),
+        ("thrust", "assess"),
+        ("safety", "assess"),
+        ("compare", "judge"),
+    ] {
+        assert_eq!(couplet(&[word, "--help"]).stdout, couplet(&[name, "--help"]).stdout, "{word}");
+    }
 }
 
 /// Runs a program if it is there; what it complains of.

@@ -5,3 +5,4 @@ mod columns;
 mod manual;
 mod pages;
 mod pictures;
+mod questions;

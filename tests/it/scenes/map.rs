@@ -112,7 +112,7 @@ fn faults_of_maps_have_their_places() {
             "[[map]]\neta = 1\noutput = \"x.svg\"",
             "2:1: over thickness and friction lines of a half opening",
         ),
-        ("[[map]]\nalpha = 4", "3:9: half_opening 4 is not between 0 and pi"),
+        ("[[map]]\nalpha = 4", "3:9: the half opening 4 is not between 0 and pi"),
         ("[[map]]\ncurves = \"limit\"\noutput = \"x.html\"", "2:1: a page shows the whole map"),
         ("[[map]]\nnumber = 5", "3:1: unknown key \"number\" in [[map]]"),
         ("[[figure]]\noutput = \"x.svg\"", "2:1: number is missing; a figure is one of 1 to 12"),

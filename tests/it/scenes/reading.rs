@@ -46,7 +46,7 @@ fn no_scene_is_so_large_that_reading_it_takes_long() {
     assert_eq!(said.len(), 300_000);
     assert_eq!(
         said[299_999],
-        "4:600015: half_opening 9 is not between 0 and pi (180deg); did you mean 9deg?"
+        "4:600015: the half opening 9 is not between 0 and pi (180deg); did you mean 9deg?"
     );
 }
 

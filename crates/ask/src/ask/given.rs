@@ -60,10 +60,7 @@ impl ArchGiven {
             None => None,
         };
         let thickness = asked.thickness.as_deref();
-        let thickness = thickness.map(|text| {
-            self::thickness(text, measures.as_ref())
-                .map_err(|error| Misfit::new(Field::Thickness, hinted(&error, spelling)))
-        });
+        let thickness = thickness.map(|text| given_thickness(text, measures.as_ref(), spelling));
         let (thickness, tilt) = (thickness.transpose()?, tilt(asked, friction.as_ref(), spelling)?);
         Ok(Self { half_opening, friction, measures, thickness, stones, tilt })
     }
@@ -136,6 +133,16 @@ fn stones(asked: &ArchAsked) -> Result<Option<StonesAsked>, Misfit> {
         (None, Some(text)) => StonesAsked::joints(text).map(Some).map_err(|why| Misfit::new(Field::Joints, why)),
         (None, None) => Ok(None),
     }
+}
+
+/// Thickness over the radius, of a text that is a ratio or, of an arch with measures, a length.
+pub fn given_thickness(
+    text: &str,
+    measures: Option<&Measures>,
+    spelling: Spelling,
+) -> Result<ExactNumber, Misfit> {
+    thickness(text, measures)
+        .map_err(|error| Misfit::new(Field::Thickness, hinted(&error, spelling)))
 }
 
 /// Reason why a thickness is refused, with what would do.

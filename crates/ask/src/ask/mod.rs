@@ -15,6 +15,6 @@ mod question;
 mod stones;
 
 pub use arch::{ArchAsked, Field};
-pub use given::ArchGiven;
+pub use given::{ArchGiven, given_thickness};
 pub use question::{ArchQuestion, Misfit, Spelling};
 pub use stones::{MOST_NUMBERS, StonesAsked};

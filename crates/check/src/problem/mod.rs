@@ -69,5 +69,5 @@ pub use problem::Problem;
 pub use quantity::Quantity;
 pub use slope::{Slope, SlopeError};
 pub use system::{Fixed, System};
-pub use thickness::{ThicknessError, bare_ratio, thickness};
+pub use thickness::{ThicknessError, thickness};
 pub use verdict::{Nearest, Standing, Verdict};

@@ -49,7 +49,7 @@ says!(ThicknessError {
 });
 
 /// The number of a ratio to the radius, which may say that it is one: `0.1r`.
-pub fn bare_ratio(text: &str) -> &str {
+fn bare_ratio(text: &str) -> &str {
     let text = text.trim();
     text.strip_suffix('r').map_or(text, str::trim_end)
 }

@@ -174,6 +174,10 @@ impl Columns {
             })
         };
         let [span, rise] = [Field::Span, Field::Rise].map(|field| has(Role::Size(field)));
+        if span != rise {
+            let [one, other] = if span { ["span", "rise"] } else { ["rise", "span"] };
+            return Err(format!("{one} needs {other}"));
+        }
         if !(has(Role::HalfOpening) || span && rise) {
             return wanted("the half opening", Role::HalfOpening);
         }

@@ -77,7 +77,7 @@ pub(super) fn half_openings(table: &mut TableReader) -> Option<Numbers> {
     let meaning = Meaning::HalfOpening;
     match table.given(meaning) {
         Some(value) => numbers(table.reader, meaning, value),
-        None => table.refuse(format!("half_opening is missing; give {}", meaning.allowed())),
+        None => table.refuse("half_opening is missing"),
     }
 }
 
@@ -89,13 +89,10 @@ pub(super) fn frictions(table: &mut TableReader) -> Option<Numbers> {
     });
     match given {
         [Some(_), Some((angle, _))] => {
-            table.reader.refuse(angle, "both friction and friction_angle; give one of them")
+            table.reader.refuse(angle, "friction and friction_angle say the same: give one of them")
         }
         [Some((_, numbers)), None] | [None, Some((_, numbers))] => numbers,
-        [None, None] => {
-            let (mu, phi) = (Meaning::Friction.allowed(), Meaning::FrictionAngle.allowed());
-            table.refuse(format!("friction is missing; give {mu}, or friction_angle, {phi}"))
-        }
+        [None, None] => table.refuse("friction (or friction_angle) is missing"),
     }
 }
 

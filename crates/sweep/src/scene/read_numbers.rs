@@ -3,8 +3,9 @@
 use super::schema::MAX_ARCHES;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
-use crate::number::{ExactNumber, Form, ParseExactError, terminating};
-use crate::problem::{Arch, ArchError, Friction, Quantity, bare_ratio, is_thickness};
+use crate::ask::{Spelling, given_thickness};
+use crate::number::{ExactNumber, Form, terminating};
+use crate::problem::{Arch, Friction, Quantity};
 use crate::report::words::shortened;
 use rug::Rational;
 use toml::de::{DeTable, DeValue};
@@ -42,7 +43,7 @@ impl Numbers {
     }
 
     /// All of them, if they can be written as numbers that are read.
-    pub(super) fn all(self) -> Result<Vec<SceneNumber>, ParseExactError> {
+    pub(super) fn all(self) -> Result<Vec<SceneNumber>, String> {
         match self {
             Self::Listed(all) => Ok(all),
             Self::Range { meaning, first, step, unit, steps } => {
@@ -105,44 +106,40 @@ impl Meaning {
         }
     }
 
-    fn read(self, text: &str) -> Result<SceneNumber, ParseExactError> {
+    /// Number of a text, in the range that an arch allows: refused with the sentence of every other door.
+    fn read(self, text: &str) -> Result<SceneNumber, String> {
+        fn said(error: impl ToString) -> String {
+            error.to_string()
+        }
+        let is_possible = |alpha: Option<&ExactNumber>, friction: Friction| {
+            let one = || ExactNumber::from(&Rational::from(1));
+            let alpha = alpha.cloned().unwrap_or_else(one);
+            Arch::new(SelfWeight::Milankovitch, alpha, friction).map(|_| ()).map_err(said)
+        };
         let (number, is_angle) = match self {
-            Self::Friction => match text.parse()? {
-                Friction::Coefficient(mu) => (Some(mu), false),
-                Friction::Angle(phi) => (Some(phi), true),
-                Friction::Infinite => (None, false),
-            },
-            Self::FrictionAngle => (Some(text.parse()?), true),
-            Self::HalfOpening => (Some(text.parse()?), false),
-            Self::Thickness => (Some(bare_ratio(text).parse()?), false),
+            Self::HalfOpening => {
+                let alpha = text.parse().map_err(said)?;
+                is_possible(Some(&alpha), Friction::Infinite)?;
+                (Some(alpha), false)
+            }
+            Self::Friction | Self::FrictionAngle => {
+                let friction = match self {
+                    Self::Friction => text.parse().map_err(said)?,
+                    _ => Friction::Angle(text.parse().map_err(said)?),
+                };
+                is_possible(None, friction.clone())?;
+                match friction {
+                    Friction::Coefficient(mu) => (Some(mu), false),
+                    Friction::Angle(phi) => (Some(phi), true),
+                    Friction::Infinite => (None, false),
+                }
+            }
+            Self::Thickness => {
+                let eta = given_thickness(text, None, Spelling::Key);
+                (Some(eta.map_err(|misfit| misfit.message)?), false)
+            }
         };
         Ok(SceneNumber { number, is_angle, text: text.to_owned() })
-    }
-
-    /// The range that a number is not in, if it is not, and what it may have been meant to be.
-    fn outside(self, given: &SceneNumber) -> Option<String> {
-        let number = given.number.as_ref()?;
-        let weight = SelfWeight::Milankovitch;
-        let one = || ExactNumber::from(&Rational::from(1));
-        let made = match self {
-            Self::HalfOpening => Arch::new(weight, number.clone(), Friction::Infinite),
-            Self::Friction | Self::FrictionAngle => {
-                Arch::new(weight, one(), given.clone().friction())
-            }
-            // Between 0 and 2 too, but no ratio.
-            Self::Thickness if !number.is_rational() => return Some(self.allowed().to_owned()),
-            Self::Thickness => {
-                return (!is_thickness(number)).then(|| "between 0 and 2".to_owned());
-            }
-        };
-        let error = made.err()?;
-        let range = match error {
-            ArchError::HalfOpening(_) => "between 0 and pi (180deg)",
-            ArchError::Friction(_) => "0 or more",
-            ArchError::FrictionAngle(_) => "between 0 and pi/2 (90deg)",
-            _ => self.allowed(),
-        };
-        Some(format!("{range}{}", error.hint()))
     }
 }
 
@@ -179,16 +176,8 @@ fn number(reader: &mut TomlReader, meaning: Meaning, value: &TomlValue) -> Optio
         _ => TomlReader::literal(value),
     };
     let Some(text) = text else { return reader.reject(key, value, allowed) };
-    match meaning.read(text.strip_prefix('+').unwrap_or(text)) {
-        Ok(given) => match meaning.outside(&given) {
-            Some(range) => reader.reject(key, value, &range),
-            None => Some(given),
-        },
-        Err(ParseExactError::Syntax(_) | ParseExactError::Friction(_)) => {
-            reader.reject(key, value, allowed)
-        }
-        Err(error) => reader.refuse(value.span(), format!("{key}: {error}")),
-    }
+    let read = meaning.read(text.strip_prefix('+').unwrap_or(text));
+    read.map_err(|message| reader.fault(value.span(), message)).ok()
 }
 
 /// `{ from, to, steps }`: `steps` numbers at equal distances, both ends included.

@@ -98,7 +98,7 @@ impl<'a, 's> TableReader<'a, 's> {
 
     /// All numbers of a list or of a range, if they can be written as numbers that are read.
     pub(super) fn written(&mut self, numbers: Numbers) -> Option<Vec<SceneNumber>> {
-        numbers.all().map_err(|error| self.refuse::<()>(error.to_string())).ok()
+        numbers.all().map_err(|error| self.refuse::<()>(error)).ok()
     }
 
     /// Tells whether nothing was wrong since there were so many faults.

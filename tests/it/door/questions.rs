@@ -1,0 +1,170 @@
+//! `docs/questions.md`: which question is asked where, and what an arch may be given by, made of the questions
+//! themselves.
+
+use super::manual::commands;
+use couplet::ask::{ArchQuestion, Field};
+use couplet::cli::doors;
+use couplet::scene::ItemKind;
+use std::fs;
+use std::path::Path;
+
+/// What a question is, and for the command, a scene, a row, Python, C and the page its name there, or behind `!` why it
+/// has none.
+const QUESTIONS: [[&str; 7]; 17] = [
+    ["an arch at its least thickness", "state", "arches", "states", "state", "couplet_arch", "yes"],
+    ["an arch of a thickness", "assess", "arches", "states", "assess", "couplet_arch", "yes"],
+    ["an arch of stones", "voussoirs", STONES, STONES, "voussoirs", NO_C, STONES],
+    ["a tilted arch", "assess", TILT, TILT, "tilt", NO_C, TILT],
+    [
+        "the half opening, the friction or the boundary",
+        "find",
+        FIND,
+        FIND,
+        "find",
+        "couplet_find",
+        FIND,
+    ],
+    ["an equation of the paper", "equation", EQUATION, EQUATION, EQUATION, NO_C, EQUATION],
+    ["all solutions of (19)", "complementarity", COSTS, COSTS, COSTS, NO_C, COSTS],
+    ["many arches, one a row", "states", "arches", "states", "states", "couplet_states", ONE],
+    ["grids and samples of arches", "sweep", OWN_PLAN, "!rows are given", "sweep", NO_C, ONE],
+    ["somebody else's results", "judge", TABLE, "!the judge reads rows itself", "judge", NO_C, ONE],
+    ["a map of the modes", "map", "map", PICTURE, "map", NO_C, "yes"],
+    ["a drawing of an arch", "draw", "drawing", PICTURE, "draw", NO_C, "yes"],
+    ["a figure of the paper", "figure", "figure", PICTURE, "figure", NO_C, ONE],
+    [
+        "landmark constants",
+        "constants",
+        "constants",
+        LANDMARK,
+        "constants",
+        "couplet_constant",
+        "yes",
+    ],
+    [
+        "a certificate",
+        "certify",
+        "!a certificate is a file of its own",
+        LANDMARK,
+        "certify",
+        "couplet_certify_arch",
+        "yes",
+    ],
+    [
+        "a check of certificates",
+        "check",
+        "!a checker trusts no scene",
+        LANDMARK,
+        "check",
+        "couplet_check",
+        "yes",
+    ],
+    ["claims of the paper", "prove", "claims", LANDMARK, "prove", NO_C, "!its proofs take seconds"],
+];
+const STONES: &str = "!joints are at every angle there";
+const TILT: &str = "!arches there are symmetric";
+const FIND: &str = "!an arch is given whole there";
+const EQUATION: &str = "!it is for a shell";
+const COSTS: &str = "!it takes seconds: for a shell";
+const NO_C: &str = "!the library for C is of values, without the command";
+const ONE: &str = "!the page is of one arch";
+const OWN_PLAN: &str = "!a sweep has a plan of its own";
+const TABLE: &str = "!it needs a table";
+const PICTURE: &str = "!a row has values";
+const LANDMARK: &str = "!a row is an arch";
+
+const DOORS: [&str; 7] = ["question", "command", "scene", "row", "Python", "C", "page"];
+
+/// Questions that read an arch.
+const OF_AN_ARCH: [(&str, &ArchQuestion); 8] = [
+    ("state", &doors::STATE),
+    ("assess", &doors::ASSESS),
+    ("voussoirs", &doors::VOUSSOIRS),
+    ("find", &couplet::sweep::find::QUESTION),
+    ("complementarity", &doors::COMPLEMENTARITY),
+    ("draw", &doors::DRAW),
+    ("certify state", &doors::CERTIFY_STATE),
+    ("certify arch", &doors::CERTIFY_ARCH),
+];
+
+fn row(cells: impl IntoIterator<Item = String>) -> String {
+    format!("| {} |\n", cells.into_iter().collect::<Vec<_>>().join(" | "))
+}
+
+fn page() -> String {
+    let mut page = String::from(
+        "# Questions\n\nWhich question is asked where. What a door does not have has its reason.\n\n",
+    );
+    let cell = |(door, text): (usize, &&str)| match (door, text.strip_prefix('!')) {
+        (_, Some(why)) => format!("no: {why}"),
+        (0, None) => (*text).to_owned(),
+        (1, None) => format!("`couplet {text}`"),
+        (2, None) => format!("`[[{text}]]`"),
+        (3, None) => format!("a row of `couplet {text}`"),
+        (4, None) => format!("`couplet.{text}`"),
+        (5, None) => format!("`{text}`"),
+        (_, None) => "yes".to_owned(),
+    };
+    page += &row(DOORS.map(str::to_owned));
+    page += "|---|---|---|---|---|---|---|\n";
+    for question in &QUESTIONS {
+        page += &row(question.iter().enumerate().map(cell));
+    }
+    page += "\n## What an arch may be given by\n\nThe same names everywhere: options of the command (`--half-opening`), \
+             keys of a scene and columns of a table (`half_opening`),\narguments in Python, fields in C.\n\n";
+    page +=
+        &row(std::iter::once("question".to_owned()).chain(OF_AN_ARCH.map(|of| of.0.to_owned())));
+    page += &format!("|{}\n", "---|".repeat(OF_AN_ARCH.len() + 1));
+    for &field in Field::ALL {
+        let letter = field.letter().map_or(String::new(), |letter| format!(", `{letter}`"));
+        let name = format!("`{}`{letter}", field.name());
+        let cell = |(_, question): (&str, &ArchQuestion)| {
+            let why = question.refuses.iter().find(|(of, _)| *of == field);
+            match why {
+                Some((_, why)) => format!("no: {why}"),
+                None if question.needs.contains(&field) => "needed".to_owned(),
+                None => "yes".to_owned(),
+            }
+        };
+        page += &row(std::iter::once(name).chain(OF_AN_ARCH.map(cell)));
+    }
+    page
+}
+
+#[test]
+fn the_page_of_questions_is_made_of_them() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/questions.md");
+    if std::env::var_os("UPDATE_SNAPSHOTS").is_some() {
+        return fs::write(&path, page()).unwrap();
+    }
+    assert_eq!(fs::read_to_string(&path).unwrap(), page(), "make snapshots draws it anew");
+}
+
+/// Each name is that of something, and no command is left out.
+#[test]
+fn every_question_is_where_it_is_said_to_be() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let read = |path: &str| fs::read_to_string(root.join(path)).unwrap();
+    let (python, header) = (read("python/couplet/__init__.py"), read("c/include/couplet_c.h"));
+    let commands = commands();
+    for question in &QUESTIONS {
+        let named = |door: usize| Some(question[door]).filter(|name| !name.starts_with('!'));
+        let is_command = |name: &str| commands.iter().any(|of| of == name);
+        assert!(named(1).is_some_and(is_command), "{question:?}");
+        let scene = |name: &str| ItemKind::ALL.iter().any(|kind| kind.name() == name);
+        assert!(named(2).is_none_or(scene), "{question:?}");
+        assert!(
+            named(4).is_none_or(|name| python.contains(&format!("    \"{name}\",\n"))
+                || python.contains(&format!("import {name} as {name}"))),
+            "{question:?}"
+        );
+        assert!(
+            named(5).is_none_or(|name| header.contains(&format!("int {name}("))),
+            "{question:?}"
+        );
+    }
+    let others = ["sample", "audit", "run", "study", "completions", "man"];
+    for command in commands.iter().filter(|name| !others.contains(&name.as_str())) {
+        assert!(QUESTIONS.iter().any(|question| question[1] == command), "{command}");
+    }
+}
