@@ -37,10 +37,18 @@ def asked(function: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
 
 
 def keyed(sentence: str) -> str:
-    """A sentence of the command, with the names of keywords in place of options."""
+    """A sentence of the command, with the names of keywords in place of options, and doubles as they are written."""
     import re
 
-    return re.sub(r"--([a-z]+(?:-[a-z]+)*)", lambda option: option[1].replace("-", "_"), sentence)
+    sentence = re.sub(r"--([a-z]+(?:-[a-z]+)*)", lambda option: option[1].replace("-", "_"), sentence)
+    return re.sub(r"(?<![\d/])(-?\d+)/(\d{7,})(?![\d/])", _double, sentence)
+
+
+def _double(found: Any) -> str:
+    """A fraction that is a double, as Python writes it."""
+    numerator, denominator = int(found[1]), int(found[2])
+    is_double = denominator & (denominator - 1) == 0 and numerator.bit_length() <= 53
+    return repr(numerator / denominator) if is_double else found[0]
 
 
 def arch(half_opening: Any, friction: Any, others: tuple[Any, ...]) -> tuple[Texts, Given]:
