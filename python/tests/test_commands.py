@@ -227,6 +227,8 @@ def test_an_interrupt_ends_it(tmp_path):
     os.mkfifo(tmp_path / "rows.csv")
     program = """
 import couplet, signal, sys
+# A job in the background ignores them.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 handler = signal.getsignal(signal.SIGINT)
 couplet.sample(1)
 print("begins", flush=True)
