@@ -37,23 +37,36 @@ def asked(function: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
 
 
 def keyed(sentence: str) -> str:
-    """A sentence of the command, with the names of keywords in place of options."""
+    """A sentence of the command, with the names of keywords in place of options, and doubles as they are written."""
     import re
 
-    return re.sub(r"--([a-z]+(?:-[a-z]+)*)", lambda option: option[1].replace("-", "_"), sentence)
+    sentence = re.sub(r"--([a-z]+(?:-[a-z]+)*)", lambda option: option[1].replace("-", "_"), sentence)
+    return re.sub(r"(?<![\d/])(-?\d+)/(\d{7,})(?![\d/])", _double, sentence)
+
+
+def _double(found: Any) -> str:
+    """A fraction that is a double, as Python writes it."""
+    numerator, denominator = int(found[1]), int(found[2])
+    is_double = denominator & (denominator - 1) == 0 and numerator.bit_length() <= 53
+    return repr(numerator / denominator) if is_double else found[0]
 
 
 def arch(half_opening: Any, friction: Any, others: tuple[Any, ...]) -> tuple[Texts, Given]:
     """The texts of an arch, and what is given, by its names."""
     # What is asked most is asked by two texts or three, in a hurry.
     if half_opening is not None and friction is not None:
-        if others == _NOTHING_ELSE:
-            texts = exact(half_opening, "half opening"), exact(friction, "friction"), None
-            return texts, (("half_opening", half_opening), ("friction", friction))
-        thickness = others[1]
-        if others[0] is None and others[2:] == _NOTHING_ELSE[2:]:
-            three = exact(half_opening, "half opening"), exact(friction, "friction"), [None, exact(thickness, "thickness")]
-            return three, (("half_opening", half_opening), ("friction", friction), ("thickness", thickness))
+        try:
+            if others == _NOTHING_ELSE:
+                texts = exact(half_opening, "half opening"), exact(friction, "friction"), None
+                return texts, (("half_opening", half_opening), ("friction", friction))
+            thickness = others[1]
+            if others[0] is None and others[2:] == _NOTHING_ELSE[2:]:
+                three = exact(half_opening, "half opening"), exact(friction, "friction"), [None, exact(thickness, "thickness")]
+                return three, (("half_opening", half_opening), ("friction", friction), ("thickness", thickness))
+        except ValueError as error:
+            # An array is not compared.
+            if isinstance(error, CoupletError):
+                raise
     return named_arch(dict(zip(FIELDS, (half_opening, friction, *others))))
 
 
@@ -65,6 +78,7 @@ def named_arch(named: dict[str, Any]) -> tuple[Texts, Given]:
 
 
 def _plain(value: Any) -> Any:
+    value = value.tolist() if hasattr(value, "tolist") else value
     return tuple(value) if isinstance(value, list) else value
 
 

@@ -108,6 +108,16 @@ def test_a_range_of_stones():
     assert joints == couplet.voussoirs(friction="0.6", joints=("0", "0.5", "1"), digits=10) and hash(joints)
 
 
+def test_joints_and_numbers_of_numpy():
+    np = pytest.importorskip("numpy")
+    joints = couplet.voussoirs(friction=np.float64(0.5), joints=np.array([0.0, 0.5, 1.0]), digits=10)
+    assert joints.thickness == couplet.voussoirs(friction=0.5, joints="0,0.5,1", digits=10).thickness
+    assert couplet.voussoirs(1, np.float64(0.5), joints=None, stones=np.int64(4), digits=10).thickness == joints.thickness
+    for question in [lambda: couplet.assess(1, 1, np.array([0.1, 0.2])), lambda: couplet.state(1, np.array([0.1]))]:
+        with pytest.raises(TypeError, match="is a str, int, float"):
+            question()
+
+
 def test_stones_that_stand_at_no_thickness():
     arch = couplet.voussoirs("80deg", "0.1", 11)
     assert (arch.verdict, arch.reason, arch.thickness, arch.mode, arch.contacts) == ("falls", "sliding", None, None, ())
