@@ -250,7 +250,7 @@ impl Arch {
 impl fmt::Display for Arch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { weight, half_opening, friction } = self;
-        write!(f, "{}, half opening {half_opening}, friction {friction}", weight.name())
+        write!(f, "{weight}, half opening {half_opening}, friction {friction}")
     }
 }
 

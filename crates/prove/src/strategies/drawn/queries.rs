@@ -46,7 +46,7 @@ impl DrawnQuery {
 impl fmt::Display for DrawnQuery {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { weight, half_opening, friction } = self;
-        write!(f, "couplet state --weight {} --half-opening {half_opening}", weight.name())?;
+        write!(f, "couplet state --weight {weight} --half-opening {half_opening}")?;
         match friction {
             Friction::Coefficient(mu) => write!(f, " --friction {mu}"),
             Friction::Angle(phi) => write!(f, " --friction-angle {phi}"),
