@@ -4,7 +4,7 @@ use crate::arch::joint::Grip;
 use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::number::{
     AstroInterval, DoubleBall, Engine, ExactNumber, Form, ParseExactError, Ternary, is_angle, says,
-    shown,
+    shown, shown_as_text,
 };
 use num_bigint::Sign;
 use num_rational::BigRational;
@@ -254,12 +254,7 @@ impl fmt::Display for Arch {
     }
 }
 
-impl fmt::Debug for Arch {
-    /// The arch in a line.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
+shown_as_text!(Arch);
 
 /// Suggestion of the half opening that a refused one may have been meant to be, if it would be one in degrees.
 fn meant_degrees(half_opening: &ExactNumber) -> String {

@@ -95,7 +95,7 @@ mod unit;
 mod worded;
 mod written;
 
-pub use crate::{as_text, says, worded};
+pub use crate::{as_text, says, shown_as_text, worded};
 pub use angle::Angle;
 pub use astro::{Astro, AstroInterval};
 pub use decimal::{Decimal, ParseDecimalError};

@@ -11,6 +11,7 @@
 //! operands (`x - x` has twice the radius of `x`).
 
 use super::{Decimal, Enclosure, Field, Magnitude, Real, Ternary};
+use crate::number::shown_as_text;
 use rug::float::{Constant, Round};
 use rug::ops::{
     AddAssignRound, AssignRound, DivAssignRound, MulAssignRound, NegAssign, SubAssignRound,
@@ -480,11 +481,7 @@ fn decimal(x: &Float, digits: usize, round: Round) -> Decimal {
     Decimal::new(negative, text, exponent)
 }
 
-impl fmt::Debug for Ball {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
+shown_as_text!(Ball);
 
 #[cfg(test)]
 mod tests;

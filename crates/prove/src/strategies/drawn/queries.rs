@@ -2,7 +2,7 @@
 
 use super::numbers::{friction, half_opening, weight};
 use crate::arch::{SelfWeight, Unknown};
-use crate::number::{Ball, ExactNumber, Real};
+use crate::number::{Ball, ExactNumber, Real, shown_as_text};
 use crate::problem::{Arch, ArchError, Friction, Landmark};
 use crate::strategies::places::{DIGITS, beside};
 use proptest::prelude::*;
@@ -55,11 +55,7 @@ impl fmt::Display for DrawnQuery {
     }
 }
 
-impl fmt::Debug for DrawnQuery {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
+shown_as_text!(DrawnQuery);
 
 /// Queries of the domain and next to it; one in five next to a landmark.
 pub(super) fn any_query() -> impl Strategy<Value = DrawnQuery> {
