@@ -4,52 +4,26 @@ use super::{Condition, Equation, Quantity, System};
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode, Place};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Configuration, Ring, SelfWeight, Unknown};
-use crate::number::Field;
+use crate::number::{Field, list};
 
 /// The equations of a kind: its joints are at their limits.
 pub(super) fn system(mode: AsymmetricMode, weight: SelfWeight) -> System {
     use {Equation as E, Unknown as U};
     // Without an inner joint that slides, all but the last.
-    const UNKNOWNS: &[U] = &[
-        U::Thrust,
-        U::CrownMoment,
-        U::VerticalForce,
-        U::Thickness,
-        U::CrownHinge,
-        U::RotationJoint,
-        U::SlidingJoint,
+    const UNKNOWNS: &[U] = &list![U:
+        Thrust CrownMoment VerticalForce Thickness CrownHinge RotationJoint SlidingJoint
     ];
     let (unknowns, equations): (&[U], &[E]) = match mode {
         AsymmetricMode::InnerSliding => (
             UNKNOWNS,
-            &[
-                E::CrownHinge,
-                E::CrownTangency,
-                E::HaunchHinge,
-                E::HaunchTangency,
-                E::ShoulderSlides,
-                E::InnerSlides,
-                E::InnerSteepest,
+            &list![E:
+                CrownHinge CrownTangency HaunchHinge HaunchTangency ShoulderSlides InnerSlides InnerSteepest
             ],
         ),
         AsymmetricMode::ShoulderOpening | AsymmetricMode::ShoulderSliding => {
             let [opening, alone]: [&[E]; 2] = [
-                &[
-                    E::CrownHinge,
-                    E::CrownTangency,
-                    E::HaunchHinge,
-                    E::HaunchTangency,
-                    E::ShoulderSlides,
-                    E::ShoulderOpens,
-                ],
-                &[
-                    E::CrownHinge,
-                    E::CrownTangency,
-                    E::HaunchHinge,
-                    E::HaunchTangency,
-                    E::ShoulderSlides,
-                    E::Fits,
-                ],
+                &list![E: CrownHinge CrownTangency HaunchHinge HaunchTangency ShoulderSlides ShoulderOpens],
+                &list![E: CrownHinge CrownTangency HaunchHinge HaunchTangency ShoulderSlides Fits],
             ];
             (&UNKNOWNS[..6], if mode == AsymmetricMode::ShoulderOpening { opening } else { alone })
         }

@@ -61,26 +61,17 @@ macro_rules! operators {
     };
 }
 
-/// Operators between two references and in place, of a number that has those of values.
+/// Operators with a reference on the left, of a number that has those of values.
 #[cfg(feature = "mpfr")]
 macro_rules! references {
-    ($type:ty: $($op:ident $method:ident $assign:ident $in_place:ident;)+) => {$(
-        references!(@ $type, $op $method $assign $in_place: &$type, $type);
-    )+};
-    (@ $type:ty, $op:ident $method:ident $assign:ident $in_place:ident: $($right:ty),+) => {$(
+    ($type:ty: $($op:ident $method:ident: $($right:ty),+;)+) => {$($(
         impl std::ops::$op<$right> for &$type {
             type Output = $type;
             fn $method(self, other: $right) -> $type {
                 std::ops::$op::$method(self.clone(), other)
             }
         }
-
-        impl std::ops::$assign<$right> for $type {
-            fn $in_place(&mut self, other: $right) {
-                *self = std::ops::$op::$method(self.clone(), other);
-            }
-        }
-    )+};
+    )+)+};
 }
 
 mod angle;
@@ -119,7 +110,7 @@ mod unit;
 mod worded;
 mod written;
 
-pub use crate::{as_text, operators, says, shown_as_text, worded};
+pub use crate::{as_text, list, operators, says, shown_as_text, worded};
 pub use angle::Angle;
 pub use astro::{Astro, AstroInterval};
 pub use decimal::{Decimal, ParseDecimalError};

@@ -267,9 +267,9 @@ operators!(@ [] Polynomial, Sub, sub, minus);
 operators!(@ [] Polynomial, Mul, mul, times);
 
 references! { Polynomial:
-    Add add AddAssign add_assign;
-    Sub sub SubAssign sub_assign;
-    Mul mul MulAssign mul_assign;
+    Add add: &Polynomial;
+    Sub sub: &Polynomial;
+    Mul mul: &Polynomial;
 }
 
 impl Neg for Polynomial {

@@ -370,24 +370,30 @@ impl Ball {
 
 operators!(Ball);
 
-/// Operators with a small integer on the right.
-macro_rules! with_integers {
-    ($($op:ident $method:ident $assign:ident $in_place:ident;)+) => {
-        references!(Ball: $($op $method $assign $in_place;)+);
-        $(
-            impl std::ops::$op<i32> for Ball {
-                type Output = Self;
-                fn $method(self, other: i32) -> Self {
-                    let other = self.int(other);
-                    std::ops::$op::$method(self, other)
-                }
+/// Operators with a small integer on the right, with a reference on the left, and in place.
+macro_rules! more_operators {
+    ($($op:ident $method:ident $assign:ident $in_place:ident;)+) => {$(
+        impl std::ops::$op<i32> for Ball {
+            type Output = Self;
+            fn $method(self, other: i32) -> Self {
+                let other = self.int(other);
+                std::ops::$op::$method(self, other)
             }
-            references!(@ Ball, $op $method $assign $in_place: i32);
-        )+
-    };
+        }
+
+        references! { Ball: $op $method: &Ball, Ball, i32; }
+        more_operators!(@ $op $method $assign $in_place: &Ball, Ball, i32);
+    )+};
+    (@ $op:ident $method:ident $assign:ident $in_place:ident: $($right:ty),+) => {$(
+        impl std::ops::$assign<$right> for Ball {
+            fn $in_place(&mut self, other: $right) {
+                *self = std::ops::$op::$method(self.clone(), other);
+            }
+        }
+    )+};
 }
 
-with_integers! {
+more_operators! {
     Add add AddAssign add_assign;
     Sub sub SubAssign sub_assign;
     Mul mul MulAssign mul_assign;
