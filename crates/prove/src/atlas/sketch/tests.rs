@@ -15,8 +15,14 @@ const ARCHES: [(Mode, [[&str; 2]; 2]); 6] = [
     (Mode::OverturningSliding, [["2.65", "2.2"], ["2.57", "2.2"]]),
     (Mode::Overturning, [["2.7", "inf"], ["2.62", "inf"]]),
 ];
-const DRAWN: [Landmark; 6] =
-    list![Landmark: Triple Shift Junction Border RotationEnd OverturningEnd];
+const DRAWN: [Landmark; 6] = [
+    Landmark::Triple,
+    Landmark::Shift,
+    Landmark::Junction,
+    Landmark::Border,
+    Landmark::RotationEnd,
+    Landmark::OverturningEnd,
+];
 
 fn arch(weight: SelfWeight, [half_opening, friction]: [&str; 2]) -> Arch {
     Arch::parse(weight.name(), half_opening, friction).unwrap()
