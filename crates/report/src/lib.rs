@@ -1,6 +1,9 @@
 //! Answers in every format: tables, JSON, CSV, LaTeX, other languages, pictures. Nothing is computed here.
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
+#[cfg(test)]
+#[path = "../../draw/src/picture/reading.rs"]
+mod reading;
 pub mod report;
 
 use couplet_ask::ask;

@@ -4,10 +4,14 @@ use crate::arch::joint::Grip;
 use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::number::{
     AstroInterval, DoubleBall, Engine, ExactNumber, Form, ParseExactError, Ternary, is_angle, says,
-    shown,
+    shown, shown_as_text,
 };
 use num_bigint::Sign;
 use num_rational::BigRational;
+use serde::de::Error;
+use serde::ser::SerializeMap;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::collections::BTreeMap;
 use std::fmt;
 use std::str::FromStr;
 
@@ -183,8 +187,8 @@ impl Arch {
         Self::new(weight, half_opening.parse()?, friction.parse()?)
     }
 
-    /// An arch from doubles, each taken as the number that it is: a half opening in radians, and a friction coefficient,
-    /// of which an infinite one is unlimited friction. NaN is refused.
+    /// An arch from doubles, each taken as the number that it is: a half opening in radians, and a friction
+    /// coefficient, of which an infinite one is unlimited friction. NaN is refused.
     ///
     /// ```
     /// use couplet_check::arch::SelfWeight;
@@ -250,14 +254,29 @@ impl Arch {
 impl fmt::Display for Arch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { weight, half_opening, friction } = self;
-        write!(f, "{}, half opening {half_opening}, friction {friction}", weight.name())
+        write!(f, "{weight}, half opening {half_opening}, friction {friction}")
     }
 }
 
-impl fmt::Debug for Arch {
-    /// The arch in a line.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
+shown_as_text!(Arch);
+
+impl Serialize for Arch {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let mut fields = to.serialize_map(Some(3))?;
+        fields.serialize_entry("weight", &self.weight())?;
+        fields.serialize_entry("half_opening", self.half_opening())?;
+        fields.serialize_entry("friction", self.friction())?;
+        fields.end()
+    }
+}
+
+impl<'de> Deserialize<'de> for Arch {
+    /// Reads an object of the texts that [`Arch::parse`] takes.
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        let texts = BTreeMap::<String, String>::deserialize(from)?;
+        let text = |name| texts.get(name).ok_or_else(|| D::Error::missing_field(name));
+        let arch = Self::parse(text("weight")?, text("half_opening")?, text("friction")?);
+        arch.map_err(|error: ArchError| D::Error::custom(error))
     }
 }
 
@@ -375,5 +394,24 @@ mod tests {
         let is = |text: &str| is_thickness(&text.parse().unwrap());
         assert!(is("1e-30") && is("1.999") && is("2"));
         assert!(!is("0") && !is("2.0001") && !is("-1") && !is("pi/4"));
+    }
+
+    #[test]
+    fn an_arch_is_an_object_of_its_texts() {
+        let arch = Arch::parse("milankovitch", "80deg", "tan(31deg)").unwrap();
+        let json = serde_json::to_string(&arch).unwrap();
+        let text = r#"{"weight":"milankovitch","half_opening":"80deg","friction":"tan(31deg)"}"#;
+        assert_eq!(json, text);
+        assert_eq!(serde_json::from_str::<Arch>(&json).unwrap(), arch);
+        let refused = |from: &str, to| {
+            let spoiled = text.replace(from, to);
+            serde_json::from_str::<Arch>(&spoiled).unwrap_err().to_string()
+        };
+        assert!(refused("80deg", "180deg").contains("is not between 0 and pi"));
+        assert!(refused("weight", "height").contains("missing field `weight`"));
+        assert!(
+            refused("\"80deg\"", "80").contains("expected a string"),
+            "numbers would be rounded"
+        );
     }
 }

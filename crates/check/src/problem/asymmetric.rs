@@ -1,6 +1,7 @@
 //! An asymmetric solution of (19) as a problem: its system, what has to be positive, and what can be stated of it.
 
-use super::{Condition, Equation, Quantity, System};
+use super::system::system;
+use super::{Condition, Quantity, System};
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode, Place};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Configuration, Ring, SelfWeight, Unknown};
@@ -8,53 +9,20 @@ use crate::number::Field;
 
 /// The equations of a kind: its joints are at their limits.
 pub(super) fn system(mode: AsymmetricMode, weight: SelfWeight) -> System {
-    use {Equation as E, Unknown as U};
-    // Without an inner joint that slides, all but the last.
-    const UNKNOWNS: &[U] = &[
-        U::Thrust,
-        U::CrownMoment,
-        U::VerticalForce,
-        U::Thickness,
-        U::CrownHinge,
-        U::RotationJoint,
-        U::SlidingJoint,
-    ];
-    let (unknowns, equations): (&[U], &[E]) = match mode {
-        AsymmetricMode::InnerSliding => (
-            UNKNOWNS,
-            &[
-                E::CrownHinge,
-                E::CrownTangency,
-                E::HaunchHinge,
-                E::HaunchTangency,
-                E::ShoulderSlides,
-                E::InnerSlides,
-                E::InnerSteepest,
-            ],
-        ),
-        AsymmetricMode::ShoulderOpening | AsymmetricMode::ShoulderSliding => {
-            let [opening, alone]: [&[E]; 2] = [
-                &[
-                    E::CrownHinge,
-                    E::CrownTangency,
-                    E::HaunchHinge,
-                    E::HaunchTangency,
-                    E::ShoulderSlides,
-                    E::ShoulderOpens,
-                ],
-                &[
-                    E::CrownHinge,
-                    E::CrownTangency,
-                    E::HaunchHinge,
-                    E::HaunchTangency,
-                    E::ShoulderSlides,
-                    E::Fits,
-                ],
-            ];
-            (&UNKNOWNS[..6], if mode == AsymmetricMode::ShoulderOpening { opening } else { alone })
-        }
-    };
-    System { weight, unknowns, equations, fixed: &[] }
+    match mode {
+        AsymmetricMode::InnerSliding => system! { weight;
+            Thrust CrownMoment VerticalForce Thickness CrownHinge RotationJoint SlidingJoint;
+            CrownHinge CrownTangency HaunchHinge HaunchTangency ShoulderSlides InnerSlides InnerSteepest;
+        },
+        AsymmetricMode::ShoulderOpening => system! { weight;
+            Thrust CrownMoment VerticalForce Thickness CrownHinge RotationJoint;
+            CrownHinge CrownTangency HaunchHinge HaunchTangency ShoulderSlides ShoulderOpens;
+        },
+        AsymmetricMode::ShoulderSliding => system! { weight;
+            Thrust CrownMoment VerticalForce Thickness CrownHinge RotationJoint;
+            CrownHinge CrownTangency HaunchHinge HaunchTangency ShoulderSlides Fits;
+        },
+    }
 }
 
 /// Conditions besides the margins on the whole arch: the ranges, the order of the joints, and the rates. The

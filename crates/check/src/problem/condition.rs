@@ -4,6 +4,7 @@
 
 use super::{Equation, Fixed, Mode, System};
 use crate::arch::{SelfWeight, Unknown};
+use crate::number::list;
 
 /// One thing that has to be positive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -71,14 +72,9 @@ impl Condition {
         let state = &[C::Compression, C::Above(U::Thickness), C::Below(U::Thickness)];
         let thrust = &[C::Above(U::Thrust), C::Below(U::Thrust)];
         let haunch = &[C::Above(U::RotationJoint), C::Below(U::RotationJoint)];
-        let thinnest = &[
-            C::ThickerStands,
-            C::GrowsOrIsBounded,
-            C::GrowsWithThrust,
-            C::Weight,
-            C::NoneThinner,
-            C::WeightAtLargestThrust,
-            C::NoneThinnerAtLargestThrust,
+        let thinnest = &list![C:
+            ThickerStands GrowsOrIsBounded GrowsWithThrust Weight NoneThinner WeightAtLargestThrust
+            NoneThinnerAtLargestThrust
         ];
         // At [r,s] and [r] the crown's pressure point is on the intrados, so not on the extrados.
         let parts: [&[C]; 6] = match mode {

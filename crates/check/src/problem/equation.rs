@@ -3,7 +3,7 @@
 
 use crate::arch::asymmetric::Asymmetric;
 use crate::arch::small::{self, Scaled};
-use crate::arch::{Configuration, Ring, SelfWeight, sliding, thrust};
+use crate::arch::{Configuration, Quotient, Ring, SelfWeight, sliding, thrust};
 use crate::number::{Dual, Field, worded};
 
 worded! {
@@ -62,21 +62,35 @@ impl Equation {
         self as usize <= Self::Steepest as usize
     }
 
+    /// The equation as a quotient and what it is equal to; `cotangent` is `beta cot(beta)` at the rotational joint.
+    fn quotient<T: Field>(
+        self,
+        weight: SelfWeight,
+        at: &Configuration<T>,
+        cotangent: impl FnOnce() -> T,
+    ) -> Option<(Quotient<T>, &T)> {
+        let ring = || Ring::new(weight, &at.thickness);
+        let thrust = match self {
+            Self::LowerThrust => thrust::lower(&at.rotation_joint, &ring()),
+            Self::UpperThrust => thrust::upper(&at.half_opening, &at.rotation_joint, &ring()),
+            Self::WholeThrust => thrust::whole(&at.half_opening, &ring()),
+            Self::Tangency => thrust::tangency(&cotangent(), &ring()),
+            Self::TangencyAtCrown => thrust::tangency(&at.thrust.int(1), &ring()),
+            Self::ShoulderSliding => {
+                return Some((sliding::shoulder(&at.half_opening, &at.thrust), &at.friction));
+            }
+            Self::InnerSliding => {
+                return Some((sliding::inner(&at.sliding_joint, &at.thrust), &at.friction));
+            }
+            _ => return None,
+        };
+        Some((thrust, &at.thrust))
+    }
+
     /// The equation with its denominator cleared: zero where it holds.
     pub fn residual<T: Field>(self, weight: SelfWeight, at: &Configuration<T>) -> T {
-        let ring = || Ring::new(weight, &at.thickness);
+        let cotangent = || at.rotation_joint.times_cotangent();
         match self {
-            Self::LowerThrust => thrust::lower(&at.rotation_joint, &ring()).residual(&at.thrust),
-            Self::UpperThrust => {
-                thrust::upper(&at.half_opening, &at.rotation_joint, &ring()).residual(&at.thrust)
-            }
-            Self::WholeThrust => thrust::whole(&at.half_opening, &ring()).residual(&at.thrust),
-            Self::Tangency => {
-                thrust::tangency(&at.rotation_joint.times_cotangent(), &ring()).residual(&at.thrust)
-            }
-            Self::TangencyAtCrown => {
-                thrust::tangency(&at.thrust.int(1), &ring()).residual(&at.thrust)
-            }
             Self::DoubleThickness => {
                 let eta = Dual::variable(at.thickness.clone(), 0);
                 let joint = at.rotation_joint.clone().map(Dual::constant);
@@ -84,22 +98,11 @@ impl Equation {
                 let tangency = thrust::tangency(&joint.times_cotangent(), &ring);
                 thrust::lower(&joint, &ring).difference(&tangency).derivative(0)
             }
-            Self::ShoulderSliding => {
-                sliding::shoulder(&at.half_opening, &at.thrust).residual(&at.friction)
-            }
-            Self::InnerSliding => {
-                sliding::inner(&at.sliding_joint, &at.thrust).residual(&at.friction)
-            }
             Self::Steepest => sliding::steepest(&at.sliding_joint.rad, &at.thrust),
-            Self::CrownHinge
-            | Self::CrownTangency
-            | Self::HaunchHinge
-            | Self::HaunchTangency
-            | Self::ShoulderSlides
-            | Self::InnerSlides
-            | Self::InnerSteepest
-            | Self::ShoulderOpens
-            | Self::Fits => self.asymmetric(&at.into(), &ring()),
+            _ => match self.quotient(weight, at, cotangent) {
+                Some((quotient, value)) => quotient.residual(value),
+                None => self.asymmetric(&at.into(), &Ring::new(weight, &at.thickness)),
+            },
         }
     }
 
@@ -122,21 +125,9 @@ impl Equation {
     /// The denominator that [`Equation::residual`] has cleared, if any: where it is not zero, the
     /// residual is zero exactly where the printed equation holds.
     pub fn denominator<T: Field>(self, weight: SelfWeight, at: &Configuration<T>) -> Option<T> {
-        let ring = || Ring::new(weight, &at.thickness);
-        let cotangent = at.thrust.int(1);
-        Some(match self {
-            Self::LowerThrust => thrust::lower(&at.rotation_joint, &ring()).denominator,
-            Self::UpperThrust => {
-                thrust::upper(&at.half_opening, &at.rotation_joint, &ring()).denominator
-            }
-            Self::WholeThrust => thrust::whole(&at.half_opening, &ring()).denominator,
-            Self::Tangency | Self::TangencyAtCrown => {
-                thrust::tangency(&cotangent, &ring()).denominator
-            }
-            Self::ShoulderSliding => sliding::shoulder(&at.half_opening, &at.thrust).denominator,
-            Self::InnerSliding => sliding::inner(&at.sliding_joint, &at.thrust).denominator,
-            _ => return None,
-        })
+        // That of (5) is the same at every joint.
+        let found = self.quotient(weight, at, || at.thrust.int(1));
+        found.map(|(quotient, _)| quotient.denominator)
     }
 
     /// The equation in scaled variables, cleared of denominators that are positive for small half

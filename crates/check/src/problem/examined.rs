@@ -65,54 +65,49 @@ impl<'a, E: Enclosure> Examined<'a, E> {
         let Self { weight, at, .. } = *self;
         let alpha = &at.half_opening.rad;
         let sliding_joint_above = || at.rotation_joint.rad.clone() - &at.sliding_joint.rad;
+        use Condition::*;
         match condition {
-            Condition::Above(unknown) => at.value(unknown).clone(),
-            Condition::Below(Unknown::HalfOpening) => alpha.pi() - alpha,
-            Condition::Below(Unknown::RotationJoint) => alpha.clone() - &at.rotation_joint.rad,
-            Condition::Below(Unknown::SlidingJoint) => alpha.clone() - &at.sliding_joint.rad,
-            Condition::Below(Unknown::CrownHinge) => alpha.clone() - &at.crown_hinge.rad,
-            Condition::Below(Unknown::Thickness) => alpha.int(2) - &at.thickness,
-            Condition::Below(Unknown::Thrust) => alpha.int(1) - &at.thrust,
+            Above(unknown) => at.value(unknown).clone(),
+            Below(Unknown::HalfOpening) => alpha.pi() - alpha,
+            Below(Unknown::RotationJoint) => alpha.clone() - &at.rotation_joint.rad,
+            Below(Unknown::SlidingJoint) => alpha.clone() - &at.sliding_joint.rad,
+            Below(Unknown::CrownHinge) => alpha.clone() - &at.crown_hinge.rad,
+            Below(Unknown::Thickness) => alpha.int(2) - &at.thickness,
+            Below(Unknown::Thrust) => alpha.int(1) - &at.thrust,
             // Any number is.
-            Condition::Below(Unknown::Friction | Unknown::CrownMoment | Unknown::VerticalForce) => {
+            Below(Unknown::Friction | Unknown::CrownMoment | Unknown::VerticalForce) => {
                 alpha.int(1)
             }
-            Condition::Compression => statics::normal_force(&at.half_opening, &at.thrust),
-            Condition::IntradosAtCrown => contact::crown_slope(weight, at),
-            Condition::ExtradosAtShoulder => {
+            Compression => statics::normal_force(&at.half_opening, &at.thrust),
+            IntradosAtCrown => contact::crown_slope(weight, at),
+            ExtradosAtShoulder => {
                 contact::extrados_margin_at_shoulder(weight, at, &contact::crown_moment(at))
             }
-            Condition::ExtradosAtCrown => {
-                contact::crown_moment(at) - contact::shoulder_moment(weight, at)
-            }
-            Condition::ThickerStands => contact::margin_at_physical_limit(weight, at),
-            Condition::SteepestAboveShoulder => room_for_steepest(at),
-            Condition::FrictionAtShoulder => at.friction.clone() - shoulder_friction(at),
-            Condition::FrictionInside => at.friction.clone() - inner_friction(at),
-            Condition::SlidesAboveHaunch => sliding_joint_above(),
-            Condition::SlidesBelowHaunch => -sliding_joint_above(),
-            Condition::OpensAtShoulder => self.mechanism().rates.shoulder.clone(),
-            Condition::SlidesTheRightWay => self.mechanism().rates.sliding.clone(),
-            Condition::ShoulderBoundsThrust => {
+            ExtradosAtCrown => contact::crown_moment(at) - contact::shoulder_moment(weight, at),
+            ThickerStands => contact::margin_at_physical_limit(weight, at),
+            SteepestAboveShoulder => room_for_steepest(at),
+            FrictionAtShoulder => at.friction.clone() - shoulder_friction(at),
+            FrictionInside => at.friction.clone() - inner_friction(at),
+            SlidesAboveHaunch => sliding_joint_above(),
+            SlidesBelowHaunch => -sliding_joint_above(),
+            OpensAtShoulder => self.mechanism().rates.shoulder.clone(),
+            SlidesTheRightWay => self.mechanism().rates.sliding.clone(),
+            ShoulderBoundsThrust => {
                 sliding::shoulder_thrust(&at.half_opening, &at.friction).denominator
             }
-            Condition::GrowsOrIsBounded => match self.mechanism().slope.is_positive() {
+            GrowsOrIsBounded => match self.mechanism().slope.is_positive() {
                 Ternary::True => self.mechanism().slope.clone(),
-                _ => self.margin(Condition::ShoulderBoundsThrust),
+                _ => self.margin(ShoulderBoundsThrust),
             },
-            Condition::GrowsWithThrust => self.mechanism().slope.clone(),
-            Condition::Weight => self.mechanism().weight.clone(),
-            Condition::NoneThinner => self.growth(&self.mechanism().weight),
-            Condition::WeightAtLargestThrust => self.at_largest_thrust(|weight| weight),
-            Condition::NoneThinnerAtLargestThrust => {
-                self.at_largest_thrust(|weight| self.growth(&weight))
-            }
+            GrowsWithThrust => self.mechanism().slope.clone(),
+            Weight => self.mechanism().weight.clone(),
+            NoneThinner => self.growth(&self.mechanism().weight),
+            WeightAtLargestThrust => self.at_largest_thrust(|weight| weight),
+            NoneThinnerAtLargestThrust => self.at_largest_thrust(|weight| self.growth(&weight)),
             // These are about what a state does not have: they are not shown.
-            Condition::Beyond(_)
-            | Condition::InsideIntrados
-            | Condition::NearestAtShoulder
-            | Condition::HingesInOrder
-            | Condition::SlidesInwards => alpha.int(0),
+            Beyond(_) | InsideIntrados | NearestAtShoulder | HingesInOrder | SlidesInwards => {
+                alpha.int(0)
+            }
         }
     }
 }

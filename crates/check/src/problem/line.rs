@@ -14,13 +14,11 @@
 //! the half opening.
 
 use super::Mode::*;
-use super::{Condition, Equation, Fixed, Landmark, Mode, System};
+use super::system::system;
+use super::{Condition, Landmark, Mode, System};
 use crate::arch::{SelfWeight, Unknown};
 use crate::number::{says, worded};
 use std::fmt;
-
-/// Unknowns that are solved for, with the half opening and with the friction.
-type Unknowns = [&'static [Unknown]; 2];
 
 worded! {
     /// A line of the map.
@@ -82,71 +80,42 @@ impl Line {
 
     /// The points of the line at a given half opening, or at a given friction: `sought` is the other one.
     pub fn system(self, weight: SelfWeight, sought: Sought) -> System {
-        use {Equation as E, Fixed as F, Unknown as U};
-        let (unknowns, equations, fixed): (Unknowns, &[E], &[(U, F)]) = match self {
-            Self::RotationShoulder => (
-                [
-                    &[U::HalfOpening, U::RotationJoint, U::Thickness, U::Thrust],
-                    &[U::Friction, U::RotationJoint, U::Thickness, U::Thrust],
-                ],
-                &[E::LowerThrust, E::WholeThrust, E::Tangency, E::ShoulderSliding],
-                &[],
-            ),
-            Self::RotationInner => (
-                Self::ALL_JOINTS,
-                &[E::LowerThrust, E::WholeThrust, E::Tangency, E::InnerSliding, E::Steepest],
-                &[],
-            ),
-            Self::ShoulderEnd => (
-                Self::ALL_JOINTS,
-                &[E::LowerThrust, E::Tangency, E::ShoulderSliding, E::InnerSliding, E::Steepest],
-                &[],
-            ),
-            Self::AboveHaunchEnd | Self::BelowHaunchEnd => (
-                Self::ALL_JOINTS,
-                &[E::UpperThrust, E::Tangency, E::ShoulderSliding, E::InnerSliding, E::Steepest],
-                &[],
-            ),
-            Self::CrownEnd => (
-                Self::SLIDING_JOINT,
-                &[E::UpperThrust, E::ShoulderSliding, E::InnerSliding, E::Steepest],
-                &[(U::RotationJoint, F::Integer(0))],
-            ),
-            Self::Joints => (
-                Self::SLIDING_JOINT,
-                &[E::UpperThrust, E::Tangency, E::InnerSliding, E::Steepest],
-                &[(U::RotationJoint, F::SameAs(U::SlidingJoint))],
-            ),
-            Self::Crown => (
-                Self::SLIDING_JOINT,
-                &[E::UpperThrust, E::TangencyAtCrown, E::InnerSliding, E::Steepest],
-                &[(U::RotationJoint, F::Integer(0))],
-            ),
-        };
-        let [half_opening, friction] = unknowns;
-        let unknowns = match sought {
-            Sought::HalfOpening => half_opening,
-            Sought::Friction => friction,
-        };
-        System { weight, unknowns, equations, fixed }
+        /// The system with either of the two before the other unknowns.
+        macro_rules! with {
+            ($($unknown:ident)+; $($rest:tt)*) => {
+                match sought {
+                    Sought::HalfOpening => system!(weight; HalfOpening $($unknown)+; $($rest)*),
+                    Sought::Friction => system!(weight; Friction $($unknown)+; $($rest)*),
+                }
+            };
+        }
+        match self {
+            Self::RotationShoulder => {
+                with!(RotationJoint Thickness Thrust; LowerThrust WholeThrust Tangency ShoulderSliding;)
+            }
+            Self::RotationInner => with! {
+                RotationJoint SlidingJoint Thickness Thrust; LowerThrust WholeThrust Tangency InnerSliding Steepest;
+            },
+            Self::ShoulderEnd => with! {
+                RotationJoint SlidingJoint Thickness Thrust; LowerThrust Tangency ShoulderSliding InnerSliding Steepest;
+            },
+            Self::AboveHaunchEnd | Self::BelowHaunchEnd => with! {
+                RotationJoint SlidingJoint Thickness Thrust; UpperThrust Tangency ShoulderSliding InnerSliding Steepest;
+            },
+            Self::CrownEnd => with! {
+                SlidingJoint Thickness Thrust; UpperThrust ShoulderSliding InnerSliding Steepest;
+                RotationJoint = Integer(0)
+            },
+            Self::Joints => with! {
+                SlidingJoint Thickness Thrust; UpperThrust Tangency InnerSliding Steepest;
+                RotationJoint = SameAs(Unknown::SlidingJoint)
+            },
+            Self::Crown => with! {
+                SlidingJoint Thickness Thrust; UpperThrust TangencyAtCrown InnerSliding Steepest;
+                RotationJoint = Integer(0)
+            },
+        }
     }
-
-    /// The unknowns where both inner joints are among them.
-    const ALL_JOINTS: Unknowns = {
-        use Unknown as U;
-        [
-            &[U::HalfOpening, U::RotationJoint, U::SlidingJoint, U::Thickness, U::Thrust],
-            &[U::Friction, U::RotationJoint, U::SlidingJoint, U::Thickness, U::Thrust],
-        ]
-    };
-    /// Unknowns where the rotational joint is known.
-    const SLIDING_JOINT: Unknowns = {
-        use Unknown as U;
-        [
-            &[U::HalfOpening, U::SlidingJoint, U::Thickness, U::Thrust],
-            &[U::Friction, U::SlidingJoint, U::Thickness, U::Thrust],
-        ]
-    };
 }
 
 /// Unknowns that can be asked for in place of the least thickness.

@@ -19,7 +19,7 @@
 //! | `condition` | what makes a state admissible, and the thinnest |
 //! | `examined`, `examined_small` | how much a state has to spare of each |
 //! | `quantity`, `known` | what can be asked of a landmark or a state, and what is known of it |
-//! | `named` | what has a name as its name, an arch as its texts |
+//! | `named` | names, for people, files and serde |
 //! | [`tally`] | counters of evaluations |
 //!
 //! Nothing here searches or proves; it is pure Rust.

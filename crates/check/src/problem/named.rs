@@ -1,12 +1,8 @@
-//! What has a name, as its name: for people, for files, and for serde. An arch as its three texts.
+//! Names of what has one: for people, for files, and for serde.
 
-use super::{Arch, ArchError, Friction, Landmark, Mode, NoLandmark, Quantity};
+use super::{Friction, Landmark, Mode, NoLandmark, Quantity};
 use crate::arch::{NoWeight, SelfWeight};
 use crate::number::{as_text, says};
-use serde::de::Error;
-use serde::ser::SerializeMap;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use std::collections::BTreeMap;
 use std::fmt;
 use std::str::FromStr;
 
@@ -57,29 +53,10 @@ fn known(name: &str) -> Option<Quantity> {
     Quantity::ALL.into_iter().find(is)
 }
 
-impl Serialize for Arch {
-    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        let mut fields = to.serialize_map(Some(3))?;
-        fields.serialize_entry("weight", &self.weight())?;
-        fields.serialize_entry("half_opening", self.half_opening())?;
-        fields.serialize_entry("friction", self.friction())?;
-        fields.end()
-    }
-}
-
-impl<'de> Deserialize<'de> for Arch {
-    /// Reads an object of the texts that [`Arch::parse`] takes.
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        let texts = BTreeMap::<String, String>::deserialize(from)?;
-        let text = |name| texts.get(name).ok_or_else(|| D::Error::missing_field(name));
-        let arch = Self::parse(text("weight")?, text("half_opening")?, text("friction")?);
-        arch.map_err(|error: ArchError| D::Error::custom(error))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use serde::{Deserialize, Serialize};
     use std::fmt::Debug;
 
     fn comes_back<T>(value: T, text: &str)
@@ -108,24 +85,5 @@ mod tests {
         assert!(error.starts_with("a mode is one of [r,r,r], "), "{error}");
         let error = "x".parse::<Quantity>().unwrap_err().to_string();
         assert!(error.starts_with("a quantity is one of thickness, "), "{error}");
-    }
-
-    #[test]
-    fn an_arch_is_an_object_of_its_texts() {
-        let arch = Arch::parse("milankovitch", "80deg", "tan(31deg)").unwrap();
-        let json = serde_json::to_string(&arch).unwrap();
-        let text = r#"{"weight":"milankovitch","half_opening":"80deg","friction":"tan(31deg)"}"#;
-        assert_eq!(json, text);
-        assert_eq!(serde_json::from_str::<Arch>(&json).unwrap(), arch);
-        let refused = |from: &str, to| {
-            let spoiled = text.replace(from, to);
-            serde_json::from_str::<Arch>(&spoiled).unwrap_err().to_string()
-        };
-        assert!(refused("80deg", "180deg").contains("is not between 0 and pi"));
-        assert!(refused("weight", "height").contains("missing field `weight`"));
-        assert!(
-            refused("\"80deg\"", "80").contains("expected a string"),
-            "numbers would be rounded"
-        );
     }
 }

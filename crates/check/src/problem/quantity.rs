@@ -1,7 +1,7 @@
 //! Quantities of a landmark, of a state and of an arch of a given thickness: one vocabulary.
 
 use crate::arch::Unknown;
-use crate::number::worded;
+use crate::number::{list, worded};
 
 worded! {
     /// A quantity of a landmark, of a state, or of an arch of a given thickness.
@@ -125,65 +125,30 @@ const fn and_asymmetric<const N: usize, const M: usize>(list: [Quantity; N]) -> 
 
 impl Quantity {
     /// Quantities that a landmark can have, in the order in which it is shown.
-    pub const LANDMARK: [Self; 13] = [
-        Self::Thickness,
-        Self::Friction,
-        Self::FrictionAngle,
-        Self::FrictionAngleDegrees,
-        Self::HalfOpening,
-        Self::HalfOpeningDegrees,
-        Self::Thrust,
-        Self::IntrinsicThrust,
-        Self::RotationJoint,
-        Self::RotationJointDegrees,
-        Self::SlidingJoint,
-        Self::SlidingJointDegrees,
-        Self::OpeningVariable,
+    pub const LANDMARK: [Self; 13] = list![Quantity:
+        Thickness Friction FrictionAngle FrictionAngleDegrees HalfOpening HalfOpeningDegrees Thrust
+        IntrinsicThrust RotationJoint RotationJointDegrees SlidingJoint SlidingJointDegrees OpeningVariable
     ];
 
     /// Quantities that an asymmetric solution of (19) has besides; its haunch is the rotational joint.
-    pub const ASYMMETRIC: [Self; 8] = [
-        Self::CrownMoment,
-        Self::VerticalForce,
-        Self::CrownHinge,
-        Self::CrownHingeDegrees,
-        Self::ShoulderSlip,
-        Self::ShoulderOpening,
-        Self::InnerSlip,
-        Self::Power,
+    pub const ASYMMETRIC: [Self; 8] = list![Quantity:
+        CrownMoment VerticalForce CrownHinge CrownHingeDegrees ShoulderSlip ShoulderOpening InnerSlip Power
     ];
 
     /// Quantities that the state of an arch at its least thickness can have, in the order in which it is shown.
-    pub const STATE: [Self; 7] = [
-        Self::Thickness,
-        Self::Thrust,
-        Self::IntrinsicThrust,
-        Self::RotationJoint,
-        Self::SlidingJoint,
-        Self::SlidingFriction,
-        Self::RotationalFriction,
+    pub const STATE: [Self; 7] = list![Quantity:
+        Thickness Thrust IntrinsicThrust RotationJoint SlidingJoint SlidingFriction RotationalFriction
     ];
 
     /// Quantities shown of a state that is found from its thickness, its friction or its mode.
-    pub const FOUND: [Self; 7] = [
-        Self::HalfOpening,
-        Self::HalfOpeningDegrees,
-        Self::Friction,
-        Self::Thickness,
-        Self::Thrust,
-        Self::RotationJoint,
-        Self::SlidingJoint,
+    pub const FOUND: [Self; 7] = list![Quantity:
+        HalfOpening HalfOpeningDegrees Friction Thickness Thrust RotationJoint SlidingJoint
     ];
 
     /// Quantities that can be asked of an arch of a given thickness, in the order in which it is shown. With
     /// a thrust comes the [joint](Self::joint) that limits it.
-    pub const ASSESSMENT: [Self; 6] = [
-        Self::LeastThickness,
-        Self::GeometricSafety,
-        Self::RequiredFriction,
-        Self::FrictionSafety,
-        Self::LeastThrust,
-        Self::LargestThrust,
+    pub const ASSESSMENT: [Self; 6] = list![Quantity:
+        LeastThickness GeometricSafety RequiredFriction FrictionSafety LeastThrust LargestThrust
     ];
 
     /// Quantities that rows of arrays and sweeps may ask of a state. Elsewhere the asymmetric thickness goes
@@ -194,29 +159,15 @@ impl Quantity {
     pub const ASSESSMENT_ROW: [Self; 7] = and_asymmetric(Self::ASSESSMENT);
 
     /// Quantities told besides of an arch that is [measured](super::measures), at its least thickness.
-    pub const MEASURED_STATE: [Self; 7] = [
-        Self::Span,
-        Self::Rise,
-        Self::HalfOpeningDegrees,
-        Self::Radius,
-        Self::ThicknessInMetres,
-        Self::Weight,
-        Self::Force,
+    pub const MEASURED_STATE: [Self; 7] = list![Quantity:
+        Span Rise HalfOpeningDegrees Radius ThicknessInMetres Weight Force
     ];
 
     /// Quantities told besides of an arch that is measured, at a given thickness: the radius and the weight
     /// are at that, the least thickness is of an arch with the same measures.
-    pub const MEASURED_ASSESSMENT: [Self; 10] = [
-        Self::Span,
-        Self::Rise,
-        Self::HalfOpeningDegrees,
-        Self::Radius,
-        Self::GivenThicknessInMetres,
-        Self::GivenThickness,
-        Self::ThicknessInMetres,
-        Self::Weight,
-        Self::LeastForce,
-        Self::LargestForce,
+    pub const MEASURED_ASSESSMENT: [Self; 10] = list![Quantity:
+        Span Rise HalfOpeningDegrees Radius GivenThicknessInMetres GivenThickness ThicknessInMetres Weight
+        LeastForce LargestForce
     ];
 
     /// The name used in files and on the command line; stable, and an identifier in every language.

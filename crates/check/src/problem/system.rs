@@ -30,34 +30,37 @@ pub struct System {
     pub fixed: &'static [(Unknown, Fixed)],
 }
 
+/// The system of a weight by names: what is solved for; the equations; and what is fixed.
+macro_rules! system {
+    ($weight:expr; $($unknown:ident)+; $($equation:ident)+; $($fixed:ident = $known:ident$(($of:expr))?),*) => {
+        $crate::problem::System {
+            weight: $weight,
+            unknowns: &[$($crate::arch::Unknown::$unknown),+],
+            equations: &[$($crate::problem::Equation::$equation),+],
+            fixed: &[$(($crate::arch::Unknown::$fixed, $crate::problem::Fixed::$known$(($of))?)),*],
+        }
+    };
+}
+pub(super) use system;
+
 impl System {
     /// The thrust at which an inner joint just slides, at a given friction.
     pub fn inner_sliding(weight: SelfWeight) -> Self {
-        use {Equation as E, Unknown as U};
-        let (unknowns, equations) =
-            (&[U::Thrust, U::SlidingJoint], &[E::InnerSliding, E::Steepest]);
-        Self { weight, unknowns, equations, fixed: &[] }
+        system!(weight; Thrust SlidingJoint; InnerSliding Steepest;)
     }
 
     /// The thrust at which the line of thrust touches the intrados at a given thickness: the least, on
     /// the extrados at the crown, or the largest, on the extrados at the shoulder.
     pub fn touching(weight: SelfWeight, is_least: bool) -> Self {
-        use {Equation as E, Unknown as U};
-        let equations = match is_least {
-            true => &[E::LowerThrust, E::Tangency],
-            false => &[E::UpperThrust, E::Tangency],
-        };
-        Self { weight, unknowns: &[U::RotationJoint, U::Thrust], equations, fixed: &[] }
+        match is_least {
+            true => system!(weight; RotationJoint Thrust; LowerThrust Tangency;),
+            false => system!(weight; RotationJoint Thrust; UpperThrust Tangency;),
+        }
     }
 
     /// The joint at which the line of thrust is tangent to the intrados at a given thickness and thrust.
     pub fn tangent(weight: SelfWeight) -> Self {
-        Self {
-            weight,
-            unknowns: &[Unknown::RotationJoint],
-            equations: &[Equation::Tangency],
-            fixed: &[],
-        }
+        system!(weight; RotationJoint; Tangency;)
     }
 
     /// Value that the system gives a variable that is not one of its unknowns.

@@ -38,12 +38,8 @@ fn conditions_hold(d: &mut Derivation, point: Landmark) -> Checked {
         // The range of what is solved for comes first, and belongs to all modes.
         for (place, (mode, conditions)) in point.conditions(weight).into_iter().enumerate() {
             let of = if place == 0 { "the range of the unknowns" } else { mode.label() };
-            let words = format!(
-                "{}, {of}: {} conditions, {}",
-                point.symbol(),
-                conditions.len(),
-                weight.name()
-            );
+            let words =
+                format!("{}, {of}: {} conditions, {weight}", point.symbol(), conditions.len());
             d.certain(Support::Balls, words, [&at, &turned], |at| {
                 let state = Examined::new(weight, mode, at);
                 let holds = |condition: &Condition| state.margin(*condition).is_positive();
@@ -202,8 +198,8 @@ fn four_mechanisms_at_t(d: &mut Derivation) -> Checked {
         let turned = Configuration { thickness: at.thickness.int(-2), ..at.clone() };
         let a = |at: &Configuration<Ball>| contact::rates_of_shoulder_sliding(at).sliding;
         let c = |at: &Configuration<Ball>| contact::rates_of_rotation(at).shoulder;
-        d.above_zero(format!("a > 0 at T, {}", weight.name()), [&a(&at), &a(&turned)])?;
-        d.above_zero(format!("c > 0 at T, {}", weight.name()), [&c(&at), &c(&turned)])?;
+        d.above_zero(format!("a > 0 at T, {weight}"), [&a(&at), &a(&turned)])?;
+        d.above_zero(format!("c > 0 at T, {weight}"), [&c(&at), &c(&turned)])?;
     }
     d.conclude(
         "All rates are positive, and five rates with two balances leave three free: three of the four span all \

@@ -60,7 +60,7 @@ fn areas(d: &mut Derivation) -> Checked {
     for weight in SelfWeight::ALL {
         thrust_at_triple_is_below_half(d, weight)?;
         for line in [Line::AboveHaunchEnd, Line::BelowHaunchEnd, Line::CrownEnd] {
-            let words = format!("eta grows with the friction along {line}, {}", weight.name());
+            let words = format!("eta grows with the friction along {line}, {weight}");
             // The joint of the haunch falls.
             let quantities = [Variable::Thickness, Variable::JointSquare];
             d.certain(Support::Balls, words, quantities, |x| grows(x, line, weight))?;
@@ -77,19 +77,19 @@ fn areas(d: &mut Derivation) -> Checked {
     )?;
     for weight in SelfWeight::ALL {
         let areas = cells(weight);
-        let name = weight.name();
         let most = Ball::enclosing(&Rational::from((99, 100)), 64);
         let words =
-            format!("{} cells, each in one domain, fill more than 99 %, {name}", areas.cells);
+            format!("{} cells, each in one domain, fill more than 99 %, {weight}", areas.cells);
         d.less(words, [&most, &areas.proved])?;
-        let words =
-            format!("the others have corners in two domains, but for at most one beside l, {name}");
+        let words = format!(
+            "the others have corners in two domains, but for at most one beside l, {weight}"
+        );
         d.proved_elsewhere(words, areas.open <= 1)?;
         for (mode, [proved, perhaps]) in &areas.domains {
             let (low, high) = (share(proved, Round::Down), share(perhaps, Round::Up));
             let bound = |share: i32| Ball::enclosing(&Rational::from((share, SHARES)), 64);
             let words =
-                format!("{mode} has between {} and {}, {name}", percent(low), percent(high));
+                format!("{mode} has between {} and {}, {weight}", percent(low), percent(high));
             // Next to these bounds are others as wide, between which it is not.
             let ranges = [[low, high], [high, 2 * high - low]];
             d.certain(Support::Balls, words, ranges, |[low, high]| {

@@ -133,7 +133,7 @@ fn unique(d: &mut Derivation) -> Checked<Finding> {
         let (weight, alpha, mu, mode) = witness;
         let [least, other] = thicknesses(witness)?;
         let [shown, least_shown] = [shown(&other, DIGITS)?, shown(&least, DIGITS)?];
-        let name = format!("{}, alpha = {alpha}, mu = {mu}", weight.name());
+        let name = format!("{weight}, alpha = {alpha}, mu = {mu}");
         let words = format!(
             "{name}: {}, a solution admissible at every joint of the whole arch, with positive rates, at eta = \
              {shown}, above the least thickness {least_shown}",

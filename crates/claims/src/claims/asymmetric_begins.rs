@@ -178,10 +178,9 @@ fn begins(d: &mut Derivation) -> Checked {
         let Edge { weight, mode, begins } = edge;
         let [fails, holds] = begins.map(|n| format!("{}.{:02}", n / 100, n % 100));
         let words = format!(
-            "{}, {}: at each alpha from 90° to {fails}° a solution has a negative rate, and at each from {holds}° to \
+            "{weight}, {}: at each alpha from 90° to {fails}° a solution has a negative rate, and at each from {holds}° to \
              T one has positive rates",
-            weight.name(),
-            mode.name(),
+            mode.name()
         );
         // A hundredth of a degree further it begins no more.
         let late = Edge { begins: begins.map(|hundredths| hundredths + 1), ..*edge };

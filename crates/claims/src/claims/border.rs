@@ -94,7 +94,7 @@ fn divide_deviates(d: &mut Derivation) -> Checked {
             SelfWeight::Milankovitch => ("below 7/10", [(7, 10), (1, 10)]),
         };
         let words = format!("d mu/d eta is {side} on the divide, alpha in [{first}, {last}]");
-        let words = format!("{words}, {} weight", weight.name());
+        let words = format!("{words}, {weight} weight");
         d.certain(Support::Balls, words, bounds, |bound| {
             on_sliding((&first, &last), |all| holds(all, bound))
         })?;
@@ -122,9 +122,10 @@ fn slope_at_the_border(bounds: &mut MeasuredBounds<'_>) -> Checked {
         let by_opening = -(a + c_slope * eta) / (c - delta * eta / eta.int(6));
         let by_friction = by_opening / friction;
         let by_angle = by_friction.clone() * (eta.int(1) + at.friction.square());
-        let name = weight.name();
-        let words =
-            [format!("d eta/d mu at B, {name} weight"), format!("d eta/d phi at B, {name} weight")];
+        let words = [
+            format!("d eta/d mu at B, {weight} weight"),
+            format!("d eta/d phi at B, {weight} weight"),
+        ];
         for (words, value) in words.iter().zip([by_friction, by_angle]) {
             match weight {
                 SelfWeight::Heyman => bounds.at_most((words, &value, ""), 3)?,

@@ -139,7 +139,7 @@ fn widest_joint_is_below_a_right_angle(d: &mut Derivation) -> Checked {
     for weight in SelfWeight::ALL {
         let joint = widest_joint(weight)?;
         let right = joint.pi() / joint.int(2);
-        d.less(format!("beta_sb < pi/2, {} weight", weight.name()), [&joint, &right])?;
+        d.less(format!("beta_sb < pi/2, {weight} weight"), [&joint, &right])?;
     }
     Ok(())
 }
@@ -229,7 +229,6 @@ fn radicand_in_the_range_of_interest(d: &mut Derivation) -> Checked {
          beta_sb there is a double root and (12) vanishes.",
     )?;
     for weight in SelfWeight::ALL {
-        let name = weight.name();
         let hundredths = |n: i32| Rational::from((n, 100));
         let [first, second] = sign_changes(weight).map(|(a, b)| (hundredths(a), hundredths(b)));
         let radicand = |x: &Ball| {
@@ -241,13 +240,13 @@ fn radicand_in_the_range_of_interest(d: &mut Derivation) -> Checked {
                 .derivative(0)
         };
         let joint = widest_joint(weight)?;
-        let words = format!("beta_sb lies in the first range, {name}");
+        let words = format!("beta_sb lies in the first range, {weight}");
         d.certain(Support::Balls, words, [&first, &second], |(low, high)| {
             Ok(certain_if(joint.lies_inside(&between(low, high))))
         })?;
-        d.positive(&format!("the slope of (12), {name},"), (&first.0, &first.1), slope)?;
-        d.positive(&format!("(12), {name},"), (&first.1, &second.0), radicand)?;
-        let words = format!("(12) is negative again at {}, {name}", second.1);
+        d.positive(&format!("the slope of (12), {weight},"), (&first.0, &first.1), slope)?;
+        d.positive(&format!("(12), {weight},"), (&first.1, &second.0), radicand)?;
+        let words = format!("(12) is negative again at {}, {weight}", second.1);
         let fall = |joint: &Rational| -radicand(&between(joint, joint));
         d.above_zero(words, [&fall(&second.1), &fall(&second.0)])?;
     }

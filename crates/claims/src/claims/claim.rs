@@ -78,8 +78,8 @@ pub struct Decision {
     pub time: Duration,
 }
 
-/// The claims of a file, in the order of the paper: how each is decided, its id and place, what decides it, a name where
-/// others use it, and its statement.
+/// The claims of a file, in the order of the paper: how each is decided, its id and place, what decides it, a name
+/// where others use it, and its statement.
 macro_rules! claims {
     (@ $kind:ident $id:literal, $place:literal, $decide:expr, $says:literal) => {
         $crate::claims::claim::row($id, $place, $crate::claims::claim::Decide::$kind($decide), $says)

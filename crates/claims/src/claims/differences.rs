@@ -103,7 +103,7 @@ fn at_landmarks(bounds: &mut MeasuredBounds<'_>) -> Checked {
         let [heyman, milankovitch] = both(|weight| along::landmark(*landmark, weight))?;
         let percent = percent([heyman.value(*unknown), milankovitch.value(*unknown)], *is_larger);
         let relation = if *is_larger { "larger" } else { "smaller" };
-        let words = format!("{} {relation}, at {}", unknown.name(), landmark.symbol());
+        let words = format!("{} {relation}, at {landmark}", unknown.name());
         bounds.at_most((&words, &percent, " %"), 3)?;
     }
     Ok(())

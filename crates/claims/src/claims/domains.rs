@@ -47,8 +47,7 @@ fn shoulder_margin(d: &mut Derivation) -> Checked {
         let expected = (whole.value() - &at.thrust) * whole.denominator / at.thrust.int(2);
         let words = format!(
             "the distance of the shoulder from the extrados, if the crown is on it, is h_2 - h up to \
-             a positive factor, {} weight",
-            weight.name()
+             a positive factor, {weight} weight"
         );
         d.identity(words, &margin, &expected)?;
     }
@@ -146,7 +145,7 @@ fn touching_thickness(d: &mut Derivation) -> Checked {
     ];
     for (weight, thickness) in cases {
         let residual = thrust::tangency(&cotangent, &Ring::new(weight, &thickness)).residual(&h);
-        let words = format!("(5) holds at eta_5, {} weight", weight.name());
+        let words = format!("(5) holds at eta_5, {weight} weight");
         let expected = (q.square() - &radicand) * h.ratio(3, 2) * h.int(weight.flag());
         d.identity(words, &residual, &expected)?;
     }
@@ -177,17 +176,16 @@ fn only_beyond(d: &mut Derivation, haunch: HaunchPlace, end: Landmark) -> Checke
     let sliding = CurveStates::sliding;
     let symbol = end.symbol();
     for weight in SelfWeight::ALL {
-        let name = weight.name();
         let start = below(&landmark(Landmark::Triple, weight)?.half_opening.rad, 100)?;
         let (before, beyond) = around(&landmark(end, weight)?.half_opening.rad, 1000)?;
         let shoulder = |at: &CurveStates| haunch.room(weight, &at.alpha, &at.thrust);
         let further = beyond.clone() + Rational::from((1, 100));
-        let words = format!("U at the shoulder, along sliding from {start} to {before}, {name}");
+        let words = format!("U at the shoulder, along sliding from {start} to {before}, {weight}");
         d.certain(Support::Balls, words, [(&start, &before), (&beyond, &further)], |range| {
             on_sliding(range, |all| shoulder(all).is_positive())
         })?;
         // At three, beyond the shoulder, there is no room.
-        let words = format!("U at the crown, along sliding from {start} to {beyond}, {name}");
+        let words = format!("U at the crown, along sliding from {start} to {beyond}, {weight}");
         d.certain(Support::Balls, words, [0, 3], |joint| {
             let room = |at: &CurveStates| {
                 haunch.room(weight, &Angle::new(at.thrust.int(joint)), &at.thrust)
@@ -198,7 +196,7 @@ fn only_beyond(d: &mut Derivation, haunch: HaunchPlace, end: Landmark) -> Checke
         let all = sliding(&before)?.up_to(&sliding(&beyond)?);
         let slope = all.slope_along_sliding(|alpha, h| haunch.room(weight, alpha, h));
         let words = format!(
-            "U at the shoulder falls from {before} to {beyond}, which holds alpha_{symbol}, {name}"
+            "U at the shoulder falls from {before} to {beyond}, which holds alpha_{symbol}, {weight}"
         );
         d.less(words, [&slope, &slope.int(0)])?;
     }
@@ -240,7 +238,7 @@ fn pure_sliding_ends_at_b(d: &mut Derivation) -> Checked {
     for weight in SelfWeight::ALL {
         let thick = with(&margin(weight), &[Symbol::Thickness], &n.int(2));
         let excess = (n.clone() - Fraction::from(bound_at_b(weight))) * n.int(2);
-        let words = format!("at eta = 2 it is positive above this bound, {}", weight.name());
+        let words = format!("at eta = 2 it is positive above this bound, {weight}");
         d.identity(&words, &thick, &excess)?;
     }
     let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
@@ -249,7 +247,6 @@ fn pure_sliding_ends_at_b(d: &mut Derivation) -> Checked {
     let rest = h * &alpha.cos / alpha.versine();
     d.identity("n, with cos < 0 below A", &normal, opening + rest)?;
     for weight in SelfWeight::ALL {
-        let name = weight.name();
         let sliding = CurveStates::sliding;
         let border = landmark(Landmark::Border, weight)?.half_opening.rad;
         let end = landmark(Landmark::OverturningEnd, weight)?.half_opening;
@@ -257,7 +254,7 @@ fn pure_sliding_ends_at_b(d: &mut Derivation) -> Checked {
         let all = sliding(&before)?.up_to(&sliding(&beyond)?);
         let slope =
             all.slope_along_sliding(|alpha, h| statics::normal_force(alpha, h) / alpha.versine());
-        let words = format!("n falls from {before} to {beyond}, which holds alpha_B, {name}");
+        let words = format!("n falls from {before} to {beyond}, which holds alpha_B, {weight}");
         d.less(words, [&slope, &slope.int(0)])?;
         // A(alpha) passes below the bound at L.
         let bound = Ball::enclosing(&bound_at_b(weight), 128);
@@ -268,15 +265,15 @@ fn pure_sliding_ends_at_b(d: &mut Derivation) -> Checked {
         };
         let first = Rational::from((3, 2));
         let opening = thrust::opening_variable(&Angle::new(Ball::enclosing(&first, 128))).value();
-        d.less(format!("A is above the bound at {first}, {name}"), [&bound, &opening])?;
+        d.less(format!("A is above the bound at {first}, {weight}"), [&bound, &opening])?;
         // What holds before B does not beyond.
         let ranges = [(&first, &before), (&beyond, &last)];
-        let words = format!("n is above the bound from {first} to {before}, {name}");
+        let words = format!("n is above the bound from {first} to {before}, {weight}");
         d.certain(Support::Balls, words, ranges, |range| {
             let above = |all: &CurveStates| bound.is_less_than(&largest(&all.alpha, &all.thrust));
             on_sliding(range, above)
         })?;
-        let words = format!("n is below the bound from {beyond} to {last}, {name}");
+        let words = format!("n is below the bound from {beyond} to {last}, {weight}");
         d.certain(Support::Balls, words, [ranges[1], ranges[0]], |range| {
             on_all(range, &CurveStates::sliding, &|a, b| {
                 largest(&a.alpha, &b.thrust).is_less_than(&bound)
@@ -286,13 +283,14 @@ fn pure_sliding_ends_at_b(d: &mut Derivation) -> Checked {
         let joint = Angle::new((least.clone() * (least.int(1) - &least)).sqrt());
         let (inner, shoulder) =
             (sliding::inner(&joint, &least).value(), sliding::shoulder(&end, &least).value());
-        let words = format!("mu_ss < mu_is at alpha_L for h = 1/50, so h is larger there, {name}");
+        let words =
+            format!("mu_ss < mu_is at alpha_L for h = 1/50, so h is larger there, {weight}");
         d.less(words, [&shoulder, &inner])?;
         // The larger the thrust, the smaller it is there, as cos(alpha) < 0.
         let normal = |thrust: &Ball| statics::normal_force(&end, thrust);
-        d.above_zero(format!("N > 0 there, {name}"), [&normal(&least), &normal(&least.int(50))])?;
+        d.above_zero(format!("N > 0 there, {weight}"), [&normal(&least), &normal(&least.int(50))])?;
         let value = largest(&Angle::new(Ball::enclosing(&last, 128)), &least);
-        d.less(format!("n is below the bound from {last} to alpha_L, {name}"), [&value, &bound])?;
+        d.less(format!("n is below the bound from {last} to alpha_L, {weight}"), [&value, &bound])?;
     }
     d.conclude(
         "At B n is the bound, by (3) at eta = 2; beyond it n is below, and from alpha_L on so is A, \

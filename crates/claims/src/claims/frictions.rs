@@ -224,7 +224,6 @@ fn order_of_frictions(d: &mut Derivation) -> Checked {
     lemmas(d, [&SLOPES_OF_FRICTION, &FRICTION_FOR_ROTATION_GROWS])?;
     small_openings(d)?;
     for weight in SelfWeight::ALL {
-        let name = weight.name();
         let (before, beyond) = around(&landmark(Landmark::Triple, weight)?.half_opening.rad, 1000)?;
         let end = landmark(Landmark::RotationEnd, weight)?.half_opening;
         let rotational = |alpha: &Rational| CurveStates::rotational(weight, alpha);
@@ -232,7 +231,7 @@ fn order_of_frictions(d: &mut Derivation) -> Checked {
         let last: Rational = below(&end.rad, 100)?;
         // What holds before T does not beyond.
         let ranges = [(&half, &before), (&beyond, &last)];
-        let words = format!("M > m from 1/2 up to {before}, {name}");
+        let words = format!("M > m from 1/2 up to {before}, {weight}");
         let holds = |a: &CurveStates, b: &CurveStates| {
             b.inner_friction().is_less_than(&a.shoulder_friction())
         };
@@ -240,19 +239,19 @@ fn order_of_frictions(d: &mut Derivation) -> Checked {
         let all = rotational(&before)?.up_to(&rotational(&beyond)?);
         // There the joint falls with the half opening, as all else is monotone too.
         let widest = landmark(Landmark::WidestJoint, weight)?.half_opening.rad;
-        let words = format!("alpha_sb < {before}, {name}");
+        let words = format!("alpha_sb < {before}, {weight}");
         d.less(words, [&widest, &Ball::enclosing(&before, widest.prec())])?;
         let slope = all.friction_gap_slope()?;
-        let words = format!("M - m falls from {before} to {beyond}, which holds alpha_T, {name}");
+        let words = format!("M - m falls from {before} to {beyond}, which holds alpha_T, {weight}");
         d.less(words, [&slope, &slope.int(0)])?;
-        let words = format!("M < m from {beyond} to {last}, {name}");
+        let words = format!("M < m from {beyond} to {last}, {weight}");
         let holds = |a: &CurveStates, b: &CurveStates| {
             b.shoulder_friction().is_less_than(&a.inner_friction())
         };
         let ranges = [ranges[1], ranges[0]];
         d.certain(Support::Balls, words, ranges, |range| on_all(range, &rotational, &holds))?;
         let limit = sliding::shoulder(&end, &end.rad.int(0)).value();
-        let words = format!("M < m from {last} to alpha_l, where h = 0, {name}");
+        let words = format!("M < m from {last} to alpha_l, where h = 0, {weight}");
         d.less(words, [&limit, &rotational(&last)?.inner_friction()])?;
     }
     d.conclude(

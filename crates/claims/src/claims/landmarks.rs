@@ -43,7 +43,7 @@ fn triple_point(d: &mut Derivation) -> Checked {
         let arm = |[shoulder, haunch]: [&Angle<Ball>; 2]| {
             thrust::upper(shoulder, haunch, &ring).denominator
         };
-        let words = format!("the lever arm in (3) at T, {} weight", weight.name());
+        let words = format!("the lever arm in (3) at T, {weight} weight");
         // Between a haunch that is at the shoulder and a shoulder that is at the haunch it is negative.
         d.above_zero(words, [&arm([shoulder, haunch]), &arm([haunch, shoulder])])?;
     }
@@ -81,8 +81,7 @@ fn junction_point(d: &mut Derivation) -> Checked {
         let tangency = thrust::tangency(&at.thrust.int(1), &ring).residual(&at.thrust);
         let words = format!(
             "(5) in the limit beta -> 0, cleared, is twice the slope of the distance from the \
-             intrados over sin(beta) at the crown, {} weight",
-            weight.name()
+             intrados over sin(beta) at the crown, {weight} weight"
         );
         let slope = contact::crown_slope(weight, &at) * at.thrust.int(2);
         d.identity(words, &tangency, &slope)?;
@@ -110,10 +109,8 @@ fn border_point(d: &mut Derivation) -> Checked {
         let cotangent = Symbol::joint().times_cotangent();
         let residual = thrust::tangency(&cotangent, &symbolic).residual(&Symbol::Thrust.number());
         let value = two.clone() * &ring.centroid_factor;
-        let words = format!(
-            "(5), cleared, at eta = 2, whatever the joint and the thrust, {} weight",
-            weight.name()
-        );
+        let words =
+            format!("(5), cleared, at eta = 2, whatever the joint and the thrust, {weight} weight");
         d.identity(words, &residual, Fraction::from(value.clone()))?;
         d.differ("its residual", &value, &Rational::new())?;
     }

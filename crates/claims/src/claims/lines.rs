@@ -23,7 +23,7 @@ fn traced() -> &'static [(String, Checked<bool>)] {
         let all = SelfWeight::ALL.into_iter().flat_map(|weight| Curve::ALL.map(|c| (c, weight)));
         let trace = |(curve, weight): (Curve, SelfWeight)| {
             let [from, to] = curve.ends();
-            let words = format!("{curve} from {from} to {to}, {}", weight.name());
+            let words = format!("{curve} from {from} to {to}, {weight}");
             let traced = Trace::new(curve, weight, TOLERANCE);
             (words, traced.map(|trace| trace.gaps().next().is_none()))
         };

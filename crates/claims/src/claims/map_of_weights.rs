@@ -169,7 +169,7 @@ fn lines_rise(d: &mut Derivation) -> Checked {
     intrados_factor_grows(d, "d(2 fac/(2 - eta))/d eta, positive")?;
     for weight in SelfWeight::ALL {
         let thrust = landmark(Landmark::Triple, weight)?.thrust;
-        let words = format!("h < 1/2 at T and beyond, {} weight", weight.name());
+        let words = format!("h < 1/2 at T and beyond, {weight} weight");
         d.less(words, [&thrust, &thrust.ratio(1, 2)])?;
     }
     d.conclude(

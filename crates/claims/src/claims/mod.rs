@@ -89,41 +89,18 @@ pub use sentence::{Decided, Sentence};
 use claim::{claims, lemmas};
 use derivation::Checked;
 
+/// The claims of these files.
+macro_rules! of_files {
+    ($($file:ident)+) => { [$($file::CLAIMS),+].concat() };
+}
+
 /// All claims, in the order of the paper.
 pub fn claims() -> Vec<Claim> {
-    [
-        units::CLAIMS,
-        moments::CLAIMS,
-        cubics::CLAIMS,
-        curve::CLAIMS,
-        branches::CLAIMS,
-        overturning::CLAIMS,
-        trends::CLAIMS,
-        joining::CLAIMS,
-        sliding::CLAIMS,
-        regular::CLAIMS,
-        asymptotics::CLAIMS,
-        landmarks::CLAIMS,
-        rounded::CLAIMS,
-        same_opening::CLAIMS,
-        differences::CLAIMS,
-        weights::CLAIMS,
-        frictions::CLAIMS,
-        map_of_weights::CLAIMS,
-        border::CLAIMS,
-        contacts::CLAIMS,
-        modes::CLAIMS,
-        mechanisms::CLAIMS,
-        domains::CLAIMS,
-        tiling::CLAIMS,
-        lines::CLAIMS,
-        areas::CLAIMS,
-        admissible::CLAIMS,
-        uniqueness::CLAIMS,
-        asymmetric::CLAIMS,
-        asymmetric_begins::CLAIMS,
-    ]
-    .concat()
+    of_files! {
+        units moments cubics curve branches overturning trends joining sliding regular asymptotics
+        landmarks rounded same_opening differences weights frictions map_of_weights border contacts modes
+        mechanisms domains tiling lines areas admissible uniqueness asymmetric asymmetric_begins
+    }
 }
 
 #[cfg(test)]

@@ -156,16 +156,15 @@ fn modes_occur(d: &mut Derivation) -> Checked {
     for ((mode, arches), (_, others)) in EXAMPLES.iter().zip(EXAMPLES.iter().cycle().skip(1)) {
         for (weight, (arch, other)) in SelfWeight::ALL.into_iter().zip(arches.iter().zip(others)) {
             let (alpha, mu) = arch;
-            let words = format!("alpha = {alpha}, mu = {mu}: {mode}, {}", weight.name());
+            let words = format!("alpha = {alpha}, mu = {mu}: {mode}, {weight}");
             d.certain(Support::Balls, words, [arch, other], |(alpha, mu)| {
                 Ok(certain_if(state_of(alpha, mu, weight)?.mode == *mode))
             })?;
         }
     }
     for weight in SelfWeight::ALL {
-        let name = weight.name();
         for (words, margin, elsewhere) in room_of_pure_sliding(weight)? {
-            d.above_zero(format!("{words}, {name}"), [&margin, &elsewhere])?;
+            d.above_zero(format!("{words}, {weight}"), [&margin, &elsewhere])?;
         }
     }
     d.conclude(

@@ -167,7 +167,7 @@ pub(super) fn end_of_rotation_is_simple(
     for weight in SelfWeight::ALL {
         let end = overturning::thickness_at_end(weight, &Surd::new(0, 1, 3));
         let value = overturning::end_of_rotation(&Ring::new(weight, &end));
-        let words = format!("it vanishes at eta_l{}, {} weight", shown(&end), weight.name());
+        let words = format!("it vanishes at eta_l{}, {weight} weight", shown(&end));
         d.equal(words, &value, &end.int(0))?;
     }
     Ok(())
@@ -181,10 +181,9 @@ fn limit_values(d: &mut Derivation) -> Checked {
     ];
     for (weight, eta, a) in cases {
         let ring = Ring::new(weight, &eta);
-        let name = weight.name();
         let rest = overturning::end_of_rotation(&ring);
-        d.equal(format!("{name}: (16) corrected at eta = {eta}"), &rest, &eta.int(0))?;
-        d.equal(format!("{name}: A by (13)"), &opening_at(weight, &eta), &a)?;
+        d.equal(format!("{weight}: (16) corrected at eta = {eta}"), &rest, &eta.int(0))?;
+        d.equal(format!("{weight}: A by (13)"), &opening_at(weight, &eta), &a)?;
     }
     let eta = Symbol::Thickness.number();
     let residual =
@@ -200,7 +199,7 @@ fn limit_values(d: &mut Derivation) -> Checked {
 fn physical_limit(d: &mut Derivation) -> Checked {
     for (weight, a) in [(SelfWeight::Heyman, (1, 2)), (SelfWeight::Milankovitch, (2, 3))] {
         let opening = opening_at(weight, &Rational::from(2));
-        d.equal(format!("{}: A by (13) at eta = 2", weight.name()), &opening, &Rational::from(a))?;
+        d.equal(format!("{weight}: A by (13) at eta = 2"), &opening, &Rational::from(a))?;
     }
     Ok(())
 }

@@ -68,7 +68,7 @@ fn rounds_to(d: &mut Derivation, words: &str, value: &Ball, text: &str) -> Check
 fn rounded_values(d: &mut Derivation) -> Checked {
     for (landmark, weight, quantity, texts) in ROUNDED {
         let point = CertifiedLandmark::new(*landmark, *weight)?;
-        let words = format!("{} at {}, {}", quantity.name(), landmark.symbol(), weight.name());
+        let words = format!("{quantity} at {landmark}, {weight}");
         let value = point
             .enclosure(128)?
             .quantity(*quantity)
@@ -85,12 +85,7 @@ fn rounded_values(d: &mut Derivation) -> Checked {
     {
         let degrees = in_degrees(&arctangent(&friction));
         for text in ["22", "2e1"] {
-            rounds_to(
-                d,
-                &format!("its angle in degrees, {} weight,", weight.name()),
-                &degrees,
-                text,
-            )?;
+            rounds_to(d, &format!("its angle in degrees, {weight} weight,"), &degrees, text)?;
         }
     }
     Ok(())
@@ -102,7 +97,7 @@ fn nearness(bounds: &mut MeasuredBounds<'_>) -> Checked {
         let junction = landmark(Landmark::Junction, weight)?;
         for unknown in [Unknown::Thickness, Unknown::Friction] {
             let distance = junction.value(unknown).clone() - shift.value(unknown);
-            let words = format!("{} from S to J, {} weight", unknown.name(), weight.name());
+            let words = format!("{} from S to J, {weight} weight", unknown.name());
             bounds.at_most((&words, &distance, ""), 3)?;
         }
     }
@@ -128,11 +123,7 @@ fn collapses(
     weight: SelfWeight,
     mode: Mode,
 ) -> Checked {
-    let words = format!(
-        "alpha = {alpha}, mu = {friction} gives {}, {} weight",
-        mode.label(),
-        weight.name()
-    );
+    let words = format!("alpha = {alpha}, mu = {friction} gives {mode}, {weight} weight");
     d.certain(Support::Balls, words, [friction, other], |friction| {
         Ok(certain_if(state_of(alpha, friction, weight)?.mode == mode))
     })
@@ -141,7 +132,7 @@ fn collapses(
 fn semicircle_suffices(bounds: &mut MeasuredBounds<'_>) -> Checked {
     let sufficient = [(SelfWeight::Milankovitch, "0.3953"), (SelfWeight::Heyman, "0.3959")];
     for (weight, enough) in sufficient {
-        let words = format!("the friction that the shoulder asks for, {} weight", weight.name());
+        let words = format!("the friction that the shoulder asks for, {weight} weight");
         least_friction(bounds, &words, &semicircle(weight)?[1], 4)?;
         collapses(bounds.d, ("pi/2", [enough, "0.395"]), weight, Mode::Rotational)?;
         collapses(bounds.d, ("pi/2", ["0.395", enough]), weight, Mode::SlidingRotational)?;

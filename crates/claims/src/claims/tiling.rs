@@ -98,7 +98,7 @@ fn columns(d: &mut Derivation) -> Checked {
 /// Proves that `beta_s` falls with the friction right of T: `h_s` falls from `h_T` on.
 pub(super) fn thrust_at_triple_is_below_half(d: &mut Derivation, weight: SelfWeight) -> Checked {
     let thrust = landmark(Landmark::Triple, weight)?.thrust;
-    d.less(format!("h_T < 1/2, {}", weight.name()), [&thrust, &thrust.ratio(1, 2)])
+    d.less(format!("h_T < 1/2, {weight}"), [&thrust, &thrust.ratio(1, 2)])
 }
 
 /// By (5) the rotational joint falls as the thickness grows.
@@ -127,8 +127,7 @@ fn rows(d: &mut Derivation) -> Checked {
         let side = h.int(2) * &ring.centroid_factor / ring.intrados() + h - h.int(1);
         let slope = contact::crown_slope(weight, &at) * h.int(2) / ring.intrados();
         let words = format!(
-            "the slope at the crown, up to a factor: h - 1 + 2 fac/(2 - eta), of (5), less 1, {}",
-            weight.name()
+            "the slope at the crown, up to a factor: h - 1 + 2 fac/(2 - eta), of (5), less 1, {weight}"
         );
         d.identity(words, &slope, side - h.int(1))?;
         thrust_at_triple_is_below_half(d, weight)?;

@@ -53,9 +53,7 @@ fn trends_compared(bounds: &mut MeasuredBounds<'_>) -> Checked {
             true => ("above 5/2", [&a, &at_bound]),
             false => ("below 14/5", [&at_bound, &a]),
         };
-        bounds
-            .d
-            .less(format!("alpha is {side} at eta = {eta}, {} weight", weight.name()), order)?;
+        bounds.d.less(format!("alpha is {side} at eta = {eta}, {weight} weight"), order)?;
     }
     let margin = |n, m| leverage(&high) * low.int(n) - leverage(&low) * low.int(m);
     let words = "12 k(14/5) > 7 k(5/2), where k = (1 - cos)/(alpha - sin), d alpha = -k dA";
@@ -87,7 +85,7 @@ fn ranges_compared(bounds: &mut MeasuredBounds<'_>) -> Checked {
     let mut ends = Vec::new();
     for weight in [SelfWeight::Milankovitch, SelfWeight::Heyman] {
         let end = in_degrees(&landmark(OverturningEnd, weight)?.half_opening.rad);
-        let words = format!("alpha_L, {} weight", weight.name());
+        let words = format!("alpha_L, {weight} weight");
         bounds.at_most((&words, &end, "°"), 4)?;
         ends.push(end);
     }

@@ -158,7 +158,7 @@ fn one_thickness(d: &mut Derivation) -> Checked {
     )?;
     for weight in SelfWeight::ALL {
         for (words, margin, elsewhere) in room_of_pure_sliding(weight)? {
-            let words = format!("the exception: {words}, {}", weight.name());
+            let words = format!("the exception: {words}, {weight}");
             d.above_zero(words, [&margin, &elsewhere])?;
         }
     }

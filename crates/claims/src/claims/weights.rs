@@ -43,7 +43,7 @@ fn comparisons() -> Checked<&'static [Comparison]> {
 fn exact(landmark: Landmark, weight: SelfWeight, quantity: Quantity) -> Checked<Surd> {
     match CertifiedLandmark::new(landmark, weight)?.exact(quantity) {
         Some(Exact::Surd(value)) => Ok(value),
-        _ => Err(Undecided::new(format!("{} at {}", quantity.name(), landmark.symbol()))),
+        _ => Err(Undecided::new(format!("{quantity} at {landmark}"))),
     }
 }
 
@@ -52,7 +52,7 @@ fn compared(d: &mut Derivation, quantity: Quantity) -> Checked<Finding> {
     let mut equalities = Vec::new();
     for comparison in comparisons()?.iter().filter(|c| c.quantity == quantity) {
         let landmark = comparison.landmark;
-        let words = format!("{} at {}", quantity.name(), landmark.symbol());
+        let words = format!("{quantity} at {landmark}");
         if comparison.certified == Relation::Equal {
             let [value, other] = both(|weight| exact(landmark, weight, quantity))?;
             d.equal(format!("{words} is the same for both weights"), &other, &value)?;
@@ -103,7 +103,7 @@ fn limits_compared(d: &mut Derivation) -> Checked {
             true => ("higher", [heyman, milankovitch]),
             false => ("lower", [milankovitch, heyman]),
         };
-        d.less(format!("{} at {} is {relation}", quantity.name(), point.symbol()), sides)?;
+        d.less(format!("{quantity} at {} is {relation}", point.symbol()), sides)?;
     }
     for point in [RotationEnd, OverturningEnd] {
         let [high, low] = both(|w| landmark(point, w).map(|at| at.half_opening.rad))?;

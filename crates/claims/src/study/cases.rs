@@ -68,7 +68,7 @@ pub fn cases() -> Vec<Case> {
     }
     for landmark in Landmark::ALL {
         for weight in SelfWeight::ALL {
-            let name = format!("{} {}", landmark.symbol(), weight.name());
+            let name = format!("{landmark} {weight}");
             let start = start::landmark(landmark, weight).to_vec();
             cases.push(case("landmark", name, Task::Landmark { weight, landmark }, start));
         }
@@ -94,7 +94,7 @@ fn states() -> Vec<Case> {
         // Nobody starts at the solution.
         let start = |&unknown| Some(state.value(unknown)?.mid().to_f64() * 1.001);
         let start: Option<_> = mode.system(weight).unknowns.iter().map(start).collect();
-        let name = format!("{} alpha = {half_opening}, mu = {friction}", mode.label());
+        let name = format!("{mode} alpha = {half_opening}, mu = {friction}");
         let problem = Task::State { weight, mode, half_opening, friction };
         (state.mode == mode).then_some(case("state", name, problem, start?))
     });

@@ -4,11 +4,10 @@
 //! other kept crate, `twofloat` 0.8, has sines, to 23 digits; but its quotient of two numbers has the
 //! digits of a double only, 1/3 for instance.)
 
-use crate::number::{Field, Real};
+use crate::number::{Field, Real, operators};
 use crate::solve::Approximate;
 use qd::Quad;
 use rug::Float;
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Bits of a double-double number.
 pub const BITS: u32 = 106;
@@ -23,32 +22,29 @@ impl From<f64> for Qd {
     }
 }
 
-impl Neg for Qd {
-    type Output = Self;
-    fn neg(self) -> Self {
+impl Qd {
+    fn negated(self) -> Self {
         Self(-self.0)
+    }
+
+    fn plus(self, other: &Self) -> Self {
+        Self(self.0 + other.0)
+    }
+
+    fn minus(self, other: &Self) -> Self {
+        Self(self.0 - other.0)
+    }
+
+    fn times(self, other: &Self) -> Self {
+        Self(self.0 * other.0)
+    }
+
+    fn over(self, other: &Self) -> Self {
+        Self(self.0 / other.0)
     }
 }
 
-/// An operator of the crate, between numbers and with a reference on the right.
-macro_rules! operator {
-    ($($op:ident $method:ident),*) => {$(
-        impl $op for Qd {
-            type Output = Self;
-            fn $method(self, other: Self) -> Self {
-                Self(self.0.$method(other.0))
-            }
-        }
-
-        impl $op<&Self> for Qd {
-            type Output = Self;
-            fn $method(self, other: &Self) -> Self {
-                self.$method(*other)
-            }
-        }
-    )*};
-}
-operator!(Add add, Sub sub, Mul mul, Div div);
+operators!(Qd);
 
 impl Field for Qd {
     fn int(&self, n: i32) -> Self {

@@ -22,8 +22,8 @@ pub mod frame;
 pub mod path;
 #[cfg(feature = "plots")]
 pub mod png;
-#[doc(hidden)]
-pub mod reading;
+#[cfg(test)]
+mod reading;
 pub mod room;
 pub mod scale;
 pub mod spread;

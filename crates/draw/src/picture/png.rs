@@ -1,5 +1,7 @@
 //! SVG as pixels.
 
+#[doc(hidden)]
+pub use resvg;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 
@@ -9,7 +11,8 @@ static FONT: &[u8] = include_bytes!("../../assets/DejaVuSans.ttf");
 pub const FINE: f32 = 2.0;
 
 /// Tree of an SVG as the program itself writes it, with its font.
-pub(super) fn tree(svg: &str) -> Tree {
+#[doc(hidden)]
+pub fn tree(svg: &str) -> Tree {
     let mut options = Options { font_family: "DejaVu Sans".into(), ..Options::default() };
     options.fontdb_mut().load_font_data(FONT.to_vec());
     Tree::from_str(svg, &options).expect("the picture is well formed")

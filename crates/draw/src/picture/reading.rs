@@ -1,8 +1,8 @@
-//! Readings of a picture, for tests.
+//! Readings of a picture, for tests: of this crate, and of others that draw.
 
 /// The texts of a document, if its tags are closed in order, its attributes quoted, and nothing is
 /// left unescaped.
-pub fn texts(svg: &str) -> Option<Vec<String>> {
+pub(crate) fn texts(svg: &str) -> Option<Vec<String>> {
     let plain = |text: &str| {
         text.split('&').skip(1).all(|rest| {
             ["lt;", "gt;", "amp;", "quot;", "apos;"].iter().any(|name| rest.starts_with(name))
@@ -41,10 +41,10 @@ fn what_is_not_well_formed_is_refused() {
 
 /// Boxes of the texts of a document, with the page.
 #[cfg(feature = "plots")]
-pub mod boxes {
-    use crate::picture::png;
-    use resvg::tiny_skia::Rect;
-    use resvg::usvg::{Group, Node};
+pub(crate) mod boxes {
+    use crate::picture::png::resvg::tiny_skia::Rect;
+    use crate::picture::png::resvg::usvg::{Group, Node};
+    use crate::picture::png::tree;
 
     fn boxes(group: &Group) -> Vec<(String, Rect)> {
         let of = |node: &Node| match node {
@@ -59,8 +59,8 @@ pub mod boxes {
     }
 
     /// The first text that leaves the page or lies on another.
-    pub fn trouble(svg: &str) -> Option<String> {
-        let tree = png::tree(svg);
+    pub(crate) fn trouble(svg: &str) -> Option<String> {
+        let tree = tree(svg);
         let page = tree.size();
         let boxes = boxes(tree.root());
         for (k, (text, one)) in boxes.iter().enumerate() {

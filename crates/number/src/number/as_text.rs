@@ -1,4 +1,4 @@
-//! Types that files hold as their text, for serde.
+//! Types that are their text: in files, for serde, and where a test shows them.
 
 /// `Serialize` and `Deserialize` of types that are written by `Display` and read by `FromStr`.
 ///
@@ -27,6 +27,29 @@ macro_rules! as_text {
             fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
                 let text = <String as serde::Deserialize>::deserialize(from)?;
                 text.parse().map_err(serde::de::Error::custom)
+            }
+        }
+    )+};
+}
+
+/// `Debug` of types that are shown as `Display` writes them: a line, where a test fails.
+///
+/// ```
+/// struct Metres(u8);
+/// impl std::fmt::Display for Metres {
+///     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+///         write!(f, "{} m", self.0)
+///     }
+/// }
+/// couplet_number::shown_as_text!(Metres);
+/// assert_eq!(format!("{:?}", [Metres(3)]), "[3 m]");
+/// ```
+#[macro_export]
+macro_rules! shown_as_text {
+    ($($type:ty),+) => {$(
+        impl std::fmt::Debug for $type {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                std::fmt::Display::fmt(self, f)
             }
         }
     )+};

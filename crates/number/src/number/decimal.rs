@@ -1,6 +1,6 @@
 //! Decimal text, read exactly.
 
-use super::says;
+use super::{says, shown_as_text};
 use std::fmt;
 use std::str::FromStr;
 
@@ -30,12 +30,7 @@ says!(ParseDecimalError {
 
 const MAX_EXPONENT: i64 = 1_000_000;
 
-impl fmt::Debug for Decimal {
-    /// The number as it is written.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
+shown_as_text!(Decimal);
 
 impl Decimal {
     /// The decimal of a sign, digits and the power of ten of the last digit.

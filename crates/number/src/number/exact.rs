@@ -2,7 +2,7 @@
 
 use super::tangent::angle_of_tangent;
 use super::unit::{AngleUnit, unit};
-use super::{Decimal, Dyadic, Engine, ParseDecimalError, as_text, says, shown};
+use super::{Decimal, Dyadic, Engine, ParseDecimalError, as_text, says, shown, shown_as_text};
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
 use std::fmt;
@@ -218,14 +218,8 @@ impl fmt::Display for ExactNumber {
     }
 }
 
-impl fmt::Debug for ExactNumber {
-    /// The text, which says which number it is.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.text)
-    }
-}
-
 as_text!(ExactNumber);
+shown_as_text!(ExactNumber);
 
 impl From<i32> for ExactNumber {
     fn from(value: i32) -> Self {

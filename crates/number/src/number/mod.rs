@@ -23,6 +23,8 @@
 //! asks for a [`Field`] or a [`Real`], cannot branch.
 
 /// The operators of a number from its `plus`, `minus`, `times`, `over` and `negated`; a right-hand side may be owned.
+#[doc(hidden)]
+#[macro_export]
 macro_rules! operators {
     (@ [$($generics:tt)*] $type:ty, $op:ident, $method:ident, $does:ident) => {
         impl<$($generics)*> std::ops::$op<&$type> for $type {
@@ -42,10 +44,10 @@ macro_rules! operators {
         }
     };
     ([$($generics:tt)*] $type:ty) => {
-        operators!(@ [$($generics)*] $type, Add, add, plus);
-        operators!(@ [$($generics)*] $type, Sub, sub, minus);
-        operators!(@ [$($generics)*] $type, Mul, mul, times);
-        operators!(@ [$($generics)*] $type, Div, div, over);
+        $crate::operators!(@ [$($generics)*] $type, Add, add, plus);
+        $crate::operators!(@ [$($generics)*] $type, Sub, sub, minus);
+        $crate::operators!(@ [$($generics)*] $type, Mul, mul, times);
+        $crate::operators!(@ [$($generics)*] $type, Div, div, over);
 
         impl<$($generics)*> std::ops::Neg for $type {
             type Output = Self;
@@ -56,8 +58,21 @@ macro_rules! operators {
         }
     };
     ($type:ty) => {
-        operators!([] $type);
+        $crate::operators!([] $type);
     };
+}
+
+/// Operators with a reference on the left, of a number that has those of values.
+#[cfg(feature = "mpfr")]
+macro_rules! references {
+    ($type:ty: $($op:ident $method:ident: $($right:ty),+;)+) => {$($(
+        impl std::ops::$op<$right> for &$type {
+            type Output = $type;
+            fn $method(self, other: $right) -> $type {
+                std::ops::$op::$method(self.clone(), other)
+            }
+        }
+    )+)+};
 }
 
 mod angle;
@@ -96,7 +111,7 @@ mod unit;
 mod worded;
 mod written;
 
-pub use crate::{as_text, says, worded};
+pub use crate::{as_text, list, operators, says, shown_as_text, worded};
 pub use angle::Angle;
 pub use astro::{Astro, AstroInterval};
 pub use decimal::{Decimal, ParseDecimalError};

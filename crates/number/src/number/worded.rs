@@ -1,4 +1,4 @@
-//! Enums whose variants have words: each stands beside its variant, and nowhere else.
+//! Enums whose variants have words: each stands beside its variant, and nowhere else; and lists of variants.
 
 /// An enum with a list of its variants and a method that gives what stands beside each:
 ///
@@ -41,4 +41,15 @@ macro_rules! worded {
             }
         }
     };
+}
+
+/// An array of variants of an enum, by their names alone.
+///
+/// ```
+/// use std::cmp::Ordering;
+/// assert_eq!(couplet_number::list![Ordering: Less Equal], [Ordering::Less, Ordering::Equal]);
+/// ```
+#[macro_export]
+macro_rules! list {
+    ($of:ident: $($variant:ident)+) => { [$($of::$variant),+] };
 }

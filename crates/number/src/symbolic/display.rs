@@ -75,7 +75,7 @@ impl Polynomial {
             }
             let negative = coefficient.leading().is_some_and(|(_, value)| *value < 0);
             push_signed(&mut text, negative);
-            let positive = if negative { -coefficient } else { coefficient.clone() };
+            let positive = if negative { -coefficient.clone() } else { coefficient.clone() };
             let factor = positive.show_factored(notation);
             match (power, factor.as_str()) {
                 (0, factor) => text += factor,

@@ -88,7 +88,7 @@ pub fn along_the_opening() -> [(Symbol, Polynomial); 3] {
 }
 
 fn along(rad: Symbol, sin: Symbol, cos: Symbol) -> [(Symbol, Polynomial); 3] {
-    let [slope_of_cos, slope_of_sin] = [-&Polynomial::symbol(sin), Polynomial::symbol(cos)];
+    let [slope_of_cos, slope_of_sin] = [-Polynomial::symbol(sin), Polynomial::symbol(cos)];
     [(rad, Polynomial::from(1)), (sin, slope_of_sin), (cos, slope_of_cos)]
 }
 

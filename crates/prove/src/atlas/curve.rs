@@ -21,6 +21,7 @@ use super::form::{CurveForm, FixedJoint, Thrust};
 use super::law::Law;
 use super::variable::Variable;
 use crate::arch::SelfWeight;
+use crate::number::list;
 use crate::problem::Line;
 use std::fmt;
 
@@ -191,22 +192,8 @@ impl Curve {
         match self {
             Self::Line(Line::RotationShoulder) => {
                 let flat = touching(
-                    &[
-                        V::OpeningRatio,
-                        V::HalfOpening,
-                        V::FrictionAngle,
-                        V::JointRatio,
-                        V::JointSquare,
-                        V::Thickness,
-                    ],
-                    &[
-                        L::FlatTurningShoulder,
-                        L::OpeningRatio,
-                        L::Cycloid,
-                        L::FlatTurning,
-                        L::JointRatio,
-                        L::Rotation,
-                    ],
+                    &list![V: OpeningRatio HalfOpening FrictionAngle JointRatio JointSquare Thickness],
+                    &list![L: FlatTurningShoulder OpeningRatio Cycloid FlatTurning JointRatio Rotation],
                 );
                 let other = touching(
                     &[V::HalfOpening, V::FrictionAngle, V::JointSquare, V::Thickness],

@@ -148,7 +148,7 @@ impl Difference {
     pub fn new(divide: Divide, tolerance: f64) -> Result<Self, Undecided> {
         let trace = |(line, weight): (&Line, SelfWeight)| {
             let trace = Trace::over_inclination(*line, weight, SHARE * tolerance)?;
-            let open = || format!("{line}, {}: not every piece is proved", weight.name());
+            let open = || format!("{line}, {weight}: not every piece is proved");
             match trace.gaps().count() {
                 0 => Ok(trace),
                 _ => Err(Undecided::new(open())),

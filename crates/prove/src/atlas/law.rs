@@ -68,47 +68,44 @@ impl Law {
             let quarter = at.half_opening.square() / at.thrust.int(4);
             thrust::whole_through(&opening_variable_at_half(&quarter.stumpff(2)), &ring())
         };
+        use Law::*;
         match self {
-            Self::Cycloid => cycloid::friction_angle(&at.inclination) - &at.friction_angle,
-            Self::Shoulder => {
-                cycloid::shoulder(&at.half_opening, &at.shoulder_inclination(), &at.thrust)
-            }
-            Self::FlatShoulder => cycloid::flat_shoulder(&at.ratio, &at.inclination.rad),
-            Self::Ratio => {
+            Cycloid => cycloid::friction_angle(&at.inclination) - &at.friction_angle,
+            Shoulder => cycloid::shoulder(&at.half_opening, &at.shoulder_inclination(), &at.thrust),
+            FlatShoulder => cycloid::flat_shoulder(&at.ratio, &at.inclination.rad),
+            Ratio => {
                 at.half_opening.clone()
                     - &at.friction_angle
                     - at.ratio.clone() * &at.inclination.rad
             }
-            Self::FlatTurningShoulder => at.flat().shoulder(weight, &at.inclination.rad),
-            Self::FlatTurning => at.flat().turning(weight, &at.half_opening),
-            Self::OpeningRatio => {
+            FlatTurningShoulder => at.flat().shoulder(weight, &at.inclination.rad),
+            FlatTurning => at.flat().turning(weight, &at.half_opening),
+            OpeningRatio => {
                 at.half_opening.clone() - at.opening_ratio.clone() * &at.inclination.rad
             }
-            Self::JointRatio => {
-                at.joint_square.clone() - at.inclination.rad.square() * &at.joint_ratio
-            }
-            Self::Tangency => tangency().residual(&at.thrust),
-            Self::Touching => touching().residual(&at.thrust),
-            Self::TouchingRoot => touching_root(&at.inclination.cos, &at.joint_square, &ring()),
-            Self::Rotation => tangency().difference(&touching()),
-            Self::Whole => whole().residual(&at.thrust),
-            Self::WholeTangency => whole().difference(&tangency()),
-            Self::Upper => at.upper(weight).residual(&at.thrust),
-            Self::CarriedShoulder => {
+            JointRatio => at.joint_square.clone() - at.inclination.rad.square() * &at.joint_ratio,
+            Tangency => tangency().residual(&at.thrust),
+            Touching => touching().residual(&at.thrust),
+            TouchingRoot => touching_root(&at.inclination.cos, &at.joint_square, &ring()),
+            Rotation => tangency().difference(&touching()),
+            Whole => whole().residual(&at.thrust),
+            WholeTangency => whole().difference(&tangency()),
+            Upper => at.upper(weight).residual(&at.thrust),
+            CarriedShoulder => {
                 let carried = at.half_opening.clone() - &at.vertical_force;
                 cycloid::shoulder(&carried, &at.shoulder_inclination(), &at.thrust)
             }
-            Self::InnerSlides => {
+            InnerSlides => {
                 at.friction_angle.clone()
                     - cycloid::friction_angle(&at.inclination)
                     - &at.vertical_force
             }
-            Self::OnCrown => at.at_crown(weight)[0].clone(),
-            Self::TouchesCrown => at.at_crown(weight)[1].clone(),
-            Self::OnHaunch => at.at_haunch(weight)[0].clone(),
-            Self::TouchesHaunch => at.at_haunch(weight)[1].clone(),
-            Self::ShoulderOpens => at.closing(AsymmetricMode::ShoulderOpening, weight),
-            Self::HingesFit => at.closing(AsymmetricMode::ShoulderSliding, weight),
+            OnCrown => at.at_crown(weight)[0].clone(),
+            TouchesCrown => at.at_crown(weight)[1].clone(),
+            OnHaunch => at.at_haunch(weight)[0].clone(),
+            TouchesHaunch => at.at_haunch(weight)[1].clone(),
+            ShoulderOpens => at.closing(AsymmetricMode::ShoulderOpening, weight),
+            HingesFit => at.closing(AsymmetricMode::ShoulderSliding, weight),
         }
     }
 

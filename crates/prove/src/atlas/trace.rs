@@ -79,7 +79,7 @@ impl Trace {
     ) -> Result<Self, Undecided> {
         let [first, last] = curve.ends();
         let [start, end] = [EndValues::of(first, weight)?, EndValues::of(last, weight)?];
-        let about = |what: &str| Undecided::new(format!("{curve}, {}: {what}", weight.name()));
+        let about = |what: &str| Undecided::new(format!("{curve}, {weight}: {what}"));
         let mut legs: Vec<(CurveForm, Walk)> = Vec::new();
         for Leg { form, from, to } in parts {
             let at_start = start.value(form.parameter).lower().to_f64_round(Round::Down);

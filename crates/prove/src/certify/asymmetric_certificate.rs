@@ -5,24 +5,15 @@ use super::certificate::{Root, attempt};
 use super::verdict::rounded;
 use crate::arch::asymmetric::AsymmetricMode;
 use crate::check::Certificate;
+use crate::number::list;
 use crate::problem::{Arch, Known, Problem, Quantity};
 use crate::prover::root::no_candidate;
 use crate::prover::{Error, Refused};
 
 /// Quantities stated of a solution, if its kind has it.
-const STATED: [Quantity; 12] = [
-    Quantity::Thickness,
-    Quantity::Thrust,
-    Quantity::IntrinsicThrust,
-    Quantity::CrownMoment,
-    Quantity::VerticalForce,
-    Quantity::CrownHinge,
-    Quantity::RotationJoint,
-    Quantity::SlidingJoint,
-    Quantity::ShoulderSlip,
-    Quantity::ShoulderOpening,
-    Quantity::InnerSlip,
-    Quantity::Power,
+const STATED: [Quantity; 12] = list![Quantity:
+    Thickness Thrust IntrinsicThrust CrownMoment VerticalForce CrownHinge RotationJoint SlidingJoint
+    ShoulderSlip ShoulderOpening InnerSlip Power
 ];
 
 /// The kinds of asymmetric solutions that the search finds for an arch, each once. Nothing is proved of them, nor that

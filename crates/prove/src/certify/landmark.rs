@@ -245,7 +245,7 @@ mod tests {
         let widest = CertifiedLandmark::new(Landmark::WidestJoint, SelfWeight::Heyman).unwrap();
         for quantity in [Quantity::Friction, Quantity::SlidingJoint, Quantity::GeometricSafety] {
             let Err(Error::Refused(refused)) = widest.constant(quantity, 5) else { panic!() };
-            let expected = format!("there is no {} here; the quantities are ", quantity.name());
+            let expected = format!("there is no {quantity} here; the quantities are ");
             assert!(refused.to_string().starts_with(&expected), "{refused}");
         }
         // Zero at every landmark where it is fixed so, and infinite: these it has.

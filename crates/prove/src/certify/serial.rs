@@ -16,23 +16,10 @@ fn value<M: SerializeMap>(to: &mut M, x: Option<&Rounded>, double: f64) -> Resul
     to.serialize_entry("double", &double)
 }
 
-impl Serialize for Figure {
-    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        let mut fields = to.serialize_map(None)?;
-        value(&mut fields, Some(&self.decimal), self.double)?;
-        fields.end()
-    }
-}
-
-impl Serialize for Constant {
-    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        let mut fields = to.serialize_map(None)?;
-        fields.serialize_entry("landmark", &self.landmark)?;
-        fields.serialize_entry("weight", &self.weight)?;
-        fields.serialize_entry("quantity", &self.quantity)?;
-        value(&mut fields, self.rounded(), self.double)?;
-        fields.serialize_entry("exact", &self.exact)?;
-        fields.end()
+fn entry<M: SerializeMap>(to: &mut M, name: &str, x: Option<&Figure>) -> Result<(), M::Error> {
+    match x {
+        Some(figure) => to.serialize_entry(name, figure),
+        None => to.serialize_entry(name, "inf"),
     }
 }
 
@@ -42,40 +29,41 @@ fn state<M: SerializeMap>(to: &mut M, state: &Digits) -> Result<(), M::Error> {
     state.figures().try_for_each(|(of, figure)| entry(to, of.name(), figure))
 }
 
-fn entry<M: SerializeMap>(to: &mut M, name: &str, x: Option<&Figure>) -> Result<(), M::Error> {
-    match x {
-        Some(figure) => to.serialize_entry(name, figure),
-        None => to.serialize_entry(name, "inf"),
-    }
+/// `Serialize` of types as objects, from what writes their fields.
+macro_rules! objects {
+    ($($type:ty: |$of:ident, $fields:ident| $write:block)+) => {$(
+        impl Serialize for $type {
+            fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+                let ($of, mut object) = (self, to.serialize_map(None)?);
+                let $fields = &mut object;
+                $write
+                object.end()
+            }
+        }
+    )+};
 }
 
-impl Serialize for Digits {
-    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        let mut fields = to.serialize_map(None)?;
-        state(&mut fields, self)?;
-        fields.end()
-    }
-}
-
-impl Serialize for Answer {
-    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        let mut fields = to.serialize_map(None)?;
-        fields.serialize_entry("can_stand", &matches!(self, Self::Stands(_)))?;
-        match self {
-            Self::Stands(digits) => state(&mut fields, digits)?,
+objects! {
+    Figure: |of, fields| { value(fields, Some(&of.decimal), of.double)?; }
+    Digits: |of, fields| { state(fields, of)?; }
+    Answer: |of, fields| {
+        fields.serialize_entry("can_stand", &matches!(of, Self::Stands(_)))?;
+        match of {
+            Self::Stands(digits) => state(fields, digits)?,
             Self::Falls { fall, .. } => fields.serialize_entry("reason", fall.reason())?,
         }
-        fields.end()
     }
-}
-
-impl Serialize for AssessmentDigits {
-    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        let mut fields = to.serialize_map(None)?;
-        fields.serialize_entry("stands", &self.stands.as_ref().ok())?;
-        self.figures().try_for_each(|(of, figure)| entry(&mut fields, of.name(), figure))?;
-        fields.serialize_entry("reason", &self.first_open().map(ToString::to_string))?;
-        fields.end()
+    AssessmentDigits: |of, fields| {
+        fields.serialize_entry("stands", &of.stands.as_ref().ok())?;
+        of.figures().try_for_each(|(of, figure)| entry(fields, of.name(), figure))?;
+        fields.serialize_entry("reason", &of.first_open().map(ToString::to_string))?;
+    }
+    Constant: |of, fields| {
+        fields.serialize_entry("landmark", &of.landmark)?;
+        fields.serialize_entry("weight", &of.weight)?;
+        fields.serialize_entry("quantity", &of.quantity)?;
+        value(fields, of.rounded(), of.double)?;
+        fields.serialize_entry("exact", &of.exact)?;
     }
 }
 

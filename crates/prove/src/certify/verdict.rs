@@ -103,7 +103,7 @@ pub(super) fn rounded(
     ball: &Ball,
     digits: usize,
 ) -> Result<ValueFile, Undecided> {
-    let rounding = || Undecided::rounding(format!("the rounding of {}", quantity.name()));
+    let rounding = || Undecided::rounding(format!("the rounding of {quantity}"));
     let figure = Figure::new(ball, digits).ok_or_else(rounding)?;
     Ok(value_file(quantity, &Value::Finite(figure.decimal)))
 }

@@ -115,9 +115,8 @@ pub fn compare_weights_of(points: &[Enclosed]) -> Result<Vec<Comparison>, Undeci
         .map(|(landmark, (quantity, claimed))| {
             let values = SelfWeight::ALL.map(|weight| points.value(landmark, weight, quantity));
             let [heyman, milankovitch] = values;
-            let certified = relation(&milankovitch?, &heyman?).ok_or_else(|| {
-                Undecided::new(format!("{} at {}", quantity.name(), landmark.symbol()))
-            })?;
+            let certified = relation(&milankovitch?, &heyman?)
+                .ok_or_else(|| Undecided::new(format!("{quantity} at {landmark}")))?;
             Ok(Comparison { landmark, quantity, claimed, certified })
         })
         .collect()
@@ -149,8 +148,7 @@ impl Points<'_> {
         weight: SelfWeight,
         quantity: Quantity,
     ) -> Result<KnownValue, Undecided> {
-        let missing =
-            || Undecided::new(format!("{} has no finite {}", landmark.symbol(), quantity.name()));
+        let missing = || Undecided::new(format!("{landmark} has no finite {quantity}"));
         let point = self.find(landmark, weight).ok_or_else(missing)?;
         match point.exact(quantity) {
             Some(Exact::Surd(surd)) => Ok(match surd.parts() {

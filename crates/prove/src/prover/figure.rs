@@ -1,7 +1,7 @@
 //! A proved value with its digits.
 
 use crate::number::{
-    Ball, Binary, DoubleDoubleBall, Drawable, ExactNumber, Rounded, rounded_double,
+    Ball, Binary, DoubleDoubleBall, Drawable, ExactNumber, Rounded, rounded_double, shown_as_text,
 };
 use rug::Rational;
 use std::fmt;
@@ -85,12 +85,7 @@ impl Figured for DoubleDoubleBall {
     }
 }
 
-impl fmt::Debug for Figure {
-    /// The correctly rounded digits.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
+shown_as_text!(Figure);
 
 impl fmt::Display for Figure {
     /// The correctly rounded digits.

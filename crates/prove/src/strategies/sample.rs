@@ -112,7 +112,7 @@ impl Draw {
         let (half_opening, friction) = (near(Unknown::HalfOpening)?, near(Unknown::Friction));
         let friction = friction.unwrap_or_else(|| self.decimal(5));
         let arch = Arch::parse(weight.name(), &half_opening, &friction).ok()?;
-        Some(Sample { arch, family: format!("beside {}", landmark.symbol()) })
+        Some(Sample { arch, family: format!("beside {landmark}") })
     }
 }
 

@@ -16,9 +16,8 @@ pub(super) fn file(points: &[CertifiedLandmark]) -> Result<String, Undecided> {
     for landmark in [Landmark::RotationEnd, Landmark::OverturningEnd] {
         for weight in SelfWeight::ALL {
             let point = find(points, landmark, weight)?;
-            let theorems = theorems(point).ok_or_else(|| {
-                Undecided::new(format!("no exact value of A at {}", landmark.symbol()))
-            })?;
+            let theorems = theorems(point)
+                .ok_or_else(|| Undecided::new(format!("no exact value of A at {landmark}")))?;
             out.push_str(&theorems);
         }
     }
@@ -29,7 +28,7 @@ fn theorems(point: &CertifiedLandmark) -> Option<String> {
     let (landmark, weight) = (point.landmark(), point.weight());
     let Some(Exact::Surd(opening)) = point.exact(Quantity::OpeningVariable) else { return None };
     let alpha = point.enclosure(BITS).ok()?.value(Unknown::HalfOpening)?;
-    let name = format!("{}_{}", landmark.name().replace(' ', "_"), weight.name());
+    let name = format!("{}_{weight}", landmark.name().replace(' ', "_"));
     let (template, lemma) = match landmark {
         Landmark::RotationEnd => (include_str!("templates/rotation_end.v"), "rotation_end"),
         _ => (include_str!("templates/overturning_end.v"), "overturning_end"),
@@ -46,7 +45,7 @@ fn theorems(point: &CertifiedLandmark) -> Option<String> {
         ("opening", surd(&opening)),
         ("thickness", thickness.into()),
         ("module", module(landmark, weight)),
-        ("lemma", format!("{lemma}_{}", weight.name())),
+        ("lemma", format!("{lemma}_{weight}")),
     ]);
     let both = [include_str!("templates/half_opening.v"), template];
     Some(both.map(|template| fill(template, &values)).concat())

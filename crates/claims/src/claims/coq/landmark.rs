@@ -23,5 +23,5 @@ pub(super) fn file(point: &CertifiedLandmark, audited: &[Audited]) -> Result<Str
 
 /// A landmark as a title.
 pub(super) fn title(landmark: Landmark) -> String {
-    format!("The point {}: {}", landmark.symbol(), landmark.name())
+    format!("The point {landmark}: {}", landmark.name())
 }

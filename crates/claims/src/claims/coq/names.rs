@@ -24,7 +24,7 @@ pub(super) fn find(
 ) -> Result<&CertifiedLandmark, Undecided> {
     let is_it =
         |point: &&CertifiedLandmark| (point.landmark(), point.weight()) == (landmark, weight);
-    let missing = || Undecided::new(format!("{} is missing", landmark.symbol()));
+    let missing = || Undecided::new(format!("{landmark} is missing"));
     points.iter().find(is_it).ok_or_else(missing)
 }
 

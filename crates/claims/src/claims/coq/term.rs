@@ -1,9 +1,8 @@
 //! Expressions: the number type that an equation is printed with.
 
-use crate::number::{Angle, Field};
+use crate::number::{Angle, Field, operators};
 use rug::Rational;
 use std::fmt;
-use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::rc::Rc;
 
 /// A real expression in named variables.
@@ -244,9 +243,8 @@ impl Field for Term {
     }
 }
 
-impl Neg for Term {
-    type Output = Self;
-    fn neg(self) -> Self {
+impl Term {
+    fn negated(self) -> Self {
         match &*self.0 {
             Constant(value) => Self::constant(-value.clone()),
             Negation(a) => a.clone(),
@@ -254,11 +252,8 @@ impl Neg for Term {
             _ => Self::new(Negation(self)),
         }
     }
-}
 
-impl Add<&Term> for Term {
-    type Output = Self;
-    fn add(self, other: &Self) -> Self {
+    fn plus(self, other: &Self) -> Self {
         match (&*self.0, &*other.0) {
             (Constant(a), Constant(b)) => Self::constant(a.clone() + b),
             (Constant(zero), _) if *zero == 0 => other.clone(),
@@ -269,11 +264,8 @@ impl Add<&Term> for Term {
             _ => Self::new(Sum(self, other.clone())),
         }
     }
-}
 
-impl Sub<&Term> for Term {
-    type Output = Self;
-    fn sub(self, other: &Self) -> Self {
+    fn minus(self, other: &Self) -> Self {
         match (&*self.0, &*other.0) {
             (Constant(a), Constant(b)) => Self::constant(a.clone() - b),
             (Constant(zero), _) if *zero == 0 => -other.clone(),
@@ -284,11 +276,8 @@ impl Sub<&Term> for Term {
             _ => Self::new(Difference(self, other.clone())),
         }
     }
-}
 
-impl Mul<&Term> for Term {
-    type Output = Self;
-    fn mul(self, other: &Self) -> Self {
+    fn times(self, other: &Self) -> Self {
         let ((a, x), (b, y)) = (self.split(), other.split());
         let rest = match (x.is(1), y.is(1)) {
             (true, _) => y,
@@ -298,11 +287,8 @@ impl Mul<&Term> for Term {
         };
         Self::scaled(a * b, rest)
     }
-}
 
-impl Div<&Term> for Term {
-    type Output = Self;
-    fn div(self, other: &Self) -> Self {
+    fn over(self, other: &Self) -> Self {
         match other.as_constant() {
             Some(divisor) if *divisor != 0 => {
                 let (factor, rest) = self.split();
@@ -314,20 +300,7 @@ impl Div<&Term> for Term {
     }
 }
 
-macro_rules! owned_operator {
-    ($op:ident, $method:ident) => {
-        impl $op for Term {
-            type Output = Self;
-            fn $method(self, other: Self) -> Self {
-                self.$method(&other)
-            }
-        }
-    };
-}
-owned_operator!(Add, add);
-owned_operator!(Sub, sub);
-owned_operator!(Mul, mul);
-owned_operator!(Div, div);
+operators!(Term);
 
 #[cfg(test)]
 mod tests {

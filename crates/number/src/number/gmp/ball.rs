@@ -11,6 +11,7 @@
 //! operands (`x - x` has twice the radius of `x`).
 
 use super::{Decimal, Enclosure, Field, Magnitude, Real, Ternary};
+use crate::number::shown_as_text;
 use rug::float::{Constant, Round};
 use rug::ops::{
     AddAssignRound, AssignRound, DivAssignRound, MulAssignRound, NegAssign, SubAssignRound,
@@ -369,7 +370,7 @@ impl Ball {
 
 operators!(Ball);
 
-/// Operators beyond those of a field: of references, in place, and with small integers.
+/// Operators with a small integer on the right, with a reference on the left, and in place.
 macro_rules! more_operators {
     ($($op:ident $method:ident $assign:ident $in_place:ident;)+) => {$(
         impl std::ops::$op<i32> for Ball {
@@ -379,15 +380,11 @@ macro_rules! more_operators {
                 std::ops::$op::$method(self, other)
             }
         }
+
+        references! { Ball: $op $method: &Ball, Ball, i32; }
         more_operators!(@ $op $method $assign $in_place: &Ball, Ball, i32);
     )+};
     (@ $op:ident $method:ident $assign:ident $in_place:ident: $($right:ty),+) => {$(
-        impl std::ops::$op<$right> for &Ball {
-            type Output = Ball;
-            fn $method(self, other: $right) -> Ball {
-                std::ops::$op::$method(self.clone(), other)
-            }
-        }
         impl std::ops::$assign<$right> for Ball {
             fn $in_place(&mut self, other: $right) {
                 *self = std::ops::$op::$method(self.clone(), other);
@@ -480,11 +477,7 @@ fn decimal(x: &Float, digits: usize, round: Round) -> Decimal {
     Decimal::new(negative, text, exponent)
 }
 
-impl fmt::Debug for Ball {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
+shown_as_text!(Ball);
 
 #[cfg(test)]
 mod tests;

@@ -110,8 +110,8 @@ impl fmt::Debug for DrawnThickness {
     }
 }
 
-/// Arches with a thickness and whether they stand: an oracle for solvers that answer yes or no. Those that stand at some
-/// thickness have one next to the least, above or below it by a part of 1 to `1e-8`; the others fall with any.
+/// Arches with a thickness and whether they stand: an oracle for solvers that answer yes or no. Those that stand at
+/// some thickness have one next to the least, above or below it by a part of 1/2 to `5e-9`; the others fall with any.
 ///
 /// ```
 /// use couplet_prove::strategies::assessed;

@@ -2,7 +2,7 @@
 
 use super::numbers::{friction, half_opening, weight};
 use crate::arch::{SelfWeight, Unknown};
-use crate::number::{Ball, ExactNumber, Real};
+use crate::number::{Ball, ExactNumber, Real, shown_as_text};
 use crate::problem::{Arch, ArchError, Friction, Landmark};
 use crate::strategies::places::{DIGITS, beside};
 use proptest::prelude::*;
@@ -46,7 +46,7 @@ impl DrawnQuery {
 impl fmt::Display for DrawnQuery {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { weight, half_opening, friction } = self;
-        write!(f, "couplet state --weight {} --half-opening {half_opening}", weight.name())?;
+        write!(f, "couplet state --weight {weight} --half-opening {half_opening}")?;
         match friction {
             Friction::Coefficient(mu) => write!(f, " --friction {mu}"),
             Friction::Angle(phi) => write!(f, " --friction-angle {phi}"),
@@ -55,11 +55,7 @@ impl fmt::Display for DrawnQuery {
     }
 }
 
-impl fmt::Debug for DrawnQuery {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
+shown_as_text!(DrawnQuery);
 
 /// Queries of the domain and next to it; one in five next to a landmark.
 pub(super) fn any_query() -> impl Strategy<Value = DrawnQuery> {

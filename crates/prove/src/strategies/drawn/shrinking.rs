@@ -1,4 +1,4 @@
-//! How a failure shrinks: to an arch that fails too, and is as ordinary as can be.
+//! Shrinking of a failure: to an arch that fails too, and is as ordinary as can be.
 
 use super::queries::DrawnQuery;
 use crate::arch::SelfWeight;
@@ -16,7 +16,7 @@ const FRICTIONS: &[&str] = &["inf", "1", "0.5"];
 /// Places of the longest decimal.
 const PLACES: usize = 17;
 
-/// What is proved of a query and what was drawn with it; nothing of one that does not belong here.
+/// Proof of something about a query and what was drawn with it; none of one that does not belong here.
 type Proof<X, T> = Arc<dyn Fn(&DrawnQuery, &X) -> Option<T>>;
 
 /// Queries with what is proved of them, all others rejected.

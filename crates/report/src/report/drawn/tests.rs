@@ -2,8 +2,8 @@ use super::*;
 use crate::arch::SelfWeight;
 use crate::atlas::{Contour, Curve, Level, Trace};
 use crate::number::ExactNumber;
-use crate::picture::reading::texts;
 use crate::problem::{Arch, Mode};
+use crate::reading::texts;
 use std::sync::OnceLock;
 
 /// A picture of some curves.
@@ -257,7 +257,7 @@ fn a_line_alone_is_drawn() {
 mod pixels {
     use super::*;
     use crate::picture::png::render;
-    use crate::picture::reading::boxes::trouble;
+    use crate::reading::boxes::trouble;
 
     #[test]
     fn no_name_lies_on_another() {

@@ -1,8 +1,8 @@
 use super::*;
 use crate::arch::SelfWeight;
-use crate::picture::reading::texts;
 use crate::problem::measures::{Circle, Measures};
 use crate::problem::{Arch, Landmark, Mode};
+use crate::reading::texts;
 
 fn arch(half_opening: &str, friction: &str) -> Arch {
     Arch::parse("milankovitch", half_opening, friction).unwrap()
@@ -265,7 +265,7 @@ fn files_for_cad_are_in_metres_where_the_arch_is() {
 #[cfg(feature = "plots")]
 mod pixels {
     use super::*;
-    use crate::picture::reading::boxes::trouble;
+    use crate::reading::boxes::trouble;
 
     #[test]
     fn no_name_lies_on_another() {
