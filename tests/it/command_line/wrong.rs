@@ -41,6 +41,15 @@ wrong_uses! {
         ["equation", "9", "--beta", "1", "--weight", "both"] => "for Milankovitch's weight";
     a_closed_form_beyond_the_widest_joint: ["equation", "11", "--beta", "1.2"] => "beyond the widest";
 
+    a_joint_beside_a_half_opening: ["state", "--alpha", "1", "--beta", "1"] => "give one of --half-opening";
+    two_quantities_of_a_state: ["state", "--thrust", "0.5", "--beta", "1"] => "give one of --half-opening";
+    a_thickness_beside_a_joint: ["state", "--eta", "0.1", "--beta", "1"] => "give one of --half-opening";
+    stones_of_a_joint: ["state", "--stones", "9", "--beta", "1"] => "--stones does not go with --rotation-joint";
+    a_thrust_of_one: ["state", "--thrust", "1"] => "thrust = 1 is not between 0 and 1";
+    an_opening_variable_of_two: ["state", "--opening-variable", "2"] => "A = 2 is not between 0 and 2";
+    a_state_of_a_joint_in_degrees: ["state", "--beta", "57"] => "did you mean 57deg?";
+    a_joint_in_a_format_it_does_not_have: ["state", "--beta", "1", "--format", "c"] => "written only as";
+
     a_zero_half_opening: ["state", "--alpha", "0", "--mu", "1"] => "between 0 and pi";
     a_negative_half_opening: ["state", "--alpha", "-1", "--mu", "1"] => "between 0 and pi";
     a_half_opening_beyond_a_turn: ["state", "--alpha", "3.2", "--mu", "1"] => "between 0 and pi";

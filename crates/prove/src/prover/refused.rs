@@ -3,7 +3,7 @@
 //! Every door of this room asks here before anything is computed.
 
 use crate::arch::SelfWeight;
-use crate::number::ExactNumber;
+use crate::number::{Ball, Enclosure, ExactNumber, Field};
 use crate::problem::stones::StonesError;
 use crate::problem::{Arch, ArchError, Friction, Landmark, Line, Quantity, ThicknessError};
 
@@ -80,6 +80,16 @@ pub enum Refused {
         "the rotational joint {0} is beyond the widest one, beta_sb: (9), (10) and (11) are real up to it"
     )]
     BeyondWidestJoint(ExactNumber),
+    /// A value of a quantity is not between 0 and its limit.
+    #[error("{} = {value} is not between 0 and {limit}", .quantity.name())]
+    Outside {
+        /// Quantity that is given.
+        quantity: Quantity,
+        /// Value as it was given.
+        value: String,
+        /// Limit of the quantity.
+        limit: i32,
+    },
     /// A closed form that the paper does not have.
     #[error(
         "(9), (10) and (11) are for Milankovitch's weight; for Heyman's give (7), which has quadratics then"
@@ -114,6 +124,17 @@ impl Refused {
     /// Checks that a number is an angle of a rotational joint.
     pub(crate) fn rotation_joint(joint: &ExactNumber) -> Result<(), Self> {
         as_half_opening(joint).map_err(|_| Self::RotationJoint(joint.clone()))
+    }
+
+    /// Checks that a value of a quantity is between 0 and a limit.
+    pub(crate) fn below(quantity: Quantity, value: &ExactNumber, limit: i32) -> Result<(), Self> {
+        /// Bits with which a value is compared, if it is no rational number.
+        const BITS: u32 = 256;
+        let x: Ball = value.enclosure(BITS);
+        let inside = [x.clone(), x.int(limit) - &x].map(|x| x.is_positive().is_proved());
+        let at_limit = value.is_rational() && value.to_rational() == limit;
+        let refused = || Self::Outside { quantity, value: value.to_string(), limit };
+        (inside == [true, true] && !at_limit).then_some(()).ok_or_else(refused)
     }
 
     /// Checks that a quantity is one of the possible ones.

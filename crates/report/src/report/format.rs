@@ -3,6 +3,7 @@
 use super::answers::Answers;
 use super::audit::{self, Audit};
 use super::branch::{self, BranchArches};
+use super::by_value::{self, ByValue};
 use super::claims::{self, Claims, Index};
 use super::complementarity::{self, ComplementarityArch};
 use super::equation::{self, EquationAtJoint};
@@ -50,6 +51,8 @@ pub enum Content {
     Tilted,
     /// Solutions of the complementarity problem.
     Complementarity,
+    /// States by another quantity than the half opening.
+    ByValue,
     /// Equations of the paper at a joint.
     Equation,
     /// Asymmetric solutions over friction.
@@ -161,6 +164,15 @@ pub(super) const COMPLEMENTARITY: Writers<[ComplementarityArch]> = Writers {
     ],
     picture: None,
 };
+pub(super) const BY_VALUE: Writers<[ByValue]> = Writers {
+    texts: &[
+        ("table", by_value::table),
+        ("plain", by_value::plain),
+        ("json", by_value::json),
+        ("csv", by_value::csv),
+    ],
+    picture: None,
+};
 pub(super) const EQUATION: Writers<[EquationAtJoint]> =
     Writers { texts: &[("table", equation::table), ("json", equation::json)], picture: None };
 pub(super) const BRANCH: Writers<BranchArches> = Writers {
@@ -190,6 +202,7 @@ impl Content {
             Self::Voussoirs => VOUSSOIRS.has(format),
             Self::Tilted => TILTED.has(format),
             Self::Complementarity => COMPLEMENTARITY.has(format),
+            Self::ByValue => BY_VALUE.has(format),
             Self::Equation => EQUATION.has(format),
             Self::Branch => BRANCH.has(format),
             Self::Drawing => DRAWING.has(format),

@@ -25,6 +25,7 @@ mod answer;
 mod answers;
 mod audit;
 mod branch;
+mod by_value;
 mod c;
 mod claims;
 mod column;
@@ -72,6 +73,7 @@ pub use answer::{Answer, Fingerprint, Kept, Proof, Status};
 pub use answers::{Answers, Scope};
 pub use audit::Audit;
 pub use branch::{BranchArch, BranchArches};
+pub use by_value::ByValue;
 pub use claims::{Claims, Index};
 pub use complementarity::ComplementarityArch;
 pub use drawn::{Axes, Branches, Drawing, Mark, Marked, Plane, Shown, Unit, View};
@@ -114,6 +116,8 @@ pub enum Report {
     Tilted(Vec<TiltedArch>),
     /// Solutions of the complementarity problem.
     Complementarity(Vec<ComplementarityArch>),
+    /// States by another quantity than the half opening.
+    ByValue(Vec<ByValue>),
     /// Equations of the paper at a joint.
     Equations(Vec<EquationAtJoint>),
     /// Asymmetric solutions over friction.
@@ -136,6 +140,7 @@ impl Report {
             Self::Tilted(arches) => format::TILTED.write(arches, format, out),
             Self::Voussoirs(arches) => format::VOUSSOIRS.write(arches, format, out),
             Self::Complementarity(arches) => format::COMPLEMENTARITY.write(arches, format, out),
+            Self::ByValue(all) => format::BY_VALUE.write(all, format, out),
             Self::Equations(all) => format::EQUATION.write(all, format, out),
             Self::Branches(arches) => format::BRANCH.write(arches, format, out),
             Self::Sketched(sketched) => format::DRAWING.write(sketched, format, out),

@@ -188,6 +188,29 @@ impl AtJoint {
     }
 }
 
+/// Thicknesses between 0 and 2 at which the line of thrust touches the intrados at a joint, (2) = (5): all of them, in
+/// their order.
+pub(crate) fn touched_thicknesses(
+    weight: SelfWeight,
+    joint: &Angle<Ball>,
+    bits: u32,
+) -> Result<Vec<Ball>, Undecided> {
+    let at = AtJoint { weight, joint: joint.clone(), bits, digits: 1 };
+    let polynomial = coefficients(ClosedForm::Thickness, weight, &at.abbreviations());
+    let (_, is_positive) = at.signed_radicand()?;
+    let degree = polynomial.len() - 1;
+    let count = if is_positive { degree - 2 } else { degree };
+    let mut inside = Vec::new();
+    for eta in real_roots(&polynomial, count, bits)? {
+        match [eta.clone(), eta.int(2) - &eta].map(|x| x.is_positive()) {
+            [Ternary::True, Ternary::True] => inside.push(eta),
+            [Ternary::False, _] | [_, Ternary::False] => {}
+            _ => return Err(Undecided::new("whether a thickness is between 0 and 2")),
+        }
+    }
+    Ok(inside)
+}
+
 /// The one root that a number may be, if it is one.
 fn meets<'a>(roots: &'a [Ball], x: &Ball) -> Option<&'a Ball> {
     let mut met = roots.iter().filter(|root| root.overlaps(x));

@@ -18,6 +18,8 @@ mod polynomial;
 pub use closed::{ClosedForm, RootBranch, Trigonometric, trigonometric};
 pub use evaluated::{ClosedAt, Evaluated, LinkAt, PolynomialAt, RadicandAt, RootAt};
 
+pub(crate) use at_joint::touched_thicknesses;
+
 use self::at_joint::AtJoint;
 use crate::arch::SelfWeight;
 use crate::certify::CertifiedLandmark;
@@ -94,7 +96,7 @@ const POWERS_LOST: u32 = 12;
 /// of (7) do, and the closed forms.
 ///
 /// ```
-/// use couplet_prove::arch::SelfWeight;
+/// use couplet_prove::prelude::*;
 /// use couplet_prove::certify::equation::{Evaluated, JointEquation, evaluate};
 /// let joint = "1.0".parse().unwrap();
 /// let found = evaluate(JointEquation::Thickness, SelfWeight::Milankovitch, &joint, 12)?;
