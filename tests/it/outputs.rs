@@ -163,6 +163,8 @@ outputs! {
     ]);
 
     equations: each(&[
+        "couplet equation 4 --half-opening pi/2 --thickness 0.1 --digits 12",
+        "couplet equation 18 --thrust 0.2 --digits 12",
         "couplet equation 7 --rotation-joint 1.0 --digits 12 --weight both",
         "couplet equation 8 --rotation-joint pi/3 --digits 12",
         "couplet equation 10 --rotation-joint 57deg --digits 12",

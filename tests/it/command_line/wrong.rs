@@ -33,8 +33,11 @@ wrong_uses! {
     an_unknown_experiment: ["study", "accuracy", "--only", "T"] => "the studies are eta-cubic, A-cubic";
     an_unknown_limit: ["study", "stability", "--only", "state"] => "the studies are alpha-to-zero";
 
-    an_equation_of_no_joint: ["equation", "6", "--beta", "1"] => "one of 7, 8, 9, 10, 11, 12";
-    an_equation_without_its_joint: ["equation", "7"] => "--rotation-joint";
+    an_equation_that_is_none: ["equation", "19", "--beta", "1"] => "a number from 2 to 18";
+    an_equation_of_no_joint: ["equation", "6", "--beta", "1"] => "evaluated at --thickness, and nothing else";
+    a_thickness_without_an_intrados: ["equation", "5", "--beta", "1", "--eta", "2"] => "not between 0 and 2";
+    overturning_of_the_other_weight: ["equation", "14", "--opening-variable", "0.6"] => "(14) is not for";
+    an_equation_without_its_joint: ["equation", "7"] => "evaluated at --rotation-joint";
     a_joint_beyond_half_a_turn: ["equation", "7", "--beta", "4"] => "did you mean 4deg?";
     a_negative_joint: ["equation", "12", "--beta", "-1"] => "between 0 and pi";
     a_closed_form_of_heyman:

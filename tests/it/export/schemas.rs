@@ -312,6 +312,8 @@ fn what_is_written_is_as_the_schemas_say() {
         &["state", "--thrust", "0.01", "--mu", "0.6", "--format", "json"],
         &["state", "--opening-variable", "0.7", "--format", "json"],
         &["state", "--eta", "0.15", "--mu", "0.6", "--format", "json"],
+        &["equation", "4", "--alpha", "1", "--eta", "0.1", "--format", "json"],
+        &["equation", "16", "--eta", "1", "--weight", "both", "--format", "json"],
         &["equation", "7", "--beta", "1.0", "--weight", "both", "--format", "json"],
         &["equation", "7", "--beta", "1.2", "--weight", "both", "--format", "json"],
         &["equation", "8", "--beta", "3", "--weight", "heyman", "--format", "json"],

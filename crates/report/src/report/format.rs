@@ -6,7 +6,7 @@ use super::branch::{self, BranchArches};
 use super::by_value::{self, ByValue};
 use super::claims::{self, Claims, Index};
 use super::complementarity::{self, ComplementarityArch};
-use super::equation::{self, EquationAtJoint};
+use super::equation::{self, EvaluatedEquation};
 use super::judged::{self, JudgeSummary, JudgedLines};
 use super::map::{self, Map, MapDifferences, MapPoint};
 #[cfg(feature = "parquet")]
@@ -53,7 +53,7 @@ pub enum Content {
     Complementarity,
     /// States by another quantity than the half opening.
     ByValue,
-    /// Equations of the paper at a joint.
+    /// Equations of the paper.
     Equation,
     /// Asymmetric solutions over friction.
     Branch,
@@ -173,7 +173,7 @@ pub(super) const BY_VALUE: Writers<[ByValue]> = Writers {
     ],
     picture: None,
 };
-pub(super) const EQUATION: Writers<[EquationAtJoint]> =
+pub(super) const EQUATION: Writers<[EvaluatedEquation]> =
     Writers { texts: &[("table", equation::table), ("json", equation::json)], picture: None };
 pub(super) const BRANCH: Writers<BranchArches> = Writers {
     texts: &[("table", branch::table), ("json", branch::json), ("csv", branch::csv)],

@@ -77,7 +77,7 @@ pub use by_value::ByValue;
 pub use claims::{Claims, Index};
 pub use complementarity::ComplementarityArch;
 pub use drawn::{Axes, Branches, Drawing, Mark, Marked, Plane, Shown, Unit, View};
-pub use equation::EquationAtJoint;
+pub use equation::{EquationFound, EvaluatedEquation};
 pub use format::{Content, Format};
 pub use given::GivenDoubles;
 pub use json::answers as write_json;
@@ -118,8 +118,8 @@ pub enum Report {
     Complementarity(Vec<ComplementarityArch>),
     /// States by another quantity than the half opening.
     ByValue(Vec<ByValue>),
-    /// Equations of the paper at a joint.
-    Equations(Vec<EquationAtJoint>),
+    /// Equations of the paper.
+    Equations(Vec<EvaluatedEquation>),
     /// Asymmetric solutions over friction.
     Branches(BranchArches),
     /// Arches to be drawn.

@@ -1,7 +1,6 @@
-//! Equations of the purely rotational state at a rotational joint: (7)–(12), in balls.
+//! Equations of the paper in balls: (7)–(12) at a rotational joint, and those that give a value.
 //!
-//! An equation is stated once, in [`arch::cubic`](crate::arch::cubic) and
-//! [`arch::closed_form`](crate::arch::closed_form); here it is evaluated to any number of digits, each proved.
+//! An equation is stated once, in [`arch`](crate::arch); here it is evaluated to any number of digits, each proved.
 //!
 //! | file | what it does |
 //! |---|---|
@@ -9,14 +8,17 @@
 //! | `polynomial` | the polynomials (7), and all of their real roots |
 //! | `at_joint` | one equation at one joint, at one precision |
 //! | `evaluated` | what is proved |
+//! | `values` | (2)–(6) and (13)–(18) |
 
 mod at_joint;
 mod closed;
 mod evaluated;
 mod polynomial;
+mod values;
 
 pub use closed::{ClosedForm, RootBranch, Trigonometric, trigonometric};
 pub use evaluated::{ClosedAt, Evaluated, LinkAt, PolynomialAt, RadicandAt, RootAt};
+pub use values::{EquationValue, ValueEquation};
 
 pub(crate) use at_joint::touched_thicknesses;
 

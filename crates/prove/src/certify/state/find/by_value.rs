@@ -122,12 +122,7 @@ impl StatesByValue {
         friction: Friction,
     ) -> Result<Self, Refused> {
         Refused::quantity(quantity, &Self::GIVEN)?;
-        match quantity {
-            Quantity::RotationJoint => Refused::rotation_joint(&value)?,
-            Quantity::Thickness => Refused::thickness(&value)?,
-            Quantity::Thrust => Refused::below(quantity, &value, 1)?,
-            _ => Refused::below(quantity, &value, 2)?,
-        }
+        Refused::value_of(quantity, &value)?;
         let asked = Self { quantity, value, friction };
         asked.arch(SelfWeight::Heyman)?;
         Ok(asked)
