@@ -6,7 +6,7 @@ use serde_json::Value;
 fn of(arguments: &str) -> (Option<i32>, String, String) {
     let words: Vec<&str> = ["equation"].into_iter().chain(arguments.split(' ')).collect();
     let output = couplet(&words);
-    (output.status.code(), text(&output.stdout).to_owned(), text(&output.stderr).to_owned())
+    (output.status.code(), text(&output.stdout), text(&output.stderr))
 }
 
 fn json(arguments: &str) -> Value {
@@ -38,7 +38,7 @@ fn each_branch_is_a_state_with_the_joint() {
         let words: Vec<&str> = ["state"].into_iter().chain(arguments.split(' ')).collect();
         let output = couplet(&[&words[..], &["--digits", "25", "--format", "json"]].concat());
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-        serde_json::from_str(text(&output.stdout)).unwrap()
+        serde_json::from_str(&text(&output.stdout)).unwrap()
     };
     let found = state("--rotation-joint 1.0");
     let roots = &json("7 --rotation-joint 1.0 --digits 25")["polynomials"][1]["real_roots"];

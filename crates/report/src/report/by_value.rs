@@ -37,7 +37,7 @@ impl ByValue {
         self.found.iter().flat_map(|found| &found.others).flatten()
     }
 
-    /// What stays open.
+    /// Reasons why something stays open.
     fn open(&self) -> Vec<&Undecided> {
         match &self.found {
             Err(undecided) => vec![undecided],
@@ -118,10 +118,9 @@ pub(super) fn csv(all: &[ByValue], out: &mut dyn io::Write) -> io::Result<()> {
             row
         };
         for state in of.states() {
-            rows.push(row("state"));
-            if let Some(row) = rows.last_mut() {
-                row.append(of_state(of, state));
-            }
+            let mut row = row("state");
+            row.append(of_state(of, state));
+            rows.push(row);
         }
         for other in of.others() {
             let mut row = row("not_with_this_friction");

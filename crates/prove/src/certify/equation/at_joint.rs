@@ -8,7 +8,7 @@ use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::number::{Angle, Ball, ComplexBall, Enclosure, Field, Real, Ternary};
 use crate::prover::{Figure, Undecided};
 
-/// What an evaluation finds, to be tried with more bits if it is `None`.
+/// Result of an evaluation, to be tried with more bits if it is `None`.
 type Found<T> = Result<Option<T>, Undecided>;
 
 /// A joint in balls.

@@ -176,7 +176,7 @@ impl StatesOfValue {
 struct Search<'a> {
     asked: &'a StatesByValue,
     arch: Arch,
-    /// The same with unlimited friction.
+    /// Arch of unlimited friction.
     unlimited: Arch,
     digits: usize,
 }
