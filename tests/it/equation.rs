@@ -6,7 +6,7 @@ use serde_json::Value;
 fn of(arguments: &str) -> (Option<i32>, String, String) {
     let words: Vec<&str> = ["equation"].into_iter().chain(arguments.split(' ')).collect();
     let output = couplet(&words);
-    (output.status.code(), text(&output.stdout).to_owned(), text(&output.stderr).to_owned())
+    (output.status.code(), text(&output.stdout), text(&output.stderr))
 }
 
 fn json(arguments: &str) -> Value {
@@ -31,7 +31,29 @@ fn any_digits_of_a_closed_form_are_those_of_the_root() {
     }
 }
 
-/// A state of the half opening that the root in `A` has is the state of that joint.
+/// Each root is a state of `couplet state` with that joint, and the state of its half opening.
+#[test]
+fn each_branch_is_a_state_with_the_joint() {
+    let state = |arguments: &str| -> Value {
+        let words: Vec<&str> = ["state"].into_iter().chain(arguments.split(' ')).collect();
+        let output = couplet(&[&words[..], &["--digits", "25", "--format", "json"]].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        serde_json::from_str(&text(&output.stdout)).unwrap()
+    };
+    let found = state("--rotation-joint 1.0");
+    let roots = &json("7 --rotation-joint 1.0 --digits 25")["polynomials"][1]["real_roots"];
+    let states = found["states"].as_array().unwrap();
+    assert_eq!(states.len(), 2);
+    for (index, of) in states.iter().enumerate() {
+        assert_eq!(of["thickness"], roots[index + 1]["root"]);
+        assert_ne!(of["thickness"], roots[2 - index]["root"], "false twin");
+        let alpha = of["half_opening"]["value"].as_str().unwrap();
+        let back = state(&format!("--half-opening {alpha} --friction inf"));
+        let joint: f64 = back["rotation_joint"]["value"].as_str().unwrap().parse().unwrap();
+        assert!((joint - 1.0).abs() < 1e-15, "{joint}");
+    }
+}
+
 #[test]
 fn the_sign_of_the_radicand_tells_whether_there_are_states() {
     for (joint, is_positive, states) in [("1.1198", false, 2), ("1.1199", true, 0)] {

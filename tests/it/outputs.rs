@@ -154,7 +154,17 @@ outputs! {
 
     study: run("couplet study stability --quick --only eta-to-two");
 
+    states_by_value: each(&[
+        "couplet state --rotation-joint 1.0 --digits 12",
+        "couplet state --rotation-joint 0.66 --friction 1.6 --digits 12",
+        "couplet state --thrust 0.01 --friction 0.6 --digits 12 --format csv",
+        "couplet state --opening-variable 0.7 --digits 12 --weight both",
+        "couplet state --thickness 0.15 --friction 0.6 --quantity half_opening --plain",
+    ]);
+
     equations: each(&[
+        "couplet equation 4 --half-opening pi/2 --thickness 0.1 --digits 12",
+        "couplet equation 18 --thrust 0.2 --digits 12",
         "couplet equation 7 --rotation-joint 1.0 --digits 12 --weight both",
         "couplet equation 8 --rotation-joint pi/3 --digits 12",
         "couplet equation 10 --rotation-joint 57deg --digits 12",

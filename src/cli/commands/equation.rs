@@ -2,31 +2,52 @@
 
 use super::output::OutputFile;
 use crate::certify::Error;
-use crate::certify::equation::{JointEquation, evaluate};
+use crate::certify::equation::{JointEquation, ValueEquation, evaluate};
 use crate::number::ExactNumber;
+use crate::problem::Quantity;
 use crate::report::words::list;
-use crate::report::{Content, EquationAtJoint, Format, Report};
+use crate::report::{Content, EquationFound, EvaluatedEquation, Format, Report};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
 use clap::Args;
 
-/// Evaluate an equation of the paper, (7) to (12), at a rotational joint, to any number of digits, with a proof.
+/// Evaluate an equation of the paper, (2) to (18), at given values, to any number of digits, with a proof.
 ///
-/// (7): the cubics in A, eta and h with all of their real roots, and which of them are states; for Heyman's weight the
-/// quadratics. (8): the identity between f, g, S, C and beta. (9), (10), (11): the closed forms of A, eta and h, as
-/// printed and in trigonometric form, with the digits that they lose. (12): the radicand and its sign.
+/// At a rotational joint, (7): the cubics in A, eta and h with all of their real roots, and which of them are states;
+/// for Heyman's weight the quadratics. (8): the identity between f, g, S, C and beta. (9), (10), (11): the closed forms
+/// of A, eta and h, as printed and in trigonometric form, with the digits that they lose. (12): the radicand and its
+/// sign. The others give a value: the thrusts of (2) to (5), the centroid factor (6), purely overturning states (13) to
+/// (15), the end of rotation (16), the frictions of (17) and (18).
 #[derive(Args)]
 #[command(
-    override_usage = "couplet equation <NUMBER> --rotation-joint <ANGLE> [--weight <WEIGHT>] [--digits <N>] [OPTIONS]"
+    override_usage = "couplet equation <7 to 12> --rotation-joint <ANGLE> [OPTIONS]\n       \
+                            couplet equation <NUMBER> [--half-opening <ANGLE>] [--rotation-joint <ANGLE>] \
+                            [--thickness <ETA>] [--thrust <H>] [--opening-variable <A>] [OPTIONS]"
 )]
 pub(crate) struct Arguments {
-    /// Number of the equation: 7 to 12.
+    /// Number of the equation: 2 to 18.
     #[arg(value_name = "NUMBER", value_parser = equation)]
-    equation: JointEquation,
+    equation: AskedEquation,
+
+    /// Half opening, in radians or degrees (80deg), between 0 and pi.
+    #[arg(long, value_name = "ANGLE", visible_alias = "alpha", allow_hyphen_values = true)]
+    half_opening: Option<String>,
 
     /// Rotational joint from the crown, in radians (1.0, pi/3) or degrees (57deg), between 0 and pi.
     #[arg(long, value_name = "ANGLE", visible_alias = "beta", allow_hyphen_values = true)]
-    rotation_joint: String,
+    rotation_joint: Option<String>,
+
+    /// Thickness-to-radius ratio, above 0 and up to 2.
+    #[arg(long, value_name = "ETA", visible_alias = "eta", allow_hyphen_values = true)]
+    thickness: Option<String>,
+
+    /// Thrust H/(w r), between 0 and 1.
+    #[arg(long, value_name = "H", allow_hyphen_values = true)]
+    thrust: Option<String>,
+
+    /// A = alpha cot(alpha/2), between 0 and 2.
+    #[arg(long, value_name = "A", allow_hyphen_values = true)]
+    opening_variable: Option<String>,
 
     /// Self-weight model: heyman, milankovitch or both.
     #[arg(long, default_value = "milankovitch", value_parser = parse::weights)]
@@ -43,23 +64,92 @@ pub(crate) struct Arguments {
     file: OutputFile,
 }
 
-fn equation(text: &str) -> Result<JointEquation, String> {
-    let numbers = JointEquation::ALL.map(|equation| equation.number().to_string());
-    let numbers = list(numbers.iter().map(String::as_str));
-    JointEquation::named(text).ok_or_else(|| format!("an equation at a joint is one of {numbers}"))
+/// An equation of either kind.
+#[derive(Clone, Copy, Debug)]
+enum AskedEquation {
+    AtJoint(JointEquation),
+    Value(ValueEquation),
+}
+
+impl AskedEquation {
+    fn number(self) -> u8 {
+        match self {
+            Self::AtJoint(equation) => equation.number(),
+            Self::Value(equation) => equation.number(),
+        }
+    }
+
+    /// Quantities that have to be given.
+    fn needs(self) -> &'static [Quantity] {
+        match self {
+            Self::AtJoint(_) => &[Quantity::RotationJoint],
+            Self::Value(equation) => equation.needs(),
+        }
+    }
+}
+
+fn equation(text: &str) -> Result<AskedEquation, String> {
+    let value = ValueEquation::named(text).map(AskedEquation::Value);
+    let found = JointEquation::named(text).map(AskedEquation::AtJoint).or(value);
+    found.ok_or_else(|| "an equation is a number from 2 to 18".to_owned())
+}
+
+/// Spelling of a quantity as an option.
+fn option(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::HalfOpening => "--half-opening",
+        Quantity::RotationJoint => "--rotation-joint",
+        Quantity::Thickness => "--thickness",
+        Quantity::Thrust => "--thrust",
+        _ => "--opening-variable",
+    }
+}
+
+impl Arguments {
+    /// Values that are given, those that the equation needs and no others.
+    fn given(&self) -> Result<Vec<(Quantity, ExactNumber)>, Failure> {
+        let all = [
+            (Quantity::HalfOpening, &self.half_opening),
+            (Quantity::RotationJoint, &self.rotation_joint),
+            (Quantity::Thickness, &self.thickness),
+            (Quantity::Thrust, &self.thrust),
+            (Quantity::OpeningVariable, &self.opening_variable),
+        ];
+        let needs = self.equation.needs();
+        let fits = all.iter().all(|(of, text)| needs.contains(of) == text.is_some());
+        if !fits {
+            let number = self.equation.number();
+            let needs = list(needs.iter().map(|of| option(*of)));
+            return Err(
+                format!("equation ({number}) is evaluated at {needs}, and nothing else").into()
+            );
+        }
+        let given = all.into_iter().filter_map(|(of, text)| Some((of, text.as_ref()?)));
+        given.map(|(of, text)| Ok((of, text.parse()?))).collect()
+    }
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let joint: ExactNumber = arguments.rotation_joint.parse()?;
+    let given = arguments.given()?;
     let format = arguments.file.format(arguments.format, Content::Equation, "table")?;
     let file = arguments.file.open_for(format)?;
-    let answer = |weight| -> Result<EquationAtJoint, Failure> {
-        let found = evaluate(arguments.equation, weight, &joint, arguments.digits);
-        let (equation, joint) = (arguments.equation, joint.to_string());
-        Ok(EquationAtJoint { equation, weight, joint, found: Error::apart(found)? })
+    let digits = arguments.digits;
+    let answer = |weight| -> Result<EvaluatedEquation, Failure> {
+        let found = match (arguments.equation, &given[..]) {
+            (AskedEquation::AtJoint(equation), [(_, joint), ..]) => {
+                evaluate(equation, weight, joint, digits).map(EquationFound::AtJoint)
+            }
+            (AskedEquation::AtJoint(_), []) => return Err("--rotation-joint is missing".into()),
+            (AskedEquation::Value(equation), given) => {
+                equation.evaluate(weight, given, digits).map(EquationFound::Values)
+            }
+        };
+        let given = given.iter().map(|(of, value)| (*of, value.to_string())).collect();
+        let (equation, found) = (arguments.equation.number(), Error::apart(found)?);
+        Ok(EvaluatedEquation { equation, weight, given, found })
     };
     let weights = arguments.weight.all().into_iter();
-    let answers: Vec<EquationAtJoint> = weights.map(answer).collect::<Result<_, _>>()?;
-    let open = answers.iter().find_map(EquationAtJoint::first_open);
+    let answers: Vec<EvaluatedEquation> = weights.map(answer).collect::<Result<_, _>>()?;
+    let open = answers.iter().find_map(EvaluatedEquation::first_open);
     file.report((&Report::Equations(answers), format), open)
 }

@@ -4,6 +4,7 @@ mod arch;
 mod assess;
 mod audit;
 mod axes;
+mod by_value;
 mod certify;
 mod complementarity;
 mod constants;

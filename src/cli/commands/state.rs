@@ -1,6 +1,7 @@
 //! `couplet state`.
 
 use super::arch::ArchArguments;
+use super::by_value::{self, ValueArguments};
 use super::constants::proved;
 use super::draw;
 use super::notes;
@@ -18,23 +19,36 @@ use clap::Args;
 
 /// Print whether an arch can stand, how thin it can be, and how it collapses there, with a proof.
 ///
+/// With the rotational joint, the thrust, the least thickness or A in place of the half opening: all states that have
+/// it, at the friction given or, without one, at unlimited friction.
+///
 /// The proof: the equations of the mode have one solution in a box; that state is admissible on the
 /// whole half arch; no thinner arch has an admissible state; every comparison is decided.
 #[derive(Args)]
-#[command(mut_arg("thickness", |arg| arg.hide(true)))]
+#[command(mut_arg("thickness", |arg| {
+    arg.help("Least thickness eta = t/r instead of the half opening, up to 2").long_help(None)
+}))]
 #[command(mut_arg("tilt", |arg| arg.hide(true)))]
 #[command(
     override_usage = "couplet state --half-opening <ANGLE> --friction <MU> [OPTIONS]\n       \
+                            couplet state --rotation-joint <ANGLE> | --thrust <H> | --thickness <ETA> | \
+                            --opening-variable <A> [--friction <MU>] [OPTIONS]\n       \
                             couplet state --at <LANDMARK> [OPTIONS]"
 )]
 pub(crate) struct Arguments {
     #[command(flatten)]
     arch: ArchArguments,
 
+    #[command(flatten)]
+    value: ValueArguments,
+
     /// A landmark instead of an arch, by symbol or name (T, triple), with all modes that meet there.
     #[arg(
         long, value_name = "LANDMARK", value_parser = parse::landmark,
-        conflicts_with_all = ["half_opening", "friction", "friction_angle", "stones", "joints", "span", "radius", "density"]
+        conflicts_with_all = [
+            "half_opening", "friction", "friction_angle", "stones", "joints", "span", "radius", "density",
+            "thickness", "rotation_joint", "thrust", "opening_variable"
+        ]
     )]
     at: Option<Landmark>,
 
@@ -56,6 +70,9 @@ pub const QUESTION: ArchQuestion = ArchQuestion {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(landmark) = arguments.at {
         return at_landmark(landmark, arguments);
+    }
+    if let Some(asked) = arguments.value.question(&arguments.arch.asked)? {
+        return by_value::print(&asked, &arguments.arch, &arguments.output);
     }
     let (given, arches) = arguments.arch.read(&QUESTION)?;
     if let Some((format, file)) = arguments.output.drawing()? {

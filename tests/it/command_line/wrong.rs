@@ -33,13 +33,25 @@ wrong_uses! {
     an_unknown_experiment: ["study", "accuracy", "--only", "T"] => "the studies are eta-cubic, A-cubic";
     an_unknown_limit: ["study", "stability", "--only", "state"] => "the studies are alpha-to-zero";
 
-    an_equation_of_no_joint: ["equation", "6", "--beta", "1"] => "one of 7, 8, 9, 10, 11, 12";
-    an_equation_without_its_joint: ["equation", "7"] => "--rotation-joint";
+    an_equation_that_is_none: ["equation", "19", "--beta", "1"] => "a number from 2 to 18";
+    an_equation_of_no_joint: ["equation", "6", "--beta", "1"] => "evaluated at --thickness, and nothing else";
+    a_thickness_without_an_intrados: ["equation", "5", "--beta", "1", "--eta", "2"] => "not between 0 and 2";
+    overturning_of_the_other_weight: ["equation", "14", "--opening-variable", "0.6"] => "(14) is not for";
+    an_equation_without_its_joint: ["equation", "7"] => "evaluated at --rotation-joint";
     a_joint_beyond_half_a_turn: ["equation", "7", "--beta", "4"] => "did you mean 4deg?";
     a_negative_joint: ["equation", "12", "--beta", "-1"] => "between 0 and pi";
     a_closed_form_of_heyman:
         ["equation", "9", "--beta", "1", "--weight", "both"] => "for Milankovitch's weight";
     a_closed_form_beyond_the_widest_joint: ["equation", "11", "--beta", "1.2"] => "beyond the widest";
+
+    a_joint_beside_a_half_opening: ["state", "--alpha", "1", "--beta", "1"] => "give one of --half-opening";
+    two_quantities_of_a_state: ["state", "--thrust", "0.5", "--beta", "1"] => "give one of --half-opening";
+    a_thickness_beside_a_joint: ["state", "--eta", "0.1", "--beta", "1"] => "give one of --half-opening";
+    stones_of_a_joint: ["state", "--stones", "9", "--beta", "1"] => "--stones does not go with --rotation-joint";
+    a_thrust_of_one: ["state", "--thrust", "1"] => "thrust = 1 is not between 0 and 1";
+    an_opening_variable_of_two: ["state", "--opening-variable", "2"] => "A = 2 is not between 0 and 2";
+    a_state_of_a_joint_in_degrees: ["state", "--beta", "57"] => "did you mean 57deg?";
+    a_joint_in_a_format_it_does_not_have: ["state", "--beta", "1", "--format", "c"] => "written only as";
 
     a_zero_half_opening: ["state", "--alpha", "0", "--mu", "1"] => "between 0 and pi";
     a_negative_half_opening: ["state", "--alpha", "-1", "--mu", "1"] => "between 0 and pi";

@@ -33,6 +33,15 @@ impl Figure {
         Some(Self { decimal, double, binary: Binary::new(x, double) })
     }
 
+    /// The value of a ball, decided too where it may be a decimal of so many digits.
+    pub(crate) fn around(x: &Ball, digits: usize) -> Option<Self> {
+        let wide = || {
+            let (decimal, double) = (Rounded::around(x, digits)?, x.nearest_double()?);
+            Some(Self { decimal, double, binary: Binary::new(x, double) })
+        };
+        Self::new(x, digits).or_else(wide)
+    }
+
     /// A rational number to `digits` significant digits, at least one; ties to even.
     pub(crate) fn exact(x: &ExactNumber, digits: usize) -> Option<Self> {
         let ball: Ball = x.enclosure(GUARDED);

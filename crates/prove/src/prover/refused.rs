@@ -3,7 +3,7 @@
 //! Every door of this room asks here before anything is computed.
 
 use crate::arch::SelfWeight;
-use crate::number::ExactNumber;
+use crate::number::{Ball, Enclosure, ExactNumber};
 use crate::problem::stones::StonesError;
 use crate::problem::{Arch, ArchError, Friction, Landmark, Line, Quantity, ThicknessError};
 
@@ -80,6 +80,32 @@ pub enum Refused {
         "the rotational joint {0} is beyond the widest one, beta_sb: (9), (10) and (11) are real up to it"
     )]
     BeyondWidestJoint(ExactNumber),
+    /// A value of a quantity is out of its range.
+    #[error("{} = {value} is not between {} and {}", .quantity.name(), .limits[0], .limits[1])]
+    Outside {
+        /// Quantity that is given.
+        quantity: Quantity,
+        /// Value as it was given.
+        value: String,
+        /// Limits of the quantity.
+        limits: [&'static str; 2],
+    },
+    /// A quantity is missing.
+    #[error("{} is missing; the equation needs {}", .missing.name(), names(.needed))]
+    Missing {
+        /// Quantity that is missing.
+        missing: Quantity,
+        /// Quantities that have to be given.
+        needed: Vec<Quantity>,
+    },
+    /// An equation of the other self-weight.
+    #[error("({equation}) is not for {}'s weight", .weight.name())]
+    OtherWeight {
+        /// Number of the equation.
+        equation: u8,
+        /// The self-weight model that was asked for.
+        weight: SelfWeight,
+    },
     /// A closed form that the paper does not have.
     #[error(
         "(9), (10) and (11) are for Milankovitch's weight; for Heyman's give (7), which has quadratics then"
@@ -114,6 +140,37 @@ impl Refused {
     /// Checks that a number is an angle of a rotational joint.
     pub(crate) fn rotation_joint(joint: &ExactNumber) -> Result<(), Self> {
         as_half_opening(joint).map_err(|_| Self::RotationJoint(joint.clone()))
+    }
+
+    /// Checks that a value of a quantity of a state is in its range.
+    pub(crate) fn value_of(quantity: Quantity, value: &ExactNumber) -> Result<(), Self> {
+        match quantity {
+            Quantity::HalfOpening => Ok(as_half_opening(value)?),
+            Quantity::RotationJoint => Self::rotation_joint(value),
+            Quantity::Thickness => Self::thickness(value),
+            Quantity::Thrust => Self::between(quantity, value, ["0", "1"]),
+            _ => Self::between(quantity, value, ["0", "2"]),
+        }
+    }
+
+    /// Checks that a value of a quantity is between two limits, and none of them.
+    pub(crate) fn between(
+        quantity: Quantity,
+        value: &ExactNumber,
+        limits: [&'static str; 2],
+    ) -> Result<(), Self> {
+        /// Bits with which a value is compared that is no rational number.
+        const BITS: u32 = 256;
+        let is_less = |a: &ExactNumber, b: &ExactNumber| match a.is_rational() && b.is_rational() {
+            true => a.factor() < b.factor(),
+            false => a.enclosure::<Ball>(BITS).is_less_than(&b.enclosure(BITS)).is_proved(),
+        };
+        let inside = match limits.map(str::parse::<ExactNumber>) {
+            [Ok(lower), Ok(upper)] => is_less(&lower, value) && is_less(value, &upper),
+            _ => false,
+        };
+        let refused = || Self::Outside { quantity, value: value.to_string(), limits };
+        inside.then_some(()).ok_or_else(refused)
     }
 
     /// Checks that a quantity is one of the possible ones.

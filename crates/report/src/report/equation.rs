@@ -1,4 +1,4 @@
-//! Equations of the paper at a rotational joint: for a person, and JSON (`couplet.equation/1`).
+//! Equations of the paper: for a person, and JSON (`couplet.equation/1`).
 
 use super::fields::Fields;
 use super::json;
@@ -6,29 +6,56 @@ use super::words::{apart, count, model};
 use crate::arch::SelfWeight;
 use crate::certify::Undecided;
 use crate::certify::equation::{
-    ClosedAt, ClosedForm, Evaluated, JointEquation, LinkAt, PolynomialAt, RadicandAt, RootAt,
+    ClosedAt, ClosedForm, EquationValue, Evaluated, LinkAt, PolynomialAt, RadicandAt, RootAt,
     RootBranch,
 };
 use crate::number::Decimal;
+use crate::problem::Quantity;
 use std::io;
 
-/// An equation at a joint, and what is proved of it.
+/// An equation at given values, and what is proved of it.
 #[derive(Debug)]
-pub struct EquationAtJoint {
-    /// The equation.
-    pub equation: JointEquation,
+pub struct EvaluatedEquation {
+    /// Number of the equation.
+    pub equation: u8,
     /// The self-weight model.
     pub weight: SelfWeight,
-    /// The rotational joint as given.
-    pub joint: String,
+    /// Quantities that are given, as they were.
+    pub given: Vec<(Quantity, String)>,
     /// Result that is proved.
-    pub found: Result<Evaluated, Undecided>,
+    pub found: Result<EquationFound, Undecided>,
 }
 
-impl EquationAtJoint {
+/// Result of an equation.
+#[derive(Debug)]
+pub enum EquationFound {
+    /// (7) to (12), at a joint.
+    AtJoint(Evaluated),
+    /// Values of another equation.
+    Values(Vec<EquationValue>),
+}
+
+impl EvaluatedEquation {
+    /// Result at a joint, or why there is none; `None` of other equations.
+    fn at_joint(&self) -> Option<Result<&Evaluated, &Undecided>> {
+        match &self.found {
+            Ok(EquationFound::AtJoint(found)) => Some(Ok(found)),
+            Ok(EquationFound::Values(_)) => None,
+            Err(undecided) => Some(Err(undecided)),
+        }
+    }
+
+    /// Values of an equation that has no joint of its own.
+    fn values(&self) -> &[EquationValue] {
+        match &self.found {
+            Ok(EquationFound::Values(values)) => values,
+            _ => &[],
+        }
+    }
+
     /// Reason why something stays open, if anything does.
     pub fn first_open(&self) -> Option<Undecided> {
-        match &self.found {
+        match self.at_joint()? {
             Err(undecided) => Some(undecided.clone()),
             Ok(Evaluated::Cubics(all)) => {
                 all.iter().find_map(|of| of.roots.as_ref().err()).cloned()
@@ -62,14 +89,20 @@ fn between([lower, upper]: &[Decimal; 2]) -> String {
     format!("in [{lower}, {upper}]")
 }
 
-pub(super) fn table(all: &[EquationAtJoint], out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn table(all: &[EvaluatedEquation], out: &mut dyn io::Write) -> io::Result<()> {
     apart(all, out, one)
 }
 
-fn one(of: &EquationAtJoint, out: &mut dyn io::Write) -> io::Result<()> {
-    let (number, joint, weight) = (of.equation.number(), &of.joint, model(of.weight));
-    writeln!(out, "Equation ({number}) at the rotational joint {joint}, {weight}\n")?;
-    match &of.found {
+fn one(of: &EvaluatedEquation, out: &mut dyn io::Write) -> io::Result<()> {
+    let given = of.given.iter().map(|(quantity, text)| format!("{} = {text}", quantity.name()));
+    let given: Vec<String> = given.collect();
+    let (number, given, weight) = (of.equation, given.join(", "), model(of.weight));
+    writeln!(out, "Equation ({number}) at {given}, {weight}\n")?;
+    for value in of.values() {
+        writeln!(out, "   {:<20} {:<18} {}", value.name, value.symbol, value.figure)?;
+    }
+    let Some(found) = of.at_joint() else { return Ok(()) };
+    match found {
         Err(undecided) => writeln!(out, "{undecided}"),
         Ok(Evaluated::Cubics(all)) => {
             all.iter().try_for_each(|polynomial| self::polynomial(polynomial, out))?;
@@ -171,33 +204,44 @@ fn radicand(of: &RadicandAt, out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(out, "   radicand   {}\n\n{sign}, proved: {place}", of.value)
 }
 
-pub(super) fn json(all: &[EquationAtJoint], out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn json(all: &[EvaluatedEquation], out: &mut dyn io::Write) -> io::Result<()> {
     json::write_all(all.iter().map(fields), out)
 }
 
-fn fields(of: &EquationAtJoint) -> Fields {
+fn fields(of: &EvaluatedEquation) -> Fields {
     let mut fields = Fields::of("couplet.equation/1");
-    fields.add("equation", of.equation.number());
+    fields.add("equation", of.equation);
     fields.add("weight", of.weight.name());
-    fields.add("rotation_joint", of.joint.as_str());
+    let given = of.given.iter().map(|(quantity, text)| (quantity.name(), text.as_str().into()));
+    fields.add_fields("given", Some(given.collect()));
     let open = of.first_open();
     fields.add("verdict", if open.is_some() { "undecided" } else { "proved" });
     fields.add("reason", open.map(|open| open.reason.into_owned()));
-    match &of.found {
-        Err(_) => {}
-        Ok(Evaluated::Cubics(all)) => fields.add_list("polynomials", all.iter().map(of_polynomial)),
-        Ok(Evaluated::Link(found)) => {
+    if !of.values().is_empty() {
+        let values = of.values().iter().map(|value| {
+            let mut fields = Fields::named("name", [value.name.into()]);
+            fields.append(Fields::bounds(&value.figure.decimal));
+            fields
+        });
+        fields.add_list("values", values);
+    }
+    match of.at_joint() {
+        None | Some(Err(_)) => {}
+        Some(Ok(Evaluated::Cubics(all))) => {
+            fields.add_list("polynomials", all.iter().map(of_polynomial))
+        }
+        Some(Ok(Evaluated::Link(found))) => {
             for (name, figure) in ["sin", "f", "g"].into_iter().zip(&found.abbreviations) {
                 fields.add_bounds(name, Some(figure));
             }
             fields.add_fields("difference", Some(bounds(&found.difference)));
             fields.add("holds", found.holds);
         }
-        Ok(Evaluated::Closed(form, all)) => {
+        Some(Ok(Evaluated::Closed(form, all))) => {
             fields.add("unknown", unknown(*form).1);
             fields.add_list("branches", all.iter().map(of_branch));
         }
-        Ok(Evaluated::Radicand(found)) => {
+        Some(Ok(Evaluated::Radicand(found))) => {
             fields.add_bounds("radicand", Some(&found.value));
             fields.add("is_positive", found.is_positive);
         }

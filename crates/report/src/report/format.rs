@@ -3,9 +3,10 @@
 use super::answers::Answers;
 use super::audit::{self, Audit};
 use super::branch::{self, BranchArches};
+use super::by_value::{self, ByValue};
 use super::claims::{self, Claims, Index};
 use super::complementarity::{self, ComplementarityArch};
-use super::equation::{self, EquationAtJoint};
+use super::equation::{self, EvaluatedEquation};
 use super::judged::{self, JudgeSummary, JudgedLines};
 use super::map::{self, Map, MapDifferences, MapPoint};
 #[cfg(feature = "parquet")]
@@ -50,7 +51,9 @@ pub enum Content {
     Tilted,
     /// Solutions of the complementarity problem.
     Complementarity,
-    /// Equations of the paper at a joint.
+    /// States by another quantity than the half opening.
+    ByValue,
+    /// Equations of the paper.
     Equation,
     /// Asymmetric solutions over friction.
     Branch,
@@ -161,7 +164,16 @@ pub(super) const COMPLEMENTARITY: Writers<[ComplementarityArch]> = Writers {
     ],
     picture: None,
 };
-pub(super) const EQUATION: Writers<[EquationAtJoint]> =
+pub(super) const BY_VALUE: Writers<[ByValue]> = Writers {
+    texts: &[
+        ("table", by_value::table),
+        ("plain", by_value::plain),
+        ("json", by_value::json),
+        ("csv", by_value::csv),
+    ],
+    picture: None,
+};
+pub(super) const EQUATION: Writers<[EvaluatedEquation]> =
     Writers { texts: &[("table", equation::table), ("json", equation::json)], picture: None };
 pub(super) const BRANCH: Writers<BranchArches> = Writers {
     texts: &[("table", branch::table), ("json", branch::json), ("csv", branch::csv)],
@@ -190,6 +202,7 @@ impl Content {
             Self::Voussoirs => VOUSSOIRS.has(format),
             Self::Tilted => TILTED.has(format),
             Self::Complementarity => COMPLEMENTARITY.has(format),
+            Self::ByValue => BY_VALUE.has(format),
             Self::Equation => EQUATION.has(format),
             Self::Branch => BRANCH.has(format),
             Self::Drawing => DRAWING.has(format),

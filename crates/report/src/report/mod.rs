@@ -25,6 +25,7 @@ mod answer;
 mod answers;
 mod audit;
 mod branch;
+mod by_value;
 mod c;
 mod claims;
 mod column;
@@ -74,10 +75,11 @@ pub use answer::{Answer, Fingerprint, Proof, Status};
 pub use answers::{Answers, Scope};
 pub use audit::Audit;
 pub use branch::{BranchArch, BranchArches};
+pub use by_value::ByValue;
 pub use claims::{Claims, Index};
 pub use complementarity::ComplementarityArch;
 pub use drawn::{Axes, Branches, Drawing, Mark, Marked, Plane, Shown, Unit, View};
-pub use equation::EquationAtJoint;
+pub use equation::{EquationFound, EvaluatedEquation};
 pub use format::{Content, Format};
 pub use given::GivenDoubles;
 pub use json::answers as write_json;
@@ -118,8 +120,10 @@ pub enum Report {
     Tilted(Vec<TiltedArch>),
     /// Solutions of the complementarity problem.
     Complementarity(Vec<ComplementarityArch>),
-    /// Equations of the paper at a joint.
-    Equations(Vec<EquationAtJoint>),
+    /// States by another quantity than the half opening.
+    ByValue(Vec<ByValue>),
+    /// Equations of the paper.
+    Equations(Vec<EvaluatedEquation>),
     /// Asymmetric solutions over friction.
     Branches(BranchArches),
     /// Arches to be drawn.
@@ -140,6 +144,7 @@ impl Report {
             Self::Tilted(arches) => format::TILTED.write(arches, format, out),
             Self::Voussoirs(arches) => format::VOUSSOIRS.write(arches, format, out),
             Self::Complementarity(arches) => format::COMPLEMENTARITY.write(arches, format, out),
+            Self::ByValue(all) => format::BY_VALUE.write(all, format, out),
             Self::Equations(all) => format::EQUATION.write(all, format, out),
             Self::Branches(arches) => format::BRANCH.write(arches, format, out),
             Self::Sketched(sketched) => format::DRAWING.write(sketched, format, out),

@@ -8,7 +8,7 @@ use crate::arch::{Ring, SelfWeight, overturning, thrust};
 use crate::number::{Angle, Ball, ComplexBall, Enclosure, Field, Real, Ternary};
 use crate::prover::{Figure, Undecided};
 
-/// What an evaluation finds, to be tried with more bits if it is `None`.
+/// Result of an evaluation, to be tried with more bits if it is `None`.
 type Found<T> = Result<Option<T>, Undecided>;
 
 /// A joint in balls.
@@ -186,6 +186,29 @@ impl AtJoint {
         let lost = i64::from(self.bits) + radius - i64::from(size);
         (lost.max(0) as f64 * std::f64::consts::LOG10_2).ceil() as u32
     }
+}
+
+/// Thicknesses between 0 and 2 at which the line of thrust touches the intrados at a joint, (2) = (5): all of them, in
+/// their order.
+pub(crate) fn touched_thicknesses(
+    weight: SelfWeight,
+    joint: &Angle<Ball>,
+    bits: u32,
+) -> Result<Vec<Ball>, Undecided> {
+    let at = AtJoint { weight, joint: joint.clone(), bits, digits: 1 };
+    let polynomial = coefficients(ClosedForm::Thickness, weight, &at.abbreviations());
+    let (_, is_positive) = at.signed_radicand()?;
+    let degree = polynomial.len() - 1;
+    let count = if is_positive { degree - 2 } else { degree };
+    let mut inside = Vec::new();
+    for eta in real_roots(&polynomial, count, bits)? {
+        match [eta.clone(), eta.int(2) - &eta].map(|x| x.is_positive()) {
+            [Ternary::True, Ternary::True] => inside.push(eta),
+            [Ternary::False, _] | [_, Ternary::False] => {}
+            _ => return Err(Undecided::new("whether a thickness is between 0 and 2")),
+        }
+    }
+    Ok(inside)
 }
 
 /// The one root that a number may be, if it is one.

@@ -1,4 +1,4 @@
-//! What is proved of an equation at a joint.
+//! Statements that are proved of an equation at a joint.
 
 use super::closed::{ClosedForm, RootBranch};
 use crate::number::Ball;
@@ -26,7 +26,7 @@ pub struct PolynomialAt {
     pub unknown: ClosedForm,
     /// Coefficients, that of the highest power first.
     pub coefficients: Vec<Figure>,
-    /// Its real roots, all of them in their order, or why they are not told apart.
+    /// Real roots, all of them in their order, or why they are not told apart.
     pub roots: Result<Vec<RootAt>, Undecided>,
 }
 

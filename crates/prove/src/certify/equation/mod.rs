@@ -1,7 +1,6 @@
-//! Equations of the purely rotational state at a rotational joint: (7)–(12), in balls.
+//! Equations of the paper in balls: (7)–(12) at a rotational joint, and those that give a value.
 //!
-//! An equation is stated once, in [`arch::cubic`](crate::arch::cubic) and
-//! [`arch::closed_form`](crate::arch::closed_form); here it is evaluated to any number of digits, each proved.
+//! An equation is stated once, in [`arch`](crate::arch); here it is evaluated to any number of digits, each proved.
 //!
 //! | file | what it does |
 //! |---|---|
@@ -9,14 +8,19 @@
 //! | `polynomial` | the polynomials (7), and all of their real roots |
 //! | `at_joint` | one equation at one joint, at one precision |
 //! | `evaluated` | what is proved |
+//! | `values` | (2)–(6) and (13)–(18) |
 
 mod at_joint;
 mod closed;
 mod evaluated;
 mod polynomial;
+mod values;
 
 pub use closed::{ClosedForm, RootBranch, Trigonometric, trigonometric};
 pub use evaluated::{ClosedAt, Evaluated, LinkAt, PolynomialAt, RadicandAt, RootAt};
+pub use values::{EquationValue, ValueEquation};
+
+pub(crate) use at_joint::touched_thicknesses;
 
 use self::at_joint::AtJoint;
 use crate::arch::SelfWeight;
@@ -94,7 +98,7 @@ const POWERS_LOST: u32 = 12;
 /// of (7) do, and the closed forms.
 ///
 /// ```
-/// use couplet_prove::arch::SelfWeight;
+/// use couplet_prove::prelude::*;
 /// use couplet_prove::certify::equation::{Evaluated, JointEquation, evaluate};
 /// let joint = "1.0".parse().unwrap();
 /// let found = evaluate(JointEquation::Thickness, SelfWeight::Milankovitch, &joint, 12)?;

@@ -5,6 +5,7 @@
 //! | `widest` | the widest half opening that stands at a thickness and a friction |
 //! | `line` | where one mode becomes another |
 //! | `question` | the questions, and the least friction, with the answers in digits |
+//! | `by_value` | all states with a joint, a thrust, a thickness or an opening variable |
 //!
 //! Every answer is a root that is proved to be the state of its arch, and **the only answer**:
 //!
@@ -33,9 +34,11 @@
 //! frictions that a purely rotational state asks for, and the friction of the purely sliding states, grow with the
 //! half opening (the claims `friction-rotation` and `sliding-order` of `couplet prove`).
 
+mod by_value;
 mod line;
 mod question;
 mod widest;
 
+pub use by_value::{OtherState, StateOfValue, StatesByValue, StatesOfValue};
 pub use question::{Finding, Found, Given, Question, find};
 pub(in crate::certify::state) use widest::{at_thickness, bits_lost, widest};

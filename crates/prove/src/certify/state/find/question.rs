@@ -182,7 +182,7 @@ fn some_may_move(question: &Question, arch: &Arch, found: &Found) -> bool {
     ranges.is_some_and(|(alphas, mus)| reaches(arch.weight(), alphas, mus))
 }
 
-fn has_no_friction(arch: &Arch) -> bool {
+pub(super) fn has_no_friction(arch: &Arch) -> bool {
     match arch.friction() {
         Friction::Coefficient(x) | Friction::Angle(x) => x.factor().numer().bits() == 0,
         Friction::Infinite => false,

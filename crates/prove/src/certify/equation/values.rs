@@ -1,0 +1,340 @@
+//! The equations of the paper that give one value: (2)–(6) and (13)–(18).
+
+use crate::arch::{Ring, SelfWeight, overturning, sliding, thrust};
+use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Real, bits_of};
+use crate::problem::Quantity;
+use crate::prover::{Error, Figure, Refused, Undecided, raise};
+
+/// An equation of the paper that gives a value where others are given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ValueEquation {
+    /// (2), `h_L`.
+    LowerThrust,
+    /// (3), `h_U`.
+    UpperThrust,
+    /// (4), `A` and `h_2`.
+    WholeThrust,
+    /// (5), `h_e`.
+    Tangency,
+    /// (6), `fac_M`.
+    CentroidFactor,
+    /// (13), `A` of purely overturning states.
+    OverturningVariable,
+    /// (14), the thickness of a purely overturning state, Heyman's weight.
+    OverturningHeyman,
+    /// (15), the thickness of a purely overturning state, Milankovitch's weight.
+    OverturningMilankovitch,
+    /// (16) as corrected: `2 - eta - fac_M`, and the thickness at which it is zero.
+    EndOfRotation,
+    /// (17), the friction that the shoulder asks for.
+    ShoulderSliding,
+    /// (18), the steepest joint and the friction that it asks for.
+    InnerSliding,
+}
+
+/// A value of an equation.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct EquationValue {
+    /// Name in files.
+    pub name: &'static str,
+    /// Symbol of the paper.
+    pub symbol: &'static str,
+    /// The value.
+    pub figure: Figure,
+}
+
+/// Name, symbol and enclosure of a value.
+type NamedBall = (&'static str, &'static str, Ball);
+
+impl ValueEquation {
+    /// All of them, in the order of their numbers.
+    pub const ALL: [Self; 11] = [
+        Self::LowerThrust,
+        Self::UpperThrust,
+        Self::WholeThrust,
+        Self::Tangency,
+        Self::CentroidFactor,
+        Self::OverturningVariable,
+        Self::OverturningHeyman,
+        Self::OverturningMilankovitch,
+        Self::EndOfRotation,
+        Self::ShoulderSliding,
+        Self::InnerSliding,
+    ];
+
+    /// Number of the equation in the paper.
+    pub fn number(self) -> u8 {
+        match self {
+            Self::LowerThrust => 2,
+            Self::UpperThrust => 3,
+            Self::WholeThrust => 4,
+            Self::Tangency => 5,
+            Self::CentroidFactor => 6,
+            Self::OverturningVariable => 13,
+            Self::OverturningHeyman => 14,
+            Self::OverturningMilankovitch => 15,
+            Self::EndOfRotation => 16,
+            Self::ShoulderSliding => 17,
+            Self::InnerSliding => 18,
+        }
+    }
+
+    /// Equation of a number, with its brackets or without.
+    pub fn named(text: &str) -> Option<Self> {
+        let number: u8 = text.trim().trim_start_matches('(').trim_end_matches(')').parse().ok()?;
+        Self::ALL.into_iter().find(|equation| equation.number() == number)
+    }
+
+    /// Quantities that have to be given.
+    pub fn needs(self) -> &'static [Quantity] {
+        use Quantity as Q;
+        match self {
+            Self::LowerThrust | Self::Tangency => &[Q::RotationJoint, Q::Thickness],
+            Self::UpperThrust => &[Q::HalfOpening, Q::RotationJoint, Q::Thickness],
+            Self::WholeThrust => &[Q::HalfOpening, Q::Thickness],
+            Self::CentroidFactor | Self::OverturningVariable | Self::EndOfRotation => {
+                &[Q::Thickness]
+            }
+            Self::OverturningHeyman | Self::OverturningMilankovitch => &[Q::OpeningVariable],
+            Self::ShoulderSliding => &[Q::HalfOpening, Q::Thrust],
+            Self::InnerSliding => &[Q::Thrust],
+        }
+    }
+
+    /// Checks what is given, and that the equation is for the self-weight.
+    fn check(self, weight: SelfWeight, given: &[(Quantity, ExactNumber)]) -> Result<(), Refused> {
+        for (quantity, value) in given {
+            Refused::quantity(*quantity, self.needs())?;
+            Refused::value_of(*quantity, value)?;
+        }
+        let is_given = |needed: &Quantity| given.iter().any(|(of, _)| of == needed);
+        if let Some(&missing) = self.needs().iter().find(|needed| !is_given(needed)) {
+            return Err(Refused::Missing { missing, needed: self.needs().to_vec() });
+        }
+        let limits = match (self, weight) {
+            (Self::Tangency, _) => Some((Quantity::Thickness, ["0", "2"])),
+            (Self::OverturningHeyman, SelfWeight::Heyman) => {
+                Some((Quantity::OpeningVariable, ["1/2", "1"]))
+            }
+            (Self::OverturningMilankovitch, SelfWeight::Milankovitch) => {
+                Some((Quantity::OpeningVariable, ["2/3", "1"]))
+            }
+            (Self::OverturningHeyman | Self::OverturningMilankovitch, _) => {
+                return Err(Refused::OtherWeight { equation: self.number(), weight });
+            }
+            _ => None,
+        };
+        let of = |of| given.iter().find(|(quantity, _)| *quantity == of);
+        match limits.and_then(|(quantity, limits)| Some((of(quantity)?, limits))) {
+            Some(((quantity, value), limits)) => Refused::between(*quantity, value, limits),
+            None => Ok(()),
+        }
+    }
+
+    /// Values in balls; `at` has what is given.
+    fn values(self, weight: SelfWeight, at: &dyn Fn(Quantity) -> Ball) -> Vec<NamedBall> {
+        use Quantity as Q;
+        let angle = |of| Angle::new(at(of));
+        let ring = || Ring::new(weight, &at(Q::Thickness));
+        match self {
+            Self::LowerThrust => {
+                vec![("thrust", "h_L", thrust::lower(&angle(Q::RotationJoint), &ring()).value())]
+            }
+            Self::UpperThrust => {
+                let (alpha, beta) = (angle(Q::HalfOpening), angle(Q::RotationJoint));
+                vec![("thrust", "h_U", thrust::upper(&alpha, &beta, &ring()).value())]
+            }
+            Self::WholeThrust => {
+                let opening = thrust::opening_variable(&angle(Q::HalfOpening));
+                let whole = thrust::whole_through(&opening, &ring()).value();
+                vec![("A", "alpha cot(alpha/2)", opening.value()), ("thrust", "h_2", whole)]
+            }
+            Self::Tangency => {
+                let joint = angle(Q::RotationJoint).times_cotangent();
+                vec![("thrust", "h_e", thrust::tangency(&joint, &ring()).value())]
+            }
+            Self::CentroidFactor => vec![("centroid_factor", "fac_M", ring().centroid_factor)],
+            Self::OverturningVariable => {
+                let opening = overturning::opening_variable(&ring()).value();
+                vec![("A", "alpha cot(alpha/2)", opening)]
+            }
+            Self::OverturningHeyman | Self::OverturningMilankovitch => {
+                let eta = overturning::thickness(weight, &at(Q::OpeningVariable));
+                vec![("thickness", "eta", eta)]
+            }
+            Self::EndOfRotation => {
+                let ring = ring();
+                let root = ring.thickness.int(3).sqrt();
+                let end = overturning::thickness_at_end(weight, &root);
+                let residual = overturning::end_of_rotation(&ring);
+                vec![("residual", "2 - eta - fac_M", residual), ("thickness_at_end", "eta_l", end)]
+            }
+            Self::ShoulderSliding => {
+                let mu = sliding::shoulder(&angle(Q::HalfOpening), &at(Q::Thrust)).value();
+                vec![("friction", "mu_ss", mu)]
+            }
+            Self::InnerSliding => {
+                let h = at(Q::Thrust);
+                let joint = Angle::new(sliding::steepest_joint(&h));
+                let mu = sliding::inner(&joint, &h).value();
+                vec![("sliding_joint", "beta_s, rad", joint.rad), ("friction", "mu_is", mu)]
+            }
+        }
+    }
+
+    /// Evaluates the equation at exact values, every figure to `digits` significant digits.
+    ///
+    /// Refused: what the equation does not need, or needs and has not; a value out of its range; (14) or (15) for the
+    /// other weight.
+    ///
+    /// ```
+    /// use couplet_prove::certify::equation::ValueEquation;
+    /// use couplet_prove::prelude::*;
+    /// let given = [(Quantity::Thickness, "0.6".parse()?)];
+    /// let found = ValueEquation::CentroidFactor.evaluate(SelfWeight::Milankovitch, &given, 5)?;
+    /// assert_eq!(found[0].figure.to_string(), "1.0300");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn evaluate(
+        self,
+        weight: SelfWeight,
+        given: &[(Quantity, ExactNumber)],
+        digits: usize,
+    ) -> Result<Vec<EquationValue>, Error> {
+        /// Bits beyond the digits asked for, at the first attempt.
+        const GUARD: u32 = 48;
+        /// Powers of a small value that cancel, at the most: a start only.
+        const POWERS_LOST: u32 = 6;
+        Refused::arch_digits(digits)?;
+        self.check(weight, given)?;
+        let size = |(_, value): &(Quantity, ExactNumber)| {
+            let value: Ball = value.enclosure(64);
+            value.mid().get_exp().unwrap_or(0).min(0).unsigned_abs()
+        };
+        let small = given.iter().map(size).max().unwrap_or(0);
+        let first = bits_of(digits) + GUARD + POWERS_LOST * small;
+        let found = raise(first, |bits| {
+            let value = |of: Quantity| {
+                let value = given.iter().find(|(quantity, _)| *quantity == of);
+                value.map_or(Ball::whole(bits), |(_, value)| value.enclosure(bits))
+            };
+            let values = self.values(weight, &value);
+            if values.iter().any(|(.., x)| !x.is_bounded()) {
+                return Err(Undecided::new("whether a divisor is zero"));
+            }
+            let shown = |(name, symbol, x): NamedBall| {
+                Some(EquationValue { name, symbol, figure: Figure::around(&x, digits)? })
+            };
+            Ok(values.into_iter().map(shown).collect::<Option<Vec<_>>>())
+        });
+        Ok(found?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certify::state::{Certify, Digits};
+    use crate::problem::Arch;
+
+    fn of(
+        number: u8,
+        weight: SelfWeight,
+        given: &[(Quantity, String)],
+    ) -> Result<Vec<EquationValue>, Error> {
+        let equation = ValueEquation::ALL.into_iter().find(|of| of.number() == number).unwrap();
+        let read = |(of, text): &(Quantity, String)| (*of, text.parse().unwrap());
+        let given: Vec<(Quantity, ExactNumber)> = given.iter().map(read).collect();
+        equation.evaluate(weight, &given, 30)
+    }
+
+    fn state(arch: [&str; 3]) -> (SelfWeight, Digits) {
+        let arch = Arch::parse(arch[0], arch[1], arch[2]).unwrap();
+        (arch.weight(), arch.least(40).unwrap())
+    }
+
+    fn is_near(x: &EquationValue, y: &Figure) -> bool {
+        let error = x.figure.decimal.value.to_rational() - y.decimal.value.to_rational();
+        error.to_f64().abs() < 1e-28
+    }
+
+    /// At a certified state each equation of its mode gives the thrust, or the friction.
+    #[test]
+    fn each_equation_gives_what_a_certified_state_has() {
+        use Quantity as Q;
+        for weight in ["heyman", "milankovitch"] {
+            let (weight, found) = state([weight, "80deg", "0.6"]);
+            let (beta, eta) = (found.rotation_joint.to_string(), found.thickness.to_string());
+            let alpha = (Q::HalfOpening, "80deg".to_owned());
+            let (beta, eta) = ((Q::RotationJoint, beta), (Q::Thickness, eta));
+            let cases = [
+                (2, vec![beta.clone(), eta.clone()]),
+                (3, vec![alpha.clone(), beta.clone(), eta.clone()]),
+                (4, vec![alpha.clone(), eta.clone()]),
+                (5, vec![beta, eta]),
+            ];
+            for (number, given) in cases {
+                let value = of(number, weight, &given).unwrap();
+                assert!(is_near(value.last().unwrap(), &found.thrust), "({number})");
+                let spoiled = (Q::Thickness, "0.07".to_owned());
+                let given: Vec<_> =
+                    given.into_iter().filter(|(of, _)| *of != Q::Thickness).collect();
+                let other = of(number, weight, &[given, vec![spoiled]].concat()).unwrap();
+                assert!(!is_near(other.last().unwrap(), &found.thrust), "false twin");
+            }
+        }
+        let (weight, found) = state(["heyman", "80deg", "0.29"]);
+        let given = [(Q::HalfOpening, "80deg".into()), (Q::Thrust, found.thrust.to_string())];
+        let mu = of(17, weight, &given).unwrap()[0].figure.double;
+        assert!((mu - 0.29).abs() < 1e-15);
+        let (weight, found) = state(["milankovitch", "2.45", "1.35"]);
+        let value = of(18, weight, &[(Q::Thrust, found.thrust.to_string())]).unwrap();
+        assert!(is_near(&value[0], found.sliding_joint.as_ref().unwrap()));
+        assert!((value[1].figure.double - 1.35).abs() < 1e-15);
+    }
+
+    #[test]
+    fn overturning_has_one_thickness_for_each_opening_variable() {
+        use Quantity as Q;
+        for (number, weight, a) in
+            [(14, SelfWeight::Heyman, "0.6"), (15, SelfWeight::Milankovitch, "0.68")]
+        {
+            let eta = of(number, weight, &[(Q::OpeningVariable, a.into())]).unwrap();
+            let back = of(13, weight, &[(Q::Thickness, eta[0].figure.to_string())]).unwrap();
+            assert!(
+                (back[0].figure.double - a.parse::<f64>().unwrap()).abs() < 1e-15,
+                "({number})"
+            );
+        }
+        let end = of(16, SelfWeight::Heyman, &[(Q::Thickness, "1".into())]).unwrap();
+        assert_eq!(end[0].figure.to_string(), "0");
+        let end = of(16, SelfWeight::Milankovitch, &[(Q::Thickness, "1".into())]).unwrap();
+        assert!(end[0].figure.double < 0.0 && (end[1].figure.double - 0.928_203).abs() < 1e-6);
+    }
+
+    #[test]
+    fn what_is_given_fits_the_equation() {
+        use Quantity as Q;
+        let thickness = |text: &str| (Q::Thickness, text.to_owned());
+        let opening = |text: &str| (Q::OpeningVariable, text.to_owned());
+        for (number, weight, given, words) in [
+            (2, SelfWeight::Heyman, vec![thickness("0.1")], "rotation_joint is missing"),
+            (6, SelfWeight::Heyman, vec![opening("0.7")], "the quantities are thickness"),
+            (6, SelfWeight::Heyman, vec![thickness("2.1")], "not between 0 and 2"),
+            (14, SelfWeight::Heyman, vec![opening("1.2")], "A = 1.2 is not between 1/2 and 1"),
+            (15, SelfWeight::Milankovitch, vec![opening("0.6")], "not between 2/3 and 1"),
+            (15, SelfWeight::Heyman, vec![opening("0.7")], "(15) is not for heyman"),
+            (14, SelfWeight::Milankovitch, vec![opening("0.7")], "(14) is not for milankovitch"),
+        ] {
+            let error = of(number, weight, &given).unwrap_err();
+            assert!(
+                matches!(error, Error::Refused(_)) && error.to_string().contains(words),
+                "{error}"
+            );
+        }
+        let given = [(Q::RotationJoint, "1".to_owned()), thickness("2")];
+        let error = of(5, SelfWeight::Heyman, &given).unwrap_err().to_string();
+        assert_eq!(error, "thickness = 2 is not between 0 and 2");
+    }
+}
