@@ -34,6 +34,7 @@
 //! | (17) shoulder sliding | [`arch::sliding::shoulder`], [`arch::sliding::shoulder_thrust`] |
 //! | (18) inner sliding | [`arch::sliding::inner`], [`arch::sliding::steepest`] |
 //! | (2), (4), (5), (17), (18) where the half opening is small | [`arch::small`] |
+//! | any of them at given values, to any number of digits | [`certify::equation`] |
 //! | what is claimed of them, proved or refuted | [`claims`] |
 //! | collapse modes, admissibility, least thickness | [`problem::Mode`], [`arch::contact`] |
 //! | Tables 1–4, 16-digit values of the text | [`judge::published`] |

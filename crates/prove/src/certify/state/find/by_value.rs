@@ -91,10 +91,9 @@ impl StateOfValue {
     }
 }
 
-const OF_JOINT: &str = "all roots of (7) between 0 and 2 are isolated, and at the thrust of (18) the joint has one \
-                        thickness; each is the least one of one half opening at most";
-const OF_THRUST: &str = "one thickness of the purely rotational states has this thrust, and is the least one of one \
-                         half opening at most; states that slide inside have another thrust";
+const OF_JOINT: &str = "(7) has no other thickness, (5) and (18) one at most, and each is the least of one half opening at most";
+const OF_THRUST: &str =
+    "one thickness of the purely rotational states has this thrust, none that slides inside";
 const OF_THICKNESS: &str = "the least thickness grows strictly with the half opening";
 const OF_OPENING: &str = "one half opening has this A, and one state";
 
@@ -251,7 +250,7 @@ impl Search<'_> {
             self.raised(|bits| self.is_not_that_of_sliding(bits).map(Some))?;
         }
         found.sorted(match (count, of_joint) {
-            (0, _) => "no purely rotational state has a joint beyond the widest one, beta_sb",
+            (0, _) if !is_limited => "no state has a joint beyond the widest one, beta_sb",
             (_, true) => "with this friction no state has this joint",
             _ => "with this friction no state has this thrust",
         })

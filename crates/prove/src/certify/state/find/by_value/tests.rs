@@ -46,6 +46,8 @@ fn a_joint_has_two_states_below_the_widest_and_none_beyond() {
         }
         let found = find((JOINT, "1.2"), "inf", weight);
         assert!(found.states.is_empty() && found.none.unwrap().contains("beyond the widest"));
+        let found = find((JOINT, "1.2"), "0.6", weight);
+        assert!(found.none.unwrap().contains("with this friction") && found.others.is_empty());
     }
 }
 
