@@ -128,9 +128,9 @@ fn faults_of_drawings_have_their_places() {
         "[[drawing]]\nalpha = 4\nmu = -1\neta = 3\nmode = \"rsx\"\namplitude = 2\nstones = 1\nhalf = 1\nweight = \"x\"",
     );
     for part in [
-        "half_opening 4",
-        "friction -1",
-        "thickness 3",
+        "the half opening 4",
+        "the friction -1",
+        "the thickness 3",
         "mode",
         "amplitude",
         "stones",

@@ -403,7 +403,10 @@ fn faults_of_a_plan_are_told_with_their_places() {
     let (code, _, message) = sweep(&scratch, "out", &[]);
     assert_eq!(code, Some(2));
     assert!(message.contains("plan.toml:2:10: weight \"heymann\" is not one of"), "{message}");
-    assert!(message.contains("plan.toml:3:1: friction is missing"), "{message}");
+    assert!(
+        message.contains("plan.toml:3:1: friction (or friction_angle) is missing"),
+        "{message}"
+    );
     assert!(message.ends_with("plan.toml has 2 errors; nothing was computed\n"), "{message}");
     assert!(scratch.files("out").is_empty());
     refused(&["sweep", &scratch.path(""), "-o", "x"], "", "--output belongs to a plan");
