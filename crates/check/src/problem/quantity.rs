@@ -271,31 +271,8 @@ impl Quantity {
             Self::CrownMoment => Some(Unknown::CrownMoment),
             Self::VerticalForce => Some(Unknown::VerticalForce),
             Self::CrownHinge | Self::CrownHingeDegrees => Some(Unknown::CrownHinge),
-            Self::ShoulderSlip
-            | Self::ShoulderOpening
-            | Self::InnerSlip
-            | Self::Power
-            | Self::SlidingFriction
-            | Self::RotationalFriction
-            | Self::AsymmetricThickness
-            | Self::LeastThickness
-            | Self::GeometricSafety
-            | Self::RequiredFriction
-            | Self::FrictionSafety
-            | Self::LeastThrust
-            | Self::LeastThrustJoint
-            | Self::LargestThrust
-            | Self::LargestThrustJoint
-            | Self::Span
-            | Self::Rise
-            | Self::Radius
-            | Self::GivenThicknessInMetres
-            | Self::GivenThickness
-            | Self::ThicknessInMetres
-            | Self::Weight
-            | Self::Force
-            | Self::LeastForce
-            | Self::LargestForce => None,
+            // A rate, a safety, a length or a force is none, nor is what is another state's.
+            _ => None,
         }
     }
 }
