@@ -257,20 +257,17 @@ impl Quantity {
     /// The variable that a system has to know for the quantity to exist; `None` for what is no value of one
     /// configuration.
     pub fn variable(self) -> Option<Unknown> {
+        use Quantity::*;
         match self {
-            Self::Thickness => Some(Unknown::Thickness),
-            Self::Friction | Self::FrictionAngle | Self::FrictionAngleDegrees => {
-                Some(Unknown::Friction)
-            }
-            Self::HalfOpening | Self::HalfOpeningDegrees | Self::OpeningVariable => {
-                Some(Unknown::HalfOpening)
-            }
-            Self::Thrust | Self::IntrinsicThrust => Some(Unknown::Thrust),
-            Self::RotationJoint | Self::RotationJointDegrees => Some(Unknown::RotationJoint),
-            Self::SlidingJoint | Self::SlidingJointDegrees => Some(Unknown::SlidingJoint),
-            Self::CrownMoment => Some(Unknown::CrownMoment),
-            Self::VerticalForce => Some(Unknown::VerticalForce),
-            Self::CrownHinge | Self::CrownHingeDegrees => Some(Unknown::CrownHinge),
+            Thickness => Some(Unknown::Thickness),
+            Friction | FrictionAngle | FrictionAngleDegrees => Some(Unknown::Friction),
+            HalfOpening | HalfOpeningDegrees | OpeningVariable => Some(Unknown::HalfOpening),
+            Thrust | IntrinsicThrust => Some(Unknown::Thrust),
+            RotationJoint | RotationJointDegrees => Some(Unknown::RotationJoint),
+            SlidingJoint | SlidingJointDegrees => Some(Unknown::SlidingJoint),
+            CrownMoment => Some(Unknown::CrownMoment),
+            VerticalForce => Some(Unknown::VerticalForce),
+            CrownHinge | CrownHingeDegrees => Some(Unknown::CrownHinge),
             // A rate, a safety, a length or a force is none, nor is what is another state's.
             _ => None,
         }

@@ -3,6 +3,7 @@
 use crate::arch::closed_form;
 use crate::arch::cubic::{self, Abbreviations};
 use crate::number::{Angle, Field, Real, rational_like};
+use ClosedForm::*;
 use num_complex::Complex;
 use rug::{Float, Rational};
 
@@ -46,15 +47,13 @@ pub fn printed(form: ClosedForm, branch: RootBranch, joint: f64) -> f64 {
     let sign = if branch == RootBranch::Upper { 1.0 } else { -1.0 };
     let k = Complex::new(0.0, sign * 3f64.sqrt());
     match form {
-        ClosedForm::OpeningVariable => {
+        OpeningVariable => {
             closed_form::opening_variable(&at, &closed_form::opening_cube(&at, &q).cbrt(), &k).re
         }
-        ClosedForm::Thickness => {
+        Thickness => {
             closed_form::thickness(&at, &closed_form::thickness_cube(&at, &q).cbrt(), &k).re
         }
-        ClosedForm::Thrust => {
-            closed_form::thrust(&at, &closed_form::thrust_cube(&at, &q).cbrt(), &k).re
-        }
+        Thrust => closed_form::thrust(&at, &closed_form::thrust_cube(&at, &q).cbrt(), &k).re,
     }
 }
 
@@ -93,25 +92,21 @@ pub fn trigonometric<T: Trigonometric>(
         (real, slope * &size)
     };
     let ((real, imaginary), product) = match form {
-        ClosedForm::OpeningVariable => {
-            (parts(closed_form::opening_cube), closed_form::opening_product(&at))
-        }
-        ClosedForm::Thickness => {
-            (parts(closed_form::thickness_cube), closed_form::thickness_product(&at))
-        }
-        ClosedForm::Thrust => (parts(closed_form::thrust_cube), closed_form::thrust_product(&at)),
+        OpeningVariable => (parts(closed_form::opening_cube), closed_form::opening_product(&at)),
+        Thickness => (parts(closed_form::thickness_cube), closed_form::thickness_product(&at)),
+        Thrust => (parts(closed_form::thrust_cube), closed_form::thrust_product(&at)),
     };
     let third = imaginary.angle(&real) / joint.rad.int(3);
     let turn = joint.rad.pi() / joint.rad.int(3);
     // (10) is printed with the signs the other way round.
-    let difference = (branch == RootBranch::Upper) != (form == ClosedForm::Thickness);
+    let difference = (branch == RootBranch::Upper) != (form == Thickness);
     let angle = if difference { third - turn } else { third + turn };
     let (_, cosine) = angle.sin_cos();
     let terms = product.sqrt() * cosine * one.int(2);
     match form {
-        ClosedForm::OpeningVariable => closed_form::opening_variable_from(&at, terms),
-        ClosedForm::Thickness => closed_form::thickness_from(&at, terms),
-        ClosedForm::Thrust => closed_form::thrust_from(&at, terms),
+        OpeningVariable => closed_form::opening_variable_from(&at, terms),
+        Thickness => closed_form::thickness_from(&at, terms),
+        Thrust => closed_form::thrust_from(&at, terms),
     }
 }
 
@@ -136,7 +131,7 @@ mod tests {
     fn the_closed_forms_give_one_state_on_each_branch() {
         for joint in [0.3, 0.7, 1.0, 1.1] {
             for branch in [RootBranch::Upper, RootBranch::Lower] {
-                let all = [ClosedForm::Thickness, ClosedForm::Thrust, ClosedForm::OpeningVariable];
+                let all = [Thickness, Thrust, OpeningVariable];
                 let [eta, h, a] = all.map(|form| printed(form, branch, joint));
                 let angle = Angle::new(joint);
                 let ring = Ring::new(SelfWeight::Milankovitch, &eta);
@@ -154,8 +149,8 @@ mod tests {
 
     #[test]
     fn the_upper_branch_is_the_thinner() {
-        let [upper, lower] = [RootBranch::Upper, RootBranch::Lower]
-            .map(|branch| printed(ClosedForm::Thickness, branch, 0.9));
+        let [upper, lower] =
+            [RootBranch::Upper, RootBranch::Lower].map(|branch| printed(Thickness, branch, 0.9));
         assert!(0.0 < upper && upper < lower && lower < 2.0);
     }
 }
