@@ -1,6 +1,6 @@
 //! Place where the self-weight of a thin slice of the arch acts: the two models, and Eq. (6).
 
-use crate::number::{Field, says};
+use crate::number::{Field, says, worded};
 
 /// Reason why a text is no self-weight model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -8,27 +8,22 @@ pub struct NoWeight;
 
 says!(NoWeight { Self => "a weight is one of {}", SelfWeight::ALL.map(SelfWeight::name).join(", "); });
 
-/// The self-weight model, `delta_M` of the paper.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum SelfWeight {
-    /// Weight on the centreline (`delta_M = 0`): the classical approximation.
-    Heyman,
-    /// Weight at the true centroids of the wedges (`delta_M = 1`), `r_G = r (1 + eta²/12)`.
-    Milankovitch,
+worded! {
+    /// The self-weight model, `delta_M` of the paper.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+    pub enum SelfWeight {
+        /// Weight on the centreline (`delta_M = 0`): the classical approximation.
+        Heyman = "heyman",
+        /// Weight at the true centroids of the wedges (`delta_M = 1`), `r_G = r (1 + eta²/12)`.
+        Milankovitch = "milankovitch",
+    }
+    /// Both models, in the order of the paper's tables.
+    pub const ALL;
+    /// The name used on the command line and in files.
+    pub fn name -> &'static str;
 }
 
 impl SelfWeight {
-    /// Both models, in the order of the paper's tables.
-    pub const ALL: [Self; 2] = [Self::Heyman, Self::Milankovitch];
-
-    /// The name used on the command line and in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Heyman => "heyman",
-            Self::Milankovitch => "milankovitch",
-        }
-    }
-
     /// The model of a name, whatever its case.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|weight| weight.name().eq_ignore_ascii_case(name))

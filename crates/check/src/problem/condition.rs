@@ -119,25 +119,24 @@ impl Condition {
 
     /// Description in words of what is positive.
     pub fn label(self) -> &'static str {
+        use Unknown as U;
         match self {
-            Self::Above(Unknown::HalfOpening) => "a positive half opening",
-            Self::Above(Unknown::RotationJoint) => "a rotational joint below the crown",
-            Self::Above(Unknown::SlidingJoint) => "a sliding joint below the crown",
-            Self::Above(Unknown::Thickness) => "a positive thickness",
-            Self::Above(Unknown::Thrust) => "a positive thrust",
-            Self::Above(Unknown::Friction) => "a positive friction",
-            Self::Above(Unknown::CrownHinge) => "a hinge right of the crown",
-            Self::Above(Unknown::CrownMoment) => "a positive moment in the crown",
-            Self::Above(Unknown::VerticalForce) => "a positive vertical force in the crown",
-            Self::Below(Unknown::HalfOpening) => "a half opening below pi",
-            Self::Below(Unknown::RotationJoint) => "a rotational joint above the shoulder",
-            Self::Below(Unknown::SlidingJoint) => "a sliding joint above the shoulder",
-            Self::Below(Unknown::Thickness) => "a thickness below the physical limit",
-            Self::Below(Unknown::Thrust) => "a thrust below one",
-            Self::Below(Unknown::CrownHinge) => "a crown hinge above the shoulder",
-            Self::Below(Unknown::Friction | Unknown::CrownMoment | Unknown::VerticalForce) => {
-                "a bounded variable"
-            }
+            Self::Above(U::HalfOpening) => "a positive half opening",
+            Self::Above(U::RotationJoint) => "a rotational joint below the crown",
+            Self::Above(U::SlidingJoint) => "a sliding joint below the crown",
+            Self::Above(U::Thickness) => "a positive thickness",
+            Self::Above(U::Thrust) => "a positive thrust",
+            Self::Above(U::Friction) => "a positive friction",
+            Self::Above(U::CrownHinge) => "a hinge right of the crown",
+            Self::Above(U::CrownMoment) => "a positive moment in the crown",
+            Self::Above(U::VerticalForce) => "a positive vertical force in the crown",
+            Self::Below(U::HalfOpening) => "a half opening below pi",
+            Self::Below(U::RotationJoint) => "a rotational joint above the shoulder",
+            Self::Below(U::SlidingJoint) => "a sliding joint above the shoulder",
+            Self::Below(U::Thickness) => "a thickness below the physical limit",
+            Self::Below(U::Thrust) => "a thrust below one",
+            Self::Below(U::CrownHinge) => "a crown hinge above the shoulder",
+            Self::Below(U::Friction | U::CrownMoment | U::VerticalForce) => "a bounded variable",
             Self::Compression => "compression at the shoulder",
             Self::IntradosAtCrown => "the line of thrust leaves the intrados at the crown",
             Self::ExtradosAtShoulder => "the line of thrust inside the extrados at the shoulder",
@@ -160,10 +159,8 @@ impl Condition {
             Self::NoneThinner | Self::NoneThinnerAtLargestThrust => {
                 "that no thinner arch has an admissible state"
             }
-            Self::Beyond(Unknown::Friction) => "a friction below that of the purely sliding state",
-            Self::Beyond(Unknown::HalfOpening) => {
-                "a half opening beyond the limit for the friction"
-            }
+            Self::Beyond(U::Friction) => "a friction below that of the purely sliding state",
+            Self::Beyond(U::HalfOpening) => "a half opening beyond the limit for the friction",
             Self::Beyond(_) => "a thickness below the least",
             Self::InsideIntrados => "the line of thrust inside the intrados",
             Self::NearestAtShoulder => "the line of thrust nearest to the intrados at the shoulder",

@@ -118,23 +118,19 @@ impl Line {
     }
 }
 
-/// Unknowns that can be asked for in place of the least thickness.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Sought {
-    /// The half opening.
-    HalfOpening,
-    /// The friction coefficient.
-    Friction,
-}
-
-impl Sought {
-    /// The name used in files and on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::HalfOpening => Unknown::HalfOpening.name(),
-            Self::Friction => Unknown::Friction.name(),
-        }
+worded! {
+    /// Unknowns that can be asked for in place of the least thickness.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Sought {
+        /// The half opening.
+        HalfOpening = Unknown::HalfOpening.name(),
+        /// The friction coefficient.
+        Friction = Unknown::Friction.name(),
     }
+    /// All of them, in order.
+    pub const ALL;
+    /// The name used in files and on the command line.
+    pub fn name -> &'static str;
 }
 
 /// Reason why a text names no line.

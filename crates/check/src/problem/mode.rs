@@ -65,25 +65,26 @@ impl Mode {
     /// System of the mode: the unknowns at a given half opening and friction, the equations that hold, and
     /// what is fixed.
     pub fn system(self, weight: SelfWeight) -> System {
+        use Mode::*;
         match self {
-            Self::Rotational => {
+            Rotational => {
                 system!(weight; RotationJoint Thickness Thrust; LowerThrust WholeThrust Tangency;)
             }
-            Self::SlidingRotational => system! { weight;
+            SlidingRotational => system! { weight;
                 RotationJoint Thickness Thrust; LowerThrust Tangency ShoulderSliding;
             },
-            Self::RotationalSliding | Self::RotationalSlidingRotational => system! { weight;
+            RotationalSliding | RotationalSlidingRotational => system! { weight;
                 RotationJoint Thickness Thrust SlidingJoint; UpperThrust Tangency InnerSliding Steepest;
             },
-            Self::OverturningSliding => system! { weight;
+            OverturningSliding => system! { weight;
                 Thickness Thrust SlidingJoint; UpperThrust InnerSliding Steepest;
                 RotationJoint = Integer(0)
             },
-            Self::Overturning => system! { weight;
+            Overturning => system! { weight;
                 Thickness; WholeThrust;
                 RotationJoint = Integer(0), Thrust = Integer(0)
             },
-            Self::Sliding => {
+            Sliding => {
                 system!(weight; Friction Thrust SlidingJoint; ShoulderSliding InnerSliding Steepest;)
             }
         }
@@ -110,34 +111,31 @@ impl Mode {
         dilatancy: &T,
     ) -> Vec<mechanism::Motion<T>> {
         let turn = Angle::new(by.clone());
+        use Mode::*;
         match self {
-            Self::Rotational => mechanism::moves_rotating(at, &turn),
-            Self::SlidingRotational => mechanism::moves_with_shoulder_sliding(at, by, dilatancy),
-            Self::RotationalSliding => mechanism::moves_sliding_above_haunch(at, &turn, dilatancy),
-            Self::RotationalSlidingRotational => {
+            Rotational => mechanism::moves_rotating(at, &turn),
+            SlidingRotational => mechanism::moves_with_shoulder_sliding(at, by, dilatancy),
+            RotationalSliding => mechanism::moves_sliding_above_haunch(at, &turn, dilatancy),
+            RotationalSlidingRotational => {
                 mechanism::moves_sliding_below_haunch(at, &turn, dilatancy)
             }
-            Self::OverturningSliding => mechanism::moves_overturning_sliding(at, &turn, dilatancy),
-            Self::Overturning => mechanism::moves_overturning(at, &turn),
-            Self::Sliding => mechanism::moves_sliding(at, by, dilatancy),
+            OverturningSliding => mechanism::moves_overturning_sliding(at, &turn, dilatancy),
+            Overturning => mechanism::moves_overturning(at, &turn),
+            Sliding => mechanism::moves_sliding(at, by, dilatancy),
         }
     }
 
     /// System at a given thickness and friction: the half opening is solved for in place of the thickness,
     /// and for pure sliding in place of the friction.
     pub fn system_for_half_opening(self, weight: SelfWeight) -> System {
-        use Unknown as U;
+        use {Mode::*, Unknown as U};
         let unknowns: &[U] = match self {
-            Self::Rotational | Self::SlidingRotational => {
-                &[U::RotationJoint, U::HalfOpening, U::Thrust]
-            }
-            Self::RotationalSliding | Self::RotationalSlidingRotational => {
+            Rotational | SlidingRotational => &[U::RotationJoint, U::HalfOpening, U::Thrust],
+            RotationalSliding | RotationalSlidingRotational => {
                 &[U::RotationJoint, U::HalfOpening, U::Thrust, U::SlidingJoint]
             }
-            Self::OverturningSliding | Self::Sliding => {
-                &[U::HalfOpening, U::Thrust, U::SlidingJoint]
-            }
-            Self::Overturning => &[U::HalfOpening],
+            OverturningSliding | Sliding => &[U::HalfOpening, U::Thrust, U::SlidingJoint],
+            Overturning => &[U::HalfOpening],
         };
         System { unknowns, ..self.system(weight) }
     }

@@ -257,45 +257,19 @@ impl Quantity {
     /// The variable that a system has to know for the quantity to exist; `None` for what is no value of one
     /// configuration.
     pub fn variable(self) -> Option<Unknown> {
+        use Quantity::*;
         match self {
-            Self::Thickness => Some(Unknown::Thickness),
-            Self::Friction | Self::FrictionAngle | Self::FrictionAngleDegrees => {
-                Some(Unknown::Friction)
-            }
-            Self::HalfOpening | Self::HalfOpeningDegrees | Self::OpeningVariable => {
-                Some(Unknown::HalfOpening)
-            }
-            Self::Thrust | Self::IntrinsicThrust => Some(Unknown::Thrust),
-            Self::RotationJoint | Self::RotationJointDegrees => Some(Unknown::RotationJoint),
-            Self::SlidingJoint | Self::SlidingJointDegrees => Some(Unknown::SlidingJoint),
-            Self::CrownMoment => Some(Unknown::CrownMoment),
-            Self::VerticalForce => Some(Unknown::VerticalForce),
-            Self::CrownHinge | Self::CrownHingeDegrees => Some(Unknown::CrownHinge),
-            Self::ShoulderSlip
-            | Self::ShoulderOpening
-            | Self::InnerSlip
-            | Self::Power
-            | Self::SlidingFriction
-            | Self::RotationalFriction
-            | Self::AsymmetricThickness
-            | Self::LeastThickness
-            | Self::GeometricSafety
-            | Self::RequiredFriction
-            | Self::FrictionSafety
-            | Self::LeastThrust
-            | Self::LeastThrustJoint
-            | Self::LargestThrust
-            | Self::LargestThrustJoint
-            | Self::Span
-            | Self::Rise
-            | Self::Radius
-            | Self::GivenThicknessInMetres
-            | Self::GivenThickness
-            | Self::ThicknessInMetres
-            | Self::Weight
-            | Self::Force
-            | Self::LeastForce
-            | Self::LargestForce => None,
+            Thickness => Some(Unknown::Thickness),
+            Friction | FrictionAngle | FrictionAngleDegrees => Some(Unknown::Friction),
+            HalfOpening | HalfOpeningDegrees | OpeningVariable => Some(Unknown::HalfOpening),
+            Thrust | IntrinsicThrust => Some(Unknown::Thrust),
+            RotationJoint | RotationJointDegrees => Some(Unknown::RotationJoint),
+            SlidingJoint | SlidingJointDegrees => Some(Unknown::SlidingJoint),
+            CrownMoment => Some(Unknown::CrownMoment),
+            VerticalForce => Some(Unknown::VerticalForce),
+            CrownHinge | CrownHingeDegrees => Some(Unknown::CrownHinge),
+            // A rate, a safety, a length or a force is none, nor is what is another state's.
+            _ => None,
         }
     }
 }

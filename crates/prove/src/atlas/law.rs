@@ -68,22 +68,17 @@ impl Law {
             let quarter = at.half_opening.square() / at.thrust.int(4);
             thrust::whole_through(&opening_variable_at_half(&quarter.stumpff(2)), &ring())
         };
+        let chi = &at.inclination.rad;
         use Law::*;
         match self {
             Cycloid => cycloid::friction_angle(&at.inclination) - &at.friction_angle,
             Shoulder => cycloid::shoulder(&at.half_opening, &at.shoulder_inclination(), &at.thrust),
-            FlatShoulder => cycloid::flat_shoulder(&at.ratio, &at.inclination.rad),
-            Ratio => {
-                at.half_opening.clone()
-                    - &at.friction_angle
-                    - at.ratio.clone() * &at.inclination.rad
-            }
-            FlatTurningShoulder => at.flat().shoulder(weight, &at.inclination.rad),
+            FlatShoulder => cycloid::flat_shoulder(&at.ratio, chi),
+            Ratio => at.half_opening.clone() - &at.friction_angle - at.ratio.clone() * chi,
+            FlatTurningShoulder => at.flat().shoulder(weight, chi),
             FlatTurning => at.flat().turning(weight, &at.half_opening),
-            OpeningRatio => {
-                at.half_opening.clone() - at.opening_ratio.clone() * &at.inclination.rad
-            }
-            JointRatio => at.joint_square.clone() - at.inclination.rad.square() * &at.joint_ratio,
+            OpeningRatio => at.half_opening.clone() - at.opening_ratio.clone() * chi,
+            JointRatio => at.joint_square.clone() - chi.square() * &at.joint_ratio,
             Tangency => tangency().residual(&at.thrust),
             Touching => touching().residual(&at.thrust),
             TouchingRoot => touching_root(&at.inclination.cos, &at.joint_square, &ring()),

@@ -1,35 +1,27 @@
 //! A row of a batch: what is known of an arch, in doubles.
 
 use crate::certify::state::Figure;
+use crate::number::worded;
 use crate::problem::Mode;
 
-/// Verdict on a row, by the code that it has in arrays.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[repr(u8)]
-pub enum RowVerdict {
-    /// The arch stands: at some thickness, or at the one that it has.
-    Stands = 0,
-    /// The arch falls.
-    Falls = 1,
-    /// Nothing is known.
-    Undecided = 2,
-    /// The row makes no sense: a number is none, or out of its range.
-    Refused = 3,
-}
-
-impl RowVerdict {
-    /// Verdicts in the order of their codes.
-    pub const ALL: [Self; 4] = [Self::Stands, Self::Falls, Self::Undecided, Self::Refused];
-
-    /// The name used in files.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Stands => "stands",
-            Self::Falls => "falls",
-            Self::Undecided => "undecided",
-            Self::Refused => "refused",
-        }
+worded! {
+    /// Verdict on a row, by the code that it has in arrays.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    #[repr(u8)]
+    pub enum RowVerdict {
+        /// The arch stands: at some thickness, or at the one that it has.
+        Stands = "stands",
+        /// The arch falls.
+        Falls = "falls",
+        /// Nothing is known.
+        Undecided = "undecided",
+        /// The row makes no sense: a number is none, or out of its range.
+        Refused = "refused",
     }
+    /// Verdicts in the order of their codes.
+    pub const ALL;
+    /// The name used in files.
+    pub fn name -> &'static str;
 }
 
 /// Row of a batch.

@@ -39,10 +39,15 @@ pub(super) fn inner_state<E: Arithmetic>(
             below_crown(query, slid, at.thickness.candidate())?
         }
     };
+    Ok((by_the_higher_joint(&at)?, at))
+}
+
+/// The mode of a state with a hinge at the haunch and an inner joint that slides: which of the two is higher.
+pub(super) fn by_the_higher_joint<E: Arithmetic>(at: &Configuration<E>) -> Result<Mode, Undecided> {
     let above = at.rotation_joint.rad.clone() - &at.sliding_joint.rad;
     let between = [Mode::RotationalSliding, Mode::RotationalSlidingRotational];
     let above = decide(&above, "which of the two inner joints is higher", &between)?;
-    Ok((between[usize::from(!above)], at))
+    Ok(between[usize::from(!above)])
 }
 
 /// The root of (3) and (5) next to the crown, from the thickness there.

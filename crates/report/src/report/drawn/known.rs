@@ -4,7 +4,7 @@ use super::sheet::Sheet;
 use crate::arch::SelfWeight;
 use crate::atlas::tangent;
 use crate::certify::{CertifiedLandmark, Error};
-use crate::number::Rounded;
+use crate::number::{Rounded, list};
 use crate::problem::{Landmark, Line, Quantity};
 use crate::report::answer::Answer;
 use crate::report::value::Value;
@@ -12,14 +12,8 @@ use crate::report::words;
 
 /// Digits, all proved.
 const DIGITS: usize = 15;
-const LANDMARKS: [Landmark; 6] = [
-    Landmark::Triple,
-    Landmark::Shift,
-    Landmark::Junction,
-    Landmark::Border,
-    Landmark::RotationEnd,
-    Landmark::OverturningEnd,
-];
+const LANDMARKS: [Landmark; 6] =
+    list![Landmark: Triple Shift Junction Border RotationEnd OverturningEnd];
 /// The three curves through T: the other two lines there are one.
 pub(super) const TANGENTS: [Line; 3] =
     [Line::RotationShoulder, Line::RotationInner, Line::AboveHaunchEnd];

@@ -7,6 +7,7 @@ use super::policy::policy;
 use super::table::{TITLES, names, verdict};
 use crate::arch::SelfWeight;
 use crate::atlas::Trace;
+use crate::number::list;
 use crate::picture::Frame;
 use crate::problem::{Landmark, Quantity};
 use crate::report::answer::Answer;
@@ -23,14 +24,8 @@ const SCRIPT: &str =
     concat!("\"use strict\";\n", include_str!("page/function.js"), include_str!("page/page.js"));
 
 /// Quantities that the table of landmarks has of each.
-const QUANTITIES: [Quantity; 7] = [
-    Quantity::HalfOpening,
-    Quantity::FrictionAngle,
-    Quantity::Friction,
-    Quantity::Thickness,
-    Quantity::Thrust,
-    Quantity::RotationJoint,
-    Quantity::SlidingJoint,
+const QUANTITIES: [Quantity; 7] = list![Quantity:
+    HalfOpening FrictionAngle Friction Thickness Thrust RotationJoint SlidingJoint
 ];
 
 /// The page.

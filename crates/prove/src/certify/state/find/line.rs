@@ -1,8 +1,9 @@
 //! Boundaries where one mode becomes another: a point of a line of the map.
 
+use super::widest::in_range;
 use crate::arch::{Configuration, Unknown};
 use crate::certify::state::query::Query;
-use crate::number::{Ball, Field, Real};
+use crate::number::{Ball, Field};
 use crate::problem::{Condition, Examined, Landmark, Line, Mode, Sought};
 use crate::prover::Undecided;
 use crate::prover::decide::{require, require_condition};
@@ -25,9 +26,7 @@ pub(super) fn point_on(
     let system = line.system(query.weight, sought);
     let start = start::on_line(query.weight, line, sought, &given);
     let at = query.root(system, &system.values(&start)).map_err(|open| none(line, &open))?;
-    let alpha = &at.half_opening.rad;
-    require(alpha, Condition::Above(Unknown::HalfOpening).label())?;
-    require(&(alpha.pi() - alpha), Condition::Below(Unknown::HalfOpening).label())?;
+    in_range(&at)?;
     require(&at.friction, "a positive friction")?;
     // No state of the half opening has a larger thrust: then beta_s grows with it along all of them.
     if (line, sought) == (Line::Joints, Sought::Friction) {
@@ -39,7 +38,7 @@ pub(super) fn point_on(
     }
     for (mode, tie) in line.modes().into_iter().zip(line.ties()) {
         if mode == Mode::Sliding {
-            let margin = alpha.clone() - &at.sliding_joint.rad;
+            let margin = at.half_opening.rad.clone() - &at.sliding_joint.rad;
             require(&margin, Condition::Below(Unknown::SlidingJoint).label())?;
             continue;
         }

@@ -5,6 +5,7 @@
 //! found first and tell the mode.
 
 use crate::arch::{Configuration, Ring, Unknown, contact, thrust};
+use crate::certify::state::inner::by_the_higher_joint;
 use crate::certify::state::mode::prove;
 use crate::certify::state::query::Query;
 use crate::number::{Angle, Ball, ExactNumber, Field};
@@ -86,7 +87,7 @@ fn where_both_slide<E: Arithmetic>(query: &Query<E>) -> Result<Option<ModeAt<E>>
 }
 
 /// The half opening has to be in its range, in which alone the lemma holds.
-fn in_range<E: Arithmetic>(at: &Configuration<E>) -> Result<(), Undecided> {
+pub(super) fn in_range<E: Arithmetic>(at: &Configuration<E>) -> Result<(), Undecided> {
     let alpha = &at.half_opening.rad;
     require(alpha, Condition::Above(Unknown::HalfOpening).label())?;
     require(&(alpha.pi() - alpha), Condition::Below(Unknown::HalfOpening).label())
@@ -192,12 +193,7 @@ fn proved<E: Arithmetic>(
 ) -> Result<ModeAt<E>, Undecided> {
     let at = query.root(mode.system_for_half_opening(query.weight), start)?;
     let mode = match mode {
-        Mode::RotationalSliding => {
-            let above = at.rotation_joint.rad.clone() - &at.sliding_joint.rad;
-            let between = [Mode::RotationalSliding, Mode::RotationalSlidingRotational];
-            let above = decide(&above, "which of the two inner joints is higher", &between)?;
-            between[usize::from(!above)]
-        }
+        Mode::RotationalSliding => by_the_higher_joint(&at)?,
         mode => mode,
     };
     in_range(&at)?;
