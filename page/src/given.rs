@@ -96,3 +96,38 @@ impl Given {
         all.into_iter().filter_map(|(name, value)| Some((name, value?))).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What every door is asked, as far as the page has its fields.
+    #[test]
+    fn every_question_is_read_or_refused_as_elsewhere() {
+        let mut seen = [0, 0];
+        for line in include_str!("../../tests/questions.txt").lines() {
+            let pairs =
+                line.trim_start_matches("! ").split(' ').filter_map(|it| it.split_once('='));
+            let mut question = Question { weight: "heyman".to_owned(), ..Question::default() };
+            let known = pairs.map(|(name, text)| {
+                let text = text.to_owned();
+                match name {
+                    "friction" => question.friction = text,
+                    "half_opening" => question.half_opening = Some(text),
+                    "span" => question.span = Some(text),
+                    "rise" => question.rise = Some(text),
+                    "measured_at" => question.measured_at = Some(text),
+                    "thickness" => question.thickness = Some(text),
+                    _ => return false,
+                }
+                true
+            });
+            if known.fold(true, |all, is| all && is) && !question.friction.is_empty() {
+                let makes_sense = !line.starts_with('!');
+                assert_eq!(given(&question).is_ok(), makes_sense, "{line}");
+                seen[usize::from(makes_sense)] += 1;
+            }
+        }
+        assert!(seen[0] > 5 && seen[1] > 5, "{seen:?}");
+    }
+}

@@ -19,7 +19,7 @@ from ._arrays import FOUND, VERDICTS, finds, reasons, states, states_columns, st
 from ._arrays import whole as _whole
 from ._asked import asked as _asked
 from ._certified import Certified
-from ._commands import Curve, Judged, Picture, Ran, audit, curve, draw, figure, judge, run, sample
+from ._commands import Curve, Judged, Picture, Ran, audit, curve, draw, equation, figure, judge, run, sample, states_of
 from ._commands import map as map
 from ._core import CoupletError, UndecidedError, __version__
 from ._exact import text_of as _text_of
@@ -64,6 +64,7 @@ __all__ = [
     "constants",
     "curve",
     "draw",
+    "equation",
     "figure",
     "find",
     "finds",
@@ -76,6 +77,7 @@ __all__ = [
     "states",
     "states_columns",
     "states_frame",
+    "states_of",
     "sweep",
     "tilt",
     "voussoirs",

@@ -428,6 +428,74 @@ def audit(*, only: str | Sequence[str] | None = None, weight: str = "both") -> d
     return told
 
 
+def equation(
+    number: int,
+    *,
+    half_opening: Exact | None = None,
+    rotation_joint: Exact | None = None,
+    thickness: Exact | None = None,
+    thrust: Exact | None = None,
+    opening_variable: Exact | None = None,
+    weight: str = "milankovitch",
+    digits: int = 30,
+) -> dict[str, Any]:
+    """An equation of the paper, (2) to (18), at given values: ``couplet.equation/1``.
+
+    Args:
+        number: of the equation; (7) to (12) are at a rotational joint.
+        half_opening, rotation_joint: angles, in radians or text with a unit ('57deg').
+        thickness, thrust, opening_variable: eta, h and A = alpha cot(alpha/2), where the equation has them.
+        weight: the model of self-weight, 'heyman' or 'milankovitch'.
+        digits: significant digits, 1 to 10,000.
+
+    Raises: CoupletError if an argument makes no sense; UndecidedError if something is not proved.
+
+        >>> couplet.equation(12, rotation_joint="1.2", digits=5)["radicand"]["value"]
+        '5.2334'
+    """
+    import json
+
+    given = {
+        "half_opening": half_opening,
+        "rotation_joint": rotation_joint,
+        "thickness": thickness,
+        "thrust": thrust,
+        "opening_variable": opening_variable,
+    }
+    named = options({**given, "weight": weight, "digits": digits})
+    told: dict[str, Any] = json.loads(answer(["equation", str(number), *named, "--format=json"]))
+    return told
+
+
+def states_of(
+    friction: Exact | None = None,
+    *,
+    rotation_joint: Exact | None = None,
+    thrust: Exact | None = None,
+    thickness: Exact | None = None,
+    opening_variable: Exact | None = None,
+    weight: str = "milankovitch",
+    digits: int = 30,
+) -> dict[str, Any]:
+    """All states that have one value, whatever their half opening: ``couplet.states_of/1``, with both branches of (9) to (11).
+
+    Args:
+        friction: as for ``state``; unlimited if it is not given.
+        rotation_joint, thrust, thickness, opening_variable: one of them.
+
+    Raises: CoupletError if an argument makes no sense; UndecidedError if something is not proved.
+
+        >>> [state["half_opening"]["value"] for state in couplet.states_of(rotation_joint=1, digits=5)["states"]]
+        ['1.6921', '2.4677']
+    """
+    import json
+
+    given = {"rotation_joint": rotation_joint, "thrust": thrust, "thickness": thickness, "opening_variable": opening_variable}
+    named = options({"friction": friction, **given, "weight": weight, "digits": digits})
+    told: dict[str, Any] = json.loads(answer(["state", *named, "--format=json"]))
+    return told
+
+
 class Ran:
     """What a scene has made.
 

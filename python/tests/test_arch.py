@@ -5,6 +5,7 @@ import re
 import subprocess
 import sys
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 
@@ -216,3 +217,29 @@ def test_what_has_another_type():
     ]:
         with pytest.raises(TypeError):
             question()
+
+
+def questions():
+    """The questions that every door is asked: what is asked, its fields, whether it makes sense."""
+    path = Path(__file__).parents[2] / "tests" / "questions.txt"
+    for line in path.read_text().splitlines():
+        if not line.startswith("#"):
+            question, *fields = line.removeprefix("! ").split(" ")
+            yield question, dict(field.split("=", 1) for field in fields), not line.startswith("!")
+
+
+@pytest.mark.parametrize(("question", "arch", "makes_sense"), list(questions()))
+def test_every_question_has_the_answer_of_the_command(question, arch, makes_sense):
+    ask = {"state": couplet.state, "assess": couplet.assess}[question]
+    code, told, sentence = command(question, **arch, digits=12, format="json")
+    if not makes_sense:
+        assert code == 2
+        with pytest.raises(couplet.CoupletError) as refused:
+            ask(**arch, digits=12)
+        assert same(refused.value) == same(sentence)
+        return
+    told, found = json.loads(told), ask(**arch, digits=12)
+    values = {name: value["value"] for name, value in told.items() if isinstance(value, dict) and "value" in value}
+    assert values and all(found.values[name].text == text for name, text in values.items())
+    stands = told.get("stands", told.get("can_stand"))
+    assert (found.verdict == "stands") == stands

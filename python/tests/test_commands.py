@@ -260,3 +260,17 @@ except KeyboardInterrupt:
 
 def path():
     return {**os.environ, "PYTHONPATH": os.path.dirname(os.path.dirname(couplet.__file__))}
+
+
+def test_equations_and_states_by_a_value():
+    roots = couplet.equation(7, rotation_joint="1.0", digits=8)
+    assert roots == json.loads(command("equation", "7", "--rotation-joint", "1.0", "--digits", "8", "--format", "json").stdout)
+    states = couplet.states_of(rotation_joint="1.0", digits=8)["states"]
+    for state in states:
+        again = couplet.state(state["half_opening"]["value"], "inf", digits=6)
+        assert again.rotation_joint.double == pytest.approx(1, abs=1e-6) and again.mode == state["mode"]
+    assert len(states) == 2
+    with pytest.raises(couplet.CoupletError, match="2 to 18"):
+        couplet.equation(1)
+    with pytest.raises(couplet.CoupletError):
+        couplet.states_of(thrust="0.5", thickness="0.1")

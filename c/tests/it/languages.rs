@@ -184,6 +184,48 @@ fn the_json_is_that_of_the_command_to_the_last_byte() {
     }
 }
 
+/// A sentence of the command in the words of fields, without the example.
+fn in_fields(sentence: &str) -> String {
+    let sentence = sentence.trim().strip_prefix("couplet: ").unwrap();
+    let (sentence, _) = sentence.split_once("; for example").unwrap_or((sentence, ""));
+    let words = sentence.split(' ').map(|word| match word.contains("--") {
+        true => word.replacen("--", "", 1).replace('-', "_"),
+        false => word.to_owned(),
+    });
+    words.collect::<Vec<_>>().join(" ")
+}
+
+/// Every question of `tests/questions.txt`: the answer of the command, or its sentence.
+#[test]
+fn every_question_has_the_answer_of_the_command() {
+    if !has("gcc", "--version") {
+        return;
+    }
+    let (scratch, program) = compiled("gcc", &["-std=c11"], &["tests/programs/ask.c"], shared());
+    let questions = std::fs::read_to_string(here().join("../tests/questions.txt")).unwrap();
+    let questions: Vec<&str> = questions.lines().filter(|line| !line.starts_with('#')).collect();
+    assert!(questions.len() > 20);
+    for line in questions {
+        let (question, arch) = line.trim_start_matches("! ").split_once(' ').unwrap();
+        let fields = arch.replace(' ', "; ");
+        let printed = scratch.run(&program, &["any", "milankovitch", &fields, "12"]);
+        let options = arch.split(' ').flat_map(|pair| {
+            let (name, text) = pair.split_once('=').unwrap();
+            [format!("--{}", name.replace('_', "-")), text.to_owned()]
+        });
+        let options: Vec<String> = options.collect();
+        let mut words = vec![question, "--digits", "12", "--format", "json"];
+        words.extend(options.iter().map(String::as_str));
+        let output = said(&words, b"");
+        if line.starts_with('!') {
+            let sentence = in_fields(&String::from_utf8(output.stderr).unwrap());
+            assert_eq!(printed.trim(), sentence, "{line}");
+        } else {
+            assert_eq!(printed, String::from_utf8(output.stdout).unwrap(), "{line}");
+        }
+    }
+}
+
 /// The first program of the manual, by the commands beside it.
 #[test]
 fn the_manual_prints_what_it_shows() {

@@ -16,7 +16,9 @@ int main(int count, char **arguments) {
   } else if (strcmp(words[0], "assess") == 0) {
     couplet_assess(word(1), word(2), word(3), word(4), digits, &answer);
   } else if (strcmp(words[0], "any") == 0) {
-    couplet_arch(word(1), word(2), digits, &answer);
+    if (couplet_arch(word(1), word(2), digits, &answer) == COUPLET_USAGE) {
+      puts(couplet_reason(answer));
+    }
   } else if (strcmp(words[0], "find") == 0) {
     couplet_find(word(1), word(2), word(3), word(4), word(5), digits, &answer);
   } else if (strcmp(words[0], "landmark") == 0) {

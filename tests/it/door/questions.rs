@@ -24,7 +24,7 @@ const QUESTIONS: [[&str; 7]; 17] = [
         "couplet_find",
         FIND,
     ],
-    ["an equation of the paper", "equation", EQUATION, EQUATION, EQUATION, NO_C, EQUATION],
+    ["an equation of the paper", "equation", EQUATION, EQUATION, "equation", NO_C, EQUATION],
     ["all solutions of (19)", "complementarity", COSTS, COSTS, COSTS, NO_C, COSTS],
     ["many arches, one a row", "states", "arches", "states", "states", "couplet_states", ONE],
     ["grids and samples of arches", "sweep", OWN_PLAN, "!rows are given", "sweep", NO_C, ONE],
