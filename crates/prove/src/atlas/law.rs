@@ -111,14 +111,12 @@ impl Law {
     ) -> Option<T> {
         match self {
             Self::Upper => Some(at.upper(weight).denominator),
-            Self::Shoulder => {
+            Self::Shoulder | Self::CarriedShoulder => {
                 let Angle { sin, cos, .. } = at.shoulder_inclination();
+                let alpha = at.half_opening.clone();
+                let carried =
+                    if self == Self::Shoulder { alpha } else { alpha - &at.vertical_force };
                 // The force on the shoulder less its part along the joint: N over cos(phi).
-                Some(at.thrust.clone() * cos + at.half_opening.clone() * sin)
-            }
-            Self::CarriedShoulder => {
-                let Angle { sin, cos, .. } = at.shoulder_inclination();
-                let carried = at.half_opening.clone() - &at.vertical_force;
                 Some(at.thrust.clone() * cos + carried * sin)
             }
             Self::Tangency | Self::Rotation | Self::WholeTangency => {
