@@ -74,7 +74,7 @@ const JOINTS: &str = "the command `couplet voussoirs` tells of an arch of stones
 impl ArchRead {
     /// Answer at the thickness, or at the least one.
     fn answer(&self, digits: usize) -> Answer {
-        let (arch, measures) = (&self.arch, self.given.measures.as_ref());
+        let (arch, measures) = (&self.arch, self.given.measures.as_ref().map(|of| (of, digits)));
         let found = match &self.given.thickness {
             Some(eta) => {
                 let found = arch.certify_thickness(eta, digits);

@@ -138,7 +138,7 @@ pub(crate) fn state<'py>(
     let found = py.detach(|| {
         on_threads(1, || {
             let found = Balls::DoubleDoubles.state(&arch, digits, frictions);
-            answer::state(1, (&arch, measures.as_ref()), digits, &found)
+            answer::state(1, (&arch, measures.as_ref().map(|of| (of, digits))), digits, &found)
         })
     })?;
     told::answer(py, &found)
@@ -157,7 +157,12 @@ pub(crate) fn assess<'py>(
     let found = py.detach(|| {
         on_threads(1, || {
             let found = arch.certify_thickness(eta, digits);
-            answer::assessment(1, (&arch, eta, given.measures.as_ref()), digits, &found)
+            answer::assessment(
+                1,
+                (&arch, eta, given.measures.as_ref().map(|of| (of, digits))),
+                digits,
+                &found,
+            )
         })
     })?;
     told::answer(py, &found)

@@ -9,17 +9,18 @@ use crate::problem::Arch;
 use crate::problem::measures::Measures;
 use crate::report::Answer;
 
-/// State of an arch at its least thickness, as it was found to so many digits. The line tells arches apart.
+/// State of an arch at its least thickness, as it was found to so many digits; sizes have a number of their own. The
+/// line tells arches apart.
 pub fn state(
     line: u64,
-    (arch, measures): (&Arch, Option<&Measures>),
+    (arch, measures): (&Arch, Option<(&Measures, usize)>),
     digits: usize,
     found: &Result<Outcome, Error>,
 ) -> Answer {
     let answer =
         Answer::state(line, arch, found).with_asymmetric(|| asymmetric_thicknesses(arch, digits));
     match measures {
-        Some(of) => answer.measured(of.circle(), measured_state(arch, of, digits)),
+        Some((of, digits)) => answer.measured(of.circle(), measured_state(arch, of, digits)),
         None => answer,
     }
 }
@@ -27,14 +28,14 @@ pub fn state(
 /// Arch of a given thickness, as it was found to so many digits.
 pub fn assessment(
     line: u64,
-    (arch, thickness, measures): (&Arch, &ExactNumber, Option<&Measures>),
+    (arch, thickness, measures): (&Arch, &ExactNumber, Option<(&Measures, usize)>),
     digits: usize,
     found: &Result<AssessmentDigits, Refused>,
 ) -> Answer {
     let answer = Answer::assessment(line, (arch, thickness), found)
         .with_asymmetric(|| asymmetric_thicknesses(arch, digits));
     match measures {
-        Some(of) => {
+        Some((of, digits)) => {
             answer.measured(of.circle(), measured_assessment((arch, thickness), of, digits))
         }
         None => answer,

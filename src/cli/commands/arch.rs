@@ -3,6 +3,7 @@
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Spelling};
 use crate::problem::Arch;
+use crate::problem::measures::Measures;
 use crate::report::Understood;
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
@@ -18,12 +19,22 @@ pub(super) struct ArchArguments {
     #[arg(long, default_value = "milankovitch", value_parser = parse::weights)]
     pub weight: Weights,
 
-    /// Significant digits, 1 to 10000; values are correctly rounded to them.
-    #[arg(long, default_value = "30", value_parser = parse::state_digits, allow_negative_numbers = true)]
-    pub digits: usize,
+    /// Significant digits, 1 to 10000, to which values are correctly rounded; if not given 30, of metres and kN 6.
+    #[arg(long, value_parser = parse::state_digits, allow_negative_numbers = true)]
+    digits: Option<usize>,
 }
 
 impl ArchArguments {
+    /// Significant digits of ratios.
+    pub(super) fn digits(&self) -> usize {
+        self.digits.unwrap_or(30)
+    }
+
+    /// Measures, with the significant digits of sizes: more than six say nothing to who builds.
+    pub(super) fn measures<'g>(&self, given: &'g ArchGiven) -> Option<(&'g Measures, usize)> {
+        Some((given.measures.as_ref()?, self.digits.unwrap_or(6)))
+    }
+
     /// Arches that a question is about, one for each self-weight asked for, with what else is given.
     pub(super) fn read(&self, question: &ArchQuestion) -> Result<(ArchGiven, Vec<Arch>), Failure> {
         let given = ArchGiven::read(question, &self.asked, Spelling::Option)?;

@@ -53,15 +53,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let asked = arguments.arch.understood(&given);
     if let Some(tilt) = &given.tilt {
         let output = (arguments.output.file(), arguments.output.format()?);
-        return tilt::write(output, (&asked, &arches), (eta, tilt), None, arguments.arch.digits);
+        return tilt::write(output, (&asked, &arches), (eta, tilt), None, arguments.arch.digits());
     }
     let all = given.quantities(&Quantity::ASSESSMENT, &Quantity::MEASURED_ASSESSMENT);
     let quantities = arguments.output.quantities(&all)?;
-    let digits = arguments.arch.digits;
+    let digits = arguments.arch.digits();
     let answer = |line, arch: &Arch| {
         // Some formats have quadruples, which take more bits than the digits.
         let found = Balls::Mpfr.assess(arch, eta, digits);
-        answer::assessment(line, (arch, eta, given.measures.as_ref()), digits, &found)
+        answer::assessment(line, (arch, eta, arguments.arch.measures(&given)), digits, &found)
     };
     print(&arguments.output, (digits, quantities), (&asked, &arches), answer)
 }

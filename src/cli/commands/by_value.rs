@@ -84,7 +84,7 @@ pub(super) fn print(
     notes::frictions([asked.friction()]);
     let file = output.file().open_for(format)?;
     let answer = |weight| -> Result<ByValue, Failure> {
-        let found = Error::apart(asked.find(weight, arch.digits))?;
+        let found = Error::apart(asked.find(weight, arch.digits()))?;
         Ok(ByValue { weight, asked: asked.clone(), quantities: quantities.clone(), found })
     };
     let all: Vec<ByValue> = arch.weight.all().into_iter().map(answer).collect::<Result<_, _>>()?;

@@ -135,7 +135,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let format = arguments.file.format(arguments.format, Content::Complementarity, "table")?;
     is_written("without --branch a solution", Content::Complementarity, format)?;
     let file = arguments.file.open_for(format)?;
-    let digits = arguments.arch.digits;
+    let digits = arguments.arch.digits();
     let extent = if arguments.half { Extent::Half } else { Extent::Whole };
     let too_many = stones.filter(|n| *n > MOST_ENUMERATED_STONES);
     if let (Some(stones), None) = (too_many, &at) {
@@ -217,7 +217,7 @@ const DIGITS: usize = 30;
 fn branches(arguments: &Arguments) -> Result<(), Failure> {
     let (_, arches) = arguments.arch.read(&BRANCH)?;
     let Some(half_opening) = arches.first().map(Arch::half_opening) else { return Ok(()) };
-    let digits = arguments.arch.digits;
+    let digits = arguments.arch.digits();
     if digits > DIGITS {
         return Err(format!("with --branch digits are 1 to {DIGITS}").into());
     }

@@ -51,7 +51,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let quantities = arguments.output.quantities(&found_by(&question))?;
     let (file, format) = arguments.output.open()?;
     notes::frictions(given_friction(&question));
-    let digits = arguments.arch.digits;
+    let digits = arguments.arch.digits();
     let answer = |(line, weight)| {
         let found = seek::find(weight, &question, digits);
         if let Err(Error::Refused(refused)) = found {

@@ -84,12 +84,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let asked = arguments.arch.understood(&given);
     let all = given.quantities(&Quantity::STATE, &Quantity::MEASURED_STATE);
     let quantities = arguments.output.quantities(&all)?;
-    let digits = arguments.arch.digits;
+    let digits = arguments.arch.digits();
     let frictions = quantities.iter().any(|quantity| quantity.is_friction());
     let answer = |line, arch: &Arch| {
         // Some formats have quadruples, which take more bits than the digits.
         let found = Balls::Mpfr.state(arch, digits, frictions);
-        answer::state(line, (arch, given.measures.as_ref()), digits, &found)
+        answer::state(line, (arch, arguments.arch.measures(&given)), digits, &found)
     };
     print(&arguments.output, (digits, quantities), (&asked, &arches), answer)
 }
@@ -117,7 +117,7 @@ pub(super) fn print(
 fn at_landmark(landmark: Landmark, arguments: &Arguments) -> Result<(), Failure> {
     let quantities = arguments.output.quantities(&Quantity::LANDMARK)?;
     let (output, format) = arguments.output.open()?;
-    let digits = arguments.arch.digits;
+    let digits = arguments.arch.digits();
     let asked: Vec<(Quantity, usize)> = quantities_of(landmark)
         .filter(|quantity| quantities.contains(quantity))
         .map(|quantity| (quantity, digits))

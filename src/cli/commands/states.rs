@@ -197,13 +197,13 @@ fn found(
     asked: &RowQuestion,
 ) -> Result<Answer, String> {
     let ((arch, measures), digits) = (reader.measured_arch(cells)?, asked.digits);
-    let measures = measures.as_ref();
+    let (measures, sizes) = (measures.as_ref(), measures.as_ref().map(|of| (of, digits)));
     let Some((text, _)) = reader.given(cells, Role::GivenThickness) else {
         let found = asked.openings.state(&arch);
-        return Ok(answer::state(line, (&arch, measures), digits, &found));
+        return Ok(answer::state(line, (&arch, sizes), digits, &found));
     };
     let eta = given_thickness(&reader.spelling.exact(text), measures, Spelling::Key);
     let eta = eta.map_err(|misfit| misfit.message)?;
     let found = asked.openings.assess(&arch, &eta);
-    Ok(answer::assessment(line, (&arch, &eta, measures), digits, &found))
+    Ok(answer::assessment(line, (&arch, &eta, sizes), digits, &found))
 }

@@ -74,7 +74,7 @@ fn answers(
     arches: &[Arch],
     (file, format): (&OutputFile, &'static Format),
 ) -> Result<(), Failure> {
-    let (asked, digits) = (arguments.understood(given), arguments.digits);
+    let (asked, digits) = (arguments.understood(given), arguments.digits());
     let stones = divisions(given)?;
     if let Some(tilt) = &given.tilt {
         let (Some(eta), [stones]) = (&given.thickness, &stones[..]) else {

@@ -23,9 +23,11 @@ fn holds(value: &Value, truth: &Float) {
 /// The same arch by span and rise, by radius and half opening, and by its ratios.
 #[test]
 fn measures_and_ratios_are_the_same_arch() {
-    let of_span = object("state --span 10m --rise 5m --friction 0.6 --measured-at centreline");
-    let of_radius =
-        object("state --radius 5m --half-opening 90deg --friction 0.6 --measured-at centreline");
+    let of_span =
+        object("state --span 10m --rise 5m --friction 0.6 --measured-at centreline --digits 30");
+    let of_radius = object(
+        "state --radius 5m --half-opening 90deg --friction 0.6 --measured-at centreline --digits 30",
+    );
     let of_ratios = object("state --half-opening pi/2 --friction 0.6");
     for quantity in ["thickness", "thrust", "rotation_joint", "sliding_friction"] {
         assert_eq!(of_span[quantity], of_ratios[quantity], "{quantity}");
@@ -36,6 +38,16 @@ fn measures_and_ratios_are_the_same_arch() {
     let [eta, _] = bounds(&of_ratios["thickness"]);
     let [metres, _] = bounds(&of_span["least_thickness_m"]);
     assert!(Float::with_val(200, eta * 5u32 - metres).abs() < 1e-28);
+}
+
+/// Sizes have six digits and ratios thirty, unless their number is given.
+#[test]
+fn sizes_have_few_digits() {
+    let digits = |value: &Value| value["value"].as_str().unwrap().trim_start_matches("0.").len();
+    let found = object("state --span 10m --rise 3m --friction 0.6");
+    assert_eq!((digits(&found["least_thickness_m"]), digits(&found["thickness"])), (6, 31));
+    let found = object("state --span 10m --rise 3m --friction 0.6 --digits 9");
+    assert_eq!((digits(&found["least_thickness_m"]), digits(&found["thickness"])), (9, 10));
 }
 
 /// The half opening of a span and a rise is that of its sine and cosine; the neighbour's is not.
@@ -55,7 +67,7 @@ fn thickness_and_forces_are_those_of_the_ring() {
     for (circle, outwards) in [("intrados", 1i32), ("centreline", 0), ("extrados", -1)] {
         let found = object(&format!(
             "assess --span 10m --rise 3m --thickness 600mm --measured-at {circle} --friction 0.6 \
-             --density 24kN/m3 --depth 2m"
+             --density 24kN/m3 --depth 2m --digits 30"
         ));
         let radius = Rational::from((17, 3)) + Rational::from((3 * outwards, 10));
         holds(&found["radius_m"], &Float::with_val(300, &radius));
