@@ -109,7 +109,7 @@ mod tests {
             let pairs =
                 line.trim_start_matches("! ").split(' ').filter_map(|it| it.split_once('='));
             let mut question = Question { weight: "heyman".to_owned(), ..Question::default() };
-            let known = pairs.map(|(name, text)| {
+            let mut known = pairs.map(|(name, text)| {
                 let text = text.to_owned();
                 match name {
                     "friction" => question.friction = text,
@@ -122,7 +122,7 @@ mod tests {
                 }
                 true
             });
-            if known.fold(true, |all, is| all && is) && !question.friction.is_empty() {
+            if known.all(|is| is) && !question.friction.is_empty() {
                 let makes_sense = !line.starts_with('!');
                 assert_eq!(given(&question).is_ok(), makes_sense, "{line}");
                 seen[usize::from(makes_sense)] += 1;
