@@ -23,7 +23,8 @@ use std::path::PathBuf;
 /// Read queries, one a row, and write what is proved of each, in the same order.
 ///
 /// The input is a table with a header, or JSON objects, one on each line or in an array. Its columns or keys
-/// are weight, half_opening (or alpha), friction (or mu) or friction_angle (or phi), and thickness (or eta).
+/// are weight, half_opening (or alpha) or span and rise, friction (or mu) or friction_angle (or phi), and
+/// thickness (or eta); radius and measured_at, as for `state`.
 /// A row without a thickness is answered as by `couplet state`, one with a thickness as by `couplet assess`:
 /// a table with a column for the thickness has the columns of both, and the least thickness is
 /// least_thickness there. Commas, semicolons, tabs or blanks separate; where semicolons do, a number may have
@@ -54,6 +55,11 @@ pub(crate) struct Arguments {
     /// in decimal and in hexadecimal.
     #[arg(long, default_value = "17", value_parser = parse::state_digits, allow_negative_numbers = true)]
     digits: usize,
+
+    /// The columns to read, as theirs=ours separated by commas; theirs=ours:deg for an angle in degrees; just the
+    /// name if both are the same. The default is our own names.
+    #[arg(long, value_delimiter = ',', value_name = "THEIRS=OURS,…")]
+    columns: Vec<String>,
 
     /// Columns or keys of the input that are handed on to the output, or `all` that are not read. One
     /// whose name the output has for itself is called input_NAME there; JSON has them in `kept`.
@@ -96,7 +102,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let input = progress.counted(source.into_input());
     let keep = Keep::new(&arguments.keep);
     let in_lines = format.name == "jsonl";
-    let queries = GivenRows::new((syntax, input), Columns::own(Purpose::Ask), keep, in_lines)?;
+    let columns = Columns::named(&arguments.columns, Purpose::Ask).map_err(Failure::Input)?;
+    let queries = GivenRows::new((syntax, input), columns, keep, in_lines)?;
     let GivenRows { columns, spelling, kept, rows } = queries;
     // A table without a column for the thickness asks for states alone.
     let answers = match columns.all.iter().any(|column| column.role == Role::GivenThickness) {

@@ -137,6 +137,35 @@ fn what_is_kept_is_handed_on() {
     refused(&["states", "--keep", "all", "--format", "csv"], "{}", "--keep id,name");
 }
 
+/// Columns of others are read by the names that they are given; and what is written here can be read here.
+#[test]
+fn columns_of_others_are_ours_by_name() {
+    let columns = ["--digits", "9", "--columns", "opening=half_opening:deg,m=mu,t=thickness"];
+    let named = table(&columns, "run,opening,m,t\n1,80,0.6,0.12\n2,1e2,inf,1/5\n");
+    let ours = table(&["--digits", "9"], "alpha,mu,eta\n80deg,0.6,0.12\n100deg,inf,1/5\n");
+    for (one, other) in named.iter().zip(&ours) {
+        for key in ["stands", "least_thickness", "geometric_safety", "least_thrust"] {
+            assert_eq!(one[key], other[key], "{key}");
+        }
+    }
+    let sizes = ["--digits", "9", "--columns", "l=span,f=rise,friction"];
+    let bridge = &table(&sizes, "l,f,friction\n10m,3m,0.6\n")[0];
+    let alone = ["--span", "10m", "--rise", "3m", "--friction", "0.6", "--digits", "9"];
+    let alone = couplet(&[&["state", "--format", "json"], &alone[..]].concat());
+    let alone: Value = serde_json::from_slice(&alone.stdout).unwrap();
+    assert_eq!(alone["least_thickness_m"]["value"], bridge["least_thickness_m"]);
+    let once = fed(&["states", "--digits", "9"], "alpha,mu\n1.5,0.6\n2,1\n").stdout;
+    assert_eq!(fed(&["states", "--digits", "9"], &once).stdout, once, "written and read");
+    for (columns, why) in [
+        ("a=colour", "is not one of our columns"),
+        ("a=mu:deg", "has no unit"),
+        ("a=alpha,b=alpha", "are both named half_opening"),
+        ("x=alpha,m=mu", "no column 'x'"),
+    ] {
+        refused(&["states", "--columns", columns], "a,m\n1,1\n", why);
+    }
+}
+
 #[test]
 fn what_would_be_dropped_in_error_is_refused() {
     refused(&["states"], "alpha,half_opening,mu\n1,1,1\n", "which are the same");

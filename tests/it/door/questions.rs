@@ -119,6 +119,8 @@ fn page() -> String {
         let letter = field.letter().map_or(String::new(), |letter| format!(", `{letter}`"));
         let name = format!("`{}`{letter}", field.name());
         let cell = |(_, question): (&str, &ArchQuestion)| {
+            // A depth is for forces, as a density is.
+            let field = if field == Field::Depth { Field::Density } else { field };
             let why = question.refuses.iter().find(|(of, _)| *of == field);
             match why {
                 Some((_, why)) => format!("no: {why}"),

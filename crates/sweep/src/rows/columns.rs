@@ -41,15 +41,15 @@ impl Columns {
         Self { all: columns.collect(), named: false, purpose }
     }
 
-    /// Columns of results as they are named on the command line, `theirs=ours` or `theirs=ours:deg`; our
-    /// own names if none are named.
-    pub fn named(named: &[String]) -> Result<Self, String> {
+    /// Columns as they are named on the command line, `theirs=ours` or `theirs=ours:deg`; our own names if
+    /// none are named.
+    pub fn named(named: &[String], purpose: Purpose) -> Result<Self, String> {
         if named.is_empty() {
-            return Ok(Self::own(Purpose::Judge));
+            return Ok(Self::own(purpose));
         }
         let mut all: Vec<RowColumn> = Vec::new();
         for text in named {
-            let column = column(text)?;
+            let column = column(text, purpose)?;
             if let Some(other) = all.iter().find(|other| other.role == column.role) {
                 let (a, b) = (&other.theirs, &column.theirs);
                 return Err(format!("'{a}' and '{b}' are both named {}", column.role.name()));
@@ -59,7 +59,7 @@ impl Columns {
             }
             all.push(column);
         }
-        Ok(Self { all, named: true, purpose: Purpose::Judge })
+        Ok(Self { all, named: true, purpose })
     }
 
     /// Tells whether a name of the file is that of a column. Our own names may have capitals and blanks.
@@ -212,17 +212,16 @@ fn shown(header: &[String]) -> String {
 }
 
 /// `theirs=ours`, `theirs=ours:deg`, or a name that is theirs and ours.
-fn column(text: &str) -> Result<RowColumn, String> {
+fn column(text: &str, purpose: Purpose) -> Result<RowColumn, String> {
     let (theirs, ours) = text.rsplit_once('=').unwrap_or((text, text));
     let (ours, unit) = match ours.rsplit_once(':') {
         Some((ours, unit)) => (ours, Some(unit)),
         None => (ours, None),
     };
     let theirs = if text.contains('=') { theirs } else { ours };
-    let roles = Purpose::Judge.roles();
+    let roles = purpose.roles();
     let name = plain(ours.trim());
-    let Some(role) =
-        roles.iter().copied().find(|role| role.names(Purpose::Judge).contains(&&*name))
+    let Some(role) = roles.iter().copied().find(|role| role.names(purpose).contains(&&*name))
     else {
         let names: Vec<_> = roles.iter().map(|role| role.name()).collect();
         return Err(format!("'{ours}' is not one of our columns: {}", names.join(", ")));
@@ -247,7 +246,7 @@ mod tests {
     use super::*;
 
     fn named(text: &str) -> Result<Columns, String> {
-        Columns::named(&text.split(',').map(str::to_owned).collect::<Vec<_>>())
+        Columns::named(&text.split(',').map(str::to_owned).collect::<Vec<_>>(), Purpose::Judge)
     }
 
     #[test]

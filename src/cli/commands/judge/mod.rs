@@ -13,7 +13,7 @@ use crate::report::words::list;
 use crate::report::{Content, Format};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
-use crate::sweep::rows::{ArchReader, Columns, Keep, Numbered, ReadRow, Role, Syntax};
+use crate::sweep::rows::{ArchReader, Columns, Keep, Numbered, Purpose, ReadRow, Role, Syntax};
 use clap::Args;
 use row::Judge;
 use std::io;
@@ -113,7 +113,7 @@ fn format_help() -> String {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let columns = Columns::named(&arguments.columns).map_err(Failure::Input)?;
+    let columns = Columns::named(&arguments.columns, Purpose::Judge).map_err(Failure::Input)?;
     let source = source(Some(&arguments.file), &arguments.output)?;
     let format = arguments.output.format(arguments.format, Content::Judged, "table")?;
     let progress = Progress::new(&source);
