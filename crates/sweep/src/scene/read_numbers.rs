@@ -266,17 +266,18 @@ mod tests {
 
     #[test]
     fn a_number_of_a_range_is_what_its_text_says() {
-        for (value, unit, written) in [
-            ((3, 20), WrittenUnit::One, "0.15"),
-            ((1, 3), WrittenUnit::One, "1/3"),
-            ((1, 2), WrittenUnit::Pi, "pi/2"),
-            ((1, 1), WrittenUnit::Pi, "pi"),
-            ((5, 6), WrittenUnit::Pi, "5pi/6"),
-            ((245, 2), WrittenUnit::Degrees, "122.5deg"),
+        let (alpha, mu) = ((Meaning::HalfOpening, false), (Meaning::Friction, true));
+        for (value, unit, written, meanings) in [
+            ((3, 20), WrittenUnit::One, "0.15", &[alpha, mu][..]),
+            ((1, 3), WrittenUnit::One, "1/3", &[alpha, mu]),
+            ((1, 2), WrittenUnit::Pi, "pi/2", &[alpha, mu]),
+            ((1, 1), WrittenUnit::Pi, "pi", &[]),
+            ((5, 6), WrittenUnit::Pi, "5pi/6", &[alpha]),
+            ((245, 2), WrittenUnit::Degrees, "122.5deg", &[alpha]),
         ] {
             let value = Rational::from(value);
             assert_eq!(text(&value, (unit, false)), written);
-            for (meaning, is_angle) in [(Meaning::HalfOpening, false), (Meaning::Friction, true)] {
+            for &(meaning, is_angle) in meanings {
                 let read = meaning.read(&text(&value, (unit, is_angle))).unwrap();
                 assert!(scaled(&read) == Some((value.clone(), (unit, is_angle))), "{written}");
             }

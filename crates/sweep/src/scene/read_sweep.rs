@@ -193,7 +193,7 @@ mod tests {
             ("[grid]\nfriction = 1\n", "2: half_opening is missing"),
             (
                 "[grid]\nhalf_opening = 4\nfriction = 1\n",
-                "3: half_opening 4 is not between 0 and pi",
+                "3: the half opening 4 is not between 0 and pi",
             ),
             ("[sample]\ncount = 0\n", "3: count 0 is not a whole number from 1"),
             ("[sample]\nseed = 1\n", "2: count is missing"),
