@@ -83,7 +83,7 @@ outputs! {
     constants_matlab: export("matlab");
     constants_fortran: export("fortran");
 
-    map: run("couplet map --curve rrr/srr --weight both --at 80deg --digits 12");
+    map: run("couplet map point rrr/srr --weight both --at 80deg --digits 12");
 
     state: formats("state", ARCH);
     state_at_a_landmark: run("couplet state --at T --weight heyman --digits 12");

@@ -3,11 +3,11 @@
 use super::axes::AxesArguments;
 use super::curves::{borders, landmarks, levels, traced};
 use super::notes::{self, each_once};
-use super::output::{Output, OutputFile, is_written};
+use super::output::{Output, OutputFile};
 use crate::arch::SelfWeight;
 use crate::atlas::BorderLine;
 use crate::atlas::{
-    Contour, Curve, Difference, Divide, LEAST_DIFFERENCE, LEAST_TOLERANCE, NoPoint, Trace, point,
+    self, Contour, Curve, Difference, Divide, LEAST_DIFFERENCE, LEAST_TOLERANCE, NoPoint, Trace,
 };
 use crate::certify::{Error, Undecided};
 use crate::cli::line::typed;
@@ -20,7 +20,7 @@ use crate::report::{
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
 use crate::sweep::scene::{contour_key, map_lines};
-use clap::Args;
+use clap::{Args, Subcommand};
 use rayon::prelude::*;
 
 /// The curves of the map, each proved for every value of its parameter, from landmark to landmark.
@@ -36,7 +36,65 @@ use rayon::prelude::*;
 /// a page with the map, of both weights unless one is named, that says what lies under the pointer. If no format is
 /// given, what the name of the file ends with tells it; without a file it is table.
 #[derive(Args)]
+#[command(args_conflicts_with_subcommands = true, disable_help_subcommand = true)]
 pub(crate) struct Arguments {
+    #[command(subcommand)]
+    other: Option<MapQuestion>,
+
+    #[command(flatten)]
+    drawn: DrawnMap,
+}
+
+/// Question about the map that is none of its curves.
+#[derive(Subcommand)]
+enum MapQuestion {
+    /// The point of one curve at a value of its parameter, to any number of digits.
+    Point(PointArguments),
+    /// By how much the thickness of Milankovitch's weight is above that of Heyman's on each dividing curve, at equal
+    /// friction.
+    Difference(DifferenceArguments),
+}
+
+#[derive(Args)]
+struct PointArguments {
+    /// The curve.
+    #[arg(value_name = "CURVE", value_parser = curve)]
+    curve: Curve,
+
+    /// Value of its parameter (80deg, 1.2, 3/2).
+    #[arg(long, value_name = "PARAMETER", allow_hyphen_values = true)]
+    at: String,
+
+    /// Self-weight model: heyman, milankovitch or both.
+    #[arg(long, default_value = "milankovitch", value_parser = parse::weights)]
+    weight: Weights,
+
+    /// Significant digits, 1 to 1000000.
+    #[arg(long, default_value = "30", value_parser = parse::digits, allow_negative_numbers = true)]
+    digits: usize,
+
+    #[arg(long, value_parser = parse::format(Content::MapPoint), help = parse::format_help(Content::MapPoint))]
+    format: Option<&'static Format>,
+
+    #[command(flatten)]
+    file: OutputFile,
+}
+
+#[derive(Args)]
+struct DifferenceArguments {
+    /// Largest half-width of a tube, from 4e-12 to 1.
+    #[arg(long, default_value = "1e-4", value_name = "WIDTH", value_parser = tolerance, allow_negative_numbers = true)]
+    tolerance: f64,
+
+    #[arg(long, value_parser = parse::format(Content::MapDifference), help = parse::format_help(Content::MapDifference))]
+    format: Option<&'static Format>,
+
+    #[command(flatten)]
+    file: OutputFile,
+}
+
+#[derive(Args)]
+struct DrawnMap {
     /// Curves, with commas between several; all if none is named.
     #[arg(long = "curve", value_name = "NAME", value_parser = curves)]
     curves: Vec<CurveNames>,
@@ -82,25 +140,6 @@ pub(crate) struct Arguments {
     #[arg(long, default_value = "1e-4", value_name = "WIDTH", value_parser = tolerance, allow_negative_numbers = true)]
     tolerance: f64,
 
-    /// Instead, the point of one curve at this value of its parameter (80deg, 1.2, 3/2).
-    #[arg(
-        long,
-        value_name = "PARAMETER",
-        allow_hyphen_values = true,
-        conflicts_with = "tolerance",
-        conflicts_with_all = DRAWN
-    )]
-    at: Option<String>,
-
-    /// With --at, significant digits, 1 to 1000000.
-    #[arg(long, default_value = "30", value_parser = parse::digits, requires = "at", allow_negative_numbers = true)]
-    digits: usize,
-
-    /// Instead, by how much the thickness of Milankovitch's weight is above that of Heyman's on each dividing
-    /// curve, at equal friction: as table, csv, json, svg or png.
-    #[arg(long, conflicts_with_all = ["curves", "weight", "at", "asymmetric"], conflicts_with_all = DRAWN)]
-    difference: bool,
-
     /// For a picture, what lies along its axes: thickness-friction (if not given), opening-friction or
     /// opening-thickness.
     #[arg(long, value_parser = plane)]
@@ -115,7 +154,7 @@ pub(crate) struct Arguments {
 
     /// What the branches of asymmetric solutions of the complementarity problem (19) reach, as lines over the half
     /// opening; without --curve only these. In a picture with --plane opening-friction.
-    #[arg(long, conflicts_with_all = ["lines", "at"])]
+    #[arg(long, conflicts_with = "lines")]
     asymmetric: bool,
 
     /// For a map, an arch to mark, with its proved state: half opening, friction and, if it has one, thickness
@@ -133,23 +172,6 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     file: OutputFile,
 }
-
-/// The options of a map that is drawn.
-const DRAWN: [&str; 13] = [
-    "half_openings",
-    "thicknesses",
-    "frictions",
-    "plane",
-    "lines",
-    "half_opening_unit",
-    "friction_unit",
-    "scale",
-    "half_opening_range",
-    "friction_range",
-    "thickness_range",
-    "marks",
-    "bare",
-];
 
 /// Curves named together.
 #[derive(Clone, Debug)]
@@ -183,10 +205,10 @@ pub(super) fn tolerance(text: &str) -> Result<f64, String> {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    match &arguments.at {
-        None if arguments.difference => difference(arguments),
-        Some(parameter) => one_point(arguments, parameter),
-        None => all_curves(arguments),
+    match &arguments.other {
+        Some(MapQuestion::Point(of)) => point(of),
+        Some(MapQuestion::Difference(of)) => difference(of),
+        None => all_curves(&arguments.drawn),
     }
 }
 
@@ -195,7 +217,7 @@ fn plane(text: &str) -> Result<Plane, String> {
     Plane::named(text).ok_or_else(|| parse::unknown("a plane", text, &names))
 }
 
-impl Arguments {
+impl DrawnMap {
     /// The format asked for; else a summary.
     fn format(&self) -> Result<&'static Format, Failure> {
         self.file.format(self.format, Content::Map, "table")
@@ -232,7 +254,7 @@ impl Arguments {
     }
 }
 
-fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
+fn all_curves(arguments: &DrawnMap) -> Result<(), Failure> {
     let format = arguments.format()?;
     let weights = arguments.weights(format);
     let (contours, axes) = (arguments.contours(), arguments.axes.axes());
@@ -271,18 +293,18 @@ fn all_curves(arguments: &Arguments) -> Result<(), Failure> {
     };
     let map = Map { tolerance, traces, levels, borders, landmarks, drawing };
     open.extend(map.open());
-    write((arguments, file), (&Report::Map(map), format), Content::Map)?;
+    write((&arguments.file, file), (&Report::Map(map), format), Content::Map)?;
     Failure::of_open(open)
 }
 
 /// Writes a report, and what was proved, on standard output beside a file of data.
 fn write(
-    (arguments, file): (&Arguments, Output),
+    (output, file): (&OutputFile, Output),
     (report, format): (&Report, &Format),
     content: Content,
 ) -> Result<(), Failure> {
     file.write(|out| report.write(format, out))?;
-    match Format::named(content, "table").filter(|_| arguments.file.is_file()) {
+    match Format::named(content, "table").filter(|_| output.is_file()) {
         Some(table) => Output::Standard.write(|out| report.write(table, out)),
         None => Ok(()),
     }
@@ -291,40 +313,33 @@ fn write(
 /// A tolerance at which the tubes tell one branch from another.
 const COARSE: f64 = 1e-2;
 
-fn one_point(arguments: &Arguments, parameter: &str) -> Result<(), Failure> {
-    let [curve] = arguments.curves()[..] else {
-        let message = "--at needs one --curve; for example: couplet map --curve rrr/srr --at 80deg";
-        return Err(message.into());
-    };
-    let format = arguments.format()?;
-    is_written("a point", Content::MapPoint, format)?;
-    let exact: ExactNumber = parameter.parse()?;
-    let weights = arguments.weights(format);
+fn point(asked: &PointArguments) -> Result<(), Failure> {
+    let format = asked.file.format(asked.format, Content::MapPoint, "table")?;
+    let (curve, exact) = (asked.curve, asked.at.parse::<ExactNumber>()?);
+    let weights = asked.weight.all();
     let weights = if curve.is_weightless() { &weights[..1] } else { &weights[..] };
     let points = weights.iter().map(|&weight| {
         let trace = Trace::new(curve, weight, COARSE)?;
-        let values = point(&trace, &exact, arguments.digits).map_err(|error| match error {
+        let values = atlas::point(&trace, &exact, asked.digits).map_err(|error| match error {
             NoPoint::Undecided(_) => Failure::Undecided(error.to_string()),
             _ => Failure::Input(error.to_string()),
         })?;
-        Ok(MapPoint { curve, weight, given: parameter.to_owned(), values })
+        Ok(MapPoint { curve, weight, given: asked.at.clone(), values })
     });
     let points: Vec<MapPoint> = points.collect::<Result<_, Failure>>()?;
-    let file = arguments.file.open_for(format)?;
-    file.write(|out| Report::MapPoints(points).write(format, out))
+    asked.file.open_for(format)?.write(|out| Report::MapPoints(points).write(format, out))
 }
 
-fn difference(arguments: &Arguments) -> Result<(), Failure> {
-    let format = arguments.format()?;
-    is_written("a difference", Content::MapDifference, format)?;
-    let tolerance = arguments.tolerance;
+fn difference(asked: &DifferenceArguments) -> Result<(), Failure> {
+    let format = asked.file.format(asked.format, Content::MapDifference, "table")?;
+    let tolerance = asked.tolerance;
     if tolerance < LEAST_DIFFERENCE {
         return Err(format!("a difference has a tolerance from {LEAST_DIFFERENCE:e} to 1").into());
     }
-    let file = arguments.file.open_for(format)?;
+    let file = asked.file.open_for(format)?;
     let differences: Result<Vec<Difference>, Undecided> =
         Divide::ALL.into_par_iter().map(|divide| Difference::new(divide, tolerance)).collect();
     let differences = MapDifferences { tolerance, differences: differences?, command: typed() };
     let report = Report::MapDifferences(differences);
-    write((arguments, file), (&report, format), Content::MapDifference)
+    write((&asked.file, file), (&report, format), Content::MapDifference)
 }

@@ -108,7 +108,8 @@ commands! {
     "Pictures" {
         Map(map) ["plot"]
             "couplet map --lines --tolerance 1e-2 -o map.svg",
-            "couplet map --curve rrr/srr --at 80deg --digits 50";
+            "couplet map point rrr/srr --at 80deg --digits 50",
+            "couplet map difference --tolerance 1e-3";
         Draw(draw) ["picture"]
             draw::QUESTION.example,
             "couplet draw --at T --mode [s,r,r] -o triple.png";

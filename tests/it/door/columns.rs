@@ -36,9 +36,9 @@ fn every_column_is_on_the_page() {
         header(&["judge", "-", "--format", "csv"], results),
         header(&["sample", "--count", "0"], ""),
         header(&["map", "--curve", "limit", "--format", "csv"], ""),
-        header(&["map", "--curve", "limit", "--at", "1.5", "--format", "csv"], ""),
+        header(&["map", "point", "limit", "--at", "1.5", "--format", "csv"], ""),
         header(&["complementarity", "--alpha", "2.21", "--branch", "--format", "csv"], ""),
-        header(&["map", "--difference", "--tolerance", "1e-2", "--format", "csv"], ""),
+        header(&["map", "difference", "--tolerance", "1e-2", "--format", "csv"], ""),
     ]
     .concat()
     {

@@ -168,8 +168,8 @@ fn what_is_written_is_as_the_schemas_say() {
         &["state", "--at", "T", "--format", "json"],
         &["map", "--weight", "both", "--tolerance", "1e-3", "--format", "json"],
         &["map", "--alpha", "80deg,2.58", "--format", "json"],
-        &["map", "--curve", "sliding", "--at", "1.2", "--digits", "5", "--format", "json"],
-        &["map", "--difference", "--tolerance", "1e-2", "--format", "json"],
+        &["map", "point", "sliding", "--at", "1.2", "--digits", "5", "--format", "json"],
+        &["map", "difference", "--tolerance", "1e-2", "--format", "json"],
         &["voussoirs", "--alpha", "pi/2", "--mu", "0.35", "--stones", "20", "--format", "json"],
         &[
             "assess", "--alpha", "pi/2", "--mu", "0.4", "--eta", "0.15", "--tilt", "0.1",

@@ -79,7 +79,7 @@ fn the_ends_are_the_landmarks() {
 /// A point of a line is what `find boundary` finds there.
 #[test]
 fn a_point_is_on_the_boundary() {
-    let at = ["map", "--curve", "rrr/srr", "--at", "80deg", "--digits", "25", "--format", "json"];
+    let at = ["map", "point", "rrr/srr", "--at", "80deg", "--digits", "25", "--format", "json"];
     let point = json(&at);
     let find =
         ["find", "boundary", "rrr/srr", "--alpha", "80deg", "--digits", "25", "--format", "json"];
@@ -154,13 +154,13 @@ fn what_makes_no_sense_is_refused() {
         (&["--tolerance", "-1"], "a tolerance is a number from 1e-12 to 1"),
         (&["--tolerance", "NaN"], "a tolerance is a number from 1e-12 to 1"),
         (&["--weight", "mine"], "a weight is one of"),
-        (&["--at", "1"], "--at needs one --curve"),
-        (&["--at", "1", "--curve", "limit,rotation"], "--at needs one --curve"),
-        (&["--at", "3", "--curve", "rotation"], "half_opening 3 is not on the curve"),
-        (&["--at", "2", "--curve", "rs/ss"], "thickness 2 is not on the curve"),
-        (&["--at", "x", "--curve", "rotation"], "'x' is not a number"),
-        (&["--at", "inf", "--curve", "rotation"], "is not a number"),
-        (&["--at", "1", "--curve", "rotation", "--digits", "0"], "digits are a whole number"),
+        (&["point", "limit"], "--at <PARAMETER> is missing"),
+        (&["point", "limit,rotation", "--at", "1"], "a curve is one of rotation"),
+        (&["point", "rotation", "--at", "3"], "half_opening 3 is not on the curve"),
+        (&["point", "rs/ss", "--at", "2"], "thickness 2 is not on the curve"),
+        (&["point", "rotation", "--at", "x"], "'x' is not a number"),
+        (&["point", "rotation", "--at", "inf"], "is not a number"),
+        (&["point", "rotation", "--at", "1", "--digits", "0"], "digits are a whole number"),
         (&["--alpha", "3"], "no arch of the half opening 3 stands at a thickness up to 2"),
         (&["--alpha", "0"], "no arch of the half opening 0 stands at a thickness up to 2"),
         (&["--alpha", "x"], "'x' is not a number"),
@@ -168,9 +168,9 @@ fn what_makes_no_sense_is_refused() {
         (&["--eta", "2"], "the thickness 2 is not between 0 and 2"),
         (&["--friction", "inf"], "the friction inf is not positive and finite"),
         (&["--mu", "0.4,-1"], "the friction -1 is not positive and finite"),
-        (&["--mu", "0.4", "--at", "1", "--curve", "limit"], "cannot be used with"),
-        (&["--alpha", "1", "--at", "1", "--curve", "limit"], "cannot be used with"),
-        (&["--digits", "5"], "--at"),
+        (&["--mu", "0.4", "point", "limit", "--at", "1"], "cannot be used with"),
+        (&["point", "limit", "--at", "1", "--alpha", "1"], "unexpected argument '--alpha'"),
+        (&["--digits", "5"], "unexpected argument '--digits'"),
         (&["--format", "svgz"], "a format is one of"),
     ] {
         refused(&[&["map"], arguments].concat(), "", words);
@@ -180,7 +180,6 @@ fn what_makes_no_sense_is_refused() {
 #[cfg(feature = "parquet")]
 #[test]
 fn a_point_has_no_parquet() {
-    let line =
-        ["map", "--curve", "limit", "--at", "1.5", "--format", "parquet", "-o", "no.parquet"];
-    refused(&line, "", "a point is written only as table, json, csv");
+    let line = ["map", "point", "limit", "--at", "1.5", "--format", "parquet", "-o", "no.parquet"];
+    refused(&line, "", "a format is one of table, json, csv");
 }

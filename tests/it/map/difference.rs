@@ -1,4 +1,4 @@
-//! `couplet map --difference`: beside the arches of both weights, in every format, and refused.
+//! `couplet map difference`: beside the arches of both weights, in every format, and refused.
 
 use crate::program::{Scratch, couplet, json, refused, said, text};
 use serde_json::Value;
@@ -27,7 +27,7 @@ fn thickness(line: &Value, weight: &str, friction: f64) -> f64 {
 /// At some frictions of each curve, and not if one line is moved by a millionth.
 #[test]
 fn the_difference_is_that_of_the_arches() {
-    let report = json(&["map", "--difference", "--tolerance", "1e-7", "--format", "json"]);
+    let report = json(&["map", "difference", "--tolerance", "1e-7", "--format", "json"]);
     let mut pairs = Vec::new();
     for difference in report["differences"].as_array().unwrap() {
         assert!(number(&difference["widest_tube"]) <= 1e-7);
@@ -59,7 +59,7 @@ fn the_difference_is_that_of_the_arches() {
 fn a_picture_has_each_curve_and_its_tube() {
     let scratch = Scratch::new();
     let file = scratch.path("d.svg");
-    let (code, output, error) = said(&couplet(&["map", "--difference", "-o", &file]));
+    let (code, output, error) = said(&couplet(&["map", "difference", "-o", &file]));
     assert_eq!((code, &error[..]), (Some(0), ""));
     assert!(
         output.contains("shoulder  0.0°    61.7°") && output.contains("\nproved: "),
@@ -73,7 +73,7 @@ fn a_picture_has_each_curve_and_its_tube() {
     {
         assert!(picture.contains(name), "{name}");
     }
-    let table = text(&couplet(&["map", "--difference", "--format", "csv"]).stdout);
+    let table = text(&couplet(&["map", "difference", "--format", "csv"]).stdout);
     assert!(table.starts_with("divide,node,line_heyman,line_milankovitch,parameter,"));
 }
 
@@ -82,14 +82,14 @@ fn what_makes_no_sense_is_refused() {
     for (arguments, words) in [
         (&["--tolerance", "0"][..], "a tolerance is a number from 1e-12 to 1"),
         (&["--tolerance", "1e-12"], "a difference has a tolerance from 4e-12 to 1"),
-        (&["--format", "html"], "a difference is written only as table, json, csv, svg"),
-        (&["--weight", "heyman"], "cannot be used with"),
-        (&["--curve", "limit"], "cannot be used with"),
-        (&["--plane", "opening-friction"], "cannot be used with"),
-        (&["--scale", "log"], "cannot be used with"),
-        (&["--mark", "80deg,0.6"], "cannot be used with"),
-        (&["--lines"], "cannot be used with"),
+        (&["--format", "html"], "a format is one of table, json, csv, svg"),
+        (&["--weight", "heyman"], "unexpected argument"),
+        (&["--curve", "limit"], "unexpected argument"),
+        (&["--plane", "opening-friction"], "unexpected argument"),
+        (&["--scale", "log"], "unexpected argument"),
+        (&["--mark", "80deg,0.6"], "unexpected argument"),
+        (&["--lines"], "unexpected argument"),
     ] {
-        refused(&[&["map", "--difference"], arguments].concat(), "", words);
+        refused(&[&["map", "difference"], arguments].concat(), "", words);
     }
 }

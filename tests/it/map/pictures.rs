@@ -154,8 +154,11 @@ fn what_makes_no_picture_is_refused() {
         ),
         (&["map", "--lines", "--alpha", "80deg", "-o", "map.svg"], "--lines are drawn alone"),
         (&["map", "--bare", "--alpha", "80deg", "-o", "map.svg"], "a map that is --bare has no"),
-        (&["map", "--curve", "limit", "--at", "1.5", "--bare"], "cannot be used with"),
-        (&["map", "--curve", "limit", "--at", "1.5", "--scale", "log"], "cannot be used with"),
+        (&["map", "point", "limit", "--at", "1.5", "--bare"], "unexpected argument '--bare'"),
+        (
+            &["map", "point", "limit", "--at", "1.5", "--scale", "log"],
+            "unexpected argument '--scale'",
+        ),
         (&["map", "--thickness-range", "1", "-o", "map.svg"], "'1' is no range: two numbers"),
         (
             &["map", "--thickness-range", "1..0.5", "-o", "map.svg"],
