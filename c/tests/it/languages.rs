@@ -141,7 +141,7 @@ const SAME: [(&str, &str); 11] = [
         "state heyman 80deg 0.1 17",
         "state --weight heyman --half-opening 80deg --friction 0.1 --digits 17",
     ),
-    ("state milankovitch 3 31deg 5", "state --half-opening 3 --friction-angle 31deg --digits 5"),
+    ("state milankovitch 3 31deg 5", "state --half-opening 3 --friction 31deg --digits 5"),
     (
         "assess milankovitch 80deg 0.6 3/25 17",
         "assess --half-opening 80deg --friction 0.6 --thickness 3/25 --digits 17",

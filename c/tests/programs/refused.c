@@ -79,7 +79,7 @@ static void found(void) {
   REFUSED("give friction or half_opening", couplet_find, M, NULL, NULL, NULL, NULL, 10);
   REFUSED("give friction or half_opening", couplet_find, M, NULL, "1", "1", NULL, 10);
   REFUSED("give friction or half_opening", couplet_find, M, "rrs/rsr", "1", "1", NULL, 10);
-  REFUSED("does not belong to a boundary", couplet_find, M, "rrs/rsr", NULL, "1", "1", 10);
+  REFUSED("thickness does not belong here", couplet_find, M, "rrs/rsr", NULL, "1", "1", 10);
   REFUSED("needs a limited friction", couplet_find, M, "rrs/rsr", NULL, "inf", NULL, 10);
   REFUSED("not between 0 and pi", couplet_find, M, NULL, "4", NULL, NULL, 10);
   REFUSED("rrr", couplet_find, M, "rrr", NULL, "1", NULL, 10);
