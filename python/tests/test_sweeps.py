@@ -234,7 +234,7 @@ def test_what_makes_no_sense(tmp_path, plan):
 def test_an_error_of_a_dictionary_names_its_key(tmp_path):
     alpha, mu = ["80deg"], ["0.1"]
     for plan, lines in [
-        ({"grid": {"half_opening": ["80deg", 7], "friction": ["0.1", "-1"]}}, ["grid.half_opening: half_opening 7", 'grid.friction: friction "-1"']),
+        ({"grid": {"half_opening": ["80deg", 7], "friction": ["0.1", "-1"]}}, ["grid.half_opening: the half opening 7", "grid.friction: the friction -1"]),
         ({"grid": {"half_opening": alpha, "friction": {"from": 0, "to": 1, "stesp": 3}}}, ["grid.friction: friction has", "grid.friction.stesp: unknown"]),
         ({"quantities": ["thiknes"], "grid": {"half_opening": alpha, "friction": mu}}, ["quantities: quantities \"thiknes\""]),
         ({"grid": {"half_opening": alpha, "friction": mu}, "a b": 1}, ['a b: unknown key "a b"']),
