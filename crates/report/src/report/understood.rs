@@ -1,7 +1,7 @@
 //! The question as it is understood: what is given, in the words of who asks and in the paper's units.
 
 use super::fields::Fields;
-use super::sketched::rounded;
+use super::sketched::decided;
 use super::words::model;
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven, Field};
@@ -76,37 +76,36 @@ fn in_words(field: Field, text: &str, given: &ArchGiven) -> String {
     match (field, given) {
         (Field::HalfOpening, ArchGiven { half_opening: Some(alpha), .. }) => {
             let other = match alpha.is_in_degrees() {
-                true => format!("{} rad", short(&alpha.enclosure(BITS))),
-                false => in_degrees(alpha),
+                true => equal(&alpha.enclosure(BITS), " rad"),
+                false => equal(&in_degrees(alpha), " deg"),
             };
-            format!("{name} {text} = {other}")
+            format!("{name} {text}{other}")
         }
         (Field::Rise, ArchGiven { half_opening: Some(alpha), measures: Some(measures), .. }) => {
-            let circle = measures.circle().name();
-            format!("{name} {text} at the {circle} (half opening {})", in_degrees(alpha))
+            let (circle, alpha) = (measures.circle().name(), equal(&in_degrees(alpha), " deg"));
+            format!("{name} {text} at the {circle} (half opening{})", alpha.replace(" =", ""))
         }
         (Field::Radius, ArchGiven { measures: Some(measures), .. }) => {
             format!("{name} {text} of the {}", measures.circle().name())
         }
         (Field::Friction | Field::FrictionAngle, ArchGiven { friction: Some(friction), .. }) => {
-            match friction {
+            let other = match friction {
                 Friction::Coefficient(mu) => {
-                    let phi = degrees(&arctangent(&mu.enclosure(BITS)));
-                    format!("friction {text} = {} deg", short(&phi))
+                    equal(&degrees(&arctangent(&mu.enclosure(BITS))), " deg")
                 }
-                Friction::Angle(_) => format!("friction {text} = {}", short(&slope(friction))),
-                Friction::Infinite => format!("friction {text}: no joint slides"),
-            }
+                Friction::Angle(_) => equal(&slope(friction), ""),
+                Friction::Infinite => ": no joint slides".to_owned(),
+            };
+            format!("friction {text}{other}")
         }
-        (Field::Thickness, ArchGiven { thickness: Some(eta), .. }) => {
-            // A ratio says itself what it is.
-            match text.ends_with(char::is_alphabetic) && !text.ends_with('r') {
-                true => format!("{name} {text} = {} r", short(&eta.enclosure(BITS))),
-                false => format!("{name} {text}"),
-            }
+        // A ratio says itself what it is.
+        (Field::Thickness, ArchGiven { thickness: Some(eta), .. })
+            if text.ends_with(char::is_alphabetic) && !text.ends_with('r') =>
+        {
+            format!("{name} {text}{}", equal(&eta.enclosure(BITS), " r"))
         }
         (Field::Tilt, ArchGiven { tilt: Some(tilt), .. }) => match &**tilt {
-            Friction::Angle(_) => format!("{name} {text} = {} g", short(&slope(tilt))),
+            Friction::Angle(_) => format!("{name} {text}{}", equal(&slope(tilt), " g")),
             _ => format!("{name} {text} g"),
         },
         (Field::Stones, _) => format!("{text} equal stones"),
@@ -115,17 +114,16 @@ fn in_words(field: Field, text: &str, given: &ArchGiven) -> String {
     }
 }
 
-fn short(value: &Ball) -> String {
-    rounded(value, DIGITS)
+/// A value in another unit, behind an equals sign; nothing where its digits are not decided, as of zero.
+fn equal(value: &Ball, unit: &str) -> String {
+    decided(value, DIGITS).map_or(String::new(), |text| format!(" = {text}{unit}"))
 }
 
-fn in_degrees(angle: &ExactNumber) -> String {
-    let exact = || ExactNumber::rational(angle.factor() * BigInt::from(180)).enclosure(BITS);
-    let in_degrees = match angle.form() {
-        Form::TimesPi => exact(),
+fn in_degrees(angle: &ExactNumber) -> Ball {
+    match angle.form() {
+        Form::TimesPi => ExactNumber::rational(angle.factor() * BigInt::from(180)).enclosure(BITS),
         _ => degrees(&angle.enclosure(BITS)),
-    };
-    format!("{} deg", short(&in_degrees))
+    }
 }
 
 /// The tangent of an angle.
@@ -170,6 +168,8 @@ mod tests {
             words(&ratios),
             "half opening 80deg = 1.39626 rad, thickness 3/25, friction 0.6 = 30.9638 deg, tilt 5deg = 0.0874887 g"
         );
+        let zero = [(F::HalfOpening, "1"), (F::Friction, "0")];
+        assert_eq!(words(&zero), "half opening 1 = 57.2958 deg, friction 0");
         let unlimited = [(F::HalfOpening, "pi/2"), (F::Friction, "inf"), (F::Radius, "2m")];
         assert_eq!(
             words(&unlimited),

@@ -17,8 +17,13 @@ const FEW: usize = 4;
 /// More digits than asked for are shown, at most so many, where the value may be half way between two decimals.
 const MORE: usize = 6;
 
+/// Value correctly rounded, if the ball decides it.
+pub(in crate::report) fn decided(x: &Ball, digits: usize) -> Option<String> {
+    in_digits(&Size::from(x.clone()), digits).map(|text| shortened(&text))
+}
+
 /// A value correctly rounded.
-pub(in crate::report) fn rounded(x: &Ball, digits: usize) -> String {
+pub(super) fn rounded(x: &Ball, digits: usize) -> String {
     shown(&Size::from(x.clone()), digits)
 }
 
@@ -29,8 +34,12 @@ pub(super) fn shown(x: &Size, digits: usize) -> String {
 
 /// Number with the zeros at its end, where others of as many digits stand beside it.
 pub(super) fn in_full(x: &Size, digits: usize) -> String {
+    in_digits(x, digits).unwrap_or_else(|| "undecided".to_owned())
+}
+
+fn in_digits(x: &Size, digits: usize) -> Option<String> {
     let rounded = (digits..=digits + MORE).find_map(|digits| x.rounded(digits));
-    rounded.map_or_else(|| "undecided".to_owned(), |rounded| rounded.value.to_string())
+    Some(rounded?.value.to_string())
 }
 
 /// Text without the zeros at the end of a decimal fraction.

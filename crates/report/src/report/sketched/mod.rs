@@ -30,7 +30,7 @@ mod panel;
 mod picture;
 mod strip;
 
-pub(super) use caption::rounded;
+pub(super) use caption::decided;
 pub(super) use dxf::dxf;
 pub use figures::arches_of_figure;
 pub(super) use json::json;
