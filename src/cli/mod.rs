@@ -56,7 +56,12 @@ pub fn run() -> ExitCode {
 /// Exit code of a run with these arguments, without the name of the program; the exit code.
 pub fn run_from(arguments: Vec<OsString>) -> u8 {
     line::keep(&arguments);
-    let program = grouped(Cli::command()).color(color(&arguments));
+    // Only the help of the program itself has groups; to make them takes a part of a short run.
+    let is_command = arguments
+        .first()
+        .is_some_and(|word| word != "help" && !word.to_string_lossy().starts_with('-'));
+    let program = if is_command { Cli::command() } else { grouped(Cli::command()) };
+    let program = program.color(color(&arguments));
     let words = std::iter::once("couplet".into()).chain(arguments);
     let parsed = program.try_get_matches_from(words);
     let parsed = parsed.and_then(|found| Cli::from_arg_matches(&found));
