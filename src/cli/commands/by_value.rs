@@ -34,6 +34,14 @@ const WITH: [Field; 3] = [Field::Friction, Field::FrictionAngle, Field::Thicknes
 const ONE: &str =
     "give one of --half-opening, --rotation-joint, --thrust, --thickness and --opening-variable";
 
+/// Spelling of a quantity as an option; the variable `A` has a long one.
+pub(super) fn option(quantity: Quantity) -> String {
+    match quantity {
+        Quantity::OpeningVariable => "--opening-variable".to_owned(),
+        other => format!("--{}", other.name().replace('_', "-")),
+    }
+}
+
 impl ValueArguments {
     /// Question that is asked by another quantity, if it is.
     pub(super) fn question(&self, asked: &ArchAsked) -> Result<Option<StatesByValue>, Failure> {
@@ -55,8 +63,8 @@ impl ValueArguments {
         match other {
             Some(Field::HalfOpening) => return Err(ONE.into()),
             Some(other) => {
-                let (name, other) = (Spelling::Option.of(other), quantity.name());
-                return Err(format!("{name} does not go with --{}", other.replace('_', "-")).into());
+                let (name, quantity) = (Spelling::Option.of(other), option(quantity));
+                return Err(format!("{name} does not go with {quantity}").into());
             }
             None if given.len() == 1 && asked.thickness.is_some() => return Err(ONE.into()),
             None => {}

@@ -1,5 +1,6 @@
 //! `couplet equation`.
 
+use super::by_value::option;
 use super::output::OutputFile;
 use crate::certify::Error;
 use crate::certify::equation::{JointEquation, ValueEquation, evaluate};
@@ -94,17 +95,6 @@ fn equation(text: &str) -> Result<AskedEquation, String> {
     found.ok_or_else(|| "an equation is a number from 2 to 18".to_owned())
 }
 
-/// Spelling of a quantity as an option.
-fn option(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::HalfOpening => "--half-opening",
-        Quantity::RotationJoint => "--rotation-joint",
-        Quantity::Thickness => "--thickness",
-        Quantity::Thrust => "--thrust",
-        _ => "--opening-variable",
-    }
-}
-
 impl Arguments {
     /// Values that are given, those that the equation needs and no others.
     fn given(&self) -> Result<Vec<(Quantity, ExactNumber)>, Failure> {
@@ -116,13 +106,13 @@ impl Arguments {
             (Quantity::OpeningVariable, &self.opening_variable),
         ];
         let needs = self.equation.needs();
-        let fits = all.iter().all(|(of, text)| needs.contains(of) == text.is_some());
-        if !fits {
+        let misfit = all.iter().find(|(of, text)| needs.contains(of) != text.is_some());
+        if let Some((_, text)) = misfit {
+            let takes = if text.is_some() { "takes only" } else { "needs" };
             let number = self.equation.number();
-            let needs = list(needs.iter().map(|of| option(*of)));
-            return Err(
-                format!("equation ({number}) is evaluated at {needs}, and nothing else").into()
-            );
+            let needs = needs.iter().map(|of| option(*of)).collect::<Vec<_>>();
+            let needs = list(needs.iter().map(String::as_str));
+            return Err(format!("equation ({number}) {takes} {needs}").into());
         }
         let given = all.into_iter().filter_map(|(of, text)| Some((of, text.as_ref()?)));
         given.map(|(of, text)| Ok((of, text.parse()?))).collect()

@@ -88,7 +88,7 @@ commands! {
         Equation(equation) []
             "couplet equation 7 --rotation-joint 1.0",
             "couplet equation 12 --rotation-joint 57deg --weight heyman --digits 50";
-        Voussoirs(voussoirs) ["stones"]
+        Voussoirs(voussoirs) []
             voussoirs::QUESTION.example,
             "couplet voussoirs --half-opening pi/2 --friction 0.6 --stones 2..40 -o convergence.svg";
         Complementarity(complementarity) []
@@ -100,33 +100,33 @@ commands! {
             "couplet sample --count 20 -o arches.csv && couplet states arches.csv --digits 17 -o states.csv";
         Sweep(sweep) [] "couplet sweep --schema";
         Sample(sample) [] "couplet sample --hard --count 1000 --seed 1 -o hard.csv";
-        Judge(judge) ["compare" "verify"]
+        Judge(judge) ["compare"]
             "couplet sample --count 20 | couplet states - --digits 17 --format csv -o theirs.csv && \
              couplet judge theirs.csv";
-        Run(run) ["scene"] "couplet run --schema > scene.toml && couplet run scene.toml --plan";
+        Run(run) [] "couplet run --schema > scene.toml && couplet run scene.toml --plan";
     }
     "Pictures" {
         Map(map) ["plot"]
             "couplet map --lines --tolerance 1e-2 -o map.svg",
             "couplet map point rrr/srr --at 80deg --digits 50",
             "couplet map difference --tolerance 1e-3";
-        Draw(draw) ["picture"]
+        Draw(draw) []
             draw::QUESTION.example,
             "couplet draw --at T --mode [s,r,r] -o triple.png";
         Figure(figure) [] "couplet figure 7 -o figure7.svg";
     }
     "Proofs for others" {
-        Certify(certify) ["certificate"]
+        Certify(certify) []
             "couplet certify T --digits 100 -o T.json",
             certify::STATE.example;
         Check(check) [] "couplet certify T --digits 100 -o T.json && couplet check T.json";
     }
     "The paper" {
-        Constants(constants) ["landmarks"]
+        Constants(constants) []
             "couplet constants T --digits 50",
             "couplet constants --weight milankovitch --format csv -o constants.csv";
         Audit(audit) [] "couplet audit --weight heyman";
-        Prove(prove) ["claims"] "couplet prove eq-8 --show", "couplet prove --index";
+        Prove(prove) [] "couplet prove eq-8 --show", "couplet prove --index";
         #[cfg(feature = "study")]
         Study(study) [] "couplet study --help";
     }

@@ -34,10 +34,10 @@ wrong_uses! {
     an_unknown_limit: ["study", "stability", "--only", "state"] => "the studies are alpha-to-zero";
 
     an_equation_that_is_none: ["equation", "19", "--beta", "1"] => "a number from 2 to 18";
-    an_equation_of_no_joint: ["equation", "6", "--beta", "1"] => "evaluated at --thickness, and nothing else";
+    an_equation_of_no_joint: ["equation", "6", "--beta", "1"] => "equation (6) takes only --thickness";
     a_thickness_without_an_intrados: ["equation", "5", "--beta", "1", "--eta", "2"] => "not between 0 and 2";
     overturning_of_the_other_weight: ["equation", "14", "--opening-variable", "0.6"] => "(14) is not for";
-    an_equation_without_its_joint: ["equation", "7"] => "evaluated at --rotation-joint";
+    an_equation_without_its_joint: ["equation", "7"] => "equation (7) needs --rotation-joint";
     a_joint_beyond_half_a_turn: ["equation", "7", "--beta", "4"] => "did you mean 4deg?";
     a_negative_joint: ["equation", "12", "--beta", "-1"] => "between 0 and pi";
     a_closed_form_of_heyman:
@@ -47,6 +47,8 @@ wrong_uses! {
     a_joint_beside_a_half_opening: ["state", "--alpha", "1", "--beta", "1"] => "give one of --half-opening";
     two_quantities_of_a_state: ["state", "--thrust", "0.5", "--beta", "1"] => "give one of --half-opening";
     a_thickness_beside_a_joint: ["state", "--eta", "0.1", "--beta", "1"] => "give one of --half-opening";
+    a_span_of_an_opening_variable: ["state", "--opening-variable", "1", "--span", "10m", "--rise", "3m"] =>
+        "--span does not go with --opening-variable";
     stones_of_a_joint: ["state", "--stones", "9", "--beta", "1"] => "--stones does not go with --rotation-joint";
     a_thrust_of_one: ["state", "--thrust", "1"] => "thrust = 1 is not between 0 and 1";
     an_opening_variable_of_two: ["state", "--opening-variable", "2"] => "A = 2 is not between 0 and 2";

@@ -111,7 +111,10 @@ impl ArchAsked {
     pub fn parse(text: &str) -> Result<Self, Misfit> {
         let mut asked = Self::default();
         for pair in text.split(';').map(str::trim).filter(|pair| !pair.is_empty()) {
-            let (name, value) = pair.split_once('=').unwrap_or((pair, ""));
+            let Some((name, value)) = pair.split_once('=') else {
+                let pair = shown(pair);
+                return Err(format!("'{pair}' has no value: fields are name=value").into());
+            };
             let Some(field) = Field::named(name.trim()) else {
                 let names: Vec<&str> = Field::ALL.iter().map(|field| field.name()).collect();
                 let (name, names) = (shown(name.trim()), names.join(", "));
@@ -158,6 +161,7 @@ mod tests {
         assert_eq!(asked.options(), " --friction 1/2 --joints '0,1' --span 10m --rise 3m");
         for (text, why) in [
             ("colour=red", "none of the fields of an arch: half_opening"),
+            ("mu=1; span", "'span' has no value"),
             ("mu=1; friction=2", "friction is given twice"),
         ] {
             let misfit = ArchAsked::parse(text).unwrap_err();

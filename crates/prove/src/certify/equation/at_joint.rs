@@ -43,6 +43,13 @@ impl AtJoint {
         Ok((radicand, is_positive))
     }
 
+    /// Number of the real roots of a polynomial (7): (12) is the discriminant of each, up to a negative factor that is
+    /// not zero (the claim `eq-12`).
+    fn real_count(&self, polynomial: &[Ball]) -> Result<usize, Undecided> {
+        let degree = polynomial.len() - 1;
+        self.signed_radicand().map(|(_, is_positive)| if is_positive { degree - 2 } else { degree })
+    }
+
     /// Tells whether the joint is beyond the widest one, where it is next to it.
     pub(super) fn is_beyond_widest(&self) -> Result<bool, Undecided> {
         self.signed_radicand().map(|(_, is_positive)| is_positive)
@@ -109,13 +116,10 @@ impl AtJoint {
 
     /// Real roots of the three polynomials, each with the thickness that belongs to it.
     ///
-    /// (12) is the discriminant of each, up to a negative factor: where it is negative all roots are real, where it
-    /// is positive two are complex. By (5) and (4) each thickness has a thrust and an opening variable, which are
-    /// roots of the two other polynomials: of the one that they meet and no other.
+    /// By (5) and (4) each thickness has a thrust and an opening variable, which are roots of the two other
+    /// polynomials: of the one that they meet and no other.
     fn roots(&self, polynomials: &[Vec<Ball>; 3]) -> Found<[Vec<RootAt>; 3]> {
-        let (_, is_positive) = self.signed_radicand()?;
-        let degree = polynomials[1].len() - 1;
-        let count = if is_positive { degree - 2 } else { degree };
+        let count = self.real_count(&polynomials[1])?;
         let roots = |of: usize| real_roots(&polynomials[of], count, self.bits);
         let [openings, thicknesses, thrusts] = [roots(0)?, roots(1)?, roots(2)?];
         let mut found = [const { Vec::new() }; 3];
@@ -126,7 +130,10 @@ impl AtJoint {
             let opening = thrust.clone() + overturning::opening_variable(&ring).value();
             let inside = [eta.clone(), ring.intrados()].map(|x| x.is_positive());
             let branch = match inside {
-                [Ternary::True, Ternary::True] => branches.next(),
+                [Ternary::True, Ternary::True] => {
+                    let more = || Undecided::new("to which state a third thickness belongs");
+                    Some(branches.next().ok_or_else(more)?)
+                }
                 [Ternary::False, _] | [_, Ternary::False] => None,
                 _ => return Ok(None),
             };
@@ -167,16 +174,21 @@ impl AtJoint {
             let k = ComplexBall { re: root_of_three.int(0), im: imaginary };
             let printed = form.value(&of, &u, &k);
             let trigonometric = trigonometric(form, branch, &self.joint);
-            Some(ClosedAt {
+            if !printed.re.overlaps(&trigonometric) {
+                return Some(Err(Undecided::new("a closed form, whose two ways differ")));
+            }
+            Some(Ok(ClosedAt {
                 branch,
                 printed_loss: self.digits_lost(&printed.re),
                 printed: self.figure(&printed.re)?,
                 imaginary: outward(&printed.im).filter(|_| !printed.im.excludes_zero())?,
                 trigonometric_loss: self.digits_lost(&trigonometric),
                 trigonometric: self.figure(&trigonometric)?,
-            })
+            }))
         };
-        let branches: Option<Vec<ClosedAt>> = RootBranch::ALL.map(branch).into_iter().collect();
+        let branches: Option<Result<Vec<ClosedAt>, Undecided>> =
+            RootBranch::ALL.map(branch).into_iter().collect();
+        let branches = branches.transpose()?;
         Ok(branches.map(|branches| Evaluated::Closed(form, branches)))
     }
 
@@ -197,9 +209,7 @@ pub(crate) fn touched_thicknesses(
 ) -> Result<Vec<Ball>, Undecided> {
     let at = AtJoint { weight, joint: joint.clone(), bits, digits: 1 };
     let polynomial = coefficients(ClosedForm::Thickness, weight, &at.abbreviations());
-    let (_, is_positive) = at.signed_radicand()?;
-    let degree = polynomial.len() - 1;
-    let count = if is_positive { degree - 2 } else { degree };
+    let count = at.real_count(&polynomial)?;
     let mut inside = Vec::new();
     for eta in real_roots(&polynomial, count, bits)? {
         match [eta.clone(), eta.int(2) - &eta].map(|x| x.is_positive()) {

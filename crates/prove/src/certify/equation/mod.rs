@@ -23,6 +23,7 @@ pub use values::{EquationValue, ValueEquation};
 pub(crate) use at_joint::touched_thicknesses;
 
 use self::at_joint::AtJoint;
+use self::values::number;
 use crate::arch::SelfWeight;
 use crate::certify::CertifiedLandmark;
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Ternary, bits_of};
@@ -71,7 +72,7 @@ impl JointEquation {
 
     /// Equation of a number, with its brackets or without.
     pub fn named(text: &str) -> Option<Self> {
-        let number: u8 = text.trim().trim_start_matches('(').trim_end_matches(')').parse().ok()?;
+        let number = number(text)?;
         Self::ALL.into_iter().find(|equation| equation.number() == number)
     }
 

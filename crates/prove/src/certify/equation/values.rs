@@ -32,6 +32,11 @@ pub enum ValueEquation {
     InnerSliding,
 }
 
+/// Number of an equation, with its brackets or without.
+pub(super) fn number(text: &str) -> Option<u8> {
+    text.trim().trim_start_matches('(').trim_end_matches(')').parse().ok()
+}
+
 /// A value of an equation.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
@@ -82,7 +87,7 @@ impl ValueEquation {
 
     /// Equation of a number, with its brackets or without.
     pub fn named(text: &str) -> Option<Self> {
-        let number: u8 = text.trim().trim_start_matches('(').trim_end_matches(')').parse().ok()?;
+        let number = number(text)?;
         Self::ALL.into_iter().find(|equation| equation.number() == number)
     }
 

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::certify::state::{Answer, Certify};
+use crate::problem::Mode;
 
 fn find(given: (Quantity, &str), friction: &str, weight: SelfWeight) -> StatesOfValue {
     let (quantity, value) = given;
