@@ -7,7 +7,7 @@ use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Misfit, Spelling, St
 use crate::atlas::Sketch;
 use crate::cli::line::typed;
 use crate::problem::{Landmark, Mode};
-use crate::report::{Content, Format, Report, Sketched, Style};
+use crate::report::{Format, Reported, Sketched, Style};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use crate::sweep::scene::{DrawnArch, Pose};
@@ -67,7 +67,7 @@ pub(crate) struct Arguments {
     animate: bool,
 
     /// Format: svg, png, json or dxf. If none is given, what the name of the file ends with tells it.
-    #[arg(long, value_parser = parse::format(Content::Drawing))]
+    #[arg(long, value_parser = parse::format(Sketched::content()))]
     format: Option<&'static Format>,
 
     #[command(flatten)]
@@ -97,7 +97,7 @@ fn amplitude(text: &str) -> Result<f64, String> {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let format = arguments.file.format(arguments.format, Content::Drawing, "svg")?;
+    let format = arguments.file.format(arguments.format, Sketched::content(), "svg")?;
     if arguments.animate && format.name != "svg" {
         return Err(format!("only svg moves, not {}", format.name).into());
     }
@@ -170,8 +170,7 @@ fn write(
     }
     let file = file.open_for(format)?;
     notes::frictions(&given.friction);
-    let report = Report::Sketched(drawn);
-    file.write(|out| report.write(format, out))
+    file.write(|out| drawn.write(format, out))
 }
 
 impl Arguments {

@@ -28,8 +28,8 @@ pub(crate) struct Arguments {
     seed: u64,
 
     #[arg(
-        long, value_parser = parse::format(Content::Samples),
-        help = parse::usual_format_help(Content::Samples, "csv")
+        long, value_parser = parse::format(Content::SAMPLES),
+        help = parse::usual_format_help(Content::SAMPLES, "csv")
     )]
     format: Option<&'static Format>,
 
@@ -50,7 +50,7 @@ fn seed(text: &str) -> Result<u64, String> {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let format = arguments.output.format(arguments.format, Content::Samples, "csv")?;
+    let format = arguments.output.format(arguments.format, Content::SAMPLES, "csv")?;
     let Some(lines) = format.samples() else { return Ok(()) };
     arguments.output.open()?.write(|out| {
         out.write_all(&(lines.header)()?)?;

@@ -76,8 +76,8 @@ pub(crate) struct Arguments {
 
     #[arg(
         long,
-        value_parser = parse::format(Content::Rows),
-        help = parse::format_help(Content::Rows) + "; if not given what the name of the file ends with tells it, else \
+        value_parser = parse::format(Content::ROWS),
+        help = parse::format_help(Content::ROWS) + "; if not given what the name of the file ends with tells it, else \
             that of the input"
     )]
     format: Option<&'static Format>,
@@ -91,10 +91,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let progress = Progress::new(&source);
     let (syntax, digits) = (source.syntax, arguments.digits);
     let format = match arguments.format {
-        None => arguments.output.by_name(Content::Rows)?,
+        None => arguments.output.by_name(Content::ROWS)?,
         given => given,
     };
-    let format = format.or_else(|| Format::named(Content::Rows, syntax.format()));
+    let format = format.or_else(|| Format::named(Content::ROWS, syntax.format()));
     let Some((format, open)) = format.and_then(|format| Some((format, format.rows()?))) else {
         return Ok(());
     };

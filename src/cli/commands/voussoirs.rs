@@ -11,9 +11,7 @@ use crate::number::ExactNumber;
 use crate::problem::Arch;
 use crate::problem::measures::Measures;
 use crate::problem::stones::Stones;
-use crate::report::{
-    Content, Format, GivenThickness, Report, Understood, VoussoirArch, VoussoirArches,
-};
+use crate::report::{Format, GivenThickness, Reported, Understood, VoussoirArch, VoussoirArches};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use clap::Args;
@@ -36,7 +34,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     arch: ArchArguments,
 
-    #[arg(long, value_parser = parse::format(Content::Voussoirs), help = parse::format_help(Content::Voussoirs))]
+    #[arg(long, value_parser = parse::format(VoussoirArches::content()), help = parse::format_help(VoussoirArches::content()))]
     format: Option<&'static Format>,
 
     #[command(flatten)]
@@ -53,7 +51,7 @@ pub const QUESTION: ArchQuestion = ArchQuestion {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (given, arches) = arguments.arch.read(&QUESTION)?;
-    let format = arguments.file.format(arguments.format, Content::Voussoirs, "table")?;
+    let format = arguments.file.format(arguments.format, VoussoirArches::content(), "table")?;
     answers(&arguments.arch, &given, &arches, (&arguments.file, format))
 }
 
@@ -82,7 +80,7 @@ fn answers(
         };
         return tilt::write((file, format), (&asked, arches), (eta, tilt), Some(stones), digits);
     }
-    is_written("an arch of stones", Content::Voussoirs, format)?;
+    is_written("an arch of stones", VoussoirArches::content(), format)?;
     if format.is_picture && !given.stones.as_ref().is_some_and(StonesAsked::is_range) {
         return Err(RANGE.into());
     }
@@ -95,7 +93,7 @@ fn answers(
         return Err(message.into());
     }
     let open = answers.arches.iter().find_map(VoussoirArch::first_open).cloned();
-    file.report((&Report::Voussoirs(answers), format), open)
+    file.report((&answers, format), open)
 }
 
 /// Divisions into stones that are asked about.

@@ -101,7 +101,7 @@ fn formula(text: &str) -> String {
 }
 
 /// Text from outside, harmless to LaTeX.
-fn plain(text: &str) -> String {
+pub(super) fn plain(text: &str) -> String {
     let written = |c: char| match c {
         '_' => r"\_".to_owned(),
         '<' | '>' | '=' => format!("${c}$"),

@@ -1,7 +1,7 @@
 //! Arches that were drawn, for other programs: `couplet.sample/1`.
 
-use super::fields::Fields;
 use super::given::GivenDoubles;
+use super::record::Record;
 use super::{csv, json};
 use crate::strategies::Sample;
 use std::io;
@@ -36,13 +36,13 @@ pub(super) const CSV: SampledLines = SampledLines {
 pub(super) const JSON_LINES: SampledLines = SampledLines {
     header: || Ok(Vec::new()),
     row: |id, sample| {
-        let mut all = Fields::of("couplet.sample/1");
+        let mut all = Record::of("couplet.sample/1");
         all.append(fields(id, sample));
         json::line(&all)
     },
 };
 
-fn fields(id: u64, sample: &Sample) -> Fields {
+fn fields(id: u64, sample: &Sample) -> Record {
     let doubles = GivenDoubles::new(&sample.arch, None);
     let values: [serde_json::Value; 8] = [
         id.into(),
@@ -54,5 +54,5 @@ fn fields(id: u64, sample: &Sample) -> Fields {
         doubles.friction.into(),
         sample.family.as_str().into(),
     ];
-    Fields::named(NAMES, values)
+    Record::named(NAMES, values)
 }

@@ -11,7 +11,7 @@ const HEAD: &str = r"\documentclass{article}
 \raggedright";
 
 /// Writes all claims.
-pub(crate) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(out, "{HEAD}")?;
     writeln!(out, "{}\n", plain(&summary(&report.decisions)))?;
     for decision in &report.decisions {

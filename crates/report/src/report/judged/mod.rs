@@ -4,14 +4,16 @@ mod csv;
 mod json;
 mod row;
 mod summary;
-mod table;
+mod words;
 
-pub(crate) use json::summary as json;
 pub use row::JudgedRow;
 pub use summary::JudgeSummary;
-pub use table::{verdicts, write as table};
+pub use words::verdicts;
 
 use crate::problem::Quantity;
+use crate::report::format::Content;
+use crate::report::record::Record;
+use crate::report::reported::Reported;
 use std::io;
 
 /// Writes a row, with the quantities that have columns and the texts of what is handed on.
@@ -24,6 +26,18 @@ pub struct JudgedLines {
     pub header: fn(&[Quantity], &[String]) -> io::Result<Vec<u8>>,
     /// One row.
     pub row: RowWriter,
+}
+
+impl Reported for JudgeSummary {
+    fn content() -> Content {
+        Content(&["table", "json"])
+    }
+
+    fn records(&self) -> Vec<Record> {
+        let mut record = json::summary(self);
+        words::say(self, &mut record);
+        vec![record]
+    }
 }
 
 /// CSV.

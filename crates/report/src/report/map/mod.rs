@@ -1,29 +1,29 @@
-//! The curves of the map: a summary for a person, their nodes as JSON (`couplet.map/1`), CSV or Parquet, and a page to
-//! point at. Fields may be added, none changes its meaning.
+//! The curves of the map, `couplet.map/1`: a summary for a person, their nodes, and a page to point at. Fields may be
+//! added, none changes its meaning.
 
 mod difference;
-mod json;
 mod page;
 mod point;
 mod policy;
+mod record;
 mod rows;
-mod table;
+mod words;
 
 pub use difference::MapDifferences;
 pub use point::MapPoint;
 
-pub(super) use difference::{
-    csv as difference_csv, json as difference_json, table as difference_table,
-};
-pub(super) use json::{json, node, parts};
-pub(super) use page::html;
-pub(super) use point::{csv as point_csv, json as point_json, table as point_table};
-pub(super) use rows::{MapRow, csv};
-pub(super) use table::table;
+pub(super) use record::{node, parts};
+pub(super) use rows::MapRow;
 
 use super::answer::Answer;
 use super::drawn::Drawing;
+use super::format::{Content, Format};
+use super::parquet;
+use super::record::Record;
+use super::reported::Reported;
+use super::tabular::Tabular;
 use crate::atlas::{Border, Level, Trace};
+use std::io;
 
 /// The curves of the map, each proved piece by piece.
 #[derive(Debug)]
@@ -56,5 +56,34 @@ impl Map {
             .chain(borders)
             .map(|name| format!("{name}: not every piece is proved"))
             .collect()
+    }
+}
+
+impl Reported for Map {
+    fn content() -> Content {
+        Content(&[
+            "table", "json", "csv", "csv2", "latex", "markdown", "parquet", "html", "svg", "png",
+        ])
+    }
+
+    fn records(&self) -> Vec<Record> {
+        vec![record::of(self)]
+    }
+
+    /// A row for each node.
+    fn tabular(&self) -> Tabular {
+        Tabular::of_columns(MapRow::COLUMNS.iter(), MapRow::of_map(self))
+    }
+
+    fn picture(&self) -> io::Result<String> {
+        self.drawing.svg(&self.traces, &self.levels, &self.borders)
+    }
+
+    fn write_as(&self, format: &Format, out: &mut dyn io::Write) -> Option<io::Result<()>> {
+        match format.name {
+            "html" => Some(page::html(self, out)),
+            "parquet" => Some(parquet::map(self, out)),
+            _ => None,
+        }
     }
 }

@@ -4,7 +4,7 @@
 
 use super::Map;
 use super::policy::policy;
-use super::table::{TITLES, names, verdict};
+use super::words::{TITLES, names, verdict};
 use crate::arch::SelfWeight;
 use crate::atlas::Trace;
 use crate::number::list;

@@ -31,15 +31,16 @@ mod picture;
 mod strip;
 
 pub(super) use caption::decided;
-pub(super) use dxf::dxf;
 pub use figures::arches_of_figure;
-pub(super) use json::json;
-pub(super) use picture::picture;
 
 use crate::arch::mechanism::Contact;
 use crate::atlas::{Collapse, Sketch};
 use crate::problem::measures::Measures;
+use crate::report::format::{Content, Format};
+use crate::report::record::Record;
+use crate::report::reported::Reported;
 use metres::Metres;
+use std::io;
 use std::ops::RangeInclusive;
 
 /// Arches to be drawn, beside each other.
@@ -53,6 +54,28 @@ pub struct Sketched {
     pub measures: Option<Measures>,
     /// The command that makes it, for its caption.
     pub command: String,
+}
+
+impl Reported for Sketched {
+    fn content() -> Content {
+        Content(&["json", "svg", "png", "dxf"])
+    }
+
+    fn records(&self) -> Vec<Record> {
+        Vec::new()
+    }
+
+    fn picture(&self) -> io::Result<String> {
+        Ok(picture::picture(self))
+    }
+
+    fn write_as(&self, format: &Format, out: &mut dyn io::Write) -> Option<io::Result<()>> {
+        match format.name {
+            "json" => Some(json::json(self, out)),
+            "dxf" => Some(dxf::dxf(self, out)),
+            _ => None,
+        }
+    }
 }
 
 /// Style of an arch.
