@@ -207,7 +207,7 @@ outputs! {
         "couplet constants --format yaml",
         "couplet constants --weight heymann",
         "couplet prove eq-99",
-        "couplet prove --format csv",
+        "couplet prove --format toml",
         "couplet prove --index --format latex",
         "couplet prove --index eq-16",
         "couplet study accuracy --only T",

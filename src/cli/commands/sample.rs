@@ -1,7 +1,7 @@
 //! `couplet sample`.
 
 use super::output::OutputFile;
-use crate::report::{Content, Format};
+use crate::report::{Content, Format, SampledLines};
 use crate::strategies::samples;
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
@@ -51,7 +51,7 @@ fn seed(text: &str) -> Result<u64, String> {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let format = arguments.output.format(arguments.format, Content::SAMPLES, "csv")?;
-    let Some(lines) = format.samples() else { return Ok(()) };
+    let Some(lines) = SampledLines::of(format) else { return Ok(()) };
     arguments.output.open()?.write(|out| {
         out.write_all(&(lines.header)()?)?;
         let samples = samples(arguments.seed, arguments.hard);

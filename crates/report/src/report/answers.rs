@@ -1,17 +1,8 @@
 //! Answers of one kind, with what a report shows of them.
 
 use super::answer::Answer;
-use super::format::{Content, Format};
-use super::paper::PaperTable;
-use super::record::Record;
-use super::reported::Reported;
-use super::tabular::Tabular;
 use super::words::{DOUBLE_DIGITS, distinct};
-use super::{
-    c, csv, fortran, json, julia, latex, matlab, parquet, plain, python, rust, table, toml,
-};
 use crate::problem::Quantity;
-use std::io;
 
 /// The program and its version.
 pub(super) const TOOL: &str = concat!("couplet ", env!("CARGO_PKG_VERSION"));
@@ -111,6 +102,11 @@ impl Answers {
         self.scope == Scope::Mixed || self.quantities.iter().any(|of| some.contains(of))
     }
 
+    /// Tells whether each arch has a row in a table for a paper.
+    pub(super) fn has_row_each(&self) -> bool {
+        matches!(self.scope, Scope::Arch | Scope::Arches)
+    }
+
     /// Tells whether the arches are measured.
     pub(super) fn are_measured(&self) -> bool {
         self.quantities.iter().any(|quantity| quantity.is_measured())
@@ -145,44 +141,5 @@ impl Answers {
             Scope::Constants | Scope::Point => "couplet.constants/1",
             Scope::Arch | Scope::Arches | Scope::Mixed | Scope::Found => "couplet.states/2",
         }
-    }
-}
-
-impl Reported for Answers {
-    fn content() -> Content {
-        Content(&[
-            "table", "plain", "json", "csv", "csv2", "toml", "latex", "markdown", "c", "rust",
-            "python", "julia", "matlab", "fortran", "parquet",
-        ])
-    }
-
-    fn records(&self) -> Vec<Record> {
-        Vec::new()
-    }
-
-    fn tabular(&self) -> Tabular {
-        csv::answers(self)
-    }
-
-    fn write_as(&self, format: &Format, out: &mut dyn io::Write) -> Option<io::Result<()>> {
-        let is_printed = matches!(self.scope, Scope::Arch | Scope::Arches);
-        let write = match format.name {
-            "latex" if is_printed => return Some(PaperTable::of(self).latex(out)),
-            "markdown" if is_printed => return Some(PaperTable::of(self).markdown(out)),
-            "table" => table::answers,
-            "plain" => plain::answers,
-            "json" => json::answers,
-            "toml" => toml::answers,
-            "latex" => latex::answers,
-            "c" => c::answers,
-            "rust" => rust::answers,
-            "python" => python::answers,
-            "julia" => julia::answers,
-            "matlab" => matlab::answers,
-            "fortran" => fortran::answers,
-            "parquet" => parquet::answers,
-            _ => return None,
-        };
-        Some(write(self, out))
     }
 }

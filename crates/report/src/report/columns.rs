@@ -91,7 +91,7 @@ pub(super) fn kept_cells(names: &[String], row: &[(String, Kept)]) -> impl Itera
     })
 }
 
-/// What is handed on, as one object.
+/// The values that are handed on, as one object.
 pub(super) fn kept_fields(row: &[(String, Kept)]) -> Record {
     let mut kept = Record::default();
     row.iter().for_each(|(name, value)| kept.keep(name, value));

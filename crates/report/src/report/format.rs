@@ -1,12 +1,6 @@
 //! The one list of formats: commands, scenes, help and errors read it.
 
-use super::answers::Answers;
-use super::judged::JudgedLines;
-use super::rows::Rows;
-use super::sampled::SampledLines;
 use super::words::{distinct, list};
-use super::{csv, json, judged, parquet, sampled};
-use std::io;
 
 /// Names of the formats in which something is written, in the order of the list of formats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,9 +26,6 @@ impl Content {
         self.0.contains(&format.name)
     }
 }
-
-/// Opens a file of arches that come one after the other.
-type Opener = fn(Answers) -> io::Result<Box<dyn Rows>>;
 
 /// A format.
 #[derive(Clone, Copy, Debug)]
@@ -110,34 +101,6 @@ impl Format {
     /// The formats in which something can be written, the usual one first.
     pub fn all(content: Content) -> impl Iterator<Item = &'static Self> {
         FORMATS.iter().filter(move |format| content.is_written_as(format))
-    }
-
-    /// Opens a file of arches that come one after the other.
-    pub fn rows(&self) -> Option<Opener> {
-        match self.name {
-            "csv" => Some(csv::rows),
-            "jsonl" => Some(json::lines),
-            "parquet" => Some(parquet::rows),
-            _ => None,
-        }
-    }
-
-    /// Writer of judged rows, one by one.
-    pub fn judged_lines(&self) -> Option<JudgedLines> {
-        match self.name {
-            "csv" => Some(judged::CSV),
-            "jsonl" => Some(judged::JSON_LINES),
-            _ => None,
-        }
-    }
-
-    /// Writer of arches drawn from a seed, one by one.
-    pub fn samples(&self) -> Option<SampledLines> {
-        match self.name {
-            "csv" => Some(sampled::CSV),
-            "jsonl" => Some(sampled::JSON_LINES),
-            _ => None,
-        }
     }
 
     /// Names of the formats in a sentence.

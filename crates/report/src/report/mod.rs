@@ -1,7 +1,8 @@
 //! Output only: what was found, written in a format.
 //!
-//! A result makes [`Record`]s, and each format of records is written once ([`Reported`]). An [`Answer`] is a landmark or
-//! an arch with what became of it and its proved values, which languages write too. [`Format`] is the one list of formats.
+//! A result makes [`Record`]s, and each format of records is written once ([`Reported`]). An [`Answer`] is a landmark
+//! or an arch with what became of it and its proved values, which languages write too. [`Format`] is the one list of
+//! formats.
 //!
 //! ```
 //! use couplet_prove::prelude::{Arch, Certify};
@@ -22,6 +23,7 @@
 //! `scene`, which writes many reports at once.
 
 mod answer;
+mod answered;
 mod answers;
 mod audit;
 mod branch;
@@ -76,6 +78,7 @@ mod voussoirs;
 pub mod words;
 
 pub use answer::{Answer, Fingerprint, Proof, Status};
+pub use answered::open_rows;
 pub use answers::{Answers, Scope};
 pub use audit::Audit;
 pub use branch::{BranchArch, BranchArches};
@@ -94,6 +97,7 @@ pub use programme::{AtThickness, ProgrammeFound};
 pub use record::Record;
 pub use reported::Reported;
 pub use rows::Rows;
+pub use sampled::SampledLines;
 pub use sketched::{Sketched, Style, arches_of_figure};
 pub use subject::Subject;
 pub use tabular::Tabular;

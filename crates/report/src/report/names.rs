@@ -141,6 +141,19 @@ pub(super) fn safe(text: &str) -> String {
     text.chars().map(|c| if harmless(c) { c } else { '_' }).collect()
 }
 
+/// Text from outside, harmless to LaTeX.
+pub(super) fn plain(text: &str) -> String {
+    let written = |c: char| match c {
+        '_' => r"\_".to_owned(),
+        '<' | '>' | '=' => format!("${c}$"),
+        '√' => r"$\surd$".to_owned(),
+        'π' => r"$\pi$".to_owned(),
+        '−' => "$-$".to_owned(),
+        c => c.to_string(),
+    };
+    safe(text).chars().map(written).collect()
+}
+
 /// The bits of a double in hexadecimal.
 pub(super) fn bits(x: f64) -> String {
     format!("{:016x}", x.to_bits())

@@ -1,9 +1,9 @@
-//! Tables as a paper prints them, in LaTeX and Markdown: one row an arch, one column a quantity with its symbol and unit,
-//! angles in degrees. Two weights stand side by side, with their difference.
+//! Tables as a paper prints them, in LaTeX and Markdown: one row an arch, one column a quantity with its symbol and
+//! unit, angles in degrees. Two weights stand side by side, with their difference.
 
 use super::answer::{Answer, Status};
 use super::answers::Answers;
-use super::latex::plain;
+use super::names::plain;
 use super::tabular::Tabular;
 use super::value::Value;
 use super::words::{author, distinct};
@@ -48,7 +48,7 @@ impl Heading {
         Self { latex: plain(words), words: words.to_owned() }
     }
 
-    /// The same in degrees, of what is in radians.
+    /// Heading in degrees of what is in radians.
     fn in_degrees(self) -> Self {
         let turned = |text: String| match text.strip_suffix("rad") {
             Some(symbol) => format!("{symbol}deg"),
@@ -57,7 +57,7 @@ impl Heading {
         Self { latex: turned(self.latex), words: turned(self.words) }
     }
 
-    /// The same, of whom it is told.
+    /// Heading with whose value it is.
     fn of(self, whom: &str) -> Self {
         Self {
             latex: format!("{} ({whom})", self.latex),
@@ -80,12 +80,9 @@ impl PaperTable {
             |answer: &Answer| answer.subject.given().map(|text| text.unwrap_or("").to_owned());
         let arches = distinct(report.list.iter().map(given));
         let weights = distinct(report.list.iter().filter_map(|answer| answer.subject.weight()));
-        let quantities: Vec<Quantity> = report
-            .quantities
-            .iter()
-            .copied()
-            .filter(|&of| report.list.iter().any(|answer| answer.value(of).is_some()))
-            .collect();
+        let asked = report.quantities.iter().copied().chain([Quantity::AsymmetricThickness]);
+        let is_known = |&of: &Quantity| report.list.iter().any(|answer| answer.value(of).is_some());
+        let quantities: Vec<Quantity> = asked.filter(is_known).collect();
         let whom = |heading: Heading, weight: SelfWeight| match weights.len() {
             1 => heading,
             _ => heading.of(author(weight)),
@@ -239,5 +236,68 @@ fn latex(cell: &str) -> String {
         (_, NONE) => "--".to_owned(),
         (_, text) if text.parse::<f64>().is_ok() => format!(r"\num{{{text}}}"),
         (_, text) => plain(text),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certify::state::Inquiry;
+    use crate::problem::Arch;
+
+    fn arches(friction: &str, quantities: &[Quantity]) -> String {
+        let answer = |weight| {
+            let arch = Arch::parse(weight, "80deg", friction).unwrap();
+            Answer::state(1, &arch, &Inquiry::new(&arch, 12, false).state(12, false))
+        };
+        let list = ["heyman", "milankovitch"].map(answer).to_vec();
+        let report =
+            Answers { list, quantities: quantities.to_vec(), ..Answers::arches(12, false) };
+        let mut out = Vec::new();
+        PaperTable::of(&report).markdown(&mut out).unwrap();
+        String::from_utf8(out).unwrap()
+    }
+
+    #[test]
+    fn two_weights_stand_side_by_side_with_the_digits_of_their_difference() {
+        let table = arches("inf", &[Quantity::Thickness, Quantity::RotationJoint]);
+        let row: Vec<&str> = table.lines().nth(2).unwrap().split(" | ").collect();
+        assert_eq!(row[..2], ["| 80°", "∞"], "{table}");
+        let numbers: Vec<f64> =
+            row[4..].iter().map(|x| x.trim_end_matches(" |").parse().unwrap()).collect();
+        let [heyman, milankovitch, difference, joint, ..] = numbers[..] else { panic!("{table}") };
+        assert!((milankovitch - heyman - difference).abs() < 1e-11 && difference > 1e-5, "{table}");
+        assert!(49.0 < joint && joint < 51.0, "in degrees: {table}");
+    }
+
+    #[test]
+    fn what_does_not_stand_has_dashes_and_its_reason() {
+        let table = arches("0.1", &[Quantity::Thickness, Quantity::SlidingFriction]);
+        let row = table.lines().nth(2).unwrap();
+        assert!(
+            row.contains("falls (sliding) | falls (sliding)") && !table.contains("eta = t/r"),
+            "{table}"
+        );
+    }
+
+    #[test]
+    fn cells_are_as_one_prints_them() {
+        for (cell, markdown, tex) in [
+            ("80deg", "80°", r"\ang{80}"),
+            ("inf", "∞", r"$\infty$"),
+            ("pi/2", "π/2", r"$\pi$/2"),
+            ("-1.5e-9", "-1.5e-9", r"\num{-1.5e-9}"),
+            ("", "–", "--"),
+            (r"\input{x}", r"\input{x}", "_input_x_"),
+        ] {
+            assert_eq!((&printed(cell)[..], latex(cell)), (markdown, tex.to_owned()), "{cell}");
+        }
+    }
+
+    #[test]
+    fn a_difference_of_which_not_even_the_sign_is_known_is_bounded() {
+        let near = Ball::integer(-1, 64).hull(&Ball::integer(2, 64));
+        let bound: f64 = rounded(&near, 5).strip_prefix("0 ± ").unwrap().parse().unwrap();
+        assert!(bound >= 2.0, "{bound}");
     }
 }

@@ -1,4 +1,4 @@
-//! What can be written: a result makes records, and each format of records is written here, once.
+//! Results that can be written: each makes records, and each format of records is written here, once.
 
 use super::format::{Content, Format};
 use super::json;
@@ -13,15 +13,15 @@ pub trait Reported {
     where
         Self: Sized;
 
-    /// Its records: one is an object in JSON, several are a list.
+    /// Records of the result: one is an object in JSON, several are a list.
     fn records(&self) -> Vec<Record>;
 
-    /// Its rows in a table of columns.
+    /// Rows of the result, in columns.
     fn tabular(&self) -> Tabular {
         Tabular::default()
     }
 
-    /// Its picture as SVG.
+    /// Picture of the result, as SVG.
     fn picture(&self) -> io::Result<String> {
         unsupported()
     }

@@ -107,3 +107,25 @@ fn io_error(error: csv::Error) -> io::Error {
         other => io::Error::other(format!("{other:?}")),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_spreadsheet_with_commas_takes_every_number_and_nothing_else() {
+        let row = [("of", "[r,r,s]"), ("x", "-1.5e-9"), ("arch", "pi/2"), ("n", "0.1")];
+        let record: Record = row.into_iter().map(|(name, text)| (name, text.into())).collect();
+        let table = Tabular::of("of x arch n none", [record]);
+        let written = |write: fn(&Tabular, &mut dyn io::Write) -> io::Result<()>| {
+            let mut out = Vec::new();
+            write(&table, &mut out).unwrap();
+            String::from_utf8(out).unwrap()
+        };
+        assert_eq!(
+            written(Tabular::csv_with_commas),
+            "of;x;arch;n;none\n[r,r,s];-1,5e-9;pi/2;0,1;\n"
+        );
+        assert_eq!(written(Tabular::csv), "of,x,arch,n,none\n\"[r,r,s]\",-1.5e-9,pi/2,0.1,\n");
+    }
+}

@@ -8,7 +8,7 @@ use super::stream::{CHUNK, Chunk, Progress, in_order};
 use crate::arch::SelfWeight;
 use crate::judge::{Demand, Verdict};
 use crate::problem::Quantity;
-use crate::report::judged::{JudgeSummary, verdicts};
+use crate::report::judged::{JudgeSummary, JudgedLines, verdicts};
 use crate::report::words::list;
 use crate::report::{Content, Format, Reported};
 use crate::sweep::failure::Failure;
@@ -103,7 +103,7 @@ pub(crate) struct Arguments {
 }
 
 fn format_help() -> String {
-    let each = Format::all(Content::JUDGED).filter(|format| format.judged_lines().is_some());
+    let each = Format::all(Content::JUDGED).filter(|format| JudgedLines::of(format).is_some());
     format!(
         "{}; {} list every row and put a short summary on standard error, the others are a summary with a \
          histogram and the worst rows",
@@ -120,7 +120,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let syntax = source.syntax;
     let input = progress.counted(source.into_input());
     let keep = Keep::new(&arguments.keep);
-    let each = format.judged_lines();
+    let each = JudgedLines::of(format);
     let in_lines = each.is_none() || format.name == "jsonl";
     let given = GivenRows::new((syntax, input), columns, keep, in_lines)?;
     let GivenRows { columns, spelling, kept, mut rows } = given;

@@ -1,5 +1,5 @@
-//! Asymmetric solutions of Eq. (19) over friction, for one half opening, `couplet.branch/1`: their nodes are rows, and a
-//! picture shows them beside the least thickness.
+//! Asymmetric solutions of Eq. (19) over friction, for one half opening, `couplet.branch/1`: their nodes are rows, and
+//! a picture shows them beside the least thickness.
 
 mod picture;
 mod record;
@@ -8,12 +8,6 @@ use crate::arch::SelfWeight;
 use crate::arch::asymmetric::AsymmetricMode;
 use crate::atlas::{Branch, Level, Meeting, NoBranch, Place, Stretch};
 use crate::number::{Ball, ExactNumber, Rounded};
-use crate::report::format::Content;
-use crate::report::map::MapRow;
-use crate::report::record::Record;
-use crate::report::reported::Reported;
-use crate::report::tabular::Tabular;
-use std::io;
 
 /// The branch of a half opening, or why there is none.
 #[derive(Debug)]
@@ -58,32 +52,6 @@ impl BranchArch {
             _ if self.open().is_empty() => "proved",
             _ => "undecided",
         }
-    }
-}
-
-impl Reported for BranchArches {
-    fn content() -> Content {
-        Content::DRAWN_RECORDS
-    }
-
-    fn records(&self) -> Vec<Record> {
-        self.arches.iter().map(|arch| record::of(arch, self)).collect()
-    }
-
-    /// A row for each node of a branch, and of the line of the least thickness beside it.
-    fn tabular(&self) -> Tabular {
-        let found = self.arches.iter().filter_map(|arch| arch.found.as_ref().ok());
-        let rows = found.flat_map(|(branch, least)| {
-            let parts = branch.stretches.iter().map(|(_, stretch)| stretch);
-            let of_branch = parts.flat_map(|part| MapRow::of_stretch(branch, part));
-            let of_least = least.parts.iter().flat_map(|part| MapRow::of_part(least, part));
-            of_branch.chain(of_least).collect::<Vec<_>>()
-        });
-        Tabular::of_columns(MapRow::COLUMNS.iter().chain(&MapRow::OF_BRANCHES), rows)
-    }
-
-    fn picture(&self) -> io::Result<String> {
-        picture::picture(self)
     }
 }
 

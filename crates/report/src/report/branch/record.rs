@@ -1,12 +1,43 @@
 //! The record of a branch: its points in order, its parts with their nodes, and what is proved.
 
+use super::picture::picture;
 use super::{BranchArch, BranchArches, PROOF, events, quantities, rounded};
 use crate::atlas::{Branch, NoBranch, Stretch, Variable};
+use crate::report::format::Content;
 use crate::report::map::{MapRow, node, parts};
 use crate::report::record::{Record, Symbol};
+use crate::report::reported::Reported;
+use crate::report::tabular::Tabular;
 use crate::report::words::{count, kind, model};
+use std::io;
 
-pub(super) fn of(arch: &BranchArch, all: &BranchArches) -> Record {
+impl Reported for BranchArches {
+    fn content() -> Content {
+        Content::DRAWN_RECORDS
+    }
+
+    fn records(&self) -> Vec<Record> {
+        self.arches.iter().map(|arch| of(arch, self)).collect()
+    }
+
+    /// A row for each node of a branch, and of the line of the least thickness beside it.
+    fn tabular(&self) -> Tabular {
+        let found = self.arches.iter().filter_map(|arch| arch.found.as_ref().ok());
+        let rows = found.flat_map(|(branch, least)| {
+            let parts = branch.stretches.iter().map(|(_, stretch)| stretch);
+            let of_branch = parts.flat_map(|part| MapRow::of_stretch(branch, part));
+            let of_least = least.parts.iter().flat_map(|part| MapRow::of_part(least, part));
+            of_branch.chain(of_least).collect::<Vec<_>>()
+        });
+        Tabular::of_columns(MapRow::COLUMNS.iter().chain(&MapRow::OF_BRANCHES), rows)
+    }
+
+    fn picture(&self) -> io::Result<String> {
+        picture(self)
+    }
+}
+
+fn of(arch: &BranchArch, all: &BranchArches) -> Record {
     let mut record = Record::of("couplet.branch/1");
     record.say("Asymmetric solutions of the complementarity problem (19) over friction");
     record.say(format!("half opening {}, {}\n", arch.half_opening, model(arch.weight)));

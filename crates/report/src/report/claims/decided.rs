@@ -1,13 +1,8 @@
 //! Claims with what was found of them, and the words for it.
 
-use super::{latex, record};
 use crate::claims::{Argument, Decision, Finding, Support};
-use crate::report::format::{Content, Format};
-use crate::report::record::Record;
-use crate::report::reported::Reported;
-use crate::report::tabular::Tabular;
 use crate::report::words::count;
-use std::{io, iter};
+use std::iter;
 
 /// Claims with what was found of them.
 #[derive(Debug)]
@@ -18,29 +13,6 @@ pub struct Claims {
     pub show: bool,
     /// True if the time that each took is given, which is another time in every run.
     pub timed: bool,
-}
-
-impl Reported for Claims {
-    fn content() -> Content {
-        Content(&["text", "json", "csv", "csv2", "latex", "markdown"])
-    }
-
-    fn records(&self) -> Vec<Record> {
-        let mut all = Record::of("couplet.claims/3");
-        all.add_list("claims", self.decisions.iter().map(|of| record::of(self, of)));
-        all.say(summary(&self.decisions));
-        vec![all]
-    }
-
-    fn tabular(&self) -> Tabular {
-        let columns = "id place statement as_printed verdict counterexample corrected reason";
-        Tabular::of(columns, self.decisions.iter().map(|of| record::of(self, of)))
-    }
-
-    /// A document, with the derivations.
-    fn write_as(&self, format: &Format, out: &mut dyn io::Write) -> Option<io::Result<()>> {
-        (format.name == "latex").then(|| latex::claims(self, out))
-    }
 }
 
 /// The word for what became of the statement as it is printed.

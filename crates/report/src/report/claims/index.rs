@@ -1,5 +1,5 @@
-//! The paper, place by place, with what became of the claims that decide each sentence, `couplet.index/1`. Fields may be
-//! added, none changes its meaning.
+//! The paper, place by place, with what became of the claims that decide each sentence, `couplet.index/1`. Fields may
+//! be added, none changes its meaning.
 
 use super::decided::as_printed;
 use super::text::lines;

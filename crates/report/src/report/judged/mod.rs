@@ -11,7 +11,7 @@ pub use summary::JudgeSummary;
 pub use words::verdicts;
 
 use crate::problem::Quantity;
-use crate::report::format::Content;
+use crate::report::format::{Content, Format};
 use crate::report::record::Record;
 use crate::report::reported::Reported;
 use std::io;
@@ -28,6 +28,19 @@ pub struct JudgedLines {
     pub row: RowWriter,
 }
 
+impl JudgedLines {
+    /// CSV or JSON lines (`couplet.judged/2`); no other format has rows as they come.
+    pub fn of(format: &Format) -> Option<Self> {
+        match format.name {
+            "csv" => Some(Self { header: csv::header, row: csv::row }),
+            "jsonl" => {
+                Some(Self { header: |_, _| Ok(Vec::new()), row: |row, _, _| json::row(row) })
+            }
+            _ => None,
+        }
+    }
+}
+
 impl Reported for JudgeSummary {
     fn content() -> Content {
         Content(&["table", "json"])
@@ -39,9 +52,3 @@ impl Reported for JudgeSummary {
         vec![record]
     }
 }
-
-/// CSV.
-pub(crate) const CSV: JudgedLines = JudgedLines { header: csv::header, row: csv::row };
-/// JSON lines, `couplet.judged/2`.
-pub(crate) const JSON_LINES: JudgedLines =
-    JudgedLines { header: |_, _| Ok(Vec::new()), row: |row, _, _| json::row(row) };

@@ -17,13 +17,7 @@ pub(super) use rows::MapRow;
 
 use super::answer::Answer;
 use super::drawn::Drawing;
-use super::format::{Content, Format};
-use super::parquet;
-use super::record::Record;
-use super::reported::Reported;
-use super::tabular::Tabular;
 use crate::atlas::{Border, Level, Trace};
-use std::io;
 
 /// The curves of the map, each proved piece by piece.
 #[derive(Debug)]
@@ -56,34 +50,5 @@ impl Map {
             .chain(borders)
             .map(|name| format!("{name}: not every piece is proved"))
             .collect()
-    }
-}
-
-impl Reported for Map {
-    fn content() -> Content {
-        Content(&[
-            "table", "json", "csv", "csv2", "latex", "markdown", "parquet", "html", "svg", "png",
-        ])
-    }
-
-    fn records(&self) -> Vec<Record> {
-        vec![record::of(self)]
-    }
-
-    /// A row for each node.
-    fn tabular(&self) -> Tabular {
-        Tabular::of_columns(MapRow::COLUMNS.iter(), MapRow::of_map(self))
-    }
-
-    fn picture(&self) -> io::Result<String> {
-        self.drawing.svg(&self.traces, &self.levels, &self.borders)
-    }
-
-    fn write_as(&self, format: &Format, out: &mut dyn io::Write) -> Option<io::Result<()>> {
-        match format.name {
-            "html" => Some(page::html(self, out)),
-            "parquet" => Some(parquet::map(self, out)),
-            _ => None,
-        }
     }
 }

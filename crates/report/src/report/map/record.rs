@@ -1,10 +1,44 @@
 //! The record of a map: the curves with their nodes, and the domains as loops of curves.
 
 use super::rows::{MapRow, weight_of};
-use super::{Map, words};
+use super::{Map, page, words};
 use crate::atlas::{Border, Corner, DomainSide, Level, Trace, Variable, boundary};
 use crate::problem::Mode;
+use crate::report::format::{Content, Format};
+use crate::report::parquet;
 use crate::report::record::Record;
+use crate::report::reported::Reported;
+use crate::report::tabular::Tabular;
+use std::io;
+
+impl Reported for Map {
+    fn content() -> Content {
+        Content(&[
+            "table", "json", "csv", "csv2", "latex", "markdown", "parquet", "html", "svg", "png",
+        ])
+    }
+
+    fn records(&self) -> Vec<Record> {
+        vec![of(self)]
+    }
+
+    /// A row for each node.
+    fn tabular(&self) -> Tabular {
+        Tabular::of_columns(MapRow::COLUMNS.iter(), MapRow::of_map(self))
+    }
+
+    fn picture(&self) -> io::Result<String> {
+        self.drawing.svg(&self.traces, &self.levels, &self.borders)
+    }
+
+    fn write_as(&self, format: &Format, out: &mut dyn io::Write) -> Option<io::Result<()>> {
+        match format.name {
+            "html" => Some(page::html(self, out)),
+            "parquet" => Some(parquet::map(self, out)),
+            _ => None,
+        }
+    }
+}
 
 fn curve(trace: &Trace) -> Record {
     let [from, to] = trace.curve.ends().map(|end| end.to_string());
@@ -54,7 +88,7 @@ fn border(border: &Border) -> Record {
     record
 }
 
-/// What a row says of a node, without what the curve says.
+/// The fields of a node, without what the curve says.
 pub(in crate::report) fn node(row: &MapRow) -> Record {
     let named_before = ["weight", "curve", "mode", "node"];
     let of_node = MapRow::COLUMNS.iter().filter(|(name, _)| !named_before.contains(name));
@@ -97,7 +131,7 @@ fn domains() -> Vec<Record> {
 }
 
 /// The curves and the domains.
-pub(super) fn of(report: &Map) -> Record {
+fn of(report: &Map) -> Record {
     let mut record = Record::of("couplet.map/1");
     words::say(report, &mut record);
     record.add("tolerance", report.tolerance);

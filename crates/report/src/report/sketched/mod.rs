@@ -13,6 +13,7 @@
 //! | `notation` | the symbols, as Figure 1 has them |
 //! | `figures` | which arches the paper shows |
 //! | `json`, `dxf` | the geometry for other programs |
+//! | `formats` | the formats in which arches are drawn |
 //! | `lean` | JSON with lists on one line |
 //! | `arcs` | a chain of points as few arcs |
 
@@ -21,6 +22,7 @@ mod caption;
 mod dimensions;
 mod dxf;
 mod figures;
+mod formats;
 mod json;
 mod lean;
 mod legend;
@@ -36,11 +38,7 @@ pub use figures::arches_of_figure;
 use crate::arch::mechanism::Contact;
 use crate::atlas::{Collapse, Sketch};
 use crate::problem::measures::Measures;
-use crate::report::format::{Content, Format};
-use crate::report::record::Record;
-use crate::report::reported::Reported;
 use metres::Metres;
-use std::io;
 use std::ops::RangeInclusive;
 
 /// Arches to be drawn, beside each other.
@@ -54,28 +52,6 @@ pub struct Sketched {
     pub measures: Option<Measures>,
     /// The command that makes it, for its caption.
     pub command: String,
-}
-
-impl Reported for Sketched {
-    fn content() -> Content {
-        Content(&["json", "svg", "png", "dxf"])
-    }
-
-    fn records(&self) -> Vec<Record> {
-        Vec::new()
-    }
-
-    fn picture(&self) -> io::Result<String> {
-        Ok(picture::picture(self))
-    }
-
-    fn write_as(&self, format: &Format, out: &mut dyn io::Write) -> Option<io::Result<()>> {
-        match format.name {
-            "json" => Some(json::json(self, out)),
-            "dxf" => Some(dxf::dxf(self, out)),
-            _ => None,
-        }
-    }
 }
 
 /// Style of an arch.
