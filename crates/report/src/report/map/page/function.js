@@ -86,3 +86,9 @@ function least(delta, alpha, phi) {
   if (!(widest(delta, 2, phi).halfOpening >= alpha)) return null;
   return zero((eta) => alpha - widest(delta, eta, phi).halfOpening, 0, 2);
 }
+
+/** The least friction angle with which an arch of a thickness stands; `null` if it falls with each. */
+function leastFriction(delta, alpha, eta) {
+  if (!(widest(delta, eta, Math.PI / 2).halfOpening >= alpha)) return null;
+  return zero((phi) => alpha - widest(delta, eta, phi).halfOpening, 0, Math.PI / 2);
+}
