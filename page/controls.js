@@ -44,7 +44,8 @@ const enough = (phi) => phi < Math.PI / 2 ? (Math.ceil(Math.tan(phi) * 1e6) / 1e
 /** Beside lengths a ratio says that it is one. */
 const asRatio = (text) => isMeasured() && text && !/[a-z]$/.test(text) ? `${text}r` : text;
 
-addEventListener("shown", ({ detail: { given, found } }) => {
+addEventListener("shown", ({ detail: { given, found, isFault } }) => {
+  if (isFault) return;
   const { half_opening, span, measured_at, friction, friction_angle, thickness } = given;
   const put = (id, text) => { if (document.activeElement !== at(id)) at(id).value = text; };
   put("ask-radius", given.radius ?? "");

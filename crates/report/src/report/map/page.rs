@@ -25,6 +25,8 @@ const SCRIPT: &str = concat!(
     include_str!("page/function.js"),
     include_str!("page/given.js"),
     include_str!("page/axis.js"),
+    include_str!("page/frame.js"),
+    include_str!("page/names.js"),
     include_str!("page/plane.js"),
     include_str!("page/page.js")
 );

@@ -1,134 +1,11 @@
-// A plane of the map, drawn anew at any size and for any part of it: the domains and lines that the program drew, moved
-// and stretched as the curves that they are, and around them axes, values, names and, where it shows more, insets.
+// A plane of the map, drawn anew at any size and for any part of it: around its domains and lines axes, values, names
+// and, where it shows more, insets.
 
-const SVG = "http://www.w3.org/2000/svg";
-const INK = "#222222", GUIDE = "#999999", CROSS = "#b3261e";
-/** Sizes of fonts, the width of a line between domains, the rounding of a place in the whole plane, in its widths. */
-const TICK = 13, NAMES = [13, 15], LINE = 2, ROUNDED = 1e-6;
-/** An inset has this part of the frame, and shows a part at least so much larger, in frames at least so wide. */
-const INSET = 0.34, LARGER = 2, ROOMY = 500;
-/** Places that are looked at for the name of a domain, across and down, and the steps in which its room is measured. */
-const GRID = [60, 50], FINER = 0.05;
-/** The part of its ample size for which a name has to have room in its domain. */
-const INSIDE = 0.7;
-
-/** The width of a text, amply. */
-const wide = (text, size) => size * [...text].reduce((sum, letter) => sum + (/[[\],.lr ]/.test(letter) ? 0.42 : 0.66), 0);
-const stroke = (d, color = INK, width = 1.2) => `<path d="${d}" fill="none" stroke="${color}" stroke-width="${width}"/>`;
-function label(text, x, y, { size = TICK, anchor = "middle", halo = false, turn = 0 } = {}) {
-  const ground = halo ? ' paint-order="stroke" stroke="#ffffff" stroke-width="4"' : "", turned = turn ? ` transform="rotate(${turn} ${x} ${y})"` : "";
-  return `<text x="${x.toFixed(2)}" y="${(y + 0.36 * size).toFixed(2)}" font-size="${size}" fill="${INK}" text-anchor="${anchor}"${ground}${turned}>${text}</text>`;
-}
-const nameSize = (frame) => NAMES[Number(frame.width >= ROOMY)];
-const overlap = (a, b) => Math.abs(a.x - b.x) < a.half[0] + b.half[0] && Math.abs(a.y - b.y) < a.half[1] + b.half[1];
-
-/** A rectangle of the picture, and the part of a plane that it shows: the ranges along both axes. */
-class Frame {
-  constructor(left, top, width, height, view) {
-    Object.assign(this, { left, top, width, height, view, right: left + width, bottom: top + height });
-  }
-
-  at([x, y]) {
-    const [[x0, x1], [y0, y1]] = this.view;
-    return [this.left + (x - x0) / (x1 - x0) * this.width, this.bottom - (y - y0) / (y1 - y0) * this.height];
-  }
-
-  /** What lies at a place of the picture. */
-  of([x, y]) {
-    const [[x0, x1], [y0, y1]] = this.view;
-    return [x0 + (x - this.left) / this.width * (x1 - x0), y0 + (this.bottom - y) / this.height * (y1 - y0)];
-  }
-
-  holds([x, y]) {
-    return x >= this.left && x <= this.right && y >= this.top && y <= this.bottom;
-  }
-
-  outline() {
-    return `M${this.left} ${this.top}H${this.right}V${this.bottom}H${this.left}Z`;
-  }
-
-  /** The box that it takes, with the labels of its ticks. */
-  box() {
-    return { x: (this.left + this.right) / 2 - 20, y: (this.top + this.bottom) / 2 + 10, half: [this.width / 2 + 28, this.height / 2 + 18] };
-  }
-}
-
-/** The domains and lines in one frame: paths as letters and numbers, in parts of the whole plane from its upper left. */
-class Layer {
-  constructor(parent, groups, [width, height], id) {
-    const clip = document.createElementNS(SVG, "clipPath");
-    clip.id = `${id}-clip`;
-    this.window = clip.appendChild(document.createElementNS(SVG, "path"));
-    this.group = document.createElementNS(SVG, "g");
-    this.group.setAttribute("clip-path", `url(#${clip.id})`);
-    this.group.append(...groups);
-    parent.append(clip, this.group);
-    this.paths = [...this.group.querySelectorAll("g > path")].map((element) => {
-      let isAcross = false;
-      const tokens = element.getAttribute("d").match(/[MLCZ]|-?[\d.]+/g).map((token) => {
-        if (/[A-Z]/.test(token)) return token;
-        isAcross = !isAcross;
-        return Number(token) / (isAcross ? width : height);
-      });
-      return { element, tokens, of: element.parentElement.dataset.of };
-    });
-  }
-
-  /** Draws them in a frame, of which the whole plane has these ranges. */
-  place(frame, [[x0, x1], [y0, y1]]) {
-    const [left, top] = frame.at([x0, y1]), [right, bottom] = frame.at([x1, y0]);
-    this.window.setAttribute("d", frame.outline());
-    for (const { element, tokens } of this.paths) {
-      let d = "", isAcross = false;
-      for (const token of tokens) {
-        if (typeof token === "string") d += token;
-        else d += ((isAcross = !isAcross) ? left + token * (right - left) : top + token * (bottom - top)).toFixed(2) + " ";
-      }
-      element.setAttribute("d", d);
-    }
-  }
-}
-
-/** Places of a frame, to look for the one around which a domain has most room. */
-class Grid {
-  constructor(frame) {
-    this.frame = frame;
-    this.step = [frame.width / GRID[0], frame.height / GRID[1]];
-  }
-
-  /** The middle of the largest label of these proportions in a domain, off some boxes, and its size in labels; nothing if the domain is not seen. */
-  roomiest(outline, boxes, half) {
-    const { left, top } = this.frame, [dx, dy] = this.step, sums = new Uint16Array((GRID[0] + 1) * (GRID[1] + 1));
-    const at = (column, row) => ({ x: left + (column + 0.5) * dx, y: top + (row + 0.5) * dy });
-    const free = [];
-    for (let row = 0; row < GRID[1]; row++) {
-      const { y } = at(0, row), crossed = [];
-      outline.forEach((q, k) => {
-        const p = outline[k - 1];
-        if (p && q && (p[1] > y) !== (q[1] > y)) crossed.push(p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0]));
-      });
-      for (let column = 0, along = 0; column < GRID[0]; column++) {
-        const { x } = at(column, row), isInside = crossed.filter((other) => other < x).length % 2 === 1;
-        const isFree = isInside && !boxes.some((box) => Math.abs(box.x - x) < box.half[0] && Math.abs(box.y - y) < box.half[1]);
-        along += Number(isFree);
-        sums[(row + 1) * (GRID[0] + 1) + column + 1] = sums[row * (GRID[0] + 1) + column + 1] + along;
-        if (isFree) free.push([column, row]);
-      }
-    }
-    const fits = ([column, row], size) => {
-      const [across, down] = [size * half[0] / dx, size * half[1] / dy];
-      const [a, b] = [Math.floor(column + 0.5 - across), Math.ceil(column + 0.5 + across)], [c, d] = [Math.floor(row + 0.5 - down), Math.ceil(row + 0.5 + down)];
-      if (a < 0 || c < 0 || b > GRID[0] || d > GRID[1]) return false;
-      const sum = (column, row) => sums[row * (GRID[0] + 1) + column];
-      return sum(b, d) - sum(a, d) - sum(b, c) + sum(a, c) === (b - a) * (d - c);
-    };
-    let room = 0, best = free[0];
-    for (const place of free) {
-      while (fits(place, room + FINER)) [room, best] = [room + FINER, place];
-    }
-    return best && { ...at(...best), room };
-  }
-}
+const GUIDE = "#999999", CROSS = "#b3261e";
+/** The width of a line between domains, and the rounding of a place in the whole plane, in its widths. */
+const LINE = 2, ROUNDED = 1e-6;
+/** An inset has this part of the frame, and shows a part at least so much larger. */
+const INSET = 0.34, LARGER = 2;
 
 class Plane {
   constructor(figure) {
@@ -182,7 +59,7 @@ class Plane {
     const width = this.figure.clientWidth;
     if (!width) return;
     const [hasTop, hasRight] = [this.isFriction(0), this.isFriction(1)];
-    const left = 68, right = hasRight ? 68 : 50, top = hasTop ? 48 : 34, below = 46;
+    const left = 68, isRoomy = width >= ROOMY, right = hasRight ? (isRoomy ? 68 : 36) : 50, top = hasTop ? 48 : 34, below = 46;
     const high = Math.round(Math.min(0.8 * (width - left - right), 0.8 * innerHeight));
     const frame = new Frame(left, top, width - left - right, high, this.view), height = top + high + below;
     this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
@@ -196,10 +73,10 @@ class Plane {
     const insets = this.placeInsets(frame);
     this.frames = [...insets.map(({ frame }) => frame), frame];
     const taken = insets.map(({ frame }) => frame.box());
-    this.around.innerHTML = stroke(frame.outline(), INK, 1.4) + this.axes(frame, hasTop, hasRight);
+    this.around.innerHTML = stroke(frame.outline(), INK, 1.4) + this.axes(frame, hasTop, hasRight, isRoomy);
     const values = Plane.hasLevels ? this.values(frame, hasTop, hasRight) : { svg: "", taken: [] };
     const guides = insets.map(({ part, frame: to }) => this.guide(frame, part, to)).join("");
-    this.over.innerHTML = values.svg + guides + this.names(frame, [...taken, ...values.taken], this.drawnIn(insets)) + this.marked(frame);
+    this.over.innerHTML = values.svg + guides + new Names(this, frame, [...taken, ...values.taken]).all(this.drawnIn(insets)) + this.marked(frame);
     this.cross();
   }
 
@@ -207,7 +84,7 @@ class Plane {
   drawnIn(insets) {
     const named = new Set();
     for (const { frame, larger } of insets) {
-      larger.around.innerHTML = stroke(frame.outline()) + this.inner(frame) + this.names(frame, [], named, named);
+      larger.around.innerHTML = stroke(frame.outline()) + this.inner(frame) + new Names(this, frame, []).all(named);
     }
     return named;
   }
@@ -226,14 +103,14 @@ class Plane {
     }).join("");
   }
 
-  axes(frame, hasTop, hasRight) {
+  axes(frame, hasTop, hasRight, hasRoom) {
     const { left, right, top, bottom, width, height } = frame, [across, up] = this.labels, middle = [left + width / 2, top + height / 2];
     const bottomTicks = ticks(frame.view[0], Math.min(10, Math.max(3, width / 50))), leftTicks = ticks(frame.view[1], Math.max(3, height / 45));
     let svg = this.scale(frame, bottomTicks, ([x]) => [x, bottom, 0, -5, 0, 14]) + this.scale(frame, leftTicks, ([, y]) => [left, y, 5, 0, -6, 0]);
     svg += label(across, middle[0], bottom + 35, { size: 14 }) + label(up, 11, middle[1], { size: 14, turn: -90 });
     const coefficient = "friction coefficient μ = tan φ";
     if (hasTop) svg += this.scale(frame, frictionTicks(frame.view[0], width), ([x]) => [x, top, 0, 5, 0, -13]) + label(coefficient, middle[0], 12, { size: 14 });
-    if (hasRight) svg += this.scale(frame, frictionTicks(frame.view[1], height), ([, y]) => [right, y, -5, 0, 6, 0]) + label(coefficient, right + 57, middle[1], { size: 14, turn: -90 });
+    if (hasRight) svg += this.scale(frame, frictionTicks(frame.view[1], height), ([, y]) => [right, y, -5, 0, 6, 0]) + (hasRoom ? label(coefficient, right + 57, middle[1], { size: 14, turn: -90 }) : "");
     return svg;
   }
 
@@ -274,10 +151,11 @@ class Plane {
     }
     const taken = [];
     let svg = "";
-    for (const [side, all] of Object.entries(ends)) {
-      all.sort((a, b) => a.place - b.place);
+    for (const [side, found] of Object.entries(ends)) {
       const isRight = side === "right", isWithin = isRight ? hasRight : hasTop, [low, high] = isRight ? [frame.top, frame.bottom] : [frame.left, frame.right];
-      const gap = isRight ? 15 : Math.max(0, ...all.map(({ text }) => wide(text, TICK))) + 2;
+      const gap = isRight ? 15 : Math.max(0, ...found.map(({ text }) => wide(text, TICK))) + 2;
+      // Of more than have room some have no value.
+      const each = Math.ceil(found.length * gap / (high - low)), all = found.sort((a, b) => a.place - b.place).filter((_, k) => k % each === 0);
       const room = isWithin || !isRight ? gap / 2 : 0, moved = spread(all.map(({ place }) => place), gap, low + room, high - room);
       all.forEach(({ place, text }, k) => {
         const off = isWithin ? -12 : 14, half = wide(text, TICK) / 2;
@@ -331,72 +209,6 @@ class Plane {
     }
     this.known.set(id, found);
     return found;
-  }
-
-  /** Discs and names of landmarks, and the names of domains: where there is most room, else beside the domain with a line. */
-  names(frame, taken, known, named = new Set()) {
-    let svg = "";
-    const seen = this.landmarks.filter(([, at]) => frame.holds(frame.at(at))), boxes = [...taken];
-    const place = (name) => seen.find(([of]) => of === name)?.[1];
-    const [s, j] = ["S", "J"].map((name) => place(name) && frame.at(place(name)));
-    const size = nameSize(frame), areClose = s && j && Math.hypot(s[0] - j[0], s[1] - j[1]) < 2 * size;
-    seen.forEach(([, at]) => {
-      const [x, y] = frame.at(at);
-      svg += `<circle cx="${x.toFixed(2)}" cy="${y.toFixed(2)}" r="4.5" fill="${INK}" stroke="#ffffff"/>`;
-      boxes.push({ x, y, half: [5, 5] });
-    });
-    for (const [name, at, away] of seen) {
-      if (areClose && name === "J") continue;
-      const text = areClose && name === "S" ? "S, J" : name, [x, y] = frame.at(at), half = [wide(text, size) / 2, 0.6 * size];
-      const spots = [1, 1.8].flatMap((far) => [[1, 1], [1, -1], [-1, 1], [-1, -1]].map(([across, up]) => {
-        const [dx, dy] = [across * far * away[0], up * far * away[1]];
-        return { x: x + dx * size + Math.sign(dx) * (half[0] - size / 2), y: y + dy * size, half };
-      }));
-      const spot = spots.find((box) => this.isFree(frame, box, boxes));
-      if (!spot) continue;
-      boxes.push(spot);
-      svg += label(text, spot.x, spot.y, { size, halo: true });
-    }
-    return svg + this.domainNames(frame, boxes, known, named);
-  }
-
-  domainNames(frame, boxes, known, named) {
-    const size = nameSize(frame), grid = new Grid(frame);
-    let svg = this.edgeName(frame, size, boxes);
-    for (const [of, text] of this.domains.filter(([of]) => of !== "domain-r")) {
-      const half = [wide(text, size) / 2, 0.7 * size], best = grid.roomiest(this.points(of).map((point) => point && frame.at(point)), boxes, half);
-      if (!best || best.room < INSIDE && known.has(of)) continue;
-      let spot = { x: best.x, y: best.y, half };
-      if (best.room < INSIDE) {
-        const turns = [36, 50, 70, 95, 120].flatMap((far) => Array.from({ length: 24 }, (_, k) => [far * Math.cos(k * Math.PI / 12), far * Math.sin(k * Math.PI / 12)]));
-        const spots = turns.map(([dx, dy]) => ({ x: best.x + dx, y: best.y + dy, half }));
-        spot = spots.find((box) => this.isFree(frame, box, boxes));
-        if (!spot) continue;
-        svg += stroke(`M${best.x.toFixed(1)} ${best.y.toFixed(1)}L${spot.x.toFixed(1)} ${spot.y.toFixed(1)}`, INK, 1);
-      }
-      boxes.push(spot);
-      named.add(of);
-      svg += label(text, spot.x, spot.y, { size, halo: true });
-    }
-    return svg;
-  }
-
-  /** Overturning is the edge of unlimited friction, and has its name beside the middle of what is seen of it. */
-  edgeName(frame, size, boxes) {
-    const [, text] = this.domains.find(([of]) => of === "domain-r"), half = [wide(text, size) / 2, 0.7 * size];
-    const seen = this.plane === "opening-thickness" ? [] : this.points("domain-r").filter((point) => point && frame.holds(frame.at(point)));
-    const middle = seen.length / 2, order = seen.map((_, k) => k).sort((a, b) => Math.abs(a - middle) - Math.abs(b - middle));
-    const spot = order.map((k) => frame.at(seen[k])).map(([x, y]) => this.isFriction(0) ? { x: x - half[0] - 8, y, half } : { x, y: y + 16, half })
-      .find((box) => this.isFree(frame, box, boxes));
-    if (!spot) return "";
-    boxes.push(spot);
-    return label(text, spot.x, spot.y, { size, halo: true });
-  }
-
-  /** Whether a text has room in a frame, off what has its place. */
-  isFree(frame, box, boxes) {
-    const isWithin = [-1, 1].every((side) => frame.holds([box.x + side * box.half[0], box.y + side * box.half[1]]));
-    return isWithin && boxes.every((other) => !overlap(box, other));
   }
 
   /** The arches that the program marked, with their numbers. */
@@ -473,9 +285,3 @@ class Plane {
   }
 }
 Plane.hasLevels = true;
-
-/** A number in steps of what a pixel shows of a range, strictly above zero. */
-function stepped(value, [from, to], pixels) {
-  const decimals = Math.max(0, Math.ceil(-Math.log10((to - from) / pixels)));
-  return Math.min(Math.max(value, 10 ** -decimals), to).toFixed(decimals);
-}
