@@ -38,6 +38,9 @@ function ratio({ radius, span, rise, measured_at = "intrados", thickness }) {
 /** A friction from its angle in degrees, to three digits; at the end of the slider it is unlimited. */
 const coefficient = (degrees) => degrees < 90 ? String(Number(Math.tan(degrees * DEGREE).toPrecision(3))) : "inf";
 
+/** A half opening in degrees, as frictions of places are, to four decimals. */
+const rounded = (alpha) => `${(alpha / DEGREE).toFixed(4)}deg`;
+
 /** A friction that is enough where its least angle was found, to six digits. */
 const enough = (phi) => phi < Math.PI / 2 ? (Math.ceil(Math.tan(phi) * 1e6) / 1e6).toFixed(6) : "inf";
 
@@ -51,7 +54,7 @@ addEventListener("shown", ({ detail: { given, found, isFault } }) => {
   put("ask-radius", given.radius ?? "");
   shapes(span !== undefined);
   // From a place of the map a slider goes on with its half opening and its friction.
-  const place = half_opening ?? (span === undefined ? found.halfOpening?.toFixed(6) : undefined);
+  const place = half_opening ?? (span === undefined ? found.halfOpening && rounded(found.halfOpening) : undefined);
   if (place !== undefined) {
     put("ask-half-opening", place);
     put("slide-half-opening", read(place) / DEGREE);
@@ -93,5 +96,5 @@ at("ask").addEventListener("submit", (event) => {
 at("take").addEventListener("click", () => {
   const { weight, half_opening, friction, friction_angle } = last.given, { halfOpening, phi } = last.found;
   const given = friction_angle === undefined ? { friction: friction ?? enough(phi) } : { friction_angle };
-  show({ weight, half_opening: half_opening ?? halfOpening.toFixed(6), ...given }, true);
+  show({ weight, half_opening: half_opening ?? rounded(halfOpening), ...given }, true);
 });
