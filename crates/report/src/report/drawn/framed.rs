@@ -25,13 +25,13 @@ pub(in crate::report) struct FramedMap {
     pub plane: Plane,
     /// Domains and lines as SVG, in a frame as large as the picture.
     pub svg: String,
-    /// What stands around them.
+    /// Data of the things around them.
     pub around: Surroundings,
-    /// What it shows and how near that is to the truth, and what its marks are, each a paragraph.
+    /// Caption: what is shown and how near that is to the truth, and the marks, each a paragraph.
     pub caption: Vec<String>,
 }
 
-/// What a page has to place: all points and lengths in the units of the axes.
+/// Data of the things that a page has to place, all points and lengths in the units of the axes.
 #[derive(Serialize)]
 pub(in crate::report) struct Surroundings {
     /// Labels of the axes, to the right and up.
@@ -48,7 +48,7 @@ pub(in crate::report) struct Surroundings {
     domains: Vec<(String, &'static str)>,
     /// Levels by the names of their groups.
     levels: Vec<(String, String)>,
-    /// What the levels are.
+    /// Label of the levels.
     levels_label: &'static str,
     /// Arches that are marked, with the ends of the strokes to the thicknesses that are given.
     marks: Vec<(Point, Option<Point>)>,

@@ -83,7 +83,7 @@ impl Plane {
         Self::ALL.into_iter().find(|plane| plane.name().eq_ignore_ascii_case(name))
     }
 
-    /// What a map in the plane shows.
+    /// Sentence on what a map in the plane shows.
     pub(super) fn shows(self) -> &'static str {
         match self {
             Self::ThicknessFriction => {

@@ -110,7 +110,7 @@ fn figure(map: &FramedMap, shown: Option<SelfWeight>) -> String {
     )
 }
 
-/// What lies along the axes of a plane, in words.
+/// Axes of a plane in words.
 fn axes(plane: Plane) -> &'static str {
     match plane {
         Plane::ThicknessFriction => "thickness over friction",
