@@ -44,12 +44,12 @@ impl MapPicture<'_> {
         let ([x, y], [across, up]) = (canvas.axes, content.off(&frame));
         let (sheets, off) = (std::slice::from_ref(self.sheet), [(x, across), (y, up)]);
         let mut words =
-            caption(self.shows(), sheets, (&off, SIZE), &of_levels(sheets), self.command);
+            caption(canvas.plane.shows(), sheets, (&off, SIZE), &of_levels(sheets), self.command);
         if content.asymmetric.is_some() {
             words[0].push_str(&asymmetric::words(self.sheet.weight));
         }
         words.splice(1..1, mark::words(self.marks, canvas));
-        let (page, mut svg) = Page::new(canvas, self.shows(), &words, has_levels);
+        let (page, mut svg) = Page::new(canvas, canvas.plane.shows(), &words, has_levels);
         let frame = &page.frame;
         svg.clipped(&frame.outline(), |svg| content.draw(svg, frame, ""));
         page.draw(&mut svg);
@@ -93,28 +93,6 @@ impl MapPicture<'_> {
         }
         mark::draw(&mut svg, &marks, "");
         svg.finish()
-    }
-
-    /// Frames where it shows points of the plane: its insets, then the map itself.
-    pub(super) fn frames(&self) -> Vec<Frame> {
-        let content = PlaneContent::new(self.sheet, &self.canvas);
-        let (page, _) = Page::new(&self.canvas, "", &[], !content.levels.is_empty());
-        let insets = Inset::all(&content, &self.canvas, &page.frame, &[]);
-        insets.iter().map(|inset| inset.frame).chain([page.frame]).collect()
-    }
-
-    fn shows(&self) -> &'static str {
-        match self.canvas.plane {
-            Plane::ThicknessFriction => {
-                "The domains of the collapse modes over thickness and friction"
-            }
-            Plane::OpeningFriction => {
-                "The collapse mode of an arch at its least thickness, by half opening and friction"
-            }
-            Plane::OpeningThickness => {
-                "The collapse mode of an arch at its least friction, by half opening and thickness"
-            }
-        }
     }
 
     fn names<'a>(&self, content: &'a PlaneContent, frame: &'a Frame, sizes: [f64; 2]) -> Names<'a> {

@@ -17,7 +17,7 @@ pub(super) struct Spot {
 }
 
 /// Direction from a landmark to the middle of its name, in sizes of the font: away from the lines.
-fn away(landmark: Landmark, plane: Plane) -> Point {
+pub(super) fn away(landmark: Landmark, plane: Plane) -> Point {
     use Landmark as L;
     match (plane, landmark) {
         (Plane::ThicknessFriction, L::Triple) => (-0.9, -0.5),
