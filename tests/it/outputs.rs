@@ -208,7 +208,6 @@ outputs! {
         "couplet constants --weight heymann",
         "couplet prove eq-99",
         "couplet prove --format toml",
-        "couplet prove --index --format latex",
         "couplet prove --index eq-16",
         "couplet study accuracy --only T",
         "couplet certify T --half-opening 1",

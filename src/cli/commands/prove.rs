@@ -1,7 +1,7 @@
 //! `couplet prove`.
 
 use super::notes::each_once;
-use super::output::{Output, OutputFile, is_written};
+use super::output::{Output, OutputFile};
 use crate::check::{read, visible_name};
 use crate::claims::Claim;
 use crate::claims::coq::{self, StateError};
@@ -65,9 +65,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return write_coq(folder, files);
     }
     let format = arguments.file.format(arguments.format, Claims::content(), "text")?;
-    if arguments.index {
-        is_written("the index", Index::content(), format)?;
-    }
     let named = each_once(arguments.claims.clone(), String::clone, String::clone);
     let chosen =
         parse::claims_named(&named).map_err(|error| format!("{error}; --list shows the claims"))?;

@@ -3,7 +3,7 @@
 
 use super::answer::{Answer, Status};
 use super::answers::Answers;
-use super::names::plain;
+use super::names::in_latex;
 use super::tabular::Tabular;
 use super::value::Value;
 use super::words::{author, distinct};
@@ -45,7 +45,7 @@ impl Heading {
     }
 
     fn words(words: &str) -> Self {
-        Self { latex: plain(words), words: words.to_owned() }
+        Self { latex: in_latex(words), words: words.to_owned() }
     }
 
     /// Heading in degrees of what is in radians.
@@ -232,10 +232,9 @@ fn latex(cell: &str) -> String {
     let cell = printed(cell);
     match (cell.strip_suffix('°'), &cell[..]) {
         (Some(degrees), _) if degrees.parse::<f64>().is_ok() => format!(r"\ang{{{degrees}}}"),
-        (_, "∞") => r"$\infty$".to_owned(),
         (_, NONE) => "--".to_owned(),
         (_, text) if text.parse::<f64>().is_ok() => format!(r"\num{{{text}}}"),
-        (_, text) => plain(text),
+        (_, text) => in_latex(text),
     }
 }
 
@@ -288,7 +287,7 @@ mod tests {
             ("pi/2", "π/2", r"$\pi$/2"),
             ("-1.5e-9", "-1.5e-9", r"\num{-1.5e-9}"),
             ("", "–", "--"),
-            (r"\input{x}", r"\input{x}", "_input_x_"),
+            (r"\input{x}", r"\input{x}", r"\textbackslash{}input\{x\}"),
         ] {
             assert_eq!((&printed(cell)[..], latex(cell)), (markdown, tex.to_owned()), "{cell}");
         }
