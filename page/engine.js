@@ -1,5 +1,12 @@
 // Proofs and checks run in workers, so that the page is never still: one for the arch that is shown, one for files.
 
+/** The checker, unpacked and compiled once for all workers. */
+let compiled = null;
+async function unpacked() {
+  const packed = Uint8Array.from(atob(at("wasm").textContent.trim()), (letter) => letter.charCodeAt(0));
+  return WebAssembly.compile(await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer());
+}
+
 /** A worker with the checker in WebAssembly, started when it is needed. */
 class Engine {
   #worker = null;
@@ -23,7 +30,7 @@ class Engine {
           reject(new Error(reason));
         }
       });
-      worker.postMessage({ wasm: at("wasm").textContent });
+      (compiled ??= unpacked()).then((module) => worker.postMessage({ module }), reject);
       this.#worker = worker;
       URL.revokeObjectURL(address);
     });

@@ -56,6 +56,7 @@ function questions(given, found, wanted) {
 
 /** The answer of the checker, with its subject or the reason why there is none. */
 async function prove(given, found, wanted) {
+  await prover.ready();
   const late = setTimeout(() => prover.stop(), patience * 1000);
   const answer = await prover.ask("prove", questions(given, found, wanted));
   if (answer && answer.reason === undefined && typeof found === "string") answer.more = await moreFriction(given);

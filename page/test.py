@@ -435,6 +435,7 @@ def nonsense(page):
         ("plane=constructor", "the plane 'constructor' is none of this page"),
         ("friction_range=50..40", "the smaller first, within 0..90, and not '50..40'"),
         ("thickness_range=0..2.5", "within 0..2, and not '0..2.5'"),
+        ("friction_range=30..30.01", "closer its lines are not proved"),
         ("half_opening_range=0..90", "the plane thickness-friction has no axis of half opening"),
     ]:
         summary = refused(page, fragment)

@@ -2,10 +2,10 @@
 // What runs beside the page: the checker in WebAssembly. It is asked by { id, name, texts } and answers the last of what
 // came of the texts, the first of which has no reason why it is not proved.
 
-let bytes = null, engine = null;
+let module = null, engine = null;
 
 async function load() {
-  engine = (await WebAssembly.instantiate(bytes)).instance.exports;
+  engine = (await WebAssembly.instantiate(module)).exports;
 }
 
 /** What a function of the engine makes of a text; one that stops, as for want of memory, is loaded anew. */
@@ -22,11 +22,10 @@ async function call(name, input) {
   }
 }
 
-addEventListener("message", async ({ data: { wasm, id, name, inputs } }) => {
-  if (wasm !== undefined) {
+addEventListener("message", async ({ data: { module: compiled, id, name, inputs } }) => {
+  if (compiled !== undefined) {
+    module = compiled;
     try {
-      const packed = Uint8Array.from(atob(wasm.trim()), (letter) => letter.charCodeAt(0));
-      bytes = await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
       await load();
       postMessage({ ready: true });
     } catch (error) {

@@ -100,7 +100,10 @@ function partOf(plane, { half_opening_range, friction_range, thickness_range }) 
   });
   const other = Object.keys(asked).find((name) => asked[name] !== undefined);
   if (other) return `the plane ${plane.plane} has no axis of ${other.replace("half", "half opening")}`;
-  return view.find((range) => typeof range === "string") ?? view;
+  const wrong = view.find((range) => typeof range === "string"), least = plane.least();
+  if (wrong) return wrong;
+  const narrow = view.findIndex(([from, to], k) => to - from < 0.999 * least[k]);
+  return narrow < 0 ? view : `a range of the ${plane.labels[narrow]} is ${least[narrow].toPrecision(2)} wide at least: closer its lines are not proved`;
 }
 
 /** Shows what the address names, or what is wrong with it. */

@@ -257,13 +257,18 @@ class Plane {
     return [clientX - left, clientY - top];
   }
 
+  /** The shortest ranges that are shown: there what is proved of a line is as wide as the line. */
+  least() {
+    const { width, height } = this.frames.at(-1);
+    return this.off.map((off, k) => (off + ROUNDED * (this.ranges[k][1] - this.ranges[k][0])) * [width, height][k] / LINE);
+  }
+
   /** Shows another part, as large as this one times a factor, with a place of it kept or moved. */
   look(factor, place, [dx, dy] = [0, 0]) {
-    const frame = this.frames.at(-1), kept = frame.of(place), size = this.ranges.map(([low, high]) => high - low);
-    // Nowhere closer than where what is proved of a line is as wide as the line.
-    const pixels = [frame.width, frame.height], off = this.off.map((off, k) => (off / size[k] + ROUNDED) * pixels[k]);
-    const shares = this.view.map(([low, high], k) => (high - low) / size[k]);
-    const ratio = Math.min(1 / Math.max(...shares), Math.max(factor, Math.min(1, Math.max(...off) / LINE / Math.max(...shares))));
+    const frame = this.frames.at(-1), kept = frame.of(place), least = this.least();
+    const far = Math.max(...this.view.map(([low, high], k) => (high - low) / (this.ranges[k][1] - this.ranges[k][0])));
+    const near = Math.max(...this.view.map(([low, high], k) => least[k] / (high - low)));
+    const ratio = Math.min(1 / far, Math.max(factor, Math.min(1, near)));
     const moved = [dx / frame.width, -dy / frame.height];
     this.show(this.view.map(([low, high], k) => {
       const length = (high - low) * ratio, start = kept[k] - (kept[k] - low) * ratio - moved[k] * length, [first, last] = this.ranges[k];
