@@ -83,7 +83,13 @@ fn draw(
     };
     let sketches = shown.iter().map(sketch).collect::<Result<_, _>>()?;
     let style = Style::of_figure(arguments.number);
-    let report = Report::Sketched(Sketched { sketches, style, measures: None, command: typed() });
+    let report = Report::Sketched(Sketched {
+        sketches,
+        style,
+        measures: None,
+        between: Vec::new(),
+        command: typed(),
+    });
     arguments.file.open_for(format)?.write(|out| report.write(format, out))
 }
 

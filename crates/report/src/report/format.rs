@@ -15,6 +15,7 @@ use super::rows::Rows;
 use super::sampled::{self, SampledLines};
 use super::sketched::{self, Sketched};
 use super::tilt::{self, TiltedArch};
+use super::tilt_picture;
 use super::voussoirs::{self, VoussoirArches};
 use super::words::{distinct, list};
 use super::{c, csv, drawn, fortran, json, julia, latex, matlab, plain, python, rust, table, toml};
@@ -154,7 +155,7 @@ pub(super) const VOUSSOIRS: Writers<VoussoirArches> = Writers {
 };
 pub(super) const TILTED: Writers<[TiltedArch]> = Writers {
     texts: &[("table", tilt::table), ("json", tilt::json), ("csv", tilt::csv)],
-    picture: None,
+    picture: Some(tilt_picture::picture),
 };
 pub(super) const COMPLEMENTARITY: Writers<[ComplementarityArch]> = Writers {
     texts: &[

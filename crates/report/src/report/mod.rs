@@ -65,6 +65,7 @@ pub mod study;
 mod subject;
 mod table;
 mod tilt;
+mod tilt_picture;
 mod toml;
 mod understood;
 mod value;

@@ -1,30 +1,78 @@
-//! Arches under a horizontal acceleration: for a person, CSV, and JSON (`couplet.tilt/2`).
+//! Arches under a horizontal acceleration: for a person, CSV, and JSON (`couplet.tilt/2`); the
+//! [picture](super::tilt_picture) is beside.
 
 use super::fields::Fields;
 use super::understood::Understood;
 use super::words::{apart, division};
 use super::{csv, json};
-use crate::arch::SelfWeight;
+use crate::arch::mechanism::Contact;
 use crate::arch::whole::Side;
 use crate::certify::state::Figure;
-use crate::certify::{LargestTilt, TiltDigits, TiltLimit, Undecided};
+use crate::certify::{LargestTilt, TiltDigits, TiltLimit, TiltMechanism, TiltedJoint, Undecided};
+use crate::number::{Ball, Drawable, ExactNumber, Rounded, degrees};
 use crate::problem::asymmetric_region::MAY_MOVE;
 use crate::problem::stones::Stones;
+use crate::problem::{Arch, Slope};
 use std::io;
+
+/// Digits of an angle among words.
+const DIGITS: usize = 6;
+
+/// A joint that gives way, by its side and its angle from the crown.
+pub(super) struct Joint<'a> {
+    /// The joint as it is proved.
+    pub of: &'a TiltedJoint,
+    pub side: Side,
+    /// Angle from the crown, rad, without its sign.
+    pub size: Ball,
+    /// The joint between two stones, from the crown on.
+    pub number: Option<u64>,
+}
+
+impl Joint<'_> {
+    fn is_crown(&self) -> bool {
+        Drawable::is_zero(&self.size)
+    }
+
+    /// The condition of the joint.
+    fn limit(&self) -> TiltLimit {
+        TiltLimit {
+            contact: self.of.contact,
+            is_springing: self.of.is_springing,
+            is_right: self.side == Side::Right,
+            joint: self.number,
+        }
+    }
+
+    /// ` (54.12 deg)`; at the crown nothing.
+    fn angle(&self, digits: usize) -> String {
+        let degrees = self.degrees(digits.min(DIGITS)).filter(|_| !self.is_crown());
+        degrees.map_or(String::new(), |degrees| format!(" ({degrees} deg)"))
+    }
+
+    /// Angle from the crown in degrees, correctly rounded.
+    pub(super) fn degrees(&self, digits: usize) -> Option<String> {
+        super::sketched::decided(&degrees(&self.size), digits)
+    }
+}
 
 /// An arch of a given thickness under an acceleration, and what is proved of it.
 #[derive(Debug)]
 pub struct TiltedArch {
-    /// The self-weight model.
-    pub weight: SelfWeight,
     /// Question as it is understood.
     pub asked: Understood,
-    /// Half opening, friction, thickness and acceleration as given.
-    pub given: [String; 4],
+    /// The arch.
+    pub arch: Arch,
+    /// The thickness as given.
+    pub thickness: ExactNumber,
+    /// The acceleration as given.
+    pub tilt: Slope,
     /// Stones of the arch, where it has joints between these only.
     pub stones: Option<Stones>,
-    /// True if the arch's friction is limited.
-    pub is_limited: bool,
+    /// Digits of what is proved.
+    pub digits: usize,
+    /// The command that makes it, for the caption of a picture.
+    pub command: String,
     /// Result that is proved; `None` if the arch does not even stand without acceleration.
     pub found: Result<Option<TiltDigits>, Undecided>,
 }
@@ -49,7 +97,7 @@ impl TiltedArch {
     }
 
     /// Outcome in a word.
-    fn outcome(&self) -> &'static str {
+    pub(super) fn outcome(&self) -> &'static str {
         match self.is_admissible() {
             Some(true) => "stands",
             Some(false) => "collapses",
@@ -59,7 +107,7 @@ impl TiltedArch {
 
     /// Tells whether an admissible state does not exclude a motion: joints that slide do not open.
     fn may_move(&self) -> bool {
-        self.is_limited && self.is_admissible() == Some(true)
+        self.arch.is_limited() && self.is_admissible() == Some(true)
     }
 
     /// The largest acceleration, where it is known.
@@ -68,22 +116,57 @@ impl TiltedArch {
     }
 
     /// Largest acceleration as a figure.
-    fn figure(&self) -> Option<&Figure> {
+    pub(super) fn figure(&self) -> Option<&Figure> {
         match self.largest()? {
             LargestTilt::Limited(figure, _) => Some(figure),
             LargestTilt::Unlimited => None,
         }
     }
 
-    /// Limits of the acceleration, in words.
+    /// The joints that give way at the largest acceleration, where their places are proved.
+    pub(super) fn mechanism(&self) -> Option<&TiltMechanism> {
+        self.found.as_ref().ok()?.as_ref()?.mechanism.as_ref().ok()?.as_ref()
+    }
+
+    /// The joints that give way, with their sides and, between stones, their numbers.
+    pub(super) fn joints(&self) -> Vec<Joint<'_>> {
+        self.mechanism().into_iter().flat_map(|all| &all.joints).map(|of| self.joint(of)).collect()
+    }
+
+    fn joint<'a>(&self, of: &'a TiltedJoint) -> Joint<'a> {
+        let TiltedJoint { angle, .. } = of;
+        let side = if *angle.mid() < 0 { Side::Left } else { Side::Right };
+        let size = if side == Side::Left { -angle.clone() } else { angle.clone() };
+        let nearest = |stones: &Stones| {
+            let away = |joint: &u64| {
+                let joint: Ball = stones.angle(*joint, size.prec()).rad;
+                (joint.double() - size.double()).abs()
+            };
+            (0..stones.count()).min_by(|a, b| away(a).total_cmp(&away(b)))
+        };
+        let number = self.stones.as_ref().and_then(nearest);
+        Joint { of, side, size, number }
+    }
+
+    /// Why the joints that give way are not told, if they are not.
+    pub(super) fn open_joints(&self) -> Option<&Undecided> {
+        self.found.as_ref().ok()?.as_ref()?.mechanism.as_ref().err()
+    }
+
+    /// Description of what a joint does, in words, by its condition on one side.
+    pub(super) fn happens(&self, side: Side, contact: Contact) -> &'static str {
+        match side.contact(contact) {
+            slip if !slip.is_hinge() && !self.arch.is_limited() => "opens",
+            other => other.name(),
+        }
+    }
+
+    /// Limits of the acceleration, in words: with the angles of the joints, where these are proved.
     fn limits(&self) -> Vec<String> {
-        let words = |limit: &TiltLimit| {
+        let words = |limit: &TiltLimit, angle: String| {
             let side = if limit.is_right { Side::Right } else { Side::Left };
             let name = side.name();
-            let words = match side.contact(limit.contact) {
-                slip if !slip.is_hinge() && !self.is_limited => "opens",
-                other => other.name(),
-            };
+            let words = self.happens(side, limit.contact);
             let place = match (limit.is_springing, limit.joint.zip(self.stones.as_ref())) {
                 (true, _) => format!("at the {name} springing"),
                 (false, None) => format!("on the {name}"),
@@ -93,18 +176,22 @@ impl TiltedArch {
                     format!("at joint {number} on the {name}")
                 }
             };
-            format!("{words} {place}")
+            format!("{words} {place}{angle}")
         };
-        match self.largest() {
-            Some(LargestTilt::Limited(_, limits)) => limits.iter().map(words).collect(),
-            _ => Vec::new(),
+        let Some(LargestTilt::Limited(_, limits)) = self.largest() else { return Vec::new() };
+        let joints = self.joints();
+        match joints.is_empty() {
+            true => limits.iter().map(|limit| words(limit, String::new())).collect(),
+            false => {
+                joints.iter().map(|joint| words(&joint.limit(), joint.angle(self.digits))).collect()
+            }
         }
     }
 }
 
 pub(super) fn table(all: &[TiltedArch], out: &mut dyn io::Write) -> io::Result<()> {
     apart(all, out, |arch, out| {
-        writeln!(out, "Arch of {}\n", arch.asked.with_weight(arch.weight))?;
+        writeln!(out, "Arch of {}\n", arch.asked.with_weight(arch.arch.weight()))?;
         let joints = if arch.stones.is_some() { "between the stones" } else { "on the whole arch" };
         let outcome = match (arch.is_admissible(), &arch.found) {
             (_, Ok(None)) => "collapses, proved: it does not stand without tilt either".to_owned(),
@@ -123,7 +210,7 @@ pub(super) fn table(all: &[TiltedArch], out: &mut dyn io::Write) -> io::Result<(
                 LargestTilt::Limited(figure, _) => figure.to_string(),
                 LargestTilt::Unlimited => "unbounded".to_owned(),
             };
-            let words = if arch.is_limited { "falls from the tilt" } else { "largest tilt" };
+            let words = if arch.arch.is_limited() { "falls from the tilt" } else { "largest tilt" };
             writeln!(out, "\n   {words:<24} {text}")?;
             arch.limits().iter().enumerate().try_for_each(|(index, limit)| {
                 let words = if index == 0 { "        limited by" } else { "" };
@@ -155,9 +242,11 @@ pub(super) fn json(all: &[TiltedArch], out: &mut dyn io::Write) -> io::Result<()
 fn fields(arch: &TiltedArch) -> Fields {
     let mut fields = Fields::of("couplet.tilt/2");
     fields.add_fields("asked", Some(arch.asked.fields()));
-    fields.add("weight", arch.weight.name());
-    let given = arch.given.each_ref().map(|text| text.as_str().into());
-    fields.append(Fields::named("half_opening friction thickness tilt", given));
+    fields.add("weight", arch.arch.weight().name());
+    fields.add("half_opening", arch.arch.half_opening().to_string());
+    fields.add("friction", arch.arch.friction().to_string());
+    fields.add("thickness", arch.thickness.to_string());
+    fields.add("tilt", arch.tilt.to_string());
     fields.add("outcome", arch.outcome());
     fields.add("may_move", arch.may_move());
     fields.add("reason", arch.first_open().map(|open| open.reason.to_string()));
@@ -166,5 +255,14 @@ fn fields(arch: &TiltedArch) -> Fields {
     fields.add("is_unbounded", is_unbounded);
     fields.add("limited_by", arch.limits());
     fields.add("stones", arch.stones.as_ref().map(division));
+    let joint = |joint: &Joint| {
+        let mut fields = Fields::default();
+        fields.add("happens", arch.happens(joint.side, joint.of.contact));
+        fields.add("side", if joint.is_crown() { "crown" } else { joint.side.name() });
+        fields.add_rounded("angle", Rounded::around(&joint.size, arch.digits).as_ref());
+        fields.add("joint", joint.number);
+        fields
+    };
+    fields.add_list("gives_way", arch.joints().iter().map(joint));
     fields
 }

@@ -73,6 +73,7 @@ fn entry(arch: &VoussoirArch) -> Fields {
         state.contacts.iter().map(contact).collect::<Vec<_>>()
     });
     fields.add("contacts", contacts);
+    fields.add_list("gives_way", arch.gives_way());
     if let Some(given) = &arch.given {
         fields.add_fields("assessment", Some(given::fields(arch, given)));
     }
