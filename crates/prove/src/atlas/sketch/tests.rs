@@ -1,7 +1,7 @@
 use super::*;
 use crate::arch::mechanism::Contact;
 use crate::arch::{Ring, SelfWeight};
-use crate::number::{Angle, Ball, Drawable};
+use crate::number::{Angle, Ball, Drawable, Field};
 use crate::problem::{Arch, Landmark, Mode};
 use crate::sketch::NoCollapse;
 use rug::Float;
