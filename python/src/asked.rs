@@ -357,7 +357,7 @@ pub(crate) fn prove(py: Python<'_>, names: Vec<String>, threads: usize) -> PyRes
     report(&Claims { decisions, show: true, timed: true }, "json")
 }
 
-/// The picture of an arch as SVG; none where nothing stands or nothing is proved.
+/// The picture of an arch as SVG; none where nothing is proved.
 #[pyfunction]
 pub(crate) fn drawing(
     py: Python<'_>,
@@ -370,11 +370,12 @@ pub(crate) fn drawing(
     let drawn = doors::drawn(&given, weight).map_err(wrong)?;
     let sketch = match py.detach(|| on_threads(1, || drawn.sketch()))? {
         Ok(sketch) => sketch,
-        Err(NoSketch::Falls(_) | NoSketch::Undecided(_)) => return Ok(None),
+        Err(NoSketch::Undecided(_)) => return Ok(None),
         Err(error) => return Err(wrong(error)),
     };
     let (style, measures) = (Style::default(), given.measures);
-    let sketched = Sketched { sketches: vec![sketch], style, measures, command };
+    let sketched =
+        Sketched { sketches: vec![sketch], style, measures, between: Vec::new(), command };
     match sketched.can_be_drawn() {
         true => report(&sketched, "svg").map(Some),
         false => Ok(None),

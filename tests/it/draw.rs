@@ -327,13 +327,40 @@ fn options_change_what_they_say() {
     assert!(one.contains("[s,r,r] at T") && !one.contains("panel-1"));
 }
 
+/// With what is proved of it and what is a drawing only, in the picture as in JSON.
 #[test]
-fn what_falls_is_not_drawn_at_its_least_thickness() {
-    let (code, output, error) = said(&couplet(&["draw", "--alpha", "2.6", "--mu", "0.3"]));
-    assert_eq!((code, &output[..]), (Some(1), ""));
-    assert!(error.contains("the arch stands at no thickness"), "{error}");
-    let thin = written(&["draw", "--alpha", "80deg", "--mu", "0.6", "--eta", "0.05"]);
-    assert!(thin.contains("does not stand"));
+fn what_falls_is_drawn_as_it_falls() {
+    for (arguments, mode, words) in [
+        (&["--alpha", "2.6", "--mu", "0.3"][..], "[s,s]", "It stands at no thickness"),
+        (&["--alpha", "2.9", "--mu", "inf"], "[r]", "It stands at no thickness"),
+        (&["--alpha", "80deg", "--mu", "0.6", "--eta", "0.05"], "[r,r,r]", "It does not stand"),
+        (
+            &["--alpha", "90deg", "--mu", "0.35", "--eta", "0.1", "--stones", "11"],
+            "[s,r,r]",
+            "not stand",
+        ),
+    ] {
+        let of = |more: &[&str]| written(&[&["draw"], arguments, more].concat());
+        let svg = of(&["--animate"]);
+        for said in [
+            words,
+            &format!("does not stand: falls as {mode}"),
+            "Proved: whatever the thrust",
+            "Drawn, not proved",
+        ] {
+            assert!(svg.contains(said), "{arguments:?}: {said}");
+        }
+        assert!(svg.contains("<animateTransform"));
+        let json: Value = serde_json::from_str(&of(&["--format", "json"])).unwrap();
+        let arch = &json["arches"][0];
+        assert_eq!(
+            (arch["verdict"].as_str(), arch["mechanisms"][0]["mode"].as_str()),
+            (Some("falls"), Some(mode))
+        );
+        assert!(arch["proved"].as_str().unwrap().starts_with("whatever the thrust"));
+        let power = |name: &str| arch["mechanisms"][0][name]["lower"].as_f64().unwrap();
+        assert!(power("weight_power") > arch["mechanisms"][0]["power"]["upper"].as_f64().unwrap());
+    }
 }
 
 #[test]
@@ -384,4 +411,50 @@ fn what_cannot_be_drawn_is_refused() {
     ] {
         refused(arguments, "", words);
     }
+}
+
+/// The modes of a half opening, each in a state of its own between the frictions at which they change.
+#[test]
+fn modes_are_drawn_along_the_friction() {
+    let json =
+        written(&["draw", "--alpha", "2.45", "--along", "friction", "0.5..3", "--format", "json"]);
+    let json: Value = serde_json::from_str(&json).unwrap();
+    let arches = json["arches"].as_array().unwrap();
+    let modes: Vec<&str> =
+        arches.iter().map(|arch| arch["mechanisms"][0]["mode"].as_str().unwrap()).collect();
+    assert_eq!(modes, ["[s,s]", "[r,r,s]", "[r,r,r]"]);
+    assert_eq!(arches[0]["verdict"], "falls");
+    for (arch, next) in arches.iter().zip(&arches[1..]) {
+        let end = arch["between_frictions"][1].clone();
+        assert_eq!(end, next["between_frictions"][0]);
+        let friction = end["double"].as_f64().unwrap();
+        // On both sides of it the state has the mode of that side.
+        for (by, mode) in
+            [(-1e-6, &arch["mechanisms"][0]["mode"]), (1e-6, &next["mechanisms"][0]["mode"])]
+        {
+            let friction = format!("{:.9}", friction + by);
+            let side = written(&["draw", "--alpha", "2.45", "--mu", &friction, "--format", "json"]);
+            let side: Value = serde_json::from_str(&side).unwrap();
+            assert_eq!(side["arches"][0]["mechanisms"][0]["mode"], *mode, "{friction}");
+        }
+    }
+    let svg = written(&["draw", "--alpha", "2.45", "--along", "friction", "0.5..3"]);
+    for words in
+        ["friction below 1.32296", "friction 1.32296 to 1.39629", "friction 1.39629 and more"]
+    {
+        assert!(svg.contains(words), "{words}");
+    }
+    for (arguments, words) in [
+        (&["--along", "thickness", "0..1"][..], "along the friction"),
+        (&["--along", "friction", "1"], "is no range"),
+        (&["--along", "friction", "2..1"], "is no range"),
+        (&["--along", "friction", "0..1", "--mu", "1"], "cannot be used with"),
+    ] {
+        refused(&[&["draw", "--alpha", "2.45"], arguments].concat(), "", words);
+    }
+    refused(
+        &["draw", "--alpha", "2.9", "--along", "friction", "0..1"],
+        "",
+        "no arch of the half opening 2.9 stands",
+    );
 }

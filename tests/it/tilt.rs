@@ -105,7 +105,7 @@ fn stones_are_tilted() {
         ("--alpha 1 --mu 1 --stones 2002 --eta 0.1 --tilt 0.1", "at most 2001"),
         ("--alpha 1 --mu 0 --stones 9 --eta 0.1 --tilt 0.1", "friction above 0"),
         ("--alpha 1 --mu 1 --stones 9 --eta 0.1 --tilt -1", "is negative"),
-        ("--alpha 1 --mu 1 --stones 9 --eta 0.1 --tilt 0.1 --format svg", "svg"),
+        ("--alpha 1 --mu 1 --stones 9 --eta 0.1 --tilt 0.1 --format dxf", "dxf"),
     ] {
         let (code, _, error) = of(line);
         assert_eq!(code, Some(2), "{line}");
@@ -136,4 +136,147 @@ fn what_stays_open_beside_a_verdict_is_named() {
     assert_eq!(open, error.contains("undecided: the largest tilt: "), "{error}");
     assert_eq!(open, !out.contains("falls from the tilt"), "{out}");
     assert!(!error.contains("whether any state"), "{error}");
+}
+
+/// A force and its moment about the centre, on what is left of a joint: thrust, vertical force, moment.
+type Load = [f64; 3];
+
+/// The joints that are named: the forces that four of them fix put the pressure points where it says, on either side
+/// within the arch everywhere else, and the acceleration is the one that is told.
+#[test]
+fn the_joints_that_give_way_are_named() {
+    for (arch, eta, mu) in [
+        ("--alpha pi/2 --mu inf --eta 0.15", 0.15, f64::INFINITY),
+        ("--alpha 1.2 --mu 0.6 --eta 0.1", 0.1, 0.6),
+        ("--alpha pi/2 --mu 0.4 --eta 0.15", 0.15, 0.4),
+        ("--alpha pi/2 --mu 0.4 --eta 0.15 --stones 11", 0.15, 0.4),
+    ] {
+        let (code, out, error) = of(&format!("{arch} --tilt 0.01 --digits 12 --format json"));
+        assert_eq!(code, Some(0), "{error}");
+        let json: Value = serde_json::from_str(&out).unwrap();
+        let number = |value: &Value| value["value"].as_str().unwrap().parse::<f64>().unwrap();
+        let tilt = number(&json["largest_tilt"]);
+        let fac = 1.0 + eta * eta / 12.0;
+        let joints: Vec<(&str, f64)> = json["gives_way"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|joint| {
+                let sign = if joint["side"] == "left" { -1.0 } else { 1.0 };
+                (joint["happens"].as_str().unwrap(), sign * number(&joint["angle"]))
+            })
+            .collect();
+        assert_eq!(joints.len(), 4, "{arch}");
+        assert!(joints.windows(2).all(|pair| pair[0].1 > pair[1].1), "from the right: {joints:?}");
+        // What a joint asks of (h, v, p) in the crown at an acceleration: rows of a linear system, from the moments of
+        // thin slices about the point where the force has to act.
+        let slices = |joint: f64| -> Load {
+            let count = 20_000;
+            let width = joint / f64::from(count);
+            let centre = |k: i32| (f64::from(k) + 0.5) * width;
+            (0..count).map(centre).fold([0.0; 3], |[x, y, m], beta| {
+                let at = [fac * beta.sin(), fac * beta.cos()];
+                [x + tilt * width, y + width, m + width * at[0] + tilt * width * at[1]]
+            })
+        };
+        // The forces on a joint: horizontal, vertical and the moment about the centre, without those in the crown.
+        let forces = |joint: f64, [h, v, p]: Load| {
+            let [x, y, m] = slices(joint);
+            let (across, down) = (h + x, y - v);
+            let normal = across * joint.cos() + down * joint.sin();
+            let shear = down * joint.cos() - across * joint.sin();
+            ((p + m) / normal, shear / normal)
+        };
+        // The state by Newton's method on three of the conditions.
+        let gap = |(happens, joint): (&str, f64), load: Load| {
+            let (radius, slope) = forces(joint, load);
+            match happens {
+                "hinge at the extrados" => radius - 1.0 - eta / 2.0,
+                "hinge at the intrados" => radius - 1.0 + eta / 2.0,
+                "slides outwards" => slope * joint.signum() + mu,
+                "slides inwards" => slope * joint.signum() - mu,
+                other => panic!("{other}"),
+            }
+        };
+        let mut load = [0.5, 0.0, 0.5];
+        for _ in 0..60 {
+            let value: Vec<f64> = joints[..3].iter().map(|joint| gap(*joint, load)).collect();
+            let mut matrix = [[0.0; 4]; 3];
+            for (row, joint) in matrix.iter_mut().zip(&joints) {
+                for (k, entry) in row.iter_mut().take(3).enumerate() {
+                    let mut moved = load;
+                    moved[k] += 1e-7;
+                    *entry = (gap(*joint, moved) - gap(*joint, load)) / 1e-7;
+                }
+            }
+            (0..3).for_each(|i| matrix[i][3] = value[i]);
+            for i in 0..3 {
+                let pivot = (i..3)
+                    .max_by(|a, b| matrix[*a][i].abs().total_cmp(&matrix[*b][i].abs()))
+                    .unwrap();
+                matrix.swap(i, pivot);
+                for j in 0..3 {
+                    if j != i {
+                        let factor = matrix[j][i] / matrix[i][i];
+                        let row = matrix[i];
+                        matrix[j].iter_mut().zip(row).for_each(|(x, y)| *x -= factor * y);
+                    }
+                }
+            }
+            (0..3).for_each(|i| load[i] -= 0.5 * matrix[i][3] / matrix[i][i]);
+        }
+        assert!(joints.iter().all(|joint| gap(*joint, load).abs() < 1e-6), "{arch}: {load:?}");
+        // And nowhere else is anything passed.
+        let between: Vec<f64> = match arch.contains("stones") {
+            true => {
+                (-6..6).map(|k| (2.0 * f64::from(k) + 1.0) / 22.0 * std::f64::consts::PI).collect()
+            }
+            false => (-40..=40).map(|k| f64::from(k) / 40.0 * joints[0].1).collect(),
+        };
+        for joint in between.into_iter().filter(|joint| joint.abs() <= joints[0].1 + 1e-9) {
+            let (radius, slope) = forces(joint, load);
+            assert!(
+                (radius - 1.0).abs() < eta / 2.0 + 1e-6 && slope.abs() < mu + 1e-6,
+                "{arch} {joint}"
+            );
+        }
+    }
+}
+
+/// In text, JSON and the picture alike; and which way it is pushed.
+#[test]
+fn a_tilted_arch_is_drawn() {
+    let arch = "--alpha pi/2 --mu 0.4 --eta 0.15 --tilt 0.05 --digits 8";
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.svg");
+    assert!(
+        of(arch).1.contains("hinge at the intrados on the right (54.7704 deg)"),
+        "{}",
+        of(arch).1
+    );
+    for stones in ["", " --stones 11"] {
+        let (code, out, error) = of(&format!("{arch}{stones} -o {}", path.display()));
+        assert_eq!((code, &out[..]), (Some(0), ""), "{error}");
+        let svg = std::fs::read_to_string(&path).unwrap();
+        for words in
+            ["pushed to the right", "hinge at the intrados", "slides outwards", "90° right"]
+        {
+            assert!(svg.contains(words), "{stones}: {words}");
+        }
+        assert!(svg.contains(if stones.is_empty() {
+            "54.77° right"
+        } else {
+            "57.27° right, joint 4"
+        }));
+        assert_eq!(svg.matches("<circle").count(), 4, "three hinges and one in the legend");
+    }
+    // What does not stand at all is said to fall; what nothing limits stands.
+    for (arch, words) in [
+        ("--alpha pi/2 --mu 0.7 --eta 0.1 --tilt 0", "does not stand without tilt either"),
+        ("--alpha 0.5 --mu 2 --eta 0.7 --tilt 10", "stands at every tilt"),
+    ] {
+        let (code, _, error) = of(&format!("{arch} -o {}", path.display()));
+        assert_eq!(code, Some(0), "{error}");
+        assert!(std::fs::read_to_string(&path).unwrap().contains(words), "{arch}");
+    }
 }

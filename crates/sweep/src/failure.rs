@@ -51,7 +51,7 @@ impl From<NoSketch> for Failure {
     /// Nothing to draw is a wrong question, or an open one.
     fn from(none: NoSketch) -> Self {
         match none {
-            NoSketch::Undecided(_) | NoSketch::Falls(_) => Self::Undecided(none.to_string()),
+            NoSketch::Undecided(_) => Self::Undecided(none.to_string()),
             _ => Self::Input(none.to_string()),
         }
     }

@@ -44,20 +44,28 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             return Err("--tilt tells no forces: leave out --density and --depth".into());
         }
     }
-    if let Some((format, file)) = arguments.output.drawing()? {
-        return draw::arch(&given, arguments.arch.one_weight()?, format, file);
+    let asked = arguments.arch.understood(&given);
+    let digits = arguments.arch.digits();
+    match (arguments.output.drawing()?, &given.tilt) {
+        (Some(output), Some(tilt)) => {
+            let stones = voussoirs::divisions(&given)?;
+            let (of, at) = ((&asked, &arches[..]), (eta, tilt));
+            return tilt::write((output.1, output.0), of, at, stones.first(), digits);
+        }
+        (Some((format, file)), None) => {
+            return draw::arch(&given, arguments.arch.one_weight()?, format, file);
+        }
+        (None, _) => {}
     }
     if given.stones.is_some() {
         return voussoirs::print(&arguments.arch, &given, &arches, &arguments.output);
     }
-    let asked = arguments.arch.understood(&given);
     if let Some(tilt) = &given.tilt {
         let output = (arguments.output.file(), arguments.output.format()?);
-        return tilt::write(output, (&asked, &arches), (eta, tilt), None, arguments.arch.digits());
+        return tilt::write(output, (&asked, &arches), (eta, tilt), None, digits);
     }
     let all = given.quantities(&Quantity::ASSESSMENT, &Quantity::MEASURED_ASSESSMENT);
     let quantities = arguments.output.quantities(&all)?;
-    let digits = arguments.arch.digits();
     let answer = |line, arch: &Arch| {
         // Some formats have quadruples, which take more bits than the digits.
         let found = Balls::Mpfr.assess(arch, eta, digits);

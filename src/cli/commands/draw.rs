@@ -4,19 +4,21 @@ use super::notes;
 use super::output::OutputFile;
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Misfit, Spelling, StonesAsked};
-use crate::atlas::Sketch;
+use crate::atlas::{Passed, Sketch};
 use crate::cli::line::typed;
+use crate::number::{Ball, shown};
 use crate::problem::{Landmark, Mode};
-use crate::report::{Format, Reported, Sketched, Style};
+use crate::report::{Format, Reported, Shown, Sketched, Style};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use crate::sweep::scene::{DrawnArch, Pose};
 use clap::Args;
 
-/// Draw an arch at its least thickness, how it falls there, or an arch as it stands.
+/// Draw an arch at its least thickness, how it falls there, or an arch as it stands or falls.
 ///
 /// Without --thickness: the arch at its least thickness, its lines of thrust and of friction, and its mechanism.
-/// With it: the lines of the least and of the largest thrust, what limits each, and the safety. --at: a landmark,
+/// With it: the lines of the least and of the largest thrust, what limits each, and the safety. An arch that does not
+/// stand: where a line of thrust leaves it or friction is passed, and how it falls. --at: a landmark,
 /// one picture for each mode that is possible there. --mode [s,s] with --thickness and no friction: an arch at the
 /// friction at which it slides. --stones: an arch of 2 to 500 stones, as couplet voussoirs proves it. In metres,
 /// with --span and --rise or with --radius: sizes in the picture and its caption, and JSON and DXF in metres.
@@ -45,6 +47,13 @@ pub(crate) struct Arguments {
     /// Only this mode, where several are possible (rrs, [s,s]).
     #[arg(long, value_name = "MODE", value_parser = parse::mode)]
     mode: Option<Mode>,
+
+    /// The modes that the half opening passes as this quantity grows: friction, and from where to where (0.2..3).
+    #[arg(
+        long, num_args = 2, value_names = ["QUANTITY", "FROM..TO"],
+        conflicts_with_all = ["friction", "friction_angle", "thickness", "at", "mode", "stones", "joints", "dilatant"]
+    )]
+    along: Option<Vec<String>>,
 
     /// How far the corner that moves most is moved, in units of r, from 0.001 to 1.
     #[arg(long, default_value = "0.12", value_name = "R", value_parser = amplitude, allow_negative_numbers = true)]
@@ -81,7 +90,7 @@ const STONES: &str = "--stones is for an arch with --half-opening and --friction
 /// Question about an arch that is drawn.
 pub const QUESTION: ArchQuestion = ArchQuestion {
     refuses: &[
-        (Field::Tilt, "a tilted arch is told by `couplet assess`, and not drawn"),
+        (Field::Tilt, "a tilted arch is drawn by `couplet assess`, with -o arch.svg"),
         (Field::Joints, "stones of one angle are drawn, --stones"),
     ],
     needs: &[],
@@ -104,7 +113,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.arrows && !format.is_picture {
         return Err(format!("only svg and png have arrows, not {}", format.name).into());
     }
-    let (sketch, given) = arguments.sketch()?;
     let style = Style {
         amplitude: arguments.amplitude,
         half: arguments.half,
@@ -112,7 +120,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         animate: arguments.animate,
         notation: false,
     };
-    write((sketch, &given), style, format, &arguments.file)
+    let (sketches, between, given) = match &arguments.along {
+        Some(path) => arguments.along(path)?,
+        None => {
+            let (sketch, given) = arguments.sketch()?;
+            (vec![sketch], Vec::new(), given)
+        }
+    };
+    write((sketches, between), &given, style, (format, &arguments.file))
 }
 
 /// Draws the arch that any question was about, as it stands or at its least thickness.
@@ -122,10 +137,8 @@ pub(super) fn arch(
     format: &'static Format,
     file: &OutputFile,
 ) -> Result<(), Failure> {
-    if given.tilt.is_some() {
-        return Err("a tilted arch is not drawn: leave out --tilt, or write a table".into());
-    }
-    write((drawn(given, weight)?.sketch()?, given), Style::default(), format, file)
+    let sketches = vec![drawn(given, weight)?.sketch()?];
+    write((sketches, Vec::new()), given, Style::default(), (format, file))
 }
 
 /// Arch of any question, as it is drawn.
@@ -155,14 +168,17 @@ fn stones(given: &ArchGiven) -> Result<Option<u64>, Misfit> {
     }
 }
 
+/// The frictions between which each arch collapses as it is drawn, or none.
+type Between = Vec<[Option<Ball>; 2]>;
+
 fn write(
-    (sketch, given): (Sketch, &ArchGiven),
+    (sketches, between): (Vec<Sketch>, Between),
+    given: &ArchGiven,
     style: Style,
-    format: &Format,
-    file: &OutputFile,
+    (format, file): (&Format, &OutputFile),
 ) -> Result<(), Failure> {
     let measures = given.measures.clone();
-    let drawn = Sketched { sketches: vec![sketch], style, measures, command: typed() };
+    let drawn = Sketched { sketches, style, measures, between, command: typed() };
     if !drawn.can_be_drawn() {
         let message =
             "a drawing has a radius from 1mm to 1000000m, and forces of a size that doubles hold";
@@ -174,6 +190,25 @@ fn write(
 }
 
 impl Arguments {
+    /// The modes of a half opening as its friction grows.
+    fn along(&self, path: &[String]) -> Result<(Vec<Sketch>, Between, ArchGiven), Failure> {
+        let wrong = "--along takes a quantity and a range: --along friction 0.2..3";
+        let [quantity, range] = path else { return Err(wrong.into()) };
+        if !"friction".eq_ignore_ascii_case(quantity) {
+            return Err(format!(
+                "the modes are passed along the friction, not '{}': {wrong}",
+                shown(quantity)
+            )
+            .into());
+        }
+        let [from, to] = Shown::range_of(range)?;
+        let given = ArchGiven::read(&SLIDING, &self.arch, Spelling::Option)?;
+        let Some(alpha) = &given.half_opening else { return Err(wrong.into()) };
+        let passed = Passed::along_friction(self.weight, alpha, [from, to])?;
+        let (sketches, between) = passed.into_iter().map(|one| (one.sketch, one.between)).unzip();
+        Ok((sketches, between, given))
+    }
+
     /// Sketch of what is asked for, in the modes asked for, with what is given.
     fn sketch(&self) -> Result<(Sketch, ArchGiven), Failure> {
         let is_dilatant = self.dilatant;
@@ -193,17 +228,16 @@ impl Arguments {
             (None, Some(thickness)) if is_sliding => {
                 Pose::Sliding(given.arch(self.weight)?, thickness)
             }
-            (None, Some(_)) if self.mode.is_some() || is_dilatant || self.animate => {
-                let message = "an arch as it stands does not move: leave out --mode, --dilatant and --animate, or \
-                               --thickness";
-                return Err(message.into());
-            }
             (None, Some(thickness)) => Pose::Standing(given.arch(self.weight)?, thickness),
             (None, None) => Pose::Least(given.arch(self.weight)?),
         };
-        let is_moved = matches!(pose, Pose::Landmark(..) | Pose::Least(_));
         let sketch = DrawnArch { pose, stones: stones(&given)?, is_dilatant }.sketch()?;
-        let sketch = if is_moved { sketch.in_modes(self.mode.as_slice())? } else { sketch };
-        Ok((sketch, given))
+        if sketch.stands() && (self.mode.is_some() || is_dilatant || self.animate) {
+            let message = "the arch stands with that thickness, and does not move: leave out --mode, --dilatant and \
+                           --animate, or --thickness";
+            return Err(message.into());
+        }
+        let modes = if is_sliding { &[] } else { self.mode.as_slice() };
+        Ok((sketch.in_modes(modes)?, given))
     }
 }

@@ -83,7 +83,8 @@ fn draw(
     };
     let sketches = shown.iter().map(sketch).collect::<Result<_, _>>()?;
     let style = Style::of_figure(arguments.number);
-    let report = Sketched { sketches, style, measures: None, command: typed() };
+    let between = Vec::new();
+    let report = Sketched { sketches, style, measures: None, between, command: typed() };
     arguments.file.open_for(format)?.write(|out| report.write(format, out))
 }
 

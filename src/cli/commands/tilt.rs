@@ -4,6 +4,7 @@ use super::notes;
 use super::output::{OutputFile, is_written};
 use crate::certify::state::{Inquiry, Wanted};
 use crate::certify::{self, MOST_TILTED_STONES, VoussoirStanding, assess_voussoirs, tilted_stones};
+use crate::cli::line::typed;
 use crate::number::ExactNumber;
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Slope};
@@ -49,11 +50,9 @@ pub fn tilted(
         (Ok(false), _) => Ok(None),
         (Err(undecided), _) => Err(undecided),
     };
-    let (weight, is_limited, stones) = (arch.weight(), arch.is_limited(), stones.cloned());
-    let (alpha, mu) = (arch.half_opening().to_string(), arch.friction().to_string());
-    let given = [alpha, mu, eta.to_string(), tilt.to_string()];
-    let asked = asked.clone();
-    Ok(TiltedArch { asked, weight, given, stones, is_limited, found })
+    let (asked, arch, stones) = (asked.clone(), arch.clone(), stones.cloned());
+    let (thickness, tilt, command) = (eta.clone(), tilt.clone(), typed());
+    Ok(TiltedArch { asked, arch, thickness, tilt, stones, digits, command, found })
 }
 
 fn are_few(stones: Option<&Stones>) -> Result<(), Failure> {

@@ -1,6 +1,7 @@
 //! `couplet voussoirs`.
 
 use super::arch::ArchArguments;
+use super::draw;
 use super::notes;
 use super::output::{AnswerOutput, OutputFile, is_written};
 use super::tilt;
@@ -20,7 +21,8 @@ use clap::Args;
 ///
 /// The conditions hold at the joints between the stones and nowhere else, so that such an arch needs a little less
 /// than one that can open and slide at every angle. The cost does not depend on the number of stones. A range of them,
-/// --stones 2..200, tells how the thickness comes near that of many, as a table or, with -o convergence.svg, a figure.
+/// --stones 2..200, tells how the thickness comes near that of many, as a table or, with -o convergence.svg, a figure;
+/// one number, with -o arch.svg, is drawn as couplet draw does.
 /// With --thickness: whether the arch stands then, its safety factors, and the thrusts it can bear. With --tilt, of at
 /// most 2001 stones, also the largest acceleration.
 #[derive(Args)]
@@ -82,7 +84,7 @@ fn answers(
     }
     is_written("an arch of stones", VoussoirArches::content(), format)?;
     if format.is_picture && !given.stones.as_ref().is_some_and(StonesAsked::is_range) {
-        return Err(RANGE.into());
+        return draw::arch(given, arguments.one_weight()?, format, file);
     }
     let file = file.open_for(format)?;
     notes::frictions(arches.iter().take(1).map(Arch::friction));
@@ -157,5 +159,4 @@ fn answer(
 
 const ONE_NUMBER: &str =
     "a given thickness asks for one number of stones: leave out --thickness, or give one";
-const RANGE: &str = "a picture shows how the thickness comes near that of many stones: give a range, --stones 2..200";
 const TILTED: &str = "--tilt asks of an arch of a thickness: give --thickness";

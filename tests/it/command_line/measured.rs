@@ -338,7 +338,6 @@ fn an_answer_is_a_picture_where_its_file_is_one() {
         assert!(one.len() > 20);
     }
     for (line, why) in [
-        ("assess --alpha 1 --mu 1 --eta 0.1 --tilt 0.1", "a tilted arch is not drawn"),
         ("state --alpha 1 --mu 1 --weight both", "one weight"),
         ("state --alpha 1 --mu 1 --quantity eta", "leave out --quantity"),
         ("state --alpha 1 --mu 1 --stones 501", "from 2 to 500"),

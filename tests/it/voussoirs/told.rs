@@ -71,7 +71,6 @@ fn wrong_stones_are_one_line() {
         ("--alpha 1 --stones 2..", "as in 2..200"),
         ("--alpha 1 --stones 2..10002", "at most 10000"),
         ("--alpha 1 --stones 2..9 --thickness 0.1", "one number of stones"),
-        ("--alpha 1 --stones 9 --format svg", "give a range"),
         ("--alpha 1 --stones 5 --thickness 0", "not between 0 and 2"),
         ("--alpha 1 --stones 5 --thickness pi", "no ratio"),
         ("--alpha 1 --stones 5 --thickness=-1", "not between 0 and 2"),

@@ -17,6 +17,7 @@
 //! | asymmetric solutions of (19) | [`asymmetric`] |
 //! | the same equations where the half opening is small | [`small`] |
 //! | admissibility, least thickness | [`contact`] |
+//! | lines of thrust beyond the faces of a thinner arch | [`beyond`] |
 //! | the same under a horizontal acceleration | [`tilt`] |
 //! | how the blocks move at collapse | [`mechanism`] |
 //!
@@ -26,6 +27,7 @@
 //! collapse modes, is in [`problem`](crate::problem).
 
 pub mod asymmetric;
+pub mod beyond;
 pub mod closed_form;
 pub mod contact;
 pub mod cubic;

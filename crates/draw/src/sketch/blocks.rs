@@ -48,6 +48,11 @@ impl Blocks {
         }
     }
 
+    /// Blocks that have moved, of the whole arch or of the right half.
+    pub fn at_rest(fallen: Vec<Block>, radii: [f64; 2], joints: &[f64]) -> Self {
+        Self { fallen, steps: Vec::new(), radii, joints: joints.to_vec() }
+    }
+
     /// Tells whether a stone lies over the crown, so that the block there is one for both halves.
     pub fn has_keystone(&self) -> bool {
         self.joints.first().is_some_and(|first| *first > 0.0)

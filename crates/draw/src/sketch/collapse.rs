@@ -31,11 +31,14 @@ pub enum NoCollapse {
     Rates(Mode),
     /// The blocks do not fit together, or the weight works by another amount than friction takes.
     Balance(Mode),
+    /// The weight is not proved to work by more than friction takes.
+    Drive(Mode),
 }
 
 says!(NoCollapse {
     Self::Rates(mode) => "the rates of {mode}";
     Self::Balance(mode) => "the balance of {mode}";
+    Self::Drive(mode) => "whether the weight drives {mode}";
 });
 
 impl<T: Drawable> Collapse<T> {
@@ -47,6 +50,41 @@ impl<T: Drawable> Collapse<T> {
 
     /// The mechanism of a mode in its state, with certain signs and a balance that is not refuted.
     pub fn new(
+        weight: SelfWeight,
+        mode: Mode,
+        at: &Configuration<T>,
+        is_dilatant: bool,
+    ) -> Result<Self, NoCollapse> {
+        let found = Self::moving(weight, mode, at, is_dilatant)?;
+        match found.excess().overlaps(&at.thrust.int(0)) {
+            true => Ok(found),
+            false => Err(NoCollapse::Balance(mode)),
+        }
+    }
+
+    /// The mechanism of a mode in an arch that falls, with certain signs: the rates are positive, and the weight
+    /// works by more than friction takes at the thrust at which a joint slides. So the conditions at its joints
+    /// contradict each other, whatever the thrust and the crown moment are.
+    pub fn driven(
+        weight: SelfWeight,
+        mode: Mode,
+        at: &Configuration<T>,
+        is_dilatant: bool,
+    ) -> Result<Self, NoCollapse> {
+        let found = Self::moving(weight, mode, at, is_dilatant)?;
+        match found.excess().is_positive() {
+            Ternary::True => Ok(found),
+            _ => Err(NoCollapse::Drive(mode)),
+        }
+    }
+
+    /// Power of the weight that friction does not take.
+    pub fn excess(&self) -> T {
+        self.power.clone() - &self.friction_power
+    }
+
+    /// Blocks that fit together, at positive rates.
+    fn moving(
         weight: SelfWeight,
         mode: Mode,
         at: &Configuration<T>,
@@ -68,8 +106,7 @@ impl<T: Drawable> Collapse<T> {
             true => none.clone(),
             false => mechanism.friction_power(&at.thrust, &at.friction),
         };
-        let [turn, across] = mechanism.gap(&at.thickness);
-        if ![turn, across, power.clone() - &friction_power].iter().all(|x| x.overlaps(&none)) {
+        if !mechanism.gap(&at.thickness).iter().all(|x| x.overlaps(&none)) {
             return Err(NoCollapse::Balance(mode));
         }
         let top = [none.clone(), none];

@@ -19,6 +19,8 @@ pub struct Forces<T> {
     pub friction_line: SketchedLine,
     /// Limit of the thrust, in words, if it is an end of a range.
     pub limited_by: Option<String>,
+    /// Distance by which the line of thrust of an arch that falls is beyond the faces at its hinges, in units of `r`.
+    pub beyond: Option<T>,
     /// The joints at their limits.
     pub marks: Vec<Mark<T>>,
 }
@@ -61,6 +63,7 @@ impl<T: Drawable> Forces<T> {
             thrust_lines: moments.iter().map(|p| thrust_line(weight, (at, joints), p)).collect(),
             friction_line: friction_line((at, joints), is_limited),
             limited_by: None,
+            beyond: None,
             marks,
         }
     }

@@ -19,6 +19,8 @@ const STEP: f64 = 0.05;
 const CHORD: f64 = 1e-4;
 /// The largest error of an offset that is read off between two points, in thicknesses.
 const PART: f64 = 2e-3;
+/// The least offset beyond a face that is one, in thicknesses: at joints that give way lines are on a face.
+const BEYOND: f64 = 1e-6;
 /// A chord is halved so often at most.
 const HALVINGS: u32 = 12;
 
@@ -80,6 +82,36 @@ impl SketchedLine {
             points.insert(0, [0.0, offset * first.cos() - sagitta / eta]);
         }
         Self { points, thickness: eta }
+    }
+
+    /// The line as far as it goes without being further beyond a face than so much, in units of `r`.
+    pub(super) fn within(mut self, beyond: f64) -> Self {
+        let most = 0.5 + beyond / self.thickness;
+        let far = self.points.iter().position(|[_, offset]| !(offset.abs() <= most));
+        self.points.truncate(far.unwrap_or(self.points.len()));
+        self
+    }
+
+    /// The parts of the line that are beyond a face, as the line is.
+    pub fn outside(&self) -> impl Iterator<Item = Self> + '_ {
+        let is_out = |[_, offset]: &[f64; 2]| offset.abs() > 0.5 + BEYOND;
+        let parts = self.points.chunk_by(move |a, b| is_out(a) == is_out(b));
+        let starts =
+            parts.clone().scan(0, |at, part| Some(std::mem::replace(at, *at + part.len())));
+        let face = |out: &[f64; 2], within: &[f64; 2]| {
+            let edge = out[1].signum() / 2.0;
+            let share = (edge - within[1]) / (out[1] - within[1]);
+            [within[0] + share * (out[0] - within[0]), edge]
+        };
+        parts.zip(starts).filter(move |(part, _)| part.iter().all(is_out)).map(
+            move |(part, start)| {
+                let before = start.checked_sub(1).map(|k| face(&part[0], &self.points[k]));
+                let after = self.points.get(start + part.len());
+                let after = after.map(|next| face(&part[part.len() - 1], next));
+                let points = before.into_iter().chain(part.iter().copied()).chain(after).collect();
+                Self { points, thickness: self.thickness }
+            },
+        )
     }
 
     /// Points of the line to the right and up.

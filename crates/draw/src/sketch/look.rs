@@ -26,6 +26,10 @@ pub const BAND: Color = RED;
 pub const FRICTION: Stroke = Stroke { color: BLUE, width: 1.9, dashes: &[6.0, 3.0] };
 /// The line of friction under the largest thrust.
 pub const LARGEST_FRICTION: Stroke = Stroke { color: BLUE, width: 1.9, dashes: &[2.0, 2.6] };
+/// Below a line of thrust where it is outside the arch.
+pub const OUTSIDE: Stroke = Stroke::new(Color(0xF4, 0xB9, 0x8F), 9.0);
+/// Below a line of friction where that is passed.
+pub const PASSED: Stroke = Stroke::new(Color(0xA9, 0xC8, 0xE6), 9.0);
 /// A joint that slides.
 pub const SLIDES: Stroke = Stroke::new(BLUE, 5.0);
 /// A hinge.

@@ -6,9 +6,12 @@
 //! | `line` | a line through the arch as a chain of points |
 //! | `forces` | a thrust with the lines that belong to it |
 //! | `collapse` | a mode: joints, rates, twists, the balance of power |
+//! | `falling` | an arch that does not stand: a line of thrust that leaves it, and the mechanism that its weight drives |
 //! | `moved` | the blocks after a finite motion |
 //! | `blocks` | the same on the page, at rest or moving |
+//! | `linkage` | the blocks of the whole arch after a finite motion, where its halves differ |
 //! | `view` | one arch on the page |
+//! | `whole` | one arch whose halves differ on the page |
 //! | `scale` | from units of `r` to the page |
 //! | `look` | colours and lines |
 //! | `picture` | that arch alone, as a picture |
@@ -19,21 +22,27 @@
 
 mod blocks;
 mod collapse;
+mod falling;
 mod forces;
 mod line;
+mod linkage;
 pub mod look;
 mod moved;
 mod picture;
 mod scale;
 mod view;
+mod whole;
 
 pub use blocks::Blocks;
 pub use blocks::arrow;
 pub use collapse::{Collapse, NoCollapse};
+pub use falling::falling;
 pub use forces::{Forces, Mark, joints_of, moment_of};
 pub use line::{SketchedLine, across};
+pub use linkage::Linkage;
 pub use moved::{Block, Moved, moved};
 pub use picture::picture;
 pub use scale::PageScale;
 pub use view::CROWN;
 pub use view::{ArchView, Lines};
+pub use whole::WholeView;

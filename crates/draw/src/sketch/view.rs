@@ -6,7 +6,7 @@ use super::look;
 use super::scale::PageScale;
 use crate::arch::mechanism::Contact;
 use crate::picture::color::WHITE;
-use crate::picture::{Path, Svg};
+use crate::picture::{Path, Stroke, Svg};
 
 /// An arch in doubles, in units of `r`.
 #[derive(Clone, Debug)]
@@ -64,7 +64,10 @@ impl ArchView<'_> {
         let low = [inner, outer].map(|radius| radius * alpha.cos());
         let mut extent = [0.0, wide, low[0].min(low[1]), outer];
         let corners = self.blocks.iter().flat_map(Blocks::corners);
-        for [x, y] in corners {
+        let lines = self.lines.iter().flat_map(|of| of.thrust.iter().chain([of.friction]));
+        let outside = lines
+            .flat_map(|line| line.outside().flat_map(|part| part.places().collect::<Vec<_>>()));
+        for [x, y] in corners.chain(outside) {
             extent = [0.0, extent[1].max(x), extent[2].min(y), extent[3].max(y)];
         }
         // Whichever half falls.
@@ -138,6 +141,23 @@ impl ArchView<'_> {
                 (0, _) => (look::EXTREME, look::FRICTION),
                 _ => (look::LARGEST, look::LARGEST_FRICTION),
             };
+            let friction_outside = [(of.friction, look::PASSED)].into_iter();
+            let outside =
+                friction_outside.chain(of.thrust.iter().map(|line| (line, look::OUTSIDE)));
+            let outside: Vec<(SketchedLine, Stroke)> = outside
+                .flat_map(|(line, stroke)| line.outside().map(move |part| (part, stroke)))
+                .collect();
+            if !outside.is_empty() {
+                svg.group("outside", |svg| {
+                    for ((part, stroke), side) in outside
+                        .iter()
+                        .flat_map(|of| self.sides().iter().map(move |side| (of, side)))
+                    {
+                        let places = part.places().map(|at| scale.at(at, *side));
+                        svg.stroke(&Path::through(places), *stroke);
+                    }
+                });
+            }
             svg.group(&format!("friction{name}"), |svg| {
                 svg.stroke(&self.along(of.friction, scale), friction);
                 if self.has_jump {

@@ -56,7 +56,7 @@ pub use place::Place;
 pub use point::{NoPoint, point};
 pub use section::Section;
 pub use sketch::{
-    Block, Bound, Collapse, Forces, Mark, Moved, NoSketch, Sketch, SketchedLine, Stability,
+    Block, Bound, Collapse, Forces, Mark, Moved, NoSketch, Passed, Sketch, SketchedLine, Stability,
     Subject, moved,
 };
 pub use tangent::tangent;

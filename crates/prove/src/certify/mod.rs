@@ -21,6 +21,7 @@ mod programme;
 mod serial;
 pub mod state;
 mod tilt;
+mod tilt_mechanism;
 mod tilt_of_stones;
 mod verdict;
 mod voussoirs;
@@ -41,6 +42,7 @@ pub use landmark::CertifiedLandmark;
 pub use processor_time::processor_time;
 pub use programme::{MOST_JOINTED_STONES, Programme, programme};
 pub use tilt::{LargestTilt, TiltDigits, TiltLimit, tilted};
+pub use tilt_mechanism::{TiltMechanism, TiltedJoint};
 pub use tilt_of_stones::{MOST_TILTED_STONES, tilted_stones};
 pub use verdict::certify_arch;
 pub use voussoirs::{

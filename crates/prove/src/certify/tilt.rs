@@ -13,6 +13,7 @@
 //! an admissible state does not exclude a motion, as sliding opens no joint: the value then is an upper bound of
 //! what the arch can bear.
 
+use super::tilt_mechanism::{JointPlace, TiltMechanism};
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
 use crate::arch::tilt::TiltedRow;
@@ -21,7 +22,7 @@ use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Jet, bits_of};
 use crate::problem::{Arch, Joints, Slope};
 use crate::prover::decide::is_positive;
 use crate::prover::positive::is_positive_on;
-use crate::prover::{Figure, Refused, Undecided, raise};
+use crate::prover::{Answered, Figure, Refused, Undecided, raise};
 use crate::solve::tilt::{TiltCandidate, TiltSearch, TiltTouch, contacts};
 use rug::Float;
 use std::cell::OnceCell;
@@ -56,6 +57,8 @@ pub struct TiltDigits {
     pub is_admissible: Result<bool, Undecided>,
     /// The largest acceleration with one.
     pub largest: Result<LargestTilt, Undecided>,
+    /// The joints that give way there.
+    pub mechanism: Answered<TiltMechanism>,
 }
 
 impl TiltDigits {
@@ -67,6 +70,7 @@ impl TiltDigits {
         tilt: &Slope,
         largest: impl Fn(u32) -> Result<Option<TiltBound>, Undecided>,
         told: impl Fn(u32) -> Option<bool>,
+        mechanism: impl Fn(&Figure) -> Result<TiltMechanism, Undecided>,
     ) -> Self {
         let compare = |found: &Option<TiltBound>, bits| {
             compared(found.as_ref().map(|(largest, _)| largest), tilt, bits)
@@ -92,7 +96,12 @@ impl TiltDigits {
             Ok(_) => open.about("the largest tilt"),
             Err(_) => open,
         });
-        Self { is_admissible, largest }
+        let mechanism = match &largest {
+            Ok(LargestTilt::Limited(figure, _)) => mechanism(figure).map(Some),
+            Ok(LargestTilt::Unlimited) => Ok(None),
+            Err(open) => Err(open.clone()),
+        };
+        Self { is_admissible, largest, mechanism }
     }
 }
 
@@ -125,7 +134,8 @@ pub fn tilted(
     };
     // A state well inside tells by itself that there is one, whatever of the largest stays open.
     let told = |bits| TiltProof::new(arch, thickness, bits).has_state(tilt).then_some(true);
-    Ok(TiltDigits::found((first, digits), tilt, largest, told))
+    let mechanism = |figure: &Figure| TiltProof::new(arch, thickness, first).mechanism(figure);
+    Ok(TiltDigits::found((first, digits), tilt, largest, told, mechanism))
 }
 
 /// Tells whether an acceleration is below the largest; `None` if that is not told.
@@ -189,6 +199,24 @@ impl TiltProof {
                 Ok(Some((low.hull(&high), limits)))
             }
         }
+    }
+
+    /// The joints that give way at the largest acceleration.
+    fn mechanism(&self, largest: &Figure) -> Result<TiltMechanism, Undecided> {
+        let TiltCandidate::Limited(near) = self.search().candidate() else {
+            return Err(Undecided::new(NOT_FOUND));
+        };
+        let place = |touch: &TiltTouch| {
+            let place = match (touch.is_inside, touch.joint > 0) {
+                (true, _) => JointPlace::Near(touch.joint.clone()),
+                (false, true) => JointPlace::Springing(self.half_opening.clone()),
+                (false, false) => JointPlace::Springing(-self.half_opening.clone()),
+            };
+            (touch.contact, place)
+        };
+        let places: Vec<_> = near.touches.iter().map(place).collect();
+        let start = (&near.limit, &near.rates[..]);
+        TiltMechanism::new(&self.joints, &places, start, (largest, self.bits))
     }
 
     /// A bound from above. A line that touches at fewer joints than are needed: one of them becomes two beside it,

@@ -13,15 +13,16 @@
 //! What it means is said in [`tilted`](super::tilted): with friction an admissible state does not exclude a motion.
 
 use super::tilt::{NOT_FOUND, TiltBound, TiltDigits, TiltLimit, acceleration, determinant, rates};
+use super::tilt_mechanism::{TiltMechanism, TiltedJoint};
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
 use crate::arch::tilt::TiltedRow;
 use crate::arch::whole::Side;
-use crate::number::{Ball, Enclosure, ExactNumber, Field, bits_of};
+use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, bits_of};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Joints, Slope};
 use crate::prover::decide::is_positive;
-use crate::prover::{Refused, Undecided};
+use crate::prover::{Figure, Refused, Undecided};
 use crate::solve::tilt::{StoneTilt, against, inside, largest};
 use rug::Float;
 
@@ -37,6 +38,8 @@ struct StoneLimit {
     side: Side,
     /// Number of the joint, from the crown.
     joint: u64,
+    /// Angle of the joint from the crown, positive on the right.
+    angle: Ball,
     row: TiltedRow<Ball>,
 }
 
@@ -62,7 +65,17 @@ pub fn tilted_stones(
         }
     };
     let first = bits_of(digits) + GUARD;
-    Ok(TiltDigits::found((first, digits), tilt, |bits| largest_of(&all(bits), bits), told))
+    let largest = |bits| largest_of(&all(bits), bits);
+    let mechanism = |_: &Figure| gives_way(&all(first), first);
+    Ok(TiltDigits::found((first, digits), tilt, largest, told, mechanism))
+}
+
+/// The joints that give way at the largest acceleration.
+fn gives_way(all: &[StoneLimit], bits: u32) -> Result<TiltMechanism, Undecided> {
+    match largest(&in_doubles(all)) {
+        StoneTilt::Limited { active, moment } => Ok(limited(all, &active, moment, bits)?.1),
+        StoneTilt::Nothing | StoneTilt::Unlimited(_) => Err(Undecided::new(NOT_FOUND)),
+    }
 }
 
 /// Tells whether the state at an acceleration that is farthest from all conditions satisfies them.
@@ -113,7 +126,7 @@ fn conditions(arch: &Arch, stones: &Stones, thickness: &ExactNumber, bits: u32) 
     // Both hinges together ask for a normal force: without limit of friction this is all.
     let asked = if arch.is_limited() { &Contact::ALL[..] } else { &Contact::ALL[..2] };
     let joint = |index: u64| {
-        let angle = stones.angle(index, bits);
+        let angle: Angle<Ball> = stones.angle(index, bits);
         let crown = index == 0 && stones.has_joint_at_crown();
         let sides: &[Side] = if crown { &[Side::Right] } else { &[Side::Right, Side::Left] };
         let at = |&side: &Side| {
@@ -122,6 +135,7 @@ fn conditions(arch: &Arch, stones: &Stones, thickness: &ExactNumber, bits: u32) 
                 contact,
                 side,
                 joint: index,
+                angle: at.rad.clone(),
                 row: joints.tilted(contact, &at),
             };
             asked.iter().map(of).collect::<Vec<_>>()
@@ -136,7 +150,9 @@ fn largest_of(all: &[StoneLimit], bits: u32) -> Result<Option<TiltBound>, Undeci
     match largest(&in_doubles(all)) {
         StoneTilt::Nothing => Err(Undecided::new(NOT_FOUND)),
         StoneTilt::Unlimited(direction) => unlimited(all, &direction, bits).map(|()| None),
-        StoneTilt::Limited { active, moment } => limited(all, &active, moment, bits).map(Some),
+        StoneTilt::Limited { active, moment } => {
+            limited(all, &active, moment, bits).map(|(bound, _)| Some(bound))
+        }
     }
 }
 
@@ -146,7 +162,7 @@ fn limited(
     active: &[usize],
     moment: f64,
     bits: u32,
-) -> Result<TiltBound, Undecided> {
+) -> Result<(TiltBound, TiltMechanism), Undecided> {
     let open = || Undecided::new(NOT_FOUND);
     let of: Vec<&StoneLimit> = active.iter().filter_map(|place| all.get(*place)).collect();
     let is_pinned = of.iter().any(|condition| condition.contact.is_hinge());
@@ -171,11 +187,10 @@ fn limited(
     };
     // Each multiplier is what the last unknown would be with that condition alone on the right.
     let zero = whole.int(0);
-    for i in 0..of.len() {
-        let multiplier = replaced(last, &|j| zero.int(i32::from(i == j)));
-        if !multiplier.is_positive().is_proved() {
-            return Err(open());
-        }
+    let multiplier = |i| replaced(last, &|j| zero.int(i32::from(i == j)));
+    let multipliers: Vec<Ball> = (0..of.len()).map(multiplier).collect();
+    if !multipliers.iter().all(is_positive) {
+        return Err(open());
     }
     let mut unknowns = [0, 1, 2, 3].map(|_| Ball::exact(Float::with_val(bits, moment), bits));
     for (column, k) in kept.iter().enumerate() {
@@ -213,7 +228,14 @@ fn limited(
         is_right: of.side == Side::Right,
         joint: Some(of.joint),
     };
-    let [.., tilt] = unknowns;
+    let tilt = unknowns[3].clone();
+    let joint = |(of, rate): (&&StoneLimit, Ball)| TiltedJoint {
+        contact: of.contact,
+        angle: of.angle.clone(),
+        rate,
+        is_springing: of.joint == springing,
+    };
+    let joints = of.iter().zip(multipliers).map(joint).collect();
     let mut limits: Vec<TiltLimit> = of.iter().map(limit).collect();
     // From the right springing to the left.
     let order = |limit: &TiltLimit| match (limit.joint, limit.is_right) {
@@ -222,7 +244,7 @@ fn limited(
         (None, _) => 0,
     };
     limits.sort_by_key(order);
-    Ok((tilt, limits))
+    Ok(((tilt, limits), TiltMechanism::ordered(unknowns, joints)))
 }
 
 /// Any amount of a direction, with its acceleration of one, may be added to a state.
@@ -374,7 +396,7 @@ mod tests {
             all.iter().position(is).unwrap()
         };
         let active: Vec<usize> = limits.iter().map(place).collect();
-        let again = limited(&all, &active, 0.0, 200).unwrap();
+        let again = limited(&all, &active, 0.0, 200).unwrap().0;
         assert!(again.0.overlaps(&tilt));
         for k in 0..4 {
             let mut forged = active.clone();

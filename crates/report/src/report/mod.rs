@@ -71,6 +71,8 @@ mod subject;
 mod table;
 mod tabular;
 mod tilt;
+mod tilt_picture;
+mod tilt_record;
 mod toml;
 mod understood;
 mod value;

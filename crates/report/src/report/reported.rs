@@ -26,6 +26,14 @@ pub trait Reported {
         unsupported()
     }
 
+    /// Picture of several results, as SVG.
+    fn picture_of_all(_: &[Self]) -> io::Result<String>
+    where
+        Self: Sized,
+    {
+        unsupported()
+    }
+
     /// Writes it in a way that no other result has, if it has one for a format.
     fn write_as(&self, _: &Format, _: &mut dyn io::Write) -> Option<io::Result<()>> {
         None
@@ -71,6 +79,10 @@ impl<T: Reported> Reported for Vec<T> {
 
     fn tabular(&self) -> Tabular {
         self.iter().map(T::tabular).collect()
+    }
+
+    fn picture(&self) -> io::Result<String> {
+        T::picture_of_all(self)
     }
 }
 

@@ -1,39 +1,79 @@
-//! Arches under a horizontal acceleration: for a person, CSV, and JSON (`couplet.tilt/2`).
+//! Arches under a horizontal acceleration, and what is proved of them; their record and their picture are beside.
 
-use super::format::Content;
-use super::record::Record;
-use super::reported::Reported;
-use super::tabular::Tabular;
 use super::understood::Understood;
-use super::words::division;
-use crate::arch::SelfWeight;
+use crate::arch::mechanism::Contact;
 use crate::arch::whole::Side;
 use crate::certify::state::Figure;
-use crate::certify::{LargestTilt, TiltDigits, TiltLimit, Undecided};
-use crate::problem::asymmetric_region::MAY_MOVE;
+use crate::certify::{LargestTilt, TiltDigits, TiltLimit, TiltMechanism, TiltedJoint, Undecided};
+use crate::number::{Ball, Drawable, ExactNumber, degrees};
 use crate::problem::stones::Stones;
-use std::io;
+use crate::problem::{Arch, Slope};
+
+/// Digits of an angle among words.
+const DIGITS: usize = 6;
+
+/// A joint that gives way, by its side and its angle from the crown.
+pub(super) struct Joint<'a> {
+    /// The joint as it is proved.
+    pub of: &'a TiltedJoint,
+    pub side: Side,
+    /// Angle from the crown, rad, without its sign.
+    pub size: Ball,
+    /// The joint between two stones, from the crown on.
+    pub number: Option<u64>,
+}
+
+impl Joint<'_> {
+    pub(super) fn is_crown(&self) -> bool {
+        Drawable::is_zero(&self.size)
+    }
+
+    /// The condition of the joint.
+    fn limit(&self) -> TiltLimit {
+        TiltLimit {
+            contact: self.of.contact,
+            is_springing: self.of.is_springing,
+            is_right: self.side == Side::Right,
+            joint: self.number,
+        }
+    }
+
+    /// ` (54.12 deg)`; at the crown nothing.
+    fn angle(&self, digits: usize) -> String {
+        let degrees = self.degrees(digits.min(DIGITS)).filter(|_| !self.is_crown());
+        degrees.map_or(String::new(), |degrees| format!(" ({degrees} deg)"))
+    }
+
+    /// Angle from the crown in degrees, correctly rounded.
+    pub(super) fn degrees(&self, digits: usize) -> Option<String> {
+        super::sketched::decided(&degrees(&self.size), digits)
+    }
+}
 
 /// An arch of a given thickness under an acceleration, and what is proved of it.
 #[derive(Debug)]
 pub struct TiltedArch {
-    /// The self-weight model.
-    pub weight: SelfWeight,
     /// Question as it is understood.
     pub asked: Understood,
-    /// Half opening, friction, thickness and acceleration as given.
-    pub given: [String; 4],
+    /// The arch.
+    pub arch: Arch,
+    /// The thickness as given.
+    pub thickness: ExactNumber,
+    /// The acceleration as given.
+    pub tilt: Slope,
     /// Stones of the arch, where it has joints between these only.
     pub stones: Option<Stones>,
-    /// True if the arch's friction is limited.
-    pub is_limited: bool,
+    /// Digits of what is proved.
+    pub digits: usize,
+    /// The command that makes it, for the caption of a picture.
+    pub command: String,
     /// Result that is proved; `None` if the arch does not even stand without acceleration.
     pub found: Result<Option<TiltDigits>, Undecided>,
 }
 
 impl TiltedArch {
     /// Tells whether there is an admissible state; `None` if that stays open.
-    fn is_admissible(&self) -> Option<bool> {
+    pub(super) fn is_admissible(&self) -> Option<bool> {
         match &self.found {
             Ok(None) => Some(false),
             Ok(Some(found)) => found.is_admissible.as_ref().ok().copied(),
@@ -51,7 +91,7 @@ impl TiltedArch {
     }
 
     /// Outcome in a word.
-    fn outcome(&self) -> &'static str {
+    pub(super) fn outcome(&self) -> &'static str {
         match self.is_admissible() {
             Some(true) => "stands",
             Some(false) => "collapses",
@@ -60,32 +100,67 @@ impl TiltedArch {
     }
 
     /// Tells whether an admissible state does not exclude a motion: joints that slide do not open.
-    fn may_move(&self) -> bool {
-        self.is_limited && self.is_admissible() == Some(true)
+    pub(super) fn may_move(&self) -> bool {
+        self.arch.is_limited() && self.is_admissible() == Some(true)
     }
 
     /// The largest acceleration, where it is known.
-    fn largest(&self) -> Option<&LargestTilt> {
+    pub(super) fn largest(&self) -> Option<&LargestTilt> {
         self.found.as_ref().ok()?.as_ref()?.largest.as_ref().ok()
     }
 
     /// Largest acceleration as a figure.
-    fn figure(&self) -> Option<&Figure> {
+    pub(super) fn figure(&self) -> Option<&Figure> {
         match self.largest()? {
             LargestTilt::Limited(figure, _) => Some(figure),
             LargestTilt::Unlimited => None,
         }
     }
 
-    /// Limits of the acceleration, in words.
-    fn limits(&self) -> Vec<String> {
-        let words = |limit: &TiltLimit| {
+    /// The joints that give way at the largest acceleration, where their places are proved.
+    pub(super) fn mechanism(&self) -> Option<&TiltMechanism> {
+        self.found.as_ref().ok()?.as_ref()?.mechanism.as_ref().ok()?.as_ref()
+    }
+
+    /// The joints that give way, with their sides and, between stones, their numbers.
+    pub(super) fn joints(&self) -> Vec<Joint<'_>> {
+        self.mechanism().into_iter().flat_map(|all| &all.joints).map(|of| self.joint(of)).collect()
+    }
+
+    fn joint<'a>(&self, of: &'a TiltedJoint) -> Joint<'a> {
+        let TiltedJoint { angle, .. } = of;
+        let side = if *angle.mid() < 0 { Side::Left } else { Side::Right };
+        let size = if side == Side::Left { -angle.clone() } else { angle.clone() };
+        let nearest = |stones: &Stones| {
+            let away = |joint: &u64| {
+                let joint: Ball = stones.angle(*joint, size.prec()).rad;
+                (joint.double() - size.double()).abs()
+            };
+            (0..stones.count()).min_by(|a, b| away(a).total_cmp(&away(b)))
+        };
+        let number = self.stones.as_ref().and_then(nearest);
+        Joint { of, side, size, number }
+    }
+
+    /// Why the joints that give way are not told, if they are not.
+    pub(super) fn open_joints(&self) -> Option<&Undecided> {
+        self.found.as_ref().ok()?.as_ref()?.mechanism.as_ref().err()
+    }
+
+    /// Description of what a joint does, in words, by its condition on one side.
+    pub(super) fn happens(&self, side: Side, contact: Contact) -> &'static str {
+        match side.contact(contact) {
+            slip if !slip.is_hinge() && !self.arch.is_limited() => "opens",
+            other => other.name(),
+        }
+    }
+
+    /// Limits of the acceleration, in words: with the angles of the joints, where these are proved.
+    pub(super) fn limits(&self) -> Vec<String> {
+        let words = |limit: &TiltLimit, angle: String| {
             let side = if limit.is_right { Side::Right } else { Side::Left };
             let name = side.name();
-            let words = match side.contact(limit.contact) {
-                slip if !slip.is_hinge() && !self.is_limited => "opens",
-                other => other.name(),
-            };
+            let words = self.happens(side, limit.contact);
             let place = match (limit.is_springing, limit.joint.zip(self.stones.as_ref())) {
                 (true, _) => format!("at the {name} springing"),
                 (false, None) => format!("on the {name}"),
@@ -95,83 +170,15 @@ impl TiltedArch {
                     format!("at joint {number} on the {name}")
                 }
             };
-            format!("{words} {place}")
+            format!("{words} {place}{angle}")
         };
-        match self.largest() {
-            Some(LargestTilt::Limited(_, limits)) => limits.iter().map(words).collect(),
-            _ => Vec::new(),
+        let Some(LargestTilt::Limited(_, limits)) = self.largest() else { return Vec::new() };
+        let joints = self.joints();
+        match joints.is_empty() {
+            true => limits.iter().map(|limit| words(limit, String::new())).collect(),
+            false => {
+                joints.iter().map(|joint| words(&joint.limit(), joint.angle(self.digits))).collect()
+            }
         }
     }
-}
-
-fn table(arch: &TiltedArch, out: &mut dyn io::Write) -> io::Result<()> {
-    {
-        writeln!(out, "Arch of {}\n", arch.asked.with_weight(arch.weight))?;
-        let joints = if arch.stones.is_some() { "between the stones" } else { "on the whole arch" };
-        let outcome = match (arch.is_admissible(), &arch.found) {
-            (_, Ok(None)) => "collapses, proved: it does not stand without tilt either".to_owned(),
-            (Some(true), _) => format!(
-                "stands, proved: an admissible state exists, {joints} no joint slides or is under tension"
-            ),
-            (Some(false), _) => "collapses, proved: no state is admissible".to_owned(),
-            (None, _) => arch.first_open().map_or(String::new(), ToString::to_string),
-        };
-        writeln!(out, "{outcome}")?;
-        if arch.may_move() {
-            writeln!(out, "{MAY_MOVE}: that is not excluded")?;
-        }
-        if let Some(largest) = arch.largest() {
-            let text = match largest {
-                LargestTilt::Limited(figure, _) => figure.to_string(),
-                LargestTilt::Unlimited => "unbounded".to_owned(),
-            };
-            let words = if arch.is_limited { "falls from the tilt" } else { "largest tilt" };
-            writeln!(out, "\n   {words:<24} {text}")?;
-            arch.limits().iter().enumerate().try_for_each(|(index, limit)| {
-                let words = if index == 0 { "        limited by" } else { "" };
-                writeln!(out, "   {words:<24} {limit}")
-            })?;
-        }
-        Ok(())
-    }
-}
-
-impl Reported for TiltedArch {
-    fn content() -> Content {
-        Content::RECORDS
-    }
-
-    fn records(&self) -> Vec<Record> {
-        let mut record = fields(self);
-        let mut lines = Vec::new();
-        let _ = table(self, &mut lines);
-        record.say(String::from_utf8_lossy(&lines).trim_end());
-        vec![record]
-    }
-
-    fn tabular(&self) -> Tabular {
-        let mut row = fields(self);
-        if let Some(LargestTilt::Unlimited) = self.largest() {
-            row.add("largest_tilt", "inf");
-        }
-        let columns = "weight half_opening friction thickness tilt outcome largest_tilt limited_by reason may_move stones";
-        Tabular::of(columns, [row])
-    }
-}
-
-fn fields(arch: &TiltedArch) -> Record {
-    let mut fields = Record::of("couplet.tilt/2");
-    fields.add_record("asked", Some(arch.asked.fields()));
-    fields.add("weight", arch.weight.name());
-    let given = arch.given.each_ref().map(|text| text.as_str().into());
-    fields.append(Record::named("half_opening friction thickness tilt", given));
-    fields.add("outcome", arch.outcome());
-    fields.add("may_move", arch.may_move());
-    fields.add("reason", arch.first_open().map(|open| open.reason.to_string()));
-    fields.add_bounds("largest_tilt", arch.figure());
-    let is_unbounded = arch.largest().map(|largest| matches!(largest, LargestTilt::Unlimited));
-    fields.add("is_unbounded", is_unbounded);
-    fields.add("limited_by", arch.limits());
-    fields.add("stones", arch.stones.as_ref().map(division));
-    fields
 }

@@ -68,8 +68,10 @@ impl DrawnArch {
             }
             (Pose::Least(arch), Some(n)) => Sketch::least_of_stones(arch, n, is_dilatant),
             (Pose::Least(arch), None) => Sketch::least(arch, is_dilatant),
-            (Pose::Standing(arch, eta), Some(n)) => Sketch::standing_of_stones(arch, n, eta),
-            (Pose::Standing(arch, eta), None) => Sketch::standing(arch, eta),
+            (Pose::Standing(arch, eta), Some(n)) => {
+                Sketch::standing_of_stones(arch, n, eta, is_dilatant)
+            }
+            (Pose::Standing(arch, eta), None) => Sketch::standing(arch, eta, is_dilatant),
             (Pose::Sliding(arch, eta), _) => Sketch::sliding(arch, eta, is_dilatant),
         }
     }

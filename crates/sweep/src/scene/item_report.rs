@@ -202,7 +202,8 @@ impl<'a> ItemParts<'a> {
             }
         }
         let (style, command) = (asked.style, asked.command.clone());
-        let drawn = Sketched { sketches, style, measures: asked.measures.clone(), command };
+        let (measures, between) = (asked.measures.clone(), Vec::new());
+        let drawn = Sketched { sketches, style, measures, between, command };
         (open.is_empty().then(|| Box::new(drawn) as Box<dyn Reported>), open)
     }
 

@@ -6,11 +6,15 @@
 //! | `forces` | the forces of a state, and of an end of a range of thrusts |
 //! | `range` | the crown moments that fit a thrust, where there is more than one |
 //! | `stones` | the same of an arch of stones |
+//! | `falling` | an arch that does not stand |
+//! | `along` | the modes that a half opening passes as the friction grows |
 //! | `stability` | what holds for an arch of a given thickness, of stones or not |
 //!
 //! Joints, contacts, rates and thrusts are enclosures of what is proved; the points of lines and of moved blocks are
 //! doubles for the eye: [`sketch`](crate::sketch) computes them in any enclosure.
 
+mod along;
+mod falling;
 mod forces;
 mod range;
 #[allow(clippy::module_inception, reason = "the folder is named after what it makes")]
@@ -19,6 +23,7 @@ mod stability;
 mod stones;
 
 pub use crate::sketch::{Block, Moved, SketchedLine, moved};
+pub use along::Passed;
 pub use sketch::{NoSketch, Sketch, Subject};
 pub use stability::{Bound, Stability};
 

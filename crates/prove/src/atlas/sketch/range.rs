@@ -25,7 +25,10 @@ pub(super) fn moments(
 }
 
 /// The joint at which the line of thrust comes nearest to the intrados, whatever the crown moment.
-fn nearest_joint(weight: SelfWeight, at: &Configuration<Ball>) -> Result<Angle<Ball>, Undecided> {
+pub(super) fn nearest_joint(
+    weight: SelfWeight,
+    at: &Configuration<Ball>,
+) -> Result<Angle<Ball>, Undecided> {
     let crown = Angle::zero(&at.thrust);
     let sign = |slope: Ball| slope.is_positive();
     let open = || Undecided::new("where the line of thrust comes nearest to the intrados");

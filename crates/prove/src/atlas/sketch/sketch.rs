@@ -1,5 +1,6 @@
 //! Drawing of an arch: at its least thickness, at a landmark, or as it stands.
 
+use super::falling;
 use super::forces::{forces_of_limit, forces_of_mode};
 use super::stability::Stability;
 use super::stones;
@@ -30,7 +31,7 @@ pub struct Sketch {
     pub is_limited: bool,
     /// Stones of the arch, if its joints are between them alone.
     pub stones: Option<Stones>,
-    /// The lines: of the state, or of the least and the largest thrust. None if it does not stand.
+    /// The lines: of the state, of the least and the largest thrust, or of one with which it falls.
     pub forces: Vec<Forces>,
     /// Mechanisms in which the arch falls: in one mode, in several at once, or not at all.
     pub collapses: Vec<Collapse>,
@@ -53,6 +54,8 @@ pub enum Subject {
         stability: Box<Stability>,
         /// The thicknesses of its asymmetric solutions, if it stands and has a joint at every angle.
         asymmetric: Vec<Figure>,
+        /// True if the thickness was not asked for, as none is enough.
+        is_chosen: bool,
     },
     /// An arch of a given thickness at the friction at which it slides.
     Sliding {
@@ -66,9 +69,6 @@ pub enum Subject {
 /// Reason why there is nothing to draw.
 #[derive(Clone, Debug, thiserror::Error)]
 pub enum NoSketch {
-    /// The arch stands at no thickness, which is proved.
-    #[error("the arch stands at no thickness: {}", .0.reason())]
-    Falls(Fall),
     /// The thickness or the stones are none.
     #[error(transparent)]
     Refused(#[from] Refused),
@@ -95,6 +95,9 @@ pub enum NoSketch {
     /// An arch so narrow that doubles do not resolve how its blocks move.
     #[error("the half opening {0} is too small for a picture, which takes 1e-9 at least")]
     TooNarrow(String),
+    /// A half opening with which no arch stands.
+    #[error("no arch of the half opening {0} stands at a thickness up to 2")]
+    TooWide(String),
     /// A landmark without a friction.
     #[error("{} is a point of the purely rotational states, at no friction of its own", .0.symbol())]
     NoFriction(Landmark),
@@ -114,20 +117,24 @@ impl Sketch {
                 Outcome::Falls(fall) => return Ok(Some(Err(fall))),
                 Outcome::Stands(state) => state,
             };
-            let mut at = arch.given(bits);
-            for unknown in
-                [Unknown::RotationJoint, Unknown::SlidingJoint, Unknown::Thickness, Unknown::Thrust]
-            {
-                if let Some(value) = state.value(unknown) {
-                    at = at.with(unknown, value.clone());
-                }
-            }
+            let at = falling::configuration(arch, &state, bits);
             let (weight, is_limited) = (arch.weight(), arch.is_limited());
             let subject = Subject::Least(Box::new(arch.clone()));
             Self::of_modes((subject, weight), at, is_limited, &[state.mode], is_dilatant)
                 .map(|sketch| sketch.decided().map(Ok))
         })?;
-        found.map_err(NoSketch::Falls)
+        found.or_else(|fall| {
+            let thickness = falling::shown_thickness(arch, fall)?;
+            Ok(Self::standing(arch, &thickness, is_dilatant)?.with_chosen_thickness())
+        })
+    }
+
+    /// Sketch of an arch whose thickness was not asked for.
+    fn with_chosen_thickness(mut self) -> Self {
+        if let Subject::Standing { is_chosen, .. } = &mut self.subject {
+            *is_chosen = true;
+        }
+        self
     }
 
     /// A landmark, with each mechanism that is possible there.
@@ -147,17 +154,28 @@ impl Sketch {
         Ok(sketch.decided().ok_or_else(|| Undecided::rounding("the rounding"))?)
     }
 
-    /// An arch of a given thickness, in `(0, 2]`, as it stands; without lines if it does not.
-    pub fn standing(arch: &Arch, thickness: &ExactNumber) -> Result<Self, NoSketch> {
+    /// An arch of a given thickness, in `(0, 2]`, as it stands, or as it falls if it does not.
+    pub fn standing(
+        arch: &Arch,
+        thickness: &ExactNumber,
+        is_dilatant: bool,
+    ) -> Result<Self, NoSketch> {
         Refused::thickness(thickness)?;
         wide(arch)?;
         let asymmetric = asymmetric_thicknesses(arch, DIGITS)?;
         Ok(raised(arch, DIGITS, |bits| {
             let assessment = assessment_enclosed(arch, thickness, bits);
             let stability = Box::new(Stability::of_arch(&assessment)?);
-            let at = arch.given(bits).with(Unknown::Thickness, thickness.enclosure(bits));
+            let eta: Ball = thickness.enclosure(bits);
+            let mut at = arch.given(bits).with(Unknown::Thickness, eta.clone());
             let (weight, is_limited) = (arch.weight(), arch.is_limited());
-            let mut forces = Vec::new();
+            let (mut forces, mut collapses) = (Vec::new(), Vec::new());
+            if !stability.stands {
+                let found = falling::fallen(arch, &eta, bits, is_dilatant)?;
+                at = found.0;
+                forces.push(found.1);
+                collapses.push(found.2);
+            }
             for (limit, is_least) in assessment.thrust.iter().zip([true, false]) {
                 if let Ok(Some(limit)) = limit {
                     forces.extend(forces_of_limit(weight, &at, is_limited, limit, is_least)?);
@@ -168,8 +186,9 @@ impl Sketch {
                 false => Vec::new(),
             };
             let (arch, thickness) = (Box::new(arch.clone()), thickness.clone());
-            let subject = Subject::Standing { arch, thickness, stability, asymmetric };
-            let (stones, collapses) = (None, Vec::new());
+            let is_chosen = false;
+            let subject = Subject::Standing { arch, thickness, stability, asymmetric, is_chosen };
+            let stones = None;
             Ok(Self { subject, weight, at, is_limited, stones, forces, collapses }.decided())
         })?)
     }
@@ -182,8 +201,13 @@ impl Sketch {
         let state = match Error::apart(voussoirs(&all, weight, arch.friction(), stones::DIGITS))?? {
             Voussoirs::Stands(state) => state,
             Voussoirs::AnyThickness => return Err(NoSketch::AnyThickness(stones)),
-            Voussoirs::Slides => return Err(NoSketch::Falls(Fall::Sliding)),
-            Voussoirs::TooThick => return Err(NoSketch::Falls(Fall::Thickness)),
+            never @ (Voussoirs::Slides | Voussoirs::TooThick) => {
+                let slides = matches!(never, Voussoirs::Slides);
+                let fall = if slides { Fall::Sliding } else { Fall::Thickness };
+                let thickness = falling::shown_thickness(arch, fall)?;
+                let sketch = Self::standing_of_stones(arch, stones, &thickness, is_dilatant)?;
+                return Ok(sketch.with_chosen_thickness());
+            }
         };
         if state.mode == Mode::Overturning && !all.has_joint_at_crown() {
             return Err(NoSketch::HangingKeystone(stones));
@@ -206,11 +230,12 @@ impl Sketch {
         Ok(sketch.decided().ok_or_else(|| Undecided::new("the rounding"))?)
     }
 
-    /// An arch of so many stones and a given thickness, in `(0, 2]`, as it stands; without lines if it does not.
+    /// An arch of so many stones and a given thickness, in `(0, 2]`, as it stands, or as it falls if it does not.
     pub fn standing_of_stones(
         arch: &Arch,
         stones: u64,
         thickness: &ExactNumber,
+        is_dilatant: bool,
     ) -> Result<Self, NoSketch> {
         wide(arch)?;
         let all = Stones::equal(stones, arch.half_opening().clone()).map_err(Refused::from)?;
@@ -218,20 +243,31 @@ impl Sketch {
         let least = Error::apart(voussoirs(&all, weight, arch.friction(), stones::DIGITS))??;
         let found = assess_voussoirs(&all, weight, arch.friction(), thickness, stones::DIGITS)?;
         let stability = Stability::of_stones((&all, is_limited), &least, &found)?;
-        let eta = thickness.enclosure(stones::BITS);
-        let at = arch.given(stones::BITS).with(Unknown::Thickness, eta);
-        let forces = match &found.standing {
-            Ok(VoussoirStanding::Stands(ends)) => ends
-                .iter()
-                .zip([true, false])
-                .filter_map(|(end, is_least)| stones::forces((arch, &all), &at, end, is_least))
-                .collect(),
-            _ => Vec::new(),
-        };
+        let eta: Ball = thickness.enclosure(stones::BITS);
+        let mut at = arch.given(stones::BITS).with(Unknown::Thickness, eta.clone());
+        let (mut forces, mut collapses) = (Vec::new(), Vec::new());
+        match &found.standing {
+            Ok(VoussoirStanding::Stands(ends)) => {
+                let ends = ends.iter().zip([true, false]);
+                forces.extend(ends.filter_map(|(end, is_least)| {
+                    stones::forces((arch, &all), &at, end, is_least)
+                }));
+            }
+            // Few stones may fall in no mode that is known.
+            Ok(VoussoirStanding::Falls(_)) => {
+                let slides = matches!(least, Voussoirs::Slides);
+                if let Ok(found) = falling::fallen_stones((arch, &all), &eta, slides, is_dilatant) {
+                    at = found.0;
+                    forces.push(found.1);
+                    collapses.push(found.2);
+                }
+            }
+            Err(_) => {}
+        }
         let (arch, stability) = (Box::new(arch.clone()), Box::new(stability));
-        let (thickness, asymmetric) = (thickness.clone(), Vec::new());
-        let subject = Subject::Standing { arch, thickness, stability, asymmetric };
-        let (stones, collapses) = (Some(all), Vec::new());
+        let (thickness, asymmetric, is_chosen) = (thickness.clone(), Vec::new(), false);
+        let subject = Subject::Standing { arch, thickness, stability, asymmetric, is_chosen };
+        let stones = Some(all);
         let sketch = Self { subject, weight, at, is_limited, stones, forces, collapses };
         Ok(sketch.decided().ok_or_else(|| Undecided::new("the rounding"))?)
     }
@@ -295,6 +331,16 @@ impl Sketch {
             |x: &Ball| Rounded::around(x, DIGITS).is_some() && x.nearest_double().is_some();
         let is_decided = at.chain(rates).chain(forces).all(is_rounded);
         is_decided.then_some(self)
+    }
+
+    /// Tells whether it is an arch of a thickness that stands: its lines are those of the least and the largest thrust.
+    pub fn stands(&self) -> bool {
+        matches!(&self.subject, Subject::Standing { stability, .. } if stability.stands)
+    }
+
+    /// Tells whether it is an arch of a thickness that falls.
+    pub fn falls(&self) -> bool {
+        matches!(&self.subject, Subject::Standing { stability, .. } if !stability.stands)
     }
 
     /// The half opening, rad.

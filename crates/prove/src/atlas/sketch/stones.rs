@@ -59,7 +59,7 @@ pub(super) fn moment(
 }
 
 /// The least and the largest crown moment with which the line of thrust is within the arch at every joint.
-fn moments(of: (&Arch, &Stones), at: &Configuration<Ball>) -> Option<[Ball; 2]> {
+pub(super) fn moments(of: (&Arch, &Stones), at: &Configuration<Ball>) -> Option<[Ball; 2]> {
     let joints = || 0..of.1.count();
     let all = |contact| joints().filter_map(move |joint| moment(of, at, (contact, joint)));
     let least = all(Contact::Intrados).reduce(larger)?;

@@ -64,7 +64,7 @@ pub(crate) use query::{bits_lost, raised};
 pub use quick::state_in_double_doubles;
 pub(crate) use quick::{
     assessment_enclosed, raised_from_doubles, sliding_configuration, sliding_enclosed,
-    state_enclosed,
+    state_enclosed, steepest_configuration,
 };
 pub(super) use quick::{critical_frictions, is_quick};
 pub use state::{Fall, Frictions, Outcome, State};

@@ -105,6 +105,14 @@ pub(super) fn sliding_root<E: Arithmetic>(query: &Query<E>) -> Result<Configurat
     Ok(slides)
 }
 
+/// The thrust at which an inner joint slides, and that joint.
+pub(super) fn steepest_root<E: Arithmetic>(
+    query: &Query<E>,
+) -> Result<Configuration<E>, Undecided> {
+    let start = start::inner_sliding(&query.given.friction.candidate());
+    query.root(System::inner_sliding(query.weight), &start)
+}
+
 fn falls_by_sliding<E: Arithmetic>(
     query: &Query<E>,
     least_friction: &E,
@@ -247,8 +255,7 @@ fn inner_sliding<E: Arithmetic>(
     query: &Query<E>,
     rotational: Option<E>,
 ) -> Result<AboveSliding<E>, Undecided> {
-    let [h, joint] = start::inner_sliding(&query.given.friction.candidate());
-    let slid = query.root(System::inner_sliding(query.weight), &[h, joint])?;
+    let slid = steepest_root(query)?;
     let margin = contact::margin_at_physical_limit(query.weight, &slid);
     if !decide(
         &margin,

@@ -7,7 +7,7 @@ use super::assess::{Assessment, AssessmentDigits, Wanted, assessment};
 use super::digits::{Answer, Digits};
 use super::enough::enough;
 use super::inquiry::Inquiry;
-use super::mode::{outcome, pure_sliding, sliding_root};
+use super::mode::{outcome, pure_sliding, sliding_root, steepest_root};
 use super::query::{DOUBLE_DOUBLE, Query, raised};
 use super::state::Outcome;
 use super::thrust_range::Touch;
@@ -106,6 +106,14 @@ pub(crate) fn sliding_configuration(
     bits: u32,
 ) -> Result<Configuration<Ball>, Undecided> {
     sliding_root(&Query::new(arch, bits))
+}
+
+/// The thrust at which an inner joint slides, and that joint, at the friction of the arch.
+pub(crate) fn steepest_configuration(
+    arch: &Arch,
+    bits: u32,
+) -> Result<Configuration<Ball>, Undecided> {
+    steepest_root(&Query::new(arch, bits))
 }
 
 /// Everything that holds for an arch of a given thickness, in `(0, 2]`, in enclosures of `bits` bits.

@@ -15,6 +15,7 @@
 //! Friction cuts off thrusts below that of inner sliding and above that of shoulder sliding. What is
 //! left is the admissible range, and **the arch stands exactly if it is not empty**.
 
+use super::mode::steepest_root;
 use super::query::Query;
 use crate::arch::{Ring, Unknown, contact, sliding, thrust};
 use crate::number::{Angle, Ball, Ternary};
@@ -208,8 +209,7 @@ pub(super) fn cut_at_least<E: Arithmetic>(
     least: Limit<E>,
 ) -> Result<Limit<E>, Undecided> {
     let Some(friction) = query.friction() else { return Ok(least) };
-    let [h, joint] = start::inner_sliding(&friction.candidate());
-    let inner = query.root(System::inner_sliding(query.weight), &[h, joint])?;
+    let inner = steepest_root(query)?;
     let (alpha, joint) = (&query.given.half_opening, inner.sliding_joint.rad);
     // T/N grows up to the steepest joint: if that lies beyond the shoulder, the shoulder counts.
     let inside = alpha.rad.clone() - &joint;

@@ -1,62 +1,16 @@
 //! Caption of an arch above and below its picture.
 
 use super::Sketched;
+use super::falling::Falling;
 use super::metres::{Metres, Size};
-use crate::atlas::{Bound, Collapse, Forces, Sketch, Stability, Subject, moved};
+use super::motion::{reached, unit};
+use super::numbers::{DIGITS, FEW, rounded, shown};
+use crate::atlas::{Bound, Collapse, Forces, Sketch, Stability, Subject};
 use crate::number::{Ball, ExactNumber, Form, arctangent, degrees};
-use crate::picture::text;
 use crate::problem::asymmetric_region::STANDS;
 use crate::problem::measures::Measures;
 use crate::problem::{Arch, Landmark, Mode};
 use crate::report::words;
-
-/// Digits that are shown.
-const DIGITS: usize = 6;
-const FEW: usize = 4;
-
-/// More digits than asked for are shown, at most so many, where the value may be half way between two decimals.
-const MORE: usize = 6;
-
-/// Value correctly rounded, if the ball decides it.
-pub(in crate::report) fn decided(x: &Ball, digits: usize) -> Option<String> {
-    in_digits(&Size::from(x.clone()), digits).map(|text| shortened(&text))
-}
-
-/// A value correctly rounded.
-pub(super) fn rounded(x: &Ball, digits: usize) -> String {
-    shown(&Size::from(x.clone()), digits)
-}
-
-/// A size correctly rounded.
-pub(super) fn shown(x: &Size, digits: usize) -> String {
-    shortened(&in_full(x, digits))
-}
-
-/// Number with the zeros at its end, where others of as many digits stand beside it.
-pub(super) fn in_full(x: &Size, digits: usize) -> String {
-    in_digits(x, digits).unwrap_or_else(|| "undecided".to_owned())
-}
-
-fn in_digits(x: &Size, digits: usize) -> Option<String> {
-    let rounded = (digits..=digits + MORE).find_map(|digits| x.rounded(digits));
-    Some(rounded?.value.to_string())
-}
-
-/// Text without the zeros at the end of a decimal fraction.
-fn shortened(text: &str) -> String {
-    match text.contains('.') && !text.contains('e') {
-        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        false => text.to_owned(),
-    }
-}
-
-/// A joint in degrees, for the picture.
-pub(super) fn label(symbol: &str, joint: f64) -> String {
-    match joint.to_degrees() {
-        small if small < 0.1 => format!("{symbol} {small:.1e}°"),
-        degrees => format!("{symbol} {degrees:.1}°"),
-    }
-}
 
 /// Description of how a mode falls, in a few words.
 fn falls(mode: Mode) -> &'static str {
@@ -96,6 +50,12 @@ fn has_keystone(sketch: &Sketch) -> bool {
 /// The heading of a panel: the mode or the verdict, and what that means.
 pub(super) fn title(sketch: &Sketch, collapse: Option<&Collapse>) -> [String; 2] {
     match (collapse, &sketch.subject) {
+        (Some(collapse), Subject::Standing { stability, .. }) => {
+            let rule = if collapse.is_dilatant { ", associated flow rule" } else { "" };
+            let stones = at_joints(sketch, " at its joints");
+            let falls = format!("does not stand: falls as {}{rule}", collapse.mode.label());
+            [falls, format!("{}{stones}", fails(stability))]
+        }
         (Some(collapse), _) => {
             let (label, falls) = name(sketch, collapse.mode);
             let rule = if collapse.is_dilatant { ", associated flow rule" } else { "" };
@@ -148,6 +108,9 @@ fn subject(sketch: &Sketch, metres: Option<&Metres>) -> String {
         }
         Subject::Landmark(landmark) => {
             format!("{} {}, {model}", words::capital(landmark.name()), words::symbol(*landmark))
+        }
+        Subject::Standing { arch, is_chosen: true, .. } => {
+            format!("Arch of {}, friction {}, {model}", shape(arch), arch.friction())
         }
         Subject::Standing { arch, thickness, .. } => format!(
             "Arch of {}, friction {}, thickness {}, {model}",
@@ -206,9 +169,11 @@ fn in_metres(sketch: &Sketch, measures: &Measures, of: &Metres) -> String {
         size(&loads.reaction)
     );
     let thrust = |of: &Forces| size(&loads.thrust(&of.thrust));
-    let is_standing = matches!(sketch.subject, Subject::Standing { .. });
+    let is_standing = sketch.stands();
     said += &match &sketch.forces[..] {
         [] => String::new(),
+        // One of many with which it falls.
+        [_] if sketch.falls() => String::new(),
         [one] if is_standing => format!(", thrust H = hwr = {} or more", thrust(one)),
         [one] => format!(", thrust H = hwr = {}", thrust(one)),
         [least, largest, ..] => {
@@ -228,13 +193,20 @@ const SYMBOLS: &str = "α half opening; βᵣ and βₛ rotational and sliding i
 
 /// The paragraphs below.
 pub(super) fn paragraphs(drawn: &Sketched) -> Vec<String> {
+    if !drawn.between.is_empty() {
+        return along(drawn);
+    }
     let mut all: Vec<String> =
         drawn.sketches.iter().map(|sketch| paragraph(drawn, sketch)).collect();
     let has = |is: fn(&Sketch) -> bool| drawn.sketches.iter().any(is);
     if drawn.style.notation {
         all.push(SYMBOLS.to_owned());
     }
-    if has(|sketch| !sketch.collapses.is_empty()) {
+    if has(Sketch::falls) {
+        all.extend(
+            drawn.sketches.iter().filter_map(Falling::of).flat_map(|of| of.paragraphs(drawn)),
+        );
+    } else if has(|sketch| !sketch.collapses.is_empty()) {
         let is_sliding = has(|sketch| matches!(sketch.subject, Subject::Sliding { .. }));
         let is_landmark = has(|sketch| matches!(sketch.subject, Subject::Landmark(_)));
         // A landmark has more joints at their limits than one of its modes moves.
@@ -261,27 +233,39 @@ pub(super) fn paragraphs(drawn: &Sketched) -> Vec<String> {
     all
 }
 
-/// Statement of how far blocks are moved: as far as asked, or in each panel as far as they go.
-fn reached(drawn: &Sketched) -> String {
-    let asked = drawn.style.amplitude;
-    let by = |(sketch, collapse): (&Sketch, Option<&Collapse>)| {
-        let by = moved(collapse?, &sketch.at, asked).by;
-        Some(if by == asked { format!("{asked} r") } else { length(by) })
-    };
-    let mut all: Vec<String> = drawn.panels().filter_map(by).collect();
-    all.dedup();
-    all.join(", ")
+/// The frictions between which an arch collapses as it is drawn, in words.
+pub(super) fn between(drawn: &Sketched, place: usize) -> Option<String> {
+    let [from, to] = drawn.between.get(place)?;
+    let few = |x: &Ball| rounded(x, DIGITS);
+    Some(match (from, to) {
+        (Some(from), Some(to)) => format!("friction {} to {}", few(from), few(to)),
+        (Some(from), None) => format!("friction {} and more", few(from)),
+        (None, Some(to)) => format!("friction below {}", few(to)),
+        (None, None) => "all frictions looked at".to_owned(),
+    })
 }
 
-/// A length for the eye, in units of `r`.
-fn length(by: f64) -> String {
-    match by {
-        small if small < 1e-3 => {
-            let order = small.log10().floor();
-            format!("{:.1}×{} r", small / 10f64.powf(order), text::power_of_ten(order as i64))
-        }
-        by => format!("{by:.3} r"),
-    }
+/// The paragraphs below the modes of one half opening.
+fn along(drawn: &Sketched) -> Vec<String> {
+    let one = |(place, sketch): (usize, &Sketch)| {
+        let said = match sketch.falls() {
+            true => subject(sketch, None),
+            false => {
+                let values: Vec<String> = values(sketch).collect();
+                format!("{}: {}", subject(sketch, None), values.join(", "))
+            }
+        };
+        let between = between(drawn, place).unwrap_or_default();
+        format!("{}: {said}.", words::capital(&between))
+    };
+    let mut all: Vec<String> = drawn.sketches.iter().enumerate().map(one).collect();
+    all.push(format!(
+        "Proved: the frictions at which the mode changes, and each arch as above. Blocks are moved rigidly, the corner \
+         that moves most by {}.",
+        reached(drawn)
+    ));
+    all.push(format!("Command: {}", drawn.command));
+    all
 }
 
 fn paragraph(drawn: &Sketched, sketch: &Sketch) -> String {
@@ -290,11 +274,15 @@ fn paragraph(drawn: &Sketched, sketch: &Sketch) -> String {
     let in_metres =
         drawn.measures.as_ref().zip(metres).map(|(measures, of)| in_metres(sketch, measures, &of));
     let in_metres = in_metres.unwrap_or_default();
-    if let Subject::Standing { stability, asymmetric, .. } = &sketch.subject {
+    if let Subject::Standing { stability, asymmetric, thickness, is_chosen, .. } = &sketch.subject {
         let of_stones = sketch.stones.as_ref().filter(|_| stability.stands && sketch.is_limited);
         let may_move = words::may_move(asymmetric).or(of_stones.map(words::stones_may_move));
         let may_move = may_move.map_or(String::new(), |all| format!(" {}.", words::capital(&all)));
-        return said + ". " + &standing(stability, sketch) + &may_move + &in_metres;
+        let chosen = match is_chosen {
+            true => format!(" It is drawn with t/r = {thickness}."),
+            false => String::new(),
+        };
+        return said + ". " + &standing(stability, sketch) + &chosen + &may_move + &in_metres;
     }
     let values: Vec<String> = values(sketch).collect();
     said += &format!(". {}.{in_metres}", words::capital(&values.join(", ")));
@@ -354,15 +342,6 @@ fn balance(sketch: &Sketch, collapse: &Collapse) -> String {
         }
     };
     format!("{label}: the crown {crown}, {taken}.")
-}
-
-/// The rate that is one.
-fn unit(mode: Mode) -> &'static str {
-    match mode {
-        Mode::Rotational | Mode::SlidingRotational => "a rotation of one at the crown",
-        Mode::Sliding => "a slip of one at the shoulder",
-        _ => "a rotation of one at the shoulder",
-    }
 }
 
 /// At T the four mechanisms have one relation.

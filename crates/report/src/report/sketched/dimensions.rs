@@ -1,8 +1,8 @@
 //! Around an arch that is measured: span, rise and thickness, and the reaction of a shoulder.
 
-use super::caption::{in_full, shown};
 use super::metres::Metres;
-use crate::atlas::{Sketch, SketchedLine, Subject};
+use super::numbers::{in_full, shown};
+use crate::atlas::{Sketch, SketchedLine};
 use crate::picture::color::{GUIDE, INK, WHITE};
 use crate::picture::{Anchor, Path, Point, Stroke, Svg, Type, text};
 use crate::problem::measures::Circle;
@@ -157,7 +157,7 @@ impl Dimensions<'_> {
         let forces = &self.sketch.forces;
         let Some(loads) = &self.metres.loads else { return String::new() };
         let size = |k: usize| forces.get(k).map(|of| loads.thrust(&of.thrust));
-        let is_standing = matches!(self.sketch.subject, Subject::Standing { .. });
+        let is_standing = self.sketch.stands();
         match (size(0).map(|x| in_full(&x, DIGITS)), size(1).map(|x| in_full(&x, DIGITS))) {
             (Some(least), Some(largest)) => format!("H {least}–{largest} kN"),
             (Some(least), None) if is_standing => format!("H ≥ {least} kN"),

@@ -2,11 +2,12 @@
 
 use super::Sketched;
 use super::caption::name;
+use super::falling::Falling;
 use super::lean;
 use super::metres::{Loads, Metres, Size};
 use crate::arch::mechanism::{Joint, Mechanism, Twist};
 use crate::atlas::{Block, Collapse, Forces, Sketch, SketchedLine, Subject, moved};
-use crate::number::Ball;
+use crate::number::{Ball, Drawable};
 use crate::problem::Mode;
 use crate::report::record::Record;
 use rug::float::Round;
@@ -44,6 +45,7 @@ fn given(sketch: &Sketch) -> Record {
     let (landmark, arch, thickness) = match &sketch.subject {
         Subject::Least(arch) => (None, Some(arch), None),
         Subject::Landmark(landmark) => (Some(landmark.symbol()), None, None),
+        Subject::Standing { arch, is_chosen: true, .. } => (None, Some(arch), None),
         Subject::Standing { arch, thickness, .. } | Subject::Sliding { arch, thickness } => {
             (None, Some(arch), Some(thickness.to_string()))
         }
@@ -97,6 +99,7 @@ fn forces(forces: &Forces, metres: Option<&Metres>, unit: f64) -> Json {
         "thrust": figure(&forces.thrust),
         "thrust_kn": loads.map(|loads| size(&loads.thrust(&forces.thrust))),
         "limited_by": forces.limited_by,
+        "beyond": forces.beyond.as_ref().map(|by| figure(&(by.clone() * by.of_double(unit)))),
         "crown_moments": forces.moments.each_ref().map(enclosure),
         "thrust_lines": forces.thrust_lines.iter().map(polyline).collect::<Vec<_>>(),
         "friction_line": polyline(&forces.friction_line),
@@ -158,6 +161,7 @@ fn collapse(sketch: &Sketch, collapse: &Collapse, amplitude: f64, unit: f64) -> 
         "joints": joints(mechanism, &sketch.at.thickness),
         "crown_drop": enclosure(&collapse.crown_drop),
         "power": enclosure(&collapse.friction_power),
+        "weight_power": enclosure(&collapse.power),
         "amplitude": moved.by * unit,
         "blocks": blocks.collect::<Vec<_>>(),
     })
@@ -165,13 +169,13 @@ fn collapse(sketch: &Sketch, collapse: &Collapse, amplitude: f64, unit: f64) -> 
 
 /// Writes all geometry as numbers: the right half, to the right and up of the centre.
 pub(in crate::report) fn json(report: &Sketched, out: &mut dyn io::Write) -> io::Result<()> {
-    let arch = |sketch: &Sketch| {
+    let arch = |(place, sketch): (usize, &Sketch)| {
         let mut fields = given(sketch);
         let metres = report.metres(sketch);
         let unit = metres.as_ref().map_or(1.0, |of| of.radius.double());
-        let verdict = match &sketch.subject {
-            Subject::Standing { stability, .. } if stability.stands => "stands",
-            Subject::Standing { .. } => "falls",
+        let verdict = match () {
+            _ if sketch.stands() => "stands",
+            _ if sketch.falls() => "falls",
             _ => "collapses",
         };
         fields.add("verdict", verdict);
@@ -184,8 +188,7 @@ pub(in crate::report) fn json(report: &Sketched, out: &mut dyn io::Write) -> io:
         fields.add("half_opening", figure(&at.half_opening.rad));
         fields.add("thickness", figure(&at.thickness));
         fields.add("friction", friction);
-        let state = !matches!(sketch.subject, Subject::Standing { .. });
-        fields.add("thrust", state.then(|| figure(&at.thrust)));
+        fields.add("thrust", (!sketch.stands()).then(|| figure(&at.thrust)));
         let turns = has(|mode| mode != Mode::Sliding);
         fields.add("rotation_joint", turns.then(|| figure(&at.rotation_joint.rad)));
         fields
@@ -198,11 +201,17 @@ pub(in crate::report) fn json(report: &Sketched, out: &mut dyn io::Write) -> io:
             sketch.collapses.iter().map(|c| collapse(sketch, c, report.style.amplitude, unit));
         fields.add("measures", metres.as_ref().map(measures));
         fields.add("mechanisms", mechanisms.collect::<Vec<_>>());
+        let falling = Falling::of(sketch);
+        let between = report.between.get(place);
+        let ends = between.map(|ends| ends.each_ref().map(|end| end.as_ref().map(figure)));
+        fields.add("between_frictions", ends.map(|ends| json!(ends)));
+        fields.add("proved", falling.as_ref().map(Falling::proved));
+        fields.add("drawn_only", falling.as_ref().map(|of| of.drawn_only(report)));
         fields
     };
     let unit = if report.measures.is_some() { "m" } else { "r" };
     let mut file = Record::of("couplet.drawing/2");
     file.add("unit", unit);
-    file.add_list("arches", report.sketches.iter().map(arch));
+    file.add_list("arches", report.sketches.iter().enumerate().map(arch));
     lean::write(&file, out)
 }

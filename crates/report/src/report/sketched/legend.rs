@@ -1,13 +1,13 @@
 //! Legend in a row below the arches.
 
 use super::Sketched;
-use crate::atlas::Subject;
+use crate::atlas::{Sketch, SketchedLine};
 use crate::picture::color::{INK, WHITE};
 use crate::picture::{Path, Point, Stroke, Svg, Type, text};
 use crate::sketch::look;
 
 /// An entry: a sample and its name.
-enum LegendSample {
+pub(in crate::report) enum LegendSample {
     Line(Stroke),
     Band,
     Hinge,
@@ -18,7 +18,7 @@ enum LegendSample {
 use LegendSample::{Band, Fallen, Hinge, Line, Sliding};
 
 /// The legend of a page of some width.
-pub(super) struct Legend {
+pub(in crate::report) struct Legend {
     rows: Vec<Vec<(LegendSample, &'static str)>>,
 }
 
@@ -35,10 +35,12 @@ fn width(name: &str) -> f64 {
 impl Legend {
     pub(super) fn new(drawn: &Sketched, limit: f64) -> Self {
         let forces = || drawn.sketches.iter().flat_map(|sketch| &sketch.forces);
-        let is_standing =
-            drawn.sketches.iter().any(|sketch| matches!(sketch.subject, Subject::Standing { .. }));
+        let is_standing = drawn.sketches.iter().any(Sketch::stands);
         let mut entries: Vec<(LegendSample, &'static str)> = match (is_standing, forces().count()) {
             (_, 0) => Vec::new(),
+            _ if !forces().flat_map(|of| &of.thrust_lines).any(|line| line.points.len() > 1) => {
+                vec![(Line(look::FRICTION), "line of friction")]
+            }
             (true, 1) => vec![
                 (Line(look::THRUST), "line of thrust, least thrust"),
                 (Line(look::FRICTION), "line of friction"),
@@ -60,6 +62,13 @@ impl Legend {
                 (Line(look::FRICTION), "line of friction"),
             ],
         };
+        let is_outside = |line: &SketchedLine| line.outside().next().is_some();
+        if forces().flat_map(|forces| &forces.thrust_lines).any(is_outside) {
+            entries.push((Line(look::OUTSIDE), "outside the arch"));
+        }
+        if forces().map(|forces| &forces.friction_line).any(is_outside) {
+            entries.push((Line(look::PASSED), "friction passed"));
+        }
         let marks = || forces().flat_map(|forces| &forces.marks);
         if marks().any(|mark| mark.contact.is_hinge()) {
             entries.push((Hinge, if is_standing { "touches a face" } else { "hinge" }));
@@ -71,6 +80,11 @@ impl Legend {
         if drawn.sketches.iter().any(|sketch| !sketch.collapses.is_empty()) {
             entries.push((Fallen, "as it falls"));
         }
+        Self::of(entries, limit)
+    }
+
+    /// A legend of entries.
+    pub(in crate::report) fn of(entries: Vec<(LegendSample, &'static str)>, limit: f64) -> Self {
         let mut rows: Vec<Vec<(LegendSample, &'static str)>> = Vec::new();
         let mut room = 0.0;
         for entry in entries {
@@ -87,12 +101,12 @@ impl Legend {
         Self { rows }
     }
 
-    pub(super) fn height(&self) -> f64 {
+    pub(in crate::report) fn height(&self) -> f64 {
         self.rows.len() as f64 * ROW
     }
 
     /// Draws each row in the middle of a width, from a point downwards.
-    pub(super) fn draw(&self, svg: &mut Svg, (left, top): Point, limit: f64) {
+    pub(in crate::report) fn draw(&self, svg: &mut Svg, (left, top): Point, limit: f64) {
         svg.group("legend", |svg| {
             for (row, y) in self.rows.iter().zip(0..) {
                 let wide: f64 = row.iter().map(|(_, name)| width(name) + BETWEEN).sum();

@@ -10,6 +10,8 @@
 //! | `dimensions` | that beside the picture |
 //! | `legend` | what is what |
 //! | `caption` | what is said above and below |
+//! | `numbers`, `motion` | numbers, and words on motions, of both |
+//! | `falling` | what is proved of an arch that falls, and what is a drawing only |
 //! | `notation` | the symbols, as Figure 1 has them |
 //! | `figures` | which arches the paper shows |
 //! | `json`, `dxf` | the geometry for other programs |
@@ -21,22 +23,27 @@ mod arcs;
 mod caption;
 mod dimensions;
 mod dxf;
+mod falling;
 mod figures;
 mod formats;
 mod json;
 mod lean;
 mod legend;
 mod metres;
+mod motion;
 mod notation;
+mod numbers;
 mod panel;
 mod picture;
 mod strip;
 
-pub(super) use caption::decided;
 pub use figures::arches_of_figure;
+pub(super) use legend::{Legend, LegendSample};
+pub(super) use numbers::decided;
 
 use crate::arch::mechanism::Contact;
 use crate::atlas::{Collapse, Sketch};
+use crate::number::Ball;
 use crate::problem::measures::Measures;
 use metres::Metres;
 use std::ops::RangeInclusive;
@@ -50,6 +57,9 @@ pub struct Sketched {
     pub style: Style,
     /// Measures of the arches, if they are measured.
     pub measures: Option<Measures>,
+    /// Frictions between which each arch collapses as it is drawn, where modes of one half opening are beside each
+    /// other.
+    pub between: Vec<[Option<Ball>; 2]>,
     /// The command that makes it, for its caption.
     pub command: String,
 }

@@ -1,14 +1,16 @@
 //! One arch with its heading, the names of its joints, and its measures.
 
-use super::caption::{label, title};
+use super::caption::{between, title};
 use super::dimensions::{self, Dimensions};
 use super::metres::Metres;
 use super::notation::{self, ArchNotation};
+use super::numbers::label;
 use super::{Sketched, Style, at_limit};
-use crate::atlas::{Collapse, Sketch, Subject};
+use crate::arch::mechanism::Contact;
+use crate::atlas::{Collapse, Sketch};
 use crate::picture::color::{GUIDE, INK, WHITE};
 use crate::picture::{Anchor, Path, Point, Stroke, Svg, Type};
-use crate::sketch::{ArchView, Blocks, CROWN, Lines, PageScale};
+use crate::sketch::{ArchView, Blocks, CROWN, Lines, PageScale, SketchedLine};
 
 /// One arch with a mode in which it falls.
 pub(super) struct ModePanel<'a> {
@@ -18,6 +20,8 @@ pub(super) struct ModePanel<'a> {
     pub style: Style,
     /// Measures of the arch, if it has any.
     pub metres: Option<Metres>,
+    /// Frictions between which it collapses so, where that is told.
+    pub between: Option<String>,
 }
 
 /// Sizes of fonts.
@@ -31,11 +35,12 @@ const AWAY: f64 = 13.0;
 impl<'a> ModePanel<'a> {
     pub(super) fn all(drawn: &'a Sketched) -> Vec<Self> {
         let style = drawn.style;
-        let panel = |(sketch, collapse): (&'a Sketch, Option<&'a Collapse>)| {
+        let panel = |(place, (sketch, collapse)): (usize, (&'a Sketch, Option<&'a Collapse>))| {
             let view = view(sketch, collapse, style);
-            Self { sketch, collapse, view, style, metres: drawn.metres(sketch) }
+            let (metres, between) = (drawn.metres(sketch), between(drawn, place));
+            Self { sketch, collapse, view, style, metres, between }
         };
-        drawn.panels().map(panel).collect()
+        drawn.panels().enumerate().map(panel).collect()
     }
 
     pub(super) fn draw(&self, svg: &mut Svg, scale: &PageScale, at: (Point, f64)) {
@@ -47,7 +52,8 @@ impl<'a> ModePanel<'a> {
         };
         let middle = left + width / 2.0;
         svg.text(&heading, (middle, top + 12.0), Type::new(TITLE, INK).at(Anchor::Middle));
-        svg.text(&words, (middle, top + 36.0), Type::new(LABEL, INK).at(Anchor::Middle));
+        let words = self.between.as_ref().unwrap_or(&words);
+        svg.text(words, (middle, top + 36.0), Type::new(LABEL, INK).at(Anchor::Middle));
         self.view.body(svg, scale);
         if !self.style.notation {
             self.names(svg, scale);
@@ -68,6 +74,14 @@ impl<'a> ModePanel<'a> {
         }
     }
 
+    /// Number of an inner joint between stones, as the answer in words has it.
+    fn number(&self, joint: f64) -> Option<String> {
+        let stones = self.sketch.stones.as_ref()?;
+        let near = |at: &f64| (at - joint).abs() < CROWN * self.sketch.half_opening();
+        let place = self.sketch.stone_joints().iter().position(near)? as u64;
+        Some(format!("joint {}, ", place + u64::from(!stones.has_joint_at_crown())))
+    }
+
     /// The names of the joints, outside the arch: the rotational joint and the half opening on the right, the
     /// sliding joint on the left.
     fn names(&self, svg: &mut Svg, scale: &PageScale) {
@@ -76,7 +90,11 @@ impl<'a> ModePanel<'a> {
         let beyond = |joint: f64, side: f64| {
             // Further out than the blocks there.
             let near = |[x, y]: &[f64; 2]| (x.atan2(*y) - joint).abs() < 0.3;
-            let corners = self.view.blocks.iter().flat_map(Blocks::corners).filter(near);
+            let lines = self.view.lines.iter().flat_map(|of| of.thrust.iter().chain([of.friction]));
+            let outside = lines.flat_map(SketchedLine::outside);
+            let outside = outside.flat_map(|part| part.places().collect::<Vec<_>>());
+            let corners = self.view.blocks.iter().flat_map(Blocks::corners).chain(outside);
+            let corners = corners.filter(near);
             let out = corners.map(|[x, y]| x.hypot(y)).fold(outer, f64::max);
             let room = AWAY / scale.radius;
             let ends = [outer + 0.4 * room, out + 0.7 * room].map(|r| scale.polar(joint, r, side));
@@ -85,9 +103,15 @@ impl<'a> ModePanel<'a> {
         let mut names: Vec<(f64, f64, String)> = Vec::new();
         for (contact, joint) in self.view.marks.iter().copied() {
             let is_inner = joint > CROWN * alpha && joint < (1.0 - CROWN) * alpha;
-            let symbol = if contact.is_hinge() { "βᵣ" } else { "βₛ" };
+            let number = self.number(joint);
+            let symbol = match (contact, &number) {
+                // The hinge beside a keystone has no symbol.
+                (Contact::Extrados, Some(_)) => "",
+                (Contact::Extrados | Contact::Intrados, _) => "βᵣ",
+                _ => "βₛ",
+            };
             let side = if contact.is_hinge() || self.style.half { 1.0 } else { -1.0 };
-            let text = label(symbol, joint);
+            let text = number.unwrap_or_default() + label(symbol, joint).trim_start();
             let known =
                 names.iter_mut().find(|(known, _, _)| (*known - joint).abs() < CROWN * alpha);
             match known {
@@ -141,7 +165,7 @@ fn view<'a>(sketch: &'a Sketch, collapse: Option<&Collapse>, style: Style) -> Ar
         half_opening: sketch.half_opening(),
         radii: sketch.radii(),
         lines: lines.collect(),
-        is_standing: matches!(sketch.subject, Subject::Standing { .. }),
+        is_standing: sketch.stands(),
         has_jump: sketch.has_jump(),
         marks,
         blocks: collapse.map(|collapse| {

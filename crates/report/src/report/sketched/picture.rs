@@ -10,8 +10,8 @@ use crate::picture::{Svg, Type, text};
 use crate::sketch::PageScale;
 
 const MARGIN: f64 = 20.0;
-/// The width of a panel where there is one, and where there are more.
-const WIDTHS: [f64; 2] = [880.0, 620.0];
+/// The width of a panel where there is one in a row, and where there are more.
+const WIDTHS: [f64; 3] = [880.0, 620.0, 470.0];
 /// The most that an arch is high.
 const HEIGHT: f64 = 620.0;
 const SMALL: f64 = 15.0;
@@ -20,7 +20,8 @@ const GAP: f64 = 16.0;
 /// The picture as SVG.
 pub(in crate::report) fn picture(report: &Sketched) -> String {
     let panels = ModePanel::all(report);
-    let columns = panels.len().clamp(1, 2);
+    let most = if report.between.is_empty() { 2 } else { WIDTHS.len() };
+    let columns = panels.len().clamp(1, most);
     let wide = WIDTHS[columns - 1];
     let extents: Vec<[f64; 4]> = panels.iter().map(|panel| panel.view.extent()).collect();
     let hull = extents
@@ -31,12 +32,9 @@ pub(in crate::report) fn picture(report: &Sketched) -> String {
     let around = panels.iter().map(ModePanel::around);
     let [side, under] = around.fold([0.0, 0.0], |[a, b]: [f64; 2], [c, d]| [a.max(c), b.max(d)]);
     let radius = ((wide - 2.0 * side) / (right - left)).min(HEIGHT / (high - low));
-    let strip = panels
-        .iter()
-        .map(|panel| Strip::of(panel.sketch, radius, report.style.half))
-        .find(Option::is_some);
-    let strip = strip.flatten();
-    let below = if strip.is_some() { strip::HEIGHT } else { 0.0 };
+    let strips: Vec<Option<Strip>> =
+        panels.iter().map(|panel| Strip::of(panel, radius, report.style.half)).collect();
+    let below = if strips.iter().any(Option::is_some) { strip::HEIGHT } else { 0.0 };
     let tall = HEAD + ABOVE + radius * (high - low) + under + below;
     let rows = panels.len().div_ceil(columns);
     let width = 2.0 * MARGIN + columns as f64 * wide;
@@ -62,7 +60,7 @@ pub(in crate::report) fn picture(report: &Sketched) -> String {
         let scale = PageScale { center: centre, radius };
         svg.group(&format!("panel-{place}"), |svg| {
             panel.draw(svg, &scale, ((x, y), wide));
-            if let Some(strip) = &strip {
+            if let Some(strip) = &strips[place] {
                 strip.draw(svg, panel, (x + side, y + tall - below), wide - 2.0 * side);
             }
         });

@@ -1,8 +1,8 @@
-//! A thin arch, unrolled: along it the joints, across it the thickness, enlarged.
+//! A thin arch, unrolled: along it the joints, across it the thickness, enlarged, and how it falls in that scale.
 
 use super::panel::ModePanel;
 use crate::arch::mechanism::Contact;
-use crate::atlas::{Sketch, SketchedLine, Subject};
+use crate::atlas::{Block, SketchedLine, moved};
 use crate::picture::color::{INK, WHITE};
 use crate::picture::{Anchor, Path, Point, Svg, Type, text};
 use crate::sketch::{across, look};
@@ -13,6 +13,35 @@ pub(super) struct Strip {
     half: bool,
     /// Factor by which the thickness is drawn larger than the length.
     times: f64,
+    /// Thickness as it is drawn.
+    across: f64,
+    /// The outlines of the blocks as they fall: angles from the crown and offsets in thicknesses.
+    blocks: Vec<Vec<[f64; 2]>>,
+}
+
+/// Distance by which the corner that moves most is moved, in thicknesses.
+const AMPLITUDE: f64 = 0.5;
+/// Doubles do not tell how the blocks of a thinner arch move across it.
+const THINNEST: f64 = 1e-10;
+/// Points along a face of a block.
+const POINTS: u32 = 24;
+
+/// The outlines of blocks that have moved by part of the thickness.
+fn fallen(panel: &ModePanel) -> Vec<Vec<[f64; 2]>> {
+    let eta = panel.sketch.thickness();
+    let Some(collapse) = panel.collapse.filter(|_| eta > THINNEST) else { return Vec::new() };
+    let outline = |block: &Block| {
+        let [from, to] = block.between;
+        let at = |k: u32, offset: f64| {
+            let joint = from + (to - from) * f64::from(k) / f64::from(POINTS);
+            let radius = 1.0 + offset * eta;
+            let [x, y] = block.motion.to(&[radius * joint.sin(), radius * joint.cos()]);
+            [x.atan2(y), (x.hypot(y) - 1.0) / eta]
+        };
+        let there = (0..=POINTS).map(|k| at(k, 0.5));
+        there.chain((0..=POINTS).rev().map(|k| at(k, -0.5))).collect()
+    };
+    moved(collapse, &panel.sketch.at, AMPLITUDE * eta).blocks.iter().map(outline).collect()
 }
 
 /// An arch thinner than this on the page is unrolled too.
@@ -26,12 +55,20 @@ pub(super) const HEIGHT: f64 = TOP + ACROSS + 40.0;
 
 impl Strip {
     /// Strip of an arch of some radius on the page, if it is thin there.
-    pub(super) fn of(sketch: &Sketch, radius: f64, half: bool) -> Option<Self> {
+    pub(super) fn of(panel: &ModePanel, radius: f64, half: bool) -> Option<Self> {
+        let sketch = panel.sketch;
         let thickness = radius * sketch.thickness();
-        let times = ACROSS / thickness;
-        let of = Self { alpha: sketch.half_opening(), half, times };
         // Without lines there is nothing to see in it.
-        (thickness < THIN && !sketch.forces.is_empty()).then_some(of)
+        if thickness >= THIN || sketch.forces.is_empty() {
+            return None;
+        }
+        let blocks = fallen(panel);
+        let lines =
+            sketch.forces.iter().flat_map(|of| of.thrust_lines.iter().chain([&of.friction_line]));
+        let points = lines.flat_map(|line| &line.points).chain(blocks.iter().flatten());
+        let furthest = points.map(|[_, offset]| offset.abs()).fold(0.5, f64::max);
+        let across = ACROSS / (2.0 * furthest);
+        Some(Self { alpha: sketch.half_opening(), half, times: across / thickness, across, blocks })
     }
 
     pub(super) fn draw(&self, svg: &mut Svg, panel: &ModePanel, (left, top): Point, width: f64) {
@@ -39,7 +76,7 @@ impl Strip {
         let from = if self.half { 0.0 } else { -self.alpha };
         let at = |joint: f64, offset: f64| -> Point {
             let across = (joint - from) / (self.alpha - from);
-            (left + across * width, top + TOP + (0.5 - offset) * ACROSS)
+            (left + across * width, top + TOP + ACROSS / 2.0 - offset * self.across)
         };
         let frame = Path::rectangle(at(from, outer), at(self.alpha, inner));
         let sides: &[f64] = if self.half { &[1.0] } else { &[1.0, -1.0] };
@@ -54,15 +91,24 @@ impl Strip {
                     format!("{} times and more", text::power_of_ten(many.log10().floor() as i64))
                 }
             };
-            let words = format!("unrolled; across the arch {times} enlarged");
+            let falls = if self.blocks.is_empty() { "" } else { ", and so how it falls" };
+            let words = format!("unrolled; across the arch {times} enlarged{falls}");
             svg.text(
                 &words,
                 (left + width / 2.0, top + TOP / 2.0),
                 Type::new(SMALL, INK).at(Anchor::Middle),
             );
             svg.fill(&frame, look::STONE);
+            for (block, side) in
+                self.blocks.iter().flat_map(|block| sides.iter().map(move |s| (block, s)))
+            {
+                let outline =
+                    Path::around(block.iter().map(|[joint, offset]| at(side * joint, *offset)));
+                svg.tint(&outline, look::FALLEN, look::SHEER);
+                svg.stroke(&outline, look::FALLEN_EDGE);
+            }
             svg.stroke(&frame, look::OUTLINE);
-            let is_standing = matches!(panel.sketch.subject, Subject::Standing { .. });
+            let is_standing = panel.sketch.stands();
             for (place, forces) in panel.sketch.forces.iter().enumerate() {
                 let is_second = is_standing && place > 0;
                 let friction = if is_second { look::LARGEST_FRICTION } else { look::FRICTION };
@@ -87,8 +133,8 @@ impl Strip {
             }
             let style = Type::new(SMALL, INK).at(Anchor::Middle);
             for (joint, name) in [(0.0, "crown"), (self.alpha, "shoulder")] {
-                let (x, y) = at(joint, inner);
-                svg.text(name, (x, y + 18.0), style);
+                let (x, _) = at(joint, inner);
+                svg.text(name, (x, top + TOP + ACROSS + 18.0), style);
             }
         });
     }

@@ -9,7 +9,13 @@ fn arch(half_opening: &str, friction: &str) -> Arch {
 }
 
 fn drawn(sketches: Vec<Sketch>, style: Style) -> Sketched {
-    Sketched { sketches, style, measures: None, command: "couplet draw".into() }
+    Sketched {
+        sketches,
+        style,
+        measures: None,
+        between: Vec::new(),
+        command: "couplet draw".into(),
+    }
 }
 
 fn as_svg(drawn: &Sketched) -> String {
@@ -61,7 +67,7 @@ fn pictures() -> Vec<(String, String)> {
     ] {
         add(
             name,
-            Sketch::standing(&arch(alpha, mu), &eta.parse().unwrap()).unwrap(),
+            Sketch::standing(&arch(alpha, mu), &eta.parse().unwrap(), false).unwrap(),
             Style::default(),
         );
     }
@@ -89,9 +95,11 @@ fn pictures() -> Vec<(String, String)> {
     put("stones", drawn(vec![of_stones("2.45", "1.35", 20)], Style::default()));
     let rich = Style { half: true, arrows: true, animate: true, ..Style::default() };
     put("keystone-half", drawn(vec![of_stones("pi/2", "1", 9)], rich));
-    let standing = Sketch::standing_of_stones(&arch("2.45", "1.35"), 21, &thick("0.8")).unwrap();
+    let standing =
+        Sketch::standing_of_stones(&arch("2.45", "1.35"), 21, &thick("0.8"), false).unwrap();
     put("stones-stand", measured(standing, Style::default(), Circle::Intrados, true));
-    let standing = Sketch::standing(&arch("80deg", "0.35"), &"0.16".parse().unwrap()).unwrap();
+    let standing =
+        Sketch::standing(&arch("80deg", "0.35"), &"0.16".parse().unwrap(), false).unwrap();
     let of = measured(standing, Style::default(), Circle::Centreline, true);
     put("metres-stands", of);
     let triple = Sketch::landmark(Landmark::Triple, SelfWeight::Milankovitch, false).unwrap();

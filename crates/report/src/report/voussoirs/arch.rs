@@ -5,11 +5,13 @@ use crate::certify::state::Figure;
 use crate::certify::{
     Undecided, VoussoirAssessment, VoussoirDigits, VoussoirLoss, VoussoirStanding, Voussoirs,
 };
-use crate::number::ExactNumber;
+use crate::number::{Ball, ExactNumber, Rounded, degrees};
 use crate::problem::stones::{JointContact, Stones};
 use crate::problem::{Friction, Quantity};
+use crate::report::record::Record;
+use crate::report::sketched::decided;
 use crate::report::understood::Understood;
-use crate::report::words;
+use crate::report::words::{self, DOUBLE_DIGITS};
 
 /// An arch of voussoirs, what is proved of it, and the same arch without end of joints.
 #[derive(Debug)]
@@ -115,6 +117,41 @@ impl VoussoirArch {
         ]
     }
 }
+
+/// Bits of an angle that is told.
+const BITS: u32 = 256;
+/// Digits of an angle among words.
+const DIGITS: usize = 6;
+
+impl VoussoirArch {
+    /// Place of a joint in words: its number, and its angle from the crown on both sides.
+    pub(super) fn place(&self, joint: u64) -> String {
+        let place = self.stones.place(joint);
+        let angle = degrees(&self.stones.angle::<Ball>(joint, BITS).rad);
+        match decided(&angle, DIGITS) {
+            Some(angle) if place != CROWN => format!("{place} ({angle} deg)"),
+            _ => place,
+        }
+    }
+
+    /// The joints that give way, each with what happens there; at the crown once, elsewhere on both sides.
+    pub(super) fn gives_way(&self) -> Vec<Record> {
+        let one = |contact: &JointContact| {
+            let mut fields = Record::default();
+            fields.add("happens", at_limit(self, contact));
+            let is_crown = self.stones.place(contact.1) == CROWN;
+            fields.add("side", if is_crown { "crown" } else { "both" });
+            let angle = self.stones.angle::<Ball>(contact.1, BITS).rad;
+            fields.add_rounded("angle", Rounded::around(&angle, DOUBLE_DIGITS).as_ref());
+            fields.add("joint", contact.1);
+            fields
+        };
+        self.state().iter().flat_map(|state| &state.contacts).map(one).collect()
+    }
+}
+
+/// The place of a joint at the crown, in words.
+const CROWN: &str = "at the crown";
 
 /// A contact in words.
 pub(super) fn at_limit(arch: &VoussoirArch, contact: &JointContact) -> &'static str {

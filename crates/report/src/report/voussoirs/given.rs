@@ -85,13 +85,9 @@ pub(super) fn lines(
 
 /// Limit of a thrust, in words.
 fn limited(arch: &VoussoirArch, end: &VoussoirLimit) -> String {
-    let one = |(contact, joint): (&JointContact, &Figure)| {
-        let at = arch.stones.place(contact.1);
-        let rad =
-            if at.starts_with("at joint") { format!(" ({joint} rad)") } else { String::new() };
-        format!("{} {at}{rad}", at_limit(arch, contact))
-    };
-    end.contacts.iter().zip(&end.joints).map(one).collect::<Vec<_>>().join(", ")
+    let one =
+        |contact: &JointContact| format!("{} {}", at_limit(arch, contact), arch.place(contact.1));
+    end.contacts.iter().map(one).collect::<Vec<_>>().join(", ")
 }
 
 /// Names of the cells of a row.

@@ -87,6 +87,7 @@ fn entry(arch: &VoussoirArch) -> Record {
         state.contacts.iter().map(contact).collect::<Vec<_>>()
     });
     fields.add("contacts", contacts);
+    fields.add_list("gives_way", arch.gives_way());
     if let Some(given) = &arch.given {
         fields.add_record("assessment", Some(given::fields(arch, given)));
     }

@@ -60,7 +60,7 @@ fn stands(arch: &VoussoirArch, state: &VoussoirDigits, out: &mut dyn io::Write) 
     }
     writeln!(out, "\nmechanism, joints counted from the crown")?;
     state.contacts.iter().try_for_each(|contact| {
-        let (words, place) = (at_limit(arch, contact), arch.stones.place(contact.1));
+        let (words, place) = (at_limit(arch, contact), arch.place(contact.1));
         writeln!(out, "   {words:<22} {place}")
     })
 }

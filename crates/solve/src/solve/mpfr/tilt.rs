@@ -46,6 +46,8 @@ pub enum TiltCandidate {
 pub struct TiltNear {
     /// The conditions that hold with equality.
     pub touches: Vec<TiltTouch>,
+    /// Multipliers of these conditions.
+    pub rates: Vec<Float>,
     /// The state there, `h, p, v, k`.
     pub limit: [Float; 4],
     /// A state inside all conditions.
@@ -91,8 +93,8 @@ impl TiltSearch {
         let mut touches = self.touches(&places, active);
         let limit = self.settled(unknowns, &mut touches);
         let inside = inside.map(|x| Float::with_val(self.bits, x));
-        let touches = touches.into_iter().map(|(touch, _)| touch).collect();
-        TiltCandidate::Limited(Box::new(TiltNear { touches, limit, inside }))
+        let (touches, rates) = touches.into_iter().unzip();
+        TiltCandidate::Limited(Box::new(TiltNear { touches, rates, limit, inside }))
     }
 
     /// The `h, p, v, k` at an acceleration that are farthest from all conditions, if some are inside.

@@ -1,0 +1,91 @@
+//! The whole arch on the page, where its halves differ.
+
+use super::blocks::Blocks;
+use super::line::SketchedLine;
+use super::look;
+use super::scale::PageScale;
+use crate::arch::mechanism::Contact;
+use crate::picture::color::WHITE;
+use crate::picture::{Path, Svg};
+
+/// An arch in doubles, in units of `r`; joints are positive on the right.
+#[derive(Clone, Debug)]
+pub struct WholeView {
+    /// The half opening, rad.
+    pub half_opening: f64,
+    /// Radii of the intrados and the extrados.
+    pub radii: [f64; 2],
+    /// The line of thrust from the crown to the right and to the left.
+    pub thrust: Option<[SketchedLine; 2]>,
+    /// The line of friction, where that is limited.
+    pub friction: Option<[SketchedLine; 2]>,
+    /// The joints at their limits, rad.
+    pub marks: Vec<(Contact, f64)>,
+    /// Blocks in which it falls.
+    pub blocks: Option<Blocks>,
+    /// The joints between stones, rad.
+    pub stones: Vec<f64>,
+}
+
+impl WholeView {
+    /// Extent in units of `r`: left, right, below and above the centre.
+    pub fn extent(&self) -> [f64; 4] {
+        let [inner, outer] = self.radii;
+        let alpha = self.half_opening;
+        let wide = if alpha > std::f64::consts::FRAC_PI_2 { outer } else { outer * alpha.sin() };
+        let low = (inner * alpha.cos()).min(outer * alpha.cos());
+        let corners = self.blocks.iter().flat_map(Blocks::corners);
+        corners.fold([-wide, wide, low, outer], |[a, b, c, d], [x, y]| {
+            [a.min(x), b.max(x), c.min(y), d.max(y)]
+        })
+    }
+
+    /// The arch at rest, the blocks as they fall, and the outline.
+    pub fn body(&self, svg: &mut Svg, scale: &PageScale) {
+        let outline = scale.sector([-self.half_opening, self.half_opening], self.radii, 1.0);
+        svg.group("arch", |svg| svg.fill(&outline, look::STONE));
+        if let Some(blocks) = &self.blocks {
+            svg.group("mechanism", |svg| blocks.draw(svg, scale, &[1.0]));
+        } else if !self.stones.is_empty() {
+            svg.group("stones", |svg| {
+                svg.stroke(&scale.joints(&self.stones, self.radii, 1.0), look::JOINT);
+            });
+        }
+        svg.group("outline", |svg| svg.stroke(&outline, look::OUTLINE));
+    }
+
+    /// The lines of thrust and of friction.
+    pub fn lines(&self, svg: &mut Svg, scale: &PageScale) {
+        let of =
+            [("friction", &self.friction, look::FRICTION), ("thrust", &self.thrust, look::THRUST)];
+        for (name, halves, stroke) in of {
+            let Some([right, left]) = halves else { continue };
+            svg.group(name, |svg| svg.stroke(&self.across([right, left], scale), stroke));
+        }
+    }
+
+    fn across(&self, [right, left]: [&SketchedLine; 2], scale: &PageScale) -> Path {
+        // Over a keystone the line is straight, from joint to joint.
+        let has_keystone = !self.stones.is_empty() && !self.stones.contains(&0.0);
+        let first = usize::from(has_keystone);
+        let there = left.places().skip(first).rev().map(|point| scale.at(point, -1.0));
+        Path::through(there.chain(right.places().skip(first).map(|point| scale.at(point, 1.0))))
+    }
+
+    /// The joints at their limits.
+    pub fn marks(&self, svg: &mut Svg, scale: &PageScale) {
+        let [inner, outer] = self.radii;
+        svg.group("sliding", |svg| {
+            for (_, joint) in self.marks.iter().filter(|(contact, _)| !contact.is_hinge()) {
+                let ends = [inner, outer].map(|radius| scale.polar(*joint, radius, 1.0));
+                svg.stroke(&Path::through(ends), look::SLIDES);
+            }
+        });
+        svg.group("hinges", |svg| {
+            for (contact, joint) in self.marks.iter().filter(|(contact, _)| contact.is_hinge()) {
+                let radius = if *contact == Contact::Extrados { outer } else { inner };
+                svg.ring(scale.polar(*joint, radius, 1.0), look::HINGE_RADIUS, WHITE, look::HINGE);
+            }
+        });
+    }
+}
