@@ -1,11 +1,10 @@
-//! All solutions of the complementarity problem (19) between equal stones: lines for a person, rows, and an object.
+//! All solutions of the complementarity problem (19) between equal stones.
 
 use super::record::Record;
 use crate::arch::whole::Side;
 use crate::certify::{Enumeration, JointedMotion, JointedSolution, Standing, Undecided};
 use crate::problem::Extent;
 use serde_json::Value as Json;
-use std::io;
 
 /// Number of joints that have conditions.
 pub(super) fn joints(extent: Extent, stones: u64) -> u64 {
@@ -25,77 +24,6 @@ pub(super) fn extent(extent: Extent) -> &'static str {
 
 fn side(motion: &JointedMotion) -> &'static str {
     motion.side.map_or("crown", Side::name)
-}
-
-fn table(all: &Enumeration, out: &mut dyn io::Write) -> io::Result<()> {
-    let joints = joints(all.extent, all.stones);
-    let (whole, each) = match all.extent {
-        Extent::Whole => ("the whole arch", "triples"),
-        Extent::Half => ("the half arch: symmetric states", "pairs"),
-    };
-    writeln!(
-        out,
-        "All solutions of (19) between {} equal stones, {joints} joints of {whole}",
-        all.stones
-    )?;
-    match &all.standing {
-        Standing::Never => {
-            return writeln!(
-                out,
-                "   none, proved: at no thickness up to 2 anything is admissible"
-            );
-        }
-        Standing::Always => writeln!(out, "   there are admissible states at every thickness")?,
-        Standing::From(eta) => {
-            writeln!(out, "   there are admissible states from the thickness {eta} on")?
-        }
-    }
-    for solution in &all.solutions {
-        match solution {
-            Ok(solution) => one(solution, out)?,
-            Err(undecided) => writeln!(out, "\n   a solution that is {undecided}")?,
-        }
-    }
-    writeln!(out)?;
-    for [low, high] in all.open_bounds() {
-        writeln!(out, "   from {low} to {high} nothing is proved")?;
-    }
-    let triples = all.triples;
-    let rest = match (all.open.is_empty(), all.extent) {
-        (true, Extent::Whole) => {
-            "no other thickness up to 2 has a solution but mirror images, proved"
-        }
-        (true, Extent::Half) => "no other thickness up to 2 has a symmetric solution, proved",
-        (false, _) => "elsewhere up to 2 there is no other solution, proved",
-    };
-    let (complete, range) = match all.open.is_empty() {
-        true => ("complete for these joints, as each", "on all of the range"),
-        false => ("it is not complete for these joints; each", "there"),
-    };
-    writeln!(out, "   {rest}: {complete}")?;
-    writeln!(out, "   of the {triples} {each} of conditions is decided by signs in balls, {range}")
-}
-
-fn one(solution: &JointedSolution, out: &mut dyn io::Write) -> io::Result<()> {
-    let kind = match solution.is_symmetric {
-        true => "symmetric: the least thickness",
-        false => "asymmetric; its mirror image is a solution too",
-    };
-    writeln!(out, "\n   {}  {kind}", solution.thickness)?;
-    for (name, symbol, figure) in [
-        ("thrust", "h = H/(w r)", &solution.thrust),
-        ("crown_moment", "p", &solution.crown_moment),
-        ("vertical_force", "v", &solution.vertical_force),
-    ] {
-        writeln!(out, "      {name:<20} {symbol:<12} {figure}")?;
-    }
-    let angles: Vec<String> = solution.joints.iter().map(|joint| joint.angle.to_string()).collect();
-    let width = angles.iter().map(String::len).max().unwrap_or(0).max(16);
-    writeln!(out, "      {:<22} {:<7} {:<width$}  rate", "joint", "", "angle from crown")?;
-    solution.joints.iter().zip(&angles).try_for_each(|(joint, angle)| {
-        let (how, side) = (joint.contact.name(), side(joint));
-        writeln!(out, "      {how:<22} {side:<7} {angle:<width$}  {}", joint.rate)
-    })
 }
 
 /// Rows for the solutions, and for each piece on which nothing is proved, from its thickness until another.
@@ -118,64 +46,110 @@ pub(super) fn rows(found: &Result<Enumeration, Undecided>) -> Vec<Record> {
 
 /// The solutions, with what a person reads of them.
 pub(super) fn record(found: &Result<Enumeration, Undecided>) -> Record {
-    let mut record = fields(found);
-    match found {
-        Ok(all) => {
-            let mut lines = Vec::new();
-            let _ = table(all, &mut lines);
-            record.say(String::from_utf8_lossy(&lines).trim_end());
-        }
-        Err(undecided) => record.say(format!("the solutions between equal stones are {undecided}")),
-    }
-    record
-}
-
-fn fields(found: &Result<Enumeration, Undecided>) -> Record {
-    let mut fields = Record::default();
+    let mut record = Record::default();
     let all = match found {
         Ok(all) => all,
         Err(undecided) => {
-            fields.add("outcome", "undecided");
-            fields.add("reason", undecided.reason.to_string());
-            return fields;
+            record.say(format!("the solutions between equal stones are {undecided}"));
+            record.add("outcome", "undecided");
+            record.add("reason", undecided.reason.to_string());
+            return record;
         }
     };
+    let (stones, joints) = (all.stones, joints(all.extent, all.stones));
+    let whole = match all.extent {
+        Extent::Whole => "the whole arch",
+        Extent::Half => "the half arch: symmetric states",
+    };
+    record.say(format!(
+        "All solutions of (19) between {stones} equal stones, {joints} joints of {whole}"
+    ));
+    record.say(match &all.standing {
+        Standing::Never => "   none, proved: at no thickness up to 2 anything is admissible".into(),
+        Standing::Always => "   there are admissible states at every thickness".into(),
+        Standing::From(eta) => {
+            format!("   there are admissible states from the thickness {eta} on")
+        }
+    });
     let outcome = match (&all.standing, all.first_open()) {
         (Standing::Never, _) => "nothing_admissible",
         (_, None) => "complete",
         (_, Some(_)) => "open",
     };
-    fields.add("outcome", outcome);
-    fields.add("reason", all.first_open().map(|open| open.reason.to_string()));
-    fields.add("stones", all.stones);
-    fields.add("extent", extent(all.extent));
+    record.add("outcome", outcome);
+    record.add("reason", all.first_open().map(|open| open.reason.to_string()));
+    record.add("stones", stones);
+    record.add("extent", extent(all.extent));
     let from = match &all.standing {
         Standing::From(eta) => Some(&**eta),
         _ => None,
     };
-    fields.add_bounds("least_thickness", from);
-    fields.add_list("solutions", all.solutions.iter().flatten().map(solved));
+    record.add_bounds("least_thickness", from);
+    record.add_list("solutions", all.solutions.iter().flatten().map(solved));
+    let undecided = all.solutions.iter().filter_map(|solution| solution.as_ref().err());
+    record.say_all(undecided.map(|undecided| format!("\n   a solution that is {undecided}")));
+    if !matches!(all.standing, Standing::Never) {
+        record.say_all(rest(all));
+    }
     let piece = |bounds: [String; 2]| Record::named("lower upper", bounds.map(Json::from));
-    fields.add_list("open", all.open_bounds().map(piece));
-    fields.add("looked_at", all.triples);
-    fields
+    record.add_list("open", all.open_bounds().map(piece));
+    record.add("looked_at", all.triples);
+    record
+}
+
+/// Lines on what is proved of the other thicknesses.
+fn rest(all: &Enumeration) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    let open = |[low, high]: [String; 2]| format!("   from {low} to {high} nothing is proved");
+    lines.extend(all.open_bounds().map(open));
+    let rest = match (all.open.is_empty(), all.extent) {
+        (true, Extent::Whole) => {
+            "no other thickness up to 2 has a solution but mirror images, proved"
+        }
+        (true, Extent::Half) => "no other thickness up to 2 has a symmetric solution, proved",
+        (false, _) => "elsewhere up to 2 there is no other solution, proved",
+    };
+    let (complete, range) = match all.open.is_empty() {
+        true => ("complete for these joints, as each", "on all of the range"),
+        false => ("it is not complete for these joints; each", "there"),
+    };
+    let each = if all.extent == Extent::Whole { "triples" } else { "pairs" };
+    lines.push(format!("   {rest}: {complete}"));
+    let triples = all.triples;
+    lines.push(format!(
+        "   of the {triples} {each} of conditions is decided by signs in balls, {range}"
+    ));
+    lines
 }
 
 fn solved(solution: &JointedSolution) -> Record {
-    let mut fields = Record::default();
-    fields.add("symmetric", solution.is_symmetric);
-    fields.add_bounds("thickness", Some(&solution.thickness));
-    fields.add_bounds("thrust", Some(&solution.thrust));
-    fields.add_bounds("crown_moment", Some(&solution.crown_moment));
-    fields.add_bounds("vertical_force", Some(&solution.vertical_force));
-    let joint = |joint: &JointedMotion| {
-        let mut fields = Record::default();
-        fields.add("contact", joint.contact.name());
-        fields.add("side", side(joint));
-        fields.add_bounds("angle", Some(&joint.angle));
-        fields.add_bounds("rate", Some(&joint.rate));
-        fields
+    let kind = match solution.is_symmetric {
+        true => "symmetric: the least thickness",
+        false => "asymmetric; its mirror image is a solution too",
     };
-    fields.add_list("joints", solution.joints.iter().map(joint));
-    fields
+    let mut record = Record::default();
+    record.say(format!("\n   {}  {kind}", solution.thickness));
+    record.add("symmetric", solution.is_symmetric);
+    record.add_bounds("thickness", Some(&solution.thickness));
+    for (name, symbol, figure) in [
+        ("thrust", "h = H/(w r)", &solution.thrust),
+        ("crown_moment", "p", &solution.crown_moment),
+        ("vertical_force", "v", &solution.vertical_force),
+    ] {
+        record.say(format!("      {name:<20} {symbol:<12} {figure}"));
+        record.add_bounds(name, Some(figure));
+    }
+    let angles: Vec<String> = solution.joints.iter().map(|joint| joint.angle.to_string()).collect();
+    let width = angles.iter().map(String::len).max().unwrap_or(0).max(16);
+    record.say(format!("      {:<22} {:<7} {:<width$}  rate", "joint", "", "angle from crown"));
+    let joint = |(joint, angle): (&JointedMotion, &String)| {
+        let (how, side) = (joint.contact.name(), side(joint));
+        let mut record = Record::named("contact side", [how.into(), side.into()]);
+        record.say(format!("      {how:<22} {side:<7} {angle:<width$}  {}", joint.rate));
+        record.add_bounds("angle", Some(&joint.angle));
+        record.add_bounds("rate", Some(&joint.rate));
+        record
+    };
+    record.add_list("joints", solution.joints.iter().zip(&angles).map(joint));
+    record
 }

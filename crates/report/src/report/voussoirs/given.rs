@@ -6,7 +6,6 @@ use crate::certify::{Undecided, VoussoirAssessment, VoussoirLimit, VoussoirStand
 use crate::problem::asymmetric_region::STANDS;
 use crate::problem::stones::JointContact;
 use crate::report::record::Record;
-use std::io;
 
 type RoundedGiven = Result<Option<Figure>, Undecided>;
 
@@ -30,42 +29,36 @@ fn none(arch: &VoussoirArch, name: &str, found: &VoussoirAssessment) -> &'static
 }
 
 /// The lines below the title.
-pub(super) fn lines(
-    arch: &VoussoirArch,
-    given: &GivenThickness,
-    out: &mut dyn io::Write,
-) -> io::Result<()> {
+pub(super) fn lines(arch: &VoussoirArch, given: &GivenThickness) -> Vec<String> {
     let found = &given.found;
     let joints = arch.stones.count();
-    match &found.standing {
+    let mut lines = vec![match &found.standing {
         Ok(VoussoirStanding::Stands(_)) => {
-            let where_to = format!("admissible at all {joints} joints of the half arch");
-            writeln!(out, "stands, proved: {STANDS}, {where_to}\n")?;
+            format!(
+                "stands, proved: {STANDS}, admissible at all {joints} joints of the half arch\n"
+            )
         }
         Ok(VoussoirStanding::Falls(_)) => {
-            writeln!(out, "collapses, proved: no thrust satisfies all conditions\n")?;
+            "collapses, proved: no thrust satisfies all conditions\n".to_owned()
         }
-        Err(undecided) => writeln!(out, "{undecided}\n")?,
-    }
-    let mut line = |name: &str, text: &str| writeln!(out, "   {name:<24} {text}");
+        Err(undecided) => format!("{undecided}\n"),
+    }];
+    let mut line = |name: &str, text: &str| lines.push(format!("   {name:<24} {text}"));
     let least = match (&arch.found, arch.state()) {
         (_, Some(state)) => state.thickness.to_string(),
         (Ok(Voussoirs::AnyThickness), _) => "any is enough".to_owned(),
         (Ok(_), _) => format!("none is enough ({})", arch.outcome()),
         (Err(undecided), _) => undecided.to_string(),
     };
-    line("least thickness", &least)?;
+    line("least thickness", &least);
     for (key, name, value) in quotients(found) {
         let text = match value {
             Ok(Some(figure)) => figure.to_string(),
             Ok(None) => none(arch, key, found).to_owned(),
             Err(undecided) => undecided.to_string(),
         };
-        line(name, &text)?;
+        line(name, &text);
     }
-    let Ok(VoussoirStanding::Stands(ends) | VoussoirStanding::Falls(ends)) = &found.standing else {
-        return Ok(());
-    };
     let names = match given.stands() {
         Some(true) => [["least thrust", "largest thrust"], ["        limited by"; 2]],
         _ => [
@@ -73,14 +66,16 @@ pub(super) fn lines(
             ["        asked for by", "        limited by"],
         ],
     };
-    for (side, end) in ends.iter().enumerate() {
-        let thrust = end.thrust.as_ref().map_or("unbounded".to_owned(), ToString::to_string);
-        line(names[0][side], &thrust)?;
-        if !end.contacts.is_empty() {
-            line(names[1][side], &limited(arch, end))?;
+    if let Ok(VoussoirStanding::Stands(ends) | VoussoirStanding::Falls(ends)) = &found.standing {
+        for (side, end) in ends.iter().enumerate() {
+            let thrust = end.thrust.as_ref().map_or("unbounded".to_owned(), ToString::to_string);
+            line(names[0][side], &thrust);
+            if !end.contacts.is_empty() {
+                line(names[1][side], &limited(arch, end));
+            }
         }
     }
-    Ok(())
+    lines
 }
 
 /// Limit of a thrust, in words.

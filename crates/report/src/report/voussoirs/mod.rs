@@ -4,6 +4,6 @@ mod arch;
 mod convergence;
 mod given;
 mod record;
-mod table;
+mod words;
 
 pub use arch::{GivenThickness, VoussoirArch, VoussoirArches};

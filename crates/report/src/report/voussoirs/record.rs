@@ -1,8 +1,7 @@
-//! Arches of voussoirs as CSV, a row for each, and as JSON, `couplet.voussoirs/1`.
+//! The record of an arch of voussoirs, `couplet.voussoirs/1`, and its row.
 
 use super::arch::{VoussoirArch, VoussoirArches, at_limit};
-use super::table::table;
-use super::{convergence, given};
+use super::{convergence, given, words};
 use crate::problem::stones::{JointContact, Stones};
 use crate::report::format::{Content, Format};
 use crate::report::json;
@@ -20,6 +19,7 @@ impl Reported for VoussoirArches {
         let entry = |arch| {
             let mut record = Record::of("couplet.voussoirs/1");
             if !self.is_range {
+                words::say(self, arch, &mut record);
                 record.add_record("asked", Some(self.asked.fields()));
             }
             record.append(entry(arch));
@@ -49,7 +49,7 @@ impl Reported for VoussoirArches {
 
     fn write_as(&self, format: &Format, out: &mut dyn io::Write) -> Option<io::Result<()>> {
         match format.name {
-            "table" => Some(table(self, out)),
+            "table" if self.is_range => Some(convergence::rows(self, out)),
             "json" if self.is_range => Some(json::write(&self.records(), out)),
             _ => None,
         }
