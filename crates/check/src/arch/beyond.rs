@@ -60,23 +60,24 @@ mod tests {
     use crate::arch::contact;
     use rug::Rational;
 
-    /// Both pressure points are as far beyond their faces; with the joints exchanged they are not.
+    /// Both pressure points are as far beyond their faces; with another crown moment they are not.
     #[test]
     fn the_line_is_as_far_beyond_both_faces() {
         let at = Configuration::<Rational>::rational();
         let ring = Ring::new(SelfWeight::Milankovitch, &at.thickness);
         let joints = [&at.half_opening, &at.rotation_joint];
-        let p = crown_moment(&ring, joints, &at.thrust);
-        let beyond = |[outer, inner]: [&Angle<Rational>; 2]| {
+        let moment = crown_moment(&ring, joints, &at.thrust);
+        let beyond = |p: Rational| {
             let radius = |joint: &Angle<Rational>| {
                 statics::pressure_radius(joint, &at.thrust, &p, &ring.centroid_factor)
             };
             let half = |twice: Rational| twice / Rational::from(2);
-            [radius(outer) - half(ring.extrados()), half(ring.intrados()) - radius(inner)]
+            let [outer, inner] = joints.map(radius);
+            [outer - half(ring.extrados()), half(ring.intrados()) - inner]
         };
-        let [out, within] = beyond(joints);
+        let [out, within] = beyond(moment.clone());
         assert_eq!(out, within);
-        let [out, within] = beyond([joints[1], joints[0]]);
+        let [out, within] = beyond(moment + Rational::from((1, 100)));
         assert_ne!(out, within);
     }
 

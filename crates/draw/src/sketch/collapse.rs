@@ -63,8 +63,9 @@ impl<T: Drawable> Collapse<T> {
     }
 
     /// The mechanism of a mode in an arch that falls, with certain signs: the rates are positive, and the weight
-    /// works by more than friction takes at the thrust at which a joint slides. So the conditions at its joints
-    /// contradict each other, whatever the thrust and the crown moment are.
+    /// works by more than friction takes at the thrust at which a joint slides. With dilatancy the rates are the
+    /// multipliers of the conditions at the joints, in which thrust and crown moment drop out, and are positive too:
+    /// so these conditions contradict each other, whatever the thrust and the crown moment are.
     pub fn driven(
         weight: SelfWeight,
         mode: Mode,
@@ -72,9 +73,11 @@ impl<T: Drawable> Collapse<T> {
         is_dilatant: bool,
     ) -> Result<Self, NoCollapse> {
         let found = Self::moving(weight, mode, at, is_dilatant)?;
-        match found.excess().is_positive() {
-            Ternary::True => Ok(found),
-            _ => Err(NoCollapse::Drive(mode)),
+        let multipliers = Self::moving(weight, mode, at, true)?;
+        let drives = |of: &Self| of.excess().is_positive() == Ternary::True;
+        match drives(&found) && drives(&multipliers) {
+            true => Ok(found),
+            false => Err(NoCollapse::Drive(mode)),
         }
     }
 

@@ -254,7 +254,14 @@ pub(super) fn fallen_stones(
             }));
         }
         let bound = |joint: &Angle<Ball>| joint::inwards(joint, &grip).bound();
-        let steepest = angles.iter().max_by(|a, b| bound(a).double().total_cmp(&bound(b).double()));
+        // Further down a joint that slides inwards bounds the thrust from above.
+        let is_least = |joint: &&Angle<Ball>| {
+            (-joint::inwards(joint, &grip).thrust).is_positive() == Ternary::True
+        };
+        let steepest = angles
+            .iter()
+            .filter(is_least)
+            .max_by(|a, b| bound(a).double().total_cmp(&bound(b).double()));
         found.extend(steepest.map(|sliding_joint| {
             let thrust = bound(sliding_joint);
             let rotation_joint = haunch(&at.half_opening, &|_| thrust.clone())?;
