@@ -2,10 +2,12 @@
 
 use super::notes;
 use super::output::OutputFile;
+use super::print::PrintArguments;
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Misfit, Spelling, StonesAsked};
 use crate::atlas::Sketch;
 use crate::cli::line::typed;
+use crate::picture::Print;
 use crate::problem::{Landmark, Mode};
 use crate::report::{Content, Format, Report, Sketched, Style};
 use crate::sweep::failure::Failure;
@@ -58,7 +60,7 @@ pub(crate) struct Arguments {
     #[arg(long)]
     half: bool,
 
-    /// For svg and png: arrows from where the blocks were to where they are.
+    /// For svg, png and pdf: arrows from where the blocks were to where they are.
     #[arg(long)]
     arrows: bool,
 
@@ -66,12 +68,15 @@ pub(crate) struct Arguments {
     #[arg(long)]
     animate: bool,
 
-    /// Format: svg, png, json or dxf. If none is given, what the name of the file ends with tells it.
+    /// Format: svg, png, pdf, json or dxf. If none is given, what the name of the file ends with tells it.
     #[arg(long, value_parser = parse::format(Content::Drawing))]
     format: Option<&'static Format>,
 
     #[command(flatten)]
     file: OutputFile,
+
+    #[command(flatten)]
+    print: PrintArguments,
 }
 
 /// Message why there are no stones.
@@ -102,8 +107,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err(format!("only svg moves, not {}", format.name).into());
     }
     if arguments.arrows && !format.is_picture {
-        return Err(format!("only svg and png have arrows, not {}", format.name).into());
+        return Err(format!("only svg, png and pdf have arrows, not {}", format.name).into());
     }
+    let print = arguments.print.of(format)?;
     let (sketch, given) = arguments.sketch()?;
     let style = Style {
         amplitude: arguments.amplitude,
@@ -112,7 +118,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         animate: arguments.animate,
         notation: false,
     };
-    write((sketch, &given), style, format, &arguments.file)
+    write((sketch, &given), style, (format, &print), &arguments.file)
 }
 
 /// Draws the arch that any question was about, as it stands or at its least thickness.
@@ -125,7 +131,8 @@ pub(super) fn arch(
     if given.tilt.is_some() {
         return Err("a tilted arch is not drawn: leave out --tilt, or write a table".into());
     }
-    write((drawn(given, weight)?.sketch()?, given), Style::default(), format, file)
+    let how = (format, &Print::default());
+    write((drawn(given, weight)?.sketch()?, given), Style::default(), how, file)
 }
 
 /// Arch of any question, as it is drawn.
@@ -158,7 +165,7 @@ fn stones(given: &ArchGiven) -> Result<Option<u64>, Misfit> {
 fn write(
     (sketch, given): (Sketch, &ArchGiven),
     style: Style,
-    format: &Format,
+    (format, print): (&Format, &Print),
     file: &OutputFile,
 ) -> Result<(), Failure> {
     let measures = given.measures.clone();
@@ -171,7 +178,7 @@ fn write(
     let file = file.open_for(format)?;
     notes::frictions(&given.friction);
     let report = Report::Sketched(drawn);
-    file.write(|out| report.write(format, out))
+    file.write(|out| report.printed((format, print), out))
 }
 
 impl Arguments {

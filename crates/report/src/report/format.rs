@@ -18,6 +18,7 @@ use super::tilt::{self, TiltedArch};
 use super::voussoirs::{self, VoussoirArches};
 use super::words::{distinct, list};
 use super::{c, csv, drawn, fortran, json, julia, latex, matlab, plain, python, rust, table, toml};
+use crate::picture::Print;
 use std::io;
 
 /// Content that can be written.
@@ -74,7 +75,7 @@ type Named<W> = &'static [(&'static str, W)];
 pub(super) struct Writers<T: ?Sized + 'static> {
     texts: Named<Writer<T>>,
     /// The picture as SVG, of what can be drawn.
-    picture: Option<fn(&T) -> io::Result<String>>,
+    picture: Option<fn(&T, &Print) -> io::Result<String>>,
 }
 
 impl<T: ?Sized> Writers<T> {
@@ -82,11 +83,17 @@ impl<T: ?Sized> Writers<T> {
         if format.is_picture { self.picture.is_some() } else { format.of(self.texts).is_some() }
     }
 
-    /// Writes it. A format that cannot write it is an error.
-    pub(super) fn write(&self, it: &T, format: &Format, out: &mut dyn io::Write) -> io::Result<()> {
+    /// Writes it, a picture as it is printed. A format that cannot write it is an error.
+    pub(super) fn write(
+        &self,
+        it: &T,
+        (format, print): (&Format, &Print),
+        out: &mut dyn io::Write,
+    ) -> io::Result<()> {
         match (self.picture, format.of(self.texts)) {
-            (Some(picture), _) if format.name == "png" => png(&picture(it)?, out),
-            (Some(picture), _) if format.is_picture => out.write_all(picture(it)?.as_bytes()),
+            (Some(picture), _) if format.is_picture => {
+                out.write_all(&format.drawn(picture(it, print)?, print)?)
+            }
             (_, Some(write)) => write(it, out),
             (_, None) => unsupported(),
         }
@@ -134,7 +141,7 @@ pub(super) const MAP: Writers<Map> = Writers {
         ("parquet", parquet::map),
         ("html", map::html),
     ],
-    picture: Some(|map| map.drawing.svg(&map.traces, &map.levels, &map.borders)),
+    picture: Some(|map, print| map.drawing.svg((&map.traces, &map.levels, &map.borders), print)),
 };
 pub(super) const MAP_POINTS: Writers<[MapPoint]> = Writers {
     texts: &[("table", map::point_table), ("json", map::point_json), ("csv", map::point_csv)],
@@ -146,11 +153,11 @@ pub(super) const MAP_DIFFERENCES: Writers<MapDifferences> = Writers {
         ("json", map::difference_json),
         ("csv", map::difference_csv),
     ],
-    picture: Some(|all| Ok(drawn::differences(&all.differences, &all.command))),
+    picture: Some(|all, print| drawn::differences(&all.differences, &all.command, print)),
 };
 pub(super) const VOUSSOIRS: Writers<VoussoirArches> = Writers {
     texts: &[("table", voussoirs::table), ("json", voussoirs::json), ("csv", voussoirs::csv)],
-    picture: Some(|all| Ok(voussoirs::figure(all).svg())),
+    picture: Some(|all, print| voussoirs::figure(all).svg(print)),
 };
 pub(super) const TILTED: Writers<[TiltedArch]> = Writers {
     texts: &[("table", tilt::table), ("json", tilt::json), ("csv", tilt::csv)],
@@ -181,7 +188,7 @@ pub(super) const BRANCH: Writers<BranchArches> = Writers {
 };
 pub(super) const DRAWING: Writers<Sketched> = Writers {
     texts: &[("json", sketched::json), ("dxf", sketched::dxf)],
-    picture: Some(|all| Ok(sketched::picture(all))),
+    picture: Some(sketched::picture),
 };
 
 impl Content {
@@ -210,15 +217,17 @@ impl Content {
     }
 }
 
+/// Renderers of pictures, where they are built in.
 #[cfg(feature = "plots")]
-fn png(picture: &str, out: &mut dyn io::Write) -> io::Result<()> {
-    out.write_all(&crate::picture::png::render(picture))
+use crate::picture::{pdf::render as pdf, png::render as png};
+
+#[cfg(not(feature = "plots"))]
+fn png(_: &str, _: &Print) -> io::Result<Vec<u8>> {
+    unsupported()
 }
 
 #[cfg(not(feature = "plots"))]
-fn png(_: &str, _: &mut dyn io::Write) -> io::Result<()> {
-    unsupported()
-}
+use png as pdf;
 
 /// Stand-ins of a format that is not built in.
 #[cfg(not(feature = "parquet"))]
@@ -277,7 +286,17 @@ const fn language(name: &'static str, extension: &'static str) -> Format {
     Format { has_errors: true, has_certificates: true, ..text(name, extension) }
 }
 
-static FORMATS: [Format; 19] = [
+/// A picture that a renderer makes of SVG.
+const fn rendered(name: &'static str) -> Format {
+    Format {
+        is_binary: true,
+        is_picture: true,
+        missing: if cfg!(feature = "plots") { None } else { Some("plots") },
+        ..text(name, name)
+    }
+}
+
+static FORMATS: [Format; 20] = [
     text("table", "txt"),
     text("text", "txt"),
     text("plain", "txt"),
@@ -299,12 +318,8 @@ static FORMATS: [Format; 19] = [
     },
     Format { is_picture: true, ..text("svg", "svg") },
     text("html", "html"),
-    Format {
-        is_binary: true,
-        is_picture: true,
-        missing: if cfg!(feature = "plots") { None } else { Some("plots") },
-        ..text("png", "png")
-    },
+    rendered("png"),
+    rendered("pdf"),
     text("dxf", "dxf"),
 ];
 
@@ -316,6 +331,15 @@ impl Format {
 
     fn of<W: Copy>(&self, writers: Named<W>) -> Option<W> {
         writers.iter().find(|(name, _)| *name == self.name).map(|(_, writer)| *writer)
+    }
+
+    /// The bytes of a picture that is drawn as SVG.
+    pub(super) fn drawn(&self, svg: String, print: &Print) -> io::Result<Vec<u8>> {
+        match self.name {
+            "png" => png(&svg, print),
+            "pdf" => pdf(&svg, print),
+            _ => Ok(svg.into_bytes()),
+        }
     }
 
     /// Writer of rows one after another.

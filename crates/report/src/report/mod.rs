@@ -95,6 +95,7 @@ pub use understood::Understood;
 pub use value::Value;
 pub use voussoirs::{GivenThickness, VoussoirArch, VoussoirArches};
 
+use crate::picture::Print;
 use std::io;
 
 /// Everything that can be written at once.
@@ -133,21 +134,26 @@ pub enum Report {
 impl Report {
     /// Writes the report. A format that cannot write it is an error.
     pub fn write(&self, format: &Format, out: &mut dyn io::Write) -> io::Result<()> {
+        self.printed((format, &Print::default()), out)
+    }
+
+    /// Writes the report; a picture is printed as asked for, and an invalid input if it cannot be.
+    pub fn printed(&self, how: (&Format, &Print), out: &mut dyn io::Write) -> io::Result<()> {
         match self {
-            Self::Answers(answers) => format::ANSWERS.write(answers, format, out),
-            Self::Audit(audit) => format::AUDIT.write(audit, format, out),
-            Self::Claims(claims) => format::CLAIMS.write(claims, format, out),
-            Self::Index(index) => format::INDEX.write(index, format, out),
-            Self::Map(map) => format::MAP.write(map, format, out),
-            Self::MapPoints(points) => format::MAP_POINTS.write(points, format, out),
-            Self::MapDifferences(all) => format::MAP_DIFFERENCES.write(all, format, out),
-            Self::Tilted(arches) => format::TILTED.write(arches, format, out),
-            Self::Voussoirs(arches) => format::VOUSSOIRS.write(arches, format, out),
-            Self::Complementarity(arches) => format::COMPLEMENTARITY.write(arches, format, out),
-            Self::ByValue(all) => format::BY_VALUE.write(all, format, out),
-            Self::Equations(all) => format::EQUATION.write(all, format, out),
-            Self::Branches(arches) => format::BRANCH.write(arches, format, out),
-            Self::Sketched(sketched) => format::DRAWING.write(sketched, format, out),
+            Self::Answers(answers) => format::ANSWERS.write(answers, how, out),
+            Self::Audit(audit) => format::AUDIT.write(audit, how, out),
+            Self::Claims(claims) => format::CLAIMS.write(claims, how, out),
+            Self::Index(index) => format::INDEX.write(index, how, out),
+            Self::Map(map) => format::MAP.write(map, how, out),
+            Self::MapPoints(points) => format::MAP_POINTS.write(points, how, out),
+            Self::MapDifferences(all) => format::MAP_DIFFERENCES.write(all, how, out),
+            Self::Tilted(arches) => format::TILTED.write(arches, how, out),
+            Self::Voussoirs(arches) => format::VOUSSOIRS.write(arches, how, out),
+            Self::Complementarity(arches) => format::COMPLEMENTARITY.write(arches, how, out),
+            Self::ByValue(all) => format::BY_VALUE.write(all, how, out),
+            Self::Equations(all) => format::EQUATION.write(all, how, out),
+            Self::Branches(arches) => format::BRANCH.write(arches, how, out),
+            Self::Sketched(sketched) => format::DRAWING.write(sketched, how, out),
         }
     }
 }

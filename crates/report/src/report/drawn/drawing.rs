@@ -9,7 +9,7 @@ use super::plane::Plane;
 use super::sheet::Sheet;
 use crate::arch::SelfWeight;
 use crate::atlas::{Border, Level, Trace};
-use crate::picture::Frame;
+use crate::picture::{Frame, Print};
 use std::io;
 
 /// The picture that some curves are drawn as.
@@ -71,12 +71,13 @@ impl Drawing {
         &self,
         traces: &[Trace],
         levels: &[Level],
-    ) -> Vec<FramedMap> {
+    ) -> io::Result<Vec<FramedMap>> {
         let framed = |sheet: &Sheet| {
             let canvas = Canvas::usual(Plane::ThicknessFriction);
             let marks = &mark::of_weight(&self.marks, sheet.weight)[..];
             let picture = MapPicture { sheet, canvas, marks, command: &self.command };
-            FramedMap { weight: sheet.weight, svg: picture.svg(), frames: picture.frames() }
+            let svg = picture.svg(&Print::default())?;
+            Ok(FramedMap { weight: sheet.weight, svg, frames: picture.frames() })
         };
         Sheet::all(traces, levels, &[]).iter().map(framed).collect()
     }
@@ -84,21 +85,20 @@ impl Drawing {
     /// The picture of some curves and levels as SVG; nothing to draw is an error.
     pub(in crate::report) fn svg(
         &self,
-        traces: &[Trace],
-        levels: &[Level],
-        borders: &[Border],
+        (traces, levels, borders): (&[Trace], &[Level], &[Border]),
+        print: &Print,
     ) -> io::Result<String> {
         let sheets = Sheet::all(traces, levels, borders);
         let command = &self.command;
-        Ok(match self.view {
+        match self.view {
             View::Map(plane) => {
                 let first = sheets.first();
                 let sheet = first.ok_or_else(|| io::Error::other("there is nothing to draw"))?;
                 let canvas = Canvas::new(plane, &self.axes);
-                MapPicture { sheet, canvas, marks: &self.marks, command }.svg()
+                MapPicture { sheet, canvas, marks: &self.marks, command }.svg(print)
             }
-            View::Lines => LinesPicture { sheets: &sheets, command }.svg(),
-            View::Branches(branches) => branches.svg(&sheets, command),
-        })
+            View::Lines => LinesPicture { sheets: &sheets, command }.svg(print),
+            View::Branches(branches) => branches.svg(&sheets, command, print),
+        }
     }
 }

@@ -30,7 +30,7 @@ const QUANTITIES: [Quantity; 7] = list![Quantity:
 
 /// The page.
 pub(in crate::report) fn html(map: &Map, out: &mut dyn io::Write) -> io::Result<()> {
-    let maps = map.drawing.framed_maps(&map.traces, &map.levels);
+    let maps = map.drawing.framed_maps(&map.traces, &map.levels)?;
     let shown = maps.last().map(|map| map.weight);
     let titles = ["landmark".to_owned(), "weight".to_owned()].into_iter();
     let quantities = QUANTITIES.map(|quantity| quantity.name().replace('_', " "));

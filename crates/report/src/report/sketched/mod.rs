@@ -13,6 +13,7 @@
 //! | `notation` | the symbols, as Figure 1 has them |
 //! | `figures` | which arches the paper shows |
 //! | `json`, `dxf` | the geometry for other programs |
+//! | `dxf_file` | the writer of DXF |
 //! | `lean` | JSON with lists on one line |
 //! | `arcs` | a chain of points as few arcs |
 
@@ -20,6 +21,7 @@ mod arcs;
 mod caption;
 mod dimensions;
 mod dxf;
+mod dxf_file;
 mod figures;
 mod json;
 mod lean;
