@@ -5,6 +5,7 @@
 """
 
 import base64
+import gzip
 import hashlib
 import pathlib
 import re
@@ -49,13 +50,15 @@ def page(text, wasm):
     )
     text = replaced(text, policy, new_policy)
     text = replaced(text, f"<style>{style}</style>", f"<style>{new_style}</style>")
-    data = f'<script type="text/plain" id="wasm">{base64.b64encode(wasm).decode("ascii")}</script>\n'
+    # The same bytes whenever the checker is the same.
+    packed = gzip.compress(wasm, 9, mtime=0)
+    data = f'<script type="text/plain" id="wasm">{base64.b64encode(packed).decode("ascii")}</script>\n'
     worker = f'<script type="text/plain" id="worker">{part("worker.js")}</script>\n'
     text = replaced(text, f"<script>{script}</script>", f"{data}{worker}<script>{new_script}</script>")
     # What is proved here is said in one place, before the numbers.
-    warning = re.search(r'<p class="note warning">.*?</p>', text, re.DOTALL)[0]
+    warning = re.search(r'<p class="note warning" id="with-command">.*?</p>', text, re.DOTALL)[0]
     command = re.search(r'<code id="command"></code>', warning)[0]
-    text = replaced(text, warning, f'<p class="note">More digits, from a shell:<br>{command}</p>\n' + part("certify.html"))
+    text = replaced(text, warning, f'<p class="note" id="with-command">More digits, from a shell:<br>{command}</p>\n' + part("certify.html"))
     # What is asked stands before what is found.
     form = re.search(r'<form id="ask">.*?</form>\n', text, re.DOTALL)[0]
     text = replaced(text, form, "")
@@ -70,9 +73,11 @@ def page(text, wasm):
     text = replaced(text, field, part("fields.html"))
     field = '<label>thickness <input type="text" id="ask-thickness" placeholder="none"></label>'
     text = replaced(text, "<button>show</button>", f"{field} <button id=\"show-arch\">show</button>")
-    text = replaced(text, "or an angle (31deg).</p>", "or an angle (31deg); lengths as 10m, 60cm or 33ft, at the centreline.</p>")
+    text = replaced(text, "or an angle (31deg).</p>", "or an angle (31deg); lengths as 10m, 60cm or 33ft, at the circle that is named; a thickness beside them as 60cm or 0.1r.</p>")
+    made = re.search(r"made this page: <code>.*?</code>", text)[0]
+    text = replaced(text, made, "made this page: <code>make page</code>")
     # The check comes after the map, as a part of its own.
-    title = re.search(r'<section class="wide">\n<h2>Landmarks', text)[0]
+    title = re.search(r'<section class="wide"[^>]*>\n<h2>Landmarks', text)[0]
     return replaced(text, title, part("check.html") + title)
 
 

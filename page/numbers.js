@@ -23,12 +23,12 @@ function row(id, text, how) {
 
 /** Until the answer comes every number is a candidate. */
 function wait(given, isArch, isKept) {
-  at("least").textContent = isShape(given) ? "least thickness η = t/r" : "thickness η = t/r";
+  at("least").textContent = isPlace(given) ? "thickness η = t/r" : "least thickness η = t/r";
   ROWS.forEach((id) => row(id, undefined, "candidate"));
   MORE.forEach((id) => row(id));
   say("verdict", "");
   at("save").hidden = at("certify").hidden = true;
-  at("take").hidden = isShape(given) || !isArch;
+  at("take").hidden = !isPlace(given) || !isArch;
   at("saved").textContent = "";
   // Who listens hears where a slider has come to, and not each step.
   at("proof-panel").setAttribute("aria-busy", String(isKept === false));
@@ -42,16 +42,18 @@ function tell({ given, found, isAsked }, answer) {
   at("moving").hidden = !/<animate/.test(answer?.drawing ?? "");
   at("found").hidden = !isArch;
   if (!isAsked) return say("proof", "", "open");
-  if (!isShape(given)) return say("proof", "Candidates (≈), not proved: the half opening of this place was found in doubles.", "open");
+  const sought = hasFriction(given) ? "half opening" : "friction";
+  if (isPlace(given)) return say("proof", isArch ? `Candidates (≈), not proved: the ${sought} of this place was found in doubles.` : "", "open");
+  if (answer.command === null) return refuse(answer.reason);
   at("certify").hidden = !answer.command;
   at("certify-command").textContent = answer.command ?? "";
-  if (!values) return say("proof", `Candidates (≈), not proved: ${answer.reason}.`, "open");
+  if (!values) return say("proof", unproved(isArch, answer), "open");
   at("save").hidden = false;
   const { subject, digits } = answer;
   if (!isArch) {
-    const limit = subject === "slides" ? `it slides with less friction than ${values.friction}${beyond(answer.helpless?.values)}`
+    const limit = subject === "slides" ? `it slides with less friction than ${values.friction}`
       : `the half opening is beyond ${values.half_opening} rad, at which a thickness of 2 is just enough`;
-    return say("proof", `Proved here: it stands at no thickness, as ${limit}.`, "proved");
+    return say("proof", `Proved here: it stands at no thickness, as ${limit}${beyond(answer.more)}.`, "proved");
   }
   at("summary").textContent = `${subject}: ${WORDS[subject]}`;
   const angle = (name) => values[name] && `${values[name]} rad${values[`${name}_degrees`] ? `, ${values[`${name}_degrees`]}°` : ""}`;
@@ -67,12 +69,27 @@ function tell({ given, found, isAsked }, answer) {
   if (given.thickness !== undefined) assess(answer, values.geometric_safety);
 }
 
-/** What more friction would do, where it is proved that this is not enough. */
-function beyond(values) {
-  if (!values) return "";
-  const { half_opening, given_friction } = values;
-  return given_friction === "∞" ? `, and beyond a half opening of ${half_opening} rad nothing stands at any friction`
-    : `, and with ${given_friction} it would have to be thicker than twice its radius`;
+/** Why nothing is proved of an arch, and what to do. */
+function unproved(isArch, { command, reason }) {
+  const what = isArch ? "Candidates (≈), not proved here" : "Not proved here";
+  if (command === undefined) return `${what}: ${reason}.`;
+  const why = isArch ? "for this arch, very thin or next to a line of the map, the 31 digits with which the page computes are too few" : "the page finds no candidate for it";
+  return `${what}: ${why}. The command below proves it, with as many digits as that takes.`;
+}
+
+/** What can be read as no arch is none, whatever the map's script makes of it: the sentence is that of every door. */
+function refuse(reason) {
+  at("summary").textContent = reason;
+  at("found").hidden = true;
+  at("with-command").hidden = at("moving").hidden = true;
+  say("proof", "", "open");
+}
+
+/** What more friction would do, as far as that is proved. */
+function beyond({ none, short, enough }) {
+  if (none) return `, and beyond a half opening of ${none.half_opening} rad nothing stands at any friction`;
+  if (!short) return "";
+  return `, and with a friction of ${short.given_friction} it would have to be thicker than twice its radius${enough ? `; ${enough.given_friction} is enough` : ""}`;
 }
 
 /** An arch of a given thickness beside its least one: exactly from that on it stands. */

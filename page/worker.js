@@ -24,8 +24,9 @@ async function call(name, input) {
 
 addEventListener("message", async ({ data: { wasm, id, name, inputs } }) => {
   if (wasm !== undefined) {
-    bytes = Uint8Array.from(atob(wasm.trim()), (letter) => letter.charCodeAt(0));
     try {
+      const packed = Uint8Array.from(atob(wasm.trim()), (letter) => letter.charCodeAt(0));
+      bytes = await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
       await load();
       postMessage({ ready: true });
     } catch (error) {

@@ -305,6 +305,7 @@ mod tests {
         let [weight, half_opening, friction] = arch.map(str::to_owned);
         let start = start.iter().map(|(name, x)| ((*name).to_owned(), *x)).collect();
         let (subject, half_opening) = (subject.to_owned(), Some(half_opening));
+        let friction = Some(friction);
         let question = Question { weight, half_opening, friction, ..Question::default() };
         Question { subject, start, digits: 12, file: true, ..question }
     }

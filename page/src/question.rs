@@ -15,10 +15,12 @@ pub struct Question {
     pub span: Option<String>,
     /// With the span.
     pub rise: Option<String>,
-    /// The circle of both: the intrados if not given.
+    /// A length with its unit, beside a half opening.
+    pub radius: Option<String>,
+    /// The circle of these: the intrados if not given.
     pub measured_at: Option<String>,
     /// A coefficient, an angle with its unit, or `inf`.
-    pub friction: String,
+    pub friction: Option<String>,
     /// The thickness of the arch: a ratio (`0.1`, `0.1r`); with span and rise a length, or a ratio with its `r`.
     pub thickness: Option<String>,
     /// The label of a mode, `slides` or `too_wide`.

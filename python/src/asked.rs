@@ -14,7 +14,7 @@ use couplet::check::{Certificate, Refusal};
 use couplet::cli::{self, doors};
 use couplet::problem::measures::Measures;
 use couplet::problem::{Arch, Landmark, Mode, Quantity};
-use couplet::report::{Answer, Claims, Content, Format, Report, Sketched, Style, Understood};
+use couplet::report::{Answer, Claims, Format, Reported, Sketched, Style, Understood};
 use couplet::sweep::failure::Failure;
 use couplet::sweep::{answer, find as sought, parse};
 use pyo3::prelude::*;
@@ -189,7 +189,7 @@ pub(crate) fn voussoirs<'py>(
     let made = made.map_err(failed)?;
     let values = made.arches.iter().map(|arch| told::voussoirs(py, arch));
     let values = values.collect::<PyResult<_>>()?;
-    Ok((report(&Report::Voussoirs(made), Content::Voussoirs, "json")?, values))
+    Ok((report(&made, "json")?, values))
 }
 
 /// JSON of an arch under an acceleration, and the largest one.
@@ -216,7 +216,7 @@ pub(crate) fn tilted<'py>(
     })?;
     let found = found.map_err(failed)?;
     let values = told::tilted(py, &found)?;
-    Ok((report(&Report::Tilted(vec![found]), Content::Tilted, "json")?, values))
+    Ok((report(&found, "json")?, values))
 }
 
 #[pyfunction]
@@ -332,8 +332,9 @@ pub(crate) fn check<'py>(
 }
 
 /// What a report writes in a format.
-fn report(report: &Report, content: Content, format: &str) -> PyResult<String> {
-    let format = Format::named(content, format).ok_or_else(|| wrong("there is no such format"))?;
+fn report<R: Reported>(report: &R, format: &str) -> PyResult<String> {
+    let format =
+        Format::named(R::content(), format).ok_or_else(|| wrong("there is no such format"))?;
     let mut bytes = Vec::new();
     report.write(format, &mut bytes)?;
     Ok(String::from_utf8(bytes)?)
@@ -353,7 +354,7 @@ pub(crate) fn prove(py: Python<'_>, names: Vec<String>, threads: usize) -> PyRes
     let decisions = py.detach(|| {
         on_threads(threads, || chosen.par_iter().map(|claim| claim.decide()).collect())
     })?;
-    report(&Report::Claims(Claims { decisions, show: true, timed: true }), Content::Claims, "json")
+    report(&Claims { decisions, show: true, timed: true }, "json")
 }
 
 /// The picture of an arch as SVG; none where nothing stands or nothing is proved.
@@ -375,7 +376,7 @@ pub(crate) fn drawing(
     let (style, measures) = (Style::default(), given.measures);
     let sketched = Sketched { sketches: vec![sketch], style, measures, command };
     match sketched.can_be_drawn() {
-        true => report(&Report::Sketched(sketched), Content::Drawing, "svg").map(Some),
+        true => report(&sketched, "svg").map(Some),
         false => Ok(None),
     }
 }

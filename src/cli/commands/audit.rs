@@ -4,7 +4,7 @@ use super::output::OutputFile;
 use crate::certify::{CertifiedLandmark, Enclosed, Undecided};
 use crate::judge::{audit_of, compare_weights_of, enclosed};
 use crate::problem::Landmark;
-use crate::report::{Audit, Content, Format, Report};
+use crate::report::{Audit, Format, Reported};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
 use clap::Args;
@@ -23,7 +23,7 @@ pub(crate) struct Arguments {
     #[arg(long, default_value = "both", value_parser = parse::weights)]
     weight: Weights,
 
-    #[arg(long, value_parser = parse::format(Content::Audit), help = parse::usual_format_help(Content::Audit, "table"))]
+    #[arg(long, value_parser = parse::format(Audit::content()), help = parse::usual_format_help(Audit::content(), "table"))]
     format: Option<&'static Format>,
 
     #[command(flatten)]
@@ -31,7 +31,7 @@ pub(crate) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let format = arguments.file.format(arguments.format, Content::Audit, "table")?;
+    let format = arguments.file.format(arguments.format, Audit::content(), "table")?;
     let output = arguments.file.open()?;
     let is_asked =
         |landmark: &Landmark| arguments.only.is_empty() || arguments.only.contains(landmark);
@@ -43,6 +43,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .collect();
     let points = points?;
     let (printed, comparisons) = (audit_of(&points)?, compare_weights_of(&points)?);
-    let report = Report::Audit(Audit { printed, comparisons });
+    let report = Audit { printed, comparisons };
     output.write(|out| report.write(format, out))
 }

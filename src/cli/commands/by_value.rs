@@ -8,7 +8,7 @@ use crate::certify::Error;
 use crate::certify::state::find::StatesByValue;
 use crate::number::ExactNumber;
 use crate::problem::{Friction, Quantity};
-use crate::report::{ByValue, Content, Report};
+use crate::report::{ByValue, Reported};
 use crate::sweep::failure::Failure;
 use clap::Args;
 
@@ -88,7 +88,7 @@ pub(super) fn print(
 ) -> Result<(), Failure> {
     let quantities = output.quantities(&StatesByValue::VALUES)?;
     let format = output.format()?;
-    is_written("a state by another quantity", Content::ByValue, format)?;
+    is_written("a state by another quantity", ByValue::content(), format)?;
     notes::frictions([asked.friction()]);
     let file = output.file().open_for(format)?;
     let answer = |weight| -> Result<ByValue, Failure> {
@@ -98,5 +98,5 @@ pub(super) fn print(
     let all: Vec<ByValue> = arch.weight.all().into_iter().map(answer).collect::<Result<_, _>>()?;
     let open: Vec<String> =
         all.iter().filter_map(ByValue::first_open).map(ToString::to_string).collect();
-    file.report((&Report::ByValue(all), format), open.first())
+    file.report((&all, format), open.first())
 }

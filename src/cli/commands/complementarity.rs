@@ -16,8 +16,7 @@ use crate::cli::line::typed;
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Extent};
 use crate::report::{
-    AtThickness, BranchArch, BranchArches, ComplementarityArch, Content, Format, ProgrammeFound,
-    Report,
+    AtThickness, BranchArch, BranchArches, ComplementarityArch, Format, ProgrammeFound, Reported,
 };
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
@@ -57,7 +56,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "WIDTH", value_parser = tolerance, allow_negative_numbers = true)]
     tolerance: Option<f64>,
 
-    #[arg(long, value_parser = parse::format(Content::Branch), help = parse::format_help(Content::Branch))]
+    #[arg(long, value_parser = parse::format(BranchArches::content()), help = parse::format_help(BranchArches::content()))]
     format: Option<&'static Format>,
 
     #[command(flatten)]
@@ -136,8 +135,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let stones = stones(&given)?;
     let weights = arguments.arch.weight.all().into_iter();
     let arches: Vec<Arch> = weights.map(|weight| given.arch(weight)).collect::<Result<_, _>>()?;
-    let format = arguments.file.format(arguments.format, Content::Complementarity, "table")?;
-    is_written("without --branch a solution", Content::Complementarity, format)?;
+    let format =
+        arguments.file.format(arguments.format, ComplementarityArch::content(), "table")?;
+    is_written("without --branch a solution", ComplementarityArch::content(), format)?;
     arguments.print.of(format)?;
     let file = arguments.file.open_for(format)?;
     let digits = arguments.arch.digits();
@@ -177,7 +177,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let answers: Vec<ComplementarityArch> =
         arches.into_iter().map(answer).collect::<Result<_, Failure>>()?;
     let open = answers.iter().find_map(ComplementarityArch::first_open);
-    file.report((&Report::Complementarity(answers), format), open)
+    file.report((&answers, format), open)
 }
 
 /// The programme (20) of an arch.
@@ -226,7 +226,7 @@ fn branches(arguments: &Arguments) -> Result<(), Failure> {
     if digits > DIGITS {
         return Err(format!("with --branch digits are 1 to {DIGITS}").into());
     }
-    let format = arguments.file.format(arguments.format, Content::Branch, "table")?;
+    let format = arguments.file.format(arguments.format, BranchArches::content(), "table")?;
     let print = arguments.print.of(format)?;
     let file = arguments.file.open_for(format)?;
     let tolerance = arguments.tolerance.unwrap_or(TOLERANCE);
@@ -249,6 +249,6 @@ fn branches(arguments: &Arguments) -> Result<(), Failure> {
     {
         return Err(Failure::Undecided(format!("there is nothing to draw: {why}")));
     }
-    let report = Report::Branches(BranchArches { tolerance, digits, arches, command: typed() });
+    let report = BranchArches { tolerance, digits, arches, command: typed() };
     file.printed((&report, format, &print), open)
 }

@@ -6,7 +6,7 @@ use super::progress;
 use crate::arch::SelfWeight;
 use crate::certify::{CertifiedLandmark, Error, fingerprint, quantities};
 use crate::problem::{Landmark, Quantity};
-use crate::report::{Answer, Answers, Report};
+use crate::report::{Answer, Answers, Reported};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
 use clap::Args;
@@ -77,7 +77,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let open = answers.iter().filter(|answer| answer.is_undecided());
     let undecided: Vec<&str> =
         open.filter_map(|answer| Some(answer.subject.landmark()?.symbol())).collect();
-    let report = Report::Answers(Answers::constants(digits, answers));
+    let report = Answers::constants(digits, answers);
     output.write(|out| report.write(format, out))?;
     Failure::unless_all("proved", &undecided)
 }

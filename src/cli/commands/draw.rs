@@ -9,7 +9,7 @@ use crate::atlas::Sketch;
 use crate::cli::line::typed;
 use crate::picture::Print;
 use crate::problem::{Landmark, Mode};
-use crate::report::{Content, Format, Report, Sketched, Style};
+use crate::report::{Format, Reported, Sketched, Style};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use crate::sweep::scene::{DrawnArch, Pose};
@@ -69,7 +69,7 @@ pub(crate) struct Arguments {
     animate: bool,
 
     /// Format: svg, png, pdf, json or dxf. If none is given, what the name of the file ends with tells it.
-    #[arg(long, value_parser = parse::format(Content::Drawing))]
+    #[arg(long, value_parser = parse::format(Sketched::content()))]
     format: Option<&'static Format>,
 
     #[command(flatten)]
@@ -102,7 +102,7 @@ fn amplitude(text: &str) -> Result<f64, String> {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let format = arguments.file.format(arguments.format, Content::Drawing, "svg")?;
+    let format = arguments.file.format(arguments.format, Sketched::content(), "svg")?;
     if arguments.animate && format.name != "svg" {
         return Err(format!("only svg moves, not {}", format.name).into());
     }
@@ -177,8 +177,7 @@ fn write(
     }
     let file = file.open_for(format)?;
     notes::frictions(&given.friction);
-    let report = Report::Sketched(drawn);
-    file.write(|out| report.printed((format, print), out))
+    file.write(|out| drawn.printed((format, print), out))
 }
 
 impl Arguments {

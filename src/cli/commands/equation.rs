@@ -7,7 +7,7 @@ use crate::certify::equation::{JointEquation, ValueEquation, evaluate};
 use crate::number::ExactNumber;
 use crate::problem::Quantity;
 use crate::report::words::list;
-use crate::report::{Content, EquationFound, EvaluatedEquation, Format, Report};
+use crate::report::{EquationFound, EvaluatedEquation, Format, Reported};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
 use clap::Args;
@@ -58,7 +58,7 @@ pub(crate) struct Arguments {
     #[arg(long, default_value = "30", value_parser = parse::state_digits, allow_negative_numbers = true)]
     digits: usize,
 
-    #[arg(long, value_parser = parse::format(Content::Equation), help = parse::format_help(Content::Equation))]
+    #[arg(long, value_parser = parse::format(EvaluatedEquation::content()), help = parse::format_help(EvaluatedEquation::content()))]
     format: Option<&'static Format>,
 
     #[command(flatten)]
@@ -121,7 +121,7 @@ impl Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let given = arguments.given()?;
-    let format = arguments.file.format(arguments.format, Content::Equation, "table")?;
+    let format = arguments.file.format(arguments.format, EvaluatedEquation::content(), "table")?;
     let file = arguments.file.open_for(format)?;
     let digits = arguments.digits;
     let answer = |weight| -> Result<EvaluatedEquation, Failure> {
@@ -141,5 +141,5 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let weights = arguments.weight.all().into_iter();
     let answers: Vec<EvaluatedEquation> = weights.map(answer).collect::<Result<_, _>>()?;
     let open = answers.iter().find_map(EvaluatedEquation::first_open);
-    file.report((&Report::Equations(answers), format), open)
+    file.report((&answers, format), open)
 }

@@ -9,7 +9,7 @@ use crate::atlas::{Curve, Sketch};
 use crate::cli::line::typed;
 use crate::problem::{Landmark, Mode};
 use crate::report::{
-    Axes, Content, Drawing, Format, Map, Report, Sketched, Style, View, arches_of_figure,
+    Axes, Content, Drawing, Format, Map, Reported, Sketched, Style, View, arches_of_figure,
 };
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
@@ -57,7 +57,7 @@ fn number(text: &str) -> Result<usize, String> {
 }
 
 fn format(name: &str) -> Result<&'static Format, String> {
-    let format = Format::named(Content::Figure, name);
+    let format = Format::named(Content::FIGURE, name);
     format.ok_or_else(|| parse::unknown("a format", name, &["svg", "png", "pdf"]))
 }
 
@@ -87,13 +87,13 @@ fn draw(
     };
     let sketches = shown.iter().map(sketch).collect::<Result<_, _>>()?;
     let style = Style::of_figure(arguments.number);
-    let report = Report::Sketched(Sketched { sketches, style, measures: None, command: typed() });
+    let report = Sketched { sketches, style, measures: None, command: typed() };
     let print = arguments.print.print();
     arguments.file.open_for(format)?.write(|out| report.printed((format, &print), out))
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let format = arguments.file.format(arguments.format, Content::Figure, "svg")?;
+    let format = arguments.file.format(arguments.format, Content::FIGURE, "svg")?;
     if let Some(shown) = arches_of_figure(arguments.number) {
         return draw(arguments, format, shown);
     }
@@ -120,5 +120,5 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let landmarks = Vec::new();
     let map = Map { tolerance, traces, levels, borders: Vec::new(), landmarks, drawing };
     open.extend(map.open());
-    file.printed((&Report::Map(map), format, &arguments.print.print()), open)
+    file.printed((&map, format, &arguments.print.print()), open)
 }

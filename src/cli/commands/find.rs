@@ -8,7 +8,7 @@ use crate::certify::Error;
 use crate::certify::state::find as seek;
 use crate::certify::state::find::{Given, Question};
 use crate::problem::{Friction, Line, Quantity, Sought};
-use crate::report::{Answer, Answers, Report, Scope};
+use crate::report::{Answer, Answers, Scope};
 use crate::sweep::failure::Failure;
 use crate::sweep::find::{self, FindTarget};
 use clap::Args;
@@ -65,7 +65,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let open = answers.iter().find_map(Answer::first_open);
     let kept = Vec::new();
     let report = Answers { scope: Scope::Found, digits, quantities, kept, list: answers };
-    file.report((&Report::Answers(report), format), open)
+    file.report((&report, format), open)
 }
 
 /// The friction that is given.

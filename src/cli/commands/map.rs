@@ -17,7 +17,7 @@ use crate::picture::Print;
 use crate::problem::Friction;
 use crate::report::{
     Axes, Content, Drawing, Format, Map, MapAsked, MapDifferences, MapPoint, Mark, Marked, Plane,
-    Report, View,
+    Reported, View,
 };
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
@@ -75,7 +75,7 @@ struct PointArguments {
     #[arg(long, default_value = "30", value_parser = parse::digits, allow_negative_numbers = true)]
     digits: usize,
 
-    #[arg(long, value_parser = parse::format(Content::MapPoint), help = parse::format_help(Content::MapPoint))]
+    #[arg(long, value_parser = parse::format(MapPoint::content()), help = parse::format_help(MapPoint::content()))]
     format: Option<&'static Format>,
 
     #[command(flatten)]
@@ -88,7 +88,7 @@ struct DifferenceArguments {
     #[arg(long, default_value = "1e-4", value_name = "WIDTH", value_parser = tolerance, allow_negative_numbers = true)]
     tolerance: f64,
 
-    #[arg(long, value_parser = parse::format(Content::MapDifference), help = parse::format_help(Content::MapDifference))]
+    #[arg(long, value_parser = parse::format(MapDifferences::content()), help = parse::format_help(MapDifferences::content()))]
     format: Option<&'static Format>,
 
     #[command(flatten)]
@@ -172,7 +172,7 @@ struct DrawnMap {
     #[arg(long)]
     bare: bool,
 
-    #[arg(long, value_parser = parse::format(Content::Map), help = parse::format_help(Content::Map))]
+    #[arg(long, value_parser = parse::format(Map::content()), help = parse::format_help(Map::content()))]
     format: Option<&'static Format>,
 
     #[command(flatten)]
@@ -229,7 +229,7 @@ fn plane(text: &str) -> Result<Plane, String> {
 impl DrawnMap {
     /// The format asked for; else a summary.
     fn format(&self) -> Result<&'static Format, Failure> {
-        self.file.format(self.format, Content::Map, "table")
+        self.file.format(self.format, Map::content(), "table")
     }
 
     /// The weights asked for.
@@ -305,14 +305,14 @@ fn all_curves(arguments: &DrawnMap) -> Result<(), Failure> {
     };
     let map = Map { tolerance, traces, levels, borders, landmarks, drawing };
     open.extend(map.open());
-    write((&arguments.file, file), (&Report::Map(map), format, &print), Content::Map)?;
+    write((&arguments.file, file), (&map, format, &print), Map::content())?;
     Failure::of_open(open)
 }
 
 /// Writes a report, and what was proved, on standard output beside a file of data.
 fn write(
     (output, file): (&OutputFile, Output),
-    (report, format, print): (&Report, &Format, &Print),
+    (report, format, print): (&dyn Reported, &Format, &Print),
     content: Content,
 ) -> Result<(), Failure> {
     file.write(|out| report.printed((format, print), out))?;
@@ -326,7 +326,7 @@ fn write(
 const COARSE: f64 = 1e-2;
 
 fn point(asked: &PointArguments) -> Result<(), Failure> {
-    let format = asked.file.format(asked.format, Content::MapPoint, "table")?;
+    let format = asked.file.format(asked.format, MapPoint::content(), "table")?;
     let (curve, exact) = (asked.curve, asked.at.parse::<ExactNumber>()?);
     let weights = asked.weight.all();
     let weights = if curve.is_weightless() { &weights[..1] } else { &weights[..] };
@@ -339,11 +339,11 @@ fn point(asked: &PointArguments) -> Result<(), Failure> {
         Ok(MapPoint { curve, weight, given: asked.at.clone(), values })
     });
     let points: Vec<MapPoint> = points.collect::<Result<_, Failure>>()?;
-    asked.file.open_for(format)?.write(|out| Report::MapPoints(points).write(format, out))
+    asked.file.open_for(format)?.write(|out| points.write(format, out))
 }
 
 fn difference(asked: &DifferenceArguments) -> Result<(), Failure> {
-    let format = asked.file.format(asked.format, Content::MapDifference, "table")?;
+    let format = asked.file.format(asked.format, MapDifferences::content(), "table")?;
     let print = asked.print.of(format)?;
     let tolerance = asked.tolerance;
     if tolerance < LEAST_DIFFERENCE {
@@ -353,6 +353,6 @@ fn difference(asked: &DifferenceArguments) -> Result<(), Failure> {
     let differences: Result<Vec<Difference>, Undecided> =
         Divide::ALL.into_par_iter().map(|divide| Difference::new(divide, tolerance)).collect();
     let differences = MapDifferences { tolerance, differences: differences?, command: typed() };
-    let report = Report::MapDifferences(differences);
-    write((&asked.file, file), (&report, format, &print), Content::MapDifference)
+    let report = differences;
+    write((&asked.file, file), (&report, format, &print), MapDifferences::content())
 }

@@ -5,7 +5,7 @@ use crate::certify::Refused;
 use crate::picture::Print;
 use crate::problem::Quantity;
 use crate::report::words::shortened;
-use crate::report::{Content, Format, Report};
+use crate::report::{Answers, Content, Format, Reported, Sketched};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use clap::Args;
@@ -20,8 +20,8 @@ use tempfile::NamedTempFile;
 #[derive(Args)]
 pub(super) struct AnswerOutput {
     #[arg(
-        long, value_parser = parse::format(Content::Answers),
-        help = parse::usual_format_help(Content::Answers, "table")
+        long, value_parser = parse::format(Answers::content()),
+        help = parse::usual_format_help(Answers::content(), "table")
     )]
     format: Option<&'static Format>,
 
@@ -51,8 +51,8 @@ pub(super) struct OutputFile {
 impl AnswerOutput {
     /// The format asked for.
     pub(super) fn format(&self) -> Result<&'static Format, Failure> {
-        let plain = Format::named(Content::Answers, "plain").filter(|_| self.plain);
-        self.file.format(plain.or(self.format), Content::Answers, "table")
+        let plain = Format::named(Answers::content(), "plain").filter(|_| self.plain);
+        self.file.format(plain.or(self.format), Answers::content(), "table")
     }
 
     /// The quantities asked for, of those that there are; all if none is named.
@@ -63,8 +63,8 @@ impl AnswerOutput {
     /// The format and the file of a picture, where the end of the file's name tells one: svg, png or dxf.
     pub(super) fn drawing(&self) -> Result<Option<(&'static Format, &OutputFile)>, Failure> {
         let end = self.file.path().and_then(Path::extension).unwrap_or_default().to_string_lossy();
-        let is_answer = Format::of_extension(Content::Answers, &end).is_some();
-        let format = Format::of_extension(Content::Drawing, &end);
+        let is_answer = Format::of_extension(Answers::content(), &end).is_some();
+        let format = Format::of_extension(Sketched::content(), &end);
         let format = format.filter(|_| !is_answer && !self.plain && self.format.is_none());
         let Some(format) = format else { return Ok(None) };
         self.tells_all("a picture")?;
@@ -251,7 +251,7 @@ impl Output {
     /// Writes a report; what stays open in it is a failure.
     pub(super) fn report<T: Display>(
         self,
-        (report, format): (&Report, &Format),
+        (report, format): (&dyn Reported, &Format),
         open: impl IntoIterator<Item = T>,
     ) -> Result<(), Failure> {
         self.printed((report, format, &Print::default()), open)
@@ -260,7 +260,7 @@ impl Output {
     /// Writes a report, a picture as it is printed; what stays open in it is a failure.
     pub(super) fn printed<T: Display>(
         self,
-        (report, format, print): (&Report, &Format, &Print),
+        (report, format, print): (&dyn Reported, &Format, &Print),
         open: impl IntoIterator<Item = T>,
     ) -> Result<(), Failure> {
         self.write(|out| report.printed((format, print), out))?;

@@ -1,11 +1,11 @@
 //! `couplet prove`.
 
 use super::notes::each_once;
-use super::output::{Output, OutputFile, is_written};
+use super::output::{Output, OutputFile};
 use crate::check::{read, visible_name};
 use crate::claims::Claim;
 use crate::claims::coq::{self, StateError};
-use crate::report::{Claims, Content, Format, Index, Report};
+use crate::report::{Claims, Format, Index, Reported};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use clap::Args;
@@ -39,8 +39,8 @@ pub(crate) struct Arguments {
     show: bool,
 
     #[arg(
-        long, value_parser = parse::format(Content::Claims),
-        help = parse::usual_format_help(Content::Claims, "text")
+        long, value_parser = parse::format(Claims::content()),
+        help = parse::usual_format_help(Claims::content(), "text")
     )]
     format: Option<&'static Format>,
 
@@ -64,10 +64,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         };
         return write_coq(folder, files);
     }
-    let format = arguments.file.format(arguments.format, Content::Claims, "text")?;
-    if arguments.index {
-        is_written("the index", Content::Index, format)?;
-    }
+    let format = arguments.file.format(arguments.format, Claims::content(), "text")?;
     let named = each_once(arguments.claims.clone(), String::clone, String::clone);
     let chosen =
         parse::claims_named(&named).map_err(|error| format!("{error}; --list shows the claims"))?;
@@ -81,9 +78,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .filter(|decision| decision.outcome.is_err())
         .map(|decision| decision.claim.id)
         .collect();
-    let report = match arguments.index {
-        true => Report::Index(Index { decisions }),
-        false => Report::Claims(Claims { decisions, show: arguments.show, timed: true }),
+    let report: Box<dyn Reported> = match arguments.index {
+        true => Box::new(Index { decisions }),
+        false => Box::new(Claims { decisions, show: arguments.show, timed: true }),
     };
     output.write(|out| report.write(format, out))?;
     Failure::unless_all("decided", &undecided)

@@ -1,7 +1,7 @@
 //! `couplet sample`.
 
 use super::output::OutputFile;
-use crate::report::{Content, Format};
+use crate::report::{Content, Format, SampledLines};
 use crate::strategies::samples;
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
@@ -28,8 +28,8 @@ pub(crate) struct Arguments {
     seed: u64,
 
     #[arg(
-        long, value_parser = parse::format(Content::Samples),
-        help = parse::usual_format_help(Content::Samples, "csv")
+        long, value_parser = parse::format(Content::SAMPLES),
+        help = parse::usual_format_help(Content::SAMPLES, "csv")
     )]
     format: Option<&'static Format>,
 
@@ -50,8 +50,8 @@ fn seed(text: &str) -> Result<u64, String> {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let format = arguments.output.format(arguments.format, Content::Samples, "csv")?;
-    let Some(lines) = format.samples() else { return Ok(()) };
+    let format = arguments.output.format(arguments.format, Content::SAMPLES, "csv")?;
+    let Some(lines) = SampledLines::of(format) else { return Ok(()) };
     arguments.output.open()?.write(|out| {
         out.write_all(&(lines.header)()?)?;
         let samples = samples(arguments.seed, arguments.hard);

@@ -11,7 +11,7 @@ use crate::ask::{ArchQuestion, Field};
 use crate::certify::state::Balls;
 use crate::certify::{Error, quantities as quantities_of};
 use crate::problem::{Arch, Landmark, Quantity};
-use crate::report::{Answer, Answers, Report, Scope, Understood};
+use crate::report::{Answer, Answers, Reported, Scope, Understood};
 use crate::sweep::answer;
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
@@ -111,7 +111,7 @@ pub(super) fn print(
     let open = answers.iter().find_map(Answer::first_open);
     let scope = if answers.len() == 1 { Scope::Arch } else { Scope::Arches };
     let answers = Answers { scope, digits, quantities, list: answers, kept: Vec::new() };
-    file.report((&Report::Answers(answers), format), open)
+    file.report((&answers, format), open)
 }
 
 fn at_landmark(landmark: Landmark, arguments: &Arguments) -> Result<(), Failure> {
@@ -128,6 +128,6 @@ fn at_landmark(landmark: Landmark, arguments: &Arguments) -> Result<(), Failure>
     };
     let list: Result<_, Error> = arguments.arch.weight.all().into_iter().map(answer).collect();
     let (scope, kept) = (Scope::Point, Vec::new());
-    let report = Report::Answers(Answers { scope, digits, quantities, list: list?, kept });
+    let report = Answers { scope, digits, quantities, list: list?, kept };
     output.write(|out| report.write(format, out))
 }

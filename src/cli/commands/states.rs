@@ -9,7 +9,7 @@ use crate::certify::Refused;
 use crate::certify::batch::SharedOpenings;
 use crate::certify::state::Balls;
 use crate::problem::Quantity;
-use crate::report::{Answer, Answers, Content, Format, Status};
+use crate::report::{Answer, Answers, Content, Format, Status, open_rows};
 use crate::sweep::answer;
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
@@ -76,8 +76,8 @@ pub(crate) struct Arguments {
 
     #[arg(
         long,
-        value_parser = parse::format(Content::Rows),
-        help = parse::format_help(Content::Rows) + "; if not given what the name of the file ends with tells it, else \
+        value_parser = parse::format(Content::ROWS),
+        help = parse::format_help(Content::ROWS) + "; if not given what the name of the file ends with tells it, else \
             that of the input"
     )]
     format: Option<&'static Format>,
@@ -91,13 +91,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let progress = Progress::new(&source);
     let (syntax, digits) = (source.syntax, arguments.digits);
     let format = match arguments.format {
-        None => arguments.output.by_name(Content::Rows)?,
+        None => arguments.output.by_name(Content::ROWS)?,
         given => given,
     };
-    let format = format.or_else(|| Format::named(Content::Rows, syntax.format()));
-    let Some((format, open)) = format.and_then(|format| Some((format, format.rows()?))) else {
-        return Ok(());
-    };
+    let format = format.or_else(|| Format::named(Content::ROWS, syntax.format()));
+    let Some(format) = format else { return Ok(()) };
     let output = arguments.output.open_for(format)?;
     let input = progress.counted(source.into_input());
     let keep = Keep::new(&arguments.keep);
@@ -129,7 +127,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let asked = RowQuestion::new(&answers, format)?;
     let reader = ArchReader { columns, weight: arguments.weight, doubles: false, spelling };
-    let mut file = open(Answers { kept, ..answers }).map_err(unwritten)?;
+    let mut file = open_rows(Answers { kept, ..answers }, format).map_err(unwritten)?;
     let (mut bad, mut undecided, mut answered) = (0, 0, None);
     let together = if format.is_binary { Chunk::Full } else { Chunk::WhatIsThere };
     output.write(|out| {

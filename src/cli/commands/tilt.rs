@@ -7,7 +7,7 @@ use crate::certify::{self, MOST_TILTED_STONES, VoussoirStanding, assess_voussoir
 use crate::number::ExactNumber;
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Slope};
-use crate::report::{Content, Format, Report, TiltedArch, Understood};
+use crate::report::{Format, Reported, TiltedArch, Understood};
 use crate::sweep::failure::Failure;
 
 /// Proves and writes the answers for arches under an acceleration.
@@ -18,7 +18,7 @@ pub(super) fn write(
     stones: Option<&Stones>,
     digits: usize,
 ) -> Result<(), Failure> {
-    is_written("--tilt", Content::Tilted, format)?;
+    is_written("--tilt", TiltedArch::content(), format)?;
     are_few(stones)?;
     let output = file.open_for(format)?;
     notes::frictions(arches.iter().take(1).map(Arch::friction));
@@ -26,7 +26,7 @@ pub(super) fn write(
     let answer = |arch: &Arch| tilted((asked, arch), (eta, tilt), stones, digits);
     let answers: Vec<TiltedArch> = arches.iter().map(answer).collect::<Result<_, Failure>>()?;
     let open = answers.iter().find_map(TiltedArch::first_open).cloned();
-    output.report((&Report::Tilted(answers), format), open)
+    output.report((&answers, format), open)
 }
 
 /// Arch under an acceleration, with what is proved of it.

@@ -13,9 +13,7 @@ use crate::picture::Print;
 use crate::problem::Arch;
 use crate::problem::measures::Measures;
 use crate::problem::stones::Stones;
-use crate::report::{
-    Content, Format, GivenThickness, Report, Understood, VoussoirArch, VoussoirArches,
-};
+use crate::report::{Format, GivenThickness, Reported, Understood, VoussoirArch, VoussoirArches};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use clap::Args;
@@ -38,7 +36,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     arch: ArchArguments,
 
-    #[arg(long, value_parser = parse::format(Content::Voussoirs), help = parse::format_help(Content::Voussoirs))]
+    #[arg(long, value_parser = parse::format(VoussoirArches::content()), help = parse::format_help(VoussoirArches::content()))]
     format: Option<&'static Format>,
 
     #[command(flatten)]
@@ -58,7 +56,7 @@ pub const QUESTION: ArchQuestion = ArchQuestion {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (given, arches) = arguments.arch.read(&QUESTION)?;
-    let format = arguments.file.format(arguments.format, Content::Voussoirs, "table")?;
+    let format = arguments.file.format(arguments.format, VoussoirArches::content(), "table")?;
     let print = arguments.print.of(format)?;
     answers(&arguments.arch, &given, &arches, (&arguments.file, format, &print))
 }
@@ -88,7 +86,7 @@ fn answers(
         };
         return tilt::write((file, format), (&asked, arches), (eta, tilt), Some(stones), digits);
     }
-    is_written("an arch of stones", Content::Voussoirs, format)?;
+    is_written("an arch of stones", VoussoirArches::content(), format)?;
     if format.is_picture && !given.stones.as_ref().is_some_and(StonesAsked::is_range) {
         return Err(RANGE.into());
     }
@@ -101,7 +99,7 @@ fn answers(
         return Err(message.into());
     }
     let open = answers.arches.iter().find_map(VoussoirArch::first_open).cloned();
-    file.printed((&Report::Voussoirs(answers), format, print), open)
+    file.printed((&answers, format, print), open)
 }
 
 /// Divisions into stones that are asked about.

@@ -29,7 +29,7 @@ wrong_uses! {
     a_command_that_is_none: ["constant"] => "constants";
     an_unknown_claim: ["prove", "eq-7-eat"] => "(did you mean \"eq-7-eta\"?); --list shows the claims";
     half_a_claim: ["prove", "eq-"] => "unknown claim 'eq-'";
-    a_format_that_claims_do_not_have: ["prove", "--format", "csv"] => "one of text, json, latex";
+    a_format_that_claims_do_not_have: ["prove", "--format", "toml"] => "one of text, json, csv, csv2, latex, markdown";
     an_unknown_experiment: ["study", "accuracy", "--only", "T"] => "the studies are eta-cubic, A-cubic";
     an_unknown_limit: ["study", "stability", "--only", "state"] => "the studies are alpha-to-zero";
 

@@ -6,7 +6,7 @@ use crate::program::couplet;
 use couplet::arch::SelfWeight;
 use couplet::certify::Undecided;
 use couplet::problem::Landmark;
-use couplet::report::{Answer, Answers, Content, Format, Report};
+use couplet::report::{Answer, Answers, Format, Reported};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
@@ -89,10 +89,10 @@ fn where_there_is_no_hash_is_a_reason() {
 fn an_undecided_landmark_is_named_and_has_no_values() {
     let reason = Undecided::new("for a test").into();
     let undecided = Answer::landmark((Landmark::Triple, SelfWeight::Heyman), Err(&reason));
-    let report = Report::Answers(Answers::constants(30, vec![undecided]));
+    let report = Answers::constants(30, vec![undecided]);
     let text = |format| {
         let mut text = Vec::new();
-        let format = Format::named(Content::Answers, format).unwrap();
+        let format = Format::named(Answers::content(), format).unwrap();
         report.write(format, &mut text).unwrap();
         String::from_utf8(text).unwrap()
     };

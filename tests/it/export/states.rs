@@ -5,7 +5,7 @@ use crate::arches::{H, arch};
 use crate::program::Scratch;
 use couplet::Undecided;
 use couplet::certify::state::{Answer as State, Certify, Fall};
-use couplet::report::{Answer, Answers, Content, Format, Report, Subject};
+use couplet::report::{Answer, Answers, Format, Reported, Subject};
 
 /// Ends comments and strings of every language, and starts commands.
 const HOSTILE: &str =
@@ -16,7 +16,7 @@ fn doubt() -> Undecided {
     Undecided::new("whether the thickness is enough")
 }
 
-fn report() -> Report {
+fn report() -> Answers {
     let slides = arch(H, "pi/2", "0.38");
     let answer = |line, found| {
         let mut answer = Answer::state(line, &slides, &found);
@@ -31,12 +31,12 @@ fn report() -> Report {
         answer(4, Err(doubt().into())),
         Answer::refused(5, HOSTILE.into()),
     ];
-    Report::Answers(Answers { list, ..Answers::arches(40, false) })
+    Answers { list, ..Answers::arches(40, false) }
 }
 
 fn text(format: &str) -> String {
     let mut text = Vec::new();
-    let format = Format::named(Content::Answers, format).unwrap();
+    let format = Format::named(Answers::content(), format).unwrap();
     report().write(format, &mut text).unwrap();
     String::from_utf8(text).unwrap()
 }

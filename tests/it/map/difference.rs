@@ -82,7 +82,7 @@ fn what_makes_no_sense_is_refused() {
     for (arguments, words) in [
         (&["--tolerance", "0"][..], "a tolerance is a number from 1e-12 to 1"),
         (&["--tolerance", "1e-12"], "a difference has a tolerance from 4e-12 to 1"),
-        (&["--format", "html"], "a format is one of table, json, csv, svg"),
+        (&["--format", "html"], "a format is one of table, json, csv, csv2, latex, markdown, svg"),
         (&["--weight", "heyman"], "unexpected argument"),
         (&["--curve", "limit"], "unexpected argument"),
         (&["--plane", "opening-friction"], "unexpected argument"),

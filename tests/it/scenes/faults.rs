@@ -61,10 +61,10 @@ faults! {
         => "3:14: quantities \"thicknes\" is not one of thickness, friction, friction_angle, friction_angle_degrees, half_opening, half_opening_degrees, thrust, intrinsic_thrust, rotation_joint, rotation_joint_degrees, sliding_joint, sliding_joint_degrees, A (did you mean \"thickness\"?)";
     an_unknown_format:
         "[audit]\nformat = \"xml\"\n"
-        => "3:10: format \"xml\" is not one of table, json, csv";
+        => "3:10: format \"xml\" is not one of table, json, csv, csv2, latex, markdown";
     an_unknown_end_of_a_file:
         "[audit]\noutput = \"a.xml\"\n"
-        => "3:10: output \"a.xml\" does not tell a format by its end (txt, json, csv); give it such an end, or a format, one of table, json, csv";
+        => "3:10: output \"a.xml\" does not tell a format by its end (txt, json, csv, tex, md); give it such an end, or a format, one of table, json, csv, csv2, latex, markdown";
     an_output_that_is_a_number:
         "[constants]\noutput = 3\n"
         => "3:10: output 3 is not a text";

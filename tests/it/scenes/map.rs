@@ -18,7 +18,7 @@ fn a_scene_writes_what_the_commands_write() {
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let tree = text(&output.stderr);
     for line in [
-        "4 items; to compute: 7 landmarks, 13 curves, each once",
+        "4 items; to compute: 7 landmarks, 40 curves, each once",
         "│  ├─ rrr/srr milankovitch, in tubes of 0.01",
         "│  ├─ half opening 2.58 milankovitch, in tubes of 0.01",
         "│  └─ 2 curves: computed for the item in line 2",

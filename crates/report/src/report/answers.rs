@@ -102,6 +102,11 @@ impl Answers {
         self.scope == Scope::Mixed || self.quantities.iter().any(|of| some.contains(of))
     }
 
+    /// Tells whether each arch has a row in a table for a paper.
+    pub(super) fn has_row_each(&self) -> bool {
+        matches!(self.scope, Scope::Arch | Scope::Arches)
+    }
+
     /// Tells whether the arches are measured.
     pub(super) fn are_measured(&self) -> bool {
         self.quantities.iter().any(|quantity| quantity.is_measured())

@@ -1,12 +1,12 @@
 //! Results of `couplet audit`: a table for a person, CSV, and JSON, `couplet.audit/2`, in which fields may be
 //! added and none changes its meaning.
 
-use super::csv;
-use super::fields::Fields;
-use super::json;
+use super::format::Content;
+use super::record::Record;
+use super::reported::Reported;
+use super::tabular::Tabular;
 use crate::judge::{Audited, Comparison, PrintedVerdict};
 use serde_json::Value as Json;
-use std::io;
 
 /// Printed numbers against certified values.
 #[derive(Debug)]
@@ -21,7 +21,7 @@ pub struct Audit {
 const PRINTED: &str = "place weight landmark quantity printed error_units correct_digits verdict";
 const COMPARED: &str = "landmark quantity claimed certified verdict";
 
-fn printed(entry: &Audited) -> Fields {
+fn printed(entry: &Audited) -> Record {
     let values: [Json; 8] = [
         entry.printed.place.into(),
         entry.printed.weight.name().into(),
@@ -32,10 +32,10 @@ fn printed(entry: &Audited) -> Fields {
         entry.correct_digits.into(),
         entry.verdict.name().into(),
     ];
-    Fields::named(PRINTED, values)
+    Record::named(PRINTED, values)
 }
 
-fn compared(entry: &Comparison) -> Fields {
+fn compared(entry: &Comparison) -> Record {
     let values: [Json; 5] = [
         entry.landmark.symbol().into(),
         entry.quantity.name().into(),
@@ -43,65 +43,62 @@ fn compared(entry: &Comparison) -> Fields {
         entry.certified.name().into(),
         entry.verdict().into(),
     ];
-    Fields::named(COMPARED, values)
+    Record::named(COMPARED, values)
 }
 
-/// JSON.
-pub(super) fn json(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
-    let mut file = Fields::of("couplet.audit/2");
-    file.add_list("printed", report.printed.iter().map(printed));
-    file.add_list("comparisons", report.comparisons.iter().map(compared));
-    json::write(&file, out)
-}
+impl Reported for Audit {
+    fn content() -> Content {
+        Content::RECORDS
+    }
 
-/// CSV of the printed numbers.
-pub(super) fn csv(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
-    csv::table(PRINTED, report.printed.iter().map(printed), out)
-}
+    fn records(&self) -> Vec<Record> {
+        let mut record = Record::of("couplet.audit/2");
+        record.say(
+            "Printed numbers against certified values; errors in units of the last printed place\n",
+        );
+        let titles = ["place", "weight", "", "quantity", "printed", "error", "digits", "verdict"];
+        for cells in with_titles(titles, self.printed.iter().map(printed)) {
+            let [place, weight, of, quantity, printed, error, digits, verdict] = &cells;
+            record.say(format!(
+                "{place:<8} {weight:<12} {of:<2} {quantity:<20} {printed:<20} {error:>8} {digits:>7}  {verdict}"
+            ));
+        }
+        let count = |verdict| self.printed.iter().filter(|entry| entry.verdict == verdict).count();
+        let (right, faithful, wrong) = (
+            count(PrintedVerdict::CorrectlyRounded),
+            count(PrintedVerdict::Faithful),
+            count(PrintedVerdict::Wrong),
+        );
+        let all = self.printed.len();
+        record.say(format!(
+            "\n{all} printed numbers: {right} correctly rounded, {faithful} faithful, {wrong} wrong"
+        ));
+        if !self.comparisons.is_empty() {
+            record.say("\nMilankovitch's weight compared with Heyman's\n");
+            let titles = ["", "quantity", "claimed", "certified", "verdict"];
+            for cells in with_titles(titles, self.comparisons.iter().map(compared)) {
+                let [of, quantity, claimed, certified, verdict] = &cells;
+                record
+                    .say(format!("{of:<2} {quantity:<20} {claimed:<8} {certified:<10} {verdict}"));
+            }
+        }
+        record.add_list("printed", self.printed.iter().map(printed));
+        record.add_list("comparisons", self.comparisons.iter().map(compared));
+        vec![record]
+    }
 
-/// A table.
-pub(super) fn table(report: &Audit, out: &mut dyn io::Write) -> io::Result<()> {
-    let titles = ["place", "weight", "", "quantity", "printed", "error", "digits", "verdict"];
-    writeln!(
-        out,
-        "Printed numbers against certified values; errors in units of the last printed place\n"
-    )?;
-    for cells in with_titles(titles, report.printed.iter().map(printed)) {
-        let [place, weight, of, quantity, printed, error, digits, verdict] = &cells;
-        writeln!(
-            out,
-            "{place:<8} {weight:<12} {of:<2} {quantity:<20} {printed:<20} {error:>8} {digits:>7}  {verdict}"
-        )?;
+    /// The printed numbers.
+    fn tabular(&self) -> Tabular {
+        Tabular::of(PRINTED, self.printed.iter().map(printed))
     }
-    let count = |verdict| report.printed.iter().filter(|entry| entry.verdict == verdict).count();
-    let (right, faithful, wrong) = (
-        count(PrintedVerdict::CorrectlyRounded),
-        count(PrintedVerdict::Faithful),
-        count(PrintedVerdict::Wrong),
-    );
-    let all = report.printed.len();
-    writeln!(
-        out,
-        "\n{all} printed numbers: {right} correctly rounded, {faithful} faithful, {wrong} wrong"
-    )?;
-    if report.comparisons.is_empty() {
-        return Ok(());
-    }
-    writeln!(out, "\nMilankovitch's weight compared with Heyman's\n")?;
-    let titles = ["", "quantity", "claimed", "certified", "verdict"];
-    for cells in with_titles(titles, report.comparisons.iter().map(compared)) {
-        let [of, quantity, claimed, certified, verdict] = &cells;
-        writeln!(out, "{of:<2} {quantity:<20} {claimed:<8} {certified:<10} {verdict}")?;
-    }
-    Ok(())
 }
 
 /// The texts of rows, below their titles.
 fn with_titles<const N: usize>(
     titles: [&str; N],
-    rows: impl Iterator<Item = Fields>,
+    rows: impl Iterator<Item = Record>,
 ) -> impl Iterator<Item = [String; N]> {
-    let cells = |row: Fields| {
+    let cells = |row: Record| {
         let mut texts = row.texts();
         std::array::from_fn(|_| texts.next().unwrap_or_default())
     };

@@ -1,14 +1,14 @@
-//! States by another quantity than the half opening: for a person, a shell, CSV, and JSON (`couplet.states_of/1`).
+//! States by another quantity than the half opening, `couplet.states_of/1`.
 
-use super::fields::Fields;
-use super::words::{apart, model, reason};
-use super::{csv, json};
+use super::format::Content;
+use super::record::Record;
+use super::reported::Reported;
+use super::tabular::Tabular;
+use super::words::{model, reason};
 use crate::arch::SelfWeight;
 use crate::certify::Undecided;
-use crate::certify::state::Figure;
 use crate::certify::state::find::{OtherState, StateOfValue, StatesByValue, StatesOfValue};
 use crate::problem::Quantity;
-use std::io;
 
 /// A question for the states with a value, and what is proved.
 #[derive(Debug)]
@@ -53,128 +53,84 @@ impl ByValue {
         self.found.as_ref().ok()?.none
     }
 
-    /// Quantities of a state that are shown.
-    fn shown<'a>(
-        &'a self,
-        state: &'a StateOfValue,
-    ) -> impl Iterator<Item = &'a (Quantity, Figure)> {
-        state.values.iter().filter(|(of, _)| self.quantities.contains(of))
+    /// A state, with the quantities that are shown.
+    fn state(&self, state: &StateOfValue) -> Record {
+        let mut record = Record::default();
+        record.say(format!("collapses as {}", state.mode.label()));
+        record.add("mode", state.mode.label());
+        for (quantity, figure) in state.values.iter().filter(|(of, _)| self.quantities.contains(of))
+        {
+            record.show(*quantity, 18, &figure.decimal);
+        }
+        record.say("");
+        record
+    }
+
+    /// A row of the table.
+    fn row(&self, outcome: &'static str, record: Record) -> Record {
+        let mut row = Record::named("outcome", [outcome.into()]);
+        row.add("weight", self.weight.name());
+        row.add("friction", self.asked.friction().to_string());
+        row.append(record);
+        row
     }
 }
 
-pub(super) fn table(all: &[ByValue], out: &mut dyn io::Write) -> io::Result<()> {
-    apart(all, out, one)
-}
-
-fn one(of: &ByValue, out: &mut dyn io::Write) -> io::Result<()> {
-    let ((quantity, value), friction) = (of.asked.given(), of.asked.friction());
-    let (name, weight) = (quantity.name(), model(of.weight));
-    writeln!(out, "All states with {name} = {value} at friction {friction}, {weight}\n")?;
-    if let Some(none) = of.none() {
-        writeln!(out, "there is none, proved: {none}\n")?;
-    }
-    for state in of.states() {
-        writeln!(out, "collapses as {}", state.mode.label())?;
-        for (quantity, figure) in of.shown(state) {
-            writeln!(out, "   {:<20} {:<18} {figure}", quantity.name(), quantity.symbol())?;
-        }
-        writeln!(out)?;
-    }
-    for other in of.others() {
-        let alpha = &other.half_opening;
-        let what = match other.mode {
-            Ok(mode) => format!("collapses as {mode}"),
-            Err(fall) => format!("stands at no thickness ({})", reason(fall)),
-        };
-        let words = "has this value with unlimited friction; with the friction given it";
-        writeln!(out, "the half opening {alpha} {words} {what}\n")?;
-    }
-    of.open().into_iter().try_for_each(|undecided| writeln!(out, "{undecided}"))?;
-    match &of.found {
-        Ok(found) if found.first_open().is_none() => {
-            let proved = "each state is admissible on the whole half arch, none thinner; there are no others:";
-            writeln!(out, "proved: {proved}\n   {}", found.proved)
-        }
-        _ => Ok(()),
-    }
-}
-
-pub(super) fn plain(all: &[ByValue], out: &mut dyn io::Write) -> io::Result<()> {
-    let states = all.iter().flat_map(|of| of.states().map(move |state| (of, state)));
-    let mut values = states.flat_map(|(of, state)| of.shown(state));
-    values.try_for_each(|(_, figure)| writeln!(out, "{figure}"))
-}
-
-const COLUMNS: &str = "weight friction outcome mode half_opening half_opening_degrees A thickness thrust \
-                       intrinsic_thrust rotation_joint sliding_joint reason";
-
-pub(super) fn csv(all: &[ByValue], out: &mut dyn io::Write) -> io::Result<()> {
-    let rows = |of: &ByValue| {
-        let mut rows: Vec<Fields> = Vec::new();
-        let row = |outcome: &str| {
-            let mut row = Fields::named("outcome", [outcome.into()]);
-            row.add("weight", of.weight.name());
-            row.add("friction", of.asked.friction().to_string());
-            row
-        };
-        for state in of.states() {
-            let mut row = row("state");
-            row.append(of_state(of, state));
-            rows.push(row);
-        }
-        for other in of.others() {
-            let mut row = row("not_with_this_friction");
-            row.append(of_other(other));
-            rows.push(row);
-        }
-        for undecided in of.open() {
-            let mut row = row("undecided");
-            row.add("reason", undecided.reason.to_string());
-            rows.push(row);
-        }
-        if let Some(none) = of.none() {
-            let mut row = row("none");
-            row.add("reason", none);
-            rows.push(row);
-        }
-        rows
+fn other(of: &OtherState) -> Record {
+    let mut record = Record::default();
+    let words = "has this value with unlimited friction; with the friction given it";
+    let what = match of.mode {
+        Ok(mode) => format!("collapses as {mode}"),
+        Err(fall) => format!("stands at no thickness ({})", reason(fall)),
     };
-    csv::table(COLUMNS, all.iter().flat_map(rows), out)
+    record.say(format!("the half opening {} {words} {what}\n", of.half_opening));
+    record.add_bounds("half_opening", Some(&of.half_opening));
+    record.add("mode", of.mode.ok().map(|mode| mode.label()));
+    record.add("reason", of.mode.err().map(reason));
+    record
 }
 
-pub(super) fn json(all: &[ByValue], out: &mut dyn io::Write) -> io::Result<()> {
-    json::write_all(all.iter().map(fields), out)
-}
-
-fn fields(of: &ByValue) -> Fields {
-    let mut fields = Fields::of("couplet.states_of/1");
-    let (quantity, value) = of.asked.given();
-    fields.add("weight", of.weight.name());
-    fields.add("given", quantity.name());
-    fields.add("value", value.to_string());
-    fields.add("friction", of.asked.friction().to_string());
-    let open = of.first_open();
-    fields.add("verdict", if open.is_some() { "undecided" } else { "proved" });
-    fields.add("reason", open.map(|open| open.reason.as_ref()).or(of.none()));
-    fields.add_list("states", of.states().map(|state| of_state(of, state)));
-    fields.add_list("others", of.others().map(of_other));
-    fields.add("proved", of.found.as_ref().ok().filter(|_| open.is_none()).map(|of| of.proved));
-    fields
-}
-
-fn of_state(of: &ByValue, state: &StateOfValue) -> Fields {
-    let mut fields = Fields::default();
-    fields.add("mode", state.mode.label());
-    for (quantity, figure) in of.shown(state) {
-        fields.add_bounds(quantity.name(), Some(figure));
+impl Reported for ByValue {
+    fn content() -> Content {
+        Content(&["table", "plain", "json", "csv", "csv2", "latex", "markdown"])
     }
-    fields
-}
 
-fn of_other(other: &OtherState) -> Fields {
-    let mut fields = Fields::default();
-    fields.add_bounds("half_opening", Some(&other.half_opening));
-    fields.add("mode", other.mode.ok().map(|mode| mode.label()));
-    fields.add("reason", other.mode.err().map(reason));
-    fields
+    fn records(&self) -> Vec<Record> {
+        let mut record = Record::of("couplet.states_of/1");
+        let ((quantity, value), friction) = (self.asked.given(), self.asked.friction());
+        let (name, weight) = (quantity.name(), model(self.weight));
+        record.say(format!("All states with {name} = {value} at friction {friction}, {weight}\n"));
+        record.add("weight", self.weight.name());
+        record.add("given", name);
+        record.add("value", value.to_string());
+        record.add("friction", friction.to_string());
+        if let Some(none) = self.none() {
+            record.say(format!("there is none, proved: {none}\n"));
+        }
+        let open = self.first_open();
+        record.add("verdict", if open.is_some() { "undecided" } else { "proved" });
+        record.add("reason", open.map(|open| open.reason.as_ref()).or(self.none()));
+        record.add_list("states", self.states().map(|state| self.state(state)));
+        record.add_list("others", self.others().map(other));
+        record.say_all(self.open().into_iter().map(ToString::to_string));
+        let proved = self.found.as_ref().ok().filter(|_| open.is_none()).map(|of| of.proved);
+        if let Some(proved) = proved {
+            record.say("proved: each state is admissible on the whole half arch, none thinner; there are no others:");
+            record.say(format!("   {proved}"));
+        }
+        record.add("proved", proved);
+        vec![record]
+    }
+
+    fn tabular(&self) -> Tabular {
+        let states = self.states().map(|state| self.row("state", self.state(state)));
+        let others = self.others().map(|of| self.row("not_with_this_friction", other(of)));
+        let because =
+            |outcome, reason: String| self.row(outcome, Record::named("reason", [reason.into()]));
+        let open = self.open().into_iter().map(|of| because("undecided", of.reason.to_string()));
+        let none = self.none().map(|reason| because("none", reason.to_owned()));
+        let columns = "weight friction outcome mode half_opening half_opening_degrees A thickness thrust \
+                       intrinsic_thrust rotation_joint sliding_joint reason";
+        Tabular::of(columns, states.chain(others).chain(open).chain(none))
+    }
 }

@@ -2,8 +2,8 @@
 
 use super::answer::Answer;
 use super::answers::Answers;
-use super::fields::Fields;
 use super::kept::Kept;
+use super::record::Record;
 use super::subject::Subject;
 use crate::problem::Quantity;
 use crate::problem::measures::Circle;
@@ -31,8 +31,8 @@ impl Asked {
 }
 
 /// The arch as it was given.
-pub(super) fn given(answer: &Answer, asked: Asked) -> Fields {
-    let mut fields = Fields::default();
+pub(super) fn given(answer: &Answer, asked: Asked) -> Record {
+    let mut fields = Record::default();
     let [alpha, mu, eta] = answer.subject.given();
     fields.add("weight", answer.subject.weight().map(|weight| weight.name()));
     fields.add("half_opening", alpha);
@@ -43,9 +43,9 @@ pub(super) fn given(answer: &Answer, asked: Asked) -> Fields {
     fields
 }
 
-/// Fields as numbers; what no double holds is nothing.
-pub(super) fn doubles(answer: &Answer, asked: Asked) -> Fields {
-    let (found, mut fields) = (answer.subject.doubles(), Fields::default());
+/// Given values as numbers; what no double holds is nothing.
+pub(super) fn doubles(answer: &Answer, asked: Asked) -> Record {
+    let (found, mut fields) = (answer.subject.doubles(), Record::default());
     fields.add_double("half_opening_rad", found.half_opening_rad);
     fields.add_double("half_opening_deg", found.half_opening_deg);
     fields.add_double("friction_double", found.friction);
@@ -56,8 +56,8 @@ pub(super) fn doubles(answer: &Answer, asked: Asked) -> Fields {
 }
 
 /// The verdict and the mode.
-pub(super) fn verdict(answer: &Answer, asked: Asked) -> Fields {
-    let mut fields = Fields::default();
+pub(super) fn verdict(answer: &Answer, asked: Asked) -> Record {
+    let mut fields = Record::default();
     fields.add("verdict", answer.status.name());
     if asked.state {
         fields.add("can_stand", answer.can_stand);
@@ -91,16 +91,16 @@ pub(super) fn kept_cells(names: &[String], row: &[(String, Kept)]) -> impl Itera
     })
 }
 
-/// Fields of what is handed on, as one object.
-pub(super) fn kept_fields(row: &[(String, Kept)]) -> Fields {
-    let mut kept = Fields::default();
+/// The values that are handed on, as one object.
+pub(super) fn kept_fields(row: &[(String, Kept)]) -> Record {
+    let mut kept = Record::default();
     row.iter().for_each(|(name, value)| kept.keep(name, value));
     kept
 }
 
 /// The circle at which arches are measured, if they are.
-pub(super) fn circle(report: &Answers, answer: &Answer) -> Fields {
-    let mut fields = Fields::default();
+pub(super) fn circle(report: &Answers, answer: &Answer) -> Record {
+    let mut fields = Record::default();
     if report.are_measured() {
         fields.add("measured_at", answer.measured_at.map(Circle::name));
     }
@@ -108,7 +108,7 @@ pub(super) fn circle(report: &Answers, answer: &Answer) -> Fields {
 }
 
 /// The cells of an arch in a table, all empty for a query that could not be read.
-pub(super) fn row(report: &Answers, answer: &Answer) -> Fields {
+pub(super) fn row(report: &Answers, answer: &Answer) -> Record {
     let asked = Asked::in_table(report);
     let mut fields = given(answer, asked);
     fields.append(circle(report, answer));
@@ -131,6 +131,6 @@ pub(super) fn row(report: &Answers, answer: &Answer) -> Fields {
 }
 
 /// The names of the columns of a table, each row of which is made so.
-pub(super) fn header(row: impl Fn(&Answer) -> Fields) -> Vec<String> {
+pub(super) fn header(row: impl Fn(&Answer) -> Record) -> Vec<String> {
     row(&Answer::refused(0, String::new())).names().map(str::to_owned).collect()
 }

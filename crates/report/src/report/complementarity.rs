@@ -1,15 +1,16 @@
-//! Solutions of the complementarity problem (19) of an arch: for a person, CSV, and JSON (`couplet.complementarity/1`).
+//! Solutions of the complementarity problem (19) of an arch, `couplet.complementarity/1`.
 
-use super::fields::Fields;
+use super::format::Content;
 use super::jointed;
 use super::programme::{self, AtThickness};
+use super::record::{Record, Symbol};
+use super::reported::Reported;
+use super::tabular::Tabular;
 use super::understood::Understood;
-use super::words::{apart, kind};
-use super::{csv, json};
+use super::words::kind;
 use crate::certify::state::{Answer, Digits, Figure};
 use crate::certify::{AsymmetricDigits, AsymmetricJoint, Enumeration, Undecided};
 use crate::problem::Arch;
-use std::io;
 
 /// An arch with the solutions that are found.
 #[derive(Debug)]
@@ -97,10 +98,6 @@ impl ComplementarityArch {
             _ => None,
         }
     }
-
-    fn is_asymmetric(&self) -> bool {
-        self.asymmetric.iter().any(Result::is_ok)
-    }
 }
 
 impl<'a> Solution<'a> {
@@ -117,142 +114,107 @@ impl<'a> Solution<'a> {
     }
 }
 
-pub(super) fn table(all: &[ComplementarityArch], out: &mut dyn io::Write) -> io::Result<()> {
-    apart(all, out, one)
+impl Reported for ComplementarityArch {
+    fn content() -> Content {
+        Content::RECORDS
+    }
+
+    fn records(&self) -> Vec<Record> {
+        let mut record = Record::of("couplet.complementarity/1");
+        record.say("Complementarity problem (19) of the whole arch");
+        record.say(format!("{}\n", self.asked.with_weight(self.arch.weight())));
+        record.add_record("asked", Some(self.asked.fields()));
+        record.append(given(&self.arch));
+        let open = self.first_open();
+        record.add("verdict", if open.is_some() { "undecided" } else { "proved" });
+        record.add("reason", open.map(|open| open.reason.to_string()));
+        record.add("fall", self.fall());
+        let solutions = self.solutions();
+        if !solutions.is_empty() {
+            record.say("it has a solution at the thickness");
+        }
+        record.say_all(solutions.iter().map(|of| format!("   {}  {}", of.thickness, of.words)));
+        record.say_all(self.fall().map(|reason| format!("no thickness is enough: {reason}")));
+        let undecided = self.symmetric.as_ref().err();
+        record.say_all(undecided.map(|undecided| format!("the symmetric state is {undecided}")));
+        let undecided = self.asymmetric.iter().filter_map(|solution| solution.as_ref().err());
+        record.say_all(undecided.map(|of| format!("an asymmetric solution that is found is {of}")));
+        record.add_list("solutions", solutions.iter().map(solved));
+        record.say("");
+        if self.asymmetric.is_empty() {
+            record.say_all(["no asymmetric solution is found", ""]);
+        } else if self.asymmetric.iter().any(Result::is_ok) {
+            record.say_all(PROOF.into_iter().chain(MEANING));
+        }
+        record.say_all(SEARCH);
+        record.add("search", SEARCH.join(" "));
+        if let Some(all) = &self.enumeration {
+            record.say("");
+            record.add_record("enumeration", Some(jointed::record(all)));
+        }
+        record.add_record_if("programme", self.programme.as_ref().map(programme::record));
+        vec![record]
+    }
+
+    fn tabular(&self) -> Tabular {
+        let found = self.solutions().into_iter().map(|solution| {
+            let mut row = solved(&solution);
+            row.add("outcome", "solution");
+            row
+        });
+        let jointed = self.enumeration.iter().flat_map(jointed::rows);
+        let rows = found.chain(jointed).chain(self.programme.iter().map(programme::row));
+        let row = |mut row: Record| {
+            row.append(given(&self.arch));
+            row
+        };
+        let columns = "weight half_opening friction symmetric mode thickness thrust crown_moment vertical_force stones \
+                       outcome until least_value least_value_lower";
+        Tabular::of(columns, rows.map(row))
+    }
 }
 
-fn one(of: &ComplementarityArch, out: &mut dyn io::Write) -> io::Result<()> {
-    let arch = &of.arch;
-    writeln!(out, "Complementarity problem (19) of the whole arch")?;
-    writeln!(out, "{}\n", of.asked.with_weight(arch.weight()))?;
-    let solutions = of.solutions();
-    if !solutions.is_empty() {
-        writeln!(out, "it has a solution at the thickness")?;
-    }
-    for solution in &solutions {
-        writeln!(out, "   {}  {}", solution.thickness, solution.words)?;
-    }
-    if let Some(reason) = of.fall() {
-        writeln!(out, "no thickness is enough: {reason}")?;
-    }
-    if let Err(undecided) = &of.symmetric {
-        writeln!(out, "the symmetric state is {undecided}")?;
-    }
-    for undecided in of.asymmetric.iter().filter_map(|solution| solution.as_ref().err()) {
-        writeln!(out, "an asymmetric solution that is found is {undecided}")?;
-    }
-    for state in solutions.iter().filter_map(|solution| solution.asymmetric) {
-        details(state, out)?;
-    }
-    writeln!(out)?;
-    let lines: Vec<&str> = match of.is_asymmetric() {
-        true => PROOF.into_iter().chain(MEANING).chain(SEARCH).collect(),
-        false if of.asymmetric.is_empty() => {
-            ["no asymmetric solution is found", ""].into_iter().chain(SEARCH).collect()
-        }
-        false => SEARCH.to_vec(),
+fn given(arch: &Arch) -> Record {
+    let mut record = Record::default();
+    record.add("weight", arch.weight().name());
+    record.add("half_opening", arch.half_opening().to_string());
+    record.add("friction", arch.friction().to_string());
+    record
+}
+
+fn solved(solution: &Solution<'_>) -> Record {
+    let mut record = Record::default();
+    record.add("symmetric", solution.asymmetric.is_none());
+    record.add("mode", solution.mode);
+    record.add_bounds("thickness", Some(solution.thickness));
+    let Some(state) = solution.asymmetric else {
+        record.add_bounds("thrust", Some(solution.thrust));
+        return record;
     };
-    lines.into_iter().try_for_each(|line| writeln!(out, "{line}"))?;
-    if let Some(all) = &of.enumeration {
-        writeln!(out)?;
-        match all {
-            Ok(all) => jointed::table(all, out)?,
-            Err(undecided) => writeln!(out, "the solutions between equal stones are {undecided}")?,
-        }
-    }
-    of.programme.as_ref().map_or(Ok(()), |at| programme::table(at, out))
-}
-
-fn details(state: &AsymmetricDigits, out: &mut dyn io::Write) -> io::Result<()> {
-    writeln!(out, "\nasymmetric at {}; its mirror image is a solution too", state.thickness)?;
-    for (name, symbol, figure) in [
+    record.say(format!("\nasymmetric at {}; its mirror image is a solution too", state.thickness));
+    for (name, text, figure) in [
         ("thrust", "h = H/(w r)", &state.thrust),
         ("crown_moment", "p", &state.crown_moment),
         ("vertical_force", "v", &state.vertical_force),
         ("power", "w r", &state.power),
     ] {
-        writeln!(out, "   {name:<20} {symbol:<12} {figure}")?;
+        record.show_as(name, Symbol { text, width: 12, name_width: 20 }, &figure.decimal);
     }
     let angles: Vec<String> = state.joints.iter().map(|joint| joint.angle.to_string()).collect();
     let width = angles.iter().map(String::len).max().unwrap_or(0).max(16);
-    writeln!(out, "   {:<22} {:<15} {:<width$}  rate", "joint", "", "angle from crown")?;
-    state.joints.iter().zip(&angles).try_for_each(|(joint, angle)| {
-        let at = format!("{}, {}", joint.side.name(), joint.place.name());
-        writeln!(out, "   {:<22} {at:<15} {angle:<width$}  {}", joint.contact.name(), joint.rate)
-    })
-}
-
-const COLUMNS: &str = "weight half_opening friction symmetric mode thickness thrust crown_moment \
-                       vertical_force stones outcome until least_value least_value_lower";
-
-pub(super) fn csv(all: &[ComplementarityArch], out: &mut dyn io::Write) -> io::Result<()> {
-    let rows = all.iter().flat_map(|of| {
-        let found = of.solutions().into_iter().map(|solution| {
-            let mut row = solved(&solution);
-            row.add("outcome", "solution");
-            row
-        });
-        let jointed = of.enumeration.iter().flat_map(jointed::rows);
-        let all = found.chain(jointed).chain(of.programme.iter().map(programme::row));
-        let row = |mut row: Fields| {
-            row.append(given(&of.arch));
-            row
-        };
-        all.map(row).collect::<Vec<_>>()
-    });
-    csv::table(COLUMNS, rows, out)
-}
-
-pub(super) fn json(all: &[ComplementarityArch], out: &mut dyn io::Write) -> io::Result<()> {
-    json::write_all(all.iter().map(entry), out)
-}
-
-fn given(arch: &Arch) -> Fields {
-    let mut fields = Fields::default();
-    fields.add("weight", arch.weight().name());
-    fields.add("half_opening", arch.half_opening().to_string());
-    fields.add("friction", arch.friction().to_string());
-    fields
-}
-
-fn entry(of: &ComplementarityArch) -> Fields {
-    let mut fields = Fields::of("couplet.complementarity/1");
-    fields.add_fields("asked", Some(of.asked.fields()));
-    fields.append(given(&of.arch));
-    fields.add("verdict", if of.first_open().is_some() { "undecided" } else { "proved" });
-    fields.add("reason", of.first_open().map(|open| open.reason.to_string()));
-    fields.add("fall", of.fall());
-    fields.add_list("solutions", of.solutions().iter().map(solved));
-    fields.add("search", SEARCH.join(" "));
-    if let Some(all) = &of.enumeration {
-        fields.add_fields("enumeration", Some(jointed::fields(all)));
-    }
-    if let Some(at) = &of.programme {
-        fields.add_fields("programme", Some(programme::fields(at)));
-    }
-    fields
-}
-
-fn solved(solution: &Solution<'_>) -> Fields {
-    let mut fields = Fields::default();
-    fields.add("symmetric", solution.asymmetric.is_none());
-    fields.add("mode", solution.mode);
-    fields.add_bounds("thickness", Some(solution.thickness));
-    fields.add_bounds("thrust", Some(solution.thrust));
-    if let Some(state) = solution.asymmetric {
-        fields.add_bounds("crown_moment", Some(&state.crown_moment));
-        fields.add_bounds("vertical_force", Some(&state.vertical_force));
-        fields.add_bounds("power", Some(&state.power));
-        let joint = |joint: &AsymmetricJoint| {
-            let mut fields = Fields::default();
-            fields.add("contact", joint.contact.name());
-            fields.add("side", joint.side.name());
-            fields.add("place", joint.place.name());
-            fields.add_bounds("angle", Some(&joint.angle));
-            fields.add_bounds("rate", Some(&joint.rate));
-            fields
-        };
-        fields.add_list("joints", state.joints.iter().map(joint));
-    }
-    fields
+    record.say(format!("   {:<22} {:<15} {:<width$}  rate", "joint", "", "angle from crown"));
+    let joint = |(joint, angle): (&AsymmetricJoint, &String)| {
+        let mut record = Record::default();
+        let (contact, at) =
+            (joint.contact.name(), format!("{}, {}", joint.side.name(), joint.place.name()));
+        record.say(format!("   {contact:<22} {at:<15} {angle:<width$}  {}", joint.rate));
+        record.add("contact", contact);
+        record.add("side", joint.side.name());
+        record.add("place", joint.place.name());
+        record.add_bounds("angle", Some(&joint.angle));
+        record.add_bounds("rate", Some(&joint.rate));
+        record
+    };
+    record.add_list("joints", state.joints.iter().zip(&angles).map(joint));
+    record
 }

@@ -2,33 +2,29 @@
 
 use super::answer::{Answer, Status};
 use super::answers::{Answers, Scope};
-use super::column::NamedColumn;
 use super::columns::{self, Asked};
-use super::fields::Fields;
 use super::find;
+use super::record::Record;
 use super::rows::{Rows, in_parallel};
+use super::tabular::Tabular;
 use super::value::Value;
-use super::words::{hexadecimal, labels, printable};
+use super::words::{hexadecimal, labels};
 use crate::problem::Quantity;
 use std::io;
 
 /// Landmarks or arches.
-pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+pub(super) fn answers(report: &Answers) -> Tabular {
     match report.scope {
         Scope::Constants => {
-            table("weight landmark quantity value lower upper exact", constants(report), out)
+            Tabular::of("weight landmark quantity value lower upper exact", constants(report))
         }
         Scope::Point => {
-            table("weight landmark modes quantity value lower upper", constants(report), out)
+            Tabular::of("weight landmark modes quantity value lower upper", constants(report))
         }
-        Scope::Found => {
-            let all: Vec<Fields> = report.list.iter().map(finding).collect();
-            let header = all.iter().take(1).map(|row| row.names().map(str::to_owned).collect());
-            write(header.chain(all.iter().map(|row| row.texts().collect())), out)
-        }
+        Scope::Found => Tabular::of_all(report.list.iter().map(finding)),
         Scope::Arch | Scope::Arches | Scope::Mixed => {
             let rows = report.list.iter().map(|answer| record(report, answer, false));
-            write(std::iter::once(header(report, false)).chain(rows), out)
+            Tabular { header: header(report, false), rows: rows.collect() }
         }
     }
 }
@@ -38,53 +34,19 @@ pub(super) fn rows(report: Answers) -> io::Result<Box<dyn Rows>> {
     Ok(Box::new(CsvRows(report)))
 }
 
-/// Writes records, the header among them.
-pub(super) fn write(
-    records: impl IntoIterator<Item = Vec<String>>,
-    out: &mut dyn io::Write,
-) -> io::Result<()> {
-    let mut csv = ::csv::Writer::from_writer(out);
-    let cell = |cell: String| printable(cell, |c| c.escape_debug().to_string()).into_bytes();
-    let mut records = records.into_iter().map(|record| record.into_iter().map(cell));
-    records.try_for_each(|record| csv.write_record(record)).map_err(io_error)?;
-    csv.flush()
-}
-
-/// Writes records in some columns, whose names are given in one text.
-pub(super) fn table(
-    columns: &str,
-    rows: impl IntoIterator<Item = Fields>,
-    out: &mut dyn io::Write,
-) -> io::Result<()> {
-    let cells = |row: Fields| columns.split(' ').map(|name| row.text(name)).collect();
-    let header = columns.split(' ').map(str::to_owned).collect();
-    write(std::iter::once(header).chain(rows.into_iter().map(cells)), out)
-}
-
-/// Writes rows in the cells of some columns.
-pub(super) fn columns<'a, R: 'a>(
-    columns: impl Iterator<Item = &'a NamedColumn<R>> + Clone,
-    rows: impl IntoIterator<Item = R>,
-    out: &mut dyn io::Write,
-) -> io::Result<()> {
-    let header = columns.clone().map(|(name, _)| (*name).to_owned()).collect();
-    let cells = |row| columns.clone().map(|(_, column)| column.text(&row)).collect();
-    write(std::iter::once(header).chain(rows.into_iter().map(cells)), out)
-}
-
 /// A row for each value that is proved.
-fn constants(report: &Answers) -> Vec<Fields> {
+fn constants(report: &Answers) -> Vec<Record> {
     let row = |answer: &Answer, quantity: Quantity, value: &Value| {
-        let mut row = Fields::default();
+        let mut row = Record::default();
         row.add("weight", answer.subject.weight().map(|weight| weight.name()));
         row.add("landmark", answer.subject.landmark().map(|landmark| landmark.symbol()));
         row.add("modes", labels(&answer.modes).join(" "));
         row.add("quantity", quantity.name());
-        row.append(Fields::named("value lower upper", value.texts().map(Into::into)));
+        row.append(Record::named("value lower upper", value.texts().map(Into::into)));
         row.add("exact", value.exact.as_deref());
         row
     };
-    let rows = |answer: &Answer| -> Vec<Fields> {
+    let rows = |answer: &Answer| -> Vec<Record> {
         answer.values.iter().map(|(quantity, value)| row(answer, *quantity, value)).collect()
     };
     report.list.iter().flat_map(rows).collect()
@@ -101,7 +63,7 @@ fn record(report: &Answers, answer: &Answer, with_lines: bool) -> Vec<String> {
 }
 
 /// The cells of an arch behind what is handed on.
-fn own(report: &Answers, answer: &Answer, with_lines: bool) -> Fields {
+fn own(report: &Answers, answer: &Answer, with_lines: bool) -> Record {
     let mut row = columns::row(report, answer);
     if with_lines {
         let error = match &answer.status {
@@ -122,8 +84,8 @@ fn own(report: &Answers, answer: &Answer, with_lines: bool) -> Fields {
     row
 }
 
-/// Fields of what is given and what is found, in the same columns.
-fn finding(answer: &Answer) -> Fields {
+/// Cells of what is given and what is found, in the same columns.
+fn finding(answer: &Answer) -> Record {
     find::fields(answer, labels(&answer.modes).join(" "), |fields, quantity| {
         fields.add(quantity.name(), answer.value(quantity).map(|value| value.text()));
     })
@@ -142,16 +104,8 @@ impl Rows for CsvRows {
 }
 
 /// One line.
-pub(super) fn line(record: Vec<String>) -> io::Result<Vec<u8>> {
+pub(super) fn line(header: Vec<String>) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    write([record], &mut bytes)?;
+    Tabular { header, rows: Vec::new() }.csv(&mut bytes)?;
     Ok(bytes)
-}
-
-/// The error of the stream itself: its kind tells a closed pipe from a full disk.
-fn io_error(error: ::csv::Error) -> io::Error {
-    match error.into_kind() {
-        ::csv::ErrorKind::Io(error) => error,
-        other => io::Error::other(format!("{other:?}")),
-    }
 }

@@ -6,18 +6,18 @@
 use super::answer::Answer;
 use super::answers::{Answers, TOOL};
 use super::columns::{self, Asked};
-use super::fields::Fields;
+use super::record::Record;
 use super::subject::Subject;
 use super::value::Value;
 use super::words::hexadecimal;
 use crate::problem::Quantity;
 
 /// Document of landmarks or arches.
-pub(super) fn document(report: &Answers) -> Fields {
-    let mut file = Fields::of(report.schema());
+pub(super) fn document(report: &Answers) -> Record {
+    let mut file = Record::of(report.schema());
     file.add("tool", TOOL);
     file.add("digits", report.digits);
-    let values = |answer: &Answer| -> Vec<Fields> {
+    let values = |answer: &Answer| -> Vec<Record> {
         answer.values.iter().map(|(of, value)| constant(&answer.subject, *of, value)).collect()
     };
     file.add_list("constants", report.list.iter().flat_map(values));
@@ -26,8 +26,8 @@ pub(super) fn document(report: &Answers) -> Fields {
 }
 
 /// Whose value it is.
-fn owner(subject: &Subject) -> Fields {
-    let mut fields = Fields::default();
+fn owner(subject: &Subject) -> Record {
+    let mut fields = Record::default();
     fields.add("weight", subject.weight().map(|weight| weight.name()));
     if let Some(landmark) = subject.landmark() {
         fields.add("landmark", landmark.symbol());
@@ -40,10 +40,10 @@ fn owner(subject: &Subject) -> Fields {
 
 /// A proved value. `double` is the nearest to the true value, the doubles after it its bounds and a bound
 /// of its error.
-fn constant(subject: &Subject, quantity: Quantity, value: &Value) -> Fields {
+fn constant(subject: &Subject, quantity: Quantity, value: &Value) -> Record {
     let mut fields = owner(subject);
     fields.add("quantity", quantity.name());
-    fields.append(Fields::named("value lower upper", value.texts().map(Into::into)));
+    fields.append(Record::named("value lower upper", value.texts().map(Into::into)));
     fields.add("exact", value.exact.as_deref());
     fields.add_double("double", value.double);
     fields.add("hex", value.double.is_finite().then(|| hexadecimal(value.double)));
@@ -53,12 +53,12 @@ fn constant(subject: &Subject, quantity: Quantity, value: &Value) -> Fields {
     fields
 }
 
-fn proof(answer: &Answer) -> Fields {
+fn proof(answer: &Answer) -> Record {
     let mut fields = owner(&answer.subject);
     if matches!(answer.subject, Subject::Arch { .. } | Subject::Sought { .. }) {
         let asked = Asked { state: true, assessment: true };
         let given = answer.subject.given().map(Into::into);
-        fields.append(Fields::named("half_opening friction thickness", given));
+        fields.append(Record::named("half_opening friction thickness", given));
         fields.append(columns::doubles(answer, asked));
         fields.add("can_stand", answer.can_stand);
         fields.add("stands", answer.stands);
@@ -71,15 +71,15 @@ fn proof(answer: &Answer) -> Fields {
     // Radius of the box of uniqueness for each unknown, relative to its value.
     let mut radii = proof.map_or(Vec::new(), |proof| proof.radii.clone());
     radii.sort_by_key(|(unknown, _)| *unknown);
-    let mut relative = Fields::default();
+    let mut relative = Record::default();
     radii.into_iter().for_each(|(unknown, radius)| relative.add_double(unknown, radius));
-    fields.add_fields("box_relative_radius", Some(relative));
+    fields.add_record("box_relative_radius", Some(relative));
     // The command that writes the certificate and the SHA-256 of its output; or why there is none.
     let certificate = match &answer.certificate {
         Ok(of) => [of.command.as_str().into(), of.sha256.as_str().into(), None],
         Err(reason) => [None, None, Some(reason.as_str())],
     };
-    let certificate = Fields::named("command sha256 reason", certificate.map(Into::into));
-    fields.add_fields("certificate", Some(certificate));
+    let certificate = Record::named("command sha256 reason", certificate.map(Into::into));
+    fields.add_record("certificate", Some(certificate));
     fields
 }

@@ -1,17 +1,19 @@
-//! Equations of the paper: for a person, and JSON (`couplet.equation/1`).
+//! Equations of the paper, `couplet.equation/1`.
 
-use super::fields::Fields;
-use super::json;
-use super::words::{apart, count, model};
+use super::format::Content;
+use super::record::Record;
+use super::reported::Reported;
+use super::tabular::Tabular;
+use super::words::{count, model};
 use crate::arch::SelfWeight;
 use crate::certify::Undecided;
 use crate::certify::equation::{
     ClosedAt, ClosedForm, EquationValue, Evaluated, LinkAt, PolynomialAt, RadicandAt, RootAt,
     RootBranch,
 };
+use crate::certify::state::Figure;
 use crate::number::Decimal;
 use crate::problem::Quantity;
-use std::io;
 
 /// An equation at given values, and what is proved of it.
 #[derive(Debug)]
@@ -89,57 +91,138 @@ fn between([lower, upper]: &[Decimal; 2]) -> String {
     format!("in [{lower}, {upper}]")
 }
 
-pub(super) fn table(all: &[EvaluatedEquation], out: &mut dyn io::Write) -> io::Result<()> {
-    apart(all, out, one)
-}
-
-fn one(of: &EvaluatedEquation, out: &mut dyn io::Write) -> io::Result<()> {
-    let given = of.given.iter().map(|(quantity, text)| format!("{} = {text}", quantity.name()));
-    let given: Vec<String> = given.collect();
-    let (number, given, weight) = (of.equation, given.join(", "), model(of.weight));
-    writeln!(out, "Equation ({number}) at {given}, {weight}\n")?;
-    for value in of.values() {
-        writeln!(out, "   {:<20} {:<18} {}", value.name, value.symbol, value.figure)?;
+impl Reported for EvaluatedEquation {
+    fn content() -> Content {
+        Content::RECORDS
     }
-    let Some(found) = of.at_joint() else { return Ok(()) };
-    match found {
-        Err(undecided) => writeln!(out, "{undecided}"),
-        Ok(Evaluated::Cubics(all)) => {
-            all.iter().try_for_each(|polynomial| self::polynomial(polynomial, out))?;
-            let open = all.iter().find_map(|of| of.roots.as_ref().err());
-            match open {
-                Some(open) => writeln!(out, "{open}"),
-                None => roots_proved(all, out),
-            }
+
+    fn records(&self) -> Vec<Record> {
+        let mut record = Record::of("couplet.equation/1");
+        let given = self.given.iter().map(|(of, text)| format!("{} = {text}", of.name()));
+        let given = given.collect::<Vec<_>>().join(", ");
+        let (number, weight) = (self.equation, model(self.weight));
+        record.say(format!("Equation ({number}) at {given}, {weight}\n"));
+        record.add("equation", number);
+        record.add("weight", self.weight.name());
+        let given = self.given.iter().map(|(of, text)| (of.name(), text.as_str().into()));
+        record.add_record("given", Some(given.collect()));
+        let open = self.first_open();
+        record.add("verdict", if open.is_some() { "undecided" } else { "proved" });
+        record.add("reason", open.map(|open| open.reason.into_owned()));
+        if !self.values().is_empty() {
+            record.add_list("values", self.values().iter().map(value));
         }
-        Ok(Evaluated::Link(found)) => link(found, out),
-        Ok(Evaluated::Closed(form, branches)) => closed(*form, branches, out),
-        Ok(Evaluated::Radicand(found)) => radicand(found, out),
+        match self.at_joint() {
+            None => {}
+            Some(Err(undecided)) => record.say(undecided.to_string()),
+            Some(Ok(Evaluated::Cubics(all))) => polynomials(all, &mut record),
+            Some(Ok(Evaluated::Link(found))) => link(found, &mut record),
+            Some(Ok(Evaluated::Closed(form, all))) => closed(*form, all, &mut record),
+            Some(Ok(Evaluated::Radicand(found))) => radicand(found, &mut record),
+        }
+        vec![record]
+    }
+
+    /// The values, roots or branches.
+    fn tabular(&self) -> Tabular {
+        let of_joint = |found: &Evaluated| match found {
+            Evaluated::Cubics(all) => {
+                let roots =
+                    all.iter().flat_map(|of| of.roots.iter().flatten().map(move |root| (of, root)));
+                roots.map(|(of, x)| row(unknown(of.unknown).1, &x.value, x.branch)).collect()
+            }
+            Evaluated::Link(found) => ["sin", "f", "g"]
+                .into_iter()
+                .zip(&found.abbreviations)
+                .map(|(name, x)| row(name, x, None))
+                .collect(),
+            Evaluated::Closed(form, all) => {
+                all.iter().map(|of| row(unknown(*form).1, &of.printed, Some(of.branch))).collect()
+            }
+            Evaluated::Radicand(found) => vec![row("radicand", &found.value, None)],
+        };
+        let joint: Option<Vec<Record>> = self.at_joint().and_then(Result::ok).map(of_joint);
+        let values = self.values().iter().map(|of| row(of.name, &of.figure, None));
+        let rows = values.chain(joint.into_iter().flatten()).map(|mut row| {
+            row.add("equation", self.equation);
+            row.add("weight", self.weight.name());
+            row
+        });
+        Tabular::of("equation weight name branch value lower upper", rows)
     }
 }
 
-fn polynomial(of: &PolynomialAt, out: &mut dyn io::Write) -> io::Result<()> {
-    let (symbol, _) = unknown(of.unknown);
+fn row(name: &'static str, figure: &Figure, branch: Option<RootBranch>) -> Record {
+    let mut row = Record::named("name", [name.into()]);
+    row.add("branch", branch.map(RootBranch::name));
+    row.append(Record::bounds(&figure.decimal));
+    row
+}
+
+fn value(of: &EquationValue) -> Record {
+    let mut record = Record::named("name", [of.name.into()]);
+    record.say(format!("   {:<20} {:<18} {}", of.name, of.symbol, of.figure));
+    record.append(Record::bounds(&of.figure.decimal));
+    record
+}
+
+fn bounds([lower, upper]: &[Decimal; 2]) -> Record {
+    Record::named("lower upper", [lower.to_string().into(), upper.to_string().into()])
+}
+
+fn polynomials(all: &[PolynomialAt], record: &mut Record) {
+    record.add_list("polynomials", all.iter().map(polynomial));
+    if let Some(open) = all.iter().find_map(|of| of.roots.as_ref().err()) {
+        return record.say(open.to_string());
+    }
+    let has_pair = all.iter().any(|of| of.has_complex_pair() == Some(true));
+    let sign = if has_pair { "positive" } else { "negative" };
+    let mut roots = all.iter().flat_map(|of| of.roots.iter().flatten());
+    if roots.all(|root| root.branch.is_none()) {
+        record.say("no state has this joint: no root has a thickness between 0 and 2");
+    }
+    record.say(format!(
+        "proved: these are all real roots, each alone in its box; (12) is {sign}, the discriminant of all up to a \
+         negative factor"
+    ));
+}
+
+fn polynomial(of: &PolynomialAt) -> Record {
+    let mut record = Record::default();
+    let (symbol, name) = unknown(of.unknown);
     let degree = of.coefficients.len() - 1;
-    let kind = if degree == 3 { "cubic" } else { "quadratic" };
-    writeln!(out, "{kind} in {symbol}")?;
-    for (index, coefficient) in of.coefficients.iter().enumerate() {
+    record.say(format!("{} in {symbol}", if degree == 3 { "cubic" } else { "quadratic" }));
+    record.add("unknown", name);
+    let coefficient = |(index, figure): (usize, &Figure)| {
         let power = match degree - index {
             0 => "1".to_owned(),
             1 => symbol.to_owned(),
             power => format!("{symbol}^{power}"),
         };
-        writeln!(out, "   coefficient of {power:<5}  {coefficient}")?;
-    }
-    for root in of.roots.iter().flatten() {
-        writeln!(out, "   root  {}", root.value)?;
-        writeln!(out, "      residual {}", between(&root.residual))?;
-        writeln!(out, "      {}", fate(root))?;
-    }
+        let mut record = Record::bounds(&figure.decimal);
+        record.say(format!("   coefficient of {power:<5}  {figure}"));
+        record
+    };
+    record.add_list("coefficients", of.coefficients.iter().enumerate().map(coefficient));
+    record.add_list("real_roots", of.roots.iter().flatten().map(root));
     if of.has_complex_pair() == Some(true) {
-        writeln!(out, "   two roots are complex")?;
+        record.say("   two roots are complex");
     }
-    writeln!(out)
+    record.add("has_complex_pair", of.has_complex_pair());
+    record.say("");
+    record
+}
+
+fn root(of: &RootAt) -> Record {
+    let mut record = Record::default();
+    record.say(format!("   root  {}", of.value));
+    record.say(format!("      residual {}", between(&of.residual)));
+    record.say(format!("      {}", fate(of)));
+    record.add_bounds("root", Some(&of.value));
+    record.add_record("residual", Some(bounds(&of.residual)));
+    record.add_bounds("thickness", Some(&of.thickness));
+    record.add("branch", of.branch.map(RootBranch::name));
+    record
 }
 
 /// State of a root, or why it has none.
@@ -152,132 +235,54 @@ fn fate(root: &RootAt) -> String {
     }
 }
 
-fn roots_proved(all: &[PolynomialAt], out: &mut dyn io::Write) -> io::Result<()> {
-    let has_pair = all.iter().any(|of| of.has_complex_pair() == Some(true));
-    let sign = if has_pair { "positive" } else { "negative" };
-    let roots = all.iter().flat_map(|of| of.roots.iter().flatten());
-    if roots.clone().all(|root| root.branch.is_none()) {
-        writeln!(out, "no state has this joint: no root has a thickness between 0 and 2")?;
+fn link(of: &LinkAt, record: &mut Record) {
+    let names = [("sin", "S = sin(beta)"), ("f", "f = S + beta C"), ("g", "g = beta + S C")];
+    for ((name, words), figure) in names.into_iter().zip(&of.abbreviations) {
+        record.say(format!("   {words:<24} {figure}"));
+        record.add_bounds(name, Some(figure));
     }
-    writeln!(
-        out,
-        "proved: these are all real roots, each alone in its box; (12) is {sign}, the discriminant of all up to a \
-         negative factor"
-    )
-}
-
-fn link(of: &LinkAt, out: &mut dyn io::Write) -> io::Result<()> {
-    let names = ["S = sin(beta)", "f = S + beta C", "g = beta + S C"];
-    for (name, figure) in names.iter().zip(&of.abbreviations) {
-        writeln!(out, "   {name:<24} {figure}")?;
-    }
-    writeln!(out, "   {:<24} {}", "beta S^2 + C f - g", between(&of.difference))?;
+    record.say(format!("   {:<24} {}", "beta S^2 + C f - g", between(&of.difference)));
+    record.add_record("difference", Some(bounds(&of.difference)));
+    record.add("holds", of.holds);
     let words = if of.holds { "zero is in the enclosure" } else { "zero is not in the enclosure" };
-    writeln!(
-        out,
+    record.say(format!(
         "\n{words}; that (8) holds for every joint is the claim eq-8 (couplet prove eq-8)"
-    )
+    ));
 }
 
-fn closed(form: ClosedForm, all: &[ClosedAt], out: &mut dyn io::Write) -> io::Result<()> {
-    let (symbol, _) = unknown(form);
-    for of in all {
-        writeln!(out, "{symbol}, {} signs: the state with {}", of.branch.name(), side(of.branch))?;
-        let lost = |digits: u32| count(digits as usize, "digit", "digits");
-        writeln!(out, "   as printed            {}", of.printed)?;
-        writeln!(out, "      imaginary part     {}", between(&of.imaginary))?;
-        writeln!(out, "      lost, at most      {}", lost(of.printed_loss))?;
-        writeln!(out, "   trigonometric form    {}", of.trigonometric)?;
-        writeln!(out, "      lost, at most      {}\n", lost(of.trigonometric_loss))?;
-    }
-    writeln!(
-        out,
-        "proved: the principal cube root lies in its sector, off the cut; every digit shown is right in both forms"
-    )
+fn closed(form: ClosedForm, all: &[ClosedAt], record: &mut Record) {
+    let (symbol, name) = unknown(form);
+    record.add("unknown", name);
+    record.add_list("branches", all.iter().map(|of| branch(symbol, of)));
+    record.say(
+        "proved: the principal cube root lies in its sector, off the cut; every digit shown is right in both forms",
+    );
 }
 
-fn radicand(of: &RadicandAt, out: &mut dyn io::Write) -> io::Result<()> {
+fn branch(symbol: &str, of: &ClosedAt) -> Record {
+    let mut record = Record::default();
+    let lost = |digits: u32| count(digits as usize, "digit", "digits");
+    record.say(format!("{symbol}, {} signs: the state with {}", of.branch.name(), side(of.branch)));
+    record.say(format!("   as printed            {}", of.printed));
+    record.say(format!("      imaginary part     {}", between(&of.imaginary)));
+    record.say(format!("      lost, at most      {}", lost(of.printed_loss)));
+    record.say(format!("   trigonometric form    {}", of.trigonometric));
+    record.say(format!("      lost, at most      {}\n", lost(of.trigonometric_loss)));
+    record.add("branch", of.branch.name());
+    record.add_bounds("printed", Some(&of.printed));
+    record.add_record("imaginary", Some(bounds(&of.imaginary)));
+    record.add("printed_digits_lost", of.printed_loss);
+    record.add_bounds("trigonometric", Some(&of.trigonometric));
+    record.add("trigonometric_digits_lost", of.trigonometric_loss);
+    record
+}
+
+fn radicand(of: &RadicandAt, record: &mut Record) {
     let (sign, place) = match of.is_positive {
         true => ("positive", "two roots of (7) are complex: no state has this joint"),
         false => ("negative", "all roots of (7) are real"),
     };
-    writeln!(out, "   radicand   {}\n\n{sign}, proved: {place}", of.value)
-}
-
-pub(super) fn json(all: &[EvaluatedEquation], out: &mut dyn io::Write) -> io::Result<()> {
-    json::write_all(all.iter().map(fields), out)
-}
-
-fn fields(of: &EvaluatedEquation) -> Fields {
-    let mut fields = Fields::of("couplet.equation/1");
-    fields.add("equation", of.equation);
-    fields.add("weight", of.weight.name());
-    let given = of.given.iter().map(|(quantity, text)| (quantity.name(), text.as_str().into()));
-    fields.add_fields("given", Some(given.collect()));
-    let open = of.first_open();
-    fields.add("verdict", if open.is_some() { "undecided" } else { "proved" });
-    fields.add("reason", open.map(|open| open.reason.into_owned()));
-    if !of.values().is_empty() {
-        let values = of.values().iter().map(|value| {
-            let mut fields = Fields::named("name", [value.name.into()]);
-            fields.append(Fields::bounds(&value.figure.decimal));
-            fields
-        });
-        fields.add_list("values", values);
-    }
-    match of.at_joint() {
-        None | Some(Err(_)) => {}
-        Some(Ok(Evaluated::Cubics(all))) => {
-            fields.add_list("polynomials", all.iter().map(of_polynomial))
-        }
-        Some(Ok(Evaluated::Link(found))) => {
-            for (name, figure) in ["sin", "f", "g"].into_iter().zip(&found.abbreviations) {
-                fields.add_bounds(name, Some(figure));
-            }
-            fields.add_fields("difference", Some(bounds(&found.difference)));
-            fields.add("holds", found.holds);
-        }
-        Some(Ok(Evaluated::Closed(form, all))) => {
-            fields.add("unknown", unknown(*form).1);
-            fields.add_list("branches", all.iter().map(of_branch));
-        }
-        Some(Ok(Evaluated::Radicand(found))) => {
-            fields.add_bounds("radicand", Some(&found.value));
-            fields.add("is_positive", found.is_positive);
-        }
-    }
-    fields
-}
-
-fn bounds([lower, upper]: &[Decimal; 2]) -> Fields {
-    Fields::named("lower upper", [lower.to_string().into(), upper.to_string().into()])
-}
-
-fn of_polynomial(of: &PolynomialAt) -> Fields {
-    let mut fields = Fields::default();
-    fields.add("unknown", unknown(of.unknown).1);
-    let coefficients = of.coefficients.iter().map(|figure| Fields::bounds(&figure.decimal));
-    fields.add_list("coefficients", coefficients);
-    let root = |root: &RootAt| {
-        let mut fields = Fields::default();
-        fields.add_bounds("root", Some(&root.value));
-        fields.add_fields("residual", Some(bounds(&root.residual)));
-        fields.add_bounds("thickness", Some(&root.thickness));
-        fields.add("branch", root.branch.map(RootBranch::name));
-        fields
-    };
-    fields.add_list("real_roots", of.roots.iter().flatten().map(root));
-    fields.add("has_complex_pair", of.has_complex_pair());
-    fields
-}
-
-fn of_branch(of: &ClosedAt) -> Fields {
-    let mut fields = Fields::default();
-    fields.add("branch", of.branch.name());
-    fields.add_bounds("printed", Some(&of.printed));
-    fields.add_fields("imaginary", Some(bounds(&of.imaginary)));
-    fields.add("printed_digits_lost", of.printed_loss);
-    fields.add_bounds("trigonometric", Some(&of.trigonometric));
-    fields.add("trigonometric_digits_lost", of.trigonometric_loss);
-    fields
+    record.say(format!("   radicand   {}\n\n{sign}, proved: {place}", of.value));
+    record.add_bounds("radicand", Some(&of.value));
+    record.add("is_positive", of.is_positive);
 }

@@ -2,7 +2,7 @@
 
 use super::answer::{Answer, Status};
 use super::answers::Answers;
-use super::fields::Fields;
+use super::record::Record;
 use super::subject::Subject;
 use super::words::{apart, labels, model, reason};
 use crate::certify::Undecided;
@@ -82,9 +82,9 @@ pub(super) fn undecided(undecided: &Undecided, out: &mut dyn io::Write) -> io::R
 pub(super) fn fields(
     answer: &Answer,
     modes: impl Into<Json>,
-    value: impl Fn(&mut Fields, Quantity),
-) -> Fields {
-    let mut fields = Fields::default();
+    value: impl Fn(&mut Record, Quantity),
+) -> Record {
+    let mut fields = Record::default();
     let Subject::Sought { weight, sought, boundary, .. } = &answer.subject else { return fields };
     let [half_opening, friction, thickness] = answer.subject.given();
     fields.add("weight", weight.name());

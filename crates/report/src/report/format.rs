@@ -1,219 +1,31 @@
-//! The one list of formats: commands, scenes, help and errors read it. A format is a file and a row here.
+//! The one list of formats: commands, scenes, help and errors read it.
 
-use super::answers::Answers;
-use super::audit::{self, Audit};
-use super::branch::{self, BranchArches};
-use super::by_value::{self, ByValue};
-use super::claims::{self, Claims, Index};
-use super::complementarity::{self, ComplementarityArch};
-use super::equation::{self, EvaluatedEquation};
-use super::judged::{self, JudgeSummary, JudgedLines};
-use super::map::{self, Map, MapDifferences, MapPoint};
-#[cfg(feature = "parquet")]
-use super::parquet;
-use super::rows::Rows;
-use super::sampled::{self, SampledLines};
-use super::sketched::{self, Sketched};
-use super::tilt::{self, TiltedArch};
-use super::voussoirs::{self, VoussoirArches};
 use super::words::{distinct, list};
-use super::{c, csv, drawn, fortran, json, julia, latex, matlab, plain, python, rust, table, toml};
 use crate::picture::Print;
 use std::io;
 
-/// Content that can be written.
+/// Names of the formats in which something is written, in the order of the list of formats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Content {
-    /// Landmarks or arches.
-    Answers,
-    /// Arches as they come.
-    Rows,
-    /// Printed numbers against certified values.
-    Audit,
-    /// Claims of the paper.
-    Claims,
-    /// The paper, place by place.
-    Index,
-    /// Other people's results: all of them in summary, or each as it comes.
-    Judged,
-    /// Arches that were drawn.
-    Samples,
-    /// Curves of the map.
-    Map,
-    /// A figure of the paper.
-    Figure,
-    /// A point of a curve of the map.
-    MapPoint,
-    /// Difference between two weights of the lines of the map.
-    MapDifference,
-    /// Arches of voussoirs.
-    Voussoirs,
-    /// Arches under a horizontal acceleration.
-    Tilted,
-    /// Solutions of the complementarity problem.
-    Complementarity,
-    /// States by another quantity than the half opening.
-    ByValue,
-    /// Equations of the paper.
-    Equation,
-    /// Asymmetric solutions over friction.
-    Branch,
-    /// Arches to be drawn.
-    Drawing,
-}
-
-/// Writes all at once.
-type Writer<T> = fn(&T, &mut dyn io::Write) -> io::Result<()>;
-
-/// Opens a file of arches that come one after the other.
-type Opener = fn(Answers) -> io::Result<Box<dyn Rows>>;
-
-/// Writers by the names of formats.
-type Named<W> = &'static [(&'static str, W)];
-
-/// Writers of something at once, one for each format that it has.
-pub(super) struct Writers<T: ?Sized + 'static> {
-    texts: Named<Writer<T>>,
-    /// The picture as SVG, of what can be drawn.
-    picture: Option<fn(&T, &Print) -> io::Result<String>>,
-}
-
-impl<T: ?Sized> Writers<T> {
-    fn has(&self, format: &Format) -> bool {
-        if format.is_picture { self.picture.is_some() } else { format.of(self.texts).is_some() }
-    }
-
-    /// Writes it, a picture as it is printed. A format that cannot write it is an error.
-    pub(super) fn write(
-        &self,
-        it: &T,
-        (format, print): (&Format, &Print),
-        out: &mut dyn io::Write,
-    ) -> io::Result<()> {
-        match (self.picture, format.of(self.texts)) {
-            (Some(picture), _) if format.is_picture => {
-                out.write_all(&format.drawn(picture(it, print)?, print)?)
-            }
-            (_, Some(write)) => write(it, out),
-            (_, None) => unsupported(),
-        }
-    }
-}
-
-pub(super) const ANSWERS: Writers<Answers> = Writers {
-    texts: &[
-        ("table", table::answers),
-        ("plain", plain::answers),
-        ("json", json::answers),
-        ("csv", csv::answers),
-        ("toml", toml::answers),
-        ("latex", latex::answers),
-        ("c", c::answers),
-        ("rust", rust::answers),
-        ("python", python::answers),
-        ("julia", julia::answers),
-        ("matlab", matlab::answers),
-        ("fortran", fortran::answers),
-        ("parquet", parquet::answers),
-    ],
-    picture: None,
-};
-const ROWS: Named<Opener> =
-    &[("csv", csv::rows), ("jsonl", json::lines), ("parquet", parquet::rows)];
-pub(super) const AUDIT: Writers<Audit> = Writers {
-    texts: &[("table", audit::table), ("json", audit::json), ("csv", audit::csv)],
-    picture: None,
-};
-pub(super) const CLAIMS: Writers<Claims> = Writers {
-    texts: &[("text", claims::text), ("json", claims::json), ("latex", claims::latex)],
-    picture: None,
-};
-pub(super) const INDEX: Writers<Index> =
-    Writers { texts: &[("text", claims::index_text), ("json", claims::index_json)], picture: None };
-const JUDGED: Named<Writer<JudgeSummary>> = &[("table", judged::table), ("json", judged::json)];
-const JUDGED_LINES: Named<JudgedLines> = &[("csv", judged::CSV), ("jsonl", judged::JSON_LINES)];
-const SAMPLES: Named<SampledLines> = &[("csv", sampled::CSV), ("jsonl", sampled::JSON_LINES)];
-pub(super) const MAP: Writers<Map> = Writers {
-    texts: &[
-        ("table", map::table),
-        ("json", map::json),
-        ("csv", map::csv),
-        ("parquet", parquet::map),
-        ("html", map::html),
-    ],
-    picture: Some(|map, print| map.drawing.svg((&map.traces, &map.levels, &map.borders), print)),
-};
-pub(super) const MAP_POINTS: Writers<[MapPoint]> = Writers {
-    texts: &[("table", map::point_table), ("json", map::point_json), ("csv", map::point_csv)],
-    picture: None,
-};
-pub(super) const MAP_DIFFERENCES: Writers<MapDifferences> = Writers {
-    texts: &[
-        ("table", map::difference_table),
-        ("json", map::difference_json),
-        ("csv", map::difference_csv),
-    ],
-    picture: Some(|all, print| drawn::differences(&all.differences, &all.command, print)),
-};
-pub(super) const VOUSSOIRS: Writers<VoussoirArches> = Writers {
-    texts: &[("table", voussoirs::table), ("json", voussoirs::json), ("csv", voussoirs::csv)],
-    picture: Some(|all, print| voussoirs::figure(all).svg(print)),
-};
-pub(super) const TILTED: Writers<[TiltedArch]> = Writers {
-    texts: &[("table", tilt::table), ("json", tilt::json), ("csv", tilt::csv)],
-    picture: None,
-};
-pub(super) const COMPLEMENTARITY: Writers<[ComplementarityArch]> = Writers {
-    texts: &[
-        ("table", complementarity::table),
-        ("json", complementarity::json),
-        ("csv", complementarity::csv),
-    ],
-    picture: None,
-};
-pub(super) const BY_VALUE: Writers<[ByValue]> = Writers {
-    texts: &[
-        ("table", by_value::table),
-        ("plain", by_value::plain),
-        ("json", by_value::json),
-        ("csv", by_value::csv),
-    ],
-    picture: None,
-};
-pub(super) const EQUATION: Writers<[EvaluatedEquation]> =
-    Writers { texts: &[("table", equation::table), ("json", equation::json)], picture: None };
-pub(super) const BRANCH: Writers<BranchArches> = Writers {
-    texts: &[("table", branch::table), ("json", branch::json), ("csv", branch::csv)],
-    picture: Some(branch::picture),
-};
-pub(super) const DRAWING: Writers<Sketched> = Writers {
-    texts: &[("json", sketched::json), ("dxf", sketched::dxf)],
-    picture: Some(sketched::picture),
-};
+pub struct Content(pub(super) &'static [&'static str]);
 
 impl Content {
+    /// Arches as they come.
+    pub const ROWS: Self = Self(&["csv", "jsonl", "parquet"]);
+    /// Other people's results: all of them in summary, or each as it comes.
+    pub const JUDGED: Self = Self(&["table", "json", "csv", "jsonl"]);
+    /// Arches that were drawn from a seed.
+    pub const SAMPLES: Self = Self(&["csv", "jsonl"]);
+    /// A picture, and nothing beside.
+    pub const FIGURE: Self = Self(&["svg", "png", "pdf"]);
+    /// Records with rows.
+    pub(super) const RECORDS: Self = Self(&["table", "json", "csv", "csv2", "latex", "markdown"]);
+    /// Records with rows and a picture.
+    pub(super) const DRAWN_RECORDS: Self =
+        Self(&["table", "json", "csv", "csv2", "latex", "markdown", "svg", "png", "pdf"]);
+
     /// Tells whether it can be written in a format.
     pub fn is_written_as(self, format: &Format) -> bool {
-        match self {
-            Self::Answers => ANSWERS.has(format),
-            Self::Rows => format.rows().is_some(),
-            Self::Audit => AUDIT.has(format),
-            Self::Claims => CLAIMS.has(format),
-            Self::Index => INDEX.has(format),
-            Self::Judged => format.judged().is_some() || format.judged_lines().is_some(),
-            Self::Samples => format.samples().is_some(),
-            Self::Map => MAP.has(format),
-            Self::Figure => format.is_picture,
-            Self::MapPoint => MAP_POINTS.has(format),
-            Self::MapDifference => MAP_DIFFERENCES.has(format),
-            Self::Voussoirs => VOUSSOIRS.has(format),
-            Self::Tilted => TILTED.has(format),
-            Self::Complementarity => COMPLEMENTARITY.has(format),
-            Self::ByValue => BY_VALUE.has(format),
-            Self::Equation => EQUATION.has(format),
-            Self::Branch => BRANCH.has(format),
-            Self::Drawing => DRAWING.has(format),
-        }
+        self.0.contains(&format.name)
     }
 }
 
@@ -223,31 +35,11 @@ use crate::picture::{pdf::render as pdf, png::render as png};
 
 #[cfg(not(feature = "plots"))]
 fn png(_: &str, _: &Print) -> io::Result<Vec<u8>> {
-    unsupported()
+    super::reported::unsupported()
 }
 
 #[cfg(not(feature = "plots"))]
 use png as pdf;
-
-/// Stand-ins of a format that is not built in.
-#[cfg(not(feature = "parquet"))]
-mod parquet {
-    use super::{Answers, Rows, io, unsupported};
-
-    pub(super) fn answers<T>(_: &T, _: &mut dyn io::Write) -> io::Result<()> {
-        unsupported()
-    }
-
-    pub(super) use answers as map;
-
-    pub(super) fn rows(_: Answers) -> io::Result<Box<dyn Rows>> {
-        unsupported()
-    }
-}
-
-fn unsupported<T>() -> io::Result<T> {
-    Err(io::ErrorKind::Unsupported.into())
-}
 
 /// A format.
 #[derive(Clone, Copy, Debug)]
@@ -296,15 +88,17 @@ const fn rendered(name: &'static str) -> Format {
     }
 }
 
-static FORMATS: [Format; 20] = [
+static FORMATS: [Format; 22] = [
     text("table", "txt"),
     text("text", "txt"),
     text("plain", "txt"),
     Format { has_certificates: true, ..text("json", "json") },
     text("csv", "csv"),
+    text("csv2", "csv"),
     text("jsonl", "jsonl"),
     language("toml", "toml"),
     Format { has_certificates: true, ..text("latex", "tex") },
+    text("markdown", "md"),
     language("c", "h"),
     language("rust", "rs"),
     language("python", "py"),
@@ -329,10 +123,6 @@ impl Format {
         FORMATS.iter().filter(move |format| content.is_written_as(format))
     }
 
-    fn of<W: Copy>(&self, writers: Named<W>) -> Option<W> {
-        writers.iter().find(|(name, _)| *name == self.name).map(|(_, writer)| *writer)
-    }
-
     /// The bytes of a picture that is drawn as SVG.
     pub(super) fn drawn(&self, svg: String, print: &Print) -> io::Result<Vec<u8>> {
         match self.name {
@@ -340,26 +130,6 @@ impl Format {
             "pdf" => pdf(&svg, print),
             _ => Ok(svg.into_bytes()),
         }
-    }
-
-    /// Writer of rows one after another.
-    pub fn rows(&self) -> Option<Opener> {
-        self.of(ROWS)
-    }
-
-    /// Writer of the summary of judged rows.
-    pub fn judged(&self) -> Option<Writer<JudgeSummary>> {
-        self.of(JUDGED)
-    }
-
-    /// Writer of judged rows, one by one.
-    pub fn judged_lines(&self) -> Option<JudgedLines> {
-        self.of(JUDGED_LINES)
-    }
-
-    /// Writer of arches drawn from a seed, one by one.
-    pub fn samples(&self) -> Option<SampledLines> {
-        self.of(SAMPLES)
     }
 
     /// Names of the formats in a sentence.

@@ -1,6 +1,6 @@
 //! All solutions of the complementarity problem (19) between equal stones: lines for a person, rows, and an object.
 
-use super::fields::Fields;
+use super::record::Record;
 use crate::arch::whole::Side;
 use crate::certify::{Enumeration, JointedMotion, JointedSolution, Standing, Undecided};
 use crate::problem::Extent;
@@ -27,7 +27,7 @@ fn side(motion: &JointedMotion) -> &'static str {
     motion.side.map_or("crown", Side::name)
 }
 
-pub(super) fn table(all: &Enumeration, out: &mut dyn io::Write) -> io::Result<()> {
+fn table(all: &Enumeration, out: &mut dyn io::Write) -> io::Result<()> {
     let joints = joints(all.extent, all.stones);
     let (whole, each) = match all.extent {
         Extent::Whole => ("the whole arch", "triples"),
@@ -99,25 +99,39 @@ fn one(solution: &JointedSolution, out: &mut dyn io::Write) -> io::Result<()> {
 }
 
 /// Rows for the solutions, and for each piece on which nothing is proved, from its thickness until another.
-pub(super) fn rows(found: &Result<Enumeration, Undecided>) -> Vec<Fields> {
-    let row = |mut row: Fields, outcome: &str| {
+pub(super) fn rows(found: &Result<Enumeration, Undecided>) -> Vec<Record> {
+    let row = |mut row: Record, outcome: &str| {
         row.add("mode", "jointed");
         row.add("outcome", outcome);
         row.add("stones", found.as_ref().ok().map(|all| all.stones));
         row
     };
-    let Ok(all) = found else { return vec![row(Fields::default(), "undecided")] };
+    let Ok(all) = found else { return vec![row(Record::default(), "undecided")] };
     let solution = |found: &Result<JointedSolution, Undecided>| match found {
         Ok(found) => row(solved(found), "solution"),
-        Err(_) => row(Fields::default(), "undecided"),
+        Err(_) => row(Record::default(), "undecided"),
     };
     let open =
-        |piece: [String; 2]| row(Fields::named("thickness until", piece.map(Json::from)), "open");
+        |piece: [String; 2]| row(Record::named("thickness until", piece.map(Json::from)), "open");
     all.solutions.iter().map(solution).chain(all.open_bounds().map(open)).collect()
 }
 
-pub(super) fn fields(found: &Result<Enumeration, Undecided>) -> Fields {
-    let mut fields = Fields::default();
+/// The solutions, with what a person reads of them.
+pub(super) fn record(found: &Result<Enumeration, Undecided>) -> Record {
+    let mut record = fields(found);
+    match found {
+        Ok(all) => {
+            let mut lines = Vec::new();
+            let _ = table(all, &mut lines);
+            record.say(String::from_utf8_lossy(&lines).trim_end());
+        }
+        Err(undecided) => record.say(format!("the solutions between equal stones are {undecided}")),
+    }
+    record
+}
+
+fn fields(found: &Result<Enumeration, Undecided>) -> Record {
+    let mut fields = Record::default();
     let all = match found {
         Ok(all) => all,
         Err(undecided) => {
@@ -141,21 +155,21 @@ pub(super) fn fields(found: &Result<Enumeration, Undecided>) -> Fields {
     };
     fields.add_bounds("least_thickness", from);
     fields.add_list("solutions", all.solutions.iter().flatten().map(solved));
-    let piece = |bounds: [String; 2]| Fields::named("lower upper", bounds.map(Json::from));
+    let piece = |bounds: [String; 2]| Record::named("lower upper", bounds.map(Json::from));
     fields.add_list("open", all.open_bounds().map(piece));
     fields.add("looked_at", all.triples);
     fields
 }
 
-fn solved(solution: &JointedSolution) -> Fields {
-    let mut fields = Fields::default();
+fn solved(solution: &JointedSolution) -> Record {
+    let mut fields = Record::default();
     fields.add("symmetric", solution.is_symmetric);
     fields.add_bounds("thickness", Some(&solution.thickness));
     fields.add_bounds("thrust", Some(&solution.thrust));
     fields.add_bounds("crown_moment", Some(&solution.crown_moment));
     fields.add_bounds("vertical_force", Some(&solution.vertical_force));
     let joint = |joint: &JointedMotion| {
-        let mut fields = Fields::default();
+        let mut fields = Record::default();
         fields.add("contact", joint.contact.name());
         fields.add("side", side(joint));
         fields.add_bounds("angle", Some(&joint.angle));

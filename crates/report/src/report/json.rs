@@ -6,8 +6,8 @@ use super::answer::{Answer, Status};
 use super::answers::{Answers, Scope};
 use super::columns::{self, Asked};
 use super::document::document;
-use super::fields::Fields;
 use super::find;
+use super::record::Record;
 use super::rows::{Rows, in_parallel};
 use super::subject::Subject;
 use super::value::Value;
@@ -24,11 +24,16 @@ pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
         Scope::Arch => {
             report.list.iter().try_for_each(|answer| write(&entry(report, answer, false), out))
         }
-        Scope::Found => write_all(report.list.iter().map(|answer| finding(report, answer)), out),
+        Scope::Found => match &report.list[..] {
+            [one] => write(&finding(report, one), out),
+            all => write(&all.iter().map(|one| finding(report, one)).collect::<Vec<_>>(), out),
+        },
         Scope::Arches | Scope::Mixed => {
             let quantities = report.quantities.iter().map(|quantity| quantity.name()).collect();
             let (schema, digits) = ("couplet.arches/2", report.digits);
-            write(&ArchesFile { schema, digits, quantities, arches: ArchEntries(report) }, out)
+            let file = ArchesFile { schema, digits, quantities, arches: ArchEntries(report) };
+            serde_json::to_writer_pretty(&mut *out, &file)?;
+            writeln!(out)
         }
     }
 }
@@ -38,28 +43,8 @@ pub(super) fn lines(report: Answers) -> io::Result<Box<dyn Rows>> {
     Ok(Box::new(JsonLines(report)))
 }
 
-/// Writes a document for a program, which a person can read too.
+/// Writes a document for a program, which a person can read too; texts may be those of other people.
 pub(super) fn write(document: &impl Serialize, out: &mut dyn io::Write) -> io::Result<()> {
-    serde_json::to_writer_pretty(&mut *out, document)?;
-    writeln!(out)
-}
-
-/// Writes one object, or a list of several.
-pub(super) fn write_all(
-    entries: impl IntoIterator<Item = Fields>,
-    out: &mut dyn io::Write,
-) -> io::Result<()> {
-    match &entries.into_iter().collect::<Vec<_>>()[..] {
-        [one] => write(one, out),
-        all => write(&all, out),
-    }
-}
-
-/// Writes texts of other people.
-pub(super) fn write_printable(
-    document: &impl Serialize,
-    out: &mut dyn io::Write,
-) -> io::Result<()> {
     out.write_all(&escaped(serde_json::to_string_pretty(document)?))
 }
 
@@ -101,8 +86,8 @@ impl Serialize for ArchEntries<'_> {
 
 /// An arch: a missing value is null, an unbounded one the text `inf`. Each has the fields of what was asked
 /// of it, whatever the others were asked.
-fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Fields {
-    let mut fields = Fields::default();
+fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Record {
+    let mut fields = Record::default();
     let asked = Asked::of(answer);
     fields.add(
         "schema",
@@ -116,14 +101,14 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Fields {
         fields.add("line", answer.subject.line());
     }
     if !answer.kept.is_empty() {
-        fields.add_fields("kept", Some(columns::kept_fields(&answer.kept)));
+        fields.add_record("kept", Some(columns::kept_fields(&answer.kept)));
     }
     if let (Subject::Query { .. }, Status::Refused(error)) = (&answer.subject, &answer.status) {
         fields.add("error", error.as_str());
         return fields;
     }
     if let Some(asked) = &answer.asked {
-        fields.add_fields("asked", Some(asked.fields()));
+        fields.add_record("asked", Some(asked.fields()));
     }
     fields.append(columns::given(answer, asked));
     fields.append(columns::circle(report, answer));
@@ -131,7 +116,7 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Fields {
     fields.append(columns::verdict(answer, asked));
     let figure = |value: Option<&Value>| Some(figure(value?, report.have_doubles()));
     let asymmetric = Quantity::AsymmetricThickness;
-    fields.add_fields(asymmetric.name(), figure(answer.value(asymmetric)));
+    fields.add_record(asymmetric.name(), figure(answer.value(asymmetric)));
     let quantities =
         if asked.assessment { &Quantity::ASSESSMENT[..] } else { &Quantity::STATE[..] };
     for &quantity in quantities {
@@ -141,8 +126,8 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Fields {
             None => figure(value),
         };
         let open = answer.why_open(quantity);
-        let open = open.map(|why| Fields::named("undecided", [why.reason.as_ref().into()]));
-        fields.add_fields(quantity.name(), value.or(open).filter(|_| report.shows(quantity)));
+        let open = open.map(|why| Record::named("undecided", [why.reason.as_ref().into()]));
+        fields.add_record(quantity.name(), value.or(open).filter(|_| report.shows(quantity)));
     }
     // Those of an arch that is measured are there if they are asked for; of rows, each has its own.
     let is_of = |of: &&Quantity| match (report.scope, asked.assessment) {
@@ -153,7 +138,7 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Fields {
         _ => true,
     };
     for quantity in report.quantities.iter().filter(|of| of.is_measured()).filter(is_of) {
-        fields.add_fields(quantity.name(), figure(answer.value(*quantity)));
+        fields.add_record(quantity.name(), figure(answer.value(*quantity)));
     }
     fields.add("reason", answer.reason());
     if asked.state {
@@ -165,33 +150,33 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Fields {
         fields.add("gap", gap);
         let [friction, half_opening] = &answer.enough;
         let enough = (friction.is_some() || half_opening.is_some()).then(|| {
-            let mut enough = Fields::default();
-            enough.add_fields(Quantity::Friction.name(), figure(friction.as_ref()));
-            enough.add_fields(Quantity::HalfOpening.name(), figure(half_opening.as_ref()));
+            let mut enough = Record::default();
+            enough.add_record(Quantity::Friction.name(), figure(friction.as_ref()));
+            enough.add_record(Quantity::HalfOpening.name(), figure(half_opening.as_ref()));
             enough
         });
-        fields.add_fields("enough", enough);
+        fields.add_record("enough", enough);
     }
     fields
 }
 
 /// `couplet.find/1`: what is given is text, what is found has bounds.
-fn finding(report: &Answers, answer: &Answer) -> Fields {
-    let mut fields = Fields::of("couplet.find/1");
+fn finding(report: &Answers, answer: &Answer) -> Record {
+    let mut fields = Record::of("couplet.find/1");
     if let Some(asked) = &answer.asked {
-        fields.add_fields("asked", Some(asked.fields()));
+        fields.add_record("asked", Some(asked.fields()));
     }
     fields.append(find::fields(answer, labels(&answer.modes), |fields, quantity| {
         let value = answer.value(quantity);
         let figure = value.map(|value| figure(value, report.have_doubles()));
-        fields.add_fields(quantity.name(), figure);
+        fields.add_record(quantity.name(), figure);
     }));
     fields
 }
 
 /// A value with its bounds, and with its nearest double if that is shown.
-fn figure(value: &Value, with_double: bool) -> Fields {
-    let mut fields = Fields::named("value lower upper", value.texts().map(Into::into));
+fn figure(value: &Value, with_double: bool) -> Record {
+    let mut fields = Record::named("value lower upper", value.texts().map(Into::into));
     if with_double && value.decimal.is_some() {
         fields.add("double", value.double);
         fields.add("hex", hexadecimal(value.double));
@@ -203,18 +188,18 @@ fn figure(value: &Value, with_double: bool) -> Fields {
 fn limit(
     thrust: &Value,
     joint: Option<&Value>,
-    figure: impl Fn(Option<&Value>) -> Option<Fields>,
-) -> Fields {
-    let mut fields = Fields::default();
-    fields.add_fields("thrust", figure(Some(thrust).filter(|thrust| thrust.decimal.is_some())));
+    figure: impl Fn(Option<&Value>) -> Option<Record>,
+) -> Record {
+    let mut fields = Record::default();
+    fields.add_record("thrust", figure(Some(thrust).filter(|thrust| thrust.decimal.is_some())));
     fields.add("limited_by", thrust.limited_by);
-    fields.add_fields("joint", figure(joint));
+    fields.add_record("joint", figure(joint));
     fields
 }
 
 /// A landmark with the modes that meet there; its values in the order of their names.
-fn point(answer: &Answer) -> Fields {
-    let mut fields = Fields::of("couplet.state_at/1");
+fn point(answer: &Answer) -> Record {
+    let mut fields = Record::of("couplet.state_at/1");
     fields.add("weight", answer.subject.weight().map(|weight| weight.name()));
     fields.add("landmark", answer.subject.landmark().map(|landmark| landmark.symbol()));
     fields.add("verdict", answer.status.name());

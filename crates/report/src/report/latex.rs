@@ -1,9 +1,10 @@
-//! LaTeX: a table with `siunitx`, each value beside what the paper prints for it.
+//! LaTeX with `siunitx`: arches in a table for a paper, other values each beside what the paper prints for it.
 
 use super::answers::Answers;
 use super::find;
 use super::listing::comments;
-use super::names::{about, head, safe};
+use super::names::{about, head, plain, safe};
+use super::paper::PaperTable;
 use super::subject::Subject;
 use super::value::Value;
 use super::words::author;
@@ -23,6 +24,10 @@ const HEAD: &str = r"%
 /// Landmarks or arches.
 pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     comments(head(report), "% ", out)?;
+    if report.has_row_each() {
+        comments(report.list.iter().flat_map(about), "% ", out)?;
+        return PaperTable::of(report).latex(out);
+    }
     writeln!(out, "{HEAD}")?;
     for (index, answer) in report.list.iter().enumerate() {
         if index > 0 {
@@ -98,17 +103,4 @@ fn formula(text: &str) -> String {
         }
     }
     formula
-}
-
-/// Text from outside, harmless to LaTeX.
-fn plain(text: &str) -> String {
-    let written = |c: char| match c {
-        '_' => r"\_".to_owned(),
-        '<' | '>' | '=' => format!("${c}$"),
-        '√' => r"$\surd$".to_owned(),
-        'π' => r"$\pi$".to_owned(),
-        '−' => "$-$".to_owned(),
-        c => c.to_string(),
-    };
-    safe(text).chars().map(written).collect()
 }

@@ -126,7 +126,7 @@ mod tests {
             ("svg", Some("opening-thickness"), [true, false, false], Some("leave out plane")),
         ] {
             let asked = MapAsked {
-                format: Format::named(Content::Map, name).unwrap(),
+                format: Format::named(Map::content(), name).unwrap(),
                 weights: 1,
                 names_curves: false,
                 contours: if level { &levels } else { &[] },

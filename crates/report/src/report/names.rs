@@ -141,6 +141,41 @@ pub(super) fn safe(text: &str) -> String {
     text.chars().map(|c| if harmless(c) { c } else { '_' }).collect()
 }
 
+/// Text from outside, harmless to LaTeX.
+pub(super) fn plain(text: &str) -> String {
+    let written = |c: char| match c {
+        '_' => r"\_".to_owned(),
+        '<' | '>' | '=' => format!("${c}$"),
+        '√' => r"$\surd$".to_owned(),
+        'π' => r"$\pi$".to_owned(),
+        '−' => "$-$".to_owned(),
+        c => c.to_string(),
+    };
+    safe(text).chars().map(written).collect()
+}
+
+/// Words with what LaTeX would take for commands written out.
+pub(super) fn in_latex(words: &str) -> String {
+    let mut text = String::new();
+    for c in words.chars() {
+        match c {
+            '_' | '&' | '%' | '#' | '$' | '{' | '}' => text.extend(['\\', c]),
+            '^' => text += r"\textasciicircum{}",
+            '~' => text += r"\textasciitilde{}",
+            '\\' => text += r"\textbackslash{}",
+            '<' | '>' => text += &format!("${c}$"),
+            '√' => text += r"$\surd$",
+            '−' => text += "$-$",
+            '∞' => text += r"$\infty$",
+            'π' => text += r"$\pi$",
+            '°' => text += r"$^\circ$",
+            '≃' => text += r"$\simeq$",
+            c => text.push(c),
+        }
+    }
+    text
+}
+
 /// The bits of a double in hexadecimal.
 pub(super) fn bits(x: f64) -> String {
     format!("{:016x}", x.to_bits())

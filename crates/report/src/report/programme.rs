@@ -1,13 +1,12 @@
-//! The programme (20) of an arch of equal stones: lines for a person, a row, and an object.
+//! The programme (20) of an arch of equal stones.
 
-use super::fields::Fields;
 use super::jointed;
+use super::record::Record;
 use crate::certify::state::Figure;
 use crate::certify::{Programme, Undecided};
 use crate::number::{Ball, Rounded};
 use crate::problem::Extent;
 use rug::Float;
-use std::io;
 
 /// The programme (20) of an arch of equal stones at a thickness.
 #[derive(Debug)]
@@ -62,6 +61,37 @@ impl AtThickness {
             Err(_) => "undecided",
         }
     }
+
+    /// Result in words.
+    fn words(&self) -> Vec<String> {
+        let complete = "complete for these joints: all pairs of conditions are looked at, in balls";
+        let words: &[&str] = match &self.found {
+            Err(undecided) => return vec![undecided.to_string()],
+            Ok(ProgrammeFound::EveryThicknessStands) => {
+                &["there is none, proved: every thickness up to 2 stands"]
+            }
+            Ok(ProgrammeFound::NoThicknessStands) => {
+                &["there is none, proved: no thickness up to 2 stands"]
+            }
+            Ok(ProgrammeFound::At(Programme::NothingAdmissible)) => {
+                &["nothing is admissible at these joints, proved", complete]
+            }
+            Ok(ProgrammeFound::At(Programme::Zero)) => &[
+                "least value 0, exactly",
+                "proved: (19) has a solution there, an admissible state with positive rates that fit",
+            ],
+            Ok(ProgrammeFound::At(Programme::Idle)) => &IDLE,
+            Ok(ProgrammeFound::At(Programme::Least { .. })) => &[
+                "positive, proved: at these joints (19) has no solution at this thickness",
+                complete,
+            ],
+        };
+        let value = self.value().map(|value| match value {
+            Ok(value) => format!("least value {}", value.value),
+            Err(bound) => format!("least value at least {}", bound.lower),
+        });
+        value.into_iter().chain(words.iter().map(|&line| line.to_owned())).collect()
+    }
 }
 
 /// Words where a joint bears nothing.
@@ -71,50 +101,9 @@ const IDLE: [&str; 3] = [
     "not said; the solutions without --thickness leave such slips out",
 ];
 
-pub(super) fn table(at: &AtThickness, out: &mut dyn io::Write) -> io::Result<()> {
-    let (stones, joints) = (at.stones, jointed::joints(at.extent, at.stones));
-    let eta = match &at.named {
-        Some(figure) => format!("{figure}, the least"),
-        None => at.thickness.clone(),
-    };
-    let half = if at.extent == Extent::Half { " of the half arch" } else { "" };
-    writeln!(
-        out,
-        "\nProgramme (20) at thickness {eta}, {stones} equal stones, {joints} joints{half}"
-    )?;
-    let complete = "complete for these joints: all pairs of conditions are looked at, in balls";
-    let lines: Vec<String> = match &at.found {
-        Err(undecided) => vec![undecided.to_string()],
-        Ok(ProgrammeFound::EveryThicknessStands) => {
-            vec!["there is none, proved: every thickness up to 2 stands".into()]
-        }
-        Ok(ProgrammeFound::NoThicknessStands) => {
-            vec!["there is none, proved: no thickness up to 2 stands".into()]
-        }
-        Ok(ProgrammeFound::At(Programme::NothingAdmissible)) => {
-            vec!["nothing is admissible at these joints, proved".into(), complete.into()]
-        }
-        Ok(ProgrammeFound::At(Programme::Zero)) => vec![
-            "least value 0, exactly".into(),
-            "proved: (19) has a solution there, an admissible state with positive rates that fit"
-                .into(),
-        ],
-        Ok(ProgrammeFound::At(Programme::Idle)) => IDLE.map(str::to_owned).to_vec(),
-        Ok(ProgrammeFound::At(Programme::Least { .. })) => {
-            let value = at.value().map(|value| match value {
-                Ok(value) => format!("least value {}", value.value),
-                Err(bound) => format!("least value at least {}", bound.lower),
-            });
-            let proved = "positive, proved: at these joints (19) has no solution at this thickness";
-            value.into_iter().chain([proved.into(), complete.into()]).collect()
-        }
-    };
-    lines.iter().try_for_each(|line| writeln!(out, "   {line}"))
-}
-
 /// The programme (20) as a row.
-pub(super) fn row(at: &AtThickness) -> Fields {
-    let mut row = fields(at);
+pub(super) fn row(at: &AtThickness) -> Record {
+    let mut row = record(at);
     row.add("mode", "programme");
     row.add("thickness", at.named.as_ref().map_or(at.thickness.clone(), Figure::to_string));
     if at.is_zero() {
@@ -123,19 +112,28 @@ pub(super) fn row(at: &AtThickness) -> Fields {
     row
 }
 
-pub(super) fn fields(at: &AtThickness) -> Fields {
-    let mut fields = Fields::default();
-    fields.add("thickness", at.thickness.as_str());
-    fields.add_bounds("least_thickness", at.named.as_ref());
-    fields.add("extent", jointed::extent(at.extent));
-    fields.add("stones", at.stones);
-    fields.add("outcome", at.outcome());
-    fields.add("reason", at.found.as_ref().err().map(|open| open.reason.to_string()));
-    fields.add_rounded("least_value", at.value().and_then(Result::ok).as_ref());
+/// The programme (20), with what a person reads of it.
+pub(super) fn record(at: &AtThickness) -> Record {
+    let mut record = Record::default();
+    let (stones, joints) = (at.stones, jointed::joints(at.extent, at.stones));
+    let eta = at.named.as_ref().map(|figure| format!("{figure}, the least"));
+    let eta = eta.unwrap_or_else(|| at.thickness.clone());
+    let half = if at.extent == Extent::Half { " of the half arch" } else { "" };
+    record.say(format!(
+        "\nProgramme (20) at thickness {eta}, {stones} equal stones, {joints} joints{half}"
+    ));
+    record.say_all(at.words().iter().map(|line| format!("   {line}")));
+    record.add("thickness", at.thickness.as_str());
+    record.add_bounds("least_thickness", at.named.as_ref());
+    record.add("extent", jointed::extent(at.extent));
+    record.add("stones", at.stones);
+    record.add("outcome", at.outcome());
+    record.add("reason", at.found.as_ref().err().map(|open| open.reason.to_string()));
+    record.add_rounded("least_value", at.value().and_then(Result::ok).as_ref());
     let lower = match at.value() {
         Some(Ok(value) | Err(value)) => Some(value.lower.to_string()),
         None => at.is_zero().then(|| "0".to_owned()),
     };
-    fields.add("least_value_lower", lower);
-    fields
+    record.add("least_value_lower", lower);
+    record
 }

@@ -1,7 +1,8 @@
 //! Arches that were drawn, for other programs: `couplet.sample/1`.
 
-use super::fields::Fields;
+use super::format::Format;
 use super::given::GivenDoubles;
+use super::record::Record;
 use super::{csv, json};
 use crate::strategies::Sample;
 use std::io;
@@ -19,8 +20,19 @@ pub struct SampledLines {
 const NAMES: &str =
     "id weight half_opening friction half_opening_rad half_opening_deg friction_double family";
 
+impl SampledLines {
+    /// CSV or JSON lines; arches that are drawn have no other format.
+    pub fn of(format: &Format) -> Option<Self> {
+        match format.name {
+            "csv" => Some(CSV),
+            "jsonl" => Some(JSON_LINES),
+            _ => None,
+        }
+    }
+}
+
 /// A table.
-pub(super) const CSV: SampledLines = SampledLines {
+const CSV: SampledLines = SampledLines {
     header: || csv::line(NAMES.split(' ').map(str::to_owned).collect()),
     row: |id, sample| {
         let mut row = fields(id, sample);
@@ -33,16 +45,16 @@ pub(super) const CSV: SampledLines = SampledLines {
 };
 
 /// JSON lines.
-pub(super) const JSON_LINES: SampledLines = SampledLines {
+const JSON_LINES: SampledLines = SampledLines {
     header: || Ok(Vec::new()),
     row: |id, sample| {
-        let mut all = Fields::of("couplet.sample/1");
+        let mut all = Record::of("couplet.sample/1");
         all.append(fields(id, sample));
         json::line(&all)
     },
 };
 
-fn fields(id: u64, sample: &Sample) -> Fields {
+fn fields(id: u64, sample: &Sample) -> Record {
     let doubles = GivenDoubles::new(&sample.arch, None);
     let values: [serde_json::Value; 8] = [
         id.into(),
@@ -54,5 +66,5 @@ fn fields(id: u64, sample: &Sample) -> Fields {
         doubles.friction.into(),
         sample.family.as_str().into(),
     ];
-    Fields::named(NAMES, values)
+    Record::named(NAMES, values)
 }

@@ -1,9 +1,11 @@
 //! Arches under a horizontal acceleration: for a person, CSV, and JSON (`couplet.tilt/2`).
 
-use super::fields::Fields;
+use super::format::Content;
+use super::record::Record;
+use super::reported::Reported;
+use super::tabular::Tabular;
 use super::understood::Understood;
-use super::words::{apart, division};
-use super::{csv, json};
+use super::words::division;
 use crate::arch::SelfWeight;
 use crate::arch::whole::Side;
 use crate::certify::state::Figure;
@@ -102,8 +104,8 @@ impl TiltedArch {
     }
 }
 
-pub(super) fn table(all: &[TiltedArch], out: &mut dyn io::Write) -> io::Result<()> {
-    apart(all, out, |arch, out| {
+fn table(arch: &TiltedArch, out: &mut dyn io::Write) -> io::Result<()> {
+    {
         writeln!(out, "Arch of {}\n", arch.asked.with_weight(arch.weight))?;
         let joints = if arch.stones.is_some() { "between the stones" } else { "on the whole arch" };
         let outcome = match (arch.is_admissible(), &arch.found) {
@@ -131,33 +133,38 @@ pub(super) fn table(all: &[TiltedArch], out: &mut dyn io::Write) -> io::Result<(
             })?;
         }
         Ok(())
-    })
+    }
 }
 
-const COLUMNS: &str = "weight half_opening friction thickness tilt outcome largest_tilt limited_by reason may_move \
-                       stones";
+impl Reported for TiltedArch {
+    fn content() -> Content {
+        Content::RECORDS
+    }
 
-pub(super) fn csv(all: &[TiltedArch], out: &mut dyn io::Write) -> io::Result<()> {
-    let row = |arch: &TiltedArch| {
-        let mut fields = fields(arch);
-        if let Some(LargestTilt::Unlimited) = arch.largest() {
-            fields.add("largest_tilt", "inf");
+    fn records(&self) -> Vec<Record> {
+        let mut record = fields(self);
+        let mut lines = Vec::new();
+        let _ = table(self, &mut lines);
+        record.say(String::from_utf8_lossy(&lines).trim_end());
+        vec![record]
+    }
+
+    fn tabular(&self) -> Tabular {
+        let mut row = fields(self);
+        if let Some(LargestTilt::Unlimited) = self.largest() {
+            row.add("largest_tilt", "inf");
         }
-        fields
-    };
-    csv::table(COLUMNS, all.iter().map(row), out)
+        let columns = "weight half_opening friction thickness tilt outcome largest_tilt limited_by reason may_move stones";
+        Tabular::of(columns, [row])
+    }
 }
 
-pub(super) fn json(all: &[TiltedArch], out: &mut dyn io::Write) -> io::Result<()> {
-    json::write_all(all.iter().map(fields), out)
-}
-
-fn fields(arch: &TiltedArch) -> Fields {
-    let mut fields = Fields::of("couplet.tilt/2");
-    fields.add_fields("asked", Some(arch.asked.fields()));
+fn fields(arch: &TiltedArch) -> Record {
+    let mut fields = Record::of("couplet.tilt/2");
+    fields.add_record("asked", Some(arch.asked.fields()));
     fields.add("weight", arch.weight.name());
     let given = arch.given.each_ref().map(|text| text.as_str().into());
-    fields.append(Fields::named("half_opening friction thickness tilt", given));
+    fields.append(Record::named("half_opening friction thickness tilt", given));
     fields.add("outcome", arch.outcome());
     fields.add("may_move", arch.may_move());
     fields.add("reason", arch.first_open().map(|open| open.reason.to_string()));

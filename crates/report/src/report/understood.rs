@@ -1,6 +1,6 @@
 //! The question as it is understood: what is given, in the words of who asks and in the paper's units.
 
-use super::fields::Fields;
+use super::record::Record;
 use super::sketched::decided;
 use super::words::model;
 use crate::arch::SelfWeight;
@@ -60,8 +60,8 @@ impl Understood {
     }
 
     /// Given values as they were written, and the words.
-    pub(crate) fn fields(&self) -> Fields {
-        let mut fields = Fields::default();
+    pub(crate) fn fields(&self) -> Record {
+        let mut fields = Record::default();
         for (field, text) in &self.given {
             fields.add(field.name(), text.as_str());
         }

@@ -11,7 +11,7 @@ use crate::judge::{audit_of, compare_weights_of};
 use crate::picture::Print;
 use crate::problem::Quantity;
 use crate::report::{
-    Answer, Answers, Audit, Claims, Drawing, Format, Map, Report, Sketched, Understood,
+    Answer, Answers, Audit, Claims, Drawing, Format, Map, Reported, Sketched, Understood,
 };
 use rayon::prelude::*;
 use std::io;
@@ -21,7 +21,7 @@ pub struct ItemReport {
     format: &'static Format,
     print: Print,
     /// Report, or nothing where not even a part is known.
-    report: Option<Report>,
+    report: Option<Box<dyn Reported>>,
     /// Questions that could not be decided.
     pub undecided: Vec<String>,
 }
@@ -31,11 +31,11 @@ impl ItemReport {
     pub(super) fn new(plan: &Plan, done: &[Option<WorkDone>], index: usize) -> Self {
         let item = &plan.scene.items[index];
         let parts = ItemParts { plan, done, index };
-        let (report, undecided) = match &item.what {
+        let (report, undecided): (Option<Box<dyn Reported>>, Vec<String>) = match &item.what {
             Request::Constants { quantities, digits, .. } => {
                 let list = parts.constants(quantities, *digits);
                 let undecided = undecided_landmarks(&list);
-                (Some(Report::Answers(Answers::constants(*digits, list))), undecided)
+                (Some(Box::new(Answers::constants(*digits, list))), undecided)
             }
             Request::Arches { arches, quantities, digits, with_thickness } => {
                 let list = parts.arches(arches, *digits);
@@ -44,7 +44,7 @@ impl ItemReport {
                 let undecided = (open > 0).then(|| format!("{open} of {all} arches"));
                 let answers = Answers::arches(*digits, *with_thickness);
                 let answers = Answers { quantities: quantities.clone(), list, ..answers };
-                (Some(Report::Answers(answers)), undecided.into_iter().collect())
+                (Some(Box::new(answers)), undecided.into_iter().collect())
             }
             Request::Claims { show, .. } => {
                 let decision = |done: &WorkDone| match done {
@@ -56,12 +56,12 @@ impl ItemReport {
                 let undecided = open.map(|decision| decision.claim.id.to_owned()).collect();
                 // How long a claim took would be another output in every run.
                 let claims = Claims { decisions, show: *show, timed: false };
-                (Some(Report::Claims(claims)), undecided)
+                (Some(Box::new(claims)), undecided)
             }
             Request::Map(asked) | Request::Figure(asked) => parts.map(asked, item.format),
             Request::Drawing(asked) => parts.drawing(asked),
             Request::Audit { .. } => match parts.audit() {
-                Ok(audit) => (Some(Report::Audit(audit)), Vec::new()),
+                Ok(audit) => (Some(Box::new(audit)), Vec::new()),
                 Err(undecided) => (None, vec![undecided.to_string()]),
             },
         };
@@ -154,7 +154,7 @@ impl<'a> ItemParts<'a> {
     }
 
     /// A map of what is proved; a picture needs all its curves, as without one it would show other domains.
-    fn map(&self, asked: &SceneMap, format: &Format) -> (Option<Report>, Vec<String>) {
+    fn map(&self, asked: &SceneMap, format: &Format) -> (Option<Box<dyn Reported>>, Vec<String>) {
         let (mut traces, mut levels, mut open) = (Vec::new(), Vec::new(), Vec::new());
         for part in self.done() {
             match part {
@@ -191,11 +191,11 @@ impl<'a> ItemParts<'a> {
             drawing,
         };
         open.extend(map.open().into_iter().chain(names));
-        (Some(Report::Map(map)), open)
+        (Some(Box::new(map)), open)
     }
 
     /// Arches that are drawn, in the modes that are asked for; all of them or none.
-    fn drawing(&self, asked: &SceneDrawing) -> (Option<Report>, Vec<String>) {
+    fn drawing(&self, asked: &SceneDrawing) -> (Option<Box<dyn Reported>>, Vec<String>) {
         let (mut sketches, mut open) = (Vec::new(), Vec::new());
         for ((_, modes), part) in asked.arches.iter().zip(self.done()) {
             let WorkDone::Drawing(found) = part else { continue };
@@ -206,7 +206,7 @@ impl<'a> ItemParts<'a> {
         }
         let (style, command) = (asked.style, asked.command.clone());
         let drawn = Sketched { sketches, style, measures: asked.measures.clone(), command };
-        (open.is_empty().then_some(Report::Sketched(drawn)), open)
+        (open.is_empty().then(|| Box::new(drawn) as Box<dyn Reported>), open)
     }
 
     fn audit(&self) -> Result<Audit, Error> {

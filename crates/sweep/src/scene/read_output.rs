@@ -6,7 +6,7 @@ use super::schema::ItemKind;
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::report::Format;
-use crate::report::words::list;
+use crate::report::words::{distinct, list};
 use std::collections::HashMap;
 use std::path::{Component, Path, PathBuf};
 
@@ -57,7 +57,7 @@ fn format_of(
 ) -> Option<&'static Format> {
     let end = path.extension().and_then(|end| end.to_str()).unwrap_or_default();
     Format::of_extension(kind.content(), end).or_else(|| {
-        let ends = list(Format::all(kind.content()).map(|format| format.extension));
+        let ends = list(distinct(Format::all(kind.content()).map(|format| format.extension)));
         let message = format!(
             "output {} does not tell a format by its end ({ends}); give it such an end, or a format, \
              one of {}",

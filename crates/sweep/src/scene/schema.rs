@@ -11,7 +11,9 @@ use crate::picture::Print;
 use crate::problem::Arch;
 use crate::problem::measures::Measures;
 use crate::problem::{Landmark, Mode, Quantity};
-use crate::report::{Axes, Content, Format, Marked, Style, View};
+use crate::report::{
+    Answers, Audit, Axes, Claims, Content, Format, Map, Marked, Reported, Sketched, Style, View,
+};
 use std::path::PathBuf;
 
 /// The name and the version of the schema, which every scene begins with.
@@ -191,32 +193,34 @@ impl ItemKind {
     /// The name of the table, what is written of it, and the keys that it may have.
     fn described(self) -> (&'static str, Content, &'static str) {
         match self {
-            Self::Constants => {
-                ("constants", Content::Answers, "landmarks quantities weight digits format output")
-            }
+            Self::Constants => (
+                "constants",
+                Answers::content(),
+                "landmarks quantities weight digits format output",
+            ),
             Self::Arches => (
                 "arches",
-                Content::Answers,
+                Answers::content(),
                 "half_opening friction friction_angle thickness span rise radius measured_at density depth quantities \
                  weight digits format output",
             ),
-            Self::Claims => ("claims", Content::Claims, "prove show format output"),
-            Self::Audit => ("audit", Content::Audit, "landmarks weight format output"),
+            Self::Claims => ("claims", Claims::content(), "prove show format output"),
+            Self::Audit => ("audit", Audit::content(), "landmarks weight format output"),
             Self::Map => (
                 "map",
-                Content::Map,
+                Map::content(),
                 "curves half_opening thickness friction weight tolerance plane lines bare half_opening_unit \
                  friction_unit scale half_opening_range friction_range thickness_range marks \
                  width font_size font caption title format output",
             ),
             Self::Figure => (
                 "figure",
-                Content::Figure,
+                Content::FIGURE,
                 "number weight tolerance width font_size font caption title format output",
             ),
             Self::Drawing => (
                 "drawing",
-                Content::Drawing,
+                Sketched::content(),
                 "half_opening friction friction_angle thickness span rise radius measured_at density depth at mode weight amplitude dilatant half arrows \
                  stones animate width font_size font caption title format output",
             ),

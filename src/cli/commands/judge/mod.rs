@@ -8,15 +8,15 @@ use super::stream::{CHUNK, Chunk, Progress, in_order};
 use crate::arch::SelfWeight;
 use crate::judge::{Demand, Verdict};
 use crate::problem::Quantity;
-use crate::report::judged::{JudgeSummary, verdicts};
+use crate::report::judged::{JudgeSummary, JudgedLines, verdicts};
 use crate::report::words::list;
-use crate::report::{Content, Format};
+use crate::report::{Content, Format, Reported};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use crate::sweep::rows::{ArchReader, Columns, Keep, Numbered, Purpose, ReadRow, Role, Syntax};
 use clap::Args;
 use row::Judge;
-use std::io;
+use std::io::{self, Write};
 use std::path::PathBuf;
 
 /// Judge somebody else's results: each row against the certified state of its arch.
@@ -95,7 +95,7 @@ pub(crate) struct Arguments {
     )]
     worst: u16,
 
-    #[arg(long, value_parser = parse::format(Content::Judged), help = format_help())]
+    #[arg(long, value_parser = parse::format(Content::JUDGED), help = format_help())]
     format: Option<&'static Format>,
 
     #[command(flatten)]
@@ -103,11 +103,11 @@ pub(crate) struct Arguments {
 }
 
 fn format_help() -> String {
-    let each = Format::all(Content::Judged).filter(|format| format.judged_lines().is_some());
+    let each = Format::all(Content::JUDGED).filter(|format| JudgedLines::of(format).is_some());
     format!(
         "{}; {} list every row and put a short summary on standard error, the others are a summary with a \
          histogram and the worst rows",
-        parse::usual_format_help(Content::Judged, "table"),
+        parse::usual_format_help(Content::JUDGED, "table"),
         list(each.map(|format| format.name))
     )
 }
@@ -115,12 +115,12 @@ fn format_help() -> String {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let columns = Columns::named(&arguments.columns, Purpose::Judge).map_err(Failure::Input)?;
     let source = source(Some(&arguments.file), &arguments.output)?;
-    let format = arguments.output.format(arguments.format, Content::Judged, "table")?;
+    let format = arguments.output.format(arguments.format, Content::JUDGED, "table")?;
     let progress = Progress::new(&source);
     let syntax = source.syntax;
     let input = progress.counted(source.into_input());
     let keep = Keep::new(&arguments.keep);
-    let each = format.judged_lines();
+    let each = JudgedLines::of(format);
     let in_lines = each.is_none() || format.name == "jsonl";
     let given = GivenRows::new((syntax, input), columns, keep, in_lines)?;
     let GivenRows { columns, spelling, kept, mut rows } = given;
@@ -159,8 +159,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             out.flush()?;
             Ok::<_, io::Error>(())
         })?;
-        if let Some(write) = format.judged() {
-            write(&summary, out)?;
+        if each.is_none() {
+            summary.write(format, out)?;
         }
         complete = true;
         Ok(())
@@ -170,8 +170,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Ok(());
     }
     if each.is_some() {
+        let lines = verdicts(&summary).join("\n");
         // Standard error may be closed.
-        let _ = verdicts(&summary, &mut io::stderr());
+        let _ = writeln!(io::stderr(), "{lines}");
     }
     verdict(&summary)
 }

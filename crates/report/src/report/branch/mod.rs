@@ -1,15 +1,8 @@
-//! Asymmetric solutions of Eq. (19) over friction, for one half opening: for a person, their nodes as JSON
-//! (`couplet.branch/1`) or CSV, and a picture beside the least thickness.
+//! Asymmetric solutions of Eq. (19) over friction, for one half opening, `couplet.branch/1`: their nodes are rows, and
+//! a picture shows them beside the least thickness.
 
-mod json;
 mod picture;
-mod rows;
-mod table;
-
-pub(super) use json::json;
-pub(super) use picture::picture;
-pub(super) use rows::csv;
-pub(super) use table::table;
+mod record;
 
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::AsymmetricMode;

@@ -1,13 +1,14 @@
-//! The paper, place by place, with what became of the claims that decide each sentence: text, and JSON,
-//! `couplet.index/1`. Fields may be added, none changes its meaning.
+//! The paper, place by place, with what became of the claims that decide each sentence, `couplet.index/1`. Fields may
+//! be added, none changes its meaning.
 
 use super::decided::as_printed;
 use super::text::lines;
 use crate::claims::{Decided, Decision, Sentence, index};
-use crate::report::fields::Fields;
-use crate::report::json;
+use crate::report::format::Content;
+use crate::report::record::Record;
+use crate::report::reported::Reported;
+use crate::report::tabular::Tabular;
 use crate::report::words::count;
-use std::io;
 
 /// The index of the paper.
 #[derive(Debug)]
@@ -24,6 +25,35 @@ impl Index {
         let entry = |d: &Decision| (d.claim.id, as_printed(d));
         ids.iter().filter_map(decision).map(entry).collect()
     }
+
+    /// A sentence, behind its place in `width` characters.
+    fn sentence(&self, sentence: &Sentence, width: usize) -> Record {
+        let mut record = Record::default();
+        let indent = " ".repeat(width + 2);
+        record.say_all(lines(sentence.says, &format!("{:<width$}  ", sentence.place), &indent));
+        record.add("place", sentence.place);
+        record.add("says", sentence.says);
+        record.add("decided", decided(sentence));
+        let claim = |(id, found): (&str, &str)| {
+            let mut record = Record::named("id found", [id.into(), found.into()]);
+            record.say(format!("{indent}{found:<10} {id}"));
+            record
+        };
+        record.add_list("claims", self.claims(sentence).into_iter().map(claim));
+        let reason = match sentence.decided {
+            Decided::Open(reason) => {
+                record.say_all(lines(reason, &format!("{indent}open       "), &indent));
+                Some(reason)
+            }
+            Decided::Audit => {
+                record.say(format!("{indent}{:<10} couplet audit", "digits"));
+                None
+            }
+            Decided::Claims(_) => None,
+        };
+        record.add("reason", reason);
+        record
+    }
 }
 
 /// The word for what decides a sentence.
@@ -35,52 +65,31 @@ fn decided(sentence: &Sentence) -> &'static str {
     }
 }
 
-/// The index as a file.
-pub(crate) fn json(report: &Index, out: &mut dyn io::Write) -> io::Result<()> {
-    let claim = |(id, found): (&str, &str)| Fields::named("id found", [id.into(), found.into()]);
-    let entry = |sentence: Sentence| {
-        let mut fields = Fields::default();
-        fields.add("place", sentence.place);
-        fields.add("says", sentence.says);
-        fields.add("decided", decided(&sentence));
-        fields.add_list("claims", report.claims(&sentence).into_iter().map(claim));
-        let reason = match sentence.decided {
-            Decided::Open(reason) => Some(reason),
-            Decided::Claims(_) | Decided::Audit => None,
-        };
-        fields.add("reason", reason);
-        fields
-    };
-    let mut file = Fields::of("couplet.index/1");
-    file.add_list("sentences", index().into_iter().map(entry));
-    json::write(&file, out)
-}
-
-/// The index for a person at a terminal.
-pub(crate) fn text(report: &Index, out: &mut dyn io::Write) -> io::Result<()> {
-    let all = index();
-    let place = all.iter().map(|sentence| sentence.place.chars().count()).max().unwrap_or(0);
-    let indent = " ".repeat(place + 2);
-    for sentence in &all {
-        let first = format!("{:<place$}  ", sentence.place);
-        lines(sentence.says, &first, &indent, out)?;
-        match sentence.decided {
-            Decided::Claims(_) => {
-                for (id, found) in report.claims(sentence) {
-                    writeln!(out, "{indent}{found:<10} {id}")?;
-                }
-            }
-            Decided::Audit => writeln!(out, "{indent}{:<10} couplet audit", "digits")?,
-            Decided::Open(reason) => lines(reason, &format!("{indent}open       "), &indent, out)?,
-        }
+impl Reported for Index {
+    fn content() -> Content {
+        Content(&["text", "json", "csv", "csv2", "latex", "markdown"])
     }
-    let of = |kind| all.iter().filter(|sentence| decided(sentence) == kind).count();
-    writeln!(
-        out,
-        "{}: {} by claims, {} by couplet audit, {} open",
-        count(all.len(), "sentence", "sentences"),
-        of("claims"),
-        of("audit"),
-        of("open")
-    )
+
+    fn records(&self) -> Vec<Record> {
+        let mut record = Record::of("couplet.index/1");
+        let all = index();
+        let place = all.iter().map(|sentence| sentence.place.chars().count()).max().unwrap_or(0);
+        record.add_list("sentences", all.iter().map(|sentence| self.sentence(sentence, place)));
+        let of = |kind| all.iter().filter(|sentence| decided(sentence) == kind).count();
+        let sentences = count(all.len(), "sentence", "sentences");
+        let [claims, audit, open] = ["claims", "audit", "open"].map(of);
+        record
+            .say(format!("{sentences}: {claims} by claims, {audit} by couplet audit, {open} open"));
+        vec![record]
+    }
+
+    fn tabular(&self) -> Tabular {
+        let rows = index().into_iter().map(|sentence| {
+            let mut row = self.sentence(&sentence, 0);
+            let ids: Vec<&str> = self.claims(&sentence).into_iter().map(|(id, _)| id).collect();
+            row.add("claims", ids.join("; "));
+            row
+        });
+        Tabular::of("place says decided claims reason", rows)
+    }
 }

@@ -1,14 +1,40 @@
-//! Results of `couplet prove`: text for a person, LaTeX for a document, JSON for a program.
+//! Results of `couplet prove`, `couplet.claims/3`, and the index of the paper.
 
 mod decided;
 mod index;
-mod json;
 mod latex;
+mod record;
 mod text;
 
 pub use decided::Claims;
 pub use index::Index;
-pub(super) use index::{json as index_json, text as index_text};
-pub(super) use json::claims as json;
-pub(super) use latex::claims as latex;
-pub(super) use text::claims as text;
+
+use crate::report::format::{Content, Format};
+use crate::report::record::Record;
+use crate::report::reported::Reported;
+use crate::report::tabular::Tabular;
+use decided::summary;
+use std::io;
+
+impl Reported for Claims {
+    fn content() -> Content {
+        Content(&["text", "json", "csv", "csv2", "latex", "markdown"])
+    }
+
+    fn records(&self) -> Vec<Record> {
+        let mut all = Record::of("couplet.claims/3");
+        all.add_list("claims", self.decisions.iter().map(|of| record::of(self, of)));
+        all.say(summary(&self.decisions));
+        vec![all]
+    }
+
+    fn tabular(&self) -> Tabular {
+        let columns = "id place statement as_printed verdict counterexample corrected reason";
+        Tabular::of(columns, self.decisions.iter().map(|of| record::of(self, of)))
+    }
+
+    /// A document, with the derivations.
+    fn write_as(&self, format: &Format, out: &mut dyn io::Write) -> Option<io::Result<()>> {
+        (format.name == "latex").then(|| latex::claims(self, out))
+    }
+}

@@ -33,6 +33,16 @@ pub(super) fn lines() -> impl Iterator<Item = Curve> {
     Curve::ALL.into_iter().filter(is_line)
 }
 
+/// The name of the group of a domain.
+pub(super) fn domain_id(mode: Mode) -> String {
+    format!("domain-{}", look::code(mode))
+}
+
+/// The name of the group of a level.
+pub(super) fn level_id(contour: &Contour) -> String {
+    format!("level-{}", contour.to_string().replace([' ', '/'], "-"))
+}
+
 impl PlaneContent {
     /// Content of the curves of a weight on a canvas.
     pub(super) fn new(sheet: &Sheet, canvas: &Canvas) -> Self {
@@ -73,14 +83,14 @@ impl PlaneContent {
     /// Areas and lines; `of` sets the names of the groups of an inset apart.
     pub(super) fn draw(&self, svg: &mut Svg, frame: &Frame, of: &str) {
         for (mode, way) in &self.areas {
-            let id = format!("{of}domain-{}", look::code(*mode));
+            let id = format!("{of}{}", domain_id(*mode));
             svg.group(&id, |svg| look::fill(svg, *mode, &domain::area(way, frame)));
         }
         if let Some(asymmetric) = &self.asymmetric {
             asymmetric.fill(svg, frame, of);
         }
         for (contour, chain) in &self.levels {
-            let id = format!("{of}level-{}", contour.to_string().replace([' ', '/'], "-"));
+            let id = format!("{of}{}", level_id(contour));
             svg.group(&id, |svg| chain.draw(svg, frame, look::LEVEL));
         }
         for (curve, chain) in &self.lines {
@@ -91,7 +101,7 @@ impl PlaneContent {
             asymmetric.draw(svg, frame, of);
         }
         if let (Some(edge), true) = (&self.edge, self.canvas.plane != Plane::OpeningThickness) {
-            let id = format!("{of}domain-r");
+            let id = format!("{of}{}", domain_id(Mode::Overturning));
             svg.group(&id, |svg| svg.stroke(&edge.paths(frame)[0], look::EDGE));
         }
     }

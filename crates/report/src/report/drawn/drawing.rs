@@ -2,14 +2,14 @@
 
 use super::branches::Branches;
 use super::canvas::{Axes, Canvas};
+use super::framed::FramedMap;
 use super::lines::LinesPicture;
 use super::map::MapPicture;
 use super::mark::{self, Mark};
 use super::plane::Plane;
 use super::sheet::Sheet;
-use crate::arch::SelfWeight;
 use crate::atlas::{Border, Level, Trace};
-use crate::picture::{Frame, Print};
+use crate::picture::Print;
 use std::io;
 
 /// The picture that some curves are drawn as.
@@ -36,16 +36,6 @@ pub enum View {
     Branches(Branches),
 }
 
-/// The map of one weight for a page that knows where on it a point is.
-pub(in crate::report) struct FramedMap {
-    /// The weight.
-    pub weight: SelfWeight,
-    /// The picture as SVG.
-    pub svg: String,
-    /// Frames where it shows friction angles in degrees and thicknesses: its insets, then the map itself.
-    pub frames: Vec<Frame>,
-}
-
 impl View {
     /// View of a figure of the paper; it has 2 to 6.
     pub fn of_figure(number: usize) -> Option<Self> {
@@ -66,20 +56,17 @@ impl View {
 }
 
 impl Drawing {
-    /// The map of each weight over thickness and friction, with levels and its marks.
+    /// The map of each weight in each plane, with the levels that are lines there and its marks.
     pub(in crate::report) fn framed_maps(
         &self,
         traces: &[Trace],
         levels: &[Level],
-    ) -> io::Result<Vec<FramedMap>> {
+    ) -> Vec<FramedMap> {
         let framed = |sheet: &Sheet| {
-            let canvas = Canvas::usual(Plane::ThicknessFriction);
-            let marks = &mark::of_weight(&self.marks, sheet.weight)[..];
-            let picture = MapPicture { sheet, canvas, marks, command: &self.command };
-            let svg = picture.svg(&Print::default())?;
-            Ok(FramedMap { weight: sheet.weight, svg, frames: picture.frames() })
+            let marks = mark::of_weight(&self.marks, sheet.weight);
+            Plane::ALL.map(|plane| FramedMap::new(&sheet.crossing(plane), plane, &marks))
         };
-        Sheet::all(traces, levels, &[]).iter().map(framed).collect()
+        Sheet::all(traces, levels, &[]).iter().flat_map(framed).collect()
     }
 
     /// The picture of some curves and levels as SVG; nothing to draw is an error.

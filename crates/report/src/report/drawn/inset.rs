@@ -181,6 +181,11 @@ impl Inset {
 /// A part of the map that is shown larger: the name of its inset, and what is along the axes.
 type EnlargedPart = (&'static str, [[f64; 2]; 2]);
 
+/// Parts that are shown larger, where the axes are as usual.
+pub(super) fn enlarged(content: &PlaneContent, canvas: &Canvas) -> Vec<[[f64; 2]; 2]> {
+    parts(content, canvas).into_iter().map(|(_, part)| part).collect()
+}
+
 /// The parts that are shown larger, within the map.
 fn parts(content: &PlaneContent, canvas: &Canvas) -> Vec<EnlargedPart> {
     use Landmark as L;

@@ -47,8 +47,13 @@ impl MapPicture<'_> {
         let frame = &page.frame;
         let ([x, y], [across, up]) = (canvas.axes, content.off(frame));
         let (sheets, off) = (std::slice::from_ref(self.sheet), [(x, across), (y, up)]);
-        let mut words =
-            caption(self.shows(), sheets, (&off, frame.size), &of_levels(sheets), self.command);
+        let mut words = caption(
+            canvas.plane.shows(),
+            sheets,
+            (&off, frame.size),
+            &of_levels(sheets),
+            self.command,
+        );
         if content.asymmetric.is_some() {
             words[0].push_str(&asymmetric::words(self.sheet.weight));
         }
@@ -63,7 +68,7 @@ impl MapPicture<'_> {
         insets.retain(|inset| !marks.iter().any(|mark| inset.covers(mark.at)));
         let insets_down = Inset::down(&insets, frame);
         let legend_down = legend.filter(|_| page.is_narrow()).map_or(0.0, |[a, b]| b.1 - a.1);
-        let mut svg = page.svg(self.shows(), &words, insets_down + legend_down, |svg| {
+        let mut svg = page.svg(canvas.plane.shows(), &words, insets_down + legend_down, |svg| {
             content.draw(svg, frame, "");
         });
         if has_levels {
@@ -103,31 +108,6 @@ impl MapPicture<'_> {
         }
         mark::draw(&mut svg, &marks, "");
         Ok(svg.finish())
-    }
-
-    /// Frames where it shows points of the plane: its insets, then the map itself.
-    pub(super) fn frames(&self) -> Vec<Frame> {
-        let content = PlaneContent::new(self.sheet, &self.canvas);
-        let print = Print::default();
-        let Ok(page) = Page::new(&self.canvas, !content.levels.is_empty(), &print) else {
-            return Vec::new();
-        };
-        let insets = Inset::all(&content, &self.canvas, &page.frame, &[]);
-        insets.iter().map(|inset| inset.frame).chain([page.frame]).collect()
-    }
-
-    fn shows(&self) -> &'static str {
-        match self.canvas.plane {
-            Plane::ThicknessFriction => {
-                "The domains of the collapse modes over thickness and friction"
-            }
-            Plane::OpeningFriction => {
-                "The collapse mode of an arch at its least thickness, by half opening and friction"
-            }
-            Plane::OpeningThickness => {
-                "The collapse mode of an arch at its least friction, by half opening and thickness"
-            }
-        }
     }
 
     fn names<'a>(&self, content: &'a PlaneContent, frame: &'a Frame, sizes: [f64; 2]) -> Names<'a> {

@@ -21,7 +21,7 @@ const GAP: f64 = 4.0;
 const APART: f64 = 1.1;
 
 /// A value as it is read: `80°`, or with its letter where not all lines are those of the plane.
-fn shown(contour: &Contour, is_named: bool) -> String {
+pub(super) fn shown(contour: &Contour, is_named: bool) -> String {
     let value = contour.given().replace("deg", "°");
     match contour {
         _ if !is_named => value,

@@ -124,6 +124,16 @@ pub(super) fn words(marks: &[Mark], canvas: &Canvas) -> Vec<String> {
     all.chain(stroke).collect()
 }
 
+/// Places of marks in the units of the axes, with the ends of strokes to the thicknesses that are given.
+pub(super) fn ends(marks: &[Mark], canvas: &Canvas) -> Vec<(Point, Option<Point>)> {
+    let ends = |mark: &Mark| {
+        let at = mark.at(canvas, mark.least)?;
+        let given = mark.given.and_then(|given| mark.at(canvas, Some(given)));
+        Some((at, given.filter(|given| *given != at)))
+    };
+    marks.iter().filter_map(ends).collect()
+}
+
 /// Words where a thickness is given and shown.
 const STROKE: &str = "A mark is the state of its arch at the least thickness, where the map has its mode; the stroke \
                       goes to the thickness that is given.";

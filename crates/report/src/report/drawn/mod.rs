@@ -13,6 +13,7 @@
 //! | `names` | the names of landmarks and modes |
 //! | `content` | what a map shows, in its frame or in an inset |
 //! | `inset` | small frames that show a part of the map larger |
+//! | `framed` | the map of one weight in one plane, for a page that places what is around it |
 //! | `page` | the page of a map: its frame with the axes, and what is said below |
 //! | `margin` | the values of levels, outside the frame |
 //! | `mark`, `marked` | arches that are marked in a map, and how they are asked for |
@@ -38,6 +39,7 @@ mod content;
 mod difference;
 mod domain;
 mod drawing;
+mod framed;
 mod graph;
 mod inset;
 mod known;
@@ -57,8 +59,8 @@ pub(super) use branch::branches;
 pub use branches::Branches;
 pub use canvas::{Axes, Shown, Unit};
 pub(super) use difference::differences;
-pub(super) use drawing::FramedMap;
 pub use drawing::{Drawing, View};
+pub(super) use framed::FramedMap;
 pub use mark::Mark;
 pub use marked::Marked;
 pub use plane::Plane;

@@ -83,6 +83,21 @@ impl Plane {
         Self::ALL.into_iter().find(|plane| plane.name().eq_ignore_ascii_case(name))
     }
 
+    /// Sentence on what a map in the plane shows.
+    pub(super) fn shows(self) -> &'static str {
+        match self {
+            Self::ThicknessFriction => {
+                "The domains of the collapse modes over thickness and friction"
+            }
+            Self::OpeningFriction => {
+                "The collapse mode of an arch at its least thickness, by half opening and friction"
+            }
+            Self::OpeningThickness => {
+                "The collapse mode of an arch at its least friction, by half opening and thickness"
+            }
+        }
+    }
+
     /// The name of the quantity whose levels are lines in the plane.
     pub fn contour_name(self) -> &'static str {
         match self {

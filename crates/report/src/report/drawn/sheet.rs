@@ -2,12 +2,14 @@
 
 use super::canvas::Canvas;
 use super::chain::Chain;
+use super::plane::Plane;
 use crate::arch::SelfWeight;
 use crate::atlas::{Border, Curve, CurveEnd, Level, Trace};
 use crate::picture::Point;
 use crate::problem::Landmark;
 
 /// The curves of one weight.
+#[derive(Clone)]
 pub(super) struct Sheet<'a> {
     /// The weight.
     pub weight: SelfWeight,
@@ -34,6 +36,13 @@ impl<'a> Sheet<'a> {
             (!traces.is_empty()).then_some(Self { weight, traces, levels, borders })
         };
         SelfWeight::ALL.into_iter().filter_map(of).collect()
+    }
+
+    /// Sheet with only the levels that are lines in a plane.
+    pub(super) fn crossing(&self, plane: Plane) -> Self {
+        let is_line = |level: &&&Level| plane.is_crossed_by(&level.contour);
+        let levels = self.levels.iter().filter(is_line).copied().collect();
+        Self { levels, ..self.clone() }
     }
 
     /// A curve.

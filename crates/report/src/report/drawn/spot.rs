@@ -11,7 +11,7 @@ use crate::problem::Landmark;
 const RADIUS: f64 = 4.0;
 
 /// Direction from a landmark to its name: away from the lines.
-fn away(landmark: Landmark, plane: Plane) -> Point {
+pub(super) fn away(landmark: Landmark, plane: Plane) -> Point {
     use Landmark as L;
     match (plane, landmark) {
         (Plane::ThicknessFriction, L::Triple) => (-0.9, -0.5),

@@ -5,16 +5,16 @@ use super::summary::{JudgeSummary, QuantitySummary};
 use crate::arch::SelfWeight;
 use crate::judge::{CorrectDigits, Verdict};
 use crate::report::columns::kept_fields;
-use crate::report::fields::Fields;
 use crate::report::json;
+use crate::report::record::Record;
 use std::collections::BTreeMap;
 use std::io;
 
 /// A row; `inf` correct digits are those of an exact number.
-fn entry(row: &JudgedRow) -> Fields {
-    let mut fields = Fields::of("couplet.judged/2");
+fn entry(row: &JudgedRow) -> Record {
+    let mut fields = Record::of("couplet.judged/2");
     if !row.kept.is_empty() {
-        fields.add_fields("kept", Some(kept_fields(&row.kept)));
+        fields.add_record("kept", Some(kept_fields(&row.kept)));
     }
     fields.append(row.fields());
     let numbers = row.numbers().iter().map(|judged| (judged.quantity.name(), number(judged)));
@@ -27,8 +27,8 @@ pub(super) fn row(row: &JudgedRow) -> io::Result<Vec<u8>> {
     json::line(&entry(row))
 }
 
-fn quantity(of: &QuantitySummary) -> Fields {
-    let mut fields = Fields::default();
+fn quantity(of: &QuantitySummary) -> Record {
+    let mut fields = Record::default();
     fields.add("judged", of.judged);
     fields.add("correctly_rounded", of.correctly_rounded);
     fields.add("faithful", of.faithful);
@@ -39,21 +39,21 @@ fn quantity(of: &QuantitySummary) -> Fields {
     fields
 }
 
-/// Writes the whole summary.
-pub(crate) fn summary(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
+/// The whole summary.
+pub(super) fn summary(summary: &JudgeSummary) -> Record {
     let verdicts: BTreeMap<_, _> =
         Verdict::ALL.into_iter().map(|v| (v.name(), summary.count(v).into())).collect();
     // How many rows have a worst number correct to so many digits.
     let bar = |(correct, rows): (&CorrectDigits, &u64)| {
-        Fields::named("digits rows", [digits(*correct).into(), (*rows).into()])
+        Record::named("digits rows", [digits(*correct).into(), (*rows).into()])
     };
-    let mut file = Fields::of("couplet.judge/2");
+    let mut file = Record::of("couplet.judge/2");
     file.add("rows", summary.rows);
     file.add("accepted", summary.accepted());
     file.add("demanded_digits", summary.demand.digits);
     file.add("or_as_printed", summary.demand.or_as_printed);
     file.add("assumed_weight", summary.assumed.map(SelfWeight::name));
-    file.add_fields("verdicts", Some(verdicts.into_iter().collect()));
+    file.add_record("verdicts", Some(verdicts.into_iter().collect()));
     file.add("thinner", summary.thinner);
     file.add("thicker", summary.thicker);
     file.add_sorted(
@@ -63,5 +63,5 @@ pub(crate) fn summary(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Re
     file.add_list("correct_digits", summary.histogram.iter().map(bar));
     file.add_list("worst", summary.worst.iter().map(entry));
     file.add_list("not_judged", summary.unjudged.iter().map(entry));
-    json::write_printable(&file, out)
+    file
 }

@@ -4,14 +4,16 @@ mod csv;
 mod json;
 mod row;
 mod summary;
-mod table;
+mod words;
 
-pub(crate) use json::summary as json;
 pub use row::JudgedRow;
 pub use summary::JudgeSummary;
-pub use table::{verdicts, write as table};
+pub use words::verdicts;
 
 use crate::problem::Quantity;
+use crate::report::format::{Content, Format};
+use crate::report::record::Record;
+use crate::report::reported::Reported;
 use std::io;
 
 /// Writes a row, with the quantities that have columns and the texts of what is handed on.
@@ -26,8 +28,27 @@ pub struct JudgedLines {
     pub row: RowWriter,
 }
 
-/// CSV.
-pub(crate) const CSV: JudgedLines = JudgedLines { header: csv::header, row: csv::row };
-/// JSON lines, `couplet.judged/2`.
-pub(crate) const JSON_LINES: JudgedLines =
-    JudgedLines { header: |_, _| Ok(Vec::new()), row: |row, _, _| json::row(row) };
+impl JudgedLines {
+    /// CSV or JSON lines (`couplet.judged/2`); no other format has rows as they come.
+    pub fn of(format: &Format) -> Option<Self> {
+        match format.name {
+            "csv" => Some(Self { header: csv::header, row: csv::row }),
+            "jsonl" => {
+                Some(Self { header: |_, _| Ok(Vec::new()), row: |row, _, _| json::row(row) })
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Reported for JudgeSummary {
+    fn content() -> Content {
+        Content(&["table", "json"])
+    }
+
+    fn records(&self) -> Vec<Record> {
+        let mut record = json::summary(self);
+        words::say(self, &mut record);
+        vec![record]
+    }
+}

@@ -4,7 +4,7 @@ use crate::judge::{Certified, CorrectDigits, ErrorSide, Judged, Judgement, Stand
 use crate::number::Decimal;
 use crate::problem::Quantity;
 use crate::report::Kept;
-use crate::report::fields::Fields;
+use crate::report::record::Record;
 use crate::report::words::reason;
 use serde_json::Value as Json;
 
@@ -115,7 +115,7 @@ impl JudgedRow {
     }
 
     /// The fields [`ROW`].
-    pub(crate) fn fields(&self) -> Fields {
+    pub(crate) fn fields(&self) -> Record {
         let verdict = self.verdict();
         let side = self.judgement().and_then(|judgement| judgement.side()).map(|side| match side {
             ErrorSide::Thinner => "thinner",
@@ -142,7 +142,7 @@ impl JudgedRow {
             side.into(),
             self.reason().into(),
         ];
-        Fields::named(ROW, values)
+        Record::named(ROW, values)
     }
 
     /// The number of a quantity, if it is judged.
@@ -152,7 +152,7 @@ impl JudgedRow {
 }
 
 /// The fields [`NUMBER`]; bounds are rounded outward, errors correctly rounded.
-pub(super) fn number(number: &Judged) -> Fields {
+pub(super) fn number(number: &Judged) -> Record {
     let text = |x: Option<&Decimal>| -> Json { x.map(ToString::to_string).into() };
     let errors = number.errors.as_ref();
     let bounds = match &number.certified {
@@ -172,7 +172,7 @@ pub(super) fn number(number: &Judged) -> Fields {
         number.rounding.map(|rounding| rounding.name()).into(),
         number.is_nearest_double.into(),
     ];
-    Fields::named(NUMBER, values)
+    Record::named(NUMBER, values)
 }
 
 /// A number of digits, or `inf` for a number that is exactly the truth.

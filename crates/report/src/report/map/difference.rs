@@ -1,15 +1,18 @@
-//! Milankovitch's thickness less Heyman's along the dividing curves: for a person, CSV, and JSON
-//! (`couplet.map_difference/1`).
+//! Milankovitch's thickness less Heyman's along the dividing curves, `couplet.map_difference/1`.
 
 use super::rows::{lower, upper};
 use crate::atlas::{Difference, DifferencePoint, Step};
 use crate::number::Ball;
+use crate::picture::Print;
 use crate::picture::text::number;
 use crate::problem::Line;
 use crate::report::column::Column::{Double, Text};
 use crate::report::column::NamedColumn;
-use crate::report::fields::Fields;
-use crate::report::{csv, json};
+use crate::report::drawn;
+use crate::report::format::Content;
+use crate::report::record::Record;
+use crate::report::reported::Reported;
+use crate::report::tabular::Tabular;
 use std::io;
 
 /// The differences along all dividing curves.
@@ -92,70 +95,77 @@ fn no_less(width: f64) -> String {
     }
 }
 
-pub(in crate::report) fn table(report: &MapDifferences, out: &mut dyn io::Write) -> io::Result<()> {
-    writeln!(
-        out,
-        "Thickness of Milankovitch's weight less that of Heyman's at equal friction, along the dividing curves,\n\
-         in tubes of a half-width of at most {:?}\n",
-        report.tolerance
-    )?;
-    writeln!(out, "divide    from    to      least    most     pieces  widest   lines")?;
-    for difference in &report.differences {
-        let points = difference.points();
-        let end = |point: Option<&DifferencePoint>| {
-            point.map(|point| degrees(&point.friction_angle)).unwrap_or_default()
-        };
-        let [from, to] = [points.first(), points.last()].map(end);
-        let [least, most] = difference.bounds();
-        writeln!(
-            out,
-            "{:<8}  {from:<6}  {to:<6}  {}  {}  {:<6}  {}  {}",
-            difference.divide,
-            outward(least, false),
-            outward(most, true),
-            difference.steps().len(),
-            no_less(difference.width()),
-            lines(difference).join(", "),
-        )?;
+impl Reported for MapDifferences {
+    fn content() -> Content {
+        Content::DRAWN_RECORDS
     }
-    writeln!(
-        out,
-        "\nproved: for each friction angle between these, here rounded, the difference is in the tube, and between \
-         its least and its most"
-    )
+
+    fn records(&self) -> Vec<Record> {
+        let mut record = Record::of("couplet.map_difference/1");
+        record.say(format!(
+            "Thickness of Milankovitch's weight less that of Heyman's at equal friction, along the dividing curves,\n\
+             in tubes of a half-width of at most {:?}\n",
+            self.tolerance
+        ));
+        record.say("divide    from    to      least    most     pieces  widest   lines");
+        record.add("tolerance", self.tolerance);
+        record.add_list("differences", self.differences.iter().map(entry));
+        record.say(
+            "\nproved: for each friction angle between these, here rounded, the difference is in the tube, and between \
+             its least and its most",
+        );
+        vec![record]
+    }
+
+    fn tabular(&self) -> Tabular {
+        let mut whole = Tabular::of_columns(
+            DifferenceNode::COLUMNS.iter(),
+            self.differences.iter().flat_map(rows),
+        );
+        let numbered = |of: &Difference| {
+            let divide = of.divide.to_string();
+            (0..of.points().len())
+                .map(move |node| [divide.clone(), node.to_string()])
+                .collect::<Vec<_>>()
+        };
+        let names = self.differences.iter().flat_map(numbered);
+        whole.header.splice(..0, ["divide", "node"].map(str::to_owned));
+        whole.rows.iter_mut().zip(names).for_each(|(row, names)| drop(row.splice(..0, names)));
+        whole
+    }
+
+    fn picture(&self, print: &Print) -> io::Result<String> {
+        drawn::differences(&self.differences, &self.command, print)
+    }
 }
 
-pub(in crate::report) fn csv(report: &MapDifferences, out: &mut dyn io::Write) -> io::Result<()> {
-    let names = DifferenceNode::COLUMNS.iter().map(|(name, _)| *name);
-    let header = ["divide", "node"].into_iter().chain(names).map(str::to_owned).collect();
-    let rows = report.differences.iter().flat_map(|difference| {
-        rows(difference).enumerate().map(|(node, row)| {
-            let cells = DifferenceNode::COLUMNS.iter().map(|(_, column)| column.text(&row));
-            [difference.divide.to_string(), node.to_string()].into_iter().chain(cells).collect()
-        })
-    });
-    csv::write(std::iter::once(header).chain(rows), out)
-}
-
-pub(in crate::report) fn json(report: &MapDifferences, out: &mut dyn io::Write) -> io::Result<()> {
-    let node = |row: DifferenceNode| -> Fields {
+fn entry(difference: &Difference) -> Record {
+    let points = difference.points();
+    let end = |point: Option<&DifferencePoint>| {
+        point.map(|point| degrees(&point.friction_angle)).unwrap_or_default()
+    };
+    let [from, to] = [points.first(), points.last()].map(end);
+    let [least, most] = difference.bounds();
+    let mut record = Record::default();
+    record.say(format!(
+        "{:<8}  {from:<6}  {to:<6}  {}  {}  {:<6}  {}  {}",
+        difference.divide,
+        outward(least, false),
+        outward(most, true),
+        difference.steps().len(),
+        no_less(difference.width()),
+        lines(difference).join(", "),
+    ));
+    record.add("divide", difference.divide.name());
+    record.add("lines", lines(difference));
+    record.add("parameter", "inclination");
+    record.add("pieces", difference.steps().len());
+    record.add("widest_tube", difference.width());
+    record.add("least", least);
+    record.add("most", most);
+    let node = |row: DifferenceNode| -> Record {
         DifferenceNode::COLUMNS.iter().map(|(name, column)| (*name, column.json(&row))).collect()
     };
-    let entry = |difference: &Difference| {
-        let [least, most] = difference.bounds();
-        let mut fields = Fields::default();
-        fields.add("divide", difference.divide.name());
-        fields.add("lines", lines(difference));
-        fields.add("parameter", "inclination");
-        fields.add("pieces", difference.steps().len());
-        fields.add("widest_tube", difference.width());
-        fields.add("least", least);
-        fields.add("most", most);
-        fields.add_list("nodes", rows(difference).map(node));
-        fields
-    };
-    let mut file = Fields::of("couplet.map_difference/1");
-    file.add("tolerance", report.tolerance);
-    file.add_list("differences", report.differences.iter().map(entry));
-    json::write(&file, out)
+    record.add_list("nodes", rows(difference).map(node));
+    record
 }

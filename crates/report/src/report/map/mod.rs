@@ -1,25 +1,19 @@
-//! The curves of the map: a summary for a person, their nodes as JSON (`couplet.map/1`), CSV or Parquet, and a page to
-//! point at. Fields may be added, none changes its meaning.
+//! The curves of the map, `couplet.map/1`: a summary for a person, their nodes, and a page to point at. Fields may be
+//! added, none changes its meaning.
 
 mod difference;
-mod json;
 mod page;
 mod point;
 mod policy;
+mod record;
 mod rows;
-mod table;
+mod words;
 
 pub use difference::MapDifferences;
 pub use point::MapPoint;
 
-pub(super) use difference::{
-    csv as difference_csv, json as difference_json, table as difference_table,
-};
-pub(super) use json::{json, node, parts};
-pub(super) use page::html;
-pub(super) use point::{csv as point_csv, json as point_json, table as point_table};
-pub(super) use rows::{MapRow, csv};
-pub(super) use table::table;
+pub(super) use record::{node, parts};
+pub(super) use rows::MapRow;
 
 use super::answer::Answer;
 use super::drawn::Drawing;

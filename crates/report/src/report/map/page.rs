@@ -1,27 +1,35 @@
-//! One page with the map of each weight, which says what lies under the pointer. Nothing is loaded from elsewhere.
+//! One page with the map of each weight in each plane, which says what lies under the pointer. Nothing is loaded from
+//! elsewhere.
 //!
 //! The drawn lines and the tables are certified; what the script computes is in doubles, and the page says so.
 
 use super::Map;
 use super::policy::policy;
-use super::table::{TITLES, names, verdict};
+use super::words::{TITLES, names, verdict};
 use crate::arch::SelfWeight;
 use crate::atlas::Trace;
 use crate::number::list;
-use crate::picture::Frame;
 use crate::problem::{Landmark, Quantity};
 use crate::report::answer::Answer;
 use crate::report::answers::TOOL;
-use crate::report::drawn::FramedMap;
+use crate::report::drawn::{FramedMap, Plane};
 use crate::report::value::Value;
 use crate::report::words::model;
 use std::io;
 
 const PAGE: &str = include_str!("page/page.html");
 const STYLE: &str = include_str!("page/page.css");
-/// The function of the map, and the page around it.
-const SCRIPT: &str =
-    concat!("\"use strict\";\n", include_str!("page/function.js"), include_str!("page/page.js"));
+/// The function of the map, its planes, and the page around them.
+const SCRIPT: &str = concat!(
+    "\"use strict\";\n",
+    include_str!("page/function.js"),
+    include_str!("page/given.js"),
+    include_str!("page/axis.js"),
+    include_str!("page/frame.js"),
+    include_str!("page/names.js"),
+    include_str!("page/plane.js"),
+    include_str!("page/page.js")
+);
 
 /// Quantities that the table of landmarks has of each.
 const QUANTITIES: [Quantity; 7] = list![Quantity:
@@ -30,7 +38,7 @@ const QUANTITIES: [Quantity; 7] = list![Quantity:
 
 /// The page.
 pub(in crate::report) fn html(map: &Map, out: &mut dyn io::Write) -> io::Result<()> {
-    let maps = map.drawing.framed_maps(&map.traces, &map.levels)?;
+    let maps = map.drawing.framed_maps(&map.traces, &map.levels);
     let shown = maps.last().map(|map| map.weight);
     let titles = ["landmark".to_owned(), "weight".to_owned()].into_iter();
     let quantities = QUANTITIES.map(|quantity| quantity.name().replace('_', " "));
@@ -39,7 +47,10 @@ pub(in crate::report) fn html(map: &Map, out: &mut dyn io::Write) -> io::Result<
         "policy" => policy(STYLE, SCRIPT),
         "style" => STYLE.to_owned(),
         "script" => SCRIPT.to_owned(),
-        "choices" => maps.iter().map(|map| choice(map.weight, shown)).collect(),
+        "choices" => {
+            let each_once = maps.iter().filter(|map| map.plane == Plane::ThicknessFriction);
+            each_once.map(|map| choice(map.weight, shown)).collect()
+        }
         "maps" => maps.iter().map(|map| figure(map, shown)).collect(),
         "landmark_titles" => cells("th", titles.clone().chain(quantities.clone())),
         "landmarks" => map.landmarks.iter().map(landmark).collect(),
@@ -82,21 +93,30 @@ fn choice(weight: SelfWeight, shown: Option<SelfWeight>) -> String {
     )
 }
 
-/// A map; the names in it begin with that of the weight, so that no two are the same.
+/// A map; the names in it begin with those of its weight and plane, so that no two are the same.
 fn figure(map: &FramedMap, shown: Option<SelfWeight>) -> String {
-    let name = map.weight.name();
-    let frame = |Frame { corner, size, x, y }: &Frame| {
-        [corner.0, corner.1, size.0, size.1, x[0], x[1], y[0], y[1]]
-    };
-    let frames: Vec<[f64; 8]> = map.frames.iter().map(frame).collect();
+    let (weight, plane) = (map.weight.name(), map.plane.name());
+    let around = serde_json::to_string(&map.around).unwrap_or_default();
     let hidden = if shown == Some(map.weight) { "" } else { " hidden" };
-    let svg = map.svg.replace("id=\"", &format!("id=\"{name}-"));
-    let svg = svg.replace("url(#", &format!("url(#{name}-"));
+    let svg = map.svg.replace("id=\"", &format!("id=\"{weight}-{plane}-"));
+    let svg = svg.replace("url(#", &format!("url(#{weight}-{plane}-"));
+    let caption: String =
+        map.caption.iter().map(|words| format!("<p>{}</p>", escaped(words))).collect();
     format!(
-        "<figure id=\"{name}\" data-frames=\"{frames:?}\" tabindex=\"0\" role=\"application\" aria-label=\"Map, {}: \
-         arrow keys move the cross, + and - bring it closer, 0 shows all\"{hidden}>\n{svg}</figure>\n",
-        model(map.weight)
+        "<figure data-weight=\"{weight}\" data-plane=\"{plane}\" data-around=\"{}\"{hidden}>\n{svg}\
+         <figcaption class=\"note\"><button class=\"larger\">Show {} large</button>{caption}</figcaption></figure>\n",
+        escaped(&around),
+        axes(map.plane)
     )
+}
+
+/// Axes of a plane in words.
+fn axes(plane: Plane) -> &'static str {
+    match plane {
+        Plane::ThicknessFriction => "thickness over friction",
+        Plane::OpeningFriction => "friction over half opening",
+        Plane::OpeningThickness => "thickness over half opening",
+    }
 }
 
 /// The row of a landmark; of one that is undecided the reason.

@@ -7,10 +7,8 @@ use crate::atlas::{
 use crate::number::{Ball, Enclosure};
 use crate::report::column::Column::{Double, Integer, Text, Truth};
 use crate::report::column::NamedColumn;
-use crate::report::csv;
 use rug::Float;
 use rug::float::Round;
-use std::io;
 
 /// A node with the piece that begins there; behind the last node there is none.
 pub(in crate::report) struct MapRow<'a> {
@@ -183,11 +181,6 @@ pub(in crate::report) fn lower(ball: Option<&Ball>) -> Option<f64> {
 pub(in crate::report) fn upper(ball: Option<&Ball>) -> Option<f64> {
     let ball = ball.filter(|ball| ball.is_bounded())?;
     Some(outward(&ball.upper(), Round::Up))
-}
-
-/// A row for each node, with a header.
-pub(in crate::report) fn csv(report: &Map, out: &mut dyn io::Write) -> io::Result<()> {
-    csv::columns(MapRow::COLUMNS.iter(), MapRow::of_map(report), out)
 }
 
 #[cfg(test)]

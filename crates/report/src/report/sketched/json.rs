@@ -8,7 +8,7 @@ use crate::arch::mechanism::{Joint, Mechanism, Twist};
 use crate::atlas::{Block, Collapse, Forces, Sketch, SketchedLine, Subject, moved};
 use crate::number::Ball;
 use crate::problem::Mode;
-use crate::report::fields::Fields;
+use crate::report::record::Record;
 use rug::float::Round;
 use serde_json::{Value as Json, json};
 use std::io;
@@ -38,8 +38,8 @@ fn enclosure(x: &Ball) -> Json {
     json!({ "lower": lower, "upper": upper, "double": double })
 }
 
-fn given(sketch: &Sketch) -> Fields {
-    let mut fields = Fields::default();
+fn given(sketch: &Sketch) -> Record {
+    let mut fields = Record::default();
     fields.add("weight", sketch.weight.name());
     let (landmark, arch, thickness) = match &sketch.subject {
         Subject::Least(arch) => (None, Some(arch), None),
@@ -201,7 +201,7 @@ pub(in crate::report) fn json(report: &Sketched, out: &mut dyn io::Write) -> io:
         fields
     };
     let unit = if report.measures.is_some() { "m" } else { "r" };
-    let mut file = Fields::of("couplet.drawing/2");
+    let mut file = Record::of("couplet.drawing/2");
     file.add("unit", unit);
     file.add_list("arches", report.sketches.iter().map(arch));
     lean::write(&file, out)

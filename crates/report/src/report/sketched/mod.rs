@@ -14,6 +14,7 @@
 //! | `figures` | which arches the paper shows |
 //! | `json`, `dxf` | the geometry for other programs |
 //! | `dxf_file` | the writer of DXF |
+//! | `formats` | the formats in which arches are drawn |
 //! | `lean` | JSON with lists on one line |
 //! | `arcs` | a chain of points as few arcs |
 
@@ -23,6 +24,7 @@ mod dimensions;
 mod dxf;
 mod dxf_file;
 mod figures;
+mod formats;
 mod json;
 mod lean;
 mod legend;
@@ -33,10 +35,7 @@ mod picture;
 mod strip;
 
 pub(super) use caption::decided;
-pub(super) use dxf::dxf;
 pub use figures::arches_of_figure;
-pub(super) use json::json;
-pub(super) use picture::picture;
 
 use crate::arch::mechanism::Contact;
 use crate::atlas::{Collapse, Sketch};

@@ -43,7 +43,7 @@ impl StudyFiles {
 /// A figure in every format of pictures that is built in.
 fn drawn((name, figure): (&str, Figure), print: &Print) -> io::Result<NamedBytes> {
     let svg = figure.svg(print)?;
-    let formats = Format::all(Content::Figure).filter(|format| format.missing().is_none());
+    let formats = Format::all(Content::FIGURE).filter(|format| format.missing().is_none());
     let file = |format: &Format| {
         Ok((format!("{name}.{}", format.extension), format.drawn(svg.clone(), print)?))
     };

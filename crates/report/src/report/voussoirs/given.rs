@@ -5,7 +5,7 @@ use crate::certify::state::Figure;
 use crate::certify::{Undecided, VoussoirAssessment, VoussoirLimit, VoussoirStanding, Voussoirs};
 use crate::problem::asymmetric_region::STANDS;
 use crate::problem::stones::JointContact;
-use crate::report::fields::Fields;
+use crate::report::record::Record;
 use std::io;
 
 type RoundedGiven = Result<Option<Figure>, Undecided>;
@@ -99,8 +99,8 @@ pub(super) const COLUMNS: &str = "given_thickness can_stand geometric_safety req
                                   least_thrust largest_thrust limited_by reason";
 
 /// The cells of a row; what is open or does not exist is empty.
-pub(super) fn cells(arch: &VoussoirArch, given: &GivenThickness) -> Fields {
-    let mut cells = Fields::default();
+pub(super) fn cells(arch: &VoussoirArch, given: &GivenThickness) -> Record {
+    let mut cells = Record::default();
     cells.add("given_thickness", given.thickness.to_string());
     cells.add("can_stand", given.stands());
     for (name, _, of) in quotients(&given.found) {
@@ -124,8 +124,8 @@ fn value(found: &RoundedGiven) -> Option<&Figure> {
 }
 
 /// The object.
-pub(super) fn fields(arch: &VoussoirArch, given: &GivenThickness) -> Fields {
-    let mut fields = Fields::default();
+pub(super) fn fields(arch: &VoussoirArch, given: &GivenThickness) -> Record {
+    let mut fields = Record::default();
     fields.add("thickness", given.thickness.to_string());
     fields.add("stands", given.stands());
     for (name, _, of) in quotients(&given.found) {
@@ -137,7 +137,7 @@ pub(super) fn fields(arch: &VoussoirArch, given: &GivenThickness) -> Fields {
         Err(_) => None,
     };
     let limit = |end: &VoussoirLimit| {
-        let mut fields = Fields::default();
+        let mut fields = Record::default();
         fields.add_bounds("thrust", end.thrust.as_ref());
         let contact = |contact: &(_, u64)| format!("{} {}", at_limit(arch, contact), contact.1);
         fields.add("limited_by", end.contacts.iter().map(contact).collect::<Vec<_>>());
@@ -146,7 +146,7 @@ pub(super) fn fields(arch: &VoussoirArch, given: &GivenThickness) -> Fields {
         fields
     };
     if let Some((names, ends)) = ends {
-        names.iter().zip(ends).for_each(|(name, end)| fields.add_fields(name, Some(limit(end))));
+        names.iter().zip(ends).for_each(|(name, end)| fields.add_record(name, Some(limit(end))));
     }
     fields.add("reason", arch.first_open().map(|open| open.reason.to_string()));
     fields

@@ -7,6 +7,3 @@ mod record;
 mod table;
 
 pub use arch::{GivenThickness, VoussoirArch, VoussoirArches};
-pub(crate) use convergence::figure;
-pub(crate) use record::{csv, json};
-pub(crate) use table::table;

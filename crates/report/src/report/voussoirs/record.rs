@@ -1,52 +1,67 @@
 //! Arches of voussoirs as CSV, a row for each, and as JSON, `couplet.voussoirs/1`.
 
 use super::arch::{VoussoirArch, VoussoirArches, at_limit};
-use super::given;
+use super::table::table;
+use super::{convergence, given};
+use crate::picture::Print;
 use crate::problem::stones::{JointContact, Stones};
-use crate::report::fields::Fields;
-use crate::report::{csv, json};
+use crate::report::format::{Content, Format};
+use crate::report::json;
+use crate::report::record::Record;
+use crate::report::reported::Reported;
+use crate::report::tabular::Tabular;
 use std::io;
 
-pub(crate) fn json(
-    VoussoirArches { asked, arches, is_range }: &VoussoirArches,
-    out: &mut dyn io::Write,
-) -> io::Result<()> {
-    let entry = |arch| {
-        let mut fields = Fields::of("couplet.voussoirs/1");
-        if !is_range {
-            fields.add_fields("asked", Some(asked.fields()));
+impl Reported for VoussoirArches {
+    fn content() -> Content {
+        Content::DRAWN_RECORDS
+    }
+
+    fn records(&self) -> Vec<Record> {
+        let entry = |arch| {
+            let mut record = Record::of("couplet.voussoirs/1");
+            if !self.is_range {
+                record.add_record("asked", Some(self.asked.fields()));
+            }
+            record.append(entry(arch));
+            record
+        };
+        self.arches.iter().map(entry).collect()
+    }
+
+    fn tabular(&self) -> Tabular {
+        let row = |arch: &VoussoirArch| {
+            let mut row = entry(arch);
+            row.append(
+                arch.given.as_ref().map(|given| given::cells(arch, given)).unwrap_or_default(),
+            );
+            row
+        };
+        let rows = self.arches.iter().map(row);
+        match self.arches.iter().any(|arch| arch.given.is_some()) {
+            true => Tabular::of(&[COLUMNS, given::COLUMNS].join(" "), rows),
+            false => Tabular::of(COLUMNS, rows),
         }
-        fields.append(entry(arch));
-        fields
-    };
-    let entries = arches.iter().map(entry);
-    match is_range {
-        true => json::write(&entries.collect::<Vec<_>>(), out),
-        false => json::write_all(entries, out),
+    }
+
+    fn picture(&self, print: &Print) -> io::Result<String> {
+        convergence::figure(self).svg(print)
+    }
+
+    fn write_as(&self, format: &Format, out: &mut dyn io::Write) -> Option<io::Result<()>> {
+        match format.name {
+            "table" => Some(table(self, out)),
+            "json" if self.is_range => Some(json::write(&self.records(), out)),
+            _ => None,
+        }
     }
 }
 
 const COLUMNS: &str = "weight half_opening stones friction outcome mode thickness thrust rotation_joint sliding_joint \
                        continuous_thickness loss relative_loss may_move";
 
-pub(crate) fn csv(
-    VoussoirArches { arches, .. }: &VoussoirArches,
-    out: &mut dyn io::Write,
-) -> io::Result<()> {
-    let row = |arch: &VoussoirArch| {
-        let mut row = entry(arch);
-        row.append(arch.given.as_ref().map(|given| given::cells(arch, given)).unwrap_or_default());
-        row
-    };
-    let rows = arches.iter().map(row);
-    match arches.iter().any(|arch| arch.given.is_some()) {
-        true => csv::table(&[COLUMNS, given::COLUMNS].join(" "), rows, out),
-        false => csv::table(COLUMNS, rows, out),
-    }
-}
-
-fn entry(arch: &VoussoirArch) -> Fields {
-    let mut fields = Fields::default();
+fn entry(arch: &VoussoirArch) -> Record {
+    let mut fields = Record::default();
     fields.add("weight", arch.weight.name());
     fields.add("half_opening", arch.stones.half_opening().to_string());
     match &arch.stones {
@@ -74,7 +89,7 @@ fn entry(arch: &VoussoirArch) -> Fields {
     });
     fields.add("contacts", contacts);
     if let Some(given) = &arch.given {
-        fields.add_fields("assessment", Some(given::fields(arch, given)));
+        fields.add_record("assessment", Some(given::fields(arch, given)));
     }
     fields
 }

@@ -8,6 +8,7 @@ function stumpff(n, b) {
   for (let k = 2; k <= n; k++) term /= k;
   for (let k = n; k < n + 40; k += 2) {
     sum += term;
+    if (Math.abs(term) < 1e-18 * Math.abs(sum)) break;
     term *= -b / ((k + 1) * (k + 2));
   }
   return sum;
@@ -17,6 +18,7 @@ function stumpff(n, b) {
 function zero(f, low, high) {
   for (let k = 0; k < 100; k++) {
     const middle = (low + high) / 2;
+    if (middle === low || middle === high) break;
     if (f(middle) > 0) low = middle; else high = middle;
   }
   return (low + high) / 2;
@@ -85,4 +87,10 @@ function widest(delta, eta, phi) {
 function least(delta, alpha, phi) {
   if (!(widest(delta, 2, phi).halfOpening >= alpha)) return null;
   return zero((eta) => alpha - widest(delta, eta, phi).halfOpening, 0, 2);
+}
+
+/** The least friction angle with which an arch of a thickness stands; `null` if it falls with each. */
+function leastFriction(delta, alpha, eta) {
+  if (!(widest(delta, eta, Math.PI / 2).halfOpening >= alpha)) return null;
+  return zero((phi) => alpha - widest(delta, eta, phi).halfOpening, 0, Math.PI / 2);
 }

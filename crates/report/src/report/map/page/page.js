@@ -1,7 +1,5 @@
-// What the page shows of the arch under the cross: { weight, thickness or half_opening or span and rise, friction or
-// friction_angle }, as texts that couplet reads too. The part of the address behind # holds the same.
+// What the page shows: the planes of one weight, and the arch under the cross, which is one arch in all of them.
 
-const DEGREE = Math.PI / 180;
 const WORDS = {
   "[r,r,r]": "hinges open at the crown, at the haunches and at the shoulders",
   "[s,r,r]": "the shoulders slide, and hinges open at the haunches and at the crown",
@@ -12,35 +10,11 @@ const WORDS = {
   "[s,s]": "shoulders and inner joints slide, and more thickness does not help",
 };
 const at = (id) => document.getElementById(id);
-const maps = [...document.querySelectorAll("[data-frames]")];
-const map = () => maps.find((one) => !one.hidden);
-const drawing = () => map().querySelector("svg");
-const boxes = new Map(maps.map((one) => [one.id, one.querySelector("svg").viewBox.baseVal]).map(([id, box]) => [id, [box.x, box.y, box.width, box.height]]));
-const whole = () => boxes.get(map().id);
-let view = whole();
-
-/** A number as couplet reads it: 0.1, 3/25, 80deg, pi/2, 2atan(3/5), inf. */
-function read(text) {
-  const [, tangent] = /^2atan\(([^()]*)\)$/.exec(text) ?? [];
-  if (tangent !== undefined) return 2 * Math.atan(read(tangent));
-  if (/^(inf|∞)$/i.test(text)) return Infinity;
-  const [, number, unit, below] = /^(\d*\.?\d+(?:e-?\d+)?)?(deg|°|rad|pi)?(?:\/(\d+))?$/i.exec(text.replace(/\s/g, "")) ?? [];
-  const factor = { deg: DEGREE, "°": DEGREE, pi: Math.PI }[unit?.toLowerCase()] ?? 1;
-  return Number(number ?? (unit === "pi" ? 1 : NaN)) * factor / Number(below ?? 1);
-}
-
-/** A length in metres, as couplet reads it: 10m, 60cm, 33ft. */
-function metres(text) {
-  const [, number, unit] = /^(.*?)\s*(cm|mm|m|ft|in)$/.exec(text.trim()) ?? [];
-  return number === undefined ? NaN : read(number) * { m: 1, cm: 0.01, mm: 0.001, ft: 0.3048, in: 0.0254 }[unit];
-}
-
-/** Whether the shape of an arch is given, and not its place on the map. */
-const isShape = ({ half_opening, span }) => half_opening !== undefined || span !== undefined;
-
-/** The half opening; with span and rise twice the arctangent of the rise by half the span. */
-const opening = ({ half_opening, span, rise }) =>
-  span === undefined ? read(half_opening) : 2 * Math.atan(2 * metres(rise ?? "") / metres(span));
+const planes = [...document.querySelectorAll("[data-plane]")].map((figure) => new Plane(figure));
+const WEIGHTS = [...new Set(planes.map((one) => one.weight))], PLANES = [...new Set(planes.map((one) => one.plane))];
+let weight = planes.find(({ figure }) => !figure.hidden).weight, large = PLANES[0];
+const shownPlanes = () => planes.filter((one) => one.weight === weight);
+const largePlane = () => shownPlanes().find((one) => one.plane === large);
 
 /** As many of six digits as are sure, with a relative error; of thin arches doubles lose some more. */
 function sure(x, error, digits = 6) {
@@ -49,34 +23,22 @@ function sure(x, error, digits = 6) {
   return low === high || digits === 1 ? low : sure(x, error, digits - 1);
 }
 
-/** The angle of friction: given, also as the friction, or of its coefficient. */
-const frictionAngle = ({ friction, friction_angle = "" }) =>
-  friction === undefined || /(deg|°|rad)$/i.test(friction) ? read(friction ?? friction_angle) : Math.atan(read(friction));
-
-/** The numbers of an arch that was given in texts; a text if there is none. */
-function solve(given) {
-  const delta = given.weight === "heyman" ? 0 : 1;
-  const phi = frictionAngle(given);
-  if (!(phi > 0 && phi <= Math.PI / 2)) return "a friction is positive (0.6, inf), a friction angle up to 90deg";
-  let eta = read(given.thickness ?? "");
-  if (isShape(given)) {
-    const alpha = opening(given);
-    if (given.span !== undefined && !(alpha > 0)) return "a span and a rise are lengths (10m, 60cm, 33ft)";
-    if (!(alpha > 0 && alpha < Math.PI)) return "a half opening is between 0 and 180deg";
-    eta = least(delta, alpha, phi);
-    if (eta === null) return "falls: no thickness is enough";
-  }
-  if (!(eta > 0 && eta <= 2)) return "a thickness is positive, and 2 at most";
-  return { eta, phi, fac: 1 + delta * eta * eta / 12, ...widest(delta, eta, phi) };
+/** Shows an arch, or in words why there is none. */
+function show(given, isKept) {
+  given = { weight, ...given };
+  if (given.weight !== weight) choose(given.weight);
+  tellArch(given, solve(given), isKept);
+  if (isKept) keep(given);
 }
 
-function show(given, isKept) {
-  if (given.weight !== map().id) choose(given.weight);
-  const found = solve(given);
+/** What is shown, as texts and as numbers. */
+let shown = {};
+
+function tellArch(given, found, isKept, isFault) {
   const isArch = typeof found !== "string";
   at("summary").textContent = isArch ? `${found.mode}: ${WORDS[found.mode]}` : found;
   at("found").hidden = !isArch;
-  document.querySelectorAll(".cross").forEach((cross) => cross.remove());
+  shownPlanes().forEach((one) => one.cross(isArch ? found : null));
   if (isArch) {
     const { mode, eta, phi, halfOpening, rotation, sliding, thrust, isOnLine } = found;
     const number = (x) => sure(x, 1e-10 + 1e-14 / halfOpening ** 2);
@@ -93,22 +55,66 @@ function show(given, isKept) {
     };
     for (const [id, value] of Object.entries(values)) at(id).textContent = value;
     draw(found);
-    cross(found);
   }
-  const question = !isShape(given) ? "find half-opening" : given.thickness === undefined ? "state" : "assess";
-  const options = Object.entries(given).map(([key, value]) => `--${key.replace("_", "-")} ${value}`);
-  at("command").replaceChildren(...[`couplet ${question}`, ...options].flatMap((words) => {
-    const span = document.createElement("span");
-    span.textContent = words;
-    return [span, " "];
-  }));
-  if (isKept) history.replaceState(null, "", `#${new URLSearchParams(given)}`);
-  shown = found;
+  // What is no arch has no command.
+  const isAsked = isArch || found.startsWith("falls");
+  at("with-command").hidden = !isAsked;
+  if (isAsked) at("command").replaceChildren(...apart(command(given)));
+  shown = { given, found };
   // What else there is on a page may follow.
-  dispatchEvent(new CustomEvent("shown", { detail: { given, found, isKept } }));
+  dispatchEvent(new CustomEvent("shown", { detail: { given, found, isKept, isFault } }));
 }
-let shown;
 let draw = (found) => { at("arch").innerHTML = arch(found); };
+
+/** Words of a command, none of which is broken at the end of a line. */
+function apart(words) {
+  return words.flatMap((word) => {
+    const span = document.createElement("span");
+    span.textContent = word;
+    return [span, " "];
+  });
+}
+
+/** The address holds the arch that is shown, and the part of the large plane. */
+function keep(given = shown.given) {
+  const text = new URLSearchParams({ ...given, ...viewed() }).toString();
+  history.replaceState(null, "", `#${text.replaceAll("%2F", "/")}`);
+}
+
+/** The part of the large plane that is shown, by the keys of an address, which are options of the command. */
+function viewed() {
+  const plane = largePlane(), axes = plane.labels.map((label) => `${label.split(" ")[0].replace("half", "half_opening")}_range`);
+  const ranges = plane.isWhole() ? [] : plane.view.map((range, k) => [axes[k], range.map((end) => Number(end.toPrecision(6))).join("..")]);
+  return { ...(large !== PLANES[0] && { plane: large }), ...Object.fromEntries(ranges) };
+}
+
+/** The part of a plane that the address names; a text if it is none. */
+function partOf(plane, { half_opening_range, friction_range, thickness_range }) {
+  const asked = { half: half_opening_range, friction: friction_range, thickness: thickness_range }, view = [];
+  plane.labels.forEach((label, k) => {
+    const name = label.split(" ")[0], [first, last] = plane.ranges[k], text = asked[name];
+    delete asked[name];
+    const [, from, to] = /^(\d*\.?\d+)\.\.(\d*\.?\d+)$/.exec(text ?? `${first}..${last}`) ?? [];
+    view.push(first <= Number(from) && Number(from) < Number(to) && Number(to) <= last ? [Number(from), Number(to)]
+      : `a part of the plane is two numbers, the smaller first, within ${first}..${last}, and not '${text}'`);
+  });
+  const other = Object.keys(asked).find((name) => asked[name] !== undefined);
+  if (other) return `the plane ${plane.plane} has no axis of ${other.replace("half", "half opening")}`;
+  return view.find((range) => typeof range === "string") ?? view;
+}
+
+/** Shows what the address names, or what is wrong with it. */
+function open() {
+  const { arch, view, fault } = asked(WEIGHTS, PLANES);
+  if (fault) return tellArch(arch, fault, false, true);
+  if ((arch.weight ?? weight) !== weight) choose(arch.weight);
+  enlarge(view.plane ?? PLANES[0]);
+  const part = partOf(largePlane(), view);
+  if (typeof part === "string") return tellArch(arch, part, false, true);
+  largePlane().show(part);
+  told();
+  show(arch);
+}
 
 /** The arch at its least thickness, with its hinges, its joints that slide, and its line of thrust. */
 function arch({ mode, eta, fac, halfOpening: alpha, thrust, rotation, sliding, crownMoment }) {
@@ -136,135 +142,133 @@ function arch({ mode, eta, fac, halfOpening: alpha, thrust, rotation, sliding, c
     + `${thrustLine}${marks.join("")}</svg>`;
 }
 
-// The map: frames are [x, y, width, height, phi from, to, eta from, to], the insets before the map itself.
-
-const frames = () => JSON.parse(map().dataset.frames);
-
-/** A cross in each frame that shows the point. */
-function cross({ phi, eta }) {
-  for (const [x, y, width, height, p0, p1, e0, e1] of frames()) {
-    const [across, up] = [(phi / DEGREE - p0) / (p1 - p0), (eta - e0) / (e1 - e0)];
-    if (across < 0 || across > 1 || up < 0 || up > 1) continue;
-    const size = 9 * view[2] / whole()[2], place = [x + across * width, y + (1 - up) * height];
-    const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
-    path.setAttribute("class", "cross");
-    path.setAttribute("d", `M${place[0] - size} ${place[1]}h${2 * size}m${-size} ${-size}v${2 * size}`);
-    drawing().append(path);
-  }
+/** The weight whose planes are shown. */
+function choose(name) {
+  const view = largePlane().view;
+  weight = name;
+  planes.forEach((one) => one.figure.hidden = one.weight !== name);
+  at(`choose-${name}`).checked = true;
+  largePlane().show(view);
+  shownPlanes().forEach((one) => one.draw());
 }
 
-/** A number in steps of what a pixel of the page shows of a range, strictly above its beginning. */
-function stepped(value, [from, to], size) {
-  const pixel = (to - from) / size * view[2] / drawing().clientWidth;
-  const decimals = Math.max(0, Math.ceil(-Math.log10(pixel)));
-  return Math.min(Math.max(value, 10 ** -decimals), to).toFixed(decimals);
+/** The plane that is shown large. */
+function enlarge(plane) {
+  large = plane;
+  planes.forEach((one) => one.figure.classList.toggle("large", one.plane === plane));
+  at("levels-label").textContent = largePlane().levels_label;
+  shownPlanes().forEach((one) => one.draw());
 }
 
-/** The arch at a place of a frame: friction angle in degrees, and thickness. */
-function placed(degrees, eta, [, , width, height, p0, p1, e0, e1], isKept) {
-  const angle = stepped(degrees, [p0, p1], width);
-  const friction = Number(angle) === 90 ? { friction: "inf" } : { friction_angle: `${angle}deg` };
-  show({ weight: map().id, thickness: stepped(eta, [e0, e1], height), ...friction }, isKept);
+/** The command that draws what the large plane shows. */
+function told() {
+  const options = Object.entries({ weight, plane: large, ...viewed() }).map(([key, value]) => `--${key.replaceAll("_", "-")} ${value}`);
+  at("map-command").replaceChildren(...apart(["couplet map", ...options, ...(Plane.hasLevels ? [] : ["--bare"]), "-o map.svg"]));
 }
 
-/** From the page to the drawing. */
-function onDrawing(event) {
-  return new DOMPoint(event.clientX, event.clientY).matrixTransform(drawing().getScreenCTM().inverse());
+/** After another part is shown. */
+let later;
+function moved() {
+  told();
+  clearTimeout(later);
+  later = setTimeout(keep, 200);
 }
 
-function point(event, isKept) {
-  const { x, y } = onDrawing(event);
-  const frame = frames().find(([x0, y0, width, height]) => x >= x0 && x <= x0 + width && y >= y0 && y <= y0 + height);
-  if (!frame) return;
-  const [x0, y0, width, height, p0, p1, e0, e1] = frame;
-  placed(p0 + (x - x0) / width * (p1 - p0), e1 - (y - y0) / height * (e1 - e0), frame, isKept);
+/** Hands out a picture as a file. */
+function save(svg, name) {
+  const copy = svg.cloneNode(true), { width, height } = svg.viewBox.baseVal;
+  Object.entries({ xmlns: SVG, width, height, "font-family": "DejaVu Sans, Verdana, sans-serif" }).forEach((pair) => copy.setAttribute(...pair));
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([new XMLSerializer().serializeToString(copy)], { type: "image/svg+xml" }));
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
 
-/** Shows another part of the drawing, as large as this one times a factor, with a place of it kept or moved. */
-function look(factor, { x, y }, [dx, dy] = [0, 0]) {
-  const [, , width, height] = whole();
-  const share = Math.min(1, Math.max(1 / 400, view[2] / width * factor)), ratio = share * width / view[2];
-  const low = (start, place, move, size) => Math.min(Math.max(0, place - (place - start) * ratio - move), size * (1 - share));
-  view = [low(view[0], x, dx, width), low(view[1], y, dy, height), width * share, height * share];
-  drawing().setAttribute("viewBox", view.join(" "));
-}
-
-const middle = () => ({ x: view[0] + view[2] / 2, y: view[1] + view[3] / 2 });
 const fingers = new Map();
 
-/** One pointer reads the map, and drags it with a button down; two fingers drag and stretch it. */
-function move(event) {
+function point(plane, event, isKept) {
+  const place = plane.on(event), frame = plane.frames.find((frame) => frame.holds(place));
+  if (frame) show(plane.given(frame, frame.of(place)), isKept);
+}
+
+/** One pointer reads a plane, and drags it with a button down; two fingers drag and stretch it. */
+function move(plane, event) {
   const before = fingers.get(event.pointerId);
   if (before) fingers.set(event.pointerId, event);
   if (before && (event.pointerType === "mouse" || fingers.size === 2)) {
-    const [from, to] = [onDrawing(before), onDrawing(event)], shift = 1 / fingers.size;
+    const [from, to] = [plane.on(before), plane.on(event)], part = 1 / fingers.size;
     const other = [...fingers.values()].find((finger) => finger.pointerId !== event.pointerId);
     const away = (finger) => Math.hypot(finger.clientX - other.clientX, finger.clientY - other.clientY);
-    look(other ? away(before) / Math.max(away(event), 1) : 1, to, [(to.x - from.x) * shift, (to.y - from.y) * shift]);
+    plane.look(other ? away(before) / Math.max(away(event), 1) : 1, to, [(to[0] - from[0]) * part, (to[1] - from[1]) * part]);
+    moved();
   } else {
-    point(event, false);
+    point(plane, event, false);
   }
 }
 
 const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+const CLOSER = 0.7;
 
-function key(event) {
-  const frame = frames().at(-1), steps = KEYS[event.key];
-  if (steps && typeof shown !== "string") {
-    const [, , width, height, p0, p1, e0, e1] = frame, far = (event.shiftKey ? 20 : 4) * view[2] / drawing().clientWidth;
-    placed(shown.phi / DEGREE + steps[0] * far * (p1 - p0) / width, shown.eta + steps[1] * far * (e1 - e0) / height, frame, true);
-  } else if (event.key === "+") {
-    look(0.7, middle());
-  } else if (event.key === "-") {
-    look(1 / 0.7, middle());
-  } else if (event.key === "0") {
-    look(Infinity, middle());
+function key(plane, event) {
+  const frame = plane.frames.at(-1), steps = KEYS[event.key];
+  const factor = { "+": CLOSER, "-": 1 / CLOSER, 0: Infinity }[event.key];
+  if (steps && typeof shown.found !== "string") {
+    const far = event.shiftKey ? 20 : 4, [x, y] = plane.placeOf(shown.found), [[x0, x1], [y0, y1]] = frame.view;
+    show(plane.given(frame, [x + steps[0] * far * (x1 - x0) / frame.width, y + steps[1] * far * (y1 - y0) / frame.height]), true);
+  } else if (factor) {
+    plane.look(factor, plane.middle());
+    moved();
   } else {
     return;
   }
   event.preventDefault();
 }
 
-function choose(weight) {
-  maps.forEach((one) => one.hidden = one.id !== weight);
-  at(`choose-${weight}`).checked = true;
-  look(1, middle());
-}
-
-/** What the address asks for; the paper's letters are keys too. */
-function asked() {
-  const given = Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
-  for (const [letter, name] of [["alpha", "half_opening"], ["mu", "friction"], ["phi", "friction_angle"], ["eta", "thickness"]]) {
-    if (given[letter] !== undefined) given[name] = given[letter];
-    delete given[letter];
-  }
-  const weight = (maps.find((one) => one.id === given.weight) ?? maps.at(-1)).id;
-  const usual = Object.keys(given).some((name) => name !== "weight") ? {} : { half_opening: "80deg", friction: "0.6" };
-  return { ...usual, ...given, weight };
-}
-
-for (const one of maps) {
-  const title = one.querySelector("title");
-  one.querySelector("svg").setAttribute("aria-label", title.textContent);
-  // A browser would show it beside the pointer.
-  title.remove();
-  one.addEventListener("pointermove", move);
-  one.addEventListener("pointerdown", (event) => { fingers.set(event.pointerId, event); point(event, true); });
+for (const plane of planes) {
+  const { svg, figure } = plane;
+  svg.addEventListener("pointermove", (event) => move(plane, event));
+  svg.addEventListener("pointerdown", (event) => { fingers.set(event.pointerId, event); point(plane, event, true); });
   for (const end of ["pointerup", "pointercancel", "pointerleave"]) {
-    one.addEventListener(end, (event) => fingers.delete(event.pointerId));
+    svg.addEventListener(end, (event) => fingers.delete(event.pointerId));
   }
-  one.addEventListener("wheel", (event) => { look(2 ** (event.deltaY / 300), onDrawing(event)); event.preventDefault(); }, { passive: false });
-  one.addEventListener("keydown", key);
-  at(`choose-${one.id}`).addEventListener("change", () => show({ ...asked(), weight: one.id }, true));
+  svg.addEventListener("wheel", (event) => {
+    plane.look(2 ** (event.deltaY / 300), plane.on(event));
+    moved();
+    event.preventDefault();
+  }, { passive: false });
+  svg.addEventListener("keydown", (event) => key(plane, event));
+  figure.querySelector(".larger").addEventListener("click", () => {
+    enlarge(plane.plane);
+    moved();
+    largePlane().svg.focus();
+  });
 }
-at("closer").addEventListener("click", () => look(0.7, middle()));
-at("farther").addEventListener("click", () => look(1 / 0.7, middle()));
-at("all").addEventListener("click", () => look(Infinity, middle()));
+for (const name of WEIGHTS) at(`choose-${name}`).addEventListener("change", () => show({ ...shown.given, weight: name }, true));
+for (const [id, factor] of [["closer", CLOSER], ["farther", 1 / CLOSER], ["all", Infinity]]) {
+  at(id).addEventListener("click", () => {
+    largePlane().look(factor, largePlane().middle());
+    moved();
+  });
+}
+at("levels").addEventListener("change", ({ target }) => {
+  Plane.hasLevels = target.checked;
+  shownPlanes().forEach((one) => one.draw());
+  told();
+});
+at("save-map").addEventListener("click", () => save(largePlane().svg, "map.svg"));
+at("save-arch").addEventListener("click", () => save(at("arch").querySelector("svg"), "arch.svg"));
 at("ask").addEventListener("submit", (event) => {
   event.preventDefault();
   const [half_opening, friction] = ["ask-half-opening", "ask-friction"].map((id) => at(id).value);
-  const isAngle = /deg|°/i.test(friction);
-  show({ weight: map().id, half_opening, ...(isAngle ? { friction_angle: friction } : { friction }) }, true);
+  show({ weight, half_opening, friction }, true);
 });
-addEventListener("hashchange", () => show(asked()));
-show(asked());
+addEventListener("shown", ({ detail: { given } }) => {
+  for (const [id, text] of [["ask-half-opening", given.half_opening], ["ask-friction", given.friction ?? given.friction_angle]]) {
+    if (text !== undefined && document.activeElement !== at(id)) at(id).value = text;
+  }
+});
+addEventListener("hashchange", open);
+new ResizeObserver(() => shownPlanes().forEach((one) => one.draw())).observe(document.querySelector(".planes"));
+enlarge(large);
+open();

@@ -3,8 +3,8 @@
 use super::Map;
 use super::rows::weight_of;
 use crate::atlas::{Part, Piece, Trace};
+use crate::report::record::Record;
 use crate::report::words::{aligned, count};
-use std::io;
 
 /// Titles of the columns that name a curve.
 pub(super) const TITLES: [&str; 5] = ["curve", "weight", "parameter", "from", "to"];
@@ -16,12 +16,11 @@ pub(super) fn names(trace: &Trace) -> [String; 5] {
     [trace.curve.to_string(), weight, parameter, from, to]
 }
 
-pub(in crate::report) fn table(report: &Map, out: &mut dyn io::Write) -> io::Result<()> {
-    writeln!(
-        out,
-        "The curves of the map, in tubes of a half-width of at most {:?}\n",
-        report.tolerance
-    )?;
+/// Summary of the curves.
+pub(super) fn say(report: &Map, record: &mut Record) {
+    let tolerance = report.tolerance;
+    record
+        .say(format!("The curves of the map, in tubes of a half-width of at most {tolerance:?}\n"));
     let titles = TITLES.into_iter().chain(["pieces", "widest"]).map(str::to_owned).collect();
     let cells = |trace: &Trace| -> Vec<String> {
         let found = [trace.pieces().count().to_string(), format!("{:.1e}", trace.width())];
@@ -30,33 +29,29 @@ pub(in crate::report) fn table(report: &Map, out: &mut dyn io::Write) -> io::Res
     let rows: Vec<Vec<String>> =
         std::iter::once(titles).chain(report.traces.iter().map(cells)).collect();
     let mut lines = aligned(&rows);
-    if let (Some(titles), false) = (lines.next(), report.traces.is_empty()) {
-        writeln!(out, "{titles}")?;
-    }
+    let has_traces = !report.traces.is_empty();
+    record.say_all(lines.next().filter(|_| has_traces));
     for (line, trace) in lines.zip(&report.traces) {
-        writeln!(out, "{line}")?;
-        gaps(trace.gaps(), out)?;
+        record.say(line);
+        record.say_all(trace.gaps().map(gap));
     }
-    let are_alone = report.levels.is_empty() && report.borders.is_empty();
-    if !report.traces.is_empty() && !are_alone {
-        writeln!(out)?;
+    if has_traces && !(report.levels.is_empty() && report.borders.is_empty()) {
+        record.say("");
     }
     for level in &report.levels {
         let modes: Vec<&str> = level.parts.iter().map(|part| part.mode.label()).collect();
         let (weight, modes) = (level.weight.name(), modes.join(" "));
-        writeln!(out, "{}, {weight}: {modes}", level.contour)?;
-        level
-            .parts
-            .iter()
-            .try_for_each(|part| gaps(part.pieces().filter(|piece| !piece.is_proved()), out))?;
+        record.say(format!("{}, {weight}: {modes}", level.contour));
+        let pieces = level.parts.iter().flat_map(Part::pieces);
+        record.say_all(pieces.filter(|piece| !piece.is_proved()).map(gap));
     }
     for border in &report.borders {
         let (line, weight) = (border.line.name(), border.weight.name());
         let (pieces, width) = (border.section.pieces().count(), border.section.width());
-        writeln!(out, "{line}, {weight}: {pieces} pieces, widest {width:.1e}")?;
-        gaps(border.section.pieces().filter(|piece| !piece.is_proved()), out)?;
+        record.say(format!("{line}, {weight}: {pieces} pieces, widest {width:.1e}"));
+        record.say_all(border.section.pieces().filter(|piece| !piece.is_proved()).map(gap));
     }
-    writeln!(out, "\n{}", verdict(report))
+    record.say(format!("\n{}", verdict(report)));
 }
 
 /// Statement of what is proved of all pieces, in words.
@@ -73,13 +68,8 @@ pub(super) fn verdict(report: &Map) -> String {
     }
 }
 
-/// The pieces that are not proved.
-fn gaps<'a>(
-    mut pieces: impl Iterator<Item = Piece<'a>>,
-    out: &mut dyn io::Write,
-) -> io::Result<()> {
-    pieces.try_for_each(|gap| {
-        let [from, to] = gap.range();
-        writeln!(out, "   not proved between {from} and {to}")
-    })
+/// A piece that is not proved.
+fn gap(piece: Piece) -> String {
+    let [from, to] = piece.range();
+    format!("   not proved between {from} and {to}")
 }

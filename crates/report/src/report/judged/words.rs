@@ -3,30 +3,29 @@
 use super::row::{JudgedRow, certified, digits};
 use super::summary::{JudgeSummary, QuantitySummary};
 use crate::judge::{CorrectDigits, Judged, Verdict};
+use crate::report::record::Record;
 use crate::report::words::{count, shortened};
-use std::io;
 
 /// The whole summary.
-pub fn write(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
-    verdicts(summary, out)?;
-    numbers(summary, out)?;
-    histogram(summary, out)?;
+pub(super) fn say(summary: &JudgeSummary, record: &mut Record) {
+    record.say_all(verdicts(summary));
+    numbers(summary, record);
+    histogram(summary, record);
     if !summary.worst.is_empty() {
-        writeln!(out, "\nworst rows")?;
-        summary.worst.iter().try_for_each(|row| judged_row(row, out))?;
+        record.say("\nworst rows");
+        summary.worst.iter().for_each(|row| judged_row(row, record));
     }
     if !summary.unjudged.is_empty() {
-        writeln!(out, "\nfirst rows that are not judged")?;
+        record.say("\nfirst rows that are not judged");
         for row in &summary.unjudged {
             let reason = row.reason().map_or(String::new(), |reason| format!(": {reason}"));
-            writeln!(out, "   line {}: {}{reason}", row.line, row.verdict().name())?;
+            record.say(format!("   line {}: {}{reason}", row.line, row.verdict().name()));
         }
     }
-    Ok(())
 }
 
 /// Number of rows that have each verdict, and how many pass.
-pub fn verdicts(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
+pub fn verdicts(summary: &JudgeSummary) -> Vec<String> {
     let (rows, accepted) = (summary.rows, summary.accepted());
     let demanded = count(summary.demand.digits, "digit", "digits");
     let demanded = match summary.demand.or_as_printed {
@@ -34,28 +33,26 @@ pub fn verdicts(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<(
         false => format!("every number correct to {demanded}"),
     };
     let rows = count(rows, "row", "rows");
-    writeln!(out, "{rows}: {accepted} accepted ({demanded})")?;
-    if let Some(weight) = summary.assumed {
-        writeln!(out, "weight: {}, as neither the rows nor --weight say any", weight.name())?;
-    }
-    writeln!(out)?;
+    let mut lines = vec![format!("{rows}: {accepted} accepted ({demanded})")];
+    lines.extend(summary.assumed.map(|weight| {
+        format!("weight: {}, as neither the rows nor --weight say any", weight.name())
+    }));
+    lines.push(String::new());
     for verdict in Verdict::ALL {
         let rows = summary.count(verdict);
-        if rows > 0 {
-            let side = match verdict {
-                Verdict::Thinner => " (the unsafe side)",
-                Verdict::Thicker => " (the safe side)",
-                _ => "",
-            };
-            writeln!(out, "{rows:>9}  {}{side}", verdict.name())?;
-        }
+        let side = match verdict {
+            Verdict::Thinner => " (the unsafe side)",
+            Verdict::Thicker => " (the safe side)",
+            _ => "",
+        };
+        lines.extend((rows > 0).then(|| format!("{rows:>9}  {}{side}", verdict.name())));
     }
-    Ok(())
+    lines
 }
 
-fn numbers(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
+fn numbers(summary: &JudgeSummary, record: &mut Record) {
     if summary.quantities.is_empty() {
-        return Ok(());
+        return;
     }
     let titles = "numbers,judged,rounded,faithful,wrong,doubles,digits,relative error";
     let cells = |m: &QuantitySummary| {
@@ -65,46 +62,41 @@ fn numbers(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
         [&[m.quantity.name().to_owned()], &counts[..], &[digits(m.least), relative]].concat()
     };
     let titles = titles.split(',').map(str::to_owned).collect();
-    writeln!(out)?;
+    record.say("");
     for row in std::iter::once(titles).chain(summary.quantities.iter().map(cells)) {
         let [name, counts @ .., digits, relative] = &row[..] else { continue };
         let counts: String = counts.iter().map(|count| format!(" {count:>9}")).collect();
-        writeln!(out, "{name:<19}{counts} {digits:>7} {relative:>14}")?;
+        record.say(format!("{name:<19}{counts} {digits:>7} {relative:>14}"));
     }
-    writeln!(
-        out,
-        "rounded, faithful, wrong: in the last printed place; doubles: the nearest to the truth;"
-    )?;
-    writeln!(out, "digits, relative error: of the worst")?;
+    record.say(
+        "rounded, faithful, wrong: in the last printed place; doubles: the nearest to the truth;",
+    );
+    record.say("digits, relative error: of the worst");
     if summary.thinner + summary.thicker > 0 {
         let (thinner, thicker) = (summary.thinner, summary.thicker);
-        writeln!(
-            out,
-            "thicknesses below the least: {thinner} (the unsafe side, even if only by rounding); above: {thicker}"
-        )?;
+        record.say(format!("thicknesses below the least: {thinner} (the unsafe side, even if only by rounding); above: {thicker}"
+        ));
     }
-    Ok(())
 }
 
 /// Characters of the longest bar.
 const BAR: u64 = 40;
 
-fn histogram(summary: &JudgeSummary, out: &mut dyn io::Write) -> io::Result<()> {
-    let Some(most) = summary.histogram.values().max() else { return Ok(()) };
-    writeln!(out, "\ncorrect digits of the worst number of a row")?;
+fn histogram(summary: &JudgeSummary, record: &mut Record) {
+    let Some(most) = summary.histogram.values().max() else { return };
+    record.say("\ncorrect digits of the worst number of a row");
     for (correct, rows) in &summary.histogram {
         let name = match correct {
             CorrectDigits::Exact => "exact".to_owned(),
             CorrectDigits::Digits(digits) => digits.to_string(),
         };
         let bar = "#".repeat((rows * BAR).div_ceil(*most) as usize);
-        writeln!(out, "{name:>9}  {bar:<40} {rows:>9}")?;
+        record.say(format!("{name:>9}  {bar:<40} {rows:>9}"));
     }
-    Ok(())
 }
 
 /// The fault of a row, and its worst number.
-fn judged_row(row: &JudgedRow, out: &mut dyn io::Write) -> io::Result<()> {
+fn judged_row(row: &JudgedRow, record: &mut Record) {
     let what = match row.verdict() {
         Verdict::Correct => match row.correct_digits() {
             Some(CorrectDigits::Digits(digits)) => {
@@ -115,42 +107,40 @@ fn judged_row(row: &JudgedRow, out: &mut dyn io::Write) -> io::Result<()> {
         verdict => verdict.name().to_owned(),
     };
     let thickness = row.thickness.as_deref().map(|eta| format!(", thickness {}", shortened(eta)));
-    writeln!(
-        out,
+    record.say(format!(
         "   line {}: {what}; {}, half opening {}, friction {}{}",
         row.line,
         shortened(&row.weight),
         shortened(&row.half_opening),
         shortened(&row.friction),
         thickness.unwrap_or_default()
-    )?;
+    ));
     let modes = row.modes().unwrap_or_default();
     match row.verdict() {
         Verdict::WrongMode => {
             let claimed = row.claimed_mode.unwrap_or_default();
-            writeln!(out, "      mode {claimed}, certified {modes}")?;
+            record.say(format!("      mode {claimed}, certified {modes}"));
         }
         Verdict::Falls => match row.reason() {
-            Some(reason) => writeln!(out, "      it falls by {reason}")?,
-            None => writeln!(out, "      it falls at this thickness")?,
+            Some(reason) => record.say(format!("      it falls by {reason}")),
+            None => record.say("      it falls at this thickness"),
         },
-        Verdict::Stands if row.thickness.is_some() => writeln!(out, "      it stands")?,
-        Verdict::Stands => writeln!(out, "      it stands, and collapses as {modes}")?,
+        Verdict::Stands if row.thickness.is_some() => record.say("      it stands"),
+        Verdict::Stands => record.say(format!("      it stands, and collapses as {modes}")),
         _ => {}
     }
     if let Some(boundary) = row.judgement().and_then(|found| found.boundary.as_ref()) {
         let (claimed, quantity) = (row.claimed_mode.unwrap_or_default(), boundary.quantity.name());
         let within = &boundary.within;
-        writeln!(
-            out,
+        record.say(format!(
             "      it is {claimed} at a {quantity} less than {within} away, within its rounding"
-        )?;
+        ));
     }
     match row.numbers().iter().min_by_key(|number| number.correct_digits) {
         Some(number) if number.correct_digits != CorrectDigits::Exact => {
-            writeln!(out, "      {}", number_text(number))
+            record.say(format!("      {}", number_text(number)));
         }
-        _ => Ok(()),
+        _ => {}
     }
 }
 

@@ -1,0 +1,60 @@
+//! Answers in every format: a file of code for each language, a table for a paper, rows as they come.
+
+use super::answers::Answers;
+use super::format::{Content, Format};
+use super::paper::PaperTable;
+use super::record::Record;
+use super::reported::{Reported, unsupported};
+use super::rows::Rows;
+use super::tabular::Tabular;
+use super::{
+    c, csv, fortran, json, julia, latex, matlab, parquet, plain, python, rust, table, toml,
+};
+use std::io;
+
+/// Opens a file of arches that come one after the other.
+pub fn open_rows(answers: Answers, format: &Format) -> io::Result<Box<dyn Rows>> {
+    match format.name {
+        "csv" => csv::rows(answers),
+        "jsonl" => json::lines(answers),
+        "parquet" => parquet::rows(answers),
+        _ => unsupported(),
+    }
+}
+
+impl Reported for Answers {
+    fn content() -> Content {
+        Content(&[
+            "table", "plain", "json", "csv", "csv2", "toml", "latex", "markdown", "c", "rust",
+            "python", "julia", "matlab", "fortran", "parquet",
+        ])
+    }
+
+    fn records(&self) -> Vec<Record> {
+        Vec::new()
+    }
+
+    fn tabular(&self) -> Tabular {
+        csv::answers(self)
+    }
+
+    fn write_as(&self, format: &Format, out: &mut dyn io::Write) -> Option<io::Result<()>> {
+        let write = match format.name {
+            "markdown" if self.has_row_each() => return Some(PaperTable::of(self).markdown(out)),
+            "table" => table::answers,
+            "plain" => plain::answers,
+            "json" => json::answers,
+            "toml" => toml::answers,
+            "latex" => latex::answers,
+            "c" => c::answers,
+            "rust" => rust::answers,
+            "python" => python::answers,
+            "julia" => julia::answers,
+            "matlab" => matlab::answers,
+            "fortran" => fortran::answers,
+            "parquet" => parquet::answers,
+            _ => return None,
+        };
+        Some(write(self, out))
+    }
+}

@@ -1,0 +1,302 @@
+//! Tables as a paper prints them, in LaTeX and Markdown: one row an arch, one column a quantity with its symbol and
+//! unit, angles in degrees. Two weights stand side by side, with their difference.
+
+use super::answer::{Answer, Status};
+use super::answers::Answers;
+use super::names::in_latex;
+use super::tabular::Tabular;
+use super::value::Value;
+use super::words::{author, distinct};
+use crate::arch::SelfWeight;
+use crate::number::{Ball, ExactNumber, Rounded, bits_of, degrees};
+use crate::problem::Quantity;
+use rug::Float;
+use rug::float::Round;
+use std::io;
+
+/// Bits beyond those of the digits in which an angle is turned into degrees and a difference is taken.
+const GUARD: u32 = 32;
+/// Sign of a cell where there is no value.
+const NONE: &str = "–";
+
+/// A table with headings.
+#[derive(Debug)]
+pub(super) struct PaperTable {
+    headings: Vec<Heading>,
+    rows: Vec<Vec<String>>,
+}
+
+/// Heading of a column.
+#[derive(Clone, Debug)]
+struct Heading {
+    latex: String,
+    words: String,
+}
+
+impl Heading {
+    /// Heading of a column with a name, which is that of a quantity or says itself what it is.
+    fn named(name: &str) -> Self {
+        match Quantity::named(name) {
+            Some(quantity) => {
+                Self { latex: quantity.latex().into(), words: quantity.symbol().into() }
+            }
+            None => Self::words(&name.replace('_', " ")),
+        }
+    }
+
+    fn words(words: &str) -> Self {
+        Self { latex: in_latex(words), words: words.to_owned() }
+    }
+
+    /// Heading in degrees of what is in radians.
+    fn in_degrees(self) -> Self {
+        let turned = |text: String| match text.strip_suffix("rad") {
+            Some(symbol) => format!("{symbol}deg"),
+            None => text,
+        };
+        Self { latex: turned(self.latex), words: turned(self.words) }
+    }
+
+    /// Heading with whose value it is.
+    fn of(self, whom: &str) -> Self {
+        Self {
+            latex: format!("{} ({whom})", self.latex),
+            words: format!("{} ({whom})", self.words),
+        }
+    }
+}
+
+impl From<&Tabular> for PaperTable {
+    fn from(table: &Tabular) -> Self {
+        let headings = table.header.iter().map(|name| Heading::named(name)).collect();
+        Self { headings, rows: table.rows.clone() }
+    }
+}
+
+impl PaperTable {
+    /// Arches, each in a row.
+    pub(super) fn of(report: &Answers) -> Self {
+        let given =
+            |answer: &Answer| answer.subject.given().map(|text| text.unwrap_or("").to_owned());
+        let arches = distinct(report.list.iter().map(given));
+        let weights = distinct(report.list.iter().filter_map(|answer| answer.subject.weight()));
+        let asked = report.quantities.iter().copied().chain([Quantity::AsymmetricThickness]);
+        let is_known = |&of: &Quantity| report.list.iter().any(|answer| answer.value(of).is_some());
+        let quantities: Vec<Quantity> = asked.filter(is_known).collect();
+        let whom = |heading: Heading, weight: SelfWeight| match weights.len() {
+            1 => heading,
+            _ => heading.of(author(weight)),
+        };
+        let mut headings =
+            ["half_opening", "friction"].map(Heading::named).map(Heading::in_degrees).to_vec();
+        headings[0] = Heading { latex: r"$\alpha$".into(), words: "alpha".into() };
+        if report.have_assessments() {
+            headings.push(Heading::named("thickness"));
+        }
+        let told = if report.have_states() { "mode" } else { "verdict" };
+        headings.extend(weights.iter().map(|&weight| whom(Heading::words(told), weight)));
+        for of in &quantities {
+            let heading = Heading::named(of.name()).in_degrees();
+            headings.extend(weights.iter().map(|&weight| whom(heading.clone(), weight)));
+            if let [one, other] = weights[..] {
+                headings.push(heading.of(&format!("{} less {}", author(other), author(one))));
+            }
+        }
+        let row = |arch: &[String; 3]| {
+            let of_weight = |weight: &SelfWeight| {
+                let mut all = report.list.iter();
+                all.find(|answer| {
+                    answer.subject.weight() == Some(*weight) && given(answer) == *arch
+                })
+            };
+            let answers: Vec<Option<&Answer>> = weights.iter().map(of_weight).collect();
+            let mut cells: Vec<String> =
+                arch.iter().filter(|text| !text.is_empty()).map(|x| printed(x)).collect();
+            cells.extend(answers.iter().map(|answer| answer.map_or(NONE.into(), verdict)));
+            for &quantity in &quantities {
+                let values: Vec<Option<&Value>> = answers
+                    .iter()
+                    .map(|answer| answer.and_then(|answer| answer.value(quantity)))
+                    .collect();
+                cells.extend(values.iter().map(|value| {
+                    value.map_or(NONE.into(), |x| number(quantity, x, report.digits))
+                }));
+                if let [Some(one), Some(other)] = values[..] {
+                    cells.push(difference(quantity, one, other, report.digits));
+                } else if weights.len() == 2 {
+                    cells.push(NONE.into());
+                }
+            }
+            cells
+        };
+        Self { rows: arches.iter().map(row).collect(), headings }
+    }
+
+    /// Writes a `tabular` of the package booktabs, with numbers of siunitx.
+    pub(super) fn latex(&self, out: &mut dyn io::Write) -> io::Result<()> {
+        let line = |cells: Vec<String>| format!("{} \\\\", cells.join(" & "));
+        writeln!(out, "% Needs \\usepackage{{booktabs,siunitx}}.")?;
+        writeln!(out, "\\begin{{tabular}}{{{}}}\n\\toprule", "l".repeat(self.headings.len()))?;
+        writeln!(
+            out,
+            "{}\n\\midrule",
+            line(self.headings.iter().map(|of| of.latex.clone()).collect())
+        )?;
+        for row in &self.rows {
+            writeln!(out, "{}", line(row.iter().map(|cell| latex(cell)).collect()))?;
+        }
+        writeln!(out, "\\bottomrule\n\\end{{tabular}}")
+    }
+
+    /// Writes a table of Markdown with pipes.
+    pub(super) fn markdown(&self, out: &mut dyn io::Write) -> io::Result<()> {
+        let line = |cells: Vec<String>| format!("| {} |", cells.join(" | "));
+        let cell = |text: &str| text.replace('|', "\\|").replace('\n', " ");
+        writeln!(out, "{}", line(self.headings.iter().map(|of| cell(&of.words)).collect()))?;
+        writeln!(out, "|{}", " --- |".repeat(self.headings.len()))?;
+        self.rows.iter().try_for_each(|row| {
+            writeln!(out, "{}", line(row.iter().map(|text| cell(&printed(text))).collect()))
+        })
+    }
+}
+
+/// Mode or verdict of an arch, or why it has none.
+fn verdict(answer: &Answer) -> String {
+    match (&answer.status, answer.modes.first(), answer.stands) {
+        (Status::Proved, Some(mode), _) => mode.label().to_owned(),
+        (Status::Proved, None, Some(true)) => "stands".to_owned(),
+        (Status::Proved, None, Some(false)) => "collapses".to_owned(),
+        (Status::Falls(fall), ..) => format!("falls ({})", super::words::reason(*fall)),
+        (status, ..) => status.name().to_owned(),
+    }
+}
+
+/// A value, an angle in degrees.
+fn number(quantity: Quantity, value: &Value, digits: usize) -> String {
+    match enclosure(value, digits).filter(|_| is_in_radians(quantity)) {
+        Some(angle) => rounded(&degrees(&angle), digits),
+        None => printed(&value.text()),
+    }
+}
+
+fn is_in_radians(quantity: Quantity) -> bool {
+    quantity.symbol().ends_with("rad")
+}
+
+/// The second value less the first.
+fn difference(quantity: Quantity, one: &Value, other: &Value, digits: usize) -> String {
+    let (Some(one), Some(other)) = (enclosure(one, digits), enclosure(other, digits)) else {
+        return NONE.to_owned();
+    };
+    let difference = other - one;
+    rounded(&if is_in_radians(quantity) { degrees(&difference) } else { difference }, digits)
+}
+
+/// The bounds of a value, which is not infinite.
+fn enclosure(value: &Value, digits: usize) -> Option<Ball> {
+    let bits = bits_of(digits) + GUARD;
+    let decimal = value.decimal.as_ref()?;
+    let bound = |text: String| Some(text.parse::<ExactNumber>().ok()?.enclosure::<Ball>(bits));
+    Some(bound(decimal.lower.to_string())?.hull(&bound(decimal.upper.to_string())?))
+}
+
+/// A number in as many digits as are proved; a bound of its size where not even its sign is.
+fn rounded(ball: &Ball, digits: usize) -> String {
+    let found = (1..=digits).rev().find_map(|digits| Rounded::from_ball(ball, digits));
+    found.map_or_else(
+        || format!("0 ± {:.0e}", 2.0 * size(ball)),
+        |rounded| rounded.value.to_string(),
+    )
+}
+
+/// A bound of the size of a number.
+fn size(ball: &Ball) -> f64 {
+    let bound = |x: Float| x.abs().to_f64_round(Round::Up);
+    bound(ball.lower()).max(bound(ball.upper()))
+}
+
+/// A given value as one prints it: degrees with their sign, infinity as one.
+fn printed(text: &str) -> String {
+    match text {
+        "inf" => "∞".to_owned(),
+        "" => NONE.to_owned(),
+        text => match text.strip_suffix("deg") {
+            Some(degrees) => format!("{degrees}°"),
+            None => text.replace("pi", "π"),
+        },
+    }
+}
+
+/// A cell in LaTeX.
+fn latex(cell: &str) -> String {
+    let cell = printed(cell);
+    match (cell.strip_suffix('°'), &cell[..]) {
+        (Some(degrees), _) if degrees.parse::<f64>().is_ok() => format!(r"\ang{{{degrees}}}"),
+        (_, NONE) => "--".to_owned(),
+        (_, text) if text.parse::<f64>().is_ok() => format!(r"\num{{{text}}}"),
+        (_, text) => in_latex(text),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certify::state::Inquiry;
+    use crate::problem::Arch;
+
+    fn arches(friction: &str, quantities: &[Quantity]) -> String {
+        let answer = |weight| {
+            let arch = Arch::parse(weight, "80deg", friction).unwrap();
+            Answer::state(1, &arch, &Inquiry::new(&arch, 12, false).state(12, false))
+        };
+        let list = ["heyman", "milankovitch"].map(answer).to_vec();
+        let report =
+            Answers { list, quantities: quantities.to_vec(), ..Answers::arches(12, false) };
+        let mut out = Vec::new();
+        PaperTable::of(&report).markdown(&mut out).unwrap();
+        String::from_utf8(out).unwrap()
+    }
+
+    #[test]
+    fn two_weights_stand_side_by_side_with_the_digits_of_their_difference() {
+        let table = arches("inf", &[Quantity::Thickness, Quantity::RotationJoint]);
+        let row: Vec<&str> = table.lines().nth(2).unwrap().split(" | ").collect();
+        assert_eq!(row[..2], ["| 80°", "∞"], "{table}");
+        let numbers: Vec<f64> =
+            row[4..].iter().map(|x| x.trim_end_matches(" |").parse().unwrap()).collect();
+        let [heyman, milankovitch, difference, joint, ..] = numbers[..] else { panic!("{table}") };
+        assert!((milankovitch - heyman - difference).abs() < 1e-11 && difference > 1e-5, "{table}");
+        assert!(49.0 < joint && joint < 51.0, "in degrees: {table}");
+    }
+
+    #[test]
+    fn what_does_not_stand_has_dashes_and_its_reason() {
+        let table = arches("0.1", &[Quantity::Thickness, Quantity::SlidingFriction]);
+        let row = table.lines().nth(2).unwrap();
+        assert!(
+            row.contains("falls (sliding) | falls (sliding)") && !table.contains("eta = t/r"),
+            "{table}"
+        );
+    }
+
+    #[test]
+    fn cells_are_as_one_prints_them() {
+        for (cell, markdown, tex) in [
+            ("80deg", "80°", r"\ang{80}"),
+            ("inf", "∞", r"$\infty$"),
+            ("pi/2", "π/2", r"$\pi$/2"),
+            ("-1.5e-9", "-1.5e-9", r"\num{-1.5e-9}"),
+            ("", "–", "--"),
+            (r"\input{x}", r"\input{x}", r"\textbackslash{}input\{x\}"),
+        ] {
+            assert_eq!((&printed(cell)[..], latex(cell)), (markdown, tex.to_owned()), "{cell}");
+        }
+    }
+
+    #[test]
+    fn a_difference_of_which_not_even_the_sign_is_known_is_bounded() {
+        let near = Ball::integer(-1, 64).hull(&Ball::integer(2, 64));
+        let bound: f64 = rounded(&near, 5).strip_prefix("0 ± ").unwrap().parse().unwrap();
+        assert!(bound >= 2.0, "{bound}");
+    }
+}

@@ -1,0 +1,88 @@
+//! Results that can be written: each makes records, and each format of records is written here, once.
+
+use super::format::{Content, Format};
+use super::json;
+use super::record::Record;
+use super::tabular::Tabular;
+use crate::picture::Print;
+use std::io;
+
+/// A result that makes records, from which its formats are written.
+pub trait Reported {
+    /// The formats in which it is written, the usual one first.
+    fn content() -> Content
+    where
+        Self: Sized;
+
+    /// Records of the result: one is an object in JSON, several are a list.
+    fn records(&self) -> Vec<Record>;
+
+    /// Rows of the result, in columns.
+    fn tabular(&self) -> Tabular {
+        Tabular::default()
+    }
+
+    /// Picture of the result, as SVG; an invalid input if it cannot be printed so.
+    fn picture(&self, _: &Print) -> io::Result<String> {
+        unsupported()
+    }
+
+    /// Writes it in a way that no other result has, if it has one for a format.
+    fn write_as(&self, _: &Format, _: &mut dyn io::Write) -> Option<io::Result<()>> {
+        None
+    }
+
+    /// Writes it. A format that cannot write it is an error.
+    fn write(&self, format: &Format, out: &mut dyn io::Write) -> io::Result<()> {
+        self.printed((format, &Print::default()), out)
+    }
+
+    /// Writes it, a picture as it is printed.
+    fn printed(
+        &self,
+        (format, print): (&Format, &Print),
+        out: &mut dyn io::Write,
+    ) -> io::Result<()> {
+        if let Some(done) = self.write_as(format, out) {
+            return done;
+        }
+        match format.name {
+            "table" | "text" => {
+                let lines: Vec<String> = self.records().iter().map(Record::lines).collect();
+                out.write_all(lines.join("\n").as_bytes())
+            }
+            "plain" => {
+                let mut values = self.records().into_iter().flat_map(|record| record.shown());
+                values.try_for_each(|value| writeln!(out, "{value}"))
+            }
+            "json" => match &self.records()[..] {
+                [one] => json::write(one, out),
+                all => json::write(&all, out),
+            },
+            "csv" => self.tabular().csv(out),
+            "csv2" => self.tabular().csv_with_commas(out),
+            "latex" => self.tabular().latex(out),
+            "markdown" => self.tabular().markdown(out),
+            _ if format.is_picture => out.write_all(&format.drawn(self.picture(print)?, print)?),
+            _ => unsupported(),
+        }
+    }
+}
+
+impl<T: Reported> Reported for Vec<T> {
+    fn content() -> Content {
+        T::content()
+    }
+
+    fn records(&self) -> Vec<Record> {
+        self.iter().flat_map(T::records).collect()
+    }
+
+    fn tabular(&self) -> Tabular {
+        self.iter().map(T::tabular).collect()
+    }
+}
+
+pub(super) fn unsupported<T>() -> io::Result<T> {
+    Err(io::ErrorKind::Unsupported.into())
+}
