@@ -1,7 +1,9 @@
 //! `couplet draw`, and the figures of arches: what is in them, and what is refused.
 
 use crate::program::{Scratch, couplet, refused, said, text};
+use crate::tool::has_module;
 use serde_json::Value;
+use std::process::Command;
 
 const ARCH: [&str; 5] = ["draw", "--alpha", "2.45", "--mu", "1.35"];
 
@@ -149,7 +151,7 @@ fn an_arch_of_stones_stands_by_its_own_conditions() {
     assert!(svg.contains("none keeps within friction at its joints"));
     let dxf =
         written(&["draw", "--alpha", "2", "--mu", "0.75", "--stones", "21", "--format", "dxf"]);
-    assert_eq!(dxf.matches("LINE\n8\nSTONES\n").count(), 20);
+    assert_eq!(dxf.matches("\n8\nSTONES\n100\nAcDbLine\n").count(), 20);
 }
 
 /// Its rate is the horizontal velocity of the half arch at the crown's centreline.
@@ -385,7 +387,10 @@ fn what_cannot_be_drawn_is_refused() {
         (&["draw", "--alpha", "1", "--eta", "1", "--mode", "ss", "--stones", "9"], "every angle"),
         (&["draw", "--alpha", "1", "--mu", "1", "--stones", "3"], "stands at every thickness"),
         (&["draw", "--alpha", "2.62", "--mu", "inf", "--stones", "21"], "an even number of stones"),
-        (&["draw", "--at", "T", "--arrows", "--format", "dxf"], "only svg and png have arrows"),
+        (
+            &["draw", "--at", "T", "--arrows", "--format", "dxf"],
+            "only svg, png and pdf have arrows",
+        ),
         (&["draw", "--at", "T", "--arrows", "--format", "json"], "not json"),
         (&["draw", "--at", "T", "--animate", "--format", "json"], "only svg moves"),
         (&["draw", "--at", "T", "--format", "csv"], "a format is one of"),
@@ -457,4 +462,37 @@ fn modes_are_drawn_along_the_friction() {
         "",
         "no arch of the half opening 2.9 stands",
     );
+}
+
+/// Another program reads the files without a fault: their release and unit, the arch of stones, its sizes and texts.
+#[test]
+fn a_file_for_cad_is_read_by_ezdxf() {
+    if !has_module("ezdxf") {
+        return;
+    }
+    const READ: &str = "
+import sys, ezdxf
+from collections import Counter
+file = ezdxf.readfile(sys.argv[1])
+audit = file.audit()
+count = Counter(entity.dxf.layer for entity in file.modelspace())
+layers = ' '.join(f'{layer}={count[layer]}' for layer in sys.argv[2:])
+print(file.dxfversion, file.header['$INSUNITS'], len(audit.errors), len(audit.fixes), layers)
+";
+    let scratch = Scratch::new();
+    let file = scratch.path("a.dxf");
+    let measured = ["draw", "--span", "10m", "--rise", "3m", "--mu", "0.6", "--stones", "21"];
+    for (line, words) in [
+        (&measured[..], "AC1015 6 0 0 STONES=20 DIMENSIONS=12 TEXT=5"),
+        (&["draw", "--at", "T"], "AC1015 0 0 0 STONES=0 DIMENSIONS=8 TEXT=17"),
+        (
+            &["draw", "--alpha", "1", "--mu", "1", "--eta", "1", "--half"],
+            "AC1015 0 0 0 STONES=0 DIMENSIONS=2 TEXT=4",
+        ),
+    ] {
+        assert_eq!(said(&couplet(&[line, &["-o", &file]].concat())).0, Some(0));
+        let layers = ["STONES", "DIMENSIONS", "TEXT"];
+        let asked = Command::new("python3").args(["-c", READ, &file]).args(layers).output();
+        assert_eq!(text(&asked.unwrap().stdout).trim(), words, "{line:?}");
+    }
 }

@@ -96,8 +96,11 @@ impl Failure {
         }
     }
 
-    /// A failure to write: the destination, and the reason.
+    /// A failure to write: the destination, and the reason; of what cannot be written as asked the reason alone.
     pub fn writing(what: impl Display, error: &io::Error) -> Self {
+        if error.kind() == io::ErrorKind::InvalidInput && error.get_ref().is_some() {
+            return Self::Input(error.to_string());
+        }
         Self::Io(format!("cannot write {what}: {}", reason(error)))
     }
 }

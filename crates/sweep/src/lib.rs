@@ -14,6 +14,7 @@ pub mod sweep;
 use couplet_ask::ask;
 use couplet_check::{arch, check, problem};
 use couplet_claims::claims;
+use couplet_draw::picture;
 use couplet_number::number;
 use couplet_prove::{atlas, certify, judge};
 use couplet_report::report;

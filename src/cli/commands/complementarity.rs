@@ -4,6 +4,7 @@ use super::arch::ArchArguments;
 use super::map::tolerance;
 use super::notes;
 use super::output::{OutputFile, is_written};
+use super::print::PrintArguments;
 use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling, StonesAsked};
 use crate::atlas::{Branch, Contour, Level, NoBranch, NoLevel};
 use crate::certify::state::Balls;
@@ -60,6 +61,9 @@ pub(crate) struct Arguments {
 
     #[command(flatten)]
     file: OutputFile,
+
+    #[command(flatten)]
+    print: PrintArguments,
 }
 
 /// Numbers of stones that are enumerated, and of the programme (20).
@@ -134,6 +138,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let format =
         arguments.file.format(arguments.format, ComplementarityArch::content(), "table")?;
     is_written("without --branch a solution", ComplementarityArch::content(), format)?;
+    arguments.print.of(format)?;
     let file = arguments.file.open_for(format)?;
     let digits = arguments.arch.digits();
     let extent = if arguments.half { Extent::Half } else { Extent::Whole };
@@ -222,6 +227,7 @@ fn branches(arguments: &Arguments) -> Result<(), Failure> {
         return Err(format!("with --branch digits are 1 to {DIGITS}").into());
     }
     let format = arguments.file.format(arguments.format, BranchArches::content(), "table")?;
+    let print = arguments.print.of(format)?;
     let file = arguments.file.open_for(format)?;
     let tolerance = arguments.tolerance.unwrap_or(TOLERANCE);
     let found = |weight| -> Result<(Branch, Level), NoBranch> {
@@ -244,5 +250,5 @@ fn branches(arguments: &Arguments) -> Result<(), Failure> {
         return Err(Failure::Undecided(format!("there is nothing to draw: {why}")));
     }
     let report = BranchArches { tolerance, digits, arches, command: typed() };
-    file.report((&report, format), open)
+    file.printed((&report, format, &print), open)
 }

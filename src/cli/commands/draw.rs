@@ -2,11 +2,13 @@
 
 use super::notes;
 use super::output::OutputFile;
+use super::print::PrintArguments;
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Misfit, Spelling, StonesAsked};
 use crate::atlas::{Passed, Sketch};
 use crate::cli::line::typed;
 use crate::number::{Ball, shown};
+use crate::picture::Print;
 use crate::problem::{Landmark, Mode};
 use crate::report::{Format, Reported, Shown, Sketched, Style};
 use crate::sweep::failure::Failure;
@@ -67,7 +69,7 @@ pub(crate) struct Arguments {
     #[arg(long)]
     half: bool,
 
-    /// For svg and png: arrows from where the blocks were to where they are.
+    /// For svg, png and pdf: arrows from where the blocks were to where they are.
     #[arg(long)]
     arrows: bool,
 
@@ -75,12 +77,15 @@ pub(crate) struct Arguments {
     #[arg(long)]
     animate: bool,
 
-    /// Format: svg, png, json or dxf. If none is given, what the name of the file ends with tells it.
+    /// Format: svg, png, pdf, json or dxf. If none is given, what the name of the file ends with tells it.
     #[arg(long, value_parser = parse::format(Sketched::content()))]
     format: Option<&'static Format>,
 
     #[command(flatten)]
     file: OutputFile,
+
+    #[command(flatten)]
+    print: PrintArguments,
 }
 
 /// Message why there are no stones.
@@ -111,8 +116,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err(format!("only svg moves, not {}", format.name).into());
     }
     if arguments.arrows && !format.is_picture {
-        return Err(format!("only svg and png have arrows, not {}", format.name).into());
+        return Err(format!("only svg, png and pdf have arrows, not {}", format.name).into());
     }
+    let print = arguments.print.of(format)?;
     let style = Style {
         amplitude: arguments.amplitude,
         half: arguments.half,
@@ -127,7 +133,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             (vec![sketch], Vec::new(), given)
         }
     };
-    write((sketches, between), &given, style, (format, &arguments.file))
+    write((sketches, between), &given, style, (format, &print), &arguments.file)
 }
 
 /// Draws the arch that any question was about, as it stands or at its least thickness.
@@ -138,7 +144,7 @@ pub(super) fn arch(
     file: &OutputFile,
 ) -> Result<(), Failure> {
     let sketches = vec![drawn(given, weight)?.sketch()?];
-    write((sketches, Vec::new()), given, Style::default(), (format, file))
+    write((sketches, Vec::new()), given, Style::default(), (format, &Print::default()), file)
 }
 
 /// Arch of any question, as it is drawn.
@@ -175,7 +181,8 @@ fn write(
     (sketches, between): (Vec<Sketch>, Between),
     given: &ArchGiven,
     style: Style,
-    (format, file): (&Format, &OutputFile),
+    (format, print): (&Format, &Print),
+    file: &OutputFile,
 ) -> Result<(), Failure> {
     let measures = given.measures.clone();
     let drawn = Sketched { sketches, style, measures, between, command: typed() };
@@ -186,7 +193,7 @@ fn write(
     }
     let file = file.open_for(format)?;
     notes::frictions(&given.friction);
-    file.write(|out| drawn.write(format, out))
+    file.write(|out| drawn.printed((format, print), out))
 }
 
 impl Arguments {

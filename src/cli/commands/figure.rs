@@ -3,6 +3,7 @@
 use super::curves::{levels, traced};
 use super::map::tolerance;
 use super::output::OutputFile;
+use super::print::PrintArguments;
 use crate::arch::SelfWeight;
 use crate::atlas::{Curve, Sketch};
 use crate::cli::line::typed;
@@ -37,12 +38,15 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "WIDTH", value_parser = tolerance, allow_negative_numbers = true)]
     tolerance: Option<f64>,
 
-    /// Format: svg or png. If none is given, what the name of the file ends with tells it.
+    /// Format: svg, png or pdf. If none is given, what the name of the file ends with tells it.
     #[arg(long, value_parser = format)]
     format: Option<&'static Format>,
 
     #[command(flatten)]
     file: OutputFile,
+
+    #[command(flatten)]
+    print: PrintArguments,
 }
 
 fn number(text: &str) -> Result<usize, String> {
@@ -54,7 +58,7 @@ fn number(text: &str) -> Result<usize, String> {
 
 fn format(name: &str) -> Result<&'static Format, String> {
     let format = Format::named(Content::FIGURE, name);
-    format.ok_or_else(|| parse::unknown("a format", name, &["svg", "png"]))
+    format.ok_or_else(|| parse::unknown("a format", name, &["svg", "png", "pdf"]))
 }
 
 /// Half-width of a tube, if none is given.
@@ -85,7 +89,8 @@ fn draw(
     let style = Style::of_figure(arguments.number);
     let between = Vec::new();
     let report = Sketched { sketches, style, measures: None, between, command: typed() };
-    arguments.file.open_for(format)?.write(|out| report.write(format, out))
+    let print = arguments.print.print();
+    arguments.file.open_for(format)?.write(|out| report.printed((format, &print), out))
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -116,5 +121,5 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let landmarks = Vec::new();
     let map = Map { tolerance, traces, levels, borders: Vec::new(), landmarks, drawing };
     open.extend(map.open());
-    file.report((&map, format), open)
+    file.printed((&map, format, &arguments.print.print()), open)
 }

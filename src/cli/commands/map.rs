@@ -4,6 +4,7 @@ use super::axes::AxesArguments;
 use super::curves::{borders, landmarks, levels, traced};
 use super::notes::{self, each_once};
 use super::output::{Output, OutputFile};
+use super::print::PrintArguments;
 use crate::arch::SelfWeight;
 use crate::atlas::BorderLine;
 use crate::atlas::{
@@ -12,9 +13,10 @@ use crate::atlas::{
 use crate::certify::{Error, Undecided};
 use crate::cli::line::typed;
 use crate::number::ExactNumber;
+use crate::picture::Print;
 use crate::problem::Friction;
 use crate::report::{
-    Content, Drawing, Format, Map, MapAsked, MapDifferences, MapPoint, Mark, Marked, Plane,
+    Axes, Content, Drawing, Format, Map, MapAsked, MapDifferences, MapPoint, Mark, Marked, Plane,
     Reported, View,
 };
 use crate::sweep::failure::Failure;
@@ -32,7 +34,7 @@ use rayon::prelude::*;
 /// Curves: rotation, overturning, sliding; two modes that meet (rrr/srr, [r,s,r]/[r,s]); limit, where the thickness
 /// reaches 2.
 ///
-/// Formats of pictures, svg and png, draw the map: the domains of the modes in a --plane, or --lines alone. html is
+/// Formats of pictures, svg, png and pdf, draw the map: the domains of the modes in a --plane, or --lines alone. html is
 /// a page with the map, of both weights unless one is named, that says what lies under the pointer. If no format is
 /// given, what the name of the file ends with tells it; without a file it is table.
 #[derive(Args)]
@@ -91,6 +93,9 @@ struct DifferenceArguments {
 
     #[command(flatten)]
     file: OutputFile,
+
+    #[command(flatten)]
+    print: PrintArguments,
 }
 
 #[derive(Args)]
@@ -153,7 +158,8 @@ struct DrawnMap {
     axes: AxesArguments,
 
     /// What the branches of asymmetric solutions of the complementarity problem (19) reach, as lines over the half
-    /// opening; without --curve only these. In a picture with --plane opening-friction.
+    /// opening; without --curve only these. In a picture with --plane opening-friction, from 120 to 145 degrees and from 38
+    /// to 56 unless other ranges are given.
     #[arg(long, conflicts_with = "lines")]
     asymmetric: bool,
 
@@ -171,6 +177,9 @@ struct DrawnMap {
 
     #[command(flatten)]
     file: OutputFile,
+
+    #[command(flatten)]
+    print: PrintArguments,
 }
 
 /// Curves named together.
@@ -258,6 +267,8 @@ fn all_curves(arguments: &DrawnMap) -> Result<(), Failure> {
     let format = arguments.format()?;
     let weights = arguments.weights(format);
     let (contours, axes) = (arguments.contours(), arguments.axes.axes());
+    let is_whole = axes == Axes::default() && format.is_picture;
+    let axes = if arguments.asymmetric && is_whole { Axes::of_asymmetric() } else { axes };
     let asked = MapAsked {
         format,
         weights: weights.len(),
@@ -272,6 +283,7 @@ fn all_curves(arguments: &DrawnMap) -> Result<(), Failure> {
     };
     let misfit = asked.misfit(|key| format!("--{}", key.replace('_', "-")));
     misfit.map_or(Ok(()), Err)?;
+    let print = arguments.print.of(format)?;
     let marks = arguments.marks(&weights)?;
     let file = arguments.file.open_for(format)?;
     let curves = arguments.curves();
@@ -293,17 +305,17 @@ fn all_curves(arguments: &DrawnMap) -> Result<(), Failure> {
     };
     let map = Map { tolerance, traces, levels, borders, landmarks, drawing };
     open.extend(map.open());
-    write((&arguments.file, file), (&map, format), Map::content())?;
+    write((&arguments.file, file), (&map, format, &print), Map::content())?;
     Failure::of_open(open)
 }
 
 /// Writes a report, and what was proved, on standard output beside a file of data.
 fn write(
     (output, file): (&OutputFile, Output),
-    (report, format): (&dyn Reported, &Format),
+    (report, format, print): (&dyn Reported, &Format, &Print),
     content: Content,
 ) -> Result<(), Failure> {
-    file.write(|out| report.write(format, out))?;
+    file.write(|out| report.printed((format, print), out))?;
     match Format::named(content, "table").filter(|_| output.is_file()) {
         Some(table) => Output::Standard.write(|out| report.write(table, out)),
         None => Ok(()),
@@ -332,6 +344,7 @@ fn point(asked: &PointArguments) -> Result<(), Failure> {
 
 fn difference(asked: &DifferenceArguments) -> Result<(), Failure> {
     let format = asked.file.format(asked.format, MapDifferences::content(), "table")?;
+    let print = asked.print.of(format)?;
     let tolerance = asked.tolerance;
     if tolerance < LEAST_DIFFERENCE {
         return Err(format!("a difference has a tolerance from {LEAST_DIFFERENCE:e} to 1").into());
@@ -341,5 +354,5 @@ fn difference(asked: &DifferenceArguments) -> Result<(), Failure> {
         Divide::ALL.into_par_iter().map(|divide| Difference::new(divide, tolerance)).collect();
     let differences = MapDifferences { tolerance, differences: differences?, command: typed() };
     let report = differences;
-    write((&asked.file, file), (&report, format), MapDifferences::content())
+    write((&asked.file, file), (&report, format, &print), MapDifferences::content())
 }

@@ -21,6 +21,7 @@ mod judge;
 mod map;
 mod notes;
 mod output;
+mod print;
 mod progress;
 mod prove;
 mod run;

@@ -2,6 +2,7 @@
 
 use super::notes::each_once;
 use crate::certify::Refused;
+use crate::picture::Print;
 use crate::problem::Quantity;
 use crate::report::words::shortened;
 use crate::report::{Answers, Content, Format, Reported, Sketched};
@@ -253,7 +254,16 @@ impl Output {
         (report, format): (&dyn Reported, &Format),
         open: impl IntoIterator<Item = T>,
     ) -> Result<(), Failure> {
-        self.write(|out| report.write(format, out))?;
+        self.printed((report, format, &Print::default()), open)
+    }
+
+    /// Writes a report, a picture as it is printed; what stays open in it is a failure.
+    pub(super) fn printed<T: Display>(
+        self,
+        (report, format, print): (&dyn Reported, &Format, &Print),
+        open: impl IntoIterator<Item = T>,
+    ) -> Result<(), Failure> {
+        self.write(|out| report.printed((format, print), out))?;
         Failure::of_open(open)
     }
 

@@ -1,6 +1,7 @@
 //! `couplet study`.
 
 use super::output::Output;
+use super::print::PrintArguments;
 use super::progress::styled;
 use crate::cli::line::typed;
 use crate::report::study::{StudyFiles, accuracy_table, stability_table};
@@ -11,6 +12,7 @@ use crate::study::stability;
 use crate::sweep::failure::Failure;
 use clap::{Args, Subcommand};
 use std::fs;
+use std::io;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -43,9 +45,13 @@ struct Options {
     #[arg(long)]
     quick: bool,
 
-    /// Write raw numbers, a README and figures into a folder: SVG and, where it is built in (feature plots), PNG.
+    /// Write raw numbers, a README and figures into a folder: SVG and, where they are built in (feature plots), PNG and
+    /// PDF.
     #[arg(short, long, value_name = "FOLDER")]
     output: Option<PathBuf>,
+
+    #[command(flatten)]
+    print: PrintArguments,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -82,7 +88,7 @@ fn accuracy(options: &Options) -> Result<(), Failure> {
     }
     bar.finish_and_clear();
     Output::open(None)?.write(|out| accuracy_table(&rows, out))?;
-    folder.write(&StudyFiles::accuracy(&rows, &typed()))
+    folder.write(StudyFiles::accuracy(&rows, &typed(), &options.print.print()))
 }
 
 fn stability(options: &Options) -> Result<(), Failure> {
@@ -104,7 +110,7 @@ fn stability(options: &Options) -> Result<(), Failure> {
     }
     bar.finish_and_clear();
     Output::open(None)?.write(|out| stability_table(&rungs, out))?;
-    folder.write(&StudyFiles::stability(&rungs, &typed()))
+    folder.write(StudyFiles::stability(&rungs, &typed(), &options.print.print()))
 }
 
 /// Folder into which the files go, if anywhere; made before any work is done.
@@ -127,15 +133,16 @@ impl StudyFolder {
         Ok(Self(options.output.clone()))
     }
 
-    fn write(&self, files: &StudyFiles) -> Result<(), Failure> {
+    fn write(&self, files: io::Result<StudyFiles>) -> Result<(), Failure> {
         let Some(folder) = &self.0 else { return Ok(()) };
+        let files = files.map_err(|error| Failure::writing(folder.display(), &error))?;
         for (name, bytes) in &files.0 {
             let output = Output::open(Some(&folder.join(name)))?;
             output.write(|out| out.write_all(bytes))?;
         }
         if !cfg!(feature = "plots") {
             eprintln!(
-                "couplet: the figures as SVG only: PNG is left out of this build (feature plots)"
+                "couplet: the figures as SVG only: PNG and PDF are left out of this build (feature plots)"
             );
         }
         Ok(())

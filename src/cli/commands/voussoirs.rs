@@ -4,11 +4,13 @@ use super::arch::ArchArguments;
 use super::draw;
 use super::notes;
 use super::output::{AnswerOutput, OutputFile, is_written};
+use super::print::PrintArguments;
 use super::tilt;
 use crate::ask::{ArchGiven, ArchQuestion, Field, StonesAsked};
 use crate::certify::state::{Answer, Balls, Figure};
 use crate::certify::{Error, Voussoirs, assess_voussoirs, voussoir_loss, voussoirs};
 use crate::number::ExactNumber;
+use crate::picture::Print;
 use crate::problem::Arch;
 use crate::problem::measures::Measures;
 use crate::problem::stones::Stones;
@@ -41,6 +43,9 @@ pub(crate) struct Arguments {
 
     #[command(flatten)]
     file: OutputFile,
+
+    #[command(flatten)]
+    print: PrintArguments,
 }
 
 /// Question about an arch of stones.
@@ -54,7 +59,8 @@ pub const QUESTION: ArchQuestion = ArchQuestion {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (given, arches) = arguments.arch.read(&QUESTION)?;
     let format = arguments.file.format(arguments.format, VoussoirArches::content(), "table")?;
-    answers(&arguments.arch, &given, &arches, (&arguments.file, format))
+    let print = arguments.print.of(format)?;
+    answers(&arguments.arch, &given, &arches, (&arguments.file, format, &print))
 }
 
 /// Answers for an arch of stones, where the question was one of any arch.
@@ -65,14 +71,14 @@ pub(super) fn print(
     output: &AnswerOutput,
 ) -> Result<(), Failure> {
     output.tells_all("--stones")?;
-    answers(arguments, given, arches, (output.file(), output.format()?))
+    answers(arguments, given, arches, (output.file(), output.format()?, &Print::default()))
 }
 
 fn answers(
     arguments: &ArchArguments,
     given: &ArchGiven,
     arches: &[Arch],
-    (file, format): (&OutputFile, &'static Format),
+    (file, format, print): (&OutputFile, &'static Format, &Print),
 ) -> Result<(), Failure> {
     let (asked, digits) = (arguments.understood(given), arguments.digits());
     let stones = divisions(given)?;
@@ -95,7 +101,7 @@ fn answers(
         return Err(message.into());
     }
     let open = answers.arches.iter().find_map(VoussoirArch::first_open).cloned();
-    file.report((&answers, format), open)
+    file.printed((&answers, format, print), open)
 }
 
 /// Divisions into stones that are asked about.

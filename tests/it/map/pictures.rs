@@ -128,10 +128,69 @@ fn pixels_are_a_png_file() {
     assert!(std::fs::read(&file).unwrap().starts_with(b"\x89PNG"));
 }
 
+/// At a width of a column, with its letters embedded, and nothing of the words below.
+#[cfg(feature = "plots")]
+#[test]
+fn a_page_is_a_pdf_file_of_the_width() {
+    let scratch = Scratch::new();
+    let file = scratch.path("figure.pdf");
+    let line = ["figure", "4", "--tolerance", "1e-2", "--width", "84mm", "-o", &file];
+    assert_eq!(said(&couplet(&line)).0, Some(0));
+    let bytes = std::fs::read(&file).unwrap();
+    assert!(bytes.starts_with(b"%PDF-1."));
+    let text = String::from_utf8_lossy(&bytes);
+    // 84 mm in points; a font file with a subset of the letters.
+    assert!(text.contains("/MediaBox [0 0 238.11"), "{:?}", text.find("MediaBox"));
+    assert!(text.contains("DejaVuSans") && text.contains("/FontFile2"));
+    let again = scratch.path("again.pdf");
+    let line = ["figure", "4", "--tolerance", "1e-2", "--width", "84mm", "-o", &again];
+    assert_eq!(said(&couplet(&line)).0, Some(0));
+    assert!(std::fs::read(&again).unwrap().len() == bytes.len());
+}
+
 #[cfg(not(feature = "plots"))]
 #[test]
 fn pixels_need_their_feature() {
     refused(&["map", "-o", "map.png"], "", "without the feature plots");
+    refused(&["map", "-o", "map.pdf"], "", "without the feature plots");
+}
+
+/// The words below go, their description stays; the letters are those asked for.
+#[test]
+fn a_picture_is_printed_as_asked_for() {
+    let line = ["figure", "3", "--tolerance", "1e-2", "--width", "12cm", "--no-caption"];
+    let svg = text(&couplet(&[&line[..], &["--font", "Arial"]].concat()).stdout);
+    assert!(svg.contains("width=\"340.157pt\"") && svg.contains("font-family=\"'Arial', DejaVu"));
+    assert_eq!(svg.matches("Command: couplet figure 3").count(), 1, "in the description");
+    let arch = ["draw", "--alpha", "80deg", "--mu", "0.35"];
+    let [with, without] = [&[][..], &["--no-title", "--font-size", "8pt"]]
+        .map(|more| text(&couplet(&[&arch[..], more].concat()).stdout));
+    assert!(with.contains(">[r,r,r]</text>") && !without.contains(">[r,r,r]</text>"));
+    assert!(without.contains("pt\" height=\""));
+}
+
+#[test]
+fn what_cannot_be_printed_is_refused() {
+    let figure = ["figure", "6", "--tolerance", "1e-2"];
+    for (more, words) in [
+        (&["--width", "84"][..], "a width is a length from 20mm to 1189mm on paper, as 84mm"),
+        (&["--width", "-84mm"], "a width is a length"),
+        (&["--font-size", "7"], "a font size is a length from 3pt to 30pt on paper"),
+        (&["--font-size", "70pt"], "a font size is a length"),
+        (&["--font", "a,b"], "a font is the name of one family"),
+        (&["--width", "30mm"], "this picture is at least 72mm wide with letters of 7pt, not 30mm"),
+    ] {
+        refused(&[&figure[..], more].concat(), "", words);
+    }
+    let words = "are for svg, png and pdf, not";
+    refused(&["map", "--no-caption", "--format", "csv"], "", words);
+    refused(&["draw", "--at", "T", "--width", "84mm", "--format", "dxf"], "", words);
+    #[cfg(feature = "plots")]
+    refused(
+        &[&figure[..], &["--font", "No Such", "--format", "pdf"]].concat(),
+        "",
+        "no font 'No Such'",
+    );
 }
 
 #[test]
@@ -176,8 +235,11 @@ fn what_makes_no_picture_is_refused() {
             "begins at 1e-9 or above",
         ),
         (&["map", "--scale", "cubic", "-o", "map.svg"], "cubic"),
-        (&["map", "--friction-unit", "mu", "-o", "map.csv"], "are for a map as svg or png"),
-        (&["map", "--scale", "log", "--lines", "-o", "map.svg"], "are for a map as svg or png"),
+        (&["map", "--friction-unit", "mu", "-o", "map.csv"], "are for a map as svg, png or pdf"),
+        (
+            &["map", "--scale", "log", "--lines", "-o", "map.svg"],
+            "are for a map as svg, png or pdf",
+        ),
         (&["map", "--mark", "80deg", "-o", "map.svg"], "a mark is a half opening, a friction"),
         (
             &["map", "--mark", "80deg,1,2,3", "-o", "map.svg"],
@@ -192,11 +254,11 @@ fn what_makes_no_picture_is_refused() {
         (&["map", "--mark", "80deg,x", "-o", "map.svg"], "'x' is not a friction"),
         (
             &["map", "--mark", "80deg,1", "-o", "map.csv"],
-            "for --mark give a map as svg, png or html",
+            "for --mark give a map as svg, png, pdf or html",
         ),
         (
             &["map", "--mark", "80deg,1", "--lines", "-o", "map.svg"],
-            "for --mark give a map as svg, png or html",
+            "for --mark give a map as svg, png, pdf or html",
         ),
         (&["figure", "0"], "a figure is a number from 1 to 12"),
         (&["figure", "13"], "a figure is a number from 1 to 12"),

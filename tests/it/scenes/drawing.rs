@@ -104,7 +104,7 @@ fn faults_of_drawings_have_their_places() {
         ("[[drawing]]\nat = \"T\"\nstones = 9", "2:1: stones are of an arch"),
         (
             "[[drawing]]\nat = \"T\"\narrows = true\noutput = \"x.dxf\"",
-            "2:1: only svg and png have arrows; leave out arrows",
+            "2:1: only svg, png and pdf have arrows; leave out arrows",
         ),
         ("[[drawing]]\nat = \"T\"\nhalf = 1", "4:8: half 1 is not true or false"),
         (

@@ -84,7 +84,7 @@ fn faults_of_maps_have_their_places() {
         ("[[map]]\ntolerance = 0", "3:13: tolerance 0 is not a number from 1e-12 to 1"),
         ("[[map]]\ntolerance = true", "3:13: tolerance true is not a number from 1e-12 to 1"),
         ("[[map]]\nplane = \"mine\"", "3:9: plane \"mine\" is not one of thickness-friction"),
-        ("[[map]]\nlines = true", "2:1: plane, lines and bare are for a picture, svg or png"),
+        ("[[map]]\nlines = true", "2:1: plane, lines and bare are for a picture, svg, png or pdf"),
         (
             "[[map]]\nlines = true\nplane = \"opening-friction\"\nformat = \"svg\"",
             "2:1: lines are drawn over thickness and friction",
@@ -97,7 +97,7 @@ fn faults_of_maps_have_their_places() {
         ("[[map]]\nmarks = [\"1\"]\nformat = \"svg\"", "3:10: marks: a mark is a half opening"),
         (
             "[[map]]\nscale = \"log\"\nformat = \"csv\"",
-            "2:1: units, ranges and a scale are for a map as svg or png",
+            "2:1: units, ranges and a scale are for a map as svg, png or pdf",
         ),
         (
             "[[map]]\nhalf_opening_unit = \"A\"\nformat = \"svg\"",

@@ -4,7 +4,7 @@ use super::color::INK;
 use super::path::{Path, Point};
 use super::scale::Tick;
 use super::svg::{Anchor, Stroke, Svg, Type};
-use super::text::LEADING;
+use super::text::{self, LEADING};
 
 /// A rectangle of the page, and what lies in it: from left to right and from the bottom to the top.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,10 +66,29 @@ impl Frame {
         Path::rectangle(self.corner, (self.right(), self.bottom()))
     }
 
-    /// Ticks at an edge, pointing inwards, with their labels outside.
+    /// Every so many ticks at an edge have room for their labels.
+    fn labelled(&self, side: FrameSide, ticks: &[Tick], size: f64) -> usize {
+        let is_along = matches!(side, FrameSide::Bottom | FrameSide::Top);
+        let half = |tick: &Tick| match is_along {
+            true => text::width(&tick.label, size) / 2.0 + 0.2 * size,
+            false => LEADING * size / 2.0,
+        };
+        let place = |tick: &Tick| {
+            let (x, y) = self.at((tick.place, tick.place));
+            if is_along { x } else { -y }
+        };
+        let fits = |every: &usize| {
+            let kept: Vec<&Tick> = ticks.iter().step_by(*every).collect();
+            kept.windows(2).all(|two| place(two[1]) - place(two[0]) >= half(two[0]) + half(two[1]))
+        };
+        [1, 2, 3, 4, 6].into_iter().find(fits).unwrap_or(ticks.len().max(1))
+    }
+
+    /// Ticks at an edge, pointing inwards, with their labels outside where these have room.
     pub fn ticks(&self, svg: &mut Svg, side: FrameSide, ticks: &[Tick], size: f64) {
         let half = size * LEADING / 2.0;
-        for tick in ticks {
+        let every = self.labelled(side, ticks, size);
+        for (k, tick) in ticks.iter().enumerate() {
             let (x, y) = self.at((tick.place, tick.place));
             let (from, to, label, anchor) = match side {
                 FrameSide::Bottom => {
@@ -90,7 +109,9 @@ impl Frame {
                 }
             };
             svg.stroke(&Path::through([from, to]), Stroke::new(INK, 1.2));
-            svg.text(&tick.label, label, Type::new(size, INK).at(anchor));
+            if k.is_multiple_of(every) {
+                svg.text(&tick.label, label, Type::new(size, INK).at(anchor));
+            }
         }
     }
 }

@@ -1,17 +1,19 @@
-//! Pictures: strokes, fills and texts as SVG, and that as pixels.
+//! Pictures: strokes, fills and texts as SVG, and that as pixels or as a page.
 //!
 //! | file | what it does |
 //! |---|---|
 //! | `color` | the colours |
 //! | `path` | straight and curved lines |
 //! | `svg` | the one writer of SVG |
+//! | `print` | how a picture is printed: its width, its letters, its words |
 //! | `text` | the width of a text, its lines, powers of ten |
 //! | `scale` | where a value lies on an axis, and the ticks |
 //! | `spread` | labels pushed apart |
 //! | `frame` | a window onto a plane, with its axes |
-//! | `room` | where a label has room |
+//! | `room`, `labels` | where a label has room: in an area, beside a point |
 //! | [`figure`] | panels of labelled lines |
-//! | `png` | SVG as pixels (feature `plots`) |
+//! | `tree` | SVG as a renderer reads it (feature `plots`) |
+//! | `png`, `pdf` | that as pixels, and as a page (feature `plots`) |
 //!
 //! The text is the same whenever the picture is the same. What is drawn is decided elsewhere: nothing here
 //! knows of arches.
@@ -19,9 +21,13 @@
 pub mod color;
 pub mod figure;
 pub mod frame;
+pub mod labels;
 pub mod path;
 #[cfg(feature = "plots")]
+pub mod pdf;
+#[cfg(feature = "plots")]
 pub mod png;
+pub mod print;
 #[cfg(test)]
 mod reading;
 pub mod room;
@@ -29,8 +35,11 @@ pub mod scale;
 pub mod spread;
 pub mod svg;
 pub mod text;
+#[cfg(feature = "plots")]
+pub mod tree;
 
 pub use color::Color;
 pub use frame::{Frame, FrameSide};
 pub use path::{Path, Point};
+pub use print::{Font, PaperLength, Print};
 pub use svg::{Anchor, Hatch, Rigid, Stroke, Svg, Type};

@@ -1,30 +1,23 @@
 //! SVG as pixels.
 
-#[doc(hidden)]
-pub use resvg;
+use super::print::Print;
+use super::tree::tree;
 use resvg::tiny_skia::{Pixmap, Transform};
-use resvg::usvg::{Options, Tree};
+use std::io;
 
-static FONT: &[u8] = include_bytes!("../../assets/DejaVuSans.ttf");
+/// Pixels of the web in an inch: what the reader of SVG counts in.
+const WEB: f64 = 96.0;
+/// The most pixels: of a sheet so large that it has more, each is larger.
+const MOST: f64 = 1e8;
 
-/// Pixels a unit of the picture: enough for print.
-pub const FINE: f32 = 2.0;
-
-/// Tree of an SVG as the program itself writes it, with its font.
-#[doc(hidden)]
-pub fn tree(svg: &str) -> Tree {
-    let mut options = Options { font_family: "DejaVu Sans".into(), ..Options::default() };
-    options.fontdb_mut().load_font_data(FONT.to_vec());
-    Tree::from_str(svg, &options).expect("the picture is well formed")
-}
-
-/// A picture that [`Svg`](super::Svg) wrote, as a PNG file with [`FINE`] pixels a unit.
-pub fn render(svg: &str) -> Vec<u8> {
-    let tree = tree(svg);
-    let size = tree.size();
-    let pixels = |length: f32| (length * FINE).round() as u32;
-    let mut pixels =
-        Pixmap::new(pixels(size.width()), pixels(size.height())).expect("a picture is not empty");
-    resvg::render(&tree, Transform::from_scale(FINE, FINE), &mut pixels.as_mut());
-    pixels.encode_png().expect("memory takes everything")
+/// A picture that [`Svg`](super::Svg) wrote, as a PNG file.
+pub fn render(svg: &str, print: &Print) -> io::Result<Vec<u8>> {
+    let tree = tree(svg, print)?;
+    let (width, height) = (tree.size().width(), tree.size().height());
+    let area = f64::from(width) * f64::from(height);
+    let scale = (print.resolution() / WEB).min((MOST / area).sqrt()) as f32;
+    let pixels = |length: f32| (length * scale).round().max(1.0) as u32;
+    let mut pixels = Pixmap::new(pixels(width), pixels(height)).expect("a picture is not empty");
+    resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixels.as_mut());
+    pixels.encode_png().map_err(io::Error::other)
 }

@@ -42,9 +42,10 @@ fn what_is_not_well_formed_is_refused() {
 /// Boxes of the texts of a document, with the page.
 #[cfg(feature = "plots")]
 pub(crate) mod boxes {
-    use crate::picture::png::resvg::tiny_skia::Rect;
-    use crate::picture::png::resvg::usvg::{Group, Node};
-    use crate::picture::png::tree;
+    use crate::picture::print::Print;
+    use crate::picture::tree::resvg::tiny_skia::{self, PathSegment, Rect};
+    use crate::picture::tree::resvg::usvg::{Group, Node, Paint};
+    use crate::picture::tree::tree;
 
     fn boxes(group: &Group) -> Vec<(String, Rect)> {
         let of = |node: &Node| match node {
@@ -58,9 +59,99 @@ pub(crate) mod boxes {
         group.children().iter().flat_map(of).collect()
     }
 
+    /// Sizes of the fonts of a document.
+    pub(crate) fn sizes(svg: &str) -> Vec<f64> {
+        let after = svg.split(" font-size=\"").skip(1);
+        after.map(|rest| rest.split('"').next().unwrap().parse().unwrap()).collect()
+    }
+
+    /// Points so close together on the strokes of a document, but for the pale ones of a grid, that no letter lies
+    /// between two; each where its clip shows it.
+    fn strokes(group: &Group, clip: Option<Rect>) -> Vec<(f32, f32)> {
+        let clip = group.clip_path().map(|path| path.root().abs_bounding_box()).or(clip);
+        let of = |node: &Node| match node {
+            Node::Group(group) => strokes(group, clip),
+            Node::Path(path) if path.stroke().is_some_and(|stroke| !is_pale(stroke.paint())) => {
+                let transform = path.abs_transform();
+                let data = path.data().clone().transform(transform);
+                let points = data.as_ref().map(points).unwrap_or_default();
+                let is_seen = |(x, y): &(f32, f32)| {
+                    clip.is_none_or(|of| {
+                        of.left() <= *x && *x <= of.right() && of.top() <= *y && *y <= of.bottom()
+                    })
+                };
+                points.into_iter().filter(is_seen).collect()
+            }
+            _ => Vec::new(),
+        };
+        group.children().iter().flat_map(of).collect()
+    }
+
+    fn is_pale(paint: &Paint) -> bool {
+        matches!(paint, Paint::Color(color) if color.red.min(color.green).min(color.blue) > 0xD0)
+    }
+
+    fn points(path: &tiny_skia::Path) -> Vec<(f32, f32)> {
+        let (mut found, mut at) = (Vec::new(), (0.0, 0.0));
+        for segment in path.segments() {
+            let corners = match segment {
+                PathSegment::MoveTo(to) => {
+                    at = (to.x, to.y);
+                    continue;
+                }
+                PathSegment::LineTo(to) => [at, at, (to.x, to.y), (to.x, to.y)],
+                PathSegment::CubicTo(a, b, to) => [at, (a.x, a.y), (b.x, b.y), (to.x, to.y)],
+                _ => continue,
+            };
+            let way: f32 = corners
+                .windows(2)
+                .map(|pair| (pair[1].0 - pair[0].0).hypot(pair[1].1 - pair[0].1))
+                .sum();
+            let count = way.ceil().max(1.0);
+            for k in 0..=count as u32 {
+                let (t, u) = (k as f32 / count, 1.0 - k as f32 / count);
+                let weights = [u * u * u, 3.0 * u * u * t, 3.0 * u * t * t, t * t * t];
+                let sum = |of: fn(&(f32, f32)) -> f32| -> f32 {
+                    corners.iter().zip(weights).map(|(corner, w)| w * of(corner)).sum()
+                };
+                found.push((sum(|p| p.0), sum(|p| p.1)));
+            }
+            at = corners[3];
+        }
+        found
+    }
+
+    /// The texts that a stroke goes through.
+    pub(crate) fn crossed(svg: &str) -> Vec<String> {
+        let tree = tree(svg, &Print::default()).unwrap();
+        let strokes = strokes(tree.root(), None);
+        let is_crossed = |(_, of): &(String, Rect)| {
+            let flat = of.inset(1.0, 0.25 * of.height().min(of.width())).unwrap_or(*of);
+            strokes.iter().any(|(x, y)| {
+                flat.left() < *x && *x < flat.right() && flat.top() < *y && *y < flat.bottom()
+            })
+        };
+        boxes(tree.root()).into_iter().filter(is_crossed).map(|(text, _)| text).collect()
+    }
+
+    #[test]
+    fn a_text_on_a_line_is_seen_unless_the_line_is_cut_off() {
+        use crate::picture::{Color, Path, Stroke, Svg, Type};
+        let mut svg = Svg::new((100.0, 100.0), "", "");
+        let (line, ink) = (Path::through([(0.0, 50.0), (100.0, 50.0)]), Color(0, 0, 0));
+        let left = Path::rectangle((0.0, 0.0), (40.0, 100.0));
+        svg.clipped(&left, |svg| svg.stroke(&line, Stroke::new(ink, 1.0)));
+        svg.text("on", (5.0, 50.0), Type::new(16.0, ink));
+        svg.text("beyond", (45.0, 50.0), Type::new(14.0, ink));
+        svg.text("above", (5.0, 20.0), Type::new(14.0, ink));
+        let svg = svg.finish();
+        assert_eq!(crossed(&svg), ["on"]);
+        assert_eq!(sizes(&svg), [16.0, 14.0, 14.0]);
+    }
+
     /// The first text that leaves the page or lies on another.
     pub(crate) fn trouble(svg: &str) -> Option<String> {
-        let tree = tree(svg);
+        let tree = tree(svg, &Print::default()).unwrap();
         let page = tree.size();
         let boxes = boxes(tree.root());
         for (k, (text, one)) in boxes.iter().enumerate() {

@@ -17,13 +17,23 @@ const TURNS: usize = 3;
 const FINE: f64 = 0.2;
 
 /// The middle of a label of so many halves of width and height that is furthest, in these halves, from the
-/// outline of an area and from what is `taken`. `None` if it has no room in the area.
-pub fn roomiest(outline: &[Point], half: Point, taken: &[Rectangle]) -> Option<Point> {
+/// outline of an area, from lines in it and from what is `taken`. `None` if it has no room in the area.
+pub fn roomiest(
+    outline: &[Point],
+    half: Point,
+    taken: &[Rectangle],
+    lines: &[Vec<Point>],
+) -> Option<Point> {
     // In halves of the label it is a square of side 2, and the distance is the larger of the two.
     let scaled = |(x, y): Point| (x / half.0, y / half.1);
     let corners: Vec<Point> = outline.iter().copied().map(scaled).collect();
     let taken: Vec<Rectangle> = taken.iter().map(|r| r.map(scaled)).collect();
-    let edge = fine(&corners);
+    let along = |line: &Vec<Point>| {
+        let points: Vec<Point> = line.iter().copied().map(scaled).collect();
+        fine(points.windows(2).map(|pair| (pair[0], pair[1])))
+    };
+    let sides = corners.iter().copied().zip(corners.iter().copied().cycle().skip(1));
+    let edge: Vec<Point> = fine(sides).into_iter().chain(lines.iter().flat_map(along)).collect();
     let clearance = |at: Point| {
         if !is_inside(&corners, at) {
             return f64::NEG_INFINITY;
@@ -61,10 +71,9 @@ pub fn roomiest(outline: &[Point], half: Point, taken: &[Rectangle]) -> Option<P
     best.filter(|(room, _)| *room >= 1.0).map(|(_, at)| (at.0 * half.0, at.1 * half.1))
 }
 
-/// Once round, with points on the sides.
-fn fine(corners: &[Point]) -> Vec<Point> {
-    let sides = corners.iter().zip(corners.iter().cycle().skip(1));
-    let points = sides.flat_map(|(&a, &b)| {
+/// Points on straight parts.
+fn fine(parts: impl Iterator<Item = (Point, Point)>) -> Vec<Point> {
+    let points = parts.flat_map(|(a, b)| {
         let way = (b.0 - a.0).abs().max((b.1 - a.1).abs());
         let count = (way / FINE).ceil().clamp(1.0, 1e4) as usize;
         (0..count).map(move |k| {
@@ -116,21 +125,24 @@ mod tests {
 
     #[test]
     fn a_label_stands_in_the_middle_or_beside_what_is_taken() {
-        let (x, y) = roomiest(&SQUARE, (20.0, 20.0), &[]).unwrap();
+        let (x, y) = roomiest(&SQUARE, (20.0, 20.0), &[], &[]).unwrap();
         assert!((x - 50.0).abs() < 2.0 && (y - 50.0).abs() < 2.0, "{x} {y}");
-        let (x, _) = roomiest(&SQUARE, (20.0, 20.0), &[[(0.0, 0.0), (50.0, 100.0)]]).unwrap();
+        let (x, _) = roomiest(&SQUARE, (20.0, 20.0), &[[(0.0, 0.0), (50.0, 100.0)]], &[]).unwrap();
         assert!((x - 75.0).abs() < 2.0, "{x}");
-        assert_eq!(roomiest(&SQUARE, (20.0, 20.0), &[[(30.0, 0.0), (70.0, 100.0)]]), None);
-        assert_eq!(roomiest(&SQUARE, (51.0, 1.0), &[]), None);
-        assert!(roomiest(&SQUARE, (49.0, 1.0), &[]).is_some());
-        assert_eq!(roomiest(&[], (1.0, 1.0), &[]), None);
+        assert_eq!(roomiest(&SQUARE, (20.0, 20.0), &[[(30.0, 0.0), (70.0, 100.0)]], &[]), None);
+        assert_eq!(roomiest(&SQUARE, (51.0, 1.0), &[], &[]), None);
+        assert!(roomiest(&SQUARE, (49.0, 1.0), &[], &[]).is_some());
+        let line = vec![vec![(0.0, 30.0), (100.0, 30.0)]];
+        let (_, y) = roomiest(&SQUARE, (20.0, 20.0), &[], &line).unwrap();
+        assert!((y - 65.0).abs() < 2.0, "{y}");
+        assert_eq!(roomiest(&[], (1.0, 1.0), &[], &[]), None);
     }
 
     #[test]
     fn a_bay_is_outside() {
         let bay = [(0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (50.0, 30.0), (0.0, 100.0)];
         assert!(is_inside(&bay, (50.0, 20.0)) && !is_inside(&bay, (50.0, 60.0)));
-        let (_, y) = roomiest(&bay, (10.0, 5.0), &[]).unwrap();
+        let (_, y) = roomiest(&bay, (10.0, 5.0), &[], &[]).unwrap();
         assert!(y < 60.0);
     }
 

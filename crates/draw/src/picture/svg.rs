@@ -2,6 +2,7 @@
 
 use super::color::{Color, WHITE};
 use super::path::{Path, Point, Short};
+use super::print::Print;
 use super::text::LEADING;
 use std::fmt::Write as _;
 
@@ -143,13 +144,21 @@ pub struct Svg {
 
 impl Svg {
     /// An empty page; the title and the description are for those who do not see it.
-    pub fn new((width, height): (f64, f64), title: &str, description: &str) -> Self {
-        let (width, height) = (width.ceil(), height.ceil());
+    pub fn new(size: Point, title: &str, description: &str) -> Self {
+        Self::printed(&Print::default(), (size.0.ceil(), size.1), title, description)
+    }
+
+    /// An empty page that is printed as asked for.
+    pub fn printed(print: &Print, (width, height): Point, title: &str, description: &str) -> Self {
+        let height = height.ceil();
+        let [wide, high] = print.size((width, height));
+        let font = print.font.as_ref().map_or(String::new(), |font| format!("'{}', ", font.name()));
         let mut svg = Self { text: String::new(), named: 0 };
         svg.write(format_args!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-             viewBox=\"0 0 {width} {height}\" role=\"img\" font-family=\"{FAMILY}\" \
-             stroke-linejoin=\"round\">"
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{wide}\" height=\"{high}\" \
+             viewBox=\"0 0 {} {height}\" role=\"img\" font-family=\"{font}{FAMILY}\" \
+             stroke-linejoin=\"round\">",
+            Short(width)
         ));
         for (tag, words) in [("title", title), ("desc", description)] {
             if !words.is_empty() {
@@ -211,11 +220,14 @@ impl Svg {
 
     /// An area under slanted lines.
     pub fn hatch(&mut self, path: &Path, Hatch { ground, color, gap, turn }: Hatch) {
-        let (name, gap, turn) = (self.name("hatch"), Short(gap), Short(turn));
+        let (name, middle, gap, turn) =
+            (self.name("hatch"), Short(gap / 2.0), Short(gap), Short(turn));
+        // The ground is below and not in the pattern, which is as long as a page: its seams would be seen.
+        self.fill(path, ground);
         self.write(format_args!(
-            "<pattern id=\"{name}\" width=\"{gap}\" height=\"{gap}\" patternUnits=\"userSpaceOnUse\" \
-             patternTransform=\"rotate({turn})\"><path d=\"M0 0H{gap}V{gap}H0Z\" fill=\"{ground}\"/>\
-             <path d=\"M0 0V{gap}\" stroke=\"{color}\" stroke-width=\"1.6\"/></pattern>"
+            "<pattern id=\"{name}\" width=\"{gap}\" height=\"1200\" patternUnits=\"userSpaceOnUse\" \
+             patternTransform=\"rotate({turn})\"><path d=\"M{middle} 0V1200\" stroke=\"{color}\" \
+             stroke-width=\"1.6\"/></pattern>"
         ));
         self.write(format_args!("<path d=\"{path}\" fill=\"url(#{name})\"/>"));
     }

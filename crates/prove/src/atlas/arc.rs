@@ -50,7 +50,7 @@ pub struct CubicArc {
 }
 
 /// More than the rounding of the doubles can be, for values of a few units.
-const ROUNDING: f64 = 1e-14;
+pub(super) const ROUNDING: f64 = 1e-14;
 /// More than `1/ln 10`.
 const ABOVE: f64 = 0.435;
 
@@ -71,7 +71,7 @@ impl Coordinate {
     }
 
     /// Value of the coordinate, or, of a logarithm, what it is of.
-    fn of<T: Real + Stumpff>(self, at: &VariableValues<T>) -> T {
+    fn of<T: Real + Stumpff>(self, form: &CurveForm, at: &VariableValues<T>) -> T {
         match self {
             Self::HalfOpening => at.half_opening.clone(),
             Self::OpeningVariable => {
@@ -85,6 +85,10 @@ impl Coordinate {
             }
             Self::Thickness | Self::LogThickness => at.thickness.clone(),
             Self::Thrust => at.thrust.clone(),
+            // Where its ratio is known it is regular at the origin too.
+            Self::RotationJoint if form.knows(Variable::JointRatio) => {
+                at.joint_ratio.sqrt() * &at.inclination.rad
+            }
             Self::RotationJoint => at.joint_square.sqrt(),
         }
     }
@@ -101,7 +105,7 @@ impl Coordinate {
     }
 }
 
-fn bound(x: &Ball) -> f64 {
+pub(super) fn bound(x: &Ball) -> f64 {
     Magnitude::upper(x.mid()).plus(x.rad()).to_float().to_f64()
 }
 
@@ -114,7 +118,7 @@ pub fn arc(piece: &Piece, coordinate: Coordinate, [from, to]: [f64; 2]) -> Optio
         let number = |given: &Ball| Jet::constant(given.with_precision(BITS), order);
         let line = Jet::new(vec![s.clone(), exact(1.0)], order);
         let cubics = tube.about(s).into_iter().map(|about| Jet::new(about, order));
-        let of = coordinate.of(&form.spot(&number, &line, &cubics.collect::<Vec<_>>()));
+        let of = coordinate.of(form, &form.spot(&number, &line, &cubics.collect::<Vec<_>>()));
         let of: Vec<Ball> = (0..=order).map(|k| of.coefficient(k)).collect();
         let of = if coordinate == Coordinate::LogThickness { logarithm(of)? } else { of };
         of.iter().all(Enclosure::is_bounded).then_some(of)
@@ -132,7 +136,7 @@ pub fn arc(piece: &Piece, coordinate: Coordinate, [from, to]: [f64; 2]) -> Optio
             let value = match coordinate {
                 Coordinate::LogThickness => return None,
                 Coordinate::RotationJoint => root_of_square(&at.joint_square),
-                _ => coordinate.of(&at),
+                _ => coordinate.of(form, &at),
             };
             value.is_bounded().then_some(value)
         };
@@ -165,7 +169,7 @@ pub fn arc(piece: &Piece, coordinate: Coordinate, [from, to]: [f64; 2]) -> Optio
 fn by_tube(form: &CurveForm, coordinate: Coordinate, s: &Ball, tube: &Tube) -> Option<f64> {
     let number = |given: &Ball| Dual::constant(given.with_precision(BITS));
     let x = Dual::variables(&tube.enclosure(s));
-    let of = coordinate.of(&form.spot(&number, &Dual::constant(s.clone()), &x));
+    let of = coordinate.of(form, &form.spot(&number, &Dual::constant(s.clone()), &x));
     let widths = tube.widths.iter().map(|width| width.to_float().to_f64());
     let off: f64 = widths.enumerate().map(|(k, width)| bound(&of.derivative(k)) * width).sum();
     if coordinate != Coordinate::LogThickness {

@@ -32,6 +32,7 @@ mod level;
 mod part;
 mod place;
 mod point;
+mod rotation_end;
 mod search;
 mod section;
 mod sketch;
@@ -54,6 +55,7 @@ pub use level::{Level, NoLevel};
 pub use part::Part;
 pub use place::Place;
 pub use point::{NoPoint, point};
+pub use rotation_end::{over_joint, rotation_end, rotation_start};
 pub use section::Section;
 pub use sketch::{
     Block, Bound, Collapse, Forces, Mark, Moved, NoSketch, Passed, Sketch, SketchedLine, Stability,

@@ -1,6 +1,8 @@
 //! The one list of formats: commands, scenes, help and errors read it.
 
 use super::words::{distinct, list};
+use crate::picture::Print;
+use std::io;
 
 /// Names of the formats in which something is written, in the order of the list of formats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,18 +16,30 @@ impl Content {
     /// Arches that were drawn from a seed.
     pub const SAMPLES: Self = Self(&["csv", "jsonl"]);
     /// A picture, and nothing beside.
-    pub const FIGURE: Self = Self(&["svg", "png"]);
+    pub const FIGURE: Self = Self(&["svg", "png", "pdf"]);
     /// Records with rows.
     pub(super) const RECORDS: Self = Self(&["table", "json", "csv", "csv2", "latex", "markdown"]);
     /// Records with rows and a picture.
     pub(super) const DRAWN_RECORDS: Self =
-        Self(&["table", "json", "csv", "csv2", "latex", "markdown", "svg", "png"]);
+        Self(&["table", "json", "csv", "csv2", "latex", "markdown", "svg", "png", "pdf"]);
 
     /// Tells whether it can be written in a format.
     pub fn is_written_as(self, format: &Format) -> bool {
         self.0.contains(&format.name)
     }
 }
+
+/// Renderers of pictures, where they are built in.
+#[cfg(feature = "plots")]
+use crate::picture::{pdf::render as pdf, png::render as png};
+
+#[cfg(not(feature = "plots"))]
+fn png(_: &str, _: &Print) -> io::Result<Vec<u8>> {
+    super::reported::unsupported()
+}
+
+#[cfg(not(feature = "plots"))]
+use png as pdf;
 
 /// A format.
 #[derive(Clone, Copy, Debug)]
@@ -64,7 +78,17 @@ const fn language(name: &'static str, extension: &'static str) -> Format {
     Format { has_errors: true, has_certificates: true, ..text(name, extension) }
 }
 
-static FORMATS: [Format; 21] = [
+/// A picture that a renderer makes of SVG.
+const fn rendered(name: &'static str) -> Format {
+    Format {
+        is_binary: true,
+        is_picture: true,
+        missing: if cfg!(feature = "plots") { None } else { Some("plots") },
+        ..text(name, name)
+    }
+}
+
+static FORMATS: [Format; 22] = [
     text("table", "txt"),
     text("text", "txt"),
     text("plain", "txt"),
@@ -88,12 +112,8 @@ static FORMATS: [Format; 21] = [
     },
     Format { is_picture: true, ..text("svg", "svg") },
     text("html", "html"),
-    Format {
-        is_binary: true,
-        is_picture: true,
-        missing: if cfg!(feature = "plots") { None } else { Some("plots") },
-        ..text("png", "png")
-    },
+    rendered("png"),
+    rendered("pdf"),
     text("dxf", "dxf"),
 ];
 
@@ -101,6 +121,15 @@ impl Format {
     /// The formats in which something can be written, the usual one first.
     pub fn all(content: Content) -> impl Iterator<Item = &'static Self> {
         FORMATS.iter().filter(move |format| content.is_written_as(format))
+    }
+
+    /// The bytes of a picture that is drawn as SVG.
+    pub(super) fn drawn(&self, svg: String, print: &Print) -> io::Result<Vec<u8>> {
+        match self.name {
+            "png" => png(&svg, print),
+            "pdf" => pdf(&svg, print),
+            _ => Ok(svg.into_bytes()),
+        }
     }
 
     /// Names of the formats in a sentence.

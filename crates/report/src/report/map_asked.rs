@@ -57,7 +57,7 @@ impl MapAsked<'_> {
             ),
             (
                 !is_picture && is_drawn_otherwise,
-                format!("{over}, {lines} and {bare} are for a picture, svg or png"),
+                format!("{over}, {lines} and {bare} are for a picture, svg, png or pdf"),
             ),
             (
                 self.lines && plane != Plane::ThicknessFriction,
@@ -81,15 +81,17 @@ impl MapAsked<'_> {
             ),
             (
                 self.asymmetric && (is_page || (is_picture && !is_over_opening)),
-                format!("{asymmetric} is drawn with {over} opening-friction, as svg or png"),
+                format!("{asymmetric} is drawn with {over} opening-friction, as svg, png or pdf"),
             ),
             (
                 self.has_marks && (!(is_picture || is_page) || self.lines),
-                format!("for {mark} give a map as svg, png or html, without {lines}"),
+                format!("for {mark} give a map as svg, png, pdf or html, without {lines}"),
             ),
             (
                 has_axes && (!is_picture || self.lines),
-                format!("units, ranges and a scale are for a map as svg or png, without {lines}"),
+                format!(
+                    "units, ranges and a scale are for a map as svg, png or pdf, without {lines}"
+                ),
             ),
         ];
         let first = misfits.into_iter().find_map(|(is_so, words)| is_so.then_some(words));

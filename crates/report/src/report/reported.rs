@@ -4,6 +4,7 @@ use super::format::{Content, Format};
 use super::json;
 use super::record::Record;
 use super::tabular::Tabular;
+use crate::picture::Print;
 use std::io;
 
 /// A result that makes records, from which its formats are written.
@@ -21,8 +22,8 @@ pub trait Reported {
         Tabular::default()
     }
 
-    /// Picture of the result, as SVG.
-    fn picture(&self) -> io::Result<String> {
+    /// Picture of the result, as SVG; an invalid input if it cannot be printed so.
+    fn picture(&self, _: &Print) -> io::Result<String> {
         unsupported()
     }
 
@@ -41,6 +42,15 @@ pub trait Reported {
 
     /// Writes it. A format that cannot write it is an error.
     fn write(&self, format: &Format, out: &mut dyn io::Write) -> io::Result<()> {
+        self.printed((format, &Print::default()), out)
+    }
+
+    /// Writes it, a picture as it is printed.
+    fn printed(
+        &self,
+        (format, print): (&Format, &Print),
+        out: &mut dyn io::Write,
+    ) -> io::Result<()> {
         if let Some(done) = self.write_as(format, out) {
             return done;
         }
@@ -61,8 +71,7 @@ pub trait Reported {
             "csv2" => self.tabular().csv_with_commas(out),
             "latex" => self.tabular().latex(out),
             "markdown" => self.tabular().markdown(out),
-            "png" => png(&self.picture()?, out),
-            _ if format.is_picture => out.write_all(self.picture()?.as_bytes()),
+            _ if format.is_picture => out.write_all(&format.drawn(self.picture(print)?, print)?),
             _ => unsupported(),
         }
     }
@@ -81,19 +90,9 @@ impl<T: Reported> Reported for Vec<T> {
         self.iter().map(T::tabular).collect()
     }
 
-    fn picture(&self) -> io::Result<String> {
+    fn picture(&self, _: &Print) -> io::Result<String> {
         T::picture_of_all(self)
     }
-}
-
-#[cfg(feature = "plots")]
-fn png(picture: &str, out: &mut dyn io::Write) -> io::Result<()> {
-    out.write_all(&crate::picture::png::render(picture))
-}
-
-#[cfg(not(feature = "plots"))]
-fn png(_: &str, _: &mut dyn io::Write) -> io::Result<()> {
-    unsupported()
 }
 
 pub(super) fn unsupported<T>() -> io::Result<T> {

@@ -8,6 +8,7 @@ use crate::arch::SelfWeight;
 use crate::certify::state::{measured_assessment, measured_state};
 use crate::certify::{Enclosed, Error};
 use crate::judge::{audit_of, compare_weights_of};
+use crate::picture::Print;
 use crate::problem::Quantity;
 use crate::report::{
     Answer, Answers, Audit, Claims, Drawing, Format, Map, Reported, Sketched, Understood,
@@ -18,6 +19,7 @@ use std::io;
 /// Answer to an item.
 pub struct ItemReport {
     format: &'static Format,
+    print: Print,
     /// Report, or nothing where not even a part is known.
     report: Option<Box<dyn Reported>>,
     /// Questions that could not be decided.
@@ -63,12 +65,13 @@ impl ItemReport {
                 Err(undecided) => (None, vec![undecided.to_string()]),
             },
         };
-        Self { format: item.format, report, undecided }
+        Self { format: item.format, print: item.print.clone(), report, undecided }
     }
 
     /// Writes what was found.
     pub fn write(&self, out: &mut dyn io::Write) -> io::Result<()> {
-        self.report.as_ref().map_or(Ok(()), |report| report.write(self.format, out))
+        let how = (self.format, &self.print);
+        self.report.as_ref().map_or(Ok(()), |report| report.printed(how, out))
     }
 
     /// Tells whether there is anything to write.

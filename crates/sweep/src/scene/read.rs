@@ -6,6 +6,7 @@ use super::read_drawing::drawing;
 use super::read_map::{figure, map};
 use super::read_measured;
 use super::read_output::{OutputFiles, output};
+use super::read_print::print;
 use super::schema::{
     DIGITS, ItemKind, MAX_BYTES, MAX_ITEMS, Request, SCENE_KEYS, SCHEMA, Scene, SceneItem,
 };
@@ -14,6 +15,7 @@ use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
 use crate::certify::{MAX_DIGITS, quantities};
 use crate::claims::{Claim, claims};
+use crate::picture::Print;
 use crate::problem::{Landmark, Quantity};
 use crate::report::words::{did_you_mean, list};
 use std::ops::Range;
@@ -128,9 +130,12 @@ fn item(
         ItemKind::Figure => figure(&mut table),
         ItemKind::Drawing => drawing(&mut table, format),
     };
-    let (output, format) = destination?;
+    let is_drawn = matches!(kind, ItemKind::Map | ItemKind::Figure | ItemKind::Drawing);
+    let print = if is_drawn { print(&mut table, format) } else { Some(Print::default()) };
+    let ((output, format), print) = (destination?, print?);
     let place = table.reader.source.place(table.span.start);
-    let item = SceneItem { place, what: what?, format, output };
+    let what = what?.printed(&print);
+    let item = SceneItem { place, what, format, print, output };
     table.is_well_since(before).then_some(item)
 }
 

@@ -69,7 +69,9 @@ pub(super) fn drawing(table: &mut TableReader, format: Option<&'static Format>) 
             "stones are of an arch with half_opening and friction: a landmark, and an arch at the friction at which \
              it slides, have a joint at every angle",
         ),
-        _ if style.arrows && !is_picture => Some("only svg and png have arrows; leave out arrows"),
+        _ if style.arrows && !is_picture => {
+            Some("only svg, png and pdf have arrows; leave out arrows")
+        }
         _ if style.animate && !is_svg => Some("only svg moves; leave out animate"),
         Pose::Standing(..) if mode.is_some() || is_dilatant || style.animate => Some(
             "an arch as it stands does not move; leave out mode, dilatant and animate, or thickness",

@@ -7,6 +7,7 @@ use crate::ask::{ArchAsked, ArchGiven};
 use crate::atlas::{Contour, Curve};
 use crate::claims::Claim;
 use crate::number::ExactNumber;
+use crate::picture::Print;
 use crate::problem::Arch;
 use crate::problem::measures::Measures;
 use crate::problem::{Landmark, Mode, Quantity};
@@ -48,6 +49,8 @@ pub struct SceneItem {
     pub what: Request,
     /// Format in which it is written.
     pub format: &'static Format,
+    /// How a picture is printed.
+    pub print: Print,
     /// The file, relative to the folder of outputs; standard output if there is none.
     pub output: Option<PathBuf>,
 }
@@ -207,14 +210,19 @@ impl ItemKind {
                 "map",
                 Map::content(),
                 "curves half_opening thickness friction weight tolerance plane lines bare half_opening_unit \
-                 friction_unit scale half_opening_range friction_range thickness_range marks format output",
+                 friction_unit scale half_opening_range friction_range thickness_range marks \
+                 width font_size font caption title format output",
             ),
-            Self::Figure => ("figure", Content::FIGURE, "number weight tolerance format output"),
+            Self::Figure => (
+                "figure",
+                Content::FIGURE,
+                "number weight tolerance width font_size font caption title format output",
+            ),
             Self::Drawing => (
                 "drawing",
                 Sketched::content(),
                 "half_opening friction friction_angle thickness span rise radius measured_at density depth at mode weight amplitude dilatant half arrows \
-                 stones animate format output",
+                 stones animate width font_size font caption title format output",
             ),
         }
     }
@@ -245,6 +253,17 @@ impl ItemKind {
 pub(super) const SCENE_KEYS: [&str; 3] = ["schema", "digits", "weight"];
 
 impl Request {
+    /// The request, with the command that asks for it to be printed so.
+    pub(super) fn printed(mut self, print: &Print) -> Self {
+        if let Self::Map(SceneMap { command, .. })
+        | Self::Figure(SceneMap { command, .. })
+        | Self::Drawing(SceneDrawing { command, .. }) = &mut self
+        {
+            *command += &print.options();
+        }
+        self
+    }
+
     /// The kind of item.
     pub fn kind(&self) -> ItemKind {
         match self {

@@ -1,14 +1,16 @@
 //! Panels in rows, under a title.
 
-use super::drawn::{Drawn, Room};
+use super::drawn::{Drawn, FRAME, NARROW, Room};
 use super::ink::Inks;
 use super::panel::Panel;
 use crate::picture::color::INK;
-use crate::picture::{Svg, Type, text};
+use crate::picture::{Print, Svg, Type, text};
+use std::io;
 
 /// Panels in rows, under a title.
 ///
 /// ```
+/// use couplet_draw::picture::Print;
 /// use couplet_draw::picture::figure::{Axis, Figure, Kind, PlottedLine, Panel, Scale};
 ///
 /// let points = vec![(1e-6, 1e-16), (1e-4, 1e-60), (1e-2, 1e-300)];
@@ -19,7 +21,7 @@ use crate::picture::{Svg, Type, text};
 ///     lines: vec![PlottedLine { label: "Newton".into(), points, kind: Kind::Measured }],
 /// };
 /// let figure = Figure { title: "Error against time".into(), panels: vec![panel], columns: 1 };
-/// assert!(figure.svg().starts_with("<svg "));
+/// assert!(figure.svg(&Print::default()).unwrap().starts_with("<svg "));
 /// ```
 #[derive(Clone, Debug)]
 pub struct Figure {
@@ -40,53 +42,82 @@ const TITLE: f64 = 22.0;
 /// Letters of the panels, where there are several and enough letters.
 const LETTERS: &str = "abcdefghijklmnopqrstuvwxyz";
 
+/// The panels in rows, with the room that a column and a row share, so that the frames are aligned.
+struct Rows<'a> {
+    drawn: Vec<Drawn<'a>>,
+    across: Vec<Room>,
+    down: Vec<Room>,
+}
+
+impl Rows<'_> {
+    /// Width of the figure.
+    fn width(&self) -> f64 {
+        total(self.across.iter().map(Room::width), BETWEEN.0) + 2.0 * MARGIN
+    }
+}
+
 impl Figure {
-    /// The figure as SVG.
-    pub fn svg(&self) -> String {
+    /// The figure as SVG, as it is printed: of a width of its own with fewer panels in a row, where these have no room.
+    pub fn svg(&self, print: &Print) -> io::Result<String> {
+        let most = self.columns.clamp(1, self.panels.len().max(1));
+        let own = self.rows(most, FRAME.0);
+        let title = if print.title { &self.title[..] } else { "" };
+        let limit = (own.width() - 2.0 * MARGIN).max(300.0);
+        let title_of = |limit: f64| text::wrap(title, TITLE, limit);
+        let lines = title_of(limit);
+        let widest = lines.iter().map(|line| text::width(line, TITLE)).fold(0.0, f64::max);
+        let natural = own.width().max(widest + 2.0 * MARGIN);
+        let width = print.room(natural, self.rows(1, NARROW).width())?;
+        let fitted = |columns: usize| {
+            let missing = width - self.rows(columns, FRAME.0).width();
+            let wide = FRAME.0 + missing / columns as f64;
+            (columns == 1 || wide >= NARROW).then(|| self.rows(columns, wide))
+        };
+        let (rows, title) = match print.width {
+            None => (own, lines),
+            Some(_) => {
+                let rows = (1..=most).rev().find_map(fitted).unwrap_or(own);
+                (rows, title_of(width - 2.0 * MARGIN))
+            }
+        };
+        let head = match title.len() {
+            0 => 0.0,
+            n => n as f64 * TITLE * text::LEADING + 14.0,
+        };
+        let height = total(rows.down.iter().map(Room::height), BETWEEN.1);
+        let size = (width, head + height + 2.0 * MARGIN);
+        let size = if print.width.is_some() { size } else { (size.0.ceil(), size.1) };
+
+        let mut svg = Svg::printed(print, size, &self.title, "");
+        svg.lines(&title, (MARGIN, MARGIN), Type::new(TITLE, INK));
+        let mut top = MARGIN + head;
+        for (row, high) in rows.drawn.chunks(rows.across.len()).zip(&rows.down) {
+            let mut left = MARGIN;
+            for (panel, wide) in row.iter().zip(&rows.across) {
+                panel.draw(&mut svg, (left + wide.left, top + high.top), high.frame);
+                left += wide.width() + BETWEEN.0;
+            }
+            top += high.height() + BETWEEN.1;
+        }
+        Ok(svg.finish())
+    }
+
+    /// The panels, so many in a row, each with a frame of a width.
+    fn rows(&self, columns: usize, wide: f64) -> Rows<'_> {
         let inks = Inks::new(self.panels.iter().flat_map(|panel| &panel.lines));
         let letters = |k: usize| {
             LETTERS.get(k..=k).filter(|_| (2..=LETTERS.len()).contains(&self.panels.len()))
         };
         let panels = self.panels.iter().enumerate();
         let drawn: Vec<Drawn> =
-            panels.map(|(k, panel)| Drawn::new(panel, letters(k), &inks)).collect();
-        let columns = self.columns.clamp(1, drawn.len().max(1));
-        // What a column or a row shares, so that the frames are aligned.
+            panels.map(|(k, panel)| Drawn::new(panel, letters(k), &inks, wide)).collect();
         let shared = |members: &mut dyn Iterator<Item = &Drawn>| {
             members.map(|panel| panel.room).reduce(Room::join).unwrap_or_default()
         };
-        let across: Vec<Room> =
+        let across =
             (0..columns).map(|k| shared(&mut drawn.iter().skip(k).step_by(columns))).collect();
-        let down: Vec<Room> = drawn.chunks(columns).map(|row| shared(&mut row.iter())).collect();
-
-        let inner = total(across.iter().map(|room| room.width()), BETWEEN.0);
-        let title = text::wrap(&self.title, TITLE, inner.max(300.0));
-        let widest = title.iter().map(|line| text::width(line, TITLE)).fold(inner, f64::max);
-        let head = match title.len() {
-            0 => 0.0,
-            n => n as f64 * TITLE * text::LEADING + 14.0,
-        };
-        let inner_height = total(down.iter().map(|room| room.height()), BETWEEN.1);
-        let size = (widest + 2.0 * MARGIN, head + inner_height + 2.0 * MARGIN);
-
-        let mut svg = Svg::new(size, &self.title, "");
-        svg.lines(&title, (MARGIN, MARGIN), Type::new(TITLE, INK));
-        let mut top = MARGIN + head;
-        for (row, high) in drawn.chunks(columns).zip(&down) {
-            let mut left = MARGIN;
-            for (panel, wide) in row.iter().zip(&across) {
-                panel.draw(&mut svg, (left + wide.left, top + high.top), high.frame);
-                left += wide.width() + BETWEEN.0;
-            }
-            top += high.height() + BETWEEN.1;
-        }
-        svg.finish()
-    }
-
-    /// The figure as a PNG file.
-    #[cfg(feature = "plots")]
-    pub fn png(&self) -> Vec<u8> {
-        crate::picture::png::render(&self.svg())
+        let down = drawn.chunks(columns).map(|row| shared(&mut row.iter())).collect();
+        Rows { drawn, across, down }
     }
 }
 

@@ -7,8 +7,9 @@ use crate::picture::scale::{Ruler, Tick};
 use crate::picture::spread::spread;
 use crate::picture::{Anchor, Path, Point, Stroke, Svg, Type, text};
 
-/// The frame around the lines, unless it must be higher.
-const FRAME: (f64, f64) = (360.0, 270.0);
+/// The frame around the lines, unless it must be higher or the figure has another width; and how narrow it may be.
+pub(super) const FRAME: (f64, f64) = (360.0, 270.0);
+pub(super) const NARROW: f64 = 150.0;
 /// Sizes of fonts.
 const HEADING: f64 = 18.0;
 const LABEL: f64 = 17.0;
@@ -35,7 +36,8 @@ pub(super) struct Room {
     pub right: f64,
     pub top: f64,
     pub bottom: f64,
-    /// The height of the frame.
+    /// Width and height of the frame.
+    pub wide: f64,
     pub frame: f64,
 }
 
@@ -47,13 +49,14 @@ impl Room {
             right: self.right.max(other.right),
             top: self.top.max(other.top),
             bottom: self.bottom.max(other.bottom),
+            wide: self.wide.max(other.wide),
             frame: self.frame.max(other.frame),
         }
     }
 
     /// Width from end to end.
     pub(super) fn width(&self) -> f64 {
-        self.left + FRAME.0 + self.right
+        self.left + self.wide + self.right
     }
 
     /// Height from end to end.
@@ -82,8 +85,8 @@ struct LineRuns<'a> {
 }
 
 impl<'a> Drawn<'a> {
-    /// Chooses the axes and measures the texts; the letter stands before the title.
-    pub(super) fn new(panel: &'a Panel, letter: Option<&str>, inks: &Inks) -> Self {
+    /// Chooses the axes of a frame of a width and measures the texts; the letter stands before the title.
+    pub(super) fn new(panel: &'a Panel, letter: Option<&str>, inks: &Inks, width: f64) -> Self {
         let lines: Vec<LineRuns> = panel
             .lines
             .iter()
@@ -94,7 +97,7 @@ impl<'a> Drawn<'a> {
         let places = || lines.iter().flat_map(|trace| trace.runs.iter().flatten());
         let wide = |tick: &Tick| text::width(&tick.label, TICK);
         let beside = |a: &Tick, b: &Tick| (wide(a) + wide(b)) / 2.0 + 14.0;
-        let x = Ruler::new(panel.x.scale, places().map(|p| p.0), FRAME.0, beside);
+        let x = Ruler::new(panel.x.scale, places().map(|p| p.0), width, beside);
         let y = Ruler::new(panel.y.scale, places().map(|p| p.1), frame, |_, _| 1.7 * TICK);
 
         let names = panel.lines.iter().map(|line| text::width(&line.label, NAME));
@@ -103,8 +106,8 @@ impl<'a> Drawn<'a> {
         let overhang = |tick: Option<&Tick>| tick.map_or(0.0, wide) / 2.0;
         let right = names.max(overhang(x.ticks.last()));
         let letter = letter.map_or(String::new(), |letter| format!("({letter}) "));
-        let title = text::wrap(&(letter + &panel.title), HEADING, FRAME.0 + right);
-        let x_label = text::wrap(&panel.x.label, LABEL, FRAME.0);
+        let title = text::wrap(&(letter + &panel.title), HEADING, width + right);
+        let x_label = text::wrap(&panel.x.label, LABEL, width);
         let y_label = text::wrap(&panel.y.label, LABEL, frame);
         let stack = |lines: &[String], size: f64, gap: f64| match lines.len() {
             0 => 0.0,
@@ -115,15 +118,16 @@ impl<'a> Drawn<'a> {
         };
         let y_ticks = y.ticks.iter().map(wide).fold(0.0, f64::max);
         // A single word may be longer than the frame.
-        let beyond = (across(&x_label, LABEL) - FRAME.0).max(0.0) / 2.0;
+        let beyond = (across(&x_label, LABEL) - width).max(0.0) / 2.0;
         let above = (across(&y_label, LABEL) - frame).max(0.0) / 2.0;
         let room = Room {
             left: (OFF + y_ticks + stack(&y_label, LABEL, 6.0))
                 .max(overhang(x.ticks.first()))
                 .max(beyond),
-            right: right.max(beyond).max(across(&title, HEADING) - FRAME.0),
+            right: right.max(beyond).max(across(&title, HEADING) - width),
             top: stack(&title, HEADING, 6.0).max(TICK / 2.0).max(above),
             bottom: (OFF + TICK * text::LEADING + stack(&x_label, LABEL, 0.0)).max(above),
+            wide: width,
             frame,
         };
         Self { lines, x, y, title, x_label, y_label, room }
@@ -131,9 +135,10 @@ impl<'a> Drawn<'a> {
 
     /// Draws the panel with the upper left corner of its frame at `corner`.
     pub(super) fn draw(&self, svg: &mut Svg, (left, top): Point, height: f64) {
-        let (right, bottom) = (left + FRAME.0, top + height);
-        let at =
-            |&(x, y): &Point| (left + self.x.share(x) * FRAME.0, bottom - self.y.share(y) * height);
+        let (right, bottom) = (left + self.room.wide, top + height);
+        let at = |&(x, y): &Point| {
+            (left + self.x.share(x) * self.room.wide, bottom - self.y.share(y) * height)
+        };
         self.axes(svg, [left, right], [top, bottom]);
 
         let traces: Vec<LineRuns> = self.lines.iter().map(|trace| trace.map(at)).collect();

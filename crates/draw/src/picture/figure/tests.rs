@@ -1,4 +1,7 @@
 use super::*;
+#[cfg(feature = "plots")]
+use crate::picture::PaperLength;
+use crate::picture::Print;
 use crate::picture::reading::texts;
 
 fn axis(label: &str, scale: Scale) -> Axis {
@@ -154,6 +157,10 @@ fn odd() -> Figure {
     Figure { title: "<odd> & 'odd'".into(), panels, columns: 5 }
 }
 
+fn svg(figure: &Figure) -> String {
+    figure.svg(&Print::default()).unwrap()
+}
+
 fn all() -> [Figure; 5] {
     let empty = Figure { title: String::new(), panels: Vec::new(), columns: 0 };
     [errors(), losses(), profile(), odd(), empty]
@@ -162,7 +169,7 @@ fn all() -> [Figure; 5] {
 #[test]
 fn documents_are_well_formed_and_finite() {
     for figure in all() {
-        let svg = figure.svg();
+        let svg = svg(&figure);
         assert!(texts(&svg).is_some());
         assert!(!svg.contains("NaN") && !svg.contains("inf"));
     }
@@ -171,14 +178,14 @@ fn documents_are_well_formed_and_finite() {
 #[test]
 fn a_figure_is_always_drawn_alike() {
     for figure in all() {
-        assert_eq!(figure.svg(), figure.clone().svg());
+        assert_eq!(svg(&figure), svg(&figure.clone()));
     }
 }
 
 #[test]
 fn everything_is_labelled() {
     for figure in all() {
-        let svg = figure.svg();
+        let svg = svg(&figure);
         let shown = texts(&svg).unwrap().join(" ");
         let escaped = |text: &str| {
             let marks = [("&", "&amp;"), ("<", "&lt;"), (">", "&gt;"), ("\"", "&quot;")];
@@ -202,15 +209,26 @@ mod pixels {
     #[test]
     fn texts_are_whole_and_apart() {
         for figure in all() {
-            assert_eq!(trouble(&figure.svg()), None);
+            assert_eq!(trouble(&svg(&figure)), None);
+        }
+    }
+
+    /// On paper too, where panels stand below each other and letters keep their size.
+    #[test]
+    fn texts_are_whole_and_apart_in_a_column() {
+        let width = Some(PaperLength::width("120mm").unwrap());
+        for figure in [errors(), losses(), profile()] {
+            let svg = figure.svg(&Print { width, ..Print::default() }).unwrap();
+            assert!(svg.contains("width=\"340.157pt\""));
+            assert_eq!(trouble(&svg), None);
         }
     }
 
     #[test]
     fn pictures_have_the_size_of_the_drawing() {
-        let png = profile().png();
+        let png = crate::picture::png::render(&svg(&profile()), &Print::default()).unwrap();
         let side = |at: usize| u32::from_be_bytes(png[at..at + 4].try_into().unwrap());
-        let svg = profile().svg();
+        let svg = svg(&profile());
         // Twice as many pixels as units.
         let size = format!("width=\"{}\" height=\"{}\"", side(16) / 2, side(20) / 2);
         assert!(svg.contains(&size), "{size}");
@@ -224,8 +242,12 @@ mod pixels {
         for (name, figure) in
             [("errors", errors()), ("losses", losses()), ("profile", profile()), ("odd", odd())]
         {
-            std::fs::write(format!("{folder}/{name}.svg"), figure.svg()).unwrap();
-            std::fs::write(format!("{folder}/{name}.png"), figure.png()).unwrap();
+            std::fs::write(format!("{folder}/{name}.svg"), svg(&figure)).unwrap();
+            std::fs::write(
+                format!("{folder}/{name}.png"),
+                crate::picture::png::render(&svg(&figure), &Print::default()).unwrap(),
+            )
+            .unwrap();
         }
     }
 }

@@ -2,12 +2,13 @@
 
 use super::BranchArches;
 use crate::atlas::{Branch, Level};
+use crate::picture::Print;
 use crate::report::drawn;
 use crate::report::words::model;
 use std::io;
 
 /// The picture as SVG.
-pub(in crate::report) fn picture(all: &BranchArches) -> io::Result<String> {
+pub(in crate::report) fn picture(all: &BranchArches, print: &Print) -> io::Result<String> {
     let found = all.arches.iter().filter_map(|arch| arch.found.as_ref().ok());
     let found: Vec<(&Branch, &Level)> = found.map(|(branch, least)| (branch, least)).collect();
     let Some((branch, _)) = found.first() else {
@@ -26,5 +27,5 @@ pub(in crate::report) fn picture(all: &BranchArches) -> io::Result<String> {
     };
     let open: Vec<String> = all.arches.iter().flat_map(super::BranchArch::open).collect();
     let words = format!("half opening {}, {}", branch.half_opening, weights.join(" and "));
-    Ok(drawn::branches(&found, &words, &open, &all.command))
+    drawn::branches(&found, (&words, &open, &all.command), print)
 }

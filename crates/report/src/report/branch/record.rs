@@ -3,6 +3,7 @@
 use super::picture::picture;
 use super::{BranchArch, BranchArches, PROOF, events, quantities, rounded};
 use crate::atlas::{Branch, NoBranch, Stretch, Variable};
+use crate::picture::Print;
 use crate::report::format::Content;
 use crate::report::map::{MapRow, node, parts};
 use crate::report::record::{Record, Symbol};
@@ -32,8 +33,8 @@ impl Reported for BranchArches {
         Tabular::of_columns(MapRow::COLUMNS.iter().chain(&MapRow::OF_BRANCHES), rows)
     }
 
-    fn picture(&self) -> io::Result<String> {
-        picture(self)
+    fn picture(&self, print: &Print) -> io::Result<String> {
+        picture(self, print)
     }
 }
 

@@ -10,7 +10,7 @@ use crate::atlas::{BorderLine, Curve};
 use crate::picture::color::{INK, WHITE};
 use crate::picture::room::Rectangle;
 use crate::picture::text;
-use crate::picture::{Anchor, Color, Frame, Hatch, Path, Stroke, Svg, Type};
+use crate::picture::{Anchor, Color, Frame, Hatch, Path, Point, Stroke, Svg, Type};
 use crate::problem::Line;
 
 /// The lines of one weight, and what they enclose together with those between modes.
@@ -91,33 +91,31 @@ impl AsymmetricLines {
     pub(super) fn chains(&self) -> impl Iterator<Item = &Chain> {
         self.lines.iter().map(|(.., chain)| chain)
     }
+}
 
-    /// Area that the legend takes of the page.
-    pub(super) fn taken(&self, frame: &Frame) -> Rectangle {
-        let widest = LEGEND.iter().map(|(name, _)| text::width(name, SMALL)).fold(0.0, f64::max);
-        let across = widest + GAP / 2.0 + SAMPLE + GAP;
-        let up = LEADING * LEGEND.len() as f64 + GAP / 2.0;
-        [(frame.right() - across, frame.bottom() - up), (frame.right(), frame.bottom())]
-    }
+/// Area that the legend takes of a frame, below on the right, where nothing stands.
+pub(super) fn legend_in(frame: &Frame) -> Rectangle {
+    let widest = LEGEND.iter().map(|(name, _)| text::width(name, SMALL)).fold(0.0, f64::max);
+    let across = widest + GAP / 2.0 + SAMPLE + GAP;
+    let up = LEADING * LEGEND.len() as f64 + GAP / 2.0;
+    [(frame.right() - across, frame.bottom() - up), (frame.right(), frame.bottom())]
+}
 
-    /// Draws the names of the areas, below on the right, where nothing stands.
-    pub(super) fn legend(&self, svg: &mut Svg, frame: &Frame) {
-        let right = frame.right() - GAP;
-        svg.group("legend", |svg| {
-            for (k, (name, stroke)) in LEGEND.into_iter().enumerate() {
-                let y = frame.bottom() - GAP - LEADING * (2 - k) as f64;
-                let (from, to) = (right - SAMPLE, right);
-                match stroke {
-                    Some(stroke) => svg.stroke(&Path::through([(from, y), (to, y)]), stroke),
-                    None => {
-                        fill(svg, &Path::rectangle((from, y - 7.0), (to, y + 7.0)));
-                    }
-                }
-                let style = Type::new(SMALL, INK).at(Anchor::End).on(WHITE);
-                svg.text(name, (from - GAP / 2.0, y), style);
+/// Draws the names of the areas above and to the left of a corner.
+pub(super) fn legend(svg: &mut Svg, (right, bottom): Point) {
+    let right = right - GAP;
+    svg.group("legend", |svg| {
+        for (k, (name, stroke)) in LEGEND.into_iter().enumerate() {
+            let y = bottom - GAP - LEADING * (2 - k) as f64;
+            let (from, to) = (right - SAMPLE, right);
+            match stroke {
+                Some(stroke) => svg.stroke(&Path::through([(from, y), (to, y)]), stroke),
+                None => fill(svg, &Path::rectangle((from, y - 7.0), (to, y + 7.0))),
             }
-        });
-    }
+            let style = Type::new(SMALL, INK).at(Anchor::End).on(WHITE);
+            svg.text(name, (from - GAP / 2.0, y), style);
+        }
+    });
 }
 
 const LEGEND: [(&str, Option<Stroke>); 3] = [
@@ -140,8 +138,7 @@ pub(super) fn words(weight: SelfWeight) -> String {
     };
     format!(
         " Hatched in violet: what asymmetric solutions of (19) reach, in branches from the edge of [s,s] that are \
-         above the least thickness and meet it on {meet} and where [s,r,r] meets [r,r,r]{turn}. The lines are proved, \
-         and single branches by couplet complementarity --branch; that there are no other solutions is not. All is \
-         said of the model."
+         above the least thickness and meet it on {meet} and where [s,r,r] meets [r,r,r]{turn}. The lines are proved; \
+         that there are no other solutions is not."
     )
 }

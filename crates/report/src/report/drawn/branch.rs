@@ -2,13 +2,14 @@
 
 use super::caption::told;
 use super::chain::{Chain, larger};
-use super::graph::{Dot, Graph, GraphLine, Graphs, WIDTH, height};
+use super::graph::{Dot, Graph, GraphLine, Graphs, WIDTH, size};
 use super::plane::{PlaneAxis, step};
 use crate::arch::asymmetric::AsymmetricMode;
 use crate::atlas::{Branch, Coordinate, Level, Meeting};
 use crate::picture::color::INK;
-use crate::picture::{Color, Point, Stroke};
+use crate::picture::{Color, Point, Print, Stroke};
 use crate::report::words::kind;
+use std::io;
 
 /// The least thickness.
 const LEAST: Stroke = Stroke::new(INK, 1.4);
@@ -51,10 +52,9 @@ fn axis(
 /// The branches of some weights and one half opening as SVG, each in a panel with its least thickness.
 pub(in crate::report) fn branches(
     found: &[(&Branch, &Level)],
-    words: &str,
-    open: &[String],
-    command: &str,
-) -> String {
+    (words, open, command): (&str, &[String], &str),
+    print: &Print,
+) -> io::Result<String> {
     let points = |branch: &Branch| -> Vec<Point> { branch.meetings().filter_map(place).collect() };
     let all: Vec<Point> = found.iter().flat_map(|(branch, _)| points(branch)).collect();
     let x = axis(
@@ -80,7 +80,8 @@ pub(in crate::report) fn branches(
         legend.extend(found.iter().any(has).then(|| (name(kind), look(kind))));
     }
     let off = panels.iter().map(Graph::off).fold([0.0; 2], larger);
-    let told = told(&[(x, off[0]), (y, off[1])], (WIDTH, height(panels.len())));
+    let size = size(panels.len(), print)?;
+    let told = told(&[(x, off[0]), (y, off[1])], size);
     let title = "Asymmetric solutions of the complementarity problem without dilatancy";
     let open = match open.is_empty() {
         true => "and each state on the thick lines to be admissible, with a mechanism".to_owned(),
@@ -88,7 +89,7 @@ pub(in crate::report) fn branches(
     };
     let first = x.range[0];
     let share = all.iter().map(|point| point.0).fold(f64::INFINITY, f64::min) - first;
-    let legend_at = (0, 20.0 + WIDTH * share / (x.range[1] - first));
+    let legend_at = (0, (20.0 + WIDTH * share / (x.range[1] - first), 20.0));
     let words = vec![
         format!(
             "{title}, {words}. On the thick lines an arch has an admissible state, and also a motion in which \
@@ -98,7 +99,7 @@ pub(in crate::report) fn branches(
         ),
         format!("Command: {command}"),
     ];
-    Graphs { title, panels, legend, legend_at, words }.svg()
+    Graphs { title, panels, legend, legend_at, words }.svg(print)
 }
 
 fn panel(branch: &Branch, least: &Level, x: PlaneAxis, y: PlaneAxis) -> Graph {
@@ -114,5 +115,6 @@ fn panel(branch: &Branch, least: &Level, x: PlaneAxis, y: PlaneAxis) -> Graph {
         Some(Dot { name: String::new(), at, away: (0.0, 0.0), color: INK })
     };
     let marks = branch.meetings().filter_map(mark).collect();
-    Graph { x, y, lines: least.into_iter().chain(parts).collect(), marks }
+    let lines = least.into_iter().chain(parts).collect();
+    Graph { x, y, lines, marks, inset: None }
 }

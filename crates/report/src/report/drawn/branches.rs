@@ -2,18 +2,20 @@
 
 use super::caption::caption;
 use super::chain::Chain;
-use super::graph::{Dot, Graph, GraphLine, Graphs, WIDTH, height};
-use super::look;
+use super::graph::{Dot, Graph, GraphLine, Graphs, size};
+use super::look::{self, mark};
 use super::plane::PlaneAxis;
 use super::sheet::Sheet;
 use crate::arch::{SelfWeight, Unknown};
-use crate::atlas::{Coordinate, Curve, CurveEnd, Place, Trace};
+use crate::atlas::{Coordinate, Curve, CurveEnd, Place, Trace, rotation_end, rotation_start};
 use crate::certify::CertifiedLandmark;
 use crate::number::Ball;
 use crate::picture::color::INK;
-use crate::picture::{Point, Stroke};
+use crate::picture::{Point, Print, Stroke};
 use crate::problem::Landmark;
 use crate::report::words;
+use std::cmp::Ordering::Equal;
+use std::io;
 
 /// One of these figures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,15 +28,16 @@ pub enum Branches {
     Joined,
 }
 
-/// The purely sliding states, and those beyond the border point.
+/// The purely sliding states, those beyond the border point of one weight, and those beyond that of both.
 const SLIDING: Stroke = Stroke::new(INK, 1.6);
+const BETWEEN: Stroke = Stroke { color: INK, width: 1.6, dashes: &[9.0, 4.0] };
 const BEYOND: Stroke = Stroke { color: INK, width: 1.6, dashes: &[3.0, 4.0] };
 /// The tangent that two curves have in common.
 const TANGENT: Stroke = Stroke { color: INK, width: 1.2, dashes: &[16.0, 5.0, 3.0, 5.0] };
 /// Distance to which it is drawn, to each side, in degrees.
 const FAR: f64 = 4.5;
-/// Tolerance within which a point is on the foot of a panel.
-const FOOT: f64 = 1e-9;
+/// Half-width of a tube near the end of rotation.
+const NEAR_END: f64 = 1e-5;
 
 const OPENING: PlaneAxis =
     PlaneAxis::new(Coordinate::HalfOpening, "half opening α (°)", [0.0, 180.0], 20.0);
@@ -69,7 +72,7 @@ fn on(axis: &PlaneAxis, place: &Place) -> Option<f64> {
 
 impl Branches {
     /// The figure of both weights as SVG.
-    pub(super) fn svg(self, sheets: &[Sheet], command: &str) -> String {
+    pub(super) fn svg(self, sheets: &[Sheet], command: &str, print: &Print) -> io::Result<String> {
         let panels = match self {
             Self::Rotation => over_the_half_opening(sheets),
             Self::Overturning => [(WIDE_VARIABLE, Course::FallsOpposite), (WIDE, Course::Rises)]
@@ -78,6 +81,7 @@ impl Branches {
                     y: THICK,
                     lines: lines(sheets, &[Curve::Overturning], &[x, THICK]),
                     marks: marks(sheets, &ENDS[1..], &[x, THICK], course),
+                    inset: None,
                 })
                 .into(),
             Self::Joined => joined(sheets),
@@ -87,13 +91,23 @@ impl Branches {
         let joined = "Thickness of purely rotational and purely overturning states over A and over the half opening";
         let (title, curves, more, legend_at): (_, &[Curve], _, _) = match self {
             Self::Rotation => {
-                let sliding = ("pure sliding, dotted beyond B".to_owned(), SLIDING);
-                (rotation, &[Curve::Rotation], Some(sliding), (1, 60.0))
+                let entry = |name: &str, stroke| (name.to_owned(), stroke);
+                let mut sliding = vec![entry("pure sliding", SLIDING)];
+                match borders(sheets)[..] {
+                    [(one, _), (other, _)] => sliding.extend([
+                        entry(&format!("beyond B{}", mark(one)), BETWEEN),
+                        entry(&format!("beyond B{} too", mark(other)), BEYOND),
+                    ]),
+                    _ => sliding.push(entry("beyond B", BEYOND)),
+                }
+                (rotation, &[Curve::Rotation], sliding, (2, (16.0, 138.0)))
             }
-            Self::Overturning => (overturning, &[Curve::Overturning], None, (0, 395.0)),
+            Self::Overturning => {
+                (overturning, &[Curve::Overturning], Vec::new(), (0, (395.0, 20.0)))
+            }
             Self::Joined => {
-                let tangent = ("common tangent at ℓ".to_owned(), TANGENT);
-                (joined, &[Curve::Rotation, Curve::Overturning], Some(tangent), (0, 340.0))
+                let tangent = vec![("common tangent at ℓ".to_owned(), TANGENT)];
+                (joined, &[Curve::Rotation, Curve::Overturning], tangent, (0, (340.0, 20.0)))
             }
         };
         let of_weight = |sheet: &Sheet, curve: Curve| {
@@ -105,33 +119,88 @@ impl Branches {
         let legend = names.chain(more).collect();
         let joins = match self {
             Self::Joined => {
-                " Below, larger: at ℓ rotation and overturning have one slope, which the claims joining-heyman and \
-                 joining-milankovitch of couplet prove decide."
+                " Below, larger: at ℓ rotation and overturning have one slope, which is proved."
             }
             _ => "",
         };
-        let off = (&off(&panels)[..], (WIDTH, height(panels.len())));
+        let off = (&off(&panels)[..], size(panels.len(), print)?);
         let words = caption(title, sheets, off, joins, command);
-        Graphs { title, panels, legend, legend_at, words }.svg()
+        Graphs { title, panels, legend, legend_at, words }.svg(print)
     }
 }
 
-/// The joint, the thickness and the thrust of rotation, and the thrust of sliding.
+/// The joint, the thickness and the thrust of rotation, and the thrust of sliding, each with an inset where the two
+/// weights differ.
 fn over_the_half_opening(sheets: &[Sheet]) -> Vec<Graph> {
-    let x = OPENING;
     let joint = PlaneAxis::new(Coordinate::RotationJoint, "joint βᵣ (°)", [0.0, 70.0], 10.0);
     let push = PlaneAxis::new(Coordinate::Thrust, "thrust h = H/(w r)", [0.0, 1.0], 0.2);
-    let panel = |y, course| Graph {
-        x,
-        y,
-        lines: lines(sheets, &[Curve::Rotation], &[x, y]),
-        marks: marks(sheets, &ENDS[..2], &[x, y], course),
+    let opening = |range, step| PlaneAxis { range, step, ..OPENING };
+    let larger = |axis: PlaneAxis, range, step| PlaneAxis { range, step, ..axis };
+    let of = |[x, y]: [PlaneAxis; 2], course| {
+        let rotation = match y.coordinate {
+            Coordinate::RotationJoint => joints(sheets, &[x, y]),
+            _ => lines(sheets, &[Curve::Rotation], &[x, y]),
+        };
+        let is_thrust = y.coordinate == Coordinate::Thrust;
+        let sliding = if is_thrust { sliding(sheets, &[x, y]) } else { Vec::new() };
+        let mut marks = marks(sheets, &ENDS[..2], &[x, y], course);
+        marks.extend(if is_thrust { border_marks(sheets, &y) } else { Vec::new() });
+        Graph { x, y, lines: rotation.into_iter().chain(sliding).collect(), marks, inset: None }
     };
-    let mut first = panel(joint, Course::Falls);
+    let with = |y, course, (at, axes): ([Point; 2], [PlaneAxis; 2])| {
+        let inset = Some(Box::new((at, of(axes, course))));
+        let mut graph = of([OPENING, y], course);
+        // What the inset names is only a disc in the panel.
+        graph.marks.iter_mut().for_each(|mark| mark.name.clear());
+        Graph { inset, ..graph }
+    };
+    let mut first = with(
+        joint,
+        Course::Falls,
+        (
+            [(82.0, 9.0), (136.0, 40.0)],
+            [opening([136.0, 154.0], 5.0), larger(joint, [0.0, 70.0], 20.0)],
+        ),
+    );
     first.marks.extend(widest(sheets));
-    let mut last = panel(push, Course::Falls);
-    last.lines.extend(sliding(sheets, &[x, push]));
-    vec![first, panel(thickness_axis([0.0, 1.1], 0.2), Course::Rises), last]
+    let thickness = thickness_axis([0.0, 1.1], 0.2);
+    let second = with(
+        thickness,
+        Course::Rises,
+        (
+            [(42.0, 0.36), (104.0, 1.02)],
+            [opening([130.0, 155.0], 5.0), larger(thickness, [0.4, 1.05], 0.2)],
+        ),
+    );
+    let third = with(
+        push,
+        Course::Falls,
+        (
+            [(126.0, 0.59), (177.0, 0.96)],
+            [opening([130.0, 162.0], 5.0), larger(push, [0.0, 0.2], 0.1)],
+        ),
+    );
+    vec![first, second, third]
+}
+
+/// The joint: over the half opening, near the origin by its ratio to that, and near the end over itself.
+fn joints(sheets: &[Sheet], axes: &[PlaneAxis; 2]) -> Vec<GraphLine> {
+    let whole = lines(sheets, &[Curve::Rotation], axes);
+    let near_ends = |sheet: &Sheet| {
+        let trace = sheet.trace(Curve::Rotation)?;
+        let start = rotation_start(trace, NEAR_END).ok()?;
+        let start = Chain::of_pieces(start.pieces(), &start.ends()[0], axes)?;
+        Some([start, Chain::over_joint(&rotation_end(trace, NEAR_END).ok()?)?])
+    };
+    let joined = |(line, sheet): (GraphLine, &Sheet)| {
+        let Some([start, end]) = near_ends(sheet) else { return line };
+        let Some(([_, from], [_, to])) = start.ends().zip(end.ends()) else { return line };
+        let [before, _] = line.chain.split(to.0);
+        let [_, middle] = before.split(from.0);
+        let chain = Chain([start.0, middle.0, end.reversed().0].concat());
+        GraphLine { chain, ..line }
+    };
+    whole.into_iter().zip(sheets).map(joined).collect()
 }
 
 /// Rotation and overturning, over the opening variable, over the half opening, and near the points where they join.
@@ -141,6 +210,7 @@ fn joined(sheets: &[Sheet]) -> Vec<Graph> {
         y,
         lines: lines(sheets, &[Curve::Rotation, Curve::Overturning], &[x, y]),
         marks: marks(sheets, curves, &[x, y], course),
+        inset: None,
     };
     let mut near = panel(NEAR, NEAR_THICKNESS, &ENDS[1..2], Course::Rises);
     near.lines.extend(sheets.iter().filter_map(tangent));
@@ -197,18 +267,46 @@ fn lines(sheets: &[Sheet], curves: &[Curve], axes: &[PlaneAxis; 2]) -> Vec<Graph
     sheets.iter().flat_map(|sheet| curves.iter().filter_map(move |c| line(sheet, c))).collect()
 }
 
-/// The thrust of purely sliding states, up to the first border point and beyond.
+/// Where thickness 2 is not enough from on, of each weight: `B`, the first one first.
+fn borders(sheets: &[Sheet]) -> Vec<(SelfWeight, Place)> {
+    let of = |sheet: &Sheet| {
+        let start = sheet.trace(Curve::Limit)?.points().swap_remove(0);
+        Some((sheet.weight, start.place))
+    };
+    let mut all: Vec<(SelfWeight, Place)> = sheets.iter().filter_map(of).collect();
+    all.sort_by(|(_, a), (_, b)| on(&OPENING, a).partial_cmp(&on(&OPENING, b)).unwrap_or(Equal));
+    all
+}
+
+/// `B` of each weight on the line of purely sliding states.
+fn border_marks(sheets: &[Sheet], push: &PlaneAxis) -> Vec<Dot> {
+    let mark = |(weight, place): (SelfWeight, Place)| {
+        let at = (on(&OPENING, &place)?, on(push, &place)?);
+        Some(named(Landmark::Border, weight, at, Course::Rises, sheets.len() > 1))
+    };
+    borders(sheets).into_iter().filter_map(mark).collect()
+}
+
+/// The thrust of purely sliding states: as far as the border points of the weights, and beyond each.
 fn sliding(sheets: &[Sheet], axes: &[PlaneAxis; 2]) -> Vec<GraphLine> {
-    let border = sheets.iter().filter_map(|sheet| {
-        let trace = sheet.trace(Curve::Limit)?;
-        on(&OPENING, &trace.points().first()?.place)
-    });
-    let border = border.fold(f64::INFINITY, f64::min);
     let trace = sheets.first().and_then(|sheet| sheet.trace(Curve::Sliding));
-    let Some(chain) = trace.and_then(|trace| along(trace, axes)) else { return Vec::new() };
-    let [before, after] = chain.split(border);
-    let line = |id: &str, chain, stroke| GraphLine { id: id.into(), chain, stroke };
-    vec![line("sliding", before, SLIDING), line("sliding-beyond", after, BEYOND)]
+    let Some(mut rest) = trace.and_then(|trace| along(trace, axes)) else { return Vec::new() };
+    let borders: Vec<f64> =
+        borders(sheets).iter().filter_map(|(_, place)| on(&OPENING, place)).collect();
+    let strokes: &[(&str, Stroke)] = match borders.len() {
+        2 => &[("sliding", SLIDING), ("sliding-between", BETWEEN), ("sliding-beyond", BEYOND)],
+        _ => &[("sliding", SLIDING), ("sliding-beyond", BEYOND)],
+    };
+    let mut lines = Vec::new();
+    for (k, (id, stroke)) in strokes.iter().enumerate() {
+        let [before, after] = match borders.get(k) {
+            Some(border) => rest.split(*border),
+            None => [rest, Chain::default()],
+        };
+        lines.push(GraphLine { id: (*id).into(), chain: before, stroke: *stroke });
+        rest = after;
+    }
+    lines
 }
 
 /// Curves that end at T, and at the ends of rotation and overturning.
@@ -221,7 +319,7 @@ fn marks(sheets: &[Sheet], curves: &[Curve], [x, y]: &[PlaneAxis; 2], course: Co
         let point = sheet.trace(curve)?.points().pop()?;
         let Some(CurveEnd::Landmark(landmark)) = point.end else { return None };
         let at = (on(x, &point.place)?, on(y, &point.place)?);
-        Some(named(landmark, sheet.weight, at, course))
+        Some(named(landmark, sheet.weight, at, course, sheets.len() > 1))
     };
     sheets.iter().flat_map(|sheet| curves.iter().filter_map(move |c| mark(sheet, *c))).collect()
 }
@@ -233,7 +331,7 @@ fn widest(sheets: &[Sheet]) -> Vec<Dot> {
         let refined = CertifiedLandmark::new(landmark, sheet.weight).ok()?.enclosure(64).ok()?;
         let degrees = |unknown| Some(number(&refined.value(unknown)?).to_degrees());
         let at = (degrees(Unknown::HalfOpening)?, degrees(Unknown::RotationJoint)?);
-        let mark = named(landmark, sheet.weight, at, Course::Falls);
+        let mark = named(landmark, sheet.weight, at, Course::Falls, sheets.len() > 1);
         // The two are next to each other on top.
         let away = if sheet.weight == SelfWeight::Heyman { (4.0, -12.0) } else { (-6.0, 16.0) };
         Some(Dot { away, ..mark })
@@ -252,20 +350,29 @@ enum Course {
     FallsOpposite,
 }
 
-/// The name of a landmark beside its line, away from that of the other weight.
-fn named(landmark: Landmark, weight: SelfWeight, at: Point, course: Course) -> Dot {
+/// The name of a landmark, of its weight where there are several, away from the line of the other.
+fn named(
+    landmark: Landmark,
+    weight: SelfWeight,
+    at: Point,
+    course: Course,
+    is_of_several: bool,
+) -> Dot {
     let away =
         match (weight, course) {
-            (SelfWeight::Milankovitch, Course::Rises) => (-9.0, -8.0),
-            (SelfWeight::Heyman, Course::Rises) => (9.0, 10.0),
+            (SelfWeight::Milankovitch, Course::Rises) => (-1.0, -0.9),
+            (SelfWeight::Heyman, Course::Rises) => (0.9, 1.0),
             (SelfWeight::Milankovitch, Course::Falls)
-            | (SelfWeight::Heyman, Course::FallsOpposite) => (-9.0, 12.0),
+            | (SelfWeight::Heyman, Course::FallsOpposite) => (-0.8, 1.2),
             (SelfWeight::Heyman, Course::Falls)
-            | (SelfWeight::Milankovitch, Course::FallsOpposite) => (8.0, -12.0),
+            | (SelfWeight::Milankovitch, Course::FallsOpposite) => (0.8, -1.2),
         };
-    // At the foot of a panel, a hair above or below it, there is room above only.
-    let away = if at.1.abs() < FOOT { (away.0, -14.0) } else { away };
-    Dot { name: words::symbol(landmark).to_owned(), at, away, color: look::of_weight(weight).color }
+    let symbol = words::symbol(landmark);
+    let name = match is_of_several && landmark != Landmark::OverturningEnd {
+        true => format!("{symbol}{}", mark(weight)),
+        false => symbol.to_owned(),
+    };
+    Dot { name, at, away, color: look::of_weight(weight).color }
 }
 
 #[cfg(test)]

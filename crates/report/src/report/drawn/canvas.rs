@@ -54,6 +54,12 @@ impl Unit {
 }
 
 impl Axes {
+    /// The axes on which what asymmetric branches reach is seen: between the half openings where they begin and end.
+    pub fn of_asymmetric() -> Self {
+        let shown = |from, to| Shown { range: Some([from, to]), ..Shown::default() };
+        Self { half_opening: shown(120.0, 145.0), friction: shown(38.0, 56.0), ..Self::default() }
+    }
+
     /// Reason why these are no axes of a map in a plane.
     pub fn misfit(&self, plane: Plane) -> Option<String> {
         let name = plane.name();

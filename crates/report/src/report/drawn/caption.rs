@@ -30,8 +30,7 @@ pub(super) fn of_levels(sheets: &[Sheet]) -> String {
     match names.is_empty() {
         true => String::new(),
         false => format!(
-            " Thin lines: equal {}; their straight parts rest on the claims unique-thicker and map-rows of \
-             couplet prove.",
+            " Thin lines: equal {}; that an arch stands along their straight parts is proved in words.",
             names.join(" and ")
         ),
     }

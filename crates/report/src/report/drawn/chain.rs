@@ -2,8 +2,8 @@
 
 use super::canvas::Canvas;
 use super::look;
-use super::plane::PlaneAxis;
-use crate::atlas::{Level, Piece, Place, Trace, arc};
+use super::plane::{DEGREES, PlaneAxis};
+use crate::atlas::{Level, Piece, Place, Section, Trace, arc, over_joint};
 use crate::picture::{Frame, Path, Point, Stroke, Svg};
 use crate::problem::Mode;
 
@@ -70,6 +70,22 @@ impl Chain {
             chain.add(&piece, piece.range(), (axes, still), near, DEPTH)?;
         }
         (!chain.0.is_empty()).then_some(chain)
+    }
+
+    /// The half opening over the joint near the end of rotation, as the joint over the half opening, in degrees.
+    pub(super) fn over_joint(section: &Section) -> Option<Self> {
+        let part = |piece: Piece| {
+            let [from, to] = piece.range().map(f64::sqrt);
+            let opening = over_joint(&piece, [from, to])?;
+            let third = (to - from) / 3.0;
+            let ([start, end], [first, last]) = (opening.values, opening.slopes);
+            let across = [start, start + third * first, end - third * last, end];
+            let up = [from, from + third, to - third, to];
+            let corners = [0, 1, 2, 3].map(|k| (across[k] * DEGREES, up[k] * DEGREES));
+            // That it is the joint is exact, but for the roots of doubles.
+            Some(Arc { corners, is_proved: true, off: [opening.off, NEAR * NEAR] })
+        };
+        section.pieces().map(part).collect::<Option<Vec<Arc>>>().map(Self)
     }
 
     fn add(

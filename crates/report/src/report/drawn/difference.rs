@@ -2,14 +2,15 @@
 
 use super::caption::told;
 use super::chain::{Arc, Chain};
-use super::graph::{Dot, Graph, GraphLine, Graphs, WIDTH, height};
+use super::graph::{Dot, Graph, GraphLine, Graphs, size};
 use super::plane::{DEGREES, Plane, PlaneAxis};
 use crate::arch::SelfWeight;
 use crate::atlas::{Coordinate, Difference, Divide, Step};
 use crate::picture::color::INK;
-use crate::picture::{Color, Point, Stroke};
+use crate::picture::{Color, Point, Print, Stroke};
 use crate::problem::Landmark;
 use crate::report::words;
+use std::io;
 
 /// The difference, from below all of them to above, and where most of them are.
 const ALL: PlaneAxis = axis([-0.2, 1.0], 0.2);
@@ -106,7 +107,11 @@ fn named(
 }
 
 /// The graphs of all curves as SVG.
-pub(in crate::report) fn differences(differences: &[Difference], command: &str) -> String {
+pub(in crate::report) fn differences(
+    differences: &[Difference],
+    command: &str,
+    print: &Print,
+) -> io::Result<String> {
     let [x, _] = Plane::ThicknessFriction.axes();
     let lines = || -> Vec<GraphLine> {
         let line = |difference: &Difference| GraphLine {
@@ -118,12 +123,18 @@ pub(in crate::report) fn differences(differences: &[Difference], command: &str) 
     };
     let panels: Vec<Graph> = [(ALL, false), (NEAR, true)]
         .into_iter()
-        .map(|(y, is_larger)| Graph { x, y, lines: lines(), marks: marks(differences, is_larger) })
+        .map(|(y, is_larger)| Graph {
+            x,
+            y,
+            lines: lines(),
+            marks: marks(differences, is_larger),
+            inset: None,
+        })
         .collect();
     let off = panels.first().map_or([0.0; 2], Graph::off);
     let title = "The thickness on the lines between the modes for Milankovitch-like self-weight less that for \
                  Heyman-like self-weight, at equal friction";
-    let told = told(&[(x, off[0]), (ALL, off[1])], (WIDTH, height(panels.len())));
+    let told = told(&[(x, off[0]), (ALL, off[1])], size(panels.len(), print)?);
     let words = vec![
         format!(
             "{title}; below the same, larger. The landmarks of the two weights (ₕ, ₘ) are at different frictions; \
@@ -132,5 +143,5 @@ pub(in crate::report) fn differences(differences: &[Difference], command: &str) 
         format!("Command: {command}"),
     ];
     let legend = Divide::ALL.map(|divide| (name(divide).to_owned(), look(divide))).to_vec();
-    Graphs { title, panels, legend, legend_at: (0, 60.0), words }.svg()
+    Graphs { title, panels, legend, legend_at: (0, (60.0, 20.0)), words }.svg(print)
 }

@@ -9,6 +9,7 @@ use super::mark::{self, Mark};
 use super::plane::Plane;
 use super::sheet::Sheet;
 use crate::atlas::{Border, Level, Trace};
+use crate::picture::Print;
 use std::io;
 
 /// The picture that some curves are drawn as.
@@ -71,21 +72,20 @@ impl Drawing {
     /// The picture of some curves and levels as SVG; nothing to draw is an error.
     pub(in crate::report) fn svg(
         &self,
-        traces: &[Trace],
-        levels: &[Level],
-        borders: &[Border],
+        (traces, levels, borders): (&[Trace], &[Level], &[Border]),
+        print: &Print,
     ) -> io::Result<String> {
         let sheets = Sheet::all(traces, levels, borders);
         let command = &self.command;
-        Ok(match self.view {
+        match self.view {
             View::Map(plane) => {
                 let first = sheets.first();
                 let sheet = first.ok_or_else(|| io::Error::other("there is nothing to draw"))?;
                 let canvas = Canvas::new(plane, &self.axes);
-                MapPicture { sheet, canvas, marks: &self.marks, command }.svg()
+                MapPicture { sheet, canvas, marks: &self.marks, command }.svg(print)
             }
-            View::Lines => LinesPicture { sheets: &sheets, command }.svg(),
-            View::Branches(branches) => branches.svg(&sheets, command),
-        })
+            View::Lines => LinesPicture { sheets: &sheets, command }.svg(print),
+            View::Branches(branches) => branches.svg(&sheets, command, print),
+        }
     }
 }

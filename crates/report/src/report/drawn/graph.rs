@@ -1,18 +1,23 @@
 //! Graphs below each other; neighbours over the same axis share its ticks.
 
 use super::chain::{Chain, larger};
+use super::names::on_page;
 use super::plane::{FRICTION_LABEL, PlaneAxis, friction_ticks};
-use super::spot::disc;
+use super::spot::{self, disc};
 use crate::picture::color::{GRID, INK, WHITE};
-use crate::picture::{Anchor, Color, Frame, FrameSide, Path, Point, Stroke, Svg, Type, text};
+use crate::picture::labels::Labels;
+use crate::picture::{
+    Anchor, Color, Frame, FrameSide, Path, Point, Print, Stroke, Svg, Type, text,
+};
+use std::io;
 
 /// Graphs, a legend in one of them, and paragraphs below.
 pub(super) struct Graphs {
     pub title: &'static str,
     pub panels: Vec<Graph>,
-    /// Names of lines, and where they stand: in which panel, and how far from its left edge.
+    /// Names of lines, and where they stand: in which panel, and how far from its upper left corner.
     pub legend: Vec<(String, Stroke)>,
-    pub legend_at: (usize, f64),
+    pub legend_at: (usize, Point),
     pub words: Vec<String>,
 }
 
@@ -22,6 +27,8 @@ pub(super) struct Graph {
     pub y: PlaneAxis,
     pub lines: Vec<GraphLine>,
     pub marks: Vec<Dot>,
+    /// A part of it, larger, and the places of two of its corners.
+    pub inset: Option<Box<([Point; 2], Graph)>>,
 }
 
 /// A line.
@@ -31,7 +38,7 @@ pub(super) struct GraphLine {
     pub stroke: Stroke,
 }
 
-/// A point with a name, which stands so far from it on the page.
+/// A point with a name, and the direction in which that stands if it can.
 pub(super) struct Dot {
     pub name: String,
     pub at: Point,
@@ -39,12 +46,15 @@ pub(super) struct Dot {
     pub color: Color,
 }
 
+/// Width of a panel, unless another is asked for, and the least.
 pub(super) const WIDTH: f64 = 700.0;
+const LEAST: f64 = 200.0;
 const LEFT: f64 = 92.0;
 /// Space above, and where there is an axis of friction.
 const TOP: f64 = 24.0;
 const AXIS: f64 = 76.0;
-const RIGHT: f64 = 40.0;
+/// Space beside a panel.
+const AROUND: f64 = LEFT + 40.0;
 const BETWEEN: f64 = 26.0;
 const BELOW: f64 = 80.0;
 const MARGIN: f64 = 20.0;
@@ -53,33 +63,40 @@ const NEXT: f64 = 24.0;
 const LABEL: f64 = 18.0;
 const TICK: f64 = 16.0;
 const SMALL: f64 = 15.0;
-/// Length of a sample in the legend.
+/// Ticks of an inset.
+const SMALL_TICK: f64 = 14.0;
+/// Length of a sample in the legend, and the height of its rows.
 const SAMPLE: f64 = 48.0;
+const ROW: f64 = 24.0;
 
-/// Height of each of so many panels.
-pub(super) fn height(panels: usize) -> f64 {
-    if panels > 1 { 250.0 } else { 440.0 }
+/// Width and height of each of so many panels.
+pub(super) fn size(panels: usize, print: &Print) -> io::Result<Point> {
+    let width = print.room(WIDTH + AROUND, LEAST + AROUND)? - AROUND;
+    Ok((width, if panels > 1 { 250.0 } else { f64::min(440.0, width) }))
 }
 
 impl Graphs {
     /// The picture as SVG.
-    pub(super) fn svg(&self) -> String {
-        let height = height(self.panels.len());
+    pub(super) fn svg(&self, print: &Print) -> io::Result<String> {
+        let size = size(self.panels.len(), print)?;
         let is_friction = |panel: &Graph| panel.x.is_friction_angle();
         let top = if self.panels.first().is_some_and(is_friction) { AXIS } else { TOP };
         let mut next = top;
         let frame = |(k, panel): (usize, &Graph)| {
             let corner = (LEFT, next);
-            next += height + if self.has_ticks(k) { BELOW } else { BETWEEN };
-            Frame { corner, size: (WIDTH, height), x: panel.x.range, y: panel.y.range }
+            next += size.1 + if self.has_ticks(k) { BELOW } else { BETWEEN };
+            Frame { corner, size, x: panel.x.range, y: panel.y.range }
         };
         let frames: Vec<Frame> = self.panels.iter().enumerate().map(frame).collect();
         let bottom = frames.last().map_or(top, Frame::bottom);
-        let width = LEFT + WIDTH + RIGHT;
-        let wrapped = |words: &String| text::wrap(words, SMALL, width - 2.0 * MARGIN);
-        let lines: Vec<String> = self.words.iter().flat_map(wrapped).collect();
-        let all = bottom + BELOW + lines.len() as f64 * SMALL * text::LEADING + MARGIN;
-        let mut svg = Svg::new((width, all), self.title, &self.words.join(" "));
+        let width = size.0 + AROUND;
+        let lines = print.caption(&self.words, SMALL, width - 2.0 * MARGIN);
+        // In a panel that is narrow a legend would lie on lines.
+        let is_narrow = size.0 < WIDTH;
+        let legend = if is_narrow { ROW * self.legend.len() as f64 } else { 0.0 };
+        let foot = bottom + BELOW + legend;
+        let all = foot + lines.len() as f64 * SMALL * text::LEADING + MARGIN;
+        let mut svg = Svg::printed(print, (width, all), self.title, &self.words.join(" "));
         for (k, (panel, frame)) in self.panels.iter().zip(&frames).enumerate() {
             let letter = b"abcdefgh".get(k).filter(|_| self.panels.len() > 1);
             svg.group(&format!("panel-{k}"), |svg| panel.draw(svg, frame, self.has_ticks(k)));
@@ -92,13 +109,16 @@ impl Graphs {
                 svg.text(&name, at, Type::new(LABEL, INK).on(WHITE));
             }
         }
-        if let Some(frame) = frames.get(self.legend_at.0) {
-            svg.group("legend", |svg| self.legend(svg, frame));
-        }
-        svg.group("caption", |svg| {
-            svg.lines(&lines, (MARGIN, bottom + BELOW), Type::new(SMALL, INK));
+        let within = frames.get(self.legend_at.0).map(|frame| {
+            let (_, (across, down)) = self.legend_at;
+            (frame.corner.0 + across * size.0 / WIDTH, frame.corner.1 + down)
         });
-        svg.finish()
+        let at = if is_narrow { Some((MARGIN, bottom + BELOW)) } else { within };
+        if let Some(at) = at {
+            svg.group("legend", |svg| self.legend(svg, at));
+        }
+        svg.group("caption", |svg| svg.lines(&lines, (MARGIN, foot), Type::new(SMALL, INK)));
+        Ok(svg.finish())
     }
 
     /// Tells whether a panel has the ticks of its horizontal axis: it is the last over that.
@@ -106,10 +126,9 @@ impl Graphs {
         self.panels.get(k + 1).is_none_or(|below| below.x != self.panels[k].x)
     }
 
-    fn legend(&self, svg: &mut Svg, frame: &Frame) {
+    fn legend(&self, svg: &mut Svg, (x, top): Point) {
         for (k, (name, stroke)) in self.legend.iter().enumerate() {
-            let (x, y) =
-                (frame.corner.0 + self.legend_at.1, frame.corner.1 + 20.0 + 24.0 * k as f64);
+            let y = top + ROW * k as f64;
             svg.stroke(&Path::through([(x, y), (x + SAMPLE, y)]), *stroke);
             svg.text(name, (x + SAMPLE + 10.0, y), Type::new(TICK, INK).on(WHITE));
         }
@@ -121,13 +140,15 @@ impl Graph {
     pub(super) fn off(&self) -> [f64; 2] {
         let (x, y) = (self.x.range, self.y.range);
         let frame = Frame { corner: (0.0, 0.0), size: (1.0, 1.0), x, y };
-        self.lines.iter().map(|line| line.chain.off(&frame)).fold([0.0; 2], larger)
+        let inset = self.inset.iter().map(|inset| inset.1.off());
+        let lines = self.lines.iter().map(|line| line.chain.off(&frame));
+        lines.chain(inset).fold([0.0; 2], larger)
     }
 
     /// The friction coefficient, above.
     fn friction(&self, svg: &mut Svg, frame: &Frame) {
         frame.ticks(svg, FrameSide::Top, &friction_ticks(&self.x), TICK);
-        let at = (frame.corner.0 + WIDTH / 2.0, frame.corner.1 - 46.0);
+        let at = (frame.corner.0 + frame.size.0 / 2.0, frame.corner.1 - 46.0);
         svg.text(FRICTION_LABEL, at, Type::new(LABEL, INK).at(Anchor::Middle));
     }
 
@@ -154,15 +175,48 @@ impl Graph {
         svg.text(self.y.label, (frame.corner.0 - off, up), middle.turned(-90.0));
         if has_ticks {
             frame.ticks(svg, FrameSide::Bottom, &x, TICK);
-            let across = frame.corner.0 + WIDTH / 2.0;
+            let across = frame.corner.0 + frame.size.0 / 2.0;
             svg.text(self.x.label, (across, frame.bottom() + 49.0), middle);
         }
-        for mark in &self.marks {
-            let at = frame.at(mark.at);
-            disc(svg, at);
-            let anchor = if mark.away.0 < 0.0 { Anchor::End } else { Anchor::Start };
-            let style = Type::new(LABEL, mark.color).at(anchor).on(WHITE);
-            svg.text(&mark.name, (at.0 + mark.away.0, at.1 + mark.away.1), style);
+        if let Some(inset) = &self.inset {
+            let ([a, b], graph) = &**inset;
+            let (low, high) = (frame.at(*a), frame.at(*b));
+            let (corner, size) = ((low.0, high.1), (high.0 - low.0, low.1 - high.1));
+            graph.draw_inset(svg, &Frame { corner, size, x: graph.x.range, y: graph.y.range });
+        }
+        self.names(svg, frame);
+    }
+
+    /// Draws it as an inset: its lines, few ticks and its names.
+    fn draw_inset(&self, svg: &mut Svg, frame: &Frame) {
+        let (left, bottom) = (frame.corner.0 - 2.6 * SMALL_TICK, frame.bottom() + 1.8 * SMALL_TICK);
+        svg.fill(&Path::rectangle((left, frame.corner.1), (frame.right(), bottom)), WHITE);
+        svg.clipped(&frame.outline(), |svg| {
+            for line in &self.lines {
+                let id = format!("inset-{}", line.id);
+                svg.group(&id, |svg| line.chain.draw(svg, frame, line.stroke));
+            }
+        });
+        svg.stroke(&frame.outline(), Stroke::new(INK, 1.2));
+        let (x, y) = (self.x.ticks(self.x.range, None), self.y.ticks(self.y.range, None));
+        frame.ticks(svg, FrameSide::Bottom, &x, SMALL_TICK);
+        frame.ticks(svg, FrameSide::Left, &y, SMALL_TICK);
+        self.names(svg, frame);
+    }
+
+    /// The points with their names, off the lines.
+    fn names(&self, svg: &mut Svg, frame: &Frame) {
+        let lines = self.lines.iter().map(|line| on_page(&line.chain, frame)).collect();
+        let window = Some([frame.corner, (frame.right(), frame.bottom())]);
+        let mut labels = Labels { taken: Vec::new(), lines, window };
+        for mark in self.marks.iter().filter(|mark| frame.shows(mark.at)) {
+            disc(svg, frame.at(mark.at));
+            labels.taken.push(spot::taken(frame.at(mark.at)));
+        }
+        let named = |mark: &&Dot| !mark.name.is_empty() && frame.shows(mark.at);
+        for mark in self.marks.iter().filter(named) {
+            let style = Type::new(LABEL, mark.color);
+            spot::named(svg, &mut labels, (&mark.name, frame.at(mark.at)), mark.away, style);
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::canvas::Canvas;
 use super::content::PlaneContent;
+use super::page::{self, SIZE};
 use super::plane::{Plane, step};
 use crate::picture::color::{GUIDE, INK, WHITE};
 use crate::picture::room::{Rectangle, about, roomiest, within};
@@ -40,7 +41,7 @@ impl Inset {
         taken: &[Rectangle],
     ) -> Vec<Self> {
         let parts = parts(content, canvas);
-        if !canvas.is_usual {
+        if !canvas.is_usual && map.size.0 >= SIZE.0 {
             return roomy(content, &parts, map, taken);
         }
         let at = |(x, y): Point| (map.corner.0 + x, map.corner.1 + y);
@@ -52,11 +53,29 @@ impl Inset {
             };
             Self { frame: Frame { corner: at(place), size, x: *x, y: *y }, name }
         };
-        parts.iter().map(inset).collect()
+        Self::within(map, parts.iter().map(inset).collect())
+    }
+
+    /// Insets in a map; below one that is narrow, each as wide as it, one under the other.
+    fn within(map: &Frame, mut insets: Vec<Self>) -> Vec<Self> {
+        let mut top = map.bottom() + page::BELOW + 2.0 * REST;
+        for Self { frame, .. } in insets.iter_mut().filter(|_| map.size.0 < SIZE.0) {
+            let high = frame.size.1 * map.size.0 / frame.size.0;
+            (frame.corner, frame.size) = ((map.corner.0, top), (map.size.0, high));
+            top += high + BELOW + 3.0 * REST;
+        }
+        insets
+    }
+
+    /// How far below a map its insets reach, if they are there.
+    pub(super) fn down(insets: &[Self], map: &Frame) -> f64 {
+        let lowest = insets.iter().map(|inset| inset.taken()[1].1).fold(0.0, f64::max);
+        (lowest + REST - map.bottom() - page::BELOW).max(0.0)
     }
 
     /// The insets of the lines of both weights: where S and J of both are, the end of rotation, and T.
-    pub(super) fn of_both(of: impl Fn(Landmark) -> Vec<Point>, corner: Point) -> Vec<Self> {
+    pub(super) fn of_both(of: impl Fn(Landmark) -> Vec<Point>, map: &Frame) -> Vec<Self> {
+        let corner = map.corner;
         let [close, ends] =
             [[of(Landmark::Shift), of(Landmark::Junction)].concat(), of(Landmark::RotationEnd)];
         let triple = of(Landmark::Triple);
@@ -75,11 +94,12 @@ impl Inset {
             let corner = (corner.0 + place.0, corner.1 + place.1);
             Self { frame: Frame { corner, size, x, y }, name }
         };
-        vec![
+        let insets = vec![
             inset(JOINTS, (76.0, 30.0), (300.0, 170.0), &close, [1.2, 0.025]),
             inset(ENDS, (76.0, 250.0), (300.0, 130.0), &ends, [8.0, 0.03]),
-            inset(TRIPLE, (520.0, 428.0), (224.0, 104.0), &triple, [1.5, 0.05]),
-        ]
+            inset(TRIPLE, (520.0, 442.0), (224.0, 92.0), &triple, [1.5, 0.05]),
+        ];
+        Self::within(map, insets)
     }
 
     /// Tells whether S and J are told apart in it.
@@ -107,10 +127,16 @@ impl Inset {
         ]
     }
 
-    /// Draws guides from the part of the map that it shows to where it shows it, which is drawn before.
-    pub(super) fn draw_guides(&self, svg: &mut Svg, map: &Frame) {
+    /// Draws guides from the part of the map that it shows to where it shows it, which is drawn before; the lines that are
+    /// drawn.
+    pub(super) fn draw_guides(&self, svg: &mut Svg, map: &Frame) -> Vec<Vec<Point>> {
         let Frame { x, y, corner: (left, top), .. } = self.frame;
         let (low, high) = (map.at((x[0], y[0])), map.at((x[1], y[1])));
+        svg.stroke(&Path::rectangle(low, high), Stroke::new(INK, 1.0));
+        let mut lines = vec![vec![low, (low.0, high.1), high, (high.0, low.1), low]];
+        if top > map.bottom() {
+            return lines;
+        }
         let (right, bottom) = (self.frame.right(), self.frame.bottom());
         // From the sides that face each other, off the labels of ticks.
         let (before, below) = (left - LEFT, bottom + BELOW);
@@ -124,11 +150,12 @@ impl Inset {
             [(low, (left, top)), ((high.0, low.1), (right, top))]
         };
         // Of a large part the upper one is enough.
-        let guides = if self.is_close() { &guides[..] } else { &guides[..1] };
-        for (from, to) in guides {
-            svg.stroke(&Path::through([*from, *to]), Stroke::new(GUIDE, 1.0));
+        let guides = if self.name == MIXED { &guides[..1] } else { &guides[..] };
+        for &(from, to) in guides {
+            svg.stroke(&Path::through([from, to]), Stroke::new(GUIDE, 1.0));
+            lines.push(vec![from, to]);
         }
-        svg.stroke(&Path::rectangle(low, high), Stroke::new(INK, 1.0));
+        lines
     }
 
     /// The inset itself, without names; what is drawn in it gets a beginning for the names of its groups.
@@ -226,7 +253,7 @@ fn roomy(
             let inset = Inset { frame: Frame { corner: (0.0, 0.0), size, x: *x, y: *y }, name };
             let [from, to] = inset.taken();
             let half = ((to.0 - from.0) / 2.0, (to.1 - from.1) / 2.0);
-            let mut places = outlines.iter().map(|outline| roomiest(outline, half, &taken));
+            let mut places = outlines.iter().map(|outline| roomiest(outline, half, &taken, &[]));
             let middle = places.find_map(|place| place)?;
             let corner = (middle.0 - half.0 - from.0, middle.1 - half.1 - from.1);
             Some(Inset { frame: Frame { corner, ..inset.frame }, name })

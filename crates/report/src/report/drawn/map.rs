@@ -7,15 +7,17 @@ use super::content::PlaneContent;
 use super::inset::Inset;
 use super::margin;
 use super::mark::{self, Mark};
-use super::names::Names;
-use super::page::{Page, SIZE};
+use super::names::{Names, on_page};
+use super::page::{BELOW, Page};
 use super::plane::Plane;
 use super::sheet::Sheet;
 use crate::atlas::Coordinate;
 use crate::picture::color::INK;
-use crate::picture::room::Rectangle;
-use crate::picture::{Anchor, Frame, Svg, Type};
+use crate::picture::labels::Labels;
+use crate::picture::room::{Rectangle, about};
+use crate::picture::{Anchor, Frame, Point, Print, Svg, Type, text};
 use crate::problem::Mode;
+use std::io;
 
 /// The map of one weight, as a picture.
 pub(super) struct MapPicture<'a> {
@@ -33,42 +35,51 @@ pub(super) struct MapPicture<'a> {
 const NAMES: [f64; 2] = [20.0, 19.0];
 const INSET_NAMES: [f64; 2] = [16.0, 17.0];
 const NOTHING: f64 = 17.0;
+const NOTHING_STANDS: &str = "nothing stands";
 
 impl MapPicture<'_> {
     /// The picture as SVG.
-    pub(super) fn svg(&self) -> String {
+    pub(super) fn svg(&self, print: &Print) -> io::Result<String> {
         let canvas = &self.canvas;
         let content = PlaneContent::new(self.sheet, canvas);
         let has_levels = !content.levels.is_empty();
-        let (Page { frame, .. }, _) = Page::new(canvas, "", &[], has_levels);
-        let ([x, y], [across, up]) = (canvas.axes, content.off(&frame));
+        let page = Page::new(canvas, has_levels, print)?;
+        let frame = &page.frame;
+        let ([x, y], [across, up]) = (canvas.axes, content.off(frame));
         let (sheets, off) = (std::slice::from_ref(self.sheet), [(x, across), (y, up)]);
-        let mut words =
-            caption(canvas.plane.shows(), sheets, (&off, SIZE), &of_levels(sheets), self.command);
+        let mut words = caption(
+            canvas.plane.shows(),
+            sheets,
+            (&off, frame.size),
+            &of_levels(sheets),
+            self.command,
+        );
         if content.asymmetric.is_some() {
             words[0].push_str(&asymmetric::words(self.sheet.weight));
         }
         words.splice(1..1, mark::words(self.marks, canvas));
-        let (page, mut svg) = Page::new(canvas, canvas.plane.shows(), &words, has_levels);
-        let frame = &page.frame;
-        svg.clipped(&frame.outline(), |svg| content.draw(svg, frame, ""));
-        page.draw(&mut svg);
-        if has_levels {
-            svg.group("levels", |svg| margin::levels(svg, frame, canvas.plane, &content.levels));
-        }
         let marks = mark::places(self.marks, canvas, frame);
-        let legend = content.asymmetric.as_ref().map(|asymmetric| asymmetric.taken(frame));
+        let legend = content.asymmetric.as_ref().map(|_| asymmetric::legend_in(frame));
+        let within = legend.filter(|_| !page.is_narrow());
         let taken: Vec<Rectangle> =
-            marks.iter().map(|mark| mark::taken(mark.at)).chain(legend).collect();
+            marks.iter().map(|mark| mark::taken(mark.at)).chain(within).collect();
         let mut insets = Inset::all(&content, canvas, frame, &taken);
         // No inset covers a mark.
         insets.retain(|inset| !marks.iter().any(|mark| inset.covers(mark.at)));
+        let insets_down = Inset::down(&insets, frame);
+        let legend_down = legend.filter(|_| page.is_narrow()).map_or(0.0, |[a, b]| b.1 - a.1);
+        let mut svg = page.svg(canvas.plane.shows(), &words, insets_down + legend_down, |svg| {
+            content.draw(svg, frame, "");
+        });
+        if has_levels {
+            svg.group("levels", |svg| margin::levels(svg, frame, canvas.plane, &content.levels));
+        }
         let mut named = Vec::new();
         for inset in &insets {
             inset.draw(&mut svg, canvas, |svg, id| content.draw(svg, &inset.frame, id));
             let mut names = self.names(&content, &inset.frame, INSET_NAMES);
             let larger = mark::places(self.marks, canvas, &inset.frame);
-            names.taken = larger.iter().map(|mark| mark::taken(mark.at)).collect();
+            names.labels.taken = larger.iter().map(|mark| mark::taken(mark.at)).collect();
             names.landmarks(&mut svg, inset.is_close());
             names.overturning(&mut svg);
             // This one is seen better in the map.
@@ -76,39 +87,56 @@ impl MapPicture<'_> {
             named.extend(names.modes(&mut svg, &elsewhere));
             mark::draw(&mut svg, &larger, inset.id());
         }
-        insets.iter().for_each(|inset| inset.draw_guides(&mut svg, frame));
+        let guides = insets.iter().flat_map(|inset| inset.draw_guides(&mut svg, frame));
+        let guides: Vec<Vec<Point>> = guides.collect();
         let values = margin::upright(&mut svg, frame, canvas.plane, &content.levels);
         let mut names = self.names(&content, frame, NAMES);
-        names.taken = insets.iter().map(Inset::taken).chain(taken).chain(values).collect();
+        names.labels.taken = insets.iter().map(Inset::taken).chain(taken).chain(values).collect();
+        names.labels.lines.extend(guides);
+        if canvas.is_usual {
+            let said = self.say_where_nothing_stands(&mut svg, frame, legend.is_some());
+            names.labels.taken.extend(said);
+        }
         names.landmarks(&mut svg, false);
         if canvas.plane == Plane::ThicknessFriction {
             names.overturning(&mut svg);
         }
         names.modes(&mut svg, &named);
-        if canvas.is_usual {
-            self.say_where_nothing_stands(&mut svg, frame, legend.is_some());
-        }
-        if let Some(asymmetric) = &content.asymmetric {
-            asymmetric.legend(&mut svg, frame);
+        if let Some([_, (right, bottom)]) = legend {
+            let down = if within.is_some() { 0.0 } else { BELOW + insets_down + legend_down };
+            asymmetric::legend(&mut svg, (right, bottom + down));
         }
         mark::draw(&mut svg, &marks, "");
-        svg.finish()
+        Ok(svg.finish())
     }
 
     fn names<'a>(&self, content: &'a PlaneContent, frame: &'a Frame, sizes: [f64; 2]) -> Names<'a> {
         let is_mirrored = self.canvas.axes[0].coordinate == Coordinate::OpeningVariable;
-        Names { content, plane: self.canvas.plane, frame, sizes, is_mirrored, taken: Vec::new() }
+        let chains = content.lines.iter().map(|(_, chain)| chain);
+        let levels = content.levels.iter().map(|(_, chain)| chain);
+        let edges = content.edge.iter().chain(content.asymmetric.iter().flat_map(|of| of.chains()));
+        let lines = chains.chain(levels).chain(edges).map(|chain| on_page(chain, frame)).collect();
+        let window = Some([frame.corner, (frame.right(), frame.bottom())]);
+        let labels = Labels { taken: Vec::new(), lines, window };
+        Names { content, plane: self.canvas.plane, frame, sizes, is_mirrored, labels }
     }
 
-    /// Well above a legend, which it is no title of.
-    fn say_where_nothing_stands(&self, svg: &mut Svg, frame: &Frame, has_legend: bool) {
+    /// Says it well above a legend, which it is no title of; the area that it takes.
+    fn say_where_nothing_stands(
+        &self,
+        svg: &mut Svg,
+        frame: &Frame,
+        has_legend: bool,
+    ) -> Option<Rectangle> {
         let (at, turn) = match self.canvas.plane {
-            Plane::ThicknessFriction => return,
+            Plane::ThicknessFriction => return None,
             Plane::OpeningFriction if has_legend => ((145.0, 26.0), 0.0),
-            Plane::OpeningFriction => ((140.0, 12.0), 0.0),
+            Plane::OpeningFriction => ((132.0, 10.0), 0.0),
             Plane::OpeningThickness => ((161.0, 1.0), -90.0),
         };
         let style = Type::new(NOTHING, INK).at(Anchor::Middle).turned(turn);
-        svg.text("nothing stands", frame.at(at), style);
+        svg.text(NOTHING_STANDS, frame.at(at), style);
+        let (long, high) = (text::width(NOTHING_STANDS, NOTHING) / 2.0, 0.6 * NOTHING);
+        Some(about(frame.at(at), if turn == 0.0 { (long, high) } else { (high, long) }))
     }
 }

@@ -85,12 +85,15 @@ pub(super) fn levels(svg: &mut Svg, frame: &Frame, plane: Plane, levels: &[(Cont
         })
         .collect();
     ends.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let wanted: Vec<f64> = ends.iter().map(|end| end.0).collect();
     let widest = ends.iter().map(|end| text::width(&end.1, SIZE)).fold(0.0, f64::max);
     let (gap, low, high) = match is_right {
         true => (APART * SIZE, frame.corner.1, frame.bottom()),
         false => (widest + 0.5 * SIZE, frame.corner.0, frame.right()),
     };
+    // Of more than have room every second, or fewer, has its value.
+    let every = (gap * ends.len() as f64 / (high - low)).ceil().max(1.0) as usize;
+    let ends: Vec<(f64, String)> = ends.into_iter().rev().step_by(every).rev().collect();
+    let wanted: Vec<f64> = ends.iter().map(|end| end.0).collect();
     for ((place, label), shifted) in ends.iter().zip(spread(&wanted, gap, low, high)) {
         let (from, to, at, anchor) = match is_right {
             true => {

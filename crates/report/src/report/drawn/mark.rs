@@ -36,7 +36,7 @@ const RADIUS: f64 = 10.0;
 const LINE: f64 = 1.4;
 /// Width of the end of a stroke, to each side.
 const CAP: f64 = 5.0;
-const SIZE: f64 = 12.0;
+const SIZE: f64 = 14.0;
 
 impl Mark {
     /// An arch, of a given thickness or not, with its proved state.

@@ -4,8 +4,9 @@ use super::chain::Chain;
 use super::content::PlaneContent;
 use super::look;
 use super::plane::Plane;
-use super::spot::{Spot, disc};
+use super::spot::{disc, named, taken, towards};
 use crate::picture::color::{INK, WHITE};
+use crate::picture::labels::Labels;
 use crate::picture::room::{Rectangle, about, roomiest, within};
 use crate::picture::{Anchor, Frame, Path, Point, Stroke, Svg, Type, text};
 use crate::problem::{Landmark, Mode};
@@ -20,16 +21,14 @@ pub(super) struct Names<'a> {
     pub sizes: [f64; 2],
     /// True if the first axis runs the other way, as `A` does.
     pub is_mirrored: bool,
-    /// Areas of the page that other things take.
-    pub taken: Vec<Rectangle>,
+    /// What the names keep off.
+    pub labels: Labels,
 }
 
 /// Half the room that a leader needs at its end.
 const TIP: Point = (2.0, 2.0);
 /// Distances that a name may have from its domain.
 const REACH: [f64; 5] = [36.0, 46.0, 60.0, 80.0, 104.0];
-/// The sides of a landmark on which its name is tried.
-const MIRRORS: [Point; 4] = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
 /// Distance between S and J, in sizes of the font, if each has its name.
 const APART: f64 = 2.0;
 /// Directions that are tried.
@@ -40,6 +39,8 @@ impl Names<'_> {
     /// from each other.
     pub(super) fn landmarks(&mut self, svg: &mut Svg, told_apart: bool) {
         let told_apart = told_apart || self.are_apart();
+        let discs = self.content.landmarks.iter().map(|(_, at)| taken(self.frame.at(*at)));
+        self.labels.taken.extend(discs);
         for (landmark, at) in &self.content.landmarks {
             if !self.frame.shows(*at) {
                 continue;
@@ -50,17 +51,9 @@ impl Names<'_> {
                 Landmark::Junction if !told_apart => continue,
                 _ => words::symbol(*landmark),
             };
-            let usual = if self.is_mirrored { 2 } else { 0 };
-            let spot = |k: usize| {
-                let mirrored = MIRRORS[(usual + k) % MIRRORS.len()];
-                let at = self.frame.at(*at);
-                Spot::new(*landmark, name, at, (self.plane, mirrored), self.sizes[1])
-            };
-            // Where it is usual, else on another side.
-            let is_free = |spot: &Spot| self.is_free(spot.taken());
-            let spot = (0..MIRRORS.len()).map(spot).find(is_free).unwrap_or_else(|| spot(0));
-            self.taken.push(spot.taken());
-            spot.draw(svg);
+            let towards = towards(*landmark, self.plane, self.is_mirrored);
+            let style = Type::new(self.sizes[1], INK);
+            named(svg, &mut self.labels, (name, self.frame.at(*at)), towards, style);
         }
     }
 
@@ -88,7 +81,7 @@ impl Names<'_> {
                 Plane::OpeningThickness => (x + beside, y),
             }
         };
-        let is_free = |at: &Point| self.is_free(about(*at, half(Mode::Overturning, size)));
+        let is_free = |at: &Point| self.labels.is_free(about(*at, half(Mode::Overturning, size)));
         // From the middle outwards.
         let middle = points.len() / 2;
         let mut order: Vec<usize> = (0..points.len()).collect();
@@ -105,11 +98,15 @@ impl Names<'_> {
         for (mode, way) in &self.content.areas {
             let outline: Vec<Point> = way.points().into_iter().map(|p| frame.at(p)).collect();
             let outline = within(&outline, window);
-            if let Some(at) = roomiest(&outline, half(*mode, size), &self.taken) {
+            let Labels { taken, lines, .. } = &self.labels;
+            let roomiest = |half, lines| roomiest(&outline, half, taken, lines);
+            // Off all lines where there is room for that.
+            let half_name = half(*mode, size);
+            if let Some(at) = roomiest(half_name, lines).or_else(|| roomiest(half_name, &[])) {
                 self.write(svg, *mode, at, look::ground(*mode));
             } else if elsewhere.contains(mode) {
                 continue;
-            } else if let Some(tip) = roomiest(&outline, TIP, &self.taken)
+            } else if let Some(tip) = roomiest(TIP, &[])
                 && let Some(at) = self.beside(*mode, tip)
             {
                 let style = Stroke::new(INK, 1.0);
@@ -125,36 +122,22 @@ impl Names<'_> {
         named
     }
 
-    /// Tells whether nothing is in a rectangle yet.
-    fn is_free(&self, [low, high]: Rectangle) -> bool {
-        let meets = |[a, b]: &Rectangle| a.0 < high.0 && low.0 < b.0 && a.1 < high.1 && low.1 < b.1;
-        !self.taken.iter().any(meets)
-    }
-
     fn write(&mut self, svg: &mut Svg, mode: Mode, at: Point, ground: crate::picture::Color) {
         let style = Type::new(self.sizes[0], INK).at(Anchor::Middle).on(ground);
         svg.text(mode.label(), at, style);
-        self.taken.push(about(at, half(mode, self.sizes[0])));
+        self.labels.taken.push(about(at, half(mode, self.sizes[0])));
     }
 
     /// The nearest place for a name beside its domain, off all lines and all other names.
     fn beside(&self, mode: Mode, tip: Point) -> Option<Point> {
         let half = half(mode, self.sizes[0]);
-        let on_page = |chain: &Chain| -> Vec<Point> {
-            chain.points().into_iter().map(|point| self.frame.at(point)).collect()
-        };
-        let lines: Vec<Vec<Point>> =
-            self.content.lines.iter().map(|(_, chain)| on_page(chain)).collect();
         let is_free = |at: &Point| {
             let [low, high] = about(*at, half);
             let inside = low.0 > self.frame.corner.0 + 4.0
                 && low.1 > self.frame.corner.1 + 4.0
                 && high.0 < self.frame.right() - 4.0
                 && high.1 < self.frame.bottom() - 4.0;
-            let crosses = |line: &Vec<Point>| {
-                line.windows(2).any(|part| !within(part, [low, high]).is_empty())
-            };
-            inside && !lines.iter().any(crosses) && self.is_free([low, high])
+            inside && self.labels.is_free([low, high])
         };
         let around = |reach: f64| {
             (0..TURNS).map(move |k| {
@@ -163,8 +146,22 @@ impl Names<'_> {
                 (tip.0 + reach * turn.cos(), tip.1 + reach * turn.sin())
             })
         };
-        REACH.into_iter().flat_map(around).find(is_free)
+        let free = || REACH.into_iter().flat_map(around).filter(is_free);
+        let clear = free().find(|at| !self.labels.is_crossed(about(*at, half)));
+        clear.or_else(|| free().find(|at| !self.is_on_a_curve(about(*at, half))))
     }
+
+    /// Tells whether a line between domains goes through an area; those of equal values are thin.
+    fn is_on_a_curve(&self, area: Rectangle) -> bool {
+        let lines =
+            self.content.lines.iter().map(|(_, chain)| on_page(chain, self.frame)).collect();
+        Labels { lines, ..Labels::default() }.is_crossed(area)
+    }
+}
+
+/// The points of a chain on the page.
+pub(super) fn on_page(chain: &Chain, frame: &Frame) -> Vec<Point> {
+    chain.points().into_iter().map(|point| frame.at(point)).collect()
 }
 
 /// Half the width and the height of a name, with some room.

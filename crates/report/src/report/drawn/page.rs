@@ -3,20 +3,24 @@
 use super::canvas::Canvas;
 use super::plane::{FRICTION_LABEL, Plane, friction_ticks};
 use crate::picture::color::INK;
-use crate::picture::{Anchor, Frame, FrameSide, Point, Stroke, Svg, Type, text};
+use crate::picture::{Anchor, Frame, FrameSide, Point, Print, Stroke, Svg, Type, text};
+use std::io;
 
-/// The frame of a map, and the lines below it.
-pub(super) struct Page {
+/// The frame of a map, and how wide the page around it is.
+pub(super) struct Page<'a> {
     pub frame: Frame,
     canvas: Canvas,
-    lines: Vec<String>,
+    width: f64,
+    print: &'a Print,
 }
 
-/// The frame on the page, and the page around it.
+/// The frame on the page where no width is asked for, and its least width and height.
 pub(super) const SIZE: Point = (760.0, 610.0);
+const LEAST: Point = (220.0, 340.0);
 const LEFT: f64 = 88.0;
-const BELOW: f64 = 80.0;
-const MARGIN: f64 = 20.0;
+/// Space below the frame, for its axis.
+pub(super) const BELOW: f64 = 80.0;
+pub(super) const MARGIN: f64 = 20.0;
 /// Space where there is an axis of friction, and where there is none.
 const AXIS: f64 = 76.0;
 const NO_AXIS: f64 = 40.0;
@@ -27,10 +31,9 @@ const LABEL: f64 = 18.0;
 const TICK: f64 = 16.0;
 const SMALL: f64 = 15.0;
 
-impl Page {
-    /// An empty page with a title for those who do not see it, and paragraphs to stand below; there may be room for the
-    /// values of levels where these end.
-    pub(super) fn new(canvas: &Canvas, title: &str, words: &[String], levels: bool) -> (Self, Svg) {
+impl<'a> Page<'a> {
+    /// A page as it is printed; there may be room for the values of levels where these end.
+    pub(super) fn new(canvas: &Canvas, levels: bool, print: &'a Print) -> io::Result<Self> {
         let [x, y] = &canvas.axes;
         let room = |is_friction| if is_friction { AXIS } else { NO_AXIS };
         let ends_above = canvas.plane != Plane::ThicknessFriction;
@@ -38,29 +41,45 @@ impl Page {
             true => LEVELS,
             false => room(x.is_friction_angle()),
         };
-        let frame = Frame { corner: (LEFT, top), size: SIZE, x: x.range, y: y.range };
         let has_axis = y.is_friction_angle() || (levels && !ends_above);
-        let right = room(has_axis) + MARGIN;
-        let width = frame.right() + right;
-        let wrapped = |words: &String| text::wrap(words, SMALL, width - 2.0 * MARGIN);
-        let lines: Vec<String> = words.iter().flat_map(wrapped).collect();
-        let height = frame.bottom() + BELOW + lines.len() as f64 * SMALL * text::LEADING + MARGIN;
-        let svg = Svg::new((width, height), title, &words.join(" "));
-        (Self { frame, canvas: *canvas, lines }, svg)
+        let around = LEFT + room(has_axis) + MARGIN;
+        let width = print.room(SIZE.0 + around, LEAST.0 + around)?;
+        let across = width - around;
+        let size = (across, (across * SIZE.1 / SIZE.0).max(LEAST.1));
+        let frame = Frame { corner: (LEFT, top), size, x: x.range, y: y.range };
+        Ok(Self { frame, canvas: *canvas, width, print })
     }
 
-    /// The frame with its axes and the words below.
-    pub(super) fn draw(&self, svg: &mut Svg) {
+    /// Tells whether the frame is narrower than usual, so that insets and legends stand below it.
+    pub(super) fn is_narrow(&self) -> bool {
+        self.frame.size.0 < SIZE.0
+    }
+
+    /// The page with a title for those who do not see it, the frame with its axes once what is in it is drawn, and
+    /// paragraphs below, so far `down` from the frame.
+    pub(super) fn svg(
+        &self,
+        title: &str,
+        words: &[String],
+        down: f64,
+        draw: impl FnOnce(&mut Svg),
+    ) -> Svg {
+        let lines = self.print.caption(words, SMALL, self.width - 2.0 * MARGIN);
+        let below = self.frame.bottom() + BELOW + down;
+        let height = below + lines.len() as f64 * SMALL * text::LEADING + MARGIN;
+        let mut svg = Svg::printed(self.print, (self.width, height), title, &words.join(" "));
+        svg.clipped(&self.frame.outline(), draw);
         svg.stroke(&self.frame.outline(), Stroke::new(INK, 1.4));
         svg.group("axes", |svg| self.axes(svg));
-        let below = (MARGIN, self.frame.bottom() + BELOW);
-        svg.group("caption", |svg| svg.lines(&self.lines, below, Type::new(SMALL, INK)));
+        svg.group("caption", |svg| svg.lines(&lines, (MARGIN, below), Type::new(SMALL, INK)));
+        svg
     }
 
     fn axes(&self, svg: &mut Svg) {
         let (frame, [x, y]) = (&self.frame, &self.canvas.axes);
         let style = Type::new(LABEL, INK).at(Anchor::Middle);
-        let (across, up) = (frame.corner.0 + SIZE.0 / 2.0, frame.corner.1 + SIZE.1 / 2.0);
+        let (across, up) =
+            (frame.corner.0 + frame.size.0 / 2.0, frame.corner.1 + frame.size.1 / 2.0);
         frame.ticks(svg, FrameSide::Bottom, &x.ticks(x.range, None), TICK);
         frame.ticks(svg, FrameSide::Left, &y.ticks(y.range, None), TICK);
         svg.text(x.label, (across, frame.bottom() + 49.0), style);

@@ -2,6 +2,7 @@
 
 use super::plane::Plane;
 use crate::picture::color::{INK, WHITE};
+use crate::picture::labels::Labels;
 use crate::picture::room::{Rectangle, about};
 use crate::picture::{Anchor, Point, Svg, Type, text};
 use crate::problem::Landmark;
@@ -9,14 +10,7 @@ use crate::problem::Landmark;
 /// Radius of a landmark's disc.
 const RADIUS: f64 = 4.0;
 
-/// A name beside its point.
-pub(super) struct Spot {
-    name: &'static str,
-    middle: Point,
-    size: f64,
-}
-
-/// Direction from a landmark to the middle of its name, in sizes of the font: away from the lines.
+/// Direction from a landmark to its name: away from the lines.
 pub(super) fn away(landmark: Landmark, plane: Plane) -> Point {
     use Landmark as L;
     match (plane, landmark) {
@@ -37,37 +31,32 @@ pub(super) fn away(landmark: Landmark, plane: Plane) -> Point {
     }
 }
 
-impl Spot {
-    /// The name of a landmark at a point of the page, as usual in a plane or on another side.
-    pub(super) fn new(
-        landmark: Landmark,
-        name: &'static str,
-        at: Point,
-        (plane, mirrored): (Plane, Point),
-        size: f64,
-    ) -> Self {
-        let (x, y) = away(landmark, plane);
-        let (x, y) = (x * mirrored.0, y * mirrored.1);
-        let far = 0.5 * (text::width(name, size) - text::width("T", size));
-        let middle = (at.0 + x * size + far * x.signum() * f64::from(x != 0.0), at.1 + y * size);
-        Self { name, middle, size }
-    }
+/// Direction from a landmark to its name in a plane, whose first axis may run the other way.
+pub(super) fn towards(landmark: Landmark, plane: Plane, is_mirrored: bool) -> Point {
+    let (x, y) = away(landmark, plane);
+    (if is_mirrored { -x } else { x }, y)
+}
 
-    /// Area that the spot takes of the page.
-    pub(super) fn taken(&self) -> Rectangle {
-        let half = (text::width(self.name, self.size) / 2.0 + 2.0, self.size * 0.55);
-        about(self.middle, half)
-    }
-
-    /// Writes it.
-    pub(super) fn draw(&self, svg: &mut Svg) {
-        let style = Type::new(self.size, INK).at(Anchor::Middle).on(WHITE);
-        svg.text(self.name, self.middle, style);
-    }
+/// Writes a name beside its point, off what is there already.
+pub(super) fn named(
+    svg: &mut Svg,
+    labels: &mut Labels,
+    (name, at): (&str, Point),
+    towards: Point,
+    style: Type,
+) {
+    let half = (text::width(name, style.size) / 2.0 + 2.0, 0.55 * style.size);
+    let middle = labels.beside(at, half, towards);
+    svg.text(name, middle, style.at(Anchor::Middle).on(WHITE));
 }
 
 /// The disc of a landmark.
 pub(super) fn disc(svg: &mut Svg, at: Point) {
     svg.disc(at, RADIUS + 1.0, WHITE);
     svg.disc(at, RADIUS, INK);
+}
+
+/// Area that the disc takes.
+pub(super) fn taken(at: Point) -> Rectangle {
+    about(at, (RADIUS, RADIUS))
 }

@@ -2,12 +2,17 @@ use super::*;
 use crate::arch::SelfWeight;
 use crate::atlas::{Contour, Curve, Level, Trace};
 use crate::number::ExactNumber;
+use crate::picture::Print;
 use crate::problem::{Arch, Mode};
 use crate::reading::texts;
 use std::sync::OnceLock;
 
 /// A picture of some curves.
 fn picture(weights: &[SelfWeight], view: View, tolerance: f64) -> String {
+    printed(weights, view, tolerance, &Print::default())
+}
+
+fn printed(weights: &[SelfWeight], view: View, tolerance: f64, print: &Print) -> String {
     let curves = weights.iter().flat_map(|w| Curve::ALL.map(|curve| (*w, curve)));
     let trace = |(weight, curve)| Trace::new(curve, weight, tolerance).unwrap();
     let drawing = Drawing {
@@ -23,7 +28,7 @@ fn picture(weights: &[SelfWeight], view: View, tolerance: f64) -> String {
     };
     let level = |contour: &Contour| Level::among(&traces, weights[0], contour, tolerance).unwrap();
     let levels: Vec<Level> = contours.iter().map(level).collect();
-    drawing.svg(&traces, &levels, &[]).unwrap()
+    drawing.svg((&traces, &levels, &[]), print).unwrap()
 }
 
 /// Picture of a plane with marks.
@@ -40,7 +45,7 @@ fn marked(plane: Plane) -> String {
     let marks = arches.map(mark).into();
     let axes = Axes::default();
     let drawing = Drawing { view: View::Map(plane), axes, marks, command: "couplet map".into() };
-    drawing.svg(&traces, &[], &[]).unwrap()
+    drawing.svg((&traces, &[], &[]), &Print::default()).unwrap()
 }
 
 /// Each mark is there once in the map or in an inset, and is explained once.
@@ -87,7 +92,10 @@ fn on_other_axes() -> Vec<(String, String)> {
             .collect();
         let view = View::Map(plane);
         let drawing = Drawing { view, axes, marks: Vec::new(), command: "couplet map".into() };
-        (format!("figure-axes-{name}"), drawing.svg(&traces, &levels, &[]).unwrap())
+        (
+            format!("figure-axes-{name}"),
+            drawing.svg((&traces, &levels, &[]), &Print::default()).unwrap(),
+        )
     };
     cases.map(picture).into()
 }
@@ -212,7 +220,7 @@ fn overturning_has_figures_of_its_own() {
         assert!(stroke("tangent").is_some());
     }
     let words = texts(fourth).unwrap().join(" ");
-    assert!(words.contains("joining-heyman") && words.contains("common tangent at ℓ"));
+    assert!(words.contains("have one slope") && words.contains("common tangent at ℓ"));
 }
 
 #[test]
@@ -237,7 +245,7 @@ fn nothing_is_no_picture() {
         marks: Vec::new(),
         command: String::new(),
     };
-    assert!(drawing.svg(&[], &[], &[]).is_err());
+    assert!(drawing.svg((&[], &[], &[]), &Print::default()).is_err());
 }
 
 /// Some curves alone are drawn as they are, without domains.
@@ -248,7 +256,7 @@ fn a_line_alone_is_drawn() {
     for view in [View::Map(Plane::ThicknessFriction), View::Lines] {
         let drawing =
             Drawing { view, axes: Axes::default(), marks: Vec::new(), command: "couplet".into() };
-        let text = drawing.svg(&traces, &[], &[]).unwrap();
+        let text = drawing.svg((&traces, &[], &[]), &Print::default()).unwrap();
         assert!(text.contains("line-rrr-srr") && !text.contains("domain-"));
     }
 }
@@ -256,8 +264,10 @@ fn a_line_alone_is_drawn() {
 #[cfg(feature = "plots")]
 mod pixels {
     use super::*;
+    use crate::picture::PaperLength;
     use crate::picture::png::render;
-    use crate::reading::boxes::trouble;
+    use crate::picture::print::SMALLEST;
+    use crate::reading::boxes::{crossed, sizes, trouble};
 
     #[test]
     fn no_name_lies_on_another() {
@@ -266,13 +276,58 @@ mod pixels {
         }
     }
 
+    /// In a column of a journal too, where insets and legends stand below.
+    #[test]
+    fn a_column_has_the_same_names_in_letters_of_its_size() {
+        let width = Some(PaperLength::width("84mm").unwrap());
+        let print = Print { width, caption: false, ..Print::default() };
+        let plane = |plane| (&SelfWeight::ALL[1..], View::Map(plane));
+        let both = |view| (&SelfWeight::ALL[..], view);
+        let views = [
+            both(View::Branches(Branches::Rotation)),
+            both(View::Branches(Branches::Overturning)),
+            both(View::Branches(Branches::Joined)),
+            both(View::Lines),
+            plane(Plane::ThicknessFriction),
+            plane(Plane::OpeningFriction),
+            plane(Plane::OpeningThickness),
+        ];
+        let mut found = Vec::new();
+        for (weights, view) in views {
+            let svg = printed(weights, view, 1e-3, &print);
+            found.extend(trouble(&svg).map(|trouble| format!("{view:?}: {trouble}")));
+            assert!(svg.contains("width=\"238.11pt\"") && svg.contains("Command: couplet"));
+            assert!(!texts(&svg).unwrap()[2..].iter().any(|text| text.contains("Command")));
+            assert!(sizes(&svg).iter().all(|size| *size >= SMALLEST), "{view:?}");
+        }
+        assert_eq!(found, [""; 0]);
+    }
+
+    /// No text of the figures lies on a line, and no landmark of a map.
+    #[test]
+    fn no_name_of_a_figure_lies_on_a_line() {
+        let is_figure =
+            |name: &str| ["2", "3", "4", "5"].iter().any(|n| name == format!("figure-{n}"));
+        let landmarks = ["T", "S", "J", "S, J", "B", "ℓ", "L"];
+        let mut found = Vec::new();
+        for (name, svg) in pictures() {
+            let is_map =
+                SelfWeight::ALL.iter().any(|w| *name == format!("{}-thickness-friction", w.name()));
+            let names = if is_figure(name) || is_map { crossed(svg) } else { continue };
+            let is_name = |text: &&String| !is_map || landmarks.contains(&text.as_str());
+            found.extend(names.iter().filter(is_name).map(|text| format!("{name}: {text}")));
+        }
+        assert_eq!(found, [""; 0]);
+    }
+
     #[test]
     #[ignore = "writes pictures to look at"]
     fn pictures_to_look_at() {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/target/figures");
         std::fs::create_dir_all(folder).unwrap();
         for (name, svg) in pictures() {
-            std::fs::write(format!("{folder}/{name}.png"), render(svg)).unwrap();
+            std::fs::write(format!("{folder}/{name}.png"), render(svg, &Print::default()).unwrap())
+                .unwrap();
             std::fs::write(format!("{folder}/{name}.svg"), svg).unwrap();
         }
     }

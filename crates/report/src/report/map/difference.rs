@@ -3,6 +3,7 @@
 use super::rows::{lower, upper};
 use crate::atlas::{Difference, DifferencePoint, Step};
 use crate::number::Ball;
+use crate::picture::Print;
 use crate::picture::text::number;
 use crate::problem::Line;
 use crate::report::column::Column::{Double, Text};
@@ -133,8 +134,8 @@ impl Reported for MapDifferences {
         whole
     }
 
-    fn picture(&self) -> io::Result<String> {
-        Ok(drawn::differences(&self.differences, &self.command))
+    fn picture(&self, print: &Print) -> io::Result<String> {
+        drawn::differences(&self.differences, &self.command, print)
     }
 }
 

@@ -3,6 +3,7 @@
 use super::rows::{MapRow, weight_of};
 use super::{Map, page, words};
 use crate::atlas::{Border, Corner, DomainSide, Level, Trace, Variable, boundary};
+use crate::picture::Print;
 use crate::problem::Mode;
 use crate::report::format::{Content, Format};
 use crate::report::parquet;
@@ -15,6 +16,7 @@ impl Reported for Map {
     fn content() -> Content {
         Content(&[
             "table", "json", "csv", "csv2", "latex", "markdown", "parquet", "html", "svg", "png",
+            "pdf",
         ])
     }
 
@@ -27,8 +29,8 @@ impl Reported for Map {
         Tabular::of_columns(MapRow::COLUMNS.iter(), MapRow::of_map(self))
     }
 
-    fn picture(&self) -> io::Result<String> {
-        self.drawing.svg(&self.traces, &self.levels, &self.borders)
+    fn picture(&self, print: &Print) -> io::Result<String> {
+        self.drawing.svg((&self.traces, &self.levels, &self.borders), print)
     }
 
     fn write_as(&self, format: &Format, out: &mut dyn io::Write) -> Option<io::Result<()>> {

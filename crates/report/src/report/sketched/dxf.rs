@@ -1,15 +1,20 @@
-//! DXF (release 12, text): lines and arcs in units of `r` or in metres, `y` up, each kind on a layer of its own. An
-//! arch that is shown with several modes is a block, which each panel inserts.
+//! An arch for programs that draw: lines and arcs in units of `r` or in metres, `y` up, each kind on a layer of its own,
+//! with the angles of the joints and the sizes. An arch that is shown with several modes is a block, which each panel
+//! inserts.
 
 use super::Sketched;
-use super::arcs::{Bulge, arcs};
+use super::arcs::arcs;
+use super::caption::title;
+use super::dxf_file::{DxfAnchor, DxfFile, DxfUnit};
+use super::metres::{Metres, Size};
+use super::numbers::{label, shown};
 use crate::arch::mechanism::Contact;
 use crate::atlas::{Collapse, Sketch};
-use crate::sketch::{Blocks, across};
+use crate::sketch::{Blocks, CROWN, across};
 use std::io;
 
 /// The layers and their colours by number.
-const LAYERS: [(&str, u8); 7] = [
+const LAYERS: [(&str, u8); 9] = [
     ("ARCH", 7),
     ("STONES", 8),
     ("THRUST", 1),
@@ -17,106 +22,22 @@ const LAYERS: [(&str, u8); 7] = [
     ("HINGES", 7),
     ("SLIDING", 5),
     ("MECHANISM", 3),
+    ("DIMENSIONS", 8),
+    ("TEXT", 7),
 ];
 /// Distance that a line's points may have from the arcs that stand for it, and that as a part of the thickness.
 const WITHIN: f64 = 1e-5;
 const PART: f64 = 4e-4;
 /// Distance between two arches.
-const BETWEEN: f64 = 0.5;
+const BETWEEN: f64 = 0.8;
+/// Height of letters, half of the cross at the centre, and how far off the sizes stand.
+const LETTERS: f64 = 0.05;
+const CENTRE: f64 = 0.03;
+const AWAY: f64 = 0.2;
+/// Digits of a size.
+const DIGITS: usize = 6;
 /// The radius of a hinge.
 const HINGE: f64 = 0.015;
-
-/// A file in the making: pairs of a code and a value.
-struct Dxf {
-    text: String,
-    /// Centre of the arch, in units of `r`.
-    x: f64,
-    /// A unit of `r` in that of the file.
-    unit: f64,
-}
-
-/// Decimals of a length in units of `r`.
-const DECIMALS: i32 = 7;
-
-impl Dxf {
-    fn put(&mut self, code: u16, value: &str) {
-        self.text += &format!("{code}\n{value}\n");
-    }
-
-    fn put_all(&mut self, pairs: &[(u16, &str)]) {
-        pairs.iter().for_each(|(code, value)| self.put(*code, value));
-    }
-
-    /// A number as short as it goes.
-    fn number(&mut self, code: u16, value: f64, decimals: i32) {
-        let text = format!("{value:.*}", decimals.max(0) as usize);
-        let short = match text.contains('.') {
-            true => text.trim_end_matches('0').trim_end_matches('.'),
-            false => &text,
-        };
-        self.put(code, if short == "-0" { "0" } else { short });
-    }
-
-    /// Writes a length, as precise in a small unit as in a large one.
-    fn length(&mut self, code: u16, value: f64) {
-        let value = value * self.unit;
-        self.number(code, value, DECIMALS - self.unit.log10().floor() as i32);
-    }
-
-    fn degrees(&mut self, code: u16, value: f64) {
-        self.number(code, value, DECIMALS);
-    }
-
-    fn begin(&mut self, kind: &str, layer: &str) {
-        self.put_all(&[(0, kind), (8, layer)]);
-    }
-
-    fn point(&mut self, first: u16, [x, y]: [f64; 2]) {
-        self.length(first, self.x + x);
-        self.length(first + 10, y);
-    }
-
-    fn line(&mut self, layer: &str, [from, to]: [[f64; 2]; 2]) {
-        self.begin("LINE", layer);
-        self.point(10, from);
-        self.point(11, to);
-    }
-
-    fn chain(&mut self, layer: &str, points: &[Bulge]) {
-        self.begin("POLYLINE", layer);
-        // What is zero says nothing, and the release asks for it.
-        self.put_all(&[(66, "1"), (10, "0"), (20, "0"), (70, "0")]);
-        for (point, bulge) in points {
-            self.begin("VERTEX", layer);
-            self.point(10, *point);
-            if *bulge != 0.0 {
-                self.number(42, *bulge, DECIMALS);
-            }
-        }
-        self.put(0, "SEQEND");
-    }
-
-    fn circle(&mut self, layer: &str, at: [f64; 2], radius: f64) {
-        self.begin("CIRCLE", layer);
-        self.point(10, at);
-        self.length(40, radius);
-    }
-
-    /// About a centre, counter-clockwise from one angle to another, in degrees from the right.
-    fn arc(&mut self, layer: &str, center: [f64; 2], radius: f64, [from, to]: [f64; 2]) {
-        self.begin("ARC", layer);
-        self.point(10, center);
-        self.length(40, radius);
-        self.degrees(50, from);
-        self.degrees(51, to);
-    }
-
-    fn insert(&mut self, block: &str) {
-        self.begin("INSERT", "ARCH");
-        self.put(2, block);
-        self.point(10, [0.0, 0.0]);
-    }
-}
 
 fn polar(joint: f64, radius: f64) -> [f64; 2] {
     [radius * joint.sin(), radius * joint.cos()]
@@ -126,7 +47,7 @@ fn mirrored([x, y]: [f64; 2], side: f64) -> [f64; 2] {
     [side * x, y]
 }
 
-fn arch(dxf: &mut Dxf, sketch: &Sketch, half: bool) {
+fn arch(dxf: &mut DxfFile, sketch: &Sketch, half: bool) {
     let (alpha, radii) = (sketch.half_opening(), sketch.radii());
     let degrees = |joint: f64| 90.0 - joint.to_degrees();
     let from = if half { 0.0 } else { -alpha };
@@ -151,45 +72,11 @@ fn arch(dxf: &mut Dxf, sketch: &Sketch, half: bool) {
     }
 }
 
-/// The tables of a file: its layers.
-fn head(dxf: &mut Dxf, unit: &str) {
-    dxf.put(999, &format!("couplet: lengths in {unit}"));
-    section(dxf, "HEADER", |dxf| {
-        dxf.put_all(&[(9, "$ACADVER"), (1, "AC1009")]);
-        if unit == "m" {
-            // Younger than the release, and read by those who know them: metres, and metric.
-            dxf.put_all(&[(9, "$INSUNITS"), (70, "6"), (9, "$MEASUREMENT"), (70, "1")]);
-        }
-    });
-    section(dxf, "TABLES", |dxf| {
-        dxf.put_all(&[(0, "TABLE"), (2, "LAYER"), (70, "7")]);
-        for (name, color) in LAYERS {
-            let color = color.to_string();
-            dxf.put_all(&[(0, "LAYER"), (2, name), (70, "0"), (62, &color), (6, "CONTINUOUS")]);
-        }
-        dxf.put(0, "ENDTAB");
-    });
-}
-
-/// A section with what is put into it.
-fn section(dxf: &mut Dxf, name: &str, fill: impl FnOnce(&mut Dxf)) {
-    dxf.put_all(&[(0, "SECTION"), (2, name)]);
-    fill(dxf);
-    dxf.put(0, "ENDSEC");
-}
-
-/// Under its name, for panels to insert.
-fn block(dxf: &mut Dxf, name: &str, sketch: &Sketch, half: bool) {
-    dxf.begin("BLOCK", "0");
-    dxf.put_all(&[(2, name), (70, "0"), (10, "0"), (20, "0"), (3, name)]);
-    arch(dxf, sketch, half);
-    dxf.begin("ENDBLK", "0");
-}
-
-fn marks(dxf: &mut Dxf, sketch: &Sketch, collapse: Option<&Collapse>, sides: &[f64]) {
+fn marks(dxf: &mut DxfFile, sketch: &Sketch, collapse: Option<&Collapse>, sides: &[f64]) {
     let [inner, outer] = sketch.radii();
     for (contact, joint) in super::at_limit(sketch, collapse) {
-        for side in sides {
+        let is_crown = joint < CROWN * sketch.half_opening();
+        for side in sides.iter().take(if is_crown { 1 } else { sides.len() }) {
             let at = |radius| mirrored(polar(joint, radius), *side);
             match contact {
                 Contact::Extrados => dxf.circle("HINGES", at(outer), HINGE),
@@ -200,7 +87,7 @@ fn marks(dxf: &mut Dxf, sketch: &Sketch, collapse: Option<&Collapse>, sides: &[f
     }
 }
 
-fn mechanism(dxf: &mut Dxf, blocks: &Blocks, [inner, outer]: [f64; 2], sides: &[f64]) {
+fn mechanism(dxf: &mut DxfFile, blocks: &Blocks, [inner, outer]: [f64; 2], sides: &[f64]) {
     for block in &blocks.fallen {
         for side in sides {
             let to = |point: [f64; 2]| mirrored(block.motion.to(&point), *side);
@@ -222,43 +109,112 @@ fn mechanism(dxf: &mut Dxf, blocks: &Blocks, [inner, outer]: [f64; 2], sides: &[
     }
 }
 
+/// The heading of a panel, and the angles of its joints beyond the extrados.
+fn texts(dxf: &mut DxfFile, sketch: &Sketch, collapse: Option<&Collapse>, out: f64) {
+    let [heading, words] = title(sketch, collapse);
+    for (line, words) in [words, heading].iter().enumerate().filter(|(_, words)| !words.is_empty())
+    {
+        let at = [0.0, out + (2.5 + 1.6 * line as f64) * LETTERS];
+        dxf.text("TEXT", words, (at, DxfAnchor::Middle), (LETTERS, 0.0));
+    }
+    let [_, outer] = sketch.radii();
+    for (joint, name) in joint_names(sketch, collapse) {
+        let at = polar(joint, outer + LETTERS);
+        let anchor = if joint.sin() > 0.3 { DxfAnchor::Start } else { DxfAnchor::Middle };
+        dxf.text("TEXT", &name, (at, anchor), (LETTERS, 0.0));
+    }
+}
+
+/// The names of the joints that give way, and the half opening, each once.
+fn joint_names(sketch: &Sketch, collapse: Option<&Collapse>) -> Vec<(f64, String)> {
+    let alpha = sketch.half_opening();
+    let mut names: Vec<(f64, String)> = vec![(alpha, label("α", alpha))];
+    for (contact, joint) in super::at_limit(sketch, collapse) {
+        let is_known = names.iter().any(|(known, _)| (known - joint).abs() < CROWN * alpha);
+        if joint > CROWN * alpha && !is_known {
+            let symbol = if contact.is_hinge() { "βᵣ" } else { "βₛ" };
+            names.push((joint, label(symbol, joint)));
+        }
+    }
+    names
+}
+
+/// A line between two points with a stroke across it at each end, and what it measures.
+fn measure(dxf: &mut DxfFile, [from, to]: [[f64; 2]; 2], words: &str) {
+    let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+    let length = dx.hypot(dy);
+    let across = [-dy / length * LETTERS / 2.0, dx / length * LETTERS / 2.0];
+    dxf.line("DIMENSIONS", [from, to]);
+    for [x, y] in [from, to] {
+        dxf.line("DIMENSIONS", [[x - across[0], y - across[1]], [x + across[0], y + across[1]]]);
+    }
+    // Above what lies, and on the left of what stands.
+    let sign = if across[1] < 0.0 || across[0] > 0.0 { -1.0 } else { 1.0 };
+    let [x, y] = [(from[0] + to[0]) / 2.0, (from[1] + to[1]) / 2.0];
+    let at = [x + 2.0 * sign * across[0], y + 2.0 * sign * across[1]];
+    let turn = if dx.abs() < dy.abs() { 90.0 } else { 0.0 };
+    dxf.text("DIMENSIONS", words, (at, DxfAnchor::Middle), (LETTERS, turn));
+}
+
+/// The centre, and the sizes of an arch that is measured.
+fn dimensions(dxf: &mut DxfFile, sketch: &Sketch, metres: Option<&Metres>, half: bool) {
+    for (dx, dy) in [(CENTRE, 0.0), (0.0, CENTRE)] {
+        dxf.line("DIMENSIONS", [[-dx, -dy], [dx, dy]]);
+    }
+    let Some(metres) = metres else { return };
+    let size = |of: &Size| format!("{} m", shown(of, DIGITS));
+    let (alpha, radii) = (sketch.half_opening(), sketch.radii());
+    let [x, y] = polar(alpha, metres.share);
+    let low = radii.map(|radius| radius * alpha.cos()).into_iter().fold(0.0, f64::min) - AWAY;
+    let left = if half { 0.0 } else { -x };
+    let of = if half { "half of the span" } else { "span" };
+    measure(dxf, [[left, low], [x, low]], &format!("{of} {}", size(&metres.span)));
+    let aside = if half { -AWAY } else { -radii[1] - AWAY };
+    measure(dxf, [[aside, y], [aside, metres.share]], &format!("rise {}", size(&metres.rise)));
+    let thickness = format!("t = {}", size(&metres.thickness));
+    let shoulder = radii.map(|radius| polar(alpha + 0.06, radius));
+    dxf.line("DIMENSIONS", shoulder);
+    let at = polar(alpha + 0.06, radii[1] + LETTERS);
+    dxf.text("DIMENSIONS", &thickness, (at, DxfAnchor::Start), (LETTERS, 0.0));
+}
+
 /// The geometry for programs that draw.
 pub(in crate::report) fn dxf(report: &Sketched, out: &mut dyn io::Write) -> io::Result<()> {
     let half = report.style.half;
     let sides: &[f64] = if half { &[1.0] } else { &[1.0, -1.0] };
     let metres = report.sketches.first().and_then(|sketch| report.metres(sketch));
-    let unit = metres.map(|of| of.radius.double());
-    let mut dxf = Dxf { text: String::new(), x: 0.0, unit: unit.unwrap_or(1.0) };
-    head(&mut dxf, if unit.is_some() { "m" } else { "units of r" });
+    let unit = metres.map_or((DxfUnit::Radius, 1.0), |of| (DxfUnit::Metre, of.radius.double()));
     let name = |place: usize| format!("COUPLET-{}", place + 1);
     let is_block = |sketch: &Sketch| sketch.collapses.len() > 1;
     let blocks = || report.sketches.iter().enumerate().filter(|(_, sketch)| is_block(sketch));
-    if blocks().next().is_some() {
-        section(&mut dxf, "BLOCKS", |dxf| {
-            blocks().for_each(|(place, sketch)| block(dxf, &name(place), sketch, half));
-        });
+    let names: Vec<String> = blocks().map(|(place, _)| name(place)).collect();
+    let mut dxf = DxfFile::new(unit, &LAYERS, &names);
+    for (place, sketch) in blocks() {
+        dxf.block(&name(place), |dxf| arch(dxf, sketch, half));
     }
-    section(&mut dxf, "ENTITIES", |dxf| {
-        for (place, sketch) in report.sketches.iter().enumerate() {
-            for collapse in super::shown(sketch) {
-                match is_block(sketch) {
-                    true => dxf.insert(&name(place)),
-                    false => arch(dxf, sketch, half),
-                }
-                marks(dxf, sketch, collapse, sides);
-                let radii = sketch.radii();
-                let mut widest = radii[1];
-                if let Some(collapse) = collapse {
-                    let amplitude = report.style.amplitude;
-                    let blocks =
-                        Blocks::new(collapse, &sketch.at, amplitude, false, &sketch.stone_joints());
-                    widest = blocks.corners().map(|[x, _]| x).fold(widest, f64::max);
-                    mechanism(dxf, &blocks, radii, sides);
-                }
-                dxf.x += 2.0 * widest + BETWEEN;
+    dxf.draw();
+    for (place, sketch) in report.sketches.iter().enumerate() {
+        for collapse in super::shown(sketch) {
+            match is_block(sketch) {
+                true => dxf.insert(&name(place)),
+                false => arch(&mut dxf, sketch, half),
             }
+            marks(&mut dxf, sketch, collapse, sides);
+            let radii = sketch.radii();
+            let [mut widest, mut highest] = [radii[1]; 2];
+            if let Some(collapse) = collapse {
+                let amplitude = report.style.amplitude;
+                let blocks =
+                    Blocks::new(collapse, &sketch.at, amplitude, false, &sketch.stone_joints());
+                for [x, y] in blocks.corners() {
+                    (widest, highest) = (widest.max(x), highest.max(y));
+                }
+                mechanism(&mut dxf, &blocks, radii, sides);
+            }
+            texts(&mut dxf, sketch, collapse, highest);
+            dimensions(&mut dxf, sketch, report.metres(sketch).as_ref(), half);
+            dxf.x += 2.0 * widest + BETWEEN;
         }
-    });
-    dxf.put(0, "EOF");
-    out.write_all(dxf.text.as_bytes())
+    }
+    out.write_all(dxf.finish().as_bytes())
 }

@@ -1,6 +1,7 @@
 //! The formats in which arches are drawn.
 
 use super::{Sketched, dxf, json, picture};
+use crate::picture::Print;
 use crate::report::format::{Content, Format};
 use crate::report::record::Record;
 use crate::report::reported::Reported;
@@ -8,15 +9,15 @@ use std::io;
 
 impl Reported for Sketched {
     fn content() -> Content {
-        Content(&["json", "svg", "png", "dxf"])
+        Content(&["json", "svg", "png", "pdf", "dxf"])
     }
 
     fn records(&self) -> Vec<Record> {
         Vec::new()
     }
 
-    fn picture(&self) -> io::Result<String> {
-        Ok(picture::picture(self))
+    fn picture(&self, print: &Print) -> io::Result<String> {
+        picture::picture(self, print)
     }
 
     fn write_as(&self, format: &Format, out: &mut dyn io::Write) -> Option<io::Result<()>> {

@@ -15,6 +15,7 @@
 //! | `notation` | the symbols, as Figure 1 has them |
 //! | `figures` | which arches the paper shows |
 //! | `json`, `dxf` | the geometry for other programs |
+//! | `dxf_file` | the writer of DXF |
 //! | `formats` | the formats in which arches are drawn |
 //! | `lean` | JSON with lists on one line |
 //! | `arcs` | a chain of points as few arcs |
@@ -23,6 +24,7 @@ mod arcs;
 mod caption;
 mod dimensions;
 mod dxf;
+mod dxf_file;
 mod falling;
 mod figures;
 mod formats;

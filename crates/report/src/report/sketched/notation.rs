@@ -2,10 +2,12 @@
 //! centroid in both models of self-weight on the left.
 
 use crate::arch::{Ring, SelfWeight};
-use crate::atlas::Sketch;
+use crate::atlas::{Sketch, SketchedLine};
 use crate::picture::color::{INK, WHITE};
-use crate::picture::{Anchor, Color, Path, Point, Stroke, Svg, Type};
-use crate::sketch::{PageScale, arrow, look};
+use crate::picture::labels::Labels;
+use crate::picture::room::about;
+use crate::picture::{Anchor, Color, Path, Point, Stroke, Svg, Type, text};
+use crate::sketch::{PageScale, across, arrow, look};
 
 /// The heading.
 pub(super) const TITLE: [&str; 2] =
@@ -38,16 +40,68 @@ fn text(svg: &mut Svg, words: &str, at: Point, anchor: Anchor, ground: Option<Co
     svg.text(words, at, ground.map_or(style, |ground| style.on(ground)));
 }
 
+/// Half the width and height of a text.
+fn half(words: &str) -> Point {
+    (text::width(words, SIZE) / 2.0 + 2.0, 0.62 * SIZE)
+}
+
 impl ArchNotation<'_> {
     pub(super) fn draw(&self, svg: &mut Svg) {
+        let mut labels = Labels { lines: self.lines(), ..Labels::default() };
         self.rays(svg);
-        self.angles(svg);
-        self.lengths(svg);
-        self.element(svg);
-        self.forces(svg);
+        self.angles(svg, &mut labels);
+        self.lengths(svg, &mut labels);
+        self.element(svg, &mut labels);
+        self.forces(svg, &mut labels);
         let (x, y) = self.scale.center;
         svg.disc((x, y), 2.6, INK);
         text(svg, "O", (x + 9.0, y + 13.0), Anchor::Start, None);
+    }
+
+    /// The lines that names keep off: the faces, the centreline, the lines of thrust and of friction, and what is measured.
+    fn lines(&self) -> Vec<Vec<Point>> {
+        let ([inner, outer], alpha) = (self.sketch.radii(), self.sketch.half_opening());
+        let circle = |radius: f64| (-60..=60).map(move |k| (f64::from(k) / 60.0 * alpha, radius));
+        let circles = [inner, 1.0, outer].map(|radius| -> Vec<Point> {
+            circle(radius).map(|(joint, radius)| self.scale.polar(joint, radius, 1.0)).collect()
+        });
+        let drawn = self
+            .sketch
+            .forces
+            .iter()
+            .flat_map(|of| of.thrust_lines.iter().chain([&of.friction_line]));
+        let along = |line: &SketchedLine| -> Vec<Point> {
+            across(line.places(), false).into_iter().map(|at| self.scale.at(at, 1.0)).collect()
+        };
+        let center = self.scale.center;
+        let straight = [
+            vec![center, self.left(RADIUS, 1.0)],
+            [inner, outer].map(|radius| self.left(THICKNESS, radius)).to_vec(),
+            self.weight().to_vec(),
+            vec![center, self.left(alpha, inner)],
+        ];
+        let sides = ELEMENT.map(|joint| [inner, outer].map(|r| self.left(joint, r)).to_vec());
+        circles.into_iter().chain(drawn.map(along)).chain(straight).chain(sides).collect()
+    }
+
+    /// The ends of the weight of a half, at its centroid by the moment about the centre.
+    fn weight(&self) -> [Point; 2] {
+        let alpha = self.sketch.half_opening();
+        let ring = Ring::new(self.sketch.weight, &self.sketch.thickness());
+        let arm = ring.centroid_factor * (1.0 - alpha.cos()) / alpha;
+        let (x, y) = self.scale.at([arm, 0.2], -1.0);
+        [(x, y), (x, y + FORCE)]
+    }
+
+    /// Writes a name beside a point, off all lines if it can be.
+    fn name(&self, svg: &mut Svg, labels: &mut Labels, words: &str, (at, towards): (Point, Point)) {
+        let middle = labels.beside(at, half(words), towards);
+        let (x, y) = self.scale.center;
+        let radius = (middle.0 - x).hypot(middle.1 - y) / self.scale.radius;
+        let [inner, outer] = self.sketch.radii();
+        let is_on_stone = (inner..outer).contains(&radius);
+        let ground = if is_on_stone { look::STONE } else { WHITE };
+        text(svg, words, middle, Anchor::Middle, Some(ground));
     }
 
     /// A point on the left.
@@ -78,7 +132,7 @@ impl ArchNotation<'_> {
     }
 
     /// The half opening on the left, the inner joints on the right, each from the crown.
-    fn angles(&self, svg: &mut Svg) {
+    fn angles(&self, svg: &mut Svg, labels: &mut Labels) {
         let ([haunch, slides], alpha) = (self.joints(), self.sketch.half_opening());
         for ((joint, radius), name) in
             [-alpha, haunch, slides].into_iter().zip(ANGLES).zip(["α", "βᵣ", "βₛ"])
@@ -89,27 +143,26 @@ impl ArchNotation<'_> {
             svg.stroke(&path, LINE);
             let before = joint - joint.signum() * 11.0 / (self.scale.radius * radius);
             arrow(svg, at(before, radius), at(joint, radius));
-            let (middle, aside) = (joint / 2.0, 14.0 / self.scale.radius);
-            text(svg, name, at(middle, radius + aside), Anchor::Middle, Some(WHITE));
+            let (from, to) = (at(joint / 2.0, radius), at(joint / 2.0, 2.0 * radius));
+            self.name(svg, labels, name, (from, (to.0 - from.0, to.1 - from.1)));
         }
     }
 
     /// The radius of the centreline, and the thickness.
-    fn lengths(&self, svg: &mut Svg) {
+    fn lengths(&self, svg: &mut Svg, labels: &mut Labels) {
         let [inner, outer] = self.sketch.radii();
         let center = self.scale.center;
         arrow(svg, center, self.left(RADIUS, 1.0));
-        let at = self.left(RADIUS, 0.5);
-        text(svg, "r", (at.0, at.1 - 12.0), Anchor::Middle, Some(WHITE));
+        self.name(svg, labels, "r", (self.left(RADIUS, 0.5), (0.0, -1.0)));
         let middle = self.left(THICKNESS, 1.0);
         for radius in [inner, outer] {
             arrow(svg, middle, self.left(THICKNESS, radius));
         }
-        text(svg, "t = ηr", (middle.0, middle.1 + 14.0), Anchor::Middle, Some(look::STONE));
+        self.name(svg, labels, "t = ηr", (self.left(THICKNESS, outer), (-1.0, 0.0)));
     }
 
     /// An element on the left: its centroid, and the point of the centreline.
-    fn element(&self, svg: &mut Svg) {
+    fn element(&self, svg: &mut Svg, labels: &mut Labels) {
         let ([from, to], radii) = (ELEMENT, self.sketch.radii());
         let sector = self.scale.sector(ELEMENT, radii, -1.0);
         svg.tint(&sector, INK, 0.18);
@@ -119,17 +172,21 @@ impl ArchNotation<'_> {
         let [on, centroid] = [1.0, ring.centroid_factor].map(|radius| self.left(middle, radius));
         svg.ring(on, 3.2, WHITE, LINE);
         svg.disc(centroid, 3.2, INK);
-        text(svg, "G", (centroid.0 - 15.0, centroid.1 - 9.0), Anchor::Middle, Some(look::STONE));
         // Outside, what the two are.
         let outside = self.left(middle, radii[1]);
         let style = Type::new(SIZE - 2.0, INK).at(Anchor::End);
         for (words, up) in [("G at r(1 + η²/12)", 34.0), ("Heyman-like: at r", 14.0)] {
-            svg.text(words, (outside.0 - 8.0, outside.1 - up), style);
+            let at = (outside.0 - 8.0, outside.1 - up);
+            svg.text(words, at, style);
+            let (long, high) = half(words);
+            labels.taken.push(about((at.0 - long, at.1), (long, high)));
         }
+        labels.taken.push(about(on, (4.0, 4.0)));
+        self.name(svg, labels, "G", (centroid, (-1.0, -0.6)));
     }
 
     /// The reaction of the left shoulder, the thrust on the left half at the crown, and its weight.
-    fn forces(&self, svg: &mut Svg) {
+    fn forces(&self, svg: &mut Svg, labels: &mut Labels) {
         let Some(line) = self.sketch.forces.first().and_then(|forces| forces.thrust_lines.first())
         else {
             return;
@@ -146,11 +203,8 @@ impl ArchNotation<'_> {
         let (x, y) = self.scale.polar(0.0, radius(line.points.first()), 1.0);
         arrow(svg, (x + FORCE, y - 4.0), (x + NEAR, y - 4.0));
         text(svg, "H", (x + FORCE + 6.0, y - 6.0), Anchor::Start, Some(WHITE));
-        // The centroid of a half, by the moment about the centre.
-        let ring = Ring::new(self.sketch.weight, &self.sketch.thickness());
-        let arm = ring.centroid_factor * (1.0 - alpha.cos()) / alpha;
-        let (x, y) = self.scale.at([arm, 0.2], -1.0);
-        arrow(svg, (x, y), (x, y + FORCE));
-        text(svg, "W = wrα", (x + 2.0, y - 11.0), Anchor::Middle, Some(look::STONE));
+        let [from, to] = self.weight();
+        arrow(svg, from, to);
+        self.name(svg, labels, "W = wrα", (from, (0.0, -1.0)));
     }
 }

@@ -9,7 +9,7 @@ use super::{Sketched, Style, at_limit};
 use crate::arch::mechanism::Contact;
 use crate::atlas::{Collapse, Sketch};
 use crate::picture::color::{GUIDE, INK, WHITE};
-use crate::picture::{Anchor, Path, Point, Stroke, Svg, Type};
+use crate::picture::{Anchor, Path, Point, Print, Stroke, Svg, Type, text};
 use crate::sketch::{ArchView, Blocks, CROWN, Lines, PageScale, SketchedLine};
 
 /// One arch with a mode in which it falls.
@@ -27,8 +27,8 @@ pub(super) struct ModePanel<'a> {
 /// Sizes of fonts.
 const TITLE: f64 = 19.0;
 const LABEL: f64 = 16.0;
-/// Above the picture there is room for the title; around it for names of joints.
-pub(super) const HEAD: f64 = 48.0;
+/// Height of a line of either.
+const LINES: [f64; 2] = [25.0, 22.0];
 /// Distance from the outermost point of a joint to its name, in units of the page.
 const AWAY: f64 = 13.0;
 
@@ -43,17 +43,40 @@ impl<'a> ModePanel<'a> {
         drawn.panels().enumerate().map(panel).collect()
     }
 
-    pub(super) fn draw(&self, svg: &mut Svg, scale: &PageScale, at: (Point, f64)) {
-        let sketch = self.sketch;
-        let ((left, top), width) = at;
+    /// Lines of the heading, and of what it means, in a panel of a width.
+    fn heading(&self, width: f64, print: &Print) -> [Vec<String>; 2] {
         let [heading, words] = match self.style.notation {
+            _ if !print.title => return [Vec::new(), Vec::new()],
             true => notation::TITLE.map(str::to_owned),
-            false => title(sketch, self.collapse),
+            false => title(self.sketch, self.collapse),
         };
-        let middle = left + width / 2.0;
-        svg.text(&heading, (middle, top + 12.0), Type::new(TITLE, INK).at(Anchor::Middle));
         let words = self.between.as_ref().unwrap_or(&words);
-        svg.text(words, (middle, top + 36.0), Type::new(LABEL, INK).at(Anchor::Middle));
+        [text::wrap(&heading, TITLE, width), text::wrap(words, LABEL, width)]
+    }
+
+    /// Room for the heading above the picture.
+    pub(super) fn head(&self, width: f64, print: &Print) -> f64 {
+        let [heading, words] = self.heading(width, print).map(|lines| lines.len() as f64);
+        heading * LINES[0] + words * LINES[1]
+    }
+
+    pub(super) fn draw(
+        &self,
+        svg: &mut Svg,
+        scale: &PageScale,
+        ((left, top), width): (Point, f64),
+        print: &Print,
+    ) {
+        let sketch = self.sketch;
+        let middle = left + width / 2.0;
+        let mut y = top;
+        let kinds = [(TITLE, LINES[0]), (LABEL, LINES[1])];
+        for (lines, (size, high)) in self.heading(width, print).iter().zip(kinds) {
+            for line in lines {
+                svg.text(line, (middle, y + high / 2.0), Type::new(size, INK).at(Anchor::Middle));
+                y += high;
+            }
+        }
         self.view.body(svg, scale);
         if !self.style.notation {
             self.names(svg, scale);

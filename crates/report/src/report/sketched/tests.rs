@@ -1,5 +1,6 @@
 use super::*;
 use crate::arch::SelfWeight;
+use crate::picture::Print;
 use crate::problem::measures::{Circle, Measures};
 use crate::problem::{Arch, Landmark, Mode};
 use crate::reading::texts;
@@ -19,7 +20,7 @@ fn drawn(sketches: Vec<Sketch>, style: Style) -> Sketched {
 }
 
 fn as_svg(drawn: &Sketched) -> String {
-    super::picture(drawn)
+    super::picture(drawn, &Print::default()).unwrap()
 }
 
 fn picture(sketches: Vec<Sketch>, style: Style) -> String {
@@ -239,12 +240,16 @@ fn a_file_for_cad_has_its_layers_and_ends() {
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(lines.len() % 2, 0);
     assert!(lines.iter().step_by(2).all(|code| code.parse::<u16>().is_ok()), "codes and values");
-    for layer in ["ARCH", "THRUST", "FRICTION", "HINGES", "SLIDING", "MECHANISM"] {
+    for layer in
+        ["ARCH", "THRUST", "FRICTION", "HINGES", "SLIDING", "MECHANISM", "TEXT", "DIMENSIONS"]
+    {
         assert!(lines.chunks(2).any(|pair| pair == ["8", layer]), "{layer}");
     }
     assert_eq!(&lines[lines.len() - 2..], ["0", "EOF"]);
     let count = |value: &str| lines.chunks(2).filter(|pair| *pair == ["0", value]).count();
-    assert_eq!((count("BLOCK"), count("INSERT")), (1, 4), "the arch once, in four panels");
+    // The model and the sheets are blocks too.
+    assert_eq!((count("BLOCK"), count("INSERT")), (3, 4), "the arch once, in four panels");
+    assert!(text.contains("$ACADVER\n1\nAC1015\n") && text.contains("$INSUNITS\n70\n0\n"));
     assert!(text.is_ascii() && text.len() < 40_000, "four arches: {}", text.len());
 }
 
@@ -255,8 +260,17 @@ fn files_for_cad_are_in_metres_where_the_arch_is() {
     let coordinates = |drawn: &Sketched| -> Vec<f64> {
         let text = as_dxf(drawn);
         let lines: Vec<&str> = text.lines().collect();
-        let at = |pair: &[&str]| ["10", "20", "11", "21", "40"].contains(&pair[0]);
-        lines.chunks(2).filter(|pair| at(pair)).map(|pair| pair[1].parse().unwrap()).collect()
+        let pairs: Vec<(&str, &str)> = lines.chunks(2).map(|pair| (pair[0], pair[1])).collect();
+        // Sizes and letters are not alike.
+        let is_other =
+            |(code, value): &(&str, &str)| *code == "8" && ["DIMENSIONS", "TEXT"].contains(value);
+        let entities = pairs.split(|(code, _)| *code == "0");
+        let numbers = entities.filter(|of| !of.iter().any(is_other)).flatten();
+        let is_length = |code: &str| ["10", "20", "11", "21", "40"].contains(&code);
+        numbers
+            .filter(|(code, _)| is_length(code))
+            .map(|(_, value)| value.parse().unwrap())
+            .collect()
     };
     let [unit, metres] = [
         coordinates(&drawn(vec![sketch()], Style::default())),
@@ -264,16 +278,43 @@ fn files_for_cad_are_in_metres_where_the_arch_is() {
     ];
     assert!(unit.len() == metres.len() && unit.len() > 100);
     assert!(unit.iter().zip(&metres).all(|(r, m)| (5.0 * r - m).abs() < 1e-6));
-    assert!(
-        as_dxf(&measured(sketch(), Style::default(), Circle::Centreline, false))
-            .contains("lengths in m\n")
-    );
+    let text = as_dxf(&measured(sketch(), Style::default(), Circle::Centreline, false));
+    for said in ["lengths in m\n", "$INSUNITS\n70\n6\n", "rise ", "span ", "t = "] {
+        assert!(text.contains(said), "{said}");
+    }
 }
 
 #[cfg(feature = "plots")]
 mod pixels {
     use super::*;
-    use crate::reading::boxes::trouble;
+    use crate::picture::PaperLength;
+    use crate::picture::print::SMALLEST;
+    use crate::reading::boxes::{sizes, trouble};
+
+    /// In a column of a journal, without words above and below; what is measured needs a wider one.
+    #[test]
+    fn a_column_has_letters_of_its_size() {
+        let of = |width: &str| Print {
+            width: Some(PaperLength::width(width).unwrap()),
+            caption: false,
+            title: false,
+            ..Print::default()
+        };
+        let least = Sketch::least(&arch("2.45", "1.35"), false).unwrap();
+        let triple = Sketch::landmark(Landmark::Triple, SelfWeight::Milankovitch, false).unwrap();
+        let size = measured(least.clone(), Style::default(), Circle::Intrados, true);
+        for (drawn, width) in [
+            (drawn(vec![least], Style::default()), "84mm"),
+            (drawn(vec![triple], Style::of_figure(1)), "84mm"),
+            (size, "120mm"),
+        ] {
+            let svg = super::super::picture(&drawn, &of(width)).unwrap();
+            assert_eq!(trouble(&svg), None);
+            assert!(sizes(&svg).iter().all(|size| *size >= SMALLEST));
+            assert!(!texts(&svg).unwrap()[2..].iter().any(|text| text.contains("opens")));
+            assert!(super::super::picture(&drawn, &of("20mm")).is_err());
+        }
+    }
 
     #[test]
     fn no_name_lies_on_another() {

@@ -1,44 +1,53 @@
 //! The files of a study: raw numbers as CSV, a README with what they mean and where they come from, and
 //! the figures.
 
+use crate::picture::Print;
+use crate::report::{Content, Format};
 use crate::study::row::Measurement;
 use crate::study::stability::Rung;
 use crate::study::{accuracy_figures, figure::Figure, stability_figure};
 use serde::Serialize;
+use std::io;
 use std::process::Command;
 
+/// Files by name.
+type NamedBytes = Vec<(String, Vec<u8>)>;
+
 /// Names and contents.
-pub struct StudyFiles(pub Vec<(String, Vec<u8>)>);
+pub struct StudyFiles(pub NamedBytes);
 
 impl StudyFiles {
     /// The files of `couplet study accuracy`.
-    pub fn accuracy(rows: &[Measurement], command: &str) -> Self {
+    pub fn accuracy(rows: &[Measurement], command: &str, print: &Print) -> io::Result<Self> {
         let mut files = vec![
             ("accuracy.csv".into(), table(rows)),
             ("README.md".into(), readme("Error against run time", command, ACCURACY)),
         ];
-        files.extend(accuracy_figures::figures(rows).into_iter().flat_map(drawn));
-        Self(files)
+        for figure in accuracy_figures::figures(rows) {
+            files.extend(drawn(figure, print)?);
+        }
+        Ok(Self(files))
     }
 
     /// The files of `couplet study stability`.
-    pub fn stability(rungs: &[Rung], command: &str) -> Self {
+    pub fn stability(rungs: &[Rung], command: &str, print: &Print) -> io::Result<Self> {
         let mut files = vec![
             ("stability.csv".into(), table(rungs)),
             ("README.md".into(), readme("Digits lost towards the limits", command, STABILITY)),
         ];
-        files.extend(drawn(("digits-left", stability_figure::figure(rungs))));
-        Self(files)
+        files.extend(drawn(("digits-left", stability_figure::figure(rungs)), print)?);
+        Ok(Self(files))
     }
 }
 
-/// A figure as SVG and, where pixels are built in, as PNG.
-fn drawn((name, figure): (&str, Figure)) -> Vec<(String, Vec<u8>)> {
-    vec![
-        (format!("{name}.svg"), figure.svg().into_bytes()),
-        #[cfg(feature = "plots")]
-        (format!("{name}.png"), figure.png()),
-    ]
+/// A figure in every format of pictures that is built in.
+fn drawn((name, figure): (&str, Figure), print: &Print) -> io::Result<NamedBytes> {
+    let svg = figure.svg(print)?;
+    let formats = Format::all(Content::FIGURE).filter(|format| format.missing().is_none());
+    let file = |format: &Format| {
+        Ok((format!("{name}.{}", format.extension), format.drawn(svg.clone(), print)?))
+    };
+    formats.map(file).collect()
 }
 
 fn table<T: Serialize>(rows: &[T]) -> Vec<u8> {

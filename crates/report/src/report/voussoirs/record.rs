@@ -2,6 +2,7 @@
 
 use super::arch::{VoussoirArch, VoussoirArches, at_limit};
 use super::{convergence, given, words};
+use crate::picture::Print;
 use crate::problem::stones::{JointContact, Stones};
 use crate::report::format::{Content, Format};
 use crate::report::json;
@@ -43,8 +44,8 @@ impl Reported for VoussoirArches {
         }
     }
 
-    fn picture(&self) -> io::Result<String> {
-        Ok(convergence::figure(self).svg())
+    fn picture(&self, print: &Print) -> io::Result<String> {
+        convergence::figure(self).svg(print)
     }
 
     fn write_as(&self, format: &Format, out: &mut dyn io::Write) -> Option<io::Result<()>> {
