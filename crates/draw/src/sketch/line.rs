@@ -87,7 +87,8 @@ impl SketchedLine {
     /// The line as far as it goes without being further beyond a face than so much, in units of `r`.
     pub(super) fn within(mut self, beyond: f64) -> Self {
         let most = 0.5 + beyond / self.thickness;
-        let far = self.points.iter().position(|[_, offset]| !(offset.abs() <= most));
+        let is_far = |[_, offset]: &[f64; 2]| offset.is_nan() || offset.abs() > most;
+        let far = self.points.iter().position(is_far);
         self.points.truncate(far.unwrap_or(self.points.len()));
         self
     }

@@ -32,6 +32,9 @@ const AMPLITUDE: f64 = 0.12;
 const DIGITS: usize = 6;
 const BITS: u32 = 256;
 
+/// The radius of a line by a joint, the same with the weight that is carried, and the thrust.
+type RadiusAt<'a> = dyn Fn(&Angle<Ball>, &Angle<Ball>, &Ball) -> Ball + 'a;
+
 /// An arch with what is drawn of it.
 struct TiltPanel<'a> {
     arch: &'a TiltedArch,
@@ -145,7 +148,7 @@ impl<'a> TiltPanel<'a> {
             let ring = Ring::new(arch.arch.weight(), &eta);
             let [_, p, _, k] = forces;
             let ends = [&at.half_opening.rad, &eta];
-            let both = |radius: &dyn Fn(&Angle<Ball>, &Angle<Ball>, &Ball) -> Ball| {
+            let both = |radius: &RadiusAt<'_>| {
                 [Side::Right, Side::Left].map(|side| line(ends, forces, &stones, side, radius))
             };
             let fac = &ring.centroid_factor;
