@@ -34,8 +34,8 @@ use rayon::prelude::*;
 /// Curves: rotation, overturning, sliding; two modes that meet (rrr/srr, [r,s,r]/[r,s]); limit, where the thickness
 /// reaches 2.
 ///
-/// Formats of pictures, svg, png and pdf, draw the map: the domains of the modes in a --plane, or --lines alone. html is
-/// a page with the map, of both weights unless one is named, that says what lies under the pointer. If no format is
+/// Formats of pictures, svg, png and pdf, draw the map: the domains of the modes in a --plane, or --lines alone. html
+/// is a page with the map, of both weights unless one is named, that says what lies under the pointer. If no format is
 /// given, what the name of the file ends with tells it; without a file it is table.
 #[derive(Args)]
 #[command(args_conflicts_with_subcommands = true, disable_help_subcommand = true)]
@@ -158,8 +158,8 @@ struct DrawnMap {
     axes: AxesArguments,
 
     /// What the branches of asymmetric solutions of the complementarity problem (19) reach, as lines over the half
-    /// opening; without --curve only these. In a picture with --plane opening-friction, from 120 to 145 degrees and from 38
-    /// to 56 unless other ranges are given.
+    /// opening; without --curve only these. In a picture with --plane opening-friction, from 120 to 145 degrees and from
+    /// 38 to 56 unless other ranges are given.
     #[arg(long, conflicts_with = "lines")]
     asymmetric: bool,
 

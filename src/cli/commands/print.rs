@@ -5,7 +5,7 @@ use crate::report::Format;
 use crate::sweep::failure::Failure;
 use clap::Args;
 
-/// How a picture is printed.
+/// Printing of a picture.
 #[derive(Args, Clone)]
 #[command(next_help_heading = "Options of pictures")]
 pub(super) struct PrintArguments {
@@ -32,13 +32,13 @@ pub(super) struct PrintArguments {
 }
 
 impl PrintArguments {
-    /// How a picture is printed.
+    /// Printing of a picture.
     pub(super) fn print(&self) -> Print {
         let Self { width, font_size, font, no_caption, no_title } = self.clone();
         Print { width, font_size, font, caption: !no_caption, title: !no_title }
     }
 
-    /// How a picture is printed in a format; what is no picture has none of the options.
+    /// Printing of a picture in a format; what is no picture has none of the options.
     pub(super) fn of(&self, format: &Format) -> Result<Print, Failure> {
         let print = self.print();
         match format.is_picture || print == Print::default() {

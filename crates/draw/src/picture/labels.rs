@@ -3,7 +3,7 @@
 use super::path::Point;
 use super::room::{Rectangle, about, within};
 
-/// What labels of a window keep off.
+/// Obstacles that labels of a window keep off.
 #[derive(Clone, Debug, Default)]
 pub struct Labels {
     /// Areas that other things take.
@@ -16,7 +16,7 @@ pub struct Labels {
 
 /// Distance from a point to the edge of its label.
 const NEAR: f64 = 7.0;
-/// How much further a label may go, in these distances, and in how many directions it is tried.
+/// Distances to which a label may go, in these distances, and in how many directions it is tried.
 const REACH: [f64; 6] = [1.0, 1.6, 2.6, 3.7, 5.0, 6.5];
 const TURNS: u32 = 24;
 

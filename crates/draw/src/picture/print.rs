@@ -1,4 +1,4 @@
-//! How a picture is printed: its width, its letters, and whether there are words around it.
+//! Printing of a picture: its width, its letters, and whether there are words around it.
 
 use super::path::{Point, Short};
 use super::text;
@@ -13,7 +13,7 @@ const LETTERS: PaperLength = PaperLength(7.0);
 /// Points in a unit of a picture that has no size on paper: a pixel of the web.
 const PIXEL: f64 = 0.75;
 
-/// How a picture is printed; by itself as large as it is on a screen, with all its words.
+/// Printing of a picture; by itself as large as it is on a screen, with all its words.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Print {
     /// Width of the picture.
@@ -35,8 +35,8 @@ impl Default for Print {
 }
 
 impl Print {
-    /// Points in a unit of the picture, if it has a size on paper. Letters and strokes have their size in units, so that
-    /// the width changes neither.
+    /// Points in a unit of the picture, if it has a size on paper. Letters and strokes have their size in units, so
+    /// that the width changes neither.
     fn unit(&self) -> Option<f64> {
         let letters = self.font_size.or(self.width.map(|_| LETTERS))?;
         Some(letters.0 / SMALLEST)

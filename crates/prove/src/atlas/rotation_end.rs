@@ -132,7 +132,8 @@ mod tests {
     use super::*;
     use crate::arch::SelfWeight;
 
-    /// The joint at a half opening between is that of the curve over the half opening, and the cubic is as near as said.
+    /// The joint at a half opening between is that of the curve over the half opening, and the cubic is as near as
+    /// said.
     #[test]
     fn it_is_the_same_curve() {
         for weight in SelfWeight::ALL {

@@ -1,8 +1,6 @@
 //! The one list of formats: commands, scenes, help and errors read it.
 
 use super::words::{distinct, list};
-use crate::picture::Print;
-use std::io;
 
 /// Names of the formats in which something is written, in the order of the list of formats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,17 +28,6 @@ impl Content {
 }
 
 /// Renderers of pictures, where they are built in.
-#[cfg(feature = "plots")]
-use crate::picture::{pdf::render as pdf, png::render as png};
-
-#[cfg(not(feature = "plots"))]
-fn png(_: &str, _: &Print) -> io::Result<Vec<u8>> {
-    super::reported::unsupported()
-}
-
-#[cfg(not(feature = "plots"))]
-use png as pdf;
-
 /// A format.
 #[derive(Clone, Copy, Debug)]
 pub struct Format {
@@ -121,15 +108,6 @@ impl Format {
     /// The formats in which something can be written, the usual one first.
     pub fn all(content: Content) -> impl Iterator<Item = &'static Self> {
         FORMATS.iter().filter(move |format| content.is_written_as(format))
-    }
-
-    /// The bytes of a picture that is drawn as SVG.
-    pub(super) fn drawn(&self, svg: String, print: &Print) -> io::Result<Vec<u8>> {
-        match self.name {
-            "png" => png(&svg, print),
-            "pdf" => pdf(&svg, print),
-            _ => Ok(svg.into_bytes()),
-        }
     }
 
     /// Names of the formats in a sentence.

@@ -2,9 +2,12 @@
 
 use super::format::{Content, Format};
 use super::json;
+use super::paper::PaperTable;
 use super::record::Record;
 use super::tabular::Tabular;
 use crate::picture::Print;
+#[cfg(feature = "plots")]
+use crate::picture::{pdf::render as pdf, png::render as png};
 use std::io;
 
 /// A result that makes records, from which its formats are written.
@@ -69,9 +72,11 @@ pub trait Reported {
             },
             "csv" => self.tabular().csv(out),
             "csv2" => self.tabular().csv_with_commas(out),
-            "latex" => self.tabular().latex(out),
-            "markdown" => self.tabular().markdown(out),
-            _ if format.is_picture => out.write_all(&format.drawn(self.picture(print)?, print)?),
+            "latex" => PaperTable::from(&self.tabular()).latex(out),
+            "markdown" => PaperTable::from(&self.tabular()).markdown(out),
+            "png" => out.write_all(&png(&self.picture(print)?, print)?),
+            "pdf" => out.write_all(&pdf(&self.picture(print)?, print)?),
+            _ if format.is_picture => out.write_all(self.picture(print)?.as_bytes()),
             _ => unsupported(),
         }
     }
@@ -94,6 +99,14 @@ impl<T: Reported> Reported for Vec<T> {
         T::picture_of_all(self)
     }
 }
+
+#[cfg(not(feature = "plots"))]
+fn png(_: &str, _: &Print) -> io::Result<Vec<u8>> {
+    unsupported()
+}
+
+#[cfg(not(feature = "plots"))]
+use png as pdf;
 
 pub(super) fn unsupported<T>() -> io::Result<T> {
     Err(io::ErrorKind::Unsupported.into())

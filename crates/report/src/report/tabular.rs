@@ -1,7 +1,6 @@
 //! Rows in columns: CSV for programs and spreadsheets; tables for a paper are made of them.
 
 use super::column::NamedColumn;
-use super::paper::PaperTable;
 use super::record::Record;
 use super::words::printable;
 use std::io;
@@ -53,16 +52,6 @@ impl Tabular {
             false => cell.to_owned(),
         };
         self.separated(b';', comma, out)
-    }
-
-    /// Writes LaTeX.
-    pub(super) fn latex(&self, out: &mut dyn io::Write) -> io::Result<()> {
-        PaperTable::from(self).latex(out)
-    }
-
-    /// Writes Markdown.
-    pub(super) fn markdown(&self, out: &mut dyn io::Write) -> io::Result<()> {
-        PaperTable::from(self).markdown(out)
     }
 
     fn separated(

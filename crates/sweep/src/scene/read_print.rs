@@ -5,7 +5,7 @@ use super::value::{TomlReader, TomlValue};
 use crate::picture::{PaperLength, Print};
 use crate::report::Format;
 
-/// How a picture is printed; keys of it in an item that is none are a fault.
+/// Printing of a picture; keys of it in an item that is none are a fault.
 pub(super) fn print(table: &mut TableReader, format: Option<&'static Format>) -> Option<Print> {
     let width = table.if_given("width", |r, key, value| said(r, key, value, PaperLength::width));
     let font_size =
@@ -23,7 +23,7 @@ pub(super) fn print(table: &mut TableReader, format: Option<&'static Format>) ->
     }
 }
 
-/// What a text says, or the fault that it says nothing that is allowed.
+/// Value that a text says, or the fault that it says nothing that is allowed.
 fn said<T>(
     reader: &mut TomlReader,
     key: &str,

@@ -49,7 +49,7 @@ pub struct SceneItem {
     pub what: Request,
     /// Format in which it is written.
     pub format: &'static Format,
-    /// How a picture is printed.
+    /// Printing of a picture.
     pub print: Print,
     /// The file, relative to the folder of outputs; standard output if there is none.
     pub output: Option<PathBuf>,

@@ -67,7 +67,7 @@ impl Inset {
         insets
     }
 
-    /// How far below a map its insets reach, if they are there.
+    /// Room below a map that its insets take, if they are there.
     pub(super) fn down(insets: &[Self], map: &Frame) -> f64 {
         let lowest = insets.iter().map(|inset| inset.taken()[1].1).fold(0.0, f64::max);
         (lowest + REST - map.bottom() - page::BELOW).max(0.0)
@@ -127,8 +127,8 @@ impl Inset {
         ]
     }
 
-    /// Draws guides from the part of the map that it shows to where it shows it, which is drawn before; the lines that are
-    /// drawn.
+    /// Draws guides from the part of the map that it shows to where it shows it, which is drawn before; the lines that
+    /// are drawn.
     pub(super) fn draw_guides(&self, svg: &mut Svg, map: &Frame) -> Vec<Vec<Point>> {
         let Frame { x, y, corner: (left, top), .. } = self.frame;
         let (low, high) = (map.at((x[0], y[0])), map.at((x[1], y[1])));

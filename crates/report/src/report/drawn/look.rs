@@ -76,7 +76,7 @@ mod tests {
 
     type Three = [f64; 3];
 
-    /// What an eye without one kind of cones makes of linear red, green and blue (Machado, Oliveira and Fernandes,
+    /// Colours that an eye without one kind of cones makes of linear red, green and blue (Machado, Oliveira and Fernandes,
     /// 2009, severity 1), after what every other makes of it.
     const EYES: [[Three; 3]; 4] = [
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],

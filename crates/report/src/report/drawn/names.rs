@@ -21,7 +21,7 @@ pub(super) struct Names<'a> {
     pub sizes: [f64; 2],
     /// True if the first axis runs the other way, as `A` does.
     pub is_mirrored: bool,
-    /// What the names keep off.
+    /// Obstacles that the names keep off.
     pub labels: Labels,
 }
 

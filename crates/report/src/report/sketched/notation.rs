@@ -58,7 +58,8 @@ impl ArchNotation<'_> {
         text(svg, "O", (x + 9.0, y + 13.0), Anchor::Start, None);
     }
 
-    /// The lines that names keep off: the faces, the centreline, the lines of thrust and of friction, and what is measured.
+    /// The lines that names keep off: the faces, the centreline, the lines of thrust and of friction, and what is
+    /// measured.
     fn lines(&self) -> Vec<Vec<Point>> {
         let ([inner, outer], alpha) = (self.sketch.radii(), self.sketch.half_opening());
         let circle = |radius: f64| (-60..=60).map(move |k| (f64::from(k) / 60.0 * alpha, radius));
