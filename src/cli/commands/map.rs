@@ -158,8 +158,8 @@ struct DrawnMap {
     axes: AxesArguments,
 
     /// What the branches of asymmetric solutions of the complementarity problem (19) reach, as lines over the half
-    /// opening; without --curve only these. In a picture with --plane opening-friction, from 120 to 145 degrees and from
-    /// 38 to 56 unless other ranges are given.
+    /// opening; without --curve only these. In a picture with --plane opening-friction, from 120 to 145 degrees and
+    /// from 38 to 56 unless other ranges are given.
     #[arg(long, conflicts_with = "lines")]
     asymmetric: bool,
 

@@ -74,9 +74,7 @@ pub trait Reported {
             "csv2" => self.tabular().csv_with_commas(out),
             "latex" => PaperTable::from(&self.tabular()).latex(out),
             "markdown" => PaperTable::from(&self.tabular()).markdown(out),
-            "png" => out.write_all(&png(&self.picture(print)?, print)?),
-            "pdf" => out.write_all(&pdf(&self.picture(print)?, print)?),
-            _ if format.is_picture => out.write_all(self.picture(print)?.as_bytes()),
+            _ if format.is_picture => out.write_all(&drawn(self.picture(print)?, (format, print))?),
             _ => unsupported(),
         }
     }
@@ -97,6 +95,15 @@ impl<T: Reported> Reported for Vec<T> {
 
     fn picture(&self, _: &Print) -> io::Result<String> {
         T::picture_of_all(self)
+    }
+}
+
+/// The bytes of a picture that is drawn as SVG.
+pub(super) fn drawn(svg: String, (format, print): (&Format, &Print)) -> io::Result<Vec<u8>> {
+    match format.name {
+        "png" => png(&svg, print),
+        "pdf" => pdf(&svg, print),
+        _ => Ok(svg.into_bytes()),
     }
 }
 

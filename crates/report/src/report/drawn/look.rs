@@ -76,8 +76,8 @@ mod tests {
 
     type Three = [f64; 3];
 
-    /// Colours that an eye without one kind of cones makes of linear red, green and blue (Machado, Oliveira and Fernandes,
-    /// 2009, severity 1), after what every other makes of it.
+    /// Colours that an eye without one kind of cones makes of linear red, green and blue (Machado, Oliveira and
+    /// Fernandes, 2009, severity 1), after what every other makes of it.
     const EYES: [[Three; 3]; 4] = [
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         [

@@ -1,6 +1,6 @@
 //! An arch for programs that draw: lines and arcs in units of `r` or in metres, `y` up, each kind on a layer of its
-//! own, with the angles of the joints and the sizes. An arch that is shown with several modes is a block, which each panel
-//! inserts.
+//! own, with the angles of the joints and the sizes. An arch that is shown with several modes is a block, which each
+//! panel inserts.
 
 use super::Sketched;
 use super::arcs::arcs;

@@ -2,7 +2,7 @@
 //! the figures.
 
 use crate::picture::Print;
-use crate::report::{Content, Format};
+use crate::report::{Content, Format, reported};
 use crate::study::row::Measurement;
 use crate::study::stability::Rung;
 use crate::study::{accuracy_figures, figure::Figure, stability_figure};
@@ -45,7 +45,7 @@ fn drawn((name, figure): (&str, Figure), print: &Print) -> io::Result<NamedBytes
     let svg = figure.svg(print)?;
     let formats = Format::all(Content::FIGURE).filter(|format| format.missing().is_none());
     let file = |format: &Format| {
-        Ok((format!("{name}.{}", format.extension), format.drawn(svg.clone(), print)?))
+        Ok((format!("{name}.{}", format.extension), reported::drawn(svg.clone(), (format, print))?))
     };
     formats.map(file).collect()
 }
