@@ -101,8 +101,8 @@ impl MapAsked<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::format::Content;
     use super::*;
+    use crate::report::{Map, Reported};
 
     /// Each that has no effect is refused, and none that has one.
     #[test]

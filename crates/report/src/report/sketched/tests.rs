@@ -20,7 +20,7 @@ fn drawn(sketches: Vec<Sketch>, style: Style) -> Sketched {
 }
 
 fn as_svg(drawn: &Sketched) -> String {
-    super::picture(drawn, &Print::default()).unwrap()
+    picture::picture(drawn, &Print::default()).unwrap()
 }
 
 fn picture(sketches: Vec<Sketch>, style: Style) -> String {
@@ -229,7 +229,7 @@ fn a_caption_says_the_numbers() {
 
 fn as_dxf(drawn: &Sketched) -> String {
     let mut file = Vec::new();
-    dxf(drawn, &mut file).unwrap();
+    dxf::dxf(drawn, &mut file).unwrap();
     String::from_utf8(file).unwrap()
 }
 
@@ -308,11 +308,11 @@ mod pixels {
             (drawn(vec![triple], Style::of_figure(1)), "84mm"),
             (size, "120mm"),
         ] {
-            let svg = super::super::picture(&drawn, &of(width)).unwrap();
+            let svg = picture::picture(&drawn, &of(width)).unwrap();
             assert_eq!(trouble(&svg), None);
             assert!(sizes(&svg).iter().all(|size| *size >= SMALLEST));
             assert!(!texts(&svg).unwrap()[2..].iter().any(|text| text.contains("opens")));
-            assert!(super::super::picture(&drawn, &of("20mm")).is_err());
+            assert!(picture::picture(&drawn, &of("20mm")).is_err());
         }
     }
 
