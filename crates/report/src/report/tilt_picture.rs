@@ -20,7 +20,7 @@ const HEIGHT: f64 = 560.0;
 /// Room for the title, and for the names of joints around the arch.
 const HEAD: f64 = 88.0;
 const ABOVE: f64 = 66.0;
-const SIDE: f64 = 150.0;
+const SIDE: f64 = 190.0;
 const GAP: f64 = 16.0;
 const TITLE: f64 = 19.0;
 const LABEL: f64 = 16.0;
