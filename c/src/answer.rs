@@ -5,7 +5,7 @@ use crate::codes::{COUPLET_FAULT, COUPLET_OPEN, COUPLET_PROVED, COUPLET_RESOURCE
 use crate::failure::Failure;
 use couplet::check::{Accepted, Certificate, summary};
 use couplet::problem::Quantity;
-use couplet::report::{self, Answers, Status, Subject, Value, write_json};
+use couplet::report::{self, Answers, Format, Reported, Status, Subject, Value};
 use std::borrow::Cow;
 use std::ffi::{CStr, CString, c_char, c_int};
 use std::sync::OnceLock;
@@ -169,7 +169,7 @@ fn verdict(told: &report::Answer) -> &'static str {
 
 fn json(answers: &Answers) -> Option<String> {
     let mut bytes = Vec::new();
-    write_json(answers, &mut bytes).ok()?;
+    answers.write(Format::named(Answers::content(), "json")?, &mut bytes).ok()?;
     String::from_utf8(bytes).ok()
 }
 

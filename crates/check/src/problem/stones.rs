@@ -143,12 +143,17 @@ impl Stones {
         }
     }
 
+    /// Number of a joint as it is told, counted from the crown, which is no joint of a keystone.
+    pub fn from_crown(&self, joint: u64) -> u64 {
+        joint + u64::from(!self.has_joint_at_crown())
+    }
+
     /// Place of a joint, in words.
     pub fn place(&self, joint: u64) -> String {
         match joint {
             0 if self.has_joint_at_crown() => "at the crown".to_owned(),
             joint if joint + 1 == self.count() => "at the shoulder".to_owned(),
-            joint => format!("at joint {}", joint + u64::from(!self.has_joint_at_crown())),
+            joint => format!("at joint {}", self.from_crown(joint)),
         }
     }
 

@@ -30,8 +30,9 @@ impl Reported for Answers {
         ])
     }
 
+    /// Records as JSON has them; the table for a person, in the order asked for, and the languages are of their own.
     fn records(&self) -> Vec<Record> {
-        Vec::new()
+        json::records(self)
     }
 
     fn tabular(&self) -> Tabular {
@@ -43,7 +44,6 @@ impl Reported for Answers {
             "markdown" if self.has_row_each() => return Some(PaperTable::of(self).markdown(out)),
             "table" => table::answers,
             "plain" => plain::answers,
-            "json" => json::answers,
             "toml" => toml::answers,
             "latex" => latex::answers,
             "c" => c::answers,

@@ -27,7 +27,6 @@ impl Content {
     }
 }
 
-/// Renderers of pictures, where they are built in.
 /// A format.
 #[derive(Clone, Copy, Debug)]
 pub struct Format {

@@ -13,27 +13,24 @@ use super::subject::Subject;
 use super::value::Value;
 use super::words::{hexadecimal, labels, printable};
 use crate::problem::Quantity;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 use std::io;
 
-/// Writes landmarks or arches as JSON, for a program that wants no other format.
-pub fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
+/// Records of landmarks or arches; of many arches one, in which each quantity that was not asked for is null.
+pub(super) fn records(report: &Answers) -> Vec<Record> {
+    let all = report.list.iter();
     match report.scope {
-        Scope::Constants => write(&document(report), out),
-        Scope::Point => report.list.iter().try_for_each(|answer| write(&point(answer), out)),
-        Scope::Arch => {
-            report.list.iter().try_for_each(|answer| write(&entry(report, answer, false), out))
-        }
-        Scope::Found => match &report.list[..] {
-            [one] => write(&finding(report, one), out),
-            all => write(&all.iter().map(|one| finding(report, one)).collect::<Vec<_>>(), out),
-        },
+        Scope::Constants => vec![document(report)],
+        Scope::Point => all.map(point).collect(),
+        Scope::Arch => all.map(|answer| entry(report, answer, false)).collect(),
+        Scope::Found => all.map(|answer| finding(report, answer)).collect(),
         Scope::Arches | Scope::Mixed => {
-            let quantities = report.quantities.iter().map(|quantity| quantity.name()).collect();
-            let (schema, digits) = ("couplet.arches/2", report.digits);
-            let file = ArchesFile { schema, digits, quantities, arches: ArchEntries(report) };
-            serde_json::to_writer_pretty(&mut *out, &file)?;
-            writeln!(out)
+            let mut file = Record::of("couplet.arches/2");
+            file.add("digits", report.digits);
+            let names = report.quantities.iter().map(|quantity| quantity.name());
+            file.add("quantities", names.collect::<Vec<_>>());
+            file.add_list("arches", all.map(|answer| entry(report, answer, false)));
+            vec![file]
         }
     }
 }
@@ -63,24 +60,6 @@ struct JsonLines(Answers);
 impl Rows for JsonLines {
     fn group(&mut self, answers: &[Answer]) -> io::Result<Vec<u8>> {
         in_parallel(answers, |answer| line(&entry(&self.0, answer, true)))
-    }
-}
-
-/// `couplet.arches/2`: a quantity that was not asked for is null.
-#[derive(Serialize)]
-struct ArchesFile<'a> {
-    schema: &'static str,
-    digits: usize,
-    quantities: Vec<&'static str>,
-    arches: ArchEntries<'a>,
-}
-
-/// The entries of the arches, made one after the other.
-struct ArchEntries<'a>(&'a Answers);
-
-impl Serialize for ArchEntries<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.0.list.iter().map(|answer| entry(self.0, answer, false)))
     }
 }
 

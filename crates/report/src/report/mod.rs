@@ -91,7 +91,6 @@ pub use drawn::{Axes, Branches, Drawing, Mark, Marked, Plane, Shown, Unit, View}
 pub use equation::{EquationFound, EvaluatedEquation};
 pub use format::{Content, Format};
 pub use given::GivenDoubles;
-pub use json::answers as write_json;
 pub use kept::Kept;
 pub use map::{Map, MapDifferences, MapPoint};
 pub use map_asked::MapAsked;

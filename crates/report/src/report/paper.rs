@@ -76,9 +76,6 @@ impl From<&Tabular> for PaperTable {
 impl PaperTable {
     /// Arches, each in a row.
     pub(super) fn of(report: &Answers) -> Self {
-        let given =
-            |answer: &Answer| answer.subject.given().map(|text| text.unwrap_or("").to_owned());
-        let arches = distinct(report.list.iter().map(given));
         let weights = distinct(report.list.iter().filter_map(|answer| answer.subject.weight()));
         let asked = report.quantities.iter().copied().chain([Quantity::AsymmetricThickness]);
         let is_known = |&of: &Quantity| report.list.iter().any(|answer| answer.value(of).is_some());
@@ -87,9 +84,9 @@ impl PaperTable {
             1 => heading,
             _ => heading.of(author(weight)),
         };
-        let mut headings =
-            ["half_opening", "friction"].map(Heading::named).map(Heading::in_degrees).to_vec();
-        headings[0] = Heading { latex: r"$\alpha$".into(), words: "alpha".into() };
+        // Each half opening is in the unit that it was given in.
+        let half_opening = Heading { latex: r"$\alpha$".into(), words: "alpha".into() };
+        let mut headings = vec![half_opening, Heading::named("friction")];
         if report.have_assessments() {
             headings.push(Heading::named("thickness"));
         }
@@ -102,16 +99,17 @@ impl PaperTable {
                 headings.push(heading.of(&format!("{} less {}", author(other), author(one))));
             }
         }
-        let row = |arch: &[String; 3]| {
-            let of_weight = |weight: &SelfWeight| {
-                let mut all = report.list.iter();
-                all.find(|answer| {
-                    answer.subject.weight() == Some(*weight) && given(answer) == *arch
-                })
-            };
-            let answers: Vec<Option<&Answer>> = weights.iter().map(of_weight).collect();
-            let mut cells: Vec<String> =
-                arch.iter().filter(|text| !text.is_empty()).map(|x| printed(x)).collect();
+        // Each weight has the same arches in the same order; their given values alone do not tell them apart.
+        let of_weight = |weight: &SelfWeight| -> Vec<&Answer> {
+            report.list.iter().filter(|answer| answer.subject.weight() == Some(*weight)).collect()
+        };
+        let arches: Vec<Vec<&Answer>> = weights.iter().map(of_weight).collect();
+        let row = |place: usize| {
+            let answers: Vec<Option<&Answer>> =
+                arches.iter().map(|all| all.get(place).copied()).collect();
+            let given = answers.iter().flatten().next().map(|answer| answer.subject.given());
+            let given = given.into_iter().flatten().flatten();
+            let mut cells: Vec<String> = given.map(printed).collect();
             cells.extend(answers.iter().map(|answer| answer.map_or(NONE.into(), verdict)));
             for &quantity in &quantities {
                 let values: Vec<Option<&Value>> = answers
@@ -129,7 +127,8 @@ impl PaperTable {
             }
             cells
         };
-        Self { rows: arches.iter().map(row).collect(), headings }
+        let rows = (0..arches.first().map_or(0, Vec::len)).map(row).collect();
+        Self { headings, rows }
     }
 
     /// Writes a `tabular` of the package booktabs, with numbers of siunitx.
@@ -202,8 +201,7 @@ fn enclosure(value: &Value, digits: usize) -> Option<Ball> {
 
 /// A number in as many digits as are proved; a bound of its size where not even its sign is.
 fn rounded(ball: &Ball, digits: usize) -> String {
-    let found = (1..=digits).rev().find_map(|digits| Rounded::from_ball(ball, digits));
-    found.map_or_else(
+    Rounded::most(ball, digits).map_or_else(
         || format!("0 ± {:.0e}", 2.0 * size(ball)),
         |rounded| rounded.value.to_string(),
     )
@@ -267,6 +265,15 @@ mod tests {
         let [heyman, milankovitch, difference, joint, ..] = numbers[..] else { panic!("{table}") };
         assert!((milankovitch - heyman - difference).abs() < 1e-11 && difference > 1e-5, "{table}");
         assert!(49.0 < joint && joint < 51.0, "in degrees: {table}");
+    }
+
+    /// Arches of one half opening that are measured are not one arch.
+    #[test]
+    fn arches_given_alike_keep_their_rows() {
+        let arch = Arch::parse("heyman", "80deg", "0.6").unwrap();
+        let answer = Answer::state(1, &arch, &Inquiry::new(&arch, 6, false).state(6, false));
+        let report = Answers { list: vec![answer.clone(), answer], ..Answers::arches(6, false) };
+        assert_eq!(PaperTable::of(&report).rows.len(), 2);
     }
 
     #[test]

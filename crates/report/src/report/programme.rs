@@ -41,7 +41,7 @@ impl AtThickness {
             return None;
         };
         let ball = |x: &f64| Ball::exact(Float::with_val(64, *x), 64);
-        let rounded = |x: &Ball| (1..=12).rev().find_map(|digits| Rounded::from_ball(x, digits));
+        let rounded = |x: &Ball| Rounded::most(x, 12);
         let exact = upper.as_ref().and_then(|upper| rounded(&ball(lower).hull(&ball(upper))));
         exact.map(Ok).or_else(|| rounded(&ball(lower)).map(Err))
     }

@@ -166,8 +166,7 @@ impl TiltedArch {
                 (false, None) => format!("on the {name}"),
                 (false, Some((0, stones))) if stones.has_joint_at_crown() => "at the crown".into(),
                 (false, Some((joint, stones))) => {
-                    let number = joint + u64::from(!stones.has_joint_at_crown());
-                    format!("at joint {number} on the {name}")
+                    format!("at joint {} on the {name}", stones.from_crown(joint))
                 }
             };
             format!("{words} {place}{angle}")

@@ -202,17 +202,13 @@ impl<'a> TiltPanel<'a> {
     fn named(&self, joint: &Joint<'_>, digits: usize) -> [String; 2] {
         let angle = joint.degrees(digits).unwrap_or_default();
         let happens = self.arch.happens(joint.side, joint.of.contact);
-        let side = if angle == "0" {
-            "the crown".to_owned()
-        } else {
-            format!("{angle}° {}", joint.side.name())
+        let number = joint.number.zip(self.arch.stones.as_ref());
+        let number = number.map(|(joint, stones)| format!(", joint {}", stones.from_crown(joint)));
+        let place = match joint.is_crown() {
+            true => "the crown".to_owned(),
+            false => format!("{angle}° {}{}", joint.side.name(), number.unwrap_or_default()),
         };
-        let number = joint.number.filter(|_| angle != "0").map(|number| {
-            let first =
-                self.arch.stones.as_ref().is_some_and(|stones| !stones.has_joint_at_crown());
-            format!(", joint {}", number + u64::from(first))
-        });
-        [happens.to_owned(), side + &number.unwrap_or_default()]
+        [happens.to_owned(), place]
     }
 
     fn paragraphs(&self) -> Vec<String> {

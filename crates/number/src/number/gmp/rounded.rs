@@ -84,6 +84,11 @@ impl Rounded {
         is_same.then_some(Self { value: high.value, lower: low.lower, upper: high.upper })
     }
 
+    /// The true value of `ball` in as many digits as are decided, `most` at most; `None` where not even one is.
+    pub fn most(ball: &Ball, most: usize) -> Option<Self> {
+        (1..=most).rev().find_map(|digits| Self::from_ball(ball, digits))
+    }
+
     /// A value between two decimals, given by their size, that rounds to the first or up to the second.
     pub(super) fn between([below, above]: [Decimal; 2], up: bool, negative: bool) -> Self {
         let value = if up { above.clone() } else { below.clone() };

@@ -34,6 +34,9 @@ impl Passed {
             NoLevel::Undecided(of, open) => NoSketch::Undecided(open.about(&of)),
             NoLevel::Outside(_) => NoSketch::TooWide(half_opening.to_string()),
         })?;
+        if level.has_gap() {
+            return Err(Undecided::new("the modes along the whole range of friction").into());
+        }
         let stands = |part: &&Part| part.mode != Mode::Sliding;
         let end = |place: &Place| place.friction.clone().filter(|_| !place.is_unlimited);
         let parts = level.parts.iter().filter(stands);

@@ -118,5 +118,5 @@ fn rounded(value: &Ball, digits: usize) -> Option<Rounded> {
     if value.mid().is_zero() && value.rad().is_zero() {
         return Rounded::from_rational(&rug::Rational::new(), 1);
     }
-    (1..=digits).rev().find_map(|digits| Rounded::from_ball(value, digits))
+    Rounded::most(value, digits)
 }

@@ -1,6 +1,6 @@
 //! The formats in which arches are drawn.
 
-use super::{Sketched, dxf, json, picture};
+use super::{Sketched, dxf, json, lean, picture};
 use crate::picture::Print;
 use crate::report::format::{Content, Format};
 use crate::report::record::Record;
@@ -13,7 +13,7 @@ impl Reported for Sketched {
     }
 
     fn records(&self) -> Vec<Record> {
-        Vec::new()
+        vec![json::record(self)]
     }
 
     fn picture(&self, print: &Print) -> io::Result<String> {
@@ -22,7 +22,7 @@ impl Reported for Sketched {
 
     fn write_as(&self, format: &Format, out: &mut dyn io::Write) -> Option<io::Result<()>> {
         match format.name {
-            "json" => Some(json::json(self, out)),
+            "json" => Some(lean::write(&json::record(self), out)),
             "dxf" => Some(dxf::dxf(self, out)),
             _ => None,
         }

@@ -3,7 +3,6 @@
 use super::Sketched;
 use super::caption::name;
 use super::falling::Falling;
-use super::lean;
 use super::metres::{Loads, Metres, Size};
 use crate::arch::mechanism::{Joint, Mechanism, Twist};
 use crate::atlas::{Block, Collapse, Forces, Sketch, SketchedLine, Subject, moved};
@@ -12,7 +11,6 @@ use crate::problem::Mode;
 use crate::report::record::Record;
 use rug::float::Round;
 use serde_json::{Value as Json, json};
-use std::io;
 
 /// Digits of a value; its double is exact for them.
 const DIGITS: usize = 17;
@@ -167,8 +165,8 @@ fn collapse(sketch: &Sketch, collapse: &Collapse, amplitude: f64, unit: f64) -> 
     })
 }
 
-/// Writes all geometry as numbers: the right half, to the right and up of the centre.
-pub(in crate::report) fn json(report: &Sketched, out: &mut dyn io::Write) -> io::Result<()> {
+/// All geometry as numbers: the right half, to the right and up of the centre.
+pub(super) fn record(report: &Sketched) -> Record {
     let arch = |(place, sketch): (usize, &Sketch)| {
         let mut fields = given(sketch);
         let metres = report.metres(sketch);
@@ -213,5 +211,5 @@ pub(in crate::report) fn json(report: &Sketched, out: &mut dyn io::Write) -> io:
     let mut file = Record::of("couplet.drawing/2");
     file.add("unit", unit);
     file.add_list("arches", report.sketches.iter().enumerate().map(arch));
-    lean::write(&file, out)
+    file
 }

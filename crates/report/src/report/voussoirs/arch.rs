@@ -13,6 +13,14 @@ use crate::report::sketched::decided;
 use crate::report::understood::Understood;
 use crate::report::words::{self, DOUBLE_DIGITS};
 
+/// Bits of an angle that is told.
+const BITS: u32 = 256;
+/// Digits of an angle among words.
+const DIGITS: usize = 6;
+
+/// The place of a joint at the crown, in words.
+const CROWN: &str = "at the crown";
+
 /// An arch of voussoirs, what is proved of it, and the same arch without end of joints.
 #[derive(Debug)]
 pub struct VoussoirArch {
@@ -116,14 +124,7 @@ impl VoussoirArch {
             (Quantity::SlidingJoint, state.and_then(|state| state.sliding_joint.as_ref())),
         ]
     }
-}
 
-/// Bits of an angle that is told.
-const BITS: u32 = 256;
-/// Digits of an angle among words.
-const DIGITS: usize = 6;
-
-impl VoussoirArch {
     /// Place of a joint in words: its number, and its angle from the crown on both sides.
     pub(super) fn place(&self, joint: u64) -> String {
         let place = self.stones.place(joint);
@@ -149,9 +150,6 @@ impl VoussoirArch {
         self.state().iter().flat_map(|state| &state.contacts).map(one).collect()
     }
 }
-
-/// The place of a joint at the crown, in words.
-const CROWN: &str = "at the crown";
 
 /// A contact in words.
 pub(super) fn at_limit(arch: &VoussoirArch, contact: &JointContact) -> &'static str {
