@@ -154,7 +154,7 @@ pub(super) fn plain(text: &str) -> String {
     safe(text).chars().map(written).collect()
 }
 
-/// Words with what LaTeX would take for commands written out.
+/// Words with what LaTeX would take for commands written out, and a question mark for what its fonts have not.
 pub(super) fn in_latex(words: &str) -> String {
     let mut text = String::new();
     for c in words.chars() {
@@ -170,7 +170,11 @@ pub(super) fn in_latex(words: &str) -> String {
             'π' => text += r"$\pi$",
             '°' => text += r"$^\circ$",
             '≃' => text += r"$\simeq$",
-            c => text.push(c),
+            '|' => text += r"\textbar{}",
+            'Ð' | 'Þ' | 'ð' | 'þ' => text.push('?'),
+            ' '..='~' | 'À'..='ÿ' | '–' => text.push(c),
+            c if c.is_whitespace() || c.is_control() => text.push(' '),
+            _ => text.push('?'),
         }
     }
     text
@@ -183,12 +187,19 @@ pub(super) fn bits(x: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::safe;
+    use super::{in_latex, safe};
 
     #[test]
     fn text_from_outside_ends_no_comment_and_no_string() {
         assert_eq!(safe("2(2√3−3), pi/2, [r,r,s], 1e-3"), "2(2√3−3), pi/2, [r,r,s], 1e-3");
         let hostile = "*/\"\"\"\n\r\\%}{#$`&~^?!|\u{2028}é";
         assert_eq!(safe(hostile).replace('_', ""), "/");
+    }
+
+    #[test]
+    fn latex_meets_no_character_that_it_does_not_know() {
+        assert_eq!(in_latex("Ærø, 5 % – |x|"), r"Ærø, 5 \% – \textbar{}x\textbar{}");
+        assert_eq!(in_latex("a\u{2028}b\r\n\tc\0d"), "a b   c d");
+        assert_eq!(in_latex("橋\u{301}\u{200b}þ"), "????");
     }
 }

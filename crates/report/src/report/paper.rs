@@ -142,7 +142,10 @@ impl PaperTable {
             line(self.headings.iter().map(|of| of.latex.clone()).collect())
         )?;
         for row in &self.rows {
-            writeln!(out, "{}", line(row.iter().map(|cell| latex(cell)).collect()))?;
+            let row = line(row.iter().map(|cell| latex(cell)).collect());
+            // At the end of a row LaTeX takes these for its options.
+            let guard = if row.starts_with(['[', '*']) { "{}" } else { "" };
+            writeln!(out, "{guard}{row}")?;
         }
         writeln!(out, "\\bottomrule\n\\end{{tabular}}")
     }
