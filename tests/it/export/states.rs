@@ -9,7 +9,7 @@ use couplet::report::{Answer, Answers, Format, Reported, Subject};
 
 /// Ends comments and strings of every language, and starts commands.
 const HOSTILE: &str =
-    "pi/2 */ \"\"\" ' \" \\ \n\r%} =# -- $(x) ??/\n \\input{/etc/passwd} # ! & \u{2028}";
+    "pi/2 */ \"\"\" ' \" \\ \n\r%} =# -- $(x) ??/\n \\input{/etc/passwd} # ! & \u{2028}é½橋±|";
 
 /// Something that cannot be told.
 fn doubt() -> Undecided {

@@ -143,16 +143,34 @@ pub(super) fn safe(text: &str) -> String {
 
 /// Text from outside, harmless to LaTeX.
 pub(super) fn plain(text: &str) -> String {
-    let written = |c: char| match c {
-        '_' => r"\_".to_owned(),
-        '<' | '>' | '=' => format!("${c}$"),
-        '√' => r"$\surd$".to_owned(),
-        'π' => r"$\pi$".to_owned(),
-        '−' => "$-$".to_owned(),
-        c => c.to_string(),
-    };
-    safe(text).chars().map(written).collect()
+    in_latex(&safe(text))
 }
+
+/// Signs that words have, in LaTeX.
+const SIGNS: [(char, &str); 19] = [
+    ('^', r"\textasciicircum{}"),
+    ('~', r"\textasciitilde{}"),
+    ('\\', r"\textbackslash{}"),
+    ('|', r"\textbar{}"),
+    ('<', "$<$"),
+    ('>', "$>$"),
+    ('−', "$-$"),
+    ('±', r"$\pm$"),
+    ('×', r"$\times$"),
+    ('·', r"$\cdot$"),
+    ('√', r"$\surd$"),
+    ('∞', r"$\infty$"),
+    ('π', r"$\pi$"),
+    ('°', r"$^\circ$"),
+    ('≃', r"$\simeq$"),
+    ('≤', r"$\le$"),
+    ('≥', r"$\ge$"),
+    ('⁻', "$^-$"),
+    ('…', r"\dots{}"),
+];
+
+/// Raised digits, in order.
+const RAISED: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
 /// Words with what LaTeX would take for commands written out, and a question mark for what its fonts have not.
 pub(super) fn in_latex(words: &str) -> String {
@@ -160,21 +178,17 @@ pub(super) fn in_latex(words: &str) -> String {
     for c in words.chars() {
         match c {
             '_' | '&' | '%' | '#' | '$' | '{' | '}' => text.extend(['\\', c]),
-            '^' => text += r"\textasciicircum{}",
-            '~' => text += r"\textasciitilde{}",
-            '\\' => text += r"\textbackslash{}",
-            '<' | '>' => text += &format!("${c}$"),
-            '√' => text += r"$\surd$",
-            '−' => text += "$-$",
-            '∞' => text += r"$\infty$",
-            'π' => text += r"$\pi$",
-            '°' => text += r"$^\circ$",
-            '≃' => text += r"$\simeq$",
-            '|' => text += r"\textbar{}",
-            'Ð' | 'Þ' | 'ð' | 'þ' => text.push('?'),
-            ' '..='~' | 'À'..='ÿ' | '–' => text.push(c),
             c if c.is_whitespace() || c.is_control() => text.push(' '),
-            _ => text.push('?'),
+            c if RAISED.contains(c) => {
+                let digit = RAISED.chars().take_while(|other| *other != c).count();
+                text += &format!("$^{digit}$");
+            }
+            c => match SIGNS.iter().find(|(sign, _)| *sign == c) {
+                Some((_, written)) => text += written,
+                None if matches!(c, 'Ð' | 'Þ' | 'ð' | 'þ') => text.push('?'),
+                None if c.is_ascii() || matches!(c, 'À'..='ÿ' | '–') => text.push(c),
+                None => text.push('?'),
+            },
         }
     }
     text
@@ -201,5 +215,7 @@ mod tests {
         assert_eq!(in_latex("Ærø, 5 % – |x|"), r"Ærø, 5 \% – \textbar{}x\textbar{}");
         assert_eq!(in_latex("a\u{2028}b\r\n\tc\0d"), "a b   c d");
         assert_eq!(in_latex("橋\u{301}\u{200b}þ"), "????");
+        assert_eq!(in_latex("0 ± 4e-30, 4 mu², 28°"), r"0 $\pm$ 4e-30, 4 mu$^2$, 28$^\circ$");
+        assert_eq!(in_latex("⁰¹⁶⁹⁻"), "$^0$$^1$$^6$$^9$$^-$");
     }
 }

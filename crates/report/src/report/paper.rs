@@ -133,7 +133,12 @@ impl PaperTable {
 
     /// Writes a `tabular` of the package booktabs, with numbers of siunitx.
     pub(super) fn latex(&self, out: &mut dyn io::Write) -> io::Result<()> {
-        let line = |cells: Vec<String>| format!("{} \\\\", cells.join(" & "));
+        let line = |cells: Vec<String>| {
+            let line = cells.join(" & ");
+            // At the end of the row before, LaTeX takes these for its options.
+            let guard = if line.starts_with(['[', '*']) { "{}" } else { "" };
+            format!("{guard}{line} \\\\")
+        };
         writeln!(out, "% Needs \\usepackage{{booktabs,siunitx}}.")?;
         writeln!(out, "\\begin{{tabular}}{{{}}}\n\\toprule", "l".repeat(self.headings.len()))?;
         writeln!(
@@ -142,10 +147,7 @@ impl PaperTable {
             line(self.headings.iter().map(|of| of.latex.clone()).collect())
         )?;
         for row in &self.rows {
-            let row = line(row.iter().map(|cell| latex(cell)).collect());
-            // At the end of a row LaTeX takes these for its options.
-            let guard = if row.starts_with(['[', '*']) { "{}" } else { "" };
-            writeln!(out, "{guard}{row}")?;
+            writeln!(out, "{}", line(row.iter().map(|cell| latex(cell)).collect()))?;
         }
         writeln!(out, "\\bottomrule\n\\end{{tabular}}")
     }
@@ -301,6 +303,17 @@ mod tests {
         ] {
             assert_eq!((&printed(cell)[..], latex(cell)), (markdown, tex.to_owned()), "{cell}");
         }
+    }
+
+    #[test]
+    fn a_row_never_begins_with_an_option_of_the_row_before() {
+        let heading = Heading::named("mode");
+        let rows = ["[r,r,r]", "*", "r"].map(|cell| vec![cell.to_owned()]).to_vec();
+        let mut out = Vec::new();
+        PaperTable { headings: vec![heading], rows }.latex(&mut out).unwrap();
+        let text = String::from_utf8(out).unwrap();
+        let rows: Vec<&str> = text.lines().skip(5).take(3).collect();
+        assert_eq!(rows, [r"{}[r,r,r] \\", r"{}* \\", r"r \\"], "{text}");
     }
 
     #[test]

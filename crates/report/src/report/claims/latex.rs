@@ -43,3 +43,19 @@ pub(super) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()>
     }
     writeln!(out, "\\end{{document}}")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::in_latex;
+    use crate::claims::claims;
+
+    /// A sign that LaTeX does not know becomes a question mark.
+    #[test]
+    fn every_sign_of_a_statement_is_kept() {
+        for claim in claims() {
+            let written = in_latex(claim.statement);
+            assert!(!written.contains('?'), "{}: {written}", claim.id);
+        }
+        assert!(in_latex("橋").contains('?'));
+    }
+}
