@@ -85,8 +85,16 @@ impl Rounded {
     }
 
     /// The true value of `ball` in as many digits as are decided, `most` at most; `None` where not even one is.
+    ///
+    /// ```
+    /// use couplet_number::number::{Ball, Field, Rounded};
+    /// let ratio = |n| Ball::integer(n, 100) / Ball::integer(100_000, 100);
+    /// let near = ratio(149).hull(&ratio(152));
+    /// assert_eq!(Rounded::most(&near, 6).unwrap().value.to_string(), "0.0015");
+    /// assert!(Rounded::most(&(near.clone() - near), 6).is_none());
+    /// ```
     pub fn most(ball: &Ball, most: usize) -> Option<Self> {
-        (1..=most).rev().find_map(|digits| Self::from_ball(ball, digits))
+        (1..=most).rev().find_map(|digits| Self::around(ball, digits))
     }
 
     /// A value between two decimals, given by their size, that rounds to the first or up to the second.

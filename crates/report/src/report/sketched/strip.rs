@@ -50,8 +50,6 @@ const THIN: f64 = 26.0;
 const ACROSS: f64 = 130.0;
 const TOP: f64 = 34.0;
 const SMALL: f64 = 15.0;
-/// Width of the words above, in widths of the strip.
-const WORDS: f64 = 1.5;
 /// Height of the strip with what is around it.
 pub(super) const HEIGHT: f64 = TOP + ACROSS + 40.0;
 
@@ -93,15 +91,10 @@ impl Strip {
                     format!("{} times and more", text::power_of_ten(many.log10().floor() as i64))
                 }
             };
-            let falls = if self.blocks.is_empty() { "" } else { ", and so how it falls" };
-            let words = format!("unrolled; across the arch {times} enlarged{falls}");
-            // On a narrow page the strip has room beside it.
-            let lines = text::wrap(&words, SMALL, WORDS * width);
+            let falls = if self.blocks.is_empty() { "" } else { " and fall" };
             let style = Type::new(SMALL, INK).at(Anchor::Middle);
-            for (line, k) in lines.iter().zip(1..) {
-                let y = top + TOP * f64::from(k) / (lines.len() + 1) as f64;
-                svg.text(line, (left + width / 2.0, y), style);
-            }
+            let words = format!("unrolled; thickness{falls} enlarged {times}");
+            svg.text(&words, (left + width / 2.0, top + TOP / 2.0), style);
             svg.fill(&frame, look::STONE);
             for (block, side) in
                 self.blocks.iter().flat_map(|block| sides.iter().map(move |s| (block, s)))
