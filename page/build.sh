@@ -13,12 +13,18 @@ linker() {
   find "$(rustc --print sysroot 2>/dev/null || echo /nonexistent)" -name rust-lld 2>/dev/null | head -n 1 | grep . || command -v wasm-ld
 }
 
+# Debian's compiler may be older than the code asks for.
+is_new_enough() {
+  oldest=$(sed -n 's/^rust-version = "\(.*\)"/\1/p' ../Cargo.toml)
+  printf '%s\n' "$oldest" "$(/usr/bin/rustc --version | cut -d' ' -f2)" | sort --version-sort --check=quiet
+}
+
 if [ -d "$(rustc --print sysroot 2>/dev/null)/lib/rustlib/$target" ]; then
   how=rustup
-elif [ -d "$debian" ] && [ -x /usr/bin/rustc ] && [ -x /usr/bin/cargo ] && linker >/dev/null; then
+elif [ -d "$debian" ] && [ -x /usr/bin/rustc ] && [ -x /usr/bin/cargo ] && is_new_enough && linker >/dev/null; then
   how=debian
 else
-  echo "couplet: the page needs the target $target (rustup target add $target; on Debian: apt-get install rustc-web cargo-web rust-web-src lld)" >&2
+  echo "couplet: the page needs the target $target (rustup target add $target; on Debian, where its Rust is new enough: apt-get install rustc-web cargo-web rust-web-src lld)" >&2
   exit 1
 fi
 if [ "${1:-}" = --ready ]; then exit 0; fi
