@@ -192,6 +192,11 @@ impl<M: Midpoint> FloatBall<M> {
         Self::new(self.mid, (self.rad + more) * UP)
     }
 
+    /// A ball that holds this one and another; tight where they differ by little.
+    pub fn hull(&self, other: &Self) -> Self {
+        self.widened((*self - other).size()).widened(other.rad)
+    }
+
     /// An upper bound of the size of all numbers of the ball.
     pub fn size(&self) -> f64 {
         (self.mid.hi().abs() + self.rad) * UP

@@ -122,7 +122,7 @@ where
     }
 
     fn hull_with(&self, other: &Self) -> Self {
-        self.widened((*self - other).size()).widened(other.rad())
+        self.hull(other)
     }
 
     fn bound(&self) -> f64 {

@@ -21,7 +21,7 @@ use crate::solve::invert;
 use std::array;
 
 /// Balls of doubles, or of double-doubles.
-pub(crate) trait Doubles:
+pub trait Doubles:
     Enclosure + Stumpff + Copy + From<DoubleBall> + Into<DoubleBall>
 {
     /// The relative radius that is as good as these numbers have.
@@ -77,9 +77,9 @@ const BOXES: usize = 3;
 /// Ratio of the width of a box to the correction that the residuals ask for.
 const INFLATION: f64 = 4.0;
 
-/// Encloses the root of at most seven equations, but five, next to a start value, proved to exist and to be unique
+/// Encloses the root of at most seven equations next to a start value, proved to exist and to be unique
 /// in a box on which the equations are regular.
-pub(crate) fn root_near<E: Doubles>(
+pub fn root_near<E: Doubles>(
     equations: &impl Form<E>,
     start: &[f64],
 ) -> Result<Vec<E>, Undecided> {
@@ -88,6 +88,7 @@ pub(crate) fn root_near<E: Doubles>(
         [a, b] => root(equations, [a, b]).map(Vec::from),
         [a, b, c] => root(equations, [a, b, c]).map(Vec::from),
         [a, b, c, d] => root(equations, [a, b, c, d]).map(Vec::from),
+        [a, b, c, d, e] => root(equations, [a, b, c, d, e]).map(Vec::from),
         [a, b, c, d, e, f] => root(equations, [a, b, c, d, e, f]).map(Vec::from),
         [a, b, c, d, e, f, g] => root(equations, [a, b, c, d, e, f, g]).map(Vec::from),
         _ => Err(no_candidate()),
