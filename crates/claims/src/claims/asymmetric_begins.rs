@@ -13,9 +13,7 @@ use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
 use crate::arch::joint::Grip;
 use crate::arch::whole::Forces;
 use crate::certify::{Undecided, between};
-use crate::number::{
-    Angle, DoubleBall, DoubleDoubleBall, Enclosure, Field, Real, Stumpff, Ternary,
-};
+use crate::number::{Angle, DoubleBall, Enclosure, Field, Real, Stumpff, Ternary};
 use crate::problem::Landmark;
 use crate::prover::in_doubles::root_near;
 use crate::prover::root::Form;
@@ -143,7 +141,7 @@ impl Edge {
         [low, high]: [&Rational; 2],
         start: &[f64],
     ) -> Checked<Vec<f64>> {
-        let degrees = DoubleBall::from(DoubleDoubleBall::from(&between(low, high)));
+        let degrees = DoubleBall::from(&between(low, high));
         let half_opening = degrees.pi() * degrees / degrees.int(180);
         let equations = BeginEquations { edge: self, half_opening };
         let root = root_near(&equations, start)?;

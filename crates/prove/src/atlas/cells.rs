@@ -386,7 +386,7 @@ mod tests {
         let column = FrictionColumn::new(exact(1.5));
         assert_eq!(end.mode(&column), Some(Mode::OverturningSliding));
         // The origin.
-        let origin = ThicknessRow::new(SelfWeight::Heyman, 0.0).unwrap();
+        let origin = ThicknessRow::<Ball>::new(SelfWeight::Heyman, 0.0).unwrap();
         assert_eq!(origin.mode(&FrictionColumn::new(exact(0.0))), None);
     }
 

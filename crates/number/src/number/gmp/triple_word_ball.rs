@@ -1,0 +1,102 @@
+//! Balls of three words: a [`FloatBall`] of about 150 bits.
+
+use super::triple_word::TripleWord;
+use super::{Ball, Magnitude, triple_word_sine};
+use crate::number::float_ball::UP;
+use crate::number::{DoubleBall, DoubleDouble, DoubleDoubleBall, FloatBall, Midpoint, power_of_two};
+use rug::float::Round;
+use rug::integer::Order;
+use rug::{Float, Integer};
+
+/// All real numbers within a radius of a number of three words.
+pub type TripleWordBall = FloatBall<TripleWord>;
+
+/// Pi, cut off.
+const PI: TripleWord =
+    TripleWord::constant([0x2902_4e08_8a67_cc74, 0xc4c6_628b_80dc_1cd1, 0xc90f_daa2_2168_c234], -190);
+
+/// What 192 bits leave of a number, as a part of it.
+const CUT: f64 = power_of_two(-190);
+
+impl Midpoint for TripleWord {
+    const ZERO: Self = Self::ZERO;
+    const UNIT: f64 = Self::UNIT;
+    const BITS: u32 = 150;
+    const PI: (Self, f64) = (PI, CUT);
+    const SINE_ERROR: f64 = triple_word_sine::ERROR;
+
+    #[inline(always)]
+    fn hi(self) -> f64 {
+        self.hi()
+    }
+
+    #[inline(always)]
+    fn shortened(self) -> f64 {
+        self.shortened()
+    }
+
+    #[inline(always)]
+    fn root(self) -> Self {
+        self.sqrt()
+    }
+
+    #[inline]
+    fn sin_cos(self) -> [(Self, f64); 2] {
+        let (sin, cos) = triple_word_sine::sin_cos(self);
+        [(sin, 0.0), (cos, 0.0)]
+    }
+
+    fn of_words(is_negative: bool, mantissa: &[u64], exponent: i64) -> TripleWordBall {
+        cut(TripleWord::of_words(is_negative, mantissa, exponent))
+    }
+}
+
+/// The ball of a number that may be cut off.
+fn cut((mid, is_cut): (TripleWord, bool)) -> TripleWordBall {
+    TripleWordBall::new(mid, if is_cut { mid.hi().abs() * CUT } else { 0.0 })
+}
+
+impl TripleWordBall {
+    /// Gives the set as a ball of MPFR, with results to be rounded to `prec` bits.
+    pub fn to_ball(&self, prec: u32) -> Ball {
+        let (negative, words, exponent) = self.mid().parts();
+        let mut mid = Float::with_val(192, Integer::from_digits(&words, Order::Lsf)) << exponent;
+        if negative {
+            mid = -mid;
+        }
+        Ball::new(mid, Magnitude::upper(&Float::with_val(53, self.rad())), prec)
+    }
+}
+
+/// The set of a ball of MPFR, but for roundings: outward.
+impl From<&Ball> for TripleWordBall {
+    fn from(ball: &Ball) -> Self {
+        cut(TripleWord::of_float(ball.mid())).widened(ball.rad().to_float().to_f64_round(Round::Up))
+    }
+}
+
+impl From<DoubleBall> for TripleWordBall {
+    #[inline]
+    fn from(ball: DoubleBall) -> Self {
+        Self::new(DoubleDouble::exact(ball.mid()).into(), ball.rad())
+    }
+}
+
+/// Converts the set to a ball around a double next to the midpoint, outward.
+impl From<TripleWordBall> for DoubleBall {
+    #[inline]
+    fn from(ball: TripleWordBall) -> Self {
+        let hi = ball.mid().hi();
+        let rest = if ball.mid().is_double() { 0.0 } else { hi.abs() * power_of_two(-52) };
+        Self::new(hi, (ball.rad() + rest) * UP)
+    }
+}
+
+/// Converts the set to a ball around a double-double next to the midpoint, outward.
+impl From<TripleWordBall> for DoubleDoubleBall {
+    #[inline]
+    fn from(ball: TripleWordBall) -> Self {
+        let rest = if ball.mid().is_double() { 0.0 } else { ball.mid().hi().abs() * power_of_two(-103) };
+        Self::new(ball.mid().to_double_double(), (ball.rad() + rest) * UP)
+    }
+}
