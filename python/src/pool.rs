@@ -29,6 +29,17 @@ pub(crate) fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Sen
     Ok(pool(threads)?.install(work))
 }
 
+/// Digits of an arch up to which nothing is shared among threads: to wait for another costs as much as the work.
+const FEW_DIGITS: usize = 1000;
+
+/// Runs work on an arch to so many digits, on no more than one thread: on this one, if they are few.
+pub(crate) fn on_one_thread<T: Send>(
+    digits: usize,
+    work: impl FnOnce() -> T + Send,
+) -> PyResult<T> {
+    if digits <= FEW_DIGITS { Ok(work()) } else { on_threads(1, work) }
+}
+
 fn pool(threads: usize) -> PyResult<Arc<ThreadPool>> {
     let mut pools = POOLS.lock().unwrap_or_else(PoisonError::into_inner);
     if pools.as_ref().is_some_and(|pools| pools.process != process::id()) {

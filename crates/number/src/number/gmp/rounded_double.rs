@@ -48,7 +48,7 @@ fn rounded(
         return None;
     }
     let radius = (rad * f64::powi(2.0, scale)).ceil() + 1.0;
-    if !(0.0..(1u64 << 60) as f64).contains(&radius) {
+    if !(0.0..f64::powi(2.0, BITS - 2)).contains(&radius) {
         return None;
     }
     // All numbers of the ball lie between `low` and `low + width`.

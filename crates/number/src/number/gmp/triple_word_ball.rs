@@ -100,3 +100,57 @@ impl From<TripleWordBall> for DoubleDoubleBall {
         Self::new(ball.mid().to_double_double(), (ball.rad() + rest) * UP)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::test_config::config;
+    use crate::number::{Enclosure, Real};
+    use proptest::prelude::*;
+    use rug::float::Constant;
+
+    #[test]
+    fn pi_lies_within_its_radius_and_not_within_half_of_it() {
+        let pi = TripleWordBall::WHOLE.pi();
+        let error = Float::with_val(300, Constant::Pi) - pi.to_ball(300).mid();
+        assert!(error <= pi.rad() && error > 0.25 * pi.rad());
+    }
+
+    #[test]
+    fn what_is_out_of_range_is_widened_or_the_whole_line() {
+        let of = |x: f64| TripleWordBall::from(&Ball::exact(Float::with_val(53, x), 64));
+        assert!(of(1e-67).rad() >= 1e-67 && !of(1e67).is_bounded());
+        assert!(!TripleWordBall::from(&Ball::whole(64)).is_bounded());
+        assert!(!TripleWordBall::new(DoubleDouble::exact(f64::INFINITY).into(), 0.0).is_bounded());
+        assert!(!DoubleBall::from(TripleWordBall::WHOLE).is_bounded());
+        assert_eq!(of(0.0).rad(), 0.0);
+    }
+
+    proptest! {
+        #![proptest_config(config(2000))]
+
+        /// Words of ones and of zeros, a low part or none.
+        #[test]
+        fn conversions_hold_the_set(
+            words in prop::collection::vec(prop_oneof![Just(0u64), Just(u64::MAX), any::<u64>()], 1..6),
+            shift in -400i32..-60, radius in 60i32..200, is_exact in any::<bool>(),
+        ) {
+            let mid = Float::with_val(400, Integer::from_digits(&words, Order::Lsf)) << shift;
+            let rad = if is_exact { Magnitude::ZERO } else { Magnitude::upper(&Float::with_val(53, &mid >> radius)) };
+            let ball = Ball::new(mid, rad, 400);
+            let found = TripleWordBall::from(&ball);
+            let held = |x: &Ball, by: &Ball| by.lower() <= x.lower() && x.upper() <= by.upper();
+            let back = found.to_ball(400);
+            prop_assert!(held(&ball, &back), "{ball:?} {found:?}");
+            let [short, shorter] = [
+                DoubleDoubleBall::from(found).to_ball(400),
+                DoubleDoubleBall::from(DoubleBall::from(found)).to_ball(400),
+            ];
+            prop_assert!(held(&back, &short) && held(&back, &shorter), "{found:?}");
+            let again = TripleWordBall::from(DoubleBall::from(found)).to_ball(400);
+            prop_assert!(held(&shorter, &again) && held(&again, &shorter));
+            let is_tight = found.rad() <= (found.mid().hi().abs() * CUT) * 1.01;
+            prop_assert!(is_tight || !is_exact || found.mid().hi().abs() < 1e-66);
+        }
+    }
+}

@@ -53,13 +53,13 @@ pub(super) fn sweep(
 ) -> Swept {
     let rows = in_doubles(conditions);
     let count = conditions.all.len();
-    let look = |before: Swept, of: Vec<usize>| {
+    let look = |before: Swept, of: Vec<usize>, guess: &mut [usize; 2]| {
         let found = match conditions.mirrored(&of) < of {
             true => Swept { triples: 1, ..Swept::default() },
             false if before.pieces > PIECES_TOGETHER => {
                 Swept { triples: 1, open: vec![range], ..Swept::default() }
             }
-            false => one(Vertex::new(conditions, of), range, start, &rows),
+            false => one(Vertex::new(conditions, of), range, start, (&rows, guess)),
         };
         before.with(found)
     };
@@ -69,7 +69,8 @@ pub(super) fn sweep(
             2 => seconds.map(|j| vec![i, j]).collect(),
             _ => seconds.flat_map(|j| (j + 1..count).map(move |k| vec![i, j, k])).collect(),
         };
-        all.into_iter().fold(Swept::default(), look)
+        let mut guess = [0; 2];
+        all.into_iter().fold(Swept::default(), |before, of| look(before, of, &mut guess))
     };
     let parts: Vec<Swept> = (0..count).into_par_iter().map(with_first).collect();
     parts.into_iter().fold(Swept::default(), Swept::with)
@@ -79,7 +80,7 @@ fn one(
     mut vertex: Vertex<'_>,
     range: ThicknessPiece,
     start: Option<&SweepStart>,
-    rows: &[[[f64; 3]; 4]],
+    (rows, guess): (&[[[f64; 3]; 4]], &mut [usize; 2]),
 ) -> Swept {
     let mut found = Swept { triples: 1, ..Swept::default() };
     let mut pending = vec![(range, 0)];
@@ -89,7 +90,7 @@ fn one(
             found.open.push(piece);
             continue;
         }
-        let passed = vertex.is_passed_by_one(&piece, rows);
+        let passed = vertex.is_passed_by_one(&piece, rows, guess);
         if passed == Passed::Proved {
             continue;
         }
