@@ -1,13 +1,14 @@
-//! Enclosures that printed numbers are compared with: balls of MPFR, and balls of double-doubles, which cost a tenth where
-//! they are enough.
+//! Enclosures that printed numbers are compared with: balls of double-doubles, of three words where these are not enough,
+//! and of MPFR.
 
 use crate::certify::Undecided;
 use crate::certify::state::{
-    Assessment, Outcome, assessment_enclosed, decided, outcome_in_double_doubles, sliding_enclosed,
-    sliding_in_double_doubles, state_enclosed,
+    Assessment, Outcome, assessment_enclosed, decided, quick_outcome, quick_sliding,
+    sliding_enclosed, state_enclosed,
 };
 use crate::number::{
-    Ball, DoubleDoubleBall, Drawable, Enclosure, ExactNumber, Rounded, rounded_double,
+    Ball, DoubleDouble, DoubleDoubleBall, Drawable, Enclosure, ExactNumber, FloatBall, Midpoint,
+    Rounded, TripleWord, rounded_double, rounded_words,
 };
 use crate::problem::Arch;
 use rug::{Integer, Rational};
@@ -75,49 +76,57 @@ impl Comparable for Ball {
     }
 }
 
-impl Comparable for DoubleDoubleBall {
-    fn rational(&self, x: &Rational) -> Self {
-        let integer = |x: &Integer| Self::of_words(*x < 0, x.as_limbs(), 0);
-        match x.denom() == &1 {
-            true => integer(x.numer()),
-            false => integer(x.numer()) / integer(x.denom()),
+/// Numbers that lead a ball, with their digits.
+macro_rules! quick {
+    ($($number:ty: $rounded:ident),+) => {$(
+        impl Comparable for FloatBall<$number> {
+            fn rational(&self, x: &Rational) -> Self {
+                let integer =
+                    |x: &Integer| <$number as Midpoint>::of_words(*x < 0, x.as_limbs(), 0);
+                match x.denom() == &1 {
+                    true => integer(x.numer()),
+                    false => integer(x.numer()) / integer(x.denom()),
+                }
+            }
+
+            fn rounded(&self, digits: usize) -> Option<Rounded> {
+                $rounded(self, digits)
+            }
+
+            fn double(&self) -> Option<f64> {
+                DoubleDoubleBall::from(*self).nearest_double()
+            }
+
+            fn is_zero(&self) -> bool {
+                self.size() == 0.0
+            }
+
+            fn state(arch: &Arch, _bits: u32, frictions: bool) -> Result<Outcome<Self>, Undecided> {
+                quick_outcome(arch, frictions)
+            }
+
+            fn sliding_friction(arch: &Arch, _bits: u32) -> Result<Self, Undecided> {
+                quick_sliding(arch)
+            }
+
+            fn assessment(
+                arch: &Arch,
+                thickness: &ExactNumber,
+                _bits: u32,
+            ) -> Result<Assessment<Self>, Undecided> {
+                let open = || Undecided::new("more bits are asked for");
+                decided(arch, thickness).ok_or_else(open)
+            }
         }
-    }
-
-    fn rounded(&self, digits: usize) -> Option<Rounded> {
-        rounded_double(self, digits)
-    }
-
-    fn double(&self) -> Option<f64> {
-        self.nearest_double()
-    }
-
-    fn is_zero(&self) -> bool {
-        self.size() == 0.0
-    }
-
-    fn state(arch: &Arch, _bits: u32, frictions: bool) -> Result<Outcome<Self>, Undecided> {
-        outcome_in_double_doubles(arch, frictions)
-    }
-
-    fn sliding_friction(arch: &Arch, _bits: u32) -> Result<Self, Undecided> {
-        sliding_in_double_doubles(arch)
-    }
-
-    fn assessment(
-        arch: &Arch,
-        thickness: &ExactNumber,
-        _bits: u32,
-    ) -> Result<Assessment<Self>, Undecided> {
-        let open = || Undecided::new("more bits are asked for");
-        decided(arch, thickness).ok_or_else(open)
-    }
+    )+};
 }
+
+quick! { DoubleDouble: rounded_double, TripleWord: rounded_words }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{Field, test_config::config};
+    use crate::number::{Field, TripleWordBall, test_config::config};
     use proptest::prelude::*;
 
     proptest! {
@@ -132,6 +141,8 @@ mod tests {
             let integer = |words: &[u64]| Integer::from_digits(words, rug::integer::Order::Lsf);
             let x = Rational::from((integer(&above), integer(&below)));
             let x = if negative { -x } else { x };
+            let words = TripleWordBall::WHOLE.rational(&x);
+            prop_assert!(words.to_ball(300).contains(&x) && words.rad() <= words.mid().hi().abs() * 1e-44);
             let found = DoubleDoubleBall::WHOLE.rational(&x);
             prop_assert!(found.to_ball(300).contains(&x));
             prop_assert!(found.rad() <= found.mid().hi().abs() * 1e-30);

@@ -6,8 +6,8 @@ use super::comparable::Comparable;
 use super::number::{CorrectDigits, Judged, compared_digits};
 use super::truth::Proved;
 use crate::certify::Undecided;
-use crate::certify::state::{Assessment, DOUBLE_DOUBLE, Fall, Outcome, is_quick, raised};
-use crate::number::{Ball, DoubleDoubleBall, ExactNumber, worded};
+use crate::certify::state::{Assessment, Fall, Outcome, is_quick, raised};
+use crate::number::{Ball, DoubleDoubleBall, ExactNumber, TripleWordBall, worded};
 use crate::problem::{Arch, Mode};
 use std::cmp::Ordering;
 
@@ -141,10 +141,13 @@ impl Judgement {
 /// is decided.
 pub fn judge(arch: &Arch, claim: &RowClaim, demand: Demand) -> Judgement {
     let digits = claim.numbers.iter().map(compared_digits).max().unwrap_or(1);
-    let quickly = || compared::<DoubleDoubleBall>(arch, claim, DOUBLE_DOUBLE, demand).ok().flatten();
-    let quick = if is_quick(digits) { quickly() } else { None };
     let by_mpfr = || raised(arch, digits, |bits| compared::<Ball>(arch, claim, bits, demand));
-    let compared = quick.map_or_else(by_mpfr, Ok);
+    let compared = match is_quick(digits) {
+        true => quickly::<DoubleDoubleBall>(arch, claim, demand)
+            .or_else(|| quickly::<TripleWordBall>(arch, claim, demand))
+            .map_or_else(by_mpfr, Ok),
+        false => by_mpfr(),
+    };
     // What cannot be told is not accepted either: nearer to a line than can be told is not on it.
     let mut judgement = compared.unwrap_or_else(|doubt| {
         Judgement::bare(Standing::Undecided(doubt), None, Verdict::Undecided)
@@ -155,6 +158,11 @@ pub fn judge(arch: &Arch, claim: &RowClaim, demand: Demand) -> Judgement {
         judgement.boundary = Boundary::near(arch, claimed);
     }
     judgement
+}
+
+/// A claim beside what is proved in numbers that have the bits that they have, if these are enough.
+fn quickly<E: Comparable>(arch: &Arch, claim: &RowClaim, demand: Demand) -> Option<Judgement> {
+    compared::<E>(arch, claim, 0, demand).ok().flatten()
 }
 
 /// A claim beside what is proved in numbers of `bits` bits; nothing asks for a narrower enclosure.

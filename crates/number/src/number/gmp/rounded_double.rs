@@ -58,7 +58,7 @@ fn rounded(
     let size = floor as f64 * f64::powi(2.0, -scale);
     let mut places = digits as i32 - size.log10().floor() as i32;
     let (cell, exponent) = [0; 3].into_iter().find_map(|_| {
-        let cell = cell(low, width, u32::try_from(places).ok()?, scale)?;
+        let cell = cell(low, width, places, scale)?;
         let length = length(cell.number) as i32;
         let found = (length == digits as i32 + 1).then_some((cell, 1 - places));
         places += digits as i32 + 1 - length;
@@ -113,7 +113,10 @@ struct DecimalCell {
 }
 
 /// The cell of the grid of `10^-places` in which `low 2^-scale` lies; `None` out of range.
-fn cell(low: u128, width: u128, places: u32, scale: i32) -> Option<DecimalCell> {
+fn cell(low: u128, width: u128, places: i32, scale: i32) -> Option<DecimalCell> {
+    let Ok(places) = u32::try_from(places) else {
+        return coarse_cell(low, width, places.unsigned_abs(), u32::try_from(scale).ok()?);
+    };
     let power = 5u128.checked_pow(places)?;
     let shift = u32::try_from(scale - places as i32).ok()?;
     let start = Wide::product(low, power);
@@ -121,6 +124,16 @@ fn cell(low: u128, width: u128, places: u32, scale: i32) -> Option<DecimalCell> 
     let end = start.plus(Wide::product(width, power))?;
     let is_inside = !start.is_multiple_of_power(shift) && end.shifted_down(shift)? == number;
     Some(DecimalCell { number, holds_all: is_inside })
+}
+
+/// The cell of the grid of `10^zeros`.
+fn coarse_cell(low: u128, width: u128, zeros: u32, scale: u32) -> Option<DecimalCell> {
+    let power = 10u128.checked_pow(zeros)?;
+    let whole = |x: u128| x.checked_shr(scale).unwrap_or(0);
+    let number = whole(low) / power;
+    let is_on_grid = whole(low).is_multiple_of(power) && whole(low) << scale == low;
+    let end = low.checked_add(width)?;
+    Some(DecimalCell { number, holds_all: !is_on_grid && whole(end) / power == number })
 }
 
 /// Number of decimal digits of an integer.
@@ -200,6 +213,17 @@ mod tests {
 
     proptest! {
         #![proptest_config(config(4000))]
+
+        /// Large numbers and few digits: the grid is coarser than the integers.
+        #[test]
+        fn digits_of_large_numbers_are_those_of_balls_of_mpfr(
+            head in 1u64..1000, zeros in 0u32..15, off in -2i32..=2, radius in 40i32..110, digits in 1usize..6,
+        ) {
+            let x = head as f64 * 10f64.powi(zeros as i32) + f64::from(off) * 2f64.powi(-20);
+            let ball = DoubleDoubleBall::new(DoubleDouble::exact(x), x * f64::powi(2.0, -radius));
+            let found = same(&ball, digits);
+            prop_assert!(found.is_some() || off == 0 || radius < 80, "{ball:?} to {digits}");
+        }
 
         /// Of three words too, next to a rounding boundary or not.
         #[test]

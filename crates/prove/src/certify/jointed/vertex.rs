@@ -134,9 +134,11 @@ impl<'a> Vertex<'a> {
         };
         plus = plus && !is_above(most.0);
         minus = minus && !is_below(least.0);
-        *guess = [most.0, least.0];
         match (plus || minus, seems_passed) {
-            (false, _) => Passed::Proved,
+            (false, _) => {
+                *guess = [most.0, least.0];
+                Passed::Proved
+            }
             (true, true) => Passed::Likely,
             (true, false) => Passed::Unlikely,
         }

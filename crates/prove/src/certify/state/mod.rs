@@ -63,8 +63,8 @@ pub(crate) use query::{DOUBLE_DOUBLE, bits_lost, raised};
 pub use quick::state_in_double_doubles;
 pub(super) use quick::critical_frictions;
 pub(crate) use quick::{
-    assessment_enclosed, decided, is_quick, outcome_in_double_doubles, sliding_configuration,
-    sliding_enclosed, sliding_in_double_doubles, state_enclosed, steepest_configuration,
+    assessment_enclosed, decided, is_quick, quick_outcome, quick_sliding, sliding_configuration,
+    sliding_enclosed, state_enclosed, steepest_configuration,
 };
 pub use state::{Fall, Frictions, Outcome, State};
 pub use thrust_range::{Limit, Touch};

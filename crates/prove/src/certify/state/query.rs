@@ -11,8 +11,6 @@ use crate::prover::{Undecided, raise};
 pub(super) const GUARD: u32 = 48;
 /// The bits of a double-double.
 pub(crate) const DOUBLE_DOUBLE: u32 = 106;
-/// The bits of a number of three words.
-pub(super) const TRIPLE_WORD: u32 = 150;
 /// The bits of a double.
 pub(super) const DOUBLE: u32 = 53;
 

@@ -9,7 +9,7 @@ use super::digits::{Answer, Digits};
 use super::enough::enough;
 use super::inquiry::Inquiry;
 use super::mode::{outcome, pure_sliding, sliding_root, steepest_root};
-use super::query::{DOUBLE_DOUBLE, Query, TRIPLE_WORD};
+use super::query::{DOUBLE_DOUBLE, Query};
 use super::state::Outcome;
 use super::thrust_range::Touch;
 use crate::arch::Configuration;
@@ -18,6 +18,7 @@ use crate::problem::Arch;
 use crate::prover::Undecided;
 use crate::prover::arithmetic::Arithmetic;
 use crate::prover::figure::Figured;
+use crate::prover::in_doubles::Doubles;
 
 /// Beyond so many digits few values would be decided in double-doubles, or few to all digits; and in three words.
 const MOST_DIGITS: usize = 25;
@@ -31,34 +32,38 @@ pub(crate) fn is_quick(digits: usize) -> bool {
     (1..=MOST_DIGITS).contains(&digits)
 }
 
+/// Numbers of this file, all of which have the same bits.
+pub(crate) trait Quick: Arithmetic + Doubles {}
+
+impl<E: Arithmetic + Doubles> Quick for E {}
+
 /// An arch in these numbers.
-fn query(arch: &Arch) -> Query<DoubleDoubleBall> {
-    Query::new(arch, DOUBLE_DOUBLE)
+fn query<E: Quick>(arch: &Arch) -> Query<E> {
+    Query::new(arch, E::BITS)
 }
 
-/// The state in these numbers, without the frictions at which its mode changes.
+/// The state in balls of double-doubles, without the frictions at which its mode changes.
 pub fn state_in_double_doubles(arch: &Arch) -> Result<Outcome<DoubleDoubleBall>, Undecided> {
-    outcome_in_double_doubles(arch, false)
+    quick_outcome(arch, false)
 }
 
 /// The state in these numbers, with the frictions at which its mode changes if they are asked for.
-pub(crate) fn outcome_in_double_doubles(
+pub(crate) fn quick_outcome<E: Quick>(
     arch: &Arch,
     frictions: bool,
-) -> Result<Outcome<DoubleDoubleBall>, Undecided> {
+) -> Result<Outcome<E>, Undecided> {
     outcome(&query(arch), frictions)
 }
 
 /// The friction of the purely sliding state in these numbers.
-pub(crate) fn sliding_in_double_doubles(arch: &Arch) -> Result<DoubleDoubleBall, Undecided> {
+pub(crate) fn quick_sliding<E: Quick>(arch: &Arch) -> Result<E, Undecided> {
     pure_sliding(&query(arch))
 }
 
 /// The state to `digits` digits.
 pub(super) fn state(arch: &Arch, digits: usize, frictions: bool) -> Option<Answer> {
-    let double_doubles = || state_in(arch, &query(arch), digits, frictions);
-    let query = || Query::<TripleWordBall>::new(arch, TRIPLE_WORD);
-    let three_words = || state_in(arch, &query(), digits, frictions);
+    let double_doubles = || state_in::<DoubleDoubleBall>(arch, digits, frictions);
+    let three_words = || state_in::<TripleWordBall>(arch, digits, frictions);
     match digits {
         1..=OF_A_DOUBLE => double_doubles(),
         ..=NEARLY_ALL_DIGITS if digits > 0 => double_doubles().or_else(three_words),
@@ -67,13 +72,8 @@ pub(super) fn state(arch: &Arch, digits: usize, frictions: bool) -> Option<Answe
     }
 }
 
-fn state_in<E: Arithmetic + Figured>(
-    arch: &Arch,
-    query: &Query<E>,
-    digits: usize,
-    frictions: bool,
-) -> Option<Answer> {
-    match outcome(query, frictions).ok()? {
+fn state_in<E: Quick + Figured>(arch: &Arch, digits: usize, frictions: bool) -> Option<Answer> {
+    match quick_outcome::<E>(arch, frictions).ok()? {
         Outcome::Falls(fall) => {
             let enough = || Box::new(enough(arch, digits, is_quick(digits)));
             Some(Answer::Falls { fall, enough: frictions.then(enough) })
@@ -87,7 +87,7 @@ fn state_in<E: Arithmetic + Figured>(
 /// The friction below which the arches of a half opening fall, and the one from which they have the state of unlimited
 /// friction, where these numbers prove them.
 pub(crate) fn critical_frictions(unlimited: &Arch) -> [Option<DoubleDoubleBall>; 2] {
-    let query = query(unlimited);
+    let query = query::<DoubleDoubleBall>(unlimited);
     match outcome(&query, true) {
         Ok(Outcome::Stands(state)) => match state.frictions {
             Some(frictions) => [Some(frictions.sliding), frictions.rotational],
@@ -111,13 +111,14 @@ pub(crate) fn state_enclosed(
     bits: u32,
     frictions: bool,
 ) -> Result<Outcome, Undecided> {
-    let quick = || Some(Ok(outcome(&query(arch), frictions).ok()?.map(|x| x.to_ball(bits))));
+    let to_ball = |x: DoubleDoubleBall| x.to_ball(bits);
+    let quick = || Some(Ok(quick_outcome(arch, frictions).ok()?.map(to_ball)));
     enclosed(bits, quick, || outcome(&Query::new(arch, bits), frictions))
 }
 
 /// The friction of the purely sliding state in an enclosure of `bits` bits.
 pub(crate) fn sliding_enclosed(arch: &Arch, bits: u32) -> Result<Ball, Undecided> {
-    let quick = || Some(Ok(sliding_in_double_doubles(arch).ok()?.to_ball(bits)));
+    let quick = || Some(Ok(quick_sliding::<DoubleDoubleBall>(arch).ok()?.to_ball(bits)));
     enclosed(bits, quick, || pure_sliding(&Query::new(arch, bits)))
 }
 
@@ -139,21 +140,19 @@ pub(crate) fn steepest_configuration(
 
 /// Everything that holds for an arch of a given thickness, in `(0, 2]`, in enclosures of `bits` bits.
 pub(crate) fn assessment_enclosed(arch: &Arch, thickness: &ExactNumber, bits: u32) -> Assessment {
-    let quick = || Some(decided(arch, thickness)?.each(|x| Ok(x.to_ball(bits)), |open| open));
+    let to_ball = |x: DoubleDoubleBall| Ok(x.to_ball(bits));
+    let quick = || Some(decided(arch, thickness)?.each(to_ball, |open| open));
     let proof = || Inquiry::new(arch, 1, false).assessment(thickness, bits, Wanted::Everything);
     enclosed(bits, quick, proof)
 }
 
 /// Proves what holds for an arch of a given thickness, if all of it is decided.
-pub(crate) fn decided(
-    arch: &Arch,
-    thickness: &ExactNumber,
-) -> Option<Assessment<DoubleDoubleBall>> {
+pub(crate) fn decided<E: Quick>(arch: &Arch, thickness: &ExactNumber) -> Option<Assessment<E>> {
     let state = |is_limited| match is_limited {
-        true => state_in_double_doubles(arch),
-        false => state_in_double_doubles(&arch.unlimited()),
+        true => quick_outcome(arch, false),
+        false => quick_outcome(&arch.unlimited(), false),
     };
-    let found = assessment(arch, thickness, DOUBLE_DOUBLE, Wanted::Everything, state);
+    let found = assessment(arch, thickness, E::BITS, Wanted::Everything, state);
     // More bits may tell a joint from the shoulder next to it.
     let mut touches = found.thrust.iter().flatten().flatten().map(|limit| &limit.touch);
     let is_near = touches.any(|touch| matches!(touch, Touch::AtShoulder));
@@ -170,7 +169,7 @@ pub(super) fn assess(
     if !is_quick(digits) {
         return None;
     }
-    let found = decided(arch, thickness)?.rounded(digits, DOUBLE_DOUBLE);
+    let found = decided::<DoubleDoubleBall>(arch, thickness)?.rounded(digits, DOUBLE_DOUBLE);
     found.first_open().is_none().then_some(found)
 }
 
@@ -270,7 +269,7 @@ mod tests {
     #[test]
     fn three_words_enclose_what_balls_of_mpfr_do() {
         for (arch, _) in mix(500) {
-            let found = outcome(&Query::<TripleWordBall>::new(&arch, TRIPLE_WORD), true);
+            let found = quick_outcome::<TripleWordBall>(&arch, true);
             let Ok(Outcome::Stands(found)) = found else { continue };
             let Ok(Outcome::Stands(by_mpfr)) = arch.state(192) else { panic!("{arch}") };
             for unknown in [Unknown::Thickness, Unknown::Thrust, Unknown::RotationJoint] {
