@@ -125,18 +125,17 @@ impl Judged {
         number: &PrintedNumber,
         truth: &KnownValue<E>,
     ) -> Option<()> {
-        let one = Rational::from(1);
-        let absolute = truth.error_of(&number.value, &one);
-        let units = truth.error_of(&number.value, &number.unit);
+        let absolute = truth.error_of(&number.value);
+        let units = absolute.over(&number.unit);
         let rounding = units.verdict()?;
         let order = order(&absolute)?;
         let size = absolute.shown()?;
         let relative = match (truth, order) {
             (_, Ordering::Equal) => Some(size.clone()),
             // Exactly one, which no enclosure decides.
-            _ if number.value == 0 => Some(Rounded::from_rational(&one, 1)?.value),
+            _ if number.value == 0 => Some(Rounded::from_rational(&Rational::from(1), 1)?.value),
             (KnownValue::Exact(x), _) if *x == 0 => None,
-            (KnownValue::Exact(x), _) => Some(truth.error_of(&number.value, x).shown()?),
+            (KnownValue::Exact(x), _) => Some(absolute.over(x).shown()?),
             (KnownValue::Enclosed(x), _) => match &absolute {
                 PrintedError::Enclosed(error) => {
                     Some(PrintedError::Enclosed(error.clone() / x).shown()?)
@@ -150,7 +149,7 @@ impl Judged {
         };
         let is_exactly_zero = matches!(truth, KnownValue::Exact(x) if *x == 0);
         let ulp = match nearest.and_then(spacing).filter(|_| !is_exactly_zero) {
-            Some(spacing) => Some(truth.error_of(&number.value, &spacing).shown()?),
+            Some(spacing) => Some(absolute.over(&spacing).shown()?),
             None => None,
         };
         let Certified::Finite(rounded) = &self.certified else { return None };

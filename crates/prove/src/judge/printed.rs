@@ -111,13 +111,11 @@ impl<E: Comparable> KnownValue<E> {
         }
     }
 
-    /// Difference of what is printed and this, in a unit that is not zero.
-    pub(super) fn error_of(&self, printed: &Rational, unit: &Rational) -> PrintedError<E> {
+    /// Difference of what is printed and this.
+    pub(super) fn error_of(&self, printed: &Rational) -> PrintedError<E> {
         match self {
-            Self::Exact(truth) => PrintedError::Exact(Rational::from(printed - truth) / unit),
-            Self::Enclosed(truth) => {
-                PrintedError::Enclosed((truth.rational(printed) - truth) / truth.rational(unit))
-            }
+            Self::Exact(truth) => PrintedError::Exact(Rational::from(printed - truth)),
+            Self::Enclosed(truth) => PrintedError::Enclosed(truth.rational(printed) - truth),
         }
     }
 }
@@ -130,6 +128,14 @@ pub(super) enum PrintedError<E = Ball> {
 }
 
 impl<E: Comparable> PrintedError<E> {
+    /// Error in a unit that is not zero.
+    pub(super) fn over(&self, unit: &Rational) -> Self {
+        match self {
+            Self::Exact(error) => Self::Exact(Rational::from(error / unit)),
+            Self::Enclosed(error) => Self::Enclosed(error.clone() / error.rational(unit)),
+        }
+    }
+
     /// Verdict on the last place, of an error in its units; `None` asks for a narrower enclosure.
     pub(super) fn verdict(&self) -> Option<PrintedVerdict> {
         Some(match self.is_within(&Rational::from((1, 2)))? {
@@ -226,7 +232,7 @@ mod tests {
         let exact = KnownValue::Exact(Rational::from((1, 3)));
         for text in ["0.3333", "0.3334", "0.3335", "-0.3333", "0.33333333333333333333"] {
             let printed = PrintedNumber::from_decimal(&text.parse().unwrap()).unwrap();
-            let error = |known: &KnownValue| known.error_of(&printed.value, &printed.unit);
+            let error = |known: &KnownValue| known.error_of(&printed.value).over(&printed.unit);
             assert_eq!(error(&third).verdict(), error(&exact).verdict(), "{text}");
             assert_eq!(error(&third).shown(), error(&exact).shown(), "{text}");
             assert_eq!(error(&third).is_negative(), error(&exact).is_negative(), "{text}");

@@ -1,4 +1,8 @@
 //! Balls of three words: a [`FloatBall`] of about 150 bits.
+//!
+//! The errors of operations are below half of [`UNIT`](TripleWord::UNIT), as parts of the result, so that `UNIT |hi|` has
+//! room for `|m| <= (1 + u + 2^-63) |hi|`, with `u = 2^-53`; and so has the last factor of each radius, where the leading
+//! double stands for the midpoint.
 
 use super::triple_word::TripleWord;
 use super::{Ball, Magnitude, triple_word_sine};
