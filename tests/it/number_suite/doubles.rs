@@ -1,7 +1,9 @@
 //! Balls of doubles: random formulas at hard arguments hold what MPFR finds.
 
 use crate::hard::config;
-use couplet::number::{Ball, DoubleBall, DoubleDouble, DoubleDoubleBall, Enclosure, Real, Ternary, TripleWordBall};
+use couplet::number::{
+    Ball, DoubleBall, DoubleDouble, DoubleDoubleBall, Enclosure, Real, Ternary, TripleWordBall,
+};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;

@@ -6,7 +6,9 @@ mod sample;
 
 use crate::hard::{circle_point, config, hard_rational, positive_rational};
 use couplet::arch::cubic;
-use couplet::number::{Angle, AstroInterval, Ball, DoubleBall, DoubleDoubleBall, Dual, Real, TripleWordBall};
+use couplet::number::{
+    Angle, AstroInterval, Ball, DoubleBall, DoubleDoubleBall, Dual, Real, TripleWordBall,
+};
 use proptest::prelude::*;
 use rug::{Float, Rational};
 use sample::Sample;

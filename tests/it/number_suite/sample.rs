@@ -1,7 +1,8 @@
 //! How every number type is made and compared.
 
 use couplet::number::{
-    Ball, DoubleBall, DoubleDoubleBall, Dual, Enclosure, End, ExactNumber, Field, Interval, TripleWordBall,
+    Ball, DoubleBall, DoubleDoubleBall, Dual, Enclosure, End, ExactNumber, Field, Interval,
+    TripleWordBall,
 };
 use rug::{Float, Rational};
 

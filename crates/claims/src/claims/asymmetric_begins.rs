@@ -135,12 +135,7 @@ impl Edge {
     }
 
     /// Tells whether the mechanism exists (or not) on a piece, without halving it.
-    fn tells(
-        self,
-        exists: bool,
-        [low, high]: [&Rational; 2],
-        start: &[f64],
-    ) -> Checked<Vec<f64>> {
+    fn tells(self, exists: bool, [low, high]: [&Rational; 2], start: &[f64]) -> Checked<Vec<f64>> {
         let degrees = DoubleBall::from(&between(low, high));
         let half_opening = degrees.pi() * degrees / degrees.int(180);
         let equations = BeginEquations { edge: self, half_opening };

@@ -48,7 +48,11 @@ fn flags((least, widest): &RationalRange, eta: &DoubleDoubleBall) -> Option<Doub
 /// are positive at all states of a range of thicknesses. They are given balls that contain the states.
 pub(super) fn at_all_states(
     range: &RationalRange,
-    values: &dyn Fn(&DoubleDoubleBall, &DoubleDoubleBall, &DoubleDoubleBall) -> Vec<DoubleDoubleBall>,
+    values: &dyn Fn(
+        &DoubleDoubleBall,
+        &DoubleDoubleBall,
+        &DoubleDoubleBall,
+    ) -> Vec<DoubleDoubleBall>,
 ) -> Checked<usize> {
     let ((low, high), (first, last)) = (range, joints());
     let at = |x: &Rational| Angle::new(all(x, x));

@@ -61,7 +61,7 @@ impl DoubleDoubleBall {
 
 #[cfg(feature = "mpfr")]
 mod mpfr {
-    use super::{DoubleBall, DoubleDouble, DoubleDoubleBall, UP};
+    use super::{DoubleDouble, DoubleDoubleBall, UP};
     use crate::number::float_ball::SMALLEST;
     use crate::number::{Ball, Magnitude};
     use rug::{Float, float::Round};
@@ -92,12 +92,6 @@ mod mpfr {
             let mid = DoubleDouble::sum(hi, Float::with_val(bits, ball.mid() - hi).to_f64());
             let rest = Float::with_val(bits, ball.mid() - mid.hi()) - mid.lo();
             Self::new(mid, (rad + away(&rest)) * UP)
-        }
-    }
-
-    impl From<&Ball> for DoubleBall {
-        fn from(ball: &Ball) -> Self {
-            DoubleDoubleBall::from(ball).into()
         }
     }
 }

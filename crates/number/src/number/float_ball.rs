@@ -1,4 +1,5 @@
-//! Balls of floats: a midpoint of one or two doubles, or of three words, with a radius that is a double, without a heap.
+//! Balls of floats: a midpoint of one or two doubles, or of three words, with a radius that is a double; without a
+//! heap.
 //!
 //! With `u = 2^-53` each operation rounds its midpoint `m`, whose leading double is `hi`, with an error of at most
 //! [`UNIT`](Midpoint::UNIT)` |hi|`, and adds that to a radius computed from the radii of the operands.
@@ -16,6 +17,8 @@
 //! radius, a smaller radius becomes `LEAST`, and anything larger, or NaN, becomes the whole line.
 
 use super::double_sine::{self, sin_cos};
+#[cfg(feature = "mpfr")]
+use super::gmp::{TripleWord, triple_word_sine};
 use super::stumpff::{from_series, terms};
 use super::{DoubleDouble, Enclosure, Field, Real, Stumpff, Ternary};
 
@@ -139,7 +142,41 @@ impl Midpoint for DoubleDouble {
     }
 
     fn of_words(is_negative: bool, mantissa: &[u64], exponent: i64) -> FloatBall<Self> {
-        FloatBall::of_words(is_negative, mantissa, exponent)
+        FloatBall::<Self>::of_words(is_negative, mantissa, exponent)
+    }
+}
+
+#[cfg(feature = "mpfr")]
+impl Midpoint for TripleWord {
+    const ZERO: Self = Self::ZERO;
+    const UNIT: f64 = Self::UNIT;
+    const BITS: u32 = 150;
+    const PI: (Self, f64) = (Self::PI, Self::CUT / 64.0);
+    const SINE_ERROR: f64 = triple_word_sine::ERROR;
+
+    #[inline(always)]
+    fn hi(self) -> f64 {
+        self.hi()
+    }
+
+    #[inline(always)]
+    fn shortened(self) -> f64 {
+        self.shortened()
+    }
+
+    #[inline(always)]
+    fn root(self) -> Self {
+        self.sqrt()
+    }
+
+    #[inline]
+    fn sin_cos(self) -> [(Self, f64); 2] {
+        let (sin, cos) = triple_word_sine::sin_cos(self);
+        [(sin, 0.0), (cos, 0.0)]
+    }
+
+    fn of_words(is_negative: bool, mantissa: &[u64], exponent: i64) -> FloatBall<Self> {
+        FloatBall::<Self>::of_words(is_negative, mantissa, exponent)
     }
 }
 

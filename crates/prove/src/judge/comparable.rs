@@ -1,5 +1,5 @@
-//! Enclosures that printed numbers are compared with: balls of double-doubles, of three words where these are not enough,
-//! and of MPFR.
+//! Enclosures that printed numbers are compared with: balls of double-doubles, of three words where these are not
+//! enough, and of MPFR.
 
 use crate::certify::Undecided;
 use crate::certify::state::{
@@ -34,7 +34,7 @@ pub(super) trait Comparable: Enclosure {
     /// The friction of the purely sliding state.
     fn sliding_friction(arch: &Arch, bits: u32) -> Result<Self, Undecided>;
 
-    /// What holds for an arch of a thickness.
+    /// Assessment of an arch of a thickness.
     fn assessment(
         arch: &Arch,
         thickness: &ExactNumber,

@@ -201,9 +201,8 @@ mod tests {
 
     #[test]
     fn verdicts_at_the_borders() {
-        let verdict = |n: i32, d: i32| {
-            PrintedError::<Ball>::Exact(Rational::from((n, d))).verdict().unwrap()
-        };
+        let verdict =
+            |n: i32, d: i32| PrintedError::<Ball>::Exact(Rational::from((n, d))).verdict().unwrap();
         assert_eq!(verdict(1, 2), PrintedVerdict::CorrectlyRounded);
         assert_eq!(verdict(-1, 2), PrintedVerdict::CorrectlyRounded);
         assert_eq!(verdict(501, 1000), PrintedVerdict::Faithful);

@@ -9,8 +9,9 @@
 //! ```
 //!
 //! the last term is a product of two small numbers, so that double-doubles gain nearly all their digits in this one
-//! step; where they do not, it is repeated from the middle of `K(X)`. Numbers of more bits take a step of Newton's method
-//! with the same inverse before. Any matrix `Y` and any point `m` will do: what the search finds is trusted for nothing.
+//! step; where they do not, it is repeated from the middle of `K(X)`. Numbers of more bits take a step of Newton's
+//! method with the same inverse before. Any matrix `Y` and any point `m` will do: what the search finds is trusted for
+//! nothing.
 
 use super::Undecided;
 use super::root::{Form, no_candidate};
@@ -21,9 +22,7 @@ use crate::solve::invert;
 use std::array;
 
 /// Balls of doubles, of double-doubles or of three words.
-pub trait Doubles:
-    Enclosure + Stumpff + Copy + From<DoubleBall> + Into<DoubleBall>
-{
+pub trait Doubles: Enclosure + Stumpff + Copy + From<DoubleBall> + Into<DoubleBall> {
     /// The relative radius that is as good as these numbers have.
     const NARROW: f64;
     /// The bits of a midpoint.
@@ -84,10 +83,7 @@ const INFLATION: f64 = 4.0;
 
 /// Encloses the root of at most seven equations next to a start value, proved to exist and to be unique
 /// in a box on which the equations are regular.
-pub fn root_near<E: Doubles>(
-    equations: &impl Form<E>,
-    start: &[f64],
-) -> Result<Vec<E>, Undecided> {
+pub fn root_near<E: Doubles>(equations: &impl Form<E>, start: &[f64]) -> Result<Vec<E>, Undecided> {
     match *start {
         [a] => root(equations, [a]).map(Vec::from),
         [a, b] => root(equations, [a, b]).map(Vec::from),
@@ -165,7 +161,7 @@ struct Image<E, const N: usize> {
 struct Correction<E, const N: usize> {
     /// `Y F(m)`.
     steps: [E; N],
-    /// Their sizes, and those of what they are made of: any will do, these are not rounded.
+    /// Sizes of the steps, and of what they are made of: any will do, these are not rounded.
     sizes: [f64; N],
 }
 

@@ -76,7 +76,8 @@ impl Binary {
         let (size, is_below) = rest.size();
         let error = size.shortened().next_up();
         // The number lies on one side of the double, nearer to it than to the next, and within the error.
-        let room = [size.shortened(), (TripleWord::from(DoubleDouble::exact(error)) - size).shortened()];
+        let room =
+            [size.shortened(), (TripleWord::from(DoubleDouble::exact(error)) - size).shortened()];
         let farthest = 0.5 * (double.abs() - double.abs().next_down());
         let is_near = error < farthest && room.iter().all(|room| *room > ball.rad());
         let in_range = (power_of_two(-200)..power_of_two(200)).contains(&double.abs());

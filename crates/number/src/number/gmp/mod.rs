@@ -20,7 +20,7 @@ mod stumpff;
 mod surd;
 mod triple_word;
 mod triple_word_ball;
-mod triple_word_sine;
+pub(super) mod triple_word_sine;
 mod words;
 
 pub use ball::Ball;

@@ -22,7 +22,7 @@ pub fn rounded_double(ball: &DoubleDoubleBall, digits: usize) -> Option<Rounded>
     rounded(is_negative, floor, scale, ball.rad(), digits)
 }
 
-/// The same of a ball of three words.
+/// True value of a ball of three words, rounded in the same way.
 pub fn rounded_words(ball: &TripleWordBall, digits: usize) -> Option<Rounded> {
     let (is_negative, [_, middle, high], exponent) = ball.mid().parts();
     let scale = scale(exponent + 191)?;
@@ -37,13 +37,7 @@ fn scale(exponent: i32) -> Option<i32> {
 }
 
 /// A number within `rad` of one that is `floor 2^-scale`, or above by less than a unit.
-fn rounded(
-    is_negative: bool,
-    floor: i128,
-    scale: i32,
-    rad: f64,
-    digits: usize,
-) -> Option<Rounded> {
+fn rounded(is_negative: bool, floor: i128, scale: i32, rad: f64, digits: usize) -> Option<Rounded> {
     if !(1..=MOST_DIGITS).contains(&digits) {
         return None;
     }

@@ -1,7 +1,7 @@
 //! Floating point of three machine words: 192 bits without a heap.
 //!
-//! **Every operation errs by less than [`UNIT`](TripleWord::UNIT) `= 2^-150` relative to its result**, for numbers within
-//! `2^±220` and zero:
+//! **Every operation errs by less than [`UNIT`](TripleWord::UNIT) `= 2^-150` relative to its result**, for numbers
+//! within `2^±220` and zero:
 //!
 //! | operation | how | relative error |
 //! |---|---|---|
@@ -80,10 +80,15 @@ impl TripleWord {
     /// Above the relative error of every operation: `2^-150`.
     pub const UNIT: f64 = 1.0 / (1u128 << 75) as f64 / (1u128 << 75) as f64;
 
-    /// A constant from its words, of which the topmost has its topmost bit.
-    pub(super) const fn constant(words: [u64; 3], exponent: i32) -> Self {
-        Self { negative: false, words, exponent }
-    }
+    /// Part of a number that 192 bits leave of it, rounded up.
+    pub const CUT: f64 = Self::UNIT / (1u64 << 40) as f64;
+
+    /// Pi, cut off.
+    pub const PI: Self = Self {
+        negative: false,
+        words: [0x2902_4e08_8a67_cc74, 0xc4c6_628b_80dc_1cd1, 0xc90f_daa2_2168_c234],
+        exponent: -190,
+    };
 
     /// `± words 2^exponent`, the least significant word first, cut off to 192 bits; and whether anything was cut
     /// off.
@@ -95,7 +100,8 @@ impl TripleWord {
         let word = |k: usize| top.checked_sub(k).map_or(0, |i| words[i]);
         // The word that ends `k` words below the first bit.
         let at = |k: usize| word(k) << zeros | word(k + 1) >> 1 >> (63 - zeros);
-        let is_cut = word(3) << zeros != 0 || top.checked_sub(4).is_some_and(|i| words[..=i].iter().any(|w| *w != 0));
+        let is_cut = word(3) << zeros != 0
+            || top.checked_sub(4).is_some_and(|i| words[..=i].iter().any(|w| *w != 0));
         let exponent = exponent + 64 * top as i64 - i64::from(zeros) - 128;
         // Far beyond all that is used.
         let exponent = exponent.clamp(-(1 << 24), 1 << 24) as i32;
@@ -327,7 +333,8 @@ mod tests {
     }
 
     fn is_within(found: TripleWord, truth: &Rational, bits: u32) -> bool {
-        let is_normal = found.is_zero() == (found == TripleWord::ZERO) && (found.is_zero() || found.words[2] & TOP != 0);
+        let is_normal = found.is_zero() == (found == TripleWord::ZERO)
+            && (found.is_zero() || found.words[2] & TOP != 0);
         let error = Rational::from(&value(found) - truth).abs();
         is_normal && error <= truth.clone().abs() >> bits
     }

@@ -1,13 +1,13 @@
 //! Balls of three words: a [`FloatBall`] of about 150 bits.
 //!
-//! The errors of operations are below half of [`UNIT`](TripleWord::UNIT), as parts of the result, so that `UNIT |hi|` has
-//! room for `|m| <= (1 + u + 2^-63) |hi|`, with `u = 2^-53`; and so has the last factor of each radius, where the leading
-//! double stands for the midpoint.
+//! The errors of operations are below half of [`UNIT`](TripleWord::UNIT), as parts of the result, so that `UNIT |hi|`
+//! has room for `|m| <= (1 + u + 2^-63) |hi|`, with `u = 2^-53`; and so has the last factor of each radius, where the
+//! leading double stands for the midpoint.
 
 use super::triple_word::TripleWord;
-use super::{Ball, Magnitude, triple_word_sine};
+use super::{Ball, Magnitude};
 use crate::number::float_ball::UP;
-use crate::number::{DoubleBall, DoubleDouble, DoubleDoubleBall, FloatBall, Midpoint, power_of_two};
+use crate::number::{DoubleBall, DoubleDouble, DoubleDoubleBall, FloatBall, power_of_two};
 use rug::float::Round;
 use rug::integer::Order;
 use rug::{Float, Integer};
@@ -15,52 +15,14 @@ use rug::{Float, Integer};
 /// All real numbers within a radius of a number of three words.
 pub type TripleWordBall = FloatBall<TripleWord>;
 
-/// Pi, cut off.
-const PI: TripleWord =
-    TripleWord::constant([0x2902_4e08_8a67_cc74, 0xc4c6_628b_80dc_1cd1, 0xc90f_daa2_2168_c234], -190);
-
-/// What 192 bits leave of a number, as a part of it.
-const CUT: f64 = power_of_two(-190);
-
-impl Midpoint for TripleWord {
-    const ZERO: Self = Self::ZERO;
-    const UNIT: f64 = Self::UNIT;
-    const BITS: u32 = 150;
-    const PI: (Self, f64) = (PI, CUT);
-    const SINE_ERROR: f64 = triple_word_sine::ERROR;
-
-    #[inline(always)]
-    fn hi(self) -> f64 {
-        self.hi()
-    }
-
-    #[inline(always)]
-    fn shortened(self) -> f64 {
-        self.shortened()
-    }
-
-    #[inline(always)]
-    fn root(self) -> Self {
-        self.sqrt()
-    }
-
-    #[inline]
-    fn sin_cos(self) -> [(Self, f64); 2] {
-        let (sin, cos) = triple_word_sine::sin_cos(self);
-        [(sin, 0.0), (cos, 0.0)]
-    }
-
-    fn of_words(is_negative: bool, mantissa: &[u64], exponent: i64) -> TripleWordBall {
-        cut(TripleWord::of_words(is_negative, mantissa, exponent))
-    }
-}
-
-/// The ball of a number that may be cut off.
-fn cut((mid, is_cut): (TripleWord, bool)) -> TripleWordBall {
-    TripleWordBall::new(mid, if is_cut { mid.hi().abs() * CUT } else { 0.0 })
-}
-
 impl TripleWordBall {
+    /// `± mantissa 2^exponent`, the mantissa in words of 64 bits, the least significant first: exactly if it has at
+    /// most 192 bits, else with a bound of what is left.
+    pub fn of_words(is_negative: bool, mantissa: &[u64], exponent: i64) -> Self {
+        let (mid, is_cut) = TripleWord::of_words(is_negative, mantissa, exponent);
+        Self::new(mid, if is_cut { mid.hi().abs() * TripleWord::CUT } else { 0.0 })
+    }
+
     /// Gives the set as a ball of MPFR, with results to be rounded to `prec` bits.
     pub fn to_ball(&self, prec: u32) -> Ball {
         let (negative, words, exponent) = self.mid().parts();
@@ -75,7 +37,10 @@ impl TripleWordBall {
 /// The set of a ball of MPFR, but for roundings: outward.
 impl From<&Ball> for TripleWordBall {
     fn from(ball: &Ball) -> Self {
-        cut(TripleWord::of_float(ball.mid())).widened(ball.rad().to_float().to_f64_round(Round::Up))
+        let (mantissa, exponent) = ball.mid().to_integer_exp().unwrap_or_default();
+        let words: Vec<u64> = mantissa.to_digits(Order::Lsf);
+        let mid = Self::of_words(mantissa < 0, &words, exponent.into());
+        mid.widened(ball.rad().to_float().to_f64_round(Round::Up))
     }
 }
 
@@ -100,7 +65,8 @@ impl From<TripleWordBall> for DoubleBall {
 impl From<TripleWordBall> for DoubleDoubleBall {
     #[inline]
     fn from(ball: TripleWordBall) -> Self {
-        let rest = if ball.mid().is_double() { 0.0 } else { ball.mid().hi().abs() * power_of_two(-103) };
+        let rest =
+            if ball.mid().is_double() { 0.0 } else { ball.mid().hi().abs() * power_of_two(-103) };
         Self::new(ball.mid().to_double_double(), (ball.rad() + rest) * UP)
     }
 }
@@ -153,7 +119,7 @@ mod tests {
             prop_assert!(held(&back, &short) && held(&back, &shorter), "{found:?}");
             let again = TripleWordBall::from(DoubleBall::from(found)).to_ball(400);
             prop_assert!(held(&shorter, &again) && held(&again, &shorter));
-            let is_tight = found.rad() <= (found.mid().hi().abs() * CUT) * 1.01;
+            let is_tight = found.rad() <= (found.mid().hi().abs() * TripleWord::CUT) * 1.01;
             prop_assert!(is_tight || !is_exact || found.mid().hi().abs() < 1e-66);
         }
     }

@@ -1,18 +1,18 @@
 //! Sine and cosine of a number of three words in `[-4, 4]`, within [`ERROR`] `= 2^-150` of the truth; for `|x| <= 1/64`
 //! the sine is within `2^-150 |x|`.
 //!
-//! *Proof.* With the integer `k` nearest to `32 x`, `r = x - k/32` is at most `1/64 + 2^-40` in size and has, as `k/32` is
-//! a double next to `x`, an error of less than `2^-190`, none for `k = 0`; `y = r² < 2^-11.9` is cut off to a
-//! fixed point of 192 bits. There
+//! *Proof.* With the integer `k` nearest to `32 x`, `r = x - k/32` is at most `1/64 + 2^-40` in size and has, as `k/32`
+//! is a double next to `x`, an error of less than `2^-190`, none for `k = 0`; `y = r² < 2^-11.9` is cut off to a fixed
+//! point of 192 bits. There
 //!
 //! ```text
 //! sin r = r - r g,   g = y/3! - y²/5! + ... ± y^8/17!,   what is left out is below |r| y^9/19! < 2^-162 |r|
 //! cos r = 1 - f,     f = y/2! - y²/4! + ... ± y^8/16!,   what is left out is below y^9/18!     < 2^-158
 //! ```
 //!
-//! Each coefficient and each product is cut off by less than two units of `2^-192`, and these errors are multiplied by `y`
-//! before they are added up: less than `2^-189` in all. With the sine `S` and the cosine `C` of `k/32`, rounded by MPFR
-//! to 256 bits and cut off to 192,
+//! Each coefficient and each product is cut off by less than two units of `2^-192`, and these errors are multiplied by
+//! `y` before they are added up: less than `2^-189` in all. With the sine `S` and the cosine `C` of `k/32`, rounded by
+//! MPFR to 256 bits and cut off to 192,
 //!
 //! ```text
 //! sin x = S + (C sin r - S f),   cos x = C - (C f + S sin r)
@@ -27,7 +27,7 @@ use rug::Float;
 use std::sync::OnceLock;
 
 /// The bound of the error.
-pub(super) const ERROR: f64 = TripleWord::UNIT;
+pub(crate) const ERROR: f64 = TripleWord::UNIT;
 
 /// Terms of the series.
 const TERMS: usize = 8;
@@ -66,9 +66,9 @@ fn row(k: usize) -> [TripleWord; 2] {
 #[inline]
 fn series(first: usize, y: &[u64; 3]) -> TripleWord {
     let coefficient = |k: usize| RECIPROCAL_FACTORIALS[first + 2 * k];
-    let sum = (0..TERMS - 1).rev().fold(coefficient(TERMS - 1), |sum, k| {
-        less(&coefficient(k), &upper_product(&sum, y))
-    });
+    let sum = (0..TERMS - 1)
+        .rev()
+        .fold(coefficient(TERMS - 1), |sum, k| less(&coefficient(k), &upper_product(&sum, y)));
     TripleWord::of_fixed(upper_product(&sum, y))
 }
 
@@ -85,7 +85,7 @@ fn less(a: &[u64; 3], b: &[u64; 3]) -> [u64; 3] {
 }
 
 /// Sine and cosine of `x` with `|x| <= 4`; beyond, what comes out means nothing.
-pub(super) fn sin_cos(x: TripleWord) -> (TripleWord, TripleWord) {
+pub(crate) fn sin_cos(x: TripleWord) -> (TripleWord, TripleWord) {
     let (x, is_negative) = x.size();
     let k = (32.0 * x.hi()).round();
     let [sin_k, cos_k] = row(k as usize);
@@ -103,8 +103,8 @@ mod tests {
     use super::*;
     use crate::number::test_config::config;
     use proptest::prelude::*;
-    use rug::integer::Order;
     use rug::Integer;
+    use rug::integer::Order;
 
     fn float(x: TripleWord) -> Float {
         let (negative, words, exponent) = x.parts();
@@ -116,7 +116,8 @@ mod tests {
     fn error(x: TripleWord, (sin, cos): (TripleWord, TripleWord)) -> f64 {
         let truth = float(x).sin_cos(Float::new(420));
         let scale = if x.hi().abs() <= 1.0 / 64.0 { x.hi().abs() } else { 1.0 };
-        let of = |truth: Float, found| Float::with_val(53, truth - float(found)).to_f64().abs() / ERROR;
+        let of =
+            |truth: Float, found| Float::with_val(53, truth - float(found)).to_f64().abs() / ERROR;
         (of(truth.0, sin) / scale).max(of(truth.1, cos))
     }
 

@@ -60,8 +60,8 @@ pub use enough::Enough;
 pub use inquiry::Inquiry;
 pub use measured::{measured_assessment, measured_state};
 pub(crate) use query::{DOUBLE_DOUBLE, bits_lost, raised};
-pub use quick::state_in_double_doubles;
 pub(super) use quick::critical_frictions;
+pub use quick::state_in_double_doubles;
 pub(crate) use quick::{
     assessment_enclosed, decided, is_quick, quick_outcome, quick_sliding, sliding_configuration,
     sliding_enclosed, state_enclosed, steepest_configuration,

@@ -1,5 +1,5 @@
-//! Proofs of this folder in balls of double-doubles, where these are enough: they take a tenth of the time; and in balls
-//! of three words, for the digits of a state that those do not have.
+//! Proofs of this folder in balls of double-doubles, where these are enough: they take a tenth of the time; and in
+//! balls of three words, for the digits of a state that those do not have.
 //!
 //! It is the text of this folder over other numbers. What these balls decide is proved; where they leave anything
 //! open, a sign, a box or a rounding, the answer is `None`, and balls of MPFR are asked.
@@ -177,8 +177,8 @@ pub(super) fn assess(
 mod tests {
     use super::*;
     use crate::arch::{SelfWeight, Unknown};
-    use crate::certify::state::{Balls, Certify, Figure};
     use crate::certify::state::find::{Finding, Question, find};
+    use crate::certify::state::{Balls, Certify, Figure};
     use crate::number::{Drawable, Enclosure, Field, Rounded};
     use crate::problem::Friction;
     use rug::Rational;
