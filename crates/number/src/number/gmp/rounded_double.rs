@@ -27,8 +27,8 @@ pub fn rounded_words(ball: &TripleWordBall, digits: usize) -> Option<Rounded> {
     let (is_negative, [_, middle, high], exponent) = ball.mid().parts();
     let scale = scale(exponent + 191)?;
     // The leading bits.
-    let floor = (i128::from(high) << 64 | i128::from(middle)) >> (128 - BITS);
-    rounded(is_negative, floor, scale, ball.rad(), digits)
+    let floor = (u128::from(high) << 64 | u128::from(middle)) >> (128 - BITS);
+    rounded(is_negative, floor as i128, scale, ball.rad(), digits)
 }
 
 /// The power of two by which a number of a size becomes an integer of [`BITS`]; `None` out of range.
@@ -213,8 +213,9 @@ mod tests {
         fn digits_of_large_numbers_are_those_of_balls_of_mpfr(
             head in 1u64..1000, zeros in 0u32..15, off in -2i32..=2, radius in 40i32..110, digits in 1usize..6,
         ) {
-            let x = head as f64 * 10f64.powi(zeros as i32) + f64::from(off) * 2f64.powi(-20);
-            let ball = DoubleDoubleBall::new(DoubleDouble::exact(x), x * f64::powi(2.0, -radius));
+            let x = head as f64 * 10f64.powi(zeros as i32);
+            let mid = DoubleDouble::sum(x, f64::from(off) * 2f64.powi(-20));
+            let ball = DoubleDoubleBall::new(mid, x * f64::powi(2.0, -radius));
             let found = same(&ball, digits);
             prop_assert!(found.is_some() || off == 0 || radius < 80, "{ball:?} to {digits}");
         }
@@ -229,7 +230,7 @@ mod tests {
             let ball = TripleWordBall::from(&Ball::enclosing(&if negative { -mid } else { mid }, 192));
             let ball = ball.widened(ball.mid().hi().abs() * f64::powi(2.0, -radius));
             let found = same_of_words(&ball, digits);
-            let is_easy = radius > 130 && digits < 25 && words[2] > 1 << 60;
+            let is_easy = radius > 130 && digits < 25 && words[2] > 1 << 60 && shift > -250;
             prop_assert!(found.is_some() || !is_easy, "{ball:?} to {digits}");
             let grid = format!("{head:0<20}5").parse::<Integer>().unwrap();
             let step = Rational::from(1) / Integer::from(Integer::u_pow_u(10, hair));
