@@ -1,10 +1,14 @@
-//! Boundaries where one mode becomes another: a point of a line of the map.
+//! Boundaries where one mode becomes another: a point of a line of the map, or a proof that it has none.
+//!
+//! A line is one curve without a gap between two landmarks, on which each half opening is there once at most, and each
+//! friction: both are monotone along it. So beyond the values at its ends it has no point.
 
 use super::widest::in_range;
-use crate::arch::{Configuration, Unknown};
+use crate::arch::{Configuration, SelfWeight, Unknown};
+use crate::certify::CertifiedLandmark;
 use crate::certify::state::query::Query;
-use crate::number::{Ball, Field};
-use crate::problem::{Condition, Examined, Landmark, Line, Mode, Sought};
+use crate::number::{Ball, Enclosure, Field, Rounded};
+use crate::problem::{Condition, Examined, Landmark, Line, Mode, Quantity, Sought};
 use crate::prover::Undecided;
 use crate::prover::decide::{require, require_condition};
 use crate::solve::start;
@@ -49,6 +53,43 @@ pub(super) fn point_on(
         }
     }
     Ok(at)
+}
+
+/// Digits of the values at the ends of a line.
+const DIGITS: usize = 10;
+
+/// The ends of a line in words, if a value of the half opening or the friction is proved to be beyond them; the other of
+/// the two is sought.
+pub(super) fn beyond(
+    (weight, line): (SelfWeight, Line),
+    sought: Sought,
+    value: &Ball,
+) -> Result<Option<String>, Undecided> {
+    let quantity = match sought {
+        Sought::HalfOpening => Quantity::Friction,
+        Sought::Friction => Quantity::HalfOpening,
+    };
+    let end = |landmark: Landmark| {
+        let of = CertifiedLandmark::new(landmark, weight)?.enclosure(0)?.quantity(quantity);
+        of.ok_or_else(|| Undecided::new("the end of the line"))
+    };
+    let [from, to] = line.ends();
+    let zero = value.int(0);
+    let [low, high] = [from, to].map(|landmark| landmark.map_or(Ok(zero.clone()), end));
+    let (low, high) = (low?, high?);
+    let is_below = |end: &Ball| value.is_less_than(end).is_proved();
+    let is_above = |end: &Ball| end.is_less_than(value).is_proved();
+    let is_beyond = is_below(&low) && is_below(&high) || is_above(&low) && is_above(&high);
+    let name = quantity.name().replace('_', " ");
+    let words = |landmark: Option<Landmark>, end: &Ball| match landmark {
+        None => "a half opening of zero".to_owned(),
+        Some(landmark) => {
+            let value =
+                Rounded::from_ball(end, DIGITS).map_or(String::new(), |x| format!(" {}", x.value));
+            format!("{} (at the {name}{value})", landmark.symbol())
+        }
+    };
+    Ok(is_beyond.then(|| format!("{} to {}", words(from, &low), words(to, &high))))
 }
 
 /// Undecided answer where no point of the line is found.
