@@ -69,27 +69,32 @@ pub(super) fn beyond(
         Sought::HalfOpening => Quantity::Friction,
         Sought::Friction => Quantity::HalfOpening,
     };
-    let end = |landmark: Landmark| {
-        let of = CertifiedLandmark::new(landmark, weight)?.enclosure(0)?.quantity(quantity);
-        of.ok_or_else(|| Undecided::new("the end of the line"))
-    };
-    let [from, to] = line.ends();
-    let zero = value.int(0);
-    let [low, high] = [from, to].map(|landmark| landmark.map_or(Ok(zero.clone()), end));
-    let (low, high) = (low?, high?);
-    let is_below = |end: &Ball| value.is_less_than(end).is_proved();
-    let is_above = |end: &Ball| end.is_less_than(value).is_proved();
-    let is_beyond = is_below(&low) && is_below(&high) || is_above(&low) && is_above(&high);
-    let name = quantity.name().replace('_', " ");
-    let words = |landmark: Option<Landmark>, end: &Ball| match landmark {
-        None => "a half opening of zero".to_owned(),
+    // At the end of rotation the friction is infinite.
+    let end = |landmark: Option<Landmark>| match landmark {
+        None => Ok(Some(value.int(0))),
         Some(landmark) => {
-            let value =
-                Rounded::from_ball(end, DIGITS).map_or(String::new(), |x| format!(" {}", x.value));
-            format!("{} (at the {name}{value})", landmark.symbol())
+            let of = CertifiedLandmark::new(landmark, weight)?.enclosure(0)?;
+            Ok::<_, Undecided>(of.quantity(quantity))
         }
     };
-    Ok(is_beyond.then(|| format!("{} to {}", words(from, &low), words(to, &high))))
+    let [from, to] = line.ends();
+    let ends = [end(from)?, end(to)?];
+    let is_below =
+        |end: &Option<Ball>| end.as_ref().is_none_or(|end| value.is_less_than(end).is_proved());
+    let is_above =
+        |end: &Option<Ball>| end.as_ref().is_some_and(|end| end.is_less_than(value).is_proved());
+    let is_beyond = ends.iter().all(is_below) || ends.iter().all(is_above);
+    let name = quantity.name().replace('_', " ");
+    let words = |landmark: Option<Landmark>, end: &Option<Ball>| match (landmark, end) {
+        (None, _) => "a half opening of zero".to_owned(),
+        (Some(landmark), end) => {
+            let rounded = end.as_ref().and_then(|end| Rounded::from_ball(end, DIGITS));
+            let value = rounded.map_or("inf".to_owned(), |x| x.value.to_string());
+            format!("{} (at the {name} {value})", landmark.symbol())
+        }
+    };
+    let [first, last] = &ends;
+    Ok(is_beyond.then(|| format!("{} to {}", words(from, first), words(to, last))))
 }
 
 /// Undecided answer where no point of the line is found.

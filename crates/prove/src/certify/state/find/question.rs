@@ -127,7 +127,7 @@ pub fn find(weight: SelfWeight, question: &Question, digits: usize) -> Result<Fi
     let limit = question.thickness().is_none_or(|eta| eta.factor() == two.factor());
     let eta = question.thickness().unwrap_or(&two);
     let found: Result<Finding, Error> = match question {
-        Question::HalfOpening { .. } if has_no_friction(&arch) => {
+        Question::HalfOpening { .. } if arch.friction().is_zero() => {
             Ok(Finding::Nothing(Some(Fall::Sliding)))
         }
         Question::HalfOpening { thickness, .. } => {
@@ -195,13 +195,6 @@ fn some_may_move(question: &Question, arch: &Arch, found: &Found) -> bool {
         _ => None,
     };
     ranges.is_some_and(|(alphas, mus)| reaches(arch.weight(), alphas, mus))
-}
-
-pub(super) fn has_no_friction(arch: &Arch) -> bool {
-    match arch.friction() {
-        Friction::Coefficient(x) | Friction::Angle(x) => x.factor().numer().bits() == 0,
-        Friction::Infinite => false,
-    }
 }
 
 /// The least friction with which an arch stands at a thickness, or at the physical limit.
