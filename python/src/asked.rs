@@ -85,7 +85,7 @@ pub(crate) fn constants<'py>(
     let points: Vec<_> =
         weights.iter().flat_map(|&weight| landmarks.iter().map(move |&of| (of, weight))).collect();
     let found: Vec<Answer> =
-        on_threads(py, threads, || points.into_par_iter().map(answer).collect())?;
+        on_threads(py, threads, move || points.into_par_iter().map(answer).collect())?;
     found.iter().map(|found| told::answer(py, found)).collect()
 }
 

@@ -44,8 +44,8 @@ pub(crate) fn on_threads<T: Send + 'static>(
         threads => threads,
     };
     let (sender, receiver) = channel();
-    pool(threads)?.spawn(|| leave(work, &sender));
-    waited(py, &receiver).inspect_err(|_| give_up(threads))
+    pool(threads)?.spawn(move || leave(work, &sender));
+    waited(py, receiver).inspect_err(|_| give_up(threads))
 }
 
 /// Runs work on a thread of its own.
@@ -55,7 +55,7 @@ pub(crate) fn beside<T: Send + 'static>(
 ) -> PyResult<T> {
     let (sender, receiver) = channel();
     thread::spawn(move || leave(work, &sender));
-    waited(py, &receiver)
+    waited(py, receiver)
 }
 
 fn leave<T>(work: impl FnOnce() -> T, sender: &Sender<Left<T>>) {
@@ -64,7 +64,7 @@ fn leave<T>(work: impl FnOnce() -> T, sender: &Sender<Left<T>>) {
 }
 
 /// The result of work, unless a signal ends the call first.
-fn waited<T: Send>(py: Python<'_>, receiver: &Receiver<Left<T>>) -> PyResult<T> {
+fn waited<T: Send>(py: Python<'_>, receiver: Receiver<Left<T>>) -> PyResult<T> {
     let receiver = Mutex::new(receiver);
     let wait = || receiver.lock().unwrap_or_else(PoisonError::into_inner).recv_timeout(MOMENT);
     loop {

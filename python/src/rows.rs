@@ -104,5 +104,5 @@ pub(crate) fn finds(
             }
         }
     };
-    on_threads(py, threads, || rows.into_par_iter().map(sought).collect())
+    on_threads(py, threads, move || rows.into_par_iter().map(sought).collect())
 }

@@ -120,7 +120,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         CertifyTarget::All => return all(arguments),
         CertifyTarget::Landmark(landmark) => {
             let output = output()?;
-            progress::tell(&[digits], TIMES);
+            progress::tell(&[digits], TIMES)?;
             return write(output, &certify_landmark(landmark, weight, digits)?);
         }
         CertifyTarget::Asymmetric => ASYMMETRIC,
@@ -172,7 +172,7 @@ fn all(arguments: &Arguments) -> Result<(), Failure> {
         .into_iter()
         .flat_map(|landmark| weights.iter().map(move |&weight| (landmark, weight)))
         .collect();
-    progress::tell(&vec![arguments.digits; points.len()], TIMES);
+    progress::tell(&vec![arguments.digits; points.len()], TIMES)?;
     let made: Vec<Certificate> = points
         .par_iter()
         .map(|&(landmark, weight)| certify_landmark(landmark, weight, arguments.digits))

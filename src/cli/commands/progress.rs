@@ -1,11 +1,13 @@
 //! Progress on standard error: bars, hidden if it is not a terminal, and how long work takes if that is long.
 
 use super::described::say;
+use super::memory;
 use crate::arch::SelfWeight;
 use crate::certify::CertifiedLandmark;
 use crate::number::bits_of;
 use crate::problem::Landmark;
 use crate::report::words::count;
+use crate::sweep::failure::Failure;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::time::{Duration, Instant};
 
@@ -36,21 +38,25 @@ pub(super) fn styled(length: Option<u64>, style: &str) -> ProgressBar {
     bar
 }
 
-/// A bar of `ticks` ticks for constants of so many digits; it shows nothing for short work.
-pub(super) fn bar(ticks: u64, sizes: &[usize]) -> ProgressBar {
+/// A bar of `ticks` ticks for constants of so many digits; it shows nothing for short work. Refused where there is not
+/// enough memory.
+pub(super) fn bar(ticks: u64, sizes: &[usize]) -> Result<ProgressBar, Failure> {
     if sizes.iter().sum::<usize>() < LONG {
-        return ProgressBar::hidden();
+        return Ok(ProgressBar::hidden());
     }
-    tell(sizes, 1.0);
-    styled(Some(ticks), "{spinner} {bar:40} {percent:>3}%  {elapsed} elapsed, about {eta} left")
+    tell(sizes, 1.0)?;
+    let style = "{spinner} {bar:40} {percent:>3}%  {elapsed} elapsed, about {eta} left";
+    Ok(styled(Some(ticks), style))
 }
 
 /// Tells how long it takes, if that is long, to refine landmarks to so many digits and to do so many times as much.
-pub(super) fn tell(sizes: &[usize], times: f64) {
+/// Refused where there is not enough memory.
+pub(super) fn tell(sizes: &[usize], times: f64) -> Result<(), Failure> {
     let digits: usize = sizes.iter().sum();
     if digits < LONG {
-        return;
+        return Ok(());
     }
+    memory::has_room(sizes)?;
     let start = Instant::now();
     let (few, power) = MEASURED;
     let measured = CertifiedLandmark::new(Landmark::Triple, SelfWeight::Heyman)
@@ -63,4 +69,5 @@ pub(super) fn tell(sizes: &[usize], times: f64) {
     if measured.is_ok() && seconds > WORTH_WORDS {
         say(&format!("couplet: {digits} digits in all take about {seconds:.0} s"));
     }
+    Ok(())
 }

@@ -3,7 +3,8 @@
 //! A search in doubles says which conditions limit it. They hold with equality, each at its joint, and touch there:
 //! these equations have one root in a box ([`TiltMechanism`]), and its acceleration is the largest exactly, since
 //!
-//! - **from above**, its multipliers are positive and leave nothing of `h, p` and `v`: they bound `k` by that of the root;
+//! - **from above**, its multipliers are positive and leave nothing of `h, p` and `v`: they bound `k` by that of the
+//!   root;
 //! - **from below**, the state of the root is admissible at every joint of `[-alpha, alpha]`, by pieces that cover it.
 //!   Next to a joint that touches, the margin is convex, and no value is below that of the touch, which is zero.
 //!

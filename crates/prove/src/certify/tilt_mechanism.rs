@@ -47,7 +47,7 @@ struct TiltRoot<'a> {
     places: &'a [(Contact, JointPlace)],
     /// The unknowns of `h, p, v, k` that are fixed: without a hinge nothing is said of `p`.
     kept: &'static [usize],
-    /// What is added to each unknown, which may be near zero: Newton's method sees positive ones.
+    /// Numbers that are added to the unknowns, which may be near zero: Newton's method sees positive ones.
     added: &'a [Ball],
 }
 

@@ -15,7 +15,7 @@ const DEPTH: usize = 40;
 /// A point where a function is known to be zero, enclosed.
 #[derive(Clone, Debug)]
 pub(crate) enum Zero {
-    /// Its slope is zero there too.
+    /// A point at which the slope is zero too.
     Touch(Ball),
     /// The lower end of the interval.
     Begin(Ball),

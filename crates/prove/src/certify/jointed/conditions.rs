@@ -9,7 +9,7 @@ use crate::prover::arithmetic::Arithmetic;
 
 /// The conditions of an arch.
 pub(super) struct Conditions<T> {
-    /// Those of each joint, in the order of [`Contact::ALL`], from the left.
+    /// The conditions of each joint, in the order of [`Contact::ALL`], from the left.
     pub all: Vec<JointLimit<ShortPolynomial<T>>>,
     /// Number of conditions at each joint: with unlimited friction the hinges, as both ask for a normal force.
     at_joint: usize,

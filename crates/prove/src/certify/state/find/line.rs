@@ -58,8 +58,8 @@ pub(super) fn point_on(
 /// Digits of the values at the ends of a line.
 const DIGITS: usize = 10;
 
-/// The ends of a line in words, if a value of the half opening or the friction is proved to be beyond them; the other of
-/// the two is sought.
+/// The ends of a line in words, if a value of the half opening or the friction is proved to be beyond them; the other
+/// of the two is sought.
 pub(super) fn beyond(
     (weight, line): (SelfWeight, Line),
     sought: Sought,

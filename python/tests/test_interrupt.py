@@ -1,0 +1,32 @@
+"""Ctrl-C ends a call that takes long, and the next call works."""
+
+import signal
+import subprocess
+import sys
+
+import pytest
+
+CALL = """
+import sys
+import couplet
+print("begins", flush=True)
+try:
+    {call}
+except KeyboardInterrupt:
+    print(couplet.state("1.4", "0.5", digits=6).thickness)
+    sys.stdout.flush()
+    import os
+    os._exit(7)
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
+@pytest.mark.parametrize("call", ["couplet.constants(digits=10**6)", "couplet.certify('T', digits=10**6)"])
+def test_ctrl_c_ends_a_call(call: str) -> None:
+    process = subprocess.Popen([sys.executable, "-c", CALL.format(call=call)], stdout=subprocess.PIPE, text=True)
+    assert process.stdout is not None
+    assert process.stdout.readline() == "begins\n"
+    process.send_signal(signal.SIGINT)
+    told, _ = process.communicate(timeout=300)
+    assert process.returncode == 7
+    assert told.startswith("0.0")
