@@ -12,7 +12,10 @@ def main() -> int:
     """Runs the command with the arguments of the process; its exit code."""
     # The command has its own ways with these.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
-    return _core.run(sys.argv[1:])
+    try:
+        return _core.run(sys.argv[1:])
+    except KeyboardInterrupt:
+        return 130
 
 
 if __name__ == "__main__":
