@@ -12,10 +12,7 @@ def main() -> int:
     """Runs the command with the arguments of the process; its exit code."""
     # The command has its own ways with these.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
-    try:
-        return _core.run(sys.argv[1:])
-    except KeyboardInterrupt:
-        return 130
+    return _core.run(sys.argv[1:])
 
 
 if __name__ == "__main__":

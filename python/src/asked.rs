@@ -1,7 +1,7 @@
 //! One question at a time. Every argument is text, read by what reads the command's, so that the same input gets the
 //! same sentence.
 
-use crate::pool::{beside, on_threads};
+use crate::pool::on_threads;
 use crate::{CoupletError, UndecidedError, told};
 use couplet::Error;
 use couplet::arch::SelfWeight;
@@ -379,6 +379,6 @@ pub(crate) fn drawing(
 
 /// The command with these arguments; its exit code.
 #[pyfunction]
-pub(crate) fn run(py: Python<'_>, arguments: Vec<OsString>) -> PyResult<u8> {
-    beside(py, || cli::run_from(arguments))
+pub(crate) fn run(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
+    py.detach(|| cli::run_from(arguments))
 }

@@ -48,16 +48,6 @@ pub(crate) fn on_threads<T: Send + 'static>(
     waited(py, receiver).inspect_err(|_| give_up(threads))
 }
 
-/// Runs work on a thread of its own.
-pub(crate) fn beside<T: Send + 'static>(
-    py: Python<'_>,
-    work: impl FnOnce() -> T + Send + 'static,
-) -> PyResult<T> {
-    let (sender, receiver) = channel();
-    thread::spawn(move || leave(work, &sender));
-    waited(py, receiver)
-}
-
 fn leave<T>(work: impl FnOnce() -> T, sender: &Sender<Left<T>>) {
     // Nobody waits any more if the call was ended by a signal.
     let _ = sender.send(catch_unwind(AssertUnwindSafe(work)));
