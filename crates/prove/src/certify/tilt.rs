@@ -37,7 +37,7 @@ use std::cell::OnceCell;
 #[derive(Clone, Debug)]
 pub enum LargestTilt {
     /// The largest acceleration, over that of gravity, and the joints that give way there.
-    Limited(Box<Figure>, TiltMechanism),
+    Limited(Box<Figure>, Box<TiltMechanism>),
     /// There is an admissible state at every acceleration.
     Unlimited,
 }
@@ -75,7 +75,7 @@ impl TiltDigits {
             decided = decided.or_else(|| compare(&found, bits));
             let Some(mechanism) = found else { return Ok(Some(LargestTilt::Unlimited)) };
             let figure = Figure::new(mechanism.tilt(), digits);
-            Ok(figure.map(|figure| LargestTilt::Limited(Box::new(figure), mechanism)))
+            Ok(figure.map(|figure| LargestTilt::Limited(Box::new(figure), Box::new(mechanism))))
         });
         let is_admissible = decided
             .or_else(told)

@@ -132,8 +132,8 @@ mod tests {
         assert!(!proves(&|x| -square(x), &[touch()]));
         let line = |x: &Ball| Jet::new(vec![x.clone(), x.int(1)], 2);
         let falls = |x: &Ball| Jet::new(vec![x.int(1) - x, x.int(-1)], 2);
-        let (begin, end) = (Zero::Begin(at(0, 1)), Zero::End(at(1, 1)));
-        assert!(proves(&line, &[begin.clone()]) && proves(&falls, &[end.clone()]));
-        assert!(!proves(&line, &[end]) && !proves(&falls, &[begin]));
+        let (begin, end) = ([Zero::Begin(at(0, 1))], [Zero::End(at(1, 1))]);
+        assert!(proves(&line, &begin) && proves(&falls, &end));
+        assert!(!proves(&line, &end) && !proves(&falls, &begin));
     }
 }
