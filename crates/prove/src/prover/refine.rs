@@ -46,8 +46,6 @@ const GUARD: u32 = 32;
 const WORTH_THREADS: u32 = 1 << 14;
 /// A result has at least so many bits.
 const FLOOR: u32 = 256;
-/// Bits of the root up to which no level is cheaper than one, though anchors have fewer.
-const EASY: u32 = 400;
 
 /// The root of a system in a box of many digits.
 #[derive(Clone, Debug)]
@@ -91,12 +89,15 @@ pub fn refine_watched(
     tick: &(dyn Fn() + Sync),
 ) -> Result<Refined, Undecided> {
     if bits <= short::MOST
-        && let Some(at) = isolated.approach().and_then(|way| way.enclose(bits.max(FLOOR)))
+        && let Some(way) = isolated.approach()
+        && let Some(at) = way.enclose(bits.max(FLOOR))
     {
         let system = *isolated.system();
         tally::working_bits(bits.max(FLOOR) + GUARD);
         (0..stages(&system)).for_each(|_| tick());
-        return Ok(Refined { system, at, friction_angle: OnceLock::new() });
+        let known = if bits > short::FEW_BITS { way.friction_angle(&at) } else { None };
+        let friction_angle = known.map_or_else(OnceLock::new, |angle| OnceLock::from(Some(angle)));
+        return Ok(Refined { system, at, friction_angle });
     }
     refine_by(isolated, bits, tick, |bits| LadderLevel::new(isolated, bits, tick))
 }
@@ -164,9 +165,12 @@ impl LadderLevel {
     fn new(isolated: &Isolated, bits: u32, tick: &(dyn Fn() + Sync)) -> Result<Self, Undecided> {
         let near = anchor_bits(bits);
         let bits = bits + GUARD;
-        let goal = bits / SPAN + GUARD;
+        // One step more with the last Jacobian, where the first bits are enough for it.
+        let last = bits / (SPAN + 1) + GUARD;
+        let (span, goal) =
+            if last <= short::MOST { (SPAN + 1, last) } else { (SPAN, bits / SPAN + GUARD) };
         tally::working_bits(bits);
-        let mut step = near.max(EASY.min(goal));
+        let mut step = near.max(short::MOST.min(goal));
         let mut centre = approximate(isolated, step)?;
         let anchor = |index: usize| {
             isolated.system().unknowns[index].is_angle().then(|| {
@@ -199,7 +203,7 @@ impl LadderLevel {
             }
         }
         let mut level = Self::at(isolated, centre, anchors, step, bits)?;
-        for part in 2..SPAN {
+        for part in 2..span {
             level.advance(part * level.step);
         }
         Ok(level)

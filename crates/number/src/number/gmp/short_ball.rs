@@ -11,10 +11,10 @@
 
 use super::words;
 use super::{Ball, Magnitude};
-use crate::number::{DoubleDouble, DoubleDoubleBall, Field, power_of_two};
+use crate::number::{Field, power_of_two};
+use rug::Integer;
 use rug::float::Round;
 use rug::integer::Order;
-use rug::{Float, Integer};
 use std::cmp::Ordering;
 
 /// All real numbers within a radius of a number of `N` words, 2 to 16.
@@ -59,76 +59,42 @@ impl<const N: usize> ShortBall<N> {
         Self::settled(negative, words, (rad + 1.0) * UP)
     }
 
-    /// The number `x 2^-shift`, cut off where it has further digits.
-    pub fn scaled(x: DoubleDouble, shift: u32) -> Self {
-        Self::part(x.hi(), shift) + Self::part(x.lo(), shift)
-    }
-
-    fn part(x: f64, shift: u32) -> Self {
-        if x == 0.0 {
-            return Self { rad: 0.0, ..Self::WHOLE };
-        }
-        // |x| = mantissa 2^exponent.
-        let exponent = (x.to_bits() >> 52 & 0x7ff) as i64 - 1075;
-        let mantissa = x.to_bits() & ((1 << 52) - 1) | 1 << 52;
-        let places = exponent - i64::from(shift) + 64 * (N as i64 - 1);
-        if !x.is_normal() || places >= 64 * N as i64 - 53 {
-            // Smaller than all units, or larger than all numbers.
-            let rad = if x.abs() < 1.0 { 1.0 } else { f64::INFINITY };
-            return Self::settled(false, [0; N], rad);
-        }
-        let mut words = [0; N];
-        let (rest, wide) = match places {
-            0.. => (false, u128::from(mantissa) << (places % 64)),
-            -63..0 => {
-                (mantissa.trailing_zeros() < (-places) as u32, u128::from(mantissa >> -places))
-            }
-            _ => (true, 0),
+    /// The ball times `2^shift` in `M` words, cut off where it has further digits; for a `shift` within ±960.
+    pub fn shifted<const M: usize>(&self, shift: i32) -> ShortBall<M> {
+        let places = shift + 64 * (M as i32 - N as i32);
+        let (apart, up) = (places.div_euclid(64), places.rem_euclid(64));
+        let from = |at: i32| {
+            usize::try_from(at).ok().and_then(|at| self.words.get(at)).map_or(0, |word| *word)
         };
-        let first = (places.max(0) / 64) as usize;
-        words[first] = wide as u64;
-        if first + 1 < N {
-            words[first + 1] = (wide >> 64) as u64;
+        // A word of the result, from the two that meet there.
+        let word = |at: i32| match up {
+            0 => from(at - apart),
+            _ => from(at - apart) << up | from(at - apart - 1) >> (64 - up),
+        };
+        let above = (M as i32..N as i32 + apart + 1).any(|at| word(at) != 0);
+        if above || !self.rad.is_finite() {
+            return ShortBall::WHOLE;
         }
-        Self::settled(x < 0.0, words, f64::from(u8::from(rest)))
-    }
-
-    /// A ball of double-doubles times `2^-shift`, for a `shift` up to 960: the radius stays a normal double.
-    pub fn of(ball: &DoubleDoubleBall, shift: u32) -> Self {
-        let mid = Self::scaled(ball.mid(), shift);
-        let units = power_of_two(64 * (N as i32 - 1) - shift as i32);
-        match ball.rad() == 0.0 {
-            true => mid,
-            false => Self::cut(mid.negative, mid.words, mid.rad + ball.rad() * units),
+        let is_cut = (apart..0).any(|at| word(at) != 0);
+        let words = std::array::from_fn(|at| word(at as i32));
+        match is_cut || self.rad > 0.0 {
+            true => ShortBall::cut(self.negative, words, self.rad * power_of_two(places)),
+            false => ShortBall::settled(self.negative, words, 0.0),
         }
-    }
-
-    /// The number times `2^shift`, for a `shift` up to 960, as a ball of double-doubles.
-    pub fn leading(&self, shift: u32) -> DoubleDoubleBall {
-        let exponent = shift as i32 - 64 * (N as i32 - 1);
-        let mid = DoubleDoubleBall::of_words(self.negative, &self.words, i64::from(exponent));
-        mid.widened(self.rad * power_of_two(exponent))
     }
 
     /// Gives the set as a ball of MPFR, with results to be rounded to `prec` bits.
     pub fn to_ball(&self, prec: u32) -> Ball {
-        let places = 64 * (N as i32 - 1);
+        let places = 64 * (N as i64 - 1);
         let integer = Integer::from_digits(&self.words, Order::Lsf);
-        let size = Float::with_val(64 * N as u32, integer) >> places;
-        let rad = Float::with_val(53, self.rad) >> places;
+        let size = Ball::fixed(&integer, places as u32, prec);
         let mid = if self.negative { -size } else { size };
-        Ball::exact(mid, prec).widened(Magnitude::upper(&rad)).with_precision(prec)
+        mid.widened(Magnitude::upper_double(self.rad).shifted(-places))
     }
 
     /// Midpoint without a radius; zero for the whole line.
     pub fn midpoint(&self) -> Self {
         Self { rad: 0.0, ..*self }
-    }
-
-    /// The midpoint in `M` words, which are no fewer.
-    pub fn lengthened<const M: usize>(&self) -> ShortBall<M> {
-        let words = std::array::from_fn(|i| if i + N < M { 0 } else { self.words[i + N - M] });
-        ShortBall { negative: self.negative, words, rad: 0.0 }
     }
 
     /// Ball with the midpoint of this one and `more` added to the radius, a number that is not negative.
@@ -236,7 +202,7 @@ impl<const N: usize> ShortBall<N> {
         }
         let (a, b) = (self.midpoint(), other.midpoint());
         let sign = if b.negative { -1.0 } else { 1.0 };
-        let mut inverse = Self::part(sign / b.size(), 0).midpoint();
+        let mut inverse = Self::from(sign / b.size()).midpoint();
         // Each step doubles the bits; the first have at least 45.
         let mut bits = 45;
         while bits < 64 * N {
@@ -254,6 +220,38 @@ impl<const N: usize> ShortBall<N> {
 }
 
 operators!([const N: usize] ShortBall<N>);
+
+/// The double, cut off where it has further digits.
+impl<const N: usize> From<f64> for ShortBall<N> {
+    fn from(x: f64) -> Self {
+        if x == 0.0 {
+            return Self { rad: 0.0, ..Self::WHOLE };
+        }
+        // |x| = mantissa 2^exponent.
+        let exponent = (x.to_bits() >> 52 & 0x7ff) as i64 - 1075;
+        let mantissa = x.to_bits() & ((1 << 52) - 1) | 1 << 52;
+        let places = exponent + 64 * (N as i64 - 1);
+        if !x.is_normal() || places >= 64 * N as i64 - 53 {
+            // Smaller than all units, or larger than all numbers.
+            let rad = if x.abs() < 1.0 { 1.0 } else { f64::INFINITY };
+            return Self::settled(false, [0; N], rad);
+        }
+        let mut words = [0; N];
+        let (rest, wide) = match places {
+            0.. => (false, u128::from(mantissa) << (places % 64)),
+            -63..0 => {
+                (mantissa.trailing_zeros() < (-places) as u32, u128::from(mantissa >> -places))
+            }
+            _ => (true, 0),
+        };
+        let first = (places.max(0) / 64) as usize;
+        words[first] = wide as u64;
+        if first + 1 < N {
+            words[first + 1] = (wide >> 64) as u64;
+        }
+        Self::settled(x < 0.0, words, f64::from(u8::from(rest)))
+    }
+}
 
 /// Converts the set, but for what is cut off.
 impl<const N: usize> From<&Ball> for ShortBall<N> {
@@ -284,7 +282,7 @@ mod tests {
     use super::*;
     use crate::number::test_config::config;
     use proptest::prelude::*;
-    use rug::Rational;
+    use rug::{Float, Rational};
 
     /// A ball, and a number within it: `place` from -1 to 1 times the radius away from the midpoint.
     type Sample = (bool, Vec<u64>, u64, f64, f64);
@@ -341,8 +339,11 @@ mod tests {
             (x / x.int(12), p.clone() / 12),
             (x.square(), Rational::from(p.square_ref())),
             (ShortBall::from(&x.to_ball(500)), p.clone()),
-            (ShortBall::of(&x.leading(0), 0), p.clone()),
-            (ShortBall::of(&x.leading(90), 90), p.clone()),
+            (x.shifted::<3>(0).shifted(0), p.clone()),
+            (x.shifted::<4>(-130).shifted(130), p.clone()),
+            (x.shifted(-7), p.clone() >> 7),
+            (x.shifted(64), p.clone() << 64),
+            (x.shifted(91), p.clone() << 91),
         ];
         if q != 0 {
             results.push((x / y, p / &q));
@@ -365,22 +366,18 @@ mod tests {
             let size = parts(&x).unwrap().0.abs();
             prop_assert!(Rational::from_f64(x.size()).unwrap() >= size);
             prop_assert!(Rational::from_f64(x.size() * (1.0 - 1e-13)).unwrap() <= size);
-            prop_assert_eq!(parts(&x), parts(&x.lengthened::<6>()));
-            prop_assert_eq!(parts(&x), parts(&x.lengthened::<9>()));
+            prop_assert_eq!(parts(&x), parts(&x.shifted::<6>(0)));
+            prop_assert_eq!(parts(&x), parts(&x.shifted::<9>(-70).shifted::<6>(70)));
         }
 
-        /// Doubles of any exponent, with low parts of any size.
         #[test]
-        fn double_doubles_are_placed_where_they_belong(
-            hi in -2.0f64..2.0, exponent in -600i32..40, below in 0i32..200, shift in 0u32..400,
-        ) {
-            let hi = hi * 2f64.powi(exponent);
-            let x = DoubleDouble::sum(hi, hi * 2f64.powi(-53 - below));
-            let truth = (Rational::from_f64(x.hi()).unwrap() + Rational::from_f64(x.lo()).unwrap()) >> shift;
-            prop_assert!(holds(&ShortBall::<3>::scaled(x, shift), &truth, 1.0));
-            prop_assert!(holds(&ShortBall::<8>::scaled(x, shift), &truth, 1.0));
-            let fits = shift < 100 && (-50..20).contains(&exponent) && below < 100;
-            prop_assert!(!fits || ShortBall::<8>::scaled(x, shift).rad == 0.0 || hi == 0.0);
+        fn doubles_are_placed_where_they_belong(x in -2.0f64..2.0, exponent in -600i32..40) {
+            let x = x * 2f64.powi(exponent);
+            let truth = Rational::from_f64(x).unwrap();
+            prop_assert!(holds(&ShortBall::<3>::from(x), &truth, 1.0));
+            prop_assert!(holds(&ShortBall::<8>::from(x), &truth, 1.0));
+            let fits = (-300..20).contains(&exponent);
+            prop_assert!(!fits || ShortBall::<8>::from(x).rad == 0.0);
         }
     }
 
@@ -398,12 +395,12 @@ mod tests {
 
     #[test]
     fn out_of_range_is_the_whole_line() {
-        let big = ShortBall::<4>::scaled(DoubleDouble::exact(2e9), 0);
+        let big = ShortBall::<4>::from(2e9);
         assert!(big.rad == 0.0 && !(big * big).rad.is_finite() && !(big + big).rad.is_finite());
-        let zero = ShortBall::<4>::scaled(DoubleDouble::ZERO, 0);
+        let zero = ShortBall::<4>::from(0.0);
         assert!(!(big / zero).rad.is_finite() && !(zero * ShortBall::WHOLE).rad.is_finite());
         for x in [f64::NAN, f64::INFINITY, 1e300] {
-            assert!(!ShortBall::<4>::scaled(DoubleDouble::exact(x), 0).rad.is_finite());
+            assert!(!ShortBall::<4>::from(x).rad.is_finite());
         }
         assert!(!ShortBall::<4>::from(&Ball::whole(64)).rad.is_finite());
         let far = Ball::exact(Float::with_val(64, 1) << 700, 64);
