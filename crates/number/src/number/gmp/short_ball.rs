@@ -116,7 +116,13 @@ impl<const N: usize> ShortBall<N> {
     /// An upper bound of the size of the midpoint.
     fn size(&self) -> f64 {
         // The first two words that are not zero, and one unit of the second for those below.
-        let Some(top) = self.words.iter().rposition(|word| *word != 0) else { return 0.0 };
+        let mut top = N - 1;
+        while self.words[top] == 0 {
+            if top == 0 {
+                return 0.0;
+            }
+            top -= 1;
+        }
         let next = if top == 0 { 0.0 } else { (self.words[top - 1] as f64 + 1.0) / TWO_TO_64 };
         (self.words[top] as f64 + next) * power_of_two(64 * (top as i32 + 1 - N as i32)) * UP
     }

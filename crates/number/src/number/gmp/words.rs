@@ -3,32 +3,38 @@
 use std::cmp::Ordering;
 
 /// The order of two sizes.
+#[inline]
 pub(super) fn compare<const N: usize>(a: &[u64; N], b: &[u64; N]) -> Ordering {
-    a.iter().rev().cmp(b.iter().rev())
+    for i in (0..N).rev() {
+        if a[i] != b[i] {
+            return a[i].cmp(&b[i]);
+        }
+    }
+    Ordering::Equal
 }
 
-/// `a + b`, where the topmost words have room for it.
+/// `a + b`, where the topmost words have room for it. A plain loop: what is built for size calls closures word by word.
 #[inline]
 pub(super) fn sum<const N: usize>(a: &[u64; N], b: &[u64; N]) -> [u64; N] {
-    let mut carry = false;
-    std::array::from_fn(|i| {
+    let (mut words, mut carry) = ([0; N], false);
+    for i in 0..N {
         let (word, first) = a[i].overflowing_add(b[i]);
         let (word, second) = word.overflowing_add(u64::from(carry));
-        carry = first | second;
-        word
-    })
+        (words[i], carry) = (word, first | second);
+    }
+    words
 }
 
 /// `a - b` for `a >= b`.
 #[inline]
 pub(super) fn difference<const N: usize>(a: &[u64; N], b: &[u64; N]) -> [u64; N] {
-    let mut borrow = false;
-    std::array::from_fn(|i| {
+    let (mut words, mut borrow) = ([0; N], false);
+    for i in 0..N {
         let (word, first) = a[i].overflowing_sub(b[i]);
         let (word, second) = word.overflowing_sub(u64::from(borrow));
-        borrow = first | second;
-        word
-    })
+        (words[i], borrow) = (word, first | second);
+    }
+    words
 }
 
 /// `a b 2^-64(N-1)`, cut off, less than `1 + 2^-60` too small, for at most 16 words; the topmost have room for it.
@@ -38,8 +44,27 @@ pub(super) fn difference<const N: usize>(a: &[u64; N], b: &[u64; N]) -> [u64; N]
 /// 2^64(N-2)` together.
 #[inline]
 pub(super) fn product<const N: usize>(a: &[u64; N], b: &[u64; N]) -> [u64; N] {
+    let mut words = [0; N];
+    product_of(a, b, &mut words);
+    words
+}
+
+/// Products of words: compiled here, for speed, and not where they are used, for size.
+fn product_of(a: &[u64], b: &[u64], to: &mut [u64]) {
+    macro_rules! sizes {
+        ($($n:literal)+) => { match a.len() {
+            $($n => rows::<$n>(a, b, to),)+
+            _ => {}
+        } };
+    }
+    sizes!(2 3 4 5 6 7 8 9 10 11 12 13 14 15 16);
+}
+
+/// Product row by row. Numbers of rows that are written out let the compiler unroll them, which halves the time from eight
+/// words on.
+fn rows<const N: usize>(a: &[u64], b: &[u64], to: &mut [u64]) {
+    let (Ok(a), Ok(b)) = (<&[u64; N]>::try_from(a), <&[u64; N]>::try_from(b)) else { return };
     let mut all = [0u64; 32];
-    // Numbers of rows that are written out let the compiler unroll them, which halves the time from eight words on.
     macro_rules! rows {
         ($($i:literal)+) => { $(if $i < N {
             let mut carry = 0;
@@ -53,7 +78,7 @@ pub(super) fn product<const N: usize>(a: &[u64; N], b: &[u64; N]) -> [u64; N] {
         })+ };
     }
     rows!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
-    std::array::from_fn(|i| all[i + N - 1])
+    to.copy_from_slice(&all[N - 1..2 * N - 1]);
 }
 
 /// `a n`, where the topmost word has room for it.
