@@ -95,7 +95,7 @@ pub fn refine_watched(
         let system = *isolated.system();
         tally::working_bits(bits.max(FLOOR) + GUARD);
         (0..stages(&system)).for_each(|_| tick());
-        let known = if bits > short::FEW_BITS { way.friction_angle(&at) } else { None };
+        let known = if bits > short::FIRST { way.friction_angle(&at) } else { None };
         let friction_angle = known.map_or_else(OnceLock::new, |angle| OnceLock::from(Some(angle)));
         return Ok(Refined { system, at, friction_angle });
     }

@@ -9,8 +9,8 @@
 //! ```
 //!
 //! So each step costs residuals and nothing else, and gains the bits of `C`; the last one proves. A [`Stage`] knows the root,
-//! `Y` and `C` to the bits of a few words. The first one starts from doubles, the second from the first, once more bits are
-//! asked for.
+//! `Y` and `C` to the bits of a few words. The first one starts from doubles, each other from the one before, once more bits
+//! are asked for.
 //!
 //! All is over [`ShortBall`]. What is small, residuals and steps, is held in the few words of the stage, times a power of two.
 //! Sines and cosines are computed once, at the candidate, and moved along. Steps have as many words as they need.
@@ -23,22 +23,18 @@ use crate::solve::inverse;
 use std::sync::OnceLock;
 
 /// Largest number of bits for which it pays.
-pub(super) const MOST: u32 = 928;
+pub(super) const MOST: u32 = 64 * (WORDS as u32 - 1) - GUARD;
 /// Bits of a result beyond those asked for, so that the condition of the system eats no digits.
 const GUARD: u32 = 32;
 /// Ratio of the width of `X` to the one that the corrections ask for.
 const ROOM: f64 = 64.0;
 /// Steps of a stage: all but the last gain the bits of what it starts from, and the last tells how many there are.
 const STEPS: usize = 3;
-/// The words of the first stage, and of the second, which is asked for more bits than [`FEW_BITS`].
-const FIRST: usize = 3;
-const SECOND: usize = 5;
-pub(super) const FEW_BITS: u32 = 256;
-/// The words of the steps before the last ones, and the bits to which they are made.
-const MIDDLE_WORDS: usize = 10;
-const MIDDLE_BITS: u32 = 64 * (MIDDLE_WORDS as u32 - 1) - GUARD;
-/// The words of [`MOST`] bits.
-const MOST_WORDS: usize = 16;
+/// Most words of a step.
+const WORDS: usize = 32;
+/// Bits up to which the first stage is asked, and the second.
+pub(super) const FIRST: u32 = 256;
+const SECOND: u32 = 448;
 /// The least gain of a step that is worth while, in bits.
 const LEAST_GAIN: u32 = 32;
 
@@ -46,8 +42,9 @@ const LEAST_GAIN: u32 = 32;
 #[derive(Clone, Debug)]
 pub(super) struct Approach {
     domain: Vec<Ball>,
-    first: Stage<FIRST>,
-    second: OnceLock<Option<Stage<SECOND>>>,
+    first: Stage<3>,
+    second: OnceLock<Option<Stage<5>>>,
+    third: OnceLock<Option<Stage<9>>>,
     /// A friction angle next to that of the root, if friction is an unknown.
     friction_angle: OnceLock<Option<Angle<Ball>>>,
 }
@@ -60,31 +57,40 @@ impl Approach {
         let inverse = in_doubles(system, &doubles)?;
         let inverse = inverse.iter().map(|row| row.iter().map(|y| ShortBall::from(*y)).collect());
         let first = Stage::new(system, domain, start, inverse.collect())?;
+        let (second, third) = (OnceLock::new(), OnceLock::new());
         let domain = domain.to_vec();
-        Some(Self { domain, first, second: OnceLock::new(), friction_angle: OnceLock::new() })
+        Some(Self { domain, first, second, third, friction_angle: OnceLock::new() })
     }
 
     /// All variables to about `bits` bits, at most [`MOST`], proved; `None` if the last step does not prove it.
     pub(super) fn enclose(&self, bits: u32) -> Option<Configuration<Ball>> {
-        let second = if bits > FEW_BITS { self.second() } else { None };
+        let third = if bits > SECOND { self.third() } else { None };
+        if let Some(third) = third {
+            return third.enclose(bits);
+        }
+        let second = if bits > FIRST { self.second() } else { None };
         second.map_or_else(|| self.first.enclose(bits), |second| second.enclose(bits))
     }
 
-    /// The friction angle of an enclosure of more bits than those of the first stage, from the one that is kept.
+    /// The friction angle of an enclosure of more than [`FIRST`] bits, from one near by that is kept.
     pub(super) fn friction_angle(&self, at: &Configuration<Ball>) -> Option<Ball> {
         let near = || {
             let index = self.first.system.index(Unknown::Friction)?;
-            let friction = self.second()?.centre[index].to_ball(64 * SECOND as u32);
-            let angle = arctangent(&friction).midpoint();
-            Some(Angle::new(angle.with_precision(64 * MOST_WORDS as u32)))
+            let friction = self.third()?.centre[index].to_ball(512);
+            Some(Angle::new(arctangent(&friction).midpoint().with_precision(64 * WORDS as u32)))
         };
-        let near = self.friction_angle.get_or_init(near).as_ref()?;
-        let angle = arctangent_from(near, &at.friction);
+        let Angle { rad, sin, cos } = self.friction_angle.get_or_init(near).as_ref()?;
+        let [rad, sin, cos] = [rad, sin, cos].map(|x| x.with_precision(at.friction.prec()));
+        let angle = arctangent_from(&Angle { rad, sin, cos }, &at.friction);
         angle.is_bounded().then_some(angle)
     }
 
-    fn second(&self) -> Option<&Stage<SECOND>> {
+    fn second(&self) -> Option<&Stage<5>> {
         self.second.get_or_init(|| self.first.next(&self.domain)).as_ref()
+    }
+
+    fn third(&self) -> Option<&Stage<9>> {
+        self.third.get_or_init(|| self.second()?.next(&self.domain)).as_ref()
     }
 }
 
@@ -108,7 +114,7 @@ struct Stage<const M: usize> {
 }
 
 /// Numbers of words to which sines and cosines are kept.
-const ANGLE_WORDS: [usize; 3] = [6, MIDDLE_WORDS, MOST_WORDS];
+const ANGLE_WORDS: [usize; 5] = [6, 10, 16, 24, WORDS];
 
 impl<const M: usize> Stage<M> {
     /// Stage from a candidate and an inverse to a part of its bits; `None` where it does not tell enough.
@@ -168,51 +174,78 @@ impl<const M: usize> Stage<M> {
     }
 
     fn enclose(&self, bits: u32) -> Option<Configuration<Ball>> {
-        match bits + GUARD {
-            0..=320 => self.in_words::<6>(bits),
-            321..=448 => self.in_words::<8>(bits),
-            449..=576 => self.in_words::<MIDDLE_WORDS>(bits),
-            577..=704 => self.in_words::<12>(bits),
-            705..=832 => self.in_words::<14>(bits),
-            _ => self.in_words::<MOST_WORDS>(bits),
+        match (bits + GUARD).div_ceil(64) {
+            0..=5 => self.in_words::<6>(bits),
+            6..=7 => self.in_words::<8>(bits),
+            8..=9 => self.in_words::<10>(bits),
+            10..=11 => self.in_words::<12>(bits),
+            12..=13 => self.in_words::<14>(bits),
+            14..=15 => self.in_words::<16>(bits),
+            16..=17 => self.in_words::<18>(bits),
+            18..=19 => self.in_words::<20>(bits),
+            20..=23 => self.in_words::<24>(bits),
+            24..=27 => self.in_words::<28>(bits),
+            _ => self.in_words::<WORDS>(bits),
         }
     }
 
     fn in_words<const N: usize>(&self, bits: u32) -> Option<Configuration<Ball>> {
-        let (mut point, mut known) = (self.point::<N>(), self.known);
-        if N > MIDDLE_WORDS {
-            let mut middle = self.point::<MIDDLE_WORDS>();
-            known = self.climb(&mut middle, known, MIDDLE_BITS);
-            let x = middle.x.iter().map(|x| x.shifted(0));
-            let steps: Vec<_> = x.zip(&point.x).map(|(x, from)| x - from).collect();
-            point.advance(steps);
-        }
-        let known = self.climb(&mut point, known, bits);
+        let mut x = self.centre.iter().map(|x| x.shifted(0)).collect();
+        let known = self.climb_in::<10, N>(&mut x, self.known, bits);
+        let known = self.climb_in::<14, N>(&mut x, known, bits);
+        let known = self.climb_in::<18, N>(&mut x, known, bits);
+        let known = self.climb_in::<24, N>(&mut x, known, bits);
+        let mut point = self.point(&x);
+        let known = self.climb(&mut point, known, bits.saturating_sub(self.gain));
         let (steps, asked) = self.steps(&point, known);
         let steps = self.image(&point.x, &steps, &asked, known)?;
         point.advance(steps.iter().map(|step| step.shifted(-(known as i32))));
         Some(point.place(&self.system).map(|x| x.to_ball(bits + GUARD)))
     }
 
-    /// The candidate.
-    fn point<const N: usize>(&self) -> ShortPoint<N> {
-        let place =
-            ANGLE_WORDS.iter().position(|words| N <= *words).unwrap_or(ANGLE_WORDS.len() - 1);
+    /// Steps in `L` words, as far as these go: to as many bits as the steps after them need.
+    fn climb_in<const L: usize, const N: usize>(
+        &self,
+        x: &mut Vec<ShortBall<N>>,
+        known: u32,
+        bits: u32,
+    ) -> u32 {
+        let more = bits.saturating_sub(64 * (L as u32 - 1) - GUARD).div_ceil(self.gain);
+        let goal = bits.saturating_sub(more.max(1) * self.gain);
+        if L >= N || goal <= known {
+            return known;
+        }
+        let few: Vec<ShortBall<L>> = x.iter().map(|x| x.shifted(0).midpoint()).collect();
+        let mut point = self.point(&few);
+        let known = self.climb(&mut point, known, goal);
+        *x = point.x.iter().map(|x| x.shifted(0)).collect();
+        known
+    }
+
+    /// A point next to the candidate.
+    fn point<const N: usize>(&self, x: &[ShortBall<N>]) -> ShortPoint<N> {
+        let last = ANGLE_WORDS.len() - 1;
+        let place = ANGLE_WORDS.iter().position(|words| N <= *words).unwrap_or(last);
         let angle = |(unknown, x): (&Unknown, &ShortBall<M>)| {
             unknown.is_angle().then(|| angle_of(x, ANGLE_WORDS[place]))
         };
         let compute = || self.system.unknowns.iter().zip(&self.centre).map(angle).collect();
         let angles = self.angles[place].get_or_init(compute);
-        let x = self.centre.iter().map(|x| x.shifted(0)).collect();
-        ShortPoint { x, angles: angles.iter().map(|angle| angle.as_ref().map(short)).collect() }
+        let angles = angles.iter().map(|angle| angle.as_ref().map(short)).collect();
+        let centre: Vec<ShortBall<N>> = self.centre.iter().map(|x| x.shifted(0)).collect();
+        let steps: Vec<ShortBall<N>> =
+            x.iter().zip(&centre).map(|(x, centre)| *x - centre).collect();
+        let mut point = ShortPoint { x: centre, angles };
+        point.advance(steps);
+        point
     }
 
-    /// Steps without a proof, until one more has `bits` bits. Any point near by will do, so that radii are left away.
-    fn climb<const N: usize>(&self, point: &mut ShortPoint<N>, mut known: u32, bits: u32) -> u32 {
-        while known + self.gain < bits {
+    /// Steps without a proof to `goal` bits. Any point near by will do, so that radii are left away.
+    fn climb<const N: usize>(&self, point: &mut ShortPoint<N>, mut known: u32, goal: u32) -> u32 {
+        while known < goal {
             let (steps, _) = self.steps(point, known);
             point.advance(steps.iter().map(|step| step.shifted(-(known as i32)).midpoint()));
-            known += self.gain;
+            known = goal.min(known + self.gain);
         }
         known
     }
@@ -241,9 +274,9 @@ impl<const M: usize> Stage<M> {
     ) -> Option<Vec<ShortBall<M>>> {
         // What is chosen need not be rounded in a direction, what is computed with it has to be.
         const UP: f64 = 1.0 + 1e-14;
-        let noise = 2f64.powi(known as i32 - 64 * (N as i32 - 1));
+        let noise = 2f64.powi((known as i32 - 64 * (N as i32 - 1)).max(-1000));
         let radii: Vec<f64> = asked.iter().map(|size| 2.0 * size + noise).collect();
-        let scale = 2f64.powi(-(known as i32));
+        let scale = 2f64.powi(-(known as i32)).max(f64::MIN_POSITIVE);
         type Side<'a, const N: usize, const M: usize> =
             (((&'a ShortBall<N>, &'a ShortBall<M>), &'a f64), &'a f64);
         let is_near = |(((x, centre), near), radius): Side<N, M>| {
@@ -347,7 +380,7 @@ fn bits_below(size: f64) -> Option<u32> {
 
 /// The angle by a small `step` further, but for `rad`.
 ///
-/// `sin d` and `1 - cos d` by their series, up to the first power `d^k/k!` that is below one unit: it bounds what
+/// `sin d` and `1 - cos d` by their series, up to the first power `d^k/k!` whose midpoint is zero: as a ball it holds what
 /// is left out of both.
 fn moved<const N: usize>(from: &Angle<ShortBall<N>>, step: &ShortBall<N>) -> Angle<ShortBall<N>> {
     let Angle { rad, sin, cos } = *from;
@@ -370,7 +403,7 @@ fn moved<const N: usize>(from: &Angle<ShortBall<N>>, step: &ShortBall<N>) -> Ang
             _ => sine = sine - power,
         }
     }
-    let (sine, less) = (sine.widened(power.bound()), less.widened(power.bound()));
+    let (sine, less) = (sine + power, less + power);
     Angle { rad, sin: sin + (cos * sine - sin * less), cos: cos - (sin * sine + cos * less) }
 }
 
@@ -409,10 +442,10 @@ mod tests {
             let way = isolated.approach().unwrap();
             let first = &way.first;
             assert!(first.gain > 80 && first.known > 100, "{} {}", first.gain, first.known);
-            way.enclose(MOST).unwrap();
-            let second = way.second.get().unwrap().as_ref().unwrap();
+            let (second, third) = (way.second().unwrap(), way.third().unwrap());
             assert!(second.gain > 200 && second.known > 220, "{} {}", second.gain, second.known);
-            for bits in [64, 100, 256, 333, 512, 640, 780, MOST] {
+            assert!(third.gain > 450 && third.known > 470, "{} {}", third.gain, third.known);
+            for bits in [64, 100, 256, 333, 512, 640, 780, 928, 1000, 1111, 1480, 1700, MOST] {
                 let short = way.enclose(bits).unwrap();
                 for &unknown in isolated.system().unknowns {
                     let (x, truth) = (short.value(unknown), long.value(unknown).unwrap());
@@ -434,7 +467,7 @@ mod tests {
         let isolated = isolated(Landmark::Triple, SelfWeight::Milankovitch);
         let way = isolated.approach().unwrap();
         assert!(way.enclose(256).is_some());
-        let none = |change: &dyn Fn(&mut Stage<FIRST>)| {
+        let none = |change: &dyn Fn(&mut Stage<3>)| {
             let mut spoiled = way.clone();
             change(&mut spoiled.first);
             spoiled.enclose(256).is_none()

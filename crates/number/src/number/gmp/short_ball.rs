@@ -2,12 +2,12 @@
 //!
 //! The midpoint is `± m 2^-64(N-1)` with an integer `m` of `N` words, of which the topmost is the whole part, below
 //! `2^31`. The radius counts units of the last place, `2^-64(N-1)`. Sums and products with integers are exact; any
-//! other product or quotient is cut off, which is below one unit and `2^-60`.
+//! other product or quotient is cut off, which is below one unit and `2^-59`.
 //!
 //! **The radius is rounded up**: it is a sum of products of doubles that are not negative, with at most sixteen
 //! roundings on any path, each of which takes away less than a part `2^-53`; the last factor is [`UP`] `= 1 +
-//! 2^-48`, which is more by a part `2^-49`. It is zero or at least one, and at most `2^64(N-1) < 2^1000`, so that
-//! nothing underflows or overflows; what is beyond, or NaN, becomes the whole line.
+//! 2^-48`, which is more by a part `2^-49`. It is zero or at least one, and at most [`LARGEST`](ShortBall::LARGEST), so that
+//! nothing overflows; what is beyond, or NaN, becomes the whole line. A bound of a size is zero or at least `2^-1000`.
 
 use super::words;
 use super::{Ball, Magnitude};
@@ -17,7 +17,7 @@ use rug::float::Round;
 use rug::integer::Order;
 use std::cmp::Ordering;
 
-/// All real numbers within a radius of a number of `N` words, 2 to 16.
+/// All real numbers within a radius of a number of `N` words, 2 to 32.
 #[derive(Clone, Copy, Debug)]
 pub struct ShortBall<const N: usize> {
     negative: bool,
@@ -33,20 +33,28 @@ const UP: f64 = 1.0 + 32.0 * f64::EPSILON / 2.0;
 const DOWN: f64 = 1.0 - 32.0 * f64::EPSILON / 2.0;
 /// Above all whole parts.
 const WHOLE_PART: u64 = 1 << 31;
+/// The exponent of a radius in units of the last place, at most.
+const MOST_PLACES: i32 = 960;
+/// The exponent of the least bound of a size but zero.
+const LEAST_EXPONENT: i32 = -1000;
 
 impl<const N: usize> ShortBall<N> {
     /// The whole line: nothing is known.
     pub const WHOLE: Self = Self { negative: false, words: [0; N], rad: f64::INFINITY };
 
-    /// Number one in units of the last place.
-    const UNITS: f64 = {
-        assert!(2 <= N && N <= 16);
-        power_of_two(64 * (N as i32 - 1))
+    /// Binary places.
+    const PLACES: i32 = {
+        assert!(2 <= N && N <= 32);
+        64 * (N as i32 - 1)
     };
+
+    /// The largest radius, in units of the last place: no more than one.
+    const LARGEST: f64 =
+        power_of_two(if Self::PLACES < MOST_PLACES { Self::PLACES } else { MOST_PLACES });
 
     #[inline]
     fn settled(negative: bool, words: [u64; N], rad: f64) -> Self {
-        if words[N - 1] < WHOLE_PART && (0.0..=Self::UNITS).contains(&rad) {
+        if words[N - 1] < WHOLE_PART && (0.0..=Self::LARGEST).contains(&rad) {
             Self { negative, words, rad }
         } else {
             Self::WHOLE
@@ -59,7 +67,7 @@ impl<const N: usize> ShortBall<N> {
         Self::settled(negative, words, (rad + 1.0) * UP)
     }
 
-    /// The ball times `2^shift` in `M` words, cut off where it has further digits; for a `shift` within ±960.
+    /// The ball times `2^shift` in `M` words, cut off where it has further digits; for a `shift` within ±2000.
     pub fn shifted<const M: usize>(&self, shift: i32) -> ShortBall<M> {
         let places = shift + 64 * (M as i32 - N as i32);
         let (apart, up) = (places.div_euclid(64), places.rem_euclid(64));
@@ -78,7 +86,12 @@ impl<const N: usize> ShortBall<N> {
         let is_cut = (apart..0).any(|at| word(at) != 0);
         let words = std::array::from_fn(|at| word(at as i32));
         match is_cut || self.rad > 0.0 {
-            true => ShortBall::cut(self.negative, words, self.rad * power_of_two(places)),
+            // Above all radii, or below a unit, where the exponent is cut.
+            true => ShortBall::cut(
+                self.negative,
+                words,
+                self.rad * power_of_two(places.clamp(-1000, 1000)),
+            ),
             false => ShortBall::settled(self.negative, words, 0.0),
         }
     }
@@ -100,12 +113,24 @@ impl<const N: usize> ShortBall<N> {
     /// Ball with the midpoint of this one and `more` added to the radius, a number that is not negative.
     pub fn widened(&self, more: f64) -> Self {
         let more = if more >= 0.0 { more } else { f64::INFINITY };
-        Self::settled(self.negative, self.words, (self.rad + (more * Self::UNITS).max(1.0)) * UP)
+        let more = more * power_of_two(Self::PLACES.min(MOST_PLACES));
+        // More places than a radius can have.
+        let more = if Self::PLACES > MOST_PLACES && more > 0.0 { f64::INFINITY } else { more };
+        Self::settled(self.negative, self.words, (self.rad + more.max(1.0)) * UP)
     }
 
     /// An upper bound of the size of all numbers of the ball.
     pub fn bound(&self) -> f64 {
-        (self.size() + self.rad / Self::UNITS) * UP
+        (self.size() + Self::size_of(self.rad)) * UP
+    }
+
+    /// An upper bound of so many units of the last place.
+    fn size_of(units: f64) -> f64 {
+        match units == 0.0 {
+            true => 0.0,
+            false => (units * power_of_two(-Self::PLACES.min(MOST_PLACES)))
+                .max(power_of_two(LEAST_EXPONENT)),
+        }
     }
 
     /// Tells whether the midpoint is zero.
@@ -115,16 +140,29 @@ impl<const N: usize> ShortBall<N> {
 
     /// An upper bound of the size of the midpoint.
     fn size(&self) -> f64 {
+        let (size, exponent) = self.leading();
+        let exponent = (exponent - Self::PLACES).max(LEAST_EXPONENT);
+        size * power_of_two(exponent)
+    }
+
+    /// An upper bound of the size of the midpoint in units of the last place.
+    fn units(&self) -> f64 {
+        let (size, exponent) = self.leading();
+        if exponent > MOST_PLACES { f64::INFINITY } else { size * power_of_two(exponent) }
+    }
+
+    /// An upper bound of the midpoint in units of the last place, as a number and the power of two with which it is multiplied.
+    fn leading(&self) -> (f64, i32) {
         // The first two words that are not zero, and one unit of the second for those below.
         let mut top = N - 1;
         while self.words[top] == 0 {
             if top == 0 {
-                return 0.0;
+                return (0.0, 0);
             }
             top -= 1;
         }
         let next = if top == 0 { 0.0 } else { (self.words[top - 1] as f64 + 1.0) / TWO_TO_64 };
-        (self.words[top] as f64 + next) * power_of_two(64 * (top as i32 + 1 - N as i32)) * UP
+        ((self.words[top] as f64 + next) * UP, 64 * top as i32)
     }
 
     /// Tells whether the ball is a whole number, exactly.
@@ -190,7 +228,7 @@ impl<const N: usize> ShortBall<N> {
         }
         let rad = match self.rad == 0.0 && other.rad == 0.0 {
             true => 0.0,
-            false => self.size() * other.rad + (other.size() + other.rad / Self::UNITS) * self.rad,
+            false => self.size() * other.rad + (other.size() + Self::size_of(other.rad)) * self.rad,
         };
         Self::cut(self.negative != other.negative, words::product(&self.words, &other.words), rad)
     }
@@ -201,9 +239,9 @@ impl<const N: usize> ShortBall<N> {
         if other.is_integer() && other.words[N - 1] != 0 {
             return self.over_integer(other.words[N - 1], other.negative);
         }
-        // Twice, as a size is rounded up itself.
-        let least = (other.size() * DOWN * DOWN - other.rad / Self::UNITS) * DOWN;
-        if !(least > 0.0 && self.rad.is_finite()) {
+        // Twice, as a size is rounded up itself, unless it is tiny.
+        let least = (other.size() * DOWN * DOWN - Self::size_of(other.rad)) * DOWN;
+        if !(least > power_of_two(LEAST_EXPONENT + 100) && self.rad.is_finite()) {
             return Self::WHOLE;
         }
         let (a, b) = (self.midpoint(), other.midpoint());
@@ -218,8 +256,8 @@ impl<const N: usize> ShortBall<N> {
         }
         let quotient = (a * inverse).midpoint();
         let left = a - quotient * b;
-        let left = (left.size() * Self::UNITS + left.rad) / least;
-        let size = quotient.size() + left / Self::UNITS;
+        let left = (left.units() + left.rad) / least;
+        let size = quotient.size() + Self::size_of(left);
         let rad = left + (self.rad + size * other.rad) / least;
         Self::cut(quotient.negative, quotient.words, rad)
     }
