@@ -45,8 +45,8 @@ pub(super) struct Approach {
     first: Stage<3>,
     second: OnceLock<Option<Stage<5>>>,
     third: OnceLock<Option<Stage<9>>>,
-    /// A friction angle next to that of the root, if friction is an unknown.
-    friction_angle: OnceLock<Option<Angle<Ball>>>,
+    /// A friction angle next to that of the root, if friction is an unknown: from the second stage and from the third.
+    friction_angles: [OnceLock<Option<Angle<Ball>>>; 2],
 }
 
 impl Approach {
@@ -59,7 +59,7 @@ impl Approach {
         let first = Stage::new(system, domain, start, inverse.collect())?;
         let (second, third) = (OnceLock::new(), OnceLock::new());
         let domain = domain.to_vec();
-        Some(Self { domain, first, second, third, friction_angle: OnceLock::new() })
+        Some(Self { domain, first, second, third, friction_angles: Default::default() })
     }
 
     /// All variables to about `bits` bits, at most [`MOST`], proved; `None` if the last step does not prove it.
@@ -74,12 +74,17 @@ impl Approach {
 
     /// The friction angle of an enclosure of more than [`FIRST`] bits, from one near by that is kept.
     pub(super) fn friction_angle(&self, at: &Configuration<Ball>) -> Option<Ball> {
+        let is_long = at.friction.prec() > SECOND + GUARD;
         let near = || {
             let index = self.first.system.index(Unknown::Friction)?;
-            let friction = self.third()?.centre[index].to_ball(512);
-            Some(Angle::new(arctangent(&friction).midpoint().with_precision(64 * WORDS as u32)))
+            let (friction, bits) = match is_long {
+                true => (self.third()?.centre[index].to_ball(512), 64 * WORDS as u32),
+                false => (self.second()?.centre[index].to_ball(256), SECOND + GUARD),
+            };
+            Some(Angle::new(arctangent(&friction).midpoint().with_precision(bits)))
         };
-        let Angle { rad, sin, cos } = self.friction_angle.get_or_init(near).as_ref()?;
+        let angle = &self.friction_angles[usize::from(is_long)];
+        let Angle { rad, sin, cos } = angle.get_or_init(near).as_ref()?;
         let [rad, sin, cos] = [rad, sin, cos].map(|x| x.with_precision(at.friction.prec()));
         let angle = arctangent_from(&Angle { rad, sin, cos }, &at.friction);
         angle.is_bounded().then_some(angle)
