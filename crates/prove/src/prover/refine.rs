@@ -44,6 +44,10 @@ const GUARD: u32 = 32;
 /// Below this, angles are computed one after the other: faster, and it avoids a deadlock when a thread
 /// that fills a `OnceLock` steals a job that waits for it.
 const WORTH_THREADS: u32 = 1 << 14;
+/// Bits of the root that cost next to nothing, and those of a result to which a few steps with one Jacobian lead from there.
+const EASY: u32 = 928;
+const MODERATE: u32 = 2 * EASY;
+const FAR: u32 = 4 * EASY;
 /// A result has at least so many bits.
 const FLOOR: u32 = 256;
 
@@ -165,10 +169,17 @@ impl LadderLevel {
     fn new(isolated: &Isolated, bits: u32, tick: &(dyn Fn() + Sync)) -> Result<Self, Undecided> {
         let near = anchor_bits(bits);
         let bits = bits + GUARD;
-        // One step more with the last Jacobian, where the first bits are enough for it.
         let last = bits / (SPAN + 1) + GUARD;
-        let (span, goal) =
-            if last <= short::MOST { (SPAN + 1, last) } else { (SPAN, bits / SPAN + GUARD) };
+        // The bits of the root with the last Jacobian, those of that, and the steps with it.
+        let (goal, gain, steps) = match bits {
+            MODERATE..FAR => {
+                let steps = (bits - EASY).div_ceil(EASY);
+                (EASY, (bits - EASY) / steps + GUARD, steps)
+            }
+            // One step more where the first bits are enough for it.
+            FAR.. if last <= short::MOST => (last, last, SPAN),
+            _ => (bits / SPAN + GUARD, bits / SPAN + GUARD, SPAN - 1),
+        };
         tally::working_bits(bits);
         let mut step = near.max(short::MOST.min(goal));
         let mut centre = approximate(isolated, step)?;
@@ -186,7 +197,19 @@ impl LadderLevel {
                 (0..centre.len()).into_par_iter().map(anchor).collect()
             }
         };
+        // What follows is expensive: from nearer anchors it sums fewer terms.
         let mut far = bits / NEAR;
+        let mut draw_near =
+            |known: u32, anchors: &mut Vec<Option<SineAnchor>>, centre: &[Float]| {
+                if known < far {
+                    return;
+                }
+                for (anchor, x) in anchors.iter_mut().zip(centre) {
+                    *anchor = anchor.take().map(|anchor| anchor.moved(x));
+                }
+                far = far.saturating_mul(NEARER);
+            };
+        draw_near(step, &mut anchors, &centre);
         for goal in climb(step, goal) {
             let mut level = Self::at(isolated, centre, anchors, step, bits)?;
             while step < goal {
@@ -194,17 +217,11 @@ impl LadderLevel {
                 level.advance(step);
             }
             (centre, anchors) = (level.centre, level.anchors);
-            if goal >= far {
-                // What follows is expensive: from nearer anchors it sums fewer terms.
-                for (anchor, x) in anchors.iter_mut().zip(&centre) {
-                    *anchor = anchor.take().map(|anchor| anchor.moved(x));
-                }
-                far = far.saturating_mul(NEARER);
-            }
+            draw_near(goal, &mut anchors, &centre);
         }
-        let mut level = Self::at(isolated, centre, anchors, step, bits)?;
-        for part in 2..span {
-            level.advance(part * level.step);
+        let mut level = Self::at(isolated, centre, anchors, gain, bits)?;
+        for part in 1..steps {
+            level.advance(step + part * gain);
         }
         Ok(level)
     }

@@ -28,10 +28,11 @@ pub(super) const MOST: u32 = 64 * (WORDS as u32 - 1) - GUARD;
 const GUARD: u32 = 32;
 /// Ratio of the width of `X` to the one that the corrections ask for.
 const ROOM: f64 = 64.0;
-/// Steps of a stage: all but the last gain the bits of what it starts from, and the last tells how many there are.
+/// Steps of a stage: all but the last gain the bits of what it starts from, and the last tells how many there are. The inverse
+/// doubles with each but the last.
 const STEPS: usize = 3;
 /// Most words of a step.
-const WORDS: usize = 32;
+const WORDS: usize = 40;
 /// Bits up to which the first stage is asked, and the second.
 pub(super) const FIRST: u32 = 256;
 const SECOND: u32 = 448;
@@ -119,7 +120,7 @@ struct Stage<const M: usize> {
 }
 
 /// Numbers of words to which sines and cosines are kept.
-const ANGLE_WORDS: [usize; 5] = [6, 10, 16, 24, WORDS];
+const ANGLE_WORDS: [usize; 6] = [6, 10, 16, 24, 32, WORDS];
 
 impl<const M: usize> Stage<M> {
     /// Stage from a candidate and an inverse to a part of its bits; `None` where it does not tell enough.
@@ -190,6 +191,8 @@ impl<const M: usize> Stage<M> {
             18..=19 => self.in_words::<20>(bits),
             20..=23 => self.in_words::<24>(bits),
             24..=27 => self.in_words::<28>(bits),
+            28..=31 => self.in_words::<32>(bits),
+            32..=35 => self.in_words::<36>(bits),
             _ => self.in_words::<WORDS>(bits),
         }
     }
@@ -200,6 +203,7 @@ impl<const M: usize> Stage<M> {
         let known = self.climb_in::<14, N>(&mut x, known, bits);
         let known = self.climb_in::<18, N>(&mut x, known, bits);
         let known = self.climb_in::<24, N>(&mut x, known, bits);
+        let known = self.climb_in::<32, N>(&mut x, known, bits);
         let mut point = self.point(&x);
         let known = self.climb(&mut point, known, bits.saturating_sub(self.gain));
         let (steps, asked) = self.steps(&point, known);
@@ -358,24 +362,26 @@ fn in_doubles(system: &System, centre: &[f64]) -> Option<Vec<Vec<f64>>> {
     inverse(slopes.iter().map(|r| (0..centre.len()).map(|k| r.derivative(k)).collect()).collect())
 }
 
-/// The inverse of `J`, the slopes of some numbers, to twice the digits of `Y`: `Y + Y (I - J Y)`. Nothing of it is
-/// certain.
+/// The inverse of `J`, the slopes of some numbers, from one to some digits: twice as many by each `Y + Y (I - J Y)`. Nothing
+/// of it is certain.
 fn refined<const M: usize>(
     y: &[Vec<ShortBall<M>>],
     j: &[Dual<ShortBall<M>>],
 ) -> Vec<Vec<ShortBall<M>>> {
     let places = 0..y.len();
     let zero = y[0][0].int(0);
+    let matrix = |entry: &dyn Fn(usize, usize) -> ShortBall<M>| -> Vec<Vec<ShortBall<M>>> {
+        places.clone().map(|i| places.clone().map(|k| entry(i, k).midpoint()).collect()).collect()
+    };
     let sum = |terms: &dyn Fn(usize) -> ShortBall<M>| {
         places.clone().map(terms).fold(zero, |sum, term| sum + term)
     };
-    let j: Vec<Vec<ShortBall<M>>> =
-        j.iter().map(|r| places.clone().map(|k| r.derivative(k).midpoint()).collect()).collect();
-    let rest = |i: usize, k: usize| zero.int(i32::from(i == k)) - sum(&|l| j[i][l] * y[l][k]);
-    let rest: Vec<Vec<ShortBall<M>>> =
-        places.clone().map(|i| places.clone().map(|k| rest(i, k)).collect()).collect();
-    let entry = |i: usize, k: usize| (y[i][k] + sum(&|l| y[i][l] * rest[l][k])).midpoint();
-    places.clone().map(|i| places.clone().map(|k| entry(i, k)).collect()).collect()
+    let j = matrix(&|i, k| j[i].derivative(k));
+    let step = |y: Vec<Vec<ShortBall<M>>>, _| {
+        let rest = matrix(&|i, k| zero.int(i32::from(i == k)) - sum(&|l| j[i][l] * y[l][k]));
+        matrix(&|i, k| y[i][k] + sum(&|l| y[i][l] * rest[l][k]))
+    };
+    (1..STEPS).fold(y.to_vec(), step)
 }
 
 /// The bits by which a size is below one.

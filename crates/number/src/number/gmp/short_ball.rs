@@ -2,7 +2,7 @@
 //!
 //! The midpoint is `± m 2^-64(N-1)` with an integer `m` of `N` words, of which the topmost is the whole part, below
 //! `2^31`. The radius counts units of the last place, `2^-64(N-1)`. Sums and products with integers are exact; any
-//! other product or quotient is cut off, which is below one unit and `2^-59`.
+//! other product or quotient is cut off, which is below one unit and `2^-58`.
 //!
 //! **The radius is rounded up**: it is a sum of products of doubles that are not negative, with at most sixteen
 //! roundings on any path, each of which takes away less than a part `2^-53`; the last factor is [`UP`] `= 1 +
@@ -17,7 +17,7 @@ use rug::float::Round;
 use rug::integer::Order;
 use std::cmp::Ordering;
 
-/// All real numbers within a radius of a number of `N` words, 2 to 32.
+/// All real numbers within a radius of a number of `N` words, 2 to 40.
 #[derive(Clone, Copy, Debug)]
 pub struct ShortBall<const N: usize> {
     negative: bool,
@@ -44,7 +44,7 @@ impl<const N: usize> ShortBall<N> {
 
     /// Binary places.
     const PLACES: i32 = {
-        assert!(2 <= N && N <= 32);
+        assert!(2 <= N && N <= 40);
         64 * (N as i32 - 1)
     };
 
@@ -67,7 +67,7 @@ impl<const N: usize> ShortBall<N> {
         Self::settled(negative, words, (rad + 1.0) * UP)
     }
 
-    /// The ball times `2^shift` in `M` words, cut off where it has further digits; for a `shift` within ±2000.
+    /// The ball times `2^shift` in `M` words, cut off where it has further digits; for a `shift` within ±2600.
     pub fn shifted<const M: usize>(&self, shift: i32) -> ShortBall<M> {
         let places = shift + 64 * (M as i32 - N as i32);
         let (apart, up) = (places.div_euclid(64), places.rem_euclid(64));

@@ -37,10 +37,10 @@ pub(super) fn difference<const N: usize>(a: &[u64; N], b: &[u64; N]) -> [u64; N]
     words
 }
 
-/// `a b 2^-64(N-1)`, cut off, less than `1 + 2^-59` too small, for at most 32 words; the topmost have room for it.
+/// `a b 2^-64(N-1)`, cut off, less than `1 + 2^-58` too small, for at most 40 words; the topmost have room for it.
 ///
 /// Left out are the columns from the third below the last word of the result on: a product of words in column `c`
-/// is below `2^64(c+2)`, and the uppermost of these columns, `N - 4`, has at most 29, so that they are below `30
+/// is below `2^64(c+2)`, and the uppermost of these columns, `N - 4`, has at most 37, so that they are below `38
 /// 2^64(N-2)` together.
 #[inline]
 pub(super) fn product<const N: usize>(a: &[u64; N], b: &[u64; N]) -> [u64; N] {
@@ -57,13 +57,13 @@ fn product_of(a: &[u64], b: &[u64], to: &mut [u64]) {
             _ => {}
         } };
     }
-    sizes!(2 3 4 5 6 7 8 9 10 12 14 16 18 20 24 28 32);
+    sizes!(2 3 4 5 6 7 8 9 10 12 14 16 18 20 24 28 32 36 40);
 }
 
 /// Product row by row, two rows at once: a word of the sum is read and written half as often.
 fn rows<const N: usize>(a: &[u64], b: &[u64], to: &mut [u64]) {
     let (Ok(a), Ok(b)) = (<&[u64; N]>::try_from(a), <&[u64; N]>::try_from(b)) else { return };
-    let mut all = [0u64; 64];
+    let mut all = [0u64; 80];
     let mut i = 0;
     while i < N {
         let (x, y) = (a[i], if i + 1 < N { a[i + 1] } else { 0 });
