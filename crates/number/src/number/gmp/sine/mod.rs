@@ -19,5 +19,7 @@ mod turn;
 pub use anchor::SineAnchor;
 pub use arctangent::{arctangent, arctangent_from};
 
+pub(super) use arctangents::known_pi;
+
 use super::ball::fixed;
 use super::{Angle, Ball, Enclosure, Field, Magnitude, Real};
