@@ -2,13 +2,13 @@
  *
  *     arb METHOD DIGITS     warm up, time, one line of JSON, as couplet.rs
  *
- * newton, proof, quantities and bare as in arb.py; decimals is quantities with their decimals. One thread; CPU time.
+ * newton, proof, quantities and bare as in arb.py; enclosures is quantities without decimals. One thread; CPU time.
  *
  * The library is that of python-flint's wheel, which comes without headers: what is called is declared here. run.py
- * compiles it, as
- *
- *     cc -O2 arb.c python_flint.libs/libflint-*.so.* -Wl,-rpath,python_flint.libs -lm -o arb
+ * compiles it.
  */
+
+#define _POSIX_C_SOURCE 199309L
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -497,9 +497,9 @@ int main(int count, char **arguments) {
     } else if (!strcmp(method, "bare")) {
         newton_of_all(out, goal);
         job = bare;
-    } else if (!strcmp(method, "decimals")) {
+    } else if (!strcmp(method, "quantities")) {
         decimals = QUANTITIES;
-    } else if (strcmp(method, "quantities")) {
+    } else if (strcmp(method, "enclosures")) {
         return 2;
     }
     spent(job, goal, out, decimals, digits, 1);

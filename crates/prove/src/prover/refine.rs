@@ -7,8 +7,8 @@
 //! 2. it becomes the [`SineAnchor`] of each angle: sine and cosine to full precision there;
 //! 3. Newton steps triple the bits, two with one Jacobian, up to a third, sine and cosine moved along from the
 //!    anchor, which moves too when the root is known better;
-//! 4. the Jacobian is taken once more; with that each further step gains a third, at the
-//!    precision it reaches.
+//! 4. the Jacobian is taken once more; with that each further step gains a third, or a smaller part where the root is
+//!    known to more by [`short`], at the precision it reaches.
 //!
 //! On the last level the last step is the interval Newton operator. Let `A` enclose the Jacobian on a box `X` and
 //! `m` be a point of it. If elimination shows each matrix in `A` to be regular, and
@@ -157,7 +157,7 @@ struct LadderLevel {
     bits: u32,
     anchors: Vec<Option<SineAnchor>>,
     centre: Vec<Float>,
-    /// The bits to which the centre was known when the Jacobian was taken: what a step with it gains.
+    /// The bits of the Jacobian: what a step with it gains. The centre is known to no fewer.
     step: u32,
     /// A box about the root, and the Jacobian on it.
     around: Vec<Ball>,
@@ -234,7 +234,7 @@ impl LadderLevel {
         Self::at(isolated, centre, anchors, bits, bits)
     }
 
-    /// A level at a centre that is known to `step` bits, with the Jacobian on a box that is wide enough to hold the
+    /// A level at a centre that is known to `step` bits or more, with the Jacobian on a box that is wide enough to hold the
     /// root.
     fn at(
         isolated: &Isolated,
