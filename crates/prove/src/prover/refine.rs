@@ -181,7 +181,12 @@ impl LadderLevel {
             _ => (bits / SPAN + GUARD, bits / SPAN + GUARD, SPAN - 1),
         };
         tally::working_bits(bits);
-        let mut step = near.max(short::MOST.min(goal));
+        // A long one is cheaper from a third of the bits.
+        let mut start = goal;
+        while start > short::MOST {
+            start = start / SPAN + GUARD;
+        }
+        let mut step = near.max(start);
         let mut centre = approximate(isolated, step)?;
         let anchor = |index: usize| {
             isolated.system().unknowns[index].is_angle().then(|| {

@@ -143,7 +143,9 @@ impl<const M: usize> Stage<M> {
             corrections = sizes;
             point.advance(steps.iter().map(ShortBall::midpoint));
         }
-        let near: Vec<f64> = corrections.iter().map(|size| ROOM * size).collect();
+        // A box has a width where nothing is to be corrected too.
+        let unit = 2f64.powi(-64 * (M as i32 - 1));
+        let near: Vec<f64> = corrections.iter().map(|size| ROOM * size.max(unit)).collect();
         let centre = point.x.clone();
         point.widen(&near);
         let is_inside =
