@@ -15,6 +15,7 @@ mod rational;
 mod rounded;
 mod rounded_double;
 mod short_ball;
+mod short_expansion;
 mod sine;
 mod stumpff;
 mod surd;
@@ -30,7 +31,7 @@ pub use rational::rational_like;
 pub use rounded::{Rounded, bits_of, terminating};
 pub use rounded_double::{nearest_double, rounded_double};
 pub use short_ball::ShortBall;
-pub use sine::{SineAnchor, arctangent};
+pub use sine::{SineAnchor, arctangent, arctangent_from};
 pub use surd::Surd;
 
 use super::{Angle, Decimal, Enclosure, ExactField, Field, Real, Ternary};
