@@ -35,7 +35,7 @@ fn cubic(joint: &Angle<DoubleDoubleBall>, delta: i32, eta: &DoubleDoubleBall) ->
 fn flags((least, widest): &RationalRange, eta: &DoubleDoubleBall) -> Option<DoubleDoubleBall> {
     let root = |joint: &Rational| {
         let joint = Angle::new(all(joint, joint));
-        let rise = eta.square() * eta * &joint.sin;
+        let rise = eta.square() * eta * joint.sin;
         DoubleBall::from(-(cubic(&joint, 0, eta) / rise))
     };
     let (low, high) = (root(widest).lower(), root(least).upper());

@@ -358,7 +358,7 @@ mod tests {
         #[test]
         fn doubles_are_as_near_as_is_said(a in hard()) {
             let (x, exact) = (value(a), |x: f64| Rational::from_f64(x).unwrap());
-            let error = Rational::from(&x - exact(a.hi())).abs();
+            let error = (&x - exact(a.hi())).abs();
             prop_assert!(error <= exact(a.hi().abs() * 2f64.powi(-53)) + exact(a.hi().abs() * 2f64.powi(-63)));
             let shortened = exact(a.shortened().abs());
             prop_assert!(shortened <= x.clone().abs() && shortened >= exact(a.hi().abs() * (1.0 - 2f64.powi(-51))));
