@@ -1,7 +1,7 @@
 //! One question at a time. Every argument is text, read by what reads the command's, so that the same input gets the
 //! same sentence.
 
-use crate::pool::on_threads;
+use crate::pool::{on_one_thread, on_threads};
 use crate::{CoupletError, UndecidedError, told};
 use couplet::Error;
 use couplet::arch::SelfWeight;
@@ -136,7 +136,7 @@ pub(crate) fn state<'py>(
         }
     };
     let digits = parse::state_digits(digits).map_err(wrong)?;
-    let found = on_threads(py, 1, move || {
+    let found = on_one_thread(py, digits, move || {
         let found = Balls::DoubleDoubles.state(&arch, digits, frictions);
         answer::state(1, (&arch, measures.as_ref().map(|of| (of, digits))), digits, &found)
     })?;
@@ -154,7 +154,7 @@ pub(crate) fn assess<'py>(
     let ArchGiven { thickness, measures, .. } = given;
     let eta = thickness.ok_or_else(|| wrong("thickness is missing"))?;
     let digits = parse::state_digits(digits).map_err(wrong)?;
-    let found = on_threads(py, 1, move || {
+    let found = on_one_thread(py, digits, move || {
         let found = arch.certify_thickness(&eta, digits);
         let measures = measures.as_ref().map(|of| (of, digits));
         answer::assessment(1, (&arch, &eta, measures), digits, &found)

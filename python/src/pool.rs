@@ -48,6 +48,18 @@ pub(crate) fn on_threads<T: Send + 'static>(
     waited(py, receiver).inspect_err(|_| give_up(threads))
 }
 
+/// Digits of an arch up to which nothing is shared among threads: to wait for another costs as much as the work.
+const FEW_DIGITS: usize = 1000;
+
+/// Runs work on an arch to so many digits, on no more than one thread: on this one, if they are few.
+pub(crate) fn on_one_thread<T: Send + 'static>(
+    py: Python<'_>,
+    digits: usize,
+    work: impl FnOnce() -> T + Send + 'static,
+) -> PyResult<T> {
+    if digits <= FEW_DIGITS { Ok(py.detach(work)) } else { on_threads(py, 1, work) }
+}
+
 fn leave<T>(work: impl FnOnce() -> T, sender: &Sender<Left<T>>) {
     // Nobody waits any more if the call was ended by a signal.
     let _ = sender.send(catch_unwind(AssertUnwindSafe(work)));
