@@ -1,6 +1,6 @@
 //! A real number in the binary formats of hardware: what a double leaves open of it.
 
-use super::{Ball, Enclosure, TripleWord, TripleWordBall};
+use super::{Ball, TripleWord, TripleWordBall};
 use crate::number::{DoubleDouble, DoubleDoubleBall, power_of_two};
 use rug::Float;
 use rug::float::Round;
