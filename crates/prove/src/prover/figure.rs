@@ -30,15 +30,15 @@ impl Figure {
             true => Rounded::from_rational(&Rational::new(), digits)?,
             false => Rounded::from_ball(x, digits)?,
         };
-        let double = x.nearest_double()?;
-        Some(Self { decimal, double, binary: Binary::new(x, double) })
+        let (double, binary) = Binary::nearest(x)?;
+        Some(Self { decimal, double, binary })
     }
 
     /// The value of a ball, decided too where it may be a decimal of so many digits.
     pub(crate) fn around(x: &Ball, digits: usize) -> Option<Self> {
         let wide = || {
-            let (decimal, double) = (Rounded::around(x, digits)?, x.nearest_double()?);
-            Some(Self { decimal, double, binary: Binary::new(x, double) })
+            let (decimal, (double, binary)) = (Rounded::around(x, digits)?, Binary::nearest(x)?);
+            Some(Self { decimal, double, binary })
         };
         Self::new(x, digits).or_else(wide)
     }

@@ -7,8 +7,8 @@
 //! 2. it becomes the [`SineAnchor`] of each angle: sine and cosine to full precision there;
 //! 3. Newton steps triple the bits, two with one Jacobian, up to a third, sine and cosine moved along from the
 //!    anchor, which moves too when the root is known better;
-//! 4. the Jacobian is taken once more; with that each further step gains a third, at the
-//!    precision it reaches.
+//! 4. the Jacobian is taken once more; with that each further step gains a third, or a smaller part where the root is
+//!    known to more by [`short`], at the precision it reaches.
 //!
 //! On the last level the last step is the interval Newton operator. Let `A` enclose the Jacobian on a box `X` and
 //! `m` be a point of it. If elimination shows each matrix in `A` to be regular, and
@@ -44,10 +44,12 @@ const GUARD: u32 = 32;
 /// Below this, angles are computed one after the other: faster, and it avoids a deadlock when a thread
 /// that fills a `OnceLock` steals a job that waits for it.
 const WORTH_THREADS: u32 = 1 << 14;
+/// Bits of the root that cost next to nothing, and those of a result to which a few steps with one Jacobian lead from there.
+const EASY: u32 = 928;
+const MODERATE: u32 = 2 * EASY;
+const FAR: u32 = 4 * EASY;
 /// A result has at least so many bits.
 const FLOOR: u32 = 256;
-/// Bits of the root up to which no level is cheaper than one, though anchors have fewer.
-const EASY: u32 = 400;
 
 /// The root of a system in a box of many digits.
 #[derive(Clone, Debug)]
@@ -91,12 +93,15 @@ pub fn refine_watched(
     tick: &(dyn Fn() + Sync),
 ) -> Result<Refined, Undecided> {
     if bits <= short::MOST
-        && let Some(at) = isolated.approach().and_then(|way| way.enclose(bits.max(FLOOR)))
+        && let Some(way) = isolated.approach()
+        && let Some(at) = way.enclose(bits.max(FLOOR))
     {
         let system = *isolated.system();
         tally::working_bits(bits.max(FLOOR) + GUARD);
         (0..stages(&system)).for_each(|_| tick());
-        return Ok(Refined { system, at, friction_angle: OnceLock::new() });
+        let known = if bits > short::FIRST { way.friction_angle(&at) } else { None };
+        let friction_angle = known.map_or_else(OnceLock::new, |angle| OnceLock::from(Some(angle)));
+        return Ok(Refined { system, at, friction_angle });
     }
     refine_by(isolated, bits, tick, |bits| LadderLevel::new(isolated, bits, tick))
 }
@@ -152,7 +157,7 @@ struct LadderLevel {
     bits: u32,
     anchors: Vec<Option<SineAnchor>>,
     centre: Vec<Float>,
-    /// The bits to which the centre was known when the Jacobian was taken: what a step with it gains.
+    /// The bits of the Jacobian: what a step with it gains. The centre is known to no fewer.
     step: u32,
     /// A box about the root, and the Jacobian on it.
     around: Vec<Ball>,
@@ -164,9 +169,24 @@ impl LadderLevel {
     fn new(isolated: &Isolated, bits: u32, tick: &(dyn Fn() + Sync)) -> Result<Self, Undecided> {
         let near = anchor_bits(bits);
         let bits = bits + GUARD;
-        let goal = bits / SPAN + GUARD;
+        let last = bits / (SPAN + 1) + GUARD;
+        // The bits of the root with the last Jacobian, those of that, and the steps with it.
+        let (goal, gain, steps) = match bits {
+            MODERATE..FAR => {
+                let steps = (bits - EASY).div_ceil(EASY);
+                (EASY, (bits - EASY) / steps + GUARD, steps)
+            }
+            // One step more where the first bits are enough for it.
+            FAR.. if last <= short::MOST => (last, last, SPAN),
+            _ => (bits / SPAN + GUARD, bits / SPAN + GUARD, SPAN - 1),
+        };
         tally::working_bits(bits);
-        let mut step = near.max(EASY.min(goal));
+        // A long one is cheaper from a third of the bits.
+        let mut start = goal;
+        while start > short::MOST {
+            start = start / SPAN + GUARD;
+        }
+        let mut step = near.max(start);
         let mut centre = approximate(isolated, step)?;
         let anchor = |index: usize| {
             isolated.system().unknowns[index].is_angle().then(|| {
@@ -182,7 +202,19 @@ impl LadderLevel {
                 (0..centre.len()).into_par_iter().map(anchor).collect()
             }
         };
+        // What follows is expensive: from nearer anchors it sums fewer terms.
         let mut far = bits / NEAR;
+        let mut draw_near =
+            |known: u32, anchors: &mut Vec<Option<SineAnchor>>, centre: &[Float]| {
+                if known < far {
+                    return;
+                }
+                for (anchor, x) in anchors.iter_mut().zip(centre) {
+                    *anchor = anchor.take().map(|anchor| anchor.moved(x));
+                }
+                far = far.saturating_mul(NEARER);
+            };
+        draw_near(step, &mut anchors, &centre);
         for goal in climb(step, goal) {
             let mut level = Self::at(isolated, centre, anchors, step, bits)?;
             while step < goal {
@@ -190,17 +222,11 @@ impl LadderLevel {
                 level.advance(step);
             }
             (centre, anchors) = (level.centre, level.anchors);
-            if goal >= far {
-                // What follows is expensive: from nearer anchors it sums fewer terms.
-                for (anchor, x) in anchors.iter_mut().zip(&centre) {
-                    *anchor = anchor.take().map(|anchor| anchor.moved(x));
-                }
-                far = far.saturating_mul(NEARER);
-            }
+            draw_near(goal, &mut anchors, &centre);
         }
-        let mut level = Self::at(isolated, centre, anchors, step, bits)?;
-        for part in 2..SPAN {
-            level.advance(part * level.step);
+        let mut level = Self::at(isolated, centre, anchors, gain, bits)?;
+        for part in 1..steps {
+            level.advance(step + part * gain);
         }
         Ok(level)
     }
@@ -213,7 +239,7 @@ impl LadderLevel {
         Self::at(isolated, centre, anchors, bits, bits)
     }
 
-    /// A level at a centre that is known to `step` bits, with the Jacobian on a box that is wide enough to hold the
+    /// A level at a centre that is known to `step` bits or more, with the Jacobian on a box that is wide enough to hold the
     /// root.
     fn at(
         isolated: &Isolated,

@@ -1,6 +1,6 @@
 //! A real number in the binary formats of hardware: what a double leaves open of it.
 
-use super::{Ball, Enclosure, TripleWord, TripleWordBall};
+use super::{Ball, TripleWord, TripleWordBall};
 use crate::number::{DoubleDouble, DoubleDoubleBall, power_of_two};
 use rug::Float;
 use rug::float::Round;
@@ -25,21 +25,33 @@ const QUAD: u32 = 113;
 const QUAD_EXPONENTS: std::ops::RangeInclusive<i32> = -16381..=16384;
 
 impl Binary {
-    /// Of the number enclosed by `ball`, whose nearest double is `double`.
+    /// Of the number enclosed by `ball`, with its nearest double; `None` where the ball does not decide that.
     ///
     /// ```
     /// use couplet_number::number::{Ball, Binary, Field};
     /// let tenth = Ball::integer(1, 200) / Ball::integer(10, 200);
-    /// let binary = Binary::new(&tenth, tenth.nearest_double().unwrap());
-    /// assert_eq!((binary.lower, binary.upper), (0.1f64.next_down(), 0.1));
+    /// let (double, binary) = Binary::nearest(&tenth).unwrap();
+    /// assert_eq!((binary.lower, double, binary.upper), (0.1f64.next_down(), 0.1, 0.1));
     /// assert!(5.5e-18 < binary.error && binary.error < 5.6e-18);
     /// ```
+    pub fn nearest(ball: &Ball) -> Option<(f64, Self)> {
+        let ends = [ball.lower(), ball.upper()];
+        let [low, high] = ends.each_ref().map(Float::to_f64);
+        // Adding zero makes a negative zero positive.
+        let double = (low == high).then_some(low + 0.0)?;
+        Some((double, Self::between(&ends, double)))
+    }
+
+    /// Of the number enclosed by `ball`, whose nearest double is `double`.
     pub fn new(ball: &Ball, double: f64) -> Self {
-        let (low, high) = (ball.lower(), ball.upper());
+        Self::between(&[ball.lower(), ball.upper()], double)
+    }
+
+    fn between([low, high]: &[Float; 2], double: f64) -> Self {
         let distance = |from: &Float, to: &Float| Float::with_val_round(64, to - from, Round::Up).0;
         let nearest = Float::with_val(53, double);
-        let error = match double.is_finite() && ball.is_bounded() {
-            true => distance(&low, &nearest).max(&distance(&nearest, &high)),
+        let error = match double.is_finite() && low.is_finite() && high.is_finite() {
+            true => distance(low, &nearest).max(&distance(&nearest, high)),
             false => Float::with_val(53, f64::INFINITY),
         };
         Self {
@@ -47,7 +59,7 @@ impl Binary {
             lower: low.to_f64_round(Round::Down) + 0.0,
             upper: high.to_f64_round(Round::Up) + 0.0,
             error: error.to_f64_round(Round::Up),
-            quad: nearest_quad(&low, &high),
+            quad: nearest_quad(low, high),
         }
     }
 
@@ -152,8 +164,9 @@ mod tests {
     }
 
     fn of(ball: &Ball) -> (f64, Binary) {
-        let double = ball.nearest_double().unwrap();
-        (double, Binary::new(ball, double))
+        let (double, binary) = Binary::nearest(ball).unwrap();
+        assert_eq!((ball.nearest_double(), &Binary::new(ball, double)), (Some(double), &binary));
+        (double, binary)
     }
 
     #[test]

@@ -57,9 +57,10 @@ impl SweepStart {
     /// Tells whether the polynomial of a condition, at the state of others, is zero where the range begins.
     /// At 0 both faces are one line, and both hinges of a joint one condition, which is left out with the
     /// factor `eta`: it is said of different joints alone.
-    fn is_tied(&self, of: &[usize], place: usize) -> bool {
+    fn is_tied(&self, conditions: &Conditions<DoubleBall>, of: &[usize], place: usize) -> bool {
         let are_apart = || {
-            let mut joints: Vec<usize> = of.iter().chain([&place]).map(|at| at / 4).collect();
+            let all = of.iter().chain([&place]);
+            let mut joints: Vec<usize> = all.map(|at| conditions.joint(*at)).collect();
             joints.sort_unstable();
             joints.windows(2).all(|two| two[0] != two[1])
         };
@@ -161,7 +162,8 @@ impl<'a> Vertex<'a> {
         let ball = piece.ball();
         let [mut plus, mut minus] = self.signs(&ball);
         let start = start.filter(|start| piece.low == start.below);
-        let is_tied = |place| start.is_some_and(|start| start.is_tied(&self.of, place));
+        let is_tied =
+            |place| start.is_some_and(|start| start.is_tied(self.conditions, &self.of, place));
         let mut others = Vec::new();
         for (place, polynomial) in self.values.iter().enumerate() {
             if self.of.contains(&place) {
@@ -204,7 +206,8 @@ impl<'a> Vertex<'a> {
 
     fn are_parted(&self, places: &[usize], piece: &ThicknessPiece) -> bool {
         let is_opposite = |place: &&usize| {
-            let of = |place: usize| (self.conditions.all[place].contact, place / 4);
+            let of =
+                |place: usize| (self.conditions.all[place].contact, self.conditions.joint(place));
             let (contact, joint) = of(**place);
             contact == Contact::Inwards
                 && places.iter().any(|other| of(*other) == (Contact::Outwards, joint))
