@@ -40,8 +40,8 @@ pub trait Midpoint: Field + Copy {
     const BITS: u32;
     /// Pi, and what it leaves of pi, rounded up.
     const PI: (Self, f64);
-    /// A bound of the error of sine and cosine, but for what they leave; relative to its argument, of the sine of at most
-    /// 1/64.
+    /// A bound of the error of sine and cosine, but for what they leave; relative to its argument, of the sine of at
+    /// most 1/64.
     const SINE_ERROR: f64;
 
     /// The leading double, the nearest to the number.
