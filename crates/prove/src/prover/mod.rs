@@ -6,6 +6,7 @@
 //! | `root` | one root of equations in a box, in balls of MPFR |
 //! | `in_doubles`, `short` | the same in doubles, and in a few words |
 //! | `posed`, `isolate`, `refine` | the printed equations of a system, their root alone in a box, and its digits |
+//! | `zero` | a zero of a polynomial, and its digits |
 //! | `linear`, `vector` | linear equations; forces and the lines of conditions on them |
 //! | `decide`, `positive`, `cover` | signs, a function positive on an interval, pieces of one |
 //! | `raise` | more bits until everything is decided |
@@ -31,6 +32,7 @@ pub(crate) mod short;
 pub(crate) mod ties;
 pub(crate) mod undecided;
 pub(crate) mod vector;
+pub(crate) mod zero;
 
 pub use error::Error;
 pub use figure::Figure;

@@ -231,18 +231,24 @@ pub(crate) fn no_candidate() -> Undecided {
     Undecided::root("no candidate is found")
 }
 
-/// Newton's method with more and more bits: at each precision it starts from the root to half of it.
-fn climb(form: &impl Form<Ball>, bits: u32, start: Vec<Float>) -> Option<Vec<Float>> {
+/// The precisions up to some bits, each half of the next, from the first that costs as much as any below it.
+pub(crate) fn precisions(bits: u32) -> Vec<u32> {
     let halves =
         std::iter::successors(Some(bits), |bits| (*bits > SHORT).then(|| bits.div_ceil(2)));
-    let precisions: Vec<u32> = halves.collect();
+    let mut precisions: Vec<u32> = halves.collect();
+    precisions.reverse();
+    precisions
+}
+
+/// Newton's method with more and more bits: at each precision it starts from the root to half of it.
+fn climb(form: &impl Form<Ball>, bits: u32, start: Vec<Float>) -> Option<Vec<Float>> {
     let settled = |x: Vec<Float>, bits| {
         let x = x.iter().map(|x| Float::with_val(bits, x)).collect();
         let number = |given: &Ball| Dual::constant(Float::with_val(bits, given.mid()));
         settle(x, |x| form.at(number, &Dual::variables(x)))
     };
     // Where the equations lose more digits than the first precision has, only the last is of use.
-    let root = precisions.into_iter().rev().try_fold(start.clone(), settled);
+    let root = precisions(bits).into_iter().try_fold(start.clone(), settled);
     root.or_else(|| settled(start, bits))
 }
 

@@ -33,8 +33,8 @@ pub(super) fn conditions(
     let grip = grip.map(|x| DoubleBall::from_ball(&x, BITS));
     let joints = Joints::new(arch.weight(), &thickness.enclosure(BITS), grip);
     let is_solid = thickness.is_rational() && thickness.to_rational() == 2;
-    let at = extent.joints(stones, &alpha).into_iter();
-    let limits = at.flat_map(|(joint, angle)| joints.limits((joint, &angle), extent));
+    let limits = |joint| joints.limits((joint, &Extent::angle(joint, stones, &alpha)), extent);
+    let limits = extent.joints(stones).flat_map(limits);
     let exact = |limit: MovingLimit| match limit.contact {
         // The radius of the intrados is zero exactly, and so is what it multiplies.
         Contact::Intrados if is_solid => {
