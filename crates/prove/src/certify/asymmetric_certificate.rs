@@ -7,7 +7,7 @@ use crate::arch::asymmetric::AsymmetricMode;
 use crate::check::Certificate;
 use crate::number::list;
 use crate::problem::{Arch, Known, Problem, Quantity};
-use crate::prover::root::no_candidate;
+use crate::prover::operator::no_candidate;
 use crate::prover::{Error, Refused};
 
 /// Quantities stated of a solution, if its kind has it.

@@ -1,7 +1,7 @@
 //! Stumpff's functions of MPFR numbers and of balls.
 
-use super::super::stumpff::{Stumpff, from_series, terms};
-use super::{Ball, Enclosure, Field, Magnitude};
+use super::super::stumpff::{Stumpff, from_angle, from_series, terms};
+use super::{Angle, Ball, Enclosure, Field, Magnitude, Real};
 use rug::Float;
 
 impl Stumpff for Float {
@@ -11,8 +11,31 @@ impl Stumpff for Float {
     }
 }
 
-impl Stumpff for Ball {
-    fn stumpff(&self, count: usize) -> Vec<Self> {
+/// With more terms than this the functions follow from sine and cosine.
+const MANY_TERMS: i32 = 64;
+/// Bits beyond those that the recurrence loses.
+const GUARD: u32 = 32;
+
+impl Ball {
+    /// Stumpff's functions, with sine and cosine where they are asked for as `angle` makes them.
+    ///
+    /// They are those at the midpoint `m`, and change by `2r` at most on `m ± r`: for `|u| <= 2` each function is
+    /// below `3/n!`, so that `|c_n'| <= (n c_(n+2) + c_(n+1))/2 <= 2`.
+    pub fn stumpff_with(&self, count: usize, angle: impl FnOnce(Self) -> Angle<Self>) -> Vec<Self> {
+        let size = Magnitude::upper(self.mid()).plus(self.rad()).exponent();
+        let size = size.unwrap_or(i64::MIN / 2);
+        let has_many = size <= 1 && terms(self.prec(), size) > MANY_TERMS;
+        let Some(exponent) = self.mid().get_exp().filter(|_| has_many && *self.mid() > 0) else {
+            return self.by_series(count);
+        };
+        let lost = exponent.min(0).unsigned_abs() * (count as u32).div_ceil(2);
+        let u = Self::exact(self.mid().clone(), self.prec() + lost + GUARD);
+        let twice = self.rad().shifted(1);
+        let functions = from_angle(&u, &angle(u.sqrt()), count).into_iter();
+        functions.map(|c| c.with_precision(self.prec()).widened(twice)).collect()
+    }
+
+    fn by_series(&self, count: usize) -> Vec<Self> {
         let size = Magnitude::upper(self.mid()).plus(self.rad());
         let exponent = size.exponent().unwrap_or(i64::MIN / 2);
         if !self.is_bounded() || exponent > 1 {
@@ -22,6 +45,12 @@ impl Stumpff for Ball {
         // bracket is at most 2 in size, and the divisors are at least 12.
         let tail = self.int(1).widened(size);
         from_series(self, count, terms(self.prec(), exponent), &tail)
+    }
+}
+
+impl Stumpff for Ball {
+    fn stumpff(&self, count: usize) -> Vec<Self> {
+        self.stumpff_with(count, Angle::new)
     }
 }
 
@@ -64,6 +93,21 @@ mod tests {
                 let width = Magnitude::upper(found.mid()).shifted(12 - i64::from(bits));
                 prop_assert!(found.rad() < width, "no digit is lost: {found:?}");
             }
+        }
+    }
+
+    /// By sine and cosine they are those of the series, and what is wide holds them.
+    #[test]
+    fn many_bits_are_those_of_the_series() {
+        for (n, d, bits) in [(1, 1, 1000), (3, 7, 4000), (19, 10, 2000), (1, 1_000_000, 9000)] {
+            let u = Ball::enclosing(&Rational::from((n, d)), bits);
+            let wide = u.clone().widened(Magnitude::power_of_two(-99));
+            for ((one, series), wide) in u.stumpff(6).iter().zip(u.by_series(6)).zip(wide.stumpff(6)) {
+                assert!(one.overlaps(&series) && one.lies_inside(&wide), "{n}/{d} {bits}");
+                let width = Magnitude::upper(one.mid()).shifted(12 - i64::from(bits));
+                assert!(one.rad() < width && wide.rad() < Magnitude::power_of_two(-97));
+            }
+            assert!(!u.stumpff(6)[2].overlaps(&u.stumpff(6)[3]), "false twin");
         }
     }
 

@@ -5,7 +5,7 @@ use super::widest::{at_thickness, bits_lost, widest};
 use crate::arch::{Configuration, SelfWeight};
 use crate::certify::state::assess::Wanted;
 use crate::certify::state::inquiry::Inquiry;
-use crate::certify::state::query::{GUARD, Query};
+use crate::certify::state::query::{DOUBLE_DOUBLE, GUARD, Query};
 use crate::certify::state::state::Fall;
 use crate::number::{Ball, DoubleBall, ExactNumber, Field, Real, bits_of};
 use crate::problem::asymmetric_region::{STANDS, some_may_move as reaches};
@@ -266,7 +266,7 @@ fn in_digits(
     proof: impl Fn(&Query) -> Result<FoundBalls, Undecided>,
 ) -> Result<Finding, Undecided> {
     let first = bits_of(digits) + GUARD;
-    let first = first.saturating_add(bits_lost(&query(first)));
+    let first = first.saturating_add(bits_lost(&query(DOUBLE_DOUBLE)));
     raise(first, |bits| {
         let (modes, values) = proof(&query(bits))?;
         let figures = values.iter().map(|(of, x)| Some((*of, Figure::new(x, digits)?)));
