@@ -67,7 +67,7 @@ impl Sines {
     }
 
     /// A ball that knows them.
-    pub(super) fn ball(&self, ball: Ball) -> SinedBall<'_> {
+    pub(crate) fn ball(&self, ball: Ball) -> SinedBall<'_> {
         SinedBall { ball, sines: self }
     }
 
@@ -139,7 +139,7 @@ fn beside(from: &Angle<Ball>, rad: &Ball) -> Option<Angle<Ball>> {
 /// A ball that knows sines and cosines of points nearby.
 #[derive(Clone, Debug)]
 pub(crate) struct SinedBall<'a> {
-    pub(super) ball: Ball,
+    pub(crate) ball: Ball,
     sines: &'a Sines,
 }
 
