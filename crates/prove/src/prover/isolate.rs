@@ -1,8 +1,8 @@
 //! Exactly one root in a box as large as the proof carries.
 
 use super::Undecided;
-use super::posed::Posed;
 use super::operator::{Equations, Operator, Scales, inverse_jacobian, largest_boxes};
+use super::posed::Posed;
 use super::root::root_near;
 use super::short::Approach;
 use crate::arch::SelfWeight;

@@ -207,17 +207,21 @@ fn first<P>(
 
 /// Ratio of the width of a box to the correction that the residuals ask for, in bits.
 const INFLATIONS: [i64; 3] = [2, 8, 20];
+/// Bits by which a wide box is narrower than half of all: its image is about its square, and may be bent.
+const ROOM: i64 = 40;
 
 /// Undecided answer where there is nothing to prove.
 pub(crate) fn no_candidate() -> Undecided {
     Undecided::root("no candidate is found")
 }
 
-/// A box around the centre just wide enough for the proof that it holds exactly one root, and its image.
-pub(super) fn smallest_box<S: Equations<Ball>>(
+/// A box around the centre that is proved to hold exactly one root, and its image: just wide enough for the proof, or
+/// `wide`, as far as no digit of the image is lost.
+pub(super) fn box_around<S: Equations<Ball>>(
     equations: &S,
     bits: u32,
     centre: &[Float],
+    wide: bool,
 ) -> Result<[Vec<Ball>; 2], Undecided> {
     let points: Vec<Ball> = centre.iter().map(|x| Ball::exact(x.clone(), bits)).collect();
     let at_centre = equations.slopes(bits, &points);
@@ -232,7 +236,9 @@ pub(super) fn smallest_box<S: Equations<Ball>>(
         inverse: inverse.iter().map(|row| row.iter().map(exact).collect()).collect(),
     };
     let radii = corrections(&inverse, &operator.residuals, centre, bits);
-    inflated(&operator, &radii)
+    let proved = |inflation| proved_box(&operator, &radii, inflation);
+    let wide = wide.then(|| i64::from(bits / 2) - ROOM).and_then(proved);
+    wide.or_else(|| INFLATIONS.into_iter().find_map(proved))
         .ok_or_else(|| Undecided::root("no box around the candidate is mapped into itself"))
 }
 
@@ -256,10 +262,17 @@ pub fn inflated<S: Equations<E>, E: Engine>(
     operator: &Operator<S, E>,
     corrections: &[Magnitude],
 ) -> Option<[Vec<E>; 2]> {
-    INFLATIONS.into_iter().find_map(|inflation| {
-        let radii: Vec<Magnitude> = corrections.iter().map(|r| r.shifted(inflation)).collect();
-        Some([operator.domain(&radii), operator.image(&radii)?])
-    })
+    INFLATIONS.into_iter().find_map(|inflation| proved_box(operator, corrections, inflation))
+}
+
+/// A box `2^inflation` times as wide as the corrections, if it is mapped into itself, and its image.
+fn proved_box<S: Equations<E>, E: Engine>(
+    operator: &Operator<S, E>,
+    corrections: &[Magnitude],
+    inflation: i64,
+) -> Option<[Vec<E>; 2]> {
+    let radii: Vec<Magnitude> = corrections.iter().map(|r| r.shifted(inflation)).collect();
+    Some([operator.domain(&radii), operator.image(&radii)?])
 }
 
 #[cfg(test)]

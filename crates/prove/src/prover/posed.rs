@@ -15,7 +15,11 @@ pub(crate) struct Posed<'a, E> {
 
 impl<E: Arithmetic> Posed<'_, E> {
     /// All variables at the root next to start values, proved to exist and to be unique in a box.
-    pub(crate) fn root(&self, bits: u32, start: &[E::Candidate]) -> Result<Configuration<E>, Undecided> {
+    pub(crate) fn root(
+        &self,
+        bits: u32,
+        start: &[E::Candidate],
+    ) -> Result<Configuration<E>, Undecided> {
         let (root, sines) = E::rooted(self, bits, start)?;
         Ok(self.system.place_with(self.given.clone(), &root, |_, rad| E::angle(&sines, rad)))
     }

@@ -85,7 +85,10 @@ fn by_ladder(
     let first = first_bits(bits, short::MOST);
     let centre: Vec<Float> = match isolated.approach().and_then(|way| way.enclose(first)) {
         Some(at) => system.values(&at).iter().map(|x| x.mid().clone()).collect(),
-        None => box_near(&form, first, &start(isolated))?[1].iter().map(|x| x.mid().clone()).collect(),
+        None => box_near(&form, first, &start(isolated), false)?[1]
+            .iter()
+            .map(|x| x.mid().clone())
+            .collect(),
     };
     let unique = Unique {
         domain: isolated.domain().to_vec(),
@@ -102,7 +105,8 @@ fn by_ladder(
 fn plainly(isolated: &Isolated, bits: u32) -> Result<Configuration<Ball>, Undecided> {
     let system = isolated.system();
     let given = Configuration::zero(&Ball::integer(0, bits + GUARD));
-    let [domain, image] = box_near(&Posed { system, given: &given }, bits + GUARD, &start(isolated))?;
+    let [domain, image] =
+        box_near(&Posed { system, given: &given }, bits + GUARD, &start(isolated), false)?;
     match krawczyk::is_contracted(&domain, isolated.domain()) {
         true => Ok(system.place(given, &image)),
         false => Err(Undecided::root("the refined box leaves the box of uniqueness")),

@@ -4,8 +4,8 @@
 
 use super::Undecided;
 use super::ladder::{EASY, Ladder, Rooted, Unique};
-use super::operator::{no_candidate, smallest_box};
 pub use super::operator::Form;
+use super::operator::{box_around, no_candidate};
 
 use crate::number::{Ball, Dual};
 use crate::solve::settle;
@@ -33,7 +33,7 @@ pub(crate) fn rooted_near<S: Form<Ball>>(
     if let Some(root) = by_ladder(equations, bits, start) {
         return Ok(root);
     }
-    let [_, values] = box_near(equations, bits, start)?;
+    let [_, values] = box_near(equations, bits, start, false)?;
     Ok(Rooted { values, ..Rooted::default() })
 }
 
@@ -42,19 +42,21 @@ pub(crate) fn rooted_near<S: Form<Ball>>(
 fn by_ladder(form: &impl Form<Ball>, bits: u32, start: &[Float]) -> Option<Rooted> {
     let precisions = std::iter::successors(Some(EASY), |few| Some(2 * few));
     let unique = precisions.take_while(|few| 2 * few < bits).find_map(|few| {
-        let [domain, image] = box_near(form, few, start).ok()?;
+        let [domain, image] = box_near(form, few, start, true).ok()?;
         Unique::new(domain, &image, few)
     })?;
     Ladder { form, unique: &unique, tick: &|| () }.refined(bits).ok()
 }
 
-/// A box next to a start value in which exactly one root lies, and its image.
+/// A box next to a start value in which exactly one root lies, and its image; a `wide` one or a narrow one.
 pub(super) fn box_near<S: Form<Ball>>(
     equations: &S,
     bits: u32,
     start: &[Float],
+    wide: bool,
 ) -> Result<[Vec<Ball>; 2], Undecided> {
-    smallest_box(equations, bits, &climb(equations, bits, start).ok_or_else(no_candidate)?)
+    let centre = climb(equations, bits, start).ok_or_else(no_candidate)?;
+    box_around(equations, bits, &centre, wide)
 }
 
 /// The precisions up to some bits, each half of the next, from the first that costs as much as any below it.

@@ -214,7 +214,8 @@ mod tests {
         let from = Angle::new(Ball::exact(Float::with_val(300, 1.25), 300));
         for far in [3i32, 40, 149, 152, 200] {
             for side in [-1.0, 1.0] {
-                let rad = from.rad.clone() + Ball::exact(Float::with_val(300, 1.1 * side) >> far, 300);
+                let rad =
+                    from.rad.clone() + Ball::exact(Float::with_val(300, 1.1 * side) >> far, 300);
                 let found = beside(&from, &rad);
                 assert_eq!(found.is_some(), far > 149, "{far}");
                 let Some(there) = found else { continue };

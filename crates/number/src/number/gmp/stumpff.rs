@@ -102,7 +102,9 @@ mod tests {
         for (n, d, bits) in [(1, 1, 1000), (3, 7, 4000), (19, 10, 2000), (1, 1_000_000, 9000)] {
             let u = Ball::enclosing(&Rational::from((n, d)), bits);
             let wide = u.clone().widened(Magnitude::power_of_two(-99));
-            for ((one, series), wide) in u.stumpff(6).iter().zip(u.by_series(6)).zip(wide.stumpff(6)) {
+            for ((one, series), wide) in
+                u.stumpff(6).iter().zip(u.by_series(6)).zip(wide.stumpff(6))
+            {
                 assert!(one.overlaps(&series) && one.lies_inside(&wide), "{n}/{d} {bits}");
                 let width = Magnitude::upper(one.mid()).shifted(12 - i64::from(bits));
                 assert!(one.rad() < width && wide.rad() < Magnitude::power_of_two(-97));
