@@ -120,7 +120,7 @@ pub fn tilted(
     digits: usize,
 ) -> Result<TiltDigits, Refused> {
     Refused::thickness(thickness)?;
-    Refused::arch_digits(digits)?;
+    Refused::tilt_digits(digits)?;
     let first = 3 * (bits_of(digits) + GUARD);
     // Whether it is bounded at all is seen in doubles, with room or not: more bits tell no more.
     let hopeless = OnceCell::new();

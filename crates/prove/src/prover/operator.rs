@@ -141,6 +141,8 @@ pub(crate) struct Scales {
     pub trials: i32,
 }
 
+/// What is so many bits below the widest is rounding.
+const ROUNDING: i64 = -40;
 /// Changes of shape after which the box has stopped growing.
 const SHAPES: usize = 4;
 
@@ -170,7 +172,12 @@ pub(crate) fn largest_boxes(
         };
         let widths: Vec<Magnitude> = image.iter().map(Ball::rad).collect();
         found.push((radii(trial), image));
-        let Some(widest) = widths.iter().zip(values).map(|(w, v)| w.over(*v)).max() else { break };
+        let sizes = || widths.iter().zip(values).map(|(w, v)| w.over(*v));
+        let Some((least, widest)) = sizes().min().zip(sizes().max()) else { break };
+        // An unknown that the equations fix alone leaves rounding, which is no shape.
+        if least < widest.shifted(ROUNDING) {
+            break;
+        }
         shape = widths.iter().map(|w| w.over(widest)).collect();
     }
     found

@@ -10,9 +10,12 @@ use crate::problem::{Arch, ArchError, Friction, Landmark, Line, Quantity, Thickn
 /// The largest number of digits of a constant that can be asked for.
 pub const MAX_DIGITS: usize = 1_000_000;
 
-/// The largest number of digits of an arch that can be asked for: many of its values are no constants of which each
-/// digit is worth its time.
-pub const MAX_ARCH_DIGITS: usize = 10_000;
+/// The largest number of digits of an arch that can be asked for.
+pub const MAX_ARCH_DIGITS: usize = 1_000_000;
+
+/// The largest number of digits of an arch under a horizontal acceleration that can be asked for: its proof takes all
+/// of them at every step.
+pub const MAX_TILT_DIGITS: usize = 10_000;
 
 /// Refusal of a question that was asked wrongly. Nothing was computed, and the same question is refused again.
 ///
@@ -125,6 +128,11 @@ impl Refused {
     /// Checks that the values of an arch may have so many digits.
     pub(crate) fn arch_digits(asked: usize) -> Result<(), Self> {
         Self::digits_to(asked, MAX_ARCH_DIGITS)
+    }
+
+    /// Checks that the values of an arch under an acceleration may have so many digits.
+    pub(crate) fn tilt_digits(asked: usize) -> Result<(), Self> {
+        Self::digits_to(asked, MAX_TILT_DIGITS)
     }
 
     /// Checks that no more digits are asked for than a number of one's own.

@@ -35,8 +35,12 @@ pub(crate) fn around_zero(coefficients: &[Ball], near: &Float, bits: u32) -> [Ba
             }
         }
     }
-    let x = Float::with_val(bits, x);
+    let mut x = Float::with_val(bits, x);
     let there = at(coefficients, &x, bits);
+    let last = Float::with_val(bits, there.value().mid() / there.derivative(0).mid());
+    if last.is_finite() {
+        x -= last;
+    }
     // What the coefficients leave open, and a little more.
     let slope = Float::with_val(64, there.derivative(0).mid().abs_ref());
     let room = Float::with_val(64, there.value().rad().to_float() / slope) * 4u32;

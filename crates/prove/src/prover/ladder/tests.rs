@@ -26,7 +26,7 @@ fn the_ladder_and_newtons_method_at_all_bits_overlap() {
         let given = Configuration::zero(&Ball::integer(0, 9000));
         let form = Posed { system: &system, given: &given };
         let unique = unique(&form, &start, EASY);
-        for bits in [450, 900, 1300, 5000, 9000] {
+        for bits in [900, 1300, 5000, 9000] {
             let found =
                 Ladder { form: &form, unique: &unique, tick: &|| () }.refined(bits).unwrap();
             let [_, plain] = box_near(&form, bits + 100, &start, false).unwrap();
@@ -59,11 +59,11 @@ impl Form<Ball> for Roots {
 
 #[test]
 fn what_is_given_has_as_many_bits_as_it_takes() {
-    for shift in [0, 30, 300, 3000] {
+    for shift in [0i32, 30, 300, 3000] {
         for bits in [300, 1000, 4000, 20_000] {
             let c = Ball::integer(1, bits + 50) / Ball::integer(3, bits + 50);
             let c = c.scaled(-i64::from(shift));
-            let large = Float::with_val(53, 3.0).sqrt() << (shift / 2);
+            let large = Float::with_val(53, 3).sqrt() << (shift / 2);
             let start = vec![Float::with_val(53, large.recip_ref()), large];
             let found = root_near(&Roots(c.clone()), bits, start).unwrap();
             let root = c.sqrt();
