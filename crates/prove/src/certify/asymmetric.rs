@@ -86,12 +86,12 @@ const SEARCH_BITS: u32 = 64;
 
 /// The asymmetric solutions that the search finds for an arch, each proved, to `digits` significant digits; or why
 /// one is not. With unlimited friction there are none to find. Digits beyond
-/// [`MAX_ARCH_DIGITS`](super::MAX_ARCH_DIGITS) are refused.
+/// [`MAX_DIGITS`](super::MAX_DIGITS) are refused.
 pub fn asymmetric(
     arch: &Arch,
     digits: usize,
 ) -> Result<Vec<Result<AsymmetricDigits, Undecided>>, Refused> {
-    Refused::arch_digits(digits)?;
+    Refused::digits(digits)?;
     Ok(found(arch).iter().map(|candidate| certified(arch, candidate, digits)).collect())
 }
 

@@ -35,7 +35,7 @@ pub fn certify_asymmetric(
     mode: AsymmetricMode,
     digits: usize,
 ) -> Result<Certificate, Error> {
-    Refused::arch_digits(digits)?;
+    Refused::digits(digits)?;
     let candidate = found(arch).into_iter().find(|candidate| candidate.mode == mode);
     let candidate = candidate.ok_or_else(no_candidate)?;
     let problem = Problem::Asymmetric { mode, arch: arch.clone() };

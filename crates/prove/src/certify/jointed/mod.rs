@@ -126,7 +126,7 @@ fn standing(
     (arch, stones, most): (&Arch, u64, u64),
     digits: usize,
 ) -> Result<(Stones, i32, Voussoirs), Error> {
-    Refused::arch_digits(digits)?;
+    Refused::digits(digits)?;
     let number = Refused::stones(stones, most)?;
     if !arch.is_limited() {
         return Err(Undecided::new("whether a joint opens without friction to limit it").into());

@@ -94,7 +94,7 @@ fn checked(
     friction: &Friction,
     digits: usize,
 ) -> Result<Arch, Refused> {
-    Refused::arch_digits(digits)?;
+    Refused::digits(digits)?;
     stones.check()?;
     Ok(Arch::new(weight, stones.half_opening().clone(), friction.clone())?)
 }

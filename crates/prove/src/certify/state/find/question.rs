@@ -113,9 +113,9 @@ impl Question {
 }
 
 /// Answers a question, with every value correctly rounded to `digits` significant digits. Refused if what is given
-/// is out of its range, and digits beyond [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS).
+/// is out of its range, and digits beyond [`MAX_DIGITS`](crate::certify::MAX_DIGITS).
 pub fn find(weight: SelfWeight, question: &Question, digits: usize) -> Result<Finding, Error> {
-    Refused::arch_digits(digits)?;
+    Refused::digits(digits)?;
     let arch = question.arch(weight)?;
     question.thickness().map_or(Ok(()), Refused::thickness)?;
     let two = ExactNumber::from(&Rational::from(2));
