@@ -77,8 +77,8 @@ pub(crate) fn lesser<E: Arithmetic>(a: E, b: E) -> E {
 
 /// The square of an angle is below two to this power: then the series of the start values hold.
 const SMALL: i64 = -4;
-/// A candidate has so many bits, or this part of more.
-const CANDIDATE: u32 = 1024;
+/// A candidate has at most so many bits, or this part of more: what is next to a limit takes many.
+const CANDIDATE: u32 = 16_384;
 const CANDIDATE_PART: u32 = 16;
 /// More terms than this, and sines and cosines with a few more bits are cheaper.
 const MANY_TERMS: i32 = 24;

@@ -141,7 +141,7 @@ pub(crate) struct Scales {
     pub trials: i32,
 }
 
-/// What is so many bits below the widest is rounding.
+/// Bits by which a side is below the widest where it is rounding.
 const ROUNDING: i64 = -40;
 /// Changes of shape after which the box has stopped growing.
 const SHAPES: usize = 4;

@@ -24,7 +24,7 @@ pub fn root_near<S: Form<Ball>>(
     rooted_near(equations, bits, &start).map(|root| root.values)
 }
 
-/// The same root with the sines and cosines that it took.
+/// The root next to a start value, with the sines and cosines that it took.
 pub(crate) fn rooted_near<S: Form<Ball>>(
     equations: &S,
     bits: u32,

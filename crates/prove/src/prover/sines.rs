@@ -4,7 +4,7 @@
 //! them, is asked for again and again at almost the same place. Its sine and cosine are computed **once**, at a short
 //! argument next to it ([`SineAnchor`]), and moved along.
 
-use crate::number::{Angle, Ball, Field, Magnitude, Real, SineAnchor, Stumpff};
+use crate::number::{Angle, Ball, Field, Magnitude, Real, SineAnchor, Stumpff, stumpff_with};
 use rayon::prelude::*;
 use rug::Float;
 use std::cell::{Cell, RefCell};
@@ -199,7 +199,7 @@ impl Real for SinedBall<'_> {
 impl Stumpff for SinedBall<'_> {
     fn stumpff(&self, count: usize) -> Vec<Self> {
         let angle = |rad: Ball| self.sines.angle(&rad);
-        self.ball.stumpff_with(count, angle).into_iter().map(|c| self.of(c)).collect()
+        stumpff_with(&self.ball, count, angle).into_iter().map(|c| self.of(c)).collect()
     }
 }
 

@@ -31,6 +31,7 @@ pub use rounded::{Rounded, bits_of, terminating};
 pub use rounded_double::{nearest_double, rounded_double};
 pub use short_ball::ShortBall;
 pub use sine::{SineAnchor, arctangent};
+pub use stumpff::stumpff_with;
 pub use surd::Surd;
 
 use super::{Angle, Decimal, Enclosure, ExactField, Field, Real, Ternary};

@@ -39,6 +39,8 @@ pub enum VoussoirCandidate {
 
 /// The polynomials in the thickness have at most this degree.
 pub const DEGREE: usize = 3;
+/// A step of Newton's method is short if it is so many bits below what it changes.
+const SHORT: u32 = 24;
 /// Rounds of moving the hinge; each climbs, and there are only so many joints near the best.
 const ROUNDS: usize = 100;
 
@@ -173,7 +175,7 @@ impl<'a> Search<'a> {
             return None;
         }
         // Newton's method from above, halved where it leaves what is known: a thin arch has its root near zero.
-        let mut x = high.clone();
+        let (mut x, mut last) = (high.clone(), high.clone());
         for _ in 0..20 * self.bits {
             let at = polynomial.at(&x);
             match at > 0 {
@@ -181,10 +183,14 @@ impl<'a> Search<'a> {
                 false => high = x.clone(),
             }
             let step = at / slope(&polynomial, &x);
-            if Float::with_val(self.bits, &step << (self.bits - 2)).abs() <= x {
+            let newton = Float::with_val(self.bits, &x - &step);
+            let step = step.abs();
+            let is_short = |by: u32| Float::with_val(self.bits, &step << by) <= x;
+            // A short step that is no shorter than the one before is rounding too.
+            if is_short(self.bits - 2) || is_short(SHORT) && step >= last {
                 return Some(x);
             }
-            let newton = Float::with_val(self.bits, &x - step);
+            last = step;
             x = match newton > low && newton < high {
                 true => newton,
                 false => Float::with_val(self.bits, &low + &high) / 2u32,
