@@ -5,7 +5,7 @@
 //! One thread; CPU time.
 
 use couplet::arch::{SelfWeight, Unknown};
-use couplet::certify::{CertifiedLandmark, Constant, Value};
+use couplet::certify::{CertifiedLandmark, Constant, Value, quantities};
 use couplet::number::bits_of;
 use couplet::problem::Landmark;
 use couplet::solve::{newton, start};
@@ -83,6 +83,14 @@ fn main() {
             let point = triple();
             let seconds = measure(&|| drop(black_box(point.enclosure(bits).unwrap())));
             (seconds, Some(unknowns(&point.constants(digits).unwrap())))
+        }
+        "enclosures" => {
+            let point = triple();
+            let quantities = || {
+                let enclosed = point.enclosure(bits).unwrap();
+                quantities(point.landmark()).for_each(|q| drop(black_box(enclosed.quantity(q))));
+            };
+            (measure(&quantities), Some(unknowns(&point.constants(digits).unwrap())))
         }
         "constants" => {
             let point = triple();

@@ -36,14 +36,19 @@ ONCE = 10.0  # what takes longer is not repeated in a further round
 INSIDE = [
     ("couplet, enclosures of all unknowns, **proved**", "couplet", "enclosure"),
     ("Arb, Newton + Krawczyk, **proved**", "arb.py", "proof"),
+    ("Arb from C, Newton + Krawczyk, **proved**", "arb.c", "proof"),
     ("Arb, Newton", "arb.py", "newton"),
+    ("Arb from C, Newton", "arb.c", "newton"),
     ("gmpy2 (MPFR), Newton", "gmpy2_peer.py", "newton"),
     ("PARI/GP, Newton", "pari.gp", "newton"),
     ("mpmath, Newton", "mpmath_peer.py", "newton"),
     ("mpmath, `findroot`", "mpmath_peer.py", "findroot"),
     ("SymPy, `nsolve`", "float64.py", "nsolve"),
+    ("couplet, enclosures of 13 quantities, **proved**", "couplet", "enclosures"),
+    ("Arb from C, the same, **proved**", "arb.c", "enclosures"),
     ("couplet, 13 quantities, correctly rounded decimals, **proved**", "couplet", "constants"),
     ("Arb, 13 quantities, decimals not always correctly rounded, **proved**", "arb.py", "quantities"),
+    ("Arb from C, the same, **proved**", "arb.c", "quantities"),
     ("couplet, the same as above and the proof in the large box before it", "couplet", "everything"),
 ]
 COMMANDS = [
@@ -57,6 +62,7 @@ COMMANDS = [
 BARE = [
     ("MPFR in couplet (rug)", "couplet", "bare"),
     ("Arb", "arb.py", "bare"),
+    ("Arb from C", "arb.c", "bare"),
     ("MPFR in gmpy2", "gmpy2_peer.py", "bare"),
     ("PARI/GP", "pari.gp", "bare"),
     ("mpmath", "mpmath_peer.py", "bare"),
@@ -138,7 +144,7 @@ def install():
 
 
 def build():
-    """The paths of couplet and of its side of the comparison."""
+    """The paths of couplet, of its side of the comparison and of Arb's in C."""
     subprocess.run(["cargo", "build", "--release", "--locked", "--quiet"], cwd=ROOT, check=True)
     bench = [
         "cargo",
@@ -154,7 +160,12 @@ def build():
     lines = subprocess.run(bench, cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
     messages = [json.loads(line) for line in lines]
     programs = {m["target"]["name"]: m["executable"] for m in messages if m.get("executable")}
-    return {"couplet": programs["peers"], "command": programs["couplet"]}
+    # The wheel's library, which finds those it needs beside itself.
+    libraries = next(VENV.glob("lib/python*/site-packages/python_flint.libs"))
+    flint, linked = next(libraries.glob("libflint*")), VENV / "arb"
+    compiler = ["cc", "-std=c11", "-O2", HERE / "arb.c", flint, f"-Wl,-rpath,{libraries}", "-lm", "-o", linked]
+    subprocess.run(compiler, check=True)
+    return {"couplet": programs["peers"], "command": programs["couplet"], "arb.c": linked}
 
 
 def run(programs, kind, program, method, digits):
@@ -163,7 +174,7 @@ def run(programs, kind, program, method, digits):
     extra = {"RAYON_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
     # Python's start-up is that of compiled modules, which are kept out of this folder.
     extra |= {"PYTHONDONTWRITEBYTECODE": "", "PYTHONPYCACHEPREFIX": str(VENV / "pycache")}
-    if program == "couplet":
+    if program in ("couplet", "arb.c"):
         command = [programs[program], method, str(digits)]
     elif program == "command":
         command = [programs[program], "constants", "T", "--weight", "milankovitch", "--digits", str(digits)]

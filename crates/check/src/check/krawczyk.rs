@@ -17,7 +17,7 @@ use crate::number::{Derivatives, Enclosure, Field};
 
 /// `I - Y F'(X)`, row by row. `preconditioner` is `Y`; `slopes` are the residuals with their derivatives on a box
 /// that holds `X`, of which only these are used.
-pub fn contraction<E: Enclosure>(
+pub fn contraction<E: Field>(
     slopes: &[impl Derivatives<E>],
     preconditioner: &[impl AsRef<[E]>],
 ) -> Vec<Vec<E>> {

@@ -35,9 +35,11 @@ shown_as_text!(Decimal);
 impl Decimal {
     /// The decimal of a sign, digits and the power of ten of the last digit.
     pub(super) fn new(negative: bool, digits: String, exponent: i64) -> Self {
-        let trimmed = digits.trim_start_matches('0');
-        let negative = negative && !trimmed.is_empty();
-        Self { negative, digits: trimmed.to_owned(), exponent }
+        let digits = match digits.starts_with('0') {
+            true => digits.trim_start_matches('0').to_owned(),
+            false => digits,
+        };
+        Self { negative: negative && !digits.is_empty(), digits, exponent }
     }
 
     /// The number of significant digits as written.

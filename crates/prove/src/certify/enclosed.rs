@@ -9,6 +9,7 @@ use crate::problem::{Landmark, Quantity};
 use crate::prover::Isolated;
 use crate::prover::refine::Refined;
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// A landmark whose variables are enclosed; [`CertifiedLandmark::enclosure`](super::CertifiedLandmark::enclosure)
 /// makes them.
@@ -24,18 +25,18 @@ use rayon::prelude::*;
 #[derive(Clone, Debug)]
 pub struct Enclosed {
     landmark: Landmark,
-    isolated: Isolated,
+    isolated: Arc<Isolated>,
     refined: Refined,
 }
 
 impl Enclosed {
     pub(super) fn new(landmark: Landmark, isolated: Isolated, refined: Refined) -> Self {
-        Self { landmark, isolated, refined }
+        Self { landmark, isolated: Arc::new(isolated), refined }
     }
 
     /// Landmark in other enclosures of its root.
-    pub(super) fn narrowed(self, refined: Refined) -> Self {
-        Self { refined, ..self }
+    pub(super) fn narrowed(&self, refined: Refined) -> Self {
+        Self { isolated: self.isolated.clone(), refined, ..*self }
     }
 
     /// The landmark.
@@ -105,8 +106,8 @@ impl Enclosed {
         let prec = || self.value(Unknown::HalfOpening).map(|x| x.prec());
         let exact = self.exact(quantity);
         let finite = |ball: Ball, rounded: Option<Rounded>| {
-            let double = ball.nearest_double()?;
-            Some((Value::Finite(rounded?), double, Binary::new(&ball, double)))
+            let (double, binary) = Binary::nearest(&ball)?;
+            Some((Value::Finite(rounded?), double, binary))
         };
         let from_ball = |ball: Ball| {
             let rounded = Rounded::from_ball(&ball, digits);

@@ -46,6 +46,8 @@ impl CertifiedLandmark {
             .ok_or_else(|| Undecided::root("Newton's method finds no candidate"))?;
         let isolated = isolate(landmark, weight, &candidate)?;
         let narrow = refine(&isolated, NARROW)?;
+        // What is asked for few digits is a copy, in which this is known.
+        narrow.friction_angle();
         let problem = Problem::Landmark { landmark, weight };
         match problem.first_failure(narrow.configuration(), 64) {
             None => Ok(Self { narrow: Enclosed::new(landmark, isolated, narrow) }),
@@ -78,7 +80,7 @@ impl CertifiedLandmark {
     fn enclosure_with(&self, bits: u32, tick: &(dyn Fn() + Sync)) -> Result<Enclosed, Undecided> {
         if bits > NARROW {
             let refined = refine_watched(self.isolated(), bits, tick)?;
-            return Ok(self.narrow.clone().narrowed(refined));
+            return Ok(self.narrow.narrowed(refined));
         }
         (0..stages(self.isolated().system())).for_each(|_| tick());
         Ok(self.narrow.clone())

@@ -6,8 +6,8 @@ use super::operator::Form;
 use super::root::rooted_near;
 use super::sines::Sines;
 use crate::number::{
-    Angle, Ball, DoubleDoubleBall, Engine, Field, FloatBall, Magnitude, Midpoint, Stumpff, Ternary,
-    stumpff_terms,
+    Angle, Ball, DoubleBall, DoubleDoubleBall, Engine, Field, Magnitude, Stumpff, Ternary,
+    TripleWordBall, stumpff_terms,
 };
 use crate::solve::start::Start;
 use rug::Float;
@@ -20,12 +20,17 @@ pub(crate) trait Arithmetic: Engine + Stumpff {
     type Candidate: Start;
     /// The sines and cosines that are known of angles nearby.
     type Sines;
+    /// Numbers in which signs are decided: these, or some with fewer bits.
+    type Signs: Arithmetic;
 
     /// A ball of MPFR in these numbers, to at least `bits` bits where they can have so many.
     fn from_ball(ball: &Ball, bits: u32) -> Self;
 
     /// The midpoint, as a candidate.
     fn candidate(&self) -> Self::Candidate;
+
+    /// The set, or one that holds it, in the numbers in which signs are decided.
+    fn for_signs(&self) -> Self::Signs;
 
     /// An enclosure of this one and another; tight where they differ by little.
     fn hull_with(&self, other: &Self) -> Self;
@@ -86,6 +91,7 @@ const MANY_TERMS: i32 = 24;
 impl Arithmetic for Ball {
     type Candidate = Float;
     type Sines = Sines;
+    type Signs = Self;
 
     fn from_ball(ball: &Ball, bits: u32) -> Self {
         ball.with_precision(bits)
@@ -93,6 +99,10 @@ impl Arithmetic for Ball {
 
     fn candidate(&self) -> Float {
         Float::with_val(self.prec().min(CANDIDATE.max(self.prec() / CANDIDATE_PART)), self.mid())
+    }
+
+    fn for_signs(&self) -> Self {
+        self.clone()
     }
 
     fn hull_with(&self, other: &Self) -> Self {
@@ -130,47 +140,59 @@ impl Arithmetic for Ball {
 /// can be spared: until then they are much cheaper.
 const SMALL_IN_DOUBLES: i64 = -6;
 
-/// Balls of doubles of both kinds.
-impl<M: Midpoint> Arithmetic for FloatBall<M>
-where
-    Self: Engine + Doubles + From<DoubleDoubleBall>,
-{
-    type Candidate = f64;
-    type Sines = ();
+/// Balls led by a double, with the numbers in which their signs are decided.
+macro_rules! led_by_doubles {
+    ($($ball:ty: $signs:ty),+) => {$(
+        impl Arithmetic for $ball {
+            type Candidate = f64;
+            type Sines = ();
+            type Signs = $signs;
 
-    fn from_ball(ball: &Ball, _bits: u32) -> Self {
-        DoubleDoubleBall::from(ball).into()
-    }
+            fn from_ball(ball: &Ball, _bits: u32) -> Self {
+                ball.into()
+            }
 
-    fn candidate(&self) -> f64 {
-        Doubles::nearest(self)
-    }
+            fn candidate(&self) -> f64 {
+                self.nearest()
+            }
 
-    fn hull_with(&self, other: &Self) -> Self {
-        self.widened((*self - other).size()).widened(other.rad())
-    }
+            fn for_signs(&self) -> $signs {
+                (*self).into()
+            }
 
-    fn bound(&self) -> f64 {
-        self.size()
-    }
+            fn hull_with(&self, other: &Self) -> Self {
+                self.hull(other)
+            }
 
-    fn rest_to_one(&self) -> Self {
-        self.int(1) - self
-    }
+            fn bound(&self) -> f64 {
+                self.size()
+            }
 
-    fn is_small(exponent: i64, _bits: u32) -> bool {
-        exponent <= SMALL_IN_DOUBLES
-    }
+            fn rest_to_one(&self) -> Self {
+                self.int(1) - self
+            }
 
-    fn rooted(
-        equations: &impl Form<Self>,
-        _bits: u32,
-        start: &[f64],
-    ) -> Result<(Vec<Self>, ()), Undecided> {
-        in_doubles::root_near(equations, start).map(|root| (root, ()))
-    }
+            fn is_small(exponent: i64, _bits: u32) -> bool {
+                exponent <= SMALL_IN_DOUBLES
+            }
 
-    fn angle((): &(), rad: &Self) -> Angle<Self> {
-        Angle::new(*rad)
-    }
+            fn rooted(
+                equations: &impl Form<Self>,
+                _bits: u32,
+                start: &[f64],
+            ) -> Result<(Vec<Self>, ()), Undecided> {
+                in_doubles::root_near(equations, start).map(|root| (root, ()))
+            }
+
+            fn angle((): &(), rad: &Self) -> Angle<Self> {
+                Angle::new(*rad)
+            }
+        }
+    )+};
+}
+
+led_by_doubles! {
+    DoubleBall: DoubleBall,
+    DoubleDoubleBall: DoubleDoubleBall,
+    TripleWordBall: DoubleDoubleBall
 }

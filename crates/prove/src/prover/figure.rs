@@ -1,7 +1,8 @@
 //! A proved value with its digits.
 
 use crate::number::{
-    Ball, Binary, DoubleDoubleBall, Drawable, ExactNumber, Rounded, rounded_double, shown_as_text,
+    Ball, Binary, DoubleDoubleBall, Drawable, ExactNumber, Rounded, TripleWordBall, rounded_double,
+    rounded_words, shown_as_text,
 };
 use rug::Rational;
 use std::fmt;
@@ -29,15 +30,15 @@ impl Figure {
             true => Rounded::from_rational(&Rational::new(), digits)?,
             false => Rounded::from_ball(x, digits)?,
         };
-        let double = x.nearest_double()?;
-        Some(Self { decimal, double, binary: Binary::new(x, double) })
+        let (double, binary) = Binary::nearest(x)?;
+        Some(Self { decimal, double, binary })
     }
 
     /// The value of a ball, decided too where it may be a decimal of so many digits.
     pub(crate) fn around(x: &Ball, digits: usize) -> Option<Self> {
         let wide = || {
-            let (decimal, double) = (Rounded::around(x, digits)?, x.nearest_double()?);
-            Some(Self { decimal, double, binary: Binary::new(x, double) })
+            let (decimal, (double, binary)) = (Rounded::around(x, digits)?, Binary::nearest(x)?);
+            Some(Self { decimal, double, binary })
         };
         Self::new(x, digits).or_else(wide)
     }
@@ -79,6 +80,16 @@ pub(crate) trait Figured {
 impl Figured for Ball {
     fn figure(&self, digits: usize) -> Option<Figure> {
         Figure::new(self, digits)
+    }
+}
+
+impl Figured for TripleWordBall {
+    fn figure(&self, digits: usize) -> Option<Figure> {
+        let (decimal, binary) = (rounded_words(self, digits), Binary::of_words(self));
+        match decimal.zip(binary) {
+            Some((decimal, (double, binary))) => Some(Figure { decimal, double, binary }),
+            None => Figure::new(&self.to_ball(GUARDED), digits),
+        }
     }
 }
 

@@ -8,8 +8,8 @@
 //! 2. it becomes the place of each angle: sine and cosine to full precision there ([`Sines`]);
 //! 3. Newton steps triple the bits, two with one Jacobian, up to a third, sine and cosine moved along from the
 //!    place, which moves too when the root is known better;
-//! 4. the Jacobian is taken once more; with that each further step gains a third, at the
-//!    precision it reaches.
+//! 4. the Jacobian is taken once more; with that each further step gains a third, or a smaller part where the root is
+//!    known to more at the beginning, at the precision it reaches.
 //!
 //! On the last level the last step is the interval Newton operator. Let `A` enclose the Jacobian on a box `X` and
 //! `m` be a point of it. If elimination shows each matrix in `A` to be regular, and
@@ -36,8 +36,13 @@ use std::iter;
 
 /// Steps with the last Jacobian, and the one to its accuracy: each gains this part of the bits.
 const SPAN: u32 = 3;
-/// Bits of the root up to which no level is cheaper than one, though places have fewer.
-pub(super) const EASY: u32 = 400;
+/// Bits in which a root is proved to be the only one, as a rule.
+pub(super) const FEW: u32 = 400;
+/// Bits of the root that cost next to nothing where there is a quick way, and those of a result to which a few steps with
+/// one Jacobian lead from there.
+const EASY: u32 = 928;
+const MODERATE: u32 = 2 * EASY;
+const FAR: u32 = 4 * EASY;
 /// The places move once the root is known to this part of the bits, and again at this many times as many.
 const NEAR: u32 = 12;
 const NEARER: u32 = 4;
@@ -53,6 +58,8 @@ pub(super) struct Unique {
     /// The root to some bits, beside the sizes `2^e` of its unknowns.
     pub centre: Vec<Float>,
     pub bits: u32,
+    /// The bits that may have been asked for: where fewer are, fewer are needed.
+    pub most: u32,
     pub sizes: Vec<i64>,
     /// Bits that a step gains less than the ones that are known: by which the sizes are above the unknowns, and more.
     pub lost: u32,
@@ -69,7 +76,7 @@ impl Unique {
         let lost = u32::try_from(lost).ok().filter(|lost| *lost <= bits / 8)? + BENT;
         let centre = image.iter().map(|x| x.mid().clone()).collect();
         let sizes = image.iter().map(size).collect();
-        Some(Self { domain, centre, bits, sizes, lost })
+        Some(Self { domain, centre, bits, most: bits, sizes, lost })
     }
 
     /// Bits of a step beyond its share.
@@ -99,10 +106,45 @@ fn place_bits(bits: u32) -> u32 {
     (bits / if bits < 8_000 { 16 } else { 100 }).max(100)
 }
 
+/// The way of a level.
+struct Way {
+    /// The bits of the places.
+    near: u32,
+    /// The bits of the root at the beginning, and with the last Jacobian.
+    start: u32,
+    goal: u32,
+    /// The bits of the last Jacobian, and the steps with it.
+    gain: u32,
+    steps: u32,
+}
+
+impl Way {
+    /// The way to `bits` bits, if up to `most` are known at the beginning.
+    fn new(bits: u32, most: u32, guard: u32) -> Self {
+        let near = place_bits(bits);
+        let bits = bits + GUARD;
+        let last = bits / (SPAN + 1) + guard;
+        let (goal, gain, steps) = match bits {
+            MODERATE..FAR if most >= EASY => {
+                let steps = (bits - EASY).div_ceil(EASY);
+                (EASY, (bits - EASY) / steps + guard, steps)
+            }
+            // One step more where the first bits are enough for it.
+            _ if last <= most => (last, last, SPAN),
+            _ => (bits / SPAN + guard, bits / SPAN + guard, SPAN - 1),
+        };
+        // A long one is cheaper from a third of the bits.
+        let mut start = goal;
+        while start > most {
+            start = start / SPAN + GUARD;
+        }
+        Self { near, start: near.max(start), goal, gain, steps }
+    }
+}
+
 /// The bits of the root with which the lowest level begins that leads to `bits`, if any up to `most` may be known.
 pub(super) fn first_bits(bits: u32, most: u32) -> u32 {
-    let goal = (bits + GUARD) / SPAN + GUARD;
-    match place_bits(bits).max(EASY.min(goal)) {
+    match Way::new(bits, most, GUARD).start {
         few if few <= most => few,
         more => first_bits(more, most),
     }
@@ -138,32 +180,36 @@ impl<F: Form<Ball>> Ladder<'_, F> {
 
     /// Everything but the last step: the centre is known to all bits but those of one step.
     fn level(&self, bits: u32, tick: &(dyn Fn() + Sync)) -> Result<Level<'_, F>, Undecided> {
-        let near = place_bits(bits);
-        let bits = bits + GUARD;
-        let goal = bits / SPAN + self.unique.guard();
+        let way = Way::new(bits, self.unique.most, self.unique.guard());
+        let (bits, mut step) = (bits + GUARD, way.start);
         tally::working_bits(bits);
-        let mut step = near.max(self.unique.bits.min(goal));
         let centre = self.approximate(step)?;
         let centre: Vec<Float> = centre.iter().map(|x| Float::with_val(step, x)).collect();
-        let sines = Sines::new(near, bits);
+        let sines = Sines::new(way.near, bits);
         let angles: Vec<&Float> = self.form.angles().into_iter().map(|k| &centre[k]).collect();
         sines.prepare(&angles, tick);
-        let mut level = Level::at(self, centre, sines, step, bits)?;
+        // What follows is expensive: from nearer places it sums fewer terms.
         let mut far = bits / NEAR;
-        for goal in climb(step, goal) {
+        let mut draw_near = |known: u32, sines: &Sines| {
+            if known >= far {
+                sines.come_nearer(known);
+                far = far.saturating_mul(NEARER);
+            }
+        };
+        draw_near(step, &sines);
+        let mut parts = (centre, sines);
+        for goal in climb(step, way.goal) {
+            let mut level = Level::at(self, parts, step, bits)?;
             while step < goal {
                 step = goal.min(step + level.step - GUARD / 4 - self.unique.lost);
                 level.advance(step);
             }
-            if goal >= far {
-                // What follows is expensive.
-                level.sines.come_nearer(step);
-                far = far.saturating_mul(NEARER);
-            }
-            level = Level::at(self, level.centre, level.sines, step, bits)?;
+            parts = (level.centre, level.sines);
+            draw_near(goal, &parts.1);
         }
-        for part in 2..SPAN {
-            level.advance(part * level.step);
+        let mut level = Level::at(self, parts, way.gain, bits)?;
+        for part in 1..way.steps {
+            level.advance(step + part * way.gain);
         }
         Ok(level)
     }
@@ -176,7 +222,7 @@ struct Level<'a, F> {
     bits: u32,
     sines: Sines,
     centre: Vec<Float>,
-    /// The bits to which the centre was known when the Jacobian was taken: what a step with it gains.
+    /// The bits of the Jacobian: what a step with it gains. The centre is known to no fewer.
     step: u32,
     /// A box about the root, and the Jacobian on it.
     around: Vec<Ball>,
@@ -184,12 +230,11 @@ struct Level<'a, F> {
 }
 
 impl<'a, F: Form<Ball>> Level<'a, F> {
-    /// A level at a centre that is known to `step` bits, with the Jacobian on a box that is wide enough to hold the
+    /// A level at a centre that is known to `step` bits or more, with the Jacobian on a box that is wide enough to hold the
     /// root.
     fn at(
         ladder: &Ladder<'a, F>,
-        centre: Vec<Float>,
-        sines: Sines,
+        (centre, sines): (Vec<Float>, Sines),
         step: u32,
         bits: u32,
     ) -> Result<Self, Undecided> {

@@ -63,10 +63,13 @@ pub fn refine_watched(
     let bits = bits.max(FLOOR);
     tally::working_bits(bits + GUARD);
     if bits <= short::MOST
-        && let Some(at) = isolated.approach().and_then(|way| way.enclose(bits))
+        && let Some(way) = isolated.approach()
+        && let Some(at) = way.enclose(bits)
     {
         (0..stages(&system)).for_each(|_| tick());
-        return Ok(Refined::new(system, at));
+        let known = if bits > short::FIRST { way.friction_angle(&at) } else { None };
+        let friction_angle = known.map_or_else(OnceLock::new, |angle| OnceLock::from(Some(angle)));
+        return Ok(Refined { friction_angle, ..Refined::new(system, at) });
     }
     let at = by_ladder(isolated, bits, tick).or_else(|_| plainly(isolated, bits))?;
     tick();
@@ -95,6 +98,7 @@ fn by_ladder(
         sizes: vec![0; centre.len()],
         centre,
         bits: first,
+        most: short::MOST,
         lost: 0,
     };
     let Rooted { values, sines } = Ladder { form: &form, unique: &unique, tick }.refined(bits)?;

@@ -3,7 +3,7 @@
 //! That it is there, and the only one, is proved in few bits; the [`ladder`](super::ladder) leads to all of them.
 
 use super::Undecided;
-use super::ladder::{EASY, Ladder, Rooted, Unique};
+use super::ladder::{FEW, Ladder, Rooted, Unique};
 pub use super::operator::Form;
 use super::operator::{box_around, no_candidate};
 
@@ -40,7 +40,7 @@ pub(crate) fn rooted_near<S: Form<Ball>>(
 /// The root from its proof in as few bits as tell it; `None` where not even a part of all is enough, or this is not
 /// worth while.
 fn by_ladder(form: &impl Form<Ball>, bits: u32, start: &[Float]) -> Option<Rooted> {
-    let precisions = std::iter::successors(Some(EASY), |few| Some(2 * few));
+    let precisions = std::iter::successors(Some(FEW), |few| Some(2 * few));
     let unique = precisions.take_while(|few| 2 * few < bits).find_map(|few| {
         let [domain, image] = box_near(form, few, start, true).ok()?;
         Unique::new(domain, &image, few)

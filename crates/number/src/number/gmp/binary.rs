@@ -1,7 +1,7 @@
 //! A real number in the binary formats of hardware: what a double leaves open of it.
 
-use super::{Ball, Enclosure};
-use crate::number::DoubleDoubleBall;
+use super::{Ball, TripleWord, TripleWordBall};
+use crate::number::{DoubleDouble, DoubleDoubleBall, power_of_two};
 use rug::Float;
 use rug::float::Round;
 
@@ -25,21 +25,33 @@ const QUAD: u32 = 113;
 const QUAD_EXPONENTS: std::ops::RangeInclusive<i32> = -16381..=16384;
 
 impl Binary {
-    /// Of the number enclosed by `ball`, whose nearest double is `double`.
+    /// Of the number enclosed by `ball`, with its nearest double; `None` where the ball does not decide that.
     ///
     /// ```
     /// use couplet_number::number::{Ball, Binary, Field};
     /// let tenth = Ball::integer(1, 200) / Ball::integer(10, 200);
-    /// let binary = Binary::new(&tenth, tenth.nearest_double().unwrap());
-    /// assert_eq!((binary.lower, binary.upper), (0.1f64.next_down(), 0.1));
+    /// let (double, binary) = Binary::nearest(&tenth).unwrap();
+    /// assert_eq!((binary.lower, double, binary.upper), (0.1f64.next_down(), 0.1, 0.1));
     /// assert!(5.5e-18 < binary.error && binary.error < 5.6e-18);
     /// ```
+    pub fn nearest(ball: &Ball) -> Option<(f64, Self)> {
+        let ends = [ball.lower(), ball.upper()];
+        let [low, high] = ends.each_ref().map(Float::to_f64);
+        // Adding zero makes a negative zero positive.
+        let double = (low == high).then_some(low + 0.0)?;
+        Some((double, Self::between(&ends, double)))
+    }
+
+    /// Of the number enclosed by `ball`, whose nearest double is `double`.
     pub fn new(ball: &Ball, double: f64) -> Self {
-        let (low, high) = (ball.lower(), ball.upper());
+        Self::between(&[ball.lower(), ball.upper()], double)
+    }
+
+    fn between([low, high]: &[Float; 2], double: f64) -> Self {
         let distance = |from: &Float, to: &Float| Float::with_val_round(64, to - from, Round::Up).0;
         let nearest = Float::with_val(53, double);
-        let error = match double.is_finite() && ball.is_bounded() {
-            true => distance(&low, &nearest).max(&distance(&nearest, &high)),
+        let error = match double.is_finite() && low.is_finite() && high.is_finite() {
+            true => distance(low, &nearest).max(&distance(&nearest, high)),
             false => Float::with_val(53, f64::INFINITY),
         };
         Self {
@@ -47,7 +59,7 @@ impl Binary {
             lower: low.to_f64_round(Round::Down) + 0.0,
             upper: high.to_f64_round(Round::Up) + 0.0,
             error: error.to_f64_round(Round::Up),
-            quad: nearest_quad(&low, &high),
+            quad: nearest_quad(low, high),
         }
     }
 
@@ -66,6 +78,26 @@ impl Binary {
             false => (double.next_down(), double),
         };
         Some((double, Self { lower, upper, error, quad: None }))
+    }
+
+    /// Bounds of the number enclosed by a ball of three words, with its nearest double: the same bounds and error as of
+    /// a ball of MPFR, and no quadruple. `None` if the ball is too wide, and for a double and sizes far from one.
+    pub fn of_words(ball: &TripleWordBall) -> Option<(f64, Self)> {
+        let (mid, double) = (ball.mid(), ball.mid().hi());
+        let rest = mid - TripleWord::from(DoubleDouble::exact(double));
+        let (size, is_below) = rest.size();
+        let error = size.shortened().next_up();
+        // The number lies on one side of the double, nearer to it than to the next, and within the error.
+        let room =
+            [size.shortened(), (TripleWord::from(DoubleDouble::exact(error)) - size).shortened()];
+        let farthest = 0.5 * (double.abs() - double.abs().next_down());
+        let is_near = error < farthest && room.iter().all(|room| *room > ball.rad());
+        let in_range = (power_of_two(-200)..power_of_two(200)).contains(&double.abs());
+        let (lower, upper) = match is_below {
+            true => (double.next_down(), double),
+            false => (double, double.next_up()),
+        };
+        (is_near && in_range).then_some((double, Self { lower, upper, error, quad: None }))
     }
 
     /// Doubles between which the number lies.
@@ -90,7 +122,6 @@ fn nearest_quad(low: &Float, high: &Float) -> Option<Float> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::DoubleDouble;
     use crate::number::test_config::config;
     use proptest::prelude::*;
     use rug::Rational;
@@ -111,6 +142,14 @@ mod tests {
             let found = Binary::of_double_double(&ball);
             let is_easy = radius > gap + 12 && (1e-3..0.49).contains(&low.abs());
             prop_assert!(found.is_some() || !is_easy, "{ball:?}");
+            let words = TripleWordBall::from(&ball.to_ball(192));
+            let of_words = Binary::of_words(&words);
+            prop_assert!(of_words.is_some() || !is_easy, "{words:?}");
+            if let Some((double, found)) = of_words {
+                let by_mpfr = Binary::new(&words.to_ball(300), double);
+                prop_assert_eq!(words.to_ball(300).nearest_double(), Some(double));
+                prop_assert_eq!(Binary { quad: by_mpfr.quad.clone(), ..found }, by_mpfr);
+            }
             if let Some((double, found)) = found {
                 let by_mpfr = Binary::new(&ball.to_ball(300), double);
                 prop_assert_eq!(ball.to_ball(300).nearest_double(), Some(double));
@@ -124,8 +163,9 @@ mod tests {
     }
 
     fn of(ball: &Ball) -> (f64, Binary) {
-        let double = ball.nearest_double().unwrap();
-        (double, Binary::new(ball, double))
+        let (double, binary) = Binary::nearest(ball).unwrap();
+        assert_eq!((ball.nearest_double(), &Binary::new(ball, double)), (Some(double), &binary));
+        (double, binary)
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Radians as degrees.
 
+use super::sine::known_pi;
 use super::{Ball, Real};
 use std::sync::{PoisonError, RwLock};
 
@@ -13,7 +14,9 @@ pub fn degrees(radians: &Ball) -> Ball {
     let known = KNOWN.read().unwrap_or_else(PoisonError::into_inner).clone();
     let factor = known.filter(|factor| factor.prec() >= prec).unwrap_or_else(|| {
         let like = Ball::integer(180, prec);
-        let factor = like.clone() / like.pi();
+        // Where angles are known to as many digits, pi mostly is.
+        let pi = known_pi(prec).unwrap_or_else(|| like.pi());
+        let factor = like / pi;
         let mut known = KNOWN.write().unwrap_or_else(PoisonError::into_inner);
         if known.as_ref().is_none_or(|known| known.prec() < prec) {
             *known = Some(factor.clone());

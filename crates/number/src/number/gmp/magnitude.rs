@@ -50,6 +50,16 @@ impl Magnitude {
         Self::from_float(x, false)
     }
 
+    /// A double that is not negative, rounded up; infinite for an infinity or NaN.
+    pub(super) fn upper_double(x: f64) -> Self {
+        let mantissa = x.to_bits() & ((1 << 52) - 1);
+        match (x.to_bits() >> 52 & 0x7ff) as i64 {
+            0 => Self::round(mantissa, -1074, true),
+            exponent if x.is_finite() => Self::round(mantissa | 1 << 52, exponent - 1075, true),
+            _ => Self::INFINITE,
+        }
+    }
+
     fn from_float(x: &Float, up: bool) -> Self {
         if x.is_zero() || (!up && x.is_nan()) {
             return Self::ZERO;
@@ -160,6 +170,25 @@ impl Magnitude {
         Self::normalised(self.mantissa, self.exponent.saturating_add(shift), true)
     }
 
+    /// `self^n`, rounded up.
+    pub(super) fn power(self, n: u32) -> Self {
+        let bits = (0..u32::BITS - n.leading_zeros()).rev();
+        bits.fold(Self::from_integer(1), |power, bit| {
+            let square = power.times(power);
+            if n >> bit & 1 == 1 { square.times(self) } else { square }
+        })
+    }
+
+    /// The least integer that is not below the bound; `None` if it has more than 32 bits.
+    pub(super) fn ceil(self) -> Option<u64> {
+        let mantissa = u64::from(self.mantissa);
+        match self.exponent {
+            1.. => None,
+            -31..=0 => Some(mantissa.div_ceil(1 << -self.exponent)),
+            _ => Some(u64::from(mantissa > 0)),
+        }
+    }
+
     /// The bound as a 32-bit float, rounded up.
     pub fn to_float(self) -> Float {
         if self.is_zero() {
@@ -267,6 +296,11 @@ mod tests {
                 prop_assert!(exact(a.over(b)) >= Rational::from(&x / &y));
             }
             prop_assert_eq!(a.cmp(&b), x.cmp(&y));
+            prop_assert!(exact(a.power(3)) >= Rational::from(&x * &x) * &x && exact(a.power(0)) == 1);
+            match a.ceil() {
+                Some(ceil) => prop_assert_eq!(Rational::from(ceil), x.ceil()),
+                None => prop_assert!(x > u32::MAX),
+            }
         }
 
         #[test]
@@ -283,6 +317,8 @@ mod tests {
             let to = |round| Float::with_val_round(32, &value, round).0.to_rational().unwrap();
             prop_assert_eq!(Magnitude::upper(&signed).to_float().to_rational().unwrap(), to(Round::Up));
             prop_assert_eq!(Magnitude::lower(&signed).to_float().to_rational().unwrap(), to(Round::Down));
+            let double = Float::with_val(53, &signed).abs();
+            prop_assert_eq!(Magnitude::upper_double(double.to_f64()), Magnitude::upper(&Float::with_val(53, double.to_f64())));
         }
     }
 

@@ -15,9 +15,13 @@ mod rational;
 mod rounded;
 mod rounded_double;
 mod short_ball;
+mod short_expansion;
 mod sine;
 mod stumpff;
 mod surd;
+mod triple_word;
+mod triple_word_ball;
+pub(super) mod triple_word_sine;
 mod words;
 
 pub use ball::Ball;
@@ -28,10 +32,12 @@ pub use hexadecimal::hexadecimal;
 pub use magnitude::Magnitude;
 pub use rational::rational_like;
 pub use rounded::{Rounded, bits_of, terminating};
-pub use rounded_double::{nearest_double, rounded_double};
+pub use rounded_double::{nearest_double, rounded_double, rounded_words};
 pub use short_ball::ShortBall;
-pub use sine::{SineAnchor, arctangent};
+pub use sine::{SineAnchor, arctangent, arctangent_from};
 pub use stumpff::stumpff_with;
 pub use surd::Surd;
+pub use triple_word::TripleWord;
+pub use triple_word_ball::TripleWordBall;
 
 use super::{Angle, Decimal, Enclosure, ExactField, Field, Real, Ternary};

@@ -1,6 +1,6 @@
 //! Decimal output in which every digit is proved.
 
-use super::{Ball, Enclosure, expansion};
+use super::{Ball, Enclosure, expansion, short_expansion};
 use crate::number::Decimal;
 use rug::float::Round;
 use rug::ops::{Pow, PowAssignRound};
@@ -49,18 +49,18 @@ impl Rounded {
     /// assert_eq!(rounded.upper.to_string(), "0.33334");
     /// ```
     pub fn from_ball(ball: &Ball, digits: usize) -> Option<Self> {
-        if digits == 0 || !ball.is_bounded() || !ball.excludes_zero() {
+        if digits == 0 || !ball.is_bounded() {
             return None;
         }
         let negative = ball.mid().is_sign_negative();
-        let (mut low, mut high) = (ball.lower(), ball.upper());
-        if negative {
-            (low, high) = (-high, -low);
-        }
-        let (mut text, exponent) = match digits {
-            MANY.. => by_splitting(&low, &high, digits).or_else(|| at_once(&low, &high, digits)),
-            _ => at_once(&low, &high, digits),
-        }?;
+        let long = || {
+            let (low, high) = (ball.lower(), ball.upper());
+            let (low, high) = if negative { (-high, -low) } else { (low, high) };
+            let split = if digits < MANY { None } else { by_splitting(&low, &high, digits) };
+            split.or_else(|| at_once(&low, &high, digits))
+        };
+        let short = short_expansion::cell(ball, digits + 1);
+        let (mut text, exponent) = short.or_else(|| ball.excludes_zero().then(long).flatten())?;
         let last = text.pop()?;
         let below = Decimal::new(negative, text, exponent + 1);
         let above = below.neighbour(true);

@@ -2,6 +2,7 @@
 
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
+use crate::certify::jointed::limits_at_joint;
 use crate::number::{Ball, DoubleBall, Enclosure, ExactNumber, Field};
 use crate::problem::{Arch, Extent, JointLimit, Joints};
 use crate::prover::arithmetic::Arithmetic;
@@ -33,7 +34,11 @@ pub(super) fn conditions(
     let grip = grip.map(|x| DoubleBall::from_ball(&x, BITS));
     let joints = Joints::new(arch.weight(), &thickness.enclosure(BITS), grip);
     let is_solid = thickness.is_rational() && thickness.to_rational() == 2;
-    let limits = |joint| joints.limits((joint, &Extent::angle(joint, stones, &alpha)), extent);
+    let count = limits_at_joint(arch);
+    let limits = |joint| {
+        let angle = Extent::angle(joint, stones, &alpha);
+        joints.limits((joint, &angle), extent).into_iter().take(count)
+    };
     let limits = extent.joints(stones).flat_map(limits);
     let exact = |limit: MovingLimit| match limit.contact {
         // The radius of the intrados is zero exactly, and so is what it multiplies.

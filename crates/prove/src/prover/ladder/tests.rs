@@ -25,7 +25,7 @@ fn the_ladder_and_newtons_method_at_all_bits_overlap() {
         let (system, start) = started(landmark);
         let given = Configuration::zero(&Ball::integer(0, 9000));
         let form = Posed { system: &system, given: &given };
-        let unique = unique(&form, &start, EASY);
+        let unique = unique(&form, &start, FEW);
         for bits in [900, 1300, 5000, 9000] {
             let found =
                 Ladder { form: &form, unique: &unique, tick: &|| () }.refined(bits).unwrap();
@@ -88,7 +88,7 @@ fn a_last_step_that_proves_nothing_is_refused() {
     let (system, start) = started(Landmark::Triple);
     let given = Configuration::zero(&Ball::integer(0, 2000));
     let form = Posed { system: &system, given: &given };
-    let unique = unique(&form, &start, EASY);
+    let unique = unique(&form, &start, FEW);
     let ladder = Ladder { form: &form, unique: &unique, tick: &|| () };
     type Spoil = fn(&mut Level<Posed<'_, Ball>>);
     let cases: [(Spoil, &str); 4] = [

@@ -29,12 +29,15 @@ pub fn arctangent(x: &Ball) -> Ball {
     let middle = prec / SECOND + GUARD as u32;
     if prec > FLOOR {
         let short = x.with_precision(middle);
-        let nearer = from(&anchor.with_precision(middle).here(middle), &short);
+        let nearer = arctangent_from(&anchor.with_precision(middle).here(middle), &short);
         anchor = anchor.moved(&rug::Float::with_val(prec / SECOND, nearer.mid()));
     }
-    from(&anchor.here(prec), x)
+    arctangent_from(&anchor.here(prec), x)
 }
 
+/// The arctangent from an angle near it, whose sine and cosine are known to the precision of `x`: the nearer, the
+/// cheaper. The whole line where it is not told to be near.
+///
 /// `atan x = a + atan t`, `t = (x cos a - sin a)/(cos a + x sin a)`, for a point `a` in `(-1, 3)` near it. For a
 /// positive `x` the divisor is positive exactly if `x` is less than a right angle from `a`.
 ///
@@ -42,7 +45,7 @@ pub fn arctangent(x: &Ball) -> Ball {
 /// (…))` with `q(k) = (2k-1)/(2k+1)`. The innermost factor is replaced by the interval `[0, 1]`, in which the rest
 /// of an alternating series with falling terms lies. A term of relative size `2^-k` is computed with `k` bits
 /// fewer.
-fn from(a: &Angle<Ball>, x: &Ball) -> Ball {
+pub fn arctangent_from(a: &Angle<Ball>, x: &Ball) -> Ball {
     let prec = x.prec();
     let rise = (x.clone() * &a.cos - &a.sin).trimmed();
     let Some(exponent) = exponent(&rise) else { return Ball::whole(prec) };
@@ -129,7 +132,7 @@ mod tests {
         let (right, wrong) = (0.8f64, 0.8 - std::f64::consts::PI);
         for (point, is_right) in [(right, true), (wrong, false), (2.5, true), (-0.9, false)] {
             let angle = Angle::new(Ball::exact(Float::with_val(64, point), 64));
-            let found = from(&angle, &x);
+            let found = arctangent_from(&angle, &x);
             let truth = found.pi() / found.int(4);
             assert!(found.overlaps(&truth), "{point}");
             assert!(is_right && point < 1.0 || !found.is_bounded(), "{point}");

@@ -5,15 +5,17 @@
 //! arguments are therefore combinations of these arctangents, whose series are fast; among
 //! them is a formula for `pi/4` (after Machin; Størmer 1897; Johansson 2022, arXiv:2207.02501).
 
-use super::Magnitude;
 use super::gaussian::COUNT;
 use super::product::{halving_powers, product, square};
+use super::{Ball, Magnitude};
 use rug::Integer;
 use std::collections::BTreeMap;
 use std::sync::{Arc, PoisonError, RwLock};
 
-/// Large independent `x` up to 4·10^8 with `x² + 1` free of prime factors beyond 109.
+/// The largest independent `x` with `x² + 1` free of prime factors beyond 109. With a product `d` of some of these primes `x² + 1
+/// = d y²` is an equation of Pell: for each `d` its solutions up to 10^22 were looked through.
 const INVERSES: [u32; COUNT] = [
+    2_189_376_182,
     284_862_638,
     201_229_582,
     193_788_912,
@@ -27,72 +29,74 @@ const INVERSES: [u32; COUNT] = [
     2_809_305,
     2_343_692,
     2_298_668,
-    1_984_933,
 ];
 
 /// Twice the argument of each prime in multiples of the arctangents of the inverses: twice the inverse of
 /// the matrix of exponents, as the test below shows.
 const MULTIPLES: [[i32; COUNT]; COUNT] = [
     [
-        -893758, -127448, -721484, -461142, 863336, 664110, 1482900, 789210, 212214, 36462, 738156,
-        805882, 432616, 938934,
+        -938934, -893758, -1066382, -3538286, -1400076, 2741204, 1603044, 3360768, 4544946,
+        -1665654, 36462, 738156, 1744816, -506318,
     ],
     [
-        -527616, -75237, -425917, -272228, 509657, 392047, 875407, 465898, 125277, 21525, 435759,
-        475740, 255388, 554285,
+        -554285, -527616, -629522, -2088772, -826513, 1618227, 946332, 1983977, 2683038, -983293,
+        21525, 435759, 1030025, -298897,
     ],
     [
-        -669128, -95416, -540152, -345242, 646352, 497198, 1110200, 590856, 158878, 27298, 552634,
-        603338, 323886, 702950,
+        -702950, -669128, -798366, -2649002, -1048192, 2052252, 1200148, 2516100, 3402656,
+        -1247022, 27298, 552634, 1306288, -379064,
     ],
     [
-        -278778, -39753, -225043, -143838, 269289, 207147, 462541, 246168, 66193, 11373, 230243,
-        251368, 134940, 292869,
+        -292869, -278778, -332622, -1103650, -436707, 855027, 500016, 1048279, 1417644, -519545,
+        11373, 230243, 544237, -157929,
     ],
     [
-        -433004, -61745, -349541, -223412, 418265, 321745, 718429, 382352, 102813, 17665, 357619,
-        390430, 209592, 454891,
+        -454891, -433004, -516636, -1714214, -678303, 1328047, 776636, 1628211, 2201916, -806969,
+        17665, 357619, 845321, -245299,
     ],
     [
-        -187934, -26799, -151709, -96966, 181537, 139645, 311815, 165950, 44623, 7667, 155215,
-        169456, 90968, 197433,
+        -197433, -187934, -224232, -744008, -294399, 576403, 337078, 706681, 955682, -350243, 7667,
+        155215, 366889, -106465,
     ],
     [
-        -767834, -109491, -619831, -396170, 741697, 570541, 1273969, 678014, 182315, 31325, 634155,
-        692338, 371664, 806645,
+        -806645, -767834, -916136, -3039766, -1202815, 2354987, 1377186, 2887259, 3904594,
+        -1430975, 31325, 634155, 1498983, -434981,
     ],
     [
-        -316696, -45160, -255652, -163402, 305916, 235322, 525454, 279650, 75196, 12920, 261560,
-        285558, 153294, 332704,
+        -332704, -316696, -377864, -1253764, -496106, 971324, 568026, 1190862, 1610466, -590212,
+        12920, 261560, 618262, -179410,
     ],
     [
-        -790590, -112737, -638203, -407912, 763681, 587451, 1311727, 698112, 187717, 32253, 652949,
-        712858, 382678, 830551,
+        -830551, -790590, -943288, -3129856, -1238463, 2424783, 1418002, 2972829, 4020316,
+        -1473385, 32253, 652949, 1543409, -447873,
     ],
     [
-        -408270, -58218, -329574, -210650, 394372, 303366, 677390, 360510, 96940, 16656, 337190,
-        368128, 197620, 428906,
+        -428906, -408270, -487124, -1616292, -639556, 1252184, 732272, 1535202, 2076134, -760872,
+        16656, 337190, 797034, -231286,
     ],
     [
-        -635668, -90645, -513141, -327978, 614031, 472335, 1054683, 561310, 150933, 25933, 524999,
-        573168, 307690, 667799,
+        -667799, -635668, -758444, -2516538, -995777, 1949629, 1140134, 2390281, 3232506, -1184665,
+        25933, 524999, 1240967, -360109,
     ],
     [
-        -475926, -67866, -384190, -245558, 459726, 353638, 789644, 420254, 113004, 19416, 393068,
-        429132, 230368, 499982,
+        -499982, -475926, -567848, -1884136, -745540, 1459690, 853620, 1789608, 2420182, -886960,
+        19416, 393068, 929114, -269614,
     ],
     [
-        -113420, -16173, -91557, -58520, 109559, 84277, 188183, 100152, 26931, 4627, 93673, 102268,
-        54900, 119153,
+        -119153, -113420, -135326, -449016, -177673, 347865, 203430, 426489, 576764, -211375, 4627,
+        93673, 221421, -64253,
     ],
     [
-        -331668, -47295, -267739, -171128, 320379, 246447, 550295, 292872, 78751, 13531, 273925,
-        299058, 160542, 348433,
+        -348433, -331668, -395728, -1313038, -519561, 1017245, 594880, 1247161, 1686604, -618115,
+        13531, 273925, 647491, -187891,
     ],
 ];
 
 /// Bits by which the arctangents are longer than the arguments: above the sum of the multiples of a row.
 const GUARD: u32 = 40;
+
+/// Terms of a series that are not split.
+const BLOCK: u32 = 24;
 
 /// The arguments of the Gaussian primes in units of `2^-places`, less than two units off.
 pub(super) struct PrimeArguments {
@@ -110,7 +114,7 @@ impl PrimeArguments {
             return known;
         }
         // A few more, so that a slightly longer one need not be computed again. No lock is held meanwhile.
-        let fresh = Arc::new(Self::compute(places + places / 16 + 64));
+        let fresh = Arc::new(Self::compute(places + places / 128 + 64));
         let mut known = KNOWN.write().unwrap_or_else(PoisonError::into_inner);
         if known.as_ref().is_none_or(|known| known.places < fresh.places) {
             *known = Some(fresh.clone());
@@ -143,16 +147,26 @@ impl PrimeArguments {
     }
 }
 
+/// Pi, four times the argument of `1 + i`, if that is known to so many places.
+pub(in crate::number) fn known_pi(places: u32) -> Option<Ball> {
+    let known = KNOWN.read().unwrap_or_else(PoisonError::into_inner).clone()?;
+    let quarter = Integer::from(&known.values[0] >> known.places.checked_sub(places)?);
+    // Two units off, and one more once it is cut.
+    let error = Magnitude::from_integer(3).shifted(-i64::from(places));
+    Some(Ball::fixed(&quarter, places, places).widened(error).scaled(2))
+}
+
 /// `atan(1/x)` in units of `2^-places`, for `x > 1`; less than three units off.
 ///
 /// Error: `sum (-1)^k/((2k+1) x^(2k+1))` alternates and falls; the first term left out is less than a unit. The
 /// numerator and the denominator are cut so that the denominator has 64 bits more than the places: that
 /// changes a value below one by less than `2^-62` units. The quotient loses less than a unit.
 fn arctangent_of_inverse(x: u32, places: u32) -> Integer {
-    let terms = places / (2 * x.ilog2()) + 1;
+    // Two more, for what the quotient of doubles is off.
+    let terms = (f64::from(places) / (2.0 * f64::from(x).log2())) as u32 + 2;
     let square = square(&Integer::from(x));
     let powers = halving_powers(&square, terms);
-    let (numerator, denominator) = fraction(0, terms, &powers);
+    let (numerator, denominator) = fraction(x, 0, terms, &powers);
     // The sum is numerator / (denominator x^(2 terms - 1)).
     let (numerator, denominator) = (numerator * x, product(&denominator, &powers[&terms]));
     let excess = denominator.significant_bits().saturating_sub(places + 64);
@@ -160,22 +174,40 @@ fn arctangent_of_inverse(x: u32, places: u32) -> Integer {
 }
 
 /// `sum (-1)^(k-a) x^(2(b-1-k)) / (2k+1)` for `k` from `a` to `b - 1`, as numerator and denominator.
-fn fraction(a: u32, b: u32, powers: &BTreeMap<u32, Integer>) -> (Integer, Integer) {
-    if b - a == 1 {
-        return (Integer::from(1), Integer::from(2 * u64::from(a) + 1));
+fn fraction(x: u32, a: u32, b: u32, powers: &BTreeMap<u32, Integer>) -> (Integer, Integer) {
+    if b - a <= BLOCK {
+        return block(x, a, b);
     }
     let half = (b - a) / 2;
-    let (left, right) = (fraction(a, b - half, powers), fraction(b - half, b, powers));
+    let (left, right) = (fraction(x, a, b - half, powers), fraction(x, b - half, b, powers));
     let head = product(&product(&left.0, &right.1), &powers[&half]);
     let rest = product(&right.0, &left.1);
     let is_even = (b - half - a).is_multiple_of(2);
     (if is_even { head + rest } else { head - rest }, product(&left.1, &right.1))
 }
 
+/// A few terms one after the other: products in place with machine words cost less than the halves of halves.
+fn block(x: u32, a: u32, b: u32) -> (Integer, Integer) {
+    let square = u64::from(x).pow(2);
+    let (mut numerator, mut denominator) = (Integer::from(1), Integer::from(2 * u64::from(a) + 1));
+    for k in a + 1..b {
+        let odd = 2 * u64::from(k) + 1;
+        numerator *= square;
+        numerator *= odd;
+        match (k - a).is_multiple_of(2) {
+            true => numerator += &denominator,
+            false => numerator -= &denominator,
+        }
+        denominator *= odd;
+    }
+    (numerator, denominator)
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::gaussian::PRIMES;
     use super::*;
+    use crate::number::{Enclosure, Real};
     use rug::Float;
 
     /// Exponent of each prime in `x + i`, conjugates counted as negative; the unit left over is a power of
@@ -235,6 +267,19 @@ mod tests {
         let ours = arctangent_of_inverse(INVERSES[13], places);
         let truth = Float::with_val(places + 50, INVERSES[13]).recip().atan() << places;
         assert!(Float::with_val(64, truth - ours).abs() < 3);
+    }
+
+    #[test]
+    fn pi_is_four_times_the_first() {
+        PrimeArguments::to(3000);
+        for places in [100, 2999] {
+            let pi = known_pi(places).unwrap();
+            assert!(
+                pi.lies_inside(&pi.pi().widened(Magnitude::power_of_two(5 - i64::from(places))))
+            );
+            assert!(pi.overlaps(&pi.with_precision(4000).pi()));
+        }
+        assert!(known_pi(1 << 30).is_none());
     }
 
     #[test]

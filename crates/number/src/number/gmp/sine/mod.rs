@@ -17,7 +17,9 @@ mod splitting;
 mod turn;
 
 pub use anchor::SineAnchor;
-pub use arctangent::arctangent;
+pub use arctangent::{arctangent, arctangent_from};
+
+pub(super) use arctangents::known_pi;
 
 use super::ball::fixed;
 use super::{Angle, Ball, Enclosure, Field, Magnitude, Real};
