@@ -106,7 +106,7 @@ pub fn tilted(
     digits: usize,
 ) -> Result<TiltDigits, Refused> {
     Refused::thickness(thickness)?;
-    Refused::arch_digits(digits)?;
+    Refused::tilt_digits(digits)?;
     let proof = |bits| TiltProof::new(arch, thickness, bits);
     let proved = OnceCell::new();
     let largest = |bits| {
