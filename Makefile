@@ -2,7 +2,7 @@
 # every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build check test lint docs msrv deny snapshots pictures constants states checker combinations house examples exporters c header wheel notebooks wheel-manylinux page page-test bench peers \
+.PHONY: run build check test lint docs msrv deny snapshots pictures constants states checker combinations house examples exporters c header wheel notebooks wheel-manylinux page page-test bench limits peers \
         proofs witness m4 coq
 
 # Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
@@ -188,6 +188,10 @@ page-test: page
 # Timings of this machine; nothing depends on them.
 bench: m4
 	cargo bench --locked
+
+# Every option with limits at both of them: it ends within a minute, or says how long it takes. The table goes to standard output.
+limits: build
+	benches/limits.py target/release/couplet
 
 # The same job by Arb, PARI, mpmath, ... beside couplet; about 40 minutes.
 peers: m4

@@ -1,7 +1,7 @@
 //! One question at a time. Every argument is text, read by what reads the command's, so that the same input gets the
 //! same sentence.
 
-use crate::pool::on_threads;
+use crate::pool::{on_one_thread, on_threads};
 use crate::{CoupletError, UndecidedError, told};
 use couplet::Error;
 use couplet::arch::SelfWeight;
@@ -71,9 +71,10 @@ pub(crate) fn constants<'py>(
     let wanted = names.iter().map(|name| parse::quantity(name).map_err(wrong));
     let wanted: Vec<Quantity> = wanted.collect::<PyResult<_>>()?;
     let digits = parse::digits(digits).map_err(wrong)?;
-    let is_wanted = |of: &Quantity| wanted.is_empty() || wanted.contains(of);
-    let answer = |(landmark, weight): (Landmark, SelfWeight)| {
-        let asked: Vec<_> = quantities(landmark).filter(is_wanted).map(|of| (of, digits)).collect();
+    let is_wanted = move |of: &Quantity| wanted.is_empty() || wanted.contains(of);
+    let answer = move |(landmark, weight): (Landmark, SelfWeight)| {
+        let asked: Vec<_> =
+            quantities(landmark).filter(&is_wanted).map(|of| (of, digits)).collect();
         let proved = || -> Result<Answer, Error> {
             let point = CertifiedLandmark::new(landmark, weight)?;
             let constants = point.constants_of(&asked)?;
@@ -84,7 +85,7 @@ pub(crate) fn constants<'py>(
     let points: Vec<_> =
         weights.iter().flat_map(|&weight| landmarks.iter().map(move |&of| (of, weight))).collect();
     let found: Vec<Answer> =
-        py.detach(|| on_threads(threads, || points.into_par_iter().map(answer).collect()))?;
+        on_threads(py, threads, move || points.into_par_iter().map(answer).collect())?;
     found.iter().map(|found| told::answer(py, found)).collect()
 }
 
@@ -135,11 +136,9 @@ pub(crate) fn state<'py>(
         }
     };
     let digits = parse::state_digits(digits).map_err(wrong)?;
-    let found = py.detach(|| {
-        on_threads(1, || {
-            let found = Balls::DoubleDoubles.state(&arch, digits, frictions);
-            answer::state(1, (&arch, measures.as_ref().map(|of| (of, digits))), digits, &found)
-        })
+    let found = on_one_thread(py, digits, move || {
+        let found = Balls::DoubleDoubles.state(&arch, digits, frictions);
+        answer::state(1, (&arch, measures.as_ref().map(|of| (of, digits))), digits, &found)
     })?;
     told::answer(py, &found)
 }
@@ -152,18 +151,13 @@ pub(crate) fn assess<'py>(
     digits: &str,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (given, arch) = given(&doors::ASSESS, weight, texts)?;
-    let eta = given.thickness.as_ref().ok_or_else(|| wrong("thickness is missing"))?;
+    let ArchGiven { thickness, measures, .. } = given;
+    let eta = thickness.ok_or_else(|| wrong("thickness is missing"))?;
     let digits = parse::state_digits(digits).map_err(wrong)?;
-    let found = py.detach(|| {
-        on_threads(1, || {
-            let found = arch.certify_thickness(eta, digits);
-            answer::assessment(
-                1,
-                (&arch, eta, given.measures.as_ref().map(|of| (of, digits))),
-                digits,
-                &found,
-            )
-        })
+    let found = on_one_thread(py, digits, move || {
+        let found = arch.certify_thickness(&eta, digits);
+        let measures = measures.as_ref().map(|of| (of, digits));
+        answer::assessment(1, (&arch, &eta, measures), digits, &found)
     })?;
     told::answer(py, &found)
 }
@@ -183,9 +177,9 @@ pub(crate) fn voussoirs<'py>(
         _ => &doors::VOUSSOIRS,
     };
     let (given, arch) = given(question, weight, texts.clone())?;
-    let of = (Understood::new(&asked(texts), &given), &given);
+    let understood = Understood::new(&asked(texts), &given);
     let digits = parse::state_digits(digits).map_err(wrong)?;
-    let made = py.detach(|| on_threads(1, || doors::of_stones(of, &[arch], digits)))?;
+    let made = on_threads(py, 1, move || doors::of_stones((understood, &given), &[arch], digits))?;
     let made = made.map_err(failed)?;
     let values = made.arches.iter().map(|arch| told::voussoirs(py, arch));
     let values = values.collect::<PyResult<_>>()?;
@@ -202,7 +196,7 @@ pub(crate) fn tilted<'py>(
 ) -> PyResult<(String, Bound<'py, PyDict>)> {
     let (given, arch) = given(&doors::ASSESS, weight, texts.clone())?;
     let understood = Understood::new(&asked(texts), &given);
-    let (Some(eta), Some(tilt)) = (&given.thickness, &given.tilt) else {
+    let (Some(eta), Some(tilt)) = (given.thickness.clone(), given.tilt.clone()) else {
         return Err(wrong("thickness, tilt are missing"));
     };
     if given.measures.as_ref().is_some_and(Measures::has_forces) {
@@ -210,9 +204,8 @@ pub(crate) fn tilted<'py>(
     }
     let stones = doors::divisions(&given).map_err(failed)?;
     let digits = parse::state_digits(digits).map_err(wrong)?;
-    let stones = stones.first();
-    let found = py.detach(|| {
-        on_threads(1, || doors::tilted((&understood, &arch), (eta, tilt), stones, digits))
+    let found = on_threads(py, 1, move || {
+        doors::tilted((&understood, &arch), (&eta, &tilt), stones.first(), digits)
     })?;
     let found = found.map_err(failed)?;
     let values = told::tilted(py, &found)?;
@@ -232,11 +225,15 @@ pub(crate) fn find<'py>(
     let modes = target.1.map(sought::line).transpose().map_err(wrong)?;
     let question = sought::question((what, modes), &asked(texts), Spelling::Key).map_err(failed)?;
     let digits = parse::state_digits(digits).map_err(wrong)?;
-    let found = py.detach(|| on_threads(1, || seek::find(weight, &question, digits)))?;
+    let (found, answer) = on_threads(py, 1, move || {
+        let found = seek::find(weight, &question, digits);
+        let answer = Answer::finding(1, (weight, &question), &found);
+        (found, answer)
+    })?;
     if let Err(Error::Refused(refused)) = &found {
         return Err(wrong(refused));
     }
-    told::answer(py, &Answer::finding(1, (weight, &question), &found))
+    told::answer(py, &answer)
 }
 
 /// A certificate as a file has it.
@@ -261,9 +258,7 @@ pub(crate) fn certify_landmark(
     let landmark = parse::landmark(landmark).map_err(wrong)?;
     let weight = parse::weight(weight).map_err(wrong)?;
     let digits = parse::digits(digits).map_err(wrong)?;
-    written(
-        py.detach(|| on_threads(threads, || certify::certify_landmark(landmark, weight, digits)))?,
-    )
+    written(on_threads(py, threads, move || certify::certify_landmark(landmark, weight, digits))?)
 }
 
 #[pyfunction]
@@ -278,8 +273,8 @@ pub(crate) fn certify_arch(
     let question = if has_thickness { &doors::CERTIFY_ARCH } else { &doors::CERTIFY_STATE };
     let (given, arch) = given(question, weight, texts)?;
     let digits = parse::state_digits(digits).map_err(wrong)?;
-    let made = || certify::certify_arch(&arch, given.thickness.as_ref(), digits);
-    written(py.detach(|| on_threads(1, made))?)
+    let made = move || certify::certify_arch(&arch, given.thickness.as_ref(), digits);
+    written(on_threads(py, 1, made)?)
 }
 
 /// Of the asymmetric solution of a kind; of that which is found, if it is one alone.
@@ -298,10 +293,11 @@ pub(crate) fn certify_asymmetric(
     let mode = mode.map(parse::asymmetric_mode).transpose();
     let mode = mode.map_err(|error| wrong(format!("asymmetric: {error}, or True")))?;
     let digits = parse::state_digits(digits).map_err(wrong)?;
-    let kinds = || certify::asymmetric_kinds(&arch);
+    let of = arch.clone();
+    let kinds = move || certify::asymmetric_kinds(&of);
     let mode = match mode {
         Some(mode) => mode,
-        None => match py.detach(|| on_threads(1, kinds))?[..] {
+        None => match on_threads(py, 1, kinds)?[..] {
             [kind] => kind,
             [] => return Err(UndecidedError::new_err("no asymmetric solution is found")),
             ref several => {
@@ -311,17 +307,17 @@ pub(crate) fn certify_asymmetric(
             }
         },
     };
-    written(py.detach(|| on_threads(1, || certify::certify_asymmetric(&arch, mode, digits)))?)
+    written(on_threads(py, 1, move || certify::certify_asymmetric(&arch, mode, digits))?)
 }
 
 #[pyfunction]
 pub(crate) fn check<'py>(
     py: Python<'py>,
-    certificate: &[u8],
+    certificate: Vec<u8>,
     engine: &str,
 ) -> PyResult<Bound<'py, PyDict>> {
     let engine = parse::engine(engine).map_err(wrong)?;
-    let found = py.detach(|| on_threads(1, || engine.check(certificate)))?;
+    let found = on_threads(py, 1, move || engine.check(&certificate))?;
     match found {
         Ok(accepted) => told::checked(py, ("accepted", None), Some(&accepted)),
         Err(limit @ Refusal::Limit(..)) => {
@@ -351,9 +347,8 @@ pub(crate) fn claims() -> Vec<(&'static str, &'static str, &'static str)> {
 pub(crate) fn prove(py: Python<'_>, names: Vec<String>, threads: usize) -> PyResult<String> {
     let chosen = parse::claims_named(&names)
         .map_err(|error| wrong(format!("{error}; couplet.claims() lists the claims")))?;
-    let decisions = py.detach(|| {
-        on_threads(threads, || chosen.par_iter().map(|claim| claim.decide()).collect())
-    })?;
+    let decide = move || chosen.par_iter().map(|claim| claim.decide()).collect();
+    let decisions = on_threads(py, threads, decide)?;
     report(&Claims { decisions, show: true, timed: true }, "json")
 }
 
@@ -368,7 +363,7 @@ pub(crate) fn drawing(
     let weight = parse::weight(weight).map_err(wrong)?;
     let given = ArchGiven::read(&doors::DRAW, &asked(texts), Spelling::Key).map_err(wrong)?;
     let drawn = doors::drawn(&given, weight).map_err(wrong)?;
-    let sketch = match py.detach(|| on_threads(1, || drawn.sketch()))? {
+    let sketch = match on_threads(py, 1, move || drawn.sketch())? {
         Ok(sketch) => sketch,
         Err(NoSketch::Undecided(_)) => return Ok(None),
         Err(error) => return Err(wrong(error)),

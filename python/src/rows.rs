@@ -36,15 +36,18 @@ pub(crate) fn states<'py>(
         if arrays.2.is_some() { &Quantity::ASSESSMENT_ROW[..] } else { &Quantity::STATE_ROW[..] };
     let quantities = names.iter().map(|name| asked::quantity(name, possible));
     let quantities: Vec<Quantity> = quantities.collect::<PyResult<_>>()?;
-    let [half_openings, frictions] = [&arrays.0, &arrays.1].map(|bytes| doubles(bytes));
-    let thicknesses = arrays.2.as_deref().map(doubles);
-    let arches = DoubleArches {
-        weight,
-        half_openings: &half_openings,
-        frictions: &frictions,
-        thicknesses: thicknesses.as_deref(),
+    let answer = move || {
+        let [half_openings, frictions] = [&arrays.0, &arrays.1].map(|bytes| doubles(bytes));
+        let thicknesses = arrays.2.as_deref().map(doubles);
+        let arches = DoubleArches {
+            weight,
+            half_openings: &half_openings,
+            frictions: &frictions,
+            thicknesses: thicknesses.as_deref(),
+        };
+        arches.rows(&quantities)
     };
-    let rows = py.detach(|| on_threads(threads, || arches.rows(&quantities)))?;
+    let rows = on_threads(py, threads, answer)?;
     let rows = rows.map_err(|refused| CoupletError::new_err(refused.to_string()))?;
     let codes = |code: fn(&BatchRow) -> u8| {
         PyBytes::new(py, &rows.iter().map(|row| code(row)).collect::<Vec<u8>>())
@@ -76,7 +79,7 @@ pub(crate) fn finds(
     let weight = parse::weight(weight).map_err(wrong)?;
     let what = sought::what(target.0).map_err(wrong)?;
     let modes = target.1.map(sought::line).transpose().map_err(wrong)?;
-    let sought = |[half_opening, friction, thickness]: [Option<String>; 3]| {
+    let sought = move |[half_opening, friction, thickness]: [Option<String>; 3]| {
         let mut asked = ArchAsked::default();
         *asked.at(Field::HalfOpening) = half_opening;
         *asked.at(Field::Friction) = friction;
@@ -101,5 +104,5 @@ pub(crate) fn finds(
             }
         }
     };
-    py.detach(|| on_threads(threads, || rows.into_par_iter().map(sought).collect()))
+    on_threads(py, threads, move || rows.into_par_iter().map(sought).collect())
 }

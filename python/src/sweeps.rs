@@ -74,7 +74,8 @@ pub(crate) fn sweep_survey(
 ) -> PyResult<Vec<Surveyed>> {
     let sweep = opened(&folder, &base)?;
     let parts = sweep.share(share.0, share.1);
-    let survey = py.detach(|| on_threads(threads, || sweep.survey(&parts)))?.map_err(wrong)?;
+    let of = Arc::clone(&sweep);
+    let survey = on_threads(py, threads, move || of.survey(&parts))?.map_err(wrong)?;
     let rows = |part: usize| sweep.rows(part).end - sweep.rows(part).start;
     Ok(survey.into_iter().map(|(part, counts)| (part, rows(part), counts)).collect())
 }
@@ -92,7 +93,7 @@ pub(crate) fn sweep_part(
     if part >= sweep.parts() {
         return Err(CoupletError::new_err(format!("the sweep has no part {part}")));
     }
-    py.detach(|| on_threads(threads, || sweep.compute(part)))?.map_err(wrong)
+    on_threads(py, threads, move || sweep.compute(part))?.map_err(wrong)
 }
 
 /// What was looked through: parts, rows, rows proved again, rows certified, faults.
@@ -110,7 +111,7 @@ pub(crate) fn sweep_verify(
 ) -> PyResult<Looked> {
     let sweep = opened(&folder, &base)?;
     let parts = sweep.share(share.0, share.1);
-    let look = || verify(&sweep, &parts, sample, &|_| ());
-    let found = py.detach(|| on_threads(threads, look))?.map_err(wrong)?;
+    let look = move || verify(&sweep, &parts, sample, &|_| ());
+    let found = on_threads(py, threads, look)?.map_err(wrong)?;
     Ok((found.parts, found.rows, found.again, found.certified, found.faults))
 }

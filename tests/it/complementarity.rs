@@ -134,7 +134,6 @@ fn what_is_wrong_is_said_in_a_line() {
         (&["--half-opening", "2.3", "--friction", "1", "--digits", "0"], "digits"),
         (&["--half-opening", "2.3", "--friction", "1", "--stones", "61"], "at most 60"),
         (&["--half-opening", "2.3", "--friction", "1", "--half"], "--stones"),
-        (&["--half-opening", "2.3", "--friction", "inf", "--stones", "6"], "limited"),
         (
             &["--half-opening", "2.3", "--friction", "1", "--eta", "1", "--stones", "1"],
             "from 2 to 60, or to 100 with --thickness",
@@ -144,7 +143,6 @@ fn what_is_wrong_is_said_in_a_line() {
             &["--half-opening", "2.3", "--friction", "1", "--eta", "leats", "--stones", "9"],
             "`least`",
         ),
-        (&["--half-opening", "2.3", "--friction", "inf", "--eta", "1", "--stones", "9"], "limited"),
     ] {
         let output = couplet(&[&["complementarity"], line].concat());
         let error = text(&output.stderr);

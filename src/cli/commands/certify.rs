@@ -1,7 +1,7 @@
 //! `couplet certify`.
 
-use super::notes;
 use super::output::{Output, is_standard};
+use super::{notes, progress};
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::AsymmetricMode;
 use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling};
@@ -14,6 +14,9 @@ use clap::Args;
 use rayon::prelude::*;
 use std::fs;
 use std::path::{Path, PathBuf};
+
+/// Time of a certificate over that of the constants.
+const TIMES: f64 = 2.5;
 
 /// Write certificates that `couplet check` accepts without trusting the solver.
 ///
@@ -117,6 +120,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         CertifyTarget::All => return all(arguments),
         CertifyTarget::Landmark(landmark) => {
             let output = output()?;
+            progress::tell(&[digits], TIMES)?;
             return write(output, &certify_landmark(landmark, weight, digits)?);
         }
         CertifyTarget::Asymmetric => ASYMMETRIC,
@@ -168,6 +172,7 @@ fn all(arguments: &Arguments) -> Result<(), Failure> {
         .into_iter()
         .flat_map(|landmark| weights.iter().map(move |&weight| (landmark, weight)))
         .collect();
+    progress::tell(&vec![arguments.digits; points.len()], TIMES)?;
     let made: Vec<Certificate> = points
         .par_iter()
         .map(|&(landmark, weight)| certify_landmark(landmark, weight, arguments.digits))

@@ -150,10 +150,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         )
         .into());
     }
-    if stones.is_some() && arches.iter().any(|arch| !arch.is_limited()) {
-        let words = "conditions between stones need a limited friction: give --friction a number";
-        return Err(words.into());
-    }
     notes::frictions(arches.iter().take(1).map(Arch::friction));
     let answer = |arch: Arch| {
         let (enumeration, programme) = match (stones, &at) {

@@ -66,7 +66,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (output, _) = arguments.output.open()?;
     let ticks_of = |landmark| CertifiedLandmark::ticks_of(landmark, asked(landmark).len());
     let ticks = points.iter().map(|&(landmark, _)| ticks_of(landmark)).sum();
-    let bar = progress::bar(ticks, points.len() * digits);
+    let bar = progress::bar(ticks, &vec![digits; points.len()])?;
     let certificate = format.has_certificates.then_some(digits);
     let answer = |point: (Landmark, SelfWeight)| {
         let answer = proved(point, &asked(point.0), certificate, &|| bar.inc(1));

@@ -19,6 +19,7 @@ mod folder;
 mod given_rows;
 mod judge;
 mod map;
+mod memory;
 mod notes;
 mod output;
 mod print;

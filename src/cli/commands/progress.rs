@@ -1,11 +1,22 @@
-//! Progress bars on standard error, hidden if it is not a terminal.
+//! Progress on standard error: bars, hidden if it is not a terminal, and how long work takes if that is long.
 
+use super::described::say;
+use super::memory;
+use crate::arch::SelfWeight;
+use crate::certify::CertifiedLandmark;
+use crate::number::bits_of;
+use crate::problem::Landmark;
 use crate::report::words::count;
+use crate::sweep::failure::Failure;
 use indicatif::{ProgressBar, ProgressStyle};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Digits in all from which the work takes about a second.
 const LONG: usize = 200_000;
+/// Seconds from which it is said how long work takes.
+const WORTH_WORDS: f64 = 5.0;
+/// Digits of the landmark by which this machine is measured, and the power of the digits with which time grows.
+const MEASURED: (usize, f64) = (10_000, 1.35);
 
 /// A bar of rows, with rate and time left.
 pub(super) const ROWS: &str =
@@ -27,10 +38,36 @@ pub(super) fn styled(length: Option<u64>, style: &str) -> ProgressBar {
     bar
 }
 
-/// A bar of `ticks` ticks for a number of digits in all; it shows nothing for short work.
-pub(super) fn bar(ticks: u64, digits: usize) -> ProgressBar {
-    if digits < LONG {
-        return ProgressBar::hidden();
+/// A bar of `ticks` ticks for constants of so many digits; it shows nothing for short work. Refused where there is not
+/// enough memory.
+pub(super) fn bar(ticks: u64, sizes: &[usize]) -> Result<ProgressBar, Failure> {
+    if sizes.iter().sum::<usize>() < LONG {
+        return Ok(ProgressBar::hidden());
     }
-    styled(Some(ticks), "{spinner} {bar:40} {percent:>3}%  {elapsed} elapsed, about {eta} left")
+    tell(sizes, 1.0)?;
+    let style = "{spinner} {bar:40} {percent:>3}%  {elapsed} elapsed, about {eta} left";
+    Ok(styled(Some(ticks), style))
+}
+
+/// Tells how long it takes, if that is long, to refine landmarks to so many digits and to do so many times as much.
+/// Refused where there is not enough memory.
+pub(super) fn tell(sizes: &[usize], times: f64) -> Result<(), Failure> {
+    let digits: usize = sizes.iter().sum();
+    if digits < LONG {
+        return Ok(());
+    }
+    memory::has_room(sizes)?;
+    let start = Instant::now();
+    let (few, power) = MEASURED;
+    let measured = CertifiedLandmark::new(Landmark::Triple, SelfWeight::Heyman)
+        .and_then(|landmark| landmark.enclosure(bits_of(few)));
+    let one = start.elapsed().as_secs_f64() * times;
+    let seconds = |size: &usize| one * (*size as f64 / few as f64).powf(power);
+    let longest = sizes.iter().map(seconds).fold(0.0, f64::max);
+    let all = sizes.iter().map(seconds).sum::<f64>() / rayon::current_num_threads() as f64;
+    let seconds = f64::max(longest, all);
+    if measured.is_ok() && seconds > WORTH_WORDS {
+        say(&format!("couplet: {digits} digits in all take about {seconds:.0} s"));
+    }
+    Ok(())
 }

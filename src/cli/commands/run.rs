@@ -70,7 +70,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 /// Computes and writes one item after the other; each output is noted as soon as it is there.
 fn carry_out(plan: &Plan, folder: &mut RunFolder, explained: bool) -> Result<(), Failure> {
-    let bar = progress::bar(plan.ticks(), plan.size());
+    let bar = progress::bar(plan.ticks(), &plan.sizes())?;
     let tick = || bar.inc(1);
     let mut run = SceneRun::new(plan);
     let mut undecided = Vec::new();

@@ -1,7 +1,9 @@
 //! Balls of doubles: random formulas at hard arguments hold what MPFR finds.
 
 use crate::hard::config;
-use couplet::number::{Ball, DoubleBall, DoubleDouble, DoubleDoubleBall, Enclosure, Real, Ternary};
+use couplet::number::{
+    Ball, DoubleBall, DoubleDouble, DoubleDoubleBall, Enclosure, Real, Ternary, TripleWordBall,
+};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
@@ -31,6 +33,19 @@ impl Doubles for DoubleDoubleBall {
     fn parts(self) -> (Float, Float) {
         let mid = Float::with_val(BITS, self.mid().hi()) + self.mid().lo();
         (mid, Float::with_val(53, self.rad()))
+    }
+    fn shrunk(self, factor: f64) -> Self {
+        Self::new(self.mid(), self.rad() * factor)
+    }
+}
+
+impl Doubles for TripleWordBall {
+    /// A low part far below is cut off.
+    fn leaf(mid: DoubleDouble, rad: f64) -> Self {
+        Self::new(mid.into(), rad).widened(mid.hi().abs() * 2f64.powi(-190))
+    }
+    fn parts(self) -> (Float, Float) {
+        (self.to_ball(BITS).mid().clone(), Float::with_val(53, self.rad()))
     }
     fn shrunk(self, factor: f64) -> Self {
         Self::new(self.mid(), self.rad() * factor)
@@ -160,6 +175,11 @@ proptest! {
     #[test]
     fn a_formula_over_double_double_balls_holds_the_truth((leaves, steps) in formula()) {
         check::<DoubleDoubleBall>(&leaves, &steps);
+    }
+
+    #[test]
+    fn a_formula_over_balls_of_three_words_holds_the_truth((leaves, steps) in formula()) {
+        check::<TripleWordBall>(&leaves, &steps);
     }
 }
 

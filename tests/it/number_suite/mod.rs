@@ -6,7 +6,9 @@ mod sample;
 
 use crate::hard::{circle_point, config, hard_rational, positive_rational};
 use couplet::arch::cubic;
-use couplet::number::{Angle, AstroInterval, Ball, DoubleBall, DoubleDoubleBall, Dual, Real};
+use couplet::number::{
+    Angle, AstroInterval, Ball, DoubleBall, DoubleDoubleBall, Dual, Real, TripleWordBall,
+};
 use proptest::prelude::*;
 use rug::{Float, Rational};
 use sample::Sample;
@@ -104,6 +106,7 @@ suite! {
     ball: Ball, Slope::None, real_functions;
     double_ball: DoubleBall, Slope::None, real_functions;
     double_double_ball: DoubleDoubleBall, Slope::None, real_functions;
+    triple_word_ball: TripleWordBall, Slope::None, real_functions;
     astro: AstroInterval, Slope::None, real_functions;
     #[cfg(feature = "malachite")]
     malachite: couplet::number::MalachiteInterval, Slope::None, real_functions;

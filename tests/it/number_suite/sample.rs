@@ -2,6 +2,7 @@
 
 use couplet::number::{
     Ball, DoubleBall, DoubleDoubleBall, Dual, Enclosure, End, ExactNumber, Field, Interval,
+    TripleWordBall,
 };
 use rug::{Float, Rational};
 
@@ -79,6 +80,15 @@ impl Sample for DoubleBall {
 impl Sample for DoubleDoubleBall {
     fn sample(value: &Rational) -> Self {
         ExactNumber::from(value).enclosure(106)
+    }
+    fn agrees(&self, other: &Self) -> bool {
+        self.overlaps(other)
+    }
+}
+
+impl Sample for TripleWordBall {
+    fn sample(value: &Rational) -> Self {
+        ExactNumber::from(value).enclosure(150)
     }
     fn agrees(&self, other: &Self) -> bool {
         self.overlaps(other)

@@ -41,7 +41,8 @@ fn small_openings_need_no_more_bits_and_agree_with_the_printed_equations() {
                 let arch = arch(weight, half_opening, friction);
                 let (answer, cost) = tally::measure(|| arch.certify(20));
                 let Ok(Answer::Stands(small)) = answer else { panic!("{half_opening} {friction}") };
-                assert!(cost.working_bits < 150, "{half_opening} {friction}: {cost:?}");
+                // Those of three words at the most.
+                assert!(cost.working_bits <= 150, "{half_opening} {friction}: {cost:?}");
                 let printed = |bits| match tally::measure(|| arch.state(bits)) {
                     (Ok(Outcome::Stands(state)), cost) => (state, cost),
                     other => panic!("{half_opening} {friction}: {other:?}"),

@@ -280,3 +280,16 @@ fn slips_at_no_thrust_are_decided() {
         }
     }
 }
+
+/// Two stones without friction have one thrust, at which the shoulder bears no shear force, and a least thickness, to
+/// which that of little friction comes; with a joint between, nothing stands.
+#[test]
+fn two_stones_need_no_friction() {
+    let of = |stones, friction| found(&equal(stones, "1"), SelfWeight::Milankovitch, friction, 9);
+    let [none, little] = ["0", "1e-15"].map(|friction| state(of(2, friction)));
+    assert_eq!(none.thrust.to_string(), "0.642092616", "the cotangent of 1");
+    assert_eq!(none.thickness.to_string(), little.thickness.to_string());
+    for stones in [3, 4] {
+        assert!(matches!(of(stones, "0"), Voussoirs::Slides), "{stones}");
+    }
+}

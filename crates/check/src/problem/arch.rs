@@ -106,6 +106,14 @@ impl FromStr for Friction {
 }
 
 impl Friction {
+    /// Tells whether nothing resists sliding.
+    pub fn is_zero(&self) -> bool {
+        match self {
+            Self::Coefficient(x) | Self::Angle(x) => x.factor().numer().bits() == 0,
+            Self::Infinite => false,
+        }
+    }
+
     /// The friction as the ratio that a joint asks for, in numbers of `bits` bits.
     pub fn grip<E: Engine>(&self, bits: u32) -> Grip<E> {
         let one = E::zero(bits as usize).int(1);

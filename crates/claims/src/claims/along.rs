@@ -153,7 +153,7 @@ impl CurveStates {
 }
 
 /// An angle as a function of a parameter, of which it has this slope.
-pub(super) fn moving(angle: Angle<Ball>, slope: &Ball) -> Angle<Dual<Ball>> {
+pub(super) fn moving<T: Field>(angle: Angle<T>, slope: &T) -> Angle<Dual<T>> {
     let dual = |value, slope| Dual::with_derivative(value, 0, slope);
     let Angle { rad, sin, cos } = angle;
     let (up, down) = (cos.clone() * slope, -(sin.clone() * slope));

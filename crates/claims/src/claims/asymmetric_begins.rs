@@ -13,10 +13,11 @@ use crate::arch::asymmetric::{Asymmetric, AsymmetricMode};
 use crate::arch::joint::Grip;
 use crate::arch::whole::Forces;
 use crate::certify::{Undecided, between};
-use crate::number::{Angle, Ball, Enclosure, Field, Real, Stumpff, Ternary};
+use crate::number::{Angle, DoubleBall, Enclosure, Field, Real, Stumpff, Ternary};
 use crate::problem::Landmark;
-use crate::prover::root::{Form, root_near};
-use rug::{Float, Rational};
+use crate::prover::in_doubles::root_near;
+use crate::prover::root::Form;
+use rug::Rational;
 use std::sync::OnceLock;
 
 claims! {
@@ -48,8 +49,6 @@ const EDGES: [Edge; 4] = {
     ]
 };
 
-/// Bits of the states.
-const BITS: u32 = 96;
 /// A range is halved so often at the most.
 const DEPTH: usize = 16;
 
@@ -58,7 +57,7 @@ const DEPTH: usize = 16;
 /// room for the rest.
 struct BeginEquations {
     edge: Edge,
-    half_opening: Ball,
+    half_opening: DoubleBall,
 }
 
 impl Edge {
@@ -81,8 +80,8 @@ impl Edge {
     }
 }
 
-impl Form<Ball> for BeginEquations {
-    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
+impl Form<DoubleBall> for BeginEquations {
+    fn at<T: Real + Stumpff>(&self, number: impl Fn(&DoubleBall) -> T, x: &[T]) -> Vec<T> {
         let Edge { weight, mode, .. } = self.edge;
         let at = self.edge.at(&number(&self.half_opening), x);
         at.map_or_else(Vec::new, |at| {
@@ -93,14 +92,14 @@ impl Form<Ball> for BeginEquations {
     }
 
     /// Nothing is divided by but integers.
-    fn is_regular<T: Enclosure + Stumpff>(&self, _: impl Fn(&Ball) -> T, _: &[T]) -> bool {
+    fn is_regular<T: Enclosure + Stumpff>(&self, _: impl Fn(&DoubleBall) -> T, _: &[T]) -> bool {
         true
     }
 }
 
 impl Edge {
     /// The unknowns at T, where the edge ends, and its half opening in degrees, rounded up.
-    fn end(self) -> Checked<(Vec<Float>, Rational)> {
+    fn end(self) -> Checked<(Vec<f64>, Rational)> {
         let at = landmark(Landmark::Triple, self.weight)?;
         let moment =
             at.thrust.clone() * (at.thickness.clone() / at.thrust.int(2) + at.thrust.int(1));
@@ -113,13 +112,13 @@ impl Edge {
             / at.half_opening.rad.pi();
         let hundredths = degrees.upper().ceil().to_integer().and_then(|n| n.to_i32());
         let hundredths = hundredths.ok_or_else(|| Undecided::new("an unbounded landmark"))?;
-        let unknowns = unknowns.iter().map(|x| Float::with_val(BITS, x.mid())).collect();
+        let unknowns = unknowns.iter().map(|x| x.mid().to_f64()).collect();
         Ok((unknowns, Rational::from((hundredths, 100))))
     }
 
     /// Tells whether the mechanism exists (or not) at every half opening between two, in degrees; `start` are
     /// the unknowns next to the larger one, and next to the smaller one in the end.
-    fn is_so(self, exists: bool, [low, high]: [Rational; 2], start: &mut Vec<Float>) -> Checked {
+    fn is_so(self, exists: bool, [low, high]: [Rational; 2], start: &mut Vec<f64>) -> Checked {
         let mut open = vec![(low, high, 0)];
         while let Some((low, high, depth)) = open.pop() {
             match self.tells(exists, [&low, &high], start) {
@@ -136,24 +135,19 @@ impl Edge {
     }
 
     /// Tells whether the mechanism exists (or not) on a piece, without halving it.
-    fn tells(
-        self,
-        exists: bool,
-        [low, high]: [&Rational; 2],
-        start: &[Float],
-    ) -> Checked<Vec<Float>> {
-        let degrees = between(low, high).with_precision(BITS);
-        let half_opening = degrees.pi() * degrees / Ball::integer(180, BITS);
+    fn tells(self, exists: bool, [low, high]: [&Rational; 2], start: &[f64]) -> Checked<Vec<f64>> {
+        let degrees = DoubleBall::from(&between(low, high));
+        let half_opening = degrees.pi() * degrees / degrees.int(180);
         let equations = BeginEquations { edge: self, half_opening };
-        let root = root_near(&equations, BITS, start.to_vec())?;
+        let root = root_near(&equations, start)?;
         let at = self.at(&equations.half_opening, &root);
         let at = at.ok_or_else(|| Undecided::new("the number of unknowns"))?;
         let motion = at.motion(self.mode);
         let is_decided = match exists {
             true => motion.0.iter().all(|joint| joint.rate.is_positive().is_proved()),
-            false => motion.0.iter().any(|joint| (-joint.rate.clone()).is_positive().is_proved()),
+            false => motion.0.iter().any(|joint| (-joint.rate).is_positive().is_proved()),
         };
-        let centre = || root.iter().map(|x| Float::with_val(BITS, x.mid())).collect();
+        let centre = || root.iter().map(DoubleBall::mid).collect();
         is_decided.then(centre).ok_or_else(|| Undecided::new("the sign of a rate"))
     }
 

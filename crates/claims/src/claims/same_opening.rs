@@ -14,7 +14,7 @@ use super::letters::ring;
 use super::states::at_all_states;
 use super::{Checked, Derivation, Support, claims, lemmas};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
-use crate::number::{Angle, Ball, Dual, Field};
+use crate::number::{Angle, Ball, DoubleBall, DoubleDoubleBall, Dual, Field};
 use crate::symbolic::{Fraction, Letters, Polynomial, Symbol, along_the_joint};
 use rug::Rational;
 use std::sync::OnceLock;
@@ -150,25 +150,30 @@ fn states_of_one_opening(d: &mut Derivation) -> Checked {
 }
 
 /// `beta/sin(beta) - 1` with its slope, both of which grow with `beta`, from the ends of the ball.
-fn excess(joint: &Ball) -> (Ball, Ball) {
+fn excess(joint: DoubleDoubleBall) -> (DoubleDoubleBall, DoubleDoubleBall) {
+    let joint = DoubleBall::from(joint);
     let [low, high] = [joint.lower(), joint.upper()].map(|end| {
-        let at = Angle::new(Ball::exact(end, joint.prec()));
-        let slope = (at.rad.int(1) - at.times_cotangent()) / &at.sin;
-        ((at.rad - &at.sin) / at.sin, slope)
+        let at = Angle::new(DoubleDoubleBall::from(DoubleBall::exact(end)));
+        let slope = (at.rad.int(1) - at.times_cotangent()) / at.sin;
+        ((at.rad - at.sin) / at.sin, slope)
     });
     (low.0.hull(&high.0), low.1.hull(&high.1))
 }
 
 /// The slopes with their change along the states of one weight, as the thickness grows.
-fn slopes_along(joint: &Ball, delta: &Ball, eta: &Ball) -> WeightSlopes<Dual<Ball>> {
-    let angle = Angle::new(joint.clone());
-    let (excess, slope_of_excess) = excess(joint);
+fn slopes_along(
+    joint: &DoubleDoubleBall,
+    delta: &DoubleDoubleBall,
+    eta: &DoubleDoubleBall,
+) -> WeightSlopes<Dual<DoubleDoubleBall>> {
+    let angle = Angle::new(*joint);
+    let (excess, slope_of_excess) = excess(*joint);
     let ring = Ring::with_flag(delta, eta);
     let h = thrust::touching(&angle.versine(), &excess, &ring).value();
     let slope = widening(&angle, delta, eta, &h);
     let joint = moving(angle, &slope);
     let excess = Dual::with_derivative(excess, 0, slope_of_excess * slope);
-    let (delta, eta) = (Dual::constant(delta.clone()), Dual::variable(eta.clone(), 0));
+    let (delta, eta) = (Dual::constant(*delta), Dual::variable(*eta, 0));
     let ring = Ring::with_flag(&delta, &eta);
     let h = thrust::touching(&joint.versine(), &excess, &ring).value();
     slopes(&joint, &delta, &eta, &h)

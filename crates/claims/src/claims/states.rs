@@ -6,13 +6,11 @@
 use super::Checked;
 use super::curve::cubic_of;
 use crate::certify::{Undecided, between, cover};
-use crate::number::{Angle, Ball, Enclosure, Field, Real, Ternary};
-use rug::{Float, Rational};
+use crate::number::{Angle, DoubleBall, DoubleDoubleBall, Enclosure, Field, Ternary};
+use rug::Rational;
 
 /// A range is halved so often at the most.
 const DEPTH: usize = 40;
-/// Bits at the ends of the joints.
-const BITS: u32 = 96;
 
 /// From one number to another.
 pub(super) type RationalRange = (Rational, Rational);
@@ -22,39 +20,48 @@ fn joints() -> RationalRange {
     (Rational::from((1, 4)), Rational::from((6, 5)))
 }
 
+/// A ball that holds the numbers from `low` to `high`.
+fn all(low: &Rational, high: &Rational) -> DoubleDoubleBall {
+    (&between(low, high)).into()
+}
+
 /// The cubic (7) in `eta`.
-fn cubic(joint: &Ball, delta: i32, eta: &Ball) -> Ball {
-    cubic_of(&Angle::new(joint.clone()), &eta.int(delta), eta)
+fn cubic(joint: &Angle<DoubleDoubleBall>, delta: i32, eta: &DoubleDoubleBall) -> DoubleDoubleBall {
+    cubic_of(joint, &eta.int(delta), eta)
 }
 
 /// The `delta_M` between 0 and 1 with states in a range of joints, at some of the thicknesses; none if there
 /// are none. It falls as the joint grows, since `p/S` grows with both.
-fn flags((least, widest): &RationalRange, eta: &Ball) -> Option<Ball> {
+fn flags((least, widest): &RationalRange, eta: &DoubleDoubleBall) -> Option<DoubleDoubleBall> {
     let root = |joint: &Rational| {
-        let joint = Ball::enclosing(joint, eta.prec());
-        let rise = joint.sin_cos().0 * eta.square() * eta;
-        -(cubic(&joint, 0, eta) / rise)
+        let joint = Angle::new(all(joint, joint));
+        let rise = eta.square() * eta * joint.sin;
+        DoubleBall::from(-(cubic(&joint, 0, eta) / rise))
     };
     let (low, high) = (root(widest).lower(), root(least).upper());
-    let is_possible = !(low > 1 || high < 0);
-    let end = |x: Float| Ball::exact(x.clamp(&0, &1), eta.prec());
-    is_possible.then(|| end(low).hull(&end(high)))
+    let is_possible = !(low > 1.0 || high < 0.0);
+    let end = |x: f64| DoubleBall::exact(x.clamp(0.0, 1.0));
+    is_possible.then(|| end(low).hull(&end(high)).into())
 }
 
 /// Number of pieces that it takes to prove that all of `values`, of the joint, `delta_M` and the thickness,
 /// are positive at all states of a range of thicknesses. They are given balls that contain the states.
 pub(super) fn at_all_states(
     range: &RationalRange,
-    values: &dyn Fn(&Ball, &Ball, &Ball) -> Vec<Ball>,
+    values: &dyn Fn(
+        &DoubleDoubleBall,
+        &DoubleDoubleBall,
+        &DoubleDoubleBall,
+    ) -> Vec<DoubleDoubleBall>,
 ) -> Checked<usize> {
     let ((low, high), (first, last)) = (range, joints());
-    let at = |x: &Rational| Ball::enclosing(x, BITS);
-    cover(low, high, &|eta| (-cubic(&at(&first), 1, eta)).is_positive())?;
-    cover(low, high, &|eta| cubic(&at(&last), 0, eta).is_positive())?;
+    let at = |x: &Rational| Angle::new(all(x, x));
+    cover(low, high, &|eta| (-cubic(&at(&first), 1, &eta.into())).is_positive())?;
+    cover(low, high, &|eta| cubic(&at(&last), 0, &eta.into()).is_positive())?;
     let mut pieces = 0;
     let mut open = vec![(range.clone(), joints(), 0)];
     while let Some((thickness, joint, depth)) = open.pop() {
-        let [eta, beta] = [&thickness, &joint].map(|(low, high)| between(low, high));
+        let [eta, beta] = [&thickness, &joint].map(|(low, high)| all(low, high));
         let Some(delta) = flags(&joint, &eta) else { continue };
         if values(&beta, &delta, &eta).iter().all(|value| value.is_positive() == Ternary::True) {
             pieces += 1;

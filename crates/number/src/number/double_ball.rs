@@ -17,6 +17,19 @@ impl DoubleBall {
     }
 }
 
+/// The set of a ball of MPFR, but for roundings: outward.
+#[cfg(feature = "mpfr")]
+impl From<&super::Ball> for DoubleBall {
+    fn from(ball: &super::Ball) -> Self {
+        use rug::float::Round;
+        let (low, high) =
+            (ball.lower().to_f64_round(Round::Down), ball.upper().to_f64_round(Round::Up));
+        let mid = ball.mid().to_f64();
+        let rad = (high - mid).max(mid - low);
+        Self::new(mid, if rad > 0.0 { rad.next_up() } else { rad })
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::float_ball::LEAST;

@@ -2,7 +2,7 @@
 
 use super::end::End;
 use super::interval::Interval;
-use super::{DoubleBall, DoubleDoubleBall, Dyadic, Enclosure, FloatBall, Midpoint};
+use super::{DoubleBall, Dyadic, Enclosure, FloatBall, Midpoint};
 
 /// Enclosures that can be made from exact binary numbers.
 ///
@@ -42,14 +42,13 @@ impl<E: End> Engine for Interval<E> {
     }
 }
 
-/// The double or the two that lead, and a bound of what is left as radius.
+/// The bits that lead, and a bound of what is left as radius.
 impl<M: Midpoint> Engine for FloatBall<M>
 where
-    Self: From<DoubleDoubleBall> + Into<DoubleBall>,
+    Self: Into<DoubleBall>,
 {
     fn exact(value: &Dyadic, _bits: usize) -> Self {
-        let exponent = value.exponent().into();
-        DoubleDoubleBall::of_words(value.is_negative(), value.words(), exponent).into()
+        M::of_words(value.is_negative(), value.words(), value.exponent().into())
     }
 
     fn with_bits(&self, _bits: usize) -> Self {
@@ -109,7 +108,7 @@ mod mpfr {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{Ball, test_config::config};
+    use crate::number::{Ball, DoubleDoubleBall, test_config::config};
     use proptest::prelude::*;
 
     proptest! {

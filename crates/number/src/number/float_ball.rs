@@ -1,4 +1,5 @@
-//! Balls of floats: a midpoint of one or two doubles with a radius that is a double, without a heap.
+//! Balls of floats: a midpoint of one or two doubles, or of three words, with a radius that is a double; without a
+//! heap.
 //!
 //! With `u = 2^-53` each operation rounds its midpoint `m`, whose leading double is `hi`, with an error of at most
 //! [`UNIT`](Midpoint::UNIT)` |hi|`, and adds that to a radius computed from the radii of the operands.
@@ -16,6 +17,8 @@
 //! radius, a smaller radius becomes `LEAST`, and anything larger, or NaN, becomes the whole line.
 
 use super::double_sine::{self, sin_cos};
+#[cfg(feature = "mpfr")]
+use super::gmp::{TripleWord, triple_word_sine};
 use super::stumpff::{from_series, terms};
 use super::{DoubleDouble, Enclosure, Field, Real, Stumpff, Ternary};
 
@@ -27,8 +30,8 @@ pub struct FloatBall<M> {
     pub(super) rad: f64,
 }
 
-/// The midpoint of a [`FloatBall`]: some doubles, each a part of what those before it leave.
-pub trait Midpoint: Field + Copy + Into<DoubleDouble> {
+/// The midpoint of a [`FloatBall`]: a number that is led by a double.
+pub trait Midpoint: Field + Copy {
     /// Zero.
     const ZERO: Self;
     /// Above the error of every operation within `2^±220`, as a part of the leading double of the result.
@@ -37,9 +40,9 @@ pub trait Midpoint: Field + Copy + Into<DoubleDouble> {
     const BITS: u32;
     /// Pi, and what it leaves of pi, rounded up.
     const PI: (Self, f64);
-
-    /// The leading part of a double-double, and the size of what it leaves.
-    fn nearest(x: DoubleDouble) -> (Self, f64);
+    /// A bound of the error of sine and cosine, but for what they leave; relative to its argument, of the sine of at most
+    /// 1/64.
+    const SINE_ERROR: f64;
 
     /// The leading double, the nearest to the number.
     fn hi(self) -> f64;
@@ -49,6 +52,12 @@ pub trait Midpoint: Field + Copy + Into<DoubleDouble> {
 
     /// The square root of a positive number.
     fn root(self) -> Self;
+
+    /// Sine and cosine of a number in `[-4, 4]`, each with the size of what it leaves of the value that is found.
+    fn sin_cos(self) -> [(Self, f64); 2];
+
+    /// A ball of `± mantissa 2^exponent`, the mantissa in words of 64 bits, the least significant first.
+    fn of_words(is_negative: bool, mantissa: &[u64], exponent: i64) -> FloatBall<Self>;
 }
 
 /// `2^exponent`, within the range of normal doubles.
@@ -75,11 +84,7 @@ impl Midpoint for f64 {
     const UNIT: f64 = U;
     const BITS: u32 = 53;
     const PI: (Self, f64) = (std::f64::consts::PI, 1.2246467991473532e-16);
-
-    #[inline(always)]
-    fn nearest(x: DoubleDouble) -> (Self, f64) {
-        (x.hi(), x.lo().abs())
-    }
+    const SINE_ERROR: f64 = double_sine::ERROR;
 
     #[inline(always)]
     fn hi(self) -> f64 {
@@ -95,6 +100,16 @@ impl Midpoint for f64 {
     fn root(self) -> Self {
         self.sqrt()
     }
+
+    #[inline]
+    fn sin_cos(self) -> [(Self, f64); 2] {
+        let (sin, cos) = sin_cos(DoubleDouble::exact(self));
+        [sin, cos].map(|x| (x.hi(), x.lo().abs()))
+    }
+
+    fn of_words(is_negative: bool, mantissa: &[u64], exponent: i64) -> FloatBall<Self> {
+        DoubleDouble::of_words(is_negative, mantissa, exponent).into()
+    }
 }
 
 impl Midpoint for DoubleDouble {
@@ -102,11 +117,7 @@ impl Midpoint for DoubleDouble {
     const UNIT: f64 = Self::UNIT;
     const BITS: u32 = 106;
     const PI: (Self, f64) = (Self::constant(std::f64::consts::PI, 1.2246467991473532e-16), 3e-33);
-
-    #[inline(always)]
-    fn nearest(x: DoubleDouble) -> (Self, f64) {
-        (x, 0.0)
-    }
+    const SINE_ERROR: f64 = double_sine::ERROR;
 
     #[inline(always)]
     fn hi(self) -> f64 {
@@ -122,6 +133,50 @@ impl Midpoint for DoubleDouble {
     #[inline(always)]
     fn root(self) -> Self {
         self.sqrt()
+    }
+
+    #[inline]
+    fn sin_cos(self) -> [(Self, f64); 2] {
+        let (sin, cos) = sin_cos(self);
+        [(sin, 0.0), (cos, 0.0)]
+    }
+
+    fn of_words(is_negative: bool, mantissa: &[u64], exponent: i64) -> FloatBall<Self> {
+        FloatBall::<Self>::of_words(is_negative, mantissa, exponent)
+    }
+}
+
+#[cfg(feature = "mpfr")]
+impl Midpoint for TripleWord {
+    const ZERO: Self = Self::ZERO;
+    const UNIT: f64 = Self::UNIT;
+    const BITS: u32 = 150;
+    const PI: (Self, f64) = (Self::PI, Self::CUT / 64.0);
+    const SINE_ERROR: f64 = triple_word_sine::ERROR;
+
+    #[inline(always)]
+    fn hi(self) -> f64 {
+        self.hi()
+    }
+
+    #[inline(always)]
+    fn shortened(self) -> f64 {
+        self.shortened()
+    }
+
+    #[inline(always)]
+    fn root(self) -> Self {
+        self.sqrt()
+    }
+
+    #[inline]
+    fn sin_cos(self) -> [(Self, f64); 2] {
+        let (sin, cos) = triple_word_sine::sin_cos(self);
+        [(sin, 0.0), (cos, 0.0)]
+    }
+
+    fn of_words(is_negative: bool, mantissa: &[u64], exponent: i64) -> FloatBall<Self> {
+        FloatBall::<Self>::of_words(is_negative, mantissa, exponent)
     }
 }
 
@@ -192,6 +247,11 @@ impl<M: Midpoint> FloatBall<M> {
         Self::new(self.mid, (self.rad + more) * UP)
     }
 
+    /// A ball that holds this one and another; tight where they differ by little.
+    pub fn hull(&self, other: &Self) -> Self {
+        self.widened((*self - other).size()).widened(other.rad)
+    }
+
     /// An upper bound of the size of all numbers of the ball.
     pub fn size(&self) -> f64 {
         (self.mid.hi().abs() + self.rad) * UP
@@ -239,14 +299,13 @@ impl<M: Midpoint> Real for FloatBall<M> {
             let unit = Self { mid: M::ZERO, rad: 1.0 };
             return (unit, unit);
         }
-        let (sin, cos) = sin_cos(self.mid.into());
+        let [sin, cos] = self.mid.sin_cos();
         let relative = if size <= double_sine::RELATIVE { size } else { 1.0 };
-        let around = |value: DoubleDouble, slope: DoubleDouble, error: f64| {
-            let bent = (slope.hi().abs() + double_sine::ERROR) * r + r * r / 2.0;
-            let (mid, rest) = M::nearest(value);
+        let around = |(mid, rest): (M, f64), slope: M, error: f64| {
+            let bent = (slope.hi().abs() + M::SINE_ERROR) * r + r * r / 2.0;
             Self::new(mid, (r.min(bent) + rest + error) * UP)
         };
-        (around(sin, cos, double_sine::ERROR * relative), around(cos, sin, double_sine::ERROR))
+        (around(sin, cos.0, M::SINE_ERROR * relative), around(cos, sin.0, M::SINE_ERROR))
     }
 }
 

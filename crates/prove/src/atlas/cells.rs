@@ -11,45 +11,45 @@
 //! ```
 //!
 //! Each comparison moves one way only with the friction and with the thickness. So a cell is in one domain
-//! if the corner of the least friction and the largest thickness is, and the corner opposite to it.
+//! if the corner of the least friction and the largest thickness is, and the corner opposite to it. Balls of doubles
+//! are asked first, and balls of MPFR for what those leave open.
 
 use crate::arch::haunch::Haunch;
 use crate::arch::{Ring, SelfWeight, cycloid, thrust};
-use crate::number::{Angle, Ball, Enclosure, Field, Real, Ternary};
+use crate::number::{Angle, Ball, DoubleBall, Dyadic, Field, Real, Ternary};
 use crate::problem::Mode;
-use rug::Float;
+use crate::prover::arithmetic::Arithmetic;
 use std::collections::HashMap;
 
 /// Row of cells: all that belongs to a thickness alone.
 #[derive(Clone, Debug)]
-pub struct ThicknessRow {
-    ring: Ring<Ball>,
+struct ThicknessRow<E> {
+    ring: Ring<E>,
     /// The thrust and the half opening of the rotational state; none from the end of rotation on.
-    rotation: Option<(Ball, Ball)>,
+    rotation: Option<(E, E)>,
 }
 
 /// Column of cells: all that belongs to a friction alone.
 #[derive(Clone, Debug)]
-pub struct FrictionColumn {
-    inclination: Angle<Ball>,
+struct FrictionColumn<E> {
+    inclination: Angle<E>,
     /// `h_s`, and the half opening that just slides.
-    thrust: Ball,
-    half_opening: Angle<Ball>,
+    thrust: E,
+    half_opening: Angle<E>,
 }
 
-/// Bits of the balls, and the most steps of a bisection.
+/// Bits of the balls of MPFR, and the most steps of a bisection.
 const BITS: u32 = 96;
 
-fn exact(x: f64) -> Ball {
-    Ball::exact(Float::with_val(53, x), BITS)
+fn exact<E: Arithmetic>(x: f64) -> E {
+    E::exact(&Dyadic::from(x), BITS as usize)
 }
 
 /// Zero of a function that falls between two exact numbers, between which it has one.
-fn falling(low: Ball, high: Ball, f: impl Fn(&Ball) -> Ball) -> Ball {
+fn falling<E: Arithmetic>(low: E, high: E, f: impl Fn(&E) -> E) -> E {
     let (mut low, mut high) = (low, high);
     for _ in 0..BITS {
-        let middle = (low.clone() + &high) / low.int(2);
-        let middle = Ball::exact(middle.mid().clone(), BITS);
+        let middle = ((low.clone() + &high) / low.int(2)).midpoint();
         let value = f(&middle);
         match value.is_positive() {
             Ternary::True => low = middle,
@@ -57,17 +57,19 @@ fn falling(low: Ball, high: Ball, f: impl Fn(&Ball) -> Ball) -> Ball {
             Ternary::Undecided => break,
         }
     }
-    low.hull(&high)
+    low.hull_with(&high)
 }
 
 /// More than the widest rotational joint, and more than the widest half opening.
 const JOINTS: f64 = 1.5;
 const OPENINGS: f64 = 3.0;
+/// A little more than a right angle.
+const RIGHT_ANGLE: f64 = 1.571;
 
-impl ThicknessRow {
+impl<E: Arithmetic> ThicknessRow<E> {
     /// A thickness from 0 to 2; at 0 the limit of thin arches.
-    pub fn new(weight: SelfWeight, thickness: f64) -> Option<Self> {
-        let eta = exact(thickness);
+    fn new(weight: SelfWeight, thickness: f64) -> Option<Self> {
+        let eta: E = exact(thickness);
         let ring = Ring::new(weight, &eta);
         let (zero, one) = (eta.int(0), eta.int(1));
         if thickness == 0.0 {
@@ -78,11 +80,11 @@ impl ThicknessRow {
         if is_before == Ternary::False {
             return Some(Self { ring, rotation: None });
         }
-        let touching = |beta: &Ball| {
+        let touching = |beta: &E| {
             let haunch = Haunch::from(&Angle::new(beta.clone()));
             thrust::touching(&haunch.versine, &haunch.excess, &ring)
         };
-        let excess = |beta: &Ball| {
+        let excess = |beta: &E| {
             let cotangent = Angle::new(beta.clone()).times_cotangent();
             thrust::tangency(&cotangent, &ring).value() - touching(beta).value()
         };
@@ -91,7 +93,7 @@ impl ThicknessRow {
             return None;
         }
         let h = touching(&falling(zero.clone(), end, excess)).value();
-        let moment = |alpha: &Ball| thrust::whole(&Angle::new(alpha.clone()), &ring).value() - &h;
+        let moment = |alpha: &E| thrust::whole(&Angle::new(alpha.clone()), &ring).value() - &h;
         if moment(&exact(OPENINGS)).is_positive() != Ternary::False {
             return None;
         }
@@ -100,7 +102,7 @@ impl ThicknessRow {
     }
 
     /// The mode at a friction; `None` if a sign is not decided.
-    pub fn mode(&self, column: &FrictionColumn) -> Option<Mode> {
+    fn mode(&self, column: &FrictionColumn<E>) -> Option<Mode> {
         let FrictionColumn { inclination, thrust: h, half_opening } = column;
         if let Some((rotational, alpha)) = &self.rotation {
             let difference = rotational.clone() - h;
@@ -121,7 +123,7 @@ impl ThicknessRow {
         let excess = ring.intrados() * (two.clone() - h) - two * &ring.centroid_factor;
         let joint = match excess.is_positive() {
             Ternary::True => {
-                let tangent = |beta: &Ball| {
+                let tangent = |beta: &E| {
                     let cotangent = Angle::new(beta.clone()).times_cotangent();
                     thrust::tangency(&cotangent, ring).value() - h
                 };
@@ -156,18 +158,17 @@ fn by(truth: Ternary, yes: Mode, no: Mode) -> Option<Mode> {
     }
 }
 
-impl FrictionColumn {
+impl<E: Arithmetic> FrictionColumn<E> {
     /// The friction at which the force on an inner joint that slides has an inclination, from 0 to a right angle.
-    pub fn new(inclination: Ball) -> Self {
+    fn new(inclination: E) -> Self {
         let inclination = Angle::new(inclination);
         let (h, phi) = (cycloid::thrust(&inclination), cycloid::friction_angle(&inclination));
-        let outwards = |force: &Ball| {
+        let outwards = |force: &E| {
             let force = Angle::new(force.clone());
             -cycloid::shoulder(&(phi.clone() + &force.rad), &force, &h)
         };
-        // Up to a right angle, where it is -h.
-        let end = Ball::exact((h.pi() / h.int(2)).upper(), h.prec());
-        let force = falling(h.int(0), end, outwards);
+        // From a right angle on, where it is -h, it is not positive.
+        let force = falling(h.int(0), exact(RIGHT_ANGLE), outwards);
         let half_opening = Angle::new(phi + force);
         Self { inclination, thrust: h, half_opening }
     }
@@ -192,13 +193,40 @@ fn upwards() -> impl Iterator<Item = Mode> {
     Mode::ALL.into_iter().filter(|mode| mode.exists_with(true))
 }
 
+/// The corners of the cells of a map, in some numbers: rows and columns as they are asked for.
+struct Corners<E> {
+    rows: HashMap<u32, Option<ThicknessRow<E>>>,
+    columns: HashMap<u32, FrictionColumn<E>>,
+}
+
+/// The inclination at a column.
+fn inclination<E: Arithmetic>(across: u32, parts: u32) -> E {
+    let like: E = exact(f64::from(across));
+    like.pi() * &like / exact::<E>(2.0 * f64::from(parts))
+}
+
+impl<E: Arithmetic> Corners<E> {
+    fn new() -> Self {
+        Self { rows: HashMap::new(), columns: HashMap::new() }
+    }
+
+    /// The mode at a corner of a map of so many parts.
+    fn mode(&mut self, weight: SelfWeight, parts: u32, (across, up): (u32, u32)) -> Option<Mode> {
+        let thickness = 2.0 * f64::from(up) / f64::from(parts);
+        let row = self.rows.entry(up).or_insert_with(|| ThicknessRow::new(weight, thickness));
+        let column = || FrictionColumn::new(inclination(across, parts));
+        row.as_ref()?.mode(self.columns.entry(across).or_insert_with(column))
+    }
+}
+
 /// The cells of a map, as fine as asked.
 struct CellGrid {
     weight: SelfWeight,
     parts: u32,
-    rows: HashMap<u32, Option<ThicknessRow>>,
-    columns: HashMap<u32, FrictionColumn>,
+    quick: Corners<DoubleBall>,
+    corners: Corners<Ball>,
     modes: HashMap<(u32, u32), Option<usize>>,
+    friction_angles: HashMap<u32, Ball>,
     /// Proved, and perhaps, in the unit of the map.
     areas: Vec<[Ball; 2]>,
     cells: usize,
@@ -206,32 +234,27 @@ struct CellGrid {
 }
 
 impl CellGrid {
-    /// The inclination at a column.
-    fn inclination(&self, across: u32) -> Ball {
-        let like = exact(f64::from(across));
-        like.pi() * &like / exact(2.0 * f64::from(self.parts))
-    }
-
     /// The place of the mode at a corner among those of [`upwards`].
     fn mode(&mut self, across: u32, up: u32) -> Option<usize> {
         if let Some(known) = self.modes.get(&(across, up)) {
             return *known;
         }
-        let thickness = 2.0 * f64::from(up) / f64::from(self.parts);
-        let inclination = self.inclination(across);
-        let row = self.rows.entry(up).or_insert_with(|| ThicknessRow::new(self.weight, thickness));
-        let column = self.columns.entry(across).or_insert_with(|| FrictionColumn::new(inclination));
-        let mode = row.as_ref().and_then(|row| row.mode(column));
+        let (weight, parts, at) = (self.weight, self.parts, (across, up));
+        let quick = self.quick.mode(weight, parts, at);
+        let mode = quick.or_else(|| self.corners.mode(weight, parts, at));
         let mode = mode.and_then(|mode| upwards().position(|of| of == mode));
-        self.modes.insert((across, up), mode);
+        self.modes.insert(at, mode);
         mode
     }
 
     /// The part of the map that a cell is.
-    fn area(&self, across: u32, size: u32) -> Ball {
-        let angle = |k| cycloid::friction_angle(&Angle::new(self.inclination(k)));
-        let wide = angle(across + size) - angle(across);
-        let high = exact(f64::from(size) / f64::from(self.parts));
+    fn area(&mut self, across: u32, size: u32) -> Ball {
+        let parts = self.parts;
+        let angle = |k| cycloid::friction_angle(&Angle::new(inclination(k, parts)));
+        let [low, high] = [across, across + size]
+            .map(|k| self.friction_angles.entry(k).or_insert_with(|| angle(k)).clone());
+        let wide = high - low;
+        let high = exact::<Ball>(f64::from(size) / f64::from(parts));
         let right = wide.pi() / wide.int(2);
         wide * high / right
     }
@@ -267,11 +290,20 @@ impl Areas {
     /// The map of a weight in cells; those that are not in one domain are quartered until the map is this many times
     /// as wide, a power of two.
     pub fn new(weight: SelfWeight, parts: u32) -> Self {
-        let zero = exact(0.0);
+        let zero: Ball = exact(0.0);
         let none = || [zero.clone(), zero.clone()];
         let areas = upwards().map(|_| none()).collect();
-        let (rows, columns, modes) = (HashMap::new(), HashMap::new(), HashMap::new());
-        let mut grid = CellGrid { weight, parts, rows, columns, modes, areas, cells: 0, open: 0 };
+        let mut grid = CellGrid {
+            weight,
+            parts,
+            quick: Corners::new(),
+            corners: Corners::new(),
+            modes: HashMap::new(),
+            friction_angles: HashMap::new(),
+            areas,
+            cells: 0,
+            open: 0,
+        };
         grid.prove((0, 0), parts);
         let proved = grid.areas.iter().fold(zero, |sum, [proved, _]| sum + proved);
         let domains = upwards().zip(grid.areas).collect();
@@ -299,8 +331,16 @@ mod tests {
         low
     }
 
+    fn mode_in<E: Arithmetic>(weight: SelfWeight, phi: f64, eta: f64) -> Option<Mode> {
+        ThicknessRow::<E>::new(weight, eta)?.mode(&FrictionColumn::new(exact(inclination(phi))))
+    }
+
+    /// The mode, which is the same in other numbers, where these decide it.
     fn mode(weight: SelfWeight, phi: f64, eta: f64) -> Option<Mode> {
-        ThicknessRow::new(weight, eta)?.mode(&FrictionColumn::new(exact(inclination(phi))))
+        let mode = mode_in::<Ball>(weight, phi, eta);
+        let quick = mode_in::<DoubleBall>(weight, phi, eta);
+        assert!(quick.is_none() || quick == mode, "{weight:?} {phi} {eta}");
+        mode
     }
 
     /// Tells whether the modes of a line are above and below a thickness, a small step away.
@@ -341,18 +381,18 @@ mod tests {
     #[test]
     fn on_a_line_no_mode_is_guessed() {
         // At eta = 2 and beyond B, and where h_R = h_s = 0.
-        let end = ThicknessRow::new(SelfWeight::Heyman, 1.0).unwrap();
+        let end = ThicknessRow::<Ball>::new(SelfWeight::Heyman, 1.0).unwrap();
         assert!(end.rotation.is_none());
         let column = FrictionColumn::new(exact(1.5));
         assert_eq!(end.mode(&column), Some(Mode::OverturningSliding));
         // The origin.
-        let origin = ThicknessRow::new(SelfWeight::Heyman, 0.0).unwrap();
+        let origin = ThicknessRow::<Ball>::new(SelfWeight::Heyman, 0.0).unwrap();
         assert_eq!(origin.mode(&FrictionColumn::new(exact(0.0))), None);
     }
 
     #[test]
     fn edges_are_in_the_domains_beside_them() {
-        let like = exact(1.0);
+        let like: Ball = exact(1.0);
         let right = FrictionColumn::new(like.pi() / like.int(2));
         for weight in SelfWeight::ALL {
             for (eta, edge, mode) in [

@@ -45,7 +45,7 @@ mod walk;
 
 pub use arc::{Coordinate, CubicArc, arc};
 pub use asymmetric::{Border, BorderLine, Branch, Meeting, NoBranch, Stretch};
-pub use cells::{Areas, FrictionColumn, ThicknessRow};
+pub use cells::Areas;
 pub use contour::Contour;
 pub use curve::Curve;
 pub use difference::{Difference, DifferencePoint, Divide, LEAST_DIFFERENCE, Step};

@@ -41,7 +41,7 @@ pub use jointed::{
 pub use landmark::CertifiedLandmark;
 pub use processor_time::processor_time;
 pub use programme::{MOST_JOINTED_STONES, Programme, programme};
-pub use tilt::{LargestTilt, TiltDigits, TiltLimit, tilted};
+pub use tilt::{LargestTilt, TiltDigits, tilted};
 pub use tilt_mechanism::{TiltMechanism, TiltedJoint};
 pub use tilt_of_stones::{MOST_TILTED_STONES, tilted_stones};
 pub use verdict::certify_arch;

@@ -15,7 +15,8 @@
 //!    as its direction is not decided, makes the stretch longer; as the value is linear on it, what holds at its
 //!    ends holds between.
 //! 3. Two conditions that may be parallel make no line here. A vertex on them is on two other lines, unless three
-//!    conditions may be parallel in pairs; then nothing is decided.
+//!    conditions may be parallel in pairs; then nothing is decided. Three slips are no vertex: none says anything of
+//!    `p`.
 //! 4. The least of these bounds is a lower bound of the programme; the value at one end, with rates that are proved
 //!    to be positive and to fit, is an upper one.
 //!
@@ -71,7 +72,7 @@ pub enum Programme {
 pub const MOST_JOINTED_STONES: u64 = 100;
 
 /// The programme of an arch of equal stones, 2 to [`MOST_JOINTED_STONES`], at a thickness: of the whole arch, or of
-/// its half.
+/// its half. With unlimited friction the hinges alone are conditions.
 pub fn programme(
     arch: &Arch,
     thickness: &ExactNumber,
@@ -79,9 +80,6 @@ pub fn programme(
 ) -> Result<Programme, Error> {
     Refused::thickness(thickness)?;
     let number = Refused::stones(stones, MOST_JOINTED_STONES)?;
-    if !arch.is_limited() {
-        return Err(Undecided::new("whether a joint opens without friction to limit it").into());
-    }
     let all = RateSearch::new(conditions(arch, thickness, (number, extent)), extent);
     Ok(all.least()?)
 }
@@ -127,7 +125,9 @@ impl RateSearch {
             let (ends, admissible) = match self.stretch(pair)? {
                 FreeStretch::Empty => continue,
                 FreeStretch::Parallel => {
-                    parallel.push(pair);
+                    if pair.iter().any(|place| !self.is_free_of_moment(*place)) {
+                        parallel.push(pair);
+                    }
                     continue;
                 }
                 FreeStretch::Ends(ends, admissible) => (ends, admissible),
@@ -163,9 +163,15 @@ impl RateSearch {
         })
     }
 
+    /// Tells whether a condition of the whole arch says nothing of `p`, exactly.
+    fn is_free_of_moment(&self, place: usize) -> bool {
+        let is_zero = |limit: &MovingLimit| limit.row[1].mid() == 0.0 && limit.row[1].rad() == 0.0;
+        self.plane.is_none() && self.all.get(place).is_some_and(is_zero)
+    }
+
     /// Tells whether some joint bears nothing in a state that is proved to be admissible.
     fn bears_nothing(&self) -> bool {
-        let joints = self.all.chunks_exact(Contact::ALL.len());
+        let joints = self.all.chunk_by(|a, b| a.joint == b.joint);
         joints.into_iter().any(|at| self.state_without(at).is_some())
     }
 

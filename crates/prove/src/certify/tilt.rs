@@ -1,11 +1,17 @@
 //! The largest horizontal acceleration at which an arch of a given thickness has an admissible state, proved.
 //!
-//! **From above**: conditions at a few joints, whose multipliers are positive and leave nothing of `h, p` and `v`,
-//! leave a bound of `k`. It is valid for any choice of joints; its error is quadratic in their distance from the true
-//! ones. **From below**: a state that is admissible at every joint of `[-alpha, alpha]`, by pieces that cover
-//! it: a piece where a margin is convex is decided by its value and slope at one point, however little room there
-//! is. Between the candidate of the limit and a state well inside there is one as near to the limit as one likes;
-//! so both bounds come together to any number of digits.
+//! A search in doubles says which conditions limit it. They hold with equality, each at its joint, and touch there:
+//! these equations have one root in a box ([`TiltMechanism`]), and its acceleration is the largest exactly, since
+//!
+//! - **from above**, its multipliers are positive and leave nothing of `h, p` and `v`: they bound `k` by that of the
+//!   root;
+//! - **from below**, the state of the root is admissible at every joint of `[-alpha, alpha]`, by pieces that cover it.
+//!   Next to a joint that touches, the margin is convex, and no value is below that of the touch, which is zero.
+//!
+//! So the proof is done once, with few bits; the digits are those of the root.
+//!
+//! **At one acceleration** a state with room says that there is one, and four conditions that contradict each other
+//! that there is none, whatever of the largest stays open.
 //!
 //! **What it means.** Admissible states at an acceleration lie between those at two others, and the mirror image is
 //! one to the left. So there are some exactly up to the largest, and beyond it the arch falls. Below it, the static
@@ -13,7 +19,7 @@
 //! an admissible state does not exclude a motion, as sliding opens no joint: the value then is an upper bound of
 //! what the arch can bear.
 
-use super::tilt_mechanism::{JointPlace, TiltMechanism};
+use super::tilt_mechanism::TiltMechanism;
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
 use crate::arch::tilt::TiltedRow;
@@ -21,30 +27,17 @@ use crate::arch::whole::along;
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Jet, bits_of};
 use crate::problem::{Arch, Joints, Slope};
 use crate::prover::decide::is_positive;
-use crate::prover::positive::is_positive_on;
-use crate::prover::{Answered, Figure, Refused, Undecided, raise};
-use crate::solve::tilt::{TiltCandidate, TiltSearch, TiltTouch, contacts};
+use crate::prover::positive::{Zero, is_positive_on};
+use crate::prover::{Figure, Refused, Undecided, raise};
+use crate::solve::tilt::{TiltCandidate, TiltNear, TiltSearch, contacts};
 use rug::Float;
 use std::cell::OnceCell;
-
-/// A condition of those that leave the bound.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TiltLimit {
-    /// The condition, by its sign: on the left half `Inwards` slides outwards, and the other way round.
-    pub contact: Contact,
-    /// True if the joint is at a springing.
-    pub is_springing: bool,
-    /// True if the joint is on the right half, to which the acceleration pushes.
-    pub is_right: bool,
-    /// The joint between two stones, from the crown; `None` where there is one at every angle.
-    pub joint: Option<u64>,
-}
 
 /// The largest acceleration with an admissible state.
 #[derive(Clone, Debug)]
 pub enum LargestTilt {
-    /// The largest acceleration, over that of gravity, and the conditions that leave the bound.
-    Limited(Box<Figure>, Vec<TiltLimit>),
+    /// The largest acceleration, over that of gravity, and the joints that give way there.
+    Limited(Box<Figure>, Box<TiltMechanism>),
     /// There is an admissible state at every acceleration.
     Unlimited,
 }
@@ -57,51 +50,42 @@ pub struct TiltDigits {
     pub is_admissible: Result<bool, Undecided>,
     /// The largest acceleration with one.
     pub largest: Result<LargestTilt, Undecided>,
-    /// The joints that give way there.
-    pub mechanism: Answered<TiltMechanism>,
 }
 
 impl TiltDigits {
-    /// Proves an acceleration and the largest one, to some digits: `largest` proves that one, and `told`
-    /// sees in it alone whether the acceleration asked for has a state. One nearer to the largest than its digits
-    /// tell takes more bits.
+    /// Proves an acceleration and the largest one, to some digits: `largest` finds what gives way there, `None` if
+    /// there is none, and `told` sees by the acceleration asked for alone whether that has a state. One nearer to the
+    /// largest than its digits tell takes more bits.
     pub(super) fn found(
         (first, digits): (u32, usize),
         tilt: &Slope,
-        largest: impl Fn(u32) -> Result<Option<TiltBound>, Undecided>,
-        told: impl Fn(u32) -> Option<bool>,
-        mechanism: impl Fn(&Figure) -> Result<TiltMechanism, Undecided>,
+        largest: impl Fn(u32) -> Result<Option<TiltMechanism>, Undecided>,
+        told: impl Fn() -> Option<bool>,
     ) -> Self {
-        let compare = |found: &Option<TiltBound>, bits| {
-            compared(found.as_ref().map(|(largest, _)| largest), tilt, bits)
+        let compare = |found: &Option<TiltMechanism>, bits| match found {
+            None => Some(true),
+            Some(mechanism) => {
+                let room = mechanism.tilt().clone() - acceleration(tilt, bits);
+                room.excludes_zero().then(|| *room.mid() > 0)
+            }
         };
         let mut decided = None;
         let found = raise(first, |bits| {
             let found = largest(bits)?;
             decided = decided.or_else(|| compare(&found, bits));
-            let Some((largest, limits)) = found else { return Ok(Some(LargestTilt::Unlimited)) };
-            let figure = Figure::new(&largest, digits);
-            Ok(figure.map(|figure| LargestTilt::Limited(Box::new(figure), limits)))
+            let Some(mechanism) = found else { return Ok(Some(LargestTilt::Unlimited)) };
+            let figure = Figure::new(mechanism.tilt(), digits);
+            Ok(figure.map(|figure| LargestTilt::Limited(Box::new(figure), Box::new(mechanism))))
         });
-        let beside = |bits| match told(bits) {
-            Some(told) => Ok(Some(told)),
-            None => {
-                let open = || Undecided::new("whether the acceleration is below the largest");
-                compare(&largest(bits)?, bits).map(Some).ok_or_else(open)
-            }
-        };
-        let is_admissible = decided.map_or_else(|| raise(2 * first, beside), Ok);
+        let is_admissible = decided
+            .or_else(told)
+            .map_or_else(|| raise(2 * first, |bits| Ok(compare(&largest(bits)?, bits))), Ok);
         // Beside a verdict the reason for what stays open names it.
         let largest = found.map_err(|open| match is_admissible {
             Ok(_) => open.about("the largest tilt"),
             Err(_) => open,
         });
-        let mechanism = match &largest {
-            Ok(LargestTilt::Limited(figure, _)) => mechanism(figure).map(Some),
-            Ok(LargestTilt::Unlimited) => Ok(None),
-            Err(open) => Err(open.clone()),
-        };
-        Self { is_admissible, largest, mechanism }
+        Self { is_admissible, largest }
     }
 }
 
@@ -109,8 +93,10 @@ impl TiltDigits {
 const UNBOUNDED: &str = "whether the acceleration is bounded";
 /// Question that stays open where the search finds no conditions that limit it.
 pub(super) const NOT_FOUND: &str = "which conditions limit the acceleration";
-/// Bits beyond a third, as the state from below is nearer to the limit than these.
-const GUARD: u32 = 16;
+/// Bits of the proof, and those with which it is tried once more.
+const BITS: [u32; 2] = [256, 1024];
+/// Bits beyond those of the digits.
+pub(super) const GUARD: u32 = 64;
 
 /// Proves what holds for an arch that stands at this thickness under an acceleration, to `digits` significant digits.
 pub fn tilted(
@@ -121,28 +107,18 @@ pub fn tilted(
 ) -> Result<TiltDigits, Refused> {
     Refused::thickness(thickness)?;
     Refused::arch_digits(digits)?;
-    let first = 3 * (bits_of(digits) + GUARD);
-    // Whether it is bounded at all is seen in doubles, with room or not: more bits tell no more.
-    let hopeless = OnceCell::new();
-    let largest = |bits| match hopeless.get() {
-        Some(open) => Err(Undecided::clone(open)),
-        None => TiltProof::new(arch, thickness, bits).largest().inspect_err(|open| {
-            if open.reason == UNBOUNDED {
-                hopeless.get_or_init(|| open.clone());
-            }
-        }),
+    let proof = |bits| TiltProof::new(arch, thickness, bits);
+    let proved = OnceCell::new();
+    let largest = |bits| {
+        let [few, more] = BITS.map(|bits| move || proof(bits).largest());
+        match proved.get_or_init(|| few().or_else(|_| more())) {
+            Ok(Some((near, mechanism))) => proof(bits).refined(near, mechanism).map(Some),
+            Ok(None) => Ok(None),
+            Err(open) => Err(Undecided::clone(open)),
+        }
     };
-    // A state well inside tells by itself that there is one, whatever of the largest stays open.
-    let told = |bits| TiltProof::new(arch, thickness, bits).has_state(tilt).then_some(true);
-    let mechanism = |figure: &Figure| TiltProof::new(arch, thickness, first).mechanism(figure);
-    Ok(TiltDigits::found((first, digits), tilt, largest, told, mechanism))
-}
-
-/// Tells whether an acceleration is below the largest; `None` if that is not told.
-fn compared(largest: Option<&Ball>, tilt: &Slope, bits: u32) -> Option<bool> {
-    let Some(largest) = largest else { return Some(true) };
-    let room = largest.clone() - acceleration(tilt, bits);
-    room.excludes_zero().then(|| *room.mid() > 0)
+    let told = || proof(BITS[0]).told(tilt);
+    Ok(TiltDigits::found((bits_of(digits) + GUARD, digits), tilt, largest, told))
 }
 
 /// The acceleration over gravity that is asked for, in balls of some bits: given like a friction, by itself or by
@@ -160,9 +136,6 @@ struct TiltProof {
     bits: u32,
 }
 
-/// The largest acceleration, and the conditions that limit it.
-pub(super) type TiltBound = (Ball, Vec<TiltLimit>);
-
 impl TiltProof {
     fn new(arch: &Arch, thickness: &ExactNumber, bits: u32) -> Self {
         let half_opening = arch.half_opening().enclosure(bits);
@@ -172,171 +145,102 @@ impl TiltProof {
     }
 
     fn search(&self) -> TiltSearch {
-        let mid = |x: &Ball| Float::with_val(self.bits, x.mid());
-        TiltSearch::new(mid(&self.half_opening), self.joints.map(mid), self.is_limited, self.bits)
+        let double = |x: &Ball| x.mid().to_f64();
+        TiltSearch::new(double(&self.half_opening), self.joints.map(double), self.is_limited)
+    }
+
+    /// Tells whether there is an admissible state at an acceleration; `None` if that is not told.
+    fn told(&self, tilt: &Slope) -> Option<bool> {
+        let tilt = acceleration(tilt, self.bits);
+        match self.has_state(&tilt) {
+            true => Some(true),
+            false => self.has_none(&tilt).then_some(false),
+        }
     }
 
     /// Tells whether the state at an acceleration that is farthest from all conditions satisfies them.
-    fn has_state(&self, tilt: &Slope) -> bool {
-        let tilt = acceleration(tilt, self.bits);
+    fn has_state(&self, tilt: &Ball) -> bool {
         let Some(state) = self.search().inside_at(tilt.mid().to_f64()) else { return false };
         let [h, p, v, _] = state.map(|x| Ball::exact(Float::with_val(self.bits, x), self.bits));
-        let (weight, unknowns) = (h.int(1), [h, p, v, tilt]);
-        self.is_admissible(&unknowns, &weight).is_ok()
+        let (weight, unknowns) = (h.int(1), [h, p, v, tilt.clone()]);
+        self.is_admissible(&unknowns, &weight, &[]).is_ok()
     }
 
-    /// The largest acceleration, between two bounds; `None` if there is none.
-    fn largest(&self) -> Result<Option<TiltBound>, Undecided> {
+    /// Tells whether some conditions contradict each other at an acceleration.
+    fn has_none(&self, tilt: &Ball) -> bool {
+        let Some(places) = self.search().against(tilt.mid().to_f64()) else { return false };
+        let row = |(contact, joint): &(Contact, f64)| {
+            // No joint is beyond a springing: the outermost ones are the springings themselves.
+            let size = Ball::exact(Float::with_val(self.bits, joint.abs()), self.bits);
+            let is_inside = is_positive(&(self.half_opening.clone() - &size));
+            let size = if is_inside { size } else { self.half_opening.clone() };
+            let at = if *joint < 0.0 { -size } else { size };
+            self.joints.tilted(*contact, &Angle::new(at))
+        };
+        contradict(&places.iter().map(row).collect::<Vec<_>>(), tilt)
+    }
+
+    /// The joints that give way at the largest acceleration, proved, and the candidate for them; `None` if there is
+    /// no largest one.
+    fn largest(&self) -> Result<Option<(TiltNear, TiltMechanism)>, Undecided> {
         match self.search().candidate() {
             TiltCandidate::Nothing => Err(Undecided::new(NOT_FOUND)),
             TiltCandidate::Unlimited => self.unlimited().map(|()| None),
             TiltCandidate::Limited(near) => {
-                let (high, limits) = self.bound_above(&near.touches)?;
-                let low = self.bound_below(&near.limit, &near.inside)?;
-                if high.is_less_than(&low).is_proved() {
-                    return Err(Undecided::new("a bound of the acceleration"));
-                }
-                Ok(Some((low.hull(&high), limits)))
+                let mechanism = self.mechanism(&near)?;
+                let weight = Ball::integer(1, self.bits);
+                self.is_admissible(&mechanism.forces, &weight, &mechanism.zeros())?;
+                Ok(Some((near, mechanism)))
             }
         }
     }
 
-    /// The joints that give way at the largest acceleration.
-    fn mechanism(&self, largest: &Figure) -> Result<TiltMechanism, Undecided> {
-        let TiltCandidate::Limited(near) = self.search().candidate() else {
-            return Err(Undecided::new(NOT_FOUND));
-        };
-        let place = |touch: &TiltTouch| {
-            let place = match (touch.is_inside, touch.joint > 0) {
-                (true, _) => JointPlace::Near(touch.joint.clone()),
-                (false, true) => JointPlace::Springing(self.half_opening.clone()),
-                (false, false) => JointPlace::Springing(-self.half_opening.clone()),
-            };
-            (touch.contact, place)
-        };
-        let places: Vec<_> = near.touches.iter().map(place).collect();
-        let start = (&near.limit, &near.rates[..]);
-        TiltMechanism::new(&self.joints, &places, start, (largest, self.bits))
+    fn mechanism(&self, near: &TiltNear) -> Result<TiltMechanism, Undecided> {
+        TiltMechanism::new(&self.joints, &self.half_opening, near, self.bits)
     }
 
-    /// A bound from above. A line that touches at fewer joints than are needed: one of them becomes two beside it,
-    /// the first with which there is a bound. Two hinges at an intrados that is one point are not.
-    fn bound_above(&self, touches: &[TiltTouch]) -> Result<TiltBound, Undecided> {
-        let is_pinned = touches.iter().any(|touch| touch.contact.is_hinge());
-        let kept: &[usize] = if is_pinned { &[0, 1, 2] } else { &[0, 2] };
-        let inside = || touches.iter().filter(|touch| touch.is_inside);
-        let found = (0..inside().count().max(1)).find_map(|first| {
-            let in_turn = inside().cycle().skip(first).take(inside().count());
-            self.bound_by(&self.apart(touches, in_turn, kept.len() + 1), kept)
-        });
-        let bound = found.ok_or_else(|| Undecided::new("a bound of the acceleration"))?;
-        let limit = |touch: &TiltTouch| TiltLimit {
-            contact: touch.contact,
-            is_springing: !touch.is_inside,
-            is_right: touch.joint > 0,
-            joint: None,
-        };
-        Ok((bound, touches.iter().map(limit).collect()))
-    }
-
-    /// Lists so many touches, with those of some joints, in turn, at two joints beside them.
-    fn apart<'a>(
-        &self,
-        touches: &[TiltTouch],
-        joints: impl Iterator<Item = &'a TiltTouch>,
-        count: usize,
-    ) -> Vec<TiltTouch> {
-        let mut apart = touches.to_vec();
-        let offset = Float::with_val(self.bits, 1) >> (self.bits / 4);
-        for touch in joints {
-            if apart.len() >= count {
-                break;
-            }
-            let beside = |joint| TiltTouch { joint, ..touch.clone() };
-            let at = apart.iter().position(|other| other.joint == touch.joint).unwrap_or(0);
-            apart[at] = beside(Float::with_val(self.bits, &touch.joint - &offset));
-            apart.push(beside(Float::with_val(self.bits, &touch.joint + &offset)));
+    /// The joints that are proved to give way, to the bits of this proof.
+    fn refined(&self, near: &TiltNear, proved: &TiltMechanism) -> Result<TiltMechanism, Undecided> {
+        if proved.tilt().prec() >= self.bits {
+            return Ok(proved.clone());
         }
-        apart
-    }
-
-    /// The bound that conditions at some joints leave, if their multipliers are positive and nothing is left of the
-    /// numbers kept.
-    fn bound_by(&self, apart: &[TiltTouch], kept: &[usize]) -> Option<Ball> {
-        // A joint beyond the springings is none of the arch.
-        let is_of_arch = |touch: &TiltTouch| {
-            let size = Ball::exact(touch.joint.clone().abs(), self.bits);
-            !touch.is_inside || (self.half_opening.clone() - size).is_positive().is_proved()
-        };
-        if apart.len() != kept.len() + 1 || !apart.iter().all(is_of_arch) {
-            return None;
+        let refined = self.mechanism(near)?;
+        match refined.lies_inside(proved) {
+            true => Ok(refined),
+            false => Err(Undecided::root("the refined box leaves the box of uniqueness")),
         }
-        let rows: Vec<TiltedRow<Ball>> = apart.iter().map(|touch| self.row(touch)).collect();
-        let columns: Vec<Vec<Ball>> = rows
-            .iter()
-            .map(|row| kept.iter().map(|k| row.coefficients[*k].clone()).collect())
-            .collect();
-        let mut rates = rates(&columns);
-        if rates.iter().all(|rate| (-rate.clone()).is_positive().is_proved()) {
-            rates = rates.into_iter().map(|rate| -rate).collect();
-        }
-        let zero = Ball::integer(0, self.bits);
-        let sum = |of: &dyn Fn(&TiltedRow<Ball>) -> Ball| {
-            let terms = rates.iter().zip(&rows);
-            terms.fold(zero.clone(), |sum, (rate, row)| sum + rate.clone() * of(row))
-        };
-        let slope = sum(&|row| row.coefficients[3].clone());
-        let is_bound = rates.iter().all(is_positive) && is_positive(&slope);
-        is_bound.then(|| -sum(&|row| row.load.clone()) / slope)
-    }
-
-    fn row(&self, touch: &TiltTouch) -> TiltedRow<Ball> {
-        let joint = match (touch.is_inside, touch.joint > 0) {
-            (true, _) => Ball::exact(touch.joint.clone(), self.bits),
-            (false, true) => self.half_opening.clone(),
-            (false, false) => -self.half_opening.clone(),
-        };
-        self.joints.tilted(touch.contact, &Angle::new(joint))
-    }
-
-    /// The acceleration of an admissible state next to the limit.
-    fn bound_below(&self, limit: &[Float; 4], inside: &[Float; 4]) -> Result<Ball, Undecided> {
-        let share = Float::with_val(self.bits, 1) >> (self.bits / 3);
-        let mix = |k: usize| {
-            let way = Float::with_val(self.bits, &inside[k] - &limit[k]);
-            Ball::exact(Float::with_val(self.bits, &limit[k] + way * &share), self.bits)
-        };
-        let unknowns: [Ball; 4] = std::array::from_fn(mix);
-        let weight = Ball::integer(1, self.bits);
-        self.is_admissible(&unknowns, &weight)?;
-        let [.., tilt] = unknowns;
-        Ok(tilt)
     }
 
     /// More thrust, and with it more acceleration, passes no condition: to a state that is admissible any amount of
     /// it is added.
     fn unlimited(&self) -> Result<(), Undecided> {
-        let ball = |x: &Ball| Ball::exact(Float::with_val(self.bits, x.mid()), self.bits);
         let ring = &self.joints.ring;
         let cos = Angle::new(self.half_opening.clone()).cos;
         let moment = (ring.extrados() * cos + ring.intrados()) / ring.thickness.int(4);
-        let moment = ball(&moment);
+        let moment = moment.midpoint();
         let zero = moment.int(0);
         let holds = |k: i64| {
             let unknowns = [zero.int(1), moment.clone(), zero.clone(), zero.int(1).scaled(-k)];
-            self.is_admissible(&unknowns, &zero)
+            self.is_admissible(&unknowns, &zero, &[])
         };
         let found = (3..30).step_by(3).find_map(|k| holds(k).ok());
         found.ok_or_else(|| Undecided::new(UNBOUNDED))
     }
 
-    /// Checks that at numbers `h, p, v, k`, with the weight that goes with them (none for a direction), all margins are
-    /// positive on the whole arch.
-    fn is_admissible(&self, unknowns: &[Ball; 4], weight: &Ball) -> Result<(), Undecided> {
+    /// Checks that at numbers `h, p, v, k`, with the weight that goes with them (none for a direction), no margin is
+    /// negative anywhere on the arch, and that it is zero at given joints alone.
+    fn is_admissible(
+        &self,
+        unknowns: &[Ball; 4],
+        weight: &Ball,
+        zeros: &[(Contact, Zero)],
+    ) -> Result<(), Undecided> {
         let most = self.half_opening.upper();
         contacts(self.is_limited).iter().try_for_each(|contact| {
             let margin = |joint: &Ball| self.margin(*contact, joint, (unknowns, weight));
-            is_positive_on(&margin, (&-most.clone(), &most), self.bits)
+            let zeros = zeros.iter().filter(|(of, _)| of == contact);
+            let zeros: Vec<Zero> = zeros.map(|(_, zero)| zero.clone()).collect();
+            is_positive_on(&margin, (&-most.clone(), &most), &zeros, self.bits)
         })
     }
 
@@ -351,6 +255,23 @@ impl TiltProof {
         let row = self.joints.constant(2).tilted(contact, &along(&Angle::new(joint.clone())));
         -row.at(&unknowns.each_ref().map(constant), &constant(weight))
     }
+}
+
+/// Tells whether four conditions, with positive multipliers that leave nothing of `h, p` and `v`, contradict each
+/// other at an acceleration.
+pub(super) fn contradict(of: &[TiltedRow<Ball>], tilt: &Ball) -> bool {
+    if of.len() != 4 {
+        return false;
+    }
+    let columns: Vec<Vec<Ball>> = of.iter().map(|row| row.coefficients[..3].to_vec()).collect();
+    let rates = rates(&columns);
+    let passed = |row: &TiltedRow<Ball>| row.coefficients[3].clone() * tilt + &row.load;
+    let terms = rates.iter().zip(of).map(|(rate, row)| rate.clone() * passed(row));
+    let sum = terms.fold(tilt.int(0), |sum, term| sum + term);
+    // The multipliers may all be negative: then so is what is left.
+    let is_negative = |x: &Ball| is_positive(&-x.clone());
+    rates.iter().all(is_positive) && is_positive(&sum)
+        || rates.iter().all(is_negative) && is_negative(&sum)
 }
 
 /// Multipliers with which every column of the rows drops out, one row being too many: the minors, with signs in turn.

@@ -1,18 +1,19 @@
 //! The joints that give way at the largest horizontal acceleration, their places proved, and the forces there.
 //!
-//! The conditions that leave the bound hold with equality, each at its joint; inside the arch each touches, its slope
+//! The conditions that limit it hold with equality, each at its joint; inside the arch each touches, its slope
 //! along the arch being zero; and their multipliers leave the acceleration alone. These are as many equations as
 //! unknowns: the forces and the acceleration, the joints inside, the multipliers. A box is proved to hold exactly one
-//! root. Multipliers that are positive there bound the acceleration by that of the root, which has to be the one that
-//! is proved to be the largest, as far as its digits tell.
+//! root. Multipliers that are positive there bound the acceleration by that of the root.
 
 use crate::arch::mechanism::Contact;
 use crate::arch::whole::along;
 use crate::number::{Angle, Ball, Enclosure, Jet, Real, Stumpff};
 use crate::problem::Joints;
+use crate::prover::Undecided;
 use crate::prover::decide::is_positive;
+use crate::prover::positive::Zero;
 use crate::prover::root::{Form, root_near};
-use crate::prover::{Figure, Undecided};
+use crate::solve::tilt::{TiltNear, TiltTouch};
 use rug::Float;
 
 /// A joint that gives way.
@@ -37,14 +38,8 @@ pub struct TiltMechanism {
     pub joints: Vec<TiltedJoint>,
 }
 
-/// Place of a joint.
-#[derive(Clone, Debug)]
-pub(super) enum JointPlace {
-    /// At a springing.
-    Springing(Ball),
-    /// About here.
-    Near(Float),
-}
+/// Place of a joint: at a springing, or somewhere inside the arch.
+type JointPlace = Option<Ball>;
 
 /// The equations for given conditions.
 struct TiltRoot<'a> {
@@ -52,22 +47,21 @@ struct TiltRoot<'a> {
     places: &'a [(Contact, JointPlace)],
     /// The unknowns of `h, p, v, k` that are fixed: without a hinge nothing is said of `p`.
     kept: &'static [usize],
-    /// The unknowns that are negative: Newton's method sees all as positive.
-    is_negative: &'a [bool],
+    /// Numbers that are added to the unknowns, which may be near zero: Newton's method sees positive ones.
+    added: &'a [Ball],
 }
 
 impl TiltRoot<'_> {
     fn inside(&self) -> usize {
-        self.places.iter().filter(|(_, place)| matches!(place, JointPlace::Near(_))).count()
+        self.places.iter().filter(|(_, place)| place.is_none()).count()
     }
 }
 
 impl Form<Ball> for TiltRoot<'_> {
     fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
-        let like = &x[0];
-        let signed =
-            |(x, is_negative): (&T, &bool)| if *is_negative { -x.clone() } else { x.clone() };
-        let x: Vec<T> = x.iter().zip(self.is_negative).map(signed).collect();
+        let like = &x[0].clone();
+        let unknowns = x.iter().zip(self.added);
+        let x: Vec<T> = unknowns.map(|(x, added)| x.clone() - number(added)).collect();
         let constant = |x: T| Jet::constant(x, 2);
         let mut values = [(); 4].map(|()| constant(like.int(0)));
         self.kept.iter().zip(&x).for_each(|(k, x)| values[*k] = constant(x.clone()));
@@ -77,15 +71,12 @@ impl Form<Ball> for TiltRoot<'_> {
         let one = constant(like.int(1));
         let (mut rows, mut touches) = (Vec::new(), Vec::new());
         for (contact, place) in self.places {
-            let joint = match place {
-                JointPlace::Springing(joint) => Some(number(joint)),
-                JointPlace::Near(_) => near.next().cloned(),
-            };
+            let joint = place.as_ref().map(&number).or_else(|| near.next().cloned());
             let joint = joint.unwrap_or_else(|| like.int(0));
             let row = joints.tilted(*contact, &along(&Angle::new(joint)));
             let condition = row.at(&values, &one);
             touches.push(condition.coefficient(0));
-            if matches!(place, JointPlace::Near(_)) {
+            if place.is_none() {
                 touches.push(condition.coefficient(1));
             }
             rows.push(row);
@@ -105,42 +96,82 @@ impl Form<Ball> for TiltRoot<'_> {
 }
 
 impl TiltMechanism {
-    /// The root of the conditions at some places next to a state and multipliers, whose acceleration is a figure.
+    /// The root next to a candidate, its joints proved to be of the arch and their multipliers to be positive.
     pub(super) fn new(
         joints: &Joints<Ball>,
-        places: &[(Contact, JointPlace)],
-        (state, rates): (&[Float; 4], &[Float]),
-        (largest, bits): (&Figure, u32),
+        half_opening: &Ball,
+        near: &TiltNear,
+        bits: u32,
     ) -> Result<Self, Undecided> {
-        let is_pinned = places.iter().any(|(contact, _)| contact.is_hinge());
+        let TiltNear { touches, state } = near;
+        let is_pinned = touches.iter().any(|touch| touch.contact.is_hinge());
         let kept: &[usize] = if is_pinned { &[0, 1, 2, 3] } else { &[0, 2, 3] };
-        let near = places.iter().filter_map(|(_, place)| match place {
-            JointPlace::Near(joint) => Some(joint),
-            JointPlace::Springing(_) => None,
-        });
-        let start: Vec<&Float> = kept.iter().map(|k| &state[*k]).chain(near).chain(rates).collect();
-        let is_negative: Vec<bool> = start.iter().map(|x| **x < 0).collect();
-        let form = TiltRoot { joints, places, kept, is_negative: &is_negative };
-        let sizes = start.into_iter().map(|x| x.clone().abs()).collect();
-        let root = root_near(&form, bits, sizes)?.into_iter().zip(&is_negative);
-        let mut root = root.map(|(x, is_negative)| if *is_negative { -x } else { x });
-        let mut forces = state.each_ref().map(|x| Ball::exact(Float::with_val(bits, x), bits));
+        let springing =
+            |joint: f64| if joint > 0.0 { half_opening.clone() } else { -half_opening.clone() };
+        let place =
+            |touch: &TiltTouch| (touch.contact, (!touch.is_inside).then(|| springing(touch.joint)));
+        let places: Vec<(Contact, JointPlace)> = touches.iter().map(place).collect();
+        let inside = touches.iter().filter(|touch| touch.is_inside).map(|touch| touch.joint);
+        let rates = touches.iter().map(|touch| touch.rate);
+        let start: Vec<f64> = kept.iter().map(|k| state[*k]).chain(inside).chain(rates).collect();
+        let exact = |x: f64| Ball::exact(Float::with_val(bits, x), bits);
+        let added: Vec<Ball> = start.iter().map(|x| exact((2.0 * x.abs()).ceil() + 4.0)).collect();
+        let form = TiltRoot { joints, places: &places, kept, added: &added };
+        let start =
+            start.iter().zip(&added).map(|(x, added)| Float::with_val(bits, added.mid() + x));
+        let root = root_near(&form, bits, start.collect())?.into_iter().zip(&added);
+        let mut root = root.map(|(x, added)| x - added);
+        let mut forces = state.map(exact);
         kept.iter().zip(root.by_ref()).for_each(|(k, x)| forces[*k] = x);
         let near: Vec<Ball> = root.by_ref().take(form.inside()).collect();
         let mut near = near.into_iter();
         let joint = |((contact, place), rate): (&(Contact, JointPlace), Ball)| {
-            let (angle, is_springing) = match place {
-                JointPlace::Springing(joint) => (joint.clone(), true),
-                JointPlace::Near(_) => (near.next()?, false),
-            };
+            let (angle, is_springing) = (place.clone().or_else(|| near.next())?, place.is_some());
             Some(TiltedJoint { contact: *contact, angle, rate, is_springing })
         };
         let joints: Vec<TiltedJoint> = places.iter().zip(root).filter_map(joint).collect();
-        let open = || Undecided::new("which joints give way");
-        let is_largest = forces[3].overlaps(&largest.enclosure(bits));
-        let is_known =
-            joints.len() == places.len() && joints.iter().all(|joint| is_positive(&joint.rate));
-        (is_largest && is_known).then(|| Self::ordered(forces, joints)).ok_or_else(open)
+        let is_of_arch = |joint: &TiltedJoint| {
+            let TiltedJoint { angle, is_springing, .. } = joint;
+            let [right, left] = [half_opening.clone() - angle, half_opening.clone() + angle];
+            *is_springing || is_positive(&right) && is_positive(&left)
+        };
+        let is_known = |joint: &TiltedJoint| is_positive(&joint.rate) && is_of_arch(joint);
+        match joints.len() == places.len() && joints.iter().all(is_known) {
+            true => Ok(Self::ordered(forces, joints)),
+            false => Err(Undecided::new("which joints give way")),
+        }
+    }
+
+    /// The acceleration over that of gravity.
+    pub fn tilt(&self) -> &Ball {
+        let [.., tilt] = &self.forces;
+        tilt
+    }
+
+    /// Where the margins of the conditions are zero.
+    pub(super) fn zeros(&self) -> Vec<(Contact, Zero)> {
+        let zero = |joint: &TiltedJoint| {
+            let at = joint.angle.clone();
+            let zero = match (joint.is_springing, *at.mid() > 0) {
+                (false, _) => Zero::Touch(at),
+                (true, true) => Zero::End(at),
+                (true, false) => Zero::Begin(at),
+            };
+            (joint.contact, zero)
+        };
+        self.joints.iter().map(zero).collect()
+    }
+
+    /// Tells whether it lies in the interior of another, number by number.
+    pub(super) fn lies_inside(&self, other: &Self) -> bool {
+        let numbers = |of: &Self| {
+            let joints =
+                of.joints.iter().flat_map(|joint| [joint.angle.clone(), joint.rate.clone()]);
+            of.forces.iter().cloned().chain(joints).collect::<Vec<Ball>>()
+        };
+        let (inner, outer) = (numbers(self), numbers(other));
+        inner.len() == outer.len()
+            && inner.iter().zip(&outer).all(|(x, whole)| x.lies_inside(whole))
     }
 
     /// From the right springing to the left one.

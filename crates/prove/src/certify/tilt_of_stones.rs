@@ -12,7 +12,7 @@
 //!
 //! What it means is said in [`tilted`](super::tilted): with friction an admissible state does not exclude a motion.
 
-use super::tilt::{NOT_FOUND, TiltBound, TiltDigits, TiltLimit, acceleration, determinant, rates};
+use super::tilt::{GUARD, NOT_FOUND, TiltDigits, acceleration, contradict, determinant};
 use super::tilt_mechanism::{TiltMechanism, TiltedJoint};
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
@@ -22,15 +22,12 @@ use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, bits_of};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Joints, Slope};
 use crate::prover::decide::is_positive;
-use crate::prover::{Figure, Refused, Undecided};
+use crate::prover::{Refused, Undecided};
 use crate::solve::tilt::{StoneTilt, against, inside, largest};
 use rug::Float;
 
 /// More stones are refused: the programme has four conditions at each joint.
 pub const MOST_TILTED_STONES: u64 = 2_001;
-
-/// Bits beyond those of the digits.
-const GUARD: u32 = 64;
 
 /// A condition of a stone's joint.
 struct StoneLimit {
@@ -57,61 +54,33 @@ pub fn tilted_stones(
     stones.check()?;
     Refused::stones(stones.number(), MOST_TILTED_STONES)?;
     let all = |bits| conditions(arch, stones, thickness, bits);
-    let told = |bits| {
-        let all = all(bits);
-        match has_state(&all, tilt, bits) {
+    let first = bits_of(digits) + GUARD;
+    let told = || {
+        let (all, tilt) = (all(first), acceleration(tilt, first));
+        match has_state(&all, &tilt) {
             true => Some(true),
-            false => has_none(&all, tilt, bits).then_some(false),
+            false => has_none(&all, &tilt).then_some(false),
         }
     };
-    let first = bits_of(digits) + GUARD;
     let largest = |bits| largest_of(&all(bits), bits);
-    let mechanism = |_: &Figure| gives_way(&all(first), first);
-    Ok(TiltDigits::found((first, digits), tilt, largest, told, mechanism))
-}
-
-/// The joints that give way at the largest acceleration.
-fn gives_way(all: &[StoneLimit], bits: u32) -> Result<TiltMechanism, Undecided> {
-    match largest(&in_doubles(all)) {
-        StoneTilt::Limited { active, moment } => Ok(limited(all, &active, moment, bits)?.1),
-        StoneTilt::Nothing | StoneTilt::Unlimited(_) => Err(Undecided::new(NOT_FOUND)),
-    }
+    Ok(TiltDigits::found((first, digits), tilt, largest, told))
 }
 
 /// Tells whether the state at an acceleration that is farthest from all conditions satisfies them.
-fn has_state(all: &[StoneLimit], tilt: &Slope, bits: u32) -> bool {
-    let tilt = acceleration(tilt, bits);
+fn has_state(all: &[StoneLimit], tilt: &Ball) -> bool {
     let Some(state) = inside(&in_doubles(all), tilt.mid().to_f64()) else { return false };
-    let [h, p, v, _] = state.map(|x| Ball::exact(Float::with_val(bits, x), bits));
-    let (one, unknowns) = (h.int(1), [h, p, v, tilt]);
+    let [h, p, v, _] = state.map(|x| Ball::exact(Float::with_val(tilt.prec(), x), tilt.prec()));
+    let (one, unknowns) = (h.int(1), [h, p, v, tilt.clone()]);
     all.iter().all(|of| (-of.row.at(&unknowns, &one)).is_positive().is_proved())
 }
 
-/// Tells whether four conditions, with positive multipliers that leave nothing of `h, p` and `v`, contradict
-/// each other at an acceleration.
-fn has_none(all: &[StoneLimit], tilt: &Slope, bits: u32) -> bool {
-    let tilt = acceleration(tilt, bits);
+/// Tells whether some conditions contradict each other at an acceleration.
+fn has_none(all: &[StoneLimit], tilt: &Ball) -> bool {
     let Some(places) = against(&in_doubles(all), tilt.mid().to_f64()) else {
         return false;
     };
-    let of: Vec<&StoneLimit> = places.iter().filter_map(|place| all.get(*place)).collect();
-    contradict(&of, &tilt)
-}
-
-/// Tells whether four given conditions contradict each other at an acceleration.
-fn contradict(of: &[&StoneLimit], tilt: &Ball) -> bool {
-    if of.len() != 4 {
-        return false;
-    }
-    let columns: Vec<Vec<Ball>> = of.iter().map(|of| of.row.coefficients[..3].to_vec()).collect();
-    let rates = rates(&columns);
-    let zero = tilt.int(0);
-    let passed = |of: &StoneLimit| of.row.coefficients[3].clone() * tilt + &of.row.load;
-    let sum = rates.iter().zip(of).fold(zero, |sum, (rate, of)| sum + rate.clone() * passed(of));
-    // The multipliers may all be negative: then so is what is left.
-    let is_negative = |x: &Ball| is_positive(&-x.clone());
-    rates.iter().all(is_positive) && is_positive(&sum)
-        || rates.iter().all(is_negative) && is_negative(&sum)
+    let row = |place: &usize| Some(all.get(*place)?.row.clone());
+    contradict(&places.iter().filter_map(row).collect::<Vec<_>>(), tilt)
 }
 
 /// The rows in doubles.
@@ -145,14 +114,12 @@ fn conditions(arch: &Arch, stones: &Stones, thickness: &ExactNumber, bits: u32) 
     (0..stones.count()).flat_map(joint).collect()
 }
 
-/// The largest acceleration with the conditions that leave it; `None` if there is none.
-fn largest_of(all: &[StoneLimit], bits: u32) -> Result<Option<TiltBound>, Undecided> {
+/// The joints that give way at the largest acceleration; `None` if there is none.
+fn largest_of(all: &[StoneLimit], bits: u32) -> Result<Option<TiltMechanism>, Undecided> {
     match largest(&in_doubles(all)) {
         StoneTilt::Nothing => Err(Undecided::new(NOT_FOUND)),
         StoneTilt::Unlimited(direction) => unlimited(all, &direction, bits).map(|()| None),
-        StoneTilt::Limited { active, moment } => {
-            limited(all, &active, moment, bits).map(|(bound, _)| Some(bound))
-        }
+        StoneTilt::Limited { active, moment } => limited(all, &active, moment, bits).map(Some),
     }
 }
 
@@ -162,7 +129,7 @@ fn limited(
     active: &[usize],
     moment: f64,
     bits: u32,
-) -> Result<(TiltBound, TiltMechanism), Undecided> {
+) -> Result<TiltMechanism, Undecided> {
     let open = || Undecided::new(NOT_FOUND);
     let of: Vec<&StoneLimit> = active.iter().filter_map(|place| all.get(*place)).collect();
     let is_pinned = of.iter().any(|condition| condition.contact.is_hinge());
@@ -222,13 +189,6 @@ fn limited(
         return Err(Undecided::new("whether a state is admissible at every joint"));
     }
     let springing = all.iter().map(|of| of.joint).max().unwrap_or(0);
-    let limit = |of: &&StoneLimit| TiltLimit {
-        contact: of.contact,
-        is_springing: of.joint == springing,
-        is_right: of.side == Side::Right,
-        joint: Some(of.joint),
-    };
-    let tilt = unknowns[3].clone();
     let joint = |(of, rate): (&&StoneLimit, Ball)| TiltedJoint {
         contact: of.contact,
         angle: of.angle.clone(),
@@ -236,15 +196,7 @@ fn limited(
         is_springing: of.joint == springing,
     };
     let joints = of.iter().zip(multipliers).map(joint).collect();
-    let mut limits: Vec<TiltLimit> = of.iter().map(limit).collect();
-    // From the right springing to the left.
-    let order = |limit: &TiltLimit| match (limit.joint, limit.is_right) {
-        (Some(joint), true) => -(joint as i64),
-        (Some(joint), false) => joint as i64 + 1,
-        (None, _) => 0,
-    };
-    limits.sort_by_key(order);
-    Ok(((tilt, limits), TiltMechanism::ordered(unknowns, joints)))
+    Ok(TiltMechanism::ordered(unknowns, joints))
 }
 
 /// Any amount of a direction, with its acceleration of one, may be added to a state.
@@ -314,17 +266,18 @@ mod tests {
         let of = |tilt: &str| found(arch, 5, "1.45", tilt);
         let largest = of("0.1");
         assert_eq!(largest.is_admissible, Ok(true));
-        let Ok(LargestTilt::Limited(figure, limits)) = &largest.largest else {
+        let Ok(LargestTilt::Limited(figure, mechanism)) = &largest.largest else {
             panic!("{largest:?}")
         };
-        assert!(limits.iter().all(|limit| !limit.contact.is_hinge()), "{limits:?}");
+        let joints = &mechanism.joints;
+        assert!(joints.iter().all(|joint| !joint.contact.is_hinge()), "{joints:?}");
         let at = |by: f64| of(&format!("{:.9}", figure.double + by)).is_admissible;
         assert_eq!((at(-1e-8), at(1e-8)), (Ok(true), Ok(false)));
         // A state inside all conditions says so by itself, and there is none beyond the largest.
         let parsed = Arch::parse("heyman", "2.203", "1.838").unwrap();
         let stones = Stones::equal(5, parsed.half_opening().clone()).unwrap();
         let all = conditions(&parsed, &stones, &"1.45".parse().unwrap(), 200);
-        let inside = |tilt: f64| has_state(&all, &format!("{tilt:.9}").parse().unwrap(), 200);
+        let inside = |tilt: f64| has_state(&all, &Ball::exact(Float::with_val(200, tilt), 200));
         assert!(inside(figure.double - 1e-6) && !inside(figure.double + 1e-6));
     }
 
@@ -338,17 +291,17 @@ mod tests {
         let parsed = Arch::parse("heyman", "2pi/3", "inf").unwrap();
         let stones = Stones::equal(4, parsed.half_opening().clone()).unwrap();
         let all = conditions(&parsed, &stones, &"1".parse().unwrap(), 200);
-        let given = |tilt: &str| -> Slope { tilt.parse().unwrap() };
-        assert!(has_none(&all, &given("1"), 200) && !has_none(&all, &given("0.7"), 200));
-        let places = against(&in_doubles(&all), 1.0).unwrap();
-        let four: Vec<&StoneLimit> = places.iter().map(|place| &all[*place]).collect();
         let tilt = |k: f64| Ball::exact(Float::with_val(200, k), 200);
+        assert!(has_none(&all, &tilt(1.0)) && !has_none(&all, &tilt(0.7)));
+        let places = against(&in_doubles(&all), 1.0).unwrap();
+        let four: Vec<TiltedRow<Ball>> =
+            places.iter().map(|place| all[*place].row.clone()).collect();
         // The same four say nothing of an acceleration that is borne, nor do three of them, nor one twice.
         assert!(contradict(&four, &tilt(1.0)) && !contradict(&four, &tilt(0.7)));
         assert!(!contradict(&four[..3], &tilt(1.0)));
         for k in 0..4 {
             let mut forged = four.clone();
-            forged[k] = four[(k + 1) % 4];
+            forged[k] = four[(k + 1) % 4].clone();
             assert!(!contradict(&forged, &tilt(1.0)), "{k}");
         }
     }
@@ -366,13 +319,10 @@ mod tests {
     #[test]
     fn what_limits_is_in_order_along_the_arch() {
         let largest = found(["milankovitch", "pi/2", "inf"], 11, "0.15", "0").largest;
-        let Ok(LargestTilt::Limited(_, limits)) = largest else { panic!("{largest:?}") };
-        let place = |limit: &TiltLimit| {
-            let joint = limit.joint.unwrap() as i64 + 1;
-            if limit.is_right { joint } else { -joint }
-        };
-        let places: Vec<i64> = limits.iter().map(place).collect();
-        assert!(places.len() == 4 && places.windows(2).all(|two| two[0] > two[1]), "{places:?}");
+        let Ok(LargestTilt::Limited(_, mechanism)) = largest else { panic!("{largest:?}") };
+        let angles: Vec<f64> =
+            mechanism.joints.iter().map(|joint| joint.angle.mid().to_f64()).collect();
+        assert!(angles.len() == 4 && angles.windows(2).all(|two| two[0] > two[1]), "{angles:?}");
     }
 
     #[test]
@@ -387,17 +337,8 @@ mod tests {
         let arch = Arch::parse("heyman", "pi/2", "0.6").unwrap();
         let stones = Stones::equal(9, arch.half_opening().clone()).unwrap();
         let all = conditions(&arch, &stones, &"0.15".parse().unwrap(), 200);
-        let (tilt, limits) = largest_of(&all, 200).unwrap().unwrap();
-        let place = |limit: &TiltLimit| {
-            let is = |of: &StoneLimit| {
-                (of.contact, Some(of.joint), of.side == Side::Right)
-                    == (limit.contact, limit.joint, limit.is_right)
-            };
-            all.iter().position(is).unwrap()
-        };
-        let active: Vec<usize> = limits.iter().map(place).collect();
-        let again = limited(&all, &active, 0.0, 200).unwrap().0;
-        assert!(again.0.overlaps(&tilt));
+        let StoneTilt::Limited { active, .. } = largest(&in_doubles(&all)) else { panic!() };
+        assert!(limited(&all, &active, 0.0, 200).is_ok());
         for k in 0..4 {
             let mut forged = active.clone();
             forged[k] = (0..all.len()).find(|place| !active.contains(place)).unwrap();

@@ -164,7 +164,8 @@ fn audit_one(printed: &'static Printed, points: &Points<'_>) -> Result<Audited, 
     let undecided = || Undecided::new(format!("{} {}", printed.place, printed.text));
     let PrintedNumber { value, unit, digits } = figures(printed.text).ok_or_else(undecided)?;
     let truth = points.value(printed.landmark, printed.weight, printed.quantity)?;
-    let [error, absolute] = [&unit, &Rational::from(1)].map(|unit| truth.error_of(&value, unit));
+    let absolute = truth.error_of(&value);
+    let error = absolute.over(&unit);
     let verdict = error.verdict().ok_or_else(undecided)?;
     let size = absolute.shown().ok_or_else(undecided)?;
     let rounded = truth.rounded(digits.len()).ok_or_else(undecided)?;

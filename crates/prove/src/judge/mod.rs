@@ -27,6 +27,7 @@
 //! | [`published`] | the numbers that the paper prints |
 //! | `printed` | a printed number: its error, and how good its last place is |
 //! | `claim` | what a row says |
+//! | `comparable` | what a printed number is compared with |
 //! | `truth` | what is proved of a quantity |
 //! | `number` | one number against its enclosure |
 //! | `verdict` | the row as a whole |
@@ -35,6 +36,7 @@
 mod audit;
 mod boundary;
 mod claim;
+mod comparable;
 mod number;
 mod printed;
 pub mod published;

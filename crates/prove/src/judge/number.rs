@@ -1,11 +1,12 @@
 //! One claimed number against its enclosure.
 
 use super::claim::{Claimed, ClaimedValue};
+use super::comparable::Comparable;
 use super::printed::{
     KnownValue, PrintedError, PrintedNumber, PrintedVerdict, correct_digits, spacing,
 };
 use super::truth::Truth;
-use crate::number::{Ball, Decimal, ExactNumber, Field, Real, Rounded};
+use crate::number::{Ball, Decimal, DoubleDoubleBall, ExactNumber, Rounded, nearest_double};
 use crate::problem::Quantity;
 use rug::Rational;
 use std::cmp::Ordering;
@@ -85,7 +86,7 @@ fn shown_digits(claimed: &Claimed) -> usize {
 
 impl Judged {
     /// Compares a claim with the truth; `None` asks for a narrower enclosure.
-    pub(super) fn new(claimed: &Claimed, truth: Truth) -> Option<Self> {
+    pub(super) fn new<E: Comparable>(claimed: &Claimed, truth: Truth<E>) -> Option<Self> {
         let digits = shown_digits(claimed);
         let truth = match truth {
             Truth::Finite(known) if claimed.degrees => Truth::Finite(in_degrees(known)),
@@ -119,19 +120,22 @@ impl Judged {
         Some(judged)
     }
 
-    fn compare(&mut self, number: &PrintedNumber, truth: &KnownValue) -> Option<()> {
-        let one = Rational::from(1);
-        let absolute = truth.error_of(&number.value, &one);
-        let units = truth.error_of(&number.value, &number.unit);
+    fn compare<E: Comparable>(
+        &mut self,
+        number: &PrintedNumber,
+        truth: &KnownValue<E>,
+    ) -> Option<()> {
+        let absolute = truth.error_of(&number.value);
+        let units = absolute.over(&number.unit);
         let rounding = units.verdict()?;
         let order = order(&absolute)?;
         let size = absolute.shown()?;
         let relative = match (truth, order) {
             (_, Ordering::Equal) => Some(size.clone()),
             // Exactly one, which no enclosure decides.
-            _ if number.value == 0 => Some(Rounded::from_rational(&one, 1)?.value),
+            _ if number.value == 0 => Some(Rounded::from_rational(&Rational::from(1), 1)?.value),
             (KnownValue::Exact(x), _) if *x == 0 => None,
-            (KnownValue::Exact(x), _) => Some(truth.error_of(&number.value, x).shown()?),
+            (KnownValue::Exact(x), _) => Some(absolute.over(x).shown()?),
             (KnownValue::Enclosed(x), _) => match &absolute {
                 PrintedError::Enclosed(error) => {
                     Some(PrintedError::Enclosed(error.clone() / x).shown()?)
@@ -141,11 +145,11 @@ impl Judged {
         };
         let nearest = match truth {
             KnownValue::Exact(x) => ExactNumber::from(x).nearest_double(),
-            KnownValue::Enclosed(x) => Some(x.nearest_double()?),
+            KnownValue::Enclosed(x) => Some(x.double()?),
         };
         let is_exactly_zero = matches!(truth, KnownValue::Exact(x) if *x == 0);
         let ulp = match nearest.and_then(spacing).filter(|_| !is_exactly_zero) {
-            Some(spacing) => Some(truth.error_of(&number.value, &spacing).shown()?),
+            Some(spacing) => Some(absolute.over(&spacing).shown()?),
             None => None,
         };
         let Certified::Finite(rounded) = &self.certified else { return None };
@@ -154,7 +158,8 @@ impl Judged {
             _ => CorrectDigits::Digits(correct_digits(&absolute, &size, rounded)?),
         };
         self.errors = Some(Errors { absolute: size, relative, units: units.shown()?, ulp });
-        let double = ExactNumber::from(&number.value).nearest_double();
+        let short = DoubleDoubleBall::WHOLE.rational(&number.value);
+        let double = nearest_double(short, |bits| Ball::enclosing(&number.value, bits));
         self.is_nearest_double = Some(double.is_some() && double == nearest);
         (self.rounding, self.order) = (Some(rounding), Some(order));
         Some(())
@@ -189,7 +194,7 @@ impl Judged {
     }
 }
 
-fn order(error: &PrintedError) -> Option<Ordering> {
+fn order<E: Comparable>(error: &PrintedError<E>) -> Option<Ordering> {
     match error {
         PrintedError::Exact(error) => Some(error.cmp0()),
         PrintedError::Enclosed(_) => {
@@ -198,11 +203,10 @@ fn order(error: &PrintedError) -> Option<Ordering> {
     }
 }
 
-fn in_degrees(known: KnownValue) -> KnownValue {
+fn in_degrees<E: Comparable>(known: KnownValue<E>) -> KnownValue<E> {
     match known {
-        // Only zero is known exactly, and has no unit; any other angle becomes an enclosure.
-        KnownValue::Exact(x) if x == 0 => KnownValue::Exact(x),
-        KnownValue::Exact(x) => in_degrees(KnownValue::Enclosed(Ball::enclosing(&x, 128))),
+        // Only zero is known exactly, and has no unit.
+        KnownValue::Exact(x) => KnownValue::Exact(x),
         KnownValue::Enclosed(x) => KnownValue::Enclosed(x.int(180) * &x / x.pi()),
     }
 }

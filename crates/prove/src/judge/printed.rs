@@ -1,6 +1,7 @@
 //! A printed number against the true value: the error, and how good the last place is.
 
-use crate::number::{Ball, Decimal, Enclosure, ExactNumber, Rounded, Ternary, hexadecimal, worded};
+use super::comparable::Comparable;
+use crate::number::{Ball, Decimal, ExactNumber, Rounded, Ternary, hexadecimal, worded};
 use rug::{Integer, Rational, ops::Pow};
 
 /// Significant digits of an error.
@@ -71,8 +72,8 @@ pub(super) fn spacing(x: f64) -> Option<Rational> {
 
 /// The most digits `k` for which an error is at most half a unit of the `k`-th significant digit of the
 /// truth; where that is zero, of the `k`-th decimal place. `size` is that of the error.
-pub(super) fn correct_digits(
-    error: &PrintedError,
+pub(super) fn correct_digits<E: Comparable>(
+    error: &PrintedError<E>,
     size: &Decimal,
     truth: &Rounded,
 ) -> Option<usize> {
@@ -96,41 +97,45 @@ pub(super) fn power_of_ten(exponent: i64) -> Option<Rational> {
 
 /// A certified value: exact, or in an enclosure.
 #[derive(Clone, Debug)]
-pub(super) enum KnownValue {
+pub(super) enum KnownValue<E = Ball> {
     Exact(Rational),
-    Enclosed(Ball),
+    Enclosed(E),
 }
 
-impl KnownValue {
+impl<E: Comparable> KnownValue<E> {
     /// The value to `digits` significant digits; `None` if the rounding is not decided.
     pub(super) fn rounded(&self, digits: usize) -> Option<Rounded> {
         match self {
             Self::Exact(truth) => Rounded::from_rational(truth, digits),
-            Self::Enclosed(truth) => Rounded::from_ball(truth, digits),
+            Self::Enclosed(truth) => truth.rounded(digits),
         }
     }
 
-    /// Difference of what is printed and this, in a unit that is not zero.
-    pub(super) fn error_of(&self, printed: &Rational, unit: &Rational) -> PrintedError {
+    /// Difference of what is printed and this.
+    pub(super) fn error_of(&self, printed: &Rational) -> PrintedError<E> {
         match self {
-            Self::Exact(truth) => PrintedError::Exact(Rational::from(printed - truth) / unit),
-            Self::Enclosed(truth) => {
-                let bits = truth.prec();
-                let difference = Ball::enclosing(printed, bits) - truth;
-                PrintedError::Enclosed(difference / Ball::enclosing(unit, bits))
-            }
+            Self::Exact(truth) => PrintedError::Exact(Rational::from(printed - truth)),
+            Self::Enclosed(truth) => PrintedError::Enclosed(truth.rational(printed) - truth),
         }
     }
 }
 
 /// An error in some unit, of either sign.
 #[derive(Clone, Debug)]
-pub(super) enum PrintedError {
+pub(super) enum PrintedError<E = Ball> {
     Exact(Rational),
-    Enclosed(Ball),
+    Enclosed(E),
 }
 
-impl PrintedError {
+impl<E: Comparable> PrintedError<E> {
+    /// Error in a unit that is not zero.
+    pub(super) fn over(&self, unit: &Rational) -> Self {
+        match self {
+            Self::Exact(error) => Self::Exact(Rational::from(error / unit)),
+            Self::Enclosed(error) => Self::Enclosed(error.clone() / error.rational(unit)),
+        }
+    }
+
     /// Verdict on the last place, of an error in its units; `None` asks for a narrower enclosure.
     pub(super) fn verdict(&self) -> Option<PrintedVerdict> {
         Some(match self.is_within(&Rational::from((1, 2)))? {
@@ -153,7 +158,7 @@ impl PrintedError {
         match self {
             Self::Exact(error) => Some(error.clone().abs() < *limit),
             Self::Enclosed(error) => {
-                let limit = Ball::enclosing(limit, error.prec());
+                let limit = error.rational(limit);
                 decided(error.is_less_than(&limit).and((-limit).is_less_than(error)))
             }
         }
@@ -176,7 +181,7 @@ impl PrintedError {
             Self::Enclosed(error) => {
                 let negative = self.is_negative()?;
                 let size = if negative { -error.clone() } else { error.clone() };
-                Some(Rounded::from_ball(&size, ERROR_DIGITS)?.value)
+                Some(size.rounded(ERROR_DIGITS)?.value)
             }
         }
     }
@@ -197,7 +202,7 @@ mod tests {
     #[test]
     fn verdicts_at_the_borders() {
         let verdict =
-            |n: i32, d: i32| PrintedError::Exact(Rational::from((n, d))).verdict().unwrap();
+            |n: i32, d: i32| PrintedError::<Ball>::Exact(Rational::from((n, d))).verdict().unwrap();
         assert_eq!(verdict(1, 2), PrintedVerdict::CorrectlyRounded);
         assert_eq!(verdict(-1, 2), PrintedVerdict::CorrectlyRounded);
         assert_eq!(verdict(501, 1000), PrintedVerdict::Faithful);
@@ -226,7 +231,7 @@ mod tests {
         let exact = KnownValue::Exact(Rational::from((1, 3)));
         for text in ["0.3333", "0.3334", "0.3335", "-0.3333", "0.33333333333333333333"] {
             let printed = PrintedNumber::from_decimal(&text.parse().unwrap()).unwrap();
-            let error = |known: &KnownValue| known.error_of(&printed.value, &printed.unit);
+            let error = |known: &KnownValue| known.error_of(&printed.value).over(&printed.unit);
             assert_eq!(error(&third).verdict(), error(&exact).verdict(), "{text}");
             assert_eq!(error(&third).shown(), error(&exact).shown(), "{text}");
             assert_eq!(error(&third).is_negative(), error(&exact).is_negative(), "{text}");

@@ -1,34 +1,35 @@
 //! Truth of a quantity that somebody claims.
 
+use super::comparable::Comparable;
 use super::printed::KnownValue;
-use crate::certify::Undecided;
+use crate::certify::Answered;
 use crate::certify::state::{Assessment, Outcome};
-use crate::number::{Ball, Drawable};
+use crate::number::Ball;
 use crate::problem::Quantity;
 use rug::Rational;
 
 /// Certain knowledge of a quantity of an arch.
 #[derive(Clone, Debug)]
-pub(super) enum Truth {
-    Finite(KnownValue),
+pub(super) enum Truth<E = Ball> {
+    Finite(KnownValue<E>),
     Infinite,
     /// The arch has no such number.
     Missing,
 }
 
 /// Proof about an arch.
-pub(super) struct Proved {
+pub(super) struct Proved<E> {
     /// Outcome at its least thickness.
-    pub outcome: Outcome,
+    pub outcome: Outcome<E>,
     /// Assessment at the thickness that it has, if it has one.
-    pub assessment: Option<Assessment>,
+    pub assessment: Option<Assessment<E>>,
     /// The friction below which nothing stands, of an arch that falls.
-    pub sliding_friction: Option<Ball>,
+    pub sliding_friction: Option<E>,
 }
 
-impl Proved {
+impl<E: Comparable> Proved<E> {
     /// Certain knowledge of one of [`Quantity::STATE`] or [`Quantity::ASSESSMENT`].
-    pub(super) fn truth(&self, quantity: Quantity) -> Truth {
+    pub(super) fn truth(&self, quantity: Quantity) -> Truth<E> {
         let state = match &self.outcome {
             Outcome::Stands(state) => Some(state),
             Outcome::Falls(_) => None,
@@ -39,7 +40,7 @@ impl Proved {
             Some(Ok(Some(limit))) => limit.thrust.as_ref().map_or(Truth::Infinite, Truth::known),
             _ => Truth::Missing,
         };
-        let number = |of: fn(&Assessment) -> &Result<Option<Ball>, Undecided>| {
+        let number = |of: fn(&Assessment<E>) -> &Answered<E>| {
             assessed.and_then(|found| of(found).as_ref().ok()?.as_ref())
         };
         let value = match quantity {
@@ -69,8 +70,8 @@ impl Proved {
     }
 }
 
-impl Truth {
-    fn known(x: &Ball) -> Self {
+impl<E: Comparable> Truth<E> {
+    fn known(x: &E) -> Self {
         Self::Finite(match x.is_zero() {
             true => KnownValue::Exact(Rational::new()),
             false => KnownValue::Enclosed(x.clone()),

@@ -2,14 +2,12 @@
 
 use super::boundary::Boundary;
 use super::claim::RowClaim;
+use super::comparable::Comparable;
 use super::number::{CorrectDigits, Judged, compared_digits};
 use super::truth::Proved;
 use crate::certify::Undecided;
-use crate::certify::state::{
-    Assessment, Fall, Outcome, assessment_enclosed, raised_from_doubles, sliding_enclosed,
-    state_enclosed,
-};
-use crate::number::{ExactNumber, worded};
+use crate::certify::state::{Assessment, Fall, Outcome, is_quick, raised};
+use crate::number::{Ball, DoubleDoubleBall, ExactNumber, TripleWordBall, worded};
 use crate::problem::{Arch, Mode};
 use std::cmp::Ordering;
 
@@ -143,8 +141,13 @@ impl Judgement {
 /// is decided.
 pub fn judge(arch: &Arch, claim: &RowClaim, demand: Demand) -> Judgement {
     let digits = claim.numbers.iter().map(compared_digits).max().unwrap_or(1);
-    let compare = |bits| Ok(compare(claim, &proved(arch, claim, bits)?, demand));
-    let compared = raised_from_doubles(arch, digits, compare);
+    let by_mpfr = || raised(arch, digits, |bits| compared::<Ball>(arch, claim, bits, demand));
+    let compared = match is_quick(digits) {
+        true => quickly::<DoubleDoubleBall>(arch, claim, demand)
+            .or_else(|| quickly::<TripleWordBall>(arch, claim, demand))
+            .map_or_else(by_mpfr, Ok),
+        false => by_mpfr(),
+    };
     // What cannot be told is not accepted either: nearer to a line than can be told is not on it.
     let mut judgement = compared.unwrap_or_else(|doubt| {
         Judgement::bare(Standing::Undecided(doubt), None, Verdict::Undecided)
@@ -157,14 +160,29 @@ pub fn judge(arch: &Arch, claim: &RowClaim, demand: Demand) -> Judgement {
     judgement
 }
 
+/// A claim beside what is proved in numbers that have the bits that they have, if these are enough.
+fn quickly<E: Comparable>(arch: &Arch, claim: &RowClaim, demand: Demand) -> Option<Judgement> {
+    compared::<E>(arch, claim, 0, demand).ok().flatten()
+}
+
+/// A claim beside what is proved in numbers of `bits` bits; nothing asks for a narrower enclosure.
+fn compared<E: Comparable>(
+    arch: &Arch,
+    claim: &RowClaim,
+    bits: u32,
+    demand: Demand,
+) -> Result<Option<Judgement>, Undecided> {
+    Ok(compare(claim, &proved::<E>(arch, claim, bits)?, demand))
+}
+
 /// Proof of what the row speaks of, in numbers of `bits` bits.
-fn proved(arch: &Arch, claim: &RowClaim, bits: u32) -> Result<Proved, Undecided> {
+fn proved<E: Comparable>(arch: &Arch, claim: &RowClaim, bits: u32) -> Result<Proved<E>, Undecided> {
     let frictions = claim.numbers.iter().any(|number| number.quantity.is_friction());
-    let outcome = state_enclosed(arch, bits, frictions)?;
+    let outcome = E::state(arch, bits, frictions)?;
     let falls = matches!(outcome, Outcome::Falls(_));
     Ok(Proved {
         sliding_friction: match frictions && falls {
-            true => Some(sliding_enclosed(arch, bits)?),
+            true => Some(E::sliding_friction(arch, bits)?),
             false => None,
         },
         assessment: match &claim.thickness {
@@ -176,13 +194,13 @@ fn proved(arch: &Arch, claim: &RowClaim, bits: u32) -> Result<Proved, Undecided>
 }
 
 /// The arch at a thickness, with all that is claimed of it decided.
-fn assessed(
+fn assessed<E: Comparable>(
     arch: &Arch,
     thickness: &ExactNumber,
     claim: &RowClaim,
     bits: u32,
-) -> Result<Assessment, Undecided> {
-    let found = assessment_enclosed(arch, thickness, bits);
+) -> Result<Assessment<E>, Undecided> {
+    let found = E::assessment(arch, thickness, bits)?;
     if claim.stands.is_some() {
         found.stands.clone()?;
     }
@@ -193,7 +211,11 @@ fn assessed(
 }
 
 /// A claim beside what is proved; `None` asks for a narrower enclosure.
-fn compare(claim: &RowClaim, proved: &Proved, demand: Demand) -> Option<Judgement> {
+fn compare<E: Comparable>(
+    claim: &RowClaim,
+    proved: &Proved<E>,
+    demand: Demand,
+) -> Option<Judgement> {
     let (standing, mode) = match &proved.outcome {
         Outcome::Stands(state) => (Standing::Stands(state.mode), Some(state.mode)),
         Outcome::Falls(fall) => (Standing::Falls(*fall), None),

@@ -4,7 +4,7 @@ use super::Undecided;
 use super::in_doubles::{self, Doubles};
 use super::root::{self, Form};
 use crate::number::{
-    Ball, DoubleDoubleBall, Engine, Field, FloatBall, Magnitude, Midpoint, Stumpff, Ternary,
+    Ball, DoubleBall, DoubleDoubleBall, Engine, Field, Magnitude, Stumpff, Ternary, TripleWordBall,
     stumpff_terms,
 };
 use crate::solve::start::Start;
@@ -16,12 +16,17 @@ use rug::float::Round;
 pub(crate) trait Arithmetic: Engine + Stumpff {
     /// The numbers in which candidates are found.
     type Candidate: Start;
+    /// Numbers in which signs are decided: these, or some with fewer bits.
+    type Signs: Arithmetic;
 
     /// A ball of MPFR in these numbers, to at least `bits` bits where they can have so many.
     fn from_ball(ball: &Ball, bits: u32) -> Self;
 
     /// The midpoint, as a candidate.
     fn candidate(&self) -> Self::Candidate;
+
+    /// The set, or one that holds it, in the numbers in which signs are decided.
+    fn for_signs(&self) -> Self::Signs;
 
     /// An enclosure of this one and another; tight where they differ by little.
     fn hull_with(&self, other: &Self) -> Self;
@@ -66,6 +71,7 @@ const MANY_TERMS: i32 = 24;
 
 impl Arithmetic for Ball {
     type Candidate = Float;
+    type Signs = Self;
 
     fn from_ball(ball: &Ball, bits: u32) -> Self {
         ball.with_precision(bits)
@@ -73,6 +79,10 @@ impl Arithmetic for Ball {
 
     fn candidate(&self) -> Float {
         Float::with_val(self.prec(), self.mid())
+    }
+
+    fn for_signs(&self) -> Self {
+        self.clone()
     }
 
     fn hull_with(&self, other: &Self) -> Self {
@@ -106,42 +116,54 @@ impl Arithmetic for Ball {
 /// can be spared: until then they are much cheaper.
 const SMALL_IN_DOUBLES: i64 = -6;
 
-/// Balls of doubles of both kinds.
-impl<M: Midpoint> Arithmetic for FloatBall<M>
-where
-    Self: Engine + Doubles + From<DoubleDoubleBall>,
-{
-    type Candidate = f64;
+/// Balls led by a double, with the numbers in which their signs are decided.
+macro_rules! led_by_doubles {
+    ($($ball:ty: $signs:ty),+) => {$(
+        impl Arithmetic for $ball {
+            type Candidate = f64;
+            type Signs = $signs;
 
-    fn from_ball(ball: &Ball, _bits: u32) -> Self {
-        DoubleDoubleBall::from(ball).into()
-    }
+            fn from_ball(ball: &Ball, _bits: u32) -> Self {
+                ball.into()
+            }
 
-    fn candidate(&self) -> f64 {
-        Doubles::nearest(self)
-    }
+            fn candidate(&self) -> f64 {
+                self.nearest()
+            }
 
-    fn hull_with(&self, other: &Self) -> Self {
-        self.widened((*self - other).size()).widened(other.rad())
-    }
+            fn for_signs(&self) -> $signs {
+                (*self).into()
+            }
 
-    fn bound(&self) -> f64 {
-        self.size()
-    }
+            fn hull_with(&self, other: &Self) -> Self {
+                self.hull(other)
+            }
 
-    fn rest_to_one(&self) -> Self {
-        self.int(1) - self
-    }
+            fn bound(&self) -> f64 {
+                self.size()
+            }
 
-    fn is_small(exponent: i64, _bits: u32) -> bool {
-        exponent <= SMALL_IN_DOUBLES
-    }
+            fn rest_to_one(&self) -> Self {
+                self.int(1) - self
+            }
 
-    fn root_near(
-        equations: &impl Form<Self>,
-        _bits: u32,
-        start: &[f64],
-    ) -> Result<Vec<Self>, Undecided> {
-        in_doubles::root_near(equations, start)
-    }
+            fn is_small(exponent: i64, _bits: u32) -> bool {
+                exponent <= SMALL_IN_DOUBLES
+            }
+
+            fn root_near(
+                equations: &impl Form<Self>,
+                _bits: u32,
+                start: &[f64],
+            ) -> Result<Vec<Self>, Undecided> {
+                in_doubles::root_near(equations, start)
+            }
+        }
+    )+};
+}
+
+led_by_doubles! {
+    DoubleBall: DoubleBall,
+    DoubleDoubleBall: DoubleDoubleBall,
+    TripleWordBall: DoubleDoubleBall
 }

@@ -1,7 +1,8 @@
 //! A proved value with its digits.
 
 use crate::number::{
-    Ball, Binary, DoubleDoubleBall, Drawable, ExactNumber, Rounded, rounded_double, shown_as_text,
+    Ball, Binary, DoubleDoubleBall, Drawable, ExactNumber, Rounded, TripleWordBall, rounded_double,
+    rounded_words, shown_as_text,
 };
 use rug::Rational;
 use std::fmt;
@@ -79,6 +80,16 @@ pub(crate) trait Figured {
 impl Figured for Ball {
     fn figure(&self, digits: usize) -> Option<Figure> {
         Figure::new(self, digits)
+    }
+}
+
+impl Figured for TripleWordBall {
+    fn figure(&self, digits: usize) -> Option<Figure> {
+        let (decimal, binary) = (rounded_words(self, digits), Binary::of_words(self));
+        match decimal.zip(binary) {
+            Some((decimal, (double, binary))) => Some(Figure { decimal, double, binary }),
+            None => Figure::new(&self.to_ball(GUARDED), digits),
+        }
     }
 }
 

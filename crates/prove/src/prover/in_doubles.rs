@@ -1,4 +1,4 @@
-//! Exactly one root in a box, in balls of doubles: search in doubles, and one step that proves.
+//! Exactly one root in a box, in balls led by a double: search in doubles, and one step that proves.
 //!
 //! Newton's method settles in doubles `m`, with an approximate inverse `Y` of the Jacobian. The residuals at `m`
 //! are then enclosed in the numbers of the result, and the slopes in balls of doubles on a box just
@@ -9,8 +9,9 @@
 //! ```
 //!
 //! the last term is a product of two small numbers, so that double-doubles gain nearly all their digits in this one
-//! step; where they do not, it is repeated from the middle of `K(X)`. Any matrix `Y` and any point `m` will do: what
-//! the search finds is trusted for nothing.
+//! step; where they do not, it is repeated from the middle of `K(X)`. Numbers of more bits take a step of Newton's
+//! method with the same inverse before. Any matrix `Y` and any point `m` will do: what the search finds is trusted for
+//! nothing.
 
 use super::Undecided;
 use super::root::{Form, no_candidate};
@@ -20,12 +21,12 @@ use crate::problem::tally;
 use crate::solve::invert;
 use std::array;
 
-/// Balls of doubles, or of double-doubles.
-pub(crate) trait Doubles:
-    Enclosure + Stumpff + Copy + From<DoubleBall> + Into<DoubleBall>
-{
+/// Balls of doubles, of double-doubles or of three words.
+pub trait Doubles: Enclosure + Stumpff + Copy + From<DoubleBall> + Into<DoubleBall> {
     /// The relative radius that is as good as these numbers have.
     const NARROW: f64;
+    /// The bits of a midpoint.
+    const BITS: u32;
 
     /// The double nearest to the midpoint.
     fn nearest(&self) -> f64;
@@ -48,6 +49,7 @@ where
         true => f64::INFINITY,
         false => (1u64 << 20) as f64 * M::UNIT,
     };
+    const BITS: u32 = M::BITS;
 
     fn nearest(&self) -> f64 {
         self.mid().hi()
@@ -72,22 +74,22 @@ const STEPS: usize = 12;
 const LAST_STEP: f64 = 1.0 / (1u64 << 40) as f64;
 /// Relative steps below this one that do not get shorter are the rounding of doubles.
 const SHORT_STEP: f64 = 1.0 / (1u64 << 24) as f64;
+/// Bits beyond which a candidate in doubles is bettered before a box is tried.
+const FEW_BITS: u32 = 106;
 /// Boxes that are tried, each about the middle of the image of the one before.
 const BOXES: usize = 3;
 /// Ratio of the width of a box to the correction that the residuals ask for.
 const INFLATION: f64 = 4.0;
 
-/// Encloses the root of at most seven equations, but five, next to a start value, proved to exist and to be unique
+/// Encloses the root of at most seven equations next to a start value, proved to exist and to be unique
 /// in a box on which the equations are regular.
-pub(crate) fn root_near<E: Doubles>(
-    equations: &impl Form<E>,
-    start: &[f64],
-) -> Result<Vec<E>, Undecided> {
+pub fn root_near<E: Doubles>(equations: &impl Form<E>, start: &[f64]) -> Result<Vec<E>, Undecided> {
     match *start {
         [a] => root(equations, [a]).map(Vec::from),
         [a, b] => root(equations, [a, b]).map(Vec::from),
         [a, b, c] => root(equations, [a, b, c]).map(Vec::from),
         [a, b, c, d] => root(equations, [a, b, c, d]).map(Vec::from),
+        [a, b, c, d, e] => root(equations, [a, b, c, d, e]).map(Vec::from),
         [a, b, c, d, e, f] => root(equations, [a, b, c, d, e, f]).map(Vec::from),
         [a, b, c, d, e, f, g] => root(equations, [a, b, c, d, e, f, g]).map(Vec::from),
         _ => Err(no_candidate()),
@@ -100,6 +102,9 @@ fn root<E: Doubles, const N: usize>(
 ) -> Result<[E; N], Undecided> {
     let (candidate, inverse) = settle(equations, start).ok_or_else(no_candidate)?;
     let mut centre = candidate.map(|x| E::from(DoubleBall::exact(x)));
+    if E::BITS > FEW_BITS {
+        centre = correction(equations, &centre, &inverse).middle(&centre);
+    }
     let mut found = None;
     for _ in 0..BOXES {
         let Image { middle, proved } = image(equations, &centre, &inverse);
@@ -152,26 +157,50 @@ struct Image<E, const N: usize> {
     proved: Option<[E; N]>,
 }
 
+/// Step of Newton's method.
+struct Correction<E, const N: usize> {
+    /// `Y F(m)`.
+    steps: [E; N],
+    /// Sizes of the steps, and of what they are made of: any will do, these are not rounded.
+    sizes: [f64; N],
+}
+
+fn correction<E: Doubles, const N: usize>(
+    equations: &impl Form<E>,
+    centre: &[E; N],
+    inverse: &[[f64; N]; N],
+) -> Correction<E, N> {
+    let residuals = equations.at(|given| *given, centre);
+    let steps = array::from_fn(|k| {
+        let terms = inverse[k].iter().zip(&residuals);
+        let terms = terms.map(|(y, r)| E::from(DoubleBall::exact(*y)) * r);
+        terms.fold(centre[k].int(0), |sum, term| sum + term)
+    });
+    let sizes = array::from_fn(|k| {
+        let terms = inverse[k].iter().zip(&residuals).map(|(y, r)| y.abs() * r.bound());
+        terms.sum::<f64>()
+    });
+    Correction { steps, sizes }
+}
+
+impl<E: Doubles, const N: usize> Correction<E, N> {
+    /// A better centre.
+    fn middle(&self, centre: &[E; N]) -> [E; N] {
+        array::from_fn(|k| (centre[k] - self.steps[k]).midpoint())
+    }
+}
+
 /// The image of a box about a centre, just wide enough for what the residuals there ask for.
 fn image<E: Doubles, const N: usize>(
     equations: &impl Form<E>,
     centre: &[E; N],
     inverse: &[[f64; N]; N],
 ) -> Image<E, N> {
-    let residuals = equations.at(|given| *given, centre);
     let exact = |x: f64| DoubleBall::exact(x);
-    let newton: [E; N] = array::from_fn(|k| {
-        let terms = inverse[k].iter().zip(&residuals).map(|(y, r)| E::from(exact(*y)) * r);
-        terms.fold(centre[k].int(0), |sum, term| sum + term)
-    });
-    // Any radii will do: these are not rounded.
-    let radii: [f64; N] = array::from_fn(|k| {
-        let terms = inverse[k].iter().zip(&residuals).map(|(y, r)| y.abs() * r.bound());
-        INFLATION * terms.sum::<f64>()
-    });
-    let domain: [E; N] = array::from_fn(|k| centre[k].around(radii[k]));
+    let correction = correction(equations, centre, inverse);
+    let domain: [E; N] = array::from_fn(|k| centre[k].around(INFLATION * correction.sizes[k]));
     let coarse = domain.map(Into::into);
-    let middle = array::from_fn(|k| (centre[k] - newton[k]).midpoint());
+    let middle = correction.middle(centre);
     if !equations.is_regular(|given| (*given).into(), &coarse) {
         return Image { middle, proved: None };
     }
@@ -179,7 +208,7 @@ fn image<E: Doubles, const N: usize>(
     let slopes = equations.at(|given| Gradient::constant((*given).into()), &variables);
     let offsets: [DoubleBall; N] = array::from_fn(|k| (domain[k] - centre[k]).into());
     let spread = krawczyk::spread(&slopes, &inverse.map(|row| row.map(exact)), &offsets);
-    let image: [E; N] = array::from_fn(|k| centre[k] - newton[k] + E::from(spread[k]));
+    let image: [E; N] = array::from_fn(|k| centre[k] - correction.steps[k] + E::from(spread[k]));
     Image { middle, proved: krawczyk::is_contracted(&image, &domain).then_some(image) }
 }
 

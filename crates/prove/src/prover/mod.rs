@@ -18,7 +18,7 @@ pub(crate) mod cover;
 pub(crate) mod decide;
 pub(crate) mod error;
 pub(crate) mod figure;
-pub(crate) mod in_doubles;
+pub mod in_doubles;
 pub(crate) mod isolate;
 pub(crate) mod linear;
 pub(crate) mod posed;

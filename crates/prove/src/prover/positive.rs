@@ -2,7 +2,7 @@
 //!
 //! On pieces its sign follows from Taylor's theorem; where it is monotone from the lower end, where it is concave
 //! from both, and where it is convex from its value and slope at one point, best near the lowest: `f(c) - f'(c)²/(2
-//! min f'')` is below all its values.
+//! min f'')` is below all its values. Where it is known to be zero, nothing next to it is below that.
 
 use super::Undecided;
 use super::decide::is_positive;
@@ -12,10 +12,37 @@ use rug::Float;
 /// Halvings at most: a piece that is convex or monotone is long before.
 const DEPTH: usize = 40;
 
-/// Proves that a function, given as a series about each point, is positive from one number to another.
+/// A point where a function is known to be zero, enclosed.
+#[derive(Clone, Debug)]
+pub(crate) enum Zero {
+    /// A point at which the slope is zero too.
+    Touch(Ball),
+    /// The lower end of the interval.
+    Begin(Ball),
+    /// The upper end of the interval.
+    End(Ball),
+}
+
+impl Zero {
+    /// Tells whether a function is positive on a piece but for this point: it is convex from a touch on, and rises from
+    /// an end.
+    fn is_least(&self, series: &dyn Fn(&Ball) -> Jet<Ball>, piece: &Ball) -> bool {
+        let (Self::Touch(at) | Self::Begin(at) | Self::End(at)) = self;
+        let whole = series(&piece.hull(at));
+        match self {
+            Self::Touch(_) => is_positive(&whole.coefficient(2)),
+            Self::Begin(_) => is_positive(&whole.coefficient(1)),
+            Self::End(_) => is_positive(&-whole.coefficient(1)),
+        }
+    }
+}
+
+/// Proves that a function, given as a series about each point, is positive from one number to another, but for some
+/// points where it is zero.
 pub(crate) fn is_positive_on(
     series: &dyn Fn(&Ball) -> Jet<Ball>,
     (low, high): (&Float, &Float),
+    zeros: &[Zero],
     bits: u32,
 ) -> Result<(), Undecided> {
     let exact = |x: &Float| Ball::exact(x.clone(), bits);
@@ -46,7 +73,8 @@ pub(crate) fn is_positive_on(
                 let here = series(&exact(&lowest));
                 let drop = here.coefficient(1).square() / (bend.int(4) * &bend);
                 is_positive(&(here.value().clone() - drop))
-            };
+            }
+            || zeros.iter().any(|zero| zero.is_least(series, &piece));
         if holds {
             continue;
         }
@@ -74,9 +102,38 @@ mod tests {
                 Jet::new(vec![off.square() + room, off.clone() + off, x.int(1)], 2)
             };
             let (low, high) = (Float::with_val(300, -1), Float::with_val(300, 2));
-            is_positive_on(&series, (&low, &high), 300).is_ok()
+            is_positive_on(&series, (&low, &high), &[], 300).is_ok()
         };
         assert!(positive(2, 1) && positive(40, 1) && positive(200, 1));
         assert!(!positive(40, 0) && !positive(40, -1) && !positive(200, -1), "false twins");
+    }
+
+    /// Where a function is known to be zero it may be, and nowhere else; and what is claimed of it there has to agree
+    /// with what is seen next to it.
+    #[test]
+    fn a_zero_that_is_known_is_no_obstacle() {
+        let at = |n: i32, d: i32| Ball::integer(n, 200).ratio(1, d);
+        let third = at(1, 3);
+        let (low, high) = (Float::with_val(200, 0), Float::with_val(200, 1));
+        let proves = |series: &dyn Fn(&Ball) -> Jet<Ball>, zeros: &[Zero]| {
+            is_positive_on(series, (&low, &high), zeros, 200).is_ok()
+        };
+        let square = |x: &Ball| {
+            let off = x.clone() - &third;
+            Jet::new(vec![off.square(), off.clone() + off, x.int(1)], 2)
+        };
+        let touch = || Zero::Touch(third.clone());
+        assert!(proves(&square, &[touch()]) && !proves(&square, &[]));
+        assert!(
+            !proves(&square, &[Zero::Touch(at(1, 2))])
+                && !proves(&square, &[Zero::Begin(at(0, 1))])
+        );
+        // A hill is not above its touch.
+        assert!(!proves(&|x| -square(x), &[touch()]));
+        let line = |x: &Ball| Jet::new(vec![x.clone(), x.int(1)], 2);
+        let falls = |x: &Ball| Jet::new(vec![x.int(1) - x, x.int(-1)], 2);
+        let (begin, end) = ([Zero::Begin(at(0, 1))], [Zero::End(at(1, 1))]);
+        assert!(proves(&line, &begin) && proves(&falls, &end));
+        assert!(!proves(&line, &end) && !proves(&falls, &begin));
     }
 }

@@ -300,6 +300,9 @@ impl Answer {
                     None => answer.proved = Some(TOO_THIN.to_owned()),
                 }
             }
+            Ok(Finding::Beyond(line, ends)) => {
+                answer.proved = Some(format!("there is none: the line {line} runs from {ends}"));
+            }
             Err(error) => answer.status = error.into(),
         }
         answer

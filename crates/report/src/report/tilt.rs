@@ -4,7 +4,7 @@ use super::understood::Understood;
 use crate::arch::mechanism::Contact;
 use crate::arch::whole::Side;
 use crate::certify::state::Figure;
-use crate::certify::{LargestTilt, TiltDigits, TiltLimit, TiltMechanism, TiltedJoint, Undecided};
+use crate::certify::{LargestTilt, TiltDigits, TiltMechanism, TiltedJoint, Undecided};
 use crate::number::{Ball, Drawable, ExactNumber, degrees};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Slope};
@@ -26,16 +26,6 @@ pub(super) struct Joint<'a> {
 impl Joint<'_> {
     pub(super) fn is_crown(&self) -> bool {
         Drawable::is_zero(&self.size)
-    }
-
-    /// The condition of the joint.
-    fn limit(&self) -> TiltLimit {
-        TiltLimit {
-            contact: self.of.contact,
-            is_springing: self.of.is_springing,
-            is_right: self.side == Side::Right,
-            joint: self.number,
-        }
     }
 
     /// ` (54.12 deg)`; at the crown nothing.
@@ -117,9 +107,12 @@ impl TiltedArch {
         }
     }
 
-    /// The joints that give way at the largest acceleration, where their places are proved.
+    /// The joints that give way at the largest acceleration.
     pub(super) fn mechanism(&self) -> Option<&TiltMechanism> {
-        self.found.as_ref().ok()?.as_ref()?.mechanism.as_ref().ok()?.as_ref()
+        match self.largest()? {
+            LargestTilt::Limited(_, mechanism) => Some(mechanism),
+            LargestTilt::Unlimited => None,
+        }
     }
 
     /// The joints that give way, with their sides and, between stones, their numbers.
@@ -142,11 +135,6 @@ impl TiltedArch {
         Joint { of, side, size, number }
     }
 
-    /// Why the joints that give way are not told, if they are not.
-    pub(super) fn open_joints(&self) -> Option<&Undecided> {
-        self.found.as_ref().ok()?.as_ref()?.mechanism.as_ref().err()
-    }
-
     /// Description of what a joint does, in words, by its condition on one side.
     pub(super) fn happens(&self, side: Side, contact: Contact) -> &'static str {
         match side.contact(contact) {
@@ -155,29 +143,21 @@ impl TiltedArch {
         }
     }
 
-    /// Limits of the acceleration, in words: with the angles of the joints, where these are proved.
+    /// Limits of the acceleration, in words, with the angles of the joints.
     pub(super) fn limits(&self) -> Vec<String> {
-        let words = |limit: &TiltLimit, angle: String| {
-            let side = if limit.is_right { Side::Right } else { Side::Left };
-            let name = side.name();
-            let words = self.happens(side, limit.contact);
-            let place = match (limit.is_springing, limit.joint.zip(self.stones.as_ref())) {
+        let words = |joint: Joint<'_>| {
+            let name = joint.side.name();
+            let words = self.happens(joint.side, joint.of.contact);
+            let place = match (joint.of.is_springing, joint.number.zip(self.stones.as_ref())) {
                 (true, _) => format!("at the {name} springing"),
                 (false, None) => format!("on the {name}"),
                 (false, Some((0, stones))) if stones.has_joint_at_crown() => "at the crown".into(),
-                (false, Some((joint, stones))) => {
-                    format!("at joint {} on the {name}", stones.from_crown(joint))
+                (false, Some((number, stones))) => {
+                    format!("at joint {} on the {name}", stones.from_crown(number))
                 }
             };
-            format!("{words} {place}{angle}")
+            format!("{words} {place}{}", joint.angle(self.digits))
         };
-        let Some(LargestTilt::Limited(_, limits)) = self.largest() else { return Vec::new() };
-        let joints = self.joints();
-        match joints.is_empty() {
-            true => limits.iter().map(|limit| words(limit, String::new())).collect(),
-            false => {
-                joints.iter().map(|joint| words(&joint.limit(), joint.angle(self.digits))).collect()
-            }
-        }
+        self.joints().into_iter().map(words).collect()
     }
 }

@@ -235,16 +235,11 @@ impl<'a> TiltPanel<'a> {
             .iter()
             .map(|joint| self.named(joint, self.arch.digits.min(DIGITS)).join(" "))
             .collect();
-        let joints = match joints.is_empty() {
-            true => {
-                let open = self.arch.open_joints().map(|open| format!(" ({})", open.reason));
-                format!("which joints give way there stays open{}", open.unwrap_or_default())
-            }
-            false => format!("there give way, from the right to the left: {}", joints.join("; ")),
-        };
+        let joints = joints.join("; ");
         all.push(format!(
             "Proved: admissible states exist exactly up to a horizontal acceleration to the right of {tilt} times gravity, \
-             which is ground that falls to the right by {angle}°; {joints}. To the left all is the mirror image."
+             which is ground that falls to the right by {angle}°; \
+             there give way, from the right to the left: {joints}. To the left all is the mirror image."
         ));
         let moved = match self.moved {
             Some(by) => format!(

@@ -9,6 +9,7 @@ mod programme;
 pub mod rates;
 mod standing;
 pub mod start;
+pub mod tilt;
 mod zero;
 
 pub use linear::{Approximate, inverse, invert, newton_step};

@@ -61,9 +61,9 @@ impl<'s> Plan<'s> {
         Self { scene, complete, parts: planning.parts, needs }
     }
 
-    /// The work, in digits of landmarks that take as long.
-    pub fn size(&self) -> usize {
-        self.parts.iter().map(|part| part.work.size()).sum()
+    /// Sizes of the parts, in digits of landmarks that take as long.
+    pub fn sizes(&self) -> Vec<usize> {
+        self.parts.iter().map(|part| part.work.size()).collect()
     }
 
     /// Number of times that the run reports progress.

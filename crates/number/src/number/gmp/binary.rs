@@ -1,7 +1,7 @@
 //! A real number in the binary formats of hardware: what a double leaves open of it.
 
-use super::Ball;
-use crate::number::DoubleDoubleBall;
+use super::{Ball, TripleWord, TripleWordBall};
+use crate::number::{DoubleDouble, DoubleDoubleBall, power_of_two};
 use rug::Float;
 use rug::float::Round;
 
@@ -80,6 +80,26 @@ impl Binary {
         Some((double, Self { lower, upper, error, quad: None }))
     }
 
+    /// Bounds of the number enclosed by a ball of three words, with its nearest double: the same bounds and error as of
+    /// a ball of MPFR, and no quadruple. `None` if the ball is too wide, and for a double and sizes far from one.
+    pub fn of_words(ball: &TripleWordBall) -> Option<(f64, Self)> {
+        let (mid, double) = (ball.mid(), ball.mid().hi());
+        let rest = mid - TripleWord::from(DoubleDouble::exact(double));
+        let (size, is_below) = rest.size();
+        let error = size.shortened().next_up();
+        // The number lies on one side of the double, nearer to it than to the next, and within the error.
+        let room =
+            [size.shortened(), (TripleWord::from(DoubleDouble::exact(error)) - size).shortened()];
+        let farthest = 0.5 * (double.abs() - double.abs().next_down());
+        let is_near = error < farthest && room.iter().all(|room| *room > ball.rad());
+        let in_range = (power_of_two(-200)..power_of_two(200)).contains(&double.abs());
+        let (lower, upper) = match is_below {
+            true => (double.next_down(), double),
+            false => (double, double.next_up()),
+        };
+        (is_near && in_range).then_some((double, Self { lower, upper, error, quad: None }))
+    }
+
     /// Doubles between which the number lies.
     pub fn bounds(&self) -> [f64; 2] {
         [self.lower, self.upper]
@@ -102,7 +122,6 @@ fn nearest_quad(low: &Float, high: &Float) -> Option<Float> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::DoubleDouble;
     use crate::number::test_config::config;
     use proptest::prelude::*;
     use rug::Rational;
@@ -123,6 +142,14 @@ mod tests {
             let found = Binary::of_double_double(&ball);
             let is_easy = radius > gap + 12 && (1e-3..0.49).contains(&low.abs());
             prop_assert!(found.is_some() || !is_easy, "{ball:?}");
+            let words = TripleWordBall::from(&ball.to_ball(192));
+            let of_words = Binary::of_words(&words);
+            prop_assert!(of_words.is_some() || !is_easy, "{words:?}");
+            if let Some((double, found)) = of_words {
+                let by_mpfr = Binary::new(&words.to_ball(300), double);
+                prop_assert_eq!(words.to_ball(300).nearest_double(), Some(double));
+                prop_assert_eq!(Binary { quad: by_mpfr.quad.clone(), ..found }, by_mpfr);
+            }
             if let Some((double, found)) = found {
                 let by_mpfr = Binary::new(&ball.to_ball(300), double);
                 prop_assert_eq!(ball.to_ball(300).nearest_double(), Some(double));

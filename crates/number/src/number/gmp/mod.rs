@@ -19,6 +19,9 @@ mod short_expansion;
 mod sine;
 mod stumpff;
 mod surd;
+mod triple_word;
+mod triple_word_ball;
+pub(super) mod triple_word_sine;
 mod words;
 
 pub use ball::Ball;
@@ -29,9 +32,11 @@ pub use hexadecimal::hexadecimal;
 pub use magnitude::Magnitude;
 pub use rational::rational_like;
 pub use rounded::{Rounded, bits_of, terminating};
-pub use rounded_double::{nearest_double, rounded_double};
+pub use rounded_double::{nearest_double, rounded_double, rounded_words};
 pub use short_ball::ShortBall;
 pub use sine::{SineAnchor, arctangent, arctangent_from};
 pub use surd::Surd;
+pub use triple_word::TripleWord;
+pub use triple_word_ball::TripleWordBall;
 
 use super::{Angle, Decimal, Enclosure, ExactField, Field, Real, Ternary};

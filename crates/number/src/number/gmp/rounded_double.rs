@@ -1,39 +1,58 @@
-//! Decimal output of a ball of double-doubles, in which every digit is proved: [`Rounded::from_ball`] in integers of
-//! fixed length, without a heap.
+//! Decimal output of balls of double-doubles and of three words, in which every digit is proved: [`Rounded::from_ball`]
+//! in integers of fixed length, without a heap.
 
-use super::{Ball, Decimal, Rounded};
+use super::{Ball, Decimal, Rounded, TripleWordBall};
 use crate::number::DoubleDoubleBall;
 
 /// Digits beyond this are left to balls of MPFR.
-const MOST_DIGITS: usize = 28;
-/// Sizes of the midpoint: `2^±EXPONENTS`.
-const EXPONENTS: i32 = 60;
+const MOST_DIGITS: usize = 33;
+/// Sizes of the midpoint, as powers of two.
+const EXPONENTS: std::ops::RangeInclusive<i32> = -120..=60;
 /// The bits of the midpoint as an integer.
 const BITS: i32 = 119;
 
 /// The true value of `ball` rounded to `digits` significant digits, in the sense of [`Rounded::from_ball`]: the same
-/// answer, or none. There is none for zero, beyond 28 digits, and for sizes outside `2^±60`.
+/// answer, or none. There is none for zero, beyond 33 digits, and for sizes outside `2^-120` to `2^60`.
 pub fn rounded_double(ball: &DoubleDoubleBall, digits: usize) -> Option<Rounded> {
     let is_negative = ball.mid().hi() < 0.0;
     let middle = if is_negative { -ball.mid() } else { ball.mid() };
-    let exponent = exponent(middle.hi());
-    if !(1..=MOST_DIGITS).contains(&digits) || !(-EXPONENTS..=EXPONENTS).contains(&exponent) {
+    // In units of 2^-scale the first part is an integer, and the second is rounded down.
+    let scale = scale(exponent(middle.hi()))?;
+    let floor = shifted(middle.hi(), scale)? + shifted(middle.lo(), scale)?;
+    rounded(is_negative, floor, scale, ball.rad(), digits)
+}
+
+/// True value of a ball of three words, rounded in the same way.
+pub fn rounded_words(ball: &TripleWordBall, digits: usize) -> Option<Rounded> {
+    let (is_negative, [_, middle, high], exponent) = ball.mid().parts();
+    let scale = scale(exponent + 191)?;
+    // The leading bits.
+    let floor = (i128::from(high) << 64 | i128::from(middle)) >> (128 - BITS);
+    rounded(is_negative, floor, scale, ball.rad(), digits)
+}
+
+/// The power of two by which a number of a size becomes an integer of [`BITS`]; `None` out of range.
+fn scale(exponent: i32) -> Option<i32> {
+    EXPONENTS.contains(&exponent).then_some(BITS - 1 - exponent)
+}
+
+/// A number within `rad` of one that is `floor 2^-scale`, or above by less than a unit.
+fn rounded(is_negative: bool, floor: i128, scale: i32, rad: f64, digits: usize) -> Option<Rounded> {
+    if !(1..=MOST_DIGITS).contains(&digits) {
         return None;
     }
-    // In units of 2^-scale the first part is an integer, and the second is rounded down.
-    let scale = BITS - 1 - exponent;
-    let floor = shifted(middle.hi(), scale)? + shifted(middle.lo(), scale)?;
-    let radius = (ball.rad() * f64::powi(2.0, scale)).ceil() + 1.0;
-    if !(0.0..(1u64 << 60) as f64).contains(&radius) {
+    let radius = (rad * f64::powi(2.0, scale)).ceil() + 1.0;
+    if !(0.0..f64::powi(2.0, BITS - 2)).contains(&radius) {
         return None;
     }
     // All numbers of the ball lie between `low` and `low + width`.
     let low = u128::try_from(floor - radius as i128).ok()?;
     let width = 2 * radius as u128 + 1;
     // One digit more than asked for tells the halves of a unit apart; the estimate may be off by one either way.
-    let mut places = digits as i32 - middle.hi().log10().floor() as i32;
+    let size = floor as f64 * f64::powi(2.0, -scale);
+    let mut places = digits as i32 - size.log10().floor() as i32;
     let (cell, exponent) = [0; 3].into_iter().find_map(|_| {
-        let cell = cell(low, width, u32::try_from(places).ok()?, scale)?;
+        let cell = cell(low, width, places, scale)?;
         let length = length(cell.number) as i32;
         let found = (length == digits as i32 + 1).then_some((cell, 1 - places));
         places += digits as i32 + 1 - length;
@@ -88,7 +107,10 @@ struct DecimalCell {
 }
 
 /// The cell of the grid of `10^-places` in which `low 2^-scale` lies; `None` out of range.
-fn cell(low: u128, width: u128, places: u32, scale: i32) -> Option<DecimalCell> {
+fn cell(low: u128, width: u128, places: i32, scale: i32) -> Option<DecimalCell> {
+    let Ok(places) = u32::try_from(places) else {
+        return coarse_cell(low, width, places.unsigned_abs(), u32::try_from(scale).ok()?);
+    };
     let power = 5u128.checked_pow(places)?;
     let shift = u32::try_from(scale - places as i32).ok()?;
     let start = Wide::product(low, power);
@@ -96,6 +118,16 @@ fn cell(low: u128, width: u128, places: u32, scale: i32) -> Option<DecimalCell> 
     let end = start.plus(Wide::product(width, power))?;
     let is_inside = !start.is_multiple_of_power(shift) && end.shifted_down(shift)? == number;
     Some(DecimalCell { number, holds_all: is_inside })
+}
+
+/// The cell of the grid of `10^zeros`.
+fn coarse_cell(low: u128, width: u128, zeros: u32, scale: u32) -> Option<DecimalCell> {
+    let power = 10u128.checked_pow(zeros)?;
+    let whole = |x: u128| x.checked_shr(scale).unwrap_or(0);
+    let number = whole(low) / power;
+    let is_on_grid = whole(low).is_multiple_of(power) && whole(low) << scale == low;
+    let end = low.checked_add(width)?;
+    Some(DecimalCell { number, holds_all: !is_on_grid && whole(end) / power == number })
 }
 
 /// Number of decimal digits of an integer.
@@ -164,8 +196,47 @@ mod tests {
         found
     }
 
+    fn same_of_words(ball: &TripleWordBall, digits: usize) -> Option<Rounded> {
+        let found = rounded_words(ball, digits);
+        let by_mpfr = Rounded::from_ball(&ball.to_ball(256), digits);
+        if let Some(found) = &found {
+            assert_eq!(Some(found), by_mpfr.as_ref(), "{ball:?} to {digits}");
+        }
+        found
+    }
+
     proptest! {
         #![proptest_config(config(4000))]
+
+        /// Large numbers and few digits: the grid is coarser than the integers.
+        #[test]
+        fn digits_of_large_numbers_are_those_of_balls_of_mpfr(
+            head in 1u64..1000, zeros in 0u32..15, off in -2i32..=2, radius in 40i32..110, digits in 1usize..6,
+        ) {
+            let x = head as f64 * 10f64.powi(zeros as i32) + f64::from(off) * 2f64.powi(-20);
+            let ball = DoubleDoubleBall::new(DoubleDouble::exact(x), x * f64::powi(2.0, -radius));
+            let found = same(&ball, digits);
+            prop_assert!(found.is_some() || off == 0 || radius < 80, "{ball:?} to {digits}");
+        }
+
+        /// Of three words too, next to a rounding boundary or not.
+        #[test]
+        fn digits_of_three_words_are_those_of_balls_of_mpfr(
+            words in any::<[u64; 3]>(), shift in -300i32..-140, radius in 80i32..190, negative in any::<bool>(),
+            head in 1u64..u64::MAX, hair in 1u32..20, digits in 1usize..36,
+        ) {
+            let mid = Rational::from(Integer::from_digits(&words, rug::integer::Order::Lsf)) << shift;
+            let ball = TripleWordBall::from(&Ball::enclosing(&if negative { -mid } else { mid }, 192));
+            let ball = ball.widened(ball.mid().hi().abs() * f64::powi(2.0, -radius));
+            let found = same_of_words(&ball, digits);
+            let is_easy = radius > 130 && digits < 25 && words[2] > 1 << 60;
+            prop_assert!(found.is_some() || !is_easy, "{ball:?} to {digits}");
+            let grid = format!("{head:0<20}5").parse::<Integer>().unwrap();
+            let step = Rational::from(1) / Integer::from(Integer::u_pow_u(10, hair));
+            let near = (Rational::from(grid) + step) / Integer::from(Integer::u_pow_u(10, 25));
+            let near = TripleWordBall::from(&Ball::enclosing(&near, 192));
+            same_of_words(&near.widened(near.mid().hi() * f64::powi(2.0, -radius)), digits);
+        }
 
         /// Of any numbers the digits are those that balls of MPFR have.
         #[test]

@@ -9,8 +9,10 @@ use crate::prover::arithmetic::Arithmetic;
 
 /// The conditions of an arch.
 pub(super) struct Conditions<T> {
-    /// Four at each joint, in the order of [`Contact::ALL`], from the left.
+    /// The conditions of each joint, in the order of [`Contact::ALL`], from the left.
     pub all: Vec<JointLimit<ShortPolynomial<T>>>,
+    /// Number of conditions at each joint: with unlimited friction the hinges, as both ask for a normal force.
+    at_joint: usize,
     /// Loads of the force that works on each motion, free of the forces: of a hinge that of the row, of a slip
     /// that of `T` or `-T`.
     pub weights: Vec<ShortPolynomial<T>>,
@@ -25,6 +27,11 @@ pub(super) struct Conditions<T> {
 
 /// The order of jets in the thickness: that of the load.
 const ORDER: usize = 2;
+
+/// Number of conditions at each joint of an arch: the first of [`Contact::ALL`].
+pub(in crate::certify) fn limits_at_joint(arch: &Arch) -> usize {
+    if arch.is_limited() { Contact::ALL.len() } else { 2 }
+}
 
 /// Coefficients of `h, p` and `v`. With `v` it is linear in the thickness: the centroids, of second order, drop out
 /// exactly.
@@ -43,10 +50,11 @@ impl<T: Arithmetic> Conditions<T> {
         let one = joints.ring.thickness.int(1);
         let without_friction =
             Joints { grip: Grip { normal: one.int(0), shear: one }, ..joints.clone() };
+        let at_joint = limits_at_joint(arch);
         let (mut all, mut weights, mut compressions) = (Vec::new(), Vec::new(), Vec::new());
         for (k, angle) in extent.joints(stones, &alpha) {
             let angle = angle.map(|x| Jet::constant(x, ORDER));
-            for limit in joints.limits((k, &angle), extent) {
+            for limit in joints.limits((k, &angle), extent).into_iter().take(at_joint) {
                 let [h, p, v, load] = limit.row;
                 let [h, p, v] = entries(&[h, p, v]);
                 let row = [h, p, v, ShortPolynomial::of(&load)];
@@ -62,19 +70,19 @@ impl<T: Arithmetic> Conditions<T> {
         let intrados = Jet::new(vec![alpha.int(1), -alpha.ratio(1, 2)], ORDER);
         let (no_vertical_force, intrados) =
             ([0, 0, 1, 0].map(entry), ShortPolynomial::of(&intrados));
-        Self { all, weights, extent, compressions, no_vertical_force, intrados }
+        Self { all, at_joint, weights, extent, compressions, no_vertical_force, intrados }
     }
 
     /// The row of a condition beside others that are zero: where the opposite hinge of its joint is one of them,
     /// `-N`, which has its sign and is free of the factor `eta` that both hinges together have.
     fn row_beside(&self, place: usize, of: &[usize]) -> &[ShortPolynomial<T>; 4] {
-        let opposite = match place % 4 {
+        let opposite = match place % self.at_joint {
             0 => Some(place + 1),
             1 => Some(place - 1),
             _ => None,
         };
         match opposite.is_some_and(|opposite| of.contains(&opposite)) {
-            true => &self.compressions[place / 4],
+            true => &self.compressions[self.joint(place)],
             false => &self.all[place].row,
         }
     }
@@ -89,16 +97,21 @@ impl<T: Arithmetic> Conditions<T> {
         self.all.iter().position(|at| at.contact == contact && at.joint == joint)
     }
 
+    /// Number of the joint of a condition, from the left.
+    pub(super) fn joint(&self, place: usize) -> usize {
+        place / self.at_joint
+    }
+
     /// The conditions of the mirror image, in order; of a half arch the same.
     pub(super) fn mirrored(&self, of: &[usize]) -> Vec<usize> {
-        let joints = self.all.len() / 4;
+        let joints = self.all.len() / self.at_joint;
         let other = |place: usize| {
-            let contact = match place % 4 {
+            let contact = match place % self.at_joint {
                 2 => 3,
                 3 => 2,
                 hinge => hinge,
             };
-            4 * (joints - 1 - place / 4) + contact
+            self.at_joint * (joints - 1 - self.joint(place)) + contact
         };
         let mut places = match self.extent {
             Extent::Whole => of.iter().map(|place| other(*place)).collect(),

@@ -53,9 +53,9 @@ pub(super) fn start(
     let below = state.thickness.double.next_down();
     let moving = moving(state);
     // A crown that bears nothing is at all of its limits.
-    let crown = Contact::ALL.map(|contact| (contact, 0));
-    let crown = crown.iter().filter(|_| moving != state.contacts);
-    let contacts: Vec<JointContact> = moving.iter().chain(crown).copied().collect();
+    let crown = conditions.all.iter().filter(|at| at.joint == 0 && moving != state.contacts);
+    let crown = crown.map(|at| (at.contact, 0));
+    let contacts: Vec<JointContact> = moving.iter().copied().chain(crown).collect();
     let half = places(conditions, number, &contacts)?;
     let mirrored = conditions.mirrored(&half);
     let mut touching: Vec<usize> = half.into_iter().chain(mirrored).collect();

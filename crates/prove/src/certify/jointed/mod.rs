@@ -35,6 +35,7 @@ mod refine;
 mod sweep;
 mod vertex;
 
+pub(super) use conditions::limits_at_joint;
 pub use found::{Enumeration, JointedMotion, JointedSolution, LeastSolution, Standing};
 
 use super::programme::MOST_JOINTED_STONES;
@@ -43,6 +44,7 @@ use crate::number::DoubleBall;
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Extent};
 use crate::prover::{Error, Refused, Undecided};
+
 use conditions::Conditions;
 use event::Event;
 use refine::StonesInDigits;
@@ -59,7 +61,7 @@ const START_DIGITS: usize = 17;
 
 /// All solutions of (19) between so many equal stones, 2 to [`MOST_ENUMERATED_STONES`], to `digits` significant digits.
 ///
-/// Undecided without limit of friction, as then nothing limits a slip, and where the least thickness is.
+/// Undecided where the least thickness is. With unlimited friction nothing slides, and the hinges alone are left.
 pub fn enumerate(
     arch: &Arch,
     stones: u64,
@@ -128,9 +130,6 @@ fn standing(
 ) -> Result<(Stones, i32, Voussoirs), Error> {
     Refused::arch_digits(digits)?;
     let number = Refused::stones(stones, most)?;
-    if !arch.is_limited() {
-        return Err(Undecided::new("whether a joint opens without friction to limit it").into());
-    }
     let equal = Stones::equal(stones, arch.half_opening().clone())?;
     let found = voussoirs(&equal, arch.weight(), arch.friction(), digits.max(START_DIGITS))?;
     Ok((equal, number, found))
@@ -226,6 +225,21 @@ mod tests {
         }
     }
 
+    /// With unlimited friction the hinges alone are left: what is found is what is found where no slip matters.
+    #[test]
+    fn without_a_limit_of_friction_hinges_are_left() {
+        for (weight, alpha, stones) in [("milankovitch", "1.2", 6), ("heyman", "pi/2", 5)] {
+            for extent in [Extent::Half, Extent::Whole] {
+                let all = |mu: &str| found(&arch(weight, alpha, mu), stones, extent);
+                let [free, limited] = [all("inf"), all("5")];
+                assert_eq!((free.len(), limited.len()), (1, 1), "{alpha} {extent:?}");
+                assert_eq!(free[0].thickness.to_string(), limited[0].thickness.to_string());
+                let is_hinge = |joint: &JointedMotion| joint.contact.is_hinge();
+                assert!(free[0].joints.iter().all(is_hinge), "{:?}", free[0].joints);
+            }
+        }
+    }
+
     /// Three hinges whose rows become parallel, as the thrust between them has no limit, are no vertex there.
     #[test]
     fn a_vertex_may_go_to_infinity() {
@@ -316,6 +330,5 @@ mod tests {
         for stones in [0, 1, MOST_ENUMERATED_STONES + 1] {
             assert!(enumerate(&arch("heyman", "2", "1"), stones, Extent::Half, 6).is_err());
         }
-        assert!(enumerate(&arch("heyman", "2", "inf"), 6, Extent::Whole, 6).is_err());
     }
 }

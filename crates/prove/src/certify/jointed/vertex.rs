@@ -57,9 +57,10 @@ impl SweepStart {
     /// Tells whether the polynomial of a condition, at the state of others, is zero where the range begins.
     /// At 0 both faces are one line, and both hinges of a joint one condition, which is left out with the
     /// factor `eta`: it is said of different joints alone.
-    fn is_tied(&self, of: &[usize], place: usize) -> bool {
+    fn is_tied(&self, conditions: &Conditions<DoubleBall>, of: &[usize], place: usize) -> bool {
         let are_apart = || {
-            let mut joints: Vec<usize> = of.iter().chain([&place]).map(|at| at / 4).collect();
+            let all = of.iter().chain([&place]);
+            let mut joints: Vec<usize> = all.map(|at| conditions.joint(*at)).collect();
             joints.sort_unstable();
             joints.windows(2).all(|two| two[0] != two[1])
         };
@@ -95,20 +96,31 @@ impl<'a> Vertex<'a> {
         [factor.upper() > 0.0 && !is_zero(&factor), factor.lower() < 0.0 && !is_zero(&factor)]
     }
 
-    /// Tells whether a single condition shows that the triple is no vertex on a piece; a guess says which.
+    /// Tells whether a single condition shows that the triple is no vertex on a piece; a guess says which: first those
+    /// that showed it of the triple before, as they do of most.
     pub(super) fn is_passed_by_one(
         &self,
         piece: &ThicknessPiece,
         rows: &[[[f64; 3]; 4]],
+        guess: &mut [usize; 2],
     ) -> Passed {
         let ball = piece.ball();
         let [mut plus, mut minus] = self.signs(&ball);
         let x = piece.middle();
         let at: [f64; 4] = std::array::from_fn(|k| self.meeting[k].near(x));
+        let near = |row: &[[f64; 3]; 4]| {
+            let entry = |k: usize| (row[k][2] * x + row[k][1]) * x + row[k][0];
+            entry(0) * at[0] + entry(1) * at[1] + entry(2) * at[2] + entry(3) * at[3]
+        };
+        let value = |place| self.conditions.value(place, &self.of, &self.meeting).on(&ball);
+        let is_above = |place: usize| near(&rows[place]) > 0.0 && is_positive(&value(place));
+        let is_below = |place: usize| near(&rows[place]) < 0.0 && is_negative(&value(place));
+        if (!plus || is_above(guess[0])) && (!minus || is_below(guess[1])) {
+            return Passed::Proved;
+        }
         let (mut most, mut least) = ((0, 0.0), (0, 0.0));
         for (place, row) in rows.iter().enumerate() {
-            let entry = |k: usize| (row[k][2] * x + row[k][1]) * x + row[k][0];
-            let value = entry(0) * at[0] + entry(1) * at[1] + entry(2) * at[2] + entry(3) * at[3];
+            let value = near(row);
             if value > most.1 {
                 most = (place, value);
             }
@@ -121,11 +133,13 @@ impl<'a> Vertex<'a> {
             true => most.1 > CLEAR * size,
             false => -least.1 > CLEAR * size,
         };
-        let value = |place| self.conditions.value(place, &self.of, &self.meeting).on(&ball);
-        plus = plus && !(most.1 > 0.0 && is_positive(&value(most.0)));
-        minus = minus && !(least.1 < 0.0 && is_negative(&value(least.0)));
+        plus = plus && !is_above(most.0);
+        minus = minus && !is_below(least.0);
         match (plus || minus, seems_passed) {
-            (false, _) => Passed::Proved,
+            (false, _) => {
+                *guess = [most.0, least.0];
+                Passed::Proved
+            }
             (true, true) => Passed::Likely,
             (true, false) => Passed::Unlikely,
         }
@@ -148,7 +162,8 @@ impl<'a> Vertex<'a> {
         let ball = piece.ball();
         let [mut plus, mut minus] = self.signs(&ball);
         let start = start.filter(|start| piece.low == start.below);
-        let is_tied = |place| start.is_some_and(|start| start.is_tied(&self.of, place));
+        let is_tied =
+            |place| start.is_some_and(|start| start.is_tied(self.conditions, &self.of, place));
         let mut others = Vec::new();
         for (place, polynomial) in self.values.iter().enumerate() {
             if self.of.contains(&place) {
@@ -191,7 +206,8 @@ impl<'a> Vertex<'a> {
 
     fn are_parted(&self, places: &[usize], piece: &ThicknessPiece) -> bool {
         let is_opposite = |place: &&usize| {
-            let of = |place: usize| (self.conditions.all[place].contact, place / 4);
+            let of =
+                |place: usize| (self.conditions.all[place].contact, self.conditions.joint(place));
             let (contact, joint) = of(**place);
             contact == Contact::Inwards
                 && places.iter().any(|other| of(*other) == (Contact::Outwards, joint))

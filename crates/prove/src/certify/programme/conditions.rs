@@ -2,6 +2,7 @@
 
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
+use crate::certify::jointed::limits_at_joint;
 use crate::number::{Ball, DoubleBall, Enclosure, ExactNumber, Field};
 use crate::problem::{Arch, Extent, JointLimit, Joints};
 use crate::prover::arithmetic::Arithmetic;
@@ -34,7 +35,9 @@ pub(super) fn conditions(
     let joints = Joints::new(arch.weight(), &thickness.enclosure(BITS), grip);
     let is_solid = thickness.is_rational() && thickness.to_rational() == 2;
     let at = extent.joints(stones, &alpha).into_iter();
-    let limits = at.flat_map(|(joint, angle)| joints.limits((joint, &angle), extent));
+    let count = limits_at_joint(arch);
+    let limits = at
+        .flat_map(|(joint, angle)| joints.limits((joint, &angle), extent).into_iter().take(count));
     let exact = |limit: MovingLimit| match limit.contact {
         // The radius of the intrados is zero exactly, and so is what it multiplies.
         Contact::Intrados if is_solid => {

@@ -11,7 +11,8 @@ use crate::prover::{Error, Refused};
 /// Balls that are asked first. Digits and nearest doubles are the same either way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Balls {
-    /// Balls of double-doubles, up to 25 digits, and balls of MPFR for what those leave open.
+    /// Balls of double-doubles, up to 25 digits, of three words for a state to 18 to 36 digits, and balls of MPFR for
+    /// what those leave open.
     DoubleDoubles,
     /// Balls of MPFR alone: more is known of the error of each double, and the nearest quadruple.
     Mpfr,

@@ -59,13 +59,12 @@ pub(super) use enough::AtOpening;
 pub use enough::Enough;
 pub use inquiry::Inquiry;
 pub use measured::{measured_assessment, measured_state};
-pub(super) use query::DOUBLE_DOUBLE;
-pub(crate) use query::{bits_lost, raised};
+pub(crate) use query::{DOUBLE_DOUBLE, bits_lost, raised};
+pub(super) use quick::critical_frictions;
 pub use quick::state_in_double_doubles;
 pub(crate) use quick::{
-    assessment_enclosed, raised_from_doubles, sliding_configuration, sliding_enclosed,
-    state_enclosed, steepest_configuration,
+    assessment_enclosed, decided, is_quick, quick_outcome, quick_sliding, sliding_configuration,
+    sliding_enclosed, state_enclosed, steepest_configuration,
 };
-pub(super) use quick::{critical_frictions, is_quick};
 pub use state::{Fall, Frictions, Outcome, State};
 pub use thrust_range::{Limit, Touch};

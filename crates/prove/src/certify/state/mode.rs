@@ -293,7 +293,8 @@ pub(super) fn prove<E: Arithmetic>(
     at: &Configuration<E>,
     is_limited: bool,
 ) -> Result<(), Undecided> {
-    let state = Examined::new(query.weight, mode, at);
+    let at = at.map_ref(E::for_signs);
+    let state = Examined::new(query.weight, mode, &at);
     // A root that fails one of them is not the state of the arch.
     Condition::of(mode, is_limited)
         .try_for_each(|condition| require_condition(condition, &state.margin(condition), mode))

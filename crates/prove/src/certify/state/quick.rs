@@ -1,6 +1,7 @@
-//! Proofs of this folder in balls of double-doubles, where these are enough: they take a tenth of the time.
+//! Proofs of this folder in balls of double-doubles, where these are enough: they take a tenth of the time; and in
+//! balls of three words, for the digits of a state that those do not have.
 //!
-//! It is the text of this folder over another number. What these balls decide is proved; where they leave anything
+//! It is the text of this folder over other numbers. What these balls decide is proved; where they leave anything
 //! open, a sign, a box or a rounding, the answer is `None`, and balls of MPFR are asked.
 
 use super::assess::{Assessment, AssessmentDigits, Wanted, assessment};
@@ -8,40 +9,73 @@ use super::digits::{Answer, Digits};
 use super::enough::enough;
 use super::inquiry::Inquiry;
 use super::mode::{outcome, pure_sliding, sliding_root, steepest_root};
-use super::query::{DOUBLE_DOUBLE, Query, raised};
+use super::query::{DOUBLE_DOUBLE, Query};
 use super::state::Outcome;
 use super::thrust_range::Touch;
 use crate::arch::Configuration;
-use crate::number::{Ball, DoubleDoubleBall, ExactNumber};
+use crate::number::{Ball, DoubleDoubleBall, ExactNumber, TripleWordBall};
 use crate::problem::Arch;
 use crate::prover::Undecided;
+use crate::prover::arithmetic::Arithmetic;
+use crate::prover::figure::Figured;
+use crate::prover::in_doubles::Doubles;
 
-/// Beyond so many digits few values would be decided.
+/// Beyond so many digits few values would be decided in double-doubles, or few to all digits; and in three words.
 const MOST_DIGITS: usize = 25;
+const NEARLY_ALL_DIGITS: usize = 20;
+const MOST_OF_THREE_WORDS: usize = 36;
+/// Up to so many digits double-doubles decide all but what lies next to a boundary.
+const OF_A_DOUBLE: usize = 17;
 
 /// Tells whether the numbers of this file are asked first for so many digits.
 pub(crate) fn is_quick(digits: usize) -> bool {
     (1..=MOST_DIGITS).contains(&digits)
 }
 
+/// Numbers of this file, all of which have the same bits.
+pub(crate) trait Quick: Arithmetic + Doubles {}
+
+impl<E: Arithmetic + Doubles> Quick for E {}
+
 /// An arch in these numbers.
-fn query(arch: &Arch) -> Query<DoubleDoubleBall> {
-    Query::new(arch, DOUBLE_DOUBLE)
+fn query<E: Quick>(arch: &Arch) -> Query<E> {
+    Query::new(arch, E::BITS)
 }
 
-/// The state in these numbers, without the frictions at which its mode changes.
+/// The state in balls of double-doubles, without the frictions at which its mode changes.
 pub fn state_in_double_doubles(arch: &Arch) -> Result<Outcome<DoubleDoubleBall>, Undecided> {
-    outcome(&query(arch), false)
+    quick_outcome(arch, false)
+}
+
+/// The state in these numbers, with the frictions at which its mode changes if they are asked for.
+pub(crate) fn quick_outcome<E: Quick>(
+    arch: &Arch,
+    frictions: bool,
+) -> Result<Outcome<E>, Undecided> {
+    outcome(&query(arch), frictions)
+}
+
+/// The friction of the purely sliding state in these numbers.
+pub(crate) fn quick_sliding<E: Quick>(arch: &Arch) -> Result<E, Undecided> {
+    pure_sliding(&query(arch))
 }
 
 /// The state to `digits` digits.
 pub(super) fn state(arch: &Arch, digits: usize, frictions: bool) -> Option<Answer> {
-    if !is_quick(digits) {
-        return None;
+    let double_doubles = || state_in::<DoubleDoubleBall>(arch, digits, frictions);
+    let three_words = || state_in::<TripleWordBall>(arch, digits, frictions);
+    match digits {
+        1..=OF_A_DOUBLE => double_doubles(),
+        ..=NEARLY_ALL_DIGITS if digits > 0 => double_doubles().or_else(three_words),
+        ..=MOST_OF_THREE_WORDS if digits > 0 => three_words(),
+        _ => None,
     }
-    match outcome(&query(arch), frictions).ok()? {
+}
+
+fn state_in<E: Quick + Figured>(arch: &Arch, digits: usize, frictions: bool) -> Option<Answer> {
+    match quick_outcome::<E>(arch, frictions).ok()? {
         Outcome::Falls(fall) => {
-            let enough = || Box::new(enough(arch, digits, true));
+            let enough = || Box::new(enough(arch, digits, is_quick(digits)));
             Some(Answer::Falls { fall, enough: frictions.then(enough) })
         }
         Outcome::Stands(state) => {
@@ -53,7 +87,7 @@ pub(super) fn state(arch: &Arch, digits: usize, frictions: bool) -> Option<Answe
 /// The friction below which the arches of a half opening fall, and the one from which they have the state of unlimited
 /// friction, where these numbers prove them.
 pub(crate) fn critical_frictions(unlimited: &Arch) -> [Option<DoubleDoubleBall>; 2] {
-    let query = query(unlimited);
+    let query = query::<DoubleDoubleBall>(unlimited);
     match outcome(&query, true) {
         Ok(Outcome::Stands(state)) => match state.frictions {
             Some(frictions) => [Some(frictions.sliding), frictions.rotational],
@@ -77,26 +111,14 @@ pub(crate) fn state_enclosed(
     bits: u32,
     frictions: bool,
 ) -> Result<Outcome, Undecided> {
-    let quick = || Some(Ok(outcome(&query(arch), frictions).ok()?.map(|x| x.to_ball(bits))));
+    let to_ball = |x: DoubleDoubleBall| x.to_ball(bits);
+    let quick = || Some(Ok(quick_outcome(arch, frictions).ok()?.map(to_ball)));
     enclosed(bits, quick, || outcome(&Query::new(arch, bits), frictions))
-}
-
-/// Answer that a proof in such enclosures decides, for `digits` digits: with the bits that these numbers have first.
-pub(crate) fn raised_from_doubles<T>(
-    arch: &Arch,
-    digits: usize,
-    proof: impl Fn(u32) -> Result<Option<T>, Undecided>,
-) -> Result<T, Undecided> {
-    let quickly = match is_quick(digits) {
-        true => proof(DOUBLE_DOUBLE).ok().flatten(),
-        false => None,
-    };
-    quickly.map_or_else(|| raised(arch, digits, proof), Ok)
 }
 
 /// The friction of the purely sliding state in an enclosure of `bits` bits.
 pub(crate) fn sliding_enclosed(arch: &Arch, bits: u32) -> Result<Ball, Undecided> {
-    let quick = || Some(Ok(pure_sliding(&query(arch)).ok()?.to_ball(bits)));
+    let quick = || Some(Ok(quick_sliding::<DoubleDoubleBall>(arch).ok()?.to_ball(bits)));
     enclosed(bits, quick, || pure_sliding(&Query::new(arch, bits)))
 }
 
@@ -118,18 +140,19 @@ pub(crate) fn steepest_configuration(
 
 /// Everything that holds for an arch of a given thickness, in `(0, 2]`, in enclosures of `bits` bits.
 pub(crate) fn assessment_enclosed(arch: &Arch, thickness: &ExactNumber, bits: u32) -> Assessment {
-    let quick = || Some(decided(arch, thickness)?.each(|x| Ok(x.to_ball(bits)), |open| open));
+    let to_ball = |x: DoubleDoubleBall| Ok(x.to_ball(bits));
+    let quick = || Some(decided(arch, thickness)?.each(to_ball, |open| open));
     let proof = || Inquiry::new(arch, 1, false).assessment(thickness, bits, Wanted::Everything);
     enclosed(bits, quick, proof)
 }
 
 /// Proves what holds for an arch of a given thickness, if all of it is decided.
-fn decided(arch: &Arch, thickness: &ExactNumber) -> Option<Assessment<DoubleDoubleBall>> {
+pub(crate) fn decided<E: Quick>(arch: &Arch, thickness: &ExactNumber) -> Option<Assessment<E>> {
     let state = |is_limited| match is_limited {
-        true => state_in_double_doubles(arch),
-        false => state_in_double_doubles(&arch.unlimited()),
+        true => quick_outcome(arch, false),
+        false => quick_outcome(&arch.unlimited(), false),
     };
-    let found = assessment(arch, thickness, DOUBLE_DOUBLE, Wanted::Everything, state);
+    let found = assessment(arch, thickness, E::BITS, Wanted::Everything, state);
     // More bits may tell a joint from the shoulder next to it.
     let mut touches = found.thrust.iter().flatten().flatten().map(|limit| &limit.touch);
     let is_near = touches.any(|touch| matches!(touch, Touch::AtShoulder));
@@ -146,18 +169,19 @@ pub(super) fn assess(
     if !is_quick(digits) {
         return None;
     }
-    let found = decided(arch, thickness)?.rounded(digits, DOUBLE_DOUBLE);
+    let found = decided::<DoubleDoubleBall>(arch, thickness)?.rounded(digits, DOUBLE_DOUBLE);
     found.first_open().is_none().then_some(found)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::arch::SelfWeight;
-    use crate::certify::state::Certify;
+    use crate::arch::{SelfWeight, Unknown};
     use crate::certify::state::find::{Finding, Question, find};
-    use crate::number::Rounded;
+    use crate::certify::state::{Balls, Certify, Figure};
+    use crate::number::{Drawable, Enclosure, Field, Rounded};
     use crate::problem::Friction;
+    use rug::Rational;
 
     fn arch(half_opening: &str, friction: &str) -> Arch {
         Arch::parse("milankovitch", half_opening, friction).unwrap()
@@ -189,7 +213,7 @@ mod tests {
         leaves_open(&arch("1e-300", "1e300"), 10);
         leaves_open(&arch("1e-100", "inf"), 10);
         // More digits than they have.
-        leaves_open(&arch("1", "1"), 26);
+        leaves_open(&arch("1", "1"), 37);
     }
 
     #[test]
@@ -201,6 +225,62 @@ mod tests {
             let Rounded { lower, upper, .. } = friction.decimal;
             leaves_open(&arch("1", &lower.to_string()), 16);
             leaves_open(&arch("1", &upper.to_string()), 16);
+        }
+    }
+
+    /// Equidistributed arches of both weights, to be proved to 18 to 36 digits; every fourth with unlimited friction.
+    fn mix(count: usize) -> impl Iterator<Item = (Arch, usize)> {
+        let golden = |i: usize, step: f64| (i as f64 * step).fract();
+        (1..=count).map(move |i| {
+            let (alpha, mu) = (2.66 * golden(i, 0.754_877_666), 5.0 * golden(i, 0.569_840_291));
+            let friction = if i % 4 == 0 { "inf".to_owned() } else { format!("{mu:.12}") };
+            let weight = SelfWeight::ALL[i % 2].name();
+            (Arch::parse(weight, &format!("{alpha:.15}"), &friction).unwrap(), 18 + i % 19)
+        })
+    }
+
+    /// Three words tell the digits and the doubles that balls of MPFR tell, of nearly all arches.
+    #[test]
+    fn three_words_find_the_digits_of_balls_of_mpfr() {
+        const ARCHES: usize = 2000;
+        let mut decided = 0;
+        for (arch, digits) in mix(ARCHES) {
+            let Some(found) = state(&arch, digits, digits % 2 == 0) else { continue };
+            decided += 1;
+            match (found, Balls::Mpfr.state(&arch, digits, digits % 2 == 0).unwrap()) {
+                (Answer::Stands(found), Answer::Stands(by_mpfr)) => {
+                    assert_eq!(found.mode, by_mpfr.mode);
+                    assert_eq!(found.figures().count(), by_mpfr.figures().count());
+                    for ((of, x), (_, y)) in found.figures().zip(by_mpfr.figures()) {
+                        assert_eq!(x.map(|x| &x.decimal), y.map(|y| &y.decimal), "{arch} {of:?}");
+                        assert_eq!(x.map(Figure::bounds), y.map(Figure::bounds), "{arch} {of:?}");
+                    }
+                }
+                (Answer::Falls { fall, .. }, Answer::Falls { fall: by_mpfr, .. }) => {
+                    assert_eq!(fall, by_mpfr, "{arch}");
+                }
+                _ => panic!("{arch}"),
+            }
+        }
+        assert!(decided * 100 >= ARCHES * 99, "{decided}");
+    }
+
+    /// The enclosures overlap, and those of three words are narrow.
+    #[test]
+    fn three_words_enclose_what_balls_of_mpfr_do() {
+        for (arch, _) in mix(500) {
+            let found = quick_outcome::<TripleWordBall>(&arch, true);
+            let Ok(Outcome::Stands(found)) = found else { continue };
+            let Ok(Outcome::Stands(by_mpfr)) = arch.state(192) else { panic!("{arch}") };
+            for unknown in [Unknown::Thickness, Unknown::Thrust, Unknown::RotationJoint] {
+                let of = found.value(unknown).unwrap();
+                let [x, y] = [&of.to_ball(192), by_mpfr.value(unknown).unwrap()];
+                assert!(x.overlaps(y), "{arch} {unknown:?}");
+                let is_narrow = of.rad() <= of.mid().hi().abs() * 1e-33;
+                assert!(is_narrow || x.contains(&Rational::new()), "{arch} {unknown:?} {of:?}");
+                let beside = x.clone() + x.clone() * x.ratio(1, 1 << 30) * x.ratio(1, 1 << 30);
+                assert!(!beside.overlaps(y) || x.is_zero(), "false twin: {arch}");
+            }
         }
     }
 

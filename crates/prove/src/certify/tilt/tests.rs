@@ -1,5 +1,4 @@
 use super::*;
-use crate::solve::tilt::TiltNear;
 
 fn found(arch: [&str; 3], eta: &str, tilt: &str) -> TiltDigits {
     let [weight, alpha, mu] = arch;
@@ -11,50 +10,54 @@ fn proof(alpha: &str, mu: &str, eta: &str, bits: u32) -> TiltProof {
     TiltProof::new(&Arch::parse("heyman", alpha, mu).unwrap(), &eta.parse().unwrap(), bits)
 }
 
-fn near(proof: &TiltProof) -> Box<TiltNear> {
-    match proof.search().candidate() {
-        TiltCandidate::Limited(near) => near,
-        other => panic!("{other:?}"),
-    }
-}
-
-/// Joints beside the true ones give a bound that is a little higher; rates below zero give none, and so does a
-/// state beyond the limit.
+/// Conditions that are not those of the limit, multipliers below zero, joints that the arch does not have, and a state
+/// that is not that of the root prove nothing.
 #[test]
-fn what_is_beyond_the_limit_is_refused() {
+fn what_is_forged_is_refused() {
     for (alpha, mu, eta) in
         [("pi/2", "0.6", "0.15"), ("pi/2", "0.4", "0.15"), ("2.3", "1.05", "0.7")]
     {
         let proof = proof(alpha, mu, eta, 200);
-        let near = near(&proof);
-        let (best, _) = proof.bound_above(&near.touches).unwrap();
-        let low = proof.bound_below(&near.limit, &near.inside).unwrap();
-        assert!((best.clone() - &low).is_positive().is_proved());
-        assert!((best.clone() - low).mid().to_f64() < 1e-15, "{alpha} {mu}");
-        let mut moved = near.touches.clone();
-        moved.iter_mut().filter(|touch| touch.is_inside).for_each(|touch| touch.joint += 0.01);
-        let (higher, _) = proof.bound_above(&moved).unwrap();
-        assert!((higher - best).is_positive().is_proved(), "{alpha} {mu}");
-        // A joint that the arch does not have.
-        let mut beyond = near.touches.clone();
-        beyond.iter_mut().filter(|touch| touch.is_inside).for_each(|touch| touch.joint += 3);
-        assert!(proof.bound_above(&beyond).is_err(), "{alpha} {mu}");
-        let other_way = [0, 1, 2, 3].map(|k| {
-            let way = Float::with_val(200, &near.inside[k] - &near.limit[k]);
-            Float::with_val(200, &near.limit[k] - way)
-        });
-        assert!(proof.bound_below(&near.limit, &other_way).is_err(), "{alpha} {mu}");
-        let same = vec![near.touches[0].clone(); near.touches.len()];
-        assert!(proof.bound_above(&same).is_err(), "{alpha} {mu}");
-        let mut wrong = near.touches.clone();
-        wrong[0].contact = match wrong[0].contact {
-            Contact::Extrados => Contact::Intrados,
-            Contact::Intrados => Contact::Extrados,
-            Contact::Inwards => Contact::Outwards,
-            Contact::Outwards => Contact::Inwards,
+        let (near, proved) = proof.largest().unwrap().unwrap();
+        let proves = |near: &TiltNear| {
+            let mechanism = proof.mechanism(near)?;
+            let weight = Ball::integer(1, 200);
+            proof.is_admissible(&mechanism.forces, &weight, &mechanism.zeros())
         };
-        let bound = proof.bound_above(&wrong);
-        assert!(bound.is_err() || bound.unwrap().0.mid() > &near.limit[3], "{alpha} {mu}");
+        assert_eq!(proves(&near), Ok(()), "{alpha} {mu}");
+        for k in 0..near.touches.len() {
+            let mut forged = near.clone();
+            forged.touches.remove(k);
+            assert!(proves(&forged).is_err(), "{alpha} {mu}: one is missing, {k}");
+            let mut forged = near.clone();
+            forged.touches[k] = near.touches[(k + 1) % near.touches.len()];
+            assert!(proves(&forged).is_err(), "{alpha} {mu}: one twice, {k}");
+            let mut forged = near.clone();
+            forged.touches[k].contact = match near.touches[k].contact {
+                Contact::Extrados => Contact::Intrados,
+                Contact::Intrados => Contact::Extrados,
+                Contact::Inwards => Contact::Outwards,
+                Contact::Outwards => Contact::Inwards,
+            };
+            assert!(proves(&forged).is_err(), "{alpha} {mu}: another condition, {k}");
+            let mut forged = near.clone();
+            forged.touches[k].rate *= -1.0;
+            assert!(proves(&forged).is_err(), "{alpha} {mu}: a negative multiplier, {k}");
+            // Where the margin is not known to be zero it is not seen to be positive.
+            let mut zeros = proved.zeros();
+            zeros.remove(k);
+            let weight = Ball::integer(1, 200);
+            assert!(proof.is_admissible(&proved.forces, &weight, &zeros).is_err());
+        }
+        let narrower = Ball::exact(Float::with_val(200, 0.5), 200);
+        assert!(TiltMechanism::new(&proof.joints, &narrower, &near, 200).is_err(), "{alpha} {mu}");
+        let mut beyond = proved.clone();
+        beyond.forces[3] = beyond.forces[3].clone() + Ball::integer(1, 200).scaled(-60);
+        let weight = Ball::integer(1, 200);
+        assert!(proof.is_admissible(&beyond.forces, &weight, &beyond.zeros()).is_err());
+        // More bits are of the same root, and not of another one.
+        let finer = TiltProof { bits: 400, ..self::proof(alpha, mu, eta, 400) };
+        assert!(finer.refined(&near, &proved).is_ok() && finer.refined(&near, &beyond).is_err());
     }
 }
 
@@ -90,8 +93,9 @@ fn a_state_tells_of_an_acceleration_alone() {
     let named = format!("the largest tilt: {UNBOUNDED}");
     assert_eq!(found.largest.unwrap_err().reason, named);
     let proof = proof("pi/2", "0.4", "0.15", 100);
-    let has_state = |tilt: &str| proof.has_state(&tilt.parse().unwrap());
-    assert!(has_state("0") && has_state("0.05") && !has_state("0.053"));
+    let told = |tilt: &str| proof.told(&tilt.parse().unwrap());
+    assert_eq!((told("0"), told("0.05")), (Some(true), Some(true)));
+    assert_eq!((told("0.053"), told("1.7")), (Some(false), Some(false)));
 }
 
 /// Where no proof of the largest succeeds, as its conditions are not told, the acceleration asked for is decided
@@ -101,6 +105,17 @@ fn an_acceleration_is_decided_where_the_largest_is_not() {
     let of = |tilt: &str| found(["milankovitch", "1.27", "0.769"], "1.5", tilt);
     assert_eq!(of("0.1").is_admissible, Ok(true));
     assert_ne!(of("1.3").is_admissible, Ok(true));
+}
+
+/// Just above the least thickness the largest acceleration is tiny, and is proved like any other.
+#[test]
+fn a_tiny_excess_is_decided() {
+    for (eta, known) in [("0.1074782", 1.4e-6), ("0.107476705", 1e-10)] {
+        let found = found(["heyman", "pi/2", "inf"], eta, "0.1");
+        assert_eq!(found.is_admissible, Ok(false));
+        let Ok(LargestTilt::Limited(figure, _)) = &found.largest else { panic!("{found:?}") };
+        assert!(figure.double > known / 10.0 && figure.double < known * 10.0, "{}", figure.double);
+    }
 }
 
 /// Against a linear programme over 8001 joints, whose value is a little above.

@@ -10,6 +10,7 @@ use crate::arch::Ring;
 use crate::arch::mechanism::Contact;
 use crate::arch::statics::normal_force;
 use crate::number::{Ball, Drawable, Field};
+use crate::problem::Friction;
 use crate::problem::stones::JointContact;
 use crate::prover::Undecided;
 use crate::prover::decide::{ensure, is_positive};
@@ -105,8 +106,15 @@ impl StoneLine<'_> {
     fn no_slip_is_passed(&self, is_at_limit: impl Fn(&Ball) -> bool) -> Result<(), Undecided> {
         let Self { joints, contacts, .. } = *self;
         let last = joints.last();
+        // Without friction both slips of a joint ask for the same, and those of the crown for nothing.
+        let has_no_friction = joints.friction.as_ref().is_some_and(Friction::is_zero);
+        let has_crown = joints.stones.has_joint_at_crown();
+        let follows = |joint: u64| {
+            let slides = |of: &JointContact| of.1 == joint && !of.0.is_hinge();
+            has_no_friction && (joint == 0 && has_crown || contacts.iter().any(slides))
+        };
         let holds = |contact: JointContact| -> bool {
-            if contacts.contains(&contact) {
+            if contacts.contains(&contact) || follows(contact.1) {
                 return true;
             }
             let beyond = self.beyond(contact);

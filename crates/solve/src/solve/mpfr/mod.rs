@@ -2,7 +2,6 @@
 
 pub mod expansion;
 mod root;
-pub mod tilt;
 pub mod voussoir_thrust;
 pub mod voussoirs;
 

@@ -1,10 +1,14 @@
-//! Boundaries where one mode becomes another: a point of a line of the map.
+//! Boundaries where one mode becomes another: a point of a line of the map, or a proof that it has none.
+//!
+//! A line is one curve without a gap between two landmarks, on which each half opening is there once at most, and each
+//! friction: both are monotone along it. So beyond the values at its ends it has no point.
 
 use super::widest::in_range;
-use crate::arch::{Configuration, Unknown};
+use crate::arch::{Configuration, SelfWeight, Unknown};
+use crate::certify::CertifiedLandmark;
 use crate::certify::state::query::Query;
-use crate::number::{Ball, Field};
-use crate::problem::{Condition, Examined, Landmark, Line, Mode, Sought};
+use crate::number::{Ball, Enclosure, Field, Rounded};
+use crate::problem::{Condition, Examined, Landmark, Line, Mode, Quantity, Sought};
 use crate::prover::Undecided;
 use crate::prover::decide::{require, require_condition};
 use crate::solve::start;
@@ -49,6 +53,48 @@ pub(super) fn point_on(
         }
     }
     Ok(at)
+}
+
+/// Digits of the values at the ends of a line.
+const DIGITS: usize = 10;
+
+/// The ends of a line in words, if a value of the half opening or the friction is proved to be beyond them; the other
+/// of the two is sought.
+pub(super) fn beyond(
+    (weight, line): (SelfWeight, Line),
+    sought: Sought,
+    value: &Ball,
+) -> Result<Option<String>, Undecided> {
+    let quantity = match sought {
+        Sought::HalfOpening => Quantity::Friction,
+        Sought::Friction => Quantity::HalfOpening,
+    };
+    // At the end of rotation the friction is infinite.
+    let end = |landmark: Option<Landmark>| match landmark {
+        None => Ok(Some(value.int(0))),
+        Some(landmark) => {
+            let of = CertifiedLandmark::new(landmark, weight)?.enclosure(0)?;
+            Ok::<_, Undecided>(of.quantity(quantity))
+        }
+    };
+    let [from, to] = line.ends();
+    let ends = [end(from)?, end(to)?];
+    let is_below =
+        |end: &Option<Ball>| end.as_ref().is_none_or(|end| value.is_less_than(end).is_proved());
+    let is_above =
+        |end: &Option<Ball>| end.as_ref().is_some_and(|end| end.is_less_than(value).is_proved());
+    let is_beyond = ends.iter().all(is_below) || ends.iter().all(is_above);
+    let name = quantity.name().replace('_', " ");
+    let words = |landmark: Option<Landmark>, end: &Option<Ball>| match (landmark, end) {
+        (None, _) => "a half opening of zero".to_owned(),
+        (Some(landmark), end) => {
+            let rounded = end.as_ref().and_then(|end| Rounded::from_ball(end, DIGITS));
+            let value = rounded.map_or("inf".to_owned(), |x| x.value.to_string());
+            format!("{} (at the {name} {value})", landmark.symbol())
+        }
+    };
+    let [first, last] = &ends;
+    Ok(is_beyond.then(|| format!("{} to {}", words(from, first), words(to, last))))
 }
 
 /// Undecided answer where no point of the line is found.

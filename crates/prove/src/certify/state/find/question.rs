@@ -1,6 +1,6 @@
 //! Questions that can be asked the other way round, and the answers in digits.
 
-use super::line::point_on;
+use super::line::{beyond, point_on};
 use super::widest::{at_thickness, bits_lost, widest};
 use crate::arch::{Configuration, SelfWeight};
 use crate::certify::state::assess::Wanted;
@@ -56,6 +56,8 @@ pub enum Finding {
     /// A proof says that there is none, as nothing stands; or, without a reason for that, as the thickness is
     /// below the least one whatever the friction.
     Nothing(Option<Fall>),
+    /// A proof says that the line of the map has no such point: it runs between these ends, in words.
+    Beyond(Line, String),
 }
 
 /// Answer that was asked for, correctly rounded.
@@ -72,6 +74,9 @@ pub struct Found {
     /// arches that stand by this.
     pub some_may_move: bool,
 }
+
+/// Bits with which a line is looked at, before it is known whether it has the point.
+const FEW: u32 = 128;
 
 /// Modes that meet there, and the values.
 type FoundBalls = (Vec<Mode>, Vec<(Quantity, Ball)>);
@@ -122,7 +127,7 @@ pub fn find(weight: SelfWeight, question: &Question, digits: usize) -> Result<Fi
     let limit = question.thickness().is_none_or(|eta| eta.factor() == two.factor());
     let eta = question.thickness().unwrap_or(&two);
     let found: Result<Finding, Error> = match question {
-        Question::HalfOpening { .. } if has_no_friction(&arch) => {
+        Question::HalfOpening { .. } if arch.friction().is_zero() => {
             Ok(Finding::Nothing(Some(Fall::Sliding)))
         }
         Question::HalfOpening { thickness, .. } => {
@@ -150,6 +155,16 @@ pub fn find(weight: SelfWeight, question: &Question, digits: usize) -> Result<Fi
             };
             if *given == Given::Friction(Friction::Infinite) {
                 return Err(Refused::UnlimitedFriction.into());
+            }
+            let few = query(FEW);
+            if point_on(&few, *line, sought).is_err() {
+                let given = match sought {
+                    Sought::HalfOpening => &few.given.friction,
+                    Sought::Friction => &few.given.half_opening.rad,
+                };
+                if let Ok(Some(ends)) = beyond((weight, *line), sought, given) {
+                    return Ok(Finding::Beyond(*line, ends));
+                }
             }
             Ok(in_digits(&query, digits, &sides(*line, sought), |query| {
                 let at = point_on(query, *line, sought)?;
@@ -180,13 +195,6 @@ fn some_may_move(question: &Question, arch: &Arch, found: &Found) -> bool {
         _ => None,
     };
     ranges.is_some_and(|(alphas, mus)| reaches(arch.weight(), alphas, mus))
-}
-
-pub(super) fn has_no_friction(arch: &Arch) -> bool {
-    match arch.friction() {
-        Friction::Coefficient(x) | Friction::Angle(x) => x.factor().numer().bits() == 0,
-        Friction::Infinite => false,
-    }
 }
 
 /// The least friction with which an arch stands at a thickness, or at the physical limit.

@@ -3,7 +3,6 @@
 use super::found::{OtherState, StateOfValue, StatesOfValue};
 use crate::arch::{Configuration, SelfWeight, Unknown, thrust};
 use crate::certify::equation::touched_thicknesses;
-use crate::certify::state::find::question::has_no_friction;
 use crate::certify::state::find::widest::{ModeAt, at_thickness, bits_lost, widest};
 use crate::certify::state::mode::outcome;
 use crate::certify::state::query::{GUARD, Query};
@@ -79,7 +78,7 @@ impl Search<'_> {
 
     /// All states with the value.
     pub(super) fn all(&self) -> Result<StatesOfValue, Error> {
-        if has_no_friction(&self.arch) {
+        if self.arch.friction().is_zero() {
             return Ok(StatesOfValue::none("without friction nothing stands", OF_THICKNESS));
         }
         match self.quantity {
