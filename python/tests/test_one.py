@@ -255,7 +255,7 @@ WRONG = [
     (lambda: couplet.assess(1, 1, "pi/4"), "the thickness pi/4 is no ratio"),
     (lambda: couplet.constants("Q"), "a landmark is one of T, S, J, B, l, L, sb"),
     (lambda: couplet.constants("T", "both"), "one weight at a time"),
-    (lambda: couplet.constants("T", digits=10**7), "digits are a whole number from 1 to 100000000"),
+    (lambda: couplet.constants("T", digits=10**7), "digits are a whole number from 1 to 1000000"),
     (lambda: couplet.constants("T", quantities=["thiknes"]), 'did you mean "thickness"?'),
     (lambda: couplet.constants("T", threads=-1), "threads are a whole number from 1 to 1024"),
     (lambda: couplet.prove("eq-8", threads=1.5), "threads are a whole number"),
