@@ -71,7 +71,7 @@ extern "C" {
 //
 // weight: "heyman" or "milankovitch". half_opening: from the crown to the shoulder, between 0 and pi, exact text:
 // radians ("1.4", "pi/2", "7/5") or degrees ("80deg"). friction: a coefficient, 0 or more ("0.6", "3/5", "inf"), or an
-// angle ("31deg"). digits: significant digits, 1 to 10000; up to 25 cost a tenth of what 30 cost.
+// angle ("31deg"). digits: significant digits, 1 to 1000000; up to 33 cost at most three times what few cost.
 //
 // Values: thickness (t/r), thrust (H/(w r)), intrinsic_thrust, rotation_joint and sliding_joint (rad from the crown),
 // sliding_friction, rotational_friction, and asymmetric_thickness, the largest above the least at which an asymmetric

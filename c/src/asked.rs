@@ -93,13 +93,8 @@ impl ArchRead {
     }
 }
 
-/// The digits of a state.
-fn state_digits(digits: usize) -> Result<usize, Failure> {
-    parse::state_digits(&digits.to_string()).map_err(wrong)
-}
-
-/// The digits of a landmark.
-fn landmark_digits(digits: usize) -> Result<usize, Failure> {
+/// A number of significant digits.
+fn digits_of(digits: usize) -> Result<usize, Failure> {
     parse::digits(&digits.to_string()).map_err(wrong)
 }
 
@@ -117,7 +112,7 @@ pub(crate) fn named(names: &str, possible: &[Quantity]) -> Result<Vec<Quantity>,
 ///
 /// weight: "heyman" or "milankovitch". half_opening: from the crown to the shoulder, between 0 and pi, exact text:
 /// radians ("1.4", "pi/2", "7/5") or degrees ("80deg"). friction: a coefficient, 0 or more ("0.6", "3/5", "inf"), or an
-/// angle ("31deg"). digits: significant digits, 1 to 10000; up to 25 cost a tenth of what 30 cost.
+/// angle ("31deg"). digits: significant digits, 1 to 1000000; up to 33 cost at most three times what few cost.
 ///
 /// Values: thickness (t/r), thrust (H/(w r)), intrinsic_thrust, rotation_joint and sliding_joint (rad from the crown),
 /// sliding_friction, rotational_friction, and asymmetric_thickness, the largest above the least at which an asymmetric
@@ -135,7 +130,7 @@ pub unsafe extern "C" fn couplet_state(
     unsafe {
         answered(answer, || {
             let asked = fields([(Field::HalfOpening, half_opening), (Field::Friction, friction)])?;
-            Ok(arch(weight, asked)?.answer(state_digits(digits)?))
+            Ok(arch(weight, asked)?.answer(digits_of(digits)?))
         })
     }
 }
@@ -165,7 +160,7 @@ pub unsafe extern "C" fn couplet_assess(
                 (Field::Friction, friction),
                 (Field::Thickness, thickness),
             ])?;
-            Ok(arch(weight, asked)?.answer(state_digits(digits)?))
+            Ok(arch(weight, asked)?.answer(digits_of(digits)?))
         })
     }
 }
@@ -190,7 +185,7 @@ pub unsafe extern "C" fn couplet_arch(
     unsafe {
         answered(answer, || {
             let asked = ArchAsked::parse(text(arch, "arch")?).map_err(wrong)?;
-            Ok(self::arch(weight, asked)?.answer(state_digits(digits)?))
+            Ok(self::arch(weight, asked)?.answer(digits_of(digits)?))
         })
     }
 }
@@ -238,7 +233,7 @@ pub unsafe extern "C" fn couplet_find(
             let question =
                 sought::question((target, modes), &asked, Spelling::Key).map_err(wrong)?;
             let understood = sought::understood(&asked, Spelling::Key).map_err(wrong)?;
-            let digits = state_digits(digits)?;
+            let digits = digits_of(digits)?;
             let found = seek::find(weight, &question, digits);
             if let Err(Error::Refused(refused)) = &found {
                 return Err(wrong(refused));
@@ -280,7 +275,7 @@ pub unsafe extern "C" fn couplet_constant(
                 none if none.is_empty() => possible,
                 some => some,
             };
-            let digits = landmark_digits(digits)?;
+            let digits = digits_of(digits)?;
             let asked: Vec<_> = wanted.into_iter().map(|of| (of, digits)).collect();
             let found = on_threads(checked(threads)?, || {
                 let point = CertifiedLandmark::new(landmark, weight)?;
@@ -333,7 +328,7 @@ pub unsafe extern "C" fn couplet_certify_landmark(
     unsafe {
         answered(answer, || {
             let (landmark, weight) = point(landmark, weight)?;
-            let digits = landmark_digits(digits)?;
+            let digits = digits_of(digits)?;
             let certify = || certify::certify_landmark(landmark, weight, digits);
             certified(on_threads(checked(threads)?, certify)?)
         })
@@ -358,7 +353,7 @@ pub unsafe extern "C" fn couplet_certify_arch(
                 fields([(Field::HalfOpening, half_opening), (Field::Friction, friction)])?;
             asked.thickness = optional(thickness, "thickness")?.map(str::to_owned);
             let ArchRead { arch, given, .. } = arch(weight, asked)?;
-            certified(certify::certify_arch(&arch, given.thickness.as_ref(), state_digits(digits)?))
+            certified(certify::certify_arch(&arch, given.thickness.as_ref(), digits_of(digits)?))
         })
     }
 }

@@ -55,7 +55,7 @@ def state(
         density, depth: of the material ('2400kg/m3', '24kN/m3') and across the span; forces are then told in kN.
         thickness, tilt: not here: see ``assess`` and ``tilt``.
         weight: the model of self-weight, 'heyman' or 'milankovitch'.
-        digits: significant digits, 1 to 10,000. Up to 33 cost at most three times what few cost.
+        digits: significant digits, 1 to 1,000,000. Up to 33 cost at most three times what few cost.
         frictions: also the frictions at which the mode changes, and what would be enough for an arch that falls.
 
     Raises: CoupletError if an argument makes no sense; TypeError if it is no number.

@@ -446,7 +446,7 @@ def equation(
         half_opening, rotation_joint: angles, in radians or text with a unit ('57deg').
         thickness, thrust, opening_variable: eta, h and A = alpha cot(alpha/2), where the equation has them.
         weight: the model of self-weight, 'heyman' or 'milankovitch'.
-        digits: significant digits, 1 to 10,000.
+        digits: significant digits, 1 to 1,000,000.
 
     Raises: CoupletError if an argument makes no sense; UndecidedError if something is not proved.
 

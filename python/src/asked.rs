@@ -135,7 +135,7 @@ pub(crate) fn state<'py>(
             (given.measures, arch)
         }
     };
-    let digits = parse::state_digits(digits).map_err(wrong)?;
+    let digits = parse::digits(digits).map_err(wrong)?;
     let found = on_one_thread(py, digits, move || {
         let found = Balls::DoubleDoubles.state(&arch, digits, frictions);
         answer::state(1, (&arch, measures.as_ref().map(|of| (of, digits))), digits, &found)
@@ -153,7 +153,7 @@ pub(crate) fn assess<'py>(
     let (given, arch) = given(&doors::ASSESS, weight, texts)?;
     let ArchGiven { thickness, measures, .. } = given;
     let eta = thickness.ok_or_else(|| wrong("thickness is missing"))?;
-    let digits = parse::state_digits(digits).map_err(wrong)?;
+    let digits = parse::digits(digits).map_err(wrong)?;
     let found = on_one_thread(py, digits, move || {
         let found = arch.certify_thickness(&eta, digits);
         let measures = measures.as_ref().map(|of| (of, digits));
@@ -178,7 +178,7 @@ pub(crate) fn voussoirs<'py>(
     };
     let (given, arch) = given(question, weight, texts.clone())?;
     let understood = Understood::new(&asked(texts), &given);
-    let digits = parse::state_digits(digits).map_err(wrong)?;
+    let digits = parse::digits(digits).map_err(wrong)?;
     let made = on_threads(py, 1, move || doors::of_stones((understood, &given), &[arch], digits))?;
     let made = made.map_err(failed)?;
     let values = made.arches.iter().map(|arch| told::voussoirs(py, arch));
@@ -203,7 +203,7 @@ pub(crate) fn tilted<'py>(
         return Err(wrong("tilt tells no forces: leave out density and depth"));
     }
     let stones = doors::divisions(&given).map_err(failed)?;
-    let digits = parse::state_digits(digits).map_err(wrong)?;
+    let digits = parse::digits(digits).map_err(wrong)?;
     let found = on_threads(py, 1, move || {
         doors::tilted((&understood, &arch), (&eta, &tilt), stones.first(), digits)
     })?;
@@ -224,7 +224,7 @@ pub(crate) fn find<'py>(
     let what = sought::what(target.0).map_err(wrong)?;
     let modes = target.1.map(sought::line).transpose().map_err(wrong)?;
     let question = sought::question((what, modes), &asked(texts), Spelling::Key).map_err(failed)?;
-    let digits = parse::state_digits(digits).map_err(wrong)?;
+    let digits = parse::digits(digits).map_err(wrong)?;
     let (found, answer) = on_threads(py, 1, move || {
         let found = seek::find(weight, &question, digits);
         let answer = Answer::finding(1, (weight, &question), &found);
@@ -272,7 +272,7 @@ pub(crate) fn certify_arch(
     let has_thickness = texts.2.as_ref().and_then(|texts| texts.get(thickness)?.as_ref()).is_some();
     let question = if has_thickness { &doors::CERTIFY_ARCH } else { &doors::CERTIFY_STATE };
     let (given, arch) = given(question, weight, texts)?;
-    let digits = parse::state_digits(digits).map_err(wrong)?;
+    let digits = parse::digits(digits).map_err(wrong)?;
     let made = move || certify::certify_arch(&arch, given.thickness.as_ref(), digits);
     written(on_threads(py, 1, made)?)
 }
@@ -292,7 +292,7 @@ pub(crate) fn certify_asymmetric(
     }
     let mode = mode.map(parse::asymmetric_mode).transpose();
     let mode = mode.map_err(|error| wrong(format!("asymmetric: {error}, or True")))?;
-    let digits = parse::state_digits(digits).map_err(wrong)?;
+    let digits = parse::digits(digits).map_err(wrong)?;
     let of = arch.clone();
     let kinds = move || certify::asymmetric_kinds(&of);
     let mode = match mode {

@@ -10,7 +10,7 @@ use couplet::certify::state::{
     Balls, Certify, Inquiry, NoState, Wanted, measured_assessment, measured_state,
 };
 use couplet::certify::{
-    CertifiedLandmark, MAX_ARCH_DIGITS, MAX_DIGITS, MAX_FINGERPRINT_DIGITS, MOST_ENUMERATED_STONES,
+    CertifiedLandmark, MAX_DIGITS, MAX_FINGERPRINT_DIGITS, MAX_TILT_DIGITS, MOST_ENUMERATED_STONES,
     MOST_JOINTED_STONES, MOST_TILTED_STONES, Open, assess_voussoirs, asymmetric,
     asymmetric_thicknesses, certify_arch, certify_asymmetric, certify_landmark, enumerate,
     fingerprint, least_solution, programme, tilted, tilted_stones, voussoirs,
@@ -51,7 +51,6 @@ fn measures() -> Measures {
 /// Everything that takes digits of an arch.
 fn of_an_arch(digits: usize) -> Vec<(&'static str, Option<Refused>)> {
     let (arch, eta, mu) = (arch(M, "1", "0.6"), number("0.1"), "0.6".parse().unwrap());
-    let tilt: Slope = "0.1".parse().unwrap();
     let question = Question::Friction { half_opening: number("1"), thickness: None };
     let measures = measures();
     let least = match arch.least(digits) {
@@ -83,19 +82,28 @@ fn of_an_arch(digits: usize) -> Vec<(&'static str, Option<Refused>)> {
         ("assess_voussoirs", assess_voussoirs(&stones(7), M, &mu, &eta, digits).refused()),
         ("enumerate", enumerate(&arch, 3, Extent::Whole, digits).refused()),
         ("least_solution", least_solution(&arch, 3, Extent::Whole, digits).refused()),
-        ("tilted", tilted(&arch, &eta, &tilt, digits).refused()),
-        ("tilted_stones", tilted_stones(&arch, &stones(7), &eta, &tilt, digits).refused()),
     ]
+}
+
+/// Everything that takes digits of an arch under an acceleration.
+fn of_a_tilted_arch(digits: usize) -> [Option<Refused>; 2] {
+    let (arch, eta, tilt) = (arch(M, "1", "0.6"), number("0.1"), "0.1".parse().unwrap());
+    let stones = tilted_stones(&arch, &stones(7), &eta, &tilt, digits);
+    [tilted(&arch, &eta, &tilt, digits).refused(), stones.refused()]
 }
 
 #[test]
 fn no_door_of_an_arch_answers_to_no_digits_or_to_too_many() {
-    for asked in [0, MAX_ARCH_DIGITS + 1, usize::MAX] {
-        let expected = Refused::Digits { asked, most: MAX_ARCH_DIGITS };
-        assert_eq!(expected.to_string(), "digits are a whole number from 1 to 10000");
+    for asked in [0, MAX_DIGITS + 1, usize::MAX] {
+        let expected = Refused::Digits { asked, most: MAX_DIGITS };
+        assert_eq!(expected.to_string(), "digits are a whole number from 1 to 1000000");
         for (door, refused) in of_an_arch(asked) {
             assert_eq!(refused.as_ref(), Some(&expected), "{door}, {asked} digits");
         }
+    }
+    for asked in [0, MAX_TILT_DIGITS + 1] {
+        let expected = Some(Refused::Digits { asked, most: MAX_TILT_DIGITS });
+        assert!(of_a_tilted_arch(asked).iter().all(|refused| *refused == expected));
     }
     // A hint has twelve at the most.
     assert!(asymmetric_thicknesses(&arch(M, "2.3", "1.05"), 0).is_err());

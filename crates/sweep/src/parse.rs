@@ -2,7 +2,7 @@
 
 use crate::arch::asymmetric::AsymmetricMode;
 use crate::arch::{NoWeight, SelfWeight};
-use crate::certify::{MAX_ARCH_DIGITS, MAX_DIGITS, Refused};
+use crate::certify::{MAX_DIGITS, Refused};
 use crate::check::{self, Engine};
 use crate::claims::{Claim, claims};
 use crate::number::{Ball, ExactNumber};
@@ -138,18 +138,9 @@ pub fn usual_format_help(content: Content, usual: &str) -> String {
 
 /// A number of significant digits.
 pub fn digits(text: &str) -> Result<usize, String> {
-    digits_to(text, MAX_DIGITS)
-}
-
-/// Reads a number of digits for a state.
-pub fn state_digits(text: &str) -> Result<usize, String> {
-    digits_to(text, MAX_ARCH_DIGITS)
-}
-
-/// Reads a number of digits; what is no whole number is as little a number of digits as zero.
-fn digits_to(text: &str, most: usize) -> Result<usize, String> {
+    // What is no whole number is as little a number of digits as zero.
     let digits = text.parse().unwrap_or(0);
-    Refused::digits_to(digits, most).map(|()| digits).map_err(|refused| refused.to_string())
+    Refused::digits_to(digits, MAX_DIGITS).map(|()| digits).map_err(|refused| refused.to_string())
 }
 
 /// A thickness-to-radius ratio between 0 and the physical limit 2.

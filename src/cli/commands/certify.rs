@@ -47,7 +47,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_parser = parse::weight)]
     weight: Option<SelfWeight>,
 
-    /// Significant digits, 1 to 1000000; at most 10000 for an arch.
+    /// Significant digits, 1 to 1000000.
     #[arg(long, default_value = "30", value_parser = parse::digits, allow_negative_numbers = true)]
     digits: usize,
 
@@ -134,7 +134,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let words = "an asymmetric solution needs a limited friction: give --friction a number";
         return Err(words.into());
     }
-    parse::state_digits(&digits.to_string())?;
     let mode = match is_asymmetric {
         true => Some(arguments.mode.map_or_else(|| only_kind(&arch), Ok)?),
         false => None,

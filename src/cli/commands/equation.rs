@@ -54,8 +54,8 @@ pub(crate) struct Arguments {
     #[arg(long, default_value = "milankovitch", value_parser = parse::weights)]
     weight: Weights,
 
-    /// Significant digits, 1 to 10000; values are correctly rounded to them.
-    #[arg(long, default_value = "30", value_parser = parse::state_digits, allow_negative_numbers = true)]
+    /// Significant digits, 1 to 1000000; values are correctly rounded to them.
+    #[arg(long, default_value = "30", value_parser = parse::digits, allow_negative_numbers = true)]
     digits: usize,
 
     #[arg(long, value_parser = parse::format(EvaluatedEquation::content()), help = parse::format_help(EvaluatedEquation::content()))]

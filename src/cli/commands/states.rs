@@ -51,9 +51,9 @@ pub(crate) struct Arguments {
     #[arg(long, default_value = "milankovitch", value_parser = parse::weight)]
     weight: SelfWeight,
 
-    /// Significant digits, 1 to 10000. With 17 each state also has the nearest double of its values,
+    /// Significant digits, 1 to 1000000. With 17 each state also has the nearest double of its values,
     /// in decimal and in hexadecimal.
-    #[arg(long, default_value = "17", value_parser = parse::state_digits, allow_negative_numbers = true)]
+    #[arg(long, default_value = "17", value_parser = parse::digits, allow_negative_numbers = true)]
     digits: usize,
 
     /// The columns to read, as theirs=ours separated by commas; theirs=ours:deg for an angle in degrees; just the

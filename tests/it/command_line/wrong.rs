@@ -85,7 +85,7 @@ wrong_uses! {
     a_division_by_zero: ["state", "--alpha", "1", "--mu", "1/0"] => "divides by zero";
     a_friction_in_words: ["state", "--alpha", "1", "--mu", "none"] => "inf";
     a_size_just_out_of_range: ["state", "--alpha", "1", "--mu", "1e1000"] => "below 1e1000";
-    a_state_without_digits: ["state", "--alpha", "1", "--mu", "1", "--digits", "0"] => "from 1 to 10000";
+    a_state_without_digits: ["state", "--alpha", "1", "--mu", "1", "--digits", "0"] => "from 1 to 1000000";
     a_thickness_beyond_the_limit:
         ["assess", "--alpha", "1", "--mu", "1", "--thickness", "2.5"] => "between 0 and 2";
     a_zero_thickness: ["assess", "--alpha", "1", "--mu", "1", "--thickness", "0"] => "between 0 and 2";

@@ -54,7 +54,7 @@ refusals! {
     an_empty_file: "", HEYMAN => "the file is empty";
     an_array_without_columns: "[{}]", HEYMAN => "no column for the half opening";
     both_weights: CSV, &["--weight", "both"] => "one of heyman, milankovitch";
-    no_digits_accepted: CSV, &["--accept", "0"] => "from 1 to 10000";
+    no_digits_accepted: CSV, &["--accept", "0"] => "from 1 to 1000000";
     fewer_than_no_worst_rows: CSV, &["--worst", "-1"] => "--worst";
     single_precision: CSV, &["--inputs", "single"] => "exact, double";
 }

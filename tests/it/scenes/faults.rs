@@ -164,9 +164,6 @@ faults! {
     too_many_arches:
         "[arches]\nhalf_opening = { from = 1, to = 2, steps = 1000 }\nfriction = { from = 1, to = 2, steps = 101 }\n"
         => "2:1: 101000 arches are too many; a scene has at most 100000, `couplet states` reads any number";
-    too_many_digits_for_arches:
-        "digits = 20000\n[arches]\nhalf_opening = 1\nfriction = 1\n"
-        => "3:1: the scene's 20000 digits are too many for arches; give this item digits of its own, 1 to 10000";
     a_text_for_true_or_false:
         "[claims]\nshow = \"yes\"\n"
         => "3:8: show \"yes\" is not true or false";

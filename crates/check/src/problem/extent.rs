@@ -13,20 +13,23 @@ pub enum Extent {
 }
 
 impl Extent {
-    /// The joints between so many equal stones, in halves of a stone from the crown, with their angles.
-    pub fn joints<T: Real>(self, stones: i32, half_opening: &T) -> Vec<(i32, Angle<T>)> {
+    /// The joints between so many equal stones, in halves of a stone from the crown.
+    pub fn joints(self, stones: i32) -> impl Iterator<Item = i32> {
         let first = match self {
             Self::Whole => -stones,
             Self::Half => stones % 2,
         };
-        let angle = |k: i32| match k {
-            0 => Angle::zero(half_opening),
-            _ => {
-                let side = if k < 0 { Side::Left } else { Side::Right };
-                side.joint(&Angle::new(half_opening.clone() * half_opening.ratio(k.abs(), stones)))
-            }
+        (first..=stones).step_by(2)
+    }
+
+    /// The angle of a joint between so many equal stones, by its place in halves of a stone from the crown.
+    pub fn angle<T: Real>(joint: i32, stones: i32, half_opening: &T) -> Angle<T> {
+        let side = match joint {
+            0 => return Angle::zero(half_opening),
+            left if left < 0 => Side::Left,
+            _ => Side::Right,
         };
-        (first..=stones).step_by(2).map(|k| (k, angle(k))).collect()
+        side.joint(&Angle::new(half_opening.clone() * half_opening.ratio(joint.abs(), stones)))
     }
 
     /// The coefficients of `h, p` and `v`, or the motion dual to them, that count: in a half arch nothing goes with

@@ -2,7 +2,7 @@
 
 use super::{Task, newton};
 use crate::number::{Ball, Enclosure, Engine, Magnitude};
-use crate::prover::root::{Equations, Operator, corrections, inflated, inverse_jacobian};
+use crate::prover::operator::{Equations, Operator, corrections, inflated, inverse_jacobian};
 use rug::Float;
 
 /// A box that holds exactly one root next to the start, to about `bits` bits, in the arithmetic `E`;
@@ -25,7 +25,8 @@ pub fn enclose_at<E: Engine>(task: &Task, centre: &[Float], bits: u32) -> Option
     let points: Vec<Ball> = centre.iter().map(|x| Ball::exact(x.clone(), bits)).collect();
     let residuals = Equations::residuals(task, bits, &points);
     let corrections = corrections(&inverse, &residuals, centre, bits);
-    inflated(&Operator::<_, E>::new(task, bits, centre, &inverse), &corrections)
+    let operator = Operator::<_, E>::new(task, bits, centre, &inverse);
+    inflated(&operator, &corrections).map(|[_, image]| image)
 }
 
 /// An upper bound of the distance of a value from the truth, which `truth` encloses.

@@ -4,7 +4,7 @@ use super::closed::ClosedForm;
 use crate::arch::{Configuration, SelfWeight, Unknown, cubic, thrust};
 use crate::number::{Angle, Dual, Engine, Field, Real, rational_like};
 use crate::problem::{Landmark, Mode};
-use crate::prover::root::Equations;
+use crate::prover::operator::Equations;
 use rug::Rational;
 
 /// A system of equations. Its parameters are exact, so that every method is given the same problem.

@@ -96,6 +96,14 @@ pub fn gradient<T: Field>(at: &[T], f: impl FnOnce(&[Dual<T>]) -> Dual<T>) -> (T
     (found.value, slopes)
 }
 
+impl<T> Dual<T> {
+    /// The value and its derivatives in another number.
+    pub fn map<U>(self, f: impl Fn(T) -> U) -> Dual<U> {
+        let gradient = self.gradient.into_iter().map(|slope| slope.map(&f)).collect();
+        Dual { value: f(self.value), gradient }
+    }
+}
+
 impl<T> Derivatives<T> for Dual<T> {
     fn slope(&self, index: usize) -> Option<&T> {
         self.gradient.get(index).and_then(Option::as_ref)

@@ -10,7 +10,7 @@
 //! (Stumpff 1959; the universal variables of celestial mechanics.) A difference such as `sin x - x cos x`,
 //! which loses two thirds of the digits of a small `x`, is `x³ (c_2 - c_3)`, which loses none.
 
-use super::{Dual, Field};
+use super::{Angle, Dual, Field};
 
 /// A number with Stumpff's functions.
 pub trait Stumpff: Field {
@@ -38,6 +38,17 @@ pub(super) fn from_series<T: Field>(u: &T, count: usize, terms: i32, tail: &T) -
         functions.push(reciprocal_factorial(u, n) - above * u);
     }
     functions.reverse();
+    functions
+}
+
+/// The functions at `u = x²` from sine and cosine of `x`, by the recurrence, in which each step but the first two loses
+/// as many digits as a small `u` has zeros.
+pub(super) fn from_angle<T: Field>(u: &T, x: &Angle<T>, count: usize) -> Vec<T> {
+    let mut functions = vec![x.cos.clone(), x.sin.clone() / &x.rad];
+    for n in 2..count {
+        let rest = reciprocal_factorial(u, n as i32 - 2) - &functions[n - 2];
+        functions.push(rest / u);
+    }
     functions
 }
 

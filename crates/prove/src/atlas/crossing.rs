@@ -9,7 +9,9 @@ use super::tube::Tube;
 use super::variable::Variable;
 use crate::certify::Undecided;
 use crate::number::{Ball, Enclosure, Real, Stumpff, Ternary};
-use crate::prover::root::{self, root_near};
+use crate::prover::arithmetic::Arithmetic;
+use crate::prover::ladder::Rooted;
+use crate::prover::root::{self, root_near, rooted_near};
 use rug::Float;
 
 /// The one point of a curve in which a variable has a value.
@@ -67,6 +69,22 @@ impl root::Form<Ball> for AtParameter<'_> {
 
     fn is_regular<T: Enclosure + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> bool {
         self.form.divisors(&number, &number(self.s), x).iter().all(Enclosure::excludes_zero)
+    }
+}
+
+/// The point of a tube at a parameter, in more digits than the tube tells.
+pub(super) fn in_tube(
+    form: &CurveForm,
+    tube: &Tube,
+    s: &Ball,
+    bits: u32,
+) -> Result<Place, Undecided> {
+    let start: Vec<Float> = tube.enclosure(s).iter().map(|x| x.candidate()).collect();
+    let Rooted { values, sines } = rooted_near(&AtParameter { form, s }, bits, &start)?;
+    let few = |x: &Ball| x.with_precision(BITS);
+    match tube.holds(&few(s), &values.iter().map(few).collect::<Vec<_>>()) {
+        true => Ok(Place::by(form, s, &values, |x| sines.ball(x.clone()), |x| x.ball)),
+        false => Err(Undecided::new("the point found is on another branch")),
     }
 }
 
@@ -137,21 +155,6 @@ impl Crossing {
         let mut root = root_near(&Closed { form, by }, BITS, start)?;
         let s = root.remove(0);
         Ok(Self { form: form.clone(), s, root })
-    }
-
-    /// The point of a tube at a parameter, in more digits than the tube tells.
-    pub(super) fn in_tube(
-        form: &CurveForm,
-        tube: &Tube,
-        s: &Ball,
-        bits: u32,
-    ) -> Result<Self, Undecided> {
-        let start = tube.enclosure(s).iter().map(|x| Float::with_val(bits, x.mid())).collect();
-        let root = root_near(&AtParameter { form, s }, bits, start)?;
-        match tube.holds(s, &root) {
-            true => Ok(Self { form: form.clone(), s: s.clone(), root }),
-            false => Err(Undecided::new("the point found is on another branch")),
-        }
     }
 
     /// A point that is known to be on a form.

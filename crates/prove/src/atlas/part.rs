@@ -1,7 +1,7 @@
 //! The part of a line of one half opening, thickness or friction in the domain of one mode: a chain of proved pieces
 //! between the points in which it meets the lines to the next modes, or straight.
 
-use super::crossing::{BITS, Crossing};
+use super::crossing::{BITS, Crossing, in_tube};
 use super::form::{CurveForm, Thrust};
 use super::law::Law;
 use super::place::Place;
@@ -82,7 +82,7 @@ impl Part {
                     let [low, high] = piece.range();
                     phi.lower() >= low && phi.upper() <= high
                 })?;
-                Some(Crossing::in_tube(&section.form, piece.tube()?, phi, BITS).ok()?.place())
+                in_tube(&section.form, piece.tube()?, phi, BITS).ok()
             }
             PartShape::Curved(_) => None,
         }

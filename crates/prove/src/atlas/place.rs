@@ -4,7 +4,7 @@ use super::form::{CurveForm, Thrust};
 use super::law::Law;
 use super::variable::Variable;
 use crate::arch::cycloid;
-use crate::number::{Ball, Field, Real};
+use crate::number::{Ball, Field, Real, Stumpff};
 
 /// Enclosures of the quantities of a point of a curve. One that the curve leaves open is not there: the friction of
 /// purely rotational states, the thickness of purely sliding ones.
@@ -35,34 +35,46 @@ pub struct Place {
 impl Place {
     /// The quantities where the parameter and the unknowns lie in these sets.
     pub(super) fn new(form: &CurveForm, s: &Ball, x: &[Ball]) -> Self {
-        let at = form.spot(&Ball::clone, s, x);
+        Self::by(form, s, x, Ball::clone, |x| x)
+    }
+
+    /// The quantities by way of other numbers, which perhaps know some sines.
+    pub(super) fn by<T: Real + Stumpff>(
+        form: &CurveForm,
+        s: &Ball,
+        x: &[Ball],
+        number: impl Fn(&Ball) -> T,
+        ball: impl Fn(T) -> Ball,
+    ) -> Self {
+        let x: Vec<T> = x.iter().map(&number).collect();
+        let at = form.spot(&number, &number(s), &x);
         let is_overturning = form.thrust == Thrust::Zero;
         let slides_purely = !form.knows(Variable::Thickness) && !form.fixes_limit();
         let friction_angle = match form.knows(Variable::FrictionAngle) {
             true => Some(at.friction_angle.clone()),
-            false => is_overturning.then(|| s.pi() / s.int(2)),
+            false => is_overturning.then(|| number(&(s.pi() / s.int(2)))),
         };
         let friction = friction_angle.as_ref().map(|phi| {
             let (sin, cos) = phi.sin_cos();
-            sin / cos
+            ball(sin / cos)
         });
         let slides = |law| matches!(law, &Law::Cycloid | &Law::InnerSlides);
         let slides_inside = form.thrust == Thrust::Sliding && form.laws.iter().any(slides);
         Self {
-            half_opening: Some(at.half_opening),
-            friction_angle,
+            half_opening: Some(ball(at.half_opening)),
+            friction_angle: friction_angle.map(&ball),
             friction,
             is_unlimited: is_overturning,
-            thickness: (!slides_purely).then_some(at.thickness),
-            thrust: Some(at.thrust),
+            thickness: (!slides_purely).then(|| ball(at.thickness)),
+            thrust: Some(ball(at.thrust)),
             rotation_joint: match form.has_haunch() {
-                true => Some(root_of_square(&at.joint_square)),
+                true => Some(root_of_square(&ball(at.joint_square))),
                 false => (!slides_purely).then(|| s.int(0)),
             },
             sliding_joint: slides_inside
-                .then(|| cycloid::joint(&at.inclination) - &at.vertical_force),
-            vertical_force: form.knows(Variable::VerticalForce).then_some(at.vertical_force),
-            crown_hinge: form.knows(Variable::CrownHinge).then_some(at.crown_hinge),
+                .then(|| ball(cycloid::joint(&at.inclination) - &at.vertical_force)),
+            vertical_force: form.knows(Variable::VerticalForce).then(|| ball(at.vertical_force)),
+            crown_hinge: form.knows(Variable::CrownHinge).then(|| ball(at.crown_hinge)),
         }
     }
 

@@ -1,6 +1,6 @@
 //! A point of a curve at an exact parameter, to any number of digits.
 
-use super::crossing::Crossing;
+use super::crossing::in_tube;
 use super::form::{CurveForm, Thrust};
 use super::place::Place;
 use super::trace::Trace;
@@ -59,7 +59,7 @@ pub fn point(
     let (form, tube) = trace.tube_at(&s).ok_or_else(gap)?;
     for attempt in 0..ATTEMPTS {
         let bits = bits_of(digits) + (GUARD << attempt);
-        let place = Crossing::in_tube(form, tube, &exactly(bits), bits)?.place();
+        let place = in_tube(form, tube, &exactly(bits), bits)?;
         let rounded = asked(form, &place)
             .into_iter()
             .map(|(quantity, ball)| Some((quantity, Rounded::from_ball(&ball, digits)?)));

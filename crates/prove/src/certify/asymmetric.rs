@@ -22,9 +22,9 @@ use crate::arch::{Configuration, Ring};
 use crate::check::whole;
 use crate::number::{Ball, DoubleBall, DoubleDoubleBall, Engine, ExactNumber, bits_of};
 use crate::problem::{Arch, Problem};
-use crate::prover::decide::ensure;
+use crate::prover::decide::{ensure, in_few_bits};
+use crate::prover::operator::no_candidate;
 use crate::prover::posed::Posed;
-use crate::prover::root::{no_candidate, root_near};
 use crate::prover::{Figure, Refused, Undecided, raise};
 use crate::solve::asymmetric::{AsymmetricCandidate, asymmetric as candidates};
 use rug::Float;
@@ -86,12 +86,12 @@ const SEARCH_BITS: u32 = 64;
 
 /// The asymmetric solutions that the search finds for an arch, each proved, to `digits` significant digits; or why
 /// one is not. With unlimited friction there are none to find. Digits beyond
-/// [`MAX_ARCH_DIGITS`](super::MAX_ARCH_DIGITS) are refused.
+/// [`MAX_DIGITS`](super::MAX_DIGITS) are refused.
 pub fn asymmetric(
     arch: &Arch,
     digits: usize,
 ) -> Result<Vec<Result<AsymmetricDigits, Undecided>>, Refused> {
-    Refused::arch_digits(digits)?;
+    Refused::digits(digits)?;
     Ok(found(arch).iter().map(|candidate| certified(arch, candidate, digits)).collect())
 }
 
@@ -128,9 +128,8 @@ pub(super) fn root(
     bits: u32,
 ) -> Result<Configuration<Ball>, Undecided> {
     let (system, given) = (problem.system(), problem.given(bits));
-    let start = candidate.unknowns.iter().map(|x| Float::with_val(bits, x)).collect();
-    let root = root_near(&Posed { system: &system, given: &given }, bits, start)?;
-    Ok(system.place(given, &root))
+    let start: Vec<Float> = candidate.unknowns.iter().map(|x| Float::with_val(53, x)).collect();
+    Posed { system: &system, given: &given }.root(bits, &start)
 }
 
 impl<E: Engine> CertifiedAsymmetric<E> {
@@ -145,20 +144,20 @@ impl<E: Engine> CertifiedAsymmetric<E> {
             return Err(Undecided::new("what is asked"));
         };
         let (mode, weight) = (*mode, arch.weight());
-        let residuals = problem.system().residuals(at);
-        let at_limit = residuals.iter().all(|residual| !residual.excludes_zero());
-        ensure(at_limit, "whether the joints are at their limits")?;
-        if let Some(condition) = problem.first_failure(at, bits) {
-            return Err(Undecided::new(condition.label()));
-        }
-        // Balls of doubles are nearly always enough for margins.
-        let rough = Asymmetric::from(&at.map_ref(rough));
+        in_few_bits(at, bits, |at, bits| {
+            let residuals = problem.system().residuals(at);
+            let at_limit = residuals.iter().all(|residual| !residual.excludes_zero());
+            ensure(at_limit, "whether the joints are at their limits")?;
+            if let Some(condition) = problem.first_failure(at, bits) {
+                return Err(Undecided::new(condition.label()));
+            }
+            // Balls of doubles are nearly always enough for margins.
+            let rough = Asymmetric::from(&at.map_ref(&rough));
+            let open = whole::first_failure::<DoubleBall>(mode, weight, &rough)
+                .and_then(|_| whole::first_failure(mode, weight, &Asymmetric::from(at)));
+            open.map_or(Ok(()), |contact| Err(Undecided::new(whole::label(contact))))
+        })?;
         let at = Asymmetric::from(at);
-        let open = whole::first_failure::<DoubleBall>(mode, weight, &rough)
-            .and_then(|_| whole::first_failure(mode, weight, &at));
-        if let Some(contact) = open {
-            return Err(Undecided::new(whole::label(contact)));
-        }
         let motion = at.motion(mode);
         let power = motion.power(&Ring::new(weight, &at.thickness));
         let balance = power.overlaps(&motion.friction_power(&at.forces));

@@ -7,7 +7,7 @@ use crate::arch::asymmetric::AsymmetricMode;
 use crate::check::Certificate;
 use crate::number::list;
 use crate::problem::{Arch, Known, Problem, Quantity};
-use crate::prover::root::no_candidate;
+use crate::prover::operator::no_candidate;
 use crate::prover::{Error, Refused};
 
 /// Quantities stated of a solution, if its kind has it.
@@ -35,7 +35,7 @@ pub fn certify_asymmetric(
     mode: AsymmetricMode,
     digits: usize,
 ) -> Result<Certificate, Error> {
-    Refused::arch_digits(digits)?;
+    Refused::digits(digits)?;
     let candidate = found(arch).into_iter().find(|candidate| candidate.mode == mode);
     let candidate = candidate.ok_or_else(no_candidate)?;
     let problem = Problem::Asymmetric { mode, arch: arch.clone() };

@@ -13,10 +13,10 @@ use crate::solve::asymmetric::AsymmetricCandidate;
 
 /// The thicknesses of the asymmetric solutions that are found and proved for an arch, the largest first, to
 /// `digits` significant digits. **That there are no others is not proved.** Nothing is computed where [none is
-/// known](crate::problem::asymmetric_region). Digits beyond [`MAX_ARCH_DIGITS`](super::MAX_ARCH_DIGITS) are
+/// known](crate::problem::asymmetric_region). Digits beyond [`MAX_DIGITS`](super::MAX_DIGITS) are
 /// refused.
 pub fn asymmetric_thicknesses(arch: &Arch, digits: usize) -> Result<Vec<Figure>, Refused> {
-    Refused::arch_digits(digits)?;
+    Refused::digits(digits)?;
     if !may_move_asymmetrically(arch) {
         return Ok(Vec::new());
     }

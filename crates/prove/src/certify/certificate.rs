@@ -13,7 +13,7 @@ use crate::check::{
 };
 use crate::number::{AstroInterval, Ball, DoubleBall, Dyadic, Magnitude, Rounded, bits_of};
 use crate::problem::{Landmark, Problem, Quantity};
-use crate::prover::root::{Equations, Ladder, Operator, inverse_jacobian, largest_boxes};
+use crate::prover::operator::{Equations, Operator, Scales, inverse_jacobian, largest_boxes};
 use crate::prover::{Error, Refused, Undecided};
 use rug::Float;
 
@@ -27,7 +27,7 @@ const SECOND_CHECK: usize = 1000;
 /// The precision of the inverse in bits, and of the large box where nothing cancels.
 const BITS: u32 = 64;
 /// The scales on which a large box is tried.
-const LADDER: Ladder = Ladder { step: 0.8, trials: 800 };
+const LADDER: Scales = Scales { step: 0.8, trials: 800 };
 /// Bits by which a large box may be larger than is expected of one for a tiny half opening.
 const SPARE: u32 = 24;
 /// The part of a large box into which it is mapped, so that a checker has room to spare.

@@ -55,5 +55,5 @@ pub use crate::prover::isolate::isolate;
 pub use crate::prover::isolate::isolate_near;
 pub(crate) use crate::prover::linear::Eliminated;
 pub use crate::prover::refine::{Refined, refine, refine_watched, stages};
-pub use crate::prover::refused::{MAX_ARCH_DIGITS, MAX_DIGITS};
+pub use crate::prover::refused::{MAX_DIGITS, MAX_TILT_DIGITS};
 pub use crate::prover::{Answered, Error, Isolated, Open, Refused, Undecided};

@@ -24,7 +24,7 @@ use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
 use crate::arch::tilt::TiltedRow;
 use crate::arch::whole::along;
-use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Jet, bits_of};
+use crate::number::{Angle, Ball, Drawable, Enclosure, ExactNumber, Field, Jet, bits_of};
 use crate::problem::{Arch, Joints, Slope};
 use crate::prover::decide::is_positive;
 use crate::prover::positive::{Zero, is_positive_on};
@@ -106,7 +106,7 @@ pub fn tilted(
     digits: usize,
 ) -> Result<TiltDigits, Refused> {
     Refused::thickness(thickness)?;
-    Refused::arch_digits(digits)?;
+    Refused::tilt_digits(digits)?;
     let proof = |bits| TiltProof::new(arch, thickness, bits);
     let proved = OnceCell::new();
     let largest = |bits| {
@@ -257,13 +257,18 @@ impl TiltProof {
     }
 }
 
-/// Tells whether four conditions, with positive multipliers that leave nothing of `h, p` and `v`, contradict each
+/// Tells whether four conditions, or three slips, with positive multipliers that leave nothing of `h, p` and `v`, contradict each
 /// other at an acceleration.
 pub(super) fn contradict(of: &[TiltedRow<Ball>], tilt: &Ball) -> bool {
-    if of.len() != 4 {
+    // Slips say nothing of p.
+    let is_pinned = of.iter().any(|row| !row.coefficients[1].is_zero());
+    let kept: &[usize] = if is_pinned { &[0, 1, 2] } else { &[0, 2] };
+    if of.len() != kept.len() + 1 {
         return false;
     }
-    let columns: Vec<Vec<Ball>> = of.iter().map(|row| row.coefficients[..3].to_vec()).collect();
+    let column =
+        |row: &TiltedRow<Ball>| kept.iter().map(|k| row.coefficients[*k].clone()).collect();
+    let columns: Vec<Vec<Ball>> = of.iter().map(column).collect();
     let rates = rates(&columns);
     let passed = |row: &TiltedRow<Ball>| row.coefficients[3].clone() * tilt + &row.load;
     let terms = rates.iter().zip(of).map(|(rate, row)| rate.clone() * passed(row));

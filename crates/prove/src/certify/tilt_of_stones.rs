@@ -50,7 +50,7 @@ pub fn tilted_stones(
     digits: usize,
 ) -> Result<TiltDigits, Refused> {
     Refused::thickness(thickness)?;
-    Refused::arch_digits(digits)?;
+    Refused::tilt_digits(digits)?;
     stones.check()?;
     Refused::stones(stones.number(), MOST_TILTED_STONES)?;
     let all = |bits| conditions(arch, stones, thickness, bits);

@@ -21,14 +21,14 @@ const MOST_LOST: u32 = EXTRA_BITS as u32 - 64;
 
 /// A certificate of what an arch does, with `digits` significant digits of each value: of its state at
 /// the least thickness, or why it stands at no thickness; with a `thickness`, in `(0, 2]`, that it stands with it or
-/// does not. Digits beyond [`MAX_ARCH_DIGITS`](super::MAX_ARCH_DIGITS) and any other thickness are refused;
+/// does not. Digits beyond [`MAX_DIGITS`](super::MAX_DIGITS) and any other thickness are refused;
 /// undecided if a comparison stays open.
 pub fn certify_arch(
     arch: &Arch,
     thickness: Option<&ExactNumber>,
     digits: usize,
 ) -> Result<Certificate, Error> {
-    Refused::arch_digits(digits)?;
+    Refused::digits(digits)?;
     thickness.map_or(Ok(()), Refused::thickness)?;
     let too_wide = |bits| limit(arch, Verdict::TooWide, widest(arch, bits), bits, digits);
     let slides = Cell::new(false);

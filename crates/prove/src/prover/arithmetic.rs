@@ -2,10 +2,12 @@
 
 use super::Undecided;
 use super::in_doubles::{self, Doubles};
-use super::root::{self, Form};
+use super::operator::Form;
+use super::root::rooted_near;
+use super::sines::Sines;
 use crate::number::{
-    Ball, DoubleBall, DoubleDoubleBall, Engine, Field, Magnitude, Stumpff, Ternary, TripleWordBall,
-    stumpff_terms,
+    Angle, Ball, DoubleBall, DoubleDoubleBall, Engine, Field, Magnitude, Stumpff, Ternary,
+    TripleWordBall, stumpff_terms,
 };
 use crate::solve::start::Start;
 use rug::Float;
@@ -16,6 +18,8 @@ use rug::float::Round;
 pub(crate) trait Arithmetic: Engine + Stumpff {
     /// The numbers in which candidates are found.
     type Candidate: Start;
+    /// The sines and cosines that are known of angles nearby.
+    type Sines;
     /// Numbers in which signs are decided: these, or some with fewer bits.
     type Signs: Arithmetic;
 
@@ -42,12 +46,24 @@ pub(crate) trait Arithmetic: Engine + Stumpff {
     fn is_small(exponent: i64, bits: u32) -> bool;
 
     /// Encloses the root of equations next to a start value, proved to exist and to be unique in a box on which
-    /// the equations are regular.
+    /// the equations are regular; with the sines and cosines that it took.
+    fn rooted(
+        equations: &impl Form<Self>,
+        bits: u32,
+        start: &[Self::Candidate],
+    ) -> Result<(Vec<Self>, Self::Sines), Undecided>;
+
+    /// The root alone.
     fn root_near(
         equations: &impl Form<Self>,
         bits: u32,
         start: &[Self::Candidate],
-    ) -> Result<Vec<Self>, Undecided>;
+    ) -> Result<Vec<Self>, Undecided> {
+        Self::rooted(equations, bits, start).map(|(root, _)| root)
+    }
+
+    /// An angle with its sine and cosine, near those of a root.
+    fn angle(sines: &Self::Sines, rad: &Self) -> Angle<Self>;
 }
 
 /// An enclosure of the larger of two numbers; of both, where that is not decided.
@@ -66,11 +82,15 @@ pub(crate) fn lesser<E: Arithmetic>(a: E, b: E) -> E {
 
 /// The square of an angle is below two to this power: then the series of the start values hold.
 const SMALL: i64 = -4;
+/// A candidate has at most so many bits, or this part of more: what is next to a limit takes many.
+const CANDIDATE: u32 = 16_384;
+const CANDIDATE_PART: u32 = 16;
 /// More terms than this, and sines and cosines with a few more bits are cheaper.
 const MANY_TERMS: i32 = 24;
 
 impl Arithmetic for Ball {
     type Candidate = Float;
+    type Sines = Sines;
     type Signs = Self;
 
     fn from_ball(ball: &Ball, bits: u32) -> Self {
@@ -78,7 +98,7 @@ impl Arithmetic for Ball {
     }
 
     fn candidate(&self) -> Float {
-        Float::with_val(self.prec(), self.mid())
+        Float::with_val(self.prec().min(CANDIDATE.max(self.prec() / CANDIDATE_PART)), self.mid())
     }
 
     fn for_signs(&self) -> Self {
@@ -103,12 +123,16 @@ impl Arithmetic for Ball {
         exponent <= SMALL && stumpff_terms(bits, exponent) <= MANY_TERMS
     }
 
-    fn root_near(
+    fn rooted(
         equations: &impl Form<Self>,
         bits: u32,
         start: &[Float],
-    ) -> Result<Vec<Self>, Undecided> {
-        root::root_near(equations, bits, start.to_vec())
+    ) -> Result<(Vec<Self>, Sines), Undecided> {
+        rooted_near(equations, bits, start).map(|root| (root.values, root.sines))
+    }
+
+    fn angle(sines: &Sines, rad: &Self) -> Angle<Self> {
+        sines.angle(rad)
     }
 }
 
@@ -121,6 +145,7 @@ macro_rules! led_by_doubles {
     ($($ball:ty: $signs:ty),+) => {$(
         impl Arithmetic for $ball {
             type Candidate = f64;
+            type Sines = ();
             type Signs = $signs;
 
             fn from_ball(ball: &Ball, _bits: u32) -> Self {
@@ -151,12 +176,16 @@ macro_rules! led_by_doubles {
                 exponent <= SMALL_IN_DOUBLES
             }
 
-            fn root_near(
+            fn rooted(
                 equations: &impl Form<Self>,
                 _bits: u32,
                 start: &[f64],
-            ) -> Result<Vec<Self>, Undecided> {
-                in_doubles::root_near(equations, start)
+            ) -> Result<(Vec<Self>, ()), Undecided> {
+                in_doubles::root_near(equations, start).map(|root| (root, ()))
+            }
+
+            fn angle((): &(), rad: &Self) -> Angle<Self> {
+                Angle::new(*rad)
             }
         }
     )+};

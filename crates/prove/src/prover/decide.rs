@@ -2,7 +2,8 @@
 
 use super::Undecided;
 use super::arithmetic::Arithmetic;
-use crate::number::{Enclosure, Ternary};
+use crate::arch::Configuration;
+use crate::number::{Enclosure, Engine, Ternary};
 use crate::problem::{Condition, Mode};
 
 /// Decides whether a margin is positive, if that can be told.
@@ -31,6 +32,19 @@ pub(crate) fn require<E: Arithmetic>(margin: &E, question: &'static str) -> Resu
 /// Checks a statement that has to be proved.
 pub(crate) fn ensure(is_proved: bool, question: &'static str) -> Result<(), Undecided> {
     if is_proved { Ok(()) } else { Err(Undecided::new(question)) }
+}
+
+/// Bits that tell nearly every sign.
+const FEW: u32 = 256;
+
+/// The proof of some signs of a state in few of its bits, where they are enough, or else in all.
+pub(crate) fn in_few_bits<E: Engine, T>(
+    at: &Configuration<E>,
+    bits: u32,
+    proof: impl Fn(&Configuration<E>, u32) -> Result<T, Undecided>,
+) -> Result<T, Undecided> {
+    let few = (bits > 2 * FEW).then(|| proof(&at.map_ref(|x| x.with_bits(FEW as usize)), FEW));
+    few.and_then(Result::ok).map_or_else(|| proof(at, bits), Ok)
 }
 
 /// Tells whether a number is proved to be positive.

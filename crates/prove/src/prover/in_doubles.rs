@@ -14,7 +14,7 @@
 //! nothing.
 
 use super::Undecided;
-use super::root::{Form, no_candidate};
+use super::operator::{Form, no_candidate};
 use crate::check::krawczyk;
 use crate::number::{DoubleBall, Enclosure, FloatBall, Gradient, Midpoint, Stumpff};
 use crate::problem::tally;

@@ -1,8 +1,9 @@
 //! Exactly one root in a box as large as the proof carries.
 
 use super::Undecided;
+use super::operator::{Equations, Operator, Scales, inverse_jacobian, largest_boxes};
 use super::posed::Posed;
-use super::root::{Equations, Ladder, Operator, inverse_jacobian, largest_boxes, root_near};
+use super::root::root_near;
 use super::short::Approach;
 use crate::arch::SelfWeight;
 use crate::number::{Ball, DoubleBall, Magnitude};
@@ -71,7 +72,7 @@ impl Isolated {
 /// Precision of the isolation in bits: ample for boxes as wide as these.
 const BITS: u32 = 64;
 /// Scales from the whole value down to about `1e-14` of it.
-const LADDER: Ladder = Ladder { step: 0.85, trials: 200 };
+const LADDER: Scales = Scales { step: 0.85, trials: 200 };
 
 /// Proves that `candidate` lies next to the root of a landmark's system that is unique in a box around
 /// it, and looks for a large such box.

@@ -3,9 +3,12 @@
 //! | file | what it does |
 //! |---|---|
 //! | `arithmetic` | the numbers in which a proof runs |
-//! | `root` | one root of equations in a box, in balls of MPFR |
+//! | `operator` | one root of equations in a box, in balls of MPFR |
+//! | `root` | one root next to a start value, in as many bits as are asked for |
+//! | `ladder`, `sines` | the way from few bits to many, on which each sine is computed once |
 //! | `in_doubles`, `short` | the same in doubles, and in a few words |
 //! | `posed`, `isolate`, `refine` | the printed equations of a system, their root alone in a box, and its digits |
+//! | `zero` | a zero of a polynomial, and its digits |
 //! | `linear`, `vector` | linear equations; forces and the lines of conditions on them |
 //! | `decide`, `positive`, `cover` | signs, a function positive on an interval, pieces of one |
 //! | `raise` | more bits until everything is decided |
@@ -20,7 +23,9 @@ pub(crate) mod error;
 pub(crate) mod figure;
 pub mod in_doubles;
 pub(crate) mod isolate;
+pub(crate) mod ladder;
 pub(crate) mod linear;
+pub mod operator;
 pub(crate) mod posed;
 pub(crate) mod positive;
 pub(crate) mod raise;
@@ -28,9 +33,11 @@ pub(crate) mod refine;
 pub(crate) mod refused;
 pub mod root;
 pub(crate) mod short;
+pub(crate) mod sines;
 pub(crate) mod ties;
 pub(crate) mod undecided;
 pub(crate) mod vector;
+pub(crate) mod zero;
 
 pub use error::Error;
 pub use figure::Figure;

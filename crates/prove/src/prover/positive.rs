@@ -24,6 +24,14 @@ pub(crate) enum Zero {
 }
 
 impl Zero {
+    /// Tells whether the function may be zero there: what is known of it is not contradicted.
+    fn may_be(&self, series: &dyn Fn(&Ball) -> Jet<Ball>) -> bool {
+        let (Self::Touch(at) | Self::Begin(at) | Self::End(at)) = self;
+        let there = series(at);
+        let is_level = !matches!(self, Self::Touch(_)) || !there.coefficient(1).excludes_zero();
+        is_level && !there.value().excludes_zero()
+    }
+
     /// Tells whether a function is positive on a piece but for this point: it is convex from a touch on, and rises from
     /// an end.
     fn is_least(&self, series: &dyn Fn(&Ball) -> Jet<Ball>, piece: &Ball) -> bool {
@@ -37,6 +45,10 @@ impl Zero {
     }
 }
 
+fn undecided() -> Undecided {
+    Undecided::new("whether a state is admissible at every joint")
+}
+
 /// Proves that a function, given as a series about each point, is positive from one number to another, but for some
 /// points where it is zero.
 pub(crate) fn is_positive_on(
@@ -45,6 +57,9 @@ pub(crate) fn is_positive_on(
     zeros: &[Zero],
     bits: u32,
 ) -> Result<(), Undecided> {
+    if !zeros.iter().all(|zero| zero.may_be(series)) {
+        return Err(undecided());
+    }
     let exact = |x: &Float| Ball::exact(x.clone(), bits);
     let at = |x: &Float| is_positive(series(&exact(x)).value());
     let mut open = vec![(low.clone(), high.clone(), 0)];
@@ -79,7 +94,7 @@ pub(crate) fn is_positive_on(
             continue;
         }
         if depth == DEPTH {
-            return Err(Undecided::new("whether a state is admissible at every joint"));
+            return Err(undecided());
         }
         let middle = Float::with_val(bits, &low + &high) / 2u32;
         open.push((middle.clone(), high, depth + 1));

@@ -7,12 +7,12 @@ use crate::number::{Ball, Enclosure, ExactNumber};
 use crate::problem::stones::StonesError;
 use crate::problem::{Arch, ArchError, Friction, Landmark, Line, Quantity, ThicknessError};
 
-/// The largest number of digits of a constant that can be asked for.
+/// The largest number of digits that can be asked for, of a constant or of an arch.
 pub const MAX_DIGITS: usize = 1_000_000;
 
-/// The largest number of digits of an arch that can be asked for: many of its values are no constants of which each
-/// digit is worth its time.
-pub const MAX_ARCH_DIGITS: usize = 10_000;
+/// The largest number of digits of an arch under a horizontal acceleration that can be asked for: its proof takes all
+/// of them at every step.
+pub const MAX_TILT_DIGITS: usize = 10_000;
 
 /// Refusal of a question that was asked wrongly. Nothing was computed, and the same question is refused again.
 ///
@@ -21,8 +21,8 @@ pub const MAX_ARCH_DIGITS: usize = 10_000;
 /// use couplet_prove::prelude::*;
 /// let arch = Arch::parse("heyman", "80deg", "0.6")?;
 /// let Err(couplet_prove::certify::Error::Refused(why)) = arch.certify(0) else { panic!() };
-/// assert_eq!(why, Refused::Digits { asked: 0, most: 10_000 });
-/// assert_eq!(why.to_string(), "digits are a whole number from 1 to 10000");
+/// assert_eq!(why, Refused::Digits { asked: 0, most: 1_000_000 });
+/// assert_eq!(why.to_string(), "digits are a whole number from 1 to 1000000");
 /// # Ok::<(), couplet_prove::certify::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -117,14 +117,14 @@ pub enum Refused {
 }
 
 impl Refused {
-    /// Checks that a constant may have so many digits.
+    /// Checks that so many digits can be asked for.
     pub(crate) fn digits(asked: usize) -> Result<(), Self> {
         Self::digits_to(asked, MAX_DIGITS)
     }
 
-    /// Checks that the values of an arch may have so many digits.
-    pub(crate) fn arch_digits(asked: usize) -> Result<(), Self> {
-        Self::digits_to(asked, MAX_ARCH_DIGITS)
+    /// Checks that the values of an arch under an acceleration may have so many digits.
+    pub(crate) fn tilt_digits(asked: usize) -> Result<(), Self> {
+        Self::digits_to(asked, MAX_TILT_DIGITS)
     }
 
     /// Checks that no more digits are asked for than a number of one's own.

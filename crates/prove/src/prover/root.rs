@@ -1,213 +1,18 @@
-//! Exactly one root in a box: the only prover.
+//! One root of equations next to a start value, in balls of as many bits as are asked for.
 //!
-//! It is asked in two ways. `Operator::image` tells whether a given box is mapped into itself, and
-//! `largest_box` looks for a large one of that kind; `smallest_box` looks for one that is just wide
-//! enough around a centre. The operator is in [`check::krawczyk`](crate::check::krawczyk).
+//! That it is there, and the only one, is proved in few bits; the [`ladder`](super::ladder) leads to all of them.
 
 use super::Undecided;
-use crate::check::krawczyk;
-use crate::number::{Ball, Derivatives, Dual, Dyadic, Enclosure, Engine, Magnitude, Real, Stumpff};
-use crate::problem::Problem;
-use crate::solve::{inverse, settle};
+use super::ladder::{FEW, Ladder, Rooted, Unique};
+pub use super::operator::Form;
+use super::operator::{box_around, no_candidate};
+
+use crate::number::{Ball, Dual};
+use crate::solve::settle;
 use rug::Float;
-
-/// As many equations as unknowns, over enclosures.
-pub trait Equations<E> {
-    /// The residuals, in numbers of `bits` bits.
-    fn residuals(&self, bits: u32, x: &[E]) -> Vec<E>;
-
-    /// The residuals with their slopes.
-    fn slopes(&self, bits: u32, x: &[E]) -> Vec<Dual<E>>;
-
-    /// Tells whether nothing that was divided by or cleared vanishes anywhere in a box.
-    fn is_regular(&self, bits: u32, x: &[E]) -> bool;
-}
-
-impl<E: Engine> Equations<E> for Problem {
-    fn residuals(&self, bits: u32, x: &[E]) -> Vec<E> {
-        let system = self.system();
-        system.residuals(&system.place(self.given(bits), x))
-    }
-
-    fn slopes(&self, bits: u32, x: &[E]) -> Vec<Dual<E>> {
-        let system = self.system();
-        system.residuals(&system.variables(&system.place(self.given(bits), x)))
-    }
-
-    fn is_regular(&self, bits: u32, x: &[E]) -> bool {
-        let system = self.system();
-        let at = system.place(self.given(bits), x);
-        system.denominators(&at).iter().all(Enclosure::excludes_zero)
-    }
-}
-
-/// A form of the equations of an arch, over candidates too: as printed, or in variables in which nothing
-/// cancels. What is given is given in numbers `E`.
-pub trait Form<E> {
-    /// The residuals; `number` makes a number like those of `x` of what is given.
-    fn at<T: Real + Stumpff>(&self, number: impl Fn(&E) -> T, x: &[T]) -> Vec<T>;
-
-    /// Tells whether nothing that was divided by or cleared vanishes anywhere in a box; `number` as before.
-    fn is_regular<T: Enclosure + Stumpff>(&self, number: impl Fn(&E) -> T, x: &[T]) -> bool;
-}
-
-impl<F: Form<Ball>> Equations<Ball> for F {
-    fn residuals(&self, bits: u32, x: &[Ball]) -> Vec<Ball> {
-        self.at(|given| given.with_precision(bits), x)
-    }
-
-    fn slopes(&self, bits: u32, x: &[Ball]) -> Vec<Dual<Ball>> {
-        self.at(|given| Dual::constant(given.with_precision(bits)), &Dual::variables(x))
-    }
-
-    fn is_regular(&self, _bits: u32, x: &[Ball]) -> bool {
-        Form::is_regular(self, Ball::clone, x)
-    }
-}
-
-/// The Krawczyk operator of some equations about a centre, in numbers of some bits.
-pub struct Operator<'a, S, E> {
-    equations: &'a S,
-    bits: u32,
-    /// The bits of the slopes on a box.
-    few: u32,
-    points: Vec<E>,
-    residuals: Vec<E>,
-    inverse: Vec<Vec<E>>,
-}
-
-impl<'a, S: Equations<E>, E: Engine> Operator<'a, S, E> {
-    /// The operator with an approximate inverse of the Jacobian at the centre.
-    pub fn new(equations: &'a S, bits: u32, centre: &[Float], inverse: &[Vec<Float>]) -> Self {
-        let exact = |x: &Float| E::exact(&Dyadic::from(x), bits as usize);
-        let points: Vec<E> = centre.iter().map(exact).collect();
-        Self {
-            equations,
-            bits,
-            few: bits,
-            residuals: equations.residuals(bits, &points),
-            points,
-            inverse: inverse.iter().map(|row| row.iter().map(exact).collect()).collect(),
-        }
-    }
-
-    /// The box of all points within the radii of the centre.
-    pub(crate) fn domain(&self, radii: &[Magnitude]) -> Vec<E> {
-        let sides = self.points.iter().zip(radii);
-        sides.map(|(x, r)| x.widened_by(&Dyadic::from(&r.to_float()))).collect()
-    }
-
-    /// The proof: the image of the box within `radii`, if it lies in the interior of the box and nothing
-    /// that is divided by vanishes there. Then the box holds exactly one root, and the image holds it.
-    /// `None` says nothing.
-    pub(crate) fn image(&self, radii: &[Magnitude]) -> Option<Vec<E>> {
-        let domain = self.domain(radii);
-        self.image_of(&domain).filter(|image| krawczyk::is_contracted(image, &domain))
-    }
-
-    /// Image of a box, with room to spare: the image lies in the interior of a smaller box.
-    pub(crate) fn image_in(&self, radii: &[Magnitude], smaller: &[Magnitude]) -> Option<Vec<E>> {
-        let image = self.image_of(&self.domain(radii))?;
-        krawczyk::is_contracted(&image, &self.domain(smaller)).then_some(image)
-    }
-
-    /// The image of a box, if nothing that is divided by vanishes there.
-    fn image_of(&self, domain: &[E]) -> Option<Vec<E>> {
-        if !self.equations.is_regular(self.bits, domain) {
-            return None;
-        }
-        let coarse: Vec<E> = domain.iter().map(|x| x.with_bits(self.few as usize)).collect();
-        let slopes = self.equations.slopes(self.few, &coarse);
-        Some(krawczyk::image(&self.points, &self.residuals, &slopes, &self.inverse, domain))
-    }
-}
-
-/// An approximate inverse of the Jacobian, in numbers of `bits` bits; `None` if it is singular.
-pub fn inverse_jacobian(slopes: &[Dual<Ball>], bits: u32) -> Option<Vec<Vec<Float>>> {
-    let n = slopes.len();
-    let entry = |r: &Dual<Ball>, k| {
-        r.slope(k).map_or_else(|| Float::new(bits), |s| Float::with_val(bits, s.mid()))
-    };
-    inverse(slopes.iter().map(|r| (0..n).map(|k| entry(r, k)).collect()).collect())
-}
-
-/// The ladder of scales on which a large box is sought.
-#[derive(Clone, Copy)]
-pub(crate) struct Ladder {
-    /// Ratio of each scale to the one before.
-    pub step: f64,
-    /// Number of scales that are tried, from one downwards.
-    pub trials: i32,
-}
-
-/// Changes of shape after which the box has stopped growing.
-const SHAPES: usize = 4;
-
-/// Boxes that `prove` proves, each with its image: the largest on the ladder of each of some shapes. The
-/// shape is first in proportion to the values of the unknowns; then the radii of the image of the
-/// largest box become the next shape, since they tell how much room each unknown needs. No radius exceeds
-/// its value.
-///
-/// `seems` is a quick test that is nearly always right, and only tells where the search begins.
-pub(crate) fn largest_boxes(
-    values: &[Magnitude],
-    ladder: Ladder,
-    seems: impl Fn(&[Magnitude]) -> bool,
-    prove: impl Fn(&[Magnitude]) -> Option<Vec<Ball>>,
-) -> Vec<(Vec<Magnitude>, Vec<Ball>)> {
-    let mut found = Vec::new();
-    let mut shape = values.to_vec();
-    for _ in 0..SHAPES {
-        let radii = |trial: i32| -> Vec<Magnitude> {
-            let scale = Magnitude::upper(&Float::with_val(53, ladder.step.powi(trial)));
-            shape.iter().map(|s| s.times(scale)).collect()
-        };
-        let proved = |trial| prove(&radii(trial)).map(|image| (trial, image));
-        let Some((trial, image)) = first(ladder.trials, |trial| seems(&radii(trial)), proved)
-        else {
-            break;
-        };
-        let widths: Vec<Magnitude> = image.iter().map(Ball::rad).collect();
-        found.push((radii(trial), image));
-        let Some(widest) = widths.iter().zip(values).map(|(w, v)| w.over(*v)).max() else { break };
-        shape = widths.iter().map(|w| w.over(widest)).collect();
-    }
-    found
-}
-
-/// The first success of `proved` among some trials, which fail up to somewhere and succeed from there on, at first at
-/// least: what a box contains is contracted too, until it is as small as the roundings.
-///
-/// The first trial that `seems` to succeed is found by doubling and halving. From there the search goes up and down
-/// by `proved` alone, so that a wrong guess costs time and nothing else.
-fn first<P>(
-    trials: i32,
-    seems: impl Fn(i32) -> bool,
-    proved: impl Fn(i32) -> Option<(i32, P)>,
-) -> Option<(i32, P)> {
-    let powers = std::iter::successors(Some(1), |k| Some(2 * k)).take_while(|k| *k <= trials);
-    // Trials begin with the largest box, which has number zero.
-    let guess = powers.map(|k| k - 1).find(|k| seems(*k)).map_or(0, |success| {
-        let (mut failure, mut success) = ((success + 1) / 2 - 1, success);
-        while success - failure > 1 {
-            let middle = failure + (success - failure) / 2;
-            if seems(middle) { success = middle } else { failure = middle }
-        }
-        success
-    });
-    let mut best = (guess..trials).find_map(&proved)?;
-    // Usually the one before is tried and fails.
-    while best.0 > 0 && best.0 <= guess {
-        let Some(better) = proved(best.0 - 1) else { break };
-        best = better;
-    }
-    Some(best)
-}
 
 /// Up to this precision all cost about the same.
 const SHORT: u32 = 512;
-/// Ratio of the width of a box to the correction that the residuals ask for, in bits.
-const INFLATIONS: [i64; 3] = [2, 8, 20];
 
 /// Encloses the root of equations next to a start value, proved to exist and to be unique in a box on which
 /// the equations are regular.
@@ -216,119 +21,61 @@ pub fn root_near<S: Form<Ball>>(
     bits: u32,
     start: Vec<Float>,
 ) -> Result<Vec<Ball>, Undecided> {
-    let centre = climb(equations, bits, start).ok_or_else(no_candidate)?;
-    // What a slope is multiplied with is small, so that a part of its digits is enough, as a rule.
-    let few = (bits / 4).max(SHORT);
-    let with_few = (few < bits).then(|| smallest_box(equations, bits, few, &centre));
-    match with_few {
-        Some(Ok(root)) => Ok(root),
-        _ => smallest_box(equations, bits, bits, &centre),
-    }
+    rooted_near(equations, bits, &start).map(|root| root.values)
 }
 
-/// Undecided answer where there is nothing to prove.
-pub(crate) fn no_candidate() -> Undecided {
-    Undecided::root("no candidate is found")
+/// The root next to a start value, with the sines and cosines that it took.
+pub(crate) fn rooted_near<S: Form<Ball>>(
+    equations: &S,
+    bits: u32,
+    start: &[Float],
+) -> Result<Rooted, Undecided> {
+    if let Some(root) = by_ladder(equations, bits, start) {
+        return Ok(root);
+    }
+    let [_, values] = box_near(equations, bits, start, false)?;
+    Ok(Rooted { values, ..Rooted::default() })
+}
+
+/// The root from its proof in as few bits as tell it; `None` where not even a part of all is enough, or this is not
+/// worth while.
+fn by_ladder(form: &impl Form<Ball>, bits: u32, start: &[Float]) -> Option<Rooted> {
+    let precisions = std::iter::successors(Some(FEW), |few| Some(2 * few));
+    let unique = precisions.take_while(|few| 2 * few < bits).find_map(|few| {
+        let [domain, image] = box_near(form, few, start, true).ok()?;
+        Unique::new(domain, &image, few)
+    })?;
+    Ladder { form, unique: &unique, tick: &|| () }.refined(bits).ok()
+}
+
+/// A box next to a start value in which exactly one root lies, and its image; a `wide` one or a narrow one.
+pub(super) fn box_near<S: Form<Ball>>(
+    equations: &S,
+    bits: u32,
+    start: &[Float],
+    wide: bool,
+) -> Result<[Vec<Ball>; 2], Undecided> {
+    let centre = climb(equations, bits, start).ok_or_else(no_candidate)?;
+    box_around(equations, bits, &centre, wide)
+}
+
+/// The precisions up to some bits, each half of the next, from the first that costs as much as any below it.
+pub(crate) fn precisions(bits: u32) -> Vec<u32> {
+    let halves =
+        std::iter::successors(Some(bits), |bits| (*bits > SHORT).then(|| bits.div_ceil(2)));
+    let mut precisions: Vec<u32> = halves.collect();
+    precisions.reverse();
+    precisions
 }
 
 /// Newton's method with more and more bits: at each precision it starts from the root to half of it.
-fn climb(form: &impl Form<Ball>, bits: u32, start: Vec<Float>) -> Option<Vec<Float>> {
-    let halves =
-        std::iter::successors(Some(bits), |bits| (*bits > SHORT).then(|| bits.div_ceil(2)));
-    let precisions: Vec<u32> = halves.collect();
+fn climb(form: &impl Form<Ball>, bits: u32, start: &[Float]) -> Option<Vec<Float>> {
     let settled = |x: Vec<Float>, bits| {
         let x = x.iter().map(|x| Float::with_val(bits, x)).collect();
         let number = |given: &Ball| Dual::constant(Float::with_val(bits, given.mid()));
         settle(x, |x| form.at(number, &Dual::variables(x)))
     };
     // Where the equations lose more digits than the first precision has, only the last is of use.
-    let root = precisions.into_iter().rev().try_fold(start.clone(), settled);
-    root.or_else(|| settled(start, bits))
-}
-
-/// A box around the centre just wide enough for the proof, with slopes of `few` bits.
-fn smallest_box<S: Equations<Ball>>(
-    equations: &S,
-    bits: u32,
-    few: u32,
-    centre: &[Float],
-) -> Result<Vec<Ball>, Undecided> {
-    let points: Vec<Ball> = centre.iter().map(|x| Ball::exact(x.clone(), bits)).collect();
-    let coarse: Vec<Ball> = points.iter().map(|x| x.with_precision(few)).collect();
-    let at_centre = equations.slopes(few, &coarse);
-    let singular = || Undecided::root("the Jacobian is singular");
-    let inverse = inverse_jacobian(&at_centre, few).ok_or_else(singular)?;
-    let exact = |y: &Float| Ball::exact(y.clone(), few);
-    let operator = Operator {
-        equations,
-        bits,
-        few,
-        residuals: match few < bits {
-            true => equations.residuals(bits, &points),
-            false => at_centre.iter().map(|r| r.value().clone()).collect(),
-        },
-        points,
-        inverse: inverse.iter().map(|row| row.iter().map(exact).collect()).collect(),
-    };
-    let radii = corrections(&inverse, &operator.residuals, centre, bits);
-    inflated(&operator, &radii)
-        .ok_or_else(|| Undecided::root("no box around the candidate is mapped into itself"))
-}
-
-/// The sizes of the corrections that the residuals at a centre of `bits` bits ask for, rounding included.
-pub fn corrections(
-    inverse: &[Vec<Float>],
-    residuals: &[Ball],
-    centre: &[Float],
-    bits: u32,
-) -> Vec<Magnitude> {
-    let size = |r: &Ball| Magnitude::upper(r.mid()).plus(r.rad());
-    let correction = |(row, x): (&Vec<Float>, &Float)| {
-        let terms = row.iter().zip(residuals).map(|(y, r)| Magnitude::upper(y).times(size(r)));
-        terms.fold(Magnitude::upper(x).shifted(-i64::from(bits)), Magnitude::plus)
-    };
-    inverse.iter().zip(centre).map(correction).collect()
-}
-
-/// The image of the first of some boxes, several times as wide as the corrections, that is mapped into
-/// itself.
-pub fn inflated<S: Equations<E>, E: Engine>(
-    operator: &Operator<S, E>,
-    corrections: &[Magnitude],
-) -> Option<Vec<E>> {
-    INFLATIONS.into_iter().find_map(|inflation| {
-        let radii: Vec<Magnitude> = corrections.iter().map(|r| r.shifted(inflation)).collect();
-        operator.image(&radii)
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The trials from 17 up to 130 succeed. Whatever seems to, the first of them is found.
-    #[test]
-    fn a_wrong_guess_changes_nothing() {
-        let proved = |k: i32| (17..130).contains(&k).then_some((k, ()));
-        let guesses: [fn(i32) -> bool; 6] =
-            [|k| k >= 17, |k| k >= 15, |k| k >= 25, |_| false, |_| true, |k| k >= 90];
-        for (number, seems) in guesses.iter().enumerate() {
-            assert_eq!(first(200, seems, proved), Some((17, ())), "guess {number}");
-        }
-        assert_eq!(first(200, |k| k >= 17, |_| None::<(i32, ())>), None);
-        assert_eq!(first(17, |k| k >= 17, proved), None, "too few trials");
-        assert_eq!(first(200, |k| k >= 0, |k| Some((k, ()))), Some((0, ())));
-    }
-
-    /// A good guess costs few proofs: the one that succeeds and the one before.
-    #[test]
-    fn a_good_guess_saves_the_walk() {
-        let count = std::cell::Cell::new(0);
-        let proved = |k: i32| {
-            count.set(count.get() + 1);
-            (k >= 100).then_some((k, ()))
-        };
-        assert_eq!(first(200, |k| k >= 100, proved), Some((100, ())));
-        assert_eq!(count.get(), 2);
-    }
+    let root = precisions(bits).into_iter().try_fold(start.to_vec(), settled);
+    root.or_else(|| settled(start.to_vec(), bits))
 }

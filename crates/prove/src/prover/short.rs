@@ -17,7 +17,9 @@
 
 use crate::arch::{Configuration, Unknown};
 use crate::check::krawczyk;
-use crate::number::{Angle, Ball, Dual, Enclosure, Field, ShortBall, arctangent, arctangent_from};
+use crate::number::{
+    Angle, Ball, Dual, Enclosure, Field, ShortBall, arctangent, arctangent_from, power_of_two,
+};
 use crate::problem::{System, tally};
 use crate::solve::inverse;
 use std::sync::OnceLock;
@@ -123,6 +125,9 @@ struct Stage<const M: usize> {
 const ANGLE_WORDS: [usize; 6] = [6, 10, 16, 24, 32, WORDS];
 
 impl<const M: usize> Stage<M> {
+    /// Unit of the last place.
+    const UNIT: f64 = power_of_two(-64 * (M as i32 - 1));
+
     /// Stage from a candidate and an inverse to a part of its bits; `None` where it does not tell enough.
     fn new(
         system: &System,
@@ -144,8 +149,7 @@ impl<const M: usize> Stage<M> {
             point.advance(steps.iter().map(ShortBall::midpoint));
         }
         // A box has a width where nothing is to be corrected too.
-        let unit = 2f64.powi(-64 * (M as i32 - 1));
-        let near: Vec<f64> = corrections.iter().map(|size| ROOM * size.max(unit)).collect();
+        let near: Vec<f64> = corrections.iter().map(|size| ROOM * size.max(Self::UNIT)).collect();
         let centre = point.x.clone();
         point.widen(&near);
         let is_inside =
@@ -286,6 +290,8 @@ impl<const M: usize> Stage<M> {
         // What is chosen need not be rounded in a direction, what is computed with it has to be.
         const UP: f64 = 1.0 + 1e-14;
         let noise = 2f64.powi((known as i32 - 64 * (N as i32 - 1)).max(-1000));
+        // An image has a radius of some units at least.
+        let noise = noise.max(ROOM * Self::UNIT);
         let radii: Vec<f64> = asked.iter().map(|size| 2.0 * size + noise).collect();
         let scale = 2f64.powi(-(known as i32)).max(f64::MIN_POSITIVE);
         type Side<'a, const N: usize, const M: usize> =

@@ -5,7 +5,7 @@ use super::schema::{MAX_ARCHES, Request, SceneArch};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
-use crate::certify::MAX_ARCH_DIGITS;
+use crate::certify::MAX_DIGITS;
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Quantity};
 
@@ -98,13 +98,7 @@ pub(super) fn frictions(table: &mut TableReader) -> Option<Numbers> {
 
 pub(super) fn digits(table: &mut TableReader) -> Option<usize> {
     let all = table.reader.digits;
-    if table.get("digits").is_none() && all > MAX_ARCH_DIGITS {
-        return table.refuse(format!(
-            "the scene's {all} digits are too many for arches; give this item digits of its own, 1 \
-                 to {MAX_ARCH_DIGITS}"
-        ));
-    }
-    table.or("digits", all, |reader, key, value| reader.whole(key, value, 1..=MAX_ARCH_DIGITS))
+    table.or("digits", all, |reader, key, value| reader.whole(key, value, 1..=MAX_DIGITS))
 }
 
 /// Every weight with every half opening, friction and thickness, in this order.

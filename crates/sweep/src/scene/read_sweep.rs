@@ -8,7 +8,7 @@ use super::sweep::{MAX_CHUNK, MAX_SAMPLE, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArche
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
-use crate::certify::MAX_ARCH_DIGITS;
+use crate::certify::MAX_DIGITS;
 use crate::problem::Quantity;
 use toml::de::{DeTable, DeValue};
 
@@ -41,7 +41,7 @@ fn plan(reader: &mut TomlReader, root: &DeTable) -> Option<SweepPlan> {
     let quantities =
         table.or("quantities", usual, |reader, key, value| reader.names(key, value, &known));
     let digits = table.or("digits", SWEEP_DIGITS, |reader, key, value| {
-        reader.whole(key, value, SWEEP_DIGITS..=MAX_ARCH_DIGITS)
+        reader.whole(key, value, SWEEP_DIGITS..=MAX_DIGITS)
     });
     let chunk =
         table.if_given("chunk", |reader, key, value| reader.whole(key, value, 1..=MAX_CHUNK));

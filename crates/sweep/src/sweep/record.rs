@@ -6,7 +6,7 @@
 use super::cost::{MAX_PARTS, rows_of_a_part};
 use super::slices::Slices;
 use crate::arch::SelfWeight;
-use crate::certify::MAX_ARCH_DIGITS;
+use crate::certify::MAX_DIGITS;
 use crate::problem::Quantity;
 use crate::scene::{
     MAX_CHUNK, MAX_SAMPLE, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArches, SweepPlan, hash_of,
@@ -140,7 +140,7 @@ impl SweepRecord {
         };
         let is_known = self.weights().len() == self.weights.len()
             && self.quantities().len() == self.quantities.len()
-            && (SWEEP_DIGITS..=MAX_ARCH_DIGITS).contains(&self.digits)
+            && (SWEEP_DIGITS..=MAX_DIGITS).contains(&self.digits)
             && (1..=MAX_CHUNK as u64).contains(&self.chunk);
         if rows != Some(self.rows) || !is_known {
             return Err("its record contradicts itself".into());

@@ -85,7 +85,7 @@ pub(crate) struct Arguments {
     inputs: String,
 
     /// Correct digits that every number of an accepted row must have, however many are printed.
-    #[arg(long, value_name = "DIGITS", value_parser = parse::state_digits, allow_negative_numbers = true)]
+    #[arg(long, value_name = "DIGITS", value_parser = parse::digits, allow_negative_numbers = true)]
     accept: Option<usize>,
 
     /// How many of the worst rows are shown, up to 1000.

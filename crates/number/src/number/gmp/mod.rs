@@ -35,6 +35,7 @@ pub use rounded::{Rounded, bits_of, terminating};
 pub use rounded_double::{nearest_double, rounded_double, rounded_words};
 pub use short_ball::ShortBall;
 pub use sine::{SineAnchor, arctangent, arctangent_from};
+pub use stumpff::stumpff_with;
 pub use surd::Surd;
 pub use triple_word::TripleWord;
 pub use triple_word_ball::TripleWordBall;

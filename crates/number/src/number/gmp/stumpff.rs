@@ -1,7 +1,7 @@
 //! Stumpff's functions of MPFR numbers and of balls.
 
-use super::super::stumpff::{Stumpff, from_series, terms};
-use super::{Ball, Enclosure, Field, Magnitude};
+use super::super::stumpff::{Stumpff, from_angle, from_series, terms};
+use super::{Angle, Ball, Enclosure, Field, Magnitude, Real};
 use rug::Float;
 
 impl Stumpff for Float {
@@ -11,17 +11,44 @@ impl Stumpff for Float {
     }
 }
 
+/// With more terms than this the functions follow from sine and cosine.
+const MANY_TERMS: i32 = 64;
+/// Bits beyond those that the recurrence loses.
+const GUARD: u32 = 32;
+
+/// Stumpff's functions of a ball, with sine and cosine where they are asked for as `angle` makes them.
+///
+/// They are those at the midpoint `m`, and change by `2r` at most on `m ± r`: for `|u| <= 2` each function is
+/// below `3/n!`, so that `|c_n'| <= (n c_(n+2) + c_(n+1))/2 <= 2`.
+pub fn stumpff_with(u: &Ball, count: usize, angle: impl FnOnce(Ball) -> Angle<Ball>) -> Vec<Ball> {
+    let size = Magnitude::upper(u.mid()).plus(u.rad()).exponent();
+    let size = size.unwrap_or(i64::MIN / 2);
+    let has_many = size <= 1 && terms(u.prec(), size) > MANY_TERMS;
+    let Some(exponent) = u.mid().get_exp().filter(|_| has_many && *u.mid() > 0) else {
+        return by_series(u, count);
+    };
+    let lost = exponent.min(0).unsigned_abs() * (count as u32).div_ceil(2);
+    let middle = Ball::exact(u.mid().clone(), u.prec() + lost + GUARD);
+    let twice = u.rad().shifted(1);
+    let functions = from_angle(&middle, &angle(middle.sqrt()), count).into_iter();
+    functions.map(|c| c.with_precision(u.prec()).widened(twice)).collect()
+}
+
+fn by_series(u: &Ball, count: usize) -> Vec<Ball> {
+    let size = Magnitude::upper(u.mid()).plus(u.rad());
+    let exponent = size.exponent().unwrap_or(i64::MIN / 2);
+    if !u.is_bounded() || exponent > 1 {
+        return vec![Ball::whole(u.prec()); count];
+    }
+    // For |u| <= 2 what follows the terms, 1 - u/((m+1)(m+2)) (1 - ...), is within |u| of one: each
+    // bracket is at most 2 in size, and the divisors are at least 12.
+    let tail = u.int(1).widened(size);
+    from_series(u, count, terms(u.prec(), exponent), &tail)
+}
+
 impl Stumpff for Ball {
     fn stumpff(&self, count: usize) -> Vec<Self> {
-        let size = Magnitude::upper(self.mid()).plus(self.rad());
-        let exponent = size.exponent().unwrap_or(i64::MIN / 2);
-        if !self.is_bounded() || exponent > 1 {
-            return vec![Self::whole(self.prec()); count];
-        }
-        // For |u| <= 2 what follows the terms, 1 - u/((m+1)(m+2)) (1 - ...), is within |u| of one: each
-        // bracket is at most 2 in size, and the divisors are at least 12.
-        let tail = self.int(1).widened(size);
-        from_series(self, count, terms(self.prec(), exponent), &tail)
+        stumpff_with(self, count, Angle::new)
     }
 }
 
@@ -64,6 +91,23 @@ mod tests {
                 let width = Magnitude::upper(found.mid()).shifted(12 - i64::from(bits));
                 prop_assert!(found.rad() < width, "no digit is lost: {found:?}");
             }
+        }
+    }
+
+    /// By sine and cosine they are those of the series, and what is wide holds them.
+    #[test]
+    fn many_bits_are_those_of_the_series() {
+        for (n, d, bits) in [(1, 1, 1000), (3, 7, 4000), (19, 10, 2000), (1, 1_000_000, 9000)] {
+            let u = Ball::enclosing(&Rational::from((n, d)), bits);
+            let wide = u.clone().widened(Magnitude::power_of_two(-99));
+            for ((one, series), wide) in
+                u.stumpff(6).iter().zip(by_series(&u, 6)).zip(wide.stumpff(6))
+            {
+                assert!(one.overlaps(&series) && one.lies_inside(&wide), "{n}/{d} {bits}");
+                let width = Magnitude::upper(one.mid()).shifted(12 - i64::from(bits));
+                assert!(one.rad() < width && wide.rad() < Magnitude::power_of_two(-97));
+            }
+            assert!(!u.stumpff(6)[2].overlaps(&u.stumpff(6)[3]), "false twin");
         }
     }
 

@@ -61,13 +61,13 @@ pub struct SharedOpening {
 impl SharedOpening {
     /// The arches of a half opening in `(0, pi)`, with values to `digits` significant digits. It costs about as much
     /// as two arches. Any other half opening, and digits beyond
-    /// [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS), are refused.
+    /// [`MAX_DIGITS`](crate::certify::MAX_DIGITS), are refused.
     pub fn new(
         weight: SelfWeight,
         half_opening: ExactNumber,
         digits: usize,
     ) -> Result<Self, Refused> {
-        Refused::arch_digits(digits)?;
+        Refused::digits(digits)?;
         let unlimited = Arch::new(weight, half_opening, Friction::Infinite)?;
         let [sliding, same_from] = critical_frictions(&unlimited);
         let answer = same_from

@@ -52,9 +52,9 @@ const MOST: usize = 4096;
 impl SharedOpenings {
     /// Values to `digits` significant digits; `frictions` says whether the frictions at which the mode changes are
     /// asked for. Arches that are asked of balls of MPFR alone share nothing. Digits beyond
-    /// [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS) are refused.
+    /// [`MAX_DIGITS`](crate::certify::MAX_DIGITS) are refused.
     pub fn new(balls: Balls, digits: usize, frictions: bool) -> Result<Self, Refused> {
-        Refused::arch_digits(digits)?;
+        Refused::digits(digits)?;
         Ok(Self { balls, digits, frictions, seen: Mutex::default() })
     }
 

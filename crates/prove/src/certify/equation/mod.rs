@@ -113,7 +113,7 @@ pub fn evaluate(
     joint: &ExactNumber,
     digits: usize,
 ) -> Result<Evaluated, Error> {
-    Refused::arch_digits(digits)?;
+    Refused::digits(digits)?;
     Refused::rotation_joint(joint)?;
     if equation.closed_form().is_some() && weight == SelfWeight::Heyman {
         return Err(Refused::ClosedFormOfHeyman.into());

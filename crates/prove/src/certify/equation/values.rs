@@ -211,7 +211,7 @@ impl ValueEquation {
         const GUARD: u32 = 48;
         /// Powers of a small value that cancel, at the most: a start only.
         const POWERS_LOST: u32 = 6;
-        Refused::arch_digits(digits)?;
+        Refused::digits(digits)?;
         self.check(weight, given)?;
         let size = |(_, value): &(Quantity, ExactNumber)| {
             let value: Ball = value.enclosure(64);

@@ -25,6 +25,8 @@ pub(super) struct Conditions<T> {
     intrados: ShortPolynomial<T>,
 }
 
+/// Bits of conditions that are only named.
+const FEW: u32 = 64;
 /// The order of jets in the thickness: that of the load.
 const ORDER: usize = 2;
 
@@ -43,17 +45,33 @@ fn entries<T: Field>([h, p, v]: &[Jet<T>; 3]) -> [ShortPolynomial<T>; 3] {
 impl<T: Arithmetic> Conditions<T> {
     /// The conditions in numbers of `bits` bits.
     pub(super) fn new(arch: &Arch, stones: i32, extent: Extent, bits: u32) -> Self {
-        let alpha: T = arch.half_opening().enclosure(bits);
-        let grip: Grip<Ball> = arch.friction().grip(bits);
-        let grip = grip.map(|x| T::from_ball(&x, bits));
-        let joints = Joints::in_thickness(arch.weight(), grip, ORDER);
-        let one = joints.ring.thickness.int(1);
-        let without_friction =
-            Joints { grip: Grip { normal: one.int(0), shear: one }, ..joints.clone() };
+        Self::of(arch, stones, extent, bits, |_| true)
+    }
+
+    /// The conditions in numbers of `bits` bits at some joints, and of few at the others.
+    pub(super) fn of(
+        arch: &Arch,
+        stones: i32,
+        extent: Extent,
+        bits: u32,
+        is_asked: impl Fn(i32) -> bool,
+    ) -> Self {
+        let in_bits = |bits: u32| {
+            let alpha: T = arch.half_opening().enclosure(bits);
+            let grip: Grip<Ball> = arch.friction().grip(bits);
+            let grip = grip.map(|x| T::from_ball(&x, bits));
+            (alpha, Joints::in_thickness(arch.weight(), grip, ORDER))
+        };
         let at_joint = limits_at_joint(arch);
+        let all_bits = in_bits(bits);
+        let few_bits = in_bits(bits.min(FEW));
         let (mut all, mut weights, mut compressions) = (Vec::new(), Vec::new(), Vec::new());
-        for (k, angle) in extent.joints(stones, &alpha) {
-            let angle = angle.map(|x| Jet::constant(x, ORDER));
+        for k in extent.joints(stones) {
+            let (alpha, joints) = if is_asked(k) { &all_bits } else { &few_bits };
+            let one = joints.ring.thickness.int(1);
+            let grip = Grip { normal: one.int(0), shear: one };
+            let without_friction = Joints { grip, ring: joints.ring.clone() };
+            let angle = Extent::angle(k, stones, alpha).map(|x| Jet::constant(x, ORDER));
             for limit in joints.limits((k, &angle), extent).into_iter().take(at_joint) {
                 let [h, p, v, load] = limit.row;
                 let [h, p, v] = entries(&[h, p, v]);
@@ -66,6 +84,7 @@ impl<T: Arithmetic> Conditions<T> {
             let load = -(angle.rad * &angle.sin);
             compressions.push([&h, &p, &v, &load].map(ShortPolynomial::of));
         }
+        let (alpha, _) = all_bits;
         let entry = |n: i32| ShortPolynomial::constant(alpha.int(n));
         let intrados = Jet::new(vec![alpha.int(1), -alpha.ratio(1, 2)], ORDER);
         let (no_vertical_force, intrados) =

@@ -78,9 +78,10 @@ pub(super) fn solution(
     found: &VoussoirDigits,
 ) -> Result<JointedSolution, Undecided> {
     let contacts = moving(found);
+    let joints: Vec<i32> = contacts.iter().filter_map(|at| joint(digits.number, at)).collect();
     raise(bits_of(digits.digits) + GUARD, |bits| {
         let half = StonesInDigits { extent: Extent::Half, ..*digits };
-        let conditions = half.conditions(bits);
+        let conditions = half.conditions(bits, &joints);
         let question = || Undecided::new("which conditions are zero at the least thickness");
         let of = places(&conditions, digits.number, &contacts).ok_or_else(question)?;
         // The outer two fix the forces; the order is that of the rates.
@@ -105,7 +106,7 @@ pub(super) fn solution(
         if digits.extent == Extent::Half {
             return Ok(digits.rounded(&conditions, &state, true));
         }
-        let whole = digits.conditions(bits);
+        let whole = digits.conditions(bits, &[]);
         let mut moving = Vec::new();
         for (place, rate) in &state.moving {
             let at = &conditions.all[*place];

@@ -128,7 +128,7 @@ fn standing(
     (arch, stones, most): (&Arch, u64, u64),
     digits: usize,
 ) -> Result<(Stones, i32, Voussoirs), Error> {
-    Refused::arch_digits(digits)?;
+    Refused::digits(digits)?;
     let number = Refused::stones(stones, most)?;
     let equal = Stones::equal(stones, arch.half_opening().clone())?;
     let found = voussoirs(&equal, arch.weight(), arch.friction(), digits.max(START_DIGITS))?;

@@ -60,10 +60,14 @@ impl<T: Field> ShortPolynomial<T> {
         Self { terms: self.terms.map(|x| -x), ..self }
     }
 
+    /// The coefficients up to its degree, from that of one on.
+    pub(super) fn coefficients(&self) -> &[T] {
+        &self.terms[..=self.degree]
+    }
+
     /// Value at a number.
     pub(super) fn at(&self, x: &T) -> T {
-        let terms = self.terms[..=self.degree].iter().rev();
-        terms.fold(x.int(0), |sum, term| sum * x + term)
+        self.coefficients().iter().rev().fold(x.int(0), |sum, term| sum * x + term)
     }
 
     /// Derivative of the polynomial.
@@ -101,7 +105,7 @@ impl ShortPolynomial<DoubleBall> {
 
     /// Value in doubles.
     pub(super) fn near(&self, x: f64) -> f64 {
-        self.terms[..=self.degree].iter().rev().fold(0.0, |sum, term| sum * x + term.mid())
+        self.coefficients().iter().rev().fold(0.0, |sum, term| sum * x + term.mid())
     }
 }
 

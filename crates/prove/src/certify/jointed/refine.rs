@@ -9,6 +9,7 @@ use crate::arch::whole::Side;
 use crate::number::{Ball, Enclosure, ExactNumber, bits_of};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Extent, JointLimit};
+use crate::prover::zero::around_zero;
 use crate::prover::{Figure, Undecided, raise};
 use rug::{Float, Rational};
 
@@ -73,15 +74,18 @@ impl RefinedState {
 }
 
 impl StonesInDigits<'_> {
-    /// The conditions in balls.
-    pub(super) fn conditions(&self, bits: u32) -> Conditions<Ball> {
-        Conditions::new(self.arch, self.number, self.extent, bits)
+    /// The conditions in balls, of `bits` bits at some joints: the others are only named.
+    pub(super) fn conditions(&self, bits: u32, joints: &[i32]) -> Conditions<Ball> {
+        let is_asked = |joint| joints.contains(&joint);
+        Conditions::of(self.arch, self.number, self.extent, bits, is_asked)
     }
 
     /// The solution on a piece.
     pub(super) fn of(&self, event: &Event) -> Result<JointedSolution, Undecided> {
+        let joint = |place: usize| self.extent.joints(self.number).nth(place / 4);
+        let joints: Vec<i32> = event.kind.conditions().into_iter().filter_map(joint).collect();
         raise(bits_of(self.digits) + GUARD, |bits| {
-            let conditions = self.conditions(bits);
+            let conditions = self.conditions(bits, &joints);
             let polynomial = match &event.kind {
                 EventKind::Statics(of, other) => {
                     conditions.value(*other, of, &conditions.meeting(of))
@@ -162,22 +166,7 @@ pub(super) fn zero_near(
     near: f64,
     bits: u32,
 ) -> Result<Ball, Undecided> {
-    let slope = polynomial.derivative();
-    let exact = |x: &Float| Ball::exact(x.clone(), bits);
-    let mut x = Float::with_val(bits, near);
-    for _ in 0..8 + bits.ilog2() {
-        let step = polynomial.at(&exact(&x)).mid().clone() / slope.at(&exact(&x)).mid();
-        if step.is_finite() {
-            x -= step;
-        }
-    }
-    // What the coefficients leave open, and a little more.
-    let [value, along] = [polynomial.at(&exact(&x)), slope.at(&exact(&x))];
-    let room = Float::with_val(64, value.rad().to_float() / along.mid().clone().abs()) * 4u32;
-    let least = Float::with_val(64, 1) >> (bits - 4);
-    let room = if room.is_finite() && room > least { room } else { least };
-    let [low, high] =
-        [-room.clone(), room].map(|by| Ball::exact(Float::with_val(bits + 64, &x + &by), bits));
+    let [low, high] = around_zero(polynomial.coefficients(), &Float::with_val(53, near), bits);
     let [below, above] = [&low, &high].map(|x| polynomial.at(x));
     let changes =
         below.excludes_zero() && above.excludes_zero() && (*below.mid() > 0) != (*above.mid() > 0);

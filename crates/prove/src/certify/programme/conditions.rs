@@ -34,10 +34,12 @@ pub(super) fn conditions(
     let grip = grip.map(|x| DoubleBall::from_ball(&x, BITS));
     let joints = Joints::new(arch.weight(), &thickness.enclosure(BITS), grip);
     let is_solid = thickness.is_rational() && thickness.to_rational() == 2;
-    let at = extent.joints(stones, &alpha).into_iter();
     let count = limits_at_joint(arch);
-    let limits = at
-        .flat_map(|(joint, angle)| joints.limits((joint, &angle), extent).into_iter().take(count));
+    let limits = |joint| {
+        let angle = Extent::angle(joint, stones, &alpha);
+        joints.limits((joint, &angle), extent).into_iter().take(count)
+    };
+    let limits = extent.joints(stones).flat_map(limits);
     let exact = |limit: MovingLimit| match limit.contact {
         // The radius of the intrados is zero exactly, and so is what it multiplies.
         Contact::Intrados if is_solid => {

@@ -197,10 +197,26 @@ fn a_line_that_may_have_no_end_is_not_decided() {
 }
 
 #[test]
-fn what_it_cannot_decide_is_not_decided() {
+fn what_it_is_not_asked_for_is_refused() {
     let eta = "1/2".parse().unwrap();
-    assert!(programme(&arch("heyman", "2.3", "inf"), &eta, (8, Extent::Whole)).is_err());
     for stones in [0, 1, MOST_JOINTED_STONES + 1, u64::MAX] {
         assert!(programme(&arch("heyman", "2.3", "1"), &eta, (stones, Extent::Whole)).is_err());
     }
+}
+
+/// Slips at a right angle to each other are parallel where the friction is one, and are no vertex; without a limit of
+/// friction there are none, and the least value is that of much friction.
+#[test]
+fn parallel_slips_are_no_obstacle() {
+    let least = |mu: &str| match programme(
+        &arch("milankovitch", "pi/2", mu),
+        &"0.3".parse().unwrap(),
+        (6, Extent::Whole),
+    ) {
+        Ok(Programme::Least { lower, upper: Some(upper) }) => (lower, upper),
+        other => panic!("{mu}: {other:?}"),
+    };
+    let [one, more, free] = ["1", "3", "inf"].map(least);
+    assert!(one.0 > 0.0 && one.0 <= more.1);
+    assert!(more.0 <= free.1 && free.0 <= more.1, "{more:?} {free:?}");
 }

@@ -41,7 +41,7 @@ impl From<Error> for NoState {
 
 /// Proofs about an arch.
 ///
-/// Digits are from 1 to [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS); others are refused, as is a thickness
+/// Digits are from 1 to [`MAX_DIGITS`](crate::certify::MAX_DIGITS); others are refused, as is a thickness
 /// that is none.
 ///
 /// ```

@@ -59,7 +59,7 @@ impl Enough {
             quickly,
             || figure(widest::<DoubleDoubleBall>(arch, limit, DOUBLE_DOUBLE), digits),
             || {
-                let lost = find::bits_lost(&find::at_thickness(arch, limit, first));
+                let lost = find::bits_lost(&find::at_thickness(arch, limit, DOUBLE_DOUBLE));
                 let proof = |bits| figure(widest::<Ball>(arch, limit, bits), digits);
                 raise(first.saturating_add(lost), proof)
             },

@@ -8,7 +8,7 @@ use super::query::{GUARD, Query, bits_lost, bits_lost_unless_small};
 use super::state::Outcome;
 use crate::number::{ExactNumber, bits_of};
 use crate::problem::Arch;
-use crate::prover::refused::MAX_ARCH_DIGITS;
+use crate::prover::refused::MAX_DIGITS;
 use crate::prover::{Error, Refused, Undecided, raise};
 use std::collections::BTreeMap;
 
@@ -27,14 +27,14 @@ impl<'a> Inquiry<'a> {
     /// Questions of at most `most_digits` digits; `frictions` says whether any asks for the frictions at which
     /// the mode changes.
     pub fn new(arch: &'a Arch, most_digits: usize, frictions: bool) -> Self {
-        let bits = bits_of(most_digits.min(MAX_ARCH_DIGITS)) + GUARD;
+        let bits = bits_of(most_digits.min(MAX_DIGITS)) + GUARD;
         Self { arch, frictions, bits, states: BTreeMap::new() }
     }
 
     /// The state to `digits` digits. The frictions at which the mode changes are left out unless they are
-    /// asked for here and in [`Inquiry::new`]. Digits beyond [`MAX_ARCH_DIGITS`] are refused.
+    /// asked for here and in [`Inquiry::new`]. Digits beyond [`MAX_DIGITS`] are refused.
     pub fn state(&mut self, digits: usize, frictions: bool) -> Result<Answer, Error> {
-        Refused::arch_digits(digits)?;
+        Refused::digits(digits)?;
         let lost = bits_lost_unless_small(self.arch, self.bits);
         let answer = raise(self.bits + lost, |bits| {
             Ok(match self.outcome(bits, true)? {
@@ -54,14 +54,14 @@ impl<'a> Inquiry<'a> {
     }
 
     /// Proves what holds for the arch with a given thickness, in `(0, 2]`, to `digits` digits; any other
-    /// thickness, and digits beyond [`MAX_ARCH_DIGITS`], are refused.
+    /// thickness, and digits beyond [`MAX_DIGITS`], are refused.
     pub fn assess(
         &mut self,
         thickness: &ExactNumber,
         digits: usize,
         wanted: Wanted,
     ) -> Result<AssessmentDigits, Refused> {
-        Refused::arch_digits(digits)?;
+        Refused::digits(digits)?;
         Refused::thickness(thickness)?;
         let first = self.bits + bits_lost(self.arch);
         let mut at = |bits| self.assessment(thickness, bits, wanted).rounded(digits, bits);

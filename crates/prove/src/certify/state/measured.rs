@@ -15,7 +15,7 @@ type Measured = Vec<(Quantity, Option<Figure>)>;
 
 /// The sizes of an arch at its least thickness, of [`Quantity::MEASURED_STATE`]; if it does not stand its shape alone.
 pub fn measured_state(arch: &Arch, measures: &Measures, digits: usize) -> Result<Measured, Error> {
-    Refused::arch_digits(digits)?;
+    Refused::digits(digits)?;
     let found = raised(arch, digits, |bits| {
         let mut sized = shape(arch, measures, bits);
         if let Outcome::Stands(state) = state_enclosed(arch, bits, false)? {
@@ -37,7 +37,7 @@ pub fn measured_assessment(
     measures: &Measures,
     digits: usize,
 ) -> Result<Measured, Error> {
-    Refused::arch_digits(digits)?;
+    Refused::digits(digits)?;
     Refused::thickness(thickness)?;
     let found = raised(arch, digits, |bits| {
         let found: Assessment = assessment_enclosed(arch, thickness, bits);

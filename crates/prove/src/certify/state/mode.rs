@@ -14,7 +14,7 @@ use crate::problem::{
 };
 use crate::prover::Undecided;
 use crate::prover::arithmetic::{Arithmetic, larger};
-use crate::prover::decide::{decide, require, require_condition};
+use crate::prover::decide::{decide, in_few_bits, require, require_condition};
 use crate::solve::start::{self, Start};
 use std::sync::OnceLock;
 
@@ -293,11 +293,13 @@ pub(super) fn prove<E: Arithmetic>(
     at: &Configuration<E>,
     is_limited: bool,
 ) -> Result<(), Undecided> {
-    let at = at.map_ref(E::for_signs);
-    let state = Examined::new(query.weight, mode, &at);
-    // A root that fails one of them is not the state of the arch.
-    Condition::of(mode, is_limited)
-        .try_for_each(|condition| require_condition(condition, &state.margin(condition), mode))
+    in_few_bits(at, query.bits, |at, _| {
+        let at = at.map_ref(E::for_signs);
+        let state = Examined::new(query.weight, mode, &at);
+        // A root that fails one of them is not the state of the arch.
+        Condition::of(mode, is_limited)
+            .try_for_each(|condition| require_condition(condition, &state.margin(condition), mode))
+    })
 }
 
 /// The half opening of `l` or of `L`, to at least `bits` bits where the numbers can have so many.

@@ -48,8 +48,7 @@ impl<E: Arithmetic> Query<E> {
         start: &[E::Candidate],
     ) -> Result<Configuration<E>, Undecided> {
         let posed = Posed { system: &system, given: &self.given };
-        let root = E::root_near(&posed, self.bits, start)?;
-        Ok(system.place(self.given.clone(), &root))
+        posed.root(self.bits, start)
     }
 }
 

@@ -40,13 +40,16 @@ pub(super) fn rotational_root<E: Arithmetic>(
         true => (JointForm::Square, [beta.square(), eta]),
         false => (JointForm::Angle, [beta, eta]),
     };
-    let root = E::root_near(&RotationEquations { query, joint }, query.bits, &start)?;
-    let thrust = thrust_at(query.weight, &joint.haunch(root[0].clone()), &root[1]);
-    let beta = match joint {
-        JointForm::Angle => root[0].clone(),
-        JointForm::Square => root[0].sqrt(),
+    let (root, sines) = E::rooted(&RotationEquations { query, joint }, query.bits, &start)?;
+    let (angle, haunch) = match joint {
+        JointForm::Angle => {
+            let angle = E::angle(&sines, &root[0]);
+            (angle.clone(), Haunch::from(&angle))
+        }
+        JointForm::Square => (E::angle(&sines, &root[0].sqrt()), joint.haunch(root[0].clone())),
     };
-    let at = query.given.clone().with(Unknown::RotationJoint, beta);
+    let thrust = thrust_at(query.weight, &haunch, &root[1]);
+    let at = Configuration { rotation_joint: angle, ..query.given.clone() };
     Ok(at.with(Unknown::Thickness, root[1].clone()).with(Unknown::Thrust, thrust))
 }
 

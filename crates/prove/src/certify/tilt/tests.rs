@@ -10,8 +10,8 @@ fn proof(alpha: &str, mu: &str, eta: &str, bits: u32) -> TiltProof {
     TiltProof::new(&Arch::parse("heyman", alpha, mu).unwrap(), &eta.parse().unwrap(), bits)
 }
 
-/// Conditions that are not those of the limit, multipliers below zero, joints that the arch does not have, and a state
-/// that is not that of the root prove nothing.
+/// Conditions that are not those of the limit, joints that the arch does not have, and a state that is not that of the
+/// root prove nothing.
 #[test]
 fn what_is_forged_is_refused() {
     for (alpha, mu, eta) in
@@ -40,9 +40,6 @@ fn what_is_forged_is_refused() {
                 Contact::Outwards => Contact::Inwards,
             };
             assert!(proves(&forged).is_err(), "{alpha} {mu}: another condition, {k}");
-            let mut forged = near.clone();
-            forged.touches[k].rate *= -1.0;
-            assert!(proves(&forged).is_err(), "{alpha} {mu}: a negative multiplier, {k}");
             // Where the margin is not known to be zero it is not seen to be positive.
             let mut zeros = proved.zeros();
             zeros.remove(k);
@@ -95,7 +92,7 @@ fn a_state_tells_of_an_acceleration_alone() {
     let proof = proof("pi/2", "0.4", "0.15", 100);
     let told = |tilt: &str| proof.told(&tilt.parse().unwrap());
     assert_eq!((told("0"), told("0.05")), (Some(true), Some(true)));
-    assert_eq!((told("0.053"), told("1.7")), (Some(false), Some(false)));
+    assert_eq!((told("0.053"), told("0.2")), (Some(false), Some(false)));
 }
 
 /// Where no proof of the largest succeeds, as its conditions are not told, the acceleration asked for is decided
@@ -110,11 +107,13 @@ fn an_acceleration_is_decided_where_the_largest_is_not() {
 /// Just above the least thickness the largest acceleration is tiny, and is proved like any other.
 #[test]
 fn a_tiny_excess_is_decided() {
-    for (eta, known) in [("0.1074782", 1.4e-6), ("0.107476705", 1e-10)] {
-        let found = found(["heyman", "pi/2", "inf"], eta, "0.1");
+    for (eta, known) in
+        [("0.1074782", 6.2e-7), ("0.107478039", 3.4e-9), ("0.1074780381074763134", 3.3e-19)]
+    {
+        let found = found(["milankovitch", "pi/2", "inf"], eta, "0.1");
         assert_eq!(found.is_admissible, Ok(false));
         let Ok(LargestTilt::Limited(figure, _)) = &found.largest else { panic!("{found:?}") };
-        assert!(figure.double > known / 10.0 && figure.double < known * 10.0, "{}", figure.double);
+        assert!((figure.double / known - 1.0).abs() < 0.1, "{eta}: {}", figure.double);
     }
 }
 

@@ -30,8 +30,31 @@ impl StoneLine<'_> {
         self.joints.row(contact, self.ring).at(self.thrust, self.moment)
     }
 
+    /// The proof in few bits, if these are enough, or else in all.
+    fn proved(
+        &self,
+        proof: impl Fn(&StoneLine<'_>) -> Result<(), Undecided>,
+    ) -> Result<(), Undecided> {
+        let Self { contacts, .. } = *self;
+        let in_few = |joints: StoneJoints<'_>| {
+            let [thrust, moment] =
+                [self.thrust, self.moment].map(|x| x.with_precision(joints.bits));
+            let ring = &self.ring.map(|x| x.with_precision(joints.bits));
+            let (joints, thrust, moment) = (&joints, &thrust, &moment);
+            proof(&StoneLine { joints, ring, contacts, thrust, moment })
+        };
+        match self.joints.in_few().map(in_few) {
+            Some(Ok(())) => Ok(()),
+            _ => proof(self),
+        }
+    }
+
     /// The line of thrust is inside the arch at all joints.
     pub(super) fn is_inside(&self) -> Result<(), Undecided> {
+        self.proved(|line| line.is_inside_beside_haunch())
+    }
+
+    fn is_inside_beside_haunch(&self) -> Result<(), Undecided> {
         let haunch = self.contacts[1].1;
         let above = haunch.checked_sub(1);
         let below = Some(haunch + 1).filter(|below| *below <= self.joints.last());
@@ -62,9 +85,11 @@ impl StoneLine<'_> {
     /// The state is admissible, and its contacts are the only conditions that hold with equality, but for slips at no
     /// thrust.
     pub(super) fn is_admissible(&self) -> Result<(), Undecided> {
-        self.no_slip_is_passed(Ball::is_zero)?;
-        let [from, to] = self.around_lowest()?;
-        self.is_inside_at(from..=to, |joint| self.joints.is_open(self.contacts, joint))
+        self.proved(|line| {
+            line.no_slip_is_passed(Ball::is_zero)?;
+            let [from, to] = line.around_lowest()?;
+            line.is_inside_at(from..=to, |joint| line.joints.is_open(line.contacts, joint))
+        })
     }
 
     /// The joints, at most three, that have between them the angle at which the line of thrust comes nearest to the
@@ -98,7 +123,7 @@ impl StoneLine<'_> {
 
     /// Checks that nothing slides, nor is about to but for the contacts, and every normal force is positive.
     pub(super) fn friction_holds(&self) -> Result<(), Undecided> {
-        self.no_slip_is_passed(|_| false)
+        self.proved(|line| line.no_slip_is_passed(|_| false))
     }
 
     /// Checks that no slip is passed, where a slip that is no contact may be at its limit if this says that it is

@@ -1,8 +1,8 @@
 //! An arch of voussoirs of a given thickness: does it stand, with what safety, and how much may it thrust?
 
 use super::friction::required;
-use super::joints::StoneJoints;
-use super::thickness::{LeastOutcome, proved};
+use super::joints::{StoneAngles, StoneJoints};
+use super::thickness::{LeastOutcome, least};
 use super::thrusts::{
     ProvedThrustEnd, ThickStones, ThrustRange, Ties, VoussoirLimit, VoussoirStanding,
 };
@@ -49,8 +49,9 @@ pub(super) fn assessed(
         has_no_arm: has_no_arm_at_crown(arch, thickness),
         is_solid: thickness.is_rational() && thickness.to_rational() == 2,
     };
+    let angles = StoneAngles::new(stones);
     let joints =
-        |friction: &Friction, bits| StoneJoints::new(stones, arch.weight(), friction, bits);
+        |friction: &Friction, bits| StoneJoints::new(&angles, arch.weight(), friction, bits);
     let eta = |bits| thickness.enclosure::<Ball>(bits);
     let own = arch.friction();
     let standing = raise(first, |bits| {
@@ -63,8 +64,7 @@ pub(super) fn assessed(
         })
     });
     let geometric_safety = raise(first, |bits| {
-        let joints = joints(own, bits);
-        Ok(match proved(&joints, joints.search().candidate())? {
+        Ok(match least(&joints(own, bits))? {
             LeastOutcome::Stands(state) => {
                 Figure::new(&(eta(bits) / &state.thickness), digits).map(Some)
             }

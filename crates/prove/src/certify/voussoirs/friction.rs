@@ -16,7 +16,7 @@ use crate::number::{Angle, Ball, Field};
 use crate::prover::Undecided;
 use crate::prover::decide::{ensure, is_positive};
 use crate::solve::voussoir_thrust::{Needed, needed};
-use rug::Float;
+use crate::solve::voussoirs::Search;
 
 /// The least friction, for the range of thrusts with unlimited friction.
 pub(super) fn required(
@@ -24,13 +24,23 @@ pub(super) fn required(
     ring: &Ring<Ball>,
     ends: &[ProvedThrustEnd; 2],
 ) -> Result<Ball, Undecided> {
+    joints.searched(|search| required_found(joints, ring, ends, search))
+}
+
+/// The least friction, for the joints that a search finds.
+fn required_found(
+    joints: &StoneJoints<'_>,
+    ring: &Ring<Ball>,
+    ends: &[ProvedThrustEnd; 2],
+    search: &Search<'_>,
+) -> Result<Ball, Undecided> {
     let question = "which joint the friction is needed for";
     let thrusts = ends.each_ref().map(|end| end.thrust.as_ref());
     let is_within = |thrust: &Ball, [least, most]: [Option<&Ball>; 2]| {
         least.is_none_or(|least| is_positive(&(thrust.clone() - least)))
             && most.is_none_or(|most| is_positive(&(most.clone() - thrust)))
     };
-    let near = thrusts.map(|thrust| thrust.map(|x| Float::with_val(joints.bits, x.mid())));
+    let near = thrusts.map(|thrust| thrust.map(|x| search.near(x)));
     let last = joints.last();
     let shoulder = (Contact::Outwards, last);
     if last == 1 && joints.stones.has_joint_at_crown() {
@@ -41,7 +51,7 @@ pub(super) fn required(
             return Ok(thrust.int(0));
         }
     }
-    let needed = needed(&joints.search(), near.each_ref().map(Option::as_ref));
+    let needed = needed(search, near.each_ref().map(Option::as_ref));
     let (thrust, contacts) = match (needed, thrusts) {
         (Needed::Even(joint), _) => {
             let thrust = even_thrust(&joints.angle(joint), &joints.angle(last));
@@ -65,7 +75,7 @@ pub(super) fn required(
     ensure(is_positive(&friction), question)?;
     // With so much no other joint slides.
     let grip = Grip { shear: friction.int(1), normal: friction.clone() };
-    let with_it = StoneJoints { grip, friction: None, ..*joints };
+    let with_it = StoneJoints { grip, friction: None, ..joints.clone() };
     let (joints, moment) = (&with_it, &thrust.int(0));
     StoneLine { joints, ring, contacts: &contacts, thrust: &thrust, moment }.friction_holds()?;
     Ok(friction)

@@ -11,10 +11,36 @@ use crate::prover::ties::slides_at_no_thrust;
 use crate::prover::{Figure, Undecided};
 use crate::solve::voussoirs::{DEGREE, Search};
 use rug::Float;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+/// Bits in which a search is nearly always right.
+const FEW: u32 = 256;
+
+/// The joints of an arch with their sines and cosines, which cost most of a proof: each is computed once.
+pub(super) struct StoneAngles<'a> {
+    pub stones: &'a Stones,
+    known: RefCell<BTreeMap<(u64, u32), Angle<Ball>>>,
+}
+
+impl<'a> StoneAngles<'a> {
+    /// Joints of which no angle is known.
+    pub(super) fn new(stones: &'a Stones) -> Self {
+        Self { stones, known: RefCell::default() }
+    }
+
+    /// A joint by its index, in numbers of `bits` bits.
+    fn at(&self, index: u64, bits: u32) -> Angle<Ball> {
+        let mut known = self.known.borrow_mut();
+        known.entry((index, bits)).or_insert_with(|| self.stones.angle(index, bits)).clone()
+    }
+}
 
 /// An arch of voussoirs in balls of some bits.
+#[derive(Clone)]
 pub(super) struct StoneJoints<'a> {
     pub stones: &'a Stones,
+    pub angles: &'a StoneAngles<'a>,
     pub weight: SelfWeight,
     pub grip: Grip<Ball>,
     pub bits: u32,
@@ -25,12 +51,19 @@ pub(super) struct StoneJoints<'a> {
 impl<'a> StoneJoints<'a> {
     /// The joints between these stones, with numbers of `bits` bits.
     pub(super) fn new(
-        stones: &'a Stones,
+        angles: &'a StoneAngles<'a>,
         weight: SelfWeight,
         friction: &Friction,
         bits: u32,
     ) -> Self {
-        Self { stones, weight, grip: friction.grip(bits), bits, friction: Some(friction.clone()) }
+        let (stones, friction) = (angles.stones, friction.clone());
+        Self { stones, angles, weight, grip: friction.grip(bits), bits, friction: Some(friction) }
+    }
+
+    /// Arch in balls of few bits, which tell most signs; `None` if these have no more.
+    pub(super) fn in_few(&self) -> Option<Self> {
+        let grip = self.grip.clone().map(|x| x.with_precision(FEW));
+        (self.bits > FEW).then(|| Self { grip, bits: FEW, ..self.clone() })
     }
 
     /// True if the friction has a limit.
@@ -38,21 +71,31 @@ impl<'a> StoneJoints<'a> {
         self.friction != Some(Friction::Infinite)
     }
 
-    /// Search for candidates.
-    pub(super) fn search(&self) -> Search<'a> {
-        Search::new(self.stones, self.weight, self.grip.clone().map(midpoint), self.bits)
+    /// The proof of what a search for candidates finds in few bits, or else in all.
+    pub(super) fn searched<T>(
+        &self,
+        proof: impl Fn(&Search<'a>) -> Result<T, Undecided>,
+    ) -> Result<T, Undecided> {
+        let search = |bits| {
+            let grip = self.grip.clone().map(|x| Float::with_val(bits, x.mid()));
+            Search::new(self.stones, self.weight, grip, bits)
+        };
+        match proof(&search(self.bits.min(FEW))) {
+            Err(_) if self.bits > FEW => proof(&search(self.bits)),
+            found => found,
+        }
     }
 
     /// A joint by its index.
     pub(super) fn angle(&self, index: u64) -> Angle<Ball> {
-        self.stones.angle(index, self.bits)
+        self.angles.at(index, self.bits)
     }
 
     /// The angle of a joint rounded; a rational joint may be a tie, which no ball decides.
     pub(super) fn figure(&self, index: u64, digits: usize) -> Option<Figure> {
         match self.stones.exact_joint(index) {
             Some(exact) => Figure::exact(&exact, digits),
-            None => Figure::new(&self.angle(index).rad, digits),
+            None => Figure::new(&self.stones.joint(index, self.bits), digits),
         }
     }
 
@@ -84,10 +127,6 @@ impl<'a> StoneJoints<'a> {
             false => row,
         }
     }
-}
-
-fn midpoint(x: Ball) -> Float {
-    Float::with_val(x.prec(), x.mid())
 }
 
 /// Checks that of two conditions that are free of the crown moment the first asks for a larger thrust than

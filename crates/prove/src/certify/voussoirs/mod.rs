@@ -53,8 +53,8 @@ use crate::number::{ExactNumber, bits_of};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Friction};
 use crate::prover::{Error, Refused, raise};
-use joints::StoneJoints;
-use thickness::proved;
+use joints::{StoneAngles, StoneJoints};
+use thickness::least;
 
 /// Bits beyond those of the digits.
 const GUARD: u32 = 64;
@@ -67,9 +67,10 @@ pub fn voussoirs(
     digits: usize,
 ) -> Result<Voussoirs, Error> {
     let arch = checked(stones, weight, friction, digits)?;
+    let angles = StoneAngles::new(stones);
     Ok(raise(bits_of(digits) + GUARD, |bits| {
-        let joints = StoneJoints::new(stones, weight, arch.friction(), bits);
-        Ok(proved(&joints, joints.search().candidate())?.rounded(&joints, digits))
+        let joints = StoneJoints::new(&angles, weight, arch.friction(), bits);
+        Ok(least(&joints)?.rounded(&joints, digits))
     })?)
 }
 
@@ -93,7 +94,7 @@ fn checked(
     friction: &Friction,
     digits: usize,
 ) -> Result<Arch, Refused> {
-    Refused::arch_digits(digits)?;
+    Refused::digits(digits)?;
     stones.check()?;
     Ok(Arch::new(weight, stones.half_opening().clone(), friction.clone())?)
 }

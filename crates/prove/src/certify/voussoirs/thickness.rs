@@ -2,7 +2,7 @@
 
 use super::admissible::StoneLine;
 use super::joints::{StoneJoints, leave_no_thrust};
-use super::polynomial::{bracket, is_positive_up_to, rates_are_positive};
+use super::polynomial::{is_positive_up_to, rates_are_positive};
 use crate::arch::Ring;
 use crate::arch::joint::combination;
 use crate::arch::mechanism::Contact;
@@ -12,6 +12,7 @@ use crate::problem::Mode;
 use crate::problem::stones::JointContact;
 use crate::prover::decide::{ensure, is_positive};
 use crate::prover::figure::optional;
+use crate::prover::zero::around_zero;
 use crate::prover::{Figure, Undecided};
 use crate::solve::voussoirs::VoussoirCandidate;
 use rug::Float;
@@ -83,8 +84,13 @@ impl LeastOutcome {
     }
 }
 
+/// The least thickness, proved.
+pub(super) fn least(joints: &StoneJoints<'_>) -> Result<LeastOutcome, Undecided> {
+    joints.searched(|search| proved(joints, search.candidate()))
+}
+
 /// Proves what a candidate says.
-pub(super) fn proved(
+fn proved(
     joints: &StoneJoints<'_>,
     candidate: VoussoirCandidate,
 ) -> Result<LeastOutcome, Undecided> {
@@ -151,7 +157,7 @@ fn collapses(
     let mode = mode.ok_or_else(|| Undecided::new("how the arch collapses"))?;
     let polynomials = joints.polynomial_rows(&contacts);
     let polynomial = combination(&polynomials);
-    let [low, high] = bracket(&polynomial, near, joints.bits);
+    let [low, high] = around_zero(polynomial.coefficients(), near, joints.bits);
     ensure(is_positive(&-polynomial.at(&high)), "whether there is a least thickness")?;
     contradiction(joints, &contacts, &low)?;
     let two = Ball::integer(2, joints.bits);
@@ -170,6 +176,7 @@ fn collapses(
 
 #[cfg(test)]
 mod tests {
+    use super::super::joints::StoneAngles;
     use super::super::voussoirs;
     use super::*;
     use crate::arch::SelfWeight;
@@ -230,9 +237,10 @@ mod tests {
         {
             let stones = Stones::equal(stones, alpha.parse().unwrap()).unwrap();
             let (weight, friction) = (SelfWeight::Milankovitch, mu.parse().unwrap());
-            let joints = StoneJoints::new(&stones, weight, &friction, 200);
-            let found = joints.search().candidate();
-            let VoussoirCandidate::Collapses { contacts, thickness } = found else {
+            let angles = StoneAngles::new(&stones);
+            let joints = StoneJoints::new(&angles, weight, &friction, 200);
+            let found = joints.searched(|search| Ok(search.candidate()));
+            let Ok(VoussoirCandidate::Collapses { contacts, thickness }) = found else {
                 panic!("{alpha} {mu}")
             };
             let prove = |contacts, thickness: &Float| {

@@ -16,7 +16,7 @@ use crate::problem::stones::JointContact;
 use crate::prover::decide::{ensure, is_positive};
 use crate::prover::{Figure, Undecided};
 use crate::solve::voussoir_thrust::{ThrustEnd, ThrustSide, moment_between, thrust_end};
-use rug::Float;
+use crate::solve::voussoirs::Search;
 
 /// A bound of the thrust.
 #[derive(Clone, Debug)]
@@ -85,14 +85,18 @@ impl<'a> ThickStones<'a> {
 
     /// The range of thrusts.
     pub(super) fn range(&self) -> Result<ThrustRange, Undecided> {
-        let near = self.middle(&self.ring.thickness);
-        let search = self.joints.search();
+        self.joints.searched(|search| self.range_found(search))
+    }
+
+    /// Range of thrusts whose ends a search finds.
+    fn range_found(&self, search: &Search<'_>) -> Result<ThrustRange, Undecided> {
+        let near = search.near(&self.ring.thickness);
         let is_free = self.ties.is_solid_semicircle() && !self.joints.is_limited();
         let mut ends = Vec::new();
         for side in ThrustSide::BOTH {
             let end = match side == ThrustSide::Largest && is_free {
                 true => ThrustEnd::Unbounded,
-                false => thrust_end(&search, &near, side),
+                false => thrust_end(search, &near, side),
             };
             match end {
                 ThrustEnd::Contradiction(both) => return self.falls(both),
@@ -112,7 +116,7 @@ impl<'a> ThickStones<'a> {
         }
         let proved = |side, end: &ThrustEnd| match end {
             ThrustEnd::At(contacts) => {
-                let thrust = self.reached(side, contacts)?;
+                let thrust = self.reached(search, side, contacts)?;
                 Ok(ProvedThrustEnd { thrust: Some(thrust), contacts: contacts.clone() })
             }
             _ => self.unbounded(side),
@@ -122,10 +126,6 @@ impl<'a> ThickStones<'a> {
         let is_bounded = least.thrust.is_some() || most.thrust.is_some();
         ensure(is_bounded, "whether any thrust is admissible")?;
         Ok(ThrustRange::Stands([least, most]))
-    }
-
-    fn middle(&self, x: &Ball) -> Float {
-        Float::with_val(self.joints.bits, x.mid())
     }
 
     /// Bound that a slip, or two hinges, set on the thrust: none, if they bind the crown moment too.
@@ -149,7 +149,12 @@ impl<'a> ThickStones<'a> {
     }
 
     /// The thrust of an end: a bound, and the thrust of an admissible state.
-    fn reached(&self, side: ThrustSide, contacts: &[JointContact]) -> Result<Ball, Undecided> {
+    fn reached(
+        &self,
+        search: &Search<'_>,
+        side: ThrustSide,
+        contacts: &[JointContact],
+    ) -> Result<Ball, Undecided> {
         let row = self.together(contacts)?;
         let slope = match side {
             ThrustSide::Least => -row.thrust.clone(),
@@ -157,14 +162,14 @@ impl<'a> ThickStones<'a> {
         };
         ensure(is_positive(&slope), "whether the thrust is bounded")?;
         let thrust = row.bound();
-        let moment = self.moment(contacts, &thrust);
+        let moment = self.moment(search, contacts, &thrust);
         let Self { joints, ring, .. } = self;
         StoneLine { joints, ring, contacts, thrust: &thrust, moment: &moment }.is_admissible()?;
         Ok(thrust)
     }
 
     /// The crown moment of a state at an end: a hinge and an open joint have one, a slip leaves room.
-    fn moment(&self, contacts: &[JointContact], thrust: &Ball) -> Ball {
+    fn moment(&self, search: &Search<'_>, contacts: &[JointContact], thrust: &Ball) -> Ball {
         let (contact, joint) = contacts[0];
         if contact.is_hinge() {
             return self.joints.row(contacts[0], &self.ring).moment_at(thrust);
@@ -172,9 +177,8 @@ impl<'a> ThickStones<'a> {
         if self.joints.is_open(contacts, joint) {
             return -(self.joints.angle(joint).versine() * &self.ring.centroid_factor);
         }
-        let (thrust, thickness) = (self.middle(thrust), self.middle(&self.ring.thickness));
-        let moment = moment_between(&self.joints.search(), &thrust, &thickness);
-        Ball::exact(moment, self.joints.bits)
+        let (thrust, thickness) = (search.near(thrust), search.near(&self.ring.thickness));
+        Ball::exact(moment_between(search, &thrust, &thickness), self.joints.bits)
     }
 
     /// No thrust is too large: more of it, and as much more moment as between the intrados of the first joint and
@@ -199,6 +203,7 @@ impl<'a> ThickStones<'a> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::joints::StoneAngles;
     use super::*;
     use crate::arch::SelfWeight;
     use crate::problem::stones::Stones;
@@ -208,7 +213,8 @@ mod tests {
     fn conditions_together_are_free_of_the_crown_moment_or_refused() {
         let stones = Stones::equal(8, "1".parse().unwrap()).unwrap();
         let friction = "0.5".parse().unwrap();
-        let joints = StoneJoints::new(&stones, SelfWeight::Heyman, &friction, 100);
+        let angles = StoneAngles::new(&stones);
+        let joints = StoneJoints::new(&angles, SelfWeight::Heyman, &friction, 100);
         let thick = ThickStones::new(&joints, &Ball::integer(1, 100), Ties::default());
         let free = |contacts: &[JointContact]| thick.together(contacts).is_ok();
         assert!(free(&[(Contact::Extrados, 0), (Contact::Intrados, 3)]));

@@ -31,7 +31,7 @@ fn in_the_domain() -> impl Strategy<Value = (DrawnQuery, Arch)> {
 }
 
 /// Arches that stand, with their state at the least thickness, correctly rounded to `digits`
-/// significant digits, 1 to [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS); with others everything is
+/// significant digits, 1 to [`MAX_DIGITS`](crate::certify::MAX_DIGITS); with others everything is
 /// rejected. What falls, and what is undecided, is left out.
 ///
 /// ```
@@ -142,8 +142,7 @@ pub fn assessed() -> impl Strategy<Value = DrawnThickness> {
 
 /// Reason why an arch is left out: because of the digits, if none can be had to so many.
 fn whence(otherwise: &str, digits: usize) -> String {
-    Refused::arch_digits(digits)
-        .map_or_else(|refused| refused.to_string(), |()| otherwise.to_owned())
+    Refused::digits(digits).map_or_else(|refused| refused.to_string(), |()| otherwise.to_owned())
 }
 
 /// The proved state of an arch that stands.

@@ -8,7 +8,7 @@
 use crate::arch::joint::{Grip, Row, combination};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Ring, SelfWeight};
-use crate::number::{Angle, Ball, Field};
+use crate::number::{Angle, Ball, Field, Jet};
 use crate::problem::Joints;
 use crate::problem::stones::{JointContact, Stones};
 use rug::Float;
@@ -39,6 +39,8 @@ pub enum VoussoirCandidate {
 
 /// The polynomials in the thickness have at most this degree.
 pub const DEGREE: usize = 3;
+/// A step of Newton's method is short if it is so many bits below what it changes.
+const SHORT: u32 = 24;
 /// Rounds of moving the hinge; each climbs, and there are only so many joints near the best.
 const ROUNDS: usize = 100;
 
@@ -56,13 +58,18 @@ impl<'a> Search<'a> {
         Self { stones, weight, grip, bits }
     }
 
+    /// A number in those of the search.
+    pub fn near(&self, x: &Ball) -> Float {
+        Float::with_val(self.bits, x.mid())
+    }
+
     pub(super) fn last(&self) -> u64 {
         self.stones.last()
     }
 
     pub(super) fn angle(&self, index: u64) -> Angle<Float> {
         let rad: Ball = self.stones.joint(index, self.bits);
-        Angle::new(Float::with_val(self.bits, rad.mid()))
+        Angle::new(self.near(&rad))
     }
 
     pub(super) fn row(&self, contact: JointContact, thickness: &Float) -> Row<Float> {
@@ -167,19 +174,39 @@ impl<'a> Search<'a> {
         if polynomial.at(&high) > 0 {
             return None;
         }
-        // A thin arch has its root near zero: what counts are its own digits.
+        // Newton's method from above, halved where it leaves what is known: a thin arch has its root near zero.
+        let (mut x, mut last) = (high.clone(), high.clone());
         for _ in 0..20 * self.bits {
-            let middle = Float::with_val(self.bits, &low + &high) / 2u32;
-            if middle == low || middle == high {
-                break;
+            let at = polynomial.at(&x);
+            match at > 0 {
+                true => low = x.clone(),
+                false => high = x.clone(),
             }
-            match polynomial.at(&middle) > 0 {
-                true => low = middle,
-                false => high = middle,
+            let step = at / slope(&polynomial, &x);
+            let newton = Float::with_val(self.bits, &x - &step);
+            let step = step.abs();
+            let is_short = |by: u32| Float::with_val(self.bits, &step << by) <= x;
+            // A short step that is no shorter than the one before is rounding too.
+            if is_short(self.bits - 2) || is_short(SHORT) && step >= last {
+                return Some(x);
+            }
+            last = step;
+            x = match newton > low && newton < high {
+                true => newton,
+                false => Float::with_val(self.bits, &low + &high) / 2u32,
+            };
+            if x == low || x == high {
+                break;
             }
         }
         Some(high)
     }
+}
+
+/// The slope of a polynomial.
+fn slope(of: &Jet<Float>, x: &Float) -> Float {
+    let terms = of.coefficients().iter().enumerate().skip(1).rev();
+    terms.fold(x.int(0), |sum, (k, term)| sum * x + term.int(k as i32) * term)
 }
 
 /// Place where a function that rises and then falls is largest.

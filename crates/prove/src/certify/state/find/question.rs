@@ -5,7 +5,7 @@ use super::widest::{at_thickness, bits_lost, widest};
 use crate::arch::{Configuration, SelfWeight};
 use crate::certify::state::assess::Wanted;
 use crate::certify::state::inquiry::Inquiry;
-use crate::certify::state::query::{GUARD, Query};
+use crate::certify::state::query::{DOUBLE_DOUBLE, GUARD, Query};
 use crate::certify::state::state::Fall;
 use crate::number::{Ball, DoubleBall, ExactNumber, Field, Real, bits_of};
 use crate::problem::asymmetric_region::{STANDS, some_may_move as reaches};
@@ -118,9 +118,9 @@ impl Question {
 }
 
 /// Answers a question, with every value correctly rounded to `digits` significant digits. Refused if what is given
-/// is out of its range, and digits beyond [`MAX_ARCH_DIGITS`](crate::certify::MAX_ARCH_DIGITS).
+/// is out of its range, and digits beyond [`MAX_DIGITS`](crate::certify::MAX_DIGITS).
 pub fn find(weight: SelfWeight, question: &Question, digits: usize) -> Result<Finding, Error> {
-    Refused::arch_digits(digits)?;
+    Refused::digits(digits)?;
     let arch = question.arch(weight)?;
     question.thickness().map_or(Ok(()), Refused::thickness)?;
     let two = ExactNumber::from(&Rational::from(2));
@@ -274,7 +274,7 @@ fn in_digits(
     proof: impl Fn(&Query) -> Result<FoundBalls, Undecided>,
 ) -> Result<Finding, Undecided> {
     let first = bits_of(digits) + GUARD;
-    let first = first.saturating_add(bits_lost(&query(first)));
+    let first = first.saturating_add(bits_lost(&query(DOUBLE_DOUBLE)));
     raise(first, |bits| {
         let (modes, values) = proof(&query(bits))?;
         let figures = values.iter().map(|(of, x)| Some((*of, Figure::new(x, digits)?)));
