@@ -35,9 +35,6 @@ const COARSE: u32 = 10;
 /// From so many halvings on three conditions are looked at that may be dependent.
 const NARROW: u32 = 6;
 
-/// Conditions that passed a triple last, after each number of halvings.
-type Guesses = [[usize; 2]; DEPTH as usize + 1];
-
 impl Swept {
     fn with(mut self, other: Self) -> Self {
         self.events.extend(other.events);
@@ -56,13 +53,13 @@ pub(super) fn sweep(
 ) -> Swept {
     let rows = in_doubles(conditions);
     let count = conditions.all.len();
-    let look = |before: Swept, of: Vec<usize>, guesses: &mut Guesses| {
+    let look = |before: Swept, of: Vec<usize>| {
         let found = match conditions.mirrored(&of) < of {
             true => Swept { triples: 1, ..Swept::default() },
             false if before.pieces > PIECES_TOGETHER => {
                 Swept { triples: 1, open: vec![range], ..Swept::default() }
             }
-            false => one(Vertex::new(conditions, of), range, start, (&rows, guesses)),
+            false => one(Vertex::new(conditions, of), range, start, &rows),
         };
         before.with(found)
     };
@@ -72,8 +69,7 @@ pub(super) fn sweep(
             2 => seconds.map(|j| vec![i, j]).collect(),
             _ => seconds.flat_map(|j| (j + 1..count).map(move |k| vec![i, j, k])).collect(),
         };
-        let mut guesses = [[0; 2]; DEPTH as usize + 1];
-        all.into_iter().fold(Swept::default(), |before, of| look(before, of, &mut guesses))
+        all.into_iter().fold(Swept::default(), look)
     };
     let parts: Vec<Swept> = (0..count).into_par_iter().map(with_first).collect();
     parts.into_iter().fold(Swept::default(), Swept::with)
@@ -83,7 +79,7 @@ fn one(
     mut vertex: Vertex<'_>,
     range: ThicknessPiece,
     start: Option<&SweepStart>,
-    (rows, guesses): (&[[[f64; 3]; 4]], &mut Guesses),
+    rows: &[[[f64; 3]; 4]],
 ) -> Swept {
     let mut found = Swept { triples: 1, ..Swept::default() };
     let mut pending = vec![(range, 0)];
@@ -93,7 +89,7 @@ fn one(
             found.open.push(piece);
             continue;
         }
-        let passed = vertex.is_passed_by_one(&piece, rows, &mut guesses[depth as usize]);
+        let passed = vertex.is_passed_by_one(&piece, rows);
         if passed == Passed::Proved {
             continue;
         }

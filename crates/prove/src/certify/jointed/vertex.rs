@@ -96,31 +96,20 @@ impl<'a> Vertex<'a> {
         [factor.upper() > 0.0 && !is_zero(&factor), factor.lower() < 0.0 && !is_zero(&factor)]
     }
 
-    /// Tells whether a single condition shows that the triple is no vertex on a piece; a guess says which: first those
-    /// that showed it of the triple before, as they do of most.
+    /// Tells whether a single condition shows that the triple is no vertex on a piece; a guess says which.
     pub(super) fn is_passed_by_one(
         &self,
         piece: &ThicknessPiece,
         rows: &[[[f64; 3]; 4]],
-        guess: &mut [usize; 2],
     ) -> Passed {
         let ball = piece.ball();
         let [mut plus, mut minus] = self.signs(&ball);
         let x = piece.middle();
         let at: [f64; 4] = std::array::from_fn(|k| self.meeting[k].near(x));
-        let near = |row: &[[f64; 3]; 4]| {
-            let entry = |k: usize| (row[k][2] * x + row[k][1]) * x + row[k][0];
-            entry(0) * at[0] + entry(1) * at[1] + entry(2) * at[2] + entry(3) * at[3]
-        };
-        let value = |place| self.conditions.value(place, &self.of, &self.meeting).on(&ball);
-        let is_above = |place: usize| near(&rows[place]) > 0.0 && is_positive(&value(place));
-        let is_below = |place: usize| near(&rows[place]) < 0.0 && is_negative(&value(place));
-        if (!plus || is_above(guess[0])) && (!minus || is_below(guess[1])) {
-            return Passed::Proved;
-        }
         let (mut most, mut least) = ((0, 0.0), (0, 0.0));
         for (place, row) in rows.iter().enumerate() {
-            let value = near(row);
+            let entry = |k: usize| (row[k][2] * x + row[k][1]) * x + row[k][0];
+            let value = entry(0) * at[0] + entry(1) * at[1] + entry(2) * at[2] + entry(3) * at[3];
             if value > most.1 {
                 most = (place, value);
             }
@@ -133,13 +122,11 @@ impl<'a> Vertex<'a> {
             true => most.1 > CLEAR * size,
             false => -least.1 > CLEAR * size,
         };
-        plus = plus && !is_above(most.0);
-        minus = minus && !is_below(least.0);
+        let value = |place| self.conditions.value(place, &self.of, &self.meeting).on(&ball);
+        plus = plus && !(most.1 > 0.0 && is_positive(&value(most.0)));
+        minus = minus && !(least.1 < 0.0 && is_negative(&value(least.0)));
         match (plus || minus, seems_passed) {
-            (false, _) => {
-                *guess = [most.0, least.0];
-                Passed::Proved
-            }
+            (false, _) => Passed::Proved,
             (true, true) => Passed::Likely,
             (true, false) => Passed::Unlikely,
         }
