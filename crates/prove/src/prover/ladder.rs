@@ -38,8 +38,8 @@ use std::iter;
 const SPAN: u32 = 3;
 /// Bits in which a root is proved to be the only one, as a rule.
 pub(super) const FEW: u32 = 400;
-/// Bits of the root that cost next to nothing where there is a quick way, and those of a result to which a few steps with
-/// one Jacobian lead from there.
+/// Bits of the root that cost next to nothing where there is a quick way, and those of a result to which a few steps
+/// with one Jacobian lead from there.
 const EASY: u32 = 928;
 const MODERATE: u32 = 2 * EASY;
 const FAR: u32 = 4 * EASY;
@@ -124,17 +124,18 @@ impl Way {
         let near = place_bits(bits);
         let bits = bits + GUARD;
         let last = bits / (SPAN + 1) + guard;
+        let is_quick = most >= EASY;
         let (goal, gain, steps) = match bits {
-            MODERATE..FAR if most >= EASY => {
+            MODERATE..FAR if is_quick => {
                 let steps = (bits - EASY).div_ceil(EASY);
                 (EASY, (bits - EASY) / steps + guard, steps)
             }
             // One step more where the first bits are enough for it.
-            _ if last <= most => (last, last, SPAN),
+            _ if is_quick && last <= most => (last, last, SPAN),
             _ => (bits / SPAN + guard, bits / SPAN + guard, SPAN - 1),
         };
+        let mut start = if is_quick { goal } else { goal.min(most) };
         // A long one is cheaper from a third of the bits.
-        let mut start = goal;
         while start > most {
             start = start / SPAN + GUARD;
         }
@@ -230,8 +231,8 @@ struct Level<'a, F> {
 }
 
 impl<'a, F: Form<Ball>> Level<'a, F> {
-    /// A level at a centre that is known to `step` bits or more, with the Jacobian on a box that is wide enough to hold the
-    /// root.
+    /// A level at a centre that is known to `step` bits or more, with the Jacobian on a box that is wide enough to hold
+    /// the root.
     fn at(
         ladder: &Ladder<'a, F>,
         (centre, sines): (Vec<Float>, Sines),
