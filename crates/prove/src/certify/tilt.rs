@@ -257,8 +257,8 @@ impl TiltProof {
     }
 }
 
-/// Tells whether four conditions, or three slips, with positive multipliers that leave nothing of `h, p` and `v`, contradict each
-/// other at an acceleration.
+/// Tells whether four conditions, or three slips, with positive multipliers that leave nothing of `h, p` and `v`,
+/// contradict each other at an acceleration.
 pub(super) fn contradict(of: &[TiltedRow<Ball>], tilt: &Ball) -> bool {
     // Slips say nothing of p.
     let is_pinned = of.iter().any(|row| !row.coefficients[1].is_zero());

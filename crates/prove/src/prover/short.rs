@@ -8,12 +8,13 @@
 //! x - Y F(x) ± C r
 //! ```
 //!
-//! So each step costs residuals and nothing else, and gains the bits of `C`; the last one proves. A [`Stage`] knows the root,
-//! `Y` and `C` to the bits of a few words. The first one starts from doubles, each other from the one before, once more bits
-//! are asked for.
+//! So each step costs residuals and nothing else, and gains the bits of `C`; the last one proves. A [`Stage`] knows the
+//! root, `Y` and `C` to the bits of a few words. The first one starts from doubles, each other from the one before,
+//! once more bits are asked for.
 //!
-//! All is over [`ShortBall`]. What is small, residuals and steps, is held in the few words of the stage, times a power of two.
-//! Sines and cosines are computed once, at the candidate, and moved along. Steps have as many words as they need.
+//! All is over [`ShortBall`]. What is small, residuals and steps, is held in the few words of the stage, times a power
+//! of two. Sines and cosines are computed once, at the candidate, and moved along. Steps have as many words as they
+//! need.
 
 use crate::arch::{Configuration, Unknown};
 use crate::check::krawczyk;
@@ -30,8 +31,8 @@ pub(super) const MOST: u32 = 64 * (WORDS as u32 - 1) - GUARD;
 const GUARD: u32 = 32;
 /// Ratio of the width of `X` to the one that the corrections ask for.
 const ROOM: f64 = 64.0;
-/// Steps of a stage: all but the last gain the bits of what it starts from, and the last tells how many there are. The inverse
-/// doubles with each but the last.
+/// Steps of a stage: all but the last gain the bits of what it starts from, and the last tells how many there are. The
+/// inverse doubles with each but the last.
 const STEPS: usize = 3;
 /// Most words of a step.
 const WORDS: usize = 40;
@@ -108,7 +109,7 @@ struct Stage<const M: usize> {
     system: System,
     /// A candidate.
     centre: Vec<ShortBall<M>>,
-    /// Its angles with sine and cosine, to the bits of so many words.
+    /// The angles with sine and cosine, to the bits of so many words.
     angles: [OnceLock<Vec<Option<Angle<Ball>>>>; ANGLE_WORDS.len()],
     /// The radii of `X`, whose centre is the candidate; the root is unique in it and the equations are regular.
     near: Vec<f64>,
@@ -370,8 +371,8 @@ fn in_doubles(system: &System, centre: &[f64]) -> Option<Vec<Vec<f64>>> {
     inverse(slopes.iter().map(|r| (0..centre.len()).map(|k| r.derivative(k)).collect()).collect())
 }
 
-/// The inverse of `J`, the slopes of some numbers, from one to some digits: twice as many by each `Y + Y (I - J Y)`. Nothing
-/// of it is certain.
+/// The inverse of `J`, the slopes of some numbers, from one to some digits: twice as many by each `Y + Y (I - J Y)`.
+/// Nothing of it is certain.
 fn refined<const M: usize>(
     y: &[Vec<ShortBall<M>>],
     j: &[Dual<ShortBall<M>>],
@@ -399,8 +400,8 @@ fn bits_below(size: f64) -> Option<u32> {
 
 /// The angle by a small `step` further, but for `rad`.
 ///
-/// `sin d` and `1 - cos d` by their series, up to the first power `d^k/k!` whose midpoint is zero: as a ball it holds what
-/// is left out of both.
+/// `sin d` and `1 - cos d` by their series, up to the first power `d^k/k!` whose midpoint is zero: as a ball it holds
+/// what is left out of both.
 fn moved<const N: usize>(from: &Angle<ShortBall<N>>, step: &ShortBall<N>) -> Angle<ShortBall<N>> {
     let Angle { rad, sin, cos } = *from;
     if step.bound() > 1.0 / 256.0 {

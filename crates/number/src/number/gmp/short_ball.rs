@@ -6,8 +6,9 @@
 //!
 //! **The radius is rounded up**: it is a sum of products of doubles that are not negative, with at most sixteen
 //! roundings on any path, each of which takes away less than a part `2^-53`; the last factor is [`UP`] `= 1 +
-//! 2^-48`, which is more by a part `2^-49`. It is zero or at least one, and at most [`LARGEST`](ShortBall::LARGEST), so that
-//! nothing overflows; what is beyond, or NaN, becomes the whole line. A bound of a size is zero or at least `2^-1000`.
+//! 2^-48`, which is more by a part `2^-49`. It is zero or at least one, and at most [`LARGEST`](ShortBall::LARGEST), so
+//! that nothing overflows; what is beyond, or NaN, becomes the whole line. A bound of a size is zero or at least
+//! `2^-1000`.
 
 use super::words;
 use super::{Ball, Magnitude};
@@ -151,7 +152,8 @@ impl<const N: usize> ShortBall<N> {
         if exponent > MOST_PLACES { f64::INFINITY } else { size * power_of_two(exponent) }
     }
 
-    /// An upper bound of the midpoint in units of the last place, as a number and the power of two with which it is multiplied.
+    /// An upper bound of the midpoint in units of the last place, as a number and the power of two with which it is
+    /// multiplied.
     fn leading(&self) -> (f64, i32) {
         // The first two words that are not zero, and one unit of the second for those below.
         let mut top = N - 1;

@@ -1,8 +1,8 @@
 //! The decimals of a short number by products with powers of ten, on the stack.
 //!
-//! A number of a few hundred bits stands in words behind a point and one before it. Its product with `10^19` has the next 19
-//! digits before the point, exactly; nothing is divided, and the last words become zero one by one. What remains behind the last
-//! digit is compared with the radius, in units of `2^-64`.
+//! A number of a few hundred bits stands in words behind a point and one before it. Its product with `10^19` has the
+//! next 19 digits before the point, exactly; nothing is divided, and the last words become zero one by one. What
+//! remains behind the last digit is compared with the radius, in units of `2^-64`.
 
 use super::{Ball, Magnitude};
 use rug::integer::Order;
@@ -14,9 +14,9 @@ const CHUNK: usize = 19;
 /// Smaller numbers, by their exponent, are left to others; larger ones have no room before the point.
 const EXPONENTS: std::ops::RangeInclusive<i32> = -60..=63;
 
-/// The cell of the decimal grid in which all numbers of a ball lie strictly, as `count` digits and the power of ten of the last,
-/// of the size of the numbers. `None` where that is not told: a number that is long, tiny or large, or a ball that is no narrower
-/// than what is compared.
+/// The cell of the decimal grid in which all numbers of a ball lie strictly, as `count` digits and the power of ten of
+/// the last, of the size of the numbers. `None` where that is not told: a number that is long, tiny or large, or a ball
+/// that is no narrower than what is compared.
 pub(super) fn cell(ball: &Ball, count: usize) -> Option<(String, i64)> {
     let exponent = ball.mid().get_exp().filter(|exponent| EXPONENTS.contains(exponent))?;
     let mut fraction = Fraction::new(ball, exponent)?;
@@ -41,7 +41,8 @@ pub(super) fn cell(ball: &Ball, count: usize) -> Option<(String, i64)> {
     is_inside.then(|| String::from_utf8(text.0).ok()).flatten().map(|text| (text, -(places as i64)))
 }
 
-/// A number in fixed point that is not negative: a word before the point, and those behind it, the least significant first.
+/// A number in fixed point that is not negative: a word before the point, and those behind it, the least significant
+/// first.
 struct Fraction {
     whole: u64,
     words: [u64; WORDS + 1],
@@ -85,7 +86,7 @@ impl Fraction {
         carry
     }
 
-    /// What is behind the point in units of `2^-64`, rounded down.
+    /// Part behind the point in units of `2^-64`, rounded down.
     fn rest(&self) -> u64 {
         self.words[self.used.end - 1]
     }
@@ -135,8 +136,8 @@ mod tests {
     proptest! {
         #![proptest_config(config(1000))]
 
-        /// Numbers of every size and length, next to the grid too, with radii of every size: digits are those of rational
-        /// numbers, and most are found.
+        /// Numbers of every size and length, next to the grid too, with radii of every size: digits are those of
+        /// rational numbers, and most are found.
         #[test]
         fn digits_are_those_of_rational_numbers(
             words in prop::collection::vec(prop_oneof![Just(0u64), Just(u64::MAX), any::<u64>()], 1..72),

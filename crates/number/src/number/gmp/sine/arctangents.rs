@@ -12,8 +12,8 @@ use rug::Integer;
 use std::collections::BTreeMap;
 use std::sync::{Arc, PoisonError, RwLock};
 
-/// The largest independent `x` with `x² + 1` free of prime factors beyond 109. With a product `d` of some of these primes `x² + 1
-/// = d y²` is an equation of Pell: for each `d` its solutions up to 10^22 were looked through.
+/// The largest independent `x` with `x² + 1` free of prime factors beyond 109. With a product `d` of some of these
+/// primes `x² + 1 = d y²` is an equation of Pell: for each `d` its solutions up to 10^22 were looked through.
 const INVERSES: [u32; COUNT] = [
     2_189_376_182,
     284_862_638,
