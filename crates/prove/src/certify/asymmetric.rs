@@ -23,7 +23,6 @@ use crate::check::whole;
 use crate::number::{Ball, DoubleBall, DoubleDoubleBall, Engine, ExactNumber, bits_of};
 use crate::problem::{Arch, Problem};
 use crate::prover::decide::{ensure, in_few_bits};
-use crate::prover::operator::no_candidate;
 use crate::prover::posed::Posed;
 use crate::prover::{Figure, Refused, Undecided, raise};
 use crate::solve::asymmetric::{AsymmetricCandidate, asymmetric as candidates};
@@ -170,7 +169,7 @@ impl CertifiedAsymmetric {
     /// The solution of a kind that the search finds for an arch, proved in balls of `bits` bits.
     pub fn of(arch: &Arch, mode: AsymmetricMode, bits: u32) -> Result<Self, Undecided> {
         let candidate = found(arch).into_iter().find(|candidate| candidate.mode == mode);
-        Self::new(arch, &candidate.ok_or_else(no_candidate)?, bits)
+        Self::new(arch, &candidate.ok_or_else(Undecided::no_solution)?, bits)
     }
 
     /// The proof, in balls of `bits` bits.

@@ -7,8 +7,7 @@ use crate::arch::asymmetric::AsymmetricMode;
 use crate::check::Certificate;
 use crate::number::list;
 use crate::problem::{Arch, Known, Problem, Quantity};
-use crate::prover::operator::no_candidate;
-use crate::prover::{Error, Refused};
+use crate::prover::{Error, Refused, Undecided};
 
 /// Quantities stated of a solution, if its kind has it.
 const STATED: [Quantity; 12] = list![Quantity:
@@ -37,7 +36,7 @@ pub fn certify_asymmetric(
 ) -> Result<Certificate, Error> {
     Refused::digits(digits)?;
     let candidate = found(arch).into_iter().find(|candidate| candidate.mode == mode);
-    let candidate = candidate.ok_or_else(no_candidate)?;
+    let candidate = candidate.ok_or_else(Undecided::no_solution)?;
     let problem = Problem::Asymmetric { mode, arch: arch.clone() };
     let made = attempt(digits, 0, |bits| {
         let at = root(&problem, &candidate, bits)?;

@@ -133,7 +133,7 @@ impl Root {
         lost: u32,
     ) -> Result<Certificate, Undecided> {
         let large = LargeBox::new(&self.problem, &self.centre, wide, lost)
-            .ok_or_else(|| Undecided::root("no box around the root is mapped into itself"))?;
+            .ok_or_else(Undecided::not_alone)?;
         let dyadic = |x: &Float| Dyadic::from(x);
         let magnitude = |x: &Magnitude| Dyadic::from(&x.to_float());
         let small = large.radius.iter().map(|radius| magnitude(&radius.shifted(-i64::from(bits))));

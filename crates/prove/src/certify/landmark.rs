@@ -43,7 +43,7 @@ impl CertifiedLandmark {
     pub fn new(landmark: Landmark, weight: SelfWeight) -> Result<Self, Undecided> {
         let system = landmark.system(weight);
         let candidate = newton(&system, start::landmark(landmark, weight), 64)
-            .ok_or_else(|| Undecided::root("Newton's method finds no candidate"))?;
+            .ok_or_else(Undecided::no_solution)?;
         let isolated = isolate(landmark, weight, &candidate)?;
         let narrow = refine(&isolated, NARROW)?;
         // What is asked for few digits is a copy, in which this is known.

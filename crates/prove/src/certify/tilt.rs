@@ -207,7 +207,7 @@ impl TiltProof {
         let refined = self.mechanism(near)?;
         match refined.lies_inside(proved) {
             true => Ok(refined),
-            false => Err(Undecided::root("the refined box leaves the box of uniqueness")),
+            false => Err(Undecided::astray()),
         }
     }
 

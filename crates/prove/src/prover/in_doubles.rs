@@ -14,7 +14,7 @@
 //! nothing.
 
 use super::Undecided;
-use super::operator::{Form, no_candidate};
+use super::operator::Form;
 use crate::check::krawczyk;
 use crate::number::{DoubleBall, Enclosure, FloatBall, Gradient, Midpoint, Stumpff};
 use crate::problem::tally;
@@ -92,7 +92,7 @@ pub fn root_near<E: Doubles>(equations: &impl Form<E>, start: &[f64]) -> Result<
         [a, b, c, d, e] => root(equations, [a, b, c, d, e]).map(Vec::from),
         [a, b, c, d, e, f] => root(equations, [a, b, c, d, e, f]).map(Vec::from),
         [a, b, c, d, e, f, g] => root(equations, [a, b, c, d, e, f, g]).map(Vec::from),
-        _ => Err(no_candidate()),
+        _ => Err(Undecided::no_solution()),
     }
 }
 
@@ -100,7 +100,7 @@ fn root<E: Doubles, const N: usize>(
     equations: &impl Form<E>,
     start: [f64; N],
 ) -> Result<[E; N], Undecided> {
-    let (candidate, inverse) = settle(equations, start).ok_or_else(no_candidate)?;
+    let (candidate, inverse) = settle(equations, start).ok_or_else(Undecided::no_solution)?;
     let mut centre = candidate.map(|x| E::from(DoubleBall::exact(x)));
     if E::BITS > FEW_BITS {
         centre = correction(equations, &centre, &inverse).middle(&centre);
@@ -115,7 +115,7 @@ fn root<E: Doubles, const N: usize>(
         }
         centre = middle;
     }
-    found.ok_or_else(|| Undecided::root("no box around the candidate is mapped into itself"))
+    found.ok_or_else(Undecided::not_alone)
 }
 
 /// Newton's method in doubles for positive unknowns: a candidate, and an approximate inverse of the Jacobian there.

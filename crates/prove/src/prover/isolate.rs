@@ -110,8 +110,8 @@ fn isolated_where(
 ) -> Result<Isolated, Undecided> {
     let centre: Vec<Float> = candidate.iter().map(|x| Float::with_val(bits, x)).collect();
     let points: Vec<Ball> = centre.iter().map(|x| Ball::exact(x.clone(), bits)).collect();
-    let inverse = inverse_jacobian(&problem.slopes(bits, &points), bits)
-        .ok_or_else(|| Undecided::root("the Jacobian at the candidate is singular"))?;
+    let inverse =
+        inverse_jacobian(&problem.slopes(bits, &points), bits).ok_or_else(Undecided::singular)?;
     let operator = Operator::<_, Ball>::new(problem, bits, &centre, &inverse);
     let in_doubles = Operator::<_, DoubleBall>::new(problem, bits, &centre, &inverse);
     let values: Vec<Magnitude> = centre.iter().map(Magnitude::lower).collect();
@@ -123,7 +123,7 @@ fn isolated_where(
             Isolated { system, domain: operator.domain(&radii), image, approach: OnceLock::new() }
         })
         .max_by(|a, b| a.size().total_cmp(&b.size()))
-        .ok_or_else(|| Undecided::root("no box around the candidate is mapped into itself"))
+        .ok_or_else(Undecided::not_alone)
 }
 
 #[cfg(test)]

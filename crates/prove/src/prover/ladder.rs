@@ -249,8 +249,7 @@ impl<'a, F: Form<Ball>> Level<'a, F> {
         let given = |given: &Ball| Dual::constant(sines.ball(given.with_precision(step)));
         let slopes = form.at(given, &Dual::variables(&balls)).into_iter();
         let slopes: Vec<Dual<Ball>> = slopes.map(|r| r.map(|x| x.ball)).collect();
-        let jacobian = Eliminated::new(&slopes)
-            .ok_or_else(|| Undecided::root("the Jacobian at the root is singular"))?;
+        let jacobian = Eliminated::new(&slopes).ok_or_else(Undecided::singular)?;
         Ok(Self { form, unique, bits, sines, centre, step, around, jacobian })
     }
 
@@ -279,14 +278,14 @@ impl<'a, F: Form<Ball>> Level<'a, F> {
     /// The last step, with the proof.
     fn enclosed(self) -> Result<Rooted, Undecided> {
         if !self.around.iter().zip(&self.unique.domain).all(|(x, whole)| x.lies_inside(whole)) {
-            return Err(Undecided::root("the refined box leaves the box of uniqueness"));
+            return Err(Undecided::astray());
         }
         let (centre, corrections) = self.corrections(self.bits);
         let values = centre.iter().zip(&corrections).map(|(x, dx)| x.clone() - dx);
         let values: Vec<Ball> = values.collect();
         let is_within = |x: &[Ball]| krawczyk::is_contracted(x, &self.around);
         if !(is_within(&centre) && is_within(&values)) {
-            return Err(Undecided::root("the refined box is not mapped into itself"));
+            return Err(Undecided::not_alone());
         }
         Ok(Rooted { values, sines: self.sines })
     }

@@ -217,11 +217,6 @@ const INFLATIONS: [i64; 3] = [2, 8, 20];
 /// Bits by which a wide box is narrower than half of all: its image is about its square, and may be bent.
 const ROOM: i64 = 40;
 
-/// Undecided answer where there is nothing to prove.
-pub(crate) fn no_candidate() -> Undecided {
-    Undecided::root("no candidate is found")
-}
-
 /// A box around the centre that is proved to hold exactly one root, and its image: just wide enough for the proof, or
 /// `wide`, as far as no digit of the image is lost.
 pub(super) fn box_around<S: Equations<Ball>>(
@@ -232,8 +227,7 @@ pub(super) fn box_around<S: Equations<Ball>>(
 ) -> Result<[Vec<Ball>; 2], Undecided> {
     let points: Vec<Ball> = centre.iter().map(|x| Ball::exact(x.clone(), bits)).collect();
     let at_centre = equations.slopes(bits, &points);
-    let singular = || Undecided::root("the Jacobian is singular");
-    let inverse = inverse_jacobian(&at_centre, bits).ok_or_else(singular)?;
+    let inverse = inverse_jacobian(&at_centre, bits).ok_or_else(Undecided::singular)?;
     let exact = |y: &Float| Ball::exact(y.clone(), bits);
     let operator = Operator {
         equations,
@@ -245,8 +239,7 @@ pub(super) fn box_around<S: Equations<Ball>>(
     let radii = corrections(&inverse, &operator.residuals, centre, bits);
     let proved = |inflation| proved_box(&operator, &radii, inflation);
     let wide = wide.then(|| i64::from(bits / 2) - ROOM).and_then(proved);
-    wide.or_else(|| INFLATIONS.into_iter().find_map(proved))
-        .ok_or_else(|| Undecided::root("no box around the candidate is mapped into itself"))
+    wide.or_else(|| INFLATIONS.into_iter().find_map(proved)).ok_or_else(Undecided::not_alone)
 }
 
 /// The sizes of the corrections that the residuals at a centre of `bits` bits ask for, rounding included.

@@ -113,7 +113,7 @@ fn plainly(isolated: &Isolated, bits: u32) -> Result<Configuration<Ball>, Undeci
         box_near(&Posed { system, given: &given }, bits + GUARD, &start(isolated), false)?;
     match krawczyk::is_contracted(&domain, isolated.domain()) {
         true => Ok(system.place(given, &image)),
-        false => Err(Undecided::root("the refined box leaves the box of uniqueness")),
+        false => Err(Undecided::astray()),
     }
 }
 

@@ -5,7 +5,7 @@
 use super::Undecided;
 use super::ladder::{FEW, Ladder, Rooted, Unique};
 pub use super::operator::Form;
-use super::operator::{box_around, no_candidate};
+use super::operator::box_around;
 
 use crate::number::{Ball, Dual};
 use crate::solve::settle;
@@ -55,7 +55,7 @@ pub(super) fn box_near<S: Form<Ball>>(
     start: &[Float],
     wide: bool,
 ) -> Result<[Vec<Ball>; 2], Undecided> {
-    let centre = climb(equations, bits, start).ok_or_else(no_candidate)?;
+    let centre = climb(equations, bits, start).ok_or_else(Undecided::no_solution)?;
     box_around(equations, bits, &centre, wide)
 }
 

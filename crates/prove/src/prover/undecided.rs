@@ -67,6 +67,26 @@ impl Undecided {
         Self { kind: Open::Root, ..Self::new(reason) }
     }
 
+    /// Undecided answer where the search finds nothing to prove.
+    pub(crate) fn no_solution() -> Self {
+        Self::root("no solution of the equations is found")
+    }
+
+    /// Undecided answer where no box around a candidate is mapped into itself.
+    pub(crate) fn not_alone() -> Self {
+        Self::root("whether the solution that is found is the only one near it")
+    }
+
+    /// Undecided answer where a Jacobian may be singular.
+    pub(crate) fn singular() -> Self {
+        Self::root("whether two solutions meet where one is found")
+    }
+
+    /// Undecided answer where a box is not inside the one in which the root is known to be unique.
+    pub(crate) fn astray() -> Self {
+        Self::root("whether more digits are those of the same solution")
+    }
+
     /// Adds the modes between which the question is open.
     pub fn between(self, modes: &[Mode]) -> Self {
         Self { between: modes.to_vec(), ..self }

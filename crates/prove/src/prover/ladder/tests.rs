@@ -92,9 +92,9 @@ fn a_last_step_that_proves_nothing_is_refused() {
     let ladder = Ladder { form: &form, unique: &unique, tick: &|| () };
     type Spoil = fn(&mut Level<Posed<'_, Ball>>);
     let cases: [(Spoil, &str); 4] = [
-        (|level| level.around[1] = level.around[1].midpoint(), "not mapped into itself"),
-        (|level| level.centre[2] += 1e-9, "not mapped into itself"),
-        (|level| level.around[0] = Ball::whole(64), "leaves the box of uniqueness"),
+        (|level| level.around[1] = level.around[1].midpoint(), "the only one near it"),
+        (|level| level.centre[2] += 1e-9, "the only one near it"),
+        (|level| level.around[0] = Ball::whole(64), "of the same solution"),
         (
             |level| {
                 // Slopes that say nothing.
@@ -103,7 +103,7 @@ fn a_last_step_that_proves_nothing_is_refused() {
                 level.jacobian = Eliminated::new(&Dual::variables(&wide)).unwrap();
                 level.centre[0] += 1e-30;
             },
-            "not mapped into itself",
+            "the only one near it",
         ),
     ];
     for (spoil, reason) in cases {

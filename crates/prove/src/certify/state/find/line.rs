@@ -38,7 +38,7 @@ pub(super) fn point_on(
         let slides = query.root(slides, &start::sliding(&query.alpha()))?;
         require(&slides.friction, "a positive purely sliding friction")?;
         let rest = slides.thrust.int(1) - slides.thrust.int(2) * &slides.thrust;
-        require(&rest, "a thrust below one half")?;
+        require(&rest, "whether it is the only such friction")?;
     }
     for (mode, tie) in line.modes().into_iter().zip(line.ties()) {
         if mode == Mode::Sliding {

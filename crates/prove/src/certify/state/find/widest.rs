@@ -182,7 +182,7 @@ fn where_the_shoulder_ends<E: Arithmetic>(query: &Query<E>) -> Result<ModeAt<E>,
             Err(_) => {}
         }
     }
-    Err(open.unwrap_or_else(|| Undecided::root("no candidate is found")))
+    Err(open.unwrap_or_else(Undecided::no_solution))
 }
 
 /// The root next to a start, proved to be the state of its arch.
