@@ -162,16 +162,20 @@ impl TiltMechanism {
         self.joints.iter().map(zero).collect()
     }
 
-    /// Tells whether it lies in the interior of another, number by number.
+    /// Tells whether its unknowns lie in the interior of those of another, number by number.
     pub(super) fn lies_inside(&self, other: &Self) -> bool {
-        let numbers = |of: &Self| {
-            let joints =
-                of.joints.iter().flat_map(|joint| [joint.angle.clone(), joint.rate.clone()]);
-            of.forces.iter().cloned().chain(joints).collect::<Vec<Ball>>()
-        };
-        let (inner, outer) = (numbers(self), numbers(other));
-        inner.len() == outer.len()
-            && inner.iter().zip(&outer).all(|(x, whole)| x.lies_inside(whole))
+        let (inner, outer) = (self.unknowns(), other.unknowns());
+        inner.len() == outer.len() && inner.iter().zip(outer).all(|(x, whole)| x.lies_inside(whole))
+    }
+
+    /// The unknowns of its equations: a springing is none, and without a hinge `p` is none.
+    fn unknowns(&self) -> Vec<&Ball> {
+        let Self { forces: [h, p, v, k], joints } = self;
+        let is_pinned = joints.iter().any(|joint| joint.contact.is_hinge());
+        let inside = joints.iter().filter(|joint| !joint.is_springing).map(|joint| &joint.angle);
+        let rates = joints.iter().map(|joint| &joint.rate);
+        let all = [h, v, k].into_iter().chain(is_pinned.then_some(p));
+        all.chain(inside).chain(rates).collect()
     }
 
     /// From the right springing to the left one.

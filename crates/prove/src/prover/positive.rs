@@ -127,7 +127,7 @@ mod tests {
     /// with what is seen next to it.
     #[test]
     fn a_zero_that_is_known_is_no_obstacle() {
-        let at = |n: i32, d: i32| Ball::integer(n, 200).ratio(1, d);
+        let at = |n: i32, d: i32| Ball::integer(0, 200).ratio(n, d);
         let third = at(1, 3);
         let (low, high) = (Float::with_val(200, 0), Float::with_val(200, 1));
         let proves = |series: &dyn Fn(&Ball) -> Jet<Ball>, zeros: &[Zero]| {

@@ -144,3 +144,20 @@ fn known_values() {
         assert_eq!(found.is_admissible, Ok(true));
     }
 }
+
+/// More digits than the proof has bits, where a springing is a number exactly and where slips alone leave the moment.
+#[test]
+fn there_are_as_many_digits_as_are_asked_for() {
+    for (alpha, mu, eta) in [("1", "inf", "0.05"), ("1/2", "0.3", "0.1"), ("pi/2", "0.4", "0.15")] {
+        let arch = Arch::parse("milankovitch", alpha, mu).unwrap();
+        let of = |digits| {
+            let tilt = "0.01".parse().unwrap();
+            match tilted(&arch, &eta.parse().unwrap(), &tilt, digits).unwrap().largest {
+                Ok(LargestTilt::Limited(figure, _)) => figure.to_string(),
+                other => panic!("{alpha}: {other:?}"),
+            }
+        };
+        let [few, many] = [40, 400].map(of);
+        assert!(many.len() >= 400 && many.starts_with(&few[..38]), "{alpha}: {few} {many}");
+    }
+}
