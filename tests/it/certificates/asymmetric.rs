@@ -260,7 +260,7 @@ fn what_is_certified_is_said() {
         (&["--alpha", "2.3", "--mu", "inf"], 2, "limited friction"),
         (&["--alpha", "2.3"], 2, "--friction (or --friction-angle) is missing"),
         (&["--alpha", "2.3", "--mu", "1.05", "--mode", "[r,r]"], 2, "one of inner_sliding"),
-        (&["--alpha", "2.3", "--mu", "1.05", "--mode", "shoulder_opening"], 1, "no candidate"),
+        (&["--alpha", "2.3", "--mu", "1.05", "--mode", "shoulder_opening"], 1, "no solution"),
         (&["--alpha", "2.3", "--mu", "1.05", "--thickness", "1"], 2, "belongs to `arch`"),
     ] {
         let (found, _, message) = said(&certify(arguments));
