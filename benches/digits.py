@@ -8,8 +8,8 @@ takes longer than PATIENCE is not asked for more digits.
 """
 
 import math
-import os
 import pathlib
+import resource
 import subprocess
 import sys
 
@@ -33,15 +33,19 @@ PATIENCE = 60.0
 
 def seconds(program, question):
     """Processor time of a run, or nothing if it takes too long or fails."""
-    before = os.times()
+    before = spent()
     try:
         done = subprocess.run([program, *question.split(), "--threads", "1"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                               timeout=PATIENCE)
     except subprocess.TimeoutExpired:
         return None
-    after = os.times()
-    time = after.children_user + after.children_system - before.children_user - before.children_system
-    return time if done.returncode == 0 else None
+    return spent() - before if done.returncode == 0 else None
+
+
+def spent():
+    """Processor time of all runs."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def measured(program, sizes):
@@ -56,7 +60,7 @@ def measured(program, sizes):
                     continue
                 time = seconds(program, f"{question} --digits {digits}")
                 if time is not None:
-                    found[name][digits] = min(found[name].get(digits, math.inf), max(time - empty, 2e-4))
+                    found[name][digits] = min(found[name].get(digits, math.inf), max(time - empty, 1e-4))
     return found
 
 
