@@ -7,7 +7,7 @@ use super::record::{Record, Symbol};
 use super::reported::Reported;
 use super::tabular::Tabular;
 use super::understood::Understood;
-use super::words::kind;
+use super::words::{kind, padded};
 use crate::certify::state::{Answer, Digits, Figure};
 use crate::certify::{AsymmetricDigits, AsymmetricJoint, Enumeration, Undecided};
 use crate::problem::Arch;
@@ -202,12 +202,13 @@ fn solved(solution: &Solution<'_>) -> Record {
     }
     let angles: Vec<String> = state.joints.iter().map(|joint| joint.angle.to_string()).collect();
     let width = angles.iter().map(String::len).max().unwrap_or(0).max(16);
-    record.say(format!("   {:<22} {:<15} {:<width$}  rate", "joint", "", "angle from crown"));
+    let heading = padded("angle from crown", width);
+    record.say(format!("   {:<22} {:<15} {heading}  rate", "joint", ""));
     let joint = |(joint, angle): (&AsymmetricJoint, &String)| {
         let mut record = Record::default();
         let (contact, at) =
             (joint.contact.name(), format!("{}, {}", joint.side.name(), joint.place.name()));
-        record.say(format!("   {contact:<22} {at:<15} {angle:<width$}  {}", joint.rate));
+        record.say(format!("   {contact:<22} {at:<15} {}  {}", padded(angle, width), joint.rate));
         record.add("contact", contact);
         record.add("side", joint.side.name());
         record.add("place", joint.place.name());

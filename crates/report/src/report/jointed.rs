@@ -1,6 +1,7 @@
 //! All solutions of the complementarity problem (19) between equal stones.
 
 use super::record::Record;
+use super::words::padded;
 use crate::arch::whole::Side;
 use crate::certify::{Enumeration, JointedMotion, JointedSolution, Standing, Undecided};
 use crate::problem::Extent;
@@ -141,11 +142,12 @@ fn solved(solution: &JointedSolution) -> Record {
     }
     let angles: Vec<String> = solution.joints.iter().map(|joint| joint.angle.to_string()).collect();
     let width = angles.iter().map(String::len).max().unwrap_or(0).max(16);
-    record.say(format!("      {:<22} {:<7} {:<width$}  rate", "joint", "", "angle from crown"));
+    let heading = padded("angle from crown", width);
+    record.say(format!("      {:<22} {:<7} {heading}  rate", "joint", ""));
     let joint = |(joint, angle): (&JointedMotion, &String)| {
         let (how, side) = (joint.contact.name(), side(joint));
         let mut record = Record::named("contact side", [how.into(), side.into()]);
-        record.say(format!("      {how:<22} {side:<7} {angle:<width$}  {}", joint.rate));
+        record.say(format!("      {how:<22} {side:<7} {}  {}", padded(angle, width), joint.rate));
         record.add_bounds("angle", Some(&joint.angle));
         record.add_bounds("rate", Some(&joint.rate));
         record

@@ -53,13 +53,19 @@ pub(super) fn labels(modes: &[Mode]) -> Vec<&'static str> {
     modes.iter().map(|mode| mode.label()).collect()
 }
 
+/// Text with blanks behind it, up to a width: that of a format ends at 65,535, and a number may have a million digits.
+pub(super) fn padded(text: &str, width: usize) -> String {
+    let blanks = width.saturating_sub(text.chars().count());
+    [text, &" ".repeat(blanks)].concat()
+}
+
 /// Rows of cells as lines, each column as wide as its longest cell.
 pub(super) fn aligned(rows: &[Vec<String>]) -> impl Iterator<Item = String> {
     let columns = rows.first().map_or(0, Vec::len);
     let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
     let widths: Vec<usize> = (0..columns).map(width).collect();
     rows.iter().map(move |row| {
-        let cells = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}"));
+        let cells = row.iter().zip(&widths).map(|(cell, width)| padded(cell, *width));
         cells.collect::<Vec<_>>().join("  ").trim_end().to_owned()
     })
 }
@@ -216,5 +222,12 @@ mod tests {
         assert_eq!(did_you_mean("mu", &names), " (did you mean \"friction\"?)");
         assert_eq!(did_you_mean("colour", &names), "");
         assert_eq!(did_you_mean("eta", &names), "", "not a key here");
+    }
+
+    #[test]
+    fn a_width_has_no_limit() {
+        assert_eq!(padded("ab", 4), "ab  ");
+        assert_eq!(padded("abc", 2), "abc");
+        assert_eq!(padded("a", 70_000).len(), 70_000);
     }
 }

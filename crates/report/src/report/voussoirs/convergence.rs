@@ -3,7 +3,7 @@
 use super::arch::{VoussoirArch, VoussoirArches};
 use crate::picture::figure::{Axis, Figure, Kind, Panel, PlottedLine, Scale};
 use crate::problem::stones::Stones;
-use crate::report::words::{apart, model};
+use crate::report::words::{apart, model, padded};
 use std::io;
 
 /// The number of equal stones.
@@ -37,8 +37,8 @@ pub(super) fn rows(all: &VoussoirArches, out: &mut dyn io::Write) -> io::Result<
         };
         let width = arches.iter().map(|arch| text(arch).len()).max().unwrap_or(0).max(15);
         let line = |stones: &str, mode: &str, thickness: &str, loss: [&str; 2]| {
-            let [loss, share] = loss;
-            let line = format!("{stones:>10}  {mode:<8} {thickness:<width$}  {loss:<12} {share}");
+            let ([loss, share], thickness) = (loss, padded(thickness, width));
+            let line = format!("{stones:>10}  {mode:<8} {thickness}  {loss:<12} {share}");
             line.trim_end().to_owned()
         };
         let names = line("stones", "mode", "least thickness", ["loss", "relative loss"]);
