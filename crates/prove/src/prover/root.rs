@@ -1,6 +1,6 @@
 //! One root of equations next to a start value, in balls of as many bits as are asked for.
 //!
-//! That it is there, and the only one, is proved in few bits; the [`ladder`](super::ladder) leads to all of them.
+//! That it is there, and the only one, is proved in few bits; the `ladder` leads to all of them.
 
 use super::Undecided;
 use super::ladder::{FEW, Ladder, Rooted, Unique};
