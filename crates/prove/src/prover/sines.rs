@@ -50,7 +50,9 @@ impl Sines {
             tick();
             place
         };
-        let places: Vec<Place> = match bits < WORTH_THREADS {
+        // Outside a pool no thread is started: who calls a library may fork afterwards.
+        let is_alone = bits < WORTH_THREADS || rayon::current_thread_index().is_none();
+        let places: Vec<Place> = match is_alone {
             true => angles.iter().map(place).collect(),
             false => {
                 SineAnchor::prepare(bits);
