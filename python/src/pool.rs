@@ -4,7 +4,7 @@
 //! them for ever. So nothing runs in the global pool, and a pool is of the process that made it.
 
 //!
-//! The thread that calls waits, and looks for signals meanwhile: so Ctrl-C ends every call within a moment. Work that
+//! The thread that calls waits, and looks for signals meanwhile: so Ctrl-C ends a long call within a moment. Work that
 //! is given up goes on until it ends by itself, in a pool of its own from then on, and its result is dropped.
 
 use crate::CoupletError;
