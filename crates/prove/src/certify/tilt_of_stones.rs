@@ -12,6 +12,7 @@
 //!
 //! What it means is said in [`tilted`](super::tilted): with friction an admissible state does not exclude a motion.
 
+use super::jointed::limits_at_joint;
 use super::tilt::{GUARD, NOT_FOUND, TiltDigits, acceleration, contradict, determinant};
 use super::tilt_mechanism::{TiltMechanism, TiltedJoint};
 use crate::arch::joint::Grip;
@@ -93,7 +94,7 @@ fn conditions(arch: &Arch, stones: &Stones, thickness: &ExactNumber, bits: u32) 
     let grip: Grip<Ball> = arch.friction().grip(bits);
     let joints = Joints::new(arch.weight(), &thickness.enclosure(bits), grip);
     // Both hinges together ask for a normal force: without limit of friction this is all.
-    let asked = if arch.is_limited() { &Contact::ALL[..] } else { &Contact::ALL[..2] };
+    let asked = &Contact::ALL[..limits_at_joint(arch)];
     let joint = |index: u64| {
         let angle: Angle<Ball> = stones.angle(index, bits);
         let crown = index == 0 && stones.has_joint_at_crown();
