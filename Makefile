@@ -14,10 +14,12 @@ ALL := $(OLDEST),malachite
 release: export RUSTFLAGS := --remap-path-prefix=$(CURDIR)=/couplet --remap-path-prefix=$(or $(CARGO_HOME),$(HOME)/.cargo)=/cargo
 
 # $(call need,TEST,PACKAGES,WHY): if the test fails, says so and installs Debian packages as root, and names them otherwise.
+# An installation that was cut off before is finished first: apt-get refuses to work next to one.
 define need
 @{ $(1); } >/dev/null 2>&1 || { \
   if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
     echo "couplet: $(strip $(3)); installing the packages '$(strip $(2))' with apt-get" >&2; \
+    export DEBIAN_FRONTEND=noninteractive; dpkg --configure -a >&2; \
     apt-get update -qq && apt-get install -y -qq --no-install-recommends $(strip $(2)); \
   else \
     echo "couplet: $(strip $(3)); install the packages '$(strip $(2))' (sudo apt-get install $(strip $(2)))" >&2; \

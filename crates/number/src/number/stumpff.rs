@@ -43,6 +43,7 @@ pub(super) fn from_series<T: Field>(u: &T, count: usize, terms: i32, tail: &T) -
 
 /// The functions at `u = x²` from sine and cosine of `x`, by the recurrence, in which each step but the first two loses
 /// as many digits as a small `u` has zeros.
+#[cfg(feature = "mpfr")]
 pub(super) fn from_angle<T: Field>(u: &T, x: &Angle<T>, count: usize) -> Vec<T> {
     let mut functions = vec![x.cos.clone(), x.sin.clone() / &x.rad];
     for n in 2..count {
