@@ -161,6 +161,18 @@ impl fmt::Display for Length {
     }
 }
 
+impl Length {
+    /// Length of so many metres, which are above zero.
+    pub(crate) fn new(metres: BigRational) -> Self {
+        Self(metres)
+    }
+
+    /// Number of metres.
+    pub fn metres(&self) -> &BigRational {
+        &self.0
+    }
+}
+
 impl Circle {
     /// Half thicknesses from it to the centreline, outwards.
     const fn to_centreline(self) -> i32 {

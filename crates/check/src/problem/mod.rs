@@ -11,6 +11,7 @@
 //! | [`measures`] | an arch in metres, and the weight of its material |
 //! | `slope` | an acceleration over gravity: a ratio, or an angle |
 //! | `thickness` | a thickness as it is written: a ratio, or a length |
+//! | [`survey`] | all arches between measured ends, and which of them decide |
 //! | [`stones`] | the joints of an arch of voussoirs |
 //! | `joints`, `extent` | conditions and motions of all joints of an arch |
 //! | `asymmetric` | an asymmetric solution of (19): system, conditions, quantities |
@@ -44,6 +45,7 @@ mod problem;
 mod quantity;
 mod slope;
 pub mod stones;
+pub mod survey;
 mod system;
 pub mod tally;
 mod thickness;

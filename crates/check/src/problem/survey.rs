@@ -1,0 +1,425 @@
+//! All arches of a survey: each measure between two exact ends, both of which are in it.
+//!
+//! What an arch stands on asks for something at each of its joints, and a joint's demands know neither the springings nor
+//! the other joints. So of two arches
+//!
+//! - the one with the wider half opening has the other's joints and more;
+//! - the one with the lower friction has the narrower cone at each of them;
+//! - the thinner one stands only if the thicker one does, up to the physical limit `eta = 2`
+//!   (that is a theorem for a thrust above zero, as a half arch that bears nothing has no use for its crown).
+//!
+//! All three are steps towards **safety**, and in a box of half openings, frictions and thicknesses the widest, least
+//! rough and thinnest arch decides whether all stand, its opposite whether any does.
+//!
+//! Where span, rise and thickness are measured no corner is that arch: with the span grows the radius, which makes the
+//! ratio of the thickness less, and falls the half opening. But an arch does not change with its scale. With
+//! `q = 2 rise/span` the half opening is `2 atan(q)` and rises with `q` alone; and on a ray of one `q` the largest arch
+//! has the least `eta`. So the arches to look at lie on one **course** from the least `q` to the largest, along the outer
+//! edges of the rectangle of spans and rises; and those that stand most easily along its inner edges. On a step of the
+//! course the half opening rises and the radius `(s²/4 + f²)/(2f)` is convex in the rise and rises with the span: so one
+//! arch is at least as unsafe as all of the step.
+
+use super::measures::{Circle, Length, MeasureError, Measures, of_span_and_rise};
+use super::{Arch, ArchError, Friction, is_thickness};
+use crate::arch::SelfWeight;
+use crate::number::{AstroInterval, Enclosure, ExactNumber, Ternary, says};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
+/// All arches of one self-weight between measured ends.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Survey {
+    weight: SelfWeight,
+    friction: [Friction; 2],
+    shape: Shape,
+}
+
+/// What the arches of a survey have in common of their geometry.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// Half opening and thickness are given each for itself.
+    Free {
+        /// Least and largest half opening, rad.
+        half_opening: [ExactNumber; 2],
+        /// Least and largest ratio of thickness to radius; none if the thickness is what is asked for.
+        thickness: Option<[ExactNumber; 2]>,
+    },
+    /// Span, rise and thickness are measured, and make half opening and ratio together.
+    Spanned {
+        /// Circle at which span and rise are measured.
+        circle: Circle,
+        /// Least and largest span.
+        span: [Length; 2],
+        /// Least and largest rise.
+        rise: [Length; 2],
+        /// Least and largest thickness.
+        thickness: [Length; 2],
+    },
+}
+
+/// Side of a survey.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// Where arches stand least easily: if they do there, all do.
+    Unsafe,
+    /// Where arches stand most easily: if they do not there, none does.
+    Safe,
+}
+
+/// Span and rise, a corner of a course.
+pub type Place = [BigRational; 2];
+
+/// Arch of a survey, or one that is at least as safe or as unsafe as some of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Bounding {
+    /// Weight, half opening and friction.
+    pub arch: Arch,
+    /// Ratio of thickness to radius; none if the thickness is what is asked for.
+    pub thickness: Option<ExactNumber>,
+}
+
+/// Reason why a survey is refused.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SurveyError {
+    /// A range whose first end is above its last.
+    Reversed(String, String),
+    /// A range whose ends could not be told apart.
+    Open(String, String),
+    /// An end that is not that of an arch.
+    Arch(ArchError),
+    /// A ratio of thickness to radius that is not above 0 and at most 2.
+    Thickness(String),
+    /// Measures that make no arch.
+    Measures(MeasureError),
+}
+
+says!(SurveyError {
+    Self::Reversed(first, last) => "the range {first}..{last} is empty: give the lower end first";
+    Self::Open(first, last) => "which of {first} and {last} is larger stays open";
+    Self::Arch(error) => "{error}";
+    Self::Thickness(text) => "the thickness {text} is not between 0 and 2";
+    Self::Measures(error) => "{error}";
+} from {
+    ArchError => Self::Arch;
+    MeasureError => Self::Measures;
+});
+
+impl Survey {
+    /// The arches between these ends, if each range has its lower end first and every arch of it is one.
+    pub fn new(
+        weight: SelfWeight,
+        friction: [Friction; 2],
+        shape: Shape,
+    ) -> Result<Self, SurveyError> {
+        let friction = friction.map(|friction| friction.checked(false));
+        let [lower, upper] = friction;
+        let friction = [lower?, upper?];
+        frictions_in_order(&friction)?;
+        match &shape {
+            Shape::Free { half_opening, thickness } => {
+                in_order(half_opening)?;
+                for alpha in half_opening {
+                    Arch::new(weight, alpha.clone(), Friction::Infinite)?;
+                }
+                if let Some(range) = thickness {
+                    in_order(range)?;
+                    if let Some(eta) = range.iter().find(|eta| !is_thickness(eta)) {
+                        return Err(SurveyError::Thickness(eta.to_string()));
+                    }
+                }
+            }
+            Shape::Spanned { circle, span, rise, thickness } => {
+                for [lower, upper] in [span, rise, thickness] {
+                    if lower.metres() > upper.metres() {
+                        let [lower, upper] = [lower, upper].map(ToString::to_string);
+                        return Err(SurveyError::Reversed(lower, upper));
+                    }
+                }
+                // The radius is least at the least span, and of its rises at the one nearest to half the span.
+                let half = span[0].metres() / BigInt::from(2);
+                let rise = half.max(rise[0].metres().clone()).min(rise[1].metres().clone());
+                let (_, radius) = of_span_and_rise(&span[0], &Length::new(rise));
+                Measures::new(*circle, radius, None).thickness(&thickness[1])?;
+            }
+        }
+        Ok(Self { weight, friction, shape })
+    }
+
+    /// The self-weight model.
+    pub fn weight(&self) -> SelfWeight {
+        self.weight
+    }
+
+    /// Least and largest friction.
+    pub fn friction(&self) -> &[Friction; 2] {
+        &self.friction
+    }
+
+    /// What the arches have in common of their geometry.
+    pub fn shape(&self) -> &Shape {
+        &self.shape
+    }
+
+    /// Friction of the arches that decide on a side.
+    pub fn friction_at(&self, side: Side) -> &Friction {
+        let [least, largest] = &self.friction;
+        match side {
+            Side::Unsafe => least,
+            Side::Safe => largest,
+        }
+    }
+
+    /// Least and largest half opening, rad: that of the lowest arch of the longest span, and of the highest of the
+    /// shortest.
+    pub fn half_opening(&self) -> [ExactNumber; 2] {
+        match &self.shape {
+            Shape::Free { half_opening, .. } => half_opening.clone(),
+            Shape::Spanned { span: [short, long], rise: [low, high], .. } => {
+                [(long, low), (short, high)].map(|(span, rise)| of_span_and_rise(span, rise).0)
+            }
+        }
+    }
+
+    /// The arch that decides on a side, where half opening and thickness are free of each other.
+    pub fn corner(&self, side: Side) -> Option<Bounding> {
+        let Shape::Free { half_opening: [narrow, wide], thickness } = &self.shape else {
+            return None;
+        };
+        let alpha = match side {
+            Side::Unsafe => wide,
+            Side::Safe => narrow,
+        };
+        let thickness = thickness.as_ref().map(|[thin, thick]| match side {
+            Side::Unsafe => thin.clone(),
+            Side::Safe => thick.clone(),
+        });
+        Some(Bounding { arch: self.arch(alpha.clone(), side)?, thickness })
+    }
+
+    /// Corners of the course on a side, from the least `q` to the largest, where span, rise and thickness are measured;
+    /// two neighbours differ in one of span and rise.
+    pub fn course(&self, side: Side) -> Option<[Place; 3]> {
+        let Shape::Spanned { span, rise, .. } = &self.shape else { return None };
+        let [[short, long], [low, high]] =
+            [span, rise].map(|range| range.each_ref().map(|x| x.metres().clone()));
+        let middle = match side {
+            Side::Unsafe => [long.clone(), high.clone()],
+            Side::Safe => [short.clone(), low.clone()],
+        };
+        Some([[long, low], middle, [short, high]])
+    }
+
+    /// An arch at least as unsafe, or as safe, as all of a side's friction and thickness on the step from `first` to
+    /// `last` of its course; if the two are one, the arch that is there.
+    pub fn bounding(&self, side: Side, [first, last]: [&Place; 2]) -> Option<Bounding> {
+        let Shape::Spanned { circle, thickness: [thin, thick], .. } = &self.shape else {
+            return None;
+        };
+        let radius = |at: &Place| radius(&at[0], &at[1]);
+        let [low, high] = [radius(first), radius(last)];
+        let (at, t, radius) = match side {
+            Side::Unsafe => (last, thin, low.max(high)),
+            Side::Safe => {
+                let half = &first[0] / BigInt::from(2);
+                let has_least = first[0] == last[0] && first[1] < half && half < last[1];
+                (first, thick, if has_least { half } else { low.min(high) })
+            }
+        };
+        let alpha = ExactNumber::twice_arctangent(&at[1] * BigInt::from(2) / &at[0]);
+        let measures = Measures::new(*circle, Length::new(radius), None);
+        let thickness = Some(measures.thickness(t).ok()?);
+        Some(Bounding { arch: self.arch(alpha, side)?, thickness })
+    }
+
+    fn arch(&self, half_opening: ExactNumber, side: Side) -> Option<Arch> {
+        let friction = self.friction_at(side).clone();
+        Arch::new_with(self.weight, half_opening, friction, false).ok()
+    }
+}
+
+/// Radius of the circle through the crown and the springings.
+fn radius(span: &BigRational, rise: &BigRational) -> BigRational {
+    let half = span / BigInt::from(2);
+    (&half * &half + rise * rise) / (rise * BigInt::from(2))
+}
+
+/// Checks that the first end is not above the last.
+fn in_order([first, last]: &[ExactNumber; 2]) -> Result<(), SurveyError> {
+    let texts = || (first.to_string(), last.to_string());
+    let is_in_order = if first.form() == last.form() {
+        first.factor() <= last.factor()
+    } else {
+        let at = |x: &ExactNumber, bits| x.enclosure::<AstroInterval>(bits);
+        compared(|bits| at(last, bits) - at(first, bits), texts)?
+    };
+    match is_in_order {
+        true => Ok(()),
+        false => Err(SurveyError::Reversed(texts().0, texts().1)),
+    }
+}
+
+fn frictions_in_order([first, last]: &[Friction; 2]) -> Result<(), SurveyError> {
+    match (first, last) {
+        (_, Friction::Infinite) => Ok(()),
+        (Friction::Coefficient(first), Friction::Coefficient(last))
+        | (Friction::Angle(first), Friction::Angle(last)) => {
+            in_order(&[first.clone(), last.clone()])
+        }
+        _ => {
+            let texts = || (first.to_string(), last.to_string());
+            if *first == Friction::Infinite {
+                return Err(SurveyError::Reversed(texts().0, texts().1));
+            }
+            let cone = |bits| {
+                let [low, high] = [first, last].map(|x| x.grip::<AstroInterval>(bits));
+                high.normal * low.shear - low.normal * high.shear
+            };
+            match compared(cone, texts)? {
+                true => Ok(()),
+                false => Err(SurveyError::Reversed(texts().0, texts().1)),
+            }
+        }
+    }
+}
+
+/// Most bits in which two ends of a range are compared.
+const MOST_BITS: u32 = 4096;
+
+/// Sign of a difference, in as many bits as it takes.
+fn compared(
+    difference: impl Fn(u32) -> AstroInterval,
+    texts: impl Fn() -> (String, String),
+) -> Result<bool, SurveyError> {
+    let bits = std::iter::successors(Some(128), |bits| Some(bits * 2));
+    for bits in bits.take_while(|bits| *bits <= MOST_BITS) {
+        match difference(bits).is_positive() {
+            Ternary::True => return Ok(true),
+            Ternary::False => return Ok(false),
+            Ternary::Undecided => {}
+        }
+    }
+    Err(SurveyError::Open(texts().0, texts().1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn numbers(range: [&str; 2]) -> [ExactNumber; 2] {
+        range.map(|x| x.parse().unwrap())
+    }
+
+    fn frictions(range: [&str; 2]) -> [Friction; 2] {
+        range.map(|x| x.parse().unwrap())
+    }
+
+    fn lengths(range: [&str; 2]) -> [Length; 2] {
+        range.map(|x| x.parse().unwrap())
+    }
+
+    fn free(alpha: [&str; 2], mu: [&str; 2], eta: [&str; 2]) -> Result<Survey, SurveyError> {
+        let shape = Shape::Free { half_opening: numbers(alpha), thickness: Some(numbers(eta)) };
+        Survey::new(SelfWeight::Heyman, frictions(mu), shape)
+    }
+
+    fn spanned(span: [&str; 2], rise: [&str; 2], t: [&str; 2]) -> Survey {
+        let shape = Shape::Spanned {
+            circle: Circle::Intrados,
+            span: lengths(span),
+            rise: lengths(rise),
+            thickness: lengths(t),
+        };
+        Survey::new(SelfWeight::Heyman, frictions(["0.5", "0.6"]), shape).unwrap()
+    }
+
+    #[test]
+    fn the_corners_are_the_widest_thinnest_and_the_narrowest_thickest_arch() {
+        let survey = free(["80deg", "1.5"], ["31deg", "0.7"], ["0.1", "0.2"]).unwrap();
+        let worst = survey.corner(Side::Unsafe).unwrap();
+        assert_eq!(worst.arch.to_string(), "heyman, half opening 1.5, friction tan(31deg)");
+        assert_eq!(worst.thickness.unwrap().to_string(), "0.1");
+        let best = survey.corner(Side::Safe).unwrap();
+        assert_eq!(best.arch.to_string(), "heyman, half opening 80deg, friction 0.7");
+        assert!(survey.course(Side::Safe).is_none());
+    }
+
+    #[test]
+    fn what_is_no_range_of_arches_is_refused() {
+        let points = free(["pi/2", "90deg"], ["1/2", "0.5"], ["1/5", "0.2"]);
+        assert!(points.is_ok(), "one arch in two spellings");
+        for (alpha, mu, eta, why) in [
+            (["1.5", "80deg"], ["0", "1"], ["0.1", "0.2"], "1.5..80deg is empty"),
+            (["1", "180deg"], ["0", "1"], ["0.1", "0.2"], "not between 0 and pi"),
+            (["1", "2"], ["inf", "1"], ["0.1", "0.2"], "inf..1 is empty"),
+            (["1", "2"], ["45deg", "0.99"], ["0.1", "0.2"], "tan(45deg)..0.99 is empty"),
+            (["1", "2"], ["-0.1", "1"], ["0.1", "0.2"], "negative"),
+            (["1", "2"], ["0", "1"], ["0", "0.2"], "0 is not between"),
+            (["1", "2"], ["0", "1"], ["0.1", "2.01"], "2.01 is not between"),
+            (["1", "2"], ["45deg", "1"], ["0.1", "0.2"], "stays open"),
+        ] {
+            let error = free(alpha, mu, eta).unwrap_err().to_string();
+            assert!(error.contains(why), "{error}");
+        }
+    }
+
+    /// The arches of a rectangle, on a grid, are bounded by a step of each course.
+    #[test]
+    fn a_course_bounds_every_arch_of_its_rectangle() {
+        let number = |n: i32, d: i32| BigRational::new(n.into(), d.into());
+        for (span, rise) in [
+            (["9.8m", "10.2m"], ["2.9m", "3.1m"]),
+            (["5m", "6m"], ["2m", "4m"]),
+            (["3m", "3m"], ["2m", "3m"]),
+        ] {
+            let survey = spanned(span, rise, ["50cm", "60cm"]);
+            let [unsafely, safely] =
+                [Side::Unsafe, Side::Safe].map(|side| survey.course(side).unwrap());
+            let [[span_0, span_1], [rise_0, rise_1]] =
+                [lengths(span), lengths(rise)].map(|x| x.map(|x| x.metres().clone()));
+            let eta =
+                |at: &Place, t: &BigRational| t / (radius(&at[0], &at[1]) + t / BigInt::from(2));
+            for i in 0..=6 {
+                for j in 0..=6 {
+                    let at = [
+                        &span_0 + (&span_1 - &span_0) * number(i, 6),
+                        &rise_0 + (&rise_1 - &rise_0) * number(j, 6),
+                    ];
+                    let q = &at[1] / &at[0];
+                    for (side, course, t) in [
+                        (Side::Unsafe, &unsafely, number(1, 2)),
+                        (Side::Safe, &safely, number(3, 5)),
+                    ] {
+                        let q_of = |at: &Place| &at[1] / &at[0];
+                        let step = course.windows(2).find(|step| q_of(&step[1]) >= q).unwrap();
+                        let bound = survey.bounding(side, [&step[0], &step[1]]).unwrap();
+                        let bound_eta = bound.thickness.unwrap().factor().clone();
+                        let tangent = ExactNumber::twice_arctangent(q.clone() * BigInt::from(2));
+                        let range = [&tangent, bound.arch.half_opening()].map(Clone::clone);
+                        match side {
+                            Side::Unsafe => {
+                                assert!(in_order(&range).is_ok() && bound_eta <= eta(&at, &t));
+                            }
+                            Side::Safe => {
+                                let [a, b] = range;
+                                assert!(in_order(&[b, a]).is_ok() && bound_eta >= eta(&at, &t));
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_thickness_beyond_the_least_radius_is_refused() {
+        let shape = Shape::Spanned {
+            circle: Circle::Extrados,
+            span: lengths(["4m", "6m"]),
+            rise: lengths(["1m", "4m"]),
+            thickness: lengths(["1m", "2.1m"]),
+        };
+        let made = Survey::new(SelfWeight::Heyman, frictions(["1", "1"]), shape);
+        assert!(made.unwrap_err().to_string().contains("at most 2 m"));
+    }
+}
