@@ -10,7 +10,9 @@
 //! (Stumpff 1959; the universal variables of celestial mechanics.) A difference such as `sin x - x cos x`,
 //! which loses two thirds of the digits of a small `x`, is `x³ (c_2 - c_3)`, which loses none.
 
-use super::{Angle, Dual, Field};
+#[cfg(feature = "mpfr")]
+use super::Angle;
+use super::{Dual, Field};
 
 /// A number with Stumpff's functions.
 pub trait Stumpff: Field {
