@@ -194,23 +194,15 @@ fn best_halves(survey: &Survey) -> Result<[(Survey, [f64; 2]); 2], Undecided> {
         Shape::Spanned { .. } => &[Across::Span, Across::Rise, Across::Friction],
     };
     let mut best: Option<(f64, [(Survey, [f64; 2]); 2])> = None;
-    let mut open = no_middle();
     for across in ranges {
-        let [first, second] = match halves(survey, *across) {
-            Ok(Some(halves)) => halves,
-            Ok(None) => continue,
-            Err(why) => {
-                open = why;
-                continue;
-            }
-        };
+        let Some([first, second]) = halves(survey, *across)? else { continue };
         let (one, other) = (stands(&first)?, stands(&second)?);
         let gap = one[1] - one[0] + other[1] - other[0];
         if best.as_ref().is_none_or(|(least, _)| gap < *least) {
             best = Some((gap, [(first, one), (second, other)]));
         }
     }
-    best.map(|(_, halves)| halves).ok_or(open)
+    best.map(|(_, halves)| halves).ok_or_else(no_middle)
 }
 
 /// Two halves of a survey across a range; `None` if that is one number.
