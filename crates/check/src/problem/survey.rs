@@ -232,6 +232,17 @@ impl Survey {
         Some(Bounding { arch: self.arch(alpha, side)?, thickness })
     }
 
+    /// Span, rise and thickness of the arch at a place of a side's course.
+    pub fn measured(&self, side: Side, at: &Place) -> Option<[Length; 3]> {
+        let Shape::Spanned { thickness: [thin, thick], .. } = &self.shape else { return None };
+        let thickness = match side {
+            Side::Unsafe => thin,
+            Side::Safe => thick,
+        };
+        let [span, rise] = at.clone().map(Length::new);
+        Some([span, rise, thickness.clone()])
+    }
+
     fn arch(&self, half_opening: ExactNumber, side: Side) -> Option<Arch> {
         let friction = self.friction_at(side).clone();
         Arch::new_with(self.weight, half_opening, friction, false).ok()
@@ -244,8 +255,8 @@ fn radius(span: &BigRational, rise: &BigRational) -> BigRational {
     (&half * &half + rise * rise) / (rise * BigInt::from(2))
 }
 
-/// Checks that the first end is not above the last.
-fn in_order([first, last]: &[ExactNumber; 2]) -> Result<(), SurveyError> {
+/// Checks that the first end is not above the last; open if they cannot be told apart.
+pub fn in_order([first, last]: &[ExactNumber; 2]) -> Result<(), SurveyError> {
     let texts = || (first.to_string(), last.to_string());
     let is_in_order = if first.form() == last.form() {
         first.factor() <= last.factor()
@@ -259,7 +270,8 @@ fn in_order([first, last]: &[ExactNumber; 2]) -> Result<(), SurveyError> {
     }
 }
 
-fn frictions_in_order([first, last]: &[Friction; 2]) -> Result<(), SurveyError> {
+/// Checks that the first friction is not above the last; open if they cannot be told apart.
+pub fn frictions_in_order([first, last]: &[Friction; 2]) -> Result<(), SurveyError> {
     match (first, last) {
         (_, Friction::Infinite) => Ok(()),
         (Friction::Coefficient(first), Friction::Coefficient(last))
