@@ -278,7 +278,7 @@ impl Unit {
 }
 
 /// Text of a rational number: a decimal if it ends, else a fraction.
-fn decimal(number: &BigRational) -> String {
+pub(super) fn decimal(number: &BigRational) -> String {
     let below = number.denom();
     let twos = below.trailing_zeros().unwrap_or(0) as usize;
     let (mut odd, mut fives) = (below >> twos, 0);
