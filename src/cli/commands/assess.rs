@@ -16,6 +16,10 @@ use crate::sweep::failure::Failure;
 use clap::Args;
 
 /// Print whether an arch of a given thickness stands, its safety factors, and the thrusts it can bear.
+///
+/// A number may be a range: 2.98m..3.02m, 3m±2cm (or 3m+-2cm), 31deg±1deg, 0.6±10%, 0.5..inf. Then it is told
+/// of every arch inside: all stand, none does, or some do, with the least and largest values and the arches that
+/// have them.
 #[derive(Args)]
 #[command(
     override_usage = "couplet assess --half-opening <ANGLE> --friction <MU> --thickness <ETA> [OPTIONS]"

@@ -23,6 +23,8 @@ use clap::Args;
 /// With the rotational joint, the thrust, the least thickness or A in place of the half opening: all states that have
 /// it, at the friction given or, without one, at unlimited friction.
 ///
+/// A number may be a range, as of `assess`: then it is told of every arch inside.
+///
 /// The proof: the equations of the mode have one solution in a box; that state is admissible on the
 /// whole half arch; no thinner arch has an admissible state; every comparison is decided.
 #[derive(Args)]
