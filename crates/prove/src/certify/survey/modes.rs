@@ -6,11 +6,12 @@
 
 use super::answer::ModesFound;
 use crate::arch::SelfWeight;
-use crate::certify::state::{Outcome, quick_outcome, state_enclosed};
-use crate::number::{DoubleBall, DoubleDoubleBall, ExactNumber};
+use crate::certify::state::{Certify, Outcome, state_enclosed};
+use crate::number::{DoubleBall, ExactNumber};
 use crate::problem::survey::{frictions_in_order, in_order};
 use crate::problem::{Arch, Friction, Mode};
 use std::collections::VecDeque;
+use std::f64::consts::FRAC_PI_2;
 
 /// Mode of the state, `None` where nothing stands.
 type Place = Option<Mode>;
@@ -43,7 +44,11 @@ const COLUMNS: [&[Place]; 2] = [
 ];
 
 /// Most rectangles that are looked at for the modes of one survey.
-const MOST_CELLS: usize = 256;
+const MOST_CELLS: usize = 64;
+/// Parts of the half openings at whose ends thin strips are looked for.
+const PARTS: i32 = 16;
+/// Most halvings between two frictions at a half opening.
+const MOST_STEPS: usize = 24;
 /// Bits of the states that double-doubles leave open.
 const BITS: u32 = 192;
 
@@ -67,17 +72,20 @@ pub(super) fn modes(
             [at(&alphas[0], &mus[0]), at(&alphas[0], &mus[1])],
             [at(&alphas[1], &mus[0]), at(&alphas[1], &mus[1])],
         ];
-        for place in corners.iter().flatten().flatten() {
-            if !seen.contains(place) {
-                seen.push(*place);
+        see(&mut seen, corners.iter().flatten().copied());
+        let possible = possible(&corners);
+        let is_open = possible.iter().any(|place| !seen.contains(place));
+        if cells == 1 && is_open {
+            for alpha in columns(&alphas) {
+                let ends = mus.each_ref().map(|mu| at(&alpha, mu));
+                look_between(weight, &alpha, mus.clone(), ends, &mut seen);
             }
         }
-        let possible = possible(&corners);
         if possible.iter().all(|place| seen.contains(place)) {
             continue;
         }
-        let halves = if cells + waiting.len() < MOST_CELLS { halves(alphas, mus) } else { None };
-        match halves {
+        let may_halve = cells + waiting.len() < MOST_CELLS;
+        match may_halve.then(|| halves(alphas, mus)).flatten() {
             Some(halves) => waiting.extend(halves),
             None => left.extend(possible),
         }
@@ -94,14 +102,61 @@ pub(super) fn modes(
     }
 }
 
+/// Adds what is known to what was seen.
+fn see(seen: &mut Vec<Place>, found: impl Iterator<Item = Option<Place>>) {
+    for place in found.flatten() {
+        if !seen.contains(&place) {
+            seen.push(place);
+        }
+    }
+}
+
+/// Half openings from the first to the last.
+fn columns(alphas: &[ExactNumber; 2]) -> impl Iterator<Item = ExactNumber> {
+    let [a, b] = alphas.each_ref().map(|x| x.enclosure::<DoubleBall>(53).mid());
+    let at = move |k: i32| a + (b - a) * f64::from(k) / f64::from(PARTS);
+    let inner = (1..PARTS).filter_map(move |k| inside(at(k), alphas));
+    let [first, last] = alphas.clone();
+    [first, last].into_iter().chain(inner)
+}
+
+/// Looks for places between two frictions at a half opening, by halving: a strip may be thin.
+fn look_between(
+    weight: SelfWeight,
+    alpha: &ExactNumber,
+    mut mus: [Friction; 2],
+    mut ends: [Option<Place>; 2],
+    seen: &mut Vec<Place>,
+) {
+    for _ in 0..MOST_STEPS {
+        let [low, high] = ends;
+        let unseen = between(&ROWS, low, high).into_iter().any(|place| !seen.contains(&place));
+        if low.is_none() || high.is_none() || !unseen {
+            return;
+        }
+        let Some(middle) = middle_friction(&mus) else { return };
+        let found = place(weight, alpha, &middle);
+        see(seen, [found].into_iter());
+        // The half in which more is unseen.
+        let missing = |first, last| {
+            between(&ROWS, first, last).into_iter().filter(|place| !seen.contains(place)).count()
+        };
+        let [first, last] = mus;
+        if missing(low, found) >= missing(found, high) {
+            (mus, ends) = ([first, middle], [low, found]);
+        } else {
+            (mus, ends) = ([middle, last], [found, high]);
+        }
+    }
+}
+
 /// State of an arch; `None` if it is not proved, as on a line between two modes.
 fn place(weight: SelfWeight, alpha: &ExactNumber, mu: &Friction) -> Option<Place> {
     let arch = Arch::new(weight, alpha.clone(), mu.clone()).ok()?;
-    let mode = |outcome: &Outcome<DoubleDoubleBall>| match outcome {
+    let quick = arch.state_in_doubles().ok().map(|outcome| match outcome {
         Outcome::Stands(state) => Some(state.mode),
         Outcome::Falls(_) => None,
-    };
-    let quick = quick_outcome(&arch, false).ok().map(|outcome| mode(&outcome));
+    });
     let slow = || match state_enclosed(&arch, BITS, false).ok()? {
         Outcome::Stands(state) => Some(Some(state.mode)),
         Outcome::Falls(_) => Some(None),
@@ -149,30 +204,38 @@ fn between(orders: &[&[Place]], first: Option<Place>, last: Option<Place>) -> Ve
 /// Halves of a rectangle, across its longer side; `None` if doubles tell no middle.
 fn halves(alphas: [ExactNumber; 2], mus: [Friction; 2]) -> Option<[Cell; 2]> {
     let ends = alphas.each_ref().map(|x| x.enclosure::<DoubleBall>(53).mid());
-    let grip = |mu: &Friction| match mu {
-        Friction::Infinite => f64::INFINITY,
-        _ => {
-            let grip = mu.grip::<DoubleBall>(53);
-            grip.normal.mid() / grip.shear.mid()
-        }
-    };
-    let frictions = mus.each_ref().map(grip);
-    // Of the friction its angle counts: it has an end.
-    let wide = ends[1] - ends[0] >= frictions[1].atan() - frictions[0].atan();
+    let frictions = mus.each_ref().map(angle);
+    let wide = ends[1] - ends[0] >= frictions[1] - frictions[0];
     if wide {
         let middle = inside(f64::midpoint(ends[0], ends[1]), &alphas)?;
         let [first, last] = alphas;
         Some([([first, middle.clone()], mus.clone()), ([middle, last], mus)])
     } else {
-        let angle = f64::midpoint(frictions[0].atan(), frictions[1].atan());
-        let mu = ExactNumber::try_from(angle.tan()).ok()?;
-        let middle = Friction::Coefficient(mu);
-        let is_inside = frictions_in_order(&[mus[0].clone(), middle.clone()]).is_ok()
-            && frictions_in_order(&[middle.clone(), mus[1].clone()]).is_ok();
+        let middle = middle_friction(&mus)?;
         let [first, last] = mus;
-        let cells = [(alphas.clone(), [first, middle.clone()]), (alphas, [middle, last])];
-        is_inside.then_some(cells)
+        Some([(alphas.clone(), [first, middle.clone()]), (alphas, [middle, last])])
     }
+}
+
+/// Angle of a friction, about.
+fn angle(mu: &Friction) -> f64 {
+    match mu {
+        Friction::Infinite => FRAC_PI_2,
+        _ => {
+            let grip = mu.grip::<DoubleBall>(53);
+            grip.normal.mid().atan2(grip.shear.mid())
+        }
+    }
+}
+
+/// Friction of the angle midway between those of two, if it is proved to lie between them.
+fn middle_friction(mus: &[Friction; 2]) -> Option<Friction> {
+    let [first, last] = mus;
+    let middle = ExactNumber::try_from(f64::midpoint(angle(first), angle(last)).tan()).ok()?;
+    let middle = Friction::Coefficient(middle);
+    let is_inside = frictions_in_order(&[first.clone(), middle.clone()]).is_ok()
+        && frictions_in_order(&[middle.clone(), last.clone()]).is_ok();
+    is_inside.then_some(middle)
 }
 
 /// A double, if it is proved to lie between two numbers.
