@@ -325,7 +325,7 @@ fn what_is_written_is_as_the_schemas_say() {
         &["state", "--span=10m", "--rise=3m", "--mu=0.6", "--format", "json"],
         &["state", "--radius=5m", "--alpha=1", "--mu=0.1", "--format", "json"],
         &["assess", "--span=10m", "--rise=3m", "--mu=0.6", "--eta=60cm", "--format", "json"],
-        &["state", "--alpha=80deg..2.6", "--mu=0.2..inf", "--format", "json"],
+        &["state", "--alpha=1.4..2.6", "--mu=0.2..inf", "--format", "json"],
         &["assess", "--alpha=80deg±1deg", "--mu=0.6±10%", "--eta=0.12", "--format", "json"],
         &[
             "assess",

@@ -6,8 +6,8 @@
 //! | `3m±2cm`, `3m+-2cm` | `2.98m` and `3.02m` |
 //! | `0.6±10%` | `0.54` and `0.66` |
 //!
-//! Both ends are exact texts, which the readers of one value read: a decimal if it ends, else a fraction; beside `±` the
-//! unit is that of the value, and lengths of two units meet in metres.
+//! Both ends are exact texts, which the readers of one value read: a decimal if it ends, else a fraction; beside `±`
+//! the unit is that of the value, and lengths of two units meet in metres.
 
 use crate::number::{
     BETWEEN, Decimal, ExactNumber, Form, PLUS_MINUS, is_angle, is_range, says, shown,
@@ -37,7 +37,7 @@ pub enum RangeError {
     Unit {
         /// Text of the range.
         range: String,
-        /// The same with the unit at both ends.
+        /// Text with the unit at both ends.
         meant: String,
     },
     /// A value and a deviation whose sum has no exact text.

@@ -171,7 +171,7 @@ fn made([short, long]: &[Length; 2], [low, high]: &[Length; 2]) -> [(ExactNumber
     [(long, low), (short, high)].map(|(span, rise)| of_span_and_rise(span, rise))
 }
 
-/// What the arches have in common of their geometry.
+/// Geometry that the arches have in common.
 fn shape(ends: &[ArchAsked; 2], circle: Circle, spelling: Spelling) -> Result<Shape, Misfit> {
     let [span, rise, radius] = MEASURES.map(|field| lengths(ends, field));
     let (measured, radius) = (span?.zip(rise?), radius?);
