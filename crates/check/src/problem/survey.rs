@@ -255,6 +255,19 @@ impl Survey {
         Some((self.arch(alpha, side)?, Length::new(radius), *circle))
     }
 
+    /// The [outermost](Self::outermost) arch with the thickness of its side over its radius: every arch of the survey is
+    /// at least as safe, or as unsafe, though it need not be one of them.
+    pub fn beyond(&self, side: Side) -> Option<Bounding> {
+        let Shape::Spanned { thickness: [thin, thick], .. } = &self.shape else { return None };
+        let (arch, radius, circle) = self.outermost(side)?;
+        let t = match side {
+            Side::Unsafe => thin,
+            Side::Safe => thick,
+        };
+        let thickness = Measures::new(circle, radius, None).thickness(t).ok()?;
+        Some(Bounding { arch, thickness: Some(thickness) })
+    }
+
     /// Span, rise and thickness of the arch at a place of a side's course.
     pub fn measured(&self, side: Side, at: &Place) -> Option<[Length; 3]> {
         let Shape::Spanned { thickness: [thin, thick], .. } = &self.shape else { return None };

@@ -1,10 +1,10 @@
 //! Ranges over half openings, frictions and thicknesses that are free of each other: each end belongs to a corner.
 
 use super::answer::{EndValue, QuantityRange, RangeEnd, SurveyVerdict, SurveyedArch};
-use crate::arch::SelfWeight;
-use crate::certify::state::{Answer, AssessmentDigits, Balls, Figure};
-use crate::problem::Quantity;
+use crate::certify::state::{Answer, AssessmentDigits, Balls, Figure, Limit};
+use crate::number::ExactNumber;
 use crate::problem::survey::Side;
+use crate::problem::{Arch, Friction, Quantity};
 use crate::prover::{Answered, Error, Refused, Undecided};
 
 /// Corner of a survey with what is proved of it.
@@ -105,9 +105,9 @@ pub(super) fn together(
 
 /// Ranges of everything whose ends two corners decide, and what of it stays open.
 ///
-/// Least thickness and required friction are largest at the worst arch, safety factors least. The range of thrusts
-/// shrinks as the half opening grows and the friction falls; with the thickness it grows for Heyman's weight, in which
-/// the load has no thickness.
+/// Least thickness and required friction are largest at the worst arch, safety factors least. Each state of an arch is
+/// admissible in every narrower, rougher and thicker one (the claim `survey-corners`): so the range of thrusts is within
+/// that of the best arch, and holds that of the worst.
 pub(super) fn ranges(worst: &Corner, best: &Corner) -> Vec<QuantityRange> {
     let mut ranges = Vec::new();
     for (of, largest_is_worst) in [
@@ -132,20 +132,64 @@ pub(super) fn ranges(worst: &Corner, best: &Corner) -> Vec<QuantityRange> {
         let upper = no_safety(last, end(last, upper, true));
         ranges.push(QuantityRange { of, lower, upper });
     }
-    let same_thickness = worst.at.thickness == best.at.thickness;
-    let nested = worst.at.arch.weight() == SelfWeight::Heyman || same_thickness;
-    if nested && worst.stands() == Some(Ok(true)) {
-        for (of, largest_is_worst) in
-            [(Quantity::LeastThrust, true), (Quantity::LargestThrust, false)]
-        {
-            let [first, last] = if largest_is_worst { [best, worst] } else { [worst, best] };
-            let (Some(lower), Some(upper)) = (first.thrust(of), last.thrust(of)) else { continue };
-            ranges.push(QuantityRange {
-                of,
-                lower: RangeEnd::attained(lower, &first.at),
-                upper: RangeEnd::attained(upper, &last.at),
-            });
-        }
+    let thrusts = [(Quantity::LeastThrust, true), (Quantity::LargestThrust, false)];
+    for (of, largest_is_worst) in thrusts.into_iter().filter(|_| worst.stands() == Some(Ok(true))) {
+        let [first, last] = if largest_is_worst { [best, worst] } else { [worst, best] };
+        let (Some(lower), Some(upper)) = (first.thrust(of), last.thrust(of)) else { continue };
+        let (lower, upper) =
+            (RangeEnd::attained(lower, &first.at), RangeEnd::attained(upper, &last.at));
+        ranges.push(QuantityRange { of, lower, upper });
     }
+    ranges.extend(thrust_at_least_thickness(worst, best));
     ranges
+}
+
+/// Range of the thrust at the least thickness, where that is asked for: an enclosure. A state is admissible in the best
+/// arch too, and there as well when that has the thickness that the worst one needs.
+fn thrust_at_least_thickness(worst: &Corner, best: &Corner) -> Option<QuantityRange> {
+    let (Found::State(Ok(Answer::Stands(thin))), Found::State(Ok(Answer::Stands(thick)))) =
+        (&best.found, &worst.found)
+    else {
+        return None;
+    };
+    let of = Quantity::Thrust;
+    if is_one_arch(&worst.at, &best.at) {
+        let end = |up| RangeEnd::attained(outward(&thin.thrust, up), &best.at);
+        return Some(QuantityRange { of, lower: end(false), upper: end(true) });
+    }
+    let needed = ExactNumber::from(&thick.thickness.decimal.upper.to_rational());
+    let digits = thin.thrust.decimal.value.significant_digits().min(ENCLOSED_DIGITS);
+    let [lower, upper] = enclosed_thrusts(&best.at.arch, &needed, digits)?;
+    let enclosed = |value| RangeEnd { value, at: None };
+    Some(QuantityRange { of, lower: enclosed(lower.0), upper: enclosed(upper.1) })
+}
+
+/// Digits of an end that only encloses: more would say nothing.
+pub(super) const ENCLOSED_DIGITS: usize = 5;
+
+/// Bounds of the least and of the largest thrust of an arch that stands.
+pub(super) fn enclosed_thrusts(
+    arch: &Arch,
+    eta: &ExactNumber,
+    digits: usize,
+) -> Option<[(EndValue, EndValue); 2]> {
+    let found = Balls::DoubleDoubles.assess(arch, eta, digits).ok()?;
+    let [least, largest] = found.limits();
+    let both = |limit: &Limit<Figure>| match &limit.thrust {
+        None => (EndValue::Unbounded, EndValue::Unbounded),
+        Some(figure) => (outward(figure, false), outward(figure, true)),
+    };
+    Some([both(least?), both(largest?)])
+}
+
+/// Tells whether two corners are one arch.
+fn is_one_arch(one: &SurveyedArch, other: &SurveyedArch) -> bool {
+    let (a, b) = (one.arch.half_opening(), other.arch.half_opening());
+    let same = |a: &ExactNumber, b: &ExactNumber| a.form() == b.form() && a.factor() == b.factor();
+    same(a, b)
+        && match (one.arch.friction(), other.arch.friction()) {
+            (Friction::Coefficient(a), Friction::Coefficient(b))
+            | (Friction::Angle(a), Friction::Angle(b)) => same(a, b),
+            (a, b) => a == b,
+        }
 }

@@ -80,7 +80,28 @@ pub fn survey(survey: &Survey, digits: usize) -> Result<SurveyAnswer, Error> {
             if is_safety { [unsafe_end, safe_end] } else { [safe_end, unsafe_end] };
         ranges.push(QuantityRange { of, lower, upper });
     }
+    ranges.extend(thrusts(survey, digits).into_iter().flatten());
     Ok(SurveyAnswer { verdict, worst, best, ranges, modes: modes() })
+}
+
+/// Enclosures of the least and of the largest thrust of measured arches, if they all stand: those of two arches with the
+/// half opening of one end of the survey and the thickness of another.
+fn thrusts(survey: &Survey, digits: usize) -> Option<[QuantityRange; 2]> {
+    let digits = digits.min(corners::ENCLOSED_DIGITS);
+    let found = |side| {
+        let outermost = survey.beyond(side)?;
+        corners::enclosed_thrusts(&outermost.arch, outermost.thickness.as_ref()?, digits)
+    };
+    let [worst_least, worst_largest] = found(Side::Unsafe)?;
+    let [best_least, best_largest] = found(Side::Safe)?;
+    let range = |of, lower, upper| {
+        let [lower, upper] = [lower, upper].map(|value| RangeEnd { value, at: None });
+        QuantityRange { of, lower, upper }
+    };
+    Some([
+        range(Quantity::LeastThrust, best_least.0, worst_least.1),
+        range(Quantity::LargestThrust, worst_largest.0, best_largest.1),
+    ])
 }
 
 /// Range of the least thickness, which half opening and friction decide: its ends belong to ends of the course.

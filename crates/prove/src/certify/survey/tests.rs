@@ -85,6 +85,10 @@ fn agrees(found: &SurveyAnswer, arch: &Arch, eta: &ExactNumber) -> Result<(), Te
         }
     }
     if let Ok(Answer::Stands(state)) = Balls::DoubleDoubles.state(arch, 8, false) {
+        let thrust = state.thrust.decimal.value.to_rational();
+        let range = range(found, Quantity::Thrust);
+        let is_in = range.is_none_or(|range| lies_in(range, Some(&thrust)));
+        prop_assert!(is_in, "{arch}: thrust {thrust} not in {range:?}");
         let modes = &found.modes;
         let is_known = modes.occur.contains(&state.mode) || modes.may_occur.contains(&state.mode);
         prop_assert!(is_known, "{arch}: {} not in {modes:?}", state.mode);
@@ -128,11 +132,18 @@ proptest! {
             thickness: Some(etas.map(number)),
         };
         let found = survey(&Survey::new(weight, mus.map(friction), shape).unwrap(), DIGITS).unwrap();
-        for (a, b, c) in parts {
+        for &(a, b, c) in &parts {
             let arch = Arch::new(weight, number(within(alphas, a)), friction(within(mus, b)));
             agrees(&found, &arch.unwrap(), &number(within(etas, c)))?;
         }
         ends_are_attained(&found, DIGITS)?;
+        // The same arches with their least thicknesses.
+        let shape = Shape::Free { half_opening: alphas.map(number), thickness: None };
+        let found = survey(&Survey::new(weight, mus.map(friction), shape).unwrap(), DIGITS).unwrap();
+        for (a, b, c) in parts {
+            let arch = Arch::new(weight, number(within(alphas, a)), friction(within(mus, b)));
+            agrees(&found, &arch.unwrap(), &number(within(etas, c)))?;
+        }
     }
 
     #[test]
