@@ -21,6 +21,9 @@ const ASSESSED: [Quantity; 7] = [
     Quantity::ThicknessInMetres,
 ];
 
+/// Quantities of which they are told of arches at their least thickness.
+const STATED: [Quantity; 3] = [Quantity::Thickness, Quantity::LeastThickness, Quantity::Thrust];
+
 /// Proves and prints what holds for every arch of a question.
 pub(super) fn print(
     question: &ArchQuestion,
@@ -33,15 +36,11 @@ pub(super) fn print(
     }
     let format = output.format()?;
     is_written("the answer of a range", SurveyedArches::content(), format)?;
-    let quantities = quantities(&arguments.asked);
-    let quantities = match arguments.asked.thickness {
-        Some(_) => output.quantities(quantities)?,
-        None => {
-            // The thickness of a state is the least.
-            output.quantities(&[Quantity::Thickness, Quantity::LeastThickness])?;
-            quantities.to_vec()
-        }
-    };
+    let mut quantities = output.quantities(quantities(&arguments.asked))?;
+    // The thickness of a state is the least.
+    if quantities.contains(&Quantity::Thickness) {
+        quantities.push(Quantity::LeastThickness);
+    }
     let file = output.file().open_for(format)?;
     notes::frictions(&given.friction);
     let answer = |weight| {
@@ -55,7 +54,7 @@ pub(super) fn print(
 
 /// Quantities of which ranges are told.
 pub fn quantities(asked: &ArchAsked) -> &'static [Quantity] {
-    if asked.thickness.is_some() { &ASSESSED } else { &[Quantity::LeastThickness] }
+    if asked.thickness.is_some() { &ASSESSED } else { &STATED }
 }
 
 /// All arches of a question and of a self-weight, with what is proved of them.

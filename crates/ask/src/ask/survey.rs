@@ -135,7 +135,13 @@ impl SurveyGiven {
             }
             return one;
         }
-        let Shape::Free { half_opening, thickness: range } = &self.shape else { return one };
+        let Shape::Free { half_opening, thickness: range } = &self.shape else {
+            // An arch of no named measures is told of by its ratios.
+            (one.span, one.rise, one.measured_at) = (None, None, None);
+            one.half_opening = Some(arch.half_opening().to_string());
+            one.thickness = thickness.map(ToString::to_string);
+            return one;
+        };
         match half_opening.iter().position(|alpha| alpha == arch.half_opening()) {
             Some(end) => {
                 one.half_opening.clone_from(&self.ends[end].half_opening);
@@ -148,7 +154,10 @@ impl SurveyGiven {
                 one.half_opening = Some(arch.half_opening().to_string());
             }
         }
-        let (Some(range), Some(eta)) = (range, thickness) else { return one };
+        let (Some(range), Some(eta)) = (range, thickness) else {
+            one.thickness = None;
+            return one;
+        };
         match range.iter().position(|end| end == eta) {
             Some(end) => {
                 one.thickness.clone_from(&self.ends[end].thickness);
@@ -366,6 +375,8 @@ mod tests {
         let [span, rise, t] = ["10.05m", "300cm", "0.58m"].map(|x| x.parse().unwrap());
         let one = given.one(&arch, None, Some(&[span, rise, t]));
         assert_eq!(one.options(), " --friction 0.6 --thickness 58cm --span 10.05m --rise 3m");
+        let one = given.one(&arch, Some(&"1/10".parse().unwrap()), None);
+        assert_eq!(one.options(), " --half-opening 1 --friction 0.6 --thickness 1/10");
         let [narrow, wide] = given.half_opening();
         assert!(in_order(&[narrow, wide]).is_ok());
     }
