@@ -4,6 +4,7 @@ use super::arch::ArchArguments;
 use super::draw;
 use super::output::AnswerOutput;
 use super::state::print;
+use super::survey;
 use super::tilt;
 use super::voussoirs;
 use crate::ask::{ArchQuestion, Field};
@@ -15,6 +16,10 @@ use crate::sweep::failure::Failure;
 use clap::Args;
 
 /// Print whether an arch of a given thickness stands, its safety factors, and the thrusts it can bear.
+///
+/// A number may be a range: 2.98m..3.02m, 3m±2cm (or 3m+-2cm), 31deg±1deg, 0.6±10%, 0.5..inf. Then it is told
+/// of every arch inside: all stand, none does, or some do, with the least and largest values and the arches that
+/// have them.
 #[derive(Args)]
 #[command(
     override_usage = "couplet assess --half-opening <ANGLE> --friction <MU> --thickness <ETA> [OPTIONS]"
@@ -36,6 +41,9 @@ pub const QUESTION: ArchQuestion = ArchQuestion {
 };
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    if arguments.arch.asked.has_range() {
+        return survey::print(&QUESTION, &arguments.arch, &arguments.output);
+    }
     let (given, arches) = arguments.arch.read(&QUESTION)?;
     let Some(eta) = &given.thickness else { return Ok(()) };
     if given.tilt.is_some() {

@@ -32,6 +32,7 @@ mod states;
 mod stream;
 #[cfg(feature = "study")]
 mod study;
+mod survey;
 mod sweep;
 mod tilt;
 mod voussoirs;
@@ -81,6 +82,7 @@ commands! {
             "couplet state --span 10m --rise 3m --friction 31deg --weight both --digits 6";
         Assess(assess) ["safety" "thrust"]
             assess::QUESTION.example,
+            "couplet assess --span 10m±2cm --rise 3m±1cm --thickness 60cm±1cm --friction 31deg±1deg",
             "couplet assess --span 18.9m --rise 4.2m --thickness 90cm --stones 41 --friction 0.6 --tilt 5deg",
             "couplet assess --span 33ft --rise 10ft --thickness 2ft --friction 0.6 -o bridge.svg";
         Find(find) []

@@ -6,6 +6,7 @@ use super::constants::proved;
 use super::draw;
 use super::notes;
 use super::output::AnswerOutput;
+use super::survey;
 use super::voussoirs;
 use crate::ask::{ArchQuestion, Field};
 use crate::certify::state::Balls;
@@ -21,6 +22,8 @@ use clap::Args;
 ///
 /// With the rotational joint, the thrust, the least thickness or A in place of the half opening: all states that have
 /// it, at the friction given or, without one, at unlimited friction.
+///
+/// A number may be a range, as of `assess`: then it is told of every arch inside.
 ///
 /// The proof: the equations of the mode have one solution in a box; that state is admissible on the
 /// whole half arch; no thinner arch has an admissible state; every comparison is decided.
@@ -73,6 +76,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     if let Some(asked) = arguments.value.question(&arguments.arch.asked)? {
         return by_value::print(&asked, &arguments.arch, &arguments.output);
+    }
+    if arguments.arch.asked.has_range() {
+        return survey::print(&QUESTION, &arguments.arch, &arguments.output);
     }
     let (given, arches) = arguments.arch.read(&QUESTION)?;
     if let Some((format, file)) = arguments.output.drawing()? {
