@@ -92,8 +92,14 @@ mod tests {
     fn a_survey_is_known_by_its_first_schema() {
         for (text, expected) in [
             (r#"{"schema": "couplet.survey-certificate/1"}"#, true),
-            ("\u{feff}{\"tool\": [{}], \"schema\": \"couplet.survey-certificate\\u002f1\", nothing", true),
-            (r#"{"schema": "couplet.certificate/1", "schema": "couplet.survey-certificate/1"}"#, false),
+            (
+                "\u{feff}{\"tool\": [{}], \"schema\": \"couplet.survey-certificate\\u002f1\", nothing",
+                true,
+            ),
+            (
+                r#"{"schema": "couplet.certificate/1", "schema": "couplet.survey-certificate/1"}"#,
+                false,
+            ),
             (r#"{"claim": {"schema": "couplet.survey-certificate/1"}}"#, false),
             (r#"["schema", "couplet.survey-certificate/1"]"#, false),
             (r#"{"schema": 1}"#, false),

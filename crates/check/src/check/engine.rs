@@ -33,7 +33,10 @@ impl Engine {
     };
 
     /// An arithmetic that a program brings along, of which nothing has to be known.
-    pub const fn new(name: &'static str, check: fn(&[u8]) -> Result<AcceptedFile, Refusal>) -> Self {
+    pub const fn new(
+        name: &'static str,
+        check: fn(&[u8]) -> Result<AcceptedFile, Refusal>,
+    ) -> Self {
         Self { name, check, remark: "" }
     }
 

@@ -175,7 +175,7 @@ impl Length {
 
 impl Circle {
     /// Half thicknesses from it to the centreline, outwards.
-    const fn to_centreline(self) -> i32 {
+    pub const fn to_centreline(self) -> i32 {
         match self {
             Self::Intrados => 1,
             Self::Centreline => 0,

@@ -128,6 +128,17 @@ says!(SurveyError {
     MeasureError => Self::Measures;
 });
 
+impl SurveyVerdict {
+    /// The verdict in a sentence.
+    pub const fn sentence(self) -> &'static str {
+        match self {
+            Self::AllStand => "every arch stands",
+            Self::NoneStands => "no arch stands",
+            Self::BothOccur => "some arches stand, others do not",
+        }
+    }
+}
+
 impl Survey {
     /// The arches between these ends, if each range has its lower end first and every arch of it is one.
     pub fn new(
@@ -161,7 +172,8 @@ impl Survey {
                 }
                 // The radius is least at the least span, and of its rises at the one nearest to half the span.
                 let half = span[0].metres() / BigInt::from(2);
-                let rise = smaller(larger(half, rise[0].metres().clone()), rise[1].metres().clone());
+                let rise =
+                    smaller(larger(half, rise[0].metres().clone()), rise[1].metres().clone());
                 let (_, radius) = of_span_and_rise(&span[0], &Length::new(rise));
                 Measures::new(*circle, radius, None).thickness(&thickness[1])?;
             }
@@ -265,6 +277,17 @@ impl Survey {
         Some(Bounding { arch: self.arch(alpha, side)?, thickness })
     }
 
+    /// Span, rise and thickness of the arch at a place of a side's course.
+    pub fn measured(&self, side: Side, at: &Place) -> Option<[Length; 3]> {
+        let Shape::Spanned { thickness: [thin, thick], .. } = &self.shape else { return None };
+        let thickness = match side {
+            Side::Unsafe => thin,
+            Side::Safe => thick,
+        };
+        let [span, rise] = at.clone().map(Length::new);
+        Some([span, rise, thickness.clone()])
+    }
+
     fn arch(&self, half_opening: ExactNumber, side: Side) -> Option<Arch> {
         let friction = self.friction_at(side).clone();
         Arch::new_with(self.weight, half_opening, friction, false).ok()
@@ -302,8 +325,8 @@ fn radius(span: &BigRational, rise: &BigRational) -> BigRational {
     (&half * &half + rise * rise) / (rise * BigInt::from(2))
 }
 
-/// Checks that the first end is not above the last.
-fn in_order([first, last]: &[ExactNumber; 2]) -> Result<(), SurveyError> {
+/// Checks that the first end is not above the last; open if they cannot be told apart.
+pub fn in_order([first, last]: &[ExactNumber; 2]) -> Result<(), SurveyError> {
     let texts = || (first.to_string(), last.to_string());
     let is_in_order = if first.form() == last.form() {
         !exceeds(first.factor(), last.factor())
@@ -317,7 +340,8 @@ fn in_order([first, last]: &[ExactNumber; 2]) -> Result<(), SurveyError> {
     }
 }
 
-fn frictions_in_order([first, last]: &[Friction; 2]) -> Result<(), SurveyError> {
+/// Checks that the first friction is not above the last; open if they cannot be told apart.
+pub fn frictions_in_order([first, last]: &[Friction; 2]) -> Result<(), SurveyError> {
     match (first, last) {
         (_, Friction::Infinite) => Ok(()),
         (Friction::Coefficient(first), Friction::Coefficient(last))

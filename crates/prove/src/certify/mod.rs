@@ -20,6 +20,7 @@ mod processor_time;
 mod programme;
 mod serial;
 pub mod state;
+pub mod survey;
 mod survey_certificate;
 mod tilt;
 mod tilt_mechanism;

@@ -242,8 +242,7 @@ mod tests {
         let (verdict, _) =
             made(["9.9m", "10.1m"], ["2.95m", "3.05m"], ["10cm", "50cm"], ["0.5", "0.6"]);
         assert_eq!(verdict, SurveyVerdict::BothOccur);
-        let (verdict, _) =
-            made(["9m", "11m"], ["4.5m", "5.5m"], ["5cm", "10cm"], ["0.5", "inf"]);
+        let (verdict, _) = made(["9m", "11m"], ["4.5m", "5.5m"], ["5cm", "10cm"], ["0.5", "inf"]);
         assert_eq!(verdict, SurveyVerdict::NoneStands);
         // One arch.
         let (verdict, parts) = made(["10m", "10m"], ["3m", "3m"], ["45cm", "45cm"], ["1", "1"]);
@@ -257,8 +256,7 @@ mod tests {
         for (thickness, expected) in
             [("25cm", SurveyVerdict::AllStand), ("22cm", SurveyVerdict::BothOccur)]
         {
-            let survey =
-                spanned(["9m", "11m"], ["2m", "3m"], [thickness, "50cm"], ["0.7", "0.8"]);
+            let survey = spanned(["9m", "11m"], ["2m", "3m"], [thickness, "50cm"], ["0.7", "0.8"]);
             println!("{thickness} {:?} {expected:?}", accepted(&survey));
         }
     }

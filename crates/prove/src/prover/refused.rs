@@ -116,7 +116,9 @@ pub enum Refused {
     #[error("a certificate of a survey needs a thickness: without one there is no verdict")]
     SurveyWithoutThickness,
     /// A length of more digits than the certificate of a survey has.
-    #[error("in a certificate of a survey a length is a fraction of integers of at most {MAX_LENGTH_DIGITS} digits")]
+    #[error(
+        "in a certificate of a survey a length is a fraction of integers of at most {MAX_LENGTH_DIGITS} digits"
+    )]
     LongLengths,
     /// Arrays that have to be of one length are not.
     #[error("the arrays are not of one length: {}", lengths(.0))]

@@ -1,0 +1,21 @@
+//! Verdicts on every arch of a [survey](crate::problem::survey), and the ranges of what is asked of one.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `answer` | the answer: verdict, ranges and the arches at their ends |
+//! | `corners` | half opening and thickness free of each other: two arches decide |
+//! | `course` | span, rise and thickness measured: the extreme along a course, by halving |
+//! | `modes` | the modes that occur |
+//! | `survey` | the question |
+
+mod answer;
+mod corners;
+mod course;
+mod modes;
+#[allow(clippy::module_inception, reason = "the folder is named after what it answers")]
+mod survey;
+
+pub use crate::problem::survey::SurveyVerdict;
+pub use answer::{EndValue, ModesFound, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch};
+pub use course::MEASURED_DIGITS;
+pub use survey::survey;
