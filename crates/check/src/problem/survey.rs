@@ -259,22 +259,45 @@ impl Survey {
         let Shape::Spanned { circle, thickness: [thin, thick], .. } = &self.shape else {
             return None;
         };
-        let radius = |at: &Place| radius(&at[0], &at[1]);
-        let [low, high] = [radius(first), radius(last)];
-        let (at, t, radius) = match side {
-            Side::Unsafe => (last, thin, larger(low, high)),
-            Side::Safe => {
-                let half = &first[0] / BigInt::from(2);
-                let has_least = is_same(&first[0], &last[0])
-                    && exceeds(&half, &first[1])
-                    && exceeds(&last[1], &half);
-                (first, thick, if has_least { half } else { smaller(low, high) })
-            }
+        let radius = self.radius(side, [first, last]);
+        let (at, t) = match side {
+            Side::Unsafe => (last, thin),
+            Side::Safe => (first, thick),
         };
         let alpha = ExactNumber::twice_arctangent(&at[1] * BigInt::from(2) / &at[0]);
         let measures = Measures::new(*circle, Length::new(radius), None);
         let thickness = Some(measures.thickness(t).ok()?);
         Some(Bounding { arch: self.arch(alpha, side)?, thickness })
+    }
+
+    /// Largest radius on a step of the unsafe course, least of one on the safe course, at the measured circle.
+    fn radius(&self, side: Side, [first, last]: [&Place; 2]) -> BigRational {
+        let [low, high] = [first, last].map(|at| radius(&at[0], &at[1]));
+        match side {
+            Side::Unsafe => larger(low, high),
+            Side::Safe => {
+                let half = &first[0] / BigInt::from(2);
+                let has_least = is_same(&first[0], &last[0])
+                    && exceeds(&half, &first[1])
+                    && exceeds(&last[1], &half);
+                if has_least { half } else { smaller(low, high) }
+            }
+        }
+    }
+
+    /// Arch of the half opening and friction that are least safe, or safest, of all, with the largest, or least, radius
+    /// at the measured circle: with these two a least thickness in metres is at an end.
+    pub fn outermost(&self, side: Side) -> Option<(Arch, Length, Circle)> {
+        let Shape::Spanned { circle, .. } = &self.shape else { return None };
+        let [narrow, wide] = self.half_opening();
+        let [first, middle, last] = self.course(side)?;
+        let legs = [[&first, &middle], [&middle, &last]].map(|leg| self.radius(side, leg));
+        let [one, other] = legs;
+        let (alpha, radius) = match side {
+            Side::Unsafe => (wide, larger(one, other)),
+            Side::Safe => (narrow, smaller(one, other)),
+        };
+        Some((self.arch(alpha, side)?, Length::new(radius), *circle))
     }
 
     /// Span, rise and thickness of the arch at a place of a side's course.
