@@ -4,7 +4,7 @@ use super::checker::{ASTRO_DIGITS, Accepted, check};
 use super::refusal::Refusal;
 use super::summary::summary;
 use super::survey_checker::{AcceptedSurvey, check_survey};
-use super::survey_file::{SURVEY_SCHEMA, SurveyCertificate};
+use super::survey_file::{SURVEYS, SurveyCertificate};
 use super::survey_summary::survey_summary;
 use crate::number::{AstroInterval, Engine};
 use serde::de::{Deserializer, IgnoredAny, MapAccess, Visitor};
@@ -51,7 +51,7 @@ pub fn verify_file(bytes: &[u8]) -> Result<AcceptedFile, Refusal> {
     check_file::<AstroInterval>(bytes, ASTRO_DIGITS)
 }
 
-/// Tells whether the first schema of a text is that of a survey. Nothing else is looked at: what reads the file says
+/// Tells whether the first schema of a text is one of surveys, of whatever version. Nothing else is looked at: what reads the file says
 /// what is wrong with it.
 fn is_survey(bytes: &[u8]) -> bool {
     let Ok(text) = str::from_utf8(bytes) else { return false };
@@ -75,7 +75,7 @@ impl<'de> Visitor<'de> for SchemaOf<'_> {
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<(), A::Error> {
         while let Some(name) = map.next_key::<String>()? {
             if name == "schema" {
-                *self.0 = map.next_value::<String>()? == SURVEY_SCHEMA;
+                *self.0 = map.next_value::<String>()?.starts_with(SURVEYS);
                 return Ok(());
             }
             map.next_value::<IgnoredAny>()?;
@@ -92,6 +92,7 @@ mod tests {
     fn a_survey_is_known_by_its_first_schema() {
         for (text, expected) in [
             (r#"{"schema": "couplet.survey-certificate/1"}"#, true),
+            (r#"{"schema": "couplet.survey-certificate/2"}"#, true),
             (
                 "\u{feff}{\"tool\": [{}], \"schema\": \"couplet.survey-certificate\\u002f1\", nothing",
                 true,

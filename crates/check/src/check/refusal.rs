@@ -93,7 +93,7 @@ pub enum Refusal {
 says!(Refusal {
     Self::Encoding(byte) => "the file is not UTF-8 from byte {byte} on";
     Self::Format(reason) => "the file is not a certificate: {reason}";
-    Self::Schema(schema) => "schema: '{schema}' is not couplet.certificate/1, nor that of a survey";
+    Self::Schema(schema) => "schema: '{schema}' is not couplet.certificate/1 or couplet.survey-certificate/1";
     Self::Subject =>
         "claim: needs exactly one of 'landmark', 'state', 'slides', 'too_wide', 'too_thin', 'stands', 'asymmetric'";
     Self::Name { place, text } => "claim: there is no {place} '{text}'";

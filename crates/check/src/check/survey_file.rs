@@ -18,6 +18,8 @@ use std::marker::PhantomData;
 
 /// The schema of this version.
 pub const SURVEY_SCHEMA: &str = "couplet.survey-certificate/1";
+/// Schemas of surveys begin with this.
+pub(super) const SURVEYS: &str = "couplet.survey-certificate/";
 /// The most parts that are read.
 pub const MAX_PARTS: usize = 4096;
 /// Digits of an integer of a length: the arches of a course are computed from them.
