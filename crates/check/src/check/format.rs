@@ -66,10 +66,16 @@ impl Certificate {
     /// the place and the cause.
     pub fn read(bytes: &[u8]) -> Result<Self, Refusal> {
         let certificate: Self = read_json(bytes)?;
-        if certificate.schema != SCHEMA {
-            return Err(Refusal::Schema(shortened(&certificate.schema)));
-        }
+        certificate.of_this_schema()?;
         Ok(certificate)
+    }
+
+    /// Checks that the certificate is one of this version.
+    pub(super) fn of_this_schema(&self) -> Result<(), Refusal> {
+        match self.schema == SCHEMA {
+            true => Ok(()),
+            false => Err(Refusal::Schema(shortened(&self.schema))),
+        }
     }
 }
 

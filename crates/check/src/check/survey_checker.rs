@@ -56,6 +56,7 @@ pub fn check_survey<E: Engine>(
     let all = deciding(&survey, verdict, &claimed)?;
     // What is cheap to refuse is looked at first.
     for (index, (part, deciding)) in parts.iter().zip(&all).enumerate() {
+        part.certificate.of_this_schema().map_err(|refusal| within(index, refusal))?;
         let problem = part.certificate.claim.resolve().map_err(|refusal| within(index, refusal))?;
         claims(index + 1, &problem, deciding, verdict)?;
     }
