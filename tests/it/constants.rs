@@ -1,5 +1,5 @@
-//! The certificates in `proofs/constants`, `proofs/states`, `proofs/asymmetric` and `proofs/surveys` are accepted, and are
-//! those that the program makes.
+//! The certificates in `proofs/constants`, `proofs/states`, `proofs/asymmetric` and `proofs/surveys` are accepted, and
+//! are those that the program makes.
 
 use couplet::arch::SelfWeight;
 use couplet::arch::asymmetric::AsymmetricMode;

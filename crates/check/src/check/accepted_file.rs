@@ -20,7 +20,7 @@ pub enum AcceptedFile {
 }
 
 impl AcceptedFile {
-    /// What was accepted, in a few words: the end of the line that `couplet check` gives a file.
+    /// Summary of what was accepted: the end of the line that `couplet check` gives a file.
     pub fn summary(&self) -> String {
         match self {
             Self::Certificate(accepted) => summary(accepted),
@@ -51,8 +51,8 @@ pub fn verify_file(bytes: &[u8]) -> Result<AcceptedFile, Refusal> {
     check_file::<AstroInterval>(bytes, ASTRO_DIGITS)
 }
 
-/// Tells whether the first schema of a text is one of surveys, of whatever version. Nothing else is looked at: what reads the file says
-/// what is wrong with it.
+/// Tells whether the first schema of a text is one of surveys, of whatever version. Nothing else is looked at: what
+/// reads the file says what is wrong with it.
 fn is_survey(bytes: &[u8]) -> bool {
     let Ok(text) = str::from_utf8(bytes) else { return false };
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);

@@ -24,8 +24,8 @@ pub struct AcceptedSurvey {
     pub parts: usize,
 }
 
-/// Checks a certificate of a survey in the arithmetic `E`, each arch in it up to `max_digits` digits and never more than
-/// [`MAX_DIGITS`](super::MAX_DIGITS).
+/// Checks a certificate of a survey in the arithmetic `E`, each arch in it up to `max_digits` digits and never more
+/// than [`MAX_DIGITS`](super::MAX_DIGITS).
 ///
 /// Guaranteed if it is accepted: the verdict holds for every arch of the survey, its ends among them. A [`Refusal`]
 /// names the place and says nothing about the truth.

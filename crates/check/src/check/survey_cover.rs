@@ -9,7 +9,7 @@ pub(super) type Claimed = (Side, Option<[Place; 2]>);
 /// An arch that has to be decided.
 pub(super) struct Deciding {
     pub bounding: Bounding,
-    /// Whether it has to stand, or not to stand.
+    /// True if it has to stand, false if not to stand.
     pub stands: bool,
 }
 

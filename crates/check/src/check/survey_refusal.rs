@@ -50,7 +50,7 @@ pub enum SurveyRefusal {
     Claim {
         /// Part that is meant.
         part: usize,
-        /// Whether it has to say that its arch stands, or that it does not.
+        /// True if it has to say that its arch stands, false if that it does not.
         stands: bool,
         /// The verdict on the survey.
         verdict: SurveyVerdict,

@@ -9,7 +9,7 @@ use crate::problem::asymmetric_region::STANDS;
 use crate::problem::measures::Length;
 use crate::problem::survey::{Shape, SurveyVerdict};
 
-/// What was accepted of a survey, in a few words.
+/// Summary of what was accepted of a survey, in a few words.
 pub(super) fn survey_summary(accepted: &AcceptedSurvey) -> String {
     let survey = &accepted.survey;
     let verdict = match accepted.verdict {

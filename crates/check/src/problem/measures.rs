@@ -189,8 +189,8 @@ impl Circle {
     }
 }
 
-/// Tells whether the first of two lengths is the larger one. Their own comparison goes down a continued fraction, a step
-/// of recursion for each of its terms, which many digits make too many.
+/// Tells whether the first of two lengths is the larger one. Their own comparison goes down a continued fraction, a
+/// step of recursion for each of its terms, which many digits make too many.
 pub(super) fn exceeds(a: &BigRational, b: &BigRational) -> bool {
     a.numer() * b.denom() > b.numer() * a.denom()
 }

@@ -69,7 +69,7 @@ impl Part {
         found.ok_or_else(|| Undecided::new("which arch decides"))
     }
 
-    /// Whether its arch stands.
+    /// Tells whether its arch stands.
     fn stands(&self, survey: &Survey) -> Result<bool, Undecided> {
         let Bounding { arch, thickness } = self.bounding(survey)?;
         let thickness = thickness.ok_or_else(|| Undecided::new("how thick the arch is"))?;
@@ -117,7 +117,7 @@ fn on_courses(survey: &Survey) -> Result<(SurveyVerdict, Vec<Part>), Undecided> 
     })
 }
 
-/// What a course shows of the arches on a side.
+/// Outcome along a course.
 enum Along {
     /// Steps of which all arches stand, on the unsafe side, or none, on the safe side.
     Covered(Vec<Part>),
