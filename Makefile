@@ -87,8 +87,8 @@ deny:
 constants: build
 	./target/release/couplet certify all --digits 100 --output proofs/constants
 
-# One certified state of each collapse mode, for Coq, and one asymmetric solution of (19) of each kind, for each weight; a test
-# says whether they are up to date.
+# One certified state of each collapse mode, for Coq, one asymmetric solution of (19) of each kind, for each weight, and verdicts
+# on all arches of surveys; a test says whether they are up to date.
 states: build
 	mkdir -p proofs/states
 	while read -r name weight alpha mu; do \
@@ -100,6 +100,10 @@ states: build
 	  ./target/release/couplet certify asymmetric --weight $$weight --alpha $$alpha --mu $$mu --mode $$mode --digits 30 \
 	    --output proofs/asymmetric/$$name.json || exit 1; \
 	done < proofs/asymmetric/arches.txt
+	mkdir -p proofs/surveys
+	while read -r name arches; do \
+	  ./target/release/couplet certify survey $$arches --digits 10 --output proofs/surveys/$$name.json || exit 1; \
+	done < proofs/surveys/arches.txt
 	./target/release/couplet prove --coq proofs/coq/generated \
 	  --state proofs/states/*.json proofs/asymmetric/inner-sliding-*.json
 
@@ -110,7 +114,8 @@ checker:
 	@! cargo tree --locked --package couplet-check --features malachite -e normal,build | grep -E "rug|gmp-mpfr"
 	@[ $$(cargo tree --locked --package couplet-check -e normal,build --prefix none | sed 's/ (.*//' | sort -u | wc -l) -le 20 ] || \
 	  { echo "couplet: the checker has more than 20 crates" >&2; exit 1; }
-	target/checker/release/couplet-check proofs/constants/*.json proofs/states/*.json proofs/asymmetric/*.json >target/checker/said
+	target/checker/release/couplet-check proofs/constants/*.json proofs/states/*.json proofs/asymmetric/*.json \
+	  proofs/surveys/*.json >target/checker/said
 	@echo "$$(grep -c ': accepted' target/checker/said) certificates accepted"
 
 # Every sensible build without a warning, and what must not be in it.
@@ -214,7 +219,7 @@ witness:
 	  echo "couplet: the third check needs Python 3.10 or newer with venv and python-flint (pip install python-flint)" >&2; \
 	  exit 1; }
 	@if python3 -c 'import flint' 2>/dev/null; then python=python3; else python=$(ARB)/bin/python3; fi; \
-	$$python proofs/check_with_arb.py proofs/constants/*.json proofs/states/*.json proofs/asymmetric/*.json
+	$$python proofs/check_with_arb.py proofs/constants/*.json proofs/states/*.json proofs/asymmetric/*.json proofs/surveys/*.json
 
 # GMP's configure script, run by the first build, needs m4.
 m4:

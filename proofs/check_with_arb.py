@@ -8,7 +8,8 @@ One line per file, `FILE: accepted ...` or `FILE: refused: reason`. The exit sta
 
 What an acceptance proves. The large box X of the certificate holds exactly one common zero of the
 equations of the claim, this zero lies in the small box, there it has the signs which the claim demands, and
-each decimal number listed is the true value, correctly rounded. A refusal says only that this was not shown.
+each decimal number listed is the true value, correctly rounded. Of a survey: each certificate in it is accepted, and these
+are the arches that decide its verdict. A refusal says only that this was not shown.
 
 What is trusted. Arb (FLINT) encloses sums, products, quotients, roots, sine, cosine, arctangent and pi as it
 says; Python and its JSON parser; `docs/certificate.md` for the meaning of a claim, from which alone this file
@@ -23,9 +24,10 @@ import json
 import re
 import sys
 
-from flint import arb, ctx, fmpz
+from flint import arb, ctx, fmpq, fmpz
 
 MAX_BYTES, MAX_DIGITS, MAX_GIVEN, MAX_ENTRIES = 64 << 20, 1_000_000, 100_000, 32
+MAX_PARTS, MAX_LENGTH = 4096, 300  # of a survey; digits of its lengths
 MAX_POWER, MAX_EXPONENT = 3_000_000, 10_000_000  # of ten and of two
 SHORT, LONG, GUARD = 256, 24_000, 128  # bits: radii, the centre of `unique` and inverse, of precision besides
 
@@ -528,7 +530,8 @@ def is_rounding(text, x, digits):
 def parse(data):
     def once(pairs):
         need(len(dict(pairs)) == len(pairs), "a field stands twice")
-        need(all(type(x) is not list or len(x) <= MAX_ENTRIES for _, x in pairs), "too long a list")
+        need(all(type(x) is not list or len(x) <= (MAX_PARTS if name == "parts" else MAX_ENTRIES)
+                 for name, x in pairs), "too long a list")
         return dict(pairs)
 
     try:  # NaN, Infinity and 1.0 become floats, and no field admits a float
@@ -539,10 +542,142 @@ def parse(data):
         raise Refused(f"no JSON: {error}") from None
 
 
+# Surveys: which arches decide the verdict on all of them. An exact number is its form and its fraction.
+def exact(text):
+    form = next((form for form in ("tan ", "2 atan ") if text.startswith(form)), "")
+    if form == "tan ":
+        return (form, *exact(text[4:]))
+    exact_ratio(text)
+    n, d = text.removeprefix(form).removesuffix(" pi").split("/")
+    q = fmpq(fmpz(n), fmpz(d))
+    if form and q == 1:
+        return (" pi", q / 2)
+    return (form + " pi" * text.endswith(" pi"), q)
+
+
+def exact_grip(text):
+    """A friction; an angle is known by its size. A right angle is written as `inf`."""
+    exact_friction(text)
+    return (text,) if text == "inf" else exact(text)
+
+
+def length(text):
+    parts = re.fullmatch("([0-9]{1,%d})/([0-9]{1,%d})" % (MAX_LENGTH, MAX_LENGTH), text)
+    need(parts and int(parts[1]) > 0 and int(parts[2]) > 0, f"{text[:40]!a} is no length")
+    return fmpq(int(parts[1]), int(parts[2]))
+
+
+def ends(thing, read, where):
+    need(type(thing) is list and len(thing) == 2 and all(type(x) is str for x in thing), f"{where}: not two ends")
+    return [read(x) for x in thing]
+
+
+def in_order(texts, read, value, where):
+    """Two ends in their exact forms, the first not above the last."""
+    first, last = ends(texts, read, where)
+    if len(first) == len(last) > 1 and first[:-1] == last[:-1]:
+        need(first[-1] <= last[-1], f"{where}: not in order")
+    elif first != last:
+        need(value(texts[0])({}) < value(texts[1])({}), f"{where}: not in order")
+    return first, last
+
+
+class Survey:
+    def __init__(self, survey):
+        self.free = type(survey) is dict and "free" in survey
+        shape = "free" if self.free else "spanned"
+        fields(survey, "survey", weight=str, friction=list, **{shape: dict})
+        self.weight, thing = survey["weight"], survey[shape]
+        self.friction = in_order(survey["friction"], exact_grip, exact_friction, "friction")
+        if self.free:
+            fields(thing, shape, half_opening=list, thickness=list)
+            self.opening = in_order(thing["half_opening"], exact, exact_ratio, "half_opening")
+            self.thickness = in_order(thing["thickness"], exact, exact_ratio, "thickness")
+            for text in thing["half_opening"]:
+                need(0 < exact_ratio(text)({}) and exact_ratio(text)({}) < arb.pi(), "half opening not between 0 and pi")
+            need(all(form == "" and 0 < η <= 2 for form, η in self.thickness), "no thickness")
+        else:
+            fields(thing, shape, circle=str, span=list, rise=list, thickness=list)
+            self.outwards = {"intrados": 1, "centreline": 0, "extrados": -1}.get(thing["circle"])
+            need(self.outwards is not None, "no such circle")
+            self.span, self.rise, self.thickness = (ends(thing[name], length, name) for name in ("span", "rise", "thickness"))
+            need(all(a <= b for a, b in (self.span, self.rise, self.thickness)), "lengths not in order")
+            half = self.span[0] / 2
+            least = self.radius([self.span[0], min(max(half, self.rise[0]), self.rise[1])])
+            most = {1: None, 0: 2 * least, -1: least}[self.outwards]
+            need(most is None or self.thickness[1] <= most, "too thick for its circle")
+
+    @staticmethod
+    def radius(place):
+        s, f = place
+        return (s * s / 4 + f * f) / (2 * f)
+
+    def course(self, side):
+        (short, long), (low, high) = self.span, self.rise
+        return [[long, low], [long, high] if side == "unsafe" else [short, low], [short, high]]
+
+    def deciding(self, side, step):
+        """Weight, half opening, friction and thickness of the arch that decides a step, or all."""
+        unsafe = side == "unsafe"
+        friction = self.friction[0 if unsafe else 1]
+        if self.free:
+            return self.weight, self.opening[1 if unsafe else 0], friction, self.thickness[0 if unsafe else 1][1]
+        legs = zip(self.course(side), self.course(side)[1:])
+        need(any(all(leg[0][i] <= step[0][i] <= step[1][i] <= leg[1][i] or leg[0][i] >= step[0][i] >= step[1][i] >= leg[1][i]
+                     for i in (0, 1)) for leg in legs), "a step that is not on a leg of the course")
+        radii, half = [self.radius(place) for place in step], step[0][0] / 2
+        if unsafe:
+            (s, f), t, R = step[1], self.thickness[0], max(radii)
+        else:
+            (s, f), t, R = step[0], self.thickness[1], min(radii)
+            if step[0][0] == step[1][0] and step[0][1] < half < step[1][1]:
+                R = half
+        q = 2 * f / s
+        opening = (" pi", q / 2) if q == 1 else ("2 atan ", q)
+        return self.weight, opening, friction, t / (R + t * self.outwards / 2)
+
+
+def check_survey(file):
+    fields(file, "survey", schema=str, tool=str, survey=dict, verdict=str, parts=list)
+    survey, verdict, parts = Survey(file["survey"]), file["verdict"], file["parts"]
+    needed = {"all_stand": [("unsafe", True)], "none_stands": [("safe", False)],
+              "both_occur": [("unsafe", False), ("safe", True)]}.get(verdict)
+    need(needed, "no such verdict")
+    covers = not survey.free and len(needed) == 1
+    need(parts if covers else len(parts) == len(needed), "not the parts of the verdict")
+    at = survey.course(needed[0][0])[0] if covers else None
+    for (side, stands), part in zip(needed * (len(parts) if covers else 1), parts, strict=True):
+        fields(part, "part", side=str, certificate=dict, **({} if survey.free else {"step": dict}))
+        need(part["side"] == side, "a part on another side")
+        step = None
+        if not survey.free:
+            fields(part["step"], "step", span=list, rise=list)
+            step = [list(place) for place in zip(*(ends(part["step"][name], length, name) for name in ("span", "rise")))]
+            need(step[0] == (at if covers else step[1]), "a gap in the course" if covers else "no single arch")
+            at = step[1]
+        expected = survey.deciding(side, step)
+        check_certificate(part["certificate"])
+        claim = part["certificate"]["claim"]
+        kind = next(kind for kind in KINDS if kind in claim)
+        need(kind in (["stands"] if stands else ["too_thin", "slides", "too_wide"]), f"a part that says {kind}")
+        thing = claim[kind]
+        η = exact(thing["thickness"])[1] if "thickness" in thing else expected[3]
+        found = claim["weight"], exact(thing["half_opening"]), exact_grip(thing["friction"]), η
+        need(found == expected, "a part of another arch than the one that decides")
+    need(not covers or at == survey.course(needed[0][0])[2], "the course is not covered")
+    return f"survey, {verdict}, {survey.weight}, by {len(parts)} certificates"
+
+
 def check(data):
     ctx.prec = LONG + GUARD
     need(len(data) <= MAX_BYTES, "too large a file")
     file = parse(data)
+    is_survey = type(file) is dict and file.get("schema") == "couplet.survey-certificate/1"
+    return check_survey(file) if is_survey else check_certificate(file)
+
+
+def check_certificate(file):
+    ctx.prec = LONG + GUARD
     fields(file, "certificate", schema=str, tool=str, claim=dict, digits=int, unique=dict, inverse=list,
            root=dict, values=list)
     need(file["schema"] == "couplet.certificate/1", "another schema")

@@ -10,7 +10,7 @@ trap 'rm -rf "$work"' EXIT
 
 failed() { echo "couplet: $*" >&2; exit 1; }
 
-stored=(proofs/constants/*.json proofs/states/*.json proofs/asymmetric/*.json)
+stored=(proofs/constants/*.json proofs/states/*.json proofs/asymmetric/*.json proofs/surveys/*.json)
 for engine in astro mpfr; do
     "$program" check --engine $engine "${stored[@]}" >"$work/said" || failed "a stored certificate: $(grep -v ': accepted' "$work/said")"
     echo "${#stored[@]} stored certificates accepted by $engine"
@@ -18,7 +18,7 @@ done
 
 "$program" certify all --digits 100 --output "$work/constants" >/dev/null
 diff -r proofs/constants "$work/constants" >/dev/null || failed "the landmarks have other certificates than proofs/constants"
-mkdir "$work/states" "$work/asymmetric"
+mkdir "$work/states" "$work/asymmetric" "$work/surveys"
 while read -r name weight alpha mu; do
     "$program" certify state --weight "$weight" --alpha "$alpha" --mu "$mu" --digits 30 --output "$work/states/$name.json" >/dev/null
     cmp "proofs/states/$name.json" "$work/states/$name.json"
@@ -28,6 +28,11 @@ while read -r name weight alpha mu mode; do
         --output "$work/asymmetric/$name.json" >/dev/null
     cmp "proofs/asymmetric/$name.json" "$work/asymmetric/$name.json"
 done <proofs/asymmetric/arches.txt
+while read -r name arches; do
+    # shellcheck disable=SC2086 # options
+    "$program" certify survey $arches --digits 10 --output "$work/surveys/$name.json" >/dev/null
+    cmp "proofs/surveys/$name.json" "$work/surveys/$name.json"
+done <proofs/surveys/arches.txt
 echo "${#stored[@]} certificates are made byte for byte as they are stored"
 
 "$program" audit >"$work/audit"

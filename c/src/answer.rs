@@ -3,7 +3,7 @@
 use crate::border::{Outcome, c_text, optional, or_else, taken};
 use crate::codes::{COUPLET_FAULT, COUPLET_OPEN, COUPLET_PROVED, COUPLET_RESOURCE, COUPLET_USAGE};
 use crate::failure::Failure;
-use couplet::check::{Accepted, Certificate, summary};
+use couplet::check::{AcceptedFile, Certificate};
 use couplet::problem::Quantity;
 use couplet::report::{self, Answers, Format, Reported, Status, Subject, Value};
 use std::borrow::Cow;
@@ -111,15 +111,17 @@ impl Answer {
     }
 
     /// A certificate that is accepted, with what it proves.
-    pub(crate) fn accepted(accepted: &Accepted) -> Self {
+    pub(crate) fn accepted(accepted: &AcceptedFile) -> Self {
         let value = |(quantity, text): &(Quantity, String)| Known {
             quantity: *quantity,
             name: c_text(quantity.name()),
             texts: [CString::default(), c_text(text.as_str()), CString::default()],
             doubles: None,
         };
-        let values = accepted.values.iter().map(value).collect();
-        Self { values, ..Self::new(COUPLET_PROVED, "accepted", summary(accepted)) }
+        // A survey has no values of its own.
+        let values = accepted.certificate().map_or(&[][..], |accepted| &accepted.values);
+        let values = values.iter().map(value).collect();
+        Self { values, ..Self::new(COUPLET_PROVED, "accepted", accepted.summary()) }
     }
 
     /// A certificate that is refused, and why.

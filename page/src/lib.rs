@@ -10,7 +10,7 @@ mod prove;
 mod question;
 mod rounding;
 
-use couplet_check::check::{Refusal, summary, verify};
+use couplet_check::check::{Refusal, verify_file};
 use serde::Serialize;
 use std::cell::RefCell;
 
@@ -33,8 +33,8 @@ pub struct Checked {
 
 /// Checks the bytes of a file.
 pub fn checked(bytes: &[u8]) -> Checked {
-    let (accepted, sentence) = match verify(bytes) {
-        Ok(found) => (true, format!("accepted  {}", summary(&found))),
+    let (accepted, sentence) = match verify_file(bytes) {
+        Ok(found) => (true, format!("accepted  {}", found.summary())),
         Err(limit @ Refusal::Limit(..)) => (false, format!("not checked: {limit}")),
         Err(refusal) => (false, format!("refused: {refusal}")),
     };

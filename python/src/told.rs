@@ -2,7 +2,7 @@
 
 use couplet::certify::state::Figure;
 use couplet::certify::{LargestTilt, VoussoirStanding, Voussoirs};
-use couplet::check::Accepted;
+use couplet::check::AcceptedFile;
 use couplet::problem::{Mode, Quantity};
 use couplet::report::{Answer, Status, TiltedArch, Value, VoussoirArch};
 use pyo3::prelude::*;
@@ -118,8 +118,10 @@ pub(crate) fn tilted<'py>(py: Python<'py>, arch: &TiltedArch) -> PyResult<Bound<
 pub(crate) fn checked<'py>(
     py: Python<'py>,
     (verdict, reason): (&str, Option<String>),
-    accepted: Option<&Accepted>,
+    accepted: Option<&AcceptedFile>,
 ) -> PyResult<Bound<'py, PyDict>> {
+    // A survey has no values of its own.
+    let accepted = accepted.and_then(AcceptedFile::certificate);
     let all = PyDict::new(py);
     all.set_item("verdict", verdict)?;
     all.set_item("reason", reason)?;

@@ -1,9 +1,9 @@
-//! The certificates in `proofs/constants`, `proofs/states` and `proofs/asymmetric` are accepted, and are those that
-//! the program makes.
+//! The certificates in `proofs/constants`, `proofs/states`, `proofs/asymmetric` and `proofs/surveys` are accepted, and
+//! are those that the program makes.
 
 use couplet::arch::SelfWeight;
 use couplet::arch::asymmetric::AsymmetricMode;
-use couplet::check::{Accepted, check};
+use couplet::check::{Accepted, SurveyCertificate, check, check_survey};
 use couplet::number::AstroInterval;
 use couplet::problem::Landmark;
 use couplet::problem::Problem;
@@ -76,4 +76,20 @@ fn the_stored_asymmetric_solutions_are_those_that_the_program_makes() {
     kinds.sort_unstable();
     let all = AsymmetricMode::ALL.map(|mode| [0, 1].map(|flag| (mode.name(), flag)));
     assert_eq!(kinds, all.concat());
+}
+
+#[test]
+fn the_stored_surveys_are_those_that_the_program_makes() {
+    let mut verdicts = Vec::new();
+    for path in stored("surveys") {
+        let text = fs::read_to_string(&path).unwrap();
+        let read = SurveyCertificate::read(text.as_bytes()).unwrap();
+        let accepted = check_survey::<AstroInterval>(&read, 1000).unwrap();
+        let made = couplet::certify::certify_survey(&accepted.survey, 10).unwrap();
+        let made = serde_json::to_string_pretty(&made).unwrap() + "\n";
+        assert!(text == made, "{}: run `make states`", path.display());
+        verdicts.push(accepted.verdict.name());
+    }
+    verdicts.sort_unstable();
+    assert_eq!(verdicts, ["all_stand", "all_stand", "both_occur", "none_stands"]);
 }

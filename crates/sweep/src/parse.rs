@@ -19,7 +19,7 @@ pub fn unknown(kind: &str, written: &str, names: &[&str]) -> String {
 
 /// An arithmetic that checks certificates: one of the checker's own, or that of MPFR.
 pub fn engine(text: &str) -> Result<Engine, String> {
-    let mpfr = Engine::new("mpfr", |bytes| check::check::<Ball>(bytes, check::MAX_DIGITS));
+    let mpfr = Engine::new("mpfr", |bytes| check::check_file::<Ball>(bytes, check::MAX_DIGITS));
     Engine::named(text, &[mpfr])
 }
 

@@ -4,8 +4,10 @@ use super::output::{Output, is_standard};
 use super::{notes, progress};
 use crate::arch::SelfWeight;
 use crate::arch::asymmetric::AsymmetricMode;
-use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling};
-use crate::certify::{asymmetric_kinds, certify_arch, certify_asymmetric, certify_landmark};
+use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling, SurveyGiven};
+use crate::certify::{
+    asymmetric_kinds, certify_arch, certify_asymmetric, certify_landmark, certify_survey,
+};
 use crate::check::Certificate;
 use crate::problem::{Arch, Landmark};
 use crate::sweep::failure::Failure;
@@ -21,8 +23,9 @@ const TIMES: f64 = 2.5;
 /// Write certificates that `couplet check` accepts without trusting the solver.
 ///
 /// Of a landmark; of the state of an arch at its least thickness, or why it stands at no thickness; with --thickness,
-/// that an arch stands with it or does not; of an asymmetric solution of the complementarity problem (19). An arch
-/// stands if an admissible symmetric state exists, which does not exclude such a solution.
+/// that an arch stands with it or does not; of a verdict on all arches between measured ends; of an asymmetric solution
+/// of the complementarity problem (19). An arch stands if an admissible symmetric state exists, which does not exclude
+/// such a solution.
 #[derive(Args)]
 #[command(mut_arg("stones", |arg| arg.hide(true)))]
 #[command(mut_arg("joints", |arg| arg.hide(true)))]
@@ -30,8 +33,9 @@ const TIMES: f64 = 2.5;
 #[command(mut_arg("density", |arg| arg.hide(true)))]
 #[command(mut_arg("depth", |arg| arg.hide(true)))]
 pub(crate) struct Arguments {
-    /// A landmark (T, S, J, B, l, L, sb), `state` for the state of an arch, `arch` for an arch of a thickness,
-    /// `asymmetric` for an asymmetric solution of (19), or `all` for all landmarks.
+    /// A landmark (T, S, J, B, l, L, sb), `state` for the state of an arch, `arch` for an arch of a thickness, `survey`
+    /// for all arches whose numbers lie in ranges (78deg..80deg, 0.6±10%), `asymmetric` for an asymmetric solution of
+    /// (19), or `all` for all landmarks.
     #[arg(value_name = "SUBJECT", value_parser = target)]
     target: CertifyTarget,
 
@@ -61,6 +65,7 @@ enum CertifyTarget {
     Landmark(Landmark),
     State,
     Arch,
+    Survey,
     Asymmetric,
     All,
 }
@@ -69,9 +74,10 @@ fn target(text: &str) -> Result<CertifyTarget, String> {
     match text {
         "state" => Ok(CertifyTarget::State),
         "arch" => Ok(CertifyTarget::Arch),
+        "survey" => Ok(CertifyTarget::Survey),
         "asymmetric" => Ok(CertifyTarget::Asymmetric),
         "all" => Ok(CertifyTarget::All),
-        symbol => parse::landmark_or(symbol, &["state", "arch", "asymmetric", "all"])
+        symbol => parse::landmark_or(symbol, &["state", "arch", "survey", "asymmetric", "all"])
             .map(CertifyTarget::Landmark),
     }
 }
@@ -101,14 +107,22 @@ pub const ARCH: ArchQuestion = ArchQuestion {
     unlimited: false,
     example: "couplet certify arch --half-opening 80deg --friction 0.6 --thickness 0.1",
 };
+/// Question about all arches between two ends.
+const SURVEY: ArchQuestion = ArchQuestion {
+    example: "couplet certify survey --half-opening 78deg..80deg --friction 0.6 --thickness 0.1..0.12",
+    ..ARCH
+};
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let is_arch = matches!(
         arguments.target,
-        CertifyTarget::State | CertifyTarget::Arch | CertifyTarget::Asymmetric
+        CertifyTarget::State
+            | CertifyTarget::Arch
+            | CertifyTarget::Survey
+            | CertifyTarget::Asymmetric
     );
     if !is_arch && arguments.arch != ArchAsked::default() {
-        return Err("an arch belongs to `state`, `arch` and `asymmetric`".into());
+        return Err("an arch belongs to `state`, `arch`, `survey` and `asymmetric`".into());
     }
     if arguments.target != CertifyTarget::Asymmetric && arguments.mode.is_some() {
         return Err("a mode belongs to `asymmetric`".into());
@@ -123,6 +137,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             progress::tell(&[digits], TIMES)?;
             return write(output, &certify_landmark(landmark, weight, digits)?);
         }
+        CertifyTarget::Survey => return survey(arguments, weight),
         CertifyTarget::Asymmetric => ASYMMETRIC,
         CertifyTarget::State => STATE,
         CertifyTarget::Arch => ARCH,
@@ -145,6 +160,16 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         None => certify_arch(&arch, given.thickness.as_ref(), digits)?,
     };
     write(output, &made)
+}
+
+/// The verdict on all arches of a survey.
+fn survey(arguments: &Arguments, weight: SelfWeight) -> Result<(), Failure> {
+    let given = SurveyGiven::read(&SURVEY, &arguments.arch, Spelling::Option)?;
+    let survey = given.survey(weight).map_err(|error| error.to_string())?;
+    let output = Output::open(arguments.output.as_deref())?;
+    notes::frictions(survey.friction());
+    let made = certify_survey(&survey, arguments.digits)?;
+    output.write(|out| made.write(out))
 }
 
 /// The kind of the asymmetric solution that is found, if it is one alone.

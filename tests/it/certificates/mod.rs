@@ -15,6 +15,8 @@ mod roots;
 mod sizes;
 mod spoiled;
 mod spoiler;
+mod survey;
+mod survey_spoiled;
 mod values;
 mod verdicts;
 mod witnesses;
@@ -50,15 +52,17 @@ fn variant(refusal: &Refusal) -> &'static str {
         Refusal::NoValues => "NoValues",
         Refusal::Decimal(_) => "Decimal",
         Refusal::Rounding(_) => "Rounding",
+        Refusal::Survey(_) => "Survey",
+        Refusal::Part(..) => "Part",
     }
 }
 
-const VARIANTS: usize = 20;
+const VARIANTS: usize = 22;
 
 /// Each table of refusals has cases of these variants and of no other.
 #[test]
 fn every_variant_has_a_case() {
-    let tables: [(Vec<Refusal>, &[&str]); 8] = [
+    let tables: [(Vec<Refusal>, &[&str]); 9] = [
         (file::expected(), &["Encoding", "Format"]),
         (claim::expected(), &["Digits", "Given", "Limit", "Mismatch", "Name", "Schema", "Subject"]),
         (sizes::expected(), &["Large", "Radius", "Size"]),
@@ -80,6 +84,7 @@ fn every_variant_has_a_case() {
                 "Subject",
             ],
         ),
+        (survey::expected(), &["Format", "Limit", "Part", "Schema", "Survey"]),
         (values::expected(), &["Decimal", "NoValues", "Quantity", "Rounding"]),
         (
             verdicts::expected(),

@@ -6,7 +6,7 @@ use couplet::arch::SelfWeight;
 use couplet::arch::asymmetric::AsymmetricMode;
 use couplet::certify::{certify_arch, certify_asymmetric, certify_landmark};
 use couplet::check::{
-    Accepted, Certificate, ClaimFile, Refusal, SCHEMA, ValueFile, Witness, check,
+    Accepted, AcceptedFile, Certificate, ClaimFile, Refusal, SCHEMA, ValueFile, Witness, check_file,
 };
 use couplet::number::{AstroInterval, Ball, Dyadic};
 use couplet::problem::{Landmark, Mode, Problem};
@@ -17,22 +17,27 @@ use std::collections::HashMap;
 use std::sync::Mutex;
 
 /// The answers of all arithmetics that are built in, the independent one first.
-pub(super) fn answers(bytes: &[u8], max_digits: usize) -> Vec<Result<Accepted, Refusal>> {
+pub(super) fn answers(bytes: &[u8], max_digits: usize) -> Vec<Result<AcceptedFile, Refusal>> {
     let all = [
-        check::<AstroInterval>(bytes, max_digits),
-        check::<Ball>(bytes, max_digits),
+        check_file::<AstroInterval>(bytes, max_digits),
+        check_file::<Ball>(bytes, max_digits),
         #[cfg(feature = "malachite")]
-        check::<couplet::number::MalachiteInterval>(bytes, max_digits),
+        check_file::<couplet::number::MalachiteInterval>(bytes, max_digits),
     ];
     all.into()
 }
 
-/// The answer of all arithmetics, which has to be the same.
-pub(super) fn alike(bytes: &[u8], max_digits: usize) -> Result<Accepted, Refusal> {
+/// The answer of all arithmetics, which has to be the same, on a file of either kind.
+pub(super) fn file_alike(bytes: &[u8], max_digits: usize) -> Result<AcceptedFile, Refusal> {
     let mut answers = answers(bytes, max_digits);
     let first = answers.remove(0);
     assert!(answers.iter().all(|other| *other == first), "{first:?} {answers:?}");
     first
+}
+
+/// The same on a certificate that is none of a survey.
+pub(super) fn alike(bytes: &[u8], max_digits: usize) -> Result<Accepted, Refusal> {
+    file_alike(bytes, max_digits).map(|file| file.certificate().expect("no survey").clone())
 }
 
 pub(super) fn to_value(certificate: &Certificate) -> Value {

@@ -1,6 +1,6 @@
 //! A table of spoiled certificates: one test for each, which names why it has to be refused.
 
-use super::originals::{alike, landmark, state};
+use super::originals::{file_alike, landmark, state};
 use couplet::check::Refusal;
 use serde_json::Value;
 
@@ -70,7 +70,7 @@ pub(super) type Cases = Vec<(Spoiled, Refusal)>;
 /// Every arithmetic refuses each copy for exactly its reason.
 pub(super) fn refused(cases: Cases) {
     for (Spoiled { what, bytes }, expected) in cases {
-        let found = alike(&bytes, MAX_DIGITS).expect_err(&what);
+        let found = file_alike(&bytes, MAX_DIGITS).expect_err(&what);
         match (&found, &expected) {
             // The place in the file and the types expected are serde's words.
             (Refusal::Format(found), Refusal::Format(expected)) => {

@@ -308,7 +308,7 @@ fn what_is_certified_is_said() {
     };
     refused(&["arch", "--alpha", "1", "--mu", "1"], "--thickness is missing");
     refused(&["state", "--alpha", "1", "--mu", "1", "--eta", "1"], "a thickness belongs to `arch`");
-    refused(&["T", "--eta", "1"], "an arch belongs to `state`, `arch` and `asymmetric`");
+    refused(&["T", "--eta", "1"], "an arch belongs to `state`, `arch`, `survey` and `asymmetric`");
     refused(
         &["state", "--alpha", "1", "--mu", "1", "--stones", "9"],
         "with a joint at every angle",

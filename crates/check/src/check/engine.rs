@@ -1,6 +1,6 @@
 //! The arithmetics that check a certificate, those that are built in.
 
-use super::checker::{Accepted, verify};
+use super::accepted_file::{AcceptedFile, verify_file};
 use super::refusal::Refusal;
 
 /// An arithmetic that checks a certificate.
@@ -14,26 +14,29 @@ use super::refusal::Refusal;
 #[derive(Clone, Copy, Debug)]
 pub struct Engine {
     name: &'static str,
-    check: fn(&[u8]) -> Result<Accepted, Refusal>,
+    check: fn(&[u8]) -> Result<AcceptedFile, Refusal>,
     remark: &'static str,
 }
 
 impl Engine {
     /// Pure Rust, shares nothing with MPFR.
-    pub const ASTRO: Self = Self::new("astro", verify);
+    pub const ASTRO: Self = Self::new("astro", verify_file);
 
     /// Pure Rust, quicker; in part MPFR's algorithms.
     #[cfg(feature = "malachite")]
     pub const MALACHITE: Self = Self {
         name: "malachite",
         check: |bytes| {
-            super::check::<crate::number::MalachiteInterval>(bytes, super::MALACHITE_DIGITS)
+            super::check_file::<crate::number::MalachiteInterval>(bytes, super::MALACHITE_DIGITS)
         },
         remark: "  (by malachite, which is no witness beside mpfr)",
     };
 
     /// An arithmetic that a program brings along, of which nothing has to be known.
-    pub const fn new(name: &'static str, check: fn(&[u8]) -> Result<Accepted, Refusal>) -> Self {
+    pub const fn new(
+        name: &'static str,
+        check: fn(&[u8]) -> Result<AcceptedFile, Refusal>,
+    ) -> Self {
         Self { name, check, remark: "" }
     }
 
@@ -55,8 +58,9 @@ impl Engine {
         })
     }
 
-    /// Checks the bytes of a certificate: that the equations have the root claimed, and that every digit is right.
-    pub fn check(self, bytes: &[u8]) -> Result<Accepted, Refusal> {
+    /// Checks the bytes of a certificate of either kind: that the equations have the root claimed, and that every digit
+    /// is right; of a survey, that its verdict follows from such certificates.
+    pub fn check(self, bytes: &[u8]) -> Result<AcceptedFile, Refusal> {
         (self.check)(bytes)
     }
 

@@ -3,7 +3,6 @@
 use super::checker::MAX_DIGITS;
 use super::engine::Engine;
 use super::refusal::Refusal;
-use super::summary::summary;
 use super::visible::visible_name;
 use std::ffi::{OsStr, OsString};
 use std::fs::File;
@@ -70,7 +69,7 @@ fn verdict(name: &OsStr, engine: Engine, larger: &str) -> (FileVerdict, String) 
     }
     match engine.check(&bytes) {
         Ok(accepted) => {
-            (FileVerdict::Accepted, format!("accepted  {}{}", summary(&accepted), engine.remark()))
+            (FileVerdict::Accepted, format!("accepted  {}{}", accepted.summary(), engine.remark()))
         }
         Err(limit @ Refusal::Limit(..)) => {
             (FileVerdict::Open, format!("not checked: {limit}; {larger} checks up to {MAX_DIGITS}"))

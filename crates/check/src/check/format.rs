@@ -5,6 +5,7 @@ use super::record::record;
 use super::refusal::Refusal;
 use super::visible::{beginning, shortened};
 use crate::number::Dyadic;
+use serde::de::DeserializeOwned;
 use std::io;
 
 /// The schema of this version.
@@ -64,15 +65,25 @@ impl Certificate {
     /// Reads a file, with or without a byte order mark. A file that is not such a certificate is refused with
     /// the place and the cause.
     pub fn read(bytes: &[u8]) -> Result<Self, Refusal> {
-        let text = str::from_utf8(bytes).map_err(|error| Refusal::Encoding(error.valid_up_to()))?;
-        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let certificate: Self =
-            serde_json::from_str(text).map_err(|error| Refusal::Format(reason(&error)))?;
-        if certificate.schema != SCHEMA {
-            return Err(Refusal::Schema(shortened(&certificate.schema)));
-        }
+        let certificate: Self = read_json(bytes)?;
+        certificate.of_this_schema()?;
         Ok(certificate)
     }
+
+    /// Checks that the certificate is one of this version.
+    pub(super) fn of_this_schema(&self) -> Result<(), Refusal> {
+        match self.schema == SCHEMA {
+            true => Ok(()),
+            false => Err(Refusal::Schema(shortened(&self.schema))),
+        }
+    }
+}
+
+/// Record of a file, with or without a byte order mark.
+pub(super) fn read_json<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, Refusal> {
+    let text = str::from_utf8(bytes).map_err(|error| Refusal::Encoding(error.valid_up_to()))?;
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    serde_json::from_str(text).map_err(|error| Refusal::Format(reason(&error)))
 }
 
 /// Reason why a text is not a certificate. The reason may quote the text, which may be long and hold anything.

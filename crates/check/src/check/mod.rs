@@ -3,6 +3,7 @@
 //! This room sees the number traits and the equations, never a solver, and builds without a C compiler. The program
 //! `couplet-check` is its command.
 
+mod accepted_file;
 mod checker;
 mod claim;
 mod decimals;
@@ -14,10 +15,16 @@ pub mod krawczyk;
 mod record;
 mod refusal;
 mod summary;
+mod survey_checker;
+mod survey_cover;
+mod survey_file;
+mod survey_refusal;
+mod survey_summary;
 mod visible;
 pub mod whole;
 
 pub use crate::number::visible;
+pub use accepted_file::{AcceptedFile, check_file, verify_file};
 pub use checker::{
     ASTRO_DIGITS, Accepted, EXTRA_BITS, MALACHITE_DIGITS, MAX_DIGITS, WITNESS_BITS, check,
     check_certificate, verify,
@@ -28,4 +35,10 @@ pub use files::{CheckFailure, NO_MPFR, check_files, print, read, reason};
 pub use format::{Certificate, SCHEMA, ValueFile, Witness};
 pub use refusal::Refusal;
 pub use summary::summary;
+pub use survey_checker::{AcceptedSurvey, check_survey};
+pub use survey_file::{
+    FreeFile, MAX_LENGTH_DIGITS, MAX_PARTS, PartFile, Parts, SURVEY_SCHEMA, SpannedFile, StepFile,
+    SurveyCertificate, SurveyFile,
+};
+pub use survey_refusal::SurveyRefusal;
 pub use visible::visible_name;

@@ -55,15 +55,18 @@ impl<T: Entry> Entry for Option<T> {
 
 impl<T: Entry> Entry for Vec<T> {
     fn read<'de, D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        from.deserialize_seq(Entries(PhantomData))
+        from.deserialize_seq(Entries { most: LONGEST, of: PhantomData })
     }
 }
 
 /// The longest list that is read: there are fewer unknowns, and fewer quantities.
 const LONGEST: usize = 32;
 
-/// A list that is not too long.
-struct Entries<T>(PhantomData<T>);
+/// A list of at most so many entries.
+pub(super) struct Entries<T> {
+    pub most: usize,
+    pub of: PhantomData<T>,
+}
 
 impl<'de, T: Entry> Visitor<'de> for Entries<T> {
     type Value = Vec<T>;
@@ -75,10 +78,9 @@ impl<'de, T: Entry> Visitor<'de> for Entries<T> {
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Vec<T>, A::Error> {
         let mut all = Vec::new();
         while let Some(entry) = list.next_element_seed(RecordValue(PhantomData))? {
-            if all.len() == LONGEST {
-                return Err(A::Error::custom(format_args!(
-                    "a list of more than {LONGEST} entries"
-                )));
+            if all.len() == self.most {
+                let most = self.most;
+                return Err(A::Error::custom(format_args!("a list of more than {most} entries")));
             }
             all.push(entry);
         }

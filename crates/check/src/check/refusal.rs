@@ -1,5 +1,6 @@
 //! Reasons why a certificate is refused: the place and the cause.
 
+use super::survey_refusal::SurveyRefusal;
 use crate::number::says;
 
 /// Reason why a certificate is refused. It says nothing about the truth of the claim.
@@ -83,12 +84,16 @@ pub enum Refusal {
     Decimal(&'static str),
     /// A value that is not shown to be the correct rounding.
     Rounding(&'static str),
+    /// A survey, or a part of it that says nothing for its verdict.
+    Survey(SurveyRefusal),
+    /// The certificate of a part of a survey, counted from 1.
+    Part(usize, Box<Self>),
 }
 
 says!(Refusal {
     Self::Encoding(byte) => "the file is not UTF-8 from byte {byte} on";
     Self::Format(reason) => "the file is not a certificate: {reason}";
-    Self::Schema(schema) => "schema: '{schema}' is not couplet.certificate/1";
+    Self::Schema(schema) => "schema: '{schema}' is not couplet.certificate/1 or couplet.survey-certificate/1";
     Self::Subject =>
         "claim: needs exactly one of 'landmark', 'state', 'slides', 'too_wide', 'too_thin', 'stands', 'asymmetric'";
     Self::Name { place, text } => "claim: there is no {place} '{text}'";
@@ -108,4 +113,8 @@ says!(Refusal {
     Self::NoValues => "values: there are none";
     Self::Decimal(quantity) => "values: {quantity} is not a decimal number with at most the claimed digits";
     Self::Rounding(quantity) => "values: {quantity} is not shown to be the correct rounding";
+    Self::Survey(refusal) => "{refusal}";
+    Self::Part(part, refusal) => "part {part}: {refusal}";
+} from {
+    SurveyRefusal => Self::Survey;
 });

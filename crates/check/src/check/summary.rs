@@ -74,7 +74,7 @@ fn shortened_value(value: &str) -> String {
 }
 
 /// A text with the first digits of its integers, and how many they have.
-fn shortened_fraction(text: &str) -> String {
+pub(super) fn shortened_fraction(text: &str) -> String {
     let is_digit = |c: char| c.is_ascii_digit();
     let mut shown = String::new();
     let mut rest = text;

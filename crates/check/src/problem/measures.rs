@@ -189,6 +189,12 @@ impl Circle {
     }
 }
 
+/// Tells whether the first of two lengths is the larger one. Their own comparison goes down a continued fraction, a
+/// step of recursion for each of its terms, which many digits make too many.
+pub(super) fn exceeds(a: &BigRational, b: &BigRational) -> bool {
+    a.numer() * b.denom() > b.numer() * a.denom()
+}
+
 /// The half opening of an arch of this span and rise, and the radius of the circle at which both are measured.
 pub fn of_span_and_rise(span: &Length, rise: &Length) -> (ExactNumber, Length) {
     let (half, rise) = (&span.0 / BigInt::from(2), &rise.0);
@@ -270,7 +276,7 @@ impl Measures {
             Circle::Centreline => Some((radius * BigInt::from(2), "diameter")),
             Circle::Extrados => Some((radius.clone(), "radius")),
         };
-        match most.filter(|(most, _)| t > most) {
+        match most.filter(|(most, _)| exceeds(t, most)) {
             Some((most, rule)) => Err(MeasureError::Thickness {
                 thickness: thickness.to_string(),
                 circle: self.circle.name(),

@@ -19,10 +19,10 @@
 //! course the half opening rises and the radius `(s²/4 + f²)/(2f)` is convex in the rise and rises with the span: so one
 //! arch is at least as unsafe as all of the step.
 
-use super::measures::{Circle, Length, MeasureError, Measures, of_span_and_rise};
+use super::measures::{Circle, Length, MeasureError, Measures, exceeds, of_span_and_rise};
 use super::{Arch, ArchError, Friction, is_thickness};
 use crate::arch::SelfWeight;
-use crate::number::{AstroInterval, Enclosure, ExactNumber, Ternary, says};
+use crate::number::{AstroInterval, Enclosure, ExactNumber, Ternary, says, worded};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
@@ -57,13 +57,36 @@ pub enum Shape {
     },
 }
 
-/// Side of a survey.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Side {
-    /// Where arches stand least easily: if they do there, all do.
-    Unsafe,
-    /// Where arches stand most easily: if they do not there, none does.
-    Safe,
+worded! {
+    /// Side of a survey.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Side {
+        /// Where arches stand least easily: if they do there, all do.
+        Unsafe = "unsafe",
+        /// Where arches stand most easily: if they do not there, none does.
+        Safe = "safe",
+    }
+    /// Both of them.
+    pub const ALL;
+    /// Name of the side in files.
+    pub fn name -> &'static str;
+}
+
+worded! {
+    /// Verdict on all arches of a survey. An arch stands if an admissible symmetric state exists.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum SurveyVerdict {
+        /// Each of them stands.
+        AllStand = "all_stand",
+        /// No one of them stands.
+        NoneStands = "none_stands",
+        /// At least one stands, and at least one does not.
+        BothOccur = "both_occur",
+    }
+    /// All verdicts.
+    pub const ALL;
+    /// Name of the verdict in files.
+    pub fn name -> &'static str;
 }
 
 /// Span and rise, a corner of a course.
@@ -105,6 +128,17 @@ says!(SurveyError {
     MeasureError => Self::Measures;
 });
 
+impl SurveyVerdict {
+    /// The verdict in a sentence.
+    pub const fn sentence(self) -> &'static str {
+        match self {
+            Self::AllStand => "every arch stands",
+            Self::NoneStands => "no arch stands",
+            Self::BothOccur => "some arches stand, others do not",
+        }
+    }
+}
+
 impl Survey {
     /// The arches between these ends, if each range has its lower end first and every arch of it is one.
     pub fn new(
@@ -120,7 +154,7 @@ impl Survey {
             Shape::Free { half_opening, thickness } => {
                 in_order(half_opening)?;
                 for alpha in half_opening {
-                    Arch::new(weight, alpha.clone(), Friction::Infinite)?;
+                    Arch::new_with(weight, alpha.clone(), Friction::Infinite, false)?;
                 }
                 if let Some(range) = thickness {
                     in_order(range)?;
@@ -131,14 +165,15 @@ impl Survey {
             }
             Shape::Spanned { circle, span, rise, thickness } => {
                 for [lower, upper] in [span, rise, thickness] {
-                    if lower.metres() > upper.metres() {
+                    if exceeds(lower.metres(), upper.metres()) {
                         let [lower, upper] = [lower, upper].map(ToString::to_string);
                         return Err(SurveyError::Reversed(lower, upper));
                     }
                 }
                 // The radius is least at the least span, and of its rises at the one nearest to half the span.
                 let half = span[0].metres() / BigInt::from(2);
-                let rise = half.max(rise[0].metres().clone()).min(rise[1].metres().clone());
+                let rise =
+                    smaller(larger(half, rise[0].metres().clone()), rise[1].metres().clone());
                 let (_, radius) = of_span_and_rise(&span[0], &Length::new(rise));
                 Measures::new(*circle, radius, None).thickness(&thickness[1])?;
             }
@@ -210,6 +245,14 @@ impl Survey {
         Some([[long, low], middle, [short, high]])
     }
 
+    /// Tells whether a step, given by its ends, lies on one leg of the course on a side and goes its way.
+    pub fn has_step(&self, side: Side, [first, last]: [&Place; 2]) -> bool {
+        let is_on = |leg: &[Place]| {
+            (0..2).all(|i| are_in_turn([&leg[0][i], &first[i], &last[i], &leg[1][i]]))
+        };
+        self.course(side).is_some_and(|course| course.windows(2).any(is_on))
+    }
+
     /// An arch at least as unsafe, or as safe, as all of a side's friction and thickness on the step from `first` to
     /// `last` of its course; if the two are one, the arch that is there.
     pub fn bounding(&self, side: Side, [first, last]: [&Place; 2]) -> Option<Bounding> {
@@ -231,11 +274,13 @@ impl Survey {
     fn radius(&self, side: Side, [first, last]: [&Place; 2]) -> BigRational {
         let [low, high] = [first, last].map(|at| radius(&at[0], &at[1]));
         match side {
-            Side::Unsafe => low.max(high),
+            Side::Unsafe => larger(low, high),
             Side::Safe => {
                 let half = &first[0] / BigInt::from(2);
-                let has_least = first[0] == last[0] && first[1] < half && half < last[1];
-                if has_least { half } else { low.min(high) }
+                let has_least = is_same(&first[0], &last[0])
+                    && exceeds(&half, &first[1])
+                    && exceeds(&last[1], &half);
+                if has_least { half } else { smaller(low, high) }
             }
         }
     }
@@ -249,8 +294,8 @@ impl Survey {
         let legs = [[&first, &middle], [&middle, &last]].map(|leg| self.radius(side, leg));
         let [one, other] = legs;
         let (alpha, radius) = match side {
-            Side::Unsafe => (wide, one.max(other)),
-            Side::Safe => (narrow, one.min(other)),
+            Side::Unsafe => (wide, larger(one, other)),
+            Side::Safe => (narrow, smaller(one, other)),
         };
         Some((self.arch(alpha, side)?, Length::new(radius), *circle))
     }
@@ -285,6 +330,31 @@ impl Survey {
     }
 }
 
+/// Tells whether two places are one.
+pub(crate) fn is_one_place(a: &Place, b: &Place) -> bool {
+    is_same(&a[0], &b[0]) && is_same(&a[1], &b[1])
+}
+
+/// Tells whether two rational numbers are one, in lowest terms or not.
+pub(crate) fn is_same(a: &BigRational, b: &BigRational) -> bool {
+    !exceeds(a, b) && !exceeds(b, a)
+}
+
+fn larger(a: BigRational, b: BigRational) -> BigRational {
+    if exceeds(&b, &a) { b } else { a }
+}
+
+fn smaller(a: BigRational, b: BigRational) -> BigRational {
+    if exceeds(&a, &b) { b } else { a }
+}
+
+/// Tells whether numbers rise all the way or fall all the way; of neighbours some may be the same.
+fn are_in_turn(numbers: [&BigRational; 4]) -> bool {
+    let mut pairs = numbers.windows(2);
+    pairs.clone().all(|pair| !exceeds(pair[0], pair[1]))
+        || pairs.all(|pair| !exceeds(pair[1], pair[0]))
+}
+
 /// Radius of the circle through the crown and the springings.
 fn radius(span: &BigRational, rise: &BigRational) -> BigRational {
     let half = span / BigInt::from(2);
@@ -295,7 +365,7 @@ fn radius(span: &BigRational, rise: &BigRational) -> BigRational {
 pub fn in_order([first, last]: &[ExactNumber; 2]) -> Result<(), SurveyError> {
     let texts = || (first.to_string(), last.to_string());
     let is_in_order = if first.form() == last.form() {
-        first.factor() <= last.factor()
+        !exceeds(first.factor(), last.factor())
     } else {
         let at = |x: &ExactNumber, bits| x.enclosure::<AstroInterval>(bits);
         compared(|bits| at(last, bits) - at(first, bits), texts)?
@@ -457,6 +527,47 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn a_step_lies_on_one_leg_and_goes_its_way() {
+        let survey = spanned(["9m", "10m"], ["2m", "3m"], ["50cm", "60cm"]);
+        let place = |[span, rise]: [i32; 2]| -> Place {
+            [span, rise].map(|tenths| BigRational::new(tenths.into(), 10.into()))
+        };
+        let has = |side, first, last| survey.has_step(side, [&place(first), &place(last)]);
+        for (side, first, last) in [
+            (Side::Unsafe, [100, 20], [100, 30]),
+            (Side::Unsafe, [100, 22], [100, 22]),
+            (Side::Unsafe, [98, 30], [95, 30]),
+            (Side::Safe, [100, 20], [90, 20]),
+            (Side::Safe, [90, 20], [90, 30]),
+        ] {
+            assert!(has(side, first, last), "{side:?} {first:?} {last:?}");
+            assert!(first == last || !has(side, last, first), "{side:?} {first:?} {last:?}");
+        }
+        for (side, first, last) in [
+            (Side::Unsafe, [100, 29], [99, 30]),
+            (Side::Unsafe, [100, 19], [100, 21]),
+            (Side::Unsafe, [100, 29], [100, 31]),
+            (Side::Unsafe, [90, 30], [89, 30]),
+            (Side::Unsafe, [95, 20], [95, 20]),
+            (Side::Unsafe, [100, 20], [90, 30]),
+            (Side::Safe, [100, 30], [90, 30]),
+            (Side::Safe, [91, 20], [90, 21]),
+        ] {
+            assert!(!has(side, first, last), "{side:?} {first:?} {last:?}");
+        }
+    }
+
+    /// Ends of many digits that differ in the last one: their continued fractions are long.
+    #[test]
+    fn long_ends_are_compared() {
+        let long = |last: &str| format!("1.{}{last}", "37".repeat(9_000));
+        let (low, high) = (long("1"), long("2"));
+        let made = |range: [&str; 2]| free(range, ["0", "1"], ["0.1", "0.2"]);
+        assert!(made([&low, &high]).is_ok());
+        assert!(made([&high, &low]).unwrap_err().to_string().contains("is empty"));
     }
 
     #[test]

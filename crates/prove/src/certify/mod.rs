@@ -21,6 +21,7 @@ mod programme;
 mod serial;
 pub mod state;
 pub mod survey;
+mod survey_certificate;
 mod tilt;
 mod tilt_mechanism;
 mod tilt_of_stones;
@@ -42,6 +43,7 @@ pub use jointed::{
 pub use landmark::CertifiedLandmark;
 pub use processor_time::processor_time;
 pub use programme::{MOST_JOINTED_STONES, Programme, programme};
+pub use survey_certificate::certify_survey;
 pub use tilt::{LargestTilt, TiltDigits, tilted};
 pub use tilt_mechanism::{TiltMechanism, TiltedJoint};
 pub use tilt_of_stones::{MOST_TILTED_STONES, tilted_stones};

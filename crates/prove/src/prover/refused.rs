@@ -3,6 +3,7 @@
 //! Every door of this room asks here before anything is computed.
 
 use crate::arch::SelfWeight;
+use crate::check::MAX_LENGTH_DIGITS;
 use crate::number::{Ball, Enclosure, ExactNumber};
 use crate::problem::stones::StonesError;
 use crate::problem::{Arch, ArchError, Friction, Landmark, Line, Quantity, ThicknessError};
@@ -111,6 +112,14 @@ pub enum Refused {
         "(9), (10) and (11) are for Milankovitch's weight; for Heyman's give (7), which has quadratics then"
     )]
     ClosedFormOfHeyman,
+    /// A certificate of a survey whose arches have no thickness.
+    #[error("a certificate of a survey needs a thickness: without one there is no verdict")]
+    SurveyWithoutThickness,
+    /// A length of more digits than the certificate of a survey has.
+    #[error(
+        "in a certificate of a survey a length is a fraction of integers of at most {MAX_LENGTH_DIGITS} digits"
+    )]
+    LongLengths,
     /// Arrays that have to be of one length are not.
     #[error("the arrays are not of one length: {}", lengths(.0))]
     Lengths(Vec<usize>),

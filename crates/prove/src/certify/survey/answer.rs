@@ -2,7 +2,7 @@
 
 use crate::number::{Decimal, ExactNumber};
 use crate::problem::measures::Length;
-use crate::problem::survey::Bounding;
+use crate::problem::survey::{Bounding, SurveyVerdict};
 use crate::problem::{Arch, Mode, Quantity};
 use crate::prover::Undecided;
 
@@ -20,17 +20,6 @@ pub struct SurveyAnswer {
     pub ranges: Vec<QuantityRange>,
     /// Collapse modes at the least thickness.
     pub modes: ModesFound,
-}
-
-/// Verdict on all arches of a survey.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum SurveyVerdict {
-    /// Every arch stands.
-    AllStand,
-    /// No arch stands.
-    NoneStands,
-    /// The best arch stands, and the worst does not.
-    BothOccur,
 }
 
 /// Range of a quantity over the arches of a survey.
@@ -85,26 +74,6 @@ pub struct ModesFound {
     pub may_occur: Vec<Mode>,
     /// True if some arch stands at no thickness; `None` if that is not known.
     pub some_fall: Option<bool>,
-}
-
-impl SurveyVerdict {
-    /// The verdict in the words used in files.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::AllStand => "all_stand",
-            Self::NoneStands => "none_stands",
-            Self::BothOccur => "both_occur",
-        }
-    }
-
-    /// The verdict in a sentence.
-    pub const fn sentence(self) -> &'static str {
-        match self {
-            Self::AllStand => "every arch stands",
-            Self::NoneStands => "no arch stands",
-            Self::BothOccur => "some arches stand, others do not",
-        }
-    }
 }
 
 impl SurveyedArch {

@@ -1,9 +1,9 @@
 //! Ranges over half openings, frictions and thicknesses that are free of each other: each end belongs to a corner.
 
-use super::answer::{EndValue, QuantityRange, RangeEnd, SurveyVerdict, SurveyedArch};
+use super::answer::{EndValue, QuantityRange, RangeEnd, SurveyedArch};
 use crate::certify::state::{Answer, AssessmentDigits, Balls, Figure, Limit};
 use crate::number::ExactNumber;
-use crate::problem::survey::Side;
+use crate::problem::survey::{Side, SurveyVerdict};
 use crate::problem::{Arch, Friction, Quantity};
 use crate::prover::{Answered, Error, Refused, Undecided};
 

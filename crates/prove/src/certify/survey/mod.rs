@@ -19,9 +19,8 @@ mod survey;
 #[cfg(test)]
 mod tests;
 
-pub use answer::{
-    EndValue, ModesFound, QuantityRange, RangeEnd, SurveyAnswer, SurveyVerdict, SurveyedArch,
-};
+pub use crate::problem::survey::SurveyVerdict;
+pub use answer::{EndValue, ModesFound, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch};
 pub use course::MEASURED_DIGITS;
 pub use share::{Share, share};
 pub use survey::survey;
