@@ -19,7 +19,7 @@ pub(super) struct ArchArguments {
     #[arg(long, default_value = "milankovitch", value_parser = parse::weights)]
     pub weight: Weights,
 
-    /// Significant digits, 1 to 1000000, to which values are correctly rounded; if not given 30, of metres and kN 6.
+    /// Significant digits, 1 to 1000000, to which values are correctly rounded; if not given 30, of metres, kN and ranges 6.
     #[arg(long, value_parser = parse::digits, allow_negative_numbers = true)]
     digits: Option<usize>,
 }
@@ -28,6 +28,11 @@ impl ArchArguments {
     /// Significant digits of ratios.
     pub(super) fn digits(&self) -> usize {
         self.digits.unwrap_or(30)
+    }
+
+    /// Significant digits of the ends of ranges.
+    pub(super) fn range_digits(&self) -> usize {
+        self.digits.unwrap_or(6)
     }
 
     /// Measures, with the significant digits of sizes: more than six say nothing to who builds.

@@ -4,6 +4,7 @@ use super::arch::ArchArguments;
 use super::draw;
 use super::output::AnswerOutput;
 use super::state::print;
+use super::survey;
 use super::tilt;
 use super::voussoirs;
 use crate::ask::{ArchQuestion, Field};
@@ -36,6 +37,9 @@ pub const QUESTION: ArchQuestion = ArchQuestion {
 };
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    if arguments.arch.asked.has_range() {
+        return survey::print(&QUESTION, &arguments.arch, &arguments.output);
+    }
     let (given, arches) = arguments.arch.read(&QUESTION)?;
     let Some(eta) = &given.thickness else { return Ok(()) };
     if given.tilt.is_some() {

@@ -32,6 +32,7 @@ mod states;
 mod stream;
 #[cfg(feature = "study")]
 mod study;
+mod survey;
 mod sweep;
 mod tilt;
 mod voussoirs;

@@ -6,6 +6,7 @@ use super::constants::proved;
 use super::draw;
 use super::notes;
 use super::output::AnswerOutput;
+use super::survey;
 use super::voussoirs;
 use crate::ask::{ArchQuestion, Field};
 use crate::certify::state::Balls;
@@ -73,6 +74,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     if let Some(asked) = arguments.value.question(&arguments.arch.asked)? {
         return by_value::print(&asked, &arguments.arch, &arguments.output);
+    }
+    if arguments.arch.asked.has_range() {
+        return survey::print(&QUESTION, &arguments.arch, &arguments.output);
     }
     let (given, arches) = arguments.arch.read(&QUESTION)?;
     if let Some((format, file)) = arguments.output.drawing()? {

@@ -1,6 +1,7 @@
 //! Text of an arch: each thing that it may be given by once, with the help that a command prints of it.
 
 use super::question::{Misfit, Spelling};
+use super::range::{Range, is_range};
 use crate::number::shown;
 
 /// Declares [`ArchAsked`] and [`Field`] in one list.
@@ -144,10 +145,41 @@ impl ArchAsked {
         Field::ALL.iter().copied().filter(|field| self.get(*field).is_some())
     }
 
+    /// Fields whose texts are ranges; numbers of stones have ranges of their own.
+    pub fn ranges(&self) -> impl Iterator<Item = Field> {
+        let is_own = |field: &Field| *field == Field::Stones;
+        self.fields().filter(move |of| !is_own(of) && self.get(*of).is_some_and(is_range))
+    }
+
+    /// Tells whether any field is a range.
+    pub fn has_range(&self) -> bool {
+        self.ranges().next().is_some()
+    }
+
+    /// Texts of the lower ends and of the upper ends; a field without a range is the same in both.
+    pub fn ends(&self) -> Result<[Self; 2], Misfit> {
+        let mut ends = [self.clone(), self.clone()];
+        for field in self.ranges() {
+            let range = self.get(field).map_or(Ok(None), Range::read);
+            if let Some(Range { lower, upper }) =
+                range.map_err(|error| Misfit::new(field, error))?
+            {
+                let [low, high] = &mut ends;
+                (*low.at(field), *high.at(field)) = (Some(lower), Some(upper));
+            }
+        }
+        Ok(ends)
+    }
+
     /// Friction as [`Friction`](crate::problem::Friction) reads it.
     pub fn friction_text(&self) -> Option<String> {
         let angle = || self.friction_angle.as_ref().map(|phi| format!("tan({phi})"));
         self.friction.clone().or_else(angle)
+    }
+
+    /// Field by which the friction is given, if it is.
+    pub(crate) fn friction_field(&self) -> Field {
+        if self.friction.is_some() { Field::Friction } else { Field::FrictionAngle }
     }
 }
 
@@ -168,5 +200,25 @@ mod tests {
             assert!(misfit.message.contains(why), "{misfit}");
         }
         assert_eq!(ArchAsked::parse("").unwrap(), ArchAsked::default());
+    }
+
+    #[test]
+    fn the_ends_of_a_question_are_two_questions() {
+        let asked =
+            ArchAsked::parse("span=2.98m..3.02m; rise=1m; phi=31deg±1deg; stones=2..9").unwrap();
+        assert_eq!(asked.ranges().collect::<Vec<_>>(), [Field::FrictionAngle, Field::Span]);
+        let ends = asked.ends().unwrap().map(|end| end.options());
+        assert_eq!(
+            ends,
+            [
+                " --friction-angle 30deg --stones 2..9 --span 2.98m --rise 1m",
+                " --friction-angle 32deg --stones 2..9 --span 3.02m --rise 1m"
+            ]
+        );
+        let one = ArchAsked::parse("alpha=80deg; mu=0.6; stones=2..9").unwrap();
+        assert!(!one.has_range());
+        assert_eq!(one.ends(), Ok([one.clone(), one]));
+        let misfit = ArchAsked::parse("alpha=80..82deg; mu=1").unwrap().ends().unwrap_err();
+        assert_eq!(misfit.field, Some(Field::HalfOpening));
     }
 }

@@ -4,7 +4,7 @@ use super::arch::{ArchAsked, Field};
 use super::question::{ArchQuestion, Misfit, Spelling};
 use super::stones::{MOST_NUMBERS, StonesAsked};
 use crate::arch::SelfWeight;
-use crate::number::{ExactNumber, shown};
+use crate::number::{ExactNumber, ParseExactError, shown};
 use crate::problem::measures::{Circle, Length, MeasureError, Measures, of_span_and_rise};
 use crate::problem::stones::{MOST_STONES, Stones};
 use crate::problem::{Arch, Friction, Quantity, Slope, SlopeError, ThicknessError, thickness};
@@ -44,6 +44,11 @@ impl ArchGiven {
 
     /// Reads what is given, whatever of it is missing.
     pub fn new(asked: &ArchAsked, spelling: Spelling) -> Result<Self, Misfit> {
+        if let Some(field) = asked.ranges().next() {
+            let text = shown(asked.get(field).unwrap_or_default());
+            let message = format!("{} {text} is a range: {RANGES}", spelling.of(field));
+            return Err(Misfit::new(field, message));
+        }
         let (made, measures) = measures(asked)?;
         let stones = stones(asked)?;
         let half_opening = match (&stones, made) {
@@ -51,14 +56,7 @@ impl ArchGiven {
             (_, Some(made)) => Some(made),
             _ => read(asked, Field::HalfOpening)?,
         };
-        let friction = match asked.friction_text() {
-            Some(text) => Some(text.parse().map_err(|error| {
-                let field =
-                    if asked.friction.is_some() { Field::Friction } else { Field::FrictionAngle };
-                Misfit::new(field, error)
-            })?),
-            None => None,
-        };
+        let friction = friction(asked)?;
         let thickness = asked.thickness.as_deref();
         let thickness = thickness.map(|text| given_thickness(text, measures.as_ref(), spelling));
         let (thickness, tilt) = (thickness.transpose()?, tilt(asked, friction.as_ref(), spelling)?);
@@ -90,8 +88,14 @@ impl ArchGiven {
     }
 }
 
+/// Places where ranges are taken.
+const RANGES: &str = "ranges are for `couplet assess` and `couplet state`, which tell of every arch inside; give one value here";
+
 /// Text of a field, read.
-fn read<T: FromStr<Err: ToString>>(asked: &ArchAsked, field: Field) -> Result<Option<T>, Misfit> {
+pub(super) fn read<T: FromStr<Err: ToString>>(
+    asked: &ArchAsked,
+    field: Field,
+) -> Result<Option<T>, Misfit> {
     let text = asked
         .get(field)
         .map(|text| text.parse().map_err(|error: T::Err| Misfit::new(field, error.to_string())));
@@ -103,10 +107,7 @@ fn measures(asked: &ArchAsked) -> Result<(Option<ExactNumber>, Option<Measures>)
     let length = |field| read::<Length>(asked, field);
     let made = length(Field::Span)?.zip(length(Field::Rise)?);
     let made = made.map(|(span, rise)| of_span_and_rise(&span, &rise));
-    let circle = asked.measured_at.as_deref().map_or(Ok(Circle::default()), str::parse);
-    let circle = circle.map_err(|names| {
-        Misfit::new(Field::MeasuredAt, format!("an arch is measured at {names}"))
-    })?;
+    let circle = circle(asked)?;
     let loaded = read(asked, Field::Density)?.zip(length(Field::Depth)?);
     let (half_opening, radius) = match (made, length(Field::Radius)?) {
         (Some((_, made)), Some(given)) if made != given => {
@@ -118,6 +119,19 @@ fn measures(asked: &ArchAsked) -> Result<(Option<ExactNumber>, Option<Measures>)
         (None, None) => return Ok((None, None)),
     };
     Ok((half_opening, Some(Measures::new(circle, radius, loaded))))
+}
+
+/// Circle at which an arch is measured.
+pub(super) fn circle(asked: &ArchAsked) -> Result<Circle, Misfit> {
+    let circle = asked.measured_at.as_deref().map_or(Ok(Circle::default()), str::parse);
+    circle
+        .map_err(|names| Misfit::new(Field::MeasuredAt, format!("an arch is measured at {names}")))
+}
+
+/// Friction, by whichever field it is given.
+pub(super) fn friction(asked: &ArchAsked) -> Result<Option<Friction>, Misfit> {
+    let misfit = |error: ParseExactError| Misfit::new(asked.friction_field(), error);
+    asked.friction_text().map(|text| text.parse().map_err(misfit)).transpose()
 }
 
 fn stones(asked: &ArchAsked) -> Result<Option<StonesAsked>, Misfit> {
@@ -249,6 +263,12 @@ mod tests {
             ("span=10m rise=3m mu=1 radius=1m", Some(Field::Radius), "contradicts"),
             ("span=10 rise=3m mu=1", Some(Field::Span), "is not a length"),
             ("radius=1m alpha=1 mu=1 measured_at=top", Some(Field::MeasuredAt), "one of intrados"),
+            (
+                "alpha=1..2 mu=1",
+                Some(Field::HalfOpening),
+                "half_opening 1..2 is a range: ranges are for",
+            ),
+            ("alpha=1 mu=1±1%", Some(Field::Friction), "give one value here"),
             ("alpha=x mu=1", Some(Field::HalfOpening), "x"),
             ("alpha=1 mu=x", Some(Field::Friction), "x"),
         ] {

@@ -8,13 +8,19 @@
 //! | `question` | which of it a question takes and needs, and why not the rest |
 //! | `given` | the reader: text to an arch, its measures, thickness, stones and tilt |
 //! | `stones` | numbers of stones, and ranges of them |
+//! | `survey` | the reader of ranges: text to all arches between two ends |
+//! | `range` | ranges: the exact texts of both ends |
 
 mod arch;
 mod given;
 mod question;
+mod range;
 mod stones;
+mod survey;
 
 pub use arch::{ArchAsked, Field};
 pub use given::{ArchGiven, given_thickness};
 pub use question::{ArchQuestion, Misfit, Spelling};
+pub use range::{Range, RangeError, is_range};
 pub use stones::{MOST_NUMBERS, StonesAsked};
+pub use survey::SurveyGiven;

@@ -167,6 +167,11 @@ impl Length {
         Self(metres)
     }
 
+    /// Length of so many metres; `None` if they are not above zero.
+    pub fn of_metres(metres: BigRational) -> Option<Self> {
+        (metres > BigInt::ZERO.into()).then_some(Self(metres))
+    }
+
     /// Number of metres.
     pub fn metres(&self) -> &BigRational {
         &self.0
@@ -175,7 +180,7 @@ impl Length {
 
 impl Circle {
     /// Half thicknesses from it to the centreline, outwards.
-    const fn to_centreline(self) -> i32 {
+    pub const fn to_centreline(self) -> i32 {
         match self {
             Self::Intrados => 1,
             Self::Centreline => 0,

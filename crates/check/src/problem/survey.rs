@@ -216,20 +216,54 @@ impl Survey {
         let Shape::Spanned { circle, thickness: [thin, thick], .. } = &self.shape else {
             return None;
         };
-        let radius = |at: &Place| radius(&at[0], &at[1]);
-        let [low, high] = [radius(first), radius(last)];
-        let (at, t, radius) = match side {
-            Side::Unsafe => (last, thin, low.max(high)),
-            Side::Safe => {
-                let half = &first[0] / BigInt::from(2);
-                let has_least = first[0] == last[0] && first[1] < half && half < last[1];
-                (first, thick, if has_least { half } else { low.min(high) })
-            }
+        let radius = self.radius(side, [first, last]);
+        let (at, t) = match side {
+            Side::Unsafe => (last, thin),
+            Side::Safe => (first, thick),
         };
         let alpha = ExactNumber::twice_arctangent(&at[1] * BigInt::from(2) / &at[0]);
         let measures = Measures::new(*circle, Length::new(radius), None);
         let thickness = Some(measures.thickness(t).ok()?);
         Some(Bounding { arch: self.arch(alpha, side)?, thickness })
+    }
+
+    /// Largest radius on a step of the unsafe course, least of one on the safe course, at the measured circle.
+    fn radius(&self, side: Side, [first, last]: [&Place; 2]) -> BigRational {
+        let [low, high] = [first, last].map(|at| radius(&at[0], &at[1]));
+        match side {
+            Side::Unsafe => low.max(high),
+            Side::Safe => {
+                let half = &first[0] / BigInt::from(2);
+                let has_least = first[0] == last[0] && first[1] < half && half < last[1];
+                if has_least { half } else { low.min(high) }
+            }
+        }
+    }
+
+    /// Arch of the half opening and friction that are least safe, or safest, of all, with the largest, or least, radius
+    /// at the measured circle: with these two a least thickness in metres is at an end.
+    pub fn outermost(&self, side: Side) -> Option<(Arch, Length, Circle)> {
+        let Shape::Spanned { circle, .. } = &self.shape else { return None };
+        let [narrow, wide] = self.half_opening();
+        let [first, middle, last] = self.course(side)?;
+        let legs = [[&first, &middle], [&middle, &last]].map(|leg| self.radius(side, leg));
+        let [one, other] = legs;
+        let (alpha, radius) = match side {
+            Side::Unsafe => (wide, one.max(other)),
+            Side::Safe => (narrow, one.min(other)),
+        };
+        Some((self.arch(alpha, side)?, Length::new(radius), *circle))
+    }
+
+    /// Span, rise and thickness of the arch at a place of a side's course.
+    pub fn measured(&self, side: Side, at: &Place) -> Option<[Length; 3]> {
+        let Shape::Spanned { thickness: [thin, thick], .. } = &self.shape else { return None };
+        let thickness = match side {
+            Side::Unsafe => thin,
+            Side::Safe => thick,
+        };
+        let [span, rise] = at.clone().map(Length::new);
+        Some([span, rise, thickness.clone()])
     }
 
     fn arch(&self, half_opening: ExactNumber, side: Side) -> Option<Arch> {
@@ -244,8 +278,8 @@ fn radius(span: &BigRational, rise: &BigRational) -> BigRational {
     (&half * &half + rise * rise) / (rise * BigInt::from(2))
 }
 
-/// Checks that the first end is not above the last.
-fn in_order([first, last]: &[ExactNumber; 2]) -> Result<(), SurveyError> {
+/// Checks that the first end is not above the last; open if they cannot be told apart.
+pub fn in_order([first, last]: &[ExactNumber; 2]) -> Result<(), SurveyError> {
     let texts = || (first.to_string(), last.to_string());
     let is_in_order = if first.form() == last.form() {
         first.factor() <= last.factor()
@@ -259,7 +293,8 @@ fn in_order([first, last]: &[ExactNumber; 2]) -> Result<(), SurveyError> {
     }
 }
 
-fn frictions_in_order([first, last]: &[Friction; 2]) -> Result<(), SurveyError> {
+/// Checks that the first friction is not above the last; open if they cannot be told apart.
+pub fn frictions_in_order([first, last]: &[Friction; 2]) -> Result<(), SurveyError> {
     match (first, last) {
         (_, Friction::Infinite) => Ok(()),
         (Friction::Coefficient(first), Friction::Coefficient(last))

@@ -20,6 +20,7 @@ mod processor_time;
 mod programme;
 mod serial;
 pub mod state;
+pub mod survey;
 mod tilt;
 mod tilt_mechanism;
 mod tilt_of_stones;

@@ -68,6 +68,7 @@ mod sketched;
 #[cfg(feature = "study")]
 pub mod study;
 mod subject;
+mod survey;
 mod table;
 mod tabular;
 mod tilt;
@@ -101,6 +102,7 @@ pub use rows::Rows;
 pub use sampled::SampledLines;
 pub use sketched::{Sketched, Style, arches_of_figure};
 pub use subject::Subject;
+pub use survey::{MEANING, SurveyedArches};
 pub use tabular::Tabular;
 pub use tilt::TiltedArch;
 pub use understood::Understood;

@@ -4,9 +4,10 @@ use super::record::Record;
 use super::sketched::decided;
 use super::words::model;
 use crate::arch::SelfWeight;
-use crate::ask::{ArchAsked, ArchGiven, Field};
+use crate::ask::{ArchAsked, ArchGiven, Field, Range, SurveyGiven};
 use crate::number::{Ball, ExactNumber, Form, arctangent, degrees};
 use crate::problem::Friction;
+use crate::problem::measures::Circle;
 use num_bigint::BigInt;
 
 /// Bits in which a given value is shown in other units.
@@ -44,6 +45,17 @@ impl Understood {
         let texts = Field::ALL.iter().copied().filter_map(text);
         Self {
             words: words.collect::<Vec<_>>().join(", "),
+            given: texts.map(|(field, text)| (field, text.to_owned())).collect(),
+        }
+    }
+
+    /// The question of these texts, some of which are ranges, which were read as `given`.
+    pub fn of_ranges(asked: &ArchAsked, given: &SurveyGiven) -> Self {
+        let text = |field| Some((field, asked.get(field)?.trim()));
+        let words = |(field, text)| in_words_of_range(field, text, given);
+        let texts = Field::ALL.iter().copied().filter_map(text);
+        Self {
+            words: SAID.into_iter().filter_map(text).map(words).collect::<Vec<_>>().join(", "),
             given: texts.map(|(field, text)| (field, text.to_owned())).collect(),
         }
     }
@@ -112,6 +124,36 @@ fn in_words(field: Field, text: &str, given: &ArchGiven) -> String {
         (Field::Joints, _) => format!("joints at {text}"),
         _ => format!("{name} {text}"),
     }
+}
+
+/// Words for a field that may be a range: its ends, as they are read.
+fn in_words_of_range(field: Field, text: &str, given: &SurveyGiven) -> String {
+    let name = match field {
+        Field::FrictionAngle => "friction".to_owned(),
+        _ => field.name().replace('_', " "),
+    };
+    let ends = match Range::read(text) {
+        Ok(Some(Range { lower, upper })) => format!("{lower} to {upper}"),
+        _ => text.to_owned(),
+    };
+    let circle = given.circle.map_or("", Circle::name);
+    let at = match field {
+        Field::Rise => {
+            let alphas = given.half_opening();
+            let [narrow, wide] = alphas.map(|alpha| decided(&in_degrees(&alpha), DIGITS));
+            let opening = match (narrow, wide) {
+                (Some(narrow), Some(wide)) if narrow == wide => {
+                    format!(" (half opening {narrow} deg)")
+                }
+                (Some(narrow), Some(wide)) => format!(" (half opening {narrow} to {wide} deg)"),
+                _ => String::new(),
+            };
+            format!(" at the {circle}{opening}")
+        }
+        Field::Radius => format!(" of the {circle}"),
+        _ => String::new(),
+    };
+    format!("{name} {ends}{at}")
 }
 
 /// A value in another unit, behind an equals sign; nothing where its digits are not decided, as of zero.

@@ -1,0 +1,27 @@
+//! Verdicts on every arch of a [survey](crate::problem::survey), and the ranges of what is asked of one.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `answer` | the answer: verdict, ranges and the arches at their ends |
+//! | `corners` | half opening and thickness free of each other: two arches decide |
+//! | `course` | span, rise and thickness measured: the extreme along a course, by halving |
+//! | `modes` | the modes that occur |
+//! | `share` | the part that stands |
+//! | `survey` | the question |
+
+mod answer;
+mod corners;
+mod course;
+mod modes;
+mod share;
+#[allow(clippy::module_inception, reason = "the folder is named after what it answers")]
+mod survey;
+#[cfg(test)]
+mod tests;
+
+pub use answer::{
+    EndValue, ModesFound, QuantityRange, RangeEnd, SurveyAnswer, SurveyVerdict, SurveyedArch,
+};
+pub use course::MEASURED_DIGITS;
+pub use share::{Share, share};
+pub use survey::survey;

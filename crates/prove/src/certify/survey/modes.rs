@@ -1,0 +1,224 @@
+//! Modes that occur in a rectangle of half openings and frictions.
+//!
+//! At a given half opening the modes follow each other in one order as the friction grows, at a given friction in
+//! another as the half opening does, each on an interval or not at all (the claims `map-rows` and `map-columns`). So the
+//! states at four corners leave few modes to the arches between them, and halves of the rectangle fewer.
+
+use super::answer::ModesFound;
+use crate::arch::SelfWeight;
+use crate::certify::state::{Outcome, quick_outcome, state_enclosed};
+use crate::number::{DoubleBall, DoubleDoubleBall, ExactNumber};
+use crate::problem::survey::{frictions_in_order, in_order};
+use crate::problem::{Arch, Friction, Mode};
+use std::collections::VecDeque;
+
+/// Mode of the state, `None` where nothing stands.
+type Place = Option<Mode>;
+
+/// Orders in which modes follow each other as the friction grows.
+const ROWS: [&[Place]; 3] = [
+    &[None, Some(Mode::SlidingRotational), Some(Mode::Rotational)],
+    &[
+        None,
+        Some(Mode::OverturningSliding),
+        Some(Mode::RotationalSlidingRotational),
+        Some(Mode::RotationalSliding),
+        Some(Mode::Rotational),
+    ],
+    // With unlimited friction at the end.
+    &[None, Some(Mode::OverturningSliding), Some(Mode::Overturning)],
+];
+
+/// Orders in which they do as the half opening grows.
+const COLUMNS: [&[Place]; 2] = [
+    &[
+        Some(Mode::Rotational),
+        Some(Mode::SlidingRotational),
+        Some(Mode::RotationalSliding),
+        Some(Mode::RotationalSlidingRotational),
+        Some(Mode::OverturningSliding),
+        None,
+    ],
+    &[Some(Mode::Rotational), Some(Mode::Overturning), None],
+];
+
+/// Most rectangles that are looked at for the modes of one survey.
+const MOST_CELLS: usize = 256;
+/// Bits of the states that double-doubles leave open.
+const BITS: u32 = 192;
+
+/// A rectangle of half openings and frictions.
+type Cell = ([ExactNumber; 2], [Friction; 2]);
+
+/// Modes over a rectangle of half openings (rad) and frictions.
+pub(super) fn modes(
+    weight: SelfWeight,
+    half_opening: &[ExactNumber; 2],
+    friction: &[Friction; 2],
+) -> ModesFound {
+    let mut seen: Vec<Place> = Vec::new();
+    let mut waiting: VecDeque<Cell> = [(half_opening.clone(), friction.clone())].into();
+    let mut left: Vec<Place> = Vec::new();
+    let mut cells = 0;
+    while let Some((alphas, mus)) = waiting.pop_front() {
+        cells += 1;
+        let at = |alpha: &ExactNumber, mu: &Friction| place(weight, alpha, mu);
+        let corners = [
+            [at(&alphas[0], &mus[0]), at(&alphas[0], &mus[1])],
+            [at(&alphas[1], &mus[0]), at(&alphas[1], &mus[1])],
+        ];
+        for place in corners.iter().flatten().flatten() {
+            if !seen.contains(place) {
+                seen.push(*place);
+            }
+        }
+        let possible = possible(&corners);
+        if possible.iter().all(|place| seen.contains(place)) {
+            continue;
+        }
+        let halves = if cells + waiting.len() < MOST_CELLS { halves(alphas, mus) } else { None };
+        match halves {
+            Some(halves) => waiting.extend(halves),
+            None => left.extend(possible),
+        }
+    }
+    let all = |of: &dyn Fn(Mode) -> bool| Mode::ALL.into_iter().filter(|m| of(*m)).collect();
+    ModesFound {
+        occur: all(&|mode| seen.contains(&Some(mode))),
+        may_occur: all(&|mode| left.contains(&Some(mode)) && !seen.contains(&Some(mode))),
+        some_fall: match (seen.contains(&None), left.contains(&None)) {
+            (true, _) => Some(true),
+            (false, true) => None,
+            (false, false) => Some(false),
+        },
+    }
+}
+
+/// State of an arch; `None` if it is not proved, as on a line between two modes.
+fn place(weight: SelfWeight, alpha: &ExactNumber, mu: &Friction) -> Option<Place> {
+    let arch = Arch::new(weight, alpha.clone(), mu.clone()).ok()?;
+    let mode = |outcome: &Outcome<DoubleDoubleBall>| match outcome {
+        Outcome::Stands(state) => Some(state.mode),
+        Outcome::Falls(_) => None,
+    };
+    let quick = quick_outcome(&arch, false).ok().map(|outcome| mode(&outcome));
+    let slow = || match state_enclosed(&arch, BITS, false).ok()? {
+        Outcome::Stands(state) => Some(Some(state.mode)),
+        Outcome::Falls(_) => Some(None),
+    };
+    quick.or_else(slow).filter(|place| *place != Some(Mode::Sliding))
+}
+
+/// Every place that the corners of a rectangle do not exclude inside. A corner that is not known excludes nothing.
+fn possible(corners: &[[Option<Place>; 2]; 2]) -> Vec<Place> {
+    let [[low_narrow, high_narrow], [low_wide, high_wide]] = *corners;
+    let low = between(&COLUMNS, low_narrow, low_wide);
+    let high = between(&COLUMNS, high_narrow, high_wide);
+    let mut all: Vec<Place> = Vec::new();
+    for first in &low {
+        for last in &high {
+            for place in between(&ROWS, Some(*first), Some(*last)) {
+                if !all.contains(&place) {
+                    all.push(place);
+                }
+            }
+        }
+    }
+    all
+}
+
+/// Places that one of the orders has from the first to the last.
+fn between(orders: &[&[Place]], first: Option<Place>, last: Option<Place>) -> Vec<Place> {
+    let mut all: Vec<Place> = Vec::new();
+    for order in orders {
+        let index = |place: Place| order.iter().position(|x| *x == place);
+        let (Some(from), Some(to)) =
+            (first.map_or(Some(0), index), last.map_or(Some(order.len() - 1), index))
+        else {
+            continue;
+        };
+        for place in order.get(from..=to).unwrap_or_default() {
+            if !all.contains(place) {
+                all.push(*place);
+            }
+        }
+    }
+    all
+}
+
+/// Halves of a rectangle, across its longer side; `None` if doubles tell no middle.
+fn halves(alphas: [ExactNumber; 2], mus: [Friction; 2]) -> Option<[Cell; 2]> {
+    let ends = alphas.each_ref().map(|x| x.enclosure::<DoubleBall>(53).mid());
+    let grip = |mu: &Friction| match mu {
+        Friction::Infinite => f64::INFINITY,
+        _ => {
+            let grip = mu.grip::<DoubleBall>(53);
+            grip.normal.mid() / grip.shear.mid()
+        }
+    };
+    let frictions = mus.each_ref().map(grip);
+    // Of the friction its angle counts: it has an end.
+    let wide = ends[1] - ends[0] >= frictions[1].atan() - frictions[0].atan();
+    if wide {
+        let middle = inside(f64::midpoint(ends[0], ends[1]), &alphas)?;
+        let [first, last] = alphas;
+        Some([([first, middle.clone()], mus.clone()), ([middle, last], mus)])
+    } else {
+        let angle = f64::midpoint(frictions[0].atan(), frictions[1].atan());
+        let mu = ExactNumber::try_from(angle.tan()).ok()?;
+        let middle = Friction::Coefficient(mu);
+        let is_inside = frictions_in_order(&[mus[0].clone(), middle.clone()]).is_ok()
+            && frictions_in_order(&[middle.clone(), mus[1].clone()]).is_ok();
+        let [first, last] = mus;
+        let cells = [(alphas.clone(), [first, middle.clone()]), (alphas, [middle, last])];
+        is_inside.then_some(cells)
+    }
+}
+
+/// A double, if it is proved to lie between two numbers.
+fn inside(x: f64, ends: &[ExactNumber; 2]) -> Option<ExactNumber> {
+    let middle = ExactNumber::try_from(x).ok()?;
+    let [first, last] = ends;
+    let is_inside = in_order(&[first.clone(), middle.clone()]).is_ok()
+        && in_order(&[middle.clone(), last.clone()]).is_ok();
+    is_inside.then_some(middle)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(alpha: [&str; 2], mu: [&str; 2]) -> ModesFound {
+        let alphas = alpha.map(|x| x.parse().unwrap());
+        modes(SelfWeight::Milankovitch, &alphas, &mu.map(|x| x.parse().unwrap()))
+    }
+
+    #[test]
+    fn a_rectangle_inside_one_mode_has_that_mode() {
+        let one = found(["1.4", "1.6"], ["0.5", "0.7"]);
+        assert_eq!(one.occur, [Mode::Rotational]);
+        assert!(one.may_occur.is_empty() && one.some_fall == Some(false));
+    }
+
+    #[test]
+    fn modes_between_the_corners_are_found() {
+        // From falls to rotation, with the sliding of the shoulder on the way, however thin its strip.
+        let all = found(["1.5", "1.5"], ["0.2", "0.5"]);
+        assert_eq!(all.occur, [Mode::Rotational, Mode::SlidingRotational]);
+        assert_eq!((all.may_occur.len(), all.some_fall), (0, Some(true)));
+        // Everything beyond T.
+        let all = found(["2", "2.62"], ["0.6", "inf"]);
+        assert_eq!(all.occur.len(), 6, "{all:?}");
+        assert!(all.may_occur.is_empty(), "{all:?}");
+    }
+
+    #[test]
+    fn an_order_has_no_place_outside_its_ends() {
+        let [rrr, srr, rrs] =
+            [Mode::Rotational, Mode::SlidingRotational, Mode::RotationalSliding].map(Some);
+        assert_eq!(between(&ROWS, Some(srr), Some(rrr)), [srr, rrr]);
+        assert!(between(&ROWS, Some(srr), Some(rrs)).is_empty());
+        assert_eq!(between(&COLUMNS, Some(srr), Some(rrs)), [srr, rrs]);
+        assert_eq!(between(&ROWS, None, Some(rrs)).len(), 4);
+    }
+}

@@ -1,0 +1,230 @@
+//! All arches of a question with ranges, and what is proved of them: `couplet.survey/1`.
+
+use super::format::Content;
+use super::record::Record;
+use super::reported::Reported;
+use super::tabular::Tabular;
+use super::understood::Understood;
+use super::words::{aligned, distinct, labels, list};
+use crate::arch::SelfWeight;
+use crate::ask::SurveyGiven;
+use crate::certify::Undecided;
+use crate::certify::survey::{EndValue, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch};
+use crate::problem::{Mode, Quantity};
+
+/// Meaning of a range, the one sentence of all formats.
+pub const MEANING: &str =
+    "A range means every arch inside it: nothing is said of how likely one is.";
+
+/// All arches of one self-weight between measured ends, and what is proved of them.
+#[derive(Debug)]
+pub struct SurveyedArches {
+    /// Question as it is understood.
+    pub asked: Understood,
+    /// The arches as they are read.
+    pub given: SurveyGiven,
+    /// The self-weight model.
+    pub weight: SelfWeight,
+    /// Quantities that are told.
+    pub quantities: Vec<Quantity>,
+    /// Answer, or why nothing is proved.
+    pub found: Result<SurveyAnswer, Undecided>,
+}
+
+impl SurveyedArches {
+    /// Reason why something stays open, if anything does.
+    pub fn first_open(&self) -> Option<&Undecided> {
+        match &self.found {
+            Err(open) => Some(open),
+            Ok(found) => found.verdict.as_ref()?.as_ref().err(),
+        }
+    }
+
+    /// Answer to whether they stand or, without a thickness, whether they can: a word and a sentence.
+    fn outcome(&self) -> [&'static str; 2] {
+        let Ok(found) = &self.found else { return ["undecided", "undecided"] };
+        match &found.verdict {
+            Some(Ok(verdict)) => [verdict.name(), verdict.sentence()],
+            Some(Err(_)) => ["undecided", "undecided"],
+            None => {
+                let least = found.ranges.iter().find(|range| range.of == Quantity::LeastThickness);
+                let falls = |end: &RangeEnd| end.value == EndValue::NotEnough;
+                match least.map(|least| (falls(&least.lower), falls(&least.upper))) {
+                    None => ["undecided", "undecided"],
+                    Some((true, _)) => ["none_can_stand", "no arch can stand, however thick"],
+                    Some((_, true)) => {
+                        ["both_occur", "some arches can stand, others cannot, however thick"]
+                    }
+                    Some(_) => ["all_can_stand", "every arch can stand at some thickness"],
+                }
+            }
+        }
+    }
+
+    fn ranges(&self) -> impl Iterator<Item = &QuantityRange> {
+        let found = self.found.as_ref().ok().into_iter();
+        found.flat_map(|found| &found.ranges).filter(|range| self.quantities.contains(&range.of))
+    }
+
+    /// Command that asks about one arch.
+    fn command(&self, of: &SurveyedArch) -> String {
+        let asked = self.given.one(&of.arch, of.thickness.as_ref(), of.measured.as_ref());
+        let command = if of.thickness.is_some() { "assess" } else { "state" };
+        format!("couplet {command}{} --weight {}", asked.options(), self.weight.name())
+    }
+
+    fn arch(&self, of: &SurveyedArch) -> Record {
+        let thickness = of.thickness.as_ref().map(ToString::to_string);
+        let mut arch = Record::default();
+        arch.add("half_opening", of.arch.half_opening().to_string());
+        arch.add("friction", of.arch.friction().to_string());
+        arch.add("thickness", thickness);
+        arch.add("command", self.command(of));
+        arch
+    }
+
+    fn end(&self, end: &RangeEnd) -> Record {
+        let (number, bound) = match &end.value {
+            EndValue::Number(number) => (Some(number.to_string()), "number"),
+            EndValue::NotEnough => (None, "not_enough"),
+            EndValue::Unbounded => (None, "unbounded"),
+        };
+        let mut record = Record::default();
+        record.add("value", number);
+        record.add("bound", bound);
+        record.add_record("arch", end.at.as_ref().map(|at| self.arch(at)));
+        record
+    }
+}
+
+/// An end in a table.
+fn shown(end: &RangeEnd) -> String {
+    match &end.value {
+        EndValue::Number(number) => number.to_string(),
+        EndValue::NotEnough => "none".to_owned(),
+        EndValue::Unbounded => "inf".to_owned(),
+    }
+}
+
+impl Reported for SurveyedArches {
+    fn content() -> Content {
+        Content::RECORDS
+    }
+
+    fn records(&self) -> Vec<Record> {
+        let mut record = Record::of("couplet.survey/1");
+        say(self, &mut record);
+        record.add_record("asked", Some(self.asked.fields()));
+        record.add("meaning", MEANING);
+        record.add("weight", self.weight.name());
+        record.add("outcome", self.outcome()[0]);
+        record.add("reason", self.first_open().map(|open| open.reason.to_string()));
+        let found = self.found.as_ref().ok();
+        record.add_record("worst", found.map(|found| self.arch(&found.worst)));
+        record.add_record("best", found.map(|found| self.arch(&found.best)));
+        let range = |range: &QuantityRange| {
+            let mut record = Record::named("quantity", [range.of.name().into()]);
+            record.add_record("lower", Some(self.end(&range.lower)));
+            record.add_record("upper", Some(self.end(&range.upper)));
+            record
+        };
+        record.add_list("ranges", self.ranges().map(range));
+        let labels = |modes: &[Mode]| labels(modes);
+        let modes = found.map(|found| &found.modes);
+        record.add("modes", modes.map_or(Vec::new(), |modes| labels(&modes.occur)));
+        record.add("other_modes", modes.map_or(Vec::new(), |modes| labels(&modes.may_occur)));
+        record.add("some_fall", modes.and_then(|modes| modes.some_fall));
+        vec![record]
+    }
+
+    fn tabular(&self) -> Tabular {
+        let columns = "weight outcome quantity lower lower_arch upper upper_arch reason";
+        let command = |end: &RangeEnd| end.at.as_ref().map(|at| self.command(at));
+        let row = |range: Option<&QuantityRange>| {
+            let mut row = Record::default();
+            row.add("weight", self.weight.name());
+            row.add("outcome", self.outcome()[0]);
+            row.add("reason", self.first_open().map(|open| open.reason.to_string()));
+            if let Some(QuantityRange { of, lower, upper }) = range {
+                row.add("quantity", of.name());
+                row.add("lower", shown(lower));
+                row.add("lower_arch", command(lower));
+                row.add("upper", shown(upper));
+                row.add("upper_arch", command(upper));
+            }
+            row
+        };
+        let mut rows: Vec<Record> = self.ranges().map(|range| row(Some(range))).collect();
+        if rows.is_empty() {
+            rows.push(row(None));
+        }
+        Tabular::of(columns, rows)
+    }
+}
+
+/// Lines for a person.
+fn say(all: &SurveyedArches, record: &mut Record) {
+    record.say(format!("Every arch of {}\n", all.asked.with_weight(all.weight)));
+    record.say(match all.first_open() {
+        Some(open) => open.to_string(),
+        None => format!("{}, proved", all.outcome()[1]),
+    });
+    record.say(MEANING);
+    let Ok(found) = &all.found else { return };
+    let ends = || all.ranges().flat_map(|range| [&range.lower, &range.upper]);
+    let at = ends().filter_map(|end| end.at.as_ref());
+    let arches = distinct([&found.worst, &found.best].into_iter().chain(at));
+    let number = |of: &SurveyedArch| arches.iter().position(|arch| *arch == of);
+    let end = |end: &RangeEnd| {
+        let at = end.at.as_ref().and_then(number);
+        match at {
+            Some(at) => format!("{} ({})", shown(end), at + 1),
+            None => shown(end),
+        }
+    };
+    let row = |range: &QuantityRange| {
+        let name = range.of.name().to_owned();
+        let symbol = range.of.symbol().to_owned();
+        vec![name, symbol, end(&range.lower), format!("to {}", end(&range.upper))]
+    };
+    let rows: Vec<Vec<String>> = all.ranges().map(row).collect();
+    if !rows.is_empty() {
+        record.say("");
+        record.say_all(aligned(&rows).map(|line| format!("   {line}")));
+    }
+    record.say_all(modes(found));
+    record.say("");
+    for (index, arch) in arches.iter().enumerate() {
+        record.say(format!("   ({}) {}", index + 1, all.command(arch)));
+    }
+    let [worst, best] = [&found.worst, &found.best].map(|of| number(of).map_or(0, |at| at + 1));
+    record.say(match worst == best {
+        true => format!("\n   ({worst}) stands least easily and most easily."),
+        false => format!("\n   ({worst}) stands least easily, ({best}) most easily."),
+    });
+    if ends().any(|end| end.at.is_some()) {
+        record.say("   An end is rounded outward, and that of the arch named behind it.");
+    }
+    if ends().any(|end| end.at.is_none()) {
+        record.say("   An end without an arch encloses: no arch is beyond it, none need have it.");
+    }
+}
+
+/// Lines on the modes at the least thickness.
+fn modes(found: &SurveyAnswer) -> Vec<String> {
+    let mut lines = Vec::new();
+    let modes = &found.modes;
+    if !modes.occur.is_empty() {
+        lines.push(format!("\n   modes at the least thickness: {}", list(labels(&modes.occur))));
+    }
+    if !modes.may_occur.is_empty() {
+        lines.push(format!("   not excluded: {}", list(labels(&modes.may_occur))));
+    }
+    let some = match modes.some_fall {
+        Some(true) => Some("some arches stand at no thickness"),
+        Some(false) => None,
+        None => Some("whether any arch stands at no thickness stays open"),
+    };
+    lines.extend(some.map(|some| format!("   {}", some)));
+    lines
+}
