@@ -7,21 +7,28 @@ from ._answers import Assessment, Found, State, Tilted, Voussoirs
 from ._arrays import whole as _whole
 from ._asked import arch as _arch
 from ._asked import asked as _asked
+from ._asked import survey as _survey
 from ._core import CoupletError
 from ._exact import text_of as _text_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
-    from typing import Any, overload
+    from typing import Any, Optional, Union, overload
 
     from ._exact import Exact
+
+    #: A value, or the least and the largest.
+    Ranged = Optional[Union[Exact, tuple[Exact, Exact]]]
+    #: The same of a length, with its unit.
+    Lengths = Optional[Union[str, tuple[str, str]]]
 else:
 
     def overload(function):
         return function
 
 
+@overload
 def state(
     half_opening: Exact | None = None,
     friction: Exact | None = None,
@@ -40,7 +47,46 @@ def state(
     weight: str = "milankovitch",
     digits: int = 30,
     frictions: bool = True,
-) -> State:
+) -> State: ...
+@overload
+def state(
+    half_opening: Ranged = None,
+    friction: Ranged = None,
+    *,
+    friction_angle: Ranged = None,
+    thickness: Ranged = None,
+    stones: int | str | None = None,
+    joints: str | Sequence[Exact] | None = None,
+    tilt: Exact | None = None,
+    span: Lengths = None,
+    rise: Lengths = None,
+    radius: Lengths = None,
+    measured_at: str | None = None,
+    density: str | None = None,
+    depth: str | None = None,
+    weight: str = "milankovitch",
+    digits: int = 30,
+    frictions: bool = True,
+) -> Any: ...
+def state(
+    half_opening: Ranged = None,
+    friction: Ranged = None,
+    *,
+    friction_angle: Ranged = None,
+    thickness: Ranged = None,
+    stones: int | str | None = None,
+    joints: str | Sequence[Exact] | None = None,
+    tilt: Exact | None = None,
+    span: Lengths = None,
+    rise: Lengths = None,
+    radius: Lengths = None,
+    measured_at: str | None = None,
+    density: str | None = None,
+    depth: str | None = None,
+    weight: str = "milankovitch",
+    digits: int = 30,
+    frictions: bool = True,
+) -> State | dict[str, Any]:
     """The state of an arch at its least thickness, proved. A float is exactly the double that it is; text is exact.
 
     Args:
@@ -58,6 +104,9 @@ def state(
         digits: significant digits, 1 to 1,000,000. Up to 33 cost at most three times what few cost.
         frictions: also the frictions at which the mode changes, and what would be enough for an arch that falls.
 
+    Half opening, friction, span, rise and radius may be ranges, (least, largest), or text ('10m±2cm', '0.5..inf'). Then the
+    answer is a dictionary, as ``couplet state --format json`` has it: what is proved of every arch inside, without probability.
+
     Raises: CoupletError if an argument makes no sense; TypeError if it is no number.
 
         >>> couplet.state("pi/2", "0.38", weight="heyman", digits=12)
@@ -67,6 +116,9 @@ def state(
         0.148126 m intrados
     """
     others = (friction_angle, thickness, stones, joints, tilt, span, rise, radius, measured_at, density, depth)
+    surveyed = _survey("state", weight, (half_opening, friction, *others), _text_of(digits))
+    if surveyed is not None:
+        return surveyed
     texts, given = _arch(half_opening, friction, others)
     if stones is not None or joints is not None:
         return _of_stones("state", weight, (texts, given), digits)[0]
@@ -74,6 +126,7 @@ def state(
     return State((*given, ("weight", told["weight"])), told)
 
 
+@overload
 def assess(
     half_opening: Exact | None = None,
     friction: Exact | None = None,
@@ -91,7 +144,44 @@ def assess(
     depth: str | None = None,
     weight: str = "milankovitch",
     digits: int = 30,
-) -> Assessment:
+) -> Assessment: ...
+@overload
+def assess(
+    half_opening: Ranged = None,
+    friction: Ranged = None,
+    thickness: Ranged = None,
+    *,
+    friction_angle: Ranged = None,
+    stones: int | str | None = None,
+    joints: str | Sequence[Exact] | None = None,
+    tilt: Exact | None = None,
+    span: Lengths = None,
+    rise: Lengths = None,
+    radius: Lengths = None,
+    measured_at: str | None = None,
+    density: str | None = None,
+    depth: str | None = None,
+    weight: str = "milankovitch",
+    digits: int = 30,
+) -> Any: ...
+def assess(
+    half_opening: Ranged = None,
+    friction: Ranged = None,
+    thickness: Ranged = None,
+    *,
+    friction_angle: Ranged = None,
+    stones: int | str | None = None,
+    joints: str | Sequence[Exact] | None = None,
+    tilt: Exact | None = None,
+    span: Lengths = None,
+    rise: Lengths = None,
+    radius: Lengths = None,
+    measured_at: str | None = None,
+    density: str | None = None,
+    depth: str | None = None,
+    weight: str = "milankovitch",
+    digits: int = 30,
+) -> Assessment | dict[str, Any]:
     """Whether an arch of a given thickness stands, its safety factors, and the thrusts it can bear, proved. A float is
     exactly the double that it is; text is exact.
 
@@ -99,17 +189,22 @@ def assess(
         thickness: t/r, above 0 and at most 2; of an arch in metres a length ('60cm'), or a ratio with its r ('0.12r').
         tilt: a horizontal acceleration, or the angle by which the ground is tilted: the answer is one of ``tilt``.
         half_opening, friction, friction_angle, stones, joints, span, rise, radius, measured_at, density, depth, weight, digits:
-            as for ``state``.
+            as for ``state``; ranges too, also of the thickness.
 
     Raises: CoupletError if an argument makes no sense; TypeError if it is no number.
 
         >>> a = couplet.assess("80deg", "0.6", "0.12", digits=8)
         >>> a.verdict, str(a.geometric_safety), a.least_thrust.limited_by
         ('stands', '1.7479853', 'intrados at the haunch')
+        >>> couplet.assess(("79deg", "81deg"), "0.6±10%", (0.125, 0.15))["outcome"]
+        'all_stand'
         >>> str(couplet.assess(span="10m", rise="3m", thickness="60cm", friction="31deg", digits=5).geometric_safety)
         '3.8972'
     """
     others = (friction_angle, thickness, stones, joints, tilt, span, rise, radius, measured_at, density, depth)
+    surveyed = _survey("assess", weight, (half_opening, friction, *others), _text_of(digits))
+    if surveyed is not None:
+        return surveyed
     texts, given = _arch(half_opening, friction, others)
     if tilt is not None:
         return _tilted(weight, (texts, given), digits)

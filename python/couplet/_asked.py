@@ -105,6 +105,32 @@ def _stones(value: Any) -> str:
     return text_of(value.__index__())
 
 
+def survey(question: str, weight: str, values: tuple[Any, ...], digits: str) -> dict[str, Any] | None:
+    """What is proved of every arch of a question with ranges, as in JSON; None if it has no range."""
+    if not any(map(_is_range, values)):
+        return None
+    import json
+
+    named = {name: _range(name, value) for name, value in zip(FIELDS, values)}
+    told = asked(_core.surveyed, question, weight, named_arch(named)[0], digits)
+    return None if told is None else dict(json.loads(told))
+
+
+def _is_range(value: Any) -> bool:
+    """Whether a value is two ends, or a text with the sign of a range."""
+    return isinstance(value, tuple) or isinstance(value, str) and (".." in value or "±" in value or "+-" in value)
+
+
+def _range(name: str, value: Any) -> Any:
+    """The text of a range of two ends; any other value as it is."""
+    if not isinstance(value, tuple) or name == "joints":
+        return value
+    if len(value) != 2:
+        raise CoupletError(f"a range of the {name.replace('_', ' ')} is (lower, upper), not {len(value)} values")
+    lower, upper = (exact(end, f"end of the {name.replace('_', ' ')}") for end in value)
+    return f"{lower}..{upper}"
+
+
 def words(values: str | Sequence[str]) -> list[str]:
     """Names, of which one may be given alone."""
     return [values] if isinstance(values, str) else list(values)

@@ -5,7 +5,7 @@ use crate::pool::{on_one_thread, on_threads};
 use crate::{CoupletError, UndecidedError, told};
 use couplet::Error;
 use couplet::arch::SelfWeight;
-use couplet::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling};
+use couplet::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling, SurveyGiven};
 use couplet::atlas::NoSketch;
 use couplet::certify::state::find as seek;
 use couplet::certify::state::{Balls, Certify};
@@ -160,6 +160,29 @@ pub(crate) fn assess<'py>(
         answer::assessment(1, (&arch, &eta, measures), digits, &found)
     })?;
     told::answer(py, &found)
+}
+
+/// JSON of all arches of a question with ranges; none if it has no range.
+#[pyfunction]
+pub(crate) fn surveyed(
+    py: Python<'_>,
+    question: &str,
+    weight: &str,
+    texts: Texts<'_>,
+    digits: &str,
+) -> PyResult<Option<String>> {
+    let asked = asked(texts);
+    if !asked.has_range() {
+        return Ok(None);
+    }
+    let question = if question == "assess" { &doors::ASSESS } else { &doors::STATE };
+    let weight = parse::weight(weight).map_err(wrong)?;
+    let given = SurveyGiven::read(question, &asked, Spelling::Key).map_err(wrong)?;
+    let digits = parse::digits(digits).map_err(wrong)?;
+    let found = on_threads(py, 1, move || {
+        doors::surveyed(&asked, &given, weight, (doors::quantities(&asked), digits))
+    })?;
+    report(&found.map_err(failed)?, "json").map(Some)
 }
 
 /// JSON of arches of stones, with the values of each and those at its thickness.

@@ -36,7 +36,8 @@ mod _core {
     #[pymodule_export]
     use super::asked::{
         assess, certify_arch, certify_asymmetric, certify_landmark, check, claims, constants,
-        drawing, fields, find, modes, prove, quantity_name, run, state, tilted, voussoirs,
+        drawing, fields, find, modes, prove, quantity_name, run, state, surveyed, tilted,
+        voussoirs,
     };
     #[pymodule_export]
     use super::rows::{finds, states};

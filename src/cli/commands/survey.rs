@@ -33,12 +33,13 @@ pub(super) fn print(
     }
     let format = output.format()?;
     is_written("the answer of a range", SurveyedArches::content(), format)?;
+    let quantities = quantities(&arguments.asked);
     let quantities = match arguments.asked.thickness {
-        Some(_) => output.quantities(&ASSESSED)?,
+        Some(_) => output.quantities(quantities)?,
         None => {
             // The thickness of a state is the least.
             output.quantities(&[Quantity::Thickness, Quantity::LeastThickness])?;
-            vec![Quantity::LeastThickness]
+            quantities.to_vec()
         }
     };
     let file = output.file().open_for(format)?;
@@ -50,6 +51,11 @@ pub(super) fn print(
     let answers = answers?;
     let open = answers.iter().find_map(SurveyedArches::first_open).cloned();
     file.report((&answers, format), open)
+}
+
+/// Quantities of which ranges are told.
+pub fn quantities(asked: &ArchAsked) -> &'static [Quantity] {
+    if asked.thickness.is_some() { &ASSESSED } else { &[Quantity::LeastThickness] }
 }
 
 /// All arches of a question and of a self-weight, with what is proved of them.

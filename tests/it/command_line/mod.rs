@@ -9,6 +9,7 @@ mod measured;
 mod notes;
 #[cfg(unix)]
 mod owners;
+mod ranges;
 mod rows;
 mod states;
 mod study;

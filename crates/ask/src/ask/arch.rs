@@ -1,8 +1,8 @@
 //! Text of an arch: each thing that it may be given by once, with the help that a command prints of it.
 
 use super::question::{Misfit, Spelling};
-use super::range::{Range, is_range};
-use crate::number::shown;
+use super::range::Range;
+use crate::number::{is_range, shown};
 
 /// Declares [`ArchAsked`] and [`Field`] in one list.
 macro_rules! fields {

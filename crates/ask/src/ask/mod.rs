@@ -21,6 +21,6 @@ mod survey;
 pub use arch::{ArchAsked, Field};
 pub use given::{ArchGiven, given_thickness};
 pub use question::{ArchQuestion, Misfit, Spelling};
-pub use range::{Range, RangeError, is_range};
+pub use range::{Range, RangeError};
 pub use stones::{MOST_NUMBERS, StonesAsked};
 pub use survey::SurveyGiven;

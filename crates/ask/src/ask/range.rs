@@ -9,14 +9,12 @@
 //! Both ends are exact texts, which the readers of one value read: a decimal if it ends, else a fraction; beside `±` the
 //! unit is that of the value, and lengths of two units meet in metres.
 
-use crate::number::{Decimal, ExactNumber, Form, is_angle, says, shown};
+use crate::number::{
+    BETWEEN, Decimal, ExactNumber, Form, PLUS_MINUS, is_angle, is_range, says, shown,
+};
 use crate::problem::measures::Length;
 use num_bigint::BigInt;
 use num_rational::BigRational;
-
-/// Spellings of what stands between a value and its deviation.
-const PLUS_MINUS: [&str; 2] = ["±", "+-"];
-const BETWEEN: &str = "..";
 
 /// Range of a field, by the exact texts of its ends.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -75,11 +73,6 @@ says!(RangeError {
         "in '{range}' the part '{part}' is not a number with or without a unit (0.1, 2cm, 1deg) or, behind ±, of % (5%)";
     Self::Negative(range) => "'{range}' has a deviation below 0: give its size";
 });
-
-/// Tells whether a text is meant as a range.
-pub fn is_range(text: &str) -> bool {
-    text.contains(BETWEEN) || PLUS_MINUS.iter().any(|sign| text.contains(sign))
-}
 
 impl Range {
     /// Reads the text of a range; nothing if the text is that of one value.

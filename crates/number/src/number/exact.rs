@@ -1,5 +1,6 @@
 //! Exact input: decimals, fractions, multiples of pi and arctangents, read as text and never rounded.
 
+use super::range::is_range;
 use super::tangent::angle_of_tangent;
 use super::unit::{AngleUnit, unit};
 use super::{Decimal, Dyadic, Engine, ParseDecimalError, as_text, says, shown, shown_as_text};
@@ -47,6 +48,8 @@ pub enum ParseExactError {
     Friction(String),
     /// Pi behind the line of a fraction, which is not told from below it.
     PiBelow(String),
+    /// A range, where one value is read.
+    Several(String),
     /// A comma instead of the point.
     Comma(String),
     /// A fraction with nothing below.
@@ -65,6 +68,8 @@ says!(ParseExactError {
          angle degrees (80deg)";
     Self::Friction(text) => "'{text}' is not a friction: give a coefficient (0.6, 3/5, inf) or an angle (31deg)";
     Self::PiBelow(text) => "'{text}' has pi behind the line of the fraction: write it above the line, 3pi/4";
+    Self::Several(text) =>
+        "'{text}' is a range: one value is read here; of ranges tell `couplet assess` and `couplet state`";
     Self::Comma(text) => "'{text}' has a comma; give the decimals behind a point (1.5)";
     Self::DivisionByZero(text) => "'{text}' divides by zero";
     Self::Length(length) => "a number of {length} characters is too long: at most {MAX_LENGTH} are read";
@@ -283,6 +288,7 @@ impl ExactNumber {
     fn without_unit(text: &str, given: &str) -> Result<Self, ParseExactError> {
         let shown = || shown(given);
         let syntax = || match text.contains(',') {
+            _ if is_range(given) => ParseExactError::Several(shown()),
             true => ParseExactError::Comma(shown()),
             false => ParseExactError::Syntax(shown()),
         };

@@ -102,6 +102,7 @@ mod interval;
 mod jet;
 #[cfg(feature = "malachite")]
 mod malachite;
+mod range;
 mod says;
 mod shown;
 mod stumpff;
@@ -134,6 +135,7 @@ pub use interval::Interval;
 pub use jet::Jet;
 #[cfg(feature = "malachite")]
 pub use malachite::{Malachite, MalachiteInterval};
+pub use range::{BETWEEN, PLUS_MINUS, is_range};
 pub use shown::{shown, visible};
 pub use stumpff::Stumpff;
 pub use stumpff::terms as stumpff_terms;

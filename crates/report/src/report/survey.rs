@@ -198,15 +198,23 @@ fn say(all: &SurveyedArches, record: &mut Record) {
         record.say(format!("   ({}) {}", index + 1, all.command(arch)));
     }
     let [worst, best] = [&found.worst, &found.best].map(|of| number(of).map_or(0, |at| at + 1));
+    let does = match found.verdict {
+        Some(_) => ["stands least easily", "most easily"],
+        None => ["needs the largest thickness", "the least"],
+    };
     record.say(match worst == best {
-        true => format!("\n   ({worst}) stands least easily and most easily."),
-        false => format!("\n   ({worst}) stands least easily, ({best}) most easily."),
+        true => format!("\n   ({worst}) {} and {}.", does[0], does[1]),
+        false => format!("\n   ({worst}) {}, ({best}) {}.", does[0], does[1]),
     });
     if ends().any(|end| end.at.is_some()) {
-        record.say("   An end is rounded outward, and that of the arch named behind it.");
+        record
+            .say("   An end is the value of the arch whose number is behind it, rounded outward.");
+    }
+    if ends().any(|end| end.value == EndValue::NotEnough) {
+        record.say("   None: no thickness, or no friction, is enough for that arch.");
     }
     if ends().any(|end| end.at.is_none()) {
-        record.say("   An end without an arch encloses: no arch is beyond it, none need have it.");
+        record.say("   An end without a number behind it encloses: no arch is beyond it, and none need have it.");
     }
 }
 

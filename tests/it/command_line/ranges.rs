@@ -1,0 +1,273 @@
+//! Questions with ranges: what is proved of every arch inside, against single arches that are asked for one by one.
+
+use super::{exact, printed, stdout};
+use crate::program::{couplet, fed};
+use couplet::report::MEANING;
+use rug::Rational;
+use serde_json::Value;
+
+fn words(line: &str) -> Vec<&str> {
+    line.split(' ').collect()
+}
+
+fn object(line: &str) -> Value {
+    let all: Vec<&str> = line.split(' ').chain(["--format", "json"]).collect();
+    serde_json::from_str(&printed(&all)).unwrap()
+}
+
+/// The ends of a quantity, where both are numbers.
+fn ends(survey: &Value, quantity: &str) -> [Rational; 2] {
+    let all = survey["ranges"].as_array().unwrap();
+    let range = all.iter().find(|range| range["quantity"] == quantity).unwrap();
+    ["lower", "upper"].map(|end| exact(&range[end]["value"]))
+}
+
+/// Whether a value is within the range of its quantity; one that is not there only where nothing is enough.
+fn is_within(survey: &Value, quantity: &str, value: &Value) -> bool {
+    let all = survey["ranges"].as_array().unwrap();
+    let range = all.iter().find(|range| range["quantity"] == quantity).unwrap();
+    let [lower, upper] = ["lower", "upper"].map(|end| &range[end]);
+    let is_number = |end: &Value| end["bound"] == "number";
+    if value["value"].is_null() {
+        return [lower, upper].into_iter().any(|end| end["bound"] == "not_enough");
+    }
+    let value = exact(&value["value"]);
+    (!is_number(lower) || exact(&lower["value"]) <= value)
+        && (!is_number(upper) || value <= exact(&upper["value"]))
+        && (is_number(lower) || is_number(upper))
+}
+
+/// Arches inside, by their options, on a grid with the corners in it.
+fn inside(fields: &[(&str, &[&str])]) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for (name, values) in fields {
+        let with = |line: &String| values.iter().map(move |x| format!("{line} --{name} {x}"));
+        lines = lines.iter().flat_map(with).collect();
+    }
+    lines
+}
+
+/// Every arch of a grid inside has its values within the ranges, and stands or not as the verdict says.
+#[test]
+fn every_arch_inside_is_within_the_ranges() {
+    let quantities =
+        ["least_thickness", "geometric_safety", "required_friction", "friction_safety"];
+    for (line, outcome, fields) in [
+        (
+            "assess --alpha 80deg±1deg --mu 0.6±10% --eta 0.1..0.12 --digits 5",
+            "all_stand",
+            &[
+                ("alpha", &["79deg", "80.3deg", "81deg"][..]),
+                ("mu", &["0.54", "0.6", "0.66"]),
+                ("eta", &["0.1", "0.12"]),
+            ][..],
+        ),
+        (
+            "assess --alpha 1.5..1.6 --mu 31deg±1deg --eta 0.06±0.01 --digits 5",
+            "none_stands",
+            &[
+                ("alpha", &["1.5", "1.55", "1.6"]),
+                ("mu", &["30deg", "32deg"]),
+                ("eta", &["0.05", "0.07"]),
+            ],
+        ),
+        (
+            "assess --span 10m±10cm --rise 3m±5cm --eta 15cm+-1cm --mu 0.5 --digits 4",
+            "both_occur",
+            &[
+                ("span", &["9.9m", "10m", "10.1m"]),
+                ("rise", &["2.95m", "3.05m"]),
+                ("eta", &["14cm", "16cm"]),
+                ("mu", &["0.5"]),
+            ],
+        ),
+        (
+            "assess --radius 5m±2cm --alpha 1 --eta 10cm±1cm --mu 0.5 --digits 5",
+            "all_stand",
+            &[
+                ("radius", &["4.98m", "5m", "5.02m"]),
+                ("alpha", &["1"]),
+                ("eta", &["9cm", "11cm"]),
+                ("mu", &["0.5"]),
+            ],
+        ),
+    ] {
+        let survey = object(line);
+        assert_eq!(survey["outcome"], outcome, "{line}");
+        let mut stand = Vec::new();
+        for arch in inside(fields) {
+            let one = object(&format!("assess{arch} --digits 12"));
+            stand.push(one["stands"].as_bool().unwrap());
+            for quantity in quantities {
+                let value = &one[quantity];
+                assert!(is_within(&survey, quantity, value), "{line}: {quantity} of {arch}: {one}");
+            }
+        }
+        let told = match (stand.contains(&true), stand.contains(&false)) {
+            (true, false) => "all_stand",
+            (false, true) => "none_stands",
+            _ => "both_occur",
+        };
+        assert_eq!(told, outcome, "{line}");
+    }
+}
+
+/// The command of each end, run as it is printed, has that value, and those of the verdict stand or not.
+#[test]
+fn the_named_arches_attain_the_ends() {
+    let asked_again = |command: &Value| {
+        let command = command.as_str().unwrap().replace('\'', "");
+        object(&format!("{} --digits 20", command.strip_prefix("couplet ").unwrap()))
+    };
+    for line in [
+        "assess --alpha 80deg±1deg --phi 25deg..31deg --eta 0.07±10% --weight heyman --digits 7",
+        "assess --span 33ft±1in --rise 3m±1cm --eta 15cm±1cm --mu 0.4..0.5 --digits 5",
+        "assess --span 10m±1cm --rise 3m --eta 0.03r --mu 0.6 --measured-at extrados --digits 6",
+    ] {
+        let survey = object(line);
+        let mut checked = 0;
+        for range in survey["ranges"].as_array().unwrap() {
+            let [lower, upper] = ["lower", "upper"].map(|end| &range[end]);
+            for (end, is_lower) in [(lower, true), (upper, false)] {
+                if end["arch"].is_null() || end["value"].is_null() {
+                    continue;
+                }
+                let one = asked_again(&end["arch"]["command"]);
+                let (value, bound) = (
+                    exact(&one[range["quantity"].as_str().unwrap()]["value"]),
+                    exact(&end["value"]),
+                );
+                let off = if is_lower { value.clone() - bound } else { bound - value.clone() };
+                let least = Rational::from((-1, 1_000_000_000));
+                assert!(off > least && off < value / 1000, "{line}: {range}");
+                checked += 1;
+            }
+        }
+        assert!(checked >= 6, "{line}: {survey}");
+        let [worst, best] =
+            ["worst", "best"].map(|of| asked_again(&survey[of]["command"])["stands"].clone());
+        let expected = match survey["outcome"].as_str().unwrap() {
+            "all_stand" => [true, true],
+            "none_stands" => [false, false],
+            "both_occur" => [false, true],
+            other => panic!("{other}"),
+        };
+        assert_eq!([worst, best], expected.map(Value::from), "{line}");
+    }
+}
+
+/// Without a thickness: whether they can stand, and of which least thickness.
+#[test]
+fn arches_without_a_thickness_can_stand_or_not() {
+    for (line, outcome) in [
+        ("state --alpha 1..1.5 --mu 0.5..inf", "all_can_stand"),
+        ("state --alpha 1.5±0.1 --mu 0.1..0.2", "none_can_stand"),
+        ("state --alpha 1.5 --mu 0.2..0.5", "both_occur"),
+    ] {
+        let survey = object(line);
+        assert_eq!(survey["outcome"], outcome, "{line}");
+        assert_eq!(survey["ranges"].as_array().unwrap().len(), 1);
+    }
+    let survey = object("state --span 10m±1cm --rise 3m --mu 0.6 --digits 8");
+    let one = |span: &str| {
+        let one = object(&format!("state --span {span} --rise 3m --mu 0.6 --digits 20"));
+        exact(&one["thickness"]["value"])
+    };
+    let [lower, upper] = ends(&survey, "least_thickness");
+    assert!(lower < one("10.01m") && one("9.99m") < upper && upper < one("9.98m"));
+}
+
+/// The meaning of a range, and how it was read, in every format that has sentences.
+#[test]
+fn what_a_range_means_is_said() {
+    let line = "assess --span 10m±2cm --rise 3m --eta 60cm --mu 31deg±1deg";
+    let table = printed(&words(line));
+    assert!(table.contains(MEANING) && MEANING.contains("every arch"), "{table}");
+    assert!(table.starts_with("Every arch of span 9.98m to 10.02m, rise 3m at the intrados"));
+    assert!(table.contains("friction 30deg to 32deg, Milankovitch-like self-weight alone"));
+    let survey = object(line);
+    assert_eq!(
+        (&survey["meaning"], &survey["asked"]["span"]),
+        (&MEANING.into(), &"10m±2cm".into())
+    );
+    let csv = printed(&[&words(line)[..], &["--format", "csv"]].concat());
+    let rows = csv.lines().count() - 1;
+    assert_eq!(rows, survey["ranges"].as_array().unwrap().len());
+    assert!(csv.starts_with("weight,outcome,quantity,lower,lower_arch,upper,upper_arch,reason\n"));
+    let one = printed(&[&words(line)[..], &["--quantity", "geometric_safety"]].concat());
+    assert!(one.contains("geometric_safety") && !one.contains("required_friction"), "{one}");
+    let both = object(&format!("{line} --weight both"));
+    assert_eq!(both.as_array().map(Vec::len), Some(2));
+}
+
+/// A range of one arch is that arch.
+#[test]
+fn a_range_without_extent_is_one_arch() {
+    let survey = object("assess --alpha 80deg..80deg --mu 0.6±0 --eta 0.1 --digits 10");
+    let one = object("assess --alpha 80deg --mu 0.6 --eta 0.1 --digits 10");
+    for quantity in ["least_thickness", "geometric_safety", "required_friction", "least_thrust"] {
+        let bounds = ["lower", "upper"].map(|end| exact(&one[quantity][end]));
+        assert_eq!(ends(&survey, quantity), bounds, "{quantity}");
+    }
+    assert_eq!(survey["worst"], survey["best"]);
+}
+
+/// A cell of a row is one value, and one that is a range is told so.
+#[test]
+fn a_row_with_a_range_is_refused_alone() {
+    let rows = "alpha,mu\n80deg±1deg,0.6\n1,0.5..0.6\n1,1\n";
+    let output = fed(&["states", "--format", "jsonl"], rows);
+    assert_eq!(output.status.code(), Some(2));
+    let lines = stdout(&output);
+    let lines: Vec<Value> = lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    for (line, text) in lines.iter().zip(["80deg±1deg", "0.5..0.6"]) {
+        let error = line["error"].as_str().unwrap();
+        assert!(error.contains(text) && error.contains("`couplet assess`"), "{error}");
+    }
+    assert_eq!(lines[2]["verdict"], "stands");
+}
+
+#[test]
+fn an_answer_with_ranges_exits_as_one_without() {
+    let code = |line: &str| couplet(&words(line)).status.code();
+    for eta in ["0.1", "0.05", "0.05..0.1"] {
+        assert_eq!(code(&format!("assess --alpha 80deg±1deg --mu 0.6 --eta {eta}")), Some(0));
+    }
+    assert_eq!(code("assess --alpha 80deg±1deg --mu 0.6"), Some(2), "no thickness");
+    let many = "1".repeat(12);
+    assert_eq!(code(&format!("state --alpha 1..2 --mu 1 --digits {many}")), Some(2));
+}
+
+wrong_uses! {
+    half_a_range: ["state", "--alpha", "80deg±", "--mu", "1"] => "half a range: give both ends";
+    a_range_with_one_unit: ["state", "--alpha", "80..82deg", "--mu", "1"] => "write 80deg..82deg";
+    a_range_upside_down: ["state", "--alpha", "82deg..80deg", "--mu", "1"] => "give the lower end first";
+    a_range_of_three: ["state", "--alpha", "1..2..3", "--mu", "1"] => "more parts than a range";
+    a_negative_deviation: ["state", "--alpha", "1", "--mu", "0.6±-1%"] => "a deviation below 0";
+    another_unit: ["assess", "--span", "3m±2deg", "--rise", "1m", "--mu", "1", "--eta", "0.1r"]
+        => "make no exact sum";
+    stones_beside_a_range: ["state", "--alpha", "1..2", "--mu", "1", "--stones", "5"]
+        => "--stones does not go with the range of --half-opening";
+    a_tilt_beside_a_range: ["assess", "--alpha", "1..2", "--mu", "1", "--eta", "0.1", "--tilt", "0.1"]
+        => "--tilt does not go with the range of --half-opening";
+    forces_of_a_range:
+        ["assess", "--radius", "1m..2m", "--alpha", "1", "--mu", "1", "--eta", "10cm", "--density", "24kN/m3", "--depth", "1m"]
+        => "no forces are told";
+    a_picture_of_a_range: ["assess", "--alpha", "1..2", "--mu", "1", "--eta", "0.1", "-o", "arches.svg"]
+        => "a picture shows one arch";
+    values_alone_of_a_range: ["state", "--alpha", "1..2", "--mu", "1", "--plain"]
+        => "written only as table, json, csv, csv2, latex, markdown, not plain";
+    a_quantity_without_a_range: ["state", "--alpha", "1..2", "--mu", "1", "--quantity", "thrust"]
+        => "there is no thrust here";
+    a_range_that_find_has: ["find", "half-opening", "--mu", "0.6..0.7", "--eta", "0.1"]
+        => "ranges are for `couplet assess` and `couplet state`";
+    a_range_of_stones_arches: ["voussoirs", "--alpha", "1..2", "--mu", "1", "--stones", "5"]
+        => "give one value here";
+    a_drawing_of_a_range: ["draw", "--alpha", "1..2", "--mu", "1"] => "give one value here";
+    a_certificate_of_a_range: ["certify", "arch", "--alpha", "1..2", "--mu", "1", "--eta", "0.1"]
+        => "give one value here";
+    an_equation_of_a_range: ["equation", "4", "--alpha", "1..2", "--eta", "0.1"]
+        => "'1..2' is a range: one value is read here";
+    a_joint_of_a_range: ["state", "--beta", "1..2", "--mu", "1"] => "is a range: one value is read here";
+    a_range_beside_a_joint: ["state", "--beta", "1", "--mu", "0.5..1"] => "give one value here";
+}
