@@ -164,7 +164,7 @@ struct DrawnMap {
     asymmetric: bool,
 
     /// For a map, an arch to mark, with its proved state: half opening, friction and, if it has one, thickness
-    /// (80deg,0.6,0.15). May be repeated.
+    /// (80deg,0.6,0.15). With a range (78deg..82deg,0.6±10%) a box with all arches between. May be repeated.
     #[arg(long = "mark", value_name = "ALPHA,MU[,ETA]", allow_hyphen_values = true)]
     marks: Vec<Marked>,
 
@@ -243,7 +243,7 @@ impl DrawnMap {
 
     /// The arches to mark, proved.
     fn marks(&self, weights: &[SelfWeight]) -> Result<Vec<Mark>, Error> {
-        notes::frictions(self.frictions.iter().chain(self.marks.iter().map(Marked::friction)));
+        notes::frictions(self.frictions.iter().chain(self.marks.iter().flat_map(Marked::frictions)));
         let marks = each_once(&self.marks, ToString::to_string, |mark| format!("the mark {mark}"));
         let all = weights.iter().flat_map(|weight| marks.iter().map(move |mark| (mark, *weight)));
         all.map(|(mark, weight)| mark.proved(weight)).collect()

@@ -31,6 +31,7 @@
 //! | one least thickness, one half opening | `uniqueness.rs` |
 //! | asymmetric mechanisms above the least thickness | `asymmetric.rs` |
 //! | where symmetric states have them too | `asymmetric_begins.rs` |
+//! | all arches between measured ends | `surveys.rs` |
 //! | signs by algebra | `sign.rs` |
 //! | what the paper says, place by place, and what decides it | `index.rs`, `sentences.rs` |
 //!
@@ -75,6 +76,7 @@ mod sentences;
 mod sign;
 mod sliding;
 mod states;
+mod surveys;
 mod tiling;
 mod trends;
 mod uniqueness;
@@ -100,6 +102,7 @@ pub fn claims() -> Vec<Claim> {
         units moments cubics curve branches overturning trends joining sliding regular asymptotics
         landmarks rounded same_opening differences weights frictions map_of_weights border contacts modes
         mechanisms domains tiling lines areas admissible uniqueness asymmetric asymmetric_begins
+        surveys
     }
 }
 

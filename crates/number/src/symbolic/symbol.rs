@@ -82,6 +82,12 @@ symbols! {
     Depth: "d" "d",
     /// `gamma`, the weight per unit volume.
     SpecificWeight: "gamma" r"\gamma",
+    /// `s`, the span of a circle as a length.
+    Span: "s" "s",
+    /// The rise of a circle as a length.
+    Rise: "rise" r"\mathrm{rise}",
+    /// `t`, the thickness as a length.
+    MeasuredThickness: "t" "t",
 }
 
 #[cfg(test)]

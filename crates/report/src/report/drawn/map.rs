@@ -6,7 +6,7 @@ use super::caption::{caption, of_levels};
 use super::content::PlaneContent;
 use super::inset::Inset;
 use super::margin;
-use super::mark::{self, Mark};
+use super::mark::{self, Mark, Placed};
 use super::names::{Names, on_page};
 use super::page::{BELOW, Page};
 use super::plane::Plane;
@@ -65,7 +65,7 @@ impl MapPicture<'_> {
             marks.iter().map(|mark| mark::taken(mark.at)).chain(within).collect();
         let mut insets = Inset::all(&content, canvas, frame, &taken);
         // No inset covers a mark.
-        insets.retain(|inset| !marks.iter().any(|mark| inset.covers(mark.at)));
+        insets.retain(|inset| !marks.iter().flat_map(Placed::points).any(|at| inset.covers(at)));
         let insets_down = Inset::down(&insets, frame);
         let legend_down = legend.filter(|_| page.is_narrow()).map_or(0.0, |[a, b]| b.1 - a.1);
         let mut svg = page.svg(canvas.plane.shows(), &words, insets_down + legend_down, |svg| {
@@ -80,6 +80,7 @@ impl MapPicture<'_> {
             let mut names = self.names(&content, &inset.frame, INSET_NAMES);
             let larger = mark::places(self.marks, canvas, &inset.frame);
             names.labels.taken = larger.iter().map(|mark| mark::taken(mark.at)).collect();
+            names.labels.lines.extend(larger.iter().flat_map(Placed::lines));
             names.landmarks(&mut svg, inset.is_close());
             names.overturning(&mut svg);
             // This one is seen better in the map.
@@ -92,7 +93,7 @@ impl MapPicture<'_> {
         let values = margin::upright(&mut svg, frame, canvas.plane, &content.levels);
         let mut names = self.names(&content, frame, NAMES);
         names.labels.taken = insets.iter().map(Inset::taken).chain(taken).chain(values).collect();
-        names.labels.lines.extend(guides);
+        names.labels.lines.extend(guides.into_iter().chain(marks.iter().flat_map(Placed::lines)));
         if canvas.is_usual {
             let said = self.say_where_nothing_stands(&mut svg, frame, legend.is_some());
             names.labels.taken.extend(said);

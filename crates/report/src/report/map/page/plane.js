@@ -213,12 +213,25 @@ class Plane {
 
   /** The arches that the program marked, with their numbers. */
   marked(frame) {
-    return this.marks.map(([at, given], k) => {
+    return this.marks.map(([at, given, isBox], k) => {
+      if (isBox) return this.box(frame, at, given, k + 1);
       const [x, y] = frame.at(at);
       if (!frame.holds([x, y])) return "";
       const end = given && frame.at(given), whisker = end ? stroke(`M${x} ${y}V${Math.max(frame.top, Math.min(frame.bottom, end[1]))}`, INK, 1.4) : "";
       return `<g>${whisker}<circle cx="${x}" cy="${y}" r="9" fill="#ffffff" stroke="${INK}" stroke-width="1.4"/>${label(k + 1, x, y, { size: 12 })}</g>`;
     }).join("");
+  }
+
+  /** The box of a range, as far as a frame shows it, with its number beside it. */
+  box(frame, first, last, number) {
+    const [x, y] = [0, 1].map((k) => [first[k], last[k]].sort((a, b) => a - b));
+    const [low, high] = [0, 1].map((k) => [x, y].map((ends, axis) => k
+      ? Math.min(ends[1], frame.view[axis][1]) : Math.max(ends[0], frame.view[axis][0])));
+    if (low[0] > high[0] || low[1] > high[1]) return "";
+    const [left, bottom] = frame.at(low), [right, top] = frame.at(high), middle = (top + bottom) / 2;
+    const at = frame.holds([right + 24, middle]) ? right + 12 : left - 12;
+    return `<g><rect x="${left}" y="${top}" width="${right - left}" height="${bottom - top}" fill="${INK}" fill-opacity="0.16" stroke="${INK}" stroke-width="1.4"/>`
+      + `<circle cx="${at}" cy="${middle}" r="9" fill="#ffffff" stroke="${INK}" stroke-width="1.4"/>${label(number, at, middle, { size: 12 })}</g>`;
   }
 
   /** Shows an arch with a cross in every frame that has its place. */
