@@ -118,6 +118,7 @@ fn on_courses(survey: &Survey) -> Result<(SurveyVerdict, Vec<Part>), Undecided> 
 }
 
 /// Outcome along a course.
+#[allow(clippy::large_enum_variant, reason = "there are two for each survey")]
 enum Along {
     /// Steps of which all arches stand, on the unsafe side, or none, on the safe side.
     Covered(Vec<Part>),
