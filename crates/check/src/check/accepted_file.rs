@@ -12,6 +12,7 @@ use std::fmt;
 
 /// The verdict of a successful check of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[allow(clippy::large_enum_variant, reason = "there is one for each file")]
 pub enum AcceptedFile {
     /// Certificate of a landmark or an arch.
     Certificate(Accepted),
