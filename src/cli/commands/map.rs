@@ -243,7 +243,9 @@ impl DrawnMap {
 
     /// The arches to mark, proved.
     fn marks(&self, weights: &[SelfWeight]) -> Result<Vec<Mark>, Error> {
-        notes::frictions(self.frictions.iter().chain(self.marks.iter().flat_map(Marked::frictions)));
+        notes::frictions(
+            self.frictions.iter().chain(self.marks.iter().flat_map(Marked::frictions)),
+        );
         let marks = each_once(&self.marks, ToString::to_string, |mark| format!("the mark {mark}"));
         let all = weights.iter().flat_map(|weight| marks.iter().map(move |mark| (mark, *weight)));
         all.map(|(mark, weight)| mark.proved(weight)).collect()

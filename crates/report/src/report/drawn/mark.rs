@@ -139,7 +139,9 @@ impl Mark {
             }
             (Some(lower), None) => {
                 let modes = modes(&answer.modes);
-                format!("{verdict}least thickness from {lower}, {modes}; some stand at no thickness")
+                format!(
+                    "{verdict}least thickness from {lower}, {modes}; some stand at no thickness"
+                )
             }
             (None, _) => "all stand at no thickness".to_owned(),
         };
@@ -424,7 +426,9 @@ mod tests {
         for (said, start) in said.iter().zip(starts) {
             assert!(said.starts_with(start), "{said}");
         }
-        assert!(said[0].ends_with(", [r,r,r]") && said[2].ends_with("; some stand at no thickness"));
+        assert!(
+            said[0].ends_with(", [r,r,r]") && said[2].ends_with("; some stand at no thickness")
+        );
         assert!(said[4].contains("a dashed one"));
         let without = words(&all[2..3], &Canvas::usual(Plane::OpeningFriction));
         assert_eq!(without[1..], [BOX.to_owned()]);
