@@ -19,7 +19,8 @@ pub(super) struct ArchArguments {
     #[arg(long, default_value = "milankovitch", value_parser = parse::weights)]
     pub weight: Weights,
 
-    /// Significant digits, 1 to 1000000, to which values are correctly rounded; if not given 30, of metres, kN and ranges 6.
+    /// Significant digits, 1 to 1000000, to which values are correctly rounded; if not given 30, of metres, kN
+    /// and ranges 6.
     #[arg(long, value_parser = parse::digits, allow_negative_numbers = true)]
     digits: Option<usize>,
 }
