@@ -180,7 +180,7 @@ pub(crate) fn surveyed(
     let given = SurveyGiven::read(question, &asked, Spelling::Key).map_err(wrong)?;
     let digits = parse::digits(digits).map_err(wrong)?;
     let found = on_threads(py, 1, move || {
-        doors::surveyed(&asked, &given, weight, (doors::quantities(&asked), digits))
+        doors::surveyed(&asked, &given, weight, (doors::quantities(&asked), digits, false))
     })?;
     report(&found.map_err(failed)?, "json").map(Some)
 }

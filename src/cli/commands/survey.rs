@@ -5,7 +5,8 @@ use super::notes;
 use super::output::{AnswerOutput, is_written};
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchQuestion, Spelling, SurveyGiven};
-use crate::certify::{Error, survey::survey};
+use crate::certify::Error;
+use crate::certify::survey::{share as survey_share, survey};
 use crate::problem::Quantity;
 use crate::report::{Reported, SurveyedArches, Understood};
 use crate::sweep::failure::Failure;
@@ -29,6 +30,7 @@ pub(super) fn print(
     question: &ArchQuestion,
     arguments: &ArchArguments,
     output: &AnswerOutput,
+    share: bool,
 ) -> Result<(), Failure> {
     let given = SurveyGiven::read(question, &arguments.asked, Spelling::Option)?;
     if output.drawing()?.is_some() {
@@ -44,7 +46,7 @@ pub(super) fn print(
     let file = output.file().open_for(format)?;
     notes::frictions(&given.friction);
     let answer = |weight| {
-        surveyed(&arguments.asked, &given, weight, (&quantities, arguments.range_digits()))
+        surveyed(&arguments.asked, &given, weight, (&quantities, arguments.range_digits(), share))
     };
     let answers: Result<Vec<_>, _> = arguments.weight.all().into_iter().map(answer).collect();
     let answers = answers?;
@@ -62,7 +64,7 @@ pub fn surveyed(
     asked: &ArchAsked,
     given: &SurveyGiven,
     weight: SelfWeight,
-    (quantities, digits): (&[Quantity], usize),
+    (quantities, digits, share): (&[Quantity], usize, bool),
 ) -> Result<SurveyedArches, Failure> {
     let arches = given.survey(weight).map_err(|error| error.to_string())?;
     let found = match survey(&arches, digits) {
@@ -72,5 +74,6 @@ pub fn surveyed(
     };
     let asked = Understood::of_ranges(asked, given);
     let (given, quantities) = (given.clone(), quantities.to_vec());
-    Ok(SurveyedArches { asked, given, weight, quantities, found })
+    let share = share.then(|| survey_share(&arches));
+    Ok(SurveyedArches { asked, given, weight, quantities, found, share })
 }

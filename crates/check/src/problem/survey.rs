@@ -1,7 +1,7 @@
 //! All arches of a survey: each measure between two exact ends, both of which are in it.
 //!
-//! What an arch stands on asks for something at each of its joints, and a joint's demands know neither the springings nor
-//! the other joints. So of two arches
+//! What an arch stands on asks for something at each of its joints, and a joint's demands know neither the springings
+//! nor the other joints. So of two arches
 //!
 //! - the one with the wider half opening has the other's joints and more;
 //! - the one with the lower friction has the narrower cone at each of them;
@@ -14,10 +14,10 @@
 //! Where span, rise and thickness are measured no corner is that arch: with the span grows the radius, which makes the
 //! ratio of the thickness less, and falls the half opening. But an arch does not change with its scale. With
 //! `q = 2 rise/span` the half opening is `2 atan(q)` and rises with `q` alone; and on a ray of one `q` the largest arch
-//! has the least `eta`. So the arches to look at lie on one **course** from the least `q` to the largest, along the outer
-//! edges of the rectangle of spans and rises; and those that stand most easily along its inner edges. On a step of the
-//! course the half opening rises and the radius `(s²/4 + f²)/(2f)` is convex in the rise and rises with the span: so one
-//! arch is at least as unsafe as all of the step.
+//! has the least `eta`. So the arches to look at lie on one **course** from the least `q` to the largest, along the
+//! outer edges of the rectangle of spans and rises; and those that stand most easily along its inner edges. On a step
+//! of the course the half opening rises and the radius `(s²/4 + f²)/(2f)` is convex in the rise and rises with the
+//! span: so one arch is at least as unsafe as all of the step.
 
 use super::measures::{Circle, Length, MeasureError, Measures, exceeds, of_span_and_rise};
 use super::{Arch, ArchError, Friction, is_thickness};
@@ -300,8 +300,8 @@ impl Survey {
         Some((self.arch(alpha, side)?, Length::new(radius), *circle))
     }
 
-    /// The [outermost](Self::outermost) arch with the thickness of its side over its radius: every arch of the survey is
-    /// at least as safe, or as unsafe, though it need not be one of them.
+    /// The [outermost](Self::outermost) arch with the thickness of its side over its radius: every arch of the survey
+    /// is at least as safe, or as unsafe, though it need not be one of them.
     pub fn beyond(&self, side: Side) -> Option<Bounding> {
         let Shape::Spanned { thickness: [thin, thick], .. } = &self.shape else { return None };
         let (arch, radius, circle) = self.outermost(side)?;

@@ -5,7 +5,8 @@
 //! states of an arch are among those of each narrower, rougher and thicker one.
 //!
 //! Where span, rise and thickness are measured they make the half opening and the ratio of the thickness to the radius
-//! together. An arch does not change with its scale: of those with one ratio of rise to span the largest is the thinnest.
+//! together. An arch does not change with its scale: of those with one ratio of rise to span the largest is the
+//! thinnest.
 
 use super::contacts::{label, margin_at};
 use super::landmarks::state_of;

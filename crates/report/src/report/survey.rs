@@ -9,7 +9,9 @@ use super::words::{aligned, distinct, labels, list};
 use crate::arch::SelfWeight;
 use crate::ask::SurveyGiven;
 use crate::certify::Undecided;
-use crate::certify::survey::{EndValue, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch};
+use crate::certify::survey::{
+    EndValue, QuantityRange, RangeEnd, Share, SurveyAnswer, SurveyedArch,
+};
 use crate::problem::{Mode, Quantity};
 
 /// Meaning of a range, the one sentence of all formats.
@@ -29,6 +31,8 @@ pub struct SurveyedArches {
     pub quantities: Vec<Quantity>,
     /// Answer, or why nothing is proved.
     pub found: Result<SurveyAnswer, Undecided>,
+    /// Part that stands, or why it stays open, where it is asked for.
+    pub share: Option<Result<Share, Undecided>>,
 }
 
 impl SurveyedArches {
@@ -36,7 +40,11 @@ impl SurveyedArches {
     pub fn first_open(&self) -> Option<&Undecided> {
         match &self.found {
             Err(open) => Some(open),
-            Ok(found) => found.verdict.as_ref()?.as_ref().err(),
+            Ok(found) => {
+                let verdict = found.verdict.as_ref().and_then(|verdict| verdict.as_ref().err());
+                let share = self.share.as_ref().and_then(|share| share.as_ref().err());
+                verdict.or(found.open.as_ref()).or(share)
+            }
         }
     }
 
@@ -134,6 +142,12 @@ impl Reported for SurveyedArches {
         record.add("modes", modes.map_or(Vec::new(), |modes| labels(&modes.occur)));
         record.add("other_modes", modes.map_or(Vec::new(), |modes| labels(&modes.may_occur)));
         record.add("some_fall", modes.and_then(|modes| modes.some_fall));
+        if let Some(Ok(Share { lower, upper })) = &self.share {
+            let mut share = Record::default();
+            share.add("lower", lower.to_string());
+            share.add("upper", upper.to_string());
+            record.add_record("share", Some(share));
+        }
         vec![record]
     }
 
@@ -191,6 +205,11 @@ fn say(all: &SurveyedArches, record: &mut Record) {
     if !rows.is_empty() {
         record.say("");
         record.say_all(aligned(&rows).map(|line| format!("   {line}")));
+    }
+    if let Some(Ok(Share { lower, upper })) = &all.share {
+        record.say(format!(
+            "\n   part that stands: {lower} to {upper}, each measure spread evenly between its ends"
+        ));
     }
     record.say_all(modes(found));
     record.say("");

@@ -18,6 +18,8 @@ pub struct SurveyAnswer {
     pub best: SurveyedArch,
     /// Ranges of the quantities, in the order of [`Quantity::ASSESSMENT`] and the sizes behind them.
     pub ranges: Vec<QuantityRange>,
+    /// Reason why a range is left out, where one is.
+    pub open: Option<Undecided>,
     /// Collapse modes at the least thickness.
     pub modes: ModesFound,
 }

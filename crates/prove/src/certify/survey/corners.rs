@@ -106,10 +106,10 @@ pub(super) fn together(
 /// Ranges of everything whose ends two corners decide, and what of it stays open.
 ///
 /// Least thickness and required friction are largest at the worst arch, safety factors least. Each state of an arch is
-/// admissible in every narrower, rougher and thicker one (the claim `survey-corners`): so the range of thrusts is within
-/// that of the best arch, and holds that of the worst.
-pub(super) fn ranges(worst: &Corner, best: &Corner) -> Vec<QuantityRange> {
-    let mut ranges = Vec::new();
+/// admissible in every narrower, rougher and thicker one (the claim `survey-corners`): so the range of thrusts is
+/// within that of the best arch, and holds that of the worst.
+pub(super) fn ranges(worst: &Corner, best: &Corner) -> (Vec<QuantityRange>, Option<Undecided>) {
+    let (mut ranges, mut open) = (Vec::new(), None);
     for (of, largest_is_worst) in [
         (Quantity::LeastThickness, true),
         (Quantity::GeometricSafety, false),
@@ -117,7 +117,14 @@ pub(super) fn ranges(worst: &Corner, best: &Corner) -> Vec<QuantityRange> {
         (Quantity::FrictionSafety, false),
     ] {
         let [first, last] = if largest_is_worst { [best, worst] } else { [worst, best] };
-        let (Ok(Some(lower)), Ok(Some(upper))) = (first.told(of), last.told(of)) else { continue };
+        let (lower, upper) = match (first.told(of), last.told(of)) {
+            (Ok(Some(lower)), Ok(Some(upper))) => (lower, upper),
+            (Err(why), _) | (_, Err(why)) => {
+                open.get_or_insert(why.about(of.name()));
+                continue;
+            }
+            _ => continue,
+        };
         let end = |corner: &Corner, value: Option<Figure>, up| {
             let value = value.map_or(EndValue::NotEnough, |figure| outward(&figure, up));
             RangeEnd::attained(value, &corner.at)
@@ -141,7 +148,7 @@ pub(super) fn ranges(worst: &Corner, best: &Corner) -> Vec<QuantityRange> {
         ranges.push(QuantityRange { of, lower, upper });
     }
     ranges.extend(thrust_at_least_thickness(worst, best));
-    ranges
+    (ranges, open)
 }
 
 /// Range of the thrust at the least thickness, where that is asked for: an enclosure. A state is admissible in the best

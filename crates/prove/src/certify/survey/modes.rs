@@ -1,8 +1,8 @@
 //! Modes that occur in a rectangle of half openings and frictions.
 //!
 //! At a given half opening the modes follow each other in one order as the friction grows, at a given friction in
-//! another as the half opening does, each on an interval or not at all (the claims `map-rows` and `map-columns`). So the
-//! states at four corners leave few modes to the arches between them, and halves of the rectangle fewer.
+//! another as the half opening does, each on an interval or not at all (the claims `map-rows` and `map-columns`). So
+//! the states at four corners leave few modes to the arches between them, and halves of the rectangle fewer.
 
 use super::answer::ModesFound;
 use crate::arch::SelfWeight;

@@ -9,9 +9,9 @@ use crate::problem::survey::{Side, Survey};
 use crate::prover::{Error, Refused, Undecided};
 
 /// Proves what holds for every arch of a survey, to `digits` digits (of measured spans and rises to
-/// [`MEASURED_DIGITS`](super::MEASURED_DIGITS) at most): the verdict on all, the ranges of what is asked of one, and the
-/// modes that occur. Digits beyond [`MAX_DIGITS`](crate::certify::MAX_DIGITS) are refused; undecided if a value stays
-/// open on which all depends.
+/// [`MEASURED_DIGITS`](super::MEASURED_DIGITS) at most): the verdict on all, the ranges of what is asked of one, and
+/// the modes that occur. Digits beyond [`MAX_DIGITS`](crate::certify::MAX_DIGITS) are refused; undecided if a value
+/// stays open on which all depends.
 ///
 /// ```
 /// use couplet_prove::certify::survey::{SurveyVerdict, survey};
@@ -34,9 +34,11 @@ pub fn survey(survey: &Survey, digits: usize) -> Result<SurveyAnswer, Error> {
     });
     if let (Some(worst), Some(best)) = (worst, best) {
         let (worst, best) = (worst?, best?);
+        let (ranges, open) = corners::ranges(&worst, &best);
         return Ok(SurveyAnswer {
             verdict: corners::verdict(&worst, &best),
-            ranges: corners::ranges(&worst, &best),
+            ranges,
+            open,
             worst: worst.at,
             best: best.at,
             modes: modes(),
@@ -55,6 +57,7 @@ pub fn survey(survey: &Survey, digits: usize) -> Result<SurveyAnswer, Error> {
     let open = || Undecided::new("whether the thickness is enough");
     let verdict =
         corners::together(unsafest.stands.ok_or_else(open), safest.stands.ok_or_else(open));
+    let mut left_open = None;
     let mut ranges = vec![least_thickness(survey, digits)?];
     ranges.push(QuantityRange {
         of: Quantity::GeometricSafety,
@@ -67,25 +70,34 @@ pub fn survey(survey: &Survey, digits: usize) -> Result<SurveyAnswer, Error> {
             continue;
         }
         // What stays open of one quantity leaves the others as they are.
-        let Ok((unsafest, at_unsafest)) = at(Side::Unsafe, of) else { continue };
+        let (unsafest, at_unsafest) = match at(Side::Unsafe, of) {
+            Ok(found) => found,
+            Err(why) => {
+                left_open.get_or_insert(why.about(of.name()));
+                continue;
+            }
+        };
         let unsafe_end = unsafest.end(&at_unsafest);
         let safe_end = match is_safety && !best.arch.is_limited() {
             true => RangeEnd::unbounded(&best),
-            false => {
-                let Ok((safest, at_safest)) = at(Side::Safe, of) else { continue };
-                safest.end(&at_safest)
-            }
+            false => match at(Side::Safe, of) {
+                Ok((safest, at_safest)) => safest.end(&at_safest),
+                Err(why) => {
+                    left_open.get_or_insert(why.about(of.name()));
+                    continue;
+                }
+            },
         };
         let [lower, upper] =
             if is_safety { [unsafe_end, safe_end] } else { [safe_end, unsafe_end] };
         ranges.push(QuantityRange { of, lower, upper });
     }
     ranges.extend(thrusts(survey, digits).into_iter().flatten());
-    Ok(SurveyAnswer { verdict, worst, best, ranges, modes: modes() })
+    Ok(SurveyAnswer { verdict, worst, best, ranges, open: left_open, modes: modes() })
 }
 
-/// Enclosures of the least and of the largest thrust of measured arches, if they all stand: those of two arches with the
-/// half opening of one end of the survey and the thickness of another.
+/// Enclosures of the least and of the largest thrust of measured arches, if they all stand: those of two arches with
+/// the half opening of one end of the survey and the thickness of another.
 fn thrusts(survey: &Survey, digits: usize) -> Option<[QuantityRange; 2]> {
     let digits = digits.min(corners::ENCLOSED_DIGITS);
     let found = |side| {
@@ -115,7 +127,7 @@ fn least_thickness(survey: &Survey, digits: usize) -> Result<QuantityRange, Erro
         Ok::<_, Error>(Corner::new(side, at, digits)?)
     };
     let (worst, best) = (corner(Side::Unsafe)?, corner(Side::Safe)?);
-    let ranges = corners::ranges(&worst, &best);
+    let (ranges, open) = corners::ranges(&worst, &best);
     let found = ranges.into_iter().find(|range| range.of == Quantity::LeastThickness);
-    Ok(found.ok_or_else(|| Undecided::rounding("the rounding of a least thickness"))?)
+    Ok(found.ok_or_else(|| open.unwrap_or_else(Undecided::no_solution))?)
 }

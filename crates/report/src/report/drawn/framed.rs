@@ -50,8 +50,8 @@ pub(in crate::report) struct Surroundings {
     levels: Vec<(String, String)>,
     /// Label of the levels.
     levels_label: &'static str,
-    /// Arches that are marked, with the ends of the strokes to the thicknesses that are given; or, where it says so, the
-    /// corners of a box.
+    /// Arches that are marked, with the ends of the strokes to the thicknesses that are given; or, where it says so,
+    /// the corners of a box.
     marks: Vec<(Point, Option<Point>, bool)>,
 }
 
