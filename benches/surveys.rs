@@ -1,8 +1,8 @@
 //! What a verdict on every arch of a survey costs, how often it stays open, and how many ends of its ranges are values
 //! of arches; and random arches inside, each with its own proof, which contradict it or do not.
 //!
-//! `BOXES=10000 ARCHES=100 cargo bench --bench surveys`: so many surveys of each kind, with ranges of at most 5 % to both
-//! sides in every measure, and so many arches in each. One thread. Nothing is asserted but that there is no
+//! `BOXES=10000 ARCHES=100 cargo bench --bench surveys`: so many surveys of each kind, with ranges of at most 5 % to
+//! both sides in every measure, and so many arches in each. One thread. Nothing is asserted but that there is no
 //! contradiction.
 
 use couplet::certify::state::Certify;

@@ -34,7 +34,7 @@ pub struct Survey {
     shape: Shape,
 }
 
-/// What the arches of a survey have in common of their geometry.
+/// Geometry that the arches of a survey have in common.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// Half opening and thickness are given each for itself.
@@ -191,7 +191,7 @@ impl Survey {
         &self.friction
     }
 
-    /// What the arches have in common of their geometry.
+    /// Geometry that the arches have in common.
     pub fn shape(&self) -> &Shape {
         &self.shape
     }

@@ -1,4 +1,4 @@
-//! What is proved of all arches of a survey.
+//! The answer about all arches of a survey.
 
 use crate::number::{Decimal, ExactNumber};
 use crate::problem::measures::Length;

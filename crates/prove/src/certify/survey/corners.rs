@@ -33,7 +33,7 @@ impl Corner {
         Ok(Self { side, at, found })
     }
 
-    /// Whether the arch stands, if it has a thickness.
+    /// Verdict on the arch, if it has a thickness.
     fn stands(&self) -> Option<Result<bool, Undecided>> {
         match &self.found {
             Found::State(_) => None,

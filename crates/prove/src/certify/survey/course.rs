@@ -27,13 +27,13 @@ const BITS: u32 = 100;
 pub(super) struct Extreme {
     /// Place of the most extreme value that is found.
     pub(super) place: Place,
-    /// Its value; `None` if nothing is enough.
+    /// Value there; `None` if nothing is enough.
     pub(super) value: Option<Ball>,
     /// Bound of all values, rounded outwards; `None` if there is no bound.
     bound: Option<Decimal>,
     /// True if the bound is that value, rounded outwards.
     attained: bool,
-    /// Whether some arch of the course stands, of a safety; on the unsafe side whether all do.
+    /// Verdict on the course, of a safety: whether some arch stands; on the unsafe side whether all do.
     pub(super) stands: Option<bool>,
 }
 
@@ -157,7 +157,7 @@ impl Search<'_> {
         Some(if self.is_largest() { rounded.upper } else { rounded.lower })
     }
 
-    /// What is known of the extreme when no value is beyond `bound`.
+    /// Extreme as it is known when no value is beyond `bound`.
     fn known(&self, (most, place, value): &Best, bound: f64) -> Extreme {
         let bound = bound.max(*most);
         let (own, all) = (self.rounded(*most), self.rounded(bound));

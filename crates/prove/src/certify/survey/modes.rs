@@ -5,13 +5,15 @@
 //! the states at four corners leave few modes to the arches between them, and halves of the rectangle fewer.
 
 use super::answer::ModesFound;
-use crate::arch::SelfWeight;
+use crate::arch::{SelfWeight, Unknown};
+use crate::certify::CertifiedLandmark;
 use crate::certify::state::{Certify, Outcome, state_enclosed};
-use crate::number::{DoubleBall, ExactNumber};
+use crate::number::{Ball, DoubleBall, Enclosure, ExactNumber, Ternary};
 use crate::problem::survey::{frictions_in_order, in_order};
-use crate::problem::{Arch, Friction, Mode};
+use crate::problem::{Arch, Friction, Landmark, Mode};
 use std::collections::VecDeque;
 use std::f64::consts::FRAC_PI_2;
+use std::sync::OnceLock;
 
 /// Mode of the state, `None` where nothing stands.
 type Place = Option<Mode>;
@@ -73,7 +75,8 @@ pub(super) fn modes(
             [at(&alphas[1], &mus[0]), at(&alphas[1], &mus[1])],
         ];
         see(&mut seen, corners.iter().flatten().copied());
-        let possible = possible(&corners);
+        let mut possible = possible(&corners);
+        possible.retain(|place| is_on_side(*place, weight, &alphas));
         let is_open = possible.iter().any(|place| !seen.contains(place));
         if cells == 1 && is_open {
             for alpha in columns(&alphas) {
@@ -182,6 +185,30 @@ fn possible(corners: &[[Option<Place>; 2]; 2]) -> Vec<Place> {
     all
 }
 
+/// Tells whether a mode lies on the side of T on which the half openings are: `[s,r,r]` is left of it, the modes with an
+/// inner sliding joint are right of it (the claim `map-columns`).
+fn is_on_side(place: Place, weight: SelfWeight, [first, last]: &[ExactNumber; 2]) -> bool {
+    let Some(mode) = place else { return true };
+    let Some(triple) = half_opening_of_t(weight) else { return true };
+    let below = |a: &Ball, b: &Ball| (b.clone() - a).is_positive() == Ternary::True;
+    match mode {
+        Mode::SlidingRotational => !below(&triple, &first.enclosure(BITS)),
+        _ if mode.slides_inside() => !below(&last.enclosure(BITS), &triple),
+        _ => true,
+    }
+}
+
+/// Half opening of T, proved once for each weight.
+fn half_opening_of_t(weight: SelfWeight) -> Option<Ball> {
+    static PROVED: [OnceLock<Option<Ball>>; 2] = [const { OnceLock::new() }; 2];
+    let proved = || {
+        let triple = CertifiedLandmark::new(Landmark::Triple, weight).ok()?;
+        triple.enclosure(BITS).ok()?.value(Unknown::HalfOpening)
+    };
+    let index = SelfWeight::ALL.iter().position(|x| *x == weight)?;
+    PROVED.get(index)?.get_or_init(proved).clone()
+}
+
 /// Places that one of the orders has from the first to the last.
 fn between(orders: &[&[Place]], first: Option<Place>, last: Option<Place>) -> Vec<Place> {
     let mut all: Vec<Place> = Vec::new();
@@ -267,6 +294,10 @@ mod tests {
     fn modes_between_the_corners_are_found() {
         // From falls to rotation, with the sliding of the shoulder on the way, however thin its strip.
         let all = found(["1.5", "1.5"], ["0.2", "0.5"]);
+        assert_eq!(all.occur, [Mode::Rotational, Mode::SlidingRotational]);
+        assert_eq!((all.may_occur.len(), all.some_fall), (0, Some(true)));
+        // Before T nothing slides inside, however far the corners are apart.
+        let all = found(["80deg", "100deg"], ["0.3", "0.75"]);
         assert_eq!(all.occur, [Mode::Rotational, Mode::SlidingRotational]);
         assert_eq!((all.may_occur.len(), all.some_fall), (0, Some(true)));
         // Everything beyond T.
