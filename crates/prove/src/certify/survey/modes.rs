@@ -185,8 +185,8 @@ fn possible(corners: &[[Option<Place>; 2]; 2]) -> Vec<Place> {
     all
 }
 
-/// Tells whether a mode lies on the side of T on which the half openings are: `[s,r,r]` is left of it, the modes with an
-/// inner sliding joint are right of it (the claim `map-columns`).
+/// Tells whether a mode lies on the side of T on which the half openings are: `[s,r,r]` is left of it, the modes with
+/// an inner sliding joint are right of it (the claim `map-columns`).
 fn is_on_side(place: Place, weight: SelfWeight, [first, last]: &[ExactNumber; 2]) -> bool {
     let Some(mode) = place else { return true };
     let Some(triple) = half_opening_of_t(weight) else { return true };
