@@ -31,7 +31,8 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     output: AnswerOutput,
 
-    /// Of ranges also the part of the arches that stands, each measure spread evenly between its ends: two bounds.
+    /// Of ranges also the part of the arches that stands, each measure spread evenly between its ends: two bounds, a
+    /// thousandth apart, or wider if more than two measures have ranges.
     #[arg(long)]
     share: bool,
 }

@@ -32,8 +32,9 @@ const DIGITS: usize = 4;
 
 /// Distance between the bounds that is aimed at.
 const NEAR: f64 = 1e-3;
-/// Most boxes that are halved.
-const MOST_HALVINGS: usize = 100_000;
+/// Most boxes that are halved: some seconds, more where each has the measures of a circle.
+const MOST_HALVINGS: usize = 30_000;
+const MOST_MEASURED_HALVINGS: usize = 8_000;
 /// Bits of the values.
 const BITS: u32 = 100;
 
@@ -75,8 +76,8 @@ impl Ord for Cell {
     }
 }
 
-/// The part of a survey's arches that stands, to about a thousandth; wider bounds where too many boxes would have to be
-/// looked at. Undecided if the survey has no thickness, or if the ends of a range have no number midway: an angle in
+/// The part of a survey's arches that stands, to about a thousandth; wider bounds, to a hundredth, where too many boxes
+/// would have to be looked at. Undecided if the survey has no thickness, or if the ends of a range have no number midway: an angle in
 /// degrees and one in radians, or unlimited friction.
 pub fn share(survey: &Survey) -> Result<Share, Undecided> {
     share_to(survey, NEAR)
@@ -88,7 +89,11 @@ fn share_to(survey: &Survey, near: f64) -> Result<Share, Undecided> {
     let mut settled = [0.0f64; 2];
     let mut open = BinaryHeap::from([whole]);
     let mut gap = open.peek().map_or(0.0, Cell::gap);
-    for _ in 0..MOST_HALVINGS {
+    let most = match survey.shape() {
+        Shape::Free { .. } => MOST_HALVINGS,
+        Shape::Spanned { .. } => MOST_MEASURED_HALVINGS,
+    };
+    for _ in 0..most {
         if gap <= near {
             break;
         }
