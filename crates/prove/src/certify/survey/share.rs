@@ -76,8 +76,8 @@ impl Ord for Cell {
     }
 }
 
-/// The part of a survey's arches that stands, to about a thousandth; wider bounds, to a hundredth, where too many boxes
-/// would have to be looked at. Undecided if the survey has no thickness, or if the ends of a range have no number midway: an angle in
+/// The part of a survey's arches that stands, to about a thousandth; to wider bounds where too many boxes would have to
+/// be looked at. Undecided if the survey has no thickness, or if the ends of a range have no number midway: an angle in
 /// degrees and one in radians, or unlimited friction.
 pub fn share(survey: &Survey) -> Result<Share, Undecided> {
     share_to(survey, NEAR)
