@@ -139,11 +139,9 @@ impl Mark {
             }
             (Some(lower), None) => {
                 let modes = modes(&answer.modes);
-                format!(
-                    "{verdict}least thickness from {lower}, {modes}; some stand at no thickness"
-                )
+                format!("{verdict}least thickness from {lower}, {modes}; some fall, however thick")
             }
-            (None, _) => "all stand at no thickness".to_owned(),
+            (None, _) => "all fall, however thick".to_owned(),
         };
         let names = ["α", "μ", "η"].into_iter().zip(text.split(','));
         let names: Vec<String> = names
@@ -419,16 +417,14 @@ mod tests {
             "(1) α = 78°..82°, μ = 0.6±10%, η = 0.08..0.1: every arch stands; least thickness 0.06",
             "(2) α = 78°..82°, μ = 0.6..∞, η = 0.05..0.1: some arches stand, others do not; least",
             "(3) α = 100°..140°, μ = 0.3..0.5: least thickness from 0.",
-            "(4) α = 140°..150°, μ = 0.1..0.2: all stand at no thickness",
+            "(4) α = 140°..150°, μ = 0.1..0.2: all fall, however thick",
             "A box goes from",
         ];
         assert_eq!(said.len(), starts.len(), "{said:?}");
         for (said, start) in said.iter().zip(starts) {
             assert!(said.starts_with(start), "{said}");
         }
-        assert!(
-            said[0].ends_with(", [r,r,r]") && said[2].ends_with("; some stand at no thickness")
-        );
+        assert!(said[0].ends_with(", [r,r,r]") && said[2].ends_with("; some fall, however thick"));
         assert!(said[4].contains("a dashed one"));
         let without = words(&all[2..3], &Canvas::usual(Plane::OpeningFriction));
         assert_eq!(without[1..], [BOX.to_owned()]);
