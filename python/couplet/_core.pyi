@@ -25,6 +25,7 @@ __all__ = [
     "run",
     "state",
     "states",
+    "surveyed",
     "sweep_begin",
     "sweep_part",
     "sweep_survey",

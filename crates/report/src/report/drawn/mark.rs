@@ -445,7 +445,8 @@ mod tests {
             for alpha in ["100deg", "110deg", "120deg"] {
                 for mu in ["0.42", "0.6", "0.9"] {
                     let one = Mark::new(&Arch::parse("heyman", alpha, mu).unwrap(), None).unwrap();
-                    let at = one.ends[0].at(&canvas, one.ends[0].least).unwrap();
+                    // Some of them fall, and are nowhere in a map.
+                    let Some(at) = one.ends[0].at(&canvas, one.ends[0].least) else { continue };
                     let (u, v) = frame.at(at);
                     let off = 1e-3;
                     assert!(left - off <= u && u <= right + off, "{plane:?} {alpha} {mu}");
