@@ -3,9 +3,10 @@
 use std::path::Path;
 use std::process::Command;
 
-const PAGES: [(&str, &str); 2] = [
+const PAGES: [(&str, &str); 3] = [
     ("README.md", include_str!("../../../README.md")),
     ("docs/commands.md", include_str!("../../../docs/commands.md")),
+    ("docs/surveys.md", include_str!("../../../docs/surveys.md")),
 ];
 
 /// A command and what is shown of its output.
@@ -98,8 +99,8 @@ fn run(page: &str, name: &str) -> usize {
 
 #[test]
 fn every_command_shown_prints_what_is_shown() {
-    let [readme, commands] = PAGES.map(|(name, page)| run(page, name));
-    assert!(readme >= 3 && commands >= 10, "{readme} {commands}");
+    let [readme, commands, surveys] = PAGES.map(|(name, page)| run(page, name));
+    assert!(readme >= 3 && commands >= 10 && surveys >= 3, "{readme} {commands} {surveys}");
 }
 
 /// No command is shown outside of a block that is run.

@@ -9,9 +9,9 @@ use super::refusal::Refusal;
 use super::survey_cover::{Claimed, Deciding, deciding};
 use super::survey_file::{PartFile, SurveyCertificate};
 use super::survey_refusal::SurveyRefusal;
-use crate::number::{Engine, ExactNumber};
-use crate::problem::survey::{Bounding, Survey, SurveyVerdict, is_same};
-use crate::problem::{Friction, Problem, Verdict};
+use crate::number::Engine;
+use crate::problem::survey::{Bounding, Survey, SurveyVerdict, is_one_friction, is_one_number};
+use crate::problem::{Problem, Verdict};
 
 /// The verdict on a survey, of a successful check.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -95,30 +95,16 @@ fn claims(
         Verdict::Stands(standing) => Some(&standing.thickness),
     };
     let is_thickness = thickness.is_none_or(|found| {
-        expected_thickness.as_ref().is_some_and(|expected| is_number(found, expected))
+        expected_thickness.as_ref().is_some_and(|expected| is_one_number(found, expected))
     });
     let same = [
         ("weight", arch.weight() == expected.weight()),
-        ("half_opening", is_number(arch.half_opening(), expected.half_opening())),
-        ("friction", is_friction(arch.friction(), expected.friction())),
+        ("half_opening", is_one_number(arch.half_opening(), expected.half_opening())),
+        ("friction", is_one_friction(arch.friction(), expected.friction())),
         ("thickness", is_thickness),
     ];
     match same.into_iter().find(|(_, is_same)| !is_same) {
         Some((place, _)) => Err(SurveyRefusal::Arch { part, place }),
         None => Ok(()),
-    }
-}
-
-/// Tells whether two numbers are one in the same form. Their own equality is that of their texts.
-fn is_number(a: &ExactNumber, b: &ExactNumber) -> bool {
-    a.form() == b.form() && is_same(a.factor(), b.factor())
-}
-
-fn is_friction(a: &Friction, b: &Friction) -> bool {
-    match (a, b) {
-        (Friction::Coefficient(a), Friction::Coefficient(b))
-        | (Friction::Angle(a), Friction::Angle(b)) => is_number(a, b),
-        (Friction::Infinite, Friction::Infinite) => true,
-        _ => false,
     }
 }

@@ -5,10 +5,9 @@
 //!
 //! - the one with the wider half opening has the other's joints and more;
 //! - the one with the lower friction has the narrower cone at each of them;
-//! - the thinner one stands only if the thicker one does, up to the physical limit `eta = 2`
-//!   (that is a theorem for a thrust above zero, as a half arch that bears nothing has no use for its crown).
+//! - the thinner one has its faces nearer together, up to the physical limit `eta = 2`.
 //!
-//! All three are steps towards **safety**, and in a box of half openings, frictions and thicknesses the widest, least
+//! A state that is admissible in it is so in the other (the claim `survey-corners`). In a box of half openings, frictions and thicknesses the widest, least
 //! rough and thinnest arch decides whether all stand, its opposite whether any does.
 //!
 //! Where span, rise and thickness are measured no corner is that arch: with the span grows the radius, which makes the
@@ -256,18 +255,12 @@ impl Survey {
     /// An arch at least as unsafe, or as safe, as all of a side's friction and thickness on the step from `first` to
     /// `last` of its course; if the two are one, the arch that is there.
     pub fn bounding(&self, side: Side, [first, last]: [&Place; 2]) -> Option<Bounding> {
-        let Shape::Spanned { circle, thickness: [thin, thick], .. } = &self.shape else {
-            return None;
-        };
-        let radius = self.radius(side, [first, last]);
-        let (at, t) = match side {
-            Side::Unsafe => (last, thin),
-            Side::Safe => (first, thick),
-        };
+        let (circle, thickness) = self.thickness_at(side)?;
+        let at = if side == Side::Unsafe { last } else { first };
         let alpha = ExactNumber::twice_arctangent(&at[1] * BigInt::from(2) / &at[0]);
-        let measures = Measures::new(*circle, Length::new(radius), None);
-        let thickness = Some(measures.thickness(t).ok()?);
-        Some(Bounding { arch: self.arch(alpha, side)?, thickness })
+        let radius = Length::new(self.radius(side, [first, last]));
+        let thickness = Measures::new(circle, radius, None).thickness(thickness).ok()?;
+        Some(Bounding { arch: self.arch(alpha, side)?, thickness: Some(thickness) })
     }
 
     /// Largest radius on a step of the unsafe course, least of one on the safe course, at the measured circle.
@@ -303,23 +296,23 @@ impl Survey {
     /// The [outermost](Self::outermost) arch with the thickness of its side over its radius: every arch of the survey
     /// is at least as safe, or as unsafe, though it need not be one of them.
     pub fn beyond(&self, side: Side) -> Option<Bounding> {
-        let Shape::Spanned { thickness: [thin, thick], .. } = &self.shape else { return None };
         let (arch, radius, circle) = self.outermost(side)?;
-        let t = match side {
-            Side::Unsafe => thin,
-            Side::Safe => thick,
-        };
-        let thickness = Measures::new(circle, radius, None).thickness(t).ok()?;
+        let (_, thickness) = self.thickness_at(side)?;
+        let thickness = Measures::new(circle, radius, None).thickness(thickness).ok()?;
         Some(Bounding { arch, thickness: Some(thickness) })
+    }
+
+    /// Thickness of the arches that decide on a side, where it is measured, and the circle.
+    pub fn thickness_at(&self, side: Side) -> Option<(Circle, &Length)> {
+        let Shape::Spanned { circle, thickness: [thin, thick], .. } = &self.shape else {
+            return None;
+        };
+        Some((*circle, if side == Side::Unsafe { thin } else { thick }))
     }
 
     /// Span, rise and thickness of the arch at a place of a side's course.
     pub fn measured(&self, side: Side, at: &Place) -> Option<[Length; 3]> {
-        let Shape::Spanned { thickness: [thin, thick], .. } = &self.shape else { return None };
-        let thickness = match side {
-            Side::Unsafe => thin,
-            Side::Safe => thick,
-        };
+        let (_, thickness) = self.thickness_at(side)?;
         let [span, rise] = at.clone().map(Length::new);
         Some([span, rise, thickness.clone()])
     }
@@ -333,6 +326,21 @@ impl Survey {
 /// Tells whether two places are one.
 pub(crate) fn is_one_place(a: &Place, b: &Place) -> bool {
     is_same(&a[0], &b[0]) && is_same(&a[1], &b[1])
+}
+
+/// Tells whether two numbers are one in the same form. Their own equality is that of their texts.
+pub fn is_one_number(a: &ExactNumber, b: &ExactNumber) -> bool {
+    a.form() == b.form() && is_same(a.factor(), b.factor())
+}
+
+/// Tells whether two frictions are one in the same form.
+pub fn is_one_friction(a: &Friction, b: &Friction) -> bool {
+    match (a, b) {
+        (Friction::Coefficient(a), Friction::Coefficient(b))
+        | (Friction::Angle(a), Friction::Angle(b)) => is_one_number(a, b),
+        (Friction::Infinite, Friction::Infinite) => true,
+        _ => false,
+    }
 }
 
 /// Tells whether two rational numbers are one, in lowest terms or not.

@@ -3,8 +3,8 @@
 use super::answer::{EndValue, QuantityRange, RangeEnd, SurveyedArch};
 use crate::certify::state::{Answer, AssessmentDigits, Balls, Figure, Limit};
 use crate::number::ExactNumber;
-use crate::problem::survey::{Side, SurveyVerdict};
-use crate::problem::{Arch, Friction, Quantity};
+use crate::problem::survey::{Side, SurveyVerdict, is_one_friction, is_one_number};
+use crate::problem::{Arch, Quantity};
 use crate::prover::{Answered, Error, Refused, Undecided};
 
 /// Corner of a survey with what is proved of it.
@@ -73,6 +73,14 @@ impl Corner {
         })
     }
 
+    /// Tells whether a quantity is the safety from sliding of an arch with a thickness that some friction is enough for,
+    /// and friction without limit.
+    fn slides_never(&self, of: Quantity) -> bool {
+        let is_enough = matches!(&self.found, Found::Assessment(found)
+            if !matches!(found.required_friction, Ok(None)));
+        of == Quantity::FrictionSafety && !self.at.arch.is_limited() && is_enough
+    }
+
     fn is_unsafe(&self) -> bool {
         self.side == Side::Unsafe
     }
@@ -86,21 +94,21 @@ fn outward(figure: &Figure, up: bool) -> EndValue {
 
 /// Verdict of two corners; `None` without a thickness.
 pub(super) fn verdict(worst: &Corner, best: &Corner) -> Option<Result<SurveyVerdict, Undecided>> {
-    together(worst.stands()?, best.stands()?)
+    Some(together(worst.stands()?, best.stands()?))
 }
 
 /// Verdict on all of what the worst does and what the best does.
 pub(super) fn together(
     worst: Result<bool, Undecided>,
     best: Result<bool, Undecided>,
-) -> Option<Result<SurveyVerdict, Undecided>> {
-    Some(match (worst, best) {
+) -> Result<SurveyVerdict, Undecided> {
+    match (worst, best) {
         (Ok(true), _) => Ok(SurveyVerdict::AllStand),
         (_, Ok(false)) => Ok(SurveyVerdict::NoneStands),
         (Ok(false), Ok(true)) => Ok(SurveyVerdict::BothOccur),
         (Err(open), _) => Err(open.about("the arch that stands least easily")),
         (_, Err(open)) => Err(open.about("the arch that stands most easily")),
-    })
+    }
 }
 
 /// Ranges of everything whose ends two corners decide, and what of it stays open.
@@ -126,17 +134,14 @@ pub(super) fn ranges(worst: &Corner, best: &Corner) -> (Vec<QuantityRange>, Opti
             _ => continue,
         };
         let end = |corner: &Corner, value: Option<Figure>, up| {
-            let value = value.map_or(EndValue::NotEnough, |figure| outward(&figure, up));
+            let value = match value {
+                Some(figure) => outward(&figure, up),
+                None if corner.slides_never(of) => EndValue::Unbounded,
+                None => EndValue::NotEnough,
+            };
             RangeEnd::attained(value, &corner.at)
         };
-        let is_unlimited = |corner: &Corner| !corner.at.arch.is_limited();
-        let safety = of == Quantity::FrictionSafety;
-        let no_safety = |corner: &Corner, end: RangeEnd| match safety && is_unlimited(corner) {
-            true => RangeEnd { value: EndValue::Unbounded, ..end },
-            false => end,
-        };
-        let lower = no_safety(first, end(first, lower, false));
-        let upper = no_safety(last, end(last, upper, true));
+        let (lower, upper) = (end(first, lower, false), end(last, upper, true));
         ranges.push(QuantityRange { of, lower, upper });
     }
     let thrusts = [(Quantity::LeastThrust, true), (Quantity::LargestThrust, false)];
@@ -190,13 +195,7 @@ pub(super) fn enclosed_thrusts(
 }
 
 /// Tells whether two corners are one arch.
-fn is_one_arch(one: &SurveyedArch, other: &SurveyedArch) -> bool {
-    let (a, b) = (one.arch.half_opening(), other.arch.half_opening());
-    let same = |a: &ExactNumber, b: &ExactNumber| a.form() == b.form() && a.factor() == b.factor();
-    same(a, b)
-        && match (one.arch.friction(), other.arch.friction()) {
-            (Friction::Coefficient(a), Friction::Coefficient(b))
-            | (Friction::Angle(a), Friction::Angle(b)) => same(a, b),
-            (a, b) => a == b,
-        }
+fn is_one_arch(SurveyedArch { arch: a, .. }: &SurveyedArch, b: &SurveyedArch) -> bool {
+    is_one_number(a.half_opening(), b.arch.half_opening())
+        && is_one_friction(a.friction(), b.arch.friction())
 }

@@ -5,15 +5,15 @@
 //! rounded outwards to a few digits: then that place attains the end.
 
 use super::answer::{EndValue, RangeEnd, SurveyedArch};
+use super::largest::Largest;
 use crate::certify::state::{Outcome, assessment_enclosed, state_enclosed};
 use crate::number::{Ball, Decimal, Enclosure, ExactNumber, Field, Rounded, Ternary};
 use crate::problem::Quantity;
-use crate::problem::survey::{Bounding, Place, Shape, Side, Survey};
+use crate::problem::survey::{Bounding, Place, Side, Survey};
 use crate::prover::{Answered, Undecided};
 use num_bigint::BigInt;
 use rug::Float;
 use rug::float::Round;
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 /// Most digits of an end that belongs to measured spans and rises.
@@ -37,32 +37,8 @@ pub(super) struct Extreme {
     pub(super) stands: Option<bool>,
 }
 
-/// Step of a course, with the bound of its values.
-struct Step {
-    ends: [Place; 2],
-    /// Bound, not below the true one, of the value or its negative.
-    bound: f64,
-}
-
-impl PartialEq for Step {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Step {}
-
-impl PartialOrd for Step {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Step {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.bound.total_cmp(&other.bound)
-    }
-}
+/// Step of a course by the bound of its values or their negatives, not below the true one.
+type Step = Largest<[Place; 2]>;
 
 /// Most extreme value that is found: its bound, its place, and itself.
 type Best = (f64, Place, Option<Ball>);
@@ -78,7 +54,7 @@ struct Search<'a> {
 impl Search<'_> {
     /// Value of an arch; `None` if nothing is enough.
     fn value(&self, of: &Bounding) -> Answered<Ball> {
-        let Some(thickness) = &of.thickness else { return Ok(None) };
+        let thickness = of.thickness.as_ref().ok_or_else(Undecided::no_solution)?;
         let eta: Ball = thickness.enclosure(BITS);
         if matches!(self.of, Quantity::RequiredFriction | Quantity::FrictionSafety) {
             let Some(required) = assessment_enclosed(&of.arch, thickness, BITS).required_friction?
@@ -101,10 +77,7 @@ impl Search<'_> {
 
     /// Least thickness in metres, with the circle that an arch of ratio `eta` has.
     fn metres(&self, least: &Ball, eta: Ball) -> Option<Ball> {
-        let Shape::Spanned { circle, thickness: [thin, thick], .. } = self.survey.shape() else {
-            return None;
-        };
-        let t = if self.side == Side::Unsafe { thin } else { thick };
+        let (circle, t) = self.survey.thickness_at(self.side)?;
         let t: Ball = ExactNumber::rational(t.metres().clone()).enclosure(BITS);
         // r = R + c t/2 and r = t/eta give R, and the least thickness is l R/(1 - c l/2).
         let half = eta.ratio(circle.to_centreline(), 2);
@@ -135,13 +108,13 @@ impl Search<'_> {
             Some(Ok(value)) => self.bound(value.as_ref()),
             _ => f64::INFINITY,
         };
-        Step { ends, bound }
+        Largest { size: bound, of: ends }
     }
 
     /// Tries the arch at a place.
     fn place(&self, place: Place, best: &mut Option<Best>) -> Result<(), Undecided> {
         let arch = self.survey.bounding(self.side, [&place, &place]);
-        let value = arch.map_or(Ok(None), |arch| self.value(&arch))?;
+        let value = self.value(&arch.ok_or_else(Undecided::no_solution)?)?;
         let bound = self.bound(value.as_ref());
         if best.as_ref().is_none_or(|(most, ..)| bound > *most) {
             *best = Some((bound, place, value));
@@ -196,29 +169,29 @@ pub(super) fn extreme(
         legs.map(|leg| search.step([leg[0].clone(), leg[1].clone()])).collect();
     for _ in 0..MOST_HALVINGS {
         let (Some(top), Some(most)) = (steps.peek(), &best) else { break };
-        let known = search.known(most, top.bound);
+        let known = search.known(most, top.size);
         let is_decided = of != Quantity::GeometricSafety || known.stands.is_some();
         if known.attained && is_decided || most.0 == f64::INFINITY {
             break;
         }
-        let Some(Step { ends: [first, last], .. }) = steps.pop() else { break };
+        let Some(Largest { of: [first, last], .. }) = steps.pop() else { break };
         let middle = [0, 1].map(|k| (&first[k] + &last[k]) / BigInt::from(2));
         search.place(middle.clone(), &mut best)?;
         steps.push(search.step([first, middle.clone()]));
         steps.push(search.step([middle, last]));
     }
     let best = best.ok_or_else(Undecided::no_solution)?;
-    Ok(search.known(&best, steps.peek().map_or(best.0, |top| top.bound)))
+    Ok(search.known(&best, steps.peek().map_or(best.0, |top| top.size)))
 }
 
 impl Extreme {
-    /// End of a range: the value of the place, or a bound of all.
-    pub(super) fn end(&self, at: &SurveyedArch) -> RangeEnd {
+    /// End of a range: the value of the place, or a bound of all; undecided if there is neither.
+    pub(super) fn end(&self, at: &SurveyedArch) -> Result<RangeEnd, Undecided> {
         let value = match (&self.value, &self.bound) {
-            (None, _) => EndValue::NotEnough,
-            (Some(_), Some(bound)) => EndValue::Number(bound.clone()),
-            (Some(_), None) => EndValue::Unbounded,
+            (None, _) if self.attained => EndValue::NotEnough,
+            (_, Some(bound)) => EndValue::Number(bound.clone()),
+            (_, None) => return Err(Undecided::new("a bound of all arches")),
         };
-        RangeEnd { value, at: (self.attained || self.value.is_none()).then(|| at.clone()) }
+        Ok(RangeEnd { value, at: self.attained.then(|| at.clone()) })
     }
 }

@@ -5,6 +5,7 @@
 //! | `answer` | the answer: verdict, ranges and the arches at their ends |
 //! | `corners` | half opening and thickness free of each other: two arches decide |
 //! | `course` | span, rise and thickness measured: the extreme along a course, by halving |
+//! | `largest` | the order in which halving goes on |
 //! | `modes` | the modes that occur |
 //! | `share` | the part that stands |
 //! | `survey` | the question |
@@ -12,6 +13,7 @@
 mod answer;
 mod corners;
 mod course;
+mod largest;
 mod modes;
 mod share;
 #[allow(clippy::module_inception, reason = "the folder is named after what it answers")]

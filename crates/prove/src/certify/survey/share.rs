@@ -5,6 +5,7 @@
 //! thickness on all of its arches stand, and up to which none does. The box that leaves most open is halved until
 //! little is open in all.
 
+use super::largest::Largest;
 use crate::certify::state::{Certify, Outcome, state_enclosed};
 use crate::number::{Ball, Decimal, Enclosure, ExactNumber, Field, Form, Rounded};
 use crate::problem::measures::Length;
@@ -15,7 +16,6 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use rug::Float;
 use rug::float::Round;
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 /// Part of a survey that stands, from 0 to 1.
@@ -56,24 +56,9 @@ impl Cell {
     }
 }
 
-impl PartialEq for Cell {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Cell {}
-
-impl PartialOrd for Cell {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Cell {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.gap().total_cmp(&other.gap())
-    }
+/// A box by what it leaves open.
+fn open_by_gap(cell: Cell) -> Largest<Cell> {
+    Largest { size: cell.gap(), of: cell }
 }
 
 /// The part of a survey's arches that stands, to about a thousandth; to wider bounds where too many boxes would have to
@@ -87,8 +72,8 @@ pub fn share(survey: &Survey) -> Result<Share, Undecided> {
 fn share_to(survey: &Survey, near: f64) -> Result<Share, Undecided> {
     let whole = Cell { survey: survey.clone(), depth: 0, stands: stands(survey)? };
     let mut settled = [0.0f64; 2];
-    let mut open = BinaryHeap::from([whole]);
-    let mut gap = open.peek().map_or(0.0, Cell::gap);
+    let mut gap = whole.gap();
+    let mut open = BinaryHeap::from([open_by_gap(whole)]);
     let most = match survey.shape() {
         Shape::Free { .. } => MOST_HALVINGS,
         Shape::Spanned { .. } => MOST_MEASURED_HALVINGS,
@@ -97,7 +82,7 @@ fn share_to(survey: &Survey, near: f64) -> Result<Share, Undecided> {
         if gap <= near {
             break;
         }
-        let Some(cell) = open.pop() else { break };
+        let Some(Largest { of: cell, .. }) = open.pop() else { break };
         gap -= cell.gap();
         for (survey, stands) in best_halves(&cell.survey)? {
             let half = Cell { survey, stands, depth: cell.depth + 1 };
@@ -105,11 +90,11 @@ fn share_to(survey: &Survey, near: f64) -> Result<Share, Undecided> {
             if half.stands[0] == half.stands[1] {
                 settled = add(settled, &half);
             } else {
-                open.push(half);
+                open.push(open_by_gap(half));
             }
         }
     }
-    let [lower, upper] = open.iter().fold(settled, add);
+    let [lower, upper] = open.iter().fold(settled, |sum, cell| add(sum, &cell.of));
     let rounded = |x: f64| {
         let exact = Float::with_val(53, x).to_rational();
         exact.and_then(|exact| Rounded::from_rational(&exact, DIGITS))

@@ -57,42 +57,35 @@ pub fn survey(survey: &Survey, digits: usize) -> Result<SurveyAnswer, Error> {
     let open = || Undecided::new("whether the thickness is enough");
     let verdict =
         corners::together(unsafest.stands.ok_or_else(open), safest.stands.ok_or_else(open));
-    let mut left_open = None;
-    let mut ranges = vec![least_thickness(survey, digits)?];
-    ranges.push(QuantityRange {
-        of: Quantity::GeometricSafety,
-        lower: unsafest.end(&worst),
-        upper: safest.end(&best),
-    });
-    for of in [Quantity::RequiredFriction, Quantity::FrictionSafety, Quantity::ThicknessInMetres] {
-        let is_safety = of == Quantity::FrictionSafety;
-        if is_safety && !worst.arch.is_limited() {
-            continue;
+    let (mut ranges, mut left_open) = (vec![least_thickness(survey, digits)?], None);
+    let safety = unsafest.end(&worst).and_then(|lower| Ok((lower, safest.end(&best)?)));
+    let end = |side, of| at(side, of).and_then(|(found, arch)| found.end(&arch));
+    let both = |of| Ok::<_, Undecided>((end(Side::Safe, of)?, end(Side::Unsafe, of)?));
+    let friction_safety = || {
+        let lower = end(Side::Unsafe, Quantity::FrictionSafety)?;
+        let upper = match best.arch.is_limited() {
+            true => end(Side::Safe, Quantity::FrictionSafety)?,
+            false => RangeEnd::unbounded(&best),
+        };
+        Ok((lower, upper))
+    };
+    let mut all = vec![
+        (Quantity::GeometricSafety, safety),
+        (Quantity::RequiredFriction, both(Quantity::RequiredFriction)),
+        (Quantity::ThicknessInMetres, both(Quantity::ThicknessInMetres)),
+    ];
+    if worst.arch.is_limited() {
+        all.insert(2, (Quantity::FrictionSafety, friction_safety()));
+    }
+    // What stays open of one quantity leaves the others as they are.
+    for (of, ends) in all {
+        match ends {
+            Ok((lower, upper)) => ranges.push(QuantityRange { of, lower, upper }),
+            Err(why) => left_open = left_open.or_else(|| Some(why.about(of.name()))),
         }
-        // What stays open of one quantity leaves the others as they are.
-        let (unsafest, at_unsafest) = match at(Side::Unsafe, of) {
-            Ok(found) => found,
-            Err(why) => {
-                left_open.get_or_insert(why.about(of.name()));
-                continue;
-            }
-        };
-        let unsafe_end = unsafest.end(&at_unsafest);
-        let safe_end = match is_safety && !best.arch.is_limited() {
-            true => RangeEnd::unbounded(&best),
-            false => match at(Side::Safe, of) {
-                Ok((safest, at_safest)) => safest.end(&at_safest),
-                Err(why) => {
-                    left_open.get_or_insert(why.about(of.name()));
-                    continue;
-                }
-            },
-        };
-        let [lower, upper] =
-            if is_safety { [unsafe_end, safe_end] } else { [safe_end, unsafe_end] };
-        ranges.push(QuantityRange { of, lower, upper });
     }
     ranges.extend(thrusts(survey, digits).into_iter().flatten());
+    let verdict = Some(verdict);
     Ok(SurveyAnswer { verdict, worst, best, ranges, open: left_open, modes: modes() })
 }
 
