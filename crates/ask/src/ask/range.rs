@@ -177,9 +177,6 @@ enum Unit {
     Arctangent,
 }
 
-/// Units of length; the first that fits the end of a text is its unit.
-const LENGTHS: [&str; 5] = ["cm", "mm", "m", "ft", "in"];
-
 /// A rational number without a unit.
 fn plain(text: &str) -> Option<BigRational> {
     let number = text.parse::<ExactNumber>().ok().filter(|_| !is_angle(text))?;
@@ -199,7 +196,7 @@ impl Part {
     fn read(text: &str) -> Option<Self> {
         let behind = |unit: &str| plain(text.strip_suffix(unit)?.trim_end());
         let of = |unit: &'static str| Some((behind(unit)?, Unit::Length(unit)));
-        let lengths = LENGTHS.into_iter().find_map(of);
+        let lengths = Length::units().find_map(of);
         let ratio = || Some((behind("r")?, Unit::Ratio));
         if let Some((number, unit)) = lengths.or_else(ratio) {
             return Some(Self { number, unit });

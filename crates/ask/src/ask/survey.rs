@@ -295,7 +295,7 @@ fn ordered(
     [low, high]: [Length; 2],
     field: Field,
 ) -> Result<[Length; 2], Misfit> {
-    if low.metres() <= high.metres() {
+    if !low.exceeds(&high) {
         return Ok([low, high]);
     }
     let [low, high] = ends.each_ref().map(|end| shown(end.get(field).unwrap_or_default()));

@@ -172,6 +172,16 @@ impl Length {
         (metres > BigInt::ZERO.into()).then_some(Self(metres))
     }
 
+    /// Names of the units of length that are read, none before one that it ends with.
+    pub fn units() -> impl Iterator<Item = &'static str> {
+        LENGTHS.into_iter().map(|(name, ..)| name)
+    }
+
+    /// Tells whether it is longer than another.
+    pub fn exceeds(&self, other: &Self) -> bool {
+        exceeds(&self.0, &other.0)
+    }
+
     /// Number of metres.
     pub fn metres(&self) -> &BigRational {
         &self.0

@@ -164,7 +164,7 @@ impl Survey {
             }
             Shape::Spanned { circle, span, rise, thickness } => {
                 for [lower, upper] in [span, rise, thickness] {
-                    if exceeds(lower.metres(), upper.metres()) {
+                    if lower.exceeds(upper) {
                         let [lower, upper] = [lower, upper].map(ToString::to_string);
                         return Err(SurveyError::Reversed(lower, upper));
                     }
