@@ -172,7 +172,7 @@ impl Length {
         (metres > BigInt::ZERO.into()).then_some(Self(metres))
     }
 
-    /// Names of the units of length that are read, none before one that it ends with.
+    /// Names of the units of length that are read, in the order in which the end of a text is compared with them.
     pub fn units() -> impl Iterator<Item = &'static str> {
         LENGTHS.into_iter().map(|(name, ..)| name)
     }
