@@ -7,8 +7,9 @@
 //! - the one with the lower friction has the narrower cone at each of them;
 //! - the thinner one has its faces nearer together, up to the physical limit `eta = 2`.
 //!
-//! A state that is admissible in it is so in the other (the claim `survey-corners`). In a box of half openings, frictions and thicknesses the widest, least
-//! rough and thinnest arch decides whether all stand, its opposite whether any does.
+//! A state that is admissible in it is so in the other (the claim `survey-corners`). In a box of half openings,
+//! frictions and thicknesses the widest, least rough and thinnest arch decides whether all stand, its opposite whether
+//! any does.
 //!
 //! Where span, rise and thickness are measured no corner is that arch: with the span grows the radius, which makes the
 //! ratio of the thickness less, and falls the half opening. But an arch does not change with its scale. With

@@ -73,8 +73,8 @@ impl Corner {
         })
     }
 
-    /// Tells whether a quantity is the safety from sliding of an arch with a thickness that some friction is enough for,
-    /// and friction without limit.
+    /// Tells whether a quantity is the safety from sliding of an arch with a thickness that some friction is enough
+    /// for, and friction without limit.
     fn slides_never(&self, of: Quantity) -> bool {
         let is_enough = matches!(&self.found, Found::Assessment(found)
             if !matches!(found.required_friction, Ok(None)));
