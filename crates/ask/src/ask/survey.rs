@@ -211,11 +211,28 @@ fn shape(ends: &[ArchAsked; 2], circle: Circle, spelling: Spelling) -> Result<Sh
             Some(ratios(lengths, radius, circle)?)
         }
         Thickness::Lengths(thickness) => {
+            short(ends)?;
             return Ok(Shape::Spanned { circle, span, rise, thickness });
         }
         ratio => ratio.ratios(),
     };
     Ok(Shape::Free { half_opening: made.map(|(half_opening, _)| half_opening), thickness })
+}
+
+/// Most characters of a length that is halved on the way to an answer: of 9,000 it takes minutes.
+const MOST_CHARACTERS: usize = 300;
+
+/// Checks that no length is too long to be halved.
+fn short(ends: &[ArchAsked; 2]) -> Result<(), Misfit> {
+    for field in [Field::Span, Field::Rise, Field::Thickness] {
+        let longest = ends.iter().filter_map(|end| end.get(field)).map(str::len).max();
+        if longest > Some(MOST_CHARACTERS) {
+            let message =
+                format!("beside a range a length has at most {MOST_CHARACTERS} characters");
+            return Err(Misfit::new(field, message));
+        }
+    }
+    Ok(())
 }
 
 /// Ends of the ratio `t/(R + c t/2)`, which rises with the thickness and falls as the radius grows.
@@ -317,6 +334,18 @@ mod tests {
 
     fn read(words: &str) -> Result<SurveyGiven, Misfit> {
         SurveyGiven::read(&ASSESS, &asked(words), Spelling::Key)
+    }
+
+    #[test]
+    fn a_length_that_would_take_minutes_is_refused() {
+        let of = |zeros: usize| {
+            let long = format!("1.{}1m", "0".repeat(zeros));
+            read(&format!("span={long}..2m rise=1m mu=1 eta=10cm..20cm"))
+        };
+        assert!(of(200).is_ok());
+        let misfit = of(400).unwrap_err();
+        assert_eq!(misfit.field, Some(Field::Span));
+        assert!(misfit.message.contains("at most 300 characters"), "{misfit}");
     }
 
     /// The questions about the arches that decide where half opening and thickness are free.
