@@ -14,9 +14,9 @@ use crate::prover::{Error, Refused, Undecided};
 /// stays open on which all depends.
 ///
 /// ```
+/// use couplet_check::problem::survey::{Shape, Survey};
 /// use couplet_prove::certify::survey::{SurveyVerdict, survey};
 /// use couplet_prove::prelude::*;
-/// use couplet_prove::problem::survey::{Shape, Survey};
 /// let shape = Shape::Free {
 ///     half_opening: ["78deg".parse()?, "82deg".parse()?],
 ///     thickness: Some(["0.08".parse()?, "0.1".parse()?]),
