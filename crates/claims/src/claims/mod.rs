@@ -32,6 +32,7 @@
 //! | asymmetric mechanisms above the least thickness | `asymmetric.rs` |
 //! | where symmetric states have them too | `asymmetric_begins.rs` |
 //! | all arches between measured ends | `surveys.rs` |
+//! | why of one rise the longer arch is the safer | `rises.rs` |
 //! | signs by algebra | `sign.rs` |
 //! | what the paper says, place by place, and what decides it | `index.rs`, `sentences.rs` |
 //!
@@ -69,6 +70,7 @@ mod modes;
 mod moments;
 mod overturning;
 mod regular;
+mod rises;
 mod rounded;
 mod same_opening;
 mod sentence;
@@ -102,7 +104,7 @@ pub fn claims() -> Vec<Claim> {
         units moments cubics curve branches overturning trends joining sliding regular asymptotics
         landmarks rounded same_opening differences weights frictions map_of_weights border contacts modes
         mechanisms domains tiling lines areas admissible uniqueness asymmetric asymmetric_begins
-        surveys
+        rises surveys
     }
 }
 
