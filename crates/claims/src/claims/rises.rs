@@ -14,14 +14,13 @@
 use super::contacts::{CONTACTS, margin_at};
 use super::curve::{STATES_IN_ORDER, STATES_OF_ONE_THICKNESS};
 use super::letters::{ring, with};
-use super::sign::{AngleSigns, FromZero, NotNegative, Positive};
+use super::rise_signs::{CusaSigns, Haunch, RingSigns, from_the_crown, ratio};
+use super::sign::{AngleSigns, NotNegative, Positive};
 use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{statics, thrust};
 use crate::number::Field;
-use crate::symbolic::{
-    Fraction, Letters, Polynomial, Relations, Symbol, along_the_joint, along_the_opening,
-};
+use crate::symbolic::{Fraction, Letters, Symbol, along_the_opening};
 
 claims! {
     Implicit("rise-rotation", "Fig. 1", rotation) as ROTATION:
@@ -30,6 +29,9 @@ claims! {
     Implicit("rise-overturning", "Fig. 1", overturning) as OVERTURNING:
         "from a half circle on, where an inner joint slides, or without any thrust, the same way relieves the \
          shoulder's extrados";
+    Implicit("rise-relief", "Fig. 1", relieved) as RELIEF:
+        "up to a half circle a shoulder that slides has h >= 1 - alpha²/4 and, for h < 1, (alpha - h (1 - h)/alpha) \
+         tan(alpha/2) more than [3 (1 - h) + (1 - h)²]/2";
     Implicit("rise-narrow", "Fig. 1", narrow) as NARROW:
         "up to a half circle, where the shoulder slides and the haunch is on the intrados, the same way relieves the \
          shoulder though it makes the thrust grow";
@@ -53,154 +55,30 @@ pub(super) fn slenderness() -> Fraction {
 }
 
 /// `g`, the radius of the centroids over that of the extrados.
-fn centroids() -> Fraction {
+pub(super) fn centroids() -> Fraction {
     let ring = ring();
     ring.thickness.int(2) * &ring.centroid_factor / ring.extrados()
 }
 
 /// The thrust that a haunch asks for, (2).
-fn thrust_of_haunch() -> Fraction {
+pub(super) fn thrust_of_haunch() -> Fraction {
     thrust::lower(&Symbol::joint(), &ring()).value()
 }
 
 /// `A` of the half opening.
-fn opening_variable() -> Fraction {
+pub(super) fn opening_variable() -> Fraction {
     thrust::opening_variable(&Symbol::half_opening()).value()
 }
 
 /// `X = (alpha - h (1 - h)/alpha) tan(alpha/2)`, by which the shoulder's friction is relieved.
-fn relief() -> Fraction {
+pub(super) fn relief() -> Fraction {
     let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
     let rest = alpha.rad.square() - h.clone() * (h.int(1) - &h);
     rest * alpha.versine() / (alpha.rad * alpha.sin)
 }
 
-/// `n/m`.
-fn ratio(n: u8, m: u8) -> Positive {
-    Positive::int(n) / &Positive::int(m)
-}
-
-/// Signs of an angle that follow from `x sin(x) > 0`.
-struct CusaSigns {
-    angle: AngleSigns,
-    /// `2 (1 - cos(x)) - x sin(x)`, so that `x cot(x/2) < 2`.
-    below_two: Positive,
-    /// `x (2 + cos(x)) - 3 sin(x)`.
-    cusa: Positive,
-}
-
-impl CusaSigns {
-    fn of_joint(d: &mut Derivation) -> Checked<Self> {
-        let letters = [Symbol::Joint, Symbol::Sine, Symbol::Cosine];
-        let angle = AngleSigns::of_joint(d)?;
-        Self::of(d, "beta", letters, &along_the_joint(), angle)
-    }
-
-    fn of_half_opening(d: &mut Derivation) -> Checked<Self> {
-        let letters = [Symbol::HalfOpening, Symbol::SineOfOpening, Symbol::CosineOfOpening];
-        let angle = AngleSigns::of_half_opening(d)?;
-        Self::of(d, "alpha", letters, &along_the_opening(), angle)
-    }
-
-    fn of(
-        d: &mut Derivation,
-        x: &str,
-        letters: [Symbol; 3],
-        rules: &[(Symbol, Polynomial)],
-        angle: AngleSigns,
-    ) -> Checked<Self> {
-        let [rad, sin, cos] = &letters.map(Symbol::number);
-        let at_zero = |symbol| letters.iter().position(|y| *y == symbol).map(|k| (k == 2).into());
-        let range = &FromZero { rules, at_zero: &at_zero, relations: &Relations::none() };
-        let turn = angle.rad.clone() * &angle.sin;
-        let value = sin.clone() - rad.clone() * cos;
-        let turn = turn.is_slope_of(d, &format!("sin({x}) - {x} cos({x})"), &value, range)?;
-        let value = (rad.int(1) - cos) * rad.int(2) - rad.clone() * sin;
-        let words = format!("2 (1 - cos({x})) - {x} sin({x})");
-        let below_two = turn.is_slope_of(d, &words, &value, range)?;
-        let value = (rad.int(2) + cos) * rad - sin.int(3) * sin;
-        let words = format!("{x} (2 + cos({x})) - 3 sin({x})");
-        let cusa = below_two.is_slope_of(d, &words, &value, range)?;
-        Ok(Self { angle, below_two, cusa })
-    }
-}
-
-/// What is positive at a haunch above a right angle.
-struct Haunch {
-    signs: CusaSigns,
-    cos: Positive,
-    /// `beta sin(beta) - (1 - cos(beta))`.
-    bulge: Positive,
-    /// `1 - cos(beta) + tau cos(beta)`.
-    arm: Positive,
-}
-
-impl Haunch {
-    fn of(d: &mut Derivation, ring: &RingSigns) -> Checked<Self> {
-        let joint = Symbol::joint();
-        let signs = CusaSigns::of_joint(d)?;
-        let [cos] = Positive::given(d, "beta < pi/2", [&joint.cos]);
-        let slope = signs.angle.rad.clone() * &cos;
-        let value = joint.rad.clone() * &joint.sin - joint.versine();
-        let words = "beta sin(beta) - (1 - cos(beta))";
-        let bulge = from_the_crown(d, &slope, words, &value)?;
-        let arm = signs.angle.versine.clone() + &(ring.slenderness.clone() * &cos);
-        Ok(Self { signs, cos, bulge, arm })
-    }
-}
-
-/// A value that is zero at the crown and grows along the arch.
-fn from_the_crown(
-    d: &mut Derivation,
-    slope: &Positive,
-    words: &str,
-    value: &Fraction,
-) -> Checked<Positive> {
-    let at_zero = |symbol| match symbol {
-        Symbol::Joint | Symbol::Sine => Some(0),
-        Symbol::Cosine => Some(1),
-        _ => None,
-    };
-    let (rules, relations) = (along_the_joint(), Relations::none());
-    let range = FromZero { rules: &rules, at_zero: &at_zero, relations: &relations };
-    slope.is_slope_of(d, words, value, &range)
-}
-
-/// The signs of a ring up to the physical limit.
-struct RingSigns {
-    /// `tau`.
-    slenderness: Positive,
-    /// `(1 - tau)/2`.
-    half_of_rest: NotNegative,
-    /// `n`.
-    fall: NotNegative,
-    /// `1/2 - n`.
-    half_less_fall: NotNegative,
-    /// `g - 1 + tau/2`.
-    lift: NotNegative,
-}
-
-impl RingSigns {
-    fn of(d: &mut Derivation) -> Checked<Self> {
-        let (ring, delta) = (ring(), Symbol::Flag.number());
-        let [eta] = Positive::given(d, "0 < eta <= 2", [&ring.thickness]);
-        let [intrados] = NotNegative::given(d, "eta <= 2", [&ring.intrados()]);
-        let [flag, unflagged] =
-            NotNegative::given(d, "0 <= delta_M <= 1", [&delta, &(delta.int(1) - &delta)]);
-        let extrados = (Positive::int(2) + &eta).is(d, "2 + eta", ring.extrados())?;
-        let slenderness = Positive::int(2) * &eta / &extrados;
-        let growth = eta.clone() * &(Positive::int(4) + &eta);
-        let fall = intrados.clone() * &(Positive::int(6) + &eta) + &(unflagged * &growth);
-        let fall = fall / &Positive::int(24);
-        let half_less_fall = flag.clone() * &growth / &Positive::int(24);
-        let lift = flag * &(eta.clone() * &eta) / &(Positive::int(6) * &extrados);
-        let half_of_rest = intrados / &(Positive::int(2) * &extrados);
-        Ok(Self { slenderness, half_of_rest, fall, half_less_fall, lift })
-    }
-}
-
 /// `alpha/sin(alpha) - 1`, by which `A` grows as the half opening falls.
-fn rate_of_opening(d: &mut Derivation) -> Checked<Fraction> {
+pub(super) fn rate_of_opening(d: &mut Derivation) -> Checked<Fraction> {
     let alpha = Symbol::half_opening();
     let rate = (alpha.rad.clone() - &alpha.sin) / &alpha.sin;
     d.on_circle("-D A", -along_the_rise(&opening_variable()), &rate)?;
@@ -274,7 +152,7 @@ fn overturning(d: &mut Derivation) -> Checked {
 }
 
 /// The friction of a shoulder that slides, as the half opening falls and the thrust grows.
-fn sliding_shoulder(d: &mut Derivation) -> Checked {
+pub(super) fn sliding_shoulder(d: &mut Derivation) -> Checked {
     let (alpha, h) = (Symbol::half_opening(), Symbol::Thrust.number());
     let normal = statics::normal_force(&alpha, &h);
     let friction = -statics::shear_force(&alpha, &h) / &normal;
@@ -330,8 +208,8 @@ fn wide(d: &mut Derivation) -> Checked {
     )
 }
 
-/// The least thrust of a shoulder that slides.
-fn thrust_of_sliding(d: &mut Derivation) -> Checked {
+/// The least thrust of a shoulder that slides, and what relieves it.
+fn relieved(d: &mut Derivation) -> Checked {
     let (joint, h) = (Symbol::joint(), Symbol::Thrust.number());
     let [tangent, slope] = [joint.rad.clone() / &h, joint.sin.clone() / &joint.cos];
     let angle = (tangent.clone() - &slope) / (tangent.int(1) + tangent * &slope);
@@ -350,9 +228,21 @@ fn thrust_of_sliding(d: &mut Derivation) -> Checked {
     let below = (fourth.int(64) + fourth * alpha.square()) * alpha.int(2);
     d.identity(words, sum - alpha.ratio(3, 2), gain / below)?;
     d.conclude(
-        "No inner joint slides, not that at alpha/2, while the shoulder does: the two arctangents are at most 3 alpha/2. \
+        "No inner joint slides, not that at alpha/2, while the shoulder does: the two arctangents are at most 3/2 alpha. \
          They fall as h grows, so that h >= 1 - alpha²/4.",
-    )
+    )?;
+    let (alpha, h) = (CusaSigns::of_half_opening(d)?, Symbol::Thrust.number());
+    let lack = h.int(1) - &h;
+    let [lack_sign] = Positive::given(d, "h < 1", [&lack]);
+    let rest = Symbol::HalfOpening.number().square() - h.int(4) * &lack;
+    let [more] = NotNegative::given(d, "h >= 1 - alpha²/4", [&rest]);
+    let whole = (Positive::int(3) + &lack_sign) * &lack_sign + &more;
+    let tangent = alpha.below_two / &(Positive::int(2) * &alpha.angle.sin);
+    let sum = whole / &alpha.angle.rad * &tangent + &(more / &Positive::int(2));
+    let gain = (h.int(3) * &lack + lack.square()) / h.int(2);
+    let words = "(alpha - h (1 - h)/alpha) tan(alpha/2) - [3 (1 - h) + (1 - h)²]/2";
+    sum.is_on_circle(d, words, relief() - gain)?;
+    Ok(())
 }
 
 /// `3 (1 - h)²/4 - tau h`, `h` of (2): it is at least a square.
@@ -408,12 +298,11 @@ fn thin_if_thrust_is_large(
 }
 
 fn narrow(d: &mut Derivation) -> Checked {
-    lemmas(d, [&STATES_OF_ONE_THICKNESS, &STATES_IN_ORDER])?;
+    lemmas(d, [&STATES_OF_ONE_THICKNESS, &STATES_IN_ORDER, &RELIEF])?;
     let ring = RingSigns::of(d)?;
-    let (haunch, alpha) = (Haunch::of(d, &ring)?, CusaSigns::of_half_opening(d)?);
+    let haunch = Haunch::of(d, &ring)?;
     sliding_shoulder(d)?;
     let rest = growth_of_thrust(d, &ring, &haunch)?;
-    thrust_of_sliding(d)?;
     thin_if_thrust_is_large(d, &ring, &haunch, &rest)?;
     let (at, h) = (Symbol::half_opening(), Symbol::Thrust.number());
     let lack = h.int(1) - &h;
@@ -421,21 +310,16 @@ fn narrow(d: &mut Derivation) -> Checked {
     let [lack_sign] = Positive::given(d, "h < 1", [&lack]);
     let words = "alpha <= pi/2";
     let [room] = Positive::given(d, words, [&(at.rad.ratio(5, 2) - &square)]);
-    let words = "alpha² >= 4 (1 - h), as was concluded";
+    let words = "h >= 1 - alpha²/4";
     let [more] = NotNegative::given(d, words, [&(square - h.int(4) * &lack)]);
-    let whole = (Positive::int(3) + &lack_sign) * &lack_sign + &more;
-    let tangent = alpha.below_two / &(Positive::int(2) * &alpha.angle.sin);
-    let sum = whole / &alpha.angle.rad * &tangent + &(more.clone() / &Positive::int(2));
     let gain = (lack.clone() + lack.square()) / h.int(2);
-    let words = "X - (1 - h) - [(1 - h) + (1 - h)²]/2";
-    sum.is_on_circle(d, words, relief() - &lack - &gain)?;
     let below = (room + &more) / &Positive::int(4);
     let sum = below * &(ratio(11, 2) + &(Positive::int(4) * &lack_sign)) + &ratio(9, 16);
     let sum = sum * &lack_sign / &Positive::int(8);
     let words = "h [(1 - h) + (1 - h)²]/2 - 3/8 (1 - h)²";
     sum.is(d, words, gain * &h - h.ratio(3, 8) * lack.square())?;
     d.conclude(
-        "With 1 - h <= alpha²/4 < 5/8, h is positive; h (X + D h) >= h (X - (1 - h)) - tau h/2, which is positive, and \
-         so is X + D h: as the half opening falls mu N + T grows where it is zero, though h is the thrust of the haunch.",
+        "With 1 - h <= alpha²/4 < 5/8, h is positive; h (X + D h) >= h (X - (1 - h)) - tau h/2 is positive, and so is \
+         X + D h: as the half opening falls mu N + T grows where it is zero, though h is the thrust of the haunch.",
     )
 }
