@@ -228,8 +228,8 @@ fn relieved(d: &mut Derivation) -> Checked {
     let below = (fourth.int(64) + fourth * alpha.square()) * alpha.int(2);
     d.identity(words, sum - alpha.ratio(3, 2), gain / below)?;
     d.conclude(
-        "No inner joint slides, not that at alpha/2, while the shoulder does: the two arctangents are at most 3/2 alpha. \
-         They fall as h grows, so that h >= 1 - alpha²/4.",
+        "No inner joint slides, not that at alpha/2, while the shoulder does: the two arctangents are at most 3/2 \
+         alpha. They fall as h grows, so that h >= 1 - alpha²/4.",
     )?;
     let (alpha, h) = (CusaSigns::of_half_opening(d)?, Symbol::Thrust.number());
     let lack = h.int(1) - &h;

@@ -40,20 +40,20 @@ claims! {
     Implicit("safety-opening", "Fig. 1", opening) as OPENING:
         "for 0 < alpha < pi, alpha/sin(alpha) - 1 is more than y + y²/2, y = 2 - A";
     Implicit("safety-haunch", "Sec. 2.1", haunch) as HAUNCH:
-        "at the haunch of each purely rotational state up to eta = 39/50, whatever delta_M between 0 and 1, three numbers \
-         are positive: what is left of y + y²/2 by the haunch, of [3 (1 - h) + (1 - h)²]/2 and of 4/3 by the growth of \
-         h where eta/(1 - cos(alpha))² is kept";
+        "at the haunch of each purely rotational state up to eta = 39/50, whatever delta_M between 0 and 1, three \
+         numbers are positive: what is left of y + y²/2 by the haunch, of [3 (1 - h) + (1 - h)²]/2 and of 4/3 by the \
+         growth of h where eta/(1 - cos(alpha))² is kept";
     Implicit("safety-rotation", "Fig. 1", rotation) as ROTATION:
         "along the purely rotational and overturning states eta/(1 - cos(alpha))² grows with the half opening";
     Implicit("safety-shoulder", "Fig. 1", shoulder) as SHOULDER:
-        "where the shoulder slides and the haunch is on the intrados, the shoulder is relieved as the half opening falls \
-         and eta/(1 - cos(alpha))² is kept, though it makes the thrust grow";
+        "where the shoulder slides and the haunch is on the intrados, the shoulder is relieved as the half opening \
+         falls and eta/(1 - cos(alpha))² is kept, though it makes the thrust grow";
     Implicit("safety-inner", "Fig. 1", inner) as INNER:
         "where an inner joint slides, the same way relieves the shoulder's extrados";
     Implicit("survey-safety", "Fig. 1", safety):
-        "of the arches with one thickness, rise and friction a longer one has no smaller geometric safety, eta over its \
-         least value, wherever the rise is measured: of those between measured ends it is least and largest at the \
-         corners that stand least and most easily";
+        "of the arches with one thickness, rise and friction a longer one has no smaller geometric safety, eta over \
+         its least value, wherever the rise is measured: of those between measured ends it is least and largest at \
+         the corners that stand least and most easily";
 }
 
 /// Rate `E` where `eta/(1 - cos(alpha))²` is kept.
@@ -229,8 +229,9 @@ fn opening(d: &mut Derivation) -> Checked {
     let value = rate - &lack - lack.square() / &two;
     d.on_circle(words, value, bracket / (alpha.sin * versine.square()))?;
     d.conclude(
-        "With Stumpff's functions c_n of u = alpha² the bracket is alpha⁹ times (c_4 - 3 c_5) c_2² - c_1 (c_3 - 2 c_4)²/2, as \
-         alpha (2 + cos) - 3 sin is alpha⁵ (c_4 - 3 c_5), 2 (1 - cos) - alpha sin is alpha⁴ (c_3 - 2 c_4).",
+        "With Stumpff's functions c_n of u = alpha² the bracket is alpha⁹ times (c_4 - 3 c_5) c_2² - c_1 (c_3 - 2 \
+         c_4)²/2, as alpha (2 + cos) - 3 sin is alpha⁵ (c_4 - 3 c_5), 2 (1 - cos) - alpha sin is alpha⁴ (c_3 - 2 \
+         c_4).",
     )?;
     let range = (&Rational::new(), &Rational::from(10));
     d.positive("(c_4 - 3 c_5) c_2² - c_1 (c_3 - 2 c_4)²/2, u to above pi²", range, |u| {
@@ -343,10 +344,10 @@ fn rotation(d: &mut Derivation) -> Checked {
     let expected = (eta.clone() - &least) * (eta.ratio(261, 50) - &eta) + eta.ratio(179, 2500);
     d.identity("the bracket: positive from 39/50 on", far, expected)?;
     d.conclude(
-        "Beyond, let w = q [1 + k], k = g (1 - cos(beta))/h: y = 2 - B + w, and w >= tau g/(1 - tau) >= tau, as g >= 1 - \
-         tau/2. The lever arm is 1 - cos(beta) times 1 + r, r = q s, and with n <= 1/2 what is left is, over 1 - cos(beta), \
-         at least r (y - tau) + y + y²/2 - (2 - tau) w >= w [w/2 - (1 - tau)], positive as w > 2 (1 - tau). In \
-         overturning A = g, and alpha/sin(alpha) - 1 > pi/2 - 1 > 1/2 >= (2 - tau) tau n = -E g.",
+        "Beyond, let w = q [1 + k], k = g (1 - cos(beta))/h: y = 2 - B + w, and w >= tau g/(1 - tau) >= tau, as g >= \
+         1 - tau/2. The lever arm is 1 - cos(beta) times 1 + r, r = q s, and with n <= 1/2 what is left is, over 1 - \
+         cos(beta), at least r (y - tau) + y + y²/2 - (2 - tau) w >= w [w/2 - (1 - tau)], positive as w > 2 (1 - \
+         tau). In overturning A = g, and alpha/sin(alpha) - 1 > pi/2 - 1 > 1/2 >= (2 - tau) tau n = -E g.",
     )
 }
 
@@ -391,8 +392,8 @@ fn shoulder(d: &mut Derivation) -> Checked {
         d.less(format!("eta_T is less than 39/50, {weight}"), [&thickness, &number(39, 50)])?;
     }
     d.conclude(
-        "Up to a half circle X is more than [3 (1 - h) + (1 - h)²]/2 >= [3 + (1 - h)] times the bound of 1 - h over 2; beyond, \
-         tan(alpha/2) >= 1 and X is at least 4/3. Both are more than -E h, so that X + E h is positive.",
+        "Up to a half circle X is more than [3 (1 - h) + (1 - h)²]/2 >= [3 + (1 - h)] times the bound of 1 - h over \
+         2; beyond, tan(alpha/2) >= 1 and X is at least 4/3. Both are more than -E h, so that X + E h is positive.",
     )
 }
 
@@ -422,9 +423,9 @@ fn inner(d: &mut Derivation) -> Checked {
         d.less(format!("alpha_T is more than 12/5, {weight}"), [&wide, &opening])?;
     }
     d.conclude(
-        "Here h <= 1 and beta < pi/2 < 8/5, as beta cot(beta) > h at the haunch. What is taken from the first term is at most \
-         8/5, 1 and 13/20, as tau (1 - tau) <= 1/4, n <= 1/2 and N <= 1 + 8/5: together 13/4. So M grows where it is \
-         zero, as the half opening falls.",
+        "Here h <= 1 and beta < pi/2 < 8/5, as beta cot(beta) > h at the haunch. What is taken from the first term is \
+         at most 8/5, 1 and 13/20, as tau (1 - tau) <= 1/4, n <= 1/2 and N <= 1 + 8/5: together 13/4. So M grows \
+         where it is zero, as the half opening falls.",
     )
 }
 
@@ -445,13 +446,13 @@ fn safety(d: &mut Derivation) -> Checked {
         d.on_circle(words, t.int(2) - rate, expected)?;
     }
     d.argue(
-        "The way with eta/(1 - cos(alpha))² kept is gone as that with the thickness over the rise kept: what stands goes \
-         on standing. So the least eta falls at least as fast as (1 - cos(alpha))² as the half opening falls, and the \
-         measured one, up to 2, does not fall faster: their quotient does not fall.",
+        "The way with eta/(1 - cos(alpha))² kept is gone as that with the thickness over the rise kept: what stands \
+         goes on standing. So the least eta falls at least as fast as (1 - cos(alpha))² as the half opening falls, \
+         and the measured one, up to 2, does not fall faster: their quotient does not fall.",
     )?;
     d.conclude(
         "Of one rise that is so for a longer span. An arch made larger has a smaller eta and the same least one. So, \
-         as for the verdict, the shortest span with the highest rise has the least safety, with the least thickness and \
-         friction, and the longest with the lowest the largest, with the largest.",
+         as for the verdict, the shortest span with the highest rise has the least safety, with the least thickness \
+         and friction, and the longest with the lowest the largest, with the largest.",
     )
 }
