@@ -10,18 +10,19 @@ use couplet::atlas::NoSketch;
 use couplet::certify::state::find as seek;
 use couplet::certify::state::{Balls, Certify};
 use couplet::certify::{self, CertifiedLandmark, quantities};
-use couplet::check::{Certificate, Refusal};
+use couplet::check::{Certificate, Refusal, SurveyCertificate};
 use couplet::cli::{self, doors};
 use couplet::problem::measures::Measures;
 use couplet::problem::{Arch, Landmark, Mode, Quantity};
 use couplet::report::{Answer, Claims, Format, Reported, Sketched, Style, Understood};
 use couplet::sweep::failure::Failure;
-use couplet::sweep::{answer, find as sought, parse};
+use couplet::sweep::{answer, find as sought, parse, survey};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
 use std::ffi::OsString;
 use std::fmt::Display;
+use std::io;
 
 /// The error of a question that makes no sense.
 fn wrong(error: impl Display) -> PyErr {
@@ -162,7 +163,7 @@ pub(crate) fn assess<'py>(
     told::answer(py, &found)
 }
 
-/// JSON of all arches of a question with ranges; none if it has no range.
+/// JSON of all arches of a question with ranges, also with the part of them that stands; none if it has no range.
 #[pyfunction]
 pub(crate) fn surveyed(
     py: Python<'_>,
@@ -170,6 +171,7 @@ pub(crate) fn surveyed(
     weight: &str,
     texts: Texts<'_>,
     digits: &str,
+    share: bool,
 ) -> PyResult<Option<String>> {
     let asked = asked(texts);
     if !asked.has_range() {
@@ -180,7 +182,7 @@ pub(crate) fn surveyed(
     let given = SurveyGiven::read(question, &asked, Spelling::Key).map_err(wrong)?;
     let digits = parse::digits(digits).map_err(wrong)?;
     let found = on_threads(py, 1, move || {
-        doors::surveyed(&asked, &given, weight, (doors::quantities(&asked), digits, false))
+        survey::surveyed(&asked, &given, weight, (survey::quantities(&asked), digits, share))
     })?;
     report(&found.map_err(failed)?, "json").map(Some)
 }
@@ -260,15 +262,17 @@ pub(crate) fn find<'py>(
 }
 
 /// A certificate as a file has it.
-fn written(made: Result<Certificate, Error>) -> PyResult<String> {
+fn written<T>(made: Result<T, Error>, write: Writer<T>) -> PyResult<String> {
     let made = made.map_err(|error| match error {
         Error::Undecided(undecided) => UndecidedError::new_err(undecided.to_string()),
         Error::Refused(refused) => wrong(refused),
     })?;
     let mut bytes = Vec::new();
-    made.write(&mut bytes)?;
+    write(&made, &mut bytes)?;
     Ok(String::from_utf8(bytes)?)
 }
+
+type Writer<T> = fn(&T, &mut dyn io::Write) -> io::Result<()>;
 
 #[pyfunction]
 pub(crate) fn certify_landmark(
@@ -281,23 +285,45 @@ pub(crate) fn certify_landmark(
     let landmark = parse::landmark(landmark).map_err(wrong)?;
     let weight = parse::weight(weight).map_err(wrong)?;
     let digits = parse::digits(digits).map_err(wrong)?;
-    written(on_threads(py, threads, move || certify::certify_landmark(landmark, weight, digits))?)
+    let made = move || certify::certify_landmark(landmark, weight, digits);
+    written(on_threads(py, threads, made)?, Certificate::write)
 }
 
+/// Of an arch, or of the verdict on all arches of a question with ranges, which threads share.
 #[pyfunction]
 pub(crate) fn certify_arch(
     py: Python<'_>,
     weight: &str,
     texts: Texts<'_>,
     digits: &str,
+    threads: usize,
 ) -> PyResult<String> {
+    let ranges = asked(texts.clone());
+    if ranges.has_range() {
+        return certify_survey(py, weight, &ranges, digits, threads);
+    }
     let thickness = Field::Thickness as usize - 2;
     let has_thickness = texts.2.as_ref().and_then(|texts| texts.get(thickness)?.as_ref()).is_some();
     let question = if has_thickness { &doors::CERTIFY_ARCH } else { &doors::CERTIFY_STATE };
     let (given, arch) = given(question, weight, texts)?;
     let digits = parse::digits(digits).map_err(wrong)?;
     let made = move || certify::certify_arch(&arch, given.thickness.as_ref(), digits);
-    written(on_threads(py, 1, made)?)
+    written(on_threads(py, 1, made)?, Certificate::write)
+}
+
+fn certify_survey(
+    py: Python<'_>,
+    weight: &str,
+    asked: &ArchAsked,
+    digits: &str,
+    threads: usize,
+) -> PyResult<String> {
+    let weight = parse::weight(weight).map_err(wrong)?;
+    let given = SurveyGiven::read(&doors::CERTIFY_SURVEY, asked, Spelling::Key).map_err(wrong)?;
+    let survey = given.survey(weight).map_err(wrong)?;
+    let digits = parse::digits(digits).map_err(wrong)?;
+    let made = on_threads(py, threads, move || certify::certify_survey(&survey, digits))?;
+    written(made, SurveyCertificate::write)
 }
 
 /// Of the asymmetric solution of a kind; of that which is found, if it is one alone.
@@ -330,7 +356,8 @@ pub(crate) fn certify_asymmetric(
             }
         },
     };
-    written(on_threads(py, 1, move || certify::certify_asymmetric(&arch, mode, digits))?)
+    let made = move || certify::certify_asymmetric(&arch, mode, digits);
+    written(on_threads(py, 1, made)?, Certificate::write)
 }
 
 #[pyfunction]
