@@ -204,7 +204,7 @@ def assess(
         >>> couplet.assess(("79deg", "81deg"), "0.6±10%", (0.125, 0.15))["outcome"]
         'all_stand'
         >>> couplet.assess("80deg", "0.6", "0.06..0.08", share=True, digits=6)["share"]
-        SHARE
+        {'lower': '0.5674', 'upper': '0.5675'}
         >>> str(couplet.assess(span="10m", rise="3m", thickness="60cm", friction="31deg", digits=5).geometric_safety)
         '3.8972'
     """
@@ -470,8 +470,9 @@ def certify(
         >>> made = couplet.certify(half_opening="2.3", friction="1.05", asymmetric=True, digits=12)
         >>> couplet.check(made, engine="mpfr").verdict
         'accepted'
-        >>> couplet.check(couplet.certify(half_opening="78deg..80deg", friction="0.6", thickness=("0.1", "0.12"))).summary
-        SUMMARY
+        >>> all_of_them = couplet.certify(half_opening="78deg..80deg", friction="0.6", thickness=("0.1", "0.12"), digits=12)
+        >>> couplet.check(all_of_them).summary
+        'all arches stand (an admissible symmetric state exists): half_opening 13/30 pi..4/9 pi thickness 1/10..3/25 friction 3/5 milankovitch  by 1 arch'
     """
     others = (friction_angle, thickness, stones, joints, tilt, span, rise, radius, measured_at, density, depth)
     if landmark is not None:
