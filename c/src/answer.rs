@@ -261,8 +261,9 @@ pub extern "C" fn couplet_quantity(answer: Option<&Answer>, index: usize) -> *co
 
 /// A value as text, "inf" if it is infinite: correctly rounded to the digits asked for (`COUPLET_VALUE`), or a bound
 /// (`COUPLET_LOWER`, `COUPLET_UPPER`). With ranges there are bounds alone, which no arch is beyond; "none" for one where
-/// no thickness, or no friction, is enough. Empty if there is none: not of this arch, undecided, not asked for, no such name
-/// or bound. A certificate that is checked has no bounds. A quantity is a name as "thickness" or a letter as "eta".
+/// no thickness, or no friction, is enough. Empty if there is none: not of this arch, undecided, not asked for, no such
+/// name or bound. A certificate that is checked has no bounds. A quantity is a name as "thickness" or a letter as
+/// "eta".
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn couplet_text(
     answer: Option<&Answer>,
