@@ -8,7 +8,6 @@ pub mod parse;
 pub mod pool;
 pub mod rows;
 pub mod scene;
-pub mod survey;
 #[cfg(feature = "parquet")]
 pub mod sweep;
 
