@@ -1,5 +1,5 @@
-//! An answer about one arch, with the asymmetric solutions that are known of it and, in metres, its sizes, and one about
-//! all arches of a question with ranges: for every door.
+//! An answer about one arch, with the asymmetric solutions that are known of it and, in metres, its sizes, or about all
+//! arches of a question with ranges: for every door.
 
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, SurveyGiven};
