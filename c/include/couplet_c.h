@@ -212,7 +212,8 @@ int couplet_states(const char *weight,
 
 // The verdict, a word: of an arch "stands", "falls" or "undecided"; of what is found "found", "nothing" or
 // "undecided"; of constants, certificates and arrays "proved" or "undecided"; of a check "accepted", "refused" or "not
-// checked"; with ranges as the questions say. A question that makes no sense is "refused", any other failure "failed".
+// checked"; with ranges as the questions say. A question that makes no sense is "refused", any other failure
+// "failed".
 const char *couplet_verdict(const struct couplet_answer *answer);
 
 // Why: why an arch falls, why something is undecided, what was wrong with the question; what is proved of something
@@ -233,10 +234,10 @@ const char *couplet_quantity(const struct couplet_answer *answer,
                              size_t index);
 
 // A value as text, "inf" if it is infinite: correctly rounded to the digits asked for (`COUPLET_VALUE`), or a bound
-// (`COUPLET_LOWER`, `COUPLET_UPPER`). With ranges there are bounds alone, which no arch is beyond; "none" for one where
-// no thickness, or no friction, is enough. Empty if there is none: not of this arch, undecided, not asked for, no such
-// name or bound. A certificate that is checked has no bounds. A quantity is a name as "thickness" or a letter as
-// "eta".
+// (`COUPLET_LOWER`, `COUPLET_UPPER`). With ranges there are bounds alone, which no arch is beyond; "none" for one
+// where no thickness, or no friction, is enough. Empty if there is none: not of this arch, undecided, not asked for,
+// no such name or bound. A certificate that is checked has no bounds. A quantity is a name as "thickness" or a letter
+// as "eta".
 const char *couplet_text(const struct couplet_answer *answer,
                          const char *quantity,
                          int which);

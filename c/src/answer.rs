@@ -225,7 +225,8 @@ fn told<'a>(
 
 /// The verdict, a word: of an arch "stands", "falls" or "undecided"; of what is found "found", "nothing" or
 /// "undecided"; of constants, certificates and arrays "proved" or "undecided"; of a check "accepted", "refused" or "not
-/// checked"; with ranges as the questions say. A question that makes no sense is "refused", any other failure "failed".
+/// checked"; with ranges as the questions say. A question that makes no sense is "refused", any other failure
+/// "failed".
 #[unsafe(no_mangle)]
 pub extern "C" fn couplet_verdict(answer: Option<&Answer>) -> *const c_char {
     told(answer, |answer| Some(&answer.verdict))
@@ -260,10 +261,10 @@ pub extern "C" fn couplet_quantity(answer: Option<&Answer>, index: usize) -> *co
 }
 
 /// A value as text, "inf" if it is infinite: correctly rounded to the digits asked for (`COUPLET_VALUE`), or a bound
-/// (`COUPLET_LOWER`, `COUPLET_UPPER`). With ranges there are bounds alone, which no arch is beyond; "none" for one where
-/// no thickness, or no friction, is enough. Empty if there is none: not of this arch, undecided, not asked for, no such
-/// name or bound. A certificate that is checked has no bounds. A quantity is a name as "thickness" or a letter as
-/// "eta".
+/// (`COUPLET_LOWER`, `COUPLET_UPPER`). With ranges there are bounds alone, which no arch is beyond; "none" for one
+/// where no thickness, or no friction, is enough. Empty if there is none: not of this arch, undecided, not asked for,
+/// no such name or bound. A certificate that is checked has no bounds. A quantity is a name as "thickness" or a letter
+/// as "eta".
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn couplet_text(
     answer: Option<&Answer>,
