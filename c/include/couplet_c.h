@@ -77,6 +77,10 @@ extern "C" {
 // sliding_friction, rotational_friction, and asymmetric_thickness, the largest above the least at which an asymmetric
 // mechanism is found and proved: none where none is found. Verdict: "stands" (an admissible symmetric state exists,
 // which with friction does not exclude such a mechanism), "falls" or "undecided".
+//
+// A text may be a range: "79deg..81deg", "0.6+-10%", "0.5..inf". Then it is told of every arch inside, which says
+// nothing of how likely one is. Values: the least and the largest of least_thickness and thrust, as lower and upper
+// bound. Verdict: "all_can_stand" at some thickness, "none_can_stand", "both_occur" or "undecided".
 int couplet_state(const char *weight,
                   const char *half_opening,
                   const char *friction,
@@ -91,6 +95,10 @@ int couplet_state(const char *weight,
 // Values: least_thickness, geometric_safety, required_friction, friction_safety, least_thrust, largest_thrust, the
 // joints that limit the thrusts, and asymmetric_thickness as for `couplet_state`. Verdict: "stands", "falls" or
 // "undecided"; a value that stays open beside it makes the code `COUPLET_OPEN`.
+//
+// With ranges, as for `couplet_state`: the ends of least_thickness, geometric_safety, required_friction,
+// friction_safety and, where all stand, least_thrust and largest_thrust. Verdict: "all_stand", "none_stands",
+// "both_occur" or "undecided".
 int couplet_assess(const char *weight,
                    const char *half_opening,
                    const char *friction,
@@ -104,6 +112,8 @@ int couplet_assess(const char *weight,
 // arch: fields with semicolons between them, named as the options of the command, in any order: "span=10m; rise=3m;
 // thickness=60cm; friction=0.6; density=24kN/m3; depth=1m". half_opening, or span and rise, or radius with
 // half_opening; friction or friction_angle; measured_at intrados, centreline or extrados.
+//
+// Fields may be ranges, as "span=10m+-2cm"; stones, a tilt and forces go with none.
 //
 // Values: those of these functions and, in metres, span_m, rise_m, half_opening_degrees, radius_m, thickness_m and
 // least_thickness_m; with density and depth weight_kn and the thrusts in kN.
@@ -150,7 +160,8 @@ int couplet_certify_landmark(const char *landmark,
                              struct couplet_answer **answer);
 
 // A certificate of the state of an arch at its least thickness, or why it stands at none; with a thickness, which may
-// be NULL, that it stands with it or does not. Arguments are as for `couplet_assess`.
+// be NULL, that it stands with it or does not. Arguments are as for `couplet_assess`; with ranges it is of the verdict
+// on every arch inside, made by a thread that ends with the call.
 int couplet_certify_arch(const char *weight,
                          const char *half_opening,
                          const char *friction,
@@ -201,7 +212,8 @@ int couplet_states(const char *weight,
 
 // The verdict, a word: of an arch "stands", "falls" or "undecided"; of what is found "found", "nothing" or
 // "undecided"; of constants, certificates and arrays "proved" or "undecided"; of a check "accepted", "refused" or "not
-// checked". A question that makes no sense is "refused", any other failure "failed".
+// checked"; with ranges as the questions say. A question that makes no sense is "refused", any other failure
+// "failed".
 const char *couplet_verdict(const struct couplet_answer *answer);
 
 // Why: why an arch falls, why something is undecided, what was wrong with the question; what is proved of something
@@ -210,7 +222,8 @@ const char *couplet_verdict(const struct couplet_answer *answer);
 const char *couplet_reason(const struct couplet_answer *answer);
 
 // How the arch collapses at its least thickness, joints from the shoulder inward, as "[r,r,s]"; of a boundary both
-// modes, as "[r,r,s]/[r,s,r]". Empty where that is not asked, or there is none.
+// modes, as "[r,r,s]/[r,s,r]"; with ranges all that are known to occur. Empty where that is not asked, or there is
+// none.
 const char *couplet_mode(const struct couplet_answer *answer);
 
 // How many values there are.
@@ -221,15 +234,18 @@ const char *couplet_quantity(const struct couplet_answer *answer,
                              size_t index);
 
 // A value as text, "inf" if it is infinite: correctly rounded to the digits asked for (`COUPLET_VALUE`), or a bound
-// (`COUPLET_LOWER`, `COUPLET_UPPER`). Empty if there is none: not of this arch, undecided, not asked for, no such name
-// or bound. A certificate that is checked has no bounds. A quantity is a name as "thickness" or a letter as "eta".
+// (`COUPLET_LOWER`, `COUPLET_UPPER`). With ranges there are bounds alone, which no arch is beyond; "none" for one
+// where no thickness, or no friction, is enough. Empty if there is none: not of this arch, undecided, not asked for,
+// no such name or bound. A certificate that is checked has no bounds. A quantity is a name as "thickness" or a letter
+// as "eta".
 const char *couplet_text(const struct couplet_answer *answer,
                          const char *quantity,
                          int which);
 
 // A value as the nearest double, correctly rounded, between the two nearest doubles that are bounds of it. Any of the
 // three pointers may be NULL. `COUPLET_PROVED` if there is such a value; `COUPLET_OPEN` if this answer has none, and
-// `COUPLET_USAGE` if there is no such quantity or no answer: then all three are not a number.
+// `COUPLET_USAGE` if there is no such quantity or no answer: then all three are not a number. With ranges the value is
+// not a number, nor a bound where no thickness, or no friction, is enough.
 int couplet_double(const struct couplet_answer *answer,
                    const char *quantity,
                    double *value,

@@ -3,11 +3,15 @@
 use crate::border::{Outcome, c_text, optional, or_else, taken};
 use crate::codes::{COUPLET_FAULT, COUPLET_OPEN, COUPLET_PROVED, COUPLET_RESOURCE, COUPLET_USAGE};
 use crate::failure::Failure;
-use couplet::check::{AcceptedFile, Certificate};
+use couplet::certify::survey::{EndValue, QuantityRange, RangeEnd};
+use couplet::check::AcceptedFile;
 use couplet::problem::Quantity;
-use couplet::report::{self, Answers, Format, Reported, Status, Subject, Value};
+use couplet::report::{self, Answers, Format, Reported, Status, Subject, SurveyedArches, Value};
+use couplet::rug::Float;
+use couplet::rug::float::Round;
 use std::borrow::Cow;
 use std::ffi::{CStr, CString, c_char, c_int};
+use std::io;
 use std::sync::OnceLock;
 
 /// What comes back from a question. Its texts live as long as it does.
@@ -44,6 +48,26 @@ impl Known {
         let doubles = Some([value.double, value.binary.lower, value.binary.upper]);
         let texts = [lower, text, upper].map(c_text);
         Self { quantity: *quantity, name: c_text(quantity.name()), texts, doubles }
+    }
+
+    /// Ends of a quantity over many arches, which has no one value.
+    fn between(QuantityRange { of, lower, upper }: &QuantityRange) -> Self {
+        let texts = [lower.value.to_string(), String::new(), upper.value.to_string()].map(c_text);
+        let (below, above) = (double(lower, Round::Down), double(upper, Round::Up));
+        let doubles = Some([f64::NAN, below, above]);
+        Self { quantity: *of, name: c_text(of.name()), texts, doubles }
+    }
+}
+
+/// The nearest double on the outer side of an end; not a number where no number is enough.
+fn double(end: &RangeEnd, outward: Round) -> f64 {
+    match &end.value {
+        EndValue::Number(number) => {
+            let (near, _) = Float::with_val_round(53, number.to_rational(), outward);
+            near.to_f64_round(outward)
+        }
+        EndValue::NotEnough => f64::NAN,
+        EndValue::Unbounded => f64::INFINITY,
     }
 }
 
@@ -102,10 +126,25 @@ impl Answer {
         answer
     }
 
+    /// What is known of every arch of a question with ranges.
+    pub(crate) fn surveyed(found: &SurveyedArches) -> Self {
+        let open = found.first_open();
+        let code = if open.is_some() { COUPLET_OPEN } else { COUPLET_PROVED };
+        let reason = open.map(ToString::to_string).unwrap_or_default();
+        let answer = Self::new(code, found.outcome()[0], reason);
+        let modes = found.found.as_ref().map_or(&[][..], |found| &found.modes.occur);
+        let labels: Vec<&str> = modes.iter().map(|mode| mode.label()).collect();
+        let whole = Whole::Text(json(found).unwrap_or_default());
+        let values = found.ranges().map(Known::between).collect();
+        Self { mode: c_text(labels.join("/")), values, whole, ..answer }
+    }
+
     /// A certificate, as the text of its file.
-    pub(crate) fn certificate(made: &Certificate) -> Result<Self, Failure> {
+    pub(crate) fn certificate(
+        write: impl FnOnce(&mut Vec<u8>) -> io::Result<()>,
+    ) -> Result<Self, Failure> {
         let mut bytes = Vec::new();
-        made.write(&mut bytes).map_err(|error| Failure::Fault(error.to_string()))?;
+        write(&mut bytes).map_err(|error| Failure::Fault(error.to_string()))?;
         let text = String::from_utf8(bytes).map_err(|error| Failure::Fault(error.to_string()))?;
         Ok(Self { whole: Whole::Text(text), ..Self::new(COUPLET_PROVED, "proved", "") })
     }
@@ -149,7 +188,7 @@ impl Answer {
         self.json.get_or_init(|| match &self.whole {
             Whole::Nothing => CString::default(),
             Whole::Text(text) => c_text(text.as_str()),
-            Whole::Answers(answers) => c_text(json(answers).unwrap_or_default()),
+            Whole::Answers(answers) => c_text(json(&**answers).unwrap_or_default()),
         })
     }
 }
@@ -169,9 +208,9 @@ fn verdict(told: &report::Answer) -> &'static str {
     }
 }
 
-fn json(answers: &Answers) -> Option<String> {
+fn json<R: Reported>(report: &R) -> Option<String> {
     let mut bytes = Vec::new();
-    answers.write(Format::named(Answers::content(), "json")?, &mut bytes).ok()?;
+    report.write(Format::named(R::content(), "json")?, &mut bytes).ok()?;
     String::from_utf8(bytes).ok()
 }
 
@@ -186,7 +225,8 @@ fn told<'a>(
 
 /// The verdict, a word: of an arch "stands", "falls" or "undecided"; of what is found "found", "nothing" or
 /// "undecided"; of constants, certificates and arrays "proved" or "undecided"; of a check "accepted", "refused" or "not
-/// checked". A question that makes no sense is "refused", any other failure "failed".
+/// checked"; with ranges as the questions say. A question that makes no sense is "refused", any other failure
+/// "failed".
 #[unsafe(no_mangle)]
 pub extern "C" fn couplet_verdict(answer: Option<&Answer>) -> *const c_char {
     told(answer, |answer| Some(&answer.verdict))
@@ -201,7 +241,8 @@ pub extern "C" fn couplet_reason(answer: Option<&Answer>) -> *const c_char {
 }
 
 /// How the arch collapses at its least thickness, joints from the shoulder inward, as "[r,r,s]"; of a boundary both
-/// modes, as "[r,r,s]/[r,s,r]". Empty where that is not asked, or there is none.
+/// modes, as "[r,r,s]/[r,s,r]"; with ranges all that are known to occur. Empty where that is not asked, or there is
+/// none.
 #[unsafe(no_mangle)]
 pub extern "C" fn couplet_mode(answer: Option<&Answer>) -> *const c_char {
     told(answer, |answer| Some(&answer.mode))
@@ -220,8 +261,10 @@ pub extern "C" fn couplet_quantity(answer: Option<&Answer>, index: usize) -> *co
 }
 
 /// A value as text, "inf" if it is infinite: correctly rounded to the digits asked for (`COUPLET_VALUE`), or a bound
-/// (`COUPLET_LOWER`, `COUPLET_UPPER`). Empty if there is none: not of this arch, undecided, not asked for, no such name
-/// or bound. A certificate that is checked has no bounds. A quantity is a name as "thickness" or a letter as "eta".
+/// (`COUPLET_LOWER`, `COUPLET_UPPER`). With ranges there are bounds alone, which no arch is beyond; "none" for one
+/// where no thickness, or no friction, is enough. Empty if there is none: not of this arch, undecided, not asked for,
+/// no such name or bound. A certificate that is checked has no bounds. A quantity is a name as "thickness" or a letter
+/// as "eta".
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn couplet_text(
     answer: Option<&Answer>,
@@ -239,7 +282,8 @@ pub unsafe extern "C" fn couplet_text(
 
 /// A value as the nearest double, correctly rounded, between the two nearest doubles that are bounds of it. Any of the
 /// three pointers may be NULL. `COUPLET_PROVED` if there is such a value; `COUPLET_OPEN` if this answer has none, and
-/// `COUPLET_USAGE` if there is no such quantity or no answer: then all three are not a number.
+/// `COUPLET_USAGE` if there is no such quantity or no answer: then all three are not a number. With ranges the value is
+/// not a number, nor a bound where no thickness, or no friction, is enough.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn couplet_double(
     answer: Option<&Answer>,

@@ -4,6 +4,7 @@
 use crate::answer::Answer;
 use crate::border::{Array, answered, optional, text};
 use crate::failure::Failure;
+use crate::surveyed::{survey_certified, surveyed};
 use crate::threads::{checked, on_threads};
 use couplet::Error;
 use couplet::arch::SelfWeight;
@@ -18,23 +19,36 @@ use couplet::sweep::find::{self as sought, FindTarget};
 use couplet::sweep::{answer, parse};
 use std::ffi::{c_char, c_int, c_void};
 use std::fmt::Display;
+use std::io;
 
 /// The failure of a question that makes no sense.
 pub(crate) fn wrong(error: impl Display) -> Failure {
     Failure::Usage(error.to_string())
 }
 
-/// Arch of the texts of fields, with its weight.
+/// The model of self-weight of a text.
 ///
 /// # Safety
 ///
 /// As of [`text`].
-unsafe fn arch(weight: *const c_char, asked: ArchAsked) -> Result<ArchRead, Failure> {
+unsafe fn weight_of(weight: *const c_char) -> Result<SelfWeight, Failure> {
     // SAFETY: as the caller promises.
-    let weight = parse::weight(unsafe { text(weight, "weight")? }).map_err(wrong)?;
-    let given = ArchGiven::read(&ARCH, &asked, Spelling::Key).map_err(wrong)?;
+    parse::weight(unsafe { text(weight, "weight")? }).map_err(wrong)
+}
+
+/// Answer about the arch of the texts of fields, or with ranges about every arch inside.
+fn answer_of(weight: SelfWeight, asked: &ArchAsked, digits: usize) -> Result<Answer, Failure> {
+    match asked.has_range() {
+        true => surveyed(asked, weight, digits_of(digits)?),
+        false => Ok(arch(weight, asked)?.answer(digits_of(digits)?)),
+    }
+}
+
+/// Arch of the texts of fields, with its weight.
+fn arch(weight: SelfWeight, asked: &ArchAsked) -> Result<ArchRead, Failure> {
+    let given = ArchGiven::read(&ARCH, asked, Spelling::Key).map_err(wrong)?;
     let arch = given.arch(weight).map_err(wrong)?;
-    Ok(ArchRead { understood: Understood::new(&asked, &given), given, arch })
+    Ok(ArchRead { understood: Understood::new(asked, &given), given, arch })
 }
 
 /// Fields of an arch by their pointers, of which none is NULL.
@@ -59,7 +73,7 @@ struct ArchRead {
 }
 
 /// Question about an arch with a joint at every angle.
-const ARCH: ArchQuestion = ArchQuestion {
+pub(crate) const ARCH: ArchQuestion = ArchQuestion {
     refuses: &[
         (Field::Stones, JOINTS),
         (Field::Joints, JOINTS),
@@ -118,6 +132,10 @@ pub(crate) fn named(names: &str, possible: &[Quantity]) -> Result<Vec<Quantity>,
 /// sliding_friction, rotational_friction, and asymmetric_thickness, the largest above the least at which an asymmetric
 /// mechanism is found and proved: none where none is found. Verdict: "stands" (an admissible symmetric state exists,
 /// which with friction does not exclude such a mechanism), "falls" or "undecided".
+///
+/// A text may be a range: "79deg..81deg", "0.6+-10%", "0.5..inf". Then it is told of every arch inside, which says
+/// nothing of how likely one is. Values: the least and the largest of least_thickness and thrust, as lower and upper
+/// bound. Verdict: "all_can_stand" at some thickness, "none_can_stand", "both_occur" or "undecided".
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn couplet_state(
     weight: *const c_char,
@@ -130,7 +148,7 @@ pub unsafe extern "C" fn couplet_state(
     unsafe {
         answered(answer, || {
             let asked = fields([(Field::HalfOpening, half_opening), (Field::Friction, friction)])?;
-            Ok(arch(weight, asked)?.answer(digits_of(digits)?))
+            answer_of(weight_of(weight)?, &asked, digits)
         })
     }
 }
@@ -143,6 +161,10 @@ pub unsafe extern "C" fn couplet_state(
 /// Values: least_thickness, geometric_safety, required_friction, friction_safety, least_thrust, largest_thrust, the
 /// joints that limit the thrusts, and asymmetric_thickness as for `couplet_state`. Verdict: "stands", "falls" or
 /// "undecided"; a value that stays open beside it makes the code `COUPLET_OPEN`.
+///
+/// With ranges, as for `couplet_state`: the ends of least_thickness, geometric_safety, required_friction,
+/// friction_safety and, where all stand, least_thrust and largest_thrust. Verdict: "all_stand", "none_stands",
+/// "both_occur" or "undecided".
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn couplet_assess(
     weight: *const c_char,
@@ -160,7 +182,7 @@ pub unsafe extern "C" fn couplet_assess(
                 (Field::Friction, friction),
                 (Field::Thickness, thickness),
             ])?;
-            Ok(arch(weight, asked)?.answer(digits_of(digits)?))
+            answer_of(weight_of(weight)?, &asked, digits)
         })
     }
 }
@@ -171,6 +193,8 @@ pub unsafe extern "C" fn couplet_assess(
 /// arch: fields with semicolons between them, named as the options of the command, in any order: "span=10m; rise=3m;
 /// thickness=60cm; friction=0.6; density=24kN/m3; depth=1m". half_opening, or span and rise, or radius with
 /// half_opening; friction or friction_angle; measured_at intrados, centreline or extrados.
+///
+/// Fields may be ranges, as "span=10m+-2cm"; stones, a tilt and forces go with none.
 ///
 /// Values: those of these functions and, in metres, span_m, rise_m, half_opening_degrees, radius_m, thickness_m and
 /// least_thickness_m; with density and depth weight_kn and the thrusts in kN.
@@ -185,7 +209,7 @@ pub unsafe extern "C" fn couplet_arch(
     unsafe {
         answered(answer, || {
             let asked = ArchAsked::parse(text(arch, "arch")?).map_err(wrong)?;
-            Ok(self::arch(weight, asked)?.answer(digits_of(digits)?))
+            answer_of(weight_of(weight)?, &asked, digits)
         })
     }
 }
@@ -210,7 +234,7 @@ pub unsafe extern "C" fn couplet_find(
     // SAFETY: as above.
     unsafe {
         answered(answer, || {
-            let weight = parse::weight(text(weight, "weight")?).map_err(wrong)?;
+            let weight = weight_of(weight)?;
             let modes = optional(modes, "modes")?.map(sought::line).transpose().map_err(wrong)?;
             let given = [
                 (Field::HalfOpening, half_opening),
@@ -300,15 +324,17 @@ unsafe fn point(
     weight: *const c_char,
 ) -> Result<(Landmark, SelfWeight), Failure> {
     // SAFETY: as the caller promises.
-    let (landmark, weight) = unsafe { (text(landmark, "landmark")?, text(weight, "weight")?) };
-    let landmark = parse::landmark(landmark).map_err(wrong)?;
-    Ok((landmark, parse::weight(weight).map_err(wrong)?))
+    let (landmark, weight) = unsafe { (text(landmark, "landmark")?, weight_of(weight)?) };
+    Ok((parse::landmark(landmark).map_err(wrong)?, weight))
 }
 
-/// The answer that holds a certificate.
-fn certified(made: Result<Certificate, Error>) -> Result<Answer, Failure> {
+/// The answer that holds a certificate, which is written as its file has it.
+pub(crate) fn certified<T>(
+    made: Result<T, Error>,
+    write: fn(&T, &mut dyn io::Write) -> io::Result<()>,
+) -> Result<Answer, Failure> {
     match made {
-        Ok(certificate) => Answer::certificate(&certificate),
+        Ok(certificate) => Answer::certificate(|out| write(&certificate, out)),
         Err(Error::Undecided(open)) => Ok(Answer::undecided(open.to_string())),
         Err(Error::Refused(refused)) => Err(wrong(refused)),
     }
@@ -330,13 +356,14 @@ pub unsafe extern "C" fn couplet_certify_landmark(
             let (landmark, weight) = point(landmark, weight)?;
             let digits = digits_of(digits)?;
             let certify = || certify::certify_landmark(landmark, weight, digits);
-            certified(on_threads(checked(threads)?, certify)?)
+            certified(on_threads(checked(threads)?, certify)?, Certificate::write)
         })
     }
 }
 
 /// A certificate of the state of an arch at its least thickness, or why it stands at none; with a thickness, which may
-/// be NULL, that it stands with it or does not. Arguments are as for `couplet_assess`.
+/// be NULL, that it stands with it or does not. Arguments are as for `couplet_assess`; with ranges it is of the verdict
+/// on every arch inside, made by a thread that ends with the call.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn couplet_certify_arch(
     weight: *const c_char,
@@ -352,8 +379,13 @@ pub unsafe extern "C" fn couplet_certify_arch(
             let mut asked =
                 fields([(Field::HalfOpening, half_opening), (Field::Friction, friction)])?;
             asked.thickness = optional(thickness, "thickness")?.map(str::to_owned);
-            let ArchRead { arch, given, .. } = arch(weight, asked)?;
-            certified(certify::certify_arch(&arch, given.thickness.as_ref(), digits_of(digits)?))
+            let weight = weight_of(weight)?;
+            if asked.has_range() {
+                return survey_certified(&asked, weight, digits_of(digits)?);
+            }
+            let ArchRead { arch, given, .. } = arch(weight, &asked)?;
+            let made = certify::certify_arch(&arch, given.thickness.as_ref(), digits_of(digits)?);
+            certified(made, Certificate::write)
         })
     }
 }

@@ -5,6 +5,7 @@
 //! |---|---|
 //! | `codes` | what functions return, and what stands in arrays |
 //! | `asked` | one question at a time |
+//! | `surveyed` | the same of all arches of ranges |
 //! | `arrays` | many arches, in arrays of doubles |
 //! | `answer` | what comes back, and what reads it |
 //! | `texts` | small helpers for texts |
@@ -28,6 +29,7 @@ mod texts;
 
 mod border;
 mod failure;
+mod surveyed;
 mod threads;
 
 pub use answer::*;

@@ -3,7 +3,7 @@
 use crate::question::Question;
 use crate::rounding::{BITS, rounded};
 use couplet_ask::ask::{ArchAsked, ArchGiven, ArchQuestion, Spelling};
-use couplet_check::arch::NoWeight;
+use couplet_check::arch::{NoWeight, SelfWeight};
 use couplet_check::problem::measures::Measures;
 use couplet_check::problem::{Arch, Friction, Known};
 use couplet_number::number::{DoubleDouble, DoubleDoubleBall, ExactNumber, Field, Real};
@@ -35,11 +35,24 @@ pub(crate) fn given(question: &Question) -> Result<Given, String> {
         thickness: question.thickness.clone(),
         ..ArchAsked::default()
     };
-    let weight = weight.parse().map_err(|none: NoWeight| none.to_string())?;
+    let weight: SelfWeight = weight.parse().map_err(|none: NoWeight| none.to_string())?;
+    if asked.has_range() {
+        return Err(ranges(&asked, weight));
+    }
     let given =
         ArchGiven::read(&QUESTION, &asked, Spelling::Key).map_err(|misfit| misfit.to_string())?;
     let arch = given.arch(weight).map_err(|misfit| misfit.to_string())?;
     Ok(Given { arch, thickness: given.thickness, measures: given.measures })
+}
+
+/// Sentence on ranges, which have no place here: with the command that tells of every arch inside.
+fn ranges(asked: &ArchAsked, weight: SelfWeight) -> String {
+    let question = if asked.thickness.is_some() { "assess" } else { "state" };
+    let (options, weight) = (asked.options(), weight.name());
+    format!(
+        "a range is every arch inside, of which the command tells: couplet {question}{options} --weight {weight}; \
+         give one value here"
+    )
 }
 
 /// As a shell reads it.
@@ -101,6 +114,26 @@ impl Given {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_range_gets_the_command_that_answers_it() {
+        let text = |text: &str| Some(text.to_owned());
+        let asked = Question {
+            weight: "heyman".to_owned(),
+            half_opening: text("79deg..81deg"),
+            friction: text("0.6±10%"),
+            ..Question::default()
+        };
+        let refused = given(&asked).err().unwrap();
+        let command =
+            "couplet state --half-opening 79deg..81deg --friction '0.6±10%' --weight heyman;";
+        assert!(refused.contains(command), "{refused}");
+        let refused = given(&Question { thickness: text("0.1"), ..asked }).err().unwrap();
+        assert!(
+            refused.contains("couplet assess") && refused.contains("--thickness 0.1"),
+            "{refused}"
+        );
+    }
 
     /// What every door is asked.
     #[test]

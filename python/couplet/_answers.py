@@ -508,7 +508,7 @@ class Constants(Answer):
 
 class Checked(Answer):
     """What became of a certificate. ``verdict`` is ``'accepted'``, ``'refused'``, or ``'not checked'`` if it has more
-    digits than the arithmetic is meant for."""
+    digits than the arithmetic is meant for. That of a survey has no values of its own: ``summary`` tells what it proves."""
 
     __slots__ = ()
 
@@ -519,8 +519,13 @@ class Checked(Answer):
 
     @property
     def digits(self) -> int | None:
-        """How many digits each value has that was accepted."""
+        """How many digits each value has that was accepted; None if it has none."""
         return self._told["digits"]  # type: ignore[no-any-return]
+
+    @property
+    def summary(self) -> str | None:
+        """What is accepted, in the words of ``couplet check``."""
+        return self._told["summary"]  # type: ignore[no-any-return]
 
     @property
     def texts(self) -> dict[str, str]:
@@ -532,7 +537,7 @@ class Checked(Answer):
         """Not of a certificate: it has no bounds and no doubles. See ``texts``."""
         raise AttributeError("the values of a certificate are in .texts")
 
-    _more: tuple[str, ...] = ("digits",)
+    _more: tuple[str, ...] = ("digits", "summary")
 
     def _all(self) -> Any:
         return self.texts

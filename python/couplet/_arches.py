@@ -7,6 +7,7 @@ from ._answers import Assessment, Found, State, Tilted, Voussoirs
 from ._arrays import whole as _whole
 from ._asked import arch as _arch
 from ._asked import asked as _asked
+from ._asked import ranges as _ranges
 from ._asked import survey as _survey
 from ._core import CoupletError
 from ._exact import text_of as _text_of
@@ -163,6 +164,7 @@ def assess(
     depth: str | None = None,
     weight: str = "milankovitch",
     digits: int = 30,
+    share: bool = False,
 ) -> Any: ...
 def assess(
     half_opening: Ranged = None,
@@ -181,6 +183,7 @@ def assess(
     depth: str | None = None,
     weight: str = "milankovitch",
     digits: int = 30,
+    share: bool = False,
 ) -> Assessment | dict[str, Any]:
     """Whether an arch of a given thickness stands, its safety factors, and the thrusts it can bear, proved. A float is
     exactly the double that it is; text is exact.
@@ -190,6 +193,8 @@ def assess(
         tilt: a horizontal acceleration, or the angle by which the ground is tilted: the answer is one of ``tilt``.
         half_opening, friction, friction_angle, stones, joints, span, rise, radius, measured_at, density, depth, weight, digits:
             as for ``state``; ranges too, also of the thickness.
+        share: of ranges also the part of the arches that stands, each measure spread evenly between its ends: two bounds, a
+            thousandth apart, or wider if more than two measures have ranges.
 
     Raises: CoupletError if an argument makes no sense; TypeError if it is no number.
 
@@ -198,13 +203,17 @@ def assess(
         ('stands', '1.7479853', 'intrados at the haunch')
         >>> couplet.assess(("79deg", "81deg"), "0.6±10%", (0.125, 0.15))["outcome"]
         'all_stand'
+        >>> couplet.assess("80deg", "0.6", "0.06..0.08", share=True, digits=6)["share"]
+        {'lower': '0.5674', 'upper': '0.5675'}
         >>> str(couplet.assess(span="10m", rise="3m", thickness="60cm", friction="31deg", digits=5).geometric_safety)
         '3.8972'
     """
     others = (friction_angle, thickness, stones, joints, tilt, span, rise, radius, measured_at, density, depth)
-    surveyed = _survey("assess", weight, (half_opening, friction, *others), _text_of(digits))
+    surveyed = _survey("assess", weight, (half_opening, friction, *others), _text_of(digits), share)
     if surveyed is not None:
         return surveyed
+    if share:
+        raise CoupletError("share is of arches between two ends: give a range, as in friction=(0.5, 0.6)")
     texts, given = _arch(half_opening, friction, others)
     if tilt is not None:
         return _tilted(weight, (texts, given), digits)
@@ -422,16 +431,16 @@ def find(
 def certify(
     landmark: str | None = None,
     *,
-    half_opening: Exact | None = None,
-    friction: Exact | None = None,
-    friction_angle: Exact | None = None,
-    thickness: Exact | None = None,
+    half_opening: Ranged = None,
+    friction: Ranged = None,
+    friction_angle: Ranged = None,
+    thickness: Ranged = None,
     stones: int | str | None = None,
     joints: str | Sequence[Exact] | None = None,
     tilt: Exact | None = None,
-    span: str | None = None,
-    rise: str | None = None,
-    radius: str | None = None,
+    span: Lengths = None,
+    rise: Lengths = None,
+    radius: Lengths = None,
     measured_at: str | None = None,
     density: str | None = None,
     depth: str | None = None,
@@ -443,6 +452,8 @@ def certify(
     """A certificate that ``check`` accepts without trusting the solver, as JSON (``couplet.certificate/1``). A float is
     exactly the double that it is; text is exact.
 
+    With ranges, as of ``assess``, it is of the verdict on all arches inside (``couplet.survey-certificate/1``).
+
     Args:
         landmark: of a landmark; or
         half_opening, friction: of the state of an arch at its least thickness, or why it stands at none; with
@@ -452,24 +463,27 @@ def certify(
         friction_angle, span, rise, radius, measured_at: as for ``state``.
         stones, joints, tilt, density, depth: not here; the refusal says why.
         weight, digits: as for ``state``; of a landmark up to 1,000,000.
-        threads: threads to compute a landmark with; 0 for one on each core.
+        threads: threads to compute a landmark with, or the arches that decide for all; 0 for one on each core.
 
     Raises: CoupletError if an argument makes no sense; UndecidedError if the proof does not succeed.
 
         >>> made = couplet.certify(half_opening="2.3", friction="1.05", asymmetric=True, digits=12)
         >>> couplet.check(made, engine="mpfr").verdict
         'accepted'
+        >>> all_of_them = couplet.certify(half_opening="78deg..80deg", friction="0.6", thickness=("0.1", "0.12"), digits=12)
+        >>> couplet.check(all_of_them).summary
+        'all arches stand (an admissible symmetric state exists): half_opening 13/30 pi..4/9 pi thickness 1/10..3/25 friction 3/5 milankovitch  by 1 arch'
     """
     others = (friction_angle, thickness, stones, joints, tilt, span, rise, radius, measured_at, density, depth)
     if landmark is not None:
         if asymmetric is not False or any(given is not None for given in (half_opening, friction, *others)):
             raise CoupletError("a half opening, a friction, a thickness and asymmetric belong to an arch, not to a landmark")
         return _asked(_core.certify_landmark, landmark, weight, _text_of(digits), _whole(threads))
-    texts, _ = _arch(half_opening, friction, others)
+    texts = _ranges((half_opening, friction, *others))
     if half_opening is None and span is None and joints is None:
         raise CoupletError("a landmark, or a half opening and a friction, are missing")
     if asymmetric is False:
-        return _asked(_core.certify_arch, weight, texts, _text_of(digits))
+        return _asked(_core.certify_arch, weight, texts, _text_of(digits), _whole(threads))
     if thickness is not None:
         raise CoupletError("an asymmetric solution has its own thickness: leave it out")
     return _asked(_core.certify_asymmetric, weight, texts, None if asymmetric is True else str(asymmetric), _text_of(digits))

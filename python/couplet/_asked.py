@@ -105,15 +105,21 @@ def _stones(value: Any) -> str:
     return text_of(value.__index__())
 
 
-def survey(question: str, weight: str, values: tuple[Any, ...], digits: str) -> dict[str, Any] | None:
+def survey(
+    question: str, weight: str, values: tuple[Any, ...], digits: str, share: bool = False
+) -> dict[str, Any] | None:
     """What is proved of every arch of a question with ranges, as in JSON; None if it has no range."""
     if not any(map(_is_range, values)):
         return None
     import json
 
-    named = {name: _range(name, value) for name, value in zip(FIELDS, values)}
-    told = asked(_core.surveyed, question, weight, named_arch(named)[0], digits)
+    told = asked(_core.surveyed, question, weight, ranges(values), digits, bool(share))
     return None if told is None else dict(json.loads(told))
+
+
+def ranges(values: tuple[Any, ...]) -> Texts:
+    """The texts of arches of which each value may be two ends."""
+    return named_arch({name: _range(name, value) for name, value in zip(FIELDS, values)})[0]
 
 
 def _is_range(value: Any) -> bool:

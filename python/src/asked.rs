@@ -9,8 +9,7 @@ use couplet::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling, SurveyGi
 use couplet::atlas::NoSketch;
 use couplet::certify::state::find as seek;
 use couplet::certify::state::{Balls, Certify};
-use couplet::certify::{self, CertifiedLandmark, quantities};
-use couplet::check::{Certificate, Refusal};
+use couplet::certify::{CertifiedLandmark, quantities};
 use couplet::cli::{self, doors};
 use couplet::problem::measures::Measures;
 use couplet::problem::{Arch, Landmark, Mode, Quantity};
@@ -24,7 +23,7 @@ use std::ffi::OsString;
 use std::fmt::Display;
 
 /// The error of a question that makes no sense.
-fn wrong(error: impl Display) -> PyErr {
+pub(crate) fn wrong(error: impl Display) -> PyErr {
     CoupletError::new_err(error.to_string())
 }
 
@@ -90,10 +89,10 @@ pub(crate) fn constants<'py>(
 }
 
 /// The half opening and the friction of an arch, and what else there is in the order of [`Field::ALL`].
-type Texts<'a> = (Option<&'a str>, Option<&'a str>, Option<Vec<Option<String>>>);
+pub(crate) type Texts<'a> = (Option<&'a str>, Option<&'a str>, Option<Vec<Option<String>>>);
 
 /// An arch that is asked about.
-fn asked((half_opening, friction, others): Texts<'_>) -> ArchAsked {
+pub(crate) fn asked((half_opening, friction, others): Texts<'_>) -> ArchAsked {
     let mut asked = ArchAsked::default();
     let first = [half_opening, friction].map(|text| text.map(str::to_owned));
     let texts = first.into_iter().chain(others.into_iter().flatten());
@@ -104,7 +103,11 @@ fn asked((half_opening, friction, others): Texts<'_>) -> ArchAsked {
 }
 
 /// What is understood of an arch, and the arch.
-fn given(question: &ArchQuestion, weight: &str, texts: Texts<'_>) -> PyResult<(ArchGiven, Arch)> {
+pub(crate) fn given(
+    question: &ArchQuestion,
+    weight: &str,
+    texts: Texts<'_>,
+) -> PyResult<(ArchGiven, Arch)> {
     let weight = parse::weight(weight).map_err(wrong)?;
     let given = ArchGiven::read(question, &asked(texts), Spelling::Key).map_err(wrong)?;
     let arch = given.arch(weight).map_err(wrong)?;
@@ -162,7 +165,7 @@ pub(crate) fn assess<'py>(
     told::answer(py, &found)
 }
 
-/// JSON of all arches of a question with ranges; none if it has no range.
+/// JSON of all arches of a question with ranges, also with the part of them that stands; none if it has no range.
 #[pyfunction]
 pub(crate) fn surveyed(
     py: Python<'_>,
@@ -170,6 +173,7 @@ pub(crate) fn surveyed(
     weight: &str,
     texts: Texts<'_>,
     digits: &str,
+    share: bool,
 ) -> PyResult<Option<String>> {
     let asked = asked(texts);
     if !asked.has_range() {
@@ -180,7 +184,8 @@ pub(crate) fn surveyed(
     let given = SurveyGiven::read(question, &asked, Spelling::Key).map_err(wrong)?;
     let digits = parse::digits(digits).map_err(wrong)?;
     let found = on_threads(py, 1, move || {
-        doors::surveyed(&asked, &given, weight, (doors::quantities(&asked), digits, false))
+        let quantities = answer::survey_quantities(&asked);
+        answer::surveyed(&asked, &given, weight, (quantities, digits, share))
     })?;
     report(&found.map_err(failed)?, "json").map(Some)
 }
@@ -257,97 +262,6 @@ pub(crate) fn find<'py>(
         return Err(wrong(refused));
     }
     told::answer(py, &answer)
-}
-
-/// A certificate as a file has it.
-fn written(made: Result<Certificate, Error>) -> PyResult<String> {
-    let made = made.map_err(|error| match error {
-        Error::Undecided(undecided) => UndecidedError::new_err(undecided.to_string()),
-        Error::Refused(refused) => wrong(refused),
-    })?;
-    let mut bytes = Vec::new();
-    made.write(&mut bytes)?;
-    Ok(String::from_utf8(bytes)?)
-}
-
-#[pyfunction]
-pub(crate) fn certify_landmark(
-    py: Python<'_>,
-    landmark: &str,
-    weight: &str,
-    digits: &str,
-    threads: usize,
-) -> PyResult<String> {
-    let landmark = parse::landmark(landmark).map_err(wrong)?;
-    let weight = parse::weight(weight).map_err(wrong)?;
-    let digits = parse::digits(digits).map_err(wrong)?;
-    written(on_threads(py, threads, move || certify::certify_landmark(landmark, weight, digits))?)
-}
-
-#[pyfunction]
-pub(crate) fn certify_arch(
-    py: Python<'_>,
-    weight: &str,
-    texts: Texts<'_>,
-    digits: &str,
-) -> PyResult<String> {
-    let thickness = Field::Thickness as usize - 2;
-    let has_thickness = texts.2.as_ref().and_then(|texts| texts.get(thickness)?.as_ref()).is_some();
-    let question = if has_thickness { &doors::CERTIFY_ARCH } else { &doors::CERTIFY_STATE };
-    let (given, arch) = given(question, weight, texts)?;
-    let digits = parse::digits(digits).map_err(wrong)?;
-    let made = move || certify::certify_arch(&arch, given.thickness.as_ref(), digits);
-    written(on_threads(py, 1, made)?)
-}
-
-/// Of the asymmetric solution of a kind; of that which is found, if it is one alone.
-#[pyfunction]
-pub(crate) fn certify_asymmetric(
-    py: Python<'_>,
-    weight: &str,
-    texts: Texts<'_>,
-    mode: Option<&str>,
-    digits: &str,
-) -> PyResult<String> {
-    let (_, arch) = given(&doors::CERTIFY_ASYMMETRIC, weight, texts)?;
-    if !arch.is_limited() {
-        return Err(wrong("an asymmetric solution needs a limited friction"));
-    }
-    let mode = mode.map(parse::asymmetric_mode).transpose();
-    let mode = mode.map_err(|error| wrong(format!("asymmetric: {error}, or True")))?;
-    let digits = parse::digits(digits).map_err(wrong)?;
-    let of = arch.clone();
-    let kinds = move || certify::asymmetric_kinds(&of);
-    let mode = match mode {
-        Some(mode) => mode,
-        None => match on_threads(py, 1, kinds)?[..] {
-            [kind] => kind,
-            [] => return Err(UndecidedError::new_err("no asymmetric solution is found")),
-            ref several => {
-                let names: Vec<String> =
-                    several.iter().map(|kind| format!("asymmetric='{}'", kind.name())).collect();
-                return Err(wrong(format!("it has several: give {}", names.join(" or "))));
-            }
-        },
-    };
-    written(on_threads(py, 1, move || certify::certify_asymmetric(&arch, mode, digits))?)
-}
-
-#[pyfunction]
-pub(crate) fn check<'py>(
-    py: Python<'py>,
-    certificate: Vec<u8>,
-    engine: &str,
-) -> PyResult<Bound<'py, PyDict>> {
-    let engine = parse::engine(engine).map_err(wrong)?;
-    let found = on_threads(py, 1, move || engine.check(&certificate))?;
-    match found {
-        Ok(accepted) => told::checked(py, ("accepted", None), Some(&accepted)),
-        Err(limit @ Refusal::Limit(..)) => {
-            told::checked(py, ("not checked", Some(limit.to_string())), None)
-        }
-        Err(refusal) => told::checked(py, ("refused", Some(refusal.to_string())), None),
-    }
 }
 
 /// What a report writes in a format.

@@ -4,12 +4,14 @@
 //! | file | what it does |
 //! |---|---|
 //! | `asked` | one question at a time |
+//! | `certified` | certificates, and their check |
 //! | `rows` | many arches, in arrays of doubles |
 //! | `told` | an answer as Python gets it |
 //! | `sweeps` | any number of arches, in Parquet files |
 //! | `pool` | threads of our own |
 
 mod asked;
+mod certified;
 mod pool;
 mod rows;
 #[cfg(feature = "parquet")]
@@ -35,10 +37,11 @@ pyo3::create_exception!(
 mod _core {
     #[pymodule_export]
     use super::asked::{
-        assess, certify_arch, certify_asymmetric, certify_landmark, check, claims, constants,
-        drawing, fields, find, modes, prove, quantity_name, run, state, surveyed, tilted,
-        voussoirs,
+        assess, claims, constants, drawing, fields, find, modes, prove, quantity_name, run, state,
+        surveyed, tilted, voussoirs,
     };
+    #[pymodule_export]
+    use super::certified::{certify_arch, certify_asymmetric, certify_landmark, check};
     #[pymodule_export]
     use super::rows::{finds, states};
     #[cfg(feature = "parquet")]

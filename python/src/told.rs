@@ -120,11 +120,12 @@ pub(crate) fn checked<'py>(
     (verdict, reason): (&str, Option<String>),
     accepted: Option<&AcceptedFile>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    // A survey has no values of its own.
-    let accepted = accepted.and_then(AcceptedFile::certificate);
     let all = PyDict::new(py);
     all.set_item("verdict", verdict)?;
     all.set_item("reason", reason)?;
+    all.set_item("summary", accepted.map(AcceptedFile::summary))?;
+    // A survey has no values of its own.
+    let accepted = accepted.and_then(AcceptedFile::certificate);
     all.set_item("digits", accepted.map(|accepted| accepted.digits))?;
     let values = PyDict::new(py);
     for (of, text) in accepted.iter().flat_map(|accepted| &accepted.values) {

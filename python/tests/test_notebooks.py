@@ -24,8 +24,8 @@ def code(notebook):
     return [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
 
 
-def test_there_are_four():
-    assert len(run.NOTEBOOKS) == 4
+def test_there_are_five():
+    assert len(run.NOTEBOOKS) == 5
     page = (HOME / "docs" / "python.md").read_text(encoding="utf-8")
     assert [path.name for path in run.NOTEBOOKS if f"](../python/notebooks/{path.name})" not in page] == []
 

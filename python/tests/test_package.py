@@ -156,7 +156,7 @@ def test_the_examples_of_the_documentation(module):
     assert doctest.testmod(module, optionflags=OPTIONS, extraglobs={"couplet": couplet}).failed == 0
 
 
-@pytest.mark.parametrize("page, examples", [("docs/python.md", 10), ("README.md", 2), ("python/README.md", 5)])
+@pytest.mark.parametrize("page, examples", [("docs/python.md", 10), ("README.md", 2), ("python/README.md", 5), ("docs/surveys.md", 3)])
 def test_the_examples_of_a_page(page, examples):
     pytest.importorskip("numpy")
     pytest.importorskip("hypothesis")

@@ -135,7 +135,7 @@ fn c_says_what_the_command_says() {
 }
 
 /// What is asked of the library, and the command that asks the same.
-const SAME: [(&str, &str); 11] = [
+const SAME: [(&str, &str); 14] = [
     ("state milankovitch 80deg 0.25 40", "state --half-opening 80deg --friction 0.25 --digits 40"),
     (
         "state heyman 80deg 0.1 17",
@@ -164,6 +164,18 @@ const SAME: [(&str, &str); 11] = [
     (
         "arch milankovitch 80deg 0.6 0.12 10",
         "certify arch --half-opening 80deg --friction 0.6 --thickness 0.12 --digits 10",
+    ),
+    (
+        "state heyman 79deg..81deg 0.5..inf 6",
+        "state --weight heyman --half-opening 79deg..81deg --friction 0.5..inf --digits 6",
+    ),
+    (
+        "assess milankovitch 80deg±1deg 0.6+-10% 0.1..0.12 9",
+        "assess --half-opening 80deg±1deg --friction 0.6+-10% --thickness 0.1..0.12 --digits 9",
+    ),
+    (
+        "arch milankovitch 78deg..80deg 0.6 0.06..0.12 10",
+        "certify survey --half-opening 78deg..80deg --friction 0.6 --thickness 0.06..0.12 --digits 10",
     ),
 ];
 

@@ -100,6 +100,49 @@ static void measured(void) {
   couplet_free(answer);
 }
 
+/* Every arch inside ranges: there are bounds and no value. */
+static void surveyed(void) {
+  couplet_answer *answer, *one;
+  double value, lower, upper;
+  IS(couplet_assess(M, "79deg..81deg", "0.6+-10%", "0.1..0.12", 6, &answer) == COUPLET_PROVED);
+  SAYS(couplet_verdict(answer), "all_stand");
+  SAYS(couplet_reason(answer), "");
+  SAYS(couplet_mode(answer), "[r,r,r]");
+  TELLS(couplet_json(answer), "\"schema\": \"couplet.survey/1\"");
+  IS(couplet_assess(M, "81deg", "0.54", "0.1", 17, &one) == COUPLET_PROVED);
+  IS(couplet_count(answer) >= 4);
+  for (size_t i = 0; i < couplet_count(answer); i++) {
+    const char *name = couplet_quantity(answer, i);
+    SAYS(couplet_text(answer, name, COUPLET_VALUE), "");
+    IS(couplet_double(answer, name, &value, &lower, &upper) == COUPLET_PROVED && isnan(value));
+    IS(lower <= strtod(couplet_text(answer, name, COUPLET_LOWER), NULL) && lower < upper);
+    IS(upper >= strtod(couplet_text(answer, name, COUPLET_UPPER), NULL));
+    IS(couplet_double(one, name, &value, NULL, NULL) == COUPLET_PROVED && lower <= value && value <= upper);
+  }
+  /* One end is the value of that arch, rounded outward. */
+  IS(couplet_double(one, "geometric_safety", &value, NULL, NULL) == COUPLET_PROVED);
+  IS(couplet_double(answer, "geometric_safety", NULL, &lower, NULL) == COUPLET_PROVED && value < lower * 1.00001);
+  couplet_free(one);
+  couplet_free(answer);
+
+  IS(couplet_assess(M, "80deg+-1deg", "0.5..inf", "0.07", 4, &answer) == COUPLET_PROVED);
+  SAYS(couplet_verdict(answer), "both_occur");
+  SAYS(couplet_text(answer, "friction_safety", COUPLET_LOWER), "none");
+  SAYS(couplet_text(answer, "friction_safety", COUPLET_UPPER), "inf");
+  IS(couplet_double(answer, "friction_safety", NULL, &lower, &upper) == COUPLET_PROVED && isnan(lower) && isinf(upper));
+  couplet_free(answer);
+
+  IS(couplet_state("heyman", "79deg..81deg", "0.05..0.1", 6, &answer) == COUPLET_PROVED);
+  SAYS(couplet_verdict(answer), "none_can_stand");
+  SAYS(couplet_mode(answer), "");
+  couplet_free(answer);
+
+  IS(couplet_arch(M, "span=10m+-2cm; rise=3m+-1cm; thickness=60cm+-1cm; friction=31deg+-1deg", 5, &answer) == COUPLET_PROVED);
+  SAYS(couplet_verdict(answer), "all_stand");
+  SAYS(couplet_text(answer, "least_thickness_m", COUPLET_UPPER), "0.14998");
+  couplet_free(answer);
+}
+
 static void found(void) {
   couplet_answer *answer;
   IS(couplet_find(M, NULL, NULL, "0.5", "0.2", 12, &answer) == COUPLET_PROVED);
@@ -172,6 +215,13 @@ static void certificates(void) {
     IS(couplet_check(couplet_json(made), strlen(couplet_json(made)), NULL, NULL) == COUPLET_PROVED);
     couplet_free(made);
   }
+
+  IS(couplet_certify_arch(M, "78deg..80deg", "0.6", "0.1..0.12", 10, &made) == COUPLET_PROVED);
+  IS(couplet_check(couplet_json(made), strlen(couplet_json(made)), NULL, &checked) == COUPLET_PROVED);
+  TELLS(couplet_reason(checked), "all arches stand");
+  IS(couplet_count(checked) == 0);
+  couplet_free(checked);
+  couplet_free(made);
 }
 
 int main(void) {
@@ -180,6 +230,7 @@ int main(void) {
   undecided();
   assess();
   measured();
+  surveyed();
   found();
   constant();
   certificates();

@@ -33,8 +33,14 @@ static void ask(void) {
     couplet_free(answer);
     IS(couplet_assess("heyman", "80deg", "0.35", "0.2", digits[i] < 1000 ? digits[i] : 1000, &answer) == COUPLET_PROVED);
     couplet_free(answer);
+    IS(couplet_assess("heyman", "79deg..81deg", "0.35..0.4", "0.2..0.3", digits[i] < 1000 ? digits[i] : 1000, &answer) ==
+       COUPLET_PROVED);
+    couplet_free(answer);
     IS(threads() == 1);
   }
+  IS(couplet_arch("heyman", "span=10m..11m; rise=3m; thickness=60cm; mu=0.6", 4, &answer) == COUPLET_PROVED);
+  couplet_free(answer);
+  IS(threads() == 1);
   IS(couplet_find("milankovitch", "rrs/rsr", NULL, "1.6", NULL, 1000, &answer) == COUPLET_PROVED);
   couplet_free(answer);
   IS(couplet_certify_arch("heyman", "80deg", "0.35", "0.2", 1000, &answer) == COUPLET_PROVED);
@@ -44,6 +50,8 @@ static void ask(void) {
   IS(threads() == 1);
   IS(couplet_states("heyman", 6, alpha, mu, NULL, "thickness", 3, verdict, NULL, values, NULL) == COUPLET_PROVED);
   IS(couplet_constant("T", "heyman", "eta", 6000, 3, &answer) == COUPLET_PROVED);
+  couplet_free(answer);
+  IS(couplet_certify_arch("heyman", "78deg..80deg", "0.6", "0.1..0.12", 17, &answer) == COUPLET_PROVED);
   couplet_free(answer);
   /* Those of the last call have ended, as far as the kernel has noticed. */
   for (int i = 0; threads() > 1 && i < 1000; i++) {

@@ -43,6 +43,12 @@ static void texts(void) {
   REFUSED("span needs rise", couplet_arch, M, "span=10m; mu=1", 10);
   REFUSED("'10' is not a length", couplet_arch, M, "span=10; rise=3m; mu=1", 10);
   REFUSED("stones does not belong here: the command", couplet_arch, M, "alpha=1; mu=1; stones=7", 10);
+  REFUSED("1.1..1 is empty: give the lower end first", couplet_state, M, "1.1..1", "1", 10);
+  REFUSED("write 80deg..82deg", couplet_assess, M, "80..82deg", "1", "0.1", 10);
+  REFUSED("of a range of arches no forces are told", couplet_arch, M,
+          "alpha=1; radius=5m+-1cm; eta=50cm; mu=1; density=24kN/m3; depth=1m", 10);
+  REFUSED("thickness is missing", couplet_certify_arch, M, "1..1.1", "1", NULL, 10);
+  REFUSED("give one value here", couplet_find, M, NULL, "1..1.1", NULL, NULL, 10);
   char *one = malloc(1000001);
   memset(one, '1', 1000000);
   one[1000000] = 0;

@@ -24,6 +24,10 @@ static void *ask(void *number) {
     SAYS(couplet_text(shared, "thickness", COUPLET_VALUE), constant);
     SAYS(couplet_json(shared), json);
   }
+  couplet_answer *all;
+  IS(couplet_arch("heyman", "span=10m+-2cm; rise=3m+-1cm; thickness=60cm+-1cm; mu=0.5..0.6", 5, &all) == COUPLET_PROVED);
+  SAYS(couplet_verdict(all), "all_stand");
+  couplet_free(all);
   double one[4] = {1, 1.2, 1.4, 1.6}, values[12];
   uint8_t verdict[4];
   IS(couplet_states("heyman", 4, one, one, NULL, "thickness", 1 + (size_t)number % 3, verdict, NULL, values, NULL) ==

@@ -108,7 +108,7 @@ pub const ARCH: ArchQuestion = ArchQuestion {
     example: "couplet certify arch --half-opening 80deg --friction 0.6 --thickness 0.1",
 };
 /// Question about all arches between two ends.
-const SURVEY: ArchQuestion = ArchQuestion {
+pub const SURVEY: ArchQuestion = ArchQuestion {
     example: "couplet certify survey --half-opening 78deg..80deg --friction 0.6 --thickness 0.1..0.12",
     ..ARCH
 };

@@ -49,7 +49,7 @@ impl SurveyedArches {
     }
 
     /// Answer to whether they stand or, without a thickness, whether they can: a word and a sentence.
-    fn outcome(&self) -> [&'static str; 2] {
+    pub fn outcome(&self) -> [&'static str; 2] {
         let Ok(found) = &self.found else { return ["undecided", "undecided"] };
         match &found.verdict {
             Some(Ok(verdict)) => [verdict.name(), verdict.sentence()],
@@ -69,7 +69,8 @@ impl SurveyedArches {
         }
     }
 
-    fn ranges(&self) -> impl Iterator<Item = &QuantityRange> {
+    /// Ranges of the quantities that are told.
+    pub fn ranges(&self) -> impl Iterator<Item = &QuantityRange> {
         let found = self.found.as_ref().ok().into_iter();
         found.flat_map(|found| &found.ranges).filter(|range| self.quantities.contains(&range.of))
     }
@@ -102,15 +103,6 @@ impl SurveyedArches {
         record.add("bound", bound);
         record.add_record("arch", end.at.as_ref().map(|at| self.arch(at)));
         record
-    }
-}
-
-/// An end in a table.
-fn shown(end: &RangeEnd) -> String {
-    match &end.value {
-        EndValue::Number(number) => number.to_string(),
-        EndValue::NotEnough => "none".to_owned(),
-        EndValue::Unbounded => "inf".to_owned(),
     }
 }
 
@@ -161,9 +153,9 @@ impl Reported for SurveyedArches {
             row.add("reason", self.first_open().map(|open| open.reason.to_string()));
             if let Some(QuantityRange { of, lower, upper }) = range {
                 row.add("quantity", of.name());
-                row.add("lower", shown(lower));
+                row.add("lower", lower.value.to_string());
                 row.add("lower_arch", command(lower));
-                row.add("upper", shown(upper));
+                row.add("upper", upper.value.to_string());
                 row.add("upper_arch", command(upper));
             }
             row
@@ -192,8 +184,8 @@ fn say(all: &SurveyedArches, record: &mut Record) {
     let end = |end: &RangeEnd| {
         let at = end.at.as_ref().and_then(number);
         match at {
-            Some(at) => format!("{} ({})", shown(end), at + 1),
-            None => shown(end),
+            Some(at) => format!("{} ({})", end.value, at + 1),
+            None => end.value.to_string(),
         }
     };
     let row = |range: &QuantityRange| {

@@ -5,6 +5,7 @@ use crate::problem::measures::Length;
 use crate::problem::survey::{Bounding, SurveyVerdict};
 use crate::problem::{Arch, Mode, Quantity};
 use crate::prover::Undecided;
+use std::fmt;
 
 /// Proved answer about every arch of a survey.
 #[derive(Clone, Debug)]
@@ -76,6 +77,17 @@ pub struct ModesFound {
     pub may_occur: Vec<Mode>,
     /// True if some arch stands at no thickness; `None` if that is not known.
     pub some_fall: Option<bool>,
+}
+
+impl fmt::Display for EndValue {
+    /// Number, `none` where none is enough, or `inf`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number(number) => number.fmt(f),
+            Self::NotEnough => f.write_str("none"),
+            Self::Unbounded => f.write_str("inf"),
+        }
+    }
 }
 
 impl SurveyedArch {
