@@ -7,6 +7,6 @@ pub use super::certify::{
 pub use super::complementarity::QUESTION as COMPLEMENTARITY;
 pub use super::draw::{QUESTION as DRAW, drawn};
 pub use super::state::QUESTION as STATE;
-pub use super::survey::{quantities, surveyed};
 pub use super::tilt::tilted;
 pub use super::voussoirs::{QUESTION as VOUSSOIRS, divisions, of_stones};
+pub use crate::sweep::surveyed::{quantities, surveyed};
