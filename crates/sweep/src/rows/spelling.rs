@@ -114,7 +114,7 @@ mod tests {
             ("80", true, "80deg"),
             ("80..", true, "80deg.."),
             ("0.5...0.7", false, "0.5...0.7"),
-            ("pi/2..100", true, "pi/2..100deg"),
+            ("1.5rad..100", true, "1.5rad..100deg"),
         ] {
             assert_eq!(comma.exact_range(text, degrees), expected, "{text}");
         }
