@@ -8,8 +8,8 @@ use couplet::arch::SelfWeight;
 use couplet::ask::{ArchAsked, ArchQuestion, Field, Spelling, SurveyGiven};
 use couplet::certify;
 use couplet::check::SurveyCertificate;
-use couplet::sweep::answer::{survey_quantities, surveyed as found};
 use couplet::sweep::failure::Failure as Failed;
+use couplet::sweep::surveyed::{quantities, surveyed as found};
 
 /// Question about a verdict on all arches, which need a thickness.
 const CERTIFIED: ArchQuestion = ArchQuestion { needs: &[Field::Thickness], ..ARCH };
@@ -21,7 +21,7 @@ pub(crate) fn surveyed(
     digits: usize,
 ) -> Result<Answer, Failure> {
     let given = SurveyGiven::read(&ARCH, asked, Spelling::Key).map_err(wrong)?;
-    match found(asked, &given, weight, (survey_quantities(asked), digits, false)) {
+    match found(asked, &given, weight, (quantities(asked), digits, false)) {
         Ok(found) => Ok(Answer::surveyed(&found)),
         Err(Failed::Undecided(open)) => Ok(Answer::undecided(open)),
         Err(failed) => Err(wrong(failed)),

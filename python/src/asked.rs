@@ -15,7 +15,7 @@ use couplet::problem::measures::Measures;
 use couplet::problem::{Arch, Landmark, Mode, Quantity};
 use couplet::report::{Answer, Claims, Format, Reported, Sketched, Style, Understood};
 use couplet::sweep::failure::Failure;
-use couplet::sweep::{answer, find as sought, parse};
+use couplet::sweep::{answer, find as sought, parse, surveyed as survey};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
@@ -184,8 +184,8 @@ pub(crate) fn surveyed(
     let given = SurveyGiven::read(question, &asked, Spelling::Key).map_err(wrong)?;
     let digits = parse::digits(digits).map_err(wrong)?;
     let found = on_threads(py, 1, move || {
-        let quantities = answer::survey_quantities(&asked);
-        answer::surveyed(&asked, &given, weight, (quantities, digits, share))
+        let quantities = survey::quantities(&asked);
+        survey::surveyed(&asked, &given, weight, (quantities, digits, share))
     })?;
     report(&found.map_err(failed)?, "json").map(Some)
 }

@@ -1,17 +1,13 @@
-//! An answer about one arch, with the asymmetric solutions that are known of it and, in metres, its sizes, or about all
-//! arches of a question with ranges: for every door.
+//! An answer about one arch, with the asymmetric solutions that are known of it and, in metres, its sizes: for every
+//! door.
 
-use crate::arch::SelfWeight;
-use crate::ask::{ArchAsked, SurveyGiven};
 use crate::certify::state::{Answer as Outcome, AssessmentDigits};
 use crate::certify::state::{measured_assessment, measured_state};
-use crate::certify::survey::{share as survey_share, survey};
 use crate::certify::{Error, Refused, asymmetric_thicknesses};
-use crate::failure::Failure;
 use crate::number::ExactNumber;
+use crate::problem::Arch;
 use crate::problem::measures::Measures;
-use crate::problem::{Arch, Quantity};
-use crate::report::{Answer, SurveyedArches, Understood};
+use crate::report::Answer;
 
 /// State of an arch at its least thickness, as it was found to so many digits; sizes have a number of their own. The
 /// line tells arches apart.
@@ -44,42 +40,4 @@ pub fn assessment(
         }
         None => answer,
     }
-}
-
-/// Quantities of which ranges are told, of arches of a thickness.
-const ASSESSED: [Quantity; 7] = [
-    Quantity::LeastThickness,
-    Quantity::GeometricSafety,
-    Quantity::RequiredFriction,
-    Quantity::FrictionSafety,
-    Quantity::LeastThrust,
-    Quantity::LargestThrust,
-    Quantity::ThicknessInMetres,
-];
-
-/// Quantities of which they are told of arches at their least thickness.
-const STATED: [Quantity; 3] = [Quantity::Thickness, Quantity::LeastThickness, Quantity::Thrust];
-
-/// Quantities of which the ranges of a question are told.
-pub fn survey_quantities(asked: &ArchAsked) -> &'static [Quantity] {
-    if asked.thickness.is_some() { &ASSESSED } else { &STATED }
-}
-
-/// All arches of a question and of a self-weight, with what is proved of them.
-pub fn surveyed(
-    asked: &ArchAsked,
-    given: &SurveyGiven,
-    weight: SelfWeight,
-    (quantities, digits, share): (&[Quantity], usize, bool),
-) -> Result<SurveyedArches, Failure> {
-    let arches = given.survey(weight).map_err(|error| error.to_string())?;
-    let found = match survey(&arches, digits) {
-        Ok(found) => Ok(found),
-        Err(Error::Undecided(undecided)) => Err(undecided),
-        Err(refused @ Error::Refused(_)) => return Err(refused.into()),
-    };
-    let asked = Understood::of_ranges(asked, given);
-    let (given, quantities) = (given.clone(), quantities.to_vec());
-    let share = share.then(|| survey_share(&arches));
-    Ok(SurveyedArches { asked, given, weight, quantities, found, share })
 }

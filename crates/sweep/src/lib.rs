@@ -8,6 +8,7 @@ pub mod parse;
 pub mod pool;
 pub mod rows;
 pub mod scene;
+pub mod surveyed;
 #[cfg(feature = "parquet")]
 pub mod sweep;
 

@@ -6,8 +6,8 @@ use super::output::{AnswerOutput, is_written};
 use crate::ask::{ArchQuestion, Spelling, SurveyGiven};
 use crate::problem::Quantity;
 use crate::report::{Reported, SurveyedArches};
-use crate::sweep::answer::{survey_quantities, surveyed};
 use crate::sweep::failure::Failure;
+use crate::sweep::surveyed::{quantities, surveyed};
 
 /// Proves and prints what holds for every arch of a question.
 pub(super) fn print(
@@ -22,7 +22,7 @@ pub(super) fn print(
     }
     let format = output.format()?;
     is_written("the answer of a range", SurveyedArches::content(), format)?;
-    let mut quantities = output.quantities(survey_quantities(&arguments.asked))?;
+    let mut quantities = output.quantities(quantities(&arguments.asked))?;
     // The thickness of a state is the least.
     if quantities.contains(&Quantity::Thickness) {
         quantities.push(Quantity::LeastThickness);

@@ -9,6 +9,7 @@ mod measured;
 mod notes;
 #[cfg(unix)]
 mod owners;
+mod ranged_rows;
 mod ranges;
 mod rows;
 mod states;

@@ -227,7 +227,7 @@ fn a_row_with_a_range_is_refused_alone() {
     let lines: Vec<Value> = lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
     for (line, text) in lines.iter().zip(["80deg±1deg", "0.5..0.6"]) {
         let error = line["error"].as_str().unwrap();
-        assert!(error.contains(text) && error.contains("`couplet assess`"), "{error}");
+        assert!(error.contains(text) && error.contains("`couplet states --ranges`"), "{error}");
     }
     assert_eq!(lines[2]["can_stand"], true);
 }

@@ -33,6 +33,7 @@ fn every_column_is_on_the_page() {
     for name in [
         header(&["states"], "alpha,mu\n1,1\n"),
         header(&["states"], states),
+        header(&["states", "--ranges"], "span,rise,mu,eta\n1m,1m,1,1m\n"),
         header(&["judge", "-", "--format", "csv"], results),
         header(&["sample", "--count", "0"], ""),
         header(&["map", "--curve", "limit", "--format", "csv"], ""),

@@ -13,7 +13,7 @@ use std::path::Path;
 const QUESTIONS: [[&str; 7]; 18] = [
     ["an arch at its least thickness", "state", "arches", "states", "state", "couplet_arch", "yes"],
     ["an arch of a thickness", "assess", "arches", "states", "assess", "couplet_arch", "yes"],
-    ["every arch between measured ends", "assess", RANGE, RANGE, "assess", NO_C, ONE],
+    ["every arch between measured ends", "assess", "arches", RANGES, "assess", NO_C, ONE],
     ["an arch of stones", "voussoirs", STONES, STONES, "voussoirs", NO_C, STONES],
     ["a tilted arch", "assess", TILT, TILT, "tilt", NO_C, TILT],
     [
@@ -63,7 +63,7 @@ const QUESTIONS: [[&str; 7]; 18] = [
     ["claims of the paper", "prove", "claims", LANDMARK, "prove", NO_C, "!its proofs take seconds"],
 ];
 const STONES: &str = "!joints are at every angle there";
-const RANGE: &str = "!a value is one there";
+const RANGES: &str = "states --ranges";
 const TILT: &str = "!arches there are symmetric";
 const FIND: &str = "!an arch is given whole there";
 const EQUATION: &str = "!it is for a shell";

@@ -143,11 +143,14 @@ fn what_is_written_is_as_the_schemas_say() {
     let scratch = Scratch::new();
     let scene = "schema = \"couplet.scene/1\"\n[[arches]]\nhalf_opening = 1\nfriction = [1, \"inf\"]\n\
         output = \"a.json\"\n[[arches]]\nhalf_opening = \"80deg\"\nfriction = 1\nthickness = 0.1\n\
-        output = \"b.json\"\n";
+        output = \"b.json\"\n[[arches]]\nmu = 0.6\neta = \"0.1..0.12\"\n\
+        alpha = { from = 1, to = 1.5, boxes = 2 }\noutput = \"c.json\"\n[[arches]]\nmu = \"0.6..inf\"\n\
+        alpha = { from = 1, to = 3, boxes = 2 }\noutput = \"d.json\"\n";
     scratch.write("scene.toml", scene);
     let out = scratch.path("out");
     assert_eq!(couplet(&["run", &scratch.path("scene.toml"), "-o", &out]).status.code(), Some(0));
-    let mut documents = vec![scratch.read("out/a.json"), scratch.read("out/b.json")];
+    let mut documents =
+        ["a", "b", "c", "d"].map(|name| scratch.read(&format!("out/{name}.json"))).to_vec();
     documents.extend(sweeps(&scratch));
     // Nearer to the tangent of the half opening than can be told.
     let open = rug::Float::with_val(40_000, 0.5).tan().to_string_radix(10, Some(11_000));
@@ -371,6 +374,8 @@ fn what_is_written_is_as_the_schemas_say() {
         let states = ["states", "--format", "jsonl", "--keep", "id", "--digits", digits];
         lines += &text(&fed(&states, QUERIES).stdout);
     }
+    let ranges = ["states", "--ranges", "--format", "jsonl", "--keep", "id"];
+    lines += &text(&fed(&ranges, QUERIES.replace("0.6,0.3", "0.5..inf,0.3±10%")).stdout);
     lines += &text(&fed(&["judge", "-", "--format", "jsonl"], RESULTS).stdout);
     let judged = fed(&["states", "--format", "jsonl"], QUERIES);
     lines += &text(&fed(&["judge", "-", "--format", "jsonl"], &judged.stdout).stdout);

@@ -9,6 +9,7 @@ mod folder;
 mod map;
 mod outputs;
 mod plan;
+mod ranges;
 mod reading;
 mod resume;
 mod same;

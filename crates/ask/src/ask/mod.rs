@@ -10,8 +10,10 @@
 //! | `stones` | numbers of stones, and ranges of them |
 //! | `survey` | the reader of ranges: text to all arches between two ends |
 //! | `range` | ranges: the exact texts of both ends |
+//! | `boxes` | a range in parts that touch |
 
 mod arch;
+mod boxes;
 mod given;
 mod question;
 mod range;
@@ -19,6 +21,7 @@ mod stones;
 mod survey;
 
 pub use arch::{ArchAsked, Field};
+pub use boxes::boxes;
 pub use given::{ArchGiven, given_thickness};
 pub use question::{ArchQuestion, Misfit, Spelling};
 pub use range::{Range, RangeError};

@@ -58,6 +58,8 @@ pub enum RangeError {
     },
     /// The deviation is below zero.
     Negative(String),
+    /// Ends between which there are no parts of one extent.
+    Boxes(String),
 }
 
 says!(RangeError {
@@ -72,6 +74,7 @@ says!(RangeError {
     Self::Number { range, part } =>
         "in '{range}' the part '{part}' is not a number with or without a unit (0.1, 2cm, 1deg) or, behind ±, of % (5%)";
     Self::Negative(range) => "'{range}' has a deviation below 0: give its size";
+    Self::Boxes(range) => "'{range}' is not cut into boxes: that needs two ends in one unit, the lower first";
 });
 
 impl Range {
@@ -157,14 +160,14 @@ impl Range {
 }
 
 /// A number in a unit.
-struct Part {
+pub(super) struct Part {
     number: BigRational,
     unit: Unit,
 }
 
 /// Unit of a part, in which its number is kept.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Unit {
+pub(super) enum Unit {
     None,
     /// Thickness over the radius, where that is said.
     Ratio,
@@ -193,7 +196,7 @@ fn with_unit(text: &str, unit: Unit) -> String {
 
 impl Part {
     /// Number and unit of a text; none of infinity, of a tangent, and of what is no number.
-    fn read(text: &str) -> Option<Self> {
+    pub(super) fn read(text: &str) -> Option<Self> {
         let behind = |unit: &str| plain(text.strip_suffix(unit)?.trim_end());
         let of = |unit: &'static str| Some((behind(unit)?, Unit::Length(unit)));
         let lengths = Length::units().find_map(of);
@@ -215,7 +218,10 @@ impl Part {
     }
 
     /// The numbers of two parts in one unit, if there is one.
-    fn together(value: Self, deviation: Self) -> Option<(Unit, BigRational, BigRational)> {
+    pub(super) fn together(
+        value: Self,
+        deviation: Self,
+    ) -> Option<(Unit, BigRational, BigRational)> {
         let half_turn = || BigRational::from(BigInt::from(180));
         let (x, d) = (value.number, deviation.number);
         match (value.unit, deviation.unit) {
@@ -258,7 +264,7 @@ impl Unit {
     }
 
     /// Text of a number in this unit.
-    fn write(self, number: &BigRational) -> String {
+    pub(super) fn write(self, number: &BigRational) -> String {
         match (self, number.denom() == &BigInt::from(1)) {
             (Self::Pi, true) => format!("{}pi", number.numer()),
             (Self::Pi, false) => format!("{}pi/{}", number.numer(), number.denom()),

@@ -13,6 +13,8 @@ impl Content {
     pub const JUDGED: Self = Self(&["table", "json", "csv", "jsonl"]);
     /// Arches that were drawn from a seed.
     pub const SAMPLES: Self = Self(&["csv", "jsonl"]);
+    /// Ranges as they come.
+    pub const RANGES: Self = Self(&["csv", "jsonl"]);
     /// A picture, and nothing beside.
     pub const FIGURE: Self = Self(&["svg", "png", "pdf"]);
     /// Records with rows.

@@ -9,6 +9,7 @@ use crate::picture::Print;
 #[cfg(feature = "plots")]
 use crate::picture::{pdf::render as pdf, png::render as png};
 use std::io;
+use std::sync::Arc;
 
 /// A result that makes records, from which its formats are written.
 pub trait Reported {
@@ -77,6 +78,21 @@ pub trait Reported {
             _ if format.is_picture => out.write_all(&drawn(self.picture(print)?, (format, print))?),
             _ => unsupported(),
         }
+    }
+}
+
+/// A result that others have too.
+impl<T: Reported> Reported for Arc<T> {
+    fn content() -> Content {
+        T::content()
+    }
+
+    fn records(&self) -> Vec<Record> {
+        T::records(self)
+    }
+
+    fn tabular(&self) -> Tabular {
+        T::tabular(self)
     }
 }
 

@@ -14,6 +14,9 @@ use crate::certify::survey::{
 };
 use crate::problem::{Mode, Quantity};
 
+/// Schema of the answer.
+pub(super) const SCHEMA: &str = "couplet.survey/1";
+
 /// Meaning of a range, the one sentence of all formats.
 pub const MEANING: &str =
     "A range means every arch inside it: nothing is said of how likely one is.";
@@ -75,6 +78,38 @@ impl SurveyedArches {
         found.flat_map(|found| &found.ranges).filter(|range| self.quantities.contains(&range.of))
     }
 
+    /// The fields of the answer, behind its schema.
+    pub(super) fn fields(&self) -> Record {
+        let mut record = Record::default();
+        record.add_record("asked", Some(self.asked.fields()));
+        record.add("meaning", MEANING);
+        record.add("weight", self.weight.name());
+        record.add("outcome", self.outcome()[0]);
+        record.add("reason", self.first_open().map(|open| open.reason.to_string()));
+        let found = self.found.as_ref().ok();
+        record.add_record("worst", found.map(|found| self.arch(&found.worst)));
+        record.add_record("best", found.map(|found| self.arch(&found.best)));
+        let range = |range: &QuantityRange| {
+            let mut record = Record::named("quantity", [range.of.name().into()]);
+            record.add_record("lower", Some(self.end(&range.lower)));
+            record.add_record("upper", Some(self.end(&range.upper)));
+            record
+        };
+        record.add_list("ranges", self.ranges().map(range));
+        let labels = |modes: &[Mode]| labels(modes);
+        let modes = found.map(|found| &found.modes);
+        record.add("modes", modes.map_or(Vec::new(), |modes| labels(&modes.occur)));
+        record.add("other_modes", modes.map_or(Vec::new(), |modes| labels(&modes.may_occur)));
+        record.add("some_fall", modes.and_then(|modes| modes.some_fall));
+        if let Some(Ok(Share { lower, upper })) = &self.share {
+            let mut share = Record::default();
+            share.add("lower", lower.to_string());
+            share.add("upper", upper.to_string());
+            record.add_record("share", Some(share));
+        }
+        record
+    }
+
     /// Command that asks about one arch.
     fn command(&self, of: &SurveyedArch) -> String {
         let asked = self.given.one(&of.arch, of.thickness.as_ref(), of.measured.as_ref());
@@ -112,34 +147,9 @@ impl Reported for SurveyedArches {
     }
 
     fn records(&self) -> Vec<Record> {
-        let mut record = Record::of("couplet.survey/1");
+        let mut record = Record::of(SCHEMA);
         say(self, &mut record);
-        record.add_record("asked", Some(self.asked.fields()));
-        record.add("meaning", MEANING);
-        record.add("weight", self.weight.name());
-        record.add("outcome", self.outcome()[0]);
-        record.add("reason", self.first_open().map(|open| open.reason.to_string()));
-        let found = self.found.as_ref().ok();
-        record.add_record("worst", found.map(|found| self.arch(&found.worst)));
-        record.add_record("best", found.map(|found| self.arch(&found.best)));
-        let range = |range: &QuantityRange| {
-            let mut record = Record::named("quantity", [range.of.name().into()]);
-            record.add_record("lower", Some(self.end(&range.lower)));
-            record.add_record("upper", Some(self.end(&range.upper)));
-            record
-        };
-        record.add_list("ranges", self.ranges().map(range));
-        let labels = |modes: &[Mode]| labels(modes);
-        let modes = found.map(|found| &found.modes);
-        record.add("modes", modes.map_or(Vec::new(), |modes| labels(&modes.occur)));
-        record.add("other_modes", modes.map_or(Vec::new(), |modes| labels(&modes.may_occur)));
-        record.add("some_fall", modes.and_then(|modes| modes.some_fall));
-        if let Some(Ok(Share { lower, upper })) = &self.share {
-            let mut share = Record::default();
-            share.add("lower", lower.to_string());
-            share.add("upper", upper.to_string());
-            record.add_record("share", Some(share));
-        }
+        record.append(self.fields());
         vec![record]
     }
 

@@ -71,6 +71,11 @@ impl Understood {
         format!("{}, {} alone", self.words, model(weight))
     }
 
+    /// A given value as it was written.
+    pub(crate) fn text(&self, of: Field) -> Option<&str> {
+        self.given.iter().find(|(field, _)| *field == of).map(|(_, text)| text.as_str())
+    }
+
     /// Given values as they were written, and the words.
     pub(crate) fn fields(&self) -> Record {
         let mut fields = Record::default();

@@ -5,7 +5,7 @@ use super::roles::{Role, SIZES};
 use super::spelling::Spelling;
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling as Names};
-use crate::number::{ExactNumber, ParseExactError, is_angle};
+use crate::number::{ExactNumber, ParseExactError, is_angle, is_range, shown};
 use crate::parse;
 use crate::problem::measures::Measures;
 use crate::problem::{Arch, Friction};
@@ -74,6 +74,37 @@ impl ArchReader {
         Ok((half_opening.filter(|_| asked.half_opening.is_none()), measures))
     }
 
+    /// The question of a row whose cells may be ranges, and its weight.
+    pub fn ranged(&self, cells: &Cells) -> Result<(SelfWeight, ArchAsked), String> {
+        let mut asked = ArchAsked::default();
+        for (column, cell) in self.columns.all.iter().zip(cells) {
+            let text = cell.as_deref().filter(|text| !text.is_empty());
+            if let (Some(field), Some(text)) = (column.role.field(), text) {
+                *asked.at(field) = Some(self.spelling.exact_range(text, column.degrees));
+            }
+        }
+        Ok((self.own_weight(cells)?, asked))
+    }
+
+    /// Checks that no cell of the arch is a range, which is many arches.
+    fn one_arch(&self, cells: &Cells) -> Result<(), String> {
+        let range = self.columns.all.iter().zip(cells).find_map(|(column, cell)| {
+            Some((column.role.field()?, cell.as_deref().filter(|text| is_range(text))?))
+        });
+        match range {
+            Some((field, text)) => {
+                let why = self.columns.why_no_range();
+                Err(format!("{} {} is a range{why}", field.name(), shown(text)))
+            }
+            None => Ok(()),
+        }
+    }
+
+    fn own_weight(&self, cells: &Cells) -> Result<SelfWeight, String> {
+        let text = self.given(cells, Role::Weight);
+        text.map_or(Ok(self.weight), |(text, _)| parse::weight(text))
+    }
+
     /// The arch.
     pub fn arch(&self, cells: &Cells) -> Result<Arch, String> {
         Ok(self.measured_arch(cells)?.0)
@@ -81,10 +112,8 @@ impl ArchReader {
 
     /// The arch, with its measures if it has any.
     pub fn measured_arch(&self, cells: &Cells) -> Result<(Arch, Option<Measures>), String> {
-        let weight = match self.given(cells, Role::Weight) {
-            Some((text, _)) => parse::weight(text)?,
-            None => self.weight,
-        };
+        self.one_arch(cells)?;
+        let weight = self.own_weight(cells)?;
         let missing = |role: Role| match self.said(cells, role) {
             Some(_) => format!("the {} is empty", role.name()),
             None => format!("the {} is missing", role.name()),

@@ -62,6 +62,19 @@ impl Columns {
         Ok(Self { all, named: true, purpose })
     }
 
+    /// Reason why a cell is no range, with what to do instead.
+    pub(super) fn why_no_range(&self) -> &'static str {
+        match self.purpose {
+            Purpose::Ask => {
+                ": `couplet states --ranges` tells of every arch inside; give one value here"
+            }
+            Purpose::Judge => {
+                ", which is not judged: `couplet states --ranges --keep all` writes what is proved of every arch \
+                 beside what the file has"
+            }
+        }
+    }
+
     /// Tells whether a name of the file is that of a column. Our own names may have capitals and blanks.
     fn is(&self, column: &RowColumn, name: &str) -> bool {
         column.theirs == name || (!self.named && column.theirs == plain(name))

@@ -1,5 +1,6 @@
 //! A JSON object with its values as they are written.
 
+use crate::number::BETWEEN;
 use crate::report::words::shortened;
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 use serde_json::error::Category;
@@ -18,8 +19,8 @@ impl<'a> JsonObject<'a> {
         serde_json::from_slice(bytes).map_err(|error| json_error(bytes, &error))
     }
 
-    /// A value as text: a string without its quotes, the value of an object, nothing for `null`, anything
-    /// else as written. `None` if the key is missing.
+    /// A value as text: a string without its quotes, the value of an object, of two in a list the range between them,
+    /// nothing for `null`, anything else as written. `None` if the key is missing.
     pub(crate) fn text(&self, key: &str) -> Option<String> {
         self.entry(key).map(text)
     }
@@ -70,12 +71,20 @@ impl JsonObject<'_> {
     }
 }
 
+/// Range between the two values of a list, which are no lists themselves.
+fn range(written: &str) -> Option<String> {
+    let [lower, upper] = serde_json::from_str::<[&RawValue; 2]>(written).ok()?;
+    let is_value = |end: &&RawValue| !end.get().starts_with(['[', 'n']);
+    [lower, upper].iter().all(is_value).then(|| [lower, upper].map(text).join(BETWEEN))
+}
+
 fn text(raw: &RawValue) -> String {
     let written = raw.get();
     let meant = match written.as_bytes().first() {
         Some(b'n') => Some(String::new()),
         Some(b'"') => serde_json::from_str(written).ok(),
         Some(b'{') => JsonObject::parse(written.as_bytes()).ok().and_then(|inner| inner.value()),
+        Some(b'[') => range(written),
         _ => None,
     };
     meant.unwrap_or_else(|| written.to_owned())

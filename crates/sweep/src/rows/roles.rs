@@ -99,6 +99,18 @@ impl Role {
         names
     }
 
+    /// The field of an arch that it is.
+    pub(super) fn field(self) -> Option<Field> {
+        match self {
+            Self::HalfOpening => Some(Field::HalfOpening),
+            Self::Friction => Some(Field::Friction),
+            Self::FrictionAngle => Some(Field::FrictionAngle),
+            Self::GivenThickness => Some(Field::Thickness),
+            Self::Size(field) => Some(field),
+            _ => None,
+        }
+    }
+
     /// Tells whether the role may be in degrees.
     pub(super) fn is_angle(self) -> bool {
         match self {

@@ -1,6 +1,6 @@
 //! Numbers as other programs spell them, made into exact text that every command reads.
 
-use crate::number::hexadecimal;
+use crate::number::{BETWEEN, PLUS_MINUS, hexadecimal, is_angle};
 use std::borrow::Cow;
 
 /// Spelling of the numbers of a file.
@@ -37,6 +37,20 @@ impl Spelling {
             return Cow::Borrowed(text);
         }
         (spelt.into_owned() + &text[number.len()..]).into()
+    }
+
+    /// Respells a number or each part of a range; parts without a unit are of degrees, if they are said to be.
+    pub fn exact_range(self, text: &str, degrees: bool) -> String {
+        let part = |part: &str| {
+            let is_bare = !part.trim().is_empty() && !part.contains('%') && !is_angle(part);
+            let unit = if degrees && is_bare { "deg" } else { "" };
+            format!("{}{unit}", self.exact(part.trim()))
+        };
+        let signs = [BETWEEN, PLUS_MINUS[0], PLUS_MINUS[1]];
+        match signs.into_iter().find(|sign| text.contains(sign)) {
+            Some(sign) => text.split(sign).map(part).collect::<Vec<_>>().join(sign),
+            None => part(text),
+        }
     }
 }
 
@@ -84,5 +98,25 @@ mod tests {
             assert_eq!(comma.exact(text), expected, "{text}");
         }
         assert_eq!(usual.decimal("0x1p0"), "0x1p0", "is no decimal");
+    }
+
+    #[test]
+    fn each_part_of_a_range_is_spelt() {
+        let comma = Spelling { decimal_comma: true };
+        for (text, degrees, expected) in [
+            ("0,5..0,7", false, "0.5..0.7"),
+            ("80,5±1,5", true, "80.5deg±1.5deg"),
+            ("80 +- 1%", true, "80deg+-1%"),
+            ("80deg..1,5rad", true, "80deg..1.5rad"),
+            ("80deg±1", true, "80deg±1deg"),
+            ("0x1.8p+1..0.4D+01", false, "3..0.4e+01"),
+            ("3 m ± 2 cm", false, "3 m±2 cm"),
+            ("80", true, "80deg"),
+            ("80..", true, "80deg.."),
+            ("0.5...0.7", false, "0.5...0.7"),
+            ("1.5rad..100", true, "1.5rad..100deg"),
+        ] {
+            assert_eq!(comma.exact_range(text, degrees), expected, "{text}");
+        }
     }
 }

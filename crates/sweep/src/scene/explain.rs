@@ -3,12 +3,14 @@
 use super::cost::Cost;
 use super::expected;
 use super::left_out::left_out;
-use super::nodes::{ArchNode, LandmarkNode, Work};
+use super::nodes::{ArchNode, LandmarkNode, SurveyNode, Work};
 use super::plan::{Plan, PlannedPart};
+use super::read_ranges::given;
 use super::run::Costs;
 use super::schema::{Request, SceneItem};
 use crate::certify::state::Wanted;
 use crate::problem::{Equation, tally::Tally};
+use crate::report::Understood;
 use crate::report::words::{count, list};
 use cpu_time::ProcessTime;
 use std::collections::BTreeSet;
@@ -82,7 +84,7 @@ fn item(plan: &Plan, costs: Option<&Costs>, index: usize) -> TreeNode {
     let mut places = plan.needs[index].clone();
     let cost = |place: usize| costs.and_then(|costs| costs.0[place]);
     let mut shown = usize::MAX;
-    if matches!(plan.scene.items[index].what, Request::Arches { .. }) {
+    if matches!(plan.scene.items[index].what, Request::Arches { .. } | Request::Surveys { .. }) {
         places.sort_unstable();
         places.dedup();
         let mine = places.iter().filter(|place| plan.parts[**place].first == index).count();
@@ -98,7 +100,7 @@ fn item(plan: &Plan, costs: Option<&Costs>, index: usize) -> TreeNode {
                 let spent = cost(place).map(|cost| spent_on(work, &cost));
                 branch.branches.push(TreeNode::new(lines(work).into_iter().chain(spent)));
             }
-            Work::Arch(_) | Work::Curve(_) => {
+            Work::Arch(_) | Work::Curve(_) | Work::Survey(_) => {
                 match others.iter_mut().find(|(item, ..)| item == first) {
                     Some((_, parts, _)) => *parts += 1,
                     None => others.push((*first, 1, work.kind())),
@@ -143,6 +145,7 @@ fn lines(work: &Work) -> Vec<String> {
         Work::Claim(claim) => vec![format!("{}, {}", claim.id, claim.place)],
         Work::Curve(node) => vec![format!("{node}, in tubes of {:?}", node.tolerance)],
         Work::Drawing(drawn) => vec![drawn.to_string()],
+        Work::Survey(node) => survey(node),
     }
 }
 
@@ -165,6 +168,17 @@ fn landmark(node: &LandmarkNode) -> Vec<String> {
         lines.push("for the printed numbers".to_owned());
     }
     lines
+}
+
+fn survey(node: &SurveyNode) -> Vec<String> {
+    let SurveyNode { survey, quantities, digits, .. } = node;
+    let words = given(&survey.asked).map(|given| Understood::of_ranges(&survey.asked, &given));
+    let words = words.map_or(String::new(), |words| words.in_words().to_owned());
+    let names = list(quantities.iter().map(|quantity| quantity.name()));
+    vec![
+        format!("every arch of {words}, {}", survey.weight.name()),
+        format!("to {digits} digits: {names}"),
+    ]
 }
 
 fn arch(node: &ArchNode) -> Vec<String> {

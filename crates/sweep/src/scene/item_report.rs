@@ -3,7 +3,7 @@
 use super::nodes::Work;
 use super::pieces::{CurvePiece, WorkDone};
 use super::plan::{PAGE_DIGITS, Plan};
-use super::schema::{MeasuredArch, Request, SceneArch, SceneDrawing, SceneMap};
+use super::schema::{MeasuredArch, Request, SceneArch, SceneBoxes, SceneDrawing, SceneMap};
 use crate::arch::SelfWeight;
 use crate::certify::state::{measured_assessment, measured_state};
 use crate::certify::{Enclosed, Error};
@@ -11,10 +11,12 @@ use crate::judge::{audit_of, compare_weights_of};
 use crate::picture::Print;
 use crate::problem::Quantity;
 use crate::report::{
-    Answer, Answers, Audit, Claims, Drawing, Format, Map, Reported, Sketched, Understood,
+    Answer, Answers, Audit, Claims, Drawing, Format, Map, Reported, Sketched, SurveyedArches,
+    SurveyedCell, SurveyedCells, Understood,
 };
 use rayon::prelude::*;
 use std::io;
+use std::sync::Arc;
 
 /// Answer to an item.
 pub struct ItemReport {
@@ -46,6 +48,8 @@ impl ItemReport {
                 let answers = Answers { quantities: quantities.clone(), list, ..answers };
                 (Some(Box::new(answers)), undecided.into_iter().collect())
             }
+            Request::Surveys { boxes: None, .. } => parts.surveys(),
+            Request::Surveys { boxes: Some(boxes), .. } => parts.boxes(boxes),
             Request::Claims { show, .. } => {
                 let decision = |done: &WorkDone| match done {
                     WorkDone::Claim(decision) => Some(decision.clone()),
@@ -98,6 +102,39 @@ impl<'a> ItemParts<'a> {
     /// Results of the parts.
     fn done(&self) -> impl Iterator<Item = &'a WorkDone> {
         self.parts().map(|(_, done)| done)
+    }
+
+    fn surveys(&self) -> (Option<Box<dyn Reported>>, Vec<String>) {
+        let found = self.done().filter_map(|done| match done {
+            WorkDone::Survey(found) => Some(found.clone()),
+            _ => None,
+        });
+        let (found, undecided) = apart(found, |of: &SurveyedArches| of.first_open().is_some());
+        (Some(Box::new(found)), undecided)
+    }
+
+    /// The boxes of each self-weight.
+    fn boxes(&self, boxes: &SceneBoxes) -> (Option<Box<dyn Reported>>, Vec<String>) {
+        let found = self.done().filter_map(|done| match done {
+            WorkDone::Cell(found) => Some(found.clone()),
+            _ => None,
+        });
+        let (found, undecided) = apart(found, |of: &SurveyedCell| of.reason.is_some());
+        let SceneBoxes { asked, given, cut, rows } = boxes;
+        let mut all: Vec<SurveyedCells> = Vec::new();
+        for cell in found {
+            match all.last_mut() {
+                Some(last) if last.weight == cell.weight => last.cells.push(cell),
+                _ => all.push(SurveyedCells {
+                    asked: Understood::of_ranges(asked, given),
+                    weight: cell.weight,
+                    cut: cut.clone(),
+                    cells: vec![cell],
+                    rows: rows.clone(),
+                }),
+            }
+        }
+        (Some(Box::new(all)), undecided)
     }
 
     fn constants(&self, quantities: &[Quantity], digits: usize) -> Vec<Answer> {
@@ -223,6 +260,23 @@ impl<'a> ItemParts<'a> {
         let points: Vec<Enclosed> = self.done().filter_map(enclosed).collect::<Result<_, _>>()?;
         Ok(Audit { printed: audit_of(&points)?, comparisons: compare_weights_of(&points)? })
     }
+}
+
+/// Answers about ranges, apart from what stays open or makes no sense.
+fn apart<T>(
+    found: impl Iterator<Item = Result<Arc<T>, String>>,
+    is_open: fn(&T) -> bool,
+) -> (Vec<Arc<T>>, Vec<String>) {
+    let (mut all, mut undecided) = (Vec::new(), Vec::new());
+    for one in found {
+        match one {
+            Ok(one) => all.push(one),
+            Err(error) => undecided.push(error),
+        }
+    }
+    let open = all.iter().filter(|one| is_open(one)).count();
+    undecided.extend((open > 0).then(|| format!("{open} of {} ranges", all.len())));
+    (all, undecided)
 }
 
 fn undecided_landmarks(list: &[Answer]) -> Vec<String> {

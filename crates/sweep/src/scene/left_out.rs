@@ -22,7 +22,7 @@ pub(super) fn left_out(plan: &Plan, costs: Option<&Costs>) -> Vec<String> {
             Work::Arch(node) => arches_asked.push(node),
             Work::Curve(node) => curves.push(node),
             Work::Claim(_) => claims_asked += 1,
-            Work::Drawing(_) => {}
+            Work::Drawing(_) | Work::Survey(_) => {}
         }
     }
     let mut lines = Vec::new();

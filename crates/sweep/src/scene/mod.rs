@@ -3,7 +3,7 @@
 //! | file | what it does |
 //! |---|---|
 //! | `schema` | what a scene may hold, `couplet.scene/1` |
-//! | `read` | TOML to a valid scene, or all its faults; with `table`, `read_arches`, `read_measured`, `read_drawing`, `read_map`, `read_numbers`, `read_output`, `read_print`, `value`, `fault` |
+//! | `read` | TOML to a valid scene, or all its faults; with `table`, `read_arches`, `read_measured`, `read_ranges`, `read_drawing`, `read_map`, `read_numbers`, `read_output`, `read_print`, `value`, `fault` |
 //! | `map_lines` | which lines a map shows |
 //! | `plan` | what has to be computed, each part once |
 //! | `nodes`, `drawn` | what a part is |
@@ -54,6 +54,7 @@ mod read_measured;
 mod read_numbers;
 mod read_output;
 mod read_print;
+mod read_ranges;
 mod read_sweep;
 mod run;
 mod same;
@@ -72,7 +73,7 @@ pub(crate) use hash::hash_of;
 pub use item_report::ItemReport;
 pub use manifest::{Manifest, NAME as MANIFEST};
 pub use map_lines::map_lines;
-pub use nodes::{ArchNode, CurveNode, LandmarkNode, ThicknessNode, Work};
+pub use nodes::{ArchNode, CurveNode, LandmarkNode, SurveyNode, ThicknessNode, Work};
 pub use plan::{Plan, PlannedPart};
 pub use read::{read, read_bytes};
 pub use read_sweep::read_sweep;
@@ -80,7 +81,7 @@ pub use run::{Costs, SceneRun};
 pub use same::contour_key;
 pub use schema::{
     EXAMPLE, ItemKind, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, MapLine, Request, SCHEMA, Scene,
-    SceneArch, SceneDrawing, SceneItem, SceneMap,
+    SceneArch, SceneBoxes, SceneDrawing, SceneItem, SceneMap, SceneSurvey,
 };
 #[cfg(feature = "parquet")]
 pub(crate) use sweep::{MAX_CHUNK, MAX_SAMPLE};

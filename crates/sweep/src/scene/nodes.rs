@@ -2,13 +2,14 @@
 
 use super::drawn::{DrawnArch, DrawnKey};
 use super::same::ArchKey;
-use super::schema::MapLine;
+use super::schema::{MapLine, SceneSurvey};
 use crate::arch::SelfWeight;
 use crate::certify::state::Wanted;
 use crate::certify::{CertifiedLandmark, quantities};
 use crate::claims::Claim;
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Landmark, Quantity};
+use crate::report::SurveyedRows;
 use rug::Rational;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fmt;
@@ -34,6 +35,8 @@ pub enum Work<'s> {
     Curve(CurveNode),
     /// An arch that is drawn.
     Drawing(Box<DrawnArch>),
+    /// All arches between two ends.
+    Survey(SurveyNode<'s>),
 }
 
 /// Key of equal work, however its numbers are written.
@@ -45,6 +48,8 @@ pub(super) enum WorkKey {
     /// The name of a curve and the bits of its tolerance.
     Curve(String, u64),
     Drawing(DrawnKey),
+    /// The question, and what is asked, in words.
+    Survey(String),
 }
 
 /// A landmark and what is asked of it.
@@ -89,6 +94,19 @@ pub struct ThicknessNode {
     pub wanted: Wanted,
 }
 
+/// All arches between two ends, and what is told of them.
+#[derive(Clone, Copy, Debug)]
+pub struct SurveyNode<'s> {
+    /// The arches.
+    pub survey: &'s SceneSurvey,
+    /// Columns, if the arches are a box of which the cells of a table are told.
+    pub rows: Option<&'s SurveyedRows>,
+    /// Quantities that are told.
+    pub quantities: &'s [Quantity],
+    /// Significant digits.
+    pub digits: usize,
+}
+
 /// A curve of the map, or a level.
 #[derive(Debug)]
 pub struct CurveNode {
@@ -111,7 +129,7 @@ impl Work<'_> {
         match self {
             Self::Landmark(node) => node.digits(),
             Self::Arch(node) => ARCH.max(node.digits()),
-            Self::Drawing(_) => ARCH,
+            Self::Drawing(_) | Self::Survey(_) => ARCH,
             Self::Claim(_) | Self::Curve(_) => LONG,
         }
     }
@@ -126,12 +144,13 @@ impl Work<'_> {
     }
 
     /// Words for one and for many of its kind, in the order in which kinds are counted.
-    pub(super) const KINDS: [(&'static str, &'static str); 5] = [
+    pub(super) const KINDS: [(&'static str, &'static str); 6] = [
         ("landmark", "landmarks"),
         ("arch", "arches"),
         ("claim", "claims"),
         ("curve", "curves"),
         ("drawn arch", "drawn arches"),
+        ("range of arches", "ranges of arches"),
     ];
 
     /// Words for its kind.
@@ -142,6 +161,7 @@ impl Work<'_> {
             Self::Claim(_) => 2,
             Self::Curve(_) => 3,
             Self::Drawing(_) => 4,
+            Self::Survey(_) => 5,
         }]
     }
 }
@@ -159,6 +179,17 @@ impl LandmarkNode {
     /// The most digits that are asked for.
     pub fn digits(&self) -> usize {
         self.asked.iter().map(|(_, digits)| *digits).max().unwrap_or(0)
+    }
+}
+
+impl SurveyNode<'_> {
+    /// Words that are the same for the same question.
+    pub(super) fn key(&self) -> String {
+        let Self { survey, rows, quantities, digits } = self;
+        let names: Vec<&str> = quantities.iter().map(|of| of.name()).collect();
+        let (options, weight) = (survey.asked.options(), survey.weight.name());
+        let boxed = if rows.is_some() { " box" } else { "" };
+        format!("{options} {weight} {} {digits}{boxed}", names.join(" "))
     }
 }
 

@@ -1,7 +1,8 @@
 //! The parts of a plan, computed: a landmark, an arch. Each answers whatever any item asks of it.
 
-use super::nodes::{ArchNode, CurveNode, LandmarkNode, Work};
+use super::nodes::{ArchNode, CurveNode, LandmarkNode, SurveyNode, Work};
 use super::plan::Plan;
+use super::read_ranges::given;
 use super::schema::MapLine;
 use crate::arch::SelfWeight;
 use crate::atlas::{Level, NoLevel, NoSketch, Sketch, Trace};
@@ -14,8 +15,10 @@ use crate::certify::{
 use crate::claims::Decision;
 use crate::judge::enclosed;
 use crate::problem::Quantity;
+use crate::report::{SurveyedArches, SurveyedCell};
+use crate::surveyed::surveyed;
 use std::collections::{BTreeMap, HashMap};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// Result of a part of a plan.
 pub(super) enum WorkDone {
@@ -24,6 +27,10 @@ pub(super) enum WorkDone {
     Claim(Decision),
     Curve(Result<CurvePiece, NoLevel>),
     Drawing(Box<Result<Sketch, NoSketch>>),
+    /// Answer about all arches between two ends, or why the question makes no sense.
+    Survey(Result<Arc<SurveyedArches>, String>),
+    /// Answer about a box, in the cells of a table.
+    Cell(Result<Arc<SurveyedCell>, String>),
 }
 
 impl WorkDone {
@@ -36,11 +43,23 @@ impl WorkDone {
             Work::Arch(node) => Self::Arch(ArchPiece::new(node, shared)),
             Work::Claim(claim) => Self::Claim(claim.decide()),
             Work::Curve(node) => Self::Curve(CurvePiece::new(node, shared)),
+            Work::Survey(node) => match node.rows {
+                None => Self::Survey(found(node).map(Arc::new)),
+                Some(rows) => Self::Cell(found(node).map(|found| Arc::new(rows.cell(&found)))),
+            },
             Work::Drawing(drawn) => Self::Drawing(Box::new(drawn.sketch())),
         };
         tick();
         done
     }
+}
+
+/// Answer about all arches between two ends.
+fn found(node: &SurveyNode) -> Result<SurveyedArches, String> {
+    let SurveyNode { survey, quantities, digits, .. } = node;
+    let given = given(&survey.asked).map_err(|misfit| misfit.message)?;
+    let found = surveyed(&survey.asked, &given, survey.weight, (quantities, *digits, false));
+    found.map_err(|error| error.to_string())
 }
 
 /// A proved landmark.

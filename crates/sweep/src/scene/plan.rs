@@ -1,7 +1,7 @@
 //! The plan of a scene: each part of the work once, to the most digits that any item asks of it. The first
 //! item that needs a part waits for all of its digits.
 
-use super::nodes::{ArchNode, CurveNode, LandmarkNode, Work, WorkKey};
+use super::nodes::{ArchNode, CurveNode, LandmarkNode, SurveyNode, Work, WorkKey};
 use super::same::arch_key;
 use super::schema::{Request, Scene, SceneArch, SceneItem};
 use crate::arch::SelfWeight;
@@ -96,6 +96,13 @@ impl<'s> Planning<'s> {
                         node.errors |= item.format.has_errors;
                         node.ask(thickness.as_ref(), quantities, *digits);
                     }
+                }
+            }
+            Request::Surveys { surveys, boxes, quantities, digits } => {
+                let rows = boxes.as_ref().map(|boxes| &boxes.rows);
+                for survey in surveys {
+                    let node = SurveyNode { survey, rows, quantities, digits: *digits };
+                    self.part(WorkKey::Survey(node.key()), || Work::Survey(node));
                 }
             }
             Request::Claims { claims, .. } => {

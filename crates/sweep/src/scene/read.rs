@@ -7,8 +7,10 @@ use super::read_map::{figure, map};
 use super::read_measured;
 use super::read_output::{OutputFiles, output};
 use super::read_print::print;
+use super::read_ranges;
 use super::schema::{
-    DIGITS, ItemKind, MAX_BYTES, MAX_ITEMS, Request, SCENE_KEYS, SCHEMA, Scene, SceneItem,
+    DIGITS, ItemKind, MAX_BYTES, MAX_ITEMS, RANGE_DIGITS, Request, SCENE_KEYS, SCHEMA, Scene,
+    SceneItem,
 };
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
@@ -63,6 +65,9 @@ fn scene(reader: &mut TomlReader, root: &DeTable) -> Vec<SceneItem> {
     let mut whole = TableReader { reader, span: 0..0, table: root };
     let digits = whole.or("digits", DIGITS, digits);
     let weights = whole.if_given("weight", TomlReader::weights);
+    if root.contains_key("digits") {
+        reader.range_digits = digits.unwrap_or(RANGE_DIGITS);
+    }
     (reader.digits, reader.weights) = (digits.unwrap_or(DIGITS), weights.flatten());
     let mut tables = tables(reader, root);
     if let Some((_, span, _)) = tables.get(MAX_ITEMS) {
@@ -120,6 +125,9 @@ fn item(
     let format = destination.as_ref().map(|(_, format)| *format);
     let what = match kind {
         ItemKind::Constants => constants(&mut table),
+        ItemKind::Arches if read_ranges::has_ranges(&table) => {
+            read_ranges::arches(&mut table, format, arches)
+        }
         ItemKind::Arches if read_measured::is_measured(&table) => {
             read_measured::arches(&mut table, arches)
         }

@@ -188,6 +188,13 @@ fn range(
     table: &DeTable,
 ) -> Option<Numbers> {
     let before = reader.faults.len();
+    if table.contains_key("boxes") {
+        let message = format!(
+            "{} is cut into boxes, which [[arches]] of a scene takes alone; give steps here",
+            meaning.key()
+        );
+        return reader.refuse(value.span(), message);
+    }
     reader.unknown_keys(table, "a range", &["from", "to", "steps"], &[]);
     for key in ["from", "to", "steps"].iter().filter(|key| !table.contains_key(**key)) {
         let message =

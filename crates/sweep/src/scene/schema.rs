@@ -3,7 +3,7 @@
 use super::drawn::DrawnArch;
 use super::fault::{Fault, Position};
 use crate::arch::SelfWeight;
-use crate::ask::{ArchAsked, ArchGiven};
+use crate::ask::{ArchAsked, ArchGiven, Field, SurveyGiven};
 use crate::atlas::{Contour, Curve};
 use crate::claims::Claim;
 use crate::number::ExactNumber;
@@ -12,7 +12,8 @@ use crate::problem::Arch;
 use crate::problem::measures::Measures;
 use crate::problem::{Landmark, Mode, Quantity};
 use crate::report::{
-    Answers, Audit, Axes, Claims, Content, Format, Map, Marked, Reported, Sketched, Style, View,
+    Answers, Audit, Axes, Claims, Content, Format, Map, Marked, Reported, Sketched, Style,
+    SurveyedRows, View,
 };
 use std::path::PathBuf;
 
@@ -24,8 +25,12 @@ pub const EXAMPLE: &str = include_str!("example.toml");
 
 /// Digits where a scene does not say how many.
 pub(super) const DIGITS: usize = 30;
+/// Digits of the ends of ranges where it does not.
+pub(super) const RANGE_DIGITS: usize = 6;
 /// The most arches of a scene, and the most steps of a range.
 pub const MAX_ARCHES: usize = 100_000;
+/// The most ranges that are not boxes: each has an answer of many lines.
+pub(super) const MAX_RANGES: usize = 10_000;
 /// The most items of a scene.
 pub const MAX_ITEMS: usize = 1_000;
 /// The most bytes of a scene.
@@ -75,6 +80,17 @@ pub enum Request {
         quantities: Vec<Quantity>,
         /// True if the arches have a thickness.
         with_thickness: bool,
+        /// Significant digits.
+        digits: usize,
+    },
+    /// Arches between two ends.
+    Surveys {
+        /// The ranges.
+        surveys: Vec<SceneSurvey>,
+        /// The question about all of them, if they are its boxes.
+        boxes: Option<Box<SceneBoxes>>,
+        /// Quantities of them.
+        quantities: Vec<Quantity>,
         /// Significant digits.
         digits: usize,
     },
@@ -157,6 +173,28 @@ pub struct MeasuredArch {
     pub asked: ArchAsked,
     /// The reading of the texts.
     pub given: ArchGiven,
+}
+
+/// All arches between two ends, as they are asked about: of many the reading of each would fill the memory.
+#[derive(Clone, Debug)]
+pub struct SceneSurvey {
+    /// The texts, which were found to make sense.
+    pub asked: ArchAsked,
+    /// The self-weight model.
+    pub weight: SelfWeight,
+}
+
+/// A question whose ranges are cut into boxes.
+#[derive(Clone, Debug)]
+pub struct SceneBoxes {
+    /// The texts.
+    pub asked: ArchAsked,
+    /// The reading of the texts.
+    pub given: SurveyGiven,
+    /// Fields that are cut, with the numbers of parts.
+    pub cut: Vec<(Field, usize)>,
+    /// Columns of a table of them.
+    pub rows: SurveyedRows,
 }
 
 /// A kind of item, by the table that asks for it.
@@ -268,7 +306,7 @@ impl Request {
     pub fn kind(&self) -> ItemKind {
         match self {
             Self::Constants { .. } => ItemKind::Constants,
-            Self::Arches { .. } => ItemKind::Arches,
+            Self::Arches { .. } | Self::Surveys { .. } => ItemKind::Arches,
             Self::Claims { .. } => ItemKind::Claims,
             Self::Audit { .. } => ItemKind::Audit,
             Self::Map(_) => ItemKind::Map,
@@ -301,6 +339,13 @@ impl SceneItem {
                 };
                 let all: String = arches.iter().map(arch).collect();
                 format!("{all} quantities {} digits {digits}", names(quantities))
+            }
+            Request::Surveys { surveys, boxes, quantities, digits } => {
+                let survey =
+                    |of: &SceneSurvey| format!("{} {},", of.asked.options(), of.weight.name());
+                let all: String = surveys.iter().map(survey).collect();
+                let boxes = boxes.as_ref().map_or("", |_| " boxes");
+                format!("{all}{boxes} quantities {} digits {digits}", names(quantities))
             }
             Request::Claims { claims, show } => {
                 let ids: Vec<_> = claims.iter().map(|claim| claim.id).collect();

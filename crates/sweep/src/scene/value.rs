@@ -1,7 +1,7 @@
 //! TOML values of the types that a scene has; any other type is a fault.
 
 use super::fault::{Fault, SceneText};
-use super::schema::DIGITS;
+use super::schema::{DIGITS, RANGE_DIGITS};
 use crate::arch::SelfWeight;
 use crate::report::words::{did_you_mean, list, shortened};
 use std::collections::HashSet;
@@ -20,6 +20,8 @@ pub(super) struct TomlReader<'s> {
     pub notes: Vec<Fault>,
     /// Significant digits of items that say nothing else.
     pub digits: usize,
+    /// Significant digits of the ends of ranges, of such items.
+    pub range_digits: usize,
     /// Weights of items that say nothing else, if the scene says so.
     pub weights: Option<Vec<SelfWeight>>,
 }
@@ -27,7 +29,14 @@ pub(super) struct TomlReader<'s> {
 impl<'s> TomlReader<'s> {
     pub(super) fn new(text: &'s str) -> Self {
         let source = SceneText::new(text);
-        Self { source, faults: Vec::new(), notes: Vec::new(), digits: DIGITS, weights: None }
+        Self {
+            source,
+            faults: Vec::new(),
+            notes: Vec::new(),
+            digits: DIGITS,
+            range_digits: RANGE_DIGITS,
+            weights: None,
+        }
     }
 
     /// The table that the text is, or what is wrong with it as TOML.

@@ -1,0 +1,251 @@
+//! Reading from TOML to arches between two ends, by the reader of every other door; and a range cut into boxes.
+
+use super::read_arches::quantities;
+use super::read_numbers::{Meaning, numbers};
+use super::schema::{MAX_ARCHES, MAX_RANGES, Request, SceneBoxes, SceneSurvey};
+use super::table::TableReader;
+use super::value::{TomlReader, TomlValue};
+use crate::arch::SelfWeight;
+use crate::ask::{ArchAsked, ArchQuestion, Field, Misfit, Range, Spelling, SurveyGiven, boxes};
+use crate::certify::MAX_DIGITS;
+use crate::number::{BETWEEN, is_range};
+use crate::problem::Quantity;
+use crate::report::words::{distinct, list};
+use crate::report::{Format, Reported, SurveyedArches, SurveyedRows};
+use crate::surveyed;
+use toml::de::{DeTable, DeValue};
+
+/// Fields of such arches.
+const FIELDS: [Field; 10] = [
+    Field::HalfOpening,
+    Field::Friction,
+    Field::FrictionAngle,
+    Field::Thickness,
+    Field::Span,
+    Field::Rise,
+    Field::Radius,
+    Field::MeasuredAt,
+    Field::Density,
+    Field::Depth,
+];
+
+const QUESTION: ArchQuestion =
+    ArchQuestion { refuses: &[], needs: &[], unlimited: false, example: "" };
+
+/// Tells whether any number of the arches is a range.
+pub(super) fn has_ranges(table: &TableReader) -> bool {
+    FIELDS.into_iter().filter_map(|field| table.given_field(field)).any(is_ranged)
+}
+
+fn is_ranged(value: &TomlValue) -> bool {
+    match value.get_ref() {
+        DeValue::Array(all) => all.iter().any(is_ranged),
+        DeValue::Table(table) => table.contains_key("boxes"),
+        DeValue::String(text) => is_range(text),
+        _ => false,
+    }
+}
+
+/// Texts of a key.
+struct Axis {
+    field: Field,
+    texts: Vec<String>,
+    /// Text of all of it, if it is cut into boxes.
+    whole: Option<String>,
+}
+
+/// An item of arches with ranges; `used` counts the arches of all items, of which each range is one here.
+pub(super) fn arches(
+    table: &mut TableReader,
+    format: Option<&'static Format>,
+    used: &mut usize,
+) -> Option<Request> {
+    let before = table.reader.faults.len();
+    is_written(table, format);
+    let weights = table.weights(&[SelfWeight::Milankovitch]);
+    let axes = axes(table);
+    let with_thickness = table.given_field(Field::Thickness).is_some();
+    let told = surveyed::told(with_thickness);
+    let quantities = quantities(table, told, with_thickness);
+    let usual = table.reader.range_digits;
+    let digits =
+        table.or("digits", usual, |reader, key, value| reader.whole(key, value, 1..=MAX_DIGITS));
+    let (weights, axes) = (weights?, axes?);
+    let quantities = distinct(quantities?.into_iter().map(|of| match of {
+        // The thickness of a state is the least.
+        Quantity::Thickness => Quantity::LeastThickness,
+        other => other,
+    }));
+    let boxes = whole(table, &axes, &quantities)?;
+    let lengths = axes.iter().map(|axis| axis.texts.len()).chain([weights.len()]);
+    let count = lengths.fold(1usize, usize::saturating_mul);
+    if count > MAX_ARCHES - *used {
+        return table.too_many(count, *used);
+    }
+    if boxes.is_none() && count > MAX_RANGES {
+        return table.refuse(format!(
+            "{count} ranges are too many; an item has at most {MAX_RANGES}, `couplet states --ranges` reads any number"
+        ));
+    }
+    *used += count;
+    let all = product(&axes);
+    all.iter().for_each(|asked| drop(read(table, asked)));
+    if !table.is_well_since(before) {
+        return None;
+    }
+    let surveys = weights.iter().flat_map(|&weight| {
+        all.iter().map(move |asked| SceneSurvey { asked: asked.clone(), weight })
+    });
+    Some(Request::Surveys { surveys: surveys.collect(), boxes, quantities, digits: digits? })
+}
+
+/// Refuses a format that ranges do not have.
+fn is_written(table: &mut TableReader, format: Option<&'static Format>) {
+    let content = SurveyedArches::content();
+    if let Some(format) = format.filter(|format| !content.is_written_as(format)) {
+        let place = table.get("format").or_else(|| table.get("output"));
+        let span = place.map_or(table.span.clone(), |value| value.span());
+        let (names, name) = (Format::names(content), format.name);
+        let message = format!("the answer of a range is written only as {names}, not {name}");
+        table.reader.fault(span, message);
+    }
+}
+
+/// Every combination of the texts of the keys, the last key fastest.
+fn product(axes: &[Axis]) -> Vec<ArchAsked> {
+    let mut all = vec![ArchAsked::default()];
+    for axis in axes {
+        let with = |asked: &ArchAsked, text: &String| {
+            let mut asked = asked.clone();
+            *asked.at(axis.field) = Some(text.clone());
+            asked
+        };
+        let texts = || axis.texts.iter();
+        all = all.iter().flat_map(|asked| texts().map(|text| with(asked, text))).collect();
+    }
+    all
+}
+
+/// The question about all boxes, if any range is cut; `None` if that makes no sense.
+fn whole(
+    table: &mut TableReader,
+    axes: &[Axis],
+    quantities: &[Quantity],
+) -> Option<Option<Box<SceneBoxes>>> {
+    let cut: Vec<(Field, usize)> = axes
+        .iter()
+        .filter(|axis| axis.whole.is_some())
+        .map(|axis| (axis.field, axis.texts.len()))
+        .collect();
+    if cut.is_empty() {
+        return Some(None);
+    }
+    if let Some(many) = axes.iter().find(|axis| axis.whole.is_none() && axis.texts.len() > 1) {
+        let name = many.field.name();
+        let span = table.given_field(many.field).map_or(table.span.clone(), |value| value.span());
+        let message = format!("beside boxes {name} is one value, one range, or boxes too");
+        return table.reader.refuse(span, message);
+    }
+    let mut asked = ArchAsked::default();
+    for axis in axes {
+        *asked.at(axis.field) = axis.whole.clone().or_else(|| axis.texts.first().cloned());
+    }
+    let given = read(table, &asked)?;
+    let rows = SurveyedRows::new(quantities.to_vec(), asked.thickness.is_some());
+    Some(Some(Box::new(SceneBoxes { asked, given, cut, rows })))
+}
+
+/// The arches of a question.
+pub(super) fn given(asked: &ArchAsked) -> Result<SurveyGiven, Misfit> {
+    SurveyGiven::read(&QUESTION, asked, Spelling::Key)
+}
+
+/// The arches of a question, or the fault of what is none.
+fn read(table: &mut TableReader, asked: &ArchAsked) -> Option<SurveyGiven> {
+    match given(asked) {
+        Ok(given) => Some(given),
+        Err(Misfit { field, message }) => {
+            let value = field.and_then(|field| table.given_field(field));
+            let span = value.map_or(table.span.clone(), |value| value.span());
+            table.reader.refuse(span, message)
+        }
+    }
+}
+
+/// The keys that are given, with their texts.
+fn axes(table: &mut TableReader) -> Option<Vec<Axis>> {
+    let before = table.reader.faults.len();
+    let mut axes = Vec::new();
+    for field in FIELDS {
+        let value = match meaning(field) {
+            Some(meaning) => table.given(meaning),
+            None => table.get(field.name()),
+        };
+        axes.extend(value.and_then(|value| axis(table, field, value)));
+    }
+    table.is_well_since(before).then_some(axes)
+}
+
+fn meaning(field: Field) -> Option<Meaning> {
+    Some(match field {
+        Field::HalfOpening => Meaning::HalfOpening,
+        Field::Friction => Meaning::Friction,
+        Field::FrictionAngle => Meaning::FrictionAngle,
+        Field::Thickness => Meaning::Thickness,
+        _ => return None,
+    })
+}
+
+fn axis(table: &mut TableReader, field: Field, value: &TomlValue) -> Option<Axis> {
+    match (value.get_ref(), meaning(field)) {
+        (DeValue::Table(parts), _) if parts.contains_key("boxes") => {
+            cut(table.reader, field, value, parts)
+        }
+        (DeValue::Table(_), Some(meaning)) => {
+            let all = numbers(table.reader, meaning, value)?;
+            let texts = table.written(all)?.into_iter().map(|number| number.exact_text());
+            // The angle of a friction says itself that it is one.
+            let field = if field == Field::FrictionAngle { Field::Friction } else { field };
+            Some(Axis { field, texts: texts.collect(), whole: None })
+        }
+        _ => {
+            let allowed = "a number, a range (\"0.5..0.6\", \"3m±1cm\"), or a list";
+            let read =
+                |reader: &mut TomlReader, element: &TomlValue| match TomlReader::literal(element) {
+                    Some(text) => Some((text.to_owned(), text.to_owned())),
+                    None => reader.reject(field.name(), element, allowed),
+                };
+            let texts = table.reader.each_once(field.name(), value, allowed, read)?;
+            Some(Axis { field, texts, whole: None })
+        }
+    }
+}
+
+/// `{ from, to, boxes }`: ranges that touch each other from end to end.
+fn cut(reader: &mut TomlReader, field: Field, value: &TomlValue, parts: &DeTable) -> Option<Axis> {
+    let keys = ["from", "to", "boxes"];
+    let name = field.name();
+    reader.unknown_keys(parts, "a range in boxes", &keys, &[]);
+    let mut end = |key: &str| {
+        let Some(end) = parts.get(key) else {
+            let message = format!(
+                "{name} has no {key}; boxes are {{ from = …, to = …, boxes = … }}: all of {}",
+                list(keys)
+            );
+            return reader.refuse(value.span(), message);
+        };
+        let text = TomlReader::literal(end).filter(|text| !is_range(text));
+        text.map(str::to_owned).or_else(|| reader.reject(key, end, "one value"))
+    };
+    let (lower, upper) = (end("from"), end("to"));
+    let count = reader.whole("boxes", parts.get("boxes")?, 1..=MAX_ARCHES);
+    let range = Range { lower: lower?, upper: upper? };
+    let text = |range: &Range| format!("{}{BETWEEN}{}", range.lower, range.upper);
+    match boxes(&range, count?) {
+        Ok(all) => {
+            let texts = all.map(|part| text(&part)).collect();
+            Some(Axis { field, texts, whole: Some(text(&range)) })
+        }
+        Err(error) => reader.refuse(value.span(), error.to_string()),
+    }
+}

@@ -1,0 +1,86 @@
+//! Rows of which each is about all arches between its ends.
+
+use super::arguments::Arguments;
+use super::counts::Counts;
+use super::opened::Opened;
+use crate::ask::{ArchQuestion, Field, Spelling, SurveyGiven};
+use crate::cli::commands::output::{chosen, is_written};
+use crate::cli::commands::stream::{Chunk, in_order};
+use crate::problem::Quantity;
+use crate::report::words::distinct;
+use crate::report::{Content, SurveyedArches, SurveyedRow, SurveyedRows};
+use crate::sweep::failure::Failure;
+use crate::sweep::rows::{ArchReader, Cells, Numbered, ReadRow, Role};
+use crate::sweep::surveyed::{of_rows, surveyed};
+use std::io;
+
+/// Question of every row.
+const QUESTION: ArchQuestion =
+    ArchQuestion { refuses: &[], needs: &[], unlimited: false, example: "" };
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    if let Some(format) = arguments.format {
+        is_written("the answer of a range", Content::RANGES, format)?;
+    }
+    let Some(opened) = Opened::new(arguments, Content::RANGES)? else { return Ok(()) };
+    let Opened { given, progress, output, format, .. } = opened;
+    let has = |role| given.columns.all.iter().any(|column| column.role == role);
+    let (have_thickness, have_sizes) = (has(Role::GivenThickness), has(Role::Size(Field::Span)));
+    let all = of_rows(have_thickness, have_sizes);
+    let asked = arguments.quantities.iter().map(|of| match of {
+        // Of arches without a thickness it is the least.
+        Quantity::Thickness => Quantity::LeastThickness,
+        other => *other,
+    });
+    let quantities = chosen(&distinct(asked), &all)?;
+    let are_objects = format.name == "jsonl";
+    let file = SurveyedRows { quantities, have_thickness, kept: given.kept, are_objects };
+    let (weight, spelling) = (arguments.weight, given.spelling);
+    let reader = ArchReader { columns: given.columns, weight, doubles: false, spelling };
+    let mut counts = Counts::default();
+    output.write(|out| {
+        out.write_all(&file.header()?)?;
+        let asked = (&file.quantities[..], arguments.digits);
+        let answer = |line| {
+            let row = answer(&reader, line, asked);
+            let text = file.row(&row);
+            (row, text)
+        };
+        let answered = in_order(given.rows, (&progress, Chunk::WhatIsThere), answer, |answers| {
+            for (row, text) in answers {
+                counts.add(row.is_refused(), row.is_undecided());
+                out.write_all(&text?)?;
+            }
+            out.flush()?;
+            Ok::<_, io::Error>(())
+        })?;
+        counts.rows = Some(answered);
+        Ok(())
+    })?;
+    counts.verdict()
+}
+
+/// The answer to a query, or its error.
+fn answer(
+    reader: &ArchReader,
+    (line, query): Numbered<ReadRow>,
+    asked: (&[Quantity], usize),
+) -> SurveyedRow {
+    match query {
+        Ok(ReadRow { cells, kept }) => {
+            SurveyedRow { line, kept, found: found(reader, &cells, asked) }
+        }
+        Err(error) => SurveyedRow { line, kept: Vec::new(), found: Err(error) },
+    }
+}
+
+fn found(
+    reader: &ArchReader,
+    cells: &Cells,
+    (quantities, digits): (&[Quantity], usize),
+) -> Result<SurveyedArches, String> {
+    let (weight, asked) = reader.ranged(cells)?;
+    let given = SurveyGiven::read(&QUESTION, &asked, Spelling::Key);
+    let given = given.map_err(|misfit| misfit.message)?;
+    surveyed(&asked, &given, weight, (quantities, digits, false)).map_err(|error| error.to_string())
+}
