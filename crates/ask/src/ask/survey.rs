@@ -4,11 +4,14 @@ use super::arch::{ArchAsked, Field};
 use super::given::{circle, friction, given_thickness, read};
 use super::question::{ArchQuestion, Misfit, Spelling};
 use super::range::decimal;
+use super::stones::StonesAsked;
 use crate::arch::SelfWeight;
 use crate::number::{ExactNumber, shown};
 use crate::problem::measures::{Circle, Length, Measures, of_span_and_rise};
+use crate::problem::stones::Stones;
 use crate::problem::survey::{Shape, Survey, SurveyError, frictions_in_order, in_order};
-use crate::problem::{Arch, ArchError, Friction};
+use crate::problem::{Arch, ArchError, Friction, Sought};
+use num_bigint::BigInt;
 
 /// All arches of a question with ranges, as they are understood.
 #[derive(Clone, Debug)]
@@ -19,14 +22,14 @@ pub struct SurveyGiven {
     pub shape: Shape,
     /// Circle at which the arches are measured, where they are.
     pub circle: Option<Circle>,
+    /// Stones of every one of them, if the joints are between them alone.
+    pub stones: Option<Stones>,
     /// Texts of the lower ends and of the upper ends.
     ends: [ArchAsked; 2],
 }
 
 /// Fields that go with no range, each with the reason.
-const REFUSED: [(Field, &str); 5] = [
-    (Field::Stones, "a range of arches is told of with a joint at every angle"),
-    (Field::Joints, "a range of arches is told of with a joint at every angle"),
+const REFUSED: [(Field, &str); 3] = [
     (Field::Tilt, "a range of arches is told of on level ground"),
     (Field::Density, "of a range of arches no forces are told"),
     (Field::Depth, "of a range of arches no forces are told"),
@@ -43,6 +46,16 @@ impl SurveyGiven {
     ) -> Result<Self, Misfit> {
         question.fits(asked, spelling)?;
         question.is_whole(asked, spelling)?;
+        Self::of(question.unlimited, asked, spelling)
+    }
+
+    /// Arches of which something is sought that is not given: they have any friction, or any half opening, for which
+    /// one radian stands where a text has none.
+    pub fn seeking(sought: Sought, asked: &ArchAsked, spelling: Spelling) -> Result<Self, Misfit> {
+        Self::of(sought == Sought::Friction, asked, spelling)
+    }
+
+    fn of(is_unlimited: bool, asked: &ArchAsked, spelling: Spelling) -> Result<Self, Misfit> {
         let refused = REFUSED.iter().find(|(field, _)| asked.get(*field).is_some());
         if let Some((field, why)) = refused {
             let (name, range) = (spelling.of(*field), asked.ranges().next());
@@ -51,18 +64,30 @@ impl SurveyGiven {
             let message = format!("{name} does not go with {range}: {why}");
             return Err(Misfit::new(*field, message));
         }
+        let stones = stones(asked, spelling)?;
         let ends = asked.ends()?;
         let circle = circle(asked)?;
         let [low, high] = ends.each_ref().map(|end| {
-            let any = || question.unlimited.then_some(Friction::Infinite);
+            let any = || is_unlimited.then_some(Friction::Infinite);
             let missing = || Misfit::new(Field::Friction, "the friction is missing");
             friction(end)?.or_else(any).ok_or_else(missing)
         });
-        let (friction, shape) = ([low?, high?], shape(&ends, circle, spelling)?);
+        let joints = stones.as_ref().and_then(|stones| match stones {
+            StonesAsked::Joints(stones) => Some(stones.half_opening().clone()),
+            StonesAsked::Numbers { .. } => None,
+        });
+        let usual = joints.unwrap_or_else(|| ExactNumber::rational(BigInt::from(1).into()));
+        let (friction, shape) = ([low?, high?], shape(&ends, usual, circle, spelling)?);
         let is_measured = MEASURES.into_iter().any(|of| asked.get(of).is_some());
-        let given = Self { friction, shape, circle: is_measured.then_some(circle), ends };
+        let circle = is_measured.then_some(circle);
+        let mut given = Self { friction, shape, circle, stones: None, ends };
         // What is no range of arches is told with its field.
         given.survey(SelfWeight::Heyman).map_err(|error| given.misfit(&error, asked))?;
+        if let Some(stones) = stones {
+            let [alpha, _] = given.half_opening();
+            let all = stones.all(&alpha).map_err(|error| Misfit::new(Field::Stones, error))?;
+            given.stones = all.into_iter().next();
+        }
         Ok(given)
     }
 
@@ -180,14 +205,46 @@ fn made([short, long]: &[Length; 2], [low, high]: &[Length; 2]) -> [(ExactNumber
     [(long, low), (short, high)].map(|(span, rise)| of_span_and_rise(span, rise))
 }
 
-/// Geometry that the arches have in common.
-fn shape(ends: &[ArchAsked; 2], circle: Circle, spelling: Spelling) -> Result<Shape, Misfit> {
+/// Stones of arches of which friction or thickness is a range: what else has one moves the joints.
+fn stones(asked: &ArchAsked, spelling: Spelling) -> Result<Option<StonesAsked>, Misfit> {
+    let Some(stones) = super::given::stones(asked)? else { return Ok(None) };
+    let [of, alpha] = match stones {
+        StonesAsked::Joints(_) => [Field::Joints; 2],
+        StonesAsked::Numbers { .. } => [Field::Stones, Field::HalfOpening],
+    };
+    let name = |field| spelling.of(field);
+    let moves = [alpha, Field::Span, Field::Rise];
+    if let Some(field) = asked.ranges().find(|field| moves.contains(field)) {
+        let message = format!(
+            "{} does not go with the range of {}, which moves the joints: ranges of friction and thickness leave them",
+            name(of),
+            name(field)
+        );
+        return Err(Misfit::new(of, message));
+    }
+    match stones.is_range() {
+        true => {
+            let message =
+                format!("a range of arches has one number of stones: give {} one", name(of));
+            Err(Misfit::new(of, message))
+        }
+        false => Ok(Some(stones)),
+    }
+}
+
+/// Geometry that the arches have in common; of no half opening that is given, or made, they have the `usual` one.
+fn shape(
+    ends: &[ArchAsked; 2],
+    usual: ExactNumber,
+    circle: Circle,
+    spelling: Spelling,
+) -> Result<Shape, Misfit> {
     let [span, rise, radius] = MEASURES.map(|field| lengths(ends, field));
     let (measured, radius) = (span?.zip(rise?), radius?);
     let Some((span, rise)) = measured else {
         let alpha = |end| {
-            let missing = || Misfit::new(Field::HalfOpening, "the half opening is missing");
-            read::<ExactNumber>(end, Field::HalfOpening)?.ok_or_else(missing)
+            let given = read::<ExactNumber>(end, Field::HalfOpening)?;
+            Ok::<_, Misfit>(given.unwrap_or_else(|| usual.clone()))
         };
         let half_opening = [alpha(&ends[0])?, alpha(&ends[1])?];
         let of = radius.clone().map(|ends| ends.map(|radius| Measures::new(circle, radius, None)));

@@ -10,6 +10,8 @@ use crate::sketch::look;
 pub(in crate::report) enum LegendSample {
     Line(Stroke),
     Band,
+    /// An area of the colour of a band, of an edge and an opacity.
+    Shade(Stroke, f64),
     Hinge,
     Sliding,
     Fallen,
@@ -129,6 +131,12 @@ impl LegendSample {
         match self {
             Self::Line(stroke) => svg.stroke(&Path::through([(x, y), (right, y)]), *stroke),
             Self::Band => svg.tint(&area, look::BAND, look::FAINT),
+            Self::Shade(edge, share) => {
+                svg.tint(&area, look::BAND, *share);
+                for y in [y - 7.0, y + 7.0] {
+                    svg.stroke(&Path::through([(x, y), (right, y)]), *edge);
+                }
+            }
             Self::Hinge => svg.ring((middle, y), look::HINGE_RADIUS, WHITE, look::HINGE),
             Self::Sliding => {
                 svg.stroke(&Path::through([(middle, y - 9.0), (middle, y + 9.0)]), look::SLIDES);
