@@ -1,5 +1,8 @@
 //! Numbers of stones, one or all of a range, and joints by their angles.
 
+use super::arch::{ArchAsked, Field};
+use super::given::stones;
+use super::question::{Misfit, Spelling};
 use crate::number::{ExactNumber, ParseExactError};
 use crate::problem::stones::{MOST_STONES, Stones, StonesError};
 
@@ -42,6 +45,25 @@ impl StonesAsked {
             text.split(',').map(|angle| angle.trim().parse()).collect();
         let angles = angles.map_err(|error| error.to_string())?;
         Stones::joints(angles).map(Self::Joints).map_err(|error| error.to_string())
+    }
+
+    /// Stones of a question with ranges, if any: those of friction and thickness leave the joints where they are.
+    pub(super) fn of_ranges(asked: &ArchAsked, spelling: Spelling) -> Result<Option<Self>, Misfit> {
+        let Some(stones) = stones(asked)? else { return Ok(None) };
+        let name = spelling.of(Field::Stones);
+        let moves = [Field::HalfOpening, Field::Span, Field::Rise];
+        if let Some(field) = asked.ranges().find(|field| moves.contains(field)) {
+            let field = spelling.of(field);
+            let message = format!(
+                "{name} does not go with the range of {field}, which moves the joints: give friction and thickness ranges"
+            );
+            return Err(Misfit::new(Field::Stones, message));
+        }
+        if stones.is_range() {
+            let message = format!("a range of arches has one number of stones: give {name} one");
+            return Err(Misfit::new(Field::Stones, message));
+        }
+        Ok(Some(stones))
     }
 
     /// Tells whether a range is asked for.
