@@ -40,6 +40,9 @@ pub(super) fn print(
 ) -> Result<(), Failure> {
     let given = SurveyGiven::read(question, &arguments.asked, Spelling::Option)?;
     if let Some((format, file)) = output.drawing()? {
+        if share {
+            return Err("--share is told in words, not in a picture: leave out one of them".into());
+        }
         let weight = arguments.one_weight()?;
         return draw(&arguments.asked, &given, weight, (file, format, &Print::default()));
     }
