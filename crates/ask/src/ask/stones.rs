@@ -1,7 +1,6 @@
 //! Numbers of stones, one or all of a range, and joints by their angles.
 
 use super::arch::{ArchAsked, Field};
-use super::given::stones;
 use super::question::{Misfit, Spelling};
 use crate::number::{ExactNumber, ParseExactError};
 use crate::problem::stones::{MOST_STONES, Stones, StonesError};
@@ -26,8 +25,28 @@ pub enum StonesAsked {
 pub const MOST_NUMBERS: u64 = 10_000;
 
 impl StonesAsked {
+    /// Stones of a question, if any.
+    pub(super) fn of(asked: &ArchAsked) -> Result<Option<Self>, Misfit> {
+        let misfit = |field, why: String| Misfit::new(field, why);
+        match (&asked.stones, &asked.joints) {
+            (Some(text), _) => {
+                let why = || {
+                    format!(
+                        "stones are a whole number from 2 to {MOST_STONES}, or a range of at most {MOST_NUMBERS}, as in \
+                         2..200"
+                    )
+                };
+                Self::numbers(text).map(Some).ok_or_else(|| misfit(Field::Stones, why()))
+            }
+            (None, Some(text)) => {
+                Self::joints(text).map(Some).map_err(|why| misfit(Field::Joints, why))
+            }
+            (None, None) => Ok(None),
+        }
+    }
+
     /// Number of stones, or a range of them.
-    pub(crate) fn numbers(text: &str) -> Option<Self> {
+    fn numbers(text: &str) -> Option<Self> {
         let number = |text: &str| {
             let number = text.trim().parse::<u64>().ok();
             number.filter(|number| (2..=MOST_STONES).contains(number))
@@ -40,7 +59,7 @@ impl StonesAsked {
     }
 
     /// Joints of the half arch, by angles with commas between them.
-    pub(crate) fn joints(text: &str) -> Result<Self, String> {
+    fn joints(text: &str) -> Result<Self, String> {
         let angles: Result<Vec<ExactNumber>, ParseExactError> =
             text.split(',').map(|angle| angle.trim().parse()).collect();
         let angles = angles.map_err(|error| error.to_string())?;
@@ -49,7 +68,7 @@ impl StonesAsked {
 
     /// Stones of a question with ranges, if any: those of friction and thickness leave the joints where they are.
     pub(super) fn of_ranges(asked: &ArchAsked, spelling: Spelling) -> Result<Option<Self>, Misfit> {
-        let Some(stones) = stones(asked)? else { return Ok(None) };
+        let Some(stones) = Self::of(asked)? else { return Ok(None) };
         let name = spelling.of(Field::Stones);
         let moves = [Field::HalfOpening, Field::Span, Field::Rise];
         if let Some(field) = asked.ranges().find(|field| moves.contains(field)) {
