@@ -27,8 +27,7 @@ pub const MOST_NUMBERS: u64 = 10_000;
 impl StonesAsked {
     /// Stones of a question, if any.
     pub(super) fn of(asked: &ArchAsked) -> Result<Option<Self>, Misfit> {
-        let misfit = |field, why: String| Misfit::new(field, why);
-        match (&asked.stones, &asked.joints) {
+        let (field, stones) = match (&asked.stones, &asked.joints) {
             (Some(text), _) => {
                 let why = || {
                     format!(
@@ -36,13 +35,12 @@ impl StonesAsked {
                          2..200"
                     )
                 };
-                Self::numbers(text).map(Some).ok_or_else(|| misfit(Field::Stones, why()))
+                (Field::Stones, Self::numbers(text).ok_or_else(why))
             }
-            (None, Some(text)) => {
-                Self::joints(text).map(Some).map_err(|why| misfit(Field::Joints, why))
-            }
-            (None, None) => Ok(None),
-        }
+            (None, Some(text)) => (Field::Joints, Self::joints(text)),
+            (None, None) => return Ok(None),
+        };
+        stones.map(Some).map_err(|why| Misfit::new(field, why))
     }
 
     /// Number of stones, or a range of them.
