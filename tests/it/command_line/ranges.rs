@@ -144,7 +144,7 @@ fn what_is_sought_is_within_its_range() {
         ),
         (
             "find half-opening",
-            "half_opening_deg",
+            "half_opening_degrees",
             "--radius 5m±1cm --mu 0.6 --eta 50cm±1cm --weight heyman --digits 6",
             "all_can_stand",
             &[

@@ -134,8 +134,10 @@ impl BandedArches {
         let all = [
             (true, LegendSample::Line(look::OUTLINE), "narrowest and thickest"),
             (true, LegendSample::Line(THIN), "widest and thinnest"),
+            (true, LegendSample::Area(CORE), "stone of each arch"),
+            (true, LegendSample::Area(look::STONE), "stone of some"),
             (best, LegendSample::Shade(look::EXTREME, look::FAINT), "all lines of thrust"),
-            (worst, LegendSample::Shade(BORNE, DARK), "lines that each arch bears"),
+            (worst, LegendSample::Shade(BORNE, DARK), "those that each arch bears"),
         ];
         all.into_iter().filter(|(is, ..)| *is).map(|(_, sample, name)| (sample, name)).collect()
     }
@@ -216,7 +218,10 @@ impl BandedArches {
                 let [_, outcome] = self.arches.outcome();
                 let range = |range: &QuantityRange| {
                     let [lower, upper] = [&range.lower, &range.upper].map(shown);
-                    format!("{} {lower} to {upper}", range.of.name().replace('_', " "))
+                    let name = range.of.name();
+                    let (name, unit) =
+                        name.strip_suffix("_m").map_or((name, ""), |name| (name, " m"));
+                    format!("{} {lower} to {upper}{unit}", name.replace('_', " "))
                 };
                 let ranges: Vec<String> = self.arches.ranges().map(range).collect();
                 all.push(format!("Proved: {outcome}; {}.", ranges.join(", ")));
