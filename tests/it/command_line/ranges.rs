@@ -252,7 +252,7 @@ fn every_arch_of_stones_inside_is_within_the_ranges() {
         let mut stand = Vec::new();
         for arch in inside(fields) {
             let one = object(&format!("voussoirs{arch} --digits 12"));
-            let given = &one["given"];
+            let given = &one["assessment"];
             stand.push(given["stands"].as_bool().unwrap());
             let least = is_within(&survey, "least_thickness", &one["thickness"]);
             assert!(least, "{line}: {arch}: {one}");
@@ -268,7 +268,7 @@ fn every_arch_of_stones_inside_is_within_the_ranges() {
         for (end, stands) in [("worst", outcome == "all_stand"), ("best", true)] {
             let one = asked_again(&survey[end]["command"]);
             assert_eq!(one["schema"], "couplet.voussoirs/1");
-            assert_eq!(one["given"]["stands"], stands, "{line}");
+            assert_eq!(one["assessment"]["stands"], stands, "{line}");
         }
     }
     let survey = object("voussoirs --alpha 1 --stones 2 --mu 1..2");
