@@ -28,8 +28,8 @@ use clap::Args;
 /// friction at which it slides. --stones: an arch of 2 to 500 stones, as couplet voussoirs proves it. In metres,
 /// with --span and --rise or with --radius: sizes in the picture and its caption, and JSON and DXF in metres.
 ///
-/// With --thickness a number may be a range, as of `assess`: then the picture has the band in which every line of thrust
-/// of every arch inside lies, and what is proved of all of them.
+/// With --thickness a number may be a range, as of `assess`: then the picture has the band in which every line of
+/// thrust of every arch inside lies, and what is proved of all of them.
 #[derive(Args)]
 #[command(mut_arg("joints", |arg| arg.hide(true)))]
 #[command(mut_arg("tilt", |arg| arg.hide(true)))]

@@ -27,7 +27,8 @@ pub struct SurveyedArches {
     pub given: SurveyGiven,
     /// The self-weight model.
     pub weight: SelfWeight,
-    /// Quantity that is sought of each of them, in place of which an arch has none; `None` if it is asked whether it stands.
+    /// Quantity that is sought of each of them, in place of which an arch has none; `None` if it is asked whether it
+    /// stands.
     pub sought: Option<Sought>,
     /// Quantities that are told.
     pub quantities: Vec<Quantity>,

@@ -1,5 +1,5 @@
-//! Picture of all arches of a question with ranges: the stone of the outermost two, the band in which every line of thrust
-//! lies, and in it the band of what each of them bears, on the arch and unrolled.
+//! Picture of all arches of a question with ranges: the stone of the outermost two, the band in which every line of
+//! thrust lies, and in it the band of what each of them bears, on the arch and unrolled.
 
 use super::format::Content;
 use super::record::Record;

@@ -98,7 +98,7 @@ fn stones_stay_where_they_are() {
     }
 }
 
-/// What is sought is in no text.
+/// The number in place of what is sought is in no text.
 #[test]
 fn what_is_sought_has_a_number_that_is_not_told() {
     for (sought, words, worst) in [

@@ -1,24 +1,26 @@
 //! Bands of lines of thrust of all arches of a survey, as doubles for the eye.
 //!
-//! A state of an arch is a thrust `h` and a crown moment `p`; its line of thrust has at a joint `beta` the radius `rho =
-//! (p + fac (1 - cos beta))/N(beta)`. In a survey let the **safe arch** have the least half opening, the largest friction
-//! and the largest thickness, and the **unsafe arch** the opposite; where span, rise and thickness are measured neither
-//! need be one of the survey.
+//! A state of an arch is a thrust `h` and a crown moment `p`; its line of thrust has at a joint `beta` the radius
+//! `rho = (p + fac (1 - cos beta))/N(beta)`. In a survey let the **safe arch** have the least half opening, the largest
+//! friction and the largest thickness, and the **unsafe arch** the opposite; where span, rise and thickness are
+//! measured neither need be one of the survey.
 //!
-//! **All lines.** Let an arch of the survey have a joint `beta`. Its half opening is at least `beta`, and at least that of
-//! the safe arch; it has no more friction and no more thickness than this. So what it bears is borne by the safe arch
-//! with the half opening `max(beta, that of the safe arch)`, of which each joint is one of its own (the claim
+//! **All lines.** Let an arch of the survey have a joint `beta`. Its half opening is at least `beta`, and at least that
+//! of the safe arch; it has no more friction and no more thickness than this. So what it bears is borne by the safe
+//! arch with the half opening `max(beta, that of the safe arch)`, of which each joint is one of its own (the claim
 //! `survey-corners`). The band at `beta` therefore goes from the least `rho(beta)` of this arch's admissible states to
-//! the largest. Two things are left, both of Milankovitch's weight: the `fac` of a thinner arch is less, so that the lower edge
-//! takes that of the thinnest; and each line lies within its own faces, which are within those of the thickest.
+//! the largest. Two things are left, both of Milankovitch's weight: the `fac` of a thinner arch is less, so that the
+//! lower edge takes that of the thinnest; and each line lies within its own faces, which are within those of the
+//! thickest.
 //!
 //! **What each bears.** The states of the unsafe arch are admissible in every arch of the survey. Its own band holds
 //! their lines.
 //!
 //! **Extremes.** The admissible states of an arch are a convex set: `h` between two ends, `p` from `lo(h)`, which is
-//! convex, to `up(h)`, the lesser of two linear functions (see [`contact`]). As `N > 0`, `rho` at a joint is a quotient of
-//! linear functions of `h` and `p`, which grows with `p`, and on a segment its extremes are at the ends: the largest is where `up`
-//! begins, bends, or ends; the least lies on `lo`, of which so many points are looked at that no eye misses one between.
+//! convex, to `up(h)`, the lesser of two linear functions (see [`contact`]). As `N > 0`, `rho` at a joint is a quotient
+//! of linear functions of `h` and `p`, which grows with `p`, and on a segment its extremes are at the ends: the largest
+//! is where `up` begins, bends, or ends; the least lies on `lo`, of which so many points are looked at that no eye
+//! misses one between.
 
 use super::range::moments;
 use crate::arch::{Configuration, Ring, SelfWeight, Unknown, contact, statics};
@@ -179,8 +181,8 @@ fn bend(
     (first * last < 0.0).then(|| least + (largest - least) * first / (first - last))
 }
 
-/// A joint with the least and the largest radius there of lines of thrust of these states, in arches from the thinnest to
-/// the thickest.
+/// A joint with the least and the largest radius there of lines of thrust of these states, in arches from the thinnest
+/// to the thickest.
 fn edges(weight: SelfWeight, joint: f64, etas: [f64; 2], states: &[ThrustAt]) -> [f64; 3] {
     let [thin, thick] = etas.map(|eta| Ring::new(weight, &eta).centroid_factor);
     let faces = [1.0 - etas[1] / 2.0, 1.0 + etas[1] / 2.0];
@@ -223,8 +225,8 @@ mod tests {
         off.fold(0.0, f64::max)
     }
 
-    /// The extreme lines of the arches of a grid lie in the band, joint by joint; those of an arch that is no part of the
-    /// survey do not.
+    /// The extreme lines of the arches of a grid lie in the band, joint by joint; those of an arch that is no part of
+    /// the survey do not.
     #[test]
     fn every_line_of_every_arch_lies_in_the_band() {
         for weight in SelfWeight::ALL {

@@ -1,7 +1,7 @@
 //! The range of what is sought over all arches of a survey: the widest half opening that stands, or the least friction.
 //!
-//! An arch stands no less easily with a smaller half opening, with more friction, and with more thickness up to `eta = 2`
-//! (the claim `survey-corners`). So
+//! An arch stands no less easily with a smaller half opening, with more friction, and with more thickness, up to
+//! `eta = 2` (the claim `survey-corners`). So
 //!
 //! - the widest half opening grows with friction and thickness: its ends are those of the least rough and thinnest
 //!   arches, and of the roughest and thickest;
@@ -76,7 +76,8 @@ const fn quantities(of: Sought) -> &'static [Quantity] {
     }
 }
 
-/// Ends at a corner: on the side where an arch stands most easily the widest half opening is largest, the friction least.
+/// Ends at a corner: on the side where an arch stands most easily the widest half opening is largest, the friction
+/// least.
 fn at_corner(
     at: SurveyedArch,
     (of, side): (Sought, Side),

@@ -1,10 +1,10 @@
 //! Verdicts on every arch of given stones whose friction and thickness have ranges.
 //!
 //! The joints are those of the stones, and the same for all arches. What each asks of thrust and crown moment is what
-//! it asks in an arch with a joint at every angle (the claim `survey-corners`): no more where there is more friction or,
-//! up to `eta = 2`, more thickness. So the least rough and thinnest arch decides whether all stand, the roughest and
-//! thickest whether any does. A wider half opening, or another span of one rise, has other joints: nothing is said of
-//! those.
+//! it asks in an arch with a joint at every angle (the claim `survey-corners`): no more where there is more friction
+//! or, up to `eta = 2`, more thickness. So the least rough and thinnest arch decides whether all stand, the roughest
+//! and thickest whether any does. A wider half opening, or another span of one rise, has other joints: nothing is said
+//! of those.
 
 use super::answer::{SurveyAnswer, SurveyedArch};
 use super::corners::{Corner, answer};
