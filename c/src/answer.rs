@@ -66,7 +66,7 @@ fn double(end: &RangeEnd, outward: Round) -> f64 {
             let (near, _) = Float::with_val_round(53, number.to_rational(), outward);
             near.to_f64_round(outward)
         }
-        EndValue::NotEnough => f64::NAN,
+        EndValue::NotEnough | EndValue::AnyIsEnough => f64::NAN,
         EndValue::Unbounded => f64::INFINITY,
     }
 }
@@ -132,8 +132,9 @@ impl Answer {
         let code = if open.is_some() { COUPLET_OPEN } else { COUPLET_PROVED };
         let reason = open.map(ToString::to_string).unwrap_or_default();
         let answer = Self::new(code, found.outcome()[0], reason);
-        let modes = found.found.as_ref().map_or(&[][..], |found| &found.modes.occur);
-        let labels: Vec<&str> = modes.iter().map(|mode| mode.label()).collect();
+        let modes = found.found.as_ref().ok().and_then(|found| found.modes.as_ref());
+        let modes = modes.into_iter().flat_map(|modes| &modes.occur);
+        let labels: Vec<&str> = modes.map(|mode| mode.label()).collect();
         let whole = Whole::Text(json(found).unwrap_or_default());
         let values = found.ranges().map(Known::between).collect();
         Self { mode: c_text(labels.join("/")), values, whole, ..answer }

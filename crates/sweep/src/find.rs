@@ -1,11 +1,11 @@
 //! Questions asked the other way round: what is sought, and the reader of what is given for it.
 
-use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling};
+use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling, SurveyGiven};
 use crate::certify::Refused;
 use crate::certify::state::find::{Given, Question};
 use crate::failure::Failure;
 use crate::parse;
-use crate::problem::{Friction, Line, NoLine};
+use crate::problem::{Friction, Line, NoLine, Sought};
 use crate::report::Understood;
 use crate::report::words::list;
 
@@ -108,6 +108,24 @@ pub fn question(
             Question::Boundary { line, given }
         }
     })
+}
+
+/// The quantity sought of every arch of a question with ranges, and the arches, if what is given fits it.
+pub fn of_ranges(
+    target: (FindTarget, Option<Line>),
+    asked: &ArchAsked,
+    spelling: Spelling,
+) -> Result<(Sought, SurveyGiven), Failure> {
+    let sought = match target.0 {
+        FindTarget::HalfOpening => Sought::HalfOpening,
+        FindTarget::Friction => Sought::Friction,
+        // One of them refuses the range.
+        FindTarget::Boundary => question(target, asked, spelling)?.sought(),
+    };
+    for end in asked.ends()? {
+        question(target, &end, spelling)?;
+    }
+    Ok((sought, SurveyGiven::seeking(sought, asked, spelling)?))
 }
 
 /// The question as it is understood, once it is read.

@@ -3,9 +3,10 @@
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, SurveyGiven};
 use crate::certify::Error;
-use crate::certify::survey::{share as survey_share, survey};
+use crate::certify::survey::{SurveyAnswer, share as survey_share, survey, survey_of_stones};
 use crate::failure::Failure;
 use crate::problem::Quantity;
+use crate::problem::survey::Survey;
 use crate::report::{SurveyedArches, Understood};
 
 /// Quantities of which ranges are told, of arches of a thickness.
@@ -46,14 +47,34 @@ pub fn surveyed(
     weight: SelfWeight,
     (quantities, digits, share): (&[Quantity], usize, bool),
 ) -> Result<SurveyedArches, Failure> {
-    let arches = given.survey(weight).map_err(|error| error.to_string())?;
-    let found = match survey(&arches, digits) {
-        Ok(found) => Ok(found),
-        Err(Error::Undecided(undecided)) => Err(undecided),
-        Err(refused @ Error::Refused(_)) => return Err(refused.into()),
+    let of_stones = given.stones.as_ref();
+    if share && of_stones.is_some() {
+        return Err("--share is of arches with a joint at every angle: leave out the stones".into());
+    }
+    let answer = proved((asked, given), weight, |arches| match of_stones {
+        Some(stones) => survey_of_stones(arches, stones, digits),
+        None => survey(arches, digits),
+    })?;
+    let share = match share {
+        true => Some(survey_share(&arches(given, weight)?)),
+        false => None,
     };
-    let asked = Understood::of_ranges(asked, given);
-    let (given, quantities) = (given.clone(), quantities.to_vec());
-    let share = share.then(|| survey_share(&arches));
-    Ok(SurveyedArches { asked, given, weight, quantities, found, share })
+    Ok(SurveyedArches { quantities: quantities.to_vec(), share, ..answer })
+}
+
+/// All arches of a question and of a self-weight, with what a proof finds of them.
+pub fn proved(
+    (asked, given): (&ArchAsked, &SurveyGiven),
+    weight: SelfWeight,
+    proof: impl Fn(&Survey) -> Result<SurveyAnswer, Error>,
+) -> Result<SurveyedArches, Failure> {
+    let found = Error::apart(proof(&arches(given, weight)?)).map_err(Error::from)?;
+    let (asked, given) = (Understood::of_ranges(asked, given), given.clone());
+    let (sought, quantities, share) = (None, Vec::new(), None);
+    Ok(SurveyedArches { asked, given, weight, sought, quantities, found, share })
+}
+
+/// The arches of a question, of a self-weight.
+pub fn arches(given: &SurveyGiven, weight: SelfWeight) -> Result<Survey, Failure> {
+    Ok(given.survey(weight).map_err(|error| error.to_string())?)
 }

@@ -25,6 +25,9 @@ pub(super) struct ArchArguments {
     digits: Option<usize>,
 }
 
+/// Significant digits of the ends of ranges, if none are asked for.
+pub(super) const RANGE_DIGITS: usize = 6;
+
 impl ArchArguments {
     /// Significant digits of ratios.
     pub(super) fn digits(&self) -> usize {
@@ -33,7 +36,7 @@ impl ArchArguments {
 
     /// Significant digits of the ends of ranges.
     pub(super) fn range_digits(&self) -> usize {
-        self.digits.unwrap_or(6)
+        self.digits.unwrap_or(RANGE_DIGITS)
     }
 
     /// Measures, with the significant digits of sizes: more than six say nothing to who builds.

@@ -3,8 +3,11 @@
 use super::notes;
 use super::output::OutputFile;
 use super::print::PrintArguments;
+use super::survey;
 use crate::arch::SelfWeight;
-use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Misfit, Spelling, StonesAsked};
+use crate::ask::{
+    ArchAsked, ArchGiven, ArchQuestion, Field, Misfit, Spelling, StonesAsked, SurveyGiven,
+};
 use crate::atlas::{Passed, Sketch};
 use crate::cli::line::typed;
 use crate::number::{Ball, shown};
@@ -24,6 +27,9 @@ use clap::Args;
 /// one picture for each mode that is possible there. --mode [s,s] with --thickness and no friction: an arch at the
 /// friction at which it slides. --stones: an arch of 2 to 500 stones, as couplet voussoirs proves it. In metres,
 /// with --span and --rise or with --radius: sizes in the picture and its caption, and JSON and DXF in metres.
+///
+/// With --thickness a number may be a range, as of `assess`: then the picture has the band in which every line of
+/// thrust of every arch inside lies, and what is proved of all of them.
 #[derive(Args)]
 #[command(mut_arg("joints", |arg| arg.hide(true)))]
 #[command(mut_arg("tilt", |arg| arg.hide(true)))]
@@ -102,6 +108,12 @@ pub const QUESTION: ArchQuestion = ArchQuestion {
     unlimited: false,
     example: "couplet draw --half-opening 80deg --friction 0.35 -o arch.svg",
 };
+/// Question about all arches between two ends.
+const RANGES: ArchQuestion = ArchQuestion {
+    needs: &[Field::Thickness],
+    example: "couplet draw --half-opening 78deg..80deg --friction 0.6 --thickness 0.1..0.12 -o arches.svg",
+    ..QUESTION
+};
 /// An arch at the friction at which it slides, which has none of its own.
 const SLIDING: ArchQuestion = ArchQuestion { unlimited: true, ..QUESTION };
 
@@ -119,6 +131,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err(format!("only svg, png and pdf have arrows, not {}", format.name).into());
     }
     let print = arguments.print.of(format)?;
+    if arguments.arch.has_range() {
+        return arguments.ranges(format, &print);
+    }
     let style = Style {
         amplitude: arguments.amplitude,
         half: arguments.half,
@@ -197,6 +212,26 @@ fn write(
 }
 
 impl Arguments {
+    /// All arches between two ends.
+    fn ranges(&self, format: &'static Format, print: &Print) -> Result<(), Failure> {
+        let one_arch = [
+            ("--at", self.at.is_some()),
+            ("--mode", self.mode.is_some()),
+            ("--along", self.along.is_some()),
+            ("--dilatant", self.dilatant),
+            ("--half", self.half),
+            ("--arrows", self.arrows),
+            ("--animate", self.animate),
+        ];
+        if let Some((name, _)) = one_arch.into_iter().find(|(_, is_given)| *is_given) {
+            return Err(
+                format!("{name} is of a picture of one arch: leave it out beside a range").into()
+            );
+        }
+        let given = SurveyGiven::read(&RANGES, &self.arch, Spelling::Option)?;
+        survey::draw(&self.arch, &given, self.weight, (&self.file, format, print))
+    }
+
     /// The modes of a half opening as its friction grows.
     fn along(&self, path: &[String]) -> Result<(Vec<Sketch>, Between, ArchGiven), Failure> {
         let wrong = "--along takes a quantity and a range: --along friction 0.2..3";

@@ -3,6 +3,7 @@
 use super::arch::ArchArguments;
 use super::notes;
 use super::output::AnswerOutput;
+use super::survey;
 use crate::ask::Spelling;
 use crate::certify::Error;
 use crate::certify::state::find as seek;
@@ -17,6 +18,9 @@ use clap::Args;
 ///
 /// Without --thickness an arch counts if it stands at any. The least thickness of an arch is what `couplet state`
 /// finds.
+///
+/// Of half-opening and friction a number that is given may be a range, as of `assess`: then it is told between which
+/// ends the answer is for every arch inside.
 #[derive(Args)]
 #[command(mut_arg("stones", |arg| arg.hide(true)))]
 #[command(mut_arg("joints", |arg| arg.hide(true)))]
@@ -46,6 +50,10 @@ pub(crate) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let target = (arguments.what, arguments.modes);
+    if arguments.arch.asked.has_range() {
+        let (sought, given) = find::of_ranges(target, &arguments.arch.asked, Spelling::Option)?;
+        return survey::print_sought(sought, &given, &arguments.arch, &arguments.output);
+    }
     let question = find::question(target, &arguments.arch.asked, Spelling::Option)?;
     let asked = find::understood(&arguments.arch.asked, Spelling::Option)?;
     let quantities = arguments.output.quantities(&found_by(&question))?;

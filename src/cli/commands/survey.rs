@@ -1,13 +1,19 @@
 //! Questions with ranges on the command line.
 
-use super::arch::ArchArguments;
+use super::arch::{ArchArguments, RANGE_DIGITS};
 use super::notes;
-use super::output::{AnswerOutput, is_written};
-use crate::ask::{ArchQuestion, Spelling, SurveyGiven};
-use crate::problem::Quantity;
-use crate::report::{Reported, SurveyedArches};
+use super::output::{AnswerOutput, OutputFile, is_written};
+use crate::arch::SelfWeight;
+use crate::ask::{ArchAsked, ArchQuestion, Spelling, SurveyGiven};
+use crate::atlas::BandedArch;
+use crate::certify::survey::sought as survey_sought;
+use crate::cli::line::typed;
+use crate::picture::Print;
+use crate::problem::survey::Survey;
+use crate::problem::{Quantity, Sought};
+use crate::report::{BandedArches, Format, Reported, SurveyedArches};
 use crate::sweep::failure::Failure;
-use crate::sweep::surveyed::{quantities, surveyed};
+use crate::sweep::surveyed::{arches, proved, quantities, surveyed, told};
 
 /// Proves and prints what holds for every arch of a question.
 pub(super) fn print(
@@ -17,21 +23,89 @@ pub(super) fn print(
     share: bool,
 ) -> Result<(), Failure> {
     let given = SurveyGiven::read(question, &arguments.asked, Spelling::Option)?;
-    if output.drawing()?.is_some() {
-        return Err("a picture shows one arch: give one value in place of each range".into());
+    if let Some((format, file)) = output.drawing()? {
+        if share {
+            return Err("--share is told in words, not in a picture: leave out one of them".into());
+        }
+        let weight = arguments.one_weight()?;
+        return draw(&arguments.asked, &given, weight, (file, format, &Print::default()));
     }
-    let format = output.format()?;
-    is_written("the answer of a range", SurveyedArches::content(), format)?;
     let mut quantities = output.quantities(quantities(&arguments.asked))?;
     // The thickness of a state is the least.
     if quantities.contains(&Quantity::Thickness) {
         quantities.push(Quantity::LeastThickness);
     }
-    let file = output.file().open_for(format)?;
+    let digits = arguments.range_digits();
+    write((output.file(), output.format()?), (arguments, &given), |weight| {
+        surveyed(&arguments.asked, &given, weight, (&quantities, digits, share))
+    })
+}
+
+/// Draws the bands in which the lines of thrust of every arch of a question lie.
+pub(super) fn draw(
+    asked: &ArchAsked,
+    given: &SurveyGiven,
+    weight: SelfWeight,
+    (file, format, print): (&OutputFile, &'static Format, &Print),
+) -> Result<(), Failure> {
+    is_written("the picture of a range", BandedArches::content(), format)?;
+    if given.stones.is_some() {
+        return Err("a picture of a range has a joint at every angle: leave out the stones".into());
+    }
+    let bands = BandedArch::of(&arches(given, weight)?)?;
+    let bands = bands.ok_or(
+        "a picture of a range is of arches of a thickness: `couplet draw` with --thickness",
+    )?;
+    let file = file.open_for(format)?;
     notes::frictions(&given.friction);
-    let answer = |weight| {
-        surveyed(&arguments.asked, &given, weight, (&quantities, arguments.range_digits(), share))
+    let (command, digits) = (typed(), RANGE_DIGITS);
+    let arches = surveyed(asked, given, weight, (told(true), digits, false))?;
+    let open = arches.first_open().cloned();
+    file.printed((&BandedArches { arches, bands, command }, format, print), open)
+}
+
+/// Proves and prints what holds for every arch of given stones.
+pub(super) fn print_of_stones(
+    question: &ArchQuestion,
+    arguments: &ArchArguments,
+    (file, format): (&OutputFile, &'static Format),
+) -> Result<(), Failure> {
+    let given = SurveyGiven::read(question, &arguments.asked, Spelling::Option)?;
+    let (quantities, digits) = (quantities(&arguments.asked), arguments.range_digits());
+    write((file, format), (arguments, &given), |weight| {
+        surveyed(&arguments.asked, &given, weight, (quantities, digits, false))
+    })
+}
+
+/// Proves and prints the range of what is sought over every arch of a question.
+pub(super) fn print_sought(
+    sought: Sought,
+    given: &SurveyGiven,
+    arguments: &ArchArguments,
+    output: &AnswerOutput,
+) -> Result<(), Failure> {
+    let all: &[Quantity] = match sought {
+        Sought::HalfOpening => &[Quantity::HalfOpening, Quantity::HalfOpeningDegrees],
+        Sought::Friction => &[Quantity::Friction],
     };
+    let quantities = output.quantities(all)?;
+    let digits = arguments.range_digits();
+    write((output.file(), output.format()?), (arguments, given), |weight| {
+        let found = |arches: &Survey| survey_sought(arches, sought, digits);
+        let answer = proved((&arguments.asked, given), weight, found)?;
+        Ok(SurveyedArches { sought: Some(sought), quantities: quantities.clone(), ..answer })
+    })
+}
+
+/// Writes the answer of each self-weight.
+fn write(
+    (file, format): (&OutputFile, &'static Format),
+    (arguments, given): (&ArchArguments, &SurveyGiven),
+    answer: impl Fn(SelfWeight) -> Result<SurveyedArches, Failure>,
+) -> Result<(), Failure> {
+    is_written("the answer of a range", SurveyedArches::content(), format)?;
+    let file = file.open_for(format)?;
+    notes::frictions(&given.friction);
     let answers: Result<Vec<_>, _> = arguments.weight.all().into_iter().map(answer).collect();
     let answers = answers?;
     let open = answers.iter().find_map(SurveyedArches::first_open).cloned();

@@ -5,6 +5,7 @@ use super::draw;
 use super::notes;
 use super::output::{AnswerOutput, OutputFile, is_written};
 use super::print::PrintArguments;
+use super::survey;
 use super::tilt;
 use crate::ask::{ArchGiven, ArchQuestion, Field, StonesAsked};
 use crate::certify::state::{Answer, Balls, Figure};
@@ -27,6 +28,9 @@ use clap::Args;
 /// one number, with -o arch.svg, is drawn as couplet draw does.
 /// With --thickness: whether the arch stands then, its safety factors, and the thrusts it can bear. With --tilt, of at
 /// most 2001 stones, also the largest acceleration.
+///
+/// Friction and thickness may be ranges, as of `assess`: then it is told of every arch inside. A range of the half
+/// opening, the span or the rise would move the joints.
 #[derive(Args)]
 #[command(mut_arg("density", |arg| arg.hide(true)))]
 #[command(mut_arg("depth", |arg| arg.hide(true)))]
@@ -57,9 +61,12 @@ pub const QUESTION: ArchQuestion = ArchQuestion {
 };
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let (given, arches) = arguments.arch.read(&QUESTION)?;
     let format = arguments.file.format(arguments.format, VoussoirArches::content(), "table")?;
     let print = arguments.print.of(format)?;
+    if arguments.arch.asked.has_range() {
+        return survey::print_of_stones(&QUESTION, &arguments.arch, (&arguments.file, format));
+    }
+    let (given, arches) = arguments.arch.read(&QUESTION)?;
     answers(&arguments.arch, &given, &arches, (&arguments.file, format, &print))
 }
 

@@ -1,7 +1,7 @@
 //! Questions with ranges: what is proved of every arch inside, against single arches that are asked for one by one.
 
 use super::{exact, printed, stdout};
-use crate::program::{couplet, fed};
+use crate::program::{Scratch, couplet, fed};
 use couplet::report::MEANING;
 use rug::Rational;
 use serde_json::Value;
@@ -118,13 +118,189 @@ fn every_arch_inside_is_within_the_ranges() {
     }
 }
 
+/// Answer to the command of an end, run as it is printed.
+fn asked_again(command: &Value) -> Value {
+    let command = command.as_str().unwrap().replace('\'', "");
+    object(&format!("{} --digits 20", command.strip_prefix("couplet ").unwrap()))
+}
+
+/// What is sought of every arch of a grid inside is within its range, whose ends the named questions attain.
+#[test]
+fn what_is_sought_is_within_its_range() {
+    for (what, quantity, ranges, outcome, fields) in [
+        (
+            "find half-opening",
+            "half_opening",
+            "--mu 0.5..0.7 --eta 0.1±10% --digits 7",
+            "all_can_stand",
+            &[("mu", &["0.5", "0.58", "0.7"][..]), ("eta", &["0.09", "0.1", "0.11"])][..],
+        ),
+        (
+            "find half-opening",
+            "half_opening",
+            "--phi 0deg..30deg --digits 6",
+            "both_occur",
+            &[("phi", &["0deg", "1deg", "20deg", "30deg"])],
+        ),
+        (
+            "find half-opening",
+            "half_opening_degrees",
+            "--radius 5m±1cm --mu 0.6 --eta 50cm±1cm --weight heyman --digits 6",
+            "all_can_stand",
+            &[
+                ("weight", &["heyman"]),
+                ("radius", &["4.99m", "5.01m"]),
+                ("mu", &["0.6"]),
+                ("eta", &["49cm", "51cm"]),
+            ],
+        ),
+        (
+            "find friction",
+            "friction",
+            "--alpha 78deg..82deg --eta 0.1..0.12 --digits 8",
+            "all_can_stand",
+            &[("alpha", &["78deg", "1.4", "82deg"]), ("eta", &["0.1", "0.117", "0.12"])],
+        ),
+        (
+            "find friction",
+            "friction",
+            "--alpha 1..2.7 --digits 5",
+            "both_occur",
+            &[("alpha", &["1", "2", "2.6", "2.7"])],
+        ),
+        (
+            "find friction",
+            "friction",
+            "--alpha pi/2 --eta 0.05..0.1 --digits 5",
+            "none_can_stand",
+            &[("alpha", &["pi/2"]), ("eta", &["0.05", "0.1"])],
+        ),
+        (
+            "find friction",
+            "friction",
+            "--span 10m±10cm --rise 3m±5cm --eta 40cm±1cm --digits 4",
+            "all_can_stand",
+            &[
+                ("span", &["9.9m", "10m", "10.1m"]),
+                ("rise", &["2.95m", "3m", "3.05m"]),
+                ("eta", &["39cm", "41cm"]),
+            ],
+        ),
+    ] {
+        let line = format!("{what} {ranges}");
+        let survey = object(&line);
+        assert_eq!(survey["outcome"], outcome, "{line}");
+        assert!(survey.get("modes").is_none() && survey["sought"].is_string(), "{survey}");
+        for arch in inside(fields) {
+            let one = object(&format!("{what}{arch} --digits 12"));
+            assert!(is_within(&survey, quantity, &one[quantity]), "{line}: {arch}: {one}");
+        }
+        let all = survey["ranges"].as_array().unwrap();
+        let range = all.iter().find(|range| range["quantity"] == quantity).unwrap();
+        for (end, is_lower) in [("lower", true), ("upper", false)] {
+            let end = &range[end];
+            let one = asked_again(&end["arch"]["command"]);
+            if end["value"].is_null() {
+                assert!(end["bound"] == "not_enough" && one[quantity]["value"].is_null(), "{line}");
+                continue;
+            }
+            let (value, bound) = (exact(&one[quantity]["value"]), exact(&end["value"]));
+            let off = if is_lower { value.clone() - bound } else { bound - value.clone() };
+            assert!(off >= 0 && off < value / 1000, "{line}: {range}");
+        }
+    }
+}
+
+/// Arches of stones: each of a grid inside is within the ranges, and the named ones are arches of stones.
+#[test]
+fn every_arch_of_stones_inside_is_within_the_ranges() {
+    let quantities = ["geometric_safety", "required_friction", "friction_safety", "least_thrust"];
+    for (line, outcome, fields) in [
+        (
+            "voussoirs --alpha pi/2 --stones 11 --mu 0.5..0.6 --eta 0.1..0.11 --digits 6",
+            "both_occur",
+            &[
+                ("alpha", &["pi/2"][..]),
+                ("stones", &["11"]),
+                ("mu", &["0.5", "0.55", "0.6"]),
+                ("eta", &["0.1", "0.105", "0.11"]),
+            ][..],
+        ),
+        (
+            "assess --span 10m --rise 3m --stones 21 --mu 31deg±2deg --eta 30cm±2cm --digits 6",
+            "all_stand",
+            &[
+                ("span", &["10m"]),
+                ("rise", &["3m"]),
+                ("stones", &["21"]),
+                ("mu", &["29deg", "33deg"]),
+                ("eta", &["28cm", "31cm", "32cm"]),
+            ],
+        ),
+        (
+            "voussoirs --joints 0,0.4,0.9,1.3 --mu 0.6±10% --eta 0.12..0.15 --digits 6",
+            "all_stand",
+            &[
+                ("joints", &["0,0.4,0.9,1.3"]),
+                ("mu", &["0.54", "0.66"]),
+                ("eta", &["0.12", "0.14", "0.15"]),
+            ],
+        ),
+    ] {
+        let survey = object(line);
+        assert_eq!(survey["outcome"], outcome, "{line}");
+        let mut stand = Vec::new();
+        for arch in inside(fields) {
+            let one = object(&format!("voussoirs{arch} --digits 12"));
+            let given = &one["assessment"];
+            stand.push(given["stands"].as_bool().unwrap());
+            let least = is_within(&survey, "least_thickness", &one["thickness"]);
+            assert!(least, "{line}: {arch}: {one}");
+            let all = survey["ranges"].as_array().unwrap();
+            for quantity in quantities {
+                if all.iter().any(|range| range["quantity"] == quantity) {
+                    let value = value(given, quantity);
+                    assert!(is_within(&survey, quantity, value), "{line}: {quantity} of {arch}");
+                }
+            }
+        }
+        assert_eq!(stand.iter().all(|stands| *stands), outcome == "all_stand", "{line}");
+        for (end, stands) in [("worst", outcome == "all_stand"), ("best", true)] {
+            let one = asked_again(&survey[end]["command"]);
+            assert_eq!(one["schema"], "couplet.voussoirs/1");
+            assert_eq!(one["assessment"]["stands"], stands, "{line}");
+        }
+    }
+    let survey = object("voussoirs --alpha 1 --stones 2 --mu 1..2");
+    assert_eq!(survey["ranges"][0]["lower"]["bound"], "any_is_enough");
+}
+
+/// The picture says what is proved, in words that the answer has too.
+#[test]
+fn a_drawing_of_a_range_has_two_bands() {
+    let scratch = Scratch::new();
+    let ranges = "--alpha 78deg..82deg --mu 0.6..0.8 --eta 0.1..0.12";
+    for command in ["draw", "assess"] {
+        let file = scratch.path(&format!("{command}.svg"));
+        printed(&words(&format!("{command} {ranges} -o {file}")));
+        let picture = scratch.read(&format!("{command}.svg"));
+        for part in ["id=\"all\"", "id=\"each\"", "id=\"unrolled\"", "Proved: every arch stands"] {
+            assert!(picture.contains(part), "{command}: {part}");
+        }
+        let survey = object(&format!("assess {ranges}"));
+        for of in ["worst", "best"] {
+            assert!(picture.contains(survey[of]["command"].as_str().unwrap()), "{command}: {of}");
+        }
+    }
+    let file = scratch.path("falling.svg");
+    printed(&words(&format!("draw --alpha 78deg..82deg --mu 0.6 --eta 0.02..0.03 -o {file}")));
+    let picture = scratch.read("falling.svg");
+    assert!(picture.contains("Proved: no arch stands") && !picture.contains("id=\"all\""));
+}
+
 /// The command of each end, run as it is printed, has that value, and those of the verdict stand or not.
 #[test]
 fn the_named_arches_attain_the_ends() {
-    let asked_again = |command: &Value| {
-        let command = command.as_str().unwrap().replace('\'', "");
-        object(&format!("{} --digits 20", command.strip_prefix("couplet ").unwrap()))
-    };
     for line in [
         "assess --alpha 80deg±1deg --phi 25deg..31deg --eta 0.07±10% --weight heyman --digits 7",
         "assess --span 33ft±1in --rise 3m±1cm --eta 15cm±1cm --mu 0.4..0.5 --digits 5",
@@ -258,17 +434,39 @@ wrong_uses! {
     forces_of_a_range:
         ["assess", "--radius", "1m..2m", "--alpha", "1", "--mu", "1", "--eta", "10cm", "--density", "24kN/m3", "--depth", "1m"]
         => "no forces are told";
-    a_picture_of_a_range: ["assess", "--alpha", "1..2", "--mu", "1", "--eta", "0.1", "-o", "arches.svg"]
-        => "a picture shows one arch";
+    a_picture_of_a_range_without_a_thickness: ["state", "--alpha", "1..2", "--mu", "1", "-o", "arches.svg"]
+        => "a picture of a range is of arches of a thickness";
+    a_picture_of_a_range_for_a_machine:
+        ["draw", "--alpha", "1..2", "--mu", "1", "--eta", "0.1", "--format", "dxf"]
+        => "the picture of a range is written only as svg, png, pdf, not dxf";
+    a_picture_of_a_range_of_stones:
+        ["draw", "--alpha", "1", "--mu", "1..2", "--eta", "0.1", "--stones", "5"]
+        => "has a joint at every angle: leave out the stones";
+    a_motion_of_a_range: ["draw", "--alpha", "1..2", "--mu", "1", "--eta", "0.1", "--animate"]
+        => "--animate is of a picture of one arch";
     values_alone_of_a_range: ["state", "--alpha", "1..2", "--mu", "1", "--plain"]
         => "written only as table, json, csv, csv2, latex, markdown, not plain";
     a_quantity_without_a_range: ["state", "--alpha", "1..2", "--mu", "1", "--quantity", "sliding_joint"]
         => "there is no sliding_joint here";
-    a_range_that_find_has: ["find", "half-opening", "--mu", "0.6..0.7", "--eta", "0.1"]
-        => "ranges are for `couplet assess` and `couplet state`";
-    a_range_of_stones_arches: ["voussoirs", "--alpha", "1..2", "--mu", "1", "--stones", "5"]
-        => "give one value here";
-    a_drawing_of_a_range: ["draw", "--alpha", "1..2", "--mu", "1"] => "give one value here";
+    a_boundary_of_a_range: ["find", "boundary", "rrs/rsr", "--mu", "1.6..1.7"]
+        => "ranges are for `couplet assess`, `state`, `voussoirs`, `find half-opening`, `find friction`, `draw` and `certify survey`";
+    what_is_sought_in_a_range: ["find", "friction", "--mu", "0.5..0.6", "--alpha", "1"]
+        => "--friction does not belong here";
+    a_range_of_half_openings_beside_what_is_missing: ["find", "half-opening", "--eta", "0.1..0.2"]
+        => "--friction (or --friction-angle) is missing";
+    a_range_that_moves_joints: ["voussoirs", "--alpha", "1..2", "--mu", "1", "--stones", "5"]
+        => "--stones does not go with the range of --half-opening, which moves the joints";
+    a_span_that_moves_joints:
+        ["assess", "--span", "9m..10m", "--rise", "3m", "--mu", "1", "--eta", "50cm", "--stones", "5"]
+        => "--stones does not go with the range of --span, which moves the joints";
+    a_range_of_numbers_of_stones: ["voussoirs", "--alpha", "1", "--mu", "1..2", "--stones", "5..7"]
+        => "a range of arches has one number of stones";
+    the_share_of_arches_of_stones:
+        ["assess", "--alpha", "1", "--mu", "1..2", "--eta", "0.1", "--stones", "5", "--share"]
+        => "--share is of arches with a joint at every angle";
+    the_share_in_a_picture: ["assess", "--alpha", "1..2", "--mu", "1", "--eta", "0.1", "--share", "-o", "arches.svg"]
+        => "--share is told in words, not in a picture";
+    a_drawing_of_a_range_without_a_thickness: ["draw", "--alpha", "1..2", "--mu", "1"] => "--thickness is missing";
     a_certificate_of_a_range: ["certify", "arch", "--alpha", "1..2", "--mu", "1", "--eta", "0.1"]
         => "give one value here";
     an_equation_of_a_range: ["equation", "4", "--alpha", "1..2", "--eta", "0.1"]

@@ -330,6 +330,9 @@ fn what_is_written_is_as_the_schemas_say() {
         &["assess", "--span=10m", "--rise=3m", "--mu=0.6", "--eta=60cm", "--format", "json"],
         &["state", "--alpha=1.4..2.6", "--mu=0.2..inf", "--format", "json"],
         &["assess", "--alpha=80deg±1deg", "--mu=0.6±10%", "--eta=0.12", "--format", "json"],
+        &["find", "half-opening", "--mu=0..0.6", "--eta=0.12", "--format", "json"],
+        &["find", "friction", "--alpha=80deg±1deg", "--eta=0.12", "--format", "json"],
+        &["voussoirs", "--alpha=1", "--stones=2", "--mu=0.6±10%", "--format", "json"],
         &[
             "assess",
             "--span=10m±2cm",

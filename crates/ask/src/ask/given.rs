@@ -2,11 +2,11 @@
 
 use super::arch::{ArchAsked, Field};
 use super::question::{ArchQuestion, Misfit, Spelling};
-use super::stones::{MOST_NUMBERS, StonesAsked};
+use super::stones::StonesAsked;
 use crate::arch::SelfWeight;
-use crate::number::{ExactNumber, ParseExactError, shown};
+use crate::number::{ExactNumber, ParseExactError, TELL_OF_RANGES, shown};
 use crate::problem::measures::{Circle, Length, MeasureError, Measures, of_span_and_rise};
-use crate::problem::stones::{MOST_STONES, Stones};
+use crate::problem::stones::Stones;
 use crate::problem::{Arch, Friction, Quantity, Slope, SlopeError, ThicknessError, thickness};
 use num_bigint::Sign;
 use std::str::FromStr;
@@ -46,11 +46,15 @@ impl ArchGiven {
     pub fn new(asked: &ArchAsked, spelling: Spelling) -> Result<Self, Misfit> {
         if let Some(field) = asked.ranges().next() {
             let text = shown(asked.get(field).unwrap_or_default());
-            let message = format!("{} {text} is a range: {RANGES}", spelling.of(field));
+            let name = spelling.of(field);
+            let message = format!(
+                "{name} {text} is a range: ranges are for {TELL_OF_RANGES}, which tell of every arch inside; give one \
+                 value here"
+            );
             return Err(Misfit::new(field, message));
         }
         let (made, measures) = measures(asked)?;
-        let stones = stones(asked)?;
+        let stones = StonesAsked::of(asked)?;
         let half_opening = match (&stones, made) {
             (Some(StonesAsked::Joints(stones)), _) => Some(stones.half_opening().clone()),
             (_, Some(made)) => Some(made),
@@ -87,9 +91,6 @@ impl ArchGiven {
         stones.all(alpha).map_err(|error| Misfit::new(Field::Stones, error))
     }
 }
-
-/// Places where ranges are taken.
-const RANGES: &str = "ranges are for `couplet assess` and `couplet state`, which tell of every arch inside; give one value here";
 
 /// Text of a field, read.
 pub(super) fn read<T: FromStr<Err: ToString>>(
@@ -132,21 +133,6 @@ pub(super) fn circle(asked: &ArchAsked) -> Result<Circle, Misfit> {
 pub(super) fn friction(asked: &ArchAsked) -> Result<Option<Friction>, Misfit> {
     let misfit = |error: ParseExactError| Misfit::new(asked.friction_field(), error);
     asked.friction_text().map(|text| text.parse().map_err(misfit)).transpose()
-}
-
-fn stones(asked: &ArchAsked) -> Result<Option<StonesAsked>, Misfit> {
-    match (&asked.stones, &asked.joints) {
-        (Some(text), _) => StonesAsked::numbers(text).map(Some).ok_or_else(|| {
-            Misfit::new(
-                Field::Stones,
-                format!(
-                    "stones are a whole number from 2 to {MOST_STONES}, or a range of at most {MOST_NUMBERS}, as in 2..200"
-                ),
-            )
-        }),
-        (None, Some(text)) => StonesAsked::joints(text).map(Some).map_err(|why| Misfit::new(Field::Joints, why)),
-        (None, None) => Ok(None),
-    }
 }
 
 /// Thickness over the radius, of a text that is a ratio or, of an arch with measures, a length.

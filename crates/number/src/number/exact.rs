@@ -1,6 +1,6 @@
 //! Exact input: decimals, fractions, multiples of pi and arctangents, read as text and never rounded.
 
-use super::range::is_range;
+use super::range::{TELL_OF_RANGES, is_range};
 use super::tangent::angle_of_tangent;
 use super::unit::{AngleUnit, unit};
 use super::{Decimal, Dyadic, Engine, ParseDecimalError, as_text, says, shown, shown_as_text};
@@ -69,7 +69,7 @@ says!(ParseExactError {
     Self::Friction(text) => "'{text}' is not a friction: give a coefficient (0.6, 3/5, inf) or an angle (31deg)";
     Self::PiBelow(text) => "'{text}' has pi behind the line of the fraction: write it above the line, 3pi/4";
     Self::Several(text) =>
-        "'{text}' is a range: one value is read here; of ranges tell `couplet assess` and `couplet state`";
+        "'{text}' is a range: one value is read here; of ranges tell {TELL_OF_RANGES}";
     Self::Comma(text) => "'{text}' has a comma; give the decimals behind a point (1.5)";
     Self::DivisionByZero(text) => "'{text}' divides by zero";
     Self::Length(length) => "a number of {length} characters is too long: at most {MAX_LENGTH} are read";

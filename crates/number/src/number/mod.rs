@@ -135,7 +135,7 @@ pub use interval::Interval;
 pub use jet::Jet;
 #[cfg(feature = "malachite")]
 pub use malachite::{Malachite, MalachiteInterval};
-pub use range::{BETWEEN, PLUS_MINUS, is_range};
+pub use range::{BETWEEN, PLUS_MINUS, TELL_OF_RANGES, is_range};
 pub use shown::{shown, visible};
 pub use stumpff::Stumpff;
 pub use stumpff::terms as stumpff_terms;

@@ -5,6 +5,9 @@ pub const BETWEEN: &str = "..";
 /// Signs between a value and how far off it may be.
 pub const PLUS_MINUS: [&str; 2] = ["±", "+-"];
 
+/// Commands that tell of ranges, for who asks elsewhere.
+pub const TELL_OF_RANGES: &str = "`couplet assess`, `state`, `voussoirs`, `find half-opening`, `find friction`, `draw` and `certify survey`";
+
 /// Tells whether a text is meant as a range: `0.5..0.7`, `0.6±0.1`, `0.6+-10%`.
 pub fn is_range(text: &str) -> bool {
     text.contains(BETWEEN) || PLUS_MINUS.iter().any(|sign| text.contains(sign))

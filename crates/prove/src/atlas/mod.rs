@@ -58,8 +58,8 @@ pub use point::{NoPoint, point};
 pub use rotation_end::{over_joint, rotation_end, rotation_start};
 pub use section::Section;
 pub use sketch::{
-    Block, Bound, Collapse, Forces, Mark, Moved, NoSketch, Passed, Sketch, SketchedLine, Stability,
-    Subject, moved,
+    BandedArch, Block, Bound, Collapse, Forces, Mark, Moved, NoSketch, Passed, Sketch,
+    SketchedLine, Stability, Subject, moved,
 };
 pub use tangent::tangent;
 pub use trace::{LEAST_TOLERANCE, Piece, Trace, TracePoint};

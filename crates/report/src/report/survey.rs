@@ -10,9 +10,9 @@ use crate::arch::SelfWeight;
 use crate::ask::SurveyGiven;
 use crate::certify::Undecided;
 use crate::certify::survey::{
-    EndValue, QuantityRange, RangeEnd, Share, SurveyAnswer, SurveyedArch,
+    EndValue, ModesFound, QuantityRange, RangeEnd, Share, SurveyAnswer, SurveyedArch,
 };
-use crate::problem::{Mode, Quantity};
+use crate::problem::{Mode, Quantity, Sought};
 
 /// Schema of the answer.
 pub(super) const SCHEMA: &str = "couplet.survey/1";
@@ -30,6 +30,9 @@ pub struct SurveyedArches {
     pub given: SurveyGiven,
     /// The self-weight model.
     pub weight: SelfWeight,
+    /// Quantity that is sought of each of them, in place of which an arch has none; `None` if it is asked whether it
+    /// stands.
+    pub sought: Option<Sought>,
     /// Quantities that are told.
     pub quantities: Vec<Quantity>,
     /// Answer, or why nothing is proved.
@@ -58,18 +61,24 @@ impl SurveyedArches {
             Some(Ok(verdict)) => [verdict.name(), verdict.sentence()],
             Some(Err(_)) => ["undecided", "undecided"],
             None => {
-                let least = found.ranges.iter().find(|range| range.of == Quantity::LeastThickness);
                 let falls = |end: &RangeEnd| end.value == EndValue::NotEnough;
-                match least.map(|least| (falls(&least.lower), falls(&least.upper))) {
-                    None => ["undecided", "undecided"],
-                    Some((true, _)) => ["none_can_stand", "no arch can stand, however thick"],
-                    Some((_, true)) => {
-                        ["both_occur", "some arches can stand, others cannot, however thick"]
-                    }
-                    Some(_) => ["all_can_stand", "every arch can stand at some thickness"],
-                }
+                let deciding = found.ranges.first();
+                let falls = deciding.map(|of| [&of.lower, &of.upper].map(falls));
+                let names = ["none_can_stand", "both_occur", "all_can_stand"];
+                let kind = match falls {
+                    None => return ["undecided", "undecided"],
+                    Some([true, true]) => 0,
+                    Some([false, false]) => 2,
+                    Some(_) => 1,
+                };
+                [names[kind], can_stand(self.sought)[kind]]
             }
         }
+    }
+
+    /// Tells whether the modes of the arches belong to the answer: not to one between stones, nor of what is sought.
+    fn tells_modes(&self) -> bool {
+        self.sought.is_none() && self.given.stones.is_none()
     }
 
     /// Ranges of the quantities that are told.
@@ -84,6 +93,9 @@ impl SurveyedArches {
         record.add_record("asked", Some(self.asked.fields()));
         record.add("meaning", MEANING);
         record.add("weight", self.weight.name());
+        if let Some(sought) = self.sought {
+            record.add("sought", sought.name());
+        }
         record.add("outcome", self.outcome()[0]);
         record.add("reason", self.first_open().map(|open| open.reason.to_string()));
         let found = self.found.as_ref().ok();
@@ -96,11 +108,13 @@ impl SurveyedArches {
             record
         };
         record.add_list("ranges", self.ranges().map(range));
-        let labels = |modes: &[Mode]| labels(modes);
-        let modes = found.map(|found| &found.modes);
-        record.add("modes", modes.map_or(Vec::new(), |modes| labels(&modes.occur)));
-        record.add("other_modes", modes.map_or(Vec::new(), |modes| labels(&modes.may_occur)));
-        record.add("some_fall", modes.and_then(|modes| modes.some_fall));
+        if self.tells_modes() {
+            let labels = |modes: &[Mode]| labels(modes);
+            let modes = found.and_then(|found| found.modes.as_ref());
+            record.add("modes", modes.map_or(Vec::new(), |modes| labels(&modes.occur)));
+            record.add("other_modes", modes.map_or(Vec::new(), |modes| labels(&modes.may_occur)));
+            record.add("some_fall", modes.and_then(|modes| modes.some_fall));
+        }
         if let Some(Ok(Share { lower, upper })) = &self.share {
             let mut share = Record::default();
             share.add("lower", lower.to_string());
@@ -111,17 +125,25 @@ impl SurveyedArches {
     }
 
     /// Command that asks about one arch.
-    fn command(&self, of: &SurveyedArch) -> String {
+    pub(super) fn command(&self, of: &SurveyedArch) -> String {
         let asked = self.given.one(&of.arch, of.thickness.as_ref(), of.measured.as_ref());
-        let command = if of.thickness.is_some() { "assess" } else { "state" };
+        let command = match (self.sought, &self.given.stones, &of.thickness) {
+            (Some(Sought::HalfOpening), ..) => "find half-opening",
+            (Some(Sought::Friction), ..) => "find friction",
+            (None, Some(_), _) => "voussoirs",
+            (None, None, Some(_)) => "assess",
+            (None, None, None) => "state",
+        };
         format!("couplet {command}{} --weight {}", asked.options(), self.weight.name())
     }
 
     fn arch(&self, of: &SurveyedArch) -> Record {
         let thickness = of.thickness.as_ref().map(ToString::to_string);
         let mut arch = Record::default();
-        arch.add("half_opening", of.arch.half_opening().to_string());
-        arch.add("friction", of.arch.friction().to_string());
+        let unless = |sought, text: String| (self.sought != Some(sought)).then_some(text);
+        let [alpha, mu] = [of.arch.half_opening().to_string(), of.arch.friction().to_string()];
+        arch.add("half_opening", unless(Sought::HalfOpening, alpha));
+        arch.add("friction", unless(Sought::Friction, mu));
         arch.add("thickness", thickness);
         arch.add("command", self.command(of));
         arch
@@ -131,6 +153,7 @@ impl SurveyedArches {
         let (number, bound) = match &end.value {
             EndValue::Number(number) => (Some(number.to_string()), "number"),
             EndValue::NotEnough => (None, "not_enough"),
+            EndValue::AnyIsEnough => (None, "any_is_enough"),
             EndValue::Unbounded => (None, "unbounded"),
         };
         let mut record = Record::default();
@@ -138,6 +161,27 @@ impl SurveyedArches {
         record.add("bound", bound);
         record.add_record("arch", end.at.as_ref().map(|at| self.arch(at)));
         record
+    }
+}
+
+/// Sentences for arches none of which can stand, some, and all.
+const fn can_stand(sought: Option<Sought>) -> [&'static str; 3] {
+    match sought {
+        None => [
+            "no arch can stand, however thick",
+            "some arches can stand, others cannot, however thick",
+            "every arch can stand at some thickness",
+        ],
+        Some(Sought::Friction) => [
+            "no arch can stand, however rough",
+            "some arches can stand, others cannot, however rough",
+            "every arch can stand with some friction",
+        ],
+        Some(Sought::HalfOpening) => [
+            "no half opening stands",
+            "of some arches a half opening stands, of others none does",
+            "each has a widest half opening that stands",
+        ],
     }
 }
 
@@ -180,7 +224,12 @@ impl Reported for SurveyedArches {
 
 /// Lines for a person.
 fn say(all: &SurveyedArches, record: &mut Record) {
-    record.say(format!("Every arch of {}\n", all.asked.with_weight(all.weight)));
+    let subject = match all.sought {
+        None => "Every arch",
+        Some(Sought::HalfOpening) => "The widest half opening of every arch",
+        Some(Sought::Friction) => "The least friction of every arch",
+    };
+    record.say(format!("{subject} of {}\n", all.asked.with_weight(all.weight)));
     record.say(match all.first_open() {
         Some(open) => open.to_string(),
         None => format!("{}, proved", all.outcome()[1]),
@@ -213,15 +262,15 @@ fn say(all: &SurveyedArches, record: &mut Record) {
             "\n   part that stands: {lower} to {upper}, each measure spread evenly between its ends"
         ));
     }
-    record.say_all(modes(found));
+    record.say_all(found.modes.iter().flat_map(modes));
     record.say("");
     for (index, arch) in arches.iter().enumerate() {
         record.say(format!("   ({}) {}", index + 1, all.command(arch)));
     }
     let [worst, best] = [&found.worst, &found.best].map(|of| number(of).map_or(0, |at| at + 1));
-    let does = match found.verdict {
-        Some(_) => ["stands least easily", "most easily"],
-        None => ["needs the largest thickness", "the least"],
+    let does = match (&found.verdict, all.sought) {
+        (Some(_), _) | (None, Some(_)) => ["stands least easily", "most easily"],
+        (None, None) => ["needs the largest thickness", "the least"],
     };
     record.say(match worst == best {
         true => format!("\n   ({worst}) {} and {}.", does[0], does[1]),
@@ -232,7 +281,14 @@ fn say(all: &SurveyedArches, record: &mut Record) {
             .say("   An end is the value of the arch whose number is behind it, rounded outward.");
     }
     if ends().any(|end| end.value == EndValue::NotEnough) {
-        record.say("   None: no thickness, or no friction, is enough for that arch.");
+        record.say(match all.sought {
+            None => "   None: no thickness, or no friction, is enough for that arch.",
+            Some(Sought::Friction) => "   None: no friction is enough for that arch.",
+            Some(Sought::HalfOpening) => "   None: without friction nothing stands.",
+        });
+    }
+    if ends().any(|end| end.value == EndValue::AnyIsEnough) {
+        record.say("   Any: however thin, that arch stands.");
     }
     if ends().any(|end| end.at.is_none()) {
         record.say("   An end without a number behind it encloses: no arch is beyond it, and none need have it.");
@@ -240,9 +296,8 @@ fn say(all: &SurveyedArches, record: &mut Record) {
 }
 
 /// Lines on the modes at the least thickness.
-fn modes(found: &SurveyAnswer) -> Vec<String> {
+fn modes(modes: &ModesFound) -> Vec<String> {
     let mut lines = Vec::new();
-    let modes = &found.modes;
     if !modes.occur.is_empty() {
         lines.push(format!("\n   modes at the least thickness: {}", list(labels(&modes.occur))));
     }

@@ -132,7 +132,7 @@ impl SurveyedRows {
             reason: of.first_open().map(|open| open.reason.to_string()),
             given: given(of),
             ends: self.quantities.iter().map(ends).collect(),
-            modes: of.found.as_ref().ok().map(|found| found.modes.clone()),
+            modes: of.found.as_ref().ok().and_then(|found| found.modes.clone()),
         }
     }
 
@@ -175,6 +175,7 @@ fn ends(found: &SurveyAnswer, quantity: Quantity) -> [Option<String>; 2] {
     let text = |end: &RangeEnd| match &end.value {
         EndValue::Number(number) => Some(number.to_string()),
         EndValue::NotEnough => None,
+        EndValue::AnyIsEnough => Some("any".to_owned()),
         EndValue::Unbounded => Some("inf".to_owned()),
     };
     match found.ranges.iter().find(|range| range.of == quantity) {

@@ -156,6 +156,8 @@ fn in_words_of_range(field: Field, text: &str, given: &SurveyGiven) -> String {
             format!(" at the {circle}{opening}")
         }
         Field::Radius => format!(" of the {circle}"),
+        Field::Stones => return format!("{ends} equal stones"),
+        Field::Joints => return format!("joints at {ends}"),
         _ => String::new(),
     };
     format!("{name} {ends}{at}")

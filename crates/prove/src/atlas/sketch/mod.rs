@@ -7,6 +7,7 @@
 //! | `range` | the crown moments that fit a thrust, where there is more than one |
 //! | `stones` | the same of an arch of stones |
 //! | `falling` | an arch that does not stand |
+//! | `bands` | bands of lines of thrust, of all arches of a survey |
 //! | `along` | the modes that a half opening passes as the friction grows |
 //! | `stability` | what holds for an arch of a given thickness, of stones or not |
 //!
@@ -14,6 +15,7 @@
 //! doubles for the eye: [`sketch`](crate::sketch) computes them in any enclosure.
 
 mod along;
+mod bands;
 mod falling;
 mod forces;
 mod range;
@@ -24,6 +26,7 @@ mod stones;
 
 pub use crate::sketch::{Block, Moved, SketchedLine, moved};
 pub use along::Passed;
+pub use bands::BandedArch;
 pub use sketch::{NoSketch, Sketch, Subject};
 pub use stability::{Bound, Stability};
 

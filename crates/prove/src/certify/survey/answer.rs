@@ -7,7 +7,8 @@ use crate::problem::{Arch, Mode, Quantity};
 use crate::prover::Undecided;
 use std::fmt;
 
-/// Proved answer about every arch of a survey.
+/// Proved answer about every arch of a survey. Where something is sought, an arch has a half opening of one radian, or
+/// friction without limit, in its place.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct SurveyAnswer {
@@ -21,8 +22,8 @@ pub struct SurveyAnswer {
     pub ranges: Vec<QuantityRange>,
     /// Reason why a range is left out, where one is.
     pub open: Option<Undecided>,
-    /// Collapse modes at the least thickness.
-    pub modes: ModesFound,
+    /// Collapse modes at the least thickness, where they are told.
+    pub modes: Option<ModesFound>,
 }
 
 /// Range of a quantity over the arches of a survey.
@@ -50,8 +51,10 @@ pub struct RangeEnd {
 pub enum EndValue {
     /// A number.
     Number(Decimal),
-    /// No number: no thickness, or no friction, is enough.
+    /// No number: no thickness, or no friction, is enough, or nothing stands.
     NotEnough,
+    /// No least number: however small it is, it is enough.
+    AnyIsEnough,
     /// Nothing bounds the value.
     Unbounded,
 }
@@ -80,11 +83,12 @@ pub struct ModesFound {
 }
 
 impl fmt::Display for EndValue {
-    /// Number, `none` where none is enough, or `inf`.
+    /// Number, `none` where none is enough, `any` where each is, or `inf`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Number(number) => number.fmt(f),
             Self::NotEnough => f.write_str("none"),
+            Self::AnyIsEnough => f.write_str("any"),
             Self::Unbounded => f.write_str("inf"),
         }
     }

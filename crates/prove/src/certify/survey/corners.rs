@@ -1,8 +1,12 @@
 //! Ranges over half openings, frictions and thicknesses that are free of each other: each end belongs to a corner.
 
-use super::answer::{EndValue, QuantityRange, RangeEnd, SurveyedArch};
+use super::answer::{EndValue, ModesFound, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch};
 use crate::certify::state::{Answer, AssessmentDigits, Balls, Figure, Limit};
+use crate::certify::{
+    VoussoirAssessment, VoussoirStanding, Voussoirs, assess_voussoirs, voussoirs,
+};
 use crate::number::ExactNumber;
+use crate::problem::stones::Stones;
 use crate::problem::survey::{Side, SurveyVerdict, is_one_friction, is_one_number};
 use crate::problem::{Arch, Quantity};
 use crate::prover::{Answered, Error, Refused, Undecided};
@@ -17,10 +21,15 @@ pub(super) struct Corner {
 enum Found {
     State(Result<Answer, Error>),
     Assessment(Box<AssessmentDigits>),
+    Stones(Result<Voussoirs, Undecided>, Option<Box<VoussoirAssessment>>),
 }
 
-/// Value of a quantity at a corner, where there is any to tell.
-type Told = Option<Option<Figure>>;
+/// Value of a quantity at a corner.
+enum Told {
+    Value(Figure),
+    /// Statement in place of a number.
+    Without(EndValue),
+}
 
 impl Corner {
     pub(super) fn new(side: Side, at: SurveyedArch, digits: usize) -> Result<Self, Refused> {
@@ -33,52 +42,93 @@ impl Corner {
         Ok(Self { side, at, found })
     }
 
+    /// Corner of arches of stones.
+    pub(super) fn of_stones(
+        side: Side,
+        at: SurveyedArch,
+        stones: &Stones,
+        digits: usize,
+    ) -> Result<Self, Refused> {
+        let (weight, friction) = (at.arch.weight(), at.arch.friction());
+        let least = Error::apart(voussoirs(stones, weight, friction, digits))?;
+        let assess = |eta| assess_voussoirs(stones, weight, friction, eta, digits).map(Box::new);
+        let given = at.thickness.as_ref().map(assess).transpose()?;
+        Ok(Self { side, at, found: Found::Stones(least, given) })
+    }
+
     /// Verdict on the arch, if it has a thickness.
     fn stands(&self) -> Option<Result<bool, Undecided>> {
         match &self.found {
-            Found::State(_) => None,
+            Found::State(_) | Found::Stones(_, None) => None,
             Found::Assessment(found) => Some(found.stands.clone()),
+            Found::Stones(_, Some(found)) => {
+                let stands = |of: &VoussoirStanding| matches!(of, VoussoirStanding::Stands(_));
+                Some(found.standing.as_ref().map(stands).map_err(Clone::clone))
+            }
         }
     }
 
-    /// Value of a quantity: `None` inside if nothing is enough.
-    fn told(&self, of: Quantity) -> Result<Told, Undecided> {
-        let known = |x: &Answered<Figure>| x.clone().map(Some);
-        Ok(match (&self.found, of) {
+    /// Value of a quantity, where there is any to tell.
+    fn told(&self, of: Quantity) -> Result<Option<Told>, Undecided> {
+        match (&self.found, of) {
             (Found::State(found), Quantity::LeastThickness) => match found {
-                Ok(Answer::Stands(state)) => Some(Some(state.thickness.clone())),
-                Ok(Answer::Falls { .. }) => Some(None),
-                Err(Error::Undecided(open)) => return Err(open.clone()),
-                Err(Error::Refused(_)) => None,
+                Ok(Answer::Stands(state)) => Ok(Some(Told::Value(state.thickness.clone()))),
+                Ok(Answer::Falls { .. }) => Ok(Some(Told::Without(EndValue::NotEnough))),
+                Err(Error::Undecided(open)) => Err(open.clone()),
+                Err(Error::Refused(_)) => Ok(None),
             },
-            (Found::State(_), _) => None,
-            (Found::Assessment(found), of) => match of {
-                Quantity::LeastThickness => known(&found.least_thickness)?,
-                Quantity::GeometricSafety => known(&found.geometric_safety)?,
-                Quantity::RequiredFriction => known(&found.required_friction)?,
-                Quantity::FrictionSafety => known(&found.friction_safety)?,
-                _ => None,
-            },
-        })
+            (Found::State(_), _) => Ok(None),
+            (Found::Assessment(found), of) => {
+                let slides_never =
+                    !self.at.arch.is_limited() && !matches!(found.required_friction, Ok(None));
+                match of {
+                    Quantity::LeastThickness => answered(&found.least_thickness, false),
+                    Quantity::GeometricSafety => answered(&found.geometric_safety, false),
+                    Quantity::RequiredFriction => answered(&found.required_friction, false),
+                    Quantity::FrictionSafety => answered(&found.friction_safety, slides_never),
+                    _ => Ok(None),
+                }
+            }
+            (Found::Stones(least, _), Quantity::LeastThickness) => {
+                Ok(Some(match least.clone()? {
+                    Voussoirs::Stands(state) => Told::Value(state.thickness),
+                    Voussoirs::AnyThickness => Told::Without(EndValue::AnyIsEnough),
+                    Voussoirs::Slides | Voussoirs::TooThick => Told::Without(EndValue::NotEnough),
+                }))
+            }
+            (Found::Stones(_, None), _) => Ok(None),
+            (Found::Stones(least, Some(found)), of) => {
+                let any = matches!(least, Ok(Voussoirs::AnyThickness));
+                let slides_never = matches!(found.required_friction, Ok(Some(_)));
+                match of {
+                    Quantity::GeometricSafety => answered(&found.geometric_safety, any),
+                    Quantity::RequiredFriction => answered(&found.required_friction, false),
+                    Quantity::FrictionSafety => answered(&found.friction_safety, slides_never),
+                    _ => Ok(None),
+                }
+            }
+        }
     }
 
     /// End of the thrust that this corner decides.
     fn thrust(&self, of: Quantity) -> Option<EndValue> {
-        let Found::Assessment(found) = &self.found else { return None };
-        let limits = found.limits();
-        let limit = if of == Quantity::LeastThrust { limits[0] } else { limits[1] }?;
-        Some(match &limit.thrust {
+        let thrusts = match &self.found {
+            Found::Assessment(found) => {
+                found.limits().map(|limit| limit.map(|limit| limit.thrust.as_ref()))
+            }
+            Found::Stones(_, Some(found)) => match &found.standing {
+                Ok(VoussoirStanding::Stands(ends)) => {
+                    ends.each_ref().map(|end| Some(end.thrust.as_ref()))
+                }
+                _ => return None,
+            },
+            _ => return None,
+        };
+        let thrust = if of == Quantity::LeastThrust { thrusts[0] } else { thrusts[1] }?;
+        Some(match thrust {
             None => EndValue::Unbounded,
             Some(figure) => outward(figure, (of == Quantity::LeastThrust) == self.is_unsafe()),
         })
-    }
-
-    /// Tells whether a quantity is the safety from sliding of an arch with a thickness that some friction is enough
-    /// for, and friction without limit.
-    fn slides_never(&self, of: Quantity) -> bool {
-        let is_enough = matches!(&self.found, Found::Assessment(found)
-            if !matches!(found.required_friction, Ok(None)));
-        of == Quantity::FrictionSafety && !self.at.arch.is_limited() && is_enough
     }
 
     fn is_unsafe(&self) -> bool {
@@ -86,14 +136,26 @@ impl Corner {
     }
 }
 
+/// Value of a quantity: where it has none it is `unbounded`, or nothing is enough.
+fn answered(found: &Answered<Figure>, unbounded: bool) -> Result<Option<Told>, Undecided> {
+    let none = if unbounded { EndValue::Unbounded } else { EndValue::NotEnough };
+    Ok(Some(found.clone()?.map_or(Told::Without(none), Told::Value)))
+}
+
 /// A figure rounded up or down to its digits.
-fn outward(figure: &Figure, up: bool) -> EndValue {
+pub(super) fn outward(figure: &Figure, up: bool) -> EndValue {
     let decimal = &figure.decimal;
     EndValue::Number(if up { decimal.upper.clone() } else { decimal.lower.clone() })
 }
 
+/// Answer of two corners.
+pub(super) fn answer(worst: Corner, best: Corner, modes: Option<ModesFound>) -> SurveyAnswer {
+    let (verdict, (ranges, open)) = (verdict(&worst, &best), ranges(&worst, &best));
+    SurveyAnswer { verdict, worst: worst.at, best: best.at, ranges, open, modes }
+}
+
 /// Verdict of two corners; `None` without a thickness.
-pub(super) fn verdict(worst: &Corner, best: &Corner) -> Option<Result<SurveyVerdict, Undecided>> {
+fn verdict(worst: &Corner, best: &Corner) -> Option<Result<SurveyVerdict, Undecided>> {
     Some(together(worst.stands()?, best.stands()?))
 }
 
@@ -133,11 +195,10 @@ pub(super) fn ranges(worst: &Corner, best: &Corner) -> (Vec<QuantityRange>, Opti
             }
             _ => continue,
         };
-        let end = |corner: &Corner, value: Option<Figure>, up| {
+        let end = |corner: &Corner, value: Told, up| {
             let value = match value {
-                Some(figure) => outward(&figure, up),
-                None if corner.slides_never(of) => EndValue::Unbounded,
-                None => EndValue::NotEnough,
+                Told::Value(figure) => outward(&figure, up),
+                Told::Without(words) => words,
             };
             RangeEnd::attained(value, &corner.at)
         };

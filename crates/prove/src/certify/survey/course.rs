@@ -152,12 +152,7 @@ impl Search<'_> {
 /// Extreme of a quantity along a side's course, to `digits` digits (at most [`MEASURED_DIGITS`]): a safety, a least
 /// thickness in metres, or a required friction. Of a geometric safety it is also told whether all arches of the survey
 /// stand, on the unsafe side, or any, on the safe side.
-pub(super) fn extreme(
-    survey: &Survey,
-    side: Side,
-    of: Quantity,
-    digits: usize,
-) -> Result<Extreme, Undecided> {
+fn extreme(survey: &Survey, side: Side, of: Quantity, digits: usize) -> Result<Extreme, Undecided> {
     let search = Search { survey, side, of, digits: digits.min(MEASURED_DIGITS) };
     let Some(course) = survey.course(side) else { return Err(Undecided::no_solution()) };
     let mut best = None;
@@ -182,6 +177,20 @@ pub(super) fn extreme(
     }
     let best = best.ok_or_else(Undecided::no_solution)?;
     Ok(search.known(&best, steps.peek().map_or(best.0, |top| top.size)))
+}
+
+/// Extreme of a quantity along a side's course, with the arch at its place.
+pub(super) fn placed(
+    survey: &Survey,
+    side: Side,
+    of: Quantity,
+    digits: usize,
+) -> Result<(Extreme, SurveyedArch), Undecided> {
+    let found = extreme(survey, side, of, digits)?;
+    let bounding = survey.bounding(side, [&found.place, &found.place]);
+    let arch = bounding.ok_or_else(Undecided::no_solution)?;
+    let arch = SurveyedArch::new(arch, survey.measured(side, &found.place));
+    Ok((found, arch))
 }
 
 impl Extreme {

@@ -7,6 +7,8 @@
 //! | `course` | span, rise and thickness measured: the extreme along a course, by halving |
 //! | `largest` | the order in which halving goes on |
 //! | `modes` | the modes that occur |
+//! | `sought` | the widest half opening, or the least friction, of all |
+//! | `stones` | arches of given stones |
 //! | `share` | the part that stands |
 //! | `survey` | the question |
 
@@ -16,6 +18,8 @@ mod course;
 mod largest;
 mod modes;
 mod share;
+mod sought;
+mod stones;
 #[allow(clippy::module_inception, reason = "the folder is named after what it answers")]
 mod survey;
 #[cfg(test)]
@@ -25,4 +29,6 @@ pub use crate::problem::survey::SurveyVerdict;
 pub use answer::{EndValue, ModesFound, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch};
 pub use course::MEASURED_DIGITS;
 pub use share::{Share, share};
+pub use sought::sought;
+pub use stones::survey_of_stones;
 pub use survey::survey;

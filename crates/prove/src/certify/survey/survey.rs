@@ -2,7 +2,7 @@
 
 use super::answer::{QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch};
 use super::corners::{self, Corner};
-use super::course::extreme;
+use super::course::placed;
 use super::modes::modes;
 use crate::problem::Quantity;
 use crate::problem::survey::{Side, Survey};
@@ -33,25 +33,10 @@ pub fn survey(survey: &Survey, digits: usize) -> Result<SurveyAnswer, Error> {
         Some(Corner::new(side, at, digits))
     });
     if let (Some(worst), Some(best)) = (worst, best) {
-        let (worst, best) = (worst?, best?);
-        let (ranges, open) = corners::ranges(&worst, &best);
-        return Ok(SurveyAnswer {
-            verdict: corners::verdict(&worst, &best),
-            ranges,
-            open,
-            worst: worst.at,
-            best: best.at,
-            modes: modes(),
-        });
+        return Ok(corners::answer(worst?, best?, Some(modes())));
     }
     Refused::digits(digits)?;
-    let at = |side, of| {
-        let found = extreme(survey, side, of, digits)?;
-        let bounding = survey.bounding(side, [&found.place, &found.place]);
-        let arch = bounding.ok_or_else(Undecided::no_solution)?;
-        let arch = SurveyedArch::new(arch, survey.measured(side, &found.place));
-        Ok::<_, Undecided>((found, arch))
-    };
+    let at = |side, of| placed(survey, side, of, digits);
     let (unsafest, worst) = at(Side::Unsafe, Quantity::GeometricSafety)?;
     let (safest, best) = at(Side::Safe, Quantity::GeometricSafety)?;
     let open = || Undecided::new("whether the thickness is enough");
@@ -86,7 +71,7 @@ pub fn survey(survey: &Survey, digits: usize) -> Result<SurveyAnswer, Error> {
     }
     ranges.extend(thrusts(survey, digits).into_iter().flatten());
     let verdict = Some(verdict);
-    Ok(SurveyAnswer { verdict, worst, best, ranges, open: left_open, modes: modes() })
+    Ok(SurveyAnswer { verdict, worst, best, ranges, open: left_open, modes: Some(modes()) })
 }
 
 /// Enclosures of the least and of the largest thrust of measured arches, if they all stand: those of two arches with

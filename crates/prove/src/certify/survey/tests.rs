@@ -47,7 +47,7 @@ fn lies_in(range: &QuantityRange, value: Option<&Rational>) -> bool {
     let safety = matches!(range.of, Quantity::GeometricSafety | Quantity::FrictionSafety);
     let bound = |end: &EndValue| match end {
         EndValue::Number(decimal) => Some(decimal.to_rational()),
-        EndValue::NotEnough | EndValue::Unbounded => None,
+        EndValue::NotEnough | EndValue::AnyIsEnough | EndValue::Unbounded => None,
     };
     let (lower, upper) = (bound(&range.lower.value), bound(&range.upper.value));
     let Some(value) = value else {
@@ -89,7 +89,7 @@ fn agrees(found: &SurveyAnswer, arch: &Arch, eta: &ExactNumber) -> Result<(), Te
         let range = range(found, Quantity::Thrust);
         let is_in = range.is_none_or(|range| lies_in(range, Some(&thrust)));
         prop_assert!(is_in, "{arch}: thrust {thrust} not in {range:?}");
-        let modes = &found.modes;
+        let modes = found.modes.as_ref().unwrap();
         let is_known = modes.occur.contains(&state.mode) || modes.may_occur.contains(&state.mode);
         prop_assert!(is_known, "{arch}: {} not in {modes:?}", state.mode);
     }

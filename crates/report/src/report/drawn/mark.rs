@@ -125,6 +125,7 @@ impl Mark {
     pub(super) fn of_range(text: &str, arches: &Survey) -> Result<Self, Error> {
         let open = || Undecided::new("the least thickness");
         let answer = survey(arches, DIGITS)?;
+        let told = || answer.modes.as_ref().map_or(String::new(), modes);
         let mut ranges = answer.ranges.iter();
         let least = ranges.find(|range| range.of == Quantity::LeastThickness).ok_or_else(open)?;
         let verdict = match &answer.verdict {
@@ -135,10 +136,10 @@ impl Mark {
         let (lower, upper) = (value(&least.lower), value(&least.upper));
         let found = match (&lower, &upper) {
             (Some(lower), Some(upper)) => {
-                format!("{verdict}least thickness {lower} to {upper}, {}", modes(&answer.modes))
+                format!("{verdict}least thickness {lower} to {upper}, {}", told())
             }
             (Some(lower), None) => {
-                let modes = modes(&answer.modes);
+                let modes = told();
                 format!("{verdict}least thickness from {lower}, {modes}; some fall, however thick")
             }
             (None, _) => "all fall, however thick".to_owned(),

@@ -2,14 +2,18 @@
 
 use super::Sketched;
 use crate::atlas::{Sketch, SketchedLine};
-use crate::picture::color::{INK, WHITE};
-use crate::picture::{Path, Point, Stroke, Svg, Type, text};
+use crate::picture::color::{GUIDE, INK, WHITE};
+use crate::picture::{Color, Path, Point, Stroke, Svg, Type, text};
 use crate::sketch::look;
 
 /// An entry: a sample and its name.
 pub(in crate::report) enum LegendSample {
     Line(Stroke),
     Band,
+    /// An area of the colour of a band, of an edge and an opacity.
+    Shade(Stroke, f64),
+    /// An area of a colour.
+    Area(Color),
     Hinge,
     Sliding,
     Fallen,
@@ -129,6 +133,16 @@ impl LegendSample {
         match self {
             Self::Line(stroke) => svg.stroke(&Path::through([(x, y), (right, y)]), *stroke),
             Self::Band => svg.tint(&area, look::BAND, look::FAINT),
+            Self::Area(color) => {
+                svg.fill(&area, *color);
+                svg.stroke(&area, Stroke::new(GUIDE, 0.8));
+            }
+            Self::Shade(edge, share) => {
+                svg.tint(&area, look::BAND, *share);
+                for y in [y - 7.0, y + 7.0] {
+                    svg.stroke(&Path::through([(x, y), (right, y)]), *edge);
+                }
+            }
             Self::Hinge => svg.ring((middle, y), look::HINGE_RADIUS, WHITE, look::HINGE),
             Self::Sliding => {
                 svg.stroke(&Path::through([(middle, y - 9.0), (middle, y + 9.0)]), look::SLIDES);
