@@ -6,7 +6,9 @@
 //! | `corners` | half opening and thickness free of each other: two arches decide |
 //! | `course` | span, rise and thickness measured: the extreme along a course, by halving |
 //! | `largest` | the order in which halving goes on |
+//! | `mean` | the mean of the least thickness |
 //! | `modes` | the modes that occur |
+//! | `patch` | the states of a mode, all at once |
 //! | `share` | the part that stands |
 //! | `survey` | the question |
 
@@ -14,7 +16,9 @@ mod answer;
 mod corners;
 mod course;
 mod largest;
+mod mean;
 mod modes;
+mod patch;
 mod share;
 #[allow(clippy::module_inception, reason = "the folder is named after what it answers")]
 mod survey;
