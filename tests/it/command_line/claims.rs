@@ -26,7 +26,8 @@ fn claims_are_decided_and_a_misprint_is_no_failure() {
         "map-lines",
         "map-areas",
     ];
-    let own = [&own[..], &["unique-attained", "map-function", "unique-thickness"]].concat();
+    let unique = ["unique-attained", "map-function", "unique-thickness"];
+    let own = [&own[..], &unique, &["survey-rise", "survey-safety"]].concat();
     assert_eq!(argued("own"), own);
     assert!(argued("beneath").contains(&"unique-work"));
     let claim = |id: &str| claims.iter().find(|claim| claim["id"] == *id).unwrap();

@@ -32,6 +32,8 @@
 //! | asymmetric mechanisms above the least thickness | `asymmetric.rs` |
 //! | where symmetric states have them too | `asymmetric_begins.rs` |
 //! | all arches between measured ends | `surveys.rs` |
+//! | why of one rise the longer arch is the safer | `rises.rs`, with the signs of `rise_signs.rs` |
+//! | and has the larger geometric safety | `safeties.rs` |
 //! | signs by algebra | `sign.rs` |
 //! | what the paper says, place by place, and what decides it | `index.rs`, `sentences.rs` |
 //!
@@ -69,7 +71,10 @@ mod modes;
 mod moments;
 mod overturning;
 mod regular;
+mod rise_signs;
+mod rises;
 mod rounded;
+mod safeties;
 mod same_opening;
 mod sentence;
 mod sentences;
@@ -102,7 +107,7 @@ pub fn claims() -> Vec<Claim> {
         units moments cubics curve branches overturning trends joining sliding regular asymptotics
         landmarks rounded same_opening differences weights frictions map_of_weights border contacts modes
         mechanisms domains tiling lines areas admissible uniqueness asymmetric asymmetric_begins
-        surveys
+        rises surveys safeties
     }
 }
 

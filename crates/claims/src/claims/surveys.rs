@@ -6,15 +6,21 @@
 //!
 //! Where span, rise and thickness are measured they make the half opening and the ratio of the thickness to the radius
 //! together. An arch does not change with its scale: of those with one ratio of rise to span the largest is the
-//! thinnest.
+//! thinnest. And of one rise the longer is the safer, so that the shortest span with the highest rise decides.
 
-use super::contacts::{label, margin_at};
+use super::along::landmark;
+use super::contacts::{CONTACTS, label, margin_at};
+use super::domains::INNER_SLIDING_BEYOND_T;
 use super::landmarks::state_of;
 use super::letters::{ring, with};
+use super::modes::LEVER;
+use super::rises::{NARROW, OVERTURNING, ROTATION, WIDE, along_the_rise, slenderness};
+use super::uniqueness::ONE_HALF_OPENING;
 use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{SelfWeight, statics};
-use crate::number::{Angle, Field};
+use crate::number::{Angle, Field, Real};
+use crate::problem::Landmark;
 use crate::symbolic::{Fraction, Letters, Symbol, along_the_opening};
 
 claims! {
@@ -31,6 +37,13 @@ claims! {
          than one with the half opening of the highest or shortest and the larger radius of the two ends, and none \
          more easily than one with the half opening of the lowest or longest and the least radius, which is that of an \
          end or half the span";
+    Implicit("survey-rise", "Fig. 1", rise) as RISE:
+        "if an arch stands, each with the same weight, thickness and rise and no less friction stands that has a \
+         longer span, wherever the rise is measured";
+    Implicit("survey-worst", "Fig. 1", worst):
+        "of the arches between measured spans, rises, thicknesses and frictions none stands less easily than the \
+         thinnest and least rough one with the shortest span and the highest rise, and none more easily than the \
+         thickest and roughest one with the longest span and the lowest rise";
 }
 
 fn corners(d: &mut Derivation) -> Checked {
@@ -77,8 +90,8 @@ fn corners(d: &mut Derivation) -> Checked {
     d.conclude(
         "A narrower arch has some of the joints and no others; and where U and L, mu N - T and mu N + T are not \
          negative at a joint they are not with more friction, nor with more thickness up to 2. So the set of \
-         admissible (h, p) grows, with either weight: as the half opening falls, as the friction grows, as the thickness \
-         grows.",
+         admissible (h, p) grows, with either weight: as the half opening falls, as the friction grows, as the \
+         thickness grows.",
     )?;
     d.conclude(
         "Therefore the least thickness and the least friction do not fall as the half opening grows, and neither rises \
@@ -141,9 +154,10 @@ fn course(d: &mut Derivation) -> Checked {
     let scaled = quotient.partial(Symbol::Span) * &span + quotient.partial(Symbol::Rise) * &rise;
     d.identity("s dq/ds + rise dq/d rise: its half opening does not", scaled, rise.int(0))?;
     d.conclude(
-        "Make an arch larger, with its thickness kept, up to the longest span or the highest rise: the half opening is \
-         the same, the radius larger and eta smaller, and it stands no more easily. Made smaller, down to the shortest \
-         span or the lowest rise, it stands no less easily. So does each with the least thickness, and with the largest.",
+        "Make an arch larger, with its thickness kept, up to the longest span or the highest rise: the half opening \
+         is the same, the radius larger and eta smaller, and it stands no more easily. Made smaller, down to the \
+         shortest span or the lowest rise, it stands no less easily. So does each with the least thickness, and with \
+         the largest.",
     )?;
     for weight in SelfWeight::ALL {
         let [narrow, wide] = [("pi/2", (2, 1)), ("2atan(20/21)", (841, 400))];
@@ -151,8 +165,8 @@ fn course(d: &mut Derivation) -> Checked {
             let eta = state_of(alpha, "0.6", weight)?.thickness;
             Ok(eta.ratio(n, m) * eta)
         });
-        let words = "a longer span may be the safer one: rise 2 m, friction 0.6, the least thickness of a span of 4.2 m \
-                     is below that of 4 m";
+        let words = "a longer span may be the safer one: rise 2 m, friction 0.6, the least thickness of a span of 4.2 \
+                     m is below that of 4 m";
         d.less(format!("{words}, {weight}"), [&wide?, &narrow?])?;
     }
     Ok(())
@@ -178,8 +192,72 @@ fn step(d: &mut Derivation) -> Checked {
     d.identity(words, quotient.partial(Symbol::Span), -(quotient.clone() / &span))?;
     d.identity("dq/d rise: positive", quotient.partial(Symbol::Rise), two / &span)?;
     d.conclude(
-        "From a longer span to a shorter, and from a lower rise to a higher, the half opening grows. One with the largest \
-         half opening and, by the largest radius, the least eta stands no more easily than any of them; one with \
-         the smallest half opening and the least radius no less easily. Neither need be an arch of them.",
+        "From a longer span to a shorter, and from a lower rise to a higher, the half opening grows. One with the \
+         largest half opening and, by the largest radius, the least eta stands no more easily than any of them; one \
+         with the smallest half opening and the least radius no less easily. Neither need be an arch of them.",
+    )
+}
+
+fn rise(d: &mut Derivation) -> Checked {
+    d.assume("0 < alpha < pi, 0 < eta <= 2, 0 < mu <= inf, delta_M = 0 or 1");
+    lemmas(d, [&CORNERS, &CONTACTS, &LEVER, &ROTATION, &OVERTURNING, &NARROW, &WIDE])?;
+    lemmas(d, [&ONE_HALF_OPENING, &INNER_SLIDING_BEYOND_T])?;
+    let (alpha, eta) = (Symbol::half_opening(), Symbol::Thickness.number());
+    let over_rise = slenderness() / alpha.versine();
+    let words = "D of tau/(1 - cos(alpha)), the thickness over the rise of the extrados";
+    d.on_circle(words, along_the_rise(&over_rise), eta.int(0))?;
+    for (circle, outwards) in [("intrados", 1), ("centreline", 0), ("extrados", -1)] {
+        let radius = eta.int(1) - eta.ratio(outwards, 2) * &eta;
+        let over_rise = eta.clone() / (radius * alpha.versine());
+        let expected = eta.int(1 + outwards) * &eta / (eta.int(2) - eta.int(outwards) * &eta);
+        let words = format!("D of the logarithm of the thickness over the rise, {circle}");
+        d.on_circle(words, along_the_rise(&over_rise) / &over_rise, expected)?;
+    }
+    for weight in SelfWeight::ALL {
+        let opening = landmark(Landmark::Triple, weight)?.half_opening.rad;
+        let right = opening.pi() / opening.int(2);
+        d.less(format!("alpha_T is more than pi/2, {weight}"), [&right, &opening])?;
+    }
+    d.argue(
+        "Let an arch stand, and let its half opening fall while the thickness over the rise of the extrados is kept. \
+         Take the least admissible thrust h. It is h_R, the largest h of (2) of any joint, or the least that friction \
+         bears at the inner joints, which is at most 1; from above it is bounded by the shoulder's extrados, as its \
+         lever arm is positive, and by its friction. There are fewer joints, and h_R grows: let h follow it if it is \
+         h_R, and else be kept. A bound from above that is not reached is not, on the next piece of the way, either.",
+    )?;
+    d.argue(
+        "One that is reached is left. The shoulder's extrados, if h is h_R: then U is zero at the crown too, so that \
+         h + g = A. If h = h_R = 0 at the crown, as A = g is at most 1, and if h is that of friction, alpha is more \
+         than pi/2: the mode is [r,r,s], [r,s,r] or [r,s], beyond T, where both thickness and friction are no less \
+         than at T. The shoulder's friction, if h is that of the inner joints, as then fewer are asked, and if it is \
+         h_R: at each joint that asks for it, and so for the largest. What stands is closed, so the arch stands all \
+         the way.",
+    )?;
+    d.conclude(
+        "With the rise measured at another circle eta falls no faster, and thicker stands, up to 2. An arch of the \
+         same rise and thickness with a longer span has a smaller half opening and a larger radius: it is on that \
+         way.",
+    )
+}
+
+fn worst(d: &mut Derivation) -> Checked {
+    d.assume("the thickness is at most twice the radius of the centreline");
+    lemmas(d, [&CORNERS, &COURSE, &RISE])?;
+    let [span, rise] = measured();
+    let scale = Symbol::Radius.number();
+    let quotient = |span: &Fraction, rise: &Fraction| rise.int(2) * rise / span;
+    let words = "q of an arch, and of that with k times the span and k times the rise";
+    let scaled = quotient(&(span.clone() * &scale), &(rise.clone() * &scale));
+    d.identity(words, scaled, quotient(&span, &rise))?;
+    d.conclude(
+        "Let the arch with the shortest span and the highest rise stand. Another one, made larger up to the highest \
+         rise, has a span that is no shorter: it stands. Made smaller again, with its thickness kept, it has a larger \
+         eta, and stands. Let an arch stand. One of its rise, as much longer as the longest span with the lowest rise \
+         asks for, stands too, and made smaller down to the lowest rise it is that.",
+    )?;
+    d.conclude(
+        "Neither more thickness nor more friction is in the way of it. So the least thickness in m grows with the \
+         rise and falls with the span, not always strictly; and with a thickness given the friction that is required \
+         does.",
     )
 }
