@@ -90,9 +90,4 @@ impl RangeEnd {
     pub(super) fn attained(value: EndValue, at: &SurveyedArch) -> Self {
         Self { value, at: Some(at.clone()) }
     }
-
-    /// End without bound.
-    pub(super) fn unbounded(at: &SurveyedArch) -> Self {
-        Self::attained(EndValue::Unbounded, at)
-    }
 }

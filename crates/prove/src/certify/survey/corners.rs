@@ -1,8 +1,9 @@
-//! Ranges over half openings, frictions and thicknesses that are free of each other: each end belongs to a corner.
+//! Ranges over the arches of a survey: each end belongs to one of two corners.
 
 use super::answer::{EndValue, QuantityRange, RangeEnd, SurveyedArch};
-use crate::certify::state::{Answer, AssessmentDigits, Balls, Figure, Limit};
+use crate::certify::state::{Answer, AssessmentDigits, Balls, Figure, Limit, measured_state};
 use crate::number::ExactNumber;
+use crate::problem::measures::Measures;
 use crate::problem::survey::{Side, SurveyVerdict, is_one_friction, is_one_number};
 use crate::problem::{Arch, Quantity};
 use crate::prover::{Answered, Error, Refused, Undecided};
@@ -12,6 +13,8 @@ pub(super) struct Corner {
     pub(super) side: Side,
     pub(super) at: SurveyedArch,
     found: Found,
+    /// Least thickness in metres, where the arch is measured and some thickness is enough.
+    metres: Answered<Figure>,
 }
 
 enum Found {
@@ -30,7 +33,15 @@ impl Corner {
             None => Found::State(balls.state(&at.arch, digits, false)),
             Some(eta) => Found::Assessment(Box::new(balls.assess(&at.arch, eta, digits)?)),
         };
-        Ok(Self { side, at, found })
+        Ok(Self { side, at, found, metres: Ok(None) })
+    }
+
+    /// The corner with its least thickness in metres.
+    pub(super) fn in_metres(self, measures: &Measures, digits: usize) -> Result<Self, Refused> {
+        let is_asked = |(of, _): &(Quantity, _)| *of == Quantity::ThicknessInMetres;
+        let sizes = Error::apart(measured_state(&self.at.arch, measures, digits))?;
+        let metres = sizes.map(|sizes| sizes.into_iter().find(is_asked)?.1);
+        Ok(Self { metres, ..self })
     }
 
     /// Verdict on the arch, if it has a thickness.
@@ -54,6 +65,11 @@ impl Corner {
             (Found::State(_), _) => None,
             (Found::Assessment(found), of) => match of {
                 Quantity::LeastThickness => known(&found.least_thickness)?,
+                Quantity::ThicknessInMetres => match known(&found.least_thickness)? {
+                    Some(Some(_)) => self.metres.clone()?.map(Some),
+                    _ if self.at.measured.is_none() => None,
+                    none => none,
+                },
                 Quantity::GeometricSafety => known(&found.geometric_safety)?,
                 Quantity::RequiredFriction => known(&found.required_friction)?,
                 Quantity::FrictionSafety => known(&found.friction_safety)?,
@@ -111,11 +127,9 @@ pub(super) fn together(
     }
 }
 
-/// Ranges of everything whose ends two corners decide, and what of it stays open.
-///
-/// Least thickness and required friction are largest at the worst arch, safety factors least. Each state of an arch is
-/// admissible in every narrower, rougher and thicker one (the claim `survey-corners`): so the range of thrusts is
-/// within that of the best arch, and holds that of the worst.
+/// Ranges of least thicknesses, required friction and safety factors, and what of it stays open: least thickness and
+/// required friction are largest at the worst arch, safety factors least (of measured arches the claims `survey-worst`
+/// and `survey-safety`).
 pub(super) fn ranges(worst: &Corner, best: &Corner) -> (Vec<QuantityRange>, Option<Undecided>) {
     let (mut ranges, mut open) = (Vec::new(), None);
     for (of, largest_is_worst) in [
@@ -123,6 +137,7 @@ pub(super) fn ranges(worst: &Corner, best: &Corner) -> (Vec<QuantityRange>, Opti
         (Quantity::GeometricSafety, false),
         (Quantity::RequiredFriction, true),
         (Quantity::FrictionSafety, false),
+        (Quantity::ThicknessInMetres, true),
     ] {
         let [first, last] = if largest_is_worst { [best, worst] } else { [worst, best] };
         let (lower, upper) = match (first.told(of), last.told(of)) {
@@ -144,6 +159,14 @@ pub(super) fn ranges(worst: &Corner, best: &Corner) -> (Vec<QuantityRange>, Opti
         let (lower, upper) = (end(first, lower, false), end(last, upper, true));
         ranges.push(QuantityRange { of, lower, upper });
     }
+    (ranges, open)
+}
+
+/// Ranges of the thrusts, where half opening and thickness are free of each other. Each state of an arch is admissible
+/// in every narrower, rougher and thicker one (the claim `survey-corners`): so the range of thrusts is within that of
+/// the best arch, and holds that of the worst.
+pub(super) fn thrusts(worst: &Corner, best: &Corner) -> Vec<QuantityRange> {
+    let mut ranges = Vec::new();
     let thrusts = [(Quantity::LeastThrust, true), (Quantity::LargestThrust, false)];
     for (of, largest_is_worst) in thrusts.into_iter().filter(|_| worst.stands() == Some(Ok(true))) {
         let [first, last] = if largest_is_worst { [best, worst] } else { [worst, best] };
@@ -153,7 +176,7 @@ pub(super) fn ranges(worst: &Corner, best: &Corner) -> (Vec<QuantityRange>, Opti
         ranges.push(QuantityRange { of, lower, upper });
     }
     ranges.extend(thrust_at_least_thickness(worst, best));
-    (ranges, open)
+    ranges
 }
 
 /// Range of the thrust at the least thickness, where that is asked for: an enclosure. A state is admissible in the best

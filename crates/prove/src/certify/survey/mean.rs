@@ -10,7 +10,7 @@
 //! The mean of `c - c0` is zero, and that of its size is half the half-width `w`. So the mean of `T` is `T(c0)` to
 //! within `d w/2` for each measure, with `d` the radius of the slope: it is known to second order.
 
-use super::patch::Patch;
+use super::patch::{Patch, between};
 use crate::arch::Unknown;
 use crate::number::{DoubleBall, Dual, Enclosure, ExactNumber, Field};
 use crate::problem::Friction;
@@ -38,7 +38,7 @@ struct Measure {
 
 impl Measure {
     fn new([first, last]: [DoubleBall; 2]) -> Self {
-        Self { all: first.hull(&last), middle: (first + last) / DoubleBall::exact(2.0) }
+        Self { all: between([first, last]), middle: (first + last) / DoubleBall::exact(2.0) }
     }
 
     fn of_numbers(range: &[ExactNumber; 2]) -> Self {
@@ -170,29 +170,11 @@ mod tests {
     }
 
     #[test]
-    fn diag() {
-        for h in [0.03, 0.01, 0.003, 0.001, 0.0003] {
-            let at = |x: f64| ends([&format!("{}m", x - h), &format!("{}m", x + h)]);
-            let shape = Shape::Spanned {
-                circle: Circle::Intrados,
-                span: at(8.0),
-                rise: at(4.0),
-                thickness: ends(["0.43m", "0.47m"]),
-            };
-            let survey = Survey::new(SelfWeight::Milankovitch, ends(["0.55", "0.75"]), shape).unwrap();
-            eprintln!("=== {h}");
-            if let Some(found) = least_thicknesses(&survey) {
-                eprintln!("all {:?} mean {:?}", found.all, found.mean);
-            }
-        }
-    }
-
-    #[test]
     fn the_mean_is_that_of_a_grid() {
-        let shape = Shape::Free { half_opening: ends(["1.7", "1.71"]), thickness: None };
-        let survey = Survey::new(SelfWeight::Heyman, ends(["0.43", "0.44"]), shape).unwrap();
+        let shape = Shape::Free { half_opening: ends(["1.7", "1.704"]), thickness: None };
+        let survey = Survey::new(SelfWeight::Heyman, ends(["0.43", "0.434"]), shape).unwrap();
         let grid = of_grid(12, |x, y| {
-            let (alpha, mu) = (1.7 + 0.01 * x, 0.43 + 0.01 * y);
+            let (alpha, mu) = (1.7 + 0.004 * x, 0.43 + 0.004 * y);
             let arch = Arch::from_doubles(SelfWeight::Heyman, alpha, mu).unwrap();
             arch.least(12).unwrap().thickness.double
         });
@@ -206,13 +188,13 @@ mod tests {
         {
             let shape = Shape::Spanned {
                 circle,
-                span: ends(["9.9m", "10.1m"]),
-                rise: ends(["2.95m", "3m"]),
+                span: ends(["9.98m", "10.02m"]),
+                rise: ends(["2.98m", "3m"]),
                 thickness: ends(["0.1m", "0.2m"]),
             };
             let survey = Survey::new(SelfWeight::Heyman, ends(["0.7", "0.7"]), shape).unwrap();
             let grid = of_grid(8, |x, y| {
-                let (half, rise) = (4.95 + 0.1 * x, 2.95 + 0.05 * y);
+                let (half, rise) = (4.99 + 0.02 * x, 2.98 + 0.02 * y);
                 let (alpha, radius) =
                     (2.0 * (rise / half).atan(), (half * half + rise * rise) / (2.0 * rise));
                 let arch = Arch::from_doubles(SelfWeight::Heyman, alpha, 0.7).unwrap();

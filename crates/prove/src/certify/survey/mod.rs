@@ -3,8 +3,7 @@
 //! | file | what it does |
 //! |---|---|
 //! | `answer` | the answer: verdict, ranges and the arches at their ends |
-//! | `corners` | half opening and thickness free of each other: two arches decide |
-//! | `course` | span, rise and thickness measured: the extreme along a course, by halving |
+//! | `corners` | the two arches that decide |
 //! | `largest` | the order in which halving goes on |
 //! | `mean` | the mean of the least thickness |
 //! | `modes` | the modes that occur |
@@ -14,7 +13,6 @@
 
 mod answer;
 mod corners;
-mod course;
 mod largest;
 mod mean;
 mod modes;
@@ -27,6 +25,5 @@ mod tests;
 
 pub use crate::problem::survey::SurveyVerdict;
 pub use answer::{EndValue, ModesFound, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch};
-pub use course::MEASURED_DIGITS;
 pub use share::{Share, share};
 pub use survey::survey;

@@ -2,16 +2,15 @@
 
 use super::answer::{QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch};
 use super::corners::{self, Corner};
-use super::course::extreme;
 use super::modes::modes;
 use crate::problem::Quantity;
-use crate::problem::survey::{Side, Survey};
-use crate::prover::{Error, Refused, Undecided};
+use crate::problem::measures::{Length, Measures, of_span_and_rise};
+use crate::problem::survey::{Shape, Side, Survey};
+use crate::prover::{Error, Undecided};
 
-/// Proves what holds for every arch of a survey, to `digits` digits (of measured spans and rises to
-/// [`MEASURED_DIGITS`](super::MEASURED_DIGITS) at most): the verdict on all, the ranges of what is asked of one, and
-/// the modes that occur. Digits beyond [`MAX_DIGITS`](crate::certify::MAX_DIGITS) are refused; undecided if a value
-/// stays open on which all depends.
+/// Proves what holds for every arch of a survey, to `digits` digits: the verdict on all, the ranges of what is asked of
+/// one, and the modes that occur. Digits beyond [`MAX_DIGITS`](crate::certify::MAX_DIGITS) are refused; undecided if a
+/// value stays open on which all depends.
 ///
 /// ```
 /// use couplet_check::problem::survey::{Shape, Survey};
@@ -27,66 +26,36 @@ use crate::prover::{Error, Refused, Undecided};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn survey(survey: &Survey, digits: usize) -> Result<SurveyAnswer, Error> {
-    let modes = || modes(survey.weight(), &survey.half_opening(), survey.friction());
-    let [worst, best] = [Side::Unsafe, Side::Safe].map(|side| {
-        let at = SurveyedArch::new(survey.corner(side)?, None);
-        Some(Corner::new(side, at, digits))
-    });
-    if let (Some(worst), Some(best)) = (worst, best) {
-        let (worst, best) = (worst?, best?);
-        let (ranges, open) = corners::ranges(&worst, &best);
-        return Ok(SurveyAnswer {
-            verdict: corners::verdict(&worst, &best),
-            ranges,
-            open,
-            worst: worst.at,
-            best: best.at,
-            modes: modes(),
-        });
+    let (worst, best) =
+        (corner(survey, Side::Unsafe, digits)?, corner(survey, Side::Safe, digits)?);
+    let (mut ranges, open) = corners::ranges(&worst, &best);
+    match survey.shape() {
+        Shape::Free { .. } => ranges.extend(corners::thrusts(&worst, &best)),
+        Shape::Spanned { .. } => ranges.extend(thrusts(survey, digits).into_iter().flatten()),
     }
-    Refused::digits(digits)?;
-    let at = |side, of| {
-        let found = extreme(survey, side, of, digits)?;
-        let bounding = survey.bounding(side, [&found.place, &found.place]);
-        let arch = bounding.ok_or_else(Undecided::no_solution)?;
-        let arch = SurveyedArch::new(arch, survey.measured(side, &found.place));
-        Ok::<_, Undecided>((found, arch))
+    Ok(SurveyAnswer {
+        verdict: corners::verdict(&worst, &best),
+        ranges,
+        open,
+        worst: worst.at,
+        best: best.at,
+        modes: modes(survey.weight(), &survey.half_opening(), survey.friction()),
+    })
+}
+
+/// The arch that decides on a side.
+fn corner(survey: &Survey, side: Side, digits: usize) -> Result<Corner, Error> {
+    let Some(place) = survey.decisive(side) else {
+        let at = survey.corner(side).ok_or_else(Undecided::no_solution)?;
+        return Ok(Corner::new(side, SurveyedArch::new(at, None), digits)?);
     };
-    let (unsafest, worst) = at(Side::Unsafe, Quantity::GeometricSafety)?;
-    let (safest, best) = at(Side::Safe, Quantity::GeometricSafety)?;
-    let open = || Undecided::new("whether the thickness is enough");
-    let verdict =
-        corners::together(unsafest.stands.ok_or_else(open), safest.stands.ok_or_else(open));
-    let (mut ranges, mut left_open) = (vec![least_thickness(survey, digits)?], None);
-    let safety = unsafest.end(&worst).and_then(|lower| Ok((lower, safest.end(&best)?)));
-    let end = |side, of| at(side, of).and_then(|(found, arch)| found.end(&arch));
-    let both = |of| Ok::<_, Undecided>((end(Side::Safe, of)?, end(Side::Unsafe, of)?));
-    let friction_safety = || {
-        let lower = end(Side::Unsafe, Quantity::FrictionSafety)?;
-        let upper = match best.arch.is_limited() {
-            true => end(Side::Safe, Quantity::FrictionSafety)?,
-            false => RangeEnd::unbounded(&best),
-        };
-        Ok((lower, upper))
-    };
-    let mut all = vec![
-        (Quantity::GeometricSafety, safety),
-        (Quantity::RequiredFriction, both(Quantity::RequiredFriction)),
-        (Quantity::ThicknessInMetres, both(Quantity::ThicknessInMetres)),
-    ];
-    if worst.arch.is_limited() {
-        all.insert(2, (Quantity::FrictionSafety, friction_safety()));
-    }
-    // What stays open of one quantity leaves the others as they are.
-    for (of, ends) in all {
-        match ends {
-            Ok((lower, upper)) => ranges.push(QuantityRange { of, lower, upper }),
-            Err(why) => left_open = left_open.or_else(|| Some(why.about(of.name()))),
-        }
-    }
-    ranges.extend(thrusts(survey, digits).into_iter().flatten());
-    let verdict = Some(verdict);
-    Ok(SurveyAnswer { verdict, worst, best, ranges, open: left_open, modes: modes() })
+    let at = survey.bounding(side, [&place, &place]).ok_or_else(Undecided::no_solution)?;
+    let corner = Corner::new(side, SurveyedArch::new(at, survey.measured(side, &place)), digits)?;
+    let Some((circle, _)) = survey.thickness_at(side) else { return Ok(corner) };
+    let [span, rise] = place.map(Length::of_metres);
+    let (span, rise) = span.zip(rise).ok_or_else(Undecided::no_solution)?;
+    let measures = Measures::new(circle, of_span_and_rise(&span, &rise).1, None);
+    Ok(corner.in_metres(&measures, digits)?)
 }
 
 /// Enclosures of the least and of the largest thrust of measured arches, if they all stand: those of two arches with
@@ -107,20 +76,4 @@ fn thrusts(survey: &Survey, digits: usize) -> Option<[QuantityRange; 2]> {
         range(Quantity::LeastThrust, best_least.0, worst_least.1),
         range(Quantity::LargestThrust, worst_largest.0, best_largest.1),
     ])
-}
-
-/// Range of the least thickness, which half opening and friction decide: its ends belong to ends of the course.
-fn least_thickness(survey: &Survey, digits: usize) -> Result<QuantityRange, Error> {
-    let corner = |side| {
-        let course = survey.course(side).ok_or_else(Undecided::no_solution)?;
-        let [first, _, last] = course;
-        let place = if side == Side::Unsafe { last } else { first };
-        let at = survey.bounding(side, [&place, &place]).ok_or_else(Undecided::no_solution)?;
-        let at = SurveyedArch::new(at, survey.measured(side, &place));
-        Ok::<_, Error>(Corner::new(side, at, digits)?)
-    };
-    let (worst, best) = (corner(Side::Unsafe)?, corner(Side::Safe)?);
-    let (ranges, open) = corners::ranges(&worst, &best);
-    let found = ranges.into_iter().find(|range| range.of == Quantity::LeastThickness);
-    Ok(found.ok_or_else(|| open.unwrap_or_else(Undecided::no_solution))?)
 }
