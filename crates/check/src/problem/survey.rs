@@ -245,6 +245,14 @@ impl Survey {
         Some([[long, low], middle, [short, high]])
     }
 
+    /// Span and rise of the arch that decides on a side, where they are measured: the shortest span with the highest
+    /// rise, or the longest with the lowest. If the unsafe arch stands, all do; if the safe one does not, none does (the
+    /// claim `survey-worst`).
+    pub fn decisive(&self, side: Side) -> Option<Place> {
+        let [lowest, _, highest] = self.course(side)?;
+        Some(if side == Side::Unsafe { highest } else { lowest })
+    }
+
     /// Tells whether a step, given by its ends, lies on one leg of the course on a side and goes its way.
     pub fn has_step(&self, side: Side, [first, last]: [&Place; 2]) -> bool {
         let is_on = |leg: &[Place]| {

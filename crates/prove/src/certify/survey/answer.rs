@@ -2,7 +2,7 @@
 
 use crate::number::{Decimal, ExactNumber};
 use crate::problem::measures::Length;
-use crate::problem::survey::{Bounding, SurveyVerdict};
+use crate::problem::survey::{Side, Survey, SurveyVerdict};
 use crate::problem::{Arch, Mode, Quantity};
 use crate::prover::Undecided;
 use std::fmt;
@@ -95,9 +95,13 @@ impl fmt::Display for EndValue {
 }
 
 impl SurveyedArch {
-    /// A corner, or the arch at a place of a course.
-    pub(super) fn new(of: Bounding, measured: Option<[Length; 3]>) -> Self {
-        Self { arch: of.arch, thickness: of.thickness, measured }
+    /// The arch that decides on a side.
+    pub(super) fn decisive(survey: &Survey, side: Side) -> Option<Self> {
+        let (of, measured) = match survey.decisive(side) {
+            Some(place) => (survey.bounding(side, [&place; 2])?, survey.measured(side, &place)),
+            None => (survey.corner(side)?, None),
+        };
+        Some(Self { arch: of.arch, thickness: of.thickness, measured })
     }
 }
 
@@ -105,10 +109,5 @@ impl RangeEnd {
     /// Bound that is the value of an arch.
     pub(super) fn attained(value: EndValue, at: &SurveyedArch) -> Self {
         Self { value, at: Some(at.clone()) }
-    }
-
-    /// End without bound.
-    pub(super) fn unbounded(at: &SurveyedArch) -> Self {
-        Self::attained(EndValue::Unbounded, at)
     }
 }

@@ -1,11 +1,12 @@
-//! Ranges over half openings, frictions and thicknesses that are free of each other: each end belongs to a corner.
+//! Ranges over the arches of a survey: each end belongs to one of two corners.
 
 use super::answer::{EndValue, ModesFound, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch};
-use crate::certify::state::{Answer, AssessmentDigits, Balls, Figure, Limit};
+use crate::certify::state::{Answer, AssessmentDigits, Balls, Figure, Limit, measured_state};
 use crate::certify::{
     VoussoirAssessment, VoussoirStanding, Voussoirs, assess_voussoirs, voussoirs,
 };
 use crate::number::ExactNumber;
+use crate::problem::measures::Measures;
 use crate::problem::stones::Stones;
 use crate::problem::survey::{Side, SurveyVerdict, is_one_friction, is_one_number};
 use crate::problem::{Arch, Quantity};
@@ -16,6 +17,8 @@ pub(super) struct Corner {
     pub(super) side: Side,
     pub(super) at: SurveyedArch,
     found: Found,
+    /// Least thickness in metres, where the arch is measured and some thickness is enough.
+    metres: Answered<Figure>,
 }
 
 enum Found {
@@ -39,7 +42,15 @@ impl Corner {
             None => Found::State(balls.state(&at.arch, digits, false)),
             Some(eta) => Found::Assessment(Box::new(balls.assess(&at.arch, eta, digits)?)),
         };
-        Ok(Self { side, at, found })
+        Ok(Self { side, at, found, metres: Ok(None) })
+    }
+
+    /// The corner with its least thickness in metres.
+    pub(super) fn in_metres(self, measures: &Measures, digits: usize) -> Result<Self, Refused> {
+        let is_asked = |(of, _): &(Quantity, _)| *of == Quantity::ThicknessInMetres;
+        let sizes = Error::apart(measured_state(&self.at.arch, measures, digits))?;
+        let metres = sizes.map(|sizes| sizes.into_iter().find(is_asked)?.1);
+        Ok(Self { metres, ..self })
     }
 
     /// Corner of arches of stones.
@@ -53,7 +64,7 @@ impl Corner {
         let least = Error::apart(voussoirs(stones, weight, friction, digits))?;
         let assess = |eta| assess_voussoirs(stones, weight, friction, eta, digits).map(Box::new);
         let given = at.thickness.as_ref().map(assess).transpose()?;
-        Ok(Self { side, at, found: Found::Stones(least, given) })
+        Ok(Self { side, at, found: Found::Stones(least, given), metres: Ok(None) })
     }
 
     /// Verdict on the arch, if it has a thickness.
@@ -83,6 +94,12 @@ impl Corner {
                     !self.at.arch.is_limited() && !matches!(found.required_friction, Ok(None));
                 match of {
                     Quantity::LeastThickness => answered(&found.least_thickness, false),
+                    Quantity::ThicknessInMetres if self.at.measured.is_some() => {
+                        match found.least_thickness.clone()? {
+                            Some(_) => Ok(self.metres.clone()?.map(Told::Value)),
+                            None => Ok(Some(Told::Without(EndValue::NotEnough))),
+                        }
+                    }
                     Quantity::GeometricSafety => answered(&found.geometric_safety, false),
                     Quantity::RequiredFriction => answered(&found.required_friction, false),
                     Quantity::FrictionSafety => answered(&found.friction_safety, slides_never),
@@ -150,41 +167,33 @@ pub(super) fn outward(figure: &Figure, up: bool) -> EndValue {
 
 /// Answer of two corners.
 pub(super) fn answer(worst: Corner, best: Corner, modes: Option<ModesFound>) -> SurveyAnswer {
-    let (verdict, (ranges, open)) = (verdict(&worst, &best), ranges(&worst, &best));
+    let (verdict, (mut ranges, open)) = (verdict(&worst, &best), ranges(&worst, &best));
+    ranges.extend(thrusts(&worst, &best));
     SurveyAnswer { verdict, worst: worst.at, best: best.at, ranges, open, modes }
 }
 
 /// Verdict of two corners; `None` without a thickness.
 fn verdict(worst: &Corner, best: &Corner) -> Option<Result<SurveyVerdict, Undecided>> {
-    Some(together(worst.stands()?, best.stands()?))
-}
-
-/// Verdict on all of what the worst does and what the best does.
-pub(super) fn together(
-    worst: Result<bool, Undecided>,
-    best: Result<bool, Undecided>,
-) -> Result<SurveyVerdict, Undecided> {
-    match (worst, best) {
+    Some(match (worst.stands()?, best.stands()?) {
         (Ok(true), _) => Ok(SurveyVerdict::AllStand),
         (_, Ok(false)) => Ok(SurveyVerdict::NoneStands),
         (Ok(false), Ok(true)) => Ok(SurveyVerdict::BothOccur),
         (Err(open), _) => Err(open.about("the arch that stands least easily")),
         (_, Err(open)) => Err(open.about("the arch that stands most easily")),
-    }
+    })
 }
 
-/// Ranges of everything whose ends two corners decide, and what of it stays open.
-///
-/// Least thickness and required friction are largest at the worst arch, safety factors least. Each state of an arch is
-/// admissible in every narrower, rougher and thicker one (the claim `survey-corners`): so the range of thrusts is
-/// within that of the best arch, and holds that of the worst.
-pub(super) fn ranges(worst: &Corner, best: &Corner) -> (Vec<QuantityRange>, Option<Undecided>) {
+/// Ranges of least thicknesses, required friction and safety factors, and what of it stays open: least thickness and
+/// required friction are largest at the worst arch, safety factors least (of measured arches the claims `survey-worst`
+/// and `survey-safety`).
+fn ranges(worst: &Corner, best: &Corner) -> (Vec<QuantityRange>, Option<Undecided>) {
     let (mut ranges, mut open) = (Vec::new(), None);
     for (of, largest_is_worst) in [
         (Quantity::LeastThickness, true),
         (Quantity::GeometricSafety, false),
         (Quantity::RequiredFriction, true),
         (Quantity::FrictionSafety, false),
+        (Quantity::ThicknessInMetres, true),
     ] {
         let [first, last] = if largest_is_worst { [best, worst] } else { [worst, best] };
         let (lower, upper) = match (first.told(of), last.told(of)) {
@@ -205,6 +214,17 @@ pub(super) fn ranges(worst: &Corner, best: &Corner) -> (Vec<QuantityRange>, Opti
         let (lower, upper) = (end(first, lower, false), end(last, upper, true));
         ranges.push(QuantityRange { of, lower, upper });
     }
+    (ranges, open)
+}
+
+/// Ranges of the thrusts, where span and rise are not measured. Each state of an arch is admissible in every narrower,
+/// rougher and thicker one (the claim `survey-corners`): so the range of thrusts is within that of the best arch, and
+/// holds that of the worst.
+fn thrusts(worst: &Corner, best: &Corner) -> Vec<QuantityRange> {
+    if worst.at.measured.is_some() {
+        return Vec::new();
+    }
+    let mut ranges = Vec::new();
     let thrusts = [(Quantity::LeastThrust, true), (Quantity::LargestThrust, false)];
     for (of, largest_is_worst) in thrusts.into_iter().filter(|_| worst.stands() == Some(Ok(true))) {
         let [first, last] = if largest_is_worst { [best, worst] } else { [worst, best] };
@@ -214,7 +234,7 @@ pub(super) fn ranges(worst: &Corner, best: &Corner) -> (Vec<QuantityRange>, Opti
         ranges.push(QuantityRange { of, lower, upper });
     }
     ranges.extend(thrust_at_least_thickness(worst, best));
-    (ranges, open)
+    ranges
 }
 
 /// Range of the thrust at the least thickness, where that is asked for: an enclosure. A state is admissible in the best

@@ -3,20 +3,22 @@
 //! | file | what it does |
 //! |---|---|
 //! | `answer` | the answer: verdict, ranges and the arches at their ends |
-//! | `corners` | half opening and thickness free of each other: two arches decide |
-//! | `course` | span, rise and thickness measured: the extreme along a course, by halving |
+//! | `corners` | the two arches that decide |
 //! | `largest` | the order in which halving goes on |
+//! | `mean` | the mean of the least thickness |
 //! | `modes` | the modes that occur |
+//! | `patch` | the states of a mode, all at once |
+//! | `share` | the part that stands |
 //! | `sought` | the widest half opening, or the least friction, of all |
 //! | `stones` | arches of given stones |
-//! | `share` | the part that stands |
 //! | `survey` | the question |
 
 mod answer;
 mod corners;
-mod course;
 mod largest;
+mod mean;
 mod modes;
+mod patch;
 mod share;
 mod sought;
 mod stones;
@@ -27,7 +29,6 @@ mod tests;
 
 pub use crate::problem::survey::SurveyVerdict;
 pub use answer::{EndValue, ModesFound, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch};
-pub use course::MEASURED_DIGITS;
 pub use share::{Share, share};
 pub use sought::sought;
 pub use stones::survey_of_stones;

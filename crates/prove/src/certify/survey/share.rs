@@ -6,8 +6,9 @@
 //! little is open in all.
 
 use super::largest::Largest;
+use super::mean::least_thicknesses;
 use crate::certify::state::{Certify, Outcome, state_enclosed};
-use crate::number::{Ball, Decimal, Enclosure, ExactNumber, Field, Form, Rounded};
+use crate::number::{Ball, Decimal, DoubleBall, Enclosure, ExactNumber, Field, Form, Rounded};
 use crate::problem::measures::Length;
 use crate::problem::survey::{Shape, Side, Survey};
 use crate::problem::{Arch, Friction};
@@ -70,7 +71,7 @@ pub fn share(survey: &Survey) -> Result<Share, Undecided> {
 
 /// The part that stands, to bounds so far apart.
 fn share_to(survey: &Survey, near: f64) -> Result<Share, Undecided> {
-    let whole = Cell { survey: survey.clone(), depth: 0, stands: stands(survey)? };
+    let whole = Cell { survey: survey.clone(), depth: 0, stands: closer(survey, stands(survey)?) };
     let mut settled = [0.0f64; 2];
     let mut gap = whole.gap();
     let mut open = BinaryHeap::from([open_by_gap(whole)]);
@@ -85,6 +86,7 @@ fn share_to(survey: &Survey, near: f64) -> Result<Share, Undecided> {
         let Some(Largest { of: cell, .. }) = open.pop() else { break };
         gap -= cell.gap();
         for (survey, stands) in best_halves(&cell.survey)? {
+            let stands = closer(&survey, stands);
             let half = Cell { survey, stands, depth: cell.depth + 1 };
             gap += half.gap();
             if half.stands[0] == half.stands[1] {
@@ -113,13 +115,8 @@ fn add([lower, upper]: [f64; 2], cell: &Cell) -> [f64; 2] {
 /// Shares of the thicknesses with which all arches of a survey stand, and with which any does.
 fn stands(survey: &Survey) -> Result<[f64; 2], Undecided> {
     let least = |side| least(survey, side);
-    let [thin, thick]: [Ball; 2] = match survey.shape() {
-        Shape::Free { thickness: Some(range), .. } => range.each_ref().map(|x| x.enclosure(BITS)),
-        Shape::Spanned { thickness, .. } => thickness.each_ref().map(metres),
-        Shape::Free { thickness: None, .. } => {
-            return Err(Undecided::new("a survey without thickness has no part that stands"));
-        }
-    };
+    let missing = || Undecided::new("a survey without thickness has no part that stands");
+    let [thin, thick] = thicknesses(survey).ok_or_else(missing)?;
     let is_one = match survey.shape() {
         Shape::Free { thickness: Some([a, b]), .. } => a.factor() == b.factor(),
         Shape::Free { .. } => true,
@@ -144,6 +141,33 @@ fn stands(survey: &Survey) -> Result<[f64; 2], Undecided> {
         }
     });
     Ok([shares[0][0], shares[1][1].max(shares[0][0])])
+}
+
+/// Shares of a survey's thicknesses, closer than these where all of its arches have states of one mode and a least
+/// thickness within the range: there the share is that of the mean.
+fn closer(survey: &Survey, [all, any]: [f64; 2]) -> [f64; 2] {
+    let share = || {
+        let ends: [DoubleBall; 2] = thicknesses(survey)?.each_ref().map(DoubleBall::from);
+        let [thin, thick] = ends;
+        let least = least_thicknesses(survey)?;
+        let is_within = [least.all - thin, thick - least.all];
+        let is_proved = is_within.iter().all(|x| x.is_positive().is_proved());
+        is_proved.then(|| (thick - least.mean) / (thick - thin))
+    };
+    match share() {
+        Some(share) if all < any => [share.lower().max(all), share.upper().min(any)],
+        _ => [all, any],
+    }
+}
+
+/// Thinnest and thickest arch of a survey: ratios, or in metres.
+fn thicknesses(survey: &Survey) -> Option<[Ball; 2]> {
+    match survey.shape() {
+        Shape::Free { thickness, .. } => {
+            thickness.as_ref().map(|range| range.each_ref().map(|x| x.enclosure(BITS)))
+        }
+        Shape::Spanned { thickness, .. } => Some(thickness.each_ref().map(metres)),
+    }
 }
 
 fn metres(length: &Length) -> Ball {

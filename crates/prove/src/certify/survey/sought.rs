@@ -8,12 +8,12 @@
 //! - the least friction grows with the half opening and falls as the thickness grows: its ends are those of the
 //!   narrowest and thickest arch, and of the widest and thinnest.
 //!
-//! Both are answers of [`find`], each the only one. Where span, rise and thickness are measured the extreme frictions
-//! lie along the [course](super::course), and are found there.
+//! Both are answers of [`find`], each the only one. Of arches whose span, rise and thickness are measured the friction
+//! has its ends at the shortest span with the highest rise, and at the longest with the lowest (the claim
+//! `survey-worst`).
 
 use super::answer::{EndValue, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch};
 use super::corners::outward;
-use super::course::placed;
 use crate::certify::state::find::{Finding, Question, find};
 use crate::problem::survey::{Side, Survey};
 use crate::problem::{Quantity, Sought};
@@ -22,9 +22,8 @@ use crate::prover::{Error, Refused, Undecided};
 /// Arch that decides on a side, with the end of each quantity there.
 type Decided = (SurveyedArch, Vec<(Quantity, RangeEnd)>);
 
-/// Proves the range of what is sought over every arch of a survey, to `digits` digits (of measured spans and rises to
-/// [`MEASURED_DIGITS`](super::MEASURED_DIGITS) at most). What is sought is not read in the survey: its friction, or its
-/// half opening.
+/// Proves the range of what is sought over every arch of a survey, to `digits` digits. What is sought is not read in the survey: its
+/// friction, or its half opening.
 ///
 /// ```
 /// use couplet_check::problem::Sought;
@@ -45,12 +44,13 @@ type Decided = (SurveyedArch, Vec<(Quantity, RangeEnd)>);
 /// ```
 pub fn sought(survey: &Survey, of: Sought, digits: usize) -> Result<SurveyAnswer, Error> {
     Refused::digits(digits)?;
+    // Without a half opening a span and a rise make no arch.
+    if of == Sought::HalfOpening && survey.course(Side::Unsafe).is_some() {
+        return Err(Undecided::no_solution().into());
+    }
     let decided = |side, name: &str| {
-        let found = match survey.corner(side) {
-            Some(corner) => at_corner(SurveyedArch::new(corner, None), (of, side), digits),
-            None => on_course(survey, (of, side), digits).map_err(Error::from),
-        };
-        found.map_err(|error| match error {
+        let at = SurveyedArch::decisive(survey, side).ok_or_else(Undecided::no_solution)?;
+        at_corner(at, (of, side), digits).map_err(|error| match error {
             Error::Undecided(open) => open.about(name).into(),
             refused @ Error::Refused(_) => refused,
         })
@@ -108,18 +108,4 @@ fn at_corner(
     };
     let ends = quantities(of).iter().map(end).collect::<Result<_, Undecided>>()?;
     Ok((at, ends))
-}
-
-/// End of the least friction of measured arches.
-fn on_course(
-    survey: &Survey,
-    (of, side): (Sought, Side),
-    digits: usize,
-) -> Result<Decided, Undecided> {
-    if of == Sought::HalfOpening {
-        return Err(Undecided::no_solution());
-    }
-    let (found, at) = placed(survey, side, Quantity::RequiredFriction, digits)?;
-    let end = found.end(&at)?;
-    Ok((at, vec![(Quantity::Friction, end)]))
 }

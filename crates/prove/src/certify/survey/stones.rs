@@ -20,8 +20,8 @@ pub fn survey_of_stones(
     digits: usize,
 ) -> Result<SurveyAnswer, Error> {
     let corner = |side| {
-        let at = survey.corner(side).ok_or_else(Undecided::no_solution)?;
-        Ok::<_, Error>(Corner::of_stones(side, SurveyedArch::new(at, None), stones, digits)?)
+        let at = SurveyedArch::decisive(survey, side).ok_or_else(Undecided::no_solution)?;
+        Ok::<_, Error>(Corner::of_stones(side, at, stones, digits)?)
     };
     Ok(answer(corner(Side::Unsafe)?, corner(Side::Safe)?, None))
 }

@@ -2,16 +2,15 @@
 
 use super::answer::{QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch};
 use super::corners::{self, Corner};
-use super::course::placed;
 use super::modes::modes;
 use crate::problem::Quantity;
+use crate::problem::measures::{Measures, of_span_and_rise};
 use crate::problem::survey::{Side, Survey};
-use crate::prover::{Error, Refused, Undecided};
+use crate::prover::{Error, Undecided};
 
-/// Proves what holds for every arch of a survey, to `digits` digits (of measured spans and rises to
-/// [`MEASURED_DIGITS`](super::MEASURED_DIGITS) at most): the verdict on all, the ranges of what is asked of one, and
-/// the modes that occur. Digits beyond [`MAX_DIGITS`](crate::certify::MAX_DIGITS) are refused; undecided if a value
-/// stays open on which all depends.
+/// Proves what holds for every arch of a survey, to `digits` digits: the verdict on all, the ranges of what is asked of
+/// one, and the modes that occur. Digits beyond [`MAX_DIGITS`](crate::certify::MAX_DIGITS) are refused; undecided if a
+/// value stays open on which all depends.
 ///
 /// ```
 /// use couplet_check::problem::survey::{Shape, Survey};
@@ -27,51 +26,21 @@ use crate::prover::{Error, Refused, Undecided};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn survey(survey: &Survey, digits: usize) -> Result<SurveyAnswer, Error> {
-    let modes = || modes(survey.weight(), &survey.half_opening(), survey.friction());
-    let [worst, best] = [Side::Unsafe, Side::Safe].map(|side| {
-        let at = SurveyedArch::new(survey.corner(side)?, None);
-        Some(Corner::new(side, at, digits))
-    });
-    if let (Some(worst), Some(best)) = (worst, best) {
-        return Ok(corners::answer(worst?, best?, Some(modes())));
-    }
-    Refused::digits(digits)?;
-    let at = |side, of| placed(survey, side, of, digits);
-    let (unsafest, worst) = at(Side::Unsafe, Quantity::GeometricSafety)?;
-    let (safest, best) = at(Side::Safe, Quantity::GeometricSafety)?;
-    let open = || Undecided::new("whether the thickness is enough");
-    let verdict =
-        corners::together(unsafest.stands.ok_or_else(open), safest.stands.ok_or_else(open));
-    let (mut ranges, mut left_open) = (vec![least_thickness(survey, digits)?], None);
-    let safety = unsafest.end(&worst).and_then(|lower| Ok((lower, safest.end(&best)?)));
-    let end = |side, of| at(side, of).and_then(|(found, arch)| found.end(&arch));
-    let both = |of| Ok::<_, Undecided>((end(Side::Safe, of)?, end(Side::Unsafe, of)?));
-    let friction_safety = || {
-        let lower = end(Side::Unsafe, Quantity::FrictionSafety)?;
-        let upper = match best.arch.is_limited() {
-            true => end(Side::Safe, Quantity::FrictionSafety)?,
-            false => RangeEnd::unbounded(&best),
-        };
-        Ok((lower, upper))
-    };
-    let mut all = vec![
-        (Quantity::GeometricSafety, safety),
-        (Quantity::RequiredFriction, both(Quantity::RequiredFriction)),
-        (Quantity::ThicknessInMetres, both(Quantity::ThicknessInMetres)),
-    ];
-    if worst.arch.is_limited() {
-        all.insert(2, (Quantity::FrictionSafety, friction_safety()));
-    }
-    // What stays open of one quantity leaves the others as they are.
-    for (of, ends) in all {
-        match ends {
-            Ok((lower, upper)) => ranges.push(QuantityRange { of, lower, upper }),
-            Err(why) => left_open = left_open.or_else(|| Some(why.about(of.name()))),
-        }
-    }
-    ranges.extend(thrusts(survey, digits).into_iter().flatten());
-    let verdict = Some(verdict);
-    Ok(SurveyAnswer { verdict, worst, best, ranges, open: left_open, modes: Some(modes()) })
+    let [worst, best] = [Side::Unsafe, Side::Safe].map(|side| corner(survey, side, digits));
+    let modes = modes(survey.weight(), &survey.half_opening(), survey.friction());
+    let mut found = corners::answer(worst?, best?, Some(modes));
+    found.ranges.extend(thrusts(survey, digits).into_iter().flatten());
+    Ok(found)
+}
+
+/// The arch that decides on a side.
+fn corner(survey: &Survey, side: Side, digits: usize) -> Result<Corner, Error> {
+    let at = SurveyedArch::decisive(survey, side).ok_or_else(Undecided::no_solution)?;
+    let measured = survey.thickness_at(side).zip(at.measured.clone());
+    let corner = Corner::new(side, at, digits)?;
+    let Some(((circle, _), [span, rise, _])) = measured else { return Ok(corner) };
+    let measures = Measures::new(circle, of_span_and_rise(&span, &rise).1, None);
+    Ok(corner.in_metres(&measures, digits)?)
 }
 
 /// Enclosures of the least and of the largest thrust of measured arches, if they all stand: those of two arches with
@@ -92,20 +61,4 @@ fn thrusts(survey: &Survey, digits: usize) -> Option<[QuantityRange; 2]> {
         range(Quantity::LeastThrust, best_least.0, worst_least.1),
         range(Quantity::LargestThrust, worst_largest.0, best_largest.1),
     ])
-}
-
-/// Range of the least thickness, which half opening and friction decide: its ends belong to ends of the course.
-fn least_thickness(survey: &Survey, digits: usize) -> Result<QuantityRange, Error> {
-    let corner = |side| {
-        let course = survey.course(side).ok_or_else(Undecided::no_solution)?;
-        let [first, _, last] = course;
-        let place = if side == Side::Unsafe { last } else { first };
-        let at = survey.bounding(side, [&place, &place]).ok_or_else(Undecided::no_solution)?;
-        let at = SurveyedArch::new(at, survey.measured(side, &place));
-        Ok::<_, Error>(Corner::new(side, at, digits)?)
-    };
-    let (worst, best) = (corner(Side::Unsafe)?, corner(Side::Safe)?);
-    let (ranges, open) = corners::ranges(&worst, &best);
-    let found = ranges.into_iter().find(|range| range.of == Quantity::LeastThickness);
-    Ok(found.ok_or_else(|| open.unwrap_or_else(Undecided::no_solution))?)
 }

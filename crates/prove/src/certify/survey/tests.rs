@@ -1,6 +1,6 @@
 //! Random surveys, and random arches inside them.
 
-use super::{EndValue, MEASURED_DIGITS, QuantityRange, SurveyAnswer, SurveyVerdict, survey};
+use super::{EndValue, QuantityRange, SurveyAnswer, SurveyVerdict, survey};
 use crate::arch::SelfWeight;
 use crate::certify::state::{Answer, Balls};
 use crate::number::ExactNumber;
@@ -97,13 +97,12 @@ fn agrees(found: &SurveyAnswer, arch: &Arch, eta: &ExactNumber) -> Result<(), Te
 }
 
 /// Ends that are said to be attained are values of the arches that are named.
-fn ends_are_attained(found: &SurveyAnswer, most: usize) -> Result<(), TestCaseError> {
+fn ends_are_attained(found: &SurveyAnswer) -> Result<(), TestCaseError> {
     for range in &found.ranges {
-        let digits = if range.of == Quantity::LeastThickness { DIGITS } else { most };
         for (end, up) in [(&range.lower, false), (&range.upper, true)] {
             let (Some(at), EndValue::Number(bound)) = (&end.at, &end.value) else { continue };
             let Some(eta) = &at.thickness else { continue };
-            let own = Balls::DoubleDoubles.assess(&at.arch, eta, digits).unwrap();
+            let own = Balls::DoubleDoubles.assess(&at.arch, eta, DIGITS).unwrap();
             let Some(value) = own.get(range.of) else { continue };
             let rounded = if up { &value.decimal.upper } else { &value.decimal.lower };
             prop_assert_eq!(rounded.to_rational(), bound.to_rational(), "{:?} at {:?}", range, at);
@@ -136,7 +135,7 @@ proptest! {
             let arch = Arch::new(weight, number(within(alphas, a)), friction(within(mus, b)));
             agrees(&found, &arch.unwrap(), &number(within(etas, c)))?;
         }
-        ends_are_attained(&found, DIGITS)?;
+        ends_are_attained(&found)?;
         // The same arches with their least thicknesses.
         let shape = Shape::Free { half_opening: alphas.map(number), thickness: None };
         let found = survey(&Survey::new(weight, mus.map(friction), shape).unwrap(), DIGITS).unwrap();
@@ -171,7 +170,7 @@ proptest! {
             let arch = Arch::new(weight, alpha, friction(within(mus, c))).unwrap();
             agrees(&found, &arch, &eta.unwrap())?;
         }
-        ends_are_attained(&found, MEASURED_DIGITS)?;
+        ends_are_attained(&found)?;
     }
 }
 
