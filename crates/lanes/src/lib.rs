@@ -1,0 +1,10 @@
+//! Purely rotational states of arches in doubles, proved many at a time.
+#![cfg_attr(not(test), warn(clippy::unwrap_used))]
+
+pub mod lanes;
+
+use couplet_check::arch;
+#[cfg(test)]
+use couplet_check::problem;
+use couplet_number::*;
+use couplet_solve::solve;
