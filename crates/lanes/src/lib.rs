@@ -4,7 +4,5 @@
 pub mod lanes;
 
 use couplet_check::arch;
-#[cfg(test)]
-use couplet_check::problem;
-use couplet_number::*;
+use couplet_number::number;
 use couplet_solve::solve;

@@ -17,7 +17,7 @@ use std::fs;
 use std::path::Path;
 
 /// From the top: what a room may use stands before it.
-pub(crate) const ROOMS: [&str; 26] = [
+pub(crate) const ROOMS: [&str; 27] = [
     "number",
     "symbolic",
     "arch",
@@ -27,6 +27,7 @@ pub(crate) const ROOMS: [&str; 26] = [
     "picture",
     "sketch",
     "solve",
+    "lanes",
     "prover",
     "certify",
     "judge",

@@ -8,15 +8,15 @@
 //! With `u = 2^-53` each operation rounds its midpoint `m`, whose leading double is `hi`, with an error of at most
 //! [`UNIT`](Midpoint::UNIT)` |hi|` where nothing underflows (`number/float_ball.rs` and `double_double.rs` have the
 //! proofs), and adds that to a radius computed from the radii of the operands. The formula of a radius has positive
-//! terms only and at most ten roundings on any path, each of which takes away less than a part `u`; [`UP`] `= 1 + 16 u`,
-//! and `(1 - u)^11 (1 + 16 u) > 1`. What has to be bounded from below is multiplied by [`DOWN`] in the same way.
+//! terms only and at most ten roundings on any path, each of which takes away less than a part `u`; [`UP`] `= 1 + 16
+//! u`, and `(1 - u)^11 (1 + 16 u) > 1`. What has to be bounded from below is multiplied by [`DOWN`] in the same way.
 //! `|m| <= (1 + u) |hi|` counts as a rounding.
 //!
 //! **Underflow.** A sum of doubles does not underflow. In a product of midpoints, and in that of a quotient with its
 //! divisor, each of at most six operations errs by less than `2^-1072` for it, the error of a product among them; so
-//! the result errs by less than `2^-1069`, and that of a quotient, whose divisor is above [`LEAST_DIVISOR`] `= 2^-60`, by
-//! less than `2^-1000`, as does a term of the radius. [`TINY`] `= 2^-990` has room for them. **Overflow** gives what is
-//! not a finite number, and never a finite one again: in a midpoint it makes the radius infinite, and a divisor that
+//! the result errs by less than `2^-1069`, and that of a quotient, whose divisor is above [`LEAST_DIVISOR`] `= 2^-60`,
+//! by less than `2^-1000`, as does a term of the radius. [`TINY`] `= 2^-990` has room for them. **Overflow** gives what
+//! is not a finite number, and never a finite one again: in a midpoint it makes the radius infinite, and a divisor that
 //! is infinite has an infinite radius. So the radius alone tells whether anything is known.
 
 use crate::number::{DoubleDoubleBy, Field, Product, operators, power_of_two};
@@ -32,7 +32,7 @@ pub(super) trait Midpoint: Field + Copy {
     /// The leading double, the nearest to the number.
     fn hi(self) -> f64;
 
-    /// What the leading double leaves.
+    /// Rest that the leading double leaves.
     fn lo(self) -> f64;
 }
 
@@ -259,7 +259,7 @@ mod tests {
         !is_known(x) || (middle(x) - number).abs() <= exact(x.rad)
     }
 
-    /// Whether each operation holds what it does to middles and ends; and how many have told nothing.
+    /// Number of operations that tell nothing; the others hold what they do to middles and ends.
     fn all_hold<M: Midpoint>(a: LaneBall<M>, b: LaneBall<M>) -> Result<usize, TestCaseError> {
         let [sum, difference, product, quotient] = [a + b, a - b, a * b, a / b];
         for x in points(&a) {

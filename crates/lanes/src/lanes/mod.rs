@@ -8,9 +8,11 @@
 //! | `state` | a state that is proved |
 //! | `width` | the proof for what a processor has |
 //!
-//! The equations are those of [`arch`](couplet_check::arch), over balls of one and of two doubles and their gradients. All
-//! that an arch goes through has to be one piece for the compiler to put many into its lanes: so each function of it is
-//! `#[inline(always)]`, here and where the equations are.
+//! Rows of doubles take it before anything else where they ask for what it has (`certify::batch`).
+//!
+//! The equations are those of [`arch`](couplet_check::arch), over balls of one and of two doubles and their gradients.
+//! All that an arch goes through has to be one piece for the compiler to put many into its lanes: so each function of
+//! it is `#[inline(always)]`, here and where the equations are.
 
 mod ball;
 mod rotation;

@@ -1,9 +1,9 @@
 //! Proof of a purely rotational state, without a branch.
 //!
-//! **One equation.** For a joint `beta` let `eta` be the thickness and `h` the thrust at which (2), (4) and (5) hold with
-//! one and the same moment of the weight, whatever that is: [`thrust::rotating`] and [`thrust::touching`]. The rest is
-//! that the moment is the one of the weight, `fac_M(eta)`: with it (4) has the thrust `h` too. That is one equation
-//! `F(beta) = 0`, and where it holds, (2), (4) and (5) do. A test has this in exact arithmetic.
+//! **One equation.** For a joint `beta` let `eta` be the thickness and `h` the thrust at which (2), (4) and (5) hold
+//! with one and the same moment of the weight, whatever that is: [`thrust::rotating`] and [`thrust::touching`]. The
+//! rest is that the moment is the one of the weight, `fac_M(eta)`: with it (4) has the thrust `h` too. That is one
+//! equation `F(beta) = 0`, and where it holds, (2), (4) and (5) do. A test has this in exact arithmetic.
 //!
 //! **One root.** With a double `m` next to it, a double `Y` next to `1/F'(m)` and the box `X = m ± rho`,
 //!
@@ -12,12 +12,13 @@
 //! ```
 //!
 //! holds every root in `X`, and if `K` is inside `X` there is exactly one (Krawczyk): `|Y F(m)| + |1 - Y F'(X)| rho <
-//! rho`. `F(m)` is enclosed in double-doubles, the slope in doubles. With `beta = m + d` and `d` in `K - m`, `eta` is in
-//! `eta(m) + eta'(X) d` by the mean value theorem, and so is `h`; `d` is about `2^-50`, so that slopes in doubles leave
-//! about thirty digits. On `X` all is smooth, as a divisor that may be small makes what it divides the whole line.
+//! rho`. `F(m)` is enclosed in double-doubles, the slope in doubles. With `beta = m + d` and `d` in `K - m`, `eta` is
+//! in `eta(m) + eta'(X) d` by the mean value theorem, and so is `h`; `d` is about `2^-50`, so that slopes in doubles
+//! leave about thirty digits. On `X` all is smooth, as a divisor that may be small makes what it divides the whole
+//! line.
 //!
-//! **Sines.** At `alpha` and `m`, which are doubles, both errors are at most [`SinePoint::ERROR`]; on a box `|sin x - sin
-//! m| <= |x - m|`, and the same for the cosine.
+//! **Sines.** At `alpha` and `m`, which are doubles, both errors are at most [`SinePoint::ERROR`]; on a box `|sin x -
+//! sin m| <= |x - m|`, and the same for the cosine.
 //!
 //! **Signs.** What else makes it the state at the least thickness are the signs of [`margins`], those of
 //! [`Condition::of`](couplet_check::problem::Condition::of) without a limit of friction
@@ -48,7 +49,7 @@ pub(super) struct Rotation<P> {
     pub(super) rotation_joint: Long<P>,
 }
 
-/// What (2), (4) and (5) say of a joint.
+/// Values that (2), (4) and (5) give to a joint.
 struct AtJoint<T> {
     thickness: T,
     /// The thrust by (4).
@@ -156,7 +157,7 @@ fn steepest_joint<P: Product>(thrust: &Short, point: SinePoint) -> Angle<Short> 
     around(&angle::<P>(rad.mid(), point), rad.rad())
 }
 
-/// What has to be positive at a purely rotational state for it to be the one at the least thickness, where friction has
+/// Margins of a purely rotational state: it is the one at the least thickness where all are positive and friction has
 /// no limit.
 #[inline(always)]
 fn margins<T: Field>(weight: SelfWeight, at: &Configuration<T>) -> [T; 12] {
@@ -180,7 +181,7 @@ fn margins<T: Field>(weight: SelfWeight, at: &Configuration<T>) -> [T; 12] {
     ]
 }
 
-/// What has to be positive for no joint to slide.
+/// Margins of friction: no joint slides where all are positive.
 #[inline(always)]
 fn sliding_margins<T: Field>(at: &Configuration<T>, steepest: &Angle<T>, friction: &T) -> [T; 3] {
     [
@@ -194,7 +195,7 @@ fn sliding_margins<T: Field>(at: &Configuration<T>, steepest: &Angle<T>, frictio
 mod tests {
     use super::*;
     use crate::number::{Ball, Enclosure};
-    use crate::problem::{
+    use couplet_check::problem::{
         Condition, Examined, Mode, inner_friction, room_for_steepest, shoulder_friction,
     };
     use rug::Rational;
@@ -215,8 +216,8 @@ mod tests {
         variables.into_iter().flat_map(move |a| joints.clone().map(|joint| (a.clone(), joint)))
     }
 
-    /// With the moment for which (4) holds, (2) and (5) hold; and the residual is what that moment leaves of that of the
-    /// weight.
+    /// With the moment for which (4) holds, (2) and (5) hold; and the residual is what that moment leaves of that of
+    /// the weight.
     #[test]
     fn the_residual_is_all_that_is_left() {
         for (a, joint) in exact() {

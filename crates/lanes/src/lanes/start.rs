@@ -1,7 +1,7 @@
 //! Start values in a table: the square of the rotational joint, a parabola on each cell of the half opening.
 //!
-//! The table is made of candidates, once for each weight and when it is first asked for. Nothing that is proved rests on
-//! it.
+//! The table is made of candidates, once for each weight and when it is first asked for. Nothing that is proved rests
+//! on it.
 
 use crate::arch::{PerWeight, SelfWeight};
 use crate::number::{SinePoint, SinePoints};
@@ -72,7 +72,7 @@ fn squares(weight: SelfWeight, alpha: f64) -> [f64; 2] {
     [beta * beta, (1.0 - thrust) * thrust]
 }
 
-/// What is looked up in tables for `N` arches, before many go through one text at a time: start values, and the points
+/// Entries of tables for `N` arches, looked up before many go through one text at a time: start values, and the points
 /// from which sines and cosines are found.
 pub(super) struct Starts<const N: usize> {
     /// Candidates `beta_r`.
@@ -86,7 +86,7 @@ pub(super) struct Starts<const N: usize> {
 }
 
 impl<const N: usize> Starts<N> {
-    /// Those of some half openings.
+    /// Entries for some half openings.
     #[inline(always)]
     pub(super) fn new(table: &StartTable, half_openings: &[f64; N]) -> Self {
         let (at_half_openings, at_joints, at_steepest) =

@@ -17,8 +17,8 @@ pub struct RotationalState {
 }
 
 impl RotationalState {
-    /// The state whose values, in this order, are each within a radius of the sum of two doubles; `None` if one of these
-    /// is no number.
+    /// The state whose values, in this order, are each within a radius of the sum of two doubles; `None` if one of
+    /// these is no number.
     pub(super) fn new(values: [[f64; 3]; 4]) -> Option<Self> {
         let [thickness, thrust, intrinsic_thrust, rotation_joint] =
             values.map(|[high, low, rad]| DoubleDoubleBall::new(DoubleDouble::sum(high, low), rad));

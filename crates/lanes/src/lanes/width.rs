@@ -35,7 +35,7 @@ type Column = [[f64; ARCHES]; 3];
 /// The values of some states, apart by what they are.
 struct Columns([Column; 4]);
 
-/// What is asked of a call of the proof.
+/// Arches of one call of the proof.
 struct Piece<'a> {
     weight: SelfWeight,
     table: &'a StartTable,
@@ -107,8 +107,9 @@ impl Width {
         Self::ALL.into_iter().rev().find(|width| width.is_here()).unwrap_or(Self::Any)
     }
 
-    /// The purely rotational states of arches of as many half openings, rad, and frictions, which may be infinite; `None`
-    /// where it is not proved that the arch collapses so. Any double may be asked: what makes no sense has no state.
+    /// The purely rotational states of arches of as many half openings, rad, and frictions, which may be infinite;
+    /// `None` where it is not proved that the arch collapses so. Any double may be asked: what makes no sense has no
+    /// state.
     ///
     /// ```
     /// use couplet_check::arch::SelfWeight;

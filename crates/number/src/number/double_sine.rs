@@ -70,7 +70,7 @@ pub(super) fn sin_cos(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
 pub struct SinePoint {
     /// A multiple of 1/32.
     rad: f64,
-    /// Its sine and the rest of that, its cosine and the rest.
+    /// Sine of it and the rest of that, cosine and the rest.
     row: [f64; 4],
 }
 

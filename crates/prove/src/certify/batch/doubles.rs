@@ -188,8 +188,7 @@ mod tests {
         assert!(together.iter().filter(is_known).count() > 20);
     }
 
-    /// What many at a time are proved to be is what they are one by one: the rows of some arches, and how many of them were
-    /// proved together.
+    /// Number of some arches whose rows are proved together; these, and all others, are what they are one by one.
     fn together(weight: SelfWeight, (half_openings, frictions): (&[f64], &[f64])) -> usize {
         use Quantity as Q;
         let quantities =

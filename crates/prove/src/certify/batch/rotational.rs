@@ -1,7 +1,8 @@
-//! Rows of arches that collapse by rotation alone, proved many at a time: [`lanes`](couplet_lanes::lanes) has the proof.
+//! Rows of arches that collapse by rotation alone, proved many at a time: [`lanes`](couplet_lanes::lanes) has the
+//! proof.
 //!
-//! What it leaves open is proved as any arch is. A row is the same either way: the nearest double and the doubles next to
-//! the value depend on the value alone.
+//! What it leaves open is proved as any arch is. A row is the same either way: the nearest double and the doubles next
+//! to the value depend on the value alone.
 
 use super::batch::Threads;
 use super::row::{BatchRow, RowValue, RowVerdict};
