@@ -58,7 +58,6 @@ pub fn steepest<T: Field>(joint: &T, thrust: &T) -> T {
 }
 
 /// `beta_s = √(h (1 - h))`, rad: the joint where [`steepest`] is zero, for `h` in `[0, 1]`.
-#[inline(always)]
 pub fn steepest_joint<T: Real>(thrust: &T) -> T {
     ((thrust.int(1) - thrust) * thrust).sqrt()
 }

@@ -176,6 +176,7 @@ pub trait Field:
     }
 
     /// `self * self`.
+    #[inline(always)]
     fn square(&self) -> Self {
         self.clone() * self
     }
