@@ -96,6 +96,7 @@ fn unknown<T: Field + Copy>(angle: &Angle<T>) -> Angle<Gradient<T, 1>> {
 
 /// The state of the arch in a place, at its half opening and friction.
 #[inline(always)]
+#[allow(clippy::manual_range_contains, reason = "a range decides in two steps")]
 pub(super) fn rotation<P: Product, const N: usize>(
     weight: SelfWeight,
     starts: &Starts<N>,

@@ -92,8 +92,7 @@ impl<const N: usize> Starts<N> {
         let (at_half_openings, at_joints, at_steepest) =
             (SinePoints::NONE, SinePoints::NONE, SinePoints::NONE);
         let mut all = Self { joints: [f64::NAN; N], at_half_openings, at_joints, at_steepest };
-        for place in 0..N {
-            let alpha = half_openings[place];
+        for (place, &alpha) in half_openings.iter().enumerate() {
             let Start { joint, steepest } = table.start(alpha);
             all.joints[place] = joint;
             all.at_half_openings.set(place, SinePoint::nearest(alpha));

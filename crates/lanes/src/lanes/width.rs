@@ -117,7 +117,7 @@ impl Width {
     /// let states =
     ///     Width::widest().rotational(SelfWeight::Heyman, &[1.5, 1.5, -1.0], &[0.5, 0.01, 0.5]);
     /// let [Some(state), None, None] = &states[..] else { panic!() };
-    /// assert_eq!(state.thickness.nearest_double(), Some(0.0910117034716037));
+    /// assert_eq!(state.thickness.nearest_double(), Some(0.090140690267333675));
     /// ```
     pub fn rotational(
         self,

@@ -92,6 +92,7 @@ impl SinePoint {
     /// Tells whether sine and cosine of the double `x`, found from this point, are within [`ERROR`](Self::ERROR) of the
     /// truth.
     #[inline(always)]
+    #[allow(clippy::manual_range_contains, reason = "a range decides in two steps")]
     pub fn reaches(&self, x: f64) -> bool {
         (x >= 1.0 / 32.0) & (x <= LARGEST) & ((x - self.rad).abs() <= Self::REACH)
     }
