@@ -72,6 +72,7 @@ pub use couplet_claims::claims;
 pub use couplet_claims::study;
 #[doc(hidden)]
 pub use couplet_draw::{picture, sketch};
+pub use couplet_lanes::lanes;
 pub use couplet_number::{number, symbolic};
 #[doc(hidden)]
 pub use couplet_prove::prover;

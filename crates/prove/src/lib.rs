@@ -12,6 +12,7 @@ pub mod strategies;
 
 use couplet_check::{arch, check, problem};
 use couplet_draw::sketch;
+use couplet_lanes::lanes;
 use couplet_number::number;
 use couplet_solve::solve;
 

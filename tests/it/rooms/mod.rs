@@ -27,6 +27,7 @@ pub(crate) const ROOMS: [&str; 27] = [
     "picture",
     "sketch",
     "solve",
+    "lanes",
     "prover",
     "certify",
     "judge",

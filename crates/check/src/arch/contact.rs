@@ -120,6 +120,7 @@ pub fn crown_slope<T: Field>(weight: SelfWeight, at: &Configuration<T>) -> T {
 /// The moment about the shoulder's extrados with the crown's pressure point at the centre, at the
 /// physical limit `eta = 2`: `2 N(alpha) - fac (1 - cos alpha)`. Where it is negative with the least
 /// thrust that friction allows, no thickness up to the limit is enough.
+#[inline(always)]
 pub fn margin_at_physical_limit<T: Field>(weight: SelfWeight, at: &Configuration<T>) -> T {
     let ring = Ring::new(weight, &at.thrust.int(2));
     let normal = statics::normal_force(&at.half_opening, &at.thrust);
@@ -142,6 +143,7 @@ pub struct Rates<T> {
 /// The lever arm of `h` between the haunch's intrados and the crown's extrados, `(1 + eta/2) cos b0 -
 /// (1 - eta/2) cos beta` with `b0` zero but beside a keystone, and between the shoulder's extrados and the haunch's
 /// intrados, `(1 - eta/2) cos beta - (1 + eta/2) cos alpha`.
+#[inline(always)]
 fn arms<T: Field>(at: &Configuration<T>) -> (T, T) {
     let two = at.thickness.int(2);
     let (inner, outer) = (two.clone() - &at.thickness, two.clone() + &at.thickness);
@@ -152,6 +154,7 @@ fn arms<T: Field>(at: &Configuration<T>) -> (T, T) {
 }
 
 /// The rates of the mode `[r,r,r]`, with rotation one at the crown.
+#[inline(always)]
 pub fn rates_of_rotation<T: Field>(at: &Configuration<T>) -> Rates<T> {
     let (upper, lower) = arms(at);
     let shoulder = upper / lower;
@@ -175,6 +178,7 @@ pub fn rates_of_inner_sliding<T: Field>(at: &Configuration<T>) -> Rates<T> {
 
 /// `W` with the thrust left out: the multipliers times `beta sin beta` at their joints. With
 /// [`thrust_coefficient`] times a thrust it is `W` for that thrust.
+#[inline(always)]
 pub fn weight_term<T: Field>(rates: &Rates<T>, at: &Configuration<T>) -> T {
     let (haunch, shoulder) = (&at.rotation_joint, &at.half_opening);
     rates.haunch.clone() * &haunch.rad * &haunch.sin
@@ -182,6 +186,7 @@ pub fn weight_term<T: Field>(rates: &Rates<T>, at: &Configuration<T>) -> T {
 }
 
 /// Addition of a thrust to `W`: the multipliers times the cosines of their joints.
+#[inline(always)]
 pub fn thrust_coefficient<T: Field>(rates: &Rates<T>, at: &Configuration<T>) -> T {
     rates.crown.clone()
         + rates.haunch.clone() * &at.rotation_joint.cos
@@ -189,6 +194,7 @@ pub fn thrust_coefficient<T: Field>(rates: &Rates<T>, at: &Configuration<T>) -> 
 }
 
 /// The bracket above at `eta' = eta` for a given `W`.
+#[inline(always)]
 pub fn growth<T: Field>(
     weight: SelfWeight,
     rates: &Rates<T>,

@@ -5,6 +5,7 @@ use crate::number::{Field, Real};
 
 /// Eq. (13): the opening variable `A` at which the half arch just overturns without thrust,
 /// `A = 2 fac_M / (2 + eta)`. Its two cases are (14) left and (15) left.
+#[inline(always)]
 pub fn opening_variable<T: Field>(ring: &Ring<T>) -> Quotient<T> {
     Quotient {
         numerator: ring.thickness.int(2) * &ring.centroid_factor,

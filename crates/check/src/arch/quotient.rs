@@ -18,11 +18,13 @@ pub struct Quotient<T> {
 
 impl<T: Field> Quotient<T> {
     /// `numerator / denominator`.
+    #[inline(always)]
     pub fn value(&self) -> T {
         self.numerator.clone() / &self.denominator
     }
 
     /// `denominator * x - numerator`: zero where `x` is the value.
+    #[inline(always)]
     pub fn residual(&self, x: &T) -> T {
         self.denominator.clone() * x - &self.numerator
     }

@@ -11,6 +11,7 @@ use crate::number::{Angle, Field, Real};
 ///
 /// `alpha` in `(0, pi)`, rad; `h` in units of `w r`, such that the normal force, the denominator, is
 /// positive. Negative where the shoulder would slide the other way.
+#[inline(always)]
 pub fn shoulder<T: Field>(half_opening: &Angle<T>, thrust: &T) -> Quotient<T> {
     Quotient {
         numerator: -statics::shear_force(half_opening, thrust),
@@ -42,6 +43,7 @@ pub fn shoulder_thrust<T: Field>(half_opening: &Angle<T>, friction: &T) -> Quoti
 /// ```
 ///
 /// `beta` in `[0, pi/2)`, rad, and `h` in `[0, 1]`, in units of `w r`; infinite where both are zero.
+#[inline(always)]
 pub fn inner<T: Field>(joint: &Angle<T>, thrust: &T) -> Quotient<T> {
     let rest = thrust.int(1) - thrust;
     Quotient {

@@ -6,12 +6,14 @@
 use crate::number::{Angle, Field};
 
 /// The normal force on the joint, `N(beta) = h cos(beta) + beta sin(beta)`.
+#[inline(always)]
 pub fn normal_force<T: Field>(joint: &Angle<T>, thrust: &T) -> T {
     thrust.clone() * &joint.cos + joint.rad.clone() * &joint.sin
 }
 
 /// The shear force on the joint, `T(beta) = beta cos(beta) - h sin(beta)`: positive towards inner
 /// sliding, negative towards sliding at the shoulder.
+#[inline(always)]
 pub fn shear_force<T: Field>(joint: &Angle<T>, thrust: &T) -> T {
     joint.rad.clone() * &joint.cos - thrust.clone() * &joint.sin
 }

@@ -86,6 +86,7 @@ pub fn whole_through<T: Field>(opening_variable: &Quotient<T>, ring: &Ring<T>) -
 /// `A(alpha) = alpha sin(alpha) / (1 - cos(alpha)) = alpha cot(alpha/2)`, beside Eq. (4): the only
 /// way in which the half opening enters the rotational equations. It falls from 2 at `alpha = 0` to
 /// 0 at `pi`.
+#[inline(always)]
 pub fn opening_variable<T: Field>(half_opening: &Angle<T>) -> Quotient<T> {
     Quotient {
         numerator: half_opening.rad.clone() * &half_opening.sin,
@@ -102,6 +103,7 @@ pub fn opening_variable<T: Field>(half_opening: &Angle<T>) -> Quotient<T> {
 /// The joint enters through `1 - cos(beta)` and `beta/sin(beta) - 1`. The thrust is positive for `beta` in
 /// `(0, pi)` and `eta` in `(0, 2)`, and keeps its digits where it falls to zero with the joint, towards the
 /// end of rotation, where (2) and (5) lose them.
+#[inline(always)]
 pub fn touching<T: Field>(versine: &T, excess: &T, ring: &Ring<T>) -> Quotient<T> {
     Quotient {
         numerator: ring.intrados() * versine * excess,
@@ -118,6 +120,7 @@ pub fn touching<T: Field>(versine: &T, excess: &T, ring: &Ring<T>) -> Quotient<T
 ///
 /// `joint` is `beta` in `(0, pi)` and `A` the opening variable, in `(0, 2)`; the denominator is positive
 /// there. The thrust is then that of [`touching`].
+#[inline(always)]
 pub fn rotating<T: Field>(joint: &Angle<T>, opening_variable: &T) -> Quotient<T> {
     let sum = joint.rad.clone() / &joint.sin + &joint.cos;
     Quotient {

@@ -85,6 +85,7 @@ impl<T: Real> Configuration<T> {
 
 impl<T: Field> Configuration<T> {
     /// All variables zero, "like" `like`.
+    #[inline(always)]
     pub fn zero(like: &T) -> Self {
         let (angle, zero) = (Angle::zero(like), like.int(0));
         Self {

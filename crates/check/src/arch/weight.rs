@@ -30,6 +30,7 @@ impl SelfWeight {
     }
 
     /// `delta_M`: 0 or 1.
+    #[inline(always)]
     pub fn flag(self) -> i32 {
         match self {
             Self::Heyman => 0,
@@ -80,22 +81,26 @@ impl<T> Ring<T> {
 
 impl<T: Field> Ring<T> {
     /// A ring of the given thickness and self-weight model.
+    #[inline(always)]
     pub fn new(weight: SelfWeight, thickness: &T) -> Self {
         Self::with_flag(&thickness.int(weight.flag()), thickness)
     }
 
     /// Ring with `delta_M` as a number (or a symbol): `fac_M = 1 + delta_M eta²/12`, Eq. (6).
+    #[inline(always)]
     pub fn with_flag(delta: &T, thickness: &T) -> Self {
         let centroid_factor = delta.int(1) + delta.clone() * thickness.square() / delta.int(12);
         Self { thickness: thickness.clone(), centroid_factor }
     }
 
     /// `2 - eta`, twice the radius of the intrados.
+    #[inline(always)]
     pub fn intrados(&self) -> T {
         self.thickness.int(2) - &self.thickness
     }
 
     /// `2 + eta`, twice the radius of the extrados.
+    #[inline(always)]
     pub fn extrados(&self) -> T {
         self.thickness.int(2) + &self.thickness
     }

@@ -26,11 +26,13 @@ impl<T: Real> Angle<T> {
 
 impl<T: Field> Angle<T> {
     /// The angle zero, "like" `like`.
+    #[inline(always)]
     pub fn zero(like: &T) -> Self {
         Self { rad: like.int(0), sin: like.int(0), cos: like.int(1) }
     }
 
     /// `1 - cos`, the versine.
+    #[inline(always)]
     pub fn versine(&self) -> T {
         self.cos.int(1) - &self.cos
     }

@@ -15,18 +15,23 @@
 //! Muller, Picot, Rideau, *Accurate calculation of Euclidean norms using double-word arithmetic*, ACM TOMS 49,
 //! 2023.) The bounds hold while nothing overflows or underflows; within `2^±220` nothing does.
 //!
-//! **Results do not depend on a fused multiplication.** The error of a product is taken by Dekker's algorithm,
-//! which uses `+ - *` alone. It is exact, so that a machine that fuses would find the same number; Rust never
-//! fuses by itself, and rounds each operation to nearest as IEEE 754 says.
+//! **Results do not depend on a fused multiplication.** The error of a product is exact, whichever [`Product`] finds
+//! it; Rust never fuses by itself, and rounds each operation to nearest as IEEE 754 says.
 
 use super::Field;
+use super::product::{Dekker, Product};
+use std::marker::PhantomData;
 
-/// The sum `hi + lo`, where `hi` is the double nearest to it.
+/// The sum `hi + lo`, where `hi` is the double nearest to it; the errors of its products are found by `P`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DoubleDouble {
+pub struct DoubleDoubleBy<P> {
     hi: f64,
     lo: f64,
+    product: PhantomData<P>,
 }
+
+/// The sum of two doubles, in operations that every machine has.
+pub type DoubleDouble = DoubleDoubleBy<Dekker>;
 
 /// `a + b` and its rounding error, exactly (Knuth's TwoSum).
 #[inline(always)]
@@ -43,46 +48,30 @@ fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, b - (sum - a))
 }
 
-/// Two halves of 26 bits whose sum is `a` (Veltkamp).
-#[inline(always)]
-fn split(a: f64) -> (f64, f64) {
-    const SPLITTER: f64 = ((1u64 << 27) + 1) as f64;
-    let t = SPLITTER * a;
-    let high = t - (t - a);
-    (high, a - high)
-}
-
-/// `a b` and its rounding error, exactly (Dekker).
-#[inline(always)]
-fn two_product(a: f64, b: f64) -> (f64, f64) {
-    let product = a * b;
-    let ((ah, al), (bh, bl)) = (split(a), split(b));
-    (product, ((ah * bh - product) + ah * bl + al * bh) + al * bl)
-}
-
-impl DoubleDouble {
+impl<P: Product> DoubleDoubleBy<P> {
     /// Zero.
-    pub const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
+    pub const ZERO: Self = Self::constant(0.0, 0.0);
 
     /// Above the relative error of every operation: `2^-102`.
     pub const UNIT: f64 = 1.0 / (1u128 << 102) as f64;
 
     /// A constant from its two parts, of which the second is at most half a unit in the last place of the first.
+    #[inline(always)]
     pub(super) const fn constant(hi: f64, lo: f64) -> Self {
-        Self { hi, lo }
+        Self { hi, lo, product: PhantomData }
     }
 
     /// The double `x`.
     #[inline(always)]
     pub const fn exact(x: f64) -> Self {
-        Self { hi: x, lo: 0.0 }
+        Self::constant(x, 0.0)
     }
 
     /// `a + b`, exactly.
     #[inline(always)]
     pub fn sum(a: f64, b: f64) -> Self {
         let (hi, lo) = two_sum(a, b);
-        Self { hi, lo }
+        Self::constant(hi, lo)
     }
 
     /// The double nearest to it.
@@ -104,32 +93,32 @@ impl DoubleDouble {
             return Self::ZERO;
         }
         let root = self.hi.sqrt();
-        let (square, error) = two_product(root, root);
+        let (square, error) = P::two_product(root, root);
         // What a root leaves is a double (Lefèvre and others, section 4), so that both differences are exact.
         let rest = ((self.hi - square) - error) + self.lo;
         let (hi, lo) = quick_two_sum(root, rest / (2.0 * root));
-        Self { hi, lo }
+        Self::constant(hi, lo)
     }
 }
 
-impl From<f64> for DoubleDouble {
+impl<P: Product> From<f64> for DoubleDoubleBy<P> {
     #[inline(always)]
     fn from(x: f64) -> Self {
         Self::exact(x)
     }
 }
 
-impl Field for DoubleDouble {
+impl<P: Product> Field for DoubleDoubleBy<P> {
     #[inline(always)]
     fn int(&self, n: i32) -> Self {
         Self::exact(f64::from(n))
     }
 }
 
-impl DoubleDouble {
+impl<P: Product> DoubleDoubleBy<P> {
     #[inline(always)]
     fn negated(self) -> Self {
-        Self { hi: -self.hi, lo: -self.lo }
+        Self::constant(-self.hi, -self.lo)
     }
 
     #[inline(always)]
@@ -138,7 +127,7 @@ impl DoubleDouble {
         let (low, last) = two_sum(self.lo, other.lo);
         let (high, low) = quick_two_sum(high, error + low);
         let (hi, lo) = quick_two_sum(high, last + low);
-        Self { hi, lo }
+        Self::constant(hi, lo)
     }
 
     #[inline(always)]
@@ -148,29 +137,30 @@ impl DoubleDouble {
 
     #[inline(always)]
     fn times(self, other: &Self) -> Self {
-        let (high, error) = two_product(self.hi, other.hi);
+        let (high, error) = P::two_product(self.hi, other.hi);
         let (hi, lo) = quick_two_sum(high, error + (self.hi * other.lo + self.lo * other.hi));
-        Self { hi, lo }
+        Self::constant(hi, lo)
     }
 
     #[inline(always)]
     fn over(self, other: &Self) -> Self {
         let quotient = self.hi / other.hi;
         // DWTimesFP1: the divisor times the first quotient.
-        let (high, error) = two_product(other.hi, quotient);
+        let (high, error) = P::two_product(other.hi, quotient);
         let (high, low) = quick_two_sum(high, other.lo * quotient);
         let (high, low) = quick_two_sum(high, low + error);
         let rest = (self.hi - high) + (self.lo - low);
         let (hi, lo) = quick_two_sum(quotient, rest / other.hi);
-        Self { hi, lo }
+        Self::constant(hi, lo)
     }
 }
 
-operators!(DoubleDouble);
+operators!([P: Product] DoubleDoubleBy<P>);
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::Fused;
     use crate::number::test_config::config;
     use proptest::prelude::*;
     use rug::{Float, Rational};
@@ -217,7 +207,7 @@ mod tests {
             prop_assert!(is_within(a - b, &Rational::from(&x - &y), (3, 1)));
             prop_assert!(is_within(a * b, &Rational::from(&x * &y), (7, 1)));
             prop_assert!(is_within(a / b, &Rational::from(&x / &y), (15, 1)));
-            let root = DoubleDouble { hi: a.hi.abs(), lo: a.lo * a.hi.signum() }.sqrt();
+            let root = DoubleDouble::constant(a.hi.abs(), a.lo * a.hi.signum()).sqrt();
             let truth = Float::with_val(400, x.abs()).sqrt().to_rational().unwrap();
             prop_assert!(is_within(root, &truth, (25, 8)));
             for found in [a + b, a * b, a / b] {
@@ -231,11 +221,15 @@ mod tests {
             prop_assert_eq!(value(sum), value(DoubleDouble::exact(a.hi)) + value(DoubleDouble::exact(b.hi)));
         }
 
-        /// Dekker's error is that of a fused multiplication.
+        /// Whatever finds the error of a product, nothing else is found.
         #[test]
-        fn a_fused_multiplication_would_find_the_same(a in hard(), b in hard()) {
-            let (product, error) = two_product(a.hi, b.hi);
-            prop_assert_eq!(error, a.hi.mul_add(b.hi, -product));
+        fn a_fused_multiplication_finds_the_same(a in hard(), b in hard()) {
+            let fused = |x: DoubleDouble| DoubleDoubleBy::<Fused>::constant(x.hi, x.lo);
+            let (x, y) = (fused(a), fused(b));
+            prop_assert_eq!(x * y, fused(a * b));
+            prop_assert_eq!(x / y, fused(a / b));
+            let [root, by_fused] = [a.sqrt().hi, x.sqrt().hi].map(f64::to_bits);
+            prop_assert_eq!(root, by_fused);
         }
     }
 

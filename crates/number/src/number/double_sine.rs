@@ -10,24 +10,25 @@
 //! *Reduction.* `k` is the integer nearest to `32 hi` (adding and taking away `1.5 2^52` rounds to it). For `k >= 1`,
 //! `hi` is between `k/64` and `k/16`, so that `s = hi - k/32` is exact (Sterbenz); `s` is zero or at least a unit
 //! in the last place of `hi`, of which `lo` is at most a half, so that `r = s + lo = x - k/32` is exact too, and
-//! `|r| <= 1/64 + 2^-52`. `y = r²` errs by `7u²`, relative to it.
+//! `|r| <= 1/64 + 2^-52`. Where `x` is a double from 1/32 on, any `k` will do with `|r| <= 1/63`: then `k >= 1`, and
+//! `hi` is again between `k/64` and `k/16`. `y = r²` errs by `7u²`, relative to it, and is below `2^-11.9`.
 //!
-//! *Series.* What is left out of `sin r` after `r^13` is below `|r| 2^-84/15! < 2^-124 |r|`, of `cos r` after
-//! `r^12` below `2^-84/14! < 2^-120`. The innermost terms, `1/9! - y/11! + y²/13!` and `1/8! - y/10! + y²/12!`, are
+//! *Series.* What is left out of `sin r` after `r^13` is below `|r| 2^-83/15! < 2^-123 |r|`, of `cos r` after
+//! `r^12` below `2^-83/14! < 2^-119`. The innermost terms, `1/9! - y/11! + y²/13!` and `1/8! - y/10! + y²/12!`, are
 //! doubles with an error of less than `2^-70` and `2^-67`; with `y^4 < 2^-47` before them they add less than
 //! `2^-117 |r|` and `2^-114`. Each further coefficient `h <- h y ± 1/n!` is a sum whose second term exceeds the
 //! first more than `2^12` times, so that it errs by less than `3 + 1 + 1 = 5 u²`, relative to it. Hence, relative
-//! to themselves, `h y` errs by `19u²` and `h y r` by `26u²`; with `|h y| < 2^-14` and `|c| < 2^-13`, where
+//! to themselves, `h y` errs by `19u²` and `h y r` by `26u²`; with `|h y| < 2^-14` and `|c| < 2^-12`, where
 //!
 //! ```text
 //! sin r = r + h y r         errs by less than (3 + 26/2^14 + 0.01) u² |r| < 3.1 u² |r|
-//! c = cos r - 1 = h y       errs by less than (19/2^13 + 0.01) u²        < 0.02 u²
+//! c = cos r - 1 = h y       errs by less than (19/2^12 + 0.01) u²        < 0.02 u²
 //! ```
 //!
-//! *Result.* With `S, C` from the table, `|sin r| < 2^-6 + 2^-50`,
+//! *Result.* With `S, C` from the table, `|sin r| < 1/63`,
 //!
 //! ```text
-//! sin x = S + (S c + C sin r):   table 1, S c 0.03, C sin r (3.1 + 7 + 1)/64, inner sum 3/63, outer sum 3:  < 4.4 u²
+//! sin x = S + (S c + C sin r):   table 1, S c 0.03, C sin r (3.1 + 7 + 1)/63, inner sum 3/62, outer sum 3:  < 4.4 u²
 //! cos x = C + (C c - S sin r):   the same
 //! ```
 //!
@@ -39,8 +40,8 @@
 //!
 //! The tests compare with MPFR: the largest error seen in 10^7 hard arguments is in the test that is ignored.
 
-use super::DoubleDouble;
 use super::double_sine_table::{RECIPROCAL_FACTORIALS, SINES_COSINES};
+use super::{DoubleDouble, DoubleDoubleBy, Product};
 
 /// The bound of the error: `2^-103`.
 pub(super) const ERROR: f64 = DoubleDouble::UNIT / 2.0;
@@ -58,36 +59,117 @@ pub(super) fn sin_cos(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
         return (x, DoubleDouble::exact(1.0));
     }
     if x.hi() < 0.0 {
-        let (sin, cos) = of_positive(-x);
+        let (sin, cos) = SinePoint::nearest(-x.hi()).sin_cos(-x);
         return (-sin, cos);
     }
-    of_positive(x)
+    SinePoint::nearest(x.hi()).sin_cos(x)
 }
 
-#[inline(always)]
-fn of_positive(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
-    const ROUNDING: f64 = (3u64 << 51) as f64;
-    let k = (32.0 * x.hi() + ROUNDING) - ROUNDING;
-    let row = &SINES_COSINES[(k as usize).min(SINES_COSINES.len() - 1)];
-    let (sin_k, cos_k) =
-        (DoubleDouble::constant(row[0], row[1]), DoubleDouble::constant(row[2], row[3]));
-    let r = DoubleDouble::sum(x.hi() - k / 32.0, x.lo());
-    let y = r * r;
-    let of = |n: usize| RECIPROCAL_FACTORIALS[n - 3];
-    let over = |n: usize| DoubleDouble::constant(of(n)[0], of(n)[1]);
-    let tail = |n: usize| of(n)[0] + y.hi() * (y.hi() * of(n + 4)[0] - of(n + 2)[0]);
+/// A point of the table, from which sine and cosine next to it are found.
+#[derive(Clone, Copy, Debug)]
+pub struct SinePoint {
+    /// A multiple of 1/32.
+    rad: f64,
+    /// Sine of it and the rest of that, cosine and the rest.
+    row: [f64; 4],
+}
 
-    let h = DoubleDouble::exact(tail(9)) * y - over(7);
-    let h = (h * y + over(5)) * y - over(3);
-    let sin_r = h * y * r + r;
+impl SinePoint {
+    /// The distance up to which a point is used for a double.
+    const REACH: f64 = 1.0 / 63.0;
 
-    let h = DoubleDouble::exact(tail(8)) * y - over(6);
-    let h = (h * y + over(4)) * y - DoubleDouble::exact(0.5);
-    let less = h * y;
+    /// The point next to `x` in `[0, 4]`; some point for anything else.
+    #[inline(always)]
+    pub fn nearest(x: f64) -> Self {
+        const ROUNDING: f64 = (3u64 << 51) as f64;
+        let rounded = 32.0 * x + ROUNDING;
+        // The last bits of the sum are the integer.
+        let place = (rounded.to_bits() & 0xff) as usize;
+        let row = SINES_COSINES[place.min(SINES_COSINES.len() - 1)];
+        Self { rad: (rounded - ROUNDING) / 32.0, row }
+    }
 
-    let sin = (sin_k * less + cos_k * sin_r) + sin_k;
-    let cos = (cos_k * less - sin_k * sin_r) + cos_k;
-    (sin, cos)
+    /// Tells whether sine and cosine of the double `x`, found from this point, are within [`ERROR`](Self::ERROR) of the
+    /// truth.
+    #[inline(always)]
+    #[allow(clippy::manual_range_contains, reason = "a range decides in two steps")]
+    pub fn reaches(&self, x: f64) -> bool {
+        (x >= 1.0 / 32.0) & (x <= LARGEST) & ((x - self.rad).abs() <= Self::REACH)
+    }
+
+    /// The bound of the error of sine and cosine: `2^-103`.
+    pub const ERROR: f64 = ERROR;
+
+    /// Sine and cosine of a number next to it, without a branch, so that many go through at a time.
+    #[inline(always)]
+    pub fn sin_cos<P: Product>(
+        &self,
+        x: DoubleDoubleBy<P>,
+    ) -> (DoubleDoubleBy<P>, DoubleDoubleBy<P>) {
+        let [sin, sin_rest, cos, cos_rest] = self.row;
+        let sin_k = DoubleDoubleBy::constant(sin, sin_rest);
+        let cos_k = DoubleDoubleBy::constant(cos, cos_rest);
+        let r = DoubleDoubleBy::<P>::sum(x.hi() - self.rad, x.lo());
+        let y = r * r;
+        let of = |n: usize| RECIPROCAL_FACTORIALS[n - 3];
+        let over = |n: usize| DoubleDoubleBy::constant(of(n)[0], of(n)[1]);
+        let tail = |n: usize| of(n)[0] + y.hi() * (y.hi() * of(n + 4)[0] - of(n + 2)[0]);
+
+        let h = DoubleDoubleBy::exact(tail(9)) * y - over(7);
+        let h = (h * y + over(5)) * y - over(3);
+        let sin_r = h * y * r + r;
+
+        let h = DoubleDoubleBy::exact(tail(8)) * y - over(6);
+        let h = (h * y + over(4)) * y - DoubleDoubleBy::exact(0.5);
+        let less = h * y;
+
+        let sin = (sin_k * less + cos_k * sin_r) + sin_k;
+        let cos = (cos_k * less - sin_k * sin_r) + cos_k;
+        (sin, cos)
+    }
+
+    /// Sine and cosine of a double next to it, with no bound of their error: for candidates.
+    #[inline(always)]
+    pub fn sin_cos_in_doubles(&self, x: f64) -> (f64, f64) {
+        let [sin_k, _, cos_k, _] = self.row;
+        let r = x - self.rad;
+        let y = r * r;
+        let of = |n: usize| RECIPROCAL_FACTORIALS[n - 3][0];
+        let sin_r = r - r * y * (of(3) - y * (of(5) - y * of(7)));
+        let less = -y * (0.5 - y * (of(4) - y * of(6)));
+        (sin_k + (sin_k * less + cos_k * sin_r), cos_k + (cos_k * less - sin_k * sin_r))
+    }
+}
+
+/// Points of the table for many numbers, apart by what they hold: so that many are read at a time.
+#[derive(Clone, Debug)]
+pub struct SinePoints<const N: usize> {
+    rad: [f64; N],
+    row: [[f64; N]; 4],
+}
+
+impl<const N: usize> SinePoints<N> {
+    /// No point for any number yet: none reaches it.
+    pub const NONE: Self = Self { rad: [f64::NAN; N], row: [[f64::NAN; N]; 4] };
+
+    /// Sets the point in a place.
+    #[inline(always)]
+    pub fn set(&mut self, place: usize, point: SinePoint) {
+        self.rad[place] = point.rad;
+        for (column, x) in self.row.iter_mut().zip(point.row) {
+            column[place] = x;
+        }
+    }
+
+    /// The point in a place.
+    #[inline(always)]
+    pub fn get(&self, place: usize) -> SinePoint {
+        let row = &self.row;
+        SinePoint {
+            rad: self.rad[place],
+            row: [row[0][place], row[1][place], row[2][place], row[3][place]],
+        }
+    }
 }
 
 #[cfg(test)]
@@ -192,6 +274,32 @@ mod tests {
             assert!(error(x, (sin + more * DoubleDouble::exact(scale), cos)) > 1.0, "{x:?}");
             assert!(error(x, (sin, cos - more)) > 1.0, "{x:?}");
         }
+    }
+
+    /// From the point next to a double and from its neighbours, as far as they reach.
+    #[test]
+    fn a_point_keeps_the_bound_as_far_as_it_reaches() {
+        let (mut words, mut shared) = (Words(1), 0);
+        for _ in 0..100_000 {
+            let x = argument(&mut words).hi().abs();
+            let mut points = SinePoints::<3>::NONE;
+            let shifts = [-1.0, 0.0, 1.0].map(|by| by * 6e-4);
+            (0..3).for_each(|k| points.set(k, SinePoint::nearest((x + shifts[k]).max(0.0))));
+            let reaching = (0..3).map(|k| points.get(k)).filter(|point| point.reaches(x));
+            for point in reaching {
+                shared += usize::from(point.rad != SinePoint::nearest(x).rad);
+                let exact = DoubleDouble::exact(x);
+                let found = point.sin_cos(exact);
+                assert!(error(exact, found) < 1.0, "{x} from {}", point.rad);
+                let (sin, cos) = point.sin_cos_in_doubles(x);
+                assert!((sin - found.0.hi()).abs() < 1e-15 && (cos - found.1.hi()).abs() < 1e-15);
+            }
+        }
+        assert!(shared > 1000, "{shared}");
+        let far = SinePoint::nearest(1.0);
+        assert!(far.reaches(1.0) && !far.reaches(1.02) && !far.reaches(f64::NAN));
+        assert!(!SinePoints::<1>::NONE.get(0).reaches(1.0));
+        assert!(!SinePoint::nearest(0.01).reaches(0.01));
     }
 
     #[test]

@@ -102,6 +102,7 @@ mod interval;
 mod jet;
 #[cfg(feature = "malachite")]
 mod malachite;
+mod product;
 mod range;
 mod says;
 mod shown;
@@ -119,8 +120,9 @@ pub use astro::{Astro, AstroInterval};
 pub use decimal::{Decimal, ParseDecimalError};
 pub use derivatives::Derivatives;
 pub use double_ball::DoubleBall;
-pub use double_double::DoubleDouble;
+pub use double_double::{DoubleDouble, DoubleDoubleBy};
 pub use double_double_ball::DoubleDoubleBall;
+pub use double_sine::{SinePoint, SinePoints};
 pub use drawable::Drawable;
 pub use dual::{Dual, gradient};
 pub use dyadic::{Dyadic, MAX_EXPONENT, ParseDyadicError};
@@ -135,6 +137,7 @@ pub use interval::Interval;
 pub use jet::Jet;
 #[cfg(feature = "malachite")]
 pub use malachite::{Malachite, MalachiteInterval};
+pub use product::{Dekker, Fused, Product};
 pub use range::{BETWEEN, PLUS_MINUS, TELL_OF_RANGES, is_range};
 pub use shown::{shown, visible};
 pub use stumpff::Stumpff;
@@ -173,6 +176,7 @@ pub trait Field:
     }
 
     /// `self * self`.
+    #[inline(always)]
     fn square(&self) -> Self {
         self.clone() * self
     }

@@ -4,6 +4,7 @@
 
 use super::batch::{Batch, BatchArches, Threads, grouped};
 use super::opening::SharedOpening;
+use super::rotational::rotational;
 use super::row::BatchRow;
 use crate::arch::SelfWeight;
 use crate::number::{DoubleDoubleBall, ExactNumber};
@@ -82,10 +83,25 @@ impl DoubleArches<'_> {
         };
         quantities.iter().try_for_each(|of| Refused::quantity(*of, possible))?;
         let batch = Batch { quantities: quantities.to_vec(), digits: DIGITS, has_texts: false };
-        let Some(etas) = self.thicknesses else { return Ok(batch.states(self, Threads::Pool)) };
+        let Some(etas) = self.thicknesses else { return Ok(self.states(&batch)) };
         let rows: Vec<usize> = (0..etas.len()).collect();
         let asked = |row: usize| Ok((self.arch(row)?.into_owned(), exact(etas[row])?));
         Ok(Threads::Pool.each(&rows, |row| Arc::new(batch.assessment(asked(*row)))))
+    }
+
+    /// Rows of states: first those that are proved many at a time, then the others.
+    fn states(&self, batch: &Batch) -> Vec<Arc<BatchRow>> {
+        let given = [self.half_openings, self.frictions];
+        let found = rotational(self.weight, given, &batch.quantities, Threads::Pool);
+        let of_others = |all: &[f64]| {
+            let others = found.iter().zip(all).filter(|(row, _)| row.is_none());
+            others.map(|(_, x)| *x).collect::<Vec<f64>>()
+        };
+        let [half_openings, frictions] = &given.map(of_others);
+        let weight = self.weight;
+        let others = DoubleArches { weight, half_openings, frictions, thicknesses: None };
+        let mut others = batch.states(&others, Threads::Pool).into_iter();
+        found.into_iter().filter_map(|row| row.or_else(|| others.next())).collect()
     }
 }
 
@@ -170,6 +186,84 @@ mod tests {
         assert_eq!(bits(&together), bits(&alone.collect::<Vec<_>>()));
         let is_known = |row: &&Arc<BatchRow>| first(row)[0] > 0.0;
         assert!(together.iter().filter(is_known).count() > 20);
+    }
+
+    /// Number of some arches whose rows are proved together; these, and all others, are what they are one by one.
+    fn together(weight: SelfWeight, (half_openings, frictions): (&[f64], &[f64])) -> usize {
+        use Quantity as Q;
+        let quantities =
+            vec![Q::Thickness, Q::Thrust, Q::SlidingJoint, Q::IntrinsicThrust, Q::RotationJoint];
+        let arches = DoubleArches { weight, half_openings, frictions, thicknesses: None };
+        let found = arches.rows(&quantities).unwrap();
+        let batch = Batch { quantities, digits: DIGITS, has_texts: false };
+        let expected = batch.states(&arches, Threads::Pool);
+        assert_eq!(found.len(), expected.len());
+        for (row, (found, expected)) in found.iter().zip(&expected).enumerate() {
+            let [alpha, mu] = [half_openings[row], frictions[row]];
+            let bits = |row| bits(std::slice::from_ref(row));
+            assert_eq!(bits(found), bits(expected), "{weight:?} {alpha:e} {mu:e}");
+            assert_eq!(found.reason, expected.reason, "{alpha:e} {mu:e}");
+        }
+        let given = [half_openings, frictions];
+        rotational(weight, given, &batch.quantities, Threads::One).iter().flatten().count()
+    }
+
+    /// Half openings and frictions all over the map, in no order; every fourth without friction's limit.
+    fn spread(count: usize, from: usize) -> (Vec<f64>, Vec<f64>) {
+        let part = |k: usize, step: f64| ((from + k + 1) as f64 * step).fract();
+        let arch = |k| {
+            let mu = 3.0 * part(k, 0.569_840_290_998_053_3);
+            let mu = if k % 4 == 0 { f64::INFINITY } else { mu };
+            (2.7 * part(k, 0.754_877_666_246_692_8), mu)
+        };
+        (0..count).map(arch).unzip()
+    }
+
+    #[test]
+    fn many_at_a_time_are_what_they_are_one_by_one() {
+        for weight in SelfWeight::ALL {
+            let (alphas, mus) = spread(50_000, 0);
+            let proved = together(weight, (&alphas, &mus));
+            assert!((30_000..45_000).contains(&proved), "{proved}");
+        }
+    }
+
+    /// `cargo test --release -p couplet-prove --lib ten_million -- --ignored --nocapture`
+    #[test]
+    #[ignore = "minutes with optimisation"]
+    fn ten_million_at_a_time_are_what_they_are_one_by_one() {
+        let piece = |k: usize| {
+            let (alphas, mus) = spread(100_000, 50_000 + 100_000 * k);
+            together(SelfWeight::ALL[k % 2], (&alphas, &mus))
+        };
+        println!("proved together: {}", (0..100).map(piece).sum::<usize>());
+    }
+
+    /// Next to the friction at which a joint slides, to the ends of what is proved together, and to that of rotation.
+    #[test]
+    fn many_next_to_where_the_mode_changes_are_what_they_are_one_by_one() {
+        for (weight, end) in [(SelfWeight::Heyman, 2.648), (SelfWeight::Milankovitch, 2.590)] {
+            let mut arches = Vec::new();
+            for k in 0..40 {
+                let alpha = 0.2 + 2.3 * f64::from(k) / 40.0;
+                let arch = Arch::new(weight, exact(alpha).unwrap(), Friction::Infinite).unwrap();
+                let state = arch.least(DIGITS).unwrap();
+                let mu = state.frictions.unwrap().rotational.unwrap().double;
+                let steps = [0.0, 1e-16, 1e-15, 1e-14, 1e-13, 1e-12, 1e-10, 1e-6];
+                let around = steps.into_iter().flat_map(|by| [mu * (1.0 - by), mu * (1.0 + by)]);
+                arches.extend(around.map(|mu| (alpha, mu)));
+            }
+            let near_one = [-1e-6, -1e-12, -1e-16, 0.0, 1e-16, 1e-12, 1e-6];
+            for at in [0.125, 2.5625, end, 1e-3, 3.1, std::f64::consts::PI] {
+                arches.extend(near_one.map(|by| (at * (1.0 + by), f64::INFINITY)));
+                arches.extend(near_one.map(|by| (at * (1.0 + by), 3.0)));
+            }
+            let odd = [f64::NAN, -1.0, 0.0, -0.0, 4.0, f64::INFINITY, 1e-300, 5e-324];
+            arches.extend(odd.into_iter().flat_map(|x| [(x, 1.0), (1.0, x), (x, x)]));
+            let (alphas, mus): (Vec<f64>, Vec<f64>) = arches.into_iter().unzip();
+            let proved = together(weight, (&alphas, &mus));
+            assert!((200..400).contains(&proved), "{proved} of {}", alphas.len());
+        }
     }
 
     #[test]

@@ -7,6 +7,7 @@
 //! | `opening` | many frictions of one half opening, which share its proofs |
 //! | `openings` | arches as they come, which do so where a half opening comes again |
 //! | `batch` | arches that are there, answered as rows |
+//! | `rotational` | arches that collapse by rotation alone, proved many at a time |
 //! | `doubles` | arches in arrays of doubles |
 
 #[allow(clippy::module_inception, reason = "the folder is named after what it answers")]
@@ -14,6 +15,7 @@ mod batch;
 mod doubles;
 mod opening;
 mod openings;
+mod rotational;
 mod row;
 
 pub use batch::{Batch, BatchArches, Threads, grouped};
