@@ -246,8 +246,8 @@ impl Survey {
     }
 
     /// Span and rise of the arch that decides on a side, where they are measured: the shortest span with the highest
-    /// rise, or the longest with the lowest. If the unsafe arch stands, all do; if the safe one does not, none does (the
-    /// claim `survey-worst`).
+    /// rise, or the longest with the lowest. If the unsafe arch stands, all do; if the safe one does not, none does
+    /// (the claim `survey-worst`).
     pub fn decisive(&self, side: Side) -> Option<Place> {
         let [lowest, _, highest] = self.course(side)?;
         Some(if side == Side::Unsafe { highest } else { lowest })

@@ -22,7 +22,7 @@ use num_bigint::BigInt;
 pub(super) struct LeastThicknesses {
     /// All of them.
     pub all: DoubleBall,
-    /// Their mean.
+    /// Mean of them.
     pub mean: DoubleBall,
 }
 

@@ -8,8 +8,8 @@
 //! ```
 //!
 //! lies in the interior of `Z` for all `p` of the patch, there is for **each** of them exactly one root of the mode's
-//! system in `X(p) + Z`, and it lies in `X(p) + K`: Krawczyk's test about the centre `X(p)`. The slopes are those of the
-//! root at `p0`, so that `F(X(p), p)`, by the mean value about `p0`, and `K` with it are small of second order.
+//! system in `X(p) + Z`, and it lies in `X(p) + K`: Krawczyk's test about the centre `X(p)`. The slopes are those of
+//! the root at `p0`, so that `F(X(p), p)`, by the mean value about `p0`, and `K` with it are small of second order.
 //!
 //! Where the conditions of the mode hold on all of `X(p) + K` each root is the state of its arch: a state that is
 //! admissible and the thinnest is a proof by itself.
@@ -81,8 +81,8 @@ impl Ranges {
 }
 
 impl Patch {
-    /// Proves the states of the half openings (rad) and frictions of two ranges; unlimited friction is `None`. `None` if
-    /// they are not seen to have one mode.
+    /// Proves the states of the half openings (rad) and frictions of two ranges; unlimited friction is `None`. No patch
+    /// if they are not seen to have one mode.
     pub(super) fn prove(
         weight: SelfWeight,
         alpha: DoubleBall,

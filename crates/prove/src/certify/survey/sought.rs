@@ -22,8 +22,8 @@ use crate::prover::{Error, Refused, Undecided};
 /// Arch that decides on a side, with the end of each quantity there.
 type Decided = (SurveyedArch, Vec<(Quantity, RangeEnd)>);
 
-/// Proves the range of what is sought over every arch of a survey, to `digits` digits. What is sought is not read in the survey: its
-/// friction, or its half opening.
+/// Proves the range of what is sought over every arch of a survey, to `digits` digits. What is sought is not read in
+/// the survey: its friction, or its half opening.
 ///
 /// ```
 /// use couplet_check::problem::Sought;
