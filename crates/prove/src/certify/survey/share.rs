@@ -2,14 +2,15 @@
 //!
 //! Every measure is taken to be spread evenly between its ends, which says nothing of how likely an arch is. The box of
 //! all measures but the thickness is cut into boxes; in each the arches of the [two sides](Side) say from which
-//! thickness on all of its arches stand, and up to which none does. The box that leaves most open is halved until
-//! little is open in all.
+//! thickness on all of its arches stand, and up to which none does. Where these have states of one mode and all least
+//! thicknesses lie within the range, the share is that of their [mean](super::mean), which is known more closely. The
+//! box that leaves most open is halved until little is open in all.
 
 use super::largest::Largest;
 use super::mean::least_thicknesses;
 use crate::certify::state::{Certify, Outcome, state_enclosed};
 use crate::number::{Ball, Decimal, DoubleBall, Enclosure, ExactNumber, Field, Form, Rounded};
-use crate::problem::measures::Length;
+use crate::problem::measures::{Length, of_span_and_rise};
 use crate::problem::survey::{Shape, Side, Survey};
 use crate::problem::{Arch, Friction};
 use crate::prover::Undecided;
@@ -179,7 +180,14 @@ fn least(survey: &Survey, side: Side) -> Result<Option<Ball>, Undecided> {
     if let Some(corner) = survey.corner(side) {
         return least_of(&corner.arch);
     }
-    let (arch, radius, circle) = survey.outermost(side).ok_or_else(Undecided::no_solution)?;
+    let decisive = || {
+        let place = survey.decisive(side)?;
+        let arch = survey.bounding(side, [&place; 2])?.arch;
+        let [span, rise] = place.map(Length::of_metres);
+        let (_, radius) = of_span_and_rise(&span?, &rise?);
+        Some((arch, radius, survey.thickness_at(side)?.0))
+    };
+    let (arch, radius, circle) = decisive().ok_or_else(Undecided::no_solution)?;
     let Some(least) = least_of(&arch)? else { return Ok(None) };
     let half = least.ratio(circle.to_centreline(), 2);
     Ok(Some(least.clone() * metres(&radius) / (least.int(1) - half * least)))
@@ -304,7 +312,7 @@ mod tests {
     use super::*;
     use crate::arch::SelfWeight;
     use crate::certify::state::Balls;
-    use crate::problem::measures::{Circle, Measures, of_span_and_rise};
+    use crate::problem::measures::{Circle, Measures};
 
     /// Debug builds are slow, and a thousandth of three ranges takes seconds.
     const TENFOLD: f64 = 10.0;
