@@ -6,9 +6,12 @@ import sys
 
 import pytest
 
+# A shell starts what runs behind it with Ctrl-C ignored.
 CALL = """
 import os
+import signal
 import couplet
+signal.signal(signal.SIGINT, signal.default_int_handler)
 try:
     print("begins", flush=True)
     {call}
