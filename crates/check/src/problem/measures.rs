@@ -16,7 +16,7 @@
 //!
 //! Everything given is rational, and so is `eta`. A span is measured at the intrados unless another circle is named.
 
-use crate::number::{Engine, ExactNumber, Form, says, shown, worded};
+use crate::number::{Engine, ExactNumber, Field, Form, says, shown, worded};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use std::fmt;
@@ -197,6 +197,11 @@ impl Circle {
             Self::Extrados => -1,
         }
     }
+
+    /// Radius of the centreline of an arch of thickness `eta` whose radius at this circle is given.
+    pub fn centreline<T: Field>(self, radius: T, eta: &T) -> T {
+        radius / (eta.int(1) - eta.ratio(self.to_centreline(), 2) * eta)
+    }
 }
 
 /// Tells whether the first of two lengths is the larger one. Their own comparison goes down a continued fraction, a
@@ -317,8 +322,7 @@ impl Measures {
     /// The sizes of an arch of thickness `eta` and half opening `alpha` (rad), in numbers of `bits` bits.
     pub fn sizes<E: Engine>(&self, eta: &E, alpha: &E, bits: u32) -> Sizes<E> {
         let number = |x: &BigRational| ExactNumber::rational(x.clone()).enclosure::<E>(bits);
-        let outwards = eta.int(1) - eta.ratio(self.circle.to_centreline(), 2) * eta;
-        let radius = number(&self.radius.0) / outwards;
+        let radius = self.circle.centreline(number(&self.radius.0), eta);
         let thickness = eta.clone() * &radius;
         let loaded = self.loaded.as_ref();
         let unit = |(weight, depth): &(UnitWeight, Length)| {

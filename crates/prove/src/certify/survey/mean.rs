@@ -14,7 +14,7 @@ use super::patch::{Patch, between};
 use crate::arch::Unknown;
 use crate::number::{DoubleBall, Dual, Enclosure, ExactNumber, Field};
 use crate::problem::Friction;
-use crate::problem::measures::{Circle, Length, of_span_and_rise};
+use crate::problem::measures::{Length, of_span_and_rise};
 use crate::problem::survey::{Shape, Survey};
 use num_bigint::BigInt;
 
@@ -94,14 +94,16 @@ pub(super) fn least_thicknesses(survey: &Survey) -> Option<LeastThicknesses> {
         Shape::Free { .. } => plane.on([of(0), of(1)], constant) + rest,
         Shape::Spanned { circle, .. } => {
             let (alpha, radius) = circle_of([of(0), of(1)], half_opening);
-            in_metres(plane.on([alpha, of(2)], constant) + rest, radius, *circle)
+            let ratio = plane.on([alpha, of(2)], constant) + rest;
+            circle.centreline(radius, &ratio) * ratio
         }
     };
     let at_middle = thickness(&|k| Dual::constant(measures[k].middle), middle, constant(0.0));
     let on_all = thickness(
         &|k| Dual::variable(measures[k].all, k),
         half_opening.all,
-        Dual::variable(plane.rest, n),
+        // The slopes are asked for from the plane on, where the rest is zero.
+        Dual::variable(plane.rest.widened(plane.rest.size()), n),
     );
     let base = *at_middle.value() + on_all.derivative(n) * plane.rest;
     let half = DoubleBall::exact(0.5);
@@ -129,12 +131,6 @@ fn circle_of([span, rise]: [Sloped; 2], half_opening: DoubleBall) -> (Sloped, Sl
     (Dual::new(half_opening, slopes), radius)
 }
 
-/// The least thickness in metres of an arch with a circle of some radius, from its ratio to the centreline's.
-fn in_metres(ratio: Sloped, radius: Sloped, circle: Circle) -> Sloped {
-    let half = constant(f64::from(circle.to_centreline()) / 2.0);
-    radius * &ratio / (constant(1.0) - half * ratio)
-}
-
 fn midway([first, last]: &[Length; 2]) -> Option<Length> {
     Length::of_metres((first.metres() + last.metres()) / BigInt::from(2))
 }
@@ -145,6 +141,7 @@ mod tests {
     use crate::arch::SelfWeight;
     use crate::certify::state::Certify;
     use crate::problem::Arch;
+    use crate::problem::measures::Circle;
 
     fn ends<T: std::str::FromStr<Err: std::fmt::Debug>>(range: [&str; 2]) -> [T; 2] {
         range.map(|text| text.parse().unwrap())

@@ -9,7 +9,7 @@
 use super::largest::Largest;
 use super::mean::least_thicknesses;
 use crate::certify::state::{Certify, Outcome, state_enclosed};
-use crate::number::{Ball, Decimal, DoubleBall, Enclosure, ExactNumber, Field, Form, Rounded};
+use crate::number::{Ball, Decimal, DoubleBall, Enclosure, ExactNumber, Form, Rounded};
 use crate::problem::measures::{Length, of_span_and_rise};
 use crate::problem::survey::{Shape, Side, Survey};
 use crate::problem::{Arch, Friction};
@@ -189,8 +189,7 @@ fn least(survey: &Survey, side: Side) -> Result<Option<Ball>, Undecided> {
     };
     let (arch, radius, circle) = decisive().ok_or_else(Undecided::no_solution)?;
     let Some(least) = least_of(&arch)? else { return Ok(None) };
-    let half = least.ratio(circle.to_centreline(), 2);
-    Ok(Some(least.clone() * metres(&radius) / (least.int(1) - half * least)))
+    Ok(Some(circle.centreline(metres(&radius), &least) * least))
 }
 
 /// Least thickness of an arch.
