@@ -1,8 +1,8 @@
-//! Purely rotational states of arches in doubles, proved many at a time.
+//! States of arches in double-doubles, proved many at a time.
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
 pub mod lanes;
 
-use couplet_check::arch;
+use couplet_check::{arch, problem};
 use couplet_number::number;
 use couplet_solve::solve;

@@ -66,6 +66,7 @@ use super::{Configuration, Ring, SelfWeight, statics};
 use crate::number::{Angle, Field};
 
 /// `U` at the shoulder for the crown moment `p`.
+#[inline(always)]
 pub fn extrados_margin_at_shoulder<T: Field>(
     weight: SelfWeight,
     at: &Configuration<T>,
@@ -98,6 +99,7 @@ pub fn approach<T: Field>(weight: SelfWeight, joint: &Angle<T>, at: &Configurati
 
 /// The crown moment `p` that puts the pressure point on the extrados of the shoulder:
 /// `(1 + eta/2) N(alpha) - fac (1 - cos alpha)`.
+#[inline(always)]
 pub fn shoulder_moment<T: Field>(weight: SelfWeight, at: &Configuration<T>) -> T {
     let ring = Ring::new(weight, &at.thickness);
     let normal = statics::normal_force(&at.half_opening, &at.thrust);
@@ -105,12 +107,14 @@ pub fn shoulder_moment<T: Field>(weight: SelfWeight, at: &Configuration<T>) -> T
 }
 
 /// The crown moment `p` that puts the pressure point on the extrados of the crown: `(1 + eta/2) h`.
+#[inline(always)]
 pub fn crown_moment<T: Field>(at: &Configuration<T>) -> T {
     (at.thickness.int(2) + &at.thickness) * &at.thrust / at.thrust.int(2)
 }
 
 /// `L' / sin beta` at the crown, `fac - (1 - eta/2) (2 - h)`: not negative where the line of thrust
 /// comes nearest to the intrados at the crown.
+#[inline(always)]
 pub fn crown_slope<T: Field>(weight: SelfWeight, at: &Configuration<T>) -> T {
     let ring = Ring::new(weight, &at.thickness);
     let rest = at.thrust.int(2) - &at.thrust;
@@ -163,6 +167,7 @@ pub fn rates_of_rotation<T: Field>(at: &Configuration<T>) -> Rates<T> {
 }
 
 /// The rates of the mode `[s,r,r]`, with rotation one at the crown.
+#[inline(always)]
 pub fn rates_of_shoulder_sliding<T: Field>(at: &Configuration<T>) -> Rates<T> {
     let (sliding, _) = arms(at);
     let one = sliding.int(1);
@@ -170,6 +175,7 @@ pub fn rates_of_shoulder_sliding<T: Field>(at: &Configuration<T>) -> Rates<T> {
 }
 
 /// The rates of the modes with a sliding inner joint, with rotation one at the shoulder.
+#[inline(always)]
 pub fn rates_of_inner_sliding<T: Field>(at: &Configuration<T>) -> Rates<T> {
     let (_, sliding) = arms(at);
     let one = sliding.int(1);

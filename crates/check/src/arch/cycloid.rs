@@ -14,23 +14,27 @@
 use crate::number::{Angle, Field, Real, Stumpff};
 
 /// (18): the thrust `h = cos² chi` at which an inner joint slides, by the inclination of the force there.
+#[inline(always)]
 pub fn thrust<T: Field>(inclination: &Angle<T>) -> T {
     inclination.cos.square()
 }
 
 /// (18): the joint `beta_s = sin chi cos chi` that slides, rad.
+#[inline(always)]
 pub fn joint<T: Field>(inclination: &Angle<T>) -> T {
     inclination.sin.clone() * &inclination.cos
 }
 
 /// (18): the friction angle `phi = chi - sin chi cos chi`, rad. It grows with the inclination, at the rate `2
 /// sin² chi`.
+#[inline(always)]
 pub fn friction_angle<T: Field>(inclination: &Angle<T>) -> T {
     inclination.rad.clone() - joint(inclination)
 }
 
 /// (17): `h sin(alpha - phi) - alpha cos(alpha - phi)`, zero where the shoulder slides. `inclination` is that of
 /// the force on the shoulder, `alpha - phi`.
+#[inline(always)]
 pub fn shoulder<T: Field>(half_opening: &T, inclination: &Angle<T>, thrust: &T) -> T {
     thrust.clone() * &inclination.sin - half_opening.clone() * &inclination.cos
 }

@@ -27,6 +27,7 @@ pub fn shoulder<T: Field>(half_opening: &Angle<T>, thrust: &T) -> Quotient<T> {
 ///
 /// `mu` is not negative; where `mu >= tan(alpha) > 0` the shoulder does not slide at any thrust and the
 /// value means nothing.
+#[inline(always)]
 pub fn shoulder_thrust<T: Field>(half_opening: &Angle<T>, friction: &T) -> Quotient<T> {
     let Angle { rad, sin, cos } = half_opening;
     Quotient {

@@ -1,6 +1,6 @@
 //! The thrust equations (2)–(5): where a thickness and a thrust make hinges.
 
-use super::{Quotient, Ring};
+use super::{Quotient, Ring, statics};
 use crate::number::{Angle, Field};
 
 /// Eq. (2), `h_L`: the thrust that puts the line of thrust on the extrados at the crown and on the
@@ -129,6 +129,41 @@ pub fn rotating<T: Field>(joint: &Angle<T>, opening_variable: &T) -> Quotient<T>
     }
 }
 
+/// The thickness where (2) and (5) hold both with a thrust, whatever the weight: [`touching`] solved for it.
+///
+/// ```text
+/// eta = 2 c/(2 h + c),   c = (1 - cos(beta)) (beta/sin(beta) - 1)
+/// ```
+#[inline(always)]
+pub fn touched<T: Field>(versine: &T, excess: &T, thrust: &T) -> Quotient<T> {
+    let rise = versine.clone() * excess;
+    let two = thrust.int(2);
+    Quotient { numerator: rise.clone() * &two, denominator: two * thrust + rise }
+}
+
+/// The thickness where (3) and (5) hold both with a thrust, whatever the weight: its moment is eliminated.
+///
+/// ```text
+/// eta = 2 (Q - P)/(Q + P),   Q = N(beta) + (cos(beta) - cos(alpha)) (1 - h + beta cot(beta)),   P = N(alpha)
+/// ```
+///
+/// The joint enters through its cosine, `beta sin(beta)` and `beta cot(beta)`.
+#[inline(always)]
+pub fn touched_below<T: Field>(
+    half_opening: &Angle<T>,
+    [cosine, times_sine, times_cotangent]: [&T; 3],
+    thrust: &T,
+) -> Quotient<T> {
+    let normal = thrust.clone() * cosine + times_sine;
+    let rise = thrust.int(1) - thrust + times_cotangent;
+    let at_joint = normal + (cosine.clone() - &half_opening.cos) * rise;
+    let at_shoulder = statics::normal_force(half_opening, thrust);
+    Quotient {
+        numerator: (at_joint.clone() - &at_shoulder) * thrust.int(2),
+        denominator: at_joint + at_shoulder,
+    }
+}
+
 /// Eq. (5), `h_e`: the thrust at which the line of thrust touches the intrados at `beta` instead of
 /// crossing it.
 ///
@@ -138,6 +173,7 @@ pub fn rotating<T: Field>(joint: &Angle<T>, opening_variable: &T) -> Quotient<T>
 ///
 /// The joint enters through `beta cot(beta)` alone ([`Angle::times_cotangent`]), whose value in the
 /// limit `beta -> 0` is exactly 1. Undefined at `eta = 2`.
+#[inline(always)]
 pub fn tangency<T: Field>(times_cotangent: &T, ring: &Ring<T>) -> Quotient<T> {
     let intrados = ring.intrados();
     Quotient {

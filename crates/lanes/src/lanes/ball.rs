@@ -34,6 +34,9 @@ pub(super) trait Midpoint: Field + Copy {
 
     /// Rest that the leading double leaves.
     fn lo(self) -> f64;
+
+    /// The square root of a positive number.
+    fn root(self) -> Self;
 }
 
 /// Half the distance from one to the next double.
@@ -64,6 +67,11 @@ impl Midpoint for f64 {
     fn lo(self) -> f64 {
         0.0
     }
+
+    #[inline(always)]
+    fn root(self) -> Self {
+        self.sqrt()
+    }
 }
 
 impl<P: Product> Midpoint for DoubleDoubleBy<P> {
@@ -82,6 +90,11 @@ impl<P: Product> Midpoint for DoubleDoubleBy<P> {
     #[inline(always)]
     fn lo(self) -> f64 {
         self.lo()
+    }
+
+    #[inline(always)]
+    fn root(self) -> Self {
+        self.sqrt()
     }
 }
 
@@ -146,6 +159,16 @@ impl<M: Midpoint> LaneBall<M> {
     pub(super) fn in_doubles(&self) -> LaneBall<f64> {
         LaneBall::new(self.mid.hi(), (self.rad + self.mid.lo().abs()) * UP)
     }
+
+    /// The square root; the whole line unless every number of the ball is positive.
+    ///
+    /// Radius: `|√x - √m| = |x - m| / (√x + √m)` is at most `r / (√(m-r) + √m)`.
+    #[inline(always)]
+    pub(super) fn sqrt(&self) -> Self {
+        let (low, root) = ((self.mid.hi() * DOWN - self.rad) * DOWN, self.mid.root());
+        let rad = self.rad / ((low.sqrt() + root.hi()) * DOWN);
+        Self::rounded(root, if low > LEAST_DIVISOR { rad } else { f64::NAN })
+    }
 }
 
 impl LaneBall<f64> {
@@ -153,16 +176,6 @@ impl LaneBall<f64> {
     #[inline(always)]
     pub(super) fn in_double_doubles<P: Product>(&self) -> LaneBall<DoubleDoubleBy<P>> {
         LaneBall::new(DoubleDoubleBy::exact(self.mid), self.rad)
-    }
-
-    /// The square root; the whole line unless every number of the ball is positive.
-    ///
-    /// Radius: `|√x - √m| = |x - m| / (√x + √m)` is at most `r / (√(m-r) + √m)`.
-    #[inline(always)]
-    pub(super) fn sqrt(&self) -> Self {
-        let (low, root) = ((self.mid - self.rad) * DOWN, self.mid.sqrt());
-        let rad = self.rad / ((low.sqrt() + root) * DOWN);
-        Self::rounded(root, if low > LEAST_DIVISOR { rad } else { f64::NAN })
     }
 }
 
@@ -302,18 +315,24 @@ mod tests {
 
         #[test]
         fn a_root_holds_the_truth(a in hard()) {
-            let short = a.in_doubles();
-            let root = short.sqrt();
-            for x in points(&short) {
-                let truth = Float::with_val(2000, &x).sqrt();
-                let truth = if x < 0 { None } else { truth.to_rational() };
-                prop_assert!(!is_known(&root) || truth.is_some());
-                let is_near = |truth: Rational| {
-                    (middle(&root) - truth).abs() <= exact(root.rad) + exact(1e-300)
-                };
-                prop_assert!(!is_known(&root) || truth.is_none_or(is_near));
-            }
+            let fused = LaneBall::new(DoubleDoubleBy::<Fused>::sum(a.mid.hi(), a.mid.lo()), a.rad);
+            root_holds(a)?;
+            root_holds(fused)?;
+            root_holds(a.in_doubles())?;
         }
+    }
+
+    fn root_holds<M: Midpoint>(a: LaneBall<M>) -> Result<(), TestCaseError> {
+        let root = a.sqrt();
+        for x in points(&a) {
+            let truth = Float::with_val(2000, &x).sqrt();
+            let truth = if x < 0 { None } else { truth.to_rational() };
+            prop_assert!(!is_known(&root) || truth.is_some());
+            let is_near =
+                |truth: Rational| (middle(&root) - truth).abs() <= exact(root.rad) + exact(1e-300);
+            prop_assert!(!is_known(&root) || truth.is_none_or(is_near));
+        }
+        Ok(())
     }
 
     /// A radius is no larger than what it is made of, so that a false value is seen.
@@ -347,7 +366,8 @@ mod tests {
             assert!(!is_known(&(one / divisor)), "{divisor:?}");
         }
         assert!(
-            !is_known(&around(1.0).in_doubles().sqrt()) && !is_known(&LaneBall::exact(-1.0).sqrt())
+            !is_known(&around(1.0).in_doubles().sqrt())
+                && !is_known(&LaneBall::<f64>::exact(-1.0).sqrt())
         );
     }
 }

@@ -1,24 +1,38 @@
-//! Lanes: purely rotational states of arches in doubles, proved many at a time by one text without a branch.
+//! Lanes: states of arches in double-doubles, proved many at a time by texts without a branch.
 //!
 //! | file | what it does |
 //! |---|---|
 //! | `ball` | balls in which nothing is decided on the way |
-//! | `start` | tables: start values, and where sines are found from |
-//! | `rotation` | the proof of a state |
-//! | `state` | a state that is proved |
-//! | `width` | the proof for what a processor has |
+//! | `sine` | sines and roots of the numbers of a proof |
+//! | `start` | tables of start values |
+//! | `root` | the proof that an equation has one root |
+//! | `margins` | signs that make the root a state |
+//! | `rotation`, `shoulder`, `inner`, `crown` | states that rotate, that slide at the shoulder, that slide inside, that turn about the crown |
+//! | `sliding` | the thrust at which an inner joint slides; the purely sliding friction |
+//! | `piece`, `width` | arches that go through a proof together; what a processor has for them |
+//! | `answer`, `arches` | an answer; arches of any mode |
 //!
-//! Rows of doubles take it before anything else where they ask for what it has (`certify::batch`).
+//! Rows take it before anything else where they ask for what it has (`certify::batch`).
 //!
 //! The equations are those of [`arch`](couplet_check::arch), over balls of one and of two doubles and their gradients.
 //! All that an arch goes through has to be one piece for the compiler to put many into its lanes: so each function of
 //! it is `#[inline(always)]`, here and where the equations are.
 
+mod answer;
+mod arches;
 mod ball;
+mod crown;
+mod inner;
+mod margins;
+mod piece;
+mod root;
 mod rotation;
+mod shoulder;
+mod sine;
+mod sliding;
 mod start;
-mod state;
 mod width;
 
-pub use state::RotationalState;
+pub use answer::{LaneAnswer, LaneFrictions, LaneState};
+pub use arches::LaneArch;
 pub use width::Width;

@@ -1,125 +1,190 @@
-//! Start values in a table: the square of the rotational joint, a parabola on each cell of the half opening.
+//! Tables of start values: a parabola on each cell of a number.
 //!
-//! The table is made of candidates, once for each weight and when it is first asked for. Nothing that is proved rests
-//! on it.
+//! A table is made of candidates, once and when it is first asked for. Nothing that is proved rests on it.
 
-use crate::arch::{PerWeight, SelfWeight};
-use crate::number::{SinePoint, SinePoints};
+use crate::arch::{Configuration, PerWeight, SelfWeight, contact, cycloid};
+use crate::number::Angle;
 use crate::solve::start;
+use std::f64::consts::FRAC_PI_2;
 use std::sync::OnceLock;
 
-/// Half openings of the table, rad: below the first one other equations keep their digits, and the last one is next to
-/// the end of rotation.
-pub(super) const FIRST: f64 = 0.125;
-pub(super) const LAST: f64 = 2.5625;
-
-/// The cells. A power of two, so that a place is some bits of a number.
+/// Cells of a table. A power of two, so that a place is some bits of a number.
 const CELLS: usize = 512;
-const WIDTH: f64 = (LAST - FIRST) / (CELLS - 1) as f64;
 
-/// The parabolas, by the distance from the middle of a cell in widths.
-pub(super) struct StartTable([[f64; 6]; CELLS]);
+/// Adding and taking it away rounds to an integer, which is the last bits of the sum.
+const ROUNDING: f64 = (3u64 << 51) as f64;
 
-/// Candidates of a state.
-struct Start {
-    /// `beta_r`.
-    joint: f64,
-    /// The joint that is steepest at the thrust.
-    steepest: f64,
+/// `N` functions of a number between two ends: parabolas by the distance from the middle of a cell in widths.
+pub(super) struct Table<const N: usize> {
+    first: f64,
+    cells_a_unit: f64,
+    cells: Vec<[[f64; 3]; N]>,
 }
 
-impl StartTable {
-    /// The table of a weight.
-    pub(super) fn of(weight: SelfWeight) -> &'static Self {
-        static TABLES: PerWeight<OnceLock<StartTable>> =
-            PerWeight { heyman: OnceLock::new(), milankovitch: OnceLock::new() };
-        TABLES.get(weight).get_or_init(|| Self::new(weight))
-    }
-
-    fn new(weight: SelfWeight) -> Self {
-        let at = |place: f64| squares(weight, FIRST + place * WIDTH);
-        let mut cells = [[0.0; 6]; CELLS];
+impl<const N: usize> Table<N> {
+    fn new([first, last]: [f64; 2], of: impl Fn(f64) -> [f64; N]) -> Self {
+        let width = (last - first) / (CELLS - 1) as f64;
+        let at = |place: f64| of(first + place * width);
         let mut left = at(-0.5);
-        for (k, cell) in cells.iter_mut().enumerate() {
+        let cell = |k: usize| {
             let [middle, right] = [0.0, 0.5].map(|by| at(k as f64 + by));
-            for (which, parabola) in cell.chunks_exact_mut(3).enumerate() {
+            let mut cell = [[0.0; 3]; N];
+            for (which, parabola) in cell.iter_mut().enumerate() {
                 let [left, middle, right] = [left, middle, right].map(|of| of[which]);
-                let bend = 2.0 * (left - 2.0 * middle + right);
-                parabola.copy_from_slice(&[middle, right - left, bend]);
+                *parabola = [middle, right - left, 2.0 * (left - 2.0 * middle + right)];
             }
             left = right;
-        }
-        Self(cells)
+            cell
+        };
+        Self { first, cells_a_unit: width.recip(), cells: (0..CELLS).map(cell).collect() }
     }
 
-    /// The candidates at a half opening in [`FIRST`] to [`LAST`]; elsewhere they mean nothing.
+    /// The candidates at a number between the ends; elsewhere they mean nothing.
     #[inline(always)]
-    fn start(&self, alpha: f64) -> Start {
-        const ROUNDING: f64 = (3u64 << 51) as f64;
-        let place = (alpha - FIRST) * (1.0 / WIDTH);
+    pub(super) fn at(&self, x: f64) -> [f64; N] {
+        let place = (x - self.first) * self.cells_a_unit;
         let rounded = place + ROUNDING;
         let from = place - (rounded - ROUNDING);
-        // The last bits of the sum are the integer.
-        let [a, b, c, d, e, f] = self.0[rounded.to_bits() as usize % CELLS];
-        let root = |square: f64| square.sqrt();
-        Start { joint: root(a + from * (b + from * c)), steepest: root(d + from * (e + from * f)) }
-    }
-}
-
-/// The squares of both joints.
-fn squares(weight: SelfWeight, alpha: f64) -> [f64; 2] {
-    let [beta, _, thrust] = start::rotational(weight, &alpha);
-    [beta * beta, (1.0 - thrust) * thrust]
-}
-
-/// Entries of tables for `N` arches, looked up before many go through one text at a time: start values, and the points
-/// from which sines and cosines are found.
-pub(super) struct Starts<const N: usize> {
-    /// Candidates `beta_r`.
-    pub(super) joints: [f64; N],
-    /// Points next to the half openings.
-    pub(super) at_half_openings: SinePoints<N>,
-    /// Points next to the candidates `beta_r`.
-    pub(super) at_joints: SinePoints<N>,
-    /// Points next to the steepest joints.
-    pub(super) at_steepest: SinePoints<N>,
-}
-
-impl<const N: usize> Starts<N> {
-    /// Entries for some half openings.
-    #[inline(always)]
-    pub(super) fn new(table: &StartTable, half_openings: &[f64; N]) -> Self {
-        let (at_half_openings, at_joints, at_steepest) =
-            (SinePoints::NONE, SinePoints::NONE, SinePoints::NONE);
-        let mut all = Self { joints: [f64::NAN; N], at_half_openings, at_joints, at_steepest };
-        for (place, &alpha) in half_openings.iter().enumerate() {
-            let Start { joint, steepest } = table.start(alpha);
-            all.joints[place] = joint;
-            all.at_half_openings.set(place, SinePoint::nearest(alpha));
-            all.at_joints.set(place, SinePoint::nearest(joint));
-            all.at_steepest.set(place, SinePoint::nearest(steepest));
+        let cell = &self.cells[rounded.to_bits() as usize % CELLS];
+        let mut all = [0.0; N];
+        for (value, [a, b, c]) in all.iter_mut().zip(cell) {
+            *value = a + from * (b + from * c);
         }
         all
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// The least half opening, rad: below it other equations keep their digits.
+pub(super) const LEAST: f64 = 0.125;
 
-    #[test]
-    fn a_joint_of_the_table_is_the_candidate() {
-        for weight in SelfWeight::ALL {
-            let table = StartTable::of(weight);
-            let steps = (0..=10_000).map(|k| FIRST + (LAST - FIRST) * f64::from(k) / 10_000.0);
-            let errors = steps.map(|alpha| {
-                let ([joint, steepest], found) = (squares(weight, alpha), table.start(alpha));
-                let of_joint = (found.joint - joint.sqrt()).abs();
-                of_joint.max((found.steepest - steepest.sqrt()).abs())
-            });
-            let worst = errors.fold(0.0, f64::max);
-            assert!(worst < 1e-4, "{worst}");
-            assert!(worst > 0.0);
-        }
+/// Half openings of rotation, rad; the last one is next to the end of rotation.
+#[inline(always)]
+pub(super) fn rotates(weight: SelfWeight) -> [f64; 2] {
+    [LEAST, if weight == SelfWeight::Heyman { 2.640625 } else { 2.5859375 }]
+}
+
+/// By the half opening: the squares of `beta_r` and of the joint that is steepest at the thrust.
+pub(super) fn rotation(weight: SelfWeight) -> &'static Table<2> {
+    static TABLES: PerWeight<OnceLock<Table<2>>> =
+        PerWeight { heyman: OnceLock::new(), milankovitch: OnceLock::new() };
+    TABLES.get(weight).get_or_init(|| {
+        Table::new(rotates(weight), |alpha| {
+            let [beta, _, h] = start::rotational(weight, &alpha);
+            [beta * beta, (1.0 - h) * h]
+        })
+    })
+}
+
+/// Half openings of purely sliding states, rad.
+pub(super) const SLIDES: [f64; 2] = [LEAST, 3.0];
+
+/// By the half opening: the inclination inside of the purely sliding state, and that at the shoulder.
+pub(super) fn sliding() -> &'static Table<2> {
+    static TABLE: OnceLock<Table<2>> = OnceLock::new();
+    TABLE.get_or_init(|| {
+        Table::new(SLIDES, |alpha| {
+            let [_, h, _] = start::sliding(&alpha);
+            let chi = inclination(h);
+            [chi.rad, alpha - cycloid::friction_angle(&chi)]
+        })
+    })
+}
+
+/// Frictions at which an inner joint slides.
+pub(super) const FRICTIONS: [f64; 2] = [0.0009765625, 64.0];
+
+/// The place of a friction in its table: for small ones the inclination is like their cube root.
+#[inline(always)]
+pub(super) fn place_of_friction(mu: f64) -> f64 {
+    mu.sqrt() / (1.0 + mu.sqrt())
+}
+
+/// By the [place](place_of_friction) of a friction: the inclination at the joint that slides, and the friction angle.
+pub(super) fn steepest() -> &'static Table<2> {
+    static TABLE: OnceLock<Table<2>> = OnceLock::new();
+    TABLE.get_or_init(|| {
+        Table::new(FRICTIONS.map(place_of_friction), |place| {
+            let mu = (place / (1.0 - place)).powi(2);
+            let [h, _] = start::inner_sliding(&mu);
+            [inclination(h).rad, mu.atan()]
+        })
+    })
+}
+
+/// The inclination of the force where an inner joint slides with a thrust.
+fn inclination(h: f64) -> Angle<f64> {
+    Angle::new(h.sqrt().acos())
+}
+
+/// Thrusts at which the shoulder slides.
+pub(super) const THRUSTS: [f64; 2] = [0.0625, 0.9921875];
+
+/// By the thrust: the square of `beta_r` where (2) and (5) hold.
+pub(super) fn shoulder(weight: SelfWeight) -> &'static Table<1> {
+    static TABLES: PerWeight<OnceLock<Table<1>>> =
+        PerWeight { heyman: OnceLock::new(), milankovitch: OnceLock::new() };
+    TABLES.get(weight).get_or_init(|| {
+        Table::new(THRUSTS, |h| {
+            let [beta, ..] = start::rotational_with_thrust(weight, &h);
+            [beta * beta]
+        })
+    })
+}
+
+/// Ends of half openings (rad) and of thrusts between which a joint inside may slide with a hinge at the haunch.
+const WIDE: [f64; 2] = [2.375, 2.8125];
+const SMALL: [f64; 2] = [0.0, 0.1328125];
+
+/// Cells of a plane in each direction.
+const STEPS: usize = 64;
+
+/// A function of a half opening and of a thrust: bilinear on cells.
+pub(super) struct Plane(Vec<[f64; STEPS + 1]>);
+
+impl Plane {
+    fn new(of: impl Fn(f64, f64) -> f64) -> Self {
+        let at =
+            |[first, last]: [f64; 2], k: usize| first + (last - first) * k as f64 / STEPS as f64;
+        let row = |i: usize| std::array::from_fn(|j| of(at(WIDE, i), at(SMALL, j)));
+        Self((0..=STEPS).map(row).collect())
     }
+
+    /// The candidate next to a half opening and a thrust; none outside the ends.
+    #[inline(always)]
+    pub(super) fn at(&self, alpha: f64, h: f64) -> f64 {
+        let place = |x: f64, [first, last]: [f64; 2]| (x - first) * (STEPS as f64 / (last - first));
+        let [x, y] = [place(alpha, WIDE), place(h, SMALL)];
+        // What is no number goes to the first cell.
+        let cell = |x: f64| x.clamp(0.0, (STEPS - 1) as f64) as usize;
+        let (i, j) = (cell(x), cell(y));
+        let (x, y) = (x - i as f64, y - j as f64);
+        let along = |row: &[f64; STEPS + 1]| row[j] + y * (row[j + 1] - row[j]);
+        let [low, high] = [along(&self.0[i]), along(&self.0[i + 1])];
+        low + x * (high - low)
+    }
+}
+
+/// By the half opening and the thrust: the square of `beta_r` where (3) and (5) hold, negative where the crown is
+/// touched.
+pub(super) fn plane(weight: SelfWeight) -> &'static Plane {
+    static PLANES: PerWeight<OnceLock<Plane>> =
+        PerWeight { heyman: OnceLock::new(), milankovitch: OnceLock::new() };
+    PLANES
+        .get(weight)
+        .get_or_init(|| Plane::new(|alpha, h| start::touching_square_below(weight, alpha, h)))
+}
+
+/// Tells whether the friction seems to be below the purely sliding one of a half opening.
+pub(super) fn seems_to_slide(alpha: f64, mu: f64) -> bool {
+    let [_, at_shoulder] = sliding().at(alpha);
+    let [_, phi] = steepest().at(place_of_friction(mu));
+    phi < alpha - at_shoulder || mu < FRICTIONS[0]
+}
+
+/// Tells whether the physical limit of the thickness seems to be too little for a half opening at a thrust.
+pub(super) fn seems_too_wide(weight: SelfWeight, alpha: f64, h: f64) -> bool {
+    let (sin, cos) = alpha.sin_cos();
+    let half_opening = Angle { rad: alpha, sin, cos };
+    let at = Configuration { half_opening, thrust: h, ..Configuration::zero(&h) };
+    alpha > FRAC_PI_2 && contact::margin_at_physical_limit(weight, &at) < 0.0
 }

@@ -38,6 +38,7 @@ impl<T: Field> Angle<T> {
     }
 
     /// `rad * cot(rad)`, which is 0/0 at zero: there the value of the limit is exactly one.
+    #[inline(always)]
     pub fn times_cotangent(&self) -> T {
         self.rad.clone() * &self.cos / &self.sin
     }
@@ -56,6 +57,7 @@ impl<T: Field> Angle<T> {
 
 impl<T> Angle<T> {
     /// The angle with its three values in another number.
+    #[inline(always)]
     pub fn map<U>(self, f: impl Fn(T) -> U) -> Angle<U> {
         Angle { rad: f(self.rad), sin: f(self.sin), cos: f(self.cos) }
     }

@@ -10,8 +10,7 @@
 //! *Reduction.* `k` is the integer nearest to `32 hi` (adding and taking away `1.5 2^52` rounds to it). For `k >= 1`,
 //! `hi` is between `k/64` and `k/16`, so that `s = hi - k/32` is exact (Sterbenz); `s` is zero or at least a unit
 //! in the last place of `hi`, of which `lo` is at most a half, so that `r = s + lo = x - k/32` is exact too, and
-//! `|r| <= 1/64 + 2^-52`. Where `x` is a double from 1/32 on, any `k` will do with `|r| <= 1/63`: then `k >= 1`, and
-//! `hi` is again between `k/64` and `k/16`. `y = r²` errs by `7u²`, relative to it, and is below `2^-11.9`.
+//! `|r| <= 1/64 + 2^-52`. Any other `k` will do with `|s| <= 1/63` and `hi >= k/64`: then `k = 0`, or `hi` is again between `k/64` and `k/16`. `y = r²` errs by `7u²`, relative to it, and is below `2^-11.9`.
 //!
 //! *Series.* What is left out of `sin r` after `r^13` is below `|r| 2^-83/15! < 2^-123 |r|`, of `cos r` after
 //! `r^12` below `2^-83/14! < 2^-119`. The innermost terms, `1/9! - y/11! + y²/13!` and `1/8! - y/10! + y²/12!`, are
@@ -89,12 +88,13 @@ impl SinePoint {
         Self { rad: (rounded - ROUNDING) / 32.0, row }
     }
 
-    /// Tells whether sine and cosine of the double `x`, found from this point, are within [`ERROR`](Self::ERROR) of the
-    /// truth.
+    /// Tells whether sine and cosine of a double-double led by `x`, found from this point, are within
+    /// [`ERROR`](Self::ERROR) of the truth.
     #[inline(always)]
     #[allow(clippy::manual_range_contains, reason = "a range decides in two steps")]
     pub fn reaches(&self, x: f64) -> bool {
-        (x >= 1.0 / 32.0) & (x <= LARGEST) & ((x - self.rad).abs() <= Self::REACH)
+        let is_exact = (self.rad == 0.0) | (x >= self.rad / 2.0);
+        (x >= 0.0) & (x <= LARGEST) & ((x - self.rad).abs() <= Self::REACH) & is_exact
     }
 
     /// The bound of the error of sine and cosine: `2^-103`.
@@ -128,7 +128,15 @@ impl SinePoint {
         (sin, cos)
     }
 
-    /// Sine and cosine of a double next to it, with no bound of their error: for candidates.
+    /// The bound of the error of sine and cosine in doubles: `2^-51`.
+    ///
+    /// With `u = 2^-53`, what is left out of `sin r` after `r^7` is below `2^-72`, of `cos r` after `r^6` below
+    /// `2^-62`. Of what is added to the entry of the table, which errs by `u`, no term is above `1/62`, and none errs by
+    /// more than `7 u` relative to it, so that all of it errs by less than `u/4`; the last sum errs by `u`.
+    pub const ERROR_IN_DOUBLES: f64 = 4.0 * (f64::EPSILON / 2.0);
+
+    /// Sine and cosine of a double that it [reaches](Self::reaches), within
+    /// [`ERROR_IN_DOUBLES`](Self::ERROR_IN_DOUBLES) of the truth; elsewhere they mean nothing.
     #[inline(always)]
     pub fn sin_cos_in_doubles(&self, x: f64) -> (f64, f64) {
         let [sin_k, _, cos_k, _] = self.row;
@@ -281,25 +289,34 @@ mod tests {
     fn a_point_keeps_the_bound_as_far_as_it_reaches() {
         let (mut words, mut shared) = (Words(1), 0);
         for _ in 0..100_000 {
-            let x = argument(&mut words).hi().abs();
+            let exact = argument(&mut words);
+            let exact = if exact.hi() < 0.0 { -exact } else { exact };
+            let x = exact.hi();
             let mut points = SinePoints::<3>::NONE;
             let shifts = [-1.0, 0.0, 1.0].map(|by| by * 6e-4);
             (0..3).for_each(|k| points.set(k, SinePoint::nearest((x + shifts[k]).max(0.0))));
             let reaching = (0..3).map(|k| points.get(k)).filter(|point| point.reaches(x));
             for point in reaching {
                 shared += usize::from(point.rad != SinePoint::nearest(x).rad);
-                let exact = DoubleDouble::exact(x);
-                let found = point.sin_cos(exact);
-                assert!(error(exact, found) < 1.0, "{x} from {}", point.rad);
+                for exact in [exact, DoubleDouble::exact(x)] {
+                    assert!(error(exact, point.sin_cos(exact)) < 1.0, "{x} from {}", point.rad);
+                }
                 let (sin, cos) = point.sin_cos_in_doubles(x);
-                assert!((sin - found.0.hi()).abs() < 1e-15 && (cos - found.1.hi()).abs() < 1e-15);
+                let truth = Float::with_val(BITS, x).sin_cos(Float::new(BITS));
+                let error = Float::with_val(53, truth.0 - sin)
+                    .abs()
+                    .max(&(Float::with_val(53, truth.1 - cos).abs()));
+                assert!(error < SinePoint::ERROR_IN_DOUBLES, "{x} from {}", point.rad);
             }
         }
         assert!(shared > 1000, "{shared}");
         let far = SinePoint::nearest(1.0);
         assert!(far.reaches(1.0) && !far.reaches(1.02) && !far.reaches(f64::NAN));
         assert!(!SinePoints::<1>::NONE.get(0).reaches(1.0));
-        assert!(!SinePoint::nearest(0.01).reaches(0.01));
+        assert!(
+            SinePoint::nearest(0.01).reaches(0.01) && !SinePoint::nearest(0.02).reaches(0.0155)
+        );
+        assert!(!SinePoint::nearest(0.0).reaches(-0.0078125));
     }
 
     #[test]

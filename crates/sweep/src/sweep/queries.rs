@@ -91,9 +91,12 @@ fn grid(
         Ok((weight, AxisNumber { text: ByteArray::from(text.as_str()), double, number }))
     };
     let enclosed = frictions.iter().map(|friction| SharedOpening::enclosed(&friction.number));
-    let (columns, enclosed) =
-        (columns.map(column).collect::<Result<_, String>>()?, enclosed.collect());
-    Ok(PartGrid { columns, frictions, enclosed })
+    let enclosed = enclosed.collect();
+    let columns = columns.map(column).collect::<Result<Vec<_>, String>>()?;
+    let opening =
+        |(_, at): &(_, AxisNumber<ExactNumber>)| SharedOpening::enclosed_opening(&at.number);
+    let openings = columns.iter().map(opening).collect();
+    Ok(PartGrid { columns, frictions, openings, enclosed })
 }
 
 fn sample(seed: u64, hard: bool, rows: &Range<u64>) -> Listed {

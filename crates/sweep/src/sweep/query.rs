@@ -1,7 +1,7 @@
 //! The rows of a part as they are asked.
 
 use crate::arch::SelfWeight;
-use crate::certify::batch::{BatchArches, SharedOpening, grouped};
+use crate::certify::batch::{BatchArches, LaneArch, SharedOpening, grouped};
 use crate::number::{DoubleDoubleBall, ExactNumber};
 use crate::problem::{Arch, Friction};
 use crate::report::GivenDoubles;
@@ -29,6 +29,8 @@ pub(super) enum PartArches {
 pub(super) struct PartGrid {
     pub columns: Vec<(SelfWeight, AxisNumber<ExactNumber>)>,
     pub frictions: Vec<AxisNumber<Friction>>,
+    /// The half openings in enclosures.
+    pub openings: Vec<DoubleDoubleBall>,
     /// The frictions in enclosures, the same for every half opening; none for those without a limit.
     pub enclosed: Vec<Option<DoubleDoubleBall>>,
 }
@@ -73,17 +75,32 @@ impl PartQueries {
 }
 
 impl BatchArches for PartQueries {
-    fn openings(&self) -> Vec<Vec<usize>> {
+    fn count(&self) -> usize {
+        self.len()
+    }
+
+    fn openings(&self, rows: &[usize]) -> Vec<Vec<usize>> {
         match &self.arches {
-            PartArches::Grid(PartGrid { columns, frictions, .. }) => {
-                let rows = |column: usize| column * frictions.len()..(column + 1) * frictions.len();
-                (0..columns.len()).map(|column| rows(column).collect()).collect()
+            PartArches::Grid(PartGrid { frictions, .. }) => {
+                grouped(rows, |row| Some(row / frictions.len()))
+            }
+            PartArches::Listed(listed) => grouped(rows, |row| {
+                Some((listed.arches[row].as_ref().ok()?.weight(), listed.texts[1].of(row)))
+            }),
+        }
+    }
+
+    fn in_lanes(&self, row: usize) -> Option<(SelfWeight, LaneArch)> {
+        match &self.arches {
+            PartArches::Grid(PartGrid { columns, frictions, openings, enclosed }) => {
+                let (weight, _) = &columns[row / frictions.len()];
+                Some((*weight, (openings[row / frictions.len()], enclosed[row % frictions.len()])))
             }
             PartArches::Listed(listed) => {
-                let key = |(row, arch): (usize, &Result<Arch, String>)| {
-                    Some((arch.as_ref().ok()?.weight(), listed.texts[1].of(row)))
-                };
-                grouped(listed.arches.iter().enumerate().map(key))
+                let arch = listed.arches[row].as_ref().ok()?;
+                let half_opening = SharedOpening::enclosed_opening(arch.half_opening());
+                let friction = SharedOpening::enclosed(arch.friction());
+                Some((arch.weight(), (half_opening, friction)))
             }
         }
     }

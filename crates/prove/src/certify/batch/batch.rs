@@ -1,9 +1,12 @@
 //! The one way in which arches that are there are answered: those of one half opening together.
 
+use super::in_lanes;
 use super::opening::{PAYS_FROM, SharedOpening};
 use super::row::{BatchRow, RowValue, RowVerdict};
+use crate::arch::SelfWeight;
 use crate::certify::asymmetric_thickness::asymmetric_thicknesses;
 use crate::certify::state::{Answer, Balls, Figure};
+use crate::lanes::LaneArch;
 use crate::number::{DoubleDoubleBall, ExactNumber};
 use crate::problem::{Arch, Quantity};
 use crate::prover::Error;
@@ -27,8 +30,15 @@ pub struct Batch {
 
 /// Arches of a batch, by rows.
 pub trait BatchArches: Sync {
-    /// The rows of each half opening and weight: every row once.
-    fn openings(&self) -> Vec<Vec<usize>>;
+    /// Number of rows.
+    fn count(&self) -> usize;
+
+    /// Those of some rows that have one half opening and weight, for each of these: every row once.
+    fn openings(&self, rows: &[usize]) -> Vec<Vec<usize>>;
+
+    /// The weight of a row, with its half opening and friction in enclosures, where its numbers are known; these need
+    /// not be those of an arch.
+    fn in_lanes(&self, row: usize) -> Option<(SelfWeight, LaneArch)>;
 
     /// The arch of a row, or why there is none.
     fn arch(&self, row: usize) -> Result<Cow<'_, Arch>, String>;
@@ -37,11 +47,12 @@ pub trait BatchArches: Sync {
     fn friction(&self, row: usize) -> Option<DoubleDoubleBall>;
 }
 
-/// Rows by their keys; each row without a key is by itself.
-pub fn grouped<K: Eq + Hash>(keys: impl Iterator<Item = Option<K>>) -> Vec<Vec<usize>> {
+/// Some rows by their keys; each row without a key is by itself.
+pub fn grouped<K: Eq + Hash>(rows: &[usize], key: impl Fn(usize) -> Option<K>) -> Vec<Vec<usize>> {
     let (mut groups, mut place_of) = (Vec::new(), HashMap::new());
-    for (row, key) in keys.enumerate() {
-        let place = key.map_or(groups.len(), |key| *place_of.entry(key).or_insert(groups.len()));
+    for &row in rows {
+        let place =
+            key(row).map_or(groups.len(), |key| *place_of.entry(key).or_insert(groups.len()));
         match groups.get_mut(place) {
             None => groups.push(vec![row]),
             Some(group) => group.push(row),
@@ -83,10 +94,26 @@ impl Batch {
         self.quantities.iter().any(|of| of.is_friction())
     }
 
-    /// Rows of states, at the least thickness. In one thread the proofs of one half opening are held at a time.
+    /// Rows of states, at the least thickness: first those that are proved many at a time, then the others, with the
+    /// proofs of one half opening at a time.
     pub fn states(&self, arches: &impl BatchArches, threads: Threads) -> Vec<Arc<BatchRow>> {
+        let mut all = in_lanes::rows(self, arches, threads);
+        let open: Vec<usize> = (0..all.len()).filter(|row| all[*row].is_none()).collect();
+        for (row, found) in self.by_openings(&open, arches, threads) {
+            all[row] = Some(found);
+        }
+        all.into_iter().flatten().collect()
+    }
+
+    /// Some rows of states, each with its place.
+    pub(super) fn by_openings(
+        &self,
+        rows: &[usize],
+        arches: &impl BatchArches,
+        threads: Threads,
+    ) -> Vec<(usize, Arc<BatchRow>)> {
         let pays = |rows: &Vec<usize>| rows.len() >= PAYS_FROM;
-        let (mut groups, few): (Vec<_>, Vec<_>) = arches.openings().into_iter().partition(pays);
+        let (mut groups, few): (Vec<_>, Vec<_>) = arches.openings(rows).into_iter().partition(pays);
         let shared = groups.len();
         groups.push(few.concat());
         let places: Vec<usize> = (0..groups.len()).collect();
@@ -99,9 +126,7 @@ impl Batch {
             threads.each(&pieces, |rows| self.piece(rows, arches, opening.as_ref()))
         });
         let found = found.into_iter().flatten().flatten();
-        let mut all = vec![None; groups.iter().map(Vec::len).sum()];
-        groups.iter().flatten().zip(found).for_each(|(row, found)| all[*row] = Some(found));
-        all.into_iter().flatten().collect()
+        groups.iter().flatten().copied().zip(found).collect()
     }
 
     /// Some rows, which may be those of one half opening; those that follow each other and have one answer share

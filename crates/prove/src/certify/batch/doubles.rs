@@ -4,10 +4,10 @@
 
 use super::batch::{Batch, BatchArches, Threads, grouped};
 use super::opening::SharedOpening;
-use super::rotational::rotational;
 use super::row::BatchRow;
 use crate::arch::SelfWeight;
-use crate::number::{DoubleDoubleBall, ExactNumber};
+use crate::lanes::LaneArch;
+use crate::number::{DoubleDouble, DoubleDoubleBall, ExactNumber};
 use crate::problem::{Arch, Friction, Quantity};
 use crate::prover::Refused;
 use std::borrow::Cow;
@@ -83,31 +83,27 @@ impl DoubleArches<'_> {
         };
         quantities.iter().try_for_each(|of| Refused::quantity(*of, possible))?;
         let batch = Batch { quantities: quantities.to_vec(), digits: DIGITS, has_texts: false };
-        let Some(etas) = self.thicknesses else { return Ok(self.states(&batch)) };
+        let Some(etas) = self.thicknesses else { return Ok(batch.states(self, Threads::Pool)) };
         let rows: Vec<usize> = (0..etas.len()).collect();
         let asked = |row: usize| Ok((self.arch(row)?.into_owned(), exact(etas[row])?));
         Ok(Threads::Pool.each(&rows, |row| Arc::new(batch.assessment(asked(*row)))))
     }
-
-    /// Rows of states: first those that are proved many at a time, then the others.
-    fn states(&self, batch: &Batch) -> Vec<Arc<BatchRow>> {
-        let given = [self.half_openings, self.frictions];
-        let found = rotational(self.weight, given, &batch.quantities, Threads::Pool);
-        let of_others = |all: &[f64]| {
-            let others = found.iter().zip(all).filter(|(row, _)| row.is_none());
-            others.map(|(_, x)| *x).collect::<Vec<f64>>()
-        };
-        let [half_openings, frictions] = &given.map(of_others);
-        let weight = self.weight;
-        let others = DoubleArches { weight, half_openings, frictions, thicknesses: None };
-        let mut others = batch.states(&others, Threads::Pool).into_iter();
-        found.into_iter().filter_map(|row| row.or_else(|| others.next())).collect()
-    }
 }
 
 impl BatchArches for DoubleArches<'_> {
-    fn openings(&self) -> Vec<Vec<usize>> {
-        grouped(self.half_openings.iter().map(|alpha| Some(alpha.to_bits())))
+    fn count(&self) -> usize {
+        self.half_openings.len()
+    }
+
+    fn openings(&self, rows: &[usize]) -> Vec<Vec<usize>> {
+        grouped(rows, |row| Some(self.half_openings[row].to_bits()))
+    }
+
+    fn in_lanes(&self, row: usize) -> Option<(SelfWeight, LaneArch)> {
+        let number = |x: f64| DoubleDoubleBall::exact(DoubleDouble::exact(x));
+        let [alpha, mu] = [self.half_openings[row], self.frictions[row]];
+        let friction = (mu != f64::INFINITY).then(|| number(mu));
+        Some((self.weight, (number(alpha), friction)))
     }
 
     fn arch(&self, row: usize) -> Result<Cow<'_, Arch>, String> {
@@ -126,7 +122,7 @@ impl BatchArches for DoubleArches<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::RowVerdict;
+    use super::super::{RowVerdict, in_lanes};
     use super::*;
     use crate::certify::asymmetric_thicknesses;
     use crate::certify::state::Certify;
@@ -196,16 +192,17 @@ mod tests {
         let arches = DoubleArches { weight, half_openings, frictions, thicknesses: None };
         let found = arches.rows(&quantities).unwrap();
         let batch = Batch { quantities, digits: DIGITS, has_texts: false };
-        let expected = batch.states(&arches, Threads::Pool);
+        let rows: Vec<usize> = (0..half_openings.len()).collect();
+        let mut expected = batch.by_openings(&rows, &arches, Threads::Pool);
+        expected.sort_by_key(|(row, _)| *row);
         assert_eq!(found.len(), expected.len());
-        for (row, (found, expected)) in found.iter().zip(&expected).enumerate() {
+        for (row, (found, (_, expected))) in found.iter().zip(&expected).enumerate() {
             let [alpha, mu] = [half_openings[row], frictions[row]];
             let bits = |row| bits(std::slice::from_ref(row));
             assert_eq!(bits(found), bits(expected), "{weight:?} {alpha:e} {mu:e}");
             assert_eq!(found.reason, expected.reason, "{alpha:e} {mu:e}");
         }
-        let given = [half_openings, frictions];
-        rotational(weight, given, &batch.quantities, Threads::One).iter().flatten().count()
+        in_lanes::rows(&batch, &arches, Threads::One).iter().flatten().count()
     }
 
     /// Half openings and frictions all over the map, in no order; every fourth without friction's limit.

@@ -7,17 +7,18 @@
 //! | `opening` | many frictions of one half opening, which share its proofs |
 //! | `openings` | arches as they come, which do so where a half opening comes again |
 //! | `batch` | arches that are there, answered as rows |
-//! | `rotational` | arches that collapse by rotation alone, proved many at a time |
+//! | `in_lanes` | rows that are proved many at a time |
 //! | `doubles` | arches in arrays of doubles |
 
 #[allow(clippy::module_inception, reason = "the folder is named after what it answers")]
 mod batch;
 mod doubles;
+mod in_lanes;
 mod opening;
 mod openings;
-mod rotational;
 mod row;
 
+pub use crate::lanes::LaneArch;
 pub use batch::{Batch, BatchArches, Threads, grouped};
 pub use doubles::DoubleArches;
 pub use opening::SharedOpening;

@@ -160,6 +160,11 @@ impl SharedOpening {
         }
     }
 
+    /// A half opening as it goes into lanes.
+    pub fn enclosed_opening(half_opening: &ExactNumber) -> DoubleDoubleBall {
+        half_opening.enclosure(DOUBLE_DOUBLE)
+    }
+
     /// A friction that is a double, as openings compare it with their own; none says nothing.
     pub(super) fn enclosed_double(friction: f64) -> Option<DoubleDoubleBall> {
         // Far below that their parts would be out of range.

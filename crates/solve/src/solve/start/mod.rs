@@ -27,7 +27,7 @@ pub use rotation::{
 pub use scale::Start;
 pub use scaled::{scaled_largest_thrust, scaled_shoulder_sliding, scaled_sliding};
 pub use sliding::{inner_sliding, sliding};
-pub use touch::{InnerStart, largest_thrust, rotational_sliding};
+pub use touch::{InnerStart, largest_thrust, rotational_sliding, touching_square_below};
 pub use wide::{
     tangent_joint, widest_rotational, widest_sliding, widest_touching, widest_without_sliding,
 };

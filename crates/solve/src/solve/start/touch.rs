@@ -3,6 +3,7 @@
 //! At a joint (5) fixes the thrust for a thickness and the thickness for a thrust. What (3) leaves is then a
 //! function of the joint alone.
 
+use crate::arch::haunch::Haunch;
 use crate::arch::{Ring, SelfWeight, thrust};
 use crate::number::Angle;
 use crate::solve::zero::{quadratic_zero, zero};
@@ -66,6 +67,18 @@ pub fn rotational_sliding(weight: SelfWeight, alpha: f64, h: f64) -> InnerStart 
     let ring = |joint: &Angle<f64>| touched_ring(weight, joint.times_cotangent(), h);
     let joint = joint_where(touching_square(h), |joint| gap(joint, &ring(joint)));
     InnerStart { thickness: ring(&joint).thickness, joint: Some(joint.rad), is_near_crown }
+}
+
+/// A candidate: the square of the joint at which the line of thrust touches the intrados, at a half opening (rad) and a
+/// thrust; negative where it would do so beyond the crown.
+pub fn touching_square_below(weight: SelfWeight, alpha: f64, h: f64) -> f64 {
+    let opening = Angle::new(alpha);
+    zero(-1.0, touching_square(h), |square| {
+        let at = Haunch::at_square(&square);
+        let of_joint = [&at.cosine, &at.times_sine, &at.times_cotangent];
+        let thickness = thrust::touched_below(&opening, of_joint, &h).value();
+        thrust::tangency(&at.times_cotangent, &Ring::new(weight, &thickness)).residual(&h)
+    })
 }
 
 /// A candidate: `beta_r` (rad), `h` of the largest thrust that a thickness bears with the line of thrust

@@ -1,0 +1,42 @@
+//! An answer to an arch that is proved.
+
+use crate::number::DoubleDoubleBall;
+use crate::problem::Mode;
+
+/// What is proved of an arch.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub enum LaneAnswer {
+    /// The arch falls whatever its thickness.
+    Falls,
+    /// The arch stands from a least thickness on.
+    Stands(LaneState),
+}
+
+/// The state at the least thickness of an arch, in enclosures.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub struct LaneState {
+    /// Mode of its collapse.
+    pub mode: Mode,
+    /// `eta`.
+    pub thickness: DoubleDoubleBall,
+    /// `h`.
+    pub thrust: DoubleDoubleBall,
+    /// `eta h`.
+    pub intrinsic_thrust: DoubleDoubleBall,
+    /// `beta_r`, rad.
+    pub rotation_joint: DoubleDoubleBall,
+    /// `beta_s`, rad, if an inner joint slides.
+    pub sliding_joint: Option<DoubleDoubleBall>,
+}
+
+/// The frictions of a half opening at which the mode changes, as far as they are proved.
+#[derive(Clone, Copy, Debug, Default)]
+#[non_exhaustive]
+pub struct LaneFrictions {
+    /// The friction below which no arch of the half opening stands.
+    pub sliding: Option<DoubleDoubleBall>,
+    /// The friction from which collapse is purely rotational; of a half opening that does not rotate there is no proof.
+    pub rotational: Option<DoubleDoubleBall>,
+}
