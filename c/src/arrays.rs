@@ -6,7 +6,7 @@ use crate::border::{Array, answered, apart, optional, text};
 use crate::failure::Failure;
 use crate::texts::exact;
 use crate::threads::{checked, on_threads};
-use couplet::certify::batch::{BatchRow, DoubleArches, RowVerdict};
+use couplet::certify::batch::{BatchColumns, DoubleArches, RowVerdict};
 use couplet::certify::state::Certify;
 use couplet::problem::Quantity;
 use couplet::report;
@@ -14,7 +14,6 @@ use couplet::sweep::parse;
 use std::ffi::{c_char, c_int};
 use std::mem::MaybeUninit;
 use std::ops::Range;
-use std::sync::Arc;
 
 /// As many rows are answered before they are written: half openings that occur often are counted among these.
 const ROWS: usize = 1 << 16;
@@ -121,23 +120,25 @@ impl Written<'_> {
                 thicknesses: arches.thicknesses.map(|etas| &etas[rows.clone()]),
                 ..*arches
             };
-            self.write(rows, &piece.rows(of).map_err(wrong)?, &mut open);
+            self.write(rows, &piece.columns(of).map_err(wrong)?, &mut open);
         }
         Ok(open)
     }
 
-    fn write(&mut self, rows: Range<usize>, found: &[Arc<BatchRow>], open: &mut Open) {
+    fn write(&mut self, rows: Range<usize>, found: &BatchColumns, open: &mut Open) {
         let count = self.verdict.len();
-        for (at, row) in rows.zip(found) {
-            self.verdict[at].write(row.verdict as u8);
-            if let Some(mode) = self.mode.get_mut(at) {
-                mode.write(row.mode_code());
-            }
-            let doubles = (0..row.values.len()).flat_map(|place| row.doubles(place));
-            for (column, x) in doubles.enumerate() {
-                self.values[column * count + at].write(x);
-            }
-            open.count(at, row.verdict);
+        for (at, verdict) in rows.clone().zip(&found.verdicts) {
+            self.verdict[at].write(*verdict as u8);
+            open.count(at, *verdict);
+        }
+        for (place, code) in self.mode.iter_mut().skip(rows.start).zip(&found.modes) {
+            place.write(*code);
+        }
+        for (column, values) in found.values.iter().flatten().enumerate() {
+            let places = &mut self.values[column * count + rows.start..];
+            places.iter_mut().zip(values).for_each(|(place, x)| {
+                place.write(*x);
+            });
         }
     }
 }

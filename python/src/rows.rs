@@ -4,7 +4,7 @@ use crate::pool::on_threads;
 use crate::{CoupletError, asked};
 use couplet::Error;
 use couplet::ask::{ArchAsked, Field, Spelling};
-use couplet::certify::batch::{BatchRow, DoubleArches};
+use couplet::certify::batch::DoubleArches;
 use couplet::certify::state::find;
 use couplet::problem::Quantity;
 use couplet::report::Answer;
@@ -17,6 +17,12 @@ use rayon::prelude::*;
 /// The doubles of an array, in the order of bytes of this machine.
 fn doubles(bytes: &[u8]) -> Vec<f64> {
     bytes.as_chunks().0.iter().map(|bytes| f64::from_ne_bytes(*bytes)).collect()
+}
+
+/// Doubles as the bytes of an array.
+fn bytes<'py>(py: Python<'py>, values: &[f64]) -> Bound<'py, PyBytes> {
+    let bytes: Vec<u8> = values.iter().flat_map(|x| x.to_ne_bytes()).collect();
+    PyBytes::new(py, &bytes)
 }
 
 /// Verdicts, modes, and for each quantity the nearest doubles with their bounds, as bytes of arrays.
@@ -45,19 +51,14 @@ pub(crate) fn states<'py>(
             frictions: &frictions,
             thicknesses: thicknesses.as_deref(),
         };
-        arches.rows(&quantities)
+        arches.columns(&quantities)
     };
-    let rows = on_threads(py, threads, answer)?;
-    let rows = rows.map_err(|refused| CoupletError::new_err(refused.to_string()))?;
-    let codes = |code: fn(&BatchRow) -> u8| {
-        PyBytes::new(py, &rows.iter().map(|row| code(row)).collect::<Vec<u8>>())
-    };
-    let column = |quantity: usize, bound: usize| {
-        let bytes = rows.iter().flat_map(|row| row.doubles(quantity)[bound].to_ne_bytes());
-        PyBytes::new(py, &bytes.collect::<Vec<u8>>())
-    };
-    let values = (0..names.len()).map(|quantity| [0, 1, 2].map(|bound| column(quantity, bound)));
-    Ok((codes(|row| row.verdict as u8), codes(BatchRow::mode_code), values.collect()))
+    let columns = on_threads(py, threads, answer)?;
+    let columns = columns.map_err(|refused| CoupletError::new_err(refused.to_string()))?;
+    let verdicts: Vec<u8> = columns.verdicts.iter().map(|verdict| *verdict as u8).collect();
+    let column = |values: &Vec<f64>| bytes(py, values);
+    let values = columns.values.iter().map(|bounds| bounds.each_ref().map(column));
+    Ok((PyBytes::new(py, &verdicts), PyBytes::new(py, &columns.modes), values.collect()))
 }
 
 /// Digits with which the nearest double is told.

@@ -5,7 +5,6 @@ use crate::problem::Mode;
 
 /// What is proved of an arch.
 #[derive(Clone, Copy, Debug)]
-#[non_exhaustive]
 pub enum LaneAnswer {
     /// The arch falls whatever its thickness.
     Falls,

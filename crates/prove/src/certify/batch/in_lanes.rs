@@ -15,74 +15,101 @@ use std::sync::Arc;
 const FEW: usize = 64;
 
 /// Rows that are one piece of work.
-const PIECE: usize = 4096;
+const PIECE: usize = 2048;
 
 /// With so many digits a row is what its doubles tell.
 const OF_A_DOUBLE: usize = 17;
 
-/// The rows of a batch, in the order of the arches; `None` where nothing is proved, or not all that is asked.
-pub(super) fn rows(
+/// An answer with its place among the rows.
+pub(super) struct Answered {
+    pub(super) row: usize,
+    answer: LaneAnswer,
+    frictions: LaneFrictions,
+    half_opening: DoubleDoubleBall,
+}
+
+/// What is made of the answers of each piece of the rows of a batch, in their order; nothing where these would not be
+/// rows. Of an answer not all that is asked may be known.
+pub(super) fn pieces<T: Send>(
     batch: &Batch,
     arches: &impl BatchArches,
     threads: Threads,
-) -> Vec<Option<Arc<BatchRow>>> {
-    let mut all = vec![None; arches.count()];
+    made: impl Fn(&[Answered]) -> T + Send + Sync,
+) -> Vec<T> {
     let is_known = |of: &Quantity| *of != Quantity::AsymmetricThickness;
     let are_doubles = !batch.has_texts && batch.digits <= OF_A_DOUBLE;
-    if all.len() < FEW || !are_doubles || !batch.quantities.iter().all(is_known) {
-        return all;
+    let count = arches.count();
+    if count < FEW || !are_doubles || !batch.quantities.iter().all(is_known) {
+        return Vec::new();
     }
-    let mut of_weights = SelfWeight::ALL.map(|weight| (weight, Vec::new()));
-    for row in 0..all.len() {
-        if let Some((weight, arch)) = arches.in_lanes(row)
-            && let Some((_, rows)) = of_weights.iter_mut().find(|(of, _)| *of == weight)
-        {
-            rows.push((row, arch));
+    let starts: Vec<usize> = (0..count).step_by(PIECE).collect();
+    threads.each(&starts, |start| {
+        let mut answers = Vec::with_capacity(PIECE);
+        for weight in SelfWeight::ALL {
+            let of_weight = |row: usize| {
+                let (of, arch) = arches.in_lanes(row)?;
+                (of == weight).then_some((row, arch))
+            };
+            let rows = (*start..count.min(start + PIECE)).filter_map(of_weight);
+            let (rows, arches): (Vec<usize>, Vec<LaneArch>) = rows.unzip();
+            answer(batch, weight, &rows, &arches, &mut answers);
         }
-    }
-    let pieces: Vec<_> = of_weights
-        .iter()
-        .flat_map(|(weight, rows)| rows.chunks(PIECE).map(|rows| (*weight, rows)))
-        .collect();
-    let found = threads.each(&pieces, |(weight, rows)| piece(batch, *weight, rows));
-    for ((_, rows), found) in pieces.iter().zip(found) {
-        rows.iter().zip(found).for_each(|((row, _), found)| all[*row] = found);
-    }
-    all
+        made(&answers)
+    })
 }
 
-fn piece(
+fn answer(
     batch: &Batch,
     weight: SelfWeight,
-    rows: &[(usize, LaneArch)],
-) -> Vec<Option<Arc<BatchRow>>> {
+    rows: &[usize],
+    arches: &[LaneArch],
+    answers: &mut Vec<Answered>,
+) {
     let width = Width::widest();
-    let arches: Vec<LaneArch> = rows.iter().map(|(_, arch)| *arch).collect();
-    let answers = width.states(weight, &arches);
+    let found = width.states(weight, arches);
     let frictions = match batch.has_frictions() {
         true => {
             let half_openings: Vec<_> = arches.iter().map(|(alpha, _)| *alpha).collect();
             width.frictions(weight, &half_openings)
         }
-        false => vec![LaneFrictions::default(); rows.len()],
+        false => Vec::new(),
     };
-    let mut last: Option<(LastRow, Arc<BatchRow>)> = None;
-    let row = |((arch, answer), frictions): ((&LaneArch, Option<LaneAnswer>), &LaneFrictions)| {
-        let answer = answer?;
-        // At one half opening a rotational state does not depend on the friction, nor does a fall.
-        let key = LastRow::new(arch, &answer);
-        if let Some((of, row)) = &last
-            && key.as_ref() == Some(of)
-        {
-            return Some(Arc::clone(row));
+    for (place, (row, answer)) in rows.iter().zip(found).enumerate() {
+        if let Some(answer) = answer {
+            let frictions = frictions.get(place).copied().unwrap_or_default();
+            answers.push(Answered { row: *row, answer, frictions, half_opening: arches[place].0 });
         }
-        let row = Arc::new(of_answer(&answer, frictions, &batch.quantities)?);
-        if let Some(key) = key {
-            last = Some((key, Arc::clone(&row)));
-        }
-        Some(row)
+    }
+}
+
+/// The rows of a batch, in the order of the arches; `None` where not all that is asked is proved.
+pub(super) fn rows(
+    batch: &Batch,
+    arches: &impl BatchArches,
+    threads: Threads,
+) -> Vec<Option<Arc<BatchRow>>> {
+    let made = |answers: &[Answered]| {
+        let mut last: Option<(LastRow, Arc<BatchRow>)> = None;
+        let row = |answered: &Answered| {
+            // At one half opening a rotational state does not depend on the friction, nor does a fall.
+            let key = LastRow::new(answered);
+            if let Some((of, row)) = &last
+                && key.as_ref() == Some(of)
+            {
+                return Some((answered.row, Arc::clone(row)));
+            }
+            let row = Arc::new(answered.as_row(&batch.quantities)?);
+            if let Some(key) = key {
+                last = Some((key, Arc::clone(&row)));
+            }
+            Some((answered.row, row))
+        };
+        answers.iter().filter_map(row).collect::<Vec<_>>()
     };
-    arches.iter().zip(answers).zip(&frictions).map(row).collect()
+    let mut all = vec![None; arches.count()];
+    let found = pieces(batch, arches, threads, made).into_iter().flatten();
+    found.for_each(|(row, found)| all[row] = Some(found));
+    all
 }
 
 /// What a row depends on that does not depend on its friction.
@@ -93,57 +120,74 @@ struct LastRow {
 }
 
 impl LastRow {
-    fn new((alpha, _): &LaneArch, answer: &LaneAnswer) -> Option<Self> {
+    fn new(Answered { answer, half_opening, .. }: &Answered) -> Option<Self> {
         let falls = match answer {
             LaneAnswer::Falls => true,
             LaneAnswer::Stands(state) if state.mode == Mode::Rotational => false,
             _ => return None,
         };
-        let half_opening = [alpha.mid().hi(), alpha.mid().lo()].map(f64::to_bits);
-        Some(Self { half_opening, falls })
+        let mid = half_opening.mid();
+        Some(Self { half_opening: [mid.hi(), mid.lo()].map(f64::to_bits), falls })
     }
 }
 
-/// The row of an answer; `None` where a double is not decided.
-fn of_answer(
-    answer: &LaneAnswer,
-    frictions: &LaneFrictions,
-    quantities: &[Quantity],
-) -> Option<BatchRow> {
-    use Quantity as Q;
-    let (verdict, mode, state) = match answer {
-        LaneAnswer::Stands(state) => (RowVerdict::Stands, Some(state.mode), Some(state)),
-        LaneAnswer::Falls => (RowVerdict::Falls, None, None),
-        _ => return None,
-    };
-    let of_state = |of: fn(&LaneState) -> &DoubleDoubleBall| {
-        state.map_or(Some(None), |state| shown(of(state)))
-    };
-    let value = |of: &Quantity| match of {
-        Q::Thickness => of_state(|state| &state.thickness),
-        Q::Thrust => of_state(|state| &state.thrust),
-        Q::IntrinsicThrust => of_state(|state| &state.intrinsic_thrust),
-        Q::RotationJoint => of_state(|state| &state.rotation_joint),
-        Q::SlidingJoint => match state.and_then(|state| state.sliding_joint.as_ref()) {
-            Some(joint) => shown(joint),
-            None => Some(None),
-        },
-        Q::SlidingFriction => shown(frictions.sliding.as_ref()?),
-        Q::RotationalFriction if state.is_none() => Some(None),
-        Q::RotationalFriction => shown(frictions.rotational.as_ref()?),
-        _ => None,
-    };
-    let values = quantities.iter().map(value).collect::<Option<Vec<_>>>()?;
-    Some(BatchRow { verdict, mode, values, reason: None })
+/// No number with its bounds: there is none.
+const NONE: [f64; 3] = [f64::NAN; 3];
+
+impl Answered {
+    /// Verdict and mode of the row.
+    pub(super) fn verdict(&self) -> (RowVerdict, Option<Mode>) {
+        match self.answer {
+            LaneAnswer::Stands(state) => (RowVerdict::Stands, Some(state.mode)),
+            LaneAnswer::Falls => (RowVerdict::Falls, None),
+        }
+    }
+
+    /// The nearest double of a quantity with its bounds, not a number where there is no value; `None` where it is not
+    /// decided.
+    pub(super) fn doubles(&self, of: Quantity) -> Option<[f64; 3]> {
+        use Quantity as Q;
+        let state = match &self.answer {
+            LaneAnswer::Stands(state) => Some(state),
+            LaneAnswer::Falls => None,
+        };
+        let of_state = |of: fn(&LaneState) -> &DoubleDoubleBall| {
+            state.map_or(Some(NONE), |state| doubles(of(state)))
+        };
+        match of {
+            Q::Thickness => of_state(|state| &state.thickness),
+            Q::Thrust => of_state(|state| &state.thrust),
+            Q::IntrinsicThrust => of_state(|state| &state.intrinsic_thrust),
+            Q::RotationJoint => of_state(|state| &state.rotation_joint),
+            Q::SlidingJoint => {
+                state.and_then(|state| state.sliding_joint).map_or(Some(NONE), |x| doubles(&x))
+            }
+            Q::SlidingFriction => doubles(self.frictions.sliding.as_ref()?),
+            Q::RotationalFriction if state.is_none() => Some(NONE),
+            Q::RotationalFriction => doubles(self.frictions.rotational.as_ref()?),
+            _ => None,
+        }
+    }
+
+    /// The row, if each double is decided.
+    fn as_row(&self, quantities: &[Quantity]) -> Option<BatchRow> {
+        let (verdict, mode) = self.verdict();
+        let value = |of: &Quantity| {
+            let [double, lower, upper] = self.doubles(*of)?;
+            let value = RowValue { double, bounds: [lower, upper], text: None };
+            Some((!double.is_nan()).then_some(value))
+        };
+        let values = quantities.iter().map(value).collect::<Option<Vec<_>>>()?;
+        Some(BatchRow { verdict, mode, values, reason: None })
+    }
 }
 
-/// The value of a row, if its double is decided.
-fn shown(ball: &DoubleDoubleBall) -> Option<Option<RowValue>> {
-    let zero = ball.mid().hi() == 0.0 && ball.rad() == 0.0;
-    let (double, bounds) = match Binary::of_double_double(ball) {
-        Some((double, binary)) => (double, binary.bounds()),
-        None if zero => (0.0, [0.0; 2]),
-        None => return None,
-    };
-    Some(Some(RowValue { double, bounds, text: None }))
+/// The nearest double of a number with its bounds, if they are decided.
+fn doubles(ball: &DoubleDoubleBall) -> Option<[f64; 3]> {
+    if ball.mid().hi() == 0.0 && ball.rad() == 0.0 {
+        return Some([0.0; 3]);
+    }
+    let (double, binary) = Binary::of_double_double(ball)?;
+    let [lower, upper] = binary.bounds();
+    Some([double, lower, upper])
 }

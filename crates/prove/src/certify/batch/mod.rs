@@ -7,11 +7,13 @@
 //! | `opening` | many frictions of one half opening, which share its proofs |
 //! | `openings` | arches as they come, which do so where a half opening comes again |
 //! | `batch` | arches that are there, answered as rows |
+//! | `columns` | rows by columns |
 //! | `in_lanes` | rows that are proved many at a time |
 //! | `doubles` | arches in arrays of doubles |
 
 #[allow(clippy::module_inception, reason = "the folder is named after what it answers")]
 mod batch;
+mod columns;
 mod doubles;
 mod in_lanes;
 mod opening;
@@ -20,6 +22,7 @@ mod row;
 
 pub use crate::lanes::LaneArch;
 pub use batch::{Batch, BatchArches, Threads, grouped};
+pub use columns::BatchColumns;
 pub use doubles::DoubleArches;
 pub use opening::SharedOpening;
 pub use openings::SharedOpenings;

@@ -51,8 +51,7 @@ pub struct RowValue {
 impl BatchRow {
     /// The place of the mode in [`Mode::ALL`]; 255 where there is none.
     pub fn mode_code(&self) -> u8 {
-        let place = self.mode.and_then(|mode| Mode::ALL.iter().position(|of| *of == mode));
-        place.and_then(|place| u8::try_from(place).ok()).unwrap_or(u8::MAX)
+        mode_code(self.mode)
     }
 
     /// The nearest double of a quantity, by its place, with its bounds; not a number where there is no value.
@@ -62,6 +61,12 @@ impl BatchRow {
             None => [f64::NAN; 3],
         }
     }
+}
+
+/// The place of a mode in [`Mode::ALL`]; 255 where there is none.
+pub(super) fn mode_code(mode: Option<Mode>) -> u8 {
+    let place = mode.and_then(|mode| Mode::ALL.iter().position(|of| *of == mode));
+    place.and_then(|place| u8::try_from(place).ok()).unwrap_or(u8::MAX)
 }
 
 impl RowValue {
