@@ -11,7 +11,7 @@ use cpu_time::ThreadTime;
 use std::hint::black_box;
 
 const ARCHES: usize = 65_536;
-const PIECE: usize = 2048;
+const PIECE: usize = 1024;
 const ROUNDS: usize = 11;
 const M: SelfWeight = SelfWeight::Milankovitch;
 

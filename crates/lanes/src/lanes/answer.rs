@@ -30,12 +30,21 @@ pub struct LaneState {
     pub sliding_joint: Option<DoubleDoubleBall>,
 }
 
+/// A friction from which something holds.
+#[derive(Clone, Copy, Debug)]
+pub enum FromFriction {
+    /// From this one on.
+    From(DoubleDoubleBall),
+    /// None is enough.
+    Never,
+}
+
 /// The frictions of a half opening at which the mode changes, as far as they are proved.
 #[derive(Clone, Copy, Debug, Default)]
 #[non_exhaustive]
 pub struct LaneFrictions {
     /// The friction below which no arch of the half opening stands.
     pub sliding: Option<DoubleDoubleBall>,
-    /// The friction from which collapse is purely rotational; of a half opening that does not rotate there is no proof.
-    pub rotational: Option<DoubleDoubleBall>,
+    /// The friction from which collapse is purely rotational, infinite where none is enough.
+    pub rotational: Option<FromFriction>,
 }

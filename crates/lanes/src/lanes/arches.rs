@@ -3,7 +3,7 @@
 //! Which proof an arch goes through is chosen by candidates; what is proved does not depend on that, as a state that is
 //! proved is the only one.
 
-use super::answer::{LaneAnswer, LaneFrictions, LaneState};
+use super::answer::{FromFriction, LaneAnswer, LaneFrictions, LaneState};
 use super::crown::{Crown, TooWide};
 use super::inner::Inner;
 use super::piece::Proof;
@@ -20,13 +20,8 @@ use std::ops::RangeInclusive;
 /// A half opening, rad, and a friction, `None` if it is unlimited, in enclosures.
 pub type LaneArch = (DoubleDoubleBall, Option<DoubleDoubleBall>);
 
-/// A purely rotational state, with the frictions that it asks for at the shoulder and inside.
-#[derive(Clone, Copy)]
-struct Rotating {
-    state: LaneState,
-    at_shoulder: DoubleDoubleBall,
-    inside: DoubleDoubleBall,
-}
+/// What [`Rotation`] proves of a half opening: last the frictions that it asks for at the shoulder and inside.
+type Rotating = [DoubleDoubleBall; 6];
 
 /// Arches of a weight that are asked together.
 struct Asked<'a> {
@@ -38,6 +33,9 @@ struct Asked<'a> {
 
 /// Half openings that are asked, rad: below the first other equations keep their digits, and the last is below pi.
 const HALF_OPENINGS: RangeInclusive<f64> = start::LEAST..=3.14;
+
+/// Rows of one half opening from which it pays to prove its purely sliding friction.
+const MANY: usize = 4;
 
 /// The double next to what a ball has in its middle.
 fn double(x: &DoubleDoubleBall) -> f64 {
@@ -78,21 +76,32 @@ impl Width {
         half_openings: &[DoubleDoubleBall],
     ) -> Vec<LaneFrictions> {
         let rows: Vec<_> = half_openings.iter().map(|alpha| [*alpha]).collect();
-        let rotating = self.rotating::<true>(weight, &rows).into_iter().map(|found| {
-            let Rotating { at_shoulder, inside, .. } = found?;
-            match (is_below(&at_shoulder, &inside), is_below(&inside, &at_shoulder)) {
-                (true, _) => Some(inside),
-                (_, true) => Some(at_shoulder),
-                (false, false) => None,
-            }
-        });
+        let larger = |[.., at_shoulder, inside]: Rotating| match (
+            is_below(&at_shoulder, &inside),
+            is_below(&inside, &at_shoulder),
+        ) {
+            (true, _) => Some(FromFriction::From(inside)),
+            (_, true) => Some(FromFriction::From(at_shoulder)),
+            (false, false) => None,
+        };
+        let rotating = self.rotating::<true>(weight, &rows).into_iter();
         let sliding = self.prove(&Sliding(start::sliding()), &rows).into_iter();
-        let both = rotating.zip(sliding);
-        both.map(|(rotational, sliding)| LaneFrictions {
+        let both = rotating.zip(sliding).map(|(rotating, sliding)| LaneFrictions {
             sliding: sliding.map(|[friction]| friction),
-            rotational,
-        })
-        .collect()
+            rotational: rotating.and_then(larger),
+        });
+        let mut all: Vec<LaneFrictions> = both.collect();
+        // Where arches overturn at unlimited friction they never rotate.
+        let mut overturning = Asking::default();
+        for (row, alpha) in half_openings.iter().enumerate() {
+            if all[row].rotational.is_none() && double(alpha) > start::rotates(weight)[1] {
+                overturning.push(row, overturning_at(*alpha));
+            }
+        }
+        overturning.each(self, &Crown { weight, is_limited: false }, |row, _, [..]| {
+            all[row].rotational = Some(FromFriction::Never);
+        });
+        all
     }
 
     fn rotating<const EXACTLY: bool>(
@@ -100,21 +109,19 @@ impl Width {
         weight: SelfWeight,
         rows: &[[DoubleDoubleBall; 1]],
     ) -> Vec<Option<Rotating>> {
-        let proof = Rotation::<EXACTLY> { weight, table: start::rotation(weight) };
-        let found = |values: Option<[DoubleDoubleBall; 6]>| {
-            let [thickness, thrust, intrinsic_thrust, rotation_joint, at_shoulder, inside] =
-                values?;
-            let state = LaneState {
-                mode: Mode::Rotational,
-                thickness,
-                thrust,
-                intrinsic_thrust,
-                rotation_joint,
-                sliding_joint: None,
-            };
-            Some(Rotating { state, at_shoulder, inside })
-        };
-        self.prove(&proof, rows).into_iter().map(found).collect()
+        self.prove(&Rotation::<EXACTLY> { weight, table: start::rotation(weight) }, rows)
+    }
+}
+
+/// The state of a half opening that rotates.
+fn rotates([thickness, thrust, intrinsic_thrust, rotation_joint, ..]: &Rotating) -> LaneState {
+    LaneState {
+        mode: Mode::Rotational,
+        thickness: *thickness,
+        thrust: *thrust,
+        intrinsic_thrust: *intrinsic_thrust,
+        rotation_joint: *rotation_joint,
+        sliding_joint: None,
     }
 }
 
@@ -122,6 +129,7 @@ impl Asked<'_> {
     fn answer(&mut self) {
         let (openings, opening_of) = self.openings();
         let rotating = self.width.rotating::<false>(self.weight, &openings);
+        let sliding = self.sliding(&openings, &opening_of);
         let (mut unlimited, mut falling, mut shoulder, mut inside) =
             (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for (row, &(alpha, friction)) in self.arches.iter().enumerate() {
@@ -131,19 +139,28 @@ impl Asked<'_> {
             let rotating = &rotating[opening_of[row]];
             let Some(mu) = friction else {
                 match rotating {
-                    Some(found) => self.stands(row, found.state),
+                    Some(found) => self.stands(row, rotates(found)),
                     None => unlimited.push(row),
                 }
                 continue;
             };
+            if let Some([sliding]) = &sliding[opening_of[row]]
+                && is_below(&mu, sliding)
+                && mu.is_positive().is_proved()
+            {
+                self.falls(row);
+                continue;
+            }
             match rotating {
-                Some(found)
-                    if is_below(&found.at_shoulder, &mu) && is_below(&found.inside, &mu) =>
+                Some(found @ [.., at_shoulder, inside])
+                    if is_below(at_shoulder, &mu) && is_below(inside, &mu) =>
                 {
-                    self.stands(row, found.state);
+                    self.stands(row, rotates(found));
                 }
                 _ if start::seems_to_slide(double(&alpha), double(&mu)) => falling.push(row),
-                Some(found) if double(&found.at_shoulder) > double(&mu) => shoulder.push(row),
+                Some([.., at_shoulder, _]) if double(at_shoulder) > double(&mu) => {
+                    shoulder.push(row);
+                }
                 _ => inside.push(row),
             }
         }
@@ -166,6 +183,24 @@ impl Asked<'_> {
         };
         let places = self.arches.iter().map(place).collect();
         (openings, places)
+    }
+
+    /// The purely sliding frictions of half openings that have many rows.
+    fn sliding(
+        &self,
+        openings: &[[DoubleDoubleBall; 1]],
+        opening_of: &[usize],
+    ) -> Vec<Option<[DoubleDoubleBall; 1]>> {
+        let mut counts = vec![0; openings.len()];
+        opening_of.iter().for_each(|opening| counts[*opening] += 1);
+        let mut asking = Asking::default();
+        let many =
+            openings.iter().zip(&counts).enumerate().filter(|(_, (_, count))| **count >= MANY);
+        many.for_each(|(place, (opening, _))| asking.push(place, *opening));
+        let mut all = vec![None; openings.len()];
+        let proof = Sliding(start::sliding());
+        asking.each(self.width, &proof, |place, _, found| all[place] = Some(found));
+        all
     }
 
     fn stands(&mut self, row: usize, state: LaneState) {
@@ -267,7 +302,7 @@ impl Asked<'_> {
             let zero = zero();
             match start::seems_too_wide(self.weight, double(&alpha), 0.0) {
                 true => wide.push(row, [alpha, zero]),
-                false => crown.push(row, [alpha, DoubleDoubleBall::WHOLE, zero, zero]),
+                false => crown.push(row, overturning_at(alpha)),
             }
         }
         let Self { weight, width, .. } = *self;
@@ -276,6 +311,11 @@ impl Asked<'_> {
             self.stands(row, at_crown(Mode::Overturning, [thickness, zero()], zero(), None));
         });
     }
+}
+
+/// What a half opening gives to a proof that it overturns without a limit of friction.
+fn overturning_at(alpha: DoubleDoubleBall) -> [DoubleDoubleBall; 4] {
+    [alpha, DoubleDoubleBall::WHOLE, zero(), zero()]
 }
 
 fn zero() -> DoubleDoubleBall {
@@ -375,7 +415,12 @@ mod tests {
                 let states = width.states(weight, &arches);
                 let frictions = width.frictions(weight, &openings).into_iter();
                 let of = |x: LaneFrictions| {
-                    [x.sliding, x.rotational]
+                    let rotational = match x.rotational {
+                        Some(FromFriction::From(x)) => Some(x),
+                        Some(FromFriction::Never) => Some(zero()),
+                        None => None,
+                    };
+                    [x.sliding, rotational]
                         .map(|x| x.map(|x| (x.mid().hi().to_bits(), x.rad().to_bits())))
                 };
                 (states.iter().map(bits).collect::<Vec<_>>(), frictions.map(of).collect::<Vec<_>>())

@@ -33,6 +33,6 @@ mod sliding;
 mod start;
 mod width;
 
-pub use answer::{LaneAnswer, LaneFrictions, LaneState};
+pub use answer::{FromFriction, LaneAnswer, LaneFrictions, LaneState};
 pub use arches::LaneArch;
 pub use width::Width;

@@ -81,7 +81,7 @@ impl<const EXACTLY: bool> Proof<1, 3, 6> for Rotation<'_, EXACTLY> {
         let Self { weight, .. } = *self;
         let half_opening = alpha.angle(&at_alpha);
         let opening_variable = thrust::opening_variable(&half_opening).value();
-        let found = root(&OfJoint { weight, opening_variable }, (joint, &at_joint), 1);
+        let found = root(&OfJoint { weight, opening_variable }, (joint, &at_joint), 2);
         let [thickness, thrust] = found.values;
         let at = Configuration {
             half_opening: around(&half_opening, 0.0),

@@ -6,7 +6,7 @@
 use super::batch::{Batch, BatchArches, Threads};
 use super::row::{BatchRow, RowValue, RowVerdict};
 use crate::arch::SelfWeight;
-use crate::lanes::{LaneAnswer, LaneArch, LaneFrictions, LaneState, Width};
+use crate::lanes::{FromFriction, LaneAnswer, LaneArch, LaneFrictions, LaneState, Width};
 use crate::number::{Binary, DoubleDoubleBall};
 use crate::problem::{Mode, Quantity};
 use std::sync::Arc;
@@ -15,20 +15,21 @@ use std::sync::Arc;
 const FEW: usize = 64;
 
 /// Rows that are one piece of work.
-const PIECE: usize = 2048;
+const PIECE: usize = 1024;
 
 /// With so many digits a row is what its doubles tell.
 const OF_A_DOUBLE: usize = 17;
 
 /// An answer with its place among the rows.
-pub(super) struct Answered {
+pub(super) struct Answered<'a> {
     pub(super) row: usize,
-    answer: LaneAnswer,
-    frictions: LaneFrictions,
-    half_opening: DoubleDoubleBall,
+    half_opening: &'a DoubleDoubleBall,
+    answer: &'a LaneAnswer,
+    /// The frictions at which the mode changes, if they are asked for.
+    frictions: Option<&'a LaneFrictions>,
 }
 
-/// What is made of the answers of each piece of the rows of a batch, in their order; nothing where these would not be
+/// What is made of the answers to each piece of the rows of a batch and of a weight; nothing where these would not be
 /// rows. Of an answer not all that is asked may be known.
 pub(super) fn pieces<T: Send>(
     batch: &Batch,
@@ -43,43 +44,38 @@ pub(super) fn pieces<T: Send>(
         return Vec::new();
     }
     let starts: Vec<usize> = (0..count).step_by(PIECE).collect();
-    threads.each(&starts, |start| {
-        let mut answers = Vec::with_capacity(PIECE);
-        for weight in SelfWeight::ALL {
+    let found = threads.each(&starts, |start| {
+        SelfWeight::ALL.map(|weight| {
             let of_weight = |row: usize| {
                 let (of, arch) = arches.in_lanes(row)?;
                 (of == weight).then_some((row, arch))
             };
             let rows = (*start..count.min(start + PIECE)).filter_map(of_weight);
             let (rows, arches): (Vec<usize>, Vec<LaneArch>) = rows.unzip();
-            answer(batch, weight, &rows, &arches, &mut answers);
-        }
-        made(&answers)
-    })
+            answered(batch.has_frictions(), weight, (&rows, &arches), &made)
+        })
+    });
+    found.into_iter().flatten().collect()
 }
 
-fn answer(
-    batch: &Batch,
+/// What is made of the answers to some rows of a weight.
+fn answered<T>(
+    has_frictions: bool,
     weight: SelfWeight,
-    rows: &[usize],
-    arches: &[LaneArch],
-    answers: &mut Vec<Answered>,
-) {
+    (rows, arches): (&[usize], &[LaneArch]),
+    made: impl Fn(&[Answered]) -> T,
+) -> T {
     let width = Width::widest();
-    let found = width.states(weight, arches);
-    let frictions = match batch.has_frictions() {
-        true => {
-            let half_openings: Vec<_> = arches.iter().map(|(alpha, _)| *alpha).collect();
-            width.frictions(weight, &half_openings)
-        }
-        false => Vec::new(),
-    };
-    for (place, (row, answer)) in rows.iter().zip(found).enumerate() {
-        if let Some(answer) = answer {
-            let frictions = frictions.get(place).copied().unwrap_or_default();
-            answers.push(Answered { row: *row, answer, frictions, half_opening: arches[place].0 });
-        }
-    }
+    let answers = width.states(weight, arches);
+    let half_openings: Vec<_> =
+        arches.iter().filter(|_| has_frictions).map(|(alpha, _)| *alpha).collect();
+    let frictions = width.frictions(weight, &half_openings);
+    let each = answers.iter().zip(arches).zip(rows).enumerate();
+    let all = each.filter_map(|(place, ((answer, (half_opening, _)), row))| {
+        let (answer, frictions) = (answer.as_ref()?, frictions.get(place));
+        Some(Answered { row: *row, half_opening, answer, frictions })
+    });
+    made(&all.collect::<Vec<_>>())
 }
 
 /// The rows of a batch, in the order of the arches; `None` where not all that is asked is proved.
@@ -134,7 +130,7 @@ impl LastRow {
 /// No number with its bounds: there is none.
 const NONE: [f64; 3] = [f64::NAN; 3];
 
-impl Answered {
+impl Answered<'_> {
     /// Verdict and mode of the row.
     pub(super) fn verdict(&self) -> (RowVerdict, Option<Mode>) {
         match self.answer {
@@ -147,7 +143,7 @@ impl Answered {
     /// decided.
     pub(super) fn doubles(&self, of: Quantity) -> Option<[f64; 3]> {
         use Quantity as Q;
-        let state = match &self.answer {
+        let state = match self.answer {
             LaneAnswer::Stands(state) => Some(state),
             LaneAnswer::Falls => None,
         };
@@ -162,9 +158,12 @@ impl Answered {
             Q::SlidingJoint => {
                 state.and_then(|state| state.sliding_joint).map_or(Some(NONE), |x| doubles(&x))
             }
-            Q::SlidingFriction => doubles(self.frictions.sliding.as_ref()?),
+            Q::SlidingFriction => doubles(self.frictions?.sliding.as_ref()?),
             Q::RotationalFriction if state.is_none() => Some(NONE),
-            Q::RotationalFriction => doubles(self.frictions.rotational.as_ref()?),
+            Q::RotationalFriction => match self.frictions?.rotational.as_ref()? {
+                FromFriction::From(friction) => doubles(friction),
+                FromFriction::Never => Some([f64::INFINITY; 3]),
+            },
             _ => None,
         }
     }
