@@ -4,7 +4,8 @@ use crate::pool::on_threads;
 use crate::{CoupletError, asked};
 use couplet::Error;
 use couplet::ask::{ArchAsked, Field, Spelling};
-use couplet::certify::batch::{BatchRow, DoubleArches};
+use couplet::certify::Refused;
+use couplet::certify::batch::DoubleArches;
 use couplet::certify::state::find;
 use couplet::problem::Quantity;
 use couplet::report::Answer;
@@ -15,12 +16,22 @@ use pyo3::types::PyBytes;
 use rayon::prelude::*;
 
 /// The doubles of an array, in the order of bytes of this machine.
-fn doubles(bytes: &[u8]) -> Vec<f64> {
+pub(crate) fn doubles(bytes: &[u8]) -> Vec<f64> {
     bytes.as_chunks().0.iter().map(|bytes| f64::from_ne_bytes(*bytes)).collect()
 }
 
+/// The bytes of an array.
+pub(crate) type Bytes<'py> = Bound<'py, PyBytes>;
+
 /// Verdicts, modes, and for each quantity the nearest doubles with their bounds, as bytes of arrays.
-type Columns<'py> = (Bound<'py, PyBytes>, Bound<'py, PyBytes>, Vec<[Bound<'py, PyBytes>; 3]>);
+type Columns<'py> = (Bytes<'py>, Bytes<'py>, Vec<Vec<Bytes<'py>>>);
+
+/// The quantities of these names, of those that arches with or without a thickness have.
+pub(crate) fn quantities(names: &[String], has_thickness: bool) -> PyResult<Vec<Quantity>> {
+    let possible =
+        if has_thickness { &Quantity::ASSESSMENT_ROW[..] } else { &Quantity::STATE_ROW[..] };
+    names.iter().map(|name| asked::quantity(name, possible)).collect()
+}
 
 /// The arches of arrays of doubles of one length, as bytes.
 #[pyfunction]
@@ -32,10 +43,7 @@ pub(crate) fn states<'py>(
     threads: usize,
 ) -> PyResult<Columns<'py>> {
     let weight = parse::weight(weight).map_err(CoupletError::new_err)?;
-    let possible =
-        if arrays.2.is_some() { &Quantity::ASSESSMENT_ROW[..] } else { &Quantity::STATE_ROW[..] };
-    let quantities = names.iter().map(|name| asked::quantity(name, possible));
-    let quantities: Vec<Quantity> = quantities.collect::<PyResult<_>>()?;
+    let quantities = quantities(&names, arrays.2.is_some())?;
     let answer = move || {
         let [half_openings, frictions] = [&arrays.0, &arrays.1].map(|bytes| doubles(bytes));
         let thicknesses = arrays.2.as_deref().map(doubles);
@@ -45,19 +53,27 @@ pub(crate) fn states<'py>(
             frictions: &frictions,
             thicknesses: thicknesses.as_deref(),
         };
-        arches.rows(&quantities)
+        let rows = arches.rows(&quantities)?;
+        let [mut verdicts, mut modes] = [(); 2].map(|()| Vec::with_capacity(rows.len()));
+        let mut values = vec![[(); 3].map(|()| Vec::with_capacity(8 * rows.len())); quantities.len()];
+        // All of a row at once, as many rows do not fit into the caches.
+        for row in rows {
+            verdicts.push(row.verdict as u8);
+            modes.push(row.mode_code());
+            for (place, columns) in values.iter_mut().enumerate() {
+                for (column, x) in columns.iter_mut().zip(row.doubles(place)) {
+                    column.extend_from_slice(&x.to_ne_bytes());
+                }
+            }
+        }
+        Ok((verdicts, modes, values))
     };
-    let rows = on_threads(py, threads, answer)?;
-    let rows = rows.map_err(|refused| CoupletError::new_err(refused.to_string()))?;
-    let codes = |code: fn(&BatchRow) -> u8| {
-        PyBytes::new(py, &rows.iter().map(|row| code(row)).collect::<Vec<u8>>())
-    };
-    let column = |quantity: usize, bound: usize| {
-        let bytes = rows.iter().flat_map(|row| row.doubles(quantity)[bound].to_ne_bytes());
-        PyBytes::new(py, &bytes.collect::<Vec<u8>>())
-    };
-    let values = (0..names.len()).map(|quantity| [0, 1, 2].map(|bound| column(quantity, bound)));
-    Ok((codes(|row| row.verdict as u8), codes(BatchRow::mode_code), values.collect()))
+    let found = on_threads(py, threads, answer)?;
+    let (verdicts, modes, values) =
+        found.map_err(|refused: Refused| CoupletError::new_err(refused.to_string()))?;
+    let bytes = |column: &Vec<u8>| PyBytes::new(py, column);
+    let values = values.iter().map(|columns| columns.iter().map(bytes).collect()).collect();
+    Ok((bytes(&verdicts), bytes(&modes), values))
 }
 
 /// Digits with which the nearest double is told.

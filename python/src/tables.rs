@@ -1,0 +1,234 @@
+//! The rows of a table: doubles or exact texts in each column, read as `couplet states` reads those of a file.
+
+use crate::CoupletError;
+use crate::pool::on_threads;
+use crate::rows::{Bytes, doubles, quantities};
+use couplet::arch::SelfWeight;
+use couplet::certify::Refused;
+use couplet::certify::batch::{
+    Batch, BatchArches, BatchRow, DoubleArches, SharedOpening, Threads, grouped,
+};
+use couplet::number::{DoubleDoubleBall, ExactNumber};
+use couplet::problem::{Arch, Quantity};
+use couplet::sweep::parse;
+use couplet::sweep::rows::{ArchReader, Cells, Columns, Purpose, Role, Spelling};
+use pyo3::prelude::*;
+use pyo3::pybacked::PyBackedBytes;
+use pyo3::types::PyBytes;
+use rayon::prelude::*;
+use std::borrow::Cow;
+use std::sync::Arc;
+
+/// With so many digits a decimal number tells the double.
+const DIGITS: usize = 17;
+
+/// The code of no side.
+const NO_SIDE: i8 = i8::MIN;
+
+/// The cells of a column: doubles, as the bytes of an array, or texts.
+#[derive(Clone, FromPyObject)]
+pub(crate) enum Column {
+    Doubles(#[pyo3(from_py_with = of_bytes)] Vec<f64>),
+    Texts(Vec<String>),
+}
+
+fn of_bytes(bytes: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
+    Ok(doubles(&bytes.extract::<PyBackedBytes>()?))
+}
+
+/// Verdicts and modes, for each quantity the nearest doubles and the sides of the true values, as bytes of arrays; and
+/// the reasons of the rows without a verdict.
+type Answered<'py> = (Bytes<'py>, Bytes<'py>, Vec<(Bytes<'py>, Bytes<'py>)>, Vec<(usize, String)>);
+
+/// The arches of the rows of a table, whose columns are named as for `couplet states`, `theirs=ours:deg`.
+#[pyfunction]
+pub(crate) fn table<'py>(
+    py: Python<'py>,
+    weight: &str,
+    columns: Vec<String>,
+    cells: Vec<Column>,
+    names: Vec<String>,
+    threads: usize,
+) -> PyResult<Answered<'py>> {
+    let weight = parse::weight(weight).map_err(CoupletError::new_err)?;
+    let columns = Columns::named(&columns, Purpose::Ask).map_err(CoupletError::new_err)?;
+    let has_thickness = columns.all.iter().any(|column| column.role == Role::GivenThickness);
+    let quantities = quantities(&names, has_thickness)?;
+    let answer = move || {
+        let rows = Table { columns, cells, weight }.rows(&quantities)?;
+        let [mut verdicts, mut modes] = [(); 2].map(|()| Vec::with_capacity(rows.len()));
+        let column = |bytes: usize| Vec::with_capacity(bytes * rows.len());
+        let mut values: Vec<(Vec<u8>, Vec<u8>)> =
+            quantities.iter().map(|_| (column(8), column(1))).collect();
+        let mut reasons = Vec::new();
+        for (place, row) in rows.into_iter().enumerate() {
+            verdicts.push(row.verdict as u8);
+            modes.push(row.mode_code());
+            for (value, (numbers, sides)) in row.values.iter().zip(&mut values) {
+                let number = value.as_ref().map_or(f64::NAN, |value| value.double);
+                numbers.extend_from_slice(&number.to_ne_bytes());
+                let side = value.as_ref().and_then(|value| i8::try_from(value.side()?).ok());
+                sides.push(side.unwrap_or(NO_SIDE).cast_unsigned());
+            }
+            reasons.extend(row.reason.as_ref().map(|reason| (place, reason.clone())));
+        }
+        Ok((verdicts, modes, values, reasons))
+    };
+    let found = on_threads(py, threads, answer)?;
+    let (verdicts, modes, values, reasons) =
+        found.map_err(|refused: Refused| CoupletError::new_err(refused.to_string()))?;
+    let bytes = |column: &[u8]| PyBytes::new(py, column);
+    let values = values.iter().map(|(numbers, sides)| (bytes(numbers), bytes(sides))).collect();
+    Ok((bytes(&verdicts), bytes(&modes), values, reasons))
+}
+
+/// A table with its columns.
+struct Table {
+    columns: Columns,
+    cells: Vec<Column>,
+    /// The weight of the rows that have none.
+    weight: SelfWeight,
+}
+
+impl Table {
+    /// Rows with the quantities.
+    fn rows(&self, quantities: &[Quantity]) -> Result<Vec<Arc<BatchRow>>, Refused> {
+        let weights = self.columns.all.iter().position(|column| column.role == Role::Weight);
+        let Some(place) = weights.filter(|_| self.arrays(Role::Weight).is_some()) else {
+            return self.of_one_weight(quantities);
+        };
+        // Rows of doubles are answered as arrays of doubles, one weight after the other; a row of none says why.
+        let weight = |row| match self.cells[place].text(row) {
+            text if text.is_empty() => Some(self.weight),
+            text => parse::weight(&text).ok(),
+        };
+        let groups = grouped((0..self.cells[place].len()).map(|row| Some(weight(row))));
+        let mut all = Vec::new();
+        for rows in groups {
+            let known = rows.first().and_then(|row| weight(*row));
+            let mut part = Self {
+                columns: self.columns.clone(),
+                cells: self.cells.iter().map(|cells| cells.of(&rows)).collect(),
+                weight: known.unwrap_or(self.weight),
+            };
+            if known.is_some() {
+                part.columns.all.remove(place);
+                part.cells.remove(place);
+            }
+            all.extend(rows.into_iter().zip(part.of_one_weight(quantities)?));
+        }
+        all.sort_unstable_by_key(|(row, _)| *row);
+        Ok(all.into_iter().map(|(_, found)| found).collect())
+    }
+
+    /// The same of a table without weights, or with exact cells; those of doubles as arrays of doubles are answered.
+    fn of_one_weight(&self, quantities: &[Quantity]) -> Result<Vec<Arc<BatchRow>>, Refused> {
+        match self.arrays(Role::HalfOpening) {
+            Some([Some(half_openings), Some(frictions), thicknesses]) => {
+                let weight = self.weight;
+                let arches = DoubleArches { weight, half_openings, frictions, thicknesses };
+                arches.rows(quantities)
+            }
+            _ => self.exact().rows(quantities),
+        }
+    }
+
+    /// Half openings in radians, coefficients of friction and thicknesses, as far as there are any; nothing if the
+    /// table has anything else, but for a column of the role `beside`.
+    fn arrays(&self, beside: Role) -> Option<[Option<&[f64]>; 3]> {
+        let mut arrays = [None; 3];
+        for (column, cells) in self.columns.all.iter().zip(&self.cells) {
+            let place = match column.role {
+                Role::HalfOpening if !column.degrees => 0,
+                Role::Friction => 1,
+                Role::GivenThickness => 2,
+                role if role == beside => continue,
+                _ => return None,
+            };
+            let Column::Doubles(numbers) = cells else { return None };
+            arrays[place] = Some(numbers.as_slice());
+        }
+        Some(arrays)
+    }
+
+    /// The arches as numbers that are exactly what the cells say.
+    fn exact(&self) -> ExactArches {
+        let (columns, spelling) = (self.columns.clone(), Spelling::default());
+        let reader = ArchReader { columns, weight: self.weight, doubles: false, spelling };
+        let rows = self.cells.iter().map(Column::len).min().unwrap_or(0);
+        let row = |row: usize| {
+            let cells: Cells = self.cells.iter().map(|cells| Some(cells.text(row))).collect();
+            let arch = reader.arch(&cells)?;
+            let eta = reader.given(&cells, Role::GivenThickness);
+            let eta = eta.map(|(text, _)| parse::thickness(&spelling.exact(text))).transpose()?;
+            Ok((arch, eta))
+        };
+        ExactArches((0..rows).into_par_iter().map(row).collect())
+    }
+}
+
+impl Column {
+    fn len(&self) -> usize {
+        match self {
+            Self::Doubles(numbers) => numbers.len(),
+            Self::Texts(texts) => texts.len(),
+        }
+    }
+
+    /// The cells of some rows.
+    fn of(&self, rows: &[usize]) -> Self {
+        match self {
+            Self::Doubles(numbers) => Self::Doubles(rows.iter().map(|row| numbers[*row]).collect()),
+            Self::Texts(texts) => Self::Texts(rows.iter().map(|row| texts[*row].clone()).collect()),
+        }
+    }
+
+    /// The text of a row; that of a double is the fraction that it is.
+    fn text(&self, row: usize) -> String {
+        match self {
+            Self::Doubles(numbers) => {
+                let x = numbers[row];
+                ExactNumber::try_from(x).map_or_else(|_| x.to_string(), |x| x.to_string())
+            }
+            Self::Texts(texts) => texts[row].trim().to_owned(),
+        }
+    }
+}
+
+/// Arches with what thickness they have, or why they cannot be read.
+struct ExactArches(Vec<Result<(Arch, Option<ExactNumber>), String>>);
+
+impl ExactArches {
+    fn rows(&self, quantities: &[Quantity]) -> Result<Vec<Arc<BatchRow>>, Refused> {
+        let batch = Batch { quantities: quantities.to_vec(), digits: DIGITS, has_texts: false };
+        let has_thickness = |row: &Result<(_, Option<_>), _>| matches!(row, Ok((_, Some(_))));
+        if !self.0.iter().any(has_thickness) {
+            return Ok(batch.states(self, Threads::Pool));
+        }
+        let row = |row: &Result<(Arch, Option<ExactNumber>), String>| {
+            let asked = row.clone().and_then(|(arch, eta)| {
+                Ok((arch, eta.ok_or_else(|| "the thickness is empty".to_owned())?))
+            });
+            Arc::new(batch.assessment(asked))
+        };
+        Ok(self.0.par_iter().map(row).collect())
+    }
+}
+
+impl BatchArches for ExactArches {
+    fn openings(&self) -> Vec<Vec<usize>> {
+        let key = |row: &'_ Result<(Arch, _), String>| {
+            let (arch, _) = row.as_ref().ok()?;
+            Some((arch.weight(), arch.half_opening().clone()))
+        };
+        grouped(self.0.iter().map(key))
+    }
+
+    fn arch(&self, row: usize) -> Result<Cow<'_, Arch>, String> {
+        self.0[row].as_ref().map(|(arch, _)| Cow::Borrowed(arch)).map_err(Clone::clone)
+    }
+
+    fn friction(&self, row: usize) -> Option<DoubleDoubleBall> {
+        SharedOpening::enclosed(self.0[row].as_ref().ok()?.0.friction())
+    }
+}
