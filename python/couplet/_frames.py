@@ -5,6 +5,7 @@ from __future__ import annotations
 from . import _core
 from ._arrays import VERDICTS, need_numpy, whole
 from ._asked import asked as _ask
+from ._asked import with_doubles
 from ._core import CoupletError
 from ._kinds import NO_SIDE, NO_WORD, kind_of
 from ._rows import in_pieces
@@ -76,6 +77,8 @@ def add_states(
     for role, name in {**roles, "weight": weight}.items():
         if not isinstance(name, str):
             raise TypeError(f"the {role.replace('given_', '')} is the name of a column, a str, not {type(name).__name__}")
+    if friction is not None and friction_angle is not None:
+        raise CoupletError("friction and friction_angle are both named: choose one")
     question = _Question(roles, weight, quantities, (prefix, suffix), whole(threads))
     return question.answered(data)  # type: ignore[no-any-return]
 
@@ -149,9 +152,10 @@ class _Question:
             rows = range(kind.size)[here] if isinstance(here, slice) else here
             why.update((int(rows[row]), text) for row, text in open_rows)
         reasons = list(dict.fromkeys(why.values()))
+        code_of = {text: code for code, text in enumerate(reasons)}
         reason = np.full(kind.size, NO_WORD, np.int32)
-        reason[list(why)] = list(map(dict(zip(reasons, range(len(reasons)))).get, why.values()))
-        added = {"verdict": kind.words(verdict, VERDICTS), "mode": kind.words(mode, _core.modes()), "reason": kind.texts(reason, reasons)}
+        reason[list(why)] = [code_of[text] for text in why.values()]
+        added = {"verdict": kind.words(verdict, VERDICTS), "mode": kind.words(mode, _core.modes()), "reason": kind.texts(reason, list(map(with_doubles, reasons)))}
         for name, (numbers, sides) in zip(self.quantities, values):
             added[name], added[f"{name}_side"] = kind.numbers(numbers), kind.sides(sides)
         return kind.with_columns({new: added[name] for name, new in named.items()})

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
         """A kind of tables, over one of them."""
 
         size: int
-        names: Sequence[Any]
+        names: Any
 
         def cells(self, name: str) -> Cells: ...
         def words(self, codes: Any, words: Sequence[str]) -> Any: ...
@@ -261,7 +261,7 @@ class Arrow:
 
 
 def _no_numbers(name: str, kind: Any) -> CoupletError:
-    return CoupletError(f"the column '{name}' is of {kind}, which are neither numbers nor texts")
+    return CoupletError(f"the column '{name}' is of {kind}, which is neither numbers nor texts")
 
 
 def _cells(array: Any, values: Any, name: str, present: Any = None, kind: Any = None) -> Cells:
