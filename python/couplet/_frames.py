@@ -99,7 +99,9 @@ class _Question:
         """The table with its answers."""
         if hasattr(data, "collect_schema") and hasattr(data, "map_batches"):
             # A plan of polars: nothing may be pushed below that asks for what is not there yet.
-            schema = self.answered(data.collect_schema().to_frame()).schema
+            import polars  # type: ignore[import-not-found, unused-ignore]
+
+            schema = self.answered(polars.DataFrame(schema=data.collect_schema())).schema
             return data.map_batches(
                 self.answered, predicate_pushdown=False, projection_pushdown=False, slice_pushdown=True, schema=schema, streamable=True
             )

@@ -162,7 +162,7 @@ class Polars:
         column = self.data.get_column(name)
         present = column.is_not_null().to_numpy() if column.null_count() else None
         kind = column.dtype
-        if kind.is_numeric() and not kind.is_decimal() and kind not in (polars.Int128, getattr(polars, "UInt128", None)):
+        if kind.is_float() or kind.is_integer() and "128" not in str(kind):
             return _cells(column.fill_null(0).to_numpy(), column, name, present)
         if kind.is_numeric() or kind in (polars.String, polars.Categorical, polars.Enum, polars.Null):
             column = column.cast(polars.String)
