@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """What `couplet.add_states` costs inside engines: processor time beside the bare library and the engine's own copy.
 
-    python benches/engines.py [--rows 1e7] [--mixed] [--turns 3] [polars] [ray]
+    python benches/engines.py [--rows 1e7] [--mixed] [--turns 3] [--degrees] [polars] [ray]
 
 Prints, of each engine, the processor seconds (user and system, all processes) of `couplet.states` over the same arrays, of a map
 that hands every batch on, and of the map with states; and the last over the sum of the first two. Engines that are not installed
-are left out.
+are left out. `--degrees` compares a column of degrees, whose numbers are exact, with one of radians instead.
 """
 
 import argparse
@@ -59,9 +59,9 @@ def same(batch):
 
 
 def polars_works(alpha, mu):
+    os.environ["POLARS_MAX_THREADS"] = "1"
     import polars
 
-    os.environ.setdefault("POLARS_MAX_THREADS", "1")
     frame = polars.DataFrame({"alpha": alpha, "mu": mu})
 
     def plan(of):
@@ -96,8 +96,15 @@ def main():
     reader.add_argument("--rows", type=float, default=1e7)
     reader.add_argument("--turns", type=int, default=3)
     reader.add_argument("--mixed", action="store_true")
+    reader.add_argument("--degrees", action="store_true")
     asked = reader.parse_args()
     alpha, mu = arches(int(asked.rows), asked.mixed)
+    for _ in range(asked.turns if asked.degrees else 0):
+        radians = timed(lambda: couplet.add_states({"alpha": alpha, "mu": mu}, **COLUMNS))
+        degrees = timed(lambda: couplet.add_states({"alpha": np.rad2deg(alpha), "mu": mu}, half_opening="alpha:deg", friction="mu"))
+        print(f"radians {radians:.2f} s, degrees {degrees:.2f} s: {degrees / radians:.1f}", flush=True)
+    if asked.degrees:
+        return
     for name, works in (("polars", polars_works), ("ray", ray_works)):
         if find_spec(name) is None or asked.engines and name not in asked.engines:
             continue

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from . import _core
 from ._arrays import VERDICTS, need_numpy, whole
 from ._asked import asked as _ask
@@ -12,7 +14,7 @@ from ._rows import in_pieces
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Callable, Iterator, Sequence
     from typing import Any, TypeVar
 
     from ._kinds import Kind
@@ -87,9 +89,10 @@ class _Question:
     """What is asked of each row of a table."""
 
     def __init__(self, roles: dict[str, str], weight: str, quantities: Any, around: tuple[str, str], threads: int) -> None:
-        self.of_column = weight not in _WEIGHTS
-        self.roles = {**roles, "weight": weight} if self.of_column else roles
-        self.weight, self.around, self.threads = weight, around, threads
+        is_column = weight not in _WEIGHTS
+        self.roles = {**roles, "weight": weight} if is_column else roles
+        self.weight = _WEIGHTS[-1] if is_column else weight
+        self.around, self.threads = around, threads
         self.has_thickness = "given_thickness" in roles
         usual = "geometric_safety" if self.has_thickness else "thickness"
         names = [usual] if quantities is None else [quantities] if isinstance(quantities, str) else list(quantities)
@@ -123,44 +126,26 @@ class _Question:
         import numpy as np
 
         columns, cells, present = self._read(kind)
-        names = ["verdict"] + ["mode"] * (not self.has_thickness) + ["reason"]
-        names[-1:-1] = [name + end for name in self.quantities for end in ("", "_side")]
+        names = [name for name in _Answers.names(self.quantities) if name != "mode" or not self.has_thickness]
         named = {name: name.join(self.around) for name in names}
         taken = next((name for name in named.values() if name in kind.names), None)
         if taken is not None:
             raise CoupletError(f"the table has a column '{taken}'; with prefix='…' or suffix='…' the new ones have other names")
 
         def ask(here: Any) -> Any:
-            return _ask(_core.table, _WEIGHTS[-1] if self.of_column else self.weight, columns, [_some(column, here) for column in cells], self.quantities, self.threads)
+            return _ask(_core.table, self.weight, columns, [_some(column, here) for column in cells], self.quantities, self.threads)
 
         # What is wrong with a name is said though there is no row.
         ask(slice(0, 0))
-        places: Any = kind.size
-        why: dict[int, str] = {}
-        if present:
-            places = np.logical_and.reduce(list(present.values())).nonzero()[0]
-            for role, there in reversed(present.items()):
-                why.update(dict.fromkeys((~there).nonzero()[0].tolist(), f"the {role} is empty"))
-        verdict = np.full(kind.size, VERDICTS.index("refused"), np.int8)
-        mode = np.full(kind.size, NO_WORD, np.int8)
-        values = [(np.full(kind.size, np.nan), np.full(kind.size, NO_SIDE, np.int8)) for _ in self.quantities]
+        answers = _Answers(np, kind.size, self.quantities)
+        for role, there in present.items():
+            answers.refuse(~there, f"the {role} is empty")
+        places = np.logical_and.reduce(list(present.values())).nonzero()[0] if present else kind.size
         keys = None if isinstance(cells[0], list) else cells[0]
-        for here, (verdicts, modes, found, open_rows) in in_pieces(np, keys, places, ask, lambda _: None):
-            verdict[here] = np.frombuffer(verdicts, np.int8)
-            mode[here] = np.frombuffer(modes, np.int8)
-            for (numbers, sides), (doubles, around) in zip(values, found):
-                numbers[here] = np.frombuffer(doubles, np.float64)
-                sides[here] = np.frombuffer(around, np.int8)
-            rows = range(kind.size)[here] if isinstance(here, slice) else here
-            why.update((int(rows[row]), text) for row, text in open_rows)
-        reasons = list(dict.fromkeys(why.values()))
-        code_of = {text: code for code, text in enumerate(reasons)}
-        reason = np.full(kind.size, NO_WORD, np.int32)
-        reason[list(why)] = [code_of[text] for text in why.values()]
-        added = {"verdict": kind.words(verdict, VERDICTS), "mode": kind.words(mode, _core.modes()), "reason": kind.texts(reason, list(map(with_doubles, reasons)))}
-        for name, (numbers, sides) in zip(self.quantities, values):
-            added[name], added[f"{name}_side"] = kind.numbers(numbers), kind.sides(sides)
-        return kind.with_columns({new: added[name] for name, new in named.items()})
+        for here, told in in_pieces(np, keys, places, ask):
+            answers.put(here, told)
+        columns_of = answers.columns(kind)
+        return kind.with_columns({new: columns_of[name]() for name, new in named.items()})
 
     def _read(self, kind: Kind) -> tuple[list[str], list[Any], dict[str, Any]]:
         """The columns as the command has them, ``theirs=ours:deg``; their cells; and where they have values, if not everywhere."""
@@ -176,6 +161,46 @@ class _Question:
             if there is not None and role != "weight":
                 present[role.replace("given_", "")] = there
         return columns, cells, present
+
+
+class _Answers:
+    """What is known of each row: codes of words, numbers with their sides, and reasons; refused at first."""
+
+    def __init__(self, np: Any, size: int, quantities: list[str]) -> None:
+        self.np, self.size = np, size
+        self.verdicts = np.full(size, VERDICTS.index("refused"), np.int8)
+        self.modes = np.full(size, NO_WORD, np.int8)
+        self.values = {name: (np.full(size, np.nan), np.full(size, NO_SIDE, np.int8)) for name in quantities}
+        self.why = np.full(size, NO_WORD, np.int32)
+        self.reasons: dict[str, int] = {}
+
+    @staticmethod
+    def names(quantities: list[str]) -> list[str]:
+        """The names of the columns."""
+        return ["verdict", "mode", *(name + end for name in quantities for end in ("", "_side")), "reason"]
+
+    def refuse(self, rows: Any, why: str) -> None:
+        """Says why rows are refused, unless it is known."""
+        self.why[rows & (self.why == NO_WORD)] = self.reasons.setdefault(why, len(self.reasons))
+
+    def put(self, here: Any, told: Any) -> None:
+        """Puts down what is told of some rows."""
+        array = self.np.frombuffer
+        verdicts, modes, values, reasons = told
+        self.verdicts[here], self.modes[here] = array(verdicts, "i1"), array(modes, "i1")
+        for (numbers, sides), (doubles, around) in zip(self.values.values(), values):
+            numbers[here], sides[here] = array(doubles, "f8"), array(around, "i1")
+        rows = range(self.size)[here] if isinstance(here, slice) else here
+        for row, why in reasons:
+            self.why[rows[row]] = self.reasons.setdefault(with_doubles(why), len(self.reasons))
+
+    def columns(self, kind: Kind) -> dict[str, Callable[[], Any]]:
+        """What makes each column, as a kind of tables has it."""
+        made: list[Callable[[], Any]] = [partial(kind.words, self.verdicts, VERDICTS), partial(kind.words, self.modes, _core.modes())]
+        for numbers, sides in self.values.values():
+            made += [partial(kind.numbers, numbers), partial(kind.sides, sides)]
+        made.append(partial(kind.texts, self.why, list(self.reasons)))
+        return dict(zip(self.names(list(self.values)), made))
 
 
 def _column(names: Sequence[Any], text: str) -> tuple[str, str]:

@@ -66,7 +66,7 @@ class Columns:
 
     def __init__(self, data: Mapping[str, Any]) -> None:
         self.data, self.names = data, list(data)
-        self.size = len(data[self.names[0]]) if self.names else 0
+        self.size = next((len(column) for column in data.values() if hasattr(column, "__len__")), 0)
 
     def cells(self, name: str) -> Cells:
         import numpy as np
@@ -144,10 +144,7 @@ class Pandas:
         return pandas.array([*words, ""], dtype="string" if pandas.__version__ < "3" else "str").take(codes, allow_fill=True)
 
     def with_columns(self, columns: Mapping[str, Any]) -> Any:
-        import pandas
-
-        added = pandas.DataFrame(dict(columns), index=self.data.index, copy=False)
-        return pandas.concat([self.data, added], axis=1) if len(self.names) else added
+        return self.data.assign(**columns)
 
 
 class Polars:

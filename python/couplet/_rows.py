@@ -20,7 +20,9 @@ _MOST = 1 << 17
 _LOOKED = 1 << 16
 
 
-def in_pieces(np: Any, keys: Any, rows: Any, ask: Callable[[Any], Told], tell: Callable[[int], object]) -> Iterator[tuple[Any, Told]]:
+def in_pieces(
+    np: Any, keys: Any, rows: Any, ask: Callable[[Any], Told], tell: Callable[[int], object] = lambda done: None
+) -> Iterator[tuple[Any, Told]]:
     """What is told of some rows at a time, with the places of these.
 
     Args:
