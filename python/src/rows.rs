@@ -55,7 +55,9 @@ pub(crate) fn states<'py>(
         };
         let rows = arches.rows(&quantities)?;
         let [mut verdicts, mut modes] = [(); 2].map(|()| Vec::with_capacity(rows.len()));
-        let mut values = vec![[(); 3].map(|()| Vec::with_capacity(8 * rows.len())); quantities.len()];
+        let column = || Vec::with_capacity(size_of::<f64>() * rows.len());
+        let mut values: Vec<[Vec<u8>; 3]> =
+            quantities.iter().map(|_| [column(), column(), column()]).collect();
         // All of a row at once, as many rows do not fit into the caches.
         for row in rows {
             verdicts.push(row.verdict as u8);

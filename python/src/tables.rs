@@ -9,7 +9,7 @@ use couplet::certify::batch::{
     Batch, BatchArches, BatchRow, DoubleArches, SharedOpening, Threads, grouped,
 };
 use couplet::number::{DoubleDoubleBall, ExactNumber};
-use couplet::problem::{Arch, Quantity};
+use couplet::problem::{Arch, Friction, Quantity};
 use couplet::sweep::parse;
 use couplet::sweep::rows::{ArchReader, Cells, Columns, Purpose, Role, Spelling};
 use pyo3::prelude::*;
@@ -155,15 +155,46 @@ impl Table {
     fn exact(&self) -> ExactArches {
         let (columns, spelling) = (self.columns.clone(), Spelling::default());
         let reader = ArchReader { columns, weight: self.weight, doubles: false, spelling };
-        let rows = self.cells.iter().map(Column::len).min().unwrap_or(0);
+        let numbers: Option<Vec<&[f64]>> = self.cells.iter().map(Column::numbers).collect();
         let row = |row: usize| {
+            if let Some(numbers) = &numbers {
+                return self.of_numbers(numbers.iter().map(|column| column[row]));
+            }
             let cells: Cells = self.cells.iter().map(|cells| Some(cells.text(row))).collect();
             let arch = reader.arch(&cells)?;
             let eta = reader.given(&cells, Role::GivenThickness);
             let eta = eta.map(|(text, _)| parse::thickness(&spelling.exact(text))).transpose()?;
             Ok((arch, eta))
         };
-        ExactArches((0..rows).into_par_iter().map(row).collect())
+        let rows = 0..self.cells.iter().map(Column::len).min().unwrap_or(0);
+        let arches = rows.into_par_iter().map(row).collect();
+        let has_thickness = self.columns.all.iter().any(|of| of.role == Role::GivenThickness);
+        ExactArches { arches, has_thickness }
+    }
+
+    /// The arch of a row of doubles: what the reader of texts makes of them, without the texts.
+    fn of_numbers(&self, row: impl Iterator<Item = f64>) -> ExactArch {
+        let (mut half_opening, mut friction, mut eta) = (None, None, None);
+        for (column, x) in self.columns.all.iter().zip(row) {
+            if column.role == Role::Friction && x == f64::INFINITY {
+                friction = Some(Friction::Infinite);
+                continue;
+            }
+            let number = ExactNumber::try_from(x).map_err(|_| format!("{x} is no number"))?;
+            let number = if column.degrees { number.degrees() } else { number };
+            match column.role {
+                Role::HalfOpening => half_opening = Some(number),
+                Role::Friction => friction = Some(Friction::Coefficient(number)),
+                Role::FrictionAngle => friction = Some(Friction::Angle(number)),
+                Role::GivenThickness => eta = Some(number),
+                _ => return Err(format!("the {} is no number", column.theirs)),
+            }
+        }
+        let missing = |what: &str| format!("the {what} is missing");
+        let half_opening = half_opening.ok_or_else(|| missing("half_opening"))?;
+        let friction = friction.ok_or_else(|| missing("friction"))?;
+        let arch = Arch::new(self.weight, half_opening, friction);
+        Ok((arch.map_err(|error| error.to_string())?, eta))
     }
 }
 
@@ -172,6 +203,13 @@ impl Column {
         match self {
             Self::Doubles(numbers) => numbers.len(),
             Self::Texts(texts) => texts.len(),
+        }
+    }
+
+    fn numbers(&self) -> Option<&[f64]> {
+        match self {
+            Self::Doubles(numbers) => Some(numbers),
+            Self::Texts(_) => None,
         }
     }
 
@@ -195,40 +233,46 @@ impl Column {
     }
 }
 
-/// Arches with what thickness they have, or why they cannot be read.
-struct ExactArches(Vec<Result<(Arch, Option<ExactNumber>), String>>);
+/// An arch with the thickness that it has, if it has one; or why it cannot be read.
+type ExactArch = Result<(Arch, Option<ExactNumber>), String>;
+
+/// Arches that are exactly what the cells of their rows say.
+struct ExactArches {
+    arches: Vec<ExactArch>,
+    /// True if each shall have a thickness.
+    has_thickness: bool,
+}
 
 impl ExactArches {
     fn rows(&self, quantities: &[Quantity]) -> Result<Vec<Arc<BatchRow>>, Refused> {
         let batch = Batch { quantities: quantities.to_vec(), digits: DIGITS, has_texts: false };
-        let has_thickness = |row: &Result<(_, Option<_>), _>| matches!(row, Ok((_, Some(_))));
-        if !self.0.iter().any(has_thickness) {
+        if !self.has_thickness {
             return Ok(batch.states(self, Threads::Pool));
         }
-        let row = |row: &Result<(Arch, Option<ExactNumber>), String>| {
+        let row = |row: &ExactArch| {
             let asked = row.clone().and_then(|(arch, eta)| {
                 Ok((arch, eta.ok_or_else(|| "the thickness is empty".to_owned())?))
             });
             Arc::new(batch.assessment(asked))
         };
-        Ok(self.0.par_iter().map(row).collect())
+        Ok(self.arches.par_iter().map(row).collect())
     }
 }
 
 impl BatchArches for ExactArches {
     fn openings(&self) -> Vec<Vec<usize>> {
-        let key = |row: &'_ Result<(Arch, _), String>| {
+        let key = |row: &ExactArch| {
             let (arch, _) = row.as_ref().ok()?;
             Some((arch.weight(), arch.half_opening().clone()))
         };
-        grouped(self.0.iter().map(key))
+        grouped(self.arches.iter().map(key))
     }
 
     fn arch(&self, row: usize) -> Result<Cow<'_, Arch>, String> {
-        self.0[row].as_ref().map(|(arch, _)| Cow::Borrowed(arch)).map_err(Clone::clone)
+        self.arches[row].as_ref().map(|(arch, _)| Cow::Borrowed(arch)).map_err(Clone::clone)
     }
 
     fn friction(&self, row: usize) -> Option<DoubleDoubleBall> {
-        SharedOpening::enclosed(self.0[row].as_ref().ok()?.0.friction())
+        SharedOpening::enclosed(self.arches[row].as_ref().ok()?.0.friction())
     }
 }

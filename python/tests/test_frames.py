@@ -163,6 +163,9 @@ def test_a_thickness_is_assessed(kind):
     for given in (columns, {**columns, "eta": ["0.06", "0.05", "3"]}):
         found = cells(couplet.add_states(made(kind, given), half_opening="alpha", friction="mu", thickness="eta", quantities=names))
         assert "mode" not in found and found["verdict"] == ["stands", "falls", "refused"]
+        if given is not columns:
+            empty = couplet.add_states(made(kind, {**given, "eta": ["", " ", "x"]}), half_opening="alpha", friction="mu", thickness="eta")
+            assert cells(empty)["verdict"] == ["refused"] * 3 and cells(empty)["reason"][:2] == ["the thickness is empty"] * 2
         eta = "0.06" if given is not columns else 0.06
         answer = couplet.assess(1.3, 0.5, eta, digits=17)
         assert [found[name][0] for name in names] == [answer.values[name].double for name in names]
