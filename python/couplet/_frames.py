@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from functools import partial
 
 from . import _core
@@ -14,7 +15,7 @@ from ._rows import in_pieces
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
+    from collections.abc import Callable, Sequence
     from typing import Any, TypeVar
 
     from ._kinds import Kind
@@ -23,6 +24,8 @@ if TYPE_CHECKING:
 
 _WEIGHTS = ("heyman", "milankovitch")
 _UNITS = ("deg", "rad")
+# How engines are asked, whose tables are elsewhere.
+_MAPS = ("mapInArrow", "map_partitions", "map_batches")
 
 
 def add_states(
@@ -100,27 +103,23 @@ class _Question:
 
     def answered(self, data: Any) -> Any:
         """The table with its answers."""
-        if hasattr(data, "collect_schema") and hasattr(data, "map_batches"):
-            # A plan of polars: nothing may be pushed below that asks for what is not there yet.
-            import polars  # type: ignore[import-not-found, unused-ignore]
-
+        polars, pyarrow = map(sys.modules.get, ("polars", "pyarrow"))
+        if polars is not None and isinstance(data, polars.LazyFrame):
+            # Nothing may be pushed below that asks for what is not there yet.
             schema = self.answered(polars.DataFrame(schema=data.collect_schema())).schema
             return data.map_batches(
                 self.answered, predicate_pushdown=False, projection_pushdown=False, slice_pushdown=True, schema=schema, streamable=True
             )
-        if hasattr(data, "read_next_batch") and hasattr(data, "schema"):
-            return type(data).from_batches(self.answered(data.schema.empty_table()).schema, self._batches(data))
+        if pyarrow is not None and isinstance(data, pyarrow.RecordBatchReader):
+            return type(data).from_batches(self.answered(data.schema.empty_table()).schema, map(self.answered, data))
+        name = type(data).__name__
+        for method in _MAPS:
+            if hasattr(data, method):
+                raise TypeError(f"a {name} is asked to map its batches: data.{method}(…) as in docs/python.md, \"Engines\"")
         kind = kind_of(data)
         if kind is None:
-            name = type(data).__name__
-            if hasattr(data, "map_partitions") or hasattr(data, "map_batches") or hasattr(data, "mapInArrow"):
-                raise TypeError(f"a {name} is given the function, as docs/python.md has it: data.map_batches(couplet.add_states, …)")
             raise TypeError(f"a table is a frame of pandas or polars, one of Arrow or a dictionary of arrays, not {name}")
         return self._with_states(kind)
-
-    def _batches(self, reader: Any) -> Iterator[Any]:
-        for batch in reader:
-            yield self.answered(batch)
 
     def _with_states(self, kind: Kind) -> Any:
         import numpy as np

@@ -85,6 +85,8 @@ def test_dask_partitions():
     frame = pandas.DataFrame(drawn())
     states = dask.from_pandas(frame, npartitions=4).map_partitions(couplet.add_states, **COLUMNS)
     assert list(states.columns) == ["id", "alpha", "mu", "verdict", "mode", "thickness", "thickness_side", "reason"]
+    with pytest.raises(TypeError, match="a DataFrame is asked to map its batches: data.map_partitions"):
+        couplet.add_states(dask.from_pandas(frame, npartitions=4), **COLUMNS)
     meta = couplet.add_states(frame[:0], **COLUMNS)
     for found in (states, dask.from_pandas(frame, npartitions=4).map_partitions(couplet.add_states, **COLUMNS, meta=meta)):
         computed = found.compute(scheduler="threads")
