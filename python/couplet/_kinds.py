@@ -79,9 +79,11 @@ class Columns:
         array = np.asarray(column)
         if array.ndim != 1:
             raise CoupletError(f"the column '{name}' has {array.ndim} dimensions, not one")
-        # Of what NumPy has no kind for the values are what was given.
-        values = column if array.dtype.kind in "OUT" and isinstance(column, (list, tuple)) else array
-        return _cells(array, values, name, present)
+        if not isinstance(column, (list, tuple)):
+            return _cells(array, array, name, present)
+        # NumPy makes texts of numbers beside texts, and doubles of whole numbers beside doubles.
+        rounds = array.dtype.kind == "f" and any(isinstance(value, int) and abs(value) > 2**53 for value in column)
+        return _cells(None if rounds else array, column, name)
 
     def words(self, codes: Any, words: Sequence[str]) -> Any:
         # As those of ``states``: nothing is 255.

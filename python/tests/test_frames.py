@@ -120,6 +120,19 @@ def test_the_command_says_the_same():
     assert rows[3]["error"].replace("200.0deg", "200deg") == found["reason"][3]
 
 
+def test_hard_arches_are_answered_as_alone():
+    sample = couplet.sample(300, hard=True, seed=5)
+    columns = {name: [row[name] for row in sample] for name in ("half_opening", "friction", "weight")}
+    names = ["thickness", "thrust", "rotational_friction"]
+    found = cells(couplet.add_states(columns, weight="weight", quantities=names))
+    for row, arch in enumerate(zip(*columns.values())):
+        alone = couplet.state(*arch[:2], weight=arch[2], digits=17)
+        for name in names:
+            told_alone = told(alone, name)
+            assert (found["verdict"][row], found["mode"][row], found[name][row], found[f"{name}_side"][row]) == told_alone, arch
+    assert len(set(found["mode"])) > 5
+
+
 def test_numbers_that_are_no_doubles_stay_exact():
     pyarrow = pytest.importorskip("pyarrow")
     tenth = [decimal.Decimal("0.10"), None, decimal.Decimal("1.30")]
@@ -134,8 +147,13 @@ def test_numbers_that_are_no_doubles_stay_exact():
     for table in tables:
         found = cells(couplet.add_states(table, half_opening="alpha", friction="mu"))
         assert found["thickness"] == want and found["verdict"] == ["stands", "refused", "stands"], type(table)
-    large = {"alpha": [1.3, 1.3], "mu": np.array([2**53 + 1, 1])}
-    assert cells(couplet.add_states(large, half_opening="alpha", friction="mu"))["verdict"] == ["stands", "stands"]
+    # A tenth beside a text, and whole numbers that are no doubles, of which only the text of the reason shows what was read.
+    mixed = {"alpha": [0.1, "0.1"], "mu": [1, 1]}
+    assert cells(couplet.add_states(mixed, half_opening="alpha", friction="mu"))["thickness"] == [
+        couplet.state(tenth, 1, digits=17).thickness.double for tenth in (0.1, "0.1")]
+    for large in (np.array([2**53 + 1, 1]), [2**53 + 1, 0.5], [2**70 + 1, 1]):
+        found = couplet.add_states({"alpha": large, "mu": [1, 1]}, half_opening="alpha", friction="mu")
+        assert f"the half opening {int(large[0])} is not" in found["reason"][0]
     long = {"alpha": np.array([1.25, 1.5], np.longdouble), "mu": np.array([1, 2], np.float16)}
     assert cells(couplet.add_states(long, half_opening="alpha", friction="mu"))["thickness"][0] == couplet.state(1.25, 1, digits=17).thickness.double
 
