@@ -23,6 +23,7 @@ from ._commands import Curve, Judged, Picture, Ran, audit, curve, draw, equation
 from ._commands import map as map
 from ._core import CoupletError, UndecidedError, __version__
 from ._exact import text_of as _text_of
+from ._frames import add_states
 from ._sweeps import Swept, sweep
 
 TYPE_CHECKING = False
@@ -56,6 +57,7 @@ __all__ = [
     "Verdict",
     "Voussoirs",
     "__version__",
+    "add_states",
     "assess",
     "audit",
     "certify",

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import operator
-import time
 
 from . import _core
 from ._asked import asked as _ask
 from ._core import CoupletError
 from ._exact import exact
+from ._rows import in_pieces
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -20,9 +20,8 @@ if TYPE_CHECKING:
 #: What ``verdict`` is a place in. An arch with a thickness stands or falls with it; one without, at some or at none.
 VERDICTS: tuple[str, ...] = ("stands", "falls", "undecided", "refused")
 
-# The time that rows are computed for before Python is asked for its signals.
-_SECONDS = 0.2
-_FIRST = 512
+# Searches that are done before Python is asked for its signals.
+_SEARCHES = 512
 _MOST_THREADS = 1024
 
 
@@ -70,7 +69,7 @@ def states(
         >>> grid["verdict"].tolist(), float(grid["thickness"][1, 0])
         ([[0, 1], [0, 0]], 0.052296358975188306)
     """
-    _need_numpy()
+    need_numpy()
     import numpy as np
 
     asked = _Asked(np, half_opening, friction, thickness, weight, quantities)
@@ -97,7 +96,7 @@ def states_columns(
     ``pandas.DataFrame(...)``, ``polars.DataFrame(...)`` and ``pyarrow.table(...)`` take it as it is. The first columns are
     half_opening, friction and, where it is given, given_thickness.
     """
-    _need_numpy()
+    need_numpy()
     import numpy as np
 
     asked = _Asked(np, half_opening, friction, thickness, weight, quantities)
@@ -169,7 +168,7 @@ def finds(
         >>> found.shape, float(found["value"][1, 1]) == couplet.find("half_opening", friction=0.5, thickness=0.2).value.double
         ((2, 2), True)
     """
-    _need_numpy()
+    need_numpy()
     import numpy as np
 
     whole(threads)
@@ -188,10 +187,10 @@ def finds(
     if code == FOUND.index("refused"):
         raise CoupletError(str(why))
     with Bar(progress, found.size) as bar:
-        for begin in range(0, found.size, _FIRST):
+        for begin in range(0, found.size, _SEARCHES):
             rows = [
                 [None if column is None else exact(column[row].item(), "number") for column in columns]
-                for row in range(begin, min(begin + _FIRST, found.size))
+                for row in range(begin, min(begin + _SEARCHES, found.size))
             ]
             for row, (code, bounds, _) in enumerate(_ask(_core.finds, target, weight, rows, threads), begin):
                 found[row] = (code, *bounds)
@@ -219,7 +218,7 @@ def reasons(
         >>> couplet.reasons(couplet.states(*arrays), *arrays)
         {1: 'the friction -1 is negative'}
     """
-    _need_numpy()
+    need_numpy()
     import numpy as np
 
     asked = _Asked(np, half_opening, friction, thickness, weight, None)
@@ -246,7 +245,7 @@ def _reasons(codes: Any, arrays: list[Any], weight: str) -> dict[int, str]:
     return why
 
 
-def _need_numpy() -> None:
+def need_numpy() -> None:
     try:
         import numpy
     except ModuleNotFoundError as error:
@@ -296,31 +295,19 @@ class _Asked:
 
     def answer(self, found: Any, threads: int, progress: Any) -> None:
         """Writes every field, some rows at a time."""
-        np = self.np
-        threads = whole(threads)
-        # Rows of one half opening together.
-        order = np.argsort(self.arrays[0], kind="stable")
-        if (order[1:] > order[:-1]).all():
-            order = None
+        np, threads = self.np, whole(threads)
         names = [name for name, _ in self.fields()]
+        kinds = [np.uint8] * 2 + [np.float64] * (3 * len(self.names))
+
+        def ask(places: Any) -> Any:
+            part = [array[places].tobytes() for array in self.arrays]
+            return _core.states(self.weight, (part[0], part[1], part[2] if len(part) > 2 else None), self.names, threads)
+
         with Bar(progress, self.size) as bar:
-            begin, count = 0, _FIRST
-            while begin < self.size:
-                rows = slice(begin, begin + count)
-                places = rows if order is None else order[rows]
-                start = time.perf_counter()
-                part = [array[places].tobytes() for array in self.arrays]
-                three = (part[0], part[1], part[2] if len(part) > 2 else None)
-                verdict, mode, values = _core.states(self.weight, three, self.names, threads)
-                kinds = [np.uint8] * 2 + [np.float64] * (3 * len(self.names))
+            for places, (verdict, mode, values) in in_pieces(np, self.arrays[0], self.size, ask, bar):
                 columns = [verdict, mode, *(bound for value in values for bound in value)]
                 for name, kind, column in zip(names, kinds, columns):
                     found[name][places] = np.frombuffer(column, kind)
-                done = len(verdict)
-                begin += done
-                bar(begin)
-                speed = done / max(time.perf_counter() - start, 1e-6)
-                count = int(min(max(speed * _SECONDS, _FIRST), 8 * count))
 
 
 def _doubles(np: Any, values: Any, what: str) -> Any:

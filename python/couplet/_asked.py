@@ -37,10 +37,17 @@ def asked(function: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
 
 
 def keyed(sentence: str) -> str:
-    """A sentence of the command, with the names of keywords in place of options, and doubles as they are written."""
+    """A sentence of the command, with the names of keywords in place of options, and doubles as Python writes them."""
     import re
 
     sentence = re.sub(r"--([a-z]+(?:-[a-z]+)*)", lambda option: option[1].replace("-", "_"), sentence)
+    return with_doubles(sentence)
+
+
+def with_doubles(sentence: str) -> str:
+    """A sentence in which doubles are written as Python writes them."""
+    import re
+
     return re.sub(r"(?<![\d/])(-?\d+)/(\d{7,})(?![\d/])", _double, sentence)
 
 

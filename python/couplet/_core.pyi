@@ -30,6 +30,7 @@ __all__ = [
     "sweep_part",
     "sweep_survey",
     "sweep_verify",
+    "table",
     "tilted",
     "voussoirs",
 ]
@@ -72,6 +73,9 @@ def run(arguments: list[str]) -> int: ...
 def states(
     weight: str, arrays: tuple[bytes, bytes, bytes | None], names: list[str], threads: int
 ) -> tuple[bytes, bytes, list[list[bytes]]]: ...
+def table(
+    weight: str, columns: list[str], cells: list[bytes | list[str]], names: list[str], threads: int
+) -> tuple[bytes, bytes, list[tuple[bytes, bytes]], list[tuple[int, str]]]: ...
 def sweep_begin(
     plan: bytes, base: str | PathLike[str], output: str | PathLike[str]
 ) -> tuple[Path, list[str], list[str], list[str]]: ...

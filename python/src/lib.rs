@@ -6,6 +6,7 @@
 //! | `asked` | one question at a time |
 //! | `certified` | certificates, and their check |
 //! | `rows` | many arches, in arrays of doubles |
+//! | `tables` | the rows of a table, in doubles or exact texts |
 //! | `told` | an answer as Python gets it |
 //! | `sweeps` | any number of arches, in Parquet files |
 //! | `pool` | threads of our own |
@@ -16,6 +17,7 @@ mod pool;
 mod rows;
 #[cfg(feature = "parquet")]
 mod sweeps;
+mod tables;
 mod told;
 
 use pyo3::prelude::*;
@@ -47,6 +49,8 @@ mod _core {
     #[cfg(feature = "parquet")]
     #[pymodule_export]
     use super::sweeps::{sweep_begin, sweep_part, sweep_survey, sweep_verify};
+    #[pymodule_export]
+    use super::tables::table;
     #[pymodule_export]
     use super::{CoupletError, UndecidedError};
 

@@ -4,6 +4,7 @@ use crate::pool::on_threads;
 use crate::{CoupletError, asked};
 use couplet::Error;
 use couplet::ask::{ArchAsked, Field, Spelling};
+use couplet::certify::Refused;
 use couplet::certify::batch::DoubleArches;
 use couplet::certify::state::find;
 use couplet::problem::Quantity;
@@ -15,18 +16,29 @@ use pyo3::types::PyBytes;
 use rayon::prelude::*;
 
 /// The doubles of an array, in the order of bytes of this machine.
-fn doubles(bytes: &[u8]) -> Vec<f64> {
+pub(crate) fn doubles(bytes: &[u8]) -> Vec<f64> {
     bytes.as_chunks().0.iter().map(|bytes| f64::from_ne_bytes(*bytes)).collect()
 }
 
 /// Doubles as the bytes of an array.
-fn bytes<'py>(py: Python<'py>, values: &[f64]) -> Bound<'py, PyBytes> {
-    let bytes: Vec<u8> = values.iter().flat_map(|x| x.to_ne_bytes()).collect();
-    PyBytes::new(py, &bytes)
+pub(crate) fn of_array(doubles: &[f64]) -> Vec<u8> {
+    let mut bytes = Vec::with_capacity(size_of_val(doubles));
+    doubles.iter().for_each(|x| bytes.extend_from_slice(&x.to_ne_bytes()));
+    bytes
 }
 
+/// The bytes of an array.
+pub(crate) type Bytes<'py> = Bound<'py, PyBytes>;
+
 /// Verdicts, modes, and for each quantity the nearest doubles with their bounds, as bytes of arrays.
-type Columns<'py> = (Bound<'py, PyBytes>, Bound<'py, PyBytes>, Vec<[Bound<'py, PyBytes>; 3]>);
+type Columns<'py> = (Bytes<'py>, Bytes<'py>, Vec<Vec<Bytes<'py>>>);
+
+/// The quantities of these names, of those that arches with or without a thickness have.
+pub(crate) fn quantities(names: &[String], has_thickness: bool) -> PyResult<Vec<Quantity>> {
+    let possible =
+        if has_thickness { &Quantity::ASSESSMENT_ROW[..] } else { &Quantity::STATE_ROW[..] };
+    names.iter().map(|name| asked::quantity(name, possible)).collect()
+}
 
 /// The arches of arrays of doubles of one length, as bytes.
 #[pyfunction]
@@ -38,10 +50,7 @@ pub(crate) fn states<'py>(
     threads: usize,
 ) -> PyResult<Columns<'py>> {
     let weight = parse::weight(weight).map_err(CoupletError::new_err)?;
-    let possible =
-        if arrays.2.is_some() { &Quantity::ASSESSMENT_ROW[..] } else { &Quantity::STATE_ROW[..] };
-    let quantities = names.iter().map(|name| asked::quantity(name, possible));
-    let quantities: Vec<Quantity> = quantities.collect::<PyResult<_>>()?;
+    let quantities = quantities(&names, arrays.2.is_some())?;
     let answer = move || {
         let [half_openings, frictions] = [&arrays.0, &arrays.1].map(|bytes| doubles(bytes));
         let thicknesses = arrays.2.as_deref().map(doubles);
@@ -51,14 +60,16 @@ pub(crate) fn states<'py>(
             frictions: &frictions,
             thicknesses: thicknesses.as_deref(),
         };
-        arches.columns(&quantities)
+        let columns = arches.columns(&quantities)?;
+        let values = columns.values.iter().map(|bounds| bounds.each_ref().map(|x| of_array(x)));
+        Ok((columns.verdict_codes(), columns.modes, values.collect::<Vec<_>>()))
     };
-    let columns = on_threads(py, threads, answer)?;
-    let columns = columns.map_err(|refused| CoupletError::new_err(refused.to_string()))?;
-    let verdicts: Vec<u8> = columns.verdicts.iter().map(|verdict| *verdict as u8).collect();
-    let column = |values: &Vec<f64>| bytes(py, values);
-    let values = columns.values.iter().map(|bounds| bounds.each_ref().map(column));
-    Ok((PyBytes::new(py, &verdicts), PyBytes::new(py, &columns.modes), values.collect()))
+    let found = on_threads(py, threads, answer)?;
+    let (verdicts, modes, values) =
+        found.map_err(|refused: Refused| CoupletError::new_err(refused.to_string()))?;
+    let bytes = |column: &Vec<u8>| PyBytes::new(py, column);
+    let values = values.iter().map(|columns| columns.iter().map(bytes).collect()).collect();
+    Ok((bytes(&verdicts), bytes(&modes), values))
 }
 
 /// Digits with which the nearest double is told.

@@ -149,7 +149,7 @@ def test_a_wheel_that_cannot_be_packed_stays(tmp_path, monkeypatch, fault):
     assert wheel.read_bytes() == whole and os.listdir(tmp_path) == ["a.whl"]
 
 
-@pytest.mark.parametrize("module", ["couplet", "couplet._arches", "couplet._arrays", "couplet._certified", "couplet._answers", "couplet._codes", "couplet._commands", "couplet._sweeps"])
+@pytest.mark.parametrize("module", ["couplet", "couplet._arches", "couplet._arrays", "couplet._certified", "couplet._answers", "couplet._codes", "couplet._commands", "couplet._frames", "couplet._sweeps"])
 def test_the_examples_of_the_documentation(module):
     pytest.importorskip("numpy")
     module = importlib.import_module(module)

@@ -98,9 +98,7 @@ impl BatchArches for PartQueries {
             }
             PartArches::Listed(listed) => {
                 let arch = listed.arches[row].as_ref().ok()?;
-                let half_opening = SharedOpening::enclosed_opening(arch.half_opening());
-                let friction = SharedOpening::enclosed(arch.friction());
-                Some((arch.weight(), (half_opening, friction)))
+                Some((arch.weight(), SharedOpening::enclosed_arch(arch)))
             }
         }
     }

@@ -1,5 +1,6 @@
 //! The one way in which arches that are there are answered: those of one half opening together.
 
+use super::columns::BatchColumns;
 use super::in_lanes;
 use super::opening::{PAYS_FROM, SharedOpening};
 use super::row::{BatchRow, RowValue, RowVerdict};
@@ -103,6 +104,11 @@ impl Batch {
             all[row] = Some(found);
         }
         all.into_iter().flatten().collect()
+    }
+
+    /// The same rows by columns.
+    pub fn columns(&self, arches: &impl BatchArches, threads: Threads) -> BatchColumns {
+        BatchColumns::new(self, arches, threads)
     }
 
     /// Some rows of states, each with its place.

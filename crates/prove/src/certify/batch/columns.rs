@@ -2,7 +2,8 @@
 
 use super::batch::{Batch, BatchArches, Threads};
 use super::in_lanes::{self, Answered};
-use super::row::{BatchRow, RowVerdict, mode_code};
+use super::row::{BatchRow, RowVerdict, mode_code, side};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Rows of a batch by columns.
@@ -14,21 +15,50 @@ pub struct BatchColumns {
     pub modes: Vec<u8>,
     /// Of each quantity the nearest doubles, the lower and the upper bounds; not a number where there is no value.
     pub values: Vec<[Vec<f64>; 3]>,
+    /// Reasons of the rows that are undecided or refused, by their places, in order.
+    pub reasons: BTreeMap<usize, String>,
 }
 
 impl BatchColumns {
     /// So many rows of which nothing is known.
-    fn open(rows: usize, quantities: usize) -> Self {
+    pub fn open(rows: usize, quantities: usize) -> Self {
         let none = || [(); 3].map(|()| vec![f64::NAN; rows]);
         Self {
             verdicts: vec![RowVerdict::Undecided; rows],
             modes: vec![u8::MAX; rows],
             values: (0..quantities).map(|_| none()).collect(),
+            reasons: BTreeMap::new(),
         }
     }
 
+    /// The codes of the verdicts.
+    pub fn verdict_codes(&self) -> Vec<u8> {
+        self.verdicts.iter().map(|verdict| *verdict as u8).collect()
+    }
+
+    /// Place of the true value of a quantity in a row: -1 below the double, 0 on it, 1 above it; none where that is not
+    /// proved, or there is no value.
+    pub fn side(&self, quantity: usize, row: usize) -> Option<i32> {
+        let [double, lower, upper] = self.values[quantity].each_ref().map(|column| column[row]);
+        side(double, [lower, upper])
+    }
+
+    /// Puts rows that are columns themselves into some places.
+    pub fn put_all(&mut self, places: &[usize], rows: Self) {
+        for (from, to) in places.iter().enumerate() {
+            self.verdicts[*to] = rows.verdicts[from];
+            self.modes[*to] = rows.modes[from];
+        }
+        for (all, columns) in self.values.iter_mut().zip(&rows.values) {
+            for (all, column) in all.iter_mut().zip(columns) {
+                places.iter().zip(column).for_each(|(to, x)| all[*to] = *x);
+            }
+        }
+        self.reasons.extend(rows.reasons.into_iter().map(|(from, why)| (places[from], why)));
+    }
+
     /// The columns of rows.
-    pub(super) fn of(rows: &[Arc<BatchRow>], quantities: usize) -> Self {
+    pub fn of(rows: &[Arc<BatchRow>], quantities: usize) -> Self {
         let mut all = Self::open(rows.len(), quantities);
         rows.iter().enumerate().for_each(|(place, row)| all.put(place, row));
         all
@@ -38,21 +68,24 @@ impl BatchColumns {
     fn put(&mut self, place: usize, row: &BatchRow) {
         self.verdicts[place] = row.verdict;
         self.modes[place] = row.mode_code();
+        self.reasons.extend(row.reason.clone().map(|why| (place, why)));
         for (quantity, columns) in self.values.iter_mut().enumerate() {
             let doubles = row.doubles(quantity);
             columns.iter_mut().zip(doubles).for_each(|(column, x)| column[place] = x);
         }
     }
 
-    /// Puts an answer in its place, if all that is asked is decided.
-    fn put_answer(&mut self, place: usize, answer: &Answered, batch: &Batch) -> bool {
-        for (columns, of) in self.values.iter_mut().zip(&batch.quantities) {
-            let Some(doubles) = answer.doubles(*of) else { return false };
-            columns.iter_mut().zip(doubles).for_each(|(column, x)| column[place] = x);
+    /// Adds the row of an answer, if all that is asked is decided.
+    fn push(&mut self, answer: &Answered, batch: &Batch) -> bool {
+        let doubles: Option<Vec<[f64; 3]>> =
+            batch.quantities.iter().map(|of| answer.doubles(*of)).collect();
+        let Some(doubles) = doubles else { return false };
+        for (columns, doubles) in self.values.iter_mut().zip(doubles) {
+            columns.iter_mut().zip(doubles).for_each(|(column, x)| column.push(x));
         }
         let (verdict, mode) = answer.verdict();
-        self.verdicts[place] = verdict;
-        self.modes[place] = mode_code(mode);
+        self.verdicts.push(verdict);
+        self.modes.push(mode_code(mode));
         true
     }
 
@@ -60,28 +93,17 @@ impl BatchColumns {
     pub(super) fn new(batch: &Batch, arches: &impl BatchArches, threads: Threads) -> Self {
         let quantities = batch.quantities.len();
         let made = |answers: &[Answered]| {
-            let mut columns = Self::open(answers.len(), quantities);
-            let decided = |(place, answer): (usize, &Answered)| {
-                columns.put_answer(place, answer, batch).then_some(answer.row)
-            };
-            let rows: Vec<Option<usize>> = answers.iter().enumerate().map(decided).collect();
+            let mut columns = Self::open(0, quantities);
+            let decided = |answer: &&Answered| columns.push(answer, batch);
+            let rows: Vec<usize> =
+                answers.iter().filter(decided).map(|answer| answer.row).collect();
             (rows, columns)
         };
         let mut all = Self::open(arches.count(), quantities);
         let mut is_open = vec![true; arches.count()];
         for (rows, columns) in in_lanes::pieces(batch, arches, threads, made) {
-            for (place, row) in rows.iter().enumerate() {
-                let Some(row) = *row else { continue };
-                is_open[row] = false;
-                all.verdicts[row] = columns.verdicts[place];
-                all.modes[row] = columns.modes[place];
-            }
-            for (all, columns) in all.values.iter_mut().zip(&columns.values) {
-                for (all, column) in all.iter_mut().zip(columns) {
-                    let places = rows.iter().zip(column);
-                    places.for_each(|(row, x)| row.iter().for_each(|row| all[*row] = *x));
-                }
-            }
+            rows.iter().for_each(|row| is_open[*row] = false);
+            all.put_all(&rows, columns);
         }
         let open: Vec<usize> = (0..is_open.len()).filter(|row| is_open[*row]).collect();
         for (row, found) in batch.by_openings(&open, arches, threads) {

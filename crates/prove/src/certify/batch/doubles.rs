@@ -94,7 +94,7 @@ impl DoubleArches<'_> {
     pub fn columns(&self, quantities: &[Quantity]) -> Result<BatchColumns, Refused> {
         let batch = self.batch(quantities)?;
         Ok(match self.thicknesses {
-            None => BatchColumns::new(&batch, self, Threads::Pool),
+            None => batch.columns(self, Threads::Pool),
             Some(etas) => BatchColumns::of(&self.assessments(&batch, etas), quantities.len()),
         })
     }

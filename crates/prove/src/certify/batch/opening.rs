@@ -12,6 +12,7 @@ use crate::certify::state::{
     Answer, AtOpening, Balls, DOUBLE_DOUBLE, Digits, Enough, Fall, Figure, Frictions,
     critical_frictions, is_quick,
 };
+use crate::lanes::LaneArch;
 use crate::number::{DoubleDouble, DoubleDoubleBall, Enclosure, ExactNumber, Real};
 use crate::problem::{Arch, Friction};
 use crate::prover::{Error, Refused};
@@ -158,6 +159,11 @@ impl SharedOpening {
             }
             Friction::Infinite => None,
         }
+    }
+
+    /// An arch as it goes into lanes.
+    pub fn enclosed_arch(arch: &Arch) -> LaneArch {
+        (Self::enclosed_opening(arch.half_opening()), Self::enclosed(arch.friction()))
     }
 
     /// A half opening as it goes into lanes.

@@ -63,6 +63,16 @@ impl BatchRow {
     }
 }
 
+/// Place of a value within bounds, as [`RowValue::side`] tells it.
+pub(super) fn side(double: f64, [lower, upper]: [f64; 2]) -> Option<i32> {
+    match (lower >= double, upper <= double) {
+        (true, true) => Some(0),
+        (true, false) => Some(1),
+        (false, true) => Some(-1),
+        (false, false) => None,
+    }
+}
+
 /// The place of a mode in [`Mode::ALL`]; 255 where there is none.
 pub(super) fn mode_code(mode: Option<Mode>) -> u8 {
     let place = mode.and_then(|mode| Mode::ALL.iter().position(|of| *of == mode));
@@ -80,12 +90,6 @@ impl RowValue {
 
     /// Place of the true value: -1 below the double, 0 on it, 1 above it; none where that is not proved.
     pub fn side(&self) -> Option<i32> {
-        let [lower, upper] = self.bounds;
-        match (lower >= self.double, upper <= self.double) {
-            (true, true) => Some(0),
-            (true, false) => Some(1),
-            (false, true) => Some(-1),
-            (false, false) => None,
-        }
+        side(self.double, self.bounds)
     }
 }

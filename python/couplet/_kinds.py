@@ -1,0 +1,294 @@
+"""Kinds of tables: how the columns of each are read, and others added. None is imported here that was not there."""
+
+from __future__ import annotations
+
+import sys
+
+from ._core import CoupletError
+from ._exact import exact
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+    from typing import Any, Optional, Protocol, Union
+
+    #: Doubles as an array or exact texts, and which of the cells have a value; None if all have.
+    Cells = tuple[Any, Optional[Any]]
+
+    class Kind(Protocol):
+        """A kind of tables, over one of them."""
+
+        size: int
+        names: Any
+
+        def cells(self, name: str) -> Cells: ...
+        def words(self, codes: Any, words: Sequence[str]) -> Any: ...
+        def numbers(self, doubles: Any) -> Any: ...
+        def sides(self, sides: Any) -> Any: ...
+        def texts(self, codes: Any, words: Sequence[str]) -> Any: ...
+        def with_columns(self, columns: Mapping[str, Any]) -> Any: ...
+
+
+#: The codes of no word and of no side.
+NO_WORD, NO_SIDE = -1, -128
+
+
+def kind_of(data: Any) -> Union[Kind, None]:
+    """The kind of a table; None if it is none."""
+    for library, frame in (("pandas", Pandas), ("polars", Polars)):
+        module = sys.modules.get(library)
+        if module is not None and isinstance(data, module.DataFrame):
+            return frame(data)
+    pyarrow = sys.modules.get("pyarrow")
+    if pyarrow is not None and isinstance(data, (pyarrow.Table, pyarrow.RecordBatch)):
+        return Arrow(data)
+    if hasattr(data, "__arrow_c_stream__") or hasattr(data, "__arrow_c_array__"):
+        return _of_arrow(data)
+    return Columns(data) if hasattr(data, "keys") and hasattr(data, "__getitem__") and not hasattr(data, "columns") else None
+
+
+def _of_arrow(data: Any) -> Kind:
+    """What speaks Arrow's C interface, as a table of pyarrow, or of polars if that is there and pyarrow is not."""
+    try:
+        import pyarrow  # type: ignore[import-not-found, import-untyped, unused-ignore]
+    except ImportError:
+        try:
+            import polars  # type: ignore[import-not-found, unused-ignore]
+        except ImportError:
+            kind = type(data).__name__
+            raise ModuleNotFoundError(f"a {kind} of Arrow is read by pyarrow or polars: pip install pyarrow", name="pyarrow") from None
+        return Polars(polars.DataFrame(data))
+    return Arrow(pyarrow.table(data) if hasattr(data, "__arrow_c_stream__") else pyarrow.record_batch(data))
+
+
+class Columns:
+    """A dictionary of arrays, which has codes in place of words and of nothing."""
+
+    def __init__(self, data: Mapping[str, Any]) -> None:
+        self.data, self.names = data, list(data)
+        self.size = next((len(column) for column in data.values() if hasattr(column, "__len__")), 0)
+
+    def cells(self, name: str) -> Cells:
+        import numpy as np
+
+        column = self.data[name]
+        present = None
+        if isinstance(column, np.ma.MaskedArray):
+            present = ~np.ma.getmaskarray(column)
+            column = column.filled(0) if column.dtype.kind in "fiu" else column.data
+        array = np.asarray(column)
+        if array.ndim != 1:
+            raise CoupletError(f"the column '{name}' has {array.ndim} dimensions, not one")
+        if not isinstance(column, (list, tuple)):
+            return _cells(array, array, name, present)
+        # NumPy makes texts of numbers beside texts, and doubles of whole numbers beside doubles.
+        rounds = array.dtype.kind == "f" and any(isinstance(value, int) and abs(value) > 2**53 for value in column)
+        return _cells(None if rounds else array, column, name)
+
+    def words(self, codes: Any, words: Sequence[str]) -> Any:
+        # As those of ``states``: nothing is 255.
+        return codes.view("uint8")
+
+    def numbers(self, doubles: Any) -> Any:
+        return doubles
+
+    def sides(self, sides: Any) -> Any:
+        return sides
+
+    def texts(self, codes: Any, words: Sequence[str]) -> Any:
+        import numpy as np
+
+        return np.array([*words, None], dtype=object)[codes]
+
+    def with_columns(self, columns: Mapping[str, Any]) -> Any:
+        return {**self.data, **columns}
+
+
+class Pandas:
+    """A frame of pandas."""
+
+    def __init__(self, data: Any) -> None:
+        self.data, self.names, self.size = data, list(data.columns), len(data)
+
+    def cells(self, name: str) -> Cells:
+        import pandas  # type: ignore[import-not-found, import-untyped, unused-ignore]
+
+        column = self.data[name]
+        if isinstance(column.dtype, pandas.CategoricalDtype):
+            column = column.astype(column.cat.categories.dtype)
+        kind = column.dtype
+        if getattr(kind, "kind", "") in "fiu" and not hasattr(kind, "na_value"):
+            return _cells(column.to_numpy(), column, name)
+        missing = column.isna().to_numpy(dtype=bool)
+        present = ~missing if missing.any() else None
+        as_numpy = getattr(kind, "numpy_dtype", None)
+        if as_numpy is not None and as_numpy.kind in "fiu":
+            return _cells(column.to_numpy(dtype=as_numpy, na_value=0), column, name, present)
+        return _cells(column.to_numpy(dtype=object), column, name, present, kind)
+
+    def words(self, codes: Any, words: Sequence[str]) -> Any:
+        import pandas
+
+        return pandas.Categorical.from_codes(codes, list(words))
+
+    def numbers(self, doubles: Any) -> Any:
+        return doubles
+
+    def sides(self, sides: Any) -> Any:
+        import pandas
+
+        return pandas.arrays.IntegerArray(sides, sides == NO_SIDE)
+
+    def texts(self, codes: Any, words: Sequence[str]) -> Any:
+        import pandas
+
+        # One word more, as nothing is taken of nothing.
+        return pandas.array([*words, ""], dtype="string" if pandas.__version__ < "3" else "str").take(codes, allow_fill=True)
+
+    def with_columns(self, columns: Mapping[str, Any]) -> Any:
+        return self.data.assign(**columns)
+
+
+class Polars:
+    """A frame of polars."""
+
+    def __init__(self, data: Any) -> None:
+        self.data, self.names, self.size = data, data.columns, data.height
+
+    def cells(self, name: str) -> Cells:
+        import polars
+
+        column = self.data.get_column(name)
+        present = column.is_not_null().to_numpy() if column.null_count() else None
+        kind = column.dtype
+        if kind.is_float() or kind.is_integer() and "128" not in str(kind):
+            return _cells(column.fill_null(0).to_numpy(), column, name, present)
+        if kind.is_numeric() or kind in (polars.String, polars.Categorical, polars.Enum, polars.Null):
+            column = column.cast(polars.String)
+        elif kind != polars.Object:
+            raise _no_numbers(name, kind)
+        return _cells(None, column, name, present)
+
+    def words(self, codes: Any, words: Sequence[str]) -> Any:
+        import polars
+
+        return self._coded(codes, polars.Series(values=list(words), dtype=polars.Enum(words)))
+
+    def _coded(self, codes: Any, words: Any) -> Any:
+        import polars
+
+        series = polars.Series(codes)
+        return words.gather(series.set(series == NO_WORD, None) if (codes == NO_WORD).any() else series)
+
+    def numbers(self, doubles: Any) -> Any:
+        import polars
+
+        return polars.Series(doubles, nan_to_null=True)
+
+    def sides(self, sides: Any) -> Any:
+        import polars
+
+        series = polars.Series(sides)
+        return series.set(series == NO_SIDE, None) if (sides == NO_SIDE).any() else series
+
+    def texts(self, codes: Any, words: Sequence[str]) -> Any:
+        import polars
+
+        if not words:
+            return polars.repeat(None, self.size, dtype=polars.String, eager=True)
+        return self._coded(codes, polars.Series(values=list(words), dtype=polars.String))
+
+    def with_columns(self, columns: Mapping[str, Any]) -> Any:
+        return self.data.with_columns([column.alias(name) for name, column in columns.items()])
+
+
+class Arrow:
+    """A table or a batch of pyarrow."""
+
+    def __init__(self, data: Any) -> None:
+        self.data, self.names, self.size = data, data.schema.names, data.num_rows
+
+    def cells(self, name: str) -> Cells:
+        import pyarrow
+        from pyarrow import compute, types  # type: ignore[import-not-found, import-untyped, unused-ignore]
+
+        column = self.data.column(name)
+        if types.is_dictionary(column.type):
+            column = column.cast(column.type.value_type)
+        present = compute.is_valid(column).to_numpy(zero_copy_only=False) if column.null_count else None
+        kind = column.type
+        if types.is_floating(kind) or types.is_integer(kind):
+            if present is not None:
+                column = compute.fill_null(column, pyarrow.scalar(0, pyarrow.int8()).cast(kind))
+            return _cells(column.to_numpy(zero_copy_only=False), column, name, present)
+        if types.is_decimal(kind):
+            column = column.cast(pyarrow.string())
+        elif not (types.is_string(kind) or types.is_large_string(kind) or types.is_string_view(kind) or types.is_null(kind)):
+            raise _no_numbers(name, kind)
+        return _cells(None, column, name, present)
+
+    def words(self, codes: Any, words: Sequence[str]) -> Any:
+        import pyarrow
+
+        mask = codes == NO_WORD
+        indices = pyarrow.array(codes, mask=mask if mask.any() else None)
+        return pyarrow.DictionaryArray.from_arrays(indices, pyarrow.array(words, pyarrow.string())).dictionary_decode()
+
+    def numbers(self, doubles: Any) -> Any:
+        import pyarrow
+
+        return pyarrow.array(doubles, pyarrow.float64(), from_pandas=True)
+
+    def sides(self, sides: Any) -> Any:
+        import pyarrow
+
+        mask = sides == NO_SIDE
+        return pyarrow.array(sides, pyarrow.int8(), mask=mask if mask.any() else None)
+
+    def texts(self, codes: Any, words: Sequence[str]) -> Any:
+        import pyarrow
+
+        return self.words(codes, words) if words else pyarrow.nulls(self.size, pyarrow.string())
+
+    def with_columns(self, columns: Mapping[str, Any]) -> Any:
+        import pyarrow
+
+        schema = self.data.schema
+        for name, column in columns.items():
+            schema = schema.append(pyarrow.field(name, column.type))
+        return type(self.data).from_arrays([*self.data.columns, *columns.values()], schema=schema)
+
+
+def _no_numbers(name: str, kind: Any) -> CoupletError:
+    return CoupletError(f"the column '{name}' is of {kind}, which is neither numbers nor texts")
+
+
+def _cells(array: Any, values: Any, name: str, present: Any = None, kind: Any = None) -> Cells:
+    """Cells of an array of numbers, or of values that are texts or exact numbers."""
+    import numpy as np
+
+    if array is not None:
+        if array.dtype.kind == "f" and array.dtype.itemsize <= 8:
+            return array.astype(np.float64, copy=False), present
+        if array.dtype.kind in "iu":
+            doubles = array.astype(np.float64)
+            # Larger whole numbers may be rounded.
+            if not array.size or -(2**53) <= int(array.min()) and int(array.max()) <= 2**53:
+                return doubles, present
+        elif array.dtype.kind not in "fOUT":
+            raise _no_numbers(name, kind or array.dtype)
+    lister = getattr(values, "tolist", None) or getattr(values, "to_list", None) or getattr(values, "to_pylist", None)
+    given = lister() if lister else list(values)
+    if present is None:
+        present = np.fromiter((value is not None for value in given), bool, len(given))
+        present = None if present.all() else present
+    texts = []
+    for row, value in enumerate(given):
+        if present is not None and not present[row]:
+            texts.append("")
+            continue
+        try:
+            texts.append(value if type(value) is str else exact(value, f"cell of the column '{name}'"))
+        except TypeError as error:
+            raise CoupletError(f"{error} (row {row})") from None
+    return texts, present

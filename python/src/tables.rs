@@ -1,0 +1,278 @@
+//! The rows of a table: doubles or exact texts in each column, read as `couplet states` reads those of a file.
+
+use crate::CoupletError;
+use crate::pool::on_threads;
+use crate::rows::{Bytes, doubles, of_array, quantities};
+use couplet::arch::SelfWeight;
+use couplet::certify::Refused;
+use couplet::certify::batch::{
+    Batch, BatchArches, BatchColumns, DoubleArches, LaneArch, SharedOpening, Threads, grouped,
+};
+use couplet::number::{DoubleDoubleBall, ExactNumber};
+use couplet::problem::{Arch, Friction, Quantity};
+use couplet::sweep::parse;
+use couplet::sweep::rows::{ArchReader, Cells, Columns, Purpose, Role, Spelling};
+use pyo3::prelude::*;
+use pyo3::pybacked::PyBackedBytes;
+use pyo3::types::PyBytes;
+use rayon::prelude::*;
+use std::borrow::Cow;
+use std::sync::Arc;
+
+/// With so many digits a decimal number tells the double.
+const DIGITS: usize = 17;
+
+/// The code of no side.
+const NO_SIDE: i8 = i8::MIN;
+
+/// The cells of a column: doubles, as the bytes of an array, or texts.
+#[derive(Clone, FromPyObject)]
+pub(crate) enum Column {
+    Doubles(#[pyo3(from_py_with = of_bytes)] Vec<f64>),
+    Texts(Vec<String>),
+}
+
+fn of_bytes(bytes: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
+    Ok(doubles(&bytes.extract::<PyBackedBytes>()?))
+}
+
+/// Verdicts and modes, for each quantity the nearest doubles and the sides of the true values, as bytes of arrays; and
+/// the reasons of the rows without a verdict.
+type Answered<'py> = (Bytes<'py>, Bytes<'py>, Vec<(Bytes<'py>, Bytes<'py>)>, Vec<(usize, String)>);
+
+/// The arches of the rows of a table, whose columns are named as for `couplet states`, `theirs=ours:deg`.
+#[pyfunction]
+pub(crate) fn table<'py>(
+    py: Python<'py>,
+    weight: &str,
+    columns: Vec<String>,
+    cells: Vec<Column>,
+    names: Vec<String>,
+    threads: usize,
+) -> PyResult<Answered<'py>> {
+    let weight = parse::weight(weight).map_err(CoupletError::new_err)?;
+    let columns = Columns::named(&columns, Purpose::Ask).map_err(CoupletError::new_err)?;
+    let has_thickness = columns.all.iter().any(|column| column.role == Role::GivenThickness);
+    let quantities = quantities(&names, has_thickness)?;
+    let answer = move || {
+        let found = Table { columns, cells, weight }.answers(&quantities)?;
+        let values = (0..quantities.len()).map(|quantity| {
+            let [numbers, ..] = &found.values[quantity];
+            let side = |row| found.side(quantity, row).and_then(|side| i8::try_from(side).ok());
+            let sides = (0..numbers.len()).map(|row| side(row).unwrap_or(NO_SIDE).cast_unsigned());
+            (of_array(numbers), sides.collect::<Vec<u8>>())
+        });
+        let values = values.collect::<Vec<_>>();
+        let reasons = found.reasons.clone().into_iter().collect();
+        Ok((found.verdict_codes(), found.modes, values, reasons))
+    };
+    let found = on_threads(py, threads, answer)?;
+    let (verdicts, modes, values, reasons) =
+        found.map_err(|refused: Refused| CoupletError::new_err(refused.to_string()))?;
+    let bytes = |column: &[u8]| PyBytes::new(py, column);
+    let values = values.iter().map(|(numbers, sides)| (bytes(numbers), bytes(sides))).collect();
+    Ok((bytes(&verdicts), bytes(&modes), values, reasons))
+}
+
+/// A table with its columns.
+struct Table {
+    columns: Columns,
+    cells: Vec<Column>,
+    /// The weight of the rows that have none.
+    weight: SelfWeight,
+}
+
+impl Table {
+    /// Answers with the quantities.
+    fn answers(&self, quantities: &[Quantity]) -> Result<BatchColumns, Refused> {
+        let weights = self.columns.all.iter().position(|column| column.role == Role::Weight);
+        let Some(place) = weights.filter(|_| self.arrays(Role::Weight).is_some()) else {
+            return self.of_one_weight(quantities);
+        };
+        // Rows of doubles are answered as arrays of doubles, one weight after the other; a row of none says why.
+        let weight = |row| match self.cells[place].text(row) {
+            text if text.is_empty() => Some(self.weight),
+            text => parse::weight(&text).ok(),
+        };
+        let rows: Vec<usize> = (0..self.cells[place].len()).collect();
+        let mut all = BatchColumns::open(rows.len(), quantities.len());
+        for rows in grouped(&rows, |row| Some(weight(row))) {
+            let known = rows.first().and_then(|row| weight(*row));
+            let mut part = Self {
+                columns: self.columns.clone(),
+                cells: self.cells.iter().map(|cells| cells.of(&rows)).collect(),
+                weight: known.unwrap_or(self.weight),
+            };
+            if known.is_some() {
+                part.columns.all.remove(place);
+                part.cells.remove(place);
+            }
+            all.put_all(&rows, part.of_one_weight(quantities)?);
+        }
+        Ok(all)
+    }
+
+    /// The same of a table without weights, or with exact cells; those of doubles as arrays of doubles are answered.
+    fn of_one_weight(&self, quantities: &[Quantity]) -> Result<BatchColumns, Refused> {
+        match self.arrays(Role::HalfOpening) {
+            Some([Some(half_openings), Some(frictions), thicknesses]) => {
+                let weight = self.weight;
+                let arches = DoubleArches { weight, half_openings, frictions, thicknesses };
+                arches.columns(quantities)
+            }
+            _ => Ok(self.exact().answers(quantities)),
+        }
+    }
+
+    /// Half openings in radians, coefficients of friction and thicknesses, as far as there are any; nothing if the
+    /// table has anything else, but for a column of the role `beside`.
+    fn arrays(&self, beside: Role) -> Option<[Option<&[f64]>; 3]> {
+        let mut arrays = [None; 3];
+        for (column, cells) in self.columns.all.iter().zip(&self.cells) {
+            let place = match column.role {
+                Role::HalfOpening if !column.degrees => 0,
+                Role::Friction => 1,
+                Role::GivenThickness => 2,
+                role if role == beside => continue,
+                _ => return None,
+            };
+            let Column::Doubles(numbers) = cells else { return None };
+            arrays[place] = Some(numbers.as_slice());
+        }
+        Some(arrays)
+    }
+
+    /// The arches as numbers that are exactly what the cells say.
+    fn exact(&self) -> ExactArches {
+        let (columns, spelling) = (self.columns.clone(), Spelling::default());
+        let reader = ArchReader { columns, weight: self.weight, doubles: false, spelling };
+        let numbers: Option<Vec<&[f64]>> = self.cells.iter().map(Column::numbers).collect();
+        let row = |row: usize| {
+            if let Some(numbers) = &numbers {
+                return self.of_numbers(numbers.iter().map(|column| column[row]));
+            }
+            let cells: Cells = self.cells.iter().map(|cells| Some(cells.text(row))).collect();
+            let arch = reader.arch(&cells)?;
+            let eta = reader.given(&cells, Role::GivenThickness);
+            let eta = eta.map(|(text, _)| parse::thickness(&spelling.exact(text))).transpose()?;
+            Ok((arch, eta))
+        };
+        let rows = 0..self.cells.iter().map(Column::len).min().unwrap_or(0);
+        let arches = rows.into_par_iter().map(row).collect();
+        let has_thickness = self.columns.all.iter().any(|of| of.role == Role::GivenThickness);
+        ExactArches { arches, has_thickness }
+    }
+
+    /// The arch of a row of doubles: what the reader of texts makes of them, without the texts.
+    fn of_numbers(&self, row: impl Iterator<Item = f64>) -> ExactArch {
+        let (mut half_opening, mut friction, mut eta) = (None, None, None);
+        for (column, x) in self.columns.all.iter().zip(row) {
+            if column.role == Role::Friction && x == f64::INFINITY {
+                friction = Some(Friction::Infinite);
+                continue;
+            }
+            let number = ExactNumber::try_from(x).map_err(|_| format!("{x} is no number"))?;
+            let number = if column.degrees { number.degrees() } else { number };
+            match column.role {
+                Role::HalfOpening => half_opening = Some(number),
+                Role::Friction => friction = Some(Friction::Coefficient(number)),
+                Role::FrictionAngle => friction = Some(Friction::Angle(number)),
+                Role::GivenThickness => eta = Some(number),
+                _ => return Err(format!("the {} is no number", column.theirs)),
+            }
+        }
+        let missing = |what: &str| format!("the {what} is missing");
+        let half_opening = half_opening.ok_or_else(|| missing("half_opening"))?;
+        let friction = friction.ok_or_else(|| missing("friction"))?;
+        let arch = Arch::new(self.weight, half_opening, friction);
+        Ok((arch.map_err(|error| error.to_string())?, eta))
+    }
+}
+
+impl Column {
+    fn len(&self) -> usize {
+        match self {
+            Self::Doubles(numbers) => numbers.len(),
+            Self::Texts(texts) => texts.len(),
+        }
+    }
+
+    fn numbers(&self) -> Option<&[f64]> {
+        match self {
+            Self::Doubles(numbers) => Some(numbers),
+            Self::Texts(_) => None,
+        }
+    }
+
+    /// The cells of some rows.
+    fn of(&self, rows: &[usize]) -> Self {
+        match self {
+            Self::Doubles(numbers) => Self::Doubles(rows.iter().map(|row| numbers[*row]).collect()),
+            Self::Texts(texts) => Self::Texts(rows.iter().map(|row| texts[*row].clone()).collect()),
+        }
+    }
+
+    /// The text of a row; that of a double is the fraction that it is.
+    fn text(&self, row: usize) -> String {
+        match self {
+            Self::Doubles(numbers) => {
+                let x = numbers[row];
+                ExactNumber::try_from(x).map_or_else(|_| x.to_string(), |x| x.to_string())
+            }
+            Self::Texts(texts) => texts[row].trim().to_owned(),
+        }
+    }
+}
+
+/// An arch with the thickness that it has, if it has one; or why it cannot be read.
+type ExactArch = Result<(Arch, Option<ExactNumber>), String>;
+
+/// Arches that are exactly what the cells of their rows say.
+struct ExactArches {
+    arches: Vec<ExactArch>,
+    /// True if each shall have a thickness.
+    has_thickness: bool,
+}
+
+impl ExactArches {
+    fn answers(&self, quantities: &[Quantity]) -> BatchColumns {
+        let batch = Batch { quantities: quantities.to_vec(), digits: DIGITS, has_texts: false };
+        if !self.has_thickness {
+            return batch.columns(self, Threads::Pool);
+        }
+        let row = |row: &ExactArch| {
+            let asked = row.clone().and_then(|(arch, eta)| {
+                Ok((arch, eta.ok_or_else(|| "the thickness is empty".to_owned())?))
+            });
+            Arc::new(batch.assessment(asked))
+        };
+        let rows: Vec<_> = self.arches.par_iter().map(row).collect();
+        BatchColumns::of(&rows, quantities.len())
+    }
+}
+
+impl BatchArches for ExactArches {
+    fn count(&self) -> usize {
+        self.arches.len()
+    }
+
+    fn openings(&self, rows: &[usize]) -> Vec<Vec<usize>> {
+        grouped(rows, |row| {
+            let (arch, _) = self.arches[row].as_ref().ok()?;
+            Some((arch.weight(), arch.half_opening().clone()))
+        })
+    }
+
+    fn in_lanes(&self, row: usize) -> Option<(SelfWeight, LaneArch)> {
+        let (arch, _) = self.arches[row].as_ref().ok()?;
+        Some((arch.weight(), SharedOpening::enclosed_arch(arch)))
+    }
+
+    fn arch(&self, row: usize) -> Result<Cow<'_, Arch>, String> {
+        self.arches[row].as_ref().map(|(arch, _)| Cow::Borrowed(arch)).map_err(Clone::clone)
+    }
+
+    fn friction(&self, row: usize) -> Option<DoubleDoubleBall> {
+        SharedOpening::enclosed(self.arches[row].as_ref().ok()?.0.friction())
+    }
+}
