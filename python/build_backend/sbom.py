@@ -1,5 +1,5 @@
-"""What a wheel says is in it, its SBOM (CycloneDX, in `.dist-info/sboms`), with GMP and MPFR and without the folders of the
-machine that built it."""
+"""The SBOM of a wheel (CycloneDX, in `.dist-info/sboms`): with GMP and MPFR, and without the folders of the machine that
+built it."""
 
 import base64
 import hashlib
@@ -7,7 +7,7 @@ import json
 import os
 import zipfile
 
-# Under the LGPL, in their crate as source.
+# Those of the libraries of C, which stand in their crate as source.
 LICENCES = {"gmp": "LGPL-3.0-or-later OR GPL-2.0-or-later", "mpfr": "LGPL-3.0-or-later"}
 
 

@@ -1,11 +1,11 @@
-//! What `make install` puts in place serves programs that look for it by pkg-config and by CMake, wherever it is moved.
+//! Programs that look for the library by pkg-config and by CMake, where `make install` put it, moved elsewhere since.
 
 use crate::languages::{is_as_expected, path};
 use crate::library::{Scratch, built, couplet, here};
 use crate::tool::has;
 use std::fs;
 
-/// The library and the command in a folder of their own, where nobody installed them.
+/// The library and the command as they are installed, in another folder by now.
 struct Moved {
     scratch: Scratch,
 }
