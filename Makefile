@@ -2,7 +2,7 @@
 # every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build check test lint docs msrv deny snapshots pictures constants states checker combinations house examples exporters c header wheel notebooks wheel-manylinux page page-test bench limits peers \
+.PHONY: run build check test lint docs msrv deny snapshots pictures constants states checker combinations house examples exporters c library install uninstall header wheel notebooks page page-test bench limits peers \
         proofs witness m4 coq
 
 # Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
@@ -11,7 +11,7 @@ OLDEST := --features study,proptest
 ALL := $(OLDEST),malachite
 
 # No path of this machine stands in a program that is handed on.
-release: export RUSTFLAGS := --remap-path-prefix=$(CURDIR)=/couplet --remap-path-prefix=$(or $(CARGO_HOME),$(HOME)/.cargo)=/cargo
+release library: export RUSTFLAGS := --remap-path-prefix=$(CURDIR)=/couplet --remap-path-prefix=$(or $(CARGO_HOME),$(HOME)/.cargo)=/cargo
 
 # $(call need,TEST,PACKAGES,WHY): if the test fails, says so and installs Debian packages as root, and names them otherwise.
 # An installation that was cut off before is finished first: apt-get refuses to work next to one.
@@ -141,21 +141,43 @@ exporters: m4
 
 # The library for C: target/c, with its header. The examples and tests are compiled against it and run in every language
 # that is there; what the command says is what they have to say.
-c: build
+c: build library
 	$(call need,command -v gcc && command -v g++,g++,the tests of the library for C need a compiler)
 	cargo fmt --package couplet-c --check
 	cargo clippy --locked --package couplet-c --all-targets -- -D warnings
-	c/build.sh
 	@mkdir -p target && : > $(SKIPPED)
-	COUPLET_C=$(CURDIR)/target/c COUPLET=$(CURDIR)/target/release/couplet COUPLET_SKIPPED=$(SKIPPED) \
+	COUPLET_C=$(CURDIR)/$(C) COUPLET=$(CURDIR)/$(COMMAND) COUPLET_SKIPPED=$(SKIPPED) \
 	  cargo test --locked --package couplet-c
 	@sort -u $(SKIPPED)
+
+library: m4
+	c/build.sh $(C)
+
+# The command and that library, as they were built last, in a prefix; packagers have a DESTDIR before it.
+PREFIX := /usr/local
+INTO = $(DESTDIR)$(PREFIX)
+COMMAND := target/release/couplet
+C := target/c
+install: | $(COMMAND) $(C)
+	install -d $(INTO)/bin
+	install $(COMMAND) $(INTO)/bin/couplet
+	cp -RP $(C)/. $(INTO)
+
+$(COMMAND):
+	@$(MAKE) --no-print-directory build
+
+$(C):
+	@$(MAKE) --no-print-directory library
+
+uninstall:
+	rm -f $(INTO)/bin/couplet $(INTO)/include/couplet_c.* $(INTO)/lib/libcouplet_c.* $(INTO)/lib/pkgconfig/couplet_c.pc
+	rm -rf $(INTO)/lib/cmake/couplet_c
 
 # The header of that library, made anew of its source.
 header:
 	UPDATE_SNAPSHOTS=1 cargo test --locked --package couplet-c --test it header::the_header
 
-# The Python package, built and tested in fresh virtual environments.
+# The Python package, built for every Linux with a glibc from 2.17 on and tested in fresh virtual environments.
 wheel: m4
 	@.ci/wheel
 
@@ -164,16 +186,6 @@ notebooks: m4
 	python3 -m venv target/notebooks
 	target/notebooks/bin/pip install --quiet --disable-pip-version-check ./python -r python/notebooks/requirements.txt
 	target/notebooks/bin/python python/notebooks/run.py --write
-
-# A wheel for every Linux with a glibc from 2.17 on, in target/manylinux: zig is the C compiler and the linker.
-MANYLINUX := target/manylinux
-wheel-manylinux: m4
-	python3 -m venv $(MANYLINUX)/build
-	$(MANYLINUX)/build/bin/pip install --quiet --disable-pip-version-check 'maturin>=1.9.4,<2' ziglang zopflipy
-	PATH="$(CURDIR)/$(MANYLINUX)/build/bin:$$PATH" MATURIN_PEP517_ARGS="--zig --compatibility manylinux_2_17" \
-	  $(MANYLINUX)/build/bin/pip wheel --quiet --no-deps --no-build-isolation --wheel-dir $(MANYLINUX) ./python
-	$(MANYLINUX)/build/bin/python python/build_backend/pack.py $(MANYLINUX)/*.whl
-	@ls -l $(MANYLINUX)/*.whl
 
 # The map as a page that proves what it shows and checks certificates, for any web server or to be opened from disk:
 # target/page/index.html.

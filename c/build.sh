@@ -1,46 +1,48 @@
 #!/usr/bin/env bash
 # Builds the library for C and puts it together in a folder, target/c if none is named: include, lib, and what pkg-config
-# reads. The folder may be moved, or copied into /usr/local.
+# and CMake read. The folder may be moved, or copied into a prefix.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 folder=${1:-target/c}
 version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
-
-cargo build --locked --release --package couplet-c
+# The number in the name of the shared library, and of its symbols. It rises when a program that was linked with it could
+# not go on.
+number=0
 made=${CARGO_TARGET_DIR:-target}/release
+# Fills in a file of c/package.
+packaged() { sed "s/@VERSION@/$version/; s/@NUMBER@/$number/" "c/package/$1" >"$folder/lib/$2/$1"; }
+build() { cargo rustc --locked --release --package couplet-c "$@"; }
 
 rm -rf "$folder"
 mkdir -p "$folder/include" "$folder/lib/pkgconfig"
 cp c/include/* "$folder/include"
-if [ -e "$made/libcouplet_c.so" ]; then
-    # The static library is one object that offers what the shared one does: a program may have a GMP, an MPFR or parts of
-    # Rust of its own. Without groups, of which a linker keeps one program-wide by a name, it keeps what is its own. The
-    # bitcode of Rust's own objects is none any more once it is joined.
+packaged couplet_c.pc pkgconfig
+if [ "$(uname -s)" = Linux ]; then
+    build --crate-type staticlib
+    # The static library is one object that offers the functions of the header alone: a program may have a GMP, an MPFR or
+    # parts of Rust of its own. Without groups, of which a linker keeps one program-wide by a name, it keeps what is its
+    # own. The bitcode of Rust's own objects is none any more once it is joined.
     joined=$(mktemp -d)
     trap 'rm -rf "$joined"' EXIT
-    nm -D --defined-only --format=posix "$made/libcouplet_c.so" | cut -d ' ' -f 1 >"$joined/offered"
     ld -r --force-group-allocation -o "$joined/all.o" --whole-archive "$made/libcouplet_c.a"
-    objcopy --keep-global-symbols="$joined/offered" --remove-section=.llvmbc --remove-section=.llvmcmd \
+    objcopy --wildcard --keep-global-symbol='couplet_*' --remove-section=.llvmbc --remove-section=.llvmcmd \
         --strip-unneeded "$joined/all.o" "$joined/couplet_c.o"
     ar crsD "$folder/lib/libcouplet_c.a" "$joined/couplet_c.o"
-    # Programs look for the name with the number, linkers for the one without.
-    cp "$made/libcouplet_c.so" "$folder/lib/libcouplet_c.so.0"
-    ln -s libcouplet_c.so.0 "$folder/lib/libcouplet_c.so"
+    # The shared one is linked from that object and not by rustc, which has a list of symbols of its own, and linkers take
+    # no versions beside it. Programs look for the name with the number, linkers for the one without.
+    echo "COUPLET_C_$number { global: couplet_*; local: *; };" >"$joined/symbols"
+    "${CC:-cc}" -shared -o "$folder/lib/libcouplet_c.so.$number" -s -Wl,--version-script="$joined/symbols" \
+        -Wl,-soname,"libcouplet_c.so.$number" -Wl,--gc-sections,--no-undefined,--as-needed,-z,relro,-z,now \
+        "$joined/couplet_c.o" -lm -lpthread -ldl
+    ln -s "libcouplet_c.so.$number" "$folder/lib/libcouplet_c.so"
+    mkdir -p "$folder/lib/cmake/couplet_c"
+    packaged couplet_cConfig.cmake cmake/couplet_c
+    packaged couplet_cConfigVersion.cmake cmake/couplet_c
 else
-    # Elsewhere it has them all.
-    cp "$made/libcouplet_c.a" "$folder/lib"
-    for library in libcouplet_c.dylib couplet_c.dll couplet_c.dll.lib; do
+    # Elsewhere they are as they are made: the static one has all symbols.
+    build
+    for library in libcouplet_c.a libcouplet_c.dylib couplet_c.lib couplet_c.dll couplet_c.dll.lib; do
         if [ -e "$made/$library" ]; then cp "$made/$library" "$folder/lib"; fi
     done
 fi
-cat >"$folder/lib/pkgconfig/couplet_c.pc" <<PC
-prefix=\${pcfiledir}/../..
-
-Name: couplet_c
-Description: Certified states and constants of circular masonry arches with finite friction
-Version: $version
-Cflags: -I\${prefix}/include
-Libs: -L\${prefix}/lib -lcouplet_c
-Libs.private: -lm -lpthread -ldl
-PC

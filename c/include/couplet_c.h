@@ -20,6 +20,16 @@
 #include <stddef.h>
 #include <stdint.h>
 
+// The version of this header; `couplet_version` has that of the library.
+#define COUPLET_C_VERSION "0.1.0"
+#define COUPLET_C_VERSION_MAJOR 0
+#define COUPLET_C_VERSION_MINOR 1
+#define COUPLET_C_VERSION_PATCH 0
+
+// The same as a number: 10203 is 1.2.3.
+#define COUPLET_C_VERSION_NUMBER \
+  (10000 * COUPLET_C_VERSION_MAJOR + 100 * COUPLET_C_VERSION_MINOR + COUPLET_C_VERSION_PATCH)
+
 // Everything asked was proved; also that an arch falls.
 #define COUPLET_PROVED 0
 

@@ -13,14 +13,18 @@ from pathlib import Path
 import maturin
 from licences import collect
 from needs import missing
+from sbom import complete
 
 
 def ready():
-    """Ends with one line where something is missing; else the licences are where the wheel takes them from."""
+    """Ends with one line where something is missing; else the licences are where the wheel takes them from.
+
+    Where the crates are, and the versions of GMP and MPFR.
+    """
     line = missing()
     if line:
         sys.exit(line)
-    collect(Path("."))
+    return collect(Path("."))
 
 
 get_requires_for_build_wheel = maturin.get_requires_for_build_wheel
@@ -28,9 +32,11 @@ get_requires_for_build_sdist = maturin.get_requires_for_build_sdist
 get_requires_for_build_editable = maturin.get_requires_for_build_editable
 
 
-def build_wheel(*arguments, **options):
-    ready()
-    return maturin.build_wheel(*arguments, **options)
+def build_wheel(directory, *arguments, **options):
+    crates, bundled = ready()
+    name = maturin.build_wheel(directory, *arguments, **options)
+    complete(Path(directory) / name, crates, bundled)
+    return name
 
 
 def build_sdist(directory, *arguments, **options):

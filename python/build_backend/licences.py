@@ -24,7 +24,10 @@ The other crates are under permissive licences; NOTICES.txt has their texts.
 
 
 def collect(package):
-    """Writes the folder of the package in this folder; from a source distribution nothing is left out."""
+    """Writes the folder of the package in this folder; from a source distribution nothing is left out.
+
+    Where the crates of couplet are, and the versions of GMP and MPFR.
+    """
     # A source distribution has the files of Python at its top, and the crate where it is in the repository.
     manifests = (package / "python" / "Cargo.toml", package / "Cargo.toml")
     crates = linked(next(manifest for manifest in manifests if manifest.exists()))
@@ -44,6 +47,7 @@ def collect(package):
     together = TOGETHER.format(sys=versions["gmp-mpfr-sys"], rug=versions["rug"], **bundled)
     (folder / "LICENCES.txt").write_text(together, encoding="utf-8")
     (folder / "NOTICES.txt").write_text(notices(crates), encoding="utf-8")
+    return home["couplet"], bundled
 
 
 def copy(source, target):

@@ -4,11 +4,11 @@ import doctest
 import importlib
 import importlib.metadata
 import inspect
+import json
 import os
 import re
 import subprocess
 import sys
-import types
 import zipfile
 from pathlib import Path
 
@@ -96,56 +96,67 @@ def test_what_is_missing_is_named_in_one_line():
     assert missing(lambda name: None if name in ("cc", "gcc") else name) is None
 
 
-def a_wheel(path):
-    with zipfile.ZipFile(path, "w") as wheel:
-        for name, mode in [("package/text.py", 0o100644), ("package/program", 0o100755)]:
-            member = zipfile.ZipInfo(name, (2020, 2, 2, 2, 2, 2))
-            member.compress_type, member.external_attr = zipfile.ZIP_DEFLATED, mode << 16
-            wheel.writestr(member, f"what {name} says\n" * 1000)
-    return path.read_bytes()
+def test_the_wheel_tells_what_is_in_it():
+    files = [file for file in importlib.metadata.files("couplet") if "sboms" in file.parts]
+    assert len(files) == 1
+    text = files[0].locate().read_text(encoding="utf-8")
+    sbom = json.loads(text)
+    found = {component["name"]: component for component in sbom["components"]}
+    assert {"rug", "gmp-mpfr-sys", "gmp", "mpfr", "pyo3", "rayon", "couplet", "couplet-check"} <= set(found)
+    assert found["gmp"]["version"].startswith("6.") and "LGPL-3.0-or-later" in str(found["mpfr"]["licenses"])
+    # Whatever is depended on is listed, once; and no folder of whoever built it is named.
+    listed = [component["bom-ref"] for component in [sbom["metadata"]["component"], *sbom["components"]]]
+    used = {name for crate in sbom["dependencies"] for name in [crate["ref"], *crate.get("dependsOn", [])]}
+    assert used <= set(listed) and len(set(listed)) == len(listed)
+    assert set(re.findall(r"file:///([^/#\"]*)", text)) == {"couplet"}
 
 
-class Spoils(zipfile.ZipFile):
-    """Writes something else."""
-
-    def writestr(self, member, data):
-        super().writestr(member, data.replace(b"says", b"said"))
-
-
-class Stops(zipfile.ZipFile):
-    """Has no room for a second file."""
-
-    def writestr(self, member, data):
-        if self.namelist():
-            raise OSError("no space left")
-        super().writestr(member, data)
+SBOM = {
+    "components": [{"bom-ref": "path+file:///home/a%20b/c/crates/check#1.0.0"}],
+    "dependencies": [{"ref": "registry+https://crates#gmp-mpfr-sys@1.7.0"}, {"ref": "path+file:///home/a%20b/c#1.0.0"}],
+}
 
 
-def packing(monkeypatch, zip_file):
-    """`pack` with this in place of zopfli's."""
-    monkeypatch.setitem(sys.modules, "zopfli", types.SimpleNamespace(ZipFile=zip_file))
-    monkeypatch.delitem(sys.modules, "pack", raising=False)
+@pytest.fixture
+def sbom(monkeypatch):
     monkeypatch.syspath_prepend(HOME / "python" / "build_backend")
-    import pack
-
-    return pack.pack
+    return importlib.import_module("sbom")
 
 
-def test_a_packed_wheel_has_the_same_files(tmp_path, monkeypatch):
+def a_wheel(path, sbom, recorded=SBOM):
+    """A wheel with a program and an SBOM, of which RECORD has these contents."""
+    files = {"a/program": b"a program\n" * 1000, "a.dist-info/sboms/a.json": json.dumps(SBOM).encode()}
+    record = sbom.line("a/program", files["a/program"]) + sbom.line("a.dist-info/sboms/a.json", json.dumps(recorded).encode())
+    with zipfile.ZipFile(path, "w") as wheel:
+        for name, data in {**files, "a.dist-info/RECORD": record.encode()}.items():
+            member = zipfile.ZipInfo(name, (2020, 2, 2, 2, 2, 2))
+            member.compress_type, member.external_attr = zipfile.ZIP_DEFLATED, 0o100755 << 16
+            wheel.writestr(member, data)
+
+
+def test_the_folder_is_taken_out_and_nothing_else_is_changed(tmp_path, sbom):
     wheel = tmp_path / "a.whl"
-    a_wheel(wheel)
-    facts = lambda zip_file: [(m.filename, m.date_time, m.external_attr, zip_file.read(m)) for m in zip_file.infolist()]
-    before = facts(zipfile.ZipFile(wheel))
-    packing(monkeypatch, zipfile.ZipFile)(str(wheel))
-    assert facts(zipfile.ZipFile(wheel)) == before and os.listdir(tmp_path) == ["a.whl"]
+    a_wheel(wheel, sbom)
+    before = zipfile.ZipFile(wheel)
+    sbom.complete(wheel, Path("/home/a b/c"), {"gmp": "6.3.0"})
+    after = zipfile.ZipFile(wheel)
+    facts = lambda zip_file: [(m.filename, m.date_time, m.external_attr, m.compress_type) for m in zip_file.infolist()]
+    assert facts(before) == facts(after) and os.listdir(tmp_path) == ["a.whl"]
+    assert before.read("a/program") == after.read("a/program")
+    told = after.read("a.dist-info/sboms/a.json")
+    made = json.loads(told)
+    assert b"/home" not in told and made["components"][0]["bom-ref"] == "path+file:///couplet/crates/check#1.0.0"
+    assert made["dependencies"][0]["dependsOn"] == [made["components"][1]["bom-ref"]] == ["pkg:generic/gmp@6.3.0"]
+    record = after.read("a.dist-info/RECORD").decode()
+    assert record == sbom.line("a/program", after.read("a/program")) + sbom.line("a.dist-info/sboms/a.json", told)
 
 
-@pytest.mark.parametrize("fault", [Spoils, Stops])
-def test_a_wheel_that_cannot_be_packed_stays(tmp_path, monkeypatch, fault):
+def test_a_wheel_that_is_not_as_its_record_says_stays(tmp_path, sbom):
     wheel = tmp_path / "a.whl"
-    whole = a_wheel(wheel)
-    with pytest.raises((SystemExit, OSError), match="it is left as it was|no space left"):
-        packing(monkeypatch, fault)(str(wheel))
+    a_wheel(wheel, sbom, recorded={})
+    whole = wheel.read_bytes()
+    with pytest.raises(ValueError, match="RECORD has another a.dist-info/sboms/a.json"):
+        sbom.complete(wheel, Path("/home/a b/c"), {})
     assert wheel.read_bytes() == whole and os.listdir(tmp_path) == ["a.whl"]
 
 

@@ -138,3 +138,24 @@ def test_other_threads_run_meanwhile():
         counted += 1
         time.sleep(0.001)
     assert counted > 5
+
+
+def test_threads_ask_at_once():
+    """Each gets its own answers; and a Python without a global lock stays without one."""
+    pytest.importorskip("numpy")
+    program = """
+import concurrent.futures, sys, sysconfig
+import couplet
+
+def asked(number):
+    alpha = [0.5 + number / 7 + row / 300 for row in range(300)]
+    states = couplet.states(alpha, 0.9, quantities=["thickness"], threads=1 + number % 3)
+    return states.tobytes(), str(couplet.state(alpha[0], "0.9", digits=40).thickness)
+
+alone = [asked(number) for number in range(8)]
+with concurrent.futures.ThreadPoolExecutor(8) as threads:
+    assert list(threads.map(asked, range(8))) == alone
+assert not sysconfig.get_config_var("Py_GIL_DISABLED") or not sys._is_gil_enabled()
+"""
+    done = subprocess.run([sys.executable, "-W", "error", "-c", program], capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")

@@ -8,6 +8,7 @@ use std::process::Command;
 fn package(program: &str) -> &'static str {
     match program {
         "chromium" => "chromium",
+        "cmake" => "cmake",
         "gcc" => "gcc",
         "g++" => "g++",
         "gfortran" => "gfortran",

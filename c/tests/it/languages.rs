@@ -58,7 +58,7 @@ fn expected() -> String {
 }
 
 #[track_caller]
-fn is_as_expected(printed: &str) {
+pub(crate) fn is_as_expected(printed: &str) {
     // Fortran writes large hexadecimal digits, and leaves no space at an end.
     let plain = |text: &str| -> String {
         text.lines().map(|line| line.trim_end().to_lowercase() + "\n").collect()
@@ -66,7 +66,7 @@ fn is_as_expected(printed: &str) {
     assert_eq!(plain(printed), plain(&expected()));
 }
 
-fn path(path: &Path) -> String {
+pub(crate) fn path(path: &Path) -> String {
     path.to_str().unwrap().to_owned()
 }
 

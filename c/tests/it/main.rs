@@ -5,6 +5,8 @@
 //! answers are compared with.
 
 mod header;
+#[cfg(target_os = "linux")]
+mod installed;
 mod languages;
 mod library;
 #[path = "../../../tests/it/tool.rs"]
