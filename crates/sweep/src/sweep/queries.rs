@@ -2,8 +2,8 @@
 
 use super::query::{AxisNumber, Listed, PartArches, PartGrid, PartQueries};
 use super::record::{self, DataFile, SweepRecord};
-use super::slices::read_slice;
 use super::strategies::samples;
+use super::text;
 use crate::arch::SelfWeight;
 use crate::certify::batch::SharedOpening;
 use crate::number::ExactNumber;
@@ -16,7 +16,7 @@ use std::path::Path;
 /// Rows of a sample that are drawn from one seed: the block `b` has the arches of `couplet sample --seed SEED+b`.
 const BLOCK: u64 = 1_000;
 
-/// The rows of a part; `base` is where the paths of a data set begin.
+/// The rows of a group of a part; `base` is where the paths of a data set begin.
 pub(super) fn queries(
     record: &SweepRecord,
     rows: &Range<u64>,
@@ -43,19 +43,18 @@ fn data(
     rows: &Range<u64>,
     base: &Path,
 ) -> Result<Listed, String> {
+    let weight = record.weights().first().copied().unwrap_or(SelfWeight::Milankovitch);
     let mut first = 0;
     for file in files {
-        let length = file.slices.rows();
-        if rows.start < first + length {
-            let weight = record.weights().first().copied();
-            let weight = weight.unwrap_or(SelfWeight::Milankovitch);
-            let path = base.join(&file.file);
-            let (lines, listed) = read_slice(&file.slices, &path, rows.start - first, weight)
-                .map_err(|error| format!("{}: {error}", file.file))?;
-            let origin = Some((ByteArray::from(file.file.as_str()), lines));
-            return Ok(Listed { origin, ..listed });
+        for slice in &file.slices {
+            if first == rows.start {
+                let read = text::read(&base.join(&file.file), file.head.as_ref(), slice, weight);
+                let (lines, listed) = read.map_err(|error| format!("{}: {error}", file.file))?;
+                let origin = Some((ByteArray::from(file.file.as_str()), lines));
+                return Ok(Listed { origin, ..listed });
+            }
+            first += slice.rows;
         }
-        first += length;
     }
     Ok(Listed::default())
 }

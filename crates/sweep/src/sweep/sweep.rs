@@ -1,15 +1,18 @@
 //! A sweep: what it is, the folder of its parts, and the work that one part is. Nothing else has to be known to whoever
 //! shares the parts among processes or machines.
 
+use super::notes::Notes;
+use super::part_file::PartWriter;
 use super::queries::queries;
 use super::record::{Arches, SweepRecord};
 use super::store::{PartState, Store};
-use super::table::{Notes, PartTable};
+use super::table::PartTable;
 use crate::certify::batch::{Batch, Threads};
 use crate::failure::Failure;
 use crate::scene::{SWEEP_DIGITS, SweepPlan};
+use ::parquet::errors::ParquetError;
 use rayon::prelude::*;
-use std::io;
+use std::io::{self, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -92,9 +95,9 @@ impl Sweep {
         Failure::writing(self.folder().display(), error)
     }
 
-    /// Surveys some parts, told by their content. What is not whole is removed; what is no part of the sweep
-    /// is an error.
-    pub fn survey(&self, parts: &[usize]) -> Result<Vec<SurveyedPart>, Failure> {
+    /// Surveys some parts, told by their names and sizes, and if they are read by their content. What is not whole is
+    /// removed; what is no part of the sweep is an error.
+    pub fn survey(&self, parts: &[usize], reads: bool) -> Result<Vec<SurveyedPart>, Failure> {
         let files = self.store.files(self.parts())?;
         let foreign = |name: &str, what: &str| {
             let path = self.folder().join(name);
@@ -104,8 +107,8 @@ impl Sweep {
             return Err(foreign(name, "no part of the sweep"));
         }
         let state = |&part: &usize| {
-            let Some(names) = files.parts.get(&part) else { return Ok((part, None)) };
-            match self.store.there(names, &self.parts[part], true)? {
+            let Some(of) = files.parts.get(&part) else { return Ok((part, None)) };
+            match self.store.there(of, &self.parts[part], reads, true)? {
                 PartState::Missing => Ok((part, None)),
                 PartState::Whole(_, counts) => Ok((part, Some(counts))),
                 PartState::Foreign(name) => {
@@ -117,18 +120,23 @@ impl Sweep {
     }
 
     /// Computes a part, writes it, and counts its verdicts. It appears whole or not at all, and whoever computes it
-    /// writes the same bytes.
+    /// writes the same bytes. Of its rows a group is held in memory at a time.
     pub fn compute(&self, part: usize) -> Result<[u64; 4], Failure> {
-        let rows = self.parts[part].clone();
-        let queries = queries(&self.record, &rows, &self.base)?;
-        let found = self.batch.states(&queries, Threads::One);
-        let mut counts = [0; 4];
-        found.iter().for_each(|row| counts[row.verdict as usize] += 1);
+        let unwritten = |error: io::Error| self.unwritten(&error);
+        let encoding = |error: ParquetError| Failure::Io(error.to_string());
+        let mut file = self.store.begin().map_err(unwritten)?;
+        let (rows, mut counts) = (self.parts[part].clone(), [0; 4]);
+        let mut writer = PartWriter::default();
+        for group in self.record.groups(&rows) {
+            let queries = queries(&self.record, &group, &self.base)?;
+            let found = self.batch.states(&queries, Threads::One);
+            found.iter().for_each(|row| counts[row.verdict as usize] += 1);
+            let table = PartTable::new(&self.batch, &queries, &found);
+            file.write_all(&writer.group(&table).map_err(encoding)?).map_err(unwritten)?;
+        }
         let notes = Notes { plan: self.store.plan().to_owned(), rows, counts };
-        let table = PartTable::new(&self.batch, &queries, &found);
-        let bytes = table.bytes(&notes).map_err(|error| Failure::Io(error.to_string()))?;
-        let put = self.store.put(&Store::name(part, &bytes), &bytes);
-        put.map_err(|error| self.unwritten(&error))?;
+        file.write_all(&writer.end(&notes).map_err(encoding)?).map_err(unwritten)?;
+        self.store.put((part, self.parts()), counts, file).map_err(unwritten)?;
         Ok(counts)
     }
 }
