@@ -175,7 +175,7 @@ fn what_is_missing_or_spoiled_is_computed_again_and_nothing_else() {
 #[test]
 fn a_large_part_has_row_groups_and_is_looked_through_group_by_group() {
     let scratch = planned(
-        "chunk = 140_000\n[grid]\nhalf_opening = [0.5, 1]\nfriction = { from = 0.1, to = 1, steps = 70_000 }\n",
+        "chunk = 300_000\n[grid]\nhalf_opening = [0.5, 1, 2]\nfriction = { from = 0.1, to = 1, steps = 100_000 }\n",
     );
     assert_eq!(sweep(&scratch, "out", &["--threads", "1"]).0, Some(0));
     let files = files(&scratch, "out");
@@ -184,11 +184,11 @@ fn a_large_part_has_row_groups_and_is_looked_through_group_by_group() {
         group.iter().find(|(name, ..)| name == "half_opening_rad").map(|of| (of.1, of.2))
     };
     let found: Vec<_> = groups.iter().map(|group| half_opening(group)).collect();
-    assert_eq!(found, [Some((0.5, 0.5)), Some((1.0, 1.0))]);
+    assert_eq!(found, [Some((0.5, 1.0)), Some((2.0, 2.0))]);
     let (code, out, message) =
         said(&couplet(&["sweep", &folder(&scratch, "out"), "--verify", "3"]));
     assert_eq!((code, message.as_str()), (Some(0), ""), "{message}");
-    assert!(out.contains("140000 rows in 1 part are there"), "{out}");
+    assert!(out.contains("300000 rows in 1 part are there"), "{out}");
 }
 
 #[test]

@@ -13,6 +13,8 @@ pub(super) const MAX_PARTS: u64 = 1_000_000;
 /// The most rows of a part that are held in memory at a time, in about 600 bytes a row: a row group of its file. It is
 /// a multiple of what is drawn from one seed.
 pub(super) const GROUP: u64 = 125_000;
+/// The most rows of a row group of a grid, which share their numbers.
+pub(super) const GRID_GROUP: u64 = 250_000;
 /// Cost of a half opening, paid once, and each of its frictions, in single arches: most share what is proved
 /// once. Measured on 400 half openings by 1,000 frictions.
 const COLUMN: f64 = 3.0;

@@ -3,7 +3,7 @@
 //! Its SHA-256 is the name of the sweep, and of the folder of its parts: two different sweeps cannot meet in a folder,
 //! and the same sweep always finds its own.
 
-use super::cost::{GROUP, MAX_PARTS, rows_of_a_part};
+use super::cost::{GRID_GROUP, GROUP, MAX_PARTS, rows_of_a_part};
 use super::text::{self, Head, TextSlice};
 use crate::arch::SelfWeight;
 use crate::certify::MAX_DIGITS;
@@ -191,8 +191,10 @@ impl SweepRecord {
 
     /// The ranges of the rows of a part that are held in memory at a time, in order.
     pub(super) fn groups(&self, part: &Range<u64>) -> Vec<Range<u64>> {
-        let Arches::Data { files } = &self.arches else {
-            return pieces(part, self.column(), GROUP);
+        let files = match &self.arches {
+            Arches::Grid { .. } => return pieces(part, self.column(), GRID_GROUP),
+            Arches::Sample { .. } => return pieces(part, 1, GROUP),
+            Arches::Data { files } => files,
         };
         let mut first = 0;
         let group = |slice: &TextSlice| {
