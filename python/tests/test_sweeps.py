@@ -225,8 +225,8 @@ def test_a_folder_is_a_table_of(read, folders):
 
 def test_a_reader_passes_over_row_groups_that_have_nothing(tmp_path):
     dataset = pytest.importorskip("pyarrow.dataset")
-    grid = {"half_opening": [0.4, 0.6, 0.8, 1.0, 1.2], "friction": {"from": "0.3", "to": 2, "steps": 100_000}}
-    folder = couplet.sweep({"grid": grid, "chunk": 500_000}, tmp_path).folder
+    grid = {"half_opening": {"from": "0.4", "to": "1.6", "steps": 13}, "friction": {"from": "0.3", "to": 2, "steps": 100_000}}
+    folder = couplet.sweep({"grid": grid, "chunk": 1_300_000}, tmp_path).folder
     field = dataset.field
 
     def groups(condition=None):
@@ -234,14 +234,14 @@ def test_a_reader_passes_over_row_groups_that_have_nothing(tmp_path):
         return sum(len(fragment.split_by_row_group(condition)) for fragment in fragments)
 
     assert groups() == 3
-    assert groups(field("half_opening_rad") == 0.8) == 1
-    thinner = dataset.dataset(folder).to_table(columns=["thickness"], filter=field("half_opening_rad") < 1.1)
+    assert groups(field("half_opening_rad") == 0.6) == 1
+    thinner = dataset.dataset(folder).to_table(columns=["thickness"], filter=field("half_opening_rad") < 1.35)
     assert groups(field("thickness") > max(filter(None, thinner["thickness"].to_pylist()))) == 1
     assert groups(field("friction_double") > 2) == 0
     assert groups(field("weight") == "heyman") == 0
     duckdb = pytest.importorskip("duckdb")
     line = f"SELECT stats_min_value FROM parquet_metadata('{folder}/*.parquet') WHERE path_in_schema = 'half_opening_rad'"
-    assert sorted(float(row[0]) for row in duckdb.execute(line).fetchall()) == [0.4, 0.8, 1.2]
+    assert sorted(float(row[0]) for row in duckdb.execute(line).fetchall()) == [0.4, 0.9, 1.4]
 
 
 def test_what_is_no_text_is_refused_with_what_reads_it(tmp_path, monkeypatch):

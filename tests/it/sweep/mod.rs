@@ -175,7 +175,7 @@ fn what_is_missing_or_spoiled_is_computed_again_and_nothing_else() {
 #[test]
 fn a_large_part_has_row_groups_and_is_looked_through_group_by_group() {
     let scratch = planned(
-        "chunk = 300_000\n[grid]\nhalf_opening = [0.5, 1, 2]\nfriction = { from = 0.1, to = 1, steps = 100_000 }\n",
+        "chunk = 600_000\n[grid]\nhalf_opening = [0.5, 0.6, 0.7, 0.8, 1, 2]\nfriction = { from = 0.1, to = 1, steps = 100_000 }\n",
     );
     assert_eq!(sweep(&scratch, "out", &["--threads", "1"]).0, Some(0));
     let files = files(&scratch, "out");
@@ -188,7 +188,7 @@ fn a_large_part_has_row_groups_and_is_looked_through_group_by_group() {
     let (code, out, message) =
         said(&couplet(&["sweep", &folder(&scratch, "out"), "--verify", "3"]));
     assert_eq!((code, message.as_str()), (Some(0), ""), "{message}");
-    assert!(out.contains("300000 rows in 1 part are there"), "{out}");
+    assert!(out.contains("600000 rows in 1 part are there"), "{out}");
 }
 
 #[test]

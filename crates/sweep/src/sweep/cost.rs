@@ -2,7 +2,7 @@
 
 use crate::scene::{SweepArches, SweepPlan};
 
-/// Proofs of single arches that take half a minute: 15 µs each. A part has then 60 to 250 MB.
+/// Proofs of single arches that take half a minute: 15 µs each. A part has then 60 to 200 MB.
 const PART: f64 = 2_000_000.0;
 /// A part of a short sweep takes a tenth of a second at least.
 const SMALLEST: f64 = 6_500.0;
@@ -14,7 +14,7 @@ pub(super) const MAX_PARTS: u64 = 1_000_000;
 /// a multiple of what is drawn from one seed.
 pub(super) const GROUP: u64 = 125_000;
 /// The most rows of a row group of a grid, which share their numbers.
-pub(super) const GRID_GROUP: u64 = 250_000;
+pub(super) const GRID_GROUP: u64 = 500_000;
 /// Cost of a half opening, paid once, and each of its frictions, in single arches: most share what is proved
 /// once. Measured on 400 half openings by 1,000 frictions.
 const COLUMN: f64 = 3.0;

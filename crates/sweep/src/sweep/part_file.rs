@@ -17,6 +17,9 @@ use std::sync::Arc;
 /// were written at once.
 const BATCH: usize = DEFAULT_WRITE_BATCH_SIZE;
 
+/// The most bytes of a dictionary of numbers that come again: those of 100,000, where usually a column goes on without.
+const DICTIONARY: usize = 1 << 22;
+
 /// Name of the program that writes.
 const TOOL: &str = concat!("couplet ", env!("CARGO_PKG_VERSION"));
 
@@ -41,6 +44,9 @@ impl PartWriter {
         let properties = texts.fold(properties, |properties, (name, _)| {
             let name = ColumnPath::from(name.as_str());
             properties.set_column_statistics_enabled(name, EnabledStatistics::None)
+        });
+        let properties = table.again.iter().fold(properties, |properties, name| {
+            properties.set_column_dictionary_page_size_limit(ColumnPath::from(*name), DICTIONARY)
         });
         let fields = table.columns.iter().map(|(name, column)| Ok(Arc::new(field(name, column)?)));
         let schema =

@@ -6,25 +6,56 @@ use super::strategies::samples;
 use super::text;
 use crate::arch::SelfWeight;
 use crate::certify::batch::SharedOpening;
-use crate::number::ExactNumber;
+use crate::number::{DoubleDoubleBall, ExactNumber};
 use crate::problem::{Arch, Friction};
 use crate::report::GivenDoubles;
 use ::parquet::data_type::ByteArray;
+use std::fmt;
 use std::ops::Range;
 use std::path::Path;
 
 /// Rows of a sample that are drawn from one seed: the block `b` has the arches of `couplet sample --seed SEED+b`.
 const BLOCK: u64 = 1_000;
 
+/// Frictions of a grid, read once for all its rows; none of other sweeps.
+#[derive(Debug, Default)]
+pub(super) struct GridFrictions {
+    numbers: Vec<AxisNumber<Friction>>,
+    enclosed: Vec<Option<DoubleDoubleBall>>,
+}
+
+impl GridFrictions {
+    pub(super) fn of(record: &SweepRecord) -> Result<Self, String> {
+        let record::Arches::Grid { friction, .. } = &record.arches else {
+            return Ok(Self::default());
+        };
+        let one = ExactNumber::from(&rug::Rational::from(1));
+        let read = |text: &String| {
+            let number: Friction = text.parse().map_err(|error| wrong(&error))?;
+            let arch = Arch::new(SelfWeight::Heyman, one.clone(), number.clone());
+            let double = GivenDoubles::new(&arch.map_err(|error| wrong(&error))?, None).friction;
+            Ok(AxisNumber { text: ByteArray::from(text.as_str()), double, number })
+        };
+        let numbers = friction.iter().map(read).collect::<Result<Vec<_>, String>>()?;
+        let enclosed = numbers.iter().map(|of| SharedOpening::enclosed(&of.number)).collect();
+        Ok(Self { numbers, enclosed })
+    }
+}
+
+fn wrong(error: &dyn fmt::Display) -> String {
+    format!("the record of the sweep: {error}")
+}
+
 /// The rows of a group of a part; `base` is where the paths of a data set begin.
-pub(super) fn queries(
+pub(super) fn queries<'a>(
     record: &SweepRecord,
+    frictions: &'a GridFrictions,
     rows: &Range<u64>,
     base: &Path,
-) -> Result<PartQueries, String> {
+) -> Result<PartQueries<'a>, String> {
     let arches = match &record.arches {
-        record::Arches::Grid { half_opening, friction } => {
-            PartArches::Grid(grid(&record.weights(), (half_opening, friction), rows)?)
+        record::Arches::Grid { half_opening, .. } => {
+            PartArches::Grid(grid(&record.weights(), half_opening, frictions, rows)?)
         }
         record::Arches::Sample { seed, hard } => {
             PartArches::Listed(Box::new(sample(*seed, *hard, rows)))
@@ -59,40 +90,30 @@ fn data(
     Ok(Listed::default())
 }
 
-fn grid(
+fn grid<'a>(
     weights: &[SelfWeight],
-    (half_openings, frictions): (&[String], &[String]),
+    half_openings: &[String],
+    frictions: &'a GridFrictions,
     rows: &Range<u64>,
-) -> Result<PartGrid, String> {
-    let column = frictions.len() as u64;
+) -> Result<PartGrid<'a>, String> {
+    let column = frictions.numbers.len() as u64;
     let columns = rows.start / column..rows.end.div_ceil(column);
-    // An axis may be long. A part has whole columns, or a piece of one.
+    // Whole columns, or a piece of one.
     let needed = match columns.end - columns.start {
         1 => (rows.start % column) as usize..((rows.end - 1) % column + 1) as usize,
-        _ => 0..frictions.len(),
+        _ => 0..frictions.numbers.len(),
     };
-    let of = |error: &dyn std::fmt::Display| format!("the record of the sweep: {error}");
-    let one = ExactNumber::from(&rug::Rational::from(1));
-    let friction = |text: &String| {
-        let number: Friction = text.parse().map_err(|error| of(&error))?;
-        let arch = Arch::new(SelfWeight::Heyman, one.clone(), number.clone());
-        let double = GivenDoubles::new(&arch.map_err(|error| of(&error))?, None).friction;
-        Ok(AxisNumber { text: ByteArray::from(text.as_str()), double, number })
-    };
-    let given = frictions[needed.clone()].iter().map(friction);
-    let frictions: Vec<AxisNumber<Friction>> = given.collect::<Result<_, String>>()?;
     let count = half_openings.len() as u64;
     let column = |place: u64| {
         let (weight, text) =
             (weights[(place / count) as usize], &half_openings[(place % count) as usize]);
-        let number: ExactNumber = text.parse().map_err(|error| of(&error))?;
+        let number: ExactNumber = text.parse().map_err(|error| wrong(&error))?;
         let double = number.nearest_double();
         Ok((weight, AxisNumber { text: ByteArray::from(text.as_str()), double, number }))
     };
-    let enclosed = frictions.iter().map(|friction| SharedOpening::enclosed(&friction.number));
     let (columns, enclosed) =
-        (columns.map(column).collect::<Result<_, String>>()?, enclosed.collect());
-    Ok(PartGrid { columns, frictions, enclosed })
+        (columns.map(column).collect::<Result<_, String>>()?, &frictions.enclosed[needed.clone()]);
+    Ok(PartGrid { columns, frictions: &frictions.numbers[needed], enclosed })
 }
 
 fn sample(seed: u64, hard: bool, rows: &Range<u64>) -> Listed {

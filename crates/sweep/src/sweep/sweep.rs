@@ -3,7 +3,8 @@
 
 use super::notes::Notes;
 use super::part_file::PartWriter;
-use super::queries::queries;
+use super::queries::{GridFrictions, queries};
+use super::query::PartQueries;
 use super::record::{Arches, SweepRecord};
 use super::store::{PartState, Store};
 use super::table::PartTable;
@@ -15,6 +16,7 @@ use rayon::prelude::*;
 use std::io::{self, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 /// A sweep and the folder of its parts.
 pub struct Sweep {
@@ -24,6 +26,7 @@ pub struct Sweep {
     pub(super) base: PathBuf,
     pub(super) batch: Batch,
     parts: Vec<Range<u64>>,
+    frictions: OnceLock<Result<GridFrictions, String>>,
 }
 
 /// State of a part: complete, with the counts of its verdicts, or missing.
@@ -49,7 +52,8 @@ impl Sweep {
         let (quantities, digits) = (record.quantities(), record.digits);
         let batch = Batch { quantities, digits, has_texts: digits > SWEEP_DIGITS };
         let parts = record.parts();
-        Self { record, store, base: base.to_owned(), batch, parts }
+        let frictions = OnceLock::new();
+        Self { record, store, base: base.to_owned(), batch, parts, frictions }
     }
 
     /// The folder of its parts.
@@ -119,6 +123,12 @@ impl Sweep {
         parts.par_iter().map(state).collect()
     }
 
+    /// The rows of a group of a part, as they are asked.
+    pub(super) fn queries(&self, group: &Range<u64>) -> Result<PartQueries<'_>, String> {
+        let frictions = self.frictions.get_or_init(|| GridFrictions::of(&self.record));
+        queries(&self.record, frictions.as_ref().map_err(Clone::clone)?, group, &self.base)
+    }
+
     /// Computes a part, writes it, and counts its verdicts. It appears whole or not at all, and whoever computes it
     /// writes the same bytes. Of its rows a group is held in memory at a time.
     pub fn compute(&self, part: usize) -> Result<[u64; 4], Failure> {
@@ -128,7 +138,7 @@ impl Sweep {
         let (rows, mut counts) = (self.parts[part].clone(), [0; 4]);
         let mut writer = PartWriter::default();
         for group in self.record.groups(&rows) {
-            let queries = queries(&self.record, &group, &self.base)?;
+            let queries = self.queries(&group)?;
             let found = self.batch.states(&queries, Threads::One);
             found.iter().for_each(|row| counts[row.verdict as usize] += 1);
             let table = PartTable::new(&self.batch, &queries, &found);

@@ -25,12 +25,14 @@ pub(super) enum PartColumn<'a> {
 /// Rows of a part that are held in memory, by columns, with the names of these.
 pub(super) struct PartTable<'a> {
     pub rows: usize,
+    /// Columns of numbers that come again with every half opening.
+    pub again: &'static [&'static str],
     pub columns: Vec<(String, PartColumn<'a>)>,
 }
 
 impl<'a> PartTable<'a> {
     /// The columns that are asked: row, file and line of a data set, texts and doubles.
-    pub(super) fn asked(queries: &'a PartQueries) -> Self {
+    pub(super) fn asked(queries: &'a PartQueries<'a>) -> Self {
         let whole = |number: u64| i64::try_from(number).ok();
         let first = queries.first;
         let mut columns =
@@ -74,14 +76,22 @@ impl<'a> PartTable<'a> {
         };
         let names = ["weight", "half_opening", "friction", "half_opening_rad", "friction_double"];
         columns.extend(names.map(str::to_owned).into_iter().zip(given));
-        Self { rows: queries.len(), columns }
+        let again: &[&str] = match &queries.arches {
+            PartArches::Grid(_) => &["friction", "friction_double"],
+            PartArches::Listed(_) => &[],
+        };
+        Self { rows: queries.len(), again, columns }
     }
 
     /// All columns.
-    pub(super) fn new(batch: &Batch, queries: &'a PartQueries, found: &'a [Arc<BatchRow>]) -> Self {
-        let Self { rows, mut columns } = Self::asked(queries);
+    pub(super) fn new(
+        batch: &Batch,
+        queries: &'a PartQueries<'a>,
+        found: &'a [Arc<BatchRow>],
+    ) -> Self {
+        let Self { rows, again, mut columns } = Self::asked(queries);
         columns.extend(Self::answered(batch, found).columns);
-        Self { rows, columns }
+        Self { rows, again, columns }
     }
 
     /// The columns that are answered.
@@ -112,7 +122,7 @@ impl<'a> PartTable<'a> {
         }
         let reason = |row: usize| found[row].reason.as_deref().map(ByteArray::from);
         columns.push(("reason".into(), PartColumn::text(reason)));
-        Self { rows: found.len(), columns }
+        Self { rows: found.len(), again: &[], columns }
     }
 }
 

@@ -1,6 +1,5 @@
 //! Looks through a sweep that was made: its parts, its rows, and what is proved of some of them.
 
-use super::queries::queries;
 use super::read::{ReadCells, ReadPart, ReadTable};
 use super::store::PartState;
 use super::strategies::Draw;
@@ -98,7 +97,7 @@ fn look(
     let (mut all, mut there) = (Verified { parts: 1, ..Verified::default() }, [0; 4]);
     for (place, rows) in groups.into_iter().enumerate() {
         let table = file.group(place).map_err(|error| error.to_string())?;
-        let queries = queries(&sweep.record, &rows, &sweep.base)?;
+        let queries = sweep.queries(&rows)?;
         let asked = PartTable::asked(&queries);
         for (name, column) in &asked.columns {
             let there = table.column(name);
