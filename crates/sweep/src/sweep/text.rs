@@ -6,8 +6,8 @@ use super::query::Listed;
 use crate::arch::SelfWeight;
 use crate::check::reason;
 use crate::rows::{
-    ArchReader, BYTE_ORDER_MARK, Cells, Columns, JsonLines, JsonObject, Purpose, Role, Spelling,
-    TextTable,
+    ArchReader, BYTE_ORDER_MARK, Cells, Columns, JsonLines, JsonObject, Numbered, Purpose, Role,
+    Spelling, TextTable,
 };
 use crate::scene::hash_of;
 use serde::{Deserialize, Serialize};
@@ -112,6 +112,33 @@ impl TextRows {
             Self::Lines(lines) => lines.next().map(drop),
         }
     }
+
+    /// The next rows, at most so many, and their lines.
+    fn listed(self, most: usize, weight: SelfWeight) -> Result<(Vec<u64>, Listed), String> {
+        let reader = |columns, spelling| ArchReader { columns, weight, doubles: false, spelling };
+        Ok(match self {
+            Self::Table(table) => {
+                let (columns, places) = columns(&table.header)?;
+                let spelling = Spelling { decimal_comma: table.has_decimal_commas() };
+                let cells = |mut fields: Vec<String>| -> Cells {
+                    places.iter().map(|&place| fields.get_mut(place).map(mem::take)).collect()
+                };
+                let rows = table.map(|(line, row)| (line, row.map(cells)));
+                listed(rows, most, &reader(columns, spelling))
+            }
+            Self::Lines(lines) => {
+                let reader = reader(Columns::own(Purpose::Ask), Spelling::default());
+                let cells = |bytes: Vec<u8>| {
+                    let cells = reader.columns.cells(&JsonObject::parse(&bytes)?)?;
+                    match reader.given(&cells, Role::GivenThickness) {
+                        None => Ok(cells),
+                        Some(_) => Err(format!("it has a thickness; {LEAST}")),
+                    }
+                };
+                listed(lines.map(|(line, row)| (line, row.and_then(cells))), most, &reader)
+            }
+        })
+    }
 }
 
 /// The pieces of a file, with at most so many rows each, and the head of a table; or what is wrong with the file.
@@ -159,19 +186,19 @@ pub(super) fn read(
         let is_same = hash_of(&bytes) == sha256;
         is_same.then(|| Box::new(Cursor::new(bytes))).ok_or_else(|| CHANGED.to_owned())
     };
-    let most = slice.rows as usize;
-    let (lines, listed) = match head {
+    let rows = match head {
         Some(head) => {
             let table = TextTable::open(input(head.offset, head.bytes, &head.sha256)?);
             let table = table.map_err(|error| error.to_string())?;
             let rows = input(slice.offset, slice.bytes, &slice.sha256)?;
-            table_rows(table.with_rows(rows, slice.line), most, weight)?
+            TextRows::Table(table.with_rows(rows, slice.line))
         }
         None => {
             let rows = input(slice.offset, slice.bytes, &slice.sha256)?;
-            json_rows(JsonLines::new(rows, slice.line), most, weight)
+            TextRows::Lines(JsonLines::new(rows, slice.line))
         }
     };
+    let (lines, listed) = rows.listed(slice.rows as usize, weight)?;
     match lines.len() as u64 == slice.rows {
         true => Ok((lines, listed)),
         false => Err(format!(
@@ -183,46 +210,17 @@ pub(super) fn read(
     }
 }
 
-/// The next rows of a table, at most so many, and their lines.
-fn table_rows(
-    table: TextTable,
+/// The next rows, at most so many, and their lines.
+fn listed(
+    rows: impl Iterator<Item = Numbered<Cells>>,
     most: usize,
-    weight: SelfWeight,
-) -> Result<(Vec<u64>, Listed), String> {
-    let (columns, places) = columns(&table.header)?;
-    let spelling = Spelling { decimal_comma: table.has_decimal_commas() };
-    let reader = ArchReader { columns, weight, doubles: false, spelling };
-    let (mut lines, mut listed) = (Vec::new(), Listed::default());
-    for (line, row) in table.take(most) {
-        lines.push(line);
-        match row {
-            Ok(mut fields) => {
-                let cells: Cells =
-                    places.iter().map(|&place| fields.get_mut(place).map(mem::take)).collect();
-                listed.push_row(&reader, &cells);
-            }
-            Err(error) => listed.refuse(&Default::default(), error),
-        }
-    }
-    Ok((lines, listed))
-}
-
-/// The next rows of JSON, at most so many, and their lines.
-fn json_rows(rows: JsonLines, most: usize, weight: SelfWeight) -> (Vec<u64>, Listed) {
-    let (columns, spelling) = (Columns::own(Purpose::Ask), Spelling::default());
-    let reader = ArchReader { columns, weight, doubles: false, spelling };
-    let cells = |bytes: Vec<u8>| {
-        let cells = reader.columns.cells(&JsonObject::parse(&bytes)?)?;
-        match reader.given(&cells, Role::GivenThickness) {
-            None => Ok(cells),
-            Some(_) => Err(format!("it has a thickness; {LEAST}")),
-        }
-    };
+    reader: &ArchReader,
+) -> (Vec<u64>, Listed) {
     let (mut lines, mut listed) = (Vec::new(), Listed::default());
     for (line, row) in rows.take(most) {
         lines.push(line);
-        match row.and_then(cells) {
-            Ok(cells) => listed.push_row(&reader, &cells),
+        match row {
+            Ok(cells) => listed.push_row(reader, &cells),
             Err(error) => listed.refuse(&Default::default(), error),
         }
     }
@@ -264,11 +262,7 @@ mod tests {
     /// The rows of a text as one reader has them.
     fn at_once(text: &str) -> Result<Told, String> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text).to_owned();
-        let (most, weight) = (usize::MAX, SelfWeight::Heyman);
-        match TextRows::open(Cursor::new(text))? {
-            TextRows::Table(table) => table_rows(table, most, weight).map(told),
-            TextRows::Lines(lines) => Ok(told(json_rows(lines, most, weight))),
-        }
+        TextRows::open(Cursor::new(text))?.listed(usize::MAX, SelfWeight::Heyman).map(told)
     }
 
     fn is_the_same_in_pieces(text: &str) -> Told {
