@@ -89,7 +89,7 @@ def sweep(
     """Proves any number of arches and writes them as a partitioned Parquet data set (docs/sweeps.md).
 
     The bytes are those of the command ``couplet sweep``, whatever the engine and however many workers. A sweep that was
-    stopped goes on where it was: parts that are there and whole are kept, by their content.
+    stopped goes on where it was: parts that are there are kept, by their names and sizes; ``Swept.verify`` reads them.
 
     Args:
         plan: the path of a plan (TOML), or its keys as a dictionary. Of a dictionary a float is the double that it is, text is

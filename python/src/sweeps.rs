@@ -75,7 +75,7 @@ pub(crate) fn sweep_survey(
     let sweep = opened(&folder, &base)?;
     let parts = sweep.share(share.0, share.1);
     let of = Arc::clone(&sweep);
-    let survey = on_threads(py, threads, move || of.survey(&parts))?.map_err(wrong)?;
+    let survey = on_threads(py, threads, move || of.survey(&parts, false))?.map_err(wrong)?;
     let rows = |part: usize| sweep.rows(part).end - sweep.rows(part).start;
     Ok(survey.into_iter().map(|(part, counts)| (part, rows(part), counts)).collect())
 }

@@ -2,6 +2,7 @@
 
 import multiprocessing
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -147,7 +148,7 @@ def test_a_plan_of_numbers_of_python(tmp_path):
     assert (made.rows, made.computed) == (2, 2)
 
 
-def test_the_table_is_read_by_others(tmp_path, monkeypatch):
+def test_the_table_is_read_by_others(tmp_path):
     dataset = pytest.importorskip("pyarrow.dataset")
     parquet = pytest.importorskip("pyarrow.parquet")
     grid = {"half_opening": ["0.5", "80deg"], "friction": ["0.1", "0.3", "inf"]}
@@ -165,28 +166,92 @@ def test_the_table_is_read_by_others(tmp_path, monkeypatch):
     part = next(Path(folder).glob("part-*"))
     notes = parquet.read_metadata(part).metadata
     assert notes[b"couplet.schema"] == b"couplet.sweep/1"
-    # What others write, compressed as they do, is read.
-    table = dataset.dataset(folder).to_table(columns=["half_opening_rad", "friction_double"])
-    table = table.rename_columns(["alpha", "mu"])
-    parquet.write_table(table, tmp_path / "in.parquet", row_group_size=4)
+
+
+def by_polars(folder):
+    return pytest.importorskip("polars").read_parquet(folder).to_dicts()
+
+
+def by_pyarrow(folder):
+    return pytest.importorskip("pyarrow.dataset").dataset(folder).to_table().to_pylist()
+
+
+def by_pandas(folder):
+    pandas = pytest.importorskip("pandas")
+    pytest.importorskip("pyarrow")
+    return pandas.read_parquet(folder).to_dict("records")
+
+
+def by_duckdb(folder):
+    found = pytest.importorskip("duckdb").execute(f"SELECT * FROM read_parquet('{folder}/**/*.parquet')")
+    names = [column[0] for column in found.description]
+    return [dict(zip(names, row)) for row in found.fetchall()]
+
+
+def by_spark(folder):
+    sql = pytest.importorskip("pyspark.sql")
+    if shutil.which("java") is None:
+        pytest.skip("no java")
+    home = sql.SparkSession.builder.master("local[1]").config("spark.ui.enabled", "false")
+    session = home.config("spark.sql.shuffle.partitions", "1").getOrCreate()
+    try:
+        table = session.read.option("recursiveFileLookup", "true").parquet(folder)
+        return [row.asDict() for row in table.collect()]
+    finally:
+        session.stop()
+
+
+@pytest.fixture(scope="module")
+def folders(tmp_path_factory):
+    """A folder of a few parts, and one of more than a thousand, which are in folders of a thousand."""
+    home = tmp_path_factory.mktemp("folders")
+    few = {"grid": {"half_opening": [0.5, 1], "friction": [1, 2]}, "chunk": 2}
+    many = {"grid": {"half_opening": 1, "friction": {"from": "0.5", "to": 1, "steps": 1001}}, "chunk": 1}
+    return [couplet.sweep(few, home / "few").folder, couplet.sweep(many, home / "many").folder]
+
+
+@pytest.mark.parametrize("read", [by_polars, by_pyarrow, by_pandas, by_duckdb, by_spark])
+def test_a_folder_is_a_table_of(read, folders):
+    for folder, count in zip(folders, (4, 1001)):
+        rows = sorted(read(folder), key=lambda row: row["row"])
+        assert [row["row"] for row in rows] == list(range(count))
+        names = ["row", "weight", "half_opening", "friction", "half_opening_rad", "friction_double"]
+        assert list(rows[0]) == [*names, "verdict", "mode", "thickness", "thickness_side", "reason"]
+        assert {row["verdict"] for row in rows} == {"stands"}
+        last = rows[-1]
+        assert last["thickness"] == couplet.state(last["half_opening"], last["friction"]).thickness.double
+    assert sorted(os.listdir(folders[1])) == ["000", "001"]
+
+
+def test_a_reader_passes_over_row_groups_that_have_nothing(tmp_path):
+    dataset = pytest.importorskip("pyarrow.dataset")
+    grid = {"half_opening": {"from": "0.4", "to": "1.6", "steps": 13}, "friction": {"from": "0.3", "to": 2, "steps": 100_000}}
+    folder = couplet.sweep({"grid": grid, "chunk": 1_300_000}, tmp_path).folder
+    field = dataset.field
+
+    def groups(condition=None):
+        fragments = dataset.dataset(folder).get_fragments(filter=condition)
+        return sum(len(fragment.split_by_row_group(condition)) for fragment in fragments)
+
+    assert groups() == 3
+    assert groups(field("half_opening_rad") == 0.6) == 1
+    thinner = dataset.dataset(folder).to_table(columns=["thickness"], filter=field("half_opening_rad") < 1.35)
+    assert groups(field("thickness") > max(filter(None, thinner["thickness"].to_pylist()))) == 1
+    assert groups(field("friction_double") > 2) == 0
+    assert groups(field("weight") == "heyman") == 0
+    duckdb = pytest.importorskip("duckdb")
+    line = f"SELECT stats_min_value FROM parquet_metadata('{folder}/*.parquet') WHERE path_in_schema = 'half_opening_rad'"
+    assert sorted(float(row[0]) for row in duckdb.execute(line).fetchall()) == [0.4, 0.9, 1.4]
+
+
+def test_what_is_no_text_is_refused_with_what_reads_it(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    again = couplet.sweep({"data": {"files": "in.parquet"}}, tmp_path / "again")
-    found = dataset.dataset(again.folder).to_table().to_pylist()
-    exact = [couplet.state(row["half_opening_rad"], row["friction_double"], digits=17) for row in rows]
-    assert [row["thickness"] for row in found] == [state.thickness and state.thickness.double for state in exact]
-    assert [row["line"] for row in found] == list(range(1, 7))
-    parquet.write_table(table, tmp_path / "in.parquet", compression="zstd")
-    (fault,) = couplet.sweep({"data": {"files": "in.parquet"}}, tmp_path / "zstd").lost
-    assert "it is compressed with ZSTD" in fault
-
-
-def test_a_folder_is_a_table_of_polars(tmp_path):
-    polars = pytest.importorskip("polars")
-    folder = couplet.sweep({"grid": {"half_opening": [0.5, 1], "friction": [1, 2]}, "chunk": 2}, tmp_path).folder
-    table = polars.read_parquet(folder)
-    assert table["row"].to_list() == [0, 1, 2, 3]
-    assert table["thickness"][0] == couplet.state(0.5, 1).thickness.double
-    assert table["verdict"].to_list() == ["stands"] * 4
+    (tmp_path / "in.parquet").write_bytes(b"PAR1\x15\x04")
+    (tmp_path / "in.jsonl").write_text('{"alpha": 1, "mu": 1}\n{"alpha": 1, "mu": "x"}\n')
+    made = couplet.sweep({"data": {"files": ["in.jsonl", "in.parquet"]}}, tmp_path / "out")
+    assert made.counts == {"stands": 1, "falls": 0, "undecided": 0, "refused": 1}
+    (fault,) = made.lost
+    assert fault.startswith("in.parquet: it is Parquet; a sweep reads CSV and JSON lines") and "couplet.add_states" in fault
 
 
 def test_what_is_no_part_is_named(tmp_path):

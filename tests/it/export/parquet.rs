@@ -2,7 +2,10 @@
 
 use super::expected::all;
 use crate::program::{Scratch, fed};
+use parquet::basic::ColumnOrder;
+use parquet::file::metadata::ColumnChunkMetaData;
 use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::file::statistics::Statistics;
 use parquet::record::{Field, Row};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
@@ -17,6 +20,23 @@ pub(crate) fn read(file: Vec<u8>) -> (Vec<BTreeMap<String, Field>>, BTreeMap<Str
     let notes = notes.iter().map(|note| (note.key.clone(), note.value.clone().unwrap()));
     let row = |row: Result<Row, _>| row.unwrap().into_columns().into_iter().collect();
     (reader.get_row_iter(None).unwrap().map(row).collect(), notes.collect())
+}
+
+/// The least and the largest value of each column of doubles, row group by row group, as a reader takes them that knows
+/// no order but that of the type.
+pub(crate) fn groups(file: Vec<u8>) -> Vec<Vec<(String, f64, f64)>> {
+    let scratch = Scratch::new();
+    scratch.write("table.parquet", file);
+    let reader = SerializedFileReader::new(File::open(scratch.path("table.parquet")).unwrap());
+    let metadata = reader.unwrap().metadata().clone();
+    let is_known = |of: &ColumnOrder| matches!(of, ColumnOrder::TYPE_DEFINED_ORDER(_));
+    assert!(metadata.file_metadata().column_orders().unwrap().iter().all(is_known));
+    let bounds = |column: &ColumnChunkMetaData| {
+        let Statistics::Double(of) = column.statistics()? else { return None };
+        Some((column.column_path().string(), *of.min_opt()?, *of.max_opt()?))
+    };
+    let groups = metadata.row_groups().iter();
+    groups.map(|group| group.columns().iter().filter_map(bounds).collect()).collect()
 }
 
 fn text(field: &Field) -> &str {
@@ -63,6 +83,10 @@ fn states_have_a_row_for_each_value_and_for_each_that_has_none() {
     }
     let output = fed(&["states", "--format", "parquet", "--digits", "5"], &input);
     assert_eq!(output.status.code(), Some(2), "one row is bad");
+    let half_opening = groups(output.stdout.clone()).into_iter().flatten();
+    let half_opening = half_opening.filter(|(name, ..)| name == "half_opening_rad");
+    let upper = half_opening.map(|(_, _, upper)| upper).fold(0.0, f64::max);
+    assert_eq!(upper, 2.6, "is told by the groups");
     let (rows, notes) = read(output.stdout);
     assert_eq!(notes["couplet.schema"], "couplet.states/2");
     let lines: BTreeSet<i64> = rows

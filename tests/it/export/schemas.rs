@@ -120,12 +120,11 @@ const RESULTS: &str = "weight,alpha,mu,eta,mode,sliding_joint\nheyman,pi/2,0.38,
 /// The records of sweeps of every kind; none without the feature.
 fn sweeps(scratch: &Scratch) -> Vec<String> {
     scratch.write("states.csv", "alpha,mu\n1,1\n");
-    let states = ["states", "-", "--format", "parquet"];
-    scratch.write("states.parquet", fed(&states, "alpha,mu\n1,1\n").stdout);
+    scratch.write("states.jsonl", "{\"alpha\": 1, \"mu\": 1}\n");
     let plans = [
         "weight = \"both\"\n[grid]\nalpha = [1, 2]\nphi = \"35deg\"\n",
         "[sample]\ncount = 2\n",
-        "[data]\nfiles = [\"states.csv\", \"states.parquet\", \"none.csv\"]\n",
+        "[data]\nfiles = [\"states.csv\", \"states.jsonl\", \"none.csv\"]\n",
     ];
     for plan in plans.iter().filter(|_| cfg!(feature = "parquet")) {
         scratch.write("plan.toml", format!("schema = \"couplet.sweep/1\"\n{plan}"));

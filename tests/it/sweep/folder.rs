@@ -35,10 +35,12 @@ fn what_was_forged_is_found() {
     let name = files(&scratch, "out").into_keys().next().unwrap();
     let content = fs::read(format!("{home}/{name}")).unwrap();
     let put = |name: &str, content: &[u8]| fs::write(format!("{home}/{name}"), content).unwrap();
+    // The name with another hash: the size is the same.
     let named = |content: &[u8]| {
         let hash: String =
             Sha256::digest(content).iter().map(|byte| format!("{byte:02x}")).collect();
-        format!("part-00000000-{}.parquet", &hash[..16])
+        let (rest, _) = name.rsplit_once('-').unwrap();
+        format!("{rest}-{}.parquet", &hash[..16])
     };
     // The last bit of a value, in a file with the name of its content.
     let Some(Field::Double(value)) = read(content.clone()).0[49].get("thickness").cloned() else {
@@ -77,6 +79,46 @@ fn what_was_forged_is_found() {
     assert!(
         looked().2.contains("part-00000007-") && looked().2.contains(" is no part of the sweep")
     );
+}
+
+#[test]
+fn a_name_tells_what_is_in_a_part_and_what_it_tells_wrong_is_found() {
+    let scratch = planned("[grid]\nhalf_opening = 2.3\nfriction = [0.1, 1, 1.2, \"inf\"]\n");
+    let (_, first, _) = sweep(&scratch, "out", &[]);
+    assert!(first.ends_with("(1 computed, 0 kept): stands 2, falls 2\n"), "{first}");
+    let (home, sweep_name) = (folder(&scratch, "out"), sweeps(&scratch, "out").remove(0));
+    let (name, content) = files(&scratch, "out").pop_first().unwrap();
+    let digits = &sweep_name["sweep-".len()..][..8];
+    assert!(
+        name.starts_with(&format!("part-00000000-{digits}-2-2-0-0-{}-", content.len())),
+        "{name}"
+    );
+    // A second start does not look into it: what is wrong inside is told from then on.
+    let (code, again, _) = sweep(&scratch, "out", &[]);
+    assert_eq!(
+        (code, again),
+        (Some(0), first.replace("(1 computed, 0 kept)", "(0 computed, 1 kept)"))
+    );
+    for (wrong, is_seen) in [
+        (name.replace(digits, "01234567"), true),
+        (name.replace("-2-2-0-0-", "-2-3-0-0-"), true),
+        (name.replace("-2-2-0-0-", "-3-1-0-0-"), false),
+    ] {
+        fs::rename(format!("{home}/{name}"), format!("{home}/{wrong}")).unwrap();
+        let (code, _, message) = sweep(&scratch, "out", &[]);
+        let line = format!(
+            "couplet: {home}/{wrong} is a part of another sweep or another build; take it away\n"
+        );
+        let expected = if is_seen { (Some(2), line.as_str()) } else { (Some(0), "") };
+        assert_eq!((code, message.as_str()), expected);
+        let (code, _, message) = said(&couplet(&["sweep", &home, "--verify", "0"]));
+        assert_eq!(code, Some(1));
+        assert!(
+            message.starts_with(&format!("couplet: {wrong} does not belong here\n")),
+            "{message}"
+        );
+        fs::rename(format!("{home}/{wrong}"), format!("{home}/{name}")).unwrap();
+    }
 }
 
 #[test]

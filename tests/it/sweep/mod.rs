@@ -161,9 +161,72 @@ fn what_is_missing_or_spoiled_is_computed_again_and_nothing_else() {
     let before = fs::metadata(path(3)).unwrap().modified().unwrap();
     let (code, out, _) = sweep(&scratch, "out", &[]);
     assert_eq!(code, Some(0));
-    assert!(out.contains("(3 computed, 1 kept)"), "{out}");
+    // A size is seen, and a content that has it is read where that is asked.
+    assert!(out.contains("(2 computed, 2 kept)"), "{out}");
+    assert_ne!(files(&scratch, "out"), whole);
+    let (code, out, _) = sweep(&scratch, "out", &["--verify", "0"]);
+    assert_eq!(code, Some(0));
+    assert!(out.contains("(1 computed, 3 kept)"), "{out}");
     assert_eq!(files(&scratch, "out"), whole);
     assert_eq!(fs::metadata(path(3)).unwrap().modified().unwrap(), before);
+}
+
+/// A part that is not held in memory as a whole has several row groups, each of whole half openings.
+#[test]
+fn a_large_part_has_row_groups_and_is_looked_through_group_by_group() {
+    let scratch = planned(
+        "chunk = 600_000\n[grid]\nhalf_opening = [0.5, 0.6, 0.7, 0.8, 1, 2]\nfriction = { from = 0.1, to = 1, steps = 100_000 }\n",
+    );
+    assert_eq!(sweep(&scratch, "out", &["--threads", "1"]).0, Some(0));
+    let files = files(&scratch, "out");
+    let groups = crate::export::parquet::groups(parts(&files)[0].clone());
+    let half_opening = |group: &[(String, f64, f64)]| {
+        group.iter().find(|(name, ..)| name == "half_opening_rad").map(|of| (of.1, of.2))
+    };
+    let found: Vec<_> = groups.iter().map(|group| half_opening(group)).collect();
+    assert_eq!(found, [Some((0.5, 1.0)), Some((2.0, 2.0))]);
+    let (code, out, message) =
+        said(&couplet(&["sweep", &folder(&scratch, "out"), "--verify", "3"]));
+    assert_eq!((code, message.as_str()), (Some(0), ""), "{message}");
+    assert!(out.contains("600000 rows in 1 part are there"), "{out}");
+}
+
+#[test]
+fn more_than_a_thousand_parts_are_in_folders_of_a_thousand() {
+    let scratch = planned(
+        "chunk = 1\n[grid]\nhalf_opening = 1\nfriction = { from = 0.3, to = 0.5, steps = 1001 }\n",
+    );
+    assert_eq!(sweep(&scratch, "out", &[]).0, Some(0));
+    let home = folder(&scratch, "out");
+    let names = |folder: &str| -> Vec<String> {
+        let names = fs::read_dir(format!("{home}/{folder}")).unwrap();
+        names.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
+    };
+    let (mut folders, last) = (names(""), names("001"));
+    folders.sort();
+    assert_eq!(
+        (folders, names("000").len(), last.len()),
+        (vec!["000".into(), "001".into()], 1000, 1)
+    );
+    assert!(last[0].starts_with("part-00001000-"), "{last:?}");
+    fs::remove_file(format!("{home}/001/{}", last[0])).unwrap();
+    assert!(sweep(&scratch, "out", &[]).1.contains("(1 computed, 1000 kept)"));
+    let (code, out, _) = said(&couplet(&["sweep", &home, "--verify", "0"]));
+    assert_eq!(code, Some(0));
+    assert!(out.contains("1001 rows in 1001 parts are there"), "{out}");
+    // A part in the folder of others, a file that is no folder, and a folder that is not needed.
+    fs::rename(format!("{home}/001/{}", last[0]), format!("{home}/000/{}", last[0])).unwrap();
+    fs::remove_dir(format!("{home}/001")).unwrap();
+    fs::write(format!("{home}/001"), "").unwrap();
+    fs::create_dir(format!("{home}/002")).unwrap();
+    let (code, _, message) = said(&couplet(&["sweep", &home, "--verify", "0"]));
+    assert_eq!(code, Some(1));
+    for stray in [&format!("000/{}", last[0]), "001", "002"] {
+        assert!(
+            message.contains(&format!("couplet: {stray} is no part of the sweep\n")),
+            "{message}"
+        );
+    }
 }
 
 #[test]
@@ -343,20 +406,22 @@ fn a_file_that_changes_meanwhile_is_named_and_the_rest_goes_on() {
     assert!(looked.1.contains("3 rows in 3 parts are there"), "{}", looked.1);
 }
 
-/// Parquet written by `couplet` itself is read: doubles are the numbers that they are.
 #[test]
-fn a_parquet_file_is_read_like_the_table_of_its_numbers() {
-    let scratch = planned("chunk = 2\n[data]\nfiles = \"in.parquet\"\n");
-    let states = "alpha,mu\n0.5,0.6\n1/3,inf\nx,1\n1.5,tan(35deg)\n";
-    let written = crate::program::fed(&["states", "--format", "parquet", "--digits", "3"], states);
-    scratch.write("all.parquet", &written.stdout);
-    scratch.write("in.parquet", &written.stdout);
-    let (code, out, _) = sweep(&scratch, "out", &[]);
+fn lines_of_json_are_a_table_and_what_is_no_text_is_refused_with_what_reads_it() {
+    let scratch = planned("chunk = 2\n[data]\nfiles = [\"in.jsonl\", \"in.parquet\"]\n");
+    let states = "alpha,mu\n0.5,0.6\n1/3,inf\n1.5,tan(35deg)\n";
+    let written = |format| crate::program::fed(&["states", "--format", format], states).stdout;
+    scratch.write("in.jsonl", written("jsonl"));
+    scratch.write("in.parquet", written("parquet"));
+    let (code, out, message) = sweep(&scratch, "out", &[]);
     assert_eq!(code, Some(2));
-    assert!(out.contains("refused 1"), "{out}");
+    assert!(out.contains("3 rows in 2 parts (2 computed, 0 kept): stands 3\n"), "{out}");
+    let line = "couplet: in.parquet: it is Parquet; a sweep reads CSV and JSON lines (docs/sweeps.md), and \
+                couplet.add_states of Python proves tables of pandas, polars and pyarrow (docs/python.md)\n";
+    assert!(message.starts_with(line), "{message}");
     let rows = rows(&scratch, "out");
     let third = rows.iter().find(|row| text(&row["half_opening"]) == "1/3").unwrap();
-    assert_eq!((text(&third["friction"]), text(&third["verdict"])), ("inf", "stands"));
+    assert_eq!((text(&third["friction"]), &third["line"]), ("inf", &Field::Long(2)));
 }
 
 #[test]

@@ -98,6 +98,8 @@ pub use given::GivenDoubles;
 pub use kept::Kept;
 pub use map::{Map, MapDifferences, MapPoint};
 pub use map_asked::MapAsked;
+#[cfg(feature = "parquet")]
+pub use parquet::with_common_order;
 pub use programme::{AtThickness, ProgrammeFound};
 pub use record::Record;
 pub use reported::Reported;

@@ -49,7 +49,27 @@ pub(super) fn map(report: &Map, out: &mut dyn io::Write) -> io::Result<()> {
     let tolerance = ("tolerance", format!("{:?}", report.tolerance));
     let mut file = file(&MapRow::COLUMNS, &[], notes.into_iter().chain([tolerance]))?;
     group(&mut file, &MapRow::COLUMNS, &MapRow::of_map(report), &[])?;
-    out.write_all(&file.into_inner()?)
+    out.write_all(&with_common_order(file.into_inner()?))
+}
+
+/// The last bytes of a file, with the order that every reader knows for its doubles. The writer notes the total order
+/// of IEEE 754, and a reader that does not know it leaves the least and the largest values unread. Both orders are one
+/// where every cell is a number, as here.
+pub fn with_common_order(mut bytes: Vec<u8>) -> Vec<u8> {
+    // One field, without content, and the end of both.
+    const TOTAL: [u8; 3] = [0x2C, 0, 0];
+    const COMMON: [u8; 3] = [0x1C, 0, 0];
+    // The footer ends with the orders of the columns and a zero, before its length and the four letters of the format.
+    let mut end = bytes.len().saturating_sub(9);
+    while let Some(order) = end.checked_sub(3).and_then(|start| bytes.get_mut(start..end)) {
+        match order {
+            _ if *order == TOTAL => order.copy_from_slice(&COMMON),
+            _ if *order == COMMON => {}
+            _ => break,
+        }
+        end -= 3;
+    }
+    bytes
 }
 
 /// An empty file of some columns, and behind them a text for each name from outside, which may be any text; with
@@ -162,7 +182,7 @@ impl Rows for ParquetRows {
 
     /// Without these bytes the file cannot be read.
     fn end(self: Box<Self>) -> io::Result<Vec<u8>> {
-        Ok(self.writer.into_inner()?)
+        Ok(with_common_order(self.writer.into_inner()?))
     }
 }
 

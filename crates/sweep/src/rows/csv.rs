@@ -71,8 +71,7 @@ impl TextTable {
 
     /// Begins a piece with the next row: the number of its first line, and where that begins (bytes).
     pub fn begin(&mut self) -> (u64, u64) {
-        self.lines.looked = self.lines.offset;
-        (self.lines.number, self.lines.offset)
+        self.lines.begin()
     }
 
     /// End of the bytes that were looked at since the beginning or that of a piece (bytes). It alone decides

@@ -15,15 +15,20 @@ pub fn objects<T: 'static>(
     let parsed = move |(line, bytes): Numbered<Vec<u8>>| {
         (line, bytes.and_then(|bytes| parse(&JsonObject::parse(&bytes)?)))
     };
-    let mut lines = InputLines::new(input, 1);
-    let start = lines.number;
-    let (held, on_lines) = beginning(&mut lines);
-    lines.give_back(&held, start);
+    let (lines, on_lines) = begun(input);
     if on_lines {
-        return Box::new(JsonRows { lines, is_broken: false }.map(parsed));
+        return Box::new(lines.map(parsed));
     }
-    let (input, line) = lines.into_rest();
+    let (input, line) = lines.lines.into_rest();
     Box::new(Elements { input, line, is_in_array: false, is_over: false }.map(parsed))
+}
+
+/// The lines of an input, and whether each is a row of its own.
+fn begun(input: Input) -> (JsonLines, bool) {
+    let mut lines = InputLines::new(input, 1);
+    let (held, on_lines) = beginning(&mut lines);
+    lines.give_back(&held, 1);
+    (JsonLines { lines, is_broken: false }, on_lines)
 }
 
 /// The first lines, and whether each line is a row of its own.
@@ -57,13 +62,36 @@ fn next_row(lines: &mut InputLines, held: &mut Vec<u8>) -> Vec<u8> {
     }
 }
 
-/// One object on each line.
-struct JsonRows {
+/// Rows of JSON, one object on each line.
+pub struct JsonLines {
     lines: InputLines,
     is_broken: bool,
 }
 
-impl Iterator for JsonRows {
+impl JsonLines {
+    /// Rows of an input; none where they are in an array, or one is over several lines.
+    pub fn open(input: Input) -> Option<Self> {
+        let (lines, on_lines) = begun(input);
+        on_lines.then_some(lines)
+    }
+
+    /// Rows of an input of which the first line has this number.
+    pub fn new(input: Input, line: u64) -> Self {
+        Self { lines: InputLines::new(input, line), is_broken: false }
+    }
+
+    /// Begins a piece with the next line: its number, and where it begins (bytes).
+    pub fn begin(&mut self) -> (u64, u64) {
+        self.lines.begin()
+    }
+
+    /// End of the bytes that were looked at since the beginning or that of a piece (bytes).
+    pub fn looked(&self) -> u64 {
+        self.lines.looked
+    }
+}
+
+impl Iterator for JsonLines {
     type Item = Numbered<Vec<u8>>;
 
     fn next(&mut self) -> Option<Self::Item> {

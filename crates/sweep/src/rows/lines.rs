@@ -34,6 +34,12 @@ impl InputLines {
         Self { input, back: Vec::new(), read: 0, number, offset: 0, looked: 0 }
     }
 
+    /// Begins a piece with the next line: its number, and where it begins (bytes).
+    pub(super) fn begin(&mut self) -> (u64, u64) {
+        self.looked = self.offset;
+        (self.number, self.offset)
+    }
+
     /// Adds the next line to a record, as long as that is not too long.
     pub(super) fn next_into(&mut self, record: &mut Vec<u8>) -> io::Result<Reading> {
         let before = record.len();

@@ -26,7 +26,12 @@ impl<W> Hashing<W> {
 
     /// SHA-256 of all that was written.
     pub fn hash(self) -> String {
-        hexadecimal(self.hash)
+        self.end().1
+    }
+
+    /// The writer, and SHA-256 of all that was written.
+    pub(crate) fn end(self) -> (W, String) {
+        (self.inner, hexadecimal(self.hash))
     }
 }
 

@@ -16,8 +16,8 @@ pub const SWEEP_DIGITS: usize = 17;
 
 /// The most arches of a sample.
 pub(crate) const MAX_SAMPLE: usize = 10_000_000_000;
-/// The most rows of a part: it is held in memory.
-pub(crate) const MAX_CHUNK: usize = 10_000_000;
+/// The most rows of a part.
+pub(crate) const MAX_CHUNK: usize = 100_000_000;
 
 /// Many arches, and what is asked of each.
 #[derive(Clone, Debug)]

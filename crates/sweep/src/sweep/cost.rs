@@ -1,26 +1,31 @@
-//! Number of rows that make a part: about two seconds of work, whatever the machine makes of it.
+//! Number of rows that make a part: half a minute of work if the sweep has many, whatever the machine makes of it.
 
 use crate::scene::{SweepArches, SweepPlan};
 
-/// Proofs of single arches that take about two seconds: 15 µs each.
-const PART: f64 = 130_000.0;
+/// Proofs of single arches that take half a minute: 15 µs each. A part has then 60 to 200 MB.
+const PART: f64 = 2_000_000.0;
 /// A part of a short sweep takes a tenth of a second at least.
 const SMALLEST: f64 = 6_500.0;
-/// The most rows of a part that nobody asks for: it is held in memory, in about 600 bytes a row.
-const ROWS: f64 = 250_000.0;
-/// Parts that a short sweep is divided among.
+/// Parts that a sweep is divided among, until they are as large as parts are.
 const PARTS: f64 = 64.0;
-/// The most parts of a sweep: they are listed.
+/// The most parts of a sweep: they are listed, and their folders have a thousand each.
 pub(super) const MAX_PARTS: u64 = 1_000_000;
+/// The most rows of a part that are held in memory at a time, in about 600 bytes a row: a row group of its file. It is
+/// a multiple of what is drawn from one seed.
+pub(super) const GROUP: u64 = 125_000;
+/// The most rows of a row group of a grid, which share their numbers.
+pub(super) const GRID_GROUP: u64 = 500_000;
 /// Cost of a half opening, paid once, and each of its frictions, in single arches: most share what is proved
 /// once. Measured on 400 half openings by 1,000 frictions.
 const COLUMN: f64 = 3.0;
 const SHARED: f64 = 0.1;
 /// Digits up to which balls of double-doubles are enough.
 const SHORT: usize = 25;
+/// Bytes of a row of a file, by and large: how many rows it has is not known before it is read.
+const ROW: f64 = 30.0;
 
-/// The most rows of a part.
-pub(super) fn rows_of_a_part(plan: &SweepPlan) -> u64 {
+/// The most rows of a part; the files of a data set have so many bytes.
+pub(super) fn rows_of_a_part(plan: &SweepPlan, bytes: u64) -> u64 {
     if let Some(chunk) = plan.chunk {
         return chunk as u64;
     }
@@ -33,13 +38,15 @@ pub(super) fn rows_of_a_part(plan: &SweepPlan) -> u64 {
             let frictions = frictions.len() as f64;
             let column = if is_shared { COLUMN + SHARED * frictions } else { frictions } * longer;
             let columns = (half_openings.len() * plan.weights.len()) as f64;
-            let together = (part(columns * column) / column).min(ROWS / frictions).floor().max(1.0);
-            // A column that is too long is divided.
-            (together * frictions).min(ROWS)
+            let part = part(columns * column);
+            match part < column {
+                // A column that is too long is divided.
+                true => (frictions * part / column).max(1.0),
+                false => (part / column).floor() * frictions,
+            }
         }
         SweepArches::Sample { count, .. } => part(*count as f64 * longer) / longer,
-        // How long files are is not known before they are read.
-        SweepArches::Data { .. } => PART / longer,
+        SweepArches::Data { .. } => part(bytes as f64 / ROW * longer) / longer,
     };
     (rows as u64).max(1)
 }
@@ -50,24 +57,27 @@ mod tests {
     use crate::scene::read_sweep;
 
     #[test]
-    fn a_part_is_about_two_seconds_and_a_short_sweep_has_several() {
-        let rows = |rest: &str| {
+    fn a_part_is_half_a_minute_and_a_short_sweep_has_several() {
+        let rows = |rest: &str, bytes: u64| {
             let text = format!("schema = \"couplet.sweep/1\"\n{rest}\n");
-            rows_of_a_part(&read_sweep(text.as_bytes()).unwrap())
+            rows_of_a_part(&read_sweep(text.as_bytes()).unwrap(), bytes)
         };
-        assert_eq!(rows("[sample]\ncount = 100_000_000"), 130_000);
-        assert_eq!(rows("[sample]\ncount = 800_000"), 12_500);
-        assert_eq!(rows("[sample]\ncount = 100"), 6_500);
-        assert_eq!(rows("digits = 1000\n[sample]\ncount = 100_000_000"), 4_642);
-        assert_eq!(rows("chunk = 7\n[sample]\ncount = 100"), 7);
+        let sample = |count: &str| rows(&format!("[sample]\ncount = {count}"), 0);
+        assert_eq!(sample("1_000_000_000"), 2_000_000);
+        assert_eq!(sample("800_000"), 12_500);
+        assert_eq!(sample("100"), 6_500);
+        assert_eq!(rows("digits = 1000\n[sample]\ncount = 100_000_000", 0), 71_428);
+        assert_eq!(rows("chunk = 7\n[sample]\ncount = 100", 0), 7);
         let grid = |steps: usize, frictions: usize| {
             let range = |steps| format!("{{ from = 0.01, to = 3, steps = {steps} }}");
             let (alpha, mu) = (range(steps), range(frictions));
-            rows(&format!("[grid]\nhalf_opening = {alpha}\nfriction = {mu}"))
+            rows(&format!("[grid]\nhalf_opening = {alpha}\nfriction = {mu}"), 0)
         };
         assert_eq!(grid(400, 1000), 63_000);
-        assert_eq!(grid(100_000, 1000), 250_000);
-        assert_eq!(grid(1000, 100_000), 200_000);
-        assert_eq!(rows("[data]\nfiles = \"a\""), 130_000);
+        assert_eq!(grid(10_000, 10_000), 1_560_000);
+        assert_eq!(grid(100_000, 100_000), 19_900_000);
+        assert_eq!(grid(2, 100_000), 64_980);
+        assert_eq!(rows("[data]\nfiles = \"a\"", 0), 6_500);
+        assert_eq!(rows("[data]\nfiles = \"a\"", 30_000_000), 15_625);
     }
 }

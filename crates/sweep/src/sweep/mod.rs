@@ -5,22 +5,22 @@
 //! | `record` | what a sweep is, in one form; its name |
 //! | `cost` | how many rows make a part |
 //! | `queries`, `query` | the rows of a part as they are asked |
-//! | `slices`, `text`, `groups`, `pieces` | the pieces of the files of a data set |
-//! | `column`, `kind` | a column of a Parquet file, as it is read; what its values mean |
-//! | `table` | a part as a Parquet file |
-//! | `store` | the folder of the parts |
+//! | `text`, `pieces` | the pieces of the files of a data set |
+//! | `table` | rows of a part by columns |
+//! | `part_file`, `notes`, `read` | a part as a Parquet file: as it is written, on itself, as it is looked through |
+//! | `store`, `part_name` | the folder of the parts, and their names |
 //! | `sweep` | a sweep and its parts: the door |
 //! | `verify` | looks through what was made |
 
-mod column;
 mod cost;
-mod groups;
-mod kind;
+mod notes;
+mod part_file;
+mod part_name;
 mod pieces;
 mod queries;
 mod query;
+mod read;
 mod record;
-mod slices;
 mod store;
 #[allow(clippy::module_inception, reason = "the folder is named after what it does")]
 mod sweep;

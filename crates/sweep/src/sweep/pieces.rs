@@ -10,9 +10,7 @@ pub(super) fn columns(header: &[String]) -> Result<(Columns, Vec<usize>), String
     let mut columns = Columns::own(Purpose::Ask);
     let places = columns.places(header)?;
     if columns.all.iter().any(|column| column.role == Role::GivenThickness) {
-        return Err("it has a column for the thickness; a sweep asks for the least one, and `couplet states` \
-                    answers both"
-            .into());
+        return Err(format!("it has a column for the thickness; {LEAST}"));
     }
     Ok((columns, places))
 }
@@ -34,6 +32,9 @@ pub(super) fn hash_of_pieces(file: &mut File, pieces: &[(u64, u64)]) -> io::Resu
     }
     Ok(hashing.hash())
 }
+
+/// Why a thickness is refused.
+pub(super) const LEAST: &str = "a sweep asks for the least one, and `couplet states` answers both";
 
 /// Message where a file is no longer what the sweep was made of.
 pub(super) const CHANGED: &str = "it has changed since the sweep began; run again for a new one";

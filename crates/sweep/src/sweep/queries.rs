@@ -2,29 +2,60 @@
 
 use super::query::{AxisNumber, Listed, PartArches, PartGrid, PartQueries};
 use super::record::{self, DataFile, SweepRecord};
-use super::slices::read_slice;
 use super::strategies::samples;
+use super::text;
 use crate::arch::SelfWeight;
 use crate::certify::batch::SharedOpening;
-use crate::number::ExactNumber;
+use crate::number::{DoubleDoubleBall, ExactNumber};
 use crate::problem::{Arch, Friction};
 use crate::report::GivenDoubles;
 use ::parquet::data_type::ByteArray;
+use std::fmt;
 use std::ops::Range;
 use std::path::Path;
 
 /// Rows of a sample that are drawn from one seed: the block `b` has the arches of `couplet sample --seed SEED+b`.
 const BLOCK: u64 = 1_000;
 
-/// The rows of a part; `base` is where the paths of a data set begin.
-pub(super) fn queries(
+/// Frictions of a grid, read once for all its rows; none of other sweeps.
+#[derive(Debug, Default)]
+pub(super) struct GridFrictions {
+    numbers: Vec<AxisNumber<Friction>>,
+    enclosed: Vec<Option<DoubleDoubleBall>>,
+}
+
+impl GridFrictions {
+    pub(super) fn of(record: &SweepRecord) -> Result<Self, String> {
+        let record::Arches::Grid { friction, .. } = &record.arches else {
+            return Ok(Self::default());
+        };
+        let one = ExactNumber::from(&rug::Rational::from(1));
+        let read = |text: &String| {
+            let number: Friction = text.parse().map_err(|error| wrong(&error))?;
+            let arch = Arch::new(SelfWeight::Heyman, one.clone(), number.clone());
+            let double = GivenDoubles::new(&arch.map_err(|error| wrong(&error))?, None).friction;
+            Ok(AxisNumber { text: ByteArray::from(text.as_str()), double, number })
+        };
+        let numbers = friction.iter().map(read).collect::<Result<Vec<_>, String>>()?;
+        let enclosed = numbers.iter().map(|of| SharedOpening::enclosed(&of.number)).collect();
+        Ok(Self { numbers, enclosed })
+    }
+}
+
+fn wrong(error: &dyn fmt::Display) -> String {
+    format!("the record of the sweep: {error}")
+}
+
+/// The rows of a group of a part; `base` is where the paths of a data set begin.
+pub(super) fn queries<'a>(
     record: &SweepRecord,
+    frictions: &'a GridFrictions,
     rows: &Range<u64>,
     base: &Path,
-) -> Result<PartQueries, String> {
+) -> Result<PartQueries<'a>, String> {
     let arches = match &record.arches {
-        record::Arches::Grid { half_opening, friction } => {
-            PartArches::Grid(grid(&record.weights(), (half_opening, friction), rows)?)
+        record::Arches::Grid { half_opening, .. } => {
+            PartArches::Grid(grid(&record.weights(), half_opening, frictions, rows)?)
         }
         record::Arches::Sample { seed, hard } => {
             PartArches::Listed(Box::new(sample(*seed, *hard, rows)))
@@ -43,60 +74,49 @@ fn data(
     rows: &Range<u64>,
     base: &Path,
 ) -> Result<Listed, String> {
+    let weight = record.weights().first().copied().unwrap_or(SelfWeight::Milankovitch);
     let mut first = 0;
     for file in files {
-        let length = file.slices.rows();
-        if rows.start < first + length {
-            let weight = record.weights().first().copied();
-            let weight = weight.unwrap_or(SelfWeight::Milankovitch);
-            let path = base.join(&file.file);
-            let (lines, listed) = read_slice(&file.slices, &path, rows.start - first, weight)
-                .map_err(|error| format!("{}: {error}", file.file))?;
-            let origin = Some((ByteArray::from(file.file.as_str()), lines));
-            return Ok(Listed { origin, ..listed });
+        for slice in &file.slices {
+            if first == rows.start {
+                let read = text::read(&base.join(&file.file), file.head.as_ref(), slice, weight);
+                let (lines, listed) = read.map_err(|error| format!("{}: {error}", file.file))?;
+                let origin = Some((ByteArray::from(file.file.as_str()), lines));
+                return Ok(Listed { origin, ..listed });
+            }
+            first += slice.rows;
         }
-        first += length;
     }
     Ok(Listed::default())
 }
 
-fn grid(
+fn grid<'a>(
     weights: &[SelfWeight],
-    (half_openings, frictions): (&[String], &[String]),
+    half_openings: &[String],
+    frictions: &'a GridFrictions,
     rows: &Range<u64>,
-) -> Result<PartGrid, String> {
-    let column = frictions.len() as u64;
+) -> Result<PartGrid<'a>, String> {
+    let column = frictions.numbers.len() as u64;
     let columns = rows.start / column..rows.end.div_ceil(column);
-    // An axis may be long. A part has whole columns, or a piece of one.
+    // Whole columns, or a piece of one.
     let needed = match columns.end - columns.start {
         1 => (rows.start % column) as usize..((rows.end - 1) % column + 1) as usize,
-        _ => 0..frictions.len(),
+        _ => 0..frictions.numbers.len(),
     };
-    let of = |error: &dyn std::fmt::Display| format!("the record of the sweep: {error}");
-    let one = ExactNumber::from(&rug::Rational::from(1));
-    let friction = |text: &String| {
-        let number: Friction = text.parse().map_err(|error| of(&error))?;
-        let arch = Arch::new(SelfWeight::Heyman, one.clone(), number.clone());
-        let double = GivenDoubles::new(&arch.map_err(|error| of(&error))?, None).friction;
-        Ok(AxisNumber { text: ByteArray::from(text.as_str()), double, number })
-    };
-    let given = frictions[needed.clone()].iter().map(friction);
-    let frictions: Vec<AxisNumber<Friction>> = given.collect::<Result<_, String>>()?;
     let count = half_openings.len() as u64;
     let column = |place: u64| {
         let (weight, text) =
             (weights[(place / count) as usize], &half_openings[(place % count) as usize]);
-        let number: ExactNumber = text.parse().map_err(|error| of(&error))?;
+        let number: ExactNumber = text.parse().map_err(|error| wrong(&error))?;
         let double = number.nearest_double();
         Ok((weight, AxisNumber { text: ByteArray::from(text.as_str()), double, number }))
     };
-    let enclosed = frictions.iter().map(|friction| SharedOpening::enclosed(&friction.number));
-    let enclosed = enclosed.collect();
     let columns = columns.map(column).collect::<Result<Vec<_>, String>>()?;
     let opening =
         |(_, at): &(_, AxisNumber<ExactNumber>)| SharedOpening::enclosed_opening(&at.number);
     let openings = columns.iter().map(opening).collect();
-    Ok(PartGrid { columns, frictions, openings, enclosed })
+    let enclosed = &frictions.enclosed[needed.clone()];
+    Ok(PartGrid { columns, frictions: &frictions.numbers[needed], openings, enclosed })
 }
 
 fn sample(seed: u64, hard: bool, rows: &Range<u64>) -> Listed {

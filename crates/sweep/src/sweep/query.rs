@@ -11,31 +11,32 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 /// The rows of a part as they are asked; they follow each other in the sweep.
-pub(super) struct PartQueries {
+pub(super) struct PartQueries<'a> {
     /// The place of the first one in the sweep, from 0.
     pub first: u64,
-    pub arches: PartArches,
+    pub arches: PartArches<'a>,
 }
 
 /// The arches of a part.
-pub(super) enum PartArches {
+pub(super) enum PartArches<'a> {
     /// Arches of a grid: every half opening with every friction.
-    Grid(PartGrid),
+    Grid(PartGrid<'a>),
     /// Arches that are listed one by one.
     Listed(Box<Listed>),
 }
 
 /// Half openings with their weights, and the frictions that each of them has.
-pub(super) struct PartGrid {
+pub(super) struct PartGrid<'a> {
     pub columns: Vec<(SelfWeight, AxisNumber<ExactNumber>)>,
-    pub frictions: Vec<AxisNumber<Friction>>,
+    pub frictions: &'a [AxisNumber<Friction>],
     /// The half openings in enclosures.
     pub openings: Vec<DoubleDoubleBall>,
     /// The frictions in enclosures, the same for every half opening; none for those without a limit.
-    pub enclosed: Vec<Option<DoubleDoubleBall>>,
+    pub enclosed: &'a [Option<DoubleDoubleBall>],
 }
 
 /// A number of an axis: its text, the nearest double, and itself.
+#[derive(Debug)]
 pub(super) struct AxisNumber<T> {
     pub text: ByteArray,
     pub double: Option<f64>,
@@ -62,7 +63,7 @@ pub(super) struct Texts {
     ends: Vec<usize>,
 }
 
-impl PartQueries {
+impl PartQueries<'_> {
     /// Number of rows.
     pub(super) fn len(&self) -> usize {
         match &self.arches {
@@ -74,7 +75,7 @@ impl PartQueries {
     }
 }
 
-impl BatchArches for PartQueries {
+impl BatchArches for PartQueries<'_> {
     fn count(&self) -> usize {
         self.len()
     }

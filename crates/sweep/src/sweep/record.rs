@@ -3,8 +3,8 @@
 //! Its SHA-256 is the name of the sweep, and of the folder of its parts: two different sweeps cannot meet in a folder,
 //! and the same sweep always finds its own.
 
-use super::cost::{MAX_PARTS, rows_of_a_part};
-use super::slices::Slices;
+use super::cost::{GRID_GROUP, GROUP, MAX_PARTS, rows_of_a_part};
+use super::text::{self, Head, TextSlice};
 use crate::arch::SelfWeight;
 use crate::certify::MAX_DIGITS;
 use crate::problem::Quantity;
@@ -12,6 +12,7 @@ use crate::scene::{
     MAX_CHUNK, MAX_SAMPLE, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArches, SweepPlan, hash_of,
 };
 use serde::{Deserialize, Serialize};
+use std::fs;
 use std::ops::Range;
 use std::path::Path;
 
@@ -56,14 +57,20 @@ pub(super) struct DataFile {
     /// Fault of the file; then it has no rows.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fault: Option<String>,
-    /// Pieces of the file, each the rows of a part.
-    pub slices: Slices,
+    /// Head of a table of text; JSON lines have none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub head: Option<Head>,
+    /// Pieces of the file, each as many rows as are held in memory at a time.
+    pub slices: Vec<TextSlice>,
 }
 
 impl SweepRecord {
     /// Record of a plan whose paths begin in a folder. Files of a data set are read once.
     pub(super) fn new(plan: &SweepPlan, base: &Path) -> Self {
-        let chunk = rows_of_a_part(plan);
+        let files: &[String] =
+            if let SweepArches::Data { files } = &plan.arches { files } else { &[] };
+        let length = |name: &String| fs::metadata(base.join(name)).map_or(0, |there| there.len());
+        let chunk = rows_of_a_part(plan, files.iter().map(length).sum());
         let weights: Vec<String> = plan.weights.iter().map(|w| w.name().to_owned()).collect();
         let (rows, arches) = match &plan.arches {
             SweepArches::Grid { half_openings, frictions } => {
@@ -77,15 +84,14 @@ impl SweepRecord {
             }
             SweepArches::Data { files } => {
                 let file = |name: &String| {
-                    let (slices, fault) = match Slices::of(&base.join(name), chunk) {
-                        Ok(slices) => (slices, None),
-                        Err(fault) => (Slices::default(), Some(fault)),
-                    };
-                    DataFile { file: name.clone(), fault, slices }
+                    let read = text::slices(&base.join(name), chunk.min(GROUP));
+                    let fault = read.as_ref().err().cloned();
+                    let (head, slices) = read.unwrap_or_default();
+                    DataFile { file: name.clone(), fault, head, slices }
                 };
                 let files: Vec<DataFile> = files.iter().map(file).collect();
-                let rows = files.iter().map(|file| file.slices.rows()).sum();
-                (rows, Arches::Data { files })
+                let slices = files.iter().flat_map(|file| &file.slices);
+                (slices.map(|slice| slice.rows).sum(), Arches::Data { files })
             }
         };
         Self {
@@ -132,9 +138,10 @@ impl SweepRecord {
             }
             Arches::Sample { .. } => Some(self.rows).filter(|rows| *rows <= MAX_SAMPLE as u64),
             Arches::Data { files } => {
-                let mut pieces = files.iter().flat_map(|file| file.slices.lengths());
-                pieces.try_fold(0, |all: u64, rows| {
-                    all.checked_add(Some(rows).filter(|rows| *rows <= self.chunk)?)
+                let mut pieces = files.iter().flat_map(|file| &file.slices);
+                pieces.try_fold(0, |all: u64, piece| {
+                    let is_held = |rows: &u64| (1..=self.chunk.min(GROUP)).contains(rows);
+                    all.checked_add(Some(piece.rows).filter(is_held)?)
                 })
             }
         };
@@ -156,51 +163,76 @@ impl SweepRecord {
     /// Number of parts.
     fn count(&self) -> u64 {
         match &self.arches {
-            Arches::Grid { friction, .. } => {
-                let column = friction.len().max(1) as u64;
-                match column <= self.chunk {
-                    true => self.rows.div_ceil(self.chunk / column * column),
-                    false => self.rows / column * column.div_ceil(self.chunk),
-                }
-            }
-            Arches::Sample { .. } => self.rows.div_ceil(self.chunk),
             Arches::Data { files } => {
-                files.iter().map(|file| file.slices.lengths().len() as u64).sum()
+                let parts = |file: &DataFile| file.slices.len().div_ceil(self.slices_of_a_part());
+                files.iter().map(|file| parts(file) as u64).sum()
             }
+            _ => match self.column() {
+                column if column <= self.chunk => self.rows.div_ceil(self.chunk / column * column),
+                column => self.rows / column * column.div_ceil(self.chunk),
+            },
         }
     }
 
     /// The ranges of rows of the parts, in order. A part of a grid has whole columns, or a piece of one.
     pub(super) fn parts(&self) -> Vec<Range<u64>> {
-        let pieces = |rows: u64, length: u64| {
-            (0..rows).step_by(length as usize).map(move |first| first..(first + length).min(rows))
+        let Arches::Data { files } = &self.arches else {
+            return pieces(&(0..self.rows), self.column(), self.chunk);
         };
+        let mut first = 0;
+        let parts = files.iter().flat_map(|file| file.slices.chunks(self.slices_of_a_part()));
+        let part = |slices: &[TextSlice]| {
+            let start = first;
+            first += slices.iter().map(|slice| slice.rows).sum::<u64>();
+            start..first
+        };
+        parts.map(part).collect()
+    }
+
+    /// The ranges of the rows of a part that are held in memory at a time, in order.
+    pub(super) fn groups(&self, part: &Range<u64>) -> Vec<Range<u64>> {
+        let files = match &self.arches {
+            Arches::Grid { .. } => return pieces(part, self.column(), GRID_GROUP),
+            Arches::Sample { .. } => return pieces(part, 1, GROUP),
+            Arches::Data { files } => files,
+        };
+        let mut first = 0;
+        let group = |slice: &TextSlice| {
+            first += slice.rows;
+            first - slice.rows..first
+        };
+        let groups = files.iter().flat_map(|file| &file.slices).map(group);
+        groups.filter(|group| part.contains(&group.start)).collect()
+    }
+
+    /// Slices of a file that make a part.
+    fn slices_of_a_part(&self) -> usize {
+        (self.chunk / GROUP).max(1) as usize
+    }
+
+    /// Rows that follow each other of one half opening.
+    fn column(&self) -> u64 {
         match &self.arches {
-            Arches::Grid { friction, .. } => {
-                let column = friction.len() as u64;
-                if column <= self.chunk {
-                    return pieces(self.rows, self.chunk / column * column).collect();
-                }
-                let columns = pieces(self.rows, column);
-                columns
-                    .flat_map(|of| {
-                        pieces(column, self.chunk)
-                            .map(move |r| of.start + r.start..of.start + r.end)
-                    })
-                    .collect()
-            }
-            Arches::Sample { .. } => pieces(self.rows, self.chunk).collect(),
-            Arches::Data { files } => {
-                let mut first = 0;
-                let all = files.iter().flat_map(|file| file.slices.lengths());
-                all.map(|rows| {
-                    first += rows;
-                    first - rows..first
-                })
-                .collect()
-            }
+            Arches::Grid { friction, .. } => friction.len().max(1) as u64,
+            _ => 1,
         }
     }
+}
+
+/// Pieces of some rows with at most so many each: whole columns, or pieces of one.
+fn pieces(rows: &Range<u64>, column: u64, most: u64) -> Vec<Range<u64>> {
+    let mut pieces = Vec::new();
+    let mut start = rows.start;
+    while start < rows.end {
+        let end = match column <= most {
+            true => start + most / column * column,
+            // A column that is too long is divided.
+            false => (start + most).min((start / column + 1) * column),
+        };
+        pieces.push(start..end.min(rows.end));
+        start = end;
+    }
+    pieces
 }
 
 #[cfg(test)]
@@ -276,6 +308,14 @@ mod tests {
             assert_eq!((parts[0].start, parts[parts.len() - 1].end), (0, 30));
             assert!(parts.windows(2).all(|pair| pair[0].end == pair[1].start), "{chunk}");
             assert!(parts.iter().all(|part| part.end - part.start <= chunk), "{chunk}");
+            for part in parts {
+                let whole = std::slice::from_ref(&part);
+                assert_eq!(pieces(&part, 5, 31), whole, "a small part is one group");
+                let groups = pieces(&part, 5, 2);
+                assert_eq!((groups[0].start, groups[groups.len() - 1].end), (part.start, part.end));
+                let is_one = |rows: &Range<u64>| rows.start / 5 == (rows.end - 1) / 5;
+                assert!(groups.iter().all(|rows| rows.end - rows.start <= 2 && is_one(rows)));
+            }
         }
         let sample = record("chunk = 4\n[sample]\ncount = 9\n").parts();
         assert_eq!(sample, [0..4, 4..8, 8..9]);

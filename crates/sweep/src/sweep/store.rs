@@ -1,20 +1,22 @@
 //! The folder of the parts of a sweep, which has nothing else and so is a data set for any reader; the record is
-//! beside it. A part is written whole under a name of its own, and then appears; its name has the hash of its
-//! content, which tells whether it is what was written.
+//! beside it. A part is written whole under a name of its own, and then appears; its name has its size and the hash
+//! of its content, which tell whether it is what was written.
 
+use super::notes::Notes;
+use super::part_name::{PartName, SHOWN};
 use super::pieces::hash_of_pieces;
 use super::record::{SweepRecord, VERSION};
-use super::table::Notes;
 use crate::check::reason;
 use crate::failure::Failure;
 use crate::report::words::shortened;
-use crate::scene::hash_of;
+use crate::scene::Hashing;
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
+use tempfile::NamedTempFile;
 
 /// Beginning of the name of the folder of a sweep, and the record beside it.
 const FOLDER: &str = "sweep-";
@@ -24,8 +26,8 @@ const RECORD: &str = ".json";
 const OLD_RECORD: &str = "_plan.json";
 /// Beginning of the name of an unfinished file.
 const UNFINISHED: &str = ".couplet-";
-/// Digits of a hash that are in names.
-const SHOWN: usize = 16;
+/// Parts of a folder; a sweep that has more has a folder for each so many.
+const TOGETHER: usize = 1_000;
 /// Age from which an unfinished part is stale.
 const ABANDONED: Duration = Duration::from_secs(3600);
 
@@ -42,10 +44,19 @@ pub(super) struct Store {
 /// Files of parts in the folder of a sweep.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct PartFiles {
-    /// The names of the files of each part.
-    pub parts: BTreeMap<usize, Vec<String>>,
+    /// The files of each part.
+    pub parts: BTreeMap<usize, Vec<PartFile>>,
     /// Strays: what is no part of the sweep, by name: every reader would take it for one, or not know what to do.
     pub strays: Vec<String>,
+}
+
+/// File of a part.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct PartFile {
+    /// Path of the file, from the folder of the sweep.
+    pub path: String,
+    name: PartName,
+    bytes: u64,
 }
 
 /// State of the files of a part.
@@ -53,11 +64,17 @@ pub(super) struct PartFiles {
 pub(super) enum PartState {
     /// The part is missing: there is nothing, or files that are not what was written.
     Missing,
-    /// The part, by its name, and the counts of its verdicts.
+    /// The part, by its path, and the counts of its verdicts.
     Whole(String, [u64; 4]),
-    /// A file that is as it was written and does not belong here: a part of another sweep, or the same part once more,
-    /// of another build.
+    /// A file that does not belong here: a part of another sweep, or the same part once more, of another build.
     Foreign(String),
+}
+
+/// File that is written to the disk beside the folder, under another name, and then appears whole; if that fails
+/// nothing of it remains.
+pub(super) struct Unfinished {
+    file: Hashing<NamedTempFile>,
+    bytes: u64,
 }
 
 impl Store {
@@ -149,78 +166,119 @@ impl Store {
         let (path, text) = (self.output.join(self.record()), record.text());
         match path.is_file().then(|| fs::read(&path)) {
             Some(Ok(there)) if there == text.as_bytes() => Ok(()),
-            _ => self.write(&path, text.as_bytes()),
+            _ => {
+                let mut unfinished = self.begin()?;
+                unfinished.write_all(text.as_bytes())?;
+                unfinished.appear(|_, _| path)
+            }
         }
     }
 
-    /// Files in the folder of a sweep of so many parts. Hidden names are nobody's data.
+    /// The files in the folder of a sweep of so many parts, with their sizes. Hidden names are nobody's data.
     pub(super) fn files(&self, parts: usize) -> Result<PartFiles, Failure> {
-        let failed = |error: io::Error| Failure::reading(self.folder.display(), &error);
         let mut files = PartFiles::default();
-        let entries = match fs::read_dir(&self.folder) {
-            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(files),
-            entries => entries.map_err(failed)?,
-        };
-        for entry in entries {
-            let entry = entry.map_err(failed)?;
-            let name = entry.file_name().to_string_lossy().into_owned();
-            let part = part_of(&name).filter(|part| *part < parts);
-            match (part, fs::metadata(entry.path())) {
-                _ if name.starts_with('.') => {}
-                (Some(part), Ok(there)) if there.is_file() => {
-                    files.parts.entry(part).or_default().push(name);
+        match parts {
+            0..=TOGETHER => self.folder_of(0..parts, "", &mut files)?,
+            _ => {
+                let firsts = (0..parts).step_by(TOGETHER);
+                let folders: Vec<String> =
+                    firsts.clone().map(|first| within(first, parts)).collect();
+                for (first, folder) in firsts.zip(&folders) {
+                    self.folder_of(first..parts.min(first + TOGETHER), folder, &mut files)?;
                 }
-                // Another run takes a part away that is not whole.
-                (Some(_), Err(_)) if !entry.path().is_symlink() => {}
-                // A pipe would be waited for.
-                _ => files.strays.push(name),
+                let is_folder = |name: &str| folders.iter().any(|of| of[..of.len() - 1] == *name);
+                let mut others = self.entries("")?;
+                others.retain(|(name, path)| !(path.is_dir() && is_folder(name)));
+                files.strays.extend(others.into_iter().map(|(name, _)| name));
             }
         }
-        files.parts.values_mut().for_each(|names| names.sort());
+        files.parts.values_mut().for_each(|of| of.sort_by(|a, b| a.path.cmp(&b.path)));
         files.strays.sort();
         Ok(files)
     }
 
-    /// State of the files of a part of these rows. Files that are not what was written are removed, if they may be.
+    /// Names that are not hidden in a folder within that of the sweep, with their paths; none without a folder.
+    fn entries(&self, folder: &str) -> Result<Vec<(String, PathBuf)>, Failure> {
+        let path = self.folder.join(folder);
+        let failed = |error: io::Error| Failure::reading(path.display(), &error);
+        let mut all = Vec::new();
+        let entries = match fs::read_dir(&path) {
+            Err(error) if is_no_folder(error.kind()) => return Ok(all),
+            entries => entries.map_err(failed)?,
+        };
+        for entry in entries {
+            let entry = entry.map_err(failed)?;
+            all.push((entry.file_name().to_string_lossy().into_owned(), entry.path()));
+        }
+        all.retain(|(name, _)| !name.starts_with('.'));
+        Ok(all)
+    }
+
+    /// Adds the files of a folder that has these parts.
+    fn folder_of(
+        &self,
+        parts: Range<usize>,
+        folder: &str,
+        files: &mut PartFiles,
+    ) -> Result<(), Failure> {
+        for (name, whole) in self.entries(folder)? {
+            let path = format!("{folder}{name}");
+            let name = PartName::read(&name).filter(|name| parts.contains(&name.part));
+            match (name, fs::metadata(&whole)) {
+                (Some(name), Ok(there)) if there.is_file() => {
+                    let of = files.parts.entry(name.part).or_default();
+                    of.push(PartFile { path, name, bytes: there.len() });
+                }
+                // Another run takes a part away that is not whole.
+                (Some(_), Err(_)) if !whole.is_symlink() => {}
+                // A pipe would be waited for.
+                _ => files.strays.push(path),
+            }
+        }
+        Ok(())
+    }
+
+    /// State of the files of a part of these rows, told by name and size; where they are read, or there are several, by
+    /// their content. Files that are not what was written are removed, if they may be.
     pub(super) fn there(
         &self,
-        names: &[String],
+        files: &[PartFile],
         rows: &Range<u64>,
+        reads: bool,
         removes: bool,
     ) -> Result<PartState, Failure> {
         let mut there = PartState::Missing;
-        for name in names {
-            let path = self.folder.join(name);
-            let failed = |error: io::Error| Failure::reading(path.display(), &error);
-            match content(&path, name).map_err(failed)? {
-                None if removes => fs::remove_file(&path).map_err(failed)?,
-                None => {}
-                Some(Some(notes)) if notes.plan == self.plan && notes.rows == *rows => {
-                    if there != PartState::Missing {
-                        return Ok(PartState::Foreign(name.clone()));
-                    }
-                    there = PartState::Whole(name.clone(), notes.counts);
+        for PartFile { path, name, bytes } in files {
+            let whole = self.folder.join(path);
+            let failed = |error: io::Error| Failure::reading(whole.display(), &error);
+            let mut is_ours = name.is_of(&self.plan, rows.end - rows.start);
+            let mut is_written = *bytes == name.bytes;
+            if is_written && (reads || files.len() > 1) {
+                let mut file = File::open(&whole).map_err(failed)?;
+                is_written = name.has(&hash_of_pieces(&mut file, &[(0, *bytes)]).map_err(failed)?);
+                // Only what has the hash of its name is looked into.
+                let notes = if is_written { Notes::of(&file) } else { None };
+                is_ours &= !is_written
+                    || notes.is_some_and(|notes| {
+                        (&notes.plan, &notes.rows) == (&self.plan, rows)
+                            && notes.counts == name.counts
+                    });
+            }
+            match (is_ours, is_written) {
+                (false, _) => return Ok(PartState::Foreign(path.clone())),
+                (true, true) if there == PartState::Missing => {
+                    there = PartState::Whole(path.clone(), name.counts);
                 }
-                Some(_) => return Ok(PartState::Foreign(name.clone())),
+                (true, true) => return Ok(PartState::Foreign(path.clone())),
+                (true, false) if removes => fs::remove_file(&whole).map_err(failed)?,
+                (true, false) => {}
             }
         }
         Ok(there)
     }
 
-    /// The name of a part.
-    pub(super) fn name(part: usize, bytes: &[u8]) -> String {
-        format!("part-{part:08}-{}.parquet", &hash_of(bytes)[..SHOWN])
-    }
-
-    /// Makes a part appear in the folder, whole and on the disk. If that fails nothing of it remains.
-    pub(super) fn put(&self, name: &str, bytes: &[u8]) -> io::Result<()> {
-        self.write(&self.folder.join(name), bytes)?;
-        // The name, too. Some file systems have no such thing for folders.
-        let _ = File::open(&self.folder).and_then(|folder| folder.sync_all());
-        Ok(())
-    }
-
-    fn write(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+    /// Begins a file of this sweep.
+    pub(super) fn begin(&self) -> io::Result<Unfinished> {
         let (mut builder, prefix) = (tempfile::Builder::new(), self.unfinished());
         builder.prefix(&prefix);
         #[cfg(unix)]
@@ -229,10 +287,23 @@ impl Store {
             // The usual permissions of a new file; the process's mask restricts them.
             builder.permissions(fs::Permissions::from_mode(0o666));
         }
-        let mut unfinished = builder.tempfile_in(self.results())?;
-        unfinished.write_all(bytes)?;
-        unfinished.as_file().sync_all()?;
-        unfinished.persist(path).map_err(|error| error.error)?;
+        Ok(Unfinished { file: Hashing::new(builder.tempfile_in(self.results())?), bytes: 0 })
+    }
+
+    /// Makes a part of so many appear in the folder.
+    pub(super) fn put(
+        &self,
+        (part, parts): (usize, usize),
+        counts: [u64; 4],
+        unfinished: Unfinished,
+    ) -> io::Result<()> {
+        let folder = self.folder.join(within(part, parts));
+        fs::create_dir_all(&folder)?;
+        unfinished.appear(|bytes, hash| {
+            folder.join(PartName::new(part, &self.plan, counts, bytes, hash).to_string())
+        })?;
+        // The name, too. Some file systems have no such thing for folders.
+        let _ = File::open(&folder).and_then(|folder| folder.sync_all());
         Ok(())
     }
 
@@ -242,13 +313,26 @@ impl Store {
     }
 }
 
-/// Notes of a file on itself, if its content is what its name says; nothing if it is no part of any sweep.
-fn content(path: &Path, name: &str) -> io::Result<Option<Option<Notes>>> {
-    let mut file = File::open(path)?;
-    let length = file.metadata()?.len();
-    let hash = hash_of_pieces(&mut file, &[(0, length)])?;
-    let is_as_written = name.ends_with(&format!("-{}.parquet", &hash[..SHOWN]));
-    Ok(is_as_written.then(|| Notes::of(&file)))
+impl Unfinished {
+    /// Makes the file appear, under a path that its size and its hash may tell.
+    fn appear(self, path: impl FnOnce(u64, &str) -> PathBuf) -> io::Result<()> {
+        let (file, hash) = self.file.end();
+        file.as_file().sync_all()?;
+        file.persist(path(self.bytes, &hash)).map_err(|error| error.error)?;
+        Ok(())
+    }
+}
+
+impl Write for Unfinished {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let written = self.file.write(bytes)?;
+        self.bytes += written as u64;
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
 }
 
 /// The name of the sweep whose record has this hash.
@@ -256,10 +340,14 @@ fn named(plan: &str) -> String {
     format!("{FOLDER}{}", &plan[..SHOWN])
 }
 
-/// The part whose file has this name.
-fn part_of(name: &str) -> Option<usize> {
-    let (part, hash) = name.strip_prefix("part-")?.strip_suffix(".parquet")?.split_once('-')?;
-    let part: usize = part.parse().ok()?;
-    let is_hash = hash.len() == SHOWN && hash.bytes().all(|c| c.is_ascii_hexdigit());
-    (is_hash && name == format!("part-{part:08}-{hash}.parquet")).then_some(part)
+fn is_no_folder(error: io::ErrorKind) -> bool {
+    matches!(error, io::ErrorKind::NotFound | io::ErrorKind::NotADirectory)
+}
+
+/// The folder within that of a sweep of so many parts where one is; nothing if all are together.
+fn within(part: usize, parts: usize) -> String {
+    match parts {
+        0..=TOGETHER => String::new(),
+        _ => format!("{:03}/", part / TOGETHER),
+    }
 }

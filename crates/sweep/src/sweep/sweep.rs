@@ -1,17 +1,22 @@
 //! A sweep: what it is, the folder of its parts, and the work that one part is. Nothing else has to be known to whoever
 //! shares the parts among processes or machines.
 
-use super::queries::queries;
+use super::notes::Notes;
+use super::part_file::PartWriter;
+use super::queries::{GridFrictions, queries};
+use super::query::PartQueries;
 use super::record::{Arches, SweepRecord};
 use super::store::{PartState, Store};
-use super::table::{Notes, PartTable};
+use super::table::PartTable;
 use crate::certify::batch::{Batch, Threads};
 use crate::failure::Failure;
 use crate::scene::{SWEEP_DIGITS, SweepPlan};
+use ::parquet::errors::ParquetError;
 use rayon::prelude::*;
-use std::io;
+use std::io::{self, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 /// A sweep and the folder of its parts.
 pub struct Sweep {
@@ -21,6 +26,7 @@ pub struct Sweep {
     pub(super) base: PathBuf,
     pub(super) batch: Batch,
     parts: Vec<Range<u64>>,
+    frictions: OnceLock<Result<GridFrictions, String>>,
 }
 
 /// State of a part: complete, with the counts of its verdicts, or missing.
@@ -46,7 +52,8 @@ impl Sweep {
         let (quantities, digits) = (record.quantities(), record.digits);
         let batch = Batch { quantities, digits, has_texts: digits > SWEEP_DIGITS };
         let parts = record.parts();
-        Self { record, store, base: base.to_owned(), batch, parts }
+        let frictions = OnceLock::new();
+        Self { record, store, base: base.to_owned(), batch, parts, frictions }
     }
 
     /// The folder of its parts.
@@ -92,9 +99,9 @@ impl Sweep {
         Failure::writing(self.folder().display(), error)
     }
 
-    /// Surveys some parts, told by their content. What is not whole is removed; what is no part of the sweep
-    /// is an error.
-    pub fn survey(&self, parts: &[usize]) -> Result<Vec<SurveyedPart>, Failure> {
+    /// Surveys some parts, told by their names and sizes, and if they are read by their content. What is not whole is
+    /// removed; what is no part of the sweep is an error.
+    pub fn survey(&self, parts: &[usize], reads: bool) -> Result<Vec<SurveyedPart>, Failure> {
         let files = self.store.files(self.parts())?;
         let foreign = |name: &str, what: &str| {
             let path = self.folder().join(name);
@@ -104,8 +111,8 @@ impl Sweep {
             return Err(foreign(name, "no part of the sweep"));
         }
         let state = |&part: &usize| {
-            let Some(names) = files.parts.get(&part) else { return Ok((part, None)) };
-            match self.store.there(names, &self.parts[part], true)? {
+            let Some(of) = files.parts.get(&part) else { return Ok((part, None)) };
+            match self.store.there(of, &self.parts[part], reads, true)? {
                 PartState::Missing => Ok((part, None)),
                 PartState::Whole(_, counts) => Ok((part, Some(counts))),
                 PartState::Foreign(name) => {
@@ -116,19 +123,30 @@ impl Sweep {
         parts.par_iter().map(state).collect()
     }
 
+    /// The rows of a group of a part, as they are asked.
+    pub(super) fn queries(&self, group: &Range<u64>) -> Result<PartQueries<'_>, String> {
+        let frictions = self.frictions.get_or_init(|| GridFrictions::of(&self.record));
+        queries(&self.record, frictions.as_ref().map_err(Clone::clone)?, group, &self.base)
+    }
+
     /// Computes a part, writes it, and counts its verdicts. It appears whole or not at all, and whoever computes it
-    /// writes the same bytes.
+    /// writes the same bytes. Of its rows a group is held in memory at a time.
     pub fn compute(&self, part: usize) -> Result<[u64; 4], Failure> {
-        let rows = self.parts[part].clone();
-        let queries = queries(&self.record, &rows, &self.base)?;
-        let found = self.batch.states(&queries, Threads::One);
-        let mut counts = [0; 4];
-        found.iter().for_each(|row| counts[row.verdict as usize] += 1);
+        let unwritten = |error: io::Error| self.unwritten(&error);
+        let encoding = |error: ParquetError| Failure::Io(error.to_string());
+        let mut file = self.store.begin().map_err(unwritten)?;
+        let (rows, mut counts) = (self.parts[part].clone(), [0; 4]);
+        let mut writer = PartWriter::default();
+        for group in self.record.groups(&rows) {
+            let queries = self.queries(&group)?;
+            let found = self.batch.states(&queries, Threads::One);
+            found.iter().for_each(|row| counts[row.verdict as usize] += 1);
+            let table = PartTable::new(&self.batch, &queries, &found);
+            file.write_all(&writer.group(&table).map_err(encoding)?).map_err(unwritten)?;
+        }
         let notes = Notes { plan: self.store.plan().to_owned(), rows, counts };
-        let table = PartTable::new(&self.batch, &queries, &found);
-        let bytes = table.bytes(&notes).map_err(|error| Failure::Io(error.to_string()))?;
-        let put = self.store.put(&Store::name(part, &bytes), &bytes);
-        put.map_err(|error| self.unwritten(&error))?;
+        file.write_all(&writer.end(&notes).map_err(encoding)?).map_err(unwritten)?;
+        self.store.put((part, self.parts()), counts, file).map_err(unwritten)?;
         Ok(counts)
     }
 }

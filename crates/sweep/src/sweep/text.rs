@@ -1,13 +1,17 @@
-//! Pieces of a table of text.
+//! Pieces of a file of a data set, a table of text or JSON lines: a piece is read without the rest of the file, and its
+//! hash says whether it still is what it was.
 
-use super::pieces::{CHANGED, bytes_of, columns, hash_of_pieces};
+use super::pieces::{CHANGED, LEAST, bytes_of, columns, hash_of_pieces};
 use super::query::Listed;
 use crate::arch::SelfWeight;
 use crate::check::reason;
-use crate::rows::{ArchReader, BYTE_ORDER_MARK, Cells, Spelling, TextTable};
+use crate::rows::{
+    ArchReader, BYTE_ORDER_MARK, Cells, Columns, JsonLines, JsonObject, Numbered, Purpose, Role,
+    Spelling, TextTable,
+};
 use crate::scene::hash_of;
 use serde::{Deserialize, Serialize};
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, BufRead, BufReader, Cursor, Seek, SeekFrom};
 use std::path::Path;
 use std::{iter, mem};
@@ -40,30 +44,129 @@ fn start(file: &mut File) -> io::Result<u64> {
     Ok(if mark == BYTE_ORDER_MARK { mark.len() as u64 } else { 0 })
 }
 
-/// The pieces of a file, with at most so many rows each; or what is wrong with the file.
-pub(super) fn slices(path: &Path, rows: u64) -> Result<(Head, Vec<TextSlice>), String> {
+/// Formats that are no text, by their beginnings.
+const OTHERS: [(&[u8], &str); 7] = [
+    (b"PAR1", "Parquet"),
+    (b"ARROW1", "Arrow"),
+    (b"FEA1", "Feather"),
+    (b"PK\x03\x04", "a workbook or an archive"),
+    (b"\x1F\x8B", "compressed by gzip"),
+    (b"\x28\xB5\x2F\xFD", "compressed by zstd"),
+    (b"\xFD7zXZ", "compressed by xz"),
+];
+/// Bytes that are looked at to tell a text.
+const BEGINNING: u64 = 4096;
+
+/// Refuses what is no text, by its beginning.
+fn is_text(beginning: &[u8]) -> Result<(), String> {
+    let other = OTHERS.iter().find(|(first, _)| beginning.starts_with(first));
+    match other.map(|(_, name)| *name).or(beginning.contains(&0).then_some("no text")) {
+        None => Ok(()),
+        Some(name) => Err(format!(
+            "it is {name}; a sweep reads CSV and JSON lines (docs/sweeps.md), and couplet.add_states of Python proves \
+             tables of pandas, polars and pyarrow (docs/python.md)"
+        )),
+    }
+}
+
+/// The rows of a file, one after the other.
+enum TextRows {
+    Table(TextTable),
+    Lines(JsonLines),
+}
+
+impl TextRows {
+    /// The rows of a table, or of lines of JSON.
+    fn open(mut input: impl BufRead + Send + 'static) -> Result<Self, String> {
+        let first = input.fill_buf().map_err(|error| reason(&error))?.trim_ascii_start().first();
+        if matches!(first, Some(b'{' | b'[')) {
+            let lines = JsonLines::open(Box::new(input));
+            return lines.map(Self::Lines).ok_or_else(|| {
+                "it is JSON without an object on each line, which a sweep reads: jq -c '.[]' makes lines of a list"
+                    .to_owned()
+            });
+        }
+        let table = TextTable::open(Box::new(input)).map_err(|error| error.to_string())?;
+        columns(&table.header)?;
+        Ok(Self::Table(table))
+    }
+
+    fn begin(&mut self) -> (u64, u64) {
+        match self {
+            Self::Table(table) => table.begin(),
+            Self::Lines(lines) => lines.begin(),
+        }
+    }
+
+    fn looked(&self) -> u64 {
+        match self {
+            Self::Table(table) => table.looked(),
+            Self::Lines(lines) => lines.looked(),
+        }
+    }
+
+    /// Goes past the next row, if there is one.
+    fn pass(&mut self) -> Option<()> {
+        match self {
+            Self::Table(table) => table.pass().map(drop),
+            Self::Lines(lines) => lines.next().map(drop),
+        }
+    }
+
+    /// The next rows, at most so many, and their lines.
+    fn listed(self, most: usize, weight: SelfWeight) -> Result<(Vec<u64>, Listed), String> {
+        let reader = |columns, spelling| ArchReader { columns, weight, doubles: false, spelling };
+        Ok(match self {
+            Self::Table(table) => {
+                let (columns, places) = columns(&table.header)?;
+                let spelling = Spelling { decimal_comma: table.has_decimal_commas() };
+                let cells = |mut fields: Vec<String>| -> Cells {
+                    places.iter().map(|&place| fields.get_mut(place).map(mem::take)).collect()
+                };
+                let rows = table.map(|(line, row)| (line, row.map(cells)));
+                listed(rows, most, &reader(columns, spelling))
+            }
+            Self::Lines(lines) => {
+                let reader = reader(Columns::own(Purpose::Ask), Spelling::default());
+                let cells = |bytes: Vec<u8>| {
+                    let cells = reader.columns.cells(&JsonObject::parse(&bytes)?)?;
+                    match reader.given(&cells, Role::GivenThickness) {
+                        None => Ok(cells),
+                        Some(_) => Err(format!("it has a thickness; {LEAST}")),
+                    }
+                };
+                listed(lines.map(|(line, row)| (line, row.and_then(cells))), most, &reader)
+            }
+        })
+    }
+}
+
+/// The pieces of a file, with at most so many rows each, and the head of a table; or what is wrong with the file.
+pub(super) fn slices(path: &Path, rows: u64) -> Result<(Option<Head>, Vec<TextSlice>), String> {
     let read = |error: io::Error| reason(&error);
+    // A pipe would be waited for.
+    if !fs::metadata(path).map_err(read)?.is_file() {
+        return Err("it is a folder, a pipe or a device".into());
+    }
     let mut file = File::open(path).map_err(read)?;
+    is_text(&bytes_of(&mut file, 0, BEGINNING).map_err(read)?)?;
     let start = start(&mut file).map_err(read)?;
     file.seek(SeekFrom::Start(start)).map_err(read)?;
-    let mut input = BufReader::new(file.try_clone().map_err(read)?);
-    let first = input.fill_buf().map_err(read)?.trim_ascii_start().first();
-    if matches!(first, Some(b'{' | b'[')) {
-        return Err("it is JSON; a sweep reads tables of text and Parquet".into());
-    }
-    let mut table = TextTable::open(Box::new(input)).map_err(|error| error.to_string())?;
-    columns(&table.header)?;
-    let head = table.looked();
+    let mut all = TextRows::open(BufReader::new(file.try_clone().map_err(read)?))?;
+    let head = if let TextRows::Table(table) = &all { Some(table.looked()) } else { None };
     let mut pieces = Vec::new();
     loop {
-        let (line, offset) = table.begin();
-        match iter::from_fn(|| table.pass()).take(rows as usize).count() as u64 {
+        let (line, offset) = all.begin();
+        match iter::from_fn(|| all.pass()).take(rows as usize).count() as u64 {
             0 => break,
-            rows => pieces.push((rows, line, start + offset, table.looked() - offset)),
+            rows => pieces.push((rows, line, start + offset, all.looked() - offset)),
         }
     }
     let mut hash = |offset, bytes| hash_of_pieces(&mut file, &[(offset, bytes)]).map_err(read);
-    let head = Head { offset: start, bytes: head, sha256: hash(start, head)? };
+    let head = match head {
+        Some(bytes) => Some(Head { offset: start, bytes, sha256: hash(start, bytes)? }),
+        None => None,
+    };
     let slices = pieces.into_iter().map(|(rows, line, offset, bytes)| {
         Ok(TextSlice { rows, line, offset, bytes, sha256: hash(offset, bytes)? })
     });
@@ -73,7 +176,7 @@ pub(super) fn slices(path: &Path, rows: u64) -> Result<(Head, Vec<TextSlice>), S
 /// The rows of a piece, and their lines.
 pub(super) fn read(
     path: &Path,
-    head: &Head,
+    head: Option<&Head>,
     slice: &TextSlice,
     weight: SelfWeight,
 ) -> Result<(Vec<u64>, Listed), String> {
@@ -83,10 +186,19 @@ pub(super) fn read(
         let is_same = hash_of(&bytes) == sha256;
         is_same.then(|| Box::new(Cursor::new(bytes))).ok_or_else(|| CHANGED.to_owned())
     };
-    let table = TextTable::open(input(head.offset, head.bytes, &head.sha256)?);
-    let table = table.map_err(|error| error.to_string())?;
-    let table = table.with_rows(input(slice.offset, slice.bytes, &slice.sha256)?, slice.line);
-    let (lines, listed) = rows(table, slice.rows as usize, weight)?;
+    let rows = match head {
+        Some(head) => {
+            let table = TextTable::open(input(head.offset, head.bytes, &head.sha256)?);
+            let table = table.map_err(|error| error.to_string())?;
+            let rows = input(slice.offset, slice.bytes, &slice.sha256)?;
+            TextRows::Table(table.with_rows(rows, slice.line))
+        }
+        None => {
+            let rows = input(slice.offset, slice.bytes, &slice.sha256)?;
+            TextRows::Lines(JsonLines::new(rows, slice.line))
+        }
+    };
+    let (lines, listed) = rows.listed(slice.rows as usize, weight)?;
     match lines.len() as u64 == slice.rows {
         true => Ok((lines, listed)),
         false => Err(format!(
@@ -98,24 +210,21 @@ pub(super) fn read(
     }
 }
 
-/// The next rows of a table, at most so many, and their lines.
-fn rows(table: TextTable, most: usize, weight: SelfWeight) -> Result<(Vec<u64>, Listed), String> {
-    let (columns, places) = columns(&table.header)?;
-    let spelling = Spelling { decimal_comma: table.has_decimal_commas() };
-    let reader = ArchReader { columns, weight, doubles: false, spelling };
+/// The next rows, at most so many, and their lines.
+fn listed(
+    rows: impl Iterator<Item = Numbered<Cells>>,
+    most: usize,
+    reader: &ArchReader,
+) -> (Vec<u64>, Listed) {
     let (mut lines, mut listed) = (Vec::new(), Listed::default());
-    for (line, row) in table.take(most) {
+    for (line, row) in rows.take(most) {
         lines.push(line);
         match row {
-            Ok(mut fields) => {
-                let cells: Cells =
-                    places.iter().map(|&place| fields.get_mut(place).map(mem::take)).collect();
-                listed.push_row(&reader, &cells);
-            }
+            Ok(cells) => listed.push_row(reader, &cells),
             Err(error) => listed.refuse(&Default::default(), error),
         }
     }
-    Ok((lines, listed))
+    (lines, listed)
 }
 
 #[cfg(test)]
@@ -146,16 +255,14 @@ mod tests {
     fn in_pieces(text: &str, most: u64) -> Result<Told, String> {
         let file = file(text);
         let (head, slices) = slices(file.path(), most)?;
-        let read = |slice| read(file.path(), &head, slice, SelfWeight::Heyman).map(told);
+        let read = |slice| read(file.path(), head.as_ref(), slice, SelfWeight::Heyman).map(told);
         Ok(slices.iter().map(read).collect::<Result<Vec<_>, _>>()?.concat())
     }
 
     /// The rows of a text as one reader has them.
     fn at_once(text: &str) -> Result<Told, String> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text).to_owned();
-        let table =
-            TextTable::open(Box::new(Cursor::new(text))).map_err(|error| error.to_string())?;
-        rows(table, usize::MAX, SelfWeight::Heyman).map(told)
+        TextRows::open(Cursor::new(text))?.listed(usize::MAX, SelfWeight::Heyman).map(told)
     }
 
     fn is_the_same_in_pieces(text: &str) -> Told {
@@ -201,11 +308,49 @@ mod tests {
         let file = file("half_opening,friction\n1,0.6\n");
         let (head, mut slices) = slices(file.path(), 1).unwrap();
         slices[0].rows = 2;
-        let read = read(file.path(), &head, &slices[0], SelfWeight::Heyman);
+        let read = read(file.path(), head.as_ref(), &slices[0], SelfWeight::Heyman);
         assert!(read.is_err_and(|error| error.starts_with("1 rows from line 2 on, where 2")));
     }
 
-    const HEADS: [&str; 6] = [
+    #[test]
+    fn lines_of_json_are_rows_at_their_lines() {
+        let text = "\u{feff}{\"alpha\": \"80deg\", \"mu\": 0.60}\n\n{\"alpha\": 1}\n[1]\n\
+                    {\"mu\": 1, \"alpha\": 2, \"eta\": 0.1}\n  \n{\"phi\": \"35deg\", \"alpha\": 2}";
+        let found = is_the_same_in_pieces(text);
+        let lines: Vec<u64> = found.iter().map(|row| row.0).collect();
+        assert_eq!(lines, [1, 3, 4, 5, 7]);
+        assert_eq!(found[0].1, [&b"heyman"[..], b"80deg", b"0.60"]);
+        let errors: Vec<&str> = found.iter().filter_map(|row| row.2.as_deref()).collect();
+        assert_eq!(errors.len(), 3, "{errors:?}");
+        assert!(errors[2].starts_with("it has a thickness; a sweep asks"), "{errors:?}");
+        for text in ["[{\"alpha\": 1, \"mu\": 1}]", "{\n\"alpha\": 1, \"mu\": 1}\n"] {
+            assert!(in_pieces(text, 1).is_err_and(|error| error.contains("jq -c '.[]'")), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_text_is_named_with_what_reads_it() {
+        let refused = |bytes: &[u8]| {
+            let mut file = NamedTempFile::new().unwrap();
+            file.write_all(bytes).unwrap();
+            slices(file.path(), 1).unwrap_err()
+        };
+        for (bytes, name) in [
+            (&b"PAR1\x15\x04"[..], "Parquet"),
+            (b"\x1F\x8B\x08", "compressed by gzip"),
+            (b"\x28\xB5\x2F\xFD", "compressed by zstd"),
+            (b"ARROW1\0\0", "Arrow"),
+            (b"PK\x03\x04", "a workbook or an archive"),
+            (b"\xFF\xFEa\0,\0", "no text"),
+        ] {
+            let error = refused(bytes);
+            assert!(error.starts_with(&format!("it is {name}; a sweep reads CSV")), "{error}");
+            assert!(error.contains("couplet.add_states") && !error.contains('\n'), "{error}");
+        }
+    }
+
+    const HEADS: [&str; 7] = [
+        "{\"alpha\": 1, \"mu\": 1}\n",
         "half_opening,friction\n",
         "# x\nhalf_opening,friction\n",
         "\n# half_opening,friction\n",

@@ -1,16 +1,15 @@
 //! Looks through a sweep that was made: its parts, its rows, and what is proved of some of them.
 
-use super::queries::queries;
+use super::read::{ReadCells, ReadPart, ReadTable};
 use super::store::PartState;
 use super::strategies::Draw;
 use super::sweep::Sweep;
-use super::table::{Notes, PartTable, ReadCells, ReadTable};
+use super::table::PartTable;
 use crate::certify::batch::{BatchArches, RowVerdict};
 use crate::certify::certify_arch;
 use crate::check::{Accepted, verify as check};
 use crate::failure::Failure;
 use crate::problem::{Arch, Problem};
-use ::parquet::data_type::ByteArray;
 use rayon::prelude::*;
 use rug::{Integer, Rational};
 use std::borrow::Cow;
@@ -55,13 +54,12 @@ pub fn verify(
     let none = Vec::new();
     let each = |&part: &usize| {
         let rows = sweep.rows(part);
-        let names = files.parts.get(&part).unwrap_or(&none);
-        let found = match sweep.store.there(names, &rows, false)? {
+        let of = files.parts.get(&part).unwrap_or(&none);
+        let found = match sweep.store.there(of, &rows, true, false)? {
             PartState::Missing => Verified::wrong(format!("part {part} is missing or spoiled")),
             PartState::Foreign(name) => Verified::wrong(format!("{name} does not belong here")),
-            PartState::Whole(name, _) => {
-                let chosen: Vec<u64> = chosen.range(rows.clone()).copied().collect();
-                let found = look(sweep, part, &name, &chosen, &certified);
+            PartState::Whole(name, counts) => {
+                let found = look(sweep, (part, &name), counts, &chosen, &certified);
                 found.unwrap_or_else(|fault| Verified::wrong(format!("{name}: {fault}")))
             }
         };
@@ -81,51 +79,59 @@ pub fn verify(
     Ok(all)
 }
 
-/// Looks through a part that is whole.
+/// Looks through a part that is whole, by its path, whose name has these counts.
 fn look(
     sweep: &Sweep,
-    part: usize,
-    name: &str,
-    chosen: &[u64],
+    (part, path): (usize, &str),
+    counts: [u64; 4],
+    chosen: &BTreeSet<u64>,
     certified: &AtomicUsize,
 ) -> Result<Verified, String> {
     let rows = sweep.rows(part);
-    let open = || File::open(sweep.folder().join(name)).map_err(|error| error.to_string());
-    let notes = Notes::of(&open()?).ok_or("it says nothing of itself")?;
-    let table = ReadTable::of(open()?).map_err(|error| error.to_string())?;
-    let queries = queries(&sweep.record, &rows, &sweep.base)?;
-    let asked = PartTable::asked(&queries);
-    for (name, column) in &asked.columns {
-        let there = table.column(name);
-        let is_same =
-            |cells: &ReadCells| (0..asked.rows).all(|row| column.is_same(row, cells, row));
-        if asked.rows as u64 != rows.end - rows.start || !there.is_some_and(is_same) {
-            return Err(format!("its column {name} is not what the plan asks"));
-        }
+    let file = File::open(sweep.folder().join(path)).map_err(|error| error.to_string())?;
+    let file = ReadPart::of(file).map_err(|error| error.to_string())?;
+    let groups = sweep.record.groups(&rows);
+    if groups.len() != file.groups() {
+        return Err("it has not the row groups that the plan makes".into());
     }
-    let Some(ReadCells::Text(verdicts)) = table.column("verdict") else {
-        return Err("it has no verdicts".into());
-    };
-    for verdict in RowVerdict::ALL {
-        let is = |cell: &&Option<ByteArray>| {
-            cell.as_ref().is_some_and(|cell| cell.data() == verdict.name().as_bytes())
-        };
-        if verdicts.iter().filter(is).count() as u64 != notes.counts[verdict as usize] {
-            return Err(format!("its rows are not counted right: {}", verdict.name()));
-        }
-    }
-    let mut all = Verified { parts: 1, rows: rows.end - rows.start, ..Verified::default() };
-    for &number in chosen {
-        let place = (number - rows.start) as usize;
-        match row(sweep, &table, place, queries.arch(place), certified) {
-            Ok(has_certificate) => {
-                all.again += 1;
-                all.certified += usize::from(has_certificate);
+    let (mut all, mut there) = (Verified { parts: 1, ..Verified::default() }, [0; 4]);
+    for (place, rows) in groups.into_iter().enumerate() {
+        let table = file.group(place).map_err(|error| error.to_string())?;
+        let queries = sweep.queries(&rows)?;
+        let asked = PartTable::asked(&queries);
+        for (name, column) in &asked.columns {
+            let there = table.column(name);
+            let is_same =
+                |cells: &ReadCells| (0..asked.rows).all(|row| column.is_same(row, cells, row));
+            if asked.rows as u64 != rows.end - rows.start || !there.is_some_and(is_same) {
+                return Err(format!("its column {name} is not what the plan asks"));
             }
-            Err(fault) => all.faults.push(format!("{name}: row {number}: {fault}")),
+        }
+        let Some(ReadCells::Text(verdicts)) = table.column("verdict") else {
+            return Err("it has no verdicts".into());
+        };
+        for verdict in verdicts.iter().flatten() {
+            let is = |of: &&RowVerdict| verdict.data() == of.name().as_bytes();
+            if let Some(of) = RowVerdict::ALL.iter().find(is) {
+                there[*of as usize] += 1;
+            }
+        }
+        all.rows += rows.end - rows.start;
+        for &number in chosen.range(rows.clone()) {
+            let row_of = (number - rows.start) as usize;
+            match row(sweep, &table, row_of, queries.arch(row_of), certified) {
+                Ok(has_certificate) => {
+                    all.again += 1;
+                    all.certified += usize::from(has_certificate);
+                }
+                Err(fault) => all.faults.push(format!("{path}: row {number}: {fault}")),
+            }
         }
     }
-    Ok(all)
+    match there == counts {
+        true => Ok(all),
+        false => Err("its rows are not counted right".into()),
+    }
 }
 
 /// Proves a row again; whether it was certified too.

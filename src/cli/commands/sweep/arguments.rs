@@ -7,7 +7,7 @@ use std::path::PathBuf;
 ///
 /// A plan is a TOML file with a grid, a sample or a data set; --schema prints one with every key. The parts go
 /// into a folder whose name tells the sweep, so that two sweeps never meet and the same one finds its own. A run
-/// that was stopped goes on where it was: parts that are there and whole are kept, by their content. The bytes are
+/// that was stopped goes on where it was: parts that are there are kept, by their names and sizes. The bytes are
 /// the same however many threads, processes or machines share the work, and whatever happened meanwhile.
 ///
 /// Needs the feature parquet.
@@ -26,7 +26,7 @@ pub(crate) struct Arguments {
     pub(super) only: Option<Share>,
 
     /// Look through the parts: their content, notes and rows; and prove N rows again, drawn from all, some of
-    /// them with a certificate that the second arithmetic checks. Parts that are missing are computed before.
+    /// them with a certificate that the second arithmetic checks. What is missing or spoiled is computed before.
     #[arg(long, value_name = "N", value_parser = sample, allow_hyphen_values = true)]
     pub(super) verify: Option<usize>,
 

@@ -40,7 +40,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let bad_files = sweep.bad_files();
     bad_files.iter().for_each(|file| say(&format!("couplet: {file}")));
-    let made = make(&sweep, &parts)?;
+    let made = make(&sweep, &parts, arguments.verify.is_some())?;
     print(made.summary(&folder, parts.len()).as_bytes())?;
     made.lost.iter().for_each(|lost| say(&format!("couplet: {lost}")));
     if let Some(sample) = arguments.verify {
@@ -89,9 +89,9 @@ impl MadeParts {
     }
 }
 
-/// Computes the parts that are missing.
-fn make(sweep: &Sweep, parts: &[usize]) -> Result<MadeParts, Failure> {
-    let survey = sweep.survey(parts)?;
+/// Computes the parts that are missing, or if all are read those that are not what was written.
+fn make(sweep: &Sweep, parts: &[usize], reads: bool) -> Result<MadeParts, Failure> {
+    let survey = sweep.survey(parts, reads)?;
     let mut made = MadeParts { counts: [0; 4], computed: 0, kept: 0, lost: Vec::new() };
     let mut missing = Vec::new();
     for (part, there) in survey {

@@ -1,0 +1,88 @@
+//! The file of a part as it is read again, by whoever looks through a sweep. Nothing else is read here: other files
+//! have other engines.
+//!
+//! A column is read by its pages and not by `get_column_reader` of the group, which would bring readers of all types
+//! and of nested records into a program, although we write numbers and texts.
+
+use ::parquet::basic::Type;
+use ::parquet::column::reader::ColumnReaderImpl;
+use ::parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, Int32Type, Int64Type};
+use ::parquet::errors::{ParquetError, Result};
+use ::parquet::file::metadata::ColumnChunkMetaData;
+use ::parquet::file::reader::{FileReader, SerializedFileReader};
+use ::parquet::file::serialized_reader::SerializedPageReader;
+use std::fs::File;
+use std::sync::Arc;
+
+/// The cells of a column as they were read; they may be null.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum ReadCells {
+    Text(Vec<Option<ByteArray>>),
+    Double(Vec<Option<f64>>),
+    Whole(Vec<Option<i64>>),
+    /// A whole number of one byte.
+    Short(Vec<Option<i32>>),
+}
+
+/// The rows of a row group by columns, with the names of these, as they were read.
+pub(super) struct ReadTable(Vec<(String, ReadCells)>);
+
+/// File of a part whose content has the hash of its name.
+pub(super) struct ReadPart(SerializedFileReader<File>, Arc<File>);
+
+impl ReadPart {
+    pub(super) fn of(file: File) -> Result<Self> {
+        let pages = Arc::new(file.try_clone()?);
+        Ok(Self(SerializedFileReader::new(file)?, pages))
+    }
+
+    /// Number of row groups.
+    pub(super) fn groups(&self) -> usize {
+        self.0.metadata().num_row_groups()
+    }
+
+    /// The columns of a row group, as they were written.
+    pub(super) fn group(&self, place: usize) -> Result<ReadTable> {
+        let group = self.0.metadata().row_group(place);
+        let rows = usize::try_from(group.num_rows())?;
+        let columns = group.columns().iter().map(|column| {
+            let of = (&self.1, column, rows);
+            let cells = match column.column_type() {
+                Type::BYTE_ARRAY => ReadCells::Text(cells::<ByteArrayType>(of)?),
+                Type::DOUBLE => ReadCells::Double(cells::<DoubleType>(of)?),
+                Type::INT64 => ReadCells::Whole(cells::<Int64Type>(of)?),
+                Type::INT32 => ReadCells::Short(cells::<Int32Type>(of)?),
+                _ => return Err(ParquetError::General("a column of another type".into())),
+            };
+            Ok((column.column_descr().name().to_owned(), cells))
+        });
+        columns.collect::<Result<_>>().map(ReadTable)
+    }
+}
+
+impl ReadTable {
+    /// The cells of a column, if there is one of that name.
+    pub(super) fn column(&self, name: &str) -> Option<&ReadCells> {
+        self.0.iter().find(|(of, _)| of == name).map(|(_, cells)| cells)
+    }
+}
+
+/// The cells of a column with so many rows, which has this type; none where there is no value.
+fn cells<T: DataType>(
+    (file, column, rows): (&Arc<File>, &ColumnChunkMetaData, usize),
+) -> Result<Vec<Option<T::T>>> {
+    // Of bytes before the beginning of the file there are none.
+    let numbers = [column.compressed_size(), column.data_page_offset()];
+    let numbers = numbers.into_iter().chain(column.dictionary_page_offset());
+    numbers.map(u64::try_from).collect::<std::result::Result<Vec<_>, _>>()?;
+    let pages = SerializedPageReader::new(Arc::clone(file), column, rows, None)?;
+    let mut reader = ColumnReaderImpl::<T>::new(column.column_descr_ptr(), Box::new(pages));
+    let (mut values, mut there) = (Vec::new(), Vec::new());
+    let (read, ..) = reader.read_records(rows, Some(&mut there), None, &mut values)?;
+    // Every column is written so that it may have nulls.
+    if read != rows || there.len() != rows {
+        return Err(ParquetError::General("rows are missing".into()));
+    }
+    let mut values = values.into_iter();
+    Ok(there.iter().map(|level| if *level > 0 { values.next() } else { None }).collect())
+}
