@@ -4,7 +4,7 @@
 use couplet::arch::SelfWeight;
 use couplet::certify::batch::DoubleArches;
 use couplet::certify::state::{Answer, Balls};
-use couplet::lanes::{LaneArch, Width};
+use couplet::lanes::{LaneArch, Lanes, Width};
 use couplet::number::{DoubleDouble, DoubleDoubleBall, ExactNumber};
 use couplet::problem::{Arch, Friction, Quantity};
 use cpu_time::ThreadTime;
@@ -61,12 +61,13 @@ fn table(name: &str, [half_openings, frictions]: [&[f64]; 2], quantities: &[Quan
         let found = rows.iter().map(|row| Some(row.doubles(0)[0]).filter(|x| !x.is_nan()));
         assert!(found.zip(&expected).all(|(row, eta)| row == *eta));
         for (width, times) in widths.iter().zip(&mut times[3..]) {
+            let lanes = Lanes { weight: M, width: *width };
             let work = || {
                 let pieces = in_lanes.chunks(PIECE).zip(openings.chunks(PIECE));
                 let proved = pieces.map(|(arches, openings)| {
-                    let frictions = has_frictions.then(|| width.frictions(M, openings));
+                    let frictions = has_frictions.then(|| lanes.frictions(openings));
                     black_box(frictions);
-                    width.states(M, arches).iter().flatten().count()
+                    lanes.states(arches).iter().flatten().count()
                 });
                 proved.sum::<usize>()
             };

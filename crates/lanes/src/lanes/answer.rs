@@ -3,7 +3,7 @@
 use crate::number::DoubleDoubleBall;
 use crate::problem::Mode;
 
-/// What is proved of an arch.
+/// The answer to an arch.
 #[derive(Clone, Copy, Debug)]
 pub enum LaneAnswer {
     /// The arch falls whatever its thickness.
@@ -28,6 +28,22 @@ pub struct LaneState {
     pub rotation_joint: DoubleDoubleBall,
     /// `beta_s`, rad, if an inner joint slides.
     pub sliding_joint: Option<DoubleDoubleBall>,
+}
+
+impl LaneState {
+    /// The state of a half opening that rotates, from what is proved of it.
+    pub(super) fn rotating(
+        [thickness, thrust, intrinsic_thrust, rotation_joint, ..]: &[DoubleDoubleBall; 6],
+    ) -> Self {
+        Self {
+            mode: Mode::Rotational,
+            thickness: *thickness,
+            thrust: *thrust,
+            intrinsic_thrust: *intrinsic_thrust,
+            rotation_joint: *rotation_joint,
+            sliding_joint: None,
+        }
+    }
 }
 
 /// A friction from which something holds.

@@ -71,7 +71,7 @@ impl Thinnest<Short> {
         are_positive(&self.always) & (self.slope.is_positive() | are_positive(&self.bounded))
     }
 
-    /// The same with unlimited friction, where nothing bounds the thrust.
+    /// Tells whether they hold with unlimited friction, where nothing bounds the thrust.
     #[inline(always)]
     pub(super) fn holds_unlimited(&self) -> bool {
         are_positive(&self.always) & self.slope.is_positive()

@@ -10,7 +10,9 @@
 //! | `rotation`, `shoulder`, `inner`, `crown` | states that rotate, that slide at the shoulder, that slide inside, that turn about the crown |
 //! | `sliding` | the thrust at which an inner joint slides; the purely sliding friction |
 //! | `piece`, `width` | arches that go through a proof together; what a processor has for them |
-//! | `answer`, `arches` | an answer; arches of any mode |
+//! | `answer` | an answer |
+//! | `asking`, `asked` | rows of one proof; arches that are asked together, each proved by the proof of its mode |
+//! | `arches` | arches of a weight: the door |
 //!
 //! Rows take it before anything else where they ask for what it has (`certify::batch`).
 //!
@@ -20,6 +22,8 @@
 
 mod answer;
 mod arches;
+mod asked;
+mod asking;
 mod ball;
 mod crown;
 mod inner;
@@ -34,5 +38,6 @@ mod start;
 mod width;
 
 pub use answer::{FromFriction, LaneAnswer, LaneFrictions, LaneState};
-pub use arches::LaneArch;
+pub use arches::Lanes;
+pub use asked::LaneArch;
 pub use width::Width;

@@ -27,7 +27,7 @@ pub(super) trait Proof<const IN: usize, const ANGLES: usize, const OUT: usize> {
     ) -> [Long<P>; OUT];
 }
 
-/// What is given of the arches of one call, and what is found of them.
+/// Numbers that are given of the arches of one call, and that are found of them.
 pub(super) struct Piece<const IN: usize, const OUT: usize> {
     given: [Column; IN],
     found: [Column; OUT],
@@ -79,7 +79,7 @@ impl<const IN: usize, const OUT: usize> Piece<IN, OUT> {
         }
     }
 
-    /// What is proved of the arch in a place.
+    /// Values of the arch in a place, if they are proved.
     pub(super) fn found(&self, place: usize) -> Option<[DoubleDoubleBall; OUT]> {
         let value = |column: &Column| {
             let [high, low, rad] = column.each_ref().map(|part| part[place]);

@@ -9,15 +9,28 @@ use super::margins::{Thinnest, are_positive, of_haunch, of_state, steepest, zero
 use super::piece::Proof;
 use super::root::{Equation, is_within, known_if, root};
 use super::sine::{Long, Sine, around};
-use super::start::{Table, rotates};
+use super::start::{self, Table, rotates};
+use super::width::Width;
 use crate::arch::contact::{self, Rates};
 use crate::arch::{Configuration, Ring, SelfWeight, overturning, sliding, thrust};
-use crate::number::{Angle, Field, Product, SinePoint};
+use crate::number::{Angle, DoubleDoubleBall, Field, Product, SinePoint};
 
 /// Proof of purely rotational states; the frictions that they ask for are enclosed in double-doubles if `EXACTLY`.
-pub(super) struct Rotation<'a, const EXACTLY: bool> {
-    pub(super) weight: SelfWeight,
-    pub(super) table: &'a Table<2>,
+struct Rotation<'a, const EXACTLY: bool> {
+    weight: SelfWeight,
+    table: &'a Table<2>,
+}
+
+/// Values of the proof: thickness, thrust, intrinsic thrust, `beta_r`, and the frictions that the shoulder and the
+/// steepest joint ask for.
+pub(super) type Rotating = [DoubleDoubleBall; 6];
+
+/// Purely rotational states of half openings.
+pub(super) fn rotating<const EXACTLY: bool>(
+    (width, weight): (Width, SelfWeight),
+    half_openings: &[[DoubleDoubleBall; 1]],
+) -> Vec<Option<Rotating>> {
+    width.prove(&Rotation::<EXACTLY> { weight, table: start::rotation(weight) }, half_openings)
 }
 
 /// Values that (2), (4) and (5) give to a joint.
@@ -63,8 +76,6 @@ fn margins<T: Field>(at: &Configuration<T>, rates: &Rates<T>, steepest: &T) -> [
     [rates.shoulder.clone(), at.half_opening.rad.clone() - steepest]
 }
 
-/// Values: thickness, thrust, intrinsic thrust, `beta_r`, and the frictions that the shoulder and the steepest joint ask
-/// for.
 impl<const EXACTLY: bool> Proof<1, 3, 6> for Rotation<'_, EXACTLY> {
     #[inline(always)]
     fn candidates(&self, [alpha]: [f64; 1]) -> [f64; 3] {

@@ -10,7 +10,8 @@
 //! *Reduction.* `k` is the integer nearest to `32 hi` (adding and taking away `1.5 2^52` rounds to it). For `k >= 1`,
 //! `hi` is between `k/64` and `k/16`, so that `s = hi - k/32` is exact (Sterbenz); `s` is zero or at least a unit
 //! in the last place of `hi`, of which `lo` is at most a half, so that `r = s + lo = x - k/32` is exact too, and
-//! `|r| <= 1/64 + 2^-52`. Any other `k` will do with `|s| <= 1/63` and `hi >= k/64`: then `k = 0`, or `hi` is again between `k/64` and `k/16`. `y = r²` errs by `7u²`, relative to it, and is below `2^-11.9`.
+//! `|r| <= 1/64 + 2^-52`. Any other `k` will do with `|s| <= 1/63` and `hi >= k/64`: then `k = 0`, or `hi` is again
+//! between `k/64` and `k/16`. `y = r²` errs by `7u²`, relative to it, and is below `2^-11.9`.
 //!
 //! *Series.* What is left out of `sin r` after `r^13` is below `|r| 2^-83/15! < 2^-123 |r|`, of `cos r` after
 //! `r^12` below `2^-83/14! < 2^-119`. The innermost terms, `1/9! - y/11! + y²/13!` and `1/8! - y/10! + y²/12!`, are
@@ -130,9 +131,9 @@ impl SinePoint {
 
     /// The bound of the error of sine and cosine in doubles: `2^-51`.
     ///
-    /// With `u = 2^-53`, what is left out of `sin r` after `r^7` is below `2^-72`, of `cos r` after `r^6` below
-    /// `2^-62`. Of what is added to the entry of the table, which errs by `u`, no term is above `1/62`, and none errs by
-    /// more than `7 u` relative to it, so that all of it errs by less than `u/4`; the last sum errs by `u`.
+    /// With `u = 2^-53`, the rest of `sin r` after `r^7` is below `2^-72`, of `cos r` after `r^6` below `2^-62`. The
+    /// entry of the table errs by `u`. No term that is added to it is above `1/62`, and none errs by more than `7 u`
+    /// relative to it, so that all of it errs by less than `u/4`; the last sum errs by `u`.
     pub const ERROR_IN_DOUBLES: f64 = 4.0 * (f64::EPSILON / 2.0);
 
     /// Sine and cosine of a double that it [reaches](Self::reaches), within

@@ -1,20 +1,16 @@
 //! The one way in which arches that are there are answered: those of one half opening together.
 
+use super::arches::{BatchArches, Threads};
 use super::columns::BatchColumns;
 use super::in_lanes;
 use super::opening::{PAYS_FROM, SharedOpening};
 use super::row::{BatchRow, RowValue, RowVerdict};
-use crate::arch::SelfWeight;
 use crate::certify::asymmetric_thickness::asymmetric_thicknesses;
 use crate::certify::state::{Answer, Balls, Figure};
-use crate::lanes::LaneArch;
-use crate::number::{DoubleDoubleBall, ExactNumber};
+use crate::number::ExactNumber;
 use crate::problem::{Arch, Quantity};
 use crate::prover::Error;
-use rayon::prelude::*;
 use std::borrow::Cow;
-use std::collections::HashMap;
-use std::hash::Hash;
 use std::ptr;
 use std::sync::Arc;
 
@@ -29,62 +25,8 @@ pub struct Batch {
     pub has_texts: bool,
 }
 
-/// Arches of a batch, by rows.
-pub trait BatchArches: Sync {
-    /// Number of rows.
-    fn count(&self) -> usize;
-
-    /// Those of some rows that have one half opening and weight, for each of these: every row once.
-    fn openings(&self, rows: &[usize]) -> Vec<Vec<usize>>;
-
-    /// The weight of a row, with its half opening and friction in enclosures, where its numbers are known; these need
-    /// not be those of an arch.
-    fn in_lanes(&self, row: usize) -> Option<(SelfWeight, LaneArch)>;
-
-    /// The arch of a row, or why there is none.
-    fn arch(&self, row: usize) -> Result<Cow<'_, Arch>, String>;
-
-    /// The friction of a row in an enclosure, where it is positive and limited.
-    fn friction(&self, row: usize) -> Option<DoubleDoubleBall>;
-}
-
-/// Some rows by their keys; each row without a key is by itself.
-pub fn grouped<K: Eq + Hash>(rows: &[usize], key: impl Fn(usize) -> Option<K>) -> Vec<Vec<usize>> {
-    let (mut groups, mut place_of) = (Vec::new(), HashMap::new());
-    for &row in rows {
-        let place =
-            key(row).map_or(groups.len(), |key| *place_of.entry(key).or_insert(groups.len()));
-        match groups.get_mut(place) {
-            None => groups.push(vec![row]),
-            Some(group) => group.push(row),
-        }
-    }
-    groups
-}
-
-/// Threads that a batch is answered in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Threads {
-    /// The one that asks.
-    One,
-    /// Threads of the pool of rayon in which it is asked, if it is one: the global pool is not asked for, as a forked
-    /// process would wait for it for ever.
-    Pool,
-}
-
-impl Threads {
-    /// The answers to each of some questions.
-    pub(super) fn each<A: Sync, B: Send>(
-        self,
-        all: &[A],
-        of: impl Fn(&A) -> B + Send + Sync,
-    ) -> Vec<B> {
-        match rayon::current_thread_index().filter(|_| self == Self::Pool) {
-            Some(_) => all.par_iter().map(of).collect(),
-            None => all.iter().map(of).collect(),
-        }
-    }
-}
+/// With so many digits a row is what its doubles tell.
+const OF_A_DOUBLE: usize = 17;
 
 /// Rows that are one piece of work.
 const PIECE: usize = 64;
@@ -98,7 +40,12 @@ impl Batch {
     /// Rows of states, at the least thickness: first those that are proved many at a time, then the others, with the
     /// proofs of one half opening at a time.
     pub fn states(&self, arches: &impl BatchArches, threads: Threads) -> Vec<Arc<BatchRow>> {
-        let mut all = in_lanes::rows(self, arches, threads);
+        let mut all = vec![None; arches.count()];
+        if self.is_of_doubles() {
+            for (row, found) in in_lanes::rows(&self.quantities, arches, threads) {
+                all[row] = Some(found);
+            }
+        }
         let open: Vec<usize> = (0..all.len()).filter(|row| all[*row].is_none()).collect();
         for (row, found) in self.by_openings(&open, arches, threads) {
             all[row] = Some(found);
@@ -106,9 +53,26 @@ impl Batch {
         all.into_iter().flatten().collect()
     }
 
-    /// The same rows by columns.
+    /// Columns of these rows.
     pub fn columns(&self, arches: &impl BatchArches, threads: Threads) -> BatchColumns {
-        BatchColumns::new(self, arches, threads)
+        let mut all = BatchColumns::open(arches.count(), self.quantities.len());
+        let mut is_open = vec![true; arches.count()];
+        if self.is_of_doubles() {
+            for (rows, found) in in_lanes::columns(&self.quantities, arches, threads) {
+                rows.iter().for_each(|row| is_open[*row] = false);
+                all.put_all(&rows, found);
+            }
+        }
+        let open: Vec<usize> = (0..is_open.len()).filter(|row| is_open[*row]).collect();
+        for (row, found) in self.by_openings(&open, arches, threads) {
+            all.put(row, &found);
+        }
+        all
+    }
+
+    /// Tells whether a row is what its doubles tell.
+    fn is_of_doubles(&self) -> bool {
+        !self.has_texts && self.digits <= OF_A_DOUBLE
     }
 
     /// Some rows of states, each with its place.

@@ -1,8 +1,7 @@
 //! Rows of a batch by columns, in doubles: for arrays.
 
-use super::batch::{Batch, BatchArches, Threads};
-use super::in_lanes::{self, Answered};
 use super::row::{BatchRow, RowVerdict, mode_code, side};
+use crate::problem::Mode;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -20,7 +19,7 @@ pub struct BatchColumns {
 }
 
 impl BatchColumns {
-    /// So many rows of which nothing is known.
+    /// Columns of so many rows of which nothing is known.
     pub fn open(rows: usize, quantities: usize) -> Self {
         let none = || [(); 3].map(|()| vec![f64::NAN; rows]);
         Self {
@@ -65,7 +64,7 @@ impl BatchColumns {
     }
 
     /// Puts a row in its place.
-    fn put(&mut self, place: usize, row: &BatchRow) {
+    pub(super) fn put(&mut self, place: usize, row: &BatchRow) {
         self.verdicts[place] = row.verdict;
         self.modes[place] = row.mode_code();
         self.reasons.extend(row.reason.clone().map(|why| (place, why)));
@@ -75,40 +74,16 @@ impl BatchColumns {
         }
     }
 
-    /// Adds the row of an answer, if all that is asked is decided.
-    fn push(&mut self, answer: &Answered, batch: &Batch) -> bool {
-        let doubles: Option<Vec<[f64; 3]>> =
-            batch.quantities.iter().map(|of| answer.doubles(*of)).collect();
-        let Some(doubles) = doubles else { return false };
+    /// Adds a row of a verdict and a mode, with its doubles.
+    pub(super) fn push(
+        &mut self,
+        (verdict, mode): (RowVerdict, Option<Mode>),
+        doubles: &[[f64; 3]],
+    ) {
         for (columns, doubles) in self.values.iter_mut().zip(doubles) {
-            columns.iter_mut().zip(doubles).for_each(|(column, x)| column.push(x));
+            columns.iter_mut().zip(doubles).for_each(|(column, x)| column.push(*x));
         }
-        let (verdict, mode) = answer.verdict();
         self.verdicts.push(verdict);
         self.modes.push(mode_code(mode));
-        true
-    }
-
-    /// The columns of all rows of a batch.
-    pub(super) fn new(batch: &Batch, arches: &impl BatchArches, threads: Threads) -> Self {
-        let quantities = batch.quantities.len();
-        let made = |answers: &[Answered]| {
-            let mut columns = Self::open(0, quantities);
-            let decided = |answer: &&Answered| columns.push(answer, batch);
-            let rows: Vec<usize> =
-                answers.iter().filter(decided).map(|answer| answer.row).collect();
-            (rows, columns)
-        };
-        let mut all = Self::open(arches.count(), quantities);
-        let mut is_open = vec![true; arches.count()];
-        for (rows, columns) in in_lanes::pieces(batch, arches, threads, made) {
-            rows.iter().for_each(|row| is_open[*row] = false);
-            all.put_all(&rows, columns);
-        }
-        let open: Vec<usize> = (0..is_open.len()).filter(|row| is_open[*row]).collect();
-        for (row, found) in batch.by_openings(&open, arches, threads) {
-            all.put(row, &found);
-        }
-        all
     }
 }

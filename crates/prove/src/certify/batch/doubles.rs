@@ -2,7 +2,8 @@
 //!
 //! A double is the number that it is, exactly.
 
-use super::batch::{Batch, BatchArches, Threads, grouped};
+use super::arches::{BatchArches, Threads, grouped};
+use super::batch::Batch;
 use super::columns::BatchColumns;
 use super::opening::SharedOpening;
 use super::row::BatchRow;
@@ -78,7 +79,7 @@ impl DoubleArches<'_> {
         Ok(self.assessments(&batch, etas))
     }
 
-    /// The same rows by columns.
+    /// Columns of these rows.
     ///
     /// ```
     /// use couplet_prove::certify::batch::{DoubleArches, RowVerdict};
@@ -248,7 +249,7 @@ mod tests {
             let in_columns = (columns.verdicts[row], columns.modes[row], in_columns);
             assert_eq!(bits(found)[0], in_columns, "{alpha:e} {mu:e}");
         }
-        in_lanes::rows(&batch, &arches, Threads::One).iter().flatten().count()
+        in_lanes::rows(&batch.quantities, &arches, Threads::One).len()
     }
 
     /// Half openings and frictions all over the map, in no order; every fourth without friction's limit.

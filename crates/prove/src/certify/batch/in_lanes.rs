@@ -3,10 +3,11 @@
 //! What they leave open is proved as any arch is. A row is the same either way: the nearest double and the doubles next
 //! to the value depend on the value alone.
 
-use super::batch::{Batch, BatchArches, Threads};
+use super::arches::{BatchArches, Threads};
+use super::columns::BatchColumns;
 use super::row::{BatchRow, RowValue, RowVerdict};
 use crate::arch::SelfWeight;
-use crate::lanes::{FromFriction, LaneAnswer, LaneArch, LaneFrictions, LaneState, Width};
+use crate::lanes::{FromFriction, LaneAnswer, LaneArch, LaneFrictions, LaneState, Lanes};
 use crate::number::{Binary, DoubleDoubleBall};
 use crate::problem::{Mode, Quantity};
 use std::sync::Arc;
@@ -17,32 +18,29 @@ const FEW: usize = 64;
 /// Rows that are one piece of work.
 const PIECE: usize = 1024;
 
-/// With so many digits a row is what its doubles tell.
-const OF_A_DOUBLE: usize = 17;
-
 /// An answer with its place among the rows.
-pub(super) struct Answered<'a> {
-    pub(super) row: usize,
+struct Answered<'a> {
+    row: usize,
     half_opening: &'a DoubleDoubleBall,
     answer: &'a LaneAnswer,
     /// The frictions at which the mode changes, if they are asked for.
     frictions: Option<&'a LaneFrictions>,
 }
 
-/// What is made of the answers to each piece of the rows of a batch and of a weight; nothing where these would not be
-/// rows. Of an answer not all that is asked may be known.
-pub(super) fn pieces<T: Send>(
-    batch: &Batch,
+/// Things made of the answers to each piece of the rows of a batch and of a weight; none where these would not be rows.
+/// Of an answer not all that is asked may be known.
+fn pieces<T: Send>(
+    quantities: &[Quantity],
     arches: &impl BatchArches,
     threads: Threads,
     made: impl Fn(&[Answered]) -> T + Send + Sync,
 ) -> Vec<T> {
     let is_known = |of: &Quantity| *of != Quantity::AsymmetricThickness;
-    let are_doubles = !batch.has_texts && batch.digits <= OF_A_DOUBLE;
     let count = arches.count();
-    if count < FEW || !are_doubles || !batch.quantities.iter().all(is_known) {
+    if count < FEW || !quantities.iter().all(is_known) {
         return Vec::new();
     }
+    let has_frictions = quantities.iter().any(|of| of.is_friction());
     let starts: Vec<usize> = (0..count).step_by(PIECE).collect();
     let found = threads.each(&starts, |start| {
         SelfWeight::ALL.map(|weight| {
@@ -52,24 +50,24 @@ pub(super) fn pieces<T: Send>(
             };
             let rows = (*start..count.min(start + PIECE)).filter_map(of_weight);
             let (rows, arches): (Vec<usize>, Vec<LaneArch>) = rows.unzip();
-            answered(batch.has_frictions(), weight, (&rows, &arches), &made)
+            answered(has_frictions, weight, (&rows, &arches), &made)
         })
     });
     found.into_iter().flatten().collect()
 }
 
-/// What is made of the answers to some rows of a weight.
+/// Thing made of the answers to some rows of a weight.
 fn answered<T>(
     has_frictions: bool,
     weight: SelfWeight,
     (rows, arches): (&[usize], &[LaneArch]),
     made: impl Fn(&[Answered]) -> T,
 ) -> T {
-    let width = Width::widest();
-    let answers = width.states(weight, arches);
+    let lanes = Lanes::of(weight);
+    let answers = lanes.states(arches);
     let half_openings: Vec<_> =
         arches.iter().filter(|_| has_frictions).map(|(alpha, _)| *alpha).collect();
-    let frictions = width.frictions(weight, &half_openings);
+    let frictions = lanes.frictions(&half_openings);
     let each = answers.iter().zip(arches).zip(rows).enumerate();
     let all = each.filter_map(|(place, ((answer, (half_opening, _)), row))| {
         let (answer, frictions) = (answer.as_ref()?, frictions.get(place));
@@ -78,12 +76,12 @@ fn answered<T>(
     made(&all.collect::<Vec<_>>())
 }
 
-/// The rows of a batch, in the order of the arches; `None` where not all that is asked is proved.
+/// Rows of a batch with their places; none of which not all that is asked is proved.
 pub(super) fn rows(
-    batch: &Batch,
+    quantities: &[Quantity],
     arches: &impl BatchArches,
     threads: Threads,
-) -> Vec<Option<Arc<BatchRow>>> {
+) -> Vec<(usize, Arc<BatchRow>)> {
     let made = |answers: &[Answered]| {
         let mut last: Option<(LastRow, Arc<BatchRow>)> = None;
         let row = |answered: &Answered| {
@@ -94,7 +92,7 @@ pub(super) fn rows(
             {
                 return Some((answered.row, Arc::clone(row)));
             }
-            let row = Arc::new(answered.as_row(&batch.quantities)?);
+            let row = Arc::new(answered.as_row(quantities)?);
             if let Some(key) = key {
                 last = Some((key, Arc::clone(&row)));
             }
@@ -102,13 +100,28 @@ pub(super) fn rows(
         };
         answers.iter().filter_map(row).collect::<Vec<_>>()
     };
-    let mut all = vec![None; arches.count()];
-    let found = pieces(batch, arches, threads, made).into_iter().flatten();
-    found.for_each(|(row, found)| all[row] = Some(found));
-    all
+    pieces(quantities, arches, threads, made).into_iter().flatten().collect()
 }
 
-/// What a row depends on that does not depend on its friction.
+/// Rows of a batch by columns, some with their places at a time.
+pub(super) fn columns(
+    quantities: &[Quantity],
+    arches: &impl BatchArches,
+    threads: Threads,
+) -> Vec<(Vec<usize>, BatchColumns)> {
+    let made = |answers: &[Answered]| {
+        let mut columns = BatchColumns::open(0, quantities.len());
+        let row = |answered: &Answered| {
+            columns.push(answered.verdict(), &answered.all_doubles(quantities)?);
+            Some(answered.row)
+        };
+        let rows = answers.iter().filter_map(row).collect();
+        (rows, columns)
+    };
+    pieces(quantities, arches, threads, made)
+}
+
+/// All that a row depends on, where it does not depend on its friction.
 #[derive(PartialEq, Eq)]
 struct LastRow {
     half_opening: [u64; 2],
@@ -132,7 +145,7 @@ const NONE: [f64; 3] = [f64::NAN; 3];
 
 impl Answered<'_> {
     /// Verdict and mode of the row.
-    pub(super) fn verdict(&self) -> (RowVerdict, Option<Mode>) {
+    fn verdict(&self) -> (RowVerdict, Option<Mode>) {
         match self.answer {
             LaneAnswer::Stands(state) => (RowVerdict::Stands, Some(state.mode)),
             LaneAnswer::Falls => (RowVerdict::Falls, None),
@@ -141,7 +154,7 @@ impl Answered<'_> {
 
     /// The nearest double of a quantity with its bounds, not a number where there is no value; `None` where it is not
     /// decided.
-    pub(super) fn doubles(&self, of: Quantity) -> Option<[f64; 3]> {
+    fn doubles(&self, of: Quantity) -> Option<[f64; 3]> {
         use Quantity as Q;
         let state = match self.answer {
             LaneAnswer::Stands(state) => Some(state),
@@ -171,13 +184,17 @@ impl Answered<'_> {
     /// The row, if each double is decided.
     fn as_row(&self, quantities: &[Quantity]) -> Option<BatchRow> {
         let (verdict, mode) = self.verdict();
-        let value = |of: &Quantity| {
-            let [double, lower, upper] = self.doubles(*of)?;
+        let value = |[double, lower, upper]: [f64; 3]| {
             let value = RowValue { double, bounds: [lower, upper], text: None };
-            Some((!double.is_nan()).then_some(value))
+            (!double.is_nan()).then_some(value)
         };
-        let values = quantities.iter().map(value).collect::<Option<Vec<_>>>()?;
+        let values = self.all_doubles(quantities)?.into_iter().map(value).collect();
         Some(BatchRow { verdict, mode, values, reason: None })
+    }
+
+    /// The doubles of each quantity, if they are decided.
+    fn all_doubles(&self, quantities: &[Quantity]) -> Option<Vec<[f64; 3]>> {
+        quantities.iter().map(|of| self.doubles(*of)).collect()
     }
 }
 

@@ -6,11 +6,12 @@
 //! | `row` | a row: verdict, mode, and values in doubles |
 //! | `opening` | many frictions of one half opening, which share its proofs |
 //! | `openings` | arches as they come, which do so where a half opening comes again |
-//! | `batch` | arches that are there, answered as rows |
+//! | `arches`, `batch` | arches that are there; these answered as rows |
 //! | `columns` | rows by columns |
 //! | `in_lanes` | rows that are proved many at a time |
 //! | `doubles` | arches in arrays of doubles |
 
+mod arches;
 #[allow(clippy::module_inception, reason = "the folder is named after what it answers")]
 mod batch;
 mod columns;
@@ -21,7 +22,8 @@ mod openings;
 mod row;
 
 pub use crate::lanes::LaneArch;
-pub use batch::{Batch, BatchArches, Threads, grouped};
+pub use arches::{BatchArches, Threads, grouped};
+pub use batch::Batch;
 pub use columns::BatchColumns;
 pub use doubles::DoubleArches;
 pub use opening::SharedOpening;

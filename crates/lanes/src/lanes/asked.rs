@@ -1,0 +1,245 @@
+//! Arches that are asked together, each proved by the proof of its mode.
+//!
+//! Candidates choose which proof an arch goes through; what is proved does not depend on that, as a state that is proved
+//! is the only one.
+
+use super::answer::{LaneAnswer, LaneState};
+use super::asking::{Asking, double, is_below, overturning_at, zero};
+use super::crown::{Crown, TooWide};
+use super::inner::Inner;
+use super::rotation::rotating;
+use super::shoulder::Shoulder;
+use super::sliding::{Falling, Sliding, Steepest};
+use super::start;
+use super::width::Width;
+use crate::arch::SelfWeight;
+use crate::number::{DoubleDouble, DoubleDoubleBall, Enclosure};
+use crate::problem::Mode;
+use std::ops::RangeInclusive;
+
+/// Half opening, rad, and friction of an arch, `None` if it is unlimited, in enclosures.
+pub type LaneArch = (DoubleDoubleBall, Option<DoubleDoubleBall>);
+
+/// Half openings that are asked, rad: below the first other equations keep their digits, and the last is below pi.
+const HALF_OPENINGS: RangeInclusive<f64> = start::LEAST..=3.14;
+
+/// Rows of one half opening from which it pays to prove its purely sliding friction.
+const MANY: usize = 4;
+
+/// Arches of a weight that are asked together.
+pub(super) struct Asked<'a> {
+    width: Width,
+    weight: SelfWeight,
+    arches: &'a [LaneArch],
+    answers: Vec<Option<LaneAnswer>>,
+}
+
+impl<'a> Asked<'a> {
+    /// Answers to arches, in their order; `None` where nothing is proved.
+    pub(super) fn answers(
+        (width, weight): (Width, SelfWeight),
+        arches: &'a [LaneArch],
+    ) -> Vec<Option<LaneAnswer>> {
+        let answers = vec![None; arches.len()];
+        let mut asked = Self { width, weight, arches, answers };
+        asked.answer();
+        asked.answers
+    }
+
+    fn answer(&mut self) {
+        let (openings, opening_of) = self.openings();
+        let rotating = rotating::<false>((self.width, self.weight), &openings);
+        let sliding = self.sliding(&openings, &opening_of);
+        let (mut unlimited, mut falling, mut shoulder, mut inside) =
+            (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        for (row, &(alpha, friction)) in self.arches.iter().enumerate() {
+            if !HALF_OPENINGS.contains(&double(&alpha)) {
+                continue;
+            }
+            let rotating = &rotating[opening_of[row]];
+            let Some(mu) = friction else {
+                match rotating {
+                    Some(found) => self.stands(row, LaneState::rotating(found)),
+                    None => unlimited.push(row),
+                }
+                continue;
+            };
+            if let Some([sliding]) = &sliding[opening_of[row]]
+                && is_below(&mu, sliding)
+                && mu.is_positive().is_proved()
+            {
+                self.falls(row);
+                continue;
+            }
+            match rotating {
+                Some(found @ [.., at_shoulder, inside])
+                    if is_below(at_shoulder, &mu) && is_below(inside, &mu) =>
+                {
+                    self.stands(row, LaneState::rotating(found));
+                }
+                _ if start::seems_to_slide(double(&alpha), double(&mu)) => falling.push(row),
+                Some([.., at_shoulder, _]) if double(at_shoulder) > double(&mu) => {
+                    shoulder.push(row);
+                }
+                _ => inside.push(row),
+            }
+        }
+        self.slides_at_shoulder(&shoulder);
+        let count = falling.len();
+        falling.append(&mut inside);
+        self.slides_inside(&falling, count);
+        self.overturns(&unlimited);
+    }
+
+    /// Half openings that follow each other, and for each row its place among them.
+    fn openings(&self) -> (Vec<[DoubleDoubleBall; 1]>, Vec<usize>) {
+        let mut openings: Vec<[DoubleDoubleBall; 1]> = Vec::new();
+        let bits = |x: &DoubleDoubleBall| [x.mid().hi(), x.mid().lo(), x.rad()].map(f64::to_bits);
+        let place = |(alpha, _): &LaneArch| {
+            if openings.last().is_none_or(|[last]| bits(last) != bits(alpha)) {
+                openings.push([*alpha]);
+            }
+            openings.len() - 1
+        };
+        let places = self.arches.iter().map(place).collect();
+        (openings, places)
+    }
+
+    /// The purely sliding frictions of half openings that have many rows.
+    fn sliding(
+        &self,
+        openings: &[[DoubleDoubleBall; 1]],
+        opening_of: &[usize],
+    ) -> Vec<Option<[DoubleDoubleBall; 1]>> {
+        let mut counts = vec![0; openings.len()];
+        opening_of.iter().for_each(|opening| counts[*opening] += 1);
+        let mut asking = Asking::default();
+        let many =
+            openings.iter().zip(&counts).enumerate().filter(|(_, (_, count))| **count >= MANY);
+        many.for_each(|(place, (opening, _))| asking.push(place, *opening));
+        let mut all = vec![None; openings.len()];
+        let proof = Sliding(start::sliding());
+        asking.each(self.width, &proof, |place, _, found| all[place] = Some(found));
+        all
+    }
+
+    fn stands(&mut self, row: usize, state: LaneState) {
+        self.answers[row] = Some(LaneAnswer::Stands(state));
+    }
+
+    fn falls(&mut self, row: usize) {
+        self.answers[row] = Some(LaneAnswer::Falls);
+    }
+
+    /// The half opening and the friction of a row whose friction is limited.
+    fn given(&self, row: usize) -> [DoubleDoubleBall; 2] {
+        let (alpha, mu) = self.arches[row];
+        [alpha, mu.unwrap_or(DoubleDoubleBall::WHOLE)]
+    }
+
+    /// States in which the shoulder slides.
+    fn slides_at_shoulder(&mut self, rows: &[usize]) {
+        let given: Vec<_> = rows.iter().map(|row| self.given(*row)).collect();
+        let proof = Shoulder { weight: self.weight, table: start::shoulder(self.weight) };
+        for (row, found) in rows.iter().zip(self.width.prove(&proof, &given)) {
+            let Some([thickness, thrust, intrinsic_thrust, rotation_joint]) = found else {
+                continue;
+            };
+            let state = LaneState {
+                mode: Mode::SlidingRotational,
+                thickness,
+                thrust,
+                intrinsic_thrust,
+                rotation_joint,
+                sliding_joint: None,
+            };
+            self.stands(*row, state);
+        }
+    }
+
+    /// Rows in which an inner joint slides; of the first, friction seems to be too little.
+    fn slides_inside(&mut self, rows: &[usize], falling: usize) {
+        // What falls with more friction falls with less.
+        let least = DoubleDoubleBall::exact(DoubleDouble::exact(start::FRICTIONS[0]));
+        let friction = |(place, row): (usize, &usize)| {
+            let [_, mu] = self.given(*row);
+            let is_less = place < falling && mu.is_positive().is_proved() && is_below(&mu, &least);
+            [if is_less { least } else { mu }]
+        };
+        let frictions: Vec<_> = rows.iter().enumerate().map(friction).collect();
+        let steepest = self.width.prove(&Steepest(start::steepest()), &frictions);
+        let (mut fall, mut wide, mut crown, mut haunch) =
+            (Asking::default(), Asking::default(), Asking::default(), Asking::default());
+        for (place, (row, found)) in rows.iter().zip(steepest).enumerate() {
+            let Some([thrust, joint]) = found else { continue };
+            let ([alpha, _], [mu]) = (self.given(*row), frictions[place]);
+            let (opening, h) = (double(&alpha), double(&thrust));
+            match () {
+                () if place < falling => fall.push(*row, [alpha, mu, thrust]),
+                () if start::seems_too_wide(self.weight, opening, h) => {
+                    wide.push(*row, [alpha, thrust]);
+                }
+                () if start::plane(self.weight).at(opening, h) > 0.0 => {
+                    haunch.push(*row, [alpha, mu, thrust, joint]);
+                }
+                () => crown.push(*row, [alpha, mu, thrust, joint]),
+            }
+        }
+        let Self { weight, width, .. } = *self;
+        fall.each(width, &Falling, |row, _, [_]| self.falls(row));
+        wide.each(width, &TooWide { weight }, |row, _, [_]| self.falls(row));
+        crown.each(width, &Crown { weight, is_limited: true }, |row, given, found| {
+            let [_, _, thrust, joint] = given;
+            self.stands(row, at_crown(Mode::OverturningSliding, found, thrust, Some(joint)));
+        });
+        let plane = start::plane(weight);
+        haunch.each(width, &Inner { weight, plane }, |row, [_, _, thrust, slides], found| {
+            let [thickness, intrinsic_thrust, rotation_joint] = found;
+            let mode =
+                match (is_below(&slides, &rotation_joint), is_below(&rotation_joint, &slides)) {
+                    (true, _) => Mode::RotationalSliding,
+                    (_, true) => Mode::RotationalSlidingRotational,
+                    (false, false) => return,
+                };
+            let sliding_joint = Some(slides);
+            let state = LaneState {
+                mode,
+                thickness,
+                thrust,
+                intrinsic_thrust,
+                rotation_joint,
+                sliding_joint,
+            };
+            self.stands(row, state);
+        });
+    }
+
+    /// Rows of unlimited friction that do not rotate.
+    fn overturns(&mut self, rows: &[usize]) {
+        let (mut wide, mut crown) = (Asking::default(), Asking::default());
+        for &row in rows {
+            let (alpha, _) = self.arches[row];
+            let zero = zero();
+            match start::seems_too_wide(self.weight, double(&alpha), 0.0) {
+                true => wide.push(row, [alpha, zero]),
+                false => crown.push(row, overturning_at(alpha)),
+            }
+        }
+        let Self { weight, width, .. } = *self;
+        wide.each(width, &TooWide { weight }, |row, _, [_]| self.falls(row));
+        crown.each(width, &Crown { weight, is_limited: false }, |row, _, [thickness, _]| {
+            self.stands(row, at_crown(Mode::Overturning, [thickness, zero()], zero(), None));
+        });
+    }
+}
+
+/// A state that turns about the crown.
+fn at_crown(
+    mode: Mode,
+    [thickness, intrinsic_thrust]: [DoubleDoubleBall; 2],
+    thrust: DoubleDoubleBall,
+    sliding_joint: Option<DoubleDoubleBall>,
+) -> LaneState {
+    let rotation_joint = zero();
+    LaneState { mode, thickness, thrust, intrinsic_thrust, rotation_joint, sliding_joint }
+}
