@@ -26,8 +26,8 @@ impl Lanes {
         Self { weight, width: Width::widest() }
     }
 
-    /// Answers to arches, in their order; `None` where nothing is proved. Rows of one half opening that follow each other
-    /// share its proof. Any number may be asked: what makes no sense has no answer.
+    /// Answers to arches, in their order; `None` where nothing is proved. Rows of one half opening that follow each
+    /// other share its proof. Any number may be asked: what makes no sense has no answer.
     ///
     /// ```
     /// use couplet_check::arch::SelfWeight;

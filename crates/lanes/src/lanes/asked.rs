@@ -1,7 +1,7 @@
 //! Arches that are asked together, each proved by the proof of its mode.
 //!
-//! Candidates choose which proof an arch goes through; what is proved does not depend on that, as a state that is proved
-//! is the only one.
+//! Candidates choose which proof an arch goes through; what is proved does not depend on that, as a state that is
+//! proved is the only one.
 
 use super::answer::{LaneAnswer, LaneState};
 use super::asking::{Asking, double, is_below, overturning_at, zero};

@@ -3,9 +3,9 @@
 //! Both have the inclination `chi` of the force on the inner joint as the unknown, and the equations of
 //! [`cycloid`]. By (18) the friction angle grows with `chi`, and the thrust falls.
 //!
-//! **Too little friction.** Where the half opening is above the friction angle `phi`, `h - alpha cot(alpha - phi)` falls
-//! as `chi` grows: the thrust falls, and the cotangent grows with `phi`. So it is positive exactly below the purely
-//! sliding friction: there the least thrust that inner joints bear exceeds the largest that the shoulder bears.
+//! **Too little friction.** Where the half opening is above the friction angle `phi`, `h - alpha cot(alpha - phi)`
+//! falls as `chi` grows: the thrust falls, and the cotangent grows with `phi`. So it is positive exactly below the
+//! purely sliding friction: there the least thrust that inner joints bear exceeds the largest that the shoulder bears.
 
 use super::margins::are_positive;
 use super::piece::Proof;

@@ -55,7 +55,7 @@ impl<const N: usize> Table<N> {
 }
 
 /// The least half opening, rad: below it other equations keep their digits.
-pub(super) const LEAST: f64 = 0.125;
+pub(super) const LEAST: f64 = 0.0625;
 
 /// Half openings of rotation, rad; the last one is next to the end of rotation.
 #[inline(always)]

@@ -66,8 +66,8 @@ impl Width {
         Self::ALL.into_iter().rev().find(|width| width.is_here()).unwrap_or(Self::Any)
     }
 
-    /// Values that a proof finds for each of some rows, in their order; `None` where it proves nothing. Any number may be
-    /// given: what makes no sense has no proof.
+    /// Values that a proof finds for each of some rows, in their order; `None` where it proves nothing. Any number may
+    /// be given: what makes no sense has no proof.
     pub(super) fn prove<const IN: usize, const ANGLES: usize, const OUT: usize>(
         self,
         proof: &impl Proof<IN, ANGLES, OUT>,
