@@ -21,7 +21,7 @@ use std::ops::RangeInclusive;
 pub type LaneArch = (DoubleDoubleBall, Option<DoubleDoubleBall>);
 
 /// Half openings that are asked, rad: below the first other equations keep their digits, and the last is below pi.
-const HALF_OPENINGS: RangeInclusive<f64> = start::LEAST..=3.14;
+const HALF_OPENINGS: RangeInclusive<f64> = start::LEAST..=3.125;
 
 /// Rows of one half opening from which it pays to prove its purely sliding friction.
 const MANY: usize = 4;
