@@ -139,7 +139,7 @@ class _Question:
         answers = _Answers(np, kind.size, self.quantities)
         for role, there in present.items():
             answers.refuse(~there, f"the {role} is empty")
-        places = np.logical_and.reduce(list(present.values())).nonzero()[0] if present else kind.size
+        places = np.all(list(present.values()), axis=0).nonzero()[0] if present else kind.size
         keys = None if isinstance(cells[0], list) else cells[0]
         for here, told in in_pieces(np, keys, places, ask):
             answers.put(here, told)
