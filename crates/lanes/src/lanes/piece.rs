@@ -3,7 +3,8 @@
 use super::ball::LaneBall;
 use super::sine::Long;
 use crate::number::{
-    DoubleDouble, DoubleDoubleBall, DoubleDoubleBy, Enclosure, Product, SinePoint, SinePoints,
+    Dekker, DoubleDouble, DoubleDoubleBall, DoubleDoubleBy, Enclosure, Product, SinePoint,
+    SinePoints,
 };
 use std::array;
 
@@ -77,6 +78,21 @@ impl<const IN: usize, const OUT: usize> Piece<IN, OUT> {
                 column[2][place] = x.rad();
             }
         }
+    }
+
+    /// Tells whether what was found is what every processor finds, to the last bit.
+    pub(super) fn is_found_by_any<const ANGLES: usize>(
+        &self,
+        proof: &impl Proof<IN, ANGLES, OUT>,
+    ) -> bool {
+        let mut other = Self { given: self.given, ..Self::new() };
+        other.prove::<Dekker, ANGLES>(proof);
+        let bits = |piece: &Self| {
+            // What is not a number may be so in more than one way.
+            let bits = |x: &f64| if x.is_nan() { u64::MAX } else { x.to_bits() };
+            piece.found.iter().flatten().flatten().map(bits).collect::<Vec<u64>>()
+        };
+        bits(self) == bits(&other)
     }
 
     /// Values of the arch in a place, if they are proved.

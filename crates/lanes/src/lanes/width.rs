@@ -86,6 +86,7 @@ impl Width {
                 Self::Eight if self.is_here() => unsafe { prove_eight(&mut piece, proof) },
                 _ => piece.prove::<Dekker, ANGLES>(proof),
             }
+            debug_assert!(piece.is_found_by_any(proof), "{self:?} differs from any processor");
             all.extend((0..rows.len()).map(|place| piece.found(place)));
         }
         all
