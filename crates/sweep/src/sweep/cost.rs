@@ -1,8 +1,8 @@
-//! Number of rows that make a part: half a minute of work if the sweep has many, whatever the machine makes of it.
+//! Number of rows that make a part: at most half a minute of work if the sweep has many, on any machine of today.
 
 use crate::scene::{SweepArches, SweepPlan};
 
-/// Proofs of single arches that take half a minute: 15 µs each. A part has then 60 to 200 MB.
+/// Proofs of single arches that take half a minute one by one: 15 µs each. A part has then 60 to 200 MB.
 const PART: f64 = 2_000_000.0;
 /// A part of a short sweep takes a tenth of a second at least.
 const SMALLEST: f64 = 6_500.0;
