@@ -8,7 +8,7 @@ use couplet::certify::Refused;
 use couplet::certify::batch::{
     Batch, BatchArches, BatchColumns, DoubleArches, LaneArch, SharedOpening, Threads, grouped,
 };
-use couplet::number::{DoubleDoubleBall, ExactNumber};
+use couplet::number::ExactNumber;
 use couplet::problem::{Arch, Friction, Quantity};
 use couplet::sweep::parse;
 use couplet::sweep::rows::{ArchReader, Cells, Columns, Purpose, Role, Spelling};
@@ -63,8 +63,7 @@ pub(crate) fn table<'py>(
             (of_array(numbers), sides.collect::<Vec<u8>>())
         });
         let values = values.collect::<Vec<_>>();
-        let reasons = found.reasons.clone().into_iter().collect();
-        Ok((found.verdict_codes(), found.modes, values, reasons))
+        Ok((found.verdict_codes(), found.modes, values, found.reasons.into_iter().collect()))
     };
     let found = on_threads(py, threads, answer)?;
     let (verdicts, modes, values, reasons) =
@@ -270,9 +269,5 @@ impl BatchArches for ExactArches {
 
     fn arch(&self, row: usize) -> Result<Cow<'_, Arch>, String> {
         self.arches[row].as_ref().map(|(arch, _)| Cow::Borrowed(arch)).map_err(Clone::clone)
-    }
-
-    fn friction(&self, row: usize) -> Option<DoubleDoubleBall> {
-        SharedOpening::enclosed(self.arches[row].as_ref().ok()?.0.friction())
     }
 }

@@ -70,7 +70,8 @@ impl Lanes {
                 overturning.push(row, overturning_at(*alpha));
             }
         }
-        overturning.each(width, &Crown { weight, is_limited: false }, |row, _, [..]| {
+        let proof = || Crown { weight, is_limited: false };
+        overturning.each(width, proof, |row, _, [..]| {
             all[row].rotational = Some(FromFriction::Never);
         });
         all

@@ -85,9 +85,8 @@ impl<'a> Asked<'a> {
             }
         }
         self.slides_at_shoulder(&shoulder);
-        let count = falling.len();
-        falling.append(&mut inside);
-        self.slides_inside(&falling, count);
+        self.lack_friction(&falling);
+        self.slide_inside(&inside);
         self.overturns(&unlimited);
     }
 
@@ -118,8 +117,8 @@ impl<'a> Asked<'a> {
             openings.iter().zip(&counts).enumerate().filter(|(_, (_, count))| **count >= MANY);
         many.for_each(|(place, (opening, _))| asking.push(place, *opening));
         let mut all = vec![None; openings.len()];
-        let proof = Sliding(start::sliding());
-        asking.each(self.width, &proof, |place, _, found| all[place] = Some(found));
+        let proof = || Sliding(start::sliding());
+        asking.each(self.width, proof, |place, _, found| all[place] = Some(found));
         all
     }
 
@@ -139,78 +138,103 @@ impl<'a> Asked<'a> {
 
     /// States in which the shoulder slides.
     fn slides_at_shoulder(&mut self, rows: &[usize]) {
-        let given: Vec<_> = rows.iter().map(|row| self.given(*row)).collect();
-        let proof = Shoulder { weight: self.weight, table: start::shoulder(self.weight) };
-        for (row, found) in rows.iter().zip(self.width.prove(&proof, &given)) {
-            let Some([thickness, thrust, intrinsic_thrust, rotation_joint]) = found else {
-                continue;
-            };
-            let state = LaneState {
-                mode: Mode::SlidingRotational,
-                thickness,
-                thrust,
-                intrinsic_thrust,
-                rotation_joint,
-                sliding_joint: None,
-            };
-            self.stands(*row, state);
-        }
+        let Self { weight, width, .. } = *self;
+        let mut asking = Asking::default();
+        rows.iter().for_each(|row| asking.push(*row, self.given(*row)));
+        let proof = || Shoulder { weight, table: start::shoulder(weight) };
+        asking.each(width, proof, |row, _, found| {
+            let [thickness, thrust, intrinsic_thrust, rotation_joint] = found;
+            let (mode, sliding_joint) = (Mode::SlidingRotational, None);
+            self.stands(
+                row,
+                LaneState {
+                    mode,
+                    thickness,
+                    thrust,
+                    intrinsic_thrust,
+                    rotation_joint,
+                    sliding_joint,
+                },
+            );
+        });
     }
 
-    /// Rows in which an inner joint slides; of the first, friction seems to be too little.
-    fn slides_inside(&mut self, rows: &[usize], falling: usize) {
+    /// Rows with their half openings, frictions, and the thrusts and joints at which an inner joint slides.
+    fn with_steepest(&self, given: &[(usize, [DoubleDoubleBall; 2])]) -> Asking<4> {
+        let mut asking = Asking::default();
+        given.iter().enumerate().for_each(|(place, (_, [_, mu]))| asking.push(place, [*mu]));
+        let mut all = Asking::default();
+        asking.each(
+            self.width,
+            || Steepest(start::steepest()),
+            |place, [mu], [thrust, joint]| {
+                let (row, [alpha, _]) = given[place];
+                all.push(row, [alpha, mu, thrust, joint]);
+            },
+        );
+        all
+    }
+
+    /// Rows whose friction seems to be too little.
+    fn lack_friction(&mut self, rows: &[usize]) {
         // What falls with more friction falls with less.
         let least = DoubleDoubleBall::exact(DoubleDouble::exact(start::FRICTIONS[0]));
-        let friction = |(place, row): (usize, &usize)| {
-            let [_, mu] = self.given(*row);
-            let is_less = place < falling && mu.is_positive().is_proved() && is_below(&mu, &least);
-            [if is_less { least } else { mu }]
+        let given = |row: &usize| {
+            let [alpha, mu] = self.given(*row);
+            let is_less = mu.is_positive().is_proved() && is_below(&mu, &least);
+            (*row, [alpha, if is_less { least } else { mu }])
         };
-        let frictions: Vec<_> = rows.iter().enumerate().map(friction).collect();
-        let steepest = self.width.prove(&Steepest(start::steepest()), &frictions);
-        let (mut fall, mut wide, mut crown, mut haunch) =
-            (Asking::default(), Asking::default(), Asking::default(), Asking::default());
-        for (place, (row, found)) in rows.iter().zip(steepest).enumerate() {
-            let Some([thrust, joint]) = found else { continue };
-            let ([alpha, _], [mu]) = (self.given(*row), frictions[place]);
+        let given: Vec<_> = rows.iter().map(given).collect();
+        let mut asking = Asking::default();
+        for (row, [alpha, mu, thrust, _]) in self.with_steepest(&given).into_rows() {
+            asking.push(row, [alpha, mu, thrust]);
+        }
+        asking.each(self.width, || Falling, |row, _, [_]| self.falls(row));
+    }
+
+    /// Rows in which an inner joint seems to slide.
+    fn slide_inside(&mut self, rows: &[usize]) {
+        let Self { weight, width, .. } = *self;
+        let given: Vec<_> = rows.iter().map(|row| (*row, self.given(*row))).collect();
+        let (mut wide, mut crown, mut haunch) =
+            (Asking::default(), Asking::default(), Asking::default());
+        for (row, given) in self.with_steepest(&given).into_rows() {
+            let [alpha, _, thrust, _] = given;
             let (opening, h) = (double(&alpha), double(&thrust));
-            match () {
-                () if place < falling => fall.push(*row, [alpha, mu, thrust]),
-                () if start::seems_too_wide(self.weight, opening, h) => {
-                    wide.push(*row, [alpha, thrust]);
-                }
-                () if start::plane(self.weight).at(opening, h) > 0.0 => {
-                    haunch.push(*row, [alpha, mu, thrust, joint]);
-                }
-                () => crown.push(*row, [alpha, mu, thrust, joint]),
+            if start::seems_too_wide(weight, opening, h) {
+                wide.push(row, [alpha, thrust]);
+            } else if start::plane(weight).at(opening, h) > 0.0 {
+                haunch.push(row, given);
+            } else {
+                crown.push(row, given);
             }
         }
-        let Self { weight, width, .. } = *self;
-        fall.each(width, &Falling, |row, _, [_]| self.falls(row));
-        wide.each(width, &TooWide { weight }, |row, _, [_]| self.falls(row));
-        crown.each(width, &Crown { weight, is_limited: true }, |row, given, found| {
-            let [_, _, thrust, joint] = given;
+        wide.each(width, || TooWide { weight }, |row, _, [_]| self.falls(row));
+        let proof = || Crown { weight, is_limited: true };
+        crown.each(width, proof, |row, [_, _, thrust, joint], found| {
             self.stands(row, at_crown(Mode::OverturningSliding, found, thrust, Some(joint)));
         });
-        let plane = start::plane(weight);
-        haunch.each(width, &Inner { weight, plane }, |row, [_, _, thrust, slides], found| {
+        let proof = || Inner { weight, plane: start::plane(weight) };
+        haunch.each(width, proof, |row, [_, _, thrust, slides], found| {
             let [thickness, intrinsic_thrust, rotation_joint] = found;
-            let mode =
-                match (is_below(&slides, &rotation_joint), is_below(&rotation_joint, &slides)) {
-                    (true, _) => Mode::RotationalSliding,
-                    (_, true) => Mode::RotationalSlidingRotational,
-                    (false, false) => return,
-                };
-            let sliding_joint = Some(slides);
-            let state = LaneState {
-                mode,
-                thickness,
-                thrust,
-                intrinsic_thrust,
-                rotation_joint,
-                sliding_joint,
+            let is_above = is_below(&slides, &rotation_joint);
+            let mode = match (is_above, is_below(&rotation_joint, &slides)) {
+                (true, _) => Mode::RotationalSliding,
+                (_, true) => Mode::RotationalSlidingRotational,
+                (false, false) => return,
             };
-            self.stands(row, state);
+            let sliding_joint = Some(slides);
+            self.stands(
+                row,
+                LaneState {
+                    mode,
+                    thickness,
+                    thrust,
+                    intrinsic_thrust,
+                    rotation_joint,
+                    sliding_joint,
+                },
+            );
         });
     }
 
@@ -226,8 +250,9 @@ impl<'a> Asked<'a> {
             }
         }
         let Self { weight, width, .. } = *self;
-        wide.each(width, &TooWide { weight }, |row, _, [_]| self.falls(row));
-        crown.each(width, &Crown { weight, is_limited: false }, |row, _, [thickness, _]| {
+        wide.each(width, || TooWide { weight }, |row, _, [_]| self.falls(row));
+        let proof = || Crown { weight, is_limited: false };
+        crown.each(width, proof, |row, _, [thickness, _]| {
             self.stands(row, at_crown(Mode::Overturning, [thickness, zero()], zero(), None));
         });
     }

@@ -23,14 +23,23 @@ impl<const IN: usize> Asking<IN> {
         self.given.push(given);
     }
 
-    /// Tells of each row of which something is proved what is given and what is found.
-    pub(super) fn each<const ANGLES: usize, const OUT: usize>(
+    /// The rows, with what is given of each.
+    pub(super) fn into_rows(self) -> impl Iterator<Item = (usize, [DoubleDoubleBall; IN])> {
+        self.rows.into_iter().zip(self.given)
+    }
+
+    /// Tells the rows of which something is proved, with what is given and found of each. A proof that no row asks for is
+    /// not made, nor are its tables.
+    pub(super) fn each<const ANGLES: usize, const OUT: usize, P: Proof<IN, ANGLES, OUT>>(
         &self,
         width: Width,
-        proof: &impl Proof<IN, ANGLES, OUT>,
+        proof: impl FnOnce() -> P,
         mut tell: impl FnMut(usize, [DoubleDoubleBall; IN], [DoubleDoubleBall; OUT]),
     ) {
-        let found = width.prove(proof, &self.given);
+        if self.rows.is_empty() {
+            return;
+        }
+        let found = width.prove(&proof(), &self.given);
         for ((row, given), found) in self.rows.iter().zip(&self.given).zip(found) {
             if let Some(found) = found {
                 tell(*row, *given, found);

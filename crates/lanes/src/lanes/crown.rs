@@ -6,7 +6,7 @@
 //! B = A + h (1 + cos(alpha))/(1 - cos(alpha)),   C = 1 + h - A,   eta = 4 C/(B + √(B² - delta_M 4 C/3))
 //! ```
 
-use super::margins::{Thinnest, are_positive, of_state, zero};
+use super::margins::{Thinnest, are_positive, in_doubles, of_state};
 use super::piece::Proof;
 use super::root::known_if;
 use super::sine::{Long, Short, Sine, around};
@@ -67,14 +67,9 @@ impl Proof<4, 1, 2> for Crown {
             SelfWeight::Milankovitch => (b.square() - four_c / c.int(3)).root(),
         };
         let thickness = four_c / (b + root);
-        let at = Configuration {
-            half_opening: around(&half_opening, 0.0),
-            sliding_joint: Angle { rad: slides.in_doubles(), ..Angle::zero(&zero()) },
-            thickness: thickness.in_doubles(),
-            thrust: thrust.in_doubles(),
-            friction: friction.in_doubles(),
-            ..Configuration::zero(&zero())
-        };
+        let crown = Angle::zero(&Short::exact(0.0));
+        let mut at = in_doubles(&half_opening, [&thickness, &thrust, &friction], crown);
+        at.sliding_joint.rad = slides.in_doubles();
         let rates = contact::rates_of_inner_sliding(&at);
         let [normal, thin, thick, h, rest]: [Short; 5] = of_state(&at);
         let thinnest = Thinnest::new(weight, &at, &rates);
@@ -109,7 +104,7 @@ impl Proof<2, 1, 1> for TooWide {
         let at = Configuration {
             half_opening: around(&alpha.angle(&at_alpha), 0.0),
             thrust: thrust.in_doubles(),
-            ..Configuration::zero(&zero())
+            ..Configuration::zero(&Short::exact(0.0))
         };
         let margin = contact::margin_at_physical_limit(self.weight, &at);
         [known_if(are_positive(&[-margin]), alpha)]

@@ -3,10 +3,10 @@
 //! With that thrust, (3) and (5) have one thickness at each joint, whatever the weight: [`thrust::touched_below`].
 //! What (5) leaves with the weight is one equation in the joint.
 
-use super::margins::{Thinnest, are_positive, of_haunch, of_state, zero};
+use super::margins::{Thinnest, are_positive, in_doubles, of_haunch, of_state};
 use super::piece::Proof;
 use super::root::{Equation, known_if, newton, root};
-use super::sine::{Long, Sine, around};
+use super::sine::{Long, Sine};
 use super::start::Plane;
 use crate::arch::contact::{self, Rates};
 use crate::arch::{Configuration, Ring, SelfWeight, sliding, thrust};
@@ -78,18 +78,11 @@ impl Proof<4, 2, 3> for Inner<'_> {
     ) -> [Long<P>; 3] {
         let Self { weight, .. } = *self;
         let half_opening = alpha.angle(&at_alpha);
-        let short = around(&half_opening, 0.0);
-        let found = root(&OfJoint { weight, half_opening, thrust }, (joint, &at_joint), 1);
-        let [thickness] = found.values;
-        let at = Configuration {
-            half_opening: short,
-            rotation_joint: found.domain,
-            sliding_joint: Angle { rad: slides.in_doubles(), ..Angle::zero(&zero()) },
-            thickness: thickness.in_doubles(),
-            thrust: thrust.in_doubles(),
-            friction: friction.in_doubles(),
-            ..Configuration::zero(&zero())
-        };
+        let equation = OfJoint { weight, half_opening, thrust };
+        let found = root(&equation, (joint, &at_joint), 1);
+        let ([thickness], half_opening) = (found.values, &equation.half_opening);
+        let mut at = in_doubles(half_opening, [&thickness, &thrust, &friction], found.domain);
+        at.sliding_joint.rad = slides.in_doubles();
         let rates = contact::rates_of_inner_sliding(&at);
         let is_proved = found.is_proved
             & are_positive(&of_state(&at))

@@ -1,8 +1,7 @@
 //! Signs that make a root the state at the least thickness: those of
 //! [`Condition::of`](couplet_check::problem::Condition::of), which [`contact`] has the lemma for.
 
-use super::ball::LaneBall;
-use super::sine::{Short, Sine};
+use super::sine::{Long, Short, Sine, around};
 use crate::arch::contact::{self, Rates};
 use crate::arch::{Configuration, Quotient, SelfWeight, sliding, statics};
 use crate::number::{Angle, Field, Product, SinePoint};
@@ -11,6 +10,24 @@ use crate::number::{Angle, Field, Product, SinePoint};
 #[inline(always)]
 pub(super) fn are_positive<const N: usize>(all: &[Short; N]) -> bool {
     all.iter().fold(true, |are, x| are & x.is_positive())
+}
+
+/// A state in doubles, in which signs are decided: its half opening, thickness, thrust and friction, and the box of the
+/// rotational joint; the sliding joint is at the crown.
+#[inline(always)]
+pub(super) fn in_doubles<P: Product>(
+    half_opening: &Angle<Long<P>>,
+    [thickness, thrust, friction]: [&Long<P>; 3],
+    rotation_joint: Angle<Short>,
+) -> Configuration<Short> {
+    Configuration {
+        half_opening: around(half_opening, 0.0),
+        rotation_joint,
+        thickness: thickness.in_doubles(),
+        thrust: thrust.in_doubles(),
+        friction: friction.in_doubles(),
+        ..Configuration::zero(&Short::exact(0.0))
+    }
 }
 
 /// Margins of every state that has a thrust.
@@ -88,12 +105,6 @@ pub(super) fn steepest<P: Product, T: Sine<P>>(
     let joint = ((thrust.int(1) - thrust) * thrust).root().angle(point);
     let friction = sliding::inner(&joint, thrust);
     (joint, friction)
-}
-
-/// Zero.
-#[inline(always)]
-pub(super) fn zero() -> Short {
-    LaneBall::exact(0.0)
 }
 
 #[cfg(test)]

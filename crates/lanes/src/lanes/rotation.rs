@@ -5,10 +5,10 @@
 //! rest is that the moment is the one of the weight, `fac_M(eta)`: with it (4) has the thrust `h` too. That is one
 //! equation `F(beta) = 0`, and where it holds, (2), (4) and (5) do. A test has this in exact arithmetic.
 
-use super::margins::{Thinnest, are_positive, of_haunch, of_state, steepest, zero};
+use super::margins::{Thinnest, are_positive, in_doubles, of_haunch, of_state, steepest};
 use super::piece::Proof;
 use super::root::{Equation, is_within, known_if, root};
-use super::sine::{Long, Sine, around};
+use super::sine::{Long, Sine};
 use super::start::{self, Table, rotates};
 use super::width::Width;
 use crate::arch::contact::{self, Rates};
@@ -94,13 +94,8 @@ impl<const EXACTLY: bool> Proof<1, 3, 6> for Rotation<'_, EXACTLY> {
         let opening_variable = thrust::opening_variable(&half_opening).value();
         let found = root(&OfJoint { weight, opening_variable }, (joint, &at_joint), 2);
         let [thickness, thrust] = found.values;
-        let at = Configuration {
-            half_opening: around(&half_opening, 0.0),
-            rotation_joint: found.domain,
-            thickness: thickness.in_doubles(),
-            thrust: thrust.in_doubles(),
-            ..Configuration::zero(&zero())
-        };
+        let unlimited = Long::<P>::exact(f64::INFINITY);
+        let at = in_doubles(&half_opening, [&thickness, &thrust, &unlimited], found.domain);
         let rates = contact::rates_of_rotation(&at);
         let (steepest, frictions) = match EXACTLY {
             true => {

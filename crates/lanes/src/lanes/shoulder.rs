@@ -3,10 +3,10 @@
 //! (17) has the thrust. With it, (2) and (5) have one thickness at each joint, whatever the weight:
 //! [`thrust::touched`]. What (5) leaves with the weight is one equation in the joint.
 
-use super::margins::{Thinnest, are_positive, of_haunch, of_state, steepest, zero};
+use super::margins::{Thinnest, are_positive, in_doubles, of_haunch, of_state, steepest};
 use super::piece::Proof;
 use super::root::{Equation, is_within, known_if, root};
-use super::sine::{Long, Sine, around};
+use super::sine::{Long, Sine};
 use super::start::{THRUSTS, Table};
 use crate::arch::contact::{self, Rates};
 use crate::arch::{Configuration, Ring, SelfWeight, sliding, thrust};
@@ -77,14 +77,7 @@ impl Proof<2, 3, 4> for Shoulder<'_> {
         let thrust = sliding::shoulder_thrust(&half_opening, &friction).value();
         let found = root(&OfJoint { weight, thrust }, (joint, &at_joint), 2);
         let [thickness] = found.values;
-        let at = Configuration {
-            half_opening: around(&half_opening, 0.0),
-            rotation_joint: found.domain,
-            thickness: thickness.in_doubles(),
-            thrust: thrust.in_doubles(),
-            friction: friction.in_doubles(),
-            ..Configuration::zero(&zero())
-        };
+        let at = in_doubles(&half_opening, [&thickness, &thrust, &friction], found.domain);
         let rates = contact::rates_of_shoulder_sliding(&at);
         let (steepest, inner) = steepest::<P, _>(&at.thrust, &at_steepest);
         let is_proved = found.is_proved

@@ -4,7 +4,7 @@ use crate::scene::{SweepArches, SweepPlan};
 
 /// Proofs of single arches that take half a minute one by one: 15 µs each. A part has then 60 to 200 MB.
 const PART: f64 = 2_000_000.0;
-/// A part of a short sweep takes a tenth of a second at least.
+/// A part of a short sweep takes a tenth of a second at least, one by one.
 const SMALLEST: f64 = 6_500.0;
 /// Parts that a sweep is divided among, until they are as large as parts are.
 const PARTS: f64 = 64.0;

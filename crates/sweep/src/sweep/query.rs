@@ -117,15 +117,6 @@ impl BatchArches for PartQueries<'_> {
             }
         }
     }
-
-    fn friction(&self, row: usize) -> Option<DoubleDoubleBall> {
-        match &self.arches {
-            PartArches::Grid(grid) => grid.enclosed[row % grid.enclosed.len()],
-            PartArches::Listed(listed) => {
-                SharedOpening::enclosed(listed.arches[row].as_ref().ok()?.friction())
-            }
-        }
-    }
 }
 
 impl Listed {

@@ -2,7 +2,6 @@
 
 use crate::arch::SelfWeight;
 use crate::lanes::LaneArch;
-use crate::number::DoubleDoubleBall;
 use crate::problem::Arch;
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -23,9 +22,6 @@ pub trait BatchArches: Sync {
 
     /// The arch of a row, or why there is none.
     fn arch(&self, row: usize) -> Result<Cow<'_, Arch>, String>;
-
-    /// The friction of a row in an enclosure, where it is positive and limited.
-    fn friction(&self, row: usize) -> Option<DoubleDoubleBall>;
 }
 
 /// Some rows by their keys; each row without a key is by itself.

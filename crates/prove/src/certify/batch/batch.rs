@@ -110,7 +110,8 @@ impl Batch {
         let quick = opening.filter(|_| !self.has_frictions());
         let mut last: Option<(&Answer, Arc<BatchRow>)> = None;
         let row = |&row: &usize| {
-            let shared = quick.and_then(|opening| opening.shared(&arches.friction(row)?));
+            let friction = || arches.in_lanes(row)?.1.1;
+            let shared = quick.and_then(|opening| opening.shared(&friction()?));
             let Some(answer) = shared else {
                 return Arc::new(self.alone(arches.arch(row), opening));
             };

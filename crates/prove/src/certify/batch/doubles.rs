@@ -5,7 +5,6 @@
 use super::arches::{BatchArches, Threads, grouped};
 use super::batch::Batch;
 use super::columns::BatchColumns;
-use super::opening::SharedOpening;
 use super::row::BatchRow;
 use crate::arch::SelfWeight;
 use crate::lanes::LaneArch;
@@ -145,10 +144,6 @@ impl BatchArches for DoubleArches<'_> {
         };
         let arch = Arch::new(self.weight, exact(self.half_openings[row])?, friction);
         arch.map(Cow::Owned).map_err(|error| error.to_string())
-    }
-
-    fn friction(&self, row: usize) -> Option<DoubleDoubleBall> {
-        SharedOpening::enclosed_double(self.frictions[row])
     }
 }
 

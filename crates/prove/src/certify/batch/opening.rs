@@ -13,7 +13,7 @@ use crate::certify::state::{
     critical_frictions, is_quick,
 };
 use crate::lanes::LaneArch;
-use crate::number::{DoubleDouble, DoubleDoubleBall, Enclosure, ExactNumber, Real};
+use crate::number::{DoubleDoubleBall, Enclosure, ExactNumber, Real};
 use crate::problem::{Arch, Friction};
 use crate::prover::{Error, Refused};
 use std::borrow::Cow;
@@ -171,13 +171,6 @@ impl SharedOpening {
         half_opening.enclosure(DOUBLE_DOUBLE)
     }
 
-    /// A friction that is a double, as openings compare it with their own; none says nothing.
-    pub(super) fn enclosed_double(friction: f64) -> Option<DoubleDoubleBall> {
-        // Far below that their parts would be out of range.
-        let is_ordinary = (1e-100..1e100).contains(&friction);
-        is_ordinary.then(|| DoubleDoubleBall::exact(DoubleDouble::exact(friction)))
-    }
-
     /// Answer without frictions to the arch of a friction, if it needs no proof of its own: much quicker. None says
     /// nothing.
     pub(super) fn shared(&self, friction: &DoubleDoubleBall) -> Option<&Answer> {
@@ -206,10 +199,10 @@ fn kept<T>(place: &OnceLock<T>, proved: impl FnOnce() -> T) -> &T {
 mod tests {
     use super::*;
     use crate::certify::state::Certify;
-    use crate::number::Rounded;
+    use crate::number::{DoubleDouble, Rounded};
 
     fn shared_at(opening: &SharedOpening, friction: f64) -> Option<&Answer> {
-        opening.shared(&SharedOpening::enclosed_double(friction)?)
+        opening.shared(&DoubleDoubleBall::exact(DoubleDouble::exact(friction)))
     }
 
     fn equal_figures(alone: &Figure, found: &Figure, of: &str) {
