@@ -28,8 +28,8 @@ impl<const IN: usize> Asking<IN> {
         self.rows.into_iter().zip(self.given)
     }
 
-    /// Tells the rows of which something is proved, with what is given and found of each. A proof that no row asks for is
-    /// not made, nor are its tables.
+    /// Tells the rows of which something is proved, with what is given and found of each. A proof that no row asks for
+    /// is not made, nor are its tables.
     pub(super) fn each<const ANGLES: usize, const OUT: usize, P: Proof<IN, ANGLES, OUT>>(
         &self,
         width: Width,
