@@ -9,9 +9,9 @@
 
     - If  |I - Y F'(x)| <= q < 1  in the wide box, [T] shrinks distances there by the factor [q], so two
       roots of [F] in the wide box are at distance 0: there is **at most one**.
-    - If besides  |Y F(c)| <= (1 - q) eps,  the iterates of [T] from [c] never leave the box
-      |x - c| <= eps,  and each step is shorter than the last by [q], so they converge, and to a fixed
-      point: there is **one**, and it lies in the small box.
+    - If besides [T] maps the box  |x - c| <= eps  into itself, the iterates of [T] from [c] never leave it,
+      and each step is shorter than the last by [q], so they converge, and to a fixed point: there is
+      **one**, and it lies in the small box.  That is so if  |Y F(c)| <= (1 - q) eps.
 
     This is Banach's theorem, proved here for the norm at hand.  The interest of the form is that one
     bound on the derivative serves a small box and a wide one: the first gives digits, the second says
@@ -52,6 +52,9 @@ Proof.
 Qed.
 
 Lemma sum_minus n f g : sum n (fun i => f i - g i) = sum n f - sum n g.
+Proof. induction n as [| n IH]; simpl; [| rewrite IH]; lra. Qed.
+
+Lemma sum_plus n f g : sum n (fun i => f i + g i) = sum n f + sum n g.
 Proof. induction n as [| n IH]; simpl; [| rewrite IH]; lra. Qed.
 
 Lemma sum_mult n a f : sum n (fun i => a * f i) = a * sum n f.
@@ -145,7 +148,7 @@ Hypothesis factor : 0 <= q < 1.
 Hypothesis scale : 0 <= eps <= 1.
 Hypothesis shrinks : forall d x y, 0 <= d ->
   within 1 x c -> within 1 y c -> within d x y -> within (q * d) (T x) (T y).
-Hypothesis starts : within ((1 - q) * eps) (T c) c.
+Hypothesis stays : forall x, within eps x c -> within eps (T x) c.
 
 Lemma power_between k : 0 <= q ^ k <= 1.
 Proof.
@@ -180,23 +183,9 @@ Fixpoint iterate (k : nat) : point :=
   | S m => T (iterate m)
   end.
 
-(** The iterates stay in the small box: after [k] steps they are at most [(1 - q^k) eps] away. *)
+(** The iterates stay in the small box. *)
 Lemma iterate_stays k : within eps (iterate k) c.
-Proof.
-  apply within_le with ((1 - q ^ k) * eps).
-  { pose proof (power_between k).
-    rewrite <- (Rmult_1_l eps) at 2. apply Rmult_le_compat_r; lra. }
-  induction k as [| k IH].
-  - apply within_self. simpl. lra.
-  - replace ((1 - q ^ S k) * eps) with (q * ((1 - q ^ k) * eps) + (1 - q) * eps)
-      by (simpl; ring).
-    apply within_trans with (T c); [| exact starts].
-    assert (0 <= (1 - q ^ k) * eps <= 1).
-    { pose proof (power_between k). split; [apply Rmult_le_pos; lra |].
-      apply Rle_trans with (1 * eps); [apply Rmult_le_compat_r; lra | lra]. }
-    apply shrinks; [lra | | apply within_self; lra | exact IH].
-    apply within_le with ((1 - q ^ k) * eps); [lra | exact IH].
-Qed.
+Proof. induction k as [| k IH]; [apply within_self; lra | now apply stays]. Qed.
 
 Lemma iterate_in_wide_box k : within 1 (iterate k) c.
 Proof. apply within_le with eps; [lra | apply iterate_stays]. Qed.
@@ -266,7 +255,7 @@ End Banach.
 Section System.
 
 Variables (n : nat) (F : nat -> point -> R) (J : nat -> nat -> point -> R).
-Variables (Y : nat -> nat -> R) (c r : point) (q eps : R).
+Variables (Y C : nat -> nat -> R) (c r : point) (q eps : R).
 
 Notation box d x := (within n r d x c).
 Notation along x u t := (fun i : nat => x i + t * u i).
@@ -280,13 +269,14 @@ Hypothesis derivatives : forall j, (j < n)%nat -> forall (x u : point) (t : R),
   box 1 (along x u t) ->
   is_derive (fun s => F j (along x u s)) t (sum n (fun k => J j k (along x u t) * u k)).
 
-(** |I - Y J| <= q in the wide box, row by row. *)
-Hypothesis contracts : forall x, box 1 x -> forall i, (i < n)%nat ->
-  sum n (fun k => Rabs (unit_entry i k - sum n (fun j => Y i j * J j k x)) * r k) <= q * r i.
+(** |I - Y J| <= C in the wide box, entry by entry, and C <= q, row by row. *)
+Hypothesis bounded : forall x, box 1 x -> forall i k, (i < n)%nat -> (k < n)%nat ->
+  Rabs (unit_entry i k - sum n (fun j => Y i j * J j k x)) <= C i k.
+Hypothesis contracts : forall i, (i < n)%nat -> sum n (fun k => C i k * r k) <= q * r i.
 
-(** |Y F(c)| <= (1 - q) eps. *)
+(** C + |Y F(c)| <= 1 in the small box: it is mapped into itself. *)
 Hypothesis starts : forall i, (i < n)%nat ->
-  Rabs (sum n (fun j => Y i j * F j c)) <= (1 - q) * eps * r i.
+  eps * sum n (fun k => C i k * r k) + Rabs (sum n (fun j => Y i j * F j c)) <= eps * r i.
 
 (** [Y] is regular. *)
 Hypothesis regular : forall v : point,
@@ -348,11 +338,11 @@ Proof.
   apply Rplus_le_compat; apply Rmult_le_compat_l; lra.
 Qed.
 
-(** By the mean value theorem along the line from [y] to [x], [T] shrinks distances. *)
-Lemma step_shrinks d x y : 0 <= d -> box 1 x -> box 1 y ->
-  within n r d x y -> within n r (q * d) (step x) (step y).
+(** How far [T] moves two points apart, by the mean value theorem along the line from [y] to [x]. *)
+Lemma step_moves d x y i : 0 <= d -> box 1 x -> box 1 y -> within n r d x y -> (i < n)%nat ->
+  Rabs (step x i - step y i) <= d * sum n (fun k => C i k * r k).
 Proof.
-  intros Hd Hx Hy Hxy i Hi.
+  intros Hd Hx Hy Hxy Hi.
   set (u := fun i => x i - y i).
   set (g := fun s => step (along y u s) i).
   set (g' := fun t =>
@@ -371,28 +361,40 @@ Proof.
     assert (at_y : along y u 0 = y)
       by (apply functional_extensionality; intros k; unfold u; ring).
     unfold g in Hg. rewrite at_x, at_y in Hg. rewrite Hg. ring. }
-  rewrite ends. unfold g'. eapply Rle_trans; [apply Rabs_sum |].
-  apply Rle_trans with (sum n (fun k =>
-    d * (Rabs (unit_entry i k - sum n (fun j => Y i j * J j k (along y u t))) * r k))).
-  - apply sum_le. intros k Hk. rewrite Rabs_mult.
-    specialize (Hxy k Hk). fold (u k) in Hxy.
-    rewrite <- Rmult_assoc, (Rmult_comm d), Rmult_assoc.
-    apply Rmult_le_compat_l; [apply Rabs_pos | exact Hxy].
-  - rewrite sum_mult. replace (q * d * r i) with (d * (q * r i)) by ring.
-    apply Rmult_le_compat_l; [easy |]. apply contracts; [| easy].
-    apply between_in_box; [easy | easy | lra].
+  rewrite ends, <- sum_mult. unfold g'. eapply Rle_trans; [apply Rabs_sum |].
+  apply sum_le. intros k Hk. rewrite Rabs_mult.
+  specialize (Hxy k Hk). fold (u k) in Hxy.
+  assert (Hb := bounded (along y u t) ltac:(apply between_in_box; [easy | easy | lra]) i k Hi Hk).
+  replace (d * (C i k * r k)) with (C i k * (d * r k)) by ring.
+  apply Rmult_le_compat; [apply Rabs_pos | apply Rabs_pos | exact Hb | exact Hxy].
+Qed.
+
+Lemma step_shrinks d x y : 0 <= d -> box 1 x -> box 1 y ->
+  within n r d x y -> within n r (q * d) (step x) (step y).
+Proof.
+  intros Hd Hx Hy Hxy i Hi. eapply Rle_trans; [now apply (step_moves d) |].
+  replace (q * d * r i) with (d * (q * r i)) by ring.
+  apply Rmult_le_compat_l; [easy | now apply contracts].
+Qed.
+
+Lemma step_stays x : box eps x -> box eps (step x).
+Proof.
+  intros Hx i Hi.
+  assert (centre : box 1 c) by (apply (within_self n r radii); lra).
+  assert (wide : box 1 x) by (apply (within_le n r radii eps); [lra | exact Hx]).
+  replace (step x i - c i) with ((step x i - step c i) - sum n (fun j => Y i j * F j c))
+    by (unfold step; ring).
+  eapply Rle_trans; [apply Rabs_triang |]. rewrite Rabs_Ropp.
+  eapply Rle_trans; [| now apply starts]. apply Rplus_le_compat_r.
+  now apply step_moves.
 Qed.
 
 Theorem one_root_in_box :
   exists x, box eps x /\ solves x /\
     (forall y, box 1 y -> solves y -> forall i, (i < n)%nat -> y i = x i).
 Proof.
-  assert (first : within n r ((1 - q) * eps) (step c) c).
-  { intros i Hi. unfold step.
-    replace (c i - sum n (fun j => Y i j * F j c) - c i)
-      with (- sum n (fun j => Y i j * F j c)) by ring.
-    rewrite Rabs_Ropp. now apply starts. }
-  destruct (fixed_point n r radii c q eps step factor scale step_shrinks first) as [Hbox Hfixed].
+  destruct (fixed_point n r radii c q eps step factor scale step_shrinks step_stays)
+    as [Hbox Hfixed].
   exists (limit c step). split; [exact Hbox | split; [now apply solves_if_fixed |]].
   intros y Hy Hsolves.
   apply (fixed_point_unique n r c q step factor step_shrinks);
@@ -442,11 +444,14 @@ Hypothesis starts : forall i, (i < n)%nat ->
 Hypothesis regular : forall j, (j < n)%nat ->
   sum n (fun k => Rabs (unit_entry j k - sum n (fun i => M j i * Y i k))) <= 1 / 2.
 
-Lemma contracts_everywhere x : box 1 x -> forall i, (i < n)%nat ->
-  sum n (fun k => Rabs (unit_entry i k - sum n (fun j => Y i j * J j k x)) * r k) <= q * r i.
+(** [C] of the theorem above. *)
+Definition moved (i k : nat) : R :=
+  Rabs (unit_entry i k - sum n (fun j => Y i j * M j k)) + sum n (fun j => Rabs (Y i j) * D j k).
+
+Lemma bounded_everywhere x : box 1 x -> forall i k, (i < n)%nat -> (k < n)%nat ->
+  Rabs (unit_entry i k - sum n (fun j => Y i j * J j k x)) <= moved i k.
 Proof.
-  intros Hx i Hi. eapply Rle_trans; [| now apply contracts].
-  apply sum_le. intros k Hk. apply Rmult_le_compat_r; [now apply Rlt_le, radii |].
+  intros Hx i k Hi Hk.
   replace (unit_entry i k - sum n (fun j => Y i j * J j k x))
     with ((unit_entry i k - sum n (fun j => Y i j * M j k))
           - sum n (fun j => Y i j * (J j k x - M j k)))
@@ -460,11 +465,16 @@ Proof.
 Qed.
 
 Lemma starts_near i : (i < n)%nat ->
-  Rabs (sum n (fun j => Y i j * F j c)) <= (1 - q) * eps * r i.
+  eps * sum n (fun k => moved i k * r k) + Rabs (sum n (fun j => Y i j * F j c)) <= eps * r i.
 Proof.
-  intros Hi. eapply Rle_trans; [| now apply starts].
-  eapply Rle_trans; [apply Rabs_sum |]. apply sum_le. intros j Hj. rewrite Rabs_mult.
-  apply Rmult_le_compat_l; [apply Rabs_pos | now apply residuals].
+  intros Hi.
+  assert (near : Rabs (sum n (fun j => Y i j * F j c)) <= (1 - q) * eps * r i).
+  { eapply Rle_trans; [| now apply starts].
+    eapply Rle_trans; [apply Rabs_sum |]. apply sum_le. intros j Hj. rewrite Rabs_mult.
+    apply Rmult_le_compat_l; [apply Rabs_pos | now apply residuals]. }
+  assert (eps * sum n (fun k => moved i k * r k) <= eps * (q * r i))
+    by (apply Rmult_le_compat_l; [lra | now apply contracts]).
+  lra.
 Qed.
 
 Lemma preconditioner_regular (v : point) :
@@ -506,8 +516,55 @@ Theorem one_root_from_table :
   exists x, box eps x /\ solves n F x /\
     (forall y, box 1 y -> solves n F y -> forall i, (i < n)%nat -> y i = x i).
 Proof.
-  exact (one_root_in_box n F J Y c r q eps radii factor scale derivatives
-           contracts_everywhere starts_near preconditioner_regular).
+  exact (one_root_in_box n F J Y moved c r q eps radii factor scale derivatives
+           bounded_everywhere contracts starts_near preconditioner_regular).
 Qed.
 
 End Table.
+
+(** ** The same from Krawczyk's test
+
+    With  |I - Y J| <= C  in a box and  C r + |Y F(c)| < r,  the box is mapped into its interior
+    (Krawczyk 1969, Moore 1977): it holds exactly one root. *)
+
+(** Finitely many strict bounds leave room for one factor. *)
+Lemma common_factor n (a r : point) :
+  (forall i, (i < n)%nat -> 0 < r i) -> (forall i, (i < n)%nat -> a i < r i) ->
+  exists q, 0 <= q < 1 /\ forall i, (i < n)%nat -> a i <= q * r i.
+Proof.
+  intros radii. induction n as [| n IH]; intros below.
+  - exists 0. split; [lra |]. intros. lia.
+  - destruct IH as (q & Hq & Hall); [auto | auto |].
+    assert (Hr := radii n ltac:(lia)). assert (Ha := below n ltac:(lia)).
+    exists (Rmax q (a n / r n)). split.
+    + split; [eapply Rle_trans; [apply Hq | apply Rmax_l] |].
+      apply Rmax_lub_lt; [lra |]. apply (Rmult_lt_reg_r (r n)); [easy |]. field_simplify; lra.
+    + intros i Hi. destruct (Nat.eq_dec i n) as [-> | Hn].
+      * apply Rle_trans with (a n / r n * r n); [right; field; lra |].
+        apply Rmult_le_compat_r; [lra | apply Rmax_r].
+      * eapply Rle_trans; [apply Hall; lia |].
+        apply Rmult_le_compat_r; [apply Rlt_le, radii; lia | apply Rmax_l].
+Qed.
+
+Theorem one_root_by_krawczyk n (F : nat -> point -> R) (J : nat -> nat -> point -> R)
+    (Y C : nat -> nat -> R) (c r : point) :
+  (forall i, (i < n)%nat -> 0 < r i) ->
+  (forall j, (j < n)%nat -> forall (x u : point) (t : R),
+     within n r 1 (fun i => x i + t * u i) c ->
+     is_derive (fun s => F j (fun i => x i + s * u i)) t
+       (sum n (fun k => J j k (fun i => x i + t * u i) * u k))) ->
+  (forall x, within n r 1 x c -> forall i k, (i < n)%nat -> (k < n)%nat ->
+     Rabs (unit_entry i k - sum n (fun j => Y i j * J j k x)) <= C i k) ->
+  (forall i, (i < n)%nat ->
+     sum n (fun k => C i k * r k) + Rabs (sum n (fun j => Y i j * F j c)) < r i) ->
+  (forall v : point, (forall i, (i < n)%nat -> sum n (fun j => Y i j * v j) = 0) ->
+     forall j, (j < n)%nat -> v j = 0) ->
+  exists x, within n r 1 x c /\ solves n F x /\
+    (forall y, within n r 1 y c -> solves n F y -> forall i, (i < n)%nat -> y i = x i).
+Proof.
+  intros radii derivatives bounded inside regular.
+  destruct (common_factor n (fun i => sum n (fun k => C i k * r k)) r radii) as (q & Hq & contracts).
+  { intros i Hi. specialize (inside i Hi). pose proof (Rabs_pos (sum n (fun j => Y i j * F j c))). lra. }
+  apply (one_root_in_box n F J Y C c r q 1); auto; [lra |].
+  intros i Hi. rewrite !Rmult_1_l. now apply Rlt_le, inside.
+Qed.
