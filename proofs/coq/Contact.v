@@ -465,7 +465,7 @@ Qed.
 
 (** Any state with a thrust that the limit bears. *)
 Theorem thicker_arch_stands_by_limit (delta alpha eta eta' h p : R) :
-  0 <= delta -> 0 < alpha < PI -> 0 < eta < 2 -> eta <= eta' <= 2 -> 0 <= h ->
+  0 <= delta -> 0 < alpha < PI -> 0 < eta <= 2 -> eta <= eta' <= 2 -> 0 <= h ->
   fac delta 2 * (1 - cos alpha) <= 2 * normal_force alpha h ->
   (forall x, 0 <= x <= alpha -> joint_stands delta x eta h p) ->
   exists p', forall x, 0 <= x <= alpha -> joint_stands delta x eta' h p'.
@@ -506,6 +506,7 @@ Proof.
         assert (0 <= fac delta 2 * (1 - cos x))
           by (apply Rmult_le_pos; [unfold fac|]; lra).
         lra. }
+      destruct (Req_dec eta' 2) as [-> | Hthinner]; [exact Hat_2|].
       assert (Hconcave : (2 - eta) * gap eta'
                 = (2 - eta') * gap eta + (eta' - eta) * gap 2
                   + delta / 12 * (cos x - cos alpha) * ((2 - eta) * (2 - eta') * (eta' - eta)))

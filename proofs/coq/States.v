@@ -1,9 +1,13 @@
 (** * The state of an arch from a handful of signs
 
-    For each mode with a thickness: where its printed equations hold and a few numbers are positive, the state is
-    **admissible at every joint** of the half arch, and the arch stands **exactly** from its thickness
-    on, up to the physical limit.  Purely sliding states bound the friction.  The half-angle and the friction are given; a generated file adds
-    the numbers.
+    For each mode with a thickness: where its printed equations hold and a few numbers are positive, the
+    state is **admissible at every joint** of the half arch, and the arch stands **exactly** from its
+    thickness on, up to the physical limit.  Purely sliding states bound the friction.  A generated file
+    adds the numbers.
+
+    Where modes meet, some of these numbers are zero: friction at the shoulder or inside, the room at the
+    extrados, that of the intrados next to the crown, or what the limit leaves.  Of those it is asked that
+    they are not negative, so that each theorem holds for the landmarks too.
 
     All of it from the printed equations and the statics: see [Contact] for the line of thrust,
     [Sliding] for friction, [FrictionModes] for thinner arches. *)
@@ -71,14 +75,14 @@ Qed.
 
 (** With the crown's intrados as hinge, from which the line of thrust goes away. *)
 Theorem inside_from_crown (delta alpha eta h p : R) :
-  0 < alpha < PI -> 0 < eta < 2 -> 0 <= h ->
+  0 < alpha < PI -> 0 < eta <= 2 -> 0 <= h ->
   (forall x, 0 <= x <= alpha -> 0 <= normal_force x h) ->
   p = intrados eta * h -> p = at_shoulder delta alpha eta h ->
-  intrados eta * (2 - h) < fac delta eta ->
+  intrados eta * (2 - h) <= fac delta eta ->
   thrust_inside delta alpha eta h p.
 Proof.
   unfold at_shoulder. intros Ha He Hh HN Hcrown Hshoulder Haway x Hx.
-  assert (Hi : 0 < intrados eta) by (unfold intrados; lra).
+  assert (Hi : 0 <= intrados eta) by (unfold intrados; lra).
   split; [now apply HN|split].
   - enough (margin (intrados eta) (fac delta eta) h x <= margin (intrados eta) (fac delta eta) h 0)
       by (unfold margin, normal_force in *; rewrite cos_0, sin_0 in *; lra).
@@ -106,7 +110,7 @@ Qed.
 (** Friction holds everywhere if it does at the steepest joint and at the shoulder. *)
 Lemma admissible_by_two_joints (delta alpha eta mu h p : R) :
   thrust_inside delta alpha eta h p -> 0 < h < 1 -> 0 < alpha < PI -> 0 < normal_force alpha h ->
-  beta_s h < alpha -> mu_is h <= mu -> mu_ss alpha h <= mu ->
+  beta_s h <= alpha -> mu_is h <= mu -> mu_ss alpha h <= mu ->
   admissible delta alpha eta mu h p.
 Proof.
   intros Hin Hh Ha HN Hs His Hss x Hx. split; [now apply Hin|].
@@ -117,8 +121,8 @@ Qed.
 (** ** From the state's thickness on *)
 
 Lemma stands_from_there (delta alpha eta mu h p : R) :
-  0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta < 2 -> 0 <= h ->
-  fac delta 2 * (1 - cos alpha) < 2 * normal_force alpha h ->
+  0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta <= 2 -> 0 <= h ->
+  fac delta 2 * (1 - cos alpha) <= 2 * normal_force alpha h ->
   admissible delta alpha eta mu h p ->
   (forall eta', 0 < eta' < eta -> ~ arch_stands delta alpha eta' mu) ->
   stands_from delta alpha mu eta.
@@ -132,8 +136,8 @@ Proof.
 Qed.
 
 Lemma stands_without_limit_from_there (delta alpha eta h p : R) :
-  0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta < 2 -> 0 <= h ->
-  fac delta 2 * (1 - cos alpha) < 2 * normal_force alpha h ->
+  0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta <= 2 -> 0 <= h ->
+  fac delta 2 * (1 - cos alpha) <= 2 * normal_force alpha h ->
   thrust_inside delta alpha eta h p ->
   (forall eta', 0 < eta' < eta -> ~ exists h p, thrust_inside delta alpha eta' h p) ->
   stands_without_limit_from delta alpha eta.
@@ -153,7 +157,7 @@ Hypothesis weight : 0 <= delta <= 1.
 Hypothesis opening : 0 < alpha < PI.
 
 (** The haunch is on the intrados by (2) if the crown is on the extrados, *)
-Lemma haunch_from_crown (beta eta h : R) : 0 < eta < 2 -> h = h_lower delta beta eta ->
+Lemma haunch_from_crown (beta eta h : R) : 0 < eta <= 2 -> h = h_lower delta beta eta ->
   intrados eta * normal_force beta h = at_crown eta h + fac delta eta * (1 - cos beta).
 Proof.
   intros He H2. apply lower_thrust_cleared in H2;
@@ -172,12 +176,36 @@ Proof.
 Qed.
 
 (** and by (4) both are. *)
-Lemma shoulder_from_crown (eta h : R) : 0 < eta < 2 -> h = h_whole delta alpha eta ->
+Lemma shoulder_from_crown (eta h : R) : 0 < eta <= 2 -> h = h_whole delta alpha eta ->
   at_crown eta h = at_shoulder delta alpha eta h.
 Proof.
   intros He H4. assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
   apply whole_thrust_cleared in H4; [|lra|lra].
   unfold at_crown, at_shoulder, extrados, normal_force. lra.
+Qed.
+
+(** *** What is zero where modes meet *)
+
+(** The room next to the crown, where the rotational joint reaches it, *)
+Theorem no_room_next_to_crown (eta h : R) : eta < 2 -> h = end_of_rotation delta eta ->
+  intrados eta * (2 - h) = fac delta eta.
+Proof. intros He ->. unfold end_of_rotation, intrados, fac. field. lra. Qed.
+
+(** and what the limit leaves, at the limit: where an inner joint slides, *)
+Theorem nothing_left_at_border (h : R) :
+  0 < (2 - 2) * cos 0 - (2 + 2) * cos alpha -> h = h_upper delta alpha 0 2 ->
+  fac delta 2 * (1 - cos alpha) = 2 * normal_force alpha h.
+Proof.
+  intros Hlever H3. apply haunch_from_shoulder in H3; [|easy].
+  unfold at_shoulder, extrados, intrados in H3. rewrite cos_0 in H3. lra.
+Qed.
+
+(** and without thrust. *)
+Theorem nothing_left_at_end_of_overturning : 0 = h_whole delta alpha 2 ->
+  fac delta 2 * (1 - cos alpha) = 2 * normal_force alpha 0.
+Proof.
+  intros H4. apply shoulder_from_crown in H4; [|lra].
+  unfold at_crown, at_shoulder, extrados in H4. lra.
 Qed.
 
 (** *** [[r,r,r]] *)
@@ -206,8 +234,8 @@ Qed.
 Theorem rotational (beta eta h : R) :
   h = h_lower delta beta eta /\ h = h_whole delta alpha eta /\ h = h_tangency delta beta eta ->
   0 < eta -> eta < 2 -> 0 < h -> h < 1 -> 0 < beta -> beta < alpha ->
-  0 < normal_force alpha h -> beta_s h < alpha -> mu_ss alpha h < mu -> mu_is h < mu ->
-  fac delta 2 * (1 - cos alpha) < 2 * normal_force alpha h ->
+  0 < normal_force alpha h -> beta_s h <= alpha -> mu_ss alpha h <= mu -> mu_is h <= mu ->
+  fac delta 2 * (1 - cos alpha) <= 2 * normal_force alpha h ->
   admissible delta alpha eta mu h (at_crown eta h) /\ stands_from delta alpha mu eta.
 Proof.
   intros E **.
@@ -222,7 +250,7 @@ Qed.
 Theorem rotational_without_limit (beta eta h : R) :
   h = h_lower delta beta eta /\ h = h_whole delta alpha eta /\ h = h_tangency delta beta eta ->
   0 < eta -> eta < 2 -> 0 < h -> 0 < beta -> beta < alpha -> 0 < normal_force alpha h ->
-  fac delta 2 * (1 - cos alpha) < 2 * normal_force alpha h ->
+  fac delta 2 * (1 - cos alpha) <= 2 * normal_force alpha h ->
   thrust_inside delta alpha eta h (at_crown eta h) /\ stands_without_limit_from delta alpha eta.
 Proof.
   intros E **. assert (A := rotational_inside beta eta h E ltac:(easy)).
@@ -237,9 +265,9 @@ Qed.
 Theorem sliding_rotational (beta eta h : R) :
   h = h_lower delta beta eta /\ h = h_tangency delta beta eta /\ mu = mu_ss alpha h ->
   0 < eta -> eta < 2 -> 0 < h -> h < 1 -> 0 < beta -> beta < alpha ->
-  0 < normal_force alpha h -> at_crown eta h < at_shoulder delta alpha eta h ->
-  beta_s h < alpha -> mu_is h < mu -> 0 < sin alpha - mu * cos alpha ->
-  fac delta 2 * (1 - cos alpha) < 2 * normal_force alpha h ->
+  0 < normal_force alpha h -> at_crown eta h <= at_shoulder delta alpha eta h ->
+  beta_s h <= alpha -> mu_is h <= mu -> 0 < sin alpha - mu * cos alpha ->
+  fac delta 2 * (1 - cos alpha) <= 2 * normal_force alpha h ->
   admissible delta alpha eta mu h (at_crown eta h) /\ stands_from delta alpha mu eta.
 Proof.
   intros (H2 & H5 & H17) **. assert (Hh := haunch_from_crown beta eta h ltac:(lra) H2).
@@ -258,9 +286,9 @@ Theorem rotational_sliding (beta eta h joint : R) :
   h = h_upper delta alpha beta eta /\ h = h_tangency delta beta eta /\ mu = mu_is h /\
   joint = beta_s h ->
   0 < eta -> eta < 2 -> 0 < h -> h < 1 -> 0 < beta -> beta < alpha ->
-  0 < normal_force alpha h -> at_shoulder delta alpha eta h < at_crown eta h ->
-  joint < alpha -> mu_ss alpha h < mu -> 0 < (2 - eta) * cos beta - (2 + eta) * cos alpha ->
-  fac delta 2 * (1 - cos alpha) < 2 * normal_force alpha h ->
+  0 < normal_force alpha h -> at_shoulder delta alpha eta h <= at_crown eta h ->
+  joint <= alpha -> mu_ss alpha h <= mu -> 0 < (2 - eta) * cos beta - (2 + eta) * cos alpha ->
+  fac delta 2 * (1 - cos alpha) <= 2 * normal_force alpha h ->
   admissible delta alpha eta mu h (at_shoulder delta alpha eta h) /\
   stands_from delta alpha mu eta.
 Proof.
@@ -279,10 +307,10 @@ Qed.
 
 Theorem overturning_sliding (eta h joint : R) :
   h = h_upper delta alpha 0 eta /\ mu = mu_is h /\ joint = beta_s h ->
-  0 < eta -> eta < 2 -> 0 < h -> h < 1 ->
-  0 < normal_force alpha h -> intrados eta * (2 - h) < fac delta eta ->
-  joint < alpha -> mu_ss alpha h < mu -> 0 < (2 - eta) * cos 0 - (2 + eta) * cos alpha ->
-  fac delta 2 * (1 - cos alpha) < 2 * normal_force alpha h ->
+  0 < eta -> eta <= 2 -> 0 < h -> h < 1 ->
+  0 < normal_force alpha h -> intrados eta * (2 - h) <= fac delta eta ->
+  joint <= alpha -> mu_ss alpha h <= mu -> 0 < (2 - eta) * cos 0 - (2 + eta) * cos alpha ->
+  fac delta 2 * (1 - cos alpha) <= 2 * normal_force alpha h ->
   admissible delta alpha eta mu h (at_shoulder delta alpha eta h) /\
   stands_from delta alpha mu eta.
 Proof.
@@ -302,9 +330,9 @@ Qed.
 (** Without thrust, at unlimited friction. *)
 Theorem overturning (eta : R) :
   0 = h_whole delta alpha eta ->
-  0 < eta -> eta < 2 -> intrados eta * (2 - 0) < fac delta eta ->
+  0 < eta -> eta <= 2 -> intrados eta * (2 - 0) <= fac delta eta ->
   0 < (2 - eta) * cos 0 - (2 + eta) * cos alpha ->
-  fac delta 2 * (1 - cos alpha) < 2 * normal_force alpha 0 ->
+  fac delta 2 * (1 - cos alpha) <= 2 * normal_force alpha 0 ->
   thrust_inside delta alpha eta 0 0 /\ stands_without_limit_from delta alpha eta.
 Proof.
   intros H4 **. assert (Hs := shoulder_from_crown eta 0 ltac:(lra) H4).
@@ -329,7 +357,7 @@ End Modes.
 
 Theorem purely_sliding (alpha mu h joint : R) : 0 < alpha < PI ->
   mu = mu_ss alpha h /\ mu = mu_is h /\ joint = beta_s h ->
-  0 < joint -> joint < alpha -> 0 < normal_force alpha h ->
+  0 < joint -> joint <= alpha -> 0 < normal_force alpha h ->
   forall mu', 0 <= mu' < mu -> stands_at_no_thickness alpha mu'.
 Proof.
   intros opening (H17 & H18 & ->) Hs Ha HN mu' Hmu delta eta.
@@ -352,6 +380,9 @@ Proof.
 Qed.
 
 (** ** Signs in a small box *)
+
+(** A sign that is known, also where a theorem asks for less. *)
+Ltac known := first [tauto | apply Rlt_le; tauto].
 
 Ltac signs :=
   intros; conjuncts; repeat split;

@@ -11,7 +11,7 @@ Theorem state <<args>> : wide <<args>> -> equations <<args>> ->
   forall mu', 0 <= mu' < mu -> stands_at_no_thickness alpha mu'.
 Proof.
   intros W E. pose proof (signs <<args>> (digits <<args>> W E)) as S.
-  eapply (purely_sliding alpha); [tauto | exact E | tauto ..].
+  eapply (purely_sliding alpha); [tauto | exact E | known ..].
 Qed.
 
 Theorem least_friction : exists mu, Rabs (mu - <<least>>) <= <<radius>> /\

@@ -12,7 +12,7 @@ Theorem state <<args>> : wide <<args>> -> equations <<args>> ->
   <<stands_from>> eta.
 Proof.
   intros W E. pose proof (signs <<args>> (digits <<args>> W E)) as S.
-  eapply (<<theorem>>); [lra | tauto | exact E | tauto ..].
+  eapply (<<theorem>>); [lra | tauto | exact E | known ..].
 Qed.
 
 Theorem least_thickness : exists eta, Rabs (eta - <<least>>) <= <<radius>> /\
