@@ -132,7 +132,7 @@ Proof. exact (I.sqrt_correct prec X (Xreal x)). Qed.
 Lemma has_div X Y x y : has X x -> has Y y -> has (I.div prec X Y) (x / y).
 Proof.
   intros Hx Hy. assert (H := I.div_correct prec X Y (Xreal x) (Xreal y) Hx Hy).
-  simpl in H. unfold Xdiv' in H. destruct (is_zero y); [now apply has_if_nan | exact H].
+  simpl in H. unfold Xdiv' in H. destruct (Xreal.is_zero y); [now apply has_if_nan | exact H].
 Qed.
 
 (** All numbers within a radius of a centre. *)
@@ -165,4 +165,13 @@ Proof.
   unfold is_not_zero. assert (H := I.sign_strict_correct X).
   destruct (I.sign_strict X); try easy; intros _ Hx; destruct (H (Xreal x) Hx) as [_ Hs];
     simpl in Hs; lra.
+Qed.
+
+Definition is_zero (X : enclosure) : bool :=
+  match I.sign_strict X with Xeq => true | _ => false end.
+
+Lemma is_zero_sound (X : enclosure) (x : R) : is_zero X = true -> has X x -> x = 0.
+Proof.
+  unfold is_zero. assert (H := I.sign_strict_correct X).
+  destruct (I.sign_strict X); try easy. intros _ Hx. now injection (H (Xreal x) Hx).
 Qed.

@@ -16,11 +16,12 @@ Open Scope R_scope.
 (** The numbers of a state: half opening, joint that opens and joint that slides, thickness, thrust,
     friction; of an asymmetric one besides the moment of the thrust and the vertical force at the crown, and
     the hinge next to it. *)
-Inductive name := Alpha | BetaR | BetaS | Eta | H | Mu | P | V | B0.
+Inductive name := Alpha | BetaR | BetaS | Eta | Thrust | Mu | Moment | Force | Hinge.
 
 Definition same (a b : name) : bool :=
   match a, b with
-  | Alpha, Alpha | BetaR, BetaR | BetaS, BetaS | Eta, Eta | H, H | Mu, Mu | P, P | V, V | B0, B0 => true
+  | Alpha, Alpha | BetaR, BetaR | BetaS, BetaS | Eta, Eta | Thrust, Thrust | Mu, Mu | Moment, Moment
+  | Force, Force | Hinge, Hinge => true
   | _, _ => false
   end.
 
@@ -33,7 +34,7 @@ Definition configuration := name -> R.
 (** ** Formulas *)
 
 Inductive formula :=
-  | Number (p : Z) (q : positive)
+  | Int (z : Z) | Ratio (p : Z) (q : positive)
   | Val (n : name) | Sin (n : name) | Cos (n : name) | Cot (n : name)
   | Opp (f : formula)
   | Add (f g : formula) | Sub (f g : formula) | Mul (f g : formula).
@@ -45,7 +46,6 @@ Notation "- f" := (Opp f) : formula_scope.
 Notation "f + g" := (Add f g) : formula_scope.
 Notation "f - g" := (Sub f g) : formula_scope.
 Notation "f * g" := (Mul f g) : formula_scope.
-Definition Int (z : Z) : formula := Number z 1.
 Arguments Int z%Z.
 Notation "0" := (Int 0) : formula_scope.
 Notation "1" := (Int 1) : formula_scope.
@@ -53,7 +53,8 @@ Notation "2" := (Int 2) : formula_scope.
 
 Fixpoint meaning (x : configuration) (f : formula) : R :=
   match f with
-  | Number p q => IZR p / IZR (Zpos q)
+  | Int z => IZR z
+  | Ratio p q => IZR p / IZR (Zpos q)
   | Val n => x n
   | Sin n => sin (x n)
   | Cos n => cos (x n)
@@ -79,7 +80,7 @@ Definition defined (x : configuration) (f : formula) : Prop :=
 (** ** Partial derivatives *)
 
 (** Products and sums in which a derivative is often zero. *)
-Definition is_nil (f : formula) : bool := match f with Number Z0 _ => true | _ => false end.
+Definition is_nil (f : formula) : bool := match f with Int Z0 => true | _ => false end.
 Definition add0 (f g : formula) : formula := if is_nil f then g else if is_nil g then f else Add f g.
 Definition sub0 (f g : formula) : formula :=
   if is_nil g then f else if is_nil f then Opp g else Sub f g.
@@ -88,7 +89,7 @@ Definition opp0 (f : formula) : formula := if is_nil f then Int 0 else Opp f.
 
 Fixpoint slope (k : name) (f : formula) : formula :=
   match f with
-  | Number _ _ => Int 0
+  | Int _ | Ratio _ _ => Int 0
   | Val n => if same n k then Int 1 else Int 0
   | Sin n => if same n k then Cos n else Int 0
   | Cos n => if same n k then Opp (Sin n) else Int 0
@@ -100,10 +101,7 @@ Fixpoint slope (k : name) (f : formula) : formula :=
   end.
 
 Lemma meaning_nil x f : is_nil f = true -> meaning x f = 0.
-Proof. destruct f as [[] q | | | | | | | |]; try easy. intros _. simpl. unfold Rdiv. ring. Qed.
-
-Lemma meaning_int x z : meaning x (Int z) = IZR z.
-Proof. simpl. field. Qed.
+Proof. now destruct f as [[] | | | | | | | | |]. Qed.
 
 Lemma meaning_add x f g : meaning x (add0 f g) = meaning x f + meaning x g.
 Proof.
@@ -119,13 +117,13 @@ Qed.
 
 Lemma meaning_mul x f g : meaning x (mul0 f g) = meaning x f * meaning x g.
 Proof.
-  unfold mul0. destruct (is_nil f) eqn:Hf; [simpl orb; cbv iota; rewrite (meaning_nil x f Hf), meaning_int; ring |].
-  destruct (is_nil g) eqn:Hg; [simpl orb; cbv iota; rewrite (meaning_nil x g Hg), meaning_int; ring | easy].
+  unfold mul0. destruct (is_nil f) eqn:Hf; [simpl orb; cbv iota; rewrite (meaning_nil x f Hf); simpl; ring |].
+  destruct (is_nil g) eqn:Hg; [simpl orb; cbv iota; rewrite (meaning_nil x g Hg); simpl; ring | easy].
 Qed.
 
 Lemma meaning_opp x f : meaning x (opp0 f) = - meaning x f.
 Proof.
-  unfold opp0. destruct (is_nil f) eqn:Hf; [rewrite (meaning_nil x f Hf), meaning_int; ring | easy].
+  unfold opp0. destruct (is_nil f) eqn:Hf; [rewrite (meaning_nil x f Hf); simpl; ring | easy].
 Qed.
 
 (** ** Unknowns *)
@@ -198,16 +196,18 @@ Proof.
     rewrite HF. destruct (same m _); ring. }
   assert (choice : forall (b : bool) (F : formula) (d : R), meaning (at_ t) F = d ->
             meaning (at_ t) (if b then F else Int 0) = if b then d else 0).
-  { intros [] F d HF; [easy | apply meaning_int]. }
+  { now intros [] F d HF. }
   assert (value_is : forall (f : R -> R) (d e : R), is_derive f t d -> d = e -> is_derive f t e)
     by (intros f0 d e Hd <-; exact Hd).
   change (place given unknowns (fun i => x i + t * u i)) with (at_ t).
-  induction f as [p q | m | m | m | m | f IH | f IHf g IHg | f IHf g IHg | f IHf g IHg];
+  induction f as [z | p q | m | m | m | m | f IH | f IHf g IHg | f IHf g IHg | f IHf g IHg];
     intros Hdefined; simpl slope.
+  - apply (value_is _ 0); [exact (is_derive_const (IZR z) t) |].
+    symmetry. apply sum_zero. intros k _. simpl. ring.
   - apply (value_is _ 0); [exact (is_derive_const (IZR p / IZR (Zpos q)) t) |].
-    symmetry. apply sum_zero. intros k _. rewrite meaning_int. ring.
+    symmetry. apply sum_zero. intros k _. simpl. ring.
   - apply (value_is _ _ _ (moves m)). rewrite (leaf m 1); [ring |].
-    intros k. apply choice, meaning_int.
+    intros k. now apply choice.
   - apply (value_is _ _ _ (is_derive_comp sin (fun s => at_ s m) t _ _ (is_derive_sin _) (moves m))).
     rewrite (leaf m (cos (at_ t m))); [apply Rmult_comm |]. intros k. now apply choice.
   - apply (value_is _ _ _ (is_derive_comp cos (fun s => at_ s m) t _ _ (is_derive_cos _) (moves m))).
@@ -286,7 +286,7 @@ Qed.
 (** What is asked for is known from the name. *)
 Definition functions_of (n : name) (X : enclosure) : functions :=
   match n with
-  | Alpha | BetaS | B0 => angle X
+  | Alpha | BetaS | Hinge => angle X
   | BetaR => angle_with_cotangent X
   | _ => plain X
   end.
@@ -316,8 +316,8 @@ Qed.
 
 Fixpoint enclosed (E : surroundings) (f : formula) : enclosure :=
   match f with
-  | Number p 1 => integer prec p
-  | Number p q => I.div prec (integer prec p) (integer prec (Zpos q))
+  | Int z => integer prec z
+  | Ratio p q => I.div prec (integer prec p) (integer prec (Zpos q))
   | Val n => itself (E n)
   | Sin n => sine (E n)
   | Cos n => cosine (E n)
@@ -330,12 +330,10 @@ Fixpoint enclosed (E : surroundings) (f : formula) : enclosure :=
 
 Theorem has_meaning E x f : surrounds E x -> has (enclosed E f) (meaning x f).
 Proof.
-  intros HE. induction f as [p q | n | n | n | n | f IH | f IHf g IHg | f IHf g IHg | f IHf g IHg];
-    simpl.
-  - assert (quotient : has (I.div prec (integer prec p) (integer prec (Zpos q))) (IZR p / IZR (Zpos q)))
-      by (apply has_div; apply has_integer).
-    destruct q as [q | q |]; [exact quotient | exact quotient |].
-    replace (IZR p / 1) with (IZR p) by field. apply has_integer.
+  intros HE. induction f as [z | p q | n | n | n | n | f IH | f IHf g IHg | f IHf g IHg | f IHf g IHg];
+    cbn [enclosed meaning].
+  - apply has_integer.
+  - apply has_div; apply has_integer.
   - apply HE.
   - apply HE.
   - apply HE.

@@ -281,10 +281,11 @@ Qed.
 (** The box as the theorem wants it. *)
 Definition boxed (c r : list dyadic) (x : point) : Prop := within n (entry r) 1 x (entry c).
 
-Theorem one_root E C c r residuals :
+Theorem one_root C c r residuals :
   distinct unknowns = true ->
-  (forall x, boxed c r x -> surrounds E (place given unknowns x)) ->
-  forallb (is_defined E) formulas = true -> bounds E = Some C ->
+  (forall x, boxed c r x -> forall f, In f formulas -> defined (place given unknowns x) f) ->
+  (forall x, boxed c r x -> forall i k, (i < n)%nat -> (k < n)%nat ->
+     Rabs (unit_entry i k - Contraction.sum n (fun j => entries Y i j * partial j k x)) <= entries C i k) ->
   (forall i, (i < n)%nat -> 0 < entry r i) ->
   (forall j, (j < n)%nat -> has (nth j residuals anything) (residual j (entry c))) ->
   narrows C residuals r = true ->
@@ -292,13 +293,12 @@ Theorem one_root E C c r residuals :
   exists x, boxed c r x /\ solves n residual x /\
     (forall y, boxed c r y -> solves n residual y -> forall i, (i < n)%nat -> y i = x i).
 Proof.
-  intros Hdistinct HE Hdefined HC Hr Hresiduals Hnarrows Hsquare Hregular.
+  intros Hdistinct Hdefined HC Hr Hresiduals Hnarrows Hsquare Hregular.
   apply (one_root_by_krawczyk n residual partial (entries Y) (entries C)).
   - exact Hr.
   - intros j Hj x u t Hx. apply slope_along; [easy |].
-    apply (is_defined_sound E); [| now apply HE].
-    apply (proj1 (forallb_forall _ _) Hdefined), nth_In. now rewrite sizes.
-  - intros x Hx. now apply (bounds_hold E), HE.
+    apply Hdefined; [exact Hx |]. apply nth_In. now rewrite sizes.
+  - exact HC.
   - intros i Hi.
     assert (Htest : In i (seq 0 n)) by (apply in_seq; lia).
     apply (proj1 (forallb_forall _ _) Hnarrows) in Htest.
