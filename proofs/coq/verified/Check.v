@@ -4,7 +4,7 @@
 
 From Coq Require Import Reals ZArith Bool List.
 From Interval Require Import Interval.Interval.
-From Couplet Require Import Enclosures Formulas Krawczyk Equations Certificate.
+From Couplet Require Import Enclosures Formulas Krawczyk Equations Certificate Root.
 Import ListNotations.
 
 (** ** What is given *)
@@ -27,92 +27,36 @@ Definition enclosed_friction (prec : Z) (f : friction) : enclosure :=
   | Unlimited => exact nought
   end.
 
-(** Computed once for all names. *)
-Definition remembered (E : surroundings) : surroundings :=
-  let alpha := E Alpha in let beta_r := E BetaR in let beta_s := E BetaS in
-  let eta := E Eta in let h := E Thrust in let mu := E Mu in
-  let p := E Moment in let v := E Force in let b0 := E Hinge in
-  fun n => match n with
-    | Alpha => alpha | BetaR => beta_r | BetaS => beta_s | Eta => eta | Thrust => h | Mu => mu
-    | Moment => p | Force => v | Hinge => b0
-    end.
+Definition is_limited (f : friction) : bool := match f with Unlimited => false | _ => true end.
 
-Definition surroundings_of (prec : Z) (X : name -> enclosure) : surroundings :=
-  remembered (fun n => functions_of prec n (X n)).
+(** Numbers that are enclosed, and zero for the others. *)
+Definition given (l : Z -> list (name * enclosure)) (prec : Z) : surroundings :=
+  let known := l prec in
+  remembered (fun n =>
+    functions_of prec n
+      match find (fun nX => same n (fst nX)) known with Some nX => snd nX | None => exact nought end).
 
-(** ** Boxes *)
-
-Definition bits (d : dyadic) : Z := Z.log2 (Z.abs (mantissa d)) + 1.
-Definition longest (l : list dyadic) : Z := fold_right (fun d n => Z.max (bits d) n) 0%Z l.
-
-Definition are_positive (l : list dyadic) : bool := forallb (fun r => (0 <? mantissa r)%Z) l.
-
-(** All of a box, and its centre: each unknown with its functions. *)
-Definition boxes (prec : Z) (unknowns : list name) (b : box) : list functions :=
-  map (fun nb => functions_of prec (fst nb) (around prec (fst (snd nb)) (snd (snd nb))))
-    (combine unknowns (combine (centre b) (radius b))).
-Definition points (prec : Z) (unknowns : list name) (c : list dyadic) : list functions :=
-  map (fun nc => functions_of prec (fst nc) (exact (snd nc))) (combine unknowns c).
-
-(** Sine and cosine of a box from those of its centre: they differ by its radius at most. *)
-Definition spread (prec : Z) (F : functions) (r : dyadic) : functions :=
-  let e := symmetric r in
-  let s := I.add prec (sine F) e in
-  let c := I.add prec (cosine F) e in
-  Functions (I.add prec (itself F) e) s c anything.
-
-(** One box lies inside the other. *)
-Definition is_inside (prec : Z) (n : nat) (b B : box) : bool :=
-  forallb (fun i =>
-    let r := exact (nth i (radius b) nought) in let R := exact (nth i (radius B) nought) in
-    let d := I.sub prec (exact (nth i (centre b) nought)) (exact (nth i (centre B) nought)) in
-    is_positive (I.sub prec R (I.add prec r (I.abs d)))) (seq 0 n).
-
-(** ** The root *)
-
-Record system := System { unknowns : list name; zeros : list formula; divisors : list formula }.
-
-(** What surrounds the root, if there is one in the small box. *)
-Definition located (c : certificate) (given : Z -> surroundings) (s : system) : option surroundings :=
-  let u := unknowns s in
-  let n := length u in
-  let wide := (longest (centre (unique c)) + 64)%Z in
-  let full := (longest (centre (root c)) + 64)%Z in
-  let has_size (b : box) := Nat.eqb (length (centre b)) n && Nat.eqb (length (radius b)) n in
-  if negb (distinct u && Nat.eqb (length (zeros s)) n
-           && has_size (unique c) && has_size (root c)
-           && is_square n (inverse c) && is_regular n (map integers (inverse c))
-           && are_positive (radius (unique c)) && are_positive (radius (root c))) then None
-  else
-    let G := given wide in
-    let X := remembered (sited G u (boxes wide u (unique c))) in
-    let m := remembered (sited G u (points wide u (centre (unique c)))) in
-    if negb (forallb (is_defined X) (zeros s)
-             && forallb (fun f => is_not_zero (enclosed wide X f)) (divisors s)) then None
-    else
-      match bounds wide u (zeros s) (inverse c) X with
-      | None => None
-      | Some C =>
-          if negb (narrows wide u (inverse c) C (map (enclosed wide m) (zeros s)) (radius (unique c))
-                   && is_inside full n (root c) (unique c)) then None
-          else
-            let G := given full in
-            let at_m := points full u (centre (root c)) in
-            let m := remembered (sited G u at_m) in
-            if narrows wide u (inverse c) C (map (enclosed full m) (zeros s)) (radius (root c))
-            then
-              Some (remembered
-                (sited G u (map (fun Fr => spread full (fst Fr) (snd Fr)) (combine at_m (radius (root c))))))
-            else None
-      end.
+Definition its_opening (a : arch) (prec : Z) : list (name * enclosure) :=
+  [(Alpha, enclosed_number prec (half_opening a))].
+Definition its_numbers (a : arch) (prec : Z) : list (name * enclosure) :=
+  (Mu, enclosed_friction prec (its_friction a)) :: its_opening a prec.
+Definition two : dyadic := Dyadic 2 0.
 
 (** ** Decimals *)
 
-Definition enclosed_quantity (prec : Z) (E : surroundings) (q : quantity) : enclosure :=
+Definition enclosed_quantity (prec : Z) (limited : bool) (E : surroundings) (q : quantity) : enclosure :=
+  let degrees X := I.div prec (I.mul prec (integer prec 180) X) (I.pi prec) in
+  let angle := if limited then I.atan prec (itself (E Mu))
+               else I.div prec (I.pi prec) (integer prec 2) in
   match q with
   | Plain n => itself (E n)
-  | Degrees n => I.div prec (I.mul prec (integer prec 180) (itself (E n))) (I.pi prec)
+  | Degrees n => degrees (itself (E n))
   | IntrinsicThrust => I.mul prec (itself (E Eta)) (itself (E Thrust))
+  | OpeningVariable =>
+      let F := E Alpha in
+      I.div prec (I.mul prec (itself F) (sine F)) (I.sub prec (integer prec 1) (cosine F))
+  | FrictionAngle => angle
+  | FrictionAngleDegrees => degrees angle
   end.
 
 (** [m / 20 * 10 ^ e] *)
@@ -123,17 +67,71 @@ Definition twentieths (prec m e : Z) : enclosure :=
 (** Largest size of a power of ten. *)
 Definition most : Z := 20000.
 
-Definition holds_value (prec digits : Z) (E : surroundings) (qv : quantity * decimal) : bool :=
+Definition holds_value (prec digits : Z) (limited : bool) (E : surroundings)
+    (qv : quantity * written) : bool :=
   let '(q, v) := qv in
-  let m := digits_of v in
-  let e := power v in
-  let X := enclosed_quantity prec E q in
-  let below := (if (m =? 10 ^ (digits - 1))%Z then 1 else 10)%Z in
-  if (m =? 0)%Z then is_zero X
-  else
-    (0 <? digits)%Z && (Z.abs e <=? most)%Z && (10 ^ (digits - 1) <=? m)%Z && (m <? 10 ^ digits)%Z
-    && is_positive (I.sub prec X (twentieths prec (20 * m - below) e))
-    && is_positive (I.sub prec (twentieths prec (20 * m + 10) e) X).
+  match v with
+  | Infinite => match q with Plain Mu => negb limited | _ => false end
+  | Decimal m e =>
+      let X := enclosed_quantity prec limited E q in
+      let below := (if (m =? 10 ^ (digits - 1))%Z then 1 else 10)%Z in
+      if (m =? 0)%Z then is_zero X
+      else
+        (0 <? digits)%Z && (Z.abs e <=? most)%Z && (10 ^ (digits - 1) <=? m)%Z && (m <? 10 ^ digits)%Z
+        && is_positive (I.sub prec X (twentieths prec (20 * m - below) e))
+        && is_positive (I.sub prec (twentieths prec (20 * m + 10) e) X)
+  end.
+
+(** The quantity of a variable. *)
+Definition variable (q : quantity) : list name :=
+  match q with
+  | Plain n | Degrees n => [n]
+  | IntrinsicThrust => [Eta; Thrust]
+  | OpeningVariable => [Alpha]
+  | FrictionAngle | FrictionAngleDegrees => [Mu]
+  end.
+
+(** Only of these variables something is said. *)
+Definition hold_values (prec : Z) (known : list name) (limited : bool) (E : surroundings)
+    (c : certificate) : bool :=
+  forallb (fun qv => forallb (fun n => existsb (same n) known) (variable (fst qv))
+                     && holds_value prec (digits c) limited E qv) (values c).
+
+(** ** Signs *)
+
+Definition are_all_positive (prec : Z) (E : surroundings) (l : list formula) : bool :=
+  forallb (fun f => is_positive (enclosed prec E f)) l.
+
+(** Below a half turn. *)
+Definition is_open (prec : Z) (X : enclosure) : bool := is_positive (I.sub prec (I.pi prec) X).
+
+(** The steepest joint, computed from the thrust. *)
+Definition with_steepest (prec : Z) (E : surroundings) : surroundings :=
+  let h := itself (E Thrust) in
+  let b := functions_of prec BetaS (I.sqrt prec (I.mul prec h (I.sub prec (integer prec 1) h))) in
+  fun n => match n with BetaS => b | _ => E n end.
+
+(** One joint for both. *)
+Definition with_one_joint (E : surroundings) : surroundings :=
+  fun n => match n with BetaR => E BetaS | _ => E n end.
+
+Local Open Scope formula_scope.
+(** What the limit leaves; what the extrados leaves at the shoulder; the room next to the crown; and what
+    friction leaves. *)
+Definition limit (w : weight) : formula :=
+  2 * normal Alpha - (1 - Cos Alpha) * match w with Heyman => 1 | Milankovitch => Ratio 4 3 end.
+Definition extrados_at_shoulder (w : weight) : formula :=
+  outer * normal Alpha - 2 * centroid w * (1 - Cos Alpha) - outer * Val Thrust.
+Definition next_to_crown (w : weight) : formula :=
+  centroid w - inner * (2 - Val Thrust) * Ratio 1 2.
+Definition grip_at_shoulder : formula := normal Alpha * Val Mu - shoulder_slides.
+Definition grip_inside : formula := inner_carries * Val Mu - inner_slides.
+
+Definition haunch : list formula := [Val BetaR; Val Alpha - Val BetaR].
+Definition some_thrust : list formula := [Val Thrust; 1 - Val Thrust].
+Definition steepest : list formula := [Val BetaS; Val Alpha - Val BetaS; inner_carries].
+Definition thick (w : weight) : list formula := [Val Eta; inner; limit w].
+Definition carried : list formula := [Val Alpha; normal Alpha].
 
 (** ** States *)
 
@@ -145,57 +143,19 @@ Definition unknowns_of (m : mode) : list name :=
   | Overturning => [Eta]
   end.
 
-Definition system_of (w : weight) (u : list name) (e : list equation) : system :=
-  System u (map (cleared w) e) (flat_map denominator e).
-
-Definition given_enclosures (a : arch) (prec : Z) : surroundings :=
-  surroundings_of prec (fun n =>
-    match n with
-    | Alpha => enclosed_number prec (half_opening a)
-    | Mu => enclosed_friction prec (its_friction a)
-    | _ => exact nought
-    end).
-
-Definition is_limited (f : friction) : bool := match f with Unlimited => false | _ => true end.
-
 (** A mode that slides needs a limit, and one without thrust none. *)
 Definition fits (m : mode) (f : friction) : bool :=
   match m with Rotational => true | Overturning => negb (is_limited f) | _ => is_limited f end.
-
-(** Where no inner joint slides, the steepest is computed from the thrust. *)
-Definition with_steepest (prec : Z) (E : surroundings) : surroundings :=
-  let h := itself (E Thrust) in
-  let b := functions_of prec BetaS (I.sqrt prec (I.mul prec h (I.sub prec (integer prec 1) h))) in
-  fun n => match n with BetaS => b | _ => E n end.
 
 Definition slides_inside (m : mode) : bool :=
   match m with RotationalSliding | RotationalSlidingRotational | OverturningSliding => true | _ => false end.
 
 (** What is a result: the rest is given, or the mode has none. *)
-Definition speaks_of (m : mode) (q : quantity) : bool :=
-  match q with
-  | IntrinsicThrust | Plain (Eta | Thrust | BetaR) | Degrees BetaR => true
-  | Plain BetaS | Degrees BetaS => slides_inside m
-  | _ => false
-  end.
+Definition results (m : mode) : list name :=
+  [Eta; Thrust; BetaR] ++ (if slides_inside m then [BetaS] else []).
 
-Local Open Scope formula_scope.
-(** What the limit leaves; what the extrados leaves at the shoulder; the room next to the crown. *)
-Definition limit (w : weight) : formula :=
-  2 * normal Alpha - (1 - Cos Alpha) * match w with Heyman => 1 | Milankovitch => Ratio 4 3 end.
-Definition extrados_at_shoulder (w : weight) : formula :=
-  outer * normal Alpha - 2 * centroid w * (1 - Cos Alpha) - outer * Val Thrust.
-Definition next_to_crown (w : weight) : formula :=
-  centroid w - inner * (2 - Val Thrust) * Ratio 1 2.
-Definition grip_at_shoulder : formula := normal Alpha * Val Mu - shoulder_slides.
-Definition grip_inside : formula := inner_carries * Val Mu - inner_slides.
-
-(** What has to be positive. *)
-Definition haunch : list formula := [Val BetaR; Val Alpha - Val BetaR].
-Definition some_thrust : list formula := [Val Thrust; 1 - Val Thrust].
-Definition steepest : list formula := [Val BetaS; Val Alpha - Val BetaS; inner_carries].
 Definition signs (w : weight) (m : mode) (limited : bool) : list formula :=
-  [Val Alpha; normal Alpha; Val Eta; inner; limit w] ++
+  carried ++ thick w ++
   match m with
   | Rotational =>
       some_thrust ++ haunch ++ (if limited then steepest ++ [grip_at_shoulder; grip_inside] else [])
@@ -212,28 +172,162 @@ Definition signs (w : weight) (m : mode) (limited : bool) : list formula :=
   end.
 Local Close Scope formula_scope.
 
-Definition are_all_positive (prec : Z) (E : surroundings) (l : list formula) : bool :=
-  forallb (fun f => is_positive (enclosed prec E f)) l.
+Definition system_of (w : weight) (u : list name) (e : list equation) : system :=
+  System u (map (cleared w) e) (flat_map denominator e).
 
-(** Below a half turn. *)
-Definition is_open (prec : Z) (E : surroundings) : bool :=
-  is_positive (I.sub prec (I.pi prec) (itself (E Alpha))).
+Definition full_bits (c : certificate) : Z := (longest (centre (root c)) + 64)%Z.
+
+(** What surrounds the state. *)
+Definition state_found (c : certificate) (m : mode) (a : arch) : option surroundings :=
+  let full := full_bits c in
+  let w := self_weight a in
+  let limited := is_limited (its_friction a) in
+  match located c full (given (its_numbers a)) (system_of w (unknowns_of m) (equations m)) with
+  | None => None
+  | Some E =>
+      let steep := if limited && negb (slides_inside m) then with_steepest full E else E in
+      if fits m (its_friction a) && is_open full (itself (E Alpha))
+         && are_all_positive full steep (signs w m limited)
+         && hold_values full (results m) limited E c
+      then Some E else None
+  end.
 
 Definition check_state (c : certificate) (m : mode) (a : arch) : bool :=
+  match state_found c m a with Some _ => true | None => false end.
+
+(** ** The other verdicts *)
+
+(** A fraction above zero and at most two. *)
+Definition is_thickness (t : number) : bool :=
+  match t with Fraction p q => (0 <? p)%Z && (p <=? 2 * Zpos q)%Z | _ => false end.
+
+Definition check_too_thin (c : certificate) (m : mode) (a : arch) (t : number) : bool :=
+  let full := full_bits c in
+  match state_found c m a with
+  | Some E => is_thickness t && is_positive (I.sub full (itself (E Eta)) (enclosed_number full t))
+  | None => false
+  end.
+
+Definition check_slides (c : certificate) (a : arch) : bool :=
+  let full := full_bits c in
   let w := self_weight a in
-  let full := (longest (centre (root c)) + 64)%Z in
-  fits m (its_friction a) &&
-  match located c (given_enclosures a) (system_of w (unknowns_of m) (equations m)) with
+  let mu := enclosed_friction full (its_friction a) in
+  match located c full (given (its_opening a))
+          (system_of w [Mu; Thrust; BetaS] [ShoulderSliding; InnerSliding; Steepest]) with
   | None => false
   | Some E =>
-      let limited := is_limited (its_friction a) in
-      let S := if limited && negb (slides_inside m) then with_steepest full E else E in
-      is_open full E && are_all_positive full S (signs w m limited)
-      && forallb (fun qv => speaks_of m (fst qv)) (values c)
-      && forallb (holds_value full (digits c) E) (values c)
+      is_limited (its_friction a) && is_not_negative mu && is_positive (I.sub full (itself (E Mu)) mu)
+      && is_open full (itself (E Alpha)) && are_all_positive full E (carried ++ steepest)
+      && hold_values full [Mu; Thrust; BetaS] true E c
   end.
+
+Definition check_too_wide (c : certificate) (a : arch) : bool :=
+  let full := full_bits c in
+  let w := self_weight a in
+  let limited := is_limited (its_friction a) in
+  let alpha := enclosed_number full (half_opening a) in
+  let numbers prec := [(Eta, exact two); (Mu, enclosed_friction prec (its_friction a))] in
+  let u := if limited then [Alpha; Thrust; BetaS] else [Alpha] in
+  let e := if limited then [UpperThrust BetaR; InnerSliding; Steepest] else [WholeThrust] in
+  match located c full (given numbers) (system_of w u e) with
+  | None => false
+  | Some E =>
+      is_open full alpha && is_positive (I.sub full alpha (itself (E Alpha)))
+      && are_all_positive full E (Val Alpha :: (if limited then steepest ++ [upper_lever BetaR] else []))
+      && hold_values full u limited E c
+  end.
+
+Local Open Scope formula_scope.
+(** Twice the distance from the intrados, at a joint. *)
+Definition room (w : weight) (joint : name) : formula :=
+  2 * Val Moment + 2 * centroid w * (1 - Cos joint) - inner * normal joint.
+Definition room_at_crown : formula := 2 * Val Moment - inner * Val Thrust.
+Definition still_nearer (w : weight) : formula :=
+  inner * ((1 - Val Thrust) * Sin Alpha + Val Alpha * Cos Alpha) - 2 * centroid w * Sin Alpha.
+Definition standing_signs (w : weight) (there : nearest) : list formula :=
+  carried ++ some_thrust ++
+  [outer * Val Thrust - 2 * Val Moment;
+   outer * normal Alpha - 2 * Val Moment - 2 * centroid w * (1 - Cos Alpha)] ++
+  match there with
+  | AtCrown => [room_at_crown; next_to_crown w]
+  | AtHaunch => haunch ++ [room w BetaR]
+  | AtShoulder => [room w Alpha; still_nearer w]
+  end.
+(** Friction at the shoulder is enough for a short arch, whose steepest joint is beyond it. *)
+Definition enough (prec : Z) (E : surroundings) : bool :=
+  let steep := with_steepest prec E in
+  are_all_positive prec E [grip_at_shoulder] &&
+  if are_all_positive prec steep [Val BetaS - Val Alpha]
+  then are_all_positive prec E [normal Alpha * Val Mu + shoulder_slides]
+  else are_all_positive prec steep [inner_carries; grip_inside].
+Local Close Scope formula_scope.
+
+Definition check_stands (c : certificate) (a : arch) (t : number) (h p : dyadic) (there : nearest) : bool :=
+  let full := (Z.max (longest (centre (root c))) (longest [h; p]) + 64)%Z in
+  let w := self_weight a in
+  let limited := is_limited (its_friction a) in
+  let numbers prec :=
+    (Eta, enclosed_number prec t) :: (Thrust, exact h) :: (Moment, exact p) :: its_numbers a prec in
+  let u := match there with AtHaunch => [BetaR] | _ => [] end in
+  let e := match there with AtHaunch => [Tangency BetaR] | _ => [] end in
+  match located c full (given numbers) (system_of w u e) with
+  | None => false
+  | Some E =>
+      is_thickness t && is_open full (itself (E Alpha)) && are_all_positive full E (standing_signs w there)
+      && (if limited then enough full E else true)
+      && hold_values full u limited E c
+  end.
+
+(** ** Landmarks *)
+
+Definition landmark_unknowns (l : landmark) : list name :=
+  match l with
+  | Triple => [Alpha; BetaR; BetaS; Eta; Thrust; Mu]
+  | Shift | Junction => [Alpha; BetaS; Eta; Thrust; Mu]
+  | Border => [Alpha; BetaS; Thrust; Mu]
+  | RotationEnd => [Alpha; Eta]
+  | OverturningEnd => [Alpha]
+  | WidestJoint => [Alpha; BetaR; Eta; Thrust]
+  end.
+Definition landmark_limited (l : landmark) : bool :=
+  match l with Triple | Shift | Junction | Border => true | _ => false end.
+Definition landmark_known (l : landmark) : list name :=
+  [Alpha; BetaR; Eta; Thrust] ++ match l with WidestJoint => [] | _ => [BetaS; Mu] end.
+Definition landmark_given (l : landmark) (prec : Z) : list (name * enclosure) :=
+  match l with Border | OverturningEnd => [(Eta, exact two)] | _ => [] end.
+
+Local Open Scope formula_scope.
+Definition landmark_signs (w : weight) (l : landmark) : list formula :=
+  carried ++
+  match l with
+  | Triple => thick w ++ some_thrust ++ haunch ++ steepest
+  | Shift => thick w ++ some_thrust ++ steepest ++ [- extrados_at_shoulder w; upper_lever BetaS]
+  | Junction => thick w ++ some_thrust ++ steepest ++ [upper_lever BetaR]
+  | Border => some_thrust ++ steepest ++ [next_to_crown w; upper_lever BetaR]
+  | RotationEnd => thick w ++ [upper_lever BetaR]
+  | OverturningEnd => [next_to_crown w; upper_lever BetaR]
+  | WidestJoint => thick w ++ some_thrust ++ haunch
+  end.
+Local Close Scope formula_scope.
+
+Definition check_landmark (c : certificate) (l : landmark) (w : weight) : bool :=
+  let full := full_bits c in
+  match located c full (given (landmark_given l)) (system_of w (landmark_unknowns l) (equations_of l)) with
+  | None => false
+  | Some E =>
+      let E := match l with Shift => with_one_joint E | _ => E end in
+      is_open full (itself (E Alpha)) && are_all_positive full E (landmark_signs w l)
+      && hold_values full (landmark_known l) (landmark_limited l) E c
+  end.
+
+(** ** The certificate *)
 
 Definition check (c : certificate) : bool :=
   match about c with
   | State m a => check_state c m a
+  | TooThin m a t => check_too_thin c m a t
+  | Slides a => check_slides c a
+  | TooWide a => check_too_wide c a
+  | Stands a t h p there => check_stands c a t h p there
+  | Landmark l w => check_landmark c l w
   end.

@@ -47,22 +47,26 @@ Definition upper_lever (joint : name) : formula := inner * Cos joint - outer * C
 (** The joint of (2), (3) and (5) has a name: it is that which slides where both are one. *)
 Inductive equation :=
   | LowerThrust (joint : name) | UpperThrust (joint : name) | WholeThrust
-  | Tangency (joint : name) | TangencyAtCrown
+  | Tangency (joint : name) | TangencyAtCrown | DoubleThickness (joint : name)
   | ShoulderSliding | InnerSliding | Steepest.
+
+(** Numerators of (2) and (5). *)
+Definition lower (w : weight) (b : name) : formula :=
+  inner * Val b * Sin b - 2 * (1 - Cos b) * centroid w.
+Definition touching (w : weight) (b : name) : formula := (1 + Val b * Cot b) * inner - 2 * centroid w.
 
 Definition cleared (w : weight) (e : equation) : formula :=
   match e with
-  | LowerThrust b =>
-      lower_lever b * Val Thrust
-      - (inner * Val b * Sin b - 2 * (1 - Cos b) * centroid w)
+  | LowerThrust b => lower_lever b * Val Thrust - lower w b
   | UpperThrust b =>
       upper_lever b * Val Thrust
       - (outer * Val Alpha * Sin Alpha - inner * Val b * Sin b - (Cos b - Cos Alpha) * centroid w * 2)
   | WholeThrust =>
       (1 - Cos Alpha) * outer * Val Thrust
       - (Val Alpha * Sin Alpha * outer - 2 * centroid w * (1 - Cos Alpha))
-  | Tangency b => inner * Val Thrust - ((1 + Val b * Cot b) * inner - 2 * centroid w)
+  | Tangency b => inner * Val Thrust - touching w b
   | TangencyAtCrown => inner * Val Thrust - (2 * inner - 2 * centroid w)
+  | DoubleThickness b => slope Eta (lower w b * inner - touching w b * lower_lever b)
   | ShoulderSliding => normal Alpha * Val Mu - shoulder_slides
   | InnerSliding => inner_carries * Val Mu - inner_slides
   | Steepest => Val BetaS * Val BetaS - (1 - Val Thrust) * Val Thrust
@@ -75,6 +79,7 @@ Definition denominator (e : equation) : list formula :=
   | UpperThrust b => [upper_lever b]
   | WholeThrust => [(1 - Cos Alpha) * outer]
   | Tangency _ | TangencyAtCrown => [inner]
+  | DoubleThickness b => []
   | ShoulderSliding => [normal Alpha]
   | InnerSliding => [inner_carries]
   | Steepest => []
@@ -89,6 +94,7 @@ Definition printed (d : R) (x : configuration) (e : equation) : Prop :=
   | WholeThrust => x Thrust = h_whole d (x Alpha) (x Eta)
   | Tangency b => x Thrust = h_tangency d (x b) (x Eta)
   | TangencyAtCrown => x Thrust = end_of_rotation d (x Eta)
+  | DoubleThickness b => double_thickness d (x b) (x Eta)
   | ShoulderSliding => x Mu = mu_ss (x Alpha) (x Thrust)
   | InnerSliding => x Mu = mu_inner (x BetaS) (x Thrust)
   | Steepest => x BetaS ^ 2 = x Thrust * (1 - x Thrust)
@@ -97,12 +103,16 @@ Definition printed (d : R) (x : configuration) (e : equation) : Prop :=
 (** The same numbers in the names of the theory. *)
 Ltac in_numbers :=
   cbn [meaning inner outer normal shoulder_slides inner_slides inner_carries lower_lever upper_lever
-       cleared denominator] in *;
+       lower touching cleared denominator] in *;
   rewrite ?meaning_centroid in *.
 
 Lemma cleared_is_printed w x e :
   (forall f, In f (denominator e) -> meaning x f <> 0) ->
-  (match e with Tangency b => sin (x b) <> 0 | _ => True end) ->
+  match e with
+  | Tangency b => sin (x b) <> 0
+  | DoubleThickness _ => False
+  | _ => True
+  end ->
   meaning x (cleared w e) = 0 -> printed (flag w) x e.
 Proof.
   intros Hdenominator Hsine Hzero.
@@ -120,7 +130,22 @@ Proof.
   - transitivity ((2 * (2 - x Eta) - 2 * fac (flag w) (x Eta)) / (2 - x Eta)).
     + apply equals_quotient; [exact Hdenominator | lra].
     + unfold end_of_rotation, fac. field. exact Hdenominator.
+  - easy.
   - unfold mu_ss. apply equals_quotient; [exact Hdenominator | lra].
   - unfold mu_inner. apply equals_quotient; [exact Hdenominator | lra].
   - lra.
+Qed.
+
+(** Where (2) and (5) are equal, their difference has a slope that is zero. *)
+Lemma cleared_double w x b : b <> Eta ->
+  meaning x (lower_lever b) <> 0 -> sin (x b) <> 0 -> meaning x inner <> 0 ->
+  printed (flag w) x (LowerThrust b) -> printed (flag w) x (Tangency b) ->
+  meaning x (cleared w (DoubleThickness b)) = 0 -> printed (flag w) x (DoubleThickness b).
+Proof.
+  intros Hb Hlever Hs Hi H2 H5 Hzero. cbn [printed] in *.
+  assert (E : h_lower (flag w) (x b) (x Eta) = h_tangency (flag w) (x b) (x Eta)) by congruence.
+  apply (cleared_double_thickness (flag w) (x b) (x Eta) (sin (x b) * meaning x (cleared w (DoubleThickness b)))
+           Hlever Hs Hi E).
+  - destruct w, b; try easy; unfold fac; simpl; field; easy.
+  - rewrite Hzero. ring.
 Qed.

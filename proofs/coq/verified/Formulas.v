@@ -286,8 +286,8 @@ Qed.
 (** What is asked for is known from the name. *)
 Definition functions_of (n : name) (X : enclosure) : functions :=
   match n with
-  | Alpha | BetaS | Hinge => angle X
-  | BetaR => angle_with_cotangent X
+  | Alpha | Hinge => angle X
+  | BetaR | BetaS => angle_with_cotangent X
   | _ => plain X
   end.
 

@@ -2,20 +2,9 @@
 
 From Coq Require Import Reals ZArith Lra Lia Bool List.
 From Interval Require Import Interval.Interval.
-From Couplet Require Import Arch Contraction States Enclosures Formulas Krawczyk Equations Certificate Check.
+From Couplet Require Import Arch States Verdicts Enclosures Formulas Krawczyk Equations Certificate Root Check.
 Import ListNotations.
 Open Scope R_scope.
-
-(** A test of many conditions, taken apart. *)
-Ltac conditions :=
-  repeat match goal with
-    | H : (_ && _)%bool = true |- _ => apply andb_true_iff in H; destruct H
-    | H : negb _ = false |- _ => apply negb_false_iff in H
-    | H : Nat.eqb _ _ = true |- _ => apply Nat.eqb_eq in H
-    end.
-
-Lemma each_one {A} (test : A -> bool) l a : forallb test l = true -> In a l -> test a = true.
-Proof. intros H. exact (proj1 (forallb_forall test l) H a). Qed.
 
 (** ** What is given *)
 
@@ -33,202 +22,60 @@ Qed.
 Definition coefficient_or_zero (f : friction) : R :=
   match coefficient f with Some mu => mu | None => 0 end.
 
+Lemma coefficient_is f : coefficient f = if is_limited f then Some (coefficient_or_zero f) else None.
+Proof. now destruct f. Qed.
+
 Lemma has_friction prec f : has (enclosed_friction prec f) (coefficient_or_zero f).
 Proof.
-  destruct f; cbn [enclosed_friction coefficient coefficient_or_zero]; unfold coefficient_or_zero; cbn [coefficient].
+  destruct f; cbn [enclosed_friction]; unfold coefficient_or_zero; cbn [coefficient].
   - apply has_number.
   - apply has_div; [apply has_sin | apply has_cos]; apply has_number.
   - rewrite <- value_nought. apply has_exact.
 Qed.
 
-Lemma surrounds_remembered E x : surrounds E x -> surrounds (remembered E) x.
-Proof. intros HE []; apply HE. Qed.
+(** The numbers that are given; the others are zero. *)
+Definition numbers_in (l : list (name * R)) : configuration := fun n =>
+  match find (fun nx => same n (fst nx)) l with Some nx => snd nx | None => 0 end.
 
-Lemma surrounds_of prec X x : (forall n, has (X n) (x n)) -> surrounds (surroundings_of prec X) x.
-Proof. intros HX. apply surrounds_remembered. intros n. now apply covers_functions. Qed.
+Definition agree (nX : name * enclosure) (nx : name * R) : Prop :=
+  fst nX = fst nx /\ has (snd nX) (snd nx).
 
-(** The numbers of an arch; what its mode neither solves for nor is given is zero. *)
-Definition numbers_of (a : arch) : configuration := fun n =>
-  match n with
-  | Alpha => real (half_opening a)
-  | Mu => coefficient_or_zero (its_friction a)
-  | _ => 0
-  end.
-
-Lemma surrounds_given a prec : surrounds (given_enclosures a prec) (numbers_of a).
+Lemma surrounds_given L l :
+  (forall prec, List.Forall2 agree (L prec) l) ->
+  forall prec, surrounds (given L prec) (numbers_in l).
 Proof.
-  apply surrounds_of. intros []; cbn [numbers_of];
-    first [apply has_number | apply has_friction | rewrite <- value_nought; apply has_exact].
+  intros Hall prec. apply surrounds_remembered. intros n. apply covers_functions. unfold numbers_in.
+  specialize (Hall prec). induction Hall as [| nX nx L' l' [Hn Hx] _ IH]; cbn [find].
+  - rewrite <- value_nought. apply has_exact.
+  - rewrite Hn. destruct (same n (fst nx)); [exact Hx | exact IH].
 Qed.
 
-(** ** Boxes *)
-
-Section Box.
-
-Variables (prec : Z) (u : list name).
-Notation n := (length u).
-
-Lemma surrounds_box G g b x : surrounds G g ->
-  length (centre b) = n -> length (radius b) = n -> boxed u (centre b) (radius b) x ->
-  surrounds (remembered (sited G u (boxes prec u b))) (place g u x).
-Proof.
-  intros HG Hc Hr Hx. apply surrounds_remembered, surrounds_sited; [exact HG | |].
-  - unfold boxes. rewrite map_length, !combine_length, Hc, Hr, !Nat.min_id. easy.
-  - intros i Hi. unfold boxes.
-    set (f := fun nb : name * (dyadic * dyadic) =>
-                functions_of prec (fst nb) (around prec (fst (snd nb)) (snd (snd nb)))).
-    rewrite (nth_indep _ _ (f (Alpha, (nought, nought))))
-      by (rewrite map_length, !combine_length, Hc, Hr, !Nat.min_id; easy).
-    rewrite map_nth, !combine_nth by (rewrite ?combine_length, ?Hc, ?Hr, ?Nat.min_id; easy).
-    apply covers_functions, has_around. simpl.
-    specialize (Hx i Hi). now rewrite Rmult_1_l in Hx.
-Qed.
-
-Lemma points_nth c i : length c = n -> (i < n)%nat ->
-  nth i (points prec u c) (plain anything)
-  = functions_of prec (nth i u Alpha) (exact (nth i c nought)).
-Proof.
-  intros Hc Hi. unfold points.
-  set (f := fun nc : name * dyadic => functions_of prec (fst nc) (exact (snd nc))).
-  rewrite (nth_indep _ _ (f (Alpha, nought)))
-    by (rewrite map_length, combine_length, Hc, Nat.min_id; easy).
-  now rewrite map_nth, combine_nth by easy.
-Qed.
-
-Lemma points_length c : length c = n -> length (points prec u c) = n.
-Proof. intros Hc. unfold points. rewrite map_length, combine_length, Hc. apply Nat.min_id. Qed.
-
-Lemma surrounds_centre G g c : surrounds G g -> length c = n ->
-  surrounds (remembered (sited G u (points prec u c))) (place g u (entry c)).
-Proof.
-  intros HG Hc. apply surrounds_remembered, surrounds_sited; [exact HG | now apply points_length |].
-  intros i Hi. rewrite points_nth by easy. apply covers_functions, has_exact.
-Qed.
-
-(** Sine and cosine move no faster than the angle. *)
-Lemma sine_moves x y : Rabs (sin x - sin y) <= Rabs (x - y).
-Proof.
-  destruct (MVT_gen sin y x cos) as (t & _ & Ht).
-  - intros t _. apply is_derive_sin.
-  - intros t _. apply continuity_sin.
-  - rewrite Ht, Rabs_mult. destruct (COS_bound t).
-    assert (Rabs (cos t) <= 1) by (apply Rabs_le; lra). pose proof (Rabs_pos (x - y)). nra.
-Qed.
-
-Lemma cosine_moves x y : Rabs (cos x - cos y) <= Rabs (x - y).
-Proof.
-  rewrite <- !sin_shift, (Rabs_minus_sym x y).
-  replace (y - x) with ((PI / 2 - x) - (PI / 2 - y)) by ring. apply sine_moves.
-Qed.
-
-Lemma covers_spread F c r x : covers F c -> Rabs (x - c) <= value r -> covers (spread prec F r) x.
-Proof.
-  intros (Hc & Hs & Hcos & _) Hx.
-  assert (moved : forall X y z, has X y -> Rabs (z - y) <= value r -> has (I.add prec X (symmetric r)) z).
-  { intros X y z HX Hz. replace z with (y + (z - y)) by ring. apply has_add; [exact HX |].
-    now apply has_symmetric. }
-  refine (conj (moved _ _ _ Hc Hx) (conj (moved _ _ _ Hs _) (conj (moved _ _ _ Hcos _) _))).
-  - eapply Rle_trans; [apply sine_moves | exact Hx].
-  - eapply Rle_trans; [apply cosine_moves | exact Hx].
-  - apply has_anything.
-Qed.
-
-Lemma surrounds_spread G g c r x : surrounds G g -> length c = n -> length r = n -> boxed u c r x ->
-  surrounds (remembered
-    (sited G u (map (fun Fr => spread prec (fst Fr) (snd Fr)) (combine (points prec u c) r))))
-    (place g u x).
-Proof.
-  intros HG Hc Hr Hx. assert (Hlength := points_length c Hc).
-  apply surrounds_remembered, surrounds_sited; [exact HG | |].
-  - rewrite map_length, combine_length, Hlength, Hr. apply Nat.min_id.
-  - intros i Hi.
-    set (f := fun Fr : functions * dyadic => spread prec (fst Fr) (snd Fr)).
-    rewrite (nth_indep _ _ (f (plain anything, nought)))
-      by (rewrite map_length, combine_length, Hlength, Hr, Nat.min_id; easy).
-    rewrite map_nth, combine_nth, points_nth by congruence. unfold f. simpl fst. simpl snd.
-    apply (covers_spread _ (value (nth i c nought))).
-    + apply covers_functions, has_exact.
-    + specialize (Hx i Hi). now rewrite Rmult_1_l in Hx.
-Qed.
-
-Lemma is_inside_sound b B x : is_inside prec n b B = true ->
-  boxed u (centre b) (radius b) x -> boxed u (centre B) (radius B) x.
-Proof.
-  intros Htest Hx i Hi. specialize (Hx i Hi). rewrite Rmult_1_l in Hx |- *.
-  apply (each_one _ _ i) in Htest; [| apply in_seq; lia].
-  assert (H := is_positive_sound _
-    (entry (radius B) i - (entry (radius b) i + Rabs (entry (centre b) i - entry (centre B) i))) Htest).
-  assert (0 < entry (radius B) i - (entry (radius b) i + Rabs (entry (centre b) i - entry (centre B) i))).
-  { apply H. apply has_sub; [apply has_exact |]. apply has_add; [apply has_exact |].
-    apply has_abs, has_sub; apply has_exact. }
-  replace (x i - entry (centre B) i)
-    with ((x i - entry (centre b) i) + (entry (centre b) i - entry (centre B) i)) by ring.
-  eapply Rle_trans; [apply Rabs_triang | lra].
-Qed.
-
-End Box.
-
-Lemma are_positive_sound l n i : are_positive l = true -> length l = n -> (i < n)%nat -> 0 < entry l i.
-Proof.
-  intros Hall <- Hi. apply (each_one _ _ (nth i l nought)) in Hall; [| now apply nth_In].
-  apply Z.ltb_lt in Hall. unfold entry, value.
-  apply Rmult_lt_0_compat; [now apply IZR_lt | apply powerRZ_lt; lra].
-Qed.
-
-(** ** The root *)
-
-Lemma place_given g u x n : existsb (same n) u = false -> place g u x n = g n.
-Proof.
-  revert x. induction u as [| m u IH]; intros x Habsent; [easy |].
-  simpl in *. apply orb_false_elim in Habsent. destruct Habsent as [Hm Hu].
-  destruct (same_spec m n) as [-> | _]; [| now apply IH].
-  destruct (same_spec n n); easy.
-Qed.
-
-Theorem located_sound c given g s E :
-  (forall prec, surrounds (given prec) g) -> located c given s = Some E ->
-  exists x : configuration,
-    surrounds E x /\ (forall n, existsb (same n) (unknowns s) = false -> x n = g n) /\
-    (forall f, In f (zeros s) -> meaning x f = 0 /\ defined x f) /\
-    (forall f, In f (divisors s) -> meaning x f <> 0).
-Proof.
-  intros Hg. unfold located. set (u := unknowns s). set (n := length u).
-  set (wide := (longest (centre (unique c)) + 64)%Z). set (full := (longest (centre (root c)) + 64)%Z).
-  cbv zeta. set (X := remembered (sited (given wide) u (boxes wide u (unique c)))).
-  repeat match goal with
-    | |- (if ?b then _ else _) = _ -> _ => destruct b eqn:?; try easy
-    | |- match ?b with Some _ => _ | None => _ end = _ -> _ => destruct b as [C |] eqn:HC; try easy
-    end.
-  intros [= <-]. conditions.
-  set (m := remembered (sited (given full) u (points full u (centre (root c))))) in *.
-  assert (within : forall x, boxed u (centre (root c)) (radius (root c)) x -> surrounds X (place g u x)).
-  { intros x Hx. apply surrounds_box; auto. now apply (is_inside_sound full u (root c) (unique c)). }
-  destruct (one_root wide u (zeros s) (inverse c) g ltac:(easy) C (centre (root c)) (radius (root c))
-              (map (enclosed full m) (zeros s))) as (x & Hx & Hsolves & _); auto.
-  - intros y Hy f Hf. apply (is_defined_sound X); [now apply (each_one _ (zeros s)) | now apply within].
-  - intros y Hy. now apply (bounds_hold wide u (zeros s) (inverse c) g ltac:(easy) X), within.
-  - intros i Hi. now apply (are_positive_sound _ n).
-  - intros j Hj. unfold residual.
-    rewrite (nth_indep _ _ (enclosed full m (Int 0))) by (rewrite map_length; lia).
-    rewrite map_nth. apply has_meaning, surrounds_centre; auto.
-  - exists (place g u x). refine (conj _ (conj _ (conj _ _))).
-    + now apply surrounds_spread.
-    + intros k Hk. now apply place_given.
-    + intros f Hf. split.
-      * destruct (In_nth _ _ (Int 0) Hf) as (j & Hj & <-). apply Hsolves. lia.
-      * apply (is_defined_sound X); [now apply (each_one _ (zeros s)) | now apply within].
-    + intros f Hf. apply (is_not_zero_sound (enclosed wide X f)); [| now apply has_meaning, within].
-      now apply (each_one (fun f => is_not_zero (enclosed wide X f)) (divisors s)).
-Qed.
+Ltac given_numbers :=
+  intros; unfold its_numbers, its_opening;
+  repeat (apply List.Forall2_cons;
+          [split; [reflexivity | cbn [snd]; first [apply has_number | apply has_friction | apply has_exact]] |]);
+  apply List.Forall2_nil.
 
 (** ** Decimals *)
 
-Lemma has_quantity prec E x q : surrounds E x -> has (enclosed_quantity prec E q) (value_of q x).
+Lemma has_quantity prec (limited : bool) E (x : configuration) (mu : option R) q : surrounds E x -> mu = (if limited then Some (x Mu) else None) ->
+  has (enclosed_quantity prec limited E q) (value_of mu x q).
 Proof.
-  intros HE. destruct q; cbn [enclosed_quantity value_of].
+  intros HE ->. unfold enclosed_quantity. cbv zeta.
+  assert (degrees : forall X y, has X y ->
+            has (I.div prec (I.mul prec (integer prec 180) X) (I.pi prec)) (180 * y / PI)).
+  { intros X y HX. apply has_div; [| apply has_pi]. apply has_mul; [apply (has_integer prec 180) | exact HX]. }
+  assert (angle : has (if limited then I.atan prec (itself (E Mu)) else I.div prec (I.pi prec) (integer prec 2))
+                    (friction_angle (if limited then Some (x Mu) else None))).
+  { destruct limited; [apply has_atan, HE | apply has_div; [apply has_pi | apply (has_integer prec 2)]]. }
+  destruct q; cbn [value_of].
   - apply HE.
-  - apply has_div; [| apply has_pi]. apply has_mul; [apply (has_integer prec 180) | apply HE].
+  - apply degrees, HE.
   - apply has_mul; apply HE.
+  - apply has_div; [apply has_mul; apply HE |].
+    apply has_sub; [apply (has_integer prec 1) | apply HE].
+  - exact angle.
+  - now apply degrees.
 Qed.
 
 Lemma has_twentieths prec m e : has (twentieths prec m e) (IZR m / 20 * powerRZ 10 e).
@@ -249,25 +96,48 @@ Proof.
       rewrite mult_IZR, ten by lia. now field.
 Qed.
 
-Lemma holds_value_sound prec digits E x qv : holds_value prec digits E qv = true -> surrounds E x ->
-  is_rounding digits (snd qv) (value_of (fst qv) x).
+Lemma holds_value_sound prec digits (limited : bool) E (x : configuration) (mu : option R) qv :
+  holds_value prec digits limited E qv = true -> surrounds E x ->
+  mu = (if limited then Some (x Mu) else None) -> is_value digits mu x (fst qv) (snd qv).
 Proof.
-  destruct qv as [q v]. unfold holds_value, is_rounding. cbn [fst snd].
-  intros Htest HE. assert (HX := has_quantity prec E x q HE).
-  destruct (Z.eqb_spec (digits_of v) 0) as [Hzero | Hne].
-  - left. split; [easy | now apply (is_zero_sound (enclosed_quantity prec E q))].
-  - right. conditions.
-    repeat match goal with
-      | H : (_ <=? _)%Z = true |- _ => apply Z.leb_le in H
-      | H : (_ <? _)%Z = true |- _ => apply Z.ltb_lt in H
-      end.
-    split; [easy |]. set (m := digits_of v) in *. set (unit := powerRZ 10 (power v)).
-    assert (above := has_sub prec _ _ _ _ HX
-                       (has_twentieths prec (20 * m - (if (m =? 10 ^ (digits - 1))%Z then 1 else 10)) (power v))).
-    assert (below := has_sub prec _ _ _ _ (has_twentieths prec (20 * m + 10) (power v)) HX).
-    apply is_positive_sound in above; [| assumption]. apply is_positive_sound in below; [| assumption].
-    fold unit in above, below. rewrite plus_IZR, mult_IZR in below. rewrite minus_IZR, mult_IZR in above.
-    destruct (m =? 10 ^ (digits - 1))%Z; lra.
+  destruct qv as [q [| m e]]; unfold holds_value; cbn [fst snd is_value].
+  - intros Htest HE ->. destruct q as [[] | | | | |]; try easy. now destruct limited.
+  - intros Htest HE Hmu. assert (HX := has_quantity prec limited E x mu q HE Hmu). unfold is_rounding.
+    cbv zeta in *.
+    destruct (Z.eqb_spec m 0) as [Hzero | Hne].
+    + left. split; [easy | now apply (is_zero_sound (enclosed_quantity prec limited E q))].
+    + right. conditions.
+      repeat match goal with
+        | H : (_ <=? _)%Z = true |- _ => apply Z.leb_le in H
+        | H : (_ <? _)%Z = true |- _ => apply Z.ltb_lt in H
+        end.
+      split; [easy |]. set (unit := powerRZ 10 e).
+      assert (above := has_sub prec _ _ _ _ HX
+                         (has_twentieths prec (20 * m - (if (m =? 10 ^ (digits - 1))%Z then 1 else 10)) e)).
+      assert (below := has_sub prec _ _ _ _ (has_twentieths prec (20 * m + 10) e) HX).
+      apply is_positive_sound in above; [| assumption]. apply is_positive_sound in below; [| assumption].
+      fold unit in above, below. rewrite plus_IZR, mult_IZR in below. rewrite minus_IZR, mult_IZR in above.
+      destruct (m =? 10 ^ (digits - 1))%Z; lra.
+Qed.
+
+Lemma hold_values_sound prec known (limited : bool) E c (x : configuration) (mu : option R) : hold_values prec known limited E c = true ->
+  surrounds E x -> mu = (if limited then Some (x Mu) else None) -> values_hold c mu x.
+Proof.
+  intros Hall HE Hmu q v Hq. apply (each_one _ _ (q, v)) in Hall; [| exact Hq].
+  apply andb_true_iff in Hall. now apply (holds_value_sound prec (digits c) limited E x mu (q, v)).
+Qed.
+
+(** Of friction nothing is said, so that it may be given otherwise. *)
+Lemma values_without_friction c mu mu' x known :
+  existsb (same Mu) known = false ->
+  forallb (fun qv => forallb (fun n => existsb (same n) known) (variable (fst qv))) (values c) = true ->
+  values_hold c mu x -> values_hold c mu' x.
+Proof.
+  intros Hnone Hknown Hall q v Hq. specialize (Hall q v Hq).
+  apply (each_one _ _ (q, v)) in Hknown; [| exact Hq]. cbn [fst] in Hknown.
+  destruct q; cbn [variable forallb] in Hknown; rewrite ?Hnone in Hknown; try easy;
+    destruct v; cbn [is_value] in *; try easy; destruct Hall as [E _]; try easy.
+  injection E as ->. cbn [forallb] in Hknown. now rewrite Hnone in Hknown.
 Qed.
 
 (** ** States *)
@@ -290,14 +160,20 @@ Proof.
   exact (each_one _ l f Hall Hf).
 Qed.
 
-Lemma is_open_sound prec E x : is_open prec E = true -> surrounds E x -> x Alpha < PI.
+Lemma is_open_sound prec X alpha : is_open prec X = true -> has X alpha -> alpha < PI.
 Proof.
-  intros Htest HE. apply (is_positive_sound _ (PI - x Alpha)) in Htest; [lra |].
-  apply has_sub; [apply has_pi | apply HE].
+  intros Htest HX. apply (is_positive_sound _ (PI - alpha)) in Htest; [lra |].
+  now apply has_sub; [apply has_pi |].
+Qed.
+
+Lemma difference_sound prec X Y x y : is_positive (I.sub prec X Y) = true -> has X x -> has Y y -> y < x.
+Proof.
+  intros Htest HX HY. apply (is_positive_sound _ (x - y)) in Htest; [lra |]. now apply has_sub.
 Qed.
 
 Ltac list_of H :=
-  cbn [signs some_thrust haunch steepest app equations] in H;
+  cbn [signs landmark_signs standing_signs carried thick some_thrust haunch steepest app equations
+       equations_of] in H;
   repeat (apply List.Forall_cons_iff in H; let first := fresh in destruct H as [first H]); clear H.
 
 (** Names of the theory for what the formulas mean. *)
@@ -366,7 +242,7 @@ Proof.
   all: assert (N : 0 < normal_force (x Alpha) (x Thrust)) by assumption.
   all: frictions Hsteepest.
   all: cbn [meaning inner outer upper_lever] in *; rewrite ?meaning_extrados in *.
-  all: unfold in_order, is_least, crown_moment.
+  all: unfold in_order, is_least, is_admissible, crown_moment.
   - split; [lra |]. apply (rotational _ _ _ weight) with (beta := x BetaR); try tauto; try lra.
     rewrite <- Hsteepest by easy. lra.
   - split; [lra |]. apply (rotational_without_limit _ _ weight) with (beta := x BetaR); try tauto; try lra.
@@ -384,54 +260,354 @@ Proof.
     apply (overturning _ _ weight); try tauto; try lra.
 Qed.
 
-Lemma coefficient_is f : coefficient f = if is_limited f then Some (coefficient_or_zero f) else None.
-Proof. now destruct f. Qed.
 
-Theorem check_state_sound c m a : about c = State m a -> check_state c m a = true -> claim_of c.
+(** The equations that the root of a system solves, as printed. *)
+Lemma printed_equations w x e :
+  (forall f, In f (map (cleared w) e) -> meaning x f = 0 /\ defined x f) ->
+  (forall f, In f (flat_map denominator e) -> meaning x f <> 0) ->
+  (forall b, ~ In (DoubleThickness b) e) ->
+  List.Forall (printed (flag w) x) e.
 Proof.
-  intros Habout Hcheck. unfold check_state in Hcheck. cbv zeta in Hcheck.
-  set (w := self_weight a) in *. set (f := its_friction a) in *.
-  set (full := (longest (centre (root c)) + 64)%Z) in *.
-  apply andb_true_iff in Hcheck. destruct Hcheck as [Hfits Hcheck].
-  destruct (located _ _ _) as [E |] eqn:Hlocated; [| easy]. conditions.
-  destruct (located_sound _ _ (numbers_of a) _ _ (surrounds_given a) Hlocated)
+  intros Hzeros Hdivisors Hsimple. apply List.Forall_forall. intros g Hg. apply cleared_is_printed.
+  - intros f Hf. apply Hdivisors, in_flat_map. now exists g.
+  - destruct g; try exact Logic.I.
+    + apply (Hzeros (cleared w (Tangency joint))); [now apply (in_map (cleared w)) | simpl; auto].
+    + now apply (Hsimple joint).
+  - apply Hzeros. now apply (in_map (cleared w)).
+Qed.
+
+Ltac no_double := intros ? Hdouble; simpl in Hdouble; repeat destruct Hdouble as [Hdouble | Hdouble]; easy.
+
+Lemma arch_numbers a prec :
+  List.Forall2 agree (its_numbers a prec)
+    [(Mu, coefficient_or_zero (its_friction a)); (Alpha, real (half_opening a))].
+Proof. given_numbers. Qed.
+
+Theorem state_found_sound c m a E : state_found c m a = Some E ->
+  exists x, surrounds E x /\ is_state m a x /\ values_hold c (coefficient (its_friction a)) x.
+Proof.
+  unfold state_found. cbv zeta. set (w := self_weight a). set (f := its_friction a).
+  set (full := full_bits c).
+  destruct (located _ _ _ _) as [E' |] eqn:Hlocated; [| easy].
+  match goal with |- (if ?b then _ else _) = _ -> _ => destruct b eqn:Hall; [| easy] end.
+  intros [= ->]. conditions.
+  destruct (located_sound _ _ _ _ _ _ (surrounds_given _ _ (arch_numbers a)) Hlocated)
     as (x & HE & Hgiven & Hzeros & Hdivisors).
   assert (alpha : x Alpha = real (half_opening a)) by (now destruct m; apply Hgiven).
   assert (mu : x Mu = coefficient_or_zero f) by (now destruct m; apply Hgiven).
-  assert (Hprinted : List.Forall (printed (flag w) x) (equations m)).
-  { apply List.Forall_forall. intros e He. apply cleared_is_printed.
-    - intros g Hg. apply Hdivisors. apply in_flat_map. now exists e.
-    - destruct e; try exact Logic.I. apply (Hzeros (cleared w (Tangency joint))).
-      + now apply (in_map (cleared w)).
-      + simpl. auto.
-    - apply Hzeros. now apply (in_map (cleared w)). }
+  assert (Hprinted : List.Forall (printed (flag w) x) (equations m))
+    by (apply printed_equations; [exact Hzeros | exact Hdivisors | destruct m; no_double]).
   set (S := if is_limited f && negb (slides_inside m) then with_steepest full E else E) in *.
   set (y := if is_limited f && negb (slides_inside m) then steepest_of x else x).
   assert (HS : surrounds S y).
   { unfold S, y. destruct (is_limited f && negb (slides_inside m)); [now apply surrounds_steepest | exact HE]. }
   assert (same_numbers : forall n, n <> BetaS -> y n = x n).
   { intros n Hn. unfold y. destruct (is_limited f && negb (slides_inside m)), n; easy. }
-  assert (Hopen := is_open_sound full E x ltac:(easy) HE).
+  assert (Hopen : x Alpha < PI) by (apply (is_open_sound full (itself (E Alpha))); [easy | apply HE]).
+  assert (friction : coefficient f = (if is_limited f then Some (x Mu) else None))
+    by (rewrite coefficient_is, mu; easy).
   destruct (signs_suffice w m f y) as [Horder Hleast]; try easy.
   - now rewrite same_numbers.
   - apply List.Forall_forall. intros g Hg. now apply (are_all_positive_sound full S y (signs w m (is_limited f))).
   - apply List.Forall_forall. intros e He. assert (Hp := proj1 (List.Forall_forall _ _) Hprinted e He).
     unfold y. destruct m, (is_limited f); simpl in He;
       repeat match goal with H : _ \/ _ |- _ => destruct H as [<- | H] end; easy.
-  - rewrite coefficient_is, same_numbers, mu by easy. easy.
+  - now rewrite friction, same_numbers.
   - intros Hm Hf. unfold y. rewrite Hm, Hf. easy.
   - destruct m; try easy; rewrite ?same_numbers by easy; repeat split; now apply Hgiven.
-  - assert (rounded : values_hold c x).
-    { intros q v Hq. apply (holds_value_sound full (digits c) E x (q, v)); [| exact HE].
-      now apply (each_one _ (values c)). }
-    unfold claim_of. rewrite Habout. exists x. fold f w.
-    refine (conj alpha (conj _ (conj Hprinted (conj _ (conj rounded _))))).
-    + rewrite coefficient_is, mu. now destruct f.
-    + unfold y in Horder. destruct m, (is_limited f); exact Horder.
-    + unfold y in Hleast. destruct m, (is_limited f); exact Hleast.
+  - exists x. split; [exact HE | split].
+    + unfold is_state. fold f w. refine (conj alpha (conj _ (conj Hprinted (conj _ _)))).
+      * rewrite coefficient_is, mu. now destruct (is_limited f).
+      * unfold y in Horder. destruct m, (is_limited f); exact Horder.
+      * unfold y in Hleast. destruct m, (is_limited f); exact Hleast.
+    + now apply (hold_values_sound full (results m) (is_limited f) E).
 Qed.
+
+Lemma check_state_sound c m a : about c = State m a -> check_state c m a = true -> claim_of c.
+Proof.
+  intros Habout. unfold check_state, claim_of. rewrite Habout.
+  destruct (state_found c m a) as [E |] eqn:Hfound; [| easy]. intros _.
+  destruct (state_found_sound c m a E Hfound) as (x & _ & Hstate & Hvalues). now exists x.
+Qed.
+
+(** ** The other verdicts *)
+
+Lemma is_state_least m a x : is_state m a x -> forall eta, 0 < eta <= 2 -> stands a eta -> x Eta <= eta.
+Proof.
+  intros (alpha & _ & _ & _ & _ & Hleast) eta He. unfold stands, is_least in *. rewrite <- alpha.
+  destruct (coefficient (its_friction a)); now apply Hleast.
+Qed.
+
+Lemma is_thickness_sound t : is_thickness t = true -> 0 < real t <= 2.
+Proof.
+  destruct t as [p q | |]; try easy. intros Ht. simpl in Ht. conditions.
+  repeat match goal with
+    | H : (_ <=? _)%Z = true |- _ => apply Z.leb_le in H
+    | H : (_ <? _)%Z = true |- _ => apply Z.ltb_lt in H
+    end.
+  assert (Hq : 0 < IZR (Zpos q)) by (now apply IZR_lt). cbn [real]. unfold fraction. split.
+  - apply Rdiv_lt_0_compat; [now apply IZR_lt | exact Hq].
+  - apply (Rmult_le_reg_r (IZR (Zpos q))); [exact Hq |]. unfold Rdiv.
+    rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. rewrite <- (mult_IZR 2). now apply IZR_le.
+Qed.
+
+Lemma check_too_thin_sound c m a t : about c = TooThin m a t -> check_too_thin c m a t = true -> claim_of c.
+Proof.
+  intros Habout. unfold check_too_thin, claim_of. rewrite Habout. cbv zeta. set (full := full_bits c).
+  destruct (state_found c m a) as [E |] eqn:Hfound; [| easy]. intros Htest. conditions.
+  destruct (state_found_sound c m a E Hfound) as (x & HE & Hstate & Hvalues).
+  assert (Ht := is_thickness_sound t ltac:(easy)).
+  assert (Hless : real t < x Eta).
+  { apply (difference_sound full (itself (E Eta)) (enclosed_number full t));
+      [easy | apply HE | apply has_number]. }
+  split; [now exists x | split; [easy |]]. intros Hstands.
+  assert (Hmost := is_state_least m a x Hstate (real t) Ht Hstands). lra.
+Qed.
+
+Lemma check_slides_sound c a : about c = Slides a -> check_slides c a = true -> claim_of c.
+Proof.
+  intros Habout. unfold check_slides, claim_of. rewrite Habout. cbv zeta.
+  set (w := self_weight a). set (f := its_friction a). set (full := full_bits c).
+  destruct (located _ _ _ _) as [E |] eqn:Hlocated; [| easy]. intros Htest. conditions.
+  destruct (located_sound _ _ _ _ _ _
+              (surrounds_given (its_opening a) [(Alpha, real (half_opening a))] ltac:(given_numbers)) Hlocated)
+    as (x & HE & Hgiven & Hzeros & Hdivisors).
+  assert (alpha : x Alpha = real (half_opening a)) by (now apply Hgiven).
+  assert (Hprinted := printed_equations w x _ Hzeros Hdivisors ltac:(no_double)).
+  assert (Hopen : x Alpha < PI) by (apply (is_open_sound full (itself (E Alpha))); [easy | apply HE]).
+  assert (Hsigns : List.Forall (fun g => 0 < meaning x g) (carried ++ steepest))
+    by (apply List.Forall_forall; intros g Hg; now apply (are_all_positive_sound full E x (carried ++ steepest))).
+  assert (Hless : coefficient_or_zero f < x Mu).
+  { apply (difference_sound full (itself (E Mu)) (enclosed_friction full f)); [easy | apply HE | apply has_friction]. }
+  assert (Hmu : 0 <= coefficient_or_zero f)
+    by (apply (is_not_negative_sound (enclosed_friction full f)); [easy | apply has_friction]).
+  split.
+  - exists x. refine (conj alpha (conj Hprinted _)).
+    now apply (hold_values_sound full [Mu; Thrust; BetaS] true E).
+  - intros eta. unfold stands. fold f. rewrite coefficient_is, <- alpha.
+    replace (is_limited f) with true by easy.
+    list_of Hsigns; list_of Hprinted. cbn [printed] in *. frictions Logic.I. cbn [meaning] in *.
+    apply (purely_sliding (x Alpha) (x Mu) (x Thrust) (x BetaS)); try tauto; try lra.
+Qed.
+
+(** The limit of the half-angle: the physical limit of the thickness is just enough. *)
+Lemma check_too_wide_sound c a : about c = TooWide a -> check_too_wide c a = true -> claim_of c.
+Proof.
+  intros Habout. unfold check_too_wide, claim_of. rewrite Habout. cbv zeta.
+  set (w := self_weight a). set (f := its_friction a). set (full := full_bits c).
+  destruct (located _ _ _ _) as [E |] eqn:Hlocated; [| easy]. intros Htest. conditions.
+  destruct (located_sound _ _ _ _ _ _
+              (surrounds_given (fun prec => [(Eta, exact two); (Mu, enclosed_friction prec f)])
+                 [(Eta, value two); (Mu, coefficient_or_zero f)] ltac:(given_numbers)) Hlocated)
+    as (x & HE & Hgiven & Hzeros & Hdivisors).
+  assert (weight : flag w = 0 \/ flag w = 1) by (destruct w; auto).
+  assert (eta : x Eta = 2).
+  { rewrite Hgiven by (now destruct (is_limited f)). unfold numbers_in, two, value. simpl. ring. }
+  assert (crown : x BetaR = 0) by (rewrite Hgiven by (now destruct (is_limited f)); easy).
+  assert (Hless : x Alpha < real (half_opening a)).
+  { apply (difference_sound full (enclosed_number full (half_opening a)) (itself (E Alpha)));
+      [easy | apply has_number | apply HE]. }
+  assert (Hopen : real (half_opening a) < PI)
+    by (apply (is_open_sound full (enclosed_number full (half_opening a))); [easy | apply has_number]).
+  assert (Hvalues : values_hold c (coefficient f) x).
+  { apply (hold_values_sound full (if is_limited f then [Alpha; Thrust; BetaS] else [Alpha]) (is_limited f) E);
+      [easy | exact HE |].
+    rewrite coefficient_is. destruct (is_limited f); [| easy]. rewrite Hgiven by easy. easy. }
+  assert (Hsigns : List.Forall (fun g => 0 < meaning x g)
+            (Val Alpha :: (if is_limited f then steepest ++ [upper_lever BetaR] else [])))
+    by (apply List.Forall_forall; intros g Hg; now apply (are_all_positive_sound full E x
+          (Val Alpha :: (if is_limited f then steepest ++ [upper_lever BetaR] else [])))).
+  unfold stands. fold f w. rewrite coefficient_is in *. destruct (is_limited f) eqn:Hlimited.
+  - assert (mu : x Mu = coefficient_or_zero f) by (now apply Hgiven).
+    assert (Hprinted := printed_equations w x _ Hzeros Hdivisors ltac:(no_double)).
+    split; [exists x; tauto |].
+    list_of Hsigns; list_of Hprinted. cbn [printed] in *. frictions Logic.I. cbn [meaning upper_lever inner outer] in *.
+    rewrite crown, eta in *. rewrite <- mu. intros e He.
+    assert (Hthrust : 0 < x Thrust < 1) by nra.
+    assert (Hlimit := nothing_left_at_border (flag w) (x Alpha) (x Thrust) ltac:(lra) ltac:(easy)).
+    apply (too_wide (flag w) (x Alpha) _ _ (x Thrust)); try easy; lra.
+  - assert (thrust : x Thrust = 0) by (now apply Hgiven).
+    assert (Hprinted := printed_equations w x _ Hzeros Hdivisors ltac:(no_double)).
+    list_of Hsigns; list_of Hprinted. cbn [meaning] in *.
+    split; [exists x; tauto |].
+    intros e He (h & p & Hinside). cbn [printed] in *. rewrite thrust, eta in *.
+    assert (Hlimit := nothing_left_at_end_of_overturning (flag w) (x Alpha) ltac:(lra) ltac:(easy)).
+    now apply (too_wide_without_limit (flag w) (x Alpha) (real (half_opening a))) with (eta := e) (h := h) (p := p).
+Qed.
+
+Lemma enough_sound prec E x : enough prec E = true -> surrounds E x ->
+  0 < x Thrust < 1 -> 0 < x Alpha < PI -> 0 < normal_force (x Alpha) (x Thrust) ->
+  forall y, 0 <= y <= x Alpha -> friction_holds y (x Mu) (x Thrust).
+Proof.
+  unfold enough. cbv zeta. intros Htest HE Hthrust Halpha N. apply andb_true_iff in Htest.
+  destruct Htest as [Hshoulder Hinside].
+  assert (HS := surrounds_steepest prec E x HE).
+  assert (shoulder : mu_ss (x Alpha) (x Thrust) < x Mu).
+  { apply (friction_below x shoulder_slides (normal Alpha)); [exact N |].
+    now apply (are_all_positive_sound prec E x [grip_at_shoulder]); [| | left]. }
+  destruct (are_all_positive prec (with_steepest prec E) [(Val BetaS - Val Alpha)%formula]) eqn:Hshort.
+  - assert (beyond := are_all_positive_sound _ _ _ _ _ Hshort HS (or_introl eq_refl)). cbn in beyond.
+    assert (H := are_all_positive_sound _ _ _ _ _ Hinside HE (or_introl eq_refl)).
+    apply friction_of_short_arch; try easy; try lra. unfold mu_ss.
+    assert (E1 : x Thrust * cos (x Alpha) + x Alpha * sin (x Alpha) = normal_force (x Alpha) (x Thrust))
+      by (unfold normal_force; ring).
+    cbn in H. rewrite E1 in *. apply (Rmult_le_reg_r (normal_force (x Alpha) (x Thrust))); [easy |].
+    field_simplify; lra.
+  - assert (carries := are_all_positive_sound _ _ _ _ inner_carries Hinside HS (or_introl eq_refl)).
+    assert (grip := are_all_positive_sound _ _ _ _ grip_inside Hinside HS ltac:(simpl; auto)).
+    assert (H := friction_below (steepest_of x) inner_slides inner_carries carries grip).
+    apply friction_by_steepest; try easy; try lra. now apply Rlt_le.
+Qed.
+
+(** A state of any thickness. *)
+Lemma check_stands_sound c a t h p there :
+  about c = Stands a t h p there -> check_stands c a t h p there = true -> claim_of c.
+Proof.
+  intros Habout. unfold check_stands, claim_of. rewrite Habout. cbv zeta.
+  set (w := self_weight a). set (f := its_friction a).
+  set (full := (Z.max _ _ + 64)%Z).
+  destruct (located _ _ _ _) as [E |] eqn:Hlocated; [| easy]. intros Htest. conditions.
+  destruct (located_sound _ _ _ _ _ _
+              (surrounds_given
+                 (fun prec => (Eta, enclosed_number prec t) :: (Thrust, exact h) :: (Moment, exact p)
+                                :: its_numbers a prec)
+                 [(Eta, real t); (Thrust, value h); (Moment, value p); (Mu, coefficient_or_zero f);
+                  (Alpha, real (half_opening a))] ltac:(given_numbers)) Hlocated)
+    as (x & HE & Hgiven & Hzeros & Hdivisors).
+  assert (alpha : x Alpha = real (half_opening a)) by (now destruct there; apply Hgiven).
+  assert (eta : x Eta = real t) by (now destruct there; apply Hgiven).
+  assert (thrust : x Thrust = value h) by (now destruct there; apply Hgiven).
+  assert (moment : x Moment = value p) by (now destruct there; apply Hgiven).
+  assert (mu : x Mu = coefficient_or_zero f) by (now destruct there; apply Hgiven).
+  assert (Hthick := is_thickness_sound t ltac:(easy)). rewrite <- eta in Hthick.
+  assert (Hopen : x Alpha < PI) by (apply (is_open_sound full (itself (E Alpha))); [easy | apply HE]).
+  assert (Hprinted := printed_equations w x _ Hzeros Hdivisors ltac:(destruct there; no_double)).
+  assert (Hsigns : List.Forall (fun g => 0 < meaning x g) (standing_signs w there))
+    by (apply List.Forall_forall; intros g Hg; now apply (are_all_positive_sound full E x (standing_signs w there))).
+  assert (inside : thrust_inside (flag w) (x Alpha) (x Eta) (x Thrust) (value p)).
+  { rewrite <- moment. destruct there; list_of Hsigns; list_of Hprinted; rewrite ?meaning_next in *.
+    all: assert (N : 0 < normal_force (x Alpha) (x Thrust)) by assumption.
+    all: assert (crown : x Moment <= at_crown (x Eta) (x Thrust))
+      by (in_numbers; unfold at_crown, extrados; lra).
+    all: assert (shoulder : x Moment <= at_shoulder (flag w) (x Alpha) (x Eta) (x Thrust))
+      by (in_numbers; unfold at_shoulder, extrados, normal_force; lra).
+    - apply inside_nearest_at_crown; try easy; in_numbers; try lra.
+      unfold Verdicts.room, intrados, normal_force. rewrite cos_0, sin_0. unfold room_at_crown in *. in_numbers. lra.
+    - apply (inside_nearest_at_haunch _ _ _ _ _) with (beta := x BetaR); try easy; unfold room in *; in_numbers; try lra.
+      + assert (Hinner : meaning x inner <> 0) by (apply Hdivisors; simpl; auto). in_numbers. lra.
+      + unfold Verdicts.room, intrados, normal_force. lra.
+    - apply inside_nearest_at_shoulder; try easy; unfold room, still_nearer in *; in_numbers; try lra.
+      + unfold Verdicts.room, intrados, normal_force. lra.
+      + unfold intrados. lra. }
+  assert (admitted : is_admissible (flag w) (coefficient f) x (value p)).
+  { rewrite coefficient_is. unfold is_admissible. destruct (is_limited f); [| exact inside].
+    rewrite <- mu. intros y Hy. split; [now apply inside |]. apply (enough_sound full E); try easy;
+      destruct there; list_of Hsigns; in_numbers; try assumption; lra. }
+  split; [now rewrite <- eta | split].
+  - unfold stands. fold w f. rewrite <- alpha, <- eta. unfold is_admissible in admitted.
+    destruct (coefficient f); now exists (x Thrust), (value p).
+  - exists x. fold w f. refine (conj alpha (conj eta (conj thrust (conj _ admitted)))).
+    apply (hold_values_sound full (match there with AtHaunch => [BetaR] | _ => [] end) (is_limited f) E); try easy.
+    rewrite coefficient_is, mu. easy.
+Qed.
+
+(** ** Landmarks *)
+
+(** A configuration with one joint for both. *)
+Definition one_joint_of (x : configuration) : configuration := fun n =>
+  match n with BetaR => x BetaS | _ => x n end.
+
+Lemma surrounds_one_joint E x : surrounds E x -> surrounds (with_one_joint E) (one_joint_of x).
+Proof. intros HE []; apply HE. Qed.
+
+Lemma landmark_printed w x l :
+  (forall f, In f (map (cleared w) (equations_of l)) -> meaning x f = 0 /\ defined x f) ->
+  (forall f, In f (flat_map denominator (equations_of l)) -> meaning x f <> 0) ->
+  List.Forall (printed (flag w) x) (equations_of l).
+Proof.
+  intros Hzeros Hdivisors. destruct l;
+    try (apply printed_equations; [exact Hzeros | exact Hdivisors | no_double]).
+  set (first := [LowerThrust BetaR; WholeThrust; Tangency BetaR]).
+  assert (H : List.Forall (printed (flag w) x) first).
+  { apply printed_equations; [| | no_double]; intros f Hf; [apply Hzeros | apply Hdivisors]; simpl in *; tauto. }
+  apply (List.Forall_app (printed (flag w) x) first [DoubleThickness BetaR]). split; [exact H |].
+  apply List.Forall_cons; [| apply List.Forall_nil].
+  apply cleared_double; try easy.
+  - apply Hdivisors. simpl. auto.
+  - apply (Hzeros (cleared w (Tangency BetaR))); simpl; auto.
+  - apply Hdivisors. simpl. auto.
+  - exact (proj1 (List.Forall_forall _ _) H (LowerThrust BetaR) ltac:(simpl; auto)).
+  - exact (proj1 (List.Forall_forall _ _) H (Tangency BetaR) ltac:(simpl; auto)).
+  - apply Hzeros. simpl. auto.
+Qed.
+
+Lemma landmark_least w x l : x Alpha < PI -> is_fixed l x ->
+  List.Forall (fun g => 0 < meaning x g) (landmark_signs w l) ->
+  List.Forall (printed (flag w) x) (equations_of l) ->
+  is_least (flag w) (friction_there l x) x (moment_there l (flag w) x).
+Proof.
+  intros Hopen Hfixed Hsigns Hprinted. assert (weight := flag_between w).
+  destruct l; cbn [is_fixed] in Hfixed; list_of Hsigns; list_of Hprinted; cbn [printed] in *;
+    rewrite ?meaning_limit, ?meaning_next in *;
+    assert (N : 0 < normal_force (x Alpha) (x Thrust)) by assumption;
+    frictions Logic.I; cbn [meaning inner outer upper_lever] in *; rewrite ?meaning_extrados in *;
+    unfold is_least, is_admissible; cbn [friction_there moment_there].
+  - apply (rotational _ _ _ weight) with (beta := x BetaR); try tauto; try lra.
+  - apply (rotational_sliding _ _ _ weight) with (beta := x BetaS) (joint := x BetaS); try tauto; try lra.
+  - rewrite Hfixed in *.
+    assert (next := no_room_next_to_crown (flag w) (x Eta) (x Thrust) ltac:(lra) ltac:(easy)).
+    apply (overturning_sliding _ _ _ weight) with (joint := x BetaS); try tauto; try lra.
+  - destruct Hfixed as [Hb He]. rewrite Hb, He in *.
+    assert (left := nothing_left_at_border (flag w) (x Alpha) (x Thrust) ltac:(lra) ltac:(easy)).
+    apply (overturning_sliding _ _ _ weight) with (joint := x BetaS); try tauto; try lra.
+  - destruct Hfixed as [Hb Hh]. rewrite Hb, Hh in *.
+    assert (next := no_room_next_to_crown (flag w) (x Eta) 0 ltac:(lra) ltac:(easy)).
+    assert (E := shoulder_from_crown (flag w) (x Alpha) ltac:(lra) (x Eta) 0 ltac:(lra) ltac:(easy)).
+    unfold at_crown in E. rewrite Rmult_0_r in E. rewrite <- E.
+    apply (overturning _ _ weight); try tauto; try lra.
+  - destruct Hfixed as (Hb & Hh & He). rewrite Hb, Hh, He in *.
+    assert (left := nothing_left_at_end_of_overturning (flag w) (x Alpha) ltac:(lra) ltac:(easy)).
+    assert (E := shoulder_from_crown (flag w) (x Alpha) ltac:(lra) 2 0 ltac:(lra) ltac:(easy)).
+    unfold at_crown in E. rewrite Rmult_0_r in E. rewrite <- E.
+    apply (overturning _ _ weight); try tauto; try lra.
+  - apply (rotational_without_limit _ _ weight) with (beta := x BetaR); try tauto; try lra.
+Qed.
+
+Lemma check_landmark_sound c l w : about c = Landmark l w -> check_landmark c l w = true -> claim_of c.
+Proof.
+  intros Habout. unfold check_landmark, claim_of. rewrite Habout. cbv zeta. set (full := full_bits c).
+  destruct (located _ _ _ _) as [E |] eqn:Hlocated; [| easy]. intros Htest. conditions.
+  set (fixed := match l with Border | OverturningEnd => [(Eta, value two)] | _ => [] end).
+  destruct (located_sound _ _ _ _ _ _
+              (surrounds_given (landmark_given l) fixed ltac:(unfold fixed; destruct l; given_numbers)) Hlocated)
+    as (x & HE & Hgiven & Hzeros & Hdivisors).
+  assert (two_is : value two = 2) by (unfold two, value; simpl; ring).
+  set (y := match l with Shift => one_joint_of x | _ => x end).
+  set (S := match l with Shift => with_one_joint E | _ => E end) in *.
+  assert (HS : surrounds S y)
+    by (unfold S, y; destruct l; try exact HE; now apply surrounds_one_joint).
+  assert (Hprinted : List.Forall (printed (flag w) y) (equations_of l)).
+  { assert (Hp := landmark_printed w x l Hzeros Hdivisors). unfold y.
+    destruct l; try exact Hp. list_of Hp. repeat (apply List.Forall_cons; [assumption |]). apply List.Forall_nil. }
+  assert (Hfixed : is_fixed l y).
+  { unfold y. destruct l; cbn [is_fixed]; try easy; repeat split; rewrite ?Hgiven by easy; unfold fixed, numbers_in;
+      cbn [find same fst snd]; easy. }
+  assert (Hopen : y Alpha < PI) by (apply (is_open_sound full (itself (S Alpha))); [easy | apply HS]).
+  exists y. refine (conj Hprinted (conj Hfixed (conj _ _))).
+  - apply (hold_values_sound full (landmark_known l) (landmark_limited l) S); try easy. now destruct l.
+  - apply landmark_least; try easy. apply List.Forall_forall. intros g Hg.
+    now apply (are_all_positive_sound full S y (landmark_signs w l)).
+Qed.
+
+(** ** The theorem *)
 
 Theorem sound c : check c = true -> claim_of c.
 Proof.
-  unfold check. destruct (about c) as [m a] eqn:Habout. now apply check_state_sound.
+  unfold check. destruct (about c) eqn:Habout.
+  - now apply check_state_sound.
+  - now apply check_too_thin_sound.
+  - now apply check_slides_sound.
+  - now apply check_too_wide_sound.
+  - now apply check_stands_sound.
+  - now apply check_landmark_sound.
 Qed.
