@@ -1,0 +1,269 @@
+(* From a file to a certificate of the checker: names to constructors, text to numbers. It decides nothing. *)
+
+module Integer = Z
+open Verified
+
+exception Refused of string
+
+let refused reason = raise (Refused reason)
+
+(* The fields of an object, each once, all of [required] and none but these and [optional]. *)
+let fields ?(optional = []) required = function
+  | Json.Object entries ->
+      let names = List.map fst entries in
+      List.iter
+        (fun name ->
+          if not (List.mem name (required @ optional)) then refused ("unknown field " ^ String.escaped name))
+        names;
+      if List.length (List.sort_uniq compare names) <> List.length names then refused "a field twice";
+      List.iter (fun name -> if not (List.mem name names) then refused ("missing field " ^ name)) required;
+      fun name -> List.assoc_opt name entries
+  | _ -> refused "an object is expected"
+
+let get field name = match field name with Some v -> v | None -> refused ("missing field " ^ name)
+let text = function Json.Text t -> t | _ -> refused "a text is expected"
+let list = function Json.List l -> l | _ -> refused "a list is expected"
+let texts v = List.map text (list v)
+
+let is_decimal t = t <> "" && String.for_all (fun c -> c >= '0' && c <= '9') t
+let is_hexadecimal t = t <> "" && String.for_all (fun c -> (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f')) t
+
+(* Leading zeros do not count. *)
+let stripped t =
+  let n = String.length t in
+  let rec first i = if i + 1 < n && t.[i] = '0' then first (i + 1) else i in
+  let i = first 0 in
+  String.sub t i (n - i)
+
+let after prefix t =
+  let k = String.length prefix in
+  if String.length t >= k && String.sub t 0 k = prefix then Some (String.sub t k (String.length t - k)) else None
+
+let before suffix t =
+  let k = String.length suffix and n = String.length t in
+  if n >= k && String.sub t (n - k) k = suffix then Some (String.sub t 0 (n - k)) else None
+
+let split c t =
+  match String.index_opt t c with
+  | Some i -> Some (String.sub t 0 i, String.sub t (i + 1) (String.length t - i - 1))
+  | None -> None
+
+let signed t = match after "-" t with Some rest -> (true, rest) | None -> (false, t)
+
+(* `-0x1f3p-12` *)
+let dyadic v =
+  let t = text v in
+  let bad () = refused "a number is -0x1f3p-12" in
+  let negative, rest = signed t in
+  match Option.bind (after "0x" rest) (split 'p') with
+  | Some (m, e) when is_hexadecimal m ->
+      let negative_power, size = signed e in
+      if not (is_decimal size) then bad ();
+      let size = stripped size in
+      if String.length size > 8 || int_of_string size > 10_000_000 then bad ();
+      let exponent = if negative_power then -int_of_string size else int_of_string size in
+      let m = Integer.of_string_base 16 m in
+      { mantissa = (if negative then Integer.neg m else m); exponent = Integer.of_int exponent }
+  | _ -> bad ()
+
+let fraction t =
+  match split '/' t with
+  | Some (p, q)
+    when is_decimal p && is_decimal q && String.length p <= 100_000 && String.length q <= 100_000 ->
+      let q = Integer.of_string q in
+      if Integer.sign q = 0 then refused "a denominator is zero";
+      (Integer.of_string p, q)
+  | _ -> refused "a fraction is expected"
+
+(* `49/20`, `1/2 pi`, `2 atan 3/5` *)
+let number t =
+  match (before " pi" t, after "2 atan " t) with
+  | Some t, _ -> let p, q = fraction t in TimesPi (p, q)
+  | None, Some t -> let p, q = fraction t in TwiceArctangent (p, q)
+  | None, None -> let p, q = fraction t in Fraction (p, q)
+
+let friction t =
+  match after "tan " t with
+  | _ when t = "inf" -> Unlimited
+  | Some t -> Angle (number t)
+  | None -> Coefficient (number t)
+
+let named what names t =
+  match List.assoc_opt t names with Some v -> v | None -> refused ("unknown " ^ what ^ " " ^ String.escaped t)
+
+let weights = [ ("heyman", Heyman); ("milankovitch", Milankovitch) ]
+
+let modes =
+  [
+    ("[r,r,r]", Rotational); ("[s,r,r]", SlidingRotational); ("[r,r,s]", RotationalSliding);
+    ("[r,s,r]", RotationalSlidingRotational); ("[r,s]", OverturningSliding); ("[r]", Overturning);
+  ]
+
+let landmarks =
+  [
+    ("T", Triple); ("S", Shift); ("J", Junction); ("B", Border); ("l", RotationEnd); ("L", OverturningEnd);
+    ("sb", WidestJoint);
+  ]
+
+let places = [ ("crown", AtCrown); ("haunch", AtHaunch); ("shoulder", AtShoulder) ]
+
+let quantities =
+  [
+    ("thickness", Plain Eta); ("thrust", Plain Thrust); ("intrinsic_thrust", IntrinsicThrust);
+    ("friction", Plain Mu); ("friction_angle", FrictionAngle); ("friction_angle_degrees", FrictionAngleDegrees);
+    ("half_opening", Plain Alpha); ("half_opening_degrees", Degrees Alpha); ("A", OpeningVariable);
+    ("rotation_joint", Plain BetaR); ("rotation_joint_degrees", Degrees BetaR);
+    ("sliding_joint", Plain BetaS); ("sliding_joint_degrees", Degrees BetaS);
+  ]
+
+let arch weight field =
+  {
+    self_weight = weight;
+    half_opening = number (text (get field "half_opening"));
+    its_friction = friction (text (get field "friction"));
+  }
+
+(* The names of unknowns and equations that a file has to state. *)
+let alpha = "half_opening" and beta_r = "rotation_joint" and beta_s = "sliding_joint"
+let eta = "thickness" and thrust = "thrust" and mu = "friction"
+let steepest = "beta_s^2 = h (1 - h)" and at_crown = "(5) at beta_r -> 0"
+
+let of_mode = function
+  | Rotational -> ([ beta_r; eta; thrust ], [ "(2)"; "(4)"; "(5)" ])
+  | SlidingRotational -> ([ beta_r; eta; thrust ], [ "(2)"; "(5)"; "(17)" ])
+  | RotationalSliding | RotationalSlidingRotational ->
+      ([ beta_r; eta; thrust; beta_s ], [ "(3)"; "(5)"; "(18)"; steepest ])
+  | OverturningSliding -> ([ eta; thrust; beta_s ], [ "(3)"; "(18)"; steepest ])
+  | Overturning -> ([ eta ], [ "(4)" ])
+
+let of_landmark = function
+  | Triple -> ([ alpha; beta_r; beta_s; eta; thrust; mu ], [ "(2)"; "(4)"; "(5)"; "(17)"; "(18)"; steepest ])
+  | Shift -> ([ alpha; beta_s; eta; thrust; mu ], [ "(3)"; "(5)"; "(17)"; "(18)"; steepest ])
+  | Junction -> ([ alpha; beta_s; eta; thrust; mu ], [ "(3)"; at_crown; "(17)"; "(18)"; steepest ])
+  | Border -> ([ alpha; beta_s; thrust; mu ], [ "(3)"; "(17)"; "(18)"; steepest ])
+  | RotationEnd -> ([ alpha; eta ], [ "(4)"; at_crown ])
+  | OverturningEnd -> ([ alpha ], [ "(4)" ])
+  | WidestJoint -> ([ alpha; beta_r; eta; thrust ], [ "(2)"; "(4)"; "(5)"; "d/d eta of (2) = (5)" ])
+
+(* The subject of a claim, and the names that go with it. *)
+let subject claim =
+  let subjects = [ "landmark"; "state"; "slides"; "too_wide"; "too_thin"; "stands"; "asymmetric" ] in
+  let field = fields ~optional:subjects [ "weight"; "unknowns"; "equations" ] claim in
+  let weight = named "weight" weights (text (get field "weight")) in
+  let found = List.filter (fun name -> match field name with None | Some Json.Other -> false | _ -> true) subjects in
+  let there = [ "half_opening"; "friction" ] in
+  let about, names =
+    match found with
+    | [ "landmark" ] ->
+        let l = named "landmark" landmarks (text (get field "landmark")) in
+        (Landmark (l, weight), of_landmark l)
+    | [ "state" ] ->
+        let f = fields ("mode" :: there) (get field "state") in
+        let m = named "mode" modes (text (get f "mode")) in
+        (State (m, arch weight f), of_mode m)
+    | [ "too_thin" ] ->
+        let f = fields ("mode" :: "thickness" :: there) (get field "too_thin") in
+        let m = named "mode" modes (text (get f "mode")) in
+        (TooThin (m, arch weight f, number (text (get f "thickness"))), of_mode m)
+    | [ "slides" ] ->
+        let f = fields there (get field "slides") in
+        (Slides (arch weight f), ([ mu; thrust; beta_s ], [ "(17)"; "(18)"; steepest ]))
+    | [ "too_wide" ] ->
+        let a = arch weight (fields there (get field "too_wide")) in
+        ( TooWide a,
+          if a.its_friction = Unlimited then ([ alpha ], [ "(4)" ])
+          else ([ alpha; thrust; beta_s ], [ "(3)"; "(18)"; steepest ]) )
+    | [ "stands" ] ->
+        let f =
+          fields ([ "thickness"; "thrust"; "crown_moment"; "nearest" ] @ there) (get field "stands")
+        in
+        let there = named "place" places (text (get f "nearest")) in
+        ( Stands
+            ( arch weight f, number (text (get f "thickness")), dyadic (get f "thrust"),
+              dyadic (get f "crown_moment"), there ),
+          if there = AtHaunch then ([ beta_r ], [ "(5)" ]) else ([], []) )
+    | [ "asymmetric" ] -> refused "asymmetric solutions are beyond this checker"
+    | _ -> refused "exactly one subject is expected"
+  in
+  let unknowns, equations = names in
+  if texts (get field "unknowns") <> unknowns then refused "the unknowns are not those of the subject";
+  if texts (get field "equations") <> equations then refused "the equations are not those of the subject";
+  about
+
+(* A decimal as a mantissa of all the digits and a power of ten. *)
+let written digits t =
+  let bad () = refused "a value is no decimal" in
+  if t = "inf" then Infinite
+  else begin
+    let mantissa, power = match split 'e' t with Some parts -> parts | None -> (t, "0") in
+    let whole, part = match split '.' mantissa with Some parts -> parts | None -> (mantissa, "") in
+    let sound = is_decimal whole && (is_decimal part || not (String.contains mantissa '.')) in
+    if not (sound && (String.length whole = 1 || whole.[0] <> '0')) then bad ();
+    let negative, size = signed power in
+    if not (is_decimal size) then bad ();
+    let size = stripped size in
+    if String.length size > 7 || int_of_string size > 3_000_000 then bad ();
+    let power = if negative then -int_of_string size else int_of_string size in
+    let all = stripped (whole ^ part) in
+    if all = "0" then if t = "0" then Decimal (Integer.zero, Integer.zero) else bad ()
+    else begin
+      let power = power - String.length part in
+      (* Zeros at the end of a whole number only show its size. *)
+      let rec shortened all power =
+        let n = String.length all in
+        if n > digits && all.[n - 1] = '0' && not (String.contains mantissa '.') then
+          shortened (String.sub all 0 (n - 1)) (power + 1)
+        else (all, power)
+      in
+      let all, power = shortened all power in
+      let missing = digits - String.length all in
+      if missing < 0 then bad ();
+      Decimal (Integer.of_string (all ^ String.make missing '0'), Integer.of_int (power - missing))
+    end
+  end
+
+let value digits v =
+  let f = fields [ "quantity"; "value" ] v in
+  (named "quantity" quantities (text (get f "quantity")), written digits (text (get f "value")))
+
+let bits d = Integer.numbits d.mantissa
+
+let box most v =
+  let f = fields [ "centre"; "radius" ] v in
+  let centre = List.map dyadic (list (get f "centre")) and radius = List.map dyadic (list (get f "radius")) in
+  if List.exists (fun d -> bits d > most) centre || List.exists (fun d -> bits d > 256) radius then
+    refused "a number is too long";
+  { centre; radius }
+
+(* Most digits that are checked: what is beyond is not refused. *)
+let most_digits = 2000
+
+exception Beyond
+
+let certificate bytes =
+  let field =
+    fields [ "schema"; "tool"; "claim"; "digits"; "unique"; "inverse"; "root"; "values" ] (Json.read bytes)
+  in
+  if text (get field "schema") <> "couplet.certificate/1" then refused "another schema";
+  ignore (text (get field "tool"));
+  let about = subject (get field "claim") in
+  let digits =
+    match get field "digits" with
+    | Json.Integer t when is_decimal t && String.length t <= 7 -> int_of_string t
+    | _ -> refused "digits are 1 to 1000000"
+  in
+  if digits < 1 || digits > 1_000_000 then refused "digits are 1 to 1000000";
+  if digits > most_digits then raise Beyond;
+  let values = List.map (value digits) (list (get field "values")) in
+  let names = List.map fst values in
+  if List.length (List.sort_uniq compare names) <> List.length names then refused "a quantity twice";
+  (match (values, about) with
+  | [], Stands _ -> ()
+  | [], _ -> refused "no value"
+  | _ -> ());
+  let inverse = List.map (fun row -> List.map dyadic (list row)) (list (get field "inverse")) in
+  if List.exists (List.exists (fun d -> bits d > 24_000)) inverse then refused "a number is too long";
+  {
+    about; digits = Integer.of_int digits; unique = box 24_000 (get field "unique"); inverse;
+    root = box ((digits * 10 / 3) + 24_000) (get field "root"); values;
+  }
