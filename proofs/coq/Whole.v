@@ -59,6 +59,18 @@ Definition asymmetric_solution (delta alpha mu eta h p v b0 b1 b2 s u : R) : Pro
   (- alpha < - b1 < - b2 /\ - b2 < b0 < alpha) /\ 0 < v /\
   0 < s /\ 0 < u /\ fits alpha eta b0 b1 b2 s u.
 
+(** Where no inner joint slides, the right shoulder may open about its extrados by [w] besides, and the left haunch turns by
+    as much more. *)
+Definition fits_at_shoulder (alpha eta b0 b1 s w : R) : Prop :=
+  plus (plus (scaled s (slips_outwards alpha)) (scaled w (turns_above eta alpha)))
+       (plus (turns_above eta b0) (scaled (1 + w) (turns_below eta (- b1)))) = (0, 0, 0).
+
+Definition shoulder_solution (delta alpha mu eta h p v b0 b1 s w : R) : Prop :=
+  whole_admissible delta alpha eta mu h p v /\
+  against_outwards mu h v alpha = 0 /\ from_extrados delta eta h p v b0 = 0 /\
+  from_intrados delta eta h p v (- b1) = 0 /\ w * from_extrados delta eta h p v alpha = 0 /\
+  (- alpha < - b1 < b0 /\ b0 < alpha) /\ 0 < v /\ 0 < s /\ 0 <= w /\ fits_at_shoulder alpha eta b0 b1 s w.
+
 (** ** Slopes and bends *)
 
 Definition normal_slope (h v x : R) : R := (1 - h) * sin x + (x - v) * cos x.
@@ -70,6 +82,7 @@ Definition extrados_slope (delta eta h v x : R) : R :=
   extrados eta * normal_slope h v x - fac delta eta * sin x.
 Definition intrados_slope (delta eta h v x : R) : R :=
   fac delta eta * sin x - intrados eta * normal_slope h v x.
+Definition inwards_slope (mu h v x : R) : R := mu * normal_slope h v x - shear_slope h v x.
 Definition outwards_slope (mu h v x : R) : R := mu * normal_slope h v x + shear_slope h v x.
 Definition extrados_bend (delta eta h v x : R) : R :=
   extrados eta * normal_bend h v x - fac delta eta * cos x.
@@ -78,7 +91,7 @@ Definition intrados_bend (delta eta h v x : R) : R :=
 Definition outwards_bend (mu h v x : R) : R := mu * normal_bend h v x + shear_bend h v x.
 
 Ltac whole := unfold from_extrados, from_intrados, against_inwards, against_outwards, extrados_slope, intrados_slope,
-  outwards_slope, extrados_bend, intrados_bend, outwards_bend, whole_moment, whole_normal, whole_shear, normal_slope,
+  inwards_slope, outwards_slope, extrados_bend, intrados_bend, outwards_bend, whole_moment, whole_normal, whole_shear, normal_slope,
   shear_slope, normal_bend, shear_bend, extrados, intrados, fac in *.
 Ltac derive := whole; auto_derive; [easy | field].
 
@@ -87,6 +100,9 @@ Lemma extrados_has_slope delta eta h p v x :
 Proof. derive. Qed.
 Lemma intrados_has_slope delta eta h p v x :
   is_derive (from_intrados delta eta h p v) x (intrados_slope delta eta h v x).
+Proof. derive. Qed.
+Lemma inwards_has_slope mu h v x :
+  is_derive (against_inwards mu h v) x (inwards_slope mu h v x).
 Proof. derive. Qed.
 Lemma outwards_has_slope mu h v x :
   is_derive (against_outwards mu h v) x (outwards_slope mu h v x).
@@ -159,6 +175,37 @@ Proof.
     inner_slip, across, upwards.
   rewrite !sin_neg, !cos_neg. unfold determinant in *.
   repeat (apply f_equal2; [| try (field; exact Hd)]); try (field; exact Hd); try ring.
+Qed.
+
+(** The shoulder's opening does so too, *)
+Definition shoulder_determinant (alpha eta b1 : R) : R :=
+  sin alpha * (extrados eta * sin alpha + intrados eta * sin b1)
+  + cos alpha * (extrados eta * cos alpha - intrados eta * cos b1).
+Definition slip_of_opening (alpha eta b0 b1 : R) : R :=
+  (across eta b0 b1 * (extrados eta * sin alpha + intrados eta * sin b1)
+   + upwards eta b0 b1 * (extrados eta * cos alpha - intrados eta * cos b1)) / shoulder_determinant alpha eta b1.
+Definition shoulder_opening (alpha eta b0 b1 : R) : R :=
+  (sin alpha * upwards eta b0 b1 - cos alpha * across eta b0 b1) / shoulder_determinant alpha eta b1.
+
+Theorem opening_fits alpha eta b0 b1 : shoulder_determinant alpha eta b1 <> 0 ->
+  fits_at_shoulder alpha eta b0 b1 (slip_of_opening alpha eta b0 b1) (shoulder_opening alpha eta b0 b1).
+Proof.
+  intros Hd. unfold fits_at_shoulder, plus, scaled, slips_outwards, turns_above, turns_below, slip_of_opening,
+    shoulder_opening, across, upwards.
+  rewrite !sin_neg, !cos_neg. unfold shoulder_determinant in *.
+  repeat (apply f_equal2; [| try (field; exact Hd)]); try (field; exact Hd); try ring.
+Qed.
+
+(** and the slip alone where the hinges and the shoulder are in one motion. *)
+Theorem slip_alone_fits alpha eta b0 b1 : sin alpha <> 0 ->
+  intrados eta * (cos b1 * cos alpha - sin b1 * sin alpha)
+    = extrados eta * (cos b0 * cos alpha + sin b0 * sin alpha) ->
+  fits_at_shoulder alpha eta b0 b1 (across eta b0 b1 / sin alpha) 0.
+Proof.
+  intros Hs Hfit. unfold fits_at_shoulder, plus, scaled, slips_outwards, turns_above, turns_below, across.
+  rewrite !sin_neg, !cos_neg.
+  apply f_equal2; [apply f_equal2 |]; [field; easy | | ring].
+  apply (Rmult_eq_reg_r (sin alpha)); [| easy]. field_simplify; [| easy]. lra.
 Qed.
 
 (** ** An equation is its residual *)

@@ -5,6 +5,13 @@ open Verified
 
 exception Refused of string
 
+(* What is beyond this checker is not refused. *)
+exception Beyond of string
+
+let most_digits = 1000
+let most_bits = 4000
+let most_exponent = 100_000
+
 let refused reason = raise (Refused reason)
 
 (* The fields of an object, each once, all of [required] and none but these and [optional]. *)
@@ -61,6 +68,8 @@ let dyadic v =
       if not (is_decimal size) then bad ();
       let size = stripped size in
       if String.length size > 8 || int_of_string size > 10_000_000 then bad ();
+      if int_of_string size > most_exponent then
+        raise (Beyond (Printf.sprintf "an exponent beyond %d" most_exponent));
       let exponent = if negative_power then -int_of_string size else int_of_string size in
       let m = Integer.of_string_base 16 m in
       { mantissa = (if negative then Integer.neg m else m); exponent = Integer.of_int exponent }
@@ -105,6 +114,9 @@ let landmarks =
     ("sb", WidestJoint);
   ]
 
+let kinds =
+  [ ("inner_sliding", SlidesInside); ("shoulder_opening", OpensAtShoulder); ("shoulder_sliding", SlidesAlone) ]
+
 let places = [ ("crown", AtCrown); ("haunch", AtHaunch); ("shoulder", AtShoulder) ]
 
 let quantities =
@@ -114,6 +126,9 @@ let quantities =
     ("half_opening", Plain Alpha); ("half_opening_degrees", Degrees Alpha); ("A", OpeningVariable);
     ("rotation_joint", Plain BetaR); ("rotation_joint_degrees", Degrees BetaR);
     ("sliding_joint", Plain BetaS); ("sliding_joint_degrees", Degrees BetaS);
+    ("crown_moment", Plain Moment); ("vertical_force", Plain Force); ("crown_hinge", Plain Hinge);
+    ("crown_hinge_degrees", Degrees Hinge); ("shoulder_slip", Plain Slip); ("inner_slip", Plain InnerSlip);
+    ("shoulder_opening", Plain Opening); ("power", Plain Power);
   ]
 
 let arch weight field =
@@ -145,12 +160,28 @@ let of_landmark = function
   | OverturningEnd -> ([ alpha ], [ "(4)" ])
   | WidestJoint -> ([ alpha; beta_r; eta; thrust ], [ "(2)"; "(4)"; "(5)"; "d/d eta of (2) = (5)" ])
 
+let of_kind k =
+  let unknowns = [ thrust; "crown_moment"; "vertical_force"; eta; "crown_hinge"; beta_r ] in
+  let equations = [ "E(b0) = 0"; "E'(b0) = 0"; "I(-b1) = 0"; "I'(-b1) = 0"; "O(alpha) = 0" ] in
+  match k with
+  | SlidesInside -> (unknowns @ [ beta_s ], equations @ [ "O(-b2) = 0"; "O'(-b2) = 0" ])
+  | OpensAtShoulder -> (unknowns, equations @ [ "E(alpha) = 0" ])
+  | SlidesAlone -> (unknowns, equations @ [ "(2 - eta) cos(b1 + alpha) = (2 + eta) cos(alpha - b0)" ])
+
+let contacts k =
+  let slides = "slides outwards, right shoulder" and crown = "hinge at the extrados, right crown" in
+  let haunch = "hinge at the intrados, left haunch" in
+  match k with
+  | SlidesInside -> [ slides; crown; "slides inwards, left inner"; haunch ]
+  | OpensAtShoulder -> [ slides; "hinge at the extrados, right shoulder"; crown; haunch ]
+  | SlidesAlone -> [ slides; crown; haunch ]
+
 (* The subject of a claim, and the names that go with it. *)
 let subject claim =
   let subjects = [ "landmark"; "state"; "slides"; "too_wide"; "too_thin"; "stands"; "asymmetric" ] in
   let field = fields ~optional:subjects [ "weight"; "unknowns"; "equations" ] claim in
   let weight = named "weight" weights (text (get field "weight")) in
-  let found = List.filter (fun name -> match field name with None | Some Json.Other -> false | _ -> true) subjects in
+  let found = List.filter (fun name -> field name <> None) subjects in
   let there = [ "half_opening"; "friction" ] in
   let about, names =
     match found with
@@ -182,7 +213,11 @@ let subject claim =
             ( arch weight f, number (text (get f "thickness")), dyadic (get f "thrust"),
               dyadic (get f "crown_moment"), there ),
           if there = AtHaunch then ([ beta_r ], [ "(5)" ]) else ([], []) )
-    | [ "asymmetric" ] -> refused "asymmetric solutions are beyond this checker"
+    | [ "asymmetric" ] ->
+        let f = fields ("mode" :: "contacts" :: there) (get field "asymmetric") in
+        let k = named "mode" kinds (text (get f "mode")) in
+        if texts (get f "contacts") <> contacts k then refused "the contacts are not those of the kind";
+        (Asymmetric (k, arch weight f), of_kind k)
     | _ -> refused "exactly one subject is expected"
   in
   let unknowns, equations = names in
@@ -235,11 +270,6 @@ let box most v =
     refused "a number is too long";
   { centre; radius }
 
-(* Most digits that are checked: what is beyond is not refused. *)
-let most_digits = 2000
-
-exception Beyond
-
 let certificate bytes =
   let field =
     fields [ "schema"; "tool"; "claim"; "digits"; "unique"; "inverse"; "root"; "values" ] (Json.read bytes)
@@ -253,7 +283,7 @@ let certificate bytes =
     | _ -> refused "digits are 1 to 1000000"
   in
   if digits < 1 || digits > 1_000_000 then refused "digits are 1 to 1000000";
-  if digits > most_digits then raise Beyond;
+  if digits > most_digits then raise (Beyond (Printf.sprintf "more than %d digits" most_digits));
   let values = List.map (value digits) (list (get field "values")) in
   let names = List.map fst values in
   if List.length (List.sort_uniq compare names) <> List.length names then refused "a quantity twice";
@@ -261,9 +291,11 @@ let certificate bytes =
   | [], Stands _ -> ()
   | [], _ -> refused "no value"
   | _ -> ());
+  let root = box ((digits * 10 / 3) + 24_000) (get field "root") and unique = box 24_000 (get field "unique") in
+  let forces = match about with Stands (_, _, h, p, _) -> [ h; p ] | _ -> [] in
+  if List.exists (fun d -> bits d > 24_000) forces then refused "a number is too long";
+  if List.exists (fun d -> bits d > most_bits) (forces @ root.centre @ unique.centre) then
+    raise (Beyond (Printf.sprintf "a number of more than %d bits" most_bits));
   let inverse = List.map (fun row -> List.map dyadic (list row)) (list (get field "inverse")) in
   if List.exists (List.exists (fun d -> bits d > 24_000)) inverse then refused "a number is too long";
-  {
-    about; digits = Integer.of_int digits; unique = box 24_000 (get field "unique"); inverse;
-    root = box ((digits * 10 / 3) + 24_000) (get field "root"); values;
-  }
+  { about; digits = Integer.of_int digits; unique; inverse; root; values }

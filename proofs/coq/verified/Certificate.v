@@ -5,7 +5,7 @@
     [FrictionModes] and [States]. *)
 
 From Coq Require Import Reals ZArith List.
-From Couplet Require Import Arch States Verdicts Enclosures Formulas Equations.
+From Couplet Require Import Arch States Verdicts Whole Enclosures Formulas Equations.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -43,13 +43,18 @@ Inductive landmark := Triple | Shift | Junction | Border | RotationEnd | Overtur
 (** Where the line of thrust comes nearest to the intrados. *)
 Inductive nearest := AtCrown | AtHaunch | AtShoulder.
 
+(** How the motion of an asymmetric solution of (19) closes, beside the slip of the right shoulder: another joint slides
+    inwards, the shoulder opens, or it is the slip alone. *)
+Inductive kind := SlidesInside | OpensAtShoulder | SlidesAlone.
+
 Inductive subject :=
   | State (m : mode) (a : arch)
   | TooThin (m : mode) (a : arch) (thickness : number)
   | Slides (a : arch)
   | TooWide (a : arch)
   | Stands (a : arch) (thickness : number) (h p : dyadic) (there : nearest)
-  | Landmark (l : landmark) (w : weight).
+  | Landmark (l : landmark) (w : weight)
+  | Asymmetric (k : kind) (a : arch).
 
 (** A mode's equations; the thrust's moment at the crown; and the order of the joints. *)
 Definition equations (m : mode) : list equation :=
@@ -133,6 +138,26 @@ Definition moment_there (l : landmark) (d : R) (x : configuration) : R :=
   | _ => at_shoulder d (x Alpha) (x Eta) (x Thrust)
   end.
 
+(** An asymmetric solution of (19), with its rates. *)
+Definition is_asymmetric (k : kind) (d : R) (x : configuration) : Prop :=
+  match k with
+  | SlidesInside =>
+      asymmetric_solution d (x Alpha) (x Mu) (x Eta) (x Thrust) (x Moment) (x Force) (x Hinge) (x BetaR) (x BetaS)
+        (x Slip) (x InnerSlip)
+  | OpensAtShoulder =>
+      shoulder_solution d (x Alpha) (x Mu) (x Eta) (x Thrust) (x Moment) (x Force) (x Hinge) (x BetaR)
+        (x Slip) (x Opening) /\ 0 < x Opening
+  | SlidesAlone =>
+      shoulder_solution d (x Alpha) (x Mu) (x Eta) (x Thrust) (x Moment) (x Force) (x Hinge) (x BetaR) (x Slip) 0
+  end.
+(** What friction takes. *)
+Definition is_power (k : kind) (x : configuration) : Prop :=
+  x Power = x Mu * whole_normal (x Thrust) (x Force) (x Alpha) * x Slip
+    + match k with
+      | SlidesInside => x Mu * whole_normal (x Thrust) (x Force) (- x BetaS) * x InnerSlip
+      | _ => 0
+      end.
+
 (** ** Decimals *)
 
 Inductive quantity :=
@@ -161,7 +186,7 @@ Definition is_rounding (digits : Z) (m e : Z) (x : R) : Prop :=
 Definition is_value (digits : Z) (mu : option R) (x : configuration) (q : quantity) (v : written) : Prop :=
   match v with
   | Infinite => q = Plain Mu /\ mu = None
-  | Decimal m e => is_rounding digits m e (value_of mu x q)
+  | Decimal m e => (q = Plain Mu -> mu <> None) /\ is_rounding digits m e (value_of mu x q)
   end.
 
 (** ** The certificate *)
@@ -204,4 +229,7 @@ Definition claim_of (c : certificate) : Prop :=
       exists x, List.Forall (printed (flag w) x) (equations_of l) /\ is_fixed l x /\
         values_hold c (friction_there l x) x /\
         is_least (flag w) (friction_there l x) x (moment_there l (flag w) x)
+  | Asymmetric k a =>
+      exists x, x Alpha = real (half_opening a) /\ coefficient (its_friction a) = Some (x Mu) /\
+        is_asymmetric k (flag (self_weight a)) x /\ is_power k x /\ values_hold c (Some (x Mu)) x
   end.

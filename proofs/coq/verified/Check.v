@@ -4,7 +4,7 @@
 
 From Coq Require Import Reals ZArith Bool List.
 From Interval Require Import Interval.Interval.
-From Couplet Require Import Enclosures Formulas Krawczyk Equations Certificate Root.
+From Couplet Require Import Enclosures Formulas Krawczyk Equations Certificate Root WholeArch.
 Import ListNotations.
 
 (** ** What is given *)
@@ -73,6 +73,7 @@ Definition holds_value (prec digits : Z) (limited : bool) (E : surroundings)
   match v with
   | Infinite => match q with Plain Mu => negb limited | _ => false end
   | Decimal m e =>
+      match q with Plain Mu => limited | _ => true end &&
       let X := enclosed_quantity prec limited E q in
       let below := (if (m =? 10 ^ (digits - 1))%Z then 1 else 10)%Z in
       if (m =? 0)%Z then is_zero X
@@ -320,6 +321,100 @@ Definition check_landmark (c : certificate) (l : landmark) (w : weight) : bool :
       && hold_values full (landmark_known l) (landmark_limited l) E c
   end.
 
+(** ** Asymmetric solutions *)
+
+Definition asymmetric_unknowns (k : kind) : list name :=
+  [Thrust; Moment; Force; Eta; Hinge; BetaR] ++ match k with SlidesInside => [BetaS] | _ => [] end.
+Definition asymmetric_known (k : kind) : list name :=
+  asymmetric_unknowns k ++ [Slip; Power] ++
+  match k with SlidesInside => [InnerSlip] | OpensAtShoulder => [Opening] | SlidesAlone => [] end.
+
+Local Open Scope formula_scope.
+Definition asymmetric_zeros (w : weight) (k : kind) : list formula :=
+  [margin_at w FromExtrados (right Hinge); margin_slope_at w FromExtrados (right Hinge);
+   margin_at w FromIntrados (left BetaR); margin_slope_at w FromIntrados (left BetaR);
+   margin_at w AgainstOutwards (right Alpha)] ++
+  match k with
+  | SlidesInside => [margin_at w AgainstOutwards (left BetaS); margin_slope_at w AgainstOutwards (left BetaS)]
+  | OpensAtShoulder => [margin_at w FromExtrados (right Alpha)]
+  | SlidesAlone =>
+      [inner * (Cos BetaR * Cos Alpha - Sin BetaR * Sin Alpha)
+       - outer * (Cos Hinge * Cos Alpha + Sin Hinge * Sin Alpha)]
+  end.
+
+(** Numerators and denominator of the rates. *)
+Definition gap_across : formula := half_outer * Cos Hinge - half_inner * Cos BetaR.
+Definition gap_upwards : formula := - (half_outer * Sin Hinge) - half_inner * Sin BetaR.
+Definition gap_along : formula := Sin Alpha * gap_upwards - Cos Alpha * gap_across.
+Definition arm_upwards : formula := half_outer * Sin Alpha + half_inner * Sin BetaR.
+Definition arm_across : formula := half_outer * Cos Alpha - half_inner * Cos BetaR.
+Definition rate_divisor (k : kind) : formula :=
+  match k with
+  | SlidesInside => Sin Alpha * Cos BetaS + Cos Alpha * Sin BetaS
+  | OpensAtShoulder => Sin Alpha * arm_upwards + Cos Alpha * arm_across
+  | SlidesAlone => Sin Alpha
+  end.
+Definition slip_numerator (k : kind) : formula :=
+  match k with
+  | SlidesInside => gap_across * Cos BetaS + gap_upwards * Sin BetaS
+  | OpensAtShoulder => gap_across * arm_upwards + gap_upwards * arm_across
+  | SlidesAlone => gap_across
+  end.
+Definition asymmetric_signs (k : kind) : list formula :=
+  [Val Alpha; Val Eta; inner; Val Force; Val Alpha - Val Hinge; Val Alpha - Val BetaR;
+   rate_divisor k; slip_numerator k] ++
+  match k with
+  | SlidesInside => [Val Hinge + Val BetaS; Val BetaR - Val BetaS; gap_along]
+  | OpensAtShoulder => [Val Hinge + Val BetaR; gap_along]
+  | SlidesAlone => [Val Hinge + Val BetaR]
+  end.
+Local Close Scope formula_scope.
+
+(** The rates, computed, and the power that friction takes. *)
+Definition with_slips (prec : Z) (k : kind) (E : surroundings) : surroundings :=
+  let rate f := I.div prec (enclosed prec E f) (enclosed prec E (rate_divisor k)) in
+  let s := plain (rate (slip_numerator k)) in
+  let other := plain (rate gap_along) in
+  fun n => match n with Slip => s | InnerSlip | Opening => other | _ => E n end.
+Definition power_of (k : kind) : formula :=
+  let taken j rate := (Val Mu * normal_at j * Val rate)%formula in
+  match k with
+  | SlidesInside => (taken (right Alpha) Slip + taken (left BetaS) InnerSlip)%formula
+  | _ => taken (right Alpha) Slip
+  end.
+Definition with_rates (prec : Z) (k : kind) (E : surroundings) : surroundings :=
+  let F := with_slips prec k E in
+  let P := plain (enclosed prec F (power_of k)) in
+  fun n => match n with Power => P | _ => F n end.
+
+(** Bits for the pieces of the arch. *)
+Definition piece_bits : Z := 64.
+
+(** Sets next to the joints that are at their limits. *)
+Definition near_joint (w : weight) (E : surroundings) (m : margin) (X : enclosure) : list enclosure :=
+  match neighbourhood piece_bits 22 2 (bends_away piece_bits w E m) X with Some near => [near] | None => [] end.
+Definition near_end (w : weight) (E : surroundings) (m : margin) : list enclosure :=
+  match neighbourhood piece_bits 22 2 (falls piece_bits w E m) (itself (E Alpha)) with Some near => [near] | None => [] end.
+
+Definition known_margins (w : weight) (k : kind) (E : surroundings) : list known_margin :=
+  [(FromExtrados, near_joint w E FromExtrados (itself (E Hinge))
+      ++ match k with OpensAtShoulder => near_end w E FromExtrados | _ => [] end);
+   (FromIntrados, near_joint w E FromIntrados (I.neg (itself (E BetaR))));
+   (AgainstInwards, []);
+   (AgainstOutwards, near_end w E AgainstOutwards
+      ++ match k with SlidesInside => near_joint w E AgainstOutwards (I.neg (itself (E BetaS))) | _ => [] end)].
+
+Definition check_asymmetric (c : certificate) (k : kind) (a : arch) : bool :=
+  let full := full_bits c in
+  let w := self_weight a in
+  match located c full (given (its_numbers a)) (System (asymmetric_unknowns k) (asymmetric_zeros w k) []) with
+  | None => false
+  | Some E =>
+      is_limited (its_friction a) && is_open full (itself (E Alpha)) && are_all_positive full E (asymmetric_signs k)
+      && whole_covered piece_bits w E (known_margins w k E)
+      && hold_values full (asymmetric_known k) true (with_rates full k E) c
+  end.
+
 (** ** The certificate *)
 
 Definition check (c : certificate) : bool :=
@@ -330,4 +425,5 @@ Definition check (c : certificate) : bool :=
   | TooWide a => check_too_wide c a
   | Stands a t h p there => check_stands c a t h p there
   | Landmark l w => check_landmark c l w
+  | Asymmetric k a => check_asymmetric c k a
   end.

@@ -14,14 +14,18 @@ Open Scope R_scope.
 (** ** Names *)
 
 (** The numbers of a state: half opening, joint that opens and joint that slides, thickness, thrust,
-    friction; of an asymmetric one besides the moment of the thrust and the vertical force at the crown, and
-    the hinge next to it. *)
-Inductive name := Alpha | BetaR | BetaS | Eta | Thrust | Mu | Moment | Force | Hinge.
+    friction; of an asymmetric one besides the moment of the thrust and the vertical force at the crown, the
+    hinge next to it, the rates at which the shoulder slips, an inner joint slips and the shoulder opens, and
+    the power of friction; and any joint. *)
+Inductive name :=
+  | Alpha | BetaR | BetaS | Eta | Thrust | Mu
+  | Moment | Force | Hinge | Slip | InnerSlip | Opening | Power | Joint.
 
 Definition same (a b : name) : bool :=
   match a, b with
   | Alpha, Alpha | BetaR, BetaR | BetaS, BetaS | Eta, Eta | Thrust, Thrust | Mu, Mu | Moment, Moment
-  | Force, Force | Hinge, Hinge => true
+  | Force, Force | Hinge, Hinge | Slip, Slip | InnerSlip, InnerSlip | Opening, Opening | Power, Power
+  | Joint, Joint => true
   | _, _ => false
   end.
 

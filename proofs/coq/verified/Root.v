@@ -14,9 +14,12 @@ Definition remembered (E : surroundings) : surroundings :=
   let alpha := E Alpha in let beta_r := E BetaR in let beta_s := E BetaS in
   let eta := E Eta in let h := E Thrust in let mu := E Mu in
   let p := E Moment in let v := E Force in let b0 := E Hinge in
+  let slip := E Slip in let inner := E InnerSlip in let opening := E Opening in
+  let power := E Power in let joint := E Joint in
   fun n => match n with
     | Alpha => alpha | BetaR => beta_r | BetaS => beta_s | Eta => eta | Thrust => h | Mu => mu
-    | Moment => p | Force => v | Hinge => b0
+    | Moment => p | Force => v | Hinge => b0 | Slip => slip | InnerSlip => inner | Opening => opening
+    | Power => power | Joint => joint
     end.
 
 (** ** Boxes *)

@@ -2,7 +2,8 @@
 
 From Coq Require Import Reals ZArith Lra Lia Bool List.
 From Interval Require Import Interval.Interval.
-From Couplet Require Import Arch States Verdicts Enclosures Formulas Krawczyk Equations Certificate Root Check.
+From Couplet Require Import Arch States Verdicts Whole Enclosures Formulas Krawczyk Equations Certificate Root WholeArch
+  Check.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -103,6 +104,8 @@ Proof.
   destruct qv as [q [| m e]]; unfold holds_value; cbn [fst snd is_value].
   - intros Htest HE ->. destruct q as [[] | | | | |]; try easy. now destruct limited.
   - intros Htest HE Hmu. assert (HX := has_quantity prec limited E x mu q HE Hmu). unfold is_rounding.
+    apply andb_true_iff in Htest. destruct Htest as [Hknown Htest].
+    split; [intros ->; rewrite Hmu; now destruct limited |].
     cbv zeta in *.
     destruct (Z.eqb_spec m 0) as [Hzero | Hne].
     + left. split; [easy | now apply (is_zero_sound (enclosed_quantity prec limited E q))].
@@ -125,19 +128,6 @@ Lemma hold_values_sound prec known (limited : bool) E c (x : configuration) (mu 
 Proof.
   intros Hall HE Hmu q v Hq. apply (each_one _ _ (q, v)) in Hall; [| exact Hq].
   apply andb_true_iff in Hall. now apply (holds_value_sound prec (digits c) limited E x mu (q, v)).
-Qed.
-
-(** Of friction nothing is said, so that it may be given otherwise. *)
-Lemma values_without_friction c mu mu' x known :
-  existsb (same Mu) known = false ->
-  forallb (fun qv => forallb (fun n => existsb (same n) known) (variable (fst qv))) (values c) = true ->
-  values_hold c mu x -> values_hold c mu' x.
-Proof.
-  intros Hnone Hknown Hall q v Hq. specialize (Hall q v Hq).
-  apply (each_one _ _ (q, v)) in Hknown; [| exact Hq]. cbn [fst] in Hknown.
-  destruct q; cbn [variable forallb] in Hknown; rewrite ?Hnone in Hknown; try easy;
-    destruct v; cbn [is_value] in *; try easy; destruct Hall as [E _]; try easy.
-  injection E as ->. cbn [forallb] in Hknown. now rewrite Hnone in Hknown.
 Qed.
 
 (** ** States *)
@@ -599,6 +589,178 @@ Proof.
     now apply (are_all_positive_sound full S y (landmark_signs w l)).
 Qed.
 
+(** ** Asymmetric solutions *)
+
+Lemma neighbourhood_sound prec test X tries k near x :
+  neighbourhood prec tries k test X = Some near -> has X x -> test near = true /\ has near x.
+Proof.
+  intros Hfound HX. revert k Hfound. induction tries as [| tries IH]; intros k; simpl; [easy |].
+  destruct (test (widened prec X k)) eqn:Htest; [| apply IH]. intros [= <-]. split; [exact Htest |].
+  unfold widened. replace x with (x + 0) by ring. apply has_add; [exact HX |]. apply has_symmetric.
+  rewrite Rabs_R0. unfold value. apply Rlt_le, Rmult_lt_0_compat; [simpl; lra | apply powerRZ_lt; lra].
+Qed.
+
+Section Known.
+
+Variables (w : weight) (E : surroundings) (x : configuration).
+Hypothesis around : surrounds E x.
+
+Lemma near_joint_sound m X j near : In near (near_joint w E m X) -> has X j ->
+  is_margin (flag w) x m j = 0 -> is_margin_slope (flag w) x m j = 0 -> safe w x m near.
+Proof.
+  unfold near_joint. intros Hin HX H0 H1.
+  destruct (neighbourhood _ _ _ _ _) as [found |] eqn:Hfound; [| easy].
+  destruct Hin as [<- | []]. destruct (neighbourhood_sound _ _ _ _ _ _ j Hfound HX) as [Htest Hnear].
+  now apply (safe_if_bends piece_bits w E x around m found j).
+Qed.
+
+Lemma near_end_sound m near : In near (near_end w E m) -> is_margin (flag w) x m (x Alpha) = 0 -> safe w x m near.
+Proof.
+  unfold near_end. intros Hin H0.
+  destruct (neighbourhood _ _ _ _ _) as [found |] eqn:Hfound; [| easy].
+  destruct Hin as [<- | []].
+  destruct (neighbourhood_sound _ _ _ _ _ _ (x Alpha) Hfound ltac:(apply around)) as [Htest Hnear].
+  now apply (safe_if_falls piece_bits w E x around m found).
+Qed.
+
+End Known.
+
+(** The configuration with its rates, and with the power. *)
+Definition slips_of (k : kind) (x : configuration) : configuration :=
+  let rate f := meaning x f / meaning x (rate_divisor k) in
+  fun n => match n with
+    | Slip => rate (slip_numerator k)
+    | InnerSlip | Opening => rate gap_along
+    | _ => x n
+    end.
+Definition rates_of (k : kind) (x : configuration) : configuration :=
+  fun n => match n with Power => meaning (slips_of k x) (power_of k) | _ => slips_of k x n end.
+
+Lemma surrounds_slips prec k E x : surrounds E x -> surrounds (with_slips prec k E) (slips_of k x).
+Proof.
+  intros HE n.
+  destruct n; first [apply HE | apply covers_plain; apply has_div; now apply has_meaning].
+Qed.
+
+Lemma surrounds_rates prec k E x : surrounds E x -> surrounds (with_rates prec k E) (rates_of k x).
+Proof.
+  intros HE n. assert (HF := surrounds_slips prec k E x HE).
+  destruct n; first [apply HF | apply covers_plain; now apply has_meaning].
+Qed.
+
+(** The rates of the theory. *)
+Lemma meaning_across x : meaning x gap_across = across (x Eta) (x Hinge) (x BetaR).
+Proof. unfold gap_across, half_outer, half_inner, across, extrados, intrados. cbn [meaning]. field. Qed.
+Lemma meaning_upwards x : meaning x gap_upwards = upwards (x Eta) (x Hinge) (x BetaR).
+Proof. unfold gap_upwards, half_outer, half_inner, upwards, extrados, intrados. cbn [meaning]. field. Qed.
+
+Lemma slips_inside x :
+  slips_of SlidesInside x Slip = shoulder_slip (x Alpha) (x Eta) (x Hinge) (x BetaR) (x BetaS) /\
+  slips_of SlidesInside x InnerSlip = inner_slip (x Alpha) (x Eta) (x Hinge) (x BetaR) (x BetaS).
+Proof.
+  unfold slips_of, shoulder_slip, inner_slip. cbv zeta. cbn [slip_numerator rate_divisor].
+  unfold gap_along. cbn [meaning]. rewrite meaning_across, meaning_upwards. now split.
+Qed.
+
+Lemma slips_opening x :
+  slips_of OpensAtShoulder x Slip = slip_of_opening (x Alpha) (x Eta) (x Hinge) (x BetaR) /\
+  slips_of OpensAtShoulder x Opening = shoulder_opening (x Alpha) (x Eta) (x Hinge) (x BetaR) /\
+  meaning x (rate_divisor OpensAtShoulder) = shoulder_determinant (x Alpha) (x Eta) (x BetaR).
+Proof.
+  unfold slips_of, slip_of_opening, shoulder_opening, shoulder_determinant. cbv zeta.
+  cbn [slip_numerator rate_divisor].
+  unfold gap_along, arm_upwards, arm_across, half_outer, half_inner, extrados, intrados. cbn [meaning].
+  rewrite meaning_across, meaning_upwards.
+  replace (x Eta * (1 / 2)) with (x Eta / 2) by field. repeat split.
+Qed.
+
+Lemma check_asymmetric_sound c k a : about c = Asymmetric k a -> check_asymmetric c k a = true -> claim_of c.
+Proof.
+  intros Habout. unfold check_asymmetric, claim_of. rewrite Habout. cbv zeta.
+  set (w := self_weight a). set (f := its_friction a). set (full := full_bits c).
+  destruct (located _ _ _ _) as [E |] eqn:Hlocated; [| easy]. intros Htest. conditions.
+  destruct (located_sound _ _ _ _ _ _ (surrounds_given _ _ (arch_numbers a)) Hlocated)
+    as (x & HE & Hgiven & Hzeros & _).
+  assert (alpha : x Alpha = real (half_opening a)) by (now destruct k; apply Hgiven).
+  assert (mu : x Mu = coefficient_or_zero f) by (now destruct k; apply Hgiven).
+  assert (Hopen : x Alpha < PI) by (apply (is_open_sound full (itself (E Alpha))); [easy | apply HE]).
+  assert (Hvalues : values_hold c (Some (x Mu)) (rates_of k x)).
+  { apply (hold_values_sound full (asymmetric_known k) true (with_rates full k E)); try easy.
+    now apply surrounds_rates. }
+  assert (zero : forall g, In g (asymmetric_zeros w k) -> meaning x g = 0) by (intros g Hg; now apply Hzeros).
+  assert (crown : is_margin (flag w) x FromExtrados (x Hinge) = 0)
+    by (rewrite <- (margin_right w); apply zero; cbn [asymmetric_zeros app In]; tauto).
+  assert (crown' : is_margin_slope (flag w) x FromExtrados (x Hinge) = 0)
+    by (rewrite <- (slope_right w); apply zero; cbn [asymmetric_zeros app In]; tauto).
+  assert (haunch : is_margin (flag w) x FromIntrados (- x BetaR) = 0)
+    by (rewrite <- (margin_left w); apply zero; cbn [asymmetric_zeros app In]; tauto).
+  assert (haunch' : is_margin_slope (flag w) x FromIntrados (- x BetaR) = 0)
+    by (rewrite <- (slope_left w); apply zero; cbn [asymmetric_zeros app In]; tauto).
+  assert (shoulder : is_margin (flag w) x AgainstOutwards (x Alpha) = 0)
+    by (rewrite <- (margin_right w); apply zero; cbn [asymmetric_zeros app In]; tauto).
+  assert (inside : k = SlidesInside -> is_margin (flag w) x AgainstOutwards (- x BetaS) = 0
+                                       /\ is_margin_slope (flag w) x AgainstOutwards (- x BetaS) = 0).
+  { intros ->. rewrite <- (margin_left w), <- (slope_left w). split; apply zero; cbn [asymmetric_zeros app In]; tauto. }
+  assert (opens : k = OpensAtShoulder -> is_margin (flag w) x FromExtrados (x Alpha) = 0).
+  { intros ->. rewrite <- (margin_right w). apply zero. cbn [asymmetric_zeros app In]. tauto. }
+  assert (Hknown : List.Forall (is_known w x) (known_margins w k E)).
+  { unfold known_margins. repeat apply List.Forall_cons; try apply List.Forall_nil;
+      intros near Hnear; cbn [fst snd] in *; rewrite ?in_app_iff in Hnear.
+    - destruct Hnear as [Hin | Hin]; [now apply (near_joint_sound w E x HE _ _ (x Hinge) _ Hin); [apply HE | |] |].
+      destruct k; try easy. now apply (near_end_sound w E x HE _ _ Hin), opens.
+    - now apply (near_joint_sound w E x HE _ _ (- x BetaR) _ Hnear); [apply has_neg, HE | |].
+    - easy.
+    - destruct Hnear as [Hin | Hin]; [now apply (near_end_sound w E x HE _ _ Hin) |].
+      destruct k; try easy. destruct (inside eq_refl).
+      now apply (near_joint_sound w E x HE _ _ (- x BetaS) _ Hin); [apply has_neg, HE | |]. }
+  assert (admitted : whole_admissible (flag w) (x Alpha) (x Eta) (x Mu) (x Thrust) (x Moment) (x Force)).
+  { intros j Hj.
+    assert (Hall := whole_covered_sound piece_bits w E x HE (known_margins w k E) ltac:(easy)
+                      ltac:(pose proof PI_4; lra) Hknown j Hj).
+    unfold known_margins in Hall. list_of Hall. cbn [fst is_margin] in *. tauto. }
+  assert (Hsigns : List.Forall (fun g => 0 < meaning x g) (asymmetric_signs k))
+    by (apply List.Forall_forall; intros g Hg; now apply (are_all_positive_sound full E x (asymmetric_signs k))).
+  assert (Hs : 0 < x Alpha -> sin (x Alpha) <> 0) by (intros Ha; apply Rgt_not_eq, sin_gt_0; lra).
+  exists (rates_of k x). refine (conj alpha (conj _ (conj _ (conj _ Hvalues)))).
+  - rewrite coefficient_is. fold f. change (rates_of k x Mu) with (x Mu). rewrite mu.
+    now replace (is_limited f) with true.
+  - cbn [is_margin] in *.
+    assert (admitted' := admitted). unfold whole_admissible in admitted'.
+    destruct k; list_of Hsigns; cbn [meaning slip_numerator rate_divisor inner outer] in *.
+    + destruct (inside eq_refl) as [slides _]. destruct (slips_inside x) as [Es Eu].
+      change (asymmetric_solution (flag w) (x Alpha) (x Mu) (x Eta) (x Thrust) (x Moment) (x Force) (x Hinge) (x BetaR)
+                (x BetaS) (slips_of SlidesInside x Slip) (slips_of SlidesInside x InnerSlip)).
+      assert (divisor : 0 < determinant (x Alpha) (x BetaS)) by assumption.
+      assert (slip : 0 < slips_of SlidesInside x Slip) by (apply Rdiv_lt_0_compat; assumption).
+      assert (inner : 0 < slips_of SlidesInside x InnerSlip) by (apply Rdiv_lt_0_compat; assumption).
+      assert (fit := rates_fit (x Alpha) (x Eta) (x Hinge) (x BetaR) (x BetaS) ltac:(lra)).
+      rewrite <- Es, <- Eu in fit. unfold asymmetric_solution. repeat split; try assumption; try lra; now apply admitted'.
+    + assert (gapes := opens eq_refl). destruct (slips_opening x) as (Es & Ew & Ed).
+      change (shoulder_solution (flag w) (x Alpha) (x Mu) (x Eta) (x Thrust) (x Moment) (x Force) (x Hinge) (x BetaR)
+                (slips_of OpensAtShoulder x Slip) (slips_of OpensAtShoulder x Opening)
+              /\ 0 < slips_of OpensAtShoulder x Opening).
+      assert (slip : 0 < slips_of OpensAtShoulder x Slip) by (apply Rdiv_lt_0_compat; assumption).
+      assert (opening : 0 < slips_of OpensAtShoulder x Opening) by (apply Rdiv_lt_0_compat; assumption).
+      assert (divisor : 0 < shoulder_determinant (x Alpha) (x Eta) (x BetaR)) by (rewrite <- Ed; assumption).
+      assert (fit := opening_fits (x Alpha) (x Eta) (x Hinge) (x BetaR) ltac:(lra)).
+      rewrite <- Es, <- Ew in fit. unfold shoulder_solution. rewrite gapes, Rmult_0_r.
+      repeat split; try assumption; try lra; now apply admitted'.
+    + assert (misfit := zero _ ltac:(cbn [asymmetric_zeros app In]; right; right; right; right; right; left; reflexivity)).
+      cbn [meaning inner outer] in misfit.
+      change (shoulder_solution (flag w) (x Alpha) (x Mu) (x Eta) (x Thrust) (x Moment) (x Force) (x Hinge) (x BetaR)
+                (slips_of SlidesAlone x Slip) 0).
+      assert (slip : 0 < slips_of SlidesAlone x Slip) by (apply Rdiv_lt_0_compat; assumption).
+      assert (Es : slips_of SlidesAlone x Slip = across (x Eta) (x Hinge) (x BetaR) / sin (x Alpha)).
+      { change (meaning x gap_across / sin (x Alpha) = across (x Eta) (x Hinge) (x BetaR) / sin (x Alpha)).
+        now rewrite meaning_across. }
+      assert (fit := slip_alone_fits (x Alpha) (x Eta) (x Hinge) (x BetaR) ltac:(lra)
+                       ltac:(unfold extrados, intrados; lra)).
+      rewrite <- Es in fit. unfold shoulder_solution.
+      repeat split; try assumption; try lra; now apply admitted'.
+  - unfold is_power. destruct k; unfold rates_of; cbn [power_of meaning right left normal_at angle_of sine_of cosine_of];
+      unfold whole_normal; rewrite ?sin_neg, ?cos_neg; cbn [slips_of]; ring.
+Qed.
+
 (** ** The theorem *)
 
 Theorem sound c : check c = true -> claim_of c.
@@ -610,4 +772,5 @@ Proof.
   - now apply check_too_wide_sound.
   - now apply check_stands_sound.
   - now apply check_landmark_sound.
+  - now apply check_asymmetric_sound.
 Qed.

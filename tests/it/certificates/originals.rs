@@ -14,6 +14,9 @@ use couplet::solve::inverse;
 use rug::Float;
 use serde_json::Value;
 use std::collections::HashMap;
+use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::PathBuf;
 use std::sync::Mutex;
 
 /// The answers of all arithmetics that are built in, the independent one first.
@@ -24,7 +27,23 @@ pub(super) fn answers(bytes: &[u8], max_digits: usize) -> Vec<Result<AcceptedFil
         #[cfg(feature = "malachite")]
         check_file::<couplet::number::MalachiteInterval>(bytes, max_digits),
     ];
+    keep_for_others(bytes, &all[0]);
     all.into()
+}
+
+/// Keeps a file with the answer in its name, where `COUPLET_KEEP_CERTIFICATES` names a folder: for a checker that is
+/// another program (`make verified-test`).
+fn keep_for_others(bytes: &[u8], answer: &Result<AcceptedFile, Refusal>) {
+    let Some(folder) = std::env::var_os("COUPLET_KEEP_CERTIFICATES") else { return };
+    let mut hasher = DefaultHasher::new();
+    bytes.hash(&mut hasher);
+    let word = match answer {
+        Ok(_) => "accepted",
+        Err(Refusal::Limit(..)) => "limit",
+        Err(_) => "refused",
+    };
+    let file = PathBuf::from(folder).join(format!("{word}-{:016x}.json", hasher.finish()));
+    fs::write(file, bytes).expect("the folder can be written");
 }
 
 /// The answer of all arithmetics, which has to be the same, on a file of either kind.
