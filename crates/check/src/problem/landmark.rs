@@ -152,7 +152,7 @@ impl Landmark {
         iter::once((self.modes()[0], range)).chain(self.of_modes(weight, false)).collect()
     }
 
-    /// What the state of each mode that meets there needs and is zero by the equations.
+    /// Conditions that the state of each mode that meets there needs and that are zero by the equations.
     pub fn ties(self, weight: SelfWeight) -> Vec<(Mode, Vec<Condition>)> {
         self.of_modes(weight, true).collect()
     }

@@ -1,4 +1,5 @@
-//! What makes a solution the state of an arch: the signs that are left, what is zero, and the theorem of `States.v`.
+//! The state of an arch that a solution is: the signs that are left, the numbers that are zero, and the theorem of
+//! `States.v`.
 
 use super::names::argument;
 use super::sign::{sign, tie};
@@ -77,7 +78,7 @@ mod tests {
     use crate::arch::SelfWeight;
     use crate::problem::Landmark;
 
-    /// What `docs/certificate.md` lists, without what the equations fix to a number.
+    /// The table of `docs/certificate.md`, without what the equations fix to a number.
     #[test]
     fn a_landmark_has_the_ties_of_its_modes() {
         let of = |landmark: Landmark| {
