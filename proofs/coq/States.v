@@ -381,8 +381,17 @@ Qed.
 
 (** ** Signs in a small box *)
 
-(** A sign that is known, also where a theorem asks for less. *)
-Ltac known := first [tauto | apply Rlt_le; tauto].
+(** What a theorem asks for: a sign, also where it may be zero, or a tie. *)
+Ltac known := first [tauto | apply Rlt_le; tauto | apply Req_le; tauto].
+
+(** What is zero where modes meet, from the equations. *)
+Ltac ties :=
+  repeat split;
+  first [symmetry; tauto
+        | apply shoulder_from_crown; first [tauto | split; known]
+        | apply no_room_next_to_crown; tauto
+        | apply nothing_left_at_border; tauto
+        | apply nothing_left_at_end_of_overturning; tauto].
 
 Ltac signs :=
   intros; conjuncts; repeat split;

@@ -85,7 +85,34 @@ spoil_landmark() {
     's/(_right .*?Rabs \([^)]*\d)(\d)\)/$1 . (($2 + 5) % 10) . ")"/se'
 }
 
-# What is made of a solution: signs, admissibility, the least thickness.
+# What makes T a state: signs, what is zero, and less friction.
+spoil_landmark_state() {
+  spoiled "a condition with a flipped sign" signs \
+    's/beta_s < beta_r\b/beta_r < beta_s/'
+  spoiled "a tie that is none" ties \
+    's/(Lemma ties.*?)mu_is h = mu\b/$1mu_is h = eta/s'
+  spoiled "a tie that is left out" state \
+    's/  mu_ss alpha h = mu \/\\\n//'
+  spoil_stands
+  spoiled "a thinner thickness claimed" least_thickness \
+    's/(Theorem least_thickness.*?stands_from \d alpha mu )eta/$1(eta - 1e-9)/s'
+  spoiled "a friction that is no less" less_friction \
+    's/(Theorem less_friction.*?mu\x27) < mu/$1 <= mu/s'
+}
+
+# What is made of a solution, for a thickness that is an unknown and for a thrust at the crown's extrados.
+spoil_stands() {
+  spoiled "a condition that is left out" state \
+    's/  0 < normal_force alpha h \/\\\n//'
+  spoiled "a line of thrust elsewhere in the crown" state \
+    's/(Theorem state.*?)at_crown eta h/$1intrados eta * h/s'
+  spoiled "friction at a joint beyond the shoulder" state \
+    's/(Theorem state.*?admissible \d )alpha/$1(2 * alpha)/s'
+  spoiled "an arch that stands thinner" state \
+    's/(Theorem state.*?stands_from \d alpha mu )eta/$1(eta - 1e-9)/s'
+}
+
+# An arch at its least thickness: signs, admissibility.
 spoil_state() {
   spoiled "an arch with less friction" residuals_hold \
     's/(Definition mu : R := 0\.\d)(\d)/$1 . ($2 - 1)/e'
@@ -93,14 +120,7 @@ spoil_state() {
     's/mu = mu_ss alpha h/mu = mu_is h/'
   spoiled "a condition with a flipped sign" signs \
     's/mu_is h < mu\b/mu < mu_is h/'
-  spoiled "a condition that is left out" state \
-    's/  0 < normal_force alpha h \/\\\n//'
-  spoiled "a line of thrust elsewhere in the crown" state \
-    's/(Theorem state.*?)at_crown eta h/$1intrados eta * h/s'
-  spoiled "friction at a joint beyond the shoulder" state \
-    's/(Theorem state.*?admissible 0 )alpha/$1(2 * alpha)/s'
-  spoiled "an arch that stands thinner" state \
-    's/(Theorem state.*?stands_from 0 alpha mu )eta/$1(eta - 1e-9)/s'
+  spoil_stands
   spoiled "a thinner thickness claimed" least_thickness \
     's/(Theorem least_thickness.*?\.\d{28})(\d)/$1 . ($2 - 1) % 10/se'
 }
@@ -131,7 +151,7 @@ for module; do
   case $module in
     State*) spoil_state ;;
     Asymmetric*) spoil_asymmetric ;;
-    *) spoil_landmark ;;
+    *) spoil_landmark; spoil_landmark_state ;;
   esac
 done
 exit $wrong

@@ -3,7 +3,7 @@
 use couplet::arch::SelfWeight;
 use couplet::certify::certify_arch;
 use couplet::claims::coq::{StateError, files, state};
-use couplet::problem::{Arch, Mode};
+use couplet::problem::{Arch, Landmark, Mode};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -67,6 +67,34 @@ fn every_mode_has_a_stored_state() {
     let mut expected: Vec<String> = expected.collect();
     expected.sort();
     assert_eq!(names, expected);
+}
+
+/// A landmark has the theorem of its state, and where it has a friction, that nothing stands with less.
+#[test]
+fn every_landmark_is_a_state() {
+    let printed = printed();
+    for (landmark, weight) in
+        Landmark::ALL.into_iter().flat_map(|l| SelfWeight::ALL.map(|w| (l, w)))
+    {
+        let text = &printed[&format!("{landmark:?}{weight:?}.v")];
+        let is_limited = landmark.modes().contains(&Mode::Sliding);
+        let [inside, stands, mu] = match is_limited {
+            true => ["admissible", "stands_from", " mu"],
+            false => ["thrust_inside", "stands_without_limit_from", ""],
+        };
+        let eta = match landmark {
+            Landmark::Border | Landmark::OverturningEnd => "2",
+            _ => "eta",
+        };
+        let delta = weight.flag();
+        let claim = format!(
+            "  {stands} {delta} alpha{mu} {eta}.\nProof.\n  intros W E. pose proof (signs "
+        );
+        let (before, _) = text.split_once(&claim).unwrap_or_else(|| panic!("{landmark} {delta}"));
+        let (_, theorem) = before.rsplit_once("Theorem state ").unwrap();
+        assert!(theorem.contains(&format!("  {inside} {delta} alpha {eta}{mu} ")), "{landmark}");
+        assert_eq!(text.contains("Theorem less_friction "), is_limited, "{landmark}");
+    }
 }
 
 /// A theorem has the digits of the state, however few its certificate has.

@@ -1,12 +1,14 @@
 (** * The point B: border point, Milankovitch's self-weight
 
     The equations of the landmark as the paper prints them, the box in which they have exactly one
-    solution, its digits, and what follows for the values that the paper prints.  The table of numbers
-    between the claim and the theorem is what [Contraction] asks for.
+    solution, its digits, and what makes it **the** state of its arch: it is admissible at every joint of
+    the half arch, and up to the physical limit the arch stands exactly from that thickness on.  At last
+    what follows for the values that the paper prints.  The table of numbers between the claim and the
+    theorem is what [Contraction] asks for.
 
     Written by `couplet prove --coq` from the equations of the program. *)
 
-From Couplet Require Import Instance.
+From Couplet Require Import States.
 Open Scope R_scope.
 
 (** ** What is claimed *)
@@ -196,6 +198,60 @@ Proof.
   destruct one_solution as (alpha' & beta_s' & h' & mu' & N & _ & unique).
   intros W E. specialize (unique alpha beta_s h mu W E). clear W E.
   conjuncts. subst. exact N.
+Qed.
+
+(** ** The state *)
+
+(** What is left to look at: what the theorem of each of its modes asks for, and is not zero. *)
+Lemma signs alpha beta_s h mu : narrow alpha beta_s h mu ->
+  0 < alpha /\
+  alpha < PI /\
+  0 < beta_s /\
+  beta_s < alpha /\
+  0 < h /\
+  h < 1 /\
+  0 < mu /\
+  0 < normal_force alpha h /\
+  0 < 2 /\
+  intrados 2 * (2 - h) < fac 1 2 /\
+  0 < (2 - 2) * cos 0 - (2 + 2) * cos alpha.
+Proof. unfold narrow. signs. Qed.
+
+(** What is zero, as other modes or the limit begin here. *)
+Lemma ties alpha beta_s h mu : wide alpha beta_s h mu -> equations alpha beta_s h mu ->
+  mu_ss alpha h = mu /\
+  fac 1 2 * (1 - cos alpha) = 2 * normal_force alpha h.
+Proof.
+  intros W E. pose proof (signs alpha beta_s h mu (digits alpha beta_s h mu W E)) as S.
+  unfold equations in E. ties.
+Qed.
+
+(** The line of thrust is inside, and friction holds, at every joint, and no thinner arch stands. *)
+Theorem state alpha beta_s h mu : wide alpha beta_s h mu -> equations alpha beta_s h mu ->
+  admissible 1 alpha 2 mu h (at_shoulder 1 alpha 2 h) /\
+  stands_from 1 alpha mu 2.
+Proof.
+  intros W E. pose proof (signs alpha beta_s h mu (digits alpha beta_s h mu W E)) as S.
+  pose proof (ties alpha beta_s h mu W E) as Z.
+  unfold equations in E.
+  eapply (overturning_sliding 1 alpha mu) with (joint := beta_s); [lra | tauto | tauto | known ..].
+Qed.
+
+Theorem least_thickness : exists alpha beta_s h mu, narrow alpha beta_s h mu /\
+  stands_from 1 alpha mu 2.
+Proof.
+  destruct one_solution as (alpha & beta_s & h & mu & N & E & _).
+  exists alpha, beta_s, h, mu. split; [exact N |].
+  exact (proj2 (state alpha beta_s h mu (narrow_is_wide alpha beta_s h mu N) E)).
+Qed.
+
+(** At less friction nothing stands. *)
+Theorem less_friction alpha beta_s h mu : wide alpha beta_s h mu -> equations alpha beta_s h mu ->
+  forall mu', 0 <= mu' < mu -> stands_at_no_thickness alpha mu'.
+Proof.
+  intros W E. pose proof (signs alpha beta_s h mu (digits alpha beta_s h mu W E)) as S.
+  unfold equations in E.
+  apply (purely_sliding alpha mu h beta_s); [tauto | tauto | known ..].
 Qed.
 
 (** ** The printed values

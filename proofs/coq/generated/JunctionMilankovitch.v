@@ -1,12 +1,14 @@
 (** * The point J: junction point, Milankovitch's self-weight
 
     The equations of the landmark as the paper prints them, the box in which they have exactly one
-    solution, its digits, and what follows for the values that the paper prints.  The table of numbers
-    between the claim and the theorem is what [Contraction] asks for.
+    solution, its digits, and what makes it **the** state of its arch: it is admissible at every joint of
+    the half arch, and up to the physical limit the arch stands exactly from that thickness on.  At last
+    what follows for the values that the paper prints.  The table of numbers between the claim and the
+    theorem is what [Contraction] asks for.
 
     Written by `couplet prove --coq` from the equations of the program. *)
 
-From Couplet Require Import Instance.
+From Couplet Require Import States.
 Open Scope R_scope.
 
 (** ** What is claimed *)
@@ -215,6 +217,62 @@ Proof.
   destruct one_solution as (alpha' & beta_s' & eta' & h' & mu' & N & _ & unique).
   intros W E. specialize (unique alpha beta_s eta h mu W E). clear W E.
   conjuncts. subst. exact N.
+Qed.
+
+(** ** The state *)
+
+(** What is left to look at: what the theorem of each of its modes asks for, and is not zero. *)
+Lemma signs alpha beta_s eta h mu : narrow alpha beta_s eta h mu ->
+  0 < alpha /\
+  alpha < PI /\
+  0 < beta_s /\
+  beta_s < alpha /\
+  0 < eta /\
+  eta < 2 /\
+  0 < h /\
+  h < 1 /\
+  0 < mu /\
+  0 < normal_force alpha h /\
+  at_shoulder 1 alpha eta h < at_crown eta h /\
+  0 < (2 - eta) * cos 0 - (2 + eta) * cos alpha /\
+  fac 1 2 * (1 - cos alpha) < 2 * normal_force alpha h.
+Proof. unfold narrow. signs. Qed.
+
+(** What is zero, as other modes or the limit begin here. *)
+Lemma ties alpha beta_s eta h mu : wide alpha beta_s eta h mu -> equations alpha beta_s eta h mu ->
+  mu_ss alpha h = mu /\
+  intrados eta * (2 - h) = fac 1 eta.
+Proof.
+  intros W E. pose proof (signs alpha beta_s eta h mu (digits alpha beta_s eta h mu W E)) as S.
+  unfold equations in E. ties.
+Qed.
+
+(** The line of thrust is inside, and friction holds, at every joint, and no thinner arch stands. *)
+Theorem state alpha beta_s eta h mu : wide alpha beta_s eta h mu -> equations alpha beta_s eta h mu ->
+  admissible 1 alpha eta mu h (at_shoulder 1 alpha eta h) /\
+  stands_from 1 alpha mu eta.
+Proof.
+  intros W E. pose proof (signs alpha beta_s eta h mu (digits alpha beta_s eta h mu W E)) as S.
+  pose proof (ties alpha beta_s eta h mu W E) as Z.
+  unfold equations in E.
+  eapply (overturning_sliding 1 alpha mu) with (joint := beta_s); [lra | tauto | tauto | known ..].
+Qed.
+
+Theorem least_thickness : exists alpha beta_s eta h mu, narrow alpha beta_s eta h mu /\
+  stands_from 1 alpha mu eta.
+Proof.
+  destruct one_solution as (alpha & beta_s & eta & h & mu & N & E & _).
+  exists alpha, beta_s, eta, h, mu. split; [exact N |].
+  exact (proj2 (state alpha beta_s eta h mu (narrow_is_wide alpha beta_s eta h mu N) E)).
+Qed.
+
+(** At less friction nothing stands. *)
+Theorem less_friction alpha beta_s eta h mu : wide alpha beta_s eta h mu -> equations alpha beta_s eta h mu ->
+  forall mu', 0 <= mu' < mu -> stands_at_no_thickness alpha mu'.
+Proof.
+  intros W E. pose proof (signs alpha beta_s eta h mu (digits alpha beta_s eta h mu W E)) as S.
+  unfold equations in E.
+  apply (purely_sliding alpha mu h beta_s); [tauto | tauto | known ..].
 Qed.
 
 (** ** The printed values

@@ -1,12 +1,14 @@
 (** * The point L: end of overturning, Heyman's self-weight
 
     The equations of the landmark as the paper prints them, the box in which they have exactly one
-    solution, its digits, and what follows for the values that the paper prints.  The table of numbers
-    between the claim and the theorem is what [Contraction] asks for.
+    solution, its digits, and what makes it **the** state of its arch: it is admissible at every joint of
+    the half arch, and up to the physical limit the arch stands exactly from that thickness on.  At last
+    what follows for the values that the paper prints.  The table of numbers between the claim and the
+    theorem is what [Contraction] asks for.
 
     Written by `couplet prove --coq` from the equations of the program. *)
 
-From Couplet Require Import Instance.
+From Couplet Require Import States.
 Open Scope R_scope.
 
 (** ** What is claimed *)
@@ -152,6 +154,45 @@ Proof.
   destruct one_solution as (alpha' & N & _ & unique).
   intros W E. specialize (unique alpha W E). clear W E.
   conjuncts. subst. exact N.
+Qed.
+
+(** ** The state *)
+
+(** What is left to look at: what the theorem of each of its modes asks for, and is not zero. *)
+Lemma signs alpha : narrow alpha ->
+  0 < alpha /\
+  alpha < PI /\
+  0 < normal_force alpha 0 /\
+  0 < 2 /\
+  intrados 2 * (2 - 0) < fac 0 2 /\
+  0 < (2 - 2) * cos 0 - (2 + 2) * cos alpha.
+Proof. unfold narrow. signs. Qed.
+
+(** What is zero, as other modes or the limit begin here. *)
+Lemma ties alpha : wide alpha -> equations alpha ->
+  fac 0 2 * (1 - cos alpha) = 2 * normal_force alpha 0.
+Proof.
+  intros W E. pose proof (signs alpha (digits alpha W E)) as S.
+  unfold equations in E. ties.
+Qed.
+
+(** The line of thrust is inside at every joint, and no thinner arch stands. *)
+Theorem state alpha : wide alpha -> equations alpha ->
+  thrust_inside 0 alpha 2 0 0 /\
+  stands_without_limit_from 0 alpha 2.
+Proof.
+  intros W E. pose proof (signs alpha (digits alpha W E)) as S.
+  pose proof (ties alpha W E) as Z.
+  unfold equations in E.
+  eapply (overturning 0 alpha); [lra | tauto | tauto | known ..].
+Qed.
+
+Theorem least_thickness : exists alpha, narrow alpha /\
+  stands_without_limit_from 0 alpha 2.
+Proof.
+  destruct one_solution as (alpha & N & E & _).
+  exists alpha. split; [exact N |].
+  exact (proj2 (state alpha (narrow_is_wide alpha N) E)).
 Qed.
 
 (** ** The printed values

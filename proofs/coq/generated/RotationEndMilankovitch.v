@@ -1,12 +1,14 @@
 (** * The point l: end of rotation, Milankovitch's self-weight
 
     The equations of the landmark as the paper prints them, the box in which they have exactly one
-    solution, its digits, and what follows for the values that the paper prints.  The table of numbers
-    between the claim and the theorem is what [Contraction] asks for.
+    solution, its digits, and what makes it **the** state of its arch: it is admissible at every joint of
+    the half arch, and up to the physical limit the arch stands exactly from that thickness on.  At last
+    what follows for the values that the paper prints.  The table of numbers between the claim and the
+    theorem is what [Contraction] asks for.
 
     Written by `couplet prove --coq` from the equations of the program. *)
 
-From Couplet Require Import Instance.
+From Couplet Require Import States.
 Open Scope R_scope.
 
 (** ** What is claimed *)
@@ -165,6 +167,47 @@ Proof.
   destruct one_solution as (alpha' & eta' & N & _ & unique).
   intros W E. specialize (unique alpha eta W E). clear W E.
   conjuncts. subst. exact N.
+Qed.
+
+(** ** The state *)
+
+(** What is left to look at: what the theorem of each of its modes asks for, and is not zero. *)
+Lemma signs alpha eta : narrow alpha eta ->
+  0 < alpha /\
+  alpha < PI /\
+  0 < eta /\
+  eta < 2 /\
+  0 < normal_force alpha 0 /\
+  0 < 1 /\
+  fac 1 2 * (1 - cos alpha) < 2 * normal_force alpha 0 /\
+  0 < (2 - eta) * cos 0 - (2 + eta) * cos alpha.
+Proof. unfold narrow. signs. Qed.
+
+(** What is zero, as other modes or the limit begin here. *)
+Lemma ties alpha eta : wide alpha eta -> equations alpha eta ->
+  intrados eta * (2 - 0) = fac 1 eta.
+Proof.
+  intros W E. pose proof (signs alpha eta (digits alpha eta W E)) as S.
+  unfold equations in E. ties.
+Qed.
+
+(** The line of thrust is inside at every joint, and no thinner arch stands. *)
+Theorem state alpha eta : wide alpha eta -> equations alpha eta ->
+  thrust_inside 1 alpha eta 0 0 /\
+  stands_without_limit_from 1 alpha eta.
+Proof.
+  intros W E. pose proof (signs alpha eta (digits alpha eta W E)) as S.
+  pose proof (ties alpha eta W E) as Z.
+  unfold equations in E.
+  eapply (overturning 1 alpha); [lra | tauto | tauto | known ..].
+Qed.
+
+Theorem least_thickness : exists alpha eta, narrow alpha eta /\
+  stands_without_limit_from 1 alpha eta.
+Proof.
+  destruct one_solution as (alpha & eta & N & E & _).
+  exists alpha, eta. split; [exact N |].
+  exact (proj2 (state alpha eta (narrow_is_wide alpha eta N) E)).
 Qed.
 
 (** ** The printed values

@@ -182,7 +182,8 @@ Theorem state eta : wide eta -> equations eta ->
   stands_without_limit_from 0 alpha eta.
 Proof.
   intros W E. pose proof (signs eta (digits eta W E)) as S.
-  eapply (overturning 0 alpha); [lra | tauto | exact E | known ..].
+  unfold equations in E.
+  eapply (overturning 0 alpha); [lra | tauto | tauto | known ..].
 Qed.
 
 Theorem least_thickness : exists eta, Rabs (eta - 1.300164266342743092773120202290194247) <= 1e-30 /\

@@ -214,7 +214,8 @@ Theorem state eta h beta_s : wide eta h beta_s -> equations eta h beta_s ->
   stands_from 0 alpha mu eta.
 Proof.
   intros W E. pose proof (signs eta h beta_s (digits eta h beta_s W E)) as S.
-  eapply (overturning_sliding 0 alpha mu); [lra | tauto | exact E | known ..].
+  unfold equations in E.
+  eapply (overturning_sliding 0 alpha mu) with (joint := beta_s); [lra | tauto | tauto | known ..].
 Qed.
 
 Theorem least_thickness : exists eta, Rabs (eta - 1.167058501790435428092412970704682603) <= 1e-30 /\

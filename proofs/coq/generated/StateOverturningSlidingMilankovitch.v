@@ -214,7 +214,8 @@ Theorem state eta h beta_s : wide eta h beta_s -> equations eta h beta_s ->
   stands_from 1 alpha mu eta.
 Proof.
   intros W E. pose proof (signs eta h beta_s (digits eta h beta_s W E)) as S.
-  eapply (overturning_sliding 1 alpha mu); [lra | tauto | exact E | known ..].
+  unfold equations in E.
+  eapply (overturning_sliding 1 alpha mu) with (joint := beta_s); [lra | tauto | tauto | known ..].
 Qed.
 
 Theorem least_thickness : exists eta, Rabs (eta - 0.98588606752058894214992783836757496) <= 1e-30 /\

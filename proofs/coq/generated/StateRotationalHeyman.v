@@ -212,7 +212,8 @@ Theorem state beta_r eta h : wide beta_r eta h -> equations beta_r eta h ->
   stands_without_limit_from 0 alpha eta.
 Proof.
   intros W E. pose proof (signs beta_r eta h (digits beta_r eta h W E)) as S.
-  eapply (rotational_without_limit 0 alpha); [lra | tauto | exact E | known ..].
+  unfold equations in E.
+  eapply (rotational_without_limit 0 alpha) with (beta := beta_r); [lra | tauto | tauto | known ..].
 Qed.
 
 Theorem least_thickness : exists eta, Rabs (eta - 0.107426452755424482251226616140654073) <= 1e-30 /\

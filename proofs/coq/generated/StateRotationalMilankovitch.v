@@ -216,7 +216,8 @@ Theorem state beta_r eta h : wide beta_r eta h -> equations beta_r eta h ->
   stands_from 1 alpha mu eta.
 Proof.
   intros W E. pose proof (signs beta_r eta h (digits beta_r eta h W E)) as S.
-  eapply (rotational 1 alpha mu); [lra | tauto | exact E | known ..].
+  unfold equations in E.
+  eapply (rotational 1 alpha mu) with (beta := beta_r); [lra | tauto | tauto | known ..].
 Qed.
 
 Theorem least_thickness : exists eta, Rabs (eta - 0.107478038107476313306661592329791385) <= 1e-30 /\

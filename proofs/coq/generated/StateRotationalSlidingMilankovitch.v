@@ -234,7 +234,8 @@ Theorem state beta_r eta h beta_s : wide beta_r eta h beta_s -> equations beta_r
   stands_from 1 alpha mu eta.
 Proof.
   intros W E. pose proof (signs beta_r eta h beta_s (digits beta_r eta h beta_s W E)) as S.
-  eapply (rotational_sliding 1 alpha mu); [lra | tauto | exact E | known ..].
+  unfold equations in E.
+  eapply (rotational_sliding 1 alpha mu) with (beta := beta_r) (joint := beta_s); [lra | tauto | tauto | known ..].
 Qed.
 
 Theorem least_thickness : exists eta, Rabs (eta - 0.650243780801383172790041106182161871) <= 1e-30 /\

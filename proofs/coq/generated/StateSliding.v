@@ -206,7 +206,8 @@ Theorem state mu h beta_s : wide mu h beta_s -> equations mu h beta_s ->
   forall mu', 0 <= mu' < mu -> stands_at_no_thickness alpha mu'.
 Proof.
   intros W E. pose proof (signs mu h beta_s (digits mu h beta_s W E)) as S.
-  eapply (purely_sliding alpha); [tauto | exact E | known ..].
+  unfold equations in E.
+  apply (purely_sliding alpha mu h beta_s); [tauto | tauto | known ..].
 Qed.
 
 Theorem least_friction : exists mu, Rabs (mu - 0.309215444330228612685033707936104794) <= 1e-30 /\

@@ -217,7 +217,8 @@ Theorem state beta_r eta h : wide beta_r eta h -> equations beta_r eta h ->
   stands_from 0 alpha mu eta.
 Proof.
   intros W E. pose proof (signs beta_r eta h (digits beta_r eta h W E)) as S.
-  eapply (sliding_rotational 0 alpha mu); [lra | tauto | exact E | known ..].
+  unfold equations in E.
+  eapply (sliding_rotational 0 alpha mu) with (beta := beta_r); [lra | tauto | tauto | known ..].
 Qed.
 
 Theorem least_thickness : exists eta, Rabs (eta - 0.122191586362546151524798839378600099) <= 1e-30 /\

@@ -1,12 +1,14 @@
 (** * The point sb: widest rotational joint, Milankovitch's self-weight
 
     The equations of the landmark as the paper prints them, the box in which they have exactly one
-    solution, its digits, and what follows for the values that the paper prints.  The table of numbers
-    between the claim and the theorem is what [Contraction] asks for.
+    solution, its digits, and what makes it **the** state of its arch: it is admissible at every joint of
+    the half arch, and up to the physical limit the arch stands exactly from that thickness on.  At last
+    what follows for the values that the paper prints.  The table of numbers between the claim and the
+    theorem is what [Contraction] asks for.
 
     Written by `couplet prove --coq` from the equations of the program. *)
 
-From Couplet Require Import Instance.
+From Couplet Require Import States.
 Open Scope R_scope.
 
 (** ** What is claimed *)
@@ -205,6 +207,40 @@ Corollary radicand_vanishes alpha beta_r eta h :
 Proof.
   unfold wide, equations. intros W E. conjuncts.
   apply radicand_at_double_thickness with eta; try assumption; clearing.
+Qed.
+
+(** ** The state *)
+
+(** What is left to look at: what the theorem of each of its modes asks for, and is not zero. *)
+Lemma signs alpha beta_r eta h : narrow alpha beta_r eta h ->
+  0 < alpha /\
+  alpha < PI /\
+  0 < beta_r /\
+  beta_r < alpha /\
+  0 < eta /\
+  eta < 2 /\
+  0 < h /\
+  h < 1 /\
+  0 < normal_force alpha h /\
+  fac 1 2 * (1 - cos alpha) < 2 * normal_force alpha h.
+Proof. unfold narrow. signs. Qed.
+
+(** The line of thrust is inside at every joint, and no thinner arch stands. *)
+Theorem state alpha beta_r eta h : wide alpha beta_r eta h -> equations alpha beta_r eta h ->
+  thrust_inside 1 alpha eta h (at_crown eta h) /\
+  stands_without_limit_from 1 alpha eta.
+Proof.
+  intros W E. pose proof (signs alpha beta_r eta h (digits alpha beta_r eta h W E)) as S.
+  unfold equations in E.
+  eapply (rotational_without_limit 1 alpha) with (beta := beta_r); [lra | tauto | tauto | known ..].
+Qed.
+
+Theorem least_thickness : exists alpha beta_r eta h, narrow alpha beta_r eta h /\
+  stands_without_limit_from 1 alpha eta.
+Proof.
+  destruct one_solution as (alpha & beta_r & eta & h & N & E & _).
+  exists alpha, beta_r, eta, h. split; [exact N |].
+  exact (proj2 (state alpha beta_r eta h (narrow_is_wide alpha beta_r eta h N) E)).
 Qed.
 
 (** ** The printed values

@@ -202,9 +202,8 @@ mod tests {
         assert_eq!(failures(Mode::SlidingRotational, "1", [171, 83, 0, 147, 39, 391]), []);
     }
 
-    /// Two conditions follow for a state from the equations and the other conditions: that no arch is thinner, and
-    /// that the mechanism has a weight (`proofs/coq/States.v`, whose theorems do without them). At a landmark others
-    /// are zero, and they do not follow. So they fail in company only.
+    /// Two conditions follow from the equations and the other conditions: that no arch is thinner, and that the
+    /// mechanism has a weight (`proofs/coq/States.v`, whose theorems do without them). So they fail in company only.
     #[test]
     fn what_excludes_thinner_arches_fails_too() {
         let none = C::NoneThinner;

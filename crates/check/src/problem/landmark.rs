@@ -147,17 +147,34 @@ impl Landmark {
     /// meets there needs, so that its lines of thrust and of friction are inside the arch and no thinner one
     /// stands. What is zero by the equations is left out: there the modes meet.
     pub fn conditions(self, weight: SelfWeight) -> Vec<(Mode, Vec<Condition>)> {
-        let system = self.system(weight);
-        let is_limited = system.knows(Unknown::Friction)
-            && system.fixed_value(Unknown::Friction) != Some(Fixed::Infinite);
         let range = |unknown: &Unknown| [Condition::Above(*unknown), Condition::Below(*unknown)];
-        let range = system.unknowns.iter().flat_map(range).collect();
-        let state = |mode: &Mode| {
-            let all = Condition::of(*mode, is_limited);
-            (*mode, all.filter(|condition| !condition.is_tie(&system)).collect())
-        };
-        let modes = self.modes();
-        iter::once((modes[0], range)).chain(modes.iter().map(state)).collect()
+        let range = self.system(weight).unknowns.iter().flat_map(range).collect();
+        iter::once((self.modes()[0], range)).chain(self.of_modes(weight, false)).collect()
+    }
+
+    /// Conditions that the state of each mode that meets there needs and that are zero by the equations.
+    pub fn ties(self, weight: SelfWeight) -> Vec<(Mode, Vec<Condition>)> {
+        self.of_modes(weight, true).collect()
+    }
+
+    /// Tells whether the landmark has a friction, and not an unlimited one.
+    pub fn is_limited(self) -> bool {
+        let system = self.system(SelfWeight::Heyman);
+        system.knows(Unknown::Friction)
+            && system.fixed_value(Unknown::Friction) != Some(Fixed::Infinite)
+    }
+
+    /// Conditions of the modes, mode by mode: those that are zero by the equations, or the others.
+    fn of_modes(
+        self,
+        weight: SelfWeight,
+        are_ties: bool,
+    ) -> impl Iterator<Item = (Mode, Vec<Condition>)> {
+        let system = self.system(weight);
+        self.modes().iter().map(move |mode| {
+            let all = Condition::of(*mode, self.is_limited());
+            (*mode, all.filter(|condition| condition.is_tie(&system) == are_ties).collect())
+        })
     }
 }
 

@@ -183,7 +183,7 @@ mod tests {
         {
             let point = CertifiedLandmark::new(landmark, weight).unwrap();
             let (system, narrow) = (landmark.system(weight), point.enclosure(256).unwrap());
-            let asked = landmark.conditions(weight);
+            let (asked, tied) = (landmark.conditions(weight), landmark.ties(weight));
             for mode in landmark.modes() {
                 let state = Examined::new(weight, *mode, narrow.configuration());
                 let is_limited = narrow.value(Unknown::Friction).is_some();
@@ -199,6 +199,8 @@ mod tests {
                     let is_asked =
                         asked.iter().any(|(m, all)| m == mode && all.contains(&condition));
                     assert_eq!(is_asked, !is_zero, "{landmark:?} {mode} {condition:?}");
+                    let is_tied = tied.iter().any(|(m, all)| m == mode && all.contains(&condition));
+                    assert_eq!(is_tied, is_zero, "{landmark:?} {mode} {condition:?}");
                     ties += usize::from(is_zero);
                 }
             }

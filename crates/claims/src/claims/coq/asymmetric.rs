@@ -35,9 +35,9 @@ pub(super) fn file(root: &CoqRoot, arch: &Arch) -> Result<(String, String), Unde
     let [from, _] = neighbourhood(arch, &at, Contact::Outwards, &shoulder, true)?;
     solution.values.push(("shoulder_low", end(&from)));
     let name = format!("Asymmetric{:?}{:?}.v", AsymmetricMode::InnerSliding, arch.weight());
-    let templates =
-        [include_str!("templates/asymmetric.v"), include_str!("templates/asymmetric_solution.v")];
-    Ok((name, solution.between(templates)))
+    let heading = include_str!("templates/asymmetric.v");
+    let theorems = [include_str!("templates/asymmetric_solution.v")];
+    Ok((name, solution.between(heading, &theorems)))
 }
 
 /// An end of a neighbourhood, in parentheses as it may be negative.

@@ -6,7 +6,8 @@
 //! | `root`, `table` | one root of a system, and the numbers that prove it |
 //! | `solution` | one solution of a system: what is claimed, the table, its check |
 //! | `landmark` | the file of a landmark |
-//! | `state`, `given`, `sign` | the file of a state: what is given, what its signs are, what follows |
+//! | `state`, `given` | the file of a state, and what is given of its arch |
+//! | `stands`, `sign` | what makes a solution a state: its signs, and what follows |
 //! | `asymmetric` | the file of an asymmetric solution of (19) |
 //! | `printed` | what follows for the values that the paper prints |
 //! | `half_opening`, `joint` | the files with one unknown and a very wide bracket |
@@ -30,6 +31,7 @@ mod printed;
 mod root;
 mod sign;
 mod solution;
+mod stands;
 mod state;
 mod table;
 mod template;

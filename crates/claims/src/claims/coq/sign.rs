@@ -4,6 +4,18 @@ use super::names::argument;
 use crate::arch::Unknown;
 use crate::problem::{Condition, Mode, System};
 
+/// The equation that is left of a condition that is zero, for the tactic `ties`; `None` also if its sides are the same.
+pub(super) fn tie(condition: Condition, mode: Mode, system: &System) -> Option<String> {
+    // At the extrados both conditions are of one number.
+    let condition = match condition {
+        Condition::ExtradosAtCrown => Condition::ExtradosAtShoulder,
+        other => other,
+    };
+    let sign = sign(condition, mode, system)?;
+    let (less, more) = sign.split_once(" < ")?;
+    (less != more).then(|| format!("{less} = {more}"))
+}
+
 /// The inequality of a condition; `None` for one that the theorems of `States.v` do without.
 pub(super) fn sign(condition: Condition, mode: Mode, system: &System) -> Option<String> {
     use Condition as C;

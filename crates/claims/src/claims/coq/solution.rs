@@ -45,9 +45,7 @@ impl CoqSolution {
         let names: Vec<&str> = given.iter().map(|(name, _)| *name).collect();
         let mut solution = Self::new(root, &names)?;
         let definitions = given.iter().map(|(name, x)| format!("Definition {name} : R := {x}."));
-        let witness = solution.symbols.join(" & ");
         solution.values.push(("arch", definitions.collect::<Vec<_>>().join("\n")));
-        solution.values.push(("witness", witness));
         Ok(solution)
     }
 
@@ -58,9 +56,13 @@ impl CoqSolution {
     }
 
     /// The file: this between a heading and theorems that follow.
-    pub(super) fn between(&self, around: [&str; 2]) -> String {
-        let [heading, theorems] = around.map(|template| fill(template, &self.values));
-        [heading, self.text(), theorems].concat()
+    pub(super) fn between(&self, heading: &str, theorems: &[&str]) -> String {
+        [fill(heading, &self.values), self.text(), self.followed_by(theorems)].concat()
+    }
+
+    /// Theorems that follow.
+    pub(super) fn followed_by(&self, theorems: &[&str]) -> String {
+        theorems.iter().map(|template| fill(template, &self.values)).collect()
     }
 
     /// The claim, the table and its check.
@@ -191,6 +193,8 @@ fn check(system: &System, symbols: &[&str]) -> Holes {
         ("others", others.join(" ")),
         ("others_list", others.join("; ")),
         ("pattern", others.join(" & ")),
+        ("witness", symbols.join(" & ")),
+        ("listed", symbols.join(", ")),
         ("equal", equal.join(" /\\ ")),
         ("same", same.join(" | ")),
     ]

@@ -2,17 +2,17 @@
 
 use super::asymmetric;
 use super::given::friction;
-use super::names::{BITS, DECIMALS, argument};
+use super::names::{BITS, DECIMALS};
 use super::numeral::unit;
 use super::root::CoqRoot;
-use super::sign::sign;
 use super::solution::{CoqSolution, Holes};
+use super::stands::{admissibility, conjunction, signs};
 use crate::arch::Unknown;
 use crate::arch::asymmetric::AsymmetricMode;
 use crate::certify::Undecided;
 use crate::check::{Certificate, Refusal, verify};
 use crate::number::{Ball, Magnitude};
-use crate::problem::{Arch, Mode, Problem, System, Verdict};
+use crate::problem::{Arch, Mode, Problem, Verdict};
 use rug::float::Round;
 use rug::{Float, Rational};
 
@@ -56,17 +56,27 @@ pub fn state(certificate: &[u8]) -> Result<(String, String), StateError> {
     signs_hold(&problem, &root, &solution)?;
     solution.values.extend(claims(&problem, mode, arch, &solution));
     // Pure sliding does not know the weight.
-    let (weight, templates) = match mode {
+    let (weight, heading, theorems) = match mode {
         Mode::Sliding => (
             String::new(),
-            [include_str!("templates/sliding.v"), include_str!("templates/least_friction.v")],
+            include_str!("templates/sliding.v"),
+            [
+                include_str!("templates/signs.v"),
+                include_str!("templates/less_friction.v"),
+                include_str!("templates/least_friction.v"),
+            ],
         ),
         _ => (
             format!("{:?}", arch.weight()),
-            [include_str!("templates/state.v"), include_str!("templates/least_thickness.v")],
+            include_str!("templates/state.v"),
+            [
+                include_str!("templates/signs.v"),
+                include_str!("templates/stands.v"),
+                include_str!("templates/least_thickness.v"),
+            ],
         ),
     };
-    Ok((format!("State{mode:?}{weight}.v"), solution.between(templates)))
+    Ok((format!("State{mode:?}{weight}.v"), solution.between(heading, &theorems)))
 }
 
 /// Tells whether the digits that are printed tell every sign.
@@ -84,11 +94,10 @@ fn signs_hold(problem: &Problem, root: &CoqRoot, solution: &CoqSolution) -> Resu
 /// Claims on the state beside the digits of its solution.
 fn claims(problem: &Problem, mode: Mode, arch: &Arch, solution: &CoqSolution) -> Holes {
     let system = problem.system();
-    let conditions = problem.conditions().into_iter().flat_map(|(_, conditions)| conditions);
-    let mut signs: Vec<String> = conditions.filter_map(|c| sign(c, mode, &system)).collect();
-    let least = match mode {
-        Mode::Sliding => Unknown::Friction,
-        _ => Unknown::Thickness,
+    let mut signs = signs(problem.conditions(), &system);
+    let (least, looked_at) = match mode {
+        Mode::Sliding => (Unknown::Friction, "the joints that slide, and the friction of the arch"),
+        _ => (Unknown::Thickness, "the ends of the arch and the joints that open or slide"),
     };
     let friction = friction(arch);
     if let (Mode::Sliding, Some(mu)) = (mode, &friction) {
@@ -97,40 +106,13 @@ fn claims(problem: &Problem, mode: Mode, arch: &Arch, solution: &CoqSolution) ->
     }
     let mut values = vec![
         ("mode", mode.label().into()),
-        ("signs", signs.join(" /\\\n  ")),
+        ("signs", conjunction(&signs)),
+        ("looked_at", looked_at.into()),
+        ("tied", String::new()),
+        ("less_friction", "state".into()),
         ("least", solution.centre(&system, least)),
         ("friction", friction.unwrap_or_default()),
     ];
-    values.extend(admissibility(mode, arch, &system));
+    values.extend(admissibility(mode, arch.is_limited(), &system));
     values
-}
-
-/// Claims on the whole half arch, and the theorem of `States.v` behind it.
-fn admissibility(mode: Mode, arch: &Arch, system: &System) -> Holes {
-    let delta = system.weight.flag();
-    let h = argument(system, Unknown::Thrust);
-    let moment = match mode {
-        Mode::Rotational | Mode::SlidingRotational => format!("(at_crown eta {h})"),
-        Mode::Overturning => "0".into(),
-        _ => format!("(at_shoulder {delta} alpha eta {h})"),
-    };
-    let theorem = match mode {
-        Mode::Rotational if arch.is_limited() => "rotational",
-        Mode::Rotational => "rotational_without_limit",
-        Mode::SlidingRotational => "sliding_rotational",
-        Mode::RotationalSliding | Mode::RotationalSlidingRotational => "rotational_sliding",
-        Mode::OverturningSliding => "overturning_sliding",
-        Mode::Overturning => "overturning",
-        Mode::Sliding => "purely_sliding",
-    };
-    let [admissible, stands_from, holds, mu] = match arch.is_limited() {
-        true => ["admissible", "stands_from", ", and friction holds,", " mu"],
-        false => ["thrust_inside", "stands_without_limit_from", "", ""],
-    };
-    vec![
-        ("admissible", format!("{admissible} {delta} alpha eta{mu} {h} {moment}")),
-        ("stands_from", format!("{stands_from} {delta} alpha{mu}")),
-        ("holds", holds.into()),
-        ("theorem", format!("{theorem} {delta} alpha{mu}")),
-    ]
 }

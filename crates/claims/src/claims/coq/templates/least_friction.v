@@ -1,19 +1,4 @@
 
-(** ** The state *)
-
-(** What is left to look at: the joints that slide, and the friction of the arch. *)
-Lemma signs <<args>> : narrow <<args>> ->
-  <<signs>>.
-Proof. unfold narrow<<unfolded>>. signs. Qed.
-
-(** At less friction nothing stands. *)
-Theorem state <<args>> : wide <<args>> -> equations <<args>> ->
-  forall mu', 0 <= mu' < mu -> stands_at_no_thickness alpha mu'.
-Proof.
-  intros W E. pose proof (signs <<args>> (digits <<args>> W E)) as S.
-  eapply (purely_sliding alpha); [tauto | exact E | known ..].
-Qed.
-
 Theorem least_friction : exists mu, Rabs (mu - <<least>>) <= <<radius>> /\
   (forall mu', 0 <= mu' < mu -> stands_at_no_thickness alpha mu').
 Proof.

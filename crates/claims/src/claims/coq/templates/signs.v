@@ -1,0 +1,7 @@
+
+(** ** The state *)
+
+(** What is left to look at: <<looked_at>>. *)
+Lemma signs <<args>> : narrow <<args>> ->
+  <<signs>>.
+Proof. unfold narrow<<unfolded>>. signs. Qed.
