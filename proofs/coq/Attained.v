@@ -336,8 +336,7 @@ Proof.
         with (extrados e * (h * cos a) - intrados e * h + 8) by (field; lra).
       destruct (COS_bound a), (SIN_bound a).
       assert (0 <= fac delta e * (1 - cos a)).
-      { apply Rmult_le_pos; [|lra]. unfold fac.
-        assert (0 <= delta * e ^ 2) by (apply Rmult_le_pos; [lra | apply pow2_ge_0]). lra. }
+      { assert (Hfac := centroids_positive delta e ltac:(lra)). apply Rmult_le_pos; lra. }
       assert (a * sin a <= 4) by nra.
       assert (extrados e * (a * sin a) <= extrados e * 4)
         by (apply Rmult_le_compat_l; unfold extrados; lra).
@@ -381,9 +380,7 @@ Proof.
   assert (0 <= x * cos x) by (apply Rmult_le_pos; lra).
   split; [split; [|split]|].
   - unfold normal_force. assert (0 <= x * sin x) by (apply Rmult_le_pos; lra). lra.
-  - assert (Hfac1 : 1 <= fac delta eta).
-    { unfold fac. assert (0 <= delta * eta ^ 2) by (apply Rmult_le_pos; [lra | apply pow2_ge_0]).
-      lra. }
+  - assert (Hfac1 := centroids_positive delta eta ltac:(lra)).
     assert (0 <= fac delta eta * (1 - cos x)) by (apply Rmult_le_pos; destruct (COS_bound x); lra).
     (* x sin x <= 2 (1 - cos x) *)
     assert (Htwice : x * sin x <= 2 * (1 - cos x)).

@@ -97,6 +97,39 @@ Proof.
     assert (0 < c * sin c * (x - 0)) by (repeat apply Rmult_lt_0_compat; lra). lra.
 Qed.
 
+Lemma centroids_positive (delta eta : R) : 0 <= delta -> 1 <= fac delta eta.
+Proof.
+  intros Hd. unfold fac. assert (0 <= delta * eta ^ 2) by (apply Rmult_le_pos; [lra | apply pow2_ge_0]).
+  lra.
+Qed.
+
+(** The line of thrust touches the intrados at one joint only, whatever the thrust. *)
+Lemma intrados_touched_once (delta alpha eta h p x y : R) :
+  0 <= delta -> alpha < PI -> 0 < eta <= 2 ->
+  (forall z, 0 <= z <= alpha -> 0 <= haunch_gap delta z eta h p) ->
+  0 <= x <= alpha -> 0 <= y <= alpha ->
+  haunch_gap delta x eta h p = 0 -> haunch_gap delta y eta h p = 0 -> x = y.
+Proof.
+  intros Hd Ha He Hall.
+  enough (H : forall x y, 0 <= x -> x < y <= alpha ->
+            haunch_gap delta x eta h p = 0 -> haunch_gap delta y eta h p <> 0).
+  { intros Hx Hy Ex Ey. destruct (Rtotal_order x y) as [H1 | [H1 | H1]]; [|easy|].
+    - now destruct (H x y).
+    - now destruct (H y x). }
+  clear x y. intros x y Hx Hy Ex Ey. destruct (Req_dec eta 2) as [E2 | E2].
+  - assert (cos y < cos x) by (apply cos_decreasing_1; lra).
+    assert (Hfac := centroids_positive delta eta Hd).
+    assert (0 < fac delta eta * (cos x - cos y)) by (apply Rmult_lt_0_compat; lra).
+    unfold haunch_gap, intrados in *. rewrite E2 in *. lra.
+  - set (z := (x + y) / 2). assert (Hz := Hall z ltac:(unfold z; lra)).
+    assert (H := margin_between (intrados eta) (fac delta eta) h x z y
+                   ltac:(unfold intrados; lra) Hx ltac:(unfold z; lra) ltac:(lra)).
+    assert (Hleast : p + fac delta eta <= Rmin (margin (intrados eta) (fac delta eta) h x)
+                                               (margin (intrados eta) (fac delta eta) h y))
+      by (apply Rmin_glb; unfold haunch_gap, margin in *; lra).
+    unfold haunch_gap, margin in *. lra.
+Qed.
+
 Section State.
 
 Variables (delta alpha eta mu h p : R).
@@ -124,8 +157,7 @@ Proof.
   destruct (Req_dec (normal_force x h) 0) as [E | E]; [|lra]. rewrite E in Hout. exfalso.
   assert (0 < 1 - cos x) by (apply versine_positive; lra).
   assert (0 < fac delta eta * (1 - cos x)).
-  { apply Rmult_lt_0_compat; [|easy]. unfold fac.
-    assert (0 <= delta * eta ^ 2) by (apply Rmult_le_pos; [lra | apply pow2_ge_0]). lra. }
+  { assert (Hfac := centroids_positive delta eta ltac:(lra)). apply Rmult_lt_0_compat; lra. }
   lra.
 Qed.
 
@@ -163,22 +195,8 @@ Qed.
 Lemma intrados_reached_once (x y : R) : 0 <= x <= alpha -> 0 <= y <= alpha ->
   haunch_gap delta x eta h p = 0 -> haunch_gap delta y eta h p = 0 -> x = y.
 Proof.
-  enough (H : forall x y, 0 <= x -> x < y <= alpha ->
-            haunch_gap delta x eta h p = 0 -> haunch_gap delta y eta h p <> 0).
-  { intros Hx Hy Ex Ey. destruct (Rtotal_order x y) as [H1 | [H1 | H1]]; [|easy|].
-    - now destruct (H x y).
-    - now destruct (H y x). }
-  clear x y. intros x y Hx Hy Ex Ey. destruct (Req_dec eta 2) as [E2 | E2].
-  - assert (cos y < cos x) by (apply cos_decreasing_1; lra).
-    assert (Hfac : 0 < fac delta eta).
-    { unfold fac. assert (0 <= delta * eta ^ 2) by (apply Rmult_le_pos; [lra | apply pow2_ge_0]).
-      lra. }
-    assert (0 < fac delta eta * (cos x - cos y)) by (apply Rmult_lt_0_compat; lra).
-    unfold haunch_gap, intrados in Ex, Ey. rewrite E2 in Ex, Ey, H0. lra.
-  - destruct (limits_of_a_state delta alpha eta mu h p) as (_ & Hlimit & _); try lra.
-    + exact thrust_positive.
-    + exact state.
-    + now apply (Hlimit x y).
+  apply intrados_touched_once; try easy; try lra. intros z Hz.
+  now destruct (margins_not_negative z Hz) as (_ & HL & _).
 Qed.
 
 Lemma inward_limit_reached_once (x y : R) : 0 <= x <= alpha -> 0 <= y <= alpha ->
@@ -212,6 +230,28 @@ Proof.
     assert (0 < sin y) by (apply sin_gt_0; lra).
     assert (0 < mu * normal_force y h) by (now apply Rmult_lt_0_compat).
     unfold inward_gap, shear_force in Ey. nra.
+Qed.
+
+(** So they are named, if there are any. *)
+Lemma haunch_of_state : exists beta, 0 <= beta <= alpha /\
+  forall x, 0 <= x <= alpha -> haunch_gap delta x eta h p = 0 -> x = beta.
+Proof.
+  destruct (classic (exists b, 0 <= b <= alpha /\ haunch_gap delta b eta h p = 0))
+    as [(b & Hb & E) | Hnone].
+  - exists b. split; [easy|]. intros x Hx Ex. now apply intrados_reached_once.
+  - exists 0. split; [lra|]. intros x Hx Ex. exfalso. apply Hnone. now exists x.
+Qed.
+
+Lemma slip_of_state : exists sigma, 0 < sigma <= alpha /\
+  forall x, 0 <= x <= alpha -> inward_gap x mu h = 0 -> x = sigma.
+Proof.
+  assert (Hh := thrust_positive).
+  destruct (classic (exists b, 0 <= b <= alpha /\ inward_gap b mu h = 0)) as [(b & Hb & E) | Hnone].
+  - exists b. split; [|intros x Hx Ex; now apply inward_limit_reached_once].
+    destruct (Req_dec b 0) as [-> | Hne]; [exfalso | lra].
+    unfold inward_gap, normal_force, shear_force in E. rewrite cos_0, sin_0 in E.
+    assert (0 < mu * h) by (now apply Rmult_lt_0_compat). lra.
+  - exists alpha. split; [lra|]. intros x Hx Ex. exfalso. apply Hnone. now exists x.
 Qed.
 
 (** ** Multipliers are rates *)
@@ -347,21 +387,7 @@ Theorem moves_or_leaves_room :
   (exists h' p', leaves_room delta alpha eta mu h' p').
 Proof.
   assert (Hh := thrust_positive).
-  assert (Hbeta : exists beta, 0 <= beta <= alpha /\
-            forall x, 0 <= x <= alpha -> haunch_gap delta x eta h p = 0 -> x = beta).
-  { destruct (classic (exists b, 0 <= b <= alpha /\ haunch_gap delta b eta h p = 0))
-      as [(b & Hb & E) | Hnone].
-    - exists b. split; [easy|]. intros x Hx Ex. now apply intrados_reached_once.
-    - exists 0. split; [lra|]. intros x Hx Ex. exfalso. apply Hnone. now exists x. }
-  assert (Hsigma : exists sigma, 0 < sigma <= alpha /\
-            forall x, 0 <= x <= alpha -> inward_gap x mu h = 0 -> x = sigma).
-  { destruct (classic (exists b, 0 <= b <= alpha /\ inward_gap b mu h = 0)) as [(b & Hb & E) | Hnone].
-    - exists b. split; [|intros x Hx Ex; now apply inward_limit_reached_once].
-      destruct (Req_dec b 0) as [-> | Hne]; [exfalso | lra].
-      unfold inward_gap, normal_force, shear_force in E. rewrite cos_0, sin_0 in E.
-      assert (0 < mu * h) by (now apply Rmult_lt_0_compat). lra.
-    - exists alpha. split; [lra|]. intros x Hx Ex. exfalso. apply Hnone. now exists x. }
-  destruct Hbeta as (beta & Hb & Hbeta), Hsigma as (sigma & Hs & Hsigma).
+  destruct haunch_of_state as (beta & Hb & Hbeta), slip_of_state as (sigma & Hs & Hsigma).
   destruct (Cones.strict_point_or_multipliers 2 (forms beta sigma))
     as [(point & Hpoint & Hstrict) | (k & c & Hk & Hnotneg & Hsum & Hc & Hconstant)].
   { unfold forms. intros f [<- | [<- | [<- | [<- | [<- | []]]]]]; easy. }
@@ -429,8 +455,12 @@ Proof.
   unfold friction_holds. apply Rabs_le_between. lra.
 Qed.
 
+(** Room at the faces is enough for a thinner one. *)
 Theorem thinner_arch_stands (delta alpha eta mu h p : R) :
-  0 <= delta <= 1 -> 0 <= alpha -> 0 < eta <= 2 -> leaves_room delta alpha eta mu h p ->
+  0 <= delta <= 1 -> 0 <= alpha -> 0 < eta <= 2 ->
+  (forall x, 0 <= x <= alpha ->
+     0 < shoulder_gap delta x eta h p /\ 0 < haunch_gap delta x eta h p /\
+     0 <= inward_gap x mu h /\ 0 <= outward_gap x mu h) ->
   exists eta', 0 < eta' < eta /\ arch_stands delta alpha eta' mu.
 Proof.
   intros Hd Ha He Hroom. destruct (margins_continuous delta eta mu h p) as (CU & CL & _).
@@ -525,8 +555,9 @@ Proof.
   intros Hd Ha He Hmu Hnone Hstate.
   destruct (moves_or_leaves_room delta alpha eta mu h p Hd Ha He Hmu Hstate)
     as [Hmoves | (h' & p' & Hroom)]; [easy | exfalso].
-  destruct (thinner_arch_stands delta alpha eta mu h' p' Hd ltac:(lra) He Hroom)
-    as (eta' & He' & Hstands). now apply (Hnone eta').
+  destruct (thinner_arch_stands delta alpha eta mu h' p' Hd ltac:(lra) He)
+    as (eta' & He' & Hstands); [|now apply (Hnone eta')].
+  intros x Hx. destruct (Hroom x Hx) as (HU & HL & HI & HO). lra.
 Qed.
 
 Theorem moves_if_none_wider (delta alpha eta mu h p : R) :
