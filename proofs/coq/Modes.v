@@ -199,84 +199,88 @@ Proof.
   assert (0 <= L / - k) by (apply Rdiv_le_0_compat; lra). lra.
 Qed.
 
-(** A shoulder on the extrados does not slide inwards: there is a steeper joint above it. *)
-Lemma extrados_free_at_inward_shoulder : shoulder_gap delta alpha eta h p = 0 ->
-  inward_gap alpha mu h <> 0.
+(** A shoulder on the extrados asks for a thrust. *)
+Lemma thrust_of_extrados : shoulder_gap delta alpha eta h p = 0 -> A alpha <= h + 1.
 Proof.
-  intros EU EI.
-  assert (HN := compressed delta alpha eta mu h p flag opening thickness rough state alpha ltac:(lra)).
-  assert (Hh := thrust). assert (HS : 0 < sin alpha) by (apply sin_gt_0; lra).
-  destruct (Rle_lt_dec 1 h) as [H1 | H1].
-  { assert (H := times_cosine_below_sine alpha opening).
-    assert (0 < mu * normal_force alpha h) by (apply Rmult_lt_0_compat; lra).
-    unfold inward_gap, shear_force in EI. nra. }
-  destruct (margins_not_negative delta alpha eta mu h p state 0 ltac:(lra)) as (HU & _).
+  intros EU. destruct (margins_not_negative delta alpha eta mu h p state 0 ltac:(lra)) as (HU & _).
   assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
   assert (Hfac : fac delta eta <= extrados eta).
   { unfold fac, extrados. assert (delta * eta ^ 2 <= 1 * eta ^ 2) by (apply Rmult_le_compat_r; nra).
     nra. }
-  assert (HA : A alpha <= h + 1).
-  { unfold A. apply (Rmult_le_reg_r (1 - cos alpha)); [easy|].
-    replace (alpha * sin alpha / (1 - cos alpha) * (1 - cos alpha)) with (alpha * sin alpha)
-      by (field; lra).
-    unfold shoulder_gap, normal_force in EU, HU. rewrite cos_0, sin_0 in HU.
-    assert (fac delta eta * (1 - cos alpha) <= extrados eta * (1 - cos alpha))
-      by (apply Rmult_le_compat_r; lra).
-    apply (Rmult_le_reg_l (extrados eta)); [unfold extrados; lra|]. lra. }
-  assert (Hparabola := A_above_parabola alpha opening).
-  assert (Hsquare := beta_s_square h ltac:(lra)). assert (Hb : 0 <= beta_s h) by apply sqrt_pos.
-  assert (Hbelow : beta_s h < alpha) by nra.
-  assert (Hsteep := steepness_falls_after_beta_s h alpha (beta_s h) alpha ltac:(lra) ltac:(lra) HN
-                      ltac:(lra) Hbelow ltac:(lra)).
-  assert (HNs := compressed delta alpha eta mu h p flag opening thickness rough state (beta_s h) ltac:(lra)).
-  destruct (margins_not_negative delta alpha eta mu h p state (beta_s h) ltac:(lra)) as (_ & _ & HI & _).
-  unfold inward_gap in *.
-  assert (Hat : steepness alpha h = mu).
-  { unfold steepness. apply (Rmult_eq_reg_r (normal_force alpha h)); [|lra]. field_simplify; lra. }
-  assert (Hs : steepness (beta_s h) h <= mu).
-  { unfold steepness. apply (Rmult_le_reg_r (normal_force (beta_s h) h)); [easy|].
-    field_simplify; lra. }
-  lra.
+  unfold A. apply (Rmult_le_reg_r (1 - cos alpha)); [easy|].
+  replace (alpha * sin alpha / (1 - cos alpha) * (1 - cos alpha)) with (alpha * sin alpha)
+    by (field; lra).
+  unfold shoulder_gap, normal_force in EU, HU. rewrite cos_0, sin_0 in HU.
+  assert (fac delta eta * (1 - cos alpha) <= extrados eta * (1 - cos alpha))
+    by (apply Rmult_le_compat_r; lra).
+  apply (Rmult_le_reg_l (extrados eta)); [unfold extrados; lra|]. lra.
 Qed.
 
-(** What slides inside and at the shoulder is the purely sliding state of the half-angle. *)
-Theorem sliding_is_pure (sigma : R) : 0 < sigma <= alpha ->
-  inward_gap sigma mu h = 0 -> outward_gap alpha mu h = 0 ->
-  h < 1 /\ sigma = beta_s h /\ mu = mu_is h /\ mu = mu_ss alpha h.
+(** So the joint where [T/N] is largest is above a shoulder at a limit, *)
+Lemma steepest_joint_above : h < 1 ->
+  shoulder_gap delta alpha eta h p = 0 \/ outward_gap alpha mu h = 0 -> beta_s h < alpha.
 Proof.
-  intros Hs EI EO. assert (Hh := thrust).
+  intros H1 Hlimit. assert (Hh := thrust). assert (Hb := beta_s_positive h ltac:(lra)).
+  assert (HN := compressed delta alpha eta mu h p flag opening thickness rough state alpha ltac:(lra)).
+  destruct Hlimit as [EU | EO].
+  - assert (HA := thrust_of_extrados EU). assert (Hparabola := A_above_parabola alpha opening).
+    assert (Hsquare := beta_s_square h ltac:(lra)). nra.
+  - apply Rnot_le_lt. intros H.
+    assert (Hgrows := steepness_grows_before_beta_s h 0 alpha ltac:(lra) ltac:(lra) ltac:(lra) H).
+    assert (Hshoulder : steepness alpha h = - mu).
+    { unfold outward_gap in EO. unfold steepness.
+      apply (Rmult_eq_reg_r (normal_force alpha h)); [|lra]. field_simplify; lra. }
+    unfold steepness at 1 in Hgrows. unfold shear_force in Hgrows.
+    rewrite sin_0, Rmult_0_l, Rmult_0_r, Rminus_0_r in Hgrows. unfold Rdiv in Hgrows. lra.
+Qed.
+
+(** and if one slides inwards it is that one. *)
+Lemma slides_at_steepest_joint (sigma : R) : 0 < sigma <= alpha -> inward_gap sigma mu h = 0 ->
+  shoulder_gap delta alpha eta h p = 0 \/ outward_gap alpha mu h = 0 ->
+  h < 1 /\ sigma = beta_s h /\ beta_s h < alpha /\ mu = mu_is h.
+Proof.
+  intros Hs EI Hlimit. assert (Hh := thrust).
   assert (HN : forall x, 0 <= x <= alpha -> 0 < normal_force x h)
     by (intros x; now apply (compressed delta alpha eta mu h p)).
   assert (HNa := HN alpha ltac:(lra)). assert (HNs := HN sigma ltac:(lra)).
-  assert (Hlimit : steepness sigma h = mu).
+  assert (Hsteep : steepness sigma h = mu).
   { unfold inward_gap in EI. unfold steepness. apply (Rmult_eq_reg_r (normal_force sigma h)); [|lra].
-    field_simplify; lra. }
-  assert (Hshoulder : steepness alpha h = - mu).
-  { unfold outward_gap in EO. unfold steepness. apply (Rmult_eq_reg_r (normal_force alpha h)); [|lra].
     field_simplify; lra. }
   assert (H1 : h < 1).
   { apply Rnot_le_lt. intros H. assert (Hbelow := times_cosine_below_sine sigma ltac:(lra)).
     assert (0 < sin sigma) by (apply sin_gt_0; lra).
     assert (0 < mu * normal_force sigma h) by (apply Rmult_lt_0_compat; lra).
     unfold inward_gap, shear_force in EI. nra. }
-  assert (Hb := beta_s_positive h ltac:(lra)).
-  assert (Hbelow : beta_s h <= alpha).
-  { apply Rnot_lt_le. intros H.
-    assert (Hgrows := steepness_grows_before_beta_s h 0 alpha ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)).
-    unfold steepness at 1 in Hgrows. unfold shear_force in Hgrows.
-    rewrite sin_0, Rmult_0_l, Rmult_0_r, Rminus_0_r in Hgrows. unfold Rdiv in Hgrows. lra. }
+  assert (Hb := beta_s_positive h ltac:(lra)). assert (Habove := steepest_joint_above H1 Hlimit).
   assert (Es : sigma = beta_s h).
   { destruct (Req_dec sigma (beta_s h)) as [E | E]; [easy | exfalso].
-    assert (Hsteep := steepest_joint h alpha sigma ltac:(lra) ltac:(lra) HNa Hbelow ltac:(lra) E).
+    assert (Hless := steepest_joint h alpha sigma ltac:(lra) ltac:(lra) HNa ltac:(lra) ltac:(lra) E).
     destruct (margins_not_negative delta alpha eta mu h p state (beta_s h) ltac:(lra))
       as (_ & _ & HI & _). assert (HNb := HN (beta_s h) ltac:(lra)).
     assert (steepness (beta_s h) h <= mu).
     { unfold inward_gap in HI. unfold steepness. apply (Rmult_le_reg_r (normal_force (beta_s h) h));
         [easy|]. field_simplify; lra. }
     lra. }
-  repeat split; try easy.
-  - rewrite mu_is_from_statics by lra. now rewrite <- Es.
-  - rewrite shoulder_friction_from_statics. lra.
+  repeat split; try easy. rewrite mu_is_from_statics by lra. now rewrite <- Es.
+Qed.
+
+(** So a shoulder on the extrados does not slide inwards, *)
+Lemma extrados_free_at_inward_shoulder : shoulder_gap delta alpha eta h p = 0 ->
+  inward_gap alpha mu h <> 0.
+Proof.
+  intros EU EI. destruct (slides_at_steepest_joint alpha) as (_ & Es & Habove & _); try lra; tauto || easy.
+Qed.
+
+(** and what slides inside and at the shoulder is the purely sliding state of the half-angle. *)
+Theorem sliding_is_pure (sigma : R) : 0 < sigma <= alpha ->
+  inward_gap sigma mu h = 0 -> outward_gap alpha mu h = 0 ->
+  h < 1 /\ sigma = beta_s h /\ mu = mu_is h /\ mu = mu_ss alpha h.
+Proof.
+  intros Hs EI EO.
+  destruct (slides_at_steepest_joint sigma Hs EI (or_intror EO)) as (H1 & Es & _ & Emu).
+  assert (HN := compressed delta alpha eta mu h p flag opening thickness rough state alpha ltac:(lra)).
+  repeat split; try easy. rewrite shoulder_friction_from_statics. unfold outward_gap in EO.
+  unfold steepness. apply (Rmult_eq_reg_r (normal_force alpha h)); [|lra]. field_simplify; lra.
 Qed.
 
 (** ** With finite friction *)
