@@ -260,21 +260,22 @@ Theorem haunch_falls (sigma1 beta1 sigma2 beta2 : R) :
   0 < sigma2 <= alpha2 -> inward_gap sigma2 mu2 h2 = 0 -> shoulder_at_limit alpha2 eta2 mu2 h2 p2 ->
   0 <= beta1 < alpha1 -> haunch_gap delta beta1 eta1 h1 p1 = 0 ->
   0 <= beta2 < alpha2 -> haunch_gap delta beta2 eta2 h2 p2 = 0 ->
-  beta2 <= beta1 /\ (h2 <= 1 / 2 -> sigma1 <= sigma2).
+  beta2 <= beta1 /\ (eta1 < eta2 \/ mu2 < mu1 -> beta2 = 0 \/ beta2 < beta1) /\
+  (h2 <= 1 / 2 \/ mu1 = mu2 -> sigma1 <= sigma2).
 Proof.
   intros Hs1 EI1 Hlimit1 Hs2 EI2 Hlimit2 Hb1 EL1 Hb2 EL2.
   assert (Hh1 := thrust1). assert (Hh2 := thrust2).
-  destruct (sliding_thrust_is_less sigma1 Hs1 EI1 Hlimit1 Hlimit2) as [Hle _].
+  destruct (sliding_thrust_is_less sigma1 Hs1 EI1 Hlimit1 Hlimit2) as [Hle Hsame].
   destruct (slides_at_steepest_joint delta alpha1 eta1 mu1 h1 p1 flag opening1 thickness1 rough1 state1
-              sigma1 Hs1 EI1 Hlimit1) as (H1 & Es1 & _ & _).
+              sigma1 Hs1 EI1 Hlimit1) as (H1 & Es1 & _ & M1).
   destruct (slides_at_steepest_joint delta alpha2 eta2 mu2 h2 p2 flag opening2 thickness2 rough2 state2
-              sigma2 Hs2 EI2 Hlimit2) as (H2 & Es2 & _ & _).
+              sigma2 Hs2 EI2 Hlimit2) as (H2 & Es2 & _ & M2).
   assert (HL1 : forall x, 0 <= x <= alpha1 -> 0 <= haunch_gap delta x eta1 h1 p1)
     by (intros x Hx; now destruct (margins_not_negative delta alpha1 eta1 mu1 h1 p1 state1 x Hx) as (_ & H & _)).
   assert (HL2 : forall x, 0 <= x <= alpha2 -> 0 <= haunch_gap delta x eta2 h2 p2)
     by (intros x Hx; now destruct (margins_not_negative delta alpha2 eta2 mu2 h2 p2 state2 x Hx) as (_ & H & _)).
-  split.
-  - apply Rnot_lt_le. intros Hless.
+  assert (Hfalls : 0 < beta2 -> beta2 <= beta1 /\ (eta1 < eta2 \/ mu2 < mu1 -> beta2 < beta1)).
+  { intros Hpos.
     assert (T2 := haunch_of_wide_arch delta alpha2 eta2 h2 p2 beta2 opening2 thickness2 HL2 EL2 ltac:(lra)).
     assert (Hfac1 := centroids_positive delta eta1 ltac:(lra)).
     assert (Hfac : fac delta eta1 <= fac delta eta2).
@@ -284,22 +285,46 @@ Proof.
       lra. }
     assert (Hin : 0 < intrados eta2 <= intrados eta1) by (unfold intrados; lra).
     set (k := h2 - 1 - beta2 * cot beta2) in *.
-    (* the same sum at the first arch is not positive *)
     assert (Hk : k < 0).
     { apply Rnot_le_lt. intros Hk. assert (0 <= intrados eta2 * k) by (apply Rmult_le_pos; lra). lra. }
+    (* the same sum at the first arch is not positive, and negative if that is thinner *)
     assert (Hfirst : intrados eta1 * k + fac delta eta1 <= 0).
     { assert (0 <= (intrados eta1 - intrados eta2) * - k) by (apply Rmult_le_pos; lra). lra. }
+    assert (Hthinner : eta1 < eta2 -> intrados eta1 * k + fac delta eta1 < 0).
+    { intros Heta. assert (0 < (intrados eta1 - intrados eta2) * - k)
+        by (apply Rmult_lt_0_compat; unfold intrados; lra). lra. }
+    assert (Hrougher : mu2 < mu1 -> h1 < h2).
+    { intros Hmu. destruct (Req_dec h1 h2) as [E | E]; [rewrite (Hsame E) in Hmu; lra | lra]. }
     destruct (Req_dec beta1 0) as [E | E].
-    + rewrite E in EL1.
+    - exfalso. rewrite E in EL1.
       assert (T1 := haunch_at_crown delta alpha1 eta1 h1 p1 opening1 thickness1 HL1 EL1).
       assert (Hcot := times_cotangent_below_1 beta2 ltac:(lra)).
       assert (0 < intrados eta1 * (k - (h1 - 2)))
         by (apply Rmult_lt_0_compat; unfold k; lra). lra.
-    + assert (T1 := haunch_of_wide_arch delta alpha1 eta1 h1 p1 beta1 opening1 thickness1 HL1 EL1 ltac:(lra)).
-      assert (Hcot : beta2 * cot beta2 < beta1 * cot beta1) by (apply times_cotangent_falls; lra).
-      assert (0 < intrados eta1 * (k - (h1 - 1 - beta1 * cot beta1)))
-        by (apply Rmult_lt_0_compat; unfold k; lra). lra.
-  - intros Hhalf. rewrite Es1, Es2. unfold beta_s. apply sqrt_le_1; nra.
+    - assert (T1 := haunch_of_wide_arch delta alpha1 eta1 h1 p1 beta1 opening1 thickness1 HL1 EL1 ltac:(lra)).
+      set (k1 := h1 - 1 - beta1 * cot beta1) in *.
+      assert (Hk1 : k <= k1).
+      { apply Rnot_lt_le. intros H. assert (0 < intrados eta1 * (k - k1)) by (apply Rmult_lt_0_compat; lra). lra. }
+      split.
+      + apply Rnot_lt_le. intros Hless.
+        assert (Hcot : beta2 * cot beta2 < beta1 * cot beta1) by (apply times_cotangent_falls; lra).
+        unfold k, k1 in Hk1. lra.
+      + intros Hstrict. destruct (Rtotal_order beta2 beta1) as [H | [H | H]]; [easy | exfalso | exfalso].
+        * unfold k, k1 in *. rewrite H in *.
+          destruct Hstrict as [Heta | Hmu]; [|specialize (Hrougher Hmu); lra].
+          specialize (Hthinner Heta).
+          assert (0 <= intrados eta1 * (h2 - 1 - beta1 * cot beta1 - (h1 - 1 - beta1 * cot beta1)))
+            by (apply Rmult_le_pos; lra). lra.
+        * assert (Hcot : beta2 * cot beta2 < beta1 * cot beta1) by (apply times_cotangent_falls; lra).
+          unfold k, k1 in Hk1. lra. }
+  split; [|split].
+  - destruct (Req_dec beta2 0) as [E | E]; [lra | apply Hfalls; lra].
+  - intros Hstrict. destruct (Req_dec beta2 0) as [E | E]; [now left | right]. apply Hfalls; [lra | easy].
+  - intros [Hhalf | Emu]; rewrite Es1, Es2.
+    + unfold beta_s. apply sqrt_le_1; nra.
+    + assert (E : h1 = h2); [|rewrite E; lra].
+      destruct (Rtotal_order h1 h2) as [H | [H | H]]; [exfalso | easy | lra].
+      assert (mu_is h2 < mu_is h1) by (apply mu_is_strictly_decreasing; lra). lra.
 Qed.
 
 (** *** What slides alone comes last *)
