@@ -77,6 +77,86 @@ Proof.
   split; [now apply (Hzero s) | now apply (Hzero t)].
 Qed.
 
+(** With its thrust kept a state has the line of thrust on both faces, or there is one off both. *)
+Lemma on_both_faces_or_off (delta alpha eta mu h p : R) :
+  0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta <= 2 -> 0 < mu ->
+  admissible_state delta alpha eta mu h p ->
+  (exists beta, 0 <= beta <= alpha /\ haunch_gap delta beta eta h p = 0 /\
+     (shoulder_gap delta 0 eta h p = 0 \/ shoulder_gap delta alpha eta h p = 0)) \/
+  (exists p', forall x, 0 <= x <= alpha ->
+     0 < shoulder_gap delta x eta h p' /\ 0 < haunch_gap delta x eta h p').
+Proof.
+  intros Hd Ha He Hmu Hstate. destruct (margins_continuous delta eta mu h p) as (CU & CL & _).
+  assert (Hgaps : forall x, 0 <= x <= alpha ->
+            0 <= shoulder_gap delta x eta h p /\ 0 <= haunch_gap delta x eta h p).
+  { intros x Hx. destruct (margins_not_negative delta alpha eta mu h p Hstate x Hx) as (A & B & _). lra. }
+  assert (Hmoved : forall x t, shoulder_gap delta x eta h (p + t) = shoulder_gap delta x eta h p - t /\
+                               haunch_gap delta x eta h (p + t) = haunch_gap delta x eta h p + t)
+    by (intros x t; unfold shoulder_gap, haunch_gap; lra).
+  assert (Hway : forall f g : R -> R, continuity f -> continuity g ->
+            (forall x, 0 <= x <= alpha -> 0 <= f x) -> (forall x, 0 <= x <= alpha -> 0 <= g x) ->
+            (forall x, 0 <= x <= alpha -> g x <> 0) ->
+            exists e, 0 < e /\ forall x, 0 <= x <= alpha -> 0 < f x + e /\ 0 < g x - e).
+  { intros f g Hf Hg Hpf Hpg Hne.
+    destruct (positive_in_direction 0 alpha g (fun _ => -1)) as (e & He' & H); try easy; try lra.
+    { intros x. apply continuity_pt_const. now intros u v. }
+    { intros x Hx E. now destruct (Hne x Hx). }
+    exists e. split; [easy|]. intros x Hx. assert (A := Hpf x Hx). assert (B := H e ltac:(lra) x Hx). lra. }
+  destruct (Classical_Prop.classic (exists x, 0 <= x <= alpha /\ shoulder_gap delta x eta h p = 0))
+    as [(x & Hx & EU) | Hoff].
+  - destruct (Classical_Prop.classic (exists y, 0 <= y <= alpha /\ haunch_gap delta y eta h p = 0))
+      as [(y & Hy & EL) | Hoff].
+    + left. exists y. split; [easy | split; [easy|]].
+      destruct (extrados_reached delta alpha eta mu h p Hd Ha He Hstate x Hx EU) as [-> | ->]; tauto.
+    + right.
+      destruct (Hway _ _ CU CL ltac:(intros z Hz; now apply Hgaps)
+                  ltac:(intros z Hz; now apply Hgaps)) as (e & He' & H).
+      { intros z Hz E. apply Hoff. now exists z. }
+      exists (p + - e). intros z Hz. destruct (Hmoved z (- e)) as (-> & ->). destruct (H z Hz). lra.
+  - right.
+    destruct (Hway _ _ CL CU ltac:(intros z Hz; now apply Hgaps)
+                ltac:(intros z Hz; now apply Hgaps)) as (e & He' & H).
+    { intros z Hz E. apply Hoff. now exists z. }
+    exists (p + e). intros z Hz. destruct (Hmoved z e) as (-> & ->). destruct (H z Hz). lra.
+Qed.
+
+(** So where none thinner stands it is not pure sliding alone that moves. *)
+Theorem a_hinge_at_the_least_thickness (delta alpha eta mu h p : R) :
+  0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta <= 2 -> 0 < mu ->
+  (forall eta', 0 < eta' < eta -> ~ arch_stands delta alpha eta' mu) ->
+  admissible_state delta alpha eta mu h p ->
+  exists m, m <> SS /\ mode_moves delta alpha eta mu m.
+Proof.
+  intros Hd Ha He Hmu Hnone Hstate.
+  destruct (a_mode_moves delta alpha eta mu h p Hd Ha He Hmu Hstate
+              (moves_if_none_thinner delta alpha eta mu h p Hd Ha He Hmu Hnone Hstate)) as (m & Hm).
+  destruct m; try (eexists; split; [|exact Hm]; easy). clear h p Hstate.
+  destruct Hm as (h & p & beta0 & sigma & Hstate & Hs & EI & EO).
+  destruct (on_both_faces_or_off delta alpha eta mu h p Hd Ha He Hmu Hstate)
+    as [(beta & Hb & EL & Hface) | (p' & Hoff)].
+  - assert (Hshoulder : beta <> alpha).
+    { intros E. rewrite E in EL.
+      now apply (intrados_free_at_sliding_shoulder delta alpha eta mu h p Hd Ha He Hmu Hstate EO). }
+    destruct Hface as [EC | EU].
+    + exists SRR. split; [easy|]. exists h, p, beta, sigma. split; [easy|]. simpl.
+      assert (Hcrown : beta <> 0).
+      { intros E. rewrite E in EL.
+        now apply (not_at_both_faces delta alpha eta mu h p Hd Ha He Hmu Hstate 0 ltac:(lra) EC). }
+      split; [lra|]. split; [|easy]. unfold shoulder_gap, normal_force in EC. rewrite cos_0, sin_0 in EC.
+      unfold crown_gap. lra.
+    + assert (Hgive : forall m, m <> SS -> has_limits delta alpha eta mu h p beta sigma m ->
+                exists m, m <> SS /\ mode_moves delta alpha eta mu m)
+        by (intros m N Hm; exists m; split; [easy | exists h, p, beta, sigma; now split]).
+      destruct (Rle_lt_dec sigma beta) as [Hhigh | Hlow];
+        [apply (Hgive RRS); [easy|]; simpl; repeat split; easy || lra|].
+      destruct (Req_dec beta 0) as [E | E]; [apply (Hgive RS) | apply (Hgive RSR)]; try easy; simpl;
+        repeat split; easy || lra.
+  - exfalso. destruct (thinner_arch_stands delta alpha eta mu h p' Hd ltac:(lra) He) as (eta' & He' & H).
+    + intros x Hx. destruct (Hoff x Hx).
+      destruct (margins_not_negative delta alpha eta mu h p Hstate x Hx) as (_ & _ & A & B). easy.
+    + now apply (Hnone eta').
+Qed.
+
 (** To each thickness and friction belongs one half-angle, and a mode moves it. *)
 Corollary each_point_has_a_mode (delta eta mu : R) : 0 <= delta <= 1 -> 0 < eta <= 2 -> 0 < mu ->
   exists alpha, 0 < alpha < PI /\

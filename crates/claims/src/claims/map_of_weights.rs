@@ -106,14 +106,13 @@ fn thicker_unless_the_shoulder_slides(d: &mut Derivation) -> Checked {
     d.identity(words, both.partial(Symbol::Thrust), h.int(0))?;
     let slope = -(eta.square() * eta * &joint.cos * alpha.versine() / eta.int(6));
     d.identity("Z falls as delta_M grows", both.partial(Symbol::Flag), &slope)?;
-    d.argue(
-        "V is the sum of the distances of the crown from the extrados and of a joint from the intrados, W \
-         that of the shoulder from the extrados and of the joint from the intrados: not negative where a \
-         state is admissible. Let Heyman's arch have the least thickness eta, and Milankovitch's stand with \
-         as little: then it stands with eta too. If Heyman's collapse is purely rotational, V = W = Z = 0 at \
-         its joint, below pi/2, and Z < 0 there for delta_M = 1. If it has an inner sliding joint, or no \
-         thrust, W = 0 at its joint, and no arch of this friction has less thrust, so that W < 0 there for \
-         delta_M = 1. So Milankovitch's arch is thicker, however it collapses.",
+    d.theorem(
+        "TwoWeights.heavier_is_thicker_unless_the_shoulder_slides",
+        "an arch with the larger flag is thicker, unless [s,r,r] moves that with the smaller one",
+    )?;
+    d.theorem(
+        "TwoWeights.heavier_is_thicker_without_limit",
+        "with unlimited friction it is thicker",
     )
 }
 
@@ -138,9 +137,9 @@ fn thicker(
 fn same_opening_compared(d: &mut Derivation) -> Checked<Finding> {
     lemmas(d, [&STATES_IN_ORDER, &STATES_OF_ONE_THICKNESS])?;
     thicker_unless_the_shoulder_slides(d)?;
-    d.argue(
-        "[s,r,r] with both: friction gives the thrust by (17), and on the curve of (2) and (5) the thrust \
-         falls with eta and, at one eta, with delta_M: Milankovitch's arch is thinner.",
+    d.theorem(
+        "TwoWeights.heavier_is_thinner_where_shoulders_slide",
+        "where [s,r,r] moves both it is thinner",
     )?;
     let first = thicker(d, ("pi/2", "inf"), true)?;
     let second = thicker(d, ("2.6", "1.9"), true)?;
