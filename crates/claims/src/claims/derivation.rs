@@ -180,7 +180,7 @@ impl Derivation {
         format!("{checked}{}", self.beside_checks().unwrap_or_default())
     }
 
-    /// What the claim rests on beside checks of this program, if on anything: ` and theorems of Coq`.
+    /// Supports of the claim beside the checks of this program, if there are any: ` and theorems of Coq`.
     pub fn beside_checks(&self) -> Option<String> {
         let uses_theorems = self.supports().any(|support| support == Support::Theorem);
         let theorems = uses_theorems.then_some("theorems of Coq");
