@@ -6,7 +6,7 @@
 set -eu
 cd "$(dirname "$0")"
 [ $# -gt 0 ] || set -- TripleMilankovitch StateSlidingRotationalHeyman AsymmetricInnerSlidingMilankovitch \
-  Cones Room Modes Attained Order Map TwoWeights
+  Cones Room Modes Attained Order Map Cells TwoWeights
 here=$PWD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -142,6 +142,8 @@ spoil_hand() {
       's/(Theorem haunch_falls.*?beta2 )<= beta1/$1< beta1/s' ;;
     Map) spoiled "rows without the condition on the thrust" modes_of_a_row \
       's/(Theorem modes_of_a_row.*?h <= 1 )\/ 2\)/$1)/s' ;;
+    Cells) spoiled "a cell with a corner of another mode" cell_of_one_mode \
+      's/(Theorem cell_of_one_mode.*?alpha2 eta2 mu2 )m ->/$1m2 ->/s; s/(Theorem cell_of_one_mode.*?)\(m m. : mode\)/$1(m m2 m\x27 : mode)/s' ;;
     TwoWeights) spoiled "a shoulder that slides" heavier_is_thicker \
       's/(Theorem heavier_is_thicker .*?)m <> SRR -> /$1/s' ;;
   esac

@@ -34,7 +34,8 @@ fn joining(d: &mut Derivation, weight: SelfWeight, slope: &Surd) -> Checked {
     d.equal("A_l", &opening_at(weight, &overturned).coefficient(0), &a_at_end)?;
 
     let end = Series::new(thickness, vec![thickness.clone()], 2);
-    let words = "the slope of (2) - (5), cleared, to eta at l, so that eta is an analytic function of u";
+    let words =
+        "the slope of (2) - (5), cleared, to eta at l, so that eta is an analytic function of u";
     let slope_at_end = slope_to_thickness(weight, &end).coefficient(0);
     d.differ(words, &slope_at_end, &thickness.int(0))?;
     d.series("u", &joint_squared, "x");

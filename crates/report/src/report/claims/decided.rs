@@ -95,5 +95,9 @@ pub(super) fn summary(decisions: &[Decision]) -> String {
         [0, 0] => String::new(),
         [own, beneath] => format!("; {own} by an argument in words, {beneath} resting on one"),
     };
-    format!("{}: {}{theorems}{arguments}", count(decisions.len(), "claim", "claims"), parts.join(", "))
+    format!(
+        "{}: {}{theorems}{arguments}",
+        count(decisions.len(), "claim", "claims"),
+        parts.join(", ")
+    )
 }
