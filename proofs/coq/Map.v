@@ -241,8 +241,10 @@ Theorem intervals_of_a_column (delta mu alpha1 eta1 alpha eta alpha2 eta2 : R) (
   mode_moves delta alpha eta mu m' -> m' = m.
 Proof.
   intros Hd Hmu Hgrows Ha1 Ha Ha2 He1 He He2 M1 M2 M.
-  assert (H1 := modes_of_a_column delta mu alpha1 eta1 alpha eta m m' Hd Hmu Hgrows Ha1 Ha He1 ltac:(lra) ltac:(lra) M1 M).
-  assert (H2 := modes_of_a_column delta mu alpha eta alpha2 eta2 m' m Hd Hmu Hgrows Ha Ha2 ltac:(lra) ltac:(lra) He2 M M2).
+  assert (H1 := modes_of_a_column delta mu alpha1 eta1 alpha eta m m' Hd Hmu Hgrows Ha1 Ha He1 ltac:(lra)
+      ltac:(lra) M1 M).
+  assert (H2 := modes_of_a_column delta mu alpha eta alpha2 eta2 m' m Hd Hmu Hgrows Ha Ha2 ltac:(lra)
+      ltac:(lra) He2 M M2).
   destruct m, m'; simpl in H1, H2; try lia; easy.
 Qed.
 

@@ -218,7 +218,8 @@ Proof.
         by (apply Rmult_lt_0_compat; lra). lra.
   - (* it is beyond *)
     assert (Htouch := haunch_of_wide_arch delta alpha2 eta2 h2 p2 beta opening2 thickness2
-                        ltac:(intros x Hx; now destruct (margins_not_negative delta alpha2 eta2 mu2 h2 p2 state2 x Hx) as (_ & H & _))
+                        ltac:(intros x Hx; now destruct (margins_not_negative delta alpha2 eta2 mu2 h2 p2
+                            state2 x Hx) as (_ & H & _))
                         EL Hb).
     assert (H2 : h2 < beta * cot beta).
     { unfold intrados in Htouch. assert (0 < 1 - eta2 / 2 < 1) by lra.
@@ -369,7 +370,8 @@ Proof.
   assert (Hthin := crown_is_thin beta Hb EC EL).
   assert (Hfac := centroids_positive delta eta2 ltac:(lra)).
   assert (Htouch := haunch_of_wide_arch delta alpha2 eta2 h2 p2 beta opening2 thickness2
-                      ltac:(intros x Hx; now destruct (margins_not_negative delta alpha2 eta2 mu2 h2 p2 state2 x Hx) as (_ & H & _))
+                      ltac:(intros x Hx; now destruct (margins_not_negative delta alpha2 eta2 mu2 h2 p2 state2
+                          x Hx) as (_ & H & _))
                       EL Hb).
   assert (HSb : 0 < sin beta) by (apply sin_gt_0; lra).
   assert (Hlever := lever_of_lower_thrust_positive beta eta2 ltac:(lra)).
@@ -385,7 +387,8 @@ Proof.
       in Hscaled by (field; lra). lra. }
   assert (H1 : h2 < 1).
   { assert (Hcot := times_cotangent_below_1 beta ltac:(lra)). unfold intrados in Htouch.
-    apply Rnot_le_lt. intros H. assert (0 < (1 - eta2 / 2) * (h2 - beta * cot beta)) by (apply Rmult_lt_0_compat; lra).
+    apply Rnot_le_lt. intros H. assert (0 < (1 - eta2 / 2) * (h2 - beta * cot beta)) by (apply
+        Rmult_lt_0_compat; lra).
     lra. }
   (* the extrados is reached at some joint beyond *)
   set (level := fun x => (extrados eta2 * h2 + fac delta eta2) * (1 - cos x) - extrados eta2 * (x * sin x)).
@@ -395,7 +398,8 @@ Proof.
   assert (Hcontinuous : continuity level) by (unfold level; reg).
   destruct (margins_not_negative delta alpha2 eta2 mu2 h2 p2 state2 alpha2 ltac:(lra)) as (HU & _).
   assert (Hpi : 0 < level PI).
-  { unfold level. rewrite cos_PI, sin_PI. assert (0 < extrados eta2 * h2) by (apply Rmult_lt_0_compat; unfold extrados; lra).
+  { unfold level. rewrite cos_PI, sin_PI. assert (0 < extrados eta2 * h2) by (apply Rmult_lt_0_compat; unfold
+      extrados; lra).
     lra. }
   assert (Halpha0 : exists alpha0, alpha2 <= alpha0 < PI /\ level alpha0 = 0).
   { destruct (Req_dec (shoulder_gap delta alpha2 eta2 h2 p2) 0) as [Z | Z].
