@@ -287,18 +287,21 @@ End Point.
 
 (** ** Between two points *)
 
-(** Pure sliding goes on with less friction: along it the shoulder gains room from each joint above a
+(** Pure sliding goes on with less friction: along it the shoulder gains room with each haunch up to a
     right angle. *)
 Definition sliding_gains_room (delta : R) : Prop :=
-  forall alpha eta mu arch eta' mu' m, mode_moves delta alpha eta mu SS -> mu' < mu ->
-    (2 <= rank m)%nat -> (rank m < 5)%nat -> mode_moves delta arch eta' mu' m -> eta <= eta' ->
-  forall h alpha' h' beta, mu = mu_is h -> outward_gap alpha mu h = 0 -> mu' = mu_is h' ->
+  forall alpha eta mu arch eta' mu' m,
+    0 < alpha < PI -> 0 < arch < PI -> 0 < eta <= eta' -> eta' <= 2 -> 0 < mu' < mu ->
+    (2 <= rank m)%nat -> (rank m < 5)%nat ->
+    mode_moves delta alpha eta mu SS -> mode_moves delta arch eta' mu' m ->
+  forall h alpha' h' beta, 0 < h < 1 -> 0 < h' < 1 -> mu = mu_is h -> outward_gap alpha mu h = 0 -> mu' = mu_is h' ->
     0 < alpha' < PI -> outward_gap alpha' mu' h' = 0 -> 0 <= beta < PI / 2 ->
     shoulder_room delta alpha beta eta h < shoulder_room delta alpha' beta eta h'.
 
 (** An inner joint slides at a thrust of at most 1/2 where the shoulder turns. *)
 Definition slides_at_small_thrust (delta : R) : Prop :=
-  forall alpha eta mu h p beta sigma m, 0 < alpha < PI -> admissible_state delta alpha eta mu h p ->
+  forall alpha eta mu h p beta sigma m,
+    0 < alpha < PI -> 0 < eta <= 2 -> 0 < mu -> admissible_state delta alpha eta mu h p ->
     (2 <= rank m)%nat -> (rank m < 5)%nat -> has_limits delta alpha eta mu h p beta sigma m -> h <= 1 / 2.
 
 Lemma sliding_goes_on (delta alpha1 eta1 mu1 alpha2 eta2 mu2 : R) (m : mode) :
@@ -308,7 +311,7 @@ Lemma sliding_goes_on (delta alpha1 eta1 mu1 alpha2 eta2 mu2 : R) (m : mode) :
   mode_moves delta alpha1 eta1 mu1 SS -> ~ mode_moves delta alpha2 eta2 mu2 m.
 Proof.
   intros Hd Hgain Ha1 Ha2 He He2 Hmu2 Hmu R2 R5 M1 M2. assert (HPI := PI2_3_2).
-  assert (Hgain' := Hgain alpha1 eta1 mu1 alpha2 eta2 mu2 m M1 Hmu R2 R5 M2 ltac:(lra)).
+  assert (Hgain' := Hgain alpha1 eta1 mu1 alpha2 eta2 mu2 m Ha1 Ha2 He He2 (conj Hmu2 Hmu) R2 R5 M1 M2).
   destruct M1 as (h1 & p1 & b1 & s1 & S1 & L1). destruct M2 as (h2 & p2 & b2 & s2 & S2 & L2).
   simpl in L1. destruct L1 as (Hs1 & EI1 & EO1).
   destruct (sliding_is_pure delta alpha1 eta1 mu1 h1 p1 Hd Ha1 ltac:(lra) ltac:(lra) S1 s1 ltac:(lra) EI1 EO1)
@@ -363,7 +366,7 @@ Proof.
     unfold intrados in Htouch.
     assert (0 <= (1 - eta2 / 2) * - (b2 * cot b2)) by (apply Rmult_le_pos; lra).
     assert (0 <= (1 - eta2 / 2) * h2) by (apply Rmult_le_pos; lra). lra. }
-  assert (Hroom := Hgain' h1 alphaP h2 b2 M1 EO1 M2 ltac:(lra) EOP ltac:(lra)).
+  assert (Hroom := Hgain' h1 alphaP h2 b2 ltac:(lra) ltac:(lra) M1 EO1 M2 ltac:(lra) EOP ltac:(lra)).
   destruct (margins_not_negative delta alpha1 eta1 mu1 h1 p1 S1 alpha1 ltac:(lra)) as (U1 & _).
   destruct (margins_not_negative delta alpha1 eta1 mu1 h1 p1 S1 b2 ltac:(lra)) as (_ & L1 & _).
   destruct (margins_not_negative delta alpha1 eta1 mu1 h1 p1 S1 0 ltac:(lra)) as (C1 & _).
@@ -418,7 +421,7 @@ Proof.
       now apply (sliding_goes_on delta alpha1 eta1 mu1 alpha2 eta2 mu2 m2 Hd Hgain Ha1 Ha2 He He2 (proj1 Hmu)
                    ltac:(lra) R2 R5 M1).
     + destruct M1 as (h1 & p1 & b1 & s1 & S1 & L1). destruct M2 as (h2 & p2 & b2 & s2 & S2 & L2).
-      assert (Hhalf := Hsmall alpha2 eta2 mu2 h2 p2 b2 s2 m2 Ha2 S2 R2 R5 L2).
+      assert (Hhalf := Hsmall alpha2 eta2 mu2 h2 p2 b2 s2 m2 Ha2 ltac:(lra) ltac:(lra) S2 R2 R5 L2).
       destruct (slip_of_mode _ _ _ _ _ _ _ _ _ R1 L1) as [Hs1 EI1].
       destruct (slip_of_mode _ _ _ _ _ _ _ _ _ R2 L2) as [Hs2 EI2].
       destruct (haunch_of_mode _ _ _ _ _ _ _ _ _ R1 R1' L1) as (Hb1 & EL1 & EU1).

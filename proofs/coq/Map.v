@@ -269,9 +269,11 @@ Definition rank_of_row (m : mode) : nat :=
 Theorem modes_of_a_row (delta alpha mu1 eta1 mu2 eta2 : R) (m1 m2 : mode) :
   0 <= delta <= 1 -> 0 < alpha < PI -> 0 < mu1 < mu2 -> 0 < eta1 <= 2 -> 0 < eta2 <= 2 ->
   (forall eta', 0 < eta' < eta2 -> ~ arch_stands delta alpha eta' mu2) ->
-  (forall eta mu h p beta sigma m, admissible_state delta alpha eta mu h p ->
+  (forall eta mu h p beta sigma m,
+     0 < eta <= 2 -> 0 < mu -> admissible_state delta alpha eta mu h p ->
      (2 <= rank m)%nat -> (rank m < 5)%nat -> has_limits delta alpha eta mu h p beta sigma m -> h <= 1 / 2) ->
-  (forall eta mu eta' mu' m, (2 <= rank m)%nat -> (rank m < 5)%nat ->
+  (forall eta mu eta' mu' m, 0 < eta <= 2 -> 0 < mu -> 0 < eta' <= 2 -> 0 < mu' ->
+     (2 <= rank m)%nat -> (rank m < 5)%nat ->
      mode_moves delta alpha eta mu SRR -> ~ mode_moves delta alpha eta' mu' m) ->
   mode_moves delta alpha eta1 mu1 m1 -> mode_moves delta alpha eta2 mu2 m2 ->
   (rank_of_row m1 <= rank_of_row m2)%nat.
@@ -317,7 +319,7 @@ Proof.
                   Ha He1 ltac:(lra) S1 ltac:(lra) ltac:(lra) s2 b2 s1 b1 Hs2 EI2 Sh2 Hs1 EI1 Sh1
                   Hb2 EL2 Hb1 EL1) as (Hfall & Hstrict & Hslip).
       specialize (Hstrict (or_intror (proj2 Hmu))).
-      specialize (Hslip (or_introl (Hhalf eta1 mu1 h1 p1 b1 s1 m1 S1 R1 R1' L1))).
+      specialize (Hslip (or_introl (Hhalf eta1 mu1 h1 p1 b1 s1 m1 He1 (proj1 Hmu) S1 R1 R1' L1))).
       apply Nat.nlt_ge. intros Hless.
       destruct m1, m2; simpl in R1, R1', R2, R2', Hless; try lia; simpl in L1, L2; lra.
     + exfalso. destruct (crown_of_mode _ _ _ _ _ _ _ _ _ R1 L1) as (Hb1 & EC1 & EL1).
@@ -327,7 +329,7 @@ Proof.
     destruct (Compare_dec.le_lt_dec 2 (rank m1)) as [R1 | R1].
     + destruct (Compare_dec.le_lt_dec 5 (rank m1)) as [R1' | R1'];
         [destruct m1; simpl in R1'; simpl; lia|].
-      exfalso. apply (Hexclude eta2 mu2 eta1 mu1 m1 R1 R1').
+      exfalso. apply (Hexclude eta2 mu2 eta1 mu1 m1 He2 ltac:(lra) He1 (proj1 Hmu) R1 R1').
       * now exists h2, p2, b2, s2.
       * now exists h1, p1, b1, s1.
     + (* both crowns turn: if the smoother arch is purely rotational so is the rougher one *)
