@@ -14,13 +14,9 @@
     - [no_motion_below_the_widest]: and a narrower arch has none at all;
     - [symmetric_mean_stands]: a whole arch that stands has a symmetric state.
 
-    What is not proved in this file, but in words by the claims:
-    - that a mechanism, which may give a rate to any joint, is one of [moves], with a single [beta]
-      and a single [sigma] (from [limits_of_a_state], which in turn is given [beta_s h <= alpha]);
-    - that the intrados is not reached at a shoulder that slides or is on the extrados, and that
-      [beta_s h < alpha] where the shoulder has a hinge;
-    - that the least thickness and the widest half-angle are attained, and that an arch without room
-      has multipliers, which are the rates of a mechanism. *)
+    [Modes] proves that a mechanism, which may give a rate to any joint, is one of [moves], and where
+    its joints are; [Room] that an arch without room has such rates, and [Attained] that the least
+    thickness and the widest half-angle are attained. *)
 
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.

@@ -1,10 +1,12 @@
 #!/bin/sh
-# After `make`: wrong copies of generated files do not compile, each for the reason it should.
+# After `make`: wrong copies of files do not compile, each for the reason it should.
 #
-# Usage: spoil.sh [MODULE]..., by default a landmark, a state and an asymmetric solution.
+# Usage: spoil.sh [MODULE]..., by default a landmark, a state and an asymmetric solution, and the hand files whose
+# theorems the claims use.
 set -eu
 cd "$(dirname "$0")"
-[ $# -gt 0 ] || set -- TripleMilankovitch StateSlidingRotationalHeyman AsymmetricInnerSlidingMilankovitch
+[ $# -gt 0 ] || set -- TripleMilankovitch StateSlidingRotationalHeyman AsymmetricInnerSlidingMilankovitch \
+  Cones Room Modes Attained Order Map Cells TwoWeights
 here=$PWD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -27,8 +29,8 @@ refused_at() {
 # spoiled WHAT STATEMENT PERL: the copy that PERL makes is refused at STATEMENT.
 spoiled() {
   copy="$work/Spoiled.v"
-  perl -0777 -pe "$3" "generated/$module.v" > "$copy"
-  if cmp -s "$copy" "generated/$module.v"; then
+  perl -0777 -pe "$3" "$source" > "$copy"
+  if cmp -s "$copy" "$source"; then
     found="nothing to spoil"
   else
     found=$(refused_at "$copy")
@@ -43,7 +45,7 @@ spoiled() {
 
 # The untouched copy compiles.
 untouched() {
-  cp "generated/$module.v" "$work/Untouched.v"
+  cp "$source" "$work/Untouched.v"
   found=$(refused_at "$work/Untouched.v")
   if [ -n "$found" ]; then
     cat "$work/message" >&2
@@ -145,13 +147,44 @@ spoil_asymmetric() {
     's/(Corollary asymmetric_thickness.*?\.\d{28})(\d)/$1 . ($2 + 5) % 10/se'
 }
 
-for module; do
-  untouched
-  spoil_solution
+# The theorems that the claims use: each says too much with one sign or one hypothesis changed.
+spoil_hand() {
   case $module in
+    Cones) spoiled "multipliers that leave room" strict_point_or_multipliers \
+      's/(Theorem strict_point_or_multipliers.*?)c <= 0/$1c < 0/s' ;;
+    Room) spoiled "a line of thrust on a face" thinner_arch_stands \
+      's/(Theorem thinner_arch_stands.*?)0 < shoulder_gap/$1 0 <= shoulder_gap/s' ;;
+    Modes) spoiled "a haunch off the crown where an inner joint slides" sum_of_modes \
+      's/(Theorem sum_of_modes.*?0 < x3 -> )0 <= beta/${1}0 < beta/s' ;;
+    Attained) spoiled "the widest half-angle without a mechanism" one_half_angle \
+      's/(Theorem one_half_angle.*?0 < alpha. )< alpha ->/$1<= alpha ->/s' ;;
+    Order) spoiled "a haunch that falls strictly" haunch_falls \
+      's/(Theorem haunch_falls.*?beta2 )<= beta1/$1< beta1/s' ;;
+    Map) spoiled "rows without the condition on the thrust" modes_of_a_row \
+      's/(Theorem modes_of_a_row.*?h <= 1 )\/ 2\)/$1)/s' ;;
+    Cells) spoiled "a cell with a corner of another mode" cell_of_one_mode \
+      's/(Theorem cell_of_one_mode.*?alpha2 eta2 mu2 )m ->/$1m2 ->/s; s/(Theorem cell_of_one_mode.*?)\(m m. : mode\)/$1(m m2 m\x27 : mode)/s' ;;
+    TwoWeights) spoiled "a shoulder that slides" heavier_is_thicker \
+      's/(Theorem heavier_is_thicker .*?)m <> SRR -> /$1/s' ;;
     State*) spoil_state ;;
     Asymmetric*) spoil_asymmetric ;;
     *) spoil_landmark; spoil_landmark_state ;;
   esac
+}
+
+for module; do
+  source=generated/$module.v
+  if [ -f "$source" ]; then
+    untouched
+    spoil_solution
+    case $module in
+      State*) spoil_state ;;
+      Asymmetric*) spoil_asymmetric ;;
+      *) spoil_landmark ;;
+    esac
+  else
+    source=$module.v
+    spoil_hand
+  fi
 done
 exit $wrong

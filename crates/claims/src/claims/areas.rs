@@ -1,13 +1,14 @@
 //! The domains of the map as areas: cells in which each arch is proved to have one mode.
 
-use super::curve::STATES_IN_ORDER;
+use super::curve::{ONE_JOINT_FOR_EACH_THICKNESS, STATES_IN_ORDER};
+use super::domains::{INNER_SLIDING_BEYOND_T, NO_PURE_SLIDING_BEYOND_B};
 use super::frictions::{FRICTION_FOR_ROTATION_GROWS, SLIDING_STATES_IN_ORDER};
+use super::map_of_weights::room_falls_along_sliding;
 use super::tiling::{COLUMNS, falls_with_the_thickness, thrust_at_triple_is_below_half};
 use super::{Checked, Derivation, Support, claims, lemmas};
 use crate::arch::SelfWeight;
-use crate::atlas::{Areas, Curve, Trace, Variable};
-use crate::number::{Ball, Enclosure, Ternary};
-use crate::problem::Line;
+use crate::atlas::Areas;
+use crate::number::{Ball, Enclosure};
 use rug::Rational;
 use rug::float::Round;
 use std::sync::OnceLock;
@@ -20,8 +21,6 @@ claims! {
 
 /// The finest cells of a map, along each axis.
 const PARTS: u32 = 512;
-/// Half-width of the tubes of lines.
-const TOLERANCE: f64 = 1e-7;
 /// Shares are given in hundredths of a percent.
 const SHARES: i32 = 10_000;
 
@@ -32,15 +31,32 @@ fn cells(weight: SelfWeight) -> &'static Areas {
     CELLS[index].get_or_init(|| Areas::new(weight, PARTS))
 }
 
-/// Tells whether a quantity grows with the friction angle all along a line.
-fn grows(quantity: Variable, line: Line, weight: SelfWeight) -> Checked<Ternary> {
-    let trace = Trace::new(Curve::Line(line), weight, TOLERANCE)?;
-    let slopes = trace.pieces().map(|piece| {
-        let slope = piece.slope_of(quantity, Variable::FrictionAngle);
-        slope.map_or(Ternary::Undecided, |slope| slope.is_positive())
-    });
-    Ok(slopes.fold(Ternary::True, Ternary::and))
-}
+/// Theorems that tell the mode of a corner.
+const AT_A_CORNER: [(&str, &str); 5] = [
+    (
+        "Cells.thrust_of_crown",
+        "under a crown that turns the thickness has a rotational state, whose thrust is no less than that at which an \
+         inner joint slides",
+    ),
+    (
+        "Cells.inner_joint_slides_where_it_asks_more",
+        "an inner joint slides where it does so at a larger thrust than that of rotation",
+    ),
+    (
+        "Cells.crown_turns_where_rotation_asks_more",
+        "and the crown turns where it does so at a smaller one",
+    ),
+    (
+        "Cells.mode_under_a_crown",
+        "there the mode is [s,r,r] or [r,r,r] as the shoulder of the rotational state asks for more friction than \
+         there is or for less",
+    ),
+    (
+        "Cells.mode_where_an_inner_joint_slides",
+        "where an inner joint slides the mode is [s,s] if the shoulder that just slides has room, and else that of the \
+         haunch by (5)",
+    ),
+];
 
 /// The share of an area in hundredths of a percent, rounded.
 fn share(area: &Ball, round: Round) -> i32 {
@@ -55,26 +71,26 @@ fn percent(share: i32) -> String {
 
 fn areas(d: &mut Derivation) -> Checked {
     lemmas(d, [&COLUMNS, &STATES_IN_ORDER, &FRICTION_FOR_ROTATION_GROWS])?;
-    lemmas(d, [&SLIDING_STATES_IN_ORDER])?;
+    lemmas(d, [&SLIDING_STATES_IN_ORDER, &ONE_JOINT_FOR_EACH_THICKNESS])?;
+    lemmas(d, [&INNER_SLIDING_BEYOND_T, &NO_PURE_SLIDING_BEYOND_B])?;
     falls_with_the_thickness(d)?;
     for weight in SelfWeight::ALL {
         thrust_at_triple_is_below_half(d, weight)?;
-        for line in [Line::AboveHaunchEnd, Line::BelowHaunchEnd, Line::CrownEnd] {
-            let words = format!("eta grows with the friction along {line}, {weight}");
-            // The joint of the haunch falls.
-            let quantities = [Variable::Thickness, Variable::JointSquare];
-            d.certain(Support::Balls, words, quantities, |x| grows(x, line, weight))?;
-        }
     }
-    d.argue(
-        "With more friction, or with less thickness, h_R - h_s grows: h_R falls with the thickness, h_s with the \
-         friction. So does mu - M(alpha_0), below the inner divide. Above it a state that stands as [s,s] does so \
-         with more thickness, and with less friction, as the line at which it stops to stand grows, and ends in B, at \
-         the thickness 2; and beta_r grows with less thickness and, as h_s falls, with more friction, while beta_s \
-         falls with more friction, as h_s <= h_T < 1/2 there. So an arch between two others, of which one has less \
-         friction and more thickness, and both of which have one mode, has this mode too: a cell is in one domain if \
-         two of its corners are.",
+    room_falls_along_sliding(d)?;
+    d.conclude(
+        "Where an inner joint slides and the shoulder turns, mu >= mu_T: h is at most h_T, below 1/2. With pure sliding \
+         at one friction and such a mode at less, both purely sliding states are between T and B.",
     )?;
+    d.theorem(
+        "Cells.cell_of_one_mode",
+        "an arch between two others of one mode, of which one has less friction and more thickness, has this mode, if \
+         the friction of the shoulder grows along rotation, an inner joint slides at a thrust of at most 1/2 where the \
+         shoulder turns, and the shoulder loses room along pure sliding",
+    )?;
+    for (name, says) in AT_A_CORNER {
+        d.theorem(name, says)?;
+    }
     for weight in SelfWeight::ALL {
         let areas = cells(weight);
         let most = Ball::enclosing(&Rational::from((99, 100)), 64);
@@ -97,9 +113,9 @@ fn areas(d: &mut Derivation) -> Checked {
             })?;
         }
     }
-    d.argue(
-        "At a corner the comparisons are decided in balls; that they tell the mode, and that two corners are enough, \
-         is said above. A line passes through a cell that has corners in two domains. Where l of Heyman's weight, eta \
-         = 1, is a corner, nothing is decided.",
+    d.conclude(
+        "At a corner the comparisons of these theorems are decided in balls, and each is strict. At one on an edge they \
+         are those of the limit, and hold beside it. A line passes through a cell that has corners in two domains. \
+         Where l of Heyman's weight, eta = 1, is a corner, nothing is decided.",
     )
 }

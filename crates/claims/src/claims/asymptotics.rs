@@ -51,6 +51,21 @@ pub(super) fn check_states<T: ExactField + ToString>(
     d.vanishes("(4)", &(opening - a))
 }
 
+/// The slope of the gap between (2) and (5), cleared, to a thickness, as a series in `u = beta_r²` at the crown.
+///
+/// Where it is not zero at `u = 0` the thickness is an analytic function of `u`.
+pub(super) fn slope_to_thickness<T: ExactField>(
+    weight: SelfWeight,
+    thickness: &Series<T>,
+) -> Series<T> {
+    let u = Series::variable(&thickness.coefficient(0), thickness.length());
+    let eta = Dual::variable(thickness.clone(), 0);
+    let ring = Ring::new(weight, &eta);
+    let joint = expansion::joint(&u).map(Dual::constant);
+    let tangency = thrust::tangency(&Dual::constant(expansion::times_cotangent(&u)), &ring);
+    thrust::lower(&joint, &ring).difference(&tangency).derivative(0)
+}
+
 fn small_openings(d: &mut Derivation, weight: SelfWeight) -> Checked {
     d.assume("y = alpha^2, small");
     let ByOpening { joint_squared, thickness, thrust } =
@@ -63,12 +78,7 @@ fn small_openings(d: &mut Derivation, weight: SelfWeight) -> Checked {
     check_states(d, weight, [&joint_squared, &thickness, &thrust], &a)?;
 
     // The two slopes that make them functions.
-    let u = Series::variable(&zero, 2);
-    let eta = Dual::variable(u.int(0), 0);
-    let ring = Ring::new(weight, &eta);
-    let joint = expansion::joint(&u).map(Dual::constant);
-    let tangency = thrust::tangency(&Dual::constant(expansion::times_cotangent(&u)), &ring);
-    let slope = thrust::lower(&joint, &ring).difference(&tangency).derivative(0);
+    let slope = slope_to_thickness(weight, &Series::new(&zero, vec![zero.clone()], 2));
     let words = "the slope of (2) - (5), cleared, to eta at 0";
     d.equal(words, &slope.coefficient(0), &Rational::from(-4))?;
     let ByJoint { opening_variable, .. } =

@@ -58,6 +58,8 @@ worded! {
         Balls = "balls",
         /// Another claim, decided by itself.
         Claim = "claim",
+        /// A theorem of `proofs/coq`, which Coq checks and this program does not.
+        Theorem = "theorem",
         /// A conclusion from the steps before, in words.
         Conclusion = "conclusion",
         /// An argument in words that carries the claim: what is checked before it does not say as much.
@@ -102,8 +104,8 @@ impl Argument {
     /// Description of the argument.
     pub fn words(self) -> &'static str {
         match self {
-            Self::Own => "and an argument in words",
-            Self::Beneath => "and claims that rest on an argument in words",
+            Self::Own => "an argument in words",
+            Self::Beneath => "claims that rest on an argument in words",
         }
     }
 }
@@ -175,9 +177,16 @@ impl Derivation {
             (false, true) => "analysis (balls)",
             _ => "algebra (normal forms, exact)",
         };
-        match self.argument() {
-            Some(argument) => format!("{checked}, {}", argument.words()),
-            None => checked.to_owned(),
+        format!("{checked}{}", self.beside_checks().unwrap_or_default())
+    }
+
+    /// Supports of the claim beside the checks of this program, if there are any: ` and theorems of Coq`.
+    pub fn beside_checks(&self) -> Option<String> {
+        let uses_theorems = self.supports().any(|support| support == Support::Theorem);
+        let theorems = uses_theorems.then_some("theorems of Coq");
+        match [theorems, self.argument().map(Argument::words)] {
+            [Some(theorems), Some(argument)] => Some(format!(", {theorems} and {argument}")),
+            [theorems, argument] => theorems.or(argument).map(|one| format!(" and {one}")),
         }
     }
 
@@ -208,6 +217,13 @@ impl Derivation {
     /// Draws a conclusion that carries the claim, by an argument in words.
     pub fn argue(&mut self, words: impl Into<String>) -> Checked {
         self.push(Support::Argument, words, None);
+        Ok(())
+    }
+
+    /// Uses a theorem of `proofs/coq` by its name. What it says stands in the list of hand theorems, `words` are its
+    /// line there.
+    pub fn theorem(&mut self, name: &str, words: &str) -> Checked {
+        self.push(Support::Theorem, format!("{name}: {words}"), None);
         Ok(())
     }
 

@@ -1,6 +1,6 @@
 //! Junction of the rotational and the overturning branch at `l`.
 
-use super::asymptotics::check_states;
+use super::asymptotics::{check_states, slope_to_thickness};
 use super::overturning::opening_at;
 use super::{Checked, Derivation, claims};
 use crate::arch::{SelfWeight, overturning};
@@ -33,6 +33,11 @@ fn joining(d: &mut Derivation, weight: SelfWeight, slope: &Surd) -> Checked {
     let a_at_end = opening_at(weight, thickness);
     d.equal("A_l", &opening_at(weight, &overturned).coefficient(0), &a_at_end)?;
 
+    let end = Series::new(thickness, vec![thickness.clone()], 2);
+    let words =
+        "the slope of (2) - (5), cleared, to eta at l, so that eta is an analytic function of u";
+    let slope_at_end = slope_to_thickness(weight, &end).coefficient(0);
+    d.differ(words, &slope_at_end, &thickness.int(0))?;
     d.series("u", &joint_squared, "x");
     d.series("eta, rotation", &rotation, "x");
     d.series("h, rotation", &thrust, "x");
@@ -60,6 +65,10 @@ fn joining(d: &mut Derivation, weight: SelfWeight, slope: &Surd) -> Checked {
         "du/dA at l, so that beta_r = sqrt(u) starts vertically",
         &joint_squared.coefficient(1),
         &zero,
+    )?;
+    d.conclude(
+        "dA/du at l is 1 over du/dA: so u is an analytic function of A, and the series are those of u, eta and h. That \
+         of overturning is that of eta, as d eta/dA is not zero and (13) has no pole at l.",
     )?;
     d.conclude("dA/d alpha is not zero at alpha_l (alpha-one-to-one), so that in alpha, too, the slopes agree and the \
                 curvatures differ")

@@ -106,14 +106,13 @@ fn thicker_unless_the_shoulder_slides(d: &mut Derivation) -> Checked {
     d.identity(words, both.partial(Symbol::Thrust), h.int(0))?;
     let slope = -(eta.square() * eta * &joint.cos * alpha.versine() / eta.int(6));
     d.identity("Z falls as delta_M grows", both.partial(Symbol::Flag), &slope)?;
-    d.argue(
-        "V is the sum of the distances of the crown from the extrados and of a joint from the intrados, W \
-         that of the shoulder from the extrados and of the joint from the intrados: not negative where a \
-         state is admissible. Let Heyman's arch have the least thickness eta, and Milankovitch's stand with \
-         as little: then it stands with eta too. If Heyman's collapse is purely rotational, V = W = Z = 0 at \
-         its joint, below pi/2, and Z < 0 there for delta_M = 1. If it has an inner sliding joint, or no \
-         thrust, W = 0 at its joint, and no arch of this friction has less thrust, so that W < 0 there for \
-         delta_M = 1. So Milankovitch's arch is thicker, however it collapses.",
+    d.theorem(
+        "TwoWeights.heavier_is_thicker_unless_the_shoulder_slides",
+        "an arch with the larger flag is thicker, unless [s,r,r] moves that with the smaller one",
+    )?;
+    d.theorem(
+        "TwoWeights.heavier_is_thicker_without_limit",
+        "with unlimited friction it is thicker",
     )
 }
 
@@ -138,9 +137,9 @@ fn thicker(
 fn same_opening_compared(d: &mut Derivation) -> Checked<Finding> {
     lemmas(d, [&STATES_IN_ORDER, &STATES_OF_ONE_THICKNESS])?;
     thicker_unless_the_shoulder_slides(d)?;
-    d.argue(
-        "[s,r,r] with both: friction gives the thrust by (17), and on the curve of (2) and (5) the thrust \
-         falls with eta and, at one eta, with delta_M: Milankovitch's arch is thinner.",
+    d.theorem(
+        "TwoWeights.heavier_is_thinner_where_shoulders_slide",
+        "where [s,r,r] moves both it is thinner",
     )?;
     let first = thicker(d, ("pi/2", "inf"), true)?;
     let second = thicker(d, ("2.6", "1.9"), true)?;
@@ -158,26 +157,8 @@ fn same_opening_compared(d: &mut Derivation) -> Checked<Finding> {
     })
 }
 
-/// Each line, in turn.
-fn lines_rise(d: &mut Derivation) -> Checked {
-    lemmas(d, [&FRICTION_FOR_ROTATION_GROWS, &STATES_IN_ORDER, &SLOPES_OF_FRICTION])?;
-    d.conclude(
-        "About pure rotation: M and m grow with alpha, as eta does. On [s,r,r]|[s,s], by (2) and (5), eta \
-         grows as h falls, and so does mu.",
-    )?;
-    cotangent_falls(d)?;
-    intrados_factor_grows(d, "d(2 fac/(2 - eta))/d eta, positive")?;
-    for weight in SelfWeight::ALL {
-        let thrust = landmark(Landmark::Triple, weight)?.thrust;
-        let words = format!("h < 1/2 at T and beyond, {weight} weight");
-        d.less(words, [&thrust, &thrust.ratio(1, 2)])?;
-    }
-    d.conclude(
-        "On [r,r,s]|[r,s,r] and [r,s,r]|[r,s] (5) is h - beta cot(beta) = 1 - 2 fac/(2 - eta) at beta_s = \
-         sqrt(h (1-h)), which grows with h < 1/2, or at the crown, where beta cot(beta) = 1: eta grows as h \
-         falls and mu grows.",
-    )?;
-    lemmas(d, [&SLIDING_STATES_IN_ORDER, &WHERE_THE_SHOULDER_TURNS])?;
+/// Proves that along the purely sliding states from T to B, of both weights, the shoulder loses room.
+pub(super) fn room_falls_along_sliding(d: &mut Derivation) -> Checked {
     let [first, last] =
         [(Landmark::Triple, SelfWeight::Milankovitch), (Landmark::Border, SelfWeight::Heyman)].map(
             |(point, weight)| {
@@ -208,7 +189,30 @@ fn lines_rise(d: &mut Derivation) -> Checked {
     let [narrow, less] = [(1, 2), (3, 5)].map(Rational::from);
     let words = "W falls along pure sliding, at any joint up to 8/5, eta up to 2 and fac up to 4/3";
     let words = format!("{words}, alpha in [{low}, {high}]");
-    d.certain(Support::Balls, words, [(&low, &high), (&narrow, &less)], falls)?;
+    d.certain(Support::Balls, words, [(&low, &high), (&narrow, &less)], falls)
+}
+
+/// Each line, in turn.
+fn lines_rise(d: &mut Derivation) -> Checked {
+    lemmas(d, [&FRICTION_FOR_ROTATION_GROWS, &STATES_IN_ORDER, &SLOPES_OF_FRICTION])?;
+    d.conclude(
+        "About pure rotation: M and m grow with alpha, as eta does. On [s,r,r]|[s,s], by (2) and (5), eta \
+         grows as h falls, and so does mu.",
+    )?;
+    cotangent_falls(d)?;
+    intrados_factor_grows(d, "d(2 fac/(2 - eta))/d eta, positive")?;
+    for weight in SelfWeight::ALL {
+        let thrust = landmark(Landmark::Triple, weight)?.thrust;
+        let words = format!("h < 1/2 at T and beyond, {weight} weight");
+        d.less(words, [&thrust, &thrust.ratio(1, 2)])?;
+    }
+    d.conclude(
+        "On [r,r,s]|[r,s,r] and [r,s,r]|[r,s] (5) is h - beta cot(beta) = 1 - 2 fac/(2 - eta) at beta_s = \
+         sqrt(h (1-h)), which grows with h < 1/2, or at the crown, where beta cot(beta) = 1: eta grows as h \
+         falls and mu grows.",
+    )?;
+    lemmas(d, [&SLIDING_STATES_IN_ORDER, &WHERE_THE_SHOULDER_TURNS])?;
+    room_falls_along_sliding(d)?;
     d.conclude(
         "About pure sliding from T to B, W = 0 at the joint, which by (5) is below pi/2. Further along W < 0 \
          there at the same thickness and, as W/(2 + eta) grows with eta, at each smaller one: eta grows.",

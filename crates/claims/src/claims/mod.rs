@@ -158,6 +158,27 @@ mod tests {
         assert_eq!(numbers.collect::<Vec<i32>>(), counts.collect::<Vec<_>>());
     }
 
+    /// A theorem that a claim uses is one of those of `proofs/coq`, whose assumptions `make proofs` looks at, and says
+    /// what it says there.
+    #[test]
+    fn theorems_that_are_used_are_listed() {
+        let list = include_str!("../../../../proofs/coq/hand_theorems.txt");
+        let listed: BTreeSet<String> = list
+            .lines()
+            .filter_map(|line| {
+                let [name, _, says] = line.split('\t').collect::<Vec<_>>()[..] else { return None };
+                Some(format!("{name}: {says}"))
+            })
+            .collect();
+        let steps = decisions().iter().flat_map(|decision| decision.derivation.steps());
+        let used: Vec<_> = steps.filter(|step| step.support == Support::Theorem).collect();
+        assert!(used.len() > 5);
+        for step in used {
+            assert!(listed.contains(&step.words), "{}", step.words);
+            assert!(!listed.contains(&step.words.replace(": ", ": not ")), "{}", step.words);
+        }
+    }
+
     /// A bound in a proof is the rational that was used: no decimal has more digits than are proved of any number.
     #[test]
     fn no_step_shows_the_noise_of_a_double() {

@@ -117,13 +117,18 @@ fn seven_modes(d: &mut Derivation) -> Checked {
         &slope,
         thick * &joint.sin - ring.intrados() * shear / &two,
     )?;
-    d.argue(
-        "The work of p gives l = u + v, that of h a u + s sin(beta_s) = b v + t sin(alpha), where b > 0 if v > 0. \
-         One joint is not at both faces, as U + L = eta N > 0; so L = 0 at the shoulder excludes v, leaves \
-         u and t, and is excluded by dL/d beta. A mechanism has a term on each side, and is a sum of pairs, each \
-         balanced by itself: u and v, [r,r,r]; u and t, [s,r,r]; s and t, [s,s]; s and v, which is \
-         [r,r,s] for beta_r >= beta_s, [r,s,r] for 0 < beta_r <= beta_s and [r,s] for beta_r = 0. With u, beta_r is \
-         not 0.",
+    d.theorem(
+        "Modes.mechanism_is_one_of_moves",
+        "a symmetric mechanism has one haunch and one joint that slides inwards",
+    )?;
+    d.theorem(
+        "Modes.sum_of_modes",
+        "it is a sum of [r,r,r], [s,r,r], that of a shoulder that turns and a joint that slides, and [s,s], with \
+         their joints where these modes have them",
+    )?;
+    d.conclude(
+        "The third, s and v, is [r,r,s] for beta_r >= beta_s, [r,s,r] for 0 < beta_r <= beta_s and [r,s] for \
+         beta_r = 0.",
     )?;
     let p = Symbol::CrownMoment.number();
     for (contact, expected) in [(Contact::Extrados, -p.clone()), (Contact::Intrados, p)] {
@@ -131,9 +136,9 @@ fn seven_modes(d: &mut Derivation) -> Checked {
         let margin = with(&margin_at(contact, &crown), &[Symbol::Thrust], &h.int(0));
         d.identity(words, &margin, &expected)?;
     }
-    d.argue(
-        "With unlimited friction s = t = 0, and u and v remain: [r,r,r] for h > 0, where the same joints are at their \
-         faces. For h = 0, p is 0, the crown is at both faces and opens, and L grows from there: [r].",
+    d.theorem(
+        "Modes.modes_without_limit",
+        "with unlimited friction it is [r,r,r] or, without thrust, [r]",
     )
 }
 

@@ -46,6 +46,7 @@ fn columns(d: &mut Derivation) -> Checked {
     lemmas(d, [&ONE_HALF_OPENING, &SEVEN_MODES, &CONTACTS, &THICKER_HAS_ROOM])?;
     lemmas(d, [&SLOPES_OF_FRICTION, &FRICTION_OF_SMALL_THRUST, &STATES_IN_ORDER])?;
     lemmas(d, [&FRICTION_FOR_ROTATION_GROWS, &INNER_SLIDING_BEYOND_T])?;
+    lemmas(d, [&NO_SHOULDER_SLIDING_BEYOND_T])?;
     let (at, ring) = (variables(), ring());
     let two = at.thrust.int(2);
     let lower = thrust::lower(&at.rotation_joint, &ring);
@@ -71,27 +72,20 @@ fn columns(d: &mut Derivation) -> Checked {
     let outwards = (at.thrust.clone() - at.half_opening.times_cotangent()) * &at.half_opening.sin;
     let words = "-T at the shoulder: positive where it slides, so that h > alpha cot(alpha)";
     d.identity(words, -statics::shear_force(&at.half_opening, &at.thrust), &outwards)?;
-    d.argue(
-        "Let h_R(eta) be the thrust of the rotational state of the thickness, alpha_0 its half opening; h_R falls as \
-         eta grows, and is 0 from eta_l on. At alpha*, h >= h_R: if its haunch is a joint of the arch, as h >= h_L; \
-         else, if the shoulder slides, since h > alpha cot(alpha) is more than that at the haunch; and if it is on \
-         the extrados, since h >= A(alpha) - 2 fac/(2 + eta), and alpha < alpha_0. And h >= h_s(mu), the thrust below \
-         1 at which mu_is is mu: for h < 1 beta_s is above the shoulder, which is at its limit, so that mu_is(h) <= \
-         mu, and mu_is falls. A hinge at the crown has h = h_R, an inner joint that slides h = h_s: below one \
-         thickness h_R > h_s, and the mode has the first, above it the second.",
-    )?;
     falls_with_the_thickness(d)?;
-    d.argue(
-        "Below it h = h_R, and the haunch is that of the rotational state of half opening alpha_0(eta), which grows: \
-         [r,r,r] as long as M(alpha_0) <= mu, [s,r,r] from there on. Above it h = h_s: let alpha_P be the half \
-         opening that just slides. If it stands, alpha* = alpha_P, [s,s]; and it stands from one thickness on. Below \
-         that the shoulder opens, beta_r cot(beta_r) = h_s - 1 + 2 fac/(2 - eta) grows up to 1: beta_r falls, past \
-         beta_s, to the crown, where it is up to eta = 2: [r,r,s], [r,s,r], [r,s].",
+    d.theorem(
+        "Map.each_point_has_a_mode",
+        "to each thickness and friction belongs one half-angle, and one of the modes moves it",
     )?;
-    d.argue(
-        "At the thickness where h_R = h_s, mu = m(alpha_0). For mu < mu_T, alpha_0 < alpha_T and M > m: [s,r,r] comes \
-         before, and then [s,s], as no inner joint slides with a hinge at the shoulder left of T. For mu >= mu_T, M \
-         <= m: [s,r,r] is left out.",
+    d.theorem(
+        "Map.modes_of_a_column",
+        "at one friction the modes follow each other as the thickness grows, if the friction of the shoulder grows \
+         along rotation",
+    )?;
+    d.theorem("Map.intervals_of_a_column", "so each is on an interval or not at all")?;
+    d.conclude(
+        "M grows along rotation, with the half opening and so with the thickness. [s,r,r] has at most the half opening \
+         and the thickness of T, [r,r,s], [r,s,r] and [r,s] at least.",
     )
 }
 
@@ -135,21 +129,18 @@ fn rows(d: &mut Derivation) -> Checked {
     let square = (at.thrust.int(1) - &at.thrust) * &at.thrust;
     let slope = at.thrust.int(1) - at.thrust.int(2) * &at.thrust;
     d.identity("d beta_s²/dh, positive below 1/2", square.partial(Symbol::Thrust), &slope)?;
-    d.argue(
-        "A state of pure rotation does not see the friction, from which on it is admissible: [r,r,r] holds from some \
-         friction on, or never. [s,s] holds at one friction, the least. What is admissible stays so with more \
-         friction, so that the thickness does not grow with it.",
+    d.conclude(
+        "Where an inner joint slides and the shoulder turns, mu >= mu_T: h is at most h_T, below 1/2. [s,r,r] is before \
+         T: no other half opening than alpha_T has both.",
     )?;
-    d.argue(
-        "With an inner joint that slides mu >= mu_T, and h < 1/2 falls strictly as mu grows. So, as mu falls, h - 1 + \
-         2 fac/(2 - eta) grows strictly: beta_r falls while beta_s grows, until the slope at the crown is not \
-         negative. [r,r,s] with beta_r > beta_s, [r,s,r] with beta_r < beta_s and [r,s] are passed in this order, \
-         each once.",
+    d.theorem(
+        "Map.modes_of_a_row",
+        "at one half-angle the modes follow each other as the friction grows, if an inner joint slides at a thrust of \
+         at most 1/2 where the shoulder turns, and no [s,r,r] is at this half-angle then",
     )?;
-    d.argue(
-        "In [s,r,r] alpha <= alpha_T and mu <= mu_T. There M <= mu_T and m <= mu_T, as both grow with alpha and meet \
-         at T: from mu_T on the arch is [r,r,r], and no inner joint slides with a hinge. So before T [s,r,r] alone is \
-         between [s,s] and [r,r,r], and beyond T it is not there.",
+    d.conclude(
+        "At each friction at which the arch stands one of the modes moves it at its least thickness: so each is on an \
+         interval or not at all.",
     )
 }
 

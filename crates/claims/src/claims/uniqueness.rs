@@ -140,21 +140,18 @@ fn one_thickness(d: &mut Derivation) -> Checked {
     d.assume("0 < mu < inf, 0 < eta <= 2");
     lemmas(d, [&CONTACTS, &MECHANISM_BOUNDS, &THICKER_HAS_ROOM, &LIMIT_STANDS])?;
     lemmas(d, [&SLOPES_OF_FRICTION, &SLIDING_STATES_IN_ORDER])?;
-    d.argue(
-        "Let an arch stand that is thicker than one that stands too. It has an admissible state with room at both \
-         faces everywhere: so no hinge has a rate. What remains is [s,s], and then the friction is that of the purely \
-         sliding state of the half opening.",
+    d.theorem(
+        "Attained.least_thickness_is_attained",
+        "an arch that stands does so exactly from one thickness on, and every admissible state moves there",
     )?;
-    d.argue(
-        "At that friction h is the thrust h_P of this state in each admissible one: if h < h_P, T/N exceeds mu at the \
-         joint beta_s(h_P), which is above the shoulder, and if h > h_P, -T/N does at the shoulder. So both slips \
-         are at their limit, and [s,s] moves.",
+    d.theorem("Attained.only_sliding_above_the_least", "above the least thickness no hinge moves")?;
+    d.theorem(
+        "Modes.sliding_is_pure",
+        "where a joint slides inwards and the shoulder outwards the state is the purely sliding one of the half-angle",
     )?;
-    d.argue(
-        "The least thickness stands, and there no state leaves a positive margin at all joints, or a thinner arch \
-         would stand, as the margins are continuous. Linear inequalities without a strict solution have multipliers: \
-         rates in balance, not all zero, which move only joints at their limit. With those of the sliding joints \
-         scaled back they are a mechanism.",
+    d.theorem(
+        "Attained.sliding_does_not_see_the_thickness",
+        "where a joint slides inwards and the shoulder outwards all states have one thrust",
     )?;
     for weight in SelfWeight::ALL {
         for (words, margin, elsewhere) in room_of_pure_sliding(weight)? {
@@ -162,10 +159,11 @@ fn one_thickness(d: &mut Derivation) -> Checked {
             d.above_zero(words, [&margin, &elsewhere])?;
         }
     }
-    d.argue(
-        "There the line of thrust is off both faces, so that thinner arches of half opening 1 stand too, and yet \
-         [s,s] can move at thickness 1.",
-    )
+    d.theorem(
+        "Room.thinner_arch_stands",
+        "an arch with a line of thrust off both faces stands with less thickness too",
+    )?;
+    d.conclude("So thinner arches of half opening 1 stand at that friction, and yet [s,s] moves at thickness 1.")
 }
 
 /// Thrusts without bound leave room everywhere in their limit.
@@ -180,11 +178,6 @@ fn limit_stands(d: &mut Derivation) -> Checked {
     let expected = (opening.clone() - h.int(1) - &h) * joint.versine();
     let words = "U less U at the crown, at eta = 0: not zero at all joints, as A falls";
     d.identity(words, with(&distance, &[Symbol::Thickness], &h.int(0)), &expected)?;
-    d.argue(
-        "If the thrusts of the arches are bounded, so are the moments p, which are between (1 - eta/2) h and (1 + \
-         eta/2) h. The conditions are closed: a limit of states is a state of the limit. It has eta > 0, as U + L = \
-         eta N.",
-    )?;
     let outwards = (mu.clone() * &joint.cos - &joint.sin) * &h
         + (mu.clone() * &joint.sin + &joint.cos) * &joint.rad;
     d.identity("mu N + T", margin_at(Contact::Outwards, &joint), &outwards)?;
@@ -195,11 +188,6 @@ fn limit_stands(d: &mut Derivation) -> Checked {
         + ring.extrados() * area / &two
         + alpha.versine() * gain;
     d.identity("L at the crown and U at the shoulder add up to", &ends, &expected)?;
-    d.argue(
-        "Neither is negative where an arch stands. So thrusts without bound need mu cos(alpha) >= sin(alpha) and (2 + \
-         eta) cos(alpha) >= 2 - eta in the limit, so that alpha < pi/2 and eta > 0. Let c > 0 be small there, h \
-         large, and p = (1 - eta/2) h + c, so that L = c and U > 0 at the crown.",
-    )?;
     let area = joint.rad.clone() * &joint.sin + &joint.cos;
     let words = "d(x sin(x) + cos(x))/dx: positive, so that U > 0 at the shoulder";
     let slope = joint.rad.clone() * &joint.cos;
@@ -213,8 +201,9 @@ fn limit_stands(d: &mut Derivation) -> Checked {
         + (joint.sin.clone() - slope);
     let words = "mu N - T: positive, as x cos(x) <= sin(x)";
     d.identity(words, margin_at(Contact::Inwards, &joint), &expected)?;
-    d.argue(
-        "So L, U, mu N + T and mu N - T are positive at all joints: the limit stands, with this state.",
+    d.theorem(
+        "Attained.limit_of_arches_stands",
+        "the limit of arches that stand has a thickness and stands",
     )
 }
 
@@ -237,16 +226,9 @@ fn one_half_opening(d: &mut Derivation) -> Checked {
     }
     let flat = Angle { rad: Symbol::HalfOpening.number(), sin: h.int(0), cos: h.int(-1) };
     d.identity("N at pi", statics::normal_force(&flat, &h), -h)?;
-    d.argue(
-        "So narrow arches stand, by continuity; none of half opening pi does, as N > 0 in an admissible state; and \
-         a part of an arch that stands, cut off at a joint, stands. The limit of arches that stand \
-         stands: the widest is alpha* < pi.",
-    )?;
-    d.argue(
-        "At alpha* no state leaves a positive margin at all joints, else a wider arch would stand. So it has a \
-         mechanism (linear inequalities without a strict solution have multipliers). Suppose a narrower arch has one. \
-         In a state of a wider one, U > 0 and mu N + T > 0 at its shoulder, a joint within. But margins that are not \
-         negative are all zero where the mechanism moves: so it does not move at the shoulder, and then nowhere, as \
-         it has a term on each side.",
+    d.theorem(
+        "Attained.one_half_angle",
+        "to each thickness and friction belongs one half-angle: narrower arches stand, wider ones do not, and there \
+         alone the states move",
     )
 }

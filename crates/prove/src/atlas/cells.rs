@@ -145,6 +145,10 @@ impl<E: Arithmetic> ThicknessRow<E> {
             Ternary::Undecided => return None,
         }
         let Some(joint) = joint else { return Some(Mode::OverturningSliding) };
+        // A haunch beyond the shoulder would say nothing of it.
+        if (half_opening.rad.clone() - &joint.rad).is_positive() != Ternary::True {
+            return None;
+        }
         let is_below = (joint.rad - cycloid::joint(inclination)).is_positive();
         by(is_below, Mode::RotationalSliding, Mode::RotationalSlidingRotational)
     }

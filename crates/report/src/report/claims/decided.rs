@@ -61,6 +61,7 @@ pub(super) fn lead(support: Support) -> [&'static str; 2] {
         Support::Algebra => ["exact", "Exactly: "],
         Support::Balls => ["balls", "By balls: "],
         Support::Claim => ["by", "By "],
+        Support::Theorem => ["coq", "In Coq: "],
         Support::Conclusion => ["so", "So: "],
         Support::Argument => ["words", "In words: "],
     }
@@ -83,11 +84,20 @@ pub(super) fn summary(decisions: &[Decision]) -> String {
         .filter(|(of, _)| *of > 0)
         .map(|(of, words)| format!("{of} {words}"))
         .collect();
+    let in_coq = |d: &&Decision| d.derivation.steps().iter().any(|s| s.support == Support::Theorem);
+    let theorems = match decisions.iter().filter(in_coq).count() {
+        0 => String::new(),
+        of => format!("; {of} by theorems of Coq"),
+    };
     let argued =
         |place| decisions.iter().filter(|d| d.derivation.argument() == Some(place)).count();
     let arguments = match [Argument::Own, Argument::Beneath].map(argued) {
         [0, 0] => String::new(),
         [own, beneath] => format!("; {own} by an argument in words, {beneath} resting on one"),
     };
-    format!("{}: {}{arguments}", count(decisions.len(), "claim", "claims"), parts.join(", "))
+    format!(
+        "{}: {}{theorems}{arguments}",
+        count(decisions.len(), "claim", "claims"),
+        parts.join(", ")
+    )
 }

@@ -20,8 +20,8 @@ pub(super) fn claims(report: &Claims, out: &mut dyn io::Write) -> io::Result<()>
         let title = format!("{}, {}: {}", claim.id, claim.place, as_printed(decision));
         writeln!(out, "\\subsection*{{{}}}", in_latex(&title))?;
         writeln!(out, "{}.\n", in_latex(claim.statement))?;
-        if let Some(argument) = decision.derivation.argument() {
-            writeln!(out, "\\textit{{Proved by checks {}.}}\n", argument.words())?;
+        if let Some(beside) = decision.derivation.beside_checks() {
+            writeln!(out, "\\textit{{Proved by checks{beside}.}}\n")?;
         }
         for (kind, words) in remarks(decision) {
             writeln!(out, "\\textit{{{kind}:}} {}.\n", in_latex(words))?;

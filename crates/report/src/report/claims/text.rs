@@ -17,9 +17,9 @@ pub(super) fn say(report: &Claims, decision: &Decision, record: &mut Record) {
         true => format!("{verdict:<10} {id:<22} {place:<28} {time:>8.1} ms"),
         false => format!("{verdict:<10} {id:<22} {place}"),
     });
-    let argument = decision.derivation.argument().map(|of| format!("by checks {}", of.words()));
+    let beside = decision.derivation.beside_checks().map(|beside| format!("by checks{beside}"));
     let remarks = remarks(decision).into_iter().map(|(kind, words)| format!("{kind}: {words}"));
-    for words in [claim.statement.to_owned()].into_iter().chain(argument).chain(remarks) {
+    for words in [claim.statement.to_owned()].into_iter().chain(beside).chain(remarks) {
         record.say_all(lines(&words, INDENT, INDENT));
     }
     if report.show {
