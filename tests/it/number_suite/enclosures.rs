@@ -217,12 +217,12 @@ fn holds_the_sines_of_boxes<E: End>() {
         for (found, slope, is_sin) in [(sin, slope, true), (cos, fall, false)] {
             let (least, most) = found.ends().unwrap();
             for tenth in 0..=10 {
-                let x = Float::with_val(400, &high - &low) * tenth / 10 + &low;
+                let x: Float = Float::with_val(400, &high - &low) * tenth / 10 + &low;
                 let truth = if is_sin { x.sin() } else { x.cos() };
                 assert!(least <= truth && truth <= most, "{middle} {radius} {tenth}");
             }
-            let bent = slope.abs() * &radius + radius.clone().square() / 2;
-            let step = bent.min(&radius) * 2;
+            let bent: Float = slope.abs() * &radius + radius.clone().square() / 2;
+            let step: Float = bent.min(&radius) * 2;
             let width = Float::with_val(100, &most - &least);
             assert!(width <= step * 1.000_001 + 1e-37, "{middle} {radius}: {width}");
         }
