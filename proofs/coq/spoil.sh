@@ -166,9 +166,6 @@ spoil_hand() {
       's/(Theorem cell_of_one_mode.*?alpha2 eta2 mu2 )m ->/$1m2 ->/s; s/(Theorem cell_of_one_mode.*?)\(m m. : mode\)/$1(m m2 m\x27 : mode)/s' ;;
     TwoWeights) spoiled "a shoulder that slides" heavier_is_thicker \
       's/(Theorem heavier_is_thicker .*?)m <> SRR -> /$1/s' ;;
-    State*) spoil_state ;;
-    Asymmetric*) spoil_asymmetric ;;
-    *) spoil_landmark; spoil_landmark_state ;;
   esac
 }
 
@@ -180,7 +177,7 @@ for module; do
     case $module in
       State*) spoil_state ;;
       Asymmetric*) spoil_asymmetric ;;
-      *) spoil_landmark ;;
+      *) spoil_landmark; spoil_landmark_state ;;
     esac
   else
     source=$module.v

@@ -7,6 +7,7 @@ mod asymmetric;
 mod claim;
 mod commands;
 mod conditions;
+mod edges;
 mod file;
 mod monsters;
 mod originals;

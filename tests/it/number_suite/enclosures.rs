@@ -205,3 +205,33 @@ fn a_huge_argument_of_sine_is_refused_quickly() {
     assert!(ball.0.contains(&Rational::from(1)) && ball.0.contains(&Rational::from(-1)));
     assert_eq!(interval.0.ends().unwrap().0, -1);
 }
+
+/// Boxes: the sines and cosines of their points are inside, and the slope in the middle bounds how wide they are.
+fn holds_the_sines_of_boxes<E: End>() {
+    let boxes = [(0.3, 0.1), (1.5, 0.01), (-2.0, 1e-9), (0.0, 0.5), (3.1, 2.0), (1.0, 1e-30)];
+    for (middle, radius) in boxes.map(|(x, r)| (Float::with_val(300, x), Float::with_val(300, r))) {
+        let low = Float::with_val(400, &middle - &radius);
+        let high = Float::with_val(400, &middle + &radius);
+        let (sin, cos) = Interval::<E>::between(&low, &high, 128).sin_cos();
+        let (slope, fall) = (middle.clone().cos(), middle.clone().sin());
+        for (found, slope, is_sin) in [(sin, slope, true), (cos, fall, false)] {
+            let (least, most) = found.ends().unwrap();
+            for tenth in 0..=10 {
+                let x: Float = Float::with_val(400, &high - &low) * tenth / 10 + &low;
+                let truth = if is_sin { x.sin() } else { x.cos() };
+                assert!(least <= truth && truth <= most, "{middle} {radius} {tenth}");
+            }
+            let bent: Float = slope.abs() * &radius + radius.clone().square() / 2;
+            let step: Float = bent.min(&radius) * 2;
+            let width = Float::with_val(100, &most - &least);
+            assert!(width <= step * 1.000_001 + 1e-37, "{middle} {radius}: {width}");
+        }
+    }
+}
+
+#[test]
+fn sines_of_boxes_are_held() {
+    holds_the_sines_of_boxes::<Astro>();
+    #[cfg(feature = "malachite")]
+    holds_the_sines_of_boxes::<Malachite>();
+}

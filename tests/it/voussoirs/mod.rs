@@ -226,6 +226,37 @@ fn joints_where_the_arch_gives_way_lose_nothing() {
     }
 }
 
+/// Each joint is judged by itself (`stones-joints`): with unlimited friction the least thickness is the largest of
+/// those of the arches that have this joint alone between crown and shoulder, to the last digit. Without the joint that
+/// decides it is less.
+#[test]
+fn each_joint_is_judged_by_itself() {
+    type AngleText = fn(u64) -> String;
+    let cases: [(SelfWeight, u64, AngleText); 3] = [
+        (SelfWeight::Milankovitch, 6, |joint| format!("{joint}pi/12")),
+        (SelfWeight::Heyman, 5, |joint| format!("{}/25", 12 * joint)),
+        (SelfWeight::Milankovitch, 4, |joint| format!("{joint}/4")),
+    ];
+    for (weight, half, angle) in cases {
+        let name = angle(half);
+        let least = |inner: &[u64]| {
+            let all = [&[0], inner, &[half]].concat();
+            let angles = all.into_iter().map(|joint| angle(joint).parse().unwrap()).collect();
+            let found = found(&Stones::joints(angles).unwrap(), weight, "inf", 30);
+            let VoussoirDigits { mode: by, thickness, .. } = state(found);
+            (by, thickness.double, thickness.to_string())
+        };
+        let inner: Vec<u64> = (1..half).collect();
+        let (by, _, all) = least(&inner);
+        assert_eq!(by, Mode::Rotational, "{name}");
+        let one = |joint: &u64| (*joint, least(&[*joint]));
+        let largest = inner.iter().map(one).max_by(|a, b| a.1.1.total_cmp(&b.1.1)).unwrap();
+        assert_eq!(largest.1.2, all, "{name}");
+        let others: Vec<u64> = inner.into_iter().filter(|joint| *joint != largest.0).collect();
+        assert!(least(&others).1 < largest.1.1, "{name}: false twin");
+    }
+}
+
 /// Exact ties: a semicircle of thickness 2 bears any thrust, and two stones whose shoulder bears no shear force
 /// need no friction.
 #[test]

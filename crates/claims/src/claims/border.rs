@@ -9,11 +9,12 @@
 //! where `a` and `c` do not depend on the weight.
 
 use super::along::{CurveStates, around, below, landmark, on_sliding};
+use super::frictions::SLIDING_STATES_IN_ORDER;
 use super::map_of_weights::{LINES_RISE, WHERE_THE_SHOULDER_TURNS};
-use super::measured::MeasuredBounds;
-use super::{Checked, Derivation, Support, claims, lemmas};
+use super::measured::{MeasuredBounds, shown};
+use super::{Checked, Derivation, Finding, Support, claims, lemmas};
 use crate::arch::{Ring, SelfWeight, sliding, thrust};
-use crate::certify::between;
+use crate::certify::{Undecided, between};
 use crate::number::{Angle, Ball, Enclosure, Field};
 use crate::problem::Landmark;
 use crate::symbolic::{Letters, Symbol};
@@ -24,6 +25,8 @@ claims! {
         "from J to B the divide deviates to the left for Milankovitch's weight, the more the larger the thickness";
     Measured("weights-B-slope", "Sec. 3, Fig. 5", slope_at_the_border):
         "for Milankovitch's weight the divide arrives almost vertically at B";
+    Finds("weights-B-opening", "Sec. 3, Fig. 5", saturation_along_the_opening):
+        "for Milankovitch's weight the friction along the divide saturates as the half opening grows";
 }
 
 /// `a` and `c`.
@@ -137,4 +140,25 @@ fn slope_at_the_border(bounds: &mut MeasuredBounds<'_>) -> Checked {
         "d eta/d mu = -(a' + c' eta)/(c - delta_M eta/6)/mu', finite for both weights.",
     )?;
     Ok(())
+}
+
+/// Along pure sliding the friction is that of the half opening, whatever the weight.
+fn saturation_along_the_opening(d: &mut Derivation) -> Checked<Finding> {
+    lemmas(d, [&SLIDING_STATES_IN_ORDER])?;
+    let weight = SelfWeight::Milankovitch;
+    let slope = |point| {
+        let at = landmark(point, weight)?;
+        Ok::<_, Undecided>(slopes(&CurveStates::of_landmark(weight, &at)).friction)
+    };
+    let [first, last] = [slope(Landmark::Junction)?, slope(Landmark::Border)?];
+    d.less("d mu/d alpha along pure sliding, at J and at B", [&first, &last])?;
+    let [first, last] = [shown(&first, 4)?, shown(&last, 4)?];
+    d.conclude("The states of the divide from J to B slide purely, so that mu is a function of alpha alone.")?;
+    Ok(Finding::Misprint {
+        counterexample: format!(
+            "d mu/d alpha is {first} at J and {last} at B, milankovitch weight"
+        ),
+        corrected: "it saturates as the thickness grows (weights-B-slope); with the half opening it grows faster at B \
+                    than at J",
+    })
 }

@@ -37,9 +37,9 @@ claims! {
         "h_M of (11), with either sign, is a root of the third cubic (7)";
     AsPrinted("eq-12", "Eq. (12)", radicand_is_the_discriminant) as RADICAND_IS_THE_DISCRIMINANT:
         "the radicand of (12) is the discriminant of each cubic (7), up to a negative number and a square";
-    Implicit("eq-9-11-signs", "Eq. (9)-(11)", signs_of_the_branches):
-        "with principal roots the upper signs give the states with alpha < alpha_sb, the lower signs those with \
-         alpha > alpha_sb, the same sign in all three";
+    AsPrinted("eq-9-11-signs", "Eq. (9)-(11)", signs_of_the_branches):
+        "the same sign stands in both terms, or the value is not real: with principal roots the upper signs give the \
+         states with alpha < alpha_sb, the lower signs those with alpha > alpha_sb, the same in all three";
     AsPrinted("eq-12-range", "Eq. (12)", radicand_in_the_range_of_interest):
         "the term under the square root is negative in the range of interest until it vanishes at beta_sb";
 }
@@ -202,6 +202,11 @@ fn signs_of_the_branches(d: &mut Derivation) -> Checked {
     d.identity(words, opening_root_factor(&wide), &positive)?;
     d.identity("g - f, a product of positive factors", wide.g - &wide.f, excess * joint.versine())?;
     widest_joint_is_below_a_right_angle(d)?;
+    let (k, free) = (Symbol::RootOfMinusThree.number(), Relations::none());
+    let minus_three = free.with(Symbol::RootOfMinusThree, 2, Polynomial::from(-3));
+    let words = "2/(1 - k), the second factor of the other sign, is (1 + k)/2, the first of this";
+    let [other, this] = [k.int(2) / (k.int(1) - &k), (k.int(1) + &k) / k.int(2)];
+    d.identity_under(words, &other, &this, &minus_three)?;
     d.conclude(
         "For beta < beta_sb the cubic has three simple real roots, so that (12) is negative; each c is positive; the \
          norm of u³ is P³ > 0. So u, the principal cube root, is √P e^(i t/3) with 0 < t < pi, and the two terms are \
@@ -210,6 +215,10 @@ fn signs_of_the_branches(d: &mut Derivation) -> Checked {
          positive scales, keep that order. The upper sign is (1 + k)/2 in (9) and (11), which takes the larger A and \
          h, and (1 - k)/2 in (10), which takes the smaller eta of the two: all belong to alpha_1. The lower sign \
          belongs to alpha_2.",
+    )?;
+    d.conclude(
+        "With one sign in the first term and the other in the second both have the factor (1 + k)/2, or both (1 - \
+         k)/2: their sum is that times 2 √P cos(t/3), which is positive, and so it is not real.",
     )
 }
 

@@ -5,7 +5,7 @@ use super::landmarks::{both, state_of};
 use super::measured::MeasuredBounds;
 use super::same_opening::DIFFERENCES_GROW;
 use super::{Checked, claims, lemmas};
-use crate::arch::Unknown;
+use crate::arch::{SelfWeight, Unknown};
 use crate::certify::state::State;
 use crate::number::{Ball, Field};
 use crate::problem::Landmark;
@@ -15,7 +15,8 @@ claims! {
         "at the same half opening eta and h differ really little between the two weights, even as the thickness \
          grows";
     Measured("weights-marginal", "Sec. 5", marginal):
-        "for openings up to the semicircle the differences between the two weights are quite marginal";
+        "for openings up to the semicircle the thickness is small and the differences between the two weights are quite \
+         marginal";
     Measured("weights-slightly", "Sec. 2.1, 3", at_landmarks):
         "alpha_l, eta_l, the joints at the landmarks and alpha at B differ slightly between the two weights, mu at B \
          much";
@@ -95,6 +96,9 @@ fn minimal(bounds: &mut MeasuredBounds<'_>) -> Checked {
 
 fn marginal(bounds: &mut MeasuredBounds<'_>) -> Checked {
     largest(bounds, &["pi/2"], &[ETA, H, BETA])?;
+    let thickness = state_of("pi/2", "inf", SelfWeight::Milankovitch)?.thickness;
+    let words = "eta, mu = inf, up to alpha = pi/2, milankovitch weight, the larger one";
+    bounds.at_most((words, &thickness, ""), 3)?;
     at(bounds, ("pi/2", "0.31"), &[ETA_SMALLER])
 }
 

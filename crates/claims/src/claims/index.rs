@@ -9,6 +9,52 @@ pub fn index() -> Vec<Sentence> {
     [sentences::EQUATIONS, sentences::MAP, sentences::ILLUSTRATION, sentences::CONCLUSIONS].concat()
 }
 
+/// Claims that decide no sentence: the paper does not state them.
+pub const OURS: &[&str] = &[
+    "eq-7-denominators",
+    "curve-weights",
+    "eq-18-cycloid",
+    "eq-17-angles",
+    "eq-17-flat",
+    "eq-2-touching",
+    "eq-2-square",
+    "series-heyman",
+    "series-milankovitch",
+    "landmark-B",
+    "friction-slopes",
+    "friction-large",
+    "weights-shoulder-turns",
+    "weights-joint-given",
+    "map-distances",
+    "modes-contacts",
+    "modes-lever",
+    "map-rows",
+    "map-areas",
+    "unique-mean",
+    "unique-work",
+    "unique-thicker",
+    "unique-attained",
+    "stones-joints",
+    "asymmetric-motion",
+    "asymmetric-begins",
+    "rise-rotation",
+    "rise-overturning",
+    "rise-relief",
+    "rise-narrow",
+    "rise-wide",
+    "survey-corners",
+    "survey-course",
+    "survey-step",
+    "survey-rise",
+    "survey-worst",
+    "safety-opening",
+    "safety-haunch",
+    "safety-rotation",
+    "safety-shoulder",
+    "safety-inner",
+    "survey-safety",
+];
+
 #[cfg(test)]
 mod tests {
     use super::super::{Decided, Finding, claims};
@@ -18,7 +64,7 @@ mod tests {
     fn named() -> BTreeSet<&'static str> {
         let ids = index().into_iter().flat_map(|sentence| match sentence.decided {
             Decided::Claims(ids) => ids.to_vec(),
-            Decided::Audit | Decided::Open(_) => Vec::new(),
+            Decided::Audit | Decided::Opinion | Decided::Open(_) => Vec::new(),
         });
         ids.collect()
     }
@@ -32,14 +78,42 @@ mod tests {
         assert!(!index().iter().any(is_empty));
     }
 
-    /// And nothing else is: what the paper does not state has no place in it.
+    /// Each claim decides a sentence or is ours, in the order of the claims.
     #[test]
-    fn what_the_paper_states_is_in_the_index() {
+    fn every_claim_is_in_the_index_or_ours() {
         let named = named();
-        for claim in claims() {
-            let is_stated = claim.decide().outcome != Ok(Finding::Implicit);
-            assert_eq!(named.contains(claim.id), is_stated, "{}", claim.id);
+        let left: Vec<_> =
+            claims().iter().map(|claim| claim.id).filter(|id| !named.contains(id)).collect();
+        assert_eq!(left, OURS);
+    }
+
+    #[test]
+    fn what_is_ours_the_paper_does_not_state() {
+        for claim in claims().iter().filter(|claim| OURS.contains(&claim.id)) {
+            assert_eq!(claim.decide().outcome, Ok(Finding::Implicit), "{}", claim.id);
         }
+    }
+
+    /// A sentence that is refuted has one claim: what holds beside it is another row.
+    #[test]
+    fn what_is_refuted_stands_alone() {
+        let several = index().into_iter().filter_map(|sentence| match sentence.decided {
+            Decided::Claims(ids) if ids.len() > 1 => Some(ids),
+            _ => None,
+        });
+        let several: BTreeSet<_> = several.flatten().copied().collect();
+        for claim in claims().iter().filter(|claim| several.contains(claim.id)) {
+            let is_refuted = matches!(claim.decide().outcome, Ok(Finding::Misprint { .. }));
+            assert!(!is_refuted, "{}", claim.id);
+        }
+    }
+
+    /// Two rows of one place that say the same would be one row.
+    #[test]
+    fn no_sentence_is_there_twice() {
+        let all: BTreeSet<_> =
+            index().iter().map(|sentence| (sentence.place, sentence.says)).collect();
+        assert_eq!(all.len(), index().len());
     }
 
     #[test]

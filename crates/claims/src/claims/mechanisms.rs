@@ -5,7 +5,7 @@ use super::contacts::{CONTACTS, label};
 use super::letters::{ring, variables};
 use super::modes::{LEVER, SEVEN_MODES};
 use super::{Checked, Derivation, claims, lemmas};
-use crate::arch::mechanism::{Contact, Joint, Mechanism};
+use crate::arch::mechanism::{Contact, Joint, Mechanism, Twist};
 use crate::arch::{Configuration, contact, sliding, thrust};
 use crate::number::{Angle, Field};
 use crate::problem::Mode;
@@ -19,6 +19,8 @@ claims! {
         "each hinge opens on its side and each joint slides its way, where the lever arms that the mode has are \
          positive; with a dilatancy up to the friction the slips are others, still positive, and the hinges turn as \
          without";
+    AsPrinted("mechanism-crown", "Sec. 3", crown_opens):
+        "at the crown the halves part along the whole joint in [r], and stay in contact at the intrados in [r,s]";
     Implicit("mechanism-limits", "Sec. 4, Fig. 7-12", at_limit):
         "the equations of a mode put the joints of its mechanism at their limits";
     Implicit("mechanism-power", "Sec. 4, Fig. 7-12", power):
@@ -108,6 +110,37 @@ fn rates(d: &mut Derivation) -> Checked {
         "The arm above the haunch is positive, that below is a condition of each state whose mechanism has it, and 0 \
          < beta_s <= 1/2, 0 < alpha < pi; where the shoulder slides sin(alpha) - mu cos(alpha) is positive, as h is. \
          So numerators and denominators are positive. The rates of the hinges are free of mu.",
+    )
+}
+
+fn crown_opens(d: &mut Derivation) -> Checked {
+    lemmas(d, [&SEVEN_MODES, &LEVER])?;
+    let arm = |mode| contact::rates_of_inner_sliding(&at(mode)).sliding;
+    d.define("a, the lever arm below the crown", &arm(Mode::Overturning));
+    for mode in [Mode::Overturning, Mode::OverturningSliding] {
+        let (at, none) = (at(mode), OPENS.number().int(0));
+        let (eta, zero) = (&at.thickness, Twist::zero(&none));
+        let crown = mode.mechanism(&at, &none).crown;
+        let twist = crown.iter().fold(zero, |sum, joint| sum.plus(&joint.twist(eta)));
+        let expected = match mode {
+            Mode::Overturning => [arm(mode), arm(mode) + eta],
+            _ => [none.clone(), eta.clone()],
+        };
+        let faces = ["intrados", "extrados"].into_iter().zip([-1, 1]).zip(expected);
+        for ((face, side), expected) in faces {
+            let height = eta.int(1) + eta.ratio(side, 2) * eta;
+            // The half beyond the crown moves to the left where the joint opens.
+            let [across, _] = twist.at(&[none.clone(), height]);
+            d.identity(
+                format!("{mode}: how far the crown opens at the {face}"),
+                -across,
+                &expected,
+            )?;
+        }
+    }
+    d.conclude(
+        "a is positive, as a condition of each state: in [r] both faces part, in [r,s] the intrados stays in contact \
+         and the joint turns about it.",
     )
 }
 

@@ -11,6 +11,7 @@
 //! | their trends, Fig. 3, with both weights | `trends.rs` |
 //! | how rotation and overturning join | `joining.rs` |
 //! | sliding: (17), (18) | `sliding.rs` |
+//! | how many equations rule a state | `counts.rs` |
 //! | (2)–(5), (17), (18) in forms that are regular everywhere | `regular.rs` |
 //! | series for small openings and about `l` | `asymptotics.rs` |
 //! | the landmarks | `landmarks.rs` |
@@ -31,6 +32,7 @@
 //! | one least thickness, one half opening | `uniqueness.rs` |
 //! | asymmetric mechanisms above the least thickness | `asymmetric.rs` |
 //! | where symmetric states have them too | `asymmetric_begins.rs` |
+//! | arches of stones: (19), (20) | `stones.rs` |
 //! | all arches between measured ends | `surveys.rs` |
 //! | why of one rise the longer arch is the safer | `rises.rs`, with the signs of `rise_signs.rs` |
 //! | and has the larger geometric safety | `safeties.rs` |
@@ -53,6 +55,7 @@ mod branches;
 mod claim;
 mod contacts;
 pub mod coq;
+mod counts;
 mod cubics;
 mod curve;
 mod derivation;
@@ -81,6 +84,7 @@ mod sentences;
 mod sign;
 mod sliding;
 mod states;
+mod stones;
 mod surveys;
 mod tiling;
 mod trends;
@@ -90,7 +94,7 @@ mod weights;
 
 pub use claim::{Claim, Decision, Finding};
 pub use derivation::{Argument, Derivation, DerivationStep, Formula, Support};
-pub use index::index;
+pub use index::{OURS, index};
 pub use sentence::{Decided, Sentence};
 
 use claim::{claims, lemmas};
@@ -104,9 +108,9 @@ macro_rules! of_files {
 /// All claims, in the order of the paper.
 pub fn claims() -> Vec<Claim> {
     of_files! {
-        units moments cubics curve branches overturning trends joining sliding regular asymptotics
+        units moments cubics curve branches overturning trends joining sliding counts regular asymptotics
         landmarks rounded same_opening differences weights frictions map_of_weights border contacts modes
-        mechanisms domains tiling lines areas admissible uniqueness asymmetric asymmetric_begins
+        mechanisms domains tiling lines areas admissible uniqueness stones asymmetric asymmetric_begins
         rises surveys safeties
     }
 }

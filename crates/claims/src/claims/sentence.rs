@@ -14,10 +14,12 @@ pub struct Sentence {
 /// Decision on a sentence.
 #[derive(Clone, Copy, Debug)]
 pub enum Decided {
-    /// Claims, by their ids; there is at least one.
+    /// Claims, by their ids; there is at least one, and each has to hold for the sentence to hold.
     Claims(&'static [&'static str]),
     /// Printed digits: `couplet audit` compares each with its certified value.
     Audit,
+    /// An opinion of the authors, on what matters or is simple: no proof can decide it.
+    Opinion,
     /// The sentence is not decided here, and why.
     Open(&'static str),
 }

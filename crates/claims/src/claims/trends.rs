@@ -15,6 +15,8 @@ use rug::Rational;
 claims! {
     Measured("weights-overturning", "Sec. 2.1, Fig. 3", trends_compared):
         "for purely overturning modes the trends of eta differ to a quite limited extent between the two weights";
+    Measured("overturning-growth", "Sec. 2.1, Fig. 4", growth):
+        "towards eta = 2 the thickness of the overturning states grows almost vertically with the half opening";
     Measured("weights-range", "Sec. 2.1", ranges_compared):
         "the half openings of rotational states, purely overturning ones among them, end at about 150° for \
          Milankovitch's weight and about 160° for Heyman's";
@@ -79,6 +81,36 @@ fn trends_compared(bounds: &mut MeasuredBounds<'_>) -> Checked {
     bounds.d.equal(words, &thinner, &milankovitch_end)?;
     bounds
         .fails("eta at the same half opening: 2 and 1 at alpha_L, the only one where both overturn")
+}
+
+fn growth(bounds: &mut MeasuredBounds<'_>) -> Checked {
+    lemmas(bounds.d, [&A_FIXES_ALPHA])?;
+    let ring = ring();
+    let opening = overturning::opening_variable(&ring).value();
+    let slope = |weight: SelfWeight| {
+        let at = |x| if x == Symbol::Flag { weight.flag() } else { 2 };
+        let slope = opening.partial(Symbol::Thickness);
+        slope.evaluate(&Rational::new(), |x| Rational::from(at(x)))
+    };
+    let (heyman, milankovitch) = (SelfWeight::Heyman, SelfWeight::Milankovitch);
+    let words = "dA/d eta at eta = 2";
+    bounds.d.equal(
+        format!("{words}, {milankovitch} weight"),
+        &slope(milankovitch),
+        &Rational::new(),
+    )?;
+    bounds.d.equal(
+        format!("{words}, {heyman} weight"),
+        &slope(heyman),
+        &Rational::from((-1, 8)),
+    )?;
+    bounds.holds("the slope is vertical at L, milankovitch weight")?;
+    let alpha = landmark(OverturningEnd, heyman)?.half_opening.rad;
+    let rise = alpha.int(8) / leverage(&alpha);
+    bounds.at_least(("d eta/d alpha at L, heyman weight", &rise, ""), 3)?;
+    bounds.d.conclude(
+        "d alpha = -k dA, with k = (1 - cos)/(alpha - sin): d eta/d alpha is -1/(k dA/d eta).",
+    )
 }
 
 fn ranges_compared(bounds: &mut MeasuredBounds<'_>) -> Checked {

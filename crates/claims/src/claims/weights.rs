@@ -7,7 +7,7 @@ use super::{Checked, Derivation, Finding, Support, claims, lemmas};
 use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::certify::{CertifiedLandmark, Exact, Undecided};
 use crate::judge::{Comparison, Relation, compare_weights};
-use crate::number::{Ball, Surd};
+use crate::number::{Ball, Field, Surd};
 use crate::problem::{Fixed, Landmark, Quantity};
 use std::sync::OnceLock;
 
@@ -31,7 +31,8 @@ claims! {
     AsPrinted("weights-widest-joint", "Sec. 2.1, Fig. 2", widest_joints_compared):
         "the rotational joint of Heyman's solution overshoots that of Milankovitch's at the peak of beta_r(alpha)";
     AsPrinted("weights-at-B", "Sec. 3", most_at_the_border):
-        "among T, S, J and B the two weights differ most at B, in the friction and in the half opening";
+        "among T, S, J and B the two weights differ most at B, in the friction, in the half opening, in the thrust \
+         and in the sliding joint";
 }
 
 /// The claims of the paper on the two weights, decided once.
@@ -120,21 +121,31 @@ fn widest_joints_compared(d: &mut Derivation) -> Checked {
     d.conclude("At the same thickness it is larger everywhere, not only at the peak.")
 }
 
-/// The differences at T, S, J, B grow in this order.
+/// At none of the others the difference is as large as at B.
 fn most_at_the_border(d: &mut Derivation) -> Checked {
     use Landmark::{Border, Junction, Shift, Triple};
     type LandmarkReading = fn(&Configuration<Ball>) -> &Ball;
-    let variables: [(&str, LandmarkReading); 2] =
-        [("mu", |at| &at.friction), ("alpha", |at| &at.half_opening.rad)];
-    for (name, variable) in variables {
+    use SelfWeight::{Heyman, Milankovitch};
+    let variables: [(&str, SelfWeight, LandmarkReading); 4] = [
+        ("mu", Heyman, |at| &at.friction),
+        ("alpha", Heyman, |at| &at.half_opening.rad),
+        ("h", Milankovitch, |at| &at.thrust),
+        ("beta_s", Milankovitch, |at| &at.sliding_joint.rad),
+    ];
+    for (name, larger, variable) in variables {
         let difference = |point| {
             let [heyman, milankovitch] = both(|weight| landmark(point, weight))?;
-            Ok::<_, Undecided>(variable(&heyman).clone() - variable(&milankovitch))
+            let difference = variable(&heyman).clone() - variable(&milankovitch);
+            Ok::<_, Undecided>(if larger == Heyman { difference } else { -difference })
         };
-        for (less, more) in [(Triple, Shift), (Shift, Junction), (Junction, Border)] {
-            let words =
-                format!("{name} differs less at {} than at {}", less.symbol(), more.symbol());
-            d.less(words, [&difference(less)?, &difference(more)?])?;
+        let most = difference(Border)?;
+        for point in [Triple, Shift, Junction] {
+            let (symbol, difference) = (point.symbol(), difference(point)?);
+            d.less(
+                format!("{name} is larger for {larger} weight at {symbol}"),
+                [&most.int(0), &difference],
+            )?;
+            d.less("and differs less there than at B", [&difference, &most])?;
         }
     }
     Ok(())

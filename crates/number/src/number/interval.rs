@@ -123,6 +123,12 @@ impl<E: End> Interval<E> {
         Some((sin.with_precision(self.prec), cos.with_precision(self.prec)))
     }
 
+    /// A point in the middle; the point itself where there is no other.
+    fn middle(&self) -> Self {
+        let is_point = self.low.order(&self.high) == Some(Ordering::Equal);
+        if is_point { self.clone() } else { self.midpoint() }
+    }
+
     /// Sine and cosine of a number so small that its square is lost beside one, and of zero:
     /// `x (1 - x²/6) < sin x < x` and `1 - x² < cos x <= 1`.
     fn nearly_itself(&self) -> (Self, Self) {
@@ -165,16 +171,18 @@ impl<E: End> Real for Interval<E> {
         Self::new(self.low.root(self.prec, Down), self.high.root(self.prec, Up), self.prec)
     }
 
-    /// Sine and cosine at the lower end, widened by the width: neither has a slope above one.
+    /// Sine and cosine at a point in the middle, widened by what they change up to the ends: for `|d| <= r`,
+    /// `|sin(m+d) - sin m| <= min(r, r |cos m| + r²/2)`, and the same with the two exchanged.
     fn sin_cos(&self) -> (Self, Self) {
         let prec = self.prec;
         let unit = self.int(1).symmetric();
+        let at = self.middle();
         // Beyond that size the place in the turn would need more bits of pi than anything here.
-        let (bits, exponent) = (prec as i64, self.low.exponent());
-        if !self.is_bounded() || exponent.is_some_and(|e| e > bits + 64) {
+        let (bits, exponent) = (prec as i64, at.low.exponent());
+        let is_known = self.is_bounded() && at.is_bounded();
+        if !is_known || exponent.is_some_and(|e| e > bits + 64) {
             return (unit.clone(), unit);
         }
-        let at = Self { high: self.low.clone(), ..self.clone() };
         let is_tiny = exponent.is_none_or(|e| 2 * e < -bits);
         let known = if is_tiny { Some(at.nearly_itself()) } else { at.by_halving() };
         let (sin, cos) = known.unwrap_or_else(|| {
@@ -182,17 +190,22 @@ impl<E: End> Real for Interval<E> {
             let both = at.low.sin_cos(prec).map(|[sin, cos]| (set(sin), set(cos)));
             both.unwrap_or_else(|| (unit.clone(), unit.clone()))
         });
-        let width = self.high.minus(&self.low, prec, Up);
-        let within = |set: Self| {
-            let low = set.low.minus(&width, prec, Down);
-            let high = set.high.plus(&width, prec, Up);
+        let below = at.low.minus(&self.low, LEAST, Up);
+        let radius = self.high.minus(&at.low, LEAST, Up).beyond(&below, Ordering::Greater);
+        let half = Self::dyadic(false, &[1], -1, LEAST).low;
+        let bend = radius.times(&radius, LEAST, Up).times(&half, LEAST, Up);
+        let within = |set: &Self, slope: &Self| {
+            let bent = radius.times(&slope.symmetric().high, LEAST, Up).plus(&bend, LEAST, Up);
+            let change = bent.beyond(&radius, Ordering::Less);
+            let low = set.low.minus(&change, prec, Down);
+            let high = set.high.plus(&change, prec, Up);
             Self::new(
                 low.beyond(&unit.low, Ordering::Greater),
                 high.beyond(&unit.high, Ordering::Less),
                 prec,
             )
         };
-        (within(sin), within(cos))
+        (within(&sin, &cos), within(&cos, &sin))
     }
 }
 

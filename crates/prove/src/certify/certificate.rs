@@ -168,8 +168,8 @@ struct LargeBox {
 }
 
 impl LargeBox {
-    /// Looks for a box that is mapped into itself with room to spare, in both arithmetics: the other
-    /// encloses less tightly.
+    /// Looks for a box that is mapped into itself with room to spare, in both arithmetics: neither always encloses
+    /// more tightly.
     fn new(problem: &Problem, root: &[Float], bits: u32, lost: u32) -> Option<Self> {
         let centre: Vec<Float> = root.iter().map(|x| Float::with_val(bits, x)).collect();
         if centre.is_empty() {

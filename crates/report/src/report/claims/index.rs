@@ -3,7 +3,7 @@
 
 use super::decided::as_printed;
 use super::text::lines;
-use crate::claims::{Decided, Decision, Sentence, index};
+use crate::claims::{Claim, Decided, Decision, OURS, Sentence, claims, index};
 use crate::report::format::Content;
 use crate::report::record::Record;
 use crate::report::reported::Reported;
@@ -17,13 +17,39 @@ pub struct Index {
     pub decisions: Vec<Decision>,
 }
 
+/// Verdicts on a sentence, from the one that outweighs all others on: a sentence is what its weakest claim is.
+const VERDICTS: [&str; 8] =
+    ["refuted", "undecided", "measured", "equality", "proved", "digits", "opinion", "open"];
+
+/// The word for what became of a claim that decides a sentence: a claim beneath it may be none of the paper.
+fn found(decision: &Decision) -> &'static str {
+    match as_printed(decision) {
+        "not stated" => "proved",
+        word => word,
+    }
+}
+
 impl Index {
     /// The claims that decide a sentence, each with the word for what became of it.
     fn claims(&self, sentence: &Sentence) -> Vec<(&str, &str)> {
         let Decided::Claims(ids) = sentence.decided else { return Vec::new() };
         let decision = |id: &&str| self.decisions.iter().find(|d| d.claim.id == *id);
-        let entry = |d: &Decision| (d.claim.id, as_printed(d));
+        let entry = |d: &Decision| (d.claim.id, found(d));
         ids.iter().filter_map(decision).map(entry).collect()
+    }
+
+    /// Verdict on a sentence.
+    fn verdict(&self, sentence: &Sentence) -> &'static str {
+        match sentence.decided {
+            Decided::Audit => "digits",
+            Decided::Opinion => "opinion",
+            Decided::Open(_) => "open",
+            Decided::Claims(_) => {
+                let found = self.claims(sentence);
+                let is_found = |word: &&&str| found.iter().any(|(_, other)| other == *word);
+                VERDICTS.iter().find(is_found).copied().unwrap_or("undecided")
+            }
+        }
     }
 
     /// A sentence, behind its place in `width` characters.
@@ -34,6 +60,7 @@ impl Index {
         record.add("place", sentence.place);
         record.add("says", sentence.says);
         record.add("decided", decided(sentence));
+        record.add("verdict", self.verdict(sentence));
         let claim = |(id, found): (&str, &str)| {
             let mut record = Record::named("id found", [id.into(), found.into()]);
             record.say(format!("{indent}{found:<10} {id}"));
@@ -49,10 +76,22 @@ impl Index {
                 record.say(format!("{indent}{:<10} couplet audit", "digits"));
                 None
             }
+            Decided::Opinion => {
+                record.say(format!("{indent}opinion"));
+                None
+            }
             Decided::Claims(_) => None,
         };
         record.add("reason", reason);
         record
+    }
+
+    /// Number of sentences with each verdict, in words.
+    fn summary(&self, all: &[Sentence]) -> String {
+        let of = |word: &str| all.iter().filter(|sentence| self.verdict(sentence) == word).count();
+        let told = VERDICTS.iter().map(|word| (of(word), word)).filter(|(of, _)| *of > 0);
+        let parts: Vec<String> = told.map(|(of, word)| format!("{of} {word}")).collect();
+        format!("{}: {}", count(all.len(), "sentence", "sentences"), parts.join(", "))
     }
 }
 
@@ -61,8 +100,14 @@ fn decided(sentence: &Sentence) -> &'static str {
     match sentence.decided {
         Decided::Claims(_) => "claims",
         Decided::Audit => "audit",
+        Decided::Opinion => "opinion",
         Decided::Open(_) => "open",
     }
+}
+
+/// Claims that decide no sentence.
+fn ours() -> Vec<Claim> {
+    claims().into_iter().filter(|claim| OURS.contains(&claim.id)).collect()
 }
 
 impl Reported for Index {
@@ -75,21 +120,28 @@ impl Reported for Index {
         let all = index();
         let place = all.iter().map(|sentence| sentence.place.chars().count()).max().unwrap_or(0);
         record.add_list("sentences", all.iter().map(|sentence| self.sentence(sentence, place)));
-        let of = |kind| all.iter().filter(|sentence| decided(sentence) == kind).count();
-        let sentences = count(all.len(), "sentence", "sentences");
-        let [claims, audit, open] = ["claims", "audit", "open"].map(of);
-        record
-            .say(format!("{sentences}: {claims} by claims, {audit} by couplet audit, {open} open"));
+        record.say(self.summary(&all));
+        record.say_all(lines(&OURS.join(", "), "ours: ", "      "));
+        record.add("ours", OURS.to_vec());
         vec![record]
     }
 
+    /// One row a sentence, and one for each claim that decides none.
     fn tabular(&self) -> Tabular {
-        let rows = index().into_iter().map(|sentence| {
+        let sentences = index().into_iter().map(|sentence| {
             let mut row = self.sentence(&sentence, 0);
             let ids: Vec<&str> = self.claims(&sentence).into_iter().map(|(id, _)| id).collect();
             row.add("claims", ids.join("; "));
             row
         });
-        Tabular::of("place says decided claims reason", rows)
+        let ours = ours().into_iter().map(|claim| {
+            let Claim { id, place, statement, .. } = claim;
+            let values = [place, statement, "ours", "proved", id].map(Into::into);
+            Record::named("place says decided verdict claims", values)
+        });
+        Tabular::of(
+            "place says decided verdict claims reason",
+            sentences.chain(ours).collect::<Vec<_>>(),
+        )
     }
 }
