@@ -105,7 +105,7 @@ states: build
 	  ./target/release/couplet certify survey $$arches --digits 10 --output proofs/surveys/$$name.json || exit 1; \
 	done < proofs/surveys/arches.txt
 	./target/release/couplet prove --coq proofs/coq/generated \
-	  --state proofs/states/*.json proofs/asymmetric/inner-sliding-*.json
+	  --certificate proofs/states/*.json proofs/asymmetric/*.json
 
 # The checker of certificates alone, in pure Rust: what it needs, and what it says of every stored certificate.
 checker:

@@ -1,227 +1,30 @@
 (** * An arch at its least thickness: [[r,s]], Heyman's self-weight
 
-    The printed equations of its collapse mode have exactly one solution in a box; here are its digits,
-    and what makes it **the** state of this arch: it is admissible at every joint of the half arch, and
-    up to the physical limit the arch stands exactly from that thickness on.  No thinner arch stands,
-    whatever the thrust and its place in the crown.
-
-    The claims are in the names of [Arch], [Contact], [FrictionModes] and [States].  The table of numbers
-    between them is what [Contraction] asks for.
+    The certificate, and that the verified checker accepts it: what it claims is [claim_of] in
+    [Certificate].
 
     Written by `couplet prove --coq` from a certificate. *)
 
-From Couplet Require Import States.
-Open Scope R_scope.
+From Couplet Require Import Sound.
+From Couplet Require Import Enclosures Formulas Equations Certificate.
+From Coq Require Import ZArith List.
+Import ListNotations.
+Open Scope Z_scope.
 
-(** ** The arch *)
+Definition this : certificate :=
+  Certificate (State OverturningSliding (Arch Heyman (Fraction 53 20) (Coefficient (Fraction 2 1)))) 30
+    (Box [(Dyadic (5382107375393765717) (-62)); (Dyadic (8078938409696785277) (-67)); (Dyadic (8392599522867732743) (-65))]
+      [(Dyadic (2670310111) (-33)); (Dyadic (3762048859) (-36)); (Dyadic (1108063567) (-36))])
+    [ [(Dyadic (-14670968944628759795) (-64)); (Dyadic (2943545831790859257) (-63)); (Dyadic (-14065446232126824559) (-62))];
+      [(Dyadic (0) (0)); (Dyadic (8168043268459977089) (-66)); (Dyadic (-9757549226294165449) (-63))];
+      [(Dyadic (0) (0)); (Dyadic (7993740423766390519) (-65)); (Dyadic (9392875117419975151) (-66))] ]
+    (Box [(Dyadic (52052548560414791047873924783892395633066573) (-145)); (Dyadic (19533674477117589859329549559115478980608315) (-148)); (Dyadic (162336484110083512857534730567906260734024561) (-149))]
+      [(Dyadic (2670310111) (-165)); (Dyadic (3762048859) (-168)); (Dyadic (1108063567) (-168))])
+    [ ((Plain Eta), Decimal 116705850179043542809241297070 (-29));
+      ((Plain Thrust), Decimal 547450160948115054905908488709 (-31));
+      (IntrinsicThrust, Decimal 638906364641039897082305961779 (-31));
+      ((Plain BetaR), Decimal 0 0);
+      ((Plain BetaS), Decimal 227481865887350094751681565693 (-30)) ].
 
-Definition alpha : R := 2.65.
-Definition mu : R := 2.
-
-(** ** What is claimed *)
-
-(** (3); (18); beta_s^2 = h (1 - h). *)
-Definition equations (eta h beta_s : R) : Prop :=
-  h = h_upper 0 alpha 0 eta /\
-  mu = mu_is h /\
-  beta_s = Arch.beta_s h.
-
-(** In this box nothing else solves them. *)
-Definition wide (eta h beta_s : R) : Prop :=
-  0.84 <= eta <= 1.49 /\
-  0.04 <= h <= 0.069 /\
-  0.163 <= beta_s <= 0.292.
-
-(** In this one lies the solution. *)
-Definition narrow (eta h beta_s : R) : Prop :=
-  Rabs (eta - 1.167058501790435428092412970704682603) <= 1e-30 /\
-  Rabs (h - 0.054745016094811505490590848870876472) <= 1e-30 /\
-  Rabs (beta_s - 0.227481865887350094751681565692910184) <= 1e-30.
-
-(** ** The table *)
-
-(** The equations cleared of denominators, and their partial derivatives. *)
-Definition residuals (eta h beta_s : R) : list R :=
-  [ (2 - eta - (2 + eta) * cos alpha) * h - ((2 + eta) * alpha * sin alpha - 2 * (1 - cos alpha));
-    ((1 - h) * sin beta_s + beta_s * cos beta_s) * mu - ((1 - h) * cos beta_s - beta_s * sin beta_s);
-    beta_s ^ 2 - (1 - h) * h ].
-Definition jacobian (eta h beta_s : R) : list (list R) :=
-  [ [(-1 - cos alpha) * h - alpha * sin alpha;
-     2 - eta - (2 + eta) * cos alpha;
-     0];
-    [0;
-     cos beta_s - sin beta_s * mu;
-     (cos beta_s * (1 - h) + (cos beta_s - sin beta_s * beta_s)) * mu + (sin beta_s * (1 - h) + (sin beta_s + cos beta_s * beta_s))];
-    [0;
-     h - (1 - h);
-     2 * beta_s] ].
-
-Definition centre : list R :=
-  [ 1.167058501790435428092412970704682603;
-    0.054745016094811505490590848870876472;
-    0.227481865887350094751681565692910184 ].
-Definition radii : list R :=
-  [0.33; 0.015; 0.065].
-
-(** About the inverse of the Jacobian at the centre. *)
-Definition inverse : list (list R) :=
-  [ [-0.7953148; 0.3191399; -3.0499574];
-    [0; 0.1106976; -1.0579156];
-    [0; 0.2166708; 0.1272972] ].
-
-(** The Jacobian at the centre, and how far it can be from that in the wide box. *)
-Definition slopes : list (list R) :=
-  [ [-1.2573637; 3.6249639; 0];
-    [0; 0.5231874; 4.3479995];
-    [0; -0.89051; 0.4549637] ].
-Definition spreads : list (list R) :=
-  [ [0.0019; 0.66; 0];
-    [0; 0.16; 0.38];
-    [0; 0.032; 0.14] ].
-
-(** The residuals at the centre, and the factor of contraction. *)
-Definition size : R := 3e-36.
-Definition factor : R := 0.88.
-
-Definition F (j : nat) (x : point) : R :=
-  entry (residuals (x 0%nat) (x 1%nat) (x 2%nat)) j.
-Definition J (j k : nat) (x : point) : R :=
-  entries (jacobian (x 0%nat) (x 1%nat) (x 2%nat)) j k.
-
-(** ** Its check *)
-
-Ltac reduce := cbv beta iota zeta delta
-  [F J residuals jacobian centre radii inverse slopes spreads size factor
-   entry entries nth sum unit_entry Nat.eqb alpha mu].
-
-Notation box d x := (within 3 (entry radii) d x (entry centre)).
-
-Lemma derivatives j : (j < 3)%nat -> forall (x u : point) (t : R),
-  box 1 (fun i => x i + t * u i) ->
-  is_derive (fun s => F j (fun i => x i + s * u i)) t
-    (sum 3 (fun k => J j k (fun i => x i + t * u i) * u k)).
-Proof. intros Hj x u t _. each j ltac:(reduce; auto_derive; [exact I | field]). Qed.
-
-Lemma slopes_hold x : box 1 x -> forall j k, (j < 3)%nat -> (k < 3)%nat ->
-  Rabs (J j k x - entries slopes j k) <= entries spreads j k.
-Proof.
-  intros Hx j k Hj Hk. unfold J.
-  generalize (bounds Hx 0 ltac:(lia)).
-  generalize (bounds Hx 1 ltac:(lia)).
-  generalize (bounds Hx 2 ltac:(lia)).
-  generalize (x 0%nat) (x 1%nat) (x 2%nat). clear x Hx.
-  cbv [entry centre radii nth]. intros eta h beta_s B0 B1 B2.
-  each j ltac:(each k ltac:(reduce; slope)).
-Qed.
-
-Lemma residuals_hold j : (j < 3)%nat -> Rabs (F j (entry centre)) <= size.
-Proof. intros Hj. each j ltac:(reduce; interval with (i_prec 140)). Qed.
-
-Lemma contracts i : (i < 3)%nat ->
-  sum 3 (fun k =>
-    (Rabs (unit_entry i k - sum 3 (fun j => entries inverse i j * entries slopes j k))
-     + sum 3 (fun j => Rabs (entries inverse i j) * entries spreads j k)) * entry radii k)
-  <= factor * entry radii i.
-Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
-
-Lemma starts i : (i < 3)%nat ->
-  sum 3 (fun j => Rabs (entries inverse i j) * size) <= (1 - factor) * 1e-30 * entry radii i.
-Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
-
-Lemma regular j : (j < 3)%nat ->
-  sum 3 (fun k =>
-    Rabs (unit_entry j k - sum 3 (fun i => entries slopes j i * entries inverse i k))) <= 1 / 2.
-Proof. intros Hj. each j ltac:(reduce; arithmetic). Qed.
-
-Lemma radii_positive i : (i < 3)%nat -> 0 < entry radii i.
-Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
-
-Lemma root : exists x, box 1e-30 x /\ solves 3 F x /\
-  (forall y, box 1 y -> solves 3 F y -> forall i, (i < 3)%nat -> y i = x i).
-Proof.
-  apply (one_root_from_table 3 F J (entries inverse) (entries slopes) (entries spreads)
-    (entry centre) (entry radii) (fun _ => size) factor 1e-30);
-    [ exact radii_positive | reduce; lra | lra | exact derivatives | exact slopes_hold
-    | exact residuals_hold | exact contracts | exact starts | exact regular ].
-Qed.
-
-(** ** The cleared equations are the printed ones *)
-
-Lemma cleared eta h beta_s :
-  wide eta h beta_s ->
-  (equations eta h beta_s <-> vanish (residuals eta h beta_s)).
-Proof.
-  unfold wide, equations, residuals, alpha, mu; intros W; conjuncts; cbn [vanish].
-  apply both_under; [apply cleared_upper; clearing | intros E0].
-  apply cleared_inner_sliding; clearing.
-Qed.
-
-(** ** The theorem *)
-
-Lemma narrow_is_wide eta h beta_s :
-  narrow eta h beta_s -> wide eta h beta_s.
-Proof. narrow_to_wide narrow wide. Qed.
-
-Theorem one_solution : exists eta h beta_s,
-  narrow eta h beta_s /\ equations eta h beta_s /\
-  (forall eta' h' beta_s',
-     wide eta' h' beta_s' -> equations eta' h' beta_s' ->
-     eta' = eta /\ h' = h /\ beta_s' = beta_s).
-Proof.
-  destruct root as [x [Hx [Hroot Hunique]]].
-  exists (x 0%nat), (x 1%nat), (x 2%nat).
-  assert (N : narrow (x 0%nat) (x 1%nat) (x 2%nat))
-    by (unfold narrow; repeat split; digits Hx reduce).
-  split; [exact N | split].
-  - apply cleared; [now apply narrow_is_wide |]. apply vanish_entries. exact Hroot.
-  - intros eta' h' beta_s' W E. apply cleared in E; [| exact W].
-    assert (same : forall i, (i < 3)%nat -> entry [eta'; h'; beta_s'] i = x i).
-    { apply Hunique; [intros i Hi; unfold wide in W; each i ltac:(reduce; inside) |].
-      intros j Hj. exact (proj1 (vanish_entries _) E j Hj). }
-    repeat split; [apply (same 0%nat); lia | apply (same 1%nat); lia | apply (same 2%nat); lia].
-Qed.
-
-Corollary digits eta h beta_s :
-  wide eta h beta_s -> equations eta h beta_s ->
-  narrow eta h beta_s.
-Proof.
-  destruct one_solution as (eta' & h' & beta_s' & N & _ & unique).
-  intros W E. specialize (unique eta h beta_s W E). clear W E.
-  conjuncts. subst. exact N.
-Qed.
-
-(** ** The state *)
-
-(** What is left to look at: the ends of the arch and the joints that open or slide. *)
-Lemma signs eta h beta_s : narrow eta h beta_s ->
-  0 < alpha /\
-  alpha < PI /\
-  0 < normal_force alpha h /\
-  0 < eta /\
-  eta < 2 /\
-  0 < h /\
-  h < 1 /\
-  intrados eta * (2 - h) < fac 0 eta /\
-  beta_s < alpha /\
-  mu_ss alpha h < mu /\
-  0 < (2 - eta) * cos 0 - (2 + eta) * cos alpha /\
-  fac 0 2 * (1 - cos alpha) < 2 * normal_force alpha h.
-Proof. unfold narrow, alpha, mu. signs. Qed.
-
-(** The line of thrust is inside, and friction holds, at every joint, and no thinner arch stands. *)
-Theorem state eta h beta_s : wide eta h beta_s -> equations eta h beta_s ->
-  admissible 0 alpha eta mu h (at_shoulder 0 alpha eta h) /\
-  stands_from 0 alpha mu eta.
-Proof.
-  intros W E. pose proof (signs eta h beta_s (digits eta h beta_s W E)) as S.
-  unfold equations in E.
-  eapply (overturning_sliding 0 alpha mu) with (joint := beta_s); [lra | tauto | tauto | known ..].
-Qed.
-
-Theorem least_thickness : exists eta, Rabs (eta - 1.167058501790435428092412970704682603) <= 1e-30 /\
-  stands_from 0 alpha mu eta.
-Proof.
-  destruct one_solution as (eta & h & beta_s & N & E & _).
-  exists eta. split; [unfold narrow in N; tauto |].
-  exact (proj2 (state eta h beta_s (narrow_is_wide eta h beta_s N) E)).
-Qed.
+Theorem claim : claim_of this.
+Proof. apply sound. vm_compute. reflexivity. Qed.

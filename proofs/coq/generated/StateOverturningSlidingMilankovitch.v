@@ -1,227 +1,30 @@
 (** * An arch at its least thickness: [[r,s]], Milankovitch's self-weight
 
-    The printed equations of its collapse mode have exactly one solution in a box; here are its digits,
-    and what makes it **the** state of this arch: it is admissible at every joint of the half arch, and
-    up to the physical limit the arch stands exactly from that thickness on.  No thinner arch stands,
-    whatever the thrust and its place in the crown.
-
-    The claims are in the names of [Arch], [Contact], [FrictionModes] and [States].  The table of numbers
-    between them is what [Contraction] asks for.
+    The certificate, and that the verified checker accepts it: what it claims is [claim_of] in
+    [Certificate].
 
     Written by `couplet prove --coq` from a certificate. *)
 
-From Couplet Require Import States.
-Open Scope R_scope.
+From Couplet Require Import Sound.
+From Couplet Require Import Enclosures Formulas Equations Certificate.
+From Coq Require Import ZArith List.
+Import ListNotations.
+Open Scope Z_scope.
 
-(** ** The arch *)
+Definition this : certificate :=
+  Certificate (State OverturningSliding (Arch Milankovitch (Fraction 64 25) (Coefficient (Fraction 9 5)))) 30
+    (Box [(Dyadic (9093193986694119463) (-63)); (Dyadic (4850316114043251733) (-66)); (Dyadic (2285704875290229645) (-63))]
+      [(Dyadic (4234348417) (-32)); (Dyadic (4047564027) (-40)); (Dyadic (1235527119) (-40))])
+    [ [(Dyadic (-11331895614650166779) (-63)); (Dyadic (10599085270805922669) (-64)); (Dyadic (-332518784206511551) (-56))];
+      [(Dyadic (0) (0)); (Dyadic (9833801226000171295) (-66)); (Dyadic (-2468079872367661023) (-61))];
+      [(Dyadic (0) (0)); (Dyadic (4308110101959452029) (-64)); (Dyadic (10474639753455181159) (-66))] ]
+    (Box [(Dyadic (2748249248319751447515746650661986906733807) (-141)); (Dyadic (375275032547826002736219332057705014372326883) (-152)); (Dyadic (2829565583111572108763587870611738192221320279) (-153))]
+      [(Dyadic (4234348417) (-164)); (Dyadic (4047564027) (-172)); (Dyadic (1235527119) (-172))])
+    [ ((Plain Eta), Decimal 985886067520588942149927838368 (-30));
+      ((Plain Thrust), Decimal 657340408510892901295645092116 (-31));
+      (IntrinsicThrust, Decimal 648062750369181677015669901574 (-31));
+      ((Plain BetaR), Decimal 0 0);
+      ((Plain BetaS), Decimal 247816619145037596333034524666 (-30)) ].
 
-Definition alpha : R := 2.56.
-Definition mu : R := 1.8.
-
-(** ** What is claimed *)
-
-(** (3); (18); beta_s^2 = h (1 - h). *)
-Definition equations (eta h beta_s : R) : Prop :=
-  h = h_upper 1 alpha 0 eta /\
-  mu = mu_is h /\
-  beta_s = Arch.beta_s h.
-
-(** In this box nothing else solves them. *)
-Definition wide (eta h beta_s : R) : Prop :=
-  0.41 <= eta <= 1.56 /\
-  0.001 <= h <= 0.13 /\
-  0.212 <= beta_s <= 0.283.
-
-(** In this one lies the solution. *)
-Definition narrow (eta h beta_s : R) : Prop :=
-  Rabs (eta - 0.98588606752058894214992783836757496) <= 1e-30 /\
-  Rabs (h - 0.065734040851089290129564509211583971) <= 1e-30 /\
-  Rabs (beta_s - 0.247816619145037596333034524666169404) <= 1e-30.
-
-(** ** The table *)
-
-(** The equations cleared of denominators, and their partial derivatives. *)
-Definition residuals (eta h beta_s : R) : list R :=
-  [ (2 - eta - (2 + eta) * cos alpha) * h - ((2 + eta) * alpha * sin alpha - 2 * ((1 - cos alpha) * (1 + 1/12 * eta ^ 2)));
-    ((1 - h) * sin beta_s + beta_s * cos beta_s) * mu - ((1 - h) * cos beta_s - beta_s * sin beta_s);
-    beta_s ^ 2 - (1 - h) * h ].
-Definition jacobian (eta h beta_s : R) : list (list R) :=
-  [ [(-1 - cos alpha) * h + (1/3 * (eta * (1 - cos alpha)) - alpha * sin alpha);
-     2 - eta - (2 + eta) * cos alpha;
-     0];
-    [0;
-     cos beta_s - sin beta_s * mu;
-     (cos beta_s * (1 - h) + (cos beta_s - sin beta_s * beta_s)) * mu + (sin beta_s * (1 - h) + (sin beta_s + cos beta_s * beta_s))];
-    [0;
-     h - (1 - h);
-     2 * beta_s] ].
-
-Definition centre : list R :=
-  [ 0.98588606752058894214992783836757496;
-    0.065734040851089290129564509211583971;
-    0.247816619145037596333034524666169404 ].
-Definition radii : list R :=
-  [0.58; 0.065; 0.036].
-
-(** About the inverse of the Jacobian at the centre. *)
-Definition inverse : list (list R) :=
-  [ [-1.2286066; 0.5745775; -4.6146252];
-    [0; 0.1332729; -1.0703591];
-    [0; 0.2335431; 0.1419578] ].
-
-(** The Jacobian at the centre, and how far it can be from that in the wide box. *)
-Definition slopes : list (list R) :=
-  [ [-0.8139302; 3.5090868; 0];
-    [0; 0.5279321; 3.9805968];
-    [0; -0.8685319; 0.4956332] ].
-Definition spreads : list (list R) :=
-  [ [0.39; 1.2; 0];
-    [0; 0.078; 0.33];
-    [0; 0.14; 0.076] ].
-
-(** The residuals at the centre, and the factor of contraction. *)
-Definition size : R := 4e-36.
-Definition factor : R := 0.76.
-
-Definition F (j : nat) (x : point) : R :=
-  entry (residuals (x 0%nat) (x 1%nat) (x 2%nat)) j.
-Definition J (j k : nat) (x : point) : R :=
-  entries (jacobian (x 0%nat) (x 1%nat) (x 2%nat)) j k.
-
-(** ** Its check *)
-
-Ltac reduce := cbv beta iota zeta delta
-  [F J residuals jacobian centre radii inverse slopes spreads size factor
-   entry entries nth sum unit_entry Nat.eqb alpha mu].
-
-Notation box d x := (within 3 (entry radii) d x (entry centre)).
-
-Lemma derivatives j : (j < 3)%nat -> forall (x u : point) (t : R),
-  box 1 (fun i => x i + t * u i) ->
-  is_derive (fun s => F j (fun i => x i + s * u i)) t
-    (sum 3 (fun k => J j k (fun i => x i + t * u i) * u k)).
-Proof. intros Hj x u t _. each j ltac:(reduce; auto_derive; [exact I | field]). Qed.
-
-Lemma slopes_hold x : box 1 x -> forall j k, (j < 3)%nat -> (k < 3)%nat ->
-  Rabs (J j k x - entries slopes j k) <= entries spreads j k.
-Proof.
-  intros Hx j k Hj Hk. unfold J.
-  generalize (bounds Hx 0 ltac:(lia)).
-  generalize (bounds Hx 1 ltac:(lia)).
-  generalize (bounds Hx 2 ltac:(lia)).
-  generalize (x 0%nat) (x 1%nat) (x 2%nat). clear x Hx.
-  cbv [entry centre radii nth]. intros eta h beta_s B0 B1 B2.
-  each j ltac:(each k ltac:(reduce; slope)).
-Qed.
-
-Lemma residuals_hold j : (j < 3)%nat -> Rabs (F j (entry centre)) <= size.
-Proof. intros Hj. each j ltac:(reduce; interval with (i_prec 140)). Qed.
-
-Lemma contracts i : (i < 3)%nat ->
-  sum 3 (fun k =>
-    (Rabs (unit_entry i k - sum 3 (fun j => entries inverse i j * entries slopes j k))
-     + sum 3 (fun j => Rabs (entries inverse i j) * entries spreads j k)) * entry radii k)
-  <= factor * entry radii i.
-Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
-
-Lemma starts i : (i < 3)%nat ->
-  sum 3 (fun j => Rabs (entries inverse i j) * size) <= (1 - factor) * 1e-30 * entry radii i.
-Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
-
-Lemma regular j : (j < 3)%nat ->
-  sum 3 (fun k =>
-    Rabs (unit_entry j k - sum 3 (fun i => entries slopes j i * entries inverse i k))) <= 1 / 2.
-Proof. intros Hj. each j ltac:(reduce; arithmetic). Qed.
-
-Lemma radii_positive i : (i < 3)%nat -> 0 < entry radii i.
-Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
-
-Lemma root : exists x, box 1e-30 x /\ solves 3 F x /\
-  (forall y, box 1 y -> solves 3 F y -> forall i, (i < 3)%nat -> y i = x i).
-Proof.
-  apply (one_root_from_table 3 F J (entries inverse) (entries slopes) (entries spreads)
-    (entry centre) (entry radii) (fun _ => size) factor 1e-30);
-    [ exact radii_positive | reduce; lra | lra | exact derivatives | exact slopes_hold
-    | exact residuals_hold | exact contracts | exact starts | exact regular ].
-Qed.
-
-(** ** The cleared equations are the printed ones *)
-
-Lemma cleared eta h beta_s :
-  wide eta h beta_s ->
-  (equations eta h beta_s <-> vanish (residuals eta h beta_s)).
-Proof.
-  unfold wide, equations, residuals, alpha, mu; intros W; conjuncts; cbn [vanish].
-  apply both_under; [apply cleared_upper; clearing | intros E0].
-  apply cleared_inner_sliding; clearing.
-Qed.
-
-(** ** The theorem *)
-
-Lemma narrow_is_wide eta h beta_s :
-  narrow eta h beta_s -> wide eta h beta_s.
-Proof. narrow_to_wide narrow wide. Qed.
-
-Theorem one_solution : exists eta h beta_s,
-  narrow eta h beta_s /\ equations eta h beta_s /\
-  (forall eta' h' beta_s',
-     wide eta' h' beta_s' -> equations eta' h' beta_s' ->
-     eta' = eta /\ h' = h /\ beta_s' = beta_s).
-Proof.
-  destruct root as [x [Hx [Hroot Hunique]]].
-  exists (x 0%nat), (x 1%nat), (x 2%nat).
-  assert (N : narrow (x 0%nat) (x 1%nat) (x 2%nat))
-    by (unfold narrow; repeat split; digits Hx reduce).
-  split; [exact N | split].
-  - apply cleared; [now apply narrow_is_wide |]. apply vanish_entries. exact Hroot.
-  - intros eta' h' beta_s' W E. apply cleared in E; [| exact W].
-    assert (same : forall i, (i < 3)%nat -> entry [eta'; h'; beta_s'] i = x i).
-    { apply Hunique; [intros i Hi; unfold wide in W; each i ltac:(reduce; inside) |].
-      intros j Hj. exact (proj1 (vanish_entries _) E j Hj). }
-    repeat split; [apply (same 0%nat); lia | apply (same 1%nat); lia | apply (same 2%nat); lia].
-Qed.
-
-Corollary digits eta h beta_s :
-  wide eta h beta_s -> equations eta h beta_s ->
-  narrow eta h beta_s.
-Proof.
-  destruct one_solution as (eta' & h' & beta_s' & N & _ & unique).
-  intros W E. specialize (unique eta h beta_s W E). clear W E.
-  conjuncts. subst. exact N.
-Qed.
-
-(** ** The state *)
-
-(** What is left to look at: the ends of the arch and the joints that open or slide. *)
-Lemma signs eta h beta_s : narrow eta h beta_s ->
-  0 < alpha /\
-  alpha < PI /\
-  0 < normal_force alpha h /\
-  0 < eta /\
-  eta < 2 /\
-  0 < h /\
-  h < 1 /\
-  intrados eta * (2 - h) < fac 1 eta /\
-  beta_s < alpha /\
-  mu_ss alpha h < mu /\
-  0 < (2 - eta) * cos 0 - (2 + eta) * cos alpha /\
-  fac 1 2 * (1 - cos alpha) < 2 * normal_force alpha h.
-Proof. unfold narrow, alpha, mu. signs. Qed.
-
-(** The line of thrust is inside, and friction holds, at every joint, and no thinner arch stands. *)
-Theorem state eta h beta_s : wide eta h beta_s -> equations eta h beta_s ->
-  admissible 1 alpha eta mu h (at_shoulder 1 alpha eta h) /\
-  stands_from 1 alpha mu eta.
-Proof.
-  intros W E. pose proof (signs eta h beta_s (digits eta h beta_s W E)) as S.
-  unfold equations in E.
-  eapply (overturning_sliding 1 alpha mu) with (joint := beta_s); [lra | tauto | tauto | known ..].
-Qed.
-
-Theorem least_thickness : exists eta, Rabs (eta - 0.98588606752058894214992783836757496) <= 1e-30 /\
-  stands_from 1 alpha mu eta.
-Proof.
-  destruct one_solution as (eta & h & beta_s & N & E & _).
-  exists eta. split; [unfold narrow in N; tauto |].
-  exact (proj2 (state eta h beta_s (narrow_is_wide eta h beta_s N) E)).
-Qed.
+Theorem claim : claim_of this.
+Proof. apply sound. vm_compute. reflexivity. Qed.

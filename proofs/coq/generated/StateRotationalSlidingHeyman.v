@@ -1,247 +1,31 @@
 (** * An arch at its least thickness: [[r,r,s]], Heyman's self-weight
 
-    The printed equations of its collapse mode have exactly one solution in a box; here are its digits,
-    and what makes it **the** state of this arch: it is admissible at every joint of the half arch, and
-    up to the physical limit the arch stands exactly from that thickness on.  No thinner arch stands,
-    whatever the thrust and its place in the crown.
-
-    The claims are in the names of [Arch], [Contact], [FrictionModes] and [States].  The table of numbers
-    between them is what [Contraction] asks for.
+    The certificate, and that the verified checker accepts it: what it claims is [claim_of] in
+    [Certificate].
 
     Written by `couplet prove --coq` from a certificate. *)
 
-From Couplet Require Import States.
-Open Scope R_scope.
+From Couplet Require Import Sound.
+From Couplet Require Import Enclosures Formulas Equations Certificate.
+From Coq Require Import ZArith List.
+Import ListNotations.
+Open Scope Z_scope.
 
-(** ** The arch *)
+Definition this : certificate :=
+  Certificate (State RotationalSliding (Arch Heyman (Fraction 64 25) (Coefficient (Fraction 9 5)))) 30
+    (Box [(Dyadic (287433439836343471696187970857333623823) (-128)); (Dyadic (276498680802183899002331194123319971111) (-128)); (Dyadic (5592033752021580975297381461526528215) (-126)); (Dyadic (337310502900072587581108554674594186809) (-130))]
+      [(Dyadic (1595576115) (-35)); (Dyadic (1597115535) (-38)); (Dyadic (2234728961) (-69)); (Dyadic (666824147) (-69))])
+    [ [(Dyadic (191215807746887266764030192160204489261) (-127)); (Dyadic (28761137767189727343623159458636015681) (-124)); (Dyadic (-116395154924829435631507817320444847851) (-127)); (Dyadic (233702132072021331155893462008657656535) (-125))];
+      [(Dyadic (-83949887236405348965519598301733732487) (-127)); (Dyadic (-298013559609763360235597138726601306005) (-255)); (Dyadic (280919601652780604550433437457525593527) (-130)); (Dyadic (-282019942709286100369708348242172507411) (-127))];
+      [(Dyadic (0) (0)); (Dyadic (0) (0)); (Dyadic (181401614487756382892287097369417463829) (-130)); (Dyadic (-91056075518079955027485255569783753613) (-126))];
+      [(Dyadic (0) (0)); (Dyadic (0) (0)); (Dyadic (158941208984417547762146377744396344645) (-129)); (Dyadic (96611499398145920938937992846354406611) (-129))] ]
+    (Box [(Dyadic (150697903304916846088650998864849730967096773) (-147)); (Dyadic (579859761441661568160536868418108724054823915) (-149)); (Dyadic (50368562243695257426577142058462731923261060332130541) (-179)); (Dyadic (1519111455168921515785670612487461881163091524286197595) (-182))]
+      [(Dyadic (1595576115) (-167)); (Dyadic (1597115535) (-170)); (Dyadic (2234728961) (-201)); (Dyadic (666824147) (-201))])
+    [ ((Plain Eta), Decimal 812556593231955130329204721434 (-30));
+      ((Plain Thrust), Decimal 657340408510892901295645092116 (-31));
+      (IntrinsicThrust, Decimal 534126282933312819391471497194 (-31));
+      ((Plain BetaR), Decimal 844690961912599006470406282016 (-30));
+      ((Plain BetaS), Decimal 247816619145037596333034524666 (-30)) ].
 
-Definition alpha : R := 2.56.
-Definition mu : R := 1.8.
-
-(** ** What is claimed *)
-
-(** (3); (5); (18); beta_s^2 = h (1 - h). *)
-Definition equations (beta_r eta h beta_s : R) : Prop :=
-  h = h_upper 0 alpha beta_r eta /\
-  h = h_tangency 0 beta_r eta /\
-  mu = mu_is h /\
-  beta_s = Arch.beta_s h.
-
-(** In this box nothing else solves them. *)
-Definition wide (beta_r eta h beta_s : R) : Prop :=
-  0.811 <= beta_r <= 0.878 /\
-  0.78 <= eta <= 0.845 /\
-  0.0631 <= h <= 0.0684 /\
-  0.238 <= beta_s <= 0.257.
-
-(** In this one lies the solution. *)
-Definition narrow (beta_r eta h beta_s : R) : Prop :=
-  Rabs (beta_r - 0.84469096191259900647040628201620465) <= 1e-30 /\
-  Rabs (eta - 0.812556593231955130329204721434272958) <= 1e-30 /\
-  Rabs (h - 0.065734040851089290129564509211583971) <= 1e-30 /\
-  Rabs (beta_s - 0.247816619145037596333034524666169404) <= 1e-30.
-
-(** ** The table *)
-
-(** The equations cleared of denominators, and their partial derivatives. *)
-Definition residuals (beta_r eta h beta_s : R) : list R :=
-  [ ((2 - eta) * cos beta_r - (2 + eta) * cos alpha) * h - ((2 + eta) * alpha * sin alpha - (2 - eta) * beta_r * sin beta_r - 2 * (cos beta_r - cos alpha));
-    (2 - eta) * h * sin beta_r - ((sin beta_r + beta_r * cos beta_r) * (2 - eta) - 2 * sin beta_r);
-    ((1 - h) * sin beta_s + beta_s * cos beta_s) * mu - ((1 - h) * cos beta_s - beta_s * sin beta_s);
-    beta_s ^ 2 - (1 - h) * h ].
-Definition jacobian (beta_r eta h beta_s : R) : list (list R) :=
-  [ [(2 - eta) * sin beta_r + cos beta_r * ((2 - eta) * beta_r) - 2 * sin beta_r - sin beta_r * (2 - eta) * h;
-     - ((cos beta_r + cos alpha) * h + (alpha * sin alpha + beta_r * sin beta_r));
-     (2 - eta) * cos beta_r - (2 + eta) * cos alpha;
-     0];
-    [cos beta_r * ((2 - eta) * h) + (2 * cos beta_r - (cos beta_r + (cos beta_r - sin beta_r * beta_r)) * (2 - eta));
-     sin beta_r + beta_r * cos beta_r - h * sin beta_r;
-     (2 - eta) * sin beta_r;
-     0];
-    [0;
-     0;
-     cos beta_s - sin beta_s * mu;
-     (cos beta_s * (1 - h) + (cos beta_s - sin beta_s * beta_s)) * mu + (sin beta_s * (1 - h) + (sin beta_s + cos beta_s * beta_s))];
-    [0;
-     0;
-     h - (1 - h);
-     2 * beta_s] ].
-
-Definition centre : list R :=
-  [ 0.84469096191259900647040628201620465;
-    0.812556593231955130329204721434272958;
-    0.065734040851089290129564509211583971;
-    0.247816619145037596333034524666169404 ].
-Definition radii : list R :=
-  [0.034; 0.033; 0.0027; 0.01].
-
-(** About the inverse of the Jacobian at the centre. *)
-Definition inverse : list (list R) :=
-  [ [1.1238654; 1.8085099; -0.6841092; 5.4943106];
-    [-0.4934131; 0; 0.2063871; -1.6575643];
-    [0; 0; 0.1332729; -1.0703591];
-    [0; 0; 0.2335431; 0.1419578] ].
-
-(** The Jacobian at the centre, and how far it can be from that in the wide box. *)
-Definition slopes : list (list R) :=
-  [ [0; -2.0266994; 3.1385585; 0];
-    [0.5529414; 1.2594553; 0.8879298; 0];
-    [0; 0; 0.5279321; 3.9805968];
-    [0; 0; -0.8685319; 0.4956332] ].
-Definition spreads : list (list R) :=
-  [ [0.19; 0.051; 0.086; 0];
-    [0.22; 0.076; 0.056; 0];
-    [0; 0; 0.022; 0.055];
-    [0; 0; 0.0057; 0.022] ].
-
-(** The residuals at the centre, and the factor of contraction. *)
-Definition size : R := 4e-36.
-Definition factor : R := 0.87.
-
-Definition F (j : nat) (x : point) : R :=
-  entry (residuals (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat)) j.
-Definition J (j k : nat) (x : point) : R :=
-  entries (jacobian (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat)) j k.
-
-(** ** Its check *)
-
-Ltac reduce := cbv beta iota zeta delta
-  [F J residuals jacobian centre radii inverse slopes spreads size factor
-   entry entries nth sum unit_entry Nat.eqb alpha mu].
-
-Notation box d x := (within 4 (entry radii) d x (entry centre)).
-
-Lemma derivatives j : (j < 4)%nat -> forall (x u : point) (t : R),
-  box 1 (fun i => x i + t * u i) ->
-  is_derive (fun s => F j (fun i => x i + s * u i)) t
-    (sum 4 (fun k => J j k (fun i => x i + t * u i) * u k)).
-Proof. intros Hj x u t _. each j ltac:(reduce; auto_derive; [exact I | field]). Qed.
-
-Lemma slopes_hold x : box 1 x -> forall j k, (j < 4)%nat -> (k < 4)%nat ->
-  Rabs (J j k x - entries slopes j k) <= entries spreads j k.
-Proof.
-  intros Hx j k Hj Hk. unfold J.
-  generalize (bounds Hx 0 ltac:(lia)).
-  generalize (bounds Hx 1 ltac:(lia)).
-  generalize (bounds Hx 2 ltac:(lia)).
-  generalize (bounds Hx 3 ltac:(lia)).
-  generalize (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat). clear x Hx.
-  cbv [entry centre radii nth]. intros beta_r eta h beta_s B0 B1 B2 B3.
-  each j ltac:(each k ltac:(reduce; slope)).
-Qed.
-
-Lemma residuals_hold j : (j < 4)%nat -> Rabs (F j (entry centre)) <= size.
-Proof. intros Hj. each j ltac:(reduce; interval with (i_prec 140)). Qed.
-
-Lemma contracts i : (i < 4)%nat ->
-  sum 4 (fun k =>
-    (Rabs (unit_entry i k - sum 4 (fun j => entries inverse i j * entries slopes j k))
-     + sum 4 (fun j => Rabs (entries inverse i j) * entries spreads j k)) * entry radii k)
-  <= factor * entry radii i.
-Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
-
-Lemma starts i : (i < 4)%nat ->
-  sum 4 (fun j => Rabs (entries inverse i j) * size) <= (1 - factor) * 1e-30 * entry radii i.
-Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
-
-Lemma regular j : (j < 4)%nat ->
-  sum 4 (fun k =>
-    Rabs (unit_entry j k - sum 4 (fun i => entries slopes j i * entries inverse i k))) <= 1 / 2.
-Proof. intros Hj. each j ltac:(reduce; arithmetic). Qed.
-
-Lemma radii_positive i : (i < 4)%nat -> 0 < entry radii i.
-Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
-
-Lemma root : exists x, box 1e-30 x /\ solves 4 F x /\
-  (forall y, box 1 y -> solves 4 F y -> forall i, (i < 4)%nat -> y i = x i).
-Proof.
-  apply (one_root_from_table 4 F J (entries inverse) (entries slopes) (entries spreads)
-    (entry centre) (entry radii) (fun _ => size) factor 1e-30);
-    [ exact radii_positive | reduce; lra | lra | exact derivatives | exact slopes_hold
-    | exact residuals_hold | exact contracts | exact starts | exact regular ].
-Qed.
-
-(** ** The cleared equations are the printed ones *)
-
-Lemma cleared beta_r eta h beta_s :
-  wide beta_r eta h beta_s ->
-  (equations beta_r eta h beta_s <-> vanish (residuals beta_r eta h beta_s)).
-Proof.
-  unfold wide, equations, residuals, alpha, mu; intros W; conjuncts; cbn [vanish].
-  apply both_under; [apply cleared_upper; clearing | intros E0].
-  apply both_under; [apply cleared_tangency; clearing | intros E1].
-  apply cleared_inner_sliding; clearing.
-Qed.
-
-(** ** The theorem *)
-
-Lemma narrow_is_wide beta_r eta h beta_s :
-  narrow beta_r eta h beta_s -> wide beta_r eta h beta_s.
-Proof. narrow_to_wide narrow wide. Qed.
-
-Theorem one_solution : exists beta_r eta h beta_s,
-  narrow beta_r eta h beta_s /\ equations beta_r eta h beta_s /\
-  (forall beta_r' eta' h' beta_s',
-     wide beta_r' eta' h' beta_s' -> equations beta_r' eta' h' beta_s' ->
-     beta_r' = beta_r /\ eta' = eta /\ h' = h /\ beta_s' = beta_s).
-Proof.
-  destruct root as [x [Hx [Hroot Hunique]]].
-  exists (x 0%nat), (x 1%nat), (x 2%nat), (x 3%nat).
-  assert (N : narrow (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat))
-    by (unfold narrow; repeat split; digits Hx reduce).
-  split; [exact N | split].
-  - apply cleared; [now apply narrow_is_wide |]. apply vanish_entries. exact Hroot.
-  - intros beta_r' eta' h' beta_s' W E. apply cleared in E; [| exact W].
-    assert (same : forall i, (i < 4)%nat -> entry [beta_r'; eta'; h'; beta_s'] i = x i).
-    { apply Hunique; [intros i Hi; unfold wide in W; each i ltac:(reduce; inside) |].
-      intros j Hj. exact (proj1 (vanish_entries _) E j Hj). }
-    repeat split; [apply (same 0%nat); lia | apply (same 1%nat); lia | apply (same 2%nat); lia | apply (same 3%nat); lia].
-Qed.
-
-Corollary digits beta_r eta h beta_s :
-  wide beta_r eta h beta_s -> equations beta_r eta h beta_s ->
-  narrow beta_r eta h beta_s.
-Proof.
-  destruct one_solution as (beta_r' & eta' & h' & beta_s' & N & _ & unique).
-  intros W E. specialize (unique beta_r eta h beta_s W E). clear W E.
-  conjuncts. subst. exact N.
-Qed.
-
-(** ** The state *)
-
-(** What is left to look at: the ends of the arch and the joints that open or slide. *)
-Lemma signs beta_r eta h beta_s : narrow beta_r eta h beta_s ->
-  0 < alpha /\
-  alpha < PI /\
-  0 < normal_force alpha h /\
-  0 < eta /\
-  eta < 2 /\
-  0 < h /\
-  h < 1 /\
-  0 < beta_r /\
-  beta_r < alpha /\
-  at_shoulder 0 alpha eta h < at_crown eta h /\
-  beta_s < alpha /\
-  mu_ss alpha h < mu /\
-  0 < (2 - eta) * cos beta_r - (2 + eta) * cos alpha /\
-  beta_s < beta_r /\
-  fac 0 2 * (1 - cos alpha) < 2 * normal_force alpha h.
-Proof. unfold narrow, alpha, mu. signs. Qed.
-
-(** The line of thrust is inside, and friction holds, at every joint, and no thinner arch stands. *)
-Theorem state beta_r eta h beta_s : wide beta_r eta h beta_s -> equations beta_r eta h beta_s ->
-  admissible 0 alpha eta mu h (at_shoulder 0 alpha eta h) /\
-  stands_from 0 alpha mu eta.
-Proof.
-  intros W E. pose proof (signs beta_r eta h beta_s (digits beta_r eta h beta_s W E)) as S.
-  unfold equations in E.
-  eapply (rotational_sliding 0 alpha mu) with (beta := beta_r) (joint := beta_s); [lra | tauto | tauto | known ..].
-Qed.
-
-Theorem least_thickness : exists eta, Rabs (eta - 0.812556593231955130329204721434272958) <= 1e-30 /\
-  stands_from 0 alpha mu eta.
-Proof.
-  destruct one_solution as (beta_r & eta & h & beta_s & N & E & _).
-  exists eta. split; [unfold narrow in N; tauto |].
-  exact (proj2 (state beta_r eta h beta_s (narrow_is_wide beta_r eta h beta_s N) E)).
-Qed.
+Theorem claim : claim_of this.
+Proof. apply sound. vm_compute. reflexivity. Qed.

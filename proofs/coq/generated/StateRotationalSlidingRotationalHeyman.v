@@ -1,247 +1,31 @@
 (** * An arch at its least thickness: [[r,s,r]], Heyman's self-weight
 
-    The printed equations of its collapse mode have exactly one solution in a box; here are its digits,
-    and what makes it **the** state of this arch: it is admissible at every joint of the half arch, and
-    up to the physical limit the arch stands exactly from that thickness on.  No thinner arch stands,
-    whatever the thrust and its place in the crown.
-
-    The claims are in the names of [Arch], [Contact], [FrictionModes] and [States].  The table of numbers
-    between them is what [Contraction] asks for.
+    The certificate, and that the verified checker accepts it: what it claims is [claim_of] in
+    [Certificate].
 
     Written by `couplet prove --coq` from a certificate. *)
 
-From Couplet Require Import States.
-Open Scope R_scope.
+From Couplet Require Import Sound.
+From Couplet Require Import Enclosures Formulas Equations Certificate.
+From Coq Require Import ZArith List.
+Import ListNotations.
+Open Scope Z_scope.
 
-(** ** The arch *)
+Definition this : certificate :=
+  Certificate (State RotationalSlidingRotational (Arch Heyman (Fraction 5221 2000) (Coefficient (Fraction 2 1)))) 30
+    (Box [(Dyadic (251707903100948953933237978199806407851) (-130)); (Dyadic (82159712974146983023092369368744529721) (-126)); (Dyadic (74515054615469321667974661098920741961) (-130)); (Dyadic (154816135511477959497008066718965779051) (-129))]
+      [(Dyadic (480094725) (-39)); (Dyadic (2948823111) (-50)); (Dyadic (2436571499) (-67)); (Dyadic (3468502481) (-69))])
+    [ [(Dyadic (920392919983679482033370943267974845) (-116)); (Dyadic (332082603683024345852333389146632837539) (-125)); (Dyadic (-28056136775176025171719329717813592411) (-122)); (Dyadic (268127018122456469667697702057190639409) (-122))];
+      [(Dyadic (-249699870292276943057429958070032200359) (-128)); (Dyadic (-182762150922527960235346233731523519611) (-255)); (Dyadic (197570462255936766451722110861349377325) (-129)); (Dyadic (-59004447202428606113425176255342169203) (-124))];
+      [(Dyadic (0) (0)); (Dyadic (0) (0)); (Dyadic (150673803756267278494647655326361901883) (-130)); (Dyadic (-179995013364071117058012682903759082185) (-127))];
+      [(Dyadic (0) (0)); (Dyadic (0) (0)); (Dyadic (294916967577770288148988392004692546459) (-130)); (Dyadic (86633981703680417685930667866410720021) (-129))] ]
+    (Box [(Dyadic (2111478929615845202555991569830721631352651531) (-153)); (Dyadic (5645972484363330969299983027614558715683118480173) (-162)); (Dyadic (20974123262482487198040413960703050227272032751050793) (-178)); (Dyadic (348614945100216175775953587486664448523142220946230133) (-180))]
+      [(Dyadic (480094725) (-171)); (Dyadic (2948823111) (-182)); (Dyadic (2436571499) (-199)); (Dyadic (3468502481) (-201))])
+    [ ((Plain Eta), Decimal 965782784662903802501289936885 (-30));
+      ((Plain Thrust), Decimal 547450160948115054905908488709 (-31));
+      (IntrinsicThrust, Decimal 528717940904625430651789809534 (-31));
+      ((Plain BetaR), Decimal 184925761345305774602404404803 (-30));
+      ((Plain BetaS), Decimal 227481865887350094751681565693 (-30)) ].
 
-Definition alpha : R := 2.6105.
-Definition mu : R := 2.
-
-(** ** What is claimed *)
-
-(** (3); (5); (18); beta_s^2 = h (1 - h). *)
-Definition equations (beta_r eta h beta_s : R) : Prop :=
-  h = h_upper 0 alpha beta_r eta /\
-  h = h_tangency 0 beta_r eta /\
-  mu = mu_is h /\
-  beta_s = Arch.beta_s h.
-
-(** In this box nothing else solves them. *)
-Definition wide (beta_r eta h beta_s : R) : Prop :=
-  0.1844 <= beta_r <= 0.18545 /\
-  0.9631 <= eta <= 0.9684 /\
-  0.0546 <= h <= 0.05489 /\
-  0.22684 <= beta_s <= 0.22813.
-
-(** In this one lies the solution. *)
-Definition narrow (beta_r eta h beta_s : R) : Prop :=
-  Rabs (beta_r - 0.1849257613453057746024044048030009685242) <= 1e-30 /\
-  Rabs (eta - 0.965782784662903802501289936884509690814) <= 1e-30 /\
-  Rabs (h - 0.0547450160948115054905908488708764720064) <= 1e-30 /\
-  Rabs (beta_s - 0.2274818658873500947516815656929101843348) <= 1e-30.
-
-(** ** The table *)
-
-(** The equations cleared of denominators, and their partial derivatives. *)
-Definition residuals (beta_r eta h beta_s : R) : list R :=
-  [ ((2 - eta) * cos beta_r - (2 + eta) * cos alpha) * h - ((2 + eta) * alpha * sin alpha - (2 - eta) * beta_r * sin beta_r - 2 * (cos beta_r - cos alpha));
-    (2 - eta) * h * sin beta_r - ((sin beta_r + beta_r * cos beta_r) * (2 - eta) - 2 * sin beta_r);
-    ((1 - h) * sin beta_s + beta_s * cos beta_s) * mu - ((1 - h) * cos beta_s - beta_s * sin beta_s);
-    beta_s ^ 2 - (1 - h) * h ].
-Definition jacobian (beta_r eta h beta_s : R) : list (list R) :=
-  [ [(2 - eta) * sin beta_r + cos beta_r * ((2 - eta) * beta_r) - 2 * sin beta_r - sin beta_r * (2 - eta) * h;
-     - ((cos beta_r + cos alpha) * h + (alpha * sin alpha + beta_r * sin beta_r));
-     (2 - eta) * cos beta_r - (2 + eta) * cos alpha;
-     0];
-    [cos beta_r * ((2 - eta) * h) + (2 * cos beta_r - (cos beta_r + (cos beta_r - sin beta_r * beta_r)) * (2 - eta));
-     sin beta_r + beta_r * cos beta_r - h * sin beta_r;
-     (2 - eta) * sin beta_r;
-     0];
-    [0;
-     0;
-     cos beta_s - sin beta_s * mu;
-     (cos beta_s * (1 - h) + (cos beta_s - sin beta_s * beta_s)) * mu + (sin beta_s * (1 - h) + (sin beta_s + cos beta_s * beta_s))];
-    [0;
-     0;
-     h - (1 - h);
-     2 * beta_s] ].
-
-Definition centre : list R :=
-  [ 0.1849257613453057746024044048030009685242;
-    0.965782784662903802501289936884509690814;
-    0.0547450160948115054905908488708764720064;
-    0.2274818658873500947516815656929101843348 ].
-Definition radii : list R :=
-  [0.00053; 0.0027; 0.00015; 0.00065].
-
-(** About the inverse of the Jacobian at the centre. *)
-Definition inverse : list (list R) :=
-  [ [11.0788372; 42.45978; -5.2767771; 50.4291317];
-    [-0.733802; 0; 0.2903037; -2.7743757];
-    [0; 0; 0.1106976; -1.0579156];
-    [0; 0; 0.2166708; 0.1272972] ].
-
-(** The Jacobian at the centre, and how far it can be from that in the wide box. *)
-Definition slopes : list (list R) :=
-  [ [0; -1.3627655; 3.5738423; 0];
-    [0.0235517; 0.3555802; 0.1901652; 0];
-    [0; 0; 0.5231874; 4.3479995];
-    [0; 0; -0.89051; 0.4549637] ].
-Definition spreads : list (list R) :=
-  [ [0.0034; 0.00023; 0.0054; 0];
-    [0.0065; 0.0012; 0.0011; 0];
-    [0; 0; 0.0015; 0.0036];
-    [0; 0; 0.00032; 0.0014] ].
-
-(** The residuals at the centre, and the factor of contraction. *)
-Definition size : R := 3e-40.
-Definition factor : R := 0.74.
-
-Definition F (j : nat) (x : point) : R :=
-  entry (residuals (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat)) j.
-Definition J (j k : nat) (x : point) : R :=
-  entries (jacobian (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat)) j k.
-
-(** ** Its check *)
-
-Ltac reduce := cbv beta iota zeta delta
-  [F J residuals jacobian centre radii inverse slopes spreads size factor
-   entry entries nth sum unit_entry Nat.eqb alpha mu].
-
-Notation box d x := (within 4 (entry radii) d x (entry centre)).
-
-Lemma derivatives j : (j < 4)%nat -> forall (x u : point) (t : R),
-  box 1 (fun i => x i + t * u i) ->
-  is_derive (fun s => F j (fun i => x i + s * u i)) t
-    (sum 4 (fun k => J j k (fun i => x i + t * u i) * u k)).
-Proof. intros Hj x u t _. each j ltac:(reduce; auto_derive; [exact I | field]). Qed.
-
-Lemma slopes_hold x : box 1 x -> forall j k, (j < 4)%nat -> (k < 4)%nat ->
-  Rabs (J j k x - entries slopes j k) <= entries spreads j k.
-Proof.
-  intros Hx j k Hj Hk. unfold J.
-  generalize (bounds Hx 0 ltac:(lia)).
-  generalize (bounds Hx 1 ltac:(lia)).
-  generalize (bounds Hx 2 ltac:(lia)).
-  generalize (bounds Hx 3 ltac:(lia)).
-  generalize (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat). clear x Hx.
-  cbv [entry centre radii nth]. intros beta_r eta h beta_s B0 B1 B2 B3.
-  each j ltac:(each k ltac:(reduce; slope)).
-Qed.
-
-Lemma residuals_hold j : (j < 4)%nat -> Rabs (F j (entry centre)) <= size.
-Proof. intros Hj. each j ltac:(reduce; interval with (i_prec 153)). Qed.
-
-Lemma contracts i : (i < 4)%nat ->
-  sum 4 (fun k =>
-    (Rabs (unit_entry i k - sum 4 (fun j => entries inverse i j * entries slopes j k))
-     + sum 4 (fun j => Rabs (entries inverse i j) * entries spreads j k)) * entry radii k)
-  <= factor * entry radii i.
-Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
-
-Lemma starts i : (i < 4)%nat ->
-  sum 4 (fun j => Rabs (entries inverse i j) * size) <= (1 - factor) * 1e-30 * entry radii i.
-Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
-
-Lemma regular j : (j < 4)%nat ->
-  sum 4 (fun k =>
-    Rabs (unit_entry j k - sum 4 (fun i => entries slopes j i * entries inverse i k))) <= 1 / 2.
-Proof. intros Hj. each j ltac:(reduce; arithmetic). Qed.
-
-Lemma radii_positive i : (i < 4)%nat -> 0 < entry radii i.
-Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
-
-Lemma root : exists x, box 1e-30 x /\ solves 4 F x /\
-  (forall y, box 1 y -> solves 4 F y -> forall i, (i < 4)%nat -> y i = x i).
-Proof.
-  apply (one_root_from_table 4 F J (entries inverse) (entries slopes) (entries spreads)
-    (entry centre) (entry radii) (fun _ => size) factor 1e-30);
-    [ exact radii_positive | reduce; lra | lra | exact derivatives | exact slopes_hold
-    | exact residuals_hold | exact contracts | exact starts | exact regular ].
-Qed.
-
-(** ** The cleared equations are the printed ones *)
-
-Lemma cleared beta_r eta h beta_s :
-  wide beta_r eta h beta_s ->
-  (equations beta_r eta h beta_s <-> vanish (residuals beta_r eta h beta_s)).
-Proof.
-  unfold wide, equations, residuals, alpha, mu; intros W; conjuncts; cbn [vanish].
-  apply both_under; [apply cleared_upper; clearing | intros E0].
-  apply both_under; [apply cleared_tangency; clearing | intros E1].
-  apply cleared_inner_sliding; clearing.
-Qed.
-
-(** ** The theorem *)
-
-Lemma narrow_is_wide beta_r eta h beta_s :
-  narrow beta_r eta h beta_s -> wide beta_r eta h beta_s.
-Proof. narrow_to_wide narrow wide. Qed.
-
-Theorem one_solution : exists beta_r eta h beta_s,
-  narrow beta_r eta h beta_s /\ equations beta_r eta h beta_s /\
-  (forall beta_r' eta' h' beta_s',
-     wide beta_r' eta' h' beta_s' -> equations beta_r' eta' h' beta_s' ->
-     beta_r' = beta_r /\ eta' = eta /\ h' = h /\ beta_s' = beta_s).
-Proof.
-  destruct root as [x [Hx [Hroot Hunique]]].
-  exists (x 0%nat), (x 1%nat), (x 2%nat), (x 3%nat).
-  assert (N : narrow (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat))
-    by (unfold narrow; repeat split; digits Hx reduce).
-  split; [exact N | split].
-  - apply cleared; [now apply narrow_is_wide |]. apply vanish_entries. exact Hroot.
-  - intros beta_r' eta' h' beta_s' W E. apply cleared in E; [| exact W].
-    assert (same : forall i, (i < 4)%nat -> entry [beta_r'; eta'; h'; beta_s'] i = x i).
-    { apply Hunique; [intros i Hi; unfold wide in W; each i ltac:(reduce; inside) |].
-      intros j Hj. exact (proj1 (vanish_entries _) E j Hj). }
-    repeat split; [apply (same 0%nat); lia | apply (same 1%nat); lia | apply (same 2%nat); lia | apply (same 3%nat); lia].
-Qed.
-
-Corollary digits beta_r eta h beta_s :
-  wide beta_r eta h beta_s -> equations beta_r eta h beta_s ->
-  narrow beta_r eta h beta_s.
-Proof.
-  destruct one_solution as (beta_r' & eta' & h' & beta_s' & N & _ & unique).
-  intros W E. specialize (unique beta_r eta h beta_s W E). clear W E.
-  conjuncts. subst. exact N.
-Qed.
-
-(** ** The state *)
-
-(** What is left to look at: the ends of the arch and the joints that open or slide. *)
-Lemma signs beta_r eta h beta_s : narrow beta_r eta h beta_s ->
-  0 < alpha /\
-  alpha < PI /\
-  0 < normal_force alpha h /\
-  0 < eta /\
-  eta < 2 /\
-  0 < h /\
-  h < 1 /\
-  0 < beta_r /\
-  beta_r < alpha /\
-  at_shoulder 0 alpha eta h < at_crown eta h /\
-  beta_s < alpha /\
-  mu_ss alpha h < mu /\
-  0 < (2 - eta) * cos beta_r - (2 + eta) * cos alpha /\
-  beta_r < beta_s /\
-  fac 0 2 * (1 - cos alpha) < 2 * normal_force alpha h.
-Proof. unfold narrow, alpha, mu. signs. Qed.
-
-(** The line of thrust is inside, and friction holds, at every joint, and no thinner arch stands. *)
-Theorem state beta_r eta h beta_s : wide beta_r eta h beta_s -> equations beta_r eta h beta_s ->
-  admissible 0 alpha eta mu h (at_shoulder 0 alpha eta h) /\
-  stands_from 0 alpha mu eta.
-Proof.
-  intros W E. pose proof (signs beta_r eta h beta_s (digits beta_r eta h beta_s W E)) as S.
-  unfold equations in E.
-  eapply (rotational_sliding 0 alpha mu) with (beta := beta_r) (joint := beta_s); [lra | tauto | tauto | known ..].
-Qed.
-
-Theorem least_thickness : exists eta, Rabs (eta - 0.965782784662903802501289936884509690814) <= 1e-30 /\
-  stands_from 0 alpha mu eta.
-Proof.
-  destruct one_solution as (beta_r & eta & h & beta_s & N & E & _).
-  exists eta. split; [unfold narrow in N; tauto |].
-  exact (proj2 (state beta_r eta h beta_s (narrow_is_wide beta_r eta h beta_s N) E)).
-Qed.
+Theorem claim : claim_of this.
+Proof. apply sound. vm_compute. reflexivity. Qed.

@@ -1,247 +1,31 @@
 (** * An arch at its least thickness: [[r,s,r]], Milankovitch's self-weight
 
-    The printed equations of its collapse mode have exactly one solution in a box; here are its digits,
-    and what makes it **the** state of this arch: it is admissible at every joint of the half arch, and
-    up to the physical limit the arch stands exactly from that thickness on.  No thinner arch stands,
-    whatever the thrust and its place in the crown.
-
-    The claims are in the names of [Arch], [Contact], [FrictionModes] and [States].  The table of numbers
-    between them is what [Contraction] asks for.
+    The certificate, and that the verified checker accepts it: what it claims is [claim_of] in
+    [Certificate].
 
     Written by `couplet prove --coq` from a certificate. *)
 
-From Couplet Require Import States.
-Open Scope R_scope.
+From Couplet Require Import Sound.
+From Couplet Require Import Enclosures Formulas Equations Certificate.
+From Coq Require Import ZArith List.
+Import ListNotations.
+Open Scope Z_scope.
 
-(** ** The arch *)
+Definition this : certificate :=
+  Certificate (State RotationalSlidingRotational (Arch Milankovitch (Fraction 317 125) (Coefficient (Fraction 8 5)))) 30
+    (Box [(Dyadic (145615065714005634737416045345056406867) (-129)); (Dyadic (37508620749256551033929804427244571769) (-125)); (Dyadic (218222120250177328842038924607801077039) (-131)); (Dyadic (92401655743028788486883411731446700391) (-128))]
+      [(Dyadic (2777386965) (-41)); (Dyadic (148319337) (-44)); (Dyadic (2756344833) (-65)); (Dyadic (4093150223) (-67))])
+    [ [(Dyadic (299573805920206200057106366363440799981) (-124)); (Dyadic (132526663866020635535245630170648652917) (-124)); (Dyadic (-24170898418670291990330411957247570367) (-121)); (Dyadic (5033651500183722361838295651661740475) (-116))];
+      [(Dyadic (-174939960460387050919630378406986995777) (-127)); (Dyadic (204396803276515033721480250863868175503) (-256)); (Dyadic (49401044426447733464272918054649396923) (-126)); (Dyadic (-164606304378494008743084344839451046869) (-125))];
+      [(Dyadic (0) (0)); (Dyadic (0) (0)); (Dyadic (55512123134262653369528649591320119701) (-128)); (Dyadic (-92484334525960701116184464382587527859) (-126))];
+      [(Dyadic (0) (0)); (Dyadic (0) (0)); (Dyadic (171656051213597462971803662838163177719) (-129)); (Dyadic (218417380163714834308697938414933468569) (-130))] ]
+    (Box [(Dyadic (610753852584516689801683068654951467547652451) (-151)); (Dyadic (1288786395488991224035867970997531577129640478461) (-160)); (Dyadic (15356016553792159180016758475153657894620182347098057) (-177)); (Dyadic (208070031186360651762979610742733570282147082408333447) (-179))]
+      [(Dyadic (2777386965) (-173)); (Dyadic (148319337) (-176)); (Dyadic (2756344833) (-197)); (Dyadic (4093150223) (-199))])
+    [ ((Plain Eta), Decimal 881823435957734254482435124691 (-30));
+      ((Plain Thrust), Decimal 801621467432954249987753348483 (-31));
+      (IntrinsicThrust, Decimal 706888596749208687411065451916 (-31));
+      ((Plain BetaR), Decimal 213962108926787236263337247252 (-30));
+      ((Plain BetaS), Decimal 271544060831390299966991836828 (-30)) ].
 
-Definition alpha : R := 2.536.
-Definition mu : R := 1.6.
-
-(** ** What is claimed *)
-
-(** (3); (5); (18); beta_s^2 = h (1 - h). *)
-Definition equations (beta_r eta h beta_s : R) : Prop :=
-  h = h_upper 1 alpha beta_r eta /\
-  h = h_tangency 1 beta_r eta /\
-  mu = mu_is h /\
-  beta_s = Arch.beta_s h.
-
-(** In this box nothing else solves them. *)
-Definition wide (beta_r eta h beta_s : R) : Prop :=
-  0.21336 <= beta_r <= 0.21457 /\
-  0.8794 <= eta <= 0.8843 /\
-  0.07994 <= h <= 0.08039 /\
-  0.27077 <= beta_s <= 0.27232.
-
-(** In this one lies the solution. *)
-Definition narrow (beta_r eta h beta_s : R) : Prop :=
-  Rabs (beta_r - 0.2139621089267872362633372472522695202828) <= 1e-30 /\
-  Rabs (eta - 0.8818234359577342544824351246911331378738) <= 1e-30 /\
-  Rabs (h - 0.0801621467432954249987753348482621244702) <= 1e-30 /\
-  Rabs (beta_s - 0.2715440608313902999669918368281317888259) <= 1e-30.
-
-(** ** The table *)
-
-(** The equations cleared of denominators, and their partial derivatives. *)
-Definition residuals (beta_r eta h beta_s : R) : list R :=
-  [ ((2 - eta) * cos beta_r - (2 + eta) * cos alpha) * h - ((2 + eta) * alpha * sin alpha - (2 - eta) * beta_r * sin beta_r - 2 * ((cos beta_r - cos alpha) * (1 + 1/12 * eta ^ 2)));
-    (2 - eta) * h * sin beta_r - ((sin beta_r + beta_r * cos beta_r) * (2 - eta) - 2 * ((1 + 1/12 * eta ^ 2) * sin beta_r));
-    ((1 - h) * sin beta_s + beta_s * cos beta_s) * mu - ((1 - h) * cos beta_s - beta_s * sin beta_s);
-    beta_s ^ 2 - (1 - h) * h ].
-Definition jacobian (beta_r eta h beta_s : R) : list (list R) :=
-  [ [(2 - eta) * sin beta_r + cos beta_r * ((2 - eta) * beta_r) - 2 * (sin beta_r * (1 + 1/12 * eta ^ 2)) - sin beta_r * (2 - eta) * h;
-     1/3 * (eta * (cos beta_r - cos alpha)) - (alpha * sin alpha + beta_r * sin beta_r) - (cos beta_r + cos alpha) * h;
-     (2 - eta) * cos beta_r - (2 + eta) * cos alpha;
-     0];
-    [cos beta_r * ((2 - eta) * h) + (2 * (cos beta_r * (1 + 1/12 * eta ^ 2)) - (cos beta_r + (cos beta_r - sin beta_r * beta_r)) * (2 - eta));
-     sin beta_r + beta_r * cos beta_r + 1/3 * (eta * sin beta_r) - h * sin beta_r;
-     (2 - eta) * sin beta_r;
-     0];
-    [0;
-     0;
-     cos beta_s - sin beta_s * mu;
-     (cos beta_s * (1 - h) + (cos beta_s - sin beta_s * beta_s)) * mu + (sin beta_s * (1 - h) + (sin beta_s + cos beta_s * beta_s))];
-    [0;
-     0;
-     h - (1 - h);
-     2 * beta_s] ].
-
-Definition centre : list R :=
-  [ 0.2139621089267872362633372472522695202828;
-    0.8818234359577342544824351246911331378738;
-    0.0801621467432954249987753348482621244702;
-    0.2715440608313902999669918368281317888259 ].
-Definition radii : list R :=
-  [0.00061; 0.0025; 0.00023; 0.00078].
-
-(** About the inverse of the Jacobian at the centre. *)
-Definition inverse : list (list R) :=
-  [ [14.0858842; 29.3471147; -9.0920755; 60.5903392];
-    [-1.0282047; 0; 0.5807065; -3.8698757];
-    [0; 0; 0.1631355; -1.0871481];
-    [0; 0; 0.2522259; 0.1604677] ].
-
-(** The Jacobian at the centre, and how far it can be from that in the wide box. *)
-Definition slopes : list (list R) :=
-  [ [0; -0.972569; 3.4620131; 0];
-    [0.0340749; 0.4668089; 0.2374261; 0];
-    [0; 0; 0.5342071; 3.6191838];
-    [0; 0; -0.8396757; 0.5430881] ].
-Definition spreads : list (list R) :=
-  [ [0.0042; 0.002; 0.0049; 0];
-    [0.0072; 0.0018; 0.0013; 0];
-    [0; 0; 0.0015; 0.0042];
-    [0; 0; 0.00049; 0.0017] ].
-
-(** The residuals at the centre, and the factor of contraction. *)
-Definition size : R := 3e-40.
-Definition factor : R := 0.84.
-
-Definition F (j : nat) (x : point) : R :=
-  entry (residuals (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat)) j.
-Definition J (j k : nat) (x : point) : R :=
-  entries (jacobian (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat)) j k.
-
-(** ** Its check *)
-
-Ltac reduce := cbv beta iota zeta delta
-  [F J residuals jacobian centre radii inverse slopes spreads size factor
-   entry entries nth sum unit_entry Nat.eqb alpha mu].
-
-Notation box d x := (within 4 (entry radii) d x (entry centre)).
-
-Lemma derivatives j : (j < 4)%nat -> forall (x u : point) (t : R),
-  box 1 (fun i => x i + t * u i) ->
-  is_derive (fun s => F j (fun i => x i + s * u i)) t
-    (sum 4 (fun k => J j k (fun i => x i + t * u i) * u k)).
-Proof. intros Hj x u t _. each j ltac:(reduce; auto_derive; [exact I | field]). Qed.
-
-Lemma slopes_hold x : box 1 x -> forall j k, (j < 4)%nat -> (k < 4)%nat ->
-  Rabs (J j k x - entries slopes j k) <= entries spreads j k.
-Proof.
-  intros Hx j k Hj Hk. unfold J.
-  generalize (bounds Hx 0 ltac:(lia)).
-  generalize (bounds Hx 1 ltac:(lia)).
-  generalize (bounds Hx 2 ltac:(lia)).
-  generalize (bounds Hx 3 ltac:(lia)).
-  generalize (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat). clear x Hx.
-  cbv [entry centre radii nth]. intros beta_r eta h beta_s B0 B1 B2 B3.
-  each j ltac:(each k ltac:(reduce; slope)).
-Qed.
-
-Lemma residuals_hold j : (j < 4)%nat -> Rabs (F j (entry centre)) <= size.
-Proof. intros Hj. each j ltac:(reduce; interval with (i_prec 153)). Qed.
-
-Lemma contracts i : (i < 4)%nat ->
-  sum 4 (fun k =>
-    (Rabs (unit_entry i k - sum 4 (fun j => entries inverse i j * entries slopes j k))
-     + sum 4 (fun j => Rabs (entries inverse i j) * entries spreads j k)) * entry radii k)
-  <= factor * entry radii i.
-Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
-
-Lemma starts i : (i < 4)%nat ->
-  sum 4 (fun j => Rabs (entries inverse i j) * size) <= (1 - factor) * 1e-30 * entry radii i.
-Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
-
-Lemma regular j : (j < 4)%nat ->
-  sum 4 (fun k =>
-    Rabs (unit_entry j k - sum 4 (fun i => entries slopes j i * entries inverse i k))) <= 1 / 2.
-Proof. intros Hj. each j ltac:(reduce; arithmetic). Qed.
-
-Lemma radii_positive i : (i < 4)%nat -> 0 < entry radii i.
-Proof. intros Hi. each i ltac:(reduce; arithmetic). Qed.
-
-Lemma root : exists x, box 1e-30 x /\ solves 4 F x /\
-  (forall y, box 1 y -> solves 4 F y -> forall i, (i < 4)%nat -> y i = x i).
-Proof.
-  apply (one_root_from_table 4 F J (entries inverse) (entries slopes) (entries spreads)
-    (entry centre) (entry radii) (fun _ => size) factor 1e-30);
-    [ exact radii_positive | reduce; lra | lra | exact derivatives | exact slopes_hold
-    | exact residuals_hold | exact contracts | exact starts | exact regular ].
-Qed.
-
-(** ** The cleared equations are the printed ones *)
-
-Lemma cleared beta_r eta h beta_s :
-  wide beta_r eta h beta_s ->
-  (equations beta_r eta h beta_s <-> vanish (residuals beta_r eta h beta_s)).
-Proof.
-  unfold wide, equations, residuals, alpha, mu; intros W; conjuncts; cbn [vanish].
-  apply both_under; [apply cleared_upper; clearing | intros E0].
-  apply both_under; [apply cleared_tangency; clearing | intros E1].
-  apply cleared_inner_sliding; clearing.
-Qed.
-
-(** ** The theorem *)
-
-Lemma narrow_is_wide beta_r eta h beta_s :
-  narrow beta_r eta h beta_s -> wide beta_r eta h beta_s.
-Proof. narrow_to_wide narrow wide. Qed.
-
-Theorem one_solution : exists beta_r eta h beta_s,
-  narrow beta_r eta h beta_s /\ equations beta_r eta h beta_s /\
-  (forall beta_r' eta' h' beta_s',
-     wide beta_r' eta' h' beta_s' -> equations beta_r' eta' h' beta_s' ->
-     beta_r' = beta_r /\ eta' = eta /\ h' = h /\ beta_s' = beta_s).
-Proof.
-  destruct root as [x [Hx [Hroot Hunique]]].
-  exists (x 0%nat), (x 1%nat), (x 2%nat), (x 3%nat).
-  assert (N : narrow (x 0%nat) (x 1%nat) (x 2%nat) (x 3%nat))
-    by (unfold narrow; repeat split; digits Hx reduce).
-  split; [exact N | split].
-  - apply cleared; [now apply narrow_is_wide |]. apply vanish_entries. exact Hroot.
-  - intros beta_r' eta' h' beta_s' W E. apply cleared in E; [| exact W].
-    assert (same : forall i, (i < 4)%nat -> entry [beta_r'; eta'; h'; beta_s'] i = x i).
-    { apply Hunique; [intros i Hi; unfold wide in W; each i ltac:(reduce; inside) |].
-      intros j Hj. exact (proj1 (vanish_entries _) E j Hj). }
-    repeat split; [apply (same 0%nat); lia | apply (same 1%nat); lia | apply (same 2%nat); lia | apply (same 3%nat); lia].
-Qed.
-
-Corollary digits beta_r eta h beta_s :
-  wide beta_r eta h beta_s -> equations beta_r eta h beta_s ->
-  narrow beta_r eta h beta_s.
-Proof.
-  destruct one_solution as (beta_r' & eta' & h' & beta_s' & N & _ & unique).
-  intros W E. specialize (unique beta_r eta h beta_s W E). clear W E.
-  conjuncts. subst. exact N.
-Qed.
-
-(** ** The state *)
-
-(** What is left to look at: the ends of the arch and the joints that open or slide. *)
-Lemma signs beta_r eta h beta_s : narrow beta_r eta h beta_s ->
-  0 < alpha /\
-  alpha < PI /\
-  0 < normal_force alpha h /\
-  0 < eta /\
-  eta < 2 /\
-  0 < h /\
-  h < 1 /\
-  0 < beta_r /\
-  beta_r < alpha /\
-  at_shoulder 1 alpha eta h < at_crown eta h /\
-  beta_s < alpha /\
-  mu_ss alpha h < mu /\
-  0 < (2 - eta) * cos beta_r - (2 + eta) * cos alpha /\
-  beta_r < beta_s /\
-  fac 1 2 * (1 - cos alpha) < 2 * normal_force alpha h.
-Proof. unfold narrow, alpha, mu. signs. Qed.
-
-(** The line of thrust is inside, and friction holds, at every joint, and no thinner arch stands. *)
-Theorem state beta_r eta h beta_s : wide beta_r eta h beta_s -> equations beta_r eta h beta_s ->
-  admissible 1 alpha eta mu h (at_shoulder 1 alpha eta h) /\
-  stands_from 1 alpha mu eta.
-Proof.
-  intros W E. pose proof (signs beta_r eta h beta_s (digits beta_r eta h beta_s W E)) as S.
-  unfold equations in E.
-  eapply (rotational_sliding 1 alpha mu) with (beta := beta_r) (joint := beta_s); [lra | tauto | tauto | known ..].
-Qed.
-
-Theorem least_thickness : exists eta, Rabs (eta - 0.8818234359577342544824351246911331378738) <= 1e-30 /\
-  stands_from 1 alpha mu eta.
-Proof.
-  destruct one_solution as (beta_r & eta & h & beta_s & N & E & _).
-  exists eta. split; [unfold narrow in N; tauto |].
-  exact (proj2 (state beta_r eta h beta_s (narrow_is_wide beta_r eta h beta_s N) E)).
-Qed.
+Theorem claim : claim_of this.
+Proof. apply sound. vm_compute. reflexivity. Qed.

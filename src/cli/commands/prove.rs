@@ -4,7 +4,7 @@ use super::notes::each_once;
 use super::output::{Output, OutputFile};
 use crate::check::{read, visible_name};
 use crate::claims::Claim;
-use crate::claims::coq::{self, StateError};
+use crate::claims::coq;
 use crate::report::{Claims, Format, Index, Reported};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
@@ -51,16 +51,16 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FOLDER", conflicts_with_all = ["claims", "show", "format", "output"])]
     coq: Option<PathBuf>,
 
-    /// With --coq, write these states instead: certificates of `couplet certify state`, `-` for standard input.
+    /// With --coq, write these certificates as theorems instead, `-` for standard input.
     #[arg(long, value_name = "FILE", num_args = 1.., requires = "coq")]
-    state: Vec<OsString>,
+    certificate: Vec<OsString>,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(folder) = &arguments.coq {
-        let files = match arguments.state.is_empty() {
+        let files = match arguments.certificate.is_empty() {
             true => coq::files()?,
-            false => state_files(&arguments.state)?,
+            false => certificate_files(&arguments.certificate)?,
         };
         return write_coq(folder, files);
     }
@@ -109,17 +109,15 @@ fn write_coq(folder: &Path, files: Vec<(String, String)>) -> Result<(), Failure>
     Output::open(None)?.write(|out| out.write_all(written.as_bytes()))
 }
 
-/// The Coq files of certified states. Those of one mode and weight are numbered from the second on.
-fn state_files(certificates: &[OsString]) -> Result<Vec<(String, String)>, Failure> {
+/// The Coq files of certificates. Those of one subject and weight are numbered from the second on.
+fn certificate_files(certificates: &[OsString]) -> Result<Vec<(String, String)>, Failure> {
     let mut files: Vec<(String, String)> = Vec::new();
     let mut seen = HashMap::new();
     for path in certificates {
         let shown = visible_name(path);
         let bytes = read(path).map_err(|error| Failure::reading(&shown, &error))?;
-        let (name, text) = coq::state(&bytes).map_err(|error| match error {
-            StateError::Undecided(_) => Failure::Undecided(format!("{shown}: {error}")),
-            _ => Failure::Input(format!("{shown}: {error}")),
-        })?;
+        let (name, text) = coq::certificate(&bytes)
+            .map_err(|error| Failure::Input(format!("{shown}: {error}")))?;
         let count = seen.entry(name.clone()).and_modify(|n| *n += 1).or_insert(1);
         let name = match *count {
             1 => name,

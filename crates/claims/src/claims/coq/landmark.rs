@@ -12,7 +12,7 @@ use crate::problem::{Equation, Fixed, Landmark, Mode, System};
 
 /// The whole file.
 pub(super) fn file(point: &CertifiedLandmark, audited: &[Audited]) -> Result<String, Undecided> {
-    let mut solution = CoqSolution::new(&CoqRoot::of_landmark(point)?, &[])?;
+    let mut solution = CoqSolution::new(&CoqRoot::of_landmark(point)?)?;
     solution.values.push(("title", title(point.landmark())));
     solution.values.extend(state(point, &solution));
     let mut theorems = Vec::new();

@@ -1,4 +1,4 @@
-//! Coq theorems about the landmarks and about certified states, printed from the equations of [`crate::arch`].
+//! Coq theorems about the landmarks, printed from the equations of [`crate::arch`], and about certificates.
 //!
 //! | file | what it does |
 //! |---|---|
@@ -6,9 +6,8 @@
 //! | `root`, `table` | one root of a system, and the numbers that prove it |
 //! | `solution` | one solution of a system: what is claimed, the table, its check |
 //! | `landmark` | the file of a landmark |
-//! | `state`, `given` | the file of a state, and what is given of its arch |
-//! | `stands`, `sign` | what makes a solution a state: its signs, and what follows |
-//! | `asymmetric` | the file of an asymmetric solution of (19) |
+//! | `stands`, `sign` | what makes a landmark a state: its signs, and what follows |
+//! | `certificate` | the file of a certificate: its numbers, which Coq checks by computing |
 //! | `printed` | what follows for the values that the paper prints |
 //! | `half_opening`, `joint` | the files with one unknown and a very wide bracket |
 //! | `weights` | the two self-weights compared |
@@ -20,8 +19,7 @@
 //! numbers, and calls. **Only the statements matter**: they are in terms of the printed equations of
 //! `Arch.v`, and Coq checks everything else.
 
-mod asymmetric;
-mod given;
+mod certificate;
 mod half_opening;
 mod joint;
 mod landmark;
@@ -32,13 +30,12 @@ mod root;
 mod sign;
 mod solution;
 mod stands;
-mod state;
 mod table;
 mod template;
 mod term;
 mod weights;
 
-pub use state::{StateError, state};
+pub use certificate::{CertificateError, certificate};
 pub use term::Term;
 
 use crate::arch::SelfWeight;

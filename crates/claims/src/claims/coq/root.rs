@@ -1,11 +1,10 @@
-//! A root to be proved in Coq: that of a landmark, or of a certificate.
+//! The root that is a landmark, to be proved in Coq.
 
 use super::names::BITS;
 use crate::arch::Configuration;
-use crate::certify::{CertifiedLandmark, Undecided, isolate_near};
-use crate::check::Certificate;
-use crate::number::{Ball, Dyadic, Engine};
-use crate::problem::{Problem, System};
+use crate::certify::{CertifiedLandmark, Undecided};
+use crate::number::Ball;
+use crate::problem::System;
 
 /// A root of a system: where it is, and where there is no other.
 pub(super) struct CoqRoot {
@@ -30,17 +29,5 @@ impl CoqRoot {
         let values: Vec<Ball> = Option::ok_or_else(values, missing)?;
         let given = Configuration::zero(&Ball::integer(0, BITS));
         Ok(Self { system, given, values, domain: isolated.domain().to_vec() })
-    }
-
-    /// The root of a certificate, to the same digits however many it has itself.
-    pub(super) fn of_certificate(
-        problem: &Problem,
-        certificate: &Certificate,
-    ) -> Result<Self, Undecided> {
-        let float = |x: &Dyadic| <Ball as Engine>::exact(x, BITS as usize).mid().clone();
-        let start = certificate.root.centre.iter().map(float).collect();
-        let (values, isolated) = isolate_near(problem, start, BITS)?;
-        let (system, domain) = (problem.system(), isolated.domain().to_vec());
-        Ok(Self { system, given: problem.given(BITS), values, domain })
     }
 }

@@ -1,6 +1,5 @@
 //! One solution of a system: the claim in printed equations, the table, and its check.
 
-use super::given::given;
 use super::names::{DECIMALS, argument, symbols, weight_name};
 use super::numeral::{text, unit};
 use super::root::CoqRoot;
@@ -8,7 +7,7 @@ use super::table::{ClearedSystem, ContractionTable};
 use super::template::fill;
 use crate::arch::Unknown;
 use crate::certify::Undecided;
-use crate::problem::{Arch, Equation, System};
+use crate::problem::{Equation, System};
 use rug::Rational;
 
 /// Texts that fill the holes of a template.
@@ -20,13 +19,11 @@ pub(super) struct CoqSolution {
     pub values: Holes,
     /// The names of its unknowns.
     pub symbols: Vec<&'static str>,
-    /// The numbers.
-    pub table: ContractionTable,
 }
 
 impl CoqSolution {
-    /// Chooses the numbers; `given` are the names of what is given.
-    pub(super) fn new(root: &CoqRoot, given: &[&str]) -> Result<Self, Undecided> {
+    /// Chooses the numbers.
+    pub(super) fn new(root: &CoqRoot) -> Result<Self, Undecided> {
         let system = &root.system;
         let cleared = ClearedSystem::new(system);
         let table = ContractionTable::new(root, &cleared)?;
@@ -34,25 +31,7 @@ impl CoqSolution {
         let mut values = claim(system, &symbols, &table);
         values.extend(numbers(&cleared, &table));
         values.extend(check(system, &symbols));
-        values.push(("given", given.iter().map(|name| format!(" {name}")).collect()));
-        values.push(("unfolded", given.iter().map(|name| format!(", {name}")).collect()));
-        Ok(Self { values, symbols, table })
-    }
-
-    /// The theorem about an arch, with the definitions of what is given of it.
-    pub(super) fn of_arch(root: &CoqRoot, arch: &Arch) -> Result<Self, Undecided> {
-        let given = given(&root.system, arch);
-        let names: Vec<&str> = given.iter().map(|(name, _)| *name).collect();
-        let mut solution = Self::new(root, &names)?;
-        let definitions = given.iter().map(|(name, x)| format!("Definition {name} : R := {x}."));
-        solution.values.push(("arch", definitions.collect::<Vec<_>>().join("\n")));
-        Ok(solution)
-    }
-
-    /// The middle of an unknown, as Coq reads it; nothing if it is none.
-    pub(super) fn centre(&self, system: &System, unknown: Unknown) -> String {
-        let centre = system.index(unknown).map(|index| text(&self.table.centre[index]));
-        centre.unwrap_or_default()
+        Ok(Self { values, symbols })
     }
 
     /// The file: this between a heading and theorems that follow.

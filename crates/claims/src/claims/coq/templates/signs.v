@@ -4,4 +4,4 @@
 (** What is left to look at: <<looked_at>>. *)
 Lemma signs <<args>> : narrow <<args>> ->
   <<signs>>.
-Proof. unfold narrow<<unfolded>>. signs. Qed.
+Proof. unfold narrow. signs. Qed.

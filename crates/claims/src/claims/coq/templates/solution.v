@@ -48,7 +48,7 @@ Definition J (j k : nat) (x : point) : R :=
 
 Ltac reduce := cbv beta iota zeta delta
   [F J residuals jacobian centre radii inverse slopes spreads size factor
-   entry entries nth sum unit_entry Nat.eqb<<given>>].
+   entry entries nth sum unit_entry Nat.eqb].
 
 Notation box d x := (within <<n>> (entry radii) d x (entry centre)).
 
@@ -105,7 +105,7 @@ Lemma cleared <<args>> :
   wide <<args>> ->
   (equations <<args>> <-> vanish (residuals <<args>>)).
 Proof.
-  unfold wide, equations, residuals<<unfolded>>; intros W; conjuncts; cbn [vanish].
+  unfold wide, equations, residuals; intros W; conjuncts; cbn [vanish].
   <<clearing>>
 Qed.
 

@@ -1,0 +1,254 @@
+//! The file of a certificate: the numbers of it, and that the verified checker accepts them.
+//!
+//! Coq computes that by itself, so that nothing here is trusted: what is claimed is `claim_of` of
+//! `proofs/coq/verified/Certificate.v`.
+
+use super::template::fill;
+use crate::check::{ArchFile, Certificate, ClaimFile, Refusal, ValueFile, Witness, verify};
+use crate::number::Dyadic;
+use rug::Integer;
+use rug::integer::Order;
+
+/// Reason why a certificate does not become a theorem.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CertificateError {
+    /// The checker does not accept it.
+    #[error("refused: {0}")]
+    Refused(#[from] Refusal),
+}
+
+/// The file of a certificate, name and content, after a check of it.
+///
+/// Its theorem is the claim of the certificate to all its digits: a landmark, a state, that an arch stands, is too
+/// thin, too wide or slides, or an asymmetric solution.
+pub fn certificate(bytes: &[u8]) -> Result<(String, String), CertificateError> {
+    verify(bytes)?;
+    let certificate = Certificate::read(bytes)?;
+    let Subject { name, title, term } = Subject::new(&certificate.claim);
+    let weight = capital(&certificate.claim.weight);
+    let values = [
+        ("title", title),
+        ("subject", term),
+        ("digits", certificate.digits.to_string()),
+        ("unique", boxed(&certificate.unique)),
+        ("inverse", rows(certificate.inverse.iter().map(|row| list(row.iter().map(dyadic))))),
+        ("root", boxed(&certificate.root)),
+        ("values", rows(certificate.values.iter().map(|v| value(v, certificate.digits)))),
+    ];
+    let text = fill(include_str!("templates/certificate.v"), &values);
+    Ok((format!("{name}{weight}.v"), text))
+}
+
+/// The subject of a claim.
+struct Subject {
+    /// Beginning of the file's name.
+    name: String,
+    /// Title for a reader.
+    title: String,
+    /// Term of Coq.
+    term: String,
+}
+
+impl Subject {
+    fn new(claim: &ClaimFile) -> Self {
+        let weight = capital(&claim.weight);
+        let arch = |half_opening: &str, friction: &str| {
+            format!("(Arch {weight} {} {})", number(half_opening), coefficient(friction))
+        };
+        let of = |a: &ArchFile| arch(&a.half_opening, &a.friction);
+        let subject = |name: &str, title: String, term: String| Self {
+            name: name.to_owned(),
+            title: format!("{title}, {weight}'s self-weight"),
+            term,
+        };
+        if let Some(s) = &claim.state {
+            let (mode, arch) = (mode(&s.mode), arch(&s.half_opening, &s.friction));
+            let title = format!("An arch at its least thickness: [{}]", s.mode);
+            return subject(&format!("State{mode}"), title, format!("State {mode} {arch}"));
+        }
+        if let Some(s) = &claim.too_thin {
+            let (mode, arch) = (mode(&s.mode), arch(&s.half_opening, &s.friction));
+            let term = format!("TooThin {mode} {arch} {}", number(&s.thickness));
+            return subject("TooThin", "An arch that is too thin".into(), term);
+        }
+        if let Some(a) = &claim.slides {
+            return subject("Slides", "An arch that slides".into(), format!("Slides {}", of(a)));
+        }
+        if let Some(a) = &claim.too_wide {
+            return subject("TooWide", "An arch that is too wide".into(), format!("TooWide {}", of(a)));
+        }
+        if let Some(s) = &claim.stands {
+            let nearest = capital(&s.nearest);
+            let forces = format!("{} {}", dyadic(&s.thrust), dyadic(&s.crown_moment));
+            let thickness = number(&s.thickness);
+            let arch = arch(&s.half_opening, &s.friction);
+            let term = format!("Stands {arch} {thickness} {forces} At{nearest}");
+            return subject("Stands", "An arch that stands".into(), term);
+        }
+        if let Some(a) = &claim.asymmetric {
+            let kind = match a.mode.as_str() {
+                "inner_sliding" => "SlidesInside",
+                "shoulder_opening" => "OpensAtShoulder",
+                _ => "SlidesAlone",
+            };
+            let term = format!("Asymmetric {kind} {}", arch(&a.half_opening, &a.friction));
+            let title = "An asymmetric solution of the complementarity problem (19)";
+            return subject(&format!("Asymmetric{kind}"), title.into(), term);
+        }
+        let symbol = claim.landmark.as_deref().unwrap_or_default();
+        let landmark = match symbol {
+            "T" => "Triple",
+            "S" => "Shift",
+            "J" => "Junction",
+            "B" => "Border",
+            "l" => "RotationEnd",
+            "L" => "OverturningEnd",
+            _ => "WidestJoint",
+        };
+        let title = format!("The arch of the point {symbol} is a state");
+        subject(&format!("Landmark{landmark}"), title, format!("Landmark {landmark} {weight}"))
+    }
+}
+
+fn mode(label: &str) -> &'static str {
+    match label {
+        "[r,r,r]" => "Rotational",
+        "[s,r,r]" => "SlidingRotational",
+        "[r,r,s]" => "RotationalSliding",
+        "[r,s,r]" => "RotationalSlidingRotational",
+        "[r,s]" => "OverturningSliding",
+        _ => "Overturning",
+    }
+}
+
+/// A name with its first letter large.
+fn capital(name: &str) -> String {
+    let mut letters = name.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// An exact number of a claim: `49/20`, `1/2 pi`, `2 atan 3/5`.
+fn number(text: &str) -> String {
+    let (quotient, form) = match (text.strip_suffix(" pi"), text.strip_prefix("2 atan ")) {
+        (Some(quotient), _) => (quotient, "TimesPi"),
+        (None, Some(quotient)) => (quotient, "TwiceArctangent"),
+        (None, None) => (text, "Fraction"),
+    };
+    format!("({form} {})", quotient.replace('/', " "))
+}
+
+/// A friction of a claim.
+fn coefficient(text: &str) -> String {
+    match (text, text.strip_prefix("tan ")) {
+        ("inf", _) => "Unlimited".to_owned(),
+        (_, Some(angle)) => format!("(Angle {})", number(angle)),
+        _ => format!("(Coefficient {})", number(text)),
+    }
+}
+
+fn dyadic(x: &Dyadic) -> String {
+    let mantissa = Integer::from_digits(x.words(), Order::Lsf);
+    let sign = if x.is_negative() { "-" } else { "" };
+    format!("(Dyadic ({sign}{mantissa}) ({}))", x.exponent())
+}
+
+fn list(entries: impl Iterator<Item = String>) -> String {
+    format!("[{}]", entries.collect::<Vec<_>>().join("; "))
+}
+
+/// A list with a line for each entry.
+fn rows(entries: impl Iterator<Item = String>) -> String {
+    format!("[ {} ]", entries.collect::<Vec<_>>().join(";\n      "))
+}
+
+fn boxed(witness: &Witness) -> String {
+    let all = |numbers: &[Dyadic]| list(numbers.iter().map(dyadic));
+    format!("(Box {}\n      {})", all(&witness.centre), all(&witness.radius))
+}
+
+/// A value as all its digits and a power of ten.
+fn value(value: &ValueFile, digits: usize) -> String {
+    let quantity = match value.quantity.as_str() {
+        "intrinsic_thrust" => "IntrinsicThrust".to_owned(),
+        "A" => "OpeningVariable".to_owned(),
+        "friction_angle" => "FrictionAngle".to_owned(),
+        "friction_angle_degrees" => "FrictionAngleDegrees".to_owned(),
+        name => match name.strip_suffix("_degrees") {
+            Some(angle) => format!("(Degrees {})", variable(angle)),
+            None => format!("(Plain {})", variable(name)),
+        },
+    };
+    format!("({quantity}, {})", decimal(&value.value, digits))
+}
+
+fn variable(name: &str) -> &'static str {
+    match name {
+        "half_opening" => "Alpha",
+        "rotation_joint" => "BetaR",
+        "sliding_joint" => "BetaS",
+        "thickness" => "Eta",
+        "thrust" => "Thrust",
+        "friction" => "Mu",
+        "crown_moment" => "Moment",
+        "vertical_force" => "Force",
+        "crown_hinge" => "Hinge",
+        "shoulder_slip" => "Slip",
+        "inner_slip" => "InnerSlip",
+        "shoulder_opening" => "Opening",
+        _ => "Power",
+    }
+}
+
+/// A decimal as all its digits and a power of ten: what the checker has accepted is one.
+fn decimal(text: &str, digits: usize) -> String {
+    if text == "inf" {
+        return "Infinite".to_owned();
+    }
+    let (mantissa, power) = text.split_once('e').unwrap_or((text, "0"));
+    let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let all = format!("{whole}{part}");
+    let mut all = all.trim_start_matches('0').to_owned();
+    if all.is_empty() {
+        return "Decimal 0 0".to_owned();
+    }
+    let mut power = power.parse::<i64>().unwrap_or(0) - part.len() as i64;
+    while all.len() > digits && all.ends_with('0') {
+        all.pop();
+        power += 1;
+    }
+    let missing = digits.saturating_sub(all.len());
+    format!("Decimal {all}{} ({})", "0".repeat(missing), power - missing as i64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_read_as_the_file_has_them() {
+        assert_eq!(number("49/20"), "(Fraction 49 20)");
+        assert_eq!(number("1/2 pi"), "(TimesPi 1 2)");
+        assert_eq!(number("2 atan 3/5"), "(TwiceArctangent 3 5)");
+        assert_eq!(coefficient("inf"), "Unlimited");
+        assert_eq!(coefficient("tan 7/36 pi"), "(Angle (TimesPi 7 36))");
+        assert_eq!(coefficient("1/2"), "(Coefficient (Fraction 1 2))");
+        assert_eq!(dyadic(&"-0x1f3p-12".parse().unwrap()), "(Dyadic (-499) (-12))");
+    }
+
+    #[test]
+    fn a_decimal_has_all_its_digits() {
+        let cases = [
+            ("0.1074", 4, "Decimal 1074 (-4)"),
+            ("2", 3, "Decimal 200 (-2)"),
+            ("140", 2, "Decimal 14 (1)"),
+            ("3.1e-8", 3, "Decimal 310 (-10)"),
+            ("0.0640", 3, "Decimal 640 (-4)"),
+            ("0", 30, "Decimal 0 0"),
+            ("inf", 30, "Infinite"),
+        ];
+        for (text, digits, expected) in cases {
+            assert_eq!(decimal(text, digits), expected, "{text}");
+        }
+    }
+}
