@@ -222,7 +222,7 @@ fn a_branch_is_drawn_beside_the_least_thickness() {
         assert!(drawn.contains(&format!("id=\"{id}\"")), "{id}");
     }
     assert!(!drawn.contains("id=\"shoulder_opening\""), "there is none");
-    assert!(drawn.contains("that there are no others is not proved"));
+    assert!(drawn.contains("Milankovitch's weight there are no others"));
 }
 
 /// That there is no least thickness is an answer: every thickness stands, or none does. A row of CSV says it, and

@@ -12,7 +12,8 @@
 //!    Eq. (19) holds: `phi <= 0`, `lambda >= 0`, `phi^T lambda = 0`, and compatibility without dilatancy.
 //! 4. The power of the weight is that of friction, block by block: not needed, but another route to the same.
 //!
-//! The mirror image is a solution at the same thickness. **What is found is proved; that there are no others is not.**
+//! The mirror image is a solution at the same thickness. With Milankovitch's weight an arch has one at the most, with
+//! Heyman's two (the claim `asymmetric-number`). **What is found is proved; that the search finds all is not.**
 
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode, Place};
 use crate::arch::joint::Grip;

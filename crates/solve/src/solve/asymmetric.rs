@@ -81,22 +81,30 @@ impl CurveSearch<'_> {
         let next = move |(before, last): &(Vec<f64>, Vec<f64>)| {
             // From where the last two point to.
             let near = last.iter().zip(before).map(|(last, before)| 2.0 * last - before);
-            let [h, p, _, eta, crown, haunch] = near.collect::<Vec<_>>()[..] else { return None };
             let vertical = last[2] + step;
-            let state = self.settled(vec![h, p, eta, crown, haunch], ROUGH, |x| {
-                let [h, p, eta, crown, haunch] = x else { return Vec::new() };
-                let v = Dual::constant(vertical);
-                let x = [h, p, &v, eta, crown, haunch].map(Clone::clone);
-                self.at(&x).map_or_else(Vec::new, |at| at.common(self.weight))
-            })?;
-            let [h, p, eta, crown, haunch] = state[..] else { return None };
+            let state = self.with_vertical(&near.collect::<Vec<_>>(), vertical)?;
+            let [h, _, _, eta, _, haunch] = state[..] else { return None };
             let is_physical = h > 0.0 && eta > 0.0 && eta < 2.0 && haunch < self.half_opening;
             let is_near = vertical <= LARGEST * self.half_opening;
-            let state = vec![h, p, vertical, eta, crown, haunch];
             (is_physical && is_near).then(|| (last.clone(), state))
         };
-        let first = self.symmetric().map(|state| (state.clone(), state));
+        // A kind may close next to it.
+        let first = self.symmetric().and_then(|near| self.with_vertical(&near, 0.0));
+        let first = first.map(|state| (state.clone(), state));
         std::iter::successors(first, next).map(|(_, state)| state)
+    }
+
+    /// The state of the curve with a vertical force, next to another.
+    fn with_vertical(&self, near: &[f64], vertical: f64) -> Option<Vec<f64>> {
+        let [h, p, _, eta, crown, haunch] = *near else { return None };
+        let state = self.settled(vec![h, p, eta, crown, haunch], ROUGH, |x| {
+            let [h, p, eta, crown, haunch] = x else { return Vec::new() };
+            let v = Dual::constant(vertical);
+            let x = [h, p, &v, eta, crown, haunch].map(Clone::clone);
+            self.at(&x).map_or_else(Vec::new, |at| at.common(self.weight))
+        })?;
+        let [h, p, eta, crown, haunch] = state[..] else { return None };
+        Some(vec![h, p, vertical, eta, crown, haunch])
     }
 
     fn at(&self, x: &[Dual<f64>]) -> Option<Asymmetric<Dual<f64>>> {
@@ -104,8 +112,8 @@ impl CurveSearch<'_> {
         Asymmetric::from_unknowns(&Dual::constant(self.half_opening), grip, x)
     }
 
-    /// The state whose both shoulders slide: the thrust is that of the shoulder, and the thickness the largest of
-    /// those at which a line of thrust from the crown's extrados is on the intrados of a joint.
+    /// A state next to that whose both shoulders slide: the thrust is that of the shoulder, and the thickness the largest of
+    /// those at which a line of thrust from the crown's extrados is on the intrados of one of some joints.
     fn symmetric(&self) -> Option<Vec<f64>> {
         let (sin, cos) = self.half_opening.sin_cos();
         let Grip { shear, normal } = self.grip;
