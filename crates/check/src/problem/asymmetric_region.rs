@@ -61,7 +61,8 @@ pub fn may_move_asymmetrically(arch: &Arch) -> bool {
     arch.is_limited() && may(ALL) && may(range(arch.given::<DoubleBall>(53).friction))
 }
 
-/// Tells whether an asymmetric mechanism is known of any arch in a range of half openings (rad) and one of frictions.
+/// Tells whether an asymmetric mechanism is known of any arch in a range of half openings (rad) and one of
+/// frictions.
 pub fn some_may_move(weight: SelfWeight, half_openings: [f64; 2], frictions: [f64; 2]) -> bool {
     let table = match weight {
         SelfWeight::Milankovitch => MILANKOVITCH,

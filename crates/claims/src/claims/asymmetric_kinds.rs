@@ -1,8 +1,9 @@
-//! Which asymmetric motions the whole arch has: none up to a half opening of 90°, and three kinds beyond.
+//! Asymmetric motions of the whole arch: none up to a half opening of 90°, and three kinds beyond.
 //!
-//! With a vertical force `v > 0` in the crown the line of thrust reaches the extrados on the right only and the intrados on the
-//! left only, and each joint that slides moves what is left of it upwards, but for the right springing of a horseshoe.
-//! [`asymmetric-narrow`](NARROW) is a theorem in Coq too, for motions of any number of joints: `proofs/coq/Asymmetric.v`.
+//! With a vertical force `v > 0` in the crown the line of thrust reaches the extrados on the right only and the
+//! intrados on the left only, and each joint that slides moves what is left of it upwards, but for the right
+//! springing of a horseshoe. [`asymmetric-narrow`](NARROW) is a theorem in Coq too, for motions of any number of
+//! joints: `proofs/coq/Asymmetric.v`.
 
 use super::asymmetric::ASYMMETRIC_MOTION;
 use super::letters::ring;
@@ -53,7 +54,7 @@ fn row(contact: Contact, joint: &Angle<Fraction>) -> [Fraction; 3] {
     motion_row(contact, joint, &eta, &eta.int(0))
 }
 
-/// What a joint bears beside what its mirror image bears.
+/// Margins of a joint beside those of its mirror image.
 fn mirror_images(d: &mut Derivation) -> Checked {
     let (joint, v) = (Symbol::joint(), Symbol::CrownShear.number());
     let mirrored = Side::Left.joint(&joint);

@@ -1,9 +1,9 @@
-//! Where the whole arch has asymmetric solutions of Eq. (19), and how many: all of them.
+//! Asymmetric solutions of Eq. (19): in which arches they are, and how many.
 //!
-//! The three kinds are all there are (`asymmetric-kinds`). Their hinges touch at one thickness for each thrust and
-//! vertical force; in balls all of these are looked at: [`asymmetric_cover`](super::asymmetric_cover). In one arch with a
-//! shoulder that slides the vertical force alone is left, and what holds on the way from the symmetric state changes
-//! but once.
+//! The three kinds are all there are (`asymmetric-kinds`). Their hinges touch at one thickness for each thrust
+//! and vertical force; in balls all of these are looked at: [`asymmetric_cover`](super::asymmetric_cover). In one
+//! arch with a shoulder that slides the vertical force alone is left, and what holds on the way from the
+//! symmetric state changes but once.
 
 use super::asymmetric_cover::{Directions, RECTANGLE, Rectangle, elsewhere, known};
 use super::asymmetric_kinds::{KINDS, borne, margin_at};
@@ -157,7 +157,7 @@ mod tests {
         }
     }
 
-    /// Whether the least state of an arch is `[s,r,r]`, and its haunch is wide enough; `None` where nothing stands.
+    /// Tells whether the least state of an arch is `[s,r,r]`, and its haunch wide enough; `None` where nothing stands.
     fn is_told(weight: SelfWeight, alpha: &str, mu: &str) -> Option<bool> {
         let arch = parsed(weight, alpha, mu).unwrap();
         let state = standing(arch.state(64).unwrap()).ok()?;
@@ -172,7 +172,7 @@ mod tests {
         Some(state.mode == Mode::SlidingRotational && is_wide.is_proved())
     }
 
-    /// What the search of the program finds is as many as there are, in and about the region.
+    /// Solutions that the program finds are as many as there are, in and about the region.
     #[test]
     fn the_search_finds_as_many() {
         let mut counts = [0; 3];

@@ -50,7 +50,8 @@ mod tests {
         Arch::parse(weight, alpha, mu).unwrap()
     }
 
-    /// One of each kind and weight, and two of one arch: in balls of double-doubles, and as balls of MPFR have them.
+    /// One of each kind and weight, and two of one arch: in balls of double-doubles, and as balls of MPFR have
+    /// them.
     #[test]
     fn double_doubles_prove_the_same_thicknesses() {
         for (weight, alpha, mu) in [

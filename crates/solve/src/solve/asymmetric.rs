@@ -75,7 +75,8 @@ struct CurveSearch<'a> {
 }
 
 impl CurveSearch<'_> {
-    /// The states of the curve, `h, p, v, eta, b0, b1`, as far as the thickness is physical and solutions are known.
+    /// The states of the curve, `h, p, v, eta, b0, b1`, as far as the thickness is physical and solutions are
+    /// known.
     fn curve(&self) -> impl Iterator<Item = Vec<f64>> {
         let step = STEP * self.half_opening;
         let next = move |(before, last): &(Vec<f64>, Vec<f64>)| {
@@ -112,8 +113,9 @@ impl CurveSearch<'_> {
         Asymmetric::from_unknowns(&Dual::constant(self.half_opening), grip, x)
     }
 
-    /// A state next to that whose both shoulders slide: the thrust is that of the shoulder, and the thickness the largest of
-    /// those at which a line of thrust from the crown's extrados is on the intrados of one of some joints.
+    /// A state next to that whose both shoulders slide: the thrust is that of the shoulder, and the thickness the
+    /// largest of those at which a line of thrust from the crown's extrados is on the intrados of one of some
+    /// joints.
     fn symmetric(&self) -> Option<Vec<f64>> {
         let (sin, cos) = self.half_opening.sin_cos();
         let Grip { shear, normal } = self.grip;
@@ -225,6 +227,16 @@ mod tests {
         for (alpha, mu) in [(1.57, 0.35), (1.57, 0.6), (1.0, 0.3), (2.6, 3.0)] {
             assert!(found(SelfWeight::Heyman, alpha, mu).is_empty(), "{alpha} {mu}");
         }
+    }
+
+    /// A mechanism before the first step; with a little more friction there is none.
+    #[test]
+    fn a_kind_next_to_the_symmetric_state_is_found() {
+        let all = found(SelfWeight::Heyman, 2.233, 0.968);
+        let kinds: Vec<_> = all.iter().map(|candidate| candidate.mode).collect();
+        assert_eq!(kinds, [AsymmetricMode::ShoulderSliding]);
+        approx::assert_abs_diff_eq!(all[0].unknowns[2], 0.010_265, epsilon = 1e-4);
+        assert!(found(SelfWeight::Heyman, 2.233, 0.971).is_empty());
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! Forces of asymmetric states in balls: all of them are looked at, box by box.
 //!
-//! A state of a kind of [`AsymmetricMode`](crate::arch::asymmetric::AsymmetricMode) touches the extrados at `b0` and the
-//! intrados at `b1`. These two and the thickness follow from the thrust `h` and the vertical force `v`, whatever the half
-//! opening and the friction are; the shoulder that slides then leaves one friction to each half opening. There are three
-//! bounds of the half opening `alpha`:
+//! A state of a kind of [`AsymmetricMode`](crate::arch::asymmetric::AsymmetricMode) touches the extrados at `b0`
+//! and the intrados at `b1`. These two and the thickness follow from the thrust `h` and the vertical force `v`,
+//! whatever the half opening and the friction are; the shoulder that slides then leaves one friction to each half
+//! opening. There are three bounds of the half opening `alpha`:
 //!
 //! | bound | where it is reached | a state needs |
 //! |---|---|---|
@@ -11,8 +11,8 @@
 //! | `alpha_Q` | the hinges and the shoulder fit | `alpha >= alpha_Q` |
 //! | `alpha_U` | the shoulder opens | `alpha <= alpha_U` |
 //!
-//! and one of the three has to be reached. So what is asked is where `max(alpha_I, alpha_Q) <= alpha_U`. `wide` proves
-//! that it is so only in a rectangle of `h = cos² chi` and `v`, and `near` looks at that rectangle.
+//! and one of the three has to be reached. So what is asked is where `max(alpha_I, alpha_Q) <= alpha_U`. `wide`
+//! proves that it is so only in a rectangle of `h = cos² chi` and `v`, and `near` looks at that rectangle.
 
 mod near;
 mod wide;
@@ -53,7 +53,7 @@ impl Span {
         Self { low: part(low), high: part(high) }
     }
 
-    /// Its halves.
+    /// Halves of the interval.
     fn halves(self) -> [Self; 2] {
         let middle = self.middle();
         [Self { high: middle, ..self }, Self { low: middle, ..self }]

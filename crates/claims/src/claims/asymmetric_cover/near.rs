@@ -23,7 +23,7 @@ pub(in super::super) struct Directions {
 }
 
 impl Directions {
-    /// Those of each weight.
+    /// Signs of each weight.
     pub(in super::super) const ALL: [Self; 2] = {
         use SelfWeight::{Heyman, Milankovitch};
         [
@@ -41,8 +41,8 @@ const START: [f64; 7] = [0.2309, 0.5831, 1.0613, 1.0567, 2.35, 2.2, 2.3];
 /// Room about the table, for its roundings.
 const ROOM: f64 = 1e-9;
 
-/// The two hinges touch, and the half openings at which the shoulder opens, the mechanism fits and an inner joint slides.
-/// `b0` has one added: it is zero where `v` is.
+/// The two hinges touch, and the half openings at which the shoulder opens, the mechanism fits and an inner joint
+/// slides. `b0` has one added: it is zero where `v` is.
 struct Touching {
     weight: SelfWeight,
     inclination: DoubleBall,
@@ -98,7 +98,7 @@ fn is_less(a: &DoubleBall, b: &DoubleBall) -> bool {
 /// Numbers with their slopes by `h, v, eta, b0, b1` and the half opening.
 type Slopes = Gradient<DoubleBall, 6>;
 
-/// What touches in a box of forces.
+/// Hinges that touch, for all forces of a box.
 struct State {
     weight: SelfWeight,
     forces: [DoubleBall; 2],
@@ -136,7 +136,8 @@ impl State {
         })
     }
 
-    /// Tells whether the hinges are on their sides, the half openings are those of horseshoes, and the thickness is below 2.
+    /// Tells whether the hinges are on their sides, the half openings are those of horseshoes, and the thickness
+    /// is below 2.
     fn is_in_order(&self, place: Place) -> bool {
         let inner = cycloid::joint(&Angle::new(place.inclination.ball()));
         let [crown, haunch] = self.hinges;
@@ -181,8 +182,9 @@ impl State {
         [-thrust / (half_opening - vertical), thrust.int(1)]
     }
 
-    /// Tells whether the distance from the extrados is least at its hinge; and whether the misfit falls where the mechanism
-    /// fits, in one arch with the vertical force and in symmetric states with the thrust, or an inner joint slides before.
+    /// Tells whether the distance from the extrados is least at its hinge; and whether the misfit falls where the
+    /// mechanism fits, in one arch with the vertical force and in symmetric states with the thrust, or an inner
+    /// joint slides before.
     fn fits_before(&self, place: Place) -> bool {
         let slopes = self.slopes(self.fits);
         let falls = |direction| is_positive(&-slopes.along(direction)[1][0]);
@@ -196,9 +198,9 @@ impl State {
         [1, 0].map(|n| self.thickness.int(n))
     }
 
-    /// Tells whether a bound from below exceeds that by the shoulder, so that there is no state; or else the signs are as
-    /// they are said to be where the shoulder opens, and the arch has its symmetric state inside the rectangle too.
-    /// `Some(true)` where there is none.
+    /// Tells whether a bound from below exceeds that by the shoulder, so that there is no state; or else the
+    /// signs are as they are said to be where the shoulder opens, and the arch has its symmetric state inside the
+    /// rectangle too. `Some(true)` where there is none.
     fn goes(&self, directions: Directions, place: Place) -> Option<bool> {
         let [thrust, vertical] = self.forces;
         let slopes = self.slopes(self.opens);
@@ -263,8 +265,8 @@ struct Sloped {
 }
 
 impl Sloped {
-    /// Slopes of the margin at the springing and of the misfit, in a direction of `h` and `v`, each with that by the half
-    /// opening. The moment is eliminated, and the hinges follow.
+    /// Slopes of the margin at the springing and of the misfit, in a direction of `h` and `v`, each with that by
+    /// the half opening. The moment is eliminated, and the hinges follow.
     fn along(&self, direction: [DoubleBall; 2]) -> [[DoubleBall; 2]; 2] {
         let given =
             |value: &Slopes| value.slopes[0] * direction[0] + value.slopes[1] * direction[1];
@@ -281,8 +283,8 @@ impl Sloped {
     }
 }
 
-/// Proves, box by box, that in the whole rectangle the hinges touch at one thickness, and that where a state may be the
-/// signs are as said. Returns the number of boxes, and of those in which a state may be.
+/// Proves, box by box, that in the whole rectangle the hinges touch at one thickness, and that where a state may
+/// be the signs are as said. Returns the number of boxes, and of those in which a state may be.
 pub(in super::super) fn known(directions: Directions) -> Result<[usize; 2], Undecided> {
     let weight = directions.weight;
     let whole = Place {

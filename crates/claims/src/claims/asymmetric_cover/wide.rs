@@ -1,12 +1,13 @@
 //! All thrusts, vertical forces and thicknesses outside the rectangle: no asymmetric state.
 //!
-//! A box is empty for one of five reasons, each of which is a sign in balls:
+//! A box is empty for one of four reasons, each of which is a sign in balls:
 //!
-//! - **it is too thin**: at some joint the margins at the two faces add up to less than nothing;
+//! - **it is too thin**: the extrados of a joint on the right leaves less to the moment than the intrados of one on the
+//!   left asks for;
 //! - **no hinge**: along the right half the distance from the extrados has no least value inside;
 //! - **it is too thick**: the hinges, wherever they are in their ranges, do not both touch;
-//! - **the shoulder opens**: at some half opening that the right angle, the sliding joint or the fit of the hinges says to
-//!   be too small, the line of thrust is outside already, and further on it is so too.
+//! - **the shoulder opens**: at some half opening that the right angle, the sliding joint or the fit of the hinges says
+//!   to be too small, the line of thrust is outside already, and further on it is so too.
 
 use super::{PARTS, Place, Rectangle, Span, nothing};
 use crate::arch::asymmetric::Asymmetric;
@@ -71,7 +72,7 @@ impl Joints {
     }
 }
 
-/// What margins of a cell are computed from.
+/// Ring and forces of a cell.
 struct Bodies {
     ring: Ring<DoubleBall>,
     grip: Grip<DoubleBall>,
@@ -237,8 +238,8 @@ impl Cell {
     }
 }
 
-/// Proves that outside a rectangle of forces no asymmetric state is, of any half opening and any friction. Returns the
-/// number of boxes.
+/// Proves that outside a rectangle of forces no asymmetric state is, of any half opening and any friction.
+/// Returns the number of boxes.
 pub(in super::super) fn elsewhere(
     weight: SelfWeight,
     rectangle: Rectangle,
