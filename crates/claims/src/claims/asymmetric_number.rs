@@ -172,7 +172,17 @@ mod tests {
         Some(state.mode == Mode::SlidingRotational && is_wide.is_proved())
     }
 
-    /// Solutions that the program finds are as many as there are, in and about the region.
+    /// Asymmetric solutions that the program finds of an arch: as many as there are. `None` where nothing stands.
+    fn found(weight: SelfWeight, alpha: &str, mu: &str) -> Option<usize> {
+        let is_told = is_told(weight, alpha, mu)?;
+        let all = asymmetric_thicknesses(&parsed(weight, alpha, mu).unwrap(), 9);
+        let found = all.unwrap().len();
+        let is_pair = weight == SelfWeight::Heyman && !is_told && found == 2;
+        let is_right = is_pair || found == usize::from(is_told);
+        assert!(is_right, "{weight:?} {alpha} {mu}: {found}, {is_told}");
+        Some(found)
+    }
+
     #[test]
     fn the_search_finds_as_many() {
         let mut counts = [0; 3];
@@ -181,16 +191,35 @@ mod tests {
                 for n in 0..10 {
                     let alpha = format!("{}", 2.17 + 0.021 * f64::from(k));
                     let mu = format!("{}", 0.82 + 0.032 * f64::from(k) + 0.013 * f64::from(n));
-                    let Some(is_told) = is_told(weight, &alpha, &mu) else { continue };
-                    let found = asymmetric_thicknesses(&parsed(weight, &alpha, &mu).unwrap(), 9);
-                    let found = found.unwrap().len();
-                    let right = found == usize::from(is_told)
-                        || weight == SelfWeight::Heyman && !is_told && found == 2;
-                    assert!(right, "{weight:?} {alpha} {mu}: {found}, {is_told}");
+                    let Some(found) = found(weight, &alpha, &mu) else { continue };
                     counts[found] += 1;
                 }
             }
         }
+        assert!(counts.iter().all(|count| *count > 0), "{counts:?}");
+    }
+
+    /// A hundred thousand arches about the region, a minute long: `cargo test --lib in_many_arches -- --ignored`.
+    #[test]
+    #[ignore = "a minute long"]
+    fn the_search_finds_as_many_in_many_arches() {
+        let mut seed = 1u64;
+        let mut random = || {
+            seed = seed
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 11) as f64 / (1u64 << 53) as f64
+        };
+        let mut counts = [0; 4];
+        for k in 0..100_000 {
+            let weight = SelfWeight::ALL[k % 2];
+            let alpha = 2.17 + 0.35 * random();
+            // About the friction of pure sliding, and above.
+            let mu = 0.86 + 1.8 * (alpha - 2.2) + 0.25 * (random() - 0.4);
+            let [alpha, mu] = [alpha, mu].map(|x| format!("{x:.9}"));
+            counts[found(weight, &alpha, &mu).unwrap_or(3)] += 1;
+        }
+        println!("{counts:?} arches with none, one and two, and that do not stand");
         assert!(counts.iter().all(|count| *count > 0), "{counts:?}");
     }
 }
