@@ -102,7 +102,7 @@ fn number(d: &mut Derivation) -> Checked {
             "{weight}: there, in one arch with growing v, the misfit alpha - alpha_Q turns from + to - only, where alpha >= alpha_I; \
              U at the springing turns {turn} only, where alpha >= alpha_I and alpha >= alpha_Q; and with one h, alpha_U falls \
              below the larger of the others once at the most; with one v, the misfit and U turn from + to - as h grows. Each \
-             solution is between {} and {} degrees, at a half opening and a friction that the program has in its table",
+             solution is between {} and {} degrees",
             directions.half_openings[0], directions.half_openings[1]
         );
         let other = Directions { opening_grows: !directions.opening_grows, ..*directions };

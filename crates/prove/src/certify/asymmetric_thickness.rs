@@ -13,7 +13,8 @@ use crate::solve::asymmetric::AsymmetricCandidate;
 
 /// The thicknesses of the asymmetric solutions that are found and proved for an arch, the largest first, to
 /// `digits` significant digits. With Milankovitch's weight there is one at the most, with Heyman's there are two;
-/// **that all are found is not proved.** Nothing is computed where [none is known](crate::problem::asymmetric_region).
+/// **that all are found is not proved.** Nothing is computed outside the
+/// [table](crate::problem::asymmetric_region) that holds them all.
 /// Digits beyond [`MAX_DIGITS`](super::MAX_DIGITS) are refused.
 pub fn asymmetric_thicknesses(arch: &Arch, digits: usize) -> Result<Vec<Figure>, Refused> {
     Refused::digits(digits)?;

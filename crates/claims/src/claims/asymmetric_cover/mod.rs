@@ -97,6 +97,13 @@ impl Place {
         let inclination = Angle::new(self.inclination.ball());
         inner_room(&inclination, &self.vertical.ball(), half_opening)
     }
+
+    /// Friction at which an inner joint slides.
+    fn friction(self) -> DoubleBall {
+        let inclination = Angle::new(self.inclination.ball());
+        let phi = Angle::new(self.vertical.ball() + cycloid::friction_angle(&inclination));
+        phi.sin / phi.cos
+    }
 }
 
 fn inner_room<T: Real>(inclination: &Angle<T>, vertical: &T, half_opening: &T) -> T {

@@ -16,8 +16,8 @@
 //! branch turns back, so that they bound what it reaches; for Milankovitch's they are before it.
 //!
 //! With Milankovitch's weight asymmetric solutions are nowhere else, by the claim `asymmetric-number`. With
-//! Heyman's an arch has two at the most, between 124° and 144°; **that none are outside the lines is not
-//! proved.**
+//! Heyman's an arch has two at the most, and none is outside the [table](crate::problem::asymmetric_region) about
+//! these lines; **that none is between the table and the lines is not proved.**
 
 use super::super::crossing::Crossing;
 use super::super::curve::Curve;
