@@ -22,9 +22,10 @@ claims! {
          rates without dilatancy fit, whichever joints are at their limits, so that (19) has its solutions at the least \
          thickness alone, except at the friction of pure sliding";
     Implicit("asymmetric-kinds", "Eq. (19), Sec. 5", kinds) as KINDS:
-        "a solution of (19) with a vertical force in the crown has a half opening above 90°; its state, or the mirror image \
-         of it, slides outwards at the right springing, touches the extrados at one joint of the right half and the intrados \
-         at one joint of the left half, and its motion is a sum of those of the three kinds of asymmetric-motion";
+        "a solution of (19) with a vertical force in the crown has a half opening above 90°; its state, or the mirror \
+         image of it, slides outwards at the right springing, touches the extrados at a joint inside the right half and \
+         the intrados at a joint of the left half or, at eta = 2, in the crown, and its motion is a sum of those of the \
+         three kinds of asymmetric-motion";
 }
 
 /// The forces as letters.
