@@ -27,7 +27,8 @@ fn claims_are_decided_and_a_misprint_is_no_failure() {
         "map-areas",
     ];
     let unique = ["unique-attained", "map-function", "unique-thickness"];
-    let own = [&own[..], &unique, &["survey-rise", "survey-safety"]].concat();
+    let asymmetric = ["asymmetric-kinds", "asymmetric-number"];
+    let own = [&own[..], &unique, &asymmetric, &["survey-rise", "survey-safety"]].concat();
     assert_eq!(argued("own"), own);
     assert!(argued("beneath").contains(&"unique-work"));
     let claim = |id: &str| claims.iter().find(|claim| claim["id"] == *id).unwrap();

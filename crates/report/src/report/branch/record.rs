@@ -87,7 +87,8 @@ fn of(arch: &BranchArch, all: &BranchArches) -> Record {
                     "and there is no asymmetric solution at all (couplet prove asymmetric-number)"
                 }
                 SelfWeight::Heyman => {
-                    "that there is no asymmetric solution with Heyman's weight is not proved"
+                    "that there is no asymmetric solution between 124 and 144 degrees is not proved; \
+                     below and above there is none (couplet prove asymmetric-number)"
                 }
             });
         }
