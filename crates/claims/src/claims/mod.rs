@@ -33,6 +33,8 @@
 //! | asymmetric mechanisms above the least thickness | `asymmetric.rs` |
 //! | where symmetric states have them too | `asymmetric_begins.rs` |
 //! | arches of stones: (19), (20) | `stones.rs` |
+//! | which there are | `asymmetric_kinds.rs` |
+//! | where, and how many | `asymmetric_number.rs`, with the boxes of `asymmetric_cover` |
 //! | all arches between measured ends | `surveys.rs` |
 //! | why of one rise the longer arch is the safer | `rises.rs`, with the signs of `rise_signs.rs` |
 //! | and has the larger geometric safety | `safeties.rs` |
@@ -49,6 +51,9 @@ mod along;
 mod areas;
 mod asymmetric;
 mod asymmetric_begins;
+mod asymmetric_cover;
+mod asymmetric_kinds;
+mod asymmetric_number;
 mod asymptotics;
 mod border;
 mod branches;
@@ -111,7 +116,7 @@ pub fn claims() -> Vec<Claim> {
         units moments cubics curve branches overturning trends joining sliding counts regular asymptotics
         landmarks rounded same_opening differences weights frictions map_of_weights border contacts modes
         mechanisms domains tiling lines areas admissible uniqueness stones asymmetric asymmetric_begins
-        rises surveys safeties
+        asymmetric_kinds asymmetric_number rises surveys safeties
     }
 }
 

@@ -12,7 +12,9 @@
 //!    Eq. (19) holds: `phi <= 0`, `lambda >= 0`, `phi^T lambda = 0`, and compatibility without dilatancy.
 //! 4. The power of the weight is that of friction, block by block: not needed, but another route to the same.
 //!
-//! The mirror image is a solution at the same thickness. **What is found is proved; that there are no others is not.**
+//! The mirror image is a solution at the same thickness. With Milankovitch's weight an arch has one at the most,
+//! with Heyman's two (the claim `asymmetric-number`). **What is found is proved; that the search finds all is
+//! not.**
 
 use crate::arch::asymmetric::{Asymmetric, AsymmetricMode, Place};
 use crate::arch::joint::Grip;
@@ -132,7 +134,8 @@ pub(super) fn root(
 }
 
 impl<E: Engine> CertifiedAsymmetric<E> {
-    /// The rest of the proof, for variables that enclose a root of the equations; `rough` encloses a number in doubles.
+    /// The rest of the proof, for variables that enclose a root of the equations; `rough` encloses a number in
+    /// doubles.
     pub(super) fn proved(
         problem: &Problem,
         at: &Configuration<E>,
@@ -315,8 +318,8 @@ mod tests {
         refused(&|at| at.sliding_joint = moved(&at.rotation_joint, &small));
     }
 
-    /// Where the third kind holds, the equations of the first have a root too, whose inner joint would have to slide
-    /// outwards.
+    /// Where the third kind holds, the equations of the first have a root too, whose inner joint would have to
+    /// slide outwards.
     #[test]
     fn a_rate_with_the_wrong_sign_is_refused() {
         let arch = arch("milankovitch", "2.25", "0.99");

@@ -15,8 +15,8 @@ const STATED: [Quantity; 12] = list![Quantity:
     ShoulderSlip ShoulderOpening InnerSlip Power
 ];
 
-/// The kinds of asymmetric solutions that the search finds for an arch, each once. Nothing is proved of them, nor that
-/// there are no others.
+/// The kinds of asymmetric solutions that the search finds for an arch, each once. Nothing is proved of them, nor
+/// that they are all.
 pub fn asymmetric_kinds(arch: &Arch) -> Vec<AsymmetricMode> {
     let mut kinds: Vec<AsymmetricMode> = Vec::new();
     for candidate in found(arch) {

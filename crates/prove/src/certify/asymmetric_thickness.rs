@@ -12,9 +12,10 @@ use crate::prover::{Refused, in_doubles};
 use crate::solve::asymmetric::AsymmetricCandidate;
 
 /// The thicknesses of the asymmetric solutions that are found and proved for an arch, the largest first, to
-/// `digits` significant digits. **That there are no others is not proved.** Nothing is computed where [none is
-/// known](crate::problem::asymmetric_region). Digits beyond [`MAX_DIGITS`](super::MAX_DIGITS) are
-/// refused.
+/// `digits` significant digits. With Milankovitch's weight there is one at the most, with Heyman's there are two;
+/// **that all are found is not proved.** Nothing is computed outside the
+/// [table](crate::problem::asymmetric_region) that holds them all.
+/// Digits beyond [`MAX_DIGITS`](super::MAX_DIGITS) are refused.
 pub fn asymmetric_thicknesses(arch: &Arch, digits: usize) -> Result<Vec<Figure>, Refused> {
     Refused::digits(digits)?;
     if !may_move_asymmetrically(arch) {
@@ -50,7 +51,8 @@ mod tests {
         Arch::parse(weight, alpha, mu).unwrap()
     }
 
-    /// One of each kind and weight, and two of one arch: in balls of double-doubles, and as balls of MPFR have them.
+    /// One of each kind and weight, and two of one arch: in balls of double-doubles, and as balls of MPFR have
+    /// them.
     #[test]
     fn double_doubles_prove_the_same_thicknesses() {
         for (weight, alpha, mu) in [

@@ -75,28 +75,37 @@ struct CurveSearch<'a> {
 }
 
 impl CurveSearch<'_> {
-    /// The states of the curve, `h, p, v, eta, b0, b1`, as far as the thickness is physical and solutions are known.
+    /// The states of the curve, `h, p, v, eta, b0, b1`, as far as the thickness is physical and solutions are
+    /// known.
     fn curve(&self) -> impl Iterator<Item = Vec<f64>> {
         let step = STEP * self.half_opening;
         let next = move |(before, last): &(Vec<f64>, Vec<f64>)| {
             // From where the last two point to.
             let near = last.iter().zip(before).map(|(last, before)| 2.0 * last - before);
-            let [h, p, _, eta, crown, haunch] = near.collect::<Vec<_>>()[..] else { return None };
             let vertical = last[2] + step;
-            let state = self.settled(vec![h, p, eta, crown, haunch], ROUGH, |x| {
-                let [h, p, eta, crown, haunch] = x else { return Vec::new() };
-                let v = Dual::constant(vertical);
-                let x = [h, p, &v, eta, crown, haunch].map(Clone::clone);
-                self.at(&x).map_or_else(Vec::new, |at| at.common(self.weight))
-            })?;
-            let [h, p, eta, crown, haunch] = state[..] else { return None };
+            let state = self.with_vertical(&near.collect::<Vec<_>>(), vertical)?;
+            let [h, _, _, eta, _, haunch] = state[..] else { return None };
             let is_physical = h > 0.0 && eta > 0.0 && eta < 2.0 && haunch < self.half_opening;
             let is_near = vertical <= LARGEST * self.half_opening;
-            let state = vec![h, p, vertical, eta, crown, haunch];
             (is_physical && is_near).then(|| (last.clone(), state))
         };
-        let first = self.symmetric().map(|state| (state.clone(), state));
+        // A kind may close next to it.
+        let first = self.symmetric().and_then(|near| self.with_vertical(&near, 0.0));
+        let first = first.map(|state| (state.clone(), state));
         std::iter::successors(first, next).map(|(_, state)| state)
+    }
+
+    /// The state of the curve with a vertical force, next to another.
+    fn with_vertical(&self, near: &[f64], vertical: f64) -> Option<Vec<f64>> {
+        let [h, p, _, eta, crown, haunch] = *near else { return None };
+        let state = self.settled(vec![h, p, eta, crown, haunch], ROUGH, |x| {
+            let [h, p, eta, crown, haunch] = x else { return Vec::new() };
+            let v = Dual::constant(vertical);
+            let x = [h, p, &v, eta, crown, haunch].map(Clone::clone);
+            self.at(&x).map_or_else(Vec::new, |at| at.common(self.weight))
+        })?;
+        let [h, p, eta, crown, haunch] = state[..] else { return None };
+        Some(vec![h, p, vertical, eta, crown, haunch])
     }
 
     fn at(&self, x: &[Dual<f64>]) -> Option<Asymmetric<Dual<f64>>> {
@@ -104,8 +113,9 @@ impl CurveSearch<'_> {
         Asymmetric::from_unknowns(&Dual::constant(self.half_opening), grip, x)
     }
 
-    /// The state whose both shoulders slide: the thrust is that of the shoulder, and the thickness the largest of
-    /// those at which a line of thrust from the crown's extrados is on the intrados of a joint.
+    /// A state next to that whose both shoulders slide: the thrust is that of the shoulder, and the thickness the
+    /// largest of those at which a line of thrust from the crown's extrados is on the intrados of one of some
+    /// joints.
     fn symmetric(&self) -> Option<Vec<f64>> {
         let (sin, cos) = self.half_opening.sin_cos();
         let Grip { shear, normal } = self.grip;
@@ -217,6 +227,16 @@ mod tests {
         for (alpha, mu) in [(1.57, 0.35), (1.57, 0.6), (1.0, 0.3), (2.6, 3.0)] {
             assert!(found(SelfWeight::Heyman, alpha, mu).is_empty(), "{alpha} {mu}");
         }
+    }
+
+    /// A mechanism before the first step; with a little more friction there is none.
+    #[test]
+    fn a_kind_next_to_the_symmetric_state_is_found() {
+        let all = found(SelfWeight::Heyman, 2.233, 0.968);
+        let kinds: Vec<_> = all.iter().map(|candidate| candidate.mode).collect();
+        assert_eq!(kinds, [AsymmetricMode::ShoulderSliding]);
+        approx::assert_abs_diff_eq!(all[0].unknowns[2], 0.010_265, epsilon = 1e-4);
+        assert!(found(SelfWeight::Heyman, 2.233, 0.971).is_empty());
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Ranges of half opening and friction in which asymmetric branches run, and where their kinds change.
 //!
-//! In the plane of half opening and friction angle four lines are proved for each weight, each over the half opening:
+//! In the plane of half opening and friction angle four lines are proved for each weight, each over the half
+//! opening:
 //!
 //! | line | what holds | from – to |
 //! |---|---|---|
@@ -14,7 +15,9 @@
 //! between Y and T, on the edge of `[r,r,r]`. For Heyman's weight the last two lines are beyond that edge: there a
 //! branch turns back, so that they bound what it reaches; for Milankovitch's they are before it.
 //!
-//! **That there are no others outside is not proved.**
+//! With Milankovitch's weight asymmetric solutions are nowhere else, by the claim `asymmetric-number`. With
+//! Heyman's an arch has two at the most, and none is outside the [table](crate::problem::asymmetric_region) about
+//! these lines; **that none is between the table and the lines is not proved.**
 
 use super::super::crossing::Crossing;
 use super::super::curve::Curve;

@@ -5,7 +5,8 @@
 //! equation becomes zero the kind changes, and from there on `v` falls; it ends in a symmetric state, `v = 0`. Ends
 //! and changes are points that are proved, and lie in the tubes on both their sides, so that it is one curve.
 //!
-//! **That it is all is not proved**: other asymmetric solutions may exist.
+//! With Milankovitch's weight it is all, by the claim `asymmetric-number`. With Heyman's it is so at the
+//! frictions that it passes; **that there are none at other frictions is not proved.**
 
 use super::super::crossing::{BITS, Crossing};
 use super::super::curve::Curve;

@@ -56,14 +56,16 @@ impl BranchArch {
 }
 
 /// Statements of what of a branch is proved, and what is not.
-const PROOF: [&str; 7] = [
+const PROOF: [&str; 9] = [
     "proved, for each vertical force between the ends of a part: its equations have exactly one solution in",
     "the tube, the states are one curve from end to end, each is admissible at every joint of the whole arch,",
     "and no rate is negative: it is a solution of (19), and so is its mirror image. The ends are symmetric",
     "states. On the branch the arch has an admissible state, and also a motion in which friction takes what",
     "the weight gives; this is said of the model. Between the branch and the least thickness states are",
     "admissible too (couplet prove unique-thicker).",
-    "not proved: that the branch is all; other asymmetric solutions may exist.",
+    "With Milankovitch's weight the branch is all. With Heyman's it is so at the frictions that it passes, and",
+    "no friction has more than two asymmetric solutions (couplet prove asymmetric-number);",
+    "not proved: that with Heyman's weight there are none at frictions beyond the branch.",
 ];
 
 /// Event at a point, by the parts before and behind it.

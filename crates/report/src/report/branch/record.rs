@@ -2,6 +2,7 @@
 
 use super::picture::picture;
 use super::{BranchArch, BranchArches, PROOF, events, quantities, rounded};
+use crate::arch::SelfWeight;
 use crate::atlas::{Branch, NoBranch, Stretch, Variable};
 use crate::picture::Print;
 use crate::report::format::Content;
@@ -81,7 +82,15 @@ fn of(arch: &BranchArch, all: &BranchArches) -> Record {
         Err(NoBranch::Undecided(open)) => record.say(open.to_string()),
         Err(nowhere) => {
             record.say(format!("no branch leaves the least thickness: {nowhere}"));
-            record.say("that there is no other asymmetric solution is not proved");
+            record.say(match arch.weight {
+                SelfWeight::Milankovitch => {
+                    "and there is no asymmetric solution at all (couplet prove asymmetric-number)"
+                }
+                SelfWeight::Heyman => {
+                    "that there is no asymmetric solution between 124 and 144 degrees is not proved; \
+                     below and above there is none (couplet prove asymmetric-number)"
+                }
+            });
         }
     }
     let of_branch = found

@@ -94,8 +94,8 @@ pub(in crate::report) fn branches(
         format!(
             "{title}, {words}. On the thick lines an arch has an admissible state, and also a motion in which \
              friction takes what the weight gives; discs: where a line meets the least thickness, and where the \
-             mechanism changes; upright: pure sliding, at any thickness from the least on. {told}, {open}; that there \
-             are no others is not proved."
+             mechanism changes; upright: pure sliding, at any thickness from the least on. {told}, {open}. With \
+             Milankovitch's weight there are no others; with Heyman's none at the frictions of the line."
         ),
         format!("Command: {command}"),
     ];

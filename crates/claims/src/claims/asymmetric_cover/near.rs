@@ -1,0 +1,345 @@
+//! The rectangle of forces in which asymmetric states are: how the three bounds of the half opening change.
+
+use super::{Place, RECTANGLE, Span, inner_room, nothing};
+use crate::arch::asymmetric::Asymmetric;
+use crate::arch::joint::Grip;
+use crate::arch::whole::{Forces, carried};
+use crate::arch::{Ring, SelfWeight, cycloid, statics};
+use crate::certify::Undecided;
+use crate::number::{Angle, DoubleBall, Enclosure, Field, Gradient, Real, Stumpff};
+use crate::problem::asymmetric_region::some_may_move;
+use crate::prover::in_doubles::root_near;
+use crate::prover::root::Form;
+
+/// Signs that are proved of the states with a weight.
+#[derive(Clone, Copy, Debug)]
+pub(in super::super) struct Directions {
+    /// Self-weight.
+    pub weight: SelfWeight,
+    /// Tells whether the room at a shoulder that just opens grows with the vertical force, in one arch.
+    pub opening_grows: bool,
+    /// Degrees between which the half openings are.
+    pub half_openings: [i32; 2],
+    /// Tells whether the table of the program holds the arches too: this takes most of the boxes.
+    pub are_in_table: bool,
+}
+
+impl Directions {
+    /// Signs of each weight.
+    pub(in super::super) const ALL: [Self; 2] = {
+        use SelfWeight::{Heyman, Milankovitch};
+        [
+            Self {
+                weight: Milankovitch,
+                opening_grows: false,
+                half_openings: [125, 141],
+                are_in_table: false,
+            },
+            Self {
+                weight: Heyman,
+                opening_grows: true,
+                half_openings: [124, 144],
+                are_in_table: false,
+            },
+        ]
+    };
+}
+
+/// A box is halved so often at the most.
+const DEPTH: usize = 30;
+
+/// The unknowns next to a state of an inner joint that slides: `p, eta, b0 + 1, b1, alpha_U, alpha_Q, alpha_I`.
+const START: [f64; 7] = [0.2309, 0.5831, 1.0613, 1.0567, 2.35, 2.2, 2.3];
+/// Room about the table, for its roundings.
+const ROOM: f64 = 1e-9;
+
+/// The two hinges touch, and the half openings at which the shoulder opens, the mechanism fits and an inner joint
+/// slides. `b0` has one added: it is zero where `v` is.
+struct Touching {
+    weight: SelfWeight,
+    inclination: DoubleBall,
+    vertical: DoubleBall,
+}
+
+impl Form<DoubleBall> for Touching {
+    fn at<T: Real + Stumpff>(&self, number: impl Fn(&DoubleBall) -> T, x: &[T]) -> Vec<T> {
+        let [moment, thickness, crown, haunch, opens, fits, slides] = x else { return Vec::new() };
+        let angle = |x: &T| Angle::new(x.clone());
+        let inclination = angle(&number(&self.inclination));
+        let vertical = number(&self.vertical);
+        let ring = Ring::new(self.weight, thickness);
+        let at = Asymmetric {
+            half_opening: angle(opens),
+            grip: without_friction(moment),
+            thickness: thickness.clone(),
+            forces: Forces {
+                thrust: cycloid::thrust(&inclination),
+                moment: moment.clone(),
+                vertical: vertical.clone(),
+            },
+            crown_hinge: Angle::new(crown.clone() - crown.int(1)),
+            haunch: angle(haunch),
+            sliding_joint: Angle::zero(moment),
+        };
+        let last = [at.shoulder_opens(&ring)];
+        let fitting = Asymmetric { half_opening: angle(fits), ..at.clone() };
+        let touching = at.crown(&ring).into_iter().chain(at.haunch(&ring)).chain(last);
+        let inner = inner_room(&inclination, &vertical, slides);
+        touching.chain([fitting.misfit(&ring), inner]).collect()
+    }
+
+    /// Nothing is divided by but integers.
+    fn is_regular<T: Enclosure + Stumpff>(&self, _: impl Fn(&DoubleBall) -> T, _: &[T]) -> bool {
+        true
+    }
+}
+
+/// A friction where none is looked at.
+fn without_friction<T: Field>(like: &T) -> Grip<T> {
+    Grip { shear: like.int(0), normal: like.int(1) }
+}
+
+fn is_positive(x: &DoubleBall) -> bool {
+    x.is_positive().is_proved()
+}
+
+fn is_less(a: &DoubleBall, b: &DoubleBall) -> bool {
+    a.is_less_than(b).is_proved()
+}
+
+/// Numbers with their slopes by `h, v, eta, b0, b1` and the half opening.
+type Slopes = Gradient<DoubleBall, 6>;
+
+/// Hinges that touch, for all forces of a box.
+struct State {
+    weight: SelfWeight,
+    forces: [DoubleBall; 2],
+    thickness: DoubleBall,
+    hinges: [DoubleBall; 2],
+    opens: DoubleBall,
+    fits: DoubleBall,
+    slides: DoubleBall,
+    centre: [f64; 7],
+}
+
+impl State {
+    fn new(weight: SelfWeight, place: Place, start: &[f64; 7]) -> Result<Self, Undecided> {
+        let equations = Touching {
+            weight,
+            inclination: place.inclination.ball(),
+            vertical: place.vertical.ball(),
+        };
+        let root = root_near(&equations, start)?;
+        let [_, thickness, crown, haunch, opens, fits, slides] = root[..] else {
+            return Err(Undecided::new("the number of unknowns"));
+        };
+        let Forces { thrust, vertical, .. } = place.forces(nothing());
+        let mut centre = *start;
+        centre.iter_mut().zip(&root).for_each(|(x, value)| *x = value.mid());
+        Ok(Self {
+            weight,
+            forces: [thrust, vertical],
+            thickness,
+            hinges: [crown - crown.int(1), haunch],
+            opens,
+            fits,
+            slides,
+            centre,
+        })
+    }
+
+    /// Tells whether the hinges are on their sides, the half openings are those of horseshoes, and the thickness
+    /// is below 2.
+    fn is_in_order(&self, place: Place) -> bool {
+        let inner = cycloid::joint(&Angle::new(place.inclination.ball()));
+        let [crown, haunch] = self.hinges;
+        let right = crown.pi() / crown.int(2);
+        is_less(&crown, &haunch)
+            && is_less(&haunch, &right)
+            && is_less(&right, &self.opens)
+            && is_less(&right, &self.fits)
+            && is_less(&inner, &(self.slides - self.forces[1]))
+            && is_less(&self.opens, &crown.pi())
+            && is_less(&self.fits, &crown.pi())
+            && is_less(&self.thickness, &crown.int(2))
+            && [haunch, self.thickness].iter().all(is_positive)
+    }
+
+    fn slopes(&self, half_opening: DoubleBall) -> Sloped {
+        let [thrust, vertical] = self.forces;
+        let [crown, haunch] = self.hinges;
+        let all = [thrust, vertical, self.thickness, crown, haunch, half_opening];
+        let [thrust, vertical, thickness, crown, haunch, alpha] = Slopes::variables(&all);
+        let at = Asymmetric {
+            half_opening: Angle::new(alpha),
+            grip: without_friction(&thrust),
+            thickness,
+            forces: Forces { thrust, moment: thrust.int(0), vertical },
+            crown_hinge: Angle::new(crown),
+            haunch: Angle::new(haunch),
+            sliding_joint: Angle::zero(&thrust),
+        };
+        let ring = Ring::new(self.weight, &thickness);
+        Sloped {
+            crown: at.crown(&ring),
+            haunch: at.haunch(&ring),
+            shoulder: at.shoulder_opens(&ring),
+            misfit: at.misfit(&ring),
+        }
+    }
+
+    /// In one arch with a shoulder that slides, `h = (alpha - v) cot(alpha - phi)` falls as `v` grows.
+    fn in_one_arch(&self, half_opening: DoubleBall) -> [DoubleBall; 2] {
+        let [thrust, vertical] = self.forces;
+        [-thrust / (half_opening - vertical), thrust.int(1)]
+    }
+
+    /// Tells whether the distance from the extrados is least at its hinge; and whether the misfit falls where the
+    /// mechanism fits, in one arch with the vertical force and in symmetric states with the thrust, or an inner
+    /// joint slides before.
+    fn fits_before(&self, place: Place) -> bool {
+        let slopes = self.slopes(self.fits);
+        let falls = |direction| is_positive(&-slopes.along(direction)[1][0]);
+        is_positive(&slopes.crown[1].slopes[3])
+            && (is_positive(&-place.room_inside(&self.fits))
+                || falls(self.in_one_arch(self.fits)) && falls(self.with_thrust()))
+    }
+
+    /// The direction of a growing thrust.
+    fn with_thrust(&self) -> [DoubleBall; 2] {
+        [1, 0].map(|n| self.thickness.int(n))
+    }
+
+    /// Tells whether a bound from below exceeds that by the shoulder, so that there is no state; or else the
+    /// signs are as they are said to be where the shoulder opens, and the arch has its symmetric state inside the
+    /// rectangle too. `Some(true)` where there is none.
+    fn goes(&self, directions: Directions, place: Place) -> Option<bool> {
+        let [thrust, vertical] = self.forces;
+        let slopes = self.slopes(self.opens);
+        if [place.room_inside(&self.opens), slopes.misfit.value].iter().any(|x| is_positive(&-*x)) {
+            return Some(true);
+        }
+        let [[shoulder, _], _] = slopes.along(self.in_one_arch(self.opens));
+        let opening = if directions.opening_grows { shoulder } else { -shoulder };
+        // With one thrust, the bound by the shoulder falls below both others.
+        let [[opens, by_opening], [misfits, by_fitting]] =
+            slopes.along([thrust.int(0), thrust.int(1)]);
+        let falls = misfits * by_opening - opens * by_fitting;
+        let [[by_thrust, _], _] = slopes.along(self.with_thrust());
+        let least = Angle::new(Span::of_parts(RECTANGLE.inclinations).least());
+        let room = cycloid::thrust(&least) - thrust * self.fits / (self.fits - vertical);
+        let degrees = |n: i32| thrust.pi() * thrust.int(n) / thrust.int(180);
+        let [low, high] = directions.half_openings.map(degrees);
+        let is_wide = is_less(&low, &self.fits) || is_positive(&-place.room_inside(&low));
+        let signs = [opening, -by_thrust, -(opens + by_opening), falls, room];
+        let is_told = is_wide
+            && is_less(&self.opens, &high)
+            && signs.iter().all(is_positive)
+            && (!directions.are_in_table || self.is_in_table(place));
+        is_told.then_some(false)
+    }
+
+    /// Tells whether the arches in which the forces of the box may be those of a state are held by the table of the
+    /// program: those of the larger bound from below, and those of the bound from above.
+    fn is_in_table(&self, place: Place) -> bool {
+        let [slides, fits, opens] =
+            [self.slides, self.fits, self.opens].map(|bound| [bound.lower(), bound.upper()]);
+        let larger = [slides[0].max(fits[0]), slides[1].max(fits[1])];
+        let larger = match is_less(&self.fits, &self.slides) {
+            // Where an inner joint slides, phi = v + chi - sin(chi) cos(chi).
+            true => (slides, place.friction()),
+            false => (larger, self.friction(larger)),
+        };
+        [larger, (opens, self.friction(opens))].into_iter().all(|([low, high], friction)| {
+            // Both bounds of the table grow with the half opening.
+            let holds = |alpha: f64, mu: f64| some_may_move(self.weight, [alpha; 2], [mu; 2]);
+            holds(high + ROOM, friction.lower() - ROOM)
+                && holds(low - ROOM, friction.upper() + ROOM)
+        })
+    }
+
+    /// Friction at which the springing slides, at half openings between two.
+    fn friction(&self, [low, high]: [f64; 2]) -> DoubleBall {
+        let [thrust, vertical] = self.forces;
+        let middle = (low + high) / 2.0;
+        let half_opening = DoubleBall::exact(middle).widened((high - middle).max(middle - low));
+        let joint = carried(&Angle::new(half_opening), &vertical);
+        -statics::shear_force(&joint, &thrust) / statics::normal_force(&joint, &thrust)
+    }
+}
+
+/// Margins at the hinges and at the springing that touches the extrados, the moment being zero, and the misfit.
+struct Sloped {
+    crown: [Slopes; 2],
+    haunch: [Slopes; 2],
+    shoulder: Slopes,
+    misfit: Slopes,
+}
+
+impl Sloped {
+    /// Slopes of the margin at the springing and of the misfit, in a direction of `h` and `v`, each with that by
+    /// the half opening. The moment is eliminated, and the hinges follow.
+    fn along(&self, direction: [DoubleBall; 2]) -> [[DoubleBall; 2]; 2] {
+        let given =
+            |value: &Slopes| value.slopes[0] * direction[0] + value.slopes[1] * direction[1];
+        let ([above, crown], [below, haunch]) = (&self.crown, &self.haunch);
+        // Where a margin touches, its slope by the joint is zero.
+        let both = *above + below;
+        let thickness = -given(&both) / both.slopes[2];
+        let whole = |value: &Slopes| given(value) + value.slopes[2] * thickness;
+        let moment = whole(above);
+        let hinges = [-whole(crown) / crown.slopes[3], -whole(haunch) / haunch.slopes[4]];
+        let Self { shoulder, misfit, .. } = self;
+        let fits = whole(misfit) + misfit.slopes[3] * hinges[0] + misfit.slopes[4] * hinges[1];
+        [[whole(shoulder) - moment, shoulder.slopes[5]], [fits, misfit.slopes[5]]]
+    }
+}
+
+/// Proves, box by box, that in the whole rectangle the hinges touch at one thickness, and that where a state may
+/// be the signs are as said. Returns the number of boxes, and of those in which a state may be.
+pub(in super::super) fn known(directions: Directions) -> Result<[usize; 2], Undecided> {
+    let weight = directions.weight;
+    let whole = Place {
+        inclination: Span::of_parts(RECTANGLE.inclinations),
+        vertical: Span::of_parts([0, RECTANGLE.vertical]),
+    };
+    let mut counts = [0, 0];
+    let mut open = vec![(whole, START, 0)];
+    while let Some((place, start, depth)) = open.pop() {
+        let state = State::new(weight, place, &start).ok();
+        let state = state.filter(|state| state.is_in_order(place));
+        let fitting = state.as_ref().filter(|state| state.fits_before(place));
+        if let Some(is_none) = fitting.and_then(|state| state.goes(directions, place)) {
+            counts[0] += 1;
+            counts[1] += usize::from(!is_none);
+            continue;
+        }
+        if depth == DEPTH {
+            let at = [place.inclination.middle(), place.vertical.middle()];
+            return Err(Undecided::new(format!("not decided at chi = {}, v = {}", at[0], at[1])));
+        }
+        let start = state.map_or(start, |state| state.centre);
+        let halves = match place.inclination.width() > place.vertical.width() {
+            true => place.inclination.halves().map(|inclination| Place { inclination, ..place }),
+            false => place.vertical.halves().map(|vertical| Place { vertical, ..place }),
+        };
+        open.extend(halves.map(|half| (half, start, depth + 1)));
+    }
+    Ok(counts)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Proof that no asymmetric solution is outside the table.
+    #[test]
+    #[ignore = "a minute long"]
+    fn the_table_of_the_program_holds_all() {
+        for directions in Directions::ALL {
+            let counts = known(Directions { are_in_table: true, ..directions });
+            println!("{}: {counts:?}", directions.weight);
+            counts.unwrap();
+        }
+    }
+}

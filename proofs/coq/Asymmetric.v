@@ -1,0 +1,338 @@
+(** * Up to the right angle nothing moves asymmetrically
+
+    An arch whose half opening is at most the right angle, in a state with a vertical force [v] in the crown:
+    whichever joints are at their limits, at any number of places, without dilatancy no rates fit but zero. So
+    there the complementarity problem (19) of the whole arch has symmetric states alone.
+
+    Let [v] be positive. The mirror image of a joint bears more than the joint itself, so that the line of
+    thrust reaches the extrados on the right and the intrados on the left ([extrados_on_the_right],
+    [intrados_on_the_left]), and no joint slides inwards as seen on the right ([nothing_slides_inwards]). Each
+    joint that moves then moves what is left of it upwards, if at all, and the left springing stays. *)
+
+From Coq Require Import Reals Lra.
+From Couplet Require Import Arch Whole.
+From Coq Require Import List.
+Open Scope R_scope.
+
+(** ** What is claimed *)
+
+(** Ways in which a joint gives way, as seen on the right. *)
+Inductive release := opens_above | opens_below | slips_in | slips_out.
+
+Definition margin_of (delta eta mu h p v : R) (how : release) (x : R) : R :=
+  match how with
+  | opens_above => from_extrados delta eta h p v x
+  | opens_below => from_intrados delta eta h p v x
+  | slips_in => against_inwards mu h v x
+  | slips_out => against_outwards mu h v x
+  end.
+
+(** What a joint adds at the rate one, without dilatancy: the velocity to the right and upwards, and the rotation. *)
+Definition row (eta : R) (how : release) (x : R) : R * R * R :=
+  match how with
+  | opens_above => turns_above eta x
+  | opens_below => turns_below eta x
+  | slips_in => scaled (-1) (slips_outwards x)
+  | slips_out => slips_outwards x
+  end.
+
+(** A joint that may move: how, where, and its rate. *)
+Record moving := joint { how : release; place : R; rate : R }.
+
+Definition total (eta : R) (motion : list moving) : R * R * R :=
+  fold_right (fun j sum => plus (scaled (rate j) (row eta (how j) (place j))) sum) (0, 0, 0) motion.
+
+(** A motion that (19) allows: each joint is one of the arch, its rate is not negative, only joints at their limit
+    have one, and the springings do not move. *)
+Definition allowed (delta alpha eta mu h p v : R) (j : moving) : Prop :=
+  - alpha <= place j <= alpha /\ 0 <= rate j /\
+  rate j * margin_of delta eta mu h p v (how j) (place j) = 0.
+
+Definition is_motion (delta alpha eta mu h p v : R) (motion : list moving) : Prop :=
+  Forall (allowed delta alpha eta mu h p v) motion /\ total eta motion = (0, 0, 0).
+
+(** ** A joint and its mirror image *)
+
+Section Right.
+  Variables delta alpha eta mu h p v : R.
+  Hypothesis Hdelta : 0 <= delta.
+  Hypothesis Halpha : 0 < alpha <= PI / 2.
+  Hypothesis Heta : 0 < eta <= 2.
+  Hypothesis Hmu : 0 <= mu.
+  Hypothesis Hv : 0 < v.
+  Hypothesis Hall : whole_admissible delta alpha eta mu h p v.
+
+  Lemma thrust_positive : 0 < h.
+  Proof.
+    destruct (Hall 0 ltac:(lra)) as (_ & _ & _ & Hout).
+    unfold against_outwards, whole_normal, whole_shear in Hout. rewrite cos_0, sin_0 in Hout.
+    apply Rnot_le_lt. intros Hh. assert (mu * h <= 0) by nra. lra.
+  Qed.
+
+  Lemma normal_not_negative x : - alpha <= x <= alpha -> 0 <= whole_normal h v x.
+  Proof.
+    intros Hx. destruct (Hall x Hx) as (HU & HL & _).
+    assert (H : 0 <= eta * whole_normal h v x).
+    { unfold from_extrados, from_intrados, extrados, intrados in *. lra. }
+    apply Rnot_lt_le. intros Hneg. nra.
+  Qed.
+
+  Lemma cosine_not_negative x : - alpha <= x <= alpha -> 0 <= cos x.
+  Proof. intros Hx. apply cos_ge_0; lra. Qed.
+
+  Lemma extrados_on_the_right x : - alpha <= x <= alpha ->
+    from_extrados delta eta h p v x = 0 -> 0 <= sin x.
+  Proof.
+    intros Hx H0. destruct (Hall (- x) ltac:(lra)) as (HU & _).
+    assert (Hmirror : from_extrados delta eta h p v (- x)
+                      = from_extrados delta eta h p v x + extrados eta * (2 * v * sin x)).
+    { unfold from_extrados, whole_moment, whole_normal. rewrite sin_neg, cos_neg. ring. }
+    assert (He : 0 < extrados eta) by (unfold extrados; lra).
+    apply Rnot_lt_le. intros Hs. assert (H : 0 < v * - sin x) by (apply Rmult_lt_0_compat; lra).
+    assert (0 < extrados eta * (v * - sin x)) by (apply Rmult_lt_0_compat; lra). lra.
+  Qed.
+
+  Lemma intrados_on_the_left x : - alpha <= x <= alpha ->
+    from_intrados delta eta h p v x = 0 -> 0 <= - intrados eta * sin x.
+  Proof.
+    intros Hx H0. destruct (Hall (- x) ltac:(lra)) as (_ & HL & _).
+    assert (Hmirror : from_intrados delta eta h p v (- x)
+                      = from_intrados delta eta h p v x + 2 * v * (- intrados eta * sin x)).
+    { unfold from_intrados, whole_moment, whole_normal. rewrite sin_neg, cos_neg. ring. }
+    nra.
+  Qed.
+
+  Lemma normal_and_shear_of_thrust x :
+    cos x * whole_normal h v x - sin x * whole_shear h v x = h.
+  Proof.
+    unfold whole_normal, whole_shear.
+    transitivity (h * (sin x * sin x + cos x * cos x)); [ring |].
+    assert (H := sin2_cos2 x). unfold Rsqr in H. rewrite H. ring.
+  Qed.
+
+  (** With the joint [2 v - x] at hand, which bears the same force mirrored. *)
+  Lemma other_joint_slides x : against_inwards mu h v x = 0 ->
+    against_outwards mu h v (2 * v - x) = - (1 + mu * mu) * sin (2 * v) * whole_normal h v x.
+  Proof.
+    unfold against_inwards. intros H. assert (HT : whole_shear h v x = mu * whole_normal h v x) by lra.
+    assert (HN : whole_normal h v (2 * v - x)
+                 = cos (2 * v) * whole_normal h v x - sin (2 * v) * whole_shear h v x).
+    { unfold whole_normal, whole_shear. rewrite cos_minus, sin_minus. ring. }
+    assert (HT' : whole_shear h v (2 * v - x)
+                  = - cos (2 * v) * whole_shear h v x - sin (2 * v) * whole_normal h v x).
+    { unfold whole_normal, whole_shear. rewrite cos_minus, sin_minus. ring. }
+    unfold against_outwards. rewrite HN, HT', HT. ring.
+  Qed.
+
+  Lemma nothing_slides_inwards x : - alpha <= x <= alpha -> against_inwards mu h v x <> 0.
+  Proof.
+    intros Hx H0. assert (Hh := thrust_positive). assert (HN := normal_not_negative x Hx).
+    assert (HC := cosine_not_negative x Hx). assert (Hforce := normal_and_shear_of_thrust x).
+    assert (HT : whole_shear h v x = mu * whole_normal h v x) by (unfold against_inwards in H0; lra).
+    assert (HT0 : 0 <= whole_shear h v x) by (rewrite HT; nra).
+    destruct (Hall (- x) ltac:(lra)) as (_ & _ & _ & Hmirror).
+    assert (Hsides : cos x <= mu * sin x).
+    { assert (H : against_outwards mu h v (- x) = 2 * v * (mu * sin x - cos x)).
+      { unfold against_outwards, against_inwards, whole_normal, whole_shear in *.
+        rewrite sin_neg, cos_neg. lra. }
+      rewrite H in Hmirror. nra. }
+    destruct (Rle_lt_dec x 0) as [Hleft | Hright].
+    - assert (HS : sin x <= 0).
+      { destruct (Req_dec x 0) as [-> | Hne]; [rewrite sin_0; lra |].
+        apply Rlt_le, sin_lt_0_var; lra. }
+      assert (mu * sin x <= 0) by nra. assert (HC0 : cos x = 0) by lra.
+      assert (Hmu0 : mu * sin x = 0) by lra.
+      destruct (Rmult_integral _ _ Hmu0) as [Hm | Hs].
+      + rewrite Hm in HT. rewrite HT, HC0 in Hforce. lra.
+      + rewrite HC0, Hs in Hforce. lra.
+    - assert (HS : 0 < sin x) by (apply sin_gt_0; lra).
+      assert (HC1 : 0 < cos x).
+      { destruct HC as [HC | HC]; [easy |]. rewrite <- HC in Hforce. nra. }
+      assert (Hbefore : v < x).
+      { unfold whole_shear in HT0. apply Rnot_le_lt. intros H.
+        assert ((x - v) * cos x <= 0) by nra. nra. }
+      destruct (Hall (2 * v - x) ltac:(lra)) as (_ & _ & _ & Hother).
+      rewrite (other_joint_slides x H0) in Hother.
+      assert (Hs2 : 0 < sin (2 * v)) by (apply sin_gt_0; lra).
+      assert (Hf : 0 < (1 + mu * mu) * sin (2 * v)) by (apply Rmult_lt_0_compat; nra).
+      assert (HN0 : whole_normal h v x = 0) by nra.
+      rewrite HT, HN0 in Hforce. lra.
+  Qed.
+
+  (** ** All joints together *)
+
+  Lemma none_of_a_sum (f : moving -> R) (motion : list moving) : Forall (fun j => 0 <= f j) motion ->
+    fold_right (fun j sum => f j + sum) 0 motion = 0 -> Forall (fun j => f j = 0) motion.
+  Proof.
+    induction motion as [| j rest IH]; intros Hpos Hsum; [constructor |].
+    inversion Hpos as [| ? ? Hj Hrest]; subst. simpl in Hsum.
+    assert (H0 : 0 <= fold_right (fun j sum => f j + sum) 0 rest).
+    { clear - Hrest. induction rest; simpl; [lra |]. inversion Hrest; subst.
+      specialize (IHrest H2). lra. }
+    constructor; [lra |]. apply IH; [easy | lra].
+  Qed.
+
+  Definition across_of (j : moving) : R := rate j * fst (fst (row eta (how j) (place j))).
+  Definition upwards_of (j : moving) : R := rate j * snd (fst (row eta (how j) (place j))).
+  Definition turn_of (j : moving) : R := rate j * snd (row eta (how j) (place j)).
+
+  Lemma total_by_components motion : total eta motion =
+    (fold_right (fun j sum => across_of j + sum) 0 motion,
+     fold_right (fun j sum => upwards_of j + sum) 0 motion,
+     fold_right (fun j sum => turn_of j + sum) 0 motion).
+  Proof.
+    induction motion as [| j rest IH]; [easy |]. simpl. rewrite IH.
+    unfold across_of, upwards_of, turn_of. destruct (row eta (how j) (place j)) as [[a b] c]. easy.
+  Qed.
+
+  (** Nothing moves downwards. *)
+  Lemma upwards_not_negative j : allowed delta alpha eta mu h p v j -> 0 <= upwards_of j.
+  Proof.
+    intros (Hx & Hr & H0). unfold upwards_of. destruct j as [way x r]; simpl in *.
+    destruct (Req_dec r 0) as [-> | Hne]; [lra |].
+    destruct (Rmult_integral _ _ H0) as [H | H]; [easy |]. destruct way; simpl in *.
+    - assert (Hs := extrados_on_the_right x Hx H). apply Rmult_le_pos; [easy |].
+      apply Rmult_le_pos; [unfold extrados; lra | easy].
+    - apply Rmult_le_pos; [easy |]. now apply intrados_on_the_left.
+    - now destruct (nothing_slides_inwards x Hx).
+    - apply Rmult_le_pos; [easy |]. now apply cosine_not_negative.
+  Qed.
+
+  Lemma at_the_crown x : - alpha <= x <= alpha -> sin x = 0 -> x = 0.
+  Proof.
+    intros Hx Hs. destruct (Rtotal_order x 0) as [H | [H | H]]; [| easy |].
+    - assert (sin x < 0) by (apply sin_lt_0_var; lra). lra.
+    - assert (0 < sin x) by (apply sin_gt_0; lra). lra.
+  Qed.
+
+  Lemma hinges_above_are_at_the_crown j : allowed delta alpha eta mu h p v j -> upwards_of j = 0 ->
+    how j = opens_above -> rate j = 0 \/ from_extrados delta eta h p v 0 = 0.
+  Proof.
+    intros (Hx & _ & H0) Hup Hhow. unfold upwards_of in Hup. destruct j as [way x r]; simpl in *.
+    rewrite Hhow in *. simpl in *. destruct (Rmult_integral _ _ H0) as [H | H]; [now left |].
+    destruct (Rmult_integral _ _ Hup) as [H' | H']; [now left |]. right.
+    assert (Hs : sin x = 0) by (unfold extrados in H'; nra).
+    now rewrite (at_the_crown x Hx Hs) in H.
+  Qed.
+
+  Lemma hinges_below_are_at_the_crown j : allowed delta alpha eta mu h p v j -> upwards_of j = 0 ->
+    how j = opens_below -> rate j = 0 \/ from_intrados delta eta h p v 0 = 0.
+  Proof.
+    intros (Hx & _ & H0) Hup Hhow. unfold upwards_of in Hup. destruct j as [way x r]; simpl in *.
+    rewrite Hhow in *. simpl in *. destruct (Rmult_integral _ _ H0) as [H | H]; [now left |].
+    destruct (Rmult_integral _ _ Hup) as [H' | H']; [now left |]. right.
+    assert (Hprod : intrados eta * sin x = 0) by lra.
+    destruct (Rmult_integral _ _ Hprod) as [Hi | Hs]; [| now rewrite (at_the_crown x Hx Hs) in H].
+    (* with the whole radius as thickness the intrados is the centre *)
+    destruct (Hall 0 ltac:(lra)) as (_ & Hcrown & _).
+    unfold from_intrados, whole_moment in *. rewrite Hi in *. rewrite cos_0 in *.
+    assert (Hf : 0 < fac delta eta) by (unfold fac; nra). assert (Hc := COS_bound x). nra.
+  Qed.
+
+  Theorem nothing_moves motion : is_motion delta alpha eta mu h p v motion ->
+    Forall (fun j => rate j = 0) motion.
+  Proof.
+    intros [Hallowed Htotal]. rewrite total_by_components in Htotal. injection Htotal as Hacross Hup Hturn.
+    assert (Hup0 : Forall (fun j => upwards_of j = 0) motion).
+    { apply none_of_a_sum; [| easy]. eapply Forall_impl; [apply upwards_not_negative | easy]. }
+    rewrite Forall_forall in Hallowed, Hup0.
+    (* a hinge at the extrados needs one at the intrados, and both would be at the crown *)
+    assert (Hturn0 : Forall (fun j => turn_of j = 0) motion).
+    { assert (Hboth : from_extrados delta eta h p v 0 <> 0 \/ from_intrados delta eta h p v 0 <> 0).
+      { destruct (Req_dec (from_extrados delta eta h p v 0) 0) as [HU | HU]; [| now left].
+        right. intros HL. assert (Hh := thrust_positive).
+        unfold from_extrados, from_intrados, whole_normal, extrados, intrados in *.
+        rewrite cos_0, sin_0 in *. nra. }
+      destruct Hboth as [HU | HL].
+      - apply none_of_a_sum; [| easy]. apply Forall_forall. intros j Hj.
+        assert (Hj' := Hallowed j Hj). assert (H := hinges_above_are_at_the_crown j Hj' (Hup0 j Hj)).
+        destruct Hj' as (_ & Hr & _). unfold turn_of. destruct j as [[] x r]; simpl in *; try nra.
+        destruct (H eq_refl) as [-> | H']; [lra | easy].
+      - assert (Hnone : Forall (fun j => - turn_of j = 0) motion).
+        { apply none_of_a_sum.
+          - apply Forall_forall. intros j Hj. assert (Hj' := Hallowed j Hj).
+            assert (H := hinges_below_are_at_the_crown j Hj' (Hup0 j Hj)).
+            destruct Hj' as (_ & Hr & _). unfold turn_of. destruct j as [[] x r]; simpl in *; try nra.
+            destruct (H eq_refl) as [-> | H']; [lra | easy].
+          - clear - Hturn. assert (H : forall l, fold_right (fun j sum => - turn_of j + sum) 0 l
+              = - fold_right (fun j sum => turn_of j + sum) 0 l).
+            { induction l as [| j l IH]; simpl; [lra | rewrite IH; lra]. }
+            rewrite H, Hturn. lra. }
+        eapply Forall_impl; [| exact Hnone]. simpl. intros j Hj. lra. }
+    rewrite Forall_forall in Hturn0.
+    assert (Hhinges : forall j, In j motion -> how j = opens_above \/ how j = opens_below -> rate j = 0).
+    { intros j Hj Hhow. assert (H := Hturn0 j Hj). unfold turn_of in H.
+      destruct j as [[] x r]; simpl in *; [lra | lra | |]; now destruct Hhow. }
+    (* what slides does so at the right springing alone, to the right *)
+    assert (Hslips : forall j, In j motion -> rate j <> 0 -> how j = slips_out /\ sin (place j) = 1).
+    { intros j Hj Hne. assert (Hup' := Hup0 j Hj). destruct (Hallowed j Hj) as (Hx & Hr & H0).
+      assert (Hno := Hhinges j Hj). unfold upwards_of in Hup'. destruct j as [way x r]; simpl in *.
+      destruct (Rmult_integral _ _ H0) as [H | H]; [easy |].
+      destruct way; simpl in *; [now elim Hne; apply Hno; left | now elim Hne; apply Hno; right | |].
+      - now destruct (nothing_slides_inwards x Hx).
+      - split; [easy |]. destruct (Rmult_integral _ _ Hup') as [H' | HC]; [easy |].
+        assert (Hh := thrust_positive). assert (Hforce := normal_and_shear_of_thrust x).
+        assert (HN := normal_not_negative x Hx). unfold against_outwards in H.
+        rewrite HC in Hforce. assert (Hcircle := sin2_cos2 x). unfold Rsqr in Hcircle.
+        rewrite HC in Hcircle. assert (mu * whole_normal h v x >= 0) by nra. nra. }
+    assert (Hacross0 : Forall (fun j => across_of j = 0) motion).
+    { apply none_of_a_sum; [| easy]. apply Forall_forall. intros j Hj.
+      destruct (Req_dec (rate j) 0) as [Hr | Hr]; [unfold across_of; rewrite Hr; lra |].
+      destruct (Hslips j Hj Hr) as [Hhow Hs]. destruct (Hallowed j Hj) as (_ & Hpos & _).
+      unfold across_of. rewrite Hhow. simpl. rewrite Hs. lra. }
+    rewrite Forall_forall in *. intros j Hj. destruct (Req_dec (rate j) 0) as [Hr | Hr]; [easy |].
+    destruct (Hslips j Hj Hr) as [Hhow Hs]. assert (H := Hacross0 j Hj).
+    unfold across_of in H. rewrite Hhow in H. simpl in H. rewrite Hs in H. lra.
+  Qed.
+End Right.
+
+(** ** Either sign of the vertical force *)
+
+Definition mirrored_way (way : release) : release :=
+  match way with slips_in => slips_out | slips_out => slips_in | same => same end.
+
+Definition mirrored (j : moving) : moving := joint (mirrored_way (how j)) (- place j) (rate j).
+
+Lemma mirrored_margin delta eta mu h p v way x :
+  margin_of delta eta mu h p (- v) (mirrored_way way) (- x) = margin_of delta eta mu h p v way x.
+Proof.
+  destruct way; simpl; unfold from_extrados, from_intrados, against_inwards, against_outwards, whole_moment,
+    whole_normal, whole_shear; rewrite sin_neg, cos_neg; ring.
+Qed.
+
+Lemma mirrored_state delta alpha eta mu h p v :
+  whole_admissible delta alpha eta mu h p v -> whole_admissible delta alpha eta mu h p (- v).
+Proof.
+  intros Hall x Hx. destruct (Hall (- x) ltac:(lra)) as (HU & HL & HI & HO).
+  assert (H := mirrored_margin delta eta mu h p v). assert (E : - - x = x) by ring.
+  assert (H1 := H opens_above (- x)). assert (H2 := H opens_below (- x)).
+  assert (H3 := H slips_in (- x)). assert (H4 := H slips_out (- x)). simpl in *. rewrite E in *. lra.
+Qed.
+
+Lemma mirrored_motion delta alpha eta mu h p v motion :
+  is_motion delta alpha eta mu h p v motion -> is_motion delta alpha eta mu h p (- v) (map mirrored motion).
+Proof.
+  intros [Hallowed Htotal]. split.
+  - apply Forall_map. eapply Forall_impl; [| exact Hallowed]. intros [way x r] (Hx & Hr & H0).
+    unfold allowed, mirrored. simpl in *. rewrite mirrored_margin. repeat split; try lra.
+  - assert (H : forall l, total eta (map mirrored l)
+              = (fst (fst (total eta l)), - snd (fst (total eta l)), snd (total eta l))).
+    { induction l as [| [way x r] l IH]; [simpl; repeat f_equal; ring |]. simpl map. unfold total in *. simpl.
+      rewrite IH. destruct (fold_right _ _ l) as [[a b] c]. destruct way; simpl; unfold slips_outwards, scaled;
+        simpl; rewrite ?sin_neg, ?cos_neg; repeat apply f_equal2; ring. }
+    rewrite H, Htotal. simpl. repeat f_equal. ring.
+Qed.
+
+Theorem no_asymmetric_motion_up_to_the_right_angle (delta alpha eta mu h p v : R) (motion : list moving) :
+  0 <= delta -> 0 < alpha <= PI / 2 -> 0 < eta <= 2 -> 0 <= mu ->
+  whole_admissible delta alpha eta mu h p v -> v <> 0 ->
+  is_motion delta alpha eta mu h p v motion -> Forall (fun j => rate j = 0) motion.
+Proof.
+  intros Hd Ha He Hm Hall Hv Hmotion. destruct (Rlt_le_dec 0 v) as [Hpos | Hneg].
+  - now apply (nothing_moves delta alpha eta mu h p v).
+  - assert (H : Forall (fun j => rate j = 0) (map mirrored motion)).
+    { apply (nothing_moves delta alpha eta mu h p (- v)); try lra.
+      - now apply mirrored_state.
+      - now apply mirrored_motion. }
+    rewrite Forall_map in H. exact H.
+Qed.
