@@ -3,7 +3,7 @@
 
 .DEFAULT_GOAL := run
 .PHONY: run build check test lint docs msrv deny snapshots pictures constants states checker combinations house examples exporters c library install uninstall header wheel notebooks page page-test bench limits peers \
-        proofs witness m4 coq
+        proofs witness verified verified-test m4 coq ocaml
 
 # Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
 # them too old. `malachite` needs a newer Rust than the rest.
@@ -222,6 +222,25 @@ proofs: witness coq
 	$(MAKE) -C proofs/coq -j2
 	$(MAKE) -C proofs/coq check spoil
 
+# The checker of which Coq has proved that what it accepts is true, as a program: target/verified/couplet-verified. It checks
+# every stored certificate, and nothing that is spoiled.
+VERIFIED := target/verified
+verified: coq ocaml
+	$(MAKE) -C proofs/coq -j2 verified/Sound.vo verified/Faster.vo
+	mkdir -p $(VERIFIED)
+	cp proofs/verified/*.ml $(VERIFIED)/
+	cd $(VERIFIED) && coqc -q -w -ambiguous-paths,-extraction-opaque-accessed -R ../../proofs/coq Couplet \
+	  -o $$PWD/Extract.vo ../../proofs/coq/verified/Extract.v
+	cd $(VERIFIED) && ocamlfind ocamlopt -w -a -O3 -unsafe -inline 200 -package zarith -linkpkg faster.ml verified.mli \
+	  verified.ml json.ml reader.ml main.ml -o couplet-verified
+	$(VERIFIED)/couplet-verified check proofs/constants/*.json proofs/states/*.json proofs/asymmetric/*.json \
+	  >$(VERIFIED)/said || { cat $(VERIFIED)/said; exit 1; }
+	@echo "$$(grep -c '^accepted' $(VERIFIED)/said) certificates accepted by the verified checker"
+
+# The verified checker beside the quick one, on every certificate that the tests spoil: more than 10,000 files.
+verified-test: verified
+	proofs/verified/compare.py $(VERIFIED)/couplet-verified $(VERIFIED)/spoiled
+
 # The repository's certificates checked once more, by a script over Arb that knows docs/certificate.md and
 # nothing of this program. python-flint goes into a virtual environment of its own.
 ARB := target/arb
@@ -242,3 +261,7 @@ coq:
 	$(call need,library=$$(coqc -where)/user-contrib && [ -e "$$library/Interval/Tactic.vo" ] \
 	&& [ -e "$$library/Coquelicot/Coquelicot.vo" ],coq libcoq-interval libcoq-flocq libcoq-coquelicot,\
 	the proofs need Coq with Interval and Coquelicot)
+
+# OCaml with Zarith, for the program that Coq extracts.
+ocaml:
+	$(call need,ocamlfind query zarith,ocaml-nox ocaml-findlib libzarith-ocaml-dev,the verified checker needs OCaml with Zarith)

@@ -16,7 +16,7 @@ without_comments() {
   perl -0777 -pe 's/(\((?:\*)(?:(?>[^(*]+|\((?!\*)|\*(?!\)))|(?1))*\*\))/ /g' "$1"
 }
 
-for file in *.v generated/*.v; do
+for file in *.v verified/*.v generated/*.v; do
   [ -f "$file" ] || continue
   without_comments "$file" > "$work/text"
   if grep -nwE 'Admitted|admit|give_up|Axioms?|Parameters?|Conjectures?|bypass_check' "$work/text"; then

@@ -271,9 +271,12 @@ let box most v =
   { centre; radius }
 
 let certificate bytes =
-  let field =
-    fields [ "schema"; "tool"; "claim"; "digits"; "unique"; "inverse"; "root"; "values" ] (Json.read bytes)
-  in
+  let json = Json.read bytes in
+  (match json with
+  | Json.Object entries when List.assoc_opt "schema" entries = Some (Json.Text "couplet.survey-certificate/1") ->
+      raise (Beyond "a survey")
+  | _ -> ());
+  let field = fields [ "schema"; "tool"; "claim"; "digits"; "unique"; "inverse"; "root"; "values" ] json in
   if text (get field "schema") <> "couplet.certificate/1" then refused "another schema";
   ignore (text (get field "tool"));
   let about = subject (get field "claim") in

@@ -94,7 +94,7 @@ fn no_claim_waits_for_one_that_waits_for_it() {
 
 /// Two arches of one mode and weight do not overwrite each other, and a bad file writes nothing.
 #[test]
-fn certified_states_become_theorems() {
+fn certificates_become_theorems() {
     let scratch = Scratch::new();
     let certificate = |name: &str, friction: &str| {
         let path = scratch.path(name);
@@ -104,27 +104,25 @@ fn certified_states_become_theorems() {
     };
     let (one, other) = (certificate("one.json", "0.5"), certificate("other.json", "0.6"));
     let folder = scratch.path("coq");
-    let made = couplet(&["prove", "--coq", &folder, "--state", &one, &other]);
+    let made = couplet(&["prove", "--coq", &folder, "--certificate", &one, &other]);
     let names = ["", "2"].map(|n| format!("{folder}/StateRotationalMilankovitch{n}.v\n"));
     assert_eq!(said(&made), (Some(0), names.concat(), String::new()));
     let first = scratch.read("coq/StateRotationalMilankovitch.v");
     let second = scratch.read("coq/StateRotationalMilankovitch2.v");
-    assert!(first.contains("mu : R := 0.5.") && second.contains("mu : R := 0.6."));
+    let given = |mu: &str| format!("(Coefficient (Fraction {mu}))");
+    assert!(first.contains(&given("1 2")) && second.contains(&given("3 5")));
     scratch.write("bad.json", scratch.read("one.json").replace("1/2 pi", "2/5 pi"));
-    let (bad, landmark) = (scratch.path("bad.json"), scratch.path("T.json"));
-    couplet(&["certify", "T", "--digits", "5", "-o", &landmark]);
-    for (file, code, reason) in [
-        (&bad, 2, "refused: unique"),
-        (&landmark, 2, "not the certificate of a state, of an arch that slides"),
-        (&scratch.path("none.json"), 3, "cannot read"),
-    ] {
+    let bad = scratch.path("bad.json");
+    for (file, code, reason) in
+        [(&bad, 2, "refused: unique"), (&scratch.path("none.json"), 3, "cannot read")]
+    {
         let empty = scratch.path("empty");
         let (found, output, message) =
-            said(&couplet(&["prove", "--coq", &empty, "--state", &one, file]));
+            said(&couplet(&["prove", "--coq", &empty, "--certificate", &one, file]));
         assert_eq!((found, output.as_str()), (Some(code), ""), "{message}");
         assert!(message.contains(reason) && message.lines().count() == 1, "{message}");
         assert!(!std::path::Path::new(&empty).exists());
     }
-    let (code, _, message) = said(&couplet(&["prove", "--state", &one]));
+    let (code, _, message) = said(&couplet(&["prove", "--certificate", &one]));
     assert!(code == Some(2) && message.contains("--coq"), "{message}");
 }
