@@ -127,7 +127,7 @@ spoil_certificate() {
   spoiled "a box elsewhere" claim \
     's/(\(Box \[\(Dyadic \()(-?\d)/$1 . "1" . $2/e'
   spoiled "a matrix that is not the inverse" claim \
-    's/(\n    \[ \[\(Dyadic \()/${1}1/'
+    's/(\n    \[ \[\(Dyadic \([^)]*\) \()-?\d+/${1}3/'
   spoiled "a value that is not stated" claim \
     's/\(Plain Eta\)/(Plain Mu)/'
   spoiled "a claim that is not this one" claim \
