@@ -57,13 +57,15 @@ fn a_printed_file_has_no_holes_and_leaves_nothing_unproved() {
 /// Every mode has a stored state, for both weights where it knows one, and every kind of asymmetric solution.
 #[test]
 fn every_mode_has_a_stored_certificate() {
-    let is_arch = |name: &String| ["State", "Slides", "Asymmetric"].iter().any(|of| name.starts_with(of));
+    let is_arch =
+        |name: &String| ["State", "Slides", "Asymmetric"].iter().any(|of| name.starts_with(of));
     let names: Vec<String> = printed().into_keys().filter(is_arch).collect();
     let kinds = ["SlidesInside", "OpensAtShoulder", "SlidesAlone"];
     let modes = Mode::ALL.into_iter().filter(|mode| *mode != Mode::Sliding);
     let of_both = modes.map(|mode| format!("State{mode:?}"));
     let of_both = of_both.chain(kinds.map(|kind| format!("Asymmetric{kind}")));
-    let of_both = of_both.flat_map(|name| SelfWeight::ALL.map(|weight| format!("{name}{weight:?}.v")));
+    let of_both =
+        of_both.flat_map(|name| SelfWeight::ALL.map(|weight| format!("{name}{weight:?}.v")));
     let mut expected: Vec<String> = of_both.chain(["SlidesMilankovitch.v".to_owned()]).collect();
     expected.sort();
     assert_eq!(names, expected);

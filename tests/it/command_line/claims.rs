@@ -20,7 +20,8 @@ fn claims_are_decided_and_a_misprint_is_no_failure() {
     };
     let stones = ["stones-joints", "programme-zero"];
     let asymmetric = ["asymmetric-kinds", "asymmetric-number"];
-    let own = [&["map-lines"][..], &stones, &asymmetric, &["survey-rise", "survey-safety"]].concat();
+    let own =
+        [&["map-lines"][..], &stones, &asymmetric, &["survey-rise", "survey-safety"]].concat();
     assert_eq!(argued("own"), own);
     assert_eq!(argued("beneath"), ["survey-worst"]);
     let claim = |id: &str| claims.iter().find(|claim| claim["id"] == *id).unwrap();

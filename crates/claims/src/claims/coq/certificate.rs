@@ -76,7 +76,11 @@ impl Subject {
             return subject("Slides", "An arch that slides".into(), format!("Slides {}", of(a)));
         }
         if let Some(a) = &claim.too_wide {
-            return subject("TooWide", "An arch that is too wide".into(), format!("TooWide {}", of(a)));
+            return subject(
+                "TooWide",
+                "An arch that is too wide".into(),
+                format!("TooWide {}", of(a)),
+            );
         }
         if let Some(s) = &claim.stands {
             let nearest = capital(&s.nearest);
