@@ -23,7 +23,7 @@ def main():
     for old in folder.glob("*.json"):
         old.unlink()
     features = "study,proptest,malachite"
-    tests = ["cargo", "test", "--locked", "--features", features, "--test", "it", "--", "certificates::"]
+    tests = ["cargo", "test", "--locked", "--workspace", "--features", features, "--test", "it", "--", "certificates::"]
     subprocess.run(tests, env=os.environ | {"COUPLET_KEEP_CERTIFICATES": str(folder)}, check=True)
     # A survey has a file of another kind.
     files = [path for path in sorted(folder.glob("*.json")) if b'"survey' not in path.read_bytes()]
