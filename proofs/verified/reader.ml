@@ -244,13 +244,10 @@ let written digits t =
     else begin
       let power = power - String.length part in
       (* Zeros at the end of a whole number only show its size. *)
-      let rec shortened all power =
-        let n = String.length all in
-        if n > digits && all.[n - 1] = '0' && not (String.contains mantissa '.') then
-          shortened (String.sub all 0 (n - 1)) (power + 1)
-        else (all, power)
-      in
-      let all, power = shortened all power in
+      let n = String.length all in
+      let rec zeros k = if k < n - digits && all.[n - 1 - k] = '0' then zeros (k + 1) else k in
+      let left_out = if String.contains mantissa '.' then 0 else zeros 0 in
+      let all = String.sub all 0 (n - left_out) and power = power + left_out in
       let missing = digits - String.length all in
       if missing < 0 then bad ();
       Decimal (Integer.of_string (all ^ String.make missing '0'), Integer.of_int (power - missing))
