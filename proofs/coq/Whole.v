@@ -3,8 +3,8 @@
     Without symmetry the crown bears a vertical force [v] beside the thrust [h] and the moment [p] about the centre: it
     carries [v] of the weight of the right half.  Joints [x] are angles from the crown, positive to the right.  The line of
     thrust is inside the faces, and no joint slides, where four margins are not negative.  Here are the margins with their
-    slopes and bends along the arch, what makes one nowhere negative next to a joint where it is zero, and the motion.  A
-    generated file adds the numbers. *)
+    slopes along the arch, what makes one nowhere negative next to a joint where it is zero, and the motion.
+    The verified checker adds the numbers. *)
 
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
@@ -71,12 +71,10 @@ Definition shoulder_solution (delta alpha mu eta h p v b0 b1 s w : R) : Prop :=
   from_intrados delta eta h p v (- b1) = 0 /\ w * from_extrados delta eta h p v alpha = 0 /\
   (- alpha < - b1 < b0 /\ b0 < alpha) /\ 0 < v /\ 0 < s /\ 0 <= w /\ fits_at_shoulder alpha eta b0 b1 s w.
 
-(** ** Slopes and bends *)
+(** ** Slopes *)
 
 Definition normal_slope (h v x : R) : R := (1 - h) * sin x + (x - v) * cos x.
 Definition shear_slope (h v x : R) : R := (1 - h) * cos x - (x - v) * sin x.
-Definition normal_bend (h v x : R) : R := (2 - h) * cos x - (x - v) * sin x.
-Definition shear_bend (h v x : R) : R := - ((2 - h) * sin x + (x - v) * cos x).
 
 Definition extrados_slope (delta eta h v x : R) : R :=
   extrados eta * normal_slope h v x - fac delta eta * sin x.
@@ -84,15 +82,9 @@ Definition intrados_slope (delta eta h v x : R) : R :=
   fac delta eta * sin x - intrados eta * normal_slope h v x.
 Definition inwards_slope (mu h v x : R) : R := mu * normal_slope h v x - shear_slope h v x.
 Definition outwards_slope (mu h v x : R) : R := mu * normal_slope h v x + shear_slope h v x.
-Definition extrados_bend (delta eta h v x : R) : R :=
-  extrados eta * normal_bend h v x - fac delta eta * cos x.
-Definition intrados_bend (delta eta h v x : R) : R :=
-  fac delta eta * cos x - intrados eta * normal_bend h v x.
-Definition outwards_bend (mu h v x : R) : R := mu * normal_bend h v x + shear_bend h v x.
 
 Ltac whole := unfold from_extrados, from_intrados, against_inwards, against_outwards, extrados_slope, intrados_slope,
-  inwards_slope, outwards_slope, extrados_bend, intrados_bend, outwards_bend, whole_moment, whole_normal, whole_shear, normal_slope,
-  shear_slope, normal_bend, shear_bend, extrados, intrados, fac in *.
+  inwards_slope, outwards_slope, whole_moment, whole_normal, whole_shear, normal_slope, shear_slope, extrados, intrados, fac in *.
 Ltac derive := whole; auto_derive; [easy | field].
 
 Lemma extrados_has_slope delta eta h p v x :
@@ -106,15 +98,6 @@ Lemma inwards_has_slope mu h v x :
 Proof. derive. Qed.
 Lemma outwards_has_slope mu h v x :
   is_derive (against_outwards mu h v) x (outwards_slope mu h v x).
-Proof. derive. Qed.
-Lemma extrados_has_bend delta eta h v x :
-  is_derive (extrados_slope delta eta h v) x (extrados_bend delta eta h v x).
-Proof. derive. Qed.
-Lemma intrados_has_bend delta eta h v x :
-  is_derive (intrados_slope delta eta h v) x (intrados_bend delta eta h v x).
-Proof. derive. Qed.
-Lemma outwards_has_bend mu h v x :
-  is_derive (outwards_slope mu h v) x (outwards_bend mu h v x).
 Proof. derive. Qed.
 
 (** ** Next to a joint where a margin is zero *)
@@ -207,13 +190,3 @@ Proof.
   apply f_equal2; [apply f_equal2 |]; [field; easy | | ring].
   apply (Rmult_eq_reg_r (sin alpha)); [| easy]. field_simplify; [| easy]. lra.
 Qed.
-
-(** ** An equation is its residual *)
-
-Lemma cleared_margin m r : r = m -> (m = 0 <-> r = 0).
-Proof. intros ->. tauto. Qed.
-
-Ltac margins := whole; rewrite ?sin_neg, ?cos_neg; field.
-
-(** The parts of an arch where a margin, its slope or its bend has a sign, by intervals. *)
-Ltac positive x := whole; apply Rlt_le; interval with (i_prec 60, i_bisect x, i_depth 16).
