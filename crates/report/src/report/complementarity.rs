@@ -30,13 +30,14 @@ pub struct ComplementarityArch {
 }
 
 /// Description of the search for solutions, and what is not proved.
-const SEARCH: [&str; 6] = [
+const SEARCH: [&str; 7] = [
     "Among symmetric states there is at most one such thickness (couplet prove unique-thickness),",
     "except at the friction of pure sliding. Asymmetric states have mechanisms of three kinds, in arches",
     "of more than 90 degrees only: at the most one with Milankovitch's weight, and two with Heyman's",
     "(couplet prove asymmetric-number). They are sought along those with a sliding shoulder, from the",
-    "symmetric one to larger vertical forces in the crown. What the search finds is proved; where it finds",
-    "fewer, that there are no more is not. With unlimited friction nothing slides, and none is sought.",
+    "symmetric one to larger vertical forces in the crown. What the search finds is proved;",
+    "where it finds fewer, that there are no more is not. With unlimited friction nothing slides, and",
+    "none is sought.",
 ];
 
 /// Meaning of an asymmetric solution.
