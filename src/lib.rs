@@ -14,7 +14,7 @@
 //! takes the crate `couplet-check`, pure Rust. The page `docs/features.md` of the
 //! repository has all features, and what each costs.
 #![doc = ""]
-#![doc = include_str!("../docs/tour.md")]
+#![doc = include_str!("../docs/rust.md")]
 //!
 //! # Where an equation is
 //!
@@ -53,11 +53,6 @@
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 pub struct Readme;
-
-/// The programs of `docs/rust.md`.
-#[cfg(doctest)]
-#[doc = include_str!("../docs/rust.md")]
-pub struct InRust;
 
 /// The numbers of GMP and MPFR that balls are made of, in the version that this crate uses.
 pub use rug;

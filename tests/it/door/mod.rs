@@ -2,6 +2,7 @@
 
 mod architecture;
 mod columns;
+mod limits;
 mod manual;
 mod pages;
 mod pictures;

@@ -13,7 +13,7 @@ use std::path::Path;
 const QUESTIONS: [[&str; 7]; 18] = [
     ["an arch at its least thickness", "state", "arches", "states", "state", "couplet_arch", "yes"],
     ["an arch of a thickness", "assess", "arches", "states", "assess", "couplet_arch", "yes"],
-    ["every arch between measured ends", "assess", "arches", RANGES, "assess", NO_C, ONE],
+    ["every arch between measured ends", "assess", "arches", RANGES, "assess", "couplet_arch", ONE],
     ["an arch of stones", "voussoirs", STONES, STONES, "voussoirs", NO_C, STONES],
     ["a tilted arch", "assess", TILT, TILT, "tilt", NO_C, TILT],
     [
@@ -93,12 +93,32 @@ fn row(cells: impl IntoIterator<Item = String>) -> String {
     format!("| {} |\n", cells.into_iter().collect::<Vec<_>>().join(" | "))
 }
 
+/// Why a door does not have something: each reason once, by number.
+#[derive(Default)]
+struct Reasons(Vec<String>);
+
+impl Reasons {
+    fn no(&mut self, why: &str) -> String {
+        let place = self.0.iter().position(|known| known == why).unwrap_or_else(|| {
+            self.0.push(why.to_owned());
+            self.0.len() - 1
+        });
+        format!("no ({})", place + 1)
+    }
+
+    fn listed(self) -> String {
+        let lines = self.0.iter().enumerate().map(|(place, why)| format!("{}. {why}\n", place + 1));
+        format!("\n## Why not\n\n{}", lines.collect::<String>())
+    }
+}
+
 fn page() -> String {
     let mut page = String::from(
-        "# Questions\n\nWhich question is asked where. What a door does not have has its reason.\n\n",
+        "# Questions\n\nWhich question is asked where. What a door does not have has its reason, by number, below.\n\n",
     );
-    let cell = |(door, text): (usize, &&str)| match (door, text.strip_prefix('!')) {
-        (_, Some(why)) => format!("no: {why}"),
+    let mut reasons = Reasons::default();
+    let mut cell = |(door, text): (usize, &&str)| match (door, text.strip_prefix('!')) {
+        (_, Some(why)) => reasons.no(why),
         (0, None) => (*text).to_owned(),
         (1, None) => format!("`couplet {text}`"),
         (2, None) => format!("`[[{text}]]`"),
@@ -110,7 +130,7 @@ fn page() -> String {
     page += &row(DOORS.map(str::to_owned));
     page += "|---|---|---|---|---|---|---|\n";
     for question in &QUESTIONS {
-        page += &row(question.iter().enumerate().map(cell));
+        page += &row(question.iter().enumerate().map(&mut cell));
     }
     page += "\n## What an arch may be given by\n\nThe same names everywhere: options of the command (`--half-opening`), \
              keys of a scene and columns of a table (`half_opening`),\narguments in Python, fields in C.\n\n";
@@ -120,19 +140,20 @@ fn page() -> String {
     for &field in Field::ALL {
         let letter = field.letter().map_or(String::new(), |letter| format!(", `{letter}`"));
         let name = format!("`{}`{letter}", field.name());
+        let reasons = &mut reasons;
         let cell = |(_, question): (&str, &ArchQuestion)| {
             // A depth is for forces, as a density is.
             let field = if field == Field::Depth { Field::Density } else { field };
             let why = question.refuses.iter().find(|(of, _)| *of == field);
             match why {
-                Some((_, why)) => format!("no: {why}"),
+                Some((_, why)) => reasons.no(why),
                 None if question.needs.contains(&field) => "needed".to_owned(),
                 None => "yes".to_owned(),
             }
         };
         page += &row(std::iter::once(name).chain(OF_AN_ARCH.map(cell)));
     }
-    page
+    page + &reasons.listed()
 }
 
 #[test]
