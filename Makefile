@@ -2,7 +2,7 @@
 # every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build check test lint docs msrv deny snapshots pictures constants states checker combinations house examples exporters c library install uninstall header wheel notebooks page page-test bench limits peers \
+.PHONY: run build check test lint docs msrv deny packages semver snapshots pictures constants states checker combinations house examples exporters c library install uninstall header wheel notebooks page page-test bench limits peers \
         proofs witness verified verified-test m4 coq ocaml
 
 # Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
@@ -82,6 +82,18 @@ deny:
 	@command -v cargo-deny >/dev/null || { \
 	  echo "couplet: cargo-deny is missing (cargo install --locked cargo-deny)" >&2; exit 1; }
 	cargo deny --locked --workspace check licenses bans sources
+
+# Every crate as the registry would have it, in target/package, each built from what is in it; `PACKAGE=--no-verify` builds none.
+packages: m4
+	cargo package --workspace --locked $(PACKAGE)
+
+# Whether what the library offered in the last version, it still offers.
+semver: m4
+	@last=$$(git tag --list 'v[0-9]*' --sort=-version:refname | head -n 1); \
+	if [ -z "$$last" ]; then echo 'couplet: no version has a tag yet, so there is nothing to compare with'; exit 0; fi; \
+	command -v cargo-semver-checks >/dev/null || { \
+	  echo "couplet: cargo-semver-checks is missing (cargo install --locked cargo-semver-checks)" >&2; exit 1; }; \
+	cargo semver-checks --package couplet --package couplet-check --baseline-rev "$$last"
 
 # The repository's certificates, 100 digits of every landmark; a test says whether they are up to date.
 constants: build

@@ -59,7 +59,7 @@ pub struct Readme;
 #[doc = include_str!("../docs/rust.md")]
 pub struct InRust;
 
-/// The numbers of GMP and MPFR that balls are made of, in the version that this crate uses.
+/// The crate rug 1: the numbers of GMP and MPFR that balls are made of. With rug 2 this crate would be another minor version.
 pub use rug;
 
 pub use certify::{Error, Refused, Undecided};
