@@ -2,7 +2,7 @@
 # every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build check test lint docs msrv deny snapshots pictures constants states checker combinations house examples exporters c library install uninstall header wheel notebooks page page-test bench limits peers \
+.PHONY: run build check test lint docs msrv deny packages semver dist dist-equal dist-try snapshots pictures constants states checker combinations house examples exporters c library install uninstall header wheel notebooks page page-test bench limits peers \
         proofs witness verified verified-test m4 coq ocaml
 
 # Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
@@ -82,6 +82,29 @@ deny:
 	@command -v cargo-deny >/dev/null || { \
 	  echo "couplet: cargo-deny is missing (cargo install --locked cargo-deny)" >&2; exit 1; }
 	cargo deny --locked --workspace check licenses bans sources
+
+# Every crate as the registry would have it, in target/package, each built from what is in it; `PACKAGE=--no-verify` builds none.
+packages: m4
+	cargo package --workspace --locked $(PACKAGE)
+
+# Whether what the library offered in the last version, it still offers.
+semver: m4
+	@last=$$(git tag --list 'v[0-9]*' --sort=-version:refname | head -n 1); \
+	if [ -z "$$last" ]; then echo 'couplet: no version has a tag yet, so there is nothing to compare with'; exit 0; fi; \
+	command -v cargo-semver-checks >/dev/null || { \
+	  echo "couplet: cargo-semver-checks is missing (cargo install --locked cargo-semver-checks)" >&2; exit 1; }; \
+	cargo semver-checks --package couplet --package couplet-check --baseline-rev "$$last"
+
+# Everything that a release hands on, in target/dist (docs/release.md).
+dist: m4
+	@.ci/dist
+
+# Whether two builds of it, in two folders by two users, are equal byte for byte; whether each archive works on a machine that
+# has nothing else.
+dist-equal: m4
+	@.ci/dist-equal
+dist-try:
+	@.ci/dist-try
 
 # The repository's certificates, 100 digits of every landmark; a test says whether they are up to date.
 constants: build
@@ -192,10 +215,7 @@ notebooks: m4
 page: build
 	$(call need,page/build.sh --ready && command -v python3,rustc-web cargo-web rust-web-src lld python3,\
 	the page needs Python and the target wasm32-unknown-unknown (rustup target add wasm32-unknown-unknown))
-	@mkdir -p target/page
-	cd target/page && ../release/couplet map -o map.html >/dev/null
-	wasm=$$(page/build.sh) && page/assemble.py target/page/map.html "$$wasm" target/page/index.html
-	@rm target/page/map.html
+	page/make.sh target/release/couplet target/page/index.html
 
 # What it shows is what the command prints, in Chromium where it is installed.
 page-test: page

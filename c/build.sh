@@ -1,18 +1,31 @@
 #!/usr/bin/env bash
 # Builds the library for C and puts it together in a folder, target/c if none is named: include, lib, and what pkg-config
-# and CMake read. The folder may be moved, or copied into a prefix.
+# and CMake read. The folder may be moved, or copied into a prefix. With a version of glibc as a second argument it is built by
+# cargo-zigbuild for Linux with that glibc, which may be older than that of this machine.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 folder=${1:-target/c}
+glibc=${2:-}
 version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
 # The number in the name of the shared library, and of its symbols. It rises when a program that was linked with it could
 # not go on.
 number=0
 made=${CARGO_TARGET_DIR:-target}/release
+cargo=cargo
+linker=(${CC:-cc})
+# What unwinds the stack is gcc's part of every system, or zig's and in the library.
+libraries="-lm -lpthread -ldl"
+if [ -n "$glibc" ]; then
+    target=$(uname -m)-unknown-linux-gnu
+    made=${CARGO_TARGET_DIR:-target}/$target/release
+    cargo="cargo-zigbuild"
+    linker=(python-zig cc -target "$(uname -m)-linux-gnu.$glibc")
+    libraries+=" -lunwind"
+fi
 # Fills in a file of c/package.
 packaged() { sed "s/@VERSION@/$version/; s/@NUMBER@/$number/" "c/package/$1" >"$folder/lib/$2/$1"; }
-build() { cargo rustc --locked --release --package couplet-c "$@"; }
+build() { "$cargo" rustc --locked --release --package couplet-c ${glibc:+--target "$target.$glibc"} "$@"; }
 
 rm -rf "$folder"
 mkdir -p "$folder/include" "$folder/lib/pkgconfig"
@@ -32,9 +45,9 @@ if [ "$(uname -s)" = Linux ]; then
     # The shared one is linked from that object and not by rustc, which has a list of symbols of its own, and linkers take
     # no versions beside it. Programs look for the name with the number, linkers for the one without.
     echo "COUPLET_C_$number { global: couplet_*; local: *; };" >"$joined/symbols"
-    "${CC:-cc}" -shared -o "$folder/lib/libcouplet_c.so.$number" -s -Wl,--version-script="$joined/symbols" \
+    "${linker[@]}" -shared -o "$folder/lib/libcouplet_c.so.$number" -s -Wl,--version-script="$joined/symbols" \
         -Wl,-soname,"libcouplet_c.so.$number" -Wl,--gc-sections,--no-undefined,--as-needed,-z,relro,-z,now \
-        "$joined/couplet_c.o" -lm -lpthread -ldl
+        "$joined/couplet_c.o" $libraries
     ln -s "libcouplet_c.so.$number" "$folder/lib/libcouplet_c.so"
     mkdir -p "$folder/lib/cmake/couplet_c"
     packaged couplet_cConfig.cmake cmake/couplet_c

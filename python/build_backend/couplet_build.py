@@ -4,7 +4,9 @@ GMP and MPFR are compiled from source. Where a program for that is missing, thei
 here it is one line.
 """
 
+import gzip
 import io
+import os
 import re
 import sys
 import tarfile
@@ -50,7 +52,9 @@ def leave_out_benches(archive):
     """Benchmarks and tests are not in a package, and so must not be in its manifest, as cargo has it in its own packages."""
     whole = archive.with_suffix(".whole")
     archive.replace(whole)
-    with tarfile.open(whole) as old, tarfile.open(archive, "w:gz") as new:
+    time = int(os.environ.get("SOURCE_DATE_EPOCH", "0"))
+    packed = gzip.GzipFile(archive, "wb", mtime=time)
+    with tarfile.open(whole) as old, packed, tarfile.open(fileobj=packed, mode="w") as new:
         top = Path(old.getnames()[0]).parts[0]
         for member in old:
             data = old.extractfile(member).read() if member.isfile() else b""

@@ -1,5 +1,5 @@
-"""The SBOM of a wheel (CycloneDX, in `.dist-info/sboms`): with GMP and MPFR, and without the folders of the machine that
-built it."""
+"""The SBOM of a wheel (CycloneDX, in `.dist-info/sboms`) or a program: with GMP and MPFR, and without the folders of the
+machine that built it."""
 
 import base64
 import hashlib
@@ -41,6 +41,8 @@ def complete(wheel, folder, bundled):
 def completed(data, folder, bundled):
     """The bytes of one SBOM."""
     sbom = json.loads(data.decode().replace(folder.as_uri(), "file:///couplet"))
+    for part in (sbom["metadata"]["component"], *sbom["components"]):
+        leave_out_empty(part)
     for name, version in bundled.items():
         purl = f"pkg:generic/{name}@{version}"
         component = {"type": "library", "bom-ref": purl, "name": name, "version": version, "scope": "required"}
@@ -49,6 +51,26 @@ def completed(data, folder, bundled):
             if "#gmp-mpfr-sys@" in crate["ref"]:
                 crate.setdefault("dependsOn", []).append(purl)
     return json.dumps(sbom, indent=2).encode()
+
+
+def leave_out_empty(component):
+    """Takes the address of the repository out of a component, where there is none."""
+    found = [reference for reference in component.pop("externalReferences", []) if reference["url"]]
+    if found:
+        component["externalReferences"] = found
+
+
+def only(data, crates):
+    """The bytes of an SBOM of a workspace with these crates alone, by name and version."""
+    sbom = json.loads(data)
+    inside = {(crate["name"], crate["version"]) for crate in crates}
+    sbom["components"] = [part for part in sbom["components"] if (part["name"], part["version"]) in inside]
+    known = {part["bom-ref"] for part in [sbom["metadata"]["component"], *sbom["components"]]}
+    sbom["dependencies"] = [crate for crate in sbom["dependencies"] if crate["ref"] in known]
+    for crate in sbom["dependencies"]:
+        if "dependsOn" in crate:
+            crate["dependsOn"] = [name for name in crate["dependsOn"] if name in known]
+    return json.dumps(sbom).encode()
 
 
 def line(name, data):

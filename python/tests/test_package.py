@@ -111,8 +111,11 @@ def test_the_wheel_tells_what_is_in_it():
     assert set(re.findall(r"file:///([^/#\"]*)", text)) == {"couplet"}
 
 
+# Where no address of the repository is known, what lists the crates writes an empty one.
+ADDRESSES = [{"type": "vcs", "url": ""}, {"type": "website", "url": "https://example.org"}]
 SBOM = {
-    "components": [{"bom-ref": "path+file:///home/a%20b/c/crates/check#1.0.0"}],
+    "metadata": {"component": {"bom-ref": "path+file:///home/a%20b/c#1.0.0", "externalReferences": ADDRESSES[:1]}},
+    "components": [{"bom-ref": "path+file:///home/a%20b/c/crates/check#1.0.0", "externalReferences": ADDRESSES}],
     "dependencies": [{"ref": "registry+https://crates#gmp-mpfr-sys@1.7.0"}, {"ref": "path+file:///home/a%20b/c#1.0.0"}],
 }
 
@@ -146,6 +149,8 @@ def test_the_folder_is_taken_out_and_nothing_else_is_changed(tmp_path, sbom):
     told = after.read("a.dist-info/sboms/a.json")
     made = json.loads(told)
     assert b"/home" not in told and made["components"][0]["bom-ref"] == "path+file:///couplet/crates/check#1.0.0"
+    assert made["metadata"]["component"] == {"bom-ref": "path+file:///couplet#1.0.0"}
+    assert made["components"][0]["externalReferences"] == ADDRESSES[1:]
     assert made["dependencies"][0]["dependsOn"] == [made["components"][1]["bom-ref"]] == ["pkg:generic/gmp@6.3.0"]
     record = after.read("a.dist-info/RECORD").decode()
     assert record == sbom.line("a/program", after.read("a/program")) + sbom.line("a.dist-info/sboms/a.json", told)
@@ -158,6 +163,19 @@ def test_a_wheel_that_is_not_as_its_record_says_stays(tmp_path, sbom):
     with pytest.raises(ValueError, match="RECORD has another a.dist-info/sboms/a.json"):
         sbom.complete(wheel, Path("/home/a b/c"), {})
     assert wheel.read_bytes() == whole and os.listdir(tmp_path) == ["a.whl"]
+
+
+def test_an_sbom_keeps_the_crates_that_are_linked_and_no_other(sbom):
+    crates = [{"bom-ref": f"{name} {version}", "name": name, "version": version} for name, version in (("a", "1"), ("a", "2"), ("b", "1"))]
+    whole = {
+        "metadata": {"component": {"bom-ref": "top"}},
+        "components": crates,
+        "dependencies": [{"ref": "top", "dependsOn": ["a 1", "b 1"]}, {"ref": "a 1"}, {"ref": "a 2"}, {"ref": "b 1", "dependsOn": ["a 2"]}],
+    }
+    kept = json.loads(sbom.only(json.dumps(whole), [crates[0]]))
+    assert kept["components"] == [crates[0]]
+    assert kept["dependencies"] == [{"ref": "top", "dependsOn": ["a 1"]}, {"ref": "a 1"}]
+    assert json.loads(sbom.only(json.dumps(whole), crates)) == whole
 
 
 @pytest.mark.parametrize("module", ["couplet", "couplet._arches", "couplet._arrays", "couplet._certified", "couplet._answers", "couplet._codes", "couplet._commands", "couplet._frames", "couplet._sweeps"])

@@ -28,6 +28,7 @@ mod identities;
 mod judge;
 mod landmarks;
 mod map;
+mod metadata;
 mod misuse;
 mod number_suite;
 #[cfg(unix)]
