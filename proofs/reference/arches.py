@@ -1,6 +1,7 @@
 """Which certificates the bundle has: the arches are drawn, listed and searched for by the program, the same each time.
 
-Each is a request: a folder, a name, what lies there (the edge), and the words after `couplet` that make the file."""
+Each is a request: a folder, a name, what lies there (the edge), the words after `couplet` that make the file, and the digits to
+try: next to J a certificate of 30 digits is not found, and one of 60 is."""
 
 import collections
 import csv
@@ -12,9 +13,9 @@ import subprocess
 
 PROOFS = pathlib.Path(__file__).resolve().parent.parent
 WEIGHTS = ("heyman", "milankovitch")
-DIGITS = ("--digits", "30")
+DIGITS = ("30", "60", "120")
 
-Request = collections.namedtuple("Request", "folder name edge words")
+Request = collections.namedtuple("Request", "folder name edge words digits", defaults=[DIGITS])
 
 
 class Program:
@@ -35,7 +36,7 @@ class Program:
 
 
 def arch(kind, weight, half_opening, friction, *more):
-    return ["certify", kind, "--weight", weight, "--half-opening", half_opening, "--friction", friction, *more, *DIGITS]
+    return ["certify", kind, "--weight", weight, "--half-opening", half_opening, "--friction", friction, *more]
 
 
 def by_turns(groups, count):
@@ -49,8 +50,8 @@ def landmarks(program, folder):
     program.run("certify", "all", "--digits", "1", "--output", str(folder))
     for path in sorted(pathlib.Path(folder).glob("*.json")):
         claim = json.loads(path.read_text())["claim"]
-        words = ["certify", claim["landmark"], "--weight", claim["weight"], "--digits", "1000"]
-        yield Request("landmarks", path.stem, f"landmark {claim['landmark']}", words)
+        words = ["certify", claim["landmark"], "--weight", claim["weight"]]
+        yield Request("landmarks", path.stem, f"landmark {claim['landmark']}", words, ["1000"])
 
 
 def drawn(program, count):
@@ -105,11 +106,11 @@ def examples():
 
 def searched(program):
     """Asymmetric solutions of (19) that are found on a grid."""
-    openings = ("2.22", "2.25", "2.28", "2.31", "2.34", "2.37", "2.4")
-    for weight, alpha, mu in itertools.product(WEIGHTS, openings, range(90, 125)):
-        code, text = program.run(*arch("asymmetric", weight, alpha, f"{mu / 100}"))
-        if code == 0:
-            yield weight, alpha, f"{mu / 100}", json.loads(text)["claim"]["asymmetric"]["mode"]
+    openings, frictions = ("2.22", "2.25", "2.28", "2.31", "2.34", "2.37", "2.4"), [f"{mu / 100}" for mu in range(90, 125, 2)]
+    kinds = ("inner_sliding", "shoulder_opening", "shoulder_sliding")
+    for weight, alpha, mu, mode in itertools.product(WEIGHTS, openings, frictions, kinds):
+        if program.run(*arch("asymmetric", weight, alpha, mu, "--mode", mode))[0] == 0:
+            yield weight, alpha, mu, mode
 
 
 def asymmetric(solutions, count):
@@ -125,7 +126,7 @@ def surveys():
     """Verdicts on all arches between measured ends: each shape, circle, weight and verdict."""
     for line in (PROOFS / "surveys/arches.txt").read_text().splitlines():
         name, *words = line.split()
-        yield Request("surveys", name, "example", ["certify", "survey", *words, "--digits", "10"])
+        yield Request("surveys", name, "example", ["certify", "survey", *words], ["10"])
     shapes = {
         "free": (["--half-opening", "75deg..80deg", "--friction", "0.5..0.6"], ("0.1..0.2", "0.01..0.02", "0.02..0.2")),
         **{circle: (["--span", "10m±5cm", "--rise", "3m±5cm", "--measured-at", circle, "--friction", "0.6..0.8"],
@@ -133,13 +134,13 @@ def surveys():
     }
     for weight, (shape, (words, thicknesses)) in itertools.product(WEIGHTS, shapes.items()):
         for verdict, eta in zip(("all", "none", "both"), thicknesses):
-            words_of = ["certify", "survey", "--weight", weight, *words, "--thickness", eta, "--digits", "10"]
-            yield Request("surveys", f"{shape}-{weight}-{verdict}", shape, words_of)
+            words_of = ["certify", "survey", "--weight", weight, *words, "--thickness", eta]
+            yield Request("surveys", f"{shape}-{weight}-{verdict}", shape, words_of, ["10"])
 
 
 def curves(program, count):
     """Points of each curve of the map. Where two modes meet, the arches on both sides of the friction, rounded down and up
-    to 15 digits (nearer to the crown of [r,s,r] no certificate is found); along pure sliding, and where the thickness reaches 2, the certificate has the point itself."""
+    to 30 digits; along pure sliding, and where the thickness reaches 2, the certificate has the point itself."""
     for curve in program.json("map", "--weight", "both")["curves"]:
         name, nodes = curve["curve"], curve["nodes"]
         ends = sorted(nodes[end]["half_opening_lower"] for end in (0, -1))
@@ -156,7 +157,7 @@ def curves(program, count):
                 low = min(float(nodes[end]["friction_upper"]) for end in (0, -1))
                 yield point("", "state", f"{low * (1 + at):.6g}", f"{ends[1] + 0.001:.6g}")
             else:
-                found = program.json("find", "boundary", name, "--half-opening", alpha, "--weight", weight, "--digits", "15")
+                found = program.json("find", "boundary", name, "--half-opening", alpha, "--weight", weight)
                 yield point("-below", "state", found["friction"]["lower"])
                 yield point("-above", "state", found["friction"]["upper"])
 
