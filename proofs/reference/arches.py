@@ -1,7 +1,8 @@
 """Which certificates the bundle has: the arches are drawn, listed and searched for by the program, the same each time.
 
-Each is a request: a folder, a name, what lies there (the edge), the words after `couplet` that make the file, and the digits to
-try: next to J a certificate of 30 digits is not found, and one of 60 is."""
+Each is a request: a folder, a name, what lies there (the edge), and the words after `couplet` that make the file. Where the
+rotational joint of [r,s,r] is as good as in the crown `couplet certify` finds no certificate, though `couplet state` proves the
+state: of states there are some in reserve."""
 
 import collections
 import csv
@@ -13,9 +14,10 @@ import subprocess
 
 PROOFS = pathlib.Path(__file__).resolve().parent.parent
 WEIGHTS = ("heyman", "milankovitch")
-DIGITS = ("30", "60", "120")
+DIGITS = ("--digits", "30")
+RESERVE = 40
 
-Request = collections.namedtuple("Request", "folder name edge words digits", defaults=[DIGITS])
+Request = collections.namedtuple("Request", "folder name edge words")
 
 
 class Program:
@@ -36,7 +38,7 @@ class Program:
 
 
 def arch(kind, weight, half_opening, friction, *more):
-    return ["certify", kind, "--weight", weight, "--half-opening", half_opening, "--friction", friction, *more]
+    return ["certify", kind, "--weight", weight, "--half-opening", half_opening, "--friction", friction, *more, *DIGITS]
 
 
 def by_turns(groups, count):
@@ -50,8 +52,8 @@ def landmarks(program, folder):
     program.run("certify", "all", "--digits", "1", "--output", str(folder))
     for path in sorted(pathlib.Path(folder).glob("*.json")):
         claim = json.loads(path.read_text())["claim"]
-        words = ["certify", claim["landmark"], "--weight", claim["weight"]]
-        yield Request("landmarks", path.stem, f"landmark {claim['landmark']}", words, ["1000"])
+        words = ["certify", claim["landmark"], "--weight", claim["weight"], "--digits", "1000"]
+        yield Request("landmarks", path.stem, f"landmark {claim['landmark']}", words)
 
 
 def drawn(program, count):
@@ -71,13 +73,16 @@ def drawn(program, count):
     return stand, fall
 
 
-def states(stand, count):
-    """The arches of the examples, and drawn ones: each family, mode and weight in turn."""
+def listed_states():
+    """The arches that are stored in proofs/states."""
     for line in (PROOFS / "states/arches.txt").read_text().splitlines():
         name, weight, alpha, mu = line.split()
-        yield Request("states", name, "example", arch("state", weight, alpha, mu))
-        count -= 1
-    for at, row in enumerate(by_turns(stand, count), 1):
+        yield Request("examples", name, "example", arch("state", weight, alpha, mu))
+
+
+def states(stand, count):
+    """Drawn arches that stand at some thickness: each family, mode and weight in turn."""
+    for at, row in enumerate(by_turns(stand, count + RESERVE), 1):
         words = arch("state", row["weight"], row["half_opening"], row["friction"])
         yield Request("states", f"{at:04}", row["family"], words)
 
@@ -126,7 +131,7 @@ def surveys():
     """Verdicts on all arches between measured ends: each shape, circle, weight and verdict."""
     for line in (PROOFS / "surveys/arches.txt").read_text().splitlines():
         name, *words = line.split()
-        yield Request("surveys", name, "example", ["certify", "survey", *words], ["10"])
+        yield Request("surveys", name, "example", ["certify", "survey", *words, "--digits", "10"])
     shapes = {
         "free": (["--half-opening", "75deg..80deg", "--friction", "0.5..0.6"], ("0.1..0.2", "0.01..0.02", "0.02..0.2")),
         **{circle: (["--span", "10m±5cm", "--rise", "3m±5cm", "--measured-at", circle, "--friction", "0.6..0.8"],
@@ -134,13 +139,13 @@ def surveys():
     }
     for weight, (shape, (words, thicknesses)) in itertools.product(WEIGHTS, shapes.items()):
         for verdict, eta in zip(("all", "none", "both"), thicknesses):
-            words_of = ["certify", "survey", "--weight", weight, *words, "--thickness", eta]
-            yield Request("surveys", f"{shape}-{weight}-{verdict}", shape, words_of, ["10"])
+            words_of = ["certify", "survey", "--weight", weight, *words, "--thickness", eta, "--digits", "10"]
+            yield Request("surveys", f"{shape}-{weight}-{verdict}", shape, words_of)
 
 
 def curves(program, count):
     """Points of each curve of the map. Where two modes meet, the arches on both sides of the friction, rounded down and up
-    to 30 digits; along pure sliding, and where the thickness reaches 2, the certificate has the point itself."""
+    to 15 digits; along pure sliding, and where the thickness reaches 2, the certificate has the point itself."""
     for curve in program.json("map", "--weight", "both")["curves"]:
         name, nodes = curve["curve"], curve["nodes"]
         ends = sorted(nodes[end]["half_opening_lower"] for end in (0, -1))
@@ -157,19 +162,24 @@ def curves(program, count):
                 low = min(float(nodes[end]["friction_upper"]) for end in (0, -1))
                 yield point("", "state", f"{low * (1 + at):.6g}", f"{ends[1] + 0.001:.6g}")
             else:
-                found = program.json("find", "boundary", name, "--half-opening", alpha, "--weight", weight)
+                found = program.json("find", "boundary", name, "--half-opening", alpha, "--weight", weight, "--digits", "15")
                 yield point("-below", "state", found["friction"]["lower"])
                 yield point("-above", "state", found["friction"]["upper"])
 
 
 def requests(program, folder, few):
-    """Every certificate of the bundle, or a few of each kind."""
+    """How many states there have to be, and requests for every certificate of the bundle, or for a few of each kind."""
     of = lambda many, some: some if few else many
+    return of(1000, 20), list(requested(program, folder, of))
+
+
+def requested(program, folder, of):
     stand, fall = drawn(program, of(5000, 300))
     yield from landmarks(program, folder)
+    yield from listed_states()
     yield from states(stand, of(1000, 20))
     yield from verdicts(stand, fall, of(100, 4))
-    yield from asymmetric(examples() if few else itertools.chain(examples(), searched(program)), of(60, 6))
+    yield from asymmetric(itertools.chain(examples(), of(searched(program), ())), of(60, 6))
     yield from itertools.islice(surveys(), of(None, 4))
     yield from curves(program, of(5, 1))
 

@@ -32,14 +32,32 @@ COPIED = ["LICENSE-APACHE", "LICENSE-MIT", "CITATION.cff", "codemeta.json", ".ze
 COQ = ("*.v", "*.txt", "*.sh", "Makefile", "_CoqProject")
 
 
+def name_of(request):
+    return f"certificates/{request.folder}/{request.name}.json"
+
+
+def command_of(request):
+    return f"couplet {shlex.join(request.words)}"
+
+
 def certify(program, bundle, request):
-    """Writes the certificate of a request; says which file it is, and which command made it."""
-    name = f"certificates/{request.folder}/{request.name}.json"
-    for digits in request.digits:
-        words = [*request.words, "--digits", digits]
-        if program.run(*words, "--output", str(bundle / name))[0] == 0:
-            return name, f"couplet {shlex.join(words)}", request.edge
-    raise SystemExit(f"make.py: no certificate: couplet {shlex.join(words)}")
+    """Writes the certificate of a request; says whether there is one."""
+    return program.run(*request.words, "--output", str(bundle / name_of(request)))[0] == 0
+
+
+def certified(program, bundle, states, wanted):
+    """The requests that have a certificate, of states as many as asked, and the commands of those that have none."""
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        found = list(pool.map(lambda request: certify(program, bundle, request), wanted))
+    kept = [request for request, there in zip(wanted, found) if there]
+    left = [command_of(request) for request, there in zip(wanted, found) if not there]
+    more = [request for request in kept if request.folder == "states"][states:]
+    for request in more:
+        (bundle / name_of(request)).unlink()
+    kept = sorted((request for request in kept if request not in more), key=name_of)
+    if sum(request.folder == "states" for request in kept) < states or any(" state " not in command for command in left):
+        raise SystemExit(f"make.py: too many have no certificate: {left}")
+    return kept, left
 
 
 def checkers(asked):
@@ -72,24 +90,36 @@ def checked(bundle, names, command):
 
 def index(bundle, requested, asked):
     """A row for each certificate, and how many each checker accepts."""
-    names = [name for name, _, _ in requested]
+    names = [name_of(request) for request in requested]
     parts, said = [names[at:at + 50] for at in range(0, len(names), 50)], {}
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for checker, command in checkers(asked):
             each = pool.map(lambda part: checked(bundle, part, command), parts)
             said[checker] = {name: words for part in each for name, words in part.items()}
     rows = []
-    for name, command, edge in requested:
+    for name, request in zip(names, requested):
         statements = {words[name] for words in said.values() if words.get(name)}
         if len(statements) != 1:
             raise SystemExit(f"make.py: {name}: the checkers do not say one thing: {sorted(statements)}")
         rows.append({
-            "file": name, "statement": statements.pop(), **described(json.loads((bundle / name).read_text())), "edge": edge,
-            "command": command,
+            "file": name, "statement": statements.pop(), **described(json.loads((bundle / name).read_text())), "edge": request.edge,
+            "command": command_of(request),
             "accepted_by": [checker for checker, words in said.items() if name in words],
             "schema": "couplet.reference_index/1",
         })
+    two_modes(rows)
     return rows, {checker: len(words) for checker, words in said.items()}
+
+
+def two_modes(rows):
+    """Refuses a curve between two modes whose point has not one of them on either side."""
+    sides = {row["file"]: row["case"] or "[s,s]" for row in rows if row["file"].startswith("certificates/curves/")}
+    for below, mode in sides.items():
+        if below.endswith("-below.json"):
+            found = {mode, sides[below.replace("-below", "-above")]}
+            first, second = below.split("/")[-1].split("-")[:2]
+            if found != {f"[{','.join(first)}]", f"[{','.join(second)}]"}:
+                raise SystemExit(f"make.py: {below}: on both sides are {sorted(found)}")
 
 
 def copy(source, target):
@@ -134,15 +164,15 @@ def make(asked):
     bundle.mkdir(parents=True)
 
     with tempfile.TemporaryDirectory() as folder:
-        wanted = list(requests(program, folder, asked.few))
+        states, wanted = requests(program, folder, asked.few)
     for folder in {request.folder for request in wanted}:
         (bundle / "certificates" / folder).mkdir(parents=True)
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        requested = sorted(pool.map(lambda request: certify(program, bundle, request), wanted))
-    if len({name for name, _, _ in requested}) != len(requested):
+    if len(set(map(name_of, wanted))) != len(wanted):
         raise SystemExit("make.py: two certificates of one name")
+    wanted, left = certified(program, bundle, states, wanted)
+    write(bundle / "left_out.txt", "".join(f"{command}\n" for command in left))
 
-    rows, counts = index(bundle, requested, asked)
+    rows, counts = index(bundle, wanted, asked)
     write(bundle / "index.jsonl", "".join(json.dumps(row, ensure_ascii=False) + "\n" for row in rows))
     write(bundle / "THEOREM_MAP.json", json.dumps(theorem_map(program), indent=1, ensure_ascii=False) + "\n")
     for name in COPIED:
@@ -160,7 +190,7 @@ def make(asked):
     readme = (PROOFS / "reference/bundle.md").read_text(encoding="utf-8")
     table = lambda counts: "\n".join(f"| {name} | {count} |" for name, count in counts.items())
     write(bundle / "README.md", readme.replace("VERSION", version).replace("FOLDERS", table(by_folder))
-          .replace("CHECKERS", table(counts)))
+          .replace("CHECKERS", table(counts)).replace("LEFT", str(len(left))))
     manifest(bundle)
     archive = pack(bundle)
     print(f"{archive}: {archive.stat().st_size} bytes, {len(rows)} certificates; accepted by "

@@ -4,7 +4,7 @@
     proofs/reference/theorem_map.py COUPLET
 
 Prints JSON, docs/schemas/theorem_map-1.json. Nothing is typed here: the claims and what each rests on are asked of the program
-(`couplet prove --show`), so are the curves (`couplet map`); the theorems are those of proofs/coq/hand_theorems.txt."""
+(`couplet prove --show`), so are the curves (`couplet map`); the theorems are those of proofs/coq/hand_theorems.txt, and those that the program prints."""
 
 import json
 import pathlib
@@ -15,7 +15,7 @@ sys.dont_write_bytecode = True
 from arches import Program  # noqa: E402
 
 HOUSE = pathlib.Path(__file__).resolve().parent.parent.parent
-RUN_COQ = "make -C proofs/coq -j2 check"
+STATES = "^(?:Theorem|Lemma|Corollary|Proposition|Fact) "
 
 
 def the_one(found, what):
@@ -53,14 +53,24 @@ def theorems():
             continue
         theorem, place, says = line.split("\t")
         module, name = theorem.split(".")
-        stated = re.compile(rf"^(Theorem|Lemma|Corollary|Proposition|Fact) {re.escape(name)}\b", re.M)
+        stated = re.compile(rf"{STATES}{re.escape(name)}\b", re.M)
         found = [path for path, text in sources.items() if path.stem == module and stated.search(text)]
-        yield {
-            "id": theorem, "kind": "theorem", "place": place, "statement": says, "verdict": "proved", "corrected": None,
-            "method": "Coq", "words": None, "rests_on": [], "file": the_one(found, theorem), "name": name, "checkers": ["coqc"],
-            "command": RUN_COQ,
-            "expected": {"exit": 0, "shows": ["theorems assume only the axioms of the real numbers"]},
-        }
+        yield by_coq("theorem", theorem, place, says, the_one(found, theorem))
+    # What the program prints for Coq says in its first line what it is about, and the name of a theorem what of it.
+    for path, text in files("proofs/coq/generated/*.v").items():
+        about = re.match(r"\(\*\* \* (.*)", text)[1]
+        for name in re.findall(rf"{STATES}(\w+)", text, re.M):
+            says = f"{about}: {name.replace('_', ' ')}"
+            yield by_coq("printed", f"{path.stem}.{name}", "", says, str(path.relative_to(HOUSE)))
+
+
+def by_coq(kind, theorem, place, says, file):
+    return {
+        "id": theorem, "kind": kind, "place": place, "statement": says, "verdict": "proved", "corrected": None, "method": "Coq",
+        "words": None, "rests_on": [], "file": file, "name": theorem.split(".")[1], "checkers": ["coqc"],
+        "command": "make -C proofs/coq -j2 check",
+        "expected": {"exit": 0, "shows": ["theorems assume only the axioms of the real numbers"]},
+    }
 
 
 def curves(program):

@@ -170,7 +170,7 @@ fn a_bundle_replays_and_names_a_changed_byte() {
     let certificate = "certificates/landmarks/triple-point-heyman.json";
     for name in [
         certificate,
-        "certificates/states/sliding.json",
+        "certificates/examples/sliding.json",
         "certificates/surveys/all-stand.json",
         "index.jsonl",
         "THEOREM_MAP.json",
