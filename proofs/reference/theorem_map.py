@@ -59,7 +59,7 @@ def theorems():
     # What the program prints for Coq says in its first line what it is about, and the name of a theorem what of it.
     for path, text in files("proofs/coq/generated/*.v").items():
         about = re.match(r"\(\*\* \* (.*)", text)[1]
-        for name in re.findall(rf"{STATES}(\w+)", text, re.M):
+        for name in re.findall(r"^(?:Theorem|Corollary) (\w+)", text, re.M):
             says = f"{about}: {name.replace('_', ' ')}"
             yield by_coq("printed", f"{path.stem}.{name}", "", says, str(path.relative_to(HOUSE)))
 
