@@ -748,8 +748,8 @@ def statement(file):
             "all_stand": "every arch stands", "none_stands": "no arch stands", "both_occur": "one arch stands and one does not"}
         between = lambda range: " to ".join(given(x) for x in range)
         metres = lambda name: f"{name} {between(thing[name])} m"
-        shape = (f"half opening {between(thing['half_opening'])}, thickness {between(thing['thickness'])}" if "free" in survey else
-                 f"{metres('span')} and {metres('rise')} at the {thing['circle']}, {metres('thickness')}")
+        shape = (f"half opening {between(thing['half_opening'])}, thickness {between(thing['thickness'])}"
+                 if "free" in survey else f"{metres('span')} and {metres('rise')} at the {thing['circle']}, {metres('thickness')}")
         return (f"all arches with {shape}, friction {between(survey['friction'])}, {survey['weight']} weight: "
                 f"{says[file['verdict']]} ({MEANS})")
     claim = file["claim"]

@@ -102,8 +102,8 @@ def index(bundle, requested, asked):
         if len(statements) != 1:
             raise SystemExit(f"make.py: {name}: the checkers do not say one thing: {sorted(statements)}")
         rows.append({
-            "file": name, "statement": statements.pop(), **described(json.loads((bundle / name).read_text())), "edge": request.edge,
-            "command": command_of(request),
+            "file": name, "statement": statements.pop(), **described(json.loads((bundle / name).read_text())),
+            "edge": request.edge, "command": command_of(request),
             "accepted_by": [checker for checker, words in said.items() if name in words],
             "schema": "couplet.reference_index/1",
         })

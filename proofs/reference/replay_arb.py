@@ -85,7 +85,8 @@ def described(file):
 
 def theorems():
     """How many rows of the map are theorems that proofs/coq states."""
-    listed = {tuple(line.split("\t")) for line in (HERE / "proofs/coq/hand_theorems.txt").read_text(encoding="utf-8").splitlines()}
+    listed = (HERE / "proofs/coq/hand_theorems.txt").read_text(encoding="utf-8").splitlines()
+    listed = {tuple(line.split("\t")) for line in listed}
     rows = json.loads((HERE / "THEOREM_MAP.json").read_text(encoding="utf-8"))["rows"]
     rows = [row for row in rows if row["kind"] in ("theorem", "printed")]
     for row in rows:
@@ -93,7 +94,8 @@ def theorems():
         stated = rf"^(Theorem|Lemma|Corollary|Proposition|Fact) {re.escape(row['name'])}\b"
         need(path.is_file() and re.search(stated, path.read_text(encoding="utf-8"), re.M),
              f"THEOREM_MAP.json: {row['file']} does not state {row['id']}")
-        need(row["kind"] == "printed" or (row["id"], row["place"], row["statement"]) in listed, f"THEOREM_MAP.json: hand_theorems.txt has no such {row['id']}")
+        need(row["kind"] == "printed" or (row["id"], row["place"], row["statement"]) in listed,
+             f"THEOREM_MAP.json: hand_theorems.txt has no such {row['id']}")
     need(sum(row["kind"] == "theorem" for row in rows) == len(listed), "THEOREM_MAP.json: not every theorem of hand_theorems.txt")
     return len(rows)
 

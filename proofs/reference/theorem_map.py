@@ -4,7 +4,8 @@
     proofs/reference/theorem_map.py COUPLET
 
 Prints JSON, docs/schemas/theorem_map-1.json. Nothing is typed here: the claims and what each rests on are asked of the program
-(`couplet prove --show`), so are the curves (`couplet map`); the theorems are those of proofs/coq/hand_theorems.txt, and those that the program prints."""
+(`couplet prove --show`), so are the curves (`couplet map`); the theorems are those of proofs/coq/hand_theorems.txt, and those
+that the program prints."""
 
 import json
 import pathlib
