@@ -2,8 +2,9 @@
 # every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build check test lint docs msrv deny packages semver dist dist-equal dist-try snapshots pictures constants states checker combinations house examples exporters c library install uninstall header wheel notebooks page page-test bench limits peers \
-        proofs witness verified verified-test m4 coq ocaml
+.PHONY: run build check test lint docs msrv deny packages semver dist dist-equal dist-try snapshots pictures constants states \
+        checker combinations house examples exporters c library install uninstall header wheel notebooks page page-test \
+        reference metadata bench limits peers proofs witness arb verified verified-test m4 coq ocaml
 
 # Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
 # them too old. `malachite` needs a newer Rust than the rest.
@@ -224,6 +225,18 @@ page-test: page
 	cargo test --locked --package couplet-page
 	page/test.py target/page/index.html target/release/couplet
 
+# The citable bundle of certificates, with scripts that replay it: target/reference.
+REFERENCE := target/reference
+reference: build checker verified arb
+	$(arb) proofs/reference/make.py $(REFERENCE) target/release/couplet \
+	  --checker target/checker/release/couplet-check --verified $(VERIFIED)/couplet-verified --arb $$python
+
+# codemeta.json and .zenodo.json, written anew from CITATION.cff; a test says whether they are up to date.
+metadata:
+	python3 -m venv target/metadata
+	target/metadata/bin/pip install --quiet --disable-pip-version-check 'cffconvert==2.0.0'
+	proofs/reference/metadata.py target/metadata/bin/cffconvert
+
 # Timings of this machine; nothing depends on them.
 bench: m4
 	cargo bench --locked
@@ -264,13 +277,17 @@ verified-test: verified
 # The repository's certificates checked once more, by a script over Arb that knows docs/certificate.md and
 # nothing of this program. python-flint goes into a virtual environment of its own.
 ARB := target/arb
-witness:
+# Sets the shell's `python` to one that has Arb.
+arb = if python3 -c 'import flint' 2>/dev/null; then python=python3; else python=$(ARB)/bin/python3; fi;
+witness: arb
+	@$(arb) \
+	$$python proofs/check_with_arb.py proofs/constants/*.json proofs/states/*.json proofs/asymmetric/*.json proofs/surveys/*.json
+
+arb:
 	@python3 -c 'import flint' 2>/dev/null || [ -x $(ARB)/bin/python3 ] || { \
 	  python3 -m venv $(ARB) && $(ARB)/bin/pip install --quiet 'python-flint>=0.8'; } || { \
 	  echo "couplet: the third check needs Python 3.10 or newer with venv and python-flint (pip install python-flint)" >&2; \
 	  exit 1; }
-	@if python3 -c 'import flint' 2>/dev/null; then python=python3; else python=$(ARB)/bin/python3; fi; \
-	$$python proofs/check_with_arb.py proofs/constants/*.json proofs/states/*.json proofs/asymmetric/*.json proofs/surveys/*.json
 
 # GMP's configure script, run by the first build, needs m4.
 m4:

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Checks certificates with Arb, independently of the program that made them.
 
-    python3 proofs/check_with_arb.py FILE...
+    python3 proofs/check_with_arb.py [--statement] FILE...
 
-One line per file, `FILE: accepted ...` or `FILE: refused: reason`. The exit status is 0 if all are accepted,
+One line per file, `FILE: accepted ...` or `FILE: refused: reason`; with --statement what is accepted is told in a whole
+sentence with every digit, in the words of `couplet check --statement`. The exit status is 0 if all are accepted,
 1 if one is refused, 2 if one cannot be read or the call is wrong. Needs Python 3.10, python-flint 0.8 or newer.
 
 What an acceptance proves. The large box X of the certificate holds exactly one common zero of the
@@ -728,15 +729,70 @@ def check_certificate(file):
     return f"{claim.kind} {claim.name}, {claim.weight}, {len(seen)} values to {digits} digits"
 
 
+MEANS = "an admissible symmetric state exists"
+
+
+def given(text):
+    """An exact number, or a friction, as it is written in lowest terms."""
+    if text == "inf" or text.startswith("tan "):
+        return text if text == "inf" else "tan " + given(text[4:])
+    form, q = exact(text)
+    return "2 atan " * (form == "2 atan ") + f"{q.p}/{q.q}" + " pi" * (form == " pi")
+
+
+def statement(file):
+    """What an accepted file proves, in a whole sentence."""
+    if "survey" in file:
+        survey = file["survey"]
+        thing, says = survey.get("free") or survey["spanned"], {
+            "all_stand": "every arch stands", "none_stands": "no arch stands", "both_occur": "one arch stands and one does not"}
+        between = lambda range: " to ".join(given(x) for x in range)
+        metres = lambda name: f"{name} {between(thing[name])} m"
+        shape = (f"half opening {between(thing['half_opening'])}, thickness {between(thing['thickness'])}"
+                 if "free" in survey else f"{metres('span')} and {metres('rise')} at the {thing['circle']}, {metres('thickness')}")
+        return (f"all arches with {shape}, friction {between(survey['friction'])}, {survey['weight']} weight: "
+                f"{says[file['verdict']]} ({MEANS})")
+    claim = file["claim"]
+    kind = next(kind for kind in KINDS if kind in claim)
+    thing = claim[kind]
+    if kind == "landmark":
+        modes = (MEET[thing][0] + " [s,s]" * (thing in "TSJB")).split()
+        subject, says = f"landmark {thing}", (
+            f"its equations have a solution that is a state of {', '.join(modes)}, admissible at every joint, and no thinner "
+            "arch of its half opening and friction stands")
+    else:
+        subject = f"half opening {given(thing['half_opening'])}, friction {given(thing['friction'])}"
+        subject += f", thickness {given(thing['thickness'])}" if "thickness" in thing else ""
+        says = {
+            "state": lambda mode, **_: f"the arch stands ({MEANS}) exactly from a least thickness on, up to 2, and at the least "
+                                       f"one its state is {mode}",
+            "too_thin": lambda mode, **_: f"the arch does not stand, as its least thickness, of {mode}, is larger",
+            "slides": lambda **_: "the arch stands at no thickness, as its friction is below that of pure sliding",
+            "too_wide": lambda **_: "the arch stands at no thickness up to 2, as its half opening is beyond a bound for its "
+                                    "friction",
+            "stands": lambda nearest, **_: f"the arch stands ({MEANS}) with its line of thrust nearest to the intrados at the "
+                                           f"{nearest}",
+            "asymmetric": lambda mode, **_: "the complementarity problem (19) of the whole arch has an asymmetric solution, "
+                                            f"{mode}, admissible at every joint",
+        }[kind](**thing)
+    values = ", ".join(f"{entry['quantity']} = {entry['value']}" for entry in file["values"])
+    there = f"; there {values}, each correctly rounded to {file['digits']} significant digits" if values else ""
+    return f"{subject}, {claim['weight']} weight: {says}{there}"
+
+
 def main(paths):
+    whole = paths[:1] == ["--statement"]
+    paths = paths[1:] if whole else paths
     if not paths:
-        print("usage: check_with_arb.py FILE...", file=sys.stderr)
+        print("usage: check_with_arb.py [--statement] FILE...", file=sys.stderr)
         return 2
     status = 0
     for path in paths:
         try:
             with open(path, "rb") as file:
-                print(f"{path}: accepted {check(file.read(MAX_BYTES + 1))}", flush=True)
+                data = file.read(MAX_BYTES + 1)
+            said = check(data)
+            print(f"{path}: accepted {' ' + statement(parse(data)) if whole else said}", flush=True)
         except Refused as reason:
             print(f"{path}: refused: {reason}", flush=True)
             status = max(status, 1)

@@ -1,6 +1,6 @@
 //! `couplet check`: what the small program `couplet-check` does, with the arithmetic of MPFR beside.
 
-use crate::check::{Engine, check_files};
+use crate::check::{AcceptedFile, Engine, check_files};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use clap::Args;
@@ -23,8 +23,13 @@ pub(super) struct Arguments {
     /// beside mpfr).
     #[arg(long, default_value = "astro", value_parser = parse::engine)]
     engine: Engine,
+
+    /// The whole statement of each accepted file in one sentence, with every digit.
+    #[arg(long)]
+    statement: bool,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    Ok(check_files(&arguments.files, arguments.engine, "--engine mpfr")?)
+    let words = if arguments.statement { AcceptedFile::statement } else { AcceptedFile::summary };
+    Ok(check_files(&arguments.files, arguments.engine, words, "--engine mpfr")?)
 }

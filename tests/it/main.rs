@@ -34,6 +34,8 @@ mod number_suite;
 #[cfg(unix)]
 mod outputs;
 mod questions;
+#[cfg(unix)]
+mod reference;
 mod rooms;
 mod scenes;
 mod standing;

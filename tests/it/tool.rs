@@ -20,6 +20,7 @@ fn package(program: &str) -> &'static str {
         "pkg-config" => "pkg-config",
         "python3" => "python3",
         "Rscript" => "r-base-core",
+        "sha256sum" => "coreutils",
         other => panic!("{other} has no package here"),
     }
 }
@@ -32,7 +33,11 @@ pub(crate) fn has(program: &str, question: &str) -> bool {
 
 /// The same of a module of Python.
 pub(crate) fn has_module(module: &str) -> bool {
-    there(&["python3", "-c", &format!("import {module}")], module, &format!("python3-{module}"))
+    let package = match module {
+        "flint" => "python-flint (from PyPI)".to_owned(),
+        _ => format!("python3-{module}"),
+    };
+    there(&["python3", "-c", &format!("import {module}")], module, &package)
 }
 
 fn there(question: &[&str], what: &str, package: &str) -> bool {

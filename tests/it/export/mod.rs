@@ -7,7 +7,7 @@ mod languages;
 pub(crate) mod parquet;
 mod readers;
 mod refused;
-mod schemas;
+pub(crate) mod schemas;
 mod states;
 
 use crate::program::{Scratch, couplet};

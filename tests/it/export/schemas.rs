@@ -100,7 +100,7 @@ fn fault_of_object(schema: &Value, root: &Value, entries: &Map<String, Value>) -
 }
 
 /// Holds a value against the schema that it names.
-fn check(value: &Value, seen: &mut BTreeSet<String>) {
+pub(crate) fn check(value: &Value, seen: &mut BTreeSet<String>) {
     let name = value["schema"].as_str().unwrap_or_else(|| panic!("no schema: {value}"));
     let file = name.strip_prefix("couplet.").unwrap().replace('/', "-") + ".json";
     let schema = fs::read_to_string(folder().join(&file)).unwrap_or_else(|_| panic!("{file}"));
@@ -392,6 +392,9 @@ fn what_is_written_is_as_the_schemas_say() {
     let all = fs::read_dir(folder()).unwrap();
     let all = all.map(|entry| entry.unwrap().file_name().into_string().unwrap());
     let all = all.filter(|name| cfg!(feature = "parquet") || name != "sweep-1.json");
+    // What a script writes is held against its schemas where that is run.
+    let all = all
+        .filter(|name| !["theorem_map-1.json", "reference_index-1.json"].contains(&name.as_str()));
     assert_eq!(seen, all.collect(), "every schema was held against something");
 }
 

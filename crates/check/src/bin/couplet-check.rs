@@ -1,7 +1,9 @@
 //! `couplet-check`: files in, a line for each out. The lines are those of `couplet check`; the arguments are read
 //! here, so that nothing more has to be trusted.
 
-use couplet_check::check::{CheckFailure, Engine, NO_MPFR, check_files, print, visible};
+use couplet_check::check::{
+    AcceptedFile, CheckFailure, Engine, NO_MPFR, Words, check_files, print, visible,
+};
 use std::ffi::OsString;
 use std::process::ExitCode;
 
@@ -12,10 +14,11 @@ The checker trusts nothing that a certificate says: it computes residuals, slope
 gets one line: `accepted`, `refused` with the reason, `not checked` if it has more digits than the arithmetic is meant for,
 `not read` if it cannot be. `-` is standard input.
 
-Usage: couplet-check [--engine ENGINE] FILE...
+Usage: couplet-check [--engine ENGINE] [--statement] FILE...
 
   --engine ENGINE  astro (the default: pure Rust, shares nothing with MPFR, up to 50000 digits) or, where it is built in,
                    malachite (quicker; in part MPFR's algorithms, so no witness beside mpfr)
+  --statement      the whole statement of each accepted file in one sentence, with every digit
   -h, --help       this page
   -V, --version    the version
 
@@ -25,7 +28,7 @@ not read.
 
 /// Request that the arguments make.
 enum CheckRequest {
-    Check(Vec<OsString>, Engine),
+    Check(Vec<OsString>, Engine, Words),
     Page(&'static str),
 }
 
@@ -35,7 +38,7 @@ fn main() -> ExitCode {
         Err(said) => return failed(&said, 2),
     };
     let done = match asked {
-        CheckRequest::Check(files, engine) => check_files(&files, engine, NO_MPFR),
+        CheckRequest::Check(files, engine, words) => check_files(&files, engine, words, NO_MPFR),
         CheckRequest::Page(page) => print(page.as_bytes()),
     };
     match done {
@@ -54,6 +57,7 @@ fn failed(said: &str, code: u8) -> ExitCode {
 /// Reads the arguments; else says what is wrong with them.
 fn asked(mut arguments: impl Iterator<Item = OsString>) -> Result<CheckRequest, String> {
     let (mut files, mut engine) = (Vec::new(), Engine::ASTRO);
+    let mut words: Words = AcceptedFile::summary;
     while let Some(argument) = arguments.next() {
         match argument.to_str() {
             Some("-h" | "--help") => return Ok(CheckRequest::Page(HELP)),
@@ -64,6 +68,7 @@ fn asked(mut arguments: impl Iterator<Item = OsString>) -> Result<CheckRequest, 
                     "\n"
                 )));
             }
+            Some("--statement") => words = AcceptedFile::statement,
             Some("--") => files.extend(arguments.by_ref()),
             Some("--engine") => engine = named(arguments.next().as_ref().and_then(|x| x.to_str()))?,
             Some(text) if text.starts_with("--engine=") => engine = named(text.get(9..))?,
@@ -77,7 +82,7 @@ fn asked(mut arguments: impl Iterator<Item = OsString>) -> Result<CheckRequest, 
     }
     match files.is_empty() {
         true => Err("<FILE>... is missing; usage: couplet-check [--engine ENGINE] FILE...".into()),
-        false => Ok(CheckRequest::Check(files, engine)),
+        false => Ok(CheckRequest::Check(files, engine, words)),
     }
 }
 
@@ -97,7 +102,7 @@ mod tests {
 
     fn files(words: &[&str]) -> Vec<OsString> {
         match read(words) {
-            Ok(CheckRequest::Check(files, _)) => files,
+            Ok(CheckRequest::Check(files, ..)) => files,
             _ => panic!("{words:?}"),
         }
     }
@@ -107,6 +112,7 @@ mod tests {
         assert_eq!(files(&["a.json", "-", "b.json"]), ["a.json", "-", "b.json"]);
         assert_eq!(files(&["--engine", "astro", "a.json"]), ["a.json"]);
         assert_eq!(files(&["a.json", "--engine=astro"]), ["a.json"]);
+        assert_eq!(files(&["a.json", "--statement"]), ["a.json"]);
         assert_eq!(files(&["--", "--engine", "-h"]), ["--engine", "-h"]);
     }
 

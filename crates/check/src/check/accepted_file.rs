@@ -2,6 +2,7 @@
 
 use super::checker::{ASTRO_DIGITS, Accepted, check};
 use super::refusal::Refusal;
+use super::statement::{statement, survey_statement};
 use super::summary::summary;
 use super::survey_checker::{AcceptedSurvey, check_survey};
 use super::survey_file::{SURVEYS, SurveyCertificate};
@@ -26,6 +27,22 @@ impl AcceptedFile {
         match self {
             Self::Certificate(accepted) => summary(accepted),
             Self::Survey(accepted) => survey_summary(accepted),
+        }
+    }
+
+    /// Statement that is proved, in one sentence, with every digit.
+    ///
+    /// ```
+    /// let file = include_bytes!("../../../../proofs/states/sliding.json");
+    /// let accepted = couplet_check::check::verify_file(file)?;
+    /// let start = "half opening 1/2 pi, friction 3/10, milankovitch weight: the arch stands at no thickness, ";
+    /// assert!(accepted.statement().starts_with(start));
+    /// # Ok::<(), couplet_check::check::Refusal>(())
+    /// ```
+    pub fn statement(&self) -> String {
+        match self {
+            Self::Certificate(accepted) => statement(accepted),
+            Self::Survey(accepted) => survey_statement(accepted),
         }
     }
 

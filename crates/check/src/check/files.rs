@@ -1,5 +1,6 @@
 //! Lines that `couplet check` and `couplet-check` print on files, one for each, and the exit code.
 
+use super::accepted_file::AcceptedFile;
 use super::checker::MAX_DIGITS;
 use super::engine::Engine;
 use super::refusal::Refusal;
@@ -13,6 +14,9 @@ const MAX_BYTES: u64 = 64 << 20;
 
 /// The words of a program without MPFR for the arithmetic that takes more digits.
 pub const NO_MPFR: &str = "--engine mpfr, in a build that has it,";
+
+/// Words of an acceptance: its summary or its statement.
+pub type Words = fn(&AcceptedFile) -> String;
 
 /// Why not every file was accepted, in one line.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,11 +36,17 @@ enum FileVerdict {
 }
 
 /// Checks files in the arithmetic `engine`; `-` is standard input. Each gets one line on standard output: `accepted`,
-/// `refused`, `not checked` or `not read`. `larger` are the words for an arithmetic that takes more digits.
-pub fn check_files(names: &[OsString], engine: Engine, larger: &str) -> Result<(), CheckFailure> {
+/// `refused`, `not checked` or `not read`. `words` are those of an acceptance, `larger` those for an arithmetic that
+/// takes more digits.
+pub fn check_files(
+    names: &[OsString],
+    engine: Engine,
+    words: Words,
+    larger: &str,
+) -> Result<(), CheckFailure> {
     let (mut refused, mut open) = (0, 0);
     for name in names {
-        let (verdict, said) = verdict(name, engine, larger);
+        let (verdict, said) = verdict(name, engine, words, larger);
         match verdict {
             FileVerdict::Accepted => {}
             FileVerdict::Refused => refused += 1,
@@ -56,7 +66,7 @@ pub fn check_files(names: &[OsString], engine: Engine, larger: &str) -> Result<(
 }
 
 /// The verdict on a file, and its words.
-fn verdict(name: &OsStr, engine: Engine, larger: &str) -> (FileVerdict, String) {
+fn verdict(name: &OsStr, engine: Engine, words: Words, larger: &str) -> (FileVerdict, String) {
     let bytes = match read(name) {
         Ok(bytes) => bytes,
         Err(error) => return (FileVerdict::Open, format!("not read: {}", reason(&error))),
@@ -69,7 +79,7 @@ fn verdict(name: &OsStr, engine: Engine, larger: &str) -> (FileVerdict, String) 
     }
     match engine.check(&bytes) {
         Ok(accepted) => {
-            (FileVerdict::Accepted, format!("accepted  {}{}", accepted.summary(), engine.remark()))
+            (FileVerdict::Accepted, format!("accepted  {}{}", words(&accepted), engine.remark()))
         }
         Err(limit @ Refusal::Limit(..)) => {
             (FileVerdict::Open, format!("not checked: {limit}; {larger} checks up to {MAX_DIGITS}"))

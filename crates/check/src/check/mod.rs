@@ -14,6 +14,7 @@ mod given;
 pub mod krawczyk;
 mod record;
 mod refusal;
+mod statement;
 mod summary;
 mod survey_checker;
 mod survey_cover;
@@ -31,7 +32,7 @@ pub use checker::{
 };
 pub use claim::{ArchFile, AsymmetricFile, ClaimFile, StandsFile, StateFile, TooThinFile};
 pub use engine::Engine;
-pub use files::{CheckFailure, NO_MPFR, check_files, print, read, reason};
+pub use files::{CheckFailure, NO_MPFR, Words, check_files, print, read, reason};
 pub use format::{Certificate, SCHEMA, ValueFile, Witness};
 pub use refusal::Refusal;
 pub use summary::summary;
