@@ -54,7 +54,8 @@
 #[doc = include_str!("../README.md")]
 pub struct Readme;
 
-/// The crate rug 1: the numbers of GMP and MPFR that balls are made of. With rug 2 this crate would be another minor version.
+/// The crate rug 1: the numbers of GMP and MPFR that balls are made of. With rug 2 this crate would be another minor
+/// version.
 pub use rug;
 
 pub use certify::{Error, Refused, Undecided};

@@ -1,4 +1,5 @@
-//! The version, the address and the licence of the repository stand in its Cargo.toml alone, and all else derives from it.
+//! The version, the address and the licence of the repository stand in its Cargo.toml alone; all else derives from
+//! these.
 
 use std::fs;
 use std::path::Path;
