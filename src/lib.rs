@@ -59,7 +59,8 @@ pub struct Readme;
 #[doc = include_str!("../docs/rust.md")]
 pub struct InRust;
 
-/// The crate rug 1: the numbers of GMP and MPFR that balls are made of. With rug 2 this crate would be another minor version.
+/// The crate rug 1: the numbers of GMP and MPFR that balls are made of. Another major version of it makes another minor
+/// version of this crate.
 pub use rug;
 
 pub use certify::{Error, Refused, Undecided};
