@@ -11,6 +11,7 @@ mod program;
 mod snapshot;
 mod tool;
 
+mod assemblies;
 mod branches;
 mod certificates;
 mod checker;

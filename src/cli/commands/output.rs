@@ -137,7 +137,7 @@ impl OutputFile {
     }
 
     /// The file named, if that is not standard output.
-    fn path(&self) -> Option<&Path> {
+    pub(super) fn path(&self) -> Option<&Path> {
         self.output.as_deref().filter(|path| !is_standard(path))
     }
 

@@ -1,23 +1,35 @@
 //! `couplet sample`.
 
-use super::output::OutputFile;
+use super::output::{Output, OutputFile, is_written};
+use crate::report::assembled::{self, Assembled};
 use crate::report::{Content, Format, SampledLines};
-use crate::strategies::samples;
+use crate::strategies::{assemblies, samples};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use clap::Args;
+use std::fs;
+use std::io::{self, Write};
 
-/// Draw arches to test a solver with: ordinary ones, or hard ones.
+/// Draw arches to test a solver with: ordinary or hard ones, or stones that just stand or fall.
 ///
 /// Hard are arches next to a landmark, where modes meet, of which they share 3 to 40 digits, tiny openings
 /// (3e-60), openings next to half a turn (0.9999pi), frictions like 0, 1e80 and inf, and exact ones like
 /// 5pi/12 and tan(pi/5). The same seed draws the same arches. `couplet states` answers them, and `couplet judge`
 /// judges what another program says of them; beside the exact text stand the nearest doubles.
+///
+/// With --assemblies: circular arches of 2 to 60 stones, each twice, 0.1 % above its least thickness or least
+/// friction, where it stands, and 0.1 % below, where it falls; with the proof, the mechanism, and every stone as a
+/// polygon with its weight and centroid. As obj or dxf each is a file in the folder --output, with the answers
+/// beside them.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Hard arches instead of ordinary ones.
     #[arg(long)]
     hard: bool,
+
+    /// Assemblies of stones near a threshold instead of arches: two for each of the count.
+    #[arg(long, conflicts_with = "hard")]
+    assemblies: bool,
 
     /// How many, up to 10000000.
     #[arg(long, value_name = "N", default_value = "100", allow_negative_numbers = true, value_parser = count)]
@@ -27,10 +39,9 @@ pub(crate) struct Arguments {
     #[arg(long, default_value = "1", allow_negative_numbers = true, value_parser = seed)]
     seed: u64,
 
-    #[arg(
-        long, value_parser = parse::format(Content::SAMPLES),
-        help = parse::usual_format_help(Content::SAMPLES, "csv")
-    )]
+    /// Output format, of arches csv or jsonl, of assemblies csv, json, obj or dxf; if not given what the name of the
+    /// file ends with tells it, else it is csv.
+    #[arg(long, value_parser = parse::format(Content::DRAWN))]
     format: Option<&'static Format>,
 
     #[command(flatten)]
@@ -39,6 +50,8 @@ pub(crate) struct Arguments {
 
 /// The most arches that are drawn.
 const MOST: u64 = 10_000_000;
+/// The answers beside the bodies.
+const ANSWERS: &str = "assemblies.json";
 
 fn count(text: &str) -> Result<u64, String> {
     let count = text.parse().ok().filter(|count| *count <= MOST);
@@ -50,7 +63,10 @@ fn seed(text: &str) -> Result<u64, String> {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let format = arguments.output.format(arguments.format, Content::SAMPLES, "csv")?;
+    if arguments.assemblies {
+        return arguments.assemblies();
+    }
+    let format = arguments.format("arches", Content::SAMPLES)?;
     let Some(lines) = SampledLines::of(format) else { return Ok(()) };
     arguments.output.open()?.write(|out| {
         out.write_all(&(lines.header)()?)?;
@@ -59,4 +75,62 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             .zip(samples)
             .try_for_each(|(id, sample)| out.write_all(&(lines.row)(id, &sample)?))
     })
+}
+
+impl Arguments {
+    fn format(&self, what: &str, content: Content) -> Result<&'static Format, Failure> {
+        if let Some(format) = self.format {
+            is_written(what, content, format)?;
+        }
+        self.output.format(self.format, content, "csv")
+    }
+
+    /// Assemblies with their numbers, each twice.
+    fn drawn(&self) -> impl Iterator<Item = Assembled> {
+        let pairs = (1..=self.count).zip(assemblies(self.seed));
+        pairs.filter_map(|(number, pair)| Assembled::pair(number, pair)).flatten()
+    }
+
+    fn assemblies(&self) -> Result<(), Failure> {
+        let format = self.format("an assembly", Content::ASSEMBLIES)?;
+        match format.name {
+            "csv" => self.output.open()?.write(|out| {
+                out.write_all(&assembled::header()?)?;
+                self.drawn().try_for_each(|of| out.write_all(&assembled::row(&of)?))
+            }),
+            "json" => self.output.open()?.write(|out| list(self.drawn(), out)),
+            "dxf" => self.folder(format, assembled::dxf),
+            _ => self.folder(format, assembled::obj),
+        }
+    }
+
+    /// The bodies, a file each, and the answers.
+    fn folder(&self, format: &Format, bodies: fn(&Assembled) -> String) -> Result<(), Failure> {
+        let Some(folder) = self.output.path() else {
+            return Err(format!(
+                "{} is a file for each assembly: name their folder with --output",
+                format.name
+            )
+            .into());
+        };
+        let failed = |error: io::Error| Failure::writing(folder.display(), &error);
+        fs::create_dir_all(folder).map_err(failed)?;
+        let drawn: Vec<Assembled> = self.drawn().collect();
+        for of in &drawn {
+            let path = folder.join(format!("{}.{}", of.id, format.extension));
+            Output::open(Some(&path))?.write(|out| out.write_all(bodies(of).as_bytes()))?;
+        }
+        Output::open(Some(&folder.join(ANSWERS)))?.write(|out| list(drawn.into_iter(), out))
+    }
+}
+
+/// A list of objects, each on a line of its own.
+fn list(all: impl Iterator<Item = Assembled>, out: &mut dyn Write) -> io::Result<()> {
+    let mut before = "[\n";
+    for of in all {
+        out.write_all(before.as_bytes())?;
+        out.write_all(assembled::json(&of)?.trim_ascii_end())?;
+        before = ",\n";
+    }
+    out.write_all(if before == ",\n" { b"\n]\n" } else { b"[]\n" })
 }

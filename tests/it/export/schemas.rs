@@ -1,6 +1,6 @@
 //! Every JSON that is written is as its schema in `docs/schemas/` says, and nothing more.
 
-use crate::program::{Scratch, couplet, fed, text};
+use crate::program::{Scratch, couplet, fed, json, text};
 use serde_json::{Map, Value};
 use std::collections::BTreeSet;
 use std::fs;
@@ -383,6 +383,10 @@ fn what_is_written_is_as_the_schemas_say() {
     lines += &text(&fed(&["judge", "-", "--format", "jsonl"], &judged.stdout).stdout);
     let sample = ["sample", "--hard", "--count", "60", "--format", "jsonl"];
     lines += &text(&couplet(&sample).stdout);
+    let assemblies = ["sample", "--assemblies", "--count", "16", "--format", "json"];
+    for question in json(&assemblies).as_array().unwrap() {
+        check(question, &mut seen);
+    }
     for document in documents {
         check(&serde_json::from_str(&document).unwrap(), &mut seen);
     }

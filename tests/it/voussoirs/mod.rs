@@ -3,6 +3,8 @@
 mod programme;
 mod told;
 
+pub(crate) use programme::Programme;
+
 use crate::program::couplet;
 use couplet::arch::SelfWeight;
 use couplet::certify::state::{Answer, Certify, Figure, Inquiry, Wanted};

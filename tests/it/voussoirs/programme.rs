@@ -7,13 +7,18 @@ use couplet::certify::{VoussoirLimit, VoussoirStanding, Voussoirs, assess_vousso
 use couplet::problem::Mode;
 
 /// The programme in doubles.
-struct Programme {
+pub(crate) struct Programme {
     joints: Vec<f64>,
     flag: f64,
     mu: f64,
 }
 
 impl Programme {
+    /// The programme of so many stones of one angle.
+    pub(crate) fn new(stones: u64, half_opening: f64, weight: SelfWeight, mu: f64) -> Self {
+        Self { joints: joints(stones, half_opening), flag: f64::from(weight.flag()), mu }
+    }
+
     /// The room for the crown moment at a thrust: negative where there is none.
     fn room(&self, eta: f64, h: f64) -> f64 {
         let fac = 1.0 + self.flag * eta * eta / 12.0;
@@ -47,7 +52,7 @@ impl Programme {
     }
 
     /// Whether an arch of this thickness stands.
-    fn stands(&self, eta: f64) -> bool {
+    pub(crate) fn stands(&self, eta: f64) -> bool {
         let Some((mut low, mut high)) = self.thrusts() else { return false };
         for _ in 0..100 {
             let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
@@ -129,11 +134,7 @@ fn agree(count: usize, seed: u64) -> Vec<Mode> {
             true => "inf".to_owned(),
             false => format!("{:.6}", 3.0 * random.next() * random.next()),
         };
-        let programme = Programme {
-            joints: joints(stones, alpha.parse().unwrap()),
-            flag: f64::from(weight.flag()),
-            mu: mu.parse().unwrap(),
-        };
+        let programme = Programme::new(stones, alpha.parse().unwrap(), weight, mu.parse().unwrap());
         let case = format!("{} {alpha} {mu} {stones}", weight.name());
         match (found(&equal(stones, &alpha), weight, &mu, 12), programme.thickness()) {
             (Voussoirs::Stands(state), Some(eta)) => {
@@ -185,11 +186,7 @@ fn a_programme_finds_the_same_thrusts_and_friction() {
             true => "inf".to_owned(),
             false => format!("{:.6}", 0.1 + 2.0 * random.next() * random.next()),
         };
-        let programme = Programme {
-            joints: joints(stones, alpha.parse().unwrap()),
-            flag: f64::from(weight.flag()),
-            mu: mu.parse().unwrap(),
-        };
+        let programme = Programme::new(stones, alpha.parse().unwrap(), weight, mu.parse().unwrap());
         let case = format!("{} {alpha} {mu} {stones} {eta}", weight.name());
         let double: f64 = eta.parse().unwrap();
         let exact = eta.parse().unwrap();

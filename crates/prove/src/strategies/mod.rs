@@ -1,6 +1,6 @@
 //! Arches for whoever tests a solver of their own: drawn from a seed, or by `proptest` strategies.
 //!
-//! [`samples`] draws from a seed. The others are strategies and have the feature `proptest`:
+//! [`samples`] and [`assemblies`] draw from a seed. The others are strategies and have the feature `proptest`:
 //!
 //! | strategy | what it draws |
 //! |---|---|
@@ -10,6 +10,7 @@
 //! | `standing` | arches that stand, with what is proved of them |
 //! | `collapsing` | the same for one collapse mode, however small its place on the map |
 //! | `assessed` | arches with a thickness, and whether they stand with it |
+//! | `assembly` | stones that just stand or just fall, with the proof |
 //! | `half_opening`, `friction` | the numbers of a query alone |
 //!
 //! Hard are openings like `1e-60` or `0.9999pi`, frictions like `1e80`, `0` and `inf`, and the
@@ -17,11 +18,17 @@
 //! Heyman's weight with a friction of `inf`, 1 or 0.5 and a half opening of few decimals where such a one fails too,
 //! and is printed as the command that answers it.
 
+mod assemblies;
+mod assembly;
+mod blocks;
 #[cfg(feature = "proptest")]
 mod drawn;
 mod places;
 mod sample;
 
+pub use assemblies::assemblies;
+pub use assembly::{Assembly, AssemblyProof, Near, Surveyed};
+pub use blocks::{Block, Blocks, Point};
 #[cfg(feature = "proptest")]
 pub use drawn::*;
 pub use sample::{Draw, Sample, samples};

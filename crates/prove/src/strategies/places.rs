@@ -3,7 +3,9 @@
 use crate::arch::{SelfWeight, Unknown};
 use crate::certify::CertifiedLandmark;
 use crate::number::{Ball, Rounded, bits_of};
-use crate::problem::Landmark;
+use crate::problem::{Landmark, Mode};
+use crate::solve::start::sliding;
+use rug::Float;
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
@@ -44,4 +46,26 @@ pub(super) fn beside(
 ) -> Option<String> {
     let bounds = Rounded::from_ball(value(landmark, weight, unknown)?, digits)?;
     Some(if above { bounds.upper } else { bounds.lower }.to_string())
+}
+
+/// A candidate: a friction above that of the purely sliding state by between a ten-thousandth and ten
+/// times of it, as the modes next to it have little room.
+pub(super) fn above_sliding(alpha: f64, part: f64) -> f64 {
+    let [least, _, _] = sliding(&Float::with_val(53, alpha));
+    least.to_f64() * (1.0 + 10f64.powf(1.0 - 5.0 * part))
+}
+
+/// The half openings between which a mode is met.
+pub(super) fn half_openings(mode: Mode, weight: SelfWeight) -> Option<[f64; 2]> {
+    use Landmark::*;
+    let at = |landmark| Some(value(landmark, weight, Unknown::HalfOpening)?.mid().to_f64());
+    Some(match mode {
+        Mode::SlidingRotational => [0.0, at(Triple)?],
+        Mode::Rotational => [0.0, at(RotationEnd)?],
+        Mode::RotationalSliding => [at(Triple)?, at(Shift)?.max(at(RotationEnd)?)],
+        Mode::RotationalSlidingRotational => [at(Shift)?, at(Junction)?.max(at(RotationEnd)?)],
+        Mode::OverturningSliding => [at(RotationEnd)?.min(at(Junction)?), at(OverturningEnd)?],
+        Mode::Overturning => [at(RotationEnd)?, at(OverturningEnd)?],
+        Mode::Sliding => return None,
+    })
 }

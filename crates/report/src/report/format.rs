@@ -13,6 +13,10 @@ impl Content {
     pub const JUDGED: Self = Self(&["table", "json", "csv", "jsonl"]);
     /// Arches that were drawn from a seed.
     pub const SAMPLES: Self = Self(&["csv", "jsonl"]);
+    /// Assemblies of stones: with their answers, or the bodies alone, a file each in a folder.
+    pub const ASSEMBLIES: Self = Self(&["json", "csv", "obj", "dxf"]);
+    /// Arches and assemblies drawn from a seed.
+    pub const DRAWN: Self = Self(&["csv", "jsonl", "json", "obj", "dxf"]);
     /// Ranges as they come.
     pub const RANGES: Self = Self(&["csv", "jsonl"]);
     /// A picture, and nothing beside.
@@ -76,7 +80,7 @@ const fn rendered(name: &'static str) -> Format {
     }
 }
 
-static FORMATS: [Format; 22] = [
+static FORMATS: [Format; 23] = [
     text("table", "txt"),
     text("text", "txt"),
     text("plain", "txt"),
@@ -103,6 +107,7 @@ static FORMATS: [Format; 22] = [
     rendered("png"),
     rendered("pdf"),
     text("dxf", "dxf"),
+    text("obj", "obj"),
 ];
 
 impl Format {

@@ -25,6 +25,7 @@
 mod answer;
 mod answered;
 mod answers;
+pub mod assembled;
 mod audit;
 mod branch;
 mod by_value;

@@ -3,15 +3,13 @@
 use super::numbers::{decimal, weight};
 use super::queries::{DrawnQuery, any_query};
 use super::shrinking::proving;
-use crate::arch::{SelfWeight, Unknown};
 use crate::certify::Refused;
 use crate::certify::state::{Answer, Certify, Digits};
 use crate::number::ExactNumber;
-use crate::problem::{Arch, Friction, Landmark, Mode};
-use crate::solve::start::{quick_state, sliding};
-use crate::strategies::places::value;
+use crate::problem::{Arch, Friction, Mode};
+use crate::solve::start::quick_state;
+use crate::strategies::places::{above_sliding, half_openings};
 use proptest::prelude::*;
-use rug::Float;
 use std::fmt;
 
 /// Any query of the domain: half opening in `(0, pi)`, friction in `[0, inf]`; one in five next to a landmark, of which
@@ -151,26 +149,4 @@ fn stands(query: &DrawnQuery, digits: usize) -> Option<Box<Digits>> {
         Ok(Answer::Stands(state)) => Some(state),
         _ => None,
     }
-}
-
-/// A candidate: a friction above that of the purely sliding state by between a ten-thousandth and ten
-/// times of it, as the modes next to it have little room.
-fn above_sliding(alpha: f64, part: f64) -> f64 {
-    let [least, _, _] = sliding(&Float::with_val(53, alpha));
-    least.to_f64() * (1.0 + 10f64.powf(1.0 - 5.0 * part))
-}
-
-/// The half openings between which a mode is met.
-fn half_openings(mode: Mode, weight: SelfWeight) -> Option<[f64; 2]> {
-    use Landmark::*;
-    let at = |landmark| Some(value(landmark, weight, Unknown::HalfOpening)?.mid().to_f64());
-    Some(match mode {
-        Mode::SlidingRotational => [0.0, at(Triple)?],
-        Mode::Rotational => [0.0, at(RotationEnd)?],
-        Mode::RotationalSliding => [at(Triple)?, at(Shift)?.max(at(RotationEnd)?)],
-        Mode::RotationalSlidingRotational => [at(Shift)?, at(Junction)?.max(at(RotationEnd)?)],
-        Mode::OverturningSliding => [at(RotationEnd)?.min(at(Junction)?), at(OverturningEnd)?],
-        Mode::Overturning => [at(RotationEnd)?, at(OverturningEnd)?],
-        Mode::Sliding => return None,
-    })
 }

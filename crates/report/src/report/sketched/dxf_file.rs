@@ -5,13 +5,13 @@ use super::arcs::Bulge;
 
 /// Unit of the lengths of a file, with the number that it has there.
 #[derive(Clone, Copy)]
-pub(super) enum DxfUnit {
+pub(in crate::report) enum DxfUnit {
     Radius = 0,
     Metre = 6,
 }
 
 /// A file in the making.
-pub(super) struct DxfFile {
+pub(in crate::report) struct DxfFile {
     text: String,
     /// Handles so far: each table, record and entity has one.
     handles: u32,
@@ -34,14 +34,14 @@ const DECIMALS: i32 = 7;
 
 /// The end of a text that is at its place, by the number it has.
 #[derive(Clone, Copy)]
-pub(super) enum DxfAnchor {
+pub(in crate::report) enum DxfAnchor {
     Start = 0,
     Middle = 1,
 }
 
 impl DxfFile {
     /// A file with its layers and their colours by number, and the names of its blocks, up to the first block.
-    pub(super) fn new(
+    pub(in crate::report) fn new(
         (unit, scale): (DxfUnit, f64),
         layers: &[(&str, u8)],
         blocks: &[String],
@@ -133,13 +133,13 @@ impl DxfFile {
     }
 
     /// Goes on to the drawing.
-    pub(super) fn draw(&mut self) {
+    pub(in crate::report) fn draw(&mut self) {
         self.end_section();
         self.begin_section("ENTITIES");
     }
 
     /// The file, ended.
-    pub(super) fn finish(mut self) -> String {
+    pub(in crate::report) fn finish(mut self) -> String {
         self.end_section();
         self.begin_section("OBJECTS");
         self.put(0, "DICTIONARY");
@@ -213,8 +213,17 @@ impl DxfFile {
     }
 
     pub(super) fn chain(&mut self, layer: &str, points: &[Bulge]) {
+        self.arcs(layer, points, "0");
+    }
+
+    /// A chain that ends where it begins.
+    pub(in crate::report) fn outline(&mut self, layer: &str, points: &[([f64; 2], f64)]) {
+        self.arcs(layer, points, "1");
+    }
+
+    fn arcs(&mut self, layer: &str, points: &[Bulge], is_closed: &str) {
         self.begin("LWPOLYLINE", layer, "AcDbPolyline");
-        self.put_all(&[(90, &points.len().to_string()), (70, "0")]);
+        self.put_all(&[(90, &points.len().to_string()), (70, is_closed)]);
         for (point, bulge) in points {
             self.point(10, *point);
             if *bulge != 0.0 {
@@ -223,7 +232,7 @@ impl DxfFile {
         }
     }
 
-    pub(super) fn circle(&mut self, layer: &str, at: [f64; 2], radius: f64) {
+    pub(in crate::report) fn circle(&mut self, layer: &str, at: [f64; 2], radius: f64) {
         self.begin("CIRCLE", layer, "AcDbCircle");
         self.point(10, at);
         self.length(40, radius);
@@ -240,7 +249,7 @@ impl DxfFile {
     }
 
     /// Writes a text of a height, in the middle of it at a place, turned by so many degrees.
-    pub(super) fn text(
+    pub(in crate::report) fn text(
         &mut self,
         layer: &str,
         words: &str,

@@ -39,6 +39,7 @@ mod panel;
 mod picture;
 mod strip;
 
+pub(super) use dxf_file::{DxfAnchor, DxfFile, DxfUnit};
 pub use figures::arches_of_figure;
 pub(super) use legend::{Legend, LegendSample};
 pub(super) use numbers::decided;

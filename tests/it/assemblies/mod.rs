@@ -1,0 +1,189 @@
+//! Assemblies of stones near a threshold: their verdicts by a programme that knows no lemma, their bodies and proofs
+//! from the file alone.
+
+mod bodies;
+mod file;
+
+use crate::hard::config;
+use crate::program::{Scratch, couplet, json, refused, text};
+use crate::voussoirs::Programme;
+use couplet::problem::Mode;
+use couplet::strategies::{Assembly, Near, assemblies, assembly};
+use file::fault;
+use proptest::prelude::*;
+use serde_json::{Value, json};
+use std::collections::BTreeSet;
+use std::sync::LazyLock;
+
+/// Assemblies of every kind, as the command writes them.
+static DRAWN: LazyLock<Vec<Value>> = LazyLock::new(|| {
+    let all = ["sample", "--assemblies", "--count", "64", "--format", "json"];
+    json(&all).as_array().unwrap().clone()
+});
+
+/// Verdict of the programme over all joints.
+fn programme_says(of: &Assembly) -> bool {
+    let double = |x: &couplet::number::ExactNumber| x.nearest_double().unwrap();
+    let alpha = double(of.stones.half_opening());
+    let programme = Programme::new(of.stones.number(), alpha, of.weight, double(&of.friction));
+    programme.stands(double(&of.thickness))
+}
+
+#[test]
+fn a_programme_over_all_joints_says_the_same() {
+    for pair in assemblies(2).take(64) {
+        for of in &pair {
+            assert_eq!(programme_says(of), of.stands(), "{of:?}");
+        }
+        // A flipped verdict is seen.
+        assert_ne!(pair[0].stands(), pair[1].stands());
+    }
+}
+
+proptest! {
+    #![proptest_config(config(40))]
+
+    /// What is drawn for property tests is what the programme says too, and as far from its threshold as is said.
+    #[test]
+    fn a_strategy_draws_assemblies_of_both_verdicts(of in assembly()) {
+        prop_assert_eq!(programme_says(&of), of.stands());
+        let factor = if of.stands() { 1.001 } else { 0.999 };
+        prop_assert!((of.safety.double - factor).abs() < 1e-5, "{}", of.safety);
+    }
+}
+
+/// Both weights, all modes, both ways of measuring, both thresholds, and 2 to 60 stones.
+#[test]
+fn every_kind_is_drawn() {
+    let kinds = |key: &str| -> BTreeSet<String> {
+        DRAWN.iter().map(|question| question[key].to_string()).collect()
+    };
+    let of = |names: &[&str]| -> BTreeSet<String> {
+        names.iter().map(|name| format!("\"{name}\"")).collect()
+    };
+    assert_eq!(kinds("weight"), of(&["heyman", "milankovitch"]));
+    assert_eq!(kinds("unit"), of(&["m", "r"]));
+    assert_eq!(kinds("near"), of(&Near::ALL.map(Near::name)));
+    let modes: Vec<&str> = Mode::ALL.iter().map(|mode| mode.label()).collect();
+    assert!(kinds("mode").is_superset(&of(&modes)), "{:?}", kinds("mode"));
+    let stones = DRAWN.iter().map(|question| question["stones"].as_u64().unwrap());
+    assert_eq!(stones.clone().min(), Some(2));
+    assert!(stones.max().is_some_and(|most| (30..=60).contains(&most)));
+}
+
+#[test]
+fn bodies_and_proofs_hold_from_the_file_alone() {
+    for question in DRAWN.iter() {
+        assert_eq!(fault(question), None, "{}", question["id"]);
+    }
+}
+
+/// A flipped verdict, a vertex, a weight or a centroid that is moved, and another state or bound are seen.
+#[test]
+fn what_is_spoiled_is_seen() {
+    let add = |value: &mut Value, by: f64| *value = json!(value.as_f64().unwrap() + by);
+    for question in DRAWN.iter().take(32) {
+        let spoiled = |spoil: &dyn Fn(&mut Value)| {
+            let mut twin = question.clone();
+            spoil(&mut twin);
+            fault(&twin)
+        };
+        let by = 1e-6 * question["radius"].as_f64().unwrap();
+        let stands = question["stands"].as_bool().unwrap();
+        assert!(spoiled(&|of| of["stands"] = json!(!stands)).is_some());
+        assert!(spoiled(&|of| add(&mut of["blocks"][1]["polygon"][2][0], by)).is_some());
+        assert!(spoiled(&|of| add(&mut of["supports"][1][0][1], by)).is_some());
+        assert!(spoiled(&|of| add(&mut of["joints"][1][0][1], by)).is_some());
+        assert!(spoiled(&|of| add(&mut of["blocks"][0]["weight"], by)).is_some());
+        assert!(spoiled(&|of| add(&mut of["blocks"][1]["centroid"][1], by)).is_some());
+        let wrong = json!("2");
+        match stands {
+            true => assert!(spoiled(&|of| of["proof"]["moment"] = wrong.clone()).is_some()),
+            false => {
+                assert!(
+                    spoiled(&|of| of["proof"]["needed"] = of["proof"]["borne"].clone()).is_some()
+                );
+                assert!(
+                    spoiled(&|of| of["proof"]["borne"]["thrust"]["value"] = wrong.clone())
+                        .is_some()
+                );
+            }
+        }
+    }
+}
+
+/// The command beside a question proves the same verdict, and its threshold.
+#[test]
+fn the_commands_prove_the_verdicts_again() {
+    for question in DRAWN.iter().take(32) {
+        let command = question["command"].as_str().unwrap();
+        let mut words: Vec<&str> = command.split(' ').skip(1).collect();
+        words.extend(["--format", "json", "--digits", "30"]);
+        let found = json(&words);
+        let assessed = &found["assessment"];
+        assert_eq!(assessed["stands"], question["stands"], "{command}");
+        let threshold = match question["near"].as_str() {
+            Some("friction") => &assessed["required_friction"],
+            _ => &found["thickness"],
+        };
+        let close = |a: &Value, b: &Value| {
+            let double = |x: &Value| x["value"].as_str().unwrap().parse::<f64>().unwrap();
+            (double(a) / double(b) - 1.0).abs() < 1e-11
+        };
+        assert!(close(threshold, &question["threshold"]), "{command}: {threshold}");
+    }
+}
+
+#[test]
+fn a_seed_draws_the_same_rows() {
+    let csv = |seed: &str| {
+        text(&couplet(&["sample", "--assemblies", "--count", "9", "--seed", seed]).stdout)
+    };
+    let first = csv("1");
+    assert_eq!((first.lines().count(), &first), (19, &csv("1")));
+    assert_ne!(first, csv("2"));
+    for (row, question) in first.lines().skip(1).zip(DRAWN.iter()) {
+        let id = question["id"].as_str().unwrap();
+        assert!(row.starts_with(&format!("{id},{},", question["stands"])), "{row}");
+        assert!(row.ends_with(question["command"].as_str().unwrap()), "{row}");
+    }
+}
+
+#[test]
+fn bodies_are_files_of_a_folder() {
+    let scratch = Scratch::new();
+    for format in ["obj", "dxf"] {
+        let folder = scratch.path(format);
+        let of = ["sample", "--assemblies", "--count", "2", "--format", format, "-o", &folder];
+        assert_eq!(couplet(&of).status.code(), Some(0));
+        let names = ["001-above", "001-below", "002-above", "002-below"];
+        let names = names.map(|name| format!("{name}.{format}")).to_vec();
+        assert_eq!(scratch.files(format), [&names[..], &["assemblies.json".to_owned()]].concat());
+        let answers: Value =
+            serde_json::from_str(&scratch.read(&format!("{format}/assemblies.json"))).unwrap();
+        assert_eq!(answers.as_array().unwrap()[..], DRAWN[..4]);
+        for (name, question) in names.iter().zip(DRAWN.iter()) {
+            let file = scratch.read(&format!("{format}/{name}"));
+            assert_eq!(bodies::fault(format, &file, question), None, "{name}");
+            let [from, to] = bodies::spoiled(format);
+            let twin = file.replacen(from, to, 1);
+            assert!(bodies::fault(format, &twin, question).is_some(), "{name}: false twin");
+        }
+    }
+}
+
+#[test]
+fn what_makes_no_sense_is_one_line() {
+    for (arguments, words) in [
+        (&["--assemblies", "--hard"][..], "--hard"),
+        (&["--assemblies", "--format", "jsonl"], "written only as json, csv, dxf, obj, not jsonl"),
+        (&["--format", "obj"], "written only as csv, jsonl, not obj"),
+        (&["--assemblies", "--format", "obj"], "name their folder with --output"),
+        (&["--assemblies", "--format", "svg"], "svg"),
+        (&["--assemblies", "-o", "x.png"], "the end .png tells no format"),
+    ] {
+        refused(&[&["sample"], arguments].concat(), "", words);
+    }
+    let none = ["sample", "--assemblies", "--count", "0", "--format", "json"];
+    assert_eq!(json(&none), json!([]));
+}
