@@ -61,3 +61,21 @@ fn stored_certificates_are_accepted_for_what_they_say() {
     }
     assert_eq!(said.join("\n") + "\n", include_str!("accepted.txt"));
 }
+
+/// Values in another order, and each alone: an angle that is known by its tangent is looked for near its degrees.
+#[test]
+fn values_are_accepted_in_any_order_and_alone() {
+    let bytes = include_bytes!("../../../proofs/constants/triple-point-heyman.json");
+    let original: Value = serde_json::from_slice(bytes).unwrap();
+    let values = original["values"].as_array().unwrap().clone();
+    let of_angles =
+        values.iter().filter(|value| value["quantity"].as_str().unwrap().ends_with("_degrees"));
+    assert!(of_angles.count() >= 4);
+    let reversed: Vec<Value> = values.iter().rev().cloned().collect();
+    for values in values.into_iter().map(|value| vec![value]).chain([reversed]) {
+        let mut copy = original.clone();
+        copy["values"] = values.clone().into();
+        let accepted = check_file::<AstroInterval>(copy.to_string().as_bytes(), 100).unwrap();
+        assert_eq!(accepted.certificate().unwrap().values.len(), values.len(), "{values:?}");
+    }
+}
