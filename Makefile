@@ -2,7 +2,7 @@
 # every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build check test lint docs msrv deny snapshots pictures constants states checker combinations house examples exporters c library install uninstall header wheel notebooks page page-test bench limits peers \
+.PHONY: run build check test lint docs msrv deny snapshots pictures constants states checker combinations house examples exporters c library install uninstall header wheel notebooks page page-test bench limits peers trial aarch64 \
         proofs witness verified verified-test m4 coq ocaml
 
 # Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
@@ -203,6 +203,16 @@ page-test: page
 	cargo clippy --locked --package couplet-page --all-targets -- -D warnings
 	cargo test --locked --package couplet-page
 	page/test.py target/page/index.html target/release/couplet
+
+# Tests with new seeds for SECONDS, once all is compiled: property tests, forged certificates, states by two routes, and the
+# readers where cargo-fuzz is there. It begins with the seed SEED, and prints it.
+SECONDS := 600
+trial: m4
+	@.ci/trial $(SECONDS)
+
+# The states of 64-bit ARM, under an emulator, are those of this machine byte for byte.
+aarch64: build
+	@.ci/aarch64 $(COMMAND)
 
 # Timings of this machine; nothing depends on them.
 bench: m4
