@@ -4,7 +4,7 @@
 .DEFAULT_GOAL := run
 .PHONY: run build check test lint docs msrv deny packages semver dist dist-equal dist-try snapshots pictures constants states \
         checker combinations house examples exporters c library install uninstall header wheel notebooks page page-test \
-        reference metadata bench limits peers proofs witness arb verified verified-test m4 coq ocaml
+        reference metadata bench limits peers proofs witness arb verified verified-test m4 coq ocaml trial aarch64
 
 # Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
 # them too old. `malachite` needs a newer Rust than the rest.
@@ -236,6 +236,17 @@ metadata:
 	python3 -m venv target/metadata
 	target/metadata/bin/pip install --quiet --disable-pip-version-check 'cffconvert==2.0.0'
 	proofs/reference/metadata.py target/metadata/bin/cffconvert
+
+# Tests with new seeds for SECONDS, once all is compiled: property tests, forged certificates, states by two routes, and the
+# readers where cargo-fuzz is there. It begins with the seed SEED, and prints it.
+SECONDS := 600
+trial: m4
+	@.ci/trial $(SECONDS)
+
+# The states of 64-bit ARM, under an emulator, are those of this machine bit for bit; ARCHES of them.
+ARCHES := 100000
+aarch64: build
+	@.ci/aarch64 $(ARCHES) $(COMMAND)
 
 # Timings of this machine; nothing depends on them.
 bench: m4

@@ -3,13 +3,10 @@
 #![no_main]
 
 use couplet_check::check::check_file;
+use couplet_fuzz::is_told;
 use couplet_number::number::AstroInterval;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {
-    if let Err(refusal) = check_file::<AstroInterval>(bytes, 40) {
-        let words = refusal.to_string();
-        assert!(!words.contains(char::is_control), "{words:?}");
-        assert!(words.len() < 1000, "{} bytes of reason", words.len());
-    }
+    let _ = check_file::<AstroInterval>(bytes, 40).map_err(is_told);
 });

@@ -1,21 +1,9 @@
 //! Hard arguments for property tests.
 
 use couplet::arch::SelfWeight;
+pub(crate) use couplet::number::test_config::{config, fixed};
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 use rug::Rational;
-
-/// The same arguments in every run, and bounded shrinking: the arguments are hard, not many.
-pub(crate) fn config(cases: u32) -> ProptestConfig {
-    ProptestConfig {
-        cases,
-        max_shrink_iters: 1000,
-        max_shrink_time: 20_000,
-        failure_persistence: None,
-        rng_seed: RngSeed::Fixed(0),
-        ..Default::default()
-    }
-}
 
 /// Rationals that uniform ranges never hit: neighbours of simple fractions, and any size.
 pub(crate) fn hard_rational() -> impl Strategy<Value = Rational> {

@@ -1,6 +1,6 @@
 //! The strategies draw what they promise, hard arches too, and a failure shrinks to one that can be read.
 
-use crate::hard::config;
+use crate::hard::{config, fixed};
 use couplet::arch::{SelfWeight, Unknown};
 use couplet::certify::CertifiedLandmark;
 use couplet::certify::state::{Answer, Certify};
@@ -15,7 +15,7 @@ use std::collections::HashSet;
 
 /// The first values that a strategy draws.
 fn drawn<S: Strategy>(count: usize, strategy: &S) -> Vec<S::Value> {
-    let mut runner = TestRunner::new(config(1));
+    let mut runner = TestRunner::new(fixed(1));
     (0..count).map(|_| strategy.new_tree(&mut runner).unwrap().current()).collect()
 }
 
@@ -24,7 +24,7 @@ fn smallest<S: Strategy>(strategy: &S, holds: impl Fn(&S::Value) -> bool) -> S::
 where
     S::Value: Clone,
 {
-    let shrinking = ProptestConfig { max_shrink_iters: 10_000, ..config(2000) };
+    let shrinking = ProptestConfig { max_shrink_iters: 10_000, ..fixed(2000) };
     let test = |value: S::Value| match holds(&value) {
         true => Ok(()),
         false => Err(TestCaseError::fail("")),
@@ -101,7 +101,7 @@ fn every_mode_is_drawn_for_both_weights() {
         let weights: HashSet<SelfWeight> = found.iter().map(|(query, _)| query.weight).collect();
         assert_eq!(weights.len(), 2, "{mode:?}");
     }
-    let mut runner = TestRunner::new(config(1));
+    let mut runner = TestRunner::new(fixed(1));
     assert!(collapsing(Mode::Sliding, 6).new_tree(&mut runner).is_err());
 }
 

@@ -1,24 +1,10 @@
-//! The rows of a file that a command reads: of a table, or of JSON.
+//! The file of rows that a command reads.
 
 use super::output::OutputFile;
 use crate::check::visible_name;
 use crate::sweep::failure::Failure;
-use crate::sweep::rows::{
-    Columns, Input, Keep, Numbered, ReadRow, RowSource, Spelling, Syntax, TextTable, objects,
-};
+use crate::sweep::rows::RowSource;
 use std::path::Path;
-
-/// The rows of a file.
-pub(super) struct GivenRows {
-    /// Columns that are read.
-    pub columns: Columns,
-    /// Spelling of the numbers.
-    pub spelling: Spelling,
-    /// The names of what is handed on, where the rows are those of a table.
-    pub kept: Vec<String>,
-    /// The rows.
-    pub rows: Box<dyn Iterator<Item = Numbered<ReadRow>> + Send>,
-}
 
 /// Opens a file, standard input if none is named, which is not the one that is written.
 pub(super) fn source(file: Option<&Path>, output: &OutputFile) -> Result<RowSource, Failure> {
@@ -30,32 +16,5 @@ pub(super) fn source(file: Option<&Path>, output: &OutputFile) -> Result<RowSour
             Err(format!("refusing to overwrite the input {name}").into())
         }
         false => Ok(source),
-    }
-}
-
-impl GivenRows {
-    /// The rows of a file in a syntax; `in_lines` tells whether the output has an object on each line.
-    pub(super) fn new(
-        (syntax, input): (Syntax, Input),
-        mut columns: Columns,
-        keep: Keep,
-        in_lines: bool,
-    ) -> Result<Self, Failure> {
-        if let Syntax::Json = syntax {
-            // Each row has keys of its own.
-            let (kept, read) = (keep.names(in_lines)?, columns.clone());
-            let rows = objects(input, move |object| {
-                Ok(ReadRow { cells: read.cells(object)?, kept: keep.entries(object, &read) })
-            });
-            return Ok(Self { columns, spelling: Spelling::default(), kept, rows: Box::new(rows) });
-        }
-        let table = TextTable::open(input)?;
-        let kept = keep.places(&table.header, &columns)?;
-        let places = columns.places(&table.header)?;
-        let spelling = Spelling { decimal_comma: table.has_decimal_commas() };
-        let names = kept.iter().map(|(name, _)| name.clone()).collect();
-        let read = move |row: Vec<String>| Keep::row(&row, &places, &kept);
-        let rows = Box::new(table.map(move |(line, row)| (line, row.map(&read))));
-        Ok(Self { columns, spelling, kept: names, rows })
     }
 }

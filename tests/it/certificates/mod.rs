@@ -27,8 +27,10 @@ use couplet::certify::certify_landmark;
 use couplet::check::Refusal;
 use couplet::problem::{Landmark, Problem};
 use originals::{alike, landmark, state};
-use refusals::MAX_DIGITS;
-use std::collections::BTreeSet;
+use refusals::{Cases, MAX_DIGITS, Spoiled};
+use serde_json::{Value, json};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 
 /// The name of a variant. A new one has to be added here, and then needs a case.
 fn variant(refusal: &Refusal) -> &'static str {
@@ -111,6 +113,51 @@ fn every_variant_has_a_case() {
         all.extend(variants);
     }
     assert_eq!(all.len(), VARIANTS);
+}
+
+/// The tests of the checker alone, which has no solver to make certificates, read some of these copies from a file:
+/// `UPDATE_SNAPSHOTS=1` writes it anew. Boxes of a certificate may differ from machine to machine, reasons do not.
+#[test]
+fn the_checkers_own_tests_have_copies_of_every_table() {
+    /// Longest of them, and how many of a table have one reason.
+    const LONGEST: usize = 4000;
+    const ALIKE: usize = 1;
+    let tables: [(&str, Cases); 9] = [
+        ("file", file::cases()),
+        ("claim", claim::cases()),
+        ("sizes", sizes::cases()),
+        ("witnesses", witnesses::cases()),
+        ("conditions", conditions::cases()),
+        ("asymmetric", asymmetric::cases()),
+        ("survey", survey::cases()),
+        ("values", values::cases()),
+        ("verdicts", verdicts::cases()),
+    ];
+    let mut lines = Vec::new();
+    for (table, cases) in tables {
+        let mut met: BTreeMap<String, usize> = BTreeMap::new();
+        for (Spoiled { what, bytes }, refusal) in cases {
+            let Ok(file) = String::from_utf8(bytes) else { continue };
+            let count = met.entry(refusal.to_string()).or_default();
+            if file.len() <= LONGEST && *count < ALIKE {
+                *count += 1;
+                let refusal = refusal.to_string();
+                lines.push(json!({"table": table, "what": what, "refusal": refusal, "file": file}));
+            }
+        }
+    }
+    let path = Path::new("crates/check/tests/refused.jsonl");
+    if std::env::var_os("UPDATE_SNAPSHOTS").is_some() {
+        let text: String = lines.iter().map(|line| format!("{line}\n")).collect();
+        std::fs::write(path, text).unwrap();
+    }
+    let stored = std::fs::read_to_string(path).unwrap();
+    let stored: Vec<Value> =
+        stored.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let reasons = |lines: &[Value]| -> Vec<[Value; 2]> {
+        lines.iter().map(|line| [line["table"].clone(), line["refusal"].clone()]).collect()
+    };
+    assert_eq!(reasons(&stored), reasons(&lines), "if it is meant: UPDATE_SNAPSHOTS=1");
 }
 
 /// What holds for every spoiled copy: the one that is not spoiled is accepted.

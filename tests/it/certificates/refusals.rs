@@ -9,8 +9,8 @@ pub(super) const MAX_DIGITS: usize = 60;
 
 /// A spoiled certificate, and what was done to it.
 pub(super) struct Spoiled {
-    what: String,
-    bytes: Vec<u8>,
+    pub what: String,
+    pub bytes: Vec<u8>,
 }
 
 impl Spoiled {
@@ -95,11 +95,16 @@ macro_rules! refusals {
             }
         )*
 
-        /// The reasons in the table.
-        pub(super) fn expected() -> Vec<couplet::check::Refusal> {
+        /// The table.
+        pub(super) fn cases() -> $crate::certificates::refusals::Cases {
             let tables: Vec<$crate::certificates::refusals::Cases> =
                 vec![$(refusals!(@cases $spoiled $(=> $refusal)?)),*];
-            tables.into_iter().flatten().map(|(_, refusal)| refusal).collect()
+            tables.into_iter().flatten().collect()
+        }
+
+        /// The reasons in the table.
+        pub(super) fn expected() -> Vec<couplet::check::Refusal> {
+            cases().into_iter().map(|(_, refusal)| refusal).collect()
         }
     };
 }

@@ -159,13 +159,15 @@ fn originals() -> Vec<Value> {
     all
 }
 
-/// Spoils the originals again and again; returns how many were accepted and how many refused.
-fn spoiled(cases: u32, make: impl Fn(&Value, &[Step]) -> Vec<u8>) -> (u32, u32) {
+/// Spoils the originals again and again; so many of a thousand are accepted at least, and refused at least.
+fn spoiled(cases: u32, [some, most]: [u32; 2], make: impl Fn(&Value, &[Step]) -> Vec<u8>) {
+    let config = config(cases);
+    let share = |thousandths| config.cases / 1000 * thousandths;
     let originals = originals();
     let (accepted, refused) = (Cell::new(0), Cell::new(0));
     let steps = prop::collection::vec((any::<u8>(), any::<u64>(), any::<u64>()), 1..3);
     let strategy = (0..originals.len(), steps);
-    TestRunner::new(config(cases))
+    TestRunner::new(config.clone())
         .run(&strategy, |(original, steps)| {
             let bytes = make(&originals[original], &steps);
             let count = if accepted_and_true(&bytes) { &accepted } else { &refused };
@@ -173,27 +175,27 @@ fn spoiled(cases: u32, make: impl Fn(&Value, &[Step]) -> Vec<u8>) -> (u32, u32) 
             Ok(())
         })
         .unwrap_or_else(|failure| panic!("{failure}"));
-    (accepted.get(), refused.get())
+    let (accepted, refused) = (accepted.get(), refused.get());
+    println!("{accepted} spoiled certificates accepted, {refused} refused");
+    assert!(accepted >= share(some) && refused >= share(most), "{accepted} {refused}");
 }
 
 #[test]
 fn what_is_accepted_after_changes_of_values_is_true() {
-    let (accepted, refused) = spoiled(4000, |original, steps| {
+    spoiled(4000, [100, 500], |original, steps| {
         let mut copy = original.clone();
         steps.iter().for_each(|step| spoil(&mut copy, step));
         copy.to_string().into_bytes()
     });
-    assert!(accepted > 400 && refused > 2000, "{accepted} {refused}");
 }
 
 #[test]
 fn what_is_accepted_after_changes_of_bytes_is_true() {
-    let (accepted, refused) = spoiled(4000, |original, steps| {
+    spoiled(4000, [25, 500], |original, steps| {
         let mut bytes = original.to_string().into_bytes();
         steps.iter().for_each(|step| spoil_bytes(&mut bytes, step));
         bytes
     });
-    assert!(accepted > 100 && refused > 2000, "{accepted} {refused}");
 }
 
 /// The right values of another claim are not those of this one.

@@ -13,18 +13,27 @@ pub fn opening_variable<T: Field>(ring: &Ring<T>) -> Quotient<T> {
     }
 }
 
-/// The inverse, (14) and (15) right: the thickness at a given `A`.
-///
-/// Heyman: `2 (1/A - 1)`. Milankovitch: `3A - √(3 (3A² + 4A - 4))`, real from `A = 2/3` (where
-/// `eta = 2`) upwards; the other sign of the root has `eta > 2`.
+/// The inverse, (14) and (15) right: the thickness at a given `A`, which is at least 2/3 for Milankovitch's weight.
 pub fn thickness<T: Real>(weight: SelfWeight, a: &T) -> T {
     match weight {
-        SelfWeight::Heyman => a.int(2) / a - a.int(2),
-        SelfWeight::Milankovitch => {
-            let quadratic = a.int(3) * a.square() + a.int(4) * a - a.int(4);
-            a.int(3) * a - (a.int(3) * quadratic).sqrt()
-        }
+        SelfWeight::Heyman => heyman(a),
+        SelfWeight::Milankovitch => milankovitch(a, &radicand(a).sqrt()),
     }
+}
+
+/// Eq. (14) right, `2 (1/A - 1)`.
+pub fn heyman<T: Field>(a: &T) -> T {
+    a.int(2) / a - a.int(2)
+}
+
+/// Eq. (15) right, `3A - q` with `q` the root of the [`radicand`]; the other sign of the root has `eta > 2`.
+pub fn milankovitch<T: Field>(a: &T, root: &T) -> T {
+    a.int(3) * a - root
+}
+
+/// The radicand of (15), `3 (3A² + 4A - 4)`: zero at `A = 2/3`, where `eta = 2`, and positive above.
+pub fn radicand<T: Field>(a: &T) -> T {
+    a.int(3) * (a.int(3) * a.square() + a.int(4) * a - a.int(4))
 }
 
 /// The condition behind Eq. (16), `h_e = 0` at `beta = 0`, cleared of its denominator:

@@ -58,17 +58,12 @@ fn heyman(d: &mut Derivation) -> Checked {
     let value = opening_at(SelfWeight::Heyman, &eta);
     let printed = eta.int(2) / (eta.int(2) + &eta);
     d.identity("A(eta)", &value, &printed)?;
-    let inverse = (a.int(1) / &a - a.int(1)) * a.int(2);
+    let inverse = overturning::heyman(&a);
     let back = opening_at(SelfWeight::Heyman, &inverse);
     d.identity("A(eta(A)) = A, with eta(A) = 2 (1/A - 1)", &back, &a)?;
     let forth = value.evaluate(&eta, |_| eta.clone());
     let both = with(&inverse, &[Symbol::OpeningVariable], &forth);
     d.identity("eta(A(eta)) = eta", both, &eta)
-}
-
-/// `3 (3A² + 4A - 4)`.
-fn radicand(a: &Fraction) -> Fraction {
-    (a.int(3) * a.square() + a.int(4) * a - a.int(4)) * a.int(3)
 }
 
 fn milankovitch(d: &mut Derivation) -> Checked {
@@ -82,11 +77,15 @@ fn milankovitch(d: &mut Derivation) -> Checked {
     let quadratic = (eta.square() - a.int(6) * &a * &eta + a.int(12) - a.int(12) * &a) / eta.int(6);
     let words = "A = A(eta), cleared: eta^2 - 6 A eta + 12 - 12 A = 0, over 6";
     d.identity(words, -thirteen.residual(&a), &quadratic)?;
-    let rooted = Relations::none().with(Symbol::SquareRoot, 2, radicand(&a).numerator().clone());
+    let rooted = Relations::none().with(
+        Symbol::SquareRoot,
+        2,
+        overturning::radicand(&a).numerator().clone(),
+    );
     let root =
-        |sign: i32| with(&quadratic, &[Symbol::Thickness], &(a.int(3) * &a - q.int(sign) * &q));
-    d.identity_under("eta = 3A - q is a root", root(1), a.int(0), &rooted)?;
-    d.identity_under("and so is eta = 3A + q", root(-1), a.int(0), &rooted)
+        |q: &Fraction| with(&quadratic, &[Symbol::Thickness], &overturning::milankovitch(&a, q));
+    d.identity_under("eta = 3A - q is a root", root(&q), a.int(0), &rooted)?;
+    d.identity_under("and so is eta = 3A + q", root(&-q.clone()), a.int(0), &rooted)
 }
 
 fn milankovitch_branch(d: &mut Derivation) -> Checked {
@@ -102,7 +101,7 @@ fn milankovitch_branch(d: &mut Derivation) -> Checked {
     d.equal("A at eta = 2", &at(2), &Rational::from((2, 3)))?;
     let factors = (a.int(3) * &a - a.int(2)) * (a.clone() + a.int(2)) * a.int(3);
     let words = "the radicand of (15) is 3 (3A - 2)(A + 2): zero at 2/3, positive above";
-    d.identity(words, radicand(&a), &factors)?;
+    d.identity(words, overturning::radicand(&a), &factors)?;
     let sum = a.int(3) * &a + a.int(3) * &a - a.int(4);
     let expected = (a.int(3) * &a - a.int(2)) * a.int(2);
     d.identity("the two roots have the sum 6A, and 6A - 4 = 2 (3A - 2) >= 0", &sum, &expected)?;

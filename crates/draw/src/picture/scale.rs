@@ -175,8 +175,8 @@ fn power(exponent: i32) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::test_config::config;
     use proptest::prelude::*;
-    use proptest::test_runner::RngSeed;
 
     fn labels(scale: Scale, places: &[f64]) -> Vec<String> {
         let ruler = Ruler::new(scale, places.iter().copied(), 300.0, |_, _| 30.0);
@@ -212,7 +212,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig { rng_seed: RngSeed::Fixed(1), ..ProptestConfig::default() })]
+        #![proptest_config(config(256))]
         #[test]
         fn every_range_has_ticks_within(a in any::<f64>(), b in any::<f64>(), near in -17..1) {
             let b = if near < 0 { a + a * power(near) } else { b };

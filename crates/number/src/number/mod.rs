@@ -9,7 +9,7 @@
 //! | [`ShortBall`] | fixed point of a few words on the stack, with a radius | [`Field`] |
 //! | [`rug::Float`] | MPFR, round to nearest: candidates | [`Field`], [`Real`] |
 //! | [`Ball`] | MPFR midpoint and radius: enclosures | [`Field`], [`Real`], [`Enclosure`] |
-//! | [`ComplexBall`] | a pair of balls: the closed forms with complex roots | [`Field`] |
+//! | [`Complex`], [`ComplexBall`] | a pair: the closed forms with complex roots | [`Field`] |
 //! | [`AstroInterval`] | two astro-float ends, rounded outward: the second arithmetic | [`Field`], [`Real`], [`Enclosure`] |
 //! | `MalachiteInterval` (feature `malachite`) | the same with other ends: quicker, and not independent of MPFR | [`Field`], [`Real`], [`Enclosure`] |
 //! | [`rug::Rational`] | exact | [`Field`] |
@@ -236,14 +236,29 @@ pub trait Enclosure: Real {
     }
 }
 
-/// The configuration of property tests.
+/// Configurations of property tests.
 #[cfg(any(test, feature = "proptest"))]
 #[doc(hidden)]
 pub mod test_config {
     use proptest::test_runner::{Config, RngSeed};
+    use std::env::var_os;
 
-    /// Configuration of a property test: the same arguments in every run, and bounded shrinking.
+    /// Configuration of every property test: the same arguments in every run, and bounded shrinking. `PROPTEST_CASES`
+    /// asks for another number of cases, `PROPTEST_RNG_SEED` for other arguments (`make trial`).
     pub fn config(cases: u32) -> Config {
+        let asked = Config::default();
+        let mut config = fixed(cases);
+        if var_os("PROPTEST_CASES").is_some() {
+            config.cases = asked.cases;
+        }
+        if var_os("PROPTEST_RNG_SEED").is_some() {
+            config.rng_seed = asked.rng_seed;
+        }
+        config
+    }
+
+    /// Configuration of a test that counts what is drawn, or shrinks it: the environment changes nothing.
+    pub fn fixed(cases: u32) -> Config {
         Config {
             cases,
             max_shrink_iters: 1000,

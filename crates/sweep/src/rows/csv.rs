@@ -250,6 +250,7 @@ mod tests {
     }
 
     proptest::proptest! {
+        #![proptest_config(crate::number::test_config::config(256))]
         /// A reader that goes past rows finds them at the lines of one that reads them.
         #[test]
         fn rows_that_are_passed_are_those_that_are_read(text in "[a\"\n,]{0,24}") {

@@ -148,6 +148,7 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(crate::number::test_config::config(256))]
         /// Each row is split as the CSV library splits it.
         #[test]
         fn rows_are_split_as_by_a_reader(row in "[a\",; \r\t\u{e9}]{0,12}\n?") {

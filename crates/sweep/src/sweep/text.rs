@@ -360,7 +360,7 @@ mod tests {
     ];
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(400))]
+        #![proptest_config(crate::number::test_config::config(400))]
         /// Whatever a table is cut into, its rows are the same, at the same lines, for the same reasons.
         #[test]
         fn pieces_of_any_text_have_its_rows(head in 0..HEADS.len(), text in "[a1\",.\n#;]{0,40}") {

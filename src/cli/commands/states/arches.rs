@@ -7,14 +7,13 @@ use crate::ask::{Field, Spelling, given_thickness};
 use crate::certify::Refused;
 use crate::certify::batch::SharedOpenings;
 use crate::certify::state::Balls;
-use crate::cli::commands::given_rows::GivenRows;
 use crate::cli::commands::output::chosen;
 use crate::cli::commands::stream::{Chunk, in_order};
 use crate::problem::Quantity;
 use crate::report::{Answer, Answers, Content, Format, Status, open_rows};
 use crate::sweep::answer;
 use crate::sweep::failure::Failure;
-use crate::sweep::rows::{ArchReader, Cells, Numbered, ReadRow, Role, Syntax};
+use crate::sweep::rows::{ArchReader, Cells, GivenRows, Numbered, ReadRow, Role, Syntax};
 use std::io;
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {

@@ -1,12 +1,12 @@
 //! Rows that are read, and where their answers go.
 
 use super::arguments::Arguments;
-use crate::cli::commands::given_rows::{GivenRows, source};
+use crate::cli::commands::given_rows::source;
 use crate::cli::commands::output::Output;
 use crate::cli::commands::stream::Progress;
 use crate::report::{Content, Format};
 use crate::sweep::failure::Failure;
-use crate::sweep::rows::{Columns, Keep, Purpose, Syntax};
+use crate::sweep::rows::{Columns, GivenRows, Keep, Purpose, Syntax};
 
 /// Rows that are read, and the file in which they are answered.
 pub(super) struct Opened {

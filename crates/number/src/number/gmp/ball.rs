@@ -222,6 +222,9 @@ impl Real for Ball {
     ///
     /// Radius: for `x` in `m ± r`, `|√x - √m| = |x - m| / (√x + √m)` is at most
     /// `r / (√(m-r) + √m)`; the root of the lower end is bounded by `√m (1 - r/m)`.
+    ///
+    /// GMP 6.2 and 6.3 take some numbers of more than eight words for squares that are none, and MPFR rounds by that: so
+    /// the distance of the new midpoint `n` from `√m` is computed, `|n² - m| / (n + √m)`.
     fn sqrt(&self) -> Self {
         if self.mid.is_zero() && self.rad.is_zero() {
             return self.clone();
@@ -230,13 +233,20 @@ impl Real for Ball {
         if self.mid.is_sign_negative() || self.rad > low {
             return Self::whole(self.prec);
         }
-        let mid = Float::with_val_round(self.prec, self.mid.sqrt_ref(), Round::Nearest);
+        let (mid, direction) =
+            Float::with_val_round(self.prec, self.mid.sqrt_ref(), Round::Nearest);
         let root = Magnitude::lower(&Float::with_val_round(64, self.mid.sqrt_ref(), Round::Down).0);
         let one = Magnitude::from_integer(1);
         let low_root = root.times_down(one.minus_down(self.rad.over(low)));
         // A sum rounded down: each part once more below itself by the rounding of `plus`.
-        let sum = low_root.plus(root).times_down(one.minus_down(Magnitude::power_of_two(-29)));
-        Self::rounded(mid, self.rad.over(sum.max(root)), self.prec)
+        let sum =
+            |a: Magnitude, b| a.plus(b).times_down(one.minus_down(Magnitude::power_of_two(-29)));
+        let rad = self.rad.over(sum(low_root, root).max(root));
+        let square = Float::with_val(2 * mid.prec(), mid.square_ref());
+        let rest = Float::with_val_round(64, &square - &self.mid, Round::AwayZero).0;
+        let distance = Magnitude::upper(&rest).over(sum(Magnitude::lower(&mid), root));
+        let error = rounding_error(&mid, direction).max(distance);
+        Self { mid, rad, prec: self.prec }.widened(error)
     }
 
     /// Sine and cosine. For `|d| <= r`, `|sin(m+d) - sin m| <= min(r, r |cos m| + r²/2)`, and the

@@ -1,25 +1,28 @@
-//! Complex balls: a pair of balls, for the closed forms that take complex roots.
+//! Complex numbers over a field: pairs, for the closed forms that take complex roots.
 
-use super::{Ball, Enclosure, Field, Magnitude, Real};
+use super::{Ball, Enclosure, ExactField, Field, Magnitude, Real};
 use rug::Float;
 
-/// All complex numbers with the real part in one ball and the imaginary part in another.
-#[derive(Clone, Debug)]
-pub struct ComplexBall {
+/// Complex number whose parts are in a field of real numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Complex<T> {
     /// The real part.
-    pub re: Ball,
+    pub re: T,
     /// The imaginary part.
-    pub im: Ball,
+    pub im: T,
 }
 
-impl From<Ball> for ComplexBall {
-    fn from(re: Ball) -> Self {
+/// All complex numbers with the real part in one ball and the imaginary part in another.
+pub type ComplexBall = Complex<Ball>;
+
+impl<T: Field> From<T> for Complex<T> {
+    fn from(re: T) -> Self {
         let im = re.int(0);
         Self { re, im }
     }
 }
 
-impl ComplexBall {
+impl<T: Field> Complex<T> {
     fn negated(self) -> Self {
         Self { re: -self.re, im: -self.im }
     }
@@ -43,7 +46,9 @@ impl ComplexBall {
         let Self { re, im } = self.times(&conjugate);
         Self { re: re / &norm, im: im / &norm }
     }
+}
 
+impl ComplexBall {
     /// The principal square root of a real number, by its sign; `None` if that is not known.
     pub fn root_of_real(x: &Ball) -> Option<Self> {
         if x.is_positive().is_proved() {
@@ -91,11 +96,17 @@ impl ComplexBall {
     }
 }
 
-operators!(ComplexBall);
+operators!([T: Field] Complex<T>);
 
-impl Field for ComplexBall {
+impl<T: Field> Field for Complex<T> {
     fn int(&self, n: i32) -> Self {
         self.re.int(n).into()
+    }
+}
+
+impl<T: ExactField> ExactField for Complex<T> {
+    fn is_zero(&self) -> bool {
+        self.re.is_zero() && self.im.is_zero()
     }
 }
 

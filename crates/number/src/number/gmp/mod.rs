@@ -26,7 +26,7 @@ mod words;
 
 pub use ball::Ball;
 pub use binary::Binary;
-pub use complex_ball::ComplexBall;
+pub use complex_ball::{Complex, ComplexBall};
 pub use degrees::degrees;
 pub use hexadecimal::hexadecimal;
 pub use magnitude::Magnitude;

@@ -108,6 +108,28 @@ fn exact_operations_have_no_radius() {
     assert!(zero.mid().is_zero() && zero.rad().is_zero(), "zero over anything but zero");
 }
 
+/// `x²` a little more than a square: GMP says that it is one, and MPFR that its root is exact.
+#[test]
+fn the_root_of_what_is_nearly_a_square_is_held() {
+    let x = (Integer::from(1) << 222u32) + 1u32;
+    for prec in [384, 400, 447, 448, 449, 512] {
+        for quarters in 0u32..6 {
+            let near = (Integer::from(&x * &x) << 2u32) + quarters;
+            let near = Float::with_val(near.significant_bits(), near) >> 448u32;
+            let root = Ball::exact(near.clone(), prec).sqrt();
+            let square = |end: Float| Float::with_val(2000, end.square_ref());
+            assert!(
+                square(root.lower()) <= near && near <= square(root.upper()),
+                "{prec} {quarters}"
+            );
+            assert!(
+                !root.rad().is_zero() || square(root.mid().clone()) == near,
+                "{prec} {quarters}"
+            );
+        }
+    }
+}
+
 #[test]
 fn outside_the_domain_is_the_whole_line() {
     let zeroish = Ball::new(Float::with_val(64, 1), Magnitude::from_integer(1), 64);

@@ -1,31 +1,15 @@
-//! The rotational and the overturning states join at `l` with one slope: certified states on either
-//! side lie next to the common tangent, as close as a second-order term lets them.
-//!
-//! The exact slopes, and that the curvatures differ, are claims (`couplet prove joining`).
+//! Certified states on either side of `l` lie next to the common tangent.
 
+use super::{BITS, Tangent};
 use crate::hard::config;
 use couplet::arch::{SelfWeight, thrust};
 use couplet::certify::CertifiedLandmark;
 use couplet::certify::state::{Certify, Outcome};
-use couplet::number::{Angle, Ball, Field, Real};
+use couplet::number::{Angle, Ball};
 use couplet::problem::{Arch, Friction};
 use couplet::problem::{Landmark, Mode};
 use proptest::prelude::*;
 use rug::{Rational, ops::Pow};
-
-const BITS: u32 = 512;
-
-/// `A`, `eta` at `l`, and the slope `d eta/dA`.
-fn end(weight: SelfWeight) -> [Ball; 3] {
-    let root = Ball::integer(3, BITS).sqrt();
-    let one = root.int(1);
-    match weight {
-        SelfWeight::Heyman => [one.ratio(2, 3), one.clone(), one.ratio(-9, 2)],
-        SelfWeight::Milankovitch => {
-            [root.clone() - &one, one.int(4) * &root - one.int(6), one.int(-4) * root]
-        }
-    }
-}
 
 /// The purely rotational or overturning state at a half opening `step` away from that of `l`.
 fn state(weight: SelfWeight, step: &Rational) -> (Ball, couplet::certify::state::State) {
@@ -38,11 +22,6 @@ fn state(weight: SelfWeight, step: &Rational) -> (Ball, couplet::certify::state:
     let Some(Outcome::Stands(state)) = proved else { panic!("{weight:?} {step}") };
     let a = thrust::opening_variable(&Angle::new(Ball::enclosing(&alpha, BITS))).value();
     (a, *state)
-}
-
-fn at_most(x: &Ball, bound: &Ball) -> bool {
-    let sizes = [x.clone(), -x.clone()].map(|x| bound.clone() - x);
-    sizes.iter().all(|gap| gap.lower() >= 0)
 }
 
 proptest! {
@@ -58,18 +37,14 @@ proptest! {
         let (a, state) = state(weight, &step);
         let side = if wider { Mode::Overturning } else { Mode::Rotational };
         prop_assert_eq!(state.mode, side);
-        let [a_end, eta_end, slope] = end(weight);
-        let x = a - a_end;
-        let rise = state.thickness - eta_end;
-        // Half the curvatures are at most 704, and |x| is small.
-        let bound = x.square() * x.int(1500);
-        let gap = rise.clone() - slope.clone() * &x;
-        prop_assert!(at_most(&gap, &bound), "{:?}: {:?}", weight, gap);
+        let tangent = Tangent::at_end(weight);
+        let gap = tangent.gap(&a, &state.thickness);
+        prop_assert!(tangent.holds(&a, &state.thickness), "{:?}: {:?}", weight, gap);
         // The thrust joins with the slope zero.
-        prop_assert!(at_most(&state.thrust, &bound));
+        prop_assert!(tangent.is_flat(&a, &state.thrust));
         if places > 10 {
-            let twin = rise - (slope + x.ratio(1, 1000)) * &x;
-            prop_assert!(!at_most(&twin, &bound), "a slope off by a thousandth is seen");
+            let twin = tangent.turned();
+            prop_assert!(!twin.holds(&a, &state.thickness), "a slope off by a thousandth is seen");
         }
     }
 }

@@ -1,20 +1,25 @@
 //! A row of results: its arch, and what it claims.
 
+use super::arch::ArchReader;
+use super::columns::Cells;
+use super::keep::ReadRow;
+use super::roles::Role;
 use crate::judge::{Demand, RowClaim, Said, judge};
+use crate::parse::thickness;
 use crate::problem::Quantity;
 use crate::report::judged::JudgedRow;
-use crate::sweep::parse::thickness;
-use crate::sweep::rows::{ArchReader, Cells, ReadRow, Role};
 
 /// Reader and judge of rows.
-pub(super) struct Judge {
+pub struct Judge {
+    /// Reader of the arches.
     pub reader: ArchReader,
+    /// Demand on what is claimed.
     pub demand: Demand,
 }
 
 impl Judge {
     /// Judges a row.
-    pub(super) fn row(&self, line: u64, row: Result<ReadRow, String>) -> JudgedRow {
+    pub fn row(&self, line: u64, row: Result<ReadRow, String>) -> JudgedRow {
         let (cells, kept) = match row {
             Ok(ReadRow { cells, kept }) => (Ok(cells), kept),
             Err(error) => (Err(error), Vec::new()),

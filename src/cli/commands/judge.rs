@@ -1,8 +1,6 @@
 //! `couplet judge`.
 
-mod row;
-
-use super::given_rows::{GivenRows, source};
+use super::given_rows::source;
 use super::output::OutputFile;
 use super::stream::{CHUNK, Chunk, Progress, in_order};
 use crate::arch::SelfWeight;
@@ -13,9 +11,10 @@ use crate::report::words::list;
 use crate::report::{Content, Format, Reported};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
-use crate::sweep::rows::{ArchReader, Columns, Keep, Numbered, Purpose, ReadRow, Role, Syntax};
+use crate::sweep::rows::{
+    ArchReader, Columns, GivenRows, Judge, Keep, Numbered, Purpose, ReadRow, Role, Syntax,
+};
 use clap::Args;
-use row::Judge;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
