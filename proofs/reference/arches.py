@@ -174,7 +174,7 @@ def requests(program, folder, few):
 
 
 def requested(program, folder, of):
-    stand, fall = drawn(program, of(5000, 300))
+    stand, fall = drawn(program, of(5000, 100))
     yield from landmarks(program, folder)
     yield from listed_states()
     yield from states(stand, of(1000, 20))

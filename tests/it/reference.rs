@@ -183,13 +183,11 @@ fn a_bundle_replays_and_names_a_changed_byte() {
         "MANIFEST",
     ] {
         let bytes = bundle.read(name);
-        for at in [0, bytes.len() / 2, bytes.len() - 1] {
-            // What would not run is not what is tried here.
-            if name == "replay_arb.py" && at != bytes.len() / 2 {
-                continue;
-            }
+        // A script that is to be run stays one; of the manifest the first and the last line count.
+        let all = [bytes.len() / 2, 0, bytes.len() - 1];
+        for at in &all[..if name == "MANIFEST" { 3 } else { 1 }] {
             let mut spoiled = bytes.clone();
-            spoiled[at] ^= 1;
+            spoiled[*at] ^= 1;
             let arb = arb && name != "replay_arb.py";
             named(bundle.with(name, &spoiled, false, arb), name, "changed");
         }
