@@ -28,7 +28,11 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// Corners about a point, with the friction of the joints and no mass.
-fn shape(polygon: &[[f64; 2]; 4], about: [f64; 2], friction: f64) -> Result<Collider, Box<dyn Error>> {
+fn shape(
+    polygon: &[[f64; 2]; 4],
+    about: [f64; 2],
+    friction: f64,
+) -> Result<Collider, Box<dyn Error>> {
     let points: Vec<_> =
         polygon.iter().map(|[x, y]| Vector::new(x - about[0], y - about[1]).into()).collect();
     let hull = ColliderBuilder::convex_hull(&points).ok_or("no hull")?;
@@ -43,7 +47,11 @@ fn stands(asked: &Asked) -> Result<bool, Box<dyn Error>> {
     let mut stones = Vec::new();
     for (place, polygon) in asked.polygons.iter().enumerate() {
         let [x, y] = asked.centroids[place];
-        let mass = MassProperties::new(Vector::new(0.0, 0.0).into(), asked.weights[place], asked.inertias[place]);
+        let mass = MassProperties::new(
+            Vector::new(0.0, 0.0).into(),
+            asked.weights[place],
+            asked.inertias[place],
+        );
         let body = RigidBodyBuilder::dynamic()
             .translation(Vector::new(x, y))
             .additional_mass_properties(mass)
