@@ -1,7 +1,9 @@
 //! What the fuzz targets share.
 
 use couplet_check::arch::SelfWeight;
-use couplet_sweep::rows::{ArchReader, Columns, GivenRows, Keep, Numbered, Purpose, ReadRow, Syntax};
+use couplet_sweep::rows::{
+    ArchReader, Columns, GivenRows, Keep, Numbered, Purpose, ReadRow, Syntax,
+};
 use std::io::Cursor;
 
 /// Longest reason for which something is refused.
@@ -16,7 +18,11 @@ pub fn is_told(reason: impl ToString) {
 }
 
 /// Rows of a file and the reader of their arches; nothing where the file has a fault, which is told.
-pub fn rows(syntax: Syntax, purpose: Purpose, bytes: &[u8]) -> Option<(ArchReader, impl Iterator<Item = Numbered<ReadRow>>)> {
+pub fn rows(
+    syntax: Syntax,
+    purpose: Purpose,
+    bytes: &[u8],
+) -> Option<(ArchReader, impl Iterator<Item = Numbered<ReadRow>>)> {
     let columns = Columns::named(&[], purpose).expect("our own names");
     let input = Box::new(Cursor::new(bytes.to_owned()));
     let given = GivenRows::new((syntax, input), columns, Keep::All, true);
@@ -30,7 +36,7 @@ pub fn arches(syntax: Syntax, bytes: &[u8]) {
     let Some((reader, rows)) = rows(syntax, Purpose::Ask, bytes) else { return };
     let mut last = 0;
     for (line, row) in rows {
-        assert!(line > last, "line {line} after {last}");
+        assert!(line >= last, "line {line} after {last}");
         last = line;
         let Ok(ReadRow { cells, .. }) = row.map_err(is_told) else { continue };
         let _ = reader.measured_arch(&cells).map_err(is_told);

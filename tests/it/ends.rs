@@ -47,8 +47,8 @@ where
     Float::with_val_round(bits, x, round).0
 }
 
-/// The root of a number that is not negative. MPFR's root rounded down is right; where the number is next to a square GMP may
-/// say that it is one, so that the one rounded up is looked for.
+/// The root of a number that is not negative. MPFR's root rounded down is right; next to a square GMP may say
+/// that the number is one, so that the root rounded up is looked for.
 fn root(bits: u32, round: Round, x: &Float) -> Float {
     let mut root = with_round(bits, Round::Down, x.sqrt_ref());
     if round == Round::Up && Float::with_val(2 * bits, root.square_ref()) != *x {

@@ -223,8 +223,9 @@ impl Real for Ball {
     /// Radius: for `x` in `m ± r`, `|√x - √m| = |x - m| / (√x + √m)` is at most
     /// `r / (√(m-r) + √m)`; the root of the lower end is bounded by `√m (1 - r/m)`.
     ///
-    /// GMP 6.2 and 6.3 take some numbers of more than eight words for squares that are none, and MPFR rounds by that: so
-    /// the distance of the new midpoint `n` from `√m` is computed, `|n² - m| / (n + √m)`.
+    /// GMP 6.2 and 6.3 take some numbers of more than eight words for squares that are none, and MPFR
+    /// rounds by that: so the distance of the new midpoint `n` from `√m` is computed too,
+    /// `|n² - m| / (n + √m)`.
     fn sqrt(&self) -> Self {
         if self.mid.is_zero() && self.rad.is_zero() {
             return self.clone();
