@@ -8,7 +8,19 @@ const PAGE: &str = include_str!("../../../docs/limits.md");
 const BEYOND: [&[&str]; 9] = [
     &["state", "--half-opening", "1", "--friction", "1", "--digits", "0"],
     &["voussoirs", "--half-opening", "1", "--friction", "1", "--stones", "1"],
-    &["voussoirs", "--half-opening", "1", "--friction", "1", "--thickness", "1", "--tilt", "0.1", "--stones", "5000"],
+    &[
+        "voussoirs",
+        "--half-opening",
+        "1",
+        "--friction",
+        "1",
+        "--thickness",
+        "1",
+        "--tilt",
+        "0.1",
+        "--stones",
+        "5000",
+    ],
     &["complementarity", "--half-opening", "1", "--friction", "1", "--stones", "1000"],
     &["draw", "--half-opening", "1", "--friction", "1", "--stones", "1", "--format", "svg"],
     &["sample", "--count", "x"],
@@ -49,5 +61,9 @@ fn every_limit_that_is_named_is_on_the_page() {
             assert!(PAGE.contains(&limit), "{limit} of: {said}");
         }
     }
-    assert!(limits("from 2 to 1000000001, or a range of at most 10000").iter().any(|limit| !PAGE.contains(limit)));
+    assert!(
+        limits("from 2 to 1000000001, or a range of at most 10000")
+            .iter()
+            .any(|limit| !PAGE.contains(limit))
+    );
 }
