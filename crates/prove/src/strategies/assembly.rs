@@ -58,7 +58,7 @@ pub enum AssemblyProof {
         moment: ExactNumber,
     },
     /// Conditions that ask for a larger thrust, the first, than others bear, the second.
-    Falls([VoussoirLimit; 2]),
+    Falls(Box<[VoussoirLimit; 2]>),
 }
 
 /// Question about an assembly of stones, with its answer.
@@ -253,7 +253,7 @@ impl Base {
         found: VoussoirAssessment,
     ) -> Option<AssemblyProof> {
         let ends = match found.standing.ok()? {
-            VoussoirStanding::Falls(ends) => return Some(AssemblyProof::Falls(ends)),
+            VoussoirStanding::Falls(ends) => return Some(AssemblyProof::Falls(Box::new(ends))),
             VoussoirStanding::Stands(ends) => ends,
         };
         let end = |of: &VoussoirLimit| of.thrust.as_ref().map(|thrust| thrust.double);

@@ -111,7 +111,8 @@ fn proof(of: &Assembly) -> Record {
             fields.add("thrust", thrust.to_string());
             fields.add("moment", moment.to_string());
         }
-        AssemblyProof::Falls([needed, borne]) => {
+        AssemblyProof::Falls(bounds) => {
+            let [needed, borne] = &**bounds;
             fields.add_record("needed", bound(needed));
             fields.add_record("borne", bound(borne));
         }
