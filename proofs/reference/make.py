@@ -202,7 +202,7 @@ def main():
     parser.add_argument("folder")
     parser.add_argument("couplet", type=os.path.abspath)
     parser.add_argument("--checker", type=os.path.abspath, help="couplet-check")
-    parser.add_argument("--arb", help="a Python with python-flint")
+    parser.add_argument("--arb", type=lambda name: os.path.abspath(shutil.which(name) or name), help="a Python with python-flint")
     parser.add_argument("--verified", type=os.path.abspath, help="couplet-verified")
     parser.add_argument("--few", action="store_true", help="a few certificates of each kind, for tests")
     asked = parser.parse_args()

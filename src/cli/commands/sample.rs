@@ -66,7 +66,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.assemblies {
         return arguments.assemblies();
     }
-    let format = arguments.format("arches", Content::SAMPLES)?;
+    let format = arguments.format("an arch", Content::SAMPLES)?;
     let Some(lines) = SampledLines::of(format) else { return Ok(()) };
     arguments.output.open()?.write(|out| {
         out.write_all(&(lines.header)()?)?;
@@ -115,6 +115,11 @@ impl Arguments {
         };
         let failed = |error: io::Error| Failure::writing(folder.display(), &error);
         fs::create_dir_all(folder).map_err(failed)?;
+        // Bodies of another draw would be taken for those of this one.
+        if fs::read_dir(folder).map_err(failed)?.next().is_some() {
+            let folder = folder.display();
+            return Err(format!("{folder} is not empty: name a new or an empty folder").into());
+        }
         let drawn: Vec<Assembled> = self.drawn().collect();
         for of in &drawn {
             let path = folder.join(format!("{}.{}", of.id, format.extension));

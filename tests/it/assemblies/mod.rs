@@ -169,6 +169,7 @@ fn bodies_are_files_of_a_folder() {
             let twin = file.replacen(from, to, 1);
             assert!(bodies::fault(format, &twin, question).is_some(), "{name}: false twin");
         }
+        refused(&of, "", "is not empty: name a new or an empty folder");
     }
 }
 
