@@ -33,7 +33,9 @@ fn as_another_user(scratch: &Scratch) -> Command {
     }
     // Where the program lies is perhaps nobody else's.
     let program = scratch.path("program");
-    fs::copy(env!("CARGO_BIN_EXE_couplet"), &program).unwrap();
+    // By a process of its own: what another thread starts meanwhile would hold the file open, which cannot be run then.
+    let copied = Command::new("cp").args([env!("CARGO_BIN_EXE_couplet"), &program]).status();
+    assert!(copied.unwrap().success());
     set_mode(&program, 0o755);
     let mut command = Command::new(program);
     command.uid(65_534).gid(65_534);
