@@ -22,20 +22,8 @@ const HORSESHOE: f64 = 2.0;
 /// Digits of a thickness that is given.
 const DIGITS: usize = 3;
 
-/// Modes that are drawn in turn, and assemblies of two or three stones, whatever theirs.
-const TURNS: [Option<Mode>; 8] = [
-    Some(Mode::Rotational),
-    Some(Mode::SlidingRotational),
-    Some(Mode::RotationalSliding),
-    Some(Mode::RotationalSlidingRotational),
-    Some(Mode::OverturningSliding),
-    Some(Mode::Overturning),
-    Some(Mode::Sliding),
-    None,
-];
-
 /// Assemblies without end, each 0.1 % above its threshold, where it stands, and 0.1 % below it, where it falls:
-/// 2 to 60 stones, all modes in turn, both self-weights, half of them measured in metres.
+/// 2 to 60 stones, all modes, both self-weights, measured in metres or not.
 ///
 /// ```
 /// use couplet_prove::strategies::assemblies;
@@ -54,9 +42,10 @@ fn part(draw: &mut Draw) -> f64 {
 
 /// The assemblies above and below the threshold at a place of the turn.
 pub(super) fn pair(draw: &mut Draw, place: u64) -> [Assembly; 2] {
-    let turns = TURNS.len() as u64;
+    // Each mode in its turn, and two or three stones, whatever theirs.
+    let turns = Mode::ALL.len() as u64 + 1;
     let is_odd = |period: u64| (place / (turns * period)) % 2 == 1;
-    let mode = TURNS[(place % turns) as usize];
+    let mode = Mode::ALL.get((place % turns) as usize).copied();
     let weight = SelfWeight::ALL[usize::from(is_odd(2))];
     let near = if is_odd(4) { Near::Thickness } else { Near::Friction };
     // Drawn once: of three stones far more have a threshold than of two.
