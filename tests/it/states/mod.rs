@@ -3,6 +3,7 @@
 
 mod assessed;
 mod borders;
+mod by_value;
 mod cost;
 mod crown;
 mod found;

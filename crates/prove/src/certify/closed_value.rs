@@ -23,6 +23,15 @@ pub enum Exact {
 }
 
 impl Exact {
+    /// The value, if it is rational.
+    pub fn rational(&self) -> Option<&Rational> {
+        match self {
+            Self::Surd(surd) => Some(surd.parts()).filter(|(_, factor, _)| factor.is_zero()),
+            Self::Pi(_) | Self::Infinite => None,
+        }
+        .map(|(rational, ..)| rational)
+    }
+
     /// Text as a mathematician would write it.
     pub fn text(&self) -> String {
         match self {

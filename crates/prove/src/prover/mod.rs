@@ -12,11 +12,13 @@
 //! | `linear`, `vector` | linear equations; forces and the lines of conditions on them |
 //! | `decide`, `positive`, `cover` | signs, a function positive on an interval, pieces of one |
 //! | `raise` | more bits until everything is decided |
+//! | `count` | how many there are, and that there is none |
 //! | `ties` | what is exactly zero in an arch |
 //! | `figure` | a proved value with its digits |
 //! | `undecided`, `refused`, `error` | why nothing is known, or was asked |
 
 pub(crate) mod arithmetic;
+pub(crate) mod count;
 pub(crate) mod cover;
 pub(crate) mod decide;
 pub(crate) mod error;
@@ -39,6 +41,7 @@ pub(crate) mod undecided;
 pub(crate) mod vector;
 pub(crate) mod zero;
 
+pub use count::Absence;
 pub use error::Error;
 pub use figure::Figure;
 pub use isolate::Isolated;

@@ -50,7 +50,7 @@ impl ByValue {
 
     /// Reason why there is no state; not where anything stays open.
     fn none(&self) -> Option<&'static str> {
-        self.found.as_ref().ok()?.none
+        Some(self.found.as_ref().ok()?.none?.reason())
     }
 
     /// A state, with the quantities that are shown.

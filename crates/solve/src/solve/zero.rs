@@ -21,7 +21,8 @@ pub(super) fn zero(low: f64, high: f64, f: impl Fn(f64) -> f64) -> f64 {
     }
     let mut part = 0.5;
     for _ in 0..STEPS {
-        let x = a.0 + part * (b.0 - a.0);
+        // Rounding does not lead out of the range.
+        let x = (a.0 + part * (b.0 - a.0)).clamp(low.min(high), low.max(high));
         let value = f(x);
         // The zero is between `a`, the newest place, and `b`; `c` is the one that they replace.
         let c = if (value < 0.0) == (a.1 < 0.0) { a } else { std::mem::replace(&mut b, a) };
@@ -71,6 +72,16 @@ mod tests {
         }
         let pi = zero(1.0, 4.0, |t| -t.sin());
         approx::assert_relative_eq!(pi, std::f64::consts::PI, max_relative = 1e-13);
+    }
+
+    #[test]
+    fn no_place_is_outside_the_range() {
+        let low = 1e-18;
+        let f = |t: f64| {
+            assert!((low..=2.4).contains(&t), "{t}");
+            6.9e-18 - t
+        };
+        assert!(zero(low, 2.4, f) >= low);
     }
 
     #[test]

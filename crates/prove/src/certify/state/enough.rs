@@ -5,7 +5,7 @@ use super::find;
 use super::mode::{outcome, pure_sliding};
 use super::query::{DOUBLE_DOUBLE, GUARD, Query, raised};
 use crate::number::{Ball, DoubleDoubleBall, ExactNumber, bits_of};
-use crate::problem::Arch;
+use crate::problem::{Arch, Landmark};
 use crate::prover::arithmetic::Arithmetic;
 use crate::prover::figure::{Figure, Figured, optional};
 use crate::prover::{Answered, raise};
@@ -108,7 +108,8 @@ fn required<E: Arithmetic>(arch: &Arch, limit: &ExactNumber, bits: u32) -> Answe
 
 /// The widest half opening that stands at the limit.
 fn widest<E: Arithmetic>(arch: &Arch, limit: &ExactNumber, bits: u32) -> Answered<E> {
-    let (_, at) = find::widest(&find::at_thickness(arch, limit, bits), true)?;
+    let (_, at) =
+        find::widest(&find::at_thickness(arch, limit, bits), Some(Landmark::OverturningEnd))?;
     Ok(Some(at.half_opening.rad))
 }
 

@@ -96,3 +96,42 @@ impl<E> Form<E> for TouchingEquations<'_, E> {
         times_cotangent.is_bounded() && [arm, ring.intrados()].iter().all(Enclosure::excludes_zero)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::certify::state::Certify;
+    use crate::problem::{Arch, Mode};
+
+    /// Beside the line on which the touching joint reaches the crown one of its two modes is that of the arch, however near.
+    #[test]
+    fn beside_the_crown_one_of_two_modes_is_proved() {
+        for (weight, opening, friction) in [
+            (
+                "milankovitch",
+                "2.58395207181244888981930883245091055381146624417878",
+                "4.80190459023868686926760607580345040572957916923969",
+            ),
+            (
+                "milankovitch",
+                "2.58948618029010384773723241433712318098427878318040482567506",
+                "10.9125116436940902176593486683915216429005575219581811086188",
+            ),
+            (
+                "heyman",
+                "2.64087107662887720359759229766854209397475429896903662824641",
+                "4.61238742176220484010581288597484941880067326580894515400766",
+            ),
+            (
+                "milankovitch",
+                "2.58943198629017077291394021370933672805127975914269963594684073",
+                "10.7000930976491106416631326645607606625732121310733982446276",
+            ),
+        ] {
+            let arch = Arch::parse(weight, opening, friction).unwrap();
+            let found = arch.least(30).unwrap_or_else(|open| panic!("{weight} {opening}: {open}"));
+            assert!(
+                [Mode::OverturningSliding, Mode::RotationalSlidingRotational].contains(&found.mode)
+            );
+        }
+    }
+}

@@ -6,8 +6,9 @@
 
 use super::scale::Start;
 use super::touch::{LEAST_JOINT, joint_where, touched_ring, touching_square};
-use crate::arch::{Quotient, Ring, SelfWeight, overturning, thrust};
+use crate::arch::{PerWeight, Quotient, Ring, SelfWeight, overturning, thrust};
 use crate::number::{Angle, Real};
+use std::sync::OnceLock;
 
 /// Below this half opening the series in `alpha²` are used.
 const SMALL: f64 = 0.1;
@@ -41,7 +42,8 @@ pub fn rotational<T: Start>(weight: SelfWeight, alpha: &T) -> [T; 3] {
         return [ratio.sqrt() * alpha, thickness * y.square(), y.int(1) - deficit * y];
     }
     if before_end(weight, alpha.to_double()) < NEAR {
-        return near_end(weight, alpha);
+        let part = before_end(weight, alpha.clone()) / alpha.like(NEAR);
+        return near_end(weight, &part);
     }
     rotational_in_doubles(weight, alpha.to_double()).map(|x| alpha.like(x))
 }
@@ -71,21 +73,27 @@ fn touching(joint: &Angle<f64>, ring: &Ring<f64>) -> Quotient<f64> {
     thrust::touching(&joint.versine(), &(joint.rad / joint.sin - 1.0), ring)
 }
 
+/// `beta_r`, `eta - eta_l` and `h` of the state at the distance `NEAR` from `A_l`.
+fn beside_end(weight: SelfWeight) -> [f64; 3] {
+    static KEPT: PerWeight<OnceLock<[f64; 3]>> =
+        PerWeight { heyman: OnceLock::new(), milankovitch: OnceLock::new() };
+    *KEPT.get(weight).get_or_init(|| {
+        let at_end = end(weight, &1.0);
+        let a = overturning::opening_variable(&at_end).value() + NEAR;
+        let (joint, ring) = with_opening_variable(weight, a);
+        [joint.rad, ring.thickness - at_end.thickness, touching(&joint, &ring).value()]
+    })
+}
+
 /// Next to the end `beta_r²` and `eta - eta_l` grow like `x = A - A_l`, and `h` like its square: they are in
-/// proportion to those at `x = NEAR`, to three digits.
-fn near_end<T: Start>(weight: SelfWeight, alpha: &T) -> [T; 3] {
-    let float = |x: f64| alpha.like(x);
-    let at_end = end(weight, &1.0);
-    let a = overturning::opening_variable(&at_end).value() + NEAR;
-    let (joint, ring) = with_opening_variable(weight, a);
-    let part = before_end(weight, alpha.clone()) / float(NEAR);
-    let gap = float(ring.thickness - at_end.thickness) * &part;
-    let thickness = end(weight, alpha).thickness + gap;
-    if part <= 0.0 {
-        return [float(LEAST_JOINT), thickness, float(LEAST_JOINT)];
+/// proportion to those at `x = NEAR`, to three digits. `part` is `x/NEAR`.
+fn near_end<T: Start>(weight: SelfWeight, part: &T) -> [T; 3] {
+    let [joint, gap, thrust] = beside_end(weight).map(|x| part.like(x));
+    let thickness = end(weight, part).thickness + gap * part;
+    if *part <= 0.0 {
+        return [part.like(LEAST_JOINT), thickness, part.like(LEAST_JOINT)];
     }
-    let thrust = float(touching(&joint, &ring).value());
-    [part.sqrt() * float(joint.rad), thickness, part.square() * thrust]
+    [part.sqrt() * joint, thickness, part.square() * thrust]
 }
 
 /// A candidate: `beta_r`, `eta`, `h` where the curve of rotational states has the thrust `h`.
@@ -96,16 +104,22 @@ pub fn rotational_with_thrust<T: Start>(weight: SelfWeight, h: &T) -> [T; 3] {
         let [beta, eta, _] = rotational(weight, &alpha);
         [beta, eta]
     } else {
-        with_thrust(weight, h.to_double()).map(|x| h.like(x))
+        let [.., beside] = beside_end(weight);
+        let part = (h.clone() / h.like(beside)).sqrt();
+        if part < 1.0 {
+            let [beta, eta, _] = near_end(weight, &part);
+            [beta, eta]
+        } else {
+            with_thrust(weight, h.to_double()).map(|x| h.like(x))
+        }
     };
     [beta, eta, h.clone()]
 }
 
-/// `beta_r`, `eta` at a thrust, in doubles: (2) along the states that (5) allows.
+/// `beta_r`, `eta` at a thrust, in doubles: what (2) and (5) have in common along the states that (5) allows.
 pub(super) fn with_thrust(weight: SelfWeight, h: f64) -> [f64; 2] {
     let ring = |joint: &Angle<f64>| touched_ring(weight, joint.times_cotangent(), h);
-    let joint =
-        joint_where(touching_square(h), |joint| thrust::lower(joint, &ring(joint)).residual(&h));
+    let joint = joint_where(touching_square(h), |joint| touching(joint, &ring(joint)).residual(&h));
     [joint.rad, ring(&joint).thickness]
 }
 
@@ -115,6 +129,12 @@ pub fn rotational_with_thickness<T: Start>(weight: SelfWeight, eta: &T) -> [T; 2
     let alpha = (eta.int(48) * eta).sqrt().sqrt();
     if alpha < SMALL {
         let [beta, _, h] = rotational(weight, &alpha);
+        return [beta, h];
+    }
+    let [_, gap, _] = beside_end(weight);
+    let part = (eta.clone() - end(weight, eta).thickness) / eta.like(gap);
+    if part < 1.0 {
+        let [beta, _, h] = near_end(weight, &part);
         return [beta, h];
     }
     let ring = Ring::new(weight, &eta.to_double());
@@ -233,7 +253,13 @@ mod tests {
             for exponent in [10, 16, 20, 30, 60, 120] {
                 let alpha = Float::with_val(600, end - (Float::with_val(600, 1) >> exponent));
                 let (start, truth) = (rotational(weight, &alpha), polished(weight, &alpha));
-                assert_close(&start, &truth, 1e-3, &format!("{weight:?} 2^-{exponent}"));
+                let what = format!("{weight:?} 2^-{exponent}");
+                assert_close(&start, &truth, 1e-3, &what);
+                let [beta, eta, h] = &truth;
+                let [found, thickness, _] = rotational_with_thrust(weight, h);
+                assert_close(&[found, thickness], &truth[..2], 1e-3, &what);
+                let found = rotational_with_thickness(weight, eta);
+                assert_close(&found, &[beta.clone(), h.clone()], 1e-3, &what);
             }
         }
     }

@@ -85,9 +85,8 @@ impl StatesByValue {
     /// Finds all states with the value, every figure correctly rounded to `digits` significant digits.
     pub fn find(&self, weight: SelfWeight, digits: usize) -> Result<StatesOfValue, Error> {
         Refused::digits(digits)?;
-        let unlimited = Self { friction: Friction::Infinite, ..self.clone() }.arch(weight)?;
         let (quantity, value, arch) = (self.quantity, &self.value, self.arch(weight)?);
-        Search { quantity, value, arch, unlimited, digits }.all()
+        Search { quantity, value, arch, digits }.all()
     }
 }
 

@@ -1,7 +1,7 @@
 //! Questions that can be asked the other way round, and the answers in digits.
 
 use super::line::{beyond, point_on};
-use super::widest::{at_thickness, bits_lost, widest};
+use super::widest::{at_thickness, bits_lost, exact_end, widest};
 use crate::arch::{Configuration, SelfWeight};
 use crate::certify::state::assess::Wanted;
 use crate::certify::state::inquiry::Inquiry;
@@ -124,7 +124,6 @@ pub fn find(weight: SelfWeight, question: &Question, digits: usize) -> Result<Fi
     let arch = question.arch(weight)?;
     question.thickness().map_or(Ok(()), Refused::thickness)?;
     let two = ExactNumber::from(&Rational::from(2));
-    let limit = question.thickness().is_none_or(|eta| eta.factor() == two.factor());
     let eta = question.thickness().unwrap_or(&two);
     let found: Result<Finding, Error> = match question {
         Question::HalfOpening { .. } if arch.friction().is_zero() => {
@@ -136,8 +135,9 @@ pub fn find(weight: SelfWeight, question: &Question, digits: usize) -> Result<Fi
                 Some(_) => "every narrower arch stands at this thickness, no wider one does",
                 None => "every narrower arch stands at some thickness, no wider one does at any",
             };
+            let end = exact_end(weight, Quantity::Thickness, eta);
             Ok(in_digits(&query, digits, &defined(proved), |query| {
-                let (mode, at) = widest(query, limit)?;
+                let (mode, at) = widest(query, end)?;
                 Ok(place(vec![mode], &at, Sought::HalfOpening))
             })?)
         }

@@ -4,12 +4,15 @@
 //! least one of the half opening. The thrust and the touching joint do not see the half opening: they are
 //! found first and tell the mode.
 
-use crate::arch::{Configuration, Ring, Unknown, contact, thrust};
+use crate::arch::{Configuration, Ring, SelfWeight, Unknown, contact, thrust};
+use crate::certify::landmark::CertifiedLandmark;
 use crate::certify::state::inner::by_the_higher_joint;
 use crate::certify::state::mode::prove;
 use crate::certify::state::query::Query;
 use crate::number::{Angle, Ball, ExactNumber, Field};
-use crate::problem::{Arch, Condition, Examined, Mode, System, room_for_steepest};
+use crate::problem::{
+    Arch, Condition, Examined, Landmark, Mode, Quantity, System, room_for_steepest,
+};
 use crate::prover::Undecided;
 use crate::prover::arithmetic::Arithmetic;
 use crate::prover::decide::{decide, require, require_condition};
@@ -52,11 +55,35 @@ pub(in crate::certify::state) fn bits_lost(query: &Query) -> u32 {
     u32::try_from(6 * narrow + 4 * rough).unwrap_or(u32::MAX)
 }
 
-/// The widest half opening for the thickness and the friction of `query`, which has no half opening;
-/// `is_limit` if the thickness is exactly 2.
+/// The end of rotation or of overturning, where a quantity has exactly this value there.
+pub(in crate::certify::state) fn exact_end(
+    weight: SelfWeight,
+    quantity: Quantity,
+    value: &ExactNumber,
+) -> Option<Landmark> {
+    let value = value.is_rational().then(|| value.to_rational())?;
+    let ends = [Landmark::RotationEnd, Landmark::OverturningEnd];
+    ends.into_iter().find(|end| {
+        let exact = CertifiedLandmark::new(*end, weight).ok().and_then(|end| end.exact(quantity));
+        exact.is_some_and(|exact| exact.rational() == Some(&value))
+    })
+}
+
+/// Place of the end of rotation or of overturning.
+pub(in crate::certify::state) fn at_end<E: Arithmetic>(
+    end: Landmark,
+    weight: SelfWeight,
+    bits: u32,
+) -> Result<Configuration<E>, Undecided> {
+    let end = CertifiedLandmark::new(end, weight)?.enclosure(bits)?;
+    Ok(end.configuration().map_ref(|x| E::from_ball(x, bits)))
+}
+
+/// The widest half opening for the thickness and the friction of `query`, which has no half opening; `end` is where
+/// the thickness is [exactly](exact_end) that of an end.
 pub(in crate::certify::state) fn widest<E: Arithmetic>(
     query: &Query<E>,
-    is_limit: bool,
+    end: Option<Landmark>,
 ) -> Result<ModeAt<E>, Undecided> {
     let slides = match query.friction() {
         Some(friction) if friction.candidate() < ROUGH => where_both_slide(query),
@@ -65,9 +92,12 @@ pub(in crate::certify::state) fn widest<E: Arithmetic>(
     if let Ok(Some(found)) = slides {
         return Ok(found);
     }
-    let touches = match is_limit {
-        true => at_physical_limit(query),
-        false => where_the_shoulder_ends(query),
+    let touches = match end {
+        Some(Landmark::OverturningEnd) => at_physical_limit(query),
+        Some(end) if !query.is_limited => {
+            Ok((Mode::Overturning, at_end(end, query.weight, query.bits)?))
+        }
+        end => where_the_shoulder_ends(query, end.is_some()),
     };
     // What stays open about sliding is the reason where nothing else is found.
     touches.map_err(|open| slides.err().unwrap_or(open))
@@ -136,11 +166,16 @@ fn tangent_start<E: Arithmetic>(query: &Query<E>, at: &Configuration<E>) -> E::C
     start::tangent_joint(&(at.thrust.clone() - without).candidate())
 }
 
-/// The half opening whose least thickness is the one given, below 2.
-fn where_the_shoulder_ends<E: Arithmetic>(query: &Query<E>) -> Result<ModeAt<E>, Undecided> {
+/// The half opening whose least thickness is the one given, below 2; `is_end` if it is exactly that of the end of
+/// rotation, where nothing rotates any more.
+fn where_the_shoulder_ends<E: Arithmetic>(
+    query: &Query<E>,
+    is_end: bool,
+) -> Result<ModeAt<E>, Undecided> {
     let beyond = contact::crown_slope(query.weight, &query.given);
     let question = "whether the arch is thicker than at the end of rotation";
-    let rotates = decide(&-beyond, question, &[Mode::Rotational, Mode::Overturning])?;
+    let between = [Mode::Rotational, Mode::Overturning];
+    let rotates = !is_end && decide(&-beyond, question, &between)?;
     let slid = match query.friction() {
         Some(mu) => {
             let start = start::inner_sliding(&mu.candidate());

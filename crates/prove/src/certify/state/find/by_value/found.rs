@@ -2,7 +2,7 @@
 
 use crate::certify::state::state::Fall;
 use crate::problem::{Mode, Quantity};
-use crate::prover::{Error, Figure, Undecided};
+use crate::prover::{Absence, Figure, Undecided};
 
 /// All states with a value.
 #[derive(Clone, Debug)]
@@ -12,8 +12,8 @@ pub struct StatesOfValue {
     pub states: Vec<Result<StateOfValue, Undecided>>,
     /// Half openings that have the value with unlimited friction, and another state with this one.
     pub others: Vec<Result<OtherState, Undecided>>,
-    /// Reason why there is no state at all.
-    pub none: Option<&'static str>,
+    /// Proof that there is no state at all.
+    pub none: Option<Absence>,
     /// Statement that is proved besides: why there are no others.
     pub proved: &'static str,
 }
@@ -59,24 +59,19 @@ impl StateOfValue {
 }
 
 impl StatesOfValue {
-    pub(super) fn none(reason: &'static str, proved: &'static str) -> Self {
-        Self { states: Vec::new(), others: Vec::new(), none: Some(reason), proved }
-    }
-
     /// Reason why something stays open, if anything does.
     pub fn first_open(&self) -> Option<&Undecided> {
         let states = self.states.iter().find_map(|of| of.as_ref().err());
         states.or_else(|| self.others.iter().find_map(|of| of.as_ref().err()))
     }
 
-    /// States by their half opening, with the reason why there is none if there is none.
-    pub(super) fn sorted(mut self, reason: &'static str) -> Result<Self, Error> {
+    /// States in the order of their half openings.
+    pub(super) fn sorted(mut self) -> Self {
         let opening = |of: &Result<StateOfValue, Undecided>| {
             let values = of.as_ref().ok().and_then(|state| state.values.first());
             values.map_or(f64::INFINITY, |(_, figure)| figure.double)
         };
         self.states.sort_by(|a, b| opening(a).total_cmp(&opening(b)));
-        self.none = self.states.is_empty().then_some(reason);
-        Ok(self)
+        self
     }
 }

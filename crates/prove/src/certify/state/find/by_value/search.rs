@@ -1,16 +1,18 @@
 //! The search for the states with a value.
 
 use super::found::{OtherState, StateOfValue, StatesOfValue};
-use crate::arch::{Configuration, SelfWeight, Unknown, thrust};
+use crate::arch::haunch::{Haunch, touching_root};
+use crate::arch::{Configuration, Ring, SelfWeight, Unknown, contact, overturning, thrust};
 use crate::certify::equation::touched_thicknesses;
-use crate::certify::state::find::widest::{ModeAt, at_thickness, bits_lost, widest};
+use crate::certify::state::find::widest::{at_end, at_thickness, bits_lost, exact_end, widest};
 use crate::certify::state::mode::outcome;
 use crate::certify::state::query::{GUARD, Query};
 use crate::certify::state::state::{Outcome, State};
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Real, Stumpff, bits_of};
 use crate::problem::{Arch, Equation, Mode, Quantity, System};
 use crate::prover::arithmetic::Arithmetic;
-use crate::prover::decide::{decide, ensure};
+use crate::prover::count::Count;
+use crate::prover::decide::{decide, ensure, require};
 use crate::prover::root::{Form, root_near};
 use crate::prover::{Error, Figure, Undecided, raise};
 use crate::solve::start;
@@ -28,19 +30,11 @@ pub(super) struct Search<'a> {
     pub(super) value: &'a ExactNumber,
     /// Arch of the friction, with something in place of the half opening.
     pub(super) arch: Arch,
-    /// Arch of unlimited friction.
-    pub(super) unlimited: Arch,
     pub(super) digits: usize,
 }
 
-/// Family of states on which a thickness is sought.
-#[derive(Clone, Copy)]
-enum Family {
-    /// The purely rotational curve, with the number of its thickness.
-    Curve(usize),
-    /// States that slide inside.
-    Inside,
-}
+/// Candidate that is proved to be a state, or to be none (`None`); or why that stays open.
+type Candidate = Result<Option<StateOfValue>, Undecided>;
 
 impl Search<'_> {
     fn weight(&self) -> SelfWeight {
@@ -79,46 +73,72 @@ impl Search<'_> {
     /// All states with the value.
     pub(super) fn all(&self) -> Result<StatesOfValue, Error> {
         if self.arch.friction().is_zero() {
-            return Ok(StatesOfValue::none("without friction nothing stands", OF_THICKNESS));
+            let none = Count::proved(0, "without friction nothing stands");
+            return Ok(self.sieved(none, Vec::new(), "")?);
         }
-        match self.quantity {
+        Ok(match self.quantity {
             Quantity::RotationJoint | Quantity::Thrust => self.on_curve(),
             Quantity::Thickness => self.with_thickness(),
             _ => self.with_opening_variable(),
+        }?)
+    }
+
+    /// Statement why there are no others.
+    fn proved(&self) -> &'static str {
+        match self.quantity {
+            _ if self.arch.friction().is_zero() => OF_THICKNESS,
+            Quantity::RotationJoint => OF_JOINT,
+            Quantity::Thrust => OF_THRUST,
+            Quantity::Thickness => OF_THICKNESS,
+            _ => OF_OPENING,
         }
     }
 
-    /// States with a joint, or with a thrust.
-    fn on_curve(&self) -> Result<StatesOfValue, Error> {
+    fn sieved(
+        &self,
+        count: Count,
+        candidates: Vec<Candidate>,
+        excluded: &'static str,
+    ) -> Result<StatesOfValue, Undecided> {
+        let (states, none) = count.sieved(candidates, excluded)?;
+        Ok(StatesOfValue { states, others: Vec::new(), none, proved: self.proved() }.sorted())
+    }
+
+    /// States with a joint, or with a thrust: each point of the purely rotational curve that has it is a candidate,
+    /// and for a joint the one state that slides inside.
+    fn on_curve(&self) -> Result<StatesOfValue, Undecided> {
         let of_joint = self.quantity == Quantity::RotationJoint;
-        let proved = if of_joint { OF_JOINT } else { OF_THRUST };
-        let count = match of_joint {
+        let is_limited = self.arch.is_limited();
+        let points = match of_joint {
             true => self.raised(|bits| Ok(Some(self.of_joint(bits)?.len())))?,
             false => 1,
         };
-        let is_limited = self.arch.is_limited();
-        let mut found = StatesOfValue::none("no state has this joint", proved);
-        for curve in 0..count {
-            let state = self.raised(|bits| self.curve_state(curve, bits));
-            let has_other = is_limited
-                && !matches!(&state, Ok(Some(StateOfValue { mode: Mode::Rotational, .. })));
-            if has_other {
-                found.others.push(self.raised(|bits| self.other(curve, bits)));
+        let mut others = Vec::new();
+        let mut candidates: Vec<Candidate> = Vec::new();
+        for number in 0..points {
+            candidates.push(self.raised(|bits| self.curve_state(number, bits)));
+            if is_limited
+                && !matches!(candidates.last(), Some(Ok(Some(state))) if state.mode == Mode::Rotational)
+            {
+                others.push(self.raised(|bits| self.other(number, bits)));
             }
-            found.states.extend(state.transpose());
         }
-        if is_limited && of_joint {
-            let inside = self.raised(|bits| self.inside_state(bits));
-            found.states.extend(inside.transpose());
+        let slides_inside = usize::from(is_limited && of_joint);
+        if slides_inside > 0 {
+            candidates.push(self.raised(|bits| self.inside_state(bits)));
         }
         if is_limited && !of_joint {
             self.raised(|bits| self.is_not_that_of_sliding(bits).map(Some))?;
         }
-        found.sorted(match (count, of_joint) {
-            (0, _) if !is_limited => "no state has a joint beyond the widest one, beta_sb",
-            (_, true) => "with this friction no state has this joint",
-            _ => "with this friction no state has this thrust",
-        })
+        let count = Count::proved(
+            points + slides_inside,
+            "no state has a joint beyond the widest one, beta_sb",
+        );
+        let excluded = match of_joint {
+            true => "with this friction no state has this joint",
+            false => "with this friction no state has this thrust",
+        };
+        Ok(StatesOfValue { others, ..self.sieved(count, candidates, excluded)? })
     }
 
     /// Thicknesses of the purely rotational curve at the joint.
@@ -126,39 +146,62 @@ impl Search<'_> {
         touched_thicknesses(self.weight(), &Angle::new(self.ball(bits)), bits)
     }
 
-    /// Thickness of a family; `None` if the joint is none of it.
-    fn thickness(&self, family: Family, bits: u32) -> Result<Option<Ball>, Undecided> {
-        match (family, self.quantity) {
-            (Family::Inside, _) => self.inside(bits),
-            (Family::Curve(number), Quantity::RotationJoint) => {
-                Ok(self.of_joint(bits)?.into_iter().nth(number))
+    /// A point of the purely rotational curve that has the value: its thickness and thrust, and the half opening of (4).
+    fn curve_point(&self, number: usize, bits: u32) -> Result<[Ball; 3], Undecided> {
+        let (square, thickness, thrust) = match self.quantity {
+            Quantity::RotationJoint => {
+                let joint = Angle::new(self.ball(bits));
+                let found = self.of_joint(bits)?.into_iter().nth(number);
+                let thickness = found.ok_or_else(Undecided::no_solution)?;
+                let (ring, haunch) = (Ring::new(self.weight(), &thickness), Haunch::from(&joint));
+                let thrust = thrust::touching(&haunch.versine, &haunch.excess, &ring).value();
+                (joint.rad.square(), thickness, thrust)
             }
-            (Family::Curve(_), _) => self.of_thrust(bits).map(Some),
+            _ => {
+                let h = self.ball(bits);
+                let [square, thickness] = self.of_thrust(&h, bits)?;
+                (square, thickness, h)
+            }
+        };
+        // Where (2) and (5) hold, with these in their ranges, the point is on the curve.
+        let at = Configuration::zero(&thickness).with(Unknown::Thickness, thickness.clone());
+        let before_end = -contact::crown_slope(self.weight(), &at);
+        for (margin, what) in [
+            (&square, "a touching joint below the crown"),
+            (
+                &(square.pi().square() - square.int(4) * &square),
+                "a touching joint within a right angle",
+            ),
+            (&thickness, "a positive thickness"),
+            (&before_end, "an arch that is thinner than at the end of rotation"),
+        ] {
+            require(margin, what)?;
         }
+        let of_thickness =
+            overturning::opening_variable(&Ring::new(self.weight(), &thickness)).value();
+        let alpha = half_opening_of(&(of_thickness + &thrust), bits)?;
+        Ok([thickness, thrust, alpha])
     }
 
-    /// Thickness of the purely rotational curve at the thrust.
-    fn of_thrust(&self, bits: u32) -> Result<Ball, Undecided> {
-        use {Equation as E, Unknown as U};
-        let h = self.ball(bits);
-        let [beta, eta, _] = start::rotational_with_thrust(self.weight(), &h.candidate());
+    /// Square of the joint, and thickness, of the purely rotational curve at a thrust.
+    fn of_thrust(&self, thrust: &Ball, bits: u32) -> Result<[Ball; 2], Undecided> {
+        let [beta, eta, _] = start::rotational_with_thrust(self.weight(), &thrust.candidate());
+        let form = TouchingForm { weight: self.weight(), thrust };
+        let root = root_near(&form, bits, vec![beta.square(), eta])?;
+        root.try_into().map_err(|_| Undecided::no_solution())
+    }
+
+    /// The thrust of (18), at which an inner joint slides; no arch that stands with this friction has a smaller one.
+    fn slid(&self, bits: u32) -> Result<Configuration<Ball>, Undecided> {
         let query: Query = Query::new(&self.arch, bits);
-        let query = Query { given: query.given.clone().with(U::Thrust, h), ..query };
-        let system = System {
-            weight: self.weight(),
-            unknowns: &[U::RotationJoint, U::Thickness],
-            equations: &[E::LowerThrust, E::Tangency],
-            fixed: &[],
-        };
-        Ok(query.root(system, &[beta, eta])?.thickness)
+        let start = start::inner_sliding(&query.given.friction.candidate());
+        query.root(System::inner_sliding(self.weight()), &start)
     }
 
     /// Thickness at which the line of thrust touches the joint at the thrust of (18).
     fn inside(&self, bits: u32) -> Result<Option<Ball>, Undecided> {
         use {Equation as E, Unknown as U};
-        let query: Query = Query::new(&self.arch, bits);
-        let start = start::inner_sliding(&query.given.friction.candidate());
-        let slid = query.root(System::inner_sliding(self.weight()), &start)?;
+        let slid = self.slid(bits)?;
         let joint = Angle::new(self.ball(bits));
         // (5) is beta cot(beta) - h + 1 = 2 fac/(2 - eta), which grows from one.
         let rest = joint.times_cotangent() - &slid.thrust;
@@ -168,6 +211,7 @@ impl Search<'_> {
             return Ok(None);
         }
         let start = touching_start(self.weight(), &rest.candidate());
+        let query = Query::new(&self.arch, bits);
         let given = slid.with(U::RotationJoint, joint.rad);
         let system = System {
             weight: self.weight(),
@@ -178,52 +222,63 @@ impl Search<'_> {
         Ok(Some(Query { given, ..query }.root(system, &[start])?.thickness))
     }
 
-    /// The one arch of which a thickness is the least.
-    fn arch_of(&self, thickness: Ball, arch: &Arch, bits: u32) -> Result<ModeAt<Ball>, Undecided> {
-        let query = Query::new(arch, bits);
-        let given = query.given.clone().with(Unknown::HalfOpening, thickness.int(0));
-        widest(&Query { given: given.with(Unknown::Thickness, thickness), ..query }, false)
-    }
-
-    /// State on the curve, if the arch of its thickness is on it.
-    fn curve_state(
+    /// The one arch of which a thickness is the least, if it collapses in one of some modes.
+    fn arch_of(
         &self,
-        curve: usize,
-        bits: u32,
-    ) -> Result<Option<Option<StateOfValue>>, Undecided> {
-        let modes = [Mode::Rotational, Mode::SlidingRotational];
-        self.state_of(Family::Curve(curve), &modes, bits)
-    }
-
-    /// State that slides inside.
-    fn inside_state(&self, bits: u32) -> Result<Option<Option<StateOfValue>>, Undecided> {
-        let modes = [Mode::RotationalSliding, Mode::RotationalSlidingRotational];
-        self.state_of(Family::Inside, &modes, bits)
-    }
-
-    fn state_of(
-        &self,
-        family: Family,
+        thickness: Ball,
         modes: &[Mode],
         bits: u32,
     ) -> Result<Option<Option<StateOfValue>>, Undecided> {
-        let Some(thickness) = self.thickness(family, bits)? else { return Ok(Some(None)) };
-        let (mode, at) = self.arch_of(thickness, &self.arch, bits)?;
+        let query = Query::new(&self.arch, bits);
+        let given = query.given.clone().with(Unknown::HalfOpening, thickness.int(0));
+        let query = Query { given: given.with(Unknown::Thickness, thickness), ..query };
+        let (mode, at) = widest(&query, None)?;
         if !modes.contains(&mode) {
             return Ok(Some(None));
         }
         Ok(self.shown(mode, &at)?.map(Some))
     }
 
+    /// State at a point of the curve: the purely rotational one of its half opening, which it is with unlimited friction;
+    /// or one of its thickness whose shoulder slides.
+    fn curve_state(
+        &self,
+        number: usize,
+        bits: u32,
+    ) -> Result<Option<Option<StateOfValue>>, Undecided> {
+        let [thickness, thrust, alpha] = self.curve_point(number, bits)?;
+        match self.outcome_at(&alpha, bits)? {
+            Outcome::Stands(state) if state.mode == Mode::Rotational => {
+                Ok(self.shown(state.mode, &placed(&state, &alpha))?.map(Some))
+            }
+            _ if self.arch.is_limited() => {
+                let margin = thrust - &self.slid(bits)?.thrust;
+                match decide(&margin, "whether an inner joint slides", &[])? {
+                    true => self.arch_of(thickness, &[Mode::SlidingRotational], bits),
+                    false => Ok(Some(None)),
+                }
+            }
+            _ => Err(Undecided::new("whether the state that is found is purely rotational")),
+        }
+    }
+
+    /// State that slides inside.
+    fn inside_state(&self, bits: u32) -> Result<Option<Option<StateOfValue>>, Undecided> {
+        let modes = [Mode::RotationalSliding, Mode::RotationalSlidingRotational];
+        match self.inside(bits)? {
+            Some(thickness) => self.arch_of(thickness, &modes, bits),
+            None => Ok(Some(None)),
+        }
+    }
+
     /// State, with this friction, of the half opening that has the value with unlimited friction.
-    fn other(&self, curve: usize, bits: u32) -> Result<Option<OtherState>, Undecided> {
-        let Some(thickness) = self.thickness(Family::Curve(curve), bits)? else { return Ok(None) };
-        let (_, at) = self.arch_of(thickness, &self.unlimited, bits)?;
-        let mode = match self.outcome_at(&at.half_opening.rad, bits)? {
+    fn other(&self, number: usize, bits: u32) -> Result<Option<OtherState>, Undecided> {
+        let [.., alpha] = self.curve_point(number, bits)?;
+        let mode = match self.outcome_at(&alpha, bits)? {
             Outcome::Stands(state) => Ok(state.mode),
             Outcome::Falls(fall) => Err(fall),
         };
-        let half_opening = Figure::new(&at.half_opening.rad, self.digits);
+        let half_opening = Figure::new(&alpha, self.digits);
         Ok(half_opening.map(|half_opening| OtherState { half_opening, mode }))
     }
 
@@ -236,33 +291,33 @@ impl Search<'_> {
 
     /// Proves that the thrust is not that of an inner joint that slides, which a whole range of arches has.
     fn is_not_that_of_sliding(&self, bits: u32) -> Result<(), Undecided> {
-        let query: Query = Query::new(&self.arch, bits);
-        let start = start::inner_sliding(&query.given.friction.candidate());
-        let slid = query.root(System::inner_sliding(self.weight()), &start)?;
-        let differs = (self.ball(bits) - slid.thrust).excludes_zero();
+        let differs = (self.ball(bits) - self.slid(bits)?.thrust).excludes_zero();
         ensure(differs, "whether the thrust is that at which an inner joint slides")
     }
 
-    fn with_thickness(&self) -> Result<StatesOfValue, Error> {
-        let two = ExactNumber::from(&Rational::from(2));
-        let is_limit = self.value.factor() == two.factor();
+    fn with_thickness(&self) -> Result<StatesOfValue, Undecided> {
+        let end = exact_end(self.weight(), self.quantity, self.value);
         let state = self.raised(|bits| {
-            let (mode, at) = widest(&at_thickness(&self.arch, self.value, bits), is_limit)?;
+            let (mode, at) = widest(&at_thickness(&self.arch, self.value, bits), end)?;
             if mode == Mode::Sliding {
                 return Ok(Some(None));
             }
             Ok(self.shown(mode, &at)?.map(Some))
         });
-        let mut found = StatesOfValue::none("", OF_THICKNESS);
-        found.states.extend(state.transpose());
-        found.sorted(
-            "with this friction every arch that stands needs less, and wider ones slide as [s,s]",
-        )
+        let excluded =
+            "with this friction every arch that stands needs less, and wider ones slide as [s,s]";
+        self.sieved(Count::proved(1, OF_THICKNESS), vec![state], excluded)
     }
 
-    fn with_opening_variable(&self) -> Result<StatesOfValue, Error> {
+    fn with_opening_variable(&self) -> Result<StatesOfValue, Undecided> {
+        let end = exact_end(self.weight(), self.quantity, self.value);
+        let end = end.filter(|_| !self.arch.is_limited());
         let mut fall = "";
         let state = self.raised(|bits| {
+            if let Some(end) = end {
+                let at = at_end(end, self.weight(), bits)?;
+                return Ok(self.shown(Mode::Overturning, &at)?.map(Some));
+            }
             let a = self.ball(bits);
             let alpha = half_opening_of(&a, bits)?;
             match self.outcome_at(&alpha, bits)? {
@@ -275,9 +330,7 @@ impl Search<'_> {
                 }
             }
         });
-        let mut found = StatesOfValue::none("", OF_OPENING);
-        found.states.extend(state.transpose());
-        found.sorted(fall)
+        self.sieved(Count::proved(1, OF_OPENING), vec![state], fall)
     }
 
     /// Figures of a state; `None` if they are not decided.
@@ -341,6 +394,27 @@ fn touching_start(weight: SelfWeight, rest: &Float) -> Float {
             let root = (sum.clone() * &sum * 9u32 + rest.clone() * 12u32).sqrt();
             rest.clone() * 12u32 / (sum * 3u32 + root)
         }
+    }
+}
+
+/// (2) and (5) for the square of the joint and the thickness, at a thrust.
+struct TouchingForm<'a> {
+    weight: SelfWeight,
+    thrust: &'a Ball,
+}
+
+impl Form<Ball> for TouchingForm<'_> {
+    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
+        let (thrust, ring) = (number(self.thrust), Ring::new(self.weight, &x[1]));
+        let tangency = thrust::tangency(&Haunch::at_square(&x[0]).times_cotangent, &ring);
+        vec![touching_root(&thrust.sqrt(), &x[0], &ring), tangency.residual(&thrust)]
+    }
+
+    fn is_regular<T: Enclosure + Stumpff>(&self, _: impl Fn(&Ball) -> T, x: &[T]) -> bool {
+        let ring = Ring::new(self.weight, &x[1]);
+        let divisors = [ring.intrados(), x[1].clone()];
+        let is_bounded = Haunch::at_square(&x[0]).times_cotangent.is_bounded();
+        is_bounded && divisors.iter().all(|x| x.is_positive().is_proved())
     }
 }
 

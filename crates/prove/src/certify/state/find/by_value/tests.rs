@@ -1,13 +1,22 @@
 //! States by another quantity against the states of their half openings.
 
 use super::*;
+use crate::certify::state::find::{Finding, Question, find as answer};
 use crate::certify::state::{Answer, Certify};
 use crate::problem::Mode;
 
 fn find(given: (Quantity, &str), friction: &str, weight: SelfWeight) -> StatesOfValue {
-    let (quantity, value) = given;
+    find_to(25, given, friction, weight)
+}
+
+fn find_to(
+    digits: usize,
+    (quantity, value): (Quantity, &str),
+    friction: &str,
+    weight: SelfWeight,
+) -> StatesOfValue {
     let given = (quantity, value.parse().unwrap());
-    StatesByValue::new(given, friction.parse().unwrap()).unwrap().find(weight, 25).unwrap()
+    StatesByValue::new(given, friction.parse().unwrap()).unwrap().find(weight, digits).unwrap()
 }
 
 fn states(found: &StatesOfValue) -> Vec<&StateOfValue> {
@@ -46,9 +55,13 @@ fn a_joint_has_two_states_below_the_widest_and_none_beyond() {
             }
         }
         let found = find((JOINT, "1.2"), "inf", weight);
-        assert!(found.states.is_empty() && found.none.unwrap().contains("beyond the widest"));
+        assert!(
+            found.states.is_empty() && found.none.unwrap().reason().contains("beyond the widest")
+        );
         let found = find((JOINT, "1.2"), "0.6", weight);
-        assert!(found.none.unwrap().contains("with this friction") && found.others.is_empty());
+        assert!(
+            found.none.unwrap().reason().contains("with this friction") && found.others.is_empty()
+        );
     }
 }
 
@@ -108,7 +121,7 @@ fn a_thrust_a_thickness_and_an_opening_variable_have_one_state_at_most() {
         ((JOINT, "1.0"), "0", "without friction"),
     ] {
         let found = find(given, friction, SelfWeight::Milankovitch);
-        assert!(found.none.unwrap().contains(words), "{given:?}: {:?}", found.none);
+        assert!(found.none.unwrap().reason().contains(words), "{given:?}: {:?}", found.none);
     }
 }
 
@@ -149,6 +162,90 @@ fn what_is_out_of_range_is_refused() {
         assert!(refused.contains(words), "{refused}");
     }
     assert!(StatesByValue::new((Q::Thrust, "0.5".parse().unwrap()), Friction::Infinite).is_ok());
+}
+
+/// Towards the end of rotation the thrust falls to zero: there is one state all the way, and with any friction at the
+/// most one.
+#[test]
+fn every_thrust_has_its_state() {
+    for weight in SelfWeight::ALL {
+        for exponent in (1..=60).chain((65..=200).step_by(15)) {
+            let digits = ["1", "3.7", "9.1"];
+            let few = if exponent > 60 { &digits[..1] } else { &digits[..] };
+            for &digits in few {
+                let given = format!("{digits}e-{exponent}");
+                let given = (Quantity::Thrust, given.as_str());
+                // Next to the end the half opening needs more digits than what it decides.
+                let found = find_to(25 + exponent as usize, given, "inf", weight);
+                let [state] = states(&found)[..] else { panic!("{weight:?} {given:?}: {found:?}") };
+                assert!(state.mode == Mode::Rotational && found.none.is_none(), "{given:?}");
+                is_confirmed(state, given, (weight, "inf"));
+                for friction in ["1e12", "1e20"] {
+                    // An inner joint slides at the thrust 1/(4 mu²) and a little more.
+                    let slides = 2 * friction[2..].parse::<i32>().unwrap() + 1;
+                    let found = find(given, friction, weight);
+                    let is_there = exponent < slides || exponent == slides && digits != "1";
+                    assert_eq!(states(&found).len(), usize::from(is_there), "{given:?} {friction}");
+                    assert_eq!(found.none.is_some(), !is_there, "{given:?} {friction}");
+                    assert_eq!(found.others.len(), usize::from(!is_there), "{given:?} {friction}");
+                }
+            }
+        }
+    }
+}
+
+/// A joint below the widest one has two states, the narrow one and that next to the end of rotation.
+#[test]
+fn every_joint_has_its_two_states() {
+    for weight in SelfWeight::ALL {
+        for exponent in [1, 2, 4, 8, 16, 17, 20, 30, 41, 55, 80, 100, 150] {
+            let given = format!("3.7e-{exponent}");
+            let found = find_to(25 + 2 * exponent, (JOINT, &given), "inf", weight);
+            let states = states(&found);
+            assert_eq!(states.len(), 2, "{weight:?} {given}: {found:?}");
+            for state in states {
+                assert_eq!(state.mode, Mode::Rotational);
+                is_confirmed(state, (JOINT, &given), (weight, "inf"));
+            }
+            for friction in ["1e12", "1e20"] {
+                let found = find((JOINT, &given), friction, weight);
+                assert!(found.first_open().is_none(), "{weight:?} {given} {friction}: {found:?}");
+            }
+        }
+    }
+}
+
+/// What the tables print as exact is an end of a curve, where balls alone decide nothing.
+#[test]
+fn exact_ends_have_their_state() {
+    use {Mode as M, Quantity as Q};
+    let [heyman, milankovitch] = SelfWeight::ALL;
+    for (weight, given, opening) in [
+        (heyman, (Q::Thickness, "1"), "2.64838889915100541147745904"),
+        (heyman, (Q::OpeningVariable, "2/3"), "2.64838889915100541147745904"),
+        (heyman, (Q::OpeningVariable, "1/2"), "2.7864981506511"),
+        (milankovitch, (Q::OpeningVariable, "2/3"), "2.64838889915100541147745904"),
+        (heyman, (Q::Thickness, "2"), "2.7864981506511"),
+        (milankovitch, (Q::Thickness, "2"), "2.64838889915100541147745904"),
+    ] {
+        let found = find(given, "inf", weight);
+        let [state] = states(&found)[..] else { panic!("{weight:?} {given:?}: {found:?}") };
+        assert_eq!(state.mode, M::Overturning, "{given:?}");
+        let found = state.value(Q::HalfOpening);
+        assert!(found.starts_with(&opening[..15]), "{given:?}: {found}");
+        assert_eq!(state.value(Q::Thrust), "0");
+        for friction in ["2", "1e6"] {
+            let found = find(given, friction, weight);
+            assert!(found.first_open().is_none(), "{weight:?} {given:?} {friction}: {found:?}");
+        }
+    }
+    let one = Some("1".parse().unwrap());
+    for (friction, mode) in [("inf", M::Overturning), ("2", M::OverturningSliding)] {
+        let question =
+            Question::HalfOpening { friction: friction.parse().unwrap(), thickness: one.clone() };
+        let Finding::Found(found) = answer(heyman, &question, 20).unwrap() else { panic!() };
+        assert_eq!(found.modes, [mode], "{friction}");
+    }
 }
 
 /// Next to the widest joint nothing is said of what cannot be told.
