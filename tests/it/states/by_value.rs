@@ -1,6 +1,5 @@
 //! States by a value: each one is that of its half opening, and a scan of the half openings between finds no other.
 
-use super::{BOTH, float_text};
 use crate::arches::arch;
 use crate::hard::config;
 use couplet::arch::SelfWeight;
@@ -86,21 +85,19 @@ fn values() -> impl Strategy<Value = (Quantity, Rational)> {
     });
     let landmark =
         prop::sample::select(&[Landmark::RotationEnd, Landmark::OverturningEnd, Landmark::Triple]);
-    let ends = (weight(), landmark, beside).prop_map(|(weight, landmark, hair)| {
+    let ends = (quantity.clone(), weight(), landmark, beside);
+    let ends = ends.prop_filter_map("has one", |(quantity, weight, landmark, hair)| {
         let point = CertifiedLandmark::new(landmark, weight).unwrap();
-        move |quantity: Quantity| {
-            let at = point.constant(quantity, 40).ok()?.to_string().parse::<ExactNumber>().ok()?;
-            Some(at.to_rational() + &hair)
-        }
+        let at = point.constant(quantity, 40).ok()?.to_string().parse::<ExactNumber>().ok()?;
+        Some((quantity, at.to_rational() + &hair))
     });
     prop_oneof![
         (quantity.clone(), part).prop_map(|(quantity, part)| {
             let most = if quantity == Quantity::Thrust { 1 } else { 2 };
             (quantity, part * most)
         }),
-        (quantity.clone(), tiny),
-        (quantity, ends)
-            .prop_filter_map("has one", |(quantity, end)| Some((quantity, end(quantity)?))),
+        (quantity, tiny),
+        ends,
     ]
 }
 
