@@ -66,7 +66,9 @@ fn found(
 ) -> Option<StatesOfValue> {
     let asked =
         StatesByValue::new((quantity, ExactNumber::from(given)), friction.parse().unwrap()).ok()?;
-    match asked.find(weight, 40) {
+    // Next to an end a value has a high power of the distance from it, in whose digits the half opening ends.
+    let small = given.denom().significant_bits().saturating_sub(given.numer().significant_bits());
+    match asked.find(weight, 120 + small as usize) {
         Ok(found) => Some(found),
         Err(Error::Undecided(open)) => panic!("{weight:?} {quantity:?} {given} {friction}: {open}"),
         Err(_) => None,

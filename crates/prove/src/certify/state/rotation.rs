@@ -16,16 +16,33 @@ use crate::solve::start::Start;
 
 /// The joint itself as the unknown, or its square.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum JointForm {
+pub(super) enum JointForm {
     Angle,
     Square,
 }
 
 impl JointForm {
-    fn haunch<T: Real + Stumpff>(self, unknown: T) -> Haunch<T> {
+    /// The unknown near a joint, at a precision of `bits` bits: the square where that is small.
+    pub(super) fn near<E: Arithmetic>(beta: E::Candidate, bits: u32) -> (Self, E::Candidate) {
+        let exponent = beta.exponent_of_size().map_or(0, |exponent| 2 * exponent);
+        match E::is_small(exponent, bits) {
+            true => (Self::Square, beta.square()),
+            false => (Self::Angle, beta),
+        }
+    }
+
+    pub(super) fn haunch<T: Real + Stumpff>(self, unknown: T) -> Haunch<T> {
         match self {
             Self::Angle => Haunch::from(&Angle::new(unknown)),
             Self::Square => Haunch::at_square(&unknown),
+        }
+    }
+
+    /// The joint by the unknown, rad.
+    pub(super) fn rad<T: Real>(self, unknown: &T) -> T {
+        match self {
+            Self::Angle => unknown.clone(),
+            Self::Square => unknown.sqrt(),
         }
     }
 }
@@ -35,18 +52,13 @@ pub(super) fn rotational_root<E: Arithmetic>(
     query: &Query<E>,
     [beta, eta]: [E::Candidate; 2],
 ) -> Result<Configuration<E>, Undecided> {
-    let exponent = beta.exponent_of_size().map_or(0, |exponent| 2 * exponent);
-    let (joint, start) = match E::is_small(exponent, query.bits) {
-        true => (JointForm::Square, [beta.square(), eta]),
-        false => (JointForm::Angle, [beta, eta]),
-    };
-    let (root, sines) = E::rooted(&RotationEquations { query, joint }, query.bits, &start)?;
-    let (angle, haunch) = match joint {
-        JointForm::Angle => {
-            let angle = E::angle(&sines, &root[0]);
-            (angle.clone(), Haunch::from(&angle))
-        }
-        JointForm::Square => (E::angle(&sines, &root[0].sqrt()), joint.haunch(root[0].clone())),
+    let (joint, start) = JointForm::near::<E>(beta, query.bits);
+    let equations = RotationEquations { query, joint };
+    let (root, sines) = E::rooted(&equations, query.bits, &[start, eta])?;
+    let angle = E::angle(&sines, &joint.rad(&root[0]));
+    let haunch = match joint {
+        JointForm::Angle => Haunch::from(&angle),
+        JointForm::Square => joint.haunch(root[0].clone()),
     };
     let thrust = thrust_at(query.weight, &haunch, &root[1]);
     let at = Configuration { rotation_joint: angle, ..query.given.clone() };

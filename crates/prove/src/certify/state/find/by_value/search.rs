@@ -1,12 +1,13 @@
 //! The search for the states with a value.
 
 use super::found::{OtherState, StateOfValue, StatesOfValue};
-use crate::arch::haunch::{Haunch, touching_root};
+use crate::arch::haunch::Haunch;
 use crate::arch::{Configuration, Ring, SelfWeight, Unknown, contact, overturning, thrust};
 use crate::certify::equation::touched_thicknesses;
 use crate::certify::state::find::widest::{at_end, at_thickness, bits_lost, exact_end, widest};
 use crate::certify::state::mode::outcome;
 use crate::certify::state::query::{GUARD, Query};
+use crate::certify::state::rotation::JointForm;
 use crate::certify::state::state::{Outcome, State};
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Real, Stumpff, bits_of};
 use crate::problem::{Arch, Equation, Mode, Quantity, System};
@@ -148,30 +149,27 @@ impl Search<'_> {
 
     /// A point of the purely rotational curve that has the value: its thickness and thrust, and the half opening of (4).
     fn curve_point(&self, number: usize, bits: u32) -> Result<[Ball; 3], Undecided> {
-        let (square, thickness, thrust) = match self.quantity {
+        let (joint, thickness, thrust) = match self.quantity {
             Quantity::RotationJoint => {
                 let joint = Angle::new(self.ball(bits));
                 let found = self.of_joint(bits)?.into_iter().nth(number);
                 let thickness = found.ok_or_else(Undecided::no_solution)?;
                 let (ring, haunch) = (Ring::new(self.weight(), &thickness), Haunch::from(&joint));
                 let thrust = thrust::touching(&haunch.versine, &haunch.excess, &ring).value();
-                (joint.rad.square(), thickness, thrust)
+                (joint.rad, thickness, thrust)
             }
             _ => {
                 let h = self.ball(bits);
-                let [square, thickness] = self.of_thrust(&h, bits)?;
-                (square, thickness, h)
+                let [joint, thickness] = self.of_thrust(&h, bits)?;
+                (joint, thickness, h)
             }
         };
         // Where (2) and (5) hold, with these in their ranges, the point is on the curve.
         let at = Configuration::zero(&thickness).with(Unknown::Thickness, thickness.clone());
         let before_end = -contact::crown_slope(self.weight(), &at);
         for (margin, what) in [
-            (&square, "a touching joint below the crown"),
-            (
-                &(square.pi().square() - square.int(4) * &square),
-                "a touching joint within a right angle",
-            ),
+            (&joint, "a touching joint below the crown"),
+            (&(joint.pi() - joint.int(2) * &joint), "a touching joint within a right angle"),
             (&thickness, "a positive thickness"),
             (&before_end, "an arch that is thinner than at the end of rotation"),
         ] {
@@ -183,12 +181,13 @@ impl Search<'_> {
         Ok([thickness, thrust, alpha])
     }
 
-    /// Square of the joint, and thickness, of the purely rotational curve at a thrust.
+    /// Joint and thickness of the purely rotational curve at a thrust.
     fn of_thrust(&self, thrust: &Ball, bits: u32) -> Result<[Ball; 2], Undecided> {
         let [beta, eta, _] = start::rotational_with_thrust(self.weight(), &thrust.candidate());
-        let form = TouchingForm { weight: self.weight(), thrust };
-        let root = root_near(&form, bits, vec![beta.square(), eta])?;
-        root.try_into().map_err(|_| Undecided::no_solution())
+        let (joint, start) = JointForm::near::<Ball>(beta, bits);
+        let form = TouchingForm { weight: self.weight(), thrust, joint };
+        let root = root_near(&form, bits, vec![start, eta])?;
+        Ok([joint.rad(&root[0]), root[1].clone()])
     }
 
     /// The thrust of (18), at which an inner joint slides; no arch that stands with this friction has a smaller one.
@@ -397,38 +396,43 @@ fn touching_start(weight: SelfWeight, rest: &Float) -> Float {
     }
 }
 
-/// (2) and (5) for the square of the joint and the thickness, at a thrust.
+/// (2) and (5) for the joint and the thickness, at a thrust.
 struct TouchingForm<'a> {
     weight: SelfWeight,
     thrust: &'a Ball,
+    joint: JointForm,
 }
 
 impl Form<Ball> for TouchingForm<'_> {
     fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
         let (thrust, ring) = (number(self.thrust), Ring::new(self.weight, &x[1]));
-        let tangency = thrust::tangency(&Haunch::at_square(&x[0]).times_cotangent, &ring);
-        vec![touching_root(&thrust.sqrt(), &x[0], &ring), tangency.residual(&thrust)]
+        let haunch = self.joint.haunch(x[0].clone());
+        let both = thrust::touching(&haunch.versine, &haunch.excess, &ring);
+        let tangency = thrust::tangency(&haunch.times_cotangent, &ring);
+        [both, tangency].map(|of| of.residual(&thrust)).into()
     }
 
     fn is_regular<T: Enclosure + Stumpff>(&self, _: impl Fn(&Ball) -> T, x: &[T]) -> bool {
-        let ring = Ring::new(self.weight, &x[1]);
+        let (haunch, ring) = (self.joint.haunch(x[0].clone()), Ring::new(self.weight, &x[1]));
         let divisors = [ring.intrados(), x[1].clone()];
-        let is_bounded = Haunch::at_square(&x[0]).times_cotangent.is_bounded();
-        is_bounded && divisors.iter().all(|x| x.is_positive().is_proved())
+        haunch.excess.is_bounded() && divisors.iter().all(|x| x.is_positive().is_proved())
     }
 }
 
-/// `A = alpha cot(alpha/2)` for the half opening.
-struct OpeningForm<'a>(&'a Ball);
+/// `A = alpha cot(alpha/2)` for half of the half opening.
+struct OpeningForm<'a> {
+    opening_variable: &'a Ball,
+    half: JointForm,
+}
 
 impl Form<Ball> for OpeningForm<'_> {
     fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
-        let alpha = Angle::new(x[0].clone());
-        vec![thrust::opening_variable(&alpha).residual(&number(self.0))]
+        let times_cotangent = self.half.haunch(x[0].clone()).times_cotangent;
+        vec![times_cotangent * x[0].int(2) - number(self.opening_variable)]
     }
 
     fn is_regular<T: Enclosure + Stumpff>(&self, _: impl Fn(&Ball) -> T, x: &[T]) -> bool {
-        Angle::new(x[0].clone()).versine().excludes_zero()
+        self.half.haunch(x[0].clone()).times_cotangent.is_bounded()
     }
 }
 
@@ -439,7 +443,7 @@ fn half_opening_of(a: &Ball, bits: u32) -> Result<Ball, Undecided> {
     let rest = a.int(2) - a;
     let start = match rest.candidate() {
         // A = 2 - alpha²/6 - ….
-        rest if rest < NARROW => (rest * 6u32).sqrt(),
+        rest if rest < NARROW => (rest * 3u32 / 2u32).sqrt(),
         _ => {
             let (mut low, mut high) = (0.0f64, std::f64::consts::PI);
             let a = a.mid().to_f64();
@@ -448,10 +452,12 @@ fn half_opening_of(a: &Ball, bits: u32) -> Result<Ball, Undecided> {
                 let value = thrust::opening_variable(&Angle::new(middle)).value();
                 if value > a { low = middle } else { high = middle }
             }
-            Float::with_val(bits, low)
+            Float::with_val(bits, 0.5 * low)
         }
     };
-    let alpha = root_near(&OpeningForm(a), bits, vec![start])?.remove(0);
+    let (half, start) = JointForm::near::<Ball>(start, bits);
+    let root = root_near(&OpeningForm { opening_variable: a, half }, bits, vec![start])?.remove(0);
+    let alpha = half.rad(&root) * root.int(2);
     let inside = (alpha.pi() - &alpha).is_positive().is_proved() && alpha.is_positive().is_proved();
     ensure(inside, "a half opening between 0 and pi")?;
     Ok(alpha)

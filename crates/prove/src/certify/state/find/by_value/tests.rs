@@ -93,6 +93,8 @@ fn a_thrust_a_thickness_and_an_opening_variable_have_one_state_at_most() {
     for weight in SelfWeight::ALL {
         for (given, friction, mode) in [
             ((Q::Thrust, "0.6"), "inf", Mode::Rotational),
+            ((Q::Thrust, "0.3"), "inf", Mode::Rotational),
+            ((Q::Thrust, "0.01"), "inf", Mode::Rotational),
             ((Q::Thrust, "0.6"), "0.6", Mode::Rotational),
             ((Q::Thrust, "0.999"), "0.6", Mode::Rotational),
             ((Q::Thrust, "0.6"), "0.35", Mode::SlidingRotational),
