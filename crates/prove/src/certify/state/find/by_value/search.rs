@@ -1,5 +1,6 @@
 //! The search for the states with a value.
 
+use super::exact::is_value;
 use super::found::{OtherState, StateOfValue, StatesOfValue};
 use crate::arch::{Configuration, SelfWeight, Unknown, thrust};
 use crate::certify::equation::touched_thicknesses;
@@ -303,8 +304,9 @@ impl Search<'_> {
             let value = value?;
             let figure = match quantity == given && exact.is_rational() {
                 true => Figure::exact(exact, self.digits),
-                // Overturning, a rational A and a rational thickness may go together.
-                false => Figure::around(&value, self.digits),
+                false => Figure::proved(&value, self.digits, |x| {
+                    is_value(self.weight(), mode, (given, exact), quantity, &value, x)
+                }),
             };
             Some(figure.map(|figure| (quantity, figure)))
         };
