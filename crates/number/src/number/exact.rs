@@ -1,5 +1,7 @@
 //! Exact input: decimals, fractions, multiples of pi and arctangents, read as text and never rounded.
 
+mod sine;
+
 use super::range::{TELL_OF_RANGES, is_range};
 use super::tangent::angle_of_tangent;
 use super::unit::{AngleUnit, unit};

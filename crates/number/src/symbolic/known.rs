@@ -2,6 +2,7 @@
 
 use super::{Fraction, Letters, Polynomial, Relations, Symbol};
 use crate::number::{Angle, Ball, Enclosure, ExactField, ExactNumber, Field, Form, Real};
+use num_rational::BigRational;
 use rug::Rational;
 
 /// A number of some bits: an equation over it gives the exact value where there is one, and a ball elsewhere.
@@ -32,24 +33,6 @@ fn roots() -> Relations {
     rules.into_iter().fold(Relations::none(), |all, (root, power, n)| all.with(root, power, n))
 }
 
-/// Sine and cosine of a part of pi between 0 and 1, where they are in the field of √2 or of √3.
-fn sine_cosine(part: &Rational) -> Option<[Fraction; 2]> {
-    let mirrored = Rational::from(1 - part);
-    if *part > mirrored {
-        return sine_cosine(&mirrored).map(|[sin, cos]| [sin, -cos]);
-    }
-    let half = |x: Fraction| x / Fraction::from(Rational::from(2));
-    let whole = |n: i32| Fraction::from(Polynomial::from(n));
-    let [two, three] = [Symbol::RootOfTwo, Symbol::RootOfThree].map(Letters::number);
-    Some(match (part.numer().to_u32()?, part.denom().to_u32()?) {
-        (1, 2) => [whole(1), whole(0)],
-        (1, 3) => [half(three), half(whole(1))],
-        (1, 4) => [half(two.clone()), half(two)],
-        (1, 6) => [half(whole(1)), half(three)],
-        _ => return None,
-    })
-}
-
 impl Known {
     /// A rational number, of as many bits as this one.
     pub fn like(&self, value: &Rational) -> Self {
@@ -68,18 +51,19 @@ impl Known {
 
     /// An angle that is given, between 0 and pi.
     pub fn angle(angle: &ExactNumber, bits: u32) -> Angle<Self> {
-        let known = match angle.form() {
-            Form::Rational => None,
-            Form::TimesPi => sine_cosine(&angle.to_rational()),
-            Form::TwiceArctangent => {
-                let tangent = angle.to_rational();
-                let square = tangent.clone().square();
-                let over = Rational::from(1 + &square);
-                Some([tangent * 2u32, 1 - square].map(|x| Fraction::from(x / &over)))
-            }
+        let exact = |(factor, root): (BigRational, u32)| {
+            let factor = Fraction::from(ExactNumber::rational(factor).to_rational());
+            Self::Exact(
+                match root {
+                    2 => factor * &Symbol::RootOfTwo.number(),
+                    3 => factor * &Symbol::RootOfThree.number(),
+                    _ => factor,
+                },
+                bits,
+            )
         };
-        let (sin, cos) = match known {
-            Some([sin, cos]) => (Self::Exact(sin, bits), Self::Exact(cos, bits)),
+        let (sin, cos) = match angle.sine_and_cosine() {
+            Some([sin, cos]) => (exact(sin), exact(cos)),
             None => {
                 let (sin, cos) = angle.enclosure::<Ball>(bits).sin_cos();
                 (Self::Enclosed(sin), Self::Enclosed(cos))
