@@ -294,6 +294,17 @@ impl Measures {
         has_intrados.then(|| ExactNumber::rational(&self.radius.0 / outwards))
     }
 
+    /// The weight in kN of an arch of radius and thickness in metres, where the half opening in radians is rational.
+    pub fn exact_weight(
+        &self,
+        half_opening: &ExactNumber,
+        [radius, thickness]: [&ExactNumber; 2],
+    ) -> Option<ExactNumber> {
+        let (unit, depth) = self.loaded.as_ref().filter(|_| half_opening.is_rational())?;
+        let ring = radius.factor() * thickness.factor() * half_opening.factor();
+        Some(ExactNumber::rational(&unit.0 * &depth.0 * ring * BigInt::from(2)))
+    }
+
     /// The sizes of an arch of thickness `eta` and half opening `alpha` (rad), in numbers of `bits` bits.
     pub fn sizes<E: Engine>(&self, eta: &E, alpha: &E, bits: u32) -> Sizes<E> {
         let number = |x: &BigRational| ExactNumber::rational(x.clone()).enclosure::<E>(bits);
