@@ -188,7 +188,7 @@ fn exact_values_are_shown_exact() {
         ("3 --alpha 2atan(1/2) --beta 2atan(1/3) --eta 2/7", "exactly zero"),
         ("5 --beta 1 --eta 2", "(5) has no value there"),
         ("15 --opening-variable 0.6666", "is not between 2/3 and 1"),
-        ("4 --eta 1", "--half-opening and --thickness, or --opening-variable and --thickness"),
+        ("4 --eta 1", "--half-opening, --thickness; or --opening-variable, --thickness"),
     ] {
         let (code, out, error) = of(arguments);
         assert_eq!((code, out.as_str()), (Some(2), ""), "{arguments}");

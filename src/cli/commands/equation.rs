@@ -118,7 +118,7 @@ impl Arguments {
                 let names: Vec<String> = choice.iter().map(|of| option(*of)).collect();
                 list(names.iter().map(String::as_str))
             };
-            let choices = choices.iter().map(names).collect::<Vec<_>>().join(", or ");
+            let choices = choices.iter().map(names).collect::<Vec<_>>().join("; or ");
             return Err(format!("equation ({number}) {takes} {choices}").into());
         }
         let given = all.into_iter().filter_map(|(of, text)| Some((of, text.as_ref()?)));

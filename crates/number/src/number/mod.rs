@@ -15,6 +15,7 @@
 //! | [`rug::Rational`] | exact | [`Field`] |
 //! | [`Surd`] | `a + b√d`, exact | [`Field`] |
 //! | [`symbolic::Fraction`](crate::symbolic::Fraction) | a formula, exact | [`Field`] |
+//! | [`symbolic::Known`](crate::symbolic::Known) | exact as long as it can be, a ball from there on | [`Real`] |
 //! | [`Dual`] | a value and its gradient | as its component, up to [`Real`] |
 //! | [`Gradient`] | the same without a heap | as its component, up to [`Real`] |
 //! | [`Jet`] | the first terms of a Taylor series | as its component, up to [`Real`] |

@@ -20,17 +20,16 @@ use rug::Rational;
 pub enum Known {
     /// A fraction in normal form. As pi is transcendental, it is zero, or rational, only where it looks so.
     Exact(Fraction, u32),
-    /// What is enclosed.
+    /// An enclosed number.
     Enclosed(Ball),
-    /// What was divided by zero, exactly.
+    /// A quotient by zero, exactly.
     Undefined(u32),
 }
 
 /// `√2² = 2` and `√3² = 3`.
 fn roots() -> Relations {
-    let square = |root: Symbol, n: i32| (root, 2, Polynomial::from(n));
-    let rules = [square(Symbol::RootOfTwo, 2), square(Symbol::RootOfThree, 3)];
-    rules.into_iter().fold(Relations::none(), |all, (root, power, n)| all.with(root, power, n))
+    let [two, three] = [2, 3].map(Polynomial::from);
+    Relations::none().with(Symbol::RootOfTwo, 2, two).with(Symbol::RootOfThree, 2, three)
 }
 
 impl Known {
@@ -53,14 +52,12 @@ impl Known {
     pub fn angle(angle: &ExactNumber, bits: u32) -> Angle<Self> {
         let exact = |(factor, root): (BigRational, u32)| {
             let factor = Fraction::from(ExactNumber::rational(factor).to_rational());
-            Self::Exact(
-                match root {
-                    2 => factor * &Symbol::RootOfTwo.number(),
-                    3 => factor * &Symbol::RootOfThree.number(),
-                    _ => factor,
-                },
-                bits,
-            )
+            let value = match root {
+                2 => factor * &Symbol::RootOfTwo.number(),
+                3 => factor * &Symbol::RootOfThree.number(),
+                _ => factor,
+            };
+            Self::Exact(value, bits)
         };
         let (sin, cos) = match angle.sine_and_cosine() {
             Some([sin, cos]) => (exact(sin), exact(cos)),
@@ -110,10 +107,6 @@ impl Known {
         }
     }
 
-    fn zero(&self) -> Self {
-        self.int(0)
-    }
-
     fn combine(
         self,
         other: &Self,
@@ -152,7 +145,7 @@ impl Known {
     fn times(self, other: &Self) -> Self {
         let is_bounded = |x: &Self| matches!(x, Self::Enclosed(ball) if ball.is_bounded());
         match (self.is_zero() && is_bounded(other)) || (other.is_zero() && is_bounded(&self)) {
-            true => self.zero(),
+            true => self.int(0),
             false => self.combine(other, |a, b| a * b, |a, b| a * b),
         }
     }
@@ -197,7 +190,7 @@ impl Real for Known {
 
     fn sin_cos(&self) -> (Self, Self) {
         match self.is_zero() {
-            true => (self.zero(), self.int(1)),
+            true => (self.int(0), self.int(1)),
             false => {
                 let (sin, cos) = self.ball().sin_cos();
                 (Self::Enclosed(sin), Self::Enclosed(cos))

@@ -339,6 +339,8 @@ mod tests {
         for (number, weight, given, words) in [
             (2, SelfWeight::Heyman, vec![thickness("0.1")], "rotation_joint is missing"),
             (6, SelfWeight::Heyman, vec![opening("0.7")], "the quantities are thickness"),
+            (4, SelfWeight::Heyman, vec![opening("0.7")], "the equation needs A, thickness"),
+            (4, SelfWeight::Heyman, vec![thickness("0.1")], "half_opening is missing"),
             (6, SelfWeight::Heyman, vec![thickness("2.1")], "not between 0 and 2"),
             (14, SelfWeight::Heyman, vec![opening("1.2")], "A = 1.2 is not between 1/2 and 1"),
             (15, SelfWeight::Milankovitch, vec![opening("0.6")], "not between 2/3 and 1"),
@@ -353,6 +355,8 @@ mod tests {
         }
         let given = [(Q::RotationJoint, "1".to_owned()), thickness("2")];
         let error = of(5, SelfWeight::Heyman, &given).unwrap_err().to_string();
-        assert_eq!(error, "thickness = 2 is not between 0 and 2");
+        assert_eq!(error, "(5) has no value there: what it divides by is exactly zero");
+        let near = [(Q::RotationJoint, "1".to_owned()), thickness("1.999999999999999999999")];
+        assert!(of(5, SelfWeight::Heyman, &near).is_ok(), "false twin");
     }
 }
