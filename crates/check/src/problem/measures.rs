@@ -16,7 +16,7 @@
 //!
 //! Everything given is rational, and so is `eta`. A span is measured at the intrados unless another circle is named.
 
-use crate::number::{Engine, ExactNumber, Field, says, shown, worded};
+use crate::number::{Engine, ExactNumber, Field, says, shown, sine_and_cosine, worded};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use std::fmt;
@@ -245,7 +245,7 @@ impl Measures {
     /// Span and rise, where they are rational.
     pub fn exact_span_and_rise(&self, half_opening: &ExactNumber) -> [Option<ExactNumber>; 2] {
         let radius = &self.radius.0;
-        let Some([sine, cosine]) = half_opening.sine_and_cosine() else { return [None, None] };
+        let Some([sine, cosine]) = sine_and_cosine(half_opening) else { return [None, None] };
         let span = radius * BigInt::from(2) * sine.0;
         let rise = radius * (BigRational::from(BigInt::from(1)) - cosine.0);
         let rational = |x: BigRational, root| (root == 1).then(|| ExactNumber::rational(x));

@@ -2,6 +2,8 @@
 
 mod sine;
 
+pub use sine::sine_and_cosine;
+
 use super::range::{TELL_OF_RANGES, is_range};
 use super::tangent::angle_of_tangent;
 use super::unit::{AngleUnit, unit};

@@ -129,7 +129,7 @@ pub use dual::{Dual, gradient};
 pub use dyadic::{Dyadic, MAX_EXPONENT, ParseDyadicError};
 pub use end::{Direction, End};
 pub use engine::Engine;
-pub use exact::{ExactNumber, Form, ParseExactError};
+pub use exact::{ExactNumber, Form, ParseExactError, sine_and_cosine};
 pub use float_ball::{FloatBall, Midpoint, power_of_two};
 #[cfg(feature = "mpfr")]
 pub use gmp::*;

@@ -1,7 +1,9 @@
 //! Numbers that are exact as long as they are fractions in pi, √2 and √3, and enclosed from there on.
 
 use super::{Fraction, Letters, Polynomial, Relations, Symbol};
-use crate::number::{Angle, Ball, Enclosure, ExactField, ExactNumber, Field, Form, Real};
+use crate::number::{
+    Angle, Ball, Enclosure, ExactField, ExactNumber, Field, Form, Real, sine_and_cosine,
+};
 use num_rational::BigRational;
 use rug::Rational;
 
@@ -11,7 +13,7 @@ use rug::Rational;
 /// use couplet_number::number::Field;
 /// use couplet_number::symbolic::Known;
 /// let angle = Known::angle(&"60deg".parse().unwrap(), 64);
-/// assert_eq!(angle.sin.square().rational().unwrap(), (3, 4));
+/// assert_eq!(angle.sin.square().rational().unwrap().to_string(), "3/4");
 /// assert!((angle.rad / &angle.sin).rational().is_none());
 /// let angle = Known::angle(&"1.5".parse().unwrap(), 64);
 /// assert!(angle.sin.square().rational().is_none());
@@ -59,7 +61,7 @@ impl Known {
             };
             Self::Exact(value, bits)
         };
-        let (sin, cos) = match angle.sine_and_cosine() {
+        let (sin, cos) = match sine_and_cosine(angle) {
             Some([sin, cos]) => (exact(sin), exact(cos)),
             None => {
                 let (sin, cos) = angle.enclosure::<Ball>(bits).sin_cos();
