@@ -1,7 +1,13 @@
 //! Equations of the paper at a rotational joint, on the command line.
 
 use crate::program::{couplet, text};
+use couplet::certify::equation::{Evaluated, JointEquation, ValueEquation, evaluate};
+use couplet::prelude::*;
 use serde_json::Value;
+
+fn number(text: &str) -> ExactNumber {
+    text.parse().unwrap()
+}
 
 fn of(arguments: &str) -> (Option<i32>, String, String) {
     let words: Vec<&str> = ["equation"].into_iter().chain(arguments.split(' ')).collect();
@@ -87,4 +93,145 @@ fn what_stays_open_has_a_reason_and_exit_code_1() {
     assert_eq!(code, Some(1));
     assert!(out.contains("coefficient of A^3") && !out.contains("root  "), "{out}");
     assert_eq!(of(&format!("12 --beta {}", &joint[..40])).0, Some(0), "false twin");
+}
+
+/// Exact arguments of the paper: of an angle, and of a ratio.
+const ANGLES: [&str; 17] = [
+    "0",
+    "1/2",
+    "2/3",
+    "1",
+    "2",
+    "pi/6",
+    "pi/5",
+    "45deg",
+    "60deg",
+    "90deg",
+    "120deg",
+    "3pi/4",
+    "5pi/6",
+    "180deg",
+    "2atan(1)",
+    "2atan(1/2)",
+    "2atan(1/3)",
+];
+const RATIOS: [&str; 8] = ["0", "2/7", "1/2", "2/3", "4/5", "1", "2", "pi/6"];
+
+/// Every equation at every choice of exact arguments has values, or a sentence that says why there are none.
+#[test]
+fn at_exact_arguments_every_equation_answers() {
+    for weight in SelfWeight::ALL {
+        for equation in ValueEquation::ALL {
+            for choice in equation.choices() {
+                let mut all: Vec<Vec<(Quantity, ExactNumber)>> = vec![Vec::new()];
+                for &of in *choice {
+                    let is_angle = matches!(of, Quantity::HalfOpening | Quantity::RotationJoint);
+                    let values = if is_angle { &ANGLES[..] } else { &RATIOS[..] };
+                    let with = |given: Vec<(Quantity, ExactNumber)>| {
+                        let next = |text: &&str| [given.clone(), vec![(of, number(text))]].concat();
+                        values.iter().map(next).collect::<Vec<_>>()
+                    };
+                    all = all.into_iter().flat_map(with).collect();
+                }
+                let answered = all.iter().filter(|given| {
+                    let found = equation.evaluate(weight, given, 30);
+                    assert!(!matches!(found, Err(Error::Undecided(_))), "{equation:?} {given:?}");
+                    found.is_ok_and(|values| !values.is_empty())
+                });
+                let other = match equation {
+                    ValueEquation::OverturningHeyman => weight != SelfWeight::Heyman,
+                    ValueEquation::OverturningMilankovitch => weight == SelfWeight::Heyman,
+                    _ => false,
+                };
+                assert_eq!(answered.count() == 0, other, "{equation:?} {weight:?}");
+            }
+        }
+        for (equation, angle) in
+            JointEquation::ALL.into_iter().flat_map(|of| ANGLES.map(|angle| (of, angle)))
+        {
+            match evaluate(equation, weight, &number(angle), 30) {
+                Ok(Evaluated::Cubics(all)) => {
+                    assert!(all.iter().all(|of| of.roots.is_ok()), "{angle}");
+                }
+                Ok(Evaluated::Link(link)) => assert!(link.holds, "{angle}"),
+                Err(Error::Undecided(open)) => panic!("{equation:?} {angle}: {open}"),
+                Ok(_) | Err(_) => {}
+            }
+        }
+    }
+}
+
+/// What is exactly a decimal has its digits and no zeros behind; what has no value says why.
+#[test]
+fn exact_values_are_shown_exact() {
+    for (arguments, index, value) in [
+        ("2 --beta 60deg --eta 2 --weight heyman", 0, "-0.25"),
+        ("4 --opening-variable 1 --eta 1/2 --weight heyman", 1, "0.2"),
+        ("5 --beta 90deg --eta 1 --weight heyman", 0, "-1"),
+        ("13 --eta 1.2 --weight heyman", 0, "0.625"),
+        ("14 --opening-variable 0.8 --weight heyman", 0, "0.5"),
+        ("14 --opening-variable 1/2 --weight heyman", 0, "2"),
+        ("14 --opening-variable 1 --weight heyman", 0, "0"),
+        ("15 --opening-variable 2/3", 0, "2"),
+        ("15 --opening-variable 1", 0, "0"),
+        ("16 --eta 1 --weight heyman", 0, "0"),
+        ("18 --thrust 0.8", 0, "0.4"),
+    ] {
+        let found = &json(arguments)["values"][index];
+        for bound in ["value", "lower", "upper"] {
+            assert_eq!(found[bound], value, "{arguments}");
+        }
+    }
+    assert_ne!(json("18 --thrust 0.81")["values"][0]["value"], "0.4", "false twin");
+    for (arguments, words) in [
+        ("3 --alpha 90deg --beta 90deg --eta 0.1", "(3) has no value there"),
+        ("3 --alpha 2atan(1/2) --beta 2atan(1/3) --eta 2/7", "exactly zero"),
+        ("5 --beta 1 --eta 2", "(5) has no value there"),
+        ("15 --opening-variable 0.6666", "is not between 2/3 and 1"),
+        ("4 --eta 1", "--half-opening, --thickness; or --opening-variable, --thickness"),
+    ] {
+        let (code, out, error) = of(arguments);
+        assert_eq!((code, out.as_str()), (Some(2), ""), "{arguments}");
+        assert!(error.contains(words), "{error}");
+    }
+    assert_eq!(of("3 --alpha 2atan(1/2) --beta 2atan(1/3) --eta 2/9").0, Some(0), "false twin");
+}
+
+/// At the angles of a set square coefficients are exact; one root is too, and it is that of the state.
+#[test]
+fn at_the_angles_of_a_set_square_the_cubics_have_exact_coefficients() {
+    for (joint, weight, polynomial, coefficient, value) in [
+        ("60deg", "milankovitch", 2, 0, "4.5"),
+        ("45deg", "milankovitch", 2, 0, "3"),
+        ("2pi/3", "milankovitch", 2, 0, "4.5"),
+        ("pi/6", "milankovitch", 1, 0, "0.5"),
+        ("pi/6", "heyman", 2, 0, "1"),
+        ("pi/2", "heyman", 2, 1, "0"),
+    ] {
+        let all = json(&format!("7 --beta {joint} --weight {weight}"));
+        let found = &all["polynomials"][polynomial];
+        assert_eq!(found["coefficients"][coefficient]["value"], value, "{joint} {weight}");
+    }
+    let thrusts = |joint: &str| {
+        json(&format!("7 --beta {joint} --weight heyman"))["polynomials"][2]["real_roots"].clone()
+    };
+    let exact = |roots: &Value| {
+        roots.as_array().unwrap().iter().filter(|of| of["root"]["value"] == "0.5").count()
+    };
+    assert_eq!((exact(&thrusts("60deg")), exact(&thrusts("59deg"))), (1, 0));
+    for (given, value, other) in [
+        ("--rotation-joint 60deg", "thrust", "0.5"),
+        ("--opening-variable 0.625", "thickness", "1.2"),
+        ("--thickness 1.2", "A", "0.625"),
+    ] {
+        let words: Vec<&str> = ["state", "--weight", "heyman", "--format", "json"]
+            .into_iter()
+            .chain(given.split(' '))
+            .collect();
+        let output = couplet(&words);
+        let states: Value = serde_json::from_str(&text(&output.stdout)).unwrap();
+        let states = states["states"].as_array().unwrap().clone();
+        let holds = |of: &&Value| ["value", "lower", "upper"].iter().all(|x| of[value][x] == other);
+        assert_eq!(states.iter().filter(holds).count(), 1, "{given}: {states:?}");
+    }
 }

@@ -13,7 +13,7 @@ pub mod strategies;
 use couplet_check::{arch, check, problem};
 use couplet_draw::sketch;
 use couplet_lanes::lanes;
-use couplet_number::number;
+use couplet_number::{number, symbolic};
 use couplet_solve::solve;
 
 /// Names that most programs need: `use couplet_prove::prelude::*`.

@@ -80,11 +80,11 @@ impl AskedEquation {
         }
     }
 
-    /// Quantities that have to be given.
-    fn needs(self) -> &'static [Quantity] {
+    /// Quantities that have to be given: all of one choice.
+    fn choices(self) -> &'static [&'static [Quantity]] {
         match self {
-            Self::AtJoint(_) => &[Quantity::RotationJoint],
-            Self::Value(equation) => equation.needs(),
+            Self::AtJoint(_) => &[&[Quantity::RotationJoint]],
+            Self::Value(equation) => equation.choices(),
         }
     }
 }
@@ -105,14 +105,21 @@ impl Arguments {
             (Quantity::Thrust, &self.thrust),
             (Quantity::OpeningVariable, &self.opening_variable),
         ];
-        let needs = self.equation.needs();
-        let misfit = all.iter().find(|(of, text)| needs.contains(of) != text.is_some());
-        if let Some((_, text)) = misfit {
-            let takes = if text.is_some() { "takes only" } else { "needs" };
+        let choices = self.equation.choices();
+        let misfit = |choice: &&[Quantity]| {
+            all.iter().find(|(of, text)| choice.contains(of) != text.is_some())
+        };
+        let misfits: Option<Vec<_>> = choices.iter().map(misfit).collect();
+        if let Some(misfits) = misfits {
+            let takes =
+                if misfits.iter().all(|(_, text)| text.is_some()) { "takes only" } else { "needs" };
             let number = self.equation.number();
-            let needs = needs.iter().map(|of| option(*of)).collect::<Vec<_>>();
-            let needs = list(needs.iter().map(String::as_str));
-            return Err(format!("equation ({number}) {takes} {needs}").into());
+            let names = |choice: &&[Quantity]| {
+                let names: Vec<String> = choice.iter().map(|of| option(*of)).collect();
+                list(names.iter().map(String::as_str))
+            };
+            let choices = choices.iter().map(names).collect::<Vec<_>>().join("; or ");
+            return Err(format!("equation ({number}) {takes} {choices}").into());
         }
         let given = all.into_iter().filter_map(|(of, text)| Some((of, text.as_ref()?)));
         given.map(|(of, text)| Ok((of, text.parse()?))).collect()

@@ -93,6 +93,19 @@ fn thickness_and_forces_are_those_of_the_ring() {
     }
 }
 
+/// The weight of a rational half opening is rational, which no ball decides.
+#[test]
+fn a_rational_weight_is_exact() {
+    for (alpha, weight) in [("1.5", Some("180")), ("1.25", Some("150")), ("86deg", None)] {
+        let found = object(&format!(
+            "assess --radius 4.75m --half-opening {alpha} --thickness 0.5m --friction 0.6 --density 24kN/m3 --depth 1m"
+        ));
+        let found = &found["weight_kn"];
+        let exact = (found["lower"] == found["upper"]).then_some(&found["value"]);
+        assert_eq!(exact.and_then(Value::as_str), weight, "{alpha}");
+    }
+}
+
 /// The question is read back: as it was given, or computed from it, at every door.
 #[test]
 fn what_is_measured_is_told() {

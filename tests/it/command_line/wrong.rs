@@ -35,7 +35,7 @@ wrong_uses! {
 
     an_equation_that_is_none: ["equation", "19", "--beta", "1"] => "a number from 2 to 18";
     an_equation_of_no_joint: ["equation", "6", "--beta", "1"] => "equation (6) takes only --thickness";
-    a_thickness_without_an_intrados: ["equation", "5", "--beta", "1", "--eta", "2"] => "not between 0 and 2";
+    a_thickness_without_an_intrados: ["equation", "5", "--beta", "1", "--eta", "2"] => "(5) has no value there";
     overturning_of_the_other_weight: ["equation", "14", "--opening-variable", "0.6"] => "(14) is not for";
     an_equation_without_its_joint: ["equation", "7"] => "equation (7) needs --rotation-joint";
     a_joint_beyond_half_a_turn: ["equation", "7", "--beta", "4"] => "did you mean 4deg?";

@@ -16,7 +16,7 @@
 //!
 //! Everything given is rational, and so is `eta`. A span is measured at the intrados unless another circle is named.
 
-use crate::number::{Engine, ExactNumber, Field, Form, says, shown, worded};
+use crate::number::{Engine, ExactNumber, Field, says, shown, sine_and_cosine, worded};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use std::fmt;
@@ -217,32 +217,6 @@ pub fn of_span_and_rise(span: &Length, rise: &Length) -> (ExactNumber, Length) {
     (ExactNumber::twice_arctangent(rise / half), Length(radius))
 }
 
-/// The sine and the cosine of a half opening where they are rational. Of the rational multiples of pi there are no
-/// others (Niven), and of a rational angle none (Lindemann).
-fn rational_sine_and_cosine(half_opening: &ExactNumber) -> [Option<BigRational>; 2] {
-    let ratio = |n: i32, d: i32| BigRational::new(n.into(), d.into());
-    let q = half_opening.factor();
-    match half_opening.form() {
-        Form::Rational => [None, None],
-        Form::TwiceArctangent => {
-            let one = ratio(1, 1);
-            let square = q * q;
-            let below = &one + &square;
-            [Some(q * BigInt::from(2) / &below), Some((one - square) / below)]
-        }
-        Form::TimesPi => {
-            let one_of = |known: [(i32, i32, BigRational); 3]| {
-                let found = known.into_iter().find(|(n, d, _)| *q == ratio(*n, *d));
-                found.map(|(.., value)| value)
-            };
-            let (one, half) = (ratio(1, 1), ratio(1, 2));
-            let sine = one_of([(1, 6, half.clone()), (1, 2, one), (5, 6, half.clone())]);
-            let cosine = one_of([(1, 3, half.clone()), (1, 2, ratio(0, 1)), (2, 3, -half)]);
-            [sine, cosine]
-        }
-    }
-}
-
 impl Measures {
     /// The radius of a circle of the arch; with the weight of its material and its depth there are forces too.
     pub fn new(circle: Circle, radius: Length, loaded: Option<(UnitWeight, Length)>) -> Self {
@@ -271,10 +245,11 @@ impl Measures {
     /// Span and rise, where they are rational.
     pub fn exact_span_and_rise(&self, half_opening: &ExactNumber) -> [Option<ExactNumber>; 2] {
         let radius = &self.radius.0;
-        let [sine, cosine] = rational_sine_and_cosine(half_opening);
-        let span = sine.map(|sine| radius * BigInt::from(2) * sine);
-        let rise = cosine.map(|cosine| radius * (BigRational::from(BigInt::from(1)) - cosine));
-        [span, rise].map(|length| length.map(ExactNumber::rational))
+        let Some([sine, cosine]) = sine_and_cosine(half_opening) else { return [None, None] };
+        let span = radius * BigInt::from(2) * sine.0;
+        let rise = radius * (BigRational::from(BigInt::from(1)) - cosine.0);
+        let rational = |x: BigRational, root| (root == 1).then(|| ExactNumber::rational(x));
+        [rational(span, sine.1), rational(rise, cosine.1)]
     }
 
     /// Tells whether forces can be told.
@@ -319,6 +294,17 @@ impl Measures {
         has_intrados.then(|| ExactNumber::rational(&self.radius.0 / outwards))
     }
 
+    /// The weight in kN of an arch of radius and thickness in metres, where the half opening in radians is rational.
+    pub fn exact_weight(
+        &self,
+        half_opening: &ExactNumber,
+        [radius, thickness]: [&ExactNumber; 2],
+    ) -> Option<ExactNumber> {
+        let (unit, depth) = self.loaded.as_ref().filter(|_| half_opening.is_rational())?;
+        let ring = radius.factor() * thickness.factor() * half_opening.factor();
+        Some(ExactNumber::rational(&unit.0 * &depth.0 * ring * BigInt::from(2)))
+    }
+
     /// The sizes of an arch of thickness `eta` and half opening `alpha` (rad), in numbers of `bits` bits.
     pub fn sizes<E: Engine>(&self, eta: &E, alpha: &E, bits: u32) -> Sizes<E> {
         let number = |x: &BigRational| ExactNumber::rational(x.clone()).enclosure::<E>(bits);
@@ -350,7 +336,7 @@ pub struct Sizes<E> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{AstroInterval, Enclosure, Field, Real};
+    use crate::number::{AstroInterval, Enclosure, Field, Form, Real};
 
     fn length(text: &str) -> Length {
         text.parse().unwrap()

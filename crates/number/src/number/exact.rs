@@ -1,5 +1,9 @@
 //! Exact input: decimals, fractions, multiples of pi and arctangents, read as text and never rounded.
 
+mod sine;
+
+pub use sine::sine_and_cosine;
+
 use super::range::{TELL_OF_RANGES, is_range};
 use super::tangent::angle_of_tangent;
 use super::unit::{AngleUnit, unit};

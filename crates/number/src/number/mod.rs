@@ -15,6 +15,7 @@
 //! | [`rug::Rational`] | exact | [`Field`] |
 //! | [`Surd`] | `a + b√d`, exact | [`Field`] |
 //! | [`symbolic::Fraction`](crate::symbolic::Fraction) | a formula, exact | [`Field`] |
+//! | [`symbolic::Known`](crate::symbolic::Known) | exact as long as it can be, a ball from there on | [`Real`] |
 //! | [`Dual`] | a value and its gradient | as its component, up to [`Real`] |
 //! | [`Gradient`] | the same without a heap | as its component, up to [`Real`] |
 //! | [`Jet`] | the first terms of a Taylor series | as its component, up to [`Real`] |
@@ -128,7 +129,7 @@ pub use dual::{Dual, gradient};
 pub use dyadic::{Dyadic, MAX_EXPONENT, ParseDyadicError};
 pub use end::{Direction, End};
 pub use engine::Engine;
-pub use exact::{ExactNumber, Form, ParseExactError};
+pub use exact::{ExactNumber, Form, ParseExactError, sine_and_cosine};
 pub use float_ball::{FloatBall, Midpoint, power_of_two};
 #[cfg(feature = "mpfr")]
 pub use gmp::*;

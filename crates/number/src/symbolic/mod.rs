@@ -7,6 +7,7 @@
 //! | sparse polynomials, derivations, evaluation | [`Polynomial`] |
 //! | exact division, greatest common divisor, square-free part | `division.rs` |
 //! | quotients, a [`Field`](crate::number::Field) | [`Fraction`] |
+//! | numbers that are exact where they can be, else balls | [`Known`] |
 //! | `S² + C² = 1` and square roots: normal forms | [`Relations`] |
 //! | resultant with its cofactors, discriminant | [`eliminate`], [`discriminant`] |
 //! | truncated power series, a field too | [`Series`] |
@@ -19,6 +20,7 @@ mod display;
 mod division;
 mod elimination;
 mod fraction;
+mod known;
 mod letters;
 mod polynomial;
 mod relations;
@@ -28,6 +30,7 @@ mod symbol;
 pub use display::Notation;
 pub use elimination::{Elimination, discriminant, eliminate};
 pub use fraction::Fraction;
+pub use known::Known;
 pub use letters::Letters;
 pub use polynomial::Polynomial;
 pub use relations::{Relations, along_the_joint, along_the_opening};

@@ -88,6 +88,12 @@ symbols! {
     Rise: "rise" r"\mathrm{rise}",
     /// `t`, the thickness as a length.
     MeasuredThickness: "t" "t",
+    /// The constant pi.
+    Pi: "pi" r"\pi",
+    /// The square root of two.
+    RootOfTwo: "√2" r"\sqrt{2}",
+    /// The square root of three.
+    RootOfThree: "√3" r"\sqrt{3}",
 }
 
 #[cfg(test)]

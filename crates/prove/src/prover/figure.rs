@@ -4,6 +4,7 @@ use crate::number::{
     Ball, Binary, DoubleDoubleBall, Drawable, ExactNumber, Rounded, TripleWordBall, rounded_double,
     rounded_words, shown_as_text,
 };
+use crate::symbolic::Known;
 use rug::Rational;
 use std::fmt;
 
@@ -43,6 +44,23 @@ impl Figure {
         Self::new(x, digits).or_else(wide)
     }
 
+    /// The value of a ball of which `is_value` proves, exactly, whether it is the decimal next to it.
+    pub(crate) fn proved(
+        x: &Ball,
+        digits: usize,
+        is_value: impl FnOnce(&Rational) -> bool,
+    ) -> Option<Self> {
+        let exact = || {
+            let near = Self::around(x, digits)?;
+            let decimal = near.decimal.value.to_rational();
+            match x.contains(&decimal) && is_value(&decimal) {
+                true => Self::exact(&ExactNumber::from(decimal), digits),
+                false => Some(near),
+            }
+        };
+        Self::new(x, digits).or_else(exact)
+    }
+
     /// A rational number to `digits` significant digits, at least one; ties to even.
     pub(crate) fn exact(x: &ExactNumber, digits: usize) -> Option<Self> {
         let ball: Ball = x.enclosure(GUARDED);
@@ -80,6 +98,15 @@ pub(crate) trait Figured {
 impl Figured for Ball {
     fn figure(&self, digits: usize) -> Option<Figure> {
         Figure::new(self, digits)
+    }
+}
+
+impl Figured for Known {
+    fn figure(&self, digits: usize) -> Option<Figure> {
+        match self.rational() {
+            Some(exact) => Figure::exact(&exact.into(), digits),
+            None => Figure::around(&self.ball(), digits),
+        }
     }
 }
 

@@ -107,6 +107,12 @@ pub enum Refused {
         /// The self-weight model that was asked for.
         weight: SelfWeight,
     },
+    /// A pole of an equation.
+    #[error("({equation}) has no value there: what it divides by is exactly zero")]
+    DividesByZero {
+        /// Number of the equation.
+        equation: u8,
+    },
     /// A closed form that the paper does not have.
     #[error(
         "(9), (10) and (11) are for Milankovitch's weight; for Heyman's give (7), which has quadratics then"
@@ -180,6 +186,19 @@ impl Refused {
         };
         let refused = || Self::Outside { quantity, value: value.to_string(), limits };
         inside.then_some(()).ok_or_else(refused)
+    }
+
+    /// Checks that a value of a quantity is between two limits, or one of them.
+    pub(crate) fn from_to(
+        quantity: Quantity,
+        value: &ExactNumber,
+        limits: [&'static str; 2],
+    ) -> Result<(), Self> {
+        let is_value = |end: ExactNumber| value.is_rational() && end.factor() == value.factor();
+        match limits.iter().any(|end| end.parse().is_ok_and(is_value)) {
+            true => Ok(()),
+            false => Self::between(quantity, value, limits),
+        }
     }
 
     /// Checks that a quantity is one of the possible ones.

@@ -2,19 +2,22 @@
 
 use super::closed::{ClosedForm, RootBranch, trigonometric};
 use super::evaluated::{ClosedAt, Evaluated, LinkAt, PolynomialAt, RadicandAt, RootAt, outward};
-use super::polynomial::{coefficients, real_roots, value};
+use super::polynomial::{coefficients, is_root, real_roots, value};
 use crate::arch::cubic::{self, Abbreviations};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
-use crate::number::{Angle, Ball, ComplexBall, Enclosure, Field, Real, Ternary};
-use crate::prover::{Figure, Undecided};
+use crate::number::{Angle, Ball, ComplexBall, Dual, Enclosure, ExactNumber, Field, Real, Ternary};
+use crate::prover::Undecided;
+use crate::prover::figure::{Figure, Figured};
+use crate::symbolic::Known;
+use rug::Rational;
 
 /// Result of an evaluation, to be tried with more bits if it is `None`.
 type Found<T> = Result<Option<T>, Undecided>;
 
-/// A joint in balls.
+/// A joint, exact as far as it can be.
 pub(super) struct AtJoint {
     pub(super) weight: SelfWeight,
-    pub(super) joint: Angle<Ball>,
+    pub(super) joint: Angle<Known>,
     pub(super) bits: u32,
     pub(super) digits: usize,
 }
@@ -24,14 +27,25 @@ const UNKNOWNS: [ClosedForm; 3] =
     [ClosedForm::OpeningVariable, ClosedForm::Thickness, ClosedForm::Thrust];
 
 impl AtJoint {
-    fn abbreviations(&self) -> Abbreviations<Ball> {
+    fn abbreviations(&self) -> Abbreviations<Known> {
         cubic::abbreviations(&self.joint)
+    }
+
+    /// The joint in balls.
+    fn enclosed(&self) -> Angle<Ball> {
+        self.joint.clone().map(|x| x.ball())
+    }
+
+    /// The polynomials (7).
+    fn polynomials(&self) -> [Vec<Known>; 3] {
+        let at = self.abbreviations();
+        UNKNOWNS.map(|unknown| coefficients(unknown, self.weight, &at))
     }
 
     /// The radicand and whether it is positive.
     fn signed_radicand(&self) -> Result<(Ball, bool), Undecided> {
-        let radicand =
-            cubic::radicand(&self.abbreviations(), &self.joint.rad.int(self.weight.flag()));
+        let at = cubic::abbreviations(&self.enclosed());
+        let radicand = cubic::radicand(&at, &at.sin.int(self.weight.flag()));
         let is_positive = match radicand.is_positive() {
             Ternary::True => true,
             Ternary::False if radicand.excludes_zero() => false,
@@ -45,7 +59,7 @@ impl AtJoint {
 
     /// Number of the real roots of a polynomial (7): (12) is the discriminant of each, up to a negative factor that is
     /// not zero (the claim `eq-12`).
-    fn real_count(&self, polynomial: &[Ball]) -> Result<usize, Undecided> {
+    fn real_count<T>(&self, polynomial: &[T]) -> Result<usize, Undecided> {
         let degree = polynomial.len() - 1;
         self.signed_radicand().map(|(_, is_positive)| if is_positive { degree - 2 } else { degree })
     }
@@ -55,14 +69,19 @@ impl AtJoint {
         self.signed_radicand().map(|(_, is_positive)| is_positive)
     }
 
-    fn figure(&self, x: &Ball) -> Option<Figure> {
-        Figure::new(x, self.digits)
+    fn figure(&self, x: &impl Figured) -> Option<Figure> {
+        x.figure(self.digits)
+    }
+
+    /// Figure of a root that is alone in its ball: exact where a decimal of so many digits is proved to be it.
+    fn root_figure(&self, polynomial: &[Known], root: &Ball) -> Option<Figure> {
+        Figure::proved(root, self.digits, |x| is_root(polynomial, x))
     }
 
     /// (12).
     pub(super) fn radicand(&self) -> Found<Evaluated> {
         let (radicand, is_positive) = self.signed_radicand()?;
-        let value = self.figure(&radicand);
+        let value = Figure::around(&radicand, self.digits);
         Ok(value.map(|value| Evaluated::Radicand(Box::new(RadicandAt { value, is_positive }))))
     }
 
@@ -74,8 +93,8 @@ impl AtJoint {
             let [sin, f, g] = [sin, f, g].map(|x| self.figure(&x));
             Some(Evaluated::Link(Box::new(LinkAt {
                 abbreviations: [sin?, f?, g?],
-                difference: outward(&difference)?,
-                holds: !difference.excludes_zero(),
+                difference: outward(&difference.ball())?,
+                holds: !difference.ball().excludes_zero(),
             })))
         };
         Ok(found())
@@ -83,8 +102,7 @@ impl AtJoint {
 
     /// (7).
     pub(super) fn cubics(&self) -> Found<Evaluated> {
-        let at = self.abbreviations();
-        let polynomials = UNKNOWNS.map(|unknown| coefficients(unknown, self.weight, &at));
+        let polynomials = self.polynomials();
         let roots = self.roots(&polynomials)?;
         let Some(roots) = roots else { return Ok(None) };
         Ok(self.shown(&polynomials, roots.map(Ok)))
@@ -92,17 +110,15 @@ impl AtJoint {
 
     /// Polynomials (7) with their coefficients alone, as the roots stay open.
     pub(super) fn cubics_without_roots(&self, open: &Undecided) -> Option<Evaluated> {
-        let at = self.abbreviations();
-        let polynomials = UNKNOWNS.map(|unknown| coefficients(unknown, self.weight, &at));
-        self.shown(&polynomials, [0; 3].map(|_| Err(open.clone())))
+        self.shown(&self.polynomials(), [0; 3].map(|_| Err(open.clone())))
     }
 
     fn shown(
         &self,
-        polynomials: &[Vec<Ball>; 3],
+        polynomials: &[Vec<Known>; 3],
         roots: [Result<Vec<RootAt>, Undecided>; 3],
     ) -> Option<Evaluated> {
-        let shown = |((unknown, polynomial), roots): ((ClosedForm, &Vec<Ball>), _)| {
+        let shown = |((unknown, polynomial), roots): ((ClosedForm, &Vec<Known>), _)| {
             let coefficients = polynomial.iter().map(|x| self.figure(x));
             Some(PolynomialAt {
                 unknown,
@@ -118,15 +134,16 @@ impl AtJoint {
     ///
     /// By (5) and (4) each thickness has a thrust and an opening variable, which are roots of the two other
     /// polynomials: of the one that they meet and no other.
-    fn roots(&self, polynomials: &[Vec<Ball>; 3]) -> Found<[Vec<RootAt>; 3]> {
+    fn roots(&self, polynomials: &[Vec<Known>; 3]) -> Found<[Vec<RootAt>; 3]> {
         let count = self.real_count(&polynomials[1])?;
-        let roots = |of: usize| real_roots(&polynomials[of], count, self.bits);
+        let roots = |of: usize| real_roots(&enclosed(&polynomials[of]), count, self.bits);
         let [openings, thicknesses, thrusts] = [roots(0)?, roots(1)?, roots(2)?];
         let mut found = [const { Vec::new() }; 3];
         let mut branches = RootBranch::ALL.into_iter();
         for eta in &thicknesses {
             let ring = Ring::new(self.weight, eta);
-            let thrust = thrust::tangency(&self.joint.times_cotangent(), &ring).value();
+            let joint = self.joint.times_cotangent().ball();
+            let thrust = thrust::tangency(&joint, &ring).value();
             let opening = thrust.clone() + overturning::opening_variable(&ring).value();
             let inside = [eta.clone(), ring.intrados()].map(|x| x.is_positive());
             let branch = match inside {
@@ -141,8 +158,9 @@ impl AtJoint {
             for ((root, polynomial), found) in own.into_iter().zip(polynomials).zip(&mut found) {
                 let shown = || {
                     let root = root?;
-                    let residual = outward(&value(polynomial, root))?;
-                    let [value, thickness] = [root, eta].map(|x| self.figure(x));
+                    let residual = outward(&value(&enclosed(polynomial), root))?;
+                    let value = self.root_figure(polynomial, root);
+                    let thickness = self.root_figure(&polynomials[1], eta);
                     Some(RootAt { value: value?, residual, thickness: thickness?, branch })
                 };
                 let Some(root) = shown() else { return Ok(None) };
@@ -158,14 +176,15 @@ impl AtJoint {
     /// (9), (10) or (11).
     pub(super) fn closed(&self, form: ClosedForm) -> Found<Evaluated> {
         let (radicand, _) = self.signed_radicand()?;
-        let at = self.abbreviations();
+        let joint = self.enclosed();
+        let at = cubic::abbreviations(&joint);
         let complex = |x: &Ball| ComplexBall::from(x.clone());
         let of = Abbreviations { sin: complex(&at.sin), f: complex(&at.f), g: complex(&at.g) };
         let Some(q) = ComplexBall::root_of_real(&radicand) else { return Ok(None) };
         let Some(u) = form.cube(&of, &q).cube_root() else {
             return Err(Undecided::new("the cube root, whose argument meets the cut"));
         };
-        let root_of_three = self.joint.rad.int(3).sqrt();
+        let root_of_three = joint.rad.int(3).sqrt();
         let branch = |branch: RootBranch| {
             let imaginary = match branch {
                 RootBranch::Upper => root_of_three.clone(),
@@ -173,17 +192,17 @@ impl AtJoint {
             };
             let k = ComplexBall { re: root_of_three.int(0), im: imaginary };
             let printed = form.value(&of, &u, &k);
-            let trigonometric = trigonometric(form, branch, &self.joint);
+            let trigonometric = trigonometric(form, branch, &joint);
             if !printed.re.overlaps(&trigonometric) {
                 return Some(Err(Undecided::new("a closed form, whose two ways differ")));
             }
             Some(Ok(ClosedAt {
                 branch,
                 printed_loss: self.digits_lost(&printed.re),
-                printed: self.figure(&printed.re)?,
+                printed: Figure::around(&printed.re, self.digits)?,
                 imaginary: outward(&printed.im).filter(|_| !printed.im.excludes_zero())?,
                 trigonometric_loss: self.digits_lost(&trigonometric),
-                trigonometric: self.figure(&trigonometric)?,
+                trigonometric: Figure::around(&trigonometric, self.digits)?,
             }))
         };
         let branches: Option<Result<Vec<ClosedAt>, Undecided>> =
@@ -207,8 +226,8 @@ pub(crate) fn touched_thicknesses(
     joint: &Angle<Ball>,
     bits: u32,
 ) -> Result<Vec<Ball>, Undecided> {
-    let at = AtJoint { weight, joint: joint.clone(), bits, digits: 1 };
-    let polynomial = coefficients(ClosedForm::Thickness, weight, &at.abbreviations());
+    let polynomial = coefficients(ClosedForm::Thickness, weight, &cubic::abbreviations(joint));
+    let at = AtJoint { weight, joint: joint.clone().map(Known::Enclosed), bits, digits: 1 };
     let count = at.real_count(&polynomial)?;
     let mut inside = Vec::new();
     for eta in real_roots(&polynomial, count, bits)? {
@@ -219,6 +238,26 @@ pub(crate) fn touched_thicknesses(
         }
     }
     Ok(inside)
+}
+
+/// Tells whether a number in the enclosure of a root of (7) is that root, exactly.
+pub(crate) fn solves(
+    weight: SelfWeight,
+    unknown: ClosedForm,
+    joint: &ExactNumber,
+    root: &Ball,
+    x: &Rational,
+) -> bool {
+    let at = cubic::abbreviations(&Known::angle(joint, root.prec()));
+    let polynomial = coefficients(unknown, weight, &at);
+    let variable = Dual::variable(root.clone(), 0);
+    let terms: Vec<_> = enclosed(&polynomial).into_iter().map(Dual::constant).collect();
+    // With a slope without zero there is no second root in the enclosure.
+    is_root(&polynomial, x) && value(&terms, &variable).derivative(0).excludes_zero()
+}
+
+fn enclosed(polynomial: &[Known]) -> Vec<Ball> {
+    polynomial.iter().map(Known::ball).collect()
 }
 
 /// The one root that a number may be, if it is one.

@@ -20,15 +20,16 @@ pub use closed::{ClosedForm, RootBranch, Trigonometric, trigonometric};
 pub use evaluated::{ClosedAt, Evaluated, LinkAt, PolynomialAt, RadicandAt, RootAt};
 pub use values::{EquationValue, ValueEquation};
 
-pub(crate) use at_joint::touched_thicknesses;
+pub(crate) use at_joint::{solves, touched_thicknesses};
 
 use self::at_joint::AtJoint;
 use self::values::number;
 use crate::arch::SelfWeight;
 use crate::certify::CertifiedLandmark;
-use crate::number::{Angle, Ball, Enclosure, ExactNumber, Ternary, bits_of};
+use crate::number::{Ball, Enclosure, ExactNumber, Ternary, bits_of};
 use crate::problem::Landmark;
 use crate::prover::{Error, Refused, Undecided, raise};
+use crate::symbolic::Known;
 
 /// An equation of the paper that is evaluated at a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -121,10 +122,7 @@ pub fn evaluate(
     let size: Ball = joint.enclosure(64);
     let small = size.mid().get_exp().unwrap_or(0).min(0).unsigned_abs();
     let first = bits_of(digits) + GUARD + POWERS_LOST * small;
-    let at = |bits: u32| {
-        let joint = Angle::new(joint.enclosure(bits));
-        AtJoint { weight, joint, bits, digits }
-    };
+    let at = |bits: u32| AtJoint { weight, joint: Known::angle(joint, bits), bits, digits };
     if equation.closed_form().is_some() {
         is_up_to_widest(weight, joint, |bits| at(bits).is_beyond_widest(), first)?;
     }

@@ -6,20 +6,21 @@ use crate::arch::cubic::Abbreviations;
 use crate::number::{Ball, Enclosure, Field, Jet, Real, Stumpff};
 use crate::prover::Undecided;
 use crate::prover::root::{Form, root_near};
-use rug::Float;
+use crate::symbolic::Known;
 use rug::float::Constant;
+use rug::{Float, Rational};
 
 /// Degree of the cubics.
 const DEGREE: usize = 3;
 
 /// Coefficients of a polynomial (7), that of the highest power first: cubics for Milankovitch's weight, for Heyman's
 /// the quadratics that are left without the factor that has no root above zero.
-pub(super) fn coefficients(
+pub(super) fn coefficients<T: Field>(
     form: ClosedForm,
     weight: SelfWeight,
-    at: &Abbreviations<Ball>,
-) -> Vec<Ball> {
-    let jet = |x: &Ball| Jet::constant(x.clone(), DEGREE);
+    at: &Abbreviations<T>,
+) -> Vec<T> {
+    let jet = |x: &T| Jet::constant(x.clone(), DEGREE);
     let like = &at.sin;
     let variable = Jet::new(vec![like.int(0), like.int(1)], DEGREE);
     let of = Abbreviations { sin: jet(&at.sin), f: jet(&at.f), g: jet(&at.g) };
@@ -50,6 +51,11 @@ fn heyman_thrust<T: Field>(at: &Abbreviations<T>, h: &T) -> T {
     (sin.int(2) * sin * h - f.int(2) * (f.clone() - sin)) * h + (g.clone() - f)
 }
 
+/// Tells whether a rational number in a box with one root is that root, exactly.
+pub(super) fn is_root(coefficients: &[Known], x: &Rational) -> bool {
+    coefficients.first().is_some_and(|first| value(coefficients, &first.like(x)).is_zero())
+}
+
 /// A polynomial in the size of its unknown, which has a sign.
 struct PolynomialForm<'a> {
     coefficients: &'a [Ball],
@@ -69,7 +75,7 @@ impl Form<Ball> for PolynomialForm<'_> {
 }
 
 /// The value of a polynomial.
-pub(super) fn value(coefficients: &[Ball], x: &Ball) -> Ball {
+pub(super) fn value<T: Field>(coefficients: &[T], x: &T) -> T {
     coefficients.iter().fold(x.int(0), |sum, term| sum * x + term)
 }
 
@@ -140,7 +146,6 @@ mod tests {
     use super::*;
     use crate::arch::cubic;
     use crate::number::Angle;
-    use rug::Rational;
 
     fn at(joint: f64) -> Abbreviations<Ball> {
         let joint = Ball::exact(Float::with_val(256, joint), 256);

@@ -1,9 +1,11 @@
 //! The equations of the paper that give one value: (2)–(6) and (13)–(18).
 
-use crate::arch::{Ring, SelfWeight, overturning, sliding, thrust};
+use crate::arch::{Quotient, Ring, SelfWeight, overturning, sliding, thrust};
 use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Real, bits_of};
 use crate::problem::Quantity;
+use crate::prover::figure::Figured;
 use crate::prover::{Error, Figure, Refused, Undecided, raise};
+use crate::symbolic::Known;
 
 /// An equation of the paper that gives a value where others are given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -49,8 +51,8 @@ pub struct EquationValue {
     pub figure: Figure,
 }
 
-/// Name, symbol and enclosure of a value.
-type NamedBall = (&'static str, &'static str, Ball);
+/// Name and symbol of a value, and the value.
+type Named = (&'static str, &'static str, Known);
 
 impl ValueEquation {
     /// All of them, in the order of their numbers.
@@ -93,105 +95,113 @@ impl ValueEquation {
 
     /// Quantities that have to be given.
     pub fn needs(self) -> &'static [Quantity] {
+        self.choices()[0]
+    }
+
+    /// Quantities that have to be given: all of one choice.
+    pub fn choices(self) -> &'static [&'static [Quantity]] {
         use Quantity as Q;
         match self {
-            Self::LowerThrust | Self::Tangency => &[Q::RotationJoint, Q::Thickness],
-            Self::UpperThrust => &[Q::HalfOpening, Q::RotationJoint, Q::Thickness],
-            Self::WholeThrust => &[Q::HalfOpening, Q::Thickness],
-            Self::CentroidFactor | Self::OverturningVariable | Self::EndOfRotation => {
-                &[Q::Thickness]
+            Self::LowerThrust | Self::Tangency => &[&[Q::RotationJoint, Q::Thickness]],
+            Self::UpperThrust => &[&[Q::HalfOpening, Q::RotationJoint, Q::Thickness]],
+            Self::WholeThrust => {
+                &[&[Q::HalfOpening, Q::Thickness], &[Q::OpeningVariable, Q::Thickness]]
             }
-            Self::OverturningHeyman | Self::OverturningMilankovitch => &[Q::OpeningVariable],
-            Self::ShoulderSliding => &[Q::HalfOpening, Q::Thrust],
-            Self::InnerSliding => &[Q::Thrust],
+            Self::CentroidFactor | Self::OverturningVariable | Self::EndOfRotation => {
+                &[&[Q::Thickness]]
+            }
+            Self::OverturningHeyman | Self::OverturningMilankovitch => &[&[Q::OpeningVariable]],
+            Self::ShoulderSliding => &[&[Q::HalfOpening, Q::Thrust]],
+            Self::InnerSliding => &[&[Q::Thrust]],
         }
     }
 
     /// Checks what is given, and that the equation is for the self-weight.
     fn check(self, weight: SelfWeight, given: &[(Quantity, ExactNumber)]) -> Result<(), Refused> {
+        let is_given = |needed: &Quantity| given.iter().any(|(of, _)| of == needed);
+        let holds_all = |choice: &&&[Quantity]| given.iter().all(|(of, _)| choice.contains(of));
+        let needs = self.choices().iter().find(holds_all).map_or(self.needs(), |choice| choice);
         for (quantity, value) in given {
-            Refused::quantity(*quantity, self.needs())?;
+            Refused::quantity(*quantity, needs)?;
             Refused::value_of(*quantity, value)?;
         }
-        let is_given = |needed: &Quantity| given.iter().any(|(of, _)| of == needed);
-        if let Some(&missing) = self.needs().iter().find(|needed| !is_given(needed)) {
-            return Err(Refused::Missing { missing, needed: self.needs().to_vec() });
+        if let Some(&missing) = needs.iter().find(|needed| !is_given(needed)) {
+            return Err(Refused::Missing { missing, needed: needs.to_vec() });
         }
         let limits = match (self, weight) {
-            (Self::Tangency, _) => Some((Quantity::Thickness, ["0", "2"])),
-            (Self::OverturningHeyman, SelfWeight::Heyman) => {
-                Some((Quantity::OpeningVariable, ["1/2", "1"]))
-            }
-            (Self::OverturningMilankovitch, SelfWeight::Milankovitch) => {
-                Some((Quantity::OpeningVariable, ["2/3", "1"]))
-            }
+            (Self::OverturningHeyman, SelfWeight::Heyman) => ["1/2", "1"],
+            (Self::OverturningMilankovitch, SelfWeight::Milankovitch) => ["2/3", "1"],
             (Self::OverturningHeyman | Self::OverturningMilankovitch, _) => {
                 return Err(Refused::OtherWeight { equation: self.number(), weight });
             }
-            _ => None,
+            _ => return Ok(()),
         };
-        let of = |of| given.iter().find(|(quantity, _)| *quantity == of);
-        match limits.and_then(|(quantity, limits)| Some((of(quantity)?, limits))) {
-            Some(((quantity, value), limits)) => Refused::between(*quantity, value, limits),
-            None => Ok(()),
-        }
+        given.iter().try_for_each(|(quantity, value)| Refused::from_to(*quantity, value, limits))
     }
 
-    /// Values in balls; `at` has what is given.
-    fn values(self, weight: SelfWeight, at: &dyn Fn(Quantity) -> Ball) -> Vec<NamedBall> {
+    /// Values; `at` and `angle` have what is given.
+    fn values(
+        self,
+        weight: SelfWeight,
+        at: &dyn Fn(Quantity) -> Option<Known>,
+        angle: &dyn Fn(Quantity) -> Option<Angle<Known>>,
+    ) -> Option<Vec<Named>> {
         use Quantity as Q;
-        let angle = |of| Angle::new(at(of));
-        let ring = || Ring::new(weight, &at(Q::Thickness));
-        match self {
+        let ring = || Some(Ring::new(weight, &at(Q::Thickness)?));
+        Some(match self {
             Self::LowerThrust => {
-                vec![("thrust", "h_L", thrust::lower(&angle(Q::RotationJoint), &ring()).value())]
+                vec![("thrust", "h_L", thrust::lower(&angle(Q::RotationJoint)?, &ring()?).value())]
             }
             Self::UpperThrust => {
-                let (alpha, beta) = (angle(Q::HalfOpening), angle(Q::RotationJoint));
-                vec![("thrust", "h_U", thrust::upper(&alpha, &beta, &ring()).value())]
+                let (alpha, beta) = (angle(Q::HalfOpening)?, angle(Q::RotationJoint)?);
+                vec![("thrust", "h_U", thrust::upper(&alpha, &beta, &ring()?).value())]
             }
             Self::WholeThrust => {
-                let opening = thrust::opening_variable(&angle(Q::HalfOpening));
-                let whole = thrust::whole_through(&opening, &ring()).value();
+                let ring = ring()?;
+                let opening = match at(Q::OpeningVariable) {
+                    Some(a) => Quotient { denominator: a.int(1), numerator: a },
+                    None => thrust::opening_variable(&angle(Q::HalfOpening)?),
+                };
+                let whole = thrust::whole_through(&opening, &ring).value();
                 vec![("A", "alpha cot(alpha/2)", opening.value()), ("thrust", "h_2", whole)]
             }
             Self::Tangency => {
-                let joint = angle(Q::RotationJoint).times_cotangent();
-                vec![("thrust", "h_e", thrust::tangency(&joint, &ring()).value())]
+                let joint = angle(Q::RotationJoint)?.times_cotangent();
+                vec![("thrust", "h_e", thrust::tangency(&joint, &ring()?).value())]
             }
-            Self::CentroidFactor => vec![("centroid_factor", "fac_M", ring().centroid_factor)],
+            Self::CentroidFactor => vec![("centroid_factor", "fac_M", ring()?.centroid_factor)],
             Self::OverturningVariable => {
-                let opening = overturning::opening_variable(&ring()).value();
+                let opening = overturning::opening_variable(&ring()?).value();
                 vec![("A", "alpha cot(alpha/2)", opening)]
             }
             Self::OverturningHeyman | Self::OverturningMilankovitch => {
-                let eta = overturning::thickness(weight, &at(Q::OpeningVariable));
+                let eta = overturning::thickness(weight, &at(Q::OpeningVariable)?);
                 vec![("thickness", "eta", eta)]
             }
             Self::EndOfRotation => {
-                let ring = ring();
+                let ring = ring()?;
                 let root = ring.thickness.int(3).sqrt();
                 let end = overturning::thickness_at_end(weight, &root);
                 let residual = overturning::end_of_rotation(&ring);
                 vec![("residual", "2 - eta - fac_M", residual), ("thickness_at_end", "eta_l", end)]
             }
             Self::ShoulderSliding => {
-                let mu = sliding::shoulder(&angle(Q::HalfOpening), &at(Q::Thrust)).value();
+                let mu = sliding::shoulder(&angle(Q::HalfOpening)?, &at(Q::Thrust)?).value();
                 vec![("friction", "mu_ss", mu)]
             }
             Self::InnerSliding => {
-                let h = at(Q::Thrust);
+                let h = at(Q::Thrust)?;
                 let joint = Angle::new(sliding::steepest_joint(&h));
                 let mu = sliding::inner(&joint, &h).value();
                 vec![("sliding_joint", "beta_s, rad", joint.rad), ("friction", "mu_is", mu)]
             }
-        }
+        })
     }
 
     /// Evaluates the equation at exact values, every figure to `digits` significant digits.
     ///
-    /// Refused: what the equation does not need, or needs and has not; a value out of its range; (14) or (15) for the
-    /// other weight.
+    /// Refused: what the equation does not need, or needs and has not; a value out of its range; a pole; (14) or (15)
+    /// for the other weight.
     ///
     /// ```
     /// use couplet_prove::certify::equation::ValueEquation;
@@ -220,20 +230,23 @@ impl ValueEquation {
         let small = given.iter().map(size).max().unwrap_or(0);
         let first = bits_of(digits) + GUARD + POWERS_LOST * small;
         let found = raise(first, |bits| {
-            let value = |of: Quantity| {
-                let value = given.iter().find(|(quantity, _)| *quantity == of);
-                value.map_or(Ball::whole(bits), |(_, value)| value.enclosure(bits))
-            };
-            let values = self.values(weight, &value);
-            if values.iter().any(|(.., x)| !x.is_bounded()) {
+            let of = |of: Quantity| given.iter().find(|given| given.0 == of).map(|given| &given.1);
+            let at = |quantity| of(quantity).map(|value| Known::new(value, bits));
+            let angle = |quantity| of(quantity).map(|value| Known::angle(value, bits));
+            let missing = || Undecided::new("a quantity that is missing");
+            let values = self.values(weight, &at, &angle).ok_or_else(missing)?;
+            if values.iter().any(|(.., x)| matches!(x, Known::Undefined(_))) {
+                return Ok(Some(None));
+            }
+            if values.iter().any(|(.., x)| !x.ball().is_bounded()) {
                 return Err(Undecided::new("whether a divisor is zero"));
             }
-            let shown = |(name, symbol, x): NamedBall| {
-                Some(EquationValue { name, symbol, figure: Figure::around(&x, digits)? })
+            let shown = |(name, symbol, x): Named| {
+                Some(EquationValue { name, symbol, figure: x.figure(digits)? })
             };
-            Ok(values.into_iter().map(shown).collect::<Option<Vec<_>>>())
+            Ok(values.into_iter().map(shown).collect::<Option<Vec<_>>>().map(Some))
         });
-        Ok(found?)
+        Ok(found?.ok_or(Refused::DividesByZero { equation: self.number() })?)
     }
 }
 
@@ -326,6 +339,8 @@ mod tests {
         for (number, weight, given, words) in [
             (2, SelfWeight::Heyman, vec![thickness("0.1")], "rotation_joint is missing"),
             (6, SelfWeight::Heyman, vec![opening("0.7")], "the quantities are thickness"),
+            (4, SelfWeight::Heyman, vec![opening("0.7")], "the equation needs A, thickness"),
+            (4, SelfWeight::Heyman, vec![thickness("0.1")], "half_opening is missing"),
             (6, SelfWeight::Heyman, vec![thickness("2.1")], "not between 0 and 2"),
             (14, SelfWeight::Heyman, vec![opening("1.2")], "A = 1.2 is not between 1/2 and 1"),
             (15, SelfWeight::Milankovitch, vec![opening("0.6")], "not between 2/3 and 1"),
@@ -340,6 +355,8 @@ mod tests {
         }
         let given = [(Q::RotationJoint, "1".to_owned()), thickness("2")];
         let error = of(5, SelfWeight::Heyman, &given).unwrap_err().to_string();
-        assert_eq!(error, "thickness = 2 is not between 0 and 2");
+        assert_eq!(error, "(5) has no value there: what it divides by is exactly zero");
+        let near = [(Q::RotationJoint, "1".to_owned()), thickness("1.999999999999999999999")];
+        assert!(of(5, SelfWeight::Heyman, &near).is_ok(), "false twin");
     }
 }

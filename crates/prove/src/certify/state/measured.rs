@@ -52,19 +52,23 @@ pub fn measured_assessment(
         let radius = measures.exact_radius(Some(thickness));
         let metres = radius.as_ref().map(|radius| radius.factor() * thickness.factor());
         let (eta, metres) = (thickness.enclosure(bits), metres.map(ExactNumber::rational));
+        let both = radius.as_ref().zip(metres.as_ref()).map(<[_; 2]>::from);
+        let exact = both.and_then(|both| measures.exact_weight(arch.half_opening(), both));
+        let weight = sizes.weight.map(|enclosed| Some(MeasuredSize { enclosed, exact }));
         let mut sized = shape(arch, measures, bits);
         sized.extend([
             size(Quantity::Radius, sizes.radius, radius),
             size(Quantity::GivenThicknessInMetres, sizes.thickness, metres),
             size(Quantity::GivenThickness, eta, Some(thickness.clone())),
         ]);
+        let enclosed = |x: Option<Option<Ball>>| x.map(|x| x.map(MeasuredSize::from));
         let rest = [
-            (Quantity::ThicknessInMetres, least.map(Some)),
-            (Quantity::Weight, sizes.weight.map(Some)),
-            (Quantity::LeastForce, least_thrust),
-            (Quantity::LargestForce, largest_thrust),
+            (Quantity::ThicknessInMetres, enclosed(least.map(Some))),
+            (Quantity::Weight, weight),
+            (Quantity::LeastForce, enclosed(least_thrust)),
+            (Quantity::LargestForce, enclosed(largest_thrust)),
         ];
-        sized.extend(rest.into_iter().filter_map(|(of, x)| Some((of, x?.map(MeasuredSize::from)))));
+        sized.extend(rest.into_iter().filter_map(|(of, x)| Some((of, x?))));
         Ok(figures(sized, digits))
     });
     Ok(found?)

@@ -14,6 +14,7 @@
 //!
 //! **An opening variable.** `A` falls with the half opening, from 2 to 0.
 
+mod exact;
 mod found;
 mod search;
 

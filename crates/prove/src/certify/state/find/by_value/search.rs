@@ -1,5 +1,6 @@
 //! The search for the states with a value.
 
+use super::exact::is_value;
 use super::found::{OtherState, StateOfValue, StatesOfValue};
 use crate::arch::haunch::Haunch;
 use crate::arch::{Configuration, Ring, SelfWeight, Unknown, contact, overturning, thrust};
@@ -355,8 +356,9 @@ impl Search<'_> {
             let value = value?;
             let figure = match quantity == given && exact.is_rational() {
                 true => Figure::exact(exact, self.digits),
-                // Overturning, a rational A and a rational thickness may go together.
-                false => Figure::around(&value, self.digits),
+                false => Figure::proved(&value, self.digits, |x| {
+                    is_value(self.weight(), mode, (given, exact), quantity, &value, x)
+                }),
             };
             Some(figure.map(|figure| (quantity, figure)))
         };
