@@ -125,7 +125,7 @@ pub(super) fn record(at: &AtThickness) -> Record {
     let eta = eta.unwrap_or_else(|| at.thickness.clone());
     let half = if at.extent == Extent::Half { " of the half arch" } else { "" };
     record.say(format!(
-        "\nProgramme (20) at thickness {eta}, {stones} equal stones, {joints} joints{half}"
+        "Programme (20) at thickness {eta}, {stones} equal stones, {joints} joints{half}"
     ));
     record.say_all(at.words().iter().map(|line| format!("   {line}")));
     record.add("thickness", at.thickness.as_str());
