@@ -2,6 +2,7 @@
 
 use super::printed;
 use crate::program::{Scratch, command, couplet, json, said};
+use serde_json::Value;
 
 #[test]
 fn claims_are_decided_and_a_misprint_is_no_failure() {
@@ -86,17 +87,18 @@ fn a_derivation_can_be_followed() {
         "S delta eta^3 + 3 (f + g) eta^2 - 12 (g - S) eta - 12 (f - g)",
         "let    cofactor u of P",
         "given  S != 0, 2 - eta != 0",
-        "4 claims: 3 proved as printed, 1 proved, not stated in the paper",
+        "4 claims: 3 proved as printed, 1 proved, not stated in the paper; 1 joined by sentences",
     ] {
         assert!(text.contains(line), "{line}");
     }
-    let text = printed(&["prove", "map-function", "map-lines", "survey-rise", "survey-worst"]);
+    let all = ["unique-attained", "map-function", "map-lines", "survey-rise", "survey-worst"];
+    let text = printed(&[&["prove"], &all[..]].concat());
     for line in [
         "by checks and theorems of Coq",
         "by checks and an argument in words",
         "by checks, theorems of Coq and an argument in words",
         "by checks, theorems of Coq and claims that rest on an argument",
-        "; 1 by theorems of Coq; 2 by an argument in words, 1 resting on one",
+        "; 2 by theorems of Coq; 3 by an argument in words, 1 resting on one; ",
     ] {
         assert!(text.contains(line), "{line}");
     }
