@@ -56,8 +56,9 @@ fn a_given_thickness_is_compared_with_the_least() {
     }
 }
 
-/// A keystone that reaches beyond a right angle on both sides: with unlimited friction no thrust is too small. The friction
-/// that it asks for is proved all the same: with the next larger number it stands, with the next smaller one it falls.
+/// A keystone that reaches beyond a right angle on both sides: with unlimited friction no thrust is too small. The
+/// friction that it asks for is proved all the same: with the next larger number it stands, with the next smaller one
+/// it falls.
 #[test]
 fn a_keystone_beyond_a_right_angle_asks_for_a_friction() {
     let stones = Stones::joints(vec!["2.00789".parse().unwrap(), "2.6309".parse().unwrap()]);

@@ -23,7 +23,7 @@ pub struct ComplementarityArch {
     pub found: SolutionsFound,
 }
 
-/// What is found of one arch: an arch of stones is another than that with a joint at every angle.
+/// Solutions of one arch: an arch of stones is another than that with a joint at every angle.
 #[derive(Debug)]
 pub enum SolutionsFound {
     /// Solutions with a joint at every angle.
