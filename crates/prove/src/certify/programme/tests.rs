@@ -229,8 +229,8 @@ fn parallel_slips_are_no_obstacle() {
     assert!(more.0 <= free.1 && free.0 <= more.1, "{more:?} {free:?}");
 }
 
-/// With unlimited friction there may be no rates that fit, which looking at all sets of four motions tells too: then (19)
-/// has no solution. Where hinges bear rates, and with finite friction, there are some.
+/// With unlimited friction there may be no rates that fit, which looking at all sets of four motions tells too: then
+/// (19) has no solution. Where hinges bear rates, and with finite friction, there are some.
 #[test]
 fn where_no_rates_fit_it_is_proved() {
     let is_none = |mu: &str, eta: &str, stones| {
