@@ -108,6 +108,62 @@ fn all_solutions_between_stones_are_told() {
     assert!(nothing.contains("none, proved: at no thickness up to 2"), "{nothing}");
 }
 
+/// Nothing is told of the arch with a joint at every angle where it is asked between stones: not as a solution, and not
+/// as the one beside which there is no other. `--thickness` of that value proves that it is none.
+#[test]
+fn between_stones_no_other_arch_is_told() {
+    for (mu, stones) in [("inf", "2"), ("0.8", "2"), ("0.8", "3")] {
+        let arch = ["complementarity", "--alpha", "60deg", "--mu", mu, "--stones", stones];
+        let with = |more: &[&str]| output(&[&arch[..], more].concat());
+        let words = with(&[]);
+        assert!(words.contains("no thickness up to 2 has a solution, proved"), "{words}");
+        assert!(!words.contains("least thickness") && !words.contains("no other"), "{words}");
+        let found: Value = serde_json::from_str(&with(&["--format", "json"])).unwrap();
+        assert_eq!((&found["solutions"], &found["search"]), (&Value::Null, &Value::Null));
+        assert_eq!(found["enumeration"]["outcome"], "complete");
+        assert_eq!(found["enumeration"]["solutions"], Value::Array(Vec::new()));
+        let rows = with(&["--format", "csv"]);
+        assert_eq!(rows.lines().count(), 2, "{rows}");
+        assert!(rows.trim_end().ends_with(&format!(",jointed,,,,,{stones},complete,,,")), "{rows}");
+        let every = solutions(&["--alpha", "60deg", "--mu", mu]);
+        let words = with(&["--thickness", &every[0].2]);
+        assert!(words.contains("positive, proved"), "{words}");
+        assert!(!words.contains("symmetric, ["), "{words}");
+    }
+    // Where there is one, no other is told of beside it.
+    let arch = ["complementarity", "--alpha", "pi/2", "--mu", "0.5", "--stones", "5"];
+    let words = output(&arch);
+    assert!(words.contains("symmetric: the least thickness"), "{words}");
+    assert!(words.contains("no other thickness up to 2 has a solution"), "{words}");
+    let half = output(&[&arch[..], &["--half"]].concat());
+    assert!(half.starts_with("Complementarity problem (19) of the half arch"), "{half}");
+}
+
+/// With unlimited friction there may be no rates at all, and so no value of the programme.
+#[test]
+fn where_no_rates_fit_there_is_no_solution() {
+    let arch = ["complementarity", "--alpha", "60deg", "--mu", "inf", "--stones", "2"];
+    let at = |format| output(&[&arch[..], &["--thickness", "1.2", "--format", format]].concat());
+    assert!(at("table").contains("no rates fit: (19) has no solution"));
+    let found: Value = serde_json::from_str(&at("json")).unwrap();
+    let programme = &found["programme"];
+    assert_eq!((&found["verdict"], &programme["outcome"]), (&"proved".into(), &"no_rates".into()));
+    assert!(programme["least_value_lower"].is_null());
+    assert!(at("csv").trim_end().ends_with(",2,no_rates,,,"), "{}", at("csv"));
+}
+
+/// An arch so flat that doubles tell nothing of it is undecided soon, in one line.
+#[test]
+fn a_tiny_arch_between_stones_is_undecided_in_a_line() {
+    for (alpha, stones) in [("1e-7", "6"), ("1e-9", "8")] {
+        let line = ["--half-opening", alpha, "--friction", "0.6", "--stones", stones];
+        let open = couplet(&[&["complementarity"][..], &line].concat());
+        let error = text(&open.stderr);
+        assert_eq!((open.status.code(), error.lines().count()), (Some(1), 1), "{error}");
+        assert!(error.contains("undecided: whether there is a solution at a thickness"), "{error}");
+    }
+}
+
 /// A person is told of them; rows and files are as they were.
 #[test]
 fn state_and_assess_tell_a_person() {

@@ -155,6 +155,47 @@ fn an_arch_of_stones_stands_by_its_own_conditions() {
 }
 
 /// Its rate is the horizontal velocity of the half arch at the crown's centreline.
+/// A joint between stones is named by its own limits: `βₛ` where it is proved that it slides, `βᵣ` where it turns.
+#[test]
+fn joints_between_stones_are_named_by_their_limits() {
+    let mut seen = [0; 4];
+    for arch in [
+        "--span 10m --rise 3m --thickness 60cm --mu 0.6 --stones 21",
+        "--weight heyman --alpha 2.4 --mu 1.3 --eta 0.8 --stones 21",
+        "--weight heyman --alpha 80deg --mu 0.5 --eta 0.3 --stones 9",
+        "--weight heyman --alpha 1 --mu 0.9 --eta 0.2 --stones 7",
+        "--weight heyman --alpha 2.2 --mu 1.4 --eta 0.7 --stones 11",
+        "--alpha pi/2 --mu 0.45 --eta 0.4 --stones 12",
+        "--alpha 2.57 --mu 2.2 --eta 1.4 --stones 15",
+        "--alpha 2.5 --mu 1.9 --eta 1 --stones 40",
+    ] {
+        let told = |command: &str, format: &str| {
+            let words = [command].into_iter().chain(arch.split(' '));
+            written(&words.chain(["--format", format]).collect::<Vec<_>>())
+        };
+        let proved = told("voussoirs", "table");
+        let limits = proved.lines().filter(|line| line.contains("limited by"));
+        let limits: Vec<&str> = limits.flat_map(|line| line.split(", ")).collect();
+        let does = |how: &str, joint: &str| {
+            limits.iter().any(|of| of.contains(how) && of.contains(&format!("at {joint} (")))
+        };
+        let (svg, dxf) = (told("draw", "svg"), told("draw", "dxf"));
+        let texts = svg.split('>').filter_map(|part| part.split('<').next());
+        let names = texts.filter(|name| name.starts_with("joint ") && name.ends_with('°'));
+        for name in names {
+            let joint = name.split(',').next().unwrap();
+            let [turns, slides] = ["hinge", "slides"].map(|how| does(how, joint));
+            let outer = does("hinge at the extrados", joint);
+            let named = ["βᵣ", "βₛ"].map(|symbol| name.contains(symbol));
+            assert_eq!(named, [turns && (slides || !outer), slides], "{arch}: {name}: {limits:?}");
+            assert!(turns || slides, "{arch}: {name}");
+            seen[usize::from(turns) + 2 * usize::from(slides)] += 1;
+            assert!(dxf.contains(&format!("{joint}, ")), "{arch}: {name}");
+        }
+    }
+    assert!(seen[1] >= 4 && seen[2] >= 3 && seen[3] == 2, "{seen:?}");
+}
+
 #[test]
 fn a_crown_that_opens_is_no_pair_of_hinges() {
     for line in ["draw --at L", "draw --at l", "draw --alpha 2.62 --mu inf"] {

@@ -78,3 +78,41 @@ pub fn proved(
 pub fn arches(given: &SurveyGiven, weight: SelfWeight) -> Result<Survey, Failure> {
     Ok(given.survey(weight).map_err(|error| error.to_string())?)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ask::{ArchQuestion, Spelling};
+    use crate::certify::Undecided;
+    use crate::report::{Format, Reported};
+
+    const QUESTION: ArchQuestion =
+        ArchQuestion { refuses: &[], needs: &[], unlimited: false, example: "" };
+
+    /// A verdict that is proved comes first, whatever stays open beside it.
+    #[test]
+    fn what_stays_open_is_told_behind_the_verdict() {
+        let text = |words: &str| Some(words.to_owned());
+        let asked = ArchAsked {
+            joints: text("2.00789,2.6309"),
+            friction: text("0.691032..0.74143"),
+            thickness: text("0.8498609..0.8517507"),
+            ..ArchAsked::default()
+        };
+        let given = SurveyGiven::read(&QUESTION, &asked, Spelling::Option).unwrap();
+        let of = (told(true), 6, false);
+        let mut all = surveyed(&asked, &given, SelfWeight::Milankovitch, of).unwrap();
+        assert!(all.first_open().is_none());
+        let found = all.found.as_mut().unwrap();
+        found.open = Some(Undecided::new("whether it is so").about("required_friction"));
+        let mut written = Vec::new();
+        let table = Format::named(SurveyedArches::content(), "table").unwrap();
+        all.write(table, &mut written).unwrap();
+        let written = String::from_utf8(written).unwrap();
+        let place = |words: &str| written.lines().position(|line| line.trim() == words).unwrap();
+        let [verdict, open] =
+            ["every arch stands, proved", "undecided: required_friction: whether it is so"]
+                .map(place);
+        assert!(verdict == 2 && open > verdict, "{written}");
+    }
+}

@@ -17,6 +17,7 @@ use crate::number::ExactNumber;
 use crate::problem::{Arch, Extent};
 use crate::report::{
     AtThickness, BranchArch, BranchArches, ComplementarityArch, Format, ProgrammeFound, Reported,
+    SolutionsFound,
 };
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
@@ -153,23 +154,21 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     notes::frictions(arches.iter().take(1).map(Arch::friction));
     let answer = |arch: Arch| {
-        let (enumeration, programme) = match (stones, &at) {
-            (Some(stones), None) => {
-                (Some(Error::apart(enumerate(&arch, stones, extent, digits))?), None)
-            }
+        let found = match (stones, &at) {
+            (Some(stones), None) => SolutionsFound::Stones {
+                stones,
+                extent,
+                all: Error::apart(enumerate(&arch, stones, extent, digits))?,
+            },
             (Some(stones), Some(at)) => {
-                (None, Some(at_thickness(&arch, at, (stones, extent), digits)?))
+                SolutionsFound::Programme(at_thickness(&arch, at, (stones, extent), digits)?)
             }
-            (None, _) => (None, None),
+            (None, _) => SolutionsFound::Continuous {
+                symmetric: Error::apart(Balls::Mpfr.state(&arch, digits, false))?,
+                asymmetric: asymmetric(&arch, digits)?,
+            },
         };
-        Ok(ComplementarityArch {
-            symmetric: Error::apart(Balls::Mpfr.state(&arch, digits, false))?,
-            asymmetric: asymmetric(&arch, digits)?,
-            enumeration,
-            programme,
-            asked: asked.clone(),
-            arch,
-        })
+        Ok(ComplementarityArch { found, asked: asked.clone(), arch })
     };
     let answers: Vec<ComplementarityArch> =
         arches.into_iter().map(answer).collect::<Result<_, Failure>>()?;

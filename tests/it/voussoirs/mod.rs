@@ -11,6 +11,7 @@ use couplet::certify::state::{Answer, Certify, Figure, Inquiry, Wanted};
 use couplet::certify::{
     VoussoirDigits, VoussoirLimit, VoussoirStanding, Voussoirs, assess_voussoirs, voussoirs,
 };
+use couplet::number::Decimal;
 use couplet::problem::stones::Stones;
 use couplet::problem::{Arch, Friction, Mode};
 use serde_json::Value;
@@ -52,6 +53,31 @@ fn a_given_thickness_is_compared_with_the_least() {
     for wrong in ["0", "-1", "2.1", "pi"] {
         let found = assess_voussoirs(&stones, weight, &mu, &wrong.parse().unwrap(), 10);
         assert!(found.is_err(), "{wrong}");
+    }
+}
+
+/// A keystone that reaches beyond a right angle on both sides: with unlimited friction no thrust is too small. The
+/// friction that it asks for is proved all the same: with the next larger number it stands, with the next smaller one
+/// it falls.
+#[test]
+fn a_keystone_beyond_a_right_angle_asks_for_a_friction() {
+    let stones = Stones::joints(vec!["2.00789".parse().unwrap(), "2.6309".parse().unwrap()]);
+    let stones = stones.unwrap();
+    let assess = |mu: &str, eta: &str| {
+        let (mu, eta) = (mu.parse().unwrap(), eta.parse().unwrap());
+        assess_voussoirs(&stones, SelfWeight::Milankovitch, &mu, &eta, 9).unwrap()
+    };
+    for eta in ["0.8498609", "0.8517507"] {
+        let free = assess("inf", eta);
+        let needed = free.required_friction.unwrap().unwrap();
+        assert!(needed.to_string().starts_with("0.39787"), "{needed}");
+        let Ok(VoussoirStanding::Stands([least, largest])) = free.standing else { panic!("{eta}") };
+        assert!(least.thrust.is_none() && largest.thrust.is_some());
+        let stands = |mu: &Decimal| match assess(&mu.to_string(), eta).standing.unwrap() {
+            VoussoirStanding::Stands([least, _]) => least.thrust.is_some(),
+            VoussoirStanding::Falls(_) => false,
+        };
+        assert!(stands(&needed.decimal.upper) && !stands(&needed.decimal.lower));
     }
 }
 

@@ -130,6 +130,7 @@ impl Claim {
             }
             Decide::Finds(find) => find(&mut derivation),
         };
+        derivation.weigh_words();
         Decision { claim: *self, outcome, derivation, time: start.elapsed() }
     }
 }

@@ -60,9 +60,10 @@ worded! {
         Claim = "claim",
         /// A theorem of `proofs/coq`, which Coq checks and this program does not.
         Theorem = "theorem",
-        /// A conclusion from the steps before, in words.
+        /// A conclusion from the steps before, in a few words that join them.
         Conclusion = "conclusion",
-        /// An argument in words that carries the claim: what is checked before it does not say as much.
+        /// An argument in words that carries the claim: what is checked before it does not say as much, or the words
+        /// are many.
         Argument = "argument",
     }
     /// All of them, in order.
@@ -127,6 +128,9 @@ pub(super) enum Twin {
     /// The twin changes only the verdict: what is proved is a box or a cell, which has no false place at hand.
     Verdict,
 }
+
+/// Words of the conclusions of a claim that join its checks, at most; more of them are an argument.
+const MOST_WORDS: usize = 60;
 
 /// A proof as far as it has come. A check that fails ends it.
 #[derive(Clone, Debug, Default)]
@@ -196,6 +200,17 @@ impl Derivation {
         match self.steps.iter().any(|step| carries(&step.support)) {
             true => Some(Argument::Own),
             false => self.beneath.iter().any(carries).then_some(Argument::Beneath),
+        }
+    }
+
+    /// Calls the conclusions an argument where they have more words than [`MOST_WORDS`] together: they carry the claim.
+    pub(super) fn weigh_words(&mut self) {
+        let is_conclusion = |step: &DerivationStep| step.support == Support::Conclusion;
+        let conclusions = self.steps.iter().filter(|step| is_conclusion(step));
+        let words: usize = conclusions.map(|step| step.words.split_whitespace().count()).sum();
+        if words > MOST_WORDS {
+            let conclusions = self.steps.iter_mut().filter(|step| is_conclusion(step));
+            conclusions.for_each(|step| step.support = Support::Argument);
         }
     }
 

@@ -66,7 +66,7 @@ mod tests {
 
     fn named() -> BTreeSet<&'static str> {
         let ids = index().into_iter().flat_map(|sentence| match sentence.decided {
-            Decided::Claims(ids) => ids.to_vec(),
+            Decided::Claims(ids) | Decided::Reading(ids, _) => ids.to_vec(),
             Decided::Audit | Decided::Opinion | Decided::Open(_) => Vec::new(),
         });
         ids.collect()

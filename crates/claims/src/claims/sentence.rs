@@ -20,6 +20,9 @@ pub enum Decided {
     Audit,
     /// An opinion of the authors, on what matters or is simple: no proof can decide it.
     Opinion,
+    /// The sentence says less than the claims that bear on it, or may be read in more than one way: it is an opinion,
+    /// with a note on what the claims leave of it.
+    Reading(&'static [&'static str], &'static str),
     /// The sentence is not decided here, and why.
     Open(&'static str),
 }

@@ -1,6 +1,6 @@
 //! Sentences of the paper, place by place, and what decides it: the data of the index.
 
-use super::sentence::Decided::{Audit, Claims, Open, Opinion};
+use super::sentence::Decided::{Audit, Claims, Open, Opinion, Reading};
 use super::sentence::Sentence;
 
 /// The sentences of a part of the paper: the place, what it says, and what decides it.
@@ -105,7 +105,12 @@ pub(super) const EQUATIONS: &[Sentence] = sentences! {
     "Sec. 2.3": "(2) to (5) describe pure rotation, (17) and (18) pure sliding",
         Claims(&["modes-seven", "mechanism-limits"]);
     "Sec. 2.3": "where some of either hold, modes are mixed", Claims(&["modes-seven", "modes-occur"]);
-    "Sec. 2.3": "in general five equations rule five variables", Claims(&["equations-five"]);
+    "Sec. 2.3": "in general five equations rule five variables",
+        Reading(
+            &["equations-five"],
+            "it is said of a part of (2) to (5) and of (17), (18), three and two among alpha, mu, eta, h and beta_r; \
+             one state has fewer of them, at T alone all five",
+        );
 };
 
 /// Section 3: the map.
@@ -190,7 +195,8 @@ pub(super) const ILLUSTRATION: &[Sentence] = sentences! {
     "Eq. (19)": "at collapse they have a solution", Claims(&["modes-seven", "unique-thickness"]);
     "Eq. (20)": "they have one where the least value of a programme is zero", Claims(&["programme-zero"]);
     "Eq. (20)": "a zero shows the onset of collapse, for symmetric motions", Claims(&["unique-thickness"]);
-    "Eq. (20)": "and for all motions", Claims(&["unique-asymmetric"]);
+    "Eq. (20)": "and for all motions",
+        Reading(&["unique-asymmetric"], "(20) is printed without a word on asymmetric motions; those have more zeros");
     "Sec. 4": "that value comes out in the order of 1e-16", Open(THEIR_PROGRAM);
     "Sec. 4, Fig. 7-12": "the lines of thrust and of friction are inside the arch at T, S, J, B, l, L",
         Claims(&["landmark-inside", "landmark-inside-unlimited"]);
@@ -246,7 +252,11 @@ pub(super) const CONCLUSIONS: &[Sentence] = sentences! {
     "Sec. 5": "what the literature has of finite friction agrees with the maps", Open(NOT_READ);
     "Sec. 5": "the least thickness is unique, though friction is not associated: for symmetric motions",
         Claims(&["unique-thickness"]);
-    "Sec. 5": "the least thickness is unique for asymmetric motions too", Claims(&["unique-asymmetric"]);
+    "Sec. 5": "no sign is recorded that the least thickness is not unique",
+        Reading(
+            &["unique-asymmetric"],
+            "it is told as what was found, and as a subject to look into: asymmetric motions give such a sign",
+        );
     "Sec. 5": "their program would have found other solutions", Open(THEIR_PROGRAM);
     "Sec. 5": "for friction that is not associated the limit theorems do not always apply, but uniqueness is proved \
                for arches with symmetrical load and geometry",

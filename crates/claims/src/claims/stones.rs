@@ -10,6 +10,7 @@ use super::modes::LEVER;
 use super::uniqueness::THICKER_HAS_ROOM;
 use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::mechanism::Contact;
+use crate::arch::whole::motion_row;
 use crate::arch::{Ring, thrust};
 use crate::number::{Angle, Field};
 use crate::symbolic::{Letters, Symbol};
@@ -23,8 +24,8 @@ claims! {
          (4), or the next to it that friction allows. Its least thickness is the largest over its joints of the one \
          from which on the line of thrust is above the intrados there";
     AsPrinted("programme-zero", "Eq. (20)", programme):
-        "where an arch of stones has an admissible state the least value of (20) is attained and not negative; it is \
-         zero exactly if (19) has a solution";
+        "where an arch of stones has an admissible state and rates that fit, the least value of (20) is attained and \
+         not negative; it is zero exactly if (19) has a solution";
 }
 
 fn sums(d: &mut Derivation) -> Checked {
@@ -104,8 +105,17 @@ fn each_joint(d: &mut Derivation) -> Checked {
 
 fn programme(d: &mut Derivation) -> Checked {
     lemmas(d, [&STONES_ADD_UP])?;
-    d.assume("joints at finitely many angles; the rates are not negative, fit, and add up to one");
+    d.assume(
+        "joints at finitely many angles, and rates that fit: not negative, not all zero, so that they may add up to \
+         one. With finite friction there are some. Without a limit of friction there may be none; then (19) has no \
+         solution and (20) no value",
+    );
     let joint = Symbol::joint();
+    let eta = Symbol::Thickness.number();
+    let motion = |contact| motion_row(contact, &joint, &eta, &eta.int(0));
+    let [[across, _, up], [back, _, down]] = [Contact::Inwards, Contact::Outwards].map(motion);
+    d.identity("equal rates of both slips of a joint fit: across", across, -back)?;
+    d.identity("and up", up, -down)?;
     let (h, p) = (Symbol::Thrust.number(), Symbol::CrownMoment.number());
     for contact in Contact::ALL {
         let phi = -margin_at(contact, &joint);
@@ -119,7 +129,7 @@ fn programme(d: &mut Derivation) -> Checked {
         "Each term of -phi^T lambda is the product of two numbers that are not negative: so is the sum, and it is zero \
          exactly if each term is, which is (19). For given rates it is linear in the forces and not negative, so that \
          it is least on a face of the admissible forces of least dimension, on which it is constant. There are \
-         finitely many, and the rates are a bounded polyhedron: the least of finitely many linear functions is \
+         finitely many, and the rates are a bounded polyhedron that is not empty: the least of finitely many linear functions is \
          attained there. A vertical force in the crown, as one force more, changes nothing.",
     )
 }

@@ -28,6 +28,9 @@
 //!    beta)`, each for its joint, and all but those nearest to the crown follow from these. Conditions that follow
 //!    from another with the same row make no lines, as no vertex needs them.
 //!
+//! **No rates at all** fit where the motions of all joints point to one side of a plane: then (19) has no solution,
+//! and the programme no value. It may be so with unlimited friction alone: else equal rates of a joint's two slips fit.
+//!
 //! **Complete** for the joints that there are: all pairs of conditions are looked at. Between the joints nothing is
 //! asked.
 //!
@@ -43,7 +46,7 @@ use crate::problem::{Arch, Extent};
 use crate::prover::arithmetic::{larger, lesser};
 use crate::prover::vector::{ForceLine, Vector, at, cross, dot, parts};
 use crate::prover::{Error, Refused, Undecided};
-use crate::solve::rates::{PositiveRates, least_cost};
+use crate::solve::rates::{PositiveRates, least_cost, parting};
 use conditions::{MovingLimit, conditions, follows};
 
 mod conditions;
@@ -51,6 +54,8 @@ mod conditions;
 /// Result of the programme (20).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Programme {
+    /// No rates fit but zero: (19) has no solution.
+    NoRates,
     /// No forces satisfy the conditions at all joints.
     NothingAdmissible,
     /// The least value of the programme is zero: (19) has a solution.
@@ -119,6 +124,9 @@ impl RateSearch {
     }
 
     fn least(&self) -> Result<Programme, Undecided> {
+        if self.has_no_rates() {
+            return Ok(Programme::NoRates);
+        }
         let mut found: Option<(f64, Option<f64>)> = None;
         let mut parallel = Vec::new();
         for pair in self.pairs() {
@@ -160,6 +168,21 @@ impl RateSearch {
             Some((lower, upper)) if lower > 0.0 => Programme::Least { lower, upper },
             Some(_) if self.bears_nothing() => Programme::Idle,
             Some(_) => return Err(Undecided::new("whether the least value is zero")),
+        })
+    }
+
+    /// Tells whether a direction is proved in which all motions point, `y . b > 0`: then rates that are not negative
+    /// and have `sum rate b = 0` are zero.
+    fn has_no_rates(&self) -> bool {
+        let column = |limit: &MovingLimit| {
+            let [a, b, c] = limit.motion.map(|x| x.mid());
+            [a, b, c, 0.0]
+        };
+        let columns: Vec<[f64; 4]> = self.all.iter().map(column).collect();
+        parting(&columns, 0.0).is_some_and(|[x, y, z, _]| {
+            let direction = [x, y, z].map(DoubleBall::exact);
+            let along = |limit: &MovingLimit| dot(&limit.motion, &direction);
+            self.all.iter().all(|limit| along(limit).is_positive().is_proved())
         })
     }
 

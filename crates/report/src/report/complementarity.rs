@@ -10,7 +10,7 @@ use super::understood::Understood;
 use super::words::{kind, padded};
 use crate::certify::state::{Answer, Digits, Figure};
 use crate::certify::{AsymmetricDigits, AsymmetricJoint, Enumeration, Undecided};
-use crate::problem::Arch;
+use crate::problem::{Arch, Extent};
 
 /// An arch with the solutions that are found.
 #[derive(Debug)]
@@ -19,14 +19,31 @@ pub struct ComplementarityArch {
     pub asked: Understood,
     /// The arch.
     pub arch: Arch,
-    /// Symmetric state of the arch, or why nothing stands.
-    pub symmetric: Result<Answer, Undecided>,
-    /// The asymmetric solutions, or why one that is found is not proved.
-    pub asymmetric: Vec<Result<AsymmetricDigits, Undecided>>,
-    /// All solutions between equal stones, where they are asked for.
-    pub enumeration: Option<Result<Enumeration, Undecided>>,
-    /// The programme (20), where it is asked for.
-    pub programme: Option<AtThickness>,
+    /// Joints at which the conditions hold, and what is found there.
+    pub found: SolutionsFound,
+}
+
+/// Solutions of one arch: an arch of stones is another than that with a joint at every angle.
+#[derive(Debug)]
+pub enum SolutionsFound {
+    /// Solutions with a joint at every angle.
+    Continuous {
+        /// Symmetric state of the arch, or why nothing stands.
+        symmetric: Result<Answer, Undecided>,
+        /// The asymmetric solutions, or why one that is found is not proved.
+        asymmetric: Vec<Result<AsymmetricDigits, Undecided>>,
+    },
+    /// All solutions between equal stones.
+    Stones {
+        /// The stones of the whole arch.
+        stones: u64,
+        /// States that are looked at.
+        extent: Extent,
+        /// The solutions, or why nothing is known.
+        all: Result<Enumeration, Undecided>,
+    },
+    /// The programme (20) between equal stones.
+    Programme(AtThickness),
 }
 
 /// Description of the search for solutions, and what is not proved.
@@ -71,34 +88,64 @@ struct Solution<'a> {
 impl ComplementarityArch {
     /// Reason why something stays open, if it does.
     pub fn first_open(&self) -> Option<Undecided> {
-        let asymmetric = self.asymmetric.iter().find_map(|solution| solution.as_ref().err());
-        let programme = self.programme.as_ref().and_then(|of| of.found.as_ref().err());
-        let enumeration = self.enumeration.as_ref().and_then(|all| match all {
-            Ok(all) => all.first_open(),
-            Err(undecided) => Some(undecided.clone()),
-        });
-        self.symmetric.as_ref().err().or(asymmetric).or(programme).cloned().or(enumeration)
+        match &self.found {
+            SolutionsFound::Continuous { symmetric, asymmetric } => {
+                let asymmetric = asymmetric.iter().find_map(|solution| solution.as_ref().err());
+                symmetric.as_ref().err().or(asymmetric).cloned()
+            }
+            SolutionsFound::Stones { all: Ok(all), .. } => all.first_open(),
+            SolutionsFound::Stones { all: Err(undecided), .. } => Some(undecided.clone()),
+            SolutionsFound::Programme(of) => of.found.as_ref().err().cloned(),
+        }
     }
 
-    /// Solutions that are proved, thin arches first.
+    /// Solutions with a joint at every angle that are proved, thin arches first.
     fn solutions(&self) -> Vec<Solution<'_>> {
-        let symmetric = match &self.symmetric {
+        let SolutionsFound::Continuous { symmetric, asymmetric } = &self.found else {
+            return Vec::new();
+        };
+        let symmetric = match symmetric {
             Ok(Answer::Stands(state)) => Some(Solution::symmetric(state)),
             _ => None,
         };
-        let proved = self.asymmetric.iter().filter_map(|solution| solution.as_ref().ok());
+        let proved = asymmetric.iter().filter_map(|solution| solution.as_ref().ok());
         let mut all: Vec<Solution<'_>> =
             symmetric.into_iter().chain(proved.map(Solution::asymmetric)).collect();
         all.sort_by(|a, b| a.thickness.double.total_cmp(&b.thickness.double));
         all
     }
 
-    /// Reason why there is no symmetric state.
-    fn fall(&self) -> Option<&'static str> {
-        match &self.symmetric {
+    /// The record of the solutions with a joint at every angle.
+    fn continuous(
+        &self,
+        symmetric: &Result<Answer, Undecided>,
+        asymmetric: &[Result<AsymmetricDigits, Undecided>],
+        record: &mut Record,
+    ) {
+        let fall = match symmetric {
             Ok(Answer::Falls { fall, .. }) => Some(fall.reason()),
             _ => None,
+        };
+        record.add("fall", fall);
+        let solutions = self.solutions();
+        if !solutions.is_empty() {
+            record.say("it has a solution at the thickness");
         }
+        record.say_all(solutions.iter().map(|of| format!("   {}  {}", of.thickness, of.words)));
+        record.say_all(fall.map(|reason| format!("no thickness is enough: {reason}")));
+        let undecided = symmetric.as_ref().err();
+        record.say_all(undecided.map(|undecided| format!("the symmetric state is {undecided}")));
+        let undecided = asymmetric.iter().filter_map(|solution| solution.as_ref().err());
+        record.say_all(undecided.map(|of| format!("an asymmetric solution that is found is {of}")));
+        record.add_list("solutions", solutions.iter().map(solved));
+        record.say("");
+        if asymmetric.is_empty() {
+            record.say_all(["no asymmetric solution is found", ""]);
+        } else if asymmetric.iter().any(Result::is_ok) {
+            record.say_all(PROOF.into_iter().chain(MEANING));
+        }
+        record.say_all(SEARCH);
+        record.add("search", SEARCH.join(" "));
     }
 }
 
@@ -123,56 +170,53 @@ impl Reported for ComplementarityArch {
 
     fn records(&self) -> Vec<Record> {
         let mut record = Record::of("couplet.complementarity/1");
-        record.say("Complementarity problem (19) of the whole arch");
+        let extent = match &self.found {
+            SolutionsFound::Continuous { .. } => Extent::Whole,
+            SolutionsFound::Stones { extent, .. } => *extent,
+            SolutionsFound::Programme(of) => of.extent,
+        };
+        let extent = jointed::extent(extent);
+        record.say(format!("Complementarity problem (19) of the {extent} arch"));
         record.say(format!("{}\n", self.asked.with_weight(self.arch.weight())));
         record.add_record("asked", Some(self.asked.fields()));
         record.append(given(&self.arch));
         let open = self.first_open();
         record.add("verdict", if open.is_some() { "undecided" } else { "proved" });
         record.add("reason", open.map(|open| open.reason.to_string()));
-        record.add("fall", self.fall());
-        let solutions = self.solutions();
-        if !solutions.is_empty() {
-            record.say("it has a solution at the thickness");
+        match &self.found {
+            SolutionsFound::Continuous { symmetric, asymmetric } => {
+                self.continuous(symmetric, asymmetric, &mut record);
+            }
+            SolutionsFound::Stones { all, .. } => {
+                record.add_record("enumeration", Some(jointed::record(all)));
+            }
+            SolutionsFound::Programme(of) => {
+                record.add_record("programme", Some(programme::record(of)));
+            }
         }
-        record.say_all(solutions.iter().map(|of| format!("   {}  {}", of.thickness, of.words)));
-        record.say_all(self.fall().map(|reason| format!("no thickness is enough: {reason}")));
-        let undecided = self.symmetric.as_ref().err();
-        record.say_all(undecided.map(|undecided| format!("the symmetric state is {undecided}")));
-        let undecided = self.asymmetric.iter().filter_map(|solution| solution.as_ref().err());
-        record.say_all(undecided.map(|of| format!("an asymmetric solution that is found is {of}")));
-        record.add_list("solutions", solutions.iter().map(solved));
-        record.say("");
-        if self.asymmetric.is_empty() {
-            record.say_all(["no asymmetric solution is found", ""]);
-        } else if self.asymmetric.iter().any(Result::is_ok) {
-            record.say_all(PROOF.into_iter().chain(MEANING));
-        }
-        record.say_all(SEARCH);
-        record.add("search", SEARCH.join(" "));
-        if let Some(all) = &self.enumeration {
-            record.say("");
-            record.add_record("enumeration", Some(jointed::record(all)));
-        }
-        record.add_record_if("programme", self.programme.as_ref().map(programme::record));
         vec![record]
     }
 
     fn tabular(&self) -> Tabular {
-        let found = self.solutions().into_iter().map(|solution| {
-            let mut row = solved(&solution);
-            row.add("outcome", "solution");
-            row
-        });
-        let jointed = self.enumeration.iter().flat_map(jointed::rows);
-        let rows = found.chain(jointed).chain(self.programme.iter().map(programme::row));
+        let rows = match &self.found {
+            SolutionsFound::Continuous { .. } => {
+                let row = |solution: &Solution<'_>| {
+                    let mut row = solved(solution);
+                    row.add("outcome", "solution");
+                    row
+                };
+                self.solutions().iter().map(row).collect()
+            }
+            SolutionsFound::Stones { stones, all, .. } => jointed::rows(*stones, all),
+            SolutionsFound::Programme(of) => vec![programme::row(of)],
+        };
         let row = |mut row: Record| {
             row.append(given(&self.arch));
             row
         };
         let columns = "weight half_opening friction symmetric mode thickness thrust crown_moment vertical_force stones \
                        outcome until least_value least_value_lower";
-        Tabular::of(columns, rows.map(row))
+        Tabular::of(columns, rows.into_iter().map(row))
     }
 }
 

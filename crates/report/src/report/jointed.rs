@@ -27,15 +27,19 @@ fn side(motion: &JointedMotion) -> &'static str {
     motion.side.map_or("crown", Side::name)
 }
 
-/// Rows for the solutions, and for each piece on which nothing is proved, from its thickness until another.
-pub(super) fn rows(found: &Result<Enumeration, Undecided>) -> Vec<Record> {
+/// Rows for the solutions, and for each piece on which nothing is proved, from its thickness until another; one row
+/// with the outcome where there are none.
+pub(super) fn rows(stones: u64, found: &Result<Enumeration, Undecided>) -> Vec<Record> {
     let row = |mut row: Record, outcome: &str| {
         row.add("mode", "jointed");
         row.add("outcome", outcome);
-        row.add("stones", found.as_ref().ok().map(|all| all.stones));
+        row.add("stones", stones);
         row
     };
     let Ok(all) = found else { return vec![row(Record::default(), "undecided")] };
+    if all.solutions.is_empty() && all.open.is_empty() {
+        return vec![row(Record::default(), outcome(all))];
+    }
     let solution = |found: &Result<JointedSolution, Undecided>| match found {
         Ok(found) => row(solved(found), "solution"),
         Err(_) => row(Record::default(), "undecided"),
@@ -43,6 +47,15 @@ pub(super) fn rows(found: &Result<Enumeration, Undecided>) -> Vec<Record> {
     let open =
         |piece: [String; 2]| row(Record::named("thickness until", piece.map(Json::from)), "open");
     all.solutions.iter().map(solution).chain(all.open_bounds().map(open)).collect()
+}
+
+/// Outcome in a word.
+fn outcome(all: &Enumeration) -> &'static str {
+    match (&all.standing, all.first_open()) {
+        (Standing::Never, _) => "nothing_admissible",
+        (_, None) => "complete",
+        (_, Some(_)) => "open",
+    }
 }
 
 /// The solutions, with what a person reads of them.
@@ -72,12 +85,7 @@ pub(super) fn record(found: &Result<Enumeration, Undecided>) -> Record {
             format!("   there are admissible states from the thickness {eta} on")
         }
     });
-    let outcome = match (&all.standing, all.first_open()) {
-        (Standing::Never, _) => "nothing_admissible",
-        (_, None) => "complete",
-        (_, Some(_)) => "open",
-    };
-    record.add("outcome", outcome);
+    record.add("outcome", outcome(all));
     record.add("reason", all.first_open().map(|open| open.reason.to_string()));
     record.add("stones", stones);
     record.add("extent", extent(all.extent));
@@ -103,12 +111,16 @@ fn rest(all: &Enumeration) -> Vec<String> {
     let mut lines = vec![String::new()];
     let open = |[low, high]: [String; 2]| format!("   from {low} to {high} nothing is proved");
     lines.extend(all.open_bounds().map(open));
-    let rest = match (all.open.is_empty(), all.extent) {
-        (true, Extent::Whole) => {
-            "no other thickness up to 2 has a solution but mirror images, proved"
-        }
-        (true, Extent::Half) => "no other thickness up to 2 has a symmetric solution, proved",
-        (false, _) => "elsewhere up to 2 there is no other solution, proved",
+    let kind = match (all.extent, all.solutions.is_empty()) {
+        (Extent::Whole, false) => "a solution but mirror images",
+        (Extent::Whole, true) => "a solution",
+        (Extent::Half, _) => "a symmetric solution",
+    };
+    // Another one than those that are listed.
+    let other = if all.solutions.is_empty() { "" } else { "other " };
+    let rest = match all.open.is_empty() {
+        true => format!("no {other}thickness up to 2 has {kind}, proved"),
+        false => format!("elsewhere up to 2 there is no {other}solution, proved"),
     };
     let (complete, range) = match all.open.is_empty() {
         true => ("complete for these joints, as each", "on all of the range"),

@@ -91,7 +91,7 @@ pub use audit::Audit;
 pub use branch::{BranchArch, BranchArches};
 pub use by_value::ByValue;
 pub use claims::{Claims, Index};
-pub use complementarity::ComplementarityArch;
+pub use complementarity::{ComplementarityArch, SolutionsFound};
 pub use drawn::{Axes, Branches, Drawing, Mark, Marked, Plane, Shown, Unit, View};
 pub use equation::{EquationFound, EvaluatedEquation};
 pub use format::{Content, Format};

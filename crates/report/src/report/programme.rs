@@ -52,6 +52,7 @@ impl AtThickness {
 
     fn outcome(&self) -> &'static str {
         match &self.found {
+            Ok(ProgrammeFound::At(Programme::NoRates)) => "no_rates",
             Ok(ProgrammeFound::At(Programme::NothingAdmissible)) => "nothing_admissible",
             Ok(ProgrammeFound::At(Programme::Zero)) => "zero",
             Ok(ProgrammeFound::At(Programme::Idle)) => "zero_by_the_letter",
@@ -73,6 +74,10 @@ impl AtThickness {
             Ok(ProgrammeFound::NoThicknessStands) => {
                 &["there is none, proved: no thickness up to 2 stands"]
             }
+            Ok(ProgrammeFound::At(Programme::NoRates)) => &[
+                "no rates fit: (19) has no solution at this thickness",
+                "proved: there is a direction in which each motion of a joint points, in balls",
+            ],
             Ok(ProgrammeFound::At(Programme::NothingAdmissible)) => {
                 &["nothing is admissible at these joints, proved", complete]
             }
@@ -120,7 +125,7 @@ pub(super) fn record(at: &AtThickness) -> Record {
     let eta = eta.unwrap_or_else(|| at.thickness.clone());
     let half = if at.extent == Extent::Half { " of the half arch" } else { "" };
     record.say(format!(
-        "\nProgramme (20) at thickness {eta}, {stones} equal stones, {joints} joints{half}"
+        "Programme (20) at thickness {eta}, {stones} equal stones, {joints} joints{half}"
     ));
     record.say_all(at.words().iter().map(|line| format!("   {line}")));
     record.add("thickness", at.thickness.as_str());

@@ -94,13 +94,6 @@ impl Record {
         self.put(name, record.map_or(Cell::Value(None), Cell::Record));
     }
 
-    /// Adds an object, if there is one.
-    pub(crate) fn add_record_if(&mut self, name: &'static str, record: Option<Self>) {
-        if record.is_some() {
-            self.add_record(name, record);
-        }
-    }
-
     /// Adds an object of objects, in the order of their names.
     pub(crate) fn add_sorted(
         &mut self,

@@ -230,10 +230,12 @@ fn say(all: &SurveyedArches, record: &mut Record) {
         Some(Sought::Friction) => "The least friction of every arch",
     };
     record.say(format!("{subject} of {}\n", all.asked.with_weight(all.weight)));
-    record.say(match all.first_open() {
-        Some(open) => open.to_string(),
-        None => format!("{}, proved", all.outcome()[1]),
-    });
+    // What stays open beside a verdict comes behind the ranges.
+    let (verdict, open) = match (all.outcome(), all.first_open()) {
+        (["undecided", _], Some(open)) => (open.to_string(), None),
+        ([_, words], open) => (format!("{words}, proved"), open),
+    };
+    record.say(verdict);
     record.say(MEANING);
     let Ok(found) = &all.found else { return };
     let ends = || all.ranges().flat_map(|range| [&range.lower, &range.upper]);
@@ -263,6 +265,7 @@ fn say(all: &SurveyedArches, record: &mut Record) {
         ));
     }
     record.say_all(found.modes.iter().flat_map(modes));
+    record.say_all(open.map(|open| format!("\n   {open}")));
     record.say("");
     for (index, arch) in arches.iter().enumerate() {
         record.say(format!("   ({}) {}", index + 1, all.command(arch)));

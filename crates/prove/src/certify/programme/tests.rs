@@ -57,17 +57,14 @@ fn the_least_value_vanishes_a_second_time() {
     }
 }
 
-/// All triples of conditions, and all bases of four rates, in doubles.
-fn by_enumeration(arch: &Arch, eta: &str, stones: i32) -> f64 {
-    let all = conditions(arch, &eta.parse().unwrap(), (stones, Extent::Whole));
-    let n = all.len();
-    let middle = |x: &[DoubleBall; 3]| x.map(|x| x.mid());
-    let rows: Vec<[f64; 3]> = all.iter().map(|c| middle(&parts(&c.row).0)).collect();
-    let motions: Vec<[f64; 3]> = all.iter().map(|c| middle(&c.motion)).collect();
-    let det = |a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]| {
-        a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
-            + a[2] * (b[0] * c[1] - b[1] * c[0])
-    };
+fn det(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]) -> f64 {
+    a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+        + a[2] * (b[0] * c[1] - b[1] * c[0])
+}
+
+/// All bases of four rates that fit.
+fn bases(motions: &[[f64; 3]]) -> Vec<([usize; 4], [f64; 4])> {
+    let n = motions.len();
     let mut bases = Vec::new();
     for i in 0..n {
         for j in 0..i {
@@ -89,6 +86,17 @@ fn by_enumeration(arch: &Arch, eta: &str, stones: i32) -> f64 {
             }
         }
     }
+    bases
+}
+
+/// All triples of conditions, and all bases of four rates, in doubles.
+fn by_enumeration(arch: &Arch, eta: &str, stones: i32) -> f64 {
+    let all = conditions(arch, &eta.parse().unwrap(), (stones, Extent::Whole));
+    let n = all.len();
+    let middle = |x: &[DoubleBall; 3]| x.map(|x| x.mid());
+    let rows: Vec<[f64; 3]> = all.iter().map(|c| middle(&parts(&c.row).0)).collect();
+    let motions: Vec<[f64; 3]> = all.iter().map(|c| middle(&c.motion)).collect();
+    let bases = bases(&motions);
     let mut least = f64::INFINITY;
     for i in 0..n {
         for j in 0..i {
@@ -219,4 +227,23 @@ fn parallel_slips_are_no_obstacle() {
     let [one, more, free] = ["1", "3", "inf"].map(least);
     assert!(one.0 > 0.0 && one.0 <= more.1);
     assert!(more.0 <= free.1 && free.0 <= more.1, "{more:?} {free:?}");
+}
+
+/// With unlimited friction there may be no rates that fit, which looking at all sets of four motions tells too: then
+/// (19) has no solution. Where hinges bear rates, and with finite friction, there are some.
+#[test]
+fn where_no_rates_fit_it_is_proved() {
+    let is_none = |mu: &str, eta: &str, stones| {
+        let arch = arch("milankovitch", "pi/3", mu);
+        let all = conditions(&arch, &eta.parse().unwrap(), (stones, Extent::Whole));
+        let motions: Vec<[f64; 3]> = all.iter().map(|c| c.motion.map(|x| x.mid())).collect();
+        let found = found(&arch, eta, stones as u64) == Programme::NoRates;
+        assert_eq!(found, bases(&motions).is_empty(), "{mu} {eta} {stones}");
+        found
+    };
+    assert!(is_none("inf", "1.2", 2) && is_none("inf", "1.2", 4));
+    assert!(!is_none("inf", "0.02", 2) && !is_none("inf", "0.02", 4) && !is_none("9", "1.2", 2));
+    let arch = arch("heyman", "pi/3", "inf");
+    let half = programme(&arch, &"1.2".parse().unwrap(), (2, Extent::Half));
+    assert_eq!(half, Ok(Programme::NoRates));
 }

@@ -143,6 +143,8 @@ impl Corner {
         };
         let thrust = if of == Quantity::LeastThrust { thrusts[0] } else { thrusts[1] }?;
         Some(match thrust {
+            // Where all joints are beyond a right angle no thrust is too small: that is no number to tell.
+            None if of == Quantity::LeastThrust => return None,
             None => EndValue::Unbounded,
             Some(figure) => outward(figure, (of == Quantity::LeastThrust) == self.is_unsafe()),
         })

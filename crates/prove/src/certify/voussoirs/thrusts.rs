@@ -182,12 +182,19 @@ impl<'a> ThickStones<'a> {
     }
 
     /// No thrust is too large: more of it, and as much more moment as between the intrados of the first joint and
-    /// the extrados of the shoulder, passes no condition.
+    /// the extrados of the shoulder, passes no condition. Or none is too small: where all joints are beyond a right
+    /// angle less of it presses them, with a moment between the intrados of the shoulder and the extrados of the first
+    /// joint, which slides inwards before the others do.
     fn unbounded(&self, side: ThrustSide) -> Result<ProvedThrustEnd, Undecided> {
         let Self { joints, ring, ties } = self;
         let question = "whether the thrust is bounded";
-        ensure(side == ThrustSide::Largest, question)?;
         let last = joints.last();
+        if side == ThrustSide::Least {
+            let hinges = self.together(&[(Contact::Extrados, 0), (Contact::Intrados, last)])?;
+            let slip = joints.row((Contact::Inwards, 0), ring);
+            ensure(is_positive(&hinges.thrust) && is_positive(&slip.thrust), question)?;
+            return Ok(ProvedThrustEnd { thrust: None, contacts: Vec::new() });
+        }
         let hinges = self.together(&[(Contact::Extrados, last), (Contact::Intrados, 0)])?;
         let has_no_arm = ties.has_no_arm && (joints.stones.has_joint_at_crown() || ties.is_solid);
         ensure(has_no_arm || is_positive(&-hinges.thrust), question)?;

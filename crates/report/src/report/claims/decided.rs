@@ -84,11 +84,15 @@ pub(super) fn summary(decisions: &[Decision]) -> String {
         .filter(|(of, _)| *of > 0)
         .map(|(of, words)| format!("{of} {words}"))
         .collect();
-    let in_coq = |d: &&Decision| d.derivation.steps().iter().any(|s| s.support == Support::Theorem);
-    let theorems = match decisions.iter().filter(in_coq).count() {
-        0 => String::new(),
-        of => format!("; {of} by theorems of Coq"),
+    let with = |support: Support, words: &str| {
+        let has = |d: &&Decision| d.derivation.steps().iter().any(|step| step.support == support);
+        match decisions.iter().filter(has).count() {
+            0 => String::new(),
+            of => format!("; {of} {words}"),
+        }
     };
+    let theorems = with(Support::Theorem, "by theorems of Coq");
+    let sentences = with(Support::Conclusion, "joined by sentences");
     let argued =
         |place| decisions.iter().filter(|d| d.derivation.argument() == Some(place)).count();
     let arguments = match [Argument::Own, Argument::Beneath].map(argued) {
@@ -96,7 +100,7 @@ pub(super) fn summary(decisions: &[Decision]) -> String {
         [own, beneath] => format!("; {own} by an argument in words, {beneath} resting on one"),
     };
     format!(
-        "{}: {}{theorems}{arguments}",
+        "{}: {}{theorems}{arguments}{sentences}",
         count(decisions.len(), "claim", "claims"),
         parts.join(", ")
     )

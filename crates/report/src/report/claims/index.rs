@@ -32,7 +32,9 @@ fn found(decision: &Decision) -> &'static str {
 impl Index {
     /// The claims that decide a sentence, each with the word for what became of it.
     fn claims(&self, sentence: &Sentence) -> Vec<(&str, &str)> {
-        let Decided::Claims(ids) = sentence.decided else { return Vec::new() };
+        let (Decided::Claims(ids) | Decided::Reading(ids, _)) = sentence.decided else {
+            return Vec::new();
+        };
         let decision = |id: &&str| self.decisions.iter().find(|d| d.claim.id == *id);
         let entry = |d: &Decision| (d.claim.id, found(d));
         ids.iter().filter_map(decision).map(entry).collect()
@@ -42,7 +44,7 @@ impl Index {
     fn verdict(&self, sentence: &Sentence) -> &'static str {
         match sentence.decided {
             Decided::Audit => "digits",
-            Decided::Opinion => "opinion",
+            Decided::Opinion | Decided::Reading(..) => "opinion",
             Decided::Open(_) => "open",
             Decided::Claims(_) => {
                 let found = self.claims(sentence);
@@ -68,8 +70,9 @@ impl Index {
         };
         record.add_list("claims", self.claims(sentence).into_iter().map(claim));
         let reason = match sentence.decided {
-            Decided::Open(reason) => {
-                record.say_all(lines(reason, &format!("{indent}open       "), &indent));
+            Decided::Open(reason) | Decided::Reading(_, reason) => {
+                let verdict = self.verdict(sentence);
+                record.say_all(lines(reason, &format!("{indent}{verdict:<10} "), &indent));
                 Some(reason)
             }
             Decided::Audit => {
@@ -100,7 +103,7 @@ fn decided(sentence: &Sentence) -> &'static str {
     match sentence.decided {
         Decided::Claims(_) => "claims",
         Decided::Audit => "audit",
-        Decided::Opinion => "opinion",
+        Decided::Opinion | Decided::Reading(..) => "opinion",
         Decided::Open(_) => "open",
     }
 }

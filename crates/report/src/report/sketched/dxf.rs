@@ -6,6 +6,7 @@ use super::Sketched;
 use super::arcs::arcs;
 use super::caption::title;
 use super::dxf_file::{DxfAnchor, DxfFile, DxfUnit};
+use super::joints::named;
 use super::metres::{Metres, Size};
 use super::numbers::{label, shown};
 use crate::arch::mechanism::Contact;
@@ -118,25 +119,14 @@ fn texts(dxf: &mut DxfFile, sketch: &Sketch, collapse: Option<&Collapse>, out: f
         dxf.text("TEXT", words, (at, DxfAnchor::Middle), (LETTERS, 0.0));
     }
     let [_, outer] = sketch.radii();
-    for (joint, name) in joint_names(sketch, collapse) {
+    let alpha = sketch.half_opening();
+    let joints = named(sketch, &super::at_limit(sketch, collapse));
+    let joints = joints.into_iter().map(|of| (of.at, of.name));
+    for (joint, name) in [(alpha, label("α", alpha))].into_iter().chain(joints) {
         let at = polar(joint, outer + LETTERS);
         let anchor = if joint.sin() > 0.3 { DxfAnchor::Start } else { DxfAnchor::Middle };
         dxf.text("TEXT", &name, (at, anchor), (LETTERS, 0.0));
     }
-}
-
-/// The names of the joints that give way, and the half opening, each once.
-fn joint_names(sketch: &Sketch, collapse: Option<&Collapse>) -> Vec<(f64, String)> {
-    let alpha = sketch.half_opening();
-    let mut names: Vec<(f64, String)> = vec![(alpha, label("α", alpha))];
-    for (contact, joint) in super::at_limit(sketch, collapse) {
-        let is_known = names.iter().any(|(known, _)| (known - joint).abs() < CROWN * alpha);
-        if joint > CROWN * alpha && !is_known {
-            let symbol = if contact.is_hinge() { "βᵣ" } else { "βₛ" };
-            names.push((joint, label(symbol, joint)));
-        }
-    }
-    names
 }
 
 /// A line between two points with a stroke across it at each end, and what it measures.

@@ -5,6 +5,7 @@
 //! |---|---|
 //! | `picture` | the page: panels, legend, caption |
 //! | `panel` | one arch with its heading and names |
+//! | `joints` | the names of its joints |
 //! | `strip` | a thin arch, unrolled |
 //! | `metres` | what an arch measures |
 //! | `dimensions` | that beside the picture |
@@ -28,6 +29,7 @@ mod dxf_file;
 mod falling;
 mod figures;
 mod formats;
+mod joints;
 mod json;
 mod lean;
 mod legend;

@@ -2,15 +2,15 @@
 
 use super::caption::{between, title};
 use super::dimensions::{self, Dimensions};
+use super::joints::named;
 use super::metres::Metres;
 use super::notation::{self, ArchNotation};
 use super::numbers::label;
 use super::{Sketched, Style, at_limit};
-use crate::arch::mechanism::Contact;
 use crate::atlas::{Collapse, Sketch};
 use crate::picture::color::{GUIDE, INK, WHITE};
 use crate::picture::{Anchor, Path, Point, Print, Stroke, Svg, Type, text};
-use crate::sketch::{ArchView, Blocks, CROWN, Lines, PageScale, SketchedLine};
+use crate::sketch::{ArchView, Blocks, Lines, PageScale, SketchedLine};
 
 /// One arch with a mode in which it falls.
 pub(super) struct ModePanel<'a> {
@@ -97,14 +97,6 @@ impl<'a> ModePanel<'a> {
         }
     }
 
-    /// Number of an inner joint between stones, as the answer in words has it.
-    fn number(&self, joint: f64) -> Option<String> {
-        let stones = self.sketch.stones.as_ref()?;
-        let near = |at: &f64| (at - joint).abs() < CROWN * self.sketch.half_opening();
-        let place = self.sketch.stone_joints().iter().position(near)? as u64;
-        Some(format!("joint {}, ", place + u64::from(!stones.has_joint_at_crown())))
-    }
-
     /// The names of the joints, outside the arch: the rotational joint and the half opening on the right, the
     /// sliding joint on the left.
     fn names(&self, svg: &mut Svg, scale: &PageScale) {
@@ -123,27 +115,10 @@ impl<'a> ModePanel<'a> {
             let ends = [outer + 0.4 * room, out + 0.7 * room].map(|r| scale.polar(joint, r, side));
             (ends, scale.polar(joint, out + room, side))
         };
-        let mut names: Vec<(f64, f64, String)> = Vec::new();
-        for (contact, joint) in self.view.marks.iter().copied() {
-            let is_inner = joint > CROWN * alpha && joint < (1.0 - CROWN) * alpha;
-            let number = self.number(joint);
-            let symbol = match (contact, &number) {
-                // The hinge beside a keystone has no symbol.
-                (Contact::Extrados, Some(_)) => "",
-                (Contact::Extrados | Contact::Intrados, _) => "βᵣ",
-                _ => "βₛ",
-            };
-            let side = if contact.is_hinge() || self.style.half { 1.0 } else { -1.0 };
-            let text = number.unwrap_or_default() + label(symbol, joint).trim_start();
-            let known =
-                names.iter_mut().find(|(known, _, _)| (*known - joint).abs() < CROWN * alpha);
-            match known {
-                _ if !is_inner => {}
-                Some((_, _, name)) if *name != text => *name = label("βᵣ = βₛ", joint),
-                Some(_) => {}
-                None => names.push((joint, side, text)),
-            }
-        }
+        let side = |turns: bool| if turns || self.style.half { 1.0 } else { -1.0 };
+        let names = named(self.sketch, &self.view.marks);
+        let mut names: Vec<(f64, f64, String)> =
+            names.into_iter().map(|of| (of.at, side(of.turns), of.name)).collect();
         names.push((alpha, 1.0, label("α", alpha)));
         svg.group("names", |svg| {
             for (joint, side, name) in names {
