@@ -4,7 +4,7 @@ use crate::border::{Outcome, c_text, optional, or_else, taken};
 use crate::codes::{COUPLET_FAULT, COUPLET_OPEN, COUPLET_PROVED, COUPLET_RESOURCE, COUPLET_USAGE};
 use crate::failure::Failure;
 use couplet::certify::survey::{EndValue, QuantityRange, RangeEnd};
-use couplet::check::AcceptedFile;
+use couplet::check::{AcceptedFile, visible};
 use couplet::problem::Quantity;
 use couplet::report::{self, Answers, Format, Reported, Status, Subject, SurveyedArches, Value};
 use couplet::rug::Float;
@@ -88,7 +88,8 @@ impl Outcome for Answer {
 impl Answer {
     /// Without values.
     fn new(code: c_int, verdict: &str, reason: impl Into<String>) -> Self {
-        let (verdict, reason) = (c_text(verdict), c_text(reason));
+        // It may quote what others wrote, as the command's may.
+        let (verdict, reason) = (c_text(verdict), c_text(visible(&reason.into())));
         let (values, json) = (Vec::new(), OnceLock::new());
         Self {
             code,

@@ -161,7 +161,7 @@ def check(certificate: bytes | bytearray | memoryview | str | os.PathLike[str], 
             raise TypeError(f"a certificate is bytes, a str or the path of its file, not {kind}")
         from pathlib import Path
 
-        certificate = Path(certificate).read_bytes()
+        certificate = _asked(Path(certificate).read_bytes)
     return Checked((), _asked(_core.check, certificate, engine))
 
 

@@ -481,7 +481,7 @@ class Constants(Answer):
         if quantity not in self._told["values"] and isinstance(quantity, str):
             try:
                 return _core.quantity(quantity)
-            except _core.CoupletError:
+            except ValueError:
                 pass
         return quantity
 

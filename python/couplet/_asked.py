@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from . import _core
 from ._core import CoupletError
-from ._exact import exact, text_of
+from ._exact import exact, no_text, text_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ def asked(function: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
     try:
         return function(*arguments, **named)
     except UnicodeEncodeError as error:
-        raise CoupletError(f"{error.object!r} is no text: it has half a surrogate pair, which is no character") from None
+        raise CoupletError(no_text(error.object)) from None
     except (CoupletError, _core.UndecidedError) as error:
         said = keyed(str(error))
         if said == str(error):

@@ -10,7 +10,7 @@ import os
 
 from ._asked import keyed
 from ._core import CoupletError, UndecidedError
-from ._exact import exact, text_of
+from ._exact import exact, no_text, text_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -55,7 +55,7 @@ def run(arguments: list[str], data: bytes = b"") -> Done:
         ran = subprocess.run(line, input=data, capture_output=True)
     except UnicodeEncodeError as error:
         text = error.object.partition("=")[2] or error.object
-        raise CoupletError(f"{text!r} is no text: it has half a surrogate pair, which is no character") from None
+        raise CoupletError(no_text(text)) from None
     done = Done(ran.returncode, ran.stdout, ran.stderr.decode(errors="replace"))
     for note in done.notes:
         warnings.warn(note, stacklevel=4)

@@ -349,7 +349,8 @@ def _table(rows: Any, columns: Mapping[str, str]) -> bytes:
     write = csv.writer(text)
     write.writerow(table)
     write.writerows(zip(*table.values()))
-    return text.getvalue().encode()
+    # What is no text is a bad row, as the command has it.
+    return text.getvalue().encode(errors="surrogatepass")
 
 
 def _columns(rows: Any) -> dict[str, list[Any]]:

@@ -33,6 +33,20 @@ def text_of(value: object) -> str:
     return int.__repr__(value) if isinstance(value, int) and not isinstance(value, bool) else str(value)
 
 
+def is_text(text: str) -> bool:
+    """Whether a str is a text, which one with half a surrogate pair is not."""
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
+def no_text(text: str) -> str:
+    """What is said of a str that is none."""
+    return f"{text!r} is no text: it has half a surrogate pair, which is no character"
+
+
 class _NoNumber(Exception):
     pass
 
@@ -42,7 +56,7 @@ def _text(value: object) -> str:
     if isinstance(value, int) or hasattr(value, "as_tuple"):
         return text_of(value)
     if hasattr(value, "numerator") and hasattr(value, "denominator"):
-        return f"{int(value.numerator)}/{int(value.denominator)}"
+        return f"{_whole(value.numerator)}/{_whole(value.denominator)}"
     if not hasattr(value, "as_integer_ratio"):
         raise _NoNumber
     try:
@@ -50,4 +64,11 @@ def _text(value: object) -> str:
     except (ValueError, OverflowError):
         # Not a number, or infinite.
         return str(float(value))  # type: ignore[arg-type]
-    return str(int(numerator)) if denominator == 1 else f"{int(numerator)}/{int(denominator)}"
+    return _whole(numerator) if denominator == 1 else f"{_whole(numerator)}/{_whole(denominator)}"
+
+
+def _whole(value: object) -> str:
+    """The text of what has to be a whole number, whatever its class says that it is."""
+    if not hasattr(value, "__index__"):
+        raise _NoNumber
+    return text_of(value.__index__())

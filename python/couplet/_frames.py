@@ -10,6 +10,7 @@ from ._arrays import VERDICTS, need_numpy, whole
 from ._asked import asked as _ask
 from ._asked import with_doubles
 from ._core import CoupletError
+from ._exact import is_text, no_text
 from ._kinds import NO_SIDE, NO_WORD, kind_of
 from ._rows import in_pieces
 
@@ -124,7 +125,7 @@ class _Question:
     def _with_states(self, kind: Kind) -> Any:
         import numpy as np
 
-        columns, cells, present = self._read(kind)
+        columns, cells, present, no_texts = self._read(kind)
         names = [name for name in _Answers.names(self.quantities) if name != "mode" or not self.has_thickness]
         named = {name: name.join(self.around) for name in names}
         taken = next((name for name in named.values() if name in kind.names), None)
@@ -137,6 +138,8 @@ class _Question:
         # What is wrong with a name is said though there is no row.
         ask(slice(0, 0))
         answers = _Answers(np, kind.size, self.quantities)
+        for row, why in no_texts.items():
+            answers.refuse(np.arange(kind.size) == row, why)
         for role, there in present.items():
             answers.refuse(~there, f"the {role} is empty")
         places = np.all(list(present.values()), axis=0).nonzero()[0] if present else kind.size
@@ -146,20 +149,30 @@ class _Question:
         columns_of = answers.columns(kind)
         return kind.with_columns({new: columns_of[name]() for name, new in named.items()})
 
-    def _read(self, kind: Kind) -> tuple[list[str], list[Any], dict[str, Any]]:
-        """The columns as the command has them, ``theirs=ours:deg``; their cells; and where they have values, if not everywhere."""
+    def _read(self, kind: Kind) -> tuple[list[str], list[Any], dict[str, Any], dict[int, str]]:
+        """The columns as the command has them, ``theirs=ours:deg``; their cells; where they have values, if not everywhere; and
+        the rows with a cell that is no text, with what is said of it."""
+        import numpy as np
+
         columns, cells, present = [], [], {}
+        no_texts: dict[int, str] = {}
         for role, text in self.roles.items():
             name, unit = _column(kind.names, text)
             column, there = kind.cells(name)
             if len(column) != kind.size:
                 raise CoupletError(f"the column '{name}' has {len(column)} rows, where others have {kind.size}")
             columns.append(f"{name}={role}{unit}")
+            if isinstance(column, list) and not is_text("\n".join(column)):
+                for row in [row for row, text in enumerate(column) if not is_text(text)]:
+                    no_texts.setdefault(row, no_text(column[row]))
+                    column[row] = ""
             cells.append(column)
             # A weight that is not there is the usual one.
             if there is not None and role != "weight":
                 present[role.replace("given_", "")] = there
-        return columns, cells, present
+        if no_texts:
+            present["text"] = ~np.isin(np.arange(kind.size), list(no_texts))
+        return columns, cells, present, no_texts
 
 
 class _Answers:

@@ -14,8 +14,9 @@ from itertools import islice
 
 from . import _core
 from ._arrays import VERDICTS, Bar, whole
+from ._asked import asked
 from ._core import CoupletError
-from ._exact import exact, text_of
+from ._exact import exact, is_text, no_text, text_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -119,13 +120,13 @@ def sweep(
     workers = whole(workers)
     if isinstance(plan, (str, os.PathLike)):
         base, toml = os.path.dirname(os.path.abspath(plan)), None
-        with open(plan, "rb") as file:
+        with asked(open, plan, "rb") as file:
             text = file.read()
     else:
         base, toml = os.getcwd(), _Toml({"schema": "couplet.sweep/1", **plan})
         text = toml.text.encode()
     try:
-        path, others, lost, notes = _core.sweep_begin(text, base, os.path.abspath(output))
+        path, others, lost, notes = asked(_core.sweep_begin, text, base, os.path.abspath(output))
     except CoupletError as error:
         if toml is None:
             raise
@@ -281,8 +282,10 @@ class _Toml:
 
         return re.sub("^" + place.replace("{}", r"(\d+)"), key, sentences, flags=re.MULTILINE)
 
-    def _pair(self, number: int, within: str, key: str, value: Any) -> None:
-        name = f"{within}.{key}" if within else str(key)
+    def _pair(self, number: int, within: str, key: Any, value: Any) -> None:
+        if not isinstance(key, str):
+            raise TypeError(f"a key is a str, not {type(key).__name__}: {key!r}")
+        name = f"{within}.{key}" if within else key
         self.places.append((number, len(self.line) + 1, name))
         self.line += (key if key.isidentifier() and key.isascii() else _text(key)) + " = "
         self._value(number, name, value)
@@ -308,6 +311,8 @@ class _Toml:
 def _text(text: str) -> str:
     import json
 
+    if not is_text(text):
+        raise CoupletError(no_text(text))
     return json.dumps(text, ensure_ascii=False)
 
 

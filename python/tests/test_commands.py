@@ -185,6 +185,12 @@ WRONG = [
     (lambda: couplet.draw("80deg", "0.5", at="T"), couplet.CoupletError, "half_opening"),
     (lambda: couplet.draw("\ud800", "0.5"), couplet.CoupletError, "is no text"),
     (lambda: couplet.draw("1\0", "0.5"), couplet.CoupletError, "of the code 0"),
+    (lambda: couplet.judge({"half_opening": [1], "friction": [1], "\ud800": [1]}), couplet.CoupletError, "not valid UTF-8"),
+    (lambda: couplet.run({"constants": [{"landmarks": "\ud800"}]}), couplet.CoupletError, "'\\ud800' is no text"),
+    (lambda: couplet.run({"\ud800": 1}), couplet.CoupletError, "'\\ud800' is no text"),
+    (lambda: couplet.run("\ud800"), couplet.CoupletError, "is no text"),
+    (lambda: couplet.run({1: 2}), TypeError, "a key is a str, not int: 1"),
+    (lambda: couplet.run({"arches": [{None: 2}]}), TypeError, "a key is a str, not NoneType: None"),
     (lambda: couplet.figure(13), couplet.CoupletError, "a figure is a number from 1 to 12"),
     (lambda: couplet.figure(1, tolerance=1e-3), couplet.CoupletError, "leave out tolerance"),
     (lambda: couplet.figure(1).to_dict(), couplet.CoupletError, "svg, png"),
@@ -197,6 +203,11 @@ WRONG = [
     (lambda: couplet.run({}), couplet.CoupletError, "nothing"),
     (lambda: couplet.run("/nowhere/scene.toml"), OSError, "cannot read"),
 ]
+
+
+def test_a_cell_that_is_no_text_is_a_bad_row():
+    rows = couplet.judge({"half_opening": [1.3, 1.3], "friction": [0.5, 0.5], "thickness": ["\ud800", 0.0523]})
+    assert [row["verdict"] for row in rows] == ["bad row", "correctly rounded"] and "UTF-8" in rows[0]["reason"]
 
 
 @pytest.mark.parametrize(("question", "kind", "sentence"), WRONG)

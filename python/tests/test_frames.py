@@ -158,6 +158,16 @@ def test_numbers_that_are_no_doubles_stay_exact():
     assert cells(couplet.add_states(long, half_opening="alpha", friction="mu"))["thickness"][0] == couplet.state(1.25, 1, digits=17).thickness.double
 
 
+def test_a_cell_that_is_no_text_is_a_row():
+    pandas = pytest.importorskip("pandas")
+    alpha, mu, weight = ["1.3", "\ud800", "1.5", "1.6"], ["1", None, "2\udc00", "1"], ["heyman", "", "heyman", "\ud801"]
+    for table in ({"alpha": alpha, "mu": mu, "w": weight}, pandas.DataFrame({"alpha": alpha, "mu": mu, "w": weight}, dtype=object)):
+        found = cells(couplet.add_states(table, half_opening="alpha", friction="mu", weight="w"))
+        assert found["verdict"] == ["stands", "refused", "refused", "refused"]
+        said = " is no text: it has half a surrogate pair, which is no character"
+        assert found["reason"] == [None, *(f"'{escape}'{said}" for escape in ("\\ud800", "2\\udc00", "\\ud801"))]
+
+
 def test_rows_without_a_value_are_refused():
     pandas, polars, pyarrow = (pytest.importorskip(name) for name in ("pandas", "polars", "pyarrow"))
     alpha, mu = [1.3, None, 1.5, 2.0], [1, 2, None, 1]

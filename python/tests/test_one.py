@@ -296,7 +296,18 @@ def test_bad_input_is_one_sentence(question, sentence):
     assert isinstance(caught.value, ValueError)
 
 
-@pytest.mark.parametrize("value", [[1], 1j, True, b"1", object()])
+class OddFraction(Fraction):
+    """Its numerator is no whole number."""
+
+    numerator = "x"
+
+
+def test_a_quantity_that_is_no_text_is_not_there():
+    with pytest.raises(KeyError):
+        couplet.constants("T", digits=5)["\ud800"]
+
+
+@pytest.mark.parametrize("value", [[1], 1j, True, b"1", object(), OddFraction(1, 2)])
 def test_what_is_no_number_is_a_type_error(value):
     with pytest.raises(TypeError, match="half opening is a str, int, float, Fraction or Decimal"):
         couplet.state(value, 1)

@@ -286,10 +286,17 @@ def test_what_makes_no_sense(tmp_path, plan):
         (lambda: couplet.sweep(plan, tmp_path, "spark"), "an engine is one of None, processes, ray, dask"),
         (lambda: couplet.sweep(plan, tmp_path, only=(3, 2)), "only is (k, n)"),
         (lambda: couplet.sweep(plan, tmp_path, workers=-1), "threads are a whole number"),
+        (lambda: couplet.sweep({"data": {"files": "\ud800"}}, tmp_path), "'\\ud800' is no text"),
+        (lambda: couplet.sweep({"grid": {"\ud800": 1}}, tmp_path), "'\\ud800' is no text"),
+        (lambda: couplet.sweep("\ud800", tmp_path), "'\\ud800' is no text"),
+        (lambda: couplet.sweep(plan, "\ud800"), "is no text"),
     ]:
         with pytest.raises(couplet.CoupletError) as caught:
             wrong()
         assert words in str(caught.value)
+    for key in [1, None, ("a",)]:
+        with pytest.raises(TypeError, match=f"a key is a str, not {type(key).__name__}: "):
+            couplet.sweep({key: 2}, tmp_path)
     with pytest.raises(FileNotFoundError):
         couplet.sweep(tmp_path / "none.toml", tmp_path)
     with pytest.raises(OSError, match="cannot write"):

@@ -13,6 +13,7 @@ mod version;
 use crate::check::visible;
 use crate::sweep::failure::Failure;
 use crate::sweep::pool;
+use crate::sweep::unfinished;
 use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser};
 use std::ffi::{OsStr, OsString};
 use std::io;
@@ -56,6 +57,7 @@ pub fn run() -> ExitCode {
 /// Exit code of a run with these arguments, without the name of the program; the exit code.
 pub fn run_from(arguments: Vec<OsString>) -> u8 {
     line::keep(&arguments);
+    unfinished::guard(remove_at_an_interrupt);
     // Only the help of the program itself has groups; to make them takes a part of a short run.
     let is_command = arguments
         .first()
@@ -81,6 +83,15 @@ pub fn run_from(arguments: Vec<OsString>) -> u8 {
             }
         }
     }
+}
+
+/// Signals that end the process end what is unfinished before.
+fn remove_at_an_interrupt() {
+    // Without a handler an interrupt leaves a hidden file behind; start all the same.
+    let _ = ctrlc::set_handler(|| {
+        unfinished::remove_all();
+        std::process::exit(130);
+    });
 }
 
 /// The program with its commands in groups.

@@ -44,12 +44,17 @@ fn there(question: &[&str], what: &str, package: &str) -> bool {
     let asked = Command::new(question[0]).args(&question[1..]).output();
     let found = asked.is_ok_and(|output| output.status.success());
     if !found {
-        let line = format!("skipped: what needs {what}; install {package}\n");
-        let _ = std::io::stderr().write_all(line.as_bytes());
-        if let Some(list) = std::env::var_os("COUPLET_SKIPPED") {
-            let list = OpenOptions::new().create(true).append(true).open(list);
-            list.and_then(|mut list| list.write_all(line.as_bytes())).unwrap();
-        }
+        skipped(&format!("what needs {what}; install {package}"));
     }
     found
+}
+
+/// Says that a test did not do something.
+pub(crate) fn skipped(what: &str) {
+    let line = format!("skipped: {what}\n");
+    let _ = std::io::stderr().write_all(line.as_bytes());
+    if let Some(list) = std::env::var_os("COUPLET_SKIPPED") {
+        let list = OpenOptions::new().create(true).append(true).open(list);
+        list.and_then(|mut list| list.write_all(line.as_bytes())).unwrap();
+    }
 }

@@ -1,7 +1,7 @@
 //! The examples print what the command says of the same arches, in every language that is installed.
 
 use crate::library::{Scratch, built, couplet, here};
-use crate::tool::has;
+use crate::tool::{has, skipped};
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -304,6 +304,34 @@ fn octave_says_what_the_command_says() {
 #[test]
 fn what_makes_no_sense_is_refused() {
     is_well("tests/programs/refused.c");
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn what_is_made_to_do_harm_does_none() {
+    is_well("tests/programs/attacked.c");
+}
+
+/// The same beside what sees memory that is used or freed wrongly, or not freed; and that it would see it.
+#[test]
+#[cfg(target_os = "linux")]
+fn what_is_made_to_do_harm_leaves_the_memory_as_it_was() {
+    if !has("gcc", "--version") {
+        return;
+    }
+    let scratch = Scratch::new();
+    let library = scratch.path("empty.so");
+    let empty = ["-fsanitize=address", "-x", "c", "/dev/null", "-shared", "-o", &library];
+    if !Command::new("gcc").args(empty).status().is_ok_and(|status| status.success()) {
+        return skipped("the library for C under an address sanitizer; install gcc with libasan");
+    }
+    let options = ["-std=c11", "-fsanitize=address"];
+    let (scratch, program) = compiled("gcc", &options, &["tests/programs/attacked.c"], shared());
+    assert_eq!(scratch.run(&program, &[]), "well\n");
+    let twice = Command::new(program).arg("twice").output().unwrap();
+    assert!(!twice.status.success(), "an answer that is freed twice is seen");
+    let said = String::from_utf8_lossy(&twice.stderr);
+    assert!(said.contains("AddressSanitizer: attempting double-free"), "{said}");
 }
 
 /// The libraries are not led astray by functions of the same name.

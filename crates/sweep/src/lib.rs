@@ -11,6 +11,7 @@ pub mod scene;
 pub mod surveyed;
 #[cfg(feature = "parquet")]
 pub mod sweep;
+pub mod unfinished;
 
 use couplet_ask::ask;
 use couplet_check::{arch, check, problem};

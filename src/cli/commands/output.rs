@@ -8,13 +8,12 @@ use crate::report::words::shortened;
 use crate::report::{Answers, Content, Format, Reported, Sketched};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
+use crate::sweep::unfinished::Unfinished;
 use clap::Args;
 use std::fmt::Display;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard, Once, PoisonError};
-use tempfile::NamedTempFile;
 
 /// How and where answers are written.
 #[derive(Args)]
@@ -197,18 +196,14 @@ pub(super) enum Output {
     },
     /// A temporary file beside the one asked for, renamed over it at the end.
     File {
-        /// The unfinished file.
-        unfinished: NamedTempFile,
+        /// The unfinished file, where it is, and to be written.
+        unfinished: (Unfinished, File),
         /// The file asked for; where the name asked for is a link, what it leads to.
         path: PathBuf,
         /// True if the file asked for belongs to somebody else, and so is written into.
         is_foreign: bool,
     },
 }
-
-/// The unfinished file, for the interrupt handler to remove.
-static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
-static HANDLER: Once = Once::new();
 
 impl Output {
     /// Opens the destination now: a path that cannot be written fails before any work. A link is followed: what it
@@ -240,9 +235,9 @@ impl Output {
             _ => Path::new("."),
         };
         let failed = |error: io::Error| cannot_write(&path, &error);
-        let unfinished = unfinished_in(folder).map_err(failed)?;
+        let unfinished = Unfinished::file(folder, "").map_err(failed)?;
         let is_foreign = match &there {
-            Some(there) => !take_over(there, unfinished.as_file()).map_err(failed)?,
+            Some(there) => !take_over(there, &unfinished.1).map_err(failed)?,
             None => false,
         };
         Ok(Self::File { unfinished, path, is_foreign })
@@ -286,18 +281,16 @@ impl Output {
             Self::Stream { mut stream, path } => {
                 write(&mut stream).map_err(|error| cannot_write(&path, &error))
             }
-            Self::File { mut unfinished, path, is_foreign } => {
+            Self::File { unfinished: (unfinished, mut file), path, is_foreign } => {
                 let failed = |error: io::Error| cannot_write(&path, &error);
-                write(unfinished.as_file_mut()).map_err(failed)?;
+                write(&mut file).map_err(failed)?;
                 // The name must not be there before the content is.
-                unfinished.as_file().sync_all().map_err(failed)?;
-                if is_foreign {
-                    copy_into(&unfinished, &path).map_err(failed)?;
-                } else {
-                    unfinished.persist(&path).map_err(|error| failed(error.error))?;
+                file.sync_all().map_err(failed)?;
+                match is_foreign {
+                    true => copy_into(unfinished.path(), &path),
+                    false => unfinished.appear(&path),
                 }
-                *unfinished_path() = None;
-                Ok(())
+                .map_err(failed)
             }
         }
     }
@@ -307,20 +300,8 @@ fn cannot_write(path: &Path, error: &io::Error) -> Failure {
     Failure::writing(path.display(), error)
 }
 
-fn builder<'a>() -> tempfile::Builder<'a, 'a> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".couplet-");
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        // The usual permissions of a new file; the process's mask restricts them.
-        builder.permissions(fs::Permissions::from_mode(0o666));
-    }
-    builder
-}
-
-/// Gives a new file the owner and the permissions of the one that it will replace; `false` if the owner cannot be
-/// given away.
+/// Gives a new file the owner and the permissions of the one that it will replace, but what lets a program run as its
+/// owner, as whoever writes into a file takes that away; `false` if the owner cannot be given away.
 fn take_over(there: &fs::Metadata, new: &File) -> io::Result<bool> {
     #[cfg(unix)]
     {
@@ -331,61 +312,20 @@ fn take_over(there: &fs::Metadata, new: &File) -> io::Result<bool> {
             return Ok(false);
         }
     }
-    new.set_permissions(there.permissions())?;
+    #[cfg_attr(not(unix), allow(unused_mut, reason = "there are no modes elsewhere"))]
+    let mut permissions = there.permissions();
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        permissions.set_mode(permissions.mode() & 0o777);
+    }
+    new.set_permissions(permissions)?;
     Ok(true)
 }
 
 /// Writes the content of a finished file into another, whose owner it keeps.
-fn copy_into(finished: &NamedTempFile, path: &Path) -> io::Result<()> {
+fn copy_into(finished: &Path, path: &Path) -> io::Result<()> {
     let mut file = File::options().write(true).truncate(true).open(path)?;
-    io::copy(&mut finished.reopen()?, &mut file)?;
+    io::copy(&mut File::open(finished)?, &mut file)?;
     file.sync_all()
-}
-
-fn unfinished_path() -> MutexGuard<'static, Option<PathBuf>> {
-    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// Makes the unfinished file, which an interrupt removes: at no moment is it there and not known to the handler.
-fn unfinished_in(folder: &Path) -> io::Result<NamedTempFile> {
-    HANDLER.call_once(|| {
-        let handler = || {
-            // Held until the end: nothing is made meanwhile.
-            let unfinished = unfinished_path();
-            if let Some(path) = unfinished.as_ref() {
-                // Nothing more can be done about a file that resists.
-                let _ = fs::remove_file(path);
-            }
-            std::process::exit(130);
-        };
-        // Without a handler an interrupt leaves a hidden file behind; start all the same.
-        let _ = ctrlc::set_handler(handler);
-    });
-    let mut path = unfinished_path();
-    let unfinished = builder().tempfile_in(folder)?;
-    *path = Some(unfinished.path().to_owned());
-    Ok(unfinished)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use std::thread;
-    use std::time::Duration;
-
-    #[test]
-    fn no_file_is_made_that_an_interrupt_would_leave() {
-        let folder = tempfile::tempdir().unwrap();
-        let count = || fs::read_dir(folder.path()).unwrap().count();
-        thread::scope(|scope| {
-            // As the handler holds it.
-            let handler = unfinished_path();
-            let begun = scope.spawn(|| unfinished_in(folder.path()).unwrap());
-            thread::sleep(Duration::from_millis(20));
-            assert_eq!(count(), 0);
-            drop(handler);
-            let unfinished = begun.join().unwrap();
-            assert_eq!((count(), unfinished.path().parent()), (1, Some(folder.path())));
-        });
-    }
 }

@@ -6,9 +6,11 @@ use crate::report::{Content, Format, SampledLines};
 use crate::strategies::{assemblies, samples};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
+use crate::sweep::unfinished::{HIDDEN, Unfinished};
 use clap::Args;
 use std::fs;
 use std::io::{self, Write};
+use std::path::Path;
 
 /// Draw arches to test a solver with: ordinary or hard ones, or stones that just stand or fall.
 ///
@@ -114,19 +116,45 @@ impl Arguments {
             .into());
         };
         let failed = |error: io::Error| Failure::writing(folder.display(), &error);
-        fs::create_dir_all(folder).map_err(failed)?;
-        // Bodies of another draw would be taken for those of this one.
-        if fs::read_dir(folder).map_err(failed)?.next().is_some() {
+        let is_there = is_empty(folder)?;
+        let parent = folder.parent().filter(|parent| !parent.as_os_str().is_empty());
+        let base = if is_there { folder } else { parent.unwrap_or(Path::new(".")) };
+        fs::create_dir_all(base).map_err(failed)?;
+        // All of it appears at once, so that what was killed can be asked again.
+        let hidden = Unfinished::folder(base).map_err(failed)?;
+        let drawn: Vec<Assembled> = self.drawn().collect();
+        for of in &drawn {
+            let path = hidden.path().join(format!("{}.{}", of.id, format.extension));
+            Output::open(Some(&path))?.write(|out| out.write_all(bodies(of).as_bytes()))?;
+        }
+        let answers = Output::open(Some(&hidden.path().join(ANSWERS)))?;
+        answers.write(|out| list(drawn.into_iter(), out))?;
+        // A folder that is there may be somebody's working folder, and stays the one that it is.
+        match is_empty(folder)? {
+            true => hidden.appear_in(folder, ANSWERS),
+            false => hidden.appear(folder),
+        }
+        .map_err(failed)
+    }
+}
+
+/// Tells whether a folder is there; what is there has to be an empty one: bodies of another draw would be taken for
+/// those of this one. Hidden is what was killed.
+fn is_empty(folder: &Path) -> Result<bool, Failure> {
+    let failed = |error: io::Error| Failure::writing(folder.display(), &error);
+    let entries = match fs::read_dir(folder) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound && !folder.is_symlink() => {
+            return Ok(false);
+        }
+        entries => entries.map_err(failed)?,
+    };
+    for entry in entries {
+        if !entry.map_err(failed)?.file_name().to_string_lossy().starts_with(HIDDEN) {
             let folder = folder.display();
             return Err(format!("{folder} is not empty: name a new or an empty folder").into());
         }
-        let drawn: Vec<Assembled> = self.drawn().collect();
-        for of in &drawn {
-            let path = folder.join(format!("{}.{}", of.id, format.extension));
-            Output::open(Some(&path))?.write(|out| out.write_all(bodies(of).as_bytes()))?;
-        }
-        Output::open(Some(&folder.join(ANSWERS)))?.write(|out| list(drawn.into_iter(), out))
     }
+    Ok(true)
 }
 
 /// A list of objects, each on a line of its own.

@@ -2,7 +2,6 @@
 
 use crate::program::{Scratch, command, couplet, said, start, text};
 use serde_json::Value;
-use std::process::Command;
 
 /// A file in an empty folder that cannot be written.
 fn cannot_be_written(name: &str) {
@@ -93,26 +92,6 @@ fn threads_that_cannot_start_are_a_resource_failure() {
     }
     // What needs none goes on.
     assert_eq!(no_thread(&["completions", "bash"]).status.code(), Some(0));
-}
-
-#[cfg(unix)]
-#[test]
-fn an_interrupted_run_leaves_nothing() {
-    let scratch = Scratch::new();
-    let path = scratch.path("million.json");
-    let mut child =
-        command(&["constants", "T", "--digits", "1000000", "--output", &path]).spawn().unwrap();
-    // The unfinished file is there from the start; the work itself takes many seconds.
-    while scratch.files(".").is_empty() {
-        std::thread::sleep(std::time::Duration::from_millis(10));
-        assert!(child.try_wait().unwrap().is_none(), "the run ended too early to be interrupted");
-    }
-    std::thread::sleep(std::time::Duration::from_millis(200));
-    let id = child.id().to_string();
-    assert!(Command::new("kill").args(["-INT", &id]).status().unwrap().success());
-    let status = child.wait().unwrap();
-    assert_eq!(status.code(), Some(130));
-    assert_eq!(scratch.files(".").len(), 0, "neither a half-written file nor a temporary one");
 }
 
 #[cfg(unix)]

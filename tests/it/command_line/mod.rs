@@ -4,6 +4,8 @@ mod claims;
 mod constants;
 mod files;
 mod grids;
+#[cfg(unix)]
+mod interrupts;
 mod language;
 mod measured;
 mod notes;

@@ -45,9 +45,12 @@ fn as_another_user(scratch: &Scratch) -> Command {
 #[test]
 fn permissions_are_kept() {
     let scratch = Scratch::new();
-    for kept in [0o600, 0o640, 0o755] {
+    // What runs as its owner, or its group, is another program from now on.
+    for (given, kept) in
+        [(0o600, 0o600), (0o640, 0o640), (0o755, 0o755), (0o4755, 0o755), (0o2750, 0o750)]
+    {
         scratch.write("f", "old");
-        set_mode(&scratch.path("f"), kept);
+        set_mode(&scratch.path("f"), given);
         assert_eq!(write(&mut command(&[]), &scratch.path("f")).status.code(), Some(0));
         assert_eq!(mode(&scratch, "f"), kept);
         assert!(scratch.read("f").contains("2.7865"));

@@ -17,7 +17,7 @@ use std::fs;
 use std::path::Path;
 
 /// From the top: what a room may use stands before it.
-pub(crate) const ROOMS: [&str; 28] = [
+pub(crate) const ROOMS: [&str; 29] = [
     "number",
     "symbolic",
     "arch",
@@ -42,6 +42,7 @@ pub(crate) const ROOMS: [&str; 28] = [
     "surveyed",
     "find",
     "pool",
+    "unfinished",
     "rows",
     "scene",
     "sweep",

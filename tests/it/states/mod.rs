@@ -11,6 +11,7 @@ mod known;
 mod quick;
 mod random;
 mod small;
+mod widths;
 
 use crate::arches::arch;
 use couplet::arch::{SelfWeight, Unknown};

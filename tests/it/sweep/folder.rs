@@ -21,6 +21,61 @@ fn a_folder_is_looked_through_with_a_hundred_rows_and_says_so() {
     );
 }
 
+/// By its name where the record is beside it, and else by that of the folder that it leads to.
+#[test]
+#[cfg(unix)]
+fn a_link_to_a_folder_is_looked_through() {
+    use std::os::unix::fs::symlink;
+    let scratch = planned("[sample]\ncount = 3\n");
+    sweep(&scratch, "out", &[]);
+    let home = folder(&scratch, "out");
+    let looked = |path: &str| couplet(&["sweep", path, "--verify", "0"]).status.code();
+    symlink(&home, scratch.path("link")).unwrap();
+    assert_eq!(looked(&scratch.path("link")), Some(0));
+    fs::rename(&home, scratch.path("elsewhere")).unwrap();
+    symlink(scratch.path("elsewhere"), &home).unwrap();
+    assert_eq!((looked(&home), looked(&format!("{home}/"))), (Some(0), Some(0)));
+    assert_eq!(looked(&scratch.path("elsewhere")), Some(2));
+}
+
+/// A record of 20 GB, which takes no room on the disk.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_record_that_is_too_large_is_not_read() {
+    let scratch = planned("[sample]\ncount = 3\n");
+    sweep(&scratch, "out", &[]);
+    let (home, whole) = (folder(&scratch, "out"), scratch.path("out"));
+    let record = format!("{home}.json");
+    let first = fs::read(&record).unwrap();
+    let small = |arguments: &[&str]| {
+        let line = "ulimit -v 4000000; exec \"$0\" \"$@\"";
+        let mut program = std::process::Command::new("sh");
+        program.args(["-c", line, env!("CARGO_BIN_EXE_couplet")]).args(arguments);
+        said(&program.args(["--threads", "1"]).output().unwrap())
+    };
+    for size in [(16 << 20) + 1, 20_000_000_000] {
+        fs::File::options().write(true).open(&record).unwrap().set_len(size).unwrap();
+        let (code, _, message) = small(&["sweep", &home]);
+        assert_eq!((code, message.lines().count()), (Some(2), 1), "{message}");
+        assert!(message.ends_with("is not the record of a sweep of this version\n"), "{message}");
+        // Who has the plan writes the record anew.
+        let (code, _, message) = small(&["sweep", &scratch.path("plan.toml"), "-o", &whole]);
+        assert_eq!((code, fs::read(&record).unwrap() == first), (Some(0), true), "{message}");
+    }
+}
+
+#[test]
+fn of_many_other_sweeps_some_are_named_and_the_rest_counted() {
+    let scratch = planned("[sample]\ncount = 3\n");
+    fs::create_dir(scratch.path("out")).unwrap();
+    (0..300).for_each(|k| scratch.write(&format!("out/sweep-{k:016x}.json"), "{}"));
+    let (code, _, message) =
+        said(&couplet(&["sweep", &scratch.path("plan.toml"), "-o", &scratch.path("out")]));
+    assert_eq!(code, Some(0), "{message}");
+    assert!(message.ends_with(", sweep-0000000000000009 and 290 more\n"), "{message}");
+    assert!(!message.contains("sweep-000000000000000a"), "{message}");
+}
+
 #[test]
 fn what_was_forged_is_found() {
     let scratch = planned(

@@ -261,7 +261,7 @@ fn nothing_is_lost_when_a_worker_is_killed() {
         "{out}"
     );
     sweep(&scratch, "fresh", &[]);
-    // What the killed one was writing, if it was, is beside the folder, and cleared later.
+    // What the killed one was writing, if it was, is beside the folder, and cleared after an hour.
     assert_eq!(files(&scratch, "out"), files(&scratch, "fresh"));
 }
 

@@ -17,7 +17,7 @@ use super::Mode::*;
 use super::system::system;
 use super::{Condition, Landmark, Mode, System};
 use crate::arch::{SelfWeight, Unknown};
-use crate::number::{says, worded};
+use crate::number::{says, shown, worded};
 use std::fmt;
 
 worded! {
@@ -157,7 +157,7 @@ impl std::str::FromStr for Line {
             modes.sort();
             modes[..] == asked[..]
         };
-        let no_line = || NoLine { text: text.chars().take(40).collect() };
+        let no_line = || NoLine { text: shown(text) };
         Self::ALL.into_iter().find(is_asked).ok_or_else(no_line)
     }
 }
@@ -184,6 +184,9 @@ mod tests {
         for wrong in ["", "rrr", "rrr/rrr", "rrr/ss", "rrs/rsr/rs", "r/rrr"] {
             assert!(wrong.parse::<Line>().is_err(), "{wrong}");
         }
+        // Control characters are not handed on.
+        let hostile = "\u{1b}[2J\n".parse::<Line>().unwrap_err().to_string();
+        assert!(hostile.starts_with("'\\u{1b}[2J\\n' names no two"), "{hostile}");
     }
 
     #[test]

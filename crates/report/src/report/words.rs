@@ -48,6 +48,15 @@ pub fn list<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
     names.into_iter().collect::<Vec<_>>().join(", ")
 }
 
+/// The first names of many in a sentence, and how many more there are: `a, b, c and 290 more`.
+pub fn first_of(names: &[String], most: usize) -> String {
+    let first = list(names.iter().take(most).map(String::as_str));
+    match names.len().checked_sub(most) {
+        None | Some(0) => first,
+        Some(more) => format!("{first} and {more} more"),
+    }
+}
+
 /// Labels of modes.
 pub(super) fn labels(modes: &[Mode]) -> Vec<&'static str> {
     modes.iter().map(|mode| mode.label()).collect()

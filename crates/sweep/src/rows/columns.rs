@@ -4,7 +4,7 @@ use super::object::JsonObject;
 use super::roles::{Purpose, Role};
 use crate::ask::Field;
 use crate::problem::Quantity;
-use crate::report::words::shortened;
+use crate::report::words::{first_of, shortened};
 
 /// The text of a row, column by column; `None` where the row has no such column.
 pub type Cells = Vec<Option<String>>;
@@ -215,13 +215,8 @@ fn plain(name: &str) -> String {
 
 /// The columns of a file in a message: not all of many, nor all of a long name.
 fn shown(header: &[String]) -> String {
-    const COLUMNS: usize = 20;
-    let mut names: Vec<String> =
-        header.iter().take(COLUMNS).map(|name| format!("'{}'", shortened(name))).collect();
-    if header.len() > COLUMNS {
-        names.push(format!("and {} more", header.len() - COLUMNS));
-    }
-    names.join(", ")
+    let names: Vec<String> = header.iter().map(|name| format!("'{}'", shortened(name))).collect();
+    first_of(&names, 20)
 }
 
 /// `theirs=ours`, `theirs=ours:deg`, or a name that is theirs and ours.

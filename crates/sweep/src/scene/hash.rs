@@ -24,6 +24,12 @@ impl<W> Hashing<W> {
         Self { inner, hash: Sha256::new() }
     }
 
+    /// The writer.
+    #[cfg(feature = "parquet")]
+    pub(crate) fn inner(&self) -> &W {
+        &self.inner
+    }
+
     /// SHA-256 of all that was written.
     pub fn hash(self) -> String {
         self.end().1

@@ -10,7 +10,7 @@ use super::schema::SceneItem;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs::{self, File};
-use std::io::{self, BufReader, Read, Write};
+use std::io::{self, Read, Write};
 use std::path::Path;
 
 /// The name of the record in the folder of outputs.
@@ -32,8 +32,20 @@ struct ManifestEntry {
     content: String,
 }
 
-/// A record of the most items that a scene can have is far smaller.
-const MAX_BYTES: u64 = 16 << 20;
+/// The most bytes of a record; that of the most items that a scene can have is far smaller.
+pub(crate) const MAX_RECORD: u64 = 16 << 20;
+
+/// The bytes of a record, of a run or of a sweep; an error of the kind `InvalidData` if they are more than one can
+/// have.
+pub(crate) fn record_bytes(path: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    // One more than is allowed, so that more is seen.
+    File::open(path)?.take(MAX_RECORD + 1).read_to_end(&mut bytes)?;
+    match bytes.len() as u64 {
+        0..=MAX_RECORD => Ok(bytes),
+        _ => Err(io::ErrorKind::InvalidData.into()),
+    }
+}
 
 impl Default for Manifest {
     fn default() -> Self {
@@ -53,11 +65,9 @@ impl Manifest {
             Ok(there) if !there.is_file() => {
                 return Err(io::Error::other("it is a link, a folder, a pipe or a device"));
             }
-            Ok(there) if there.len() > MAX_BYTES => return Err(io::ErrorKind::InvalidData.into()),
             Ok(_) => {}
         }
-        let file = BufReader::new(File::open(path)?.take(MAX_BYTES));
-        let record: Option<Self> = serde_json::from_reader(file).ok();
+        let record: Option<Self> = serde_json::from_slice(&record_bytes(&path)?).ok();
         record
             .filter(|manifest| manifest.schema == SCHEMA)
             .ok_or_else(|| io::ErrorKind::InvalidData.into())

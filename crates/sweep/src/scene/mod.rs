@@ -71,6 +71,8 @@ pub use hash::Hashing;
 #[cfg(feature = "parquet")]
 pub(crate) use hash::hash_of;
 pub use item_report::ItemReport;
+#[cfg(feature = "parquet")]
+pub(crate) use manifest::{MAX_RECORD, record_bytes};
 pub use manifest::{Manifest, NAME as MANIFEST};
 pub use map_lines::map_lines;
 pub use nodes::{ArchNode, CurveNode, LandmarkNode, SurveyNode, ThicknessNode, Work};

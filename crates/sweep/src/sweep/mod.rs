@@ -9,10 +9,12 @@
 //! | `table` | rows of a part by columns |
 //! | `part_file`, `notes`, `read` | a part as a Parquet file: as it is written, on itself, as it is looked through |
 //! | `store`, `part_name` | the folder of the parts, and their names |
+//! | `new_file` | a file of a sweep until it appears |
 //! | `sweep` | a sweep and its parts: the door |
 //! | `verify` | looks through what was made |
 
 mod cost;
+mod new_file;
 mod notes;
 mod part_file;
 mod part_name;

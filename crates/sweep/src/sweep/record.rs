@@ -9,7 +9,7 @@ use crate::arch::SelfWeight;
 use crate::certify::MAX_DIGITS;
 use crate::problem::Quantity;
 use crate::scene::{
-    MAX_CHUNK, MAX_SAMPLE, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArches, SweepPlan, hash_of,
+    MAX_CHUNK, MAX_RECORD, MAX_SAMPLE, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArches, SweepPlan, hash_of,
 };
 use serde::{Deserialize, Serialize};
 use std::fs;
@@ -153,6 +153,11 @@ impl SweepRecord {
             return Err("its record contradicts itself".into());
         }
         match self.count() {
+            // Who opens the sweep reads no more.
+            0..=MAX_PARTS if self.text().len() as u64 > MAX_RECORD => Err(format!(
+                "the record of a sweep has at most {} MiB, and this would have more: give a larger chunk, or several plans",
+                MAX_RECORD >> 20
+            )),
             0..=MAX_PARTS => Ok(()),
             parts => Err(format!(
                 "a sweep has at most {MAX_PARTS} parts, and this would have {parts}: give a larger chunk"

@@ -2,21 +2,19 @@
 //! beside it. A part is written whole under a name of its own, and then appears; its name has its size and the hash
 //! of its content, which tell whether it is what was written.
 
+use super::new_file::{self, NewFile};
 use super::notes::Notes;
 use super::part_name::{PartName, SHOWN};
 use super::pieces::hash_of_pieces;
 use super::record::{SweepRecord, VERSION};
-use crate::check::reason;
 use crate::failure::Failure;
 use crate::report::words::shortened;
-use crate::scene::Hashing;
+use crate::scene::record_bytes;
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::ops::Range;
-use std::path::{Path, PathBuf};
-use std::time::Duration;
-use tempfile::NamedTempFile;
+use std::path::{self, Path, PathBuf};
 
 /// Beginning of the name of the folder of a sweep, and the record beside it.
 const FOLDER: &str = "sweep-";
@@ -24,12 +22,8 @@ const FOLDER: &str = "sweep-";
 const RECORD: &str = ".json";
 /// The record where it was before, among the parts.
 const OLD_RECORD: &str = "_plan.json";
-/// Beginning of the name of an unfinished file.
-const UNFINISHED: &str = ".couplet-";
 /// Parts of a folder; a sweep that has more has a folder for each so many.
 const TOGETHER: usize = 1_000;
-/// Age from which an unfinished part is stale.
-const ABANDONED: Duration = Duration::from_secs(3600);
 
 /// The folder of a sweep.
 #[derive(Clone, Debug)]
@@ -70,13 +64,6 @@ pub(super) enum PartState {
     Foreign(String),
 }
 
-/// File that is written to the disk beside the folder, under another name, and then appears whole; if that fails
-/// nothing of it remains.
-pub(super) struct Unfinished {
-    file: Hashing<NamedTempFile>,
-    bytes: u64,
-}
-
 impl Store {
     /// The folder of a sweep in the folder of the results; it is not made.
     pub(super) fn new(output: &Path, record: &SweepRecord) -> Self {
@@ -85,39 +72,54 @@ impl Store {
     }
 
     /// The folder of a sweep that was made, with its record, whose hash has to be its name.
-    pub(super) fn open(folder: &Path) -> Result<(Self, SweepRecord), String> {
+    pub(super) fn open(folder: &Path) -> Result<(Self, SweepRecord), Failure> {
+        let wrong = |fault: String| Failure::Input(format!("{}: {fault}", folder.display()));
         let none = "it is not the folder of a sweep";
-        let whole = fs::canonicalize(folder).map_err(|error| reason(&error))?;
-        let (output, name) = (whole.parent(), whole.file_name().and_then(|name| name.to_str()));
-        let (Some(output), Some(name)) = (output, name) else { return Err(none.into()) };
+        let failed = |error: io::Error| Failure::reading(folder.display(), &error);
+        let whole = fs::canonicalize(folder).map_err(failed)?;
+        // The folder may be a link beside the record, and its own name another one.
+        let given = path::absolute(folder).map_err(failed)?;
+        let is_beside = |path: &Path| {
+            let record = path.file_name()?.to_str().filter(|name| name.starts_with(FOLDER))?;
+            Some(path.with_file_name(format!("{record}{RECORD}")).is_file())
+        };
+        let there = if is_beside(&given) == Some(true) { &given } else { &whole };
+        let (output, name) = (there.parent(), there.file_name().and_then(|name| name.to_str()));
+        let (Some(output), Some(name)) = (output, name) else { return Err(wrong(none.into())) };
         let record = format!("{name}{RECORD}");
         let path = output.join(&record);
         let shown = shortened(&record);
         match path.is_file() {
             true => {}
             false if whole.join(OLD_RECORD).is_file() => {
-                return Err(format!(
+                return Err(wrong(format!(
                     "it is of an older couplet, which kept the record among the parts: move {OLD_RECORD} beside it, \
                      as {shown}"
-                ));
+                )));
             }
-            false => return Err(format!("{none}: it has no {shown} beside it")),
+            false => return Err(wrong(format!("{none}: it has no {shown} beside it"))),
         }
-        let text = fs::read(&path).map_err(|error| format!("{shown}: {}", reason(&error)))?;
+        let text = match record_bytes(&path) {
+            Err(error) if error.kind() == io::ErrorKind::InvalidData => Vec::new(),
+            text => text.map_err(|error| Failure::reading(path.display(), &error))?,
+        };
         let record: Option<SweepRecord> = serde_json::from_slice(&text).ok();
         let record = record.filter(|record| record.text().as_bytes() == text);
-        let record =
-            record.ok_or(format!("{shown} is not the record of a sweep of this version"))?;
+        let record = record.ok_or_else(|| {
+            wrong(format!("{shown} is not the record of a sweep of this version"))
+        })?;
         let plan = record.hash();
         match (name == named(&plan), &record.couplet[..]) {
             (true, VERSION) => {}
             (true, other) => {
                 let other = shortened(other);
-                return Err(format!("couplet {other} began it, and this is {VERSION}"));
+                return Err(wrong(format!("couplet {other} began it, and this is {VERSION}")));
             }
-            (false, _) => return Err(format!("{shown} is the record of {}", named(&plan))),
+            (false, _) => {
+                return Err(wrong(format!("{shown} is the record of {}", named(&plan))));
+            }
         }
-        record.check()?;
+        record.check().map_err(wrong)?;
         Ok((Self { folder: folder.to_owned(), output: output.to_owned(), plan }, record))
     }
 
@@ -129,11 +131,6 @@ impl Store {
     /// The name of the record, beside the folder.
     fn record(&self) -> String {
         named(&self.plan) + RECORD
-    }
-
-    /// Beginning of the name of an unfinished file of this sweep; it is beside the folder too.
-    fn unfinished(&self) -> String {
-        format!("{UNFINISHED}{}-", named(&self.plan))
     }
 
     /// Other sweeps beside this one.
@@ -153,23 +150,14 @@ impl Store {
     /// Makes the folder, with the record beside it, and clears what killed runs have left.
     pub(super) fn prepare(&self, record: &SweepRecord) -> io::Result<()> {
         fs::create_dir_all(&self.folder)?;
-        let unfinished = self.unfinished();
-        for entry in fs::read_dir(self.results())?.filter_map(|entry| entry.ok()) {
-            let is_unfinished = entry.file_name().to_string_lossy().starts_with(&unfinished);
-            let modified = entry.metadata().and_then(|there| there.modified());
-            let age = modified.ok().and_then(|time| time.elapsed().ok());
-            if is_unfinished && age.is_some_and(|age| age > ABANDONED) {
-                // Somebody else may have been quicker.
-                let _ = fs::remove_file(entry.path());
-            }
-        }
+        new_file::clear(self.results(), &named(&self.plan))?;
         let (path, text) = (self.output.join(self.record()), record.text());
-        match path.is_file().then(|| fs::read(&path)) {
+        match path.is_file().then(|| record_bytes(&path)) {
             Some(Ok(there)) if there == text.as_bytes() => Ok(()),
             _ => {
-                let mut unfinished = self.begin()?;
-                unfinished.write_all(text.as_bytes())?;
-                unfinished.appear(|_, _| path)
+                let mut file = self.begin()?;
+                file.write_all(text.as_bytes())?;
+                file.appear(|_, _| path)
             }
         }
     }
@@ -278,16 +266,8 @@ impl Store {
     }
 
     /// Begins a file of this sweep.
-    pub(super) fn begin(&self) -> io::Result<Unfinished> {
-        let (mut builder, prefix) = (tempfile::Builder::new(), self.unfinished());
-        builder.prefix(&prefix);
-        #[cfg(unix)]
-        {
-            use std::os::unix::fs::PermissionsExt;
-            // The usual permissions of a new file; the process's mask restricts them.
-            builder.permissions(fs::Permissions::from_mode(0o666));
-        }
-        Ok(Unfinished { file: Hashing::new(builder.tempfile_in(self.results())?), bytes: 0 })
+    pub(super) fn begin(&self) -> io::Result<NewFile> {
+        NewFile::begin(self.results(), &named(&self.plan))
     }
 
     /// Makes a part of so many appear in the folder.
@@ -295,11 +275,11 @@ impl Store {
         &self,
         (part, parts): (usize, usize),
         counts: [u64; 4],
-        unfinished: Unfinished,
+        file: NewFile,
     ) -> io::Result<()> {
         let folder = self.folder.join(within(part, parts));
         fs::create_dir_all(&folder)?;
-        unfinished.appear(|bytes, hash| {
+        file.appear(|bytes, hash| {
             folder.join(PartName::new(part, &self.plan, counts, bytes, hash).to_string())
         })?;
         // The name, too. Some file systems have no such thing for folders.
@@ -310,28 +290,6 @@ impl Store {
     /// The folder of the results; nothing before a name is the current folder.
     fn results(&self) -> &Path {
         if self.output.as_os_str().is_empty() { Path::new(".") } else { &self.output }
-    }
-}
-
-impl Unfinished {
-    /// Makes the file appear, under a path that its size and its hash may tell.
-    fn appear(self, path: impl FnOnce(u64, &str) -> PathBuf) -> io::Result<()> {
-        let (file, hash) = self.file.end();
-        file.as_file().sync_all()?;
-        file.persist(path(self.bytes, &hash)).map_err(|error| error.error)?;
-        Ok(())
-    }
-}
-
-impl Write for Unfinished {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let written = self.file.write(bytes)?;
-        self.bytes += written as u64;
-        Ok(written)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.file.flush()
     }
 }
 

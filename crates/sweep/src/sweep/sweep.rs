@@ -43,8 +43,7 @@ impl Sweep {
 
     /// A sweep that was begun, by the folder of its parts.
     pub fn open(folder: &Path, base: &Path) -> Result<Self, Failure> {
-        let opened = Store::open(folder);
-        let (store, record) = opened.map_err(|fault| format!("{}: {fault}", folder.display()))?;
+        let (store, record) = Store::open(folder)?;
         Ok(Self::of(store, record, base))
     }
 
@@ -139,7 +138,7 @@ impl Sweep {
         let mut writer = PartWriter::default();
         for group in self.record.groups(&rows) {
             let queries = self.queries(&group)?;
-            let found = self.batch.states(&queries, Threads::One);
+            let found = file.kept_during(|| self.batch.states(&queries, Threads::One));
             found.iter().for_each(|row| counts[row.verdict as usize] += 1);
             let table = PartTable::new(&self.batch, &queries, &found);
             file.write_all(&writer.group(&table).map_err(encoding)?).map_err(unwritten)?;

@@ -5,7 +5,7 @@ use crate::certify::batch::RowVerdict;
 use crate::cli::commands::described::{described, remark, say};
 use crate::cli::commands::output::Output;
 use crate::cli::commands::progress::{ROWS, show_rows, styled};
-use crate::report::words::count;
+use crate::report::words::{count, first_of};
 use crate::sweep::failure::{Failure, print};
 use crate::sweep::scene::{SWEEP_EXAMPLE, read_sweep};
 use crate::sweep::sweep::{Sweep, verify};
@@ -16,6 +16,8 @@ use std::sync::Mutex;
 
 /// Rows that are proved again where a folder is looked through and nobody says how many.
 const SAMPLE: usize = 100;
+/// Names of other sweeps that are told.
+const OTHERS: usize = 10;
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Some(path) = arguments.plan.as_deref().filter(|_| !arguments.schema) else {
@@ -35,7 +37,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     sweep.prepare()?;
     let folder = sweep.folder().display().to_string();
     if !others.is_empty() {
-        let others = others.join(", ");
+        let others = first_of(&others, OTHERS);
         say(&format!("couplet: other sweeps stay as they are beside {folder}: {others}"));
     }
     let bad_files = sweep.bad_files();
