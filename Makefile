@@ -275,8 +275,9 @@ verified: coq ocaml
 	cp proofs/verified/*.ml $(VERIFIED)/
 	cd $(VERIFIED) && coqc -q -w -ambiguous-paths,-extraction-opaque-accessed -R ../../proofs/coq Couplet \
 	  -o $$PWD/Extract.vo ../../proofs/coq/verified/Extract.v
-	cd $(VERIFIED) && ocamlfind ocamlopt -w -a -O3 -unsafe -inline 200 -package zarith -linkpkg faster.ml verified.mli \
-	  verified.ml json.ml reader.ml main.ml -o couplet-verified
+	cd $(VERIFIED) && ocamlfind ocamlopt -w -a -O3 -unsafe -inline 200 -package zarith -c faster.ml verified.mli verified.ml
+	cd $(VERIFIED) && ocamlfind ocamlopt -w -a -package zarith -linkpkg faster.cmx verified.cmx json.ml reader.ml statement.ml \
+	  main.ml -o couplet-verified
 	$(VERIFIED)/couplet-verified check proofs/constants/*.json proofs/states/*.json proofs/asymmetric/*.json \
 	  >$(VERIFIED)/said || { cat $(VERIFIED)/said; exit 1; }
 	@echo "$$(grep -c '^accepted' $(VERIFIED)/said) certificates accepted by the verified checker"
@@ -312,4 +313,4 @@ coq:
 
 # OCaml with Zarith, for the program that Coq extracts.
 ocaml:
-	$(call need,ocamlfind query zarith,ocaml-nox ocaml-findlib libzarith-ocaml-dev,the verified checker needs OCaml with Zarith)
+	$(call need,[ -e "$$(ocamlfind query zarith)/z.cmi" ],ocaml-nox ocaml-findlib libzarith-ocaml-dev,the verified checker needs OCaml with Zarith)

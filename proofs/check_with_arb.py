@@ -733,11 +733,13 @@ MEANS = "an admissible symmetric state exists"
 
 
 def given(text):
-    """An exact number, or a friction, as it is written in lowest terms."""
+    """An exact number, or a friction, as it is given."""
     if text == "inf" or text.startswith("tan "):
         return text if text == "inf" else "tan " + given(text[4:])
-    form, q = exact(text)
-    return "2 atan " * (form == "2 atan ") + f"{q.p}/{q.q}" + " pi" * (form == " pi")
+    numerator, denominator = map(fmpz, re.search("([0-9]+)/([0-9]+)", text).groups())
+    if text.startswith("2 atan ") and numerator == denominator:
+        return "1/2 pi"
+    return "2 atan " * text.startswith("2 atan ") + f"{numerator}/{denominator}" + " pi" * text.endswith(" pi")
 
 
 def statement(file):
@@ -747,7 +749,8 @@ def statement(file):
         thing, says = survey.get("free") or survey["spanned"], {
             "all_stand": "every arch stands", "none_stands": "no arch stands", "both_occur": "one arch stands and one does not"}
         between = lambda range: " to ".join(given(x) for x in range)
-        metres = lambda name: f"{name} {between(thing[name])} m"
+        lowest = lambda x: f"{length(x).p}/{length(x).q}"
+        metres = lambda name: f"{name} {' to '.join(lowest(x) for x in thing[name])} m"
         shape = (f"half opening {between(thing['half_opening'])}, thickness {between(thing['thickness'])}"
                  if "free" in survey else f"{metres('span')} and {metres('rise')} at the {thing['circle']}, {metres('thickness')}")
         return (f"all arches with {shape}, friction {between(survey['friction'])}, {survey['weight']} weight: "
@@ -765,13 +768,12 @@ def statement(file):
         subject += f", thickness {given(thing['thickness'])}" if "thickness" in thing else ""
         says = {
             "state": lambda mode, **_: f"the arch stands ({MEANS}) exactly from a least thickness on, up to 2, and at the least "
-                                       f"one its state is {mode}",
+                                       f"one it has a state of {mode}",
             "too_thin": lambda mode, **_: f"the arch does not stand, as its least thickness, of {mode}, is larger",
             "slides": lambda **_: "the arch stands at no thickness, as its friction is below that of pure sliding",
             "too_wide": lambda **_: "the arch stands at no thickness up to 2, as its half opening is beyond a bound for its "
                                     "friction",
-            "stands": lambda nearest, **_: f"the arch stands ({MEANS}) with its line of thrust nearest to the intrados at the "
-                                           f"{nearest}",
+            "stands": lambda **_: f"the arch stands ({MEANS})",
             "asymmetric": lambda mode, **_: "the complementarity problem (19) of the whole arch has an asymmetric solution, "
                                             f"{mode}, admissible at every joint",
         }[kind](**thing)
@@ -788,16 +790,17 @@ def main(paths):
         return 2
     status = 0
     for path in paths:
+        name = ascii(path)[1:-1]  # one line, whatever is in it
         try:
             with open(path, "rb") as file:
                 data = file.read(MAX_BYTES + 1)
             said = check(data)
-            print(f"{path}: accepted {' ' + statement(parse(data)) if whole else said}", flush=True)
+            print(f"{name}: accepted {' ' + statement(parse(data)) if whole else said}", flush=True)
         except Refused as reason:
-            print(f"{path}: refused: {reason}", flush=True)
+            print(f"{name}: refused: {reason}", flush=True)
             status = max(status, 1)
         except OSError as error:
-            print(f"{path}: cannot be read: {error.strerror}", file=sys.stderr)
+            print(f"{name}: cannot be read: {error.strerror}", file=sys.stderr)
             status = 2
     return status
 

@@ -1,7 +1,7 @@
 (** * Verdicts on an arch that is not at its least thickness
 
     An arch **stands** where a thrust and its moment at the crown leave a few numbers positive: those at
-    crown and shoulder, that at the joint where the line of thrust comes nearest to the intrados, and
+    crown and shoulder, that at the joint where the moment about the intrados is least, and
     friction at the shoulder and inside.
 
     An arch is **too wide** where not even the physical limit is enough at the least thrust that friction
@@ -23,7 +23,7 @@ Hypothesis compression : 0 < normal_force alpha h.
 Hypothesis crown : p <= at_crown eta h.
 Hypothesis shoulder : p <= at_shoulder delta alpha eta h.
 
-(** Distance from the intrados at a joint. *)
+(** Moment about the intrados at a joint. *)
 Definition room (x : R) : R := p + fac delta eta * (1 - cos x) - intrados eta * normal_force x h.
 
 Lemma inside_if_room : (forall x, 0 <= x <= alpha -> 0 <= room x) -> thrust_inside delta alpha eta h p.
@@ -44,7 +44,7 @@ Proof.
   exists c. split; [easy|]. rewrite <- E. unfold room, margin. ring.
 Qed.
 
-(** Nearest at the crown, from which it goes away. *)
+(** Least at the crown, from which it grows. *)
 Theorem inside_nearest_at_crown : 0 <= room 0 -> intrados eta * (2 - h) <= fac delta eta ->
   thrust_inside delta alpha eta h p.
 Proof.
@@ -58,7 +58,7 @@ Proof.
   assert (sin c * direction (intrados eta) (fac delta eta) h c <= 0) by nra. nra.
 Qed.
 
-(** Nearest at a joint between, where it is stationary. *)
+(** Least at a joint between, where it is stationary. *)
 Theorem inside_nearest_at_haunch (beta : R) : 0 < beta < PI -> eta < 2 -> h = h_tangency delta beta eta ->
   0 <= room beta -> thrust_inside delta alpha eta h p.
 Proof.
@@ -66,7 +66,7 @@ Proof.
   assert (H := intrados_safe delta beta eta h p Hb ltac:(lra) ltac:(lra) H5 x ltac:(lra)). lra.
 Qed.
 
-(** Nearest at the shoulder, which it comes nearer as far as there. *)
+(** Least at the shoulder, as far as which it falls. *)
 Theorem inside_nearest_at_shoulder :
   0 <= room alpha ->
   fac delta eta * sin alpha <= intrados eta * ((1 - h) * sin alpha + alpha * cos alpha) ->

@@ -77,8 +77,8 @@ def checked(bundle, names, command):
     done = subprocess.run([*command, *names], cwd=bundle, capture_output=True, text=True)
     said = {}
     for line in done.stdout.splitlines():
-        if line.startswith("accepted  "):  # the verified checker, which has no words
-            said[line.removeprefix("accepted  ")] = None
+        if line.startswith("accepted  "):  # the verified checker, whose words have other spellings of the values
+            said[line.removeprefix("accepted  ").split(": ", 1)[0]] = None
         elif ": accepted  " in line:
             name, said[name] = line.split(": accepted  ", 1)
         elif not line.startswith("not checked  "):

@@ -18,7 +18,7 @@ import sys
 
 sys.dont_write_bytecode = True  # a file more would be no file of MANIFEST
 HERE = pathlib.Path(__file__).resolve().parent
-FLAG = {"state": "mode", "too_thin": "mode", "asymmetric": "mode", "stands": "nearest"}
+FLAG = {"state": "mode", "too_thin": "mode", "asymmetric": "mode"}
 
 
 class Fault(Exception):

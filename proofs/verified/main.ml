@@ -1,21 +1,34 @@
 (* couplet-verified: certificates checked by a function of which Coq has proved that what it accepts is true. *)
 
 let usage = "couplet-verified: usage: couplet-verified check FILE..."
+let largest = 64 lsl 20
 
+(* The bytes of a file; what keeps them from being read, without the name that the system puts before it. *)
 let read path =
-  let channel = open_in_bin path in
-  Fun.protect ~finally:(fun () -> close_in channel) (fun () -> really_input_string channel (in_channel_length channel))
+  match Sys.is_directory path with
+  | true -> Error "a folder"
+  | exception Sys_error _ -> Error "no such file"
+  | false -> (
+      try
+        let channel = open_in_bin path in
+        let bytes () =
+          let size = in_channel_length channel in
+          if size > largest then raise (Reader.Beyond "more than 64 MiB") else really_input_string channel size
+        in
+        Ok (Fun.protect ~finally:(fun () -> close_in channel) bytes)
+      with Sys_error _ | End_of_file -> Error "cannot be read")
 
-(* One line for each file: 0 accepted, 1 refused, 3 not checked. *)
+(* One line for each file, whatever its name is: 0 accepted, 1 refused, 3 not checked or not read. *)
 let check path =
-  let say word reason = Printf.printf "%s  %s%s\n%!" word path (if reason = "" then "" else ": " ^ reason) in
-  match Reader.certificate (read path) with
-  | certificate ->
-      if Verified.check certificate then (say "accepted" ""; 0)
+  let name = String.escaped path in
+  let say word words = Printf.printf "%s  %s: %s\n%!" word name words in
+  match Result.map Reader.certificate (read path) with
+  | Ok certificate ->
+      if Verified.check certificate then (say "accepted" (Statement.statement certificate); 0)
       else (say "refused" "the claim is not proved"; 1)
+  | Error reason -> Printf.eprintf "couplet-verified: %s: %s\n%!" name reason; 3
   | exception (Reader.Refused reason | Json.Malformed reason) -> say "refused" reason; 1
   | exception Reader.Beyond what -> say "not checked" what; 3
-  | exception Sys_error reason -> prerr_endline ("couplet-verified: " ^ reason); 3
 
 let () =
   match Array.to_list Sys.argv with

@@ -310,11 +310,15 @@ fn statements_are_told_twice() {
         .map(|name| house().join("proofs").join(name));
     let files = folders.iter().flat_map(|folder| fs::read_dir(folder).unwrap());
     let files = files.map(|entry| entry.unwrap().path().to_str().unwrap().to_owned());
-    let files: Vec<String> = files.filter(|path| path.ends_with(".json")).collect();
+    let mut files: Vec<String> = files.filter(|path| path.ends_with(".json")).collect();
+    // No name makes a line of its own.
+    let scratch = Scratch::new();
+    files.push(scratch.path("a.json: accepted  T\nb.json"));
+    fs::copy(&files[0], files.last().unwrap()).unwrap();
     let files: Vec<&str> = files.iter().map(String::as_str).collect();
     let ours =
         text(&crate::program::couplet(&[&["check", "--statement"], &files[..]].concat()).stdout);
     let theirs = python(&[&["proofs/check_with_arb.py", "--statement"], &files[..]].concat());
     assert_eq!(ours, theirs);
-    assert!(ours.lines().count() > 30);
+    assert!(ours.lines().count() == files.len() && files.len() > 30);
 }

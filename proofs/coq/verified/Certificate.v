@@ -4,7 +4,7 @@
     [claim_of] is all that the checker's theorem is about.  Its words are those of [Arch], [Contact],
     [FrictionModes] and [States]. *)
 
-From Coq Require Import Reals ZArith List.
+From Coq Require Import Reals ZArith Bool List.
 From Couplet Require Import Arch States Verdicts Whole Enclosures Formulas Equations.
 Import ListNotations.
 Open Scope R_scope.
@@ -30,7 +30,17 @@ Definition coefficient (f : friction) : option R :=
   | Unlimited => None
   end.
 
+Definition is_limited (f : friction) : bool := match f with Unlimited => false | _ => true end.
+
 Record arch := Arch { self_weight : weight; half_opening : number; its_friction : friction }.
+(** A half opening below half a turn; no friction is negative, and an angle of it is acute. *)
+Definition is_arch (a : arch) : Prop :=
+  0 < real (half_opening a) < PI /\
+  match its_friction a with
+  | Coefficient mu => 0 <= real mu
+  | Angle phi => 0 <= real phi < PI / 2
+  | Unlimited => True
+  end.
 
 (** ** What is said of it *)
 
@@ -40,7 +50,7 @@ Inductive mode :=
   | OverturningSliding | Overturning.
 (** T, S, J, B, l, L, sb *)
 Inductive landmark := Triple | Shift | Junction | Border | RotationEnd | OverturningEnd | WidestJoint.
-(** Where the line of thrust comes nearest to the intrados. *)
+(** Where the moment about the intrados is least: a hint for the checker, of which nothing is claimed. *)
 Inductive nearest := AtCrown | AtHaunch | AtShoulder.
 
 (** How the motion of an asymmetric solution of (19) closes, beside the slip of the right shoulder: another joint slides
@@ -56,7 +66,7 @@ Inductive subject :=
   | Landmark (l : landmark) (w : weight)
   | Asymmetric (k : kind) (a : arch).
 
-(** A mode's equations; the thrust's moment at the crown; and the order of the joints. *)
+(** A mode's equations; the thrust's moment at the crown; the thickness, and the order of the joints. *)
 Definition equations (m : mode) : list equation :=
   match m with
   | Rotational => [LowerThrust BetaR; WholeThrust; Tangency BetaR]
@@ -72,6 +82,7 @@ Definition crown_moment (m : mode) (d : R) (x : configuration) : R :=
   | _ => at_shoulder d (x Alpha) (x Eta) (x Thrust)
   end.
 Definition in_order (m : mode) (x : configuration) : Prop :=
+  0 < x Eta < 2 /\
   match m with
   | Rotational | SlidingRotational => 0 < x BetaR < x Alpha
   | RotationalSliding => 0 < x BetaS < x BetaR /\ x BetaR < x Alpha
@@ -79,6 +90,11 @@ Definition in_order (m : mode) (x : configuration) : Prop :=
   | OverturningSliding => x BetaR = 0 /\ 0 < x BetaS < x Alpha
   | Overturning => x BetaR = 0 /\ x Thrust = 0
   end.
+
+(** An equation holds as it is printed: nothing is divided by zero. *)
+Definition holds (d : R) (x : configuration) (e : equation) : Prop :=
+  printed d x e /\ (forall f, In f (denominator e) -> meaning x f <> 0) /\
+  match e with Tangency b | DoubleThickness b => sin (x b) <> 0 | _ => True end.
 
 (** It stands: an admissible symmetric state exists. *)
 Definition stands (a : arch) (eta : R) : Prop :=
@@ -107,7 +123,7 @@ Definition is_state (m : mode) (a : arch) (x : configuration) : Prop :=
   let d := flag (self_weight a) in
   x Alpha = real (half_opening a) /\
   match coefficient (its_friction a) with Some mu => x Mu = mu | None => True end /\
-  List.Forall (printed d x) (equations m) /\ in_order m x /\
+  List.Forall (holds d x) (equations m) /\ in_order m x /\
   is_least d (coefficient (its_friction a)) x (crown_moment m d x).
 
 (** The landmarks: equations, what is fixed, and the state's moment at the crown. *)
@@ -127,8 +143,31 @@ Definition is_fixed (l : landmark) (x : configuration) : Prop :=
   | Shift => x BetaR = x BetaS
   | Junction => x BetaR = 0
   | Border => x BetaR = 0 /\ x Eta = 2
-  | RotationEnd => x BetaR = 0 /\ x Thrust = 0
-  | OverturningEnd => x BetaR = 0 /\ x Thrust = 0 /\ x Eta = 2
+  | RotationEnd => x BetaR = 0 /\ x BetaS = 0 /\ x Thrust = 0
+  | OverturningEnd => x BetaR = 0 /\ x BetaS = 0 /\ x Thrust = 0 /\ x Eta = 2
+  end.
+(** The modes that meet there, but for pure sliding, whose equations are among those of T, S, J and B. Those of each mode
+    hold, where the haunch is the crown with the limit of (5). And the order of the joints. *)
+Definition modes_of (l : landmark) : list mode :=
+  match l with
+  | Triple => [Rotational; SlidingRotational; RotationalSliding]
+  | Shift => [RotationalSliding; RotationalSlidingRotational]
+  | Junction => [RotationalSlidingRotational; OverturningSliding]
+  | Border => [OverturningSliding]
+  | RotationEnd => [Rotational; Overturning]
+  | OverturningEnd => [Overturning]
+  | WidestJoint => [Rotational]
+  end.
+Definition is_state_there (l : landmark) (d : R) (x : configuration) (m : mode) : Prop :=
+  forall e, In e (equations m) ->
+    holds d x match l, e with (Junction | RotationEnd), Tangency _ => TangencyAtCrown | _, _ => e end.
+Definition in_order_there (l : landmark) (x : configuration) : Prop :=
+  0 < x Alpha < PI /\ 0 < x Eta <= 2 /\
+  match l with
+  | Triple => 0 < x BetaS < x BetaR /\ x BetaR < x Alpha
+  | Shift | Junction | Border => 0 < x BetaS < x Alpha
+  | WidestJoint => 0 < x BetaR < x Alpha
+  | RotationEnd | OverturningEnd => True
   end.
 Definition friction_there (l : landmark) (x : configuration) : option R :=
   match l with Triple | Shift | Junction | Border => Some (x Mu) | _ => None end.
@@ -140,6 +179,7 @@ Definition moment_there (l : landmark) (d : R) (x : configuration) : R :=
 
 (** An asymmetric solution of (19), with its rates. *)
 Definition is_asymmetric (k : kind) (d : R) (x : configuration) : Prop :=
+  0 < x Eta <= 2 /\ (forall j, - x Alpha <= j <= x Alpha -> 0 <= whole_normal (x Thrust) (x Force) j) /\
   match k with
   | SlidesInside =>
       asymmetric_solution d (x Alpha) (x Mu) (x Eta) (x Thrust) (x Moment) (x Force) (x Hinge) (x BetaR) (x BetaS)
@@ -163,6 +203,45 @@ Definition is_power (k : kind) (x : configuration) : Prop :=
 Inductive quantity :=
   | Plain (n : name) | Degrees (n : name) | IntrinsicThrust | OpeningVariable
   | FrictionAngle | FrictionAngleDegrees.
+(** The variables that a quantity is made of, *)
+Definition variables (q : quantity) : list name :=
+  match q with
+  | Plain n | Degrees n => [n]
+  | IntrinsicThrust => [Eta; Thrust]
+  | OpeningVariable => [Alpha]
+  | FrictionAngle | FrictionAngleDegrees => [Mu]
+  end.
+(** what is solved for, *)
+Definition unknowns_of (m : mode) : list name :=
+  match m with
+  | Rotational | SlidingRotational => [BetaR; Eta; Thrust]
+  | RotationalSliding | RotationalSlidingRotational => [BetaR; Eta; Thrust; BetaS]
+  | OverturningSliding => [Eta; Thrust; BetaS]
+  | Overturning => [Eta]
+  end.
+Definition slides_inside (m : mode) : bool :=
+  match m with RotationalSliding | RotationalSlidingRotational | OverturningSliding => true | _ => false end.
+Definition asymmetric_unknowns (k : kind) : list name :=
+  [Thrust; Moment; Force; Eta; Hinge; BetaR] ++ match k with SlidesInside => [BetaS] | _ => [] end.
+Definition unknowns_too_wide (f : friction) : list name := if is_limited f then [Alpha; Thrust; BetaS] else [Alpha].
+Definition unknowns_standing (there : nearest) : list name := match there with AtHaunch => [BetaR] | _ => [] end.
+(** and what is a result: what is given is none. *)
+Definition results (s : subject) : list name :=
+  match s with
+  | State m _ => [Eta; Thrust; BetaR] ++ (if slides_inside m then [BetaS] else [])
+  | TooThin m _ _ => unknowns_of m
+  | Slides _ => [Mu; Thrust; BetaS]
+  | TooWide a => unknowns_too_wide (its_friction a)
+  | Stands _ _ _ _ there => unknowns_standing there
+  | Landmark l _ => [Alpha; BetaR; Eta; Thrust] ++ match l with WidestJoint => [] | _ => [BetaS; Mu] end
+  | Asymmetric k _ => asymmetric_unknowns k ++ [Slip; Power] ++
+      match k with SlidesInside => [InnerSlip] | OpensAtShoulder => [Opening] | SlidesAlone => [] end
+  end.
+(** Only of results is something said, and A belongs to landmarks. *)
+Definition is_result (s : subject) (q : quantity) : bool :=
+  match q, s with OpeningVariable, Landmark _ _ => true | OpeningVariable, _ => false | _, _ => true end
+  && forallb (fun n => existsb (same n) (results s)) (variables q).
+
 (** Of friction without limit the angle is a right one. *)
 Definition friction_angle (mu : option R) : R := match mu with Some mu => atan mu | None => PI / 2 end.
 Definition value_of (mu : option R) (x : configuration) (q : quantity) : R :=
@@ -192,44 +271,63 @@ Definition is_value (digits : Z) (mu : option R) (x : configuration) (q : quanti
 (** ** The certificate *)
 
 Record box := Box { centre : list dyadic; radius : list dyadic }.
+Definition in_box (u : list name) (b : box) (x : configuration) : Prop :=
+  forall i, (i < length u)%nat ->
+    Rabs (x (nth i u Alpha) - value (nth i (centre b) (Dyadic 0 0))) <= value (nth i (radius b) (Dyadic 0 0)).
 Record certificate := Certificate {
   about : subject; digits : Z; unique : box; inverse : list (list dyadic); root : box;
   values : list (quantity * written) }.
 
 Definition values_hold (c : certificate) (mu : option R) (x : configuration) : Prop :=
-  forall q v, In (q, v) (values c) -> is_value (digits c) mu x q v.
+  forall q v, In (q, v) (values c) -> is_result (about c) q = true /\ is_value (digits c) mu x q v.
+
+(** A solution is the only one that the large box has beside what is given. *)
+Definition is_only (c : certificate) (w : weight) (u : list name) (e : list equation) (x : configuration) : Prop :=
+  in_box u (unique c) x /\
+  forall y, in_box u (unique c) y -> (forall n, ~ In n u -> y n = x n) -> List.Forall (holds (flag w) y) e ->
+    forall n, y n = x n.
+Definition is_only_state (c : certificate) (m : mode) (a : arch) : configuration -> Prop :=
+  is_only c (self_weight a) (unknowns_of m) (equations m).
 
 Definition claim_of (c : certificate) : Prop :=
   match about c with
   | State m a =>
-      exists x, is_state m a x /\ values_hold c (coefficient (its_friction a)) x
+      is_arch a /\
+      exists x, is_state m a x /\ is_only_state c m a x /\ values_hold c (coefficient (its_friction a)) x
   | TooThin m a t =>
-      (exists x, is_state m a x /\ values_hold c (coefficient (its_friction a)) x /\ real t < x Eta) /\
+      is_arch a /\
+      (exists x, is_state m a x /\ is_only_state c m a x /\ values_hold c (coefficient (its_friction a)) x /\
+         real t < x Eta) /\
       0 < real t /\ ~ stands a (real t)
   | Slides a =>
+      is_arch a /\
       (exists x, x Alpha = real (half_opening a) /\
-         List.Forall (printed (flag (self_weight a)) x) [ShoulderSliding; InnerSliding; Steepest] /\
+         List.Forall (holds (flag (self_weight a)) x) [ShoulderSliding; InnerSliding; Steepest] /\
+         0 < x BetaS < x Alpha /\ (exists mu, coefficient (its_friction a) = Some mu /\ mu < x Mu) /\
          values_hold c (Some (x Mu)) x) /\
       forall eta, ~ stands a eta
   | TooWide a =>
+      is_arch a /\
       (exists x, x BetaR = 0 /\ x Eta = 2 /\
          match coefficient (its_friction a) with
          | Some mu => x Mu = mu /\
-             List.Forall (printed (flag (self_weight a)) x) [UpperThrust BetaR; InnerSliding; Steepest]
-         | None => x Thrust = 0 /\ printed (flag (self_weight a)) x WholeThrust
+             List.Forall (holds (flag (self_weight a)) x) [UpperThrust BetaR; InnerSliding; Steepest]
+         | None => x Thrust = 0 /\ holds (flag (self_weight a)) x WholeThrust
          end /\
          values_hold c (coefficient (its_friction a)) x /\ x Alpha < real (half_opening a)) /\
       forall eta, 0 < eta <= 2 -> ~ stands a eta
   | Stands a t h p _ =>
-      0 < real t <= 2 /\ stands a (real t) /\
+      is_arch a /\ 0 < real t <= 2 /\ stands a (real t) /\
       exists x, x Alpha = real (half_opening a) /\ x Eta = real t /\ x Thrust = value h /\
         values_hold c (coefficient (its_friction a)) x /\
         is_admissible (flag (self_weight a)) (coefficient (its_friction a)) x (value p)
   | Landmark l w =>
-      exists x, List.Forall (printed (flag w) x) (equations_of l) /\ is_fixed l x /\
+      exists x, List.Forall (holds (flag w) x) (equations_of l) /\ is_fixed l x /\
+        (forall m, In m (modes_of l) -> is_state_there l (flag w) x m) /\ in_order_there l x /\
         values_hold c (friction_there l x) x /\
         is_least (flag w) (friction_there l x) x (moment_there l (flag w) x)
   | Asymmetric k a =>
+      is_arch a /\
       exists x, x Alpha = real (half_opening a) /\ coefficient (its_friction a) = Some (x Mu) /\
         is_asymmetric k (flag (self_weight a)) x /\ is_power k x /\ values_hold c (Some (x Mu)) x
   end.

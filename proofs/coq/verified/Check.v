@@ -27,7 +27,17 @@ Definition enclosed_friction (prec : Z) (f : friction) : enclosure :=
   | Unlimited => exact nought
   end.
 
-Definition is_limited (f : friction) : bool := match f with Unlimited => false | _ => true end.
+(** An arch, as [is_arch] says. *)
+Definition numerator (n : number) : Z := match n with Fraction p _ | TimesPi p _ | TwiceArctangent p _ => p end.
+Definition is_below (prec : Z) (n : number) (limit : enclosure) : bool :=
+  is_positive (I.sub prec limit (enclosed_number prec n)).
+Definition is_given (prec : Z) (a : arch) : bool :=
+  (0 <? numerator (half_opening a))%Z && is_below prec (half_opening a) (I.pi prec) &&
+  match its_friction a with
+  | Coefficient mu => (0 <=? numerator mu)%Z
+  | Angle phi => (0 <=? numerator phi)%Z && is_below prec phi (I.div prec (I.pi prec) (integer prec 2))
+  | Unlimited => true
+  end.
 
 (** Numbers that are enclosed, and zero for the others. *)
 Definition given (l : Z -> list (name * enclosure)) (prec : Z) : surroundings :=
@@ -83,20 +93,8 @@ Definition holds_value (prec digits : Z) (limited : bool) (E : surroundings)
         && is_positive (I.sub prec (twentieths prec (20 * m + 10) e) X)
   end.
 
-(** The quantity of a variable. *)
-Definition variable (q : quantity) : list name :=
-  match q with
-  | Plain n | Degrees n => [n]
-  | IntrinsicThrust => [Eta; Thrust]
-  | OpeningVariable => [Alpha]
-  | FrictionAngle | FrictionAngleDegrees => [Mu]
-  end.
-
-(** Only of these variables something is said. *)
-Definition hold_values (prec : Z) (known : list name) (limited : bool) (E : surroundings)
-    (c : certificate) : bool :=
-  forallb (fun qv => forallb (fun n => existsb (same n) known) (variable (fst qv))
-                     && holds_value prec (digits c) limited E qv) (values c).
+Definition hold_values (prec : Z) (limited : bool) (E : surroundings) (c : certificate) : bool :=
+  forallb (fun qv => is_result (about c) (fst qv) && holds_value prec (digits c) limited E qv) (values c).
 
 (** ** Signs *)
 
@@ -136,24 +134,9 @@ Definition carried : list formula := [Val Alpha; normal Alpha].
 
 (** ** States *)
 
-Definition unknowns_of (m : mode) : list name :=
-  match m with
-  | Rotational | SlidingRotational => [BetaR; Eta; Thrust]
-  | RotationalSliding | RotationalSlidingRotational => [BetaR; Eta; Thrust; BetaS]
-  | OverturningSliding => [Eta; Thrust; BetaS]
-  | Overturning => [Eta]
-  end.
-
 (** A mode that slides needs a limit, and one without thrust none. *)
 Definition fits (m : mode) (f : friction) : bool :=
   match m with Rotational => true | Overturning => negb (is_limited f) | _ => is_limited f end.
-
-Definition slides_inside (m : mode) : bool :=
-  match m with RotationalSliding | RotationalSlidingRotational | OverturningSliding => true | _ => false end.
-
-(** What is a result: the rest is given, or the mode has none. *)
-Definition results (m : mode) : list name :=
-  [Eta; Thrust; BetaR] ++ (if slides_inside m then [BetaS] else []).
 
 Definition signs (w : weight) (m : mode) (limited : bool) : list formula :=
   carried ++ thick w ++
@@ -187,9 +170,9 @@ Definition state_found (c : certificate) (m : mode) (a : arch) : option surround
   | None => None
   | Some E =>
       let steep := if limited && negb (slides_inside m) then with_steepest full E else E in
-      if fits m (its_friction a) && is_open full (itself (E Alpha))
+      if fits m (its_friction a) && is_given full a
          && are_all_positive full steep (signs w m limited)
-         && hold_values full (results m) limited E c
+         && hold_values full limited E c
       then Some E else None
   end.
 
@@ -217,9 +200,9 @@ Definition check_slides (c : certificate) (a : arch) : bool :=
           (system_of w [Mu; Thrust; BetaS] [ShoulderSliding; InnerSliding; Steepest]) with
   | None => false
   | Some E =>
-      is_limited (its_friction a) && is_not_negative mu && is_positive (I.sub full (itself (E Mu)) mu)
-      && is_open full (itself (E Alpha)) && are_all_positive full E (carried ++ steepest)
-      && hold_values full [Mu; Thrust; BetaS] true E c
+      is_limited (its_friction a) && is_positive (I.sub full (itself (E Mu)) mu)
+      && is_given full a && are_all_positive full E (carried ++ steepest)
+      && hold_values full true E c
   end.
 
 Definition check_too_wide (c : certificate) (a : arch) : bool :=
@@ -228,18 +211,18 @@ Definition check_too_wide (c : certificate) (a : arch) : bool :=
   let limited := is_limited (its_friction a) in
   let alpha := enclosed_number full (half_opening a) in
   let numbers prec := [(Eta, exact two); (Mu, enclosed_friction prec (its_friction a))] in
-  let u := if limited then [Alpha; Thrust; BetaS] else [Alpha] in
+  let u := unknowns_too_wide (its_friction a) in
   let e := if limited then [UpperThrust BetaR; InnerSliding; Steepest] else [WholeThrust] in
   match located c full (given numbers) (system_of w u e) with
   | None => false
   | Some E =>
-      is_open full alpha && is_positive (I.sub full alpha (itself (E Alpha)))
+      is_given full a && is_positive (I.sub full alpha (itself (E Alpha)))
       && are_all_positive full E (Val Alpha :: (if limited then steepest ++ [upper_lever BetaR] else []))
-      && hold_values full u limited E c
+      && hold_values full limited E c
   end.
 
 Local Open Scope formula_scope.
-(** Twice the distance from the intrados, at a joint. *)
+(** Twice the moment about the intrados, at a joint. *)
 Definition room (w : weight) (joint : name) : formula :=
   2 * Val Moment + 2 * centroid w * (1 - Cos joint) - inner * normal joint.
 Definition room_at_crown : formula := 2 * Val Moment - inner * Val Thrust.
@@ -269,14 +252,14 @@ Definition check_stands (c : certificate) (a : arch) (t : number) (h p : dyadic)
   let limited := is_limited (its_friction a) in
   let numbers prec :=
     (Eta, enclosed_number prec t) :: (Thrust, exact h) :: (Moment, exact p) :: its_numbers a prec in
-  let u := match there with AtHaunch => [BetaR] | _ => [] end in
+  let u := unknowns_standing there in
   let e := match there with AtHaunch => [Tangency BetaR] | _ => [] end in
   match located c full (given numbers) (system_of w u e) with
   | None => false
   | Some E =>
-      is_thickness t && is_open full (itself (E Alpha)) && are_all_positive full E (standing_signs w there)
+      is_thickness t && is_given full a && are_all_positive full E (standing_signs w there)
       && (if limited then enough full E else true)
-      && hold_values full u limited E c
+      && hold_values full limited E c
   end.
 
 (** ** Landmarks *)
@@ -292,8 +275,6 @@ Definition landmark_unknowns (l : landmark) : list name :=
   end.
 Definition landmark_limited (l : landmark) : bool :=
   match l with Triple | Shift | Junction | Border => true | _ => false end.
-Definition landmark_known (l : landmark) : list name :=
-  [Alpha; BetaR; Eta; Thrust] ++ match l with WidestJoint => [] | _ => [BetaS; Mu] end.
 Definition landmark_given (l : landmark) (prec : Z) : list (name * enclosure) :=
   match l with Border | OverturningEnd => [(Eta, exact two)] | _ => [] end.
 
@@ -301,7 +282,7 @@ Local Open Scope formula_scope.
 Definition landmark_signs (w : weight) (l : landmark) : list formula :=
   carried ++
   match l with
-  | Triple => thick w ++ some_thrust ++ haunch ++ steepest
+  | Triple => thick w ++ some_thrust ++ haunch ++ steepest ++ [upper_lever BetaR; Val BetaR - Val BetaS]
   | Shift => thick w ++ some_thrust ++ steepest ++ [- extrados_at_shoulder w; upper_lever BetaS]
   | Junction => thick w ++ some_thrust ++ steepest ++ [upper_lever BetaR]
   | Border => some_thrust ++ steepest ++ [next_to_crown w; upper_lever BetaR]
@@ -318,16 +299,10 @@ Definition check_landmark (c : certificate) (l : landmark) (w : weight) : bool :
   | Some E =>
       let E := match l with Shift => with_one_joint E | _ => E end in
       is_open full (itself (E Alpha)) && are_all_positive full E (landmark_signs w l)
-      && hold_values full (landmark_known l) (landmark_limited l) E c
+      && hold_values full (landmark_limited l) E c
   end.
 
 (** ** Asymmetric solutions *)
-
-Definition asymmetric_unknowns (k : kind) : list name :=
-  [Thrust; Moment; Force; Eta; Hinge; BetaR] ++ match k with SlidesInside => [BetaS] | _ => [] end.
-Definition asymmetric_known (k : kind) : list name :=
-  asymmetric_unknowns k ++ [Slip; Power] ++
-  match k with SlidesInside => [InnerSlip] | OpensAtShoulder => [Opening] | SlidesAlone => [] end.
 
 Local Open Scope formula_scope.
 Definition asymmetric_zeros (w : weight) (k : kind) : list formula :=
@@ -410,9 +385,9 @@ Definition check_asymmetric (c : certificate) (k : kind) (a : arch) : bool :=
   match located c full (given (its_numbers a)) (System (asymmetric_unknowns k) (asymmetric_zeros w k) []) with
   | None => false
   | Some E =>
-      is_limited (its_friction a) && is_open full (itself (E Alpha)) && are_all_positive full E (asymmetric_signs k)
+      is_limited (its_friction a) && is_given full a && are_all_positive full E (asymmetric_signs k)
       && whole_covered piece_bits w E (known_margins w k E)
-      && hold_values full (asymmetric_known k) true (with_rates full k E) c
+      && hold_values full true (with_rates full k E) c
   end.
 
 (** ** The certificate *)

@@ -175,14 +175,3 @@ Proof.
   unfold is_zero. assert (H := I.sign_strict_correct X).
   destruct (I.sign_strict X); try easy. intros _ Hx. now injection (H (Xreal x) Hx).
 Qed.
-
-Definition is_not_negative (X : enclosure) : bool :=
-  match I.sign_large X with Xgt | Xeq => true | _ => false end.
-
-Lemma is_not_negative_sound (X : enclosure) (x : R) : is_not_negative X = true -> has X x -> 0 <= x.
-Proof.
-  unfold is_not_negative. assert (H := I.sign_large_correct X).
-  destruct (I.sign_large X); try easy; intros _ Hx.
-  - injection (H (Xreal x) Hx). lra.
-  - now apply (H (Xreal x)).
-Qed.

@@ -136,6 +136,30 @@ Proof.
   - lra.
 Qed.
 
+Lemma printed_is_cleared w x e :
+  (forall f, In f (denominator e) -> meaning x f <> 0) ->
+  match e with
+  | Tangency b => sin (x b) <> 0
+  | DoubleThickness _ => False
+  | _ => True
+  end ->
+  printed (flag w) x e -> meaning x (cleared w e) = 0.
+Proof.
+  intros Hdenominator Hsine Hprinted.
+  destruct e; cbn [denominator] in Hdenominator;
+    try specialize (Hdenominator _ (or_introl eq_refl)); in_numbers; cbn [printed] in Hprinted.
+  - apply lower_thrust_cleared in Hprinted; [lra | exact Hdenominator].
+  - apply upper_thrust_cleared in Hprinted; [lra | exact Hdenominator].
+  - apply whole_thrust_cleared in Hprinted;
+      [lra | intros E; apply Hdenominator; rewrite E; ring | intros E; apply Hdenominator; rewrite E; ring].
+  - rewrite Hprinted. unfold h_tangency, cot. field. now split.
+  - rewrite Hprinted. unfold end_of_rotation, fac. field. exact Hdenominator.
+  - easy.
+  - rewrite Hprinted. unfold mu_ss. field. exact Hdenominator.
+  - rewrite Hprinted. unfold mu_inner. field. exact Hdenominator.
+  - lra.
+Qed.
+
 (** Where (2) and (5) are equal, their difference has a slope that is zero. *)
 Lemma cleared_double w x b : b <> Eta ->
   meaning x (lower_lever b) <> 0 -> sin (x b) <> 0 -> meaning x inner <> 0 ->

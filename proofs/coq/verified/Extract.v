@@ -26,4 +26,4 @@ Extract Constant StdZRadix2.mantissa_shr =>
 (** [division_faster] *)
 Extract Constant Zfast_div_eucl => "Faster.division".
 
-Extraction "verified.ml" check Certificate.Certificate.
+Extraction "verified.ml" check Certificate.Certificate modes_of.

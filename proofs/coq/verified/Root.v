@@ -2,7 +2,7 @@
 
     From its boxes and its matrix: that a system has a solution in the small box, and what surrounds it. *)
 
-From Coq Require Import Reals ZArith Lra Lia Bool List.
+From Coq Require Import Reals ZArith Lra Lia Bool List FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Interval.Interval.
 From Couplet Require Import Contraction Enclosures Formulas Krawczyk Equations Certificate.
@@ -226,12 +226,39 @@ Proof.
   destruct (same_spec n n); easy.
 Qed.
 
+Lemma place_own g u y : (forall n, existsb (same n) u = false -> y n = g n) ->
+  forall n, place g u (fun i => y (nth i u Alpha)) n = y n.
+Proof.
+  intros Hy n. destruct (existsb (same n) u) eqn:Hn; [| now rewrite place_given, Hy]. clear Hy.
+  induction u as [| m u IH]; [easy |]. simpl in *. destruct (same_spec m n) as [-> | Hne]; [easy |].
+  destruct (same_spec n m); [congruence | now apply IH].
+Qed.
+
+Lemma place_alike g u x y n : (forall i, (i < length u)%nat -> x i = y i) -> place g u x n = place g u y n.
+Proof.
+  revert x y. induction u as [| m u IH]; intros x y Hall; [easy |]. simpl in *.
+  destruct (same m n); [apply Hall; lia | apply IH; intros i Hi; apply Hall; lia].
+Qed.
+
+Lemma place_entry g u x i : distinct u = true -> (i < length u)%nat -> place g u x (nth i u Alpha) = x i.
+Proof.
+  revert x i. induction u as [| m u IH]; intros x i Hu Hi; [now apply Nat.nlt_0_r in Hi |].
+  simpl in *. apply andb_true_iff in Hu as [Hm Hu]. apply negb_true_iff in Hm. destruct i as [| i].
+  - now destruct (same_spec m m).
+  - destruct (same_spec m (nth i u Alpha)) as [Heq | _]; [| apply (IH (fun i => x (S i))); [easy | lia]].
+    assert (Hin : existsb (same m) u = true)
+      by (apply existsb_exists; exists m; split; [rewrite Heq; apply nth_In; lia | now destruct (same_spec m m)]).
+    congruence.
+Qed.
+
 Theorem located_sound c full given g s E :
   (forall prec, surrounds (given prec) g) -> located c full given s = Some E ->
   exists x : configuration,
     surrounds E x /\ (forall n, existsb (same n) (unknowns s) = false -> x n = g n) /\
     (forall f, In f (zeros s) -> meaning x f = 0 /\ defined x f) /\
-    (forall f, In f (divisors s) -> meaning x f <> 0).
+    (forall f, In f (divisors s) -> meaning x f <> 0) /\ in_box (unknowns s) (unique c) x /\
+    (forall y, in_box (unknowns s) (unique c) y -> (forall n, existsb (same n) (unknowns s) = false -> y n = g n) ->
+       (forall f, In f (zeros s) -> meaning y f = 0) -> forall n, y n = x n).
 Proof.
   intros Hg. unfold located. set (u := unknowns s). set (n := length u).
   set (wide := (longest (centre (unique c)) + 64)%Z).
@@ -244,21 +271,42 @@ Proof.
   set (m := remembered (sited (given full) u (points full u (centre (root c))))) in *.
   assert (within : forall x, boxed u (centre (root c)) (radius (root c)) x -> surrounds X (place g u x)).
   { intros x Hx. apply surrounds_box; auto. now apply (is_inside_sound full u (root c) (unique c)). }
-  destruct (one_root wide u (zeros s) (inverse c) g ltac:(easy) C (centre (root c)) (radius (root c))
-              (map (enclosed full m) (zeros s))) as (x & Hx & Hsolves & _); auto.
-  - intros y Hy f Hf. apply (is_defined_sound X); [now apply (each_one _ (zeros s)) | now apply within].
-  - intros y Hy. now apply (bounds_hold wide u (zeros s) (inverse c) g ltac:(easy) X), within.
-  - intros i Hi. now apply (are_positive_sound _ n).
-  - intros j Hj. unfold residual.
-    rewrite (nth_indep _ _ (enclosed full m (Int 0))) by (rewrite map_length; lia).
-    rewrite map_nth. apply has_meaning, surrounds_centre; auto.
-  - exists (place g u x). refine (conj _ (conj _ (conj _ _))).
-    + now apply surrounds_spread.
-    + intros k Hk. now apply place_given.
-    + intros f Hf. split.
-      * destruct (In_nth _ _ (Int 0) Hf) as (j & Hj & <-). apply Hsolves. lia.
-      * apply (is_defined_sound X); [now apply (each_one _ (zeros s)) | now apply within].
-    + intros f Hf. apply (is_not_zero_sound (enclosed wide X f)); [| now apply has_meaning, within].
-      now apply (each_one (fun f => is_not_zero (enclosed wide X f)) (divisors s)).
+  assert (one : forall prec (b : box),
+            (forall x, boxed u (centre b) (radius b) x -> surrounds X (place g u x)) ->
+            length (centre b) = n -> length (radius b) = n -> are_positive (radius b) = true ->
+            narrows wide u (inverse c) C
+              (map (enclosed prec (remembered (sited (given prec) u (points prec u (centre b))))) (zeros s)) (radius b)
+            = true -> exists x, boxed u (centre b) (radius b) x /\ solves n (residual u (zeros s) g) x /\
+              forall y, boxed u (centre b) (radius b) y -> solves n (residual u (zeros s) g) y ->
+                forall i, (i < n)%nat -> y i = x i).
+  { intros prec b Hin Hc Hr Hpositive Hnarrows.
+    set (m' := remembered (sited (given prec) u (points prec u (centre b)))) in *.
+    apply (one_root wide u (zeros s) (inverse c) g ltac:(easy) C (centre b) (radius b) (map (enclosed prec m') (zeros s)));
+      auto.
+    - intros y Hy f Hf. apply (is_defined_sound X); [now apply (each_one _ (zeros s)) | now apply Hin].
+    - intros y Hy. now apply (bounds_hold wide u (zeros s) (inverse c) g ltac:(easy) X), Hin.
+    - intros i Hi. now apply (are_positive_sound _ n).
+    - intros j Hj. unfold residual.
+      rewrite (nth_indep _ _ (enclosed prec m' (Int 0))) by (rewrite map_length; lia).
+      rewrite map_nth. apply has_meaning, surrounds_centre; auto. }
+  destruct (one full (root c)) as (x & Hx & Hsolves & _); auto.
+  destruct (one wide (unique c)) as (z & _ & _ & Hz); auto; [intros y Hy; now apply surrounds_box |].
+  assert (inside := is_inside_sound full u (root c) (unique c) x ltac:(easy) Hx).
+  assert (as_boxed : forall y : configuration, in_box u (unique c) y <->
+            boxed u (centre (unique c)) (radius (unique c)) (fun i => y (nth i u Alpha))).
+  { intros y. unfold in_box, boxed, Contraction.within, entry.
+    split; intros Hb i Hi; specialize (Hb i Hi); now rewrite Rmult_1_l in *. }
+  exists (place g u x). refine (conj _ (conj _ (conj _ (conj _ (conj _ _))))).
+  - now apply surrounds_spread.
+  - intros k Hk. now apply place_given.
+  - intros f Hf. split.
+    + destruct (In_nth _ _ (Int 0) Hf) as (j & Hj & <-). apply Hsolves. lia.
+    + apply (is_defined_sound X); [now apply (each_one _ (zeros s)) | now apply within].
+  - intros f Hf. apply (is_not_zero_sound (enclosed wide X f)); [| now apply has_meaning, within].
+    now apply (each_one (fun f => is_not_zero (enclosed wide X f)) (divisors s)).
+  - apply as_boxed. intros i Hi. rewrite place_entry by easy. now apply inside.
+  - intros y Hy Hsame Hzero k. apply as_boxed in Hy. rewrite <- (place_own g u y Hsame k). apply place_alike.
+    intros i Hi. rewrite (Hz x inside Hsolves i Hi). apply (Hz (fun i => y (nth i u Alpha))); [exact Hy | | exact Hi].
+    intros j Hj. unfold residual.
+    rewrite (functional_extensionality _ _ (place_own g u y Hsame)). apply Hzero, nth_In. lia.
 Qed.
-

@@ -51,6 +51,43 @@ Proof.
   - rewrite Hn. destruct (same n (fst nx)); [exact Hx | exact IH].
 Qed.
 
+Lemma real_positive n : (0 < numerator n)%Z -> 0 < real n.
+Proof.
+  intros Hn. assert (F : forall q, 0 < fraction (numerator n) q) by (intros q; apply Rdiv_lt_0_compat; now apply IZR_lt).
+  destruct n as [p q | p q | p q]; cbn [real numerator] in *; [easy | |].
+  - apply Rmult_lt_0_compat; [easy | apply PI_RGT_0].
+  - apply Rmult_lt_0_compat; [lra |]. rewrite <- atan_0. now apply atan_increasing.
+Qed.
+
+Lemma real_not_negative n : (0 <= numerator n)%Z -> 0 <= real n.
+Proof.
+  intros Hn. apply Zle_lt_or_eq in Hn as [Hn | Hn]; [now apply Rlt_le, real_positive |].
+  destruct n; cbn [real numerator] in *; subst; unfold fraction;
+    replace (0 / IZR (Zpos q)) with 0 by (unfold Rdiv; ring); rewrite ?atan_0; lra.
+Qed.
+
+Lemma is_below_sound prec n limit y : is_below prec n limit = true -> has limit y -> real n < y.
+Proof.
+  intros Htest Hy. apply (is_positive_sound _ (y - real n)) in Htest; [lra |].
+  apply has_sub; [exact Hy | apply has_number].
+Qed.
+
+Lemma is_given_sound prec a : is_given prec a = true -> is_arch a.
+Proof.
+  unfold is_given, is_arch. intros Htest. conditions. split.
+  - split; [now apply real_positive, Z.ltb_lt | now apply (is_below_sound prec _ (I.pi prec)), has_pi].
+  - destruct (its_friction a); [now apply real_not_negative, Z.leb_le | | easy]. conditions.
+    split; [now apply real_not_negative, Z.leb_le |].
+    apply (is_below_sound prec _ (I.div prec (I.pi prec) (integer prec 2))); [easy |].
+    apply has_div; [apply has_pi | apply (has_integer prec 2)].
+Qed.
+
+Lemma friction_not_negative a : is_arch a -> 0 <= coefficient_or_zero (its_friction a).
+Proof.
+  intros [_ H]. unfold coefficient_or_zero. destruct (its_friction a); cbn [coefficient]; [easy | | lra].
+  apply Rmult_le_pos; [apply sin_ge_0; lra | apply Rlt_le, Rinv_0_lt_compat, cos_gt_0; lra].
+Qed.
+
 Ltac given_numbers :=
   intros; unfold its_numbers, its_opening;
   repeat (apply List.Forall2_cons;
@@ -123,11 +160,11 @@ Proof.
       destruct (m =? 10 ^ (digits - 1))%Z; lra.
 Qed.
 
-Lemma hold_values_sound prec known (limited : bool) E c (x : configuration) (mu : option R) : hold_values prec known limited E c = true ->
+Lemma hold_values_sound prec (limited : bool) E c (x : configuration) (mu : option R) : hold_values prec limited E c = true ->
   surrounds E x -> mu = (if limited then Some (x Mu) else None) -> values_hold c mu x.
 Proof.
   intros Hall HE Hmu q v Hq. apply (each_one _ _ (q, v)) in Hall; [| exact Hq].
-  apply andb_true_iff in Hall. now apply (holds_value_sound prec (digits c) limited E x mu (q, v)).
+  apply andb_true_iff in Hall. split; [easy | now apply (holds_value_sound prec (digits c) limited E x mu (q, v))].
 Qed.
 
 (** ** States *)
@@ -252,19 +289,42 @@ Qed.
 
 
 (** The equations that the root of a system solves, as printed. *)
-Lemma printed_equations w x e :
+Lemma equations_hold w x e :
   (forall f, In f (map (cleared w) e) -> meaning x f = 0 /\ defined x f) ->
   (forall f, In f (flat_map denominator e) -> meaning x f <> 0) ->
   (forall b, ~ In (DoubleThickness b) e) ->
-  List.Forall (printed (flag w) x) e.
+  List.Forall (holds (flag w) x) e.
 Proof.
-  intros Hzeros Hdivisors Hsimple. apply List.Forall_forall. intros g Hg. apply cleared_is_printed.
-  - intros f Hf. apply Hdivisors, in_flat_map. now exists g.
-  - destruct g; try exact Logic.I.
-    + apply (Hzeros (cleared w (Tangency joint))); [now apply (in_map (cleared w)) | simpl; auto].
-    + now apply (Hsimple joint).
+  intros Hzeros Hdivisors Hsimple. apply List.Forall_forall. intros g Hg.
+  assert (denominators : forall f, In f (denominator g) -> meaning x f <> 0)
+    by (intros f Hf; apply Hdivisors, in_flat_map; now exists g).
+  assert (sine : match g with Tangency b | DoubleThickness b => sin (x b) <> 0 | _ => True end).
+  { destruct g; try exact Logic.I.
+    - apply (Hzeros (cleared w (Tangency joint))); [now apply (in_map (cleared w)) | simpl; auto].
+    - now destruct (Hsimple joint). }
+  refine (conj _ (conj denominators sine)). apply cleared_is_printed; [easy | |].
+  - destruct g; try easy. now destruct (Hsimple joint).
   - apply Hzeros. now apply (in_map (cleared w)).
 Qed.
+
+Lemma is_only_sound c w u e x g : (forall b, ~ In (DoubleThickness b) e) ->
+  (forall n, existsb (same n) u = false -> x n = g n) ->
+  (in_box u (unique c) x /\
+   forall y, in_box u (unique c) y -> (forall n, existsb (same n) u = false -> y n = g n) ->
+     (forall f, In f (map (cleared w) e) -> meaning y f = 0) -> forall n, y n = x n) ->
+  is_only c w u e x.
+Proof.
+  intros Hsimple Hgiven [Hbox Honly]. split; [exact Hbox |]. intros y Hy Hsame Hholds. apply Honly; [exact Hy | |].
+  - intros n Hn. rewrite <- Hgiven by exact Hn. apply Hsame. intros Hin.
+    enough (existsb (same n) u = true) by congruence.
+    apply existsb_exists. exists n. split; [exact Hin | now destruct (same_spec n n)].
+  - intros f Hf. apply in_map_iff in Hf as (g' & <- & Hg).
+    destruct (proj1 (List.Forall_forall _ _) Hholds g' Hg) as (Hprinted & D & Hsine).
+    apply printed_is_cleared; [exact D | destruct g'; try exact Hsine; now apply (Hsimple joint) | exact Hprinted].
+Qed.
+
+Lemma holds_printed d x l : List.Forall (holds d x) l -> List.Forall (printed d x) l.
+Proof. apply List.Forall_impl. now intros e [H _]. Qed.
 
 Ltac no_double := intros ? Hdouble; simpl in Hdouble; repeat destruct Hdouble as [Hdouble | Hdouble]; easy.
 
@@ -274,7 +334,7 @@ Lemma arch_numbers a prec :
 Proof. given_numbers. Qed.
 
 Theorem state_found_sound c m a E : state_found c m a = Some E ->
-  exists x, surrounds E x /\ is_state m a x /\ values_hold c (coefficient (its_friction a)) x.
+  is_arch a /\ exists x, surrounds E x /\ is_state m a x /\ is_only_state c m a x /\ values_hold c (coefficient (its_friction a)) x.
 Proof.
   unfold state_found. cbv zeta. set (w := self_weight a). set (f := its_friction a).
   set (full := full_bits c).
@@ -282,18 +342,20 @@ Proof.
   match goal with |- (if ?b then _ else _) = _ -> _ => destruct b eqn:Hall; [| easy] end.
   intros [= ->]. conditions.
   destruct (located_sound _ _ _ _ _ _ (surrounds_given _ _ (arch_numbers a)) Hlocated)
-    as (x & HE & Hgiven & Hzeros & Hdivisors).
+    as (x & HE & Hgiven & Hzeros & Hdivisors & Honly).
   assert (alpha : x Alpha = real (half_opening a)) by (now destruct m; apply Hgiven).
   assert (mu : x Mu = coefficient_or_zero f) by (now destruct m; apply Hgiven).
-  assert (Hprinted : List.Forall (printed (flag w) x) (equations m))
-    by (apply printed_equations; [exact Hzeros | exact Hdivisors | destruct m; no_double]).
+  assert (Hholds : List.Forall (holds (flag w) x) (equations m))
+    by (apply equations_hold; [exact Hzeros | exact Hdivisors | destruct m; no_double]).
+  assert (Hprinted := holds_printed _ _ _ Hholds).
+  assert (Harch : is_arch a) by (now apply (is_given_sound full)).
   set (S := if is_limited f && negb (slides_inside m) then with_steepest full E else E) in *.
   set (y := if is_limited f && negb (slides_inside m) then steepest_of x else x).
   assert (HS : surrounds S y).
   { unfold S, y. destruct (is_limited f && negb (slides_inside m)); [now apply surrounds_steepest | exact HE]. }
   assert (same_numbers : forall n, n <> BetaS -> y n = x n).
   { intros n Hn. unfold y. destruct (is_limited f && negb (slides_inside m)), n; easy. }
-  assert (Hopen : x Alpha < PI) by (apply (is_open_sound full (itself (E Alpha))); [easy | apply HE]).
+  assert (Hopen : x Alpha < PI) by (rewrite alpha; apply Harch).
   assert (friction : coefficient f = (if is_limited f then Some (x Mu) else None))
     by (rewrite coefficient_is, mu; easy).
   destruct (signs_suffice w m f y) as [Horder Hleast]; try easy.
@@ -305,19 +367,20 @@ Proof.
   - now rewrite friction, same_numbers.
   - intros Hm Hf. unfold y. rewrite Hm, Hf. easy.
   - destruct m; try easy; rewrite ?same_numbers by easy; repeat split; now apply Hgiven.
-  - exists x. split; [exact HE | split].
-    + unfold is_state. fold f w. refine (conj alpha (conj _ (conj Hprinted (conj _ _)))).
+  - split; [exact Harch |]. exists x. split; [exact HE | split].
+    + unfold is_state. fold f w. refine (conj alpha (conj _ (conj Hholds (conj _ _)))).
       * rewrite coefficient_is, mu. now destruct (is_limited f).
       * unfold y in Horder. destruct m, (is_limited f); exact Horder.
       * unfold y in Hleast. destruct m, (is_limited f); exact Hleast.
-    + now apply (hold_values_sound full (results m) (is_limited f) E).
+    + split; [| now apply (hold_values_sound full (is_limited f) E)].
+      now apply (is_only_sound c w (unknowns_of m) (equations m) x _ ltac:(destruct m; no_double) Hgiven).
 Qed.
 
 Lemma check_state_sound c m a : about c = State m a -> check_state c m a = true -> claim_of c.
 Proof.
   intros Habout. unfold check_state, claim_of. rewrite Habout.
   destruct (state_found c m a) as [E |] eqn:Hfound; [| easy]. intros _.
-  destruct (state_found_sound c m a E Hfound) as (x & _ & Hstate & Hvalues). now exists x.
+  destruct (state_found_sound c m a E Hfound) as (Harch & x & _ & Hstate). split; [easy | now exists x].
 Qed.
 
 (** ** The other verdicts *)
@@ -345,12 +408,12 @@ Lemma check_too_thin_sound c m a t : about c = TooThin m a t -> check_too_thin c
 Proof.
   intros Habout. unfold check_too_thin, claim_of. rewrite Habout. cbv zeta. set (full := full_bits c).
   destruct (state_found c m a) as [E |] eqn:Hfound; [| easy]. intros Htest. conditions.
-  destruct (state_found_sound c m a E Hfound) as (x & HE & Hstate & Hvalues).
+  destruct (state_found_sound c m a E Hfound) as (Harch & x & HE & Hstate & Honly & Hvalues).
   assert (Ht := is_thickness_sound t ltac:(easy)).
   assert (Hless : real t < x Eta).
   { apply (difference_sound full (itself (E Eta)) (enclosed_number full t));
       [easy | apply HE | apply has_number]. }
-  split; [now exists x | split; [easy |]]. intros Hstands.
+  split; [exact Harch | split; [now exists x | split; [easy |]]]. intros Hstands.
   assert (Hmost := is_state_least m a x Hstate (real t) Ht Hstands). lra.
 Qed.
 
@@ -361,19 +424,21 @@ Proof.
   destruct (located _ _ _ _) as [E |] eqn:Hlocated; [| easy]. intros Htest. conditions.
   destruct (located_sound _ _ _ _ _ _
               (surrounds_given (its_opening a) [(Alpha, real (half_opening a))] ltac:(given_numbers)) Hlocated)
-    as (x & HE & Hgiven & Hzeros & Hdivisors).
+    as (x & HE & Hgiven & Hzeros & Hdivisors & Honly).
   assert (alpha : x Alpha = real (half_opening a)) by (now apply Hgiven).
-  assert (Hprinted := printed_equations w x _ Hzeros Hdivisors ltac:(no_double)).
-  assert (Hopen : x Alpha < PI) by (apply (is_open_sound full (itself (E Alpha))); [easy | apply HE]).
+  assert (Hholds := equations_hold w x _ Hzeros Hdivisors ltac:(no_double)).
+  assert (Hprinted := holds_printed _ _ _ Hholds).
+  assert (Harch := is_given_sound full a ltac:(easy)). assert (Hmu := friction_not_negative a Harch). fold f in Hmu.
+  assert (Hopen : x Alpha < PI) by (rewrite alpha; apply Harch).
   assert (Hsigns : List.Forall (fun g => 0 < meaning x g) (carried ++ steepest))
     by (apply List.Forall_forall; intros g Hg; now apply (are_all_positive_sound full E x (carried ++ steepest))).
   assert (Hless : coefficient_or_zero f < x Mu).
   { apply (difference_sound full (itself (E Mu)) (enclosed_friction full f)); [easy | apply HE | apply has_friction]. }
-  assert (Hmu : 0 <= coefficient_or_zero f)
-    by (apply (is_not_negative_sound (enclosed_friction full f)); [easy | apply has_friction]).
-  split.
-  - exists x. refine (conj alpha (conj Hprinted _)).
-    now apply (hold_values_sound full [Mu; Thrust; BetaS] true E).
+  split; [exact Harch | split].
+  - exists x. refine (conj alpha (conj Hholds (conj _ (conj _ _)))).
+    + list_of Hsigns. cbn [meaning] in *. lra.
+    + exists (coefficient_or_zero f). fold f. rewrite coefficient_is. now replace (is_limited f) with true by easy.
+    + now apply (hold_values_sound full true E).
   - intros eta. unfold stands. fold f. rewrite coefficient_is, <- alpha.
     replace (is_limited f) with true by easy.
     list_of Hsigns; list_of Hprinted. cbn [printed] in *. frictions Logic.I. cbn [meaning] in *.
@@ -383,13 +448,13 @@ Qed.
 (** The limit of the half-angle: the physical limit of the thickness is just enough. *)
 Lemma check_too_wide_sound c a : about c = TooWide a -> check_too_wide c a = true -> claim_of c.
 Proof.
-  intros Habout. unfold check_too_wide, claim_of. rewrite Habout. cbv zeta.
+  intros Habout. unfold check_too_wide, unknowns_too_wide, claim_of. rewrite Habout. cbv zeta.
   set (w := self_weight a). set (f := its_friction a). set (full := full_bits c).
   destruct (located _ _ _ _) as [E |] eqn:Hlocated; [| easy]. intros Htest. conditions.
   destruct (located_sound _ _ _ _ _ _
               (surrounds_given (fun prec => [(Eta, exact two); (Mu, enclosed_friction prec f)])
                  [(Eta, value two); (Mu, coefficient_or_zero f)] ltac:(given_numbers)) Hlocated)
-    as (x & HE & Hgiven & Hzeros & Hdivisors).
+    as (x & HE & Hgiven & Hzeros & Hdivisors & Honly).
   assert (weight : flag w = 0 \/ flag w = 1) by (destruct w; auto).
   assert (eta : x Eta = 2).
   { rewrite Hgiven by (now destruct (is_limited f)). unfold numbers_in, two, value. simpl. ring. }
@@ -397,11 +462,9 @@ Proof.
   assert (Hless : x Alpha < real (half_opening a)).
   { apply (difference_sound full (enclosed_number full (half_opening a)) (itself (E Alpha)));
       [easy | apply has_number | apply HE]. }
-  assert (Hopen : real (half_opening a) < PI)
-    by (apply (is_open_sound full (enclosed_number full (half_opening a))); [easy | apply has_number]).
+  assert (Harch := is_given_sound full a ltac:(easy)). assert (Hopen : real (half_opening a) < PI) by apply Harch.
   assert (Hvalues : values_hold c (coefficient f) x).
-  { apply (hold_values_sound full (if is_limited f then [Alpha; Thrust; BetaS] else [Alpha]) (is_limited f) E);
-      [easy | exact HE |].
+  { apply (hold_values_sound full (is_limited f) E); [easy | exact HE |].
     rewrite coefficient_is. destruct (is_limited f); [| easy]. rewrite Hgiven by easy. easy. }
   assert (Hsigns : List.Forall (fun g => 0 < meaning x g)
             (Val Alpha :: (if is_limited f then steepest ++ [upper_lever BetaR] else [])))
@@ -409,17 +472,19 @@ Proof.
           (Val Alpha :: (if is_limited f then steepest ++ [upper_lever BetaR] else [])))).
   unfold stands. fold f w. rewrite coefficient_is in *. destruct (is_limited f) eqn:Hlimited.
   - assert (mu : x Mu = coefficient_or_zero f) by (now apply Hgiven).
-    assert (Hprinted := printed_equations w x _ Hzeros Hdivisors ltac:(no_double)).
-    split; [exists x; tauto |].
+    assert (Hholds := equations_hold w x _ Hzeros Hdivisors ltac:(no_double)).
+    assert (Hprinted := holds_printed _ _ _ Hholds).
+    split; [exact Harch | split; [exists x; tauto |]].
     list_of Hsigns; list_of Hprinted. cbn [printed] in *. frictions Logic.I. cbn [meaning upper_lever inner outer] in *.
     rewrite crown, eta in *. rewrite <- mu. intros e He.
     assert (Hthrust : 0 < x Thrust < 1) by nra.
     assert (Hlimit := nothing_left_at_border (flag w) (x Alpha) (x Thrust) ltac:(lra) ltac:(easy)).
     apply (too_wide (flag w) (x Alpha) _ _ (x Thrust)); try easy; lra.
   - assert (thrust : x Thrust = 0) by (now apply Hgiven).
-    assert (Hprinted := printed_equations w x _ Hzeros Hdivisors ltac:(no_double)).
+    assert (Hholds := equations_hold w x _ Hzeros Hdivisors ltac:(no_double)).
+    assert (Hprinted := holds_printed _ _ _ Hholds). apply List.Forall_inv in Hholds.
     list_of Hsigns; list_of Hprinted. cbn [meaning] in *.
-    split; [exists x; tauto |].
+    split; [exact Harch | split; [exists x; tauto |]].
     intros e He (h & p & Hinside). cbn [printed] in *. rewrite thrust, eta in *.
     assert (Hlimit := nothing_left_at_end_of_overturning (flag w) (x Alpha) ltac:(lra) ltac:(easy)).
     now apply (too_wide_without_limit (flag w) (x Alpha) (real (half_opening a))) with (eta := e) (h := h) (p := p).
@@ -463,15 +528,16 @@ Proof.
                                 :: its_numbers a prec)
                  [(Eta, real t); (Thrust, value h); (Moment, value p); (Mu, coefficient_or_zero f);
                   (Alpha, real (half_opening a))] ltac:(given_numbers)) Hlocated)
-    as (x & HE & Hgiven & Hzeros & Hdivisors).
+    as (x & HE & Hgiven & Hzeros & Hdivisors & Honly).
   assert (alpha : x Alpha = real (half_opening a)) by (now destruct there; apply Hgiven).
   assert (eta : x Eta = real t) by (now destruct there; apply Hgiven).
   assert (thrust : x Thrust = value h) by (now destruct there; apply Hgiven).
   assert (moment : x Moment = value p) by (now destruct there; apply Hgiven).
   assert (mu : x Mu = coefficient_or_zero f) by (now destruct there; apply Hgiven).
   assert (Hthick := is_thickness_sound t ltac:(easy)). rewrite <- eta in Hthick.
-  assert (Hopen : x Alpha < PI) by (apply (is_open_sound full (itself (E Alpha))); [easy | apply HE]).
-  assert (Hprinted := printed_equations w x _ Hzeros Hdivisors ltac:(destruct there; no_double)).
+  assert (Harch := is_given_sound full a ltac:(easy)).
+  assert (Hopen : x Alpha < PI) by (rewrite alpha; apply Harch).
+  assert (Hprinted := holds_printed _ _ _ (equations_hold w x _ Hzeros Hdivisors ltac:(destruct there; no_double))).
   assert (Hsigns : List.Forall (fun g => 0 < meaning x g) (standing_signs w there))
     by (apply List.Forall_forall; intros g Hg; now apply (are_all_positive_sound full E x (standing_signs w there))).
   assert (inside : thrust_inside (flag w) (x Alpha) (x Eta) (x Thrust) (value p)).
@@ -493,11 +559,11 @@ Proof.
   { rewrite coefficient_is. unfold is_admissible. destruct (is_limited f); [| exact inside].
     rewrite <- mu. intros y Hy. split; [now apply inside |]. apply (enough_sound full E); try easy;
       destruct there; list_of Hsigns; in_numbers; try assumption; lra. }
-  split; [now rewrite <- eta | split].
+  split; [exact Harch | split; [now rewrite <- eta | split]].
   - unfold stands. fold w f. rewrite <- alpha, <- eta. unfold is_admissible in admitted.
     destruct (coefficient f); now exists (x Thrust), (value p).
   - exists x. fold w f. refine (conj alpha (conj eta (conj thrust (conj _ admitted)))).
-    apply (hold_values_sound full (match there with AtHaunch => [BetaR] | _ => [] end) (is_limited f) E); try easy.
+    apply (hold_values_sound full (is_limited f) E); try easy.
     rewrite coefficient_is, mu. easy.
 Qed.
 
@@ -510,25 +576,33 @@ Definition one_joint_of (x : configuration) : configuration := fun n =>
 Lemma surrounds_one_joint E x : surrounds E x -> surrounds (with_one_joint E) (one_joint_of x).
 Proof. intros HE []; apply HE. Qed.
 
-Lemma landmark_printed w x l :
+Lemma landmark_holds w x l :
   (forall f, In f (map (cleared w) (equations_of l)) -> meaning x f = 0 /\ defined x f) ->
   (forall f, In f (flat_map denominator (equations_of l)) -> meaning x f <> 0) ->
-  List.Forall (printed (flag w) x) (equations_of l).
+  List.Forall (holds (flag w) x) (equations_of l).
 Proof.
-  intros Hzeros Hdivisors. destruct l;
-    try (apply printed_equations; [exact Hzeros | exact Hdivisors | no_double]).
+  intros Hzeros Hdivisors. destruct l; try (apply equations_hold; [exact Hzeros | exact Hdivisors | no_double]).
   set (first := [LowerThrust BetaR; WholeThrust; Tangency BetaR]).
-  assert (H : List.Forall (printed (flag w) x) first).
-  { apply printed_equations; [| | no_double]; intros f Hf; [apply Hzeros | apply Hdivisors]; simpl in *; tauto. }
-  apply (List.Forall_app (printed (flag w) x) first [DoubleThickness BetaR]). split; [exact H |].
-  apply List.Forall_cons; [| apply List.Forall_nil].
+  assert (H : List.Forall (holds (flag w) x) first).
+  { apply equations_hold; [| | no_double]; intros f Hf; [apply Hzeros | apply Hdivisors]; simpl in *; tauto. }
+  apply (List.Forall_app (holds (flag w) x) first [DoubleThickness BetaR]). split; [exact H |].
+  assert (sine : sin (x BetaR) <> 0) by (apply (Hzeros (cleared w (Tangency BetaR))); simpl; auto).
+  apply List.Forall_cons; [| apply List.Forall_nil]. split; [| now split].
   apply cleared_double; try easy.
   - apply Hdivisors. simpl. auto.
-  - apply (Hzeros (cleared w (Tangency BetaR))); simpl; auto.
   - apply Hdivisors. simpl. auto.
-  - exact (proj1 (List.Forall_forall _ _) H (LowerThrust BetaR) ltac:(simpl; auto)).
-  - exact (proj1 (List.Forall_forall _ _) H (Tangency BetaR) ltac:(simpl; auto)).
+  - exact (proj1 (proj1 (List.Forall_forall _ _) H (LowerThrust BetaR) ltac:(simpl; auto))).
+  - exact (proj1 (proj1 (List.Forall_forall _ _) H (Tangency BetaR) ltac:(simpl; auto))).
   - apply Hzeros. simpl. auto.
+Qed.
+
+(** (3) is (2) and (4). *)
+Lemma upper_from_lower_and_whole d x : holds d x (LowerThrust BetaR) -> holds d x WholeThrust ->
+  0 < meaning x (upper_lever BetaR) -> holds d x (UpperThrust BetaR).
+Proof.
+  intros (H2 & D2 & _) (H4 & D4 & _) Hlever. specialize (D2 _ (or_introl eq_refl)). specialize (D4 _ (or_introl eq_refl)).
+  split; [| split; [intros f [<- | []]; lra | easy]]. cbn [printed] in *. in_numbers.
+  apply lower_and_whole_imply_upper; try easy; try lra; intros Hzero; apply D4; rewrite Hzero; ring.
 Qed.
 
 Lemma landmark_least w x l : x Alpha < PI -> is_fixed l x ->
@@ -550,17 +624,37 @@ Proof.
   - destruct Hfixed as [Hb He]. rewrite Hb, He in *.
     assert (left := nothing_left_at_border (flag w) (x Alpha) (x Thrust) ltac:(lra) ltac:(easy)).
     apply (overturning_sliding _ _ _ weight) with (joint := x BetaS); try tauto; try lra.
-  - destruct Hfixed as [Hb Hh]. rewrite Hb, Hh in *.
+  - destruct Hfixed as (Hb & _ & Hh). rewrite Hb, Hh in *.
     assert (next := no_room_next_to_crown (flag w) (x Eta) 0 ltac:(lra) ltac:(easy)).
     assert (E := shoulder_from_crown (flag w) (x Alpha) ltac:(lra) (x Eta) 0 ltac:(lra) ltac:(easy)).
     unfold at_crown in E. rewrite Rmult_0_r in E. rewrite <- E.
     apply (overturning _ _ weight); try tauto; try lra.
-  - destruct Hfixed as (Hb & Hh & He). rewrite Hb, Hh, He in *.
+  - destruct Hfixed as (Hb & _ & Hh & He). rewrite Hb, Hh, He in *.
     assert (left := nothing_left_at_end_of_overturning (flag w) (x Alpha) ltac:(lra) ltac:(easy)).
     assert (E := shoulder_from_crown (flag w) (x Alpha) ltac:(lra) 2 0 ltac:(lra) ltac:(easy)).
     unfold at_crown in E. rewrite Rmult_0_r in E. rewrite <- E.
     apply (overturning _ _ weight); try tauto; try lra.
   - apply (rotational_without_limit _ _ weight) with (beta := x BetaR); try tauto; try lra.
+Qed.
+
+(** The modes that meet there, and the order of the joints. *)
+Lemma landmark_there w x l : x Alpha < PI -> is_fixed l x ->
+  List.Forall (fun g => 0 < meaning x g) (landmark_signs w l) ->
+  List.Forall (holds (flag w) x) (equations_of l) ->
+  (forall m, In m (modes_of l) -> is_state_there l (flag w) x m) /\ in_order_there l x.
+Proof.
+  intros Hopen Hfixed Hsigns Hholds. destruct l; cbn [is_fixed modes_of] in *; list_of Hsigns; list_of Hholds.
+  all: split; [| unfold in_order_there; cbn [meaning inner] in *; repeat split; lra].
+  all: intros m Hm e He; simpl in Hm; repeat destruct Hm as [<- | Hm]; try easy; cbn [equations] in He; simpl in He;
+    repeat destruct He as [<- | He]; try easy.
+  1: now apply upper_from_lower_and_whole.
+  1-4: unfold holds in *; cbn [printed denominator] in *; rewrite Hfixed;
+    repeat match goal with H : _ /\ _ |- _ => destruct H end; repeat split; try easy;
+    intros f [<- | []]; in_numbers; rewrite ?Hfixed;
+    match goal with D : forall f, _ -> meaning _ f <> 0 |- _ => now apply (D _ (or_introl eq_refl)) end.
+  destruct Hfixed as (Hb & _ & Hh). unfold holds. cbn [printed denominator]. rewrite Hb, Hh.
+  repeat split; [unfold h_lower; rewrite sin_0, cos_0; unfold Rdiv; ring |].
+  intros f [<- | []]. in_numbers. rewrite Hb, cos_0. cbn [meaning] in *. lra.
 Qed.
 
 Lemma check_landmark_sound c l w : about c = Landmark l w -> check_landmark c l w = true -> claim_of c.
@@ -570,23 +664,29 @@ Proof.
   set (fixed := match l with Border | OverturningEnd => [(Eta, value two)] | _ => [] end).
   destruct (located_sound _ _ _ _ _ _
               (surrounds_given (landmark_given l) fixed ltac:(unfold fixed; destruct l; given_numbers)) Hlocated)
-    as (x & HE & Hgiven & Hzeros & Hdivisors).
+    as (x & HE & Hgiven & Hzeros & Hdivisors & Honly).
   assert (two_is : value two = 2) by (unfold two, value; simpl; ring).
   set (y := match l with Shift => one_joint_of x | _ => x end).
   set (S := match l with Shift => with_one_joint E | _ => E end) in *.
   assert (HS : surrounds S y)
     by (unfold S, y; destruct l; try exact HE; now apply surrounds_one_joint).
-  assert (Hprinted : List.Forall (printed (flag w) y) (equations_of l)).
-  { assert (Hp := landmark_printed w x l Hzeros Hdivisors). unfold y.
-    destruct l; try exact Hp. list_of Hp. repeat (apply List.Forall_cons; [assumption |]). apply List.Forall_nil. }
+  assert (Hholds : List.Forall (holds (flag w) y) (equations_of l)).
+  { assert (Hp := landmark_holds w x l Hzeros Hdivisors). unfold y.
+    destruct l; try exact Hp. apply List.Forall_forall. intros e He.
+    destruct (proj1 (List.Forall_forall _ _) Hp e He) as (Hprinted & D & Hsine). simpl in He.
+    repeat destruct He as [<- | He]; try easy;
+      (refine (conj Hprinted (conj _ Hsine)); intros f Hf; specialize (D f Hf); now repeat destruct Hf as [<- | Hf]). }
+  assert (Hprinted := holds_printed _ _ _ Hholds).
   assert (Hfixed : is_fixed l y).
   { unfold y. destruct l; cbn [is_fixed]; try easy; repeat split; rewrite ?Hgiven by easy; unfold fixed, numbers_in;
       cbn [find same fst snd]; easy. }
   assert (Hopen : y Alpha < PI) by (apply (is_open_sound full (itself (S Alpha))); [easy | apply HS]).
-  exists y. refine (conj Hprinted (conj Hfixed (conj _ _))).
-  - apply (hold_values_sound full (landmark_known l) (landmark_limited l) S); try easy. now destruct l.
-  - apply landmark_least; try easy. apply List.Forall_forall. intros g Hg.
-    now apply (are_all_positive_sound full S y (landmark_signs w l)).
+  assert (Hsigns : List.Forall (fun g => 0 < meaning y g) (landmark_signs w l))
+    by (apply List.Forall_forall; intros g Hg; now apply (are_all_positive_sound full S y (landmark_signs w l))).
+  destruct (landmark_there w y l Hopen Hfixed Hsigns Hholds) as [Hthere Horder].
+  exists y. refine (conj Hholds (conj Hfixed (conj Hthere (conj Horder (conj _ _))))).
+  - apply (hold_values_sound full (landmark_limited l) S); try easy. now destruct l.
+  - now apply landmark_least.
 Qed.
 
 (** ** Asymmetric solutions *)
@@ -680,12 +780,12 @@ Proof.
   set (w := self_weight a). set (f := its_friction a). set (full := full_bits c).
   destruct (located _ _ _ _) as [E |] eqn:Hlocated; [| easy]. intros Htest. conditions.
   destruct (located_sound _ _ _ _ _ _ (surrounds_given _ _ (arch_numbers a)) Hlocated)
-    as (x & HE & Hgiven & Hzeros & _).
+    as (x & HE & Hgiven & Hzeros & _ & _).
   assert (alpha : x Alpha = real (half_opening a)) by (now destruct k; apply Hgiven).
   assert (mu : x Mu = coefficient_or_zero f) by (now destruct k; apply Hgiven).
-  assert (Hopen : x Alpha < PI) by (apply (is_open_sound full (itself (E Alpha))); [easy | apply HE]).
+  assert (Harch := is_given_sound full a ltac:(easy)). assert (Hopen : x Alpha < PI) by (rewrite alpha; apply Harch).
   assert (Hvalues : values_hold c (Some (x Mu)) (rates_of k x)).
-  { apply (hold_values_sound full (asymmetric_known k) true (with_rates full k E)); try easy.
+  { apply (hold_values_sound full true (with_rates full k E)); try easy.
     now apply surrounds_rates. }
   assert (zero : forall g, In g (asymmetric_zeros w k) -> meaning x g = 0) by (intros g Hg; now apply Hzeros).
   assert (crown : is_margin (flag w) x FromExtrados (x Hinge) = 0)
@@ -721,11 +821,19 @@ Proof.
   assert (Hsigns : List.Forall (fun g => 0 < meaning x g) (asymmetric_signs k))
     by (apply List.Forall_forall; intros g Hg; now apply (are_all_positive_sound full E x (asymmetric_signs k))).
   assert (Hs : 0 < x Alpha -> sin (x Alpha) <> 0) by (intros Ha; apply Rgt_not_eq, sin_gt_0; lra).
-  exists (rates_of k x). refine (conj alpha (conj _ (conj _ (conj _ Hvalues)))).
+  split; [exact Harch |]. exists (rates_of k x). refine (conj alpha (conj _ (conj _ (conj _ Hvalues)))).
   - rewrite coefficient_is. fold f. change (rates_of k x Mu) with (x Mu). rewrite mu.
     now replace (is_limited f) with true.
   - cbn [is_margin] in *.
     assert (admitted' := admitted). unfold whole_admissible in admitted'.
+    assert (thickness : 0 < x Eta < 2)
+      by (split; [| enough (0 < meaning x inner) by (cbn [meaning inner] in *; lra)];
+          [apply (proj1 (List.Forall_forall _ _) Hsigns (Val Eta)) | apply (proj1 (List.Forall_forall _ _) Hsigns inner)];
+          destruct k; simpl; tauto).
+    assert (compressed : forall j, - x Alpha <= j <= x Alpha -> 0 <= whole_normal (x Thrust) (x Force) j).
+    { intros j Hj. destruct (admitted' j Hj) as (Hout & Hin & _). unfold from_extrados, from_intrados in *.
+      apply (Rmult_le_reg_l (x Eta)); [easy |]. unfold extrados, intrados in *. lra. }
+    split; [change (0 < x Eta <= 2); lra | split; [exact compressed |]].
     destruct k; list_of Hsigns; cbn [meaning slip_numerator rate_divisor inner outer] in *.
     + destruct (inside eq_refl) as [slides _]. destruct (slips_inside x) as [Es Eu].
       change (asymmetric_solution (flag w) (x Alpha) (x Mu) (x Eta) (x Thrust) (x Moment) (x Force) (x Hinge) (x BetaR)

@@ -13,7 +13,7 @@ use couplet::problem::Problem;
 use serde_json::{Value, json};
 
 /// The shoulder slides, and a joint of the other half.
-fn inner() -> Original {
+pub(super) fn inner() -> Original {
     Original(asymmetric(M, "2.3", "1.05", InnerSliding))
 }
 
@@ -50,7 +50,7 @@ fn mismatch(place: &'static str, expected: &str) -> Refusal {
 }
 
 /// The root of the equations of a kind next to this point does not meet this condition.
-fn unmet(
+pub(super) fn unmet(
     mode: AsymmetricMode,
     (half_opening, friction): (&str, &str),
     start: &[f64],
@@ -87,8 +87,8 @@ fn fields() -> Cases {
 }
 
 /// Each value with another last digit.
-fn another_digit() -> Cases {
-    let values = inner().0["values"].as_array().unwrap();
+pub(super) fn another_digit(original: Original) -> Cases {
+    let values = original.0["values"].as_array().unwrap();
     let spoil = |(k, value): (usize, &Value)| {
         let text = value["value"].as_str().unwrap();
         let (head, last) = text.split_at(text.len() - 1);
@@ -99,7 +99,7 @@ fn another_digit() -> Cases {
             .chain(couplet::problem::Quantity::ASYMMETRIC)
             .find(|quantity| quantity.name() == name);
         let reason = Refusal::Rounding(quantity.unwrap().name());
-        (inner().with(&format!("/values/{k}/value"), format!("{head}{last}")), reason)
+        (original.with(&format!("/values/{k}/value"), format!("{head}{last}")), reason)
     };
     values.iter().enumerate().map(spoil).collect()
 }
@@ -178,7 +178,7 @@ refusals! {
         );
 
     // Values.
-    a_digit_spoiled: another_digit();
+    a_digit_spoiled: another_digit(inner());
     a_rate_turned: value("inner_slip", "-0.21700725058751804407") => Refusal::Decimal("inner_slip");
     // The least thickness of the arch, of its symmetric state.
     the_symmetric_thickness: value("thickness", "0.51262642180325183402")

@@ -78,6 +78,13 @@ fn long() -> String {
     "7".repeat(100_001)
 }
 
+/// The same tangent, of an angle that is half a turn larger.
+fn half_a_turn_further() -> Spoiled {
+    let original = Original(state("80deg", "31deg"));
+    assert_eq!(original.0["claim"]["state"]["friction"], "tan 31/180 pi");
+    original.with("/claim/state/friction", "tan 211/180 pi")
+}
+
 /// Overturning is a state of unlimited friction only.
 fn overturning_with_a_friction() -> Spoiled {
     let original = Original(state("2.62", "inf"));
@@ -145,6 +152,7 @@ refusals! {
     a_tangent_without_a_number: vec![given_as("friction", "tan ")];
     a_tangent_of_a_right_angle: vec![given_as("friction", "tan 1/2 pi")];
     a_tangent_of_an_obtuse_angle: vec![given_as("friction", "tan 2/3 pi")];
+    the_same_tangent_of_a_larger_angle: half_a_turn_further() => given("friction", "tan 211/180 pi");
     a_tangent_in_brackets: vec![given_as("friction", "tan(1/2)")];
     a_tangent_as_a_half_opening: vec![given_as("half_opening", "tan 1/2")];
     no_friction_for_a_mode_that_slides: vec![given_as("friction", "inf")];

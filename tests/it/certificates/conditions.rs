@@ -7,7 +7,7 @@ use couplet::check::Refusal;
 use couplet::problem::{Landmark as L, Mode as M, Problem};
 
 /// The root of the claimed equations next to this point does not meet this condition.
-fn unmet(problem: Problem, start: &[f64], words: &'static str) -> Cases {
+pub(super) fn unmet(problem: Problem, start: &[f64], words: &'static str) -> Cases {
     let certificate = to_value(&at_root(&problem, start)).to_string();
     vec![(Spoiled::new(words, certificate), Refusal::Condition(words))]
 }

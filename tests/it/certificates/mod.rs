@@ -5,6 +5,7 @@ mod refusals;
 
 mod asymmetric;
 mod claim;
+mod clauses;
 mod commands;
 mod conditions;
 mod edges;

@@ -41,7 +41,7 @@ pub(super) fn made(survey: &Survey) -> Original {
     Original(made.or_insert_with(|| Box::leak(Box::new(make()))))
 }
 
-fn all() -> Original {
+pub(super) fn all() -> Original {
     made(&free(M, ["70deg..80deg", "1/2..3/5", "1/10..1/5"]))
 }
 
@@ -292,6 +292,7 @@ refusals! {
     a_length_without_end: no_length("inf");
     a_length_with_pi: no_length("1/1 pi");
     a_length_of_many_digits: no_length(&format!("1/{}", "7".repeat(301)));
+    a_right_angle: all().with("/survey/friction/1", "tan 1/2 pi") => given("friction", "tan 1/2 pi");
     a_reversed_friction: all().with("/survey/friction", json!(["3/5", "1/2"]))
         => no_survey("the range 3/5..1/2 is empty: give the lower end first");
     a_reversed_half_opening: all().with("/survey/free/half_opening/1", "1/3")

@@ -11,12 +11,12 @@ use serde_json::{Value, json};
 use std::sync::OnceLock;
 
 /// It slides: the friction would have to be 0.27…
-fn slides() -> Original {
+pub(super) fn slides() -> Original {
     Original(verdict("1.5", "0.1", "1"))
 }
 
 /// It is too wide with limited friction, and with unlimited.
-fn too_wide() -> Original {
+pub(super) fn too_wide() -> Original {
     Original(verdict("2.8", "4", "1"))
 }
 
@@ -25,16 +25,16 @@ fn too_wide_for_any_friction() -> Original {
 }
 
 /// The shoulder slides from 0.1223… on.
-fn too_thin() -> Original {
+pub(super) fn too_thin() -> Original {
     Original(verdict("pi/2", "0.38", "0.12"))
 }
 
-/// It stands, with the line of thrust nearest to the intrados at the haunch, at the crown, and at the shoulder.
-fn stands() -> Original {
+/// It stands, with the moment about the intrados least at the haunch, at the crown, and at the shoulder.
+pub(super) fn stands() -> Original {
     Original(verdict("2.45", "1.35", "0.8"))
 }
 
-fn stands_at_the_crown() -> Original {
+pub(super) fn stands_at_the_crown() -> Original {
     Original(verdict("2.6", "2", "1.5"))
 }
 
@@ -122,6 +122,22 @@ fn no_thickness(text: &str) -> Cases {
         .into()
 }
 
+/// What a mode fixes is a result of its state, and not of an arch that is thinner; nor has it the opening variable.
+fn no_result(original: Original, quantity: &str, value: &str) -> Cases {
+    let copy = original.changed(quantity, |copy| {
+        let values = copy["values"].as_array_mut().unwrap();
+        values.push(json!({"quantity": quantity, "value": value}));
+    });
+    vec![(copy, Refusal::Quantity(quantity.to_owned()))]
+}
+
+/// It is too thin, and collapses without thrust, or without a haunch.
+fn too_thin_to_overturn(friction: &str, mode: &str) -> Original {
+    let original = Original(verdict("2.62", friction, "0.5"));
+    assert_eq!(original.0["claim"]["too_thin"]["mode"], mode);
+    original
+}
+
 /// The witness of one that stands with more bits than are read.
 fn long_witness(field: &str) -> Cases {
     let long = format!("0x{}p-24000", "1".repeat(6001));
@@ -182,7 +198,7 @@ refusals! {
         => condition("the line of thrust inside the intrados");
     nearest_at_the_shoulder_and_not_at_the_crown:
         with(stands_at_the_crown(), "nearest", "shoulder")
-        => condition("the line of thrust nearest to the intrados at the shoulder");
+        => condition("the moment about the intrados least at the shoulder");
     nearest_at_the_crown_and_not_at_the_shoulder:
         with(stands_at_the_shoulder(), "nearest", "crown")
         => condition("the line of thrust leaves the intrados at the crown");
@@ -217,6 +233,9 @@ refusals! {
     no_values_of_what_slides: slides().with("/values", json!([])) => Refusal::NoValues;
     a_value_that_is_given: too_wide().with("/values/0/quantity", "thickness")
         => Refusal::Quantity("thickness".into());
+    the_thrust_of_one_too_thin: no_result(too_thin_to_overturn("inf", "[r]"), "thrust", "0");
+    the_haunch_of_one_too_thin: no_result(too_thin_to_overturn("2.5", "[r,s]"), "rotation_joint", "0");
+    the_opening_variable_of_a_limit: no_result(too_wide_for_any_friction(), "A", "0.66666666666666666667");
     another_friction: slides().with("/values/0/value", "0.3") => Refusal::Rounding("friction");
 }
 

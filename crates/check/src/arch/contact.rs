@@ -112,8 +112,8 @@ pub fn crown_moment<T: Field>(at: &Configuration<T>) -> T {
     (at.thickness.int(2) + &at.thickness) * &at.thrust / at.thrust.int(2)
 }
 
-/// `L' / sin beta` at the crown, `fac - (1 - eta/2) (2 - h)`: not negative where the line of thrust
-/// comes nearest to the intrados at the crown.
+/// `L' / sin beta` at the crown, `fac - (1 - eta/2) (2 - h)`: not negative where the moment `L` about
+/// the intrados is least at the crown.
 #[inline(always)]
 pub fn crown_slope<T: Field>(weight: SelfWeight, at: &Configuration<T>) -> T {
     let ring = Ring::new(weight, &at.thickness);

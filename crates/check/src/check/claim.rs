@@ -90,7 +90,7 @@ record! {
         pub thrust: Dyadic,
         /// The crown moment `p = h (1 + e0)`.
         pub crown_moment: Dyadic,
-        /// `crown`, `haunch` or `shoulder`: where the line of thrust comes nearest to the intrados.
+        /// `crown`, `haunch` or `shoulder`: where the moment about the intrados is least, a hint.
         pub nearest: String,
     }
 }
@@ -273,13 +273,10 @@ fn refused(place: &'static str, text: &str) -> Refusal {
 fn arch(weight: SelfWeight, half_opening: &str, friction: &str) -> Result<Arch, Refusal> {
     let mu = read_friction(friction).ok_or_else(|| refused("friction", friction))?;
     let alpha = read_given(half_opening).ok_or_else(|| refused("half_opening", half_opening))?;
-    let is_limited = friction != "inf";
-    let arch = Arch::new_with(weight, alpha, mu, false).map_err(|error| match error {
+    Arch::new_with(weight, alpha, mu, false).map_err(|error| match error {
         ArchError::HalfOpening(_) => refused("half_opening", half_opening),
         _ => refused("friction", friction),
-    })?;
-    // A right angle is written as `inf`.
-    if arch.is_limited() == is_limited { Ok(arch) } else { Err(refused("friction", friction)) }
+    })
 }
 
 /// The mode of a claim: one that has a thickness, and exists with the friction.

@@ -50,7 +50,10 @@ pub(super) fn read_given(text: &str) -> Option<ExactNumber> {
 pub(super) fn read_friction(text: &str) -> Option<Friction> {
     match (text, text.strip_prefix("tan ")) {
         ("inf", _) => Some(Friction::Infinite),
-        (_, Some(angle)) => read_given(angle).map(Friction::Angle),
+        // A right angle is written as `inf`.
+        (_, Some(angle)) => {
+            read_given(angle).map(Friction::Angle).filter(|friction| !friction.is_of_right_angle())
+        }
         _ => read_given(text).map(Friction::Coefficient),
     }
 }

@@ -1,5 +1,7 @@
 //! Statement that an accepted file proves, in one whole sentence: each number as it is given, each value with all its
-//! digits. `proofs/check_with_arb.py` writes it a second time, from the page of the format.
+//! digits. `proofs/check_with_arb.py` writes it a second time, from the page of the format, and
+//! `proofs/verified/statement.ml` a third, from what Coq has proved. Each clause is a part of `claim_of` in
+//! `proofs/coq/verified/Certificate.v`; where a checker has to look is not said.
 
 use super::checker::Accepted;
 use super::given::{friction_text, given_text};
@@ -49,7 +51,7 @@ fn of_landmark(landmark: Landmark) -> String {
 
 fn of_state(mode: Mode) -> String {
     format!(
-        "the arch stands ({STANDS}) exactly from a least thickness on, up to 2, and at the least one its state is {mode}"
+        "the arch stands ({STANDS}) exactly from a least thickness on, up to 2, and at the least one it has a state of {mode}"
     )
 }
 
@@ -70,10 +72,7 @@ fn of_verdict(verdict: &Verdict, arch: &Arch) -> (String, String) {
         ),
         Verdict::Stands(standing) => (
             with(&standing.thickness),
-            format!(
-                "the arch stands ({STANDS}) with its line of thrust nearest to the intrados at the {}",
-                standing.nearest.name()
-            ),
+            format!("the arch stands ({STANDS})"),
         ),
     }
 }

@@ -11,7 +11,9 @@ pub fn summary(accepted: &Accepted) -> String {
     // What is given is compared with the value of the same quantity, and with no other.
     let (subject, limit) = match &accepted.problem {
         Problem::Landmark { landmark, .. } => (landmark.symbol().to_owned(), None),
-        Problem::State { mode, arch } => (format!("{mode} {}", described(arch)), None),
+        Problem::State { mode, arch } => {
+            (format!("{mode} {}", described(arch)), Some((Quantity::Thickness, "")))
+        }
         Problem::Asymmetric { mode, arch } => {
             (format!("asymmetric solution of (19), {mode}, {}", described(arch)), None)
         }
@@ -44,13 +46,14 @@ pub fn summary(accepted: &Accepted) -> String {
     let Some(((quantity, value), relation)) = limit.or(first) else {
         return format!("{subject} {weight}");
     };
-    let (name, value) = (quantity.name(), shortened_value(value));
+    let value = shortened_value(value);
     let plural = if accepted.digits == 1 { "" } else { "s" };
     let digits = accepted.digits;
-    let meaning = match &accepted.problem {
-        Problem::State { .. } => format!("; stands from it on ({STANDS})"),
+    let meaning = match (&accepted.problem, quantity) {
+        (Problem::State { .. }, Quantity::Thickness) => format!("; stands from it on ({STANDS})"),
         _ => String::new(),
     };
+    let name = quantity.name();
     format!("{subject} {weight}  {relation}{name} {value} to {digits} digit{plural}{meaning}")
 }
 

@@ -146,14 +146,17 @@ impl Friction {
             Self::Coefficient(mu) if sign(&mu) == Sign::Minus => {
                 Err(ArchError::Friction(mu.to_string()))
             }
-            Self::Angle(phi) if phi.form() == Form::TimesPi && *phi.factor() == ratio(1, 2) => {
-                Ok(Self::Infinite)
-            }
+            friction if friction.is_of_right_angle() => Ok(Self::Infinite),
             Self::Angle(phi) if !is_between(&phi, true, 2, in_doubles) => {
                 Err(ArchError::FrictionAngle(phi.to_string()))
             }
             friction => Ok(friction),
         }
+    }
+
+    /// Tells whether it is the tangent of exactly a right angle.
+    pub(crate) fn is_of_right_angle(&self) -> bool {
+        matches!(self, Self::Angle(phi) if phi.form() == Form::TimesPi && *phi.factor() == ratio(1, 2))
     }
 }
 

@@ -58,9 +58,9 @@ pub enum Condition {
     NoneThinnerAtLargestThrust,
     /// The given value of a variable is beyond the limit at which the arch could just stand.
     Beyond(Unknown),
-    /// The line of thrust is inside the intrados where it comes nearest.
+    /// The line of thrust is inside the intrados where the moment about it is least.
     InsideIntrados,
-    /// The line of thrust comes nearer to the intrados as far as the shoulder.
+    /// The moment about the intrados falls as far as the shoulder.
     NearestAtShoulder,
 }
 
@@ -163,7 +163,7 @@ impl Condition {
             Self::Beyond(U::HalfOpening) => "a half opening beyond the limit for the friction",
             Self::Beyond(_) => "a thickness below the least",
             Self::InsideIntrados => "the line of thrust inside the intrados",
-            Self::NearestAtShoulder => "the line of thrust nearest to the intrados at the shoulder",
+            Self::NearestAtShoulder => "the moment about the intrados least at the shoulder",
         }
     }
 

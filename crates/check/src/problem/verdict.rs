@@ -14,8 +14,8 @@
 //!
 //! One says that it **stands** at a thickness: a thrust `h` and a crown moment `p`, with which the line of thrust is
 //! inside the arch, and friction enough, at every joint. The lemma of [`arch::contact`](crate::arch::contact) reduces
-//! that to the signs at the crown, at the shoulder, and at the joint where the line comes nearest to the intrados: the
-//! root of (5), or an end of the half arch.
+//! that to the signs at the crown, at the shoulder, and at the joint where the moment about the intrados is least: the
+//! root of (5), or an end of the half arch. Where the line comes nearest to the intrados is another joint.
 
 use super::{Arch, Condition, Equation, Fixed, Landmark, Mode, Quantity, System};
 use super::{inward_friction, room_for_steepest};
@@ -51,12 +51,12 @@ pub struct Standing {
     pub thrust: Dyadic,
     /// `p = h (1 + e0)`, exactly.
     pub crown_moment: Dyadic,
-    /// Place where the line of thrust comes nearest to the intrados.
+    /// Place where the moment about the intrados is least.
     pub nearest: Nearest,
 }
 
 worded! {
-    /// Place where a line of thrust comes nearest to the intrados.
+    /// Place where the moment of a line of thrust about the intrados is least.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
     pub enum Nearest {
         /// The place is at the crown.
@@ -73,7 +73,7 @@ worded! {
 }
 
 impl Verdict {
-    /// The system whose root decides it: the limit, or the joint next to the intrados.
+    /// The system whose root decides it: the limit, or the joint of the least moment.
     pub(super) fn system(&self, arch: &Arch) -> System {
         use {Equation as E, Fixed as F, Unknown as U};
         let weight = arch.weight();

@@ -13,7 +13,7 @@ pub struct StandingCandidate<T> {
     pub thrust: T,
     /// `p`.
     pub crown_moment: T,
-    /// Place where the line of thrust comes nearest to the intrados.
+    /// Place where the moment about the intrados is least.
     pub nearest: Nearest,
     /// The joint there, rad; zero at the crown.
     pub joint: T,

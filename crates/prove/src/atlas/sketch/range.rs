@@ -24,14 +24,14 @@ pub(super) fn moments(
     Ok([lowest, lesser(crown, shoulder)])
 }
 
-/// The joint at which the line of thrust comes nearest to the intrados, whatever the crown moment.
+/// The joint at which the moment about the intrados is least, whatever the crown moment.
 pub(super) fn nearest_joint(
     weight: SelfWeight,
     at: &Configuration<Ball>,
 ) -> Result<Angle<Ball>, Undecided> {
     let crown = Angle::zero(&at.thrust);
     let sign = |slope: Ball| slope.is_positive();
-    let open = || Undecided::new("where the line of thrust comes nearest to the intrados");
+    let open = || Undecided::new("where the moment about the intrados is least");
     match sign(contact::crown_slope(weight, at)) {
         Ternary::True => return Ok(crown),
         Ternary::Undecided => return Err(open()),

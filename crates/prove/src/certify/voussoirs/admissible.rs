@@ -92,8 +92,8 @@ impl StoneLine<'_> {
         })
     }
 
-    /// The joints, at most three, that have between them the angle at which the line of thrust comes nearest to the
-    /// intrados: where `fac sin beta - (1 - eta/2) [(1 - h) sin beta + beta cos beta]` changes its sign.
+    /// The joints, at most three, that have between them the angle at which the moment about the intrados is least:
+    /// where `fac sin beta - (1 - eta/2) [(1 - h) sin beta + beta cos beta]` changes its sign.
     fn around_lowest(&self) -> Result<[u64; 2], Undecided> {
         let Self { joints, ring, thrust, .. } = *self;
         let radius = ring.intrados() / thrust.int(2);
@@ -117,7 +117,7 @@ impl StoneLine<'_> {
         match is_below(high) || high == last {
             true => Ok([low, high]),
             false if is_below(next) || next == last => Ok([low, next]),
-            false => Err(Undecided::new("where the line of thrust comes nearest to the intrados")),
+            false => Err(Undecided::new("where the moment about the intrados is least")),
         }
     }
 

@@ -128,7 +128,7 @@ pub(super) fn in_range<E: Arithmetic>(at: &Configuration<E>) -> Result<(), Undec
 fn has_room<E: Arithmetic>(query: &Query<E>, at: &Configuration<E>) -> Result<bool, Undecided> {
     let joint = touched_joint(query, at)?;
     let question = "whether sliding or the thickness limits the half opening";
-    // Beyond the shoulder nothing touches: the shoulder itself comes nearest.
+    // Beyond the shoulder nothing touches: the moment is least at the shoulder itself.
     let joint = match decide(&(at.half_opening.rad.clone() - &joint.rad), question, &[])? {
         true => joint,
         false => at.half_opening.clone(),
@@ -139,7 +139,7 @@ fn has_room<E: Arithmetic>(query: &Query<E>, at: &Configuration<E>) -> Result<bo
     Ok(decide(&crown, question, &[])? && decide(&shoulder, question, &[])?)
 }
 
-/// Joint where the line of thrust comes nearest to the intrados: the crown, or the joint where (5) holds.
+/// Joint where the moment about the intrados is least: the crown, or the joint where (5) holds.
 fn touched_joint<E: Arithmetic>(
     query: &Query<E>,
     at: &Configuration<E>,
