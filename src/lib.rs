@@ -62,6 +62,7 @@ pub use certify::{Error, Refused, Undecided};
 
 pub use couplet_ask::ask;
 pub use couplet_check::{arch, check, problem};
+#[cfg(feature = "formats")]
 pub use couplet_claims::claims;
 #[cfg(feature = "study")]
 #[doc(hidden)]
@@ -73,9 +74,11 @@ pub use couplet_number::{number, symbolic};
 #[doc(hidden)]
 pub use couplet_prove::prover;
 pub use couplet_prove::{atlas, certify, judge, prelude, strategies};
+#[cfg(feature = "formats")]
 pub use couplet_report::report;
 #[doc(hidden)]
 pub use couplet_solve::solve;
+#[cfg(feature = "formats")]
 #[doc(hidden)]
 pub use couplet_sweep::{self as sweep, scene};
 
