@@ -61,6 +61,7 @@ pub use rug;
 pub use certify::{Error, Refused, Undecided};
 
 pub use couplet_ask::ask;
+pub use couplet_atlas::atlas;
 pub use couplet_check::{arch, check, problem};
 #[cfg(feature = "formats")]
 pub use couplet_claims::claims;
@@ -73,7 +74,7 @@ pub use couplet_lanes::lanes;
 pub use couplet_number::{number, symbolic};
 #[doc(hidden)]
 pub use couplet_prove::prover;
-pub use couplet_prove::{atlas, certify, judge, prelude, strategies};
+pub use couplet_prove::{certify, judge, prelude, strategies};
 #[cfg(feature = "formats")]
 pub use couplet_report::report;
 #[doc(hidden)]
