@@ -7,9 +7,8 @@
         reference metadata bench limits peers proofs witness arb verified verified-test m4 coq ocaml trial aarch64
 
 # Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
-# them too old. `malachite` needs a newer Rust than the rest.
-OLDEST := --features study,proptest
-ALL := $(OLDEST),malachite
+# them too old.
+ALL := --features study,proptest
 
 # No path of this machine stands in a program that is handed on.
 release library: export RUSTFLAGS := --remap-path-prefix=$(CURDIR)=/couplet --remap-path-prefix=$(or $(CARGO_HOME),$(HOME)/.cargo)=/cargo
@@ -76,7 +75,7 @@ docs: m4
 
 # Whether the Rust version that Cargo.toml states is enough.
 msrv: m4
-	@.ci/msrv $(OLDEST)
+	@.ci/msrv $(ALL)
 
 # Whether every crate has a licence of deny.toml's list and comes from the registry.
 deny:
@@ -134,8 +133,7 @@ states: build
 # The checker of certificates alone, in pure Rust: what it needs, and what it says of every stored certificate.
 checker:
 	cargo build --release --locked --package couplet-check --target-dir target/checker
-	@! cargo tree --locked --package couplet-check -e normal,build | grep -E "rug|gmp-mpfr|malachite|resvg|proc-macro"
-	@! cargo tree --locked --package couplet-check --features malachite -e normal,build | grep -E "rug|gmp-mpfr"
+	@! cargo tree --locked --package couplet-check -e normal,build | grep -E "rug|gmp-mpfr|resvg|proc-macro"
 	@[ $$(cargo tree --locked --package couplet-check -e normal,build --prefix none | sed 's/ (.*//' | sort -u | wc -l) -le 20 ] || \
 	  { echo "couplet: the checker has more than 20 crates" >&2; exit 1; }
 	target/checker/release/couplet-check proofs/constants/*.json proofs/states/*.json proofs/asymmetric/*.json \

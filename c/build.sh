@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the library for C and puts it together in a folder, target/c if none is named: include, lib, and what pkg-config
 # and CMake read. The folder may be moved, or copied into a prefix. With a version of glibc as a second argument it is built by
-# cargo-zigbuild for Linux with that glibc, which may be older than that of this machine.
+# cargo-zigbuild for Linux with that glibc, which may be older than that of this machine. COUPLET_PROFILE names cargo's profile.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -11,21 +11,22 @@ version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
 # The number in the name of the shared library, and of its symbols. It rises when a program that was linked with it could
 # not go on.
 number=0
-made=${CARGO_TARGET_DIR:-target}/release
+profile=${COUPLET_PROFILE:-release}
+made=${CARGO_TARGET_DIR:-target}/$profile
 cargo=cargo
 linker=(${CC:-cc})
 # What unwinds the stack is gcc's part of every system, or zig's and in the library.
 libraries="-lm -lpthread -ldl"
 if [ -n "$glibc" ]; then
     target=$(uname -m)-unknown-linux-gnu
-    made=${CARGO_TARGET_DIR:-target}/$target/release
+    made=${CARGO_TARGET_DIR:-target}/$target/$profile
     cargo="cargo-zigbuild"
     linker=(python-zig cc -target "$(uname -m)-linux-gnu.$glibc")
     libraries+=" -lunwind"
 fi
 # Fills in a file of c/package.
 packaged() { sed "s/@VERSION@/$version/; s/@NUMBER@/$number/" "c/package/$1" >"$folder/lib/$2/$1"; }
-build() { "$cargo" rustc --locked --release --package couplet-c ${glibc:+--target "$target.$glibc"} "$@"; }
+build() { "$cargo" rustc --locked --profile "$profile" --package couplet-c ${glibc:+--target "$target.$glibc"} "$@"; }
 
 rm -rf "$folder"
 mkdir -p "$folder/include" "$folder/lib/pkgconfig"

@@ -61,7 +61,9 @@ pub use rug;
 pub use certify::{Error, Refused, Undecided};
 
 pub use couplet_ask::ask;
+pub use couplet_atlas::atlas;
 pub use couplet_check::{arch, check, problem};
+#[cfg(feature = "formats")]
 pub use couplet_claims::claims;
 #[cfg(feature = "study")]
 #[doc(hidden)]
@@ -72,10 +74,12 @@ pub use couplet_lanes::lanes;
 pub use couplet_number::{number, symbolic};
 #[doc(hidden)]
 pub use couplet_prove::prover;
-pub use couplet_prove::{atlas, certify, judge, prelude, strategies};
+pub use couplet_prove::{certify, judge, prelude, strategies};
+#[cfg(feature = "formats")]
 pub use couplet_report::report;
 #[doc(hidden)]
 pub use couplet_solve::solve;
+#[cfg(feature = "formats")]
 #[doc(hidden)]
 pub use couplet_sweep::{self as sweep, scene};
 

@@ -48,7 +48,7 @@ def main():
         folder.mkdir(parents=True, exist_ok=True)
         for old in folder.glob("*.json"):
             old.unlink()
-        features = "study,proptest,malachite"
+        features = "study,proptest"
         tests = ["cargo", "test", "--locked", "--workspace", "--features", features, "--test", "it", "--", "certificates::"]
         subprocess.run(tests, env=os.environ | {"COUPLET_KEEP_CERTIFICATES": str(folder)}, check=True)
     # A survey has a file of another kind.

@@ -138,7 +138,7 @@ def check(certificate: bytes | bytearray | memoryview | str | os.PathLike[str], 
     Args:
         certificate: its JSON as bytes or str, or the path of its file (pathlib.Path).
         engine: the arithmetic, 'astro' (pure Rust, shares nothing with MPFR, up to 50,000 digits) or 'mpfr' (up to
-            1,000,000). The command's malachite, which is no witness beside mpfr, is not in the package.
+            1,000,000).
 
     Raises: CoupletError if there is no such arithmetic here, or a str is a path and no JSON; OSError if a file cannot be
         read.

@@ -164,7 +164,6 @@ def assess(
     depth: str | None = None,
     weight: str = "milankovitch",
     digits: int = 30,
-    share: bool = False,
 ) -> Any: ...
 def assess(
     half_opening: Ranged = None,
@@ -183,7 +182,6 @@ def assess(
     depth: str | None = None,
     weight: str = "milankovitch",
     digits: int = 30,
-    share: bool = False,
 ) -> Assessment | dict[str, Any]:
     """Whether an arch of a given thickness stands, its safety factors, and the thrusts it can bear, proved. A float is
     exactly the double that it is; text is exact.
@@ -193,8 +191,6 @@ def assess(
         tilt: a horizontal acceleration, or the angle by which the ground is tilted: the answer is one of ``tilt``.
         half_opening, friction, friction_angle, stones, joints, span, rise, radius, measured_at, density, depth, weight, digits:
             as for ``state``; ranges too, also of the thickness.
-        share: of ranges also the part of the arches that stands, each measure spread evenly between its ends: two bounds, a
-            thousandth apart, or wider if more than two measures have ranges.
 
     Raises: CoupletError if an argument makes no sense; TypeError if it is no number.
 
@@ -203,17 +199,13 @@ def assess(
         ('stands', '1.7479853', 'intrados at the haunch')
         >>> couplet.assess(("79deg", "81deg"), "0.6±10%", (0.125, 0.15))["outcome"]
         'all_stand'
-        >>> couplet.assess("80deg", "0.6", "0.06..0.08", share=True, digits=6)["share"]
-        {'lower': '0.5674', 'upper': '0.5675'}
         >>> str(couplet.assess(span="10m", rise="3m", thickness="60cm", friction="31deg", digits=5).geometric_safety)
         '3.8972'
     """
     others = (friction_angle, thickness, stones, joints, tilt, span, rise, radius, measured_at, density, depth)
-    surveyed = _survey("assess", weight, (half_opening, friction, *others), _text_of(digits), share)
+    surveyed = _survey("assess", weight, (half_opening, friction, *others), _text_of(digits))
     if surveyed is not None:
         return surveyed
-    if share:
-        raise CoupletError("share is of arches between two ends: give a range, as in friction=(0.5, 0.6)")
     texts, given = _arch(half_opening, friction, others)
     if tilt is not None:
         return _tilted(weight, (texts, given), digits)

@@ -112,15 +112,13 @@ def _stones(value: Any) -> str:
     return text_of(value.__index__())
 
 
-def survey(
-    question: str, weight: str, values: tuple[Any, ...], digits: str, share: bool = False
-) -> dict[str, Any] | None:
+def survey(question: str, weight: str, values: tuple[Any, ...], digits: str) -> dict[str, Any] | None:
     """What is proved of every arch of a question with ranges, as in JSON; None if it has no range."""
     if not any(map(_is_range, values)):
         return None
     import json
 
-    told = asked(_core.surveyed, question, weight, ranges(values), digits, bool(share))
+    told = asked(_core.surveyed, question, weight, ranges(values), digits)
     return None if told is None else dict(json.loads(told))
 
 

@@ -165,7 +165,7 @@ pub(crate) fn assess<'py>(
     told::answer(py, &found)
 }
 
-/// JSON of all arches of a question with ranges, also with the part of them that stands; none if it has no range.
+/// JSON of all arches of a question with ranges; none if it has no range.
 #[pyfunction]
 pub(crate) fn surveyed(
     py: Python<'_>,
@@ -173,7 +173,6 @@ pub(crate) fn surveyed(
     weight: &str,
     texts: Texts<'_>,
     digits: &str,
-    share: bool,
 ) -> PyResult<Option<String>> {
     let asked = asked(texts);
     if !asked.has_range() {
@@ -185,7 +184,7 @@ pub(crate) fn surveyed(
     let digits = parse::digits(digits).map_err(wrong)?;
     let found = on_threads(py, 1, move || {
         let quantities = survey::quantities(&asked);
-        survey::surveyed(&asked, &given, weight, (quantities, digits, share))
+        survey::surveyed(&asked, &given, weight, (quantities, digits))
     })?;
     report(&found.map_err(failed)?, "json").map(Some)
 }

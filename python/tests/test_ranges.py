@@ -23,17 +23,6 @@ def test_doubles_are_the_doubles_that_they_are():
     assert isinstance(couplet.state(1.25, 0.5, digits=6), couplet.State)
 
 
-def test_the_share_that_stands_is_between_two_bounds():
-    box = ("80deg", "0.6", ("0.06", "0.08"))
-    share = couplet.assess(*box, digits=6, share=True)["share"]
-    # Of one measure it is the part above the least thickness.
-    least = couplet.state("80deg", "0.6", digits=17, frictions=False).thickness.double
-    assert float(share["lower"]) <= (0.08 - least) / 0.02 <= float(share["upper"])
-    assert "share" not in couplet.assess(*box, digits=6)
-    all_of_it = couplet.assess("80deg", "0.6", ("0.07", "0.08"), digits=6, share=True)["share"]
-    assert all_of_it["upper"] == "1" and float(all_of_it["lower"]) > 0.99
-
-
 def test_a_certificate_of_every_arch_is_accepted():
     made = couplet.certify(half_opening=("78deg", "80deg"), friction="0.6", thickness=("0.06", "0.12"), digits=10)
     told = json.loads(made)
@@ -58,7 +47,6 @@ def test_a_certificate_of_every_arch_is_accepted():
         (lambda: couplet.state("80..82deg", 1), "write 80deg..82deg"),
         (lambda: couplet.assess((1, 2), 1), "thickness is missing"),
         (lambda: couplet.assess((1, 2), 1, 0.1, stones=5), "stones does not go with the range of half_opening"),
-        (lambda: couplet.assess(1, 1, 0.1, share=True), r"give a range, as in friction=\(0.5, 0.6\)"),
         (lambda: couplet.certify(half_opening=(1, 1.1), friction=1), "thickness is missing"),
         (lambda: couplet.certify(half_opening=(1, 1.1), friction=1, asymmetric=True), "one value"),
         (lambda: couplet.certify("T", friction=(1, 1.1)), "belong to an arch, not to a landmark"),

@@ -18,9 +18,7 @@ pub(super) struct Arguments {
     #[arg(value_name = "FILE", required = true)]
     files: Vec<OsString>,
 
-    /// Arithmetic: astro (pure Rust, shares nothing with MPFR, up to 50000 digits); where they are built in, mpfr, and
-    /// malachite (pure Rust, quicker than astro, up to 50000 digits; in part MPFR's algorithms, so no witness
-    /// beside mpfr).
+    /// Arithmetic: astro (pure Rust, shares nothing with MPFR, up to 50000 digits), or mpfr.
     #[arg(long, default_value = "astro", value_parser = parse::engine)]
     engine: Engine,
 

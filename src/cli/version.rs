@@ -19,8 +19,8 @@ macro_rules! built_in {
     ($($name:tt)*) => { [$(($name, cfg!(feature = $name))),*] };
 }
 
-const FEATURES: [(&str, bool); 7] =
-    built_in!("system-gmp" "malachite" "cli" "study" "plots" "parquet" "proptest");
+const FEATURES: [(&str, bool); 6] =
+    built_in!("system-gmp" "cli" "study" "plots" "parquet" "proptest");
 
 fn arithmetic() -> String {
     use gmp_mpfr_sys::{gmp, mpfr};
@@ -29,6 +29,5 @@ fn arithmetic() -> String {
     let [gmp, mpfr] = [gmp, mpfr].map(|parts| parts.map(|part| part.to_string()).join("."));
     let has = |name| FEATURES.contains(&(name, true));
     let from = if has("system-gmp") { ", of the system or newer" } else { "" };
-    let pure_rust = if has("malachite") { "astro-float, malachite" } else { "astro-float" };
-    format!("GMP {gmp}, MPFR {mpfr}{from}; {pure_rust}")
+    format!("GMP {gmp}, MPFR {mpfr}{from}; astro-float")
 }

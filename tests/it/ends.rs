@@ -267,5 +267,3 @@ macro_rules! suite {
 }
 
 suite!(of_astro_float, Astro);
-#[cfg(feature = "malachite")]
-suite!(of_malachite, couplet::number::Malachite);

@@ -1,9 +1,8 @@
-//! Proofs: landmarks, the state of any arch, the map, and judgements of what others computed.
+//! Proofs: landmarks, the state of any arch, and judgements of what others computed.
 //!
 //! `couplet-solve` finds, [`certify`] proves; an answer is proved, or says why not.
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
-pub mod atlas;
 pub mod certify;
 pub mod judge;
 #[doc(hidden)]
@@ -11,7 +10,6 @@ pub mod prover;
 pub mod strategies;
 
 use couplet_check::{arch, check, problem};
-use couplet_draw::sketch;
 use couplet_lanes::lanes;
 use couplet_number::{number, symbolic};
 use couplet_solve::solve;

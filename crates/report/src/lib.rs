@@ -7,10 +7,11 @@ mod reading;
 pub mod report;
 
 use couplet_ask::ask;
+use couplet_atlas::atlas;
 use couplet_check::{arch, problem};
 use couplet_claims::claims;
 #[cfg(feature = "study")]
 use couplet_claims::study;
 use couplet_draw::{picture, sketch};
 use couplet_number::number;
-use couplet_prove::{atlas, certify, judge, strategies};
+use couplet_prove::{certify, judge, strategies};

@@ -14,10 +14,11 @@ pub mod sweep;
 pub mod unfinished;
 
 use couplet_ask::ask;
+use couplet_atlas::atlas;
 use couplet_check::{arch, check, problem};
 use couplet_claims::claims;
 use couplet_draw::picture;
 use couplet_number::number;
-use couplet_prove::{atlas, certify, judge};
+use couplet_prove::{certify, judge};
 use couplet_report::report;
 use couplet_solve::solve;

@@ -3,7 +3,7 @@
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, SurveyGiven};
 use crate::certify::Error;
-use crate::certify::survey::{SurveyAnswer, share as survey_share, survey, survey_of_stones};
+use crate::certify::survey::{SurveyAnswer, survey, survey_of_stones};
 use crate::failure::Failure;
 use crate::problem::Quantity;
 use crate::problem::survey::Survey;
@@ -45,21 +45,13 @@ pub fn surveyed(
     asked: &ArchAsked,
     given: &SurveyGiven,
     weight: SelfWeight,
-    (quantities, digits, share): (&[Quantity], usize, bool),
+    (quantities, digits): (&[Quantity], usize),
 ) -> Result<SurveyedArches, Failure> {
-    let of_stones = given.stones.as_ref();
-    if share && of_stones.is_some() {
-        return Err("--share is of arches with a joint at every angle: leave out the stones".into());
-    }
-    let answer = proved((asked, given), weight, |arches| match of_stones {
+    let answer = proved((asked, given), weight, |arches| match &given.stones {
         Some(stones) => survey_of_stones(arches, stones, digits),
         None => survey(arches, digits),
     })?;
-    let share = match share {
-        true => Some(survey_share(&arches(given, weight)?)),
-        false => None,
-    };
-    Ok(SurveyedArches { quantities: quantities.to_vec(), share, ..answer })
+    Ok(SurveyedArches { quantities: quantities.to_vec(), ..answer })
 }
 
 /// All arches of a question and of a self-weight, with what a proof finds of them.
@@ -70,8 +62,8 @@ pub fn proved(
 ) -> Result<SurveyedArches, Failure> {
     let found = Error::apart(proof(&arches(given, weight)?)).map_err(Error::from)?;
     let (asked, given) = (Understood::of_ranges(asked, given), given.clone());
-    let (sought, quantities, share) = (None, Vec::new(), None);
-    Ok(SurveyedArches { asked, given, weight, sought, quantities, found, share })
+    let (sought, quantities) = (None, Vec::new());
+    Ok(SurveyedArches { asked, given, weight, sought, quantities, found })
 }
 
 /// The arches of a question, of a self-weight.

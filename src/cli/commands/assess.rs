@@ -30,11 +30,6 @@ pub(crate) struct Arguments {
 
     #[command(flatten)]
     output: AnswerOutput,
-
-    /// Of ranges also the part of the arches that stands, each measure spread evenly between its ends: two bounds, a
-    /// thousandth apart, or wider if more than two measures have ranges.
-    #[arg(long)]
-    share: bool,
 }
 
 /// Question about an arch of a thickness.
@@ -47,12 +42,7 @@ pub const QUESTION: ArchQuestion = ArchQuestion {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.arch.asked.has_range() {
-        return survey::print(&QUESTION, &arguments.arch, &arguments.output, arguments.share);
-    }
-    if arguments.share {
-        return Err(
-            "--share is of arches between two ends: give a range, as in --friction 0.5..0.6".into(),
-        );
+        return survey::print(&QUESTION, &arguments.arch, &arguments.output);
     }
     let (given, arches) = arguments.arch.read(&QUESTION)?;
     let Some(eta) = &given.thickness else { return Ok(()) };

@@ -78,7 +78,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return by_value::print(&asked, &arguments.arch, &arguments.output);
     }
     if arguments.arch.asked.has_range() {
-        return survey::print(&QUESTION, &arguments.arch, &arguments.output, false);
+        return survey::print(&QUESTION, &arguments.arch, &arguments.output);
     }
     let (given, arches) = arguments.arch.read(&QUESTION)?;
     if let Some((format, file)) = arguments.output.drawing()? {

@@ -20,13 +20,9 @@ pub(super) fn print(
     question: &ArchQuestion,
     arguments: &ArchArguments,
     output: &AnswerOutput,
-    share: bool,
 ) -> Result<(), Failure> {
     let given = SurveyGiven::read(question, &arguments.asked, Spelling::Option)?;
     if let Some((format, file)) = output.drawing()? {
-        if share {
-            return Err("--share is told in words, not in a picture: leave out one of them".into());
-        }
         let weight = arguments.one_weight()?;
         return draw(&arguments.asked, &given, weight, (file, format, &Print::default()));
     }
@@ -37,7 +33,7 @@ pub(super) fn print(
     }
     let digits = arguments.range_digits();
     write((output.file(), output.format()?), (arguments, &given), |weight| {
-        surveyed(&arguments.asked, &given, weight, (&quantities, digits, share))
+        surveyed(&arguments.asked, &given, weight, (&quantities, digits))
     })
 }
 
@@ -59,7 +55,7 @@ pub(super) fn draw(
     let file = file.open_for(format)?;
     notes::frictions(&given.friction);
     let (command, digits) = (typed(), RANGE_DIGITS);
-    let arches = surveyed(asked, given, weight, (told(true), digits, false))?;
+    let arches = surveyed(asked, given, weight, (told(true), digits))?;
     let open = arches.first_open().cloned();
     file.printed((&BandedArches { arches, bands, command }, format, print), open)
 }
@@ -73,7 +69,7 @@ pub(super) fn print_of_stones(
     let given = SurveyGiven::read(question, &arguments.asked, Spelling::Option)?;
     let (quantities, digits) = (quantities(&arguments.asked), arguments.range_digits());
     write((file, format), (arguments, &given), |weight| {
-        surveyed(&arguments.asked, &given, weight, (quantities, digits, false))
+        surveyed(&arguments.asked, &given, weight, (quantities, digits))
     })
 }
 

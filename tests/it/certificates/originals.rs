@@ -21,12 +21,8 @@ use std::sync::Mutex;
 
 /// The answers of all arithmetics that are built in, the independent one first.
 pub(super) fn answers(bytes: &[u8], max_digits: usize) -> Vec<Result<AcceptedFile, Refusal>> {
-    let all = [
-        check_file::<AstroInterval>(bytes, max_digits),
-        check_file::<Ball>(bytes, max_digits),
-        #[cfg(feature = "malachite")]
-        check_file::<couplet::number::MalachiteInterval>(bytes, max_digits),
-    ];
+    let all =
+        [check_file::<AstroInterval>(bytes, max_digits), check_file::<Ball>(bytes, max_digits)];
     keep_for_others(bytes, &all[0]);
     all.into()
 }

@@ -461,11 +461,6 @@ wrong_uses! {
         => "--stones does not go with the range of --span, which moves the joints";
     a_range_of_numbers_of_stones: ["voussoirs", "--alpha", "1", "--mu", "1..2", "--stones", "5..7"]
         => "a range of arches has one number of stones";
-    the_share_of_arches_of_stones:
-        ["assess", "--alpha", "1", "--mu", "1..2", "--eta", "0.1", "--stones", "5", "--share"]
-        => "--share is of arches with a joint at every angle";
-    the_share_in_a_picture: ["assess", "--alpha", "1..2", "--mu", "1", "--eta", "0.1", "--share", "-o", "arches.svg"]
-        => "--share is told in words, not in a picture";
     a_drawing_of_a_range_without_a_thickness: ["draw", "--alpha", "1..2", "--mu", "1"] => "--thickness is missing";
     a_certificate_of_a_range: ["certify", "arch", "--alpha", "1..2", "--mu", "1", "--eta", "0.1"]
         => "give one value here";

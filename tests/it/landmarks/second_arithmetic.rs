@@ -12,12 +12,6 @@ fn the_second_arithmetic_proves_the_same_points() {
     the_same_points::<Astro>();
 }
 
-#[cfg(feature = "malachite")]
-#[test]
-fn malachite_proves_the_same_points() {
-    the_same_points::<couplet::number::Malachite>();
-}
-
 /// Krawczyk over intervals, on boxes around the ball midpoints; the images overlap the balls.
 fn the_same_points<E: End>() {
     const PREC: usize = 256;

@@ -3,8 +3,6 @@
 
 use super::sample::Sample;
 use crate::hard::{config, hard_rational};
-#[cfg(feature = "malachite")]
-use couplet::number::Malachite;
 use couplet::number::{
     Astro, Ball, Dual, Enclosure, End, Field, Interval, Magnitude, Real, Ternary,
 };
@@ -118,16 +116,12 @@ proptest! {
     #[test]
     fn all_arithmetics_overlap(x in any_float(128), y in any_float(128), words in 1usize..12) {
         overlaps_a_ball::<Astro>(&x, &y, 64 * words)?;
-        #[cfg(feature = "malachite")]
-        overlaps_a_ball::<Malachite>(&x, &y, 64 * words - 63 + words * words)?;
     }
 
     /// Next to a multiple of a quarter turn by any number of bits, and anywhere else.
     #[test]
     fn sines_of_all_arithmetics_overlap(x in hard_angle(), bits in 64usize..1500, wide in prop_oneof![Just(None), (0i32..90).prop_map(Some)]) {
         holds_the_sines::<Astro>(&x, wide, bits)?;
-        #[cfg(feature = "malachite")]
-        holds_the_sines::<Malachite>(&x, wide, bits)?;
     }
 
     /// Wide arguments: the image of every number inside lies in the image of the ball.
@@ -155,8 +149,6 @@ proptest! {
     fn decided_comparisons_are_true(x in hard_rational(), y in hard_rational()) {
         let ball = Ball::enclosing(&x, 80).is_less_than(&Ball::enclosing(&y, 80));
         let astro = is_less::<Astro>(&x, &y);
-        #[cfg(feature = "malachite")]
-        prop_assert_eq!(astro, is_less::<Malachite>(&x, &y));
         for answer in [ball, astro] {
             match answer {
                 Ternary::True => prop_assert!(x < y),
@@ -232,6 +224,4 @@ fn holds_the_sines_of_boxes<E: End>() {
 #[test]
 fn sines_of_boxes_are_held() {
     holds_the_sines_of_boxes::<Astro>();
-    #[cfg(feature = "malachite")]
-    holds_the_sines_of_boxes::<Malachite>();
 }

@@ -108,8 +108,6 @@ suite! {
     double_double_ball: DoubleDoubleBall, Slope::None, real_functions;
     triple_word_ball: TripleWordBall, Slope::None, real_functions;
     astro: AstroInterval, Slope::None, real_functions;
-    #[cfg(feature = "malachite")]
-    malachite: couplet::number::MalachiteInterval, Slope::None, real_functions;
     rational: Rational, Slope::None;
     dual_of_balls: Dual<Ball>, Slope::One, real_functions;
     dual_of_double_balls: Dual<DoubleBall>, Slope::One, real_functions;

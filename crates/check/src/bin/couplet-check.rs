@@ -16,8 +16,7 @@ gets one line: `accepted`, `refused` with the reason, `not checked` if it has mo
 
 Usage: couplet-check [--engine ENGINE] [--statement] FILE...
 
-  --engine ENGINE  astro (the default: pure Rust, shares nothing with MPFR, up to 50000 digits) or, where it is built in,
-                   malachite (quicker; in part MPFR's algorithms, so no witness beside mpfr)
+  --engine ENGINE  astro (the default: pure Rust, shares nothing with MPFR, up to 50000 digits)
   --statement      the whole statement of each accepted file in one sentence, with every digit
   -h, --help       this page
   -V, --version    the version

@@ -47,9 +47,6 @@ pub const MAX_DIGITS: usize = 1_000_000;
 /// this size that takes some seconds.
 pub const ASTRO_DIGITS: usize = 50_000;
 
-/// Largest number of digits for malachite, which is quicker.
-pub const MALACHITE_DIGITS: usize = 50_000;
-
 /// Checks the bytes of a file in pure Rust, up to [`ASTRO_DIGITS`] digits.
 ///
 /// Guaranteed if it is accepted: the equations of the claim have exactly one root in the stated box, the
@@ -71,20 +68,6 @@ pub fn verify(bytes: &[u8]) -> Result<Accepted, Refusal> {
 
 /// Checks the bytes of a file in the arithmetic `E`, up to `max_digits` digits and never more than
 /// [`MAX_DIGITS`]. Whatever the bytes are, the answer is a verdict: a [`Refusal`] names the place.
-#[cfg_attr(
-    feature = "malachite",
-    doc = "",
-    doc = "With [`MalachiteInterval`](crate::number::MalachiteInterval) it is quicker than [`verify`]; its algorithms \
-           are in",
-    doc = "part those of MPFR, so that its verdict is none beside that of [`Ball`](crate::number::Ball).",
-    doc = "",
-    doc = "```",
-    doc = "use couplet_check::check::{MALACHITE_DIGITS, check};",
-    doc = "use couplet_number::number::MalachiteInterval;",
-    doc = "let file = include_bytes!(\"../../../../proofs/constants/triple-point-heyman.json\");",
-    doc = "assert!(check::<MalachiteInterval>(file, MALACHITE_DIGITS).is_ok());",
-    doc = "```"
-)]
 pub fn check<E: Engine>(bytes: &[u8], max_digits: usize) -> Result<Accepted, Refusal> {
     check_certificate::<E>(&Certificate::read(bytes)?, max_digits)
 }

@@ -15,45 +15,29 @@ use super::refusal::Refusal;
 pub struct Engine {
     name: &'static str,
     check: fn(&[u8]) -> Result<AcceptedFile, Refusal>,
-    remark: &'static str,
 }
 
 impl Engine {
     /// Pure Rust, shares nothing with MPFR.
     pub const ASTRO: Self = Self::new("astro", verify_file);
 
-    /// Pure Rust, quicker; in part MPFR's algorithms.
-    #[cfg(feature = "malachite")]
-    pub const MALACHITE: Self = Self {
-        name: "malachite",
-        check: |bytes| {
-            super::check_file::<crate::number::MalachiteInterval>(bytes, super::MALACHITE_DIGITS)
-        },
-        remark: "  (by malachite, which is no witness beside mpfr)",
-    };
-
     /// An arithmetic that a program brings along, of which nothing has to be known.
     pub const fn new(
         name: &'static str,
         check: fn(&[u8]) -> Result<AcceptedFile, Refusal>,
     ) -> Self {
-        Self { name, check, remark: "" }
+        Self { name, check }
     }
 
     /// The arithmetic of a name, of those here and of `others`; else a sentence that says which are built in.
     pub fn named(name: &str, others: &[Self]) -> Result<Self, String> {
-        let here = [
-            Self::ASTRO,
-            #[cfg(feature = "malachite")]
-            Self::MALACHITE,
-        ];
-        let all = [&here, others].concat();
+        let all = [&[Self::ASTRO], others].concat();
         if let Some(engine) = all.iter().find(|engine| engine.name == name) {
             return Ok(*engine);
         }
         let names = all.iter().map(|engine| engine.name).collect::<Vec<_>>().join(", ");
         Err(match name {
-            "malachite" | "mpfr" => format!("{name} is not built in; here are {names}"),
+            "mpfr" => format!("{name} is not built in; here are {names}"),
             _ => format!("an arithmetic is one of {names}"),
         })
     }
@@ -62,10 +46,5 @@ impl Engine {
     /// is right; of a survey, that its verdict follows from such certificates.
     pub fn check(self, bytes: &[u8]) -> Result<AcceptedFile, Refusal> {
         (self.check)(bytes)
-    }
-
-    /// Remark on an acceptance by this arithmetic.
-    pub(super) fn remark(self) -> &'static str {
-        self.remark
     }
 }

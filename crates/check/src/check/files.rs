@@ -78,9 +78,7 @@ fn verdict(name: &OsStr, engine: Engine, words: Words, larger: &str) -> (FileVer
         );
     }
     match engine.check(&bytes) {
-        Ok(accepted) => {
-            (FileVerdict::Accepted, format!("accepted  {}{}", words(&accepted), engine.remark()))
-        }
+        Ok(accepted) => (FileVerdict::Accepted, format!("accepted  {}", words(&accepted))),
         Err(limit @ Refusal::Limit(..)) => {
             (FileVerdict::Open, format!("not checked: {limit}; {larger} checks up to {MAX_DIGITS}"))
         }

@@ -27,8 +27,7 @@ pub mod whole;
 pub use crate::number::visible;
 pub use accepted_file::{AcceptedFile, check_file, verify_file};
 pub use checker::{
-    ASTRO_DIGITS, Accepted, EXTRA_BITS, MALACHITE_DIGITS, MAX_DIGITS, WITNESS_BITS, check,
-    check_certificate, verify,
+    ASTRO_DIGITS, Accepted, EXTRA_BITS, MAX_DIGITS, WITNESS_BITS, check, check_certificate, verify,
 };
 pub use claim::{ArchFile, AsymmetricFile, ClaimFile, StandsFile, StateFile, TooThinFile};
 pub use engine::Engine;

@@ -309,8 +309,6 @@ operators!([E: End] Interval<E>);
 macro_rules! for_each_end {
     ($test:ident) => {
         $test::<$crate::number::Astro>();
-        #[cfg(feature = "malachite")]
-        $test::<$crate::number::Malachite>();
     };
 }
 

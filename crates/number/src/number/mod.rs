@@ -11,7 +11,6 @@
 //! | [`Ball`] | MPFR midpoint and radius: enclosures | [`Field`], [`Real`], [`Enclosure`] |
 //! | [`Complex`], [`ComplexBall`] | a pair: the closed forms with complex roots | [`Field`] |
 //! | [`AstroInterval`] | two astro-float ends, rounded outward: the second arithmetic | [`Field`], [`Real`], [`Enclosure`] |
-//! | `MalachiteInterval` (feature `malachite`) | the same with other ends: quicker, and not independent of MPFR | [`Field`], [`Real`], [`Enclosure`] |
 //! | [`rug::Rational`] | exact | [`Field`] |
 //! | [`Surd`] | `a + b√d`, exact | [`Field`] |
 //! | [`symbolic::Fraction`](crate::symbolic::Fraction) | a formula, exact | [`Field`] |
@@ -101,8 +100,6 @@ mod gradient;
 mod halving;
 mod interval;
 mod jet;
-#[cfg(feature = "malachite")]
-mod malachite;
 mod product;
 mod range;
 mod says;
@@ -136,8 +133,6 @@ pub use gmp::*;
 pub use gradient::Gradient;
 pub use interval::Interval;
 pub use jet::Jet;
-#[cfg(feature = "malachite")]
-pub use malachite::{Malachite, MalachiteInterval};
 pub use product::{Dekker, Fused, Product};
 pub use range::{BETWEEN, PLUS_MINUS, TELL_OF_RANGES, is_range};
 pub use shown::{shown, visible};

@@ -53,8 +53,6 @@ mod tests {
         turns_back::<DoubleDoubleBall>(0, 90);
         for bits in [64, 200, 1000, 4000] {
             turns_back::<AstroInterval>(bits, bits as i32 - 30);
-            #[cfg(feature = "malachite")]
-            turns_back::<crate::number::MalachiteInterval>(bits, bits as i32 - 30);
         }
     }
 

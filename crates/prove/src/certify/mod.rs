@@ -56,7 +56,8 @@ pub use voussoirs::{
 pub use crate::prover::cover::{between, cover};
 pub use crate::prover::isolate::isolate;
 pub use crate::prover::isolate::isolate_near;
-pub(crate) use crate::prover::linear::Eliminated;
+#[doc(hidden)]
+pub use crate::prover::linear::Eliminated;
 pub use crate::prover::refine::{Refined, refine, refine_watched, stages};
 pub use crate::prover::refused::{MAX_DIGITS, MAX_TILT_DIGITS};
 pub use crate::prover::{Answered, Error, Isolated, Open, Refused, Undecided};

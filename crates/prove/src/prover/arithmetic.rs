@@ -15,7 +15,7 @@ use rug::float::Round;
 
 /// Enclosures in which a proof about an arch runs: balls of as many bits as it takes, or of doubles, which cost a
 /// tenth where they are enough.
-pub(crate) trait Arithmetic: Engine + Stumpff {
+pub trait Arithmetic: Engine + Stumpff {
     /// The numbers in which candidates are found.
     type Candidate: Start;
     /// The sines and cosines that are known of angles nearby.
@@ -67,7 +67,7 @@ pub(crate) trait Arithmetic: Engine + Stumpff {
 }
 
 /// An enclosure of the larger of two numbers; of both, where that is not decided.
-pub(crate) fn larger<E: Arithmetic>(a: E, b: E) -> E {
+pub fn larger<E: Arithmetic>(a: E, b: E) -> E {
     match a.is_less_than(&b) {
         Ternary::True => b,
         Ternary::False => a,
@@ -76,7 +76,7 @@ pub(crate) fn larger<E: Arithmetic>(a: E, b: E) -> E {
 }
 
 /// An enclosure of the lesser of two numbers; of both, where that is not decided.
-pub(crate) fn lesser<E: Arithmetic>(a: E, b: E) -> E {
+pub fn lesser<E: Arithmetic>(a: E, b: E) -> E {
     -larger(-a, -b)
 }
 

@@ -30,7 +30,7 @@ pub(crate) fn require<E: Arithmetic>(margin: &E, question: &'static str) -> Resu
 }
 
 /// Checks a statement that has to be proved.
-pub(crate) fn ensure(is_proved: bool, question: &'static str) -> Result<(), Undecided> {
+pub fn ensure(is_proved: bool, question: &'static str) -> Result<(), Undecided> {
     if is_proved { Ok(()) } else { Err(Undecided::new(question)) }
 }
 
@@ -48,7 +48,7 @@ pub(crate) fn in_few_bits<E: Engine, T>(
 }
 
 /// Tells whether a number is proved to be positive.
-pub(crate) fn is_positive(x: &impl Enclosure) -> bool {
+pub fn is_positive(x: &impl Enclosure) -> bool {
     x.is_positive().is_proved()
 }
 

@@ -96,7 +96,7 @@ pub(super) struct Ladder<'a, F> {
 /// A root in a small box, with the sines and cosines that it took: an angle of it, or of its equations, costs nearly
 /// nothing more.
 #[derive(Default)]
-pub(crate) struct Rooted {
+pub struct Rooted {
     pub values: Vec<Ball>,
     pub sines: Sines,
 }

@@ -10,7 +10,7 @@ const THRESHOLD: i64 = 6;
 
 /// A square matrix of balls after elimination.
 #[derive(Clone, Debug)]
-pub(crate) struct Eliminated {
+pub struct Eliminated {
     pivots: Vec<Pivot>,
 }
 
@@ -27,7 +27,7 @@ struct Pivot {
 
 impl Eliminated {
     /// The matrix of the derivatives of as many numbers as there are unknowns. `None` if a pivot may be zero.
-    pub(crate) fn new(slopes: &[impl Derivatives<Ball>]) -> Option<Self> {
+    pub fn new(slopes: &[impl Derivatives<Ball>]) -> Option<Self> {
         let places = 0..slopes.len();
         let entry =
             |row: &_, k| Derivatives::slope(row, k).filter(|x: &&Ball| !x.is_zero()).cloned();
@@ -39,7 +39,7 @@ impl Eliminated {
     }
 
     /// The solutions for one right-hand side.
-    pub(crate) fn solve(&self, mut right: Vec<Ball>) -> Vec<Ball> {
+    pub fn solve(&self, mut right: Vec<Ball>) -> Vec<Ball> {
         for pivot in &self.pivots {
             let head = right[pivot.row].clone();
             for (row, factor) in &pivot.multiples {

@@ -17,16 +17,16 @@
 //! | `figure` | a proved value with its digits |
 //! | `undecided`, `refused`, `error` | why nothing is known, or was asked |
 
-pub(crate) mod arithmetic;
+pub mod arithmetic;
 pub(crate) mod count;
 pub(crate) mod cover;
-pub(crate) mod decide;
+pub mod decide;
 pub(crate) mod error;
 pub(crate) mod figure;
 pub mod in_doubles;
 pub(crate) mod isolate;
-pub(crate) mod ladder;
-pub(crate) mod linear;
+pub mod ladder;
+pub mod linear;
 pub mod operator;
 pub(crate) mod posed;
 pub(crate) mod positive;
@@ -35,7 +35,7 @@ pub(crate) mod refine;
 pub(crate) mod refused;
 pub mod root;
 pub(crate) mod short;
-pub(crate) mod sines;
+pub mod sines;
 pub(crate) mod ties;
 pub(crate) mod undecided;
 pub(crate) mod vector;

@@ -133,7 +133,7 @@ pub enum Refused {
 
 impl Refused {
     /// Checks that so many digits can be asked for.
-    pub(crate) fn digits(asked: usize) -> Result<(), Self> {
+    pub fn digits(asked: usize) -> Result<(), Self> {
         Self::digits_to(asked, MAX_DIGITS)
     }
 
@@ -148,7 +148,7 @@ impl Refused {
     }
 
     /// Checks that a number is a thickness.
-    pub(crate) fn thickness(thickness: &ExactNumber) -> Result<(), Self> {
+    pub fn thickness(thickness: &ExactNumber) -> Result<(), Self> {
         Ok(ThicknessError::check(thickness, &thickness.to_string())?)
     }
 

@@ -25,7 +25,7 @@ pub fn root_near<S: Form<Ball>>(
 }
 
 /// The root next to a start value, with the sines and cosines that it took.
-pub(crate) fn rooted_near<S: Form<Ball>>(
+pub fn rooted_near<S: Form<Ball>>(
     equations: &S,
     bits: u32,
     start: &[Float],

@@ -17,7 +17,7 @@ const WORTH_THREADS: u32 = 1 << 14;
 
 /// Sines and cosines of a few places, to move to the angles next to them.
 #[derive(Debug, Default)]
-pub(crate) struct Sines {
+pub struct Sines {
     /// The bits of a place, and those of its sine.
     near: u32,
     bits: u32,
@@ -69,7 +69,7 @@ impl Sines {
     }
 
     /// A ball that knows them.
-    pub(crate) fn ball(&self, ball: Ball) -> SinedBall<'_> {
+    pub fn ball(&self, ball: Ball) -> SinedBall<'_> {
         SinedBall { ball, sines: self }
     }
 
@@ -140,8 +140,8 @@ fn beside(from: &Angle<Ball>, rad: &Ball) -> Option<Angle<Ball>> {
 
 /// A ball that knows sines and cosines of points nearby.
 #[derive(Clone, Debug)]
-pub(crate) struct SinedBall<'a> {
-    pub(crate) ball: Ball,
+pub struct SinedBall<'a> {
+    pub ball: Ball,
     sines: &'a Sines,
 }
 

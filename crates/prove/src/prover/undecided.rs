@@ -58,7 +58,7 @@ impl Undecided {
     }
 
     /// A value whose digits are not decided.
-    pub(crate) fn rounding(reason: impl Into<Cow<'static, str>>) -> Self {
+    pub fn rounding(reason: impl Into<Cow<'static, str>>) -> Self {
         Self { kind: Open::Rounding, ..Self::new(reason) }
     }
 

@@ -10,7 +10,7 @@ use crate::arch::SelfWeight;
 use crate::ask::SurveyGiven;
 use crate::certify::Undecided;
 use crate::certify::survey::{
-    EndValue, ModesFound, QuantityRange, RangeEnd, Share, SurveyAnswer, SurveyedArch,
+    EndValue, ModesFound, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch,
 };
 use crate::problem::{Mode, Quantity, Sought};
 
@@ -37,8 +37,6 @@ pub struct SurveyedArches {
     pub quantities: Vec<Quantity>,
     /// Answer, or why nothing is proved.
     pub found: Result<SurveyAnswer, Undecided>,
-    /// Part that stands, or why it stays open, where it is asked for.
-    pub share: Option<Result<Share, Undecided>>,
 }
 
 impl SurveyedArches {
@@ -48,8 +46,7 @@ impl SurveyedArches {
             Err(open) => Some(open),
             Ok(found) => {
                 let verdict = found.verdict.as_ref().and_then(|verdict| verdict.as_ref().err());
-                let share = self.share.as_ref().and_then(|share| share.as_ref().err());
-                verdict.or(found.open.as_ref()).or(share)
+                verdict.or(found.open.as_ref())
             }
         }
     }
@@ -114,12 +111,6 @@ impl SurveyedArches {
             record.add("modes", modes.map_or(Vec::new(), |modes| labels(&modes.occur)));
             record.add("other_modes", modes.map_or(Vec::new(), |modes| labels(&modes.may_occur)));
             record.add("some_fall", modes.and_then(|modes| modes.some_fall));
-        }
-        if let Some(Ok(Share { lower, upper })) = &self.share {
-            let mut share = Record::default();
-            share.add("lower", lower.to_string());
-            share.add("upper", upper.to_string());
-            record.add_record("share", Some(share));
         }
         record
     }
@@ -258,11 +249,6 @@ fn say(all: &SurveyedArches, record: &mut Record) {
     if !rows.is_empty() {
         record.say("");
         record.say_all(aligned(&rows).map(|line| format!("   {line}")));
-    }
-    if let Some(Ok(Share { lower, upper })) = &all.share {
-        record.say(format!(
-            "\n   part that stands: {lower} to {upper}, each measure spread evenly between its ends"
-        ));
     }
     record.say_all(found.modes.iter().flat_map(modes));
     record.say_all(open.map(|open| format!("\n   {open}")));

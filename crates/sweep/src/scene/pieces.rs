@@ -58,7 +58,7 @@ impl WorkDone {
 fn found(node: &SurveyNode) -> Result<SurveyedArches, String> {
     let SurveyNode { survey, quantities, digits, .. } = node;
     let given = given(&survey.asked).map_err(|misfit| misfit.message)?;
-    let found = surveyed(&survey.asked, &given, survey.weight, (quantities, *digits, false));
+    let found = surveyed(&survey.asked, &given, survey.weight, (quantities, *digits));
     found.map_err(|error| error.to_string())
 }
 

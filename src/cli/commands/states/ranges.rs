@@ -82,5 +82,5 @@ fn found(
     let (weight, asked) = reader.ranged(cells)?;
     let given = SurveyGiven::read(&QUESTION, &asked, Spelling::Key);
     let given = given.map_err(|misfit| misfit.message)?;
-    surveyed(&asked, &given, weight, (quantities, digits, false)).map_err(|error| error.to_string())
+    surveyed(&asked, &given, weight, (quantities, digits)).map_err(|error| error.to_string())
 }

@@ -72,7 +72,7 @@ pub(super) fn bits_lost_unless_small(arch: &Arch, bits: u32) -> u32 {
 
 /// Answer that a proof about an arch finds, with more bits until it decides everything, first with enough for
 /// `digits` digits; what stays undecided otherwise.
-pub(crate) fn raised<T>(
+pub fn raised<T>(
     arch: &Arch,
     digits: usize,
     proof: impl FnMut(u32) -> Result<Option<T>, Undecided>,

@@ -106,11 +106,7 @@ fn enclosed<T>(bits: u32, quick: impl FnOnce() -> Option<T>, proof: impl FnOnce(
 }
 
 /// The state in enclosures of `bits` bits, with the frictions at which the mode changes if they are asked for.
-pub(crate) fn state_enclosed(
-    arch: &Arch,
-    bits: u32,
-    frictions: bool,
-) -> Result<Outcome, Undecided> {
+pub fn state_enclosed(arch: &Arch, bits: u32, frictions: bool) -> Result<Outcome, Undecided> {
     let to_ball = |x: DoubleDoubleBall| x.to_ball(bits);
     let quick = || Some(Ok(quick_outcome(arch, frictions).ok()?.map(to_ball)));
     enclosed(bits, quick, || outcome(&Query::new(arch, bits), frictions))
@@ -123,23 +119,17 @@ pub(crate) fn sliding_enclosed(arch: &Arch, bits: u32) -> Result<Ball, Undecided
 }
 
 /// The purely sliding state of a half opening, with all its variables, in balls of `bits` bits.
-pub(crate) fn sliding_configuration(
-    arch: &Arch,
-    bits: u32,
-) -> Result<Configuration<Ball>, Undecided> {
+pub fn sliding_configuration(arch: &Arch, bits: u32) -> Result<Configuration<Ball>, Undecided> {
     sliding_root(&Query::new(arch, bits))
 }
 
 /// The thrust at which an inner joint slides, and that joint, at the friction of the arch.
-pub(crate) fn steepest_configuration(
-    arch: &Arch,
-    bits: u32,
-) -> Result<Configuration<Ball>, Undecided> {
+pub fn steepest_configuration(arch: &Arch, bits: u32) -> Result<Configuration<Ball>, Undecided> {
     steepest_root(&Query::new(arch, bits))
 }
 
 /// Everything that holds for an arch of a given thickness, in `(0, 2]`, in enclosures of `bits` bits.
-pub(crate) fn assessment_enclosed(arch: &Arch, thickness: &ExactNumber, bits: u32) -> Assessment {
+pub fn assessment_enclosed(arch: &Arch, thickness: &ExactNumber, bits: u32) -> Assessment {
     let to_ball = |x: DoubleDoubleBall| Ok(x.to_ball(bits));
     let quick = || Some(decided(arch, thickness)?.each(to_ball, |open| open));
     let proof = || Inquiry::new(arch, 1, false).assessment(thickness, bits, Wanted::Everything);

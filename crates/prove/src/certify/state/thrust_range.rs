@@ -55,7 +55,6 @@ impl<T> Limit<T> {
 
 /// Limit of a thrust.
 #[derive(Clone, Debug)]
-#[non_exhaustive]
 pub enum Touch<T = Ball> {
     /// The line of thrust touches the intrados at this joint.
     Haunch(T),

@@ -7,7 +7,7 @@
 //!
 //! ```
 //! use couplet_check::arch::SelfWeight;
-//! use couplet_prove::atlas::{Curve, Trace};
+//! use couplet_atlas::atlas::{Curve, Trace};
 //! let curve = Curve::named("rrr/srr").unwrap();
 //! let trace = Trace::new(curve, SelfWeight::Heyman, 1e-4)?;
 //! assert_eq!(trace.gaps().count(), 0);
