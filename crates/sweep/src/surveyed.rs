@@ -92,7 +92,7 @@ mod tests {
             ..ArchAsked::default()
         };
         let given = SurveyGiven::read(&QUESTION, &asked, Spelling::Option).unwrap();
-        let of = (told(true), 6, false);
+        let of = (told(true), 6);
         let mut all = surveyed(&asked, &given, SelfWeight::Milankovitch, of).unwrap();
         assert!(all.first_open().is_none());
         let found = all.found.as_mut().unwrap();

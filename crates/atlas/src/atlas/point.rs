@@ -104,7 +104,7 @@ mod tests {
 
     #[test]
     fn a_point_of_rotation_is_the_state_of_its_arch() {
-        use crate::prelude::{Arch, Certify};
+        use couplet_prove::prelude::{Arch, Certify};
         let arch = Arch::parse("milankovitch", "80deg", "inf").unwrap();
         let state = arch.least(40).unwrap();
         let found = at("rotation", "80deg", 40).unwrap();
