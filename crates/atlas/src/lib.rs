@@ -1,4 +1,4 @@
-//! The map as data: its curves from end to end, each proved for every value of a parameter; and what is drawn of an arch.
+//! The map as data: its curves from end to end, proved for every value of a parameter; and what is drawn of an arch.
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
 pub mod atlas;

@@ -1,4 +1,4 @@
-//! How many there are: "none", "all" and "no other" come from a proved count, never from a search that found no more.
+//! Counts that are proved: "none", "all" and "no other" come from one, never from a search that found no more.
 
 use super::Undecided;
 

@@ -102,7 +102,7 @@ mod tests {
     use crate::certify::state::Certify;
     use crate::problem::{Arch, Mode};
 
-    /// Beside the line on which the touching joint reaches the crown one of its two modes is that of the arch, however near.
+    /// Beside the line on which the touching joint reaches the crown one of its two modes is proved, however near.
     #[test]
     fn beside_the_crown_one_of_two_modes_is_proved() {
         for (weight, opening, friction) in [

@@ -148,7 +148,7 @@ impl Search<'_> {
         touched_thicknesses(self.weight(), &Angle::new(self.ball(bits)), bits)
     }
 
-    /// A point of the purely rotational curve that has the value: its thickness and thrust, and the half opening of (4).
+    /// A point of the purely rotational curve with the value: its thickness and thrust, and the half opening of (4).
     fn curve_point(&self, number: usize, bits: u32) -> Result<[Ball; 3], Undecided> {
         let (joint, thickness, thrust) = match self.quantity {
             Quantity::RotationJoint => {
@@ -239,8 +239,8 @@ impl Search<'_> {
         Ok(self.shown(mode, &at)?.map(Some))
     }
 
-    /// State at a point of the curve: the purely rotational one of its half opening, which it is with unlimited friction;
-    /// or one of its thickness whose shoulder slides.
+    /// State at a point of the curve: with enough friction the purely rotational one of its half opening, or one of its
+    /// thickness whose shoulder slides.
     fn curve_state(
         &self,
         number: usize,

@@ -217,7 +217,7 @@ fn every_joint_has_its_two_states() {
     }
 }
 
-/// What the tables print as exact is an end of a curve, where balls alone decide nothing.
+/// The exact values of the tables are ends of curves, where balls alone decide nothing.
 #[test]
 fn exact_ends_have_their_state() {
     use {Mode as M, Quantity as Q};
