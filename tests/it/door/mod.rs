@@ -4,6 +4,7 @@ mod architecture;
 mod columns;
 mod limits;
 mod manual;
+mod named;
 mod pages;
 mod pictures;
 mod questions;

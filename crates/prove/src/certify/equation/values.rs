@@ -208,7 +208,7 @@ impl ValueEquation {
     /// use couplet_prove::prelude::*;
     /// let given = [(Quantity::Thickness, "0.6".parse()?)];
     /// let found = ValueEquation::CentroidFactor.evaluate(SelfWeight::Milankovitch, &given, 5)?;
-    /// assert_eq!(found[0].figure.to_string(), "1.0300");
+    /// assert_eq!(found[0].figure.to_string(), "1.03");
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn evaluate(
