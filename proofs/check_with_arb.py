@@ -778,7 +778,8 @@ def statement(file):
                                             f"{mode}, admissible at every joint",
         }[kind](**thing)
     values = ", ".join(f"{entry['quantity']} = {entry['value']}" for entry in file["values"])
-    there = f"; there {values}, each correctly rounded to {file['digits']} significant digits" if values else ""
+    plural = "" if file["digits"] == 1 else "s"
+    there = f"; there {values}, each correctly rounded to {file['digits']} significant digit{plural}" if values else ""
     return f"{subject}, {claim['weight']} weight: {says}{there}"
 
 

@@ -95,7 +95,8 @@ let statement c =
   let rounded =
     if values = [] then ""
     else
-      Printf.sprintf "; there %s, each correctly rounded to %s significant digits" (String.concat ", " values)
-        (Integer.to_string c.digits)
+      let digits = Integer.to_string c.digits in
+      Printf.sprintf "; there %s, each correctly rounded to %s significant digit%s" (String.concat ", " values) digits
+        (if digits = "1" then "" else "s")
   in
   Printf.sprintf "%s, %s weight: %s%s" subject (of_weight weight) says rounded

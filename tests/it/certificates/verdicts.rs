@@ -303,19 +303,19 @@ fn what_is_certified_is_said() {
     };
     assert_eq!(
         line(&["state", "--alpha", "1.5", "--mu", "0.1"]),
-        "-: accepted  stands at no thickness half_opening 3/2 friction 1/10 milankovitch  as it is below friction \
+        "-: accepted  stands at no thickness half_opening 3/2 friction 1/10 milankovitch  as it is below the limit, friction \
          0.27032 to 5 digits\n"
     );
     assert_eq!(
         line(&["state", "--alpha", "2.85", "--mu", "inf", "--weight", "heyman"]),
-        "-: accepted  stands at no thickness half_opening 57/20 friction inf heyman  as it is beyond half_opening \
+        "-: accepted  stands at no thickness half_opening 57/20 friction inf heyman  as it is beyond the limit, half_opening \
          2.7865 to 5 digits\n"
     );
     let arch = ["arch", "--alpha", "80deg", "--mu", "31deg"];
     assert_eq!(
         line(&[&arch[..], &["--eta", "0.05"]].concat()),
         "-: accepted  does not stand half_opening 4/9 pi friction tan 31/180 pi thickness 1/20; at the least [r,r,r] \
-         milankovitch  as it is below thickness 0.068650 to 5 digits\n"
+         milankovitch  as it is below the limit, thickness 0.068650 to 5 digits\n"
     );
     assert_eq!(
         line(&[&arch[..], &["--eta", "1.9"]].concat()),
@@ -354,7 +354,11 @@ fn what_is_printed_compares_only_what_is_compared() {
     };
     let values = made["values"].as_array().unwrap().clone();
     made["values"] = values.iter().rev().cloned().collect();
-    assert!(printed(&made).contains("as it is below friction 0.27"), "{}", printed(&made));
+    assert!(
+        printed(&made).contains("as it is below the limit, friction 0.27"),
+        "{}",
+        printed(&made)
+    );
     let is_thrust = |value: &&Value| value["quantity"] == "thrust";
     made["values"] = values.iter().filter(is_thrust).cloned().collect();
     assert!(!printed(&made).contains("as it is"), "{}", printed(&made));

@@ -94,7 +94,8 @@ pub fn in_thrust<T: Field>(at: &Abbreviations<T>, delta: &T, h: &T) -> T {
 /// It is the discriminant of [`in_thickness`] divided by -432. The paper prints it for
 /// `delta_M = 1`; at `delta_M = 0` it is the discriminant `f² - 2gS + S²` of the Heyman quadratic
 /// times `-3 (f+g)²`. It is negative where the rotational state is real and vanishes at the widest
-/// joint `sb`.
+/// joint `sb`; beyond a second zero, at 2.509… (Heyman) or 2.713… (Milankovitch), it is negative again, where
+/// no thickness is between 0 and 2.
 pub fn radicand<T: Field>(at: &Abbreviations<T>, delta: &T) -> T {
     let Abbreviations { sin, f, g } = at;
     let (f2, g2, s2) = (f.square(), g.square(), sin.square());

@@ -34,7 +34,10 @@ pub(super) fn statement(accepted: &Accepted) -> String {
     let values = match (values.join(", "), accepted.digits) {
         (values, _) if values.is_empty() => values,
         (values, digits) => {
-            format!("; there {values}, each correctly rounded to {digits} significant digits")
+            let plural = if digits == 1 { "" } else { "s" };
+            format!(
+                "; there {values}, each correctly rounded to {digits} significant digit{plural}"
+            )
         }
     };
     format!("{subject}, {} weight: {says}{values}", problem.weight().name())

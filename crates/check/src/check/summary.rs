@@ -21,16 +21,16 @@ pub fn summary(accepted: &Accepted) -> String {
             let arch = described(arch);
             match verdict {
                 Verdict::Slides => {
-                    let limit = (Quantity::Friction, "as it is below ");
+                    let limit = (Quantity::Friction, "as it is below the limit, ");
                     (format!("stands at no thickness {arch}"), Some(limit))
                 }
                 Verdict::TooWide => {
-                    let limit = (Quantity::HalfOpening, "as it is beyond ");
+                    let limit = (Quantity::HalfOpening, "as it is beyond the limit, ");
                     (format!("stands at no thickness {arch}"), Some(limit))
                 }
                 Verdict::TooThin { mode, thickness } => {
                     let thick = thick(thickness);
-                    let limit = (Quantity::Thickness, "as it is below ");
+                    let limit = (Quantity::Thickness, "as it is below the limit, ");
                     (format!("does not stand {arch}{thick}; at the least {mode}"), Some(limit))
                 }
                 Verdict::Stands(standing) => {

@@ -50,7 +50,7 @@ impl AtJoint {
             Ternary::True => true,
             Ternary::False if radicand.excludes_zero() => false,
             _ => {
-                let words = "the sign of (12), which is next to zero: the joint is next to beta_sb";
+                let words = "the sign of (12), which is next to zero";
                 return Err(Undecided::new(words));
             }
         };

@@ -88,7 +88,7 @@ pub struct ClosedAt {
 pub struct RadicandAt {
     /// The value.
     pub value: Figure,
-    /// True if it is positive, as beyond the widest joint; it is not zero.
+    /// True if it is positive, as between the widest joint and a second zero beyond 2.5; it is not zero.
     pub is_positive: bool,
 }
 

@@ -25,7 +25,7 @@ pub(super) fn is_value(
         }
         // In a thickness up to 2, (13) falls strictly: no other one has this A.
         (Mode::Overturning, Q::OpeningVariable, Q::Thickness) if value.is_rational() => {
-            overturns(weight, x, &value.to_rational())
+            *x <= 2 && overturns(weight, x, &value.to_rational())
         }
         (Mode::Rotational, Q::RotationJoint, Q::OpeningVariable) => {
             solves(weight, ClosedForm::OpeningVariable, value, near, x)

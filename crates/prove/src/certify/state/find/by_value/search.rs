@@ -118,12 +118,13 @@ impl Search<'_> {
         let mut others = Vec::new();
         let mut candidates: Vec<Candidate> = Vec::new();
         for number in 0..points {
-            candidates.push(self.raised(|bits| self.curve_state(number, bits)));
-            if is_limited
-                && !matches!(candidates.last(), Some(Ok(Some(state))) if state.mode == Mode::Rotational)
-            {
+            let candidate = self.raised(|bits| self.curve_state(number, bits));
+            let is_rotational =
+                matches!(&candidate, Ok(Some(state)) if state.mode == Mode::Rotational);
+            if is_limited && candidate.is_ok() && !is_rotational {
                 others.push(self.raised(|bits| self.other(number, bits)));
             }
+            candidates.push(candidate);
         }
         let slides_inside = usize::from(is_limited && of_joint);
         if slides_inside > 0 {
