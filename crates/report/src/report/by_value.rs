@@ -114,11 +114,9 @@ impl Reported for ByValue {
         record.add_list("others", self.others().map(other));
         record.say_all(self.open().into_iter().map(ToString::to_string));
         let proved = self.found.as_ref().ok().filter(|_| open.is_none()).map(|of| of.proved);
-        if let Some(proved) = proved {
-            if self.none().is_none() {
-                record.say("proved: each state is admissible on the whole half arch, none thinner; there are no others:");
-                record.say(format!("   {proved}"));
-            }
+        if let Some(proved) = proved.filter(|_| self.none().is_none()) {
+            record.say("proved: each state is admissible on the whole half arch, none thinner; there are no others:");
+            record.say(format!("   {proved}"));
         }
         record.add("proved", proved);
         vec![record]
