@@ -15,6 +15,7 @@
 //! **An opening variable.** `A` falls with the half opening, from 2 to 0.
 
 mod exact;
+mod form;
 mod found;
 mod search;
 

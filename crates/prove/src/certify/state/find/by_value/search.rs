@@ -1,6 +1,7 @@
 //! The search for the states with a value.
 
 use super::exact::is_value;
+use super::form::{TouchingForm, half_opening_of, touching_start};
 use super::found::{OtherState, StateOfValue, StatesOfValue};
 use crate::arch::haunch::Haunch;
 use crate::arch::{Configuration, Ring, SelfWeight, Unknown, contact, overturning, thrust};
@@ -10,15 +11,15 @@ use crate::certify::state::mode::outcome;
 use crate::certify::state::query::{GUARD, Query};
 use crate::certify::state::rotation::JointForm;
 use crate::certify::state::state::{Outcome, State};
-use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Real, Stumpff, bits_of};
+use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Real, bits_of};
 use crate::problem::{Arch, Equation, Mode, Quantity, System};
 use crate::prover::arithmetic::Arithmetic;
 use crate::prover::count::Count;
 use crate::prover::decide::{decide, ensure, require};
-use crate::prover::root::{Form, root_near};
+use crate::prover::root::root_near;
 use crate::prover::{Error, Figure, Undecided, raise};
 use crate::solve::start;
-use rug::{Float, Rational};
+use rug::Rational;
 
 const OF_JOINT: &str = "(7) has no other thickness, (5) and (18) one at most, and each is the least of one half opening at most";
 const OF_THRUST: &str =
@@ -385,83 +386,4 @@ fn placed(state: &State<Ball>, alpha: &Ball) -> Configuration<Ball> {
         Some(joint) => at.with(U::SlidingJoint, joint.clone()),
         None => at,
     }
-}
-
-/// A candidate: the thickness of (5) by `beta cot(beta) - h`.
-fn touching_start(weight: SelfWeight, rest: &Float) -> Float {
-    let sum = rest.clone() + 1u32;
-    match weight {
-        SelfWeight::Heyman => rest.clone() * 2u32 / sum,
-        SelfWeight::Milankovitch => {
-            let root = (sum.clone() * &sum * 9u32 + rest.clone() * 12u32).sqrt();
-            rest.clone() * 12u32 / (sum * 3u32 + root)
-        }
-    }
-}
-
-/// (2) and (5) for the joint and the thickness, at a thrust.
-struct TouchingForm<'a> {
-    weight: SelfWeight,
-    thrust: &'a Ball,
-    joint: JointForm,
-}
-
-impl Form<Ball> for TouchingForm<'_> {
-    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
-        let (thrust, ring) = (number(self.thrust), Ring::new(self.weight, &x[1]));
-        let haunch = self.joint.haunch(x[0].clone());
-        let both = thrust::touching(&haunch.versine, &haunch.excess, &ring);
-        let tangency = thrust::tangency(&haunch.times_cotangent, &ring);
-        [both, tangency].map(|of| of.residual(&thrust)).into()
-    }
-
-    fn is_regular<T: Enclosure + Stumpff>(&self, _: impl Fn(&Ball) -> T, x: &[T]) -> bool {
-        let (haunch, ring) = (self.joint.haunch(x[0].clone()), Ring::new(self.weight, &x[1]));
-        let divisors = [ring.intrados(), x[1].clone()];
-        haunch.excess.is_bounded() && divisors.iter().all(|x| x.is_positive().is_proved())
-    }
-}
-
-/// `A = alpha cot(alpha/2)` for half of the half opening.
-struct OpeningForm<'a> {
-    opening_variable: &'a Ball,
-    half: JointForm,
-}
-
-impl Form<Ball> for OpeningForm<'_> {
-    fn at<T: Real + Stumpff>(&self, number: impl Fn(&Ball) -> T, x: &[T]) -> Vec<T> {
-        let times_cotangent = self.half.haunch(x[0].clone()).times_cotangent;
-        vec![times_cotangent * x[0].int(2) - number(self.opening_variable)]
-    }
-
-    fn is_regular<T: Enclosure + Stumpff>(&self, _: impl Fn(&Ball) -> T, x: &[T]) -> bool {
-        self.half.haunch(x[0].clone()).times_cotangent.is_bounded()
-    }
-}
-
-/// The half opening of an opening variable between 0 and 2.
-fn half_opening_of(a: &Ball, bits: u32) -> Result<Ball, Undecided> {
-    /// Below this `2 - A` the leading term is used.
-    const NARROW: f64 = 1e-3;
-    let rest = a.int(2) - a;
-    let start = match rest.candidate() {
-        // A = 2 - alpha²/6 - ….
-        rest if rest < NARROW => (rest * 3u32 / 2u32).sqrt(),
-        _ => {
-            let (mut low, mut high) = (0.0f64, std::f64::consts::PI);
-            let a = a.mid().to_f64();
-            for _ in 0..60 {
-                let middle = 0.5 * (low + high);
-                let value = thrust::opening_variable(&Angle::new(middle)).value();
-                if value > a { low = middle } else { high = middle }
-            }
-            Float::with_val(bits, 0.5 * low)
-        }
-    };
-    let (half, start) = JointForm::near::<Ball>(start, bits);
-    let root = root_near(&OpeningForm { opening_variable: a, half }, bits, vec![start])?.remove(0);
-    let alpha = half.rad(&root) * root.int(2);
-    let inside = (alpha.pi() - &alpha).is_positive().is_proved() && alpha.is_positive().is_proved();
-    ensure(inside, "a half opening between 0 and pi")?;
-    Ok(alpha)
 }
