@@ -13,8 +13,6 @@ pub fn about(middle: Point, half: Point) -> Rectangle {
 /// Points of the grid that is searched, in each direction; then around the best, ever finer.
 const GRID: usize = 40;
 const TURNS: usize = 3;
-/// Corners are put in so that neighbours on the outline are no further apart, in halves of the label.
-const FINE: f64 = 0.2;
 
 /// The middle of a label of so many halves of width and height that is furthest, in these halves, from the
 /// outline of an area, from lines in it and from what is `taken`. `None` if it has no room in the area.
@@ -30,20 +28,22 @@ pub fn roomiest(
     let taken: Vec<Rectangle> = taken.iter().map(|r| r.map(scaled)).collect();
     let along = |line: &Vec<Point>| {
         let points: Vec<Point> = line.iter().copied().map(scaled).collect();
-        fine(points.windows(2).map(|pair| (pair[0], pair[1])))
+        points.windows(2).map(|pair| [pair[0], pair[1]]).collect::<Vec<_>>()
     };
-    let sides = corners.iter().copied().zip(corners.iter().copied().cycle().skip(1));
-    let edge: Vec<Point> = fine(sides).into_iter().chain(lines.iter().flat_map(along)).collect();
-    let clearance = |at: Point| {
-        if !is_inside(&corners, at) {
-            return f64::NEG_INFINITY;
-        }
-        let from_edge = edge.iter().map(|p| (p.0 - at.0).abs().max((p.1 - at.1).abs()));
+    let sides = corners.iter().zip(corners.iter().cycle().skip(1)).map(|(a, b)| [*a, *b]);
+    let edge: Vec<[Point; 2]> = sides.chain(lines.iter().flat_map(along)).collect();
+    // How far everything is, if it is further than so much.
+    let clearance = |at: Point, least: f64| {
         let from_taken = taken.iter().map(|[a, b]| {
             let across = (a.0 - at.0).max(at.0 - b.0);
             across.max((a.1 - at.1).max(at.1 - b.1))
         });
-        from_edge.chain(from_taken).fold(f64::INFINITY, f64::min)
+        let mut away = from_taken.chain(edge.iter().map(|side| distance(side, at)));
+        let room = away.try_fold(f64::INFINITY, |room, away| {
+            let nearer = if away < room { away } else { room };
+            (nearer > least).then_some(nearer)
+        });
+        room.filter(|_| is_inside(&corners, at))
     };
     let bounds = |of: fn(&Point) -> f64| {
         let values = corners.iter().map(of);
@@ -56,10 +56,8 @@ pub fn roomiest(
             |(low, high): (f64, f64), k| low + (high - low) * (k as f64 + 0.5) / GRID as f64;
         for (i, j) in (0..GRID).flat_map(|i| (0..GRID).map(move |j| (i, j))) {
             let at = (place(x, i), place(y, j));
-            let here = clearance(at);
-            if here > best.map_or(f64::NEG_INFINITY, |(most, _)| most) {
-                best = Some((here, at));
-            }
+            let least = best.map_or(f64::NEG_INFINITY, |(most, _)| most);
+            best = clearance(at, least).map(|here| (here, at)).or(best);
         }
         let (_, at) = best?;
         let around = |(low, high): (f64, f64), middle: f64| {
@@ -71,17 +69,17 @@ pub fn roomiest(
     best.filter(|(room, _)| *room >= 1.0).map(|(_, at)| (at.0 * half.0, at.1 * half.1))
 }
 
-/// Points on straight parts.
-fn fine(parts: impl Iterator<Item = (Point, Point)>) -> Vec<Point> {
-    let points = parts.flat_map(|(a, b)| {
-        let way = (b.0 - a.0).abs().max((b.1 - a.1).abs());
-        let count = (way / FINE).ceil().clamp(1.0, 1e4) as usize;
-        (0..count).map(move |k| {
-            let share = k as f64 / count as f64;
-            (a.0 + share * (b.0 - a.0), a.1 + share * (b.1 - a.1))
-        })
-    });
-    points.collect()
+/// The distance of a point from a straight part, by the larger of across and up: at an end, or where the two are equal.
+fn distance([a, b]: &[Point; 2], at: Point) -> f64 {
+    let (x, y) = (a.0 - at.0, a.1 - at.1);
+    let (dx, dy) = (b.0 - a.0, b.1 - a.1);
+    let larger = |share: f64| {
+        let (x, y) = ((x + share * dx).abs(), (y + share * dy).abs());
+        if x > y { x } else { y }
+    };
+    let equal = |rest: f64, way: f64| if way == 0.0 { 0.0 } else { (rest / way).clamp(0.0, 1.0) };
+    let shares = [1.0, equal(y - x, dx - dy), equal(-x - y, dx + dy)];
+    shares.into_iter().map(larger).fold(larger(0.0), |least, d| if d < least { d } else { least })
 }
 
 /// Tells whether a point is inside an area: whether a ray from it leaves the area.
@@ -136,6 +134,20 @@ mod tests {
         let (_, y) = roomiest(&SQUARE, (20.0, 20.0), &[], &line).unwrap();
         assert!((y - 65.0).abs() < 2.0, "{y}");
         assert_eq!(roomiest(&[], (1.0, 1.0), &[], &[]), None);
+    }
+
+    #[test]
+    fn the_distance_of_a_part_is_that_of_its_nearest_point() {
+        let part = [(0.0, 0.0), (10.0, 5.0)];
+        for at in [(-2.0, 1.0), (3.0, 9.0), (9.0, 2.0), (12.0, 6.0), (5.0, 2.5), (4.0, -7.0)] {
+            let near = (0..=100_000).map(|k| {
+                let share = f64::from(k) / 1e5;
+                (10.0 * share - at.0).abs().max((5.0 * share - at.1).abs())
+            });
+            let nearest = near.fold(f64::INFINITY, f64::min);
+            assert!((distance(&part, at) - nearest).abs() < 1e-3, "{at:?}");
+        }
+        assert_eq!(distance(&[(1.0, 1.0), (1.0, 1.0)], (4.0, 2.0)), 3.0);
     }
 
     #[test]
