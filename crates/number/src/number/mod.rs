@@ -6,7 +6,6 @@
 //! | [`DoubleDouble`] | the sum of two doubles, each operation with a proved bound of its error | [`Field`] |
 //! | [`TripleWord`] | floating point of three machine words | [`Field`] |
 //! | [`FloatBall`]: [`DoubleBall`], [`DoubleDoubleBall`], [`TripleWordBall`] | one of these and a radius: quick enclosures | [`Field`], [`Real`], [`Enclosure`] |
-//! | [`ShortBall`] | fixed point of a few words on the stack, with a radius | [`Field`] |
 //! | [`rug::Float`] | MPFR, round to nearest: candidates | [`Field`], [`Real`] |
 //! | [`Ball`] | MPFR midpoint and radius: enclosures | [`Field`], [`Real`], [`Enclosure`] |
 //! | [`Complex`], [`ComplexBall`] | a pair: the closed forms with complex roots | [`Field`] |

@@ -1,11 +1,11 @@
 //! Exactly one root in a box as large as the proof carries.
 
 use super::Undecided;
+use super::ladder::Unique;
 use super::operator::{Equations, Operator, Scales, inverse_jacobian, largest_boxes};
 use super::posed::Posed;
 use super::root::root_near;
-use super::short::Approach;
-use crate::arch::SelfWeight;
+use crate::arch::{Configuration, SelfWeight};
 use crate::number::{Ball, DoubleBall, Magnitude};
 use crate::problem::{Landmark, Problem, System};
 use crate::solve::Candidate;
@@ -23,7 +23,15 @@ pub struct Isolated {
     system: System,
     domain: Vec<Ball>,
     image: Vec<Ball>,
-    approach: OnceLock<Option<Approach>>,
+    /// The root in few bits and in some more, each found when first asked for.
+    pub(super) known: [OnceLock<Option<Beginning>>; 2],
+}
+
+/// A root in some bits, proved to be the isolated one: enough for few digits, and what the ladder begins with.
+#[derive(Clone, Debug)]
+pub(super) struct Beginning {
+    pub at: Configuration<Ball>,
+    pub unique: Unique,
 }
 
 impl Isolated {
@@ -42,15 +50,9 @@ impl Isolated {
         &self.image
     }
 
-    /// Quick way to some hundred bits, if there is one; found out when first asked for.
-    pub(super) fn approach(&self) -> Option<&Approach> {
-        self.approach.get_or_init(|| Approach::new(&self.system, &self.domain)).as_ref()
-    }
-
-    /// Root as if there were no quick way.
-    #[cfg(test)]
-    pub(super) fn without_approach(self) -> Self {
-        Self { approach: OnceLock::from(None), ..self }
+    /// The middle of what is known.
+    pub(super) fn middle(&self) -> Vec<Float> {
+        self.image.iter().map(|x| x.mid().clone()).collect()
     }
 
     /// The radii of the box relative to its centre, rounded down: the proof covers as much.
@@ -120,7 +122,7 @@ fn isolated_where(
         .into_iter()
         .map(|(radii, image)| {
             let system = problem.system();
-            Isolated { system, domain: operator.domain(&radii), image, approach: OnceLock::new() }
+            Isolated { system, domain: operator.domain(&radii), image, known: Default::default() }
         })
         .max_by(|a, b| a.size().total_cmp(&b.size()))
         .ok_or_else(Undecided::not_alone)

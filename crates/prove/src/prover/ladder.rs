@@ -38,11 +38,6 @@ use std::iter;
 const SPAN: u32 = 3;
 /// Bits in which a root is proved to be the only one, as a rule.
 pub(super) const FEW: u32 = 400;
-/// Bits of the root that cost next to nothing where there is a quick way, and those of a result to which a few steps
-/// with one Jacobian lead from there.
-const EASY: u32 = 928;
-const MODERATE: u32 = 2 * EASY;
-const FAR: u32 = 4 * EASY;
 /// The places move once the root is known to this part of the bits, and again at this many times as many.
 const NEAR: u32 = 12;
 const NEARER: u32 = 4;
@@ -53,13 +48,12 @@ pub(super) const GUARD: u32 = 32;
 const BENT: u32 = 24;
 
 /// A box in which a root is the only one, and what is known of it.
+#[derive(Clone, Debug)]
 pub(super) struct Unique {
     pub domain: Vec<Ball>,
     /// The root to some bits, beside the sizes `2^e` of its unknowns.
     pub centre: Vec<Float>,
     pub bits: u32,
-    /// The bits that may have been asked for: where fewer are, fewer are needed.
-    pub most: u32,
     pub sizes: Vec<i64>,
     /// Bits that a step gains less than the ones that are known: by which the sizes are above the unknowns, and more.
     pub lost: u32,
@@ -76,7 +70,7 @@ impl Unique {
         let lost = u32::try_from(lost).ok().filter(|lost| *lost <= bits / 8)? + BENT;
         let centre = image.iter().map(|x| x.mid().clone()).collect();
         let sizes = image.iter().map(size).collect();
-        Some(Self { domain, centre, bits, most: bits, sizes, lost })
+        Some(Self { domain, centre, bits, sizes, lost })
     }
 
     /// Bits of a step beyond its share.
@@ -110,44 +104,27 @@ fn place_bits(bits: u32) -> u32 {
 struct Way {
     /// The bits of the places.
     near: u32,
-    /// The bits of the root at the beginning, and with the last Jacobian.
+    /// The bits of the root at the beginning.
     start: u32,
-    goal: u32,
-    /// The bits of the last Jacobian, and the steps with it.
-    gain: u32,
+    /// The bits of the last Jacobian, the steps with it, and what each of them gains.
+    slopes: u32,
     steps: u32,
+    gain: u32,
 }
 
 impl Way {
-    /// The way to `bits` bits, if up to `most` are known at the beginning.
-    fn new(bits: u32, most: u32, guard: u32) -> Self {
+    /// The way to `bits` bits, if `known` are known at the beginning.
+    fn new(bits: u32, known: u32, guard: u32) -> Self {
         let near = place_bits(bits);
         let bits = bits + GUARD;
-        let last = bits / (SPAN + 1) + guard;
-        let is_quick = most >= EASY;
-        let (goal, gain, steps) = match bits {
-            MODERATE..FAR if is_quick => {
-                let steps = (bits - EASY).div_ceil(EASY);
-                (EASY, (bits - EASY) / steps + guard, steps)
-            }
-            // One step more where the first bits are enough for it.
-            _ if is_quick && last <= most => (last, last, SPAN),
-            _ => (bits / SPAN + guard, bits / SPAN + guard, SPAN - 1),
-        };
-        let mut start = if is_quick { goal } else { goal.min(most) };
-        // A long one is cheaper from a third of the bits.
-        while start > most {
-            start = start / SPAN + GUARD;
+        // With one Jacobian where few steps lead there from what is known, else from a third of the bits.
+        let steps = bits.saturating_sub(known).div_ceil(known.saturating_sub(guard).max(1));
+        if (1..=SPAN).contains(&steps) {
+            let gain = (bits - known) / steps + guard;
+            return Self { near, start: known, slopes: known.min(gain + guard), steps, gain };
         }
-        Self { near, start: near.max(start), goal, gain, steps }
-    }
-}
-
-/// The bits of the root with which the lowest level begins that leads to `bits`, if any up to `most` may be known.
-pub(super) fn first_bits(bits: u32, most: u32) -> u32 {
-    match Way::new(bits, most, GUARD).start {
-        few if few <= most => few,
-        more => first_bits(more, most),
+        let gain = bits / SPAN + guard;
+        Self { near, start: near.max(gain.min(known)), slopes: gain, steps: SPAN - 1, gain }
     }
 }
 
@@ -181,7 +158,7 @@ impl<F: Form<Ball>> Ladder<'_, F> {
 
     /// Everything but the last step: the centre is known to all bits but those of one step.
     fn level(&self, bits: u32, tick: &(dyn Fn() + Sync)) -> Result<Level<'_, F>, Undecided> {
-        let way = Way::new(bits, self.unique.most, self.unique.guard());
+        let way = Way::new(bits, self.unique.bits, self.unique.guard());
         let (bits, mut step) = (bits + GUARD, way.start);
         tally::working_bits(bits);
         let centre = self.approximate(step)?;
@@ -199,7 +176,7 @@ impl<F: Form<Ball>> Ladder<'_, F> {
         };
         draw_near(step, &sines);
         let mut parts = (centre, sines);
-        for goal in climb(step, way.goal) {
+        for goal in climb(step, way.slopes) {
             let mut level = Level::at(self, parts, step, bits)?;
             while step < goal {
                 step = goal.min(step + level.step - GUARD / 4 - self.unique.lost);
@@ -208,7 +185,7 @@ impl<F: Form<Ball>> Ladder<'_, F> {
             parts = (level.centre, level.sines);
             draw_near(goal, &parts.1);
         }
-        let mut level = Level::at(self, parts, way.gain, bits)?;
+        let mut level = Level::at(self, parts, way.slopes, bits)?;
         for part in 1..way.steps {
             level.advance(step + part * way.gain);
         }

@@ -6,7 +6,7 @@
 //! | `operator` | one root of equations in a box, in balls of MPFR |
 //! | `root` | one root next to a start value, in as many bits as are asked for |
 //! | `ladder`, `sines` | the way from few bits to many, on which each sine is computed once |
-//! | `in_doubles`, `short` | the same in doubles, and in a few words |
+//! | `in_doubles` | the same in doubles |
 //! | `posed`, `isolate`, `refine` | the printed equations of a system, their root alone in a box, and its digits |
 //! | `zero` | a zero of a polynomial, and its digits |
 //! | `linear`, `vector` | linear equations; forces and the lines of conditions on them |
@@ -34,7 +34,6 @@ pub(crate) mod raise;
 pub(crate) mod refine;
 pub(crate) mod refused;
 pub mod root;
-pub(crate) mod short;
 pub mod sines;
 pub(crate) mod ties;
 pub(crate) mod undecided;

@@ -1,18 +1,20 @@
 //! An isolated root refined to a box of any number of digits.
 
-use super::ladder::{GUARD, Ladder, Rooted, Unique, first_bits};
+use super::isolate::Beginning;
+use super::ladder::{FEW, GUARD, Ladder, Rooted, Unique};
 use super::posed::Posed;
 use super::root::box_near;
-use super::{Isolated, Undecided, short};
+use super::{Isolated, Undecided};
 use crate::arch::{Configuration, Unknown};
 use crate::check::krawczyk;
 use crate::number::{Ball, arctangent};
 use crate::problem::{Fixed, System, tally};
-use rug::Float;
 use std::sync::OnceLock;
 
 /// A result has at least so many bits.
 const FLOOR: u32 = 256;
+/// Bits that are kept of a root once more than few are asked for: those of 600 digits.
+const MORE: u32 = 2080;
 
 /// The root of a system in a box of many digits.
 #[derive(Clone, Debug)]
@@ -62,46 +64,45 @@ pub fn refine_watched(
     let system = *isolated.system();
     let bits = bits.max(FLOOR);
     tally::working_bits(bits + GUARD);
-    if bits <= short::MOST
-        && let Some(way) = isolated.approach()
-        && let Some(at) = way.enclose(bits)
-    {
-        (0..stages(&system)).for_each(|_| tick());
-        let known = if bits > short::FIRST { way.friction_angle(&at) } else { None };
-        let friction_angle = known.map_or_else(OnceLock::new, |angle| OnceLock::from(Some(angle)));
-        return Ok(Refined { friction_angle, ..Refined::new(system, at) });
-    }
-    let at = by_ladder(isolated, bits, tick).or_else(|_| plainly(isolated, bits))?;
+    let at = from_known(isolated, bits, tick).or_else(|_| plainly(isolated, bits))?;
     tick();
     Ok(Refined::new(system, at))
 }
 
-/// The root by the ladder, from as many bits as the quick way gives.
+/// The root from what is known of it: few bits, more of them, or by the ladder from these.
+fn from_known(
+    isolated: &Isolated,
+    bits: u32,
+    tick: &(dyn Fn() + Sync),
+) -> Result<Configuration<Ball>, Undecided> {
+    let [few, more] = &isolated.known;
+    let begin = |at: Configuration<Ball>, bits| {
+        let image = isolated.system().values(&at);
+        Unique::new(isolated.domain().to_vec(), &image, bits).map(|unique| Beginning { at, unique })
+    };
+    let few = few.get_or_init(|| begin(plainly(isolated, FEW - GUARD).ok()?, FEW));
+    let few = few.as_ref().ok_or_else(Undecided::not_alone)?;
+    if bits + GUARD <= FEW {
+        return Ok(few.at.clone());
+    }
+    let climb = || begin(by_ladder(isolated, &few.unique, MORE - GUARD, &|| ()).ok()?, MORE);
+    let more = more.get_or_init(climb).as_ref().ok_or_else(Undecided::not_alone)?;
+    match bits + GUARD <= MORE {
+        true => Ok(more.at.clone()),
+        false => by_ladder(isolated, &more.unique, bits, tick),
+    }
+}
+
 fn by_ladder(
     isolated: &Isolated,
+    unique: &Unique,
     bits: u32,
     tick: &(dyn Fn() + Sync),
 ) -> Result<Configuration<Ball>, Undecided> {
     let system = isolated.system();
     let given = Configuration::zero(&Ball::integer(0, bits + GUARD));
     let form = Posed { system, given: &given };
-    let first = first_bits(bits, short::MOST);
-    let centre: Vec<Float> = match isolated.approach().and_then(|way| way.enclose(first)) {
-        Some(at) => system.values(&at).iter().map(|x| x.mid().clone()).collect(),
-        None => box_near(&form, first, &start(isolated), false)?[1]
-            .iter()
-            .map(|x| x.mid().clone())
-            .collect(),
-    };
-    let unique = Unique {
-        domain: isolated.domain().to_vec(),
-        sizes: vec![0; centre.len()],
-        centre,
-        bits: first,
-        most: short::MOST,
-        lost: 0,
-    };
-    let Rooted { values, sines } = Ladder { form: &form, unique: &unique, tick }.refined(bits)?;
+    let Rooted { values, sines } = Ladder { form: &form, unique, tick }.refined(bits)?;
     Ok(system.place_with(given.clone(), &values, |_, rad| sines.angle(rad)))
 }
 
@@ -110,16 +111,11 @@ fn plainly(isolated: &Isolated, bits: u32) -> Result<Configuration<Ball>, Undeci
     let system = isolated.system();
     let given = Configuration::zero(&Ball::integer(0, bits + GUARD));
     let [domain, image] =
-        box_near(&Posed { system, given: &given }, bits + GUARD, &start(isolated), false)?;
+        box_near(&Posed { system, given: &given }, bits + GUARD, &isolated.middle(), false)?;
     match krawczyk::is_contracted(&domain, isolated.domain()) {
         true => Ok(system.place(given, &image)),
         false => Err(Undecided::astray()),
     }
-}
-
-/// Start values in the middle of what is known.
-fn start(isolated: &Isolated) -> Vec<Float> {
-    isolated.image().iter().map(|x| x.mid().clone()).collect()
 }
 
 /// Number of times that [`refine_watched`] reports progress: once for each angle and once at the end.

@@ -50,16 +50,6 @@ impl Magnitude {
         Self::from_float(x, false)
     }
 
-    /// A double that is not negative, rounded up; infinite for an infinity or NaN.
-    pub(super) fn upper_double(x: f64) -> Self {
-        let mantissa = x.to_bits() & ((1 << 52) - 1);
-        match (x.to_bits() >> 52 & 0x7ff) as i64 {
-            0 => Self::round(mantissa, -1074, true),
-            exponent if x.is_finite() => Self::round(mantissa | 1 << 52, exponent - 1075, true),
-            _ => Self::INFINITE,
-        }
-    }
-
     fn from_float(x: &Float, up: bool) -> Self {
         if x.is_zero() || (!up && x.is_nan()) {
             return Self::ZERO;
@@ -317,8 +307,6 @@ mod tests {
             let to = |round| Float::with_val_round(32, &value, round).0.to_rational().unwrap();
             prop_assert_eq!(Magnitude::upper(&signed).to_float().to_rational().unwrap(), to(Round::Up));
             prop_assert_eq!(Magnitude::lower(&signed).to_float().to_rational().unwrap(), to(Round::Down));
-            let double = Float::with_val(53, &signed).abs();
-            prop_assert_eq!(Magnitude::upper_double(double.to_f64()), Magnitude::upper(&Float::with_val(53, double.to_f64())));
         }
     }
 

@@ -53,14 +53,3 @@ fn the_ladder_and_plain_newton_overlap() {
         }
     }
 }
-
-/// Without the steps on the stack the first bits are those of another proof.
-#[test]
-fn the_ladder_stands_without_its_quick_start() {
-    let quick = isolated(Landmark::Triple, SelfWeight::Milankovitch);
-    let slow = quick.clone().without_approach();
-    for bits in [300, 2500] {
-        overlap(&quick, &refine(&slow, bits).unwrap(), &refine(&quick, bits).unwrap());
-        by_ladder(&slow, bits, &|| ()).unwrap();
-    }
-}

@@ -45,7 +45,7 @@ pub fn arctangent(x: &Ball) -> Ball {
 /// (…))` with `q(k) = (2k-1)/(2k+1)`. The innermost factor is replaced by the interval `[0, 1]`, in which the rest
 /// of an alternating series with falling terms lies. A term of relative size `2^-k` is computed with `k` bits
 /// fewer.
-pub fn arctangent_from(a: &Angle<Ball>, x: &Ball) -> Ball {
+fn arctangent_from(a: &Angle<Ball>, x: &Ball) -> Ball {
     let prec = x.prec();
     let rise = (x.clone() * &a.cos - &a.sin).trimmed();
     let Some(exponent) = exponent(&rise) else { return Ball::whole(prec) };

@@ -17,7 +17,7 @@ mod splitting;
 mod turn;
 
 pub use anchor::SineAnchor;
-pub use arctangent::{arctangent, arctangent_from};
+pub use arctangent::arctangent;
 
 pub(super) use arctangents::known_pi;
 
