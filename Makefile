@@ -2,13 +2,15 @@
 # every test.
 
 .DEFAULT_GOAL := run
-.PHONY: run build check test lint docs msrv deny packages semver dist dist-equal dist-try snapshots pictures constants states \
+.PHONY: run build check test slow lint docs msrv deny packages semver dist dist-equal dist-try snapshots pictures constants states \
         checker combinations house examples exporters c library install uninstall header wheel notebooks page page-test \
         reference metadata bench limits peers proofs witness arb verified verified-test m4 coq ocaml trial aarch64
 
-# Everything at once. Not `--all-features`: `system-gmp` takes GMP and MPFR from the system, which may have
-# them too old.
-ALL := --features study,proptest
+# Everything at once, chosen in the same words by every command, so that nothing is compiled twice. Not `--all-features`:
+# `system-gmp` takes GMP and MPFR from the system, which may have them too old.
+ALL := --workspace --features study,proptest
+# What else is built with the command, of the same crates: `--package couplet-c --package couplet-python`.
+TOGETHER :=
 
 # No path of this machine stands in a program that is handed on.
 release library: export RUSTFLAGS := --remap-path-prefix=$(CURDIR)=/couplet --remap-path-prefix=$(or $(CARGO_HOME),$(HOME)/.cargo)=/cargo
@@ -41,7 +43,7 @@ build: m4
 	@$(MAKE) --no-print-directory release
 
 release:
-	cargo build --release --locked
+	cargo build --release --locked $(if $(TOGETHER),--package couplet $(TOGETHER))
 
 # The program that was built, by what is stored: its certificates, its constants and states, the examples of the pages.
 check: build
@@ -56,6 +58,11 @@ test: m4
 
 SKIPPED := $(CURDIR)/target/skipped
 
+# The thirty slowest tests, with their seconds.
+slow: m4
+	cargo --config 'target."cfg(all())".runner = ["env", "RUSTC_BOOTSTRAP=1"]' test --locked $(ALL) --tests -- \
+	  -Z unstable-options --report-time | sed -n 's/^test \(.*\) \.\.\. ok <\(.*\)s>$$/\2 \1/p' | sort -rn | head -n 30
+
 # The whole outputs in tests/it/snapshots and the picture of the rooms, written anew; `git diff` shows what
 # has changed.
 snapshots: m4
@@ -67,15 +74,15 @@ pictures: build
 	cd docs/pictures && ../../target/release/couplet draw --half-opening 80deg --friction 0.35 -o arch.svg
 
 lint: m4
-	cargo fmt --check
+	cargo fmt --all --check
 	cargo clippy --all-targets $(ALL) --locked -- -D warnings
 
 docs: m4
 	RUSTDOCFLAGS="-D warnings" cargo doc --no-deps $(ALL) --locked
 
 # Whether the Rust version that Cargo.toml states is enough.
-msrv: m4
-	@.ci/msrv $(ALL)
+msrv:
+	@.ci/msrv
 
 # Whether every crate has a licence of deny.toml's list and comes from the registry.
 deny:
@@ -150,9 +157,8 @@ house: m4
 
 # The programs of examples/; each ends with what it asserts.
 examples: m4
-	for name in constant state identity own_solver; do \
-	  cargo run --locked --quiet $(ALL) --example $$name || exit 1; \
-	done
+	cargo build --locked --quiet $(ALL) --examples
+	for name in constant state identity own_solver; do target/debug/examples/$$name || exit 1; done
 
 # The exported constants read back bit for bit by every language they are written for. `make test` does so
 # with those it finds; here the others are installed (but for Julia, which has no package), and Parquet too.
@@ -165,11 +171,9 @@ exporters: m4
 # that is there; what the command says is what they have to say.
 c: build library
 	$(call need,command -v gcc && command -v g++,g++,the tests of the library for C need a compiler)
-	cargo fmt --package couplet-c --check
-	cargo clippy --locked --package couplet-c --all-targets -- -D warnings
 	@mkdir -p target && : > $(SKIPPED)
 	COUPLET_C=$(CURDIR)/$(C) COUPLET=$(CURDIR)/$(COMMAND) COUPLET_SKIPPED=$(SKIPPED) \
-	  cargo test --locked --package couplet-c
+	  cargo test --locked $(ALL),made --test c
 	@sort -u $(SKIPPED)
 
 library: m4
@@ -197,7 +201,7 @@ uninstall:
 
 # The header of that library, made anew of its source.
 header:
-	UPDATE_SNAPSHOTS=1 cargo test --locked --package couplet-c --test it header::the_header
+	UPDATE_SNAPSHOTS=1 cargo test --locked $(ALL),made --test c header::the_header
 
 # The Python package, built for every Linux with a glibc from 2.17 on and tested in fresh virtual environments.
 wheel: m4
@@ -218,9 +222,6 @@ page: build
 
 # What it shows is what the command prints, in Chromium where it is installed.
 page-test: page
-	cargo fmt --package couplet-page --check
-	cargo clippy --locked --package couplet-page --all-targets -- -D warnings
-	cargo test --locked --package couplet-page
 	page/test.py target/page/index.html target/release/couplet
 
 # The citable bundle of certificates, with scripts that replay it: target/reference.

@@ -26,7 +26,14 @@ if [ -n "$glibc" ]; then
 fi
 # Fills in a file of c/package.
 packaged() { sed "s/@VERSION@/$version/; s/@NUMBER@/$number/" "c/package/$1" >"$folder/lib/$2/$1"; }
-build() { "$cargo" rustc --locked --profile "$profile" --package couplet-c ${glibc:+--target "$target.$glibc"} "$@"; }
+# With TOGETHER it is built of the crates that the command was built of (Makefile), whatever else it then knows.
+build() {
+    if [ -n "${TOGETHER:-}" ]; then
+        cargo build --locked --profile "$profile" --package couplet $TOGETHER
+    else
+        "$cargo" rustc --locked --profile "$profile" --package couplet-c ${glibc:+--target "$target.$glibc"} "$@"
+    fi
+}
 
 rm -rf "$folder"
 mkdir -p "$folder/include" "$folder/lib/pkgconfig"
