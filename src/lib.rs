@@ -60,8 +60,8 @@ pub use rug;
 
 pub use certify::{Error, Refused, Undecided};
 
-pub use couplet_ask::ask;
-pub use couplet_atlas::atlas;
+pub use couplet_ask as ask;
+pub use couplet_atlas as atlas;
 pub use couplet_check::{arch, check, problem};
 #[cfg(feature = "formats")]
 pub use couplet_claims::claims;
@@ -70,15 +70,15 @@ pub use couplet_claims::claims;
 pub use couplet_claims::study;
 #[doc(hidden)]
 pub use couplet_draw::{picture, sketch};
-pub use couplet_lanes::lanes;
+pub use couplet_lanes as lanes;
 pub use couplet_number::{number, symbolic};
 #[doc(hidden)]
 pub use couplet_prove::prover;
 pub use couplet_prove::{certify, judge, prelude, strategies};
 #[cfg(feature = "formats")]
-pub use couplet_report::report;
+pub use couplet_report as report;
 #[doc(hidden)]
-pub use couplet_solve::solve;
+pub use couplet_solve as solve;
 #[cfg(feature = "formats")]
 #[doc(hidden)]
 pub use couplet_sweep::{self as sweep, scene};

@@ -5,8 +5,8 @@ pub mod claims;
 #[cfg(feature = "study")]
 pub mod study;
 
-use couplet_atlas::atlas;
+use couplet_atlas as atlas;
 use couplet_check::{arch, check, problem};
 use couplet_number::{number, symbolic};
 use couplet_prove::{certify, judge, prover};
-use couplet_solve::solve;
+use couplet_solve as solve;

@@ -10,9 +10,9 @@ pub mod prover;
 pub mod strategies;
 
 use couplet_check::{arch, check, problem};
-use couplet_lanes::lanes;
+use couplet_lanes as lanes;
 use couplet_number::{number, symbolic};
-use couplet_solve::solve;
+use couplet_solve as solve;
 
 /// Names that most programs need: `use couplet_prove::prelude::*`.
 ///

@@ -13,12 +13,12 @@ pub mod surveyed;
 pub mod sweep;
 pub mod unfinished;
 
-use couplet_ask::ask;
-use couplet_atlas::atlas;
+use couplet_ask as ask;
+use couplet_atlas as atlas;
 use couplet_check::{arch, check, problem};
 use couplet_claims::claims;
 use couplet_draw::picture;
 use couplet_number::number;
 use couplet_prove::{certify, judge};
-use couplet_report::report;
-use couplet_solve::solve;
+use couplet_report as report;
+use couplet_solve as solve;
