@@ -64,10 +64,7 @@ pub use couplet_ask as ask;
 pub use couplet_atlas as atlas;
 pub use couplet_check::{arch, check, problem};
 #[cfg(feature = "formats")]
-pub use couplet_claims::claims;
-#[cfg(feature = "study")]
-#[doc(hidden)]
-pub use couplet_claims::study;
+pub use couplet_claims as claims;
 #[doc(hidden)]
 pub use couplet_draw::{picture, sketch};
 pub use couplet_lanes as lanes;
@@ -79,6 +76,9 @@ pub use couplet_prove::{certify, judge, prelude, strategies};
 pub use couplet_report as report;
 #[doc(hidden)]
 pub use couplet_solve as solve;
+#[cfg(feature = "study")]
+#[doc(hidden)]
+pub use couplet_study as study;
 #[cfg(feature = "formats")]
 #[doc(hidden)]
 pub use couplet_sweep::{self as sweep, scene};

@@ -30,7 +30,7 @@ def files(pattern):
 
 
 def claims(program):
-    provers = files("crates/claims/src/claims/*.rs")
+    provers = files("crates/claims/src/*.rs")
     said = program.json("prove", "--show")["claims"]
     for claim in said:
         steps = {support: [step["words"].split(": ")[0] for step in claim["derivation"] if step["support"] == support]

@@ -125,7 +125,7 @@ pub use voussoirs::{GivenThickness, VoussoirArch, VoussoirArches};
 use couplet_ask as ask;
 use couplet_atlas as atlas;
 use couplet_check::{arch, problem};
-use couplet_claims::claims;
+use couplet_claims as claims;
 use couplet_draw::{picture, sketch};
 use couplet_number::number;
 use couplet_prove::{certify, judge, strategies};

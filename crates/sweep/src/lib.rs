@@ -16,7 +16,7 @@ pub mod unfinished;
 use couplet_ask as ask;
 use couplet_atlas as atlas;
 use couplet_check::{arch, check, problem};
-use couplet_claims::claims;
+use couplet_claims as claims;
 use couplet_draw::picture;
 use couplet_number::number;
 use couplet_prove::{certify, judge};

@@ -3,9 +3,9 @@
 
 use crate::picture::Print;
 use crate::{Content, Format, reported};
-use couplet_claims::study::row::Measurement;
-use couplet_claims::study::stability::Rung;
-use couplet_claims::study::{accuracy_figures, figure::Figure, stability_figure};
+use couplet_study::row::Measurement;
+use couplet_study::stability::Rung;
+use couplet_study::{accuracy_figures, figure::Figure, stability_figure};
 use serde::Serialize;
 use std::io;
 use std::process::Command;

@@ -1,9 +1,9 @@
 //! The studies for a person at a terminal.
 
 use crate::words::distinct;
-use couplet_claims::study::limits::LIMITS;
-use couplet_claims::study::row::{Measurement, quartiles};
-use couplet_claims::study::stability::Rung;
+use couplet_study::limits::LIMITS;
+use couplet_study::row::{Measurement, quartiles};
+use couplet_study::stability::Rung;
 use std::io;
 
 /// Writes one line for each method at each precision: the quartiles of the times and the worst of the rest

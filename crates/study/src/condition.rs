@@ -28,7 +28,7 @@ pub fn condition(problem: &Task, root: &[Float], index: usize) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::newton::newton;
+    use crate::newton::newton;
     use rug::Rational;
 
     #[test]

@@ -82,13 +82,13 @@ pub struct Decision {
 /// where others use it, and its statement.
 macro_rules! claims {
     (@ $kind:ident $id:literal, $place:literal, $decide:expr, $says:literal) => {
-        $crate::claims::claim::row($id, $place, $crate::claims::claim::Decide::$kind($decide), $says)
+        $crate::claim::row($id, $place, $crate::claim::Decide::$kind($decide), $says)
     };
     ($($kind:ident($id:literal, $place:literal, $decide:expr) $(as $name:ident)?: $says:literal;)+) => {
-        pub(super) const CLAIMS: &[$crate::claims::Claim] =
+        pub(super) const CLAIMS: &[$crate::Claim] =
             &[$(claims!(@ $kind $id, $place, $decide, $says)),+];
         $($(
-            pub(super) const $name: $crate::claims::Claim =
+            pub(super) const $name: $crate::Claim =
                 claims!(@ $kind $id, $place, $decide, $says);
         )?)+
     };

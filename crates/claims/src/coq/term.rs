@@ -14,7 +14,7 @@ use std::rc::Rc;
 ///
 /// ```
 /// use couplet_check::arch::{Ring, SelfWeight};
-/// use couplet_claims::claims::coq::Term;
+/// use couplet_claims::coq::Term;
 /// let ring = Ring::new(SelfWeight::Milankovitch, &Term::variable("eta"));
 /// assert_eq!(ring.centroid_factor.to_string(), "1 + 1/12 * eta ^ 2");
 /// ```

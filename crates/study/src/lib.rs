@@ -14,6 +14,7 @@
 //! | `accuracy_figures`, `stability_figure` | what was measured, as figures |
 //!
 //! Every error is the distance to a certified enclosure, never to another float.
+#![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
 pub mod accuracy;
 pub mod accuracy_figures;
@@ -33,3 +34,8 @@ mod task;
 
 pub use couplet_draw::picture::figure;
 pub use task::Task;
+
+use couplet_check::{arch, problem};
+use couplet_number::number;
+use couplet_prove::{certify, prover};
+use couplet_solve as solve;

@@ -156,7 +156,7 @@ pub const QUICK: [u32; 5] = [1, 3, 8, 20, 60];
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::limits::LIMITS;
+    use crate::limits::LIMITS;
 
     /// The certified path proves every rung, and its error is what it claims.
     #[test]

@@ -319,7 +319,7 @@ fn hull(interval: &AstroInterval, bits: u32) -> Option<Ball> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::cases::cases;
+    use crate::cases::cases;
 
     /// A claimed bound is never below the true error, on every row of every case.
     #[test]
