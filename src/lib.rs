@@ -67,11 +67,12 @@ pub use couplet_check::{arch, check, problem};
 pub use couplet_claims as claims;
 #[doc(hidden)]
 pub use couplet_draw::{picture, sketch};
+pub use couplet_judge::{judge, strategies};
 pub use couplet_lanes as lanes;
 pub use couplet_number::{number, symbolic};
+pub use couplet_prove::prelude;
 #[doc(hidden)]
 pub use couplet_prove::prover;
-pub use couplet_prove::{certify, judge, prelude, strategies};
 #[cfg(feature = "formats")]
 pub use couplet_report as report;
 #[doc(hidden)]
@@ -82,6 +83,14 @@ pub use couplet_study as study;
 #[cfg(feature = "formats")]
 #[doc(hidden)]
 pub use couplet_sweep::{self as sweep, scene};
+
+/// Proofs: of landmarks and states, of arches of stones, and of all arches between measured ends.
+pub mod certify {
+    pub use couplet_prove::certify::*;
+    pub use couplet_stones::*;
+    pub use couplet_survey as survey;
+    pub use couplet_survey::certify_survey;
+}
 
 #[cfg(feature = "cli")]
 #[doc(hidden)]

@@ -108,8 +108,9 @@ use derivation::Checked;
 
 use couplet_atlas as atlas;
 use couplet_check::{arch, check, problem};
+use couplet_judge::judge;
 use couplet_number::{number, symbolic};
-use couplet_prove::{certify, judge, prover};
+use couplet_prove::{certify, prover};
 use couplet_solve as solve;
 
 /// The claims of these files.

@@ -9,8 +9,9 @@ use super::tabular::Tabular;
 use super::understood::Understood;
 use super::words::{kind, padded};
 use crate::certify::state::{Answer, Digits, Figure};
-use crate::certify::{AsymmetricDigits, AsymmetricJoint, Enumeration, Undecided};
+use crate::certify::{AsymmetricDigits, AsymmetricJoint, Undecided};
 use crate::problem::{Arch, Extent};
+use couplet_stones::Enumeration;
 
 /// An arch with the solutions that are found.
 #[derive(Debug)]

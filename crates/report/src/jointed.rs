@@ -3,8 +3,9 @@
 use super::record::Record;
 use super::words::padded;
 use crate::arch::whole::Side;
-use crate::certify::{Enumeration, JointedMotion, JointedSolution, Standing, Undecided};
+use crate::certify::Undecided;
 use crate::problem::Extent;
+use couplet_stones::{Enumeration, JointedMotion, JointedSolution, Standing};
 use serde_json::Value as Json;
 
 /// Number of joints that have conditions.

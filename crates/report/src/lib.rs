@@ -127,5 +127,6 @@ use couplet_atlas as atlas;
 use couplet_check::{arch, problem};
 use couplet_claims as claims;
 use couplet_draw::{picture, sketch};
+use couplet_judge::{judge, strategies};
 use couplet_number::number;
-use couplet_prove::{certify, judge, strategies};
+use couplet_prove::certify;

@@ -2,10 +2,11 @@
 
 use super::jointed;
 use super::record::Record;
+use crate::certify::Undecided;
 use crate::certify::state::Figure;
-use crate::certify::{Programme, Undecided};
 use crate::number::{Ball, Rounded};
 use crate::problem::Extent;
+use couplet_stones::Programme;
 use rug::Float;
 
 /// The programme (20) of an arch of equal stones at a thickness.

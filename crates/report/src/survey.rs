@@ -9,10 +9,8 @@ use super::words::{aligned, distinct, labels, list};
 use crate::arch::SelfWeight;
 use crate::ask::SurveyGiven;
 use crate::certify::Undecided;
-use crate::certify::survey::{
-    EndValue, ModesFound, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch,
-};
 use crate::problem::{Mode, Quantity, Sought};
+use couplet_survey::{EndValue, ModesFound, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch};
 
 /// Schema of the answer.
 pub(super) const SCHEMA: &str = "couplet.survey/1";

@@ -8,10 +8,10 @@ use super::sketched::{Legend, LegendSample};
 use super::survey::{MEANING, SurveyedArches};
 use super::words;
 use crate::atlas::BandedArch;
-use crate::certify::survey::QuantityRange;
 use crate::picture::color::INK;
 use crate::picture::{Anchor, Color, Path, Point, Print, Stroke, Svg, Type, text};
 use crate::sketch::{PageScale, across, look};
+use couplet_survey::QuantityRange;
 use std::f64::consts::FRAC_PI_2;
 use std::io;
 

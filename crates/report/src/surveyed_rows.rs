@@ -12,10 +12,10 @@ use super::survey::{SCHEMA, SurveyedArches};
 use super::words::labels;
 use crate::arch::SelfWeight;
 use crate::ask::{Field, Range};
-use crate::certify::survey::{EndValue, ModesFound, RangeEnd, SurveyAnswer};
 use crate::number::BETWEEN;
 use crate::problem::survey::Shape;
 use crate::problem::{Mode, Quantity};
+use couplet_survey::{EndValue, ModesFound, RangeEnd, SurveyAnswer};
 use std::fmt::Display;
 use std::io;
 

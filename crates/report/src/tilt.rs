@@ -3,11 +3,12 @@
 use super::understood::Understood;
 use crate::arch::mechanism::Contact;
 use crate::arch::whole::Side;
+use crate::certify::Undecided;
 use crate::certify::state::Figure;
-use crate::certify::{LargestTilt, TiltDigits, TiltMechanism, TiltedJoint, Undecided};
 use crate::number::{Ball, Drawable, ExactNumber, degrees};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Slope};
+use couplet_stones::{LargestTilt, TiltDigits, TiltMechanism, TiltedJoint};
 
 /// Digits of an angle among words.
 const DIGITS: usize = 6;

@@ -6,11 +6,11 @@ use super::tilt::{Joint, TiltedArch};
 use super::words;
 use crate::arch::whole::{Side, carried};
 use crate::arch::{Ring, statics};
-use crate::certify::{LargestTilt, TiltMechanism};
 use crate::number::{Angle, Ball, Drawable, arctangent, degrees};
 use crate::picture::color::{GUIDE, INK, WHITE};
 use crate::picture::{Anchor, Path, Point, Stroke, Svg, Type, text};
 use crate::sketch::{Blocks, Linkage, PageScale, SketchedLine, WholeView, arrow, look};
+use couplet_stones::{LargestTilt, TiltMechanism};
 use std::io;
 
 const MARGIN: f64 = 20.0;

@@ -7,9 +7,9 @@ use super::tabular::Tabular;
 use super::tilt::{Joint, TiltedArch};
 use super::tilt_picture::picture;
 use super::words::division;
-use crate::certify::LargestTilt;
 use crate::number::Rounded;
 use crate::problem::asymmetric_region::MAY_MOVE;
+use couplet_stones::LargestTilt;
 use std::io;
 
 impl Reported for TiltedArch {

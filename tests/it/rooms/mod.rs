@@ -17,7 +17,7 @@ use std::fs;
 use std::path::Path;
 
 /// From the top: what a room may use stands before it.
-pub(crate) const ROOMS: [&str; 29] = [
+pub(crate) const ROOMS: [&str; 31] = [
     "number",
     "symbolic",
     "arch",
@@ -30,6 +30,8 @@ pub(crate) const ROOMS: [&str; 29] = [
     "lanes",
     "prover",
     "certify",
+    "stones",
+    "survey",
     "judge",
     "atlas",
     "strategies",

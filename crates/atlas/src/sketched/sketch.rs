@@ -9,14 +9,12 @@ use crate::arch::{Configuration, SelfWeight, Unknown};
 use crate::certify::state::{
     Fall, Figure, Outcome, assessment_enclosed, raised, sliding_configuration, state_enclosed,
 };
-use crate::certify::{
-    CertifiedLandmark, Error, Refused, Undecided, VoussoirStanding, Voussoirs, assess_voussoirs,
-    asymmetric_thicknesses, voussoirs,
-};
+use crate::certify::{CertifiedLandmark, Error, Refused, Undecided, asymmetric_thicknesses};
 use crate::number::{Ball, Drawable, Enclosure, ExactNumber, Rounded, Ternary};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Fixed, Landmark, Mode};
 use crate::sketch::{NoCollapse, joints_of};
+use couplet_stones::{VoussoirStanding, Voussoirs, assess_voussoirs, voussoirs};
 
 /// An arch to be drawn.
 #[derive(Clone, Debug)]

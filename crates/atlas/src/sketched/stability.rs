@@ -1,11 +1,10 @@
 //! Stability of an arch of a given thickness that is drawn, with a joint at every angle or between stones.
 
 use crate::certify::state::{Assessment, Fall, Figure, Limit};
-use crate::certify::{
-    Answered, Undecided, VoussoirAssessment, VoussoirLimit, VoussoirStanding, Voussoirs,
-};
+use crate::certify::{Answered, Undecided};
 use crate::number::Ball;
 use crate::problem::stones::Stones;
+use couplet_stones::{VoussoirAssessment, VoussoirLimit, VoussoirStanding, Voussoirs};
 
 /// Stability of an arch of a given thickness, all of it decided.
 #[derive(Clone, Debug)]

@@ -4,11 +4,11 @@ use super::stability::{ball, limited_by};
 use super::{Forces, Mark};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Configuration, Ring, Unknown};
-use crate::certify::{VoussoirDigits, VoussoirLimit};
 use crate::number::{Angle, Ball, Drawable};
 use crate::problem::Arch;
 use crate::problem::stones::{JointContact, Stones};
 use crate::prover::arithmetic::larger;
+use couplet_stones::{VoussoirDigits, VoussoirLimit};
 
 /// Bits of a configuration, and digits of what is proved: more than a picture needs.
 pub(super) const BITS: u32 = 256;

@@ -2,12 +2,12 @@
 
 use super::assembly::Assembled;
 use crate::arch::mechanism::Contact;
-use crate::certify::VoussoirLimit;
 use crate::csv;
 use crate::json::line;
 use crate::problem::stones::JointContact;
 use crate::record::Record;
 use crate::strategies::{Assembly, AssemblyProof, Block};
+use couplet_stones::VoussoirLimit;
 use std::io;
 
 /// The columns; the bounds of the threshold stand beside it.

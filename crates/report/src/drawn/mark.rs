@@ -5,7 +5,6 @@ use super::plane::PlaneAxis;
 use crate::arch::SelfWeight;
 use crate::atlas::Variable;
 use crate::certify::state::{Answer, Certify, Digits};
-use crate::certify::survey::{EndValue, ModesFound, RangeEnd, survey};
 use crate::certify::{Error, Undecided, asymmetric_thicknesses};
 use crate::number::{Ball, ExactNumber, arctangent};
 use crate::picture::color::{INK, WHITE};
@@ -14,6 +13,7 @@ use crate::picture::{Anchor, Frame, Path, Point, Stroke, Svg, Type};
 use crate::problem::survey::{Side, Survey};
 use crate::problem::{Arch, Friction, Mode, Quantity};
 use crate::words::may_move;
+use couplet_survey::{EndValue, ModesFound, RangeEnd, survey};
 
 /// An arch in a map, or all arches of a range.
 #[derive(Clone, Debug)]

@@ -1,10 +1,8 @@
 //! An arch of voussoirs and what is proved of it, as every format sees it.
 
 use crate::arch::SelfWeight;
+use crate::certify::Undecided;
 use crate::certify::state::Figure;
-use crate::certify::{
-    Undecided, VoussoirAssessment, VoussoirDigits, VoussoirLoss, VoussoirStanding, Voussoirs,
-};
 use crate::number::{Ball, ExactNumber, Rounded, degrees};
 use crate::problem::stones::{JointContact, Stones};
 use crate::problem::{Friction, Quantity};
@@ -12,6 +10,9 @@ use crate::record::Record;
 use crate::sketched::decided;
 use crate::understood::Understood;
 use crate::words::{self, DOUBLE_DIGITS};
+use couplet_stones::{
+    VoussoirAssessment, VoussoirDigits, VoussoirLoss, VoussoirStanding, Voussoirs,
+};
 
 /// Bits of an angle that is told.
 const BITS: u32 = 256;

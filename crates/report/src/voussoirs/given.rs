@@ -1,11 +1,12 @@
 //! Results at a given thickness: lines for a person, cells of a row, and an object.
 
 use super::arch::{GivenThickness, VoussoirArch, at_limit};
+use crate::certify::Undecided;
 use crate::certify::state::Figure;
-use crate::certify::{Undecided, VoussoirAssessment, VoussoirLimit, VoussoirStanding, Voussoirs};
 use crate::problem::asymmetric_region::STANDS;
 use crate::problem::stones::JointContact;
 use crate::record::Record;
+use couplet_stones::{VoussoirAssessment, VoussoirLimit, VoussoirStanding, Voussoirs};
 
 type RoundedGiven = Result<Option<Figure>, Undecided>;
 

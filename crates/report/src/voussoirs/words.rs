@@ -2,9 +2,9 @@
 
 use super::arch::{VoussoirArch, VoussoirArches, at_limit};
 use super::given;
-use crate::certify::{VoussoirDigits, Voussoirs};
 use crate::problem::asymmetric_region::STANDS;
 use crate::record::Record;
+use couplet_stones::{VoussoirDigits, Voussoirs};
 
 /// Lines on an arch.
 pub(super) fn say(all: &VoussoirArches, arch: &VoussoirArch, record: &mut Record) {
