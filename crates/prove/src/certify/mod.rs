@@ -3,6 +3,19 @@
 //! The operator that proves is in [`check::krawczyk`](crate::check::krawczyk).
 //! A proof either succeeds or says why nothing is known ([`Undecided`]); nothing in between. A question that makes no
 //! sense is [`Refused`] before; [`Error`] is either.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `landmark`, `enclosed` | a landmark with all its digits, and in enclosures of some bits |
+//! | `constant`, `closed_value` | one of its quantities; values that are exact |
+//! | `state` | the state of any arch, and an arch of a given thickness |
+//! | `batch` | many arches at once |
+//! | `equation` | equations of the paper at given values |
+//! | `asymmetric`, `asymmetric_thickness` | asymmetric solutions, and their thicknesses beside a verdict |
+//! | `certificate`, `verdict`, `asymmetric_certificate` | certificates of landmarks, of arches, of asymmetric solutions |
+//! | `fingerprint` | the hash of a certificate |
+//! | `serial` | proved values for serde |
+//! | `processor_time` | the clock of work |
 
 mod asymmetric;
 mod asymmetric_certificate;
