@@ -95,3 +95,6 @@ pub mod certify {
 #[cfg(feature = "cli")]
 #[doc(hidden)]
 pub mod cli;
+#[cfg(feature = "formats")]
+#[doc(hidden)]
+pub mod door;

@@ -1,11 +1,8 @@
 //! Many arches: tables of rows, scenes and sweeps; what the command, Python and C call.
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
-pub mod answer;
 pub mod failure;
-pub mod find;
 pub mod parse;
-pub mod pool;
 pub mod rows;
 pub mod scene;
 pub mod surveyed;

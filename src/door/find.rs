@@ -3,11 +3,11 @@
 use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling, SurveyGiven};
 use crate::certify::Refused;
 use crate::certify::state::find::{Given, Question};
-use crate::failure::Failure;
-use crate::parse;
 use crate::problem::{Friction, Line, NoLine, Sought};
 use crate::report::Understood;
 use crate::report::words::list;
+use crate::sweep::failure::Failure;
+use crate::sweep::parse;
 
 /// Target of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! The threads that work is shared among.
 
-use super::failure::Failure;
+use crate::sweep::failure::Failure;
 use rayon::ThreadPoolBuilder;
 use std::{env, thread};
 
