@@ -164,7 +164,7 @@ def times():
         print(f"{seconds(target):8.0f}  from nothing")
         for words, touched in {
             "after a change of README.md": "README.md",
-            "after a change in report": "crates/report/src/report/tilt.rs",
+            "after a change in report": "crates/report/src/tilt.rs",
             "after a change in number": "crates/number/src/number/angle.rs",
         }.items():
             os.utime(HOUSE / touched)

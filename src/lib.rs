@@ -60,29 +60,41 @@ pub use rug;
 
 pub use certify::{Error, Refused, Undecided};
 
-pub use couplet_ask::ask;
-pub use couplet_atlas::atlas;
+pub use couplet_ask as ask;
+pub use couplet_atlas as atlas;
 pub use couplet_check::{arch, check, problem};
 #[cfg(feature = "formats")]
-pub use couplet_claims::claims;
-#[cfg(feature = "study")]
-#[doc(hidden)]
-pub use couplet_claims::study;
+pub use couplet_claims as claims;
 #[doc(hidden)]
 pub use couplet_draw::{picture, sketch};
-pub use couplet_lanes::lanes;
+pub use couplet_judge::{judge, strategies};
+pub use couplet_lanes as lanes;
 pub use couplet_number::{number, symbolic};
+pub use couplet_prove::prelude;
 #[doc(hidden)]
 pub use couplet_prove::prover;
-pub use couplet_prove::{certify, judge, prelude, strategies};
 #[cfg(feature = "formats")]
-pub use couplet_report::report;
+pub use couplet_report as report;
 #[doc(hidden)]
-pub use couplet_solve::solve;
+pub use couplet_solve as solve;
+#[cfg(feature = "study")]
+#[doc(hidden)]
+pub use couplet_study as study;
 #[cfg(feature = "formats")]
 #[doc(hidden)]
 pub use couplet_sweep::{self as sweep, scene};
 
+/// Proofs: of landmarks and states, of arches of stones, and of all arches between measured ends.
+pub mod certify {
+    pub use couplet_prove::certify::*;
+    pub use couplet_stones::*;
+    pub use couplet_survey as survey;
+    pub use couplet_survey::certify_survey;
+}
+
 #[cfg(feature = "cli")]
 #[doc(hidden)]
 pub mod cli;
+#[cfg(feature = "formats")]
+#[doc(hidden)]
+pub mod door;

@@ -1,9 +1,9 @@
 //! Many arches, in arrays of doubles.
 
 use crate::answer::Answer;
-use crate::asked::{named, wrong};
+use crate::asked::named;
 use crate::border::{Array, answered, apart, optional, text};
-use crate::failure::Failure;
+use crate::failure::{Failure, wrong};
 use crate::texts::exact;
 use crate::threads::{checked, on_threads};
 use couplet::certify::batch::{BatchColumns, DoubleArches, RowVerdict};

@@ -3,28 +3,23 @@
 
 use crate::answer::Answer;
 use crate::border::{Array, answered, optional, text};
-use crate::failure::Failure;
+use crate::failure::{Failure, wrong};
+use crate::question::{ARCH, certified};
 use crate::surveyed::{survey_certified, surveyed};
 use crate::threads::{checked, on_threads};
 use couplet::Error;
 use couplet::arch::SelfWeight;
-use couplet::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling};
+use couplet::ask::{ArchAsked, ArchGiven, Field, Spelling};
 use couplet::certify::state::Certify;
 use couplet::certify::state::find as seek;
 use couplet::certify::{self, CertifiedLandmark, quantities};
 use couplet::check::{Certificate, Refusal};
+use couplet::door::answer;
+use couplet::door::find::{self as sought, FindTarget};
 use couplet::problem::{Arch, Landmark, Quantity};
 use couplet::report::{self, Answers, Scope, Understood};
-use couplet::sweep::find::{self as sought, FindTarget};
-use couplet::sweep::{answer, parse};
+use couplet::sweep::parse;
 use std::ffi::{c_char, c_int, c_void};
-use std::fmt::Display;
-use std::io;
-
-/// The failure of a question that makes no sense.
-pub(crate) fn wrong(error: impl Display) -> Failure {
-    Failure::Usage(error.to_string())
-}
 
 /// The model of self-weight of a text.
 ///
@@ -71,19 +66,6 @@ struct ArchRead {
     given: ArchGiven,
     arch: Arch,
 }
-
-/// Question about an arch with a joint at every angle.
-pub(crate) const ARCH: ArchQuestion = ArchQuestion {
-    refuses: &[
-        (Field::Stones, JOINTS),
-        (Field::Joints, JOINTS),
-        (Field::Tilt, "the command `couplet assess` tells of an arch that is tilted"),
-    ],
-    needs: &[],
-    unlimited: false,
-    example: "",
-};
-const JOINTS: &str = "the command `couplet voussoirs` tells of an arch of stones";
 
 impl ArchRead {
     /// Answer at the thickness, or at the least one.
@@ -326,18 +308,6 @@ unsafe fn point(
     // SAFETY: as the caller promises.
     let (landmark, weight) = unsafe { (text(landmark, "landmark")?, weight_of(weight)?) };
     Ok((parse::landmark(landmark).map_err(wrong)?, weight))
-}
-
-/// The answer that holds a certificate, which is written as its file has it.
-pub(crate) fn certified<T>(
-    made: Result<T, Error>,
-    write: fn(&T, &mut dyn io::Write) -> io::Result<()>,
-) -> Result<Answer, Failure> {
-    match made {
-        Ok(certificate) => Answer::certificate(|out| write(&certificate, out)),
-        Err(Error::Undecided(open)) => Ok(Answer::undecided(open.to_string())),
-        Err(Error::Refused(refused)) => Err(wrong(refused)),
-    }
 }
 
 /// A certificate of a landmark, which `couplet_check` accepts without trusting the solver; `couplet_json` has it.

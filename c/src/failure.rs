@@ -1,5 +1,7 @@
 //! Why a call has no answer.
 
+use std::fmt::Display;
+
 /// Why there is no answer.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) enum Failure {
@@ -9,4 +11,9 @@ pub(crate) enum Failure {
     Resource(String),
     /// A mistake of couplet's own.
     Fault(String),
+}
+
+/// The failure of a question that makes no sense.
+pub(crate) fn wrong(error: impl Display) -> Failure {
+    Failure::Usage(error.to_string())
 }

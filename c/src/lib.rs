@@ -5,6 +5,7 @@
 //! |---|---|
 //! | `codes` | what functions return, and what stands in arrays |
 //! | `asked` | one question at a time |
+//! | `question` | what a question about an arch takes, and the certificate that answers it |
 //! | `surveyed` | the same of all arches of ranges |
 //! | `arrays` | many arches, in arrays of doubles |
 //! | `answer` | what comes back, and what reads it |
@@ -29,6 +30,7 @@ mod texts;
 
 mod border;
 mod failure;
+mod question;
 mod surveyed;
 mod threads;
 

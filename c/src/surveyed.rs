@@ -1,8 +1,8 @@
 //! All arches of a question with ranges.
 
 use crate::answer::Answer;
-use crate::asked::{ARCH, certified, wrong};
-use crate::failure::Failure;
+use crate::failure::{Failure, wrong};
+use crate::question::{ARCH, certified};
 use crate::threads::on_threads;
 use couplet::arch::SelfWeight;
 use couplet::ask::{ArchAsked, ArchQuestion, Field, Spelling, SurveyGiven};

@@ -1,8 +1,8 @@
 //! Threads of a call, which end with it: the library keeps none, so that a process can be forked at any time.
 
 use crate::failure::Failure;
+use couplet::door::pool::{MAX_THREADS, usual_threads};
 use couplet::rug::float::{FreeCache, free_cache};
-use couplet::sweep::pool::{MAX_THREADS, usual_threads};
 use rayon::ThreadPoolBuilder;
 
 /// Runs work on so many threads, 0 for one on each core. Every parallel loop inside stays there.

@@ -2,7 +2,7 @@
 //! that of its own text.
 #![no_main]
 
-use couplet_ask::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling, SurveyGiven};
+use couplet_ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling, SurveyGiven};
 use couplet_check::arch::SelfWeight;
 use couplet_check::problem::Quantity;
 use couplet_fuzz::is_told;

@@ -2,7 +2,7 @@
 #![no_main]
 
 use couplet_fuzz::{is_told, rows};
-use couplet_prove::judge::Demand;
+use couplet_judge::judge::Demand;
 use couplet_sweep::rows::{Judge, Purpose, Syntax};
 use libfuzzer_sys::fuzz_target;
 

@@ -4,7 +4,7 @@ use crate::rounding::BITS;
 use couplet_check::arch::Configuration;
 use couplet_check::problem::Problem;
 use couplet_number::number::{DoubleDouble, DoubleDoubleBall, Dual};
-use couplet_solve::solve::{inverse, newton_step};
+use couplet_solve::{inverse, newton_step};
 
 /// Newton steps: a start good to five digits needs three.
 const STEPS: usize = 6;

@@ -2,7 +2,7 @@
 
 use crate::question::Question;
 use crate::rounding::{BITS, rounded};
-use couplet_ask::ask::{ArchAsked, ArchGiven, ArchQuestion, Spelling};
+use couplet_ask::{ArchAsked, ArchGiven, ArchQuestion, Spelling};
 use couplet_check::arch::{NoWeight, SelfWeight};
 use couplet_check::problem::measures::Measures;
 use couplet_check::problem::{Arch, Friction, Known};

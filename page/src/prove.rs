@@ -17,7 +17,7 @@ use couplet_check::problem::{Known, Mode, Problem, Quantity, Standing, Verdict};
 use couplet_number::number::{
     AstroInterval, DoubleDouble, DoubleDoubleBall, Drawable, Dyadic, Enclosure, Engine, Ternary,
 };
-use couplet_solve::solve;
+use couplet_solve as solve;
 use serde::Serialize;
 use std::collections::BTreeMap;
 

@@ -30,7 +30,7 @@ def files(pattern):
 
 
 def claims(program):
-    provers = files("crates/claims/src/claims/*.rs")
+    provers = files("crates/claims/src/*.rs")
     said = program.json("prove", "--show")["claims"]
     for claim in said:
         steps = {support: [step["words"].split(": ")[0] for step in claim["derivation"] if step["support"] == support]
@@ -83,7 +83,7 @@ def curves(program):
             "statement": f"for each {curve['parameter']} from {curve['from']} to {curve['to']} the equations of the curve {name} "
                          f"({weight} weight) have exactly one solution in a tube, and the pieces join",
             "verdict": "undecided" if curve["gaps"] else "proved", "corrected": None, "method": "balls along the curve",
-            "words": "beneath", "rests_on": ["map-lines"], "file": "crates/atlas/src/atlas", "name": name,
+            "words": "beneath", "rests_on": ["map-lines"], "file": "crates/atlas/src", "name": name,
             "checkers": ["couplet map"],
             "command": f"couplet map --curve {name}" + (f" --weight {weight}" if curve["weight"] else ""),
             "expected": {"exit": 0, "shows": [f"{name} {weight} {curve['parameter']} {ends} {curve['pieces']}",

@@ -16,7 +16,6 @@ from . import _core
 from ._answers import Answer, Assessment, Checked, Constants, Decision, Found, State, Tilted, Voussoirs
 from ._arches import assess, certify, find, state, tilt, voussoirs
 from ._arrays import FOUND, VERDICTS, finds, reasons, states, states_columns, states_frame
-from ._arrays import whole as _whole
 from ._asked import asked as _asked
 from ._certified import Certified
 from ._commands import Curve, Judged, Picture, Ran, audit, curve, draw, equation, figure, judge, run, sample, states_of
@@ -25,6 +24,7 @@ from ._core import CoupletError, UndecidedError, __version__
 from ._exact import text_of as _text_of
 from ._frames import add_states
 from ._sweeps import Swept, sweep
+from ._threads import whole as _whole
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

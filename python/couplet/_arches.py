@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from . import _core
 from ._answers import Assessment, Found, State, Tilted, Voussoirs
-from ._arrays import whole as _whole
 from ._asked import arch as _arch
 from ._asked import asked as _asked
 from ._asked import ranges as _ranges
 from ._asked import survey as _survey
 from ._core import CoupletError
 from ._exact import text_of as _text_of
+from ._threads import whole as _whole
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

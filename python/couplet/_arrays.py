@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import operator
-
 from . import _core
+from ._arches import assess, state
 from ._asked import asked as _ask
 from ._core import CoupletError
 from ._exact import exact
 from ._rows import in_pieces
+from ._threads import whole
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -22,7 +22,6 @@ VERDICTS: tuple[str, ...] = ("stands", "falls", "undecided", "refused")
 
 # Searches that are done before Python is asked for its signals.
 _SEARCHES = 512
-_MOST_THREADS = 1024
 
 
 def states(
@@ -232,8 +231,6 @@ def reasons(
 
 def _reasons(codes: Any, arrays: list[Any], weight: str) -> dict[int, str]:
     """The reasons of the rows without a verdict."""
-    from ._arches import assess, state
-
     why = {}
     for row in (codes >= VERDICTS.index("undecided")).nonzero()[0].tolist():
         arch = [float(array[row]) for array in arrays]
@@ -253,17 +250,6 @@ def need_numpy() -> None:
             raise
         message = "states and states_columns need NumPy, which is not installed: pip install numpy"
         raise ModuleNotFoundError(message, name="numpy") from None
-
-
-def whole(threads: int) -> int:
-    """A number of threads."""
-    try:
-        number = -1 if isinstance(threads, bool) else operator.index(threads)
-    except TypeError:
-        number = -1
-    if not 0 <= number <= _MOST_THREADS:
-        raise CoupletError(f"threads are a whole number from 1 to {_MOST_THREADS}, or 0 for one on each core")
-    return number
 
 
 class _Asked:

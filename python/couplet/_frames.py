@@ -6,13 +6,14 @@ import sys
 from functools import partial
 
 from . import _core
-from ._arrays import VERDICTS, need_numpy, whole
+from ._arrays import VERDICTS, need_numpy
 from ._asked import asked as _ask
 from ._asked import with_doubles
 from ._core import CoupletError
 from ._exact import is_text, no_text
 from ._kinds import NO_SIDE, NO_WORD, kind_of
 from ._rows import in_pieces
+from ._threads import whole
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -13,10 +13,11 @@ from importlib import import_module
 from itertools import islice
 
 from . import _core
-from ._arrays import VERDICTS, Bar, whole
+from ._arrays import VERDICTS, Bar
 from ._asked import asked
 from ._core import CoupletError
 from ._exact import exact, is_text, no_text, text_of
+from ._threads import whole
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

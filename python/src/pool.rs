@@ -8,7 +8,7 @@
 //! is given up goes on until it ends by itself, in a pool of its own from then on, and its result is dropped.
 
 use crate::CoupletError;
-use couplet::sweep::pool::{MAX_THREADS, usual_threads};
+use couplet::door::pool::{MAX_THREADS, usual_threads};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::{PyResult, Python};
 use rayon::{ThreadPool, ThreadPoolBuilder};

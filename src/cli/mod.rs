@@ -11,8 +11,8 @@ mod man;
 mod version;
 
 use crate::check::visible;
+use crate::door::pool;
 use crate::sweep::failure::Failure;
-use crate::sweep::pool;
 use crate::sweep::unfinished;
 use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser};
 use std::ffi::{OsStr, OsString};

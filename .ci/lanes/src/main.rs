@@ -1,7 +1,7 @@
 //! Digest of the states of many arches, both numbers and radius of each value bit for bit: the same on every processor.
 
 use couplet_check::arch::SelfWeight;
-use couplet_lanes::lanes::{FromFriction, LaneAnswer, LaneArch, Lanes};
+use couplet_lanes::{FromFriction, LaneAnswer, LaneArch, Lanes};
 use couplet_number::number::{DoubleDouble, DoubleDoubleBall};
 use std::collections::BTreeMap;
 

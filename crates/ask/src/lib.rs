@@ -1,7 +1,33 @@
-//! Questions about arches, read once for every door of couplet.
+//! Questions about arches, read once for every door. Each fills one [`ArchAsked`] with exact text: the options of a
+//! command, the columns of a row, the fields of the page. One reader makes an [`ArchGiven`] of it, or a [`Misfit`] that
+//! names what is wrong in the words of the door.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `asked` | what an arch may be given by, as text |
+//! | `question` | which of it a question takes and needs, and why not the rest |
+//! | `given` | the reader: text to an arch, its measures, thickness, stones and tilt |
+//! | `stones` | numbers of stones, and ranges of them |
+//! | `survey` | the reader of ranges: text to all arches between two ends |
+//! | `range` | ranges: the exact texts of both ends |
+//! | `boxes` | a range in parts that touch |
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
-pub mod ask;
+mod asked;
+mod boxes;
+mod given;
+mod question;
+mod range;
+mod stones;
+mod survey;
+
+pub use asked::{ArchAsked, Field};
+pub use boxes::boxes;
+pub use given::{ArchGiven, given_thickness};
+pub use question::{ArchQuestion, Misfit, Spelling};
+pub use range::{Range, RangeError};
+pub use stones::{MOST_NUMBERS, StonesAsked};
+pub use survey::SurveyGiven;
 
 use couplet_check::{arch, problem};
 use couplet_number::number;

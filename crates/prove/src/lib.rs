@@ -1,18 +1,16 @@
-//! Proofs: landmarks, the state of any arch, and judgements of what others computed.
+//! Proofs: landmarks, and the state of any arch.
 //!
 //! `couplet-solve` finds, [`certify`] proves; an answer is proved, or says why not.
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
 pub mod certify;
-pub mod judge;
 #[doc(hidden)]
 pub mod prover;
-pub mod strategies;
 
 use couplet_check::{arch, check, problem};
-use couplet_lanes::lanes;
+use couplet_lanes as lanes;
 use couplet_number::{number, symbolic};
-use couplet_solve::solve;
+use couplet_solve as solve;
 
 /// Names that most programs need: `use couplet_prove::prelude::*`.
 ///

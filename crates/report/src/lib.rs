@@ -1,17 +1,132 @@
-//! Answers in every format: tables, JSON, CSV, LaTeX, other languages, pictures. Nothing is computed here.
+//! Output only: what was found, written in a format, be it a table, JSON, CSV, LaTeX, another language or a picture.
+//! Nothing is computed here.
+//!
+//! A result makes [`Record`]s, and each format of records is written once ([`Reported`]). An [`Answer`] is a landmark
+//! or an arch with what became of it and its proved values, which languages write too. [`Format`] is the one list of
+//! formats.
+//!
+//! ```
+//! use couplet_prove::prelude::{Arch, Certify};
+//! use couplet_report::{Answer, Answers, Format, Reported};
+//!
+//! let arch = Arch::parse("heyman", "pi/2", "0.38")?;
+//! let answer = Answer::state(1, &arch, &arch.certify(12));
+//! let report = Answers::arch(12, answer);
+//! let format = Format::named(Answers::content(), "python").unwrap();
+//! let mut file = Vec::new();
+//! report.write(format, &mut file)?;
+//! let file = String::from_utf8(file)?;
+//! assert!(file.contains("STATE_1_THICKNESS_DECIMAL = Decimal(\"0.122191586363\")"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! See also [`certify`](crate::certify), which finds what is written here, and
+//! `scene`, which writes many reports at once.
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
+mod answer;
+mod answered;
+mod answers;
+pub mod assembled;
+mod audit;
+mod branch;
+mod by_value;
+mod c;
+mod claimed;
+mod column;
+mod columns;
+mod complementarity;
+mod csv;
+mod document;
+mod drawn;
+mod equation;
+mod find;
+mod format;
+mod fortran;
+mod given;
+mod jointed;
+mod json;
+pub mod judged;
+mod julia;
+mod kept;
+mod latex;
+mod listing;
+mod map;
+mod map_asked;
+mod matlab;
+mod names;
+mod paper;
+#[cfg_attr(not(feature = "parquet"), path = "parquet_missing.rs")]
+mod parquet;
+mod plain;
+mod programme;
+mod python;
 #[cfg(test)]
 #[path = "../../draw/src/picture/reading.rs"]
 mod reading;
-pub mod report;
-
-use couplet_ask::ask;
-use couplet_atlas::atlas;
-use couplet_check::{arch, problem};
-use couplet_claims::claims;
+mod record;
+mod reported;
+mod rows;
+mod rust;
+mod sampled;
+mod sketched;
 #[cfg(feature = "study")]
-use couplet_claims::study;
+pub mod study;
+mod subject;
+mod survey;
+mod survey_picture;
+mod surveyed_cells;
+mod surveyed_rows;
+mod table;
+mod tabular;
+mod tilt;
+mod tilt_picture;
+mod tilt_record;
+mod toml;
+mod understood;
+mod value;
+mod voussoirs;
+pub mod words;
+
+pub use answer::{Answer, Fingerprint, Proof, Status};
+pub use answered::open_rows;
+pub use answers::{Answers, Scope};
+pub use audit::Audit;
+pub use branch::{BranchArch, BranchArches};
+pub use by_value::ByValue;
+pub use claimed::{Claims, Index};
+pub use complementarity::{ComplementarityArch, SolutionsFound};
+pub use drawn::{Axes, Branches, Drawing, Mark, Marked, Plane, Shown, Unit, View};
+pub use equation::{EquationFound, EvaluatedEquation};
+pub use format::{Content, Format};
+pub use given::GivenDoubles;
+pub use kept::Kept;
+pub use map::{Map, MapDifferences, MapPoint};
+pub use map_asked::MapAsked;
+#[cfg(feature = "parquet")]
+pub use parquet::with_common_order;
+pub use programme::{AtThickness, ProgrammeFound};
+pub use record::Record;
+pub use reported::Reported;
+pub use rows::Rows;
+pub use sampled::SampledLines;
+pub use sketched::{Sketched, Style, arches_of_figure};
+pub use subject::Subject;
+pub use survey::{MEANING, SurveyedArches};
+pub use survey_picture::BandedArches;
+pub use surveyed_cells::SurveyedCells;
+pub use surveyed_rows::{SurveyedCell, SurveyedRow, SurveyedRows};
+pub use tabular::Tabular;
+pub use tilt::TiltedArch;
+pub use understood::Understood;
+pub use value::Value;
+pub use voussoirs::{GivenThickness, VoussoirArch, VoussoirArches};
+
+use couplet_ask as ask;
+use couplet_atlas as atlas;
+use couplet_check::{arch, problem};
+use couplet_claims as claims;
 use couplet_draw::{picture, sketch};
+use couplet_judge::{judge, strategies};
 use couplet_number::number;
-use couplet_prove::{certify, judge, strategies};
+use couplet_prove::certify;

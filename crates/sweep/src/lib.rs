@@ -1,11 +1,8 @@
 //! Many arches: tables of rows, scenes and sweeps; what the command, Python and C call.
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
-pub mod answer;
 pub mod failure;
-pub mod find;
 pub mod parse;
-pub mod pool;
 pub mod rows;
 pub mod scene;
 pub mod surveyed;
@@ -13,12 +10,13 @@ pub mod surveyed;
 pub mod sweep;
 pub mod unfinished;
 
-use couplet_ask::ask;
-use couplet_atlas::atlas;
+use couplet_ask as ask;
+use couplet_atlas as atlas;
 use couplet_check::{arch, check, problem};
-use couplet_claims::claims;
+use couplet_claims as claims;
 use couplet_draw::picture;
+use couplet_judge::judge;
 use couplet_number::number;
-use couplet_prove::{certify, judge};
-use couplet_report::report;
-use couplet_solve::solve;
+use couplet_prove::certify;
+use couplet_report as report;
+use couplet_solve as solve;

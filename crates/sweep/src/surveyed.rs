@@ -3,11 +3,11 @@
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, SurveyGiven};
 use crate::certify::Error;
-use crate::certify::survey::{SurveyAnswer, survey, survey_of_stones};
 use crate::failure::Failure;
 use crate::problem::Quantity;
 use crate::problem::survey::Survey;
 use crate::report::{SurveyedArches, Understood};
+use couplet_survey::{SurveyAnswer, survey, survey_of_stones};
 
 /// Quantities of which ranges are told, of arches of a thickness.
 const ASSESSED: [Quantity; 7] = [

@@ -8,10 +8,10 @@ use crate::ask::Spelling;
 use crate::certify::Error;
 use crate::certify::state::find as seek;
 use crate::certify::state::find::{Given, Question};
+use crate::door::find::{self, FindTarget};
 use crate::problem::{Friction, Line, Quantity, Sought};
 use crate::report::{Answer, Answers, Scope};
 use crate::sweep::failure::Failure;
-use crate::sweep::find::{self, FindTarget};
 use clap::Args;
 
 /// Find the widest half opening that stands, the least friction, or where one mode becomes another, with a proof.

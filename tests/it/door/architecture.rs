@@ -1,6 +1,7 @@
 //! The picture of the rooms in `docs/architecture.md` is drawn from the code.
 
-use crate::rooms::{ROOMS, code, room, rooms_used, sources};
+use crate::rooms::{ROOMS, floors, room, rooms_used, sources};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
@@ -12,10 +13,8 @@ fn picture() -> String {
     let mut lines = String::from("```text\n");
     for (level, name) in ROOMS.iter().enumerate() {
         let files = sources(&room(name));
-        let texts: Vec<String> = files.iter().map(|path| code(path)).collect();
-        let uses = |other: &str| {
-            texts.iter().any(|text| rooms_used(text).iter().any(|used| used == other))
-        };
+        let used: BTreeSet<String> = files.iter().flat_map(|path| rooms_used(path)).collect();
+        let uses = |other: &str| used.contains(other);
         let marks = ROOMS[..level].iter().map(|other| if uses(other) { "□ " } else { "· " });
         let marks: String = marks.chain(["■ "]).collect();
         let width = 2 * ROOMS.len();
@@ -27,8 +26,9 @@ fn picture() -> String {
 
 /// The crate that a room belongs to.
 fn home(name: &str) -> String {
-    let floor = room(name).parent().and_then(Path::parent).unwrap().to_owned();
-    let manifest = fs::read_to_string(floor.join("Cargo.toml")).unwrap();
+    let place = room(name);
+    let floor = floors().into_iter().find(|floor| place.starts_with(floor)).unwrap();
+    let manifest = fs::read_to_string(floor.with_file_name("Cargo.toml")).unwrap();
     manifest.split("\nname = \"").nth(1).unwrap().split('"').next().unwrap().to_owned()
 }
 
@@ -37,7 +37,8 @@ fn table() -> String {
     let mut lines = String::from("| room | what is in it |\n|---|---|\n");
     for name in ROOMS {
         let place = room(name);
-        let front = if place.is_dir() { place.join("mod.rs") } else { place };
+        let fronts = [place.join("mod.rs"), place.join("lib.rs")];
+        let front = fronts.into_iter().find(|front| front.exists()).unwrap_or(place);
         let file = fs::read_to_string(front).unwrap();
         let words = file.lines().map_while(|line| line.strip_prefix("//! "));
         let words = words.collect::<Vec<_>>().join(" ");

@@ -82,7 +82,7 @@ const OF_AN_ARCH: [(&str, &ArchQuestion); 8] = [
     ("state", &doors::STATE),
     ("assess", &doors::ASSESS),
     ("voussoirs", &doors::VOUSSOIRS),
-    ("find", &couplet::sweep::find::QUESTION),
+    ("find", &couplet::door::find::QUESTION),
     ("complementarity", &doors::COMPLEMENTARITY),
     ("draw", &doors::DRAW),
     ("certify state", &doors::CERTIFY_STATE),

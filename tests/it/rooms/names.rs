@@ -1,6 +1,6 @@
 //! What each file declares, imports and names, and the file that a name stands for.
 
-use super::source::{bare, floors, sources, tokens};
+use super::source::{bare, floors, sources, tokens, whole};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
@@ -28,23 +28,37 @@ pub(super) struct File {
 }
 
 /// All files of a crate.
-pub(super) struct Tree(BTreeMap<Module, File>);
+pub(super) struct Tree {
+    files: BTreeMap<Module, File>,
+    /// The rooms that are crates as a whole: there, `crate` is the room.
+    whole: BTreeSet<String>,
+}
 
 impl Tree {
     /// The whole house: the rooms of every crate, as if they were of one. What a crate calls by the name of another
     /// one's room is that room.
     pub(super) fn of_the_house() -> Self {
         let mut texts = BTreeMap::<String, String>::new();
+        let mut rooms = BTreeSet::new();
         for floor in floors() {
+            let room = whole(&floor);
+            rooms.extend(room.map(str::to_owned));
+            if let Some(room) = room {
+                texts.entry("lib.rs".to_owned()).or_default().push_str(&format!("mod {room};\n"));
+            }
             for path in sources(&floor) {
-                let place = path.strip_prefix(&floor).unwrap().to_str().unwrap().to_owned();
+                let place = path.strip_prefix(&floor).unwrap().to_str().unwrap();
+                let place = match room {
+                    Some(room) => format!("{room}/{}", place.replace("lib.rs", "mod.rs")),
+                    None => place.to_owned(),
+                };
                 let text = fs::read_to_string(&path).unwrap();
                 let is_own = |line: &&str| !line.contains("use couplet_");
                 let text = text.lines().filter(is_own).map(|line| format!("{line}\n"));
                 texts.entry(place).or_default().extend(text);
             }
         }
-        Self::new(texts)
+        Self { whole: rooms, ..Self::new(texts) }
     }
 
     /// A crate of these files: the place below `src` and the text.
@@ -58,29 +72,28 @@ impl Tree {
             module.pop_if(|last| *last == "mod" || *last == "lib");
             (module, File { place, ..File::read(&bare(text.as_ref())) })
         };
-        let mut tree = Self(texts.into_iter().map(file).collect());
+        let mut files: BTreeMap<Module, File> = texts.into_iter().map(file).collect();
         // What is declared by nobody is compiled for tests only, or is another program.
         let is_declared = |module: &Module| {
-            let front = module.split_last().map(|(last, front)| (last, tree.0.get(front)));
+            let front = module.split_last().map(|(last, front)| (last, files.get(front)));
             front.is_none_or(|(last, front)| front.is_some_and(|f| f.children.contains(last)))
         };
-        let declared: BTreeSet<Module> =
-            tree.0.keys().filter(|m| is_declared(m)).cloned().collect();
-        tree.0.retain(|module, _| declared.contains(module));
-        tree
+        let declared: BTreeSet<Module> = files.keys().filter(|m| is_declared(m)).cloned().collect();
+        files.retain(|module, _| declared.contains(module));
+        Self { files, whole: BTreeSet::new() }
     }
 
     pub(super) fn files(&self) -> impl Iterator<Item = (&Module, &File)> {
-        self.0.iter()
+        self.files.iter()
     }
 
     pub(super) fn place(&self, module: &[String]) -> &str {
-        &self.0[module].place
+        &self.files[module].place
     }
 
     /// The files whose items a file names, itself among them. What it hands on is not named.
     pub(super) fn used_by(&self, module: &Module) -> BTreeSet<Module> {
-        let file = &self.0[module];
+        let file = &self.files[module];
         let imported = file.imports.iter().filter(|(_, name, public)| !public && name != "*");
         let paths = imported.map(|(path, ..)| path).chain(&file.paths);
         paths.filter_map(|path| self.owner(module, path)).collect()
@@ -104,9 +117,13 @@ impl Tree {
         if !seen.insert((from.clone(), path.to_vec())) {
             return None;
         }
-        let file = self.0.get(&from)?;
+        let file = self.files.get(&from)?;
         match first.as_str() {
-            "crate" => return self.resolve(Vec::new(), rest, seen),
+            "crate" => {
+                let room = from.first().filter(|room| self.whole.contains(*room)).cloned();
+                let own = room.and_then(|room| self.resolve(vec![room], rest, seen));
+                return own.or_else(|| self.resolve(Vec::new(), rest, seen));
+            }
             "self" => return self.resolve(from, rest, seen),
             "super" => {
                 from.pop()?;

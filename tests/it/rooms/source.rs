@@ -1,5 +1,6 @@
 //! The source as text: its code without comments, words and tests, and the tokens of that.
 
+use super::ROOMS;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -13,12 +14,25 @@ pub(crate) fn floors() -> Vec<PathBuf> {
     floors
 }
 
+/// Whether a crate has a file or a folder of this name beside its front.
+pub(super) fn has(floor: &Path, name: &str) -> bool {
+    ["", ".rs"].iter().any(|end| floor.join(format!("{name}{end}")).exists())
+}
+
+/// The room that a crate is as a whole: one of its name, without a folder or a file in it.
+pub(super) fn whole(floor: &Path) -> Option<&'static str> {
+    let name = floor.parent()?.file_name()?.to_str()?;
+    let room = ROOMS.into_iter().find(|room| *room == name)?;
+    (!has(floor, name)).then_some(room)
+}
+
 /// The folder or the file of a room.
 pub(crate) fn room(name: &str) -> PathBuf {
-    let places = floors()
-        .into_iter()
-        .flat_map(|floor| ["", ".rs"].map(|end| floor.join(format!("{name}{end}"))));
-    let mut places = places.filter(|place| place.exists());
+    let within = |floor: PathBuf| match whole(&floor) {
+        Some(room) => Vec::from_iter((room == name).then_some(floor)),
+        None => ["", ".rs"].map(|end| floor.join(format!("{name}{end}"))).into(),
+    };
+    let mut places = floors().into_iter().flat_map(within).filter(|place| place.exists());
     let place = places.next().unwrap_or_else(|| panic!("there is no room {name}"));
     assert_eq!(places.next(), None, "{name} is there twice");
     place

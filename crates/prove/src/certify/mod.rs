@@ -3,6 +3,19 @@
 //! The operator that proves is in [`check::krawczyk`](crate::check::krawczyk).
 //! A proof either succeeds or says why nothing is known ([`Undecided`]); nothing in between. A question that makes no
 //! sense is [`Refused`] before; [`Error`] is either.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `landmark`, `enclosed` | a landmark with all its digits, and in enclosures of some bits |
+//! | `constant`, `closed_value` | one of its quantities; values that are exact |
+//! | `state` | the state of any arch, and an arch of a given thickness |
+//! | `batch` | many arches at once |
+//! | `equation` | equations of the paper at given values |
+//! | `asymmetric`, `asymmetric_thickness` | asymmetric solutions, and their thicknesses beside a verdict |
+//! | `certificate`, `verdict`, `asymmetric_certificate` | certificates of landmarks, of arches, of asymmetric solutions |
+//! | `fingerprint` | the hash of a certificate |
+//! | `serial` | proved values for serde |
+//! | `processor_time` | the clock of work |
 
 mod asymmetric;
 mod asymmetric_certificate;
@@ -14,19 +27,11 @@ mod constant;
 mod enclosed;
 pub mod equation;
 mod fingerprint;
-mod jointed;
 mod landmark;
 mod processor_time;
-mod programme;
 mod serial;
 pub mod state;
-pub mod survey;
-mod survey_certificate;
-mod tilt;
-mod tilt_mechanism;
-mod tilt_of_stones;
 mod verdict;
-mod voussoirs;
 
 pub use asymmetric::{AsymmetricDigits, AsymmetricJoint, CertifiedAsymmetric, asymmetric};
 pub use asymmetric_certificate::{asymmetric_kinds, certify_asymmetric};
@@ -36,22 +41,9 @@ pub use closed_value::Exact;
 pub use constant::{Constant, Value, quantities};
 pub use enclosed::Enclosed;
 pub use fingerprint::{MAX_FINGERPRINT_DIGITS, fingerprint};
-pub use jointed::{
-    Enumeration, JointedMotion, JointedSolution, LeastSolution, MOST_ENUMERATED_STONES, Standing,
-    enumerate, least_solution,
-};
 pub use landmark::CertifiedLandmark;
 pub use processor_time::processor_time;
-pub use programme::{MOST_JOINTED_STONES, Programme, programme};
-pub use survey_certificate::certify_survey;
-pub use tilt::{LargestTilt, TiltDigits, tilted};
-pub use tilt_mechanism::{TiltMechanism, TiltedJoint};
-pub use tilt_of_stones::{MOST_TILTED_STONES, tilted_stones};
 pub use verdict::certify_arch;
-pub use voussoirs::{
-    VoussoirAssessment, VoussoirDigits, VoussoirLimit, VoussoirLoss, VoussoirStanding, Voussoirs,
-    assess_voussoirs, voussoir_loss, voussoirs,
-};
 
 pub use crate::prover::cover::{between, cover};
 pub use crate::prover::isolate::isolate;

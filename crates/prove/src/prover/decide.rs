@@ -7,7 +7,7 @@ use crate::number::{Enclosure, Engine, Ternary};
 use crate::problem::{Condition, Mode};
 
 /// Decides whether a margin is positive, if that can be told.
-pub(crate) fn decide<E: Arithmetic>(
+pub fn decide<E: Arithmetic>(
     margin: &E,
     question: &'static str,
     between: &[Mode],

@@ -62,7 +62,8 @@ impl Figure {
     }
 
     /// A rational number to `digits` significant digits, at least one; ties to even.
-    pub(crate) fn exact(x: &ExactNumber, digits: usize) -> Option<Self> {
+    #[doc(hidden)]
+    pub fn exact(x: &ExactNumber, digits: usize) -> Option<Self> {
         let ball: Ball = x.enclosure(GUARDED);
         let (decimal, double) =
             (Rounded::from_rational(&x.to_rational(), digits)?, x.nearest_double()?);
@@ -81,10 +82,7 @@ impl Figure {
 }
 
 /// Rounds a value that may be missing; `None` if the rounding is not decided.
-pub(crate) fn optional<T, U>(
-    x: Option<T>,
-    round: impl FnOnce(T) -> Option<U>,
-) -> Option<Option<U>> {
+pub fn optional<T, U>(x: Option<T>, round: impl FnOnce(T) -> Option<U>) -> Option<Option<U>> {
     x.map_or(Some(None), |x| round(x).map(Some))
 }
 

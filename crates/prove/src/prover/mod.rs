@@ -8,9 +8,8 @@
 //! | `ladder`, `sines` | the way from few bits to many, on which each sine is computed once |
 //! | `in_doubles` | the same in doubles |
 //! | `posed`, `isolate`, `refine` | the printed equations of a system, their root alone in a box, and its digits |
-//! | `zero` | a zero of a polynomial, and its digits |
-//! | `linear`, `vector` | linear equations; forces and the lines of conditions on them |
-//! | `decide`, `positive`, `cover` | signs, a function positive on an interval, pieces of one |
+//! | `linear` | linear equations |
+//! | `decide`, `cover` | signs, pieces of an interval |
 //! | `raise` | more bits until everything is decided |
 //! | `count` | how many there are, and that there is none |
 //! | `ties` | what is exactly zero in an arch |
@@ -22,28 +21,25 @@ pub(crate) mod count;
 pub(crate) mod cover;
 pub mod decide;
 pub(crate) mod error;
-pub(crate) mod figure;
+pub mod figure;
 pub mod in_doubles;
 pub(crate) mod isolate;
 pub mod ladder;
 pub mod linear;
 pub mod operator;
 pub(crate) mod posed;
-pub(crate) mod positive;
 pub(crate) mod raise;
 pub(crate) mod refine;
 pub(crate) mod refused;
 pub mod root;
 pub mod sines;
-pub(crate) mod ties;
+pub mod ties;
 pub(crate) mod undecided;
-pub(crate) mod vector;
-pub(crate) mod zero;
 
 pub use count::Absence;
 pub use error::Error;
 pub use figure::Figure;
 pub use isolate::Isolated;
-pub(crate) use raise::raise;
+pub use raise::raise;
 pub use refused::Refused;
 pub use undecided::{Answered, Open, Undecided};

@@ -7,7 +7,7 @@ use super::Undecided;
 const ENOUGH: u32 = 8192;
 
 /// A proof that decides everything: `first` bits, and twice as many until they are enough.
-pub(crate) fn raise<T>(
+pub fn raise<T>(
     first: u32,
     mut proof: impl FnMut(u32) -> Result<Option<T>, Undecided>,
 ) -> Result<T, Undecided> {

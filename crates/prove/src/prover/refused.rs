@@ -138,7 +138,8 @@ impl Refused {
     }
 
     /// Checks that the values of an arch under an acceleration may have so many digits.
-    pub(crate) fn tilt_digits(asked: usize) -> Result<(), Self> {
+    #[doc(hidden)]
+    pub fn tilt_digits(asked: usize) -> Result<(), Self> {
         Self::digits_to(asked, MAX_TILT_DIGITS)
     }
 
@@ -208,7 +209,8 @@ impl Refused {
     }
 
     /// The number of stones, from 2 to as many.
-    pub(crate) fn stones(asked: u64, most: u64) -> Result<i32, Self> {
+    #[doc(hidden)]
+    pub fn stones(asked: u64, most: u64) -> Result<i32, Self> {
         let number = i32::try_from(asked).ok().filter(|_| (2..=most).contains(&asked));
         number.ok_or(Self::StoneCount { asked, most })
     }

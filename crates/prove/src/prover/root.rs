@@ -60,7 +60,7 @@ pub(super) fn box_near<S: Form<Ball>>(
 }
 
 /// The precisions up to some bits, each half of the next, from the first that costs as much as any below it.
-pub(crate) fn precisions(bits: u32) -> Vec<u32> {
+pub fn precisions(bits: u32) -> Vec<u32> {
     let halves =
         std::iter::successors(Some(bits), |bits| (*bits > SHORT).then(|| bits.div_ceil(2)));
     let mut precisions: Vec<u32> = halves.collect();

@@ -13,7 +13,7 @@ use num_rational::BigRational;
 
 /// Tells whether `sin(alpha) = mu cos(alpha)`: the friction angle is the half opening, and the shoulder
 /// slides at no thrust. False where nobody knows, as for a coefficient that is a multiple of pi.
-pub(crate) fn friction_angle_is_half_opening(arch: &Arch) -> bool {
+pub fn friction_angle_is_half_opening(arch: &Arch) -> bool {
     let alpha = arch.half_opening();
     match arch.friction() {
         Friction::Angle(phi) => phi.form() == alpha.form() && phi.factor() == alpha.factor(),
@@ -26,7 +26,7 @@ pub(crate) fn friction_angle_is_half_opening(arch: &Arch) -> bool {
 
 /// Tells whether `2 - eta = (2 + eta) cos(alpha)` for a rational thickness: about the crown's intrados the
 /// thrust at the shoulder's extrados has no lever arm.
-pub(crate) fn has_no_arm_at_crown(arch: &Arch, thickness: &ExactNumber) -> bool {
+pub fn has_no_arm_at_crown(arch: &Arch, thickness: &ExactNumber) -> bool {
     // `1 - cos = tan(alpha/2)² (1 + cos)`, so it says that `eta = 2 tan(alpha/2)²`.
     squared_half_tangent(arch.half_opening())
         .is_some_and(|q| q * ratio(2, 1) == *thickness.factor())
@@ -35,11 +35,7 @@ pub(crate) fn has_no_arm_at_crown(arch: &Arch, thickness: &ExactNumber) -> bool 
 /// Tells whether the thrust at which a joint slides is exactly zero. Inwards it is `beta cot(beta + phi)`,
 /// outwards `beta cot(beta - phi)`: so the joint's angle and that of friction, which lies below a right
 /// angle, are one together, or differ by one. Below the crown; false for hinges.
-pub(crate) fn slides_at_no_thrust(
-    stones: &Stones,
-    friction: &Friction,
-    contact: JointContact,
-) -> bool {
+pub fn slides_at_no_thrust(stones: &Stones, friction: &Friction, contact: JointContact) -> bool {
     let (Some(phi), Some(beta)) = (friction_turn(friction), stones.exact_turn(contact.1)) else {
         return false;
     };

@@ -68,7 +68,8 @@ impl Undecided {
     }
 
     /// Undecided answer where the search finds nothing to prove.
-    pub(crate) fn no_solution() -> Self {
+    #[doc(hidden)]
+    pub fn no_solution() -> Self {
         Self::root("no solution of the equations is found")
     }
 
@@ -83,7 +84,8 @@ impl Undecided {
     }
 
     /// Undecided answer where a box is not inside the one in which the root is known to be unique.
-    pub(crate) fn astray() -> Self {
+    #[doc(hidden)]
+    pub fn astray() -> Self {
         Self::root("whether more digits are those of the same solution")
     }
 

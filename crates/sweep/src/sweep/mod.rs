@@ -30,6 +30,6 @@ mod table;
 mod text;
 mod verify;
 
-use couplet_prove::strategies;
+use couplet_judge::strategies;
 pub use sweep::{SurveyedPart, Sweep};
 pub use verify::{Verified, verify};

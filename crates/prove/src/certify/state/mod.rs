@@ -59,15 +59,18 @@ pub(super) use enough::AtOpening;
 pub use enough::Enough;
 pub use inquiry::Inquiry;
 pub use measured::{measured_assessment, measured_state};
+pub(crate) use query::DOUBLE_DOUBLE;
+#[doc(hidden)]
+pub use query::bits_lost;
 #[doc(hidden)]
 pub use query::raised;
-pub(crate) use query::{DOUBLE_DOUBLE, bits_lost};
 pub(super) use quick::critical_frictions;
 pub use quick::state_in_double_doubles;
 #[doc(hidden)]
 pub use quick::{
     assessment_enclosed, sliding_configuration, state_enclosed, steepest_configuration,
 };
-pub(crate) use quick::{decided, is_quick, quick_outcome, quick_sliding, sliding_enclosed};
+#[doc(hidden)]
+pub use quick::{decided, is_quick, quick_outcome, quick_sliding, sliding_enclosed};
 pub use state::{Fall, Frictions, Outcome, State};
 pub use thrust_range::{Limit, Touch};

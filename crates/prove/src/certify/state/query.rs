@@ -54,7 +54,7 @@ impl<E: Arithmetic> Query<E> {
 
 /// Bits that the printed equations lose by cancellation: the thickness falls like the fourth power of a
 /// small half opening, the thrust like the inverse square of a large friction.
-pub(crate) fn bits_lost(arch: &Arch) -> u32 {
+pub fn bits_lost(arch: &Arch) -> u32 {
     let friction = match arch.friction() {
         Friction::Coefficient(mu) => exponent(&mu.enclosure(64)).max(64) - 64,
         _ => 0,

@@ -28,12 +28,12 @@ const MOST_OF_THREE_WORDS: usize = 36;
 const OF_A_DOUBLE: usize = 17;
 
 /// Tells whether the numbers of this file are asked first for so many digits.
-pub(crate) fn is_quick(digits: usize) -> bool {
+pub fn is_quick(digits: usize) -> bool {
     (1..=MOST_DIGITS).contains(&digits)
 }
 
 /// Numbers of this file, all of which have the same bits.
-pub(crate) trait Quick: Arithmetic + Doubles {}
+pub trait Quick: Arithmetic + Doubles {}
 
 impl<E: Arithmetic + Doubles> Quick for E {}
 
@@ -48,15 +48,12 @@ pub fn state_in_double_doubles(arch: &Arch) -> Result<Outcome<DoubleDoubleBall>,
 }
 
 /// The state in these numbers, with the frictions at which its mode changes if they are asked for.
-pub(crate) fn quick_outcome<E: Quick>(
-    arch: &Arch,
-    frictions: bool,
-) -> Result<Outcome<E>, Undecided> {
+pub fn quick_outcome<E: Quick>(arch: &Arch, frictions: bool) -> Result<Outcome<E>, Undecided> {
     outcome(&query(arch), frictions)
 }
 
 /// The friction of the purely sliding state in these numbers.
-pub(crate) fn quick_sliding<E: Quick>(arch: &Arch) -> Result<E, Undecided> {
+pub fn quick_sliding<E: Quick>(arch: &Arch) -> Result<E, Undecided> {
     pure_sliding(&query(arch))
 }
 
@@ -113,7 +110,7 @@ pub fn state_enclosed(arch: &Arch, bits: u32, frictions: bool) -> Result<Outcome
 }
 
 /// The friction of the purely sliding state in an enclosure of `bits` bits.
-pub(crate) fn sliding_enclosed(arch: &Arch, bits: u32) -> Result<Ball, Undecided> {
+pub fn sliding_enclosed(arch: &Arch, bits: u32) -> Result<Ball, Undecided> {
     let quick = || Some(Ok(quick_sliding::<DoubleDoubleBall>(arch).ok()?.to_ball(bits)));
     enclosed(bits, quick, || pure_sliding(&Query::new(arch, bits)))
 }
@@ -137,7 +134,7 @@ pub fn assessment_enclosed(arch: &Arch, thickness: &ExactNumber, bits: u32) -> A
 }
 
 /// Proves what holds for an arch of a given thickness, if all of it is decided.
-pub(crate) fn decided<E: Quick>(arch: &Arch, thickness: &ExactNumber) -> Option<Assessment<E>> {
+pub fn decided<E: Quick>(arch: &Arch, thickness: &ExactNumber) -> Option<Assessment<E>> {
     let state = |is_limited| match is_limited {
         true => quick_outcome(arch, false),
         false => quick_outcome(&arch.unlimited(), false),

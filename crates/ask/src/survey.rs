@@ -1,0 +1,352 @@
+//! The reader of what is given of all arches between two ends.
+
+use super::asked::{ArchAsked, Field};
+use super::given::{circle, friction, given_thickness, read};
+use super::question::{ArchQuestion, Misfit, Spelling};
+use super::range::decimal;
+use super::stones::StonesAsked;
+use crate::arch::SelfWeight;
+use crate::number::{ExactNumber, shown};
+use crate::problem::measures::{Circle, Length, Measures, of_span_and_rise};
+use crate::problem::stones::Stones;
+use crate::problem::survey::{Shape, Survey, SurveyError, frictions_in_order, in_order};
+use crate::problem::{Arch, ArchError, Friction, Sought};
+use num_bigint::BigInt;
+
+/// All arches of a question with ranges, as they are understood.
+#[derive(Clone, Debug)]
+pub struct SurveyGiven {
+    /// Least and largest friction.
+    pub friction: [Friction; 2],
+    /// Half openings and thicknesses, or the measures that make both.
+    pub shape: Shape,
+    /// Circle at which the arches are measured, where they are.
+    pub circle: Option<Circle>,
+    /// Stones of every one of them, if the joints are between them alone.
+    pub stones: Option<Stones>,
+    /// Texts of the lower ends and of the upper ends.
+    ends: [ArchAsked; 2],
+}
+
+/// Fields that go with no range, each with the reason.
+const REFUSED: [(Field, &str); 3] = [
+    (Field::Tilt, "a range of arches is told of on level ground"),
+    (Field::Density, "of a range of arches no forces are told"),
+    (Field::Depth, "of a range of arches no forces are told"),
+];
+/// Measures of an arch.
+const MEASURES: [Field; 3] = [Field::Span, Field::Rise, Field::Radius];
+
+impl SurveyGiven {
+    /// Arches that a question is about, after the check of what is given. A field without a range is one value.
+    pub fn read(
+        question: &ArchQuestion,
+        asked: &ArchAsked,
+        spelling: Spelling,
+    ) -> Result<Self, Misfit> {
+        question.fits(asked, spelling)?;
+        question.is_whole(asked, spelling)?;
+        Self::of(question.unlimited, asked, spelling)
+    }
+
+    /// Arches of which something is sought that is not given: they have any friction, or any half opening, for which
+    /// one radian stands where a text has none.
+    pub fn seeking(sought: Sought, asked: &ArchAsked, spelling: Spelling) -> Result<Self, Misfit> {
+        Self::of(sought == Sought::Friction, asked, spelling)
+    }
+
+    fn of(is_unlimited: bool, asked: &ArchAsked, spelling: Spelling) -> Result<Self, Misfit> {
+        let refused = REFUSED.iter().find(|(field, _)| asked.get(*field).is_some());
+        if let Some((field, why)) = refused {
+            let (name, range) = (spelling.of(*field), asked.ranges().next());
+            let range = range
+                .map_or("a range".to_owned(), |of| format!("the range of {}", spelling.of(of)));
+            let message = format!("{name} does not go with {range}: {why}");
+            return Err(Misfit::new(*field, message));
+        }
+        let stones = StonesAsked::of_ranges(asked, spelling)?;
+        let ends = asked.ends()?;
+        let circle = circle(asked)?;
+        let [low, high] = ends.each_ref().map(|end| {
+            let any = || is_unlimited.then_some(Friction::Infinite);
+            let missing = || Misfit::new(Field::Friction, "the friction is missing");
+            friction(end)?.or_else(any).ok_or_else(missing)
+        });
+        let usual = match &stones {
+            Some(StonesAsked::Joints(stones)) => stones.half_opening().clone(),
+            _ => ExactNumber::rational(BigInt::from(1).into()),
+        };
+        let (friction, shape) = ([low?, high?], shape(&ends, usual, circle, spelling)?);
+        let is_measured = MEASURES.into_iter().any(|of| asked.get(of).is_some());
+        let circle = is_measured.then_some(circle);
+        let mut given = Self { friction, shape, circle, stones: None, ends };
+        // What is no range of arches is told with its field.
+        given.survey(SelfWeight::Heyman).map_err(|error| given.misfit(&error, asked))?;
+        if let Some(stones) = stones {
+            let [alpha, _] = given.half_opening();
+            let all = stones.all(&alpha).map_err(|error| Misfit::new(Field::Stones, error))?;
+            given.stones = all.into_iter().next();
+        }
+        Ok(given)
+    }
+
+    /// The arches of a self-weight.
+    pub fn survey(&self, weight: SelfWeight) -> Result<Survey, SurveyError> {
+        Survey::new(weight, self.friction.clone(), self.shape.clone())
+    }
+
+    /// Reason why these are no arches, with its field.
+    fn misfit(&self, error: &SurveyError, asked: &ArchAsked) -> Misfit {
+        let is_friction = frictions_in_order(&self.friction).is_err();
+        let field = match error {
+            SurveyError::Arch(ArchError::HalfOpening(_)) => Field::HalfOpening,
+            SurveyError::Arch(_) => asked.friction_field(),
+            SurveyError::Reversed(..) | SurveyError::Open(..) if is_friction => {
+                asked.friction_field()
+            }
+            SurveyError::Reversed(..) | SurveyError::Open(..)
+                if in_order(&self.half_opening()).is_err() =>
+            {
+                Field::HalfOpening
+            }
+            _ => Field::Thickness,
+        };
+        Misfit::new(field, error)
+    }
+
+    /// Least and largest half opening, rad.
+    pub fn half_opening(&self) -> [ExactNumber; 2] {
+        match &self.shape {
+            Shape::Free { half_opening, .. } => half_opening.clone(),
+            Shape::Spanned { span, rise, .. } => {
+                made(span, rise).map(|(half_opening, _)| half_opening)
+            }
+        }
+    }
+
+    /// Question about one of the arches: in the texts of the ends that it has, else in exact numbers. `measured` are
+    /// its span, rise and thickness, where these are measured.
+    pub fn one(
+        &self,
+        arch: &Arch,
+        thickness: Option<&ExactNumber>,
+        measured: Option<&[Length; 3]>,
+    ) -> ArchAsked {
+        let [low, high] = &self.ends;
+        let mut one = low.clone();
+        let end =
+            |ends: &[Friction; 2]| ends.iter().position(|friction| friction == arch.friction());
+        match end(&self.friction) {
+            Some(end) => {
+                one.friction.clone_from(&self.ends[end].friction);
+                one.friction_angle.clone_from(&self.ends[end].friction_angle);
+            }
+            None => {
+                (one.friction, one.friction_angle) = (Some(arch.friction().to_string()), None);
+            }
+        }
+        if let Some(measured) = measured {
+            for (field, length) in
+                [Field::Span, Field::Rise, Field::Thickness].into_iter().zip(measured)
+            {
+                let said = |end: &&ArchAsked| {
+                    let length = Some(length);
+                    end.get(field).and_then(|text| text.parse().ok()).as_ref() == length
+                };
+                let said = [low, high].into_iter().find(said).and_then(|end| end.get(field));
+                let text = || format!("{}m", decimal(length.metres()));
+                *one.at(field) = Some(said.map_or_else(text, str::to_owned));
+            }
+            return one;
+        }
+        let Shape::Free { half_opening, thickness: range } = &self.shape else {
+            // An arch of no named measures is told of by its ratios.
+            (one.span, one.rise, one.measured_at) = (None, None, None);
+            one.half_opening = Some(arch.half_opening().to_string());
+            one.thickness = thickness.map(ToString::to_string);
+            return one;
+        };
+        match half_opening.iter().position(|alpha| alpha == arch.half_opening()) {
+            Some(end) => {
+                one.half_opening.clone_from(&self.ends[end].half_opening);
+                // The narrow arch has the longer span.
+                one.span.clone_from(&self.ends[1 - end].span);
+                one.rise.clone_from(&self.ends[end].rise);
+            }
+            None => {
+                (one.span, one.rise) = (None, None);
+                one.half_opening = Some(arch.half_opening().to_string());
+            }
+        }
+        let (Some(range), Some(eta)) = (range, thickness) else {
+            one.thickness = None;
+            return one;
+        };
+        match range.iter().position(|end| end == eta) {
+            Some(end) => {
+                one.thickness.clone_from(&self.ends[end].thickness);
+                // The thin arch has the larger radius.
+                if of_lengths(&self.ends).is_some() {
+                    one.radius.clone_from(&self.ends[1 - end].radius);
+                }
+            }
+            None => {
+                let is_sized = one.span.is_some() || one.radius.is_some();
+                one.thickness = Some(format!("{eta}{}", if is_sized { "r" } else { "" }));
+            }
+        }
+        one
+    }
+}
+
+/// Half opening and radius of the lowest arch of the longest span, and of the highest of the shortest.
+fn made([short, long]: &[Length; 2], [low, high]: &[Length; 2]) -> [(ExactNumber, Length); 2] {
+    [(long, low), (short, high)].map(|(span, rise)| of_span_and_rise(span, rise))
+}
+
+/// Geometry that the arches have in common; of no half opening that is given, or made, they have the `usual` one.
+fn shape(
+    ends: &[ArchAsked; 2],
+    usual: ExactNumber,
+    circle: Circle,
+    spelling: Spelling,
+) -> Result<Shape, Misfit> {
+    let [span, rise, radius] = MEASURES.map(|field| lengths(ends, field));
+    let (measured, radius) = (span?.zip(rise?), radius?);
+    let Some((span, rise)) = measured else {
+        let alpha = |end| {
+            let given = read::<ExactNumber>(end, Field::HalfOpening)?;
+            Ok::<_, Misfit>(given.unwrap_or_else(|| usual.clone()))
+        };
+        let half_opening = [alpha(&ends[0])?, alpha(&ends[1])?];
+        let of = radius.clone().map(|ends| ends.map(|radius| Measures::new(circle, radius, None)));
+        let thickness = match (thickness(ends, of.as_ref(), spelling)?, radius) {
+            (Thickness::Lengths(lengths), Some(radius)) => Some(ratios(lengths, radius, circle)?),
+            (thickness, _) => thickness.ratios(),
+        };
+        return Ok(Shape::Free { half_opening, thickness });
+    };
+    if radius.is_some() {
+        let [span, radius] = [Field::Span, Field::Radius].map(|field| spelling.of(field));
+        let message = format!("beside {span} leave {radius} out of a range: it follows");
+        return Err(Misfit::new(Field::Radius, message));
+    }
+    let made = made(&span, &rise);
+    let of = made.clone().map(|(_, radius)| Measures::new(circle, radius, None));
+    let thickness = match thickness(ends, Some(&of), spelling)? {
+        // One circle, as good as free of its thickness.
+        Thickness::Lengths(lengths) if span[0] == span[1] && rise[0] == rise[1] => {
+            let radius = made.clone().map(|(_, radius)| radius);
+            Some(ratios(lengths, radius, circle)?)
+        }
+        Thickness::Lengths(thickness) => {
+            short(ends)?;
+            return Ok(Shape::Spanned { circle, span, rise, thickness });
+        }
+        ratio => ratio.ratios(),
+    };
+    Ok(Shape::Free { half_opening: made.map(|(half_opening, _)| half_opening), thickness })
+}
+
+/// Most characters of a length that is halved on the way to an answer: of 9,000 it takes minutes.
+const MOST_CHARACTERS: usize = 300;
+
+/// Checks that no length is too long to be halved.
+fn short(ends: &[ArchAsked; 2]) -> Result<(), Misfit> {
+    for field in [Field::Span, Field::Rise, Field::Thickness] {
+        let longest = ends.iter().filter_map(|end| end.get(field)).map(str::len).max();
+        if longest > Some(MOST_CHARACTERS) {
+            let message =
+                format!("beside a range a length has at most {MOST_CHARACTERS} characters");
+            return Err(Misfit::new(field, message));
+        }
+    }
+    Ok(())
+}
+
+/// Ends of the ratio `t/(R + c t/2)`, which rises with the thickness and falls as the radius grows.
+fn ratios(
+    [thin, thick]: [Length; 2],
+    [small, large]: [Length; 2],
+    circle: Circle,
+) -> Result<[ExactNumber; 2], Misfit> {
+    let ratio = |radius: Length, t: Length| {
+        let eta = Measures::new(circle, radius, None).thickness(&t);
+        eta.map_err(|error| Misfit::new(Field::Thickness, error))
+    };
+    Ok([ratio(large, thin)?, ratio(small, thick)?])
+}
+
+/// Least and largest thickness as they are given.
+enum Thickness {
+    None,
+    Ratios([ExactNumber; 2]),
+    Lengths([Length; 2]),
+}
+
+impl Thickness {
+    fn ratios(self) -> Option<[ExactNumber; 2]> {
+        match self {
+            Self::Ratios(ratios) => Some(ratios),
+            Self::None | Self::Lengths(_) => None,
+        }
+    }
+}
+
+/// Thicknesses of both ends, beside the measures of two arches where there are any.
+fn thickness(
+    ends: &[ArchAsked; 2],
+    measures: Option<&[Measures; 2]>,
+    spelling: Spelling,
+) -> Result<Thickness, Misfit> {
+    if let (Some(lengths), Some(_)) = (of_lengths(ends), measures) {
+        return ordered(ends, lengths, Field::Thickness).map(Thickness::Lengths);
+    }
+    let read = |end: usize| {
+        let measures = measures.map(|of| &of[end]);
+        let text = ends[end].thickness.as_deref();
+        text.map(|text| given_thickness(text, measures, spelling)).transpose()
+    };
+    let (Some(low), Some(high)) = (read(0)?, read(1)?) else { return Ok(Thickness::None) };
+    let [first, last] = ends.each_ref().map(|end| length(end, Field::Thickness).is_some());
+    match first == last {
+        true => Ok(Thickness::Ratios([low, high])),
+        false => Err(Misfit::new(
+            Field::Thickness,
+            "one end of the thickness is a length and the other a ratio: give two of a kind (50cm..60cm, 0.1r..0.12r)",
+        )),
+    }
+}
+
+/// Length of a field, if it is one.
+fn length(asked: &ArchAsked, field: Field) -> Option<Length> {
+    asked.get(field)?.parse().ok()
+}
+
+/// Both thicknesses, if both are lengths.
+fn of_lengths([low, high]: &[ArchAsked; 2]) -> Option<[Length; 2]> {
+    Some([length(low, Field::Thickness)?, length(high, Field::Thickness)?])
+}
+
+/// Lengths of a field, the least first; none if it is not given.
+fn lengths(ends: &[ArchAsked; 2], field: Field) -> Result<Option<[Length; 2]>, Misfit> {
+    let [low, high] = ends.each_ref().map(|end| read::<Length>(end, field));
+    let (Some(low), Some(high)) = (low?, high?) else { return Ok(None) };
+    ordered(ends, [low, high], field).map(Some)
+}
+
+/// Lengths of a field, if the first is not above the last.
+fn ordered(
+    ends: &[ArchAsked; 2],
+    [low, high]: [Length; 2],
+    field: Field,
+) -> Result<[Length; 2], Misfit> {
+    if !low.exceeds(&high) {
+        return Ok([low, high]);
+    }
+    let [low, high] = ends.each_ref().map(|end| shown(end.get(field).unwrap_or_default()));
+    Err(Misfit::new(field, SurveyError::Reversed(low, high)))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,284 @@
+//! Ranges over the arches of a survey: each end belongs to one of two corners.
+
+use super::answer::{EndValue, ModesFound, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch};
+use crate::certify::state::{Answer, AssessmentDigits, Balls, Figure, Limit, measured_state};
+use crate::number::ExactNumber;
+use crate::problem::measures::Measures;
+use crate::problem::stones::Stones;
+use crate::problem::survey::{Side, SurveyVerdict, is_one_friction, is_one_number};
+use crate::problem::{Arch, Quantity};
+use crate::prover::{Answered, Error, Refused, Undecided};
+use couplet_stones::{
+    VoussoirAssessment, VoussoirStanding, Voussoirs, assess_voussoirs, voussoirs,
+};
+
+/// Corner of a survey with what is proved of it.
+pub(super) struct Corner {
+    pub(super) side: Side,
+    pub(super) at: SurveyedArch,
+    found: Found,
+    /// Least thickness in metres, where the arch is measured and some thickness is enough.
+    metres: Answered<Figure>,
+}
+
+enum Found {
+    State(Result<Answer, Error>),
+    Assessment(Box<AssessmentDigits>),
+    Stones(Result<Voussoirs, Undecided>, Option<Box<VoussoirAssessment>>),
+}
+
+/// Value of a quantity at a corner.
+enum Told {
+    Value(Figure),
+    /// Statement in place of a number.
+    Without(EndValue),
+}
+
+impl Corner {
+    pub(super) fn new(side: Side, at: SurveyedArch, digits: usize) -> Result<Self, Refused> {
+        Refused::digits(digits)?;
+        let balls = Balls::DoubleDoubles;
+        let found = match &at.thickness {
+            None => Found::State(balls.state(&at.arch, digits, false)),
+            Some(eta) => Found::Assessment(Box::new(balls.assess(&at.arch, eta, digits)?)),
+        };
+        Ok(Self { side, at, found, metres: Ok(None) })
+    }
+
+    /// The corner with its least thickness in metres.
+    pub(super) fn in_metres(self, measures: &Measures, digits: usize) -> Result<Self, Refused> {
+        let is_asked = |(of, _): &(Quantity, _)| *of == Quantity::ThicknessInMetres;
+        let sizes = Error::apart(measured_state(&self.at.arch, measures, digits))?;
+        let metres = sizes.map(|sizes| sizes.into_iter().find(is_asked)?.1);
+        Ok(Self { metres, ..self })
+    }
+
+    /// Corner of arches of stones.
+    pub(super) fn of_stones(
+        side: Side,
+        at: SurveyedArch,
+        stones: &Stones,
+        digits: usize,
+    ) -> Result<Self, Refused> {
+        let (weight, friction) = (at.arch.weight(), at.arch.friction());
+        let least = Error::apart(voussoirs(stones, weight, friction, digits))?;
+        let assess = |eta| assess_voussoirs(stones, weight, friction, eta, digits).map(Box::new);
+        let given = at.thickness.as_ref().map(assess).transpose()?;
+        Ok(Self { side, at, found: Found::Stones(least, given), metres: Ok(None) })
+    }
+
+    /// Verdict on the arch, if it has a thickness.
+    fn stands(&self) -> Option<Result<bool, Undecided>> {
+        match &self.found {
+            Found::State(_) | Found::Stones(_, None) => None,
+            Found::Assessment(found) => Some(found.stands.clone()),
+            Found::Stones(_, Some(found)) => {
+                let stands = |of: &VoussoirStanding| matches!(of, VoussoirStanding::Stands(_));
+                Some(found.standing.as_ref().map(stands).map_err(Clone::clone))
+            }
+        }
+    }
+
+    /// Value of a quantity, where there is any to tell.
+    fn told(&self, of: Quantity) -> Result<Option<Told>, Undecided> {
+        match (&self.found, of) {
+            (Found::State(found), Quantity::LeastThickness) => match found {
+                Ok(Answer::Stands(state)) => Ok(Some(Told::Value(state.thickness.clone()))),
+                Ok(Answer::Falls { .. }) => Ok(Some(Told::Without(EndValue::NotEnough))),
+                Err(Error::Undecided(open)) => Err(open.clone()),
+                Err(Error::Refused(_)) => Ok(None),
+            },
+            (Found::State(_), _) => Ok(None),
+            (Found::Assessment(found), of) => {
+                let slides_never =
+                    !self.at.arch.is_limited() && !matches!(found.required_friction, Ok(None));
+                match of {
+                    Quantity::LeastThickness => answered(&found.least_thickness, false),
+                    Quantity::ThicknessInMetres if self.at.measured.is_some() => {
+                        match found.least_thickness.clone()? {
+                            Some(_) => Ok(self.metres.clone()?.map(Told::Value)),
+                            None => Ok(Some(Told::Without(EndValue::NotEnough))),
+                        }
+                    }
+                    Quantity::GeometricSafety => answered(&found.geometric_safety, false),
+                    Quantity::RequiredFriction => answered(&found.required_friction, false),
+                    Quantity::FrictionSafety => answered(&found.friction_safety, slides_never),
+                    _ => Ok(None),
+                }
+            }
+            (Found::Stones(least, _), Quantity::LeastThickness) => {
+                Ok(Some(match least.clone()? {
+                    Voussoirs::Stands(state) => Told::Value(state.thickness),
+                    Voussoirs::AnyThickness => Told::Without(EndValue::AnyIsEnough),
+                    Voussoirs::Slides | Voussoirs::TooThick => Told::Without(EndValue::NotEnough),
+                }))
+            }
+            (Found::Stones(_, None), _) => Ok(None),
+            (Found::Stones(least, Some(found)), of) => {
+                let any = matches!(least, Ok(Voussoirs::AnyThickness));
+                let slides_never = matches!(found.required_friction, Ok(Some(_)));
+                match of {
+                    Quantity::GeometricSafety => answered(&found.geometric_safety, any),
+                    Quantity::RequiredFriction => answered(&found.required_friction, false),
+                    Quantity::FrictionSafety => answered(&found.friction_safety, slides_never),
+                    _ => Ok(None),
+                }
+            }
+        }
+    }
+
+    /// End of the thrust that this corner decides.
+    fn thrust(&self, of: Quantity) -> Option<EndValue> {
+        let thrusts = match &self.found {
+            Found::Assessment(found) => {
+                found.limits().map(|limit| limit.map(|limit| limit.thrust.as_ref()))
+            }
+            Found::Stones(_, Some(found)) => match &found.standing {
+                Ok(VoussoirStanding::Stands(ends)) => {
+                    ends.each_ref().map(|end| Some(end.thrust.as_ref()))
+                }
+                _ => return None,
+            },
+            _ => return None,
+        };
+        let thrust = if of == Quantity::LeastThrust { thrusts[0] } else { thrusts[1] }?;
+        Some(match thrust {
+            // Where all joints are beyond a right angle no thrust is too small: that is no number to tell.
+            None if of == Quantity::LeastThrust => return None,
+            None => EndValue::Unbounded,
+            Some(figure) => outward(figure, (of == Quantity::LeastThrust) == self.is_unsafe()),
+        })
+    }
+
+    fn is_unsafe(&self) -> bool {
+        self.side == Side::Unsafe
+    }
+}
+
+/// Value of a quantity: where it has none it is `unbounded`, or nothing is enough.
+fn answered(found: &Answered<Figure>, unbounded: bool) -> Result<Option<Told>, Undecided> {
+    let none = if unbounded { EndValue::Unbounded } else { EndValue::NotEnough };
+    Ok(Some(found.clone()?.map_or(Told::Without(none), Told::Value)))
+}
+
+/// A figure rounded up or down to its digits.
+pub(super) fn outward(figure: &Figure, up: bool) -> EndValue {
+    let decimal = &figure.decimal;
+    EndValue::Number(if up { decimal.upper.clone() } else { decimal.lower.clone() })
+}
+
+/// Answer of two corners.
+pub(super) fn answer(worst: Corner, best: Corner, modes: Option<ModesFound>) -> SurveyAnswer {
+    let (verdict, (mut ranges, open)) = (verdict(&worst, &best), ranges(&worst, &best));
+    ranges.extend(thrusts(&worst, &best));
+    SurveyAnswer { verdict, worst: worst.at, best: best.at, ranges, open, modes }
+}
+
+/// Verdict of two corners; `None` without a thickness.
+fn verdict(worst: &Corner, best: &Corner) -> Option<Result<SurveyVerdict, Undecided>> {
+    Some(match (worst.stands()?, best.stands()?) {
+        (Ok(true), _) => Ok(SurveyVerdict::AllStand),
+        (_, Ok(false)) => Ok(SurveyVerdict::NoneStands),
+        (Ok(false), Ok(true)) => Ok(SurveyVerdict::BothOccur),
+        (Err(open), _) => Err(open.about("the arch that stands least easily")),
+        (_, Err(open)) => Err(open.about("the arch that stands most easily")),
+    })
+}
+
+/// Ranges of least thicknesses, required friction and safety factors, and what of it stays open: least thickness and
+/// required friction are largest at the worst arch, safety factors least (of measured arches the claims `survey-worst`
+/// and `survey-safety`).
+fn ranges(worst: &Corner, best: &Corner) -> (Vec<QuantityRange>, Option<Undecided>) {
+    let (mut ranges, mut open) = (Vec::new(), None);
+    for (of, largest_is_worst) in [
+        (Quantity::LeastThickness, true),
+        (Quantity::GeometricSafety, false),
+        (Quantity::RequiredFriction, true),
+        (Quantity::FrictionSafety, false),
+        (Quantity::ThicknessInMetres, true),
+    ] {
+        let [first, last] = if largest_is_worst { [best, worst] } else { [worst, best] };
+        let (lower, upper) = match (first.told(of), last.told(of)) {
+            (Ok(Some(lower)), Ok(Some(upper))) => (lower, upper),
+            (Err(why), _) | (_, Err(why)) => {
+                open.get_or_insert(why.about(of.name()));
+                continue;
+            }
+            _ => continue,
+        };
+        let end = |corner: &Corner, value: Told, up| {
+            let value = match value {
+                Told::Value(figure) => outward(&figure, up),
+                Told::Without(words) => words,
+            };
+            RangeEnd::attained(value, &corner.at)
+        };
+        let (lower, upper) = (end(first, lower, false), end(last, upper, true));
+        ranges.push(QuantityRange { of, lower, upper });
+    }
+    (ranges, open)
+}
+
+/// Ranges of the thrusts, where span and rise are not measured. Each state of an arch is admissible in every narrower,
+/// rougher and thicker one (the claim `survey-corners`): so the range of thrusts is within that of the best arch, and
+/// holds that of the worst.
+fn thrusts(worst: &Corner, best: &Corner) -> Vec<QuantityRange> {
+    if worst.at.measured.is_some() {
+        return Vec::new();
+    }
+    let mut ranges = Vec::new();
+    let thrusts = [(Quantity::LeastThrust, true), (Quantity::LargestThrust, false)];
+    for (of, largest_is_worst) in thrusts.into_iter().filter(|_| worst.stands() == Some(Ok(true))) {
+        let [first, last] = if largest_is_worst { [best, worst] } else { [worst, best] };
+        let (Some(lower), Some(upper)) = (first.thrust(of), last.thrust(of)) else { continue };
+        let (lower, upper) =
+            (RangeEnd::attained(lower, &first.at), RangeEnd::attained(upper, &last.at));
+        ranges.push(QuantityRange { of, lower, upper });
+    }
+    ranges.extend(thrust_at_least_thickness(worst, best));
+    ranges
+}
+
+/// Range of the thrust at the least thickness, where that is asked for: an enclosure. A state is admissible in the best
+/// arch too, and there as well when that has the thickness that the worst one needs.
+fn thrust_at_least_thickness(worst: &Corner, best: &Corner) -> Option<QuantityRange> {
+    let (Found::State(Ok(Answer::Stands(thin))), Found::State(Ok(Answer::Stands(thick)))) =
+        (&best.found, &worst.found)
+    else {
+        return None;
+    };
+    let of = Quantity::Thrust;
+    if is_one_arch(&worst.at, &best.at) {
+        let end = |up| RangeEnd::attained(outward(&thin.thrust, up), &best.at);
+        return Some(QuantityRange { of, lower: end(false), upper: end(true) });
+    }
+    let needed = ExactNumber::from(&thick.thickness.decimal.upper.to_rational());
+    let digits = thin.thrust.decimal.value.significant_digits().min(ENCLOSED_DIGITS);
+    let [lower, upper] = enclosed_thrusts(&best.at.arch, &needed, digits)?;
+    let enclosed = |value| RangeEnd { value, at: None };
+    Some(QuantityRange { of, lower: enclosed(lower.0), upper: enclosed(upper.1) })
+}
+
+/// Digits of an end that only encloses: more would say nothing.
+pub(super) const ENCLOSED_DIGITS: usize = 5;
+
+/// Bounds of the least and of the largest thrust of an arch that stands.
+pub(super) fn enclosed_thrusts(
+    arch: &Arch,
+    eta: &ExactNumber,
+    digits: usize,
+) -> Option<[(EndValue, EndValue); 2]> {
+    let found = Balls::DoubleDoubles.assess(arch, eta, digits).ok()?;
+    let [least, largest] = found.limits();
+    let both = |limit: &Limit<Figure>| match &limit.thrust {
+        None => (EndValue::Unbounded, EndValue::Unbounded),
+        Some(figure) => (outward(figure, false), outward(figure, true)),
+    };
+    Some([both(least?), both(largest?)])
+}
+
+/// Tells whether two corners are one arch.
+fn is_one_arch(SurveyedArch { arch: a, .. }: &SurveyedArch, b: &SurveyedArch) -> bool {
+    is_one_number(a.half_opening(), b.arch.half_opening())
+        && is_one_friction(a.friction(), b.arch.friction())
+}
