@@ -33,7 +33,8 @@ fn arches(count: usize) -> Vec<LaneArch> {
 }
 
 fn main() {
-    let count = std::env::args().nth(1).map_or(100_000, |text| text.parse().expect("a number of arches"));
+    let count =
+        std::env::args().nth(1).map_or(100_000, |text| text.parse().expect("a number of arches"));
     let mut digest = Digest(0xcbf2_9ce4_8422_2325);
     let mut met: BTreeMap<&str, usize> = BTreeMap::new();
     let arches = arches(count / 2);
@@ -43,7 +44,12 @@ fn main() {
                 None => "open",
                 Some(LaneAnswer::Falls) => "falls",
                 Some(LaneAnswer::Stands(state)) => {
-                    let all = [state.thickness, state.thrust, state.intrinsic_thrust, state.rotation_joint];
+                    let all = [
+                        state.thickness,
+                        state.thrust,
+                        state.intrinsic_thrust,
+                        state.rotation_joint,
+                    ];
                     all.iter().chain(&state.sliding_joint).for_each(|x| digest.add(x));
                     state.mode.label()
                 }
