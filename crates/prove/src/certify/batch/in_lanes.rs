@@ -3,17 +3,13 @@
 //! What they leave open is proved as any arch is. A row is the same either way: the nearest double and the doubles next
 //! to the value depend on the value alone.
 
-use super::arches::{BatchArches, Threads};
+use super::arches::{BatchArches, InLanes, Threads};
 use super::columns::BatchColumns;
-use super::row::{BatchRow, RowValue, RowVerdict};
+use super::row::RowVerdict;
 use crate::arch::SelfWeight;
 use crate::lanes::{FromFriction, LaneAnswer, LaneArch, LaneFrictions, LaneState, Lanes};
-use crate::number::{Binary, DoubleDoubleBall};
+use crate::number::{Binary, DoubleDoubleBall, Enclosure, Field, Ternary};
 use crate::problem::{Mode, Quantity};
-use std::sync::Arc;
-
-/// Rows below which tables and half-filled lanes would cost more than they spare.
-const FEW: usize = 64;
 
 /// Rows that are one piece of work.
 const PIECE: usize = 1024;
@@ -21,134 +17,85 @@ const PIECE: usize = 1024;
 /// An answer with its place among the rows.
 struct Answered<'a> {
     row: usize,
-    half_opening: &'a DoubleDoubleBall,
     answer: &'a LaneAnswer,
     /// The frictions at which the mode changes, if they are asked for.
     frictions: Option<&'a LaneFrictions>,
+    /// The thickness of the arch, if it has one.
+    thickness: Option<&'a DoubleDoubleBall>,
 }
 
-/// Things made of the answers to each piece of the rows of a batch and of a weight; none where these would not be rows.
-/// Of an answer not all that is asked may be known.
-fn pieces<T: Send>(
-    quantities: &[Quantity],
-    arches: &impl BatchArches,
-    threads: Threads,
-    made: impl Fn(&[Answered]) -> T + Send + Sync,
-) -> Vec<T> {
-    let is_known = |of: &Quantity| *of != Quantity::AsymmetricThickness;
-    let count = arches.count();
-    if count < FEW || !quantities.iter().all(is_known) {
-        return Vec::new();
-    }
-    let has_frictions = quantities.iter().any(|of| of.is_friction());
-    let starts: Vec<usize> = (0..count).step_by(PIECE).collect();
-    let found = threads.each(&starts, |start| {
-        SelfWeight::ALL.map(|weight| {
-            let of_weight = |row: usize| {
-                let (of, arch) = arches.in_lanes(row)?;
-                (of == weight).then_some((row, arch))
-            };
-            let rows = (*start..count.min(start + PIECE)).filter_map(of_weight);
-            let (rows, arches): (Vec<usize>, Vec<LaneArch>) = rows.unzip();
-            answered(has_frictions, weight, (&rows, &arches), &made)
-        })
-    });
-    found.into_iter().flatten().collect()
-}
-
-/// Thing made of the answers to some rows of a weight.
-fn answered<T>(
-    has_frictions: bool,
-    weight: SelfWeight,
-    (rows, arches): (&[usize], &[LaneArch]),
-    made: impl Fn(&[Answered]) -> T,
-) -> T {
-    let lanes = Lanes::of(weight);
-    let answers = lanes.states(arches);
-    let half_openings: Vec<_> =
-        arches.iter().filter(|_| has_frictions).map(|(alpha, _)| *alpha).collect();
-    let frictions = lanes.frictions(&half_openings);
-    let each = answers.iter().zip(arches).zip(rows).enumerate();
-    let all = each.filter_map(|(place, ((answer, (half_opening, _)), row))| {
-        let (answer, frictions) = (answer.as_ref()?, frictions.get(place));
-        Some(Answered { row: *row, half_opening, answer, frictions })
-    });
-    made(&all.collect::<Vec<_>>())
-}
-
-/// Rows of a batch with their places; none of which not all that is asked is proved.
-pub(super) fn rows(
-    quantities: &[Quantity],
-    arches: &impl BatchArches,
-    threads: Threads,
-) -> Vec<(usize, Arc<BatchRow>)> {
-    let made = |answers: &[Answered]| {
-        let mut last: Option<(LastRow, Arc<BatchRow>)> = None;
-        let row = |answered: &Answered| {
-            // At one half opening a rotational state does not depend on the friction, nor does a fall.
-            let key = LastRow::new(answered);
-            if let Some((of, row)) = &last
-                && key.as_ref() == Some(of)
-            {
-                return Some((answered.row, Arc::clone(row)));
-            }
-            let row = Arc::new(answered.as_row(quantities)?);
-            if let Some(key) = key {
-                last = Some((key, Arc::clone(&row)));
-            }
-            Some((answered.row, row))
-        };
-        answers.iter().filter_map(row).collect::<Vec<_>>()
-    };
-    pieces(quantities, arches, threads, made).into_iter().flatten().collect()
-}
-
-/// Rows of a batch by columns, some with their places at a time.
+/// Rows of a batch by columns, some with their places at a time; none of which not all that is asked is proved.
 pub(super) fn columns(
     quantities: &[Quantity],
     arches: &impl BatchArches,
     threads: Threads,
 ) -> Vec<(Vec<usize>, BatchColumns)> {
-    let made = |answers: &[Answered]| {
-        let mut columns = BatchColumns::open(0, quantities.len());
-        let row = |answered: &Answered| {
-            columns.push(answered.verdict(), &answered.all_doubles(quantities)?);
-            Some(answered.row)
-        };
-        let rows = answers.iter().filter_map(row).collect();
-        (rows, columns)
-    };
-    pieces(quantities, arches, threads, made)
-}
-
-/// All that a row depends on, where it does not depend on its friction.
-#[derive(PartialEq, Eq)]
-struct LastRow {
-    half_opening: [u64; 2],
-    falls: bool,
-}
-
-impl LastRow {
-    fn new(Answered { answer, half_opening, .. }: &Answered) -> Option<Self> {
-        let falls = match answer {
-            LaneAnswer::Falls => true,
-            LaneAnswer::Stands(state) if state.mode == Mode::Rotational => false,
-            _ => return None,
-        };
-        let mid = half_opening.mid();
-        Some(Self { half_opening: [mid.hi(), mid.lo()].map(f64::to_bits), falls })
+    let count = arches.count();
+    if !quantities.iter().all(|of| is_known(*of)) {
+        return Vec::new();
     }
+    let starts: Vec<usize> = (0..count).step_by(PIECE).collect();
+    let found = threads.each(&starts, |start| {
+        SelfWeight::ALL.map(|weight| {
+            let of_weight = |row: usize| {
+                let (of, given) = arches.in_lanes(row)?;
+                (of == weight && given.1.as_ref().is_none_or(is_thickness)).then_some((row, given))
+            };
+            let rows = (*start..count.min(start + PIECE)).filter_map(of_weight);
+            let (rows, given): (Vec<usize>, Vec<InLanes>) = rows.unzip();
+            answered(quantities, weight, (&rows, &given))
+        })
+    });
+    found.into_iter().flatten().collect()
+}
+
+/// Tells whether rows may have a quantity.
+fn is_known(of: Quantity) -> bool {
+    use Quantity as Q;
+    Q::STATE.contains(&of) || matches!(of, Q::LeastThickness | Q::GeometricSafety)
+}
+
+/// Tells whether a number is proved to be in `(0, 2)`.
+fn is_thickness(eta: &DoubleDoubleBall) -> bool {
+    eta.is_positive().is_proved() && eta.is_less_than(&eta.int(2)).is_proved()
+}
+
+/// The answers to some rows of a weight, with those that are answered.
+fn answered(
+    quantities: &[Quantity],
+    weight: SelfWeight,
+    (rows, given): (&[usize], &[InLanes]),
+) -> (Vec<usize>, BatchColumns) {
+    let lanes = Lanes::of(weight);
+    let arches: Vec<LaneArch> = given.iter().map(|(arch, _)| *arch).collect();
+    let answers = lanes.states(&arches);
+    let has_frictions = quantities.iter().any(|of| of.is_friction());
+    let half_openings: Vec<_> =
+        arches.iter().filter(|_| has_frictions).map(|(alpha, _)| *alpha).collect();
+    let frictions = lanes.frictions(&half_openings);
+    let mut columns = BatchColumns::open(0, quantities.len());
+    let all = rows.iter().zip(&answers).zip(given).enumerate();
+    let answered = all.filter_map(|(place, ((row, answer), (_, thickness)))| {
+        let (answer, thickness) = (answer.as_ref()?, thickness.as_ref());
+        let of = Answered { row: *row, answer, frictions: frictions.get(place), thickness };
+        columns.push(of.verdict()?, &of.all_doubles(quantities)?);
+        Some(of.row)
+    });
+    (answered.collect(), columns)
 }
 
 /// No number with its bounds: there is none.
 const NONE: [f64; 3] = [f64::NAN; 3];
 
 impl Answered<'_> {
-    /// Verdict and mode of the row.
-    fn verdict(&self) -> (RowVerdict, Option<Mode>) {
-        match self.answer {
-            LaneAnswer::Stands(state) => (RowVerdict::Stands, Some(state.mode)),
-            LaneAnswer::Falls => (RowVerdict::Falls, None),
+    /// Verdict of the row, and mode of a state; `None` where it is not decided.
+    fn verdict(&self) -> Option<(RowVerdict, Option<Mode>)> {
+        let LaneAnswer::Stands(state) = self.answer else { return Some((RowVerdict::Falls, None)) };
+        let Some(eta) = self.thickness else { return Some((RowVerdict::Stands, Some(state.mode))) };
+        match (eta.clone() - &state.thickness).is_positive() {
+            Ternary::True => Some((RowVerdict::Stands, None)),
+            Ternary::False => Some((RowVerdict::Falls, None)),
+            Ternary::Undecided => None,
         }
     }
 
@@ -164,7 +111,11 @@ impl Answered<'_> {
             state.map_or(Some(NONE), |state| doubles(of(state)))
         };
         match of {
-            Q::Thickness => of_state(|state| &state.thickness),
+            Q::Thickness | Q::LeastThickness => of_state(|state| &state.thickness),
+            Q::GeometricSafety => match state {
+                Some(state) => doubles(&(self.thickness?.clone() / &state.thickness)),
+                None => Some(NONE),
+            },
             Q::Thrust => of_state(|state| &state.thrust),
             Q::IntrinsicThrust => of_state(|state| &state.intrinsic_thrust),
             Q::RotationJoint => of_state(|state| &state.rotation_joint),
@@ -179,17 +130,6 @@ impl Answered<'_> {
             },
             _ => None,
         }
-    }
-
-    /// The row, if each double is decided.
-    fn as_row(&self, quantities: &[Quantity]) -> Option<BatchRow> {
-        let (verdict, mode) = self.verdict();
-        let value = |[double, lower, upper]: [f64; 3]| {
-            let value = RowValue { double, bounds: [lower, upper], text: None };
-            (!double.is_nan()).then_some(value)
-        };
-        let values = self.all_doubles(quantities)?.into_iter().map(value).collect();
-        Some(BatchRow { verdict, mode, values, reason: None })
     }
 
     /// The doubles of each quantity, if they are decided.
