@@ -63,7 +63,15 @@ pub(crate) fn quick_sliding<E: Quick>(arch: &Arch) -> Result<E, Undecided> {
 /// The state to `digits` digits.
 pub(super) fn state(arch: &Arch, digits: usize, frictions: bool) -> Option<Answer> {
     let double_doubles = || state_in::<DoubleDoubleBall>(arch, digits, frictions);
-    let three_words = || state_in::<TripleWordBall>(arch, digits, frictions);
+    in_words(digits, double_doubles, || state_in::<TripleWordBall>(arch, digits, frictions))
+}
+
+/// The digits that either proof decides.
+fn in_words<T>(
+    digits: usize,
+    double_doubles: impl FnOnce() -> Option<T>,
+    three_words: impl FnOnce() -> Option<T>,
+) -> Option<T> {
     match digits {
         1..=OF_A_DOUBLE => double_doubles(),
         ..=NEARLY_ALL_DIGITS if digits > 0 => double_doubles().or_else(three_words),
@@ -156,10 +164,16 @@ pub(super) fn assess(
     thickness: &ExactNumber,
     digits: usize,
 ) -> Option<AssessmentDigits> {
-    if !is_quick(digits) {
-        return None;
-    }
-    let found = decided::<DoubleDoubleBall>(arch, thickness)?.rounded(digits, DOUBLE_DOUBLE);
+    let double_doubles = || assess_in::<DoubleDoubleBall>(arch, thickness, digits);
+    in_words(digits, double_doubles, || assess_in::<TripleWordBall>(arch, thickness, digits))
+}
+
+fn assess_in<E: Quick + Figured>(
+    arch: &Arch,
+    thickness: &ExactNumber,
+    digits: usize,
+) -> Option<AssessmentDigits> {
+    let found = decided::<E>(arch, thickness)?.rounded(digits, E::BITS);
     found.first_open().is_none().then_some(found)
 }
 
@@ -303,7 +317,29 @@ mod tests {
             }
             let thickness = "1.5".parse().unwrap();
             assert!(assess(&arch, &thickness, 10).is_some(), "not the thickness: {arch}");
-            assert!(assess(&arch, &thickness, 26).is_none(), "more digits than they have");
+            assert!(assess(&arch, &thickness, 30).is_some(), "{arch}");
+            assert!(assess(&arch, &thickness, 37).is_none(), "more digits than they have");
         }
+    }
+
+    /// Three words tell the digits and the doubles of assessments that balls of MPFR tell.
+    #[test]
+    fn three_words_assess_as_balls_of_mpfr_do() {
+        const ARCHES: usize = 200;
+        let mut decided = 0;
+        for (place, (arch, digits)) in mix(ARCHES).enumerate() {
+            let part = (place + 1) as f64 * 0.381_966_011_250_105;
+            let thickness = format!("{:.12}", 0.02 + 1.5 * part.fract().powi(3)).parse().unwrap();
+            let Some(found) = assess(&arch, &thickness, digits) else { continue };
+            decided += 1;
+            let by_mpfr = Balls::Mpfr.assess(&arch, &thickness, digits).unwrap();
+            assert_eq!((&found.stands, found.fall), (&by_mpfr.stands, by_mpfr.fall), "{arch}");
+            assert_eq!(found.figures().count(), by_mpfr.figures().count(), "{arch} {thickness}");
+            for ((of, x), (_, y)) in found.figures().zip(by_mpfr.figures()) {
+                assert_eq!(x.map(|x| &x.decimal), y.map(|y| &y.decimal), "{arch} {of:?}");
+                assert_eq!(x.map(Figure::bounds), y.map(Figure::bounds), "{arch} {of:?}");
+            }
+        }
+        assert!(decided * 100 >= ARCHES * 95, "{decided}");
     }
 }
