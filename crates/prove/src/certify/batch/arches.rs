@@ -8,6 +8,7 @@ use rayon::prelude::*;
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::hash::Hash;
+use std::ops::Range;
 
 /// Arches of a batch, by rows.
 pub trait BatchArches: Sync {
@@ -19,6 +20,11 @@ pub trait BatchArches: Sync {
 
     /// The weight of a row, with its numbers in enclosures, where they are known; these need not be those of an arch.
     fn in_lanes(&self, row: usize) -> Option<(SelfWeight, InLanes)>;
+
+    /// The same of rows that follow each other.
+    fn many_in_lanes(&self, rows: Range<usize>) -> Vec<Option<(SelfWeight, InLanes)>> {
+        rows.map(|row| self.in_lanes(row)).collect()
+    }
 
     /// The arch of a row, or why there is none.
     fn arch(&self, row: usize) -> Result<Cow<'_, Arch>, String>;
