@@ -46,8 +46,8 @@ impl LaneState {
     }
 }
 
-/// Roots that bound the thrusts of an arch with a thickness, each where it is proved to exist. Which signs make it a bound
-/// is not looked at.
+/// Roots that bound the thrusts of an arch with a thickness, each where it is proved to exist. Which signs make it a
+/// bound is not looked at.
 #[derive(Clone, Copy, Debug, Default)]
 #[non_exhaustive]
 pub struct LaneRoots {

@@ -50,8 +50,8 @@ impl Lanes {
         self.width.prove(&Tangent, angles)
     }
 
-    /// Roots that bound the thrusts of arches with thicknesses, in their order: with those that a required friction is found
-    /// from, and those by which friction bounds the thrusts, as they are wanted.
+    /// Roots that bound the thrusts of arches with thicknesses, in their order: with those that a required friction is
+    /// found from, and those by which friction bounds the thrusts, as they are wanted.
     pub fn roots(
         self,
         arches: &[(LaneArch, DoubleDoubleBall)],

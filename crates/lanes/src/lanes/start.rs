@@ -83,8 +83,8 @@ pub(super) fn place_of_thickness(eta: f64) -> f64 {
     eta.sqrt().sqrt()
 }
 
-/// The [places](place_of_thickness) of thicknesses that are touched above the joint; the last is next to that of the end
-/// of rotation.
+/// The [places](place_of_thickness) of thicknesses that are touched above the joint; the last is next to that of the
+/// end of rotation.
 #[inline(always)]
 pub(super) fn touches_above(weight: SelfWeight) -> [f64; 2] {
     let end = overturning::thickness_at_end(weight, &3f64.sqrt());
@@ -103,8 +103,8 @@ pub(super) fn above(weight: SelfWeight) -> &'static Table<1> {
     })
 }
 
-/// By the half opening: the square of `beta_r` and the thickness of the rotational state, and the thickness from which the
-/// line of the largest thrust touches the crown.
+/// By the half opening: the square of `beta_r` and the thickness of the rotational state, and the thickness from which
+/// the line of the largest thrust touches the crown.
 pub(super) fn below(weight: SelfWeight) -> &'static Table<3> {
     static TABLES: PerWeight<OnceLock<Table<3>>> =
         PerWeight { heyman: OnceLock::new(), milankovitch: OnceLock::new() };

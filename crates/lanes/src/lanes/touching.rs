@@ -1,9 +1,9 @@
 //! Proofs of the lines of thrust that touch the intrados at a thickness: of the least thrust, (2) and (5), and of the
 //! largest, (3) and (5).
 //!
-//! One equation each. (2) and (5) have one thrust at each joint, whatever the weight, [`thrust::touching`], and what (5)
-//! leaves with the weight is the equation. Below the joint it is what (3) leaves with the thrust of (5). Which signs make
-//! the thrusts bounds is not looked at here.
+//! One equation each. (2) and (5) have one thrust at each joint, whatever the weight, [`thrust::touching`], and what
+//! (5) leaves with the weight is the equation. Below the joint it is what (3) leaves with the thrust of (5). Which
+//! signs make the thrusts bounds is not looked at here.
 
 use super::piece::Proof;
 use super::root::{Equation, is_within, known_if, newton, root};

@@ -21,7 +21,7 @@ pub trait BatchArches: Sync {
     /// The weight of a row, with its numbers in enclosures, where they are known; these need not be those of an arch.
     fn in_lanes(&self, row: usize) -> Option<(SelfWeight, InLanes)>;
 
-    /// The same of rows that follow each other.
+    /// Weights and enclosures of rows that follow each other.
     fn many_in_lanes(&self, rows: Range<usize>) -> Vec<Option<(SelfWeight, InLanes)>> {
         rows.map(|row| self.in_lanes(row)).collect()
     }

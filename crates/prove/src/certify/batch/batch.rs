@@ -50,8 +50,8 @@ impl Batch {
         all.into_iter().flatten().collect()
     }
 
-    /// Columns of rows without texts: first those that are proved many at a time, then the others, with the proofs of one
-    /// half opening at a time.
+    /// Columns of rows without texts: first those that are proved many at a time, then the others, with the proofs of
+    /// one half opening at a time.
     pub fn columns(&self, arches: &impl BatchArches, threads: Threads) -> BatchColumns {
         let mut all = BatchColumns::open(arches.count(), self.quantities.len());
         let mut is_open = vec![true; arches.count()];

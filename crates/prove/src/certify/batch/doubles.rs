@@ -26,7 +26,8 @@ const DIGITS: usize = 17;
 /// use couplet_prove::prelude::*;
 /// let (half_openings, frictions) = (&[2.45, 2.45, 4.0], &[1.35, 0.1, 1.0]);
 /// let weight = SelfWeight::Milankovitch;
-/// let arches = DoubleArches { weight, half_openings, frictions, thicknesses: None, units: DoubleUnits::default() };
+/// let units = DoubleUnits::default();
+/// let arches = DoubleArches { weight, half_openings, frictions, thicknesses: None, units };
 /// let rows = arches.rows(&[Quantity::Thickness])?;
 /// assert_eq!((rows[0].mode, rows[0].doubles(0)[0]), (Mode::named("rrs"), 0.65024378080138357));
 /// assert_eq!(rows[1].verdict, RowVerdict::Falls);
@@ -109,7 +110,8 @@ impl DoubleArches<'_> {
     /// use couplet_prove::prelude::*;
     /// let (half_openings, frictions) = (&[2.45, 2.45, 4.0], &[1.35, 0.1, 1.0]);
     /// let weight = SelfWeight::Milankovitch;
-    /// let arches = DoubleArches { weight, half_openings, frictions, thicknesses: None, units: DoubleUnits::default() };
+    /// let units = DoubleUnits::default();
+    /// let arches = DoubleArches { weight, half_openings, frictions, thicknesses: None, units };
     /// let columns = arches.columns(&[Quantity::Thickness])?;
     /// assert_eq!(columns.values[0][0][0], 0.65024378080138357);
     /// assert_eq!(columns.verdicts, [RowVerdict::Stands, RowVerdict::Falls, RowVerdict::Refused]);
@@ -280,8 +282,8 @@ mod tests {
         all.filter(|of| frictions || !of.is_friction()).collect()
     }
 
-    /// Thicknesses of arches: around the least by a random factor, or so near to it that few bits tell them apart; and what
-    /// is no thickness or nearly none.
+    /// Thicknesses of arches: around the least by a random factor, or so near to it that few bits tell them apart; and
+    /// what is no thickness or nearly none.
     fn thicknesses(arches: &DoubleArches, from: usize) -> Vec<f64> {
         let least = arches.columns(&[Quantity::Thickness]).unwrap();
         let [least, ..] = &least.values[0];

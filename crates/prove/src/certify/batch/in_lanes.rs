@@ -104,11 +104,11 @@ fn least(answer: &LaneAnswer) -> Option<DoubleDoubleBall> {
     }
 }
 
-/// What bounds the thrusts of arches with thicknesses.
+/// Bounds of the thrusts of arches with thicknesses: what they are found from.
 struct Thrusts<'a> {
     weight: SelfWeight,
     given: &'a [InLanes],
-    /// Whether the required friction is asked for, and the thrusts.
+    /// True if the required friction is asked for; and the thrusts.
     wants: [bool; 2],
     roots: Vec<LaneRoots>,
     /// The answers at unlimited friction, where they are others.

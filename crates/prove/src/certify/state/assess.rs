@@ -184,7 +184,7 @@ pub(super) fn assessment<E: Arithmetic>(
     Assessment { fall, ..found }
 }
 
-/// What the least thickness of an arch says of a thickness.
+/// The assessment of a thickness, as far as the least thickness of the arch tells it.
 pub(in crate::certify) fn standing<E: Arithmetic>(
     eta: &E,
     least_thickness: Answered<E>,
@@ -206,8 +206,8 @@ fn enough<E: Arithmetic>(eta: &E, least: &E, question: &'static str) -> Result<b
     decide(&(eta.clone() - least), question, &[])
 }
 
-/// The assessment with the friction that it asks for and the range of thrusts, as far as they are wanted, from roots and
-/// the least thickness with unlimited friction; and whether the crown has no arm and the shoulder slides at no thrust, exactly.
+/// The assessment with the required friction and the range of thrusts, as they are wanted, from roots and the least
+/// thickness with unlimited friction. The ties are that the crown has no arm, and that the shoulder never slides.
 pub(super) fn with_thrusts<E: Arithmetic>(
     (standing, [wants_friction, wants_thrusts]): (Assessment<E>, [bool; 2]),
     query: &Query<E>,

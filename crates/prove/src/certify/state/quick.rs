@@ -67,9 +67,8 @@ pub(super) fn state(arch: &Arch, digits: usize, frictions: bool) -> Option<Answe
     in_words(digits, double_doubles, || state_in::<TripleWordBall>(arch, digits, frictions))
 }
 
-/// What lanes have proved of an arch with a thickness: its weight, half opening and friction, the thickness, and the least
-/// ones with its own and with unlimited friction; the required friction and the thrusts, as they are wanted. Nothing is
-/// known of exact ties, which stay open.
+/// Assessment of an arch with a thickness from what lanes have proved: the least ones with its own and with unlimited
+/// friction, and roots; with the required friction and the thrusts, as they are wanted. Exact ties stay open.
 pub(in crate::certify) fn assessed_in_lanes(
     weight: SelfWeight,
     ((alpha, friction), eta): (LaneArch, &DoubleDoubleBall),
