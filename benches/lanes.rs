@@ -2,7 +2,7 @@
 //! time, in turns, so that the ratios are those of one run. One by one is what proves every other arch.
 
 use couplet::arch::SelfWeight;
-use couplet::certify::batch::DoubleArches;
+use couplet::certify::batch::{DoubleArches, DoubleUnits};
 use couplet::certify::state::{Answer, Balls};
 use couplet::lanes::{LaneArch, Lanes, Width};
 use couplet::number::{DoubleDouble, DoubleDoubleBall, ExactNumber};
@@ -38,7 +38,8 @@ fn one_by_one(arches: &DoubleArches, count: usize, frictions: bool) -> Vec<Optio
 
 /// Times of some arches: as rows, and by the proofs alone.
 fn table(name: &str, [half_openings, frictions]: [&[f64]; 2], quantities: &[Quantity]) {
-    let arches = DoubleArches { weight: M, half_openings, frictions, thicknesses: None };
+    let units = DoubleUnits::default();
+    let arches = DoubleArches { weight: M, half_openings, frictions, thicknesses: None, units };
     let number = |x: &f64| DoubleDoubleBall::exact(DoubleDouble::exact(*x));
     let in_lanes: Vec<LaneArch> = half_openings
         .iter()

@@ -13,7 +13,7 @@
 
 use couplet::Error;
 use couplet::arch::SelfWeight;
-use couplet::certify::batch::{BatchRow, DoubleArches, SharedOpening};
+use couplet::certify::batch::{BatchRow, DoubleArches, DoubleUnits, SharedOpening};
 use couplet::certify::state::{Answer, Certify, Figure};
 use couplet::number::ExactNumber;
 use couplet::problem::{Arch, Friction, Mode, Quantity};
@@ -164,8 +164,8 @@ fn doubles() -> [f64; 2] {
     let arch = |(alpha, mu): (&f64, &f64)| {
         alone(&Arch::new(weight, exact(*alpha), Friction::Coefficient(exact(*mu))).unwrap())
     };
-    let arches =
-        DoubleArches { weight, half_openings: &alphas, frictions: &mus, thicknesses: None };
+    let (half_openings, frictions, units) = (&alphas, &mus, DoubleUnits::default());
+    let arches = DoubleArches { weight, half_openings, frictions, thicknesses: None, units };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     let turn = |_: usize| {
         let (looped, kept) =

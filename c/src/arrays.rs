@@ -6,7 +6,7 @@ use crate::border::{Array, answered, apart, optional, text};
 use crate::failure::{Failure, wrong};
 use crate::texts::exact;
 use crate::threads::{checked, on_threads};
-use couplet::certify::batch::{BatchColumns, DoubleArches, RowVerdict};
+use couplet::certify::batch::{BatchColumns, DoubleArches, DoubleUnits, RowVerdict};
 use couplet::certify::state::Certify;
 use couplet::problem::Quantity;
 use couplet::report;
@@ -79,6 +79,7 @@ pub unsafe extern "C" fn couplet_states(
                 half_openings: half_opening.values(),
                 frictions: friction.values(),
                 thicknesses: (!thickness.is_null()).then(|| etas.values()),
+                units: DoubleUnits::default(),
             };
             let mut written =
                 Written { verdict: verdict.places(), mode: mode.places(), values: values.places() };

@@ -9,6 +9,7 @@
 
 use crate::CoupletError;
 use couplet::door::pool::{MAX_THREADS, usual_threads};
+use couplet::problem::Quantity;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::{PyResult, Python};
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -58,6 +59,14 @@ pub(crate) fn on_one_thread<T: Send + 'static>(
     work: impl FnOnce() -> T + Send + 'static,
 ) -> PyResult<T> {
     if digits <= FEW_DIGITS { Ok(py.detach(work)) } else { on_threads(py, 1, work) }
+}
+
+/// Rows that the thread that calls answers itself: to wait for another costs as much as they do.
+const FEW_ROWS: usize = 16;
+
+/// Tells whether so many rows with these quantities are not worth a thread; an asymmetric thickness may take a while.
+pub(crate) fn is_short(rows: usize, quantities: &[Quantity]) -> bool {
+    rows <= FEW_ROWS && !quantities.contains(&Quantity::AsymmetricThickness)
 }
 
 fn leave<T>(work: impl FnOnce() -> T, sender: &Sender<Left<T>>) {

@@ -1,11 +1,11 @@
 //! Many arches, in arrays of doubles: a half opening, a friction and perhaps a thickness each.
 
-use crate::pool::on_threads;
+use crate::pool::{is_short, on_threads};
 use crate::{CoupletError, asked};
 use couplet::Error;
 use couplet::ask::{ArchAsked, Field, Spelling};
 use couplet::certify::Refused;
-use couplet::certify::batch::DoubleArches;
+use couplet::certify::batch::{DoubleArches, DoubleUnits};
 use couplet::certify::state::find;
 use couplet::door::find as sought;
 use couplet::problem::Quantity;
@@ -52,6 +52,7 @@ pub(crate) fn states<'py>(
 ) -> PyResult<Columns<'py>> {
     let weight = parse::weight(weight).map_err(CoupletError::new_err)?;
     let quantities = quantities(&names, arrays.2.is_some())?;
+    let is_short = is_short(arrays.0.len() / size_of::<f64>(), &quantities);
     let answer = move || {
         let [half_openings, frictions] = [&arrays.0, &arrays.1].map(|bytes| doubles(bytes));
         let thicknesses = arrays.2.as_deref().map(doubles);
@@ -60,12 +61,13 @@ pub(crate) fn states<'py>(
             half_openings: &half_openings,
             frictions: &frictions,
             thicknesses: thicknesses.as_deref(),
+            units: DoubleUnits::default(),
         };
         let columns = arches.columns(&quantities)?;
         let values = columns.values.iter().map(|bounds| bounds.each_ref().map(|x| of_array(x)));
         Ok((columns.verdict_codes(), columns.modes, values.collect::<Vec<_>>()))
     };
-    let found = on_threads(py, threads, answer)?;
+    let found = if is_short { py.detach(answer) } else { on_threads(py, threads, answer)? };
     let (verdicts, modes, values) =
         found.map_err(|refused: Refused| CoupletError::new_err(refused.to_string()))?;
     let bytes = |column: &Vec<u8>| PyBytes::new(py, column);

@@ -1,23 +1,22 @@
 //! The rows of a table: doubles or exact texts in each column, read as `couplet states` reads those of a file.
 
 use crate::CoupletError;
-use crate::pool::on_threads;
+use crate::pool::{is_short, on_threads};
 use crate::rows::{Bytes, doubles, of_array, quantities};
 use couplet::arch::SelfWeight;
 use couplet::certify::Refused;
 use couplet::certify::batch::{
-    Batch, BatchArches, BatchColumns, DoubleArches, LaneArch, SharedOpening, Threads, grouped,
+    Batch, BatchArches, BatchColumns, DoubleArches, DoubleUnits, InLanes, SharedOpening, Threads,
+    grouped,
 };
 use couplet::number::ExactNumber;
-use couplet::problem::{Arch, Friction, Quantity};
+use couplet::problem::{Arch, Quantity};
 use couplet::sweep::parse;
 use couplet::sweep::rows::{ArchReader, Cells, Columns, Purpose, Role, Spelling};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyBytes;
-use rayon::prelude::*;
 use std::borrow::Cow;
-use std::sync::Arc;
 
 /// With so many digits a decimal number tells the double.
 const DIGITS: usize = 17;
@@ -54,6 +53,7 @@ pub(crate) fn table<'py>(
     let columns = Columns::named(&columns, Purpose::Ask).map_err(CoupletError::new_err)?;
     let has_thickness = columns.all.iter().any(|column| column.role == Role::GivenThickness);
     let quantities = quantities(&names, has_thickness)?;
+    let is_short = is_short(cells.first().map_or(0, Column::len), &quantities);
     let answer = move || {
         let found = Table { columns, cells, weight }.answers(&quantities)?;
         let values = (0..quantities.len()).map(|quantity| {
@@ -65,7 +65,7 @@ pub(crate) fn table<'py>(
         let values = values.collect::<Vec<_>>();
         Ok((found.verdict_codes(), found.modes, values, found.reasons.into_iter().collect()))
     };
-    let found = on_threads(py, threads, answer)?;
+    let found = if is_short { py.detach(answer) } else { on_threads(py, threads, answer)? };
     let (verdicts, modes, values, reasons) =
         found.map_err(|refused: Refused| CoupletError::new_err(refused.to_string()))?;
     let bytes = |column: &[u8]| PyBytes::new(py, column);
@@ -114,77 +114,52 @@ impl Table {
     /// The same of a table without weights, or with exact cells; those of doubles as arrays of doubles are answered.
     fn of_one_weight(&self, quantities: &[Quantity]) -> Result<BatchColumns, Refused> {
         match self.arrays(Role::HalfOpening) {
-            Some([Some(half_openings), Some(frictions), thicknesses]) => {
-                let weight = self.weight;
-                let arches = DoubleArches { weight, half_openings, frictions, thicknesses };
-                arches.columns(quantities)
-            }
-            _ => Ok(self.exact().answers(quantities)),
+            Some(arches) => arches.columns(quantities),
+            None => Ok(self.exact().answers(quantities)),
         }
     }
 
-    /// Half openings in radians, coefficients of friction and thicknesses, as far as there are any; nothing if the
-    /// table has anything else, but for a column of the role `beside`.
-    fn arrays(&self, beside: Role) -> Option<[Option<&[f64]>; 3]> {
-        let mut arrays = [None; 3];
+    /// The arches of a table of doubles; none if it has anything else, but for a column of the role `beside`.
+    fn arrays(&self, beside: Role) -> Option<DoubleArches<'_>> {
+        let (mut half_openings, mut frictions, mut thicknesses) = (None, None, None);
+        let mut units = DoubleUnits::default();
         for (column, cells) in self.columns.all.iter().zip(&self.cells) {
-            let place = match column.role {
-                Role::HalfOpening if !column.degrees => 0,
-                Role::Friction => 1,
-                Role::GivenThickness => 2,
+            let array = match column.role {
+                Role::HalfOpening => {
+                    units.has_degrees = column.degrees;
+                    &mut half_openings
+                }
+                Role::Friction => &mut frictions,
+                Role::FrictionAngle => {
+                    units.friction_angles = Some(column.degrees);
+                    &mut frictions
+                }
+                Role::GivenThickness => &mut thicknesses,
                 role if role == beside => continue,
                 _ => return None,
             };
             let Column::Doubles(numbers) = cells else { return None };
-            arrays[place] = Some(numbers.as_slice());
+            *array = Some(numbers.as_slice());
         }
-        Some(arrays)
+        let (half_openings, frictions) = (half_openings?, frictions?);
+        Some(DoubleArches { weight: self.weight, half_openings, frictions, thicknesses, units })
     }
 
     /// The arches as numbers that are exactly what the cells say.
     fn exact(&self) -> ExactArches {
         let (columns, spelling) = (self.columns.clone(), Spelling::default());
         let reader = ArchReader { columns, weight: self.weight, doubles: false, spelling };
-        let numbers: Option<Vec<&[f64]>> = self.cells.iter().map(Column::numbers).collect();
-        let row = |row: usize| {
-            if let Some(numbers) = &numbers {
-                return self.of_numbers(numbers.iter().map(|column| column[row]));
-            }
-            let cells: Cells = self.cells.iter().map(|cells| Some(cells.text(row))).collect();
+        let row = |row: &usize| {
+            let cells: Cells = self.cells.iter().map(|cells| Some(cells.text(*row))).collect();
             let arch = reader.arch(&cells)?;
             let eta = reader.given(&cells, Role::GivenThickness);
             let eta = eta.map(|(text, _)| parse::thickness(&spelling.exact(text))).transpose()?;
             Ok((arch, eta))
         };
-        let rows = 0..self.cells.iter().map(Column::len).min().unwrap_or(0);
-        let arches = rows.into_par_iter().map(row).collect();
+        let rows: Vec<usize> = (0..self.cells.iter().map(Column::len).min().unwrap_or(0)).collect();
+        let arches = Threads::Pool.each(&rows, row);
         let has_thickness = self.columns.all.iter().any(|of| of.role == Role::GivenThickness);
         ExactArches { arches, has_thickness }
-    }
-
-    /// The arch of a row of doubles: what the reader of texts makes of them, without the texts.
-    fn of_numbers(&self, row: impl Iterator<Item = f64>) -> ExactArch {
-        let (mut half_opening, mut friction, mut eta) = (None, None, None);
-        for (column, x) in self.columns.all.iter().zip(row) {
-            if column.role == Role::Friction && x == f64::INFINITY {
-                friction = Some(Friction::Infinite);
-                continue;
-            }
-            let number = ExactNumber::try_from(x).map_err(|_| format!("{x} is no number"))?;
-            let number = if column.degrees { number.degrees() } else { number };
-            match column.role {
-                Role::HalfOpening => half_opening = Some(number),
-                Role::Friction => friction = Some(Friction::Coefficient(number)),
-                Role::FrictionAngle => friction = Some(Friction::Angle(number)),
-                Role::GivenThickness => eta = Some(number),
-                _ => return Err(format!("the {} is no number", column.theirs)),
-            }
-        }
-        let missing = |what: &str| format!("the {what} is missing");
-        let half_opening = half_opening.ok_or_else(|| missing("half_opening"))?;
-        let friction = friction.ok_or_else(|| missing("friction"))?;
-        let arch = Arch::new(self.weight, half_opening, friction);
-        Ok((arch.map_err(|error| error.to_string())?, eta))
     }
 }
 
@@ -193,13 +168,6 @@ impl Column {
         match self {
             Self::Doubles(numbers) => numbers.len(),
             Self::Texts(texts) => texts.len(),
-        }
-    }
-
-    fn numbers(&self) -> Option<&[f64]> {
-        match self {
-            Self::Doubles(numbers) => Some(numbers),
-            Self::Texts(_) => None,
         }
     }
 
@@ -236,17 +204,7 @@ struct ExactArches {
 impl ExactArches {
     fn answers(&self, quantities: &[Quantity]) -> BatchColumns {
         let batch = Batch { quantities: quantities.to_vec(), digits: DIGITS, has_texts: false };
-        if !self.has_thickness {
-            return batch.columns(self, Threads::Pool);
-        }
-        let row = |row: &ExactArch| {
-            let asked = row.clone().and_then(|(arch, eta)| {
-                Ok((arch, eta.ok_or_else(|| "the thickness is empty".to_owned())?))
-            });
-            Arc::new(batch.assessment(asked))
-        };
-        let rows: Vec<_> = self.arches.par_iter().map(row).collect();
-        BatchColumns::of(&rows, quantities.len())
+        batch.columns(self, Threads::Pool)
     }
 }
 
@@ -262,9 +220,19 @@ impl BatchArches for ExactArches {
         })
     }
 
-    fn in_lanes(&self, row: usize) -> Option<(SelfWeight, LaneArch)> {
-        let (arch, _) = self.arches[row].as_ref().ok()?;
-        Some((arch.weight(), SharedOpening::enclosed_arch(arch)))
+    fn in_lanes(&self, row: usize) -> Option<(SelfWeight, InLanes)> {
+        let (arch, eta) = self.arches[row].as_ref().ok()?;
+        // A row that shall have a thickness and has none is refused.
+        let eta = eta.as_ref().map(SharedOpening::enclosed_number);
+        (eta.is_some() == self.has_thickness)
+            .then(|| (arch.weight(), (SharedOpening::enclosed_arch(arch), eta)))
+    }
+
+    fn with_thickness(&self, row: usize) -> Option<Result<(Arch, ExactNumber), String>> {
+        let with = |(arch, eta): (Arch, Option<ExactNumber>)| {
+            Ok((arch, eta.ok_or_else(|| "the thickness is empty".to_owned())?))
+        };
+        self.has_thickness.then(|| self.arches[row].clone().and_then(with))
     }
 
     fn arch(&self, row: usize) -> Result<Cow<'_, Arch>, String> {

@@ -46,6 +46,21 @@ impl LaneState {
     }
 }
 
+/// Roots that bound the thrusts of an arch with a thickness, each where it is proved to exist. Which signs make it a
+/// bound is not looked at.
+#[derive(Clone, Copy, Debug, Default)]
+#[non_exhaustive]
+pub struct LaneRoots {
+    /// `beta_r` and `h` where the line of the least thrust touches the intrados, (2) and (5).
+    pub least: Option<[DoubleDoubleBall; 2]>,
+    /// `beta_r` and `h` where the line of the largest thrust does, (3) and (5).
+    pub largest: Option<[DoubleDoubleBall; 2]>,
+    /// The friction and `h` of the purely sliding state.
+    pub sliding: Option<[DoubleDoubleBall; 2]>,
+    /// `h` and `beta_s` where an inner joint slides, (18).
+    pub steepest: Option<[DoubleDoubleBall; 2]>,
+}
+
 /// A friction from which something holds.
 #[derive(Clone, Copy, Debug)]
 pub enum FromFriction {

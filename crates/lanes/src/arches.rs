@@ -1,12 +1,13 @@
 //! Arches of a weight, answered many at a time: the door.
 
-use super::answer::{FromFriction, LaneAnswer, LaneFrictions};
+use super::answer::{FromFriction, LaneAnswer, LaneFrictions, LaneRoots};
 use super::asked::{Asked, LaneArch};
 use super::asking::{Asking, double, is_below, overturning_at};
 use super::crown::Crown;
 use super::rotation::{Rotating, rotating};
-use super::sliding::Sliding;
+use super::sliding::{Sliding, Steepest, Tangent};
 use super::start;
+use super::touching::{Above, Below};
 use super::width::Width;
 use crate::arch::SelfWeight;
 use crate::number::DoubleDoubleBall;
@@ -44,6 +45,45 @@ impl Lanes {
         Asked::answers((self.width, self.weight), arches)
     }
 
+    /// Tangents of angles between zero and a right angle, rad.
+    pub fn tangents(self, angles: &[[DoubleDoubleBall; 1]]) -> Vec<Option<[DoubleDoubleBall; 1]>> {
+        self.width.prove(&Tangent, angles)
+    }
+
+    /// Roots that bound the thrusts of arches with thicknesses, in their order: with those that a required friction is
+    /// found from, and those by which friction bounds the thrusts, as they are wanted.
+    pub fn roots(
+        self,
+        arches: &[(LaneArch, DoubleDoubleBall)],
+        [wants_friction, wants_thrusts]: [bool; 2],
+    ) -> Vec<LaneRoots> {
+        let Self { weight, width } = self;
+        let mut all = vec![LaneRoots::default(); arches.len()];
+        let (mut least, mut largest) = (Asking::default(), Asking::default());
+        let (mut sliding, mut steepest) = (Asking::default(), Asking::default());
+        let below = Below { weight, table: start::below(weight) };
+        for (row, ((alpha, friction), eta)) in arches.iter().enumerate() {
+            least.push(row, [*eta]);
+            if wants_friction {
+                sliding.push(row, [*alpha]);
+            }
+            if let Some(mu) = friction.filter(|_| wants_thrusts) {
+                steepest.push(row, [mu]);
+            }
+            if below.square([double(alpha), double(eta)]) > 0.0 {
+                largest.push(row, [*alpha, *eta]);
+            }
+        }
+        let above = || Above { weight, table: start::above(weight) };
+        least.each(width, above, |row, _, found| all[row].least = Some(found));
+        largest.each(width, || below, |row, _, found| all[row].largest = Some(found));
+        let proof = || Sliding(start::sliding());
+        sliding.each(width, proof, |row, _, found| all[row].sliding = Some(found));
+        let proof = || Steepest(start::steepest());
+        steepest.each(width, proof, |row, _, found| all[row].steepest = Some(found));
+        all
+    }
+
     /// The frictions at which the mode changes, of some half openings, rad.
     pub fn frictions(self, half_openings: &[DoubleDoubleBall]) -> Vec<LaneFrictions> {
         let Self { weight, width } = self;
@@ -59,7 +99,7 @@ impl Lanes {
         let rotating = rotating::<true>((width, weight), &rows).into_iter();
         let sliding = width.prove(&Sliding(start::sliding()), &rows).into_iter();
         let both = rotating.zip(sliding).map(|(rotating, sliding)| LaneFrictions {
-            sliding: sliding.map(|[friction]| friction),
+            sliding: sliding.map(|[friction, _]| friction),
             rotational: rotating.and_then(larger),
         });
         let mut all: Vec<LaneFrictions> = both.collect();
@@ -193,6 +233,43 @@ mod tests {
                     assert!(x.rad() < 1e-18 * x.mid().hi() && x.rad() > 0.0, "{state:?}");
                 }
             }
+        }
+    }
+
+    /// The roots are where candidates found one by one are, and nearly all are proved.
+    #[test]
+    fn the_roots_of_thicknesses_are_those_found_one_by_one() {
+        use crate::solve::start::{largest_thrust, rotational_with_thickness};
+        for weight in SelfWeight::ALL {
+            let arches = arches(4_000);
+            let states = Lanes::of(weight).states(&arches);
+            let with = |(arch, answer): (&LaneArch, &Option<LaneAnswer>)| match answer {
+                Some(LaneAnswer::Stands(state)) => {
+                    let (part, least) = (double(&arch.0).fract(), double(&state.thickness));
+                    let eta = least * (1.0 + 2.0 * part * part);
+                    (eta < 2.0).then_some((*arch, number(eta)))
+                }
+                _ => None,
+            };
+            let arches: Vec<_> = arches.iter().zip(&states).filter_map(with).collect();
+            let roots = Lanes::of(weight).roots(&arches, [true; 2]);
+            let near = |found: [DoubleDoubleBall; 2], expected: [f64; 2]| {
+                found.iter().zip(expected).all(|(x, y)| (double(x) - y).abs() < 1e-4)
+            };
+            let mut counts = [0; 4];
+            for (((alpha, _), eta), found) in arches.iter().zip(&roots) {
+                let [a, eta] = [alpha, eta].map(double);
+                let all = [found.least, found.largest, found.sliding, found.steepest];
+                all.iter().zip(&mut counts).for_each(|(x, n)| *n += usize::from(x.is_some()));
+                if let Some(found) = found.least {
+                    assert!(near(found, rotational_with_thickness(weight, &eta)), "{a} {eta}");
+                }
+                if let Some(found) = found.largest.filter(|[joint, _]| double(joint) > 1e-3) {
+                    assert!(near(found, largest_thrust(weight, a, eta)), "{a} {eta} {found:?}");
+                }
+            }
+            println!("{counts:?} of {}", arches.len());
+            assert!(counts.iter().all(|n| *n > 800), "{counts:?} of {}", arches.len());
         }
     }
 

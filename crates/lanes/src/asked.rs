@@ -118,7 +118,7 @@ impl<'a> Asked<'a> {
         many.for_each(|(place, (opening, _))| asking.push(place, *opening));
         let mut all = vec![None; openings.len()];
         let proof = || Sliding(start::sliding());
-        asking.each(self.width, proof, |place, _, found| all[place] = Some(found));
+        asking.each(self.width, proof, |place, _, [friction, _]| all[place] = Some([friction]));
         all
     }
 

@@ -9,6 +9,7 @@
 //! | `margins` | signs that make the root a state |
 //! | `rotation`, `shoulder`, `inner`, `crown` | states that rotate, that slide at the shoulder, that slide inside, that turn about the crown |
 //! | `sliding` | the thrust at which an inner joint slides; the purely sliding friction |
+//! | `touching` | lines of thrust that touch the intrados at a thickness |
 //! | `piece`, `width` | arches that go through a proof together; what a processor has for them |
 //! | `answer` | an answer |
 //! | `asking`, `asked` | rows of one proof; arches that are asked together, each proved by the proof of its mode |
@@ -36,9 +37,10 @@ mod shoulder;
 mod sine;
 mod sliding;
 mod start;
+mod touching;
 mod width;
 
-pub use answer::{FromFriction, LaneAnswer, LaneFrictions, LaneState};
+pub use answer::{FromFriction, LaneAnswer, LaneFrictions, LaneRoots, LaneState};
 pub use arches::Lanes;
 pub use asked::LaneArch;
 pub use width::Width;

@@ -52,6 +52,28 @@ impl Proof<1, 2, 2> for Steepest<'_> {
     }
 }
 
+/// The friction of a friction angle.
+pub(super) struct Tangent;
+
+impl Proof<1, 1, 1> for Tangent {
+    #[inline(always)]
+    fn candidates(&self, angle: [f64; 1]) -> [f64; 1] {
+        angle
+    }
+
+    #[inline(always)]
+    fn prove<P: Product>(
+        &self,
+        [phi]: [Long<P>; 1],
+        [(_, at_phi)]: [(f64, SinePoint); 1],
+    ) -> [Long<P>; 1] {
+        let Angle { sin, cos, .. } = phi.angle(&at_phi);
+        let is_acute = are_positive(&[phi.in_doubles(), cos.in_doubles()])
+            & is_within(phi.mid().hi(), [0.0, 2.0]);
+        [known_if(is_acute, sin / cos)]
+    }
+}
+
 /// Proof of the purely sliding friction.
 pub(super) struct Sliding<'a>(pub(super) &'a Table<2>);
 
@@ -61,20 +83,22 @@ struct AtShoulder<'a, P> {
     at_inclination: &'a SinePoint,
 }
 
-impl<P: Product> Equation<P, 1> for AtShoulder<'_, P> {
+impl<P: Product> Equation<P, 2> for AtShoulder<'_, P> {
     #[inline(always)]
-    fn at<T: Sine<P>>(&self, number: impl Fn(&Long<P>) -> T + Copy, chi: &Angle<T>) -> (T, [T; 1]) {
+    fn at<T: Sine<P>>(&self, number: impl Fn(&Long<P>) -> T + Copy, chi: &Angle<T>) -> (T, [T; 2]) {
         let Angle { rad, sin, cos } = &self.half_opening;
         let [rad, sin, cos] = [number(rad), number(sin), number(cos)];
         let psi = (rad - cycloid::friction_angle(chi)).angle(self.at_inclination);
-        let residual = cycloid::shoulder(&rad, &psi, &cycloid::thrust(chi));
+        let thrust = cycloid::thrust(chi);
+        let residual = cycloid::shoulder(&rad, &psi, &thrust);
         // The tangent of `alpha - psi`.
         let friction = (sin * psi.cos - cos * psi.sin) / (cos * psi.cos + sin * psi.sin);
-        (residual, [friction])
+        (residual, [friction, thrust])
     }
 }
 
-impl Proof<1, 3, 1> for Sliding<'_> {
+/// Values: the friction and the thrust.
+impl Proof<1, 3, 2> for Sliding<'_> {
     #[inline(always)]
     fn candidates(&self, [alpha]: [f64; 1]) -> [f64; 3] {
         let [inside, at_shoulder] = self.0.at(alpha);
@@ -86,17 +110,17 @@ impl Proof<1, 3, 1> for Sliding<'_> {
         &self,
         [alpha]: [Long<P>; 1],
         [(_, at_alpha), (chi, at_chi), (_, at_inclination)]: [(f64, SinePoint); 3],
-    ) -> [Long<P>; 1] {
+    ) -> [Long<P>; 2] {
         let half_opening = alpha.angle(&at_alpha);
         let equation = AtShoulder { half_opening, at_inclination: &at_inclination };
         let found = root(&equation, (chi, &at_chi), 2);
-        let [friction] = found.values;
+        let [friction, _] = found.values;
         // The angles are those of a state where `phi` and `psi` are between zero and what they may be.
         let room = alpha - cycloid::joint(&found.domain).in_double_doubles();
         let is_proved = found.is_proved
             & are_positive(&[friction.in_doubles(), room.in_doubles()])
             & is_within(alpha.mid().hi(), SLIDES);
-        [known_if(is_proved, friction)]
+        found.values.map(|x| known_if(is_proved, x))
     }
 }
 

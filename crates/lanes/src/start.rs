@@ -2,7 +2,9 @@
 //!
 //! A table is made of candidates, once and when it is first asked for. Nothing that is proved rests on it.
 
-use crate::arch::{Configuration, PerWeight, SelfWeight, contact, cycloid};
+use crate::arch::{
+    Configuration, PerWeight, Ring, SelfWeight, contact, cycloid, overturning, thrust,
+};
 use crate::number::Angle;
 use crate::solve::start;
 use std::f64::consts::FRAC_PI_2;
@@ -71,6 +73,61 @@ pub(super) fn rotation(weight: SelfWeight) -> &'static Table<2> {
         Table::new(rotates(weight), |alpha| {
             let [beta, _, h] = start::rotational(weight, &alpha);
             [beta * beta, (1.0 - h) * h]
+        })
+    })
+}
+
+/// The place of a thickness in its table: for small ones the joint is like their fourth root.
+#[inline(always)]
+pub(super) fn place_of_thickness(eta: f64) -> f64 {
+    eta.sqrt().sqrt()
+}
+
+/// The [places](place_of_thickness) of thicknesses that are touched above the joint; the last is next to that of the
+/// end of rotation.
+#[inline(always)]
+pub(super) fn touches_above(weight: SelfWeight) -> [f64; 2] {
+    let end = overturning::thickness_at_end(weight, &3f64.sqrt());
+    [0.0234375, place_of_thickness(end)]
+}
+
+/// By the place of a thickness: the square of `beta_r` where (2) and (5) hold.
+pub(super) fn above(weight: SelfWeight) -> &'static Table<1> {
+    static TABLES: PerWeight<OnceLock<Table<1>>> =
+        PerWeight { heyman: OnceLock::new(), milankovitch: OnceLock::new() };
+    TABLES.get(weight).get_or_init(|| {
+        Table::new(touches_above(weight), |place| {
+            let [beta, _] = start::rotational_with_thickness(weight, &place.powi(4));
+            [beta * beta]
+        })
+    })
+}
+
+/// By the half opening: the square of `beta_r` and the thickness of the rotational state, and the thickness from which
+/// the line of the largest thrust touches the crown.
+pub(super) fn below(weight: SelfWeight) -> &'static Table<3> {
+    static TABLES: PerWeight<OnceLock<Table<3>>> =
+        PerWeight { heyman: OnceLock::new(), milankovitch: OnceLock::new() };
+    TABLES.get(weight).get_or_init(|| {
+        Table::new(rotates(weight), |alpha| {
+            let [beta, rotates, _] = start::rotational(weight, &alpha);
+            let half_opening = Angle::new(alpha);
+            let touches_haunch = |eta: f64| {
+                let upper =
+                    thrust::upper(&half_opening, &Angle::zero(&0.0), &Ring::new(weight, &eta));
+                let at = Configuration {
+                    thickness: eta,
+                    thrust: upper.value(),
+                    ..Configuration::zero(&0.0)
+                };
+                upper.denominator > 0.0 && contact::crown_slope(weight, &at) < 0.0
+            };
+            let (mut low, mut high) = (rotates, 2.0);
+            for _ in 0..50 {
+                let middle = 0.5 * (low + high);
+                *if touches_haunch(middle) { &mut low } else { &mut high } = middle;
+            }
+            [beta * beta, rotates, low]
         })
     })
 }

@@ -39,11 +39,13 @@ pub fn lower<T: Field>(joint: &Angle<T>, ring: &Ring<T>) -> Quotient<T> {
 ///
 /// At `beta = 0` it says that the whole half arch turns about the crown's intrados. Undefined where
 /// the lever arm in the denominator vanishes.
+#[inline(always)]
 pub fn upper<T: Field>(half_opening: &Angle<T>, joint: &Angle<T>, ring: &Ring<T>) -> Quotient<T> {
     upper_about(half_opening, ring.intrados() * &joint.rad * &joint.sin, &joint.cos, ring)
 }
 
 /// Eq. (3) from `(2 - eta) beta sin(beta)` and `cos(beta)`, through which alone it sees the joint.
+#[inline(always)]
 pub fn upper_about<T: Field>(
     half_opening: &Angle<T>,
     joint_moment: T,

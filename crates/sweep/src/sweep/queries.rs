@@ -113,7 +113,7 @@ fn grid<'a>(
     };
     let columns = columns.map(column).collect::<Result<Vec<_>, String>>()?;
     let opening =
-        |(_, at): &(_, AxisNumber<ExactNumber>)| SharedOpening::enclosed_opening(&at.number);
+        |(_, at): &(_, AxisNumber<ExactNumber>)| SharedOpening::enclosed_number(&at.number);
     let openings = columns.iter().map(opening).collect();
     let enclosed = &frictions.enclosed[needed.clone()];
     Ok(PartGrid { columns, frictions: &frictions.numbers[needed], openings, enclosed })

@@ -1,7 +1,7 @@
 //! The rows of a part as they are asked.
 
 use crate::arch::SelfWeight;
-use crate::certify::batch::{BatchArches, LaneArch, SharedOpening, grouped};
+use crate::certify::batch::{BatchArches, InLanes, SharedOpening, grouped};
 use crate::number::{DoubleDoubleBall, ExactNumber};
 use crate::problem::{Arch, Friction};
 use crate::report::GivenDoubles;
@@ -91,15 +91,16 @@ impl BatchArches for PartQueries<'_> {
         }
     }
 
-    fn in_lanes(&self, row: usize) -> Option<(SelfWeight, LaneArch)> {
+    fn in_lanes(&self, row: usize) -> Option<(SelfWeight, InLanes)> {
         match &self.arches {
             PartArches::Grid(PartGrid { columns, frictions, openings, enclosed }) => {
                 let (weight, _) = &columns[row / frictions.len()];
-                Some((*weight, (openings[row / frictions.len()], enclosed[row % frictions.len()])))
+                let arch = (openings[row / frictions.len()], enclosed[row % frictions.len()]);
+                Some((*weight, (arch, None)))
             }
             PartArches::Listed(listed) => {
                 let arch = listed.arches[row].as_ref().ok()?;
-                Some((arch.weight(), SharedOpening::enclosed_arch(arch)))
+                Some((arch.weight(), (SharedOpening::enclosed_arch(arch), None)))
             }
         }
     }

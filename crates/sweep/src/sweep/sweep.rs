@@ -138,7 +138,7 @@ impl Sweep {
         let mut writer = PartWriter::default();
         for group in self.record.groups(&rows) {
             let queries = self.queries(&group)?;
-            let found = file.kept_during(|| self.batch.states(&queries, Threads::One));
+            let found = file.kept_during(|| self.batch.rows(&queries, Threads::One));
             found.iter().for_each(|row| counts[row.verdict as usize] += 1);
             let table = PartTable::new(&self.batch, &queries, &found);
             file.write_all(&writer.group(&table).map_err(encoding)?).map_err(unwritten)?;

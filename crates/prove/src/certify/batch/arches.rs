@@ -2,11 +2,13 @@
 
 use crate::arch::SelfWeight;
 use crate::lanes::LaneArch;
+use crate::number::{DoubleDoubleBall, ExactNumber};
 use crate::problem::Arch;
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::hash::Hash;
+use std::ops::Range;
 
 /// Arches of a batch, by rows.
 pub trait BatchArches: Sync {
@@ -16,13 +18,25 @@ pub trait BatchArches: Sync {
     /// The rows of each half opening and weight among some rows: every row once.
     fn openings(&self, rows: &[usize]) -> Vec<Vec<usize>>;
 
-    /// The weight of a row, with its half opening and friction in enclosures, where its numbers are known; these need
-    /// not be those of an arch.
-    fn in_lanes(&self, row: usize) -> Option<(SelfWeight, LaneArch)>;
+    /// The weight of a row, with its numbers in enclosures, where they are known; these need not be those of an arch.
+    fn in_lanes(&self, row: usize) -> Option<(SelfWeight, InLanes)>;
+
+    /// Weights and enclosures of rows that follow each other.
+    fn many_in_lanes(&self, rows: Range<usize>) -> Vec<Option<(SelfWeight, InLanes)>> {
+        rows.map(|row| self.in_lanes(row)).collect()
+    }
 
     /// The arch of a row, or why there is none.
     fn arch(&self, row: usize) -> Result<Cow<'_, Arch>, String>;
+
+    /// The arch of a row with the thickness that it has, or why there is none; `None` where arches have no thickness.
+    fn with_thickness(&self, _row: usize) -> Option<Result<(Arch, ExactNumber), String>> {
+        None
+    }
 }
+
+/// Half opening and friction of an arch, and its thickness if it has one, in enclosures.
+pub type InLanes = (LaneArch, Option<DoubleDoubleBall>);
 
 /// Some rows by their keys; each row without a key is by itself.
 pub fn grouped<K: Eq + Hash>(rows: &[usize], key: impl Fn(usize) -> Option<K>) -> Vec<Vec<usize>> {
@@ -50,11 +64,7 @@ pub enum Threads {
 
 impl Threads {
     /// The answers to each of some questions.
-    pub(super) fn each<A: Sync, B: Send>(
-        self,
-        all: &[A],
-        of: impl Fn(&A) -> B + Send + Sync,
-    ) -> Vec<B> {
+    pub fn each<A: Sync, B: Send>(self, all: &[A], of: impl Fn(&A) -> B + Send + Sync) -> Vec<B> {
         match rayon::current_thread_index().filter(|_| self == Self::Pool) {
             Some(_) => all.par_iter().map(of).collect(),
             None => all.iter().map(of).collect(),

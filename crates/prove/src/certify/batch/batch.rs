@@ -37,51 +37,51 @@ impl Batch {
         self.quantities.iter().any(|of| of.is_friction())
     }
 
-    /// Rows of states, at the least thickness: first those that are proved many at a time, then the others, with the
-    /// proofs of one half opening at a time.
-    pub fn states(&self, arches: &impl BatchArches, threads: Threads) -> Vec<Arc<BatchRow>> {
-        let mut all = vec![None; arches.count()];
-        if self.is_of_doubles() {
-            for (row, found) in in_lanes::rows(&self.quantities, arches, threads) {
-                all[row] = Some(found);
-            }
+    /// Rows: of states at the least thickness, or of arches that have one. Those with texts are proved one by one.
+    pub fn rows(&self, arches: &impl BatchArches, threads: Threads) -> Vec<Arc<BatchRow>> {
+        if !self.has_texts {
+            return self.columns(arches, threads).rows();
         }
-        let open: Vec<usize> = (0..all.len()).filter(|row| all[*row].is_none()).collect();
-        for (row, found) in self.by_openings(&open, arches, threads) {
+        let rows: Vec<usize> = (0..arches.count()).collect();
+        let mut all = vec![None; rows.len()];
+        for (row, found) in self.one_by_one(&rows, arches, threads) {
             all[row] = Some(found);
         }
         all.into_iter().flatten().collect()
     }
 
-    /// Columns of these rows.
+    /// Columns of rows without texts: first those that are proved many at a time, then the others, with the proofs of
+    /// one half opening at a time.
     pub fn columns(&self, arches: &impl BatchArches, threads: Threads) -> BatchColumns {
         let mut all = BatchColumns::open(arches.count(), self.quantities.len());
         let mut is_open = vec![true; arches.count()];
-        if self.is_of_doubles() {
+        if self.digits <= OF_A_DOUBLE {
             for (rows, found) in in_lanes::columns(&self.quantities, arches, threads) {
                 rows.iter().for_each(|row| is_open[*row] = false);
                 all.put_all(&rows, found);
             }
         }
         let open: Vec<usize> = (0..is_open.len()).filter(|row| is_open[*row]).collect();
-        for (row, found) in self.by_openings(&open, arches, threads) {
+        for (row, found) in self.one_by_one(&open, arches, threads) {
             all.put(row, &found);
         }
         all
     }
 
-    /// Tells whether a row is what its doubles tell.
-    fn is_of_doubles(&self) -> bool {
-        !self.has_texts && self.digits <= OF_A_DOUBLE
-    }
-
-    /// Some rows of states, each with its place.
-    pub(super) fn by_openings(
+    /// Some rows, each with its place.
+    pub(super) fn one_by_one(
         &self,
         rows: &[usize],
         arches: &impl BatchArches,
         threads: Threads,
     ) -> Vec<(usize, Arc<BatchRow>)> {
+        if rows.first().is_some_and(|row| arches.with_thickness(*row).is_some()) {
+            return threads.each(rows, |&row| {
+                let none = || Err("the thickness is empty".to_owned());
+                let asked = arches.with_thickness(row).unwrap_or_else(none);
+                (row, Arc::new(self.assessment(asked)))
+            });
+        }
         let pays = |rows: &Vec<usize>| rows.len() >= PAYS_FROM;
         let (mut groups, few): (Vec<_>, Vec<_>) = arches.openings(rows).into_iter().partition(pays);
         let shared = groups.len();
@@ -110,7 +110,7 @@ impl Batch {
         let quick = opening.filter(|_| !self.has_frictions());
         let mut last: Option<(&Answer, Arc<BatchRow>)> = None;
         let row = |&row: &usize| {
-            let friction = || arches.in_lanes(row)?.1.1;
+            let friction = || arches.in_lanes(row)?.1.0.1;
             let shared = quick.and_then(|opening| opening.shared(&friction()?));
             let Some(answer) = shared else {
                 return Arc::new(self.alone(arches.arch(row), opening));
@@ -145,7 +145,7 @@ impl Batch {
     }
 
     /// Row of an arch of a thickness, or of none.
-    pub fn assessment(&self, asked: Result<(Arch, ExactNumber), String>) -> BatchRow {
+    fn assessment(&self, asked: Result<(Arch, ExactNumber), String>) -> BatchRow {
         let found = asked.and_then(|(arch, eta)| {
             let found = Balls::DoubleDoubles.assess(&arch, &eta, self.digits);
             Ok((found.map_err(|refused| refused.to_string())?, arch))

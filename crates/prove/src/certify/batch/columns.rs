@@ -1,6 +1,6 @@
 //! Rows of a batch by columns, in doubles: for arrays.
 
-use super::row::{BatchRow, RowVerdict, mode_code, side};
+use super::row::{BatchRow, RowValue, RowVerdict, mode_code, side};
 use crate::problem::Mode;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -56,11 +56,38 @@ impl BatchColumns {
         self.reasons.extend(rows.reasons.into_iter().map(|(from, why)| (places[from], why)));
     }
 
-    /// The columns of rows.
-    pub fn of(rows: &[Arc<BatchRow>], quantities: usize) -> Self {
-        let mut all = Self::open(rows.len(), quantities);
-        rows.iter().enumerate().for_each(|(place, row)| all.put(place, row));
+    /// The rows of columns; those that follow each other and are the same share one.
+    pub fn rows(&self) -> Vec<Arc<BatchRow>> {
+        let bits = |row: usize| {
+            let values = self.values.iter().flatten().map(move |column| column[row].to_bits());
+            (self.verdicts[row], self.modes[row], values)
+        };
+        let same = |row: usize| {
+            let (one, other) = (bits(row - 1), bits(row));
+            (one.0, one.1) == (other.0, other.1) && one.2.eq(other.2)
+        };
+        let mut all: Vec<Arc<BatchRow>> = Vec::with_capacity(self.verdicts.len());
+        for row in 0..self.verdicts.len() {
+            let found = match all.last() {
+                Some(last) if last.reason.is_none() && same(row) => Arc::clone(last),
+                _ => Arc::new(self.row(row)),
+            };
+            all.push(found);
+        }
         all
+    }
+
+    fn row(&self, row: usize) -> BatchRow {
+        let value = |columns: &[Vec<f64>; 3]| {
+            let [double, lower, upper] = columns.each_ref().map(|column| column[row]);
+            (!double.is_nan()).then_some(RowValue { double, bounds: [lower, upper], text: None })
+        };
+        BatchRow {
+            verdict: self.verdicts[row],
+            mode: Mode::ALL.get(usize::from(self.modes[row])).copied(),
+            values: self.values.iter().map(value).collect(),
+            reason: self.reasons.get(&row).cloned(),
+        }
     }
 
     /// Puts a row in its place.

@@ -2,16 +2,18 @@
 //!
 //! A double is the number that it is, exactly.
 
-use super::arches::{BatchArches, Threads, grouped};
+use super::arches::{BatchArches, InLanes, Threads, grouped};
 use super::batch::Batch;
 use super::columns::BatchColumns;
+use super::opening::tangent;
 use super::row::BatchRow;
 use crate::arch::SelfWeight;
-use crate::lanes::LaneArch;
-use crate::number::{DoubleDouble, DoubleDoubleBall, ExactNumber};
+use crate::lanes::Lanes;
+use crate::number::{DoubleDouble, DoubleDoubleBall, ExactNumber, Field, Real};
 use crate::problem::{Arch, Friction, Quantity};
 use crate::prover::Refused;
 use std::borrow::Cow;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// With so many digits a decimal number tells the double.
@@ -20,11 +22,12 @@ const DIGITS: usize = 17;
 /// Arches in arrays of doubles.
 ///
 /// ```
-/// use couplet_prove::certify::batch::{DoubleArches, RowVerdict};
+/// use couplet_prove::certify::batch::{DoubleArches, DoubleUnits, RowVerdict};
 /// use couplet_prove::prelude::*;
 /// let (half_openings, frictions) = (&[2.45, 2.45, 4.0], &[1.35, 0.1, 1.0]);
 /// let weight = SelfWeight::Milankovitch;
-/// let arches = DoubleArches { weight, half_openings, frictions, thicknesses: None };
+/// let units = DoubleUnits::default();
+/// let arches = DoubleArches { weight, half_openings, frictions, thicknesses: None, units };
 /// let rows = arches.rows(&[Quantity::Thickness])?;
 /// assert_eq!((rows[0].mode, rows[0].doubles(0)[0]), (Mode::named("rrs"), 0.65024378080138357));
 /// assert_eq!(rows[1].verdict, RowVerdict::Falls);
@@ -44,6 +47,29 @@ pub struct DoubleArches<'a> {
     pub frictions: &'a [f64],
     /// In `(0, 2]`, for arches that have them.
     pub thicknesses: Option<&'a [f64]>,
+    /// Units of the half openings and the frictions, where they are others.
+    pub units: DoubleUnits,
+}
+
+/// Units of angles and frictions in arrays: radians and coefficients, unless others are chosen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct DoubleUnits {
+    /// True if half openings are in degrees.
+    pub has_degrees: bool,
+    /// Unit of friction angles, `true` for degrees, where frictions are such.
+    pub friction_angles: Option<bool>,
+}
+
+/// A double as it goes into lanes; of an angle in degrees its radians.
+fn number(x: f64, is_in_degrees: bool) -> DoubleDoubleBall {
+    let x = DoubleDoubleBall::exact(DoubleDouble::exact(x));
+    if is_in_degrees { x.pi() * x / x.int(180) } else { x }
+}
+
+/// An angle as the number that it is.
+fn angle(x: f64, is_in_degrees: bool) -> Result<ExactNumber, String> {
+    let x = exact(x)?;
+    Ok(if is_in_degrees { x.degrees() } else { x })
 }
 
 /// A double as the number that it is.
@@ -59,10 +85,11 @@ impl DoubleArches<'_> {
     ///
     /// ```
     /// use couplet_prove::certify::Refused;
-    /// use couplet_prove::certify::batch::DoubleArches;
+    /// use couplet_prove::certify::batch::{DoubleArches, DoubleUnits};
     /// use couplet_prove::prelude::*;
     /// let (weight, half_openings) = (SelfWeight::Heyman, &[1.0, 1.2][..]);
-    /// let arches = DoubleArches { weight, half_openings, frictions: &[0.5], thicknesses: None };
+    /// let units = DoubleUnits::default();
+    /// let arches = DoubleArches { weight, half_openings, frictions: &[0.5], thicknesses: None, units };
     /// let safety = [Quantity::GeometricSafety];
     /// assert_eq!(arches.rows(&safety), Err(Refused::Lengths(vec![2, 1])));
     /// // A safety is that of a thickness.
@@ -73,30 +100,25 @@ impl DoubleArches<'_> {
     ///
     /// Inside a pool of rayon its threads share the work; elsewhere all is done in the thread that calls.
     pub fn rows(&self, quantities: &[Quantity]) -> Result<Vec<Arc<BatchRow>>, Refused> {
-        let batch = self.batch(quantities)?;
-        let Some(etas) = self.thicknesses else { return Ok(batch.states(self, Threads::Pool)) };
-        Ok(self.assessments(&batch, etas))
+        Ok(self.batch(quantities)?.rows(self, Threads::Pool))
     }
 
     /// Columns of these rows.
     ///
     /// ```
-    /// use couplet_prove::certify::batch::{DoubleArches, RowVerdict};
+    /// use couplet_prove::certify::batch::{DoubleArches, DoubleUnits, RowVerdict};
     /// use couplet_prove::prelude::*;
     /// let (half_openings, frictions) = (&[2.45, 2.45, 4.0], &[1.35, 0.1, 1.0]);
     /// let weight = SelfWeight::Milankovitch;
-    /// let arches = DoubleArches { weight, half_openings, frictions, thicknesses: None };
+    /// let units = DoubleUnits::default();
+    /// let arches = DoubleArches { weight, half_openings, frictions, thicknesses: None, units };
     /// let columns = arches.columns(&[Quantity::Thickness])?;
     /// assert_eq!(columns.values[0][0][0], 0.65024378080138357);
     /// assert_eq!(columns.verdicts, [RowVerdict::Stands, RowVerdict::Falls, RowVerdict::Refused]);
     /// # Ok::<(), couplet_prove::certify::Error>(())
     /// ```
     pub fn columns(&self, quantities: &[Quantity]) -> Result<BatchColumns, Refused> {
-        let batch = self.batch(quantities)?;
-        Ok(match self.thicknesses {
-            None => batch.columns(self, Threads::Pool),
-            Some(etas) => BatchColumns::of(&self.assessments(&batch, etas), quantities.len()),
-        })
+        Ok(self.batch(quantities)?.columns(self, Threads::Pool))
     }
 
     /// The question, if such arches have an answer to it.
@@ -113,12 +135,6 @@ impl DoubleArches<'_> {
         quantities.iter().try_for_each(|of| Refused::quantity(*of, possible))?;
         Ok(Batch { quantities: quantities.to_vec(), digits: DIGITS, has_texts: false })
     }
-
-    fn assessments(&self, batch: &Batch, etas: &[f64]) -> Vec<Arc<BatchRow>> {
-        let rows: Vec<usize> = (0..etas.len()).collect();
-        let asked = |row: usize| Ok((self.arch(row)?.into_owned(), exact(etas[row])?));
-        Threads::Pool.each(&rows, |row| Arc::new(batch.assessment(asked(*row))))
-    }
 }
 
 impl BatchArches for DoubleArches<'_> {
@@ -130,19 +146,43 @@ impl BatchArches for DoubleArches<'_> {
         grouped(rows, |row| Some(self.half_openings[row].to_bits()))
     }
 
-    fn in_lanes(&self, row: usize) -> Option<(SelfWeight, LaneArch)> {
-        let number = |x: f64| DoubleDoubleBall::exact(DoubleDouble::exact(x));
-        let [alpha, mu] = [self.half_openings[row], self.frictions[row]];
-        let friction = (mu != f64::INFINITY).then(|| number(mu));
-        Some((self.weight, (number(alpha), friction)))
+    fn in_lanes(&self, row: usize) -> Option<(SelfWeight, InLanes)> {
+        let alpha = number(self.half_openings[row], self.units.has_degrees);
+        let friction = match (self.frictions[row], self.units.friction_angles) {
+            (phi, Some(is_in_degrees)) => Some(tangent(&number(phi, is_in_degrees))?),
+            (mu, None) => (mu != f64::INFINITY).then(|| number(mu, false)),
+        };
+        let thickness = self.thicknesses.map(|etas| number(etas[row], false));
+        Some((self.weight, ((alpha, friction), thickness)))
+    }
+
+    fn many_in_lanes(&self, rows: Range<usize>) -> Vec<Option<(SelfWeight, InLanes)>> {
+        let Some(is_in_degrees) = self.units.friction_angles else {
+            return rows.map(|row| self.in_lanes(row)).collect();
+        };
+        let angles = self.frictions[rows.clone()].iter().map(|phi| [number(*phi, is_in_degrees)]);
+        let frictions = Lanes::of(self.weight).tangents(&angles.collect::<Vec<_>>());
+        let row = |(row, friction): (usize, Option<[DoubleDoubleBall; 1]>)| {
+            let alpha = number(self.half_openings[row], self.units.has_degrees);
+            let thickness = self.thicknesses.map(|etas| number(etas[row], false));
+            Some((self.weight, ((alpha, Some(friction?[0])), thickness)))
+        };
+        rows.zip(frictions).map(row).collect()
+    }
+
+    fn with_thickness(&self, row: usize) -> Option<Result<(Arch, ExactNumber), String>> {
+        let with = |eta| Ok((self.arch(row)?.into_owned(), exact(eta)?));
+        self.thicknesses.map(|etas| with(etas[row]))
     }
 
     fn arch(&self, row: usize) -> Result<Cow<'_, Arch>, String> {
-        let friction = match self.frictions[row] {
-            f64::INFINITY => Friction::Infinite,
-            mu => Friction::Coefficient(exact(mu)?),
+        let half_opening = angle(self.half_openings[row], self.units.has_degrees)?;
+        let friction = match (self.frictions[row], self.units.friction_angles) {
+            (phi, Some(is_in_degrees)) => Friction::Angle(angle(phi, is_in_degrees)?),
+            (f64::INFINITY, None) => Friction::Infinite,
+            (mu, None) => Friction::Coefficient(exact(mu)?),
         };
-        let arch = Arch::new(self.weight, exact(self.half_openings[row])?, friction);
+        let arch = Arch::new(self.weight, half_opening, friction);
         arch.map(Cow::Owned).map_err(|error| error.to_string())
     }
 }
@@ -160,7 +200,8 @@ mod tests {
         thicknesses: Option<&[f64]>,
     ) -> Result<Vec<Arc<BatchRow>>, Refused> {
         let weight = SelfWeight::Milankovitch;
-        DoubleArches { weight, half_openings, frictions, thicknesses }.rows(quantities)
+        let units = DoubleUnits::default();
+        DoubleArches { weight, half_openings, frictions, thicknesses, units }.rows(quantities)
     }
 
     fn first(row: &BatchRow) -> [f64; 3] {
@@ -212,39 +253,104 @@ mod tests {
     }
 
     /// Number of some arches whose rows are proved together; these, and all others, are what they are one by one.
-    fn together(
-        weight: SelfWeight,
-        (half_openings, frictions): (&[f64], &[f64]),
-        frictions_too: bool,
-    ) -> usize {
-        use Quantity as Q;
-        let mut quantities =
-            vec![Q::Thickness, Q::Thrust, Q::SlidingJoint, Q::IntrinsicThrust, Q::RotationJoint];
-        quantities.extend(
-            frictions_too
-                .then_some([Q::RotationalFriction, Q::SlidingFriction])
-                .into_iter()
-                .flatten(),
-        );
-        let arches = DoubleArches { weight, half_openings, frictions, thicknesses: None };
-        let found = arches.rows(&quantities).unwrap();
-        let columns = arches.columns(&quantities).unwrap();
-        let batch = Batch { quantities, digits: DIGITS, has_texts: false };
-        let rows: Vec<usize> = (0..half_openings.len()).collect();
-        let mut expected = batch.by_openings(&rows, &arches, Threads::Pool);
+    fn together(arches: &DoubleArches, quantities: &[Quantity]) -> usize {
+        let found = arches.rows(quantities).unwrap();
+        let columns = arches.columns(quantities).unwrap();
+        let batch = arches.batch(quantities).unwrap();
+        let rows: Vec<usize> = (0..arches.count()).collect();
+        let mut expected = batch.one_by_one(&rows, arches, Threads::Pool);
         expected.sort_by_key(|(row, _)| *row);
         assert_eq!(found.len(), expected.len());
         for (row, (found, (_, expected))) in found.iter().zip(&expected).enumerate() {
-            let [alpha, mu] = [half_openings[row], frictions[row]];
+            let eta = arches.thicknesses.map(|etas| etas[row]);
+            let arch = || format!("{:?} {:?}", arches.in_lanes(row), eta);
             let bits = |row| bits(std::slice::from_ref(row));
-            assert_eq!(bits(found), bits(expected), "{weight:?} {alpha:e} {mu:e}");
-            assert_eq!(found.reason, expected.reason, "{alpha:e} {mu:e}");
+            assert_eq!(bits(found), bits(expected), "{}", arch());
+            assert_eq!(found.reason, expected.reason, "{}", arch());
             let in_columns = |k: usize| columns.values[k].each_ref().map(|of| of[row].to_bits());
-            let in_columns: Vec<_> = (0..batch.quantities.len()).map(in_columns).collect();
+            let in_columns: Vec<_> = (0..quantities.len()).map(in_columns).collect();
             let in_columns = (columns.verdicts[row], columns.modes[row], in_columns);
-            assert_eq!(bits(found)[0], in_columns, "{alpha:e} {mu:e}");
+            assert_eq!(bits(found)[0], in_columns, "{}", arch());
         }
-        in_lanes::rows(&batch.quantities, &arches, Threads::One).len()
+        let proved = in_lanes::columns(quantities, arches, Threads::One);
+        proved.iter().map(|(rows, _)| rows.len()).sum()
+    }
+
+    /// Quantities of states, all or without the frictions at which the mode changes.
+    fn of_states(frictions: bool) -> Vec<Quantity> {
+        let all = Quantity::STATE.into_iter();
+        all.filter(|of| frictions || !of.is_friction()).collect()
+    }
+
+    /// Thicknesses of arches: around the least by a random factor, or so near to it that few bits tell them apart; and
+    /// what is no thickness or nearly none.
+    fn thicknesses(arches: &DoubleArches, from: usize) -> Vec<f64> {
+        let least = arches.columns(&[Quantity::Thickness]).unwrap();
+        let [least, ..] = &least.values[0];
+        let eta = |(row, least): (usize, &f64)| {
+            let part = ((from + row + 1) as f64 * 0.381_966_011_250_105).fract();
+            let least = if least.is_nan() { 2.0 * part } else { *least };
+            let steps = (row / 8 % 16) as f64 - 8.0;
+            match row % 8 {
+                0 => least + steps * (least.next_up() - least),
+                1 => least * (1.0 + steps * 10f64.powf(-16.0 * part)),
+                2 if row % 256 == 2 => [2.0, 0.0, -0.0, -1.0, f64::NAN, 5e-324, 2.1][row / 256 % 7],
+                2 => 2.0 * part,
+                3 => 2.0 - part * (2.0 - least),
+                _ => least * (0.5 + 2.0 * part),
+            }
+        };
+        least.iter().enumerate().map(eta).collect()
+    }
+
+    /// Number of arches that are proved together, at their least thickness or, where that is asked, with one.
+    fn proved(
+        weight: SelfWeight,
+        (half_openings, frictions): &(Vec<f64>, Vec<f64>),
+        (asked, from, units): (&[Quantity], usize, DoubleUnits),
+    ) -> usize {
+        let arches = DoubleArches { weight, half_openings, frictions, thicknesses: None, units };
+        if Quantity::STATE.contains(&asked[0]) {
+            return together(&arches, asked);
+        }
+        let etas = thicknesses(&arches, from);
+        together(&DoubleArches { thicknesses: Some(&etas), ..arches }, asked)
+    }
+
+    /// Quantities of an arch with a thickness that its least thickness tells.
+    const OF_STANDING: [Quantity; 2] = [Quantity::LeastThickness, Quantity::GeometricSafety];
+
+    /// Radians and coefficients, degrees, and degrees and friction angles in radians.
+    const UNITS: [DoubleUnits; 3] = [
+        DoubleUnits { has_degrees: false, friction_angles: None },
+        DoubleUnits { has_degrees: true, friction_angles: Some(true) },
+        DoubleUnits { has_degrees: true, friction_angles: Some(false) },
+    ];
+
+    /// Arches in other units, as doubles have them.
+    fn in_units((alphas, mus): (Vec<f64>, Vec<f64>), units: DoubleUnits) -> (Vec<f64>, Vec<f64>) {
+        let angle = |x: f64, is_in_degrees| if is_in_degrees { x.to_degrees() } else { x };
+        let friction = |mu: f64| units.friction_angles.map_or(mu, |unit| angle(mu.atan(), unit));
+        let alphas = alphas.into_iter().map(|alpha| angle(alpha, units.has_degrees));
+        (alphas.collect(), mus.into_iter().map(friction).collect())
+    }
+
+    #[test]
+    fn many_in_other_units_are_what_they_are_one_by_one() {
+        for (weight, units) in SelfWeight::ALL.into_iter().zip([UNITS[1], UNITS[2]]) {
+            let (mut alphas, mut mus) = in_units(spread(4_000, 7), units);
+            // Those of unlimited friction have a right angle now, or next to one.
+            let proved_all =
+                proved(weight, &(alphas.clone(), mus.clone()), (&of_states(true), 0, units));
+            assert!(proved_all > 4_000 * 2 / 3, "{proved_all}");
+            let odd = [f64::NAN, f64::INFINITY, -1.0, 0.0, 180.0, 200.0, 90.0, 1e300, 5e-324, 4.0];
+            for x in odd {
+                alphas.extend([x, 1.0, 80.0, x]);
+                mus.extend([0.4, x, x, x]);
+            }
+            let (alphas, mus) = (alphas.split_off(3_000), mus.split_off(3_000));
+            assert!(proved(weight, &(alphas, mus), (&Quantity::ASSESSMENT, 0, units)) > 400);
+        }
     }
 
     /// Half openings and frictions all over the map, in no order; every fourth without friction's limit.
@@ -269,22 +375,41 @@ mod tests {
     fn many_at_a_time_are_what_they_are_one_by_one() {
         for (weight, frictions) in SelfWeight::ALL.into_iter().zip([false, true]) {
             for (alphas, mus) in [spread(20_000, 0), wide(10_000, 0)] {
-                let proved = together(weight, (&alphas, &mus), frictions);
-                assert!(proved > alphas.len() * 9 / 10, "{proved} of {}", alphas.len());
+                let count = alphas.len();
+                let proved = proved(weight, &(alphas, mus), (&of_states(frictions), 0, UNITS[0]));
+                assert!(proved > count * 9 / 10, "{proved} of {count}");
+            }
+        }
+    }
+
+    #[test]
+    fn many_with_a_thickness_are_what_they_are_one_by_one() {
+        for (place, weight) in SelfWeight::ALL.into_iter().enumerate() {
+            for (arches, part) in [(spread(5_000, place), 7), (wide(3_000, place), 5)] {
+                let count = arches.0.len();
+                let found = proved(weight, &arches, (&Quantity::ASSESSMENT, place, UNITS[0]));
+                assert!(found > count * part / 10, "{found} of {count}");
+                let found = proved(weight, &arches, (&OF_STANDING, place, UNITS[0]));
+                assert!(found > count * 3 / 4, "{found} of {count}");
             }
         }
     }
 
     /// `cargo test --release -p couplet-prove --lib ten_million -- --ignored --nocapture`
     #[test]
-    #[ignore = "minutes with optimisation"]
+    #[ignore = "a quarter of an hour with optimisation"]
     fn ten_million_at_a_time_are_what_they_are_one_by_one() {
         let piece = |k: usize| {
             let (count, from) = (100_000, 50_000 + 100_000 * k);
-            let (alphas, mus) = if k % 4 < 2 { spread(count, from) } else { wide(count, from) };
-            together(SelfWeight::ALL[k % 2], (&alphas, &mus), k % 8 < 4)
+            let arches = if k % 4 < 2 { spread(count, from) } else { wide(count, from) };
+            let (states, units) = (of_states(k % 8 < 4), UNITS[k / 16 % 3]);
+            let asked = [&Quantity::ASSESSMENT[..], &OF_STANDING, &states][k / 4 % 3];
+            let weight = SelfWeight::ALL[k % 2];
+            let proved = proved(weight, &in_units(arches, units), (asked, from, units));
+            println!("{k}: proved together {proved} of {count}");
         };
-        println!("proved together: {}", (0..100).map(piece).sum::<usize>());
+        let pool = rayon::ThreadPoolBuilder::new().build().unwrap();
+        pool.install(|| (0..100).for_each(piece));
     }
 
     /// Next to the friction at which a joint slides, to the ends of what is proved together, and to that of rotation.
@@ -309,8 +434,12 @@ mod tests {
             let odd = [f64::NAN, -1.0, 0.0, -0.0, 4.0, f64::INFINITY, 1e-300, 5e-324];
             arches.extend(odd.into_iter().flat_map(|x| [(x, 1.0), (1.0, x), (x, x)]));
             let (alphas, mus): (Vec<f64>, Vec<f64>) = arches.into_iter().unzip();
-            let proved = together(weight, (&alphas, &mus), true);
-            assert!((200..700).contains(&proved), "{proved} of {}", alphas.len());
+            let count = alphas.len();
+            let arches = (alphas, mus);
+            let states = proved(weight, &arches, (&of_states(true), 0, UNITS[0]));
+            assert!((200..700).contains(&states), "{states} of {count}");
+            let thick = proved(weight, &arches, (&Quantity::ASSESSMENT, 0, UNITS[0]));
+            assert!((200..700).contains(&thick), "{thick} of {count}");
         }
     }
 

@@ -21,11 +21,10 @@ mod opening;
 mod openings;
 mod row;
 
-pub use crate::lanes::LaneArch;
-pub use arches::{BatchArches, Threads, grouped};
+pub use arches::{BatchArches, InLanes, Threads, grouped};
 pub use batch::Batch;
 pub use columns::BatchColumns;
-pub use doubles::DoubleArches;
+pub use doubles::{DoubleArches, DoubleUnits};
 pub use opening::SharedOpening;
 pub use openings::SharedOpenings;
 pub use row::{BatchRow, RowValue, RowVerdict};

@@ -153,9 +153,9 @@ impl SharedOpening {
     pub fn enclosed(friction: &Friction) -> Option<DoubleDoubleBall> {
         match friction {
             Friction::Coefficient(mu) => Some(mu.enclosure(DOUBLE_DOUBLE)),
+            // What is no friction angle is no friction either.
             Friction::Angle(phi) => {
-                let (sin, cos) = phi.enclosure::<DoubleDoubleBall>(DOUBLE_DOUBLE).sin_cos();
-                Some(sin / cos)
+                tangent(&phi.enclosure(DOUBLE_DOUBLE)).or(Some(DoubleDoubleBall::WHOLE))
             }
             Friction::Infinite => None,
         }
@@ -163,12 +163,12 @@ impl SharedOpening {
 
     /// An arch as it goes into lanes.
     pub fn enclosed_arch(arch: &Arch) -> LaneArch {
-        (Self::enclosed_opening(arch.half_opening()), Self::enclosed(arch.friction()))
+        (Self::enclosed_number(arch.half_opening()), Self::enclosed(arch.friction()))
     }
 
-    /// A half opening as it goes into lanes.
-    pub fn enclosed_opening(half_opening: &ExactNumber) -> DoubleDoubleBall {
-        half_opening.enclosure(DOUBLE_DOUBLE)
+    /// A number as it goes into lanes.
+    pub fn enclosed_number(number: &ExactNumber) -> DoubleDoubleBall {
+        number.enclosure(DOUBLE_DOUBLE)
     }
 
     /// Answer without frictions to the arch of a friction, if it needs no proof of its own: much quicker. None says
@@ -181,6 +181,13 @@ impl SharedOpening {
         }
         exceeds(self.same_from.as_ref()?).then_some(self.answer.as_ref()?)
     }
+}
+
+/// The tangent of an angle that is proved to be between zero and a right angle.
+pub(super) fn tangent(phi: &DoubleDoubleBall) -> Option<DoubleDoubleBall> {
+    let (sin, cos) = phi.sin_cos();
+    let is_acute = phi.mid().hi() < 2.0 && [phi, &cos].iter().all(|x| x.is_positive().is_proved());
+    is_acute.then(|| sin / cos)
 }
 
 /// A value that is proved once. Threads that ask for it at a time each prove it: none waits for another, whose

@@ -7,7 +7,7 @@
 use super::query::Query;
 use super::state::{Fall, Outcome};
 use super::thrust_range::{
-    Limit, cut_at_largest, cut_at_least, largest_thrust, least_thrust, required_friction,
+    Limit, Roots, cut_at_largest, cut_at_least, largest_thrust, least_thrust, required_friction,
 };
 use crate::arch::Unknown;
 use crate::number::{Ball, ExactNumber, Ternary};
@@ -166,42 +166,68 @@ pub(super) fn assessment<E: Arithmetic>(
     mut state: impl FnMut(bool) -> Result<Outcome<E>, Undecided>,
 ) -> Assessment<E> {
     let eta: E = thickness.enclosure(bits);
-    let enough = |least: &E, question| decide(&(eta.clone() - least), question, &[]);
-    let own = state(true);
-    let (fall, least_thickness) = match own {
-        Ok(Outcome::Falls(fall)) => (Some(fall), Ok(None)),
-        Ok(Outcome::Stands(state)) => (None, Ok(Some(state.thickness))),
-        Err(undecided) => (None, Err(undecided)),
+    let mut fall = None;
+    let mut least = |is_own: bool| match state(is_own)? {
+        Outcome::Stands(state) => Ok(Some(state.thickness)),
+        Outcome::Falls(why) => {
+            fall = fall.or(is_own.then_some(why));
+            Ok(None)
+        }
     };
-    let stands = of(&least_thickness, |least| enough(least, "whether the thickness is enough"));
-    let stands = stands.map(|enough| enough == Some(true));
-    let geometric_safety = of(&least_thickness, |least| Ok(eta.clone() / least));
-    let standing = Assessment {
-        stands,
-        fall,
+    let mut found = standing(&eta, least(true));
+    if wanted == Wanted::Everything {
+        let mut query: Query<E> = Query::new(arch, bits);
+        query.given = query.given.with(Unknown::Thickness, eta);
+        let ties = [has_no_arm_at_crown(arch, thickness), friction_angle_is_half_opening(arch)];
+        found = with_thrusts((found, [true; 2]), &query, &query, ties, least(false));
+    }
+    Assessment { fall, ..found }
+}
+
+/// The assessment of a thickness, as far as the least thickness of the arch tells it.
+pub(in crate::certify) fn standing<E: Arithmetic>(
+    eta: &E,
+    least_thickness: Answered<E>,
+) -> Assessment<E> {
+    let stands =
+        of(&least_thickness, |least| enough(eta, least, "whether the thickness is enough"));
+    Assessment {
+        stands: stands.map(|enough| enough == Some(true)),
+        fall: None,
+        geometric_safety: of(&least_thickness, |least| Ok(eta.clone() / least)),
         least_thickness,
-        geometric_safety,
         required_friction: Ok(None),
         friction_safety: Ok(None),
         thrust: [Ok(None), Ok(None)],
-    };
-    if wanted == Wanted::Standing {
-        return standing;
     }
-    let mut query: Query<E> = Query::new(arch, bits);
-    query.given = query.given.with(Unknown::Thickness, eta.clone());
+}
+
+fn enough<E: Arithmetic>(eta: &E, least: &E, question: &'static str) -> Result<bool, Undecided> {
+    decide(&(eta.clone() - least), question, &[])
+}
+
+/// The assessment with the required friction and the range of thrusts, as they are wanted, from roots and the least
+/// thickness with unlimited friction. The ties are that the crown has no arm, and that the shoulder never slides.
+pub(super) fn with_thrusts<E: Arithmetic>(
+    (standing, [wants_friction, wants_thrusts]): (Assessment<E>, [bool; 2]),
+    query: &Query<E>,
+    roots: &impl Roots<E>,
+    [has_no_arm, never_slides]: [bool; 2],
+    unlimited: Answered<E>,
+) -> Assessment<E> {
     // With unlimited friction the arch stands if a line of thrust lies inside it at all.
-    let line_fits = match state(false) {
-        Ok(Outcome::Falls(_)) => Ok(false),
-        Ok(Outcome::Stands(state)) => enough(&state.thickness, "whether a line of thrust fits"),
-        Err(undecided) => Err(undecided),
-    };
-    let line_fits = line_fits.map(|fits| fits.then_some(()));
+    let line_fits = of(&unlimited, |least| {
+        enough(&query.given.thickness, least, "whether a line of thrust fits")
+    });
+    let line_fits = line_fits.map(|fits| (fits == Some(true)).then_some(()));
     let ends = [
-        of(&line_fits, |()| least_thrust(&query)),
-        of(&line_fits, |()| largest_thrust(&query, has_no_arm_at_crown(arch, thickness))),
+        of(&line_fits, |()| least_thrust(query, roots)),
+        of(&line_fits, |()| largest_thrust(query, roots, has_no_arm)),
     ];
-    let required_friction = of(&line_fits, |()| required_friction(&query, &ends));
+    let required_friction = match wants_friction {
+        true => of(&line_fits, |()| required_friction(query, roots, &ends)),
+        false => Err(Undecided::new("the required friction, which is not asked for")),
+    };
     // Friction enough and a line of thrust that fits are the other way to say that it stands.
     let stands =
         standing.stands.clone().or_else(|open| match (&required_friction, query.friction()) {
@@ -218,15 +244,14 @@ pub(super) fn assessment<E: Arithmetic>(
         Some(friction) => of(&required_friction, |required| Ok(friction.clone() / required)),
         None => Ok(None),
     };
-    let never_slides = friction_angle_is_half_opening(arch);
     let [least, largest] = ends;
     let thrust = match stands {
-        Ok(false) => [Ok(None), Ok(None)],
-        Ok(true) => not_empty([
-            of(&least, |least| cut_at_least(&query, least.clone())),
-            of(&largest, |largest| cut_at_largest(&query, largest.clone(), never_slides)),
+        Ok(true) if wants_thrusts => not_empty([
+            of(&least, |least| cut_at_least(query, roots, least.clone())),
+            of(&largest, |largest| cut_at_largest(query, largest.clone(), never_slides)),
         ]),
-        Err(ref open) => [Err(open.clone()), Err(open.clone())],
+        Err(ref open) if wants_thrusts => [Err(open.clone()), Err(open.clone())],
+        _ => [Ok(None), Ok(None)],
     };
     Assessment { stands, required_friction, friction_safety, thrust, ..standing }
 }

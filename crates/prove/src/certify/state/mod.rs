@@ -51,6 +51,7 @@ mod state;
 mod thrust_range;
 
 pub use crate::prover::Figure;
+pub(super) use assess::standing;
 pub use assess::{Assessment, AssessmentDigits, Wanted};
 pub use balls::Balls;
 pub use certify::{Certify, NoState};
@@ -64,8 +65,8 @@ pub(crate) use query::DOUBLE_DOUBLE;
 pub use query::bits_lost;
 #[doc(hidden)]
 pub use query::raised;
-pub(super) use quick::critical_frictions;
 pub use quick::state_in_double_doubles;
+pub(super) use quick::{assessed_in_lanes, critical_frictions};
 #[doc(hidden)]
 pub use quick::{
     assessment_enclosed, sliding_configuration, state_enclosed, steepest_configuration,

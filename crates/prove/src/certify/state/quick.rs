@@ -4,21 +4,22 @@
 //! It is the text of this folder over other numbers. What these balls decide is proved; where they leave anything
 //! open, a sign, a box or a rounding, the answer is `None`, and balls of MPFR are asked.
 
-use super::assess::{Assessment, AssessmentDigits, Wanted, assessment};
+use super::assess::{Assessment, AssessmentDigits, Wanted, assessment, standing, with_thrusts};
 use super::digits::{Answer, Digits};
 use super::enough::enough;
 use super::inquiry::Inquiry;
 use super::mode::{outcome, pure_sliding, sliding_root, steepest_root};
 use super::query::{DOUBLE_DOUBLE, Query};
 use super::state::Outcome;
-use super::thrust_range::Touch;
-use crate::arch::Configuration;
-use crate::number::{Ball, DoubleDoubleBall, ExactNumber, TripleWordBall};
+use super::thrust_range::{Roots, Touch};
+use crate::arch::{Configuration, SelfWeight, Unknown};
+use crate::lanes::{LaneArch, LaneRoots};
+use crate::number::{Angle, Ball, DoubleDoubleBall, ExactNumber, Field, TripleWordBall};
 use crate::problem::Arch;
-use crate::prover::Undecided;
 use crate::prover::arithmetic::Arithmetic;
 use crate::prover::figure::Figured;
 use crate::prover::in_doubles::Doubles;
+use crate::prover::{Answered, Undecided};
 
 /// Beyond so many digits few values would be decided in double-doubles, or few to all digits; and in three words.
 const MOST_DIGITS: usize = 25;
@@ -60,7 +61,81 @@ pub fn quick_sliding<E: Quick>(arch: &Arch) -> Result<E, Undecided> {
 /// The state to `digits` digits.
 pub(super) fn state(arch: &Arch, digits: usize, frictions: bool) -> Option<Answer> {
     let double_doubles = || state_in::<DoubleDoubleBall>(arch, digits, frictions);
-    let three_words = || state_in::<TripleWordBall>(arch, digits, frictions);
+    in_words(digits, double_doubles, || state_in::<TripleWordBall>(arch, digits, frictions))
+}
+
+/// Assessment of an arch with a thickness from what lanes have proved: the least ones with its own and with unlimited
+/// friction, and roots; with the required friction and the thrusts, as they are wanted. Exact ties stay open.
+pub(in crate::certify) fn assessed_in_lanes(
+    weight: SelfWeight,
+    ((alpha, friction), eta): (LaneArch, &DoubleDoubleBall),
+    [own, unlimited]: [Answered<DoubleDoubleBall>; 2],
+    (roots, wants): (&LaneRoots, [bool; 2]),
+) -> Assessment<DoubleDoubleBall> {
+    let given = Configuration::zero(&alpha)
+        .with(Unknown::HalfOpening, alpha)
+        .with(Unknown::Friction, friction.unwrap_or(alpha.int(0)))
+        .with(Unknown::Thickness, *eta);
+    let is_limited = friction.is_some();
+    let query = Query { weight, bits: DOUBLE_DOUBLE, given, is_limited };
+    let roots = InLanes { given: &query.given, roots };
+    with_thrusts((standing(eta, own), wants), &query, &roots, [false; 2], unlimited)
+}
+
+/// Roots that lanes have proved.
+struct InLanes<'a> {
+    given: &'a Configuration<DoubleDoubleBall>,
+    roots: &'a LaneRoots,
+}
+
+/// An angle whose sine and cosine nobody asks for: nothing is known of them.
+fn without_sine(rad: DoubleDoubleBall) -> Angle<DoubleDoubleBall> {
+    Angle { rad, sin: DoubleDoubleBall::WHOLE, cos: DoubleDoubleBall::WHOLE }
+}
+
+impl InLanes<'_> {
+    fn with(
+        &self,
+        values: Option<[DoubleDoubleBall; 2]>,
+        put: impl FnOnce(&mut Configuration<DoubleDoubleBall>, [DoubleDoubleBall; 2]),
+    ) -> Result<Configuration<DoubleDoubleBall>, Undecided> {
+        let values = values.ok_or_else(|| Undecided::new("whether there is a root"))?;
+        let mut at = self.given.clone();
+        put(&mut at, values);
+        Ok(at)
+    }
+}
+
+impl Roots<DoubleDoubleBall> for InLanes<'_> {
+    fn least(&self) -> Result<Configuration<DoubleDoubleBall>, Undecided> {
+        self.with(self.roots.least, |at, [joint, thrust]| {
+            (at.rotation_joint, at.thrust) = (without_sine(joint), thrust);
+        })
+    }
+
+    fn largest(&self) -> Result<Configuration<DoubleDoubleBall>, Undecided> {
+        self.with(self.roots.largest, |at, [joint, thrust]| {
+            (at.rotation_joint, at.thrust) = (Angle::new(joint), thrust);
+        })
+    }
+
+    fn sliding(&self) -> Result<Configuration<DoubleDoubleBall>, Undecided> {
+        self.with(self.roots.sliding, |at, both| [at.friction, at.thrust] = both)
+    }
+
+    fn steepest(&self) -> Result<Configuration<DoubleDoubleBall>, Undecided> {
+        self.with(self.roots.steepest, |at, [thrust, joint]| {
+            (at.thrust, at.sliding_joint) = (thrust, without_sine(joint));
+        })
+    }
+}
+
+/// The digits that either proof decides.
+fn in_words<T>(
+    digits: usize,
+    double_doubles: impl FnOnce() -> Option<T>,
+    three_words: impl FnOnce() -> Option<T>,
+) -> Option<T> {
     match digits {
         1..=OF_A_DOUBLE => double_doubles(),
         ..=NEARLY_ALL_DIGITS if digits > 0 => double_doubles().or_else(three_words),
@@ -153,20 +228,25 @@ pub(super) fn assess(
     thickness: &ExactNumber,
     digits: usize,
 ) -> Option<AssessmentDigits> {
-    if !is_quick(digits) {
-        return None;
-    }
-    let found = decided::<DoubleDoubleBall>(arch, thickness)?.rounded(digits, DOUBLE_DOUBLE);
+    let double_doubles = || assess_in::<DoubleDoubleBall>(arch, thickness, digits);
+    in_words(digits, double_doubles, || assess_in::<TripleWordBall>(arch, thickness, digits))
+}
+
+fn assess_in<E: Quick + Figured>(
+    arch: &Arch,
+    thickness: &ExactNumber,
+    digits: usize,
+) -> Option<AssessmentDigits> {
+    let found = decided::<E>(arch, thickness)?.rounded(digits, E::BITS);
     found.first_open().is_none().then_some(found)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::arch::{SelfWeight, Unknown};
     use crate::certify::state::find::{Finding, Question, find};
     use crate::certify::state::{Balls, Certify, Figure};
-    use crate::number::{Drawable, Enclosure, Field, Rounded};
+    use crate::number::{Drawable, Enclosure, Rounded};
     use crate::problem::Friction;
     use rug::Rational;
 
@@ -300,7 +380,29 @@ mod tests {
             }
             let thickness = "1.5".parse().unwrap();
             assert!(assess(&arch, &thickness, 10).is_some(), "not the thickness: {arch}");
-            assert!(assess(&arch, &thickness, 26).is_none(), "more digits than they have");
+            assert!(assess(&arch, &thickness, 30).is_some(), "{arch}");
+            assert!(assess(&arch, &thickness, 37).is_none(), "more digits than they have");
         }
+    }
+
+    /// Three words tell the digits and the doubles of assessments that balls of MPFR tell.
+    #[test]
+    fn three_words_assess_as_balls_of_mpfr_do() {
+        const ARCHES: usize = 200;
+        let mut decided = 0;
+        for (place, (arch, digits)) in mix(ARCHES).enumerate() {
+            let part = (place + 1) as f64 * 0.381_966_011_250_105;
+            let thickness = format!("{:.12}", 0.02 + 1.5 * part.fract().powi(3)).parse().unwrap();
+            let Some(found) = assess(&arch, &thickness, digits) else { continue };
+            decided += 1;
+            let by_mpfr = Balls::Mpfr.assess(&arch, &thickness, digits).unwrap();
+            assert_eq!((&found.stands, found.fall), (&by_mpfr.stands, by_mpfr.fall), "{arch}");
+            assert_eq!(found.figures().count(), by_mpfr.figures().count(), "{arch} {thickness}");
+            for ((of, x), (_, y)) in found.figures().zip(by_mpfr.figures()) {
+                assert_eq!(x.map(|x| &x.decimal), y.map(|y| &y.decimal), "{arch} {of:?}");
+                assert_eq!(x.map(Figure::bounds), y.map(Figure::bounds), "{arch} {of:?}");
+            }
+        }
+        assert!(decided * 100 >= ARCHES * 95, "{decided}");
     }
 }

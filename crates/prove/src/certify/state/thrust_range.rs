@@ -17,7 +17,7 @@
 
 use super::mode::steepest_root;
 use super::query::Query;
-use crate::arch::{Ring, Unknown, contact, sliding, thrust};
+use crate::arch::{Configuration, Ring, Unknown, contact, sliding, thrust};
 use crate::number::{Angle, Ball, Ternary};
 use crate::problem::{Condition, Mode, System, inner_friction, room_for_steepest};
 use crate::prover::arithmetic::Arithmetic;
@@ -98,8 +98,49 @@ impl<T> Touch<T> {
     }
 }
 
+/// Roots that the range is made of, each proved to exist.
+pub(super) trait Roots<E> {
+    /// (2) and (5) at the thickness.
+    fn least(&self) -> Result<Configuration<E>, Undecided>;
+    /// (3) and (5) at the thickness.
+    fn largest(&self) -> Result<Configuration<E>, Undecided>;
+    /// The purely sliding state, (17) and (18).
+    fn sliding(&self) -> Result<Configuration<E>, Undecided>;
+    /// The thrust and the joint of (18) at the friction.
+    fn steepest(&self) -> Result<Configuration<E>, Undecided>;
+}
+
+impl<E: Arithmetic> Roots<E> for Query<E> {
+    fn least(&self) -> Result<Configuration<E>, Undecided> {
+        let eta = self.given.thickness.candidate();
+        let start = start::rotational_with_thickness(self.weight, &eta);
+        self.root(System::touching(self.weight, true), &start)
+    }
+
+    fn largest(&self) -> Result<Configuration<E>, Undecided> {
+        let eta = self.given.thickness.candidate();
+        let start = match self.alpha() {
+            alpha if alpha < 0.25 => start::scaled_largest_thrust(self.weight, &alpha, &eta),
+            alpha => start::largest_thrust(self.weight, alpha.to_double(), eta.to_double())
+                .map(|x| eta.like(x)),
+        };
+        self.root(System::touching(self.weight, false), &start)
+    }
+
+    fn sliding(&self) -> Result<Configuration<E>, Undecided> {
+        self.root(Mode::Sliding.system(self.weight), &start::sliding(&self.alpha()))
+    }
+
+    fn steepest(&self) -> Result<Configuration<E>, Undecided> {
+        steepest_root(self)
+    }
+}
+
 /// The thrust below which the line of thrust leaves the arch.
-pub(super) fn least_thrust<E: Arithmetic>(query: &Query<E>) -> Result<Limit<E>, Undecided> {
+pub(super) fn least_thrust<E: Arithmetic>(
+    query: &Query<E>,
+    roots: &impl Roots<E>,
+) -> Result<Limit<E>, Undecided> {
     let given = &query.given;
     let ring = Ring::new(query.weight, &given.thickness);
     // Without thrust: (5) at the crown.
@@ -108,9 +149,7 @@ pub(super) fn least_thrust<E: Arithmetic>(query: &Query<E>) -> Result<Limit<E>, 
     if !decide(&-beyond, question, &[])? {
         return Ok(Limit { thrust: Some(given.thrust.int(0)), touch: Touch::Nothing });
     }
-    let system = System::touching(query.weight, true);
-    let eta = given.thickness.candidate();
-    let at = query.root(system, &start::rotational_with_thickness(query.weight, &eta))?;
+    let at = roots.least()?;
     let beta = &at.rotation_joint.rad;
     require(beta, "a touching joint below the crown")?;
     require(&(beta.pi() - beta), "a touching joint within half a turn")?;
@@ -137,6 +176,7 @@ pub(super) fn least_thrust<E: Arithmetic>(query: &Query<E>) -> Result<Limit<E>, 
 /// exactly zero. Then the gap, which is concave, is constant in the end: it stays open.
 pub(super) fn largest_thrust<E: Arithmetic>(
     query: &Query<E>,
+    roots: &impl Roots<E>,
     has_no_arm: bool,
 ) -> Result<Limit<E>, Undecided> {
     let given = &query.given;
@@ -152,14 +192,7 @@ pub(super) fn largest_thrust<E: Arithmetic>(
     if decide(&slope, "whether the line of largest thrust touches at the crown", &[])? {
         return Ok(Limit { thrust: Some(at_crown.thrust), touch: Touch::Crown });
     }
-    let system = System::touching(query.weight, false);
-    let eta = given.thickness.candidate();
-    let start = match query.alpha() {
-        alpha if alpha < 0.25 => start::scaled_largest_thrust(query.weight, &alpha, &eta),
-        alpha => start::largest_thrust(query.weight, alpha.to_double(), eta.to_double())
-            .map(|x| eta.like(x)),
-    };
-    let at = query.root(system, &start)?;
+    let at = roots.largest()?;
     let beta = &at.rotation_joint.rad;
     require(beta, "a touching joint below the crown")?;
     require(&(given.half_opening.rad.clone() - beta), "a touching joint above the shoulder")?;
@@ -176,9 +209,10 @@ pub(super) fn largest_thrust<E: Arithmetic>(
 /// same, or the end of the range next to it.
 pub(super) fn required_friction<E: Arithmetic>(
     query: &Query<E>,
+    roots: &impl Roots<E>,
     [least, largest]: &[Answered<Limit<E>>; 2],
 ) -> Result<E, Undecided> {
-    let slides = query.root(Mode::Sliding.system(query.weight), &start::sliding(&query.alpha()))?;
+    let slides = roots.sliding()?;
     require(&slides.friction, "a positive purely sliding friction")?;
     let question = "which joint the friction is needed for";
     let bound = |end: &Answered<Limit<E>>| -> Answered<E> {
@@ -205,10 +239,11 @@ const WHICH_LIMIT: &str = "whether sliding or the line of thrust limits the thru
 /// The least thrust of an arch that stands, where a joint may slide sooner.
 pub(super) fn cut_at_least<E: Arithmetic>(
     query: &Query<E>,
+    roots: &impl Roots<E>,
     least: Limit<E>,
 ) -> Result<Limit<E>, Undecided> {
     let Some(friction) = query.friction() else { return Ok(least) };
-    let inner = steepest_root(query)?;
+    let inner = roots.steepest()?;
     let (alpha, joint) = (&query.given.half_opening, inner.sliding_joint.rad);
     // T/N grows up to the steepest joint: if that lies beyond the shoulder, the shoulder counts.
     let inside = alpha.rad.clone() - &joint;
