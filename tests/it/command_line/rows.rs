@@ -11,9 +11,10 @@ fn rows(arguments: &[&str], input: impl AsRef<[u8]>) -> Vec<Value> {
     stdout(&output).lines().map(|line| serde_json::from_str(line).unwrap()).collect()
 }
 
-/// The same as a table, by the names of its columns.
+/// The same as a table with all its columns, by their names.
 fn table(arguments: &[&str], input: &str) -> Vec<std::collections::BTreeMap<String, String>> {
-    let output = fed(&[&["states", "--format", "csv"], arguments].concat(), input);
+    let states = ["states", "--format", "csv", "--columns", "all"];
+    let output = fed(&[&states, arguments].concat(), input);
     csv::Reader::from_reader(&output.stdout[..]).deserialize().map(Result::unwrap).collect()
 }
 
@@ -174,6 +175,28 @@ fn what_would_be_dropped_in_error_is_refused() {
     let found = rows(&[], format!("{{{ARCH},\"thicknes\":1}}\n{{{ARCH},\"mu\":1}}\n"));
     assert!(found[0]["error"].as_str().unwrap().contains("did you mean 'thickness'?"));
     assert!(found[1]["error"].as_str().unwrap().contains("'friction' and 'mu' are the same"));
+}
+
+/// By default a table has what was asked and what is told; numbers for programs are asked for.
+#[test]
+fn doubles_and_hexadecimals_are_asked_for() {
+    let header = |arguments: &[&str]| {
+        let output =
+            fed(&[&["states", "--quantity", "thrust"], arguments].concat(), "alpha,mu\n1,1\n");
+        stdout(&output).lines().next().unwrap().to_owned()
+    };
+    let usual = "weight,half_opening,friction,verdict,can_stand,mode,asymmetric_thickness,thrust,reason,line,error";
+    let given = "half_opening_rad,half_opening_deg,friction_double";
+    assert_eq!(header(&[]), usual);
+    assert_eq!(header(&["--columns", "hex"]), format!("{usual},thrust_hex"));
+    assert_eq!(
+        header(&["--columns", "alpha,mu,doubles"]),
+        format!("{usual},{given},thrust_double")
+    );
+    let all = format!("{usual},{given},thrust_double,thrust_hex");
+    for columns in [&["--columns", "all"][..], &["--columns", "doubles,hex", "--digits", "5"]] {
+        assert_eq!(header(columns), all);
+    }
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! Files of many rows: read as they come, answered on all cores, in the order in which they stand.
 
+mod answers;
 mod arch;
 mod columns;
 mod csv;
@@ -14,6 +15,7 @@ mod roles;
 mod source;
 mod spelling;
 
+pub use answers::RowQuestion;
 pub use arch::ArchReader;
 pub use columns::{Cells, Columns};
 pub use csv::TextTable;
