@@ -17,13 +17,12 @@ mod spelling;
 
 pub use answers::RowQuestion;
 pub use arch::ArchReader;
-pub use columns::{Cells, Columns};
+pub use columns::{Cells, Columns, RowColumn};
 pub use csv::TextTable;
 pub use given::GivenRows;
-pub use json::{JsonLines, objects};
+pub use json::JsonLines;
 pub use judge::Judge;
 pub use keep::{Keep, ReadRow};
-pub use object::JsonObject;
 pub use roles::{Purpose, Role};
 pub use source::{BYTE_ORDER_MARK, Input, Numbered, RowSource, Syntax};
 pub use spelling::Spelling;
