@@ -14,10 +14,10 @@ use couplet::certify::state::Certify;
 use couplet::certify::state::find as seek;
 use couplet::certify::{self, CertifiedLandmark, quantities};
 use couplet::check::{Certificate, Refusal};
-use couplet::door::answer;
 use couplet::door::find::{self as sought, FindTarget};
 use couplet::problem::{Arch, Landmark, Quantity};
 use couplet::report::{self, Answers, Scope, Understood};
+use couplet::sweep::answer;
 use couplet::sweep::parse;
 use std::ffi::{c_char, c_int, c_void};
 

@@ -106,7 +106,7 @@ def test_the_command_says_the_same():
     table = {"alpha_deg": degrees, "mu": mu}
     found = cells(couplet.add_states(table, half_opening="alpha_deg:deg", friction="mu", quantities=["thickness", "thrust"]))
     text = "alpha_deg,mu\n" + "".join(f"{a},{m}\n" for a, m in zip(degrees, mu))
-    columns = "--columns=alpha_deg=half_opening:deg,mu=friction"
+    columns = "--columns=alpha_deg=half_opening:deg,mu=friction,doubles"
     command = [sys.executable, "-m", "couplet", "states", "--digits=17", "--format=csv", columns, "-"]
     done = subprocess.run(command, input=text, capture_output=True, text=True)
     import csv

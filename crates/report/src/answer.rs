@@ -80,6 +80,31 @@ pub struct Proof {
     pub radii: Vec<(&'static str, f64)>,
 }
 
+/// Extent of what is made of an answer: what is not shown is not made, where many rows would pay for it.
+#[derive(Clone, Copy, Debug)]
+pub struct Extent<'a> {
+    /// The quantities of which values are shown, if not of all.
+    pub quantities: Option<&'a [Quantity]>,
+    /// True if given values are shown as doubles.
+    pub doubles: bool,
+}
+
+impl Extent<'_> {
+    /// All that any format shows.
+    pub const ALL: Self = Self { quantities: None, doubles: true };
+
+    /// Tells whether a value is shown: with a thrust goes the joint that limits it, the least thickness is the
+    /// thickness of a state, and what goes with the verdict stays.
+    fn shows(self, of: Quantity) -> bool {
+        let asks = |asked: &Quantity| {
+            let is_least = *asked == Quantity::LeastThickness && of == Quantity::Thickness;
+            *asked == of || asked.joint() == Some(of) || is_least
+        };
+        of == Quantity::AsymmetricThickness
+            || self.quantities.is_none_or(|all| all.iter().any(asks))
+    }
+}
+
 /// Fingerprint that ties values to a certificate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fingerprint {
@@ -186,12 +211,24 @@ impl Answer {
 
     /// The state of an arch at its least thickness. The line tells arches apart.
     pub fn state(line: u64, arch: &Arch, found: &Result<Outcome, Error>) -> Self {
-        let mut answer = Self::new(Subject::arch(line, arch, None), Status::Proved);
+        Self::state_to(Extent::ALL, line, arch, found)
+    }
+
+    /// The state of an arch at its least thickness, as far as it is shown.
+    pub fn state_to(
+        extent: Extent,
+        line: u64,
+        arch: &Arch,
+        found: &Result<Outcome, Error>,
+    ) -> Self {
+        let mut answer =
+            Self::new(Subject::arch(line, (arch, None), extent.doubles), Status::Proved);
         match found {
             Ok(Outcome::Stands(digits)) => {
                 answer.can_stand = Some(true);
                 answer.modes = vec![digits.mode];
-                answer.values = digits.figures().map(|(of, x)| (of, Value::figure(x))).collect();
+                let shown = digits.figures().filter(|(of, _)| extent.shows(*of));
+                answer.values = shown.map(|(of, x)| (of, Value::figure(x))).collect();
             }
             Ok(Outcome::Falls { fall, enough }) => {
                 answer.can_stand = Some(false);
@@ -217,7 +254,8 @@ impl Answer {
         (arch, thickness): (&Arch, &ExactNumber),
         found: &Result<AssessmentDigits, Refused>,
     ) -> Self {
-        let mut answer = Self::new(Subject::arch(line, arch, Some(thickness)), Status::Proved);
+        let mut answer =
+            Self::new(Subject::arch(line, (arch, Some(thickness)), true), Status::Proved);
         match found {
             Ok(digits) => {
                 match (&digits.stands, digits.fall) {
@@ -331,20 +369,13 @@ impl Answer {
         self.values.iter().find(|(of, _)| *of == quantity).map(|(_, value)| value)
     }
 
-    /// Answer with only some of its values; with a thrust stays the joint that limits it, the least thickness
-    /// is the thickness of a state, and what goes with the verdict stays.
+    /// Answer with only the values of some quantities, and what goes with them.
     pub fn only(mut self, quantities: &[Quantity]) -> Self {
-        let is_least = |of: Quantity| of == Quantity::LeastThickness;
-        let asked: Vec<Quantity> = quantities
-            .iter()
-            .flat_map(|&of| [Some(of), of.joint(), is_least(of).then_some(Quantity::Thickness)])
-            .flatten()
-            .chain([Quantity::AsymmetricThickness])
-            .collect();
-        self.values.retain(|(quantity, _)| asked.contains(quantity));
+        let extent = Extent { quantities: Some(quantities), ..Extent::ALL };
+        self.values.retain(|(quantity, _)| extent.shows(*quantity));
         // One size that stays open stands for all.
         let is_asked = |of: Quantity| {
-            asked.contains(&of) || of.is_measured() && asked.iter().any(|of| of.is_measured())
+            extent.shows(of) || of.is_measured() && quantities.iter().any(|of| of.is_measured())
         };
         self.open.retain(|(quantity, _)| is_asked(*quantity));
         self

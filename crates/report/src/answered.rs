@@ -1,6 +1,7 @@
 //! Answers in every format: a file of code for each language, a table for a paper, rows as they come.
 
 use super::answers::Answers;
+use super::csv::Beside;
 use super::format::{Content, Format};
 use super::paper::PaperTable;
 use super::record::Record;
@@ -12,10 +13,10 @@ use super::{
 };
 use std::io;
 
-/// Opens a file of arches that come one after the other.
-pub fn open_rows(answers: Answers, format: &Format) -> io::Result<Box<dyn Rows>> {
+/// Opens a file of arches that come one after the other; a table has columns beside what is asked and told.
+pub fn open_rows(answers: Answers, format: &Format, beside: Beside) -> io::Result<Box<dyn Rows>> {
     match format.name {
-        "csv" => csv::rows(answers),
+        "csv" => csv::rows(answers, beside),
         "jsonl" => json::lines(answers),
         "parquet" => parquet::rows(answers),
         _ => unsupported(),

@@ -32,7 +32,7 @@ impl Asked {
 
 /// The arch as it was given.
 pub(super) fn given(answer: &Answer, asked: Asked) -> Record {
-    let mut fields = Record::default();
+    let mut fields = Record::with_room();
     let [alpha, mu, eta] = answer.subject.given();
     fields.add("weight", answer.subject.weight().map(|weight| weight.name()));
     fields.add("half_opening", alpha);

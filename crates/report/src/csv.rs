@@ -5,11 +5,12 @@ use super::answers::{Answers, Scope};
 use super::columns::{self, Asked};
 use super::find;
 use super::record::Record;
-use super::rows::{Rows, in_parallel};
+use super::rows::Rows;
 use super::tabular::Tabular;
 use super::value::Value;
 use super::words::{hexadecimal, labels};
 use crate::problem::Quantity;
+use rayon::prelude::*;
 use std::io;
 
 /// Landmarks or arches.
@@ -23,15 +24,48 @@ pub(super) fn answers(report: &Answers) -> Tabular {
         }
         Scope::Found => Tabular::of_all(report.list.iter().map(finding)),
         Scope::Arch | Scope::Arches | Scope::Mixed => {
-            let rows = report.list.iter().map(|answer| record(report, answer, false));
-            Tabular { header: header(report, false), rows: rows.collect() }
+            let rows = report.list.iter().map(|answer| Own::WHOLE.row(report, answer));
+            Tabular { header: Own::WHOLE.header(report), rows: rows.collect() }
         }
     }
 }
 
 /// Arches as they come, each with the line of its query.
-pub(super) fn rows(report: Answers) -> io::Result<Box<dyn Rows>> {
-    Ok(Box::new(CsvRows(report)))
+pub(super) fn rows(report: Answers, beside: Beside) -> io::Result<Box<dyn Rows>> {
+    Ok(Box::new(CsvRows { report, own: Own { with_lines: true, beside } }))
+}
+
+/// Columns of numbers that a table of arches has beside what is asked and what is told.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Beside {
+    /// The nearest doubles of what is given and of each value.
+    pub doubles: bool,
+    /// The nearest doubles of each value in hexadecimal.
+    pub hex: bool,
+}
+
+impl Beside {
+    /// All that there are.
+    pub const ALL: Self = Self { doubles: true, hex: true };
+
+    /// Adds the columns of a name; answers whether it is one.
+    pub fn add(&mut self, name: &str) -> bool {
+        match name {
+            "doubles" => self.doubles = true,
+            "hex" => self.hex = true,
+            "all" => *self = Self::ALL,
+            _ => return false,
+        }
+        true
+    }
+}
+
+/// Columns of a table of arches behind what is handed on.
+#[derive(Clone, Copy)]
+struct Own {
+    /// True if a row has the line of its query, and its error.
+    with_lines: bool,
+    beside: Beside,
 }
 
 /// A row for each value that is proved.
@@ -52,36 +86,48 @@ fn constants(report: &Answers) -> Vec<Record> {
     report.list.iter().flat_map(rows).collect()
 }
 
-fn header(report: &Answers, with_lines: bool) -> Vec<String> {
-    let header = columns::header(|answer| own(report, answer, with_lines));
-    [columns::kept_names(&report.kept, &header), header].concat()
-}
+impl Own {
+    /// Columns of arches that are all there.
+    const WHOLE: Self = Self { with_lines: false, beside: Beside::ALL };
 
-fn record(report: &Answers, answer: &Answer, with_lines: bool) -> Vec<String> {
-    let kept = columns::kept_cells(&report.kept, &answer.kept);
-    kept.chain(own(report, answer, with_lines).texts()).collect()
-}
-
-/// The cells of an arch behind what is handed on.
-fn own(report: &Answers, answer: &Answer, with_lines: bool) -> Record {
-    let mut row = columns::row(report, answer);
-    if with_lines {
-        let error = match &answer.status {
-            Status::Refused(error) => Some(error.as_str()),
-            _ => None,
-        };
-        row.add("line", answer.subject.line());
-        row.add("error", error);
+    fn header(self, report: &Answers) -> Vec<String> {
+        let header = columns::header(|answer| self.cells(report, answer));
+        [columns::kept_names(&report.kept, &header), header].concat()
     }
-    row.append(columns::doubles(answer, Asked::in_table(report)));
-    if matches!(report.scope, Scope::Arches | Scope::Mixed) && report.have_doubles() {
-        for quantity in &report.quantities {
-            let double = answer.value(*quantity).map(|value| value.double);
-            row.add_double(format!("{}_double", quantity.name()), double);
-            row.add(format!("{}_hex", quantity.name()), double.map(hexadecimal));
+
+    fn row(self, report: &Answers, answer: &Answer) -> Vec<String> {
+        let kept = columns::kept_cells(&report.kept, &answer.kept);
+        kept.chain(self.cells(report, answer).texts()).collect()
+    }
+
+    fn cells(self, report: &Answers, answer: &Answer) -> Record {
+        let Self { with_lines, beside } = self;
+        let mut row = columns::row(report, answer);
+        if with_lines {
+            let error = match &answer.status {
+                Status::Refused(error) => Some(error.as_str()),
+                _ => None,
+            };
+            row.add("line", answer.subject.line());
+            row.add("error", error);
         }
+        if beside.doubles {
+            row.append(columns::doubles(answer, Asked::in_table(report)));
+        }
+        let are_many = matches!(report.scope, Scope::Arches | Scope::Mixed);
+        if are_many && (with_lines || report.have_doubles()) {
+            for quantity in &report.quantities {
+                let double = answer.value(*quantity).map(|value| value.double);
+                if beside.doubles {
+                    row.add_double(format!("{}_double", quantity.name()), double);
+                }
+                if beside.hex {
+                    row.add(format!("{}_hex", quantity.name()), double.map(hexadecimal));
+                }
+            }
+        }
+        row
     }
-    row
 }
 
 /// Cells of what is given and what is found, in the same columns.
@@ -91,21 +137,37 @@ fn finding(answer: &Answer) -> Record {
     })
 }
 
-struct CsvRows(Answers);
+struct CsvRows {
+    report: Answers,
+    own: Own,
+}
+
+/// Rows that are written at a time.
+const PIECE: usize = 64;
 
 impl Rows for CsvRows {
     fn begin(&mut self) -> io::Result<Vec<u8>> {
-        line(header(&self.0, true))
+        line(self.own.header(&self.report))
     }
 
-    fn group(&mut self, answers: &[Answer]) -> io::Result<Vec<u8>> {
-        in_parallel(answers, |answer| line(record(&self.0, answer, true)))
+    fn group(&mut self, answers: Vec<Answer>) -> io::Result<Vec<u8>> {
+        let written = |answers: &[Answer]| {
+            lines(answers.iter().map(|answer| self.own.row(&self.report, answer)))
+        };
+        Ok(answers.par_chunks(PIECE).map(written).collect::<io::Result<Vec<_>>>()?.concat())
     }
 }
 
 /// One line.
-pub(super) fn line(header: Vec<String>) -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    Tabular { header, rows: Vec::new() }.csv(&mut bytes)?;
+pub(super) fn line(cells: Vec<String>) -> io::Result<Vec<u8>> {
+    lines([cells])
+}
+
+/// Lines without a header.
+fn lines(rows: impl IntoIterator<Item = Vec<String>>) -> io::Result<Vec<u8>> {
+    let (mut bytes, mut rows) = (Vec::new(), rows.into_iter());
+    if let Some(header) = rows.next() {
+        Tabular { header, rows: rows.collect() }.csv(&mut bytes)?;
+    }
     Ok(bytes)
 }

@@ -14,6 +14,7 @@ use super::value::Value;
 use super::words::{hexadecimal, labels, printable};
 use crate::problem::Quantity;
 use serde::Serialize;
+use std::borrow::Cow;
 use std::io;
 
 /// Records of landmarks or arches; of many arches one, in which each quantity that was not asked for is null.
@@ -52,14 +53,19 @@ pub(super) fn line(document: &impl Serialize) -> io::Result<Vec<u8>> {
 
 /// A line of JSON with what is no text as escapes, which are the same to a reader.
 fn escaped(json: String) -> Vec<u8> {
-    printable(json + "\n", |c| format!("\\u{:04x}", u32::from(c))).into_bytes()
+    let json = json + "\n";
+    let escaped = match printable(&json, |c| format!("\\u{:04x}", u32::from(c))) {
+        Cow::Owned(escaped) => Some(escaped),
+        Cow::Borrowed(_) => None,
+    };
+    escaped.unwrap_or(json).into_bytes()
 }
 
 struct JsonLines(Answers);
 
 impl Rows for JsonLines {
-    fn group(&mut self, answers: &[Answer]) -> io::Result<Vec<u8>> {
-        in_parallel(answers, |answer| line(&entry(&self.0, answer, true)))
+    fn group(&mut self, answers: Vec<Answer>) -> io::Result<Vec<u8>> {
+        in_parallel(&answers, |answer| line(&entry(&self.0, answer, true)))
     }
 }
 

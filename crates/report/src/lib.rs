@@ -88,7 +88,7 @@ mod value;
 mod voussoirs;
 pub mod words;
 
-pub use answer::{Answer, Fingerprint, Proof, Status};
+pub use answer::{Answer, Extent, Fingerprint, Proof, Status};
 pub use answered::open_rows;
 pub use answers::{Answers, Scope};
 pub use audit::Audit;
@@ -96,6 +96,7 @@ pub use branch::{BranchArch, BranchArches};
 pub use by_value::ByValue;
 pub use claimed::{Claims, Index};
 pub use complementarity::{ComplementarityArch, SolutionsFound};
+pub use csv::Beside;
 pub use drawn::{Axes, Branches, Drawing, Mark, Marked, Plane, Shown, Unit, View};
 pub use equation::{EquationFound, EvaluatedEquation};
 pub use format::{Content, Format};

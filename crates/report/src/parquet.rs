@@ -20,8 +20,9 @@ use ::parquet::file::metadata::KeyValue;
 use ::parquet::file::properties::WriterProperties;
 use ::parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use ::parquet::schema::parser::parse_message_type;
-use ::parquet::schema::types::Type;
+use ::parquet::schema::types::{ColumnPath, Type};
 use std::io;
+use std::mem;
 use std::sync::Arc;
 
 /// A Parquet file that is written group by group.
@@ -29,12 +30,18 @@ struct ParquetRows {
     writer: SerializedFileWriter<Vec<u8>>,
     /// Names of what is handed on from queries, a column each, behind the others.
     kept: Vec<String>,
+    /// Answers that are not written yet, and how many make a group.
+    held: Vec<Answer>,
+    most: usize,
 }
+
+/// Digits of the arches of a group, each of which has some values: small groups are mostly their own descriptions.
+const GROUP: usize = 1 << 17;
 
 /// Landmarks or arches.
 pub(super) fn answers(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     let mut rows = ParquetRows::new(report)?;
-    out.write_all(&rows.group(&report.list)?)?;
+    rows.write(&report.list)?;
     out.write_all(&Box::new(rows).end()?)
 }
 
@@ -83,8 +90,12 @@ fn file<R>(
     let properties = WriterProperties::builder()
         .set_compression(Compression::UNCOMPRESSED)
         .set_created_by(TOOL.to_owned())
-        .set_key_value_metadata(Some(notes.collect()))
-        .build();
+        .set_key_value_metadata(Some(notes.collect()));
+    // Of values hardly any comes again.
+    let properties = VALUES.iter().fold(properties, |properties, name| {
+        properties.set_column_dictionary_enabled(ColumnPath::from(*name), false)
+    });
+    let properties = properties.build();
     let own = columns.iter().map(|(name, column)| match column {
         Text(_) => format!("optional binary {name} (STRING);"),
         Double(_) => format!("optional double {name};"),
@@ -111,14 +122,11 @@ fn group<R>(
     rows: &[R],
     kept: &[Vec<Option<&str>>],
 ) -> Result<()> {
-    let bytes = |text: &str| ByteArray::from(text);
     let mut group = file.next_row_group()?;
     for (_, column) in columns {
         let Some(written) = group.next_column()? else { break };
         match column {
-            Text(cell) => {
-                put::<ByteArrayType>(written, rows.iter().map(|row| cell(row).map(bytes)))
-            }
+            Text(cell) => put::<ByteArrayType>(written, texts(rows.iter().map(cell))),
             Double(cell) => put::<DoubleType>(written, rows.iter().map(cell)),
             Integer(cell) => {
                 let number = |row: &R| i64::try_from(cell(row)?).ok();
@@ -127,12 +135,26 @@ fn group<R>(
             Truth(cell) => put::<BoolType>(written, rows.iter().map(cell)),
         }?;
     }
-    for texts in kept {
+    for kept in kept {
         let Some(written) = group.next_column()? else { break };
-        put::<ByteArrayType>(written, texts.iter().map(|text| text.map(bytes)))?;
+        put::<ByteArrayType>(written, texts(kept.iter().copied()))?;
     }
     group.close()?;
     Ok(())
+}
+
+/// Texts as cells. The rows of an arch follow each other, and share what they have of it.
+fn texts<'a>(
+    texts: impl Iterator<Item = Option<&'a str>>,
+) -> impl Iterator<Item = Option<ByteArray>> {
+    let mut last = ("", ByteArray::from(""));
+    texts.map(move |text| {
+        let text = text?;
+        if last.0 != text {
+            last = (text, ByteArray::from(text));
+        }
+        Some(last.1.clone())
+    })
 }
 
 /// Writes the cells of a column, each of which may be null.
@@ -163,28 +185,45 @@ impl ParquetRows {
         let certificate = is_hashed.then(|| ("certificate", certificate.to_owned()));
         let notes = notes.into_iter().chain(certificate);
         let kept = report.kept.clone();
-        Ok(Self { writer: file(&ValueRow::COLUMNS, &kept, notes)?, kept })
+        let writer = file(&ValueRow::COLUMNS, &kept, notes)?;
+        Ok(Self { writer, kept, held: Vec::new(), most: GROUP / report.digits.clamp(1, GROUP) })
     }
-}
 
-impl Rows for ParquetRows {
-    fn group(&mut self, answers: &[Answer]) -> io::Result<Vec<u8>> {
+    /// Writes some answers as a group.
+    fn write(&mut self, answers: &[Answer]) -> io::Result<()> {
         let rows: Vec<ValueRow> = answers.iter().flat_map(ValueRow::all).collect();
         let texts = |name: &String| rows.iter().map(|row| row.kept(name)).collect();
         let kept: Vec<Vec<Option<&str>>> = self.kept.iter().map(texts).collect();
         if !rows.is_empty() {
             group(&mut self.writer, &ValueRow::COLUMNS, &rows, &kept)?;
         }
+        Ok(())
+    }
+}
+
+impl Rows for ParquetRows {
+    fn group(&mut self, mut answers: Vec<Answer>) -> io::Result<Vec<u8>> {
+        self.held.append(&mut answers);
+        if self.held.len() >= self.most {
+            let held = mem::take(&mut self.held);
+            self.write(&held)?;
+        }
         self.writer.flush()?;
         // The writer keeps its own count of the bytes.
-        Ok(std::mem::take(self.writer.inner_mut()))
+        Ok(mem::take(self.writer.inner_mut()))
     }
 
     /// Without these bytes the file cannot be read.
-    fn end(self: Box<Self>) -> io::Result<Vec<u8>> {
+    fn end(mut self: Box<Self>) -> io::Result<Vec<u8>> {
+        let held = mem::take(&mut self.held);
+        self.write(&held)?;
         Ok(with_common_order(self.writer.into_inner()?))
     }
 }
+
+/// Columns of values.
+const VALUES: [&str; 7] =
+    ["value", "lower", "upper", "double", "double_lower", "double_upper", "double_error"];
 
 /// A value and its answer.
 struct ValueRow<'a> {

@@ -50,6 +50,11 @@ impl Record {
         Self::named("schema", [schema.into()])
     }
 
+    /// A record with room for the cells of a row.
+    pub(crate) fn with_room() -> Self {
+        Self(Vec::with_capacity(24))
+    }
+
     /// Adds a line for a person.
     pub(crate) fn say(&mut self, line: impl Into<String>) {
         self.0.push(Part::Line(line.into()));
@@ -172,8 +177,12 @@ impl Record {
     }
 
     /// The cells as text, each as in a table.
-    pub(crate) fn texts(&self) -> impl Iterator<Item = String> {
-        self.cells().map(|(_, cell)| cell.text())
+    pub(crate) fn texts(self) -> impl Iterator<Item = String> {
+        self.0.into_iter().filter_map(|part| match part {
+            Part::Cell { value: Cell::Value(Some(Json::String(text))), .. } => Some(text),
+            Part::Cell { value, .. } => Some(value.text()),
+            Part::Line(_) => None,
+        })
     }
 
     /// The text of a cell, empty where there is none; of several with one name it is the last.

@@ -12,7 +12,7 @@ pub trait Rows: Send {
     }
 
     /// Writes some answers.
-    fn group(&mut self, answers: &[Answer]) -> io::Result<Vec<u8>>;
+    fn group(&mut self, answers: Vec<Answer>) -> io::Result<Vec<u8>>;
 
     /// The footer.
     fn end(self: Box<Self>) -> io::Result<Vec<u8>> {

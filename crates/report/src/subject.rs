@@ -56,14 +56,20 @@ pub enum Subject {
 }
 
 impl Subject {
-    pub(super) fn arch(line: u64, arch: &Arch, thickness: Option<&ExactNumber>) -> Self {
+    /// An arch, with its given values as doubles or without.
+    pub(super) fn arch(
+        line: u64,
+        (arch, thickness): (&Arch, Option<&ExactNumber>),
+        doubles: bool,
+    ) -> Self {
+        let made = doubles.then(|| GivenDoubles::new(arch, thickness));
         Self::Arch {
             line,
             weight: arch.weight(),
             half_opening: arch.half_opening().to_string(),
             friction: arch.friction().to_string(),
             thickness: thickness.map(ToString::to_string),
-            doubles: GivenDoubles::new(arch, thickness),
+            doubles: made.unwrap_or_default(),
         }
     }
 

@@ -3,6 +3,7 @@
 use super::column::NamedColumn;
 use super::record::Record;
 use super::words::printable;
+use std::borrow::Cow;
 use std::io;
 
 /// Rows of cells below the names of their columns.
@@ -27,7 +28,7 @@ impl Tabular {
         let records: Vec<Record> = records.into_iter().collect();
         let names = |record: &Record| record.names().map(str::to_owned).collect();
         let header = records.first().map_or(Vec::new(), names);
-        Self { header, rows: records.iter().map(|record| record.texts().collect()).collect() }
+        Self { header, rows: records.into_iter().map(|record| record.texts().collect()).collect() }
     }
 
     /// Cells that columns find in rows.
@@ -42,34 +43,37 @@ impl Tabular {
 
     /// Writes CSV.
     pub(super) fn csv(&self, out: &mut dyn io::Write) -> io::Result<()> {
-        self.separated(b',', str::to_owned, out)
+        self.separated(b',', |cell| cell.into(), out)
     }
 
     /// Writes CSV for a spreadsheet that has commas in its numbers: semicolons stand between the cells.
     pub(super) fn csv_with_commas(&self, out: &mut dyn io::Write) -> io::Result<()> {
-        let comma = |cell: &str| match is_decimal(cell) {
-            true => cell.replace('.', ","),
-            false => cell.to_owned(),
-        };
-        self.separated(b';', comma, out)
+        self.separated(b';', with_comma, out)
     }
 
     fn separated(
         &self,
         separator: u8,
-        cell: impl Fn(&str) -> String,
+        cell: fn(&str) -> Cow<'_, str>,
         out: &mut dyn io::Write,
     ) -> io::Result<()> {
         let mut csv = csv::WriterBuilder::new().delimiter(separator).from_writer(out);
         let mut records = std::iter::once(&self.header).chain(&self.rows);
-        let printed = |text: &String| printable(cell(text), |c| c.escape_debug().to_string());
-        records
-            .try_for_each(|record| {
-                csv.write_record(record.iter().map(printed).map(String::into_bytes))
-            })
-            .map_err(io_error)?;
+        let escape = |c: char| c.escape_debug().to_string();
+        let mut written = |record: &Vec<String>| {
+            for text in record {
+                csv.write_field(printable(&cell(text), escape).as_bytes())?;
+            }
+            csv.write_record(None::<&[u8]>)
+        };
+        records.try_for_each(&mut written).map_err(io_error)?;
         csv.flush()
     }
+}
+
+/// A cell, with a decimal comma if it is a number.
+fn with_comma(cell: &str) -> Cow<'_, str> {
+    if is_decimal(cell) { cell.replace('.', ",").into() } else { cell.into() }
 }
 
 /// Tells whether a cell is a decimal number: digits, a sign, a point, a power of ten.

@@ -6,6 +6,7 @@ use crate::certify::state::{Fall, Figure};
 use crate::problem::asymmetric_region::{LOOK, MAY_MOVE};
 use crate::problem::stones::Stones;
 use crate::problem::{Landmark, Mode, Quantity};
+use std::borrow::Cow;
 use std::fmt::Display;
 use std::io;
 
@@ -178,13 +179,14 @@ pub(crate) fn hexadecimal(x: f64) -> String {
 
 /// A text of other people with what is no text as an escape, for a terminal would obey it: control characters but tabs
 /// and ends of lines, and marks that turn what follows round. `escape` says how one is written.
-pub(crate) fn printable(text: String, escape: impl Fn(char) -> String) -> String {
+pub(crate) fn printable(text: &str, escape: impl Fn(char) -> String) -> Cow<'_, str> {
     let is_text = |c: char| {
         let turns = matches!(c, '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
         matches!(c, '\t' | '\n' | '\r') || !c.is_control() && !turns
     };
-    if text.bytes().all(|byte| matches!(byte, b' '..=b'~')) || text.chars().all(is_text) {
-        return text;
+    let is_plain = |byte| matches!(byte, b' '..=b'~' | b'\t' | b'\n' | b'\r');
+    if text.bytes().all(is_plain) || text.chars().all(is_text) {
+        return text.into();
     }
     text.chars().map(|c| if is_text(c) { c.to_string() } else { escape(c) }).collect()
 }

@@ -1,6 +1,7 @@
 //! Many arches: tables of rows, scenes and sweeps; what the command, Python and C call.
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
+pub mod answer;
 pub mod failure;
 pub mod parse;
 pub mod rows;

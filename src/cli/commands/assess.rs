@@ -9,9 +9,9 @@ use super::tilt;
 use super::voussoirs;
 use crate::ask::{ArchQuestion, Field};
 use crate::certify::state::Balls;
-use crate::door::answer;
 use crate::problem::measures::Measures;
 use crate::problem::{Arch, Quantity};
+use crate::sweep::answer;
 use crate::sweep::failure::Failure;
 use clap::Args;
 

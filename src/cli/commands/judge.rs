@@ -2,7 +2,7 @@
 
 use super::given_rows::source;
 use super::output::OutputFile;
-use super::stream::{CHUNK, Chunk, Progress, in_order};
+use super::stream::{CHUNK, Chunk, Progress, each_alone, in_order};
 use crate::arch::SelfWeight;
 use crate::judge::{Demand, Verdict};
 use crate::problem::Quantity;
@@ -150,7 +150,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             let text = each.map_or(Ok(Vec::new()), |each| (each.row)(&row, &quantities, &kept));
             (row, text)
         };
-        in_order(rows, (&progress, Chunk::WhatIsThere), answer, |answers| {
+        in_order(rows, (&progress, Chunk::WhatIsThere), each_alone(answer), |answers| {
             for (row, text) in answers {
                 summary.add(row);
                 out.write_all(&text?)?;

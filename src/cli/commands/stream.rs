@@ -20,37 +20,39 @@ pub(super) enum Chunk {
     Full,
 }
 
-/// Answers the rows on all cores and hands each chunk on in the order of the rows. Answers how many rows
-/// there were.
+/// Answers the rows a chunk at a time and hands each chunk on, in the order of the rows. Answers how many rows there
+/// were.
 pub(super) fn in_order<T: Send + 'static, A: Send, E: From<io::Error>>(
     lines: impl Iterator<Item = Numbered<T>> + Send + 'static,
     (progress, together): (&Progress, Chunk),
-    answer: impl Fn(Numbered<T>) -> A + Sync,
+    answers: impl Fn(Vec<Numbered<T>>) -> Vec<A>,
     mut take: impl FnMut(Vec<A>) -> Result<(), E>,
 ) -> Result<u64, E> {
-    let (sender, receiver) = mpsc::sync_channel(CHUNK / 2);
+    let together = match together {
+        Chunk::WhatIsThere => 1,
+        Chunk::Full => CHUNK,
+    };
+    let (sender, receiver) = mpsc::sync_channel(CHUNK / 2 / together);
     // After a failure nobody waits for this thread: it may itself wait for a row that never comes.
     let reader = thread::Builder::new().spawn(move || {
-        for line in lines {
+        let mut lines = lines.fuse();
+        loop {
+            let some: Vec<_> = lines.by_ref().take(together).collect();
             // The receiver goes away when the rows cannot be written.
-            if sender.send(line).is_err() {
+            if some.is_empty() || sender.send(some).is_err() {
                 break;
             }
         }
     })?;
     let mut rows = 0;
-    while let Ok(first) = receiver.recv() {
-        let mut chunk = vec![first];
-        while chunk.len() < CHUNK {
-            let next = match together {
-                Chunk::WhatIsThere => receiver.try_recv().ok(),
-                Chunk::Full => receiver.recv().ok(),
-            };
-            let Some(line) = next else { break };
-            chunk.push(line);
+    while let Ok(mut chunk) = receiver.recv() {
+        while chunk.len() < CHUNK
+            && let Ok(more) = receiver.try_recv()
+        {
+            chunk.extend(more);
         }
         let count = chunk.len() as u64;
-        let answers = chunk.into_par_iter().map(&answer).collect();
+        let answers = answers(chunk);
         // Where rows go to the terminal too, they do not stand behind the bar.
         progress.bar.suspend(|| take(answers))?;
         rows += count;
@@ -62,16 +64,25 @@ pub(super) fn in_order<T: Send + 'static, A: Send, E: From<io::Error>>(
     Ok(rows)
 }
 
+/// Answers to rows, each of which is answered alone, on all cores.
+pub(super) fn each_alone<T: Send, A: Send>(
+    answer: impl Fn(Numbered<T>) -> A + Sync,
+) -> impl Fn(Vec<Numbered<T>>) -> Vec<A> {
+    move |rows| rows.into_par_iter().map(&answer).collect()
+}
+
 /// A bar with rate and time left, by the bytes read; hidden if standard error is not a terminal.
 pub(super) struct Progress {
     bar: ProgressBar,
+    /// True if the rows are those of a file, for which nobody waits.
+    pub(super) is_of_file: bool,
 }
 
 impl Progress {
     /// A bar for the rows of a source; none for rows that are typed, between which it would stand.
     pub(crate) fn new(source: &RowSource) -> Self {
         if source.is_typed {
-            return Self { bar: ProgressBar::hidden() };
+            return Self { bar: ProgressBar::hidden(), is_of_file: false };
         }
         let style = match source.length {
             Some(_) => ROWS,
@@ -79,7 +90,7 @@ impl Progress {
         };
         let bar = styled(source.length, style);
         bar.set_message("waits for rows");
-        Self { bar }
+        Self { bar, is_of_file: source.length.is_some() }
     }
 
     /// Counts the bytes that are read.

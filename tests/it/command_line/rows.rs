@@ -11,9 +11,10 @@ fn rows(arguments: &[&str], input: impl AsRef<[u8]>) -> Vec<Value> {
     stdout(&output).lines().map(|line| serde_json::from_str(line).unwrap()).collect()
 }
 
-/// The same as a table, by the names of its columns.
+/// The same as a table with all its columns, by their names.
 fn table(arguments: &[&str], input: &str) -> Vec<std::collections::BTreeMap<String, String>> {
-    let output = fed(&[&["states", "--format", "csv"], arguments].concat(), input);
+    let states = ["states", "--format", "csv", "--columns", "all"];
+    let output = fed(&[&states, arguments].concat(), input);
     csv::Reader::from_reader(&output.stdout[..]).deserialize().map(Result::unwrap).collect()
 }
 
@@ -156,6 +157,19 @@ fn columns_of_others_are_ours_by_name() {
     assert_eq!(alone["least_thickness_m"]["value"], bridge["least_thickness_m"]);
     let once = fed(&["states", "--digits", "9"], "alpha,mu\n1.5,0.6\n2,1\n").stdout;
     assert_eq!(fed(&["states", "--digits", "9"], &once).stdout, once, "written and read");
+    // Of an arch in metres the exact half opening and thickness are read, and none of the sizes that follow.
+    let sized = "span,rise,mu,eta,measured_at\n10m,3m,0.6,60cm,extrados\n33ft,9ft,0.6,,\n";
+    for format in ["csv", "jsonl"] {
+        let written = fed(&["states", "--format", format, "--columns", "all"], sized).stdout;
+        let (first, again) = (table(&[], sized), table(&[], &text(&written)));
+        for (one, other) in first.iter().zip(&again) {
+            for key in ["half_opening", "thickness", "stands", "least_thickness", "can_stand"] {
+                assert_eq!(one[key], other[key], "{format} {key}");
+            }
+            assert_eq!((&*other["error"], other.get("span_m")), ("", None));
+        }
+        assert_eq!((first.len(), again.len()), (2, 2));
+    }
     for (columns, why) in [
         ("a=colour", "is not one of our columns"),
         ("a=mu:deg", "has no unit"),
@@ -174,6 +188,59 @@ fn what_would_be_dropped_in_error_is_refused() {
     let found = rows(&[], format!("{{{ARCH},\"thicknes\":1}}\n{{{ARCH},\"mu\":1}}\n"));
     assert!(found[0]["error"].as_str().unwrap().contains("did you mean 'thickness'?"));
     assert!(found[1]["error"].as_str().unwrap().contains("'friction' and 'mu' are the same"));
+}
+
+/// What one arch may be asked and no row is must not be dropped: without it the answer would be that of another arch.
+#[test]
+fn what_no_row_answers_is_refused_with_what_answers_it() {
+    for name in ["stones", "joints", "tilt"] {
+        let input = format!("alpha,mu,eta,{name}\n1,1,0.1,5\n");
+        let why = format!("'{name}' is no question of a row: `couplet assess --{name}` answers it");
+        for command in [&["states"][..], &["states", "--keep", "all"], &["judge", "-"]] {
+            refused(command, &input, &why);
+        }
+        let object = format!("{{{ARCH},\"{name}\":5}}\n{{{ARCH},\"{name}\":null}}\n");
+        let found = rows(&[], &object);
+        assert!(found[0]["error"].as_str().unwrap().contains(&why), "{}", found[0]);
+        assert_eq!(found[1]["can_stand"], true, "asks nothing");
+        let kept = &table(&["--keep", name], &input)[0];
+        assert_eq!((&*kept[name], &*kept["stands"]), ("5", "true"));
+        let named = &table(&["--columns", "alpha,mu,eta"], &input)[0];
+        assert_eq!(&*named["stands"], "true", "these are the columns to read");
+    }
+    // Forces follow from a density and a depth.
+    let input = "span,rise,mu,thickness,density,depth\n10m,3m,0.6,60cm,24kN/m3,1m\n10m,3m,0.6,,,\n";
+    let found = table(&["--digits", "6"], input);
+    let line = "--span 10m --rise 3m --friction 0.6 --thickness 60cm --density 24kN/m3 --depth 1m --digits 6";
+    let line: Vec<&str> =
+        ["assess", "--format", "json"].into_iter().chain(line.split(' ')).collect();
+    let alone: Value = serde_json::from_slice(&couplet(&line).stdout).unwrap();
+    for name in ["weight_kn", "least_thrust_kn", "largest_thrust_kn"] {
+        assert_eq!(alone[name]["value"], found[0][name], "{name}");
+    }
+    assert_eq!((&*found[1]["weight_kn"], &*found[1]["error"]), ("", ""));
+}
+
+/// By default a table has what was asked and what is told; numbers for programs are asked for.
+#[test]
+fn doubles_and_hexadecimals_are_asked_for() {
+    let header = |arguments: &[&str]| {
+        let output =
+            fed(&[&["states", "--quantity", "thrust"], arguments].concat(), "alpha,mu\n1,1\n");
+        stdout(&output).lines().next().unwrap().to_owned()
+    };
+    let usual = "weight,half_opening,friction,verdict,can_stand,mode,asymmetric_thickness,thrust,reason,line,error";
+    let given = "half_opening_rad,half_opening_deg,friction_double";
+    assert_eq!(header(&[]), usual);
+    assert_eq!(header(&["--columns", "hex"]), format!("{usual},thrust_hex"));
+    assert_eq!(
+        header(&["--columns", "alpha,mu,doubles"]),
+        format!("{usual},{given},thrust_double")
+    );
+    let all = format!("{usual},{given},thrust_double,thrust_hex");
+    for columns in [&["--columns", "all"][..], &["--columns", "doubles,hex", "--digits", "5"]] {
+        assert_eq!(header(columns), all);
+    }
 }
 
 #[test]

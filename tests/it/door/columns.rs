@@ -31,8 +31,8 @@ fn every_column_is_on_the_page() {
     let states = "alpha,mu,eta\n1,1,1\n";
     let results = "alpha,mu,given_thickness,least_thickness,thrust,mode\n1,1,1,1,1,rrr\n";
     for name in [
-        header(&["states"], "alpha,mu\n1,1\n"),
-        header(&["states"], states),
+        header(&["states", "--columns", "all"], "alpha,mu\n1,1\n"),
+        header(&["states", "--columns", "all"], states),
         header(&["states", "--ranges"], "span,rise,mu,eta\n1m,1m,1,1m\n"),
         header(&["judge", "-", "--format", "csv"], results),
         header(&["sample", "--count", "0"], ""),

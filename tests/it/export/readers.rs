@@ -23,7 +23,8 @@ fn written() -> Scratch {
     scratch.write("queries.csv", QUERIES);
     for format in ["csv", "jsonl"] {
         let (queries, file) = (scratch.path("queries.csv"), scratch.path("states") + "." + format);
-        let output = couplet(&["states", &queries, "--format", format, "-o", &file]);
+        let written = ["--format", format, "--columns", "doubles", "-o", &file];
+        let output = couplet(&[&["states", &queries], &written[..]].concat());
         assert_eq!(output.status.code(), Some(0), "{format}");
     }
     scratch

@@ -1,10 +1,11 @@
 //! Columns of a file, and what each is.
 
 use super::object::JsonObject;
-use super::roles::{Purpose, Role};
+use super::roles::{OF_ONE, Purpose, Role};
 use crate::ask::Field;
 use crate::problem::Quantity;
 use crate::report::words::{first_of, shortened};
+use std::borrow::Cow;
 
 /// The text of a row, column by column; `None` where the row has no such column.
 pub type Cells = Vec<Option<String>>;
@@ -28,6 +29,8 @@ pub struct Columns {
     /// True if the columns were named, and so have to be there.
     named: bool,
     purpose: Purpose,
+    /// Names that are handed on.
+    kept: Vec<String>,
 }
 
 impl Columns {
@@ -38,7 +41,7 @@ impl Columns {
                 move |name: &str| RowColumn { theirs: name.to_owned(), role, degrees: false };
             role.names(purpose).into_iter().map(column)
         });
-        Self { all: columns.collect(), named: false, purpose }
+        Self { all: columns.collect(), named: false, purpose, kept: Vec::new() }
     }
 
     /// Columns as they are named on the command line, `theirs=ours` or `theirs=ours:deg`; our own names if
@@ -59,7 +62,12 @@ impl Columns {
             }
             all.push(column);
         }
-        Ok(Self { all, named: true, purpose })
+        Ok(Self { all, named: true, purpose, kept: Vec::new() })
+    }
+
+    /// Columns beside which some names are handed on.
+    pub(super) fn beside(self, kept: Vec<String>) -> Self {
+        Self { kept, ..self }
     }
 
     /// Reason why a cell is no range, with what to do instead.
@@ -80,10 +88,16 @@ impl Columns {
         column.theirs == name || (!self.named && column.theirs == plain(name))
     }
 
-    /// Leaves out the thickness of our own states: it is the least one, which asks nothing.
-    fn leave_least_thickness(&mut self, has: impl Fn(&str) -> bool) {
-        if self.purpose == Purpose::Ask && has("can_stand") && !has("least_thickness") {
-            self.all.retain(|column| column.role != Role::GivenThickness);
+    /// Tells which columns ask anything beside others: in our own answers neither the thickness of states, which is the
+    /// least one, nor the circle of sizes that are told.
+    fn asks<F: Fn(&str) -> bool>(&self, has: F) -> impl Fn(&RowColumn) -> bool + use<F> {
+        let is_ours = self.purpose == Purpose::Ask && (has("can_stand") || has("stands"));
+        let is_least = is_ours && has("can_stand") && !has("least_thickness");
+        let is_told = is_ours && has("half_opening") && !has("span") && !has("radius");
+        move |column| match column.role {
+            Role::GivenThickness => !is_least,
+            Role::Size(Field::MeasuredAt) => !is_told,
+            _ => true,
         }
     }
 
@@ -94,7 +108,8 @@ impl Columns {
 
     /// Keeps the columns that a table has, with their places.
     pub fn places(&mut self, header: &[String]) -> Result<Vec<usize>, String> {
-        self.leave_least_thickness(|name| header.iter().any(|other| plain(other) == name));
+        let asks = self.asks(|name| header.iter().any(|other| plain(other) == name));
+        self.all.retain(asks);
         let place = |column: &RowColumn| header.iter().position(|name| self.is(column, name));
         let places: Vec<Option<usize>> = self.all.iter().map(place).collect();
         let shown = |message| format!("{message}; its columns are {}", shown(header));
@@ -106,6 +121,7 @@ impl Columns {
             }
         }
         header.iter().try_for_each(|name| {
+            self.is_answered(name)?;
             self.is_spelt(name, |role| {
                 self.all.iter().zip(&seen).any(|(column, seen)| *seen && column.role == role)
             })
@@ -117,14 +133,17 @@ impl Columns {
 
     /// The cells of an object.
     pub fn cells(&self, object: &JsonObject) -> Result<Cells, String> {
-        let mut own = self.clone();
-        own.leave_least_thickness(|name| object.names().any(|other| plain(other) == name));
+        let asks = self.asks(|name| object.names().any(|other| plain(other) == name));
         let mut cells: Cells = vec![None; self.all.len()];
         for name in object.names() {
-            if !own.have(name) && self.have(name) {
+            let mut named = self.all.iter().filter(|column| self.is(column, name));
+            if named.clone().next().is_some() && !named.any(&asks) {
                 continue;
             }
             let Some(place) = self.all.iter().position(|column| self.is(column, name)) else {
+                if object.text(name).is_some_and(|text| !text.is_empty()) {
+                    self.is_answered(name)?;
+                }
                 self.is_spelt(name, |role| {
                     let has =
                         |key: &str| self.all.iter().any(|c| c.role == role && self.is(c, key));
@@ -142,6 +161,26 @@ impl Columns {
             cells[place] = object.text(name);
         }
         Ok(cells)
+    }
+
+    /// Refuses a name that asks of an arch what no row is asked, unless the columns to read are named or it is handed
+    /// on: it must not be dropped.
+    fn is_answered(&self, name: &str) -> Result<(), String> {
+        let is = |field: &&Field| field.name() == plain(name);
+        match OF_ONE
+            .iter()
+            .find(is)
+            .filter(|_| !self.named && !self.kept.iter().any(|kept| kept == name))
+        {
+            Some(field) => {
+                let (name, field) = (shortened(name), field.name());
+                Err(format!(
+                    "'{name}' is no question of a row: `couplet assess --{field}` answers it, and --keep {name} hands \
+                     it on"
+                ))
+            }
+            None => Ok(()),
+        }
     }
 
     /// Refuses a name that is nearly one of ours and asks for nothing: what it asks must not be dropped.
@@ -209,8 +248,11 @@ impl Columns {
 }
 
 /// A name without capitals, and with `_` for what joins its words.
-fn plain(name: &str) -> String {
-    name.to_lowercase().replace([' ', '-'], "_")
+fn plain(name: &str) -> Cow<'_, str> {
+    match name.bytes().all(|c| c.is_ascii_lowercase() || c == b'_') {
+        true => name.into(),
+        false => name.to_lowercase().replace([' ', '-'], "_").into(),
+    }
 }
 
 /// The columns of a file in a message: not all of many, nor all of a long name.

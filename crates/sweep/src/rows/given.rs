@@ -4,6 +4,7 @@ use super::columns::Columns;
 use super::csv::TextTable;
 use super::json::objects;
 use super::keep::{Keep, ReadRow};
+use super::object::JsonObject;
 use super::source::{Input, Numbered, Syntax};
 use super::spelling::Spelling;
 use crate::failure::Failure;
@@ -24,25 +25,45 @@ impl GivenRows {
     /// Rows of a file in a syntax; `in_lines` tells whether the output has an object on each line.
     pub fn new(
         (syntax, input): (Syntax, Input),
-        mut columns: Columns,
+        columns: Columns,
         keep: Keep,
         in_lines: bool,
     ) -> Result<Self, Failure> {
-        if let Syntax::Json = syntax {
-            // Each row has keys of its own.
-            let (kept, read) = (keep.names(in_lines)?, columns.clone());
-            let rows = objects(input, move |object| {
-                Ok(ReadRow { cells: read.cells(object)?, kept: keep.entries(object, &read) })
-            });
-            return Ok(Self { columns, spelling: Spelling::default(), kept, rows: Box::new(rows) });
+        match syntax {
+            Syntax::Csv => Ok(Self::of_table(TextTable::open(input)?, columns, &keep)?),
+            Syntax::Json => {
+                // Each row has keys of its own.
+                let kept = keep.names(in_lines)?;
+                Ok(Self { kept, ..Self::of_objects(objects(input), columns, keep) })
+            }
         }
-        let table = TextTable::open(input)?;
+    }
+
+    /// Rows of a table, or why these have no such columns.
+    pub fn of_table(table: TextTable, columns: Columns, keep: &Keep) -> Result<Self, String> {
+        let mut columns = columns.beside(keep.named());
         let kept = keep.places(&table.header, &columns)?;
         let places = columns.places(&table.header)?;
         let spelling = Spelling { decimal_comma: table.has_decimal_commas() };
         let names = kept.iter().map(|(name, _)| name.clone()).collect();
-        let read = move |row: Vec<String>| Keep::row(&row, &places, &kept);
+        let read = move |row: Vec<String>| Keep::row(row, &places, &kept);
         let rows = Box::new(table.map(move |(line, row)| (line, row.map(&read))));
         Ok(Self { columns, spelling, kept: names, rows })
+    }
+
+    /// Rows of JSON, an object each.
+    pub fn of_objects(
+        objects: impl Iterator<Item = Numbered<Vec<u8>>> + Send + 'static,
+        columns: Columns,
+        keep: Keep,
+    ) -> Self {
+        let columns = columns.beside(keep.named());
+        let of = columns.clone();
+        let read = move |bytes: Vec<u8>| {
+            let object = JsonObject::parse(&bytes)?;
+            Ok(ReadRow { cells: of.cells(&object)?, kept: keep.entries(&object, &of) })
+        };
+        let rows = Box::new(objects.map(move |(line, row)| (line, row.and_then(&read))));
+        Self { columns, spelling: Spelling::default(), kept: Vec::new(), rows }
     }
 }

@@ -1,26 +1,19 @@
 //! JSON objects: one on each line, in an array, or in the document that `couplet run` writes.
 
 use super::lines::{InputLines, Reading};
-use super::object::JsonObject;
 use super::{Input, MAX_RECORD, Numbered};
 use serde_json::error::Category;
 use serde_json::value::RawValue;
 use std::io::BufRead;
 
-/// The rows of JSON, each read by `parse`.
-pub fn objects<T: 'static>(
-    input: Input,
-    parse: impl Fn(&JsonObject) -> Result<T, String> + Send + 'static,
-) -> Box<dyn Iterator<Item = Numbered<T>> + Send> {
-    let parsed = move |(line, bytes): Numbered<Vec<u8>>| {
-        (line, bytes.and_then(|bytes| parse(&JsonObject::parse(&bytes)?)))
-    };
+/// The objects of JSON, as they are written.
+pub(super) fn objects(input: Input) -> Box<dyn Iterator<Item = Numbered<Vec<u8>>> + Send> {
     let (lines, on_lines) = begun(input);
     if on_lines {
-        return Box::new(lines.map(parsed));
+        return Box::new(lines);
     }
     let (input, line) = lines.lines.into_rest();
-    Box::new(Elements { input, line, is_in_array: false, is_over: false }.map(parsed))
+    Box::new(Elements { input, line, is_in_array: false, is_over: false })
 }
 
 /// The lines of an input, and whether each is a row of its own.
@@ -218,6 +211,7 @@ impl<R: BufRead> Iterator for Elements<R> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::object::JsonObject;
     use super::*;
     use std::io::Cursor;
 
@@ -227,9 +221,8 @@ mod tests {
             Ok(text) => text.unwrap_or_default(),
             Err(error) => format!("! {error}"),
         };
-        objects(input, |object| Ok(object.text("a")))
-            .map(|(line, row)| (line, shown(row)))
-            .collect()
+        let text = |bytes: Vec<u8>| Ok(JsonObject::parse(&bytes)?.text("a"));
+        objects(input).map(|(line, row)| (line, shown(row.and_then(text)))).collect()
     }
 
     fn row(line: u64, text: &str) -> (u64, String) {

@@ -4,6 +4,7 @@ use super::columns::{Cells, Columns};
 use super::object::JsonObject;
 use crate::report::Kept;
 use crate::report::words::shortened;
+use std::mem;
 
 /// A row as it was read.
 pub struct ReadRow {
@@ -29,6 +30,11 @@ impl Keep {
             [all] if all == "all" => Self::All,
             names => Self::Named(names.to_vec()),
         }
+    }
+
+    /// The names that are asked for.
+    pub fn named(&self) -> Vec<String> {
+        if let Self::Named(names) = self { names.clone() } else { Vec::new() }
     }
 
     /// The names of the columns of a table that are handed on, with their places.
@@ -68,12 +74,13 @@ impl Keep {
     }
 
     /// A row of a table, by the places of its cells and of what is handed on.
-    pub fn row(row: &[String], places: &[usize], kept: &[(String, usize)]) -> ReadRow {
-        let kept = kept.iter().filter_map(|(name, place)| Some((name, row.get(*place)?)));
-        ReadRow {
-            cells: places.iter().map(|&place| row.get(place).cloned()).collect(),
-            kept: kept.map(|(name, text)| (name.clone(), Kept::Text(text.clone()))).collect(),
-        }
+    pub fn row(mut row: Vec<String>, places: &[usize], kept: &[(String, usize)]) -> ReadRow {
+        let text = |place: &usize| Some(Kept::Text(row.get(*place)?.clone()));
+        let kept = kept.iter().filter_map(|(name, place)| Some((name.clone(), text(place)?)));
+        let kept = kept.collect();
+        // Each place is that of one column.
+        let cells = places.iter().map(|&place| row.get_mut(place).map(mem::take)).collect();
+        ReadRow { cells, kept }
     }
 
     /// The entries of an object that are handed on.

@@ -1,5 +1,6 @@
 //! Files of many rows: read as they come, answered on all cores, in the order in which they stand.
 
+mod answers;
 mod arch;
 mod columns;
 mod csv;
@@ -14,14 +15,14 @@ mod roles;
 mod source;
 mod spelling;
 
+pub use answers::RowQuestion;
 pub use arch::ArchReader;
-pub use columns::{Cells, Columns};
+pub use columns::{Cells, Columns, RowColumn};
 pub use csv::TextTable;
 pub use given::GivenRows;
-pub use json::{JsonLines, objects};
+pub use json::JsonLines;
 pub use judge::Judge;
 pub use keep::{Keep, ReadRow};
-pub use object::JsonObject;
 pub use roles::{Purpose, Role};
 pub use source::{BYTE_ORDER_MARK, Input, Numbered, RowSource, Syntax};
 pub use spelling::Spelling;

@@ -37,8 +37,12 @@ pub enum Purpose {
     Judge,
 }
 
-/// Sizes that a row may have.
-pub(super) const SIZES: [Field; 4] = [Field::Span, Field::Rise, Field::Radius, Field::MeasuredAt];
+/// Sizes that a row may have, and what makes forces of them.
+pub(super) const SIZES: [Field; 6] =
+    [Field::Span, Field::Rise, Field::Radius, Field::MeasuredAt, Field::Density, Field::Depth];
+
+/// Fields of an arch that no row is asked about.
+pub(super) const OF_ONE: [Field; 3] = [Field::Stones, Field::Joints, Field::Tilt];
 
 const ARCH: [Role; 4] = [Role::Weight, Role::HalfOpening, Role::Friction, Role::FrictionAngle];
 

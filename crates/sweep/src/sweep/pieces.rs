@@ -1,18 +1,23 @@
 //! Pieces of files.
 
-use crate::rows::{Columns, Purpose, Role};
+use crate::ask::Field;
+use crate::rows::{Columns, Purpose, Role, RowColumn};
 use crate::scene::Hashing;
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 
-/// The columns of a file that asks for states.
-pub(super) fn columns(header: &[String]) -> Result<(Columns, Vec<usize>), String> {
+/// Refuses a table that asks for more than states, or for less.
+pub(super) fn asks_states(header: &[String]) -> Result<(), String> {
     let mut columns = Columns::own(Purpose::Ask);
-    let places = columns.places(header)?;
+    columns.places(header)?;
     if columns.all.iter().any(|column| column.role == Role::GivenThickness) {
         return Err(format!("it has a column for the thickness; {LEAST}"));
     }
-    Ok((columns, places))
+    let of_forces = |column: &&RowColumn| OF_FORCES.contains(&column.role);
+    if let Some(column) = columns.all.iter().find(of_forces) {
+        return Err(format!("it has a column '{}'; {FORCES}", column.theirs));
+    }
+    Ok(())
 }
 
 /// Some bytes of a file.
@@ -35,6 +40,10 @@ pub(super) fn hash_of_pieces(file: &mut File, pieces: &[(u64, u64)]) -> io::Resu
 
 /// Why a thickness is refused.
 pub(super) const LEAST: &str = "a sweep asks for the least one, and `couplet states` answers both";
+
+/// Roles that make forces of sizes, and the reason why they are refused.
+pub(super) const OF_FORCES: [Role; 2] = [Role::Size(Field::Density), Role::Size(Field::Depth)];
+pub(super) const FORCES: &str = "a sweep has no forces, and `couplet states` answers both";
 
 /// Message where a file is no longer what the sweep was made of.
 pub(super) const CHANGED: &str = "it has changed since the sweep began; run again for a new one";

@@ -1,20 +1,20 @@
 //! Pieces of a file of a data set, a table of text or JSON lines: a piece is read without the rest of the file, and its
 //! hash says whether it still is what it was.
 
-use super::pieces::{CHANGED, LEAST, bytes_of, columns, hash_of_pieces};
+use super::pieces::{CHANGED, FORCES, LEAST, OF_FORCES, asks_states, bytes_of, hash_of_pieces};
 use super::query::Listed;
 use crate::arch::SelfWeight;
 use crate::check::reason;
 use crate::rows::{
-    ArchReader, BYTE_ORDER_MARK, Cells, Columns, JsonLines, JsonObject, Numbered, Purpose, Role,
-    Spelling, TextTable,
+    ArchReader, BYTE_ORDER_MARK, Cells, Columns, GivenRows, JsonLines, Keep, Purpose, Role,
+    TextTable,
 };
 use crate::scene::hash_of;
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File};
 use std::io::{self, BufRead, BufReader, Cursor, Seek, SeekFrom};
+use std::iter;
 use std::path::Path;
-use std::{iter, mem};
 
 /// Head of a text, which tells the columns: the header with all that was looked at to know it, which is the
 /// first row too where a remark is the header.
@@ -87,7 +87,7 @@ impl TextRows {
             });
         }
         let table = TextTable::open(Box::new(input)).map_err(|error| error.to_string())?;
-        columns(&table.header)?;
+        asks_states(&table.header)?;
         Ok(Self::Table(table))
     }
 
@@ -115,29 +115,33 @@ impl TextRows {
 
     /// The next rows, at most so many, and their lines.
     fn listed(self, most: usize, weight: SelfWeight) -> Result<(Vec<u64>, Listed), String> {
-        let reader = |columns, spelling| ArchReader { columns, weight, doubles: false, spelling };
-        Ok(match self {
-            Self::Table(table) => {
-                let (columns, places) = columns(&table.header)?;
-                let spelling = Spelling { decimal_comma: table.has_decimal_commas() };
-                let cells = |mut fields: Vec<String>| -> Cells {
-                    places.iter().map(|&place| fields.get_mut(place).map(mem::take)).collect()
-                };
-                let rows = table.map(|(line, row)| (line, row.map(cells)));
-                listed(rows, most, &reader(columns, spelling))
+        let (columns, keep) = (Columns::own(Purpose::Ask), Keep::Named(Vec::new()));
+        let GivenRows { columns, spelling, rows, .. } = match self {
+            Self::Table(table) => GivenRows::of_table(table, columns, &keep)?,
+            Self::Lines(lines) => GivenRows::of_objects(lines, columns, keep),
+        };
+        let reader = ArchReader { columns, weight, doubles: false, spelling };
+        let (mut lines, mut listed) = (Vec::new(), Listed::default());
+        for (line, row) in rows.take(most) {
+            lines.push(line);
+            match row.and_then(|row| of_state(&reader, row.cells)) {
+                Ok(cells) => listed.push_row(&reader, &cells),
+                Err(error) => listed.refuse(&Default::default(), error),
             }
-            Self::Lines(lines) => {
-                let reader = reader(Columns::own(Purpose::Ask), Spelling::default());
-                let cells = |bytes: Vec<u8>| {
-                    let cells = reader.columns.cells(&JsonObject::parse(&bytes)?)?;
-                    match reader.given(&cells, Role::GivenThickness) {
-                        None => Ok(cells),
-                        Some(_) => Err(format!("it has a thickness; {LEAST}")),
-                    }
-                };
-                listed(lines.map(|(line, row)| (line, row.and_then(cells))), most, &reader)
-            }
-        })
+        }
+        Ok((lines, listed))
+    }
+}
+
+/// The cells of a row that asks for nothing but a state.
+fn of_state(reader: &ArchReader, cells: Cells) -> Result<Cells, String> {
+    let has = |role| reader.given(&cells, role).is_some();
+    match has(Role::GivenThickness) {
+        true => Err(format!("it has a thickness; {LEAST}")),
+        false if OF_FORCES.into_iter().any(has) => {
+            Err(format!("it has a density or a depth; {FORCES}"))
+        }
+        false => Ok(cells),
     }
 }
 
@@ -208,23 +212,6 @@ pub(super) fn read(
             slice.rows
         )),
     }
-}
-
-/// The next rows, at most so many, and their lines.
-fn listed(
-    rows: impl Iterator<Item = Numbered<Cells>>,
-    most: usize,
-    reader: &ArchReader,
-) -> (Vec<u64>, Listed) {
-    let (mut lines, mut listed) = (Vec::new(), Listed::default());
-    for (line, row) in rows.take(most) {
-        lines.push(line);
-        match row {
-            Ok(cells) => listed.push_row(reader, &cells),
-            Err(error) => listed.refuse(&Default::default(), error),
-        }
-    }
-    (lines, listed)
 }
 
 #[cfg(test)]

@@ -12,7 +12,7 @@ use std::path::PathBuf;
 ///
 /// The input is a table with a header, or JSON objects, one on each line or in an array. Its columns or keys
 /// are weight, half_opening (or alpha) or span and rise, friction (or mu) or friction_angle (or phi), and
-/// thickness (or eta); radius and measured_at, as for `state`.
+/// thickness (or eta); radius, measured_at, density and depth, as for `state`.
 /// A row without a thickness is answered as by `couplet state`, one with a thickness as by `couplet assess`:
 /// a table with a column for the thickness has the columns of both, and the least thickness is
 /// least_thickness there. Commas, semicolons, tabs or blanks separate; where semicolons do, a number may have
@@ -27,7 +27,8 @@ use std::path::PathBuf;
 /// quantity has its ends, least_thickness_lower and least_thickness_upper. A row of single values is answered as
 /// the range that each of them is.
 ///
-/// Other columns are not read, and `--keep` hands them on. A bad row becomes a row with its error and its
+/// Other columns are not read, and `--keep` hands them on; stones, joints and tilt are refused unless they are kept by
+/// name. A bad row becomes a row with its error and its
 /// line number; the other rows are answered. Rows are answered as they come: who waits for an answer before
 /// the next question gets it. An interrupted run keeps the rows written so far, except Parquet, which is
 /// unreadable until its footer is written at the end.
@@ -44,13 +45,15 @@ pub(crate) struct Arguments {
     #[arg(long, default_value = "milankovitch", value_parser = parse::weight)]
     pub(super) weight: SelfWeight,
 
-    /// Significant digits, 1 to 1000000. With 17 each state also has the nearest double of its values,
-    /// in decimal and in hexadecimal.
+    /// Significant digits, 1 to 1000000. With 17 JSON also has the nearest double of each value, in decimal and in
+    /// hexadecimal.
     #[arg(long, default_value = "17", value_parser = parse::digits, allow_negative_numbers = true)]
     pub(super) digits: usize,
 
     /// The columns to read, as theirs=ours separated by commas; theirs=ours:deg for an angle in degrees; just the
-    /// name if both are the same. The default is our own names.
+    /// name if both are the same. The default is our own names. And the columns that a table has beside what is asked
+    /// and told: `doubles`, the nearest to what is given and to each value; `hex`, these of values in hexadecimal;
+    /// `all` of them.
     #[arg(long, value_delimiter = ',', value_name = "THEIRS=OURS,…")]
     pub(super) columns: Vec<String>,
 

@@ -4,7 +4,7 @@ use super::arguments::Arguments;
 use crate::cli::commands::given_rows::source;
 use crate::cli::commands::output::Output;
 use crate::cli::commands::stream::Progress;
-use crate::report::{Content, Format};
+use crate::report::{Beside, Content, Format};
 use crate::sweep::failure::Failure;
 use crate::sweep::rows::{Columns, GivenRows, Keep, Purpose, Syntax};
 
@@ -15,6 +15,8 @@ pub(super) struct Opened {
     pub(super) output: Output,
     pub(super) format: &'static Format,
     pub(super) syntax: Syntax,
+    /// Columns that a table has beside what is asked and told.
+    pub(super) beside: Beside,
 }
 
 impl Opened {
@@ -31,8 +33,11 @@ impl Opened {
         let output = arguments.output.open_for(format)?;
         let input = progress.counted(source.into_input());
         let (keep, in_lines) = (Keep::new(&arguments.keep), format.name == "jsonl");
-        let columns = Columns::named(&arguments.columns, Purpose::Ask).map_err(Failure::Input)?;
+        let mut beside = Beside::default();
+        let named = arguments.columns.iter().filter(|name| !beside.add(name));
+        let named: Vec<String> = named.cloned().collect();
+        let columns = Columns::named(&named, Purpose::Ask).map_err(Failure::Input)?;
         let given = GivenRows::new((syntax, input), columns, keep, in_lines)?;
-        Ok(Some(Self { given, progress, output, format, syntax }))
+        Ok(Some(Self { given, progress, output, format, syntax, beside }))
     }
 }

@@ -5,7 +5,7 @@ use super::counts::Counts;
 use super::opened::Opened;
 use crate::ask::{ArchQuestion, Field, Spelling, SurveyGiven};
 use crate::cli::commands::output::{chosen, is_written};
-use crate::cli::commands::stream::{Chunk, in_order};
+use crate::cli::commands::stream::{Chunk, each_alone, in_order};
 use crate::problem::Quantity;
 use crate::report::words::distinct;
 use crate::report::{Content, SurveyedArches, SurveyedRow, SurveyedRows};
@@ -46,14 +46,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             let text = file.row(&row);
             (row, text)
         };
-        let answered = in_order(given.rows, (&progress, Chunk::WhatIsThere), answer, |answers| {
-            for (row, text) in answers {
-                counts.add(row.is_refused(), row.is_undecided());
-                out.write_all(&text?)?;
-            }
-            out.flush()?;
-            Ok::<_, io::Error>(())
-        })?;
+        let answered =
+            in_order(given.rows, (&progress, Chunk::WhatIsThere), each_alone(answer), |answers| {
+                for (row, text) in answers {
+                    counts.add(row.is_refused(), row.is_undecided());
+                    out.write_all(&text?)?;
+                }
+                out.flush()?;
+                Ok::<_, io::Error>(())
+            })?;
         counts.rows = Some(answered);
         Ok(())
     })?;

@@ -21,6 +21,7 @@ mod opening;
 mod openings;
 mod row;
 
+pub use crate::lanes::LaneArch;
 pub use arches::{BatchArches, InLanes, Threads, grouped};
 pub use batch::Batch;
 pub use columns::BatchColumns;

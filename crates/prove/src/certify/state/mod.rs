@@ -31,6 +31,7 @@
 //! | `inquiry` | several questions about one arch, which share its state |
 //! | `balls` | which balls are asked first |
 //! | `quick` | the same proofs in balls of double-doubles, where these are enough |
+//! | `in_lanes` | states that are proved many at a time |
 
 mod assess;
 mod balls;
@@ -38,6 +39,7 @@ mod certify;
 mod digits;
 mod enough;
 pub mod find;
+mod in_lanes;
 mod inner;
 mod inquiry;
 mod measured;
@@ -58,6 +60,7 @@ pub use certify::{Certify, NoState};
 pub use digits::{Answer, Digits};
 pub(super) use enough::AtOpening;
 pub use enough::Enough;
+pub use in_lanes::{WithFrictions, states_in_lanes};
 pub use inquiry::Inquiry;
 pub use measured::{measured_assessment, measured_state};
 pub(crate) use query::DOUBLE_DOUBLE;

@@ -7,18 +7,29 @@ use crate::certify::{Error, Refused, asymmetric_thicknesses};
 use crate::number::ExactNumber;
 use crate::problem::Arch;
 use crate::problem::measures::Measures;
-use crate::report::Answer;
+use crate::report::{Answer, Extent};
 
 /// State of an arch at its least thickness, as it was found to so many digits; sizes have a number of their own. The
 /// line tells arches apart.
 pub fn state(
     line: u64,
+    of: (&Arch, Option<(&Measures, usize)>),
+    digits: usize,
+    found: &Result<Outcome, Error>,
+) -> Answer {
+    state_to(Extent::ALL, line, of, digits, found)
+}
+
+/// State of an arch, as far as it is shown.
+pub fn state_to(
+    extent: Extent,
+    line: u64,
     (arch, measures): (&Arch, Option<(&Measures, usize)>),
     digits: usize,
     found: &Result<Outcome, Error>,
 ) -> Answer {
-    let answer =
-        Answer::state(line, arch, found).with_asymmetric(|| asymmetric_thicknesses(arch, digits));
+    let answer = Answer::state_to(extent, line, arch, found)
+        .with_asymmetric(|| asymmetric_thicknesses(arch, digits));
     match measures {
         Some((of, digits)) => answer.measured(of.circle(), measured_state(arch, of, digits)),
         None => answer,
