@@ -42,7 +42,7 @@
 //! | what the paper says, place by place, and what decides it | `index.rs`, `sentences.rs` |
 //!
 //! A claim is decided by a [`Derivation`]: the equations of `arch` are evaluated over
-//! [`symbolic`](crate::symbolic) numbers, and each step is checked exactly, or in balls over a whole
+//! [`symbolic`] numbers, and each step is checked exactly, or in balls over a whole
 //! range. A person can read the steps; a test makes each of them in turn on a false twin, and then the claim
 //! must fail.
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]

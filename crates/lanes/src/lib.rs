@@ -17,7 +17,7 @@
 //!
 //! Rows take it before anything else where they ask for what it has (`certify::batch`).
 //!
-//! The equations are those of [`arch`](couplet_check::arch), over balls of one and of two doubles and their gradients.
+//! The equations are those of [`arch`], over balls of one and of two doubles and their gradients.
 //! All that an arch goes through has to be one piece for the compiler to put many into its lanes: so each function of
 //! it is `#[inline(always)]`, here and where the equations are.
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]

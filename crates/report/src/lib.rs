@@ -20,7 +20,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! See also [`certify`](crate::certify), which finds what is written here, and
+//! See also [`certify`], which finds what is written here, and
 //! `scene`, which writes many reports at once.
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
