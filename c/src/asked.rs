@@ -17,8 +17,7 @@ use couplet::check::{Certificate, Refusal};
 use couplet::door::find::{self as sought, FindTarget};
 use couplet::problem::{Arch, Landmark, Quantity};
 use couplet::report::{self, Answers, Scope, Understood};
-use couplet::sweep::answer;
-use couplet::sweep::parse;
+use couplet::sweep::{answer, parse};
 use std::ffi::{c_char, c_int, c_void};
 
 /// The model of self-weight of a text.

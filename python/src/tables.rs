@@ -228,11 +228,13 @@ impl BatchArches for ExactArches {
             .then(|| (arch.weight(), (SharedOpening::enclosed_arch(arch), eta)))
     }
 
-    fn with_thickness(&self, row: usize) -> Option<Result<(Arch, ExactNumber), String>> {
-        let with = |(arch, eta): (Arch, Option<ExactNumber>)| {
-            Ok((arch, eta.ok_or_else(|| "the thickness is empty".to_owned())?))
-        };
-        self.has_thickness.then(|| self.arches[row].clone().and_then(with))
+    fn have_thicknesses(&self) -> bool {
+        self.has_thickness
+    }
+
+    fn thickness(&self, row: usize) -> Result<ExactNumber, String> {
+        let (_, eta) = self.arches[row].as_ref().map_err(Clone::clone)?;
+        eta.clone().ok_or_else(|| "the thickness is empty".to_owned())
     }
 
     fn arch(&self, row: usize) -> Result<Cow<'_, Arch>, String> {

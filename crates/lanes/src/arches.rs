@@ -268,7 +268,6 @@ mod tests {
                     assert!(near(found, largest_thrust(weight, a, eta)), "{a} {eta} {found:?}");
                 }
             }
-            println!("{counts:?} of {}", arches.len());
             assert!(counts.iter().all(|n| *n > 800), "{counts:?} of {}", arches.len());
         }
     }

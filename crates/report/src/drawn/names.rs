@@ -166,7 +166,7 @@ pub(super) fn on_page(chain: &Chain, frame: &Frame) -> Vec<Point> {
 
 /// Half the width and the height of a name, with some room.
 fn half(mode: Mode, size: f64) -> Point {
-    (text::width(mode.label(), size) / 2.0 + 4.0, 0.64 * size)
+    (text::width(mode.label(), size) / 2.0 + 3.0, 0.6 * size)
 }
 
 /// Point where the way from the middle of a rectangle to a point leaves it.

@@ -7,8 +7,9 @@ use super::source::Numbered;
 use crate::answer;
 use crate::arch::SelfWeight;
 use crate::ask::{Spelling, given_thickness};
-use crate::certify::batch::{LaneArch, SharedOpening, SharedOpenings};
-use crate::certify::state::{Answer as Outcome, Balls, WithFrictions, states_in_lanes};
+use crate::certify::batch::{SharedOpening, SharedOpenings};
+use crate::certify::state::{Answer as Outcome, AssessmentDigits, Balls, WithFrictions};
+use crate::certify::state::{assessments_in_lanes, states_in_lanes};
 use crate::certify::{Error, Refused};
 use crate::number::ExactNumber;
 use crate::problem::measures::Measures;
@@ -18,8 +19,6 @@ use rayon::prelude::*;
 
 /// Up to so many digits rows are proved many at a time, and the others one by one.
 const MOST_DIGITS: usize = 17;
-/// Rows below which tables and half-filled lanes would cost more than they spare.
-const FEW: usize = 16;
 /// Rows that are proved at a time.
 const PIECE: usize = 128;
 
@@ -36,6 +35,13 @@ pub struct RowQuestion {
 
 /// An arch that is asked of, with its thickness and its measures where it has any.
 type Asked = (Arch, Option<ExactNumber>, Option<Measures>);
+
+/// Answer to an arch that was proved together with others.
+#[derive(Clone)]
+enum Known {
+    State(Outcome),
+    Assessment(Box<AssessmentDigits>),
+}
 
 impl RowQuestion {
     /// Question to whose answers a format is given.
@@ -59,60 +65,68 @@ impl RowQuestion {
         let read =
             |(_, row): &Numbered<ReadRow>| asked(reader, row.as_ref().map_err(Clone::clone)?);
         let all: Vec<Result<Asked, String>> = rows.par_iter().map(read).collect();
-        let states: Vec<Option<Outcome>> = match self.openings {
-            Some(_) if all.len() < FEW => vec![None; all.len()],
-            _ if self.digits > MOST_DIGITS => vec![None; all.len()],
-            _ => all.par_chunks(PIECE).flat_map_iter(|all| self.states(all)).collect(),
+        let known: Vec<Option<Known>> = match self.digits {
+            ..=MOST_DIGITS => all.par_chunks(PIECE).flat_map_iter(|all| self.known(all)).collect(),
+            _ => vec![None; all.len()],
         };
-        let answer = |(((line, row), asked), state): ((Numbered<ReadRow>, _), _)| {
+        let answer = |(((line, row), asked), known): ((Numbered<ReadRow>, _), _)| {
             let answer = match asked {
-                Ok(asked) => self.answer(line, &asked, state),
+                Ok(asked) => self.answer(line, &asked, known),
                 Err(error) => Answer::refused(line, error),
             };
             let kept = row.map_or_else(|_| Vec::new(), |row| row.kept);
             Answer { kept, ..answer.only(&self.quantities) }
         };
-        rows.into_par_iter().zip(all).zip(states).map(answer).collect()
+        rows.into_par_iter().zip(all).zip(known).map(answer).collect()
     }
 
-    /// The states of some rows, where they are proved together.
-    fn states(&self, all: &[Result<Asked, String>]) -> Vec<Option<Outcome>> {
-        let mut states = vec![None; all.len()];
+    /// Answers to some rows, where they are proved together.
+    fn known(&self, all: &[Result<Asked, String>]) -> Vec<Option<Known>> {
+        let mut known = vec![None; all.len()];
         for weight in SelfWeight::ALL {
-            let arch = |(row, asked): (usize, &Result<Asked, String>)| match asked {
-                Ok((arch, None, _)) if arch.weight() == weight => {
-                    Some((row, SharedOpening::enclosed_arch(arch)))
+            let (mut states, mut assessments) =
+                ((Vec::new(), Vec::new()), (Vec::new(), Vec::new()));
+            for (row, asked) in all.iter().enumerate() {
+                let Ok((arch, eta, _)) = asked else { continue };
+                if arch.weight() != weight {
+                    continue;
                 }
-                _ => None,
-            };
-            let (rows, arches): (Vec<usize>, Vec<LaneArch>) =
-                all.iter().enumerate().filter_map(arch).unzip();
-            let found = states_in_lanes((weight, &arches), self.digits, self.with);
-            rows.into_iter().zip(found).for_each(|(row, found)| states[row] = found);
+                let arch = SharedOpening::enclosed_arch(arch);
+                match eta.as_ref().map(SharedOpening::enclosed_number) {
+                    None => states.extend([(row, arch)]),
+                    Some(eta) => assessments.extend([(row, (arch, eta))]),
+                }
+            }
+            let found = states_in_lanes((weight, &states.1), self.digits, self.with);
+            let found = found.into_iter().map(|found| found.map(Known::State));
+            states.0.into_iter().zip(found).for_each(|(row, found)| known[row] = found);
+            let found = assessments_in_lanes((weight, &assessments.1), self.digits);
+            let found = found
+                .into_iter()
+                .map(|found| found.map(|found| Known::Assessment(Box::new(found))));
+            assessments.0.into_iter().zip(found).for_each(|(row, found)| known[row] = found);
         }
-        states
+        known
     }
 
-    /// The answer to a row, whose state may be known.
-    fn answer(&self, line: u64, (arch, eta, measures): &Asked, state: Option<Outcome>) -> Answer {
+    /// The answer to a row, of which something may be known.
+    fn answer(&self, line: u64, (arch, eta, measures): &Asked, known: Option<Known>) -> Answer {
         let (digits, frictions) = (self.digits, self.with != WithFrictions::None);
         let sizes = measures.as_ref().map(|of| (of, digits));
-        match eta {
-            None => {
-                let alone = || match &self.openings {
-                    Some(openings) => openings.state(arch),
-                    None => Balls::DoubleDoubles.state(arch, digits, frictions),
-                };
-                let found: Result<Outcome, Error> = state.map_or_else(alone, Ok);
-                let quantities = Some(&self.quantities[..]);
-                let extent = Extent { quantities, doubles: self.doubles };
-                answer::state_to(extent, line, (arch, sizes), digits, &found)
-            }
-            Some(eta) => {
-                let found = Balls::DoubleDoubles.assess(arch, eta, digits);
-                answer::assessment(line, (arch, eta, sizes), digits, &found)
-            }
+        if let Some(eta) = eta {
+            let found = match known {
+                Some(Known::Assessment(found)) => Ok(*found),
+                _ => Balls::DoubleDoubles.assess(arch, eta, digits),
+            };
+            return answer::assessment(line, (arch, eta, sizes), digits, &found);
         }
+        let found: Result<Outcome, Error> = match (known, &self.openings) {
+            (Some(Known::State(found)), _) => Ok(found),
+            (_, Some(openings)) => openings.state(arch),
+            (_, None) => Balls::DoubleDoubles.state(arch, digits, frictions),
+        };
+        let extent = Extent { quantities: Some(&self.quantities[..]), doubles: self.doubles };
+        answer::state_to(extent, line, (arch, sizes), digits, &found)
     }
 }
 
@@ -152,7 +166,7 @@ mod tests {
                 3 => ("80deg".to_owned(), format!("0.2193941786949380{}", k % 10)),
                 _ => (format!("{}", 2.8 * x), format!("{}", 2.0 * y - 0.05)),
             };
-            let eta = if k.is_multiple_of(31) { "0.1" } else { "" };
+            let eta = ["", "0.1", "", "0.9", "1.999", ""][k as usize % 6];
             // In the order of the columns of the reader.
             let cells = columns.iter().map(|column| {
                 let cell = match column.role {
@@ -177,21 +191,26 @@ mod tests {
             ("jsonl", 17, &Quantity::STATE),
             ("jsonl", 17, &[Quantity::Thrust]),
             ("csv", 3, &[Quantity::Thickness, Quantity::SlidingFriction]),
-            ("csv", 18, &[Quantity::Thickness]),
+            ("csv", 17, &Quantity::ASSESSMENT),
+            ("jsonl", 12, &[Quantity::GeometricSafety, Quantity::LargestThrust]),
         ] {
             let format = Format::named(Content::ROWS, name).unwrap();
             let answers = Answers { quantities: quantities.to_vec(), ..Answers::mixed(digits) };
             let asked = RowQuestion::new(&answers, format, Beside::ALL).unwrap();
             let mut file = open_rows(answers, format, Beside::ALL).unwrap();
             let all: Vec<_> = rows().iter().map(|(_, row)| asked_of(&reader, row)).collect();
-            let known = asked.states(&all).iter().flatten().count();
-            assert!(digits > 17 || known * 2 > all.len(), "{name} {known} of {}", all.len());
+            let known = asked.known(&all).iter().flatten().count();
+            assert!(known * 2 > all.len(), "{name} {known} of {}", all.len());
+            let mut text = |of: Answer| {
+                String::from_utf8(file.group(vec![of.only(quantities)]).unwrap()).unwrap()
+            };
             let together = asked.answers(&reader, rows());
-            let alone = rows().into_iter().flat_map(|row| asked.answers(&reader, vec![row]));
-            for (together, alone) in together.into_iter().zip(alone) {
-                let [together, alone] = [together, alone]
-                    .map(|of| String::from_utf8(file.group(vec![of]).unwrap()).unwrap());
-                assert_eq!(together, alone);
+            for ((line, of), together) in (1..).zip(&all).zip(together) {
+                let alone = match of {
+                    Ok(of) => asked.answer(line, of, None),
+                    Err(error) => Answer::refused(line, error.clone()),
+                };
+                assert_eq!(text(together), text(alone));
             }
         }
     }

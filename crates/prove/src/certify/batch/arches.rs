@@ -1,8 +1,8 @@
 //! Arches that are there, by rows, and the threads that answer them.
 
 use crate::arch::SelfWeight;
-use crate::lanes::LaneArch;
-use crate::number::{DoubleDoubleBall, ExactNumber};
+use crate::certify::state::InLanes;
+use crate::number::ExactNumber;
 use crate::problem::Arch;
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -29,14 +29,16 @@ pub trait BatchArches: Sync {
     /// The arch of a row, or why there is none.
     fn arch(&self, row: usize) -> Result<Cow<'_, Arch>, String>;
 
-    /// The arch of a row with the thickness that it has, or why there is none; `None` where arches have no thickness.
-    fn with_thickness(&self, _row: usize) -> Option<Result<(Arch, ExactNumber), String>> {
-        None
+    /// Tells whether every arch has a thickness.
+    fn have_thicknesses(&self) -> bool {
+        false
+    }
+
+    /// The thickness of a row where every arch has one, or why it has none.
+    fn thickness(&self, _row: usize) -> Result<ExactNumber, String> {
+        Err("the thickness is empty".to_owned())
     }
 }
-
-/// Half opening and friction of an arch, and its thickness if it has one, in enclosures.
-pub type InLanes = (LaneArch, Option<DoubleDoubleBall>);
 
 /// Some rows by their keys; each row without a key is by itself.
 pub fn grouped<K: Eq + Hash>(rows: &[usize], key: impl Fn(usize) -> Option<K>) -> Vec<Vec<usize>> {

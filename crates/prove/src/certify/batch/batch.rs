@@ -75,12 +75,9 @@ impl Batch {
         arches: &impl BatchArches,
         threads: Threads,
     ) -> Vec<(usize, Arc<BatchRow>)> {
-        if rows.first().is_some_and(|row| arches.with_thickness(*row).is_some()) {
-            return threads.each(rows, |&row| {
-                let none = || Err("the thickness is empty".to_owned());
-                let asked = arches.with_thickness(row).unwrap_or_else(none);
-                (row, Arc::new(self.assessment(asked)))
-            });
+        if arches.have_thicknesses() {
+            let asked = |row| Ok((arches.arch(row)?.into_owned(), arches.thickness(row)?));
+            return threads.each(rows, |&row| (row, Arc::new(self.assessment(asked(row)))));
         }
         let pays = |rows: &Vec<usize>| rows.len() >= PAYS_FROM;
         let (mut groups, few): (Vec<_>, Vec<_>) = arches.openings(rows).into_iter().partition(pays);

@@ -2,12 +2,13 @@
 //!
 //! A double is the number that it is, exactly.
 
-use super::arches::{BatchArches, InLanes, Threads, grouped};
+use super::arches::{BatchArches, Threads, grouped};
 use super::batch::Batch;
 use super::columns::BatchColumns;
 use super::opening::tangent;
 use super::row::BatchRow;
 use crate::arch::SelfWeight;
+use crate::certify::state::InLanes;
 use crate::lanes::Lanes;
 use crate::number::{DoubleDouble, DoubleDoubleBall, ExactNumber, Field, Real};
 use crate::problem::{Arch, Friction, Quantity};
@@ -121,6 +122,17 @@ impl DoubleArches<'_> {
         Ok(self.batch(quantities)?.columns(self, Threads::Pool))
     }
 
+    /// A row as it goes into lanes, with its friction there.
+    fn with_friction(
+        &self,
+        row: usize,
+        friction: Option<DoubleDoubleBall>,
+    ) -> (SelfWeight, InLanes) {
+        let alpha = number(self.half_openings[row], self.units.has_degrees);
+        let thickness = self.thicknesses.map(|etas| number(etas[row], false));
+        (self.weight, ((alpha, friction), thickness))
+    }
+
     /// The question, if such arches have an answer to it.
     fn batch(&self, quantities: &[Quantity]) -> Result<Batch, Refused> {
         let mut lengths = vec![self.half_openings.len(), self.frictions.len()];
@@ -147,13 +159,11 @@ impl BatchArches for DoubleArches<'_> {
     }
 
     fn in_lanes(&self, row: usize) -> Option<(SelfWeight, InLanes)> {
-        let alpha = number(self.half_openings[row], self.units.has_degrees);
         let friction = match (self.frictions[row], self.units.friction_angles) {
             (phi, Some(is_in_degrees)) => Some(tangent(&number(phi, is_in_degrees))?),
             (mu, None) => (mu != f64::INFINITY).then(|| number(mu, false)),
         };
-        let thickness = self.thicknesses.map(|etas| number(etas[row], false));
-        Some((self.weight, ((alpha, friction), thickness)))
+        Some(self.with_friction(row, friction))
     }
 
     fn many_in_lanes(&self, rows: Range<usize>) -> Vec<Option<(SelfWeight, InLanes)>> {
@@ -163,16 +173,17 @@ impl BatchArches for DoubleArches<'_> {
         let angles = self.frictions[rows.clone()].iter().map(|phi| [number(*phi, is_in_degrees)]);
         let frictions = Lanes::of(self.weight).tangents(&angles.collect::<Vec<_>>());
         let row = |(row, friction): (usize, Option<[DoubleDoubleBall; 1]>)| {
-            let alpha = number(self.half_openings[row], self.units.has_degrees);
-            let thickness = self.thicknesses.map(|etas| number(etas[row], false));
-            Some((self.weight, ((alpha, Some(friction?[0])), thickness)))
+            Some(self.with_friction(row, Some(friction?[0])))
         };
         rows.zip(frictions).map(row).collect()
     }
 
-    fn with_thickness(&self, row: usize) -> Option<Result<(Arch, ExactNumber), String>> {
-        let with = |eta| Ok((self.arch(row)?.into_owned(), exact(eta)?));
-        self.thicknesses.map(|etas| with(etas[row]))
+    fn have_thicknesses(&self) -> bool {
+        self.thicknesses.is_some()
+    }
+
+    fn thickness(&self, row: usize) -> Result<ExactNumber, String> {
+        exact(self.thicknesses.map_or(f64::NAN, |etas| etas[row]))
     }
 
     fn arch(&self, row: usize) -> Result<Cow<'_, Arch>, String> {

@@ -3,17 +3,14 @@
 //! What they leave open is proved as any arch is. A row is the same either way: the nearest double and the doubles next
 //! to the value depend on the value alone.
 
-use super::arches::{BatchArches, InLanes, Threads};
+use super::arches::{BatchArches, Threads};
 use super::columns::BatchColumns;
 use super::row::RowVerdict;
 use crate::arch::SelfWeight;
-use crate::certify::state::{Assessment, assessed_in_lanes, standing};
-use crate::lanes::{
-    FromFriction, LaneAnswer, LaneArch, LaneFrictions, LaneRoots, LaneState, Lanes,
-};
-use crate::number::{Binary, DoubleDoubleBall, Enclosure, Field};
+use crate::certify::state::{Assessment, InLanes, LaneAssessments, is_thickness};
+use crate::lanes::{FromFriction, LaneAnswer, LaneArch, LaneFrictions, LaneState, Lanes};
+use crate::number::{Binary, DoubleDoubleBall};
 use crate::problem::{Mode, Quantity};
-use crate::prover::Undecided;
 
 /// Rows that are one piece of work.
 const PIECE: usize = 1024;
@@ -49,11 +46,6 @@ fn is_known(of: Quantity) -> bool {
     of != Quantity::AsymmetricThickness
 }
 
-/// Tells whether a number is proved to be in `(0, 2)`.
-fn is_thickness(eta: &DoubleDoubleBall) -> bool {
-    eta.is_positive().is_proved() && eta.is_less_than(&eta.int(2)).is_proved()
-}
-
 /// The answers to some rows of a weight, with those that are answered.
 fn answered(
     quantities: &[Quantity],
@@ -68,19 +60,13 @@ fn answered(
         arches.iter().filter(|_| asks(Quantity::is_friction)).map(|(alpha, _)| *alpha).collect();
     let frictions = lanes.frictions(&half_openings);
     let wants = [asks(is_of_friction), asks(is_thrust)];
-    let thrusts = wants.contains(&true).then(|| Thrusts::new(lanes, (given, &answers), wants));
+    let assessments = LaneAssessments::new(lanes, (given, &answers), wants);
     let mut columns = BatchColumns::open(0, quantities.len());
     let row = |place: usize| {
         let answer = answers[place].as_ref()?;
         let (verdict, doubles) = match &given[place] {
             (_, None) => of_state(answer, frictions.get(place), quantities)?,
-            (_, Some(eta)) => {
-                let found = match &thrusts {
-                    None => standing(eta, Ok(least(answer))),
-                    Some(thrusts) => thrusts.assessed(place, answer, eta),
-                };
-                of_thickness(&found, quantities)?
-            }
+            (_, Some(_)) => of_thickness(&assessments.of(place)?, quantities)?,
         };
         columns.push(verdict, &doubles);
         Some(rows[place])
@@ -94,64 +80,6 @@ fn is_of_friction(of: Quantity) -> bool {
 
 fn is_thrust(of: Quantity) -> bool {
     matches!(of, Quantity::LeastThrust | Quantity::LargestThrust)
-}
-
-/// The least thickness of an arch, if there is one.
-fn least(answer: &LaneAnswer) -> Option<DoubleDoubleBall> {
-    match answer {
-        LaneAnswer::Stands(state) => Some(state.thickness),
-        LaneAnswer::Falls => None,
-    }
-}
-
-/// Bounds of the thrusts of arches with thicknesses: what they are found from.
-struct Thrusts<'a> {
-    weight: SelfWeight,
-    given: &'a [InLanes],
-    /// True if the required friction is asked for; and the thrusts.
-    wants: [bool; 2],
-    roots: Vec<LaneRoots>,
-    /// The answers at unlimited friction, where they are others.
-    unlimited: Vec<Option<LaneAnswer>>,
-}
-
-impl<'a> Thrusts<'a> {
-    fn new(
-        lanes: Lanes,
-        (given, answers): (&'a [InLanes], &[Option<LaneAnswer>]),
-        wants: [bool; 2],
-    ) -> Self {
-        let with = |(arch, eta): &InLanes| (*arch, eta.unwrap_or(DoubleDoubleBall::WHOLE));
-        let roots = lanes.roots(&given.iter().map(with).collect::<Vec<_>>(), wants);
-        let mut unlimited: Vec<Option<LaneAnswer>> = answers.to_vec();
-        // A thickness that is enough with friction is so without its limit: then the least with friction says so.
-        let is_other = |place: &usize| match (&answers[*place], &given[*place]) {
-            (Some(LaneAnswer::Stands(state)), (_, Some(eta))) => {
-                state.mode != Mode::Rotational && !state.thickness.is_less_than(eta).is_proved()
-            }
-            _ => true,
-        };
-        let places: Vec<usize> = (0..roots.len()).filter(is_other).collect();
-        let arches: Vec<LaneArch> = places.iter().map(|place| (given[*place].0.0, None)).collect();
-        for (place, answer) in places.iter().zip(lanes.states(&arches)) {
-            unlimited[*place] = answer;
-        }
-        Self { weight: lanes.weight, given, wants, roots, unlimited }
-    }
-
-    /// The assessment of an arch from its answer.
-    fn assessed(
-        &self,
-        place: usize,
-        answer: &LaneAnswer,
-        eta: &DoubleDoubleBall,
-    ) -> Assessment<DoubleDoubleBall> {
-        let unlimited = self.unlimited[place].as_ref().map(least);
-        let unlimited = unlimited.ok_or_else(|| Undecided::new("whether a line of thrust fits"));
-        let (arch, _) = self.given[place];
-        let least = [Ok(least(answer)), unlimited];
-        assessed_in_lanes(self.weight, (arch, eta), least, (&self.roots[place], self.wants))
-    }
 }
 
 /// A row without its place: verdict, mode, and each quantity in doubles.

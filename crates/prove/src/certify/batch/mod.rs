@@ -21,8 +21,9 @@ mod opening;
 mod openings;
 mod row;
 
+pub use crate::certify::state::InLanes;
 pub use crate::lanes::LaneArch;
-pub use arches::{BatchArches, InLanes, Threads, grouped};
+pub use arches::{BatchArches, Threads, grouped};
 pub use batch::Batch;
 pub use columns::BatchColumns;
 pub use doubles::{DoubleArches, DoubleUnits};

@@ -185,10 +185,7 @@ pub(super) fn assessment<E: Arithmetic>(
 }
 
 /// The assessment of a thickness, as far as the least thickness of the arch tells it.
-pub(in crate::certify) fn standing<E: Arithmetic>(
-    eta: &E,
-    least_thickness: Answered<E>,
-) -> Assessment<E> {
+pub(super) fn standing<E: Arithmetic>(eta: &E, least_thickness: Answered<E>) -> Assessment<E> {
     let stands =
         of(&least_thickness, |least| enough(eta, least, "whether the thickness is enough"));
     Assessment {
@@ -224,9 +221,10 @@ pub(super) fn with_thrusts<E: Arithmetic>(
         of(&line_fits, |()| least_thrust(query, roots)),
         of(&line_fits, |()| largest_thrust(query, roots, has_no_arm)),
     ];
+    let not_asked = || Undecided::new("what is not asked for");
     let required_friction = match wants_friction {
         true => of(&line_fits, |()| required_friction(query, roots, &ends)),
-        false => Err(Undecided::new("the required friction, which is not asked for")),
+        false => Err(not_asked()),
     };
     // Friction enough and a line of thrust that fits are the other way to say that it stands.
     let stands =
@@ -246,12 +244,13 @@ pub(super) fn with_thrusts<E: Arithmetic>(
     };
     let [least, largest] = ends;
     let thrust = match stands {
-        Ok(true) if wants_thrusts => not_empty([
+        _ if !wants_thrusts => [Err(not_asked()), Err(not_asked())],
+        Ok(false) => [Ok(None), Ok(None)],
+        Ok(true) => not_empty([
             of(&least, |least| cut_at_least(query, roots, least.clone())),
             of(&largest, |largest| cut_at_largest(query, largest.clone(), never_slides)),
         ]),
-        Err(ref open) if wants_thrusts => [Err(open.clone()), Err(open.clone())],
-        _ => [Ok(None), Ok(None)],
+        Err(ref open) => [Err(open.clone()), Err(open.clone())],
     };
     Assessment { stands, required_friction, friction_safety, thrust, ..standing }
 }

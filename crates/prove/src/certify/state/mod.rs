@@ -31,7 +31,7 @@
 //! | `inquiry` | several questions about one arch, which share its state |
 //! | `balls` | which balls are asked first |
 //! | `quick` | the same proofs in balls of double-doubles, where these are enough |
-//! | `in_lanes` | states that are proved many at a time |
+//! | `in_lanes` | states and assessments that are proved many at a time |
 
 mod assess;
 mod balls;
@@ -53,14 +53,14 @@ mod state;
 mod thrust_range;
 
 pub use crate::prover::Figure;
-pub(super) use assess::standing;
 pub use assess::{Assessment, AssessmentDigits, Wanted};
 pub use balls::Balls;
 pub use certify::{Certify, NoState};
 pub use digits::{Answer, Digits};
 pub(super) use enough::AtOpening;
 pub use enough::Enough;
-pub use in_lanes::{WithFrictions, states_in_lanes};
+pub use in_lanes::{InLanes, WithFrictions, assessments_in_lanes, states_in_lanes};
+pub(super) use in_lanes::{LaneAssessments, is_thickness};
 pub use inquiry::Inquiry;
 pub use measured::{measured_assessment, measured_state};
 pub(crate) use query::DOUBLE_DOUBLE;
@@ -68,8 +68,8 @@ pub(crate) use query::DOUBLE_DOUBLE;
 pub use query::bits_lost;
 #[doc(hidden)]
 pub use query::raised;
+pub(super) use quick::critical_frictions;
 pub use quick::state_in_double_doubles;
-pub(super) use quick::{assessed_in_lanes, critical_frictions};
 #[doc(hidden)]
 pub use quick::{
     assessment_enclosed, sliding_configuration, state_enclosed, steepest_configuration,

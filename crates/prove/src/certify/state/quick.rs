@@ -4,22 +4,21 @@
 //! It is the text of this folder over other numbers. What these balls decide is proved; where they leave anything
 //! open, a sign, a box or a rounding, the answer is `None`, and balls of MPFR are asked.
 
-use super::assess::{Assessment, AssessmentDigits, Wanted, assessment, standing, with_thrusts};
+use super::assess::{Assessment, AssessmentDigits, Wanted, assessment};
 use super::digits::{Answer, Digits};
 use super::enough::enough;
 use super::inquiry::Inquiry;
 use super::mode::{outcome, pure_sliding, sliding_root, steepest_root};
 use super::query::{DOUBLE_DOUBLE, Query};
 use super::state::Outcome;
-use super::thrust_range::{Roots, Touch};
-use crate::arch::{Configuration, SelfWeight, Unknown};
-use crate::lanes::{LaneArch, LaneRoots};
-use crate::number::{Angle, Ball, DoubleDoubleBall, ExactNumber, Field, TripleWordBall};
+use super::thrust_range::Touch;
+use crate::arch::Configuration;
+use crate::number::{Ball, DoubleDoubleBall, ExactNumber, TripleWordBall};
 use crate::problem::Arch;
+use crate::prover::Undecided;
 use crate::prover::arithmetic::Arithmetic;
 use crate::prover::figure::Figured;
 use crate::prover::in_doubles::Doubles;
-use crate::prover::{Answered, Undecided};
 
 /// Beyond so many digits few values would be decided in double-doubles, or few to all digits; and in three words.
 const MOST_DIGITS: usize = 25;
@@ -33,13 +32,8 @@ pub fn is_quick(digits: usize) -> bool {
     (1..=MOST_DIGITS).contains(&digits)
 }
 
-/// Numbers of this file, all of which have the same bits.
-pub trait Quick: Arithmetic + Doubles {}
-
-impl<E: Arithmetic + Doubles> Quick for E {}
-
 /// An arch in these numbers.
-fn query<E: Quick>(arch: &Arch) -> Query<E> {
+fn query<E: Arithmetic + Doubles>(arch: &Arch) -> Query<E> {
     Query::new(arch, E::BITS)
 }
 
@@ -49,12 +43,15 @@ pub fn state_in_double_doubles(arch: &Arch) -> Result<Outcome<DoubleDoubleBall>,
 }
 
 /// The state in these numbers, with the frictions at which its mode changes if they are asked for.
-pub fn quick_outcome<E: Quick>(arch: &Arch, frictions: bool) -> Result<Outcome<E>, Undecided> {
+pub fn quick_outcome<E: Arithmetic + Doubles>(
+    arch: &Arch,
+    frictions: bool,
+) -> Result<Outcome<E>, Undecided> {
     outcome(&query(arch), frictions)
 }
 
 /// The friction of the purely sliding state in these numbers.
-pub fn quick_sliding<E: Quick>(arch: &Arch) -> Result<E, Undecided> {
+pub fn quick_sliding<E: Arithmetic + Doubles>(arch: &Arch) -> Result<E, Undecided> {
     pure_sliding(&query(arch))
 }
 
@@ -62,72 +59,6 @@ pub fn quick_sliding<E: Quick>(arch: &Arch) -> Result<E, Undecided> {
 pub(super) fn state(arch: &Arch, digits: usize, frictions: bool) -> Option<Answer> {
     let double_doubles = || state_in::<DoubleDoubleBall>(arch, digits, frictions);
     in_words(digits, double_doubles, || state_in::<TripleWordBall>(arch, digits, frictions))
-}
-
-/// Assessment of an arch with a thickness from what lanes have proved: the least ones with its own and with unlimited
-/// friction, and roots; with the required friction and the thrusts, as they are wanted. Exact ties stay open.
-pub(in crate::certify) fn assessed_in_lanes(
-    weight: SelfWeight,
-    ((alpha, friction), eta): (LaneArch, &DoubleDoubleBall),
-    [own, unlimited]: [Answered<DoubleDoubleBall>; 2],
-    (roots, wants): (&LaneRoots, [bool; 2]),
-) -> Assessment<DoubleDoubleBall> {
-    let given = Configuration::zero(&alpha)
-        .with(Unknown::HalfOpening, alpha)
-        .with(Unknown::Friction, friction.unwrap_or(alpha.int(0)))
-        .with(Unknown::Thickness, *eta);
-    let is_limited = friction.is_some();
-    let query = Query { weight, bits: DOUBLE_DOUBLE, given, is_limited };
-    let roots = InLanes { given: &query.given, roots };
-    with_thrusts((standing(eta, own), wants), &query, &roots, [false; 2], unlimited)
-}
-
-/// Roots that lanes have proved.
-struct InLanes<'a> {
-    given: &'a Configuration<DoubleDoubleBall>,
-    roots: &'a LaneRoots,
-}
-
-/// An angle whose sine and cosine nobody asks for: nothing is known of them.
-fn without_sine(rad: DoubleDoubleBall) -> Angle<DoubleDoubleBall> {
-    Angle { rad, sin: DoubleDoubleBall::WHOLE, cos: DoubleDoubleBall::WHOLE }
-}
-
-impl InLanes<'_> {
-    fn with(
-        &self,
-        values: Option<[DoubleDoubleBall; 2]>,
-        put: impl FnOnce(&mut Configuration<DoubleDoubleBall>, [DoubleDoubleBall; 2]),
-    ) -> Result<Configuration<DoubleDoubleBall>, Undecided> {
-        let values = values.ok_or_else(|| Undecided::new("whether there is a root"))?;
-        let mut at = self.given.clone();
-        put(&mut at, values);
-        Ok(at)
-    }
-}
-
-impl Roots<DoubleDoubleBall> for InLanes<'_> {
-    fn least(&self) -> Result<Configuration<DoubleDoubleBall>, Undecided> {
-        self.with(self.roots.least, |at, [joint, thrust]| {
-            (at.rotation_joint, at.thrust) = (without_sine(joint), thrust);
-        })
-    }
-
-    fn largest(&self) -> Result<Configuration<DoubleDoubleBall>, Undecided> {
-        self.with(self.roots.largest, |at, [joint, thrust]| {
-            (at.rotation_joint, at.thrust) = (Angle::new(joint), thrust);
-        })
-    }
-
-    fn sliding(&self) -> Result<Configuration<DoubleDoubleBall>, Undecided> {
-        self.with(self.roots.sliding, |at, both| [at.friction, at.thrust] = both)
-    }
-
-    fn steepest(&self) -> Result<Configuration<DoubleDoubleBall>, Undecided> {
-        self.with(self.roots.steepest, |at, [thrust, joint]| {
-            (at.thrust, at.sliding_joint) = (thrust, without_sine(joint));
-        })
-    }
 }
 
 /// The digits that either proof decides.
@@ -144,7 +75,11 @@ fn in_words<T>(
     }
 }
 
-fn state_in<E: Quick + Figured>(arch: &Arch, digits: usize, frictions: bool) -> Option<Answer> {
+fn state_in<E: Arithmetic + Doubles + Figured>(
+    arch: &Arch,
+    digits: usize,
+    frictions: bool,
+) -> Option<Answer> {
     match quick_outcome::<E>(arch, frictions).ok()? {
         Outcome::Falls(fall) => {
             let enough = || Box::new(enough(arch, digits, is_quick(digits)));
@@ -209,7 +144,10 @@ pub fn assessment_enclosed(arch: &Arch, thickness: &ExactNumber, bits: u32) -> A
 }
 
 /// Proves what holds for an arch of a given thickness, if all of it is decided.
-pub fn decided<E: Quick>(arch: &Arch, thickness: &ExactNumber) -> Option<Assessment<E>> {
+pub fn decided<E: Arithmetic + Doubles>(
+    arch: &Arch,
+    thickness: &ExactNumber,
+) -> Option<Assessment<E>> {
     let state = |is_limited| match is_limited {
         true => quick_outcome(arch, false),
         false => quick_outcome(&arch.unlimited(), false),
@@ -232,7 +170,7 @@ pub(super) fn assess(
     in_words(digits, double_doubles, || assess_in::<TripleWordBall>(arch, thickness, digits))
 }
 
-fn assess_in<E: Quick + Figured>(
+fn assess_in<E: Arithmetic + Doubles + Figured>(
     arch: &Arch,
     thickness: &ExactNumber,
     digits: usize,
@@ -244,9 +182,10 @@ fn assess_in<E: Quick + Figured>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::arch::{SelfWeight, Unknown};
     use crate::certify::state::find::{Finding, Question, find};
     use crate::certify::state::{Balls, Certify, Figure};
-    use crate::number::{Drawable, Enclosure, Rounded};
+    use crate::number::{Drawable, Enclosure, Field, Rounded};
     use crate::problem::Friction;
     use rug::Rational;
 
