@@ -2,6 +2,7 @@
 
 use super::end::End;
 use super::interval::Interval;
+use super::tangent::angle_of_tangent;
 use super::{DoubleBall, Dyadic, Enclosure, FloatBall, Midpoint};
 
 /// Enclosures that can be made from exact binary numbers.
@@ -21,6 +22,11 @@ pub trait Engine: Enclosure {
 
     /// All numbers within `radius` of one of this set.
     fn widened_by(&self, radius: &Dyadic) -> Self;
+
+    /// The arctangent of a positive number, with results to be rounded to about `bits` bits.
+    fn arctangent(&self, bits: usize) -> Self {
+        angle_of_tangent(self, bits)
+    }
 
     /// All numbers within `radius` of `centre`, with results to be rounded to at least `bits` bits.
     fn around(centre: &Dyadic, radius: &Dyadic, bits: usize) -> Self {
@@ -64,7 +70,7 @@ where
 #[cfg(feature = "mpfr")]
 mod mpfr {
     use super::{Dyadic, Engine};
-    use crate::number::{Ball, Magnitude};
+    use crate::number::{Ball, Magnitude, arctangent};
     use rug::integer::Order;
     use rug::{Float, Integer};
 
@@ -79,6 +85,10 @@ mod mpfr {
 
         fn widened_by(&self, radius: &Dyadic) -> Self {
             self.clone().widened(Magnitude::upper(&float(radius)))
+        }
+
+        fn arctangent(&self, _bits: usize) -> Self {
+            arctangent(self)
         }
     }
 

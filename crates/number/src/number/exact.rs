@@ -5,7 +5,6 @@ mod sine;
 pub use sine::sine_and_cosine;
 
 use super::range::{TELL_OF_RANGES, is_range};
-use super::tangent::angle_of_tangent;
 use super::unit::{AngleUnit, unit};
 use super::{Decimal, Dyadic, Engine, ParseDecimalError, as_text, says, shown, shown_as_text};
 use num_bigint::{BigInt, Sign};
@@ -158,7 +157,7 @@ impl ExactNumber {
         match self.form {
             Form::Rational => factor,
             Form::TimesPi => factor.pi() * factor,
-            Form::TwiceArctangent => angle_of_tangent(&factor, bits as usize) * factor.int(2),
+            Form::TwiceArctangent => factor.arctangent(bits as usize) * factor.int(2),
         }
     }
 }

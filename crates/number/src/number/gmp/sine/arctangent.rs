@@ -1,6 +1,7 @@
 //! The arctangent, from sine and cosine at a point nearby.
 
 use super::{Angle, Ball, Enclosure, Field, Magnitude, SineAnchor};
+use std::cell::RefCell;
 
 /// At this size MPFR's arctangent is taken for the first point.
 const FLOOR: u32 = 512;
@@ -9,6 +10,14 @@ const FIRST: u32 = 100;
 const SECOND: u32 = 9;
 /// Bits kept beyond those a term can contribute.
 const GUARD: i64 = 16;
+
+/// As many arguments as one question has.
+const KEPT: usize = 2;
+
+thread_local! {
+    /// Arguments of many bits, with their arctangents: a question asks for the same one again and again.
+    static LAST: RefCell<Vec<[Ball; 2]>> = const { RefCell::new(Vec::new()) };
+}
 
 /// The arctangent, to the precision of `x`.
 ///
@@ -21,9 +30,28 @@ pub fn arctangent(x: &Ball) -> Ball {
     if !x.is_positive().is_proved() || !x.is_bounded() {
         return Ball::whole(prec);
     }
+    if prec <= FLOOR {
+        return computed(x);
+    }
+    let same =
+        |[of, _]: &&[Ball; 2]| of.prec() == prec && of.mid() == x.mid() && of.rad() == x.rad();
+    let known = LAST.with_borrow(|last| last.iter().find(same).map(|[_, found]| found.clone()));
+    known.unwrap_or_else(|| {
+        let found = computed(x);
+        LAST.with_borrow_mut(|last| {
+            last.insert(0, [x.clone(), found.clone()]);
+            last.truncate(KEPT);
+        });
+        found
+    })
+}
+
+/// The arctangent of a positive number that is bounded.
+fn computed(x: &Ball) -> Ball {
+    let prec = x.prec();
     let near = |bits: u32| match bits <= FLOOR {
         true => rug::Float::with_val(bits, x.mid()).atan(),
-        false => rug::Float::with_val(bits, arctangent(&x.with_precision(bits)).mid()),
+        false => rug::Float::with_val(bits, computed(&x.with_precision(bits)).mid()),
     };
     let mut anchor = SineAnchor::new(&near((prec / FIRST).max(64)), prec);
     let middle = prec / SECOND + GUARD as u32;
