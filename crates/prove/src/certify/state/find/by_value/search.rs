@@ -21,6 +21,9 @@ use crate::prover::{Error, Figure, Undecided, raise};
 use crate::solve::start;
 use rug::Rational;
 
+/// Digits at which modes are sought.
+const FEW: usize = 20;
+
 const OF_JOINT: &str = "(7) has no other thickness, (5) and (18) one at most, and each is the least of one half opening at most";
 const OF_THRUST: &str =
     "one thickness of the purely rotational states has this thrust, none that slides inside";
@@ -48,8 +51,8 @@ impl Search<'_> {
         self.value.enclosure(bits)
     }
 
-    /// Bits for the first attempt.
-    fn first(&self) -> u32 {
+    /// Bits for the first attempt at so many digits.
+    fn first(&self, digits: usize) -> u32 {
         let size = |x: Ball| x.mid().get_exp().unwrap_or(0).min(0).unsigned_abs();
         let value = self.ball(GUARD);
         let lost = match self.quantity {
@@ -63,14 +66,23 @@ impl Search<'_> {
             _ => ExactNumber::from(&Rational::from(1)),
         };
         let arch = bits_lost(&at_thickness(&self.arch, &thickness, 64));
-        bits_of(self.digits) + GUARD + lost + arch
+        bits_of(digits) + GUARD + lost + arch
     }
 
+    /// A proof of what has digits.
     fn raised<T>(
         &self,
         proof: impl FnMut(u32) -> Result<Option<T>, Undecided>,
     ) -> Result<T, Undecided> {
-        raise(self.first(), proof)
+        raise(self.first(self.digits), proof)
+    }
+
+    /// A proof of what has none, which few bits mostly decide.
+    fn decided<T>(
+        &self,
+        mut proof: impl FnMut(u32) -> Result<T, Undecided>,
+    ) -> Result<T, Undecided> {
+        raise(self.first(FEW), |bits| proof(bits).map(Some))
     }
 
     /// All states with the value.
@@ -113,26 +125,25 @@ impl Search<'_> {
         let of_joint = self.quantity == Quantity::RotationJoint;
         let is_limited = self.arch.is_limited();
         let points = match of_joint {
-            true => self.raised(|bits| Ok(Some(self.of_joint(bits)?.len())))?,
+            true => self.decided(|bits| Ok(self.of_joint(bits)?.len()))?,
             false => 1,
         };
         let mut others = Vec::new();
         let mut candidates: Vec<Candidate> = Vec::new();
         for number in 0..points {
-            let candidate = self.raised(|bits| self.curve_state(number, bits));
-            let is_rotational =
-                matches!(&candidate, Ok(Some(state)) if state.mode == Mode::Rotational);
-            if is_limited && candidate.is_ok() && !is_rotational {
-                others.push(self.raised(|bits| self.other(number, bits)));
+            let mode = self.decided(|bits| self.curve_mode(number, bits));
+            if is_limited && let Ok(Some(Mode::SlidingRotational) | None) = mode {
+                others.push(self.other(number));
             }
-            candidates.push(candidate);
+            candidates.push(mode.and_then(|mode| self.curve_state(number, mode)));
         }
         let slides_inside = usize::from(is_limited && of_joint);
         if slides_inside > 0 {
-            candidates.push(self.raised(|bits| self.inside_state(bits)));
+            let modes = [Mode::RotationalSliding, Mode::RotationalSlidingRotational];
+            candidates.push(self.arch_of(|bits| self.inside(bits), &modes));
         }
         if is_limited && !of_joint {
-            self.raised(|bits| self.is_not_that_of_sliding(bits).map(Some))?;
+            self.decided(|bits| self.is_not_that_of_sliding(bits))?;
         }
         let count = Count::proved(
             points + slides_inside,
@@ -150,8 +161,8 @@ impl Search<'_> {
         touched_thicknesses(self.weight(), &Angle::new(self.ball(bits)), bits)
     }
 
-    /// A point of the purely rotational curve with the value: its thickness and thrust, and the half opening of (4).
-    fn curve_point(&self, number: usize, bits: u32) -> Result<[Ball; 3], Undecided> {
+    /// A point of the purely rotational curve with the value, with the half opening of (4).
+    fn curve_point(&self, number: usize, bits: u32) -> Result<Configuration<Ball>, Undecided> {
         let (joint, thickness, thrust) = match self.quantity {
             Quantity::RotationJoint => {
                 let joint = Angle::new(self.ball(bits));
@@ -181,7 +192,10 @@ impl Search<'_> {
         let of_thickness =
             overturning::opening_variable(&Ring::new(self.weight(), &thickness)).value();
         let alpha = half_opening_of(&(of_thickness + &thrust), bits)?;
-        Ok([thickness, thrust, alpha])
+        Ok(at
+            .with(Unknown::Thrust, thrust)
+            .with(Unknown::RotationJoint, joint)
+            .with(Unknown::HalfOpening, alpha))
     }
 
     /// Joint and thickness of the purely rotational curve at a thrust.
@@ -224,64 +238,72 @@ impl Search<'_> {
         Ok(Some(Query { given, ..query }.root(system, &[start])?.thickness))
     }
 
-    /// The one arch of which a thickness is the least, if it collapses in one of some modes.
+    /// The one arch of which a thickness is the least, if there is that thickness and the arch collapses in one of some
+    /// modes.
     fn arch_of(
         &self,
-        thickness: Ball,
+        thickness: impl Fn(u32) -> Result<Option<Ball>, Undecided>,
         modes: &[Mode],
-        bits: u32,
-    ) -> Result<Option<Option<StateOfValue>>, Undecided> {
-        let query = Query::new(&self.arch, bits);
-        let given = query.given.clone().with(Unknown::HalfOpening, thickness.int(0));
-        let query = Query { given: given.with(Unknown::Thickness, thickness), ..query };
-        let (mode, at) = widest(&query, None)?;
-        if !modes.contains(&mode) {
-            return Ok(Some(None));
+    ) -> Candidate {
+        let arch = |bits| {
+            let Some(thickness) = thickness(bits)? else { return Ok(None) };
+            let query = Query::new(&self.arch, bits);
+            let given = query.given.clone().with(Unknown::HalfOpening, thickness.int(0));
+            let query = Query { given: given.with(Unknown::Thickness, thickness), ..query };
+            Ok(Some(widest(&query, None)?).filter(|(mode, _)| modes.contains(mode)))
+        };
+        match self.decided(|bits| Ok(arch(bits)?.is_some()))? {
+            true => self.raised(|bits| match arch(bits)? {
+                Some((mode, at)) => Ok(self.shown(mode, &at)?.map(Some)),
+                None => Ok(Some(None)),
+            }),
+            false => Ok(None),
         }
-        Ok(self.shown(mode, &at)?.map(Some))
     }
 
-    /// State at a point of the curve: with enough friction the purely rotational one of its half opening, or one of its
-    /// thickness whose shoulder slides.
-    fn curve_state(
-        &self,
-        number: usize,
-        bits: u32,
-    ) -> Result<Option<Option<StateOfValue>>, Undecided> {
-        let [thickness, thrust, alpha] = self.curve_point(number, bits)?;
-        match self.outcome_at(&alpha, bits)? {
+    /// Mode of the state at a point of the curve: with enough friction the purely rotational one of its half opening,
+    /// else the one that its thickness may have, whose shoulder slides.
+    fn curve_mode(&self, number: usize, bits: u32) -> Result<Option<Mode>, Undecided> {
+        let at = self.curve_point(number, bits)?;
+        match self.outcome_at(&at.half_opening.rad, bits)? {
             Outcome::Stands(state) if state.mode == Mode::Rotational => {
-                Ok(self.shown(state.mode, &placed(&state, &alpha))?.map(Some))
+                let is_it = state.thickness.overlaps(&at.thickness);
+                ensure(is_it, "whether the state that is found has the value")?;
+                Ok(Some(Mode::Rotational))
             }
             _ if self.arch.is_limited() => {
-                let margin = thrust - &self.slid(bits)?.thrust;
-                match decide(&margin, "whether an inner joint slides", &[])? {
-                    true => self.arch_of(thickness, &[Mode::SlidingRotational], bits),
-                    false => Ok(Some(None)),
-                }
+                let margin = at.thrust - &self.slid(bits)?.thrust;
+                let slides_outside = decide(&margin, "whether an inner joint slides", &[])?;
+                Ok(slides_outside.then_some(Mode::SlidingRotational))
             }
             _ => Err(Undecided::new("whether the state that is found is purely rotational")),
         }
     }
 
-    /// State that slides inside.
-    fn inside_state(&self, bits: u32) -> Result<Option<Option<StateOfValue>>, Undecided> {
-        let modes = [Mode::RotationalSliding, Mode::RotationalSlidingRotational];
-        match self.inside(bits)? {
-            Some(thickness) => self.arch_of(thickness, &modes, bits),
-            None => Ok(Some(None)),
+    /// State at a point of the curve, where it may have a mode.
+    fn curve_state(&self, number: usize, mode: Option<Mode>) -> Candidate {
+        match mode {
+            Some(Mode::Rotational) => self.raised(|bits| {
+                let at = self.curve_point(number, bits)?;
+                Ok(self.shown(Mode::Rotational, &at)?.map(Some))
+            }),
+            Some(mode) => {
+                self.arch_of(|bits| Ok(Some(self.curve_point(number, bits)?.thickness)), &[mode])
+            }
+            None => Ok(None),
         }
     }
 
     /// State, with this friction, of the half opening that has the value with unlimited friction.
-    fn other(&self, number: usize, bits: u32) -> Result<Option<OtherState>, Undecided> {
-        let [.., alpha] = self.curve_point(number, bits)?;
-        let mode = match self.outcome_at(&alpha, bits)? {
-            Outcome::Stands(state) => Ok(state.mode),
-            Outcome::Falls(fall) => Err(fall),
-        };
-        let half_opening = Figure::new(&alpha, self.digits);
-        Ok(half_opening.map(|half_opening| OtherState { half_opening, mode }))
+    fn other(&self, number: usize) -> Result<OtherState, Undecided> {
+        let half_opening = |bits| Ok(self.curve_point(number, bits)?.half_opening.rad);
+        let mode = self.decided(|bits| match self.outcome_at(&half_opening(bits)?, bits)? {
+            Outcome::Stands(state) => Ok(Ok(state.mode)),
+            Outcome::Falls(fall) => Ok(Err(fall)),
+        })?;
+        let half_opening =
+            self.raised(|bits| Ok(Figure::new(&half_opening(bits)?, self.digits)))?;
+        Ok(OtherState { half_opening, mode })
     }
 
     /// State of a half opening.
