@@ -94,7 +94,7 @@ const UNBOUNDED: &str = "whether the acceleration is bounded";
 /// Question that stays open where the search finds no conditions that limit it.
 pub(super) const NOT_FOUND: &str = "which conditions limit the acceleration";
 /// Bits of the proof, and those with which it is tried once more.
-const BITS: [u32; 2] = [256, 1024];
+pub(super) const BITS: [u32; 2] = [256, 1024];
 /// Bits beyond those of the digits.
 pub(super) const GUARD: u32 = 64;
 
@@ -106,13 +106,13 @@ pub fn tilted(
     digits: usize,
 ) -> Result<TiltDigits, Refused> {
     Refused::thickness(thickness)?;
-    Refused::tilt_digits(digits)?;
+    Refused::digits(digits)?;
     let proof = |bits| TiltProof::new(arch, thickness, bits);
     let proved = OnceCell::new();
     let largest = |bits| {
         let [few, more] = BITS.map(|bits| move || proof(bits).largest());
         match proved.get_or_init(|| few().or_else(|_| more())) {
-            Ok(Some((near, mechanism))) => proof(bits).refined(near, mechanism).map(Some),
+            Ok(Some(mechanism)) => proof(bits).refined(mechanism).map(Some),
             Ok(None) => Ok(None),
             Err(open) => Err(Undecided::clone(open)),
         }
@@ -180,9 +180,8 @@ impl TiltProof {
         contradict(&places.iter().map(row).collect::<Vec<_>>(), tilt)
     }
 
-    /// The joints that give way at the largest acceleration, proved, and the candidate for them; `None` if there is
-    /// no largest one.
-    fn largest(&self) -> Result<Option<(TiltNear, TiltMechanism)>, Undecided> {
+    /// The joints that give way at the largest acceleration, proved; `None` if there is no largest one.
+    fn largest(&self) -> Result<Option<TiltMechanism>, Undecided> {
         match self.search().candidate() {
             TiltCandidate::Nothing => Err(Undecided::new(NOT_FOUND)),
             TiltCandidate::Unlimited => self.unlimited().map(|()| None),
@@ -190,7 +189,7 @@ impl TiltProof {
                 let mechanism = self.mechanism(&near)?;
                 let weight = Ball::integer(1, self.bits);
                 self.is_admissible(&mechanism.forces, &weight, &mechanism.zeros())?;
-                Ok(Some((near, mechanism)))
+                Ok(Some(mechanism))
             }
         }
     }
@@ -200,14 +199,10 @@ impl TiltProof {
     }
 
     /// The joints that are proved to give way, to the bits of this proof.
-    fn refined(&self, near: &TiltNear, proved: &TiltMechanism) -> Result<TiltMechanism, Undecided> {
-        if proved.tilt().prec() >= self.bits {
-            return Ok(proved.clone());
-        }
-        let refined = self.mechanism(near)?;
-        match refined.lies_inside(proved) {
-            true => Ok(refined),
-            false => Err(Undecided::astray()),
+    fn refined(&self, proved: &TiltMechanism) -> Result<TiltMechanism, Undecided> {
+        match proved.tilt().prec() >= self.bits {
+            true => Ok(proved.clone()),
+            false => proved.refined(&self.joints, &self.half_opening, self.bits),
         }
     }
 

@@ -3,7 +3,8 @@
 //! The conditions that limit it hold with equality, each at its joint; inside the arch each touches, its slope
 //! along the arch being zero; and their multipliers leave the acceleration alone. These are as many equations as
 //! unknowns: the forces and the acceleration, the joints inside, the multipliers. A box is proved to hold exactly one
-//! root. Multipliers that are positive there bound the acceleration by that of the root.
+//! root. Multipliers that are positive there bound the acceleration by that of the root. Where there is a condition for
+//! each force, they fix the root without the multipliers, which its digits need no more.
 
 use crate::arch::mechanism::Contact;
 use crate::arch::whole::along;
@@ -51,10 +52,45 @@ struct TiltRoot<'a> {
     added: &'a [Ball],
 }
 
+/// The root: the kept forces, the joints inside, and the multipliers where they are unknowns.
+type Root = [Vec<Ball>; 3];
+
 impl TiltRoot<'_> {
     fn inside(&self) -> usize {
         self.places.iter().filter(|(_, place)| place.is_none()).count()
     }
+
+    /// The root next to a start.
+    fn near(
+        joints: &Joints<Ball>,
+        places: &[(Contact, JointPlace)],
+        start: &[Float],
+        bits: u32,
+    ) -> Result<Root, Undecided> {
+        let kept = kept(places.iter().map(|(contact, _)| *contact));
+        let added = |x: &Float| (Float::with_val(bits, x.abs_ref()) * 2u32).ceil() + 4u32;
+        let added: Vec<Ball> = start.iter().map(|x| Ball::exact(added(x), bits)).collect();
+        let form = TiltRoot { joints, places, kept, added: &added };
+        let start =
+            start.iter().zip(&added).map(|(x, added)| Float::with_val(bits, added.mid() + x));
+        let root = root_near(&form, bits, start.collect())?;
+        let mut root = root.into_iter().zip(&added).map(|(x, added)| x - added);
+        let [forces, inside] =
+            [kept.len(), form.inside()].map(|count| root.by_ref().take(count).collect());
+        Ok([forces, inside, root.collect()])
+    }
+}
+
+/// The unknowns of `h, p, v, k` that conditions fix.
+fn kept(contacts: impl IntoIterator<Item = Contact>) -> &'static [usize] {
+    let is_pinned = contacts.into_iter().any(Contact::is_hinge);
+    if is_pinned { &[0, 1, 2, 3] } else { &[0, 2, 3] }
+}
+
+/// The place of a joint near an angle.
+fn place(angle_is_positive: bool, is_inside: bool, half_opening: &Ball) -> JointPlace {
+    let springing = || if angle_is_positive { half_opening.clone() } else { -half_opening.clone() };
+    (!is_inside).then(springing)
 }
 
 impl Form<Ball> for TiltRoot<'_> {
@@ -81,7 +117,8 @@ impl Form<Ball> for TiltRoot<'_> {
             }
             rows.push(row);
         }
-        let left = self.kept.iter().map(|k| {
+        let kept = if rates.is_empty() { &[] } else { self.kept };
+        let left = kept.iter().map(|k| {
             let terms = rows.iter().zip(rates);
             terms.fold(like.int(-i32::from(*k == 3)), |sum, (row, rate)| {
                 sum + row.coefficients[*k].coefficient(0) * rate
@@ -104,32 +141,23 @@ impl TiltMechanism {
         bits: u32,
     ) -> Result<Self, Undecided> {
         let TiltNear { touches, state } = near;
-        let is_pinned = touches.iter().any(|touch| touch.contact.is_hinge());
-        let kept: &[usize] = if is_pinned { &[0, 1, 2, 3] } else { &[0, 2, 3] };
-        let springing =
-            |joint: f64| if joint > 0.0 { half_opening.clone() } else { -half_opening.clone() };
         let place =
-            |touch: &TiltTouch| (touch.contact, (!touch.is_inside).then(|| springing(touch.joint)));
+            |of: &TiltTouch| (of.contact, place(of.joint > 0.0, of.is_inside, half_opening));
         let places: Vec<(Contact, JointPlace)> = touches.iter().map(place).collect();
+        let kept = kept(touches.iter().map(|touch| touch.contact));
         let inside = touches.iter().filter(|touch| touch.is_inside).map(|touch| touch.joint);
         let rates = touches.iter().map(|touch| touch.rate);
-        let start: Vec<f64> = kept.iter().map(|k| state[*k]).chain(inside).chain(rates).collect();
-        let exact = |x: f64| Ball::exact(Float::with_val(bits, x), bits);
-        let added: Vec<Ball> = start.iter().map(|x| exact((2.0 * x.abs()).ceil() + 4.0)).collect();
-        let form = TiltRoot { joints, places: &places, kept, added: &added };
-        let start =
-            start.iter().zip(&added).map(|(x, added)| Float::with_val(bits, added.mid() + x));
-        let root = root_near(&form, bits, start.collect())?.into_iter().zip(&added);
-        let mut root = root.map(|(x, added)| x - added);
-        let mut forces = state.map(exact);
-        kept.iter().zip(root.by_ref()).for_each(|(k, x)| forces[*k] = x);
-        let near: Vec<Ball> = root.by_ref().take(form.inside()).collect();
-        let mut near = near.into_iter();
+        let start = kept.iter().map(|k| state[*k]).chain(inside).chain(rates);
+        let start: Vec<Float> = start.map(|x| Float::with_val(bits, x)).collect();
+        let [fixed, inside, rates] = TiltRoot::near(joints, &places, &start, bits)?;
+        let mut forces = state.map(|x| Ball::exact(Float::with_val(bits, x), bits));
+        kept.iter().zip(fixed).for_each(|(k, x)| forces[*k] = x);
+        let mut inside = inside.into_iter();
         let joint = |((contact, place), rate): (&(Contact, JointPlace), Ball)| {
-            let (angle, is_springing) = (place.clone().or_else(|| near.next())?, place.is_some());
+            let (angle, is_springing) = (place.clone().or_else(|| inside.next())?, place.is_some());
             Some(TiltedJoint { contact: *contact, angle, rate, is_springing })
         };
-        let joints: Vec<TiltedJoint> = places.iter().zip(root).filter_map(joint).collect();
+        let joints: Vec<TiltedJoint> = places.iter().zip(rates).filter_map(joint).collect();
         let is_of_arch = |joint: &TiltedJoint| {
             let TiltedJoint { angle, is_springing, .. } = joint;
             let [right, left] = [half_opening.clone() - angle, half_opening.clone() + angle];
@@ -162,20 +190,41 @@ impl TiltMechanism {
         self.joints.iter().map(zero).collect()
     }
 
-    /// Tells whether its unknowns lie in the interior of those of another, number by number.
-    pub(super) fn lies_inside(&self, other: &Self) -> bool {
-        let (inner, outer) = (self.unknowns(), other.unknowns());
-        inner.len() == outer.len() && inner.iter().zip(outer).all(|(x, whole)| x.lies_inside(whole))
-    }
-
-    /// The unknowns of its equations: a springing is none, and without a hinge `p` is none.
-    fn unknowns(&self) -> Vec<&Ball> {
-        let Self { forces: [h, p, v, k], joints } = self;
-        let is_pinned = joints.iter().any(|joint| joint.contact.is_hinge());
-        let inside = joints.iter().filter(|joint| !joint.is_springing).map(|joint| &joint.angle);
-        let rates = joints.iter().map(|joint| &joint.rate);
-        let all = [h, v, k].into_iter().chain(is_pinned.then_some(p));
-        all.chain(inside).chain(rates).collect()
+    /// The same joints, proved to more bits: their root lies in that one.
+    pub(super) fn refined(
+        &self,
+        joints: &Joints<Ball>,
+        half_opening: &Ball,
+        bits: u32,
+    ) -> Result<Self, Undecided> {
+        let place = |of: &TiltedJoint| {
+            (of.contact, place(*of.angle.mid() > 0, !of.is_springing, half_opening))
+        };
+        let places: Vec<(Contact, JointPlace)> = self.joints.iter().map(place).collect();
+        let kept = kept(self.joints.iter().map(|joint| joint.contact));
+        let mut refined = self.clone();
+        let mut unknowns: Vec<&mut Ball> = Vec::new();
+        let forces = refined.forces.iter_mut().enumerate();
+        unknowns.extend(forces.filter(|(k, _)| kept.contains(k)).map(|(_, force)| force));
+        let mut rates = Vec::new();
+        for joint in &mut refined.joints {
+            if !joint.is_springing {
+                unknowns.push(&mut joint.angle);
+            }
+            rates.push(&mut joint.rate);
+        }
+        if kept.len() != places.len() {
+            unknowns.extend(rates);
+        }
+        let start: Vec<Float> = unknowns.iter().map(|x| x.mid().clone()).collect();
+        let root = TiltRoot::near(joints, &places, &start, bits)?;
+        for (x, refined) in unknowns.into_iter().zip(root.into_iter().flatten()) {
+            if !refined.lies_inside(x) {
+                return Err(Undecided::astray());
+            }
+            *x = refined;
+        }
+        Ok(refined)
     }
 
     /// From the right springing to the left one.

@@ -5,7 +5,8 @@
 //! state satisfies all other conditions, each with room but for the fourth of a joint whose other three are zero,
 //! and which bears nothing, or of both hinges of a joint whose two slips are zero, where `p` is chosen so. So the
 //! largest acceleration is that of the state, exactly. Four conditions fix the state, or three slips, which leave
-//! room for `p`. What a search says of which they are is trusted for nothing.
+//! room for `p`. What a search says of which they are is trusted for nothing. The proof is done once, with few bits; the
+//! digits are those of the one solution of these equations.
 //!
 //! **At one acceleration** a state with room says that there is one, and four conditions that contradict each other
 //! that there is none, whatever of the largest stays open.
@@ -13,7 +14,7 @@
 //! What it means is said in [`tilted`](super::tilted): with friction an admissible state does not exclude a motion.
 
 use super::jointed::limits_at_joint;
-use super::tilt::{GUARD, NOT_FOUND, TiltDigits, acceleration, contradict, determinant};
+use super::tilt::{BITS, GUARD, NOT_FOUND, TiltDigits, acceleration, contradict, determinant};
 use super::tilt_mechanism::{TiltMechanism, TiltedJoint};
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
@@ -26,16 +27,17 @@ use crate::prover::decide::is_positive;
 use crate::prover::{Refused, Undecided};
 use crate::solve::tilt::{StoneTilt, against, inside, largest};
 use rug::Float;
+use std::cell::OnceCell;
 
 /// More stones are refused: the programme has four conditions at each joint.
 pub const MOST_TILTED_STONES: u64 = 2_001;
 
+/// The place of a condition: the joint by its number from the crown, its side, and what it says.
+type Place = (u64, Side, Contact);
+
 /// A condition of a stone's joint.
 struct StoneLimit {
-    contact: Contact,
-    side: Side,
-    /// Number of the joint, from the crown.
-    joint: u64,
+    place: Place,
     /// Angle of the joint from the crown, positive on the right.
     angle: Ball,
     row: TiltedRow<Ball>,
@@ -51,20 +53,35 @@ pub fn tilted_stones(
     digits: usize,
 ) -> Result<TiltDigits, Refused> {
     Refused::thickness(thickness)?;
-    Refused::tilt_digits(digits)?;
+    Refused::digits(digits)?;
     stones.check()?;
     Refused::stones(stones.number(), MOST_TILTED_STONES)?;
-    let all = |bits| conditions(arch, stones, thickness, bits);
-    let first = bits_of(digits) + GUARD;
+    let all = |bits| conditions(arch, stones, thickness, &places(arch, stones), bits);
     let told = || {
-        let (all, tilt) = (all(first), acceleration(tilt, first));
+        let (all, tilt) = (all(BITS[0]), acceleration(tilt, BITS[0]));
         match has_state(&all, &tilt) {
             true => Some(true),
             false => has_none(&all, &tilt).then_some(false),
         }
     };
-    let largest = |bits| largest_of(&all(bits), bits);
-    Ok(TiltDigits::found((first, digits), tilt, largest, told))
+    let proved = OnceCell::new();
+    let largest = |bits| {
+        let [few, more] = BITS.map(|bits| move || largest_of(&all(bits), bits));
+        match proved.get_or_init(|| few().or_else(|_| more())) {
+            Ok(Some((limits, mechanism))) => {
+                let mut refined = mechanism.clone();
+                if refined.tilt().prec() < bits {
+                    let limits = conditions(arch, stones, thickness, limits, bits);
+                    refined.forces[3] =
+                        StoneSystem::new(&limits.iter().collect::<Vec<_>>())?.tilt();
+                }
+                Ok(Some(refined))
+            }
+            Ok(None) => Ok(None),
+            Err(open) => Err(Undecided::clone(open)),
+        }
+    };
+    Ok(TiltDigits::found((bits_of(digits) + GUARD, digits), tilt, largest, told))
 }
 
 /// Tells whether the state at an acceleration that is farthest from all conditions satisfies them.
@@ -89,39 +106,108 @@ fn in_doubles(all: &[StoneLimit]) -> Vec<TiltedRow<f64>> {
     all.iter().map(|of| of.row.map(|x| x.mid().to_f64())).collect()
 }
 
-/// The conditions at every joint, from the crown.
-fn conditions(arch: &Arch, stones: &Stones, thickness: &ExactNumber, bits: u32) -> Vec<StoneLimit> {
-    let grip: Grip<Ball> = arch.friction().grip(bits);
-    let joints = Joints::new(arch.weight(), &thickness.enclosure(bits), grip);
+/// The places of all conditions, from the crown.
+fn places(arch: &Arch, stones: &Stones) -> Vec<Place> {
     // Both hinges together ask for a normal force: without limit of friction this is all.
     let asked = &Contact::ALL[..limits_at_joint(arch)];
-    let joint = |index: u64| {
-        let angle: Angle<Ball> = stones.angle(index, bits);
-        let crown = index == 0 && stones.has_joint_at_crown();
+    let sides = |joint: u64| {
+        let crown = joint == 0 && stones.has_joint_at_crown();
         let sides: &[Side] = if crown { &[Side::Right] } else { &[Side::Right, Side::Left] };
-        let at = |&side: &Side| {
-            let at = side.joint(&angle);
-            let of = |&contact: &Contact| StoneLimit {
-                contact,
-                side,
-                joint: index,
-                angle: at.rad.clone(),
-                row: joints.tilted(contact, &at),
-            };
-            asked.iter().map(of).collect::<Vec<_>>()
-        };
-        sides.iter().flat_map(at).collect::<Vec<_>>()
+        sides.iter().map(move |side| (joint, *side))
     };
-    (0..stones.count()).flat_map(joint).collect()
+    let all = (0..stones.count()).flat_map(sides);
+    all.flat_map(|(joint, side)| asked.iter().map(move |of| (joint, side, *of))).collect()
 }
 
-/// The joints that give way at the largest acceleration; `None` if there is none.
-fn largest_of(all: &[StoneLimit], bits: u32) -> Result<Option<TiltMechanism>, Undecided> {
+/// The conditions at some places.
+fn conditions(
+    arch: &Arch,
+    stones: &Stones,
+    thickness: &ExactNumber,
+    places: &[Place],
+    bits: u32,
+) -> Vec<StoneLimit> {
+    let grip: Grip<Ball> = arch.friction().grip(bits);
+    let joints = Joints::new(arch.weight(), &thickness.enclosure(bits), grip);
+    let mut last: Option<(u64, Angle<Ball>)> = None;
+    let limit = |&(joint, side, contact): &Place| {
+        let angle = match last.take() {
+            Some((index, angle)) if index == joint => angle,
+            _ => stones.angle(joint, bits),
+        };
+        let at = side.joint(&angle);
+        last = Some((joint, angle));
+        let row = joints.tilted(contact, &at);
+        StoneLimit { place: (joint, side, contact), angle: at.rad, row }
+    };
+    places.iter().map(limit).collect()
+}
+
+/// The joints that give way at the largest acceleration, proved, and the places of their conditions; `None` if there
+/// is no largest one.
+fn largest_of(
+    all: &[StoneLimit],
+    bits: u32,
+) -> Result<Option<(Vec<Place>, TiltMechanism)>, Undecided> {
     match largest(&in_doubles(all)) {
         StoneTilt::Nothing => Err(Undecided::new(NOT_FOUND)),
         StoneTilt::Unlimited(direction) => unlimited(all, &direction, bits).map(|()| None),
-        StoneTilt::Limited { active, moment } => limited(all, &active, moment, bits).map(Some),
+        StoneTilt::Limited { active, moment } => {
+            let mechanism = limited(all, &active, moment, bits)?;
+            Ok(Some((active.iter().map(|place| all[*place].place).collect(), mechanism)))
+        }
     }
+}
+
+/// The equations of some conditions that are zero together, as many as unknowns.
+struct StoneSystem<'a> {
+    of: &'a [&'a StoneLimit],
+    /// The unknowns of `h, p, v, k` that they leave no room for: without a hinge nothing is said of `p`.
+    kept: &'static [usize],
+    matrix: Vec<Vec<Ball>>,
+    determinant: Ball,
+}
+
+impl<'a> StoneSystem<'a> {
+    fn new(of: &'a [&'a StoneLimit]) -> Result<Self, Undecided> {
+        let is_pinned = of.iter().any(|at| is_hinge(at));
+        let kept: &[usize] = if is_pinned { &[0, 1, 2, 3] } else { &[0, 2, 3] };
+        if of.len() != kept.len() {
+            return Err(Undecided::new(NOT_FOUND));
+        }
+        let row = |at: &&StoneLimit| kept.iter().map(|k| at.row.coefficients[*k].clone()).collect();
+        let matrix: Vec<Vec<Ball>> = of.iter().map(row).collect();
+        let determinant = determinant(&matrix);
+        match determinant.excludes_zero() {
+            true => Ok(Self { of, kept, matrix, determinant }),
+            false => Err(Undecided::new(NOT_FOUND)),
+        }
+    }
+
+    /// The unknown of a column, by Cramer's rule, with what is on the right.
+    fn solved(&self, column: usize, right: impl Fn(usize) -> Ball) -> Ball {
+        let mut matrix = self.matrix.clone();
+        matrix.iter_mut().enumerate().for_each(|(i, row)| row[column] = right(i));
+        determinant(&matrix) / &self.determinant
+    }
+
+    fn unknown(&self, column: usize) -> Ball {
+        self.solved(column, |i| -self.of[i].row.load.clone())
+    }
+
+    fn tilt(&self) -> Ball {
+        self.unknown(self.kept.len() - 1)
+    }
+
+    /// The multiplier of a condition: what the acceleration would be with that condition alone on the right.
+    fn multiplier(&self, of: usize) -> Ball {
+        self.solved(self.kept.len() - 1, |i| self.determinant.int(i32::from(i == of)))
+    }
+}
+
+fn is_hinge(of: &StoneLimit) -> bool {
+    let (.., contact) = of.place;
+    contact.is_hinge()
 }
 
 /// The state at which some conditions are zero, if it is the best and satisfies all others.
@@ -133,49 +219,28 @@ fn limited(
 ) -> Result<TiltMechanism, Undecided> {
     let open = || Undecided::new(NOT_FOUND);
     let of: Vec<&StoneLimit> = active.iter().filter_map(|place| all.get(*place)).collect();
-    let is_pinned = of.iter().any(|condition| condition.contact.is_hinge());
-    // Without a hinge nothing is said of p.
-    let kept: &[usize] = if is_pinned { &[0, 1, 2, 3] } else { &[0, 2, 3] };
-    if of.len() != kept.len() {
-        return Err(open());
-    }
-    let matrix: Vec<Vec<Ball>> = of
-        .iter()
-        .map(|at| kept.iter().map(|k| at.row.coefficients[*k].clone()).collect())
-        .collect();
-    let whole = determinant(&matrix);
-    if !whole.excludes_zero() {
-        return Err(open());
-    }
-    let last = kept.len() - 1;
-    let replaced = |column: usize, by: &dyn Fn(usize) -> Ball| {
-        let mut matrix = matrix.clone();
-        matrix.iter_mut().enumerate().for_each(|(i, row)| row[column] = by(i));
-        determinant(&matrix) / &whole
-    };
-    // Each multiplier is what the last unknown would be with that condition alone on the right.
-    let zero = whole.int(0);
-    let multiplier = |i| replaced(last, &|j| zero.int(i32::from(i == j)));
-    let multipliers: Vec<Ball> = (0..of.len()).map(multiplier).collect();
+    let system = StoneSystem::new(&of)?;
+    let multipliers: Vec<Ball> = (0..of.len()).map(|i| system.multiplier(i)).collect();
     if !multipliers.iter().all(is_positive) {
         return Err(open());
     }
     let mut unknowns = [0, 1, 2, 3].map(|_| Ball::exact(Float::with_val(bits, moment), bits));
-    for (column, k) in kept.iter().enumerate() {
-        unknowns[*k] = replaced(column, &|i| -of[i].row.load.clone());
+    for (column, k) in system.kept.iter().enumerate() {
+        unknowns[*k] = system.unknown(column);
     }
-    let one = zero.int(1);
+    let (zero, one) = (system.determinant.int(0), system.determinant.int(1));
+    let is_pinned = system.kept.len() == unknowns.len();
     // Both slips of a joint leave it no force, and with one hinge, which pins p, no moment: the other hinge is zero
     // too.
-    let joint = |of: &StoneLimit| (of.joint, of.side);
+    let joint = |of: &StoneLimit| (of.place.0, of.place.1);
     let slips = |at: &StoneLimit| {
-        of.iter().filter(|other| joint(other) == joint(at) && !other.contact.is_hinge()).count()
+        of.iter().filter(|other| joint(other) == joint(at) && !is_hinge(other)).count()
     };
     let idle = of.iter().find(|at| slips(at) == 2).map(|at| joint(at));
     if let (false, Some(idle)) = (is_pinned, idle) {
-        let hinge = all.iter().find(|of| joint(of) == idle && of.contact == Contact::Extrados);
-        let hinge = hinge.ok_or_else(open)?;
-        unknowns[1] = zero.clone();
+        let extrados = (idle.0, idle.1, Contact::Extrados);
+        let hinge = all.iter().find(|of| of.place == extrados).ok_or_else(open)?;
+        unknowns[1] = zero;
         unknowns[1] = -(hinge.row.at(&unknowns, &one) / &hinge.row.coefficients[1]);
     }
     // Three conditions of a joint leave it no force: the fourth is zero too.
@@ -189,12 +254,12 @@ fn limited(
     if !others.into_iter().all(|(_, of)| holds(of)) {
         return Err(Undecided::new("whether a state is admissible at every joint"));
     }
-    let springing = all.iter().map(|of| of.joint).max().unwrap_or(0);
+    let springing = all.iter().map(|of| of.place.0).max().unwrap_or(0);
     let joint = |(of, rate): (&&StoneLimit, Ball)| TiltedJoint {
-        contact: of.contact,
+        contact: of.place.2,
         angle: of.angle.clone(),
         rate,
-        is_springing: of.joint == springing,
+        is_springing: of.place.0 == springing,
     };
     let joints = of.iter().zip(multipliers).map(joint).collect();
     Ok(TiltMechanism::ordered(unknowns, joints))
@@ -277,7 +342,8 @@ mod tests {
         // A state inside all conditions says so by itself, and there is none beyond the largest.
         let parsed = Arch::parse("heyman", "2.203", "1.838").unwrap();
         let stones = Stones::equal(5, parsed.half_opening().clone()).unwrap();
-        let all = conditions(&parsed, &stones, &"1.45".parse().unwrap(), 200);
+        let all =
+            conditions(&parsed, &stones, &"1.45".parse().unwrap(), &places(&parsed, &stones), 200);
         let inside = |tilt: f64| has_state(&all, &Ball::exact(Float::with_val(200, tilt), 200));
         assert!(inside(figure.double - 1e-6) && !inside(figure.double + 1e-6));
     }
@@ -291,7 +357,8 @@ mod tests {
         assert_eq!((at("0.7"), at("1"), at("45deg")), (Ok(true), Ok(false), Ok(false)));
         let parsed = Arch::parse("heyman", "2pi/3", "inf").unwrap();
         let stones = Stones::equal(4, parsed.half_opening().clone()).unwrap();
-        let all = conditions(&parsed, &stones, &"1".parse().unwrap(), 200);
+        let all =
+            conditions(&parsed, &stones, &"1".parse().unwrap(), &places(&parsed, &stones), 200);
         let tilt = |k: f64| Ball::exact(Float::with_val(200, k), 200);
         assert!(has_none(&all, &tilt(1.0)) && !has_none(&all, &tilt(0.7)));
         let places = against(&in_doubles(&all), 1.0).unwrap();
@@ -337,7 +404,8 @@ mod tests {
     fn forged_conditions_are_refused() {
         let arch = Arch::parse("heyman", "pi/2", "0.6").unwrap();
         let stones = Stones::equal(9, arch.half_opening().clone()).unwrap();
-        let all = conditions(&arch, &stones, &"0.15".parse().unwrap(), 200);
+        let all =
+            conditions(&arch, &stones, &"0.15".parse().unwrap(), &places(&arch, &stones), 200);
         let StoneTilt::Limited { active, .. } = largest(&in_doubles(&all)) else { panic!() };
         assert!(limited(&all, &active, 0.0, 200).is_ok());
         for k in 0..4 {

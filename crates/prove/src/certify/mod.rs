@@ -51,5 +51,5 @@ pub use crate::prover::isolate::isolate_near;
 #[doc(hidden)]
 pub use crate::prover::linear::Eliminated;
 pub use crate::prover::refine::{Refined, refine, refine_watched, stages};
-pub use crate::prover::refused::{MAX_DIGITS, MAX_TILT_DIGITS};
+pub use crate::prover::refused::MAX_DIGITS;
 pub use crate::prover::{Answered, Error, Isolated, Open, Refused, Undecided};

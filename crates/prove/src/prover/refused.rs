@@ -11,10 +11,6 @@ use crate::problem::{Arch, ArchError, Friction, Landmark, Line, Quantity, Thickn
 /// The largest number of digits that can be asked for, of a constant or of an arch.
 pub const MAX_DIGITS: usize = 1_000_000;
 
-/// The largest number of digits of an arch under a horizontal acceleration that can be asked for: its proof takes all
-/// of them at every step.
-pub const MAX_TILT_DIGITS: usize = 10_000;
-
 /// Refusal of a question that was asked wrongly. Nothing was computed, and the same question is refused again.
 ///
 /// ```
@@ -135,12 +131,6 @@ impl Refused {
     /// Checks that so many digits can be asked for.
     pub fn digits(asked: usize) -> Result<(), Self> {
         Self::digits_to(asked, MAX_DIGITS)
-    }
-
-    /// Checks that the values of an arch under an acceleration may have so many digits.
-    #[doc(hidden)]
-    pub fn tilt_digits(asked: usize) -> Result<(), Self> {
-        Self::digits_to(asked, MAX_TILT_DIGITS)
     }
 
     /// Checks that no more digits are asked for than a number of one's own.
