@@ -50,7 +50,7 @@ fn agree(query: &DrawnQuery, digits: usize) {
 fn agree_at(query: &DrawnQuery, thickness: &ExactNumber, digits: usize) {
     let arch = query.arch().unwrap();
     let found = arch.certify_thickness(thickness, digits).unwrap();
-    let mut inquiry = Inquiry::new(&arch, digits, false);
+    let inquiry = Inquiry::new(&arch, digits, false);
     let by_mpfr = inquiry.assess(thickness, digits, Wanted::Everything).unwrap();
     let all = |x: &couplet::certify::state::AssessmentDigits| {
         let figures: Vec<_> = x.figures().map(|(of, x)| (of, shown(x))).collect();

@@ -178,7 +178,7 @@ impl ArchPiece {
             let states = BTreeMap::from([(asked.0, openings.state(node.arch))]);
             return Self { states, thicknesses: Vec::new(), asymmetric };
         }
-        let mut inquiry = Inquiry::new(node.arch, node.digits(), node.frictions());
+        let inquiry = Inquiry::new(node.arch, node.digits(), node.frictions());
         let states = node.states.iter();
         let states = states
             .map(|(&digits, &frictions)| (digits, inquiry.state(digits, frictions)))

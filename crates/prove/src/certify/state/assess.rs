@@ -4,7 +4,7 @@
 //! the arch, proved on its own, has to say the same. Each answer is decided on its own: what stays open does
 //! not take the others with it.
 
-use super::query::Query;
+use super::query::{DOUBLE_DOUBLE, Query};
 use super::state::{Fall, Outcome};
 use super::thrust_range::{
     Limit, Roots, cut_at_largest, cut_at_least, largest_thrust, least_thrust, required_friction,
@@ -157,29 +157,33 @@ pub enum Wanted {
 
 /// Proves what holds for an arch with a given thickness in `(0, 2]`, as far as it is wanted, with numbers of
 /// `bits` bits. `state` proves the state of the arch, with its own friction if told so, or with unlimited
-/// friction.
+/// friction, in numbers of so many bits.
 pub(super) fn assessment<E: Arithmetic>(
     arch: &Arch,
     thickness: &ExactNumber,
     bits: u32,
     wanted: Wanted,
-    mut state: impl FnMut(bool) -> Result<Outcome<E>, Undecided>,
+    state: impl Fn(bool, u32) -> Result<Outcome<E>, Undecided>,
 ) -> Assessment<E> {
     let eta: E = thickness.enclosure(bits);
-    let mut fall = None;
-    let mut least = |is_own: bool| match state(is_own)? {
-        Outcome::Stands(state) => Ok(Some(state.thickness)),
-        Outcome::Falls(why) => {
-            fall = fall.or(is_own.then_some(why));
-            Ok(None)
-        }
+    let least = |found: Result<Outcome<E>, Undecided>| match found? {
+        Outcome::Stands(state) => Ok((Some(state.thickness), None)),
+        Outcome::Falls(why) => Ok((None, Some(why))),
     };
-    let mut found = standing(&eta, least(true));
+    let own = least(state(true, bits));
+    let fall = own.as_ref().ok().and_then(|(_, fall)| *fall);
+    let mut found = standing(&eta, own.map(|(least, _)| least));
     if wanted == Wanted::Everything {
+        let unlimited = |bits| least(state(!arch.is_limited(), bits)).map(|(least, _)| least);
+        // Only the sign of what it leaves is asked for: few bits mostly tell it.
+        let line_fits = match line_fits(&eta, &unlimited((bits / 8).max(DOUBLE_DOUBLE))) {
+            Err(_) => line_fits(&eta, &unlimited(bits)),
+            told => told,
+        };
         let mut query: Query<E> = Query::new(arch, bits);
         query.given = query.given.with(Unknown::Thickness, eta);
         let ties = [has_no_arm_at_crown(arch, thickness), friction_angle_is_half_opening(arch)];
-        found = with_thrusts((found, [true; 2]), &query, &query, ties, least(false));
+        found = with_thrusts((found, [true; 2]), &query, &query, ties, line_fits);
     }
     Assessment { fall, ..found }
 }
@@ -203,20 +207,22 @@ fn enough<E: Arithmetic>(eta: &E, least: &E, question: &'static str) -> Result<b
     decide(&(eta.clone() - least), question, &[])
 }
 
-/// The assessment with the required friction and the range of thrusts, as they are wanted, from roots and the least
-/// thickness with unlimited friction. The ties are that the crown has no arm, and that the shoulder never slides.
+/// Tells whether a line of thrust lies inside an arch of this thickness at all, with unlimited friction, by the least
+/// thickness of that: `Some` if one does.
+pub(super) fn line_fits<E: Arithmetic>(eta: &E, unlimited: &Answered<E>) -> Answered<()> {
+    let fits = of(unlimited, |least| enough(eta, least, "whether a line of thrust fits"));
+    fits.map(|fits| (fits == Some(true)).then_some(()))
+}
+
+/// The assessment with the required friction and the range of thrusts, as they are wanted, from roots and whether a line
+/// of thrust fits. The ties are that the crown has no arm, and that the shoulder never slides.
 pub(super) fn with_thrusts<E: Arithmetic>(
     (standing, [wants_friction, wants_thrusts]): (Assessment<E>, [bool; 2]),
     query: &Query<E>,
     roots: &impl Roots<E>,
     [has_no_arm, never_slides]: [bool; 2],
-    unlimited: Answered<E>,
+    line_fits: Answered<()>,
 ) -> Assessment<E> {
-    // With unlimited friction the arch stands if a line of thrust lies inside it at all.
-    let line_fits = of(&unlimited, |least| {
-        enough(&query.given.thickness, least, "whether a line of thrust fits")
-    });
-    let line_fits = line_fits.map(|fits| (fits == Some(true)).then_some(()));
     let ends = [
         of(&line_fits, |()| least_thrust(query, roots)),
         of(&line_fits, |()| largest_thrust(query, roots, has_no_arm)),

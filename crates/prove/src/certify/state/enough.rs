@@ -103,7 +103,7 @@ fn sliding<E: Arithmetic>(arch: &Arch, bits: u32) -> Answered<E> {
 fn required<E: Arithmetic>(arch: &Arch, limit: &ExactNumber, bits: u32) -> Answered<E> {
     let unlimited = arch.unlimited();
     let state = outcome::<E>(&Query::new(&unlimited, bits), false);
-    assessment(&unlimited, limit, bits, Wanted::Everything, |_| state.clone()).required_friction
+    assessment(&unlimited, limit, bits, Wanted::Everything, |_, _| state.clone()).required_friction
 }
 
 /// The widest half opening that stands at the limit.

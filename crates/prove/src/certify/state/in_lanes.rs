@@ -2,7 +2,7 @@
 //!
 //! What they leave open is proved as any arch is. The digits are the same either way.
 
-use super::assess::{Assessment, AssessmentDigits, standing, with_thrusts};
+use super::assess::{Assessment, AssessmentDigits, line_fits, standing, with_thrusts};
 use super::digits::{Answer, Digits};
 use super::enough::Enough;
 use super::query::{DOUBLE_DOUBLE, Query};
@@ -224,7 +224,13 @@ fn assessed(
     let is_limited = friction.is_some();
     let query = Query { weight, bits: DOUBLE_DOUBLE, given, is_limited };
     let roots = Proved { given: &query.given, roots };
-    with_thrusts((standing(eta, own), wants), &query, &roots, [false; 2], unlimited)
+    with_thrusts(
+        (standing(eta, own), wants),
+        &query,
+        &roots,
+        [false; 2],
+        line_fits(eta, &unlimited),
+    )
 }
 
 /// Roots that lanes have proved.

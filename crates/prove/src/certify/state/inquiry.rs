@@ -3,14 +3,13 @@
 use super::assess::{Assessment, AssessmentDigits, Wanted, assessment};
 use super::digits::{Answer, Digits};
 use super::enough::enough;
-use super::mode::outcome;
-use super::query::{GUARD, Query, bits_lost, bits_lost_unless_small};
+use super::kept::kept_outcome;
+use super::query::{GUARD, bits_lost, bits_lost_unless_small};
 use super::state::Outcome;
 use crate::number::{ExactNumber, bits_of};
 use crate::problem::Arch;
 use crate::prover::refused::MAX_DIGITS;
 use crate::prover::{Error, Refused, Undecided, raise};
-use std::collections::BTreeMap;
 
 /// Questions about an arch, which share its state: it is proved once at each precision.
 pub struct Inquiry<'a> {
@@ -19,8 +18,6 @@ pub struct Inquiry<'a> {
     frictions: bool,
     /// Bits enough for the question with the most digits, if the equations lose none.
     bits: u32,
-    /// States by their bits, with the friction of the arch or, where it has a limit, with unlimited friction.
-    states: BTreeMap<(u32, bool), Result<Outcome, Undecided>>,
 }
 
 impl<'a> Inquiry<'a> {
@@ -28,12 +25,12 @@ impl<'a> Inquiry<'a> {
     /// the mode changes.
     pub fn new(arch: &'a Arch, most_digits: usize, frictions: bool) -> Self {
         let bits = bits_of(most_digits.min(MAX_DIGITS)) + GUARD;
-        Self { arch, frictions, bits, states: BTreeMap::new() }
+        Self { arch, frictions, bits }
     }
 
     /// The state to `digits` digits. The frictions at which the mode changes are left out unless they are
     /// asked for here and in [`Inquiry::new`]. Digits beyond [`MAX_DIGITS`] are refused.
-    pub fn state(&mut self, digits: usize, frictions: bool) -> Result<Answer, Error> {
+    pub fn state(&self, digits: usize, frictions: bool) -> Result<Answer, Error> {
         Refused::digits(digits)?;
         let lost = bits_lost_unless_small(self.arch, self.bits);
         let answer = raise(self.bits + lost, |bits| {
@@ -56,7 +53,7 @@ impl<'a> Inquiry<'a> {
     /// Proves what holds for the arch with a given thickness, in `(0, 2]`, to `digits` digits; any other
     /// thickness, and digits beyond [`MAX_DIGITS`], are refused.
     pub fn assess(
-        &mut self,
+        &self,
         thickness: &ExactNumber,
         digits: usize,
         wanted: Wanted,
@@ -64,7 +61,7 @@ impl<'a> Inquiry<'a> {
         Refused::digits(digits)?;
         Refused::thickness(thickness)?;
         let first = self.bits + bits_lost(self.arch);
-        let mut at = |bits| self.assessment(thickness, bits, wanted).rounded(digits, bits);
+        let at = |bits| self.assessment(thickness, bits, wanted).rounded(digits, bits);
         let mut found: Option<AssessmentDigits> = None;
         // What stays open says so itself.
         let _ = raise(first, |bits| {
@@ -81,22 +78,19 @@ impl<'a> Inquiry<'a> {
 
     /// Proves what holds for the arch with a given thickness, in `(0, 2]`, in enclosures of `bits` bits.
     pub(super) fn assessment(
-        &mut self,
+        &self,
         thickness: &ExactNumber,
         bits: u32,
         wanted: Wanted,
     ) -> Assessment {
-        assessment(self.arch, thickness, bits, wanted, |is_own| self.outcome(bits, is_own))
+        assessment(self.arch, thickness, bits, wanted, |is_own, bits| self.outcome(bits, is_own))
     }
 
     /// The state of the arch with numbers of `bits` bits, with its own friction or with unlimited friction.
-    fn outcome(&mut self, bits: u32, is_own: bool) -> Result<Outcome, Undecided> {
-        let is_own = is_own || !self.arch.is_limited();
-        let (arch, frictions) = (self.arch, self.frictions);
-        let proved = || match is_own {
-            true => outcome(&Query::new(arch, bits), frictions),
-            false => outcome(&Query::new(&arch.unlimited(), bits), false),
-        };
-        self.states.entry((bits, is_own)).or_insert_with(proved).clone()
+    fn outcome(&self, bits: u32, is_own: bool) -> Result<Outcome, Undecided> {
+        match is_own {
+            true => kept_outcome(self.arch, bits, self.frictions),
+            false => kept_outcome(&self.arch.unlimited(), bits, false),
+        }
     }
 }

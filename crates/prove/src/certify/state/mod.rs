@@ -29,6 +29,7 @@
 //! | [`find`] | questions the other way round |
 //! | `raise` | raises the precision until everything is decided |
 //! | `inquiry` | several questions about one arch, which share its state |
+//! | `kept` | the states that were proved last |
 //! | `balls` | which balls are asked first |
 //! | `quick` | the same proofs in balls of double-doubles, where these are enough |
 //! | `in_lanes` | states and assessments that are proved many at a time |
@@ -42,6 +43,7 @@ pub mod find;
 mod in_lanes;
 mod inner;
 mod inquiry;
+mod kept;
 mod measured;
 mod mode;
 mod query;

@@ -8,6 +8,7 @@ use super::assess::{Assessment, AssessmentDigits, Wanted, assessment};
 use super::digits::{Answer, Digits};
 use super::enough::enough;
 use super::inquiry::Inquiry;
+use super::kept::kept_outcome;
 use super::mode::{outcome, pure_sliding, sliding_root, steepest_root};
 use super::query::{DOUBLE_DOUBLE, Query};
 use super::state::Outcome;
@@ -116,7 +117,7 @@ fn enclosed<T>(bits: u32, quick: impl FnOnce() -> Option<T>, proof: impl FnOnce(
 pub fn state_enclosed(arch: &Arch, bits: u32, frictions: bool) -> Result<Outcome, Undecided> {
     let to_ball = |x: DoubleDoubleBall| x.to_ball(bits);
     let quick = || Some(Ok(quick_outcome(arch, frictions).ok()?.map(to_ball)));
-    enclosed(bits, quick, || outcome(&Query::new(arch, bits), frictions))
+    enclosed(bits, quick, || kept_outcome(arch, bits, frictions))
 }
 
 /// The friction of the purely sliding state in an enclosure of `bits` bits.
@@ -148,7 +149,7 @@ pub fn decided<E: Arithmetic + Doubles>(
     arch: &Arch,
     thickness: &ExactNumber,
 ) -> Option<Assessment<E>> {
-    let state = |is_limited| match is_limited {
+    let state = |is_own, _| match is_own {
         true => quick_outcome(arch, false),
         false => quick_outcome(&arch.unlimited(), false),
     };
