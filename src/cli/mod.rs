@@ -85,13 +85,21 @@ pub fn run_from(arguments: Vec<OsString>) -> u8 {
     }
 }
 
-/// Signals that end the process end what is unfinished before.
+/// Signals that end the process, and panics, end what is unfinished before.
 fn remove_at_an_interrupt() {
     // Without a handler an interrupt leaves a hidden file behind; start all the same.
     let _ = ctrlc::set_handler(|| {
         unfinished::remove_all();
         std::process::exit(130);
     });
+    // Where a panic ends the process at once, nothing is dropped.
+    if cfg!(panic = "abort") {
+        let tell = std::panic::take_hook();
+        std::panic::set_hook(Box::new(move |panic| {
+            unfinished::remove_all();
+            tell(panic);
+        }));
+    }
 }
 
 /// The program with its commands in groups.
