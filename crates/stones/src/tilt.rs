@@ -31,7 +31,7 @@ use crate::prover::decide::is_positive;
 use crate::prover::{Figure, Refused, Undecided, raise};
 use crate::solve::tilt::{TiltCandidate, TiltNear, TiltSearch, contacts};
 use rug::Float;
-use std::cell::OnceCell;
+use std::cell::{LazyCell, OnceCell};
 
 /// The largest acceleration with an admissible state.
 #[derive(Clone, Debug)]
@@ -53,15 +53,36 @@ pub struct TiltDigits {
 }
 
 impl TiltDigits {
-    /// Proves an acceleration and the largest one, to some digits: `largest` finds what gives way there, `None` if
-    /// there is none, and `told` sees by the acceleration asked for alone whether that has a state. One nearer to the
-    /// largest than its digits tell takes more bits.
-    pub(super) fn found(
-        (first, digits): (u32, usize),
+    /// Proves an acceleration and the largest one, to some digits: `proved` finds with few bits what gives way there,
+    /// `None` if there is none, `refined` tells its mechanism to as many as are asked for, and `has_state` and
+    /// `has_none` see by the acceleration asked for alone whether that has a state. One nearer to the largest than its
+    /// digits tell takes more bits.
+    pub(super) fn found<P>(
+        digits: usize,
         tilt: &Slope,
-        largest: impl Fn(u32) -> Result<Option<TiltMechanism>, Undecided>,
-        told: impl Fn() -> Option<bool>,
+        proved: impl Fn(u32) -> Result<Option<P>, Undecided>,
+        refined: impl Fn(&P, u32) -> Result<TiltMechanism, Undecided>,
+        [has_state, has_none]: [&dyn Fn(&Ball) -> bool; 2],
     ) -> Self {
+        let first = bits_of(digits) + GUARD;
+        let found = OnceCell::new();
+        let largest = |bits| {
+            let [few, more] = BITS.map(|bits| {
+                let proved = &proved;
+                move || proved(bits)
+            });
+            match found.get_or_init(|| few().or_else(|_| more())) {
+                Ok(found) => found.as_ref().map(|found| refined(found, bits)).transpose(),
+                Err(open) => Err(Undecided::clone(open)),
+            }
+        };
+        let told = || {
+            let tilt = acceleration(tilt, BITS[0]);
+            match has_state(&tilt) {
+                true => Some(true),
+                false => has_none(&tilt).then_some(false),
+            }
+        };
         let compare = |found: &Option<TiltMechanism>, bits| match found {
             None => Some(true),
             Some(mechanism) => {
@@ -94,9 +115,9 @@ const UNBOUNDED: &str = "whether the acceleration is bounded";
 /// Question that stays open where the search finds no conditions that limit it.
 pub(super) const NOT_FOUND: &str = "which conditions limit the acceleration";
 /// Bits of the proof, and those with which it is tried once more.
-pub(super) const BITS: [u32; 2] = [256, 1024];
+const BITS: [u32; 2] = [256, 1024];
 /// Bits beyond those of the digits.
-pub(super) const GUARD: u32 = 64;
+const GUARD: u32 = 64;
 
 /// Proves what holds for an arch that stands at this thickness under an acceleration, to `digits` significant digits.
 pub fn tilted(
@@ -108,17 +129,11 @@ pub fn tilted(
     Refused::thickness(thickness)?;
     Refused::digits(digits)?;
     let proof = |bits| TiltProof::new(arch, thickness, bits);
-    let proved = OnceCell::new();
-    let largest = |bits| {
-        let [few, more] = BITS.map(|bits| move || proof(bits).largest());
-        match proved.get_or_init(|| few().or_else(|_| more())) {
-            Ok(Some(mechanism)) => proof(bits).refined(mechanism).map(Some),
-            Ok(None) => Ok(None),
-            Err(open) => Err(Undecided::clone(open)),
-        }
-    };
-    let told = || proof(BITS[0]).told(tilt);
-    Ok(TiltDigits::found((bits_of(digits) + GUARD, digits), tilt, largest, told))
+    let refined = |proved: &TiltMechanism, bits| proof(bits).refined(proved);
+    let few = LazyCell::new(|| proof(BITS[0]));
+    let told: [&dyn Fn(&Ball) -> bool; 2] =
+        [&|tilt| few.has_state(tilt), &|tilt| few.has_none(tilt)];
+    Ok(TiltDigits::found(digits, tilt, |bits| proof(bits).largest(), refined, told))
 }
 
 /// The acceleration over gravity that is asked for, in balls of some bits: given like a friction, by itself or by
@@ -147,15 +162,6 @@ impl TiltProof {
     fn search(&self) -> TiltSearch {
         let double = |x: &Ball| x.mid().to_f64();
         TiltSearch::new(double(&self.half_opening), self.joints.map(double), self.is_limited)
-    }
-
-    /// Tells whether there is an admissible state at an acceleration; `None` if that is not told.
-    fn told(&self, tilt: &Slope) -> Option<bool> {
-        let tilt = acceleration(tilt, self.bits);
-        match self.has_state(&tilt) {
-            true => Some(true),
-            false => self.has_none(&tilt).then_some(false),
-        }
     }
 
     /// Tells whether the state at an acceleration that is farthest from all conditions satisfies them.

@@ -82,7 +82,7 @@ impl TiltRoot<'_> {
 }
 
 /// The unknowns of `h, p, v, k` that conditions fix.
-fn kept(contacts: impl IntoIterator<Item = Contact>) -> &'static [usize] {
+pub(super) fn kept(contacts: impl IntoIterator<Item = Contact>) -> &'static [usize] {
     let is_pinned = contacts.into_iter().any(Contact::is_hinge);
     if is_pinned { &[0, 1, 2, 3] } else { &[0, 2, 3] }
 }

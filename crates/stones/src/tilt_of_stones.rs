@@ -14,20 +14,19 @@
 //! What it means is said in [`tilted`](super::tilted): with friction an admissible state does not exclude a motion.
 
 use super::jointed::limits_at_joint;
-use super::tilt::{BITS, GUARD, NOT_FOUND, TiltDigits, acceleration, contradict, determinant};
-use super::tilt_mechanism::{TiltMechanism, TiltedJoint};
+use super::tilt::{NOT_FOUND, TiltDigits, contradict, determinant};
+use super::tilt_mechanism::{TiltMechanism, TiltedJoint, kept};
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
 use crate::arch::tilt::TiltedRow;
 use crate::arch::whole::Side;
-use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, bits_of};
+use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Joints, Slope};
 use crate::prover::decide::is_positive;
 use crate::prover::{Refused, Undecided};
 use crate::solve::tilt::{StoneTilt, against, inside, largest};
 use rug::Float;
-use std::cell::OnceCell;
 
 /// More stones are refused: the programme has four conditions at each joint.
 pub const MOST_TILTED_STONES: u64 = 2_001;
@@ -56,32 +55,19 @@ pub fn tilted_stones(
     Refused::digits(digits)?;
     stones.check()?;
     Refused::stones(stones.number(), MOST_TILTED_STONES)?;
-    let all = |bits| conditions(arch, stones, thickness, &places(arch, stones), bits);
-    let told = || {
-        let (all, tilt) = (all(BITS[0]), acceleration(tilt, BITS[0]));
-        match has_state(&all, &tilt) {
-            true => Some(true),
-            false => has_none(&all, &tilt).then_some(false),
+    let at = |places: &[Place], bits| conditions(arch, stones, thickness, places, bits);
+    let all = |bits| at(&places(arch, stones), bits);
+    let refined = |(limits, mechanism): &(Vec<Place>, TiltMechanism), bits| {
+        let mut refined = mechanism.clone();
+        if refined.tilt().prec() < bits {
+            let limits = at(limits, bits);
+            refined.forces[3] = StoneSystem::new(&limits.iter().collect::<Vec<_>>())?.tilt();
         }
+        Ok(refined)
     };
-    let proved = OnceCell::new();
-    let largest = |bits| {
-        let [few, more] = BITS.map(|bits| move || largest_of(&all(bits), bits));
-        match proved.get_or_init(|| few().or_else(|_| more())) {
-            Ok(Some((limits, mechanism))) => {
-                let mut refined = mechanism.clone();
-                if refined.tilt().prec() < bits {
-                    let limits = conditions(arch, stones, thickness, limits, bits);
-                    refined.forces[3] =
-                        StoneSystem::new(&limits.iter().collect::<Vec<_>>())?.tilt();
-                }
-                Ok(Some(refined))
-            }
-            Ok(None) => Ok(None),
-            Err(open) => Err(Undecided::clone(open)),
-        }
-    };
-    Ok(TiltDigits::found((bits_of(digits) + GUARD, digits), tilt, largest, told))
+    let told: [&dyn Fn(&Ball) -> bool; 2] =
+        [&|tilt| has_state(&all(tilt.prec()), tilt), &|tilt| has_none(&all(tilt.prec()), tilt)];
+    Ok(TiltDigits::found(digits, tilt, |bits| largest_of(&all(bits), bits), refined, told))
 }
 
 /// Tells whether the state at an acceleration that is farthest from all conditions satisfies them.
@@ -170,8 +156,7 @@ struct StoneSystem<'a> {
 
 impl<'a> StoneSystem<'a> {
     fn new(of: &'a [&'a StoneLimit]) -> Result<Self, Undecided> {
-        let is_pinned = of.iter().any(|at| is_hinge(at));
-        let kept: &[usize] = if is_pinned { &[0, 1, 2, 3] } else { &[0, 2, 3] };
+        let kept = kept(of.iter().map(|at| at.place.2));
         if of.len() != kept.len() {
             return Err(Undecided::new(NOT_FOUND));
         }
@@ -205,11 +190,6 @@ impl<'a> StoneSystem<'a> {
     }
 }
 
-fn is_hinge(of: &StoneLimit) -> bool {
-    let (.., contact) = of.place;
-    contact.is_hinge()
-}
-
 /// The state at which some conditions are zero, if it is the best and satisfies all others.
 fn limited(
     all: &[StoneLimit],
@@ -234,7 +214,7 @@ fn limited(
     // too.
     let joint = |of: &StoneLimit| (of.place.0, of.place.1);
     let slips = |at: &StoneLimit| {
-        of.iter().filter(|other| joint(other) == joint(at) && !is_hinge(other)).count()
+        of.iter().filter(|other| joint(other) == joint(at) && !other.place.2.is_hinge()).count()
     };
     let idle = of.iter().find(|at| slips(at) == 2).map(|at| joint(at));
     if let (false, Some(idle)) = (is_pinned, idle) {

@@ -93,9 +93,12 @@ fn a_state_tells_of_an_acceleration_alone() {
     let named = format!("the largest tilt: {UNBOUNDED}");
     assert_eq!(found.largest.unwrap_err().reason, named);
     let proof = proof("pi/2", "0.4", "0.15", 100);
-    let told = |tilt: &str| proof.told(&tilt.parse().unwrap());
-    assert_eq!((told("0"), told("0.05")), (Some(true), Some(true)));
-    assert_eq!((told("0.053"), told("0.2")), (Some(false), Some(false)));
+    let told = |tilt: &str| {
+        let tilt = acceleration(&tilt.parse().unwrap(), 100);
+        [proof.has_state(&tilt), proof.has_none(&tilt)]
+    };
+    assert_eq!((told("0"), told("0.05")), ([true, false], [true, false]));
+    assert_eq!((told("0.053"), told("0.2")), ([false, true], [false, true]));
 }
 
 /// Where no proof of the largest succeeds, as its conditions are not told, the acceleration asked for is decided
