@@ -9,6 +9,8 @@ use crate::problem::Landmark;
 use crate::report::words::count;
 use crate::sweep::failure::Failure;
 use indicatif::{ProgressBar, ProgressStyle};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::thread;
 use std::time::{Duration, Instant};
 
 /// Digits in all from which the work takes about a second.
@@ -70,4 +72,22 @@ pub(super) fn tell(sizes: &[usize], times: f64) -> Result<(), Failure> {
         say(&format!("couplet: {digits} digits in all take about {seconds:.0} s"));
     }
     Ok(())
+}
+
+/// Does work, and says what takes long if it takes long.
+pub(super) fn told<T>(what: &str, work: impl FnOnce() -> T) -> T {
+    let (working, over) = channel::<()>();
+    thread::scope(|scope| {
+        let wait = move || {
+            let patience = Duration::from_secs_f64(WORTH_WORDS);
+            if over.recv_timeout(patience) == Err(RecvTimeoutError::Timeout) {
+                say(&format!("couplet: {what} takes more than {WORTH_WORDS} s"));
+            }
+        };
+        // Where no thread can start nothing is said.
+        let _ = thread::Builder::new().spawn_scoped(scope, wait);
+        let result = work();
+        drop(working);
+        result
+    })
 }
