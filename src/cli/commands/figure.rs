@@ -8,9 +8,7 @@ use crate::arch::SelfWeight;
 use crate::atlas::{Curve, Sketch};
 use crate::cli::line::typed;
 use crate::problem::{Landmark, Mode};
-use crate::report::{
-    Axes, Content, Drawing, Format, Map, Sketched, Style, View, arches_of_figure,
-};
+use crate::report::{Axes, Content, Drawing, Format, Map, Sketched, Style, View, arches_of_figure};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
 use clap::Args;
