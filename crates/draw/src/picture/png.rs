@@ -2,8 +2,8 @@
 
 use super::print::Print;
 use super::tree::tree;
-use resvg::tiny_skia::{IntRect, Mask, MaskType, Pixmap, PixmapPaint, Transform};
-use resvg::usvg::{Group, Node};
+use resvg::tiny_skia::{self, IntRect, Mask, MaskType, Pixmap, PixmapPaint, Transform};
+use resvg::usvg::{Group, Node, Paint};
 use std::io;
 
 /// Pixels of the web in an inch: what the reader of SVG counts in.
@@ -33,12 +33,28 @@ fn draw(group: &Group, transform: Transform, pixels: &mut Pixmap) {
                 Some(clip) => clipped([group, clip.root()], transform, pixels),
                 None => draw(group, transform, pixels),
             },
-            _ => {
-                // The renderer moves what it draws to the corner.
-                let Some(corner) = node.abs_layer_bounding_box() else { continue };
-                let back = transform.pre_translate(corner.x(), corner.y());
-                resvg::render_node(node, back, &mut pixels.as_mut());
-            }
+            _ => match (node.abs_layer_bounding_box(), node) {
+                // The renderer moves what it draws to the corner, and knows none of what is level or upright.
+                (Some(corner), _) => {
+                    let back = transform.pre_translate(corner.x(), corner.y());
+                    resvg::render_node(node, back, &mut pixels.as_mut());
+                }
+                (None, Node::Path(line)) => {
+                    let Some(stroke) = line.stroke() else { continue };
+                    let mut paint = tiny_skia::Paint::default();
+                    if let Paint::Color(color) = stroke.paint() {
+                        paint.set_color_rgba8(color.red, color.green, color.blue, u8::MAX);
+                    }
+                    pixels.stroke_path(
+                        line.data(),
+                        &paint,
+                        &stroke.to_tiny_skia(),
+                        transform,
+                        None,
+                    );
+                }
+                _ => {}
+            },
         }
     }
 }
@@ -79,6 +95,10 @@ mod tests {
                 svg.stroke(&Path::through([(0.0, 0.0), (70.0, 60.0)]), Stroke::new(ink, 3.0));
             });
         });
+        for end in [(2.0, 48.0), (58.0, 3.0)] {
+            let line = Path::through([(2.0, 3.0), end]);
+            svg.stroke(&line, Stroke { dashes: &[5.0, 3.0], ..Stroke::new(ink, 1.5) });
+        }
         svg.moved(to, &[], 1.0, |svg| svg.fill(&Path::rectangle((2.0, 30.0), (9.0, 40.0)), ink));
         svg.text("up", (52.0, 40.0), Type::new(14.0, ink).turned(-90.0).on(ground));
         let svg = svg.finish();
