@@ -75,19 +75,15 @@ pub(super) fn tell(sizes: &[usize], times: f64) -> Result<(), Failure> {
 }
 
 /// Does work, and says what takes long if it takes long.
-pub(super) fn told<T>(what: &str, work: impl FnOnce() -> T) -> T {
-    let (working, over) = channel::<()>();
-    thread::scope(|scope| {
-        let wait = move || {
-            let patience = Duration::from_secs_f64(WORTH_WORDS);
-            if over.recv_timeout(patience) == Err(RecvTimeoutError::Timeout) {
-                say(&format!("couplet: {what} takes more than {WORTH_WORDS} s"));
-            }
-        };
-        // Where no thread can start nothing is said.
-        let _ = thread::Builder::new().spawn_scoped(scope, wait);
-        let result = work();
-        drop(working);
-        result
-    })
+pub(super) fn told<T>(what: &'static str, work: impl FnOnce() -> T) -> T {
+    let (_working, over) = channel::<()>();
+    let wait = move || {
+        let patience = Duration::from_secs_f64(WORTH_WORDS);
+        if over.recv_timeout(patience) == Err(RecvTimeoutError::Timeout) {
+            say(&format!("couplet: {what} takes more than {WORTH_WORDS} s"));
+        }
+    };
+    // Where no thread can start nothing is said.
+    let _ = thread::Builder::new().spawn(wait);
+    work()
 }
