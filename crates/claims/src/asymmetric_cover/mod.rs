@@ -66,11 +66,6 @@ impl Span {
         self.high - self.low
     }
 
-    /// The least number.
-    fn least(self) -> DoubleBall {
-        DoubleBall::exact(self.low)
-    }
-
     /// The ball that is the interval: its ends have few bits, so that nothing is rounded.
     fn ball(self) -> DoubleBall {
         DoubleBall::new(self.middle(), self.width() / 2.0)

@@ -220,7 +220,7 @@ impl State {
             slopes.along([thrust.int(0), thrust.int(1)]);
         let falls = misfits * by_opening - opens * by_fitting;
         let [[by_thrust, _], _] = slopes.along(self.with_thrust());
-        let least = Angle::new(Span::of_parts(RECTANGLE.inclinations).least());
+        let least = Angle::new(DoubleBall::exact(Span::of_parts(RECTANGLE.inclinations).low));
         let room = cycloid::thrust(&least) - thrust * self.fits / (self.fits - vertical);
         let degrees = |n: i32| thrust.pi() * thrust.int(n) / thrust.int(180);
         let [low, high] = directions.half_openings.map(degrees);
