@@ -253,7 +253,7 @@ impl Output {
         self.printed((report, format, &Print::default()), open)
     }
 
-    /// Writes a report, a picture as it is printed, with a word where that takes long; what stays open in it is a failure.
+    /// Writes a report, a picture as it is printed and told of where that takes long; what stays open is a failure.
     pub(super) fn printed<T: Display>(
         self,
         (report, format, print): (&dyn Reported, &Format, &Print),

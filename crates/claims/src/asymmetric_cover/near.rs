@@ -263,7 +263,7 @@ pub(in super::super) fn known(directions: Directions) -> Result<[usize; 2], Unde
     known_and(directions, |_, _| true)
 }
 
-/// The same, and something else where a state may be.
+/// Proves what [`known`] does, and something else where a state may be.
 fn known_and(
     directions: Directions,
     holds: impl Fn(&State, Place) -> bool,
