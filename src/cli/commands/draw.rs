@@ -208,7 +208,7 @@ fn write(
     }
     let file = file.open_for(format)?;
     notes::frictions(&given.friction);
-    file.write(|out| drawn.printed((format, print), out))
+    file.printed((&drawn, format, print), [""; 0])
 }
 
 impl Arguments {

@@ -8,9 +8,7 @@ use crate::arch::SelfWeight;
 use crate::atlas::{Curve, Sketch};
 use crate::cli::line::typed;
 use crate::problem::{Landmark, Mode};
-use crate::report::{
-    Axes, Content, Drawing, Format, Map, Reported, Sketched, Style, View, arches_of_figure,
-};
+use crate::report::{Axes, Content, Drawing, Format, Map, Sketched, Style, View, arches_of_figure};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
 use clap::Args;
@@ -90,7 +88,7 @@ fn draw(
     let between = Vec::new();
     let report = Sketched { sketches, style, measures: None, between, command: typed() };
     let print = arguments.print.print();
-    arguments.file.open_for(format)?.write(|out| report.printed((format, &print), out))
+    arguments.file.open_for(format)?.printed((&report, format, &print), [""; 0])
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {

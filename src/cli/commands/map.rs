@@ -317,7 +317,7 @@ fn write(
     (report, format, print): (&dyn Reported, &Format, &Print),
     content: Content,
 ) -> Result<(), Failure> {
-    file.write(|out| report.printed((format, print), out))?;
+    file.printed((report, format, print), [""; 0])?;
     match Format::named(content, "table").filter(|_| output.is_file()) {
         Some(table) => Output::Standard.write(|out| report.write(table, out)),
         None => Ok(()),

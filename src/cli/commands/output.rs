@@ -1,6 +1,7 @@
 //! Destination of a report: standard output, or a file that appears whole or not at all.
 
 use super::notes::each_once;
+use super::progress;
 use crate::certify::Refused;
 use crate::picture::Print;
 use crate::problem::Quantity;
@@ -252,13 +253,14 @@ impl Output {
         self.printed((report, format, &Print::default()), open)
     }
 
-    /// Writes a report, a picture as it is printed; what stays open in it is a failure.
+    /// Writes a report, a picture as it is printed and told of where that takes long; what stays open is a failure.
     pub(super) fn printed<T: Display>(
         self,
         (report, format, print): (&dyn Reported, &Format, &Print),
         open: impl IntoIterator<Item = T>,
     ) -> Result<(), Failure> {
-        self.write(|out| report.printed((format, print), out))?;
+        let write = || self.write(|out| report.printed((format, print), out));
+        if format.is_picture { progress::told("this picture", write) } else { write() }?;
         Failure::of_open(open)
     }
 

@@ -9,6 +9,9 @@ use crate::problem::Landmark;
 use crate::report::words::count;
 use crate::sweep::failure::Failure;
 use indicatif::{ProgressBar, ProgressStyle};
+use std::io::{self, IsTerminal};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::thread;
 use std::time::{Duration, Instant};
 
 /// Digits in all from which the work takes about a second.
@@ -70,4 +73,19 @@ pub(super) fn tell(sizes: &[usize], times: f64) -> Result<(), Failure> {
         say(&format!("couplet: {digits} digits in all take about {seconds:.0} s"));
     }
     Ok(())
+}
+
+/// Does work, and says on a terminal that it takes long if it does.
+pub(super) fn told<T>(what: &'static str, work: impl FnOnce() -> T) -> T {
+    let (_working, over) = channel::<()>();
+    let wait = move || {
+        let patience = Duration::from_secs_f64(WORTH_WORDS);
+        let takes_long = over.recv_timeout(patience) == Err(RecvTimeoutError::Timeout);
+        if takes_long && io::stderr().is_terminal() {
+            say(&format!("couplet: {what} takes more than {WORTH_WORDS} s"));
+        }
+    };
+    // Where no thread can start nothing is said.
+    let _ = thread::Builder::new().spawn(wait);
+    work()
 }

@@ -21,7 +21,6 @@ pub(super) use near::{Directions, known};
 pub(super) use wide::elsewhere;
 
 use crate::arch::cycloid;
-use crate::arch::whole::Forces;
 use crate::number::{Angle, DoubleBall, Field, Real};
 
 /// Range of inclinations `chi` and of vertical forces in which the states are, each a number of 64ths.
@@ -67,11 +66,6 @@ impl Span {
         self.high - self.low
     }
 
-    /// The least number.
-    fn least(self) -> DoubleBall {
-        DoubleBall::exact(self.low)
-    }
-
     /// The ball that is the interval: its ends have few bits, so that nothing is rounded.
     fn ball(self) -> DoubleBall {
         DoubleBall::new(self.middle(), self.width() / 2.0)
@@ -86,23 +80,11 @@ struct Place {
 }
 
 impl Place {
-    fn forces(self, moment: DoubleBall) -> Forces<DoubleBall> {
-        let thrust = cycloid::thrust(&Angle::new(self.inclination.ball()));
-        Forces { thrust, moment, vertical: self.vertical.ball() }
-    }
-
     /// `h` times the sine less the weight times the cosine of the inclination with which (17) and (18) hold at `alpha -
     /// v`: negative where an inner joint slides before the shoulder does.
     fn room_inside(self, half_opening: &DoubleBall) -> DoubleBall {
         let inclination = Angle::new(self.inclination.ball());
         inner_room(&inclination, &self.vertical.ball(), half_opening)
-    }
-
-    /// Friction at which an inner joint slides.
-    fn friction(self) -> DoubleBall {
-        let inclination = Angle::new(self.inclination.ball());
-        let phi = Angle::new(self.vertical.ball() + cycloid::friction_angle(&inclination));
-        phi.sin / phi.cos
     }
 }
 

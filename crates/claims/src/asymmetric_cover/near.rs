@@ -1,15 +1,16 @@
 //! The rectangle of forces in which asymmetric states are: how the three bounds of the half opening change.
 
-use super::{Place, RECTANGLE, Span, inner_room, nothing};
+use super::{Place, RECTANGLE, Span, inner_room};
 use crate::arch::asymmetric::Asymmetric;
 use crate::arch::joint::Grip;
-use crate::arch::whole::{Forces, carried};
-use crate::arch::{Ring, SelfWeight, cycloid, statics};
+use crate::arch::whole::Forces;
+use crate::arch::{Ring, SelfWeight, cycloid};
 use crate::certify::Undecided;
-use crate::number::{Angle, DoubleBall, Enclosure, Field, Gradient, Real, Stumpff};
-use crate::problem::asymmetric_region::some_may_move;
-use crate::prover::in_doubles::root_near;
-use crate::prover::root::Form;
+use crate::check::krawczyk;
+use crate::number::{Angle, DoubleBall, Enclosure, Field, Gradient, Real};
+use crate::prover::decide::is_positive;
+use crate::solve::invert;
+use std::array;
 
 /// Signs that are proved of the states with a weight.
 #[derive(Clone, Copy, Debug)]
@@ -20,8 +21,6 @@ pub(in super::super) struct Directions {
     pub opening_grows: bool,
     /// Degrees between which the half openings are.
     pub half_openings: [i32; 2],
-    /// Tells whether the table of the program holds the arches too: this takes most of the boxes.
-    pub are_in_table: bool,
 }
 
 impl Directions {
@@ -29,18 +28,8 @@ impl Directions {
     pub(in super::super) const ALL: [Self; 2] = {
         use SelfWeight::{Heyman, Milankovitch};
         [
-            Self {
-                weight: Milankovitch,
-                opening_grows: false,
-                half_openings: [125, 141],
-                are_in_table: false,
-            },
-            Self {
-                weight: Heyman,
-                opening_grows: true,
-                half_openings: [124, 144],
-                are_in_table: false,
-            },
+            Self { weight: Milankovitch, opening_grows: false, half_openings: [125, 141] },
+            Self { weight: Heyman, opening_grows: true, half_openings: [124, 144] },
         ]
     };
 }
@@ -50,57 +39,72 @@ const DEPTH: usize = 30;
 
 /// The unknowns next to a state of an inner joint that slides: `p, eta, b0 + 1, b1, alpha_U, alpha_Q, alpha_I`.
 const START: [f64; 7] = [0.2309, 0.5831, 1.0613, 1.0567, 2.35, 2.2, 2.3];
-/// Room about the table, for its roundings.
-const ROOM: f64 = 1e-9;
+/// Steps of Newton's method to the middle of a box from that of the box that it is half of.
+const STEPS: usize = 4;
+/// Ratio of the width of a box of unknowns to what the first order leaves of it.
+const INFLATION: f64 = 2.0;
 
 /// The two hinges touch, and the half openings at which the shoulder opens, the mechanism fits and an inner joint
-/// slides. `b0` has one added: it is zero where `v` is.
-struct Touching {
-    weight: SelfWeight,
-    inclination: DoubleBall,
-    vertical: DoubleBall,
+/// slides. `b0` has one added: it is zero where `v` is. The last two of the variables are the inclination and `v`.
+fn touching<T: Real>(weight: SelfWeight, of: &[T; 9]) -> [T; 7] {
+    let [moment, thickness, crown, haunch, opens, fits, slides, inclination, vertical] = of;
+    let angle = |x: &T| Angle::new(x.clone());
+    let inclination = angle(inclination);
+    let ring = Ring::new(weight, thickness);
+    let at = Asymmetric {
+        half_opening: angle(opens),
+        grip: without_friction(moment),
+        thickness: thickness.clone(),
+        forces: Forces {
+            thrust: cycloid::thrust(&inclination),
+            moment: moment.clone(),
+            vertical: vertical.clone(),
+        },
+        crown_hinge: Angle::new(crown.clone() - crown.int(1)),
+        haunch: angle(haunch),
+        sliding_joint: Angle::zero(moment),
+    };
+    let fitting = Asymmetric { half_opening: angle(fits), ..at.clone() };
+    let ([above, crown], [below, haunch]) = (at.crown(&ring), at.haunch(&ring));
+    let inner = inner_room(&inclination, vertical, slides);
+    [above, crown, below, haunch, at.shoulder_opens(&ring), fitting.misfit(&ring), inner]
 }
 
-impl Form<DoubleBall> for Touching {
-    fn at<T: Real + Stumpff>(&self, number: impl Fn(&DoubleBall) -> T, x: &[T]) -> Vec<T> {
-        let [moment, thickness, crown, haunch, opens, fits, slides] = x else { return Vec::new() };
-        let angle = |x: &T| Angle::new(x.clone());
-        let inclination = angle(&number(&self.inclination));
-        let vertical = number(&self.vertical);
-        let ring = Ring::new(self.weight, thickness);
-        let at = Asymmetric {
-            half_opening: angle(opens),
-            grip: without_friction(moment),
-            thickness: thickness.clone(),
-            forces: Forces {
-                thrust: cycloid::thrust(&inclination),
-                moment: moment.clone(),
-                vertical: vertical.clone(),
-            },
-            crown_hinge: Angle::new(crown.clone() - crown.int(1)),
-            haunch: angle(haunch),
-            sliding_joint: Angle::zero(moment),
-        };
-        let last = [at.shoulder_opens(&ring)];
-        let fitting = Asymmetric { half_opening: angle(fits), ..at.clone() };
-        let touching = at.crown(&ring).into_iter().chain(at.haunch(&ring)).chain(last);
-        let inner = inner_room(&inclination, &vertical, slides);
-        touching.chain([fitting.misfit(&ring), inner]).collect()
+/// For all forces of a box exactly one root in another box, next to a start value: `K` of [`krawczyk`] with slopes by
+/// the forces too, `F(m, p) = F(m, p_0) + F_p (p - p_0)`, so that the rows of `Y` meet all that a force does at once.
+/// A row has as many entries as there are variables; those beyond the equations multiply nothing.
+fn root_in(weight: SelfWeight, place: Place, start: &[f64; 7]) -> Option<[DoubleBall; 7]> {
+    let forces = [place.inclination, place.vertical];
+    let mut centre: [f64; 9] =
+        array::from_fn(|k| if k < 7 { start[k] } else { forces[k - 7].middle() });
+    let mut inverse = [[0.0; 7]; 7];
+    for _ in 0..STEPS {
+        let residuals = touching(weight, &Gradient::<f64, 9>::variables(&centre));
+        inverse = invert(residuals.map(|r| array::from_fn(|k| r.slopes[k])))?;
+        for (x, row) in centre.iter_mut().zip(&inverse) {
+            *x -= row.iter().zip(&residuals).map(|(y, r)| y * r.value).sum::<f64>();
+        }
     }
-
-    /// Nothing is divided by but integers.
-    fn is_regular<T: Enclosure + Stumpff>(&self, _: impl Fn(&DoubleBall) -> T, _: &[T]) -> bool {
-        true
-    }
+    let centre = centre.map(DoubleBall::exact);
+    let residuals = touching(weight, &centre);
+    let exact = |row: &[f64; 7], k: usize| DoubleBall::exact(row.get(k).copied().unwrap_or(0.0));
+    let inverse = inverse.map(|row| -> [_; 9] { array::from_fn(|k| exact(&row, k)) });
+    let image = |domain: &[DoubleBall; 9]| {
+        let slopes = touching(weight, &Gradient::variables(domain));
+        krawczyk::image(&centre, &residuals, &slopes, &inverse, domain)
+    };
+    let about = |radius: &dyn Fn(usize) -> f64| -> [DoubleBall; 9] {
+        array::from_fn(|k| if k < 7 { centre[k].widened(radius(k)) } else { forces[k - 7].ball() })
+    };
+    let first = image(&about(&|_| 0.0));
+    let domain = about(&|k| INFLATION * (first[k] - centre[k]).size());
+    let root = image(&domain);
+    krawczyk::is_contracted(&root, &domain[..7]).then(|| root.try_into().ok())?
 }
 
 /// A friction where none is looked at.
 fn without_friction<T: Field>(like: &T) -> Grip<T> {
     Grip { shear: like.int(0), normal: like.int(1) }
-}
-
-fn is_positive(x: &DoubleBall) -> bool {
-    x.is_positive().is_proved()
 }
 
 fn is_less(a: &DoubleBall, b: &DoubleBall) -> bool {
@@ -123,28 +127,18 @@ struct State {
 }
 
 impl State {
-    fn new(weight: SelfWeight, place: Place, start: &[f64; 7]) -> Result<Self, Undecided> {
-        let equations = Touching {
+    fn new(weight: SelfWeight, place: Place, start: &[f64; 7]) -> Option<Self> {
+        let root = root_in(weight, place, start)?;
+        let [_, thickness, crown, haunch, opens, fits, slides] = root;
+        Some(Self {
             weight,
-            inclination: place.inclination.ball(),
-            vertical: place.vertical.ball(),
-        };
-        let root = root_near(&equations, start)?;
-        let [_, thickness, crown, haunch, opens, fits, slides] = root[..] else {
-            return Err(Undecided::new("the number of unknowns"));
-        };
-        let Forces { thrust, vertical, .. } = place.forces(nothing());
-        let mut centre = *start;
-        centre.iter_mut().zip(&root).for_each(|(x, value)| *x = value.mid());
-        Ok(Self {
-            weight,
-            forces: [thrust, vertical],
+            forces: [cycloid::thrust(&Angle::new(place.inclination.ball())), place.vertical.ball()],
             thickness,
             hinges: [crown - crown.int(1), haunch],
             opens,
             fits,
             slides,
-            centre,
+            centre: root.map(|x| x.mid()),
         })
     }
 
@@ -226,45 +220,13 @@ impl State {
             slopes.along([thrust.int(0), thrust.int(1)]);
         let falls = misfits * by_opening - opens * by_fitting;
         let [[by_thrust, _], _] = slopes.along(self.with_thrust());
-        let least = Angle::new(Span::of_parts(RECTANGLE.inclinations).least());
+        let least = Angle::new(DoubleBall::exact(Span::of_parts(RECTANGLE.inclinations).low));
         let room = cycloid::thrust(&least) - thrust * self.fits / (self.fits - vertical);
         let degrees = |n: i32| thrust.pi() * thrust.int(n) / thrust.int(180);
         let [low, high] = directions.half_openings.map(degrees);
         let is_wide = is_less(&low, &self.fits) || is_positive(&-place.room_inside(&low));
         let signs = [opening, -by_thrust, -(opens + by_opening), falls, room];
-        let is_told = is_wide
-            && is_less(&self.opens, &high)
-            && signs.iter().all(is_positive)
-            && (!directions.are_in_table || self.is_in_table(place));
-        is_told.then_some(false)
-    }
-
-    /// Tells whether the arches in which the forces of the box may be those of a state are held by the table of the
-    /// program: those of the larger bound from below, and those of the bound from above.
-    fn is_in_table(&self, place: Place) -> bool {
-        let [slides, fits, opens] =
-            [self.slides, self.fits, self.opens].map(|bound| [bound.lower(), bound.upper()]);
-        let larger = [slides[0].max(fits[0]), slides[1].max(fits[1])];
-        let larger = match is_less(&self.fits, &self.slides) {
-            // Where an inner joint slides, phi = v + chi - sin(chi) cos(chi).
-            true => (slides, place.friction()),
-            false => (larger, self.friction(larger)),
-        };
-        [larger, (opens, self.friction(opens))].into_iter().all(|([low, high], friction)| {
-            // Both bounds of the table grow with the half opening.
-            let holds = |alpha: f64, mu: f64| some_may_move(self.weight, [alpha; 2], [mu; 2]);
-            holds(high + ROOM, friction.lower() - ROOM)
-                && holds(low - ROOM, friction.upper() + ROOM)
-        })
-    }
-
-    /// Friction at which the springing slides, at half openings between two.
-    fn friction(&self, [low, high]: [f64; 2]) -> DoubleBall {
-        let [thrust, vertical] = self.forces;
-        let middle = (low + high) / 2.0;
-        let half_opening = DoubleBall::exact(middle).widened((high - middle).max(middle - low));
-        let joint = carried(&Angle::new(half_opening), &vertical);
-        -statics::shear_force(&joint, &thrust) / statics::normal_force(&joint, &thrust)
+        (is_wide && is_less(&self.opens, &high) && signs.iter().all(is_positive)).then_some(false)
     }
 }
 
@@ -298,6 +260,14 @@ impl Sloped {
 /// Proves, box by box, that in the whole rectangle the hinges touch at one thickness, and that where a state may
 /// be the signs are as said. Returns the number of boxes, and of those in which a state may be.
 pub(in super::super) fn known(directions: Directions) -> Result<[usize; 2], Undecided> {
+    known_and(directions, |_, _| true)
+}
+
+/// Proves what [`known`] does, and something else where a state may be.
+fn known_and(
+    directions: Directions,
+    holds: impl Fn(&State, Place) -> bool,
+) -> Result<[usize; 2], Undecided> {
     let weight = directions.weight;
     let whole = Place {
         inclination: Span::of_parts(RECTANGLE.inclinations),
@@ -306,10 +276,13 @@ pub(in super::super) fn known(directions: Directions) -> Result<[usize; 2], Unde
     let mut counts = [0, 0];
     let mut open = vec![(whole, START, 0)];
     while let Some((place, start, depth)) = open.pop() {
-        let state = State::new(weight, place, &start).ok();
+        let state = State::new(weight, place, &start);
         let state = state.filter(|state| state.is_in_order(place));
         let fitting = state.as_ref().filter(|state| state.fits_before(place));
-        if let Some(is_none) = fitting.and_then(|state| state.goes(directions, place)) {
+        let told = fitting.and_then(|state| {
+            state.goes(directions, place).filter(|is_none| *is_none || holds(state, place))
+        });
+        if let Some(is_none) = told {
             counts[0] += 1;
             counts[1] += usize::from(!is_none);
             continue;
@@ -332,12 +305,55 @@ pub(in super::super) fn known(directions: Directions) -> Result<[usize; 2], Unde
 mod tests {
     use super::*;
 
+    use crate::arch::{statics, whole::carried};
+    use crate::problem::asymmetric_region::some_may_move;
+
+    /// Room about the table, for its roundings.
+    const ROOM: f64 = 1e-9;
+
+    /// Friction at which an inner joint slides.
+    fn friction_inside(place: Place) -> DoubleBall {
+        let inclination = Angle::new(place.inclination.ball());
+        let phi = Angle::new(place.vertical.ball() + cycloid::friction_angle(&inclination));
+        phi.sin / phi.cos
+    }
+
+    impl State {
+        /// Tells whether the arches in which the forces of the box may be those of a state are held by the table of the
+        /// program: those of the larger bound from below, and those of the bound from above.
+        fn is_in_table(&self, place: Place) -> bool {
+            let [slides, fits, opens] =
+                [self.slides, self.fits, self.opens].map(|bound| [bound.lower(), bound.upper()]);
+            let larger = [slides[0].max(fits[0]), slides[1].max(fits[1])];
+            let larger = match is_less(&self.fits, &self.slides) {
+                // Where an inner joint slides, phi = v + chi - sin(chi) cos(chi).
+                true => (slides, friction_inside(place)),
+                false => (larger, self.friction(larger)),
+            };
+            [larger, (opens, self.friction(opens))].into_iter().all(|([low, high], friction)| {
+                // Both bounds of the table grow with the half opening.
+                let holds = |alpha: f64, mu: f64| some_may_move(self.weight, [alpha; 2], [mu; 2]);
+                holds(high + ROOM, friction.lower() - ROOM)
+                    && holds(low - ROOM, friction.upper() + ROOM)
+            })
+        }
+
+        /// Friction at which the springing slides, at half openings between two.
+        fn friction(&self, [low, high]: [f64; 2]) -> DoubleBall {
+            let [thrust, vertical] = self.forces;
+            let middle = (low + high) / 2.0;
+            let half_opening = DoubleBall::exact(middle).widened((high - middle).max(middle - low));
+            let joint = carried(&Angle::new(half_opening), &vertical);
+            -statics::shear_force(&joint, &thrust) / statics::normal_force(&joint, &thrust)
+        }
+    }
+
     /// Proof that no asymmetric solution is outside the table.
     #[test]
     #[ignore = "a minute long"]
     fn the_table_of_the_program_holds_all() {
         for directions in Directions::ALL {
-            let counts = known(Directions { are_in_table: true, ..directions });
+            let counts = known_and(directions, |state, place| state.is_in_table(place));
             println!("{}: {counts:?}", directions.weight);
             counts.unwrap();
         }

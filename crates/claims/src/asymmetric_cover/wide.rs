@@ -203,10 +203,9 @@ impl Cell {
         let crown = |joint: &Angle<DoubleBall>| bodies.slope(Contact::Extrados, joint);
         let range = |starts: &dyn Fn(&Angle<DoubleBall>) -> bool,
                      ends: &dyn Fn(&Angle<DoubleBall>) -> bool| {
-            let ordered = joints.above.iter();
-            let low = ordered.clone().skip(1).rfind(|joint| starts(joint));
-            let high = ordered.skip(1).find(|joint| ends(joint));
-            let low = low.or(joints.above.first())?;
+            let inner = &joints.above[1..];
+            let low = &joints.above[inner.partition_point(starts)];
+            let high = inner.iter().nth(inner.partition_point(|joint| !ends(joint)));
             let high = high.or(joints.above.last())?;
             Some(Angle::new(between([&low.rad, &high.rad])))
         };
