@@ -4,7 +4,7 @@ use super::read::{ReadCells, ReadPart, ReadTable};
 use super::store::PartState;
 use super::strategies::Draw;
 use super::sweep::Sweep;
-use super::table::PartTable;
+use super::table::{answered, asked, is_same};
 use crate::certify::batch::{BatchArches, RowVerdict};
 use crate::certify::certify_arch;
 use crate::check::{Accepted, verify as check};
@@ -98,12 +98,12 @@ fn look(
     for (place, rows) in groups.into_iter().enumerate() {
         let table = file.group(place).map_err(|error| error.to_string())?;
         let queries = sweep.queries(&rows)?;
-        let asked = PartTable::asked(&queries);
+        let asked = asked(&queries);
         for (name, column) in &asked.columns {
             let there = table.column(name);
-            let is_same =
-                |cells: &ReadCells| (0..asked.rows).all(|row| column.is_same(row, cells, row));
-            if asked.rows as u64 != rows.end - rows.start || !there.is_some_and(is_same) {
+            let are_same =
+                |cells: &ReadCells| (0..asked.rows).all(|row| is_same((column, row), (cells, row)));
+            if asked.rows as u64 != rows.end - rows.start || !there.is_some_and(are_same) {
                 return Err(format!("its column {name} is not what the plan asks"));
             }
         }
@@ -144,10 +144,10 @@ fn row(
 ) -> Result<bool, String> {
     let Ok(arch) = asked else { return Ok(false) };
     let found = [Arc::new(sweep.batch.alone(Ok(Cow::Borrowed(&arch)), None))];
-    let again = PartTable::answered(&sweep.batch, &found);
+    let again = answered(&sweep.batch, &found);
     for (name, column) in &again.columns {
         let there = table.column(name);
-        if !there.is_some_and(|there| column.is_same(0, there, place)) {
+        if !there.is_some_and(|there| is_same((column, 0), (there, place))) {
             return Err(format!("its {name} is not what is proved"));
         }
     }
