@@ -136,9 +136,9 @@ impl Sweep {
         let mut writer = ParquetFile::default();
         for group in self.record.groups(&rows) {
             let queries = self.queries(&group)?;
-            let found = file.kept_during(|| self.batch.rows(&queries, Threads::One));
-            found.iter().for_each(|row| counts[row.verdict as usize] += 1);
-            let table = table::all(&self.batch, &queries, &found);
+            let found = file.kept_during(|| self.batch.columns(&queries, Threads::One));
+            found.verdicts.iter().for_each(|verdict| counts[*verdict as usize] += 1);
+            let table = table::all(&self.batch.quantities, &queries, &found);
             let bytes = writer.group(&table);
             bytes.and_then(|bytes| file.write_all(&bytes)).map_err(unwritten)?;
         }

@@ -3,11 +3,10 @@
 use super::query::{Listed, PartArches, PartGrid, PartQueries};
 use super::read::ReadCells;
 use crate::arch::SelfWeight;
-use crate::certify::batch::{Batch, BatchRow, RowVerdict};
-use crate::problem::Mode;
+use crate::certify::batch::{BatchColumns, RowVerdict};
+use crate::problem::{Mode, Quantity};
 use crate::report::{ParquetColumn, ParquetTable};
 use ::parquet::data_type::ByteArray;
-use std::sync::Arc;
 
 /// The columns that are asked: row, file and line of a data set, texts and doubles.
 pub(super) fn asked<'a>(queries: &'a PartQueries<'a>) -> ParquetTable<'a> {
@@ -62,42 +61,40 @@ pub(super) fn asked<'a>(queries: &'a PartQueries<'a>) -> ParquetTable<'a> {
 
 /// All columns.
 pub(super) fn all<'a>(
-    batch: &Batch,
+    quantities: &[Quantity],
     queries: &'a PartQueries<'a>,
-    found: &'a [Arc<BatchRow>],
+    found: &'a BatchColumns,
 ) -> ParquetTable<'a> {
     let mut table = asked(queries);
-    table.columns.extend(answered(batch, found).columns);
+    table.columns.extend(answered(quantities, found).columns);
     table
 }
 
 /// The columns that are answered.
-pub(super) fn answered<'a>(batch: &Batch, found: &'a [Arc<BatchRow>]) -> ParquetTable<'a> {
+pub(super) fn answered<'a>(quantities: &[Quantity], found: &'a BatchColumns) -> ParquetTable<'a> {
     // The texts of names are shared.
     let verdicts = RowVerdict::ALL.map(|verdict| ByteArray::from(verdict.name()));
-    let modes = Mode::ALL.map(|mode| (mode, ByteArray::from(mode.label())));
-    let mode = move |row: usize| {
-        let mode = found[row].mode?;
-        Some(modes.iter().find(|(of, _)| *of == mode)?.1.clone())
-    };
-    let verdict = move |row: usize| Some(verdicts[found[row].verdict as usize].clone());
+    let modes = Mode::ALL.map(|mode| ByteArray::from(mode.label()));
+    let verdict = move |row: usize| Some(verdicts[found.verdicts[row] as usize].clone());
+    let mode = move |row: usize| modes.get(usize::from(found.modes[row])).cloned();
     let mut columns = vec![
         ("verdict".to_owned(), ParquetColumn::name(verdict)),
         ("mode".to_owned(), ParquetColumn::name(mode)),
     ];
-    for (place, quantity) in batch.quantities.iter().enumerate() {
-        let value = move |row: usize| found[row].values[place].as_ref();
+    for (place, quantity) in quantities.iter().enumerate() {
         let name = quantity.name();
-        columns.push((name.to_owned(), ParquetColumn::double(move |row| Some(value(row)?.double))));
-        columns.push((format!("{name}_side"), ParquetColumn::short(move |row| value(row)?.side())));
-        if batch.has_texts {
-            let text = move |row| value(row)?.text.as_deref().map(ByteArray::from);
+        let double = move |row| found.double(place, row);
+        columns.push((name.to_owned(), ParquetColumn::double(double)));
+        let side = move |row| found.side(place, row);
+        columns.push((format!("{name}_side"), ParquetColumn::short(side)));
+        if let Some(texts) = found.texts.get(place) {
+            let text = |row: usize| texts[row].as_deref().map(ByteArray::from);
             columns.push((format!("{name}_text"), ParquetColumn::text(text)));
         }
     }
-    let reason = |row: usize| found[row].reason.as_deref().map(ByteArray::from);
+    let reason = |row| found.reasons.get(&row).map(|why| ByteArray::from(why.as_str()));
     columns.push(("reason".into(), ParquetColumn::text(reason)));
-    ParquetTable { rows: found.len(), again: &[], once: &[], columns }
+    ParquetTable { rows: found.verdicts.len(), again: &[], once: &[], columns }
 }
 
 /// Tells whether a cell of a column is one that was read, bit for bit.
