@@ -9,11 +9,11 @@
 //! | a table of 1,000,000 rows | the texts of the same arches, in memory, are read, and each is proved on its own |
 //!
 //! `doubles` is the loop that `couplet.states` of Python compares with: 100,000 arches of doubles, one thread, each
-//! proved on its own, and all of them as rows.
+//! proved on its own, and all of them by columns.
 
 use couplet::Error;
 use couplet::arch::SelfWeight;
-use couplet::certify::batch::{BatchRow, DoubleArches, DoubleUnits, SharedOpening};
+use couplet::certify::batch::{DoubleArches, DoubleUnits, RowVerdict, SharedOpening};
 use couplet::certify::state::{Answer, Certify, Figure};
 use couplet::number::ExactNumber;
 use couplet::problem::{Arch, Friction, Mode, Quantity};
@@ -27,7 +27,6 @@ use rug::Rational;
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::time::Duration;
 
 const THREADS: usize = 2;
@@ -152,7 +151,7 @@ fn beside(name: &str, plan: &str, library: impl Fn() -> (Vec<Kept>, Duration) + 
     );
 }
 
-/// The processor times of arches of doubles, one by one and as rows, in microseconds each.
+/// The processor times of arches of doubles, one by one and by columns, in microseconds each.
 fn doubles() -> [f64; 2] {
     const ROWS: usize = 100_000;
     let spread = |step: f64, most: f64| {
@@ -170,9 +169,9 @@ fn doubles() -> [f64; 2] {
     let turn = |_: usize| {
         let (looped, kept) =
             timed(&pool, || alphas.iter().zip(&mus).map(arch).collect::<Vec<Kept>>());
-        let (together, found) = timed(&pool, || arches.rows(&[Quantity::Thickness]).unwrap());
-        let same = |(kept, row): (&Kept, &Arc<BatchRow>)| kept.0 == row.verdict as u8;
-        assert!(kept.iter().zip(&found).all(same), "the same arches");
+        let (together, found) = timed(&pool, || arches.columns(&[Quantity::Thickness]).unwrap());
+        let same = |(kept, verdict): (&Kept, &RowVerdict)| kept.0 == *verdict as u8;
+        assert!(kept.iter().zip(&found.verdicts).all(same), "the same arches");
         [looped, together]
     };
     let turns: Vec<[f64; 2]> = (0..ROUNDS).map(turn).collect();
@@ -223,6 +222,6 @@ fn main() {
     fs::remove_dir_all(&folder).unwrap();
     if asks("doubles") {
         let [looped, together] = doubles();
-        println!("\nDoubles, one thread: {looped:.3} one by one, {together:.3} as rows");
+        println!("\nDoubles, one thread: {looped:.3} one by one, {together:.3} by columns");
     }
 }

@@ -44,7 +44,7 @@ enum Whole {
 
 impl Known {
     fn new((quantity, value): &(Quantity, Value)) -> Self {
-        let [text, lower, upper] = value.texts();
+        let [text, lower, upper] = value.texts().map(ToString::to_string);
         let doubles = Some([value.double, value.binary.lower, value.binary.upper]);
         let texts = [lower, text, upper].map(c_text);
         Self { quantity: *quantity, name: c_text(quantity.name()), texts, doubles }

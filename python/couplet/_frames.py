@@ -70,7 +70,8 @@ def add_states(
         Words are categories of pandas, an Enum of polars and texts of Arrow. A dictionary of arrays has codes, places in
         couplet.VERDICTS and couplet.MODES, and for nothing 255, a side of -128 and what is not a number.
 
-    Raises: CoupletError if there is no such column, it has no numbers, or the table has one of a new name; TypeError if it is no table.
+    Raises: CoupletError if there is no such column, it has no numbers, or the table has one of a new name or one that no row is asked
+        (tilt, stones, joints); TypeError if it is no table.
 
         >>> table = couplet.add_states({"alpha_deg": [80.0, 140.0], "mu": [0.25, 0.25]}, half_opening="alpha_deg:deg", friction="mu")
         >>> list(table), table["verdict"].tolist(), float(table["thickness"][0])
@@ -126,6 +127,9 @@ class _Question:
     def _with_states(self, kind: Kind) -> Any:
         import numpy as np
 
+        texts = [name for name in kind.names if isinstance(name, str) and is_text(name)]
+        for why in filter(None, map(_core.of_one, texts)):
+            raise CoupletError(f"{why}; under another name the column is handed on")
         columns, cells, present, no_texts = self._read(kind)
         names = [name for name in _Answers.names(self.quantities) if name != "mode" or not self.has_thickness]
         named = {name: name.join(self.around) for name in names}

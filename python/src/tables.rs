@@ -73,6 +73,12 @@ pub(crate) fn table<'py>(
     Ok((bytes(&verdicts), bytes(&modes), values, reasons))
 }
 
+/// Why a column asks what no row of a table is asked; nothing of other names.
+#[pyfunction]
+pub(crate) fn of_one(name: &str) -> Option<String> {
+    couplet::sweep::rows::of_one(name)
+}
+
 /// A table with its columns.
 struct Table {
     columns: Columns,

@@ -13,7 +13,7 @@ use pyo3::types::PyDict;
 type Told<'a> = (String, String, String, f64, f64, f64, Option<&'a str>, Option<&'static str>);
 
 fn told(value: &Value) -> Told<'_> {
-    let [text, lower, upper] = value.texts();
+    let [text, lower, upper] = value.texts().map(ToString::to_string);
     let (double, binary) = (value.double, &value.binary);
     let (exact, limited_by) = (value.closed_form(), value.limited_by);
     (text, lower, upper, double, binary.lower, binary.upper, exact, limited_by)

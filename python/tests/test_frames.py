@@ -3,6 +3,7 @@
 import decimal
 import fractions
 import io
+import re
 import subprocess
 import sys
 
@@ -249,6 +250,11 @@ def test_what_makes_no_sense_is_refused_in_one_line():
     with pytest.raises(couplet.CoupletError, match="the table has a column 'verdict'; with prefix='…' or suffix='…'"):
         couplet.add_states({**table, "verdict": [1]}, **arch)
     assert "own_verdict" in couplet.add_states({**table, "verdict": [1]}, **arch, prefix="own_")
+    for name, field in [("tilt", "tilt"), ("Stones", "stones"), ("joints", "joints")]:
+        why = f"'{name}' is no question of a row: `couplet assess --{field}` answers it; under another name the column is handed on"
+        with pytest.raises(couplet.CoupletError, match=re.escape(why)):
+            couplet.add_states({**table, name: [0.1]}, **arch)
+    assert "tilts" in couplet.add_states({**table, "tilts": [0.1], 3: [1]}, **arch)
     with pytest.raises(couplet.CoupletError, match="the column 'mu' has 2 rows, where others have 1"):
         couplet.add_states({"alpha": [1.0], "mu": [1.0, 2.0]}, **arch)
     with pytest.raises(couplet.CoupletError, match="2 dimensions"):

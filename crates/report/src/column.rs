@@ -1,10 +1,12 @@
 //! Columns of rows that are no fields: each finds its cells, which CSV, JSON and Parquet write alike.
 
 use serde_json::Value as Json;
+use std::fmt::Display;
 
 /// Way to find the cells of a column; each may be missing.
 pub(super) enum Column<R> {
     Text(fn(&R) -> Option<&str>),
+    Shown(fn(&R) -> Option<&dyn Display>),
     Double(fn(&R) -> Option<f64>),
     Integer(fn(&R) -> Option<u64>),
     Truth(fn(&R) -> Option<bool>),
@@ -18,6 +20,7 @@ impl<R> Column<R> {
     pub(super) fn text(&self, row: &R) -> String {
         let text = match self {
             Self::Text(cell) => cell(row).map(str::to_owned),
+            Self::Shown(cell) => cell(row).map(ToString::to_string),
             Self::Double(cell) => cell(row).map(|x| format!("{x:?}")),
             Self::Integer(cell) => cell(row).map(|x| x.to_string()),
             Self::Truth(cell) => cell(row).map(|x| x.to_string()),
@@ -30,6 +33,7 @@ impl<R> Column<R> {
         let number = |x: f64| if x.is_finite() { Json::from(x) } else { "inf".into() };
         match self {
             Self::Text(cell) => cell(row).into(),
+            Self::Shown(cell) => cell(row).map(ToString::to_string).into(),
             Self::Double(cell) => cell(row).map_or(Json::Null, number),
             Self::Integer(cell) => cell(row).into(),
             Self::Truth(cell) => cell(row).into(),

@@ -80,15 +80,17 @@ pub(super) fn kept_names(kept: &[String], own: &[String]) -> Vec<String> {
     kept.iter().map(name).collect()
 }
 
+/// The cell of what is handed on under a name, empty where there is nothing.
+pub(super) fn kept_cell<'a>(row: &'a [(String, Kept)], name: &str) -> &'a str {
+    match row.iter().find(|(of, _)| of == name) {
+        Some((_, Kept::Json(null))) if null == "null" => "",
+        kept => kept.map_or("", |(_, kept)| kept.text()),
+    }
+}
+
 /// Cells of what is handed on.
 pub(super) fn kept_cells(names: &[String], row: &[(String, Kept)]) -> impl Iterator<Item = String> {
-    names.iter().map(|name| {
-        let kept = row.iter().find(|(of, _)| of == name);
-        kept.map_or(String::new(), |(_, kept)| match kept {
-            Kept::Json(null) if null == "null" => String::new(),
-            kept => kept.text().to_owned(),
-        })
-    })
+    names.iter().map(|name| kept_cell(row, name).to_owned())
 }
 
 /// The values that are handed on, as one object.

@@ -76,7 +76,10 @@ fn constants(report: &Answers) -> Vec<Record> {
         row.add("landmark", answer.subject.landmark().map(|landmark| landmark.symbol()));
         row.add("modes", labels(&answer.modes).join(" "));
         row.add("quantity", quantity.name());
-        row.append(Record::named("value lower upper", value.texts().map(Into::into)));
+        row.append(Record::named(
+            "value lower upper",
+            value.texts().map(|text| text.to_string().into()),
+        ));
         row.add("exact", value.exact.as_deref());
         row
     };

@@ -43,7 +43,10 @@ fn owner(subject: &Subject) -> Record {
 fn constant(subject: &Subject, quantity: Quantity, value: &Value) -> Record {
     let mut fields = owner(subject);
     fields.add("quantity", quantity.name());
-    fields.append(Record::named("value lower upper", value.texts().map(Into::into)));
+    fields.append(Record::named(
+        "value lower upper",
+        value.texts().map(|text| text.to_string().into()),
+    ));
     fields.add("exact", value.exact.as_deref());
     fields.add_double("double", value.double);
     fields.add("hex", value.double.is_finite().then(|| hexadecimal(value.double)));

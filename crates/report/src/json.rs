@@ -161,7 +161,8 @@ fn finding(report: &Answers, answer: &Answer) -> Record {
 
 /// A value with its bounds, and with its nearest double if that is shown.
 fn figure(value: &Value, with_double: bool) -> Record {
-    let mut fields = Record::named("value lower upper", value.texts().map(Into::into));
+    let mut fields =
+        Record::named("value lower upper", value.texts().map(|text| text.to_string().into()));
     if with_double && value.decimal.is_some() {
         fields.add("double", value.double);
         fields.add("hex", hexadecimal(value.double));

@@ -58,6 +58,8 @@ mod names;
 mod paper;
 #[cfg_attr(not(feature = "parquet"), path = "parquet_missing.rs")]
 mod parquet;
+#[cfg(feature = "parquet")]
+mod parquet_file;
 mod plain;
 mod programme;
 mod python;
@@ -105,7 +107,7 @@ pub use kept::Kept;
 pub use map::{Map, MapDifferences, MapPoint};
 pub use map_asked::MapAsked;
 #[cfg(feature = "parquet")]
-pub use parquet::with_common_order;
+pub use parquet_file::{ParquetColumn, ParquetFile, ParquetTable, Texts};
 pub use programme::{AtThickness, ProgrammeFound};
 pub use record::Record;
 pub use reported::Reported;

@@ -4,6 +4,7 @@ use crate::certify::state::Figure;
 use crate::certify::{self, Constant};
 use crate::judge::published::PRINTED;
 use crate::number::{Binary, Rounded};
+use std::fmt::Display;
 
 /// One proved value.
 #[derive(Clone, Debug)]
@@ -28,13 +29,11 @@ impl Value {
         self.decimal.as_ref().map_or("inf".into(), |decimal| decimal.value.to_string())
     }
 
-    /// The texts of the value, its lower and its upper bound; all `inf` for infinity.
-    pub fn texts(&self) -> [String; 3] {
+    /// The value, its lower and its upper bound as they are written; all `inf` for infinity.
+    pub fn texts(&self) -> [&dyn Display; 3] {
         match &self.decimal {
-            Some(decimal) => {
-                [&decimal.value, &decimal.lower, &decimal.upper].map(ToString::to_string)
-            }
-            None => [(); 3].map(|()| "inf".to_owned()),
+            Some(decimal) => [&decimal.value, &decimal.lower, &decimal.upper],
+            None => [&"inf"; 3],
         }
     }
 

@@ -120,6 +120,77 @@ fn states_have_a_row_for_each_value_and_for_each_that_has_none() {
     );
 }
 
+/// Every cell that both formats have of an arch is the same in both, of bad rows too, and neither has a value that the
+/// other has not.
+#[test]
+fn states_are_those_of_csv_cell_by_cell() {
+    let mut input = String::from(
+        "weight,alpha,mu,eta,id,mode\nheyman,pi/2,0.38,0.2,7,x\nheyman,2.6,0.3,,8,\n\
+         heyman,banana,1,,9,\"a,b\"\n,80deg,tan(31deg),0.1,,y\n1,2\nheyman,1,inf,1e-7,,z\n\
+         heyman,1,0.6,2.1,,z\nheyman,1e-400,0.6,,,\n,80deg,0.2193941786949380,,,\n",
+    );
+    for k in 1..400 {
+        let eta = if k % 3 == 0 { String::new() } else { format!("{k}/300") };
+        input += &format!("milankovitch,{k}/150,{k}/170,{eta},{k},\n");
+    }
+    let asked = ["states", "--keep", "all", "--columns", "all", "--format"];
+    let written = |format: &str| fed(&[&asked[..], &[format]].concat(), &input).stdout;
+    let (rows, _) = read(written("parquet"));
+    let shown = |field: &Field| match field {
+        Field::Null => String::new(),
+        Field::Str(text) => text.clone(),
+        Field::Bool(truth) => truth.to_string(),
+        Field::Long(number) => number.to_string(),
+        Field::Double(x) => format!("{x:?}"),
+        other => panic!("{other:?}"),
+    };
+    let mut all: BTreeMap<String, Vec<&BTreeMap<String, Field>>> = BTreeMap::new();
+    rows.iter().for_each(|row| all.entry(shown(&row["line"])).or_default().push(row));
+    let csv = written("csv");
+    let mut csv = csv::Reader::from_reader(&csv[..]);
+    let mut compared = 0;
+    for row in csv.deserialize::<BTreeMap<String, String>>() {
+        let row = row.unwrap();
+        let same = all.remove(&row["line"]).unwrap();
+        // The thickness of a state is the least one, in a table that has a column for another.
+        let quantity = |of: &BTreeMap<String, Field>| match text(&of["quantity"]) {
+            "thickness" => "least_thickness".to_owned(),
+            other => other.to_owned(),
+        };
+        let quantities: Vec<String> = same.iter().map(|of| quantity(of)).collect();
+        let is_told = |name: &str| quantities.iter().any(|of| of == name);
+        for of in &same {
+            let has = |name: &str| of.get(name).map(&shown);
+            let why = [&*row["reason"], &row["error"]].concat();
+            assert_eq!(has("reason"), Some(why), "{row:?}");
+            let verdict = if row["error"].is_empty() { &row["verdict"] } else { "refused" };
+            assert_eq!(has("status").as_deref(), Some(verdict), "{row:?}");
+            for (name, cell) in &row {
+                let value = match name.strip_suffix("_double") {
+                    Some(of) if is_told(of) => None,
+                    _ if name == "verdict" || name == "reason" => None,
+                    _ => has(name),
+                };
+                assert!(value.is_none_or(|value| value == *cell), "{name} in {row:?}");
+            }
+            // The joint that limits a thrust has no column of its own there.
+            let quantity = quantity(of);
+            if let Some(value) = row.get(&quantity) {
+                assert_eq!(has("value").as_ref(), Some(value), "{quantity} in {row:?}");
+                let double = row.get(&format!("{quantity}_double"));
+                let is_same = double.is_none_or(|double| has("double").as_ref() == Some(double));
+                assert!(is_same, "{quantity} in {row:?}");
+                compared += 1;
+            }
+        }
+        let told = row.keys().filter_map(|name| name.strip_suffix("_hex"));
+        for name in told.filter(|name| !row[*name].is_empty()) {
+            assert!(is_told(name), "{name} in {row:?}");
+        }
+    }
+    assert!(all.is_empty() && compared > 1500, "{compared}");
+}
+
 #[test]
 fn no_queries_make_a_file_without_rows() {
     let output = fed(&["states", "--format", "parquet"], "weight,alpha,mu\n");

@@ -21,7 +21,10 @@ pub(super) fn has(floor: &Path, name: &str) -> bool {
 
 /// The room that a crate is as a whole: one of its name, without a folder or a file in it.
 pub(super) fn whole(floor: &Path) -> Option<&'static str> {
-    let name = floor.parent()?.file_name()?.to_str()?;
+    // The face is in the folder of the checkout, which may have any name.
+    let home =
+        floor.parent().filter(|home| home.parent().is_some_and(|of| of.ends_with("crates")))?;
+    let name = home.file_name()?.to_str()?;
     let room = ROOMS.into_iter().find(|room| *room == name)?;
     (!has(floor, name)).then_some(room)
 }

@@ -4,7 +4,7 @@ use super::Map;
 use crate::atlas::{
     Border, Branch, Contour, Level, Part, Piece, Place, Stretch, Trace, TracePoint, Variable,
 };
-use crate::column::Column::{Double, Integer, Text, Truth};
+use crate::column::Column::{Double, Integer, Shown, Text, Truth};
 use crate::column::NamedColumn;
 use crate::number::{Ball, Enclosure};
 use rug::Float;
@@ -16,7 +16,6 @@ pub(crate) struct MapRow<'a> {
     weight: Option<&'static str>,
     curve: String,
     mode: Option<String>,
-    end: Option<String>,
     point: TracePoint,
     piece: Option<Piece<'a>>,
     /// The piece whose cubic ends here, for the last node.
@@ -39,7 +38,7 @@ impl<'a> MapRow<'a> {
         ("curve", Text(|row| Some(&row.curve))),
         ("mode", Text(|row| row.mode.as_deref())),
         ("node", Integer(|row| Some(row.index as u64))),
-        ("end", Text(|row| row.end.as_deref())),
+        ("end", Shown(|row| row.point.end.as_ref().map(|end| end as _))),
         ("parameter", Double(|row| Some(row.point.parameter).filter(|s| s.is_finite()))),
         ("half_opening_lower", Double(|row| lower(row.place().half_opening.as_ref()))),
         ("half_opening_upper", Double(|row| upper(row.place().half_opening.as_ref()))),
@@ -115,7 +114,6 @@ impl<'a> MapRow<'a> {
             weight: *weight,
             curve: curve.clone(),
             mode: mode.clone(),
-            end: point.end.map(|end| end.to_string()),
             point,
             piece: pieces.get(index).copied(),
             is_admissible: None,

@@ -5,11 +5,9 @@ use super::keep::ReadRow;
 use super::roles::Role;
 use super::source::Numbered;
 use crate::answer;
-use crate::arch::SelfWeight;
 use crate::ask::{Spelling, given_thickness};
 use crate::certify::batch::{SharedOpening, SharedOpenings};
-use crate::certify::state::{Answer as Outcome, AssessmentDigits, Balls, WithFrictions};
-use crate::certify::state::{assessments_in_lanes, states_in_lanes};
+use crate::certify::state::{Answer as Outcome, Balls, RowAnswer, WithFrictions, answers_in_lanes};
 use crate::certify::{Error, Refused};
 use crate::number::ExactNumber;
 use crate::problem::measures::Measures;
@@ -36,13 +34,6 @@ pub struct RowQuestion {
 /// An arch that is asked of, with its thickness and its measures where it has any.
 type Asked = (Arch, Option<ExactNumber>, Option<Measures>);
 
-/// Answer to an arch that was proved together with others.
-#[derive(Clone)]
-enum Known {
-    State(Outcome),
-    Assessment(Box<AssessmentDigits>),
-}
-
 impl RowQuestion {
     /// Question to whose answers a format is given.
     pub fn new(answers: &Answers, format: &Format, beside: Beside) -> Result<Self, Refused> {
@@ -65,7 +56,7 @@ impl RowQuestion {
         let read =
             |(_, row): &Numbered<ReadRow>| asked(reader, row.as_ref().map_err(Clone::clone)?);
         let all: Vec<Result<Asked, String>> = rows.par_iter().map(read).collect();
-        let known: Vec<Option<Known>> = match self.digits {
+        let known: Vec<Option<RowAnswer>> = match self.digits {
             ..=MOST_DIGITS => all.par_chunks(PIECE).flat_map_iter(|all| self.known(all)).collect(),
             _ => vec![None; all.len()],
         };
@@ -81,47 +72,28 @@ impl RowQuestion {
     }
 
     /// Answers to some rows, where they are proved together.
-    fn known(&self, all: &[Result<Asked, String>]) -> Vec<Option<Known>> {
-        let mut known = vec![None; all.len()];
-        for weight in SelfWeight::ALL {
-            let (mut states, mut assessments) =
-                ((Vec::new(), Vec::new()), (Vec::new(), Vec::new()));
-            for (row, asked) in all.iter().enumerate() {
-                let Ok((arch, eta, _)) = asked else { continue };
-                if arch.weight() != weight {
-                    continue;
-                }
-                let arch = SharedOpening::enclosed_arch(arch);
-                match eta.as_ref().map(SharedOpening::enclosed_number) {
-                    None => states.extend([(row, arch)]),
-                    Some(eta) => assessments.extend([(row, (arch, eta))]),
-                }
-            }
-            let found = states_in_lanes((weight, &states.1), self.digits, self.with);
-            let found = found.into_iter().map(|found| found.map(Known::State));
-            states.0.into_iter().zip(found).for_each(|(row, found)| known[row] = found);
-            let found = assessments_in_lanes((weight, &assessments.1), self.digits);
-            let found = found
-                .into_iter()
-                .map(|found| found.map(|found| Known::Assessment(Box::new(found))));
-            assessments.0.into_iter().zip(found).for_each(|(row, found)| known[row] = found);
-        }
-        known
+    fn known(&self, all: &[Result<Asked, String>]) -> Vec<Option<RowAnswer>> {
+        let row = |asked: &Result<Asked, String>| {
+            let (arch, eta, _) = asked.as_ref().ok()?;
+            let eta = eta.as_ref().map(SharedOpening::enclosed_number);
+            Some((arch.weight(), (SharedOpening::enclosed_arch(arch), eta)))
+        };
+        answers_in_lanes(&all.iter().map(row).collect::<Vec<_>>(), self.digits, self.with)
     }
 
     /// The answer to a row, of which something may be known.
-    fn answer(&self, line: u64, (arch, eta, measures): &Asked, known: Option<Known>) -> Answer {
+    fn answer(&self, line: u64, (arch, eta, measures): &Asked, known: Option<RowAnswer>) -> Answer {
         let (digits, frictions) = (self.digits, self.with != WithFrictions::None);
         let sizes = measures.as_ref().map(|of| (of, digits));
         if let Some(eta) = eta {
             let found = match known {
-                Some(Known::Assessment(found)) => Ok(*found),
+                Some(RowAnswer::Assessment(found)) => Ok(*found),
                 _ => Balls::DoubleDoubles.assess(arch, eta, digits),
             };
             return answer::assessment(line, (arch, eta, sizes), digits, &found);
         }
         let found: Result<Outcome, Error> = match (known, &self.openings) {
-            (Some(Known::State(found)), _) => Ok(found),
+            (Some(RowAnswer::State(found)), _) => Ok(found),
             (_, Some(openings)) => openings.state(arch),
             (_, None) => Balls::DoubleDoubles.state(arch, digits, frictions),
         };
@@ -144,6 +116,7 @@ fn asked(reader: &ArchReader, row: &ReadRow) -> Result<Asked, String> {
 mod tests {
     use super::super::{Columns, Purpose, Spelling};
     use super::*;
+    use crate::arch::SelfWeight;
     use crate::report::{Content, open_rows};
 
     fn reader() -> ArchReader {

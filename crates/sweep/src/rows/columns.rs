@@ -166,19 +166,8 @@ impl Columns {
     /// Refuses a name that asks of an arch what no row is asked, unless the columns to read are named or it is handed
     /// on: it must not be dropped.
     fn is_answered(&self, name: &str) -> Result<(), String> {
-        let is = |field: &&Field| field.name() == plain(name);
-        match OF_ONE
-            .iter()
-            .find(is)
-            .filter(|_| !self.named && !self.kept.iter().any(|kept| kept == name))
-        {
-            Some(field) => {
-                let (name, field) = (shortened(name), field.name());
-                Err(format!(
-                    "'{name}' is no question of a row: `couplet assess --{field}` answers it, and --keep {name} hands \
-                     it on"
-                ))
-            }
+        match of_one(name).filter(|_| !self.named && !self.kept.iter().any(|kept| kept == name)) {
+            Some(why) => Err(format!("{why}, and --keep {} hands it on", shortened(name))),
             None => Ok(()),
         }
     }
@@ -245,6 +234,13 @@ impl Columns {
         }
         Ok(())
     }
+}
+
+/// Why a name asks of an arch what no row is asked, and which command answers it; nothing of other names.
+pub fn of_one(name: &str) -> Option<String> {
+    let field = OF_ONE.iter().find(|field| field.name() == plain(name))?.name();
+    let name = shortened(name);
+    Some(format!("'{name}' is no question of a row: `couplet assess --{field}` answers it"))
 }
 
 /// A name without capitals, and with `_` for what joins its words.

@@ -7,7 +7,7 @@
 //! | `queries`, `query` | the rows of a part as they are asked |
 //! | `text`, `pieces` | the pieces of the files of a data set |
 //! | `table` | rows of a part by columns |
-//! | `part_file`, `notes`, `read` | a part as a Parquet file: as it is written, on itself, as it is looked through |
+//! | `notes`, `read` | a part as a Parquet file: on itself, as it is looked through |
 //! | `store`, `part_name` | the folder of the parts, and their names |
 //! | `new_file` | a file of a sweep until it appears |
 //! | `sweep` | a sweep and its parts: the door |
@@ -16,7 +16,6 @@
 mod cost;
 mod new_file;
 mod notes;
-mod part_file;
 mod part_name;
 mod pieces;
 mod queries;

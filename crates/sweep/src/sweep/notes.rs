@@ -2,7 +2,6 @@
 
 use crate::certify::batch::RowVerdict;
 use crate::scene::SWEEP_SCHEMA;
-use ::parquet::file::metadata::KeyValue;
 use ::parquet::file::reader::{FileReader, SerializedFileReader};
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -20,18 +19,14 @@ pub(super) struct Notes {
 }
 
 impl Notes {
-    /// The entries of the file that a tool writes.
-    pub(super) fn entries(&self, tool: &str) -> Vec<KeyValue> {
-        let entry = |key: &str, value: String| KeyValue::new(key.to_owned(), value);
-        let mut all = vec![
-            entry("couplet.schema", SWEEP_SCHEMA.to_owned()),
-            entry("couplet.tool", tool.to_owned()),
-            entry("couplet.plan", self.plan.clone()),
-            entry("couplet.rows", format!("{}..{}", self.rows.start, self.rows.end)),
-        ];
+    /// The entries of the file.
+    pub(super) fn entries(&self) -> impl Iterator<Item = (&'static str, String)> {
+        let rows = format!("{}..{}", self.rows.start, self.rows.end);
+        let own =
+            [("schema", SWEEP_SCHEMA.to_owned()), ("plan", self.plan.clone()), ("rows", rows)];
         let counts = RowVerdict::ALL.iter().zip(self.counts);
-        all.extend(counts.map(|(verdict, count)| entry(&key(*verdict), count.to_string())));
-        all
+        let counts = counts.map(|(verdict, count)| (verdict.name(), count.to_string()));
+        own.into_iter().chain(counts)
     }
 
     /// Notes of a file; none if it is no part of a sweep, or has other rows than it says.
@@ -44,7 +39,8 @@ impl Notes {
         let rows = start.parse::<u64>().ok()?..end.parse().ok()?;
         let mut counts = [0; 4];
         for verdict in RowVerdict::ALL {
-            counts[verdict as usize] = notes.get(key(verdict).as_str())?.parse().ok()?;
+            counts[verdict as usize] =
+                notes.get(format!("couplet.{}", verdict.name()).as_str())?.parse().ok()?;
         }
         let length = rows.end.checked_sub(rows.start)?;
         let whole = u64::try_from(reader.metadata().file_metadata().num_rows()) == Ok(length)
@@ -52,9 +48,4 @@ impl Notes {
         let plan = (*notes.get("couplet.plan")?).to_owned();
         whole.then_some(Self { plan, rows, counts })
     }
-}
-
-/// The key of a count.
-fn key(verdict: RowVerdict) -> String {
-    format!("couplet.{}", verdict.name())
 }

@@ -4,11 +4,10 @@ use crate::arch::SelfWeight;
 use crate::certify::batch::{BatchArches, InLanes, SharedOpening, grouped};
 use crate::number::{DoubleDoubleBall, ExactNumber};
 use crate::problem::{Arch, Friction};
-use crate::report::GivenDoubles;
+use crate::report::{GivenDoubles, Texts};
 use crate::rows::{ArchReader, Cells};
 use ::parquet::data_type::ByteArray;
 use std::borrow::Cow;
-use std::ops::Range;
 
 /// The rows of a part as they are asked; they follow each other in the sweep.
 pub(super) struct PartQueries<'a> {
@@ -54,13 +53,6 @@ pub(super) struct Listed {
     pub doubles: [Vec<Option<f64>>; 2],
     /// The arches, or why they cannot be read.
     pub arches: Vec<Result<Arch, String>>,
-}
-
-/// Texts one behind the other.
-#[derive(Default)]
-pub(super) struct Texts {
-    all: Vec<u8>,
-    ends: Vec<usize>,
 }
 
 impl PartQueries<'_> {
@@ -149,33 +141,5 @@ impl Listed {
         texts.iter().zip(&mut self.texts).for_each(|(text, all)| all.push(text));
         self.doubles.iter_mut().for_each(|all| all.push(None));
         self.arches.push(Err(error));
-    }
-}
-
-impl Texts {
-    fn push(&mut self, text: &dyn std::fmt::Display) {
-        use std::io::Write;
-        // A vector takes everything.
-        let _ = write!(self.all, "{text}");
-        self.ends.push(self.all.len());
-    }
-
-    fn place(&self, row: usize) -> Range<usize> {
-        let start = row.checked_sub(1).map_or(0, |before| self.ends[before]);
-        start..self.ends[row]
-    }
-
-    /// The text of a row.
-    pub(super) fn of(&self, row: usize) -> &[u8] {
-        &self.all[self.place(row)]
-    }
-
-    /// The texts as the cells of a column, which share one piece of memory; an empty one is none.
-    pub(super) fn cells(&self) -> impl Fn(usize) -> Option<ByteArray> {
-        let all = ByteArray::from(self.all.as_slice());
-        move |row| {
-            let place = self.place(row);
-            (!place.is_empty()).then(|| all.slice(place.start, place.len()))
-        }
     }
 }

@@ -2,16 +2,15 @@
 //! shares the parts among processes or machines.
 
 use super::notes::Notes;
-use super::part_file::PartWriter;
 use super::queries::{GridFrictions, queries};
 use super::query::PartQueries;
 use super::record::{Arches, SweepRecord};
 use super::store::{PartState, Store};
-use super::table::PartTable;
+use super::table;
 use crate::certify::batch::{Batch, Threads};
 use crate::failure::Failure;
+use crate::report::ParquetFile;
 use crate::scene::{SWEEP_DIGITS, SweepPlan};
-use ::parquet::errors::ParquetError;
 use rayon::prelude::*;
 use std::io::{self, Write};
 use std::ops::Range;
@@ -132,19 +131,20 @@ impl Sweep {
     /// writes the same bytes. Of its rows a group is held in memory at a time.
     pub fn compute(&self, part: usize) -> Result<[u64; 4], Failure> {
         let unwritten = |error: io::Error| self.unwritten(&error);
-        let encoding = |error: ParquetError| Failure::Io(error.to_string());
         let mut file = self.store.begin().map_err(unwritten)?;
         let (rows, mut counts) = (self.parts[part].clone(), [0; 4]);
-        let mut writer = PartWriter::default();
+        let mut writer = ParquetFile::default();
         for group in self.record.groups(&rows) {
             let queries = self.queries(&group)?;
-            let found = file.kept_during(|| self.batch.rows(&queries, Threads::One));
-            found.iter().for_each(|row| counts[row.verdict as usize] += 1);
-            let table = PartTable::new(&self.batch, &queries, &found);
-            file.write_all(&writer.group(&table).map_err(encoding)?).map_err(unwritten)?;
+            let found = file.kept_during(|| self.batch.columns(&queries, Threads::One));
+            found.verdicts.iter().for_each(|verdict| counts[*verdict as usize] += 1);
+            let table = table::all(&self.batch.quantities, &queries, &found);
+            let bytes = writer.group(&table);
+            bytes.and_then(|bytes| file.write_all(&bytes)).map_err(unwritten)?;
         }
         let notes = Notes { plan: self.store.plan().to_owned(), rows, counts };
-        file.write_all(&writer.end(&notes).map_err(encoding)?).map_err(unwritten)?;
+        let bytes = writer.end(notes.entries());
+        bytes.and_then(|bytes| file.write_all(&bytes)).map_err(unwritten)?;
         self.store.put((part, self.parts()), counts, file).map_err(unwritten)?;
         Ok(counts)
     }

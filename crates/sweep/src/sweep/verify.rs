@@ -4,7 +4,7 @@ use super::read::{ReadCells, ReadPart, ReadTable};
 use super::store::PartState;
 use super::strategies::Draw;
 use super::sweep::Sweep;
-use super::table::PartTable;
+use super::table::{answered, asked, is_same};
 use crate::certify::batch::{BatchArches, RowVerdict};
 use crate::certify::certify_arch;
 use crate::check::{Accepted, verify as check};
@@ -16,7 +16,6 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::fs::File;
 use std::ops::Range;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Result of looking through a sweep, and what is wrong.
@@ -98,12 +97,12 @@ fn look(
     for (place, rows) in groups.into_iter().enumerate() {
         let table = file.group(place).map_err(|error| error.to_string())?;
         let queries = sweep.queries(&rows)?;
-        let asked = PartTable::asked(&queries);
+        let asked = asked(&queries);
         for (name, column) in &asked.columns {
             let there = table.column(name);
-            let is_same =
-                |cells: &ReadCells| (0..asked.rows).all(|row| column.is_same(row, cells, row));
-            if asked.rows as u64 != rows.end - rows.start || !there.is_some_and(is_same) {
+            let are_same =
+                |cells: &ReadCells| (0..asked.rows).all(|row| is_same((column, row), (cells, row)));
+            if asked.rows as u64 != rows.end - rows.start || !there.is_some_and(are_same) {
                 return Err(format!("its column {name} is not what the plan asks"));
             }
         }
@@ -143,35 +142,35 @@ fn row(
     certified: &AtomicUsize,
 ) -> Result<bool, String> {
     let Ok(arch) = asked else { return Ok(false) };
-    let found = [Arc::new(sweep.batch.alone(Ok(Cow::Borrowed(&arch)), None))];
-    let again = PartTable::answered(&sweep.batch, &found);
+    let (found, quantities) = (sweep.batch.one(&arch), &sweep.batch.quantities);
+    let again = answered(quantities, &found);
     for (name, column) in &again.columns {
         let there = table.column(name);
-        if !there.is_some_and(|there| column.is_same(0, there, place)) {
+        if !there.is_some_and(|there| is_same((column, 0), (there, place))) {
             return Err(format!("its {name} is not what is proved"));
         }
     }
-    let found = &found[0];
-    let is_known = matches!(found.verdict, RowVerdict::Stands | RowVerdict::Falls);
+    let verdict = found.verdicts[0];
+    let is_known = matches!(verdict, RowVerdict::Stands | RowVerdict::Falls);
     if !is_known || certified.fetch_add(1, Ordering::Relaxed) >= CERTIFIED {
         return Ok(false);
     }
     let Some(accepted) = accepted(&arch)? else { return Ok(false) };
-    let is_so = match (&accepted.problem, found.verdict) {
-        (Problem::State { mode, .. }, RowVerdict::Stands) => Some(*mode) == found.mode,
+    let is_so = match (&accepted.problem, verdict) {
+        (Problem::State { mode, .. }, RowVerdict::Stands) => Some(*mode) == found.mode(0),
         (Problem::Verdict { .. }, RowVerdict::Falls) => true,
         _ => false,
     };
     if !is_so {
         return Err("its certificate is of another verdict or mode".into());
     }
-    if found.verdict == RowVerdict::Falls {
+    if verdict == RowVerdict::Falls {
         return Ok(true);
     }
-    for (quantity, value) in sweep.batch.quantities.iter().zip(&found.values) {
+    for (place, quantity) in quantities.iter().enumerate() {
         let of = accepted.values.iter().find(|(of, _)| of == quantity);
-        if let (Some(value), Some((_, text))) = (value, of)
-            && !agrees(text, value.double, value.side())
+        if let (Some(double), Some((_, text))) = (found.double(place, 0), of)
+            && !agrees(text, double, found.side(place, 0))
         {
             return Err(format!("its {} is not that of its certificate", quantity.name()));
         }

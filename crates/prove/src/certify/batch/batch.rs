@@ -11,8 +11,6 @@ use crate::number::ExactNumber;
 use crate::problem::{Arch, Quantity};
 use crate::prover::Error;
 use std::borrow::Cow;
-use std::ptr;
-use std::sync::Arc;
 
 /// Question that is asked of every arch of a batch.
 #[derive(Clone, Debug)]
@@ -28,34 +26,18 @@ pub struct Batch {
 /// With so many digits a row is what its doubles tell.
 const OF_A_DOUBLE: usize = 17;
 
-/// Rows that are one piece of work.
-const PIECE: usize = 64;
-
 impl Batch {
     /// Tells whether the frictions at which the mode changes are asked for.
     pub fn has_frictions(&self) -> bool {
         self.quantities.iter().any(|of| of.is_friction())
     }
 
-    /// Rows: of states at the least thickness, or of arches that have one. Those with texts are proved one by one.
-    pub fn rows(&self, arches: &impl BatchArches, threads: Threads) -> Vec<Arc<BatchRow>> {
-        if !self.has_texts {
-            return self.columns(arches, threads).rows();
-        }
-        let rows: Vec<usize> = (0..arches.count()).collect();
-        let mut all = vec![None; rows.len()];
-        for (row, found) in self.one_by_one(&rows, arches, threads) {
-            all[row] = Some(found);
-        }
-        all.into_iter().flatten().collect()
-    }
-
-    /// Columns of rows without texts: first those that are proved many at a time, then the others, with the proofs of
-    /// one half opening at a time.
+    /// Columns of states at the least thickness, or of arches that have one: first those that are proved many at a
+    /// time, then the others, with the proofs of one half opening at a time.
     pub fn columns(&self, arches: &impl BatchArches, threads: Threads) -> BatchColumns {
-        let mut all = BatchColumns::open(arches.count(), self.quantities.len());
+        let mut all = self.open(arches.count());
         let mut is_open = vec![true; arches.count()];
-        if self.digits <= OF_A_DOUBLE {
+        if self.digits <= OF_A_DOUBLE && !self.has_texts {
             for (rows, found) in in_lanes::columns(&self.quantities, arches, threads) {
                 rows.iter().for_each(|row| is_open[*row] = false);
                 all.put_all(&rows, found);
@@ -74,10 +56,10 @@ impl Batch {
         rows: &[usize],
         arches: &impl BatchArches,
         threads: Threads,
-    ) -> Vec<(usize, Arc<BatchRow>)> {
+    ) -> Vec<(usize, BatchRow)> {
         if arches.have_thicknesses() {
             let asked = |row| Ok((arches.arch(row)?.into_owned(), arches.thickness(row)?));
-            return threads.each(rows, |&row| (row, Arc::new(self.assessment(asked(row)))));
+            return threads.each(rows, |&row| (row, self.assessment(asked(row))));
         }
         let pays = |rows: &Vec<usize>| rows.len() >= PAYS_FROM;
         let (mut groups, few): (Vec<_>, Vec<_>) = arches.openings(rows).into_iter().partition(pays);
@@ -89,44 +71,37 @@ impl Batch {
             let opening = first.filter(|_| place < shared).and_then(|arch| {
                 SharedOpening::new(arch.weight(), arch.half_opening().clone(), self.digits).ok()
             });
-            let pieces: Vec<&[usize]> = groups[place].chunks(PIECE).collect();
-            threads.each(&pieces, |rows| self.piece(rows, arches, opening.as_ref()))
+            threads.each(&groups[place], |&row| {
+                // What rows share needs no arch.
+                let opening = opening.as_ref();
+                let quick = opening.filter(|_| !self.has_frictions());
+                let friction = || arches.in_lanes(row)?.1.0.1;
+                match quick.and_then(|opening| opening.shared(&friction()?)) {
+                    Some(answer) => self.row(Ok(answer), || arches.arch(row).ok()),
+                    None => self.alone(arches.arch(row), opening),
+                }
+            })
         });
-        let found = found.into_iter().flatten().flatten();
+        let found = found.into_iter().flatten();
         groups.iter().flatten().copied().zip(found).collect()
     }
 
-    /// Some rows, which may be those of one half opening; those that follow each other and have one answer share
-    /// their row.
-    fn piece(
-        &self,
-        rows: &[usize],
-        arches: &impl BatchArches,
-        opening: Option<&SharedOpening>,
-    ) -> Vec<Arc<BatchRow>> {
-        let quick = opening.filter(|_| !self.has_frictions());
-        let mut last: Option<(&Answer, Arc<BatchRow>)> = None;
-        let row = |&row: &usize| {
-            let friction = || arches.in_lanes(row)?.1.0.1;
-            let shared = quick.and_then(|opening| opening.shared(&friction()?));
-            let Some(answer) = shared else {
-                return Arc::new(self.alone(arches.arch(row), opening));
-            };
-            if let Some((of, found)) = &last
-                && ptr::eq(*of, answer)
-                && !self.asks_asymmetric(found.verdict)
-            {
-                return Arc::clone(found);
-            }
-            let found = Arc::new(self.row(Ok(answer), || arches.arch(row).ok()));
-            last = Some((answer, Arc::clone(&found)));
-            found
-        };
-        rows.iter().map(row).collect()
+    /// Columns of so many rows of which nothing is known.
+    fn open(&self, rows: usize) -> BatchColumns {
+        let texts = self.quantities.iter().filter(|_| self.has_texts);
+        let texts = texts.map(|_| vec![None; rows]).collect();
+        BatchColumns { texts, ..BatchColumns::open(rows, self.quantities.len()) }
+    }
+
+    /// Columns of one arch, which shares nothing.
+    pub fn one(&self, arch: &Arch) -> BatchColumns {
+        let mut one = self.open(1);
+        one.put(0, &self.alone(Ok(Cow::Borrowed(arch)), None));
+        one
     }
 
     /// Row of an arch, or of none; with the proofs of its half opening, if they are given.
-    pub fn alone(
+    fn alone(
         &self,
         arch: Result<Cow<'_, Arch>, String>,
         opening: Option<&SharedOpening>,

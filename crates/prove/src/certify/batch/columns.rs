@@ -1,9 +1,8 @@
 //! Rows of a batch by columns, in doubles: for arrays.
 
-use super::row::{BatchRow, RowValue, RowVerdict, mode_code, side};
+use super::row::{BatchRow, RowVerdict};
 use crate::problem::Mode;
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 /// Rows of a batch by columns.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,18 +13,21 @@ pub struct BatchColumns {
     pub modes: Vec<u8>,
     /// Of each quantity the nearest doubles, the lower and the upper bounds; not a number where there is no value.
     pub values: Vec<[Vec<f64>; 3]>,
+    /// Of each quantity the digits, where they are asked for; none where there is no value.
+    pub texts: Vec<Vec<Option<Box<str>>>>,
     /// Reasons of the rows that are undecided or refused, by their places, in order.
     pub reasons: BTreeMap<usize, String>,
 }
 
 impl BatchColumns {
-    /// Columns of so many rows of which nothing is known.
+    /// Columns of so many rows of which nothing is known, without digits.
     pub fn open(rows: usize, quantities: usize) -> Self {
         let none = || [(); 3].map(|()| vec![f64::NAN; rows]);
         Self {
             verdicts: vec![RowVerdict::Undecided; rows],
             modes: vec![u8::MAX; rows],
             values: (0..quantities).map(|_| none()).collect(),
+            texts: Vec::new(),
             reasons: BTreeMap::new(),
         }
     }
@@ -35,11 +37,26 @@ impl BatchColumns {
         self.verdicts.iter().map(|verdict| *verdict as u8).collect()
     }
 
+    /// The mode of a row, where there is one.
+    pub fn mode(&self, row: usize) -> Option<Mode> {
+        Mode::ALL.get(usize::from(self.modes[row])).copied()
+    }
+
+    /// The nearest double of a quantity in a row, where there is a value.
+    pub fn double(&self, quantity: usize, row: usize) -> Option<f64> {
+        Some(self.values[quantity][0][row]).filter(|double| !double.is_nan())
+    }
+
     /// Place of the true value of a quantity in a row: -1 below the double, 0 on it, 1 above it; none where that is not
     /// proved, or there is no value.
     pub fn side(&self, quantity: usize, row: usize) -> Option<i32> {
         let [double, lower, upper] = self.values[quantity].each_ref().map(|column| column[row]);
-        side(double, [lower, upper])
+        match (lower >= double, upper <= double) {
+            (true, true) => Some(0),
+            (true, false) => Some(1),
+            (false, true) => Some(-1),
+            (false, false) => None,
+        }
     }
 
     /// Puts rows that are columns themselves into some places.
@@ -56,48 +73,17 @@ impl BatchColumns {
         self.reasons.extend(rows.reasons.into_iter().map(|(from, why)| (places[from], why)));
     }
 
-    /// The rows of columns; those that follow each other and are the same share one.
-    pub fn rows(&self) -> Vec<Arc<BatchRow>> {
-        let bits = |row: usize| {
-            let values = self.values.iter().flatten().map(move |column| column[row].to_bits());
-            (self.verdicts[row], self.modes[row], values)
-        };
-        let same = |row: usize| {
-            let (one, other) = (bits(row - 1), bits(row));
-            (one.0, one.1) == (other.0, other.1) && one.2.eq(other.2)
-        };
-        let mut all: Vec<Arc<BatchRow>> = Vec::with_capacity(self.verdicts.len());
-        for row in 0..self.verdicts.len() {
-            let found = match all.last() {
-                Some(last) if last.reason.is_none() && same(row) => Arc::clone(last),
-                _ => Arc::new(self.row(row)),
-            };
-            all.push(found);
-        }
-        all
-    }
-
-    fn row(&self, row: usize) -> BatchRow {
-        let value = |columns: &[Vec<f64>; 3]| {
-            let [double, lower, upper] = columns.each_ref().map(|column| column[row]);
-            (!double.is_nan()).then_some(RowValue { double, bounds: [lower, upper], text: None })
-        };
-        BatchRow {
-            verdict: self.verdicts[row],
-            mode: Mode::ALL.get(usize::from(self.modes[row])).copied(),
-            values: self.values.iter().map(value).collect(),
-            reason: self.reasons.get(&row).cloned(),
-        }
-    }
-
     /// Puts a row in its place.
     pub(super) fn put(&mut self, place: usize, row: &BatchRow) {
         self.verdicts[place] = row.verdict;
-        self.modes[place] = row.mode_code();
+        self.modes[place] = mode_code(row.mode);
         self.reasons.extend(row.reason.clone().map(|why| (place, why)));
-        for (quantity, columns) in self.values.iter_mut().enumerate() {
-            let doubles = row.doubles(quantity);
+        for (columns, value) in self.values.iter_mut().zip(&row.values) {
+            let doubles = value.as_ref().map_or([f64::NAN; 3], |value| value.doubles);
             columns.iter_mut().zip(doubles).for_each(|(column, x)| column[place] = x);
+        }
+        for (texts, value) in self.texts.iter_mut().zip(&row.values) {
+            texts[place] = value.as_ref().and_then(|value| value.text.clone());
         }
     }
 
@@ -113,4 +99,10 @@ impl BatchColumns {
         self.verdicts.push(verdict);
         self.modes.push(mode_code(mode));
     }
+}
+
+/// The place of a mode in [`Mode::ALL`]; 255 where there is none.
+fn mode_code(mode: Option<Mode>) -> u8 {
+    let place = mode.and_then(|mode| Mode::ALL.iter().position(|of| *of == mode));
+    place.and_then(|place| u8::try_from(place).ok()).unwrap_or(u8::MAX)
 }

@@ -6,7 +6,6 @@ use super::arches::{BatchArches, Threads, grouped};
 use super::batch::Batch;
 use super::columns::BatchColumns;
 use super::opening::tangent;
-use super::row::BatchRow;
 use crate::arch::SelfWeight;
 use crate::certify::state::InLanes;
 use crate::lanes::Lanes;
@@ -15,7 +14,6 @@ use crate::problem::{Arch, Friction, Quantity};
 use crate::prover::Refused;
 use std::borrow::Cow;
 use std::ops::Range;
-use std::sync::Arc;
 
 /// With so many digits a decimal number tells the double.
 const DIGITS: usize = 17;
@@ -29,10 +27,9 @@ const DIGITS: usize = 17;
 /// let weight = SelfWeight::Milankovitch;
 /// let units = DoubleUnits::default();
 /// let arches = DoubleArches { weight, half_openings, frictions, thicknesses: None, units };
-/// let rows = arches.rows(&[Quantity::Thickness])?;
-/// assert_eq!((rows[0].mode, rows[0].doubles(0)[0]), (Mode::named("rrs"), 0.65024378080138357));
-/// assert_eq!(rows[1].verdict, RowVerdict::Falls);
-/// assert_eq!(rows[2].verdict, RowVerdict::Refused);
+/// let found = arches.columns(&[Quantity::Thickness])?;
+/// assert_eq!((found.mode(0), found.double(0, 0)), (Mode::named("rrs"), Some(0.65024378080138357)));
+/// assert_eq!(found.verdicts, [RowVerdict::Stands, RowVerdict::Falls, RowVerdict::Refused]);
 /// # Ok::<(), couplet_prove::certify::Error>(())
 /// ```
 ///
@@ -79,10 +76,10 @@ fn exact(x: f64) -> Result<ExactNumber, String> {
 }
 
 impl DoubleArches<'_> {
-    /// Rows with the quantities: those of [`Quantity::STATE_ROW`], or of [`Quantity::ASSESSMENT_ROW`] where there are
-    /// thicknesses. A row with a number out of its range is [`RowVerdict::Refused`](super::RowVerdict::Refused), and
-    /// no other is. All are refused where the lengths of the arrays differ, or a quantity is asked for that such
-    /// arches do not have.
+    /// Columns of rows with the quantities: those of [`Quantity::STATE_ROW`], or of [`Quantity::ASSESSMENT_ROW`] where
+    /// there are thicknesses. A row with a number out of its range is
+    /// [`RowVerdict::Refused`](super::RowVerdict::Refused), and no other is. All are refused where the lengths of the
+    /// arrays differ, or a quantity is asked for that such arches do not have.
     ///
     /// ```
     /// use couplet_prove::certify::Refused;
@@ -92,32 +89,14 @@ impl DoubleArches<'_> {
     /// let units = DoubleUnits::default();
     /// let arches = DoubleArches { weight, half_openings, frictions: &[0.5], thicknesses: None, units };
     /// let safety = [Quantity::GeometricSafety];
-    /// assert_eq!(arches.rows(&safety), Err(Refused::Lengths(vec![2, 1])));
+    /// assert_eq!(arches.columns(&safety), Err(Refused::Lengths(vec![2, 1])));
     /// // A safety is that of a thickness.
     /// let arches = DoubleArches { half_openings: &[1.0], ..arches };
-    /// assert!(matches!(arches.rows(&safety), Err(Refused::NoSuchQuantity { .. })));
-    /// assert!(DoubleArches { thicknesses: Some(&[0.1]), ..arches }.rows(&safety).is_ok());
+    /// assert!(matches!(arches.columns(&safety), Err(Refused::NoSuchQuantity { .. })));
+    /// assert!(DoubleArches { thicknesses: Some(&[0.1]), ..arches }.columns(&safety).is_ok());
     /// ```
     ///
     /// Inside a pool of rayon its threads share the work; elsewhere all is done in the thread that calls.
-    pub fn rows(&self, quantities: &[Quantity]) -> Result<Vec<Arc<BatchRow>>, Refused> {
-        Ok(self.batch(quantities)?.rows(self, Threads::Pool))
-    }
-
-    /// Columns of these rows.
-    ///
-    /// ```
-    /// use couplet_prove::certify::batch::{DoubleArches, DoubleUnits, RowVerdict};
-    /// use couplet_prove::prelude::*;
-    /// let (half_openings, frictions) = (&[2.45, 2.45, 4.0], &[1.35, 0.1, 1.0]);
-    /// let weight = SelfWeight::Milankovitch;
-    /// let units = DoubleUnits::default();
-    /// let arches = DoubleArches { weight, half_openings, frictions, thicknesses: None, units };
-    /// let columns = arches.columns(&[Quantity::Thickness])?;
-    /// assert_eq!(columns.values[0][0][0], 0.65024378080138357);
-    /// assert_eq!(columns.verdicts, [RowVerdict::Stands, RowVerdict::Falls, RowVerdict::Refused]);
-    /// # Ok::<(), couplet_prove::certify::Error>(())
-    /// ```
     pub fn columns(&self, quantities: &[Quantity]) -> Result<BatchColumns, Refused> {
         Ok(self.batch(quantities)?.columns(self, Threads::Pool))
     }
@@ -205,18 +184,18 @@ mod tests {
     use crate::certify::asymmetric_thicknesses;
     use crate::certify::state::Certify;
 
-    fn rows(
+    fn columns(
         quantities: &[Quantity],
         (half_openings, frictions): (&[f64], &[f64]),
         thicknesses: Option<&[f64]>,
-    ) -> Result<Vec<Arc<BatchRow>>, Refused> {
+    ) -> Result<BatchColumns, Refused> {
         let weight = SelfWeight::Milankovitch;
         let units = DoubleUnits::default();
-        DoubleArches { weight, half_openings, frictions, thicknesses, units }.rows(quantities)
+        DoubleArches { weight, half_openings, frictions, thicknesses, units }.columns(quantities)
     }
 
-    fn first(row: &BatchRow) -> [f64; 3] {
-        row.doubles(0)
+    fn first(columns: &BatchColumns, row: usize) -> [f64; 3] {
+        columns.values[0].each_ref().map(|column| column[row])
     }
 
     /// Rows of half openings that occur once, and so often that they share their proofs.
@@ -228,25 +207,26 @@ mod tests {
     }
 
     /// Bits, as what is not a number is not equal to itself.
-    fn bits(rows: &[Arc<BatchRow>]) -> Vec<(RowVerdict, u8, Vec<[u64; 3]>)> {
-        let row = |row: &Arc<BatchRow>| {
-            let values =
-                (0..row.values.len()).map(|place| row.doubles(place).map(f64::to_bits)).collect();
-            (row.verdict, row.mode_code(), values)
+    fn bits(columns: &BatchColumns) -> Vec<(RowVerdict, u8, Vec<[u64; 3]>)> {
+        let row = |row: usize| {
+            let values = columns.values.iter();
+            let bits = values.map(|of| of.each_ref().map(|column| column[row].to_bits()));
+            (columns.verdicts[row], columns.modes[row], bits.collect())
         };
-        rows.iter().map(row).collect()
+        (0..columns.verdicts.len()).map(row).collect()
     }
 
     #[test]
     fn a_row_is_what_it_is_alone_whatever_the_threads() {
         let asked = [Quantity::Thrust, Quantity::Thickness];
         let (alphas, mus) = grid();
-        let rows = |alphas: &[f64], mus: &[f64]| rows(&asked, (alphas, mus), None).unwrap();
-        let together = bits(&rows(&alphas, &mus));
+        let rows =
+            |alphas: &[f64], mus: &[f64]| bits(&columns(&asked, (alphas, mus), None).unwrap());
+        let together = rows(&alphas, &mus);
         let alone = alphas.iter().zip(&mus).flat_map(|(&alpha, &mu)| rows(&[alpha], &[mu]));
-        assert_eq!(together, bits(&alone.collect::<Vec<_>>()));
+        assert_eq!(together, alone.collect::<Vec<_>>());
         let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
-        assert_eq!(together, bits(&pool.install(|| rows(&alphas, &mus))));
+        assert_eq!(together, pool.install(|| rows(&alphas, &mus)));
         let falls = together.iter().filter(|(verdict, ..)| *verdict == RowVerdict::Falls).count();
         assert!((5..25).contains(&falls), "{falls}");
     }
@@ -255,34 +235,28 @@ mod tests {
     fn a_row_with_frictions_is_what_it_is_alone() {
         let asked = [Quantity::SlidingFriction, Quantity::RotationalFriction];
         let (alphas, mus) = grid();
-        let rows = |alphas: &[f64], mus: &[f64]| rows(&asked, (alphas, mus), None).unwrap();
-        let together = rows(&alphas, &mus);
-        let alone = alphas.iter().zip(&mus).flat_map(|(&alpha, &mu)| rows(&[alpha], &[mu]));
-        assert_eq!(bits(&together), bits(&alone.collect::<Vec<_>>()));
-        let is_known = |row: &&Arc<BatchRow>| first(row)[0] > 0.0;
-        assert!(together.iter().filter(is_known).count() > 20);
+        let columns = |alphas: &[f64], mus: &[f64]| columns(&asked, (alphas, mus), None).unwrap();
+        let together = columns(&alphas, &mus);
+        let alone = alphas.iter().zip(&mus);
+        let alone = alone.flat_map(|(&alpha, &mu)| bits(&columns(&[alpha], &[mu])));
+        assert_eq!(bits(&together), alone.collect::<Vec<_>>());
+        assert!(together.values[0][0].iter().filter(|x| **x > 0.0).count() > 20);
     }
 
     /// Number of some arches whose rows are proved together; these, and all others, are what they are one by one.
     fn together(arches: &DoubleArches, quantities: &[Quantity]) -> usize {
-        let found = arches.rows(quantities).unwrap();
-        let columns = arches.columns(quantities).unwrap();
+        let found = arches.columns(quantities).unwrap();
         let batch = arches.batch(quantities).unwrap();
         let rows: Vec<usize> = (0..arches.count()).collect();
-        let mut expected = batch.one_by_one(&rows, arches, Threads::Pool);
-        expected.sort_by_key(|(row, _)| *row);
-        assert_eq!(found.len(), expected.len());
-        for (row, (found, (_, expected))) in found.iter().zip(&expected).enumerate() {
-            let eta = arches.thicknesses.map(|etas| etas[row]);
-            let arch = || format!("{:?} {:?}", arches.in_lanes(row), eta);
-            let bits = |row| bits(std::slice::from_ref(row));
-            assert_eq!(bits(found), bits(expected), "{}", arch());
-            assert_eq!(found.reason, expected.reason, "{}", arch());
-            let in_columns = |k: usize| columns.values[k].each_ref().map(|of| of[row].to_bits());
-            let in_columns: Vec<_> = (0..quantities.len()).map(in_columns).collect();
-            let in_columns = (columns.verdicts[row], columns.modes[row], in_columns);
-            assert_eq!(bits(found)[0], in_columns, "{}", arch());
+        let mut expected = BatchColumns::open(rows.len(), quantities.len());
+        for (row, of) in batch.one_by_one(&rows, arches, Threads::Pool) {
+            expected.put(row, &of);
         }
+        for (row, (one, other)) in bits(&found).into_iter().zip(bits(&expected)).enumerate() {
+            let eta = arches.thicknesses.map(|etas| etas[row]);
+            assert_eq!(one, other, "{:?} {eta:?}", arches.in_lanes(row));
+        }
+        assert_eq!((found.verdicts.len(), found.reasons), (rows.len(), expected.reasons));
         let proved = in_lanes::columns(quantities, arches, Threads::One);
         proved.iter().map(|(rows, _)| rows.len()).sum()
     }
@@ -457,13 +431,13 @@ mod tests {
     #[test]
     fn a_value_is_that_of_the_arch() {
         let asked = [Quantity::RotationalFriction, Quantity::Thickness];
-        let row = &rows(&asked, (&[1.5], &[0.5]), None).unwrap()[0];
-        let values = [0, 1].map(|place| row.doubles(place));
+        let found = columns(&asked, (&[1.5], &[0.5]), None).unwrap();
+        let values = [0, 1].map(|place| found.values[place].each_ref().map(|column| column[0]));
         let arch = Arch::parse("milankovitch", "1.5", "0.5").unwrap();
         let state = arch.least(17).unwrap();
         let rotational = state.frictions.unwrap().rotational.unwrap();
         assert_eq!([values[0][0], values[1][0]], [rotational.double, state.thickness.double]);
-        assert_eq!(row.mode, Some(state.mode));
+        assert_eq!(found.mode(0), Some(state.mode));
         let [value, lower, upper] = values[1];
         assert!(lower <= value && value <= upper && lower < upper);
     }
@@ -477,19 +451,19 @@ mod tests {
         let known = asymmetric_thicknesses(&arch, DIGITS).unwrap()[0].double;
         approx::assert_abs_diff_eq!(known, 0.583_084_449_604_488_6, epsilon = 1e-15);
         for etas in [None, Some(&[0.55, 0.55, 0.5, 0.2][..])] {
-            let rows = rows(&[Quantity::AsymmetricThickness], arches, etas).unwrap();
-            let [value, lower, upper] = first(&rows[0]);
+            let found = columns(&[Quantity::AsymmetricThickness], arches, etas).unwrap();
+            let [value, lower, upper] = first(&found, 0);
             assert_eq!(value, known);
             assert!(lower <= value && value <= upper && lower < upper);
-            assert!(first(&rows[1])[0].is_nan() && first(&rows[3])[0].is_nan());
-            assert_eq!(first(&rows[2])[0].is_nan(), etas.is_some(), "one falls");
+            assert_eq!([1, 3].map(|row| found.double(0, row)), [None; 2]);
+            assert_eq!(found.double(0, 2).is_none(), etas.is_some(), "one falls");
         }
     }
 
     #[test]
     fn a_row_that_makes_no_sense_is_refused_and_no_other() {
         let found = |arches: (&[f64], &[f64]), etas: &[f64]| {
-            rows(&[Quantity::GeometricSafety], arches, Some(etas)).unwrap()
+            columns(&[Quantity::GeometricSafety], arches, Some(etas)).unwrap()
         };
         let nan = f64::NAN;
         let rows = [(nan, 1.0, 0.1), (1.0, nan, 0.1), (1.0, 1.0, nan), (4.0, 1.0, 0.1)];
@@ -497,17 +471,17 @@ mod tests {
             [&rows[..], &[(1.0, -1.0, 0.1), (1.0, 1.0, 0.0), (1.0, 1.0, 2.5), (-0.0, 1.0, 1.0)]];
         for &(alpha, mu, eta) in rows.concat().iter() {
             let found = found((&[1.0, alpha], &[1.0, mu]), &[0.1, eta]);
-            let verdicts = found.iter().map(|row| row.verdict).collect::<Vec<_>>();
-            assert_eq!(verdicts, [RowVerdict::Stands, RowVerdict::Refused], "{alpha} {mu} {eta}");
-            assert!(first(&found[1]).iter().all(|x| x.is_nan()) && found[1].mode_code() == 255);
+            let expected = [RowVerdict::Stands, RowVerdict::Refused];
+            assert_eq!(found.verdicts, expected, "{alpha} {mu} {eta}");
+            assert!(first(&found, 1).iter().all(|x| x.is_nan()) && found.modes[1] == 255);
         }
-        assert!(found((&[], &[]), &[]).is_empty());
+        assert!(found((&[], &[]), &[]).verdicts.is_empty());
     }
 
     #[test]
     fn arrays_of_other_lengths_and_quantities_of_other_arches_are_refused() {
         let safety = |arches: (&[f64], &[f64]), etas: Option<&[f64]>| {
-            rows(&[Quantity::Thickness, Quantity::GeometricSafety], arches, etas)
+            columns(&[Quantity::Thickness, Quantity::GeometricSafety], arches, etas)
         };
         let lengths = |all: &[usize]| Err(Refused::Lengths(all.to_vec()));
         assert_eq!(safety((&[1.0, 1.2, 1.4], &[0.6]), None), lengths(&[3, 1]));

@@ -29,4 +29,4 @@ pub use columns::BatchColumns;
 pub use doubles::{DoubleArches, DoubleUnits};
 pub use opening::SharedOpening;
 pub use openings::SharedOpenings;
-pub use row::{BatchRow, RowValue, RowVerdict};
+pub use row::RowVerdict;

@@ -24,9 +24,9 @@ worded! {
     pub fn name -> &'static str;
 }
 
-/// Row of a batch.
+/// Row of a batch, until it is in its columns.
 #[derive(Clone, Debug, PartialEq)]
-pub struct BatchRow {
+pub(super) struct BatchRow {
     /// Verdict on the arch.
     pub verdict: RowVerdict,
     /// Collapse mode at the least thickness, where that is asked and known.
@@ -37,59 +37,23 @@ pub struct BatchRow {
     pub reason: Option<String>,
 }
 
-/// Value of a row; all three doubles are infinite where the value is.
+/// Value of a row.
 #[derive(Clone, Debug, PartialEq)]
-pub struct RowValue {
-    /// The nearest double.
-    pub double: f64,
-    /// Outward bounds.
-    pub bounds: [f64; 2],
+pub(super) struct RowValue {
+    /// The nearest double, and outward bounds; all infinite where the value is.
+    pub doubles: [f64; 3],
     /// The digits, where they are asked for.
     pub text: Option<Box<str>>,
-}
-
-impl BatchRow {
-    /// The place of the mode in [`Mode::ALL`]; 255 where there is none.
-    pub fn mode_code(&self) -> u8 {
-        mode_code(self.mode)
-    }
-
-    /// The nearest double of a quantity, by its place, with its bounds; not a number where there is no value.
-    pub fn doubles(&self, place: usize) -> [f64; 3] {
-        match &self.values[place] {
-            Some(RowValue { double, bounds: [lower, upper], .. }) => [*double, *lower, *upper],
-            None => [f64::NAN; 3],
-        }
-    }
-}
-
-/// Place of a value within bounds, as [`RowValue::side`] tells it.
-pub(super) fn side(double: f64, [lower, upper]: [f64; 2]) -> Option<i32> {
-    match (lower >= double, upper <= double) {
-        (true, true) => Some(0),
-        (true, false) => Some(1),
-        (false, true) => Some(-1),
-        (false, false) => None,
-    }
-}
-
-/// The place of a mode in [`Mode::ALL`]; 255 where there is none.
-pub(super) fn mode_code(mode: Option<Mode>) -> u8 {
-    let place = mode.and_then(|mode| Mode::ALL.iter().position(|of| *of == mode));
-    place.and_then(|place| u8::try_from(place).ok()).unwrap_or(u8::MAX)
 }
 
 impl RowValue {
     /// The value of a figure, infinite without one.
     pub(super) fn new(figure: Option<&Figure>, has_text: bool) -> Self {
         let text = || figure.map_or("inf".into(), |figure| figure.to_string().into());
-        let doubles = figure.map(|x| (x.double, x.bounds()));
-        let (double, bounds) = doubles.unwrap_or((f64::INFINITY, [f64::INFINITY; 2]));
-        Self { double, bounds, text: has_text.then(text) }
-    }
-
-    /// Place of the true value: -1 below the double, 0 on it, 1 above it; none where that is not proved.
-    pub fn side(&self) -> Option<i32> {
-        side(self.double, self.bounds)
+        let doubles = figure.map_or([f64::INFINITY; 3], |x| {
+            let [lower, upper] = x.bounds();
+            [x.double, lower, upper]
+        });
+        Self { doubles, text: has_text.then(text) }
     }
 }

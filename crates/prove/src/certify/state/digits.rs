@@ -42,27 +42,27 @@ pub enum Answer {
     },
 }
 
-/// The values of a proved state, correctly rounded.
+/// The values of a proved state, correctly rounded or as other numbers.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
-pub struct Digits {
+pub struct Digits<T = Figure> {
     /// Mode of its collapse.
     pub mode: Mode,
     /// `eta`.
-    pub thickness: Figure,
+    pub thickness: T,
     /// `h`.
-    pub thrust: Figure,
+    pub thrust: T,
     /// `eta h`.
-    pub intrinsic_thrust: Figure,
+    pub intrinsic_thrust: T,
     /// `beta_r`, rad.
-    pub rotation_joint: Figure,
+    pub rotation_joint: T,
     /// `beta_s`, rad, if an inner joint slides.
-    pub sliding_joint: Option<Figure>,
+    pub sliding_joint: Option<T>,
     /// The frictions at which the mode changes, if they are asked for.
-    pub frictions: Option<Frictions<Figure>>,
+    pub frictions: Option<Frictions<T>>,
 }
 
-impl Digits {
+impl<T> Digits<T> {
     /// The value of a quantity of [`Quantity::STATE`], where the state has it.
     ///
     /// ```
@@ -73,12 +73,12 @@ impl Digits {
     /// assert!(state.get(Quantity::SlidingJoint).is_none(), "no inner joint slides");
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn get(&self, quantity: Quantity) -> Option<&Figure> {
+    pub fn get(&self, quantity: Quantity) -> Option<&T> {
         self.figures().find(|(of, _)| *of == quantity)?.1
     }
 
     /// The values that there are, in the order of [`Quantity::STATE`]; `None` for a friction without bound.
-    pub fn figures(&self) -> impl Iterator<Item = (Quantity, Option<&Figure>)> {
+    pub fn figures(&self) -> impl Iterator<Item = (Quantity, Option<&T>)> {
         let joint = self.sliding_joint.as_ref();
         let frictions = self.frictions.as_ref();
         [
@@ -93,20 +93,44 @@ impl Digits {
         .into_iter()
         .flatten()
     }
+}
 
-    /// Every value rounded to `digits` significant digits, if the enclosures decide all of them.
+impl Digits {
+    /// Every value of a state rounded to `digits` significant digits, if the enclosures decide all of them.
     pub(super) fn new<E: Arithmetic + Figured>(state: &State<E>, digits: usize) -> Option<Self> {
-        let rounded = |x: &E| x.figure(digits);
-        Some(Self {
+        let values = Digits {
             mode: state.mode,
-            thickness: rounded(&state.thickness)?,
-            thrust: rounded(&state.thrust)?,
-            intrinsic_thrust: rounded(&(state.thickness.clone() * &state.thrust))?,
-            rotation_joint: rounded(&state.rotation_joint)?,
-            sliding_joint: optional(state.sliding_joint.as_ref(), rounded)?,
-            frictions: optional(state.frictions.as_ref(), |both| {
-                let rotational = optional(both.rotational.as_ref(), rounded)?;
-                Some(Frictions { sliding: rounded(&both.sliding)?, rotational })
+            thickness: &state.thickness,
+            thrust: &state.thrust,
+            intrinsic_thrust: &(state.thickness.clone() * &state.thrust),
+            rotation_joint: &state.rotation_joint,
+            sliding_joint: state.sliding_joint.as_ref(),
+            frictions: state.frictions.as_ref().map(|both| Frictions {
+                sliding: &both.sliding,
+                rotational: both.rotational.as_ref(),
+            }),
+        };
+        values.rounded(digits)
+    }
+}
+
+impl<E> Digits<&E> {
+    /// Every value rounded to `digits` significant digits, if the enclosures decide all of them.
+    pub(super) fn rounded(&self, digits: usize) -> Option<Digits>
+    where
+        E: Figured,
+    {
+        let rounded = |x: &E| x.figure(digits);
+        Some(Digits {
+            mode: self.mode,
+            thickness: rounded(self.thickness)?,
+            thrust: rounded(self.thrust)?,
+            intrinsic_thrust: rounded(self.intrinsic_thrust)?,
+            rotation_joint: rounded(self.rotation_joint)?,
+            sliding_joint: optional(self.sliding_joint, rounded)?,
+            frictions: optional(self.frictions.as_ref(), |both| {
+                let rotational = optional(both.rotational, rounded)?;
+                Some(Frictions { sliding: rounded(both.sliding)?, rotational })
             })?,
         })
     }

@@ -14,8 +14,8 @@ use crate::lanes::{
 };
 use crate::number::{Angle, DoubleDoubleBall, Enclosure, Field, Ternary};
 use crate::problem::Mode;
-use crate::prover::figure::{Figure, Figured, optional};
-use crate::prover::{Answered, Undecided};
+use crate::prover::Undecided;
+use crate::prover::figure::{Figured, optional};
 
 /// Frictions that are asked for with the states of arches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,176 +29,265 @@ pub enum WithFrictions {
     AndRemedies,
 }
 
-/// The answers to arches of a weight, in their order, to `digits` digits, at most 17; `None` where lanes leave anything
-/// open.
-pub fn states_in_lanes(
-    (weight, arches): (SelfWeight, &[LaneArch]),
-    digits: usize,
-    with: WithFrictions,
-) -> Vec<Option<Answer>> {
-    let lanes = Lanes::of(weight);
-    let answers = lanes.states(arches);
-    let needs = |answer: &Option<LaneAnswer>| match answer {
-        Some(LaneAnswer::Stands(_)) => with != WithFrictions::None,
-        Some(LaneAnswer::Falls) => with != WithFrictions::AndRemedies,
-        None => false,
-    };
-    let asking = answers.iter().zip(arches).filter(|(answer, _)| needs(answer));
-    let half_openings: Vec<_> = asking.map(|(_, (half_opening, _))| *half_opening).collect();
-    let mut frictions = lanes.frictions(&half_openings).into_iter();
-    let answer = |(answer, (_, friction)): (&Option<LaneAnswer>, &LaneArch)| {
-        let frictions = if needs(answer) { frictions.next() } else { None };
-        match answer.as_ref()? {
-            LaneAnswer::Stands(state) => stands(state, frictions.as_ref(), digits),
-            LaneAnswer::Falls => falls(friction.as_ref(), &frictions?, (digits, with)),
-        }
-    };
-    answers.iter().zip(arches).map(answer).collect()
-}
-
-/// A state in digits, with the frictions at which its mode changes if they are given, if all of it is decided.
-fn stands(state: &LaneState, frictions: Option<&LaneFrictions>, digits: usize) -> Option<Answer> {
-    let rounded = |x: &DoubleDoubleBall| x.figure(digits);
-    let frictions = optional(frictions, |both| {
-        let rotational = match both.rotational.as_ref()? {
-            FromFriction::From(friction) => Some(rounded(friction)?),
-            FromFriction::Never => None,
-        };
-        Some(Frictions { sliding: rounded(both.sliding.as_ref()?)?, rotational })
-    })?;
-    Some(Answer::Stands(Box::new(Digits {
-        mode: state.mode,
-        thickness: rounded(&state.thickness)?,
-        thrust: rounded(&state.thrust)?,
-        intrinsic_thrust: rounded(&state.intrinsic_thrust)?,
-        rotation_joint: rounded(&state.rotation_joint)?,
-        sliding_joint: optional(state.sliding_joint.as_ref(), rounded)?,
-        frictions,
-    })))
-}
-
-/// An arch that falls, with what would be enough.
-fn falls(
-    friction: Option<&DoubleDoubleBall>,
-    of_opening: &LaneFrictions,
-    (digits, with): (usize, WithFrictions),
-) -> Option<Answer> {
-    let sliding = of_opening.sliding.as_ref();
-    let fall = why(friction, sliding)?;
-    let enough = |sliding: Figure| Enough {
-        sliding_friction: Some(sliding),
-        friction: None,
-        half_opening: None,
-    };
-    let enough = match with {
-        WithFrictions::None => None,
-        _ => Some(Box::new(enough(sliding?.figure(digits)?))),
-    };
-    Some(Answer::Falls { fall, enough })
-}
-
-/// Why an arch falls that no thickness is enough for: too little friction comes before any other reason.
-fn why(friction: Option<&DoubleDoubleBall>, sliding: Option<&DoubleDoubleBall>) -> Option<Fall> {
-    let Some(mu) = friction else { return Some(Fall::Thickness) };
-    match [mu.is_less_than(sliding?), sliding?.is_less_than(mu)].map(Ternary::is_proved) {
-        [true, _] => Some(Fall::Sliding),
-        [_, true] => Some(Fall::Thickness),
-        _ => None,
-    }
-}
-
 /// Half opening and friction of an arch, and its thickness if it has one, in enclosures.
 pub type InLanes = (LaneArch, Option<DoubleDoubleBall>);
 
+/// Answer to a row in digits: about the least thickness of an arch, or about the one that it has.
+#[derive(Clone, Debug)]
+pub enum RowAnswer {
+    /// An arch without a thickness.
+    State(Answer),
+    /// An arch with one.
+    Assessment(Box<AssessmentDigits>),
+}
+
+/// The answers to arches with their weights, in their order, to `digits` digits, at most 17; `None` where lanes leave
+/// anything open.
+pub fn answers_in_lanes(
+    rows: &[Option<(SelfWeight, InLanes)>],
+    digits: usize,
+    with: WithFrictions,
+) -> Vec<Option<RowAnswer>> {
+    // The friction below which an arch slides tells why it falls.
+    let frictions = [with != WithFrictions::None, with != WithFrictions::AndRemedies];
+    let wants = LaneWants { frictions, required: true, thrusts: true };
+    let mut all = vec![None; rows.len()];
+    each_in_lanes(rows, wants, |row, found| all[row] = found.rounded(digits, with));
+    all
+}
+
+/// Values of rows that are wanted beside the least thickness and what goes with it.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::certify) struct LaneWants {
+    /// True if the frictions at which the mode changes are wanted of arches that stand; and of those that fall.
+    pub frictions: [bool; 2],
+    /// True if the required friction of a thickness is wanted.
+    pub required: bool,
+    /// True if the thrusts of a thickness are wanted.
+    pub thrusts: bool,
+}
+
+/// A row that lanes have proved.
+pub(in crate::certify) enum LaneFound<'a> {
+    /// The state of an arch, with the frictions at which its mode changes if they are wanted.
+    Stands(Digits<&'a DoubleDoubleBall>),
+    /// No thickness is enough.
+    Falls(Falling<'a>),
+    /// An arch with a thickness, as far as it is wanted; and what it says where no thickness is enough.
+    Assessment(Box<Assessment<DoubleDoubleBall>>, Option<Falling<'a>>),
+}
+
+/// An arch that falls whatever its thickness: its friction, and the one below which it slides, where that is known.
+pub(in crate::certify) struct Falling<'a> {
+    friction: Option<&'a DoubleDoubleBall>,
+    pub sliding: Option<&'a DoubleDoubleBall>,
+}
+
+impl Falling<'_> {
+    /// Why it falls: too little friction comes before any other reason.
+    fn why(&self) -> Option<Fall> {
+        let Some(mu) = self.friction else { return Some(Fall::Thickness) };
+        let sliding = self.sliding?;
+        match [mu.is_less_than(sliding), sliding.is_less_than(mu)].map(Ternary::is_proved) {
+            [true, _] => Some(Fall::Sliding),
+            [_, true] => Some(Fall::Thickness),
+            _ => None,
+        }
+    }
+}
+
+impl LaneFound<'_> {
+    /// The digits, if all of them are decided; what would be enough for an arch that falls lanes do not know.
+    fn rounded(self, digits: usize, with: WithFrictions) -> Option<RowAnswer> {
+        match self {
+            Self::Stands(state) => {
+                Some(RowAnswer::State(Answer::Stands(Box::new(state.rounded(digits)?))))
+            }
+            Self::Falls(_) if with == WithFrictions::AndRemedies => None,
+            Self::Falls(falling) => {
+                let enough = |sliding: &DoubleDoubleBall| {
+                    let sliding_friction = Some(sliding.figure(digits)?);
+                    Some(Box::new(Enough { sliding_friction, friction: None, half_opening: None }))
+                };
+                let sliding = falling.sliding.filter(|_| with != WithFrictions::None);
+                let (fall, enough) = (falling.why()?, optional(sliding, enough)?);
+                Some(RowAnswer::State(Answer::Falls { fall, enough }))
+            }
+            Self::Assessment(found, falling) => {
+                let fall = optional(falling, |falling| falling.why())?;
+                let found = Assessment { fall, ..*found }.rounded(digits, DOUBLE_DOUBLE);
+                let is_decided = found.first_open().is_none();
+                is_decided.then(|| RowAnswer::Assessment(Box::new(found)))
+            }
+        }
+    }
+}
+
+/// Proves rows many at a time, those of a weight together, and tells what is proved of each; nothing of a row that is
+/// left open.
+pub(in crate::certify) fn each_in_lanes(
+    rows: &[Option<(SelfWeight, InLanes)>],
+    wants: LaneWants,
+    mut tell: impl FnMut(usize, LaneFound),
+) {
+    for weight in SelfWeight::ALL {
+        let of_weight = |(row, given): (usize, &Option<(SelfWeight, InLanes)>)| {
+            let (of, given) = (*given)?;
+            let is_asked = of == weight && given.1.as_ref().is_none_or(is_thickness);
+            is_asked.then_some((row, given))
+        };
+        let (rows, given): (Vec<usize>, Vec<InLanes>) =
+            rows.iter().enumerate().filter_map(of_weight).unzip();
+        let all = LaneRows::new(weight, &given, wants);
+        for (place, row) in rows.into_iter().enumerate() {
+            if let Some(found) = all.of(place) {
+                tell(row, found);
+            }
+        }
+    }
+}
+
 /// Tells whether a number is proved to be in `(0, 2)`.
-pub(in crate::certify) fn is_thickness(eta: &DoubleDoubleBall) -> bool {
+fn is_thickness(eta: &DoubleDoubleBall) -> bool {
     eta.is_positive().is_proved() && eta.is_less_than(&eta.int(2)).is_proved()
 }
 
-/// All that holds for arches of a weight with thicknesses, in their order, to `digits` digits, at most 17; `None` where
-/// lanes leave anything open.
-pub fn assessments_in_lanes(
-    (weight, given): (SelfWeight, &[(LaneArch, DoubleDoubleBall)]),
-    digits: usize,
-) -> Vec<Option<AssessmentDigits>> {
-    let lanes = Lanes::of(weight);
-    // What is no thickness is not asked about.
-    let given = given.iter().map(|(arch, eta)| (*arch, Some(*eta).filter(is_thickness)));
-    let given: Vec<InLanes> = given.collect();
-    let answers = lanes.states(&given.iter().map(|(arch, _)| *arch).collect::<Vec<_>>());
-    let all = LaneAssessments::new(lanes, (&given, &answers), [true; 2]);
-    let digits = |place: usize| {
-        let found = all.of(place)?;
-        let fall = match &answers[place] {
-            Some(LaneAnswer::Falls) => {
-                let sliding = all.roots[place].sliding.as_ref().map(|[friction, _]| friction);
-                Some(why(given[place].0.1.as_ref(), sliding)?)
-            }
-            _ => None,
-        };
-        let found = Assessment { fall, ..found }.rounded(digits, DOUBLE_DOUBLE);
-        found.first_open().is_none().then_some(found)
-    };
-    (0..given.len()).map(digits).collect()
-}
-
-/// Assessments of arches with thicknesses: what they are found from.
-pub(in crate::certify) struct LaneAssessments<'a> {
+/// Arches of a weight, some with thicknesses, and what is proved of them.
+struct LaneRows<'a> {
     weight: SelfWeight,
     given: &'a [InLanes],
-    answers: &'a [Option<LaneAnswer>],
-    /// True if the required friction is asked for; and the thrusts.
-    wants: [bool; 2],
-    roots: Vec<LaneRoots>,
-    /// The answers at unlimited friction, where they are others.
-    unlimited: Vec<Option<LaneAnswer>>,
+    wants: LaneWants,
+    answers: Vec<Option<LaneAnswer>>,
+    /// The frictions at which the mode changes, where they are wanted.
+    frictions: OfSome<LaneFrictions>,
+    /// Roots that bound what is wanted of a thickness.
+    roots: OfSome<LaneRoots>,
+    /// The answers at unlimited friction, where they are others and wanted.
+    unlimited: OfSome<Option<LaneAnswer>>,
 }
 
-impl<'a> LaneAssessments<'a> {
-    /// From the answers to the arches, some of which may have no thickness.
-    pub(in crate::certify) fn new(
-        lanes: Lanes,
-        (given, answers): (&'a [InLanes], &'a [Option<LaneAnswer>]),
-        wants: [bool; 2],
-    ) -> Self {
-        let (mut roots, mut unlimited) = (Vec::new(), Vec::new());
-        if wants.contains(&true) {
-            let with = |(arch, eta): &InLanes| (*arch, eta.unwrap_or(DoubleDoubleBall::WHOLE));
-            roots = lanes.roots(&given.iter().map(with).collect::<Vec<_>>(), wants);
-            unlimited = Self::at_unlimited(lanes, (given, answers));
-        }
-        Self { weight: lanes.weight, given, answers, wants, roots, unlimited }
-    }
+/// Answers to those rows of which something is asked: these alone take room.
+struct OfSome<B> {
+    places: Vec<Option<usize>>,
+    found: Vec<B>,
+}
 
-    /// A thickness that is enough with friction is so without its limit: then the least with friction says so.
-    fn at_unlimited(
-        lanes: Lanes,
-        (given, answers): (&[InLanes], &[Option<LaneAnswer>]),
-    ) -> Vec<Option<LaneAnswer>> {
-        let mut unlimited = answers.to_vec();
-        let is_other = |place: &usize| match (&answers[*place], &given[*place]) {
-            (Some(LaneAnswer::Stands(state)), (_, Some(eta))) => {
-                state.mode != Mode::Rotational && !state.thickness.is_less_than(eta).is_proved()
-            }
-            _ => true,
+impl<B> OfSome<B> {
+    fn new<A>(rows: impl Iterator<Item = Option<A>>, ask: impl FnOnce(&[A]) -> Vec<B>) -> Self {
+        let mut asked = Vec::new();
+        let place = |row: Option<A>| {
+            asked.push(row?);
+            Some(asked.len() - 1)
         };
-        let places: Vec<usize> = (0..given.len()).filter(is_other).collect();
-        let arches: Vec<LaneArch> = places.iter().map(|place| (given[*place].0.0, None)).collect();
-        for (place, answer) in places.iter().zip(lanes.states(&arches)) {
-            unlimited[*place] = answer;
-        }
-        unlimited
+        let places = rows.map(place).collect();
+        Self { places, found: if asked.is_empty() { Vec::new() } else { ask(&asked) } }
     }
 
-    /// The assessment of an arch, as far as it is wanted; `None` where the arch has no thickness or its state is open.
-    pub(in crate::certify) fn of(&self, place: usize) -> Option<Assessment<DoubleDoubleBall>> {
-        let own = least(self.answers[place].as_ref()?);
-        let (arch, Some(eta)) = self.given[place] else { return None };
-        let Some(roots) = self.roots.get(place) else { return Some(standing(&eta, Ok(own))) };
-        let unlimited = self.unlimited[place].as_ref().map(least);
-        let unlimited = unlimited.ok_or_else(|| Undecided::new("whether a line of thrust fits"));
-        Some(assessed(self.weight, (arch, &eta), [Ok(own), unlimited], (roots, self.wants)))
+    fn of(&self, row: usize) -> Option<&B> {
+        self.found.get(self.places[row]?)
     }
+}
+
+impl<'a> LaneRows<'a> {
+    fn new(weight: SelfWeight, given: &'a [InLanes], wants: LaneWants) -> Self {
+        let lanes = Lanes::of(weight);
+        let arches: Vec<LaneArch> = given.iter().map(|(arch, _)| *arch).collect();
+        let answers = lanes.states(&arches);
+        let rows = || given.iter().zip(&answers);
+        let opening = |(((alpha, _), eta), answer): (&InLanes, &Option<LaneAnswer>)| {
+            let [stand, fall] = wants.frictions;
+            let is_wanted = match answer.as_ref()? {
+                LaneAnswer::Stands(_) => stand,
+                LaneAnswer::Falls => fall,
+            };
+            (is_wanted && eta.is_none()).then_some(*alpha)
+        };
+        let frictions = OfSome::new(rows().map(opening), |openings| lanes.frictions(openings));
+        let wants_of = [wants.required, wants.thrusts];
+        let thick =
+            |(arch, eta): &InLanes| Some((*arch, (*eta)?)).filter(|_| wants_of.contains(&true));
+        let roots = OfSome::new(given.iter().map(thick), |rows| lanes.roots(rows, wants_of));
+        // A thickness that is enough with friction is so without its limit: then the least with friction says so.
+        let other = |(given, answer): (&InLanes, &Option<LaneAnswer>)| {
+            let ((alpha, _), eta) = thick(given)?;
+            let is_same = match answer {
+                Some(LaneAnswer::Stands(state)) => {
+                    state.mode == Mode::Rotational || state.thickness.is_less_than(&eta).is_proved()
+                }
+                _ => false,
+            };
+            (!is_same).then_some((alpha, None))
+        };
+        let unlimited = OfSome::new(rows().map(other), |arches| lanes.states(arches));
+        Self { weight, given, wants, answers, frictions, roots, unlimited }
+    }
+
+    /// Row that is proved; none if anything that is wanted of a state is open.
+    fn of(&self, place: usize) -> Option<LaneFound<'_>> {
+        let (answer, ((_, friction), eta)) = (self.answers[place].as_ref()?, &self.given[place]);
+        let frictions = self.frictions.of(place);
+        let falling = |sliding| Falling { friction: friction.as_ref(), sliding };
+        match (eta, answer) {
+            (Some(eta), _) => {
+                let root = self.roots.of(place).and_then(|of| of.sliding.as_ref());
+                let falls = matches!(answer, LaneAnswer::Falls);
+                let falling = falls.then(|| falling(root.map(|[friction, _]| friction)));
+                Some(LaneFound::Assessment(Box::new(self.assessment(place, answer, eta)), falling))
+            }
+            (None, LaneAnswer::Stands(state)) => Some(LaneFound::Stands(stands(state, frictions)?)),
+            (None, LaneAnswer::Falls) => {
+                let sliding = optional(frictions, |both| both.sliding.as_ref())?;
+                Some(LaneFound::Falls(falling(sliding)))
+            }
+        }
+    }
+
+    /// The assessment of an arch with a thickness, as far as it is wanted. Exact ties stay open.
+    fn assessment(
+        &self,
+        place: usize,
+        own: &LaneAnswer,
+        eta: &DoubleDoubleBall,
+    ) -> Assessment<DoubleDoubleBall> {
+        let found = standing(eta, Ok(least(own)));
+        let Some(roots) = self.roots.of(place) else { return found };
+        let unlimited = self.unlimited.of(place).unwrap_or(&self.answers[place]);
+        let unlimited = unlimited.as_ref().map(least);
+        let unlimited = unlimited.ok_or_else(|| Undecided::new("whether a line of thrust fits"));
+        let ((alpha, friction), _) = self.given[place];
+        let given = Configuration::zero(&alpha)
+            .with(Unknown::HalfOpening, alpha)
+            .with(Unknown::Friction, friction.unwrap_or(alpha.int(0)))
+            .with(Unknown::Thickness, *eta);
+        let (weight, bits, is_limited) = (self.weight, DOUBLE_DOUBLE, friction.is_some());
+        let query = Query { weight, bits, given, is_limited };
+        let roots = Proved { given: &query.given, roots };
+        let wants = [self.wants.required, self.wants.thrusts];
+        with_thrusts((found, wants), &query, &roots, [false; 2], line_fits(eta, &unlimited))
+    }
+}
+
+/// A state, with the frictions at which its mode changes if they are given, if these are known.
+fn stands<'a>(
+    state: &'a LaneState,
+    frictions: Option<&'a LaneFrictions>,
+) -> Option<Digits<&'a DoubleDoubleBall>> {
+    let frictions = optional(frictions, |both| {
+        let rotational = match both.rotational.as_ref()? {
+            FromFriction::From(friction) => Some(friction),
+            FromFriction::Never => None,
+        };
+        Some(Frictions { sliding: both.sliding.as_ref()?, rotational })
+    })?;
+    Some(Digits {
+        mode: state.mode,
+        thickness: &state.thickness,
+        thrust: &state.thrust,
+        intrinsic_thrust: &state.intrinsic_thrust,
+        rotation_joint: &state.rotation_joint,
+        sliding_joint: state.sliding_joint.as_ref(),
+        frictions,
+    })
 }
 
 /// The least thickness of an arch, if there is one.
@@ -207,30 +296,6 @@ fn least(answer: &LaneAnswer) -> Option<DoubleDoubleBall> {
         LaneAnswer::Stands(state) => Some(state.thickness),
         LaneAnswer::Falls => None,
     }
-}
-
-/// Assessment of an arch with a thickness from what lanes have proved: the least ones with its own and with unlimited
-/// friction, and roots; with the required friction and the thrusts, as they are wanted. Exact ties stay open.
-fn assessed(
-    weight: SelfWeight,
-    ((alpha, friction), eta): (LaneArch, &DoubleDoubleBall),
-    [own, unlimited]: [Answered<DoubleDoubleBall>; 2],
-    (roots, wants): (&LaneRoots, [bool; 2]),
-) -> Assessment<DoubleDoubleBall> {
-    let given = Configuration::zero(&alpha)
-        .with(Unknown::HalfOpening, alpha)
-        .with(Unknown::Friction, friction.unwrap_or(alpha.int(0)))
-        .with(Unknown::Thickness, *eta);
-    let is_limited = friction.is_some();
-    let query = Query { weight, bits: DOUBLE_DOUBLE, given, is_limited };
-    let roots = Proved { given: &query.given, roots };
-    with_thrusts(
-        (standing(eta, own), wants),
-        &query,
-        &roots,
-        [false; 2],
-        line_fits(eta, &unlimited),
-    )
 }
 
 /// Roots that lanes have proved.
