@@ -63,17 +63,18 @@ pub(super) fn sweep(
             _ => seconds.flat_map(|j| (j + 1..count).map(move |k| vec![i, j, k])).collect(),
         };
         let most = PIECES + PIECES_EACH * all.len();
-        let look = |before: Swept, of: Vec<usize>| {
+        let mut passed = [i, i];
+        let mut look = |before: Swept, of: Vec<usize>| {
             let is_left = before.pieces > most || before.open.len() > OPEN;
             let found = match conditions.mirrored(&of) < of {
                 false if is_left && before.open.last() == Some(&range) => Swept::default(),
                 false if is_left => Swept { open: vec![range], ..Swept::default() },
-                false => one(Vertex::new(conditions, of), range, start, &rows),
+                false => one(Vertex::new(conditions, of), range, start, (&rows, &mut passed)),
                 true => Swept::default(),
             };
             before.with(Swept { triples: 1, ..found })
         };
-        all.into_iter().fold(Swept::default(), look)
+        all.into_iter().fold(Swept::default(), &mut look)
     };
     let parts: Vec<Swept> = (0..count).into_par_iter().map(with_first).collect();
     parts.into_iter().fold(Swept::default(), Swept::with)
@@ -83,7 +84,7 @@ fn one(
     mut vertex: Vertex<'_>,
     range: ThicknessPiece,
     start: Option<&SweepStart>,
-    rows: &[[[f64; 3]; 4]],
+    (rows, before): (&[[[f64; 3]; 4]], &mut [usize; 2]),
 ) -> Swept {
     let mut found = Swept::default();
     let mut pending = vec![(range, 0)];
@@ -93,7 +94,7 @@ fn one(
             found.open.push(piece);
             continue;
         }
-        let passed = vertex.is_passed_by_one(&piece, rows);
+        let passed = vertex.is_passed_by_one(&piece, rows, before);
         if passed == Passed::Proved {
             continue;
         }

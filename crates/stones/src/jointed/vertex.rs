@@ -96,14 +96,22 @@ impl<'a> Vertex<'a> {
         [factor.upper() > 0.0 && !is_zero(&factor), factor.lower() < 0.0 && !is_zero(&factor)]
     }
 
-    /// Tells whether a single condition shows that the triple is no vertex on a piece; a guess says which.
+    /// Tells whether a single condition shows that the triple is no vertex on a piece; a guess says which: those that
+    /// showed it of the triple before, one for each sign of the common factor, or those that are passed most.
     pub(super) fn is_passed_by_one(
         &self,
         piece: &ThicknessPiece,
         rows: &[[[f64; 3]; 4]],
+        before: &mut [usize; 2],
     ) -> Passed {
         let ball = piece.ball();
         let [mut plus, mut minus] = self.signs(&ball);
+        let value = |place| self.conditions.value(place, &self.of, &self.meeting).on(&ball);
+        plus = plus && !is_positive(&value(before[0]));
+        minus = minus && !is_negative(&value(before[1]));
+        if !plus && !minus {
+            return Passed::Proved;
+        }
         let x = piece.middle();
         let at: [f64; 4] = std::array::from_fn(|k| self.meeting[k].near(x));
         let (mut most, mut least) = ((0, 0.0), (0, 0.0));
@@ -122,7 +130,7 @@ impl<'a> Vertex<'a> {
             true => most.1 > CLEAR * size,
             false => -least.1 > CLEAR * size,
         };
-        let value = |place| self.conditions.value(place, &self.of, &self.meeting).on(&ball);
+        *before = [most.0, least.0];
         plus = plus && !(most.1 > 0.0 && is_positive(&value(most.0)));
         minus = minus && !(least.1 < 0.0 && is_negative(&value(least.0)));
         match (plus || minus, seems_passed) {
