@@ -33,6 +33,41 @@ worded! {
 }
 
 impl Mode {
+    /// Orders in which the modes follow each other as the friction grows, each on an interval or not at all: before T,
+    /// beyond it (the claim `map-rows`), and beyond the end of rotation, with unlimited friction at the end. With less
+    /// friction than where pure sliding begins each of them nothing stands.
+    pub const ROWS: [&[Self]; 3] = {
+        use Mode::*;
+        [
+            &[Sliding, SlidingRotational, Rotational],
+            &[
+                Sliding,
+                OverturningSliding,
+                RotationalSlidingRotational,
+                RotationalSliding,
+                Rotational,
+            ],
+            &[Sliding, OverturningSliding, Overturning],
+        ]
+    };
+
+    /// Orders in which they do as the half opening or the thickness grows, at a limited friction (the claim
+    /// `map-columns`) and at unlimited; beyond pure sliding nothing stands.
+    pub const COLUMNS: [&[Self]; 2] = {
+        use Mode::*;
+        [
+            &[
+                Rotational,
+                SlidingRotational,
+                RotationalSliding,
+                RotationalSlidingRotational,
+                OverturningSliding,
+                Sliding,
+            ],
+            &[Rotational, Overturning, Sliding],
+        ]
+    };
+
     /// The mode of a label, by its letters: brackets, commas, spaces, hyphens and the case do not matter.
     pub fn named(text: &str) -> Option<Self> {
         let letters = |text: &str| -> String {
