@@ -5,8 +5,8 @@ use rug::Rational;
 /// Proves a statement on a whole: on each part at once, or, where the proof of a part is left open, on its halves, one
 /// after the other. Returns the number of parts.
 ///
-/// A part that is not proved after `deepest` halvings, or has no halves, ends the search with why its proof is open: then
-/// nothing is proved of the whole.
+/// A part that is not proved after `deepest` halvings, or has no halves, ends the search with why its proof is open:
+/// then nothing is proved of the whole.
 pub fn halve<P, E>(
     whole: P,
     deepest: u32,
