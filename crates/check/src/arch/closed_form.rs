@@ -49,8 +49,8 @@ impl ClosedForm {
         }
     }
 
-    /// The closed form as printed, from a cube root `u` of [`ClosedForm::cube`]. The signs of (10) are printed the other
-    /// way round, `∓`.
+    /// The closed form as printed, from a cube root `u` of [`ClosedForm::cube`]. The signs of (10) are printed the
+    /// other way round, `∓`.
     pub fn value<T: Field>(self, at: &Abbreviations<T>, u: &T, k: &T) -> T {
         let k = match self {
             Self::Thickness => -k.clone(),
