@@ -9,6 +9,7 @@ use super::variable::Variable;
 use crate::number::{Ball, Enclosure, Ternary};
 
 /// A piece, or a part of one, with a tube of its own.
+#[derive(Clone)]
 pub(super) struct TubeCell<'a> {
     pub form: &'a CurveForm,
     pub nodes: [Node; 2],

@@ -193,9 +193,7 @@ pub struct Areas {
 }
 
 /// The modes whose domains have an area, in the order in which a thickness passes them at one friction.
-fn upwards() -> impl Iterator<Item = Mode> {
-    Mode::ALL.into_iter().filter(|mode| mode.exists_with(true))
-}
+const UPWARDS: &[Mode] = Mode::COLUMNS[0];
 
 /// The corners of the cells of a map, in some numbers: rows and columns as they are asked for.
 struct Corners<E> {
@@ -238,7 +236,7 @@ struct CellGrid {
 }
 
 impl CellGrid {
-    /// The place of the mode at a corner among those of [`upwards`].
+    /// The place of the mode at a corner among those of [`UPWARDS`].
     fn mode(&mut self, across: u32, up: u32) -> Option<usize> {
         if let Some(known) = self.modes.get(&(across, up)) {
             return *known;
@@ -246,7 +244,7 @@ impl CellGrid {
         let (weight, parts, at) = (self.weight, self.parts, (across, up));
         let quick = self.quick.mode(weight, parts, at);
         let mode = quick.or_else(|| self.corners.mode(weight, parts, at));
-        let mode = mode.and_then(|mode| upwards().position(|of| of == mode));
+        let mode = mode.and_then(|mode| UPWARDS.iter().position(|of| *of == mode));
         self.modes.insert(at, mode);
         mode
     }
@@ -296,7 +294,7 @@ impl Areas {
     pub fn new(weight: SelfWeight, parts: u32) -> Self {
         let zero: Ball = exact(0.0);
         let none = || [zero.clone(), zero.clone()];
-        let areas = upwards().map(|_| none()).collect();
+        let areas = UPWARDS.iter().map(|_| none()).collect();
         let mut grid = CellGrid {
             weight,
             parts,
@@ -310,7 +308,7 @@ impl Areas {
         };
         grid.prove((0, 0), parts);
         let proved = grid.areas.iter().fold(zero, |sum, [proved, _]| sum + proved);
-        let domains = upwards().zip(grid.areas).collect();
+        let domains = UPWARDS.iter().copied().zip(grid.areas).collect();
         Self { domains, proved, cells: grid.cells, open: grid.open }
     }
 }

@@ -10,6 +10,7 @@ use super::variable::Variable;
 use crate::certify::Undecided;
 use crate::number::{Ball, Enclosure, Real, Stumpff, Ternary};
 use crate::prover::arithmetic::Arithmetic;
+use crate::prover::halve::halve;
 use crate::prover::ladder::Rooted;
 use crate::prover::root::{self, root_near, rooted_near};
 use rug::Float;
@@ -94,27 +95,6 @@ pub(super) const BITS: u32 = 128;
 /// Number of times that a piece is halved.
 const DEPTH: u32 = 12;
 
-/// The parts of a cell, in order: nothing where the value is not, else with whether the variable rises. `None` if that
-/// stays open.
-fn cut<'a>(
-    cell: TubeCell<'a>,
-    variable: Variable,
-    value: &Ball,
-    depth: u32,
-    parts: &mut Vec<Option<(TubeCell<'a>, bool)>>,
-) -> Option<()> {
-    if !cell.may_have(variable, value) {
-        parts.push(None);
-        return Some(());
-    }
-    if let Some(rises) = cell.rises(variable) {
-        parts.push(Some((cell, rises)));
-        return Some(());
-    }
-    let depth = depth.checked_sub(1)?;
-    cell.halves()?.into_iter().try_for_each(|half| cut(half, variable, value, depth, parts))
-}
-
 /// Cells next to each other, on all of which the variable rises, or on all falls.
 struct MonotoneRun<'a> {
     /// The place of the first one on the curve.
@@ -172,11 +152,17 @@ impl Crossing {
         value: &Ball,
     ) -> Result<Option<Self>, Undecided> {
         let failed = |what: &str| Undecided::new(format!("{}: {what}", trace.curve));
+        let open = || failed("it is not proved to be there once at most");
+        // In order: nothing where the value is not, else with whether the variable rises.
         let mut parts = Vec::new();
         for piece in trace.pieces() {
-            TubeCell::new(&piece)
-                .and_then(|cell| cut(cell, variable, value, DEPTH, &mut parts))
-                .ok_or_else(|| failed("it is not proved to be there once at most"))?;
+            let whole = TubeCell::new(&piece).ok_or_else(open)?;
+            halve(whole, DEPTH, TubeCell::halves, |cell| {
+                let rises = || cell.rises(variable).ok_or_else(open);
+                let rises = cell.may_have(variable, value).then(rises).transpose()?;
+                parts.push(rises.map(|rises| (cell.clone(), rises)));
+                Ok(())
+            })?;
         }
         let count = parts.len();
         let mut runs: Vec<MonotoneRun> = Vec::new();

@@ -15,6 +15,7 @@ use crate::arch::whole::Forces;
 use crate::certify::{Undecided, between};
 use crate::number::{Angle, DoubleBall, Enclosure, Field, Real, Stumpff, Ternary};
 use crate::problem::Landmark;
+use crate::prover::halve::{halve, halves};
 use crate::prover::in_doubles::root_near;
 use crate::prover::root::Form;
 use rug::Rational;
@@ -50,7 +51,7 @@ const EDGES: [Edge; 4] = {
 };
 
 /// A range is halved so often at the most.
-const DEPTH: usize = 16;
+const DEPTH: u32 = 16;
 
 /// The equations of an edge, for all half openings of a ball: `h, p, eta, beta_r + h`, the friction, and `beta_s`
 /// with the first kind. At `sb` the joint `beta_r` alone turns back, and a box that is as narrow as it moves has no
@@ -119,19 +120,11 @@ impl Edge {
     /// Tells whether the mechanism exists (or not) at every half opening between two, in degrees; `start` are
     /// the unknowns next to the larger one, and next to the smaller one in the end.
     fn is_so(self, exists: bool, [low, high]: [Rational; 2], start: &mut Vec<f64>) -> Checked {
-        let mut open = vec![(low, high, 0)];
-        while let Some((low, high, depth)) = open.pop() {
-            match self.tells(exists, [&low, &high], start) {
-                Ok(centre) => *start = centre,
-                Err(undecided) if depth == DEPTH => return Err(undecided),
-                Err(_) => {
-                    let middle: Rational = Rational::from(&low + &high) / 2;
-                    open.push((low, middle.clone(), depth + 1));
-                    open.push((middle, high, depth + 1));
-                }
-            }
-        }
-        Ok(())
+        let upper_first = |piece: &_| halves(piece).map(|[lower, upper]| [upper, lower]);
+        let proof = |(low, high): &(Rational, Rational)| {
+            self.tells(exists, [low, high], start).map(|centre| *start = centre)
+        };
+        halve((low, high), DEPTH, upper_first, proof).map(drop)
     }
 
     /// Tells whether the mechanism exists (or not) on a piece, without halving it.

@@ -17,12 +17,9 @@ use super::cubics::letters;
 use super::curve::{STATES_IN_ORDER, TWO_THICKNESSES_FOR_EACH_JOINT};
 use super::landmarks::certain_if;
 use super::{Checked, Derivation, Support, claims, lemmas};
-use crate::arch::closed_form::{
-    opening_cube, opening_product, opening_root_factor, thickness_cube, thickness_product,
-    thrust_cube, thrust_product,
-};
+use crate::arch::closed_form::{ClosedForm, opening_root_factor};
 use crate::arch::cubic::Abbreviations;
-use crate::arch::{Ring, SelfWeight, closed_form, cubic, overturning};
+use crate::arch::{Ring, SelfWeight, cubic, overturning};
 use crate::certify::between;
 use crate::number::{Angle, Ball, Dual, Enclosure, Field, Real};
 use crate::problem::Landmark;
@@ -54,49 +51,34 @@ fn relations(cube: &Fraction) -> Relations {
         .with(Symbol::RootOfMinusThree, 2, Polynomial::from(-3))
 }
 
-/// `u³` by the letters and `q`.
-type Cube = fn(&Abbreviations<Fraction>, &Fraction) -> Fraction;
-
 /// A closed form in `u` and `k` put into its cubic, with both signs.
-fn solves(
-    d: &mut Derivation,
-    (words, cube, nonzero): (&str, Cube, &str),
-    cubic: impl Fn(&Abbreviations<Fraction>, &Fraction, &Fraction) -> Fraction,
-) -> Checked {
+fn solves(d: &mut Derivation, form: ClosedForm, words: &str, nonzero: &str) -> Checked {
     let [u, q, k] =
         [Symbol::CubeRoot, Symbol::SquareRoot, Symbol::RootOfMinusThree].map(Symbol::number);
     let at = letters();
-    let cube = cube(&at, &q);
+    let cube = form.cube(&at, &q);
     d.define(words, &cube);
     d.assume(nonzero);
     d.assume("u has the cube given, q² is the radicand (12), k² = -3");
     for (sign, k) in [("upper", k.clone()), ("lower", -k)] {
         let words = format!("the cubic at its closed form, {sign} signs");
-        d.identity_under(words, cubic(&at, &u, &k), k.int(0), &relations(&cube))?;
+        let value = form.cubic(&at, &k.int(1), &form.value(&at, &u, &k));
+        d.identity_under(words, value, k.int(0), &relations(&cube))?;
     }
     Ok(())
 }
 
 fn opening_root(d: &mut Derivation) -> Checked {
-    solves(
-        d,
-        ("u³, half the bracket", opening_cube, "S, 3g - 2S and u are not zero"),
-        |at, u, k| {
-            cubic::in_opening_variable(at, &k.int(1), &closed_form::opening_variable(at, u, k))
-        },
-    )
+    let nonzero = "S, 3g - 2S and u are not zero";
+    solves(d, ClosedForm::OpeningVariable, "u³, half the bracket", nonzero)
 }
 
 fn thickness_root(d: &mut Derivation) -> Checked {
-    solves(d, ("u³, the bracket", thickness_cube, "S and u are not zero"), |at, u, k| {
-        cubic::in_thickness(at, &k.int(1), &closed_form::thickness(at, u, k))
-    })
+    solves(d, ClosedForm::Thickness, "u³, the bracket", "S and u are not zero")
 }
 
 fn thrust_root(d: &mut Derivation) -> Checked {
-    solves(d, ("u³, the bracket", thrust_cube, "S and u are not zero"), |at, u, k| {
-        cubic::in_thrust(at, &k.int(1), &closed_form::thrust(at, u, k))
-    })
+    solves(d, ClosedForm::Thrust, "u³, the bracket", "S and u are not zero")
 }
 
 fn radicand_is_the_discriminant(d: &mut Derivation) -> Checked {
@@ -178,20 +160,20 @@ fn signs_of_the_branches(d: &mut Derivation) -> Checked {
 
     let at = letters();
     let (q, no_root) = (Symbol::SquareRoot.number(), at.sin.int(0));
-    let relations = relations(&thickness_cube(&at, &q));
-    let forms: [(&str, Cube, Fraction, Fraction); 3] = [
-        ("(9)", opening_cube, opening_product(&at), opening_root_factor(&at) / at.sin.int(2)),
-        ("(10)", thickness_cube, thickness_product(&at), at.sin.int(2) * &at.sin),
-        ("(11)", thrust_cube, thrust_product(&at), at.sin.int(3) * (at.g.clone() - &at.f)),
+    let relations = relations(&ClosedForm::Thickness.cube(&at, &q));
+    let forms = [
+        ("(9)", ClosedForm::OpeningVariable, opening_root_factor(&at) / at.sin.int(2)),
+        ("(10)", ClosedForm::Thickness, at.sin.int(2) * &at.sin),
+        ("(11)", ClosedForm::Thrust, at.sin.int(3) * (at.g.clone() - &at.f)),
     ];
-    for (name, cube, product, _) in &forms {
-        let norm = cube(&at, &q) * cube(&at, &-q.clone());
+    for (name, form, _) in &forms {
+        let (norm, product) = (form.cube(&at, &q) * form.cube(&at, &-q.clone()), form.product(&at));
         let words = format!("the norm of u³ in {name} is P³");
         d.identity_under(words, norm, product.square() * product, &relations)?;
     }
-    for (name, cube, _, factor) in forms {
+    for (name, form, factor) in forms {
         let words = format!("c, the factor of q in u³ of {name}");
-        d.identity(words, (cube(&at, &q) - cube(&at, &no_root)) / &q, factor)?;
+        d.identity(words, (form.cube(&at, &q) - form.cube(&at, &no_root)) / &q, factor)?;
     }
     let joint = Symbol::joint();
     let wide = cubic::abbreviations(&joint);

@@ -6,11 +6,13 @@
 use super::Checked;
 use super::curve::cubic_of;
 use crate::certify::{Undecided, between, cover};
-use crate::number::{Angle, DoubleBall, DoubleDoubleBall, Enclosure, Field, Ternary};
+use crate::number::{Angle, DoubleBall, DoubleDoubleBall, Enclosure, Field};
+use crate::prover::decide::is_positive;
+use crate::prover::halve::{halve, halves};
 use rug::Rational;
 
 /// A range is halved so often at the most.
-const DEPTH: usize = 40;
+const DEPTH: u32 = 40;
 
 /// From one number to another.
 pub(super) type RationalRange = (Rational, Rational);
@@ -58,31 +60,27 @@ pub(super) fn at_all_states(
     let at = |x: &Rational| Angle::new(all(x, x));
     cover(low, high, &|eta| (-cubic(&at(&first), 1, &eta.into())).is_positive())?;
     cover(low, high, &|eta| cubic(&at(&last), 0, &eta.into()).is_positive())?;
+    let halves = |(thickness, joint): &(RationalRange, RationalRange)| {
+        Some(match width(thickness) > width(joint) {
+            true => halves(thickness)?.map(|half| (half, joint.clone())),
+            false => halves(joint)?.map(|half| (thickness.clone(), half)),
+        })
+    };
     let mut pieces = 0;
-    let mut open = vec![(range.clone(), joints(), 0)];
-    while let Some((thickness, joint, depth)) = open.pop() {
-        let [eta, beta] = [&thickness, &joint].map(|(low, high)| all(low, high));
-        let Some(delta) = flags(&joint, &eta) else { continue };
-        if values(&beta, &delta, &eta).iter().all(|value| value.is_positive() == Ternary::True) {
-            pieces += 1;
-        } else if depth == DEPTH {
-            let at = (thickness.0.to_f64(), joint.0.to_f64());
-            return Err(Undecided::new(format!("not decided at eta = {}, beta = {}", at.0, at.1)));
-        } else if width(&thickness) > width(&joint) {
-            open.extend(halves(thickness).map(|half| (half, joint.clone(), depth + 1)));
-        } else {
-            open.extend(halves(joint).map(|half| (thickness.clone(), half, depth + 1)));
-        }
-    }
+    let proof = |(thickness, joint): &(RationalRange, RationalRange)| {
+        let [eta, beta] = [thickness, joint].map(|(low, high)| all(low, high));
+        let Some(delta) = flags(joint, &eta) else { return Ok(()) };
+        let is_proved = values(&beta, &delta, &eta).iter().all(is_positive);
+        pieces += usize::from(is_proved);
+        is_proved.then_some(()).ok_or((thickness.0.to_f64(), joint.0.to_f64()))
+    };
+    halve((range.clone(), joints()), DEPTH, halves, proof).map_err(|(eta, beta)| {
+        Undecided::new(format!("not decided at eta = {eta}, beta = {beta}"))
+    })?;
     Ok(pieces)
 }
 
 /// The width over the upper end.
 fn width((low, high): &RationalRange) -> Rational {
     Rational::from(high - low) / high
-}
-
-fn halves((low, high): RationalRange) -> [RationalRange; 2] {
-    let middle: Rational = Rational::from(&low + &high) / 2;
-    [(low, middle.clone()), (middle, high)]
 }

@@ -21,6 +21,7 @@ use crate::arch::mechanism::Contact;
 use crate::arch::{SelfWeight, statics};
 use crate::number::{Angle, Field, Real};
 use crate::problem::Landmark;
+use crate::problem::measures::{Circle, circle};
 use crate::symbolic::{Fraction, Letters, Symbol, along_the_opening};
 
 claims! {
@@ -100,11 +101,6 @@ fn corners(d: &mut Derivation) -> Checked {
     )
 }
 
-/// The radius of the circle through the crown and the springings of a span and a rise.
-fn radius(span: &Fraction, rise: &Fraction) -> Fraction {
-    (span.square() / span.int(4) + rise.square()) / (rise.int(2) * rise)
-}
-
 /// The span and the rise as letters.
 fn measured() -> [Fraction; 2] {
     [Symbol::Span, Symbol::Rise].map(|symbol| symbol.number())
@@ -114,10 +110,10 @@ fn measured() -> [Fraction; 2] {
 fn geometry(d: &mut Derivation) -> Checked {
     let (alpha, r) = (Symbol::half_opening(), Symbol::Radius.number());
     let [span, rise] = [r.int(2) * &r * &alpha.sin, r.clone() * alpha.versine()];
-    let quotient = rise.int(2) * &rise / &span;
+    let [quotient, radius] = circle(&span, &rise);
     let words =
         "the radius of the circle with the span 2 r sin(alpha) and the rise r (1 - cos(alpha))";
-    d.on_circle(words, radius(&span, &rise), &r)?;
+    d.on_circle(words, radius, &r)?;
     let words = "q = 2 rise/s there, which is tan(alpha/2)";
     d.on_circle(words, &quotient, alpha.versine() / &alpha.sin)?;
     let slope = quotient.derivative(&along_the_opening());
@@ -128,8 +124,9 @@ fn geometry(d: &mut Derivation) -> Checked {
 /// The ratio of the thickness to the radius falls with the radius and grows with the thickness.
 fn ratio_of_thickness(d: &mut Derivation) -> Checked {
     let (t, radius) = (Symbol::MeasuredThickness.number(), Symbol::Radius.number());
-    for (circle, outwards) in [("intrados", 1), ("centreline", 0), ("extrados", -1)] {
-        let centreline = radius.clone() + t.ratio(outwards, 2) * &t;
+    for circle in Circle::ALL {
+        let centreline = radius.clone() + t.ratio(circle.to_centreline(), 2) * &t;
+        let circle = circle.name();
         let ratio = t.clone() / &centreline;
         let square = centreline.square();
         let words = format!("d eta/dr, r measured at the {circle}: negative");
@@ -146,11 +143,10 @@ fn course(d: &mut Derivation) -> Checked {
     geometry(d)?;
     ratio_of_thickness(d)?;
     let [span, rise] = measured();
-    let radius = radius(&span, &rise);
+    let [quotient, radius] = circle(&span, &rise);
     let words = "s dr/ds + rise dr/d rise: the radius of an arch grows with its scale";
     let scaled = radius.partial(Symbol::Span) * &span + radius.partial(Symbol::Rise) * &rise;
     d.identity(words, scaled, &radius)?;
-    let quotient = rise.int(2) * &rise / &span;
     let scaled = quotient.partial(Symbol::Span) * &span + quotient.partial(Symbol::Rise) * &rise;
     d.identity("s dq/ds + rise dq/d rise: its half opening does not", scaled, rise.int(0))?;
     d.conclude(
@@ -175,7 +171,7 @@ fn course(d: &mut Derivation) -> Checked {
 fn step(d: &mut Derivation) -> Checked {
     lemmas(d, [&CORNERS, &COURSE])?;
     let [span, rise] = measured();
-    let radius = radius(&span, &rise);
+    let [quotient, radius] = circle(&span, &rise);
     let quarter = span.clone() / (rise.int(4) * &rise);
     d.identity("dr/ds: positive", radius.partial(Symbol::Span), quarter)?;
     let (half, two) = (span.clone() / span.int(2), rise.int(2));
@@ -187,7 +183,6 @@ fn step(d: &mut Derivation) -> Checked {
     d.identity(words, slope.partial(Symbol::Rise), bend)?;
     let words = "r where the rise is half the span: the least of a span";
     d.identity(words, with(&radius, &[Symbol::Rise], &half), &half)?;
-    let quotient = two.clone() * &rise / &span;
     let words = "dq/ds: negative";
     d.identity(words, quotient.partial(Symbol::Span), -(quotient.clone() / &span))?;
     d.identity("dq/d rise: positive", quotient.partial(Symbol::Rise), two / &span)?;
@@ -245,10 +240,10 @@ fn worst(d: &mut Derivation) -> Checked {
     lemmas(d, [&CORNERS, &COURSE, &RISE])?;
     let [span, rise] = measured();
     let scale = Symbol::Radius.number();
-    let quotient = |span: &Fraction, rise: &Fraction| rise.int(2) * rise / span;
     let words = "q of an arch, and of that with k times the span and k times the rise";
-    let scaled = quotient(&(span.clone() * &scale), &(rise.clone() * &scale));
-    d.identity(words, scaled, quotient(&span, &rise))?;
+    let [quotient, _] = circle(&span, &rise);
+    let [scaled, _] = circle(&(span * &scale), &(rise * &scale));
+    d.identity(words, scaled, quotient)?;
     d.conclude(
         "Let the arch with the shortest span and the highest rise stand. Another one, made larger up to the highest \
          rise, has a span that is no shorter: it stands. Made smaller again, with its thickness kept, it has a larger \

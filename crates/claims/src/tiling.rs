@@ -182,3 +182,24 @@ fn overturning_sliding_beyond_l(d: &mut Derivation) -> Checked {
          moves too.",
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::CLAIMS;
+    use crate::problem::Mode;
+
+    /// The claims say the orders that stand in `problem`; one turned round is said nowhere.
+    #[test]
+    fn the_orders_said_are_those_of_the_problem() {
+        let said = |id: &str| CLAIMS.iter().find(|claim| claim.id == id).unwrap().statement;
+        let words =
+            |order: &[Mode]| order.iter().map(|of| of.label()).collect::<Vec<_>>().join(", ");
+        let orders = [("map-columns", Mode::COLUMNS[0])];
+        let rows = [Mode::ROWS[0], Mode::ROWS[1]].map(|row| ("map-rows", row));
+        for (id, order) in orders.into_iter().chain(rows) {
+            assert!(said(id).contains(&words(order)), "{id}");
+            let turned: Vec<Mode> = order.iter().rev().copied().collect();
+            assert!(!said(id).contains(&words(&turned)), "false twin");
+        }
+    }
+}

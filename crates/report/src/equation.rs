@@ -8,8 +8,8 @@ use super::words::{count, model};
 use crate::arch::SelfWeight;
 use crate::certify::Undecided;
 use crate::certify::equation::{
-    ClosedAt, ClosedForm, EquationValue, Evaluated, LinkAt, PolynomialAt, RadicandAt, RootAt,
-    RootBranch,
+    ClosedAt, ClosedForm, EquationValue, Evaluated, LinkAt, NumberedEquation, PolynomialAt,
+    RadicandAt, RootAt, RootBranch,
 };
 use crate::certify::state::Figure;
 use crate::number::Decimal;
@@ -18,46 +18,20 @@ use crate::problem::Quantity;
 /// An equation at given values, and what is proved of it.
 #[derive(Debug)]
 pub struct EvaluatedEquation {
-    /// Number of the equation.
-    pub equation: u8,
+    /// The equation.
+    pub equation: NumberedEquation,
     /// The self-weight model.
     pub weight: SelfWeight,
     /// Quantities that are given, as they were.
     pub given: Vec<(Quantity, String)>,
     /// Result that is proved.
-    pub found: Result<EquationFound, Undecided>,
-}
-
-/// Result of an equation.
-#[derive(Debug)]
-pub enum EquationFound {
-    /// (7) to (12), at a joint.
-    AtJoint(Evaluated),
-    /// Values of another equation.
-    Values(Vec<EquationValue>),
+    pub found: Result<Evaluated, Undecided>,
 }
 
 impl EvaluatedEquation {
-    /// Result at a joint, or why there is none; `None` of other equations.
-    fn at_joint(&self) -> Option<Result<&Evaluated, &Undecided>> {
-        match &self.found {
-            Ok(EquationFound::AtJoint(found)) => Some(Ok(found)),
-            Ok(EquationFound::Values(_)) => None,
-            Err(undecided) => Some(Err(undecided)),
-        }
-    }
-
-    /// Values of an equation that has no joint of its own.
-    fn values(&self) -> &[EquationValue] {
-        match &self.found {
-            Ok(EquationFound::Values(values)) => values,
-            _ => &[],
-        }
-    }
-
     /// Reason why something stays open, if anything does.
     pub fn first_open(&self) -> Option<Undecided> {
-        match self.at_joint()? {
+        match &self.found {
             Err(undecided) => Some(undecided.clone()),
             Ok(Evaluated::Cubics(all)) => {
                 all.iter().find_map(|of| of.roots.as_ref().err()).cloned()
@@ -67,15 +41,6 @@ impl EvaluatedEquation {
             }
             Ok(_) => None,
         }
-    }
-}
-
-/// Symbol and name of an unknown.
-fn unknown(form: ClosedForm) -> (&'static str, &'static str) {
-    match form {
-        ClosedForm::OpeningVariable => ("A", "opening_variable"),
-        ClosedForm::Thickness => ("eta", "thickness"),
-        ClosedForm::Thrust => ("h", "thrust"),
     }
 }
 
@@ -100,7 +65,7 @@ impl Reported for EvaluatedEquation {
         let mut record = Record::of("couplet.equation/1");
         let given = self.given.iter().map(|(of, text)| format!("{} = {text}", of.name()));
         let given = given.collect::<Vec<_>>().join(", ");
-        let (number, weight) = (self.equation, model(self.weight));
+        let (number, weight) = (self.equation.number(), model(self.weight));
         record.say(format!("Equation ({number}) at {given}, {weight}\n"));
         record.add("equation", number);
         record.add("weight", self.weight.name());
@@ -109,54 +74,46 @@ impl Reported for EvaluatedEquation {
         let open = self.first_open();
         record.add("verdict", if open.is_some() { "undecided" } else { "proved" });
         record.add("reason", open.map(|open| open.reason.into_owned()));
-        if !self.values().is_empty() {
-            record.add_list("values", self.values().iter().map(value));
-        }
-        match self.at_joint() {
-            None => {}
-            Some(Err(undecided)) => record.say(undecided.to_string()),
-            Some(Ok(Evaluated::Cubics(all))) => polynomials(all, &mut record),
-            Some(Ok(Evaluated::Link(found))) => link(found, &mut record),
-            Some(Ok(Evaluated::Closed(form, all))) => closed(*form, all, &mut record),
-            Some(Ok(Evaluated::Radicand(found))) => radicand(found, &mut record),
+        match &self.found {
+            Err(undecided) => record.say(undecided.to_string()),
+            Ok(Evaluated::Values(values)) => record.add_list("values", values.iter().map(value)),
+            Ok(Evaluated::Cubics(all)) => polynomials(all, &mut record),
+            Ok(Evaluated::Link(found)) => link(found, &mut record),
+            Ok(Evaluated::Closed(form, all)) => closed(*form, all, &mut record),
+            Ok(Evaluated::Radicand(found)) => radicand(found, &mut record),
         }
         vec![record]
     }
 
     /// The values, roots or branches.
     fn tabular(&self) -> Tabular {
-        let of_joint = |found: &Evaluated| match found {
-            Evaluated::Cubics(all) => {
-                let roots =
-                    all.iter().flat_map(|of| of.roots.iter().flatten().map(move |root| (of, root)));
-                roots.map(|(of, x)| row(unknown(of.unknown).1, &x.value, x.branch)).collect()
-            }
-            Evaluated::Link(found) => ["sin", "f", "g"]
-                .into_iter()
-                .zip(&found.abbreviations)
-                .map(|(name, x)| row(name, x, None))
-                .collect(),
-            Evaluated::Closed(form, all) => {
-                all.iter().map(|of| row(unknown(*form).1, &of.printed, Some(of.branch))).collect()
-            }
-            Evaluated::Radicand(found) => vec![row("radicand", &found.value, None)],
-        };
-        let joint: Option<Vec<Record>> = self.at_joint().and_then(Result::ok).map(of_joint);
-        let values = self.values().iter().map(|of| row(of.name, &of.figure, None));
-        let rows = values.chain(joint.into_iter().flatten()).map(|mut row| {
-            row.add("equation", self.equation);
+        let row = |name: &'static str, figure: &Figure, branch: Option<RootBranch>| {
+            let mut row = Record::named("name", [name.into()]);
+            row.add("branch", branch.map(RootBranch::name));
+            row.append(Record::bounds(&figure.decimal));
+            row.add("equation", self.equation.number());
             row.add("weight", self.weight.name());
             row
-        });
+        };
+        let value = |of: &EquationValue| row(of.name, &of.figure, None);
+        let roots = |of: &PolynomialAt| {
+            let [_, name] = of.unknown.words();
+            let roots = of.roots.iter().flatten();
+            roots.map(|root| row(name, &root.value, root.branch)).collect::<Vec<_>>()
+        };
+        let rows: Vec<Record> = match &self.found {
+            Err(_) => Vec::new(),
+            Ok(Evaluated::Values(values)) => values.iter().map(value).collect(),
+            Ok(Evaluated::Link(found)) => found.abbreviations.iter().map(value).collect(),
+            Ok(Evaluated::Cubics(all)) => all.iter().flat_map(roots).collect(),
+            Ok(Evaluated::Closed(form, all)) => {
+                let [_, name] = form.words();
+                all.iter().map(|of| row(name, &of.printed, Some(of.branch))).collect()
+            }
+            Ok(Evaluated::Radicand(found)) => vec![row("radicand", &found.value, None)],
+        };
         Tabular::of("equation weight name branch value lower upper", rows)
     }
-}
-
-fn row(name: &'static str, figure: &Figure, branch: Option<RootBranch>) -> Record {
-    let mut row = Record::named("name", [name.into()]);
-    row.add("branch", branch.map(RootBranch::name));
-    row.append(Record::bounds(&figure.decimal));
-    row
 }
 
 fn value(of: &EquationValue) -> Record {
@@ -189,7 +146,7 @@ fn polynomials(all: &[PolynomialAt], record: &mut Record) {
 
 fn polynomial(of: &PolynomialAt) -> Record {
     let mut record = Record::default();
-    let (symbol, name) = unknown(of.unknown);
+    let [symbol, name] = of.unknown.words();
     let degree = of.coefficients.len() - 1;
     record.say(format!("{} in {symbol}", if degree == 3 { "cubic" } else { "quadratic" }));
     record.add("unknown", name);
@@ -236,9 +193,8 @@ fn fate(root: &RootAt) -> String {
 }
 
 fn link(of: &LinkAt, record: &mut Record) {
-    let names = [("sin", "S = sin(beta)"), ("f", "f = S + beta C"), ("g", "g = beta + S C")];
-    for ((name, words), figure) in names.into_iter().zip(&of.abbreviations) {
-        record.say(format!("   {words:<24} {figure}"));
+    for EquationValue { name, symbol, figure, .. } in &of.abbreviations {
+        record.say(format!("   {symbol:<24} {figure}"));
         record.add_bounds(name, Some(figure));
     }
     record.say(format!("   {:<24} {}", "beta S^2 + C f - g", between(&of.difference)));
@@ -251,7 +207,7 @@ fn link(of: &LinkAt, record: &mut Record) {
 }
 
 fn closed(form: ClosedForm, all: &[ClosedAt], record: &mut Record) {
-    let (symbol, name) = unknown(form);
+    let [symbol, name] = form.words();
     record.add("unknown", name);
     record.add_list("branches", all.iter().map(|of| branch(symbol, of)));
     record.say(

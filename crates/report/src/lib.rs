@@ -100,7 +100,7 @@ pub use claimed::{Claims, Index};
 pub use complementarity::{ComplementarityArch, SolutionsFound};
 pub use csv::Beside;
 pub use drawn::{Axes, Branches, Drawing, Mark, Marked, Plane, Shown, Unit, View};
-pub use equation::{EquationFound, EvaluatedEquation};
+pub use equation::EvaluatedEquation;
 pub use format::{Content, Format};
 pub use given::GivenDoubles;
 pub use kept::Kept;

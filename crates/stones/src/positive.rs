@@ -7,10 +7,11 @@
 use crate::number::{Ball, Enclosure, Field, Jet};
 use crate::prover::Undecided;
 use crate::prover::decide::is_positive;
+use crate::prover::halve::halve;
 use rug::Float;
 
 /// Halvings at most: a piece that is convex or monotone is long before.
-const DEPTH: usize = 40;
+const DEPTH: u32 = 40;
 
 /// A point where a function is known to be zero, enclosed.
 #[derive(Clone, Debug)]
@@ -62,9 +63,12 @@ pub(crate) fn is_positive_on(
     }
     let exact = |x: &Float| Ball::exact(x.clone(), bits);
     let at = |x: &Float| is_positive(series(&exact(x)).value());
-    let mut open = vec![(low.clone(), high.clone(), 0)];
-    while let Some((low, high, depth)) = open.pop() {
-        let piece = exact(&low).hull(&exact(&high));
+    let halves = |[low, high]: &[Float; 2]| {
+        let middle = Float::with_val(bits, low + high) / 2u32;
+        Some([[low.clone(), middle.clone()], [middle, high.clone()]])
+    };
+    let proof = |[low, high]: &[Float; 2]| {
+        let piece = exact(low).hull(&exact(high));
         let whole = series(&piece);
         let (slope, bend) = (whole.coefficient(1), whole.coefficient(2));
         let middle = series(&piece.midpoint());
@@ -72,9 +76,9 @@ pub(crate) fn is_positive_on(
         let bound =
             middle.coefficient(1) * &offset + middle.value() + bend.clone() * offset.square();
         let holds = is_positive(&bound)
-            || is_positive(&slope) && at(&low)
-            || is_positive(&-slope.clone()) && at(&high)
-            || is_positive(&-bend.clone()) && at(&low) && at(&high)
+            || is_positive(&slope) && at(low)
+            || is_positive(&-slope.clone()) && at(high)
+            || is_positive(&-bend.clone()) && at(low) && at(high)
             || is_positive(&bend) && {
                 // Lowest where the slope is zero, or anywhere: f(c) - f'(c)²/(4 bend) is below all values.
                 let mut lowest = Float::with_val(bits, piece.mid());
@@ -83,24 +87,16 @@ pub(crate) fn is_positive_on(
                     let step = Float::with_val(bits, here.coefficient(1).mid())
                         / (Float::with_val(bits, here.coefficient(2).mid()) * 2u32);
                     lowest -= step;
-                    lowest = lowest.clamp(&low, &high);
+                    lowest = lowest.clamp(low, high);
                 }
                 let here = series(&exact(&lowest));
                 let drop = here.coefficient(1).square() / (bend.int(4) * &bend);
                 is_positive(&(here.value().clone() - drop))
             }
             || zeros.iter().any(|zero| zero.is_least(series, &piece));
-        if holds {
-            continue;
-        }
-        if depth == DEPTH {
-            return Err(undecided());
-        }
-        let middle = Float::with_val(bits, &low + &high) / 2u32;
-        open.push((middle.clone(), high, depth + 1));
-        open.push((low, middle, depth + 1));
-    }
-    Ok(())
+        holds.then_some(()).ok_or_else(undecided)
+    };
+    halve([low.clone(), high.clone()], DEPTH, halves, proof).map(drop)
 }
 
 #[cfg(test)]

@@ -2,7 +2,8 @@
 //!
 //! At a given half opening the modes follow each other in one order as the friction grows, at a given friction in
 //! another as the half opening does, each on an interval or not at all (the claims `map-rows` and `map-columns`). So
-//! the states at four corners leave few modes to the arches between them, and halves of the rectangle fewer.
+//! the states at four corners leave few modes to the arches between them, and halves of the rectangle fewer. Here
+//! `[s,s]`, at the end of each order, stands for all arches of which nothing stands.
 
 use super::answer::ModesFound;
 use crate::arch::{SelfWeight, Unknown};
@@ -11,39 +12,9 @@ use crate::certify::state::{Certify, Outcome, state_enclosed};
 use crate::number::{Ball, DoubleBall, Enclosure, ExactNumber, Ternary};
 use crate::problem::survey::{frictions_in_order, in_order};
 use crate::problem::{Arch, Friction, Landmark, Mode};
-use std::collections::VecDeque;
+use std::collections::{HashSet, VecDeque};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::OnceLock;
-
-/// Mode of the state, `None` where nothing stands.
-type Place = Option<Mode>;
-
-/// Orders in which modes follow each other as the friction grows.
-const ROWS: [&[Place]; 3] = [
-    &[None, Some(Mode::SlidingRotational), Some(Mode::Rotational)],
-    &[
-        None,
-        Some(Mode::OverturningSliding),
-        Some(Mode::RotationalSlidingRotational),
-        Some(Mode::RotationalSliding),
-        Some(Mode::Rotational),
-    ],
-    // With unlimited friction at the end.
-    &[None, Some(Mode::OverturningSliding), Some(Mode::Overturning)],
-];
-
-/// Orders in which they do as the half opening grows.
-const COLUMNS: [&[Place]; 2] = [
-    &[
-        Some(Mode::Rotational),
-        Some(Mode::SlidingRotational),
-        Some(Mode::RotationalSliding),
-        Some(Mode::RotationalSlidingRotational),
-        Some(Mode::OverturningSliding),
-        None,
-    ],
-    &[Some(Mode::Rotational), Some(Mode::Overturning), None],
-];
 
 /// Most rectangles that are looked at for the modes of one survey.
 const MOST_CELLS: usize = 64;
@@ -63,9 +34,9 @@ pub(super) fn modes(
     half_opening: &[ExactNumber; 2],
     friction: &[Friction; 2],
 ) -> ModesFound {
-    let mut seen: Vec<Place> = Vec::new();
+    let mut seen = HashSet::new();
     let mut waiting: VecDeque<Cell> = [(half_opening.clone(), friction.clone())].into();
-    let mut left: Vec<Place> = Vec::new();
+    let mut left = HashSet::new();
     let mut cells = 0;
     while let Some((alphas, mus)) = waiting.pop_front() {
         cells += 1;
@@ -74,17 +45,16 @@ pub(super) fn modes(
             [at(&alphas[0], &mus[0]), at(&alphas[0], &mus[1])],
             [at(&alphas[1], &mus[0]), at(&alphas[1], &mus[1])],
         ];
-        see(&mut seen, corners.iter().flatten().copied());
+        seen.extend(corners.iter().flatten().flatten());
         let mut possible = possible(&corners);
-        possible.retain(|place| is_on_side(*place, weight, &alphas));
-        let is_open = possible.iter().any(|place| !seen.contains(place));
-        if cells == 1 && is_open {
+        possible.retain(|mode| is_on_side(*mode, weight, &alphas));
+        if cells == 1 && !possible.is_subset(&seen) {
             for alpha in columns(&alphas) {
                 let ends = mus.each_ref().map(|mu| at(&alpha, mu));
                 look_between(weight, &alpha, mus.clone(), ends, &mut seen);
             }
         }
-        if possible.iter().all(|place| seen.contains(place)) {
+        if possible.is_subset(&seen) {
             continue;
         }
         let may_halve = cells + waiting.len() < MOST_CELLS;
@@ -93,24 +63,17 @@ pub(super) fn modes(
             None => left.extend(possible),
         }
     }
-    let all = |of: &dyn Fn(Mode) -> bool| Mode::ALL.into_iter().filter(|m| of(*m)).collect();
+    let all = |of: &dyn Fn(Mode) -> bool| {
+        Mode::ALL.into_iter().filter(|mode| *mode != Mode::Sliding && of(*mode)).collect()
+    };
     ModesFound {
-        occur: all(&|mode| seen.contains(&Some(mode))),
-        may_occur: all(&|mode| left.contains(&Some(mode)) && !seen.contains(&Some(mode))),
-        some_fall: match (seen.contains(&None), left.contains(&None)) {
+        occur: all(&|mode| seen.contains(&mode)),
+        may_occur: all(&|mode| left.contains(&mode) && !seen.contains(&mode)),
+        some_fall: match (seen.contains(&Mode::Sliding), left.contains(&Mode::Sliding)) {
             (true, _) => Some(true),
             (false, true) => None,
             (false, false) => Some(false),
         },
-    }
-}
-
-/// Adds what is known to what was seen.
-fn see(seen: &mut Vec<Place>, found: impl Iterator<Item = Option<Place>>) {
-    for place in found.flatten() {
-        if !seen.contains(&place) {
-            seen.push(place);
-        }
     }
 }
 
@@ -128,22 +91,19 @@ fn look_between(
     weight: SelfWeight,
     alpha: &ExactNumber,
     mut mus: [Friction; 2],
-    mut ends: [Option<Place>; 2],
-    seen: &mut Vec<Place>,
+    mut ends: [Option<Mode>; 2],
+    seen: &mut HashSet<Mode>,
 ) {
     for _ in 0..MOST_STEPS {
         let [low, high] = ends;
-        let unseen = between(&ROWS, low, high).into_iter().any(|place| !seen.contains(&place));
-        if low.is_none() || high.is_none() || !unseen {
+        if low.is_none() || high.is_none() || between(&Mode::ROWS, low, high).is_subset(seen) {
             return;
         }
         let Some(middle) = middle_friction(&mus) else { return };
         let found = place(weight, alpha, &middle);
-        see(seen, [found].into_iter());
+        seen.extend(found);
         // The half in which more is unseen.
-        let missing = |first, last| {
-            between(&ROWS, first, last).into_iter().filter(|place| !seen.contains(place)).count()
-        };
+        let missing = |first, last| between(&Mode::ROWS, first, last).difference(seen).count();
         let [first, last] = mus;
         if missing(low, found) >= missing(found, high) {
             (mus, ends) = ([first, middle], [low, found]);
@@ -153,45 +113,36 @@ fn look_between(
     }
 }
 
-/// State of an arch; `None` if it is not proved, as on a line between two modes.
-fn place(weight: SelfWeight, alpha: &ExactNumber, mu: &Friction) -> Option<Place> {
+/// Mode of an arch; `None` if it is not proved, as on a line between two modes.
+fn place(weight: SelfWeight, alpha: &ExactNumber, mu: &Friction) -> Option<Mode> {
     let arch = Arch::new(weight, alpha.clone(), mu.clone()).ok()?;
-    let quick = arch.state_in_doubles().ok().map(|outcome| match outcome {
-        Outcome::Stands(state) => Some(state.mode),
-        Outcome::Falls(_) => None,
-    });
-    let slow = || match state_enclosed(&arch, BITS, false).ok()? {
-        Outcome::Stands(state) => Some(Some(state.mode)),
-        Outcome::Falls(_) => Some(None),
-    };
-    quick.or_else(slow).filter(|place| *place != Some(Mode::Sliding))
+    arch.state_in_doubles().map_or_else(|_| told(state_enclosed(&arch, BITS, false).ok()?), told)
+}
+
+/// Mode of what is proved of an arch. One that stands and slides with both joints is on the line to those that fall.
+fn told<E>(outcome: Outcome<E>) -> Option<Mode> {
+    match outcome {
+        Outcome::Stands(state) => Some(state.mode).filter(|mode| *mode != Mode::Sliding),
+        Outcome::Falls(_) => Some(Mode::Sliding),
+    }
 }
 
 /// Every place that the corners of a rectangle do not exclude inside. A corner that is not known excludes nothing.
-fn possible(corners: &[[Option<Place>; 2]; 2]) -> Vec<Place> {
+fn possible(corners: &[[Option<Mode>; 2]; 2]) -> HashSet<Mode> {
     let [[low_narrow, high_narrow], [low_wide, high_wide]] = *corners;
-    let low = between(&COLUMNS, low_narrow, low_wide);
-    let high = between(&COLUMNS, high_narrow, high_wide);
-    let mut all: Vec<Place> = Vec::new();
-    for first in &low {
-        for last in &high {
-            for place in between(&ROWS, Some(*first), Some(*last)) {
-                if !all.contains(&place) {
-                    all.push(place);
-                }
-            }
-        }
-    }
-    all
+    let low = between(&Mode::COLUMNS, low_narrow, low_wide);
+    let high = between(&Mode::COLUMNS, high_narrow, high_wide);
+    let pairs = low.iter().flat_map(|first| high.iter().map(move |last| (*first, *last)));
+    pairs.flat_map(|(first, last)| between(&Mode::ROWS, Some(first), Some(last))).collect()
 }
 
 /// Tells whether a mode lies on the side of T on which the half openings are: `[s,r,r]` is left of it, the modes with
 /// an inner sliding joint are right of it (the claim `map-columns`).
-fn is_on_side(place: Place, weight: SelfWeight, [first, last]: &[ExactNumber; 2]) -> bool {
-    let Some(mode) = place else { return true };
+fn is_on_side(mode: Mode, weight: SelfWeight, [first, last]: &[ExactNumber; 2]) -> bool {
     let Some(triple) = half_opening_of_t(weight) else { return true };
     let below = |a: &Ball, b: &Ball| (b.clone() - a).is_positive() == Ternary::True;
     match mode {
+        Mode::Sliding => true,
         Mode::SlidingRotational => !below(&triple, &first.enclosure(BITS)),
         _ if mode.slides_inside() => !below(&last.enclosure(BITS), &triple),
         _ => true,
@@ -210,22 +161,13 @@ fn half_opening_of_t(weight: SelfWeight) -> Option<Ball> {
 }
 
 /// Places that one of the orders has from the first to the last.
-fn between(orders: &[&[Place]], first: Option<Place>, last: Option<Place>) -> Vec<Place> {
-    let mut all: Vec<Place> = Vec::new();
-    for order in orders {
-        let index = |place: Place| order.iter().position(|x| *x == place);
-        let (Some(from), Some(to)) =
-            (first.map_or(Some(0), index), last.map_or(Some(order.len() - 1), index))
-        else {
-            continue;
-        };
-        for place in order.get(from..=to).unwrap_or_default() {
-            if !all.contains(place) {
-                all.push(*place);
-            }
-        }
-    }
-    all
+fn between(orders: &[&[Mode]], first: Option<Mode>, last: Option<Mode>) -> HashSet<Mode> {
+    let part = |order: &&[Mode]| {
+        let index = |place| order.iter().position(|of| *of == place);
+        let from = first.map_or(Some(0), index)?;
+        order.get(from..=last.map_or(Some(order.len() - 1), index)?).map(<[Mode]>::to_vec)
+    };
+    orders.iter().filter_map(part).flatten().collect()
 }
 
 /// Halves of a rectangle, across its longer side; `None` if doubles tell no middle.
@@ -308,11 +250,10 @@ mod tests {
 
     #[test]
     fn an_order_has_no_place_outside_its_ends() {
-        let [rrr, srr, rrs] =
-            [Mode::Rotational, Mode::SlidingRotational, Mode::RotationalSliding].map(Some);
-        assert_eq!(between(&ROWS, Some(srr), Some(rrr)), [srr, rrr]);
-        assert!(between(&ROWS, Some(srr), Some(rrs)).is_empty());
-        assert_eq!(between(&COLUMNS, Some(srr), Some(rrs)), [srr, rrs]);
-        assert_eq!(between(&ROWS, None, Some(rrs)).len(), 4);
+        let [rrr, srr, rrs] = [Mode::Rotational, Mode::SlidingRotational, Mode::RotationalSliding];
+        assert_eq!(between(&Mode::ROWS, Some(srr), Some(rrr)), [srr, rrr].into());
+        assert!(between(&Mode::ROWS, Some(srr), Some(rrs)).is_empty());
+        assert_eq!(between(&Mode::COLUMNS, Some(srr), Some(rrs)), [srr, rrs].into());
+        assert_eq!(between(&Mode::ROWS, None, Some(rrs)).len(), 4);
     }
 }

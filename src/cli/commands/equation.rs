@@ -3,11 +3,11 @@
 use super::by_value::option;
 use super::output::OutputFile;
 use crate::certify::Error;
-use crate::certify::equation::{JointEquation, ValueEquation, evaluate};
+use crate::certify::equation::NumberedEquation;
 use crate::number::ExactNumber;
 use crate::problem::Quantity;
 use crate::report::words::list;
-use crate::report::{EquationFound, EvaluatedEquation, Format, Reported};
+use crate::report::{EvaluatedEquation, Format, Reported};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
 use clap::Args;
@@ -28,7 +28,7 @@ use clap::Args;
 pub(crate) struct Arguments {
     /// Number of the equation: 2 to 18.
     #[arg(value_name = "NUMBER", value_parser = equation)]
-    equation: AskedEquation,
+    equation: NumberedEquation,
 
     /// Half opening, in radians or degrees (80deg), between 0 and pi.
     #[arg(long, value_name = "ANGLE", visible_alias = "alpha", allow_hyphen_values = true)]
@@ -65,34 +65,8 @@ pub(crate) struct Arguments {
     file: OutputFile,
 }
 
-/// An equation of either kind.
-#[derive(Clone, Copy, Debug)]
-enum AskedEquation {
-    AtJoint(JointEquation),
-    Value(ValueEquation),
-}
-
-impl AskedEquation {
-    fn number(self) -> u8 {
-        match self {
-            Self::AtJoint(equation) => equation.number(),
-            Self::Value(equation) => equation.number(),
-        }
-    }
-
-    /// Quantities that have to be given: all of one choice.
-    fn choices(self) -> &'static [&'static [Quantity]] {
-        match self {
-            Self::AtJoint(_) => &[&[Quantity::RotationJoint]],
-            Self::Value(equation) => equation.choices(),
-        }
-    }
-}
-
-fn equation(text: &str) -> Result<AskedEquation, String> {
-    let value = ValueEquation::named(text).map(AskedEquation::Value);
-    let found = JointEquation::named(text).map(AskedEquation::AtJoint).or(value);
-    found.ok_or_else(|| "an equation is a number from 2 to 18".to_owned())
+fn equation(text: &str) -> Result<NumberedEquation, &'static str> {
+    NumberedEquation::named(text).ok_or("an equation is a number from 2 to 18")
 }
 
 impl Arguments {
@@ -130,19 +104,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let given = arguments.given()?;
     let format = arguments.file.format(arguments.format, EvaluatedEquation::content(), "table")?;
     let file = arguments.file.open_for(format)?;
-    let digits = arguments.digits;
     let answer = |weight| -> Result<EvaluatedEquation, Failure> {
-        let found = match (arguments.equation, &given[..]) {
-            (AskedEquation::AtJoint(equation), [(_, joint), ..]) => {
-                evaluate(equation, weight, joint, digits).map(EquationFound::AtJoint)
-            }
-            (AskedEquation::AtJoint(_), []) => return Err("--rotation-joint is missing".into()),
-            (AskedEquation::Value(equation), given) => {
-                equation.evaluate(weight, given, digits).map(EquationFound::Values)
-            }
-        };
+        let equation = arguments.equation;
+        let found = Error::apart(equation.evaluate(weight, &given, arguments.digits))?;
         let given = given.iter().map(|(of, value)| (*of, value.to_string())).collect();
-        let (equation, found) = (arguments.equation.number(), Error::apart(found)?);
         Ok(EvaluatedEquation { equation, weight, given, found })
     };
     let weights = arguments.weight.all().into_iter();

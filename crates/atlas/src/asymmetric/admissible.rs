@@ -31,6 +31,7 @@ use crate::arch::{Ring, SelfWeight, statics};
 use crate::certify::{Undecided, between, cover};
 use crate::number::{Angle, Ball, Enclosure, Field, Jet};
 use crate::prover::decide::{ensure, is_positive};
+use crate::prover::halve::halve;
 use rug::{Float, Rational};
 
 /// A tube is halved no more often than this, and the vertical forces of one in it.
@@ -55,7 +56,7 @@ pub(super) fn is_admissible(
         let cell = TubeCell::new(&piece).ok_or_else(gap)?;
         // The ends are in the first tube and in the last.
         let ends = [(index == 0).then_some(low), (index + 1 == count).then_some(high)];
-        Slice { kind, cell, ends }.prove(DEPTH)
+        halve(Slice { kind, cell, ends }, DEPTH, Slice::halves, Slice::is_admissible).map(drop)
     })
 }
 
@@ -87,29 +88,27 @@ impl OpenSign {
 }
 
 impl Slice<'_> {
-    /// Proves it, or its halves, each in a tube of its own.
-    fn prove(self, depth: u32) -> Result<(), Undecided> {
-        let [from, to] = self.cell.range();
-        let Err(open) = self.is_admissible([from, to], SLICES) else { return Ok(()) };
-        let depth = depth.checked_sub(1).ok_or_else(|| open.clone())?;
-        let Self { kind, cell, ends: [low, high] } = self;
-        let [first, last] = cell.halves().ok_or(open)?;
-        Slice { kind, cell: first, ends: [low, None] }.prove(depth)?;
-        Slice { kind, cell: last, ends: [None, high] }.prove(depth)
+    /// Halves of it, each in a tube of its own.
+    fn halves(&self) -> Option<[Self; 2]> {
+        let &Self { kind, ref cell, ends: [low, high] } = self;
+        let [first, last] = cell.halves()?;
+        Some([
+            Self { kind, cell: first, ends: [low, None] },
+            Self { kind, cell: last, ends: [None, high] },
+        ])
     }
 
     /// Checks admissibility in one tube.
-    fn is_admissible(&self, range: [f64; 2], depth: u32) -> Result<(), Undecided> {
-        let [from, to] = range;
-        match (self.is_admissible_on(&exact(from).hull(&exact(to))), depth.checked_sub(1)) {
-            (Ok(()), _) => Ok(()),
-            (Err(open), None) => Err(open.about(&format!("between v = {from} and {to}"))),
-            (Err(_), Some(depth)) => {
-                let middle = from + (to - from) / 2.0;
-                self.is_admissible([from, middle], depth)?;
-                self.is_admissible([middle, to], depth)
-            }
-        }
+    fn is_admissible(&self) -> Result<(), Undecided> {
+        let halves = |&[from, to]: &[f64; 2]| {
+            let middle = from + (to - from) / 2.0;
+            Some([[from, middle], [middle, to]])
+        };
+        let proof = |&[from, to]: &[f64; 2]| {
+            let found = self.is_admissible_on(&exact(from).hull(&exact(to)));
+            found.map_err(|open| open.about(&format!("between v = {from} and {to}")))
+        };
+        halve(self.cell.range(), SLICES, halves, proof).map(drop)
     }
 
     /// Checks admissibility at once for some vertical forces.

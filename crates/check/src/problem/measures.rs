@@ -210,11 +210,16 @@ pub(super) fn exceeds(a: &BigRational, b: &BigRational) -> bool {
     a.numer() * b.denom() > b.numer() * a.denom()
 }
 
+/// The circle of a span and a rise: the tangent of a quarter of its opening, and its radius.
+pub fn circle<T: Field>(span: &T, rise: &T) -> [T; 2] {
+    let half = span.ratio(1, 2) * span;
+    [rise.clone() / &half, (half.square() + rise.square()) / (rise.int(2) * rise)]
+}
+
 /// The half opening of an arch of this span and rise, and the radius of the circle at which both are measured.
 pub fn of_span_and_rise(span: &Length, rise: &Length) -> (ExactNumber, Length) {
-    let (half, rise) = (&span.0 / BigInt::from(2), &rise.0);
-    let radius = (&half * &half + rise * rise) / (rise * BigInt::from(2));
-    (ExactNumber::twice_arctangent(rise / half), Length(radius))
+    let [tangent, radius] = circle(&span.0, &rise.0);
+    (ExactNumber::twice_arctangent(tangent), Length(radius))
 }
 
 impl Measures {

@@ -4,7 +4,7 @@ use super::System;
 use super::system::system;
 use crate::arch::mechanism::{self, Mechanism};
 use crate::arch::{Configuration, SelfWeight, Unknown};
-use crate::number::{Angle, Field, Real, worded};
+use crate::number::{Angle, Field, Real, list, worded};
 
 worded! {
     /// A collapse mode of the half arch.
@@ -33,6 +33,24 @@ worded! {
 }
 
 impl Mode {
+    /// Orders in which the modes follow each other as the friction grows, each on an interval or not at all: before T,
+    /// beyond it (the claim `map-rows`), and beyond the end of rotation, with unlimited friction at the end. With less
+    /// friction than where pure sliding begins each of them nothing stands.
+    pub const ROWS: [&[Self]; 3] = [
+        &list![Mode: Sliding SlidingRotational Rotational],
+        &list![Mode: Sliding OverturningSliding RotationalSlidingRotational RotationalSliding Rotational],
+        &list![Mode: Sliding OverturningSliding Overturning],
+    ];
+
+    /// Orders in which they do as the half opening or the thickness grows, at a limited friction (the claim
+    /// `map-columns`) and at unlimited; beyond pure sliding nothing stands.
+    pub const COLUMNS: [&[Self]; 2] = [
+        &list![Mode:
+            Rotational SlidingRotational RotationalSliding RotationalSlidingRotational OverturningSliding Sliding
+        ],
+        &list![Mode: Rotational Overturning Sliding],
+    ];
+
     /// The mode of a label, by its letters: brackets, commas, spaces, hyphens and the case do not matter.
     pub fn named(text: &str) -> Option<Self> {
         let letters = |text: &str| -> String {

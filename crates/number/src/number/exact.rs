@@ -6,7 +6,9 @@ pub use sine::sine_and_cosine;
 
 use super::range::{TELL_OF_RANGES, is_range};
 use super::unit::{AngleUnit, unit};
-use super::{Decimal, Dyadic, Engine, ParseDecimalError, as_text, says, shown, shown_as_text};
+use super::{
+    Decimal, Dyadic, Engine, Field, ParseDecimalError, as_text, says, shown, shown_as_text,
+};
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
 use std::fmt;
@@ -32,6 +34,12 @@ pub enum Form {
     TimesPi,
     /// `2 atan(q)`: the half opening of an arch whose rise is `q` times half its span.
     TwiceArctangent,
+}
+
+impl Field for BigRational {
+    fn int(&self, n: i32) -> Self {
+        BigInt::from(n).into()
+    }
 }
 
 /// Texts longer than this are refused; it is far more than any number of digits worth giving.

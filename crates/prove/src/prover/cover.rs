@@ -1,43 +1,34 @@
 //! A statement on a whole interval, by subdivision.
 
 use super::Undecided;
+use super::halve::{halve, halves};
 use crate::number::{Ball, Magnitude, Ternary};
 use rug::Rational;
 
 /// Bits in which a piece is examined.
 const BITS: u32 = 96;
 /// Maximum number of subdivisions of a piece.
-const DEPTH: usize = 24;
+const DEPTH: u32 = 24;
 
 /// Proves that `holds` on every number of `[low, high]`: the interval is halved until the answer is
 /// certain on each piece. Returns the number of pieces.
 ///
 /// `holds` is given a ball that contains the piece; `True` has to mean that the statement holds at
-/// every number of the ball. A piece on which it is `False`, or still not known after 24 halvings,
-/// ends the search: then nothing is proved.
+/// every number of the ball. A piece on which it is `False`, or not known, after 24 halvings ends the
+/// search: then nothing is proved.
 pub fn cover(
     low: &Rational,
     high: &Rational,
     holds: &dyn Fn(&Ball) -> Ternary,
 ) -> Result<usize, Undecided> {
-    let mut pieces = 0;
-    let mut open = vec![(low.clone(), high.clone(), 0)];
-    while let Some((low, high, depth)) = open.pop() {
-        match holds(&between(&low, &high)) {
-            Ternary::True => pieces += 1,
-            Ternary::Undecided if depth < DEPTH => {
-                let middle: Rational = Rational::from(&low + &high) / 2;
-                open.push((middle.clone(), high, depth + 1));
-                open.push((low, middle, depth + 1));
-            }
-            verdict => {
-                let what = if verdict == Ternary::False { "false" } else { "not decided" };
-                let at = (low.to_f64(), high.to_f64());
-                return Err(Undecided::new(format!("{what} between {} and {}", at.0, at.1)));
-            }
-        }
-    }
-    Ok(pieces)
+    let proof = |(low, high): &(Rational, Rational)| match holds(&between(low, high)) {
+        Ternary::True => Ok(()),
+        verdict => Err((verdict, low.to_f64(), high.to_f64())),
+    };
+    halve((low.clone(), high.clone()), DEPTH, halves, proof).map_err(|(verdict, low, high)| {
+        let what = if verdict == Ternary::False { "false" } else { "not decided" };
+        Undecided::new(format!("{what} between {low} and {high}"))
+    })
 }
 
 /// A ball that holds the numbers from `low` to `high`.

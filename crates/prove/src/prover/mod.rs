@@ -9,7 +9,8 @@
 //! | `in_doubles` | the same in doubles |
 //! | `posed`, `isolate`, `refine` | the printed equations of a system, their root alone in a box, and its digits |
 //! | `linear` | linear equations |
-//! | `decide`, `cover` | signs, pieces of an interval |
+//! | `decide` | signs |
+//! | `halve`, `cover` | halved until proved, and so a statement on an interval |
 //! | `raise` | more bits until everything is decided |
 //! | `count` | how many there are, and that there is none |
 //! | `ties` | what is exactly zero in an arch |
@@ -22,6 +23,7 @@ pub(crate) mod cover;
 pub mod decide;
 pub(crate) mod error;
 pub mod figure;
+pub mod halve;
 pub mod in_doubles;
 pub(crate) mod isolate;
 pub mod ladder;

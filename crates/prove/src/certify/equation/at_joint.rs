@@ -1,13 +1,19 @@
 //! One equation at one joint, at one precision.
 
-use super::closed::{ClosedForm, RootBranch, trigonometric};
-use super::evaluated::{ClosedAt, Evaluated, LinkAt, PolynomialAt, RadicandAt, RootAt, outward};
+use super::closed::{RootBranch, trigonometric};
+use super::evaluated::{
+    ClosedAt, EquationValue, Evaluated, LinkAt, PolynomialAt, RadicandAt, RootAt, outward,
+};
+use super::numbered::NumberedEquation;
 use super::polynomial::{coefficients, is_root, real_roots, value};
+use crate::arch::closed_form::ClosedForm;
 use crate::arch::cubic::{self, Abbreviations};
 use crate::arch::{Ring, SelfWeight, overturning, thrust};
+use crate::certify::CertifiedLandmark;
 use crate::number::{Angle, Ball, ComplexBall, Dual, Enclosure, ExactNumber, Field, Real, Ternary};
-use crate::prover::Undecided;
+use crate::problem::Landmark;
 use crate::prover::figure::{Figure, Figured};
+use crate::prover::{Error, Refused, Undecided, raise};
 use crate::symbolic::Known;
 use rug::Rational;
 
@@ -16,17 +22,56 @@ type Found<T> = Result<Option<T>, Undecided>;
 
 /// A joint, exact as far as it can be.
 pub(super) struct AtJoint {
-    pub(super) weight: SelfWeight,
-    pub(super) joint: Angle<Known>,
-    pub(super) bits: u32,
-    pub(super) digits: usize,
+    weight: SelfWeight,
+    joint: Angle<Known>,
+    bits: u32,
+    digits: usize,
 }
 
-/// The three unknowns, in the order of (7).
-const UNKNOWNS: [ClosedForm; 3] =
-    [ClosedForm::OpeningVariable, ClosedForm::Thickness, ClosedForm::Thrust];
+/// Bits with which a joint is compared with the widest one at first.
+const COMPARED: u32 = 128;
 
 impl AtJoint {
+    /// Evaluates an equation at an exact joint, with `first` bits or more.
+    pub(super) fn evaluate(
+        equation: NumberedEquation,
+        weight: SelfWeight,
+        joint: &ExactNumber,
+        digits: usize,
+        first: u32,
+    ) -> Result<Evaluated, Error> {
+        let at = |bits| Self { weight, joint: Known::angle(joint, bits), bits, digits };
+        if equation.closed_form().is_some() {
+            // Beyond the widest joint or not: by the landmark, or next to it by the sign of (12).
+            let widest =
+                CertifiedLandmark::new(Landmark::WidestJoint, weight)?.enclosure(COMPARED)?;
+            let widest = &widest.configuration().rotation_joint.rad;
+            let is_beyond = match joint.enclosure::<Ball>(COMPARED).is_less_than(widest) {
+                Ternary::True => false,
+                Ternary::False => true,
+                Ternary::Undecided => raise(first, |bits| Ok(Some(at(bits).signed_radicand()?.1)))?,
+            };
+            if is_beyond {
+                return Err(Refused::BeyondWidestJoint(joint.clone()).into());
+            }
+        }
+        let found = raise(first, |bits| match (equation, equation.closed_form()) {
+            (_, Some(form)) => at(bits).closed(form),
+            (NumberedEquation::Radicand, _) => at(bits).radicand(),
+            (NumberedEquation::Link, _) => at(bits).link(),
+            (_, None) => at(bits).cubics(),
+        });
+        match found {
+            Err(open) if equation == NumberedEquation::Cubics => {
+                // The coefficients alone, as the roots stay open.
+                let roots = || [0; 3].map(|_| Err(open.clone()));
+                let shown = |at: Self| at.shown(&at.polynomials(), roots());
+                Ok(raise(first, |bits| Ok(shown(at(bits)))).map_err(|_| open.clone())?)
+            }
+            found => Ok(found?),
+        }
+    }
+
     fn abbreviations(&self) -> Abbreviations<Known> {
         cubic::abbreviations(&self.joint)
     }
@@ -39,7 +84,7 @@ impl AtJoint {
     /// The polynomials (7).
     fn polynomials(&self) -> [Vec<Known>; 3] {
         let at = self.abbreviations();
-        UNKNOWNS.map(|unknown| coefficients(unknown, self.weight, &at))
+        ClosedForm::ALL.map(|unknown| coefficients(unknown, self.weight, &at))
     }
 
     /// The radicand and whether it is positive.
@@ -49,10 +94,7 @@ impl AtJoint {
         let is_positive = match radicand.is_positive() {
             Ternary::True => true,
             Ternary::False if radicand.excludes_zero() => false,
-            _ => {
-                let words = "the sign of (12), which is next to zero";
-                return Err(Undecided::new(words));
-            }
+            _ => return Err(Undecided::new("the sign of (12), which is next to zero")),
         };
         Ok((radicand, is_positive))
     }
@@ -64,53 +106,43 @@ impl AtJoint {
         self.signed_radicand().map(|(_, is_positive)| if is_positive { degree - 2 } else { degree })
     }
 
-    /// Tells whether the joint is beyond the widest one, where it is next to it.
-    pub(super) fn is_beyond_widest(&self) -> Result<bool, Undecided> {
-        self.signed_radicand().map(|(_, is_positive)| is_positive)
-    }
-
-    fn figure(&self, x: &impl Figured) -> Option<Figure> {
-        x.figure(self.digits)
-    }
-
     /// Figure of a root that is alone in its ball: exact where a decimal of so many digits is proved to be it.
     fn root_figure(&self, polynomial: &[Known], root: &Ball) -> Option<Figure> {
         Figure::proved(root, self.digits, |x| is_root(polynomial, x))
     }
 
     /// (12).
-    pub(super) fn radicand(&self) -> Found<Evaluated> {
+    fn radicand(&self) -> Found<Evaluated> {
         let (radicand, is_positive) = self.signed_radicand()?;
         let value = Figure::around(&radicand, self.digits);
         Ok(value.map(|value| Evaluated::Radicand(Box::new(RadicandAt { value, is_positive }))))
     }
 
     /// (8).
-    pub(super) fn link(&self) -> Found<Evaluated> {
+    fn link(&self) -> Found<Evaluated> {
         let Abbreviations { sin, f, g } = self.abbreviations();
-        let difference = cubic::link(&self.joint);
+        let difference = cubic::link(&self.joint).ball();
+        let named =
+            [("sin", "S = sin(beta)", sin), ("f", "f = S + beta C", f), ("g", "g = beta + S C", g)];
+        let abbreviations = named.into_iter().map(|(name, symbol, x)| {
+            Some(EquationValue { name, symbol, figure: x.figure(self.digits)? })
+        });
         let found = || {
-            let [sin, f, g] = [sin, f, g].map(|x| self.figure(&x));
             Some(Evaluated::Link(Box::new(LinkAt {
-                abbreviations: [sin?, f?, g?],
-                difference: outward(&difference.ball())?,
-                holds: !difference.ball().excludes_zero(),
+                abbreviations: abbreviations.collect::<Option<_>>()?,
+                difference: outward(&difference)?,
+                holds: !difference.excludes_zero(),
             })))
         };
         Ok(found())
     }
 
     /// (7).
-    pub(super) fn cubics(&self) -> Found<Evaluated> {
+    fn cubics(&self) -> Found<Evaluated> {
         let polynomials = self.polynomials();
         let roots = self.roots(&polynomials)?;
         let Some(roots) = roots else { return Ok(None) };
         Ok(self.shown(&polynomials, roots.map(Ok)))
-    }
-
-    /// Polynomials (7) with their coefficients alone, as the roots stay open.
-    pub(super) fn cubics_without_roots(&self, open: &Undecided) -> Option<Evaluated> {
-        self.shown(&self.polynomials(), [0; 3].map(|_| Err(open.clone())))
     }
 
     fn shown(
@@ -119,14 +151,14 @@ impl AtJoint {
         roots: [Result<Vec<RootAt>, Undecided>; 3],
     ) -> Option<Evaluated> {
         let shown = |((unknown, polynomial), roots): ((ClosedForm, &Vec<Known>), _)| {
-            let coefficients = polynomial.iter().map(|x| self.figure(x));
+            let coefficients = polynomial.iter().map(|x| x.figure(self.digits));
             Some(PolynomialAt {
                 unknown,
                 coefficients: coefficients.collect::<Option<_>>()?,
                 roots,
             })
         };
-        let all = UNKNOWNS.into_iter().zip(polynomials).zip(roots).map(shown);
+        let all = ClosedForm::ALL.into_iter().zip(polynomials).zip(roots).map(shown);
         all.collect::<Option<_>>().map(Evaluated::Cubics)
     }
 
@@ -174,7 +206,7 @@ impl AtJoint {
     }
 
     /// (9), (10) or (11).
-    pub(super) fn closed(&self, form: ClosedForm) -> Found<Evaluated> {
+    fn closed(&self, form: ClosedForm) -> Found<Evaluated> {
         let (radicand, _) = self.signed_radicand()?;
         let joint = self.enclosed();
         let at = cubic::abbreviations(&joint);
@@ -186,11 +218,8 @@ impl AtJoint {
         };
         let root_of_three = joint.rad.int(3).sqrt();
         let branch = |branch: RootBranch| {
-            let imaginary = match branch {
-                RootBranch::Upper => root_of_three.clone(),
-                RootBranch::Lower => -root_of_three.clone(),
-            };
-            let k = ComplexBall { re: root_of_three.int(0), im: imaginary };
+            let sign = root_of_three.int(if branch == RootBranch::Upper { 1 } else { -1 });
+            let k = ComplexBall { re: root_of_three.int(0), im: root_of_three.clone() * sign };
             let printed = form.value(&of, &u, &k);
             let trigonometric = trigonometric(form, branch, &joint);
             if !printed.re.overlaps(&trigonometric) {

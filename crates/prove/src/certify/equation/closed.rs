@@ -1,88 +1,23 @@
-//! The closed forms (9)–(11) over any number: as printed, and in their real, trigonometric form.
+//! The closed forms (9)–(11) in their real, trigonometric form.
 
-use crate::arch::closed_form;
-use crate::arch::cubic::{self, Abbreviations};
-use crate::number::{Angle, Ball, Field, Real, arctangent};
+use crate::arch::closed_form::ClosedForm;
+use crate::arch::cubic;
+use crate::number::{Angle, Ball, Field, Real, arctangent, worded};
 use rug::Float;
 
-/// Closed forms of Cardano's kind, each a root of a cubic (7) for Milankovitch's weight.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ClosedForm {
-    /// (9), `A`.
-    OpeningVariable,
-    /// (10), `eta`.
-    Thickness,
-    /// (11), `h`.
-    Thrust,
-}
-
-impl ClosedForm {
-    /// The cubic (7) of which it is a root.
-    pub fn cubic<T: Field>(self, at: &Abbreviations<T>, flag: &T, x: &T) -> T {
-        match self {
-            Self::OpeningVariable => cubic::in_opening_variable(at, flag, x),
-            Self::Thickness => cubic::in_thickness(at, flag, x),
-            Self::Thrust => cubic::in_thrust(at, flag, x),
-        }
+worded! {
+    /// The two real branches: upper signs for `alpha < alpha_sb`, lower beyond.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum RootBranch {
+        /// `alpha < alpha_sb`.
+        Upper = "upper",
+        /// `alpha > alpha_sb`.
+        Lower = "lower",
     }
-
-    /// `u³`, with `q` the square root of the radicand.
-    pub fn cube<T: Field>(self, at: &Abbreviations<T>, q: &T) -> T {
-        match self {
-            Self::OpeningVariable => closed_form::opening_cube(at, q),
-            Self::Thickness => closed_form::thickness_cube(at, q),
-            Self::Thrust => closed_form::thrust_cube(at, q),
-        }
-    }
-
-    /// Closed form from the cube root `u`, as printed.
-    pub fn value<T: Field>(self, at: &Abbreviations<T>, u: &T, k: &T) -> T {
-        match self {
-            Self::OpeningVariable => closed_form::opening_variable(at, u, k),
-            Self::Thickness => closed_form::thickness(at, u, k),
-            Self::Thrust => closed_form::thrust(at, u, k),
-        }
-    }
-
-    /// `P`, of which the modulus of `u` is the square root.
-    fn product<T: Field>(self, at: &Abbreviations<T>) -> T {
-        match self {
-            Self::OpeningVariable => closed_form::opening_product(at),
-            Self::Thickness => closed_form::thickness_product(at),
-            Self::Thrust => closed_form::thrust_product(at),
-        }
-    }
-
-    /// Closed form from the sum of its two terms.
-    fn of_terms<T: Field>(self, at: &Abbreviations<T>, terms: T) -> T {
-        match self {
-            Self::OpeningVariable => closed_form::opening_variable_from(at, terms),
-            Self::Thickness => closed_form::thickness_from(at, terms),
-            Self::Thrust => closed_form::thrust_from(at, terms),
-        }
-    }
-}
-
-/// The two real branches: upper signs for `alpha < alpha_sb`, lower beyond.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RootBranch {
-    /// `alpha < alpha_sb`.
-    Upper,
-    /// `alpha > alpha_sb`.
-    Lower,
-}
-
-impl RootBranch {
     /// Both of them.
-    pub const ALL: [Self; 2] = [Self::Upper, Self::Lower];
-
+    pub const ALL;
     /// Name of the signs in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Upper => "upper",
-            Self::Lower => "lower",
-        }
-    }
+    pub fn name -> &'static str;
 }
 
 /// A real number with an angle and a cosine: what the trigonometric form needs.

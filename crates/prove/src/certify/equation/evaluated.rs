@@ -1,13 +1,15 @@
-//! Statements that are proved of an equation at a joint.
+//! Statements that are proved of an equation.
 
-use super::closed::{ClosedForm, RootBranch};
-use crate::number::Ball;
-use crate::number::{Decimal, Enclosure, Rounded};
+use super::closed::RootBranch;
+use crate::arch::closed_form::ClosedForm;
+use crate::number::{Ball, Decimal, Enclosure, Rounded};
 use crate::prover::{Figure, Undecided};
 
-/// An equation of the paper that is evaluated at a rotational joint.
+/// Result that is proved of an equation of the paper at given values.
 #[derive(Clone, Debug)]
 pub enum Evaluated {
+    /// (2)–(6) and (13)–(18).
+    Values(Vec<EquationValue>),
     /// (7): the polynomials in `A`, `eta` and `h`, in this order.
     Cubics(Vec<PolynomialAt>),
     /// (8): left side less right side.
@@ -16,6 +18,18 @@ pub enum Evaluated {
     Closed(ClosedForm, Vec<ClosedAt>),
     /// (12).
     Radicand(Box<RadicandAt>),
+}
+
+/// A value of an equation.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct EquationValue {
+    /// Name in files.
+    pub name: &'static str,
+    /// Symbol of the paper.
+    pub symbol: &'static str,
+    /// The value.
+    pub figure: Figure,
 }
 
 /// A polynomial (7) at a joint.
@@ -57,7 +71,7 @@ pub struct RootAt {
 #[non_exhaustive]
 pub struct LinkAt {
     /// `S`, `f` and `g`.
-    pub abbreviations: [Figure; 3],
+    pub abbreviations: Vec<EquationValue>,
     /// Bounds of the left side less the right side.
     pub difference: [Decimal; 2],
     /// True if zero is between them.

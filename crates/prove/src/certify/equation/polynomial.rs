@@ -1,7 +1,7 @@
 //! The polynomials (7) at one joint, and all of their real roots.
 
-use super::closed::ClosedForm;
 use crate::arch::SelfWeight;
+use crate::arch::closed_form::ClosedForm;
 use crate::arch::cubic::Abbreviations;
 use crate::number::{Ball, Enclosure, Field, Jet, Real, Stumpff};
 use crate::prover::Undecided;
@@ -152,9 +152,6 @@ mod tests {
         cubic::abbreviations(&Angle::new(joint))
     }
 
-    const FORMS: [ClosedForm; 3] =
-        [ClosedForm::OpeningVariable, ClosedForm::Thickness, ClosedForm::Thrust];
-
     #[test]
     fn the_quadratics_are_the_cubics_without_a_factor() {
         let rational = |n: i32, d: i32| Rational::from((n, d));
@@ -164,7 +161,8 @@ mod tests {
         let factors =
             [sin.clone() * &x + &g, sin * &x * 2 + (g - f)].map(|of| of * Rational::from((3, 2)));
         let quadratics = [heyman_opening_variable(&at, &x), heyman_thrust(&at, &x)];
-        let cubics = [&FORMS[0], &FORMS[2]].map(|form| form.cubic(&at, &zero, &x));
+        let cubics = [ClosedForm::OpeningVariable, ClosedForm::Thrust]
+            .map(|form| form.cubic(&at, &zero, &x));
         for ((factor, quadratic), cubic) in factors.iter().zip(&quadratics).zip(&cubics) {
             assert_eq!(quadratic.clone() * factor, *cubic);
             assert_ne!((quadratic.clone() + 1) * factor, *cubic, "false twin");
@@ -176,7 +174,7 @@ mod tests {
         for (weight, below, beyond) in
             [(SelfWeight::Heyman, 2, 0), (SelfWeight::Milankovitch, 3, 1)]
         {
-            for form in FORMS {
+            for form in ClosedForm::ALL {
                 for (joint, count) in [(0.01, below), (1.0, below), (1.2, beyond), (2.0, beyond)] {
                     let polynomial = coefficients(form, weight, &at(joint));
                     let roots = real_roots(&polynomial, count, 256).unwrap();

@@ -1,10 +1,14 @@
 //! Equations at joints against numbers of another program, and what they refuse.
 
 use super::*;
+use crate::arch::SelfWeight;
+use crate::certify::CertifiedLandmark;
+use crate::problem::{Landmark, Quantity};
+use crate::prover::Error;
 
 fn at(number: u8, weight: SelfWeight, joint: &str, digits: usize) -> Result<Evaluated, Error> {
-    let equation = JointEquation::named(&format!("({number})")).unwrap();
-    evaluate(equation, weight, &joint.parse().unwrap(), digits)
+    let equation = NumberedEquation::named(&format!("({number})")).unwrap();
+    equation.evaluate(weight, &[(Quantity::RotationJoint, joint.parse().unwrap())], digits)
 }
 
 fn cubics(weight: SelfWeight, joint: &str, digits: usize) -> Vec<PolynomialAt> {
@@ -140,13 +144,14 @@ fn what_makes_no_sense_is_refused() {
         assert!(error.to_string().contains(words), "{error}");
     }
     assert!(at(7, SelfWeight::Heyman, "1.0", 0).is_err());
-    assert!(JointEquation::named("6").is_none() && JointEquation::named("x").is_none());
+    for none in ["1", "19", "x"] {
+        assert!(NumberedEquation::named(none).is_none());
+    }
 }
 
 /// The widest joint itself cannot be given; its first 2500 digits are nearer than the bits that are tried.
 #[test]
 fn next_to_the_widest_joint_the_roots_stay_open() {
-    use crate::problem::Quantity;
     let point = CertifiedLandmark::new(Landmark::WidestJoint, SelfWeight::Milankovitch).unwrap();
     let joint = |digits| point.constant(Quantity::RotationJoint, digits).unwrap().value.to_string();
     let near = joint(2500);

@@ -1,152 +1,150 @@
-//! The equations of the paper that give one value: (2)–(6) and (13)–(18).
+//! The equations of the paper by their numbers: what each needs, and its values.
 
+use super::at_joint::AtJoint;
+use super::evaluated::{EquationValue, Evaluated};
+use crate::arch::closed_form::ClosedForm;
 use crate::arch::{Quotient, Ring, SelfWeight, overturning, sliding, thrust};
-use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Real, bits_of};
-use crate::problem::Quantity;
+use crate::number::{Angle, Ball, Enclosure, ExactNumber, Field, Real, bits_of, worded};
+use crate::problem::Quantity::{self, self as Q};
 use crate::prover::figure::Figured;
-use crate::prover::{Error, Figure, Refused, Undecided, raise};
+use crate::prover::{Error, Refused, Undecided, raise};
 use crate::symbolic::Known;
 
-/// An equation of the paper that gives a value where others are given.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum ValueEquation {
-    /// (2), `h_L`.
-    LowerThrust,
-    /// (3), `h_U`.
-    UpperThrust,
-    /// (4), `A` and `h_2`.
-    WholeThrust,
-    /// (5), `h_e`.
-    Tangency,
-    /// (6), `fac_M`.
-    CentroidFactor,
-    /// (13), `A` of purely overturning states.
-    OverturningVariable,
-    /// (14), the thickness of a purely overturning state, Heyman's weight.
-    OverturningHeyman,
-    /// (15), the thickness of a purely overturning state, Milankovitch's weight.
-    OverturningMilankovitch,
-    /// (16) as corrected: `2 - eta - fac_M`, and the thickness at which it is zero.
-    EndOfRotation,
-    /// (17), the friction that the shoulder asks for.
-    ShoulderSliding,
-    /// (18), the steepest joint and the friction that it asks for.
-    InnerSliding,
+/// Number of an equation, and at what it is evaluated.
+#[derive(Clone, Copy)]
+struct Row {
+    number: u8,
+    /// Quantities that have to be given: all of one choice.
+    choices: &'static [&'static [Quantity]],
+    /// The one self-weight that it is for, and the limits of what is given.
+    only: Option<(SelfWeight, [&'static str; 2])>,
 }
 
-/// Number of an equation, with its brackets or without.
-pub(super) fn number(text: &str) -> Option<u8> {
-    text.trim().trim_start_matches('(').trim_end_matches(')').parse().ok()
+const fn row(number: u8, choices: &'static [&'static [Quantity]]) -> Row {
+    Row { number, choices, only: None }
 }
 
-/// A value of an equation.
-#[derive(Clone, Debug)]
-#[non_exhaustive]
-pub struct EquationValue {
-    /// Name in files.
-    pub name: &'static str,
-    /// Symbol of the paper.
-    pub symbol: &'static str,
-    /// The value.
-    pub figure: Figure,
+/// A row of the thickness of purely overturning states.
+const fn overturning(number: u8, weight: SelfWeight, least: &'static str) -> Row {
+    Row { only: Some((weight, [least, "1"])), ..row(number, &[&[Q::OpeningVariable]]) }
 }
+
+worded! {
+    /// An equation of the paper that is evaluated at given values: (7)–(12) at a rotational joint, the others to
+    /// values.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum NumberedEquation {
+        /// (2), `h_L`.
+        LowerThrust = row(2, &[&[Q::RotationJoint, Q::Thickness]]),
+        /// (3), `h_U`.
+        UpperThrust = row(3, &[&[Q::HalfOpening, Q::RotationJoint, Q::Thickness]]),
+        /// (4), `A` and `h_2`.
+        WholeThrust = row(4, &[&[Q::HalfOpening, Q::Thickness], &[Q::OpeningVariable, Q::Thickness]]),
+        /// (5), `h_e`.
+        Tangency = row(5, &[&[Q::RotationJoint, Q::Thickness]]),
+        /// (6), `fac_M`.
+        CentroidFactor = row(6, &[&[Q::Thickness]]),
+        /// (7), the cubics in `A`, `eta` and `h`.
+        Cubics = row(7, &[&[Q::RotationJoint]]),
+        /// (8), the link of the abbreviations `f`, `g`, `S`, `C` and `beta`.
+        Link = row(8, &[&[Q::RotationJoint]]),
+        /// (9), the closed form of `A`.
+        OpeningVariable = row(9, &[&[Q::RotationJoint]]),
+        /// (10), the closed form of `eta`.
+        Thickness = row(10, &[&[Q::RotationJoint]]),
+        /// (11), the closed form of `h`.
+        Thrust = row(11, &[&[Q::RotationJoint]]),
+        /// (12), the radicand of the square root in (9)–(11).
+        Radicand = row(12, &[&[Q::RotationJoint]]),
+        /// (13), `A` of purely overturning states.
+        OverturningVariable = row(13, &[&[Q::Thickness]]),
+        /// (14), the thickness of a purely overturning state, Heyman's weight.
+        OverturningHeyman = overturning(14, SelfWeight::Heyman, "1/2"),
+        /// (15), the thickness of a purely overturning state, Milankovitch's weight.
+        OverturningMilankovitch = overturning(15, SelfWeight::Milankovitch, "2/3"),
+        /// (16) as corrected: `2 - eta - fac_M`, and the thickness at which it is zero.
+        EndOfRotation = row(16, &[&[Q::Thickness]]),
+        /// (17), the friction that the shoulder asks for.
+        ShoulderSliding = row(17, &[&[Q::HalfOpening, Q::Thrust]]),
+        /// (18), the steepest joint and the friction that it asks for.
+        InnerSliding = row(18, &[&[Q::Thrust]]),
+    }
+    /// All of them, in the order of their numbers.
+    pub const ALL;
+    fn row -> Row;
+}
+
+/// Bits beyond the digits asked for, at the first attempt.
+const GUARD: u32 = 48;
+/// Powers of a small value that the equations lose to cancellation, at the most: a start only.
+const POWERS_LOST: u32 = 12;
 
 /// Name and symbol of a value, and the value.
 type Named = (&'static str, &'static str, Known);
 
-impl ValueEquation {
-    /// All of them, in the order of their numbers.
-    pub const ALL: [Self; 11] = [
-        Self::LowerThrust,
-        Self::UpperThrust,
-        Self::WholeThrust,
-        Self::Tangency,
-        Self::CentroidFactor,
-        Self::OverturningVariable,
-        Self::OverturningHeyman,
-        Self::OverturningMilankovitch,
-        Self::EndOfRotation,
-        Self::ShoulderSliding,
-        Self::InnerSliding,
-    ];
-
-    /// Number of the equation in the paper.
-    pub fn number(self) -> u8 {
-        match self {
-            Self::LowerThrust => 2,
-            Self::UpperThrust => 3,
-            Self::WholeThrust => 4,
-            Self::Tangency => 5,
-            Self::CentroidFactor => 6,
-            Self::OverturningVariable => 13,
-            Self::OverturningHeyman => 14,
-            Self::OverturningMilankovitch => 15,
-            Self::EndOfRotation => 16,
-            Self::ShoulderSliding => 17,
-            Self::InnerSliding => 18,
-        }
-    }
-
+impl NumberedEquation {
     /// Equation of a number, with its brackets or without.
     pub fn named(text: &str) -> Option<Self> {
-        let number = number(text)?;
+        let number: u8 = text.trim().trim_start_matches('(').trim_end_matches(')').parse().ok()?;
         Self::ALL.into_iter().find(|equation| equation.number() == number)
     }
 
-    /// Quantities that have to be given.
-    pub fn needs(self) -> &'static [Quantity] {
-        self.choices()[0]
+    /// Number of the equation in the paper.
+    pub fn number(self) -> u8 {
+        self.row().number
     }
 
     /// Quantities that have to be given: all of one choice.
     pub fn choices(self) -> &'static [&'static [Quantity]] {
-        use Quantity as Q;
+        self.row().choices
+    }
+
+    /// Closed form that the equation is, if it is one.
+    pub(super) fn closed_form(self) -> Option<ClosedForm> {
         match self {
-            Self::LowerThrust | Self::Tangency => &[&[Q::RotationJoint, Q::Thickness]],
-            Self::UpperThrust => &[&[Q::HalfOpening, Q::RotationJoint, Q::Thickness]],
-            Self::WholeThrust => {
-                &[&[Q::HalfOpening, Q::Thickness], &[Q::OpeningVariable, Q::Thickness]]
-            }
-            Self::CentroidFactor | Self::OverturningVariable | Self::EndOfRotation => {
-                &[&[Q::Thickness]]
-            }
-            Self::OverturningHeyman | Self::OverturningMilankovitch => &[&[Q::OpeningVariable]],
-            Self::ShoulderSliding => &[&[Q::HalfOpening, Q::Thrust]],
-            Self::InnerSliding => &[&[Q::Thrust]],
+            Self::OpeningVariable => Some(ClosedForm::OpeningVariable),
+            Self::Thickness => Some(ClosedForm::Thickness),
+            Self::Thrust => Some(ClosedForm::Thrust),
+            _ => None,
         }
     }
 
     /// Checks what is given, and that the equation is for the self-weight.
     fn check(self, weight: SelfWeight, given: &[(Quantity, ExactNumber)]) -> Result<(), Refused> {
-        let is_given = |needed: &Quantity| given.iter().any(|(of, _)| of == needed);
+        let Row { number: equation, choices, only } = self.row();
         let holds_all = |choice: &&&[Quantity]| given.iter().all(|(of, _)| choice.contains(of));
-        let needs = self.choices().iter().find(holds_all).map_or(self.needs(), |choice| choice);
+        let needs = choices.iter().find(holds_all).map_or(choices[0], |choice| choice);
         for (quantity, value) in given {
             Refused::quantity(*quantity, needs)?;
             Refused::value_of(*quantity, value)?;
         }
-        if let Some(&missing) = needs.iter().find(|needed| !is_given(needed)) {
+        if let Some(&missing) =
+            needs.iter().find(|needed| given.iter().all(|(of, _)| of != *needed))
+        {
             return Err(Refused::Missing { missing, needed: needs.to_vec() });
         }
-        let limits = match (self, weight) {
-            (Self::OverturningHeyman, SelfWeight::Heyman) => ["1/2", "1"],
-            (Self::OverturningMilankovitch, SelfWeight::Milankovitch) => ["2/3", "1"],
-            (Self::OverturningHeyman | Self::OverturningMilankovitch, _) => {
-                return Err(Refused::OtherWeight { equation: self.number(), weight });
+        match only {
+            Some((own, limits)) if own == weight => {
+                given.iter().try_for_each(|(of, value)| Refused::from_to(*of, value, limits))
             }
-            _ => return Ok(()),
-        };
-        given.iter().try_for_each(|(quantity, value)| Refused::from_to(*quantity, value, limits))
+            Some(_) => Err(Refused::OtherWeight { equation, weight }),
+            None if self.closed_form().is_some() && weight == SelfWeight::Heyman => {
+                Err(Refused::ClosedFormOfHeyman)
+            }
+            None => Ok(()),
+        }
     }
 
-    /// Values; `at` and `angle` have what is given.
+    /// Values in so many bits; none of an equation at a joint.
     fn values(
         self,
         weight: SelfWeight,
-        at: &dyn Fn(Quantity) -> Option<Known>,
-        angle: &dyn Fn(Quantity) -> Option<Angle<Known>>,
+        given: &[(Quantity, ExactNumber)],
+        bits: u32,
     ) -> Option<Vec<Named>> {
-        use Quantity as Q;
+        let of = |of| given.iter().find(|given| given.0 == of).map(|given| &given.1);
+        let at = |quantity| Some(Known::new(of(quantity)?, bits));
+        let angle = |quantity| Some(Known::angle(of(quantity)?, bits));
         let ring = || Some(Ring::new(weight, &at(Q::Thickness)?));
         Some(match self {
             Self::LowerThrust => {
@@ -195,20 +193,27 @@ impl ValueEquation {
                 let mu = sliding::inner(&joint, &h).value();
                 vec![("sliding_joint", "beta_s, rad", joint.rad), ("friction", "mu_is", mu)]
             }
+            _ => return None,
         })
     }
 
     /// Evaluates the equation at exact values, every figure to `digits` significant digits.
     ///
-    /// Refused: what the equation does not need, or needs and has not; a value out of its range; a pole; (14) or (15)
-    /// for the other weight.
+    /// Refused: what the equation does not need, or needs and has not; a value out of its range; a pole; an equation of
+    /// the other weight, as the closed forms are for Heyman's; a closed form at a joint beyond the widest one, where
+    /// its values are not real. Where the sign of (12) stays open, the roots of (7) do, and the closed forms.
     ///
     /// ```
-    /// use couplet_prove::certify::equation::ValueEquation;
     /// use couplet_prove::prelude::*;
+    /// use couplet_prove::certify::equation::{Evaluated, NumberedEquation};
+    /// let given = [(Quantity::RotationJoint, "1.0".parse()?)];
+    /// let found = NumberedEquation::Thickness.evaluate(SelfWeight::Milankovitch, &given, 12)?;
+    /// let Evaluated::Closed(_, branches) = found else { panic!() };
+    /// assert_eq!(branches[0].printed.to_string(), "0.142745381947");
     /// let given = [(Quantity::Thickness, "0.6".parse()?)];
-    /// let found = ValueEquation::CentroidFactor.evaluate(SelfWeight::Milankovitch, &given, 5)?;
-    /// assert_eq!(found[0].figure.to_string(), "1.03");
+    /// let found = NumberedEquation::CentroidFactor.evaluate(SelfWeight::Milankovitch, &given, 5)?;
+    /// let Evaluated::Values(values) = found else { panic!() };
+    /// assert_eq!(values[0].figure.to_string(), "1.03");
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn evaluate(
@@ -216,37 +221,32 @@ impl ValueEquation {
         weight: SelfWeight,
         given: &[(Quantity, ExactNumber)],
         digits: usize,
-    ) -> Result<Vec<EquationValue>, Error> {
-        /// Bits beyond the digits asked for, at the first attempt.
-        const GUARD: u32 = 48;
-        /// Powers of a small value that cancel, at the most: a start only.
-        const POWERS_LOST: u32 = 6;
+    ) -> Result<Evaluated, Error> {
         Refused::digits(digits)?;
         self.check(weight, given)?;
         let size = |(_, value): &(Quantity, ExactNumber)| {
-            let value: Ball = value.enclosure(64);
-            value.mid().get_exp().unwrap_or(0).min(0).unsigned_abs()
+            value.enclosure::<Ball>(64).mid().get_exp().unwrap_or(0).min(0).unsigned_abs()
         };
         let small = given.iter().map(size).max().unwrap_or(0);
         let first = bits_of(digits) + GUARD + POWERS_LOST * small;
+        let Some(values) = self.values(weight, given, first) else {
+            return AtJoint::evaluate(self, weight, &given[0].1, digits, first);
+        };
+        // What is exactly zero is so whatever the bits.
+        if values.iter().any(|(.., x)| matches!(x, Known::Undefined(_))) {
+            return Err(Refused::DividesByZero { equation: self.number() }.into());
+        }
         let found = raise(first, |bits| {
-            let of = |of: Quantity| given.iter().find(|given| given.0 == of).map(|given| &given.1);
-            let at = |quantity| of(quantity).map(|value| Known::new(value, bits));
-            let angle = |quantity| of(quantity).map(|value| Known::angle(value, bits));
-            let missing = || Undecided::new("a quantity that is missing");
-            let values = self.values(weight, &at, &angle).ok_or_else(missing)?;
-            if values.iter().any(|(.., x)| matches!(x, Known::Undefined(_))) {
-                return Ok(Some(None));
-            }
+            let values = self.values(weight, given, bits).unwrap_or_default();
             if values.iter().any(|(.., x)| !x.ball().is_bounded()) {
                 return Err(Undecided::new("whether a divisor is zero"));
             }
             let shown = |(name, symbol, x): Named| {
                 Some(EquationValue { name, symbol, figure: x.figure(digits)? })
             };
-            Ok(values.into_iter().map(shown).collect::<Option<Vec<_>>>().map(Some))
+            Ok(values.into_iter().map(shown).collect())
         });
-        Ok(found?.ok_or(Refused::DividesByZero { equation: self.number() })?)
+        Ok(Evaluated::Values(found?))
     }
 }
 
@@ -255,16 +255,20 @@ mod tests {
     use super::*;
     use crate::certify::state::{Certify, Digits};
     use crate::problem::Arch;
+    use crate::prover::Figure;
 
     fn of(
         number: u8,
         weight: SelfWeight,
         given: &[(Quantity, String)],
     ) -> Result<Vec<EquationValue>, Error> {
-        let equation = ValueEquation::ALL.into_iter().find(|of| of.number() == number).unwrap();
+        let equation = NumberedEquation::named(&number.to_string()).unwrap();
         let read = |(of, text): &(Quantity, String)| (*of, text.parse().unwrap());
         let given: Vec<(Quantity, ExactNumber)> = given.iter().map(read).collect();
-        equation.evaluate(weight, &given, 30)
+        match equation.evaluate(weight, &given, 30)? {
+            Evaluated::Values(values) => Ok(values),
+            other => panic!("{other:?}"),
+        }
     }
 
     fn state(arch: [&str; 3]) -> (SelfWeight, Digits) {
@@ -280,7 +284,6 @@ mod tests {
     /// At a certified state each equation of its mode gives the thrust, or the friction.
     #[test]
     fn each_equation_gives_what_a_certified_state_has() {
-        use Quantity as Q;
         for weight in ["heyman", "milankovitch"] {
             let (weight, found) = state([weight, "80deg", "0.6"]);
             let (beta, eta) = (found.rotation_joint.to_string(), found.thickness.to_string());
@@ -314,7 +317,6 @@ mod tests {
 
     #[test]
     fn overturning_has_one_thickness_for_each_opening_variable() {
-        use Quantity as Q;
         for (number, weight, a) in
             [(14, SelfWeight::Heyman, "0.6"), (15, SelfWeight::Milankovitch, "0.68")]
         {
@@ -333,7 +335,6 @@ mod tests {
 
     #[test]
     fn what_is_given_fits_the_equation() {
-        use Quantity as Q;
         let thickness = |text: &str| (Q::Thickness, text.to_owned());
         let opening = |text: &str| (Q::OpeningVariable, text.to_owned());
         for (number, weight, given, words) in [
