@@ -190,7 +190,7 @@ impl TiltMechanism {
         self.joints.iter().map(zero).collect()
     }
 
-    /// The same joints, proved to more bits: their root lies in that one.
+    /// The mechanism of the same joints, proved to more bits: its root lies in that one.
     pub(super) fn refined(
         &self,
         joints: &Joints<Ball>,

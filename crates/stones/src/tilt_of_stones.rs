@@ -5,8 +5,8 @@
 //! state satisfies all other conditions, each with room but for the fourth of a joint whose other three are zero,
 //! and which bears nothing, or of both hinges of a joint whose two slips are zero, where `p` is chosen so. So the
 //! largest acceleration is that of the state, exactly. Four conditions fix the state, or three slips, which leave
-//! room for `p`. What a search says of which they are is trusted for nothing. The proof is done once, with few bits; the
-//! digits are those of the one solution of these equations.
+//! room for `p`. What a search says of which they are is trusted for nothing. The proof is done once, with few bits;
+//! the digits are those of the one solution of these equations.
 //!
 //! **At one acceleration** a state with room says that there is one, and four conditions that contradict each other
 //! that there is none, whatever of the largest stays open.

@@ -205,7 +205,7 @@ impl Cell {
                      ends: &dyn Fn(&Angle<DoubleBall>) -> bool| {
             let inner = &joints.above[1..];
             let low = &joints.above[inner.partition_point(starts)];
-            let high = inner.iter().nth(inner.partition_point(|joint| !ends(joint)));
+            let high = inner.get(inner.partition_point(|joint| !ends(joint)));
             let high = high.or(joints.above.last())?;
             Some(Angle::new(between([&low.rad, &high.rad])))
         };

@@ -104,7 +104,6 @@ mod range;
 mod says;
 mod shown;
 mod stumpff;
-mod tangent;
 mod tens;
 mod ternary;
 mod unit;

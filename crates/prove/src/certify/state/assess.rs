@@ -214,8 +214,8 @@ pub(super) fn line_fits<E: Arithmetic>(eta: &E, unlimited: &Answered<E>) -> Answ
     fits.map(|fits| (fits == Some(true)).then_some(()))
 }
 
-/// The assessment with the required friction and the range of thrusts, as they are wanted, from roots and whether a line
-/// of thrust fits. The ties are that the crown has no arm, and that the shoulder never slides.
+/// The assessment with the required friction and the range of thrusts, as they are wanted, from roots and whether a
+/// line of thrust fits. The ties are that the crown has no arm, and that the shoulder never slides.
 pub(super) fn with_thrusts<E: Arithmetic>(
     (standing, [wants_friction, wants_thrusts]): (Assessment<E>, [bool; 2]),
     query: &Query<E>,
