@@ -26,8 +26,7 @@ use crate::prover::{Error, Undecided};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn survey(survey: &Survey, digits: usize) -> Result<SurveyAnswer, Error> {
-    let corner = |side| corner(survey, side, digits);
-    let (worst, best) = rayon::join(|| corner(Side::Unsafe), || corner(Side::Safe));
+    let [worst, best] = [Side::Unsafe, Side::Safe].map(|side| corner(survey, side, digits));
     let modes = modes(survey.weight(), &survey.half_opening(), survey.friction());
     let mut found = corners::answer(worst?, best?, Some(modes));
     found.ranges.extend(thrusts(survey, digits).into_iter().flatten());
