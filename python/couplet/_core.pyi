@@ -20,6 +20,7 @@ __all__ = [
     "find",
     "finds",
     "modes",
+    "of_one",
     "prove",
     "quantity",
     "run",
