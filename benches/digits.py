@@ -18,6 +18,10 @@ QUESTIONS = [
     ("state", "state --half-opening 80deg --friction 0.6"),
     ("assess", "assess --half-opening 80deg --friction 0.6 --thickness 0.3"),
     ("assess, tilted", "assess --half-opening pi/2 --friction inf --thickness 0.15 --tilt 0.1"),
+    ("state, in metres", "state --span 8m --rise 3.1m --friction 0.6"),
+    ("state by its joint", "state --rotation-joint 57deg --friction 0.6"),
+    ("survey", "assess --half-opening 80deg..81deg --friction 0.35..0.36 --thickness 0.12..0.13"),
+    ("survey in metres", "assess --span 8m..8.1m --rise 3.1m..3.2m --friction 0.35 --thickness 60cm"),
     ("find half opening", "find half-opening --friction 0.6"),
     ("find boundary", "find boundary rrs/rsr --friction 1.6"),
     ("point of a curve", "map point rotation --at 1.0"),
@@ -109,7 +113,7 @@ def figure(found, sizes, path):
         if not times:
             continue
         points = " ".join(f"{x(digits):.1f},{y(time):.1f}" for digits, time in sorted(times.items()))
-        grey = ["#000", "#555", "#888"][number // len(dashes)]
+        grey = ["#000", "#444", "#777", "#aaa"][number // len(dashes)]
         thick = 2.6 if number == 0 else 1.4
         parts.append(f'<polyline points="{points}" fill="none" stroke="{grey}" stroke-width="{thick}" stroke-dasharray="{dashes[number % 4]}"/>')
         end, at = x(max(times)), labels[name]

@@ -86,21 +86,29 @@ pub(super) fn real_roots(
     bits: u32,
 ) -> Result<Vec<Ball>, Undecided> {
     let open = || Undecided::root("the real roots of a polynomial (7), which are not told apart");
-    let starts = candidates(coefficients, bits);
-    if starts.len() != count {
-        return Err(open());
-    }
     let root = |start: Float| {
         let is_negative = start.is_sign_negative();
         let form = PolynomialForm { coefficients, is_negative };
-        let size = root_near(&form, bits, vec![start.abs()])?.remove(0);
+        let size = root_near(&form, bits, vec![Float::with_val(bits, start.abs())])?.remove(0);
         Ok(if is_negative { -size } else { size })
     };
-    let mut roots: Vec<Ball> = starts.into_iter().map(root).collect::<Result<_, Undecided>>()?;
-    roots.sort_by(|a, b| a.mid().total_cmp(b.mid()));
-    let apart = roots.windows(2).all(|pair| !pair[0].overlaps(&pair[1]));
-    if apart { Ok(roots) } else { Err(open()) }
+    let from = |starts: Vec<Float>| {
+        if starts.len() != count {
+            return Err(open());
+        }
+        let roots = starts.into_iter().map(root).collect::<Result<_, Undecided>>();
+        let mut roots: Vec<Ball> = roots?;
+        roots.sort_by(|a, b| a.mid().total_cmp(b.mid()));
+        let apart = roots.windows(2).all(|pair| !pair[0].overlaps(&pair[1]));
+        if apart { Ok(roots) } else { Err(open()) }
+    };
+    // Roots next to each other are told apart by candidates of as many bits alone.
+    let few = from(candidates(coefficients, bits.min(FEW)));
+    few.or_else(|open| if bits > FEW { from(candidates(coefficients, bits)) } else { Err(open) })
 }
+
+/// Bits of candidates, mostly.
+const FEW: u32 = 256;
 
 /// Candidates of the real roots of a quadratic or a cubic, by its formula.
 fn candidates(coefficients: &[Ball], bits: u32) -> Vec<Float> {
