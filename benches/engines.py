@@ -1,15 +1,20 @@
 #!/usr/bin/env python3
 """What `couplet.add_states` costs inside engines: processor time beside the bare library and the engine's own copy.
 
-    python benches/engines.py [--rows 1e7] [--mixed] [--turns 3] [--degrees] [polars] [ray]
+    python benches/engines.py [--rows 1e7] [--mixed] [--turns 3] [--degrees] [--files 100] [polars] [ray]
 
 Prints, of each engine, the processor seconds (user and system, all processes) of `couplet.states` over the same arrays, of a map
 that hands every batch on, and of the map with states; and the last over the sum of the first two. Engines that are not installed
-are left out. `--degrees` compares a column of degrees, whose numbers are exact, with one of radians instead.
+are left out. `--degrees` compares a column of degrees, whose numbers are exact, with one of radians instead. `--files N` asks polars
+whether the arches of N files of a million rows stand, from Parquet to Parquet, and prints seconds, memory and bytes instead.
 """
 
 import argparse
+import glob
 import os
+import resource
+import tempfile
+import time
 from importlib.util import find_spec
 
 import numpy as np
@@ -90,6 +95,28 @@ def ray_works(alpha, mu):
     return bare, lambda: of(same), lambda: of(couplet.add_states, fn_kwargs=COLUMNS)
 
 
+def from_files(count):
+    """Answers arches with thicknesses of 0.001 to 2, half of them thick enough, from files to a file."""
+    os.environ["POLARS_MAX_THREADS"] = "2"
+    import polars
+
+    with tempfile.TemporaryDirectory() as folder:
+        random = np.random.default_rng(1)
+        for name in range(count):
+            alpha, mu = random.uniform(0.05, 2.9, 10**6), random.uniform(0.01, 2.5, 10**6)
+            frame = polars.DataFrame({"alpha": alpha, "mu": mu, "eta": 10 ** random.uniform(-3, 0.3, 10**6)})
+            frame.write_parquet(f"{folder}/{name}.parquet")
+        start, before = time.time(), sum(resource.getrusage(resource.RUSAGE_SELF)[:2])
+        read = polars.scan_parquet(f"{folder}/*.parquet")
+        table = couplet.add_states(read, **COLUMNS, thickness="eta", quantities=["geometric_safety", "least_thickness"])
+        table.sink_parquet(f"{folder}/answered", engine="streaming")
+        used, clock = resource.getrusage(resource.RUSAGE_SELF), time.time() - start
+        verdicts = polars.scan_parquet(f"{folder}/answered").group_by("verdict").len().collect(engine="streaming")
+        given = sum(map(os.path.getsize, glob.glob(f"{folder}/*.parquet")))
+        print(dict(verdicts.iter_rows()), f"of {count} million rows: {sum(used[:2]) - before:.0f} s of the processor, {clock:.0f} s on the clock,")
+        print(f"{used.ru_maxrss / 1024:.0f} MB of memory, {given / 1e6:.0f} MB read, {os.path.getsize(folder + '/answered') / 1e6:.0f} MB written")
+
+
 def main():
     reader = argparse.ArgumentParser()
     reader.add_argument("engines", nargs="*")
@@ -97,7 +124,11 @@ def main():
     reader.add_argument("--turns", type=int, default=3)
     reader.add_argument("--mixed", action="store_true")
     reader.add_argument("--degrees", action="store_true")
+    reader.add_argument("--files", type=int)
     asked = reader.parse_args()
+    if asked.files:
+        from_files(asked.files)
+        return
     alpha, mu = arches(int(asked.rows), asked.mixed)
     for _ in range(asked.turns if asked.degrees else 0):
         radians = timed(lambda: couplet.add_states({"alpha": alpha, "mu": mu}, **COLUMNS))

@@ -3,7 +3,7 @@
 //! | file | what it does |
 //! |---|---|
 //! | `schema` | what a scene may hold, `couplet.scene/1` |
-//! | `read` | TOML to a valid scene, or all its faults; with `table`, `read_arches`, `read_measured`, `read_ranges`, `read_drawing`, `read_map`, `read_numbers`, `read_output`, `read_print`, `value`, `fault` |
+//! | `read` | TOML to a valid scene, or all its faults; with `table`, `read_arches`, `read_ranges`, `read_drawing`, `read_map`, `read_numbers`, `read_output`, `read_print`, `value`, `fault` |
 //! | `map_lines` | which lines a map shows |
 //! | `plan` | what has to be computed, each part once |
 //! | `nodes`, `drawn` | what a part is |
@@ -50,7 +50,6 @@ mod read;
 mod read_arches;
 mod read_drawing;
 mod read_map;
-mod read_measured;
 mod read_numbers;
 mod read_output;
 mod read_print;

@@ -4,10 +4,8 @@ use super::fault::{Fault, SceneText};
 use super::read_arches::arches;
 use super::read_drawing::drawing;
 use super::read_map::{figure, map};
-use super::read_measured;
 use super::read_output::{OutputFiles, output};
 use super::read_print::print;
-use super::read_ranges;
 use super::schema::{
     DIGITS, ItemKind, MAX_BYTES, MAX_ITEMS, RANGE_DIGITS, Request, SCENE_KEYS, SCHEMA, Scene,
     SceneItem,
@@ -125,13 +123,7 @@ fn item(
     let format = destination.as_ref().map(|(_, format)| *format);
     let what = match kind {
         ItemKind::Constants => constants(&mut table),
-        ItemKind::Arches if read_ranges::has_ranges(&table) => {
-            read_ranges::arches(&mut table, format, arches)
-        }
-        ItemKind::Arches if read_measured::is_measured(&table) => {
-            read_measured::arches(&mut table, arches)
-        }
-        ItemKind::Arches => self::arches(&mut table, arches),
+        ItemKind::Arches => self::arches(&mut table, format, arches),
         ItemKind::Claims => some_claims(&mut table),
         ItemKind::Audit => points(&mut table).map(|points| Request::Audit { points }),
         ItemKind::Map => map(&mut table, format),

@@ -1,45 +1,160 @@
-//! Reading from TOML to arches: every half opening with every friction, thickness and weight.
+//! Reading from TOML to arches, by the reader of every other door: each key is a list of texts, and every weight goes
+//! with every combination of them.
 
-use super::read_numbers::{Meaning, Numbers, SceneNumber, numbers};
-use super::schema::{MAX_ARCHES, Request, SceneArch};
+use super::read_numbers::{Meaning, Numbers, numbers};
+use super::read_ranges;
+use super::schema::{MAX_ARCHES, MeasuredArch, Request, SceneArch};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
+use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling};
 use crate::certify::MAX_DIGITS;
-use crate::number::ExactNumber;
-use crate::problem::{Arch, Quantity};
+use crate::problem::Quantity;
+use crate::report::Format;
+
+/// Fields of which each makes an arch a measured one.
+const SIZES: [Field; 6] =
+    [Field::Span, Field::Rise, Field::Radius, Field::MeasuredAt, Field::Density, Field::Depth];
+
+/// Question that any arch of a scene answers.
+pub(super) const QUESTION: ArchQuestion =
+    ArchQuestion { refuses: &[], needs: &[], unlimited: false, example: "" };
+
+/// Texts of a key.
+pub(super) struct Axis {
+    pub field: Field,
+    pub texts: Vec<String>,
+    /// Text of all of it, if it is cut into boxes.
+    pub whole: Option<String>,
+}
+
+/// Tells whether arches are measured.
+pub(super) fn is_measured(table: &TableReader) -> bool {
+    SIZES.iter().any(|field| table.get(field.name()).is_some())
+}
+
+/// Values of arches that a table gives.
+pub(super) fn given_fields<'a>(table: &TableReader<'a, '_>) -> Vec<(Field, &'a TomlValue<'a>)> {
+    let numbers = [Field::HalfOpening, Field::Friction, Field::FrictionAngle, Field::Thickness];
+    let fields = numbers.into_iter().chain(SIZES);
+    fields.filter_map(|of| Some((of, table.given_field(of)?))).collect()
+}
 
 /// An item of arches; `used` counts the arches of all items.
-pub(super) fn arches(table: &mut TableReader, used: &mut usize) -> Option<Request> {
-    let thickness = table.given(Meaning::Thickness);
-    let with_thickness = thickness.is_some();
+pub(super) fn arches(
+    table: &mut TableReader,
+    format: Option<&'static Format>,
+    used: &mut usize,
+) -> Option<Request> {
+    if given_fields(table).iter().any(|(_, value)| read_ranges::is_ranged(value)) {
+        return read_ranges::arches(table, format, used);
+    }
+    let with_thickness = table.given_field(Field::Thickness).is_some();
     let weights = table.weights(&[SelfWeight::Milankovitch]);
-    let half_openings = half_openings(table);
-    let frictions = frictions(table);
-    let thicknesses = match thickness {
-        Some(value) => numbers(table.reader, Meaning::Thickness, value).map(Some),
-        None => Some(None),
+    let arches = weights.as_ref().and_then(|weights| all(table, weights, used));
+    let measured = arches.as_ref().and_then(|all| Some(&all.first()?.measured.as_ref()?.given));
+    let [usual, of_measured] = match with_thickness {
+        true => [&Quantity::ASSESSMENT[..], &Quantity::MEASURED_ASSESSMENT],
+        false => [&Quantity::STATE[..], &Quantity::MEASURED_STATE],
     };
-    let all: &[Quantity] = if with_thickness { &Quantity::ASSESSMENT } else { &Quantity::STATE };
-    let asked = quantities(table, all, with_thickness);
-    let digits = digits(table);
-    let (weights, half_openings, frictions) = (weights?, half_openings?, frictions?);
-    let (thicknesses, digits) = (thicknesses?, digits?);
-    let thickness_count = thicknesses.as_ref().map_or(1, Numbers::len);
-    let count = [weights.len(), half_openings.len(), frictions.len(), thickness_count]
-        .into_iter()
-        .fold(1usize, usize::saturating_mul);
+    // Of arches in metres that make no sense nobody knows what may be asked.
+    let known = match measured {
+        Some(given) => Some(given.quantities(usual, of_measured)),
+        None => (!is_measured(table)).then(|| usual.to_vec()),
+    };
+    let quantities = known.map(|known| quantities(table, &known, with_thickness));
+    let digits = digits(table, table.reader.digits);
+    let (arches, quantities, digits) = (arches?, quantities??, digits?);
+    Some(Request::Arches { arches, quantities, with_thickness, digits })
+}
+
+/// Arches of every combination of what is given, with each weight; `used` counts the arches of all items.
+pub(super) fn all(
+    table: &mut TableReader,
+    weights: &[SelfWeight],
+    used: &mut usize,
+) -> Option<Vec<SceneArch>> {
+    let before = table.reader.faults.len();
+    let axes = axes(table)?;
+    let asked = product(table, &axes, weights.len(), used)?;
+    let is_measured = is_measured(table);
+    let mut arches = Vec::with_capacity(asked.len() * weights.len());
+    for &weight in weights {
+        for asked in &asked {
+            let given = ArchGiven::read(&QUESTION, asked, Spelling::Key);
+            let read = given.and_then(|given| Ok((given.arch(weight)?, given)));
+            let Some((arch, given)) = table.fitting(read) else { continue };
+            let thickness = given.thickness.clone();
+            let measured = || Box::new(MeasuredArch { asked: asked.clone(), given });
+            arches.push(SceneArch { arch, thickness, measured: is_measured.then(measured) });
+        }
+    }
+    table.is_well_since(before).then_some(arches)
+}
+
+/// Every combination of the texts of the keys, the last key fastest; `used` counts them, with each weight.
+pub(super) fn product(
+    table: &mut TableReader,
+    axes: &[Axis],
+    weights: usize,
+    used: &mut usize,
+) -> Option<Vec<ArchAsked>> {
+    let lengths = axes.iter().map(|axis| axis.texts.len());
+    let count = lengths.fold(weights, usize::saturating_mul);
     if count > MAX_ARCHES - *used {
         return table.too_many(count, *used);
     }
     *used += count;
-    let (half_openings, frictions) = (table.written(half_openings)?, table.written(frictions)?);
-    let thicknesses = match thicknesses {
-        Some(numbers) => table.written(numbers)?.into_iter().map(|given| given.number).collect(),
-        None => vec![None],
+    let mut all = vec![ArchAsked::default()];
+    for axis in axes {
+        let with = |asked: &ArchAsked, text: &String| {
+            let mut asked = asked.clone();
+            *asked.at(axis.field) = Some(text.clone());
+            asked
+        };
+        let texts = || axis.texts.iter();
+        all = all.iter().flat_map(|asked| texts().map(|text| with(asked, text))).collect();
+    }
+    Some(all)
+}
+
+/// The keys that are given, with their texts: numbers in a list or in steps, and texts of sizes.
+fn axes(table: &mut TableReader) -> Option<Vec<Axis>> {
+    let before = table.reader.faults.len();
+    let is_measured = is_measured(table);
+    let alpha = match is_measured && table.given_field(Field::HalfOpening).is_none() {
+        true => None,
+        false => Some((Field::HalfOpening, half_openings(table))),
     };
-    let arches = product(&weights, &half_openings, &frictions, &thicknesses);
-    Some(Request::Arches { arches, quantities: asked?, with_thickness, digits })
+    let eta = table.given(Meaning::Thickness).filter(|_| !is_measured);
+    let eta = eta.map(|value| (Field::Thickness, numbers(table.reader, Meaning::Thickness, value)));
+    let found = [alpha, Some((Field::Friction, frictions(table))), eta].into_iter().flatten();
+    let mut all = Vec::new();
+    for (field, numbers) in found.collect::<Vec<_>>() {
+        let texts = numbers.and_then(|numbers| table.texts(numbers));
+        all.extend(texts.map(|texts| Axis { field, texts, whole: None }));
+    }
+    for (field, value) in given_fields(table) {
+        if is_measured && (field == Field::Thickness || SIZES.contains(&field)) {
+            let allowed = "a text, as the command has it (\"10m\"), or a list";
+            all.extend(axis(table.reader, (field, allowed), value));
+        }
+    }
+    table.is_well_since(before).then_some(all)
+}
+
+/// A key whose texts are read as they are, each once.
+pub(super) fn axis(
+    reader: &mut TomlReader,
+    (field, allowed): (Field, &str),
+    value: &TomlValue,
+) -> Option<Axis> {
+    let read = |reader: &mut TomlReader, element: &TomlValue| match TomlReader::literal(element) {
+        Some(text) => Some((text.to_owned(), text.to_owned())),
+        None => reader.reject(field.name(), element, allowed),
+    };
+    let texts = reader.each_once(field.name(), value, allowed, read)?;
+    Some(Axis { field, texts, whole: None })
 }
 
 /// Quantities that are asked for, in the order in which they are always shown.
@@ -96,32 +211,7 @@ pub(super) fn frictions(table: &mut TableReader) -> Option<Numbers> {
     }
 }
 
-pub(super) fn digits(table: &mut TableReader) -> Option<usize> {
-    let all = table.reader.digits;
-    table.or("digits", all, |reader, key, value| reader.whole(key, value, 1..=MAX_DIGITS))
-}
-
-/// Every weight with every half opening, friction and thickness, in this order.
-pub(super) fn product(
-    weights: &[SelfWeight],
-    half_openings: &[SceneNumber],
-    frictions: &[SceneNumber],
-    thicknesses: &[Option<ExactNumber>],
-) -> Vec<SceneArch> {
-    let mut arches = Vec::new();
-    for &weight in weights {
-        for half_opening in half_openings.iter().filter_map(|given| given.number.as_ref()) {
-            for given in frictions {
-                let friction = given.clone().friction();
-                // Each number was found to be in its range.
-                let Ok(arch) = Arch::new(weight, half_opening.clone(), friction) else { continue };
-                arches.extend(thicknesses.iter().map(|thickness| SceneArch {
-                    arch: arch.clone(),
-                    thickness: thickness.clone(),
-                    measured: None,
-                }));
-            }
-        }
-    }
-    arches
+/// Significant digits, so many where nothing is said.
+pub(super) fn digits(table: &mut TableReader, usual: usize) -> Option<usize> {
+    table.or("digits", usual, |reader, key, value| reader.whole(key, value, 1..=MAX_DIGITS))
 }

@@ -1,13 +1,13 @@
 //! Reading from TOML to arches that are drawn: any arch, or those of a figure of the paper.
 
 use super::drawn::{DrawnArch, Pose};
-use super::read_arches::{frictions, product};
-use super::read_measured;
+use super::read_arches::{all, is_measured};
 use super::read_numbers::{Meaning, SceneNumber, numbers};
-use super::schema::{MeasuredArch, Request, SceneArch, SceneDrawing};
+use super::schema::{MeasuredArch, Request, SceneDrawing};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
+use crate::ask::Field;
 use crate::problem::{Arch, Friction, Landmark, Mode};
 use crate::report::words::list;
 use crate::report::{Format, Style};
@@ -54,11 +54,8 @@ pub(super) fn drawing(table: &mut TableReader, format: Option<&'static Format>) 
     };
     // Of what is wrong any other does, to read the rest.
     let any = weight.unwrap_or(SelfWeight::Milankovitch);
-    let (asked, pose) = match read_measured::is_measured(table) {
-        true => measured(table, any).unzip(),
-        false => (None, pose(table, any, mode.flatten())),
-    };
-    let (pose, mode, stones, is_dilatant) = (pose?, mode?, stones?, dilatant?);
+    let pose = pose(table, any, mode.flatten());
+    let ((measured, pose), mode, stones, is_dilatant) = (pose?, mode?, stones?, dilatant?);
     weight?;
     let (amplitude, half, arrows, animate) = (amplitude?, half?, arrows?, animate?);
     let style = Style { amplitude, half, arrows, animate, notation: false };
@@ -82,7 +79,6 @@ pub(super) fn drawing(table: &mut TableReader, format: Option<&'static Format>) 
         return table.refuse(message);
     }
     let drawn = DrawnArch { pose, stones, is_dilatant };
-    let measured = asked.flatten();
     let command = drawn.command(measured.as_ref().map(|of| &of.asked), mode, &style);
     let measures = measured.and_then(|of| of.given.measures);
     let arches = vec![(drawn, mode.into_iter().collect())];
@@ -90,71 +86,48 @@ pub(super) fn drawing(table: &mut TableReader, format: Option<&'static Format>) 
     table.is_well_since(before).then_some(drawing)
 }
 
-/// Reads an arch in metres, and the pose in which it is drawn.
-fn measured(table: &mut TableReader, weight: SelfWeight) -> Option<(Option<MeasuredArch>, Pose)> {
-    if table.get("at").is_some() {
-        return table.refuse("a landmark has no size; leave out at, or the measures");
-    }
-    let mut all = read_measured::measured(table, &[weight], &mut 0)?;
-    match (all.pop(), all.len()) {
-        (Some(SceneArch { arch, thickness, measured }), 0) => {
-            let pose = match thickness {
-                Some(thickness) => Pose::Standing(arch, thickness),
-                None => Pose::Least(arch),
-            };
-            Some((measured.map(|of| *of), pose))
-        }
-        _ => table.refuse("a drawing shows one arch: give one text for each key"),
-    }
-}
-
-/// Reads the pose in which an arch is drawn.
-fn pose(table: &mut TableReader, weight: SelfWeight, mode: Option<Mode>) -> Option<Pose> {
-    let mut given = |meaning: Meaning| Some((meaning, table.given(meaning)?));
-    let alpha = given(Meaning::HalfOpening);
-    let eta = given(Meaning::Thickness);
-    let mu = given(Meaning::Friction).or_else(|| given(Meaning::FrictionAngle));
+/// Reads the pose in which an arch is drawn, and its sizes if it is in metres.
+fn pose(
+    table: &mut TableReader,
+    weight: SelfWeight,
+    mode: Option<Mode>,
+) -> Option<(Option<MeasuredArch>, Pose)> {
+    let alpha = table.given_field(Field::HalfOpening);
+    let eta = table.given(Meaning::Thickness);
+    let mu = [Field::Friction, Field::FrictionAngle].iter().find_map(|of| table.given_field(*of));
     if let Some(value) = table.get("at") {
+        if is_measured(table) {
+            return table.refuse("a landmark has no size; leave out at, or the measures");
+        }
         let is_alone = alpha.is_none() && eta.is_none() && mu.is_none();
         if !is_alone {
             let message = "a landmark has its half_opening, friction and thickness; leave them out";
             table.reader.fault(value.span(), message);
         }
         return match table.landmarks("at")?[..] {
-            [landmark] => is_alone.then_some(Pose::Landmark(landmark, weight)),
+            [landmark] => is_alone.then_some((None, Pose::Landmark(landmark, weight))),
             _ => table.reader.reject("at", value, "one of them: a drawing shows one arch"),
         };
     }
-    let alpha = match alpha {
-        Some((meaning, value)) => single(table.reader, meaning, value),
-        None => {
-            let allowed = Meaning::HalfOpening.allowed();
-            table.refuse(format!("half_opening is missing; give {allowed}, or at"))
-        }
-    };
-    let thickness = eta.map(|(meaning, value)| single(table.reader, meaning, value)?.number);
-    if let (Some(thickness), None, Some(Mode::Sliding)) = (&thickness, &mu, mode) {
-        let arch = Arch::new(weight, alpha?.number?, Friction::Infinite).ok()?;
-        return Some(Pose::Sliding(arch, thickness.clone()?));
+    if alpha.is_none() && !is_measured(table) {
+        let allowed = Meaning::HalfOpening.allowed();
+        return table.refuse(format!("half_opening is missing; give {allowed}, or at"));
     }
-    let all = frictions(table);
-    let thickness = match thickness {
-        Some(thickness) => Some(thickness?),
-        None => None,
+    if let (Some(alpha), Some(eta), None, Some(Mode::Sliding)) = (alpha, eta, mu, mode) {
+        let alpha = single(table.reader, Meaning::HalfOpening, alpha);
+        let eta = single(table.reader, Meaning::Thickness, eta);
+        let arch = Arch::new(weight, alpha?.number?, Friction::Infinite).ok()?;
+        return Some((None, Pose::Sliding(arch, eta?.number?)));
+    }
+    let mut all = all(table, &[weight], &mut 0)?;
+    let (arch, 0) = (all.pop()?, all.len()) else {
+        return table.refuse("a drawing shows one arch: give one value for each key");
     };
-    let (alpha, all) = (alpha?, all?);
-    let friction = match mu {
-        Some((meaning, value)) if all.len() != 1 => {
-            return table.reader.reject(meaning.key(), value, ONE);
-        }
-        _ => all.all().ok()?,
+    let pose = match arch.thickness {
+        Some(thickness) => Pose::Standing(arch.arch, thickness),
+        None => Pose::Least(arch.arch),
     };
-    let arches = product(&[weight], &[alpha], &friction, &[thickness]);
-    let SceneArch { arch, thickness, .. } = arches.into_iter().next()?;
-    Some(match thickness {
-        Some(thickness) => Pose::Standing(arch, thickness),
-        None => Pose::Least(arch),
-    })
+    Some((arch.measured.map(|of| *of), pose))
 }
 
 const ONE: &str = "one number: a drawing shows one arch";

@@ -3,7 +3,7 @@
 use super::schema::MAX_ARCHES;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
-use crate::ask::{Spelling, given_thickness};
+use crate::ask::{Field, Spelling, given_thickness};
 use crate::number::{ExactNumber, Form, terminating};
 use crate::problem::{Arch, Friction, Quantity};
 use crate::report::words::shortened;
@@ -83,6 +83,17 @@ impl SceneNumber {
 }
 
 impl Meaning {
+    /// Meaning of a field that is a number without a unit.
+    pub(super) fn of(field: Field) -> Option<Self> {
+        Some(match field {
+            Field::HalfOpening => Self::HalfOpening,
+            Field::Friction => Self::Friction,
+            Field::FrictionAngle => Self::FrictionAngle,
+            Field::Thickness => Self::Thickness,
+            _ => return None,
+        })
+    }
+
     pub(super) fn quantity(self) -> Quantity {
         match self {
             Self::HalfOpening => Quantity::HalfOpening,

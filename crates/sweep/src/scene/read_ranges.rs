@@ -1,13 +1,12 @@
 //! Reading from TOML to arches between two ends, by the reader of every other door; and a range cut into boxes.
 
-use super::read_arches::quantities;
+use super::read_arches::{Axis, QUESTION, axis, digits, given_fields, product, quantities};
 use super::read_numbers::{Meaning, numbers};
 use super::schema::{MAX_ARCHES, MAX_RANGES, Request, SceneBoxes, SceneSurvey};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
-use crate::ask::{ArchAsked, ArchQuestion, Field, Misfit, Range, Spelling, SurveyGiven, boxes};
-use crate::certify::MAX_DIGITS;
+use crate::ask::{ArchAsked, Field, Misfit, Range, Spelling, SurveyGiven, boxes};
 use crate::number::{BETWEEN, is_range};
 use crate::problem::Quantity;
 use crate::report::words::{distinct, list};
@@ -15,43 +14,14 @@ use crate::report::{Format, Reported, SurveyedArches, SurveyedRows};
 use crate::surveyed;
 use toml::de::{DeTable, DeValue};
 
-/// Fields of such arches.
-const FIELDS: [Field; 10] = [
-    Field::HalfOpening,
-    Field::Friction,
-    Field::FrictionAngle,
-    Field::Thickness,
-    Field::Span,
-    Field::Rise,
-    Field::Radius,
-    Field::MeasuredAt,
-    Field::Density,
-    Field::Depth,
-];
-
-const QUESTION: ArchQuestion =
-    ArchQuestion { refuses: &[], needs: &[], unlimited: false, example: "" };
-
-/// Tells whether any number of the arches is a range.
-pub(super) fn has_ranges(table: &TableReader) -> bool {
-    FIELDS.into_iter().filter_map(|field| table.given_field(field)).any(is_ranged)
-}
-
-fn is_ranged(value: &TomlValue) -> bool {
+/// Tells whether a value, or one of a list, is a range.
+pub(super) fn is_ranged(value: &TomlValue) -> bool {
     match value.get_ref() {
         DeValue::Array(all) => all.iter().any(is_ranged),
         DeValue::Table(table) => table.contains_key("boxes"),
         DeValue::String(text) => is_range(text),
         _ => false,
     }
-}
-
-/// Texts of a key.
-struct Axis {
-    field: Field,
-    texts: Vec<String>,
-    /// Text of all of it, if it is cut into boxes.
-    whole: Option<String>,
 }
 
 /// An item of arches with ranges; `used` counts the arches of all items, of which each range is one here.
@@ -67,9 +37,7 @@ pub(super) fn arches(
     let with_thickness = table.given_field(Field::Thickness).is_some();
     let told = surveyed::told(with_thickness);
     let quantities = quantities(table, told, with_thickness);
-    let usual = table.reader.range_digits;
-    let digits =
-        table.or("digits", usual, |reader, key, value| reader.whole(key, value, 1..=MAX_DIGITS));
+    let digits = digits(table, table.reader.range_digits);
     let (weights, axes) = (weights?, axes?);
     let quantities = distinct(quantities?.into_iter().map(|of| match of {
         // The thickness of a state is the least.
@@ -77,19 +45,14 @@ pub(super) fn arches(
         other => other,
     }));
     let boxes = whole(table, &axes, &quantities)?;
-    let lengths = axes.iter().map(|axis| axis.texts.len()).chain([weights.len()]);
-    let count = lengths.fold(1usize, usize::saturating_mul);
-    if count > MAX_ARCHES - *used {
-        return table.too_many(count, *used);
-    }
+    let all = product(table, &axes, weights.len(), used)?;
+    let count = all.len() * weights.len();
     if boxes.is_none() && count > MAX_RANGES {
         return table.refuse(format!(
             "{count} ranges are too many; an item has at most {MAX_RANGES}, `couplet states --ranges` reads any number"
         ));
     }
-    *used += count;
-    let all = product(&axes);
-    all.iter().for_each(|asked| drop(read(table, asked)));
+    all.iter().for_each(|asked| drop(table.fitting(given(asked))));
     if !table.is_well_since(before) {
         return None;
     }
@@ -109,21 +72,6 @@ fn is_written(table: &mut TableReader, format: Option<&'static Format>) {
         let message = format!("the answer of a range is written only as {names}, not {name}");
         table.reader.fault(span, message);
     }
-}
-
-/// Every combination of the texts of the keys, the last key fastest.
-fn product(axes: &[Axis]) -> Vec<ArchAsked> {
-    let mut all = vec![ArchAsked::default()];
-    for axis in axes {
-        let with = |asked: &ArchAsked, text: &String| {
-            let mut asked = asked.clone();
-            *asked.at(axis.field) = Some(text.clone());
-            asked
-        };
-        let texts = || axis.texts.iter();
-        all = all.iter().flat_map(|asked| texts().map(|text| with(asked, text))).collect();
-    }
-    all
 }
 
 /// The question about all boxes, if any range is cut; `None` if that makes no sense.
@@ -150,7 +98,7 @@ fn whole(
     for axis in axes {
         *asked.at(axis.field) = axis.whole.clone().or_else(|| axis.texts.first().cloned());
     }
-    let given = read(table, &asked)?;
+    let given = table.fitting(given(&asked))?;
     let rows = SurveyedRows::new(quantities.to_vec(), asked.thickness.is_some());
     Some(Some(Box::new(SceneBoxes { asked, given, cut, rows })))
 }
@@ -160,65 +108,31 @@ pub(super) fn given(asked: &ArchAsked) -> Result<SurveyGiven, Misfit> {
     SurveyGiven::read(&QUESTION, asked, Spelling::Key)
 }
 
-/// The arches of a question, or the fault of what is none.
-fn read(table: &mut TableReader, asked: &ArchAsked) -> Option<SurveyGiven> {
-    match given(asked) {
-        Ok(given) => Some(given),
-        Err(Misfit { field, message }) => {
-            let value = field.and_then(|field| table.given_field(field));
-            let span = value.map_or(table.span.clone(), |value| value.span());
-            table.reader.refuse(span, message)
-        }
-    }
-}
-
 /// The keys that are given, with their texts.
 fn axes(table: &mut TableReader) -> Option<Vec<Axis>> {
     let before = table.reader.faults.len();
     let mut axes = Vec::new();
-    for field in FIELDS {
-        let value = match meaning(field) {
-            Some(meaning) => table.given(meaning),
-            None => table.get(field.name()),
-        };
-        axes.extend(value.and_then(|value| axis(table, field, value)));
+    for (field, value) in given_fields(table) {
+        let meaning = Meaning::of(field);
+        meaning.map(|meaning| table.given(meaning));
+        axes.extend(match (value.get_ref(), meaning) {
+            (DeValue::Table(parts), _) if parts.contains_key("boxes") => {
+                cut(table.reader, field, value, parts)
+            }
+            (DeValue::Table(_), Some(meaning)) => {
+                let all = numbers(table.reader, meaning, value);
+                let texts = all.and_then(|all| table.texts(all));
+                // The angle of a friction says itself that it is one.
+                let field = if field == Field::FrictionAngle { Field::Friction } else { field };
+                texts.map(|texts| Axis { field, texts, whole: None })
+            }
+            _ => {
+                let allowed = "a number, a range (\"0.5..0.6\", \"3m±1cm\"), or a list";
+                axis(table.reader, (field, allowed), value)
+            }
+        });
     }
     table.is_well_since(before).then_some(axes)
-}
-
-fn meaning(field: Field) -> Option<Meaning> {
-    Some(match field {
-        Field::HalfOpening => Meaning::HalfOpening,
-        Field::Friction => Meaning::Friction,
-        Field::FrictionAngle => Meaning::FrictionAngle,
-        Field::Thickness => Meaning::Thickness,
-        _ => return None,
-    })
-}
-
-fn axis(table: &mut TableReader, field: Field, value: &TomlValue) -> Option<Axis> {
-    match (value.get_ref(), meaning(field)) {
-        (DeValue::Table(parts), _) if parts.contains_key("boxes") => {
-            cut(table.reader, field, value, parts)
-        }
-        (DeValue::Table(_), Some(meaning)) => {
-            let all = numbers(table.reader, meaning, value)?;
-            let texts = table.written(all)?.into_iter().map(|number| number.exact_text());
-            // The angle of a friction says itself that it is one.
-            let field = if field == Field::FrictionAngle { Field::Friction } else { field };
-            Some(Axis { field, texts: texts.collect(), whole: None })
-        }
-        _ => {
-            let allowed = "a number, a range (\"0.5..0.6\", \"3m±1cm\"), or a list";
-            let read =
-                |reader: &mut TomlReader, element: &TomlValue| match TomlReader::literal(element) {
-                    Some(text) => Some((text.to_owned(), text.to_owned())),
-                    None => reader.reject(field.name(), element, allowed),
-                };
-            let texts = table.reader.each_once(field.name(), value, allowed, read)?;
-            Some(Axis { field, texts, whole: None })
-        }
-    }
 }
 
 /// `{ from, to, boxes }`: ranges that touch each other from end to end.

@@ -4,7 +4,7 @@ use super::read_numbers::{Meaning, Numbers, SceneNumber};
 use super::schema::MAX_ARCHES;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
-use crate::ask::Field;
+use crate::ask::{Field, Misfit};
 use crate::problem::Landmark;
 use std::ops::Range;
 use toml::de::DeTable;
@@ -94,6 +94,21 @@ impl<'a, 's> TableReader<'a, 's> {
         self.refuse(format!(
             "{count} arches{before} are too many; a scene has at most {MAX_ARCHES}, `couplet states` reads any number"
         ))
+    }
+
+    /// What was read of an arch, or the fault of what makes none, at the key that it is of.
+    pub(super) fn fitting<T>(&mut self, read: Result<T, Misfit>) -> Option<T> {
+        let wrong = |Misfit { field, message }| {
+            let value = field.and_then(|field| self.given_field(field));
+            let span = value.map_or(self.span.clone(), |value| value.span());
+            self.reader.fault(span, message);
+        };
+        read.map_err(wrong).ok()
+    }
+
+    /// Exact texts of all numbers of a list or of a range.
+    pub(super) fn texts(&mut self, numbers: Numbers) -> Option<Vec<String>> {
+        Some(self.written(numbers)?.into_iter().map(SceneNumber::exact_text).collect())
     }
 
     /// All numbers of a list or of a range, if they can be written as numbers that are read.

@@ -35,8 +35,11 @@ pub(super) fn columns(
     threads.each(&starts, |start| {
         let all = arches.many_in_lanes(*start..count.min(start + PIECE));
         let (mut rows, mut columns) = (Vec::new(), BatchColumns::open(0, quantities.len()));
+        // One row's at a time: a row has no memory of its own.
+        let mut doubles = Vec::with_capacity(quantities.len());
         each_in_lanes(&all, wants, |row, found| {
-            if let Some((verdict, doubles)) = in_doubles(&found, quantities) {
+            doubles.clear();
+            if let Some(verdict) = in_doubles(&found, quantities, &mut doubles) {
                 columns.push(verdict, &doubles);
                 rows.push(start + row);
             }
@@ -45,42 +48,52 @@ pub(super) fn columns(
     })
 }
 
-/// A row without its place: verdict, mode, and each quantity in doubles.
-type Row = ((RowVerdict, Option<Mode>), Vec<[f64; 3]>);
-
-/// The row of what is proved of an arch, if all that is asked is decided.
-fn in_doubles(found: &LaneFound, quantities: &[Quantity]) -> Option<Row> {
+/// Verdict and mode of what is proved of an arch, if all that is asked is decided: then each quantity is in doubles.
+fn in_doubles(
+    found: &LaneFound,
+    quantities: &[Quantity],
+    doubles: &mut Vec<[f64; 3]>,
+) -> Option<(RowVerdict, Option<Mode>)> {
     match found {
         LaneFound::Stands(state) => {
             let of = |of| Some(state.figures().find(|(figure, _)| *figure == of)?.1.copied());
-            Some(((RowVerdict::Stands, Some(state.mode)), values(quantities, of)?))
+            values(quantities, of, doubles)?;
+            Some((RowVerdict::Stands, Some(state.mode)))
         }
         LaneFound::Falls(falling) => {
             let of = |of| falling.sliding.filter(|_| of == Quantity::SlidingFriction).map(Some);
-            Some(((RowVerdict::Falls, None), values(quantities, of)?))
+            values(quantities, of, doubles)?;
+            Some((RowVerdict::Falls, None))
         }
         LaneFound::Assessment(found, _) => {
             let stands = *found.stands.as_ref().ok()?;
             let verdict = if stands { RowVerdict::Stands } else { RowVerdict::Falls };
             let is_open = |of: &Quantity| found.why_open(*of).is_some();
             let of = |of| Some(found.figures().find(|(figure, _)| *figure == of)?.1);
-            let values = if quantities.iter().any(is_open) { None } else { values(quantities, of) };
-            Some(((verdict, None), values?))
+            if quantities.iter().any(is_open) {
+                return None;
+            }
+            values(quantities, of, doubles)?;
+            Some((verdict, None))
         }
     }
 }
 
-/// Quantities in doubles, if all are decided: infinite without a figure, and no numbers where there is none at all.
+/// Adds quantities in doubles, if all are decided: infinite without a figure, and no numbers where there is none at all.
 fn values<'a>(
     quantities: &[Quantity],
     figure: impl Fn(Quantity) -> Option<Option<&'a DoubleDoubleBall>>,
-) -> Option<Vec<[f64; 3]>> {
+    all: &mut Vec<[f64; 3]>,
+) -> Option<()> {
     let value = |of: &Quantity| match figure(*of) {
         Some(Some(ball)) => doubles(ball),
         Some(None) => Some([f64::INFINITY; 3]),
         None => Some([f64::NAN; 3]),
     };
-    quantities.iter().map(value).collect()
+    for of in quantities {
+        all.push(value(of)?);
+    }
+    Some(())
 }
 
 /// The nearest double of a number with its bounds, if they are decided.

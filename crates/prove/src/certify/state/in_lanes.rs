@@ -131,15 +131,17 @@ pub(in crate::certify) fn each_in_lanes(
     mut tell: impl FnMut(usize, LaneFound),
 ) {
     for weight in SelfWeight::ALL {
-        let of_weight = |(row, given): (usize, &Option<(SelfWeight, InLanes)>)| {
-            let (of, given) = (*given)?;
-            let is_asked = of == weight && given.1.as_ref().is_none_or(is_thickness);
-            is_asked.then_some((row, given))
+        let is_asked = |(of, given): &(SelfWeight, InLanes)| {
+            *of == weight && given.1.as_ref().is_none_or(is_thickness)
         };
-        let (rows, given): (Vec<usize>, Vec<InLanes>) =
-            rows.iter().enumerate().filter_map(of_weight).unzip();
+        let asked = |row: &usize| rows[*row].as_ref().is_some_and(is_asked);
+        let places: Vec<usize> = (0..rows.len()).filter(asked).collect();
+        if places.is_empty() {
+            continue;
+        }
+        let given: Vec<InLanes> = places.iter().filter_map(|row| Some(rows[*row]?.1)).collect();
         let all = LaneRows::new(weight, &given, wants);
-        for (place, row) in rows.into_iter().enumerate() {
+        for (place, row) in places.into_iter().enumerate() {
             if let Some(found) = all.of(place) {
                 tell(row, found);
             }
