@@ -135,7 +135,7 @@ states: build
 	  ./target/release/couplet certify survey $$arches --digits 10 --output proofs/surveys/$$name.json || exit 1; \
 	done < proofs/surveys/arches.txt
 	./target/release/couplet prove --coq proofs/coq/generated \
-	  --certificate proofs/states/*.json proofs/asymmetric/*.json
+	  --certificate proofs/constants/*.json proofs/states/*.json proofs/asymmetric/*.json
 
 # The checker of certificates alone, in pure Rust: what it needs, and what it says of every stored certificate.
 checker:

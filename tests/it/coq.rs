@@ -15,10 +15,11 @@ fn stored(folder: &str, extension: &str) -> Vec<PathBuf> {
     files.filter(|path| path.extension().is_some_and(|found| found == extension)).collect()
 }
 
-/// What the program prints: the landmarks, and the stored certificates of arches.
+/// What the program prints of the stored certificates, and the landmarks once more.
 fn printed() -> BTreeMap<String, String> {
-    let arches = ["states", "asymmetric"].into_iter().flat_map(|folder| stored(folder, "json"));
-    let certificates = arches.map(|path| {
+    let folders = ["constants", "states", "asymmetric"];
+    let files_of = folders.into_iter().flat_map(|folder| stored(folder, "json"));
+    let certificates = files_of.map(|path| {
         let bytes = fs::read(&path).unwrap();
         certificate(&bytes).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
     });

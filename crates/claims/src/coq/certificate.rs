@@ -3,7 +3,7 @@
 //! Coq computes that by itself, so that nothing here is trusted: what is claimed is `claim_of` of
 //! `proofs/coq/verified/Certificate.v`.
 
-use super::template::fill;
+use super::last_digit;
 use crate::check::{ArchFile, Certificate, ClaimFile, Refusal, ValueFile, Witness, verify};
 use crate::number::Dyadic;
 use rug::Integer;
@@ -21,23 +21,29 @@ pub enum CertificateError {
 /// The file of a certificate, name and content, after a check of it.
 ///
 /// Its theorem is the claim of the certificate to all its digits: a landmark, a state, that an arch stands, is too
-/// thin, too wide or slides, or an asymmetric solution.
+/// thin, too wide or slides, or an asymmetric solution. A landmark has a corollary for each value that the paper prints
+/// of it.
 pub fn certificate(bytes: &[u8]) -> Result<(String, String), CertificateError> {
     verify(bytes)?;
     let certificate = Certificate::read(bytes)?;
     let Subject { name, title, term } = Subject::new(&certificate.claim);
+    let theory = if certificate.claim.landmark.is_some() { "Landmarks" } else { "Sound" };
     let weight = capital(&certificate.claim.weight);
     let values = [
         ("title", title),
-        ("subject", term),
+        ("theory", theory.to_owned()),
+        ("subject", term.clone()),
         ("digits", certificate.digits.to_string()),
         ("unique", boxed(&certificate.unique)),
         ("inverse", rows(certificate.inverse.iter().map(|row| list(row.iter().map(dyadic))))),
         ("root", boxed(&certificate.root)),
         ("values", rows(certificate.values.iter().map(|v| value(v, certificate.digits)))),
     ];
-    let text = fill(include_str!("templates/certificate.v"), &values);
-    Ok((format!("{name}{weight}.v"), text))
+    let template = include_str!("certificate.v").to_owned();
+    let fill =
+        |text: String, (hole, value): &(&str, String)| text.replace(&format!("<<{hole}>>"), value);
+    let text = values.iter().fold(template, fill);
+    Ok((format!("{name}{weight}.v"), text + &last_digit::corollaries(&certificate, &term)))
 }
 
 /// The subject of a claim.
@@ -110,7 +116,7 @@ impl Subject {
             "L" => "OverturningEnd",
             _ => "WidestJoint",
         };
-        let title = format!("The arch of the point {symbol} is a state");
+        let title = format!("The point {symbol}");
         subject(&format!("Landmark{landmark}"), title, format!("Landmark {landmark} {weight}"))
     }
 }
@@ -173,20 +179,26 @@ fn boxed(witness: &Witness) -> String {
 
 /// A value as all its digits and a power of ten.
 fn value(value: &ValueFile, digits: usize) -> String {
-    let quantity = match value.quantity.as_str() {
-        "intrinsic_thrust" => "IntrinsicThrust".to_owned(),
-        "A" => "OpeningVariable".to_owned(),
-        "friction_angle" => "FrictionAngle".to_owned(),
-        "friction_angle_degrees" => "FrictionAngleDegrees".to_owned(),
-        name => match name.strip_suffix("_degrees") {
-            Some(angle) => format!("(Degrees {})", variable(angle)),
-            None => format!("(Plain {})", variable(name)),
-        },
+    let written = match decimal(&value.value, digits) {
+        Some((all, exponent)) => format!("Decimal {all} ({exponent})"),
+        None => "Infinite".to_owned(),
     };
-    format!("({quantity}, {})", decimal(&value.value, digits))
+    format!("({}, {written})", quantity(&value.quantity))
 }
 
-fn variable(name: &str) -> &'static str {
+/// The quantity of a name.
+pub(super) fn quantity(name: &str) -> String {
+    match (name, name.strip_suffix("_degrees")) {
+        ("intrinsic_thrust", _) => "IntrinsicThrust".to_owned(),
+        ("A", _) => "OpeningVariable".to_owned(),
+        ("friction_angle", _) => "FrictionAngle".to_owned(),
+        ("friction_angle_degrees", _) => "FrictionAngleDegrees".to_owned(),
+        (_, Some(angle)) => format!("(Degrees {})", variable(angle)),
+        (name, None) => format!("(Plain {})", variable(name)),
+    }
+}
+
+pub(super) fn variable(name: &str) -> &'static str {
     match name {
         "half_opening" => "Alpha",
         "rotation_joint" => "BetaR",
@@ -204,17 +216,17 @@ fn variable(name: &str) -> &'static str {
     }
 }
 
-/// A decimal as all its digits and a power of ten: what the checker has accepted is one.
-fn decimal(text: &str, digits: usize) -> String {
+/// A decimal as all its digits and a power of ten, `None` for no limit: what the checker has accepted is one.
+pub(super) fn decimal(text: &str, digits: usize) -> Option<(String, i64)> {
     if text == "inf" {
-        return "Infinite".to_owned();
+        return None;
     }
     let (mantissa, power) = text.split_once('e').unwrap_or((text, "0"));
     let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
     let all = format!("{whole}{part}");
     let mut all = all.trim_start_matches('0').to_owned();
     if all.is_empty() {
-        return "Decimal 0 0".to_owned();
+        return Some(("0".to_owned(), 0));
     }
     let mut power = power.parse::<i64>().unwrap_or(0) - part.len() as i64;
     while all.len() > digits && all.ends_with('0') {
@@ -222,7 +234,7 @@ fn decimal(text: &str, digits: usize) -> String {
         power += 1;
     }
     let missing = digits.saturating_sub(all.len());
-    format!("Decimal {all}{} ({})", "0".repeat(missing), power - missing as i64)
+    Some((all + &"0".repeat(missing), power - missing as i64))
 }
 
 #[cfg(test)]
@@ -243,15 +255,16 @@ mod tests {
     #[test]
     fn a_decimal_has_all_its_digits() {
         let cases = [
-            ("0.1074", 4, "Decimal 1074 (-4)"),
-            ("2", 3, "Decimal 200 (-2)"),
-            ("140", 2, "Decimal 14 (1)"),
-            ("3.1e-8", 3, "Decimal 310 (-10)"),
-            ("0.0640", 3, "Decimal 640 (-4)"),
-            ("0", 30, "Decimal 0 0"),
-            ("inf", 30, "Infinite"),
+            ("0.1074", 4, Some(("1074", -4))),
+            ("2", 3, Some(("200", -2))),
+            ("140", 2, Some(("14", 1))),
+            ("3.1e-8", 3, Some(("310", -10))),
+            ("0.0640", 3, Some(("640", -4))),
+            ("0", 30, Some(("0", 0))),
+            ("inf", 30, None),
         ];
         for (text, digits, expected) in cases {
+            let expected = expected.map(|(all, power)| (all.to_owned(), power));
             assert_eq!(decimal(text, digits), expected, "{text}");
         }
     }

@@ -8,6 +8,7 @@
 //! | `landmark` | the file of a landmark |
 //! | `stands`, `sign` | what makes a landmark a state: its signs, and what follows |
 //! | `certificate` | the file of a certificate: its numbers, which Coq checks by computing |
+//! | `last_digit` | what follows from a landmark's certificate for the values that the paper prints |
 //! | `printed` | what follows for the values that the paper prints |
 //! | `half_opening`, `joint` | the files with one unknown and a very wide bracket |
 //! | `weights` | the two self-weights compared |
@@ -23,6 +24,7 @@ mod certificate;
 mod half_opening;
 mod joint;
 mod landmark;
+mod last_digit;
 mod names;
 mod numeral;
 mod printed;
