@@ -118,7 +118,7 @@ constants: build
 	./target/release/couplet certify all --digits 100 --output proofs/constants
 
 # One certified state of each collapse mode, for Coq, one asymmetric solution of (19) of each kind, for each weight, and verdicts
-# on all arches of surveys; a test says whether they are up to date.
+# on all arches of surveys; then every certificate of one problem as a theorem. A test says whether they are up to date.
 states: build
 	mkdir -p proofs/states
 	while read -r name weight alpha mu; do \
