@@ -1,6 +1,6 @@
 //! Consequences for the values that the paper prints.
 
-use super::certificate::{decimal, quantity, variable};
+use super::value::{decimal, quantity, variable};
 use crate::check::Certificate;
 use crate::judge::published::{PRINTED, Printed};
 use crate::problem::Quantity;
@@ -45,7 +45,7 @@ pub(super) fn corollaries(certificate: &Certificate, subject: &str) -> String {
     out
 }
 
-/// Whether the last digit of a printed decimal is right, by the digits of the certificate as Coq compares them
+/// Verdict on the last digit of a printed decimal, right or not, by the digits of the certificate as Coq compares them
 /// (`is_right`, `is_wrong` of `Landmarks.v`), its digits and how many are decimals; `None` if the certificate does not
 /// decide it, as for none that is an integer or a fraction.
 fn decided(printed: &Printed, certificate: &Certificate) -> Option<(bool, Integer, u32)> {
