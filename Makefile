@@ -118,7 +118,7 @@ constants: build
 	./target/release/couplet certify all --digits 100 --output proofs/constants
 
 # One certified state of each collapse mode, for Coq, one asymmetric solution of (19) of each kind, for each weight, and verdicts
-# on all arches of surveys; a test says whether they are up to date.
+# on all arches of surveys; then every certificate of one problem as a theorem. A test says whether they are up to date.
 states: build
 	mkdir -p proofs/states
 	while read -r name weight alpha mu; do \
@@ -135,7 +135,7 @@ states: build
 	  ./target/release/couplet certify survey $$arches --digits 10 --output proofs/surveys/$$name.json || exit 1; \
 	done < proofs/surveys/arches.txt
 	./target/release/couplet prove --coq proofs/coq/generated \
-	  --certificate proofs/states/*.json proofs/asymmetric/*.json
+	  --certificate proofs/constants/*.json proofs/states/*.json proofs/asymmetric/*.json
 
 # The checker of certificates alone, in pure Rust: what it needs, and what it says of every stored certificate.
 checker:

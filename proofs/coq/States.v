@@ -2,8 +2,8 @@
 
     For each mode with a thickness: where its printed equations hold and a few numbers are positive, the
     state is **admissible at every joint** of the half arch, and the arch stands **exactly** from its
-    thickness on, up to the physical limit.  Purely sliding states bound the friction.  A generated file
-    adds the numbers.
+    thickness on, up to the physical limit.  Purely sliding states bound the friction.  The verified
+    checker adds the numbers.
 
     Where modes meet, some of these numbers are zero: friction at the shoulder or inside, the room at the
     extrados, that of the intrados next to the crown, or what the limit leaves.  Of those it is asked that
@@ -14,8 +14,8 @@
 
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
-From Couplet Require Import Moments Cubics Sliding Joining.
-From Couplet Require Export Instance Contact FrictionModes.
+From Couplet Require Import Moments Cubics Overturning Sliding Joining.
+From Couplet Require Export Arch DoubleThickness Contact FrictionModes.
 Open Scope R_scope.
 
 (** ** What is claimed *)
@@ -378,22 +378,3 @@ Proof.
     destruct (Rle_lt_dec 0 (cos alpha)); nra. }
   now apply (no_arch_below_purely_sliding delta alpha eta mu mu' h); try lra.
 Qed.
-
-(** ** Signs in a small box *)
-
-(** What a theorem asks for: a sign, also where it may be zero, or a tie. *)
-Ltac known := first [tauto | apply Rlt_le; tauto | apply Req_le; tauto].
-
-(** What is zero where modes meet, from the equations. *)
-Ltac ties :=
-  repeat split;
-  first [symmetry; tauto
-        | apply shoulder_from_crown; first [tauto | split; known]
-        | apply no_room_next_to_crown; tauto
-        | apply nothing_left_at_border; tauto
-        | apply nothing_left_at_end_of_overturning; tauto].
-
-Ltac signs :=
-  intros; conjuncts; repeat split;
-  unfold at_crown, at_shoulder, normal_force, mu_ss, mu_is, mu_inner, beta_s, extrados, intrados, fac;
-  first [lra | interval with (i_prec 140) | apply Rminus_gt_0_lt; interval with (i_prec 140)].

@@ -221,7 +221,8 @@ Proof.
   { rewrite <- Hshare. apply Rle_lt_trans with (share alpha h0); [|apply share_falls; lra].
     rewrite !share_is by lra.
     assert (cos alpha / (1 - cos alpha) <= 0)
-      by (apply Rmult_le_0_r; [lra | now apply Rlt_le, Rinv_0_lt_compat]).
+      by (rewrite <- (Rmult_0_l (/ (1 - cos alpha)));
+          apply Rmult_le_compat_r; [now apply Rlt_le, Rinv_0_lt_compat | lra]).
     nra. }
   destruct (Hall 0 ltac:(lra)) as (_ & Hcrown & _).
   destruct (Hall alpha ltac:(lra)) as (_ & _ & Hshoulder).

@@ -8,7 +8,7 @@
 
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
-From Couplet Require Export Instance.
+From Couplet Require Export Arch Moments.
 Open Scope R_scope.
 
 (** ** What is claimed *)

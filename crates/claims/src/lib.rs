@@ -16,7 +16,7 @@
 //! | series for small openings and about `l` | `asymptotics.rs` |
 //! | the landmarks | `landmarks.rs` |
 //! | values of few digits, frictions that suffice | `rounded.rs` |
-//! | the landmarks again, as Coq theorems | [`coq`] |
+//! | certificates as Coq theorems | [`coq`] |
 //! | the two weights at one half opening | `same_opening.rs`, `differences.rs` |
 //! | the two weights compared at the landmarks | `weights.rs` |
 //! | friction along sliding and along rotation | `frictions.rs`, with the states of `along.rs` |

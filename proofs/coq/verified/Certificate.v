@@ -158,7 +158,15 @@ Definition modes_of (l : landmark) : list mode :=
   | OverturningEnd => [Overturning]
   | WidestJoint => [Rotational]
   end.
+Definition friction_there (l : landmark) (x : configuration) : option R :=
+  match l with Triple | Shift | Junction | Border => Some (x Mu) | _ => None end.
+Definition moment_there (l : landmark) (d : R) (x : configuration) : R :=
+  match l with
+  | Triple | WidestJoint => at_crown (x Eta) (x Thrust)
+  | _ => at_shoulder d (x Alpha) (x Eta) (x Thrust)
+  end.
 Definition is_state_there (l : landmark) (d : R) (x : configuration) (m : mode) : Prop :=
+  crown_moment m d x = moment_there l d x /\
   forall e, In e (equations m) ->
     holds d x match l, e with (Junction | RotationEnd), Tangency _ => TangencyAtCrown | _, _ => e end.
 Definition in_order_there (l : landmark) (x : configuration) : Prop :=
@@ -169,12 +177,45 @@ Definition in_order_there (l : landmark) (x : configuration) : Prop :=
   | WidestJoint => 0 < x BetaR < x Alpha
   | RotationEnd | OverturningEnd => True
   end.
-Definition friction_there (l : landmark) (x : configuration) : option R :=
-  match l with Triple | Shift | Junction | Border => Some (x Mu) | _ => None end.
-Definition moment_there (l : landmark) (d : R) (x : configuration) : R :=
+(** What is zero there, as modes meet or the limit begins: friction at the shoulder and inside, and the room at the
+    extrados, next to the crown, or up to the limit; at sb the radicand (12). *)
+Definition is_zero_there (l : landmark) (d : R) (x : configuration) : Prop :=
+  match friction_there l x with
+  | Some mu => mu = mu_ss (x Alpha) (x Thrust) /\ mu = mu_is (x Thrust) /\ x BetaS = beta_s (x Thrust)
+  | None => True
+  end /\
   match l with
-  | Triple | WidestJoint => at_crown (x Eta) (x Thrust)
-  | _ => at_shoulder d (x Alpha) (x Eta) (x Thrust)
+  | Triple => at_crown (x Eta) (x Thrust) = at_shoulder d (x Alpha) (x Eta) (x Thrust)
+  | Shift => True
+  | Junction | RotationEnd => intrados (x Eta) * (2 - x Thrust) = fac d (x Eta)
+  | Border | OverturningEnd => fac d 2 * (1 - cos (x Alpha)) = 2 * normal_force (x Alpha) (x Thrust)
+  | WidestJoint => radicand d (f_of (x BetaR)) (g_of (x BetaR)) (sin (x BetaR)) = 0
+  end.
+(** And what is not, of that which the theorems of its modes in [States] ask for. *)
+Definition is_left_there (l : landmark) (d : R) (x : configuration) : Prop :=
+  0 < normal_force (x Alpha) (x Thrust) /\
+  match l with
+  | RotationEnd | OverturningEnd => True
+  | _ => 0 < x Thrust < 1
+  end /\
+  match l with
+  | Border | OverturningEnd => intrados (x Eta) * (2 - x Thrust) < fac d (x Eta)
+  | _ => x Eta < 2 /\ fac d 2 * (1 - cos (x Alpha)) < 2 * normal_force (x Alpha) (x Thrust)
+  end /\
+  match l with
+  | WidestJoint => True
+  | _ => 0 < (2 - x Eta) * cos (x BetaR) - (2 + x Eta) * cos (x Alpha)
+  end /\
+  match l with
+  | Triple => 0 < sin (x Alpha) - x Mu * cos (x Alpha)
+  | Shift | Junction => at_shoulder d (x Alpha) (x Eta) (x Thrust) < at_crown (x Eta) (x Thrust)
+  | _ => True
+  end.
+(** With less friction nothing stands, whatever its thickness and its weight. *)
+Definition is_least_friction (l : landmark) (x : configuration) : Prop :=
+  match friction_there l x with
+  | Some mu => forall mu', 0 <= mu' < mu -> stands_at_no_thickness (x Alpha) mu'
+  | None => True
   end.
 
 (** An asymmetric solution of (19), with its rates. *)
@@ -224,6 +265,15 @@ Definition slides_inside (m : mode) : bool :=
 Definition asymmetric_unknowns (k : kind) : list name :=
   [Thrust; Moment; Force; Eta; Hinge; BetaR] ++ match k with SlidesInside => [BetaS] | _ => [] end.
 Definition unknowns_too_wide (f : friction) : list name := if is_limited f then [Alpha; Thrust; BetaS] else [Alpha].
+Definition landmark_unknowns (l : landmark) : list name :=
+  match l with
+  | Triple => [Alpha; BetaR; BetaS; Eta; Thrust; Mu]
+  | Shift | Junction => [Alpha; BetaS; Eta; Thrust; Mu]
+  | Border => [Alpha; BetaS; Thrust; Mu]
+  | RotationEnd => [Alpha; Eta]
+  | OverturningEnd => [Alpha]
+  | WidestJoint => [Alpha; BetaR; Eta; Thrust]
+  end.
 Definition unknowns_standing (there : nearest) : list name := match there with AtHaunch => [BetaR] | _ => [] end.
 (** and what is a result: what is given is none. *)
 Definition results (s : subject) : list name :=
@@ -289,6 +339,21 @@ Definition is_only (c : certificate) (w : weight) (u : list name) (e : list equa
 Definition is_only_state (c : certificate) (m : mode) (a : arch) : configuration -> Prop :=
   is_only c (self_weight a) (unknowns_of m) (equations m).
 
+(** A landmark: a solution of its equations, the only one in the large box; a state of each of its modes, from whose
+    thickness on the arch stands. *)
+Definition solves_there (l : landmark) (w : weight) (x : configuration) : Prop :=
+  List.Forall (holds (flag w) x) (equations_of l) /\ is_fixed l x.
+Definition is_landmark (c : certificate) (l : landmark) (w : weight) (x : configuration) : Prop :=
+  let d := flag w in
+  solves_there l w x /\
+  (in_box (landmark_unknowns l) (unique c) x /\
+   forall y, in_box (landmark_unknowns l) (unique c) y -> solves_there l w y ->
+     forall n, In n (landmark_unknowns l) -> y n = x n) /\
+  values_hold c (friction_there l x) x /\
+  is_least d (friction_there l x) x (moment_there l d x) /\
+  (forall m, In m (modes_of l) -> is_state_there l d x m) /\
+  in_order_there l x /\ is_zero_there l d x /\ is_left_there l d x /\ is_least_friction l x.
+
 Definition claim_of (c : certificate) : Prop :=
   match about c with
   | State m a =>
@@ -321,11 +386,7 @@ Definition claim_of (c : certificate) : Prop :=
       exists x, x Alpha = real (half_opening a) /\ x Eta = real t /\ x Thrust = value h /\
         values_hold c (coefficient (its_friction a)) x /\
         is_admissible (flag (self_weight a)) (coefficient (its_friction a)) x (value p)
-  | Landmark l w =>
-      exists x, List.Forall (holds (flag w) x) (equations_of l) /\ is_fixed l x /\
-        (forall m, In m (modes_of l) -> is_state_there l (flag w) x m) /\ in_order_there l x /\
-        values_hold c (friction_there l x) x /\
-        is_least (flag w) (friction_there l x) x (moment_there l (flag w) x)
+  | Landmark l w => exists x, is_landmark c l w x
   | Asymmetric k a =>
       is_arch a /\
       exists x, x Alpha = real (half_opening a) /\ coefficient (its_friction a) = Some (x Mu) /\

@@ -264,15 +264,6 @@ Definition check_stands (c : certificate) (a : arch) (t : number) (h p : dyadic)
 
 (** ** Landmarks *)
 
-Definition landmark_unknowns (l : landmark) : list name :=
-  match l with
-  | Triple => [Alpha; BetaR; BetaS; Eta; Thrust; Mu]
-  | Shift | Junction => [Alpha; BetaS; Eta; Thrust; Mu]
-  | Border => [Alpha; BetaS; Thrust; Mu]
-  | RotationEnd => [Alpha; Eta]
-  | OverturningEnd => [Alpha]
-  | WidestJoint => [Alpha; BetaR; Eta; Thrust]
-  end.
 Definition landmark_limited (l : landmark) : bool :=
   match l with Triple | Shift | Junction | Border => true | _ => false end.
 Definition landmark_given (l : landmark) (prec : Z) : list (name * enclosure) :=
@@ -282,9 +273,10 @@ Local Open Scope formula_scope.
 Definition landmark_signs (w : weight) (l : landmark) : list formula :=
   carried ++
   match l with
-  | Triple => thick w ++ some_thrust ++ haunch ++ steepest ++ [upper_lever BetaR; Val BetaR - Val BetaS]
+  | Triple => thick w ++ some_thrust ++ haunch ++ steepest ++
+      [upper_lever BetaR; Val BetaR - Val BetaS; Sin Alpha - Val Mu * Cos Alpha]
   | Shift => thick w ++ some_thrust ++ steepest ++ [- extrados_at_shoulder w; upper_lever BetaS]
-  | Junction => thick w ++ some_thrust ++ steepest ++ [upper_lever BetaR]
+  | Junction => thick w ++ some_thrust ++ steepest ++ [- extrados_at_shoulder w; upper_lever BetaR]
   | Border => some_thrust ++ steepest ++ [next_to_crown w; upper_lever BetaR]
   | RotationEnd => thick w ++ [upper_lever BetaR]
   | OverturningEnd => [next_to_crown w; upper_lever BetaR]

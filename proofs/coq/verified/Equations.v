@@ -164,12 +164,12 @@ Qed.
 Lemma cleared_double w x b : b <> Eta ->
   meaning x (lower_lever b) <> 0 -> sin (x b) <> 0 -> meaning x inner <> 0 ->
   printed (flag w) x (LowerThrust b) -> printed (flag w) x (Tangency b) ->
-  meaning x (cleared w (DoubleThickness b)) = 0 -> printed (flag w) x (DoubleThickness b).
+  (meaning x (cleared w (DoubleThickness b)) = 0 <-> printed (flag w) x (DoubleThickness b)).
 Proof.
-  intros Hb Hlever Hs Hi H2 H5 Hzero. cbn [printed] in *.
+  intros Hb Hlever Hs Hi H2 H5. cbn [printed] in *.
   assert (E : h_lower (flag w) (x b) (x Eta) = h_tangency (flag w) (x b) (x Eta)) by congruence.
-  apply (cleared_double_thickness (flag w) (x b) (x Eta) (sin (x b) * meaning x (cleared w (DoubleThickness b)))
-           Hlever Hs Hi E).
+  rewrite (cleared_double_thickness (flag w) (x b) (x Eta) (sin (x b) * meaning x (cleared w (DoubleThickness b)))
+             Hlever Hs Hi E).
+  - split; intros H; [rewrite H; ring | now apply Rmult_integral in H as [H | H]].
   - destruct w, b; try easy; unfold fac; simpl; field; easy.
-  - rewrite Hzero. ring.
 Qed.

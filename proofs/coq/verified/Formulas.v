@@ -69,6 +69,22 @@ Fixpoint meaning (x : configuration) (f : formula) : R :=
   | Mul f g => meaning x f * meaning x g
   end.
 
+(** Only the names in it matter. *)
+Fixpoint mentions (n : name) (f : formula) : bool :=
+  match f with
+  | Int _ | Ratio _ _ => false
+  | Val m | Sin m | Cos m | Cot m => same m n
+  | Opp f => mentions n f
+  | Add f g | Sub f g | Mul f g => mentions n f || mentions n g
+  end.
+
+Lemma meaning_alike x y f : (forall n, mentions n f = true -> x n = y n) -> meaning x f = meaning y f.
+Proof.
+  induction f; intros Hall; cbn [meaning mentions] in *; try easy;
+    try (rewrite Hall by (now destruct (same_spec n n)); easy);
+    rewrite ?IHf, ?IHf1, ?IHf2; try easy; intros n Hn; apply Hall; rewrite ?Hn, ?orb_true_r; easy.
+Qed.
+
 (** The sines by which it divides. *)
 Fixpoint divides (f : formula) : list name :=
   match f with

@@ -116,13 +116,14 @@ Proof.
   - now apply degrees.
 Qed.
 
+Lemma power_of_ten k : (0 <= k)%Z -> IZR (10 ^ k) = powerRZ 10 k.
+Proof. intros Hk. rewrite <- (Z2Nat.id k) by easy. now rewrite <- pow_powerRZ, <- pow_IZR. Qed.
+
 Lemma has_twentieths prec m e : has (twentieths prec m e) (IZR m / 20 * powerRZ 10 e).
 Proof.
-  assert (ten : forall k, (0 <= k)%Z -> IZR (10 ^ k) = powerRZ 10 k).
-  { intros k Hk. rewrite <- (Z2Nat.id k) by easy. now rewrite <- pow_powerRZ, <- pow_IZR. }
   unfold twentieths. destruct (Z.leb_spec 0 e).
   - replace (IZR m / 20 * powerRZ 10 e) with (IZR (m * 10 ^ e) / 20)
-      by (rewrite mult_IZR, ten by easy; field).
+      by (rewrite mult_IZR, power_of_ten by easy; field).
     apply has_div; apply has_integer.
   - replace (IZR m / 20 * powerRZ 10 e) with (IZR m / IZR (20 * 10 ^ (- e))).
     + apply has_div; apply has_integer.
@@ -131,7 +132,7 @@ Proof.
         by (rewrite <- powerRZ_add by lra; now rewrite Z.add_opp_diag_r).
       replace (powerRZ 10 e) with (/ powerRZ 10 (- e))
         by (apply (Rmult_eq_reg_r (powerRZ 10 (- e))); [now rewrite product, Rinv_l | easy]).
-      rewrite mult_IZR, ten by lia. now field.
+      rewrite mult_IZR, power_of_ten by lia. now field.
 Qed.
 
 Lemma holds_value_sound prec digits (limited : bool) E (x : configuration) (mu : option R) qv :
@@ -588,7 +589,7 @@ Proof.
   apply (List.Forall_app (holds (flag w) x) first [DoubleThickness BetaR]). split; [exact H |].
   assert (sine : sin (x BetaR) <> 0) by (apply (Hzeros (cleared w (Tangency BetaR))); simpl; auto).
   apply List.Forall_cons; [| apply List.Forall_nil]. split; [| now split].
-  apply cleared_double; try easy.
+  apply (cleared_double w x BetaR); try easy.
   - apply Hdivisors. simpl. auto.
   - apply Hdivisors. simpl. auto.
   - exact (proj1 (proj1 (List.Forall_forall _ _) H (LowerThrust BetaR) ltac:(simpl; auto))).
@@ -605,17 +606,21 @@ Proof.
   apply lower_and_whole_imply_upper; try easy; try lra; intros Hzero; apply D4; rewrite Hzero; ring.
 Qed.
 
+(** What the signs and the equations of a landmark are in the names of the theory. *)
+Ltac at_landmark w x l Hsigns Hprinted :=
+  assert (weight := flag_between w);
+  destruct l; cbn [is_fixed] in *; list_of Hsigns; list_of Hprinted; cbn [printed] in *;
+  rewrite ?meaning_limit, ?meaning_next in *;
+  assert (N : 0 < normal_force (x Alpha) (x Thrust)) by assumption;
+  frictions Logic.I; cbn [meaning inner outer upper_lever] in *; rewrite ?meaning_extrados in *.
+
 Lemma landmark_least w x l : x Alpha < PI -> is_fixed l x ->
   List.Forall (fun g => 0 < meaning x g) (landmark_signs w l) ->
   List.Forall (printed (flag w) x) (equations_of l) ->
   is_least (flag w) (friction_there l x) x (moment_there l (flag w) x).
 Proof.
-  intros Hopen Hfixed Hsigns Hprinted. assert (weight := flag_between w).
-  destruct l; cbn [is_fixed] in Hfixed; list_of Hsigns; list_of Hprinted; cbn [printed] in *;
-    rewrite ?meaning_limit, ?meaning_next in *;
-    assert (N : 0 < normal_force (x Alpha) (x Thrust)) by assumption;
-    frictions Logic.I; cbn [meaning inner outer upper_lever] in *; rewrite ?meaning_extrados in *;
-    unfold is_least, is_admissible; cbn [friction_there moment_there].
+  intros Hopen Hfixed Hsigns Hprinted.
+  at_landmark w x l Hsigns Hprinted; unfold is_least, is_admissible; cbn [friction_there moment_there].
   - apply (rotational _ _ _ weight) with (beta := x BetaR); try tauto; try lra.
   - apply (rotational_sliding _ _ _ weight) with (beta := x BetaS) (joint := x BetaS); try tauto; try lra.
   - rewrite Hfixed in *.
@@ -637,24 +642,99 @@ Proof.
   - apply (rotational_without_limit _ _ weight) with (beta := x BetaR); try tauto; try lra.
 Qed.
 
+(** At sb the radicand vanishes. *)
+Lemma radicand_there w x : List.Forall (holds (flag w) x) (equations_of WidestJoint) ->
+  radicand (flag w) (f_of (x BetaR)) (g_of (x BetaR)) (sin (x BetaR)) = 0.
+Proof.
+  intros Hholds. list_of Hholds. unfold holds in *. cbn [printed denominator] in *.
+  repeat match goal with H : _ /\ _ |- _ => destruct H end.
+  repeat match goal with D : forall f, _ -> meaning _ f <> 0 |- _ => specialize (D _ (or_introl eq_refl)) end.
+  in_numbers. apply radicand_at_double_thickness with (eta := x Eta); try easy. congruence.
+Qed.
+
+(** What is zero there and what is not, and that nothing stands with less friction. *)
+Lemma landmark_meets w x l : x Alpha < PI -> is_fixed l x ->
+  List.Forall (fun g => 0 < meaning x g) (landmark_signs w l) ->
+  List.Forall (holds (flag w) x) (equations_of l) ->
+  is_zero_there l (flag w) x /\ is_left_there l (flag w) x /\ is_least_friction l x.
+Proof.
+  intros Hopen Hfixed Hsigns Hholds. assert (Hprinted := holds_printed _ _ _ Hholds).
+  assert (sb : l = WidestJoint -> radicand (flag w) (f_of (x BetaR)) (g_of (x BetaR)) (sin (x BetaR)) = 0)
+    by (intros ->; now apply radicand_there).
+  unfold is_zero_there, is_left_there, is_least_friction. clear Hholds.
+  at_landmark w x l Hsigns Hprinted; cbn [friction_there].
+  1-4: assert (less : forall mu', 0 <= mu' < x Mu -> stands_at_no_thickness (x Alpha) mu')
+    by (apply (purely_sliding (x Alpha) (x Mu) (x Thrust) (x BetaS)); try tauto; try lra).
+  - assert (E := shoulder_from_crown (flag w) (x Alpha) ltac:(lra) (x Eta) (x Thrust) ltac:(lra) ltac:(easy)).
+    repeat split; try easy; lra.
+  - repeat split; try easy; rewrite ?Hfixed; lra.
+  - assert (next := no_room_next_to_crown (flag w) (x Eta) (x Thrust) ltac:(lra) ltac:(easy)).
+    repeat split; try easy; lra.
+  - destruct Hfixed as [Hb He]. rewrite Hb, He in *.
+    assert (left := nothing_left_at_border (flag w) (x Alpha) (x Thrust) ltac:(lra) ltac:(easy)).
+    repeat split; try easy; lra.
+  - destruct Hfixed as (Hb & _ & Hh). rewrite Hb, Hh in *.
+    assert (next := no_room_next_to_crown (flag w) (x Eta) 0 ltac:(lra) ltac:(easy)).
+    repeat split; try easy; lra.
+  - destruct Hfixed as (Hb & _ & Hh & He). rewrite Hb, Hh, He in *.
+    assert (left := nothing_left_at_end_of_overturning (flag w) (x Alpha) ltac:(lra) ltac:(easy)).
+    repeat split; try easy; lra.
+  - repeat split; try easy; try lra. now apply sb.
+Qed.
+
 (** The modes that meet there, and the order of the joints. *)
 Lemma landmark_there w x l : x Alpha < PI -> is_fixed l x ->
   List.Forall (fun g => 0 < meaning x g) (landmark_signs w l) ->
-  List.Forall (holds (flag w) x) (equations_of l) ->
+  List.Forall (holds (flag w) x) (equations_of l) -> is_zero_there l (flag w) x ->
   (forall m, In m (modes_of l) -> is_state_there l (flag w) x m) /\ in_order_there l x.
 Proof.
-  intros Hopen Hfixed Hsigns Hholds. destruct l; cbn [is_fixed modes_of] in *; list_of Hsigns; list_of Hholds.
+  intros Hopen Hfixed Hsigns Hholds [_ Hzero]. destruct l; cbn [is_fixed modes_of] in *; list_of Hsigns; list_of Hholds.
   all: split; [| unfold in_order_there; cbn [meaning inner] in *; repeat split; lra].
-  all: intros m Hm e He; simpl in Hm; repeat destruct Hm as [<- | Hm]; try easy; cbn [equations] in He; simpl in He;
-    repeat destruct He as [<- | He]; try easy.
+  all: intros m Hm; split;
+    [repeat destruct Hm as [<- | Hm]; try easy |
+     intros e He; simpl in Hm; repeat destruct Hm as [<- | Hm]; try easy; cbn [equations] in He; simpl in He;
+       repeat destruct He as [<- | He]; try easy].
   1: now apply upper_from_lower_and_whole.
   1-4: unfold holds in *; cbn [printed denominator] in *; rewrite Hfixed;
     repeat match goal with H : _ /\ _ |- _ => destruct H end; repeat split; try easy;
     intros f [<- | []]; in_numbers; rewrite ?Hfixed;
     match goal with D : forall f, _ -> meaning _ f <> 0 |- _ => now apply (D _ (or_introl eq_refl)) end.
-  destruct Hfixed as (Hb & _ & Hh). unfold holds. cbn [printed denominator]. rewrite Hb, Hh.
-  repeat split; [unfold h_lower; rewrite sin_0, cos_0; unfold Rdiv; ring |].
-  intros f [<- | []]. in_numbers. rewrite Hb, cos_0. cbn [meaning] in *. lra.
+  - cbn [meaning inner] in *. apply shoulder_from_crown; [lra | lra |].
+    now match goal with H : holds _ x WholeThrust |- _ => destruct H end.
+  - destruct Hfixed as (Hb & _ & Hh). unfold holds. cbn [printed denominator]. rewrite Hb, Hh.
+    repeat split; [unfold h_lower; rewrite sin_0, cos_0; unfold Rdiv; ring |].
+    intros f [<- | []]. in_numbers. rewrite Hb, cos_0. cbn [meaning] in *. lra.
+Qed.
+
+(** A solution is fixed by its unknowns. *)
+Lemma landmark_only c w l x g :
+  in_box (landmark_unknowns l) (unique c) x -> is_fixed l g ->
+  (forall y, in_box (landmark_unknowns l) (unique c) y ->
+     (forall n, existsb (same n) (landmark_unknowns l) = false -> y n = g n) ->
+     (forall f, In f (map (cleared w) (equations_of l)) -> meaning y f = 0) -> forall n, y n = x n) ->
+  forall y, in_box (landmark_unknowns l) (unique c) y -> solves_there l w y ->
+  forall n, In n (landmark_unknowns l) -> y n = x n.
+Proof.
+  intros Hbox Hg Honly y Hy [Hholds Hfixed] n Hn.
+  set (z := fun n => if existsb (same n) (landmark_unknowns l) then y n else g n).
+  assert (own : forall k, In k (landmark_unknowns l) -> z k = y k).
+  { intros k Hk. unfold z. replace (existsb (same k) (landmark_unknowns l)) with true; [easy | symmetry].
+    apply existsb_exists. exists k. split; [exact Hk | now destruct (same_spec k k)]. }
+  rewrite <- own by exact Hn. apply Honly.
+  - intros i Hi. rewrite own by (now apply nth_In). now apply Hy.
+  - intros k Hk. unfold z. now rewrite Hk.
+  - intros f Hf. apply in_map_iff in Hf as (e & <- & He).
+    transitivity (meaning y (cleared w e)).
+    + apply meaning_alike. intros k Hk. unfold z.
+      destruct l; simpl in He; repeat destruct He as [<- | He]; try easy; destruct w, k; try easy;
+        cbn [is_fixed existsb same landmark_unknowns orb] in *; intuition congruence.
+    + destruct (proj1 (List.Forall_forall _ _) Hholds e He) as (Hprinted & D & Hsine).
+      destruct e; try (now apply printed_is_cleared).
+      destruct l; simpl in He; repeat destruct He as [He | He]; try easy. injection He as <-.
+      list_of Hholds. unfold holds in *. cbn [denominator] in *.
+      repeat match goal with H : _ /\ _ |- _ => destruct H end.
+      repeat match goal with D : forall f, _ -> meaning _ f <> 0 |- _ => specialize (D _ (or_introl eq_refl)) end.
+      now apply cleared_double.
 Qed.
 
 Lemma check_landmark_sound c l w : about c = Landmark l w -> check_landmark c l w = true -> claim_of c.
@@ -664,12 +744,14 @@ Proof.
   set (fixed := match l with Border | OverturningEnd => [(Eta, value two)] | _ => [] end).
   destruct (located_sound _ _ _ _ _ _
               (surrounds_given (landmark_given l) fixed ltac:(unfold fixed; destruct l; given_numbers)) Hlocated)
-    as (x & HE & Hgiven & Hzeros & Hdivisors & Honly).
+    as (x & HE & Hgiven & Hzeros & Hdivisors & Hbox & Honly).
   assert (two_is : value two = 2) by (unfold two, value; simpl; ring).
   set (y := match l with Shift => one_joint_of x | _ => x end).
   set (S := match l with Shift => with_one_joint E | _ => E end) in *.
   assert (HS : surrounds S y)
     by (unfold S, y; destruct l; try exact HE; now apply surrounds_one_joint).
+  assert (Hsame : forall n, In n (landmark_unknowns l) -> y n = x n)
+    by (intros n Hn; unfold y; destruct l; try easy; now repeat destruct Hn as [<- | Hn]).
   assert (Hholds : List.Forall (holds (flag w) y) (equations_of l)).
   { assert (Hp := landmark_holds w x l Hzeros Hdivisors). unfold y.
     destruct l; try exact Hp. apply List.Forall_forall. intros e He.
@@ -683,8 +765,14 @@ Proof.
   assert (Hopen : y Alpha < PI) by (apply (is_open_sound full (itself (S Alpha))); [easy | apply HS]).
   assert (Hsigns : List.Forall (fun g => 0 < meaning y g) (landmark_signs w l))
     by (apply List.Forall_forall; intros g Hg; now apply (are_all_positive_sound full S y (landmark_signs w l))).
-  destruct (landmark_there w y l Hopen Hfixed Hsigns Hholds) as [Hthere Horder].
-  exists y. refine (conj Hholds (conj Hfixed (conj Hthere (conj Horder (conj _ _))))).
+  destruct (landmark_meets w y l Hopen Hfixed Hsigns Hholds) as (Hzero & Hleft & Hless).
+  destruct (landmark_there w y l Hopen Hfixed Hsigns Hholds Hzero) as [Hthere Horder].
+  exists y. unfold is_landmark.
+  refine (conj (conj Hholds Hfixed) (conj (conj _ _) (conj _ (conj _ (conj Hthere (conj Horder
+            (conj Hzero (conj Hleft Hless)))))))).
+  - intros i Hi. rewrite Hsame by (now apply nth_In). now apply Hbox.
+  - intros z Hz Hsolves n Hn. rewrite Hsame by exact Hn.
+    apply (landmark_only c w l x (numbers_in fixed) Hbox); try easy. unfold fixed. destruct l; now repeat split.
   - apply (hold_values_sound full (landmark_limited l) S); try easy. now destruct l.
   - now apply landmark_least.
 Qed.

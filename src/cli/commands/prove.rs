@@ -47,22 +47,21 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     file: OutputFile,
 
-    /// Instead, write the constants as theorems for the proof assistant Coq into a folder.
-    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["claims", "show", "format", "output"])]
+    /// Instead, write certificates as theorems for the proof assistant Coq into a folder.
+    #[arg(
+        long, value_name = "FOLDER", requires = "certificate",
+        conflicts_with_all = ["claims", "show", "format", "output"]
+    )]
     coq: Option<PathBuf>,
 
-    /// With --coq, write these certificates as theorems instead, `-` for standard input.
+    /// With --coq, the certificates, `-` for standard input.
     #[arg(long, value_name = "FILE", num_args = 1.., requires = "coq")]
     certificate: Vec<OsString>,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(folder) = &arguments.coq {
-        let files = match arguments.certificate.is_empty() {
-            true => coq::files()?,
-            false => certificate_files(&arguments.certificate)?,
-        };
-        return write_coq(folder, files);
+        return write_coq(folder, certificate_files(&arguments.certificate)?);
     }
     let format = arguments.file.format(arguments.format, Claims::content(), "text")?;
     let named = each_once(arguments.claims.clone(), String::clone, String::clone);

@@ -167,6 +167,10 @@ fn certificates_become_theorems() {
         assert!(message.contains(reason) && message.lines().count() == 1, "{message}");
         assert!(!std::path::Path::new(&empty).exists());
     }
-    let (code, _, message) = said(&couplet(&["prove", "--certificate", &one]));
-    assert!(code == Some(2) && message.contains("--coq"), "{message}");
+    for (given, missing) in
+        [(["--certificate", &one], "--coq"), (["--coq", &folder], "--certificate")]
+    {
+        let (code, _, message) = said(&couplet(&[&["prove"], &given[..]].concat()));
+        assert!(code == Some(2) && message.contains(missing), "{message}");
+    }
 }

@@ -3,7 +3,8 @@
 //! Coq computes that by itself, so that nothing here is trusted: what is claimed is `claim_of` of
 //! `proofs/coq/verified/Certificate.v`.
 
-use super::template::fill;
+use super::last_digit;
+use super::value::{decimal, quantity};
 use crate::check::{ArchFile, Certificate, ClaimFile, Refusal, ValueFile, Witness, verify};
 use crate::number::Dyadic;
 use rug::Integer;
@@ -21,23 +22,29 @@ pub enum CertificateError {
 /// The file of a certificate, name and content, after a check of it.
 ///
 /// Its theorem is the claim of the certificate to all its digits: a landmark, a state, that an arch stands, is too
-/// thin, too wide or slides, or an asymmetric solution.
+/// thin, too wide or slides, or an asymmetric solution. A landmark has a corollary for each value that the paper prints
+/// of it.
 pub fn certificate(bytes: &[u8]) -> Result<(String, String), CertificateError> {
     verify(bytes)?;
     let certificate = Certificate::read(bytes)?;
     let Subject { name, title, term } = Subject::new(&certificate.claim);
+    let theory = if certificate.claim.landmark.is_some() { "Landmarks" } else { "Sound" };
     let weight = capital(&certificate.claim.weight);
     let values = [
         ("title", title),
-        ("subject", term),
+        ("theory", theory.to_owned()),
+        ("subject", term.clone()),
         ("digits", certificate.digits.to_string()),
         ("unique", boxed(&certificate.unique)),
         ("inverse", rows(certificate.inverse.iter().map(|row| list(row.iter().map(dyadic))))),
         ("root", boxed(&certificate.root)),
         ("values", rows(certificate.values.iter().map(|v| value(v, certificate.digits)))),
     ];
-    let text = fill(include_str!("templates/certificate.v"), &values);
-    Ok((format!("{name}{weight}.v"), text))
+    let template = include_str!("certificate.v").to_owned();
+    let fill =
+        |text: String, (hole, value): &(&str, String)| text.replace(&format!("<<{hole}>>"), value);
+    let text = values.iter().fold(template, fill);
+    Ok((format!("{name}{weight}.v"), text + &last_digit::corollaries(&certificate, &term)))
 }
 
 /// The subject of a claim.
@@ -110,7 +117,7 @@ impl Subject {
             "L" => "OverturningEnd",
             _ => "WidestJoint",
         };
-        let title = format!("The arch of the point {symbol} is a state");
+        let title = format!("The point {symbol}");
         subject(&format!("Landmark{landmark}"), title, format!("Landmark {landmark} {weight}"))
     }
 }
@@ -173,56 +180,11 @@ fn boxed(witness: &Witness) -> String {
 
 /// A value as all its digits and a power of ten.
 fn value(value: &ValueFile, digits: usize) -> String {
-    let quantity = match value.quantity.as_str() {
-        "intrinsic_thrust" => "IntrinsicThrust".to_owned(),
-        "A" => "OpeningVariable".to_owned(),
-        "friction_angle" => "FrictionAngle".to_owned(),
-        "friction_angle_degrees" => "FrictionAngleDegrees".to_owned(),
-        name => match name.strip_suffix("_degrees") {
-            Some(angle) => format!("(Degrees {})", variable(angle)),
-            None => format!("(Plain {})", variable(name)),
-        },
+    let written = match decimal(&value.value, digits) {
+        Some((all, exponent)) => format!("Decimal {all} ({exponent})"),
+        None => "Infinite".to_owned(),
     };
-    format!("({quantity}, {})", decimal(&value.value, digits))
-}
-
-fn variable(name: &str) -> &'static str {
-    match name {
-        "half_opening" => "Alpha",
-        "rotation_joint" => "BetaR",
-        "sliding_joint" => "BetaS",
-        "thickness" => "Eta",
-        "thrust" => "Thrust",
-        "friction" => "Mu",
-        "crown_moment" => "Moment",
-        "vertical_force" => "Force",
-        "crown_hinge" => "Hinge",
-        "shoulder_slip" => "Slip",
-        "inner_slip" => "InnerSlip",
-        "shoulder_opening" => "Opening",
-        _ => "Power",
-    }
-}
-
-/// A decimal as all its digits and a power of ten: what the checker has accepted is one.
-fn decimal(text: &str, digits: usize) -> String {
-    if text == "inf" {
-        return "Infinite".to_owned();
-    }
-    let (mantissa, power) = text.split_once('e').unwrap_or((text, "0"));
-    let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    let all = format!("{whole}{part}");
-    let mut all = all.trim_start_matches('0').to_owned();
-    if all.is_empty() {
-        return "Decimal 0 0".to_owned();
-    }
-    let mut power = power.parse::<i64>().unwrap_or(0) - part.len() as i64;
-    while all.len() > digits && all.ends_with('0') {
-        all.pop();
-        power += 1;
-    }
-    let missing = digits.saturating_sub(all.len());
-    format!("Decimal {all}{} ({})", "0".repeat(missing), power - missing as i64)
+    format!("({}, {written})", quantity(&value.quantity))
 }
 
 #[cfg(test)]
@@ -238,21 +200,5 @@ mod tests {
         assert_eq!(coefficient("tan 7/36 pi"), "(Angle (TimesPi 7 36))");
         assert_eq!(coefficient("1/2"), "(Coefficient (Fraction 1 2))");
         assert_eq!(dyadic(&"-0x1f3p-12".parse().unwrap()), "(Dyadic (-499) (-12))");
-    }
-
-    #[test]
-    fn a_decimal_has_all_its_digits() {
-        let cases = [
-            ("0.1074", 4, "Decimal 1074 (-4)"),
-            ("2", 3, "Decimal 200 (-2)"),
-            ("140", 2, "Decimal 14 (1)"),
-            ("3.1e-8", 3, "Decimal 310 (-10)"),
-            ("0.0640", 3, "Decimal 640 (-4)"),
-            ("0", 30, "Decimal 0 0"),
-            ("inf", 30, "Infinite"),
-        ];
-        for (text, digits, expected) in cases {
-            assert_eq!(decimal(text, digits), expected, "{text}");
-        }
     }
 }

@@ -1,0 +1,74 @@
+//! Quantities and decimals as Coq reads them.
+
+/// The quantity of a name.
+pub(super) fn quantity(name: &str) -> String {
+    match (name, name.strip_suffix("_degrees")) {
+        ("intrinsic_thrust", _) => "IntrinsicThrust".to_owned(),
+        ("A", _) => "OpeningVariable".to_owned(),
+        ("friction_angle", _) => "FrictionAngle".to_owned(),
+        ("friction_angle_degrees", _) => "FrictionAngleDegrees".to_owned(),
+        (_, Some(angle)) => format!("(Degrees {})", variable(angle)),
+        (name, None) => format!("(Plain {})", variable(name)),
+    }
+}
+
+pub(super) fn variable(name: &str) -> &'static str {
+    match name {
+        "half_opening" => "Alpha",
+        "rotation_joint" => "BetaR",
+        "sliding_joint" => "BetaS",
+        "thickness" => "Eta",
+        "thrust" => "Thrust",
+        "friction" => "Mu",
+        "crown_moment" => "Moment",
+        "vertical_force" => "Force",
+        "crown_hinge" => "Hinge",
+        "shoulder_slip" => "Slip",
+        "inner_slip" => "InnerSlip",
+        "shoulder_opening" => "Opening",
+        _ => "Power",
+    }
+}
+
+/// A decimal as all its digits and a power of ten, `None` for no limit: what the checker has accepted is one.
+pub(super) fn decimal(text: &str, digits: usize) -> Option<(String, i64)> {
+    if text == "inf" {
+        return None;
+    }
+    let (mantissa, power) = text.split_once('e').unwrap_or((text, "0"));
+    let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let all = format!("{whole}{part}");
+    let mut all = all.trim_start_matches('0').to_owned();
+    if all.is_empty() {
+        return Some(("0".to_owned(), 0));
+    }
+    let mut power = power.parse::<i64>().unwrap_or(0) - part.len() as i64;
+    while all.len() > digits && all.ends_with('0') {
+        all.pop();
+        power += 1;
+    }
+    let missing = digits.saturating_sub(all.len());
+    Some((all + &"0".repeat(missing), power - missing as i64))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_decimal_has_all_its_digits() {
+        let cases = [
+            ("0.1074", 4, Some(("1074", -4))),
+            ("2", 3, Some(("200", -2))),
+            ("140", 2, Some(("14", 1))),
+            ("3.1e-8", 3, Some(("310", -10))),
+            ("0.0640", 3, Some(("640", -4))),
+            ("0", 30, Some(("0", 0))),
+            ("inf", 30, None),
+        ];
+        for (text, digits, expected) in cases {
+            let expected = expected.map(|(all, power)| (all.to_owned(), power));
+            assert_eq!(decimal(text, digits), expected, "{text}");
+        }
+    }
+}

@@ -1,0 +1,155 @@
+(** * The half openings at l and L
+
+    Where rotation and overturning end, [A] has an exact value, which it takes only once between 0 and
+    two straight angles.  So the landmarks l and L are unique not only in a box. *)
+
+From Coq Require Import Reals Lra List.
+From Coquelicot Require Import Coquelicot.
+From Couplet Require Import Arch Moments Cubics Overturning IntervalZ OneRoot.
+From Couplet Require Import Formulas Equations Certificate.
+Import ListNotations.
+Open Scope R_scope.
+
+(** ** One value of [A] *)
+
+Theorem half_opening v lo hi :
+  0 < lo -> lo < hi -> hi < 2 * PI -> v < A lo -> A hi < v ->
+  exists alpha, lo < alpha < hi /\ A alpha = v /\
+    (forall other, 0 < other < 2 * PI -> A other = v -> other = alpha).
+Proof.
+  intros H0 Hlohi Hpi Hlo Hhi.
+  assert (between : forall x, lo <= x <= hi -> 0 < 1 - cos x) by (intros; apply versine_positive; lra).
+  destruct (one_root_decreasing (fun x => A x - v) (fun x => - (x - sin x) / (1 - cos x)) lo hi)
+    with (a := lo) (b := hi) as [alpha [Halpha [Hroot _]]]; try lra.
+  - intros x Hx. specialize (between x Hx).
+    evar_last; [apply @is_derive_minus; [apply derivative_of_A; lra | apply @is_derive_const] |].
+    apply Rminus_0_r.
+  - intros x Hx. specialize (between x Hx). assert (sin x < x) by (apply sin_lt_x; lra).
+    assert (0 < (x - sin x) / (1 - cos x)) by (apply Rdiv_lt_0_compat; lra). lra.
+  - exists alpha. split; [lra | split; [lra |]].
+    intros other Hother Hv. apply A_injective; [exact Hother | lra | lra].
+Qed.
+
+(** From a bracket as wide as two units of the last decimal. *)
+Ltac opening v lo hi :=
+  let alpha := fresh "alpha" in
+  destruct (half_opening v lo hi) as [alpha [? [? ?]]];
+  [ lra | lra | interval with (i_prec 53) | unfold A; interval with (i_prec 140)
+  | unfold A; interval with (i_prec 140) |];
+  exists alpha; split; [apply Rabs_le; lra | now split].
+
+Theorem opening_of_two_thirds : exists alpha,
+  Rabs (alpha - 2.64838889915100541147745903938447) <= 1e-30 /\ A alpha = 2 / 3 /\
+  (forall other, 0 < other < 2 * PI -> A other = 2 / 3 -> other = alpha).
+Proof. opening (2 / 3) 2.64838889915100541147745903938347 2.64838889915100541147745903938547. Qed.
+
+Theorem opening_of_root : exists alpha,
+  Rabs (alpha - 2.59084344300895490419429585352135) <= 1e-30 /\ A alpha = sqrt 3 - 1 /\
+  (forall other, 0 < other < 2 * PI -> A other = sqrt 3 - 1 -> other = alpha).
+Proof. opening (sqrt 3 - 1) 2.59084344300895490419429585352035 2.59084344300895490419429585352235. Qed.
+
+Theorem opening_of_half : exists alpha,
+  Rabs (alpha - 2.78649815065117703204215667394221) <= 1e-30 /\ A alpha = 1 / 2 /\
+  (forall other, 0 < other < 2 * PI -> A other = 1 / 2 -> other = alpha).
+Proof. opening (1 / 2) 2.78649815065117703204215667394121 2.78649815065117703204215667394321. Qed.
+
+(** ** The ends of rotation and of overturning in closed form *)
+
+Lemma rotation_end_heyman alpha eta : 0 <= eta < 2 ->
+  (0 = h_whole 0 alpha eta /\ 0 = end_of_rotation 0 eta <-> eta = 1 /\ A alpha = 2 / 3).
+Proof.
+  intros He. pose proof (end_of_rotation_heyman eta ltac:(lra)) as thickness.
+  pose proof (overturning_from_whole_thrust 0 alpha eta) as opening.
+  pose proof A_l_heyman. pose proof (A_heyman_from_13 1).
+  split; intros [H1 H2].
+  - assert (eta = 1) as -> by (apply thickness; lra).
+    split; [easy |]. rewrite (proj1 opening); lra.
+  - subst. split; symmetry; [apply opening; lra | now apply thickness].
+Qed.
+
+Lemma rotation_end_milankovitch alpha eta : 0 <= eta < 2 ->
+  (0 = h_whole 1 alpha eta /\ 0 = end_of_rotation 1 eta
+   <-> eta = eta_l_milankovitch /\ A alpha = sqrt 3 - 1).
+Proof.
+  intros He. pose proof (end_of_rotation_milankovitch eta ltac:(lra) ltac:(lra)) as thickness.
+  pose proof (overturning_from_whole_thrust 1 alpha eta) as opening.
+  pose proof A_l_milankovitch. pose proof (A_milankovitch_from_13 eta ltac:(lra)).
+  split; intros [H1 H2].
+  - assert (eta = eta_l_milankovitch) as -> by (apply thickness; lra).
+    split; [easy |]. rewrite (proj1 opening); lra.
+  - subst. split; symmetry; [apply opening; lra | now apply thickness].
+Qed.
+
+Lemma overturning_end_heyman alpha : 0 = h_whole 0 alpha 2 <-> A alpha = 1 / 2.
+Proof.
+  pose proof (overturning_from_whole_thrust 0 alpha 2) as opening.
+  pose proof A_L_heyman. pose proof (A_heyman_from_13 2).
+  split; intros; [rewrite (proj1 opening) | symmetry; apply opening]; lra.
+Qed.
+
+Lemma overturning_end_milankovitch alpha : 0 = h_whole 1 alpha 2 <-> A alpha = 2 / 3.
+Proof.
+  pose proof (overturning_from_whole_thrust 1 alpha 2) as opening.
+  pose proof A_L_milankovitch. pose proof (A_milankovitch_from_13 2 ltac:(lra)).
+  split; intros; [rewrite (proj1 opening) | symmetry; apply opening]; lra.
+Qed.
+
+(** ** The landmarks *)
+
+(** The equations of a landmark without thrust, as they are printed. *)
+Definition solves (l : landmark) (w : weight) (x : configuration) : Prop :=
+  x Thrust = 0 /\ List.Forall (printed (flag w) x) (equations_of l).
+
+Lemma solves_at_rotation_end w x : x Thrust = 0 ->
+  (solves RotationEnd w x <-> 0 = h_whole (flag w) (x Alpha) (x Eta) /\ 0 = end_of_rotation (flag w) (x Eta)).
+Proof.
+  intros Hh. unfold solves. cbn [equations_of]. rewrite !List.Forall_cons_iff. cbn [printed]. rewrite Hh.
+  split; [tauto | intros; repeat split; try tauto; apply List.Forall_nil].
+Qed.
+
+Lemma solves_at_overturning_end w x : x Thrust = 0 -> x Eta = 2 ->
+  (solves OverturningEnd w x <-> 0 = h_whole (flag w) (x Alpha) 2).
+Proof.
+  intros Hh He. unfold solves. cbn [equations_of]. rewrite !List.Forall_cons_iff. cbn [printed]. rewrite Hh, He.
+  split; [tauto | intros; repeat split; try tauto; apply List.Forall_nil].
+Qed.
+
+Theorem only_end_of_rotation_heyman : exists alpha,
+  Rabs (alpha - 2.64838889915100541147745903938447) <= 1e-30 /\
+  (forall x, x Thrust = 0 -> 0 < x Alpha < 2 * PI -> 0 <= x Eta < 2 ->
+     (solves RotationEnd Heyman x <-> x Eta = 1 /\ x Alpha = alpha)).
+Proof.
+  destruct opening_of_two_thirds as [alpha [H [HA unique]]]. exists alpha. split; [exact H |].
+  intros x Hh Ho He. rewrite solves_at_rotation_end by exact Hh. cbn [flag]. rewrite rotation_end_heyman by exact He.
+  split; intros [H1 H2]; (split; [exact H1 |]); [now apply unique | now rewrite H2].
+Qed.
+
+Theorem only_end_of_rotation_milankovitch : exists alpha,
+  Rabs (alpha - 2.59084344300895490419429585352135) <= 1e-30 /\
+  (forall x, x Thrust = 0 -> 0 < x Alpha < 2 * PI -> 0 <= x Eta < 2 ->
+     (solves RotationEnd Milankovitch x <-> x Eta = eta_l_milankovitch /\ x Alpha = alpha)).
+Proof.
+  destruct opening_of_root as [alpha [H [HA unique]]]. exists alpha. split; [exact H |].
+  intros x Hh Ho He. rewrite solves_at_rotation_end by exact Hh. cbn [flag]. rewrite rotation_end_milankovitch by exact He.
+  split; intros [H1 H2]; (split; [exact H1 |]); [now apply unique | now rewrite H2].
+Qed.
+
+Theorem only_end_of_overturning_heyman : exists alpha,
+  Rabs (alpha - 2.78649815065117703204215667394221) <= 1e-30 /\
+  (forall x, x Thrust = 0 -> x Eta = 2 -> 0 < x Alpha < 2 * PI ->
+     (solves OverturningEnd Heyman x <-> x Alpha = alpha)).
+Proof.
+  destruct opening_of_half as [alpha [H [HA unique]]]. exists alpha. split; [exact H |].
+  intros x Hh He Ho. rewrite solves_at_overturning_end by easy. cbn [flag]. rewrite overturning_end_heyman.
+  split; intros E; [now apply unique | now rewrite E].
+Qed.
+
+Theorem only_end_of_overturning_milankovitch : exists alpha,
+  Rabs (alpha - 2.64838889915100541147745903938447) <= 1e-30 /\
+  (forall x, x Thrust = 0 -> x Eta = 2 -> 0 < x Alpha < 2 * PI ->
+     (solves OverturningEnd Milankovitch x <-> x Alpha = alpha)).
+Proof.
+  destruct opening_of_two_thirds as [alpha [H [HA unique]]]. exists alpha. split; [exact H |].
+  intros x Hh He Ho. rewrite solves_at_overturning_end by easy. cbn [flag]. rewrite overturning_end_milankovitch.
+  split; intros E; [now apply unique | now rewrite E].
+Qed.
