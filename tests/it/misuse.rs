@@ -3,7 +3,7 @@
 
 use crate::arches::{H, M, arch, number};
 use couplet::arch::asymmetric::AsymmetricMode;
-use couplet::atlas::{Curve, NoPoint, Trace, point};
+use couplet::atlas::{Curve, NoPoint, point};
 use couplet::certify::batch::{SharedOpening, SharedOpenings};
 use couplet::certify::state::find::{Question, find};
 use couplet::certify::state::{
@@ -109,7 +109,6 @@ fn no_door_of_an_arch_answers_to_no_digits_or_to_too_many() {
 #[test]
 fn no_door_of_a_landmark_answers_to_no_digits_or_to_too_many() {
     let triple = CertifiedLandmark::new(Landmark::Triple, H).unwrap();
-    let trace = Trace::new(Curve::named("rotation").unwrap(), H, 1e-2).unwrap();
     for asked in [0, MAX_DIGITS + 1, usize::MAX] {
         let expected = Some(Refused::Digits { asked, most: MAX_DIGITS });
         assert_eq!(triple.constants(asked).refused(), expected);
@@ -117,7 +116,8 @@ fn no_door_of_a_landmark_answers_to_no_digits_or_to_too_many() {
         let with_another = [(Quantity::Thickness, 5), (Quantity::Thrust, asked)];
         assert_eq!(triple.constants_of(&with_another).refused(), expected);
         assert_eq!(certify_landmark(Landmark::Triple, H, asked).refused(), expected);
-        let Err(NoPoint::Refused(of_a_curve)) = point(&trace, &number("1"), asked) else {
+        let Err(NoPoint::Refused(of_a_curve)) = point(Curve::Rotation, H, &number("1"), asked)
+        else {
             panic!("{asked}")
         };
         assert_eq!(Some(of_a_curve), expected);

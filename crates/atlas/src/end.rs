@@ -52,6 +52,14 @@ pub(super) struct EndValues {
 const BITS: u32 = 128;
 
 impl EndValues {
+    /// The values at both ends of a curve.
+    pub(super) fn both(
+        [first, last]: [CurveEnd; 2],
+        weight: SelfWeight,
+    ) -> Result<[Self; 2], Undecided> {
+        Ok([Self::of(first, weight)?, Self::of(last, weight)?])
+    }
+
     /// The values at an end; those of a landmark are refined from its proof.
     pub(super) fn of(end: CurveEnd, weight: SelfWeight) -> Result<Self, Undecided> {
         let zero = Ball::integer(0, BITS);

@@ -1,10 +1,13 @@
 //! A point of a curve at an exact parameter, to any number of digits.
 
 use super::crossing::in_tube;
+use super::curve::Curve;
+use super::end::EndValues;
 use super::form::{CurveForm, Thrust};
 use super::place::Place;
-use super::trace::Trace;
+use super::trace::{leg_to, pieces_of};
 use super::variable::Variable;
+use crate::arch::SelfWeight;
 use crate::certify::{Refused, Undecided};
 use crate::number::{Ball, Enclosure, ExactNumber, Rounded, bits_of};
 use crate::problem::Quantity;
@@ -40,27 +43,31 @@ const ATTEMPTS: u32 = 6;
 /// The quantities of the point of a curve at an exact parameter, strictly between those of its ends, each correctly
 /// rounded to `digits` significant digits, up to [`MAX_DIGITS`](crate::certify::MAX_DIGITS). What the curve fixes,
 /// as the thickness 2 of its limit, is left out, as is what was given. That the point is on the curve, and not on
-/// another branch, is proved by the tube around it.
+/// another branch, is proved by the tube around it, the last one of a chain from the nearer end.
 pub fn point(
-    trace: &Trace,
+    curve: Curve,
+    weight: SelfWeight,
     parameter: &ExactNumber,
     digits: usize,
 ) -> Result<Vec<(Quantity, Rounded)>, NoPoint> {
     Refused::digits(digits)?;
     let exactly = |bits: u32| parameter.enclosure::<Ball>(bits);
     let s = exactly(256);
-    let [low, high] = trace.parameters();
-    if !low.is_less_than(&s).and(s.is_less_than(high)).is_proved() {
+    let ends = EndValues::both(curve.ends(), weight)?;
+    let [low, high] = ends.each_ref().map(|end| end.value(curve.parameter()));
+    if !low.is_less_than(&s).and(s.is_less_than(&high)).is_proved() {
         let [low, high] = [low, high].map(|end| end.mid().to_f64());
-        let name = trace.curve.parameter().name();
+        let name = curve.parameter().name();
         return Err(NoPoint::Outside { name, parameter: parameter.to_string(), low, high });
     }
-    let gap = || Undecided::new("the curve is not proved at this parameter");
-    let (form, tube) = trace.tube_at(&s).ok_or_else(gap)?;
+    let (form, walk) = leg_to(curve, weight, ends, &s)?;
+    let piece = pieces_of(&form, &walk).last().filter(|piece| piece.is_over(&s));
+    let tube = piece.and_then(|piece| piece.tube());
+    let tube = tube.ok_or_else(|| Undecided::new("the curve is not proved at this parameter"))?;
     for attempt in 0..ATTEMPTS {
         let bits = bits_of(digits) + (GUARD << attempt);
-        let place = in_tube(form, tube, &exactly(bits), bits)?;
-        let rounded = asked(form, &place)
+        let place = in_tube(&form, tube, &exactly(bits), bits)?;
+        let rounded = asked(&form, &place)
             .into_iter()
             .map(|(quantity, ball)| Some((quantity, Rounded::from_ball(&ball, digits)?)));
         if let Some(all) = rounded.collect() {
@@ -89,17 +96,16 @@ fn asked(form: &CurveForm, place: &Place) -> Vec<(Quantity, Ball)> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::curve::Curve;
+    use super::super::trace::Trace;
     use super::*;
-    use crate::arch::SelfWeight;
 
     fn at(
         curve: &str,
         parameter: &str,
         digits: usize,
     ) -> Result<Vec<(Quantity, Rounded)>, NoPoint> {
-        let trace = Trace::new(Curve::named(curve).unwrap(), SelfWeight::Milankovitch, 1e-2)?;
-        point(&trace, &parameter.parse().unwrap(), digits)
+        let curve = Curve::named(curve).unwrap();
+        point(curve, SelfWeight::Milankovitch, &parameter.parse().unwrap(), digits)
     }
 
     #[test]
@@ -116,20 +122,31 @@ mod tests {
         );
     }
 
+    /// From either end, and next to it: the points are those of the curve that is proved from end to end.
     #[test]
     fn every_curve_has_points() {
         for curve in Curve::ALL {
-            let trace = Trace::new(curve, SelfWeight::Heyman, 1e-2).unwrap();
+            let trace = Trace::new(curve, SelfWeight::Heyman, 1e-3).unwrap();
             let [low, high] = trace.parameters().clone().map(|end| end.mid().to_f64());
-            let middle: ExactNumber = format!("{:.3}", (low + high) / 2.0).parse().unwrap();
-            let few = point(&trace, &middle, 10).unwrap();
-            let many = point(&trace, &middle, 50).unwrap();
-            assert!(!few.is_empty(), "{curve}");
-            for ((quantity, few), (_, many)) in few.iter().zip(&many) {
-                let (few, many) = (few.value.to_string(), many.value.to_string());
-                let [few, many] = [few, many].map(|text| text.parse::<f64>().unwrap());
-                approx::assert_relative_eq!(few, many, max_relative = 1e-9);
-                assert!(few > 0.0, "{curve} {quantity:?}");
+            for share in [0.001, 0.3, 0.49, 0.51, 0.8, 0.999] {
+                let at: ExactNumber = format!("{:.6}", low + share * (high - low)).parse().unwrap();
+                let [few, many] =
+                    [10, 50].map(|digits| point(curve, SelfWeight::Heyman, &at, digits).unwrap());
+                let s = at.enclosure(128);
+                let (form, tube) = trace.tube_at(&s).unwrap();
+                let there = asked(form, &Place::new(form, &s, &tube.enclosure(&s)));
+                assert!(!few.is_empty() && few.len() == there.len(), "{curve} {at}");
+                for (((quantity, few), (_, many)), (_, there)) in few.iter().zip(&many).zip(&there)
+                {
+                    let [few, many] =
+                        [few, many].map(|found| found.value.to_string().parse::<f64>().unwrap());
+                    approx::assert_relative_eq!(few, many, max_relative = 1e-9);
+                    let off = (many - there.mid().to_f64()).abs();
+                    assert!(
+                        few > 0.0 && off <= 1e-15 + there.rad().to_float().to_f64(),
+                        "{curve} {quantity:?} {at}"
+                    );
+                }
             }
         }
     }

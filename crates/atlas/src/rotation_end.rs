@@ -85,7 +85,7 @@ fn section(
     let about = |what: &str| Undecided::new(format!("{}, {}: {what}", trace.curve, trace.weight));
     let (_, at_start) = form.point(&start);
     let guess = at_start.iter().map(|value| value.mid().to_f64()).collect();
-    let walk = walk(&form, 0.0, guess, to, tolerance);
+    let walk = walk(&form, 0.0, guess, (to, to), tolerance);
     let walk = walk.ok_or_else(|| about("a node cannot be proved"))?;
     let is_met = walk.reaches(&form, start, true);
     let [Some(first), Some(last)] = [walk.nodes.first(), walk.nodes.last()] else {

@@ -96,7 +96,7 @@ fn chained(
     // Rounding downward makes a zero negative.
     let [low, high] =
         [start.lower().to_f64_round(Round::Down) + 0.0, end.upper().to_f64_round(Round::Up)];
-    let walk = walk(form, low, guess, high, tolerance)
+    let walk = walk(form, low, guess, (high, high), tolerance)
         .ok_or_else(|| Undecided::new("a node cannot be proved"))?;
     let meets = |crossing: &Crossing, is_first| {
         walk.reaches(form, |variable| crossing.value(variable), is_first)

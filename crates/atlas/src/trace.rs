@@ -77,44 +77,24 @@ impl Trace {
         parts: Vec<Leg>,
         tolerance: f64,
     ) -> Result<Self, Undecided> {
-        let [first, last] = curve.ends();
-        let [start, end] = [EndValues::of(first, weight)?, EndValues::of(last, weight)?];
+        let names = curve.ends();
+        let values = EndValues::both(names, weight)?;
         let about = |what: &str| Undecided::new(format!("{curve}, {weight}: {what}"));
-        let mut legs: Vec<(CurveForm, Walk)> = Vec::new();
-        for Leg { form, from, to } in parts {
-            let at_start = start.value(form.parameter).lower().to_f64_round(Round::Down);
-            let at_end = end.value(form.parameter).upper().to_f64_round(Round::Up);
-            // Rounding downward makes a zero negative.
-            let (from, to) = (from.unwrap_or(at_start + 0.0), to.unwrap_or(at_end));
-            let guess = |variable: &Variable| match legs.last() {
-                Some((before, walk)) => last_value(before, walk, *variable),
-                None => start.value(*variable).mid().to_f64(),
-            };
-            let guess = form.unknowns.iter().map(guess).collect();
-            let walk = walk(&form, from, guess, to, tolerance);
-            legs.push((form, walk.ok_or_else(|| about("a node cannot be proved"))?));
-        }
-        for pair in legs.windows(2) {
-            if !joins(&pair[0], &pair[1]) {
-                return Err(about("its parts do not join"));
-            }
-        }
+        let legs = follow(parts, &values, None, tolerance).map_err(about)?;
         let (Some(leg), Some(last_leg)) = (legs.first(), legs.last()) else {
             return Err(about("it has no equations"));
         };
-        let sides = [(first, &start, leg, true), (last, &end, last_leg, false)];
-        for (name, values, (form, walk), is_first) in sides {
-            if !walk.reaches(form, |variable| values.value(variable), is_first) {
-                return Err(about(&format!("it is not proved to reach {name}")));
-            }
+        if !last_leg.1.reaches(&last_leg.0, |variable| values[1].value(variable), false) {
+            return Err(about(NOT_REACHED));
         }
-        let ends = sides.map(|(name, values, (form, _), _)| {
+        let sides = [(names[0], &values[0], leg), (names[1], &values[1], last_leg)];
+        let ends = sides.map(|(name, values, (form, _))| {
             let (s, root) = form.point(|variable| values.value(variable));
             let place = Place::new(form, &s, &root);
             let is_unlimited = place.friction.is_some() && name.is_unlimited();
             Place { is_unlimited: place.is_unlimited || is_unlimited, ..place }
         });
-        let parameters = [&start, &end].map(|values| values.value(leg.0.parameter));
+        let parameters = values.map(|values| values.value(leg.0.parameter));
         Ok(Self { curve, weight, ends, parameters, legs })
     }
 
@@ -130,11 +110,7 @@ impl Trace {
 
     /// The tube over a parameter, with its form.
     pub(super) fn tube_at(&self, s: &Ball) -> Option<(&CurveForm, &Tube)> {
-        let is_over = |piece: &Piece| {
-            let [low, high] = piece.range().map(exact);
-            low.lower() <= s.lower() && s.upper() <= high.upper()
-        };
-        let piece = self.pieces().find(is_over)?;
+        let piece = self.pieces().find(|piece| piece.is_over(s))?;
         Some((piece.form, piece.tube?))
     }
 
@@ -169,6 +145,82 @@ impl Trace {
     /// The largest half-width of a tube.
     pub fn width(&self) -> f64 {
         self.pieces().filter_map(|piece| piece.width()).fold(0.0, f64::max)
+    }
+}
+
+/// Reason why a curve is not proved.
+const NOT_REACHED: &str = "it is not proved to reach its end";
+
+/// Follows the parts of a curve from its first end, which is proved to be on it, to the other one, or until a piece is
+/// beyond a parameter.
+fn follow(
+    parts: Vec<Leg>,
+    [start, end]: &[EndValues; 2],
+    until: Option<f64>,
+    tolerance: f64,
+) -> Result<Vec<(CurveForm, Walk)>, &'static str> {
+    let mut legs: Vec<(CurveForm, Walk)> = Vec::new();
+    for Leg { form, from, to } in parts {
+        let [first, last] = [start, end].map(|end| end.value(form.parameter));
+        let is_rising = first.mid() <= last.mid();
+        let (from, to) =
+            (from.unwrap_or(outward(&first, is_rising)), to.unwrap_or(outward(&last, !is_rising)));
+        let guess = |variable: &Variable| match legs.last() {
+            Some((before, walk)) => last_value(before, walk, *variable),
+            None => start.value(*variable).mid().to_f64(),
+        };
+        let guess = form.unknowns.iter().map(guess).collect();
+        let stop = until.filter(|s| (to - s) / (to - from) > 0.0);
+        let walk = walk(&form, from, guess, (to, stop.unwrap_or(to)), tolerance);
+        legs.push((form, walk.ok_or("a node cannot be proved")?));
+        if stop.is_some() {
+            break;
+        }
+    }
+    if !legs.windows(2).all(|pair| joins(&pair[0], &pair[1])) {
+        return Err("its parts do not join");
+    }
+    match legs.first() {
+        Some((form, walk)) if !walk.reaches(form, |variable| start.value(variable), true) => {
+            Err(NOT_REACHED)
+        }
+        _ => Ok(legs),
+    }
+}
+
+/// A tolerance at which the tubes tell one branch from another.
+const COARSE: f64 = 1e-2;
+
+/// The last leg of the way to a parameter between the ends of a curve, from the nearer of them: its last piece is over
+/// the parameter.
+pub(super) fn leg_to(
+    curve: Curve,
+    weight: SelfWeight,
+    mut ends: [EndValues; 2],
+    s: &Ball,
+) -> Result<(CurveForm, Walk), Undecided> {
+    let mut parts = curve.legs(weight);
+    let [low, high] = ends.each_ref().map(|end| end.value(curve.parameter()));
+    let from_last = high.mid().to_f64() - s.mid().to_f64() < s.mid().to_f64() - low.mid().to_f64();
+    if from_last {
+        parts = parts
+            .into_iter()
+            .rev()
+            .map(|Leg { form, from, to }| Leg { form, from: to, to: from })
+            .collect();
+        ends.reverse();
+    }
+    let legs = follow(parts, &ends, Some(outward(s, from_last)), COARSE);
+    let legs = legs.map_err(|what| Undecided::new(format!("{curve}, {weight}: {what}")))?;
+    legs.into_iter().last().ok_or_else(|| Undecided::new("there are no equations"))
+}
+
+/// The double next to an end, outside of the curve.
+fn outward(end: &Ball, is_low: bool) -> f64 {
+    match is_low {
+        // Rounding downward makes a zero negative.
+        true => end.lower().to_f64_round(Round::Down) + 0.0,
+        false => end.upper().to_f64_round(Round::Up),
     }
 }
 
@@ -214,6 +266,12 @@ impl<'a> Piece<'a> {
     /// The parameters between which it runs.
     pub fn range(&self) -> [f64; 2] {
         [self.from.sketch.s, self.to.sketch.s]
+    }
+
+    /// Tells whether it runs over all of a set of parameters.
+    pub(super) fn is_over(&self, s: &Ball) -> bool {
+        let [from, to] = self.range();
+        s.lower() >= from.min(to) && s.upper() <= from.max(to)
     }
 
     /// Tells whether the piece is proved.

@@ -31,9 +31,12 @@ impl Walk {
 const PARTS: f64 = 4.0;
 /// A piece of this part of the way that cannot be proved is left as a gap; each gap is twice as long as the last.
 const SHORTEST: f64 = 1e-7;
-/// A step is this part of the one that would just do, and changes by no more than a factor of `STRETCH`.
+/// A step is this part of the one that would just do.
 const CARE: f64 = 0.9;
-const STRETCH: f64 = 3.0;
+/// A step is longer than the last one by this factor at most, and not at all after one that failed.
+const GROWTH: f64 = 1.5;
+/// A step is at least this part of the last one, and half of one that could not be proved.
+const LOSS: f64 = 1.0 / 3.0;
 
 /// The largest half-width of a tube in the coordinates in which maps are drawn.
 pub(super) fn width(form: &CurveForm, tube: &Tube) -> f64 {
@@ -42,28 +45,31 @@ pub(super) fn width(form: &CurveForm, tube: &Tube) -> f64 {
     widths.map(|(_, width)| width.to_float().to_f64()).fold(0.0, f64::max)
 }
 
-/// Walks a form from a start up to a parameter; no tube is wider than the tolerance. `None` if there is nothing
-/// to start from or no node to go on from.
+/// Walks a form from a start towards a parameter, up or down, until it is beyond another one; no tube is wider than the
+/// tolerance. `None` if there is nothing to start from or no node to go on from.
 pub(super) fn walk(
     form: &CurveForm,
     from: f64,
     start: Vec<f64>,
-    to: f64,
+    (to, until): (f64, f64),
     tolerance: f64,
 ) -> Option<Walk> {
     let first = Node::prove(form, search::point(form, from, start)?)?;
     let (mut nodes, mut tubes) = (vec![first], Vec::new());
-    let longest = (to - from) / PARTS;
-    let (mut step, mut gap) = (longest, SHORTEST * (to - from));
-    while let Some(last) = nodes.last().filter(|node| node.sketch.s < to) {
-        let left = to - last.sketch.s;
+    // Lengths are parts of the whole way.
+    let way = to - from;
+    let longest = 1.0 / PARTS;
+    let (mut step, mut growth, mut gap) = (longest, GROWTH, SHORTEST);
+    while let Some(last) = nodes.last().filter(|node| (until - node.sketch.s) / way > 0.0) {
+        let left = (to - last.sketch.s) / way;
         // No short rest: what is left is one step, or two of one length.
         let length = match left / step {
             rest if rest <= 1.05 => left,
             rest if rest < 2.0 => left / 2.0,
             _ => step,
         };
-        let next = if length == left { to } else { last.sketch.s + length };
+        let beyond = |length: f64| if length < left { last.sketch.s + length * way } else { to };
+        let next = beyond(length);
         let node = || Node::prove(form, search::point(form, next, ahead(&last.sketch, next))?);
         let proved = node().and_then(|node| {
             let tube = Tube::prove(form, last, &node)?;
@@ -72,19 +78,20 @@ pub(super) fn walk(
         let factor = match &proved {
             // The width grows like the fourth power of the length.
             Some((_, tube)) => CARE * (tolerance / width(form, tube)).powf(0.25),
-            None => 1.0 / STRETCH,
+            None => 0.5,
         };
-        step = (length * factor.clamp(1.0 / STRETCH, STRETCH)).min(longest);
+        step = (length * factor.clamp(LOSS, growth)).min(longest);
+        growth = if proved.is_some() { GROWTH } else { 1.0 };
         match proved {
             Some((node, tube)) if width(form, &tube) <= tolerance => {
                 nodes.push(node);
                 tubes.push(Some(tube));
             }
-            _ if length > SHORTEST * (to - from) => {}
+            _ if length > SHORTEST => {}
             _ => {
                 gap *= 2.0;
-                let beyond = (last.sketch.s + gap).min(to);
-                let found = search::point(form, beyond, ahead(&last.sketch, beyond))?;
+                let next = beyond(gap);
+                let found = search::point(form, next, ahead(&last.sketch, next))?;
                 nodes.push(Node::prove(form, found)?);
                 tubes.push(None);
                 step = longest;
@@ -112,7 +119,7 @@ mod tests {
     #[test]
     fn each_tube_is_as_narrow_as_was_asked() {
         for tolerance in [1e-2, 1e-5] {
-            let walk = walk(&rotation(), 0.0, vec![0.0, 0.0], 1.5, tolerance).unwrap();
+            let walk = walk(&rotation(), 0.0, vec![0.0, 0.0], (1.5, 1.5), tolerance).unwrap();
             assert_eq!(walk.nodes.len(), walk.tubes.len() + 1);
             for tube in &walk.tubes {
                 assert!(width(&rotation(), tube.as_ref().unwrap()) <= tolerance);
@@ -125,13 +132,13 @@ mod tests {
     /// A part that cannot be proved is a gap, which is seen, and the way goes on behind it.
     #[test]
     fn no_tube_is_as_narrow_as_nothing() {
-        let walk = walk(&rotation(), 0.0, vec![0.0, 0.0], 1.5, 0.0).unwrap();
+        let walk = walk(&rotation(), 0.0, vec![0.0, 0.0], (1.5, 1.5), 0.0).unwrap();
         assert!(!walk.tubes.is_empty() && walk.tubes.iter().all(Option::is_none));
         assert_eq!(walk.nodes.last().unwrap().sketch.s, 1.5);
     }
 
     #[test]
     fn there_is_no_way_from_a_point_that_is_no_root() {
-        assert!(walk(&rotation(), 0.5, vec![f64::NAN, 0.0], 1.5, 1e-3).is_none());
+        assert!(walk(&rotation(), 0.5, vec![f64::NAN, 0.0], (1.5, 1.5), 1e-3).is_none());
     }
 }

@@ -1,7 +1,7 @@
 //! Ranges over the arches of a survey: each end belongs to one of two corners.
 
 use super::answer::{EndValue, ModesFound, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch};
-use crate::certify::state::{Answer, AssessmentDigits, Balls, Figure, Limit, measured_state};
+use crate::certify::state::{Answer, AssessmentDigits, Balls, Figure, Limit, least_in_metres};
 use crate::number::ExactNumber;
 use crate::problem::measures::Measures;
 use crate::problem::stones::Stones;
@@ -47,9 +47,7 @@ impl Corner {
 
     /// The corner with its least thickness in metres.
     pub(super) fn in_metres(self, measures: &Measures, digits: usize) -> Result<Self, Refused> {
-        let is_asked = |(of, _): &(Quantity, _)| *of == Quantity::ThicknessInMetres;
-        let sizes = Error::apart(measured_state(&self.at.arch, measures, digits))?;
-        let metres = sizes.map(|sizes| sizes.into_iter().find(is_asked)?.1);
+        let metres = Error::apart(least_in_metres(&self.at.arch, measures, digits))?;
         Ok(Self { metres, ..self })
     }
 

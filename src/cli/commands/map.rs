@@ -8,7 +8,7 @@ use super::print::PrintArguments;
 use crate::arch::SelfWeight;
 use crate::atlas::BorderLine;
 use crate::atlas::{
-    self, Contour, Curve, Difference, Divide, LEAST_DIFFERENCE, LEAST_TOLERANCE, NoPoint, Trace,
+    self, Contour, Curve, Difference, Divide, LEAST_DIFFERENCE, LEAST_TOLERANCE, NoPoint,
 };
 use crate::certify::{Error, Undecided};
 use crate::cli::line::typed;
@@ -324,17 +324,14 @@ fn write(
     }
 }
 
-/// A tolerance at which the tubes tell one branch from another.
-const COARSE: f64 = 1e-2;
-
 fn point(asked: &PointArguments) -> Result<(), Failure> {
     let format = asked.file.format(asked.format, MapPoint::content(), "table")?;
     let (curve, exact) = (asked.curve, asked.at.parse::<ExactNumber>()?);
     let weights = asked.weight.all();
     let weights = if curve.is_weightless() { &weights[..1] } else { &weights[..] };
     let points = weights.iter().map(|&weight| {
-        let trace = Trace::new(curve, weight, COARSE)?;
-        let values = atlas::point(&trace, &exact, asked.digits).map_err(|error| match error {
+        let values = atlas::point(curve, weight, &exact, asked.digits);
+        let values = values.map_err(|error| match error {
             NoPoint::Undecided(_) => Failure::Undecided(error.to_string()),
             _ => Failure::Input(error.to_string()),
         })?;

@@ -4,7 +4,8 @@
 use super::sample::Sample;
 use crate::hard::{config, hard_rational};
 use couplet::number::{
-    Astro, Ball, Dual, Enclosure, End, Field, Interval, Magnitude, Real, Ternary,
+    Angle, Astro, Ball, Dual, Enclosure, End, ExactNumber, Field, Interval, Magnitude, Real,
+    Ternary,
 };
 use proptest::prelude::*;
 use rug::float::Constant;
@@ -224,4 +225,20 @@ fn holds_the_sines_of_boxes<E: End>() {
 #[test]
 fn sines_of_boxes_are_held() {
     holds_the_sines_of_boxes::<Astro>();
+}
+
+/// Of twice the arctangent of 3/4 sine and cosine are 24/25 and 7/25; every other angle has those of its radians.
+#[test]
+fn an_angle_has_its_sine_and_cosine() {
+    for (text, known) in [("2atan(3/4)", Some([24, 7])), ("80deg", None), ("5/4", None)] {
+        let angle = text.parse::<ExactNumber>().unwrap().angle::<Ball>(200);
+        let by_radians = Angle::new(angle.rad.clone());
+        assert!(angle.sin.overlaps(&by_radians.sin) && angle.cos.overlaps(&by_radians.cos));
+        assert!(!angle.sin.overlaps(&angle.cos), "false twin");
+        if let Some(known) = known {
+            let [sin, cos] = known.map(|n| Rational::from((n, 25)));
+            assert!(angle.sin.contains(&sin) && angle.cos.contains(&cos));
+        }
+        assert!(angle.sin.rad().to_float() < 1e-58 && angle.cos.rad().to_float() < 1e-58);
+    }
 }

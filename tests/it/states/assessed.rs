@@ -6,6 +6,7 @@ use couplet::Refused;
 use couplet::arch::SelfWeight;
 use couplet::certify::state::{AssessmentDigits, Certify, Outcome};
 use couplet::problem::{Mode, Quantity, ThicknessError};
+use std::collections::HashSet;
 
 fn assessed(weight: SelfWeight, alpha: &str, mu: &str, eta: &str) -> AssessmentDigits {
     let found = arch(weight, alpha, mu).certify_thickness(&number(eta), 20);
@@ -117,4 +118,34 @@ fn an_arch_between_modes_stands() {
         assert!(found.least_thickness.is_err() && found.geometric_safety.is_err());
         assert_eq!(found.limits().map(|end| end.is_some()), [stands; 2]);
     }
+}
+
+/// With many bits signs are decided in few of them, and what only a sign is asked of is known no better: the values are
+/// those of bits that are all used, whatever limits the thrusts and asks for the friction.
+#[test]
+fn signs_in_few_bits_are_those_in_all() {
+    let mut touches = HashSet::new();
+    for (alpha, friction, thickness) in [
+        ("80deg", "0.35", "0.12"),
+        ("2.3", "1.05", "0.5"),
+        ("1", "0.31", "0.1"),
+        ("0.3", "0.6", "1.2"),
+        ("2.9", "3", "1.9"),
+        ("pi/2", "inf", "0.15"),
+        ("2.5", "0.7", "0.9"),
+        ("1.2", "0.2", "0.1"),
+    ] {
+        let arch = arch(M, alpha, friction);
+        let told = |digits| {
+            let found = arch.certify_thickness(&number(thickness), digits).unwrap();
+            assert_eq!(found.open().count(), 0, "{arch}");
+            let limits = found.limits().map(|limit| limit.map(|limit| limit.touch.name()));
+            let values: Vec<_> = found.figures().map(|(of, x)| (of, x.map(|x| x.double))).collect();
+            (found.stands.unwrap(), limits, values)
+        };
+        let (few, many) = (told(100), told(500));
+        assert_eq!(few, many, "{arch}");
+        touches.extend(many.1.into_iter().flatten());
+    }
+    assert!(touches.len() > 3, "{touches:?}");
 }

@@ -283,7 +283,7 @@ mod tests {
             let form = over_vertical_force(kind, SelfWeight::Milankovitch, &alpha);
             let start =
                 form.unknowns.iter().map(|x| change.crossing.value(*x).mid().to_f64()).collect();
-            let walk = walk(&form, from, start, to, 1e-3).unwrap();
+            let walk = walk(&form, from, start, (to, to), 1e-3).unwrap();
             is_admissible(kind, &form, &walk, [first, first])
         };
         let refused = |kind, range: [f64; 2]| {

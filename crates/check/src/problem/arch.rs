@@ -249,8 +249,8 @@ impl Arch {
     /// Given variables, in numbers of `bits` bits: the half opening and, if it is limited, the friction;
     /// everything else zero.
     pub fn given<E: Engine>(&self, bits: u32) -> Configuration<E> {
-        let alpha: E = self.half_opening.enclosure(bits);
-        let given = Configuration::zero(&alpha).with(Unknown::HalfOpening, alpha);
+        let half_opening = self.half_opening.angle(bits);
+        let given = Configuration { half_opening, ..Configuration::zero(&E::zero(bits as usize)) };
         match &self.friction {
             Friction::Coefficient(mu) => given.with(Unknown::Friction, mu.enclosure(bits)),
             Friction::Angle(phi) => {

@@ -7,7 +7,7 @@ pub use sine::sine_and_cosine;
 use super::range::{TELL_OF_RANGES, is_range};
 use super::unit::{AngleUnit, unit};
 use super::{
-    Decimal, Dyadic, Engine, Field, ParseDecimalError, as_text, says, shown, shown_as_text,
+    Angle, Decimal, Dyadic, Engine, Field, ParseDecimalError, as_text, says, shown, shown_as_text,
 };
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
@@ -153,19 +153,36 @@ impl ExactNumber {
 
     /// An enclosure in numbers of `bits` bits, at least one.
     pub fn enclosure<E: Engine>(&self, bits: u32) -> E {
+        let factor: E = self.factor_enclosure(bits);
+        match self.form {
+            Form::Rational => factor,
+            Form::TimesPi => factor.pi() * factor,
+            Form::TwiceArctangent => factor.arctangent(bits as usize) * factor.int(2),
+        }
+    }
+
+    /// The angle of so many radians. Of a half of it the tangent is known where it is twice an arctangent: `sin = 2 q /
+    /// (1 + q²)`, `cos = (1 - q²) / (1 + q²)`.
+    pub fn angle<E: Engine>(&self, bits: u32) -> Angle<E> {
+        let rad: E = self.enclosure(bits);
+        if self.form != Form::TwiceArctangent {
+            return Angle::new(rad);
+        }
+        let (q, one) = (self.factor_enclosure::<E>(bits), rad.int(1));
+        let below = one.clone() + &q.square();
+        let (sin, cos) = (q.int(2) * &q / &below, (one - &q.square()) / &below);
+        Angle { rad, sin, cos }
+    }
+
+    fn factor_enclosure<E: Engine>(&self, bits: u32) -> E {
         let integer = |x: &BigInt| {
             let (sign, words) = x.to_u64_digits();
             E::exact(&Dyadic::new(sign == Sign::Minus, words, 0), bits as usize)
         };
         let numerator = integer(self.factor.numer());
-        let factor = match self.factor.is_integer() {
+        match self.factor.is_integer() {
             true => numerator,
             false => numerator / integer(self.factor.denom()),
-        };
-        match self.form {
-            Form::Rational => factor,
-            Form::TimesPi => factor.pi() * factor,
-            Form::TwiceArctangent => factor.arctangent(bits as usize) * factor.int(2),
         }
     }
 }

@@ -35,7 +35,7 @@ pub fn ensure(is_proved: bool, question: &'static str) -> Result<(), Undecided> 
 }
 
 /// Bits that tell nearly every sign.
-const FEW: u32 = 256;
+pub(crate) const FEW: u32 = 256;
 
 /// The proof of some signs of a state in few of its bits, where they are enough, or else in all.
 pub(crate) fn in_few_bits<E: Engine, T>(

@@ -153,10 +153,19 @@ impl<T: Arithmetic> Conditions<T> {
     /// Two mirror images are zero together where one is and `v` is zero. Of three hinges at the intrados the factor
     /// `1 - eta/2`, which all four have, is left out, and of the two hinges of a joint the factor `eta`.
     pub(super) fn meeting(&self, of: &[usize]) -> [ShortPolynomial<T>; 4] {
+        self.meeting_beside(of, &mut None)
+    }
+
+    /// State of [`meeting`](Self::meeting), with the minors that are kept of the triple before.
+    pub(super) fn meeting_beside(
+        &self,
+        of: &[usize],
+        kept: &mut Option<KeptMinors<T>>,
+    ) -> [ShortPolynomial<T>; 4] {
         let is_intrados = |place: &usize| self.all[*place].contact == Contact::Intrados;
         let without_vertical_force = |of: &[usize]| {
             let rows = self.rows_of(of);
-            crossed([rows[0], rows[1], &self.no_vertical_force])
+            crossed(&minors([rows[0], rows[1]]), &self.no_vertical_force)
         };
         match (of, self.mirror_images(of)) {
             ([_, _], _) => without_vertical_force(of),
@@ -166,14 +175,18 @@ impl<T: Arithmetic> Conditions<T> {
                     let [h, p, v, load] = &self.all[of[k]].row;
                     [h.first(), p.clone(), v.first(), load.clone()]
                 });
-                let [h, p, v, whole] = crossed(reduced.each_ref());
+                let [h, p, v, whole] = crossed(&minors([&reduced[0], &reduced[1]]), &reduced[2]);
                 let times =
                     |x: &ShortPolynomial<T>| ShortPolynomial::alternating(&[[&self.intrados, x]]);
                 [h, times(&p), v, times(&whole)]
             }
             _ => {
-                let rows = self.rows_of(of);
-                crossed([rows[0], rows[1], rows[2]])
+                let (rows, first) = (self.rows_of(of), [of[0], of[1]]);
+                let kept = match kept {
+                    Some(kept) if kept.0 == first => kept,
+                    _ => kept.insert((first, minors([rows[0], rows[1]]))),
+                };
+                crossed(&kept.1, rows[2])
             }
         }
     }
@@ -242,22 +255,30 @@ impl<T: Arithmetic> Conditions<T> {
     }
 }
 
-/// Four numbers at right angles to three rows, up to a common factor.
-fn crossed<T: Arithmetic>([a, b, c]: [&[ShortPolynomial<T>; 4]; 3]) -> [ShortPolynomial<T>; 4] {
-    let minor = |i, j| ShortPolynomial::minor([a, b], [i, j]);
-    let [m01, m02, m03] = [minor(0, 1), minor(0, 2), minor(0, 3)];
-    let [m12, m13, m23] = [minor(1, 2), minor(1, 3), minor(2, 3)];
-    let det = |ab: &ShortPolynomial<T>,
-               ac: &ShortPolynomial<T>,
-               bc: &ShortPolynomial<T>,
-               at: [usize; 3]| {
+/// Minors of two rows, by the columns 01, 02, 03, 12, 13 and 23.
+type Minors<T> = [ShortPolynomial<T>; 6];
+
+/// Minors of two conditions: the triples that begin with these follow each other.
+pub(super) type KeptMinors<T> = ([usize; 2], Minors<T>);
+
+fn minors<T: Arithmetic>(rows: [&[ShortPolynomial<T>; 4]; 2]) -> Minors<T> {
+    let [a, b] = rows.map(|row| &row[..]);
+    [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]].map(|by| ShortPolynomial::minor([a, b], by))
+}
+
+/// Four numbers at right angles to three rows, up to a common factor, by the minors of two of these.
+fn crossed<T: Arithmetic>(
+    [m01, m02, m03, m12, m13, m23]: &Minors<T>,
+    c: &[ShortPolynomial<T>; 4],
+) -> [ShortPolynomial<T>; 4] {
+    let det = |ab, ac, bc, at: [usize; 3]| {
         ShortPolynomial::alternating(&[[ab, &c[at[2]]], [ac, &c[at[1]]], [bc, &c[at[0]]]])
     };
     [
-        det(&m12, &m13, &m23, [1, 2, 3]),
-        det(&m02, &m03, &m23, [0, 2, 3]).negative(),
-        det(&m01, &m03, &m13, [0, 1, 3]),
-        det(&m01, &m02, &m12, [0, 1, 2]).negative(),
+        det(m12, m13, m23, [1, 2, 3]),
+        det(m02, m03, m23, [0, 2, 3]).negative(),
+        det(m01, m03, m13, [0, 1, 3]),
+        det(m01, m02, m12, [0, 1, 2]).negative(),
     ]
 }
 

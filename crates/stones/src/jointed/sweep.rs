@@ -63,13 +63,16 @@ pub(super) fn sweep(
             _ => seconds.flat_map(|j| (j + 1..count).map(move |k| vec![i, j, k])).collect(),
         };
         let most = PIECES + PIECES_EACH * all.len();
-        let mut passed = [i, i];
+        let (mut passed, mut kept) = ([i, i], None);
         let mut look = |before: Swept, of: Vec<usize>| {
             let is_left = before.pieces > most || before.open.len() > OPEN;
             let found = match conditions.mirrored(&of) < of {
                 false if is_left && before.open.last() == Some(&range) => Swept::default(),
                 false if is_left => Swept { open: vec![range], ..Swept::default() },
-                false => one(Vertex::new(conditions, of), range, start, (&rows, &mut passed)),
+                false => {
+                    let vertex = Vertex::new(conditions, of, &mut kept);
+                    one(vertex, range, start, (&rows, &mut passed))
+                }
                 true => Swept::default(),
             };
             before.with(Swept { triples: 1, ..found })

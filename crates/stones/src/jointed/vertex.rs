@@ -15,7 +15,7 @@
 //!   is zero for hinges; and then `sum rate (y . b + z w) <= 0`. Hinges on one line have motions that fit, with a
 //!   thrust that has no limit, and only the weight tells that they are not in equilibrium.
 
-use super::conditions::Conditions;
+use super::conditions::{Conditions, KeptMinors};
 use super::polynomial::ShortPolynomial;
 use crate::arch::mechanism::Contact;
 use crate::number::{DoubleBall, Enclosure};
@@ -84,9 +84,13 @@ fn is_negative(x: &DoubleBall) -> bool {
 }
 
 impl<'a> Vertex<'a> {
-    /// The vertex of these conditions.
-    pub(super) fn new(conditions: &'a Conditions<DoubleBall>, of: Vec<usize>) -> Self {
-        let meeting = conditions.meeting(&of);
+    /// The vertex of these conditions, with what is kept of the triple before.
+    pub(super) fn new(
+        conditions: &'a Conditions<DoubleBall>,
+        of: Vec<usize>,
+        kept: &mut Option<KeptMinors<DoubleBall>>,
+    ) -> Self {
+        let meeting = conditions.meeting_beside(&of, kept);
         Self { conditions, of, meeting, values: Vec::new() }
     }
 
@@ -304,7 +308,7 @@ mod tests {
         let mut places = of.map(|at| conditions.place(at.0, at.1).unwrap()).to_vec();
         let other = places.pop().unwrap();
         let piece = ThicknessPiece { low: eta - 1e-9, high: eta + 1e-9 };
-        Vertex::new(&conditions, places).bears_no_motion(&[other], &piece)
+        Vertex::new(&conditions, places, &mut None).bears_no_motion(&[other], &piece)
     }
 
     /// The springings' extrados and the keystone's intrados lie on one line at `(1 + eta/2) cos alpha = (1 - eta/2)

@@ -4,19 +4,21 @@
 //! the arch, proved on its own, has to say the same. Each answer is decided on its own: what stays open does
 //! not take the others with it.
 
-use super::query::{DOUBLE_DOUBLE, Query};
+use super::query::Query;
 use super::state::{Fall, Outcome};
 use super::thrust_range::{
-    Limit, Roots, cut_at_largest, cut_at_least, largest_thrust, least_thrust, required_friction,
+    Largest, Limit, Roots, Touch, cut_at_largest, cut_at_least, largest_thrust, least_thrust,
+    required_friction,
 };
 use crate::arch::Unknown;
 use crate::number::{Ball, ExactNumber, Ternary};
 use crate::problem::{Arch, Quantity};
 use crate::prover::arithmetic::Arithmetic;
-use crate::prover::decide::{decide, require};
+use crate::prover::decide::{FEW, decide, require};
 use crate::prover::figure::{Figure, Figured};
 use crate::prover::ties::{friction_angle_is_half_opening, has_no_arm_at_crown};
 use crate::prover::{Answered, Undecided};
+use std::cell::LazyCell;
 
 /// Certain answers about an arch of a given thickness, each answer with a reason where it stays open.
 #[derive(Clone, Debug)]
@@ -155,16 +157,17 @@ pub enum Wanted {
     Everything,
 }
 
-/// Proves what holds for an arch with a given thickness in `(0, 2]`, as far as it is wanted, with numbers of
-/// `bits` bits. `state` proves the state of the arch, with its own friction if told so, or with unlimited
+/// Proves what holds for an arch with a given thickness in `(0, 2]`, as far as it is wanted, in the numbers of
+/// its query. `state` proves the state of the arch, with its own friction if told so, or with unlimited
 /// friction, in numbers of so many bits.
 pub(super) fn assessment<E: Arithmetic>(
     arch: &Arch,
     thickness: &ExactNumber,
-    bits: u32,
+    mut query: Query<E>,
     wanted: Wanted,
     state: impl Fn(bool, u32) -> Result<Outcome<E>, Undecided>,
 ) -> Assessment<E> {
+    let bits = query.bits;
     let eta: E = thickness.enclosure(bits);
     let least = |found: Result<Outcome<E>, Undecided>| match found? {
         Outcome::Stands(state) => Ok((Some(state.thickness), None)),
@@ -176,11 +179,10 @@ pub(super) fn assessment<E: Arithmetic>(
     if wanted == Wanted::Everything {
         let unlimited = |bits| least(state(!arch.is_limited(), bits)).map(|(least, _)| least);
         // Only the sign of what it leaves is asked for: few bits mostly tell it.
-        let line_fits = match line_fits(&eta, &unlimited((bits / 8).max(DOUBLE_DOUBLE))) {
+        let line_fits = match line_fits(&eta, &unlimited(bits.min(FEW))) {
             Err(_) => line_fits(&eta, &unlimited(bits)),
             told => told,
         };
-        let mut query: Query<E> = Query::new(arch, bits);
         query.given = query.given.with(Unknown::Thickness, eta);
         let ties = [has_no_arm_at_crown(arch, thickness), friction_angle_is_half_opening(arch)];
         found = with_thrusts((found, [true; 2]), &query, &query, ties, line_fits);
@@ -223,13 +225,17 @@ pub(super) fn with_thrusts<E: Arithmetic>(
     [has_no_arm, never_slides]: [bool; 2],
     line_fits: Answered<()>,
 ) -> Assessment<E> {
-    let ends = [
-        of(&line_fits, |()| least_thrust(query, roots)),
-        of(&line_fits, |()| largest_thrust(query, roots, has_no_arm)),
-    ];
+    let least = of(&line_fits, |()| least_thrust(query, roots));
+    let largest = Largest {
+        in_few_bits: roots.in_few_bits().map(|few| {
+            let largest = of(&line_fits, |()| largest_thrust(&few, &few, has_no_arm));
+            (few, largest)
+        }),
+        whole: LazyCell::new(|| of(&line_fits, |()| largest_thrust(query, roots, has_no_arm))),
+    };
     let not_asked = || Undecided::new("what is not asked for");
     let required_friction = match wants_friction {
-        true => of(&line_fits, |()| required_friction(query, roots, &ends)),
+        true => of(&line_fits, |()| required_friction(query, roots, &least, &largest)),
         false => Err(not_asked()),
     };
     // Friction enough and a line of thrust that fits are the other way to say that it stands.
@@ -248,13 +254,20 @@ pub(super) fn with_thrusts<E: Arithmetic>(
         Some(friction) => of(&required_friction, |required| Ok(friction.clone() / required)),
         None => Ok(None),
     };
-    let [least, largest] = ends;
+    let cut_at_largest = |largest: &Answered<Limit<E>>| {
+        of(largest, |largest| cut_at_largest(query, largest.clone(), never_slides))
+    };
     let thrust = match stands {
         _ if !wants_thrusts => [Err(not_asked()), Err(not_asked())],
         Ok(false) => [Ok(None), Ok(None)],
         Ok(true) => not_empty([
             of(&least, |least| cut_at_least(query, roots, least.clone())),
-            of(&largest, |largest| cut_at_largest(query, largest.clone(), never_slides)),
+            match largest.in_few_bits.as_ref().map(|(_, largest)| cut_at_largest(largest)) {
+                Some(Ok(Some(slid @ Limit { touch: Touch::ShoulderSliding, .. }))) => {
+                    Ok(Some(slid))
+                }
+                _ => cut_at_largest(&largest.whole),
+            },
         ]),
         Err(ref open) => [Err(open.clone()), Err(open.clone())],
     };

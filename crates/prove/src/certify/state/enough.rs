@@ -102,8 +102,9 @@ fn sliding<E: Arithmetic>(arch: &Arch, bits: u32) -> Answered<E> {
 /// The friction with which the half opening stands at the limit.
 fn required<E: Arithmetic>(arch: &Arch, limit: &ExactNumber, bits: u32) -> Answered<E> {
     let unlimited = arch.unlimited();
-    let state = outcome::<E>(&Query::new(&unlimited, bits), false);
-    assessment(&unlimited, limit, bits, Wanted::Everything, |_, _| state.clone()).required_friction
+    let query = Query::new(&unlimited, bits);
+    let state = outcome::<E>(&query, false);
+    assessment(&unlimited, limit, query, Wanted::Everything, |_, _| state.clone()).required_friction
 }
 
 /// The widest half opening that stands at the limit.

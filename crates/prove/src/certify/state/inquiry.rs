@@ -3,7 +3,7 @@
 use super::assess::{Assessment, AssessmentDigits, Wanted, assessment};
 use super::digits::{Answer, Digits};
 use super::enough::enough;
-use super::kept::kept_outcome;
+use super::kept::{kept_outcome, kept_query};
 use super::query::{GUARD, bits_lost, bits_lost_unless_small};
 use super::state::Outcome;
 use crate::number::{ExactNumber, bits_of};
@@ -83,7 +83,8 @@ impl<'a> Inquiry<'a> {
         bits: u32,
         wanted: Wanted,
     ) -> Assessment {
-        assessment(self.arch, thickness, bits, wanted, |is_own, bits| self.outcome(bits, is_own))
+        let query = kept_query(self.arch, bits);
+        assessment(self.arch, thickness, query, wanted, |is_own, bits| self.outcome(bits, is_own))
     }
 
     /// The state of the arch with numbers of `bits` bits, with its own friction or with unlimited friction.

@@ -16,6 +16,7 @@ type Kept = ((Arch, u32, bool), Result<Outcome, Undecided>);
 
 thread_local! {
     static LAST: RefCell<Vec<Kept>> = const { RefCell::new(Vec::new()) };
+    static QUERY: RefCell<Option<((Arch, u32), Query)>> = const { RefCell::new(None) };
 }
 
 /// The state of an arch in numbers of `bits` bits, with the frictions at which its mode changes if they are asked for,
@@ -26,12 +27,24 @@ pub(super) fn kept_outcome(arch: &Arch, bits: u32, frictions: bool) -> Result<Ou
     };
     let found = LAST.with_borrow(|last| last.iter().find(is_it).map(|(_, found)| found.clone()));
     found.unwrap_or_else(|| {
-        let found = outcome(&Query::new(arch, bits), frictions);
+        let found = outcome(&kept_query(arch, bits), frictions);
         LAST.with_borrow_mut(|last| {
             last.insert(0, ((arch.clone(), bits, frictions), found.clone()));
             last.truncate(KEPT);
         });
         found
+    })
+}
+
+/// The arch in numbers of `bits` bits: sine and cosine of its half opening are kept.
+pub(super) fn kept_query(arch: &Arch, bits: u32) -> Query {
+    let is_it = |((of, to), _): &&((Arch, u32), Query)| of == arch && *to == bits;
+    let kept =
+        QUERY.with_borrow(|kept| kept.as_ref().filter(is_it).map(|(_, query)| query.clone()));
+    kept.unwrap_or_else(|| {
+        let query = Query::new(arch, bits);
+        QUERY.set(Some(((arch.clone(), bits), query.clone())));
+        query
     })
 }
 

@@ -9,6 +9,7 @@ use crate::problem::measures::Measures;
 use crate::problem::{Arch, Quantity};
 use crate::prover::figure::{Figure, Figured, optional};
 use crate::prover::{Error, Refused};
+use std::cell::LazyCell;
 
 /// Values with their names; `None` for a thrust without bound.
 type Measured = Vec<(Quantity, Option<Figure>)>;
@@ -27,6 +28,23 @@ pub fn measured_state(arch: &Arch, measures: &Measures, digits: usize) -> Result
             sized.extend(forces.into_iter().filter_map(|(of, x)| Some((of, Some(x?.into())))));
         }
         Ok(figures(sized, digits))
+    });
+    Ok(found?)
+}
+
+/// The least thickness of an arch in metres; `None` if it does not stand.
+pub fn least_in_metres(
+    arch: &Arch,
+    measures: &Measures,
+    digits: usize,
+) -> Result<Option<Figure>, Error> {
+    Refused::digits(digits)?;
+    let found = raised(arch, digits, |bits| match state_enclosed(arch, bits, false)? {
+        Outcome::Stands(state) => {
+            let sizes = measures.sizes(&state.thickness, &half_opening(arch, bits), bits);
+            Ok(sizes.thickness.figure(digits).map(Some))
+        }
+        Outcome::Falls(_) => Ok(Some(None)),
     });
     Ok(found?)
 }
@@ -54,7 +72,7 @@ pub fn measured_assessment(
         let (eta, metres) = (thickness.enclosure(bits), metres.map(ExactNumber::rational));
         let both = radius.as_ref().zip(metres.as_ref()).map(<[_; 2]>::from);
         let exact = both.and_then(|both| measures.exact_weight(arch.half_opening(), both));
-        let weight = sizes.weight.map(|enclosed| Some(MeasuredSize { enclosed, exact }));
+        let weight = sizes.weight.map(|weight| Some(MeasuredSize::new(weight, exact)));
         let mut sized = shape(arch, measures, bits);
         sized.extend([
             size(Quantity::Radius, sizes.radius, radius),
@@ -79,9 +97,15 @@ fn half_opening(arch: &Arch, bits: u32) -> Ball {
 }
 
 /// A size; the number itself where it is rational: no ball decides a tie.
-struct MeasuredSize {
-    enclosed: Ball,
-    exact: Option<ExactNumber>,
+enum MeasuredSize {
+    Enclosed(Ball),
+    Exact(ExactNumber),
+}
+
+impl MeasuredSize {
+    fn new(enclosed: Ball, exact: Option<ExactNumber>) -> Self {
+        exact.map_or(Self::Enclosed(enclosed), Self::Exact)
+    }
 }
 
 /// A quantity with its size; `None` if it has no bound.
@@ -89,21 +113,24 @@ type MeasuredQuantity = (Quantity, Option<MeasuredSize>);
 
 impl From<Ball> for MeasuredSize {
     fn from(enclosed: Ball) -> Self {
-        Self { enclosed, exact: None }
+        Self::Enclosed(enclosed)
     }
 }
 
 fn size(of: Quantity, enclosed: Ball, exact: Option<ExactNumber>) -> MeasuredQuantity {
-    (of, Some(MeasuredSize { enclosed, exact }))
+    (of, Some(MeasuredSize::new(enclosed, exact)))
 }
 
 /// Sizes of an arch that are the same whatever its thickness.
 fn shape(arch: &Arch, measures: &Measures, bits: u32) -> Vec<MeasuredQuantity> {
     let alpha = half_opening(arch, bits);
-    let [span, rise] = measures.span_and_rise(&alpha, bits);
+    let enclosed = LazyCell::new(|| measures.span_and_rise(&alpha, bits));
     let exact = measures.exact_span_and_rise(arch.half_opening());
-    let lengths = [(Quantity::Span, span), (Quantity::Rise, rise)].into_iter().zip(exact);
-    let lengths = lengths.map(|((of, enclosed), exact)| size(of, enclosed, exact));
+    let enclosed = |k: usize| MeasuredSize::Enclosed(enclosed[k].clone());
+    let lengths = exact.into_iter().enumerate().map(|(k, exact)| {
+        let size = exact.map_or_else(|| enclosed(k), MeasuredSize::Exact);
+        ([Quantity::Span, Quantity::Rise][k], Some(size))
+    });
     // Another angle is told in degrees well enough by what was given.
     let made = arch.half_opening().form() == Form::TwiceArctangent;
     let angle = made.then(|| size(Quantity::HalfOpeningDegrees, degrees(&alpha), None));
@@ -112,9 +139,9 @@ fn shape(arch: &Arch, measures: &Measures, bits: u32) -> Vec<MeasuredQuantity> {
 
 /// All values, if they are decided.
 fn figures(sized: Vec<MeasuredQuantity>, digits: usize) -> Option<Measured> {
-    let figure = |size: MeasuredSize| match size.exact {
-        Some(exact) => Figure::exact(&exact, digits),
-        None => size.enclosed.figure(digits),
+    let figure = |size: MeasuredSize| match size {
+        MeasuredSize::Exact(exact) => Figure::exact(&exact, digits),
+        MeasuredSize::Enclosed(enclosed) => enclosed.figure(digits),
     };
     sized.into_iter().map(|(of, size)| Some((of, optional(size, figure)?))).collect()
 }

@@ -21,8 +21,10 @@ use std::sync::OnceLock;
 /// A purely rotational state.
 struct RotationalState<E> {
     state: State<E>,
-    /// The frictions that the shoulder and an inner joint ask for, where friction matters.
+    /// The frictions that the shoulder and an inner joint ask for, if they are asked for.
     frictions: Option<[E; 2]>,
+    /// Mode whose joint slides where the friction of the arch is not enough for pure rotation.
+    slides: Result<Option<Mode>, Undecided>,
 }
 
 impl<E: Arithmetic> RotationalState<E> {
@@ -31,6 +33,21 @@ impl<E: Arithmetic> RotationalState<E> {
         let [shoulder, inner] = self.frictions.as_ref()?;
         Some(larger(shoulder.clone(), inner.clone()))
     }
+}
+
+/// Mode whose joint slides where a friction is not enough for pure rotation, by the frictions that the shoulder and an
+/// inner joint ask for. Both can fail only below the purely sliding friction.
+fn sliding_mode<E: Arithmetic>(friction: &E, asked: &[E; 2]) -> Result<Option<Mode>, Undecided> {
+    let mut open = None;
+    for (asked, mode) in asked.iter().zip([Mode::SlidingRotational, Mode::RotationalSliding]) {
+        let question = "whether the friction is enough for pure rotation";
+        match decide(&(friction.clone() - asked), question, &[Mode::Rotational, mode]) {
+            Ok(true) => {}
+            Ok(false) => return Ok(Some(mode)),
+            Err(undecided) => open = open.or(Some(undecided)),
+        }
+    }
+    open.map_or(Ok(None), Err)
 }
 
 /// Result where the friction is above the purely sliding one.
@@ -139,24 +156,10 @@ fn state_above_sliding<E: Arithmetic>(
         };
     };
     let critical = rotation.friction();
-    let (Some(friction), Some([shoulder, inner])) = (query.friction(), &rotation.frictions) else {
-        return Ok(AboveSliding::State(Box::new(rotation.state), critical));
-    };
-    let margin = |critical: &E, mode| {
-        decide(
-            &(friction.clone() - critical),
-            "whether the friction is enough for pure rotation",
-            &[Mode::Rotational, mode],
-        )
-    };
-    let holds_shoulder = margin(shoulder, Mode::SlidingRotational);
-    let holds_inner = margin(inner, Mode::RotationalSliding);
-    // Both can fail only below the purely sliding friction.
-    match (holds_shoulder, holds_inner) {
-        (Ok(true), Ok(true)) => Ok(AboveSliding::State(Box::new(rotation.state), critical)),
-        (Ok(false), _) => shoulder_sliding(query, critical),
-        (_, Ok(false)) => inner_sliding(query, critical),
-        (Err(undecided), _) | (_, Err(undecided)) => Err(undecided),
+    match rotation.slides? {
+        None => Ok(AboveSliding::State(Box::new(rotation.state), critical)),
+        Some(Mode::SlidingRotational) => shoulder_sliding(query, critical),
+        Some(_) => inner_sliding(query, critical),
     }
 }
 
@@ -199,21 +202,36 @@ fn rotation<E: Arithmetic>(
     query: &Query<E>,
     frictions: bool,
 ) -> Result<RotationalState<E>, Undecided> {
-    let friction_matters = frictions || query.is_limited;
+    let slides = |both: &[E; 2]| query.friction().map_or(Ok(None), |mu| sliding_mode(mu, both));
     if let Some(small) = Small::of(query) {
         let root = small.rotation()?;
-        let frictions = if friction_matters { Some(root.frictions()?) } else { None };
-        return Ok(RotationalState { state: root.into_state(Mode::Rotational), frictions });
+        let both = (frictions || query.is_limited).then(|| root.frictions()).transpose()?;
+        let slides = both.as_ref().map_or(Ok(None), slides);
+        return Ok(RotationalState {
+            state: root.into_state(Mode::Rotational),
+            frictions: both,
+            slides,
+        });
     }
     let [beta, eta, _] = start::rotational(query.weight, &query.alpha());
     let at = rotational_root(query, [beta, eta])?;
     prove(query, Mode::Rotational, &at, false)?;
-    let mut frictions = None;
-    if friction_matters {
-        require(&room_for_steepest(&at), "the steepest joint above the shoulder")?;
-        frictions = Some([shoulder_friction(&at), inner_friction(&at)]);
+    if frictions || query.is_limited {
+        in_few_bits(&at, query.bits, |at, _| {
+            require(&room_for_steepest(at), "the steepest joint above the shoulder")
+        })?;
     }
-    Ok(RotationalState { state: State::new(Mode::Rotational, at), frictions })
+    let asked = |at: &Configuration<E>| [shoulder_friction(at), inner_friction(at)];
+    let both = frictions.then(|| asked(&at));
+    let slides = match &both {
+        Some(both) => slides(both),
+        // Only a sign is asked for.
+        None if query.is_limited => {
+            in_few_bits(&at, query.bits, |at, _| sliding_mode(&at.friction, &asked(at)))
+        }
+        None => Ok(None),
+    };
+    Ok(RotationalState { state: State::new(Mode::Rotational, at), frictions: both, slides })
 }
 
 fn shoulder_sliding<E: Arithmetic>(

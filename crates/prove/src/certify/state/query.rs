@@ -4,6 +4,7 @@ use crate::arch::{Configuration, SelfWeight};
 use crate::number::{Ball, bits_of};
 use crate::problem::{Arch, Friction, System};
 use crate::prover::arithmetic::Arithmetic;
+use crate::prover::decide::FEW;
 use crate::prover::posed::Posed;
 use crate::prover::{Undecided, raise};
 
@@ -29,6 +30,12 @@ impl<E: Arithmetic> Query<E> {
     pub(super) fn new(arch: &Arch, bits: u32) -> Self {
         let is_limited = arch.is_limited();
         Self { weight: arch.weight(), bits, given: arch.given(bits), is_limited }
+    }
+
+    /// The arch in few of these bits, where they are many: few mostly tell a sign.
+    pub(super) fn in_few_bits(&self) -> Option<Self> {
+        let given = || self.given.map_ref(|x| x.with_bits(FEW as usize));
+        (self.bits > 2 * FEW).then(|| Self { bits: FEW, given: given(), ..*self })
     }
 
     /// The friction, where it is limited.

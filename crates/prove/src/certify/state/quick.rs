@@ -153,7 +153,7 @@ pub fn decided<E: Arithmetic + Doubles>(
         true => quick_outcome(arch, false),
         false => quick_outcome(&arch.unlimited(), false),
     };
-    let found = assessment(arch, thickness, E::BITS, Wanted::Everything, state);
+    let found = assessment(arch, thickness, query(arch), Wanted::Everything, state);
     // More bits may tell a joint from the shoulder next to it.
     let mut touches = found.thrust.iter().flatten().flatten().map(|limit| &limit.touch);
     let is_near = touches.any(|touch| matches!(touch, Touch::AtShoulder));

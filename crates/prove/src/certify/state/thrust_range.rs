@@ -24,6 +24,8 @@ use crate::prover::arithmetic::Arithmetic;
 use crate::prover::decide::{decide, require};
 use crate::prover::{Answered, Undecided};
 use crate::solve::start::{self, Start};
+use std::cell::LazyCell;
+use std::cmp::Ordering;
 
 /// An end of the range of admissible thrusts.
 #[derive(Clone, Debug)]
@@ -108,6 +110,10 @@ pub(super) trait Roots<E> {
     fn sliding(&self) -> Result<Configuration<E>, Undecided>;
     /// The thrust and the joint of (18) at the friction.
     fn steepest(&self) -> Result<Configuration<E>, Undecided>;
+    /// The arch of these roots in few bits, for signs, where they have many.
+    fn in_few_bits(&self) -> Option<Query<E>> {
+        None
+    }
 }
 
 impl<E: Arithmetic> Roots<E> for Query<E> {
@@ -133,6 +139,10 @@ impl<E: Arithmetic> Roots<E> for Query<E> {
 
     fn steepest(&self) -> Result<Configuration<E>, Undecided> {
         steepest_root(self)
+    }
+
+    fn in_few_bits(&self) -> Option<Query<E>> {
+        self.in_few_bits()
     }
 }
 
@@ -204,33 +214,65 @@ pub(super) fn largest_thrust<E: Arithmetic>(
     Ok(Limit { thrust: Some(at.thrust), touch: Touch::Haunch(at.rotation_joint.rad) })
 }
 
+/// The largest thrust, in few bits for signs, where there are many, and in all of them where its value is asked for.
+pub(super) struct Largest<E: Arithmetic, F> {
+    pub in_few_bits: Option<(Query<E>, Answered<Limit<E>>)>,
+    pub whole: LazyCell<Answered<Limit<E>>, F>,
+}
+
+/// Place of the purely sliding state's thrust: below the range, in it or above it.
+fn beside_range<E: Arithmetic>(
+    slides: &Configuration<E>,
+    least: &Answered<Limit<E>>,
+    largest: &Answered<Limit<E>>,
+) -> Result<Ordering, Undecided> {
+    require(&slides.friction, "a positive purely sliding friction")?;
+    let question = "which joint the friction is needed for";
+    if let Some(least) = bound(least)?
+        && decide(&(least - &slides.thrust), question, &[])?
+    {
+        return Ok(Ordering::Less);
+    }
+    let Some(largest) = bound(largest)? else { return Ok(Ordering::Equal) };
+    let is_above = decide(&(slides.thrust.clone() - &largest), question, &[])?;
+    Ok(if is_above { Ordering::Greater } else { Ordering::Equal })
+}
+
+/// The thrust at an end, where it has a bound.
+fn bound<E: Arithmetic>(end: &Answered<Limit<E>>) -> Answered<E> {
+    Ok(end.clone()?.and_then(|limit| limit.thrust))
+}
+
 /// The least friction for which some thrust of the range slides nowhere. The shoulder asks for more
 /// the larger the thrust, an inner joint the smaller: best is the thrust at which they ask for the
 /// same, or the end of the range next to it.
 pub(super) fn required_friction<E: Arithmetic>(
     query: &Query<E>,
     roots: &impl Roots<E>,
-    [least, largest]: &[Answered<Limit<E>>; 2],
+    least: &Answered<Limit<E>>,
+    largest: &Largest<E, impl FnOnce() -> Answered<Limit<E>>>,
 ) -> Result<E, Undecided> {
-    let slides = roots.sliding()?;
-    require(&slides.friction, "a positive purely sliding friction")?;
-    let question = "which joint the friction is needed for";
-    let bound = |end: &Answered<Limit<E>>| -> Answered<E> {
-        Ok(end.clone()?.and_then(|limit| limit.thrust))
+    let slides = LazyCell::new(|| roots.sliding());
+    let in_few_bits = largest
+        .in_few_bits
+        .as_ref()
+        .and_then(|(few, largest)| beside_range(&few.sliding().ok()?, least, largest).ok());
+    let beside = in_few_bits.map_or_else(
+        || beside_range(slides.as_ref().map_err(Clone::clone)?, least, &largest.whole),
+        Ok,
+    )?;
+    let end = match beside {
+        Ordering::Less => bound(least)?,
+        Ordering::Equal => None,
+        Ordering::Greater => bound(&largest.whole)?,
     };
-    if let Some(least) = bound(least)?
-        && decide(&(least.clone() - &slides.thrust), question, &[])?
-    {
-        return Ok(sliding::shoulder(&query.given.half_opening, &least).value());
+    let Some(thrust) = end else { return Ok(LazyCell::force(&slides).clone()?.friction) };
+    if beside == Ordering::Less {
+        return Ok(sliding::shoulder(&query.given.half_opening, &thrust).value());
     }
-    if let Some(largest) = bound(largest)?
-        && decide(&(slides.thrust.clone() - &largest), question, &[])?
-    {
-        let at = query.given.clone().with(Unknown::Thrust, largest);
-        require(&room_for_steepest(&at), Condition::SteepestAboveShoulder.label())?;
-        return Ok(inner_friction(&at));
-    }
-    Ok(slides.friction)
+    let at = query.given.clone().with(Unknown::Thrust, thrust);
+    require(&room_for_steepest(&at), Condition::SteepestAboveShoulder.label())?;
+    Ok(inner_friction(&at))
 }
 
 /// Question that is open where friction and the line of thrust may limit a thrust.
@@ -243,7 +285,23 @@ pub(super) fn cut_at_least<E: Arithmetic>(
     least: Limit<E>,
 ) -> Result<Limit<E>, Undecided> {
     let Some(friction) = query.friction() else { return Ok(least) };
-    let inner = roots.steepest()?;
+    let few = roots.in_few_bits();
+    let in_few_bits =
+        few.and_then(|few| slid_before(few.friction()?, &few, few.steepest().ok()?, &least).ok());
+    match in_few_bits {
+        Some(None) => Ok(least),
+        _ => Ok(slid_before(friction, query, roots.steepest()?, &least)?.unwrap_or(least)),
+    }
+}
+
+/// The thrust at which a joint slides at a friction, if that is before the least one is reached; `inner` is the
+/// inner joint that slides.
+fn slid_before<E: Arithmetic>(
+    friction: &E,
+    query: &Query<E>,
+    inner: Configuration<E>,
+    least: &Limit<E>,
+) -> Answered<Limit<E>> {
     let (alpha, joint) = (&query.given.half_opening, inner.sliding_joint.rad);
     // T/N grows up to the steepest joint: if that lies beyond the shoulder, the shoulder counts.
     let inside = alpha.rad.clone() - &joint;
@@ -258,7 +316,7 @@ pub(super) fn cut_at_least<E: Arithmetic>(
         Some(thrust) => decide(&(slid.clone() - thrust), WHICH_LIMIT, &[])?,
         None => false,
     };
-    Ok(if slides_first { Limit { thrust: Some(slid), touch } } else { least })
+    Ok(slides_first.then_some(Limit { thrust: Some(slid), touch }))
 }
 
 /// Cuts the range at the largest thrust; `never_slides` if the friction angle is exactly the half opening.

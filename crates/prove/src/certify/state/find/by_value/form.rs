@@ -6,7 +6,7 @@ use crate::number::{Angle, Ball, Enclosure, Field, Real, Stumpff};
 use crate::prover::Undecided;
 use crate::prover::arithmetic::Arithmetic;
 use crate::prover::decide::ensure;
-use crate::prover::root::{Form, root_near};
+use crate::prover::root::Form;
 use rug::Float;
 
 /// A candidate: the thickness of (5) by `beta cot(beta) - h`.
@@ -62,7 +62,7 @@ impl Form<Ball> for OpeningForm<'_> {
 }
 
 /// The half opening of an opening variable between 0 and 2.
-pub(super) fn half_opening_of(a: &Ball, bits: u32) -> Result<Ball, Undecided> {
+pub(super) fn half_opening_of(a: &Ball, bits: u32) -> Result<Angle<Ball>, Undecided> {
     /// Below this `2 - A` the leading term is used.
     const NARROW: f64 = 1e-3;
     let rest = a.int(2) - a;
@@ -81,9 +81,12 @@ pub(super) fn half_opening_of(a: &Ball, bits: u32) -> Result<Ball, Undecided> {
         }
     };
     let (half, start) = JointForm::near::<Ball>(start, bits);
-    let root = root_near(&OpeningForm { opening_variable: a, half }, bits, vec![start])?.remove(0);
-    let alpha = half.rad(&root) * root.int(2);
-    let inside = (alpha.pi() - &alpha).is_positive().is_proved() && alpha.is_positive().is_proved();
+    let form = OpeningForm { opening_variable: a, half };
+    let (root, sines) = Ball::rooted(&form, bits, &[start])?;
+    let half = Ball::angle(&sines, &half.rad(&root[0]));
+    let rad = half.rad.clone() * half.rad.int(2);
+    let inside = (rad.pi() - &rad).is_positive().is_proved() && rad.is_positive().is_proved();
     ensure(inside, "a half opening between 0 and pi")?;
-    Ok(alpha)
+    let (sin, one) = (half.sin.clone() * half.sin.int(2), rad.int(1));
+    Ok(Angle { rad, cos: one - &(sin.clone() * &half.sin), sin: sin * &half.cos })
 }

@@ -16,7 +16,6 @@ use crate::problem::{Arch, Equation, Mode, Quantity, System};
 use crate::prover::arithmetic::Arithmetic;
 use crate::prover::count::Count;
 use crate::prover::decide::{decide, ensure, require};
-use crate::prover::root::root_near;
 use crate::prover::{Error, Figure, Undecided, raise};
 use crate::solve::start;
 use rug::Rational;
@@ -125,7 +124,9 @@ impl Search<'_> {
         let of_joint = self.quantity == Quantity::RotationJoint;
         let is_limited = self.arch.is_limited();
         let points = match of_joint {
-            true => self.decided(|bits| Ok(self.of_joint(bits)?.len()))?,
+            true => {
+                self.decided(|bits| Ok(self.of_joint(&Angle::new(self.ball(bits)), bits)?.len()))?
+            }
             false => 1,
         };
         let mut others = Vec::new();
@@ -157,8 +158,8 @@ impl Search<'_> {
     }
 
     /// Thicknesses of the purely rotational curve at the joint.
-    fn of_joint(&self, bits: u32) -> Result<Vec<Ball>, Undecided> {
-        touched_thicknesses(self.weight(), &Angle::new(self.ball(bits)), bits)
+    fn of_joint(&self, joint: &Angle<Ball>, bits: u32) -> Result<Vec<Ball>, Undecided> {
+        touched_thicknesses(self.weight(), joint, bits)
     }
 
     /// A point of the purely rotational curve with the value, with the half opening of (4).
@@ -166,15 +167,15 @@ impl Search<'_> {
         let (joint, thickness, thrust) = match self.quantity {
             Quantity::RotationJoint => {
                 let joint = Angle::new(self.ball(bits));
-                let found = self.of_joint(bits)?.into_iter().nth(number);
+                let found = self.of_joint(&joint, bits)?.into_iter().nth(number);
                 let thickness = found.ok_or_else(Undecided::no_solution)?;
                 let (ring, haunch) = (Ring::new(self.weight(), &thickness), Haunch::from(&joint));
                 let thrust = thrust::touching(&haunch.versine, &haunch.excess, &ring).value();
-                (joint.rad, thickness, thrust)
+                (joint, thickness, thrust)
             }
             _ => {
                 let h = self.ball(bits);
-                let [joint, thickness] = self.of_thrust(&h, bits)?;
+                let (joint, thickness) = self.of_thrust(&h, bits)?;
                 (joint, thickness, h)
             }
         };
@@ -182,8 +183,11 @@ impl Search<'_> {
         let at = Configuration::zero(&thickness).with(Unknown::Thickness, thickness.clone());
         let before_end = -contact::crown_slope(self.weight(), &at);
         for (margin, what) in [
-            (&joint, "a touching joint below the crown"),
-            (&(joint.pi() - joint.int(2) * &joint), "a touching joint within a right angle"),
+            (&joint.rad, "a touching joint below the crown"),
+            (
+                &(thickness.pi() - thickness.int(2) * &joint.rad),
+                "a touching joint within a right angle",
+            ),
             (&thickness, "a positive thickness"),
             (&before_end, "an arch that is thinner than at the end of rotation"),
         ] {
@@ -191,20 +195,17 @@ impl Search<'_> {
         }
         let of_thickness =
             overturning::opening_variable(&Ring::new(self.weight(), &thickness)).value();
-        let alpha = half_opening_of(&(of_thickness + &thrust), bits)?;
-        Ok(at
-            .with(Unknown::Thrust, thrust)
-            .with(Unknown::RotationJoint, joint)
-            .with(Unknown::HalfOpening, alpha))
+        let half_opening = half_opening_of(&(of_thickness + &thrust), bits)?;
+        Ok(Configuration { thrust, rotation_joint: joint, half_opening, ..at })
     }
 
     /// Joint and thickness of the purely rotational curve at a thrust.
-    fn of_thrust(&self, thrust: &Ball, bits: u32) -> Result<[Ball; 2], Undecided> {
+    fn of_thrust(&self, thrust: &Ball, bits: u32) -> Result<(Angle<Ball>, Ball), Undecided> {
         let [beta, eta, _] = start::rotational_with_thrust(self.weight(), &thrust.candidate());
         let (joint, start) = JointForm::near::<Ball>(beta, bits);
         let form = TouchingForm { weight: self.weight(), thrust, joint };
-        let root = root_near(&form, bits, vec![start, eta])?;
-        Ok([joint.rad(&root[0]), root[1].clone()])
+        let (root, sines) = Ball::rooted(&form, bits, &[start, eta])?;
+        Ok((Ball::angle(&sines, &joint.rad(&root[0])), root[1].clone()))
     }
 
     /// The thrust of (18), at which an inner joint slides; no arch that stands with this friction has a smaller one.
@@ -343,7 +344,7 @@ impl Search<'_> {
                 return Ok(self.shown(Mode::Overturning, &at)?.map(Some));
             }
             let a = self.ball(bits);
-            let alpha = half_opening_of(&a, bits)?;
+            let alpha = half_opening_of(&a, bits)?.rad;
             match self.outcome_at(&alpha, bits)? {
                 Outcome::Stands(state) => {
                     Ok(self.shown(state.mode, &placed(&state, &alpha))?.map(Some))
