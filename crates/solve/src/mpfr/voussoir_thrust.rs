@@ -3,10 +3,11 @@
 //! The room for the crown moment is a concave function of the thrust, made of straight pieces: from beyond an end
 //! Newton's method reaches it in a few steps and never passes it.
 
-use super::voussoirs::{Search, peak};
+use super::voussoirs::{Near, Search, Searches, VoussoirCandidate, peak};
 use crate::arch::joint::{Row, even_thrust};
 use crate::arch::mechanism::Contact;
 use crate::arch::statics::{normal_force, shear_force};
+use crate::number::Ball;
 use crate::problem::stones::JointContact;
 use rug::Float;
 
@@ -49,26 +50,45 @@ pub enum Needed {
 /// More rounds than pieces near an end.
 const ROUNDS: usize = 100;
 
-fn bounds(side: ThrustSide, row: &Row<Float>) -> bool {
+fn bounds<T: Near>(side: ThrustSide, row: &Row<T>) -> bool {
+    let zero = row.thrust.int(0);
     match side {
-        ThrustSide::Least => row.thrust < 0,
-        ThrustSide::Largest => row.thrust > 0,
+        ThrustSide::Least => row.thrust < zero,
+        ThrustSide::Largest => row.thrust > zero,
+    }
+}
+
+impl<T: Near> Searches for Search<'_, T> {
+    fn candidate(&self) -> VoussoirCandidate {
+        self.least()
+    }
+
+    fn thrust_end(&self, thickness: &Ball, side: ThrustSide) -> ThrustEnd {
+        thrust_end(self, &T::near(thickness, self.bits), side)
+    }
+
+    fn moment_between(&self, thrust: &Ball, thickness: &Ball) -> Float {
+        moment_between(self, &T::near(thrust, self.bits), &T::near(thickness, self.bits)).to_float()
+    }
+
+    fn needed(&self, thrusts: [Option<&Ball>; 2]) -> Needed {
+        needed(self, thrusts.map(|thrust| thrust.map(|x| T::near(x, self.bits))))
     }
 }
 
 /// Sum of the conditions on the thrust of one joint, or two hinges.
-fn together(
-    search: &Search<'_>,
+fn together<T: Near>(
+    search: &Search<'_, T>,
     contacts: &[JointContact],
-    thickness: &Float,
-) -> Option<Row<Float>> {
+    thickness: &T,
+) -> Option<Row<T>> {
     let rows = contacts.iter().map(|contact| search.row(*contact, thickness));
     rows.reduce(|sum, row| sum.plus(&row))
 }
 
 /// An end of the range of thrusts.
-pub fn thrust_end(search: &Search<'_>, thickness: &Float, side: ThrustSide) -> ThrustEnd {
-    let (zero, last) = (Float::with_val(search.bits, 0), search.last());
+fn thrust_end<T: Near>(search: &Search<'_, T>, thickness: &T, side: ThrustSide) -> ThrustEnd {
+    let (zero, last) = (thickness.int(0), search.last());
     let [slip, upper, lower] = match side {
         ThrustSide::Least => {
             [(Contact::Inwards, search.inner()), (Contact::Extrados, 0), (Contact::Intrados, last)]
@@ -77,7 +97,7 @@ pub fn thrust_end(search: &Search<'_>, thickness: &Float, side: ThrustSide) -> T
             [(Contact::Outwards, last), (Contact::Extrados, last), (Contact::Intrados, 0)]
         }
     };
-    let mut at: Option<(Float, Vec<JointContact>)> = None;
+    let mut at: Option<(T, Vec<JointContact>)> = None;
     for contacts in [vec![slip], vec![upper, lower]] {
         let row = together(search, &contacts, thickness).filter(|row| bounds(side, row));
         let Some(thrust) = row.map(|row| row.bound()) else { continue };
@@ -96,7 +116,7 @@ pub fn thrust_end(search: &Search<'_>, thickness: &Float, side: ThrustSide) -> T
         let upper = if depth(crown) > depth(shoulder) { crown } else { shoulder };
         let pair = vec![upper, (Contact::Intrados, search.haunch(&thrust, thickness))];
         let Some(row) = together(search, &pair, thickness) else { break };
-        if row.at(&thrust, &zero) <= 0 || pair == contacts {
+        if row.at(&thrust, &zero) <= zero || pair == contacts {
             break;
         }
         if !bounds(side, &row) {
@@ -112,35 +132,35 @@ pub fn thrust_end(search: &Search<'_>, thickness: &Float, side: ThrustSide) -> T
 }
 
 /// A crown moment between those of the hinges at the extrados and at the intrados.
-pub fn moment_between(search: &Search<'_>, thrust: &Float, thickness: &Float) -> Float {
+fn moment_between<T: Near>(search: &Search<'_, T>, thrust: &T, thickness: &T) -> T {
     let moment = |contact| search.row(contact, thickness).moment_at(thrust);
     let [crown, shoulder] = [0, search.last()].map(|joint| moment((Contact::Extrados, joint)));
     let least = moment((Contact::Intrados, search.haunch(thrust, thickness)));
-    (crown.min(&shoulder) + least) / 2u32
+    let most = if crown < shoulder { crown } else { shoulder };
+    (most + least) / thrust.int(2)
 }
 
 /// The joint at which the shear force is largest over the normal force.
-fn steepest(search: &Search<'_>, thrust: &Float) -> u64 {
+fn steepest<T: Near>(search: &Search<'_, T>, thrust: &T) -> u64 {
     // At the crown it is zero.
     let first = u64::from(search.stones.has_joint_at_crown());
     peak(first, search.last(), |index| {
         let joint = search.angle(index);
         let (shear, normal) = (shear_force(&joint, thrust), normal_force(&joint, thrust));
         // A joint that opens asks for more than any other.
-        match normal.clone() << (search.bits / 2) < 1 {
-            true => Float::with_val(search.bits, rug::float::Special::Infinity),
-            false => shear / normal,
-        }
+        let opens = normal < normal.int(0) || normal.exponent() < -i64::from(normal.bits() / 2);
+        (opens, if opens { normal.int(0) } else { shear / normal })
     })
 }
 
 /// Thrust at which the least friction is needed, of those between two.
-pub fn needed(search: &Search<'_>, [least, largest]: [Option<&Float>; 2]) -> Needed {
+fn needed<T: Near>(search: &Search<'_, T>, [least, largest]: [Option<T>; 2]) -> Needed {
     let shoulder = search.angle(search.last());
     let mut joint = search.last().div_ceil(2);
     let mut thrust = even_thrust(&search.angle(joint), &shoulder);
     for _ in 0..ROUNDS {
-        let next = steepest(search, least.filter(|least| thrust < **least).unwrap_or(&thrust));
+        let next =
+            steepest(search, least.as_ref().filter(|least| thrust < **least).unwrap_or(&thrust));
         if next == joint {
             break;
         }
@@ -148,8 +168,8 @@ pub fn needed(search: &Search<'_>, [least, largest]: [Option<&Float>; 2]) -> Nee
         thrust = even_thrust(&search.angle(joint), &shoulder);
     }
     match (least, largest) {
-        (Some(least), _) if thrust < *least => Needed::AtLeast,
-        (_, Some(largest)) if thrust > *largest => Needed::AtLargest(steepest(search, largest)),
+        (Some(least), _) if thrust < least => Needed::AtLeast,
+        (_, Some(largest)) if thrust > largest => Needed::AtLargest(steepest(search, &largest)),
         _ => Needed::Even(joint),
     }
 }

@@ -7,6 +7,7 @@ use super::conditions::Conditions;
 use super::event::{Event, event};
 use super::line;
 use super::vertex::{Passed, SweepStart, ThicknessPiece, Vertex, in_doubles};
+use crate::arch::mechanism::Contact;
 use crate::number::DoubleBall;
 use rayon::prelude::*;
 
@@ -63,13 +64,15 @@ pub(super) fn sweep(
             _ => seconds.flat_map(|j| (j + 1..count).map(move |k| vec![i, j, k])).collect(),
         };
         let most = PIECES + PIECES_EACH * all.len();
-        let mut passed = [i, i];
+        // What passes one passes the next, where the last condition is of the same kind.
+        let mut passed = [[i, i]; Contact::ALL.len()];
         let mut look = |before: Swept, of: Vec<usize>| {
             let is_left = before.pieces > most || before.open.len() > OPEN;
+            let passed = &mut passed[of[of.len() - 1] % Contact::ALL.len()];
             let found = match conditions.mirrored(&of) < of {
                 false if is_left && before.open.last() == Some(&range) => Swept::default(),
                 false if is_left => Swept { open: vec![range], ..Swept::default() },
-                false => one(Vertex::new(conditions, of), range, start, (&rows, &mut passed)),
+                false => one(Vertex::new(conditions, of), range, start, (&rows, passed)),
                 true => Swept::default(),
             };
             before.with(Swept { triples: 1, ..found })
