@@ -3,7 +3,8 @@
 //! The room for the crown moment is a concave function of the thrust, made of straight pieces: from beyond an end
 //! Newton's method reaches it in a few steps and never passes it.
 
-use super::voussoirs::{Near, Search, Searches, VoussoirCandidate, peak};
+use super::super::start::Start;
+use super::voussoirs::{Search, VoussoirCandidate, peak};
 use crate::arch::joint::{Row, even_thrust};
 use crate::arch::mechanism::Contact;
 use crate::arch::statics::{normal_force, shear_force};
@@ -47,37 +48,33 @@ pub enum Needed {
     AtLargest(u64),
 }
 
+/// Questions about an arch of voussoirs that a search answers, whatever its numbers are.
+pub trait Searches {
+    /// The least thickness with a thrust between the two at which something slides.
+    fn candidate(&self) -> VoussoirCandidate;
+
+    /// An end of the range of thrusts.
+    fn thrust_end(&self, thickness: &Ball, side: ThrustSide) -> ThrustEnd;
+
+    /// A crown moment between those of the hinges at the extrados and at the intrados.
+    fn moment_between(&self, thrust: &Ball, thickness: &Ball) -> Float;
+
+    /// Thrust at which the least friction is needed, of those between two.
+    fn needed(&self, thrusts: [Option<&Ball>; 2]) -> Needed;
+}
+
 /// More rounds than pieces near an end.
 const ROUNDS: usize = 100;
 
-fn bounds<T: Near>(side: ThrustSide, row: &Row<T>) -> bool {
-    let zero = row.thrust.int(0);
+fn bounds<T: Start>(side: ThrustSide, row: &Row<T>) -> bool {
     match side {
-        ThrustSide::Least => row.thrust < zero,
-        ThrustSide::Largest => row.thrust > zero,
-    }
-}
-
-impl<T: Near> Searches for Search<'_, T> {
-    fn candidate(&self) -> VoussoirCandidate {
-        self.least()
-    }
-
-    fn thrust_end(&self, thickness: &Ball, side: ThrustSide) -> ThrustEnd {
-        thrust_end(self, &T::near(thickness, self.bits), side)
-    }
-
-    fn moment_between(&self, thrust: &Ball, thickness: &Ball) -> Float {
-        moment_between(self, &T::near(thrust, self.bits), &T::near(thickness, self.bits)).to_float()
-    }
-
-    fn needed(&self, thrusts: [Option<&Ball>; 2]) -> Needed {
-        needed(self, thrusts.map(|thrust| thrust.map(|x| T::near(x, self.bits))))
+        ThrustSide::Least => row.thrust < 0.0,
+        ThrustSide::Largest => row.thrust > 0.0,
     }
 }
 
 /// Sum of the conditions on the thrust of one joint, or two hinges.
-fn together<T: Near>(
+fn together<T: Start>(
     search: &Search<'_, T>,
     contacts: &[JointContact],
     thickness: &T,
@@ -86,90 +83,98 @@ fn together<T: Near>(
     rows.reduce(|sum, row| sum.plus(&row))
 }
 
-/// An end of the range of thrusts.
-fn thrust_end<T: Near>(search: &Search<'_, T>, thickness: &T, side: ThrustSide) -> ThrustEnd {
-    let (zero, last) = (thickness.int(0), search.last());
-    let [slip, upper, lower] = match side {
-        ThrustSide::Least => {
-            [(Contact::Inwards, search.inner()), (Contact::Extrados, 0), (Contact::Intrados, last)]
-        }
-        ThrustSide::Largest => {
-            [(Contact::Outwards, last), (Contact::Extrados, last), (Contact::Intrados, 0)]
-        }
-    };
-    let mut at: Option<(T, Vec<JointContact>)> = None;
-    for contacts in [vec![slip], vec![upper, lower]] {
-        let row = together(search, &contacts, thickness).filter(|row| bounds(side, row));
-        let Some(thrust) = row.map(|row| row.bound()) else { continue };
-        let is_tighter = at.as_ref().is_none_or(|(best, _)| match side {
-            ThrustSide::Least => thrust > *best,
-            ThrustSide::Largest => thrust < *best,
-        });
-        if is_tighter {
-            at = Some((thrust, contacts));
-        }
-    }
-    let Some((mut thrust, mut contacts)) = at else { return ThrustEnd::Unbounded };
-    for _ in 0..ROUNDS {
-        let [crown, shoulder] = [0, last].map(|joint| (Contact::Extrados, joint));
-        let depth = |contact| search.row(contact, thickness).at(&thrust, &zero);
-        let upper = if depth(crown) > depth(shoulder) { crown } else { shoulder };
-        let pair = vec![upper, (Contact::Intrados, search.haunch(&thrust, thickness))];
-        let Some(row) = together(search, &pair, thickness) else { break };
-        if row.at(&thrust, &zero) <= zero || pair == contacts {
-            break;
-        }
-        if !bounds(side, &row) {
-            return ThrustEnd::Contradiction(match side {
-                ThrustSide::Least => [contacts, pair],
-                ThrustSide::Largest => [pair, contacts],
-            });
-        }
-        thrust = row.bound();
-        contacts = pair;
-    }
-    ThrustEnd::At(contacts)
-}
-
-/// A crown moment between those of the hinges at the extrados and at the intrados.
-fn moment_between<T: Near>(search: &Search<'_, T>, thrust: &T, thickness: &T) -> T {
-    let moment = |contact| search.row(contact, thickness).moment_at(thrust);
-    let [crown, shoulder] = [0, search.last()].map(|joint| moment((Contact::Extrados, joint)));
-    let least = moment((Contact::Intrados, search.haunch(thrust, thickness)));
-    let most = if crown < shoulder { crown } else { shoulder };
-    (most + least) / thrust.int(2)
-}
-
 /// The joint at which the shear force is largest over the normal force.
-fn steepest<T: Near>(search: &Search<'_, T>, thrust: &T) -> u64 {
+fn steepest<T: Start>(search: &Search<'_, T>, thrust: &T) -> u64 {
     // At the crown it is zero.
     let first = u64::from(search.stones.has_joint_at_crown());
     peak(first, search.last(), |index| {
         let joint = search.angle(index);
         let (shear, normal) = (shear_force(&joint, thrust), normal_force(&joint, thrust));
         // A joint that opens asks for more than any other.
-        let opens = normal < normal.int(0) || normal.exponent() < -i64::from(normal.bits() / 2);
+        let opens = normal < 0.0 || normal.exponent() < -i64::from(normal.bits() / 2);
         (opens, if opens { normal.int(0) } else { shear / normal })
     })
 }
 
-/// Thrust at which the least friction is needed, of those between two.
-fn needed<T: Near>(search: &Search<'_, T>, [least, largest]: [Option<T>; 2]) -> Needed {
-    let shoulder = search.angle(search.last());
-    let mut joint = search.last().div_ceil(2);
-    let mut thrust = even_thrust(&search.angle(joint), &shoulder);
-    for _ in 0..ROUNDS {
-        let next =
-            steepest(search, least.as_ref().filter(|least| thrust < **least).unwrap_or(&thrust));
-        if next == joint {
-            break;
-        }
-        joint = next;
-        thrust = even_thrust(&search.angle(joint), &shoulder);
+impl<T: Start> Searches for Search<'_, T> {
+    fn candidate(&self) -> VoussoirCandidate {
+        self.least()
     }
-    match (least, largest) {
-        (Some(least), _) if thrust < least => Needed::AtLeast,
-        (_, Some(largest)) if thrust > largest => Needed::AtLargest(steepest(search, &largest)),
-        _ => Needed::Even(joint),
+
+    fn thrust_end(&self, thickness: &Ball, side: ThrustSide) -> ThrustEnd {
+        let thickness = &(self.near)(thickness);
+        let (zero, last) = (thickness.int(0), self.last());
+        let [slip, upper, lower] = match side {
+            ThrustSide::Least => [
+                (Contact::Inwards, self.inner()),
+                (Contact::Extrados, 0),
+                (Contact::Intrados, last),
+            ],
+            ThrustSide::Largest => {
+                [(Contact::Outwards, last), (Contact::Extrados, last), (Contact::Intrados, 0)]
+            }
+        };
+        let mut at: Option<(T, Vec<JointContact>)> = None;
+        for contacts in [vec![slip], vec![upper, lower]] {
+            let row = together(self, &contacts, thickness).filter(|row| bounds(side, row));
+            let Some(thrust) = row.map(|row| row.bound()) else { continue };
+            let is_tighter = at.as_ref().is_none_or(|(best, _)| match side {
+                ThrustSide::Least => thrust > *best,
+                ThrustSide::Largest => thrust < *best,
+            });
+            if is_tighter {
+                at = Some((thrust, contacts));
+            }
+        }
+        let Some((mut thrust, mut contacts)) = at else { return ThrustEnd::Unbounded };
+        for _ in 0..ROUNDS {
+            let [crown, shoulder] = [0, last].map(|joint| (Contact::Extrados, joint));
+            let depth = |contact| self.row(contact, thickness).at(&thrust, &zero);
+            let upper = if depth(crown) > depth(shoulder) { crown } else { shoulder };
+            let pair = vec![upper, (Contact::Intrados, self.haunch(&thrust, thickness))];
+            let Some(row) = together(self, &pair, thickness) else { break };
+            if row.at(&thrust, &zero) <= zero || pair == contacts {
+                break;
+            }
+            if !bounds(side, &row) {
+                return ThrustEnd::Contradiction(match side {
+                    ThrustSide::Least => [contacts, pair],
+                    ThrustSide::Largest => [pair, contacts],
+                });
+            }
+            thrust = row.bound();
+            contacts = pair;
+        }
+        ThrustEnd::At(contacts)
+    }
+
+    fn moment_between(&self, thrust: &Ball, thickness: &Ball) -> Float {
+        let [thrust, thickness] = &[thrust, thickness].map(|x| (self.near)(x));
+        let moment = |contact| self.row(contact, thickness).moment_at(thrust);
+        let [crown, shoulder] = [0, self.last()].map(|joint| moment((Contact::Extrados, joint)));
+        let least = moment((Contact::Intrados, self.haunch(thrust, thickness)));
+        let most = if crown < shoulder { crown } else { shoulder };
+        self.to_float(&((most + least) / thrust.int(2)))
+    }
+
+    fn needed(&self, thrusts: [Option<&Ball>; 2]) -> Needed {
+        let [least, largest] = thrusts.map(|thrust| thrust.map(|x| (self.near)(x)));
+        let shoulder = self.angle(self.last());
+        let mut joint = self.last().div_ceil(2);
+        let mut thrust = even_thrust(&self.angle(joint), &shoulder);
+        for _ in 0..ROUNDS {
+            let next =
+                steepest(self, least.as_ref().filter(|least| thrust < **least).unwrap_or(&thrust));
+            if next == joint {
+                break;
+            }
+            joint = next;
+            thrust = even_thrust(&self.angle(joint), &shoulder);
+        }
+        match (least, largest) {
+            (Some(least), _) if thrust < least => Needed::AtLeast,
+            (_, Some(largest)) if thrust > largest => Needed::AtLargest(steepest(self, &largest)),
+            _ => Needed::Even(joint),
+        }
     }
 }

@@ -5,12 +5,11 @@
 //! a lower bound, and a few are enough. On the joints each condition rises and then falls
 //! ([`contact`](crate::arch::contact)), so that its largest value is found by halving.
 
-use super::Approximate;
-use super::voussoir_thrust::{Needed, ThrustEnd, ThrustSide};
+use super::super::start::Start;
 use crate::arch::joint::{Grip, Row, combination};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Ring, SelfWeight};
-use crate::number::{Angle, Ball, Jet, Real};
+use crate::number::{Angle, Ball, Engine, Jet, Real};
 use crate::problem::Joints;
 use crate::problem::stones::{JointContact, Stones};
 use rug::Float;
@@ -46,65 +45,31 @@ const SHORT: i64 = 24;
 /// Rounds of moving the hinge; each climbs, and there are only so many joints near the best.
 const ROUNDS: usize = 100;
 
-/// Numbers of a search.
-pub trait Near: Approximate + Real {
-    /// The middle of a ball, in `bits` bits where there are so many.
-    fn near(x: &Ball, bits: u32) -> Self;
-
-    /// The number itself.
-    fn to_float(&self) -> Float;
-}
-
-impl Near for f64 {
-    fn near(x: &Ball, _bits: u32) -> Self {
-        x.mid().to_f64()
-    }
-
-    fn to_float(&self) -> Float {
-        Float::with_val(Self::MANTISSA_DIGITS, self)
-    }
-}
-
-impl Near for Float {
-    fn near(x: &Ball, bits: u32) -> Self {
-        Self::with_val(bits, x.mid())
-    }
-
-    fn to_float(&self) -> Float {
-        self.clone()
-    }
-}
-
-/// Questions about an arch of voussoirs that a search answers, whatever its numbers are.
-pub trait Searches {
-    /// The least thickness with a thrust between the two at which something slides.
-    fn candidate(&self) -> VoussoirCandidate;
-
-    /// An end of the range of thrusts.
-    fn thrust_end(&self, thickness: &Ball, side: ThrustSide) -> ThrustEnd;
-
-    /// A crown moment between those of the hinges at the extrados and at the intrados.
-    fn moment_between(&self, thrust: &Ball, thickness: &Ball) -> Float;
-
-    /// Thrust at which the least friction is needed, of those between two.
-    fn needed(&self, thrusts: [Option<&Ball>; 2]) -> Needed;
-}
-
 /// An arch of voussoirs in doubles, or in numbers of some bits.
 pub struct Search<'a, T> {
     pub(super) stones: &'a Stones,
     weight: SelfWeight,
     grip: Grip<T>,
     half_opening: T,
-    pub(super) bits: u32,
+    bits: u32,
+    /// The middle of a ball in these numbers.
+    pub(super) near: &'a dyn Fn(&Ball) -> T,
 }
 
-impl<'a, T: Near> Search<'a, T> {
-    /// An arch, and its friction as a [`Grip`], in numbers of `bits` bits.
-    pub fn new(stones: &'a Stones, weight: SelfWeight, grip: &Grip<Ball>, bits: u32) -> Self {
-        let grip = grip.clone().map(|x| T::near(&x, bits));
-        let half_opening = T::near(&stones.half_opening().enclosure(bits), bits);
-        Self { stones, weight, grip, half_opening, bits }
+impl<'a, T: Start> Search<'a, T> {
+    /// An arch, and its friction as a [`Grip`], in numbers that are `near` the middles of balls of `bits` bits.
+    pub fn new(
+        (stones, weight, grip): (&'a Stones, SelfWeight, &Grip<Ball>),
+        bits: u32,
+        near: &'a dyn Fn(&Ball) -> T,
+    ) -> Self {
+        let half_opening = near(&stones.half_opening().enclosure(bits));
+        Self { stones, weight, grip: grip.clone().map(|x| near(&x)), half_opening, bits, near }
+    }
+
+    /// The number itself.
+    pub(super) fn to_float(&self, x: &T) -> Float {
+        <Ball as Engine>::exact(&x.exact(), self.bits as usize).mid().clone()
     }
 
     pub(super) fn last(&self) -> u64 {
@@ -117,7 +82,7 @@ impl<'a, T: Near> Search<'a, T> {
             Stones::Equal { stones, .. } => {
                 whole(2 * index + stones % 2) * &self.half_opening / whole(*stones)
             }
-            Stones::Joints(_) => T::near(&self.stones.joint(index, self.bits), self.bits),
+            Stones::Joints(_) => (self.near)(&self.stones.joint(index, self.bits)),
         })
     }
 
@@ -128,10 +93,9 @@ impl<'a, T: Near> Search<'a, T> {
     /// The thrust at which a joint slides; `None` if no thrust is too small, or none too large.
     fn sliding_thrust(&self, contact: JointContact) -> Option<T> {
         let row = self.row(contact, &self.half_opening.int(1));
-        let zero = row.thrust.int(0);
         let bounds = match contact.0 {
-            Contact::Inwards => row.thrust < zero,
-            _ => row.thrust > zero,
+            Contact::Inwards => row.thrust < 0.0,
+            _ => row.thrust > 0.0,
         };
         bounds.then(|| -row.load / row.thrust)
     }
@@ -192,9 +156,9 @@ impl<'a, T: Near> Search<'a, T> {
             let (thrust, _) = rows[0].meeting(&rows[2]);
             found.0 = match root {
                 None => VoussoirCandidate::TooThick { contacts: three },
-                Some(thickness) if thickness == thickness.int(0) => VoussoirCandidate::AnyThickness,
+                Some(thickness) if thickness == 0.0 => VoussoirCandidate::AnyThickness,
                 Some(thickness) => {
-                    let thickness = thickness.to_float();
+                    let thickness = self.to_float(&thickness);
                     VoussoirCandidate::Collapses { contacts: three, thickness }
                 }
             };

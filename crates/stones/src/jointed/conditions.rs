@@ -153,10 +153,21 @@ impl<T: Arithmetic> Conditions<T> {
     /// Two mirror images are zero together where one is and `v` is zero. Of three hinges at the intrados the factor
     /// `1 - eta/2`, which all four have, is left out, and of the two hinges of a joint the factor `eta`.
     pub(super) fn meeting(&self, of: &[usize]) -> [ShortPolynomial<T>; 4] {
+        self.meeting_by(of, &self.minors(of))
+    }
+
+    /// The minors of the rows of the first two conditions, which serve each third one.
+    pub(super) fn minors(&self, of: &[usize]) -> Minors<T> {
+        let rows = self.rows_of(&of[..2]);
+        minors([rows[0], rows[1]])
+    }
+
+    /// The state of [`meeting`](Self::meeting), from these minors.
+    pub(super) fn meeting_by(&self, of: &[usize], by: &Minors<T>) -> [ShortPolynomial<T>; 4] {
         let is_intrados = |place: &usize| self.all[*place].contact == Contact::Intrados;
         let without_vertical_force = |of: &[usize]| {
             let rows = self.rows_of(of);
-            crossed([rows[0], rows[1], &self.no_vertical_force])
+            crossed(&minors([rows[0], rows[1]]), &self.no_vertical_force)
         };
         match (of, self.mirror_images(of)) {
             ([_, _], _) => without_vertical_force(of),
@@ -166,15 +177,13 @@ impl<T: Arithmetic> Conditions<T> {
                     let [h, p, v, load] = &self.all[of[k]].row;
                     [h.first(), p.clone(), v.first(), load.clone()]
                 });
-                let [h, p, v, whole] = crossed(reduced.each_ref());
+                let [a, b, c] = &reduced;
+                let [h, p, v, whole] = crossed(&minors([a, b]), c);
                 let times =
                     |x: &ShortPolynomial<T>| ShortPolynomial::alternating(&[[&self.intrados, x]]);
                 [h, times(&p), v, times(&whole)]
             }
-            _ => {
-                let rows = self.rows_of(of);
-                crossed([rows[0], rows[1], rows[2]])
-            }
+            _ => crossed(by, self.row_beside(of[2], &of[..2])),
         }
     }
 
@@ -242,11 +251,18 @@ impl<T: Arithmetic> Conditions<T> {
     }
 }
 
-/// Four numbers at right angles to three rows, up to a common factor.
-fn crossed<T: Arithmetic>([a, b, c]: [&[ShortPolynomial<T>; 4]; 3]) -> [ShortPolynomial<T>; 4] {
-    let minor = |i, j| ShortPolynomial::minor([a, b], [i, j]);
-    let [m01, m02, m03] = [minor(0, 1), minor(0, 2), minor(0, 3)];
-    let [m12, m13, m23] = [minor(1, 2), minor(1, 3), minor(2, 3)];
+/// Minors of two rows, by the columns in order.
+pub(super) type Minors<T> = [ShortPolynomial<T>; 6];
+
+fn minors<T: Arithmetic>([a, b]: [&[ShortPolynomial<T>; 4]; 2]) -> Minors<T> {
+    [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]].map(|ij| ShortPolynomial::minor([a, b], ij))
+}
+
+/// Four numbers at right angles to three rows, up to a common factor, from the minors of two.
+fn crossed<T: Arithmetic>(
+    [m01, m02, m03, m12, m13, m23]: &Minors<T>,
+    c: &[ShortPolynomial<T>; 4],
+) -> [ShortPolynomial<T>; 4] {
     let det = |ab: &ShortPolynomial<T>,
                ac: &ShortPolynomial<T>,
                bc: &ShortPolynomial<T>,
@@ -254,10 +270,10 @@ fn crossed<T: Arithmetic>([a, b, c]: [&[ShortPolynomial<T>; 4]; 3]) -> [ShortPol
         ShortPolynomial::alternating(&[[ab, &c[at[2]]], [ac, &c[at[1]]], [bc, &c[at[0]]]])
     };
     [
-        det(&m12, &m13, &m23, [1, 2, 3]),
-        det(&m02, &m03, &m23, [0, 2, 3]).negative(),
-        det(&m01, &m03, &m13, [0, 1, 3]),
-        det(&m01, &m02, &m12, [0, 1, 2]).negative(),
+        det(m12, m13, m23, [1, 2, 3]),
+        det(m02, m03, m23, [0, 2, 3]).negative(),
+        det(m01, m03, m13, [0, 1, 3]),
+        det(m01, m02, m12, [0, 1, 2]).negative(),
     ]
 }
 

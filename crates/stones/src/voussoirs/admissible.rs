@@ -111,7 +111,7 @@ impl StoneLine<'_> {
         if is_above(last) {
             return Ok([last, last]);
         }
-        let [low, high] = halved([0, last], &[], is_above);
+        let [low, high] = halved([0, last], is_above);
         // A joint may lie where it changes.
         let next = (high + 1).min(last);
         match is_below(high) || high == last {
@@ -176,6 +176,10 @@ impl StoneLine<'_> {
         let beyond = |joint: u64| joints.angle(joint).rad.square() - &square;
         let is_below = |joint: u64| is_positive(&-beyond(joint));
         let is_above = |joint: u64| is_positive(&beyond(joint));
+        let near = joints.near(square.mid().to_f64().sqrt());
+        if near < joints.last() && is_below(near) && is_above(near + 1) {
+            return Ok([near, near + 1]);
+        }
         if is_above(0) {
             return Ok([0, 0]);
         }
@@ -183,25 +187,16 @@ impl StoneLine<'_> {
         if last == joints.last() && is_below(last) {
             return Ok([last, last]);
         }
-        let root = square.mid().to_f64().sqrt();
-        let near = joints.near(root);
-        let [low, high] = halved([0, last], &[near, near + 1], is_below);
+        let [low, high] = halved([0, last], is_below);
         ensure(is_above(high), "where the joints slide most easily")?;
         Ok([low, high])
     }
 }
 
-/// Two joints next to each other between these, the last that is before something and the first that is not; these are
-/// tried first.
-fn halved(
-    [mut low, mut high]: [u64; 2],
-    first: &[u64],
-    is_before: impl Fn(u64) -> bool,
-) -> [u64; 2] {
-    let mut first = first.iter().copied();
+/// Two joints next to each other between these, the last that is before something and the first that is not.
+fn halved([mut low, mut high]: [u64; 2], is_before: impl Fn(u64) -> bool) -> [u64; 2] {
     while high - low > 1 {
-        let guess = first.by_ref().find(|joint| (low + 1..high).contains(joint));
-        let middle = guess.unwrap_or(low + (high - low) / 2);
+        let middle = low + (high - low) / 2;
         match is_before(middle) {
             true => low = middle,
             false => high = middle,

@@ -15,8 +15,7 @@ use crate::arch::statics::{normal_force, shear_force};
 use crate::number::{Angle, Ball, Field};
 use crate::prover::Undecided;
 use crate::prover::decide::{ensure, is_positive};
-use crate::solve::voussoir_thrust::Needed;
-use crate::solve::voussoirs::Searches;
+use crate::solve::voussoir_thrust::{Needed, Searches};
 
 /// The least friction, for the range of thrusts with unlimited friction.
 pub(super) fn required(

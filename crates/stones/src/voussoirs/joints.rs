@@ -9,12 +9,13 @@ use crate::problem::{Friction, Joints};
 use crate::prover::decide::{ensure, is_positive};
 use crate::prover::ties::slides_at_no_thrust;
 use crate::prover::{Figure, Undecided};
-use crate::solve::voussoirs::{DEGREE, Near, Search, Searches};
+use crate::solve::voussoir_thrust::Searches;
+use crate::solve::voussoirs::{DEGREE, Search};
 use rug::Float;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-/// Bits in which a search is nearly always right.
+/// Bits in which signs are nearly always decided.
 const FEW: u32 = 256;
 
 /// The joints of an arch with their sines and cosines, which cost most of a proof: each is computed once.
@@ -71,20 +72,15 @@ impl<'a> StoneJoints<'a> {
         self.friction != Some(Friction::Infinite)
     }
 
-    /// The proof of what a search for candidates finds in doubles, or else in few bits, or in all.
+    /// The proof of what a search for candidates finds in doubles, or else in all bits.
     pub(super) fn searched<T>(
         &self,
         proof: impl Fn(&dyn Searches) -> Result<T, Undecided>,
     ) -> Result<T, Undecided> {
-        let few = self.bits.min(FEW);
-        proof(&self.search::<f64>(few)).or_else(|_| match proof(&self.search::<Float>(few)) {
-            Err(_) if self.bits > FEW => proof(&self.search::<Float>(self.bits)),
-            found => found,
-        })
-    }
-
-    fn search<N: Near>(&self, bits: u32) -> Search<'a, N> {
-        Search::new(self.stones, self.weight, &self.grip, bits)
+        let (arch, bits) = ((self.stones, self.weight, &self.grip), self.bits);
+        let in_full = |x: &Ball| Float::with_val(bits, x.mid());
+        proof(&Search::new(arch, bits, &|x: &Ball| x.mid().to_f64()))
+            .or_else(|_| proof(&Search::new(arch, bits, &in_full)))
     }
 
     /// A joint by its index.

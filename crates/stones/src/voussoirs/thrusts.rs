@@ -15,8 +15,7 @@ use crate::number::{Ball, Drawable, Field};
 use crate::problem::stones::JointContact;
 use crate::prover::decide::{ensure, is_positive};
 use crate::prover::{Figure, Undecided};
-use crate::solve::voussoir_thrust::{ThrustEnd, ThrustSide};
-use crate::solve::voussoirs::Searches;
+use crate::solve::voussoir_thrust::{Searches, ThrustEnd, ThrustSide};
 
 /// A bound of the thrust.
 #[derive(Clone, Debug)]
