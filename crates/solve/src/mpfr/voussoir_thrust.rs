@@ -3,13 +3,13 @@
 //! The room for the crown moment is a concave function of the thrust, made of straight pieces: from beyond an end
 //! Newton's method reaches it in a few steps and never passes it.
 
-use super::super::start::Start;
 use super::voussoirs::{Search, VoussoirCandidate, peak};
 use crate::arch::joint::{Row, even_thrust};
 use crate::arch::mechanism::Contact;
 use crate::arch::statics::{normal_force, shear_force};
 use crate::number::Ball;
 use crate::problem::stones::JointContact;
+use crate::start::Start;
 use rug::Float;
 
 /// The end of a range of thrusts that is asked for.

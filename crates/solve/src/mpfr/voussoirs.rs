@@ -5,13 +5,13 @@
 //! a lower bound, and a few are enough. On the joints each condition rises and then falls
 //! ([`contact`](crate::arch::contact)), so that its largest value is found by halving.
 
-use super::super::start::Start;
 use crate::arch::joint::{Grip, Row, combination};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Ring, SelfWeight};
 use crate::number::{Angle, Ball, Engine, Jet, Real};
 use crate::problem::Joints;
 use crate::problem::stones::{JointContact, Stones};
+use crate::start::Start;
 use rug::Float;
 
 /// Probable verdict on an arch of voussoirs.
