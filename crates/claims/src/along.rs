@@ -12,12 +12,13 @@ use crate::certify::{CertifiedLandmark, Undecided};
 use crate::number::{Angle, Ball, Dual, ExactNumber, Field, Real, Ternary};
 use crate::problem::{Arch, Friction};
 use crate::problem::{Landmark, Mode};
+use crate::prover::halve::halve;
 use rug::Rational;
 
 /// Bits of the states.
 const BITS: u32 = 128;
 /// A range is halved so often at the most.
-const DEPTH: usize = 16;
+const DEPTH: u32 = 16;
 
 /// A state, or all states of a range.
 #[derive(Clone, Debug)]
@@ -175,20 +176,19 @@ pub(super) fn on_all(
     state: &dyn Fn(&Rational) -> Checked<CurveStates>,
     holds: &dyn Fn(&CurveStates, &CurveStates) -> Ternary,
 ) -> Checked<Ternary> {
-    let mut open = vec![((low.clone(), state(low)?), (high.clone(), state(high)?), 0)];
-    while let Some((left, right, depth)) = open.pop() {
-        match holds(&left.1, &right.1) {
-            Ternary::True => {}
-            _ if depth < DEPTH => {
-                let middle: Rational = Rational::from(&left.0 + &right.0) / 2;
-                let middle = (middle.clone(), state(&middle)?);
-                open.push((middle.clone(), right, depth + 1));
-                open.push((left, middle, depth + 1));
-            }
-            _ => return Ok(Ternary::Undecided),
-        }
-    }
-    Ok(Ternary::True)
+    let at = |x: &Rational| -> Checked<_> { Ok((x.clone(), state(x)?)) };
+    let halves = |[left, right]: &[(Rational, CurveStates); 2]| {
+        let middle = at(&(Rational::from(&left.0 + &right.0) / 2)).ok()?;
+        Some([[left.clone(), middle.clone()], [middle, right.clone()]])
+    };
+    let proof = |[left, right]: &[(Rational, CurveStates); 2]| {
+        let holds = holds(&left.1, &right.1);
+        if holds.is_proved() { Ok(()) } else { Err(Ternary::Undecided) }
+    };
+    Ok(match halve([at(low)?, at(high)?], DEPTH, halves, proof) {
+        Ok(_) => Ternary::True,
+        Err(open) => open,
+    })
 }
 
 /// Tells whether `holds` is proved on a range: it is asked with all states between those at the ends of each part.

@@ -111,9 +111,17 @@ impl Claim {
         self.id.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
     }
 
-    /// Decides the claim.
+    /// Decides the claim, once in a process.
     pub fn decide(&self) -> Decision {
-        self.decide_with(Derivation::new())
+        static KNOWN: Mutex<BTreeMap<&str, Decision>> = Mutex::new(BTreeMap::new());
+        let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+        let decided = known().get(self.id).cloned();
+        decided.unwrap_or_else(|| {
+            // Not under the lock: a claim uses others.
+            let decision = self.decide_with(Derivation::new());
+            known().insert(self.id, decision.clone());
+            decision
+        })
     }
 
     pub(super) fn decide_with(&self, mut derivation: Derivation) -> Decision {
@@ -143,21 +151,12 @@ pub(super) fn lemmas<const N: usize>(d: &mut Derivation, claims: [&Claim; N]) ->
     Ok(())
 }
 
-/// Supports of a claim that is used, if it holds as it is stated; each is decided once in a process.
+/// Supports of a claim that is used, if it holds as it is stated.
 fn used(claim: &Claim) -> Checked<Vec<Support>> {
-    type Used = Checked<Vec<Support>>;
-    static KNOWN: Mutex<BTreeMap<&str, Used>> = Mutex::new(BTreeMap::new());
-    let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(used) = known().get(claim.id) {
-        return used.clone();
-    }
-    // Not under the lock: a claim uses others.
-    let decision = claim.decide();
-    let used = match decision.outcome {
-        Ok(Finding::AsPrinted | Finding::Implicit) => Ok(decision.derivation.supports().collect()),
+    let Decision { outcome, derivation, .. } = claim.decide();
+    match outcome {
+        Ok(Finding::AsPrinted | Finding::Implicit) => Ok(derivation.supports().collect()),
         Ok(_) => Err(Undecided::new(format!("{} does not hold as it is stated", claim.id))),
         Err(undecided) => Err(undecided.about(claim.id)),
-    };
-    known().insert(claim.id, used.clone());
-    used
+    }
 }

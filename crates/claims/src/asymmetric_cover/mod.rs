@@ -86,6 +86,14 @@ impl Place {
         let inclination = Angle::new(self.inclination.ball());
         inner_room(&inclination, &self.vertical.ball(), half_opening)
     }
+
+    /// Halves of the box across its longest side.
+    fn halves(&self) -> Option<[Self; 2]> {
+        Some(match self.inclination.width() > self.vertical.width() {
+            true => self.inclination.halves().map(|inclination| Self { inclination, ..*self }),
+            false => self.vertical.halves().map(|vertical| Self { vertical, ..*self }),
+        })
+    }
 }
 
 fn inner_room<T: Real>(inclination: &Angle<T>, vertical: &T, half_opening: &T) -> T {

@@ -9,6 +9,7 @@ use crate::certify::Undecided;
 use crate::check::krawczyk;
 use crate::number::{Angle, DoubleBall, Enclosure, Field, Gradient, Real};
 use crate::prover::decide::is_positive;
+use crate::prover::halve::halve;
 use crate::solve::invert;
 use std::array;
 
@@ -35,14 +36,17 @@ impl Directions {
 }
 
 /// A box is halved so often at the most.
-const DEPTH: usize = 30;
+const DEPTH: u32 = 30;
 
 /// The unknowns next to a state of an inner joint that slides: `p, eta, b0 + 1, b1, alpha_U, alpha_Q, alpha_I`.
 const START: [f64; 7] = [0.2309, 0.5831, 1.0613, 1.0567, 2.35, 2.2, 2.3];
-/// Steps of Newton's method to the middle of a box from that of the box that it is half of.
+/// Steps of Newton's method to the middle of a box from that of the box before it.
 const STEPS: usize = 4;
-/// Ratio of the width of a box of unknowns to what the first order leaves of it.
-const INFLATION: f64 = 2.0;
+/// A step after which the middle is as good as any other.
+const SHORT: f64 = 1e-6;
+/// Ratio of the width of a box of unknowns to what the first order leaves of it: the haunch and the half opening that
+/// fits bend most, and the others are not to be wider than they have to.
+const INFLATION: [f64; 7] = [1.4, 1.4, 1.4, 2.0, 1.4, 2.0, 1.4];
 
 /// The two hinges touch, and the half openings at which the shoulder opens, the mechanism fits and an inner joint
 /// slides. `b0` has one added: it is zero where `v` is. The last two of the variables are the inclination and `v`.
@@ -72,33 +76,45 @@ fn touching<T: Real>(weight: SelfWeight, of: &[T; 9]) -> [T; 7] {
 
 /// For all forces of a box exactly one root in another box, next to a start value: `K` of [`krawczyk`] with slopes by
 /// the forces too, `F(m, p) = F(m, p_0) + F_p (p - p_0)`, so that the rows of `Y` meet all that a force does at once.
-/// A row has as many entries as there are variables; those beyond the equations multiply nothing.
-fn root_in(weight: SelfWeight, place: Place, start: &[f64; 7]) -> Option<[DoubleBall; 7]> {
+/// A row has as many entries as there are variables; those beyond the equations multiply nothing. The start value
+/// becomes the middle of the box, which is found where nothing is proved too.
+fn root_in(weight: SelfWeight, place: &Place, start: &mut [f64; 7]) -> Option<[DoubleBall; 7]> {
     let forces = [place.inclination, place.vertical];
     let mut centre: [f64; 9] =
         array::from_fn(|k| if k < 7 { start[k] } else { forces[k - 7].middle() });
-    let mut inverse = [[0.0; 7]; 7];
+    let (mut inverse, mut reach) = ([[0.0; 7]; 7], [0.0; 7]);
+    let mut longest = f64::INFINITY;
     for _ in 0..STEPS {
         let residuals = touching(weight, &Gradient::<f64, 9>::variables(&centre));
         inverse = invert(residuals.map(|r| array::from_fn(|k| r.slopes[k])))?;
-        for (x, row) in centre.iter_mut().zip(&inverse) {
-            *x -= row.iter().zip(&residuals).map(|(y, r)| y * r.value).sum::<f64>();
+        longest = 0.0;
+        for (k, row) in inverse.iter().enumerate() {
+            let moved = |of: &dyn Fn(&Gradient<f64, 9>) -> f64| {
+                row.iter().zip(&residuals).map(|(y, r)| y * of(r)).sum::<f64>()
+            };
+            let by = |n: usize| moved(&|r| r.slopes[7 + n]).abs() * forces[n].width() / 2.0;
+            let step = moved(&|r| r.value);
+            (centre[k], reach[k]) = (centre[k] - step, by(0) + by(1));
+            longest = longest.max(step.abs());
+        }
+        if longest < SHORT {
+            break;
         }
     }
+    if longest.is_nan() || longest >= SHORT {
+        return None;
+    }
+    start.copy_from_slice(&centre[..7]);
     let centre = centre.map(DoubleBall::exact);
     let residuals = touching(weight, &centre);
     let exact = |row: &[f64; 7], k: usize| DoubleBall::exact(row.get(k).copied().unwrap_or(0.0));
     let inverse = inverse.map(|row| -> [_; 9] { array::from_fn(|k| exact(&row, k)) });
-    let image = |domain: &[DoubleBall; 9]| {
-        let slopes = touching(weight, &Gradient::variables(domain));
-        krawczyk::image(&centre, &residuals, &slopes, &inverse, domain)
-    };
-    let about = |radius: &dyn Fn(usize) -> f64| -> [DoubleBall; 9] {
-        array::from_fn(|k| if k < 7 { centre[k].widened(radius(k)) } else { forces[k - 7].ball() })
-    };
-    let first = image(&about(&|_| 0.0));
-    let domain = about(&|k| INFLATION * (first[k] - centre[k]).size());
-    let root = image(&domain);
+    let domain: [DoubleBall; 9] = array::from_fn(|k| match reach.get(k) {
+        Some(reach) => centre[k].widened(INFLATION[k] * reach),
+        None => forces[k - 7].ball(),
+    });
+    let slopes = touching(weight, &Gradient::variables(&domain));
+    let root = krawczyk::image(&centre, &residuals, &slopes, &inverse, &domain);
     krawczyk::is_contracted(&root, &domain[..7]).then(|| root.try_into().ok())?
 }
 
@@ -123,11 +139,10 @@ struct State {
     opens: DoubleBall,
     fits: DoubleBall,
     slides: DoubleBall,
-    centre: [f64; 7],
 }
 
 impl State {
-    fn new(weight: SelfWeight, place: Place, start: &[f64; 7]) -> Option<Self> {
+    fn new(weight: SelfWeight, place: &Place, start: &mut [f64; 7]) -> Option<Self> {
         let root = root_in(weight, place, start)?;
         let [_, thickness, crown, haunch, opens, fits, slides] = root;
         Some(Self {
@@ -138,7 +153,6 @@ impl State {
             opens,
             fits,
             slides,
-            centre: root.map(|x| x.mid()),
         })
     }
 
@@ -273,32 +287,22 @@ fn known_and(
         inclination: Span::of_parts(RECTANGLE.inclinations),
         vertical: Span::of_parts([0, RECTANGLE.vertical]),
     };
-    let mut counts = [0, 0];
-    let mut open = vec![(whole, START, 0)];
-    while let Some((place, start, depth)) = open.pop() {
-        let state = State::new(weight, place, &start);
-        let state = state.filter(|state| state.is_in_order(place));
-        let fitting = state.as_ref().filter(|state| state.fits_before(place));
-        let told = fitting.and_then(|state| {
-            state.goes(directions, place).filter(|is_none| *is_none || holds(state, place))
+    let (mut start, mut states) = (START, 0);
+    let proof = |place: &Place| {
+        let state = State::new(weight, place, &mut start);
+        let state = state.filter(|state| state.is_in_order(*place) && state.fits_before(*place));
+        let told = state.and_then(|state| {
+            let goes = state.goes(directions, *place);
+            goes.filter(|is_none| *is_none || holds(&state, *place))
         });
-        if let Some(is_none) = told {
-            counts[0] += 1;
-            counts[1] += usize::from(!is_none);
-            continue;
-        }
-        if depth == DEPTH {
-            let at = [place.inclination.middle(), place.vertical.middle()];
-            return Err(Undecided::new(format!("not decided at chi = {}, v = {}", at[0], at[1])));
-        }
-        let start = state.map_or(start, |state| state.centre);
-        let halves = match place.inclination.width() > place.vertical.width() {
-            true => place.inclination.halves().map(|inclination| Place { inclination, ..place }),
-            false => place.vertical.halves().map(|vertical| Place { vertical, ..place }),
-        };
-        open.extend(halves.map(|half| (half, start, depth + 1)));
-    }
-    Ok(counts)
+        states += usize::from(!told.ok_or([place.inclination, place.vertical])?);
+        Ok(())
+    };
+    let boxes = halve(whole, DEPTH, Place::halves, proof).map_err(|at: [Span; 2]| {
+        let [chi, v] = at.map(Span::middle);
+        Undecided::new(format!("not decided at chi = {chi}, v = {v}"))
+    })?;
+    Ok([boxes, states])
 }
 
 #[cfg(test)]

@@ -17,9 +17,10 @@ use crate::arch::whole::{Forces, Side, margin, margin_along};
 use crate::arch::{Ring, SelfWeight, cycloid};
 use crate::certify::Undecided;
 use crate::number::{Angle, DoubleBall, Enclosure, Field, Real};
+use crate::prover::halve::halve;
 
 /// A box is halved so often at the most.
-const DEPTH: usize = 40;
+const DEPTH: u32 = 40;
 
 /// Range of thrusts.
 #[derive(Clone, Copy, Debug)]
@@ -185,7 +186,10 @@ impl Cell {
                 || self.place().is_some_and(|place| is_positive(-place.room_inside(&joint.rad)))
         };
         let [right, wider @ ..] = &joints.below[..] else { return false };
-        is_outside(right) || wider.iter().any(|joint| is_outside(joint) && is_too_small(joint))
+        // Wider ones are outside too, and less surely too small.
+        let first = wider.partition_point(|joint| !is_outside(joint));
+        is_outside(right)
+            || wider.get(first).is_some_and(|joint| is_outside(joint) && is_too_small(joint))
     }
 
     /// Ranges of the two hinges; `None` if they do not both touch.
@@ -223,22 +227,22 @@ impl Cell {
     }
 
     /// Halves of the box across its longest side; the thickness counts half.
-    fn halves(self) -> [Self; 2] {
+    fn halves(&self) -> Option<[Self; 2]> {
         let widths =
             [self.thrust.span().width(), self.vertical.width(), self.thickness.width() / 2.0];
         let longest = widths.into_iter().fold(0.0, f64::max);
-        if widths[0] == longest {
-            self.thrust.halves().map(|thrust| Self { thrust, ..self })
+        Some(if widths[0] == longest {
+            self.thrust.halves().map(|thrust| Self { thrust, ..*self })
         } else if widths[1] == longest {
-            self.vertical.halves().map(|vertical| Self { vertical, ..self })
+            self.vertical.halves().map(|vertical| Self { vertical, ..*self })
         } else {
-            self.thickness.halves().map(|thickness| Self { thickness, ..self })
-        }
+            self.thickness.halves().map(|thickness| Self { thickness, ..*self })
+        })
     }
 }
 
 /// Proves that outside a rectangle of forces no asymmetric state is, of any half opening and any friction.
-/// Returns the number of boxes.
+/// Returns the number of boxes, those of the rectangle among them.
 pub(in super::super) fn elsewhere(
     weight: SelfWeight,
     rectangle: Rectangle,
@@ -251,21 +255,13 @@ pub(in super::super) fn elsewhere(
         vertical: Span::of_parts([0, 104]),
         thickness: Span::of_parts([0, 128]),
     };
-    let mut open: Vec<_> =
-        [Thrust::Inclined(angles), Thrust::Large(thrusts)].map(|thrust| (whole(thrust), 0)).into();
-    let mut boxes = 0;
-    while let Some((cell, depth)) = open.pop() {
-        if cell.is_inside(rectangle) {
-            continue;
-        }
-        if cell.is_empty(weight, &joints) {
-            boxes += 1;
-            continue;
-        }
-        if depth == DEPTH {
-            return Err(Undecided::new(format!("not decided at {cell:?}")));
-        }
-        open.extend(cell.halves().map(|half| (half, depth + 1)));
-    }
-    Ok(boxes)
+    let proof = |cell: &Cell| {
+        let is_settled = cell.is_inside(rectangle) || cell.is_empty(weight, &joints);
+        is_settled.then_some(()).ok_or(*cell)
+    };
+    [Thrust::Inclined(angles), Thrust::Large(thrusts)]
+        .into_iter()
+        .map(|thrust| halve(whole(thrust), DEPTH, Cell::halves, proof))
+        .sum::<Result<usize, Cell>>()
+        .map_err(|cell| Undecided::new(format!("not decided at {cell:?}")))
 }

@@ -153,15 +153,17 @@ impl<T: Arithmetic> Conditions<T> {
     /// Two mirror images are zero together where one is and `v` is zero. Of three hinges at the intrados the factor
     /// `1 - eta/2`, which all four have, is left out, and of the two hinges of a joint the factor `eta`.
     pub(super) fn meeting(&self, of: &[usize]) -> [ShortPolynomial<T>; 4] {
-        self.meeting_beside(of, &mut None)
+        self.meeting_by(of, &self.minors(of))
     }
 
-    /// State of [`meeting`](Self::meeting), with the minors that are kept of the triple before.
-    pub(super) fn meeting_beside(
-        &self,
-        of: &[usize],
-        kept: &mut Option<KeptMinors<T>>,
-    ) -> [ShortPolynomial<T>; 4] {
+    /// The minors of the rows of the first two conditions, which serve each third one.
+    pub(super) fn minors(&self, of: &[usize]) -> Minors<T> {
+        let rows = self.rows_of(&of[..2]);
+        minors([rows[0], rows[1]])
+    }
+
+    /// The state of [`meeting`](Self::meeting), from these minors.
+    pub(super) fn meeting_by(&self, of: &[usize], by: &Minors<T>) -> [ShortPolynomial<T>; 4] {
         let is_intrados = |place: &usize| self.all[*place].contact == Contact::Intrados;
         let without_vertical_force = |of: &[usize]| {
             let rows = self.rows_of(of);
@@ -175,19 +177,13 @@ impl<T: Arithmetic> Conditions<T> {
                     let [h, p, v, load] = &self.all[of[k]].row;
                     [h.first(), p.clone(), v.first(), load.clone()]
                 });
-                let [h, p, v, whole] = crossed(&minors([&reduced[0], &reduced[1]]), &reduced[2]);
+                let [a, b, c] = &reduced;
+                let [h, p, v, whole] = crossed(&minors([a, b]), c);
                 let times =
                     |x: &ShortPolynomial<T>| ShortPolynomial::alternating(&[[&self.intrados, x]]);
                 [h, times(&p), v, times(&whole)]
             }
-            _ => {
-                let (rows, first) = (self.rows_of(of), [of[0], of[1]]);
-                let kept = match kept {
-                    Some(kept) if kept.0 == first => kept,
-                    _ => kept.insert((first, minors([rows[0], rows[1]]))),
-                };
-                crossed(&kept.1, rows[2])
-            }
+            _ => crossed(by, self.row_beside(of[2], &of[..2])),
         }
     }
 
@@ -255,23 +251,22 @@ impl<T: Arithmetic> Conditions<T> {
     }
 }
 
-/// Minors of two rows, by the columns 01, 02, 03, 12, 13 and 23.
-type Minors<T> = [ShortPolynomial<T>; 6];
+/// Minors of two rows, by the columns in order.
+pub(super) type Minors<T> = [ShortPolynomial<T>; 6];
 
-/// Minors of two conditions: the triples that begin with these follow each other.
-pub(super) type KeptMinors<T> = ([usize; 2], Minors<T>);
-
-fn minors<T: Arithmetic>(rows: [&[ShortPolynomial<T>; 4]; 2]) -> Minors<T> {
-    let [a, b] = rows.map(|row| &row[..]);
-    [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]].map(|by| ShortPolynomial::minor([a, b], by))
+fn minors<T: Arithmetic>([a, b]: [&[ShortPolynomial<T>; 4]; 2]) -> Minors<T> {
+    [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]].map(|ij| ShortPolynomial::minor([a, b], ij))
 }
 
-/// Four numbers at right angles to three rows, up to a common factor, by the minors of two of these.
+/// Four numbers at right angles to three rows, up to a common factor, from the minors of two.
 fn crossed<T: Arithmetic>(
     [m01, m02, m03, m12, m13, m23]: &Minors<T>,
     c: &[ShortPolynomial<T>; 4],
 ) -> [ShortPolynomial<T>; 4] {
-    let det = |ab, ac, bc, at: [usize; 3]| {
+    let det = |ab: &ShortPolynomial<T>,
+               ac: &ShortPolynomial<T>,
+               bc: &ShortPolynomial<T>,
+               at: [usize; 3]| {
         ShortPolynomial::alternating(&[[ab, &c[at[2]]], [ac, &c[at[1]]], [bc, &c[at[0]]]])
     };
     [

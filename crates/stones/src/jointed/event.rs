@@ -127,7 +127,8 @@ mod tests {
         places.sort_unstable();
         let (piece, range) =
             (ThicknessPiece { low, high }, ThicknessPiece { low: 0.52, high: 2.0 });
-        let mut vertex = Vertex::new(&conditions, places, &mut None);
+        let minors = conditions.minors(&places);
+        let mut vertex = Vertex::new(&conditions, places, &minors);
         let near = vertex.near(&piece, None);
         let nothing = near.is_none_or(|near| vertex.bears_no_motion(&near, &piece));
         [event(&mut vertex, &piece, range, None).is_some(), nothing]

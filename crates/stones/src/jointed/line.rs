@@ -156,7 +156,8 @@ mod tests {
     /// Tells whether a triple may be dependent next to a thickness, and whether it is proved to bear no motion.
     fn told(conditions: &Conditions<DoubleBall>, mut of: Vec<usize>, eta: f64) -> [bool; 2] {
         of.sort_unstable();
-        let vertex = Vertex::new(conditions, of, &mut None);
+        let minors = conditions.minors(&of);
+        let vertex = Vertex::new(conditions, of, &minors);
         let piece = ThicknessPiece { low: eta - 1e-6, high: eta + 1e-6 };
         [vertex.may_be_dependent(&piece), bears_no_motion(&vertex, &piece)]
     }

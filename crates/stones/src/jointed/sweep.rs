@@ -3,10 +3,11 @@
 //! Each triple of conditions is looked at on the whole range of thicknesses; a piece on which nothing is proved of
 //! it is halved. A triple and its mirror image share their fate.
 
-use super::conditions::Conditions;
+use super::conditions::{Conditions, Minors};
 use super::event::{Event, event};
 use super::line;
 use super::vertex::{Passed, SweepStart, ThicknessPiece, Vertex, in_doubles};
+use crate::arch::mechanism::Contact;
 use crate::number::DoubleBall;
 use rayon::prelude::*;
 
@@ -63,16 +64,19 @@ pub(super) fn sweep(
             _ => seconds.flat_map(|j| (j + 1..count).map(move |k| vec![i, j, k])).collect(),
         };
         let most = PIECES + PIECES_EACH * all.len();
-        let (mut passed, mut kept) = ([i, i], None);
+        // What passes one passes the next, where the last condition is of the same kind.
+        let mut passed = [[i, i]; Contact::ALL.len()];
+        let mut known: Option<(usize, Minors<DoubleBall>)> = None;
         let mut look = |before: Swept, of: Vec<usize>| {
+            let pair = known.take().filter(|(second, _)| *second == of[1]);
+            let pair = pair.unwrap_or_else(|| (of[1], conditions.minors(&of)));
+            let (_, minors) = known.insert(pair);
             let is_left = before.pieces > most || before.open.len() > OPEN;
+            let passed = &mut passed[of[of.len() - 1] % Contact::ALL.len()];
             let found = match conditions.mirrored(&of) < of {
                 false if is_left && before.open.last() == Some(&range) => Swept::default(),
                 false if is_left => Swept { open: vec![range], ..Swept::default() },
-                false => {
-                    let vertex = Vertex::new(conditions, of, &mut kept);
-                    one(vertex, range, start, (&rows, &mut passed))
-                }
+                false => one(Vertex::new(conditions, of, minors), range, start, (&rows, passed)),
                 true => Swept::default(),
             };
             before.with(Swept { triples: 1, ..found })

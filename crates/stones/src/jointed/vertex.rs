@@ -15,7 +15,7 @@
 //!   is zero for hinges; and then `sum rate (y . b + z w) <= 0`. Hinges on one line have motions that fit, with a
 //!   thrust that has no limit, and only the weight tells that they are not in equilibrium.
 
-use super::conditions::{Conditions, KeptMinors};
+use super::conditions::{Conditions, Minors};
 use super::polynomial::ShortPolynomial;
 use crate::arch::mechanism::Contact;
 use crate::number::{DoubleBall, Enclosure};
@@ -84,13 +84,13 @@ fn is_negative(x: &DoubleBall) -> bool {
 }
 
 impl<'a> Vertex<'a> {
-    /// The vertex of these conditions, with what is kept of the triple before.
+    /// The vertex of these conditions, from the minors of the first two.
     pub(super) fn new(
         conditions: &'a Conditions<DoubleBall>,
         of: Vec<usize>,
-        kept: &mut Option<KeptMinors<DoubleBall>>,
+        minors: &Minors<DoubleBall>,
     ) -> Self {
-        let meeting = conditions.meeting_beside(&of, kept);
+        let meeting = conditions.meeting_by(&of, minors);
         Self { conditions, of, meeting, values: Vec::new() }
     }
 
@@ -110,33 +110,39 @@ impl<'a> Vertex<'a> {
     ) -> Passed {
         let ball = piece.ball();
         let [mut plus, mut minus] = self.signs(&ball);
+        let [low, middle, high] = &[piece.low, piece.middle(), piece.high]
+            .map(|x| (x, self.meeting.each_ref().map(|entry| entry.near(x))));
+        let near = |place: usize, (x, at): &(f64, [f64; 4])| {
+            let row: &[[f64; 3]; 4] = &rows[place];
+            let entry = |k: usize| (row[k][2] * x + row[k][1]) * x + row[k][0];
+            entry(0) * at[0] + entry(1) * at[1] + entry(2) * at[2] + entry(3) * at[3]
+        };
+        // What is not so at both ends in doubles is not tried in balls.
         let value = |place| self.conditions.value(place, &self.of, &self.meeting).on(&ball);
-        plus = plus && !is_positive(&value(before[0]));
-        minus = minus && !is_negative(&value(before[1]));
+        let passes = |place: usize, sign: f64| {
+            [low, high].iter().all(|state| sign * near(place, state) > 0.0)
+                && is_positive(&(value(place) * DoubleBall::exact(sign)))
+        };
+        plus = plus && !passes(before[0], 1.0);
+        minus = minus && !passes(before[1], -1.0);
         if !plus && !minus {
             return Passed::Proved;
         }
-        let x = piece.middle();
-        let at: [f64; 4] = std::array::from_fn(|k| self.meeting[k].near(x));
-        let (mut most, mut least) = ((0, 0.0), (0, 0.0));
-        for (place, row) in rows.iter().enumerate() {
-            let entry = |k: usize| (row[k][2] * x + row[k][1]) * x + row[k][0];
-            let value = entry(0) * at[0] + entry(1) * at[1] + entry(2) * at[2] + entry(3) * at[3];
-            if value > most.1 {
-                most = (place, value);
-            }
-            if value < least.1 {
-                least = (place, value);
-            }
-        }
-        let size = at.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
-        let seems_passed = match at[3] > 0.0 {
-            true => most.1 > CLEAR * size,
-            false => -least.1 > CLEAR * size,
+        // The condition that is passed most, of some joints and then of those beside it.
+        let farthest = |sign: f64| {
+            let most = |from: usize, to: usize, step: usize| {
+                let values = (from..to).step_by(step).map(|at| (sign * near(at, middle), at));
+                values.fold((0.0, from), |most, value| if value.0 > most.0 { value } else { most })
+            };
+            let (_, at) = most(0, rows.len(), SOME);
+            most(at.saturating_sub(4 * SOME), rows.len().min(at + 4 * SOME), 1)
         };
-        *before = [most.0, least.0];
-        plus = plus && !(most.1 > 0.0 && is_positive(&value(most.0)));
-        minus = minus && !(least.1 < 0.0 && is_negative(&value(least.0)));
+        let [most, least] = [1.0, -1.0].map(farthest);
+        let size = middle.1.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+        let seems_passed = if middle.1[3] > 0.0 { most.0 } else { least.0 } > CLEAR * size;
+        *before = [most.1, least.1];
+        plus = plus && !passes(most.1, 1.0);
+        minus = minus && !passes(least.1, -1.0);
         match (plus || minus, seems_passed) {
             (false, _) => Passed::Proved,
             (true, true) => Passed::Likely,
@@ -280,6 +286,8 @@ pub(super) enum Passed {
 
 /// A piece whose ends are not told apart where a direction is sought.
 const NARROW: f64 = 1e-5;
+/// Of so many conditions one is looked at first: each of the four kinds in turn.
+const SOME: usize = 5;
 /// A value that is no rounding beside the size of its terms.
 const CLEAR: f64 = 1e-9;
 
@@ -308,7 +316,8 @@ mod tests {
         let mut places = of.map(|at| conditions.place(at.0, at.1).unwrap()).to_vec();
         let other = places.pop().unwrap();
         let piece = ThicknessPiece { low: eta - 1e-9, high: eta + 1e-9 };
-        Vertex::new(&conditions, places, &mut None).bears_no_motion(&[other], &piece)
+        let minors = conditions.minors(&places);
+        Vertex::new(&conditions, places, &minors).bears_no_motion(&[other], &piece)
     }
 
     /// The springings' extrados and the keystone's intrados lie on one line at `(1 + eta/2) cos alpha = (1 - eta/2)

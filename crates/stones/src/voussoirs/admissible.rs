@@ -176,6 +176,10 @@ impl StoneLine<'_> {
         let beyond = |joint: u64| joints.angle(joint).rad.square() - &square;
         let is_below = |joint: u64| is_positive(&-beyond(joint));
         let is_above = |joint: u64| is_positive(&beyond(joint));
+        let near = joints.near(square.mid().to_f64().sqrt());
+        if near < joints.last() && is_below(near) && is_above(near + 1) {
+            return Ok([near, near + 1]);
+        }
         if is_above(0) {
             return Ok([0, 0]);
         }

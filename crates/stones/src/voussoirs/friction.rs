@@ -15,8 +15,7 @@ use crate::arch::statics::{normal_force, shear_force};
 use crate::number::{Angle, Ball, Field};
 use crate::prover::Undecided;
 use crate::prover::decide::{ensure, is_positive};
-use crate::solve::voussoir_thrust::{Needed, needed};
-use crate::solve::voussoirs::Search;
+use crate::solve::voussoir_thrust::{Needed, Searches};
 
 /// The least friction, for the range of thrusts with unlimited friction.
 pub(super) fn required(
@@ -32,7 +31,7 @@ fn required_found(
     joints: &StoneJoints<'_>,
     ring: &Ring<Ball>,
     ends: &[ProvedThrustEnd; 2],
-    search: &Search<'_>,
+    search: &dyn Searches,
 ) -> Result<Ball, Undecided> {
     let question = "which joint the friction is needed for";
     let thrusts = ends.each_ref().map(|end| end.thrust.as_ref());
@@ -40,7 +39,6 @@ fn required_found(
         least.is_none_or(|least| is_positive(&(thrust.clone() - least)))
             && most.is_none_or(|most| is_positive(&(most.clone() - thrust)))
     };
-    let near = thrusts.map(|thrust| thrust.map(|x| search.near(x)));
     let last = joints.last();
     let shoulder = (Contact::Outwards, last);
     if last == 1 && joints.stones.has_joint_at_crown() {
@@ -51,8 +49,7 @@ fn required_found(
             return Ok(thrust.int(0));
         }
     }
-    let needed = needed(search, near.each_ref().map(Option::as_ref));
-    let (thrust, contacts) = match (needed, thrusts) {
+    let (thrust, contacts) = match (search.needed(thrusts), thrusts) {
         (Needed::Even(joint), _) => {
             let thrust = even_thrust(&joints.angle(joint), &joints.angle(last));
             ensure(is_within(&thrust, thrusts), question)?;

@@ -9,12 +9,13 @@ use crate::problem::{Friction, Joints};
 use crate::prover::decide::{ensure, is_positive};
 use crate::prover::ties::slides_at_no_thrust;
 use crate::prover::{Figure, Undecided};
+use crate::solve::voussoir_thrust::Searches;
 use crate::solve::voussoirs::{DEGREE, Search};
 use rug::Float;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-/// Bits in which a search is nearly always right.
+/// Bits in which signs are nearly always decided.
 const FEW: u32 = 256;
 
 /// The joints of an arch with their sines and cosines, which cost most of a proof: each is computed once.
@@ -71,24 +72,27 @@ impl<'a> StoneJoints<'a> {
         self.friction != Some(Friction::Infinite)
     }
 
-    /// The proof of what a search for candidates finds in few bits, or else in all.
+    /// The proof of what a search for candidates finds in doubles, or else in all bits.
     pub(super) fn searched<T>(
         &self,
-        proof: impl Fn(&Search<'a>) -> Result<T, Undecided>,
+        proof: impl Fn(&dyn Searches) -> Result<T, Undecided>,
     ) -> Result<T, Undecided> {
-        let search = |bits| {
-            let grip = self.grip.clone().map(|x| Float::with_val(bits, x.mid()));
-            Search::new(self.stones, self.weight, grip, bits)
-        };
-        match proof(&search(self.bits.min(FEW))) {
-            Err(_) if self.bits > FEW => proof(&search(self.bits)),
-            found => found,
-        }
+        let (arch, bits) = ((self.stones, self.weight, &self.grip), self.bits);
+        let in_full = |x: &Ball| Float::with_val(bits, x.mid());
+        proof(&Search::new(arch, bits, &|x: &Ball| x.mid().to_f64()))
+            .or_else(|_| proof(&Search::new(arch, bits, &in_full)))
     }
 
     /// A joint by its index.
     pub(super) fn angle(&self, index: u64) -> Angle<Ball> {
         self.angles.at(index, self.bits)
+    }
+
+    /// The last of equal stones' joints that seems to be before an angle; any will do, and none is proved.
+    pub(super) fn near(&self, angle: f64) -> u64 {
+        let stones = self.stones.number();
+        let parts = angle / self.angle(self.last()).rad.mid().to_f64() * stones as f64;
+        ((parts - (stones % 2) as f64) / 2.0) as u64
     }
 
     /// The angle of a joint rounded; a rational joint may be a tie, which no ball decides.

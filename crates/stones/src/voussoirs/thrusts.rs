@@ -15,8 +15,7 @@ use crate::number::{Ball, Drawable, Field};
 use crate::problem::stones::JointContact;
 use crate::prover::decide::{ensure, is_positive};
 use crate::prover::{Figure, Undecided};
-use crate::solve::voussoir_thrust::{ThrustEnd, ThrustSide, moment_between, thrust_end};
-use crate::solve::voussoirs::Search;
+use crate::solve::voussoir_thrust::{Searches, ThrustEnd, ThrustSide};
 
 /// A bound of the thrust.
 #[derive(Clone, Debug)]
@@ -89,14 +88,13 @@ impl<'a> ThickStones<'a> {
     }
 
     /// Range of thrusts whose ends a search finds.
-    fn range_found(&self, search: &Search<'_>) -> Result<ThrustRange, Undecided> {
-        let near = search.near(&self.ring.thickness);
+    fn range_found(&self, search: &dyn Searches) -> Result<ThrustRange, Undecided> {
         let is_free = self.ties.is_solid_semicircle() && !self.joints.is_limited();
         let mut ends = Vec::new();
         for side in ThrustSide::BOTH {
             let end = match side == ThrustSide::Largest && is_free {
                 true => ThrustEnd::Unbounded,
-                false => thrust_end(search, &near, side),
+                false => search.thrust_end(&self.ring.thickness, side),
             };
             match end {
                 ThrustEnd::Contradiction(both) => return self.falls(both),
@@ -151,7 +149,7 @@ impl<'a> ThickStones<'a> {
     /// The thrust of an end: a bound, and the thrust of an admissible state.
     fn reached(
         &self,
-        search: &Search<'_>,
+        search: &dyn Searches,
         side: ThrustSide,
         contacts: &[JointContact],
     ) -> Result<Ball, Undecided> {
@@ -169,7 +167,7 @@ impl<'a> ThickStones<'a> {
     }
 
     /// The crown moment of a state at an end: a hinge and an open joint have one, a slip leaves room.
-    fn moment(&self, search: &Search<'_>, contacts: &[JointContact], thrust: &Ball) -> Ball {
+    fn moment(&self, search: &dyn Searches, contacts: &[JointContact], thrust: &Ball) -> Ball {
         let (contact, joint) = contacts[0];
         if contact.is_hinge() {
             return self.joints.row(contacts[0], &self.ring).moment_at(thrust);
@@ -177,8 +175,7 @@ impl<'a> ThickStones<'a> {
         if self.joints.is_open(contacts, joint) {
             return -(self.joints.angle(joint).versine() * &self.ring.centroid_factor);
         }
-        let (thrust, thickness) = (search.near(thrust), search.near(&self.ring.thickness));
-        Ball::exact(moment_between(search, &thrust, &thickness), self.joints.bits)
+        Ball::exact(search.moment_between(thrust, &self.ring.thickness), self.joints.bits)
     }
 
     /// No thrust is too large: more of it, and as much more moment as between the intrados of the first joint and
