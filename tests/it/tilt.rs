@@ -270,6 +270,18 @@ fn a_tilted_arch_is_drawn() {
         }));
         assert_eq!(svg.matches("<circle").count(), 4, "three hinges and one in the legend");
     }
+    // Of one digit the words have the numbers that they have of many.
+    let said = |digits: &str| {
+        let arch = arch.replace("--digits 8", &format!("--digits {digits}"));
+        let (code, _, error) = of(&format!("{arch} -o {}", path.display()));
+        assert_eq!(code, Some(0), "{error}");
+        let svg = std::fs::read_to_string(&path).unwrap();
+        assert!(svg.contains("falls from a tilt of 0.0524689 g, 3.00349° of the ground"), "{svg}");
+        svg.replace(&format!("--digits {digits}"), "")
+    };
+    for digits in ["1", "2", "6"] {
+        assert_eq!(said(digits), said("20"), "{digits}");
+    }
     // What does not stand at all is said to fall; what nothing limits stands.
     for (arch, words) in [
         ("--alpha pi/2 --mu 0.7 --eta 0.1 --tilt 0", "does not stand without tilt either"),

@@ -1,6 +1,10 @@
 //! The one list of formats: commands, scenes, help and errors read it.
 
 use super::words::{distinct, list};
+use crate::certify::MAX_DIGITS;
+
+/// Digits beyond those that are printed, where what is printed is computed from what is proved.
+const GUARD_DIGITS: usize = 16;
 
 /// Names of the formats in which something is written, in the order of the list of formats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -141,6 +145,13 @@ impl Format {
     /// The format that the end of a file's name tells.
     pub fn of_extension(content: Content, extension: &str) -> Option<&'static Self> {
         Self::all(content).find(|format| format.extension.eq_ignore_ascii_case(extension))
+    }
+
+    /// Digits to which arches are proved for the format: a table for a paper turns angles into degrees and takes
+    /// differences, and rounds these once.
+    pub fn proved_digits(&self, digits: usize) -> usize {
+        let is_for_paper = matches!(self.name, "latex" | "markdown");
+        if is_for_paper { MAX_DIGITS.min(digits + GUARD_DIGITS) } else { digits }
     }
 
     /// Tells whether the format is a page that holds the whole map.

@@ -4,6 +4,7 @@
 use super::answer::{Answer, Status};
 use super::answers::Answers;
 use super::names::in_latex;
+use super::sketched::in_digits;
 use super::tabular::Tabular;
 use super::value::Value;
 use super::words::{author, distinct};
@@ -175,11 +176,12 @@ fn verdict(answer: &Answer) -> String {
     }
 }
 
-/// A value, an angle in degrees.
+/// A value, an angle in degrees; sizes have digits of their own, which are fewer.
 fn number(quantity: Quantity, value: &Value, digits: usize) -> String {
-    match enclosure(value, digits).filter(|_| is_in_radians(quantity)) {
-        Some(angle) => rounded(&degrees(&angle), digits),
-        None => printed(&value.text()),
+    match enclosure(value, digits) {
+        Some(angle) if is_in_radians(quantity) => rounded(&degrees(&angle), digits),
+        Some(ball) if !quantity.is_measured() => rounded(&ball, digits),
+        _ => printed(&value.text()),
     }
 }
 
@@ -204,12 +206,10 @@ fn enclosure(value: &Value, digits: usize) -> Option<Ball> {
     Some(bound(decimal.lower.to_string())?.hull(&bound(decimal.upper.to_string())?))
 }
 
-/// A number in as many digits as are proved; a bound of its size where not even its sign is.
+/// A number in so many digits, or in as many as are proved; a bound of its size where not even its sign is.
 fn rounded(ball: &Ball, digits: usize) -> String {
-    Rounded::most(ball, digits).map_or_else(
-        || format!("0 ± {:.0e}", 2.0 * size(ball)),
-        |rounded| rounded.value.to_string(),
-    )
+    let most = || Rounded::most(ball, digits).map(|rounded| rounded.value.to_string());
+    in_digits(ball, digits).or_else(most).unwrap_or_else(|| format!("0 ± {:.0e}", 2.0 * size(ball)))
 }
 
 /// A bound of the size of a number.
@@ -243,6 +243,8 @@ fn latex(cell: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::format::Format;
+    use super::super::reported::Reported;
     use super::*;
     use crate::certify::state::Inquiry;
     use crate::problem::Arch;
@@ -270,6 +272,37 @@ mod tests {
         let [heyman, milankovitch, difference, joint, ..] = numbers[..] else { panic!("{table}") };
         assert!((milankovitch - heyman - difference).abs() < 1e-11 && difference > 1e-5, "{table}");
         assert!(49.0 < joint && joint < 51.0, "in degrees: {table}");
+    }
+
+    /// Of few digits as of many: beta_r is 57.5029237…, beta_s 17.5895414… degrees.
+    #[test]
+    fn an_angle_has_the_digits_that_are_asked_for() {
+        let arch = Arch::parse("milankovitch", "2.45", "1.35").unwrap();
+        let quantities = vec![Quantity::Thickness, Quantity::RotationJoint, Quantity::SlidingJoint];
+        for (digits, cells) in [
+            (1, "0.7 | 60 | 20"),
+            (2, "0.65 | 58 | 18"),
+            (3, "0.650 | 57.5 | 17.6"),
+            (4, "0.6502 | 57.50 | 17.59"),
+            (5, "0.65024 | 57.503 | 17.590"),
+            (6, "0.650244 | 57.5029 | 17.5895"),
+        ] {
+            for (name, cells) in [
+                ("markdown", cells.to_owned()),
+                ("latex", format!("\\num{{{}}}", cells.replace(" | ", "} & \\num{"))),
+            ] {
+                let format = Format::named(Answers::content(), name).unwrap();
+                let proved = format.proved_digits(digits);
+                let state = Inquiry::new(&arch, proved, false).state(proved, false);
+                let list = vec![Answer::state(1, &arch, &state)];
+                let quantities = quantities.clone();
+                let report = Answers { list, quantities, ..Answers::arches(digits, false) };
+                let mut out = Vec::new();
+                report.write(format, &mut out).unwrap();
+                let table = String::from_utf8(out).unwrap();
+                assert!(table.contains(&cells), "{digits}: {table}");
+            }
+        }
     }
 
     /// Arches of one half opening that are measured are not one arch.

@@ -7,6 +7,7 @@ use super::reported::Reported;
 use super::sketched::{Legend, LegendSample};
 use super::survey::{MEANING, SurveyedArches};
 use super::words;
+use crate::arch::SelfWeight;
 use crate::atlas::BandedArch;
 use crate::picture::color::INK;
 use crate::picture::{Anchor, Color, Path, Point, Print, Stroke, Svg, Type, text};
@@ -236,11 +237,15 @@ impl BandedArches {
         drawn += match best.band.is_empty() {
             true => "no line of thrust is in any arch.",
             false => {
-                "the light band, which holds each line of thrust of each arch. At a joint it goes as far as the lines of the \
-                 narrowest arch that has the joint, with the most friction and the largest thickness: that bears what any \
-                 of them bears."
+                "the light band, which holds each line of thrust of each arch. It goes as far as lines of all forces that \
+                 the narrowest arch that has a joint there bears, with the most friction and the largest thickness: it \
+                 bears what any of them bears."
             }
         };
+        if self.arches.weight == SelfWeight::Milankovitch && !best.band.is_empty() {
+            drawn += " The centroids of its lower edge are those of the thinnest arch, so that some of it may be below \
+                      every line.";
+        }
         drawn += match worst.band.is_empty() {
             true => " No thrust is borne by each of them.",
             false => {

@@ -31,13 +31,15 @@ impl Joint<'_> {
 
     /// ` (54.12 deg)`; at the crown nothing.
     fn angle(&self, digits: usize) -> String {
-        let degrees = self.degrees(digits.min(DIGITS)).filter(|_| !self.is_crown());
-        degrees.map_or(String::new(), |degrees| format!(" ({degrees} deg)"))
+        match self.is_crown() {
+            true => String::new(),
+            false => format!(" ({} deg)", self.degrees(digits.min(DIGITS))),
+        }
     }
 
     /// Angle from the crown in degrees, correctly rounded.
-    pub(super) fn degrees(&self, digits: usize) -> Option<String> {
-        super::sketched::decided(&degrees(&self.size), digits)
+    pub(super) fn degrees(&self, digits: usize) -> String {
+        super::sketched::rounded(&degrees(&self.size), digits)
     }
 }
 

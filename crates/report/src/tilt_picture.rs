@@ -178,9 +178,8 @@ impl<'a> TiltPanel<'a> {
     fn largest(&self) -> Option<[String; 2]> {
         let figure = self.arch.figure()?;
         let tilt = figure.enclosure(BITS);
-        let few = self.arch.digits.min(DIGITS);
         let angle = degrees(&arctangent(&tilt));
-        Some([&tilt, &angle].map(|x| super::sketched::decided(x, few).unwrap_or_default()))
+        Some([&tilt, &angle].map(|x| super::sketched::rounded(x, DIGITS)))
     }
 
     fn title(&self) -> [String; 2] {
@@ -200,7 +199,7 @@ impl<'a> TiltPanel<'a> {
 
     /// Words on what a joint does, and where it is.
     fn named(&self, joint: &Joint<'_>, digits: usize) -> [String; 2] {
-        let angle = joint.degrees(digits).unwrap_or_default();
+        let angle = joint.degrees(digits);
         let happens = self.arch.happens(joint.side, joint.of.contact);
         let number = joint.number.zip(self.arch.stones.as_ref());
         let number = number.map(|(joint, stones)| format!(", joint {}", stones.from_crown(joint)));
@@ -230,11 +229,8 @@ impl<'a> TiltPanel<'a> {
             all.push(words);
             return all;
         };
-        let joints: Vec<String> = self
-            .joints
-            .iter()
-            .map(|joint| self.named(joint, self.arch.digits.min(DIGITS)).join(" "))
-            .collect();
+        let joints: Vec<String> =
+            self.joints.iter().map(|joint| self.named(joint, DIGITS).join(" ")).collect();
         let joints = joints.join("; ");
         all.push(format!(
             "Proved: admissible states exist exactly up to a horizontal acceleration to the right of {tilt} times gravity, \

@@ -74,10 +74,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let all = given.quantities(&Quantity::ASSESSMENT, &Quantity::MEASURED_ASSESSMENT);
     let quantities = arguments.output.quantities(&all)?;
+    let proved = arguments.output.format()?.proved_digits(digits);
     let answer = |line, arch: &Arch| {
         // Some formats have quadruples, which take more bits than the digits.
-        let found = Balls::Mpfr.assess(arch, eta, digits);
-        answer::assessment(line, (arch, eta, arguments.arch.measures(&given)), digits, &found)
+        let found = Balls::Mpfr.assess(arch, eta, proved);
+        answer::assessment(line, (arch, eta, arguments.arch.measures(&given)), proved, &found)
     };
     print(&arguments.output, (digits, quantities), (&asked, &arches), answer)
 }

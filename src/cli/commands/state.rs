@@ -91,11 +91,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let all = given.quantities(&Quantity::STATE, &Quantity::MEASURED_STATE);
     let quantities = arguments.output.quantities(&all)?;
     let digits = arguments.arch.digits();
+    let proved = arguments.output.format()?.proved_digits(digits);
     let frictions = quantities.iter().any(|quantity| quantity.is_friction());
     let answer = |line, arch: &Arch| {
         // Some formats have quadruples, which take more bits than the digits.
-        let found = Balls::Mpfr.state(arch, digits, frictions);
-        answer::state(line, (arch, arguments.arch.measures(&given)), digits, &found)
+        let found = Balls::Mpfr.state(arch, proved, frictions);
+        answer::state(line, (arch, arguments.arch.measures(&given)), proved, &found)
     };
     print(&arguments.output, (digits, quantities), (&asked, &arches), answer)
 }

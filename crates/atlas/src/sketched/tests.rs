@@ -443,19 +443,21 @@ fn lines_of_stones_are_those_of_their_joints() {
         ];
         for sketch in sketches {
             let joints = sketch.stone_joints();
-            let crown = usize::from(joints[0] > 0.0);
             assert!(!sketch.forces.is_empty());
             for line in sketch.forces.iter().flat_map(|forces| &forces.thrust_lines) {
-                let inside = &line.points[crown..joints.len() + crown];
-                assert!(inside.iter().zip(&joints).all(|([at, _], joint)| at == joint));
-                assert_eq!(line.points.len(), joints.len() + crown + 1, "{alpha} {stones}");
+                assert!(line.points.iter().zip(&joints).all(|([at, _], joint)| at == joint));
+                assert_eq!(line.points.len(), joints.len() + 1, "{alpha} {stones}");
                 // Admissible at every joint.
                 let within = |[_, offset]: &[f64; 2]| offset.abs() < 0.5 + 1e-9;
-                assert!(line.points[crown..].iter().all(within), "{alpha} {stones}: {line:?}");
-                if crown == 1 {
-                    let [middle, first] = [0, 1].map(|k| line.places().nth(k).unwrap());
-                    assert!((middle[1] - first[1]).abs() < 1e-12 && middle[0] == 0.0);
-                }
+                assert!(line.points.iter().all(within), "{alpha} {stones}: {line:?}");
+                // Over a keystone the line is as straight on the page as it is unrolled.
+                let half = &line.across(true).points;
+                let keystone = usize::from(joints[0] > 0.0);
+                assert_eq!(
+                    (half[0], half.len()),
+                    ([0.0, line.points[0][1]], joints.len() + 1 + keystone)
+                );
+                assert_eq!(line.across(false).points.len(), 2 * joints.len() + 1 + keystone);
             }
         }
     }

@@ -63,8 +63,8 @@ impl SketchedLine {
         Self { points, thickness: eta }
     }
 
-    /// The chain through the points of a line at some joints, from the crown on, and at the shoulder: between
-    /// stones it is said of joints alone. It is straight over a keystone, too.
+    /// The chain through the points of a line at some joints, from the crown on or from that beside a keystone, and at
+    /// the shoulder: between stones it is said of joints alone.
     pub fn through_joints<T: Drawable>(
         [half_opening, thickness]: [&T; 2],
         joints: &[f64],
@@ -73,14 +73,7 @@ impl SketchedLine {
         let eta = thickness.double();
         let at = |joint: T| [joint.double(), offset(&radius, joint, thickness)];
         let inside = joints.iter().map(|joint| at(half_opening.of_double(*joint)));
-        let mut points: Vec<[f64; 2]> = inside.collect();
-        points.push(at(half_opening.clone()));
-        if let [first, offset] = points[0]
-            && first > 0.0
-        {
-            let sagitta = 2.0 * (first / 2.0).sin().powi(2);
-            points.insert(0, [0.0, offset * first.cos() - sagitta / eta]);
-        }
+        let points = inside.chain([at(half_opening.clone())]).collect();
         Self { points, thickness: eta }
     }
 
@@ -115,6 +108,11 @@ impl SketchedLine {
         )
     }
 
+    /// The line of the whole arch, or of the right `half`.
+    pub fn across(&self, half: bool) -> Self {
+        Self { points: across(self.points.iter().copied(), half), ..*self }
+    }
+
     /// Points of the line to the right and up.
     pub fn places(
         &self,
@@ -124,13 +122,16 @@ impl SketchedLine {
 }
 
 /// A chain from the crown to the right, and before it the left half, which is its mirror image, unless only `half` is
-/// shown.
+/// shown. Over a keystone it is straight.
 pub fn across(
     right: impl DoubleEndedIterator<Item = [f64; 2]> + ExactSizeIterator + Clone,
     half: bool,
 ) -> Vec<[f64; 2]> {
-    let left = right.clone().skip(1).rev().filter(|_| !half).map(|[x, y]| [-x, y]);
-    left.chain(right).collect()
+    let keystone = right.clone().next().filter(|[x, _]| *x > 0.0);
+    let at_crown = usize::from(keystone.is_none());
+    let left = right.clone().skip(at_crown).rev().filter(|_| !half).map(|[x, y]| [-x, y]);
+    let middle = keystone.filter(|_| half).map(|[_, y]| [0.0, y]);
+    left.chain(middle).chain(right).collect()
 }
 
 /// Distance that a line may have from what its points say, on its way and in its offset.

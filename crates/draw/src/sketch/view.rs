@@ -116,11 +116,11 @@ impl ArchView<'_> {
         let lines: Vec<&SketchedLine> = self.lines.iter().flat_map(|of| of.thrust).collect();
         let [one, other] = lines[..] else { return };
         svg.group("between", |svg| {
-            for side in self.sides() {
-                let there = one.places().map(|point| scale.at(point, *side));
-                let back = other.places().rev().map(|point| scale.at(point, *side));
-                svg.tint(&Path::around(there.chain(back)), look::BAND, look::FAINT);
-            }
+            let edges = [one, other].map(|line| across(line.places(), self.half));
+            let [there, back] = edges;
+            let around = there.into_iter().chain(back.into_iter().rev());
+            let around = around.map(|point| scale.at(point, 1.0));
+            svg.tint(&Path::around(around), look::BAND, look::FAINT);
         });
     }
 
@@ -145,15 +145,15 @@ impl ArchView<'_> {
             let outside =
                 friction_outside.chain(of.thrust.iter().map(|line| (line, look::OUTSIDE)));
             let outside: Vec<(SketchedLine, Stroke)> = outside
-                .flat_map(|(line, stroke)| line.outside().map(move |part| (part, stroke)))
+                .flat_map(|(line, stroke)| {
+                    let parts: Vec<_> = line.across(self.half).outside().collect();
+                    parts.into_iter().map(move |part| (part, stroke))
+                })
                 .collect();
             if !outside.is_empty() {
                 svg.group("outside", |svg| {
-                    for ((part, stroke), side) in outside
-                        .iter()
-                        .flat_map(|of| self.sides().iter().map(move |side| (of, side)))
-                    {
-                        let places = part.places().map(|at| scale.at(at, *side));
+                    for (part, stroke) in &outside {
+                        let places = part.places().map(|at| scale.at(at, 1.0));
                         svg.stroke(&Path::through(places), *stroke);
                     }
                 });

@@ -65,11 +65,8 @@ impl WholeView {
     }
 
     fn across(&self, [right, left]: [&SketchedLine; 2], scale: &PageScale) -> Path {
-        // Over a keystone the line is straight, from joint to joint.
-        let has_keystone = !self.stones.is_empty() && !self.stones.contains(&0.0);
-        let first = usize::from(has_keystone);
-        let there = left.places().skip(first).rev().map(|point| scale.at(point, -1.0));
-        Path::through(there.chain(right.places().skip(first).map(|point| scale.at(point, 1.0))))
+        let there = left.places().rev().map(|point| scale.at(point, -1.0));
+        Path::through(there.chain(right.places().map(|point| scale.at(point, 1.0))))
     }
 
     /// The joints at their limits.

@@ -75,9 +75,15 @@ impl Figure {
         self.binary.bounds()
     }
 
-    /// Ball of `bits` bits about the decimal bounds.
+    /// Ball of `bits` bits about the narrower bounds: of the decimals, or of the double, which is known whatever digits
+    /// are.
     pub fn enclosure(&self, bits: u32) -> Ball {
-        self.decimal.enclosure(bits)
+        let decimal = self.decimal.enclosure(bits);
+        let bounds = self.bounds().map(Rational::from_f64);
+        let [Some(lower), Some(upper)] = bounds else { return decimal };
+        let [lower, upper] = [lower, upper].map(|bound| Ball::enclosing(&bound, bits));
+        let double = lower.hull(&upper);
+        if double.rad() < decimal.rad() { double } else { decimal }
     }
 }
 

@@ -44,7 +44,7 @@ mod strip;
 pub(super) use dxf_file::{DxfAnchor, DxfFile, DxfUnit};
 pub use figures::arches_of_figure;
 pub(super) use legend::{Legend, LegendSample};
-pub(super) use numbers::decided;
+pub(super) use numbers::{decided, in_digits, rounded};
 
 use crate::arch::mechanism::Contact;
 use crate::atlas::{Collapse, Sketch};

@@ -3,6 +3,7 @@
 use super::metres::Size;
 use crate::number::Ball;
 use crate::picture::text;
+use std::fmt;
 
 /// Digits that are shown.
 pub(super) const DIGITS: usize = 6;
@@ -11,13 +12,28 @@ pub(super) const FEW: usize = 4;
 /// More digits than asked for are shown, at most so many, where the value may be half way between two decimals.
 const MORE: usize = 6;
 
+/// Text of a number, which has digits: there is no empty one that a sentence could be left with.
+#[derive(PartialEq)]
+pub(crate) struct NumberText(String);
+
+impl fmt::Display for NumberText {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&self.0)
+    }
+}
+
 /// Value correctly rounded, if the ball decides it.
-pub(crate) fn decided(x: &Ball, digits: usize) -> Option<String> {
-    in_digits(&Size::from(x.clone()), digits).map(|text| shortened(&text))
+pub(crate) fn decided(x: &Ball, digits: usize) -> Option<NumberText> {
+    in_digits(x, digits).map(|text| NumberText(shortened(&text)))
+}
+
+/// Value correctly rounded, with the zeros at its end, if the ball decides it.
+pub(crate) fn in_digits(x: &Ball, digits: usize) -> Option<String> {
+    size_in_digits(&Size::from(x.clone()), digits)
 }
 
 /// A value correctly rounded.
-pub(super) fn rounded(x: &Ball, digits: usize) -> String {
+pub(crate) fn rounded(x: &Ball, digits: usize) -> String {
     shown(&Size::from(x.clone()), digits)
 }
 
@@ -28,10 +44,10 @@ pub(super) fn shown(x: &Size, digits: usize) -> String {
 
 /// Number with the zeros at its end, where others of as many digits stand beside it.
 pub(super) fn in_full(x: &Size, digits: usize) -> String {
-    in_digits(x, digits).unwrap_or_else(|| "undecided".to_owned())
+    size_in_digits(x, digits).unwrap_or_else(|| "undecided".to_owned())
 }
 
-fn in_digits(x: &Size, digits: usize) -> Option<String> {
+fn size_in_digits(x: &Size, digits: usize) -> Option<String> {
     let rounded = (digits..=digits + MORE).find_map(|digits| x.rounded(digits));
     Some(rounded?.value.to_string())
 }

@@ -163,18 +163,19 @@ impl<'a> ItemParts<'a> {
 
     fn arches(&self, arches: &[SceneArch], digits: usize) -> Vec<Answer> {
         let all: Vec<_> = arches.iter().zip(self.parts()).collect();
+        let proved = self.plan.scene.items[self.index].format.proved_digits(digits);
         let answers = all.par_iter().enumerate().filter_map(|(index, (asked, part))| {
             let SceneArch { arch, thickness, measured } = asked;
             let line = index as u64 + 1;
             let (Work::Arch(node), WorkDone::Arch(piece)) = part else { return None };
             let answer = match thickness {
                 Some(eta) => {
-                    let found = &piece.thicknesses[node.place(eta, digits)?];
+                    let found = &piece.thicknesses[node.place(eta, proved)?];
                     Answer::assessment(line, (arch, eta), found)
                 }
-                None => Answer::state(line, arch, piece.states.get(&digits)?),
+                None => Answer::state(line, arch, piece.states.get(&proved)?),
             };
-            let asymmetric = || piece.asymmetric.get(&digits).cloned().unwrap_or(Ok(Vec::new()));
+            let asymmetric = || piece.asymmetric.get(&proved).cloned().unwrap_or(Ok(Vec::new()));
             let answer = answer.with_asymmetric(asymmetric);
             let Some(MeasuredArch { asked, given }) = measured.as_deref() else {
                 return Some(answer);

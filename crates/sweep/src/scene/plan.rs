@@ -94,7 +94,8 @@ impl<'s> Planning<'s> {
                     let work = self.part(key, || Work::Arch(ArchNode::new(arch)));
                     if let Work::Arch(node) = work {
                         node.errors |= item.format.has_errors;
-                        node.ask(thickness.as_ref(), quantities, *digits);
+                        let digits = item.format.proved_digits(*digits);
+                        node.ask(thickness.as_ref(), quantities, digits);
                     }
                 }
             }
