@@ -118,7 +118,7 @@ constants: build
 	./target/release/couplet certify all --digits 100 --output proofs/constants
 
 # One certified state of each collapse mode, for Coq, one asymmetric solution of (19) of each kind, for each weight, and verdicts
-# on all arches of surveys; then every certificate of one problem as a theorem. A test says whether they are up to date.
+# on all arches of surveys; then every certificate as a theorem. A test says whether they are up to date.
 states: build
 	mkdir -p proofs/states
 	while read -r name weight alpha mu; do \
@@ -134,8 +134,7 @@ states: build
 	while read -r name arches; do \
 	  ./target/release/couplet certify survey $$arches --digits 10 --output proofs/surveys/$$name.json || exit 1; \
 	done < proofs/surveys/arches.txt
-	./target/release/couplet prove --coq proofs/coq/generated \
-	  --certificate proofs/constants/*.json proofs/states/*.json proofs/asymmetric/*.json
+	./target/release/couplet prove --coq proofs/coq/generated --certificate proofs/*/*.json
 
 # The checker of certificates alone, in pure Rust: what it needs, and what it says of every stored certificate.
 checker:
@@ -269,7 +268,7 @@ proofs: witness coq
 # every stored certificate, and nothing that is spoiled.
 VERIFIED := target/verified
 verified: coq ocaml
-	$(MAKE) -C proofs/coq -j2 verified/Sound.vo verified/Faster.vo
+	$(MAKE) -C proofs/coq -j2 verified/SurveySound.vo verified/Faster.vo
 	mkdir -p $(VERIFIED)
 	cp proofs/verified/*.ml $(VERIFIED)/
 	cd $(VERIFIED) && coqc -q -w -ambiguous-paths,-extraction-opaque-accessed -R ../../proofs/coq Couplet \
@@ -277,8 +276,7 @@ verified: coq ocaml
 	cd $(VERIFIED) && ocamlfind ocamlopt -w -a -O3 -unsafe -inline 200 -package zarith -c faster.ml verified.mli verified.ml
 	cd $(VERIFIED) && ocamlfind ocamlopt -w -a -package zarith -linkpkg faster.cmx verified.cmx json.ml reader.ml statement.ml \
 	  main.ml -o couplet-verified
-	$(VERIFIED)/couplet-verified check proofs/constants/*.json proofs/states/*.json proofs/asymmetric/*.json \
-	  >$(VERIFIED)/said || { cat $(VERIFIED)/said; exit 1; }
+	$(VERIFIED)/couplet-verified check proofs/*/*.json >$(VERIFIED)/said || { cat $(VERIFIED)/said; exit 1; }
 	@echo "$$(grep -c '^accepted' $(VERIFIED)/said) certificates accepted by the verified checker"
 
 # The verified checker beside the quick one, on every certificate that the tests spoil: more than 10,000 files.

@@ -759,16 +759,18 @@ def statement(file):
     kind = next(kind for kind in KINDS if kind in claim)
     thing = claim[kind]
     if kind == "landmark":
-        modes = (MEET[thing][0] + " [s,s]" * (thing in "TSJB")).split()
+        slides = thing in "TSJB"
+        modes = (MEET[thing][0] + " [s,s]" * slides).split()
         subject, says = f"landmark {thing}", (
-            f"its equations have a solution that is a state of {', '.join(modes)}, admissible at every joint, and no thinner "
-            "arch of its half opening and friction stands")
+            f"its equations have a solution, the only one in the large box, that is a state of {', '.join(modes)}, admissible "
+            "at every joint, and no thinner arch of its half opening and friction stands"
+            + ", and none of its half opening with less friction" * slides)
     else:
         subject = f"half opening {given(thing['half_opening'])}, friction {given(thing['friction'])}"
         subject += f", thickness {given(thing['thickness'])}" if "thickness" in thing else ""
         says = {
             "state": lambda mode, **_: f"the arch stands ({MEANS}) exactly from a least thickness on, up to 2, and at the least "
-                                       f"one it has a state of {mode}",
+                                       f"one it has a state of {mode}, the only solution of its equations in the large box",
             "too_thin": lambda mode, **_: f"the arch does not stand, as its least thickness, of {mode}, is larger",
             "slides": lambda **_: "the arch stands at no thickness, as its friction is below that of pure sliding",
             "too_wide": lambda **_: "the arch stands at no thickness up to 2, as its half opening is beyond a bound for its "

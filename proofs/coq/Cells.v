@@ -253,7 +253,7 @@ Proof.
     { destruct (Req_dec beta 0) as [Z | Z].
       - rewrite Z in EL |- *. assert (K0 := haunch_at_crown delta alpha eta hs p opening thickness HL EL).
         destruct (Req_dec betaT 0) as [Z' | Z']; [easy | exfalso].
-        specialize (Htouch ltac:(lra)). assert (Hcot := times_cotangent_below_1 betaT ltac:(lra)).
+        specialize (Htouch ltac:(lra)). assert (Hcot := times_cotangent_below_one betaT ltac:(lra)).
         assert (0 <= intrados eta * (1 - betaT * cot betaT)) by (apply Rmult_le_pos; unfold intrados; lra).
         destruct (Req_dec eta 2) as [E2 | E2]; [unfold intrados in Htouch; rewrite E2 in Htouch, Hfac; lra|].
         assert (0 < intrados eta * (1 - betaT * cot betaT)) by (apply Rmult_lt_0_compat; unfold intrados; lra).
@@ -262,7 +262,7 @@ Proof.
         destruct (Req_dec eta 2) as [E2 | E2]; [unfold intrados in T; rewrite E2 in T, Hfac; lra|].
         assert (Hin : 0 < intrados eta) by (unfold intrados; lra).
         destruct (Req_dec betaT 0) as [Z' | Z'].
-        + exfalso. specialize (Hcrown Z'). assert (Hcot := times_cotangent_below_1 beta ltac:(lra)).
+        + exfalso. specialize (Hcrown Z'). assert (Hcot := times_cotangent_below_one beta ltac:(lra)).
           assert (0 < intrados eta * (1 - beta * cot beta)) by (apply Rmult_lt_0_compat; lra). lra.
         + specialize (Htouch ltac:(lra)).
           assert (Ecot : beta * cot beta = betaT * cot betaT)

@@ -210,11 +210,6 @@ Proof.
   rewrite Hminus, Hthird. ring [Hw].
 Qed.
 
-(** The cubic vanishes where one of its factors does. *)
-Lemma cardano_root (b : branch) (p t : C) :
-  let Y := cardano b p t in Y ^ 3 - 3 * (p * t) * Y + (p ^ 3 + t ^ 3) = 0.
-Proof. cbv zeta. rewrite <- cardano_factors. destruct b; ring. Qed.
-
 (** With [P + D] under the cube root: the shape of (10) and (11), *)
 Lemma cube_root_sum (q P D u : C) : u <> 0 -> u ^ 3 = P + D -> q ^ 3 = P ^ 2 - D ^ 2 ->
   (q / u) * u = q /\ (q / u) ^ 3 + u ^ 3 = 2 * P.

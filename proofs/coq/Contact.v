@@ -38,6 +38,22 @@ Qed.
 
 (** ** [beta cot beta] falls *)
 
+Lemma times_cosine_below_sine (x : R) : 0 < x < PI -> x * cos x < sin x.
+Proof.
+  intros Hx.
+  destruct (MVT_cor2 (fun t => sin t - t * cos t) (fun t => t * sin t) 0 x) as (c & Hc & Hin);
+    [lra | |].
+  - intros c Hc. apply is_derive_Reals. auto_derive; [easy | ring].
+  - rewrite sin_0, Rmult_0_l in Hc. assert (0 < sin c) by (apply sin_gt_0; lra).
+    assert (0 < c * sin c * (x - 0)) by (repeat apply Rmult_lt_0_compat; lra). lra.
+Qed.
+
+Lemma times_cotangent_below_one (x : R) : 0 < x < PI -> x * cot x < 1.
+Proof.
+  intros Hx. assert (HS : 0 < sin x) by (apply sin_gt_0; lra). assert (H := times_cosine_below_sine x Hx).
+  apply (Rmult_lt_reg_r (sin x)); [easy|]. unfold cot. field_simplify; lra.
+Qed.
+
 Theorem times_cotangent_falls (a b : R) : 0 < a -> a < b -> b < PI -> b * cot b < a * cot a.
 Proof.
   intros Ha Hab Hb.
@@ -68,14 +84,6 @@ Hypothesis a_not_negative : 0 <= a.
 
 Definition margin (x : R) : R := a * normal_force x h + m * cos x.
 Definition direction (x : R) : R := a * (1 - h + x * cot x) - m.
-
-Lemma derivative_of_margin (x : R) : sin x <> 0 -> is_derive margin x (sin x * direction x).
-Proof.
-  intros HS. unfold margin, direction, normal_force, cot. auto_derive; [easy|]. field. exact HS.
-Qed.
-
-Lemma margin_continuous (x : R) : continuity_pt margin x.
-Proof. unfold margin, normal_force. reg. Qed.
 
 (** The mean value theorem, also from the crown, where the derivative needs no quotient. *)
 Lemma margin_increment (x y : R) : 0 <= x -> x < y -> y < PI ->

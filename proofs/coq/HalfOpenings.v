@@ -5,7 +5,7 @@
 
 From Coq Require Import Reals Lra List.
 From Coquelicot Require Import Coquelicot.
-From Couplet Require Import Arch Moments Cubics Overturning IntervalZ OneRoot.
+From Couplet Require Import Arch Moments Cubics Overturning IntervalZ.
 From Couplet Require Import Formulas Equations Certificate.
 Import ListNotations.
 Open Scope R_scope.
@@ -18,15 +18,10 @@ Theorem half_opening v lo hi :
     (forall other, 0 < other < 2 * PI -> A other = v -> other = alpha).
 Proof.
   intros H0 Hlohi Hpi Hlo Hhi.
-  assert (between : forall x, lo <= x <= hi -> 0 < 1 - cos x) by (intros; apply versine_positive; lra).
-  destruct (one_root_decreasing (fun x => A x - v) (fun x => - (x - sin x) / (1 - cos x)) lo hi)
-    with (a := lo) (b := hi) as [alpha [Halpha [Hroot _]]]; try lra.
-  - intros x Hx. specialize (between x Hx).
-    evar_last; [apply @is_derive_minus; [apply derivative_of_A; lra | apply @is_derive_const] |].
-    apply Rminus_0_r.
-  - intros x Hx. specialize (between x Hx). assert (sin x < x) by (apply sin_lt_x; lra).
-    assert (0 < (x - sin x) / (1 - cos x)) by (apply Rdiv_lt_0_compat; lra). lra.
-  - exists alpha. split; [lra | split; [lra |]].
+  destruct (Ranalysis5.IVT_interv (fun x => v - A x) lo hi) as [alpha [Halpha Hroot]]; try lra.
+  - intros x Hx. assert (0 < 1 - cos x) by (apply versine_positive; lra). apply continuity_pt_filterlim, (ex_derive_continuous (fun x => v - A x)).
+    apply @ex_derive_minus; [apply ex_derive_const | eexists; apply derivative_of_A; lra].
+  - assert (alpha <> lo /\ alpha <> hi) by (split; intros ->; lra). exists alpha. split; [lra | split; [lra |]].
     intros other Hother Hv. apply A_injective; [exact Hother | lra | lra].
 Qed.
 
@@ -114,42 +109,33 @@ Proof.
   split; [tauto | intros; repeat split; try tauto; apply List.Forall_nil].
 Qed.
 
+(** One half-angle with this [A], where the equations ask for it. *)
+Ltac alone one solved closed v :=
+  let alpha := fresh "alpha" in let unique := fresh "unique" in
+  destruct one as [alpha [? [? unique]]]; exists alpha; split; [assumption |]; intros x; intros;
+  rewrite solved by assumption; cbn [flag]; rewrite closed by assumption;
+  assert (A (x Alpha) = v <-> x Alpha = alpha) by (split; intros E; [now apply unique | now rewrite E]); tauto.
+
 Theorem only_end_of_rotation_heyman : exists alpha,
   Rabs (alpha - 2.64838889915100541147745903938447) <= 1e-30 /\
   (forall x, x Thrust = 0 -> 0 < x Alpha < 2 * PI -> 0 <= x Eta < 2 ->
      (solves RotationEnd Heyman x <-> x Eta = 1 /\ x Alpha = alpha)).
-Proof.
-  destruct opening_of_two_thirds as [alpha [H [HA unique]]]. exists alpha. split; [exact H |].
-  intros x Hh Ho He. rewrite solves_at_rotation_end by exact Hh. cbn [flag]. rewrite rotation_end_heyman by exact He.
-  split; intros [H1 H2]; (split; [exact H1 |]); [now apply unique | now rewrite H2].
-Qed.
+Proof. alone opening_of_two_thirds solves_at_rotation_end rotation_end_heyman (2 / 3). Qed.
 
 Theorem only_end_of_rotation_milankovitch : exists alpha,
   Rabs (alpha - 2.59084344300895490419429585352135) <= 1e-30 /\
   (forall x, x Thrust = 0 -> 0 < x Alpha < 2 * PI -> 0 <= x Eta < 2 ->
      (solves RotationEnd Milankovitch x <-> x Eta = eta_l_milankovitch /\ x Alpha = alpha)).
-Proof.
-  destruct opening_of_root as [alpha [H [HA unique]]]. exists alpha. split; [exact H |].
-  intros x Hh Ho He. rewrite solves_at_rotation_end by exact Hh. cbn [flag]. rewrite rotation_end_milankovitch by exact He.
-  split; intros [H1 H2]; (split; [exact H1 |]); [now apply unique | now rewrite H2].
-Qed.
+Proof. alone opening_of_root solves_at_rotation_end rotation_end_milankovitch (sqrt 3 - 1). Qed.
 
 Theorem only_end_of_overturning_heyman : exists alpha,
   Rabs (alpha - 2.78649815065117703204215667394221) <= 1e-30 /\
   (forall x, x Thrust = 0 -> x Eta = 2 -> 0 < x Alpha < 2 * PI ->
      (solves OverturningEnd Heyman x <-> x Alpha = alpha)).
-Proof.
-  destruct opening_of_half as [alpha [H [HA unique]]]. exists alpha. split; [exact H |].
-  intros x Hh He Ho. rewrite solves_at_overturning_end by easy. cbn [flag]. rewrite overturning_end_heyman.
-  split; intros E; [now apply unique | now rewrite E].
-Qed.
+Proof. alone opening_of_half solves_at_overturning_end overturning_end_heyman (1 / 2). Qed.
 
 Theorem only_end_of_overturning_milankovitch : exists alpha,
   Rabs (alpha - 2.64838889915100541147745903938447) <= 1e-30 /\
   (forall x, x Thrust = 0 -> x Eta = 2 -> 0 < x Alpha < 2 * PI ->
      (solves OverturningEnd Milankovitch x <-> x Alpha = alpha)).
-Proof.
-  destruct opening_of_two_thirds as [alpha [H [HA unique]]]. exists alpha. split; [exact H |].
-  intros x Hh He Ho. rewrite solves_at_overturning_end by easy. cbn [flag]. rewrite overturning_end_milankovitch.
-  split; intros E; [now apply unique | now rewrite E].
-Qed.
+Proof. alone opening_of_two_thirds solves_at_overturning_end overturning_end_milankovitch (2 / 3). Qed.

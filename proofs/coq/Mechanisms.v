@@ -37,14 +37,13 @@ Proof.
   assert (0 <= c * cos c * (y - x)) by (repeat apply Rmult_le_pos; lra). lra.
 Qed.
 
-(** With the line of thrust on the shoulder's extrados and on the intrados of a joint, whatever the
-    thrust. *)
-Theorem lever_positive_in_any_state (delta alpha beta eta h p : R) :
+(** Without it there is room between the intrados of a joint and the shoulder's extrados, whatever the thrust: *)
+Lemma room_without_lever (delta alpha beta eta h p : R) :
   0 <= delta <= 1 -> 0 <= beta <= alpha -> 0 < alpha < PI -> 0 < eta <= 2 -> 0 <= h ->
-  haunch_gap delta beta eta h p = 0 -> shoulder_gap delta alpha eta h p = 0 ->
-  0 < intrados eta * cos beta - extrados eta * cos alpha.
+  intrados eta * cos beta - extrados eta * cos alpha <= 0 ->
+  0 < haunch_gap delta beta eta h p + shoulder_gap delta alpha eta h p.
 Proof.
-  intros Hd Hb Ha He Hh HL HU. apply Rnot_le_lt. intros Harm. assert (HPI := PI2_3_2).
+  intros Hd Hb Ha He Hh Harm. assert (HPI := PI2_3_2).
   assert (Hcos : cos alpha <= cos beta).
   { destruct (Req_dec beta alpha) as [-> | Hne]; [lra|]. apply Rlt_le, cos_decreasing_1; lra. }
   assert (Hnarrow : 0 <= cos alpha) by (unfold intrados, extrados in Harm; nra).
@@ -56,20 +55,31 @@ Proof.
   set (D := alpha * sin alpha + cos alpha - (beta * sin beta + cos beta)).
   assert (Hsum : extrados eta * D + eta * (beta * sin beta)
                  + eta * (6 - delta * eta) / 12 * (cos beta - cos alpha)
-                 = h * (intrados eta * cos beta - extrados eta * cos alpha)).
-  { unfold haunch_gap, shoulder_gap, normal_force in *.
-    unfold D, extrados, intrados, fac in *. lra. }
+                 = h * (intrados eta * cos beta - extrados eta * cos alpha)
+                   + (haunch_gap delta beta eta h p + shoulder_gap delta alpha eta h p)).
+  { unfold haunch_gap, shoulder_gap, normal_force, D, extrados, intrados, fac. field. }
   assert (0 <= D) by (unfold D; lra).
   assert (Hgain : 0 < eta * (6 - delta * eta) / 12) by (apply Rdiv_lt_0_compat; nra).
   assert (0 <= eta * (6 - delta * eta) / 12 * (cos beta - cos alpha)) by (apply Rmult_le_pos; lra).
   assert (0 <= eta * (beta * sin beta)) by (apply Rmult_le_pos; lra).
   assert (0 <= extrados eta * D) by (apply Rmult_le_pos; [unfold extrados|]; lra).
   assert (h * (intrados eta * cos beta - extrados eta * cos alpha) <= 0) by nra.
-  (* so each term is zero, and with them the weight of the shoulder *)
+  (* not each term is zero, or the weight of the shoulder would be *)
+  apply Rnot_le_lt. intros Hnone.
   assert (HD0 : D = 0) by (unfold extrados in *; nra).
   assert (Hb0 : beta * sin beta = 0) by nra.
   assert (Hc0 : cos beta - cos alpha = 0) by nra.
   unfold D in HD0. lra.
+Qed.
+
+(** so with the line of thrust on both there is one. *)
+Theorem lever_positive_in_any_state (delta alpha beta eta h p : R) :
+  0 <= delta <= 1 -> 0 <= beta <= alpha -> 0 < alpha < PI -> 0 < eta <= 2 -> 0 <= h ->
+  haunch_gap delta beta eta h p = 0 -> shoulder_gap delta alpha eta h p = 0 ->
+  0 < intrados eta * cos beta - extrados eta * cos alpha.
+Proof.
+  intros Hd Hb Ha He Hh HL HU. apply Rnot_le_lt. intros Harm.
+  assert (H := room_without_lever delta alpha beta eta h p Hd Hb Ha He Hh Harm). lra.
 Qed.
 
 (** ** Mechanisms *)

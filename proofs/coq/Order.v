@@ -87,14 +87,6 @@ Proof.
   assert (slope c * (x - 0) < 0) by nra. lra.
 Qed.
 
-(** [beta cot beta] is below 1. *)
-Lemma times_cotangent_below_1 (beta : R) : 0 < beta < PI -> beta * cot beta < 1.
-Proof.
-  intros Hb. assert (HS : 0 < sin beta) by (apply sin_gt_0; lra).
-  assert (H := times_cosine_below_sine beta Hb). unfold cot.
-  apply (Rmult_lt_reg_r (sin beta)); [easy|]. field_simplify; lra.
-Qed.
-
 Lemma A_above_times_cotangent (x : R) : 0 < x < PI -> x * cot x + 1 < A x.
 Proof.
   intros Hx. assert (HS : 0 < sin x) by (apply sin_gt_0; lra).
@@ -299,7 +291,7 @@ Proof.
     destruct (Req_dec beta1 0) as [E | E].
     - exfalso. rewrite E in EL1.
       assert (T1 := haunch_at_crown delta alpha1 eta1 h1 p1 opening1 thickness1 HL1 EL1).
-      assert (Hcot := times_cotangent_below_1 beta2 ltac:(lra)).
+      assert (Hcot := times_cotangent_below_one beta2 ltac:(lra)).
       assert (0 < intrados eta1 * (k - (h1 - 2)))
         by (apply Rmult_lt_0_compat; unfold k; lra). lra.
     - assert (T1 := haunch_of_wide_arch delta alpha1 eta1 h1 p1 beta1 opening1 thickness1 HL1 EL1 ltac:(lra)).
@@ -386,7 +378,7 @@ Proof.
       with ((1 - eta2 / 2) * ((h2 - 1) * sin beta - beta * cos beta) + fac delta eta2 * sin beta)
       in Hscaled by (field; lra). lra. }
   assert (H1 : h2 < 1).
-  { assert (Hcot := times_cotangent_below_1 beta ltac:(lra)). unfold intrados in Htouch.
+  { assert (Hcot := times_cotangent_below_one beta ltac:(lra)). unfold intrados in Htouch.
     apply Rnot_le_lt. intros H. assert (0 < (1 - eta2 / 2) * (h2 - beta * cot beta)) by (apply
         Rmult_lt_0_compat; lra).
     lra. }

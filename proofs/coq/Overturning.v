@@ -72,10 +72,6 @@ Proof.
   rewrite (whole_thrust_cleared _ _ _ _ HA He), cos_0, sin_0. split; lra.
 Qed.
 
-Lemma lever_of_upper_thrust_at_crown_positive (alpha eta : R) :
-  PI / 2 < alpha < PI -> 0 < eta <= 2 -> 0 < (2 - eta) - (2 + eta) * cos alpha.
-Proof. intros Ha He. assert (cos alpha < 0) by (apply cos_lt_0; lra). nra. Qed.
-
 (** ** (14): Heyman *)
 
 Theorem A_heyman_from_13 (eta : R) : A_overturning 0 eta = A_heyman eta.

@@ -87,16 +87,6 @@ Qed.
 
 (** ** The joints at a limit *)
 
-Lemma times_cosine_below_sine (x : R) : 0 < x < PI -> x * cos x < sin x.
-Proof.
-  intros Hx.
-  destruct (MVT_cor2 (fun t => sin t - t * cos t) (fun t => t * sin t) 0 x) as (c & Hc & Hin);
-    [lra | |].
-  - intros c Hc. apply is_derive_Reals. auto_derive; [easy | ring].
-  - rewrite sin_0, Rmult_0_l in Hc. assert (0 < sin c) by (apply sin_gt_0; lra).
-    assert (0 < c * sin c * (x - 0)) by (repeat apply Rmult_lt_0_compat; lra). lra.
-Qed.
-
 Lemma centroids_positive (delta eta : R) : 0 <= delta -> 1 <= fac delta eta.
 Proof.
   intros Hd. unfold fac. assert (0 <= delta * eta ^ 2) by (apply Rmult_le_pos; [lra | apply pow2_ge_0]).

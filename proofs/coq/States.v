@@ -62,17 +62,6 @@ Proof.
   - apply (extrados_safe delta alpha); try lra. unfold extrados; lra.
 Qed.
 
-Lemma times_cotangent_below_one (x : R) : 0 < x < PI -> x * cot x < 1.
-Proof.
-  intros Hx. assert (HS : 0 < sin x) by (apply sin_gt_0; lra).
-  destruct (MVT_cor2 (fun t => sin t - t * cos t) (fun t => t * sin t) 0 x) as (d & Hd & Hin).
-  - lra.
-  - intros d Hd. apply is_derive_Reals. auto_derive; [easy | ring].
-  - rewrite sin_0, Rmult_0_l in Hd. assert (0 < sin d) by (apply sin_gt_0; lra).
-    assert (0 < d * sin d * (x - 0)) by (repeat apply Rmult_lt_0_compat; lra).
-    apply (Rmult_lt_reg_r (sin x)); [easy|]. unfold cot. field_simplify; lra.
-Qed.
-
 (** With the crown's intrados as hinge, from which the line of thrust goes away. *)
 Theorem inside_from_crown (delta alpha eta h p : R) :
   0 < alpha < PI -> 0 < eta <= 2 -> 0 <= h ->

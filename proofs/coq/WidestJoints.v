@@ -4,7 +4,7 @@
 
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
-From Couplet Require Import Arch IntervalZ OneRoot Landmarks.
+From Couplet Require Import Arch IntervalZ Landmarks.
 From Couplet Require LandmarkWidestJointHeyman LandmarkWidestJointMilankovitch.
 Open Scope R_scope.
 
@@ -36,12 +36,15 @@ Theorem one_joint delta slope first rise top last a b :
     (forall other, first <= other <= last -> radicand_at delta other = 0 -> other = beta).
 Proof.
   intros H1 H2 H3 H4 H5 before Hslope rising behind Ha Hb.
-  destruct (one_root_increasing (radicand_at delta) slope rise top) with (a := a) (b := b)
-    as [beta [Hbeta [Hroot Hunique]]]; auto.
-  exists beta. split; [exact Hbeta | split; [exact Hroot |]]. intros other Hother Hzero.
+  destruct (Ranalysis5.IVT_interv (radicand_at delta) a b) as [beta [Hbeta Hroot]]; try lra.
+  { intros x Hx. apply continuity_pt_filterlim, (ex_derive_continuous (radicand_at delta)). now exists (slope x). }
+  assert (beta <> a /\ beta <> b) by (split; intros ->; lra).
+  exists beta. split; [lra | split; [exact Hroot |]]. intros other Hother Hzero.
   destruct (Rlt_or_le other rise) as [Hr | Hr]; [specialize (before other); lra |].
   destruct (Rlt_or_le top other) as [Ht | Ht]; [specialize (behind other); lra |].
-  apply Hunique; [lra | exact Hzero].
+  assert (grows := incr_function_le (radicand_at delta) rise top slope (fun x _ _ => Hslope x)
+    (fun x Hx Hx' => rising x (conj Hx Hx'))). cbn in grows.
+  destruct (Rtotal_order other beta) as [Hless | [Hsame | Hmore]]; [apply grows in Hless; lra | exact Hsame | apply grows in Hmore; lra].
 Qed.
 
 (** With the signs by intervals, from a bracket as wide as two units of the last decimal. *)

@@ -1,13 +1,13 @@
 #!/bin/sh
 # After `make`: wrong copies of files do not compile, each for the reason it should.
 #
-# Usage: spoil.sh [MODULE]..., by default a landmark, a state and an asymmetric solution, and the hand files whose
-# theorems the claims use.
+# Usage: spoil.sh [MODULE]..., by default a landmark, a state, an asymmetric solution and a survey, and the hand files
+# whose theorems the claims use.
 set -eu
 # Two at a time: each takes some seconds a copy.
 [ $# -gt 0 ] || {
   printf '%s\n' LandmarkTripleMilankovitch StateSlidingRotationalHeyman AsymmetricSlidesInsideMilankovitch \
-    Landmarks Cones Room Modes Attained Order Map Cells TwoWeights | xargs -n 1 -P 2 "$0"
+    SurveyAllStandHeyman Surveys Landmarks Cones Room Modes Attained Order Map Cells TwoWeights | xargs -n 1 -P 2 "$0"
   exit
 }
 cd "$(dirname "$0")"
@@ -70,7 +70,7 @@ spoil_certificate() {
   spoiled "a box that is too large" claim \
     's/(\(Box \[.*?\]\s*\[\(Dyadic \()(\d)/${1}9$2/s'
   spoiled "a matrix that is not the inverse" claim \
-    's/(\n    \[ \[\(Dyadic \([^)]*\) \()-?\d+/${1}3/'
+    's/(\n    \[\[\(Dyadic \([^)]*\) \()-?\d+/${1}3/'
   spoiled "a value that is not stated" claim \
     's/\(Plain Eta\)/(Plain Mu)/'
   spoiled "a claim that is not this one" claim \
@@ -83,6 +83,20 @@ spoil_arch() {
     's/(Coefficient \(Fraction )(\d+)/$1 . ($2 - 1)/e'
   spoiled "the other weight" claim \
     's/Arch (Heyman|Milankovitch)/"Arch " . ($1 eq "Heyman" ? "Milankovitch" : "Heyman")/e'
+}
+
+# Which arches are meant, and which of them are looked at.
+spoil_survey() {
+  spoiled "another verdict" claim 's/AllStand$/NoneStands/m'
+  spoiled "the other weight" claim 's/\(Survey Heyman/(Survey Milankovitch/'
+  spoiled "less friction" claim 's/(\(Coefficient \(Fraction )7 10/${1}6 10/'
+  spoiled "a higher rise" claim 's/(\(Qmake 2 1\), \(Qmake )3 1/${1}4 1/'
+  spoiled "thinner arches" claim 's/\(Qmake 11 50\)/(Qmake 10 50)/'
+  spoiled "a circle elsewhere" claim 's/AtIntrados/AtExtrados/'
+  spoiled "ends that are exchanged" claim 's/\((\(Qmake 9 1\)), (\(Qmake 11 1\))\)/($2, $1)/'
+  spoiled "a step that is left out" claim 's/;\n *Part .*?(;\n *Part )/$1/s'
+  spoiled "a step that goes back" claim 's/(Some \()(.*?), (\(\(Qmake .*?\)\))\)/$1$3, $2)/'
+  spoiled "a part that is not right" claim 's/(Stands .*?Dyadic \(?)(\d+)/$1 . "9" . $2/e'
 }
 
 # Which landmark it is, and the values that the paper prints.
@@ -116,6 +130,13 @@ spoil_hand() {
         's/(Theorem one_solution y : )in_box .*? -> /$1/'
       spoiled "a last digit that is only nearly right" right_there \
         's/off m e p k \+ 1 <=/off m e p k <=/' ;;
+    Surveys)
+      spoiled "a thickness beyond the limit" narrower_thicker_stands \
+        's/(Theorem narrower_thicker_stands.*?)eta. <= 2 ->/$1/s'
+      spoiled "a least thickness that falls" least_thickness_is_monotone \
+        's/(Corollary least_thickness_is_monotone.*?)eta. <= eta\./$1eta\x27 < eta./s'
+      spoiled "a largest circle inside a step" radius_of_rises \
+        's/(Theorem radius_of_rises.*?)Rmax \(/${1}Rmin (/s' ;;
     Cones) spoiled "multipliers that leave room" strict_point_or_multipliers \
       's/(Theorem strict_point_or_multipliers.*?)c <= 0/$1c < 0/s' ;;
     Room) spoiled "a line of thrust on a face" thinner_arch_stands \
@@ -141,6 +162,7 @@ for module; do
     untouched
     case $module in
       Landmark*) spoil_certificate; spoil_landmark ;;
+      Survey*) spoil_survey ;;
       *) spoil_certificate; spoil_arch ;;
     esac
   else

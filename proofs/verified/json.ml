@@ -1,4 +1,4 @@
-(* JSON as docs/certificate.md asks for it: strict, no duplicates, no half of a surrogate pair, no long list. *)
+(* JSON as docs/certificate.md asks for it: strict, no duplicates, no half of a surrogate pair, no long list but one. *)
 
 type t =
   | Object of (string * t) list
@@ -13,7 +13,7 @@ let malformed place = raise (Malformed ("no certificate: malformed JSON at byte 
 
 (* Deepest nesting, and the most entries of a list. *)
 let deepest = 64
-let longest = 32
+let longest = function "parts" -> 4096 | _ -> 32
 
 (* UTF-8 without surrogates and overlong forms. *)
 let is_utf8 text =
@@ -118,7 +118,7 @@ let read text =
     end;
     if !at = whole then Integer (String.sub text start (whole - start)) else Other
   in
-  let rec value depth =
+  let rec value name depth =
     if depth > deepest then malformed !at;
     skip ();
     let v =
@@ -126,8 +126,8 @@ let read text =
       | '{' -> incr at; Object (entries depth '}' (field depth) [])
       | '[' ->
           incr at;
-          let list = entries depth ']' (fun () -> value (depth + 1)) [] in
-          if List.length list > longest then malformed !at;
+          let list = entries depth ']' (fun () -> value "" (depth + 1)) [] in
+          if List.length list > longest name then malformed !at;
           List list
       | '"' -> Text (string ())
       | 't' -> word "true" Other
@@ -142,7 +142,7 @@ let read text =
     let name = string () in
     skip ();
     expect ':';
-    (name, value (depth + 1))
+    (name, value name (depth + 1))
   and entries : 'a. int -> char -> (unit -> 'a) -> 'a list -> 'a list =
    fun depth close entry sofar ->
     skip ();
@@ -164,6 +164,6 @@ let read text =
     | c when c = close -> incr at; List.rev sofar
     | _ -> malformed !at
   in
-  let v = value 0 in
+  let v = value "" 0 in
   if !at < n then malformed !at;
   v

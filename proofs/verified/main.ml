@@ -22,10 +22,10 @@ let read path =
 let check path =
   let name = String.escaped path in
   let say word words = Printf.printf "%s  %s: %s\n%!" word name words in
-  match Result.map Reader.certificate (read path) with
-  | Ok certificate ->
-      if Verified.check certificate then (say "accepted" (Statement.statement certificate); 0)
-      else (say "refused" "the claim is not proved"; 1)
+  let answer is_proved statement = if is_proved then (say "accepted" statement; 0) else (say "refused" "the claim is not proved"; 1) in
+  match Result.map Reader.file (read path) with
+  | Ok (Reader.Single c) -> answer (Verified.check c) (Statement.statement c)
+  | Ok (Reader.Survey c) -> answer (Verified.check_survey c) (Statement.of_survey c)
   | Error reason -> Printf.eprintf "couplet-verified: %s: %s\n%!" name reason; 3
   | exception (Reader.Refused reason | Json.Malformed reason) -> say "refused" reason; 1
   | exception Reader.Beyond what -> say "not checked" what; 3

@@ -267,12 +267,7 @@ let box most v =
     refused "a number is too long";
   { centre; radius }
 
-let certificate bytes =
-  let json = Json.read bytes in
-  (match json with
-  | Json.Object entries when List.assoc_opt "schema" entries = Some (Json.Text "couplet.survey-certificate/1") ->
-      raise (Beyond "a survey")
-  | _ -> ());
+let single json =
   let field = fields [ "schema"; "tool"; "claim"; "digits"; "unique"; "inverse"; "root"; "values" ] json in
   if text (get field "schema") <> "couplet.certificate/1" then refused "another schema";
   ignore (text (get field "tool"));
@@ -299,3 +294,63 @@ let certificate bytes =
   let inverse = List.map (fun row -> List.map dyadic (list row)) (list (get field "inverse")) in
   if List.exists (List.exists (fun d -> bits d > 24_000)) inverse then refused "a number is too long";
   { about; digits = Integer.of_int digits; unique; inverse; root; values }
+
+(* A file is a certificate of one arch or landmark, or of a survey. *)
+type file = Single of certificate | Survey of survey_certificate
+
+let circles = [ ("intrados", AtIntrados); ("centreline", AtCentreline); ("extrados", AtExtrados) ]
+let verdicts = [ ("all_stand", AllStand); ("none_stands", NoneStands); ("both_occur", BothOccur) ]
+
+let ends read v = match list v with [ a; b ] -> (read (text a), read (text b)) | _ -> refused "two ends are expected"
+
+let length t =
+  if List.exists (fun integer -> String.length integer > 300) (String.split_on_char '/' t) then
+    refused "a length has more than 300 digits";
+  let qnum, qden = fraction t in
+  if Integer.sign qnum = 0 then refused "a length is zero";
+  { qnum; qden }
+
+let shape field =
+  match (field "free", field "spanned") with
+  | Some v, None ->
+      let f = fields [ "half_opening"; "thickness" ] v in
+      Free (ends number (get f "half_opening"), ends number (get f "thickness"))
+  | None, Some v ->
+      let f = fields [ "circle"; "span"; "rise"; "thickness" ] v in
+      let range name = ends length (get f name) in
+      Spanned (named "circle" circles (text (get f "circle")), range "span", range "rise", range "thickness")
+  | _ -> refused "a survey is free or spanned"
+
+(* The sides of the parts follow from the verdict. *)
+let part side v =
+  let f = fields ~optional:[ "step" ] [ "side"; "certificate" ] v in
+  if text (get f "side") <> side then refused "a part is not on the side of the verdict";
+  let step v =
+    let f = fields [ "span"; "rise" ] v in
+    let (span, span'), (rise, rise') = (ends length (get f "span"), ends length (get f "rise")) in
+    ((span, rise), (span', rise'))
+  in
+  { its_step = Option.map step (f "step"); its_certificate = single (get f "certificate") }
+
+let survey json =
+  let field = fields [ "schema"; "tool"; "survey"; "verdict"; "parts" ] json in
+  ignore (text (get field "tool"));
+  let f = fields ~optional:[ "free"; "spanned" ] [ "weight"; "friction" ] (get field "survey") in
+  let of_survey =
+    {
+      survey_weight = named "weight" weights (text (get f "weight"));
+      frictions = ends friction (get f "friction");
+      its_shape = shape f;
+    }
+  in
+  let its_verdict = named "verdict" verdicts (text (get field "verdict")) in
+  let side i =
+    match (its_verdict, i) with AllStand, _ | BothOccur, 0 -> "unsafe" | NoneStands, _ | BothOccur, _ -> "safe"
+  in
+  { of_survey; its_verdict; parts = List.mapi (fun i v -> part (side i) v) (list (get field "parts")) }
+
+let file bytes =
+  match Json.read bytes with
+  | Json.Object entries as json when List.assoc_opt "schema" entries = Some (Json.Text "couplet.survey-certificate/1") ->
+      Survey (survey json)
+  | json -> Single (single json)

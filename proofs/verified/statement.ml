@@ -60,14 +60,17 @@ let written = function
 
 let arch a = Printf.sprintf "half opening %s, friction %s" (number a.half_opening) (friction a.its_friction)
 let thick a t = Printf.sprintf "%s, thickness %s" (arch a) (number t)
-let stands = "stands (an admissible symmetric state exists)"
+let exists = "(an admissible symmetric state exists)"
+let stands = "stands " ^ exists
 
 let statement c =
   let subject, weight, says =
     match c.about with
     | State (m, a) ->
         ( arch a, a.self_weight,
-          Printf.sprintf "the arch %s exactly from a least thickness on, up to 2, and at the least one it has a state of %s"
+          Printf.sprintf
+            "the arch %s exactly from a least thickness on, up to 2, and at the least one it has a state of %s, the only \
+             solution of its equations in the large box"
             stands (of_mode m) )
     | TooThin (m, a, t) ->
         ( thick a t, a.self_weight,
@@ -79,12 +82,16 @@ let statement c =
           "the arch stands at no thickness up to 2, as its half opening is beyond a bound for its friction" )
     | Stands (a, t, _, _, _) -> (thick a t, a.self_weight, "the arch " ^ stands)
     | Landmark (l, w) ->
-        let sliding = match l with Triple | Shift | Junction | Border -> [ "[s,s]" ] | _ -> [] in
+        let sliding, none =
+          match l with
+          | Triple | Shift | Junction | Border -> ([ "[s,s]" ], ", and none of its half opening with less friction")
+          | _ -> ([], "")
+        in
         let modes = String.concat ", " (List.map of_mode (modes_of l) @ sliding) in
         ( "landmark " ^ of_landmark l, w,
           Printf.sprintf
-            "its equations have a solution that is a state of %s, admissible at every joint, and no thinner arch of its half \
-             opening and friction stands" modes )
+            "its equations have a solution, the only one in the large box, that is a state of %s, admissible at every joint, \
+             and no thinner arch of its half opening and friction stands%s" modes none )
     | Asymmetric (k, a) ->
         ( arch a, a.self_weight,
           Printf.sprintf
@@ -100,3 +107,29 @@ let statement c =
         (if digits = "1" then "" else "s")
   in
   Printf.sprintf "%s, %s weight: %s%s" subject (of_weight weight) says rounded
+
+(* A length in lowest terms. *)
+let length l =
+  let common = Integer.gcd l.qnum l.qden in
+  fraction (Integer.div l.qnum common) (Integer.div l.qden common)
+
+let of_survey c =
+  let s = c.of_survey in
+  let range write (a, b) = write a ^ " to " ^ write b in
+  let shape =
+    match s.its_shape with
+    | Free (half_openings, thicknesses) ->
+        Printf.sprintf "half opening %s, thickness %s" (range number half_openings) (range number thicknesses)
+    | Spanned (circle, spans, rises, thicknesses) ->
+        let circle = List.find (fun (_, c) -> c = circle) Reader.circles in
+        Printf.sprintf "span %s m and rise %s m at the %s, thickness %s m" (range length spans) (range length rises)
+          (fst circle) (range length thicknesses)
+  in
+  let says =
+    match c.its_verdict with
+    | AllStand -> "every arch stands"
+    | NoneStands -> "no arch stands"
+    | BothOccur -> "one arch stands and one does not"
+  in
+  Printf.sprintf "all arches with %s, friction %s, %s weight: %s %s" shape (range friction s.frictions)
+    (of_weight s.survey_weight) says exists

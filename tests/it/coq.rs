@@ -18,7 +18,7 @@ fn stored(folder: &str, extension: &str) -> Vec<PathBuf> {
 
 /// What the program prints of the stored certificates.
 fn printed() -> BTreeMap<String, String> {
-    let folders = ["constants", "states", "asymmetric"];
+    let folders = ["constants", "states", "asymmetric", "surveys"];
     let files_of = folders.into_iter().flat_map(|folder| stored(folder, "json"));
     let certificates = files_of.map(|path| {
         let bytes = fs::read(&path).unwrap();

@@ -4,10 +4,8 @@
 //! sin(g)/g`. So its moment about the centre is `2 fac sin(g) sin(m) = fac (cos(m - g) - cos(m + g))`, and the
 //! moments of all stones above a joint add up to that of the continuous arch, whatever the number of stones.
 
-use super::contacts::{DISTANCES_RISE_AND_FALL, label, margin_at, slopes};
+use super::contacts::{label, margin_at, slopes};
 use super::letters::{ring, with};
-use super::modes::LEVER;
-use super::uniqueness::THICKER_HAS_ROOM;
 use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::whole::motion_row;
@@ -62,7 +60,7 @@ fn sums(d: &mut Derivation) -> Checked {
 }
 
 fn each_joint(d: &mut Derivation) -> Checked {
-    lemmas(d, [&STONES_ADD_UP, &DISTANCES_RISE_AND_FALL, &LEVER, &THICKER_HAS_ROOM])?;
+    lemmas(d, [&STONES_ADD_UP])?;
     d.assume("0 < eta <= 2; joints at 0, at alpha < pi and between; a state is symmetric");
     let (joint, alpha, ring) = (Symbol::joint(), Symbol::half_opening(), ring());
     let h = Symbol::Thrust.number();
@@ -88,18 +86,21 @@ fn each_joint(d: &mut Derivation) -> Checked {
         let words = format!("{} is free of p", label(contact));
         d.identity(words, free(contact), margin_at(contact, &joint))?;
     }
-    d.argue(
-        "Friction leaves an interval of thrusts h >= 0. U is least at crown or shoulder, so that the largest p that \
-         the extrados allows is that of the crown for h <= h_2 and that of the shoulder for h >= h_2. With this p, L \
-         at a joint grows with h up to h_2; beyond it falls where b > 0, and where b <= 0 it is not negative for any \
-         h >= 0 (modes-lever: L + U + h b is a sum of terms that are not). So if L >= 0 at all joints for one thrust \
-         of the interval, it is for the one that is nearest to h_2.",
+    d.theorem(
+        "Stones.nearest_thrust",
+        "of two thrusts one, or that of (4) between them, leaves room to the intrados of every joint to which one of them does",
     )?;
-    d.argue(
-        "That thrust does not depend on the joint that is judged. The arch stands exactly if each of its joints would, \
-         alone between crown and shoulder, with the same interval; and one that does so at a thickness does at each \
-         larger one: unique-thicker takes the intrados of each joint by itself, and for h = 0 its rooms do not shrink \
-         either.",
+    d.theorem(
+        "Stones.each_joint_by_itself",
+        "an arch of stones stands exactly if each of its joints would, alone between crown and shoulder with the friction of all",
+    )?;
+    d.theorem(
+        "Stones.joint_alone_in_thicker",
+        "a joint that stands alone does in each thicker arch, up to 2",
+    )?;
+    d.theorem(
+        "Stones.least_thickness_of_stones",
+        "the least thickness of an arch of stones is the largest of those of its joints",
     )
 }
 

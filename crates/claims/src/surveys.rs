@@ -88,16 +88,18 @@ fn corners(d: &mut Derivation) -> Checked {
     let at_limit = ring.intrados() * (h.int(6) + eta);
     let further = (h.int(1) - delta) * eta * (h.int(4) + eta);
     d.identity("the bracket: not negative up to eta = 2", held, at_limit + further)?;
-    d.conclude(
-        "A narrower arch has some of the joints and no others; and where U and L, mu N - T and mu N + T are not \
-         negative at a joint they are not with more friction, nor with more thickness up to 2. So the set of \
-         admissible (h, p) grows, with either weight: as the half opening falls, as the friction grows, as the \
-         thickness grows.",
+    d.theorem(
+        "Surveys.admissible_if_narrower_rougher_thicker",
+        "a state that is admissible in an arch is so in each narrower, rougher and thicker one",
+    )?;
+    d.theorem(
+        "Surveys.least_thickness_is_monotone",
+        "the least thickness does not fall as the half-angle grows, nor rise with the friction, whatever the modes",
     )?;
     d.conclude(
-        "Therefore the least thickness and the least friction do not fall as the half opening grows, and neither rises \
-         as the other of friction and thickness grows; the largest thrust h falls with the half opening and rises with \
-         friction and thickness, the least rises and falls: all of them not always strictly.",
+        "The least friction does not fall as the half opening grows, nor rise with the thickness; the largest thrust h \
+         falls with the half opening and rises with friction and thickness, the least rises and falls: all of them not \
+         always strictly.",
     )
 }
 

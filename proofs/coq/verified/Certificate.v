@@ -97,13 +97,13 @@ Definition holds (d : R) (x : configuration) (e : equation) : Prop :=
   match e with Tangency b | DoubleThickness b => sin (x b) <> 0 | _ => True end.
 
 (** It stands: an admissible symmetric state exists. *)
-Definition stands (a : arch) (eta : R) : Prop :=
-  let d := flag (self_weight a) in
-  let alpha := real (half_opening a) in
-  match coefficient (its_friction a) with
-  | Some mu => arch_stands d alpha eta mu
-  | None => exists h p, thrust_inside d alpha eta h p
+Definition stands_with (w : weight) (alpha eta : R) (mu : option R) : Prop :=
+  match mu with
+  | Some mu => arch_stands (flag w) alpha eta mu
+  | None => exists h p, thrust_inside (flag w) alpha eta h p
   end.
+Definition stands (a : arch) (eta : R) : Prop :=
+  stands_with (self_weight a) (real (half_opening a)) eta (coefficient (its_friction a)).
 
 (** The state is admissible at every joint, and the arch stands exactly from its thickness on. *)
 Definition is_admissible (d : R) (mu : option R) (x : configuration) (p : R) : Prop :=

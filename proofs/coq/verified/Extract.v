@@ -1,13 +1,13 @@
 (** * The checker as a program
 
-    The function [Check.check] in OCaml, with Zarith's integers for [Z] and [positive], as Coq's own file
+    The functions [Check.check] and [SurveyCheck.check_survey] in OCaml, with Zarith's integers for [Z] and [positive], as Coq's own file
     [ExtrOcamlZBigInt] has it, and four functions done at once that Coq does bit by bit ([Faster] has why they
     are the same).  No real number is computed: what is left of them in the program is never called. *)
 
 From Coq Require Import Extraction ExtrOcamlBasic ExtrOcamlZBigInt.
 From Flocq Require Import Core.Zaux.
 From Interval Require Import Float.Specific_stdz.
-From Couplet Require Import Certificate Check Faster.
+From Couplet Require Import Certificate Check SurveyCheck Faster.
 
 Extraction Language OCaml.
 Set Warnings "-extraction-opaque-accessed".
@@ -26,4 +26,4 @@ Extract Constant StdZRadix2.mantissa_shr =>
 (** [division_faster] *)
 Extract Constant Zfast_div_eucl => "Faster.division".
 
-Extraction "verified.ml" check Certificate.Certificate modes_of.
+Extraction "verified.ml" check check_survey Certificate.Certificate modes_of.

@@ -3,12 +3,11 @@
     In the words of [States], whatever the landmark; and from the digits of the certificate, whether the last digit of a
     printed value is right, and which of two values is the smaller one. *)
 
-From Coq Require Import ZArith Lra Lia Bool List.
+From Coq Require Import Lra Lia Bool.
 From Coq Require Export Reals.
 From Coquelicot Require Import Coquelicot.
 From Couplet Require Import Root.
-From Couplet Require Export Arch States Enclosures Formulas Equations Certificate Sound.
-Import ListNotations.
+From Couplet Require Export Arch States Sound.
 Open Scope R_scope.
 
 (** ** The state *)

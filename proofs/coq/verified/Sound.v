@@ -1,10 +1,11 @@
 (** * What is checked is true *)
 
-From Coq Require Import Reals ZArith Lra Lia Bool List.
+From Coq Require Import Reals Lra Lia Bool.
+From Coq Require Export ZArith List.
 From Interval Require Import Interval.Interval.
-From Couplet Require Import Arch States Verdicts Whole Enclosures Formulas Krawczyk Equations Certificate Root WholeArch
-  Check.
-Import ListNotations.
+From Couplet Require Import Arch States Verdicts Whole Krawczyk Root WholeArch Check.
+From Couplet Require Export Enclosures Formulas Equations Certificate.
+Export ListNotations.
 Open Scope R_scope.
 
 (** ** What is given *)
@@ -187,6 +188,10 @@ Proof.
   intros Hall HE Hf. apply (is_positive_sound (enclosed prec E f)); [| now apply has_meaning].
   exact (each_one _ l f Hall Hf).
 Qed.
+
+Lemma all_signs prec E x l : are_all_positive prec E l = true -> surrounds E x ->
+  List.Forall (fun g => 0 < meaning x g) l.
+Proof. intros H HE. apply List.Forall_forall. intros g Hg. now apply (are_all_positive_sound prec E x l). Qed.
 
 Lemma is_open_sound prec X alpha : is_open prec X = true -> has X alpha -> alpha < PI.
 Proof.
@@ -388,7 +393,7 @@ Qed.
 
 Lemma is_state_least m a x : is_state m a x -> forall eta, 0 < eta <= 2 -> stands a eta -> x Eta <= eta.
 Proof.
-  intros (alpha & _ & _ & _ & _ & Hleast) eta He. unfold stands, is_least in *. rewrite <- alpha.
+  intros (alpha & _ & _ & _ & _ & Hleast) eta He. unfold stands, stands_with, is_least in *. rewrite <- alpha.
   destruct (coefficient (its_friction a)); now apply Hleast.
 Qed.
 
@@ -431,8 +436,7 @@ Proof.
   assert (Hprinted := holds_printed _ _ _ Hholds).
   assert (Harch := is_given_sound full a ltac:(easy)). assert (Hmu := friction_not_negative a Harch). fold f in Hmu.
   assert (Hopen : x Alpha < PI) by (rewrite alpha; apply Harch).
-  assert (Hsigns : List.Forall (fun g => 0 < meaning x g) (carried ++ steepest))
-    by (apply List.Forall_forall; intros g Hg; now apply (are_all_positive_sound full E x (carried ++ steepest))).
+  assert (Hsigns := all_signs full E x _ ltac:(eassumption) HE).
   assert (Hless : coefficient_or_zero f < x Mu).
   { apply (difference_sound full (itself (E Mu)) (enclosed_friction full f)); [easy | apply HE | apply has_friction]. }
   split; [exact Harch | split].
@@ -440,7 +444,7 @@ Proof.
     + list_of Hsigns. cbn [meaning] in *. lra.
     + exists (coefficient_or_zero f). fold f. rewrite coefficient_is. now replace (is_limited f) with true by easy.
     + now apply (hold_values_sound full true E).
-  - intros eta. unfold stands. fold f. rewrite coefficient_is, <- alpha.
+  - intros eta. unfold stands, stands_with. fold f. rewrite coefficient_is, <- alpha.
     replace (is_limited f) with true by easy.
     list_of Hsigns; list_of Hprinted. cbn [printed] in *. frictions Logic.I. cbn [meaning] in *.
     apply (purely_sliding (x Alpha) (x Mu) (x Thrust) (x BetaS)); try tauto; try lra.
@@ -467,11 +471,8 @@ Proof.
   assert (Hvalues : values_hold c (coefficient f) x).
   { apply (hold_values_sound full (is_limited f) E); [easy | exact HE |].
     rewrite coefficient_is. destruct (is_limited f); [| easy]. rewrite Hgiven by easy. easy. }
-  assert (Hsigns : List.Forall (fun g => 0 < meaning x g)
-            (Val Alpha :: (if is_limited f then steepest ++ [upper_lever BetaR] else [])))
-    by (apply List.Forall_forall; intros g Hg; now apply (are_all_positive_sound full E x
-          (Val Alpha :: (if is_limited f then steepest ++ [upper_lever BetaR] else [])))).
-  unfold stands. fold f w. rewrite coefficient_is in *. destruct (is_limited f) eqn:Hlimited.
+  assert (Hsigns := all_signs full E x _ ltac:(eassumption) HE).
+  unfold stands, stands_with. fold f w. rewrite coefficient_is in *. destruct (is_limited f) eqn:Hlimited.
   - assert (mu : x Mu = coefficient_or_zero f) by (now apply Hgiven).
     assert (Hholds := equations_hold w x _ Hzeros Hdivisors ltac:(no_double)).
     assert (Hprinted := holds_printed _ _ _ Hholds).
@@ -539,8 +540,7 @@ Proof.
   assert (Harch := is_given_sound full a ltac:(easy)).
   assert (Hopen : x Alpha < PI) by (rewrite alpha; apply Harch).
   assert (Hprinted := holds_printed _ _ _ (equations_hold w x _ Hzeros Hdivisors ltac:(destruct there; no_double))).
-  assert (Hsigns : List.Forall (fun g => 0 < meaning x g) (standing_signs w there))
-    by (apply List.Forall_forall; intros g Hg; now apply (are_all_positive_sound full E x (standing_signs w there))).
+  assert (Hsigns := all_signs full E x _ ltac:(eassumption) HE).
   assert (inside : thrust_inside (flag w) (x Alpha) (x Eta) (x Thrust) (value p)).
   { rewrite <- moment. destruct there; list_of Hsigns; list_of Hprinted; rewrite ?meaning_next in *.
     all: assert (N : 0 < normal_force (x Alpha) (x Thrust)) by assumption.
@@ -561,7 +561,7 @@ Proof.
     rewrite <- mu. intros y Hy. split; [now apply inside |]. apply (enough_sound full E); try easy;
       destruct there; list_of Hsigns; in_numbers; try assumption; lra. }
   split; [exact Harch | split; [now rewrite <- eta | split]].
-  - unfold stands. fold w f. rewrite <- alpha, <- eta. unfold is_admissible in admitted.
+  - unfold stands, stands_with. fold w f. rewrite <- alpha, <- eta. unfold is_admissible in admitted.
     destruct (coefficient f); now exists (x Thrust), (value p).
   - exists x. fold w f. refine (conj alpha (conj eta (conj thrust (conj _ admitted)))).
     apply (hold_values_sound full (is_limited f) E); try easy.
@@ -763,8 +763,7 @@ Proof.
   { unfold y. destruct l; cbn [is_fixed]; try easy; repeat split; rewrite ?Hgiven by easy; unfold fixed, numbers_in;
       cbn [find same fst snd]; easy. }
   assert (Hopen : y Alpha < PI) by (apply (is_open_sound full (itself (S Alpha))); [easy | apply HS]).
-  assert (Hsigns : List.Forall (fun g => 0 < meaning y g) (landmark_signs w l))
-    by (apply List.Forall_forall; intros g Hg; now apply (are_all_positive_sound full S y (landmark_signs w l))).
+  assert (Hsigns := all_signs full S y _ ltac:(eassumption) HS).
   destruct (landmark_meets w y l Hopen Hfixed Hsigns Hholds) as (Hzero & Hleft & Hless).
   destruct (landmark_there w y l Hopen Hfixed Hsigns Hholds Hzero) as [Hthere Horder].
   exists y. unfold is_landmark.
@@ -906,8 +905,7 @@ Proof.
     assert (Hall := whole_covered_sound piece_bits w E x HE (known_margins w k E) ltac:(easy)
                       ltac:(pose proof PI_4; lra) Hknown j Hj).
     unfold known_margins in Hall. list_of Hall. cbn [fst is_margin] in *. tauto. }
-  assert (Hsigns : List.Forall (fun g => 0 < meaning x g) (asymmetric_signs k))
-    by (apply List.Forall_forall; intros g Hg; now apply (are_all_positive_sound full E x (asymmetric_signs k))).
+  assert (Hsigns := all_signs full E x _ ltac:(eassumption) HE).
   assert (Hs : 0 < x Alpha -> sin (x Alpha) <> 0) by (intros Ha; apply Rgt_not_eq, sin_gt_0; lra).
   split; [exact Harch |]. exists (rates_of k x). refine (conj alpha (conj _ (conj _ (conj _ Hvalues)))).
   - rewrite coefficient_is. fold f. change (rates_of k x Mu) with (x Mu). rewrite mu.

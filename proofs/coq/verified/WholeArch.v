@@ -133,9 +133,6 @@ Variables (prec : Z) (w : weight) (E : surroundings).
 
 Definition with_joint (F : functions) : surroundings := fun n => if same Joint n then F else E n.
 
-(** Around a joint at its limit; at the right springing there is no other side. *)
-Inductive limit_joint := Touches (around : enclosure) | Ends (around : enclosure).
-
 (** The largest set around a joint on which the margin is shown not to be negative. *)
 Definition bends_away (m : margin) (near : enclosure) : bool :=
   is_positive (enclosed prec (with_joint (angle prec near)) (along_bend w m)).

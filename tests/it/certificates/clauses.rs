@@ -63,7 +63,7 @@ fn root(words: &str, mut of: Cases) -> Clause {
 }
 
 fn of_a_landmark() -> Vec<Clause> {
-    let unmet = |words, start: &[f64], condition| {
+    let not = |words, start: &[f64], condition| {
         root(words, unmet(landmark_problem(Landmark::Triple, Heyman), start, condition))
     };
     let mut clauses = claimed(
@@ -74,16 +74,24 @@ fn of_a_landmark() -> Vec<Clause> {
             ["heyman weight", "weight", "milankovitch", NO_ROOT],
         ],
     );
+    let only = "the only one in the large box";
     clauses.extend(changed(
         point(),
-        &[["its equations have a solution", "/unique/centre/0", "0x1p0", NO_ROOT]],
+        &[
+            ["its equations have a solution", "/unique/centre/0", "0x1p0", NO_ROOT],
+            [only, "/unique/radius/0", "0x1p0", "a denominator of the equations may vanish"],
+        ],
     ));
-    clauses.push(unmet(
+    let beyond = landmark_problem(Landmark::Shift, Heyman);
+    let beyond =
+        unmet(beyond, &[9.2804, 0.0718, 0.9965, 0.0052, 6.9075], "a half opening below pi");
+    clauses.push(root("none of its half opening with less friction", beyond));
+    clauses.push(not(
         "that is a state of [r,r,r], [s,r,r], [r,r,s], [s,s], admissible at every joint",
         &[2.7447, 6.6674, 0.1893, 1.8854, 0.0372, 2.4796],
         "a rotational joint above the shoulder",
     ));
-    clauses.push(unmet(
+    clauses.push(not(
         "no thinner arch of its half opening and friction stands",
         &[2.4872, -1.0375, 0.2971, 0.6796, 0.0978, 1.4153],
         "a rotational joint below the crown",
@@ -111,6 +119,8 @@ fn of_a_state() -> Vec<Clause> {
     let start = [5.1537, 2.9703, 0.6269];
     let thick = unmet(problem("2.3", "1.1"), &start, "a thickness below the physical limit");
     clauses.push(root("exactly from a least thickness on, up to 2", thick));
+    let only = "the only solution of its equations in the large box";
+    clauses.extend(changed(arch(), &[[only, "/unique/radius/0", "0x1p0", NO_ROOT]]));
     clauses
 }
 

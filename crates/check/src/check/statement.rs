@@ -45,16 +45,21 @@ pub(super) fn statement(accepted: &Accepted) -> String {
 
 fn of_landmark(landmark: Landmark) -> String {
     let labels: Vec<&str> = landmark.modes().iter().map(|mode| mode.label()).collect();
+    let rougher = match landmark.modes().contains(&Mode::Sliding) {
+        true => ", and none of its half opening with less friction",
+        false => "",
+    };
     format!(
-        "its equations have a solution that is a state of {}, admissible at every joint, and no thinner arch of its \
-         half opening and friction stands",
+        "its equations have a solution, the only one in the large box, that is a state of {}, admissible at every joint, \
+         and no thinner arch of its half opening and friction stands{rougher}",
         labels.join(", ")
     )
 }
 
 fn of_state(mode: Mode) -> String {
     format!(
-        "the arch stands ({STANDS}) exactly from a least thickness on, up to 2, and at the least one it has a state of {mode}"
+        "the arch stands ({STANDS}) exactly from a least thickness on, up to 2, and at the least one it has a state of \
+         {mode}, the only solution of its equations in the large box"
     )
 }
 

@@ -3,9 +3,12 @@
 //! Coq computes that by itself, so that nothing here is trusted: what is claimed is `claim_of` of
 //! `proofs/coq/verified/Certificate.v`.
 
-use super::last_digit;
 use super::value::{decimal, quantity};
-use crate::check::{ArchFile, Certificate, ClaimFile, Refusal, ValueFile, Witness, verify};
+use super::{last_digit, survey};
+use crate::check::{
+    AcceptedFile, ArchFile, Certificate, ClaimFile, Refusal, SurveyCertificate, ValueFile, Witness,
+    verify_file,
+};
 use crate::number::Dyadic;
 use rug::Integer;
 use rug::integer::Order;
@@ -22,29 +25,56 @@ pub enum CertificateError {
 /// The file of a certificate, name and content, after a check of it.
 ///
 /// Its theorem is the claim of the certificate to all its digits: a landmark, a state, that an arch stands, is too
-/// thin, too wide or slides, or an asymmetric solution. A landmark has a corollary for each value that the paper prints
-/// of it.
+/// thin, too wide or slides, an asymmetric solution, or a verdict on all arches of a survey. A landmark has a corollary
+/// for each value that the paper prints of it.
 pub fn certificate(bytes: &[u8]) -> Result<(String, String), CertificateError> {
-    verify(bytes)?;
-    let certificate = Certificate::read(bytes)?;
-    let Subject { name, title, term } = Subject::new(&certificate.claim);
-    let theory = if certificate.claim.landmark.is_some() { "Landmarks" } else { "Sound" };
-    let weight = capital(&certificate.claim.weight);
+    let (name, title, weight, theory, term, rest) = match verify_file(bytes)? {
+        AcceptedFile::Survey(_) => {
+            let certificate = SurveyCertificate::read(bytes)?;
+            let name = survey::name(&certificate);
+            let title = "All arches of a survey".to_owned();
+            let weight = capital(&certificate.survey.weight);
+            (name, title, weight, "SurveySound", survey::term(&certificate), String::new())
+        }
+        AcceptedFile::Certificate(_) => {
+            let certificate = Certificate::read(bytes)?;
+            let Subject { name, title, term: subject } = Subject::new(&certificate.claim);
+            let is_landmark = certificate.claim.landmark.is_some();
+            let theory = if is_landmark { "Landmarks" } else { "Sound" };
+            let weight = capital(&certificate.claim.weight);
+            let rest = last_digit::corollaries(&certificate, &subject);
+            (name, title, weight, theory, term(&certificate), rest)
+        }
+    };
+    let [kind, claim, theorem] = match theory {
+        "SurveySound" => ["survey_certificate", "claim_of_survey", "sound_survey"],
+        _ => ["certificate", "claim_of", "sound"],
+    };
     let values = [
-        ("title", title),
+        ("title", format!("{title}, {weight}'s self-weight")),
         ("theory", theory.to_owned()),
-        ("subject", term.clone()),
-        ("digits", certificate.digits.to_string()),
-        ("unique", boxed(&certificate.unique)),
-        ("inverse", rows(certificate.inverse.iter().map(|row| list(row.iter().map(dyadic))))),
-        ("root", boxed(&certificate.root)),
-        ("values", rows(certificate.values.iter().map(|v| value(v, certificate.digits)))),
+        ("type", kind.to_owned()),
+        ("term", term),
+        ("claim", claim.to_owned()),
+        ("theorem", theorem.to_owned()),
     ];
     let template = include_str!("certificate.v").to_owned();
     let fill =
         |text: String, (hole, value): &(&str, String)| text.replace(&format!("<<{hole}>>"), value);
-    let text = values.iter().fold(template, fill);
-    Ok((format!("{name}{weight}.v"), text + &last_digit::corollaries(&certificate, &term)))
+    Ok((format!("{name}{weight}.v"), values.iter().fold(template, fill) + &rest))
+}
+
+/// A certificate of one landmark or arch.
+pub(super) fn term(certificate: &Certificate) -> String {
+    format!(
+        "Certificate ({}) {}\n    {}\n    {}\n    {}\n    {}",
+        Subject::new(&certificate.claim).term,
+        certificate.digits,
+        boxed(&certificate.unique),
+        list(certificate.inverse.iter().map(|row| list(row.iter().map(dyadic)))),
+        boxed(&certificate.root),
+        rows(certificate.values.iter().map(|v| value(v, certificate.digits))),
+    )
 }
 
 /// The subject of a claim.
@@ -64,11 +94,8 @@ impl Subject {
             format!("(Arch {weight} {} {})", number(half_opening), coefficient(friction))
         };
         let of = |a: &ArchFile| arch(&a.half_opening, &a.friction);
-        let subject = |name: &str, title: String, term: String| Self {
-            name: name.to_owned(),
-            title: format!("{title}, {weight}'s self-weight"),
-            term,
-        };
+        let subject =
+            |name: &str, title: String, term: String| Self { name: name.to_owned(), title, term };
         if let Some(s) = &claim.state {
             let (mode, arch) = (mode(&s.mode), arch(&s.half_opening, &s.friction));
             let title = format!("An arch at its least thickness: [{}]", s.mode);
@@ -134,13 +161,13 @@ fn mode(label: &str) -> &'static str {
 }
 
 /// A name with its first letter large.
-fn capital(name: &str) -> String {
+pub(super) fn capital(name: &str) -> String {
     let mut letters = name.chars();
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// An exact number of a claim: `49/20`, `1/2 pi`, `2 atan 3/5`.
-fn number(text: &str) -> String {
+pub(super) fn number(text: &str) -> String {
     let (quotient, form) = match (text.strip_suffix(" pi"), text.strip_prefix("2 atan ")) {
         (Some(quotient), _) => (quotient, "TimesPi"),
         (None, Some(quotient)) => (quotient, "TwiceArctangent"),
@@ -150,7 +177,7 @@ fn number(text: &str) -> String {
 }
 
 /// A friction of a claim.
-fn coefficient(text: &str) -> String {
+pub(super) fn coefficient(text: &str) -> String {
     match (text, text.strip_prefix("tan ")) {
         ("inf", _) => "Unlimited".to_owned(),
         (_, Some(angle)) => format!("(Angle {})", number(angle)),
@@ -164,18 +191,18 @@ fn dyadic(x: &Dyadic) -> String {
     format!("(Dyadic ({sign}{mantissa}) ({}))", x.exponent())
 }
 
-fn list(entries: impl Iterator<Item = String>) -> String {
+pub(super) fn list(entries: impl Iterator<Item = String>) -> String {
     format!("[{}]", entries.collect::<Vec<_>>().join("; "))
 }
 
 /// A list with a line for each entry.
-fn rows(entries: impl Iterator<Item = String>) -> String {
-    format!("[ {} ]", entries.collect::<Vec<_>>().join(";\n      "))
+pub(super) fn rows(entries: impl Iterator<Item = String>) -> String {
+    format!("[{}]", entries.collect::<Vec<_>>().join(";\n     "))
 }
 
 fn boxed(witness: &Witness) -> String {
     let all = |numbers: &[Dyadic]| list(numbers.iter().map(dyadic));
-    format!("(Box {}\n      {})", all(&witness.centre), all(&witness.radius))
+    format!("(Box {} {})", all(&witness.centre), all(&witness.radius))
 }
 
 /// A value as all its digits and a power of ten.

@@ -25,9 +25,8 @@ pub(super) fn corollaries(certificate: &Certificate, subject: &str) -> String {
         let Some((is_right, all, places)) = decided(printed, certificate) else { continue };
         if out.is_empty() {
             out.push_str(
-                "\nOpen Scope R_scope.\n\n(** Is the last digit of a printed value right, ",
+                "\nOpen Scope R_scope.\n\n(** Is the last digit of a printed value right? *)\n",
             );
-            out.push_str("that is, the value the nearest of its length? *)\n");
         }
         let distance = format!("Rabs ({} - {})", term(printed.quantity), printed.text);
         let half = format!("5e-{}", places + 1);
@@ -38,7 +37,7 @@ pub(super) fn corollaries(certificate: &Certificate, subject: &str) -> String {
         let place = printed.place.to_lowercase().replace(". ", "_").replace([' ', '.'], "_");
         let (name, quantity) = (printed.quantity.name(), quantity(printed.quantity.name()));
         out.push_str(&format!(
-            "\nCorollary {place}_{name}_{verdict} x : is_landmark this {point} x -> {claimed}.\n\
+            "Corollary {place}_{name}_{verdict} x : is_landmark this {point} x -> {claimed}.\n\
              Proof. intros here. exact ({verdict}_there _ _ _ _ here {quantity} {all} {places} eq_refl). Qed.\n"
         ));
     }
