@@ -64,7 +64,7 @@ function tell({ given, found, isAsked }, answer) {
   for (const [id, text] of Object.entries(texts)) if (text) row(id, text, "proved");
   for (const id of ["rotation_joint", "sliding_joint"]) row(id, angle(id) ?? "none", "proved");
   for (const id of MORE) if (values[id]) row(id, values[id], "proved");
-  const moves = answer.may_move ? ` ${answer.may_move}` : "";
+  const moves = [answer.may_move, answer.note && `Note: ${answer.note}.`].filter(Boolean).map((text) => ` ${text}`).join("");
   say("proof", `Proved here: each number with ✓, correctly rounded to ${digits} digits or, where it ends or fewer are certain, fewer.${moves}`, "proved");
   if (given.thickness !== undefined) assess(answer, values.geometric_safety);
 }

@@ -107,6 +107,12 @@ module couplet_c
       type(c_ptr) :: text
     end function
 
+    function couplet_note(answer) bind(c) result(text)
+      import
+      type(c_ptr), value :: answer
+      type(c_ptr) :: text
+    end function
+
     function couplet_mode(answer) bind(c) result(text)
       import
       type(c_ptr), value :: answer

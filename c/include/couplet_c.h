@@ -231,6 +231,10 @@ const char *couplet_verdict(const struct couplet_answer *answer);
 // to say.
 const char *couplet_reason(const struct couplet_answer *answer);
 
+// What may have been meant otherwise, as a friction of 31; empty where nothing may. The answer is that to what is
+// written.
+const char *couplet_note(const struct couplet_answer *answer);
+
 // How the arch collapses at its least thickness, joints from the shoulder inward, as "[r,r,s]"; of a boundary both
 // modes, as "[r,r,s]/[r,s,r]"; with ranges all that are known to occur. Empty where that is not asked, or there is
 // none.

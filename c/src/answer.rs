@@ -20,6 +20,7 @@ pub struct Answer {
     verdict: CString,
     mode: CString,
     reason: CString,
+    note: CString,
     values: Vec<Known>,
     whole: Whole,
     json: OnceLock<CString>,
@@ -96,6 +97,7 @@ impl Answer {
             verdict,
             mode: CString::default(),
             reason,
+            note: CString::default(),
             values,
             whole: Whole::Nothing,
             json,
@@ -112,6 +114,11 @@ impl Answer {
         open.map_or_else(|| Self::new(COUPLET_PROVED, "proved", ""), Self::undecided)
     }
 
+    /// With what may have been meant otherwise.
+    pub(crate) fn with_note(self, note: Option<&str>) -> Self {
+        Self { note: c_text(note.unwrap_or_default()), ..self }
+    }
+
     /// What is known of one subject, with all of it for JSON.
     pub(crate) fn told(answers: Answers) -> Self {
         let Some(told) = answers.list.first() else {
@@ -123,8 +130,9 @@ impl Answer {
         let labels: Vec<&str> = told.modes.iter().map(|mode| mode.label()).collect();
         answer.mode = c_text(labels.join("/"));
         answer.values = told.values.iter().map(Known::new).collect();
+        let note = told.note.clone();
         answer.whole = Whole::Answers(Box::new(answers));
-        answer
+        answer.with_note(note.as_deref())
     }
 
     /// What is known of every arch of a question with ranges.
@@ -138,7 +146,8 @@ impl Answer {
         let labels: Vec<&str> = modes.map(|mode| mode.label()).collect();
         let whole = Whole::Text(json(found).unwrap_or_default());
         let values = found.ranges().map(Known::between).collect();
-        Self { mode: c_text(labels.join("/")), values, whole, ..answer }
+        let answer = Self { mode: c_text(labels.join("/")), values, whole, ..answer };
+        answer.with_note(found.asked.note())
     }
 
     /// A certificate, as the text of its file.
@@ -240,6 +249,13 @@ pub extern "C" fn couplet_verdict(answer: Option<&Answer>) -> *const c_char {
 #[unsafe(no_mangle)]
 pub extern "C" fn couplet_reason(answer: Option<&Answer>) -> *const c_char {
     told(answer, |answer| Some(&answer.reason))
+}
+
+/// What may have been meant otherwise, as a friction of 31; empty where nothing may. The answer is that to what is
+/// written.
+#[unsafe(no_mangle)]
+pub extern "C" fn couplet_note(answer: Option<&Answer>) -> *const c_char {
+    told(answer, |answer| Some(&answer.note))
 }
 
 /// How the arch collapses at its least thickness, joints from the shoulder inward, as "[r,r,s]"; of a boundary both

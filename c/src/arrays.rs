@@ -6,6 +6,7 @@ use crate::border::{Array, answered, apart, optional, text};
 use crate::failure::{Failure, wrong};
 use crate::texts::exact;
 use crate::threads::{checked, on_threads};
+use couplet::ask::array_note;
 use couplet::certify::batch::{BatchColumns, DoubleArches, DoubleUnits, RowVerdict};
 use couplet::certify::state::Certify;
 use couplet::problem::Quantity;
@@ -88,7 +89,7 @@ pub unsafe extern "C" fn couplet_states(
                 1 => work(),
                 threads => on_threads(threads, work)?,
             }?;
-            Ok(Answer::rows(open.said(&arches)))
+            Ok(Answer::rows(open.said(&arches)).with_note(array_note(arches.frictions)))
         })
     }
 }

@@ -16,6 +16,8 @@ pub(crate) struct Given {
     pub(crate) thickness: Option<ExactNumber>,
     /// Its size, if it is measured.
     pub(crate) measures: Option<Measures>,
+    /// What may have been meant otherwise.
+    pub(crate) note: Option<String>,
 }
 
 /// Question of the page: an arch with a joint at every angle, at its least thickness or with one.
@@ -42,7 +44,8 @@ pub(crate) fn given(question: &Question) -> Result<Given, String> {
     let given =
         ArchGiven::read(&QUESTION, &asked, Spelling::Key).map_err(|misfit| misfit.to_string())?;
     let arch = given.arch(weight).map_err(|misfit| misfit.to_string())?;
-    Ok(Given { arch, thickness: given.thickness, measures: given.measures })
+    let note = given.notes().into_iter().next();
+    Ok(Given { arch, thickness: given.thickness, measures: given.measures, note })
 }
 
 /// Sentence on ranges, which have no place here: with the command that tells of every arch inside.

@@ -52,6 +52,8 @@ pub struct Proved {
     /// What it may do all the same, where an asymmetric mechanism is known of such arches; this page does not look for
     /// it.
     pub may_move: Option<String>,
+    /// What may have been meant otherwise, as a friction of 31.
+    pub note: Option<String>,
     /// Whether a line of thrust that fits its thickness is proved too.
     pub has_line: bool,
     /// The file, if it was wanted.
@@ -90,7 +92,8 @@ pub fn proof(question: &Question) -> Result<Proved, String> {
     let values = check::<DoubleDoubleBall>(&certificate)?;
     let at = enclosed(&subject, &certificate);
     let (digits, command) = (certificate.digits, given.command());
-    let mut proved = Proved { digits, values, command, ..Proved::default() };
+    let mut proved =
+        Proved { digits, values, command, note: given.note.clone(), ..Proved::default() };
     proved.subject.clone_from(&question.subject);
     proved.values.extend(given.values(question.digits));
     let mode = match &subject {

@@ -36,6 +36,17 @@ def asked(function: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
         raise type(error)(said) from None
 
 
+def warn(note: str) -> None:
+    """Warns, where the package was called, of what may have been meant otherwise."""
+    import sys
+    import warnings
+
+    level, frame = 1, sys._getframe()
+    while frame is not None and frame.f_globals.get("__name__", "").partition(".")[0] == "couplet":
+        level, frame = level + 1, frame.f_back  # type: ignore[assignment]
+    warnings.warn(with_doubles(note), stacklevel=level)
+
+
 def keyed(sentence: str) -> str:
     """A sentence of the command, with the names of keywords in place of options, and doubles as Python writes them."""
     import re

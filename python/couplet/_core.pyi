@@ -20,7 +20,6 @@ __all__ = [
     "find",
     "finds",
     "modes",
-    "of_one",
     "prove",
     "quantity",
     "run",
@@ -33,6 +32,7 @@ __all__ = [
     "sweep_verify",
     "table",
     "tilted",
+    "unanswered",
     "voussoirs",
 ]
 
@@ -77,7 +77,7 @@ def states(
 def table(
     weight: str, columns: list[str], cells: list[bytes | list[str]], names: list[str], threads: int
 ) -> tuple[bytes, bytes, list[tuple[bytes, bytes]], list[tuple[int, str]]]: ...
-def of_one(name: str) -> str | None: ...
+def unanswered(name: str) -> str | None: ...
 def sweep_begin(
     plan: bytes, base: str | PathLike[str], output: str | PathLike[str]
 ) -> tuple[Path, list[str], list[str], list[str]]: ...

@@ -128,7 +128,7 @@ class _Question:
         import numpy as np
 
         texts = [name for name in kind.names if isinstance(name, str) and is_text(name)]
-        for why in filter(None, map(_core.of_one, texts)):
+        for why in filter(None, map(_core.unanswered, texts)):
             raise CoupletError(f"{why}; under another name the column is handed on")
         columns, cells, present, no_texts = self._read(kind)
         names = [name for name in _Answers.names(self.quantities) if name != "mode" or not self.has_thickness]

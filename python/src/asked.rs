@@ -5,7 +5,7 @@ use crate::pool::{on_one_thread, on_threads};
 use crate::{CoupletError, UndecidedError, told};
 use couplet::Error;
 use couplet::arch::SelfWeight;
-use couplet::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling, SurveyGiven};
+use couplet::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling, SurveyGiven, notes};
 use couplet::atlas::NoSketch;
 use couplet::certify::state::find as seek;
 use couplet::certify::state::{Balls, Certify};
@@ -103,8 +103,17 @@ pub(crate) fn asked((half_opening, friction, others): Texts<'_>) -> ArchAsked {
     asked
 }
 
+/// Warns of what may have been meant otherwise.
+pub(crate) fn warn(py: Python<'_>, notes: impl IntoIterator<Item: AsRef<str>>) -> PyResult<()> {
+    for note in notes {
+        py.import("couplet._asked")?.call_method1("warn", (note.as_ref(),))?;
+    }
+    Ok(())
+}
+
 /// What is understood of an arch, and the arch.
 pub(crate) fn given(
+    py: Python<'_>,
     question: &ArchQuestion,
     weight: &str,
     texts: Texts<'_>,
@@ -112,6 +121,7 @@ pub(crate) fn given(
     let weight = parse::weight(weight).map_err(wrong)?;
     let given = ArchGiven::read(question, &asked(texts), Spelling::Key).map_err(wrong)?;
     let arch = given.arch(weight).map_err(wrong)?;
+    warn(py, given.notes())?;
     Ok((given, arch))
 }
 
@@ -132,10 +142,12 @@ pub(crate) fn state<'py>(
     let (measures, arch) = match texts {
         // There is nothing to be understood of most arches.
         (Some(half_opening), Some(friction), None) => {
-            (None, parse::arch([weight, half_opening, friction]).map_err(wrong)?)
+            let arch = parse::arch([weight, half_opening, friction]).map_err(wrong)?;
+            warn(py, notes([arch.friction()]))?;
+            (None, arch)
         }
         _ => {
-            let (given, arch) = given(&doors::STATE, weight, texts)?;
+            let (given, arch) = given(py, &doors::STATE, weight, texts)?;
             (given.measures, arch)
         }
     };
@@ -154,7 +166,7 @@ pub(crate) fn assess<'py>(
     texts: Texts<'_>,
     digits: &str,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (given, arch) = given(&doors::ASSESS, weight, texts)?;
+    let (given, arch) = given(py, &doors::ASSESS, weight, texts)?;
     let ArchGiven { thickness, measures, .. } = given;
     let eta = thickness.ok_or_else(|| wrong("thickness is missing"))?;
     let digits = parse::digits(digits).map_err(wrong)?;
@@ -182,6 +194,7 @@ pub(crate) fn surveyed(
     let question = if question == "assess" { &doors::ASSESS } else { &doors::STATE };
     let weight = parse::weight(weight).map_err(wrong)?;
     let given = SurveyGiven::read(question, &asked, Spelling::Key).map_err(wrong)?;
+    warn(py, notes(&given.friction))?;
     let digits = parse::digits(digits).map_err(wrong)?;
     let found = on_threads(py, 1, move || {
         let quantities = survey::quantities(&asked);
@@ -204,7 +217,7 @@ pub(crate) fn voussoirs<'py>(
         "assess" => &doors::ASSESS,
         _ => &doors::VOUSSOIRS,
     };
-    let (given, arch) = given(question, weight, texts.clone())?;
+    let (given, arch) = given(py, question, weight, texts.clone())?;
     let understood = Understood::new(&asked(texts), &given);
     let digits = parse::digits(digits).map_err(wrong)?;
     let made = on_threads(py, 1, move || doors::of_stones((understood, &given), &[arch], digits))?;
@@ -222,7 +235,7 @@ pub(crate) fn tilted<'py>(
     texts: Texts<'_>,
     digits: &str,
 ) -> PyResult<(String, Bound<'py, PyDict>)> {
-    let (given, arch) = given(&doors::ASSESS, weight, texts.clone())?;
+    let (given, arch) = given(py, &doors::ASSESS, weight, texts.clone())?;
     let understood = Understood::new(&asked(texts), &given);
     let (Some(eta), Some(tilt)) = (given.thickness.clone(), given.tilt.clone()) else {
         return Err(wrong("thickness, tilt are missing"));
@@ -252,6 +265,7 @@ pub(crate) fn find<'py>(
     let what = sought::what(target.0).map_err(wrong)?;
     let modes = target.1.map(sought::line).transpose().map_err(wrong)?;
     let question = sought::question((what, modes), &asked(texts), Spelling::Key).map_err(failed)?;
+    warn(py, notes(question.friction()))?;
     let digits = parse::digits(digits).map_err(wrong)?;
     let (found, answer) = on_threads(py, 1, move || {
         let found = seek::find(weight, &question, digits);

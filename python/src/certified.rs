@@ -1,10 +1,10 @@
 //! Certificates, as the text of a file has them, and their check.
 
-use crate::asked::{Texts, asked, given, wrong};
+use crate::asked::{Texts, asked, given, warn, wrong};
 use crate::pool::on_threads;
 use crate::{UndecidedError, told};
 use couplet::Error;
-use couplet::ask::{ArchAsked, Field, Spelling, SurveyGiven};
+use couplet::ask::{ArchAsked, Field, Spelling, SurveyGiven, notes};
 use couplet::certify;
 use couplet::check::{Certificate, Refusal, SurveyCertificate};
 use couplet::cli::doors;
@@ -57,7 +57,7 @@ pub(crate) fn certify_arch(
     let thickness = Field::Thickness as usize - 2;
     let has_thickness = texts.2.as_ref().and_then(|texts| texts.get(thickness)?.as_ref()).is_some();
     let question = if has_thickness { &doors::CERTIFY_ARCH } else { &doors::CERTIFY_STATE };
-    let (given, arch) = given(question, weight, texts)?;
+    let (given, arch) = given(py, question, weight, texts)?;
     let digits = parse::digits(digits).map_err(wrong)?;
     let made = move || certify::certify_arch(&arch, given.thickness.as_ref(), digits);
     written(on_threads(py, 1, made)?, Certificate::write)
@@ -73,6 +73,7 @@ fn certify_survey(
     let weight = parse::weight(weight).map_err(wrong)?;
     let given = SurveyGiven::read(&doors::CERTIFY_SURVEY, asked, Spelling::Key).map_err(wrong)?;
     let survey = given.survey(weight).map_err(wrong)?;
+    warn(py, notes(&given.friction))?;
     let digits = parse::digits(digits).map_err(wrong)?;
     let made = on_threads(py, threads, move || certify::certify_survey(&survey, digits))?;
     written(made, SurveyCertificate::write)
@@ -87,7 +88,7 @@ pub(crate) fn certify_asymmetric(
     mode: Option<&str>,
     digits: &str,
 ) -> PyResult<String> {
-    let (_, arch) = given(&doors::CERTIFY_ASYMMETRIC, weight, texts)?;
+    let (_, arch) = given(py, &doors::CERTIFY_ASYMMETRIC, weight, texts)?;
     if !arch.is_limited() {
         return Err(wrong("an asymmetric solution needs a limited friction"));
     }

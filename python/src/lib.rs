@@ -50,7 +50,7 @@ mod _core {
     #[pymodule_export]
     use super::sweeps::{sweep_begin, sweep_part, sweep_survey, sweep_verify};
     #[pymodule_export]
-    use super::tables::{of_one, table};
+    use super::tables::{table, unanswered};
     #[pymodule_export]
     use super::{CoupletError, UndecidedError};
 

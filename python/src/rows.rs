@@ -1,14 +1,15 @@
 //! Many arches, in arrays of doubles: a half opening, a friction and perhaps a thickness each.
 
+use crate::asked::warn;
 use crate::pool::{is_short, on_threads};
 use crate::{CoupletError, asked};
 use couplet::Error;
-use couplet::ask::{ArchAsked, Field, Spelling};
+use couplet::ask::{ArchAsked, Field, Spelling, array_note, notes};
 use couplet::certify::Refused;
 use couplet::certify::batch::{DoubleArches, DoubleUnits};
 use couplet::certify::state::find;
 use couplet::door::find as sought;
-use couplet::problem::Quantity;
+use couplet::problem::{Friction, Quantity};
 use couplet::report::Answer;
 use couplet::sweep::parse;
 use pyo3::prelude::*;
@@ -53,6 +54,7 @@ pub(crate) fn states<'py>(
     let weight = parse::weight(weight).map_err(CoupletError::new_err)?;
     let quantities = quantities(&names, arrays.2.is_some())?;
     let is_short = is_short(arrays.0.len() / size_of::<f64>(), &quantities);
+    warn(py, array_note(&doubles(&arrays.1)))?;
     let answer = move || {
         let [half_openings, frictions] = [&arrays.0, &arrays.1].map(|bytes| doubles(bytes));
         let thicknesses = arrays.2.as_deref().map(doubles);
@@ -94,6 +96,8 @@ pub(crate) fn finds(
     let weight = parse::weight(weight).map_err(wrong)?;
     let what = sought::what(target.0).map_err(wrong)?;
     let modes = target.1.map(sought::line).transpose().map_err(wrong)?;
+    let frictions = rows.iter().filter_map(|[_, friction, _]| friction.as_ref()?.parse().ok());
+    warn(py, notes(&frictions.collect::<Vec<Friction>>()).first())?;
     let sought = move |[half_opening, friction, thickness]: [Option<String>; 3]| {
         let mut asked = ArchAsked::default();
         *asked.at(Field::HalfOpening) = half_opening;

@@ -1,18 +1,20 @@
 //! The rows of a table: doubles or exact texts in each column, read as `couplet states` reads those of a file.
 
 use crate::CoupletError;
+use crate::asked::warn;
 use crate::pool::{is_short, on_threads};
 use crate::rows::{Bytes, doubles, of_array, quantities};
 use couplet::arch::SelfWeight;
+use couplet::ask::{Field, array_note, notes};
 use couplet::certify::Refused;
 use couplet::certify::batch::{
     Batch, BatchArches, BatchColumns, DoubleArches, DoubleUnits, InLanes, SharedOpening, Threads,
     grouped,
 };
 use couplet::number::ExactNumber;
-use couplet::problem::{Arch, Quantity};
-use couplet::sweep::parse;
-use couplet::sweep::rows::{ArchReader, Cells, Columns, Purpose, Role, Spelling};
+use couplet::problem::{Arch, Friction, Quantity};
+use couplet::sweep::rows::{ArchReader, Cells, Columns, Purpose, Role, RowColumn, Spelling};
+use couplet::sweep::{parse, rows};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyBytes;
@@ -54,8 +56,10 @@ pub(crate) fn table<'py>(
     let has_thickness = columns.all.iter().any(|column| column.role == Role::GivenThickness);
     let quantities = quantities(&names, has_thickness)?;
     let is_short = is_short(cells.first().map_or(0, Column::len), &quantities);
+    let table = Table { columns, cells, weight };
+    warn(py, table.note())?;
     let answer = move || {
-        let found = Table { columns, cells, weight }.answers(&quantities)?;
+        let found = table.answers(&quantities)?;
         let values = (0..quantities.len()).map(|quantity| {
             let [numbers, ..] = &found.values[quantity];
             let side = |row| found.side(quantity, row).and_then(|side| i8::try_from(side).ok());
@@ -75,8 +79,9 @@ pub(crate) fn table<'py>(
 
 /// Why a column asks what no row of a table is asked; nothing of other names.
 #[pyfunction]
-pub(crate) fn of_one(name: &str) -> Option<String> {
-    couplet::sweep::rows::of_one(name)
+pub(crate) fn unanswered(name: &str) -> Option<String> {
+    let read = [Field::HalfOpening, Field::Friction, Field::FrictionAngle, Field::Thickness];
+    rows::unanswered(name, |field| read.contains(&field) || field == Field::MeasuredAt)
 }
 
 /// A table with its columns.
@@ -125,19 +130,35 @@ impl Table {
         }
     }
 
+    /// What may have been meant otherwise of its frictions.
+    fn note(&self) -> Option<String> {
+        let is_coefficient = |of: &RowColumn| of.role == Role::Friction && of.unit.is_empty();
+        let place = self.columns.all.iter().position(is_coefficient)?;
+        match &self.cells[place] {
+            Column::Doubles(numbers) => array_note(numbers).map(str::to_owned),
+            Column::Texts(texts) => {
+                let frictions = texts.iter().filter_map(|text| text.trim().parse().ok());
+                notes(&frictions.collect::<Vec<Friction>>()).into_iter().next()
+            }
+        }
+    }
+
     /// The arches of a table of doubles; none if it has anything else, but for a column of the role `beside`.
     fn arrays(&self, beside: Role) -> Option<DoubleArches<'_>> {
         let (mut half_openings, mut frictions, mut thicknesses) = (None, None, None);
         let mut units = DoubleUnits::default();
         for (column, cells) in self.columns.all.iter().zip(&self.cells) {
+            if !["", "rad", "deg"].contains(&column.unit) {
+                return None;
+            }
             let array = match column.role {
                 Role::HalfOpening => {
-                    units.has_degrees = column.degrees;
+                    units.has_degrees = column.unit == "deg";
                     &mut half_openings
                 }
-                Role::Friction => &mut frictions,
-                Role::FrictionAngle => {
-                    units.friction_angles = Some(column.degrees);
+                Role::Friction | Role::FrictionAngle => {
+                    let is_angle = column.role == Role::FrictionAngle || column.unit == "deg";
+                    units.friction_angles = is_angle.then_some(column.unit == "deg");
                     &mut frictions
                 }
                 Role::GivenThickness => &mut thicknesses,
@@ -159,7 +180,7 @@ impl Table {
             let cells: Cells = self.cells.iter().map(|cells| Some(cells.text(*row))).collect();
             let arch = reader.arch(&cells)?;
             let eta = reader.given(&cells, Role::GivenThickness);
-            let eta = eta.map(|(text, _)| parse::thickness(&spelling.exact(text))).transpose()?;
+            let eta = eta.map(|said| parse::thickness(&reader.exact(said))).transpose()?;
             Ok((arch, eta))
         };
         let rows: Vec<usize> = (0..self.cells.iter().map(Column::len).min().unwrap_or(0)).collect();

@@ -180,7 +180,7 @@ WRONG = [
     (lambda: couplet.judge([3]), TypeError, "rows are a frame"),
     (lambda: couplet.draw(4, 1), couplet.CoupletError, "the half opening 4 is not between 0 and pi"),
     (lambda: couplet.draw(1, 1, tilt=0), couplet.CoupletError, "tilt does not belong here: a tilted arch is drawn by"),
-    (lambda: couplet.draw(1, 1, span="1m"), couplet.CoupletError, "half_opening and span say the same"),
+    (lambda: couplet.draw(1, 1, span="1m"), couplet.CoupletError, "give one of these pairs"),
     (lambda: couplet.draw("80deg", "0.5", amplitude=2), couplet.CoupletError, "an amplitude is a number from 0.001 to 1"),
     (lambda: couplet.draw("80deg", "0.5", at="T"), couplet.CoupletError, "half_opening"),
     (lambda: couplet.draw("\ud800", "0.5"), couplet.CoupletError, "is no text"),
@@ -221,6 +221,19 @@ def test_what_makes_no_sense_is_said_in_the_words_of_the_command(question, kind,
 def test_a_note_is_a_warning():
     with pytest.warns(UserWarning, match="the friction 15 is a coefficient"):
         couplet.draw("80deg", 15)
+    for question in [
+        lambda: couplet.state("80deg", 15),
+        lambda: couplet.assess("80deg", "15", "0.1"),
+        lambda: couplet.assess("80deg", ("0.6", "15"), "0.1"),
+        lambda: couplet.voussoirs("80deg", 15, 11),
+        lambda: couplet.find("half_opening", friction=15),
+        lambda: couplet.certify(half_opening="80deg", friction=15, digits=12),
+    ]:
+        with pytest.warns(UserWarning, match="the friction 15 is a coefficient; an angle of 15 degrees is written 15deg") as warned:
+            question()
+        assert [warning.filename for warning in warned] == [__file__]
+    with pytest.warns(UserWarning, match="the tilt 5 is 5 times gravity"):
+        couplet.tilt("80deg", "0.6", "0.15", 5)
 
 
 def test_it_runs_from_any_folder_with_whatever_lies_there(tmp_path, monkeypatch):

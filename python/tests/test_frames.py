@@ -235,8 +235,7 @@ def test_what_makes_no_sense_is_refused_in_one_line():
     for changed, why in [
         ({"half_opening": "beta"}, "the table has no column 'beta'; its columns are 'alpha', 'mu', 'yes', 'alpha:deg'"),
         ({"half_opening": "beta:deg"}, "the table has no column 'beta'; "),
-        ({"half_opening": "alpha:grad"}, "'grad' is not a unit of angles: rad or deg"),
-        ({"friction": "mu:deg"}, "friction has no unit; only angles have"),
+        ({"half_opening": "alpha:grad"}, "'grad' is no unit of half_opening: rad, deg, gon"),
         ({"friction": "yes"}, "the column 'yes' is of bool, which is neither numbers nor texts"),
         ({"friction_angle": "yes"}, "friction and friction_angle are both named: choose one"),
         ({"quantities": "thicknes"}, "a quantity is one of "),
@@ -250,10 +249,17 @@ def test_what_makes_no_sense_is_refused_in_one_line():
     with pytest.raises(couplet.CoupletError, match="the table has a column 'verdict'; with prefix='…' or suffix='…'"):
         couplet.add_states({**table, "verdict": [1]}, **arch)
     assert "own_verdict" in couplet.add_states({**table, "verdict": [1]}, **arch, prefix="own_")
-    for name, field in [("tilt", "tilt"), ("Stones", "stones"), ("joints", "joints")]:
-        why = f"'{name}' is no question of a row: `couplet assess --{field}` answers it; under another name the column is handed on"
+    for name, field in [("tilt", "tilt"), ("Stones", "stones"), ("joints", "joints"), ("density", "density")]:
+        why = f"'{name}' is not read here: `couplet assess --{field}` answers it; under another name the column is handed on"
         with pytest.raises(couplet.CoupletError, match=re.escape(why)):
             couplet.add_states({**table, name: [0.1]}, **arch)
+    with pytest.warns(UserWarning, match="frictions above 4 are coefficients") as warned:
+        couplet.add_states({"alpha": [1.0], "mu": [31.0]}, **arch)
+    assert warned[0].filename == __file__
+    with pytest.warns(UserWarning, match="the friction 31 is a coefficient"):
+        couplet.add_states({"alpha": ["1"], "mu": ["31"]}, **arch)
+    of_angle = couplet.add_states({"alpha": [1.0], "mu": [31.0]}, half_opening="alpha", friction="mu:deg")
+    assert float(of_angle["thickness"][0]) == couplet.state(1.0, "31deg").thickness.double
     assert "tilts" in couplet.add_states({**table, "tilts": [0.1], 3: [1]}, **arch)
     with pytest.raises(couplet.CoupletError, match="the column 'mu' has 2 rows, where others have 1"):
         couplet.add_states({"alpha": [1.0], "mu": [1.0, 2.0]}, **arch)

@@ -170,10 +170,31 @@ fn usage(error: &clap::Error) -> u8 {
         clap::error::ErrorKind::UnknownArgument => "; --help lists the options".into(),
         _ => String::new(),
     };
-    let line = missing(error, &text).unwrap_or(line);
+    let (line, possible) = match beyond(error) {
+        Some(limit) => (limit, String::new()),
+        None => (missing(error, &text).unwrap_or(line), possible),
+    };
     let line = visible(line.strip_prefix("error: ").unwrap_or(&line));
     eprintln!("couplet: {line}{possible}");
     2
+}
+
+/// Sentence of docs/limits.md for an option that asks for what is beyond them.
+fn beyond(error: &clap::Error) -> Option<String> {
+    use clap::error::{ContextKind, ContextValue, ErrorKind};
+    const WEIGHT: &str = "the load is the weight of the arch itself: no fill, traffic, settlement or strength of the stone";
+    const CIRCULAR: &str = "arches are circular, of one thickness";
+    let (ErrorKind::UnknownArgument, Some(ContextValue::String(name))) =
+        (error.kind(), error.get(ContextKind::InvalidArg))
+    else {
+        return None;
+    };
+    let limit = match name.as_str() {
+        "--load" | "--fill" | "--traffic" | "--settlement" | "--strength" => WEIGHT,
+        "--pointed" | "--elliptic" => CIRCULAR,
+        _ => return None,
+    };
+    Some(format!("there is no {name}: {limit} (docs/limits.md)"))
 }
 
 /// Message of what is missing, in one clause, and what a whole line has, as the first usage in the `text` of

@@ -437,7 +437,10 @@ fn what_cannot_be_drawn_is_refused() {
         (&["draw", "--at", "T", "--format", "csv"], "a format is one of"),
         (&["draw", "--span", "10m", "--rise", "3m", "--radius", "5m", "--mu", "1"], "contradicts"),
         (&["draw", "--span", "10m", "--mu", "1"], "--rise"),
-        (&["draw", "--span", "10m", "--rise", "3m", "--alpha", "1", "--mu", "1"], "say the same"),
+        (
+            &["draw", "--span", "10m", "--rise", "3m", "--alpha", "1", "--mu", "1"],
+            "give one of these pairs",
+        ),
         (&["draw", "--at", "T", "--radius", "5m"], "cannot be used"),
         (
             &["draw", "--radius", "5m", "--alpha", "1", "--mu", "1", "--density", "24kN/m3"],

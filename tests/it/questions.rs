@@ -50,7 +50,12 @@ impl Asked {
         words.extend(options.iter().map(String::as_str));
         let output = couplet(&words);
         match output.status.code() {
-            Some(0) => Ok(serde_json::from_str(&text(&output.stdout)).unwrap()),
+            Some(0) => {
+                let found: Value = serde_json::from_str(&text(&output.stdout)).unwrap();
+                let note = found["note"].as_str().map(|note| format!("couplet: {note}\n"));
+                assert_eq!(text(&output.stderr), note.unwrap_or_default(), "{words:?}");
+                Ok(found)
+            }
             Some(2) => Err(in_keys(&text(&output.stderr))),
             code => panic!("{words:?}: {code:?}"),
         }
@@ -64,7 +69,11 @@ impl Asked {
         let output = couplet(&["run", &scratch.path("scene.toml")]);
         if output.status.code() == Some(0) {
             let found: Value = serde_json::from_str(&text(&output.stdout)).unwrap();
-            return Ok(found["arches"][0].clone());
+            let (found, remarks) = (found["arches"][0].clone(), text(&output.stderr));
+            let note = found["note"].as_str();
+            assert_eq!(note.is_some(), !remarks.is_empty(), "{remarks}");
+            assert!(note.is_none_or(|note| remarks.ends_with(&format!(": {note}\n"))), "{remarks}");
+            return Ok(found);
         }
         assert_eq!(output.status.code(), Some(2), "{keys}");
         let faults = text(&output.stderr);
@@ -95,6 +104,7 @@ impl Asked {
 /// What two answers have in common is the same, and that is the answer.
 fn agree(one: &Value, other: &Value, door: &str) {
     let mut shared = 0;
+    assert_eq!(one.get("note"), other.get("note"), "{door}");
     for (key, value) in one.as_object().unwrap() {
         if let Some(found) = other.get(key).filter(|_| key != "asked") {
             assert_eq!(found, value, "{door}: {key}");

@@ -1,6 +1,7 @@
 //! The reader of what is given of an arch.
 
 use super::asked::{ArchAsked, Field};
+use super::note::{notes, tilt_note};
 use super::question::{ArchQuestion, Misfit, Spelling};
 use super::stones::StonesAsked;
 use crate::arch::SelfWeight;
@@ -74,6 +75,13 @@ impl ArchGiven {
         let friction = self.friction.clone().ok_or_else(|| missing(Field::Friction))?;
         Arch::new(weight, alpha, friction)
             .map_err(|error| Misfit { field: None, message: error.to_string() })
+    }
+
+    /// Notes on what may have been meant otherwise.
+    pub fn notes(&self) -> Vec<String> {
+        let mut all = notes(&self.friction);
+        all.extend(self.tilt.as_ref().and_then(tilt_note));
+        all
     }
 
     /// Quantities that can be asked of an arch, and of one that is measured.
@@ -173,7 +181,10 @@ fn tilt(
         SlopeError::Angle => "is not an angle from 0 to below 90deg",
         _ => "is no acceleration: give a number (0.1) or an angle (5deg)",
     };
-    let tilt = text.parse().map_err(|error| {
+    // The unit in which it is told.
+    let number = text.trim().strip_suffix('g').map(str::trim_end);
+    let number = number.filter(|number| number.ends_with(|c: char| c.is_ascii_digit() || c == '.'));
+    let tilt = number.unwrap_or(text).parse().map_err(|error| {
         Misfit::new(Field::Tilt, format!("the tilt '{}' {}", shown(text), why(error)))
     })?;
     match friction {
@@ -236,7 +247,11 @@ mod tests {
         for (words, field, why) in [
             ("", None, "half_opening, friction (or friction_angle) are missing"),
             ("alpha=1", None, "friction (or friction_angle) is missing"),
-            ("alpha=1 mu=1 span=1m", Some(Field::Span), "half_opening and span say the same"),
+            (
+                "alpha=1 mu=1 span=1m",
+                Some(Field::Span),
+                "span goes with rise, and radius with half_opening",
+            ),
             ("alpha=1 mu=1 phi=1", Some(Field::FrictionAngle), "friction and friction_angle"),
             ("mu=1 span=1m", Some(Field::Span), "span needs rise"),
             ("alpha=1 mu=1 density=1kN/m3 depth=1m", Some(Field::Density), "forces need a size"),

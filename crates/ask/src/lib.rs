@@ -11,11 +11,13 @@
 //! | `survey` | the reader of ranges: text to all arches between two ends |
 //! | `range` | ranges: the exact texts of both ends |
 //! | `boxes` | a range in parts that touch |
+//! | `note` | what may have been meant otherwise |
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
 mod asked;
 mod boxes;
 mod given;
+mod note;
 mod question;
 mod range;
 mod stones;
@@ -24,6 +26,7 @@ mod survey;
 pub use asked::{ArchAsked, Field};
 pub use boxes::boxes;
 pub use given::{ArchGiven, given_thickness};
+pub use note::{array_note, notes, tilt_note};
 pub use question::{ArchQuestion, Misfit, Spelling};
 pub use range::{Range, RangeError};
 pub use stones::{MOST_NUMBERS, StonesAsked};

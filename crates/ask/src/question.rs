@@ -92,9 +92,16 @@ impl ArchQuestion {
                 format!("{} does not belong here: {why}", name(*field)),
             ));
         }
+        let [alpha, span, rise, radius] =
+            [Field::HalfOpening, Field::Span, Field::Rise, Field::Radius].map(name);
+        let pairs = format!("{span} goes with {rise}, and {radius} with {alpha}");
         if let Some((one, other)) = INSTEAD.into_iter().find(|(a, b)| has(*a) && has(*b)) {
-            let message =
-                format!("{} and {} say the same: give one of them", name(one), name(other));
+            let message = match other {
+                Field::Span | Field::Rise if one == Field::HalfOpening => {
+                    format!("{pairs}: give one of these pairs")
+                }
+                _ => format!("{} and {} say the same: give one of them", name(one), name(other)),
+            };
             return Err(Misfit::new(other, message));
         }
         if let Some((one, other)) = WITH.into_iter().find(|(a, b)| has(*a) && !has(*b)) {
@@ -103,7 +110,6 @@ impl ArchQuestion {
         let has_size = has(Field::Span) || has(Field::Radius);
         let sized = [Field::Density, Field::MeasuredAt].into_iter().find(|of| has(*of));
         if let Some(sized) = sized.filter(|_| !has_size) {
-            let [span, rise, radius] = [Field::Span, Field::Rise, Field::Radius].map(name);
             let what = match sized {
                 Field::Density => "forces need".to_owned(),
                 _ => format!("{} needs", name(sized)),

@@ -10,7 +10,7 @@
 //! the unit is that of the value, and lengths of two units meet in metres.
 
 use crate::number::{
-    BETWEEN, Decimal, ExactNumber, Form, PLUS_MINUS, is_angle, is_range, says, shown,
+    BETWEEN, ExactNumber, Form, PLUS_MINUS, decimal, is_angle, is_range, says, shown, spelt_range,
 };
 use crate::problem::measures::Length;
 use num_bigint::BigInt;
@@ -91,9 +91,9 @@ impl Range {
             return Ok(None);
         }
         let shown = || shown(text.trim());
-        let text = text.replace(PLUS_MINUS[1], PLUS_MINUS[0]);
+        let text = spelt_range(text);
         let parts = |sign: &str| text.split(sign).map(str::trim).collect::<Vec<_>>();
-        let (ends, about) = (parts(BETWEEN), parts(PLUS_MINUS[0]));
+        let (ends, about) = (parts(BETWEEN), parts(PLUS_MINUS));
         match (&ends[..], &about[..]) {
             // Three points could be two and a decimal's.
             _ if text.contains("...") => Err(RangeError::Parts(shown())),
@@ -139,7 +139,7 @@ impl Range {
                 let off = number(deviation, Part::read(deviation))?;
                 if let Some(unit) = middle.unit.of_one_only(&off.unit) {
                     let meant = [value, deviation].map(|part| with_unit(part, unit));
-                    let meant = meant.join(PLUS_MINUS[0]);
+                    let meant = meant.join(PLUS_MINUS);
                     return Err(RangeError::Unit { range: shown(), meant });
                 }
                 Part::together(middle, off).ok_or_else(|| RangeError::Units {
@@ -203,6 +203,10 @@ impl Part {
         let ratio = || Some((behind("r")?, Unit::Ratio));
         if let Some((number, unit)) = lengths.or_else(ratio) {
             return Some(Self { number, unit });
+        }
+        // Feet and inches.
+        if let Ok(length) = text.parse::<Length>() {
+            return Some(Self { number: length.metres().clone(), unit: Unit::Length("m") });
         }
         let angle: ExactNumber = text.parse().ok()?;
         let number = angle.factor().reduced();
@@ -271,24 +275,6 @@ impl Unit {
             _ => decimal(number) + self.name(),
         }
     }
-}
-
-/// Text of a rational number: a decimal if it ends, else a fraction.
-pub(super) fn decimal(number: &BigRational) -> String {
-    let below = number.denom();
-    let twos = below.trailing_zeros().unwrap_or(0) as usize;
-    let (mut odd, mut fives) = (below >> twos, 0);
-    let five = BigInt::from(5);
-    while &odd % &five == BigInt::ZERO {
-        (odd, fives) = (odd / &five, fives + 1);
-    }
-    if odd != BigInt::from(1) {
-        return number.to_string();
-    }
-    let places = twos.max(fives);
-    let scaled = number * BigInt::from(10).pow(places as u32);
-    let written: Result<Decimal, _> = format!("{}e-{places}", scaled.numer()).parse();
-    written.map_or_else(|_| number.to_string(), |decimal| decimal.to_string())
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::asked::{ArchAsked, Field};
 use super::question::{Misfit, Spelling};
-use crate::number::{ExactNumber, ParseExactError};
+use crate::number::{BETWEEN, ExactNumber, ParseExactError, spelt_range};
 use crate::problem::stones::{MOST_STONES, Stones, StonesError};
 
 /// Stones that are asked about.
@@ -49,10 +49,11 @@ impl StonesAsked {
             let number = text.trim().parse::<u64>().ok();
             number.filter(|number| (2..=MOST_STONES).contains(number))
         };
-        let (first, last) = text.split_once("..").unwrap_or((text, text));
+        let text = &*spelt_range(text);
+        let (first, last) = text.split_once(BETWEEN).unwrap_or((text, text));
         let (first, last) = (number(first)?, number(last)?);
         let count = (last + 1u64).checked_sub(first)?;
-        let is_range = text.contains("..");
+        let is_range = text.contains(BETWEEN);
         (1..=MOST_NUMBERS).contains(&count).then_some(Self::Numbers { first, last, is_range })
     }
 

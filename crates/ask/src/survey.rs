@@ -3,10 +3,9 @@
 use super::asked::{ArchAsked, Field};
 use super::given::{circle, friction, given_thickness, read};
 use super::question::{ArchQuestion, Misfit, Spelling};
-use super::range::decimal;
 use super::stones::StonesAsked;
 use crate::arch::SelfWeight;
-use crate::number::{ExactNumber, shown};
+use crate::number::{ExactNumber, decimal, shown};
 use crate::problem::measures::{Circle, Length, Measures, of_span_and_rise};
 use crate::problem::stones::Stones;
 use crate::problem::survey::{Shape, Survey, SurveyError, frictions_in_order, in_order};

@@ -5,10 +5,11 @@
 
 use super::kept::Kept;
 use super::subject::Subject;
-use super::understood::Understood;
+use super::understood::{Understood, joined};
 use super::value::Value;
 use super::words::reason;
 use crate::arch::{SelfWeight, Unknown};
+use crate::ask::notes;
 use crate::certify::state::find::{Finding, Question};
 use crate::certify::state::{Answer as Outcome, AssessmentDigits, Enough, Fall, Figure};
 use crate::certify::{CertifiedLandmark, Constant, Error, Refused, Undecided};
@@ -16,7 +17,7 @@ use crate::number::ExactNumber;
 use crate::problem::Arch;
 use crate::problem::asymmetric_region::{LOOK, MAY_MOVE};
 use crate::problem::measures::Circle;
-use crate::problem::{Equation, Landmark, Mode, Quantity};
+use crate::problem::{Equation, Friction, Landmark, Mode, Quantity};
 use std::borrow::Cow;
 
 /// A landmark or an arch, what became of it, and its proved values.
@@ -50,6 +51,8 @@ pub struct Answer {
     pub some_may_move: bool,
     /// Statement that is proved of a finding besides its digits.
     pub proved: Option<String>,
+    /// Note on what may have been meant otherwise.
+    pub note: Option<String>,
     /// Proof of a landmark.
     pub proof: Option<Proof>,
     /// The certificate that holds these values, or why there is none.
@@ -164,10 +167,16 @@ impl Answer {
             asymmetric: Vec::new(),
             some_may_move: false,
             proved: None,
+            note: None,
             proof: None,
             certificate: Err("certificates are hashed for landmarks only".into()),
             kept: Vec::new(),
         }
+    }
+
+    /// Answer with a note on its friction, if there is one.
+    fn with_note(self, friction: Option<&Friction>) -> Self {
+        Self { note: joined(notes(friction)), ..self }
     }
 
     /// A landmark with some of its constants, or why they are not proved.
@@ -222,7 +231,8 @@ impl Answer {
         found: &Result<Outcome, Error>,
     ) -> Self {
         let mut answer =
-            Self::new(Subject::arch(line, (arch, None), extent.doubles), Status::Proved);
+            Self::new(Subject::arch(line, (arch, None), extent.doubles), Status::Proved)
+                .with_note(Some(arch.friction()));
         match found {
             Ok(Outcome::Stands(digits)) => {
                 answer.can_stand = Some(true);
@@ -255,7 +265,8 @@ impl Answer {
         found: &Result<AssessmentDigits, Refused>,
     ) -> Self {
         let mut answer =
-            Self::new(Subject::arch(line, (arch, Some(thickness)), true), Status::Proved);
+            Self::new(Subject::arch(line, (arch, Some(thickness)), true), Status::Proved)
+                .with_note(Some(arch.friction()));
         match found {
             Ok(digits) => {
                 match (&digits.stands, digits.fall) {
@@ -322,7 +333,8 @@ impl Answer {
         (weight, question): (SelfWeight, &Question),
         found: &Result<Finding, Error>,
     ) -> Self {
-        let mut answer = Self::new(Subject::sought(line, weight, question), Status::Proved);
+        let mut answer = Self::new(Subject::sought(line, weight, question), Status::Proved)
+            .with_note(question.friction());
         match found {
             Ok(Finding::Found(found)) => {
                 answer.modes = found.modes.clone();

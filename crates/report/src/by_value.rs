@@ -4,8 +4,10 @@ use super::format::Content;
 use super::record::Record;
 use super::reported::Reported;
 use super::tabular::Tabular;
+use super::understood::joined;
 use super::words::{model, reason};
 use crate::arch::SelfWeight;
+use crate::ask::notes;
 use crate::certify::Undecided;
 use crate::certify::state::find::{OtherState, StateOfValue, StatesByValue, StatesOfValue};
 use crate::problem::Quantity;
@@ -72,7 +74,13 @@ impl ByValue {
         row.add("weight", self.weight.name());
         row.add("friction", self.asked.friction().to_string());
         row.append(record);
+        row.note(self.note().as_deref());
         row
+    }
+
+    /// What may have been meant otherwise.
+    fn note(&self) -> Option<String> {
+        joined(notes([self.asked.friction()]))
     }
 }
 
@@ -107,6 +115,7 @@ impl Reported for ByValue {
         if let Some(none) = self.none() {
             record.say(format!("there is none, proved: {none}\n"));
         }
+        record.note(self.note().as_deref());
         let open = self.first_open();
         record.add("verdict", if open.is_some() { "undecided" } else { "proved" });
         record.add("reason", open.map(|open| open.reason.as_ref()).or(self.none()));

@@ -3,7 +3,7 @@
 use super::answer::Answer;
 use super::answers::Answers;
 use super::kept::Kept;
-use super::record::Record;
+use super::record::{NOTE, Record};
 use super::subject::Subject;
 use crate::problem::Quantity;
 use crate::problem::measures::Circle;
@@ -126,6 +126,7 @@ pub(super) fn row(report: &Answers, answer: &Answer) -> Record {
         fields.add("limited_by", limits.join("; "));
     }
     fields.add("reason", answer.reason());
+    fields.add(NOTE, answer.note.as_deref());
     if let Subject::Query { .. } = answer.subject {
         fields.clear();
     }

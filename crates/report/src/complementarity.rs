@@ -179,7 +179,7 @@ impl Reported for ComplementarityArch {
         let extent = jointed::extent(extent);
         record.say(format!("Complementarity problem (19) of the {extent} arch"));
         record.say(format!("{}\n", self.asked.with_weight(self.arch.weight())));
-        record.add_record("asked", Some(self.asked.fields()));
+        self.asked.add_to(&mut record);
         record.append(given(&self.arch));
         let open = self.first_open();
         record.add("verdict", if open.is_some() { "undecided" } else { "proved" });
@@ -213,6 +213,7 @@ impl Reported for ComplementarityArch {
         };
         let row = |mut row: Record| {
             row.append(given(&self.arch));
+            row.note(self.asked.note());
             row
         };
         let columns = "weight half_opening friction symmetric mode thickness thrust crown_moment vertical_force stones \

@@ -111,5 +111,6 @@ pub(super) fn fields(
     fields.add("proved", answer.proved.as_deref());
     fields.add("some_may_move", answer.some_may_move);
     fields.add("reason", answer.reason());
+    fields.note(answer.note.as_deref());
     fields
 }

@@ -126,6 +126,7 @@ fn entry(report: &Answers, answer: &Answer, with_line: bool) -> Record {
         fields.add_record(quantity.name(), figure(answer.value(*quantity)));
     }
     fields.add("reason", answer.reason());
+    fields.note(answer.note.as_deref());
     if asked.state {
         let (between, gap) = match &answer.status {
             Status::Undecided(undecided) => (&undecided.between[..], undecided.gap),

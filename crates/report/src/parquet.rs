@@ -138,7 +138,7 @@ impl<'a> ValueRow<'a> {
     /// The columns. `double` is the nearest to the true value, the doubles after it bound that value and its
     /// error; `half_opening`, `friction` and `thickness` are the texts of the query in `line`, with the doubles
     /// nearest to them.
-    const COLUMNS: [NamedColumn<Self>; 25] = [
+    const COLUMNS: [NamedColumn<Self>; 26] = [
         ("line", Integer(|row| row.answer.subject.line())),
         ("weight", Text(|row| row.answer.subject.weight().map(|weight| weight.name()))),
         ("landmark", Text(|row| row.answer.subject.landmark().map(|landmark| landmark.symbol()))),
@@ -154,6 +154,7 @@ impl<'a> ValueRow<'a> {
         ("stands", Truth(|row| row.answer.stands)),
         ("status", Text(|row| Some(row.answer.status.name()))),
         ("reason", Text(|row| row.answer.status.reason())),
+        ("note", Text(|row| row.answer.note.as_deref())),
         ("quantity", Text(|row| row.quantity.map(Quantity::name))),
         ("value", Shown(|row| Some(row.value?.texts()[0]))),
         ("lower", Shown(|row| Some(row.value?.texts()[1]))),

@@ -10,6 +10,9 @@ use serde_json::Value as Json;
 use serde_json::value::RawValue;
 use std::borrow::Cow;
 
+/// Name of the cell of what may have been meant otherwise.
+pub(crate) const NOTE: &str = "note";
+
 /// Lines and named cells in their order.
 #[derive(Debug, Default)]
 pub struct Record(Vec<Part>);
@@ -153,6 +156,13 @@ impl Record {
             }
         };
         self.put(name.to_owned(), cell);
+    }
+
+    /// Adds what may have been meant otherwise, if anything may.
+    pub(crate) fn note(&mut self, note: Option<&str>) {
+        if let Some(note) = note {
+            self.add(NOTE, note);
+        }
     }
 
     /// Takes away all values, not their names.

@@ -85,7 +85,7 @@ impl SurveyedArches {
     /// The fields of the answer, behind its schema.
     pub(super) fn fields(&self) -> Record {
         let mut record = Record::default();
-        record.add_record("asked", Some(self.asked.fields()));
+        self.asked.add_to(&mut record);
         record.add("meaning", MEANING);
         record.add("weight", self.weight.name());
         if let Some(sought) = self.sought {
@@ -194,6 +194,7 @@ impl Reported for SurveyedArches {
             row.add("weight", self.weight.name());
             row.add("outcome", self.outcome()[0]);
             row.add("reason", self.first_open().map(|open| open.reason.to_string()));
+            row.note(self.asked.note());
             if let Some(QuantityRange { of, lower, upper }) = range {
                 row.add("quantity", of.name());
                 row.add("lower", lower.value.to_string());

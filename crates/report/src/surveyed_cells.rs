@@ -110,7 +110,7 @@ impl Reported for SurveyedCells {
     fn records(&self) -> Vec<Record> {
         let mut record = Record::of("couplet.cells/1");
         self.say(&mut record);
-        record.add_record("asked", Some(self.asked.fields()));
+        self.asked.add_to(&mut record);
         record.add("meaning", MEANING);
         record.add("weight", self.weight.name());
         let mut cut = Record::default();

@@ -7,7 +7,7 @@ use super::columns::{kept_cells, kept_fields, kept_names};
 use super::csv::line;
 use super::json;
 use super::kept::Kept;
-use super::record::Record;
+use super::record::{NOTE, Record};
 use super::survey::{SCHEMA, SurveyedArches};
 use super::words::labels;
 use crate::arch::SelfWeight;
@@ -44,6 +44,7 @@ pub struct SurveyedCell {
     /// Both ends of each quantity.
     ends: Vec<[Option<String>; 2]>,
     modes: Option<ModesFound>,
+    note: Option<String>,
 }
 
 /// Writer of such rows.
@@ -133,6 +134,7 @@ impl SurveyedRows {
             given: given(of),
             ends: self.quantities.iter().map(ends).collect(),
             modes: of.found.as_ref().ok().and_then(|found| found.modes.clone()),
+            note: of.asked.note().map(str::to_owned),
         }
     }
 
@@ -163,6 +165,7 @@ impl SurveyedRows {
         cells.add("other_modes", listed(|modes| &modes.may_occur));
         cells.add("some_fall", modes.and_then(|modes| modes.some_fall));
         cells.add("reason", of.and_then(|of| of.reason.as_deref()));
+        cells.add(NOTE, of.and_then(|of| of.note.as_deref()));
         cells
     }
 }

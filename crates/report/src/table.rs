@@ -6,6 +6,7 @@ use super::columns;
 use super::find;
 use super::subject::Subject;
 use super::words::{aligned, count, may_move, model};
+use crate::ask::Field;
 use crate::certify::state::Fall;
 use crate::problem::Quantity;
 use crate::problem::asymmetric_region::STANDS;
@@ -174,11 +175,28 @@ const ASSESSED: [(Quantity, &str, Option<&str>); 6] = [
     (Quantity::LargestThrust, "largest thrust", None),
 ];
 
+/// Thickness over the least from which an arch that collapses is told that a ring is not all of a bridge.
+const NEARLY: f64 = 0.95;
+
 fn assessment(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
     match (&answer.status, answer.stands) {
         (Status::Undecided(undecided), _) => writeln!(out, "{undecided}\n")?,
         (_, Some(true)) => writeln!(out, "stands, proved: {STANDS}\n")?,
-        (_, Some(false)) => writeln!(out, "collapses, proved\n")?,
+        (_, Some(false)) => {
+            writeln!(out, "collapses, proved")?;
+            let thickness = answer.asked.as_ref().and_then(|asked| asked.text(Field::Thickness));
+            let safety = answer.value(Quantity::GeometricSafety);
+            if let Some(text) =
+                thickness.filter(|_| safety.is_some_and(|x| x.binary.lower > NEARLY))
+            {
+                writeln!(
+                    out,
+                    "   it has nearly its least thickness: by fill, of which nothing is said, such a ring may stand;\n   \
+                     a tolerance tells of every arch inside (--thickness {text}±5%)"
+                )?;
+            }
+            writeln!(out)?;
+        }
         (_, None) => {}
     }
     for quantity in asked {

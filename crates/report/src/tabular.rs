@@ -1,7 +1,7 @@
 //! Rows in columns: CSV for programs and spreadsheets; tables for a paper are made of them.
 
 use super::column::NamedColumn;
-use super::record::Record;
+use super::record::{NOTE, Record};
 use super::words::printable;
 use std::borrow::Cow;
 use std::io;
@@ -18,7 +18,11 @@ pub struct Tabular {
 impl Tabular {
     /// Cells of records in some columns, whose names are given in one text.
     pub(super) fn of(columns: &str, records: impl IntoIterator<Item = Record>) -> Self {
-        let header: Vec<String> = columns.split(' ').map(str::to_owned).collect();
+        let records: Vec<Record> = records.into_iter().collect();
+        // A note has a column where there is one.
+        let has_note = records.iter().any(|record| record.names().any(|name| name == NOTE));
+        let names = columns.split(' ').chain(has_note.then_some(NOTE));
+        let header: Vec<String> = names.map(str::to_owned).collect();
         let cells = |record: Record| header.iter().map(|name| record.text(name)).collect();
         Self { rows: records.into_iter().map(cells).collect(), header }
     }

@@ -20,7 +20,7 @@ impl Reported for TiltedArch {
     fn records(&self) -> Vec<Record> {
         let mut record = Record::of("couplet.tilt/2");
         say(self, &mut record);
-        record.add_record("asked", Some(self.asked.fields()));
+        self.asked.add_to(&mut record);
         record.add("weight", self.arch.weight().name());
         record.add("half_opening", self.arch.half_opening().to_string());
         record.add("friction", self.arch.friction().to_string());

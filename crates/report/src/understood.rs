@@ -4,11 +4,10 @@ use super::record::Record;
 use super::sketched::decided;
 use super::words::model;
 use crate::arch::SelfWeight;
-use crate::ask::{ArchAsked, ArchGiven, Field, Range, SurveyGiven};
-use crate::number::{Ball, ExactNumber, Form, arctangent, degrees};
+use crate::ask::{ArchAsked, ArchGiven, Field, Range, SurveyGiven, notes};
+use crate::number::{Ball, ExactNumber, arctangent, degrees};
 use crate::problem::Friction;
 use crate::problem::measures::Circle;
-use num_bigint::BigInt;
 
 /// Bits in which a given value is shown in other units.
 const BITS: u32 = 192;
@@ -35,6 +34,7 @@ const SAID: [Field; 12] = [
 pub struct Understood {
     given: Vec<(Field, String)>,
     words: String,
+    note: Option<String>,
 }
 
 impl Understood {
@@ -46,6 +46,7 @@ impl Understood {
         Self {
             words: words.collect::<Vec<_>>().join(", "),
             given: texts.map(|(field, text)| (field, text.to_owned())).collect(),
+            note: joined(given.notes()),
         }
     }
 
@@ -57,6 +58,7 @@ impl Understood {
         Self {
             words: SAID.into_iter().filter_map(text).map(words).collect::<Vec<_>>().join(", "),
             given: texts.map(|(field, text)| (field, text.to_owned())).collect(),
+            note: joined(notes(&given.friction)),
         }
     }
 
@@ -76,6 +78,17 @@ impl Understood {
         self.given.iter().find(|(field, _)| *field == of).map(|(_, text)| text.as_str())
     }
 
+    /// What may have been meant otherwise.
+    pub fn note(&self) -> Option<&str> {
+        self.note.as_deref()
+    }
+
+    /// Adds the question to an answer, with what may have been meant otherwise.
+    pub(crate) fn add_to(&self, record: &mut Record) {
+        record.add_record("asked", Some(self.fields()));
+        record.note(self.note());
+    }
+
     /// Given values as they were written, and the words.
     pub(crate) fn fields(&self) -> Record {
         let mut fields = Record::default();
@@ -85,6 +98,11 @@ impl Understood {
         fields.add("words", self.words.as_str());
         fields
     }
+}
+
+/// Notes as one text.
+pub(super) fn joined(notes: Vec<String>) -> Option<String> {
+    (!notes.is_empty()).then(|| notes.join("; "))
 }
 
 /// Words for a field that is given.
@@ -169,10 +187,9 @@ fn equal(value: &Ball, unit: &str) -> String {
 }
 
 fn in_degrees(angle: &ExactNumber) -> Ball {
-    match angle.form() {
-        Form::TimesPi => ExactNumber::rational(angle.factor() * BigInt::from(180)).enclosure(BITS),
-        _ => degrees(&angle.enclosure(BITS)),
-    }
+    angle
+        .in_degrees()
+        .map_or_else(|| degrees(&angle.enclosure(BITS)), |exact| exact.enclosure(BITS))
 }
 
 /// The tangent of an angle.

@@ -7,9 +7,9 @@ use super::survey;
 use crate::ask::Spelling;
 use crate::certify::Error;
 use crate::certify::state::find as seek;
-use crate::certify::state::find::{Given, Question};
+use crate::certify::state::find::Question;
 use crate::door::find::{self, FindTarget};
-use crate::problem::{Friction, Line, Quantity, Sought};
+use crate::problem::{Line, Quantity, Sought};
 use crate::report::{Answer, Answers, Scope};
 use crate::sweep::failure::Failure;
 use clap::Args;
@@ -58,7 +58,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let asked = find::understood(&arguments.arch.asked, Spelling::Option)?;
     let quantities = arguments.output.quantities(&found_by(&question))?;
     let (file, format) = arguments.output.open()?;
-    notes::frictions(given_friction(&question));
+    notes::frictions(question.friction());
     let digits = arguments.arch.digits();
     let answer = |(line, weight)| {
         let found = seek::find(weight, &question, digits);
@@ -74,15 +74,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let kept = Vec::new();
     let report = Answers { scope: Scope::Found, digits, quantities, kept, list: answers };
     file.report((&report, format), open)
-}
-
-/// The friction that is given.
-fn given_friction(question: &Question) -> Option<&Friction> {
-    match question {
-        Question::HalfOpening { friction, .. }
-        | Question::Boundary { given: Given::Friction(friction), .. } => Some(friction),
-        _ => None,
-    }
 }
 
 /// The quantities that an answer can have: not what is given.

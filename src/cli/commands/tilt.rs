@@ -2,6 +2,7 @@
 
 use super::notes;
 use super::output::{OutputFile, is_written};
+use crate::ask::tilt_note;
 use crate::certify::state::{Inquiry, Wanted};
 use crate::certify::{self, MOST_TILTED_STONES, VoussoirStanding, assess_voussoirs, tilted_stones};
 use crate::cli::line::typed;
@@ -23,7 +24,7 @@ pub(super) fn write(
     are_few(stones)?;
     let output = file.open_for(format)?;
     notes::frictions(arches.iter().take(1).map(Arch::friction));
-    notes::tilt(tilt);
+    notes::tell(tilt_note(tilt));
     let answer = |arch: &Arch| tilted((asked, arch), (eta, tilt), stones, digits);
     let answers: Vec<TiltedArch> = arches.iter().map(answer).collect::<Result<_, Failure>>()?;
     let open = answers.iter().find_map(TiltedArch::first_open).cloned();

@@ -58,7 +58,7 @@ fn only_what_is_asked_for_is_there() {
         let output = fed(&[&["states", "--digits", "5"], arguments].concat(), input);
         stdout(&output).lines().next().unwrap().to_owned()
     };
-    let names = "weight,half_opening,friction,verdict,can_stand,mode,asymmetric_thickness,thrust,thickness,reason,line,error";
+    let names = "weight,half_opening,friction,verdict,can_stand,mode,asymmetric_thickness,thrust,thickness,reason,note,line,error";
     for asked in [["--quantity", "thrust,thickness"], ["--quantities", "h,eta,h"]] {
         assert!(header(&asked, &input).starts_with(names), "{}", header(&asked, &input));
     }

@@ -20,6 +20,18 @@ fn holds(value: &Value, truth: &Float) {
     assert!(lower <= *truth && *truth <= upper, "{value} {truth}");
 }
 
+/// A bare ring that is a little short says nothing of the bridge.
+#[test]
+fn a_ring_that_nearly_stands_is_no_bridge() {
+    let arch = "assess --span 10.36m --rise 5.18m --friction 0.6 --thickness";
+    for (thickness, is_near) in [("0.588m", true), ("0.5m", false), ("0.7m", false)] {
+        let words: Vec<&str> = arch.split(' ').chain([thickness]).collect();
+        let said = printed(&words);
+        let tolerance = format!("(--thickness {thickness}±5%)");
+        assert_eq!(said.contains(&tolerance), is_near, "{said}");
+    }
+}
+
 /// The same arch by span and rise, by radius and half opening, and by its ratios.
 #[test]
 fn measures_and_ratios_are_the_same_arch() {
@@ -58,6 +70,12 @@ fn the_half_opening_is_that_of_the_measures() {
         let ratio = Float::with_val(300, Rational::from((2 * rise, span)));
         let degrees = ratio.atan() * 360u32 / Float::with_val(300, rug::float::Constant::Pi);
         holds(&found["half_opening_degrees"], &degrees);
+    }
+    for (arch, degrees) in
+        [("--span 10m --rise 5m", "90"), ("--radius 5m --half-opening 5pi/18", "50")]
+    {
+        let found = object(&format!("state {arch} --friction inf"));
+        assert_eq!(found["half_opening_degrees"]["value"], degrees);
     }
 }
 
@@ -251,7 +269,10 @@ fn wrong_measures_are_one_line() {
         ("--span 10m", "--rise"),
         ("--span 10m --rise -3m", "-3m is not above 0"),
         ("--span 10m --rise 3m --radius 5m", "contradicts"),
-        ("--span 10m --rise 3m --half-opening 1", "--half-opening and --span say the same"),
+        (
+            "--span 10m --rise 3m --half-opening 1",
+            "--span goes with --rise, and --radius with --half-opening: give one",
+        ),
         ("--span 10m --rise 3m --density 2400kg/m3", "--depth"),
         ("--span 10m --rise 3m --density 2400 --depth 1m", "'2400' is not a density"),
         ("--half-opening 1 --density 24kN/m3 --depth 1m", "need a size"),
@@ -403,7 +424,7 @@ fn rows_may_be_in_metres() {
     }
     for (row, why) in [
         (4, "span needs rise"),
-        (5, "half_opening and span say the same"),
+        (5, "span goes with rise, and radius with half_opening"),
         (6, "has no unit"),
         (7, "the half_opening is empty"),
         (8, "'1' is not a length"),

@@ -110,16 +110,16 @@ fn a_comma_is_no_decimal_point_where_commas_separate() {
 
 #[test]
 fn what_is_kept_is_handed_on() {
-    let input = "id,alpha,mu,mode,note\n7,1.5,inf,fast,\"a,b\"\n8,x,inf,slow,\n";
+    let input = "id,alpha,mu,mode,remark\n7,1.5,inf,fast,\"a,b\"\n8,x,inf,slow,\n";
     let found = table(&["--keep", "id,mode"], input);
     assert_eq!(
         (&*found[0]["id"], &*found[0]["input_mode"], &*found[0]["mode"]),
         ("7", "fast", "[r,r,r]")
     );
     assert_eq!((&*found[1]["id"], &*found[1]["input_mode"]), ("8", "slow"), "of a bad row too");
-    assert!(!found[0].contains_key("note"));
+    assert!(!found[0].contains_key("remark"));
     let all = rows(&["--keep", "all"], input);
-    assert_eq!(all[0]["kept"], serde_json::json!({"id": "7", "mode": "fast", "note": "a,b"}));
+    assert_eq!(all[0]["kept"], serde_json::json!({"id": "7", "mode": "fast", "remark": "a,b"}));
     let json = rows(
         &["--keep", "all"],
         "{\"alpha\":1,\"mu\":1,\"id\":10000000000000000000001.50,\"x\":[1]}",
@@ -172,7 +172,7 @@ fn columns_of_others_are_ours_by_name() {
     }
     for (columns, why) in [
         ("a=colour", "is not one of our columns"),
-        ("a=mu:deg", "has no unit"),
+        ("a=mu:rad", "'rad' is no unit of friction: deg, gon"),
         ("a=alpha,b=alpha", "are both named half_opening"),
         ("x=alpha,m=mu", "no column 'x'"),
     ] {
@@ -195,8 +195,9 @@ fn what_would_be_dropped_in_error_is_refused() {
 fn what_no_row_answers_is_refused_with_what_answers_it() {
     for name in ["stones", "joints", "tilt"] {
         let input = format!("alpha,mu,eta,{name}\n1,1,0.1,5\n");
-        let why = format!("'{name}' is no question of a row: `couplet assess --{name}` answers it");
-        for command in [&["states"][..], &["states", "--keep", "all"], &["judge", "-"]] {
+        let why = format!("'{name}' is not read here: `couplet assess --{name}` answers it");
+        let named = ["states", "--columns", "alpha,mu,eta"];
+        for command in [&["states"][..], &named, &["states", "--keep", "all"], &["judge", "-"]] {
             refused(command, &input, &why);
         }
         let object = format!("{{{ARCH},\"{name}\":5}}\n{{{ARCH},\"{name}\":null}}\n");
@@ -205,8 +206,6 @@ fn what_no_row_answers_is_refused_with_what_answers_it() {
         assert_eq!(found[1]["can_stand"], true, "asks nothing");
         let kept = &table(&["--keep", name], &input)[0];
         assert_eq!((&*kept[name], &*kept["stands"]), ("5", "true"));
-        let named = &table(&["--columns", "alpha,mu,eta"], &input)[0];
-        assert_eq!(&*named["stands"], "true", "these are the columns to read");
     }
     // Forces follow from a density and a depth.
     let input = "span,rise,mu,thickness,density,depth\n10m,3m,0.6,60cm,24kN/m3,1m\n10m,3m,0.6,,,\n";
@@ -229,7 +228,7 @@ fn doubles_and_hexadecimals_are_asked_for() {
             fed(&[&["states", "--quantity", "thrust"], arguments].concat(), "alpha,mu\n1,1\n");
         stdout(&output).lines().next().unwrap().to_owned()
     };
-    let usual = "weight,half_opening,friction,verdict,can_stand,mode,asymmetric_thickness,thrust,reason,line,error";
+    let usual = "weight,half_opening,friction,verdict,can_stand,mode,asymmetric_thickness,thrust,reason,note,line,error";
     let given = "half_opening_rad,half_opening_deg,friction_double";
     assert_eq!(header(&[]), usual);
     assert_eq!(header(&["--columns", "hex"]), format!("{usual},thrust_hex"));
@@ -342,4 +341,52 @@ fn a_double_is_infinite_where_its_value_is() {
     }
     let row = &rows(&[], "alpha,mu\n2.6,inf\n")[0]["rotational_friction"];
     assert_eq!((&row["value"], row.get("double"), row.get("hex")), (&"inf".into(), None, None));
+}
+
+/// Tables as spreadsheets write them: marks at the beginning, ends of lines, separators, heads with units and Greek letters.
+#[test]
+fn tables_are_read_as_spreadsheets_write_them() {
+    let answered = |table: &str| {
+        let output = fed(&["states", "-", "--format", "jsonl", "--quantity", "thickness"], table);
+        serde_json::from_slice::<Value>(&output.stdout).unwrap()["thickness"].clone()
+    };
+    let expected = answered("alpha,mu\n80.5deg,0.6\n");
+    assert!(expected["value"].is_string());
+    let mut tables = 0;
+    for (separator, number) in [(";", "80,5"), (";", "80.5"), (",", "80.5"), ("\t", "80.5")] {
+        let said = format!("sep={separator}\n");
+        for before in ["", "\u{feff}", &said, &format!("\u{feff}\"sep={separator}\"\n")] {
+            for (head, unit) in
+                [("alpha_deg", ""), ("α [°]", ""), ("Half Opening (DEG)", ""), ("alpha", "º")]
+            {
+                for (mu, end) in
+                    [("μ", "\n"), ("Mu", "\r\n"), ("friction", " \r\n"), ("Friction ", "\n\n")]
+                {
+                    let cells = [[head, mu], [&format!("{number}{unit}"), "0.6"]];
+                    let lines = cells.map(|row| row.join(separator) + end);
+                    let table = format!("{before}{}", lines.concat());
+                    assert_eq!(answered(&table), expected, "{table:?}");
+                    tables += 1;
+                }
+            }
+        }
+    }
+    assert_eq!(tables, 256);
+    let metres = answered("span,rise,mu\n10m,300cm,0.6\n");
+    for table in [
+        "span_m,rise_cm,mu\n10,300,0.6\n",
+        "sep=;\nSpan [m];Rise (m);friction_deg;note\n10,0;3;30,963756532073521;ü\n",
+        "span [m],rise [m],mu\n10m,300 cm,0.6\n",
+    ] {
+        let found = answered(table);
+        let digits = |of: &Value| of["value"].as_str().unwrap()[..12].to_owned();
+        assert_eq!(digits(&found), digits(&metres), "{table:?}");
+    }
+    let utf16: Vec<u8> = "alpha,mu\n1,1\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    let utf16 = fed(&["states"], utf16);
+    let said = "couplet: the file is UTF-16, which is not read: save it as UTF-8 (\"CSV UTF-8\" in Excel)\n";
+    assert_eq!((utf16.status.code(), &*text(&utf16.stderr)), (Some(2), said));
+    let latin = fed(&["states", "--format", "jsonl"], &b"alpha,mu,stra\xdfe\n1,1,M\xfcller\n"[..]);
+    assert!(text(&latin.stdout).contains("\"verdict\":\"proved\""), "{}", text(&latin.stdout));
+    refused(&["states"], "beta,mu\n1,1\n", "no column 'half_opening', nor 'span' and 'rise'");
 }

@@ -34,8 +34,8 @@ refusals! {
     no_friction: CSV, HEYMAN, "a=half_opening,d=mode" => "no column for the friction";
     no_half_opening: CSV, HEYMAN, "b=friction,d=mode" => "no column for the half opening";
     a_unit_that_is_none:
-        CSV, HEYMAN, "a=half_opening:turns,b=friction,d=mode" => "rad or deg";
-    a_unit_of_the_friction: CSV, HEYMAN, "a=half_opening,b=friction:deg,d=mode" => "has no unit";
+        CSV, HEYMAN, "a=half_opening:turns,b=friction,d=mode" => "rad, deg, gon";
+    a_unit_of_the_mode: CSV, HEYMAN, "a=half_opening,b=friction,d=mode:deg" => "mode has no unit";
     two_frictions:
         CSV, HEYMAN, "a=half_opening,b=friction,d=friction_angle,c=mode" => "choose one";
     a_weight_too_many_and_a_column_twice:

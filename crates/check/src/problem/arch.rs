@@ -81,13 +81,13 @@ impl ArchError {
 }
 
 /// Spellings of unlimited friction, in small letters.
-const INFINITE: [&str; 3] = ["inf", "infinity", "∞"];
+const INFINITE: [&str; 5] = ["inf", "infinity", "infinite", "unlimited", "∞"];
 
 impl FromStr for Friction {
     type Err = ParseExactError;
 
     /// Reads a coefficient (`0.6`), an angle with its unit (`31deg`, `0.54rad`) or as the argument of a
-    /// tangent (`tan(0.54)`, `tan(31deg)`), or `inf`, also as `infinity` and `∞`.
+    /// tangent (`tan(0.54)`, `tan(31deg)`), or `inf`, also as `infinity`, `unlimited` and `∞`.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let text = text.trim();
         let is_infinite = INFINITE.contains(&text.trim_start_matches('+').to_lowercase().as_str());
@@ -364,10 +364,10 @@ mod tests {
         }
         assert_eq!("35deg".parse::<Friction>(), "tan(35deg)".parse());
         assert_eq!("35 °".parse::<Friction>(), "tan(35deg)".parse());
-        for text in ["Inf", "INF", "infinity", "+Infinity", "∞", " inf "] {
+        for text in ["Inf", "INF", "infinity", "+Infinity", "Unlimited", "∞", " inf "] {
             assert_eq!(text.parse::<Friction>(), Ok(Friction::Infinite), "{text}");
         }
-        let error = "unlimited".parse::<Friction>().unwrap_err().to_string();
+        let error = "endless".parse::<Friction>().unwrap_err().to_string();
         assert!(error.contains("inf") && error.contains("31deg"), "{error}");
         assert!("tan(35deg".parse::<Friction>().is_err());
     }

@@ -16,7 +16,7 @@
 //!
 //! Everything given is rational, and so is `eta`. A span is measured at the intrados unless another circle is named.
 
-use crate::number::{Engine, ExactNumber, Field, says, shown, sine_and_cosine, worded};
+use crate::number::{Engine, ExactNumber, Field, decimal, says, shown, sine_and_cosine, worded};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use std::fmt;
@@ -64,6 +64,13 @@ pub enum MeasureError {
     Length(String),
     /// The text has no number, or no unit behind it.
     Density(String),
+    /// A sign stands between digits.
+    Apart {
+        /// Text as given.
+        text: String,
+        /// The sign.
+        sign: char,
+    },
     /// A length or a density is zero or negative.
     NotPositive(String),
     /// The intrados would have no radius.
@@ -87,61 +94,134 @@ pub enum MeasureError {
 }
 
 says!(MeasureError {
-    Self::Length(text) => "'{text}' is not a length: give a number and its unit, m, cm, mm, ft or in (10m, 60cm)";
+    Self::Length(text) => "'{text}' is not a length: give a number and its unit, m, cm, mm, ft or in (10m, 60cm, 60ft1in)";
     Self::Density(text) => "'{text}' is not a density: give a number and its unit, kg/m3, kN/m3 or lb/ft3 (2400kg/m3)";
+    Self::Apart { text, sign } =>
+        "'{text}' has '{sign}' between its digits: decimals stand behind a point, and nothing between thousands (1250.5cm)";
     Self::NotPositive(text) => "{text} is not above 0";
     Self::Thickness { thickness, circle, most, rule } =>
         "the thickness {thickness} is too large for this {circle}: at most {most}, its {rule}";
     Self::Radius { given, made } => "the radius {given} contradicts the span and the rise, which make it {made}";
 });
 
-/// Units of length in metres: numerator and denominator.
-const LENGTHS: [(&str, i64, i64); 5] =
-    [("cm", 1, 100), ("mm", 1, 1000), ("m", 1, 1), ("ft", 3_048, 10_000), ("in", 254, 10_000)];
+/// A unit by its name, in the base unit: numerator and denominator.
+type UnitOf = (&'static str, i64, i64);
+
+/// Units of length in metres.
+const LENGTHS: [UnitOf; 14] = [
+    ("cm", 1, 100),
+    ("mm", 1, 1000),
+    ("m", 1, 1),
+    ("metres", 1, 1),
+    ("meters", 1, 1),
+    FEET[0],
+    FEET[1],
+    FEET[2],
+    FEET[3],
+    INCHES[0],
+    INCHES[1],
+    INCHES[2],
+    INCHES[3],
+    ("yd", 9_144, 10_000),
+];
+const FEET: [UnitOf; 4] = [
+    ("feet", 3_048, 10_000),
+    ("foot", 3_048, 10_000),
+    ("ft", 3_048, 10_000),
+    ("\'", 3_048, 10_000),
+];
+const INCHES: [UnitOf; 4] =
+    [("inches", 254, 10_000), ("inch", 254, 10_000), ("in", 254, 10_000), ("\"", 254, 10_000)];
 /// Units of density in kN/m³. The standard acceleration of gravity is 9.80665 m/s² (3rd General Conference on Weights
 /// and Measures, 1901), a pound 0.45359237 kg (1959), both exactly.
-const DENSITIES: [(&str, i64, i64); 3] = [
+const DENSITIES: [UnitOf; 7] = [
     ("kg/m3", 980_665, 100_000_000),
+    ("t/m3", 980_665, 100_000),
+    ("g/cm3", 980_665, 100_000),
     ("kN/m3", 1, 1),
+    ("N/m3", 1, 1000),
     ("lb/ft3", 45_359_237 * 980_665, 283_168_465_920_000),
+    ("pcf", 45_359_237 * 980_665, 283_168_465_920_000),
 ];
 
 /// A rational number above zero with one of these units behind it, in the unit's base; or why it is none.
 fn with_unit(
     text: &str,
-    units: &[(&str, i64, i64)],
+    read: impl Fn() -> Option<BigRational>,
     is_none: fn(String) -> MeasureError,
 ) -> Result<BigRational, MeasureError> {
-    let value = quantity(text, units).ok_or_else(|| is_none(shown(text)))?;
+    let value = read().ok_or_else(|| match apart(text) {
+        Some(sign) => MeasureError::Apart { text: shown(text), sign },
+        None => is_none(shown(text)),
+    })?;
     match value > BigInt::ZERO.into() {
         true => Ok(value),
         false => Err(MeasureError::NotPositive(shown(text))),
     }
 }
 
-fn quantity(text: &str, units: &[(&str, i64, i64)]) -> Option<BigRational> {
-    let of = |(unit, n, d): &(&str, i64, i64)| Some((text.trim().strip_suffix(unit)?, *n, *d));
+fn quantity(text: &str, units: &[UnitOf]) -> Option<BigRational> {
+    let of = |(unit, n, d): &UnitOf| Some((text.trim().strip_suffix(unit)?, *n, *d));
     let (number, n, d) = units.iter().find_map(of)?;
-    let number: ExactNumber = number.trim_end().parse().ok()?;
-    let value = number.factor() * BigRational::new(n.into(), d.into());
-    number.is_rational().then_some(value)
+    Some(mixed(number.trim_end())? * BigRational::new(n.into(), d.into()))
+}
+
+/// A rational number, or a whole one and a fraction below one behind a blank or a hyphen: `5 1/2`.
+fn mixed(text: &str) -> Option<BigRational> {
+    let number = |text: &str| {
+        let number: ExactNumber = text.parse().ok()?;
+        number.is_rational().then(|| number.factor().clone())
+    };
+    let Some((whole, part)) = text.split_once([' ', '-']).filter(|(_, part)| part.contains('/'))
+    else {
+        return number(text);
+    };
+    let (is_whole, part) = (whole.bytes().all(|c| c.is_ascii_digit()), number(part.trim())?);
+    let is_part = part > BigInt::ZERO.into() && part < BigInt::from(1).into();
+    (is_whole && is_part).then(|| Some(number(whole)? + part))?
+}
+
+/// Metres of whole feet and less than twelve inches: `60ft1in`, `60'1"`, `34' 5 1/2"`, `34'-5"`.
+fn feet_and_inches(text: &str) -> Option<BigRational> {
+    let (feet, rest) = FEET.iter().find_map(|(name, ..)| text.trim().split_once(name))?;
+    let (feet, rest) = (feet.trim(), rest.trim());
+    let inches = quantity(rest.strip_prefix('-').unwrap_or(rest), &INCHES)?;
+    let foot = BigRational::new(FEET[0].1.into(), FEET[0].2.into());
+    let is_whole = !feet.is_empty() && feet.bytes().all(|c| c.is_ascii_digit());
+    let is_less = inches >= BigInt::ZERO.into() && inches < foot;
+    (is_whole && is_less).then(|| Some(mixed(feet)? * foot + inches))?
+}
+
+/// Sign that stands between the digits of a number and is no point.
+fn apart(text: &str) -> Option<char> {
+    let is_digit = |c: Option<&char>| c.is_some_and(char::is_ascii_digit);
+    let all: Vec<char> = text.trim().chars().collect();
+    let place = (1..all.len()).find(|&k| {
+        [',', '\'', '’', ' ', '\u{a0}', '\u{202f}'].contains(&all[k])
+            && is_digit(all.get(k - 1))
+            && is_digit(all.get(k + 1))
+    });
+    place.map(|place| all[place])
 }
 
 impl FromStr for Length {
     type Err = MeasureError;
 
-    /// Reads `10m`, `3.5 m`, `60cm`, `600mm`, `33ft`, `7in`, with a decimal or a fraction.
+    /// Reads `10m`, `3.5 m`, `60cm`, `600mm`, `33ft`, `7in`, `60ft1in`, `34' 5 1/2"`, with decimals or fractions.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        with_unit(text, &LENGTHS, MeasureError::Length).map(Self)
+        let plain = text.replace(['’', '′'], "'").replace(['”', '″'], "\"");
+        let read = || quantity(&plain, &LENGTHS).or_else(|| feet_and_inches(&plain));
+        with_unit(text, read, MeasureError::Length).map(Self)
     }
 }
 
 impl FromStr for UnitWeight {
     type Err = MeasureError;
 
-    /// Reads `24kN/m3`, or a density in standard gravity, `2400kg/m3`, `150lb/ft3`.
+    /// Reads `24kN/m3`, `22 kN/m^3`, or a density in standard gravity, `2400kg/m³`, `150lb/ft3`.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        with_unit(&text.replace('³', "3"), &DENSITIES, MeasureError::Density).map(Self)
+        let plain = text.replace('³', "3").replace("^3", "3");
+        with_unit(text, || quantity(&plain, &DENSITIES), MeasureError::Density).map(Self)
     }
 }
 
@@ -157,7 +237,14 @@ impl FromStr for Circle {
 
 impl fmt::Display for Length {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} m", self.0)
+        // To a micrometre; what is shorter is itself.
+        let many = BigInt::from(1_000_000);
+        let short = (&self.0 * &many).round() / many;
+        write!(
+            f,
+            "{} m",
+            if short > BigInt::ZERO.into() { decimal(&short) } else { self.0.to_string() }
+        )
     }
 }
 
@@ -352,10 +439,28 @@ mod tests {
             ("1/3 m", 1, 3),
             ("10ft", 381, 125),
             ("1in", 127, 5000),
+            ("60ft1in", 183_134, 10_000),
+            ("60 ft 1 in", 183_134, 10_000),
+            ("60'1\"", 183_134, 10_000),
+            ("60’ 1”", 183_134, 10_000),
+            ("34' 5 1/2\"", 105_029, 10_000),
+            ("34'-5-1/2\"", 105_029, 10_000),
+            ("10 1/2 feet", 32_004, 10_000),
+            ("0x1p-1m", 1, 2),
+            ("1.5D1cm", 3, 20),
+            ("10yd", 9_144, 1000),
         ] {
             assert_eq!(length(text).0, quotient(n, d), "{text}");
         }
-        for text in ["10", "m", "1e2000m", "10 miles", "10deg", "pi m", "inf m", "1,5m"] {
+        for (text, sign) in [("1,5m", ','), ("1'000mm", '\''), ("1 000mm", ' '), ("1.250,5cm", ',')]
+        {
+            let error = text.parse::<Length>().unwrap_err();
+            assert_eq!(error, MeasureError::Apart { text: text.to_owned(), sign }, "{error}");
+        }
+        for text in ["60ft12in", "1.5ft2in", "6'3", "-6'3\"", "5 3/2in", "10m2cm", "1in2ft"] {
+            assert!(text.parse::<Length>().is_err(), "{text}");
+        }
+        for text in ["10", "m", "1e2000m", "10 miles", "10deg", "pi m", "inf m"] {
             let error = text.parse::<Length>().unwrap_err().to_string();
             assert!(error.contains("60cm"), "{error}");
         }
@@ -371,6 +476,14 @@ mod tests {
         let foot = quotient(3048, 10_000);
         let cube = foot.clone() * &foot * &foot * quotient(1000, 1);
         assert_eq!(weight("150lb/ft3"), quotient(150, 1) * pound / cube);
+        assert_eq!(weight("22 kN/m^3"), quotient(22, 1));
+        assert_eq!(weight("22000 N/m3"), quotient(22, 1));
+        assert_eq!(weight("150pcf"), weight("150 lb/ft^3"));
+        assert_eq!(
+            [weight("2.4t/m³"), weight("2.4 g/cm3")],
+            [weight("2400kg/m3"), weight("2400kg/m3")]
+        );
+        assert!("1ft1in".parse::<UnitWeight>().is_err());
         assert!("2400".parse::<UnitWeight>().is_err() && "24m".parse::<UnitWeight>().is_err());
     }
 

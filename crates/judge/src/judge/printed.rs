@@ -49,8 +49,8 @@ impl PrintedNumber {
 
     /// A double in hexadecimal, whose last place is that of the double.
     pub(super) fn from_hexadecimal(text: &str) -> Option<Self> {
-        let value = hexadecimal(text)?;
-        let unit = spacing(ExactNumber::from(&value).nearest_double()?)?;
+        let exact = ExactNumber::rational(hexadecimal(text)?);
+        let (value, unit) = (exact.to_rational(), spacing(exact.nearest_double()?)?);
         let digits = Rounded::from_rational(&value, DOUBLE_DIGITS)?.value.digits().to_owned();
         Some(Self { value, unit, digits: if digits.is_empty() { "0".into() } else { digits } })
     }

@@ -5,9 +5,10 @@ mod sine;
 pub use sine::sine_and_cosine;
 
 use super::range::{TELL_OF_RANGES, is_range};
-use super::unit::{AngleUnit, unit};
+use super::unit::{AngleUnit, minutes, unit};
 use super::{
-    Angle, Decimal, Dyadic, Engine, Field, ParseDecimalError, as_text, says, shown, shown_as_text,
+    Angle, Decimal, Dyadic, Engine, Field, ParseDecimalError, as_text, decimal, says, shown,
+    shown_as_text, spelt,
 };
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
@@ -129,6 +130,11 @@ impl ExactNumber {
     pub fn degrees(&self) -> Self {
         let factor = &self.factor / BigInt::from(180);
         Self { factor, form: Form::TimesPi, text: format!("{}deg", self.text) }
+    }
+
+    /// The number of degrees of an angle in radians, where it is rational.
+    pub fn in_degrees(&self) -> Option<Self> {
+        (self.form == Form::TimesPi).then(|| Self::rational(&self.factor * BigInt::from(180)))
     }
 
     /// Tells whether the number was given in degrees.
@@ -274,7 +280,8 @@ impl FromStr for ExactNumber {
     type Err = ParseExactError;
 
     /// Reads `0.1`, `1e-30`, `1/3`, `pi`, `pi/2`, `2pi/3`, `0.8*pi`, radians by name, `1.5rad`, degrees:
-    /// `80deg`, `80°`, `80 degrees`, all of which are shown as `80deg`, and `2atan(3/5)` with a number above zero.
+    /// `80deg`, `80°`, `80 degrees`, all of which are shown as `80deg`, `80°30'15"`, `88gon`, and `2atan(3/5)` with a number
+    /// above zero; numbers as other programs [spell](spelt) them.
     ///
     /// ```
     /// use couplet_number::number::ExactNumber;
@@ -287,21 +294,48 @@ impl FromStr for ExactNumber {
         if text.len() > MAX_LENGTH {
             return Err(ParseExactError::Length(text.len()));
         }
+        let given = text;
+        let text = &*spelt(given);
+        if let Some(parts) = minutes(text) {
+            return Self::of_minutes(parts).ok_or_else(|| ParseExactError::Syntax(shown(given)));
+        }
         let (number, unit) = unit(text);
         let tangent = number.strip_prefix("2atan(").and_then(|rest| rest.strip_suffix(')'));
         let number = match tangent {
             Some(tangent) => Self::of_tangent(tangent, text)?,
-            None => Self::without_unit(number, text)?,
+            None => Self::without_unit(number, given)?,
         };
         match (unit, number.is_rational()) {
             (AngleUnit::None, _) | (AngleUnit::Radians, true) => Ok(number),
             (AngleUnit::Degrees, true) => Ok(number.degrees()),
+            (AngleUnit::Gons, true) => {
+                Ok(Self::ended(number.factor * BigRational::new(9.into(), 10.into())).degrees())
+            }
             _ => Err(ParseExactError::Units(shown(text))),
         }
     }
 }
 
 impl ExactNumber {
+    /// A rational number whose text is a decimal, if it ends.
+    fn ended(factor: BigRational) -> Self {
+        Self { text: decimal(&factor), ..Self::rational(factor) }
+    }
+
+    /// An angle of whole degrees, whole minutes and seconds, both below 60.
+    fn of_minutes([degrees, minutes, seconds]: [&str; 3]) -> Option<Self> {
+        let part = |text: &str| {
+            let number = Self::without_unit(text, text).ok().filter(Self::is_rational)?;
+            let is_below = *number.factor() < BigInt::from(60).into();
+            text.starts_with(|c: char| c.is_ascii_digit())
+                .then_some(number.factor)
+                .filter(|_| is_below)
+        };
+        let (whole, minutes, sixty) = (integer(degrees)?, integer(minutes)?, BigInt::from(60));
+        let minutes = part(&minutes.to_string())? + part(seconds)? / &sixty;
+        Some(Self::ended(minutes / sixty + whole).degrees())
+    }
+
     /// Twice the arctangent of a rational number above zero; `given` is the whole text.
     fn of_tangent(text: &str, given: &str) -> Result<Self, ParseExactError> {
         let q = Self::without_unit(text, given)?;
@@ -330,7 +364,7 @@ impl ExactNumber {
                 None => (numerator, false),
             };
         let form = if times_pi { Form::TimesPi } else { Form::Rational };
-        let decimal = |text: &str| {
+        let read = |text: &str| {
             let decimal: Decimal = text.parse().map_err(|error| match error {
                 ParseDecimalError::Exponent(_) => ParseExactError::Range(shown()),
                 ParseDecimalError::Syntax(_) => syntax(),
@@ -346,7 +380,7 @@ impl ExactNumber {
         let mut factor = match numerator {
             "" if times_pi => BigInt::from(1).into(),
             "-" if times_pi => BigInt::from(-1).into(),
-            number => decimal(number)?,
+            number => read(number)?,
         };
         if let Some(denominator) = denominator {
             if denominator.ends_with("pi") || denominator.ends_with('π') {

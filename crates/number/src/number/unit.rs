@@ -1,19 +1,24 @@
 //! Units of angles, as they are written behind a number.
 
+use super::spelt;
+
 /// The unit that is written behind a number.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum AngleUnit {
     None,
     Radians,
     Degrees,
+    /// A hundredth of a right angle.
+    Gons,
 }
 
 /// Spellings of units, in any case, with or without a space before them.
-const UNITS: [(&str, AngleUnit); 6] = [
+const UNITS: [(&str, AngleUnit); 7] = [
     ("°", AngleUnit::Degrees),
     ("degrees", AngleUnit::Degrees),
     ("degree", AngleUnit::Degrees),
     ("deg", AngleUnit::Degrees),
+    ("gon", AngleUnit::Gons),
     ("radians", AngleUnit::Radians),
     ("rad", AngleUnit::Radians),
 ];
@@ -30,7 +35,19 @@ pub(super) fn unit(text: &str) -> (&str, AngleUnit) {
 
 /// Tells whether a number is written with the unit of an angle.
 pub fn is_angle(text: &str) -> bool {
-    unit(text).1 != AngleUnit::None
+    let text = spelt(text);
+    unit(&text).1 != AngleUnit::None || minutes(&text).is_some()
+}
+
+/// Degrees and what stands behind them, minutes and perhaps seconds: `80°30'15"`.
+pub(super) fn minutes(text: &str) -> Option<[&str; 3]> {
+    let (degrees, rest) = text.split_once('°')?;
+    let (minutes, seconds) = rest.split_once(['\'', '′'])?;
+    let seconds = match seconds.trim() {
+        "" => "0",
+        seconds => seconds.strip_suffix(['"', '″'])?,
+    };
+    Some([degrees, minutes, seconds].map(str::trim))
 }
 
 #[cfg(test)]
@@ -60,6 +77,19 @@ mod tests {
                 ("1.5", false),
                 "{text}"
             );
+        }
+        for (text, degrees) in [
+            ("88gon", "79.2deg"),
+            ("80°30'15\"", "19321/240deg"),
+            ("80° 30' 36\"", "80.51deg"),
+            ("80º15'", "80.25deg"),
+            ("10°20'", "31/3deg"),
+        ] {
+            assert_eq!(text.parse::<ExactNumber>().unwrap().to_string(), degrees, "{text}");
+            assert!(is_angle(text));
+        }
+        for text in ["80°60'", "80°30'60\"", "80.5°30'", "80°-30'", "80°30\"", "80°30'x"] {
+            assert!(text.parse::<ExactNumber>().is_err(), "{text}");
         }
         assert!(!is_angle("pi/6") && is_angle("0.5rad"));
     }

@@ -27,6 +27,8 @@ pub struct JudgedRow {
     pub claimed_stands: Option<bool>,
     /// The mode that is claimed.
     pub claimed_mode: Option<&'static str>,
+    /// Note on what may have been meant otherwise.
+    pub note: Option<String>,
     /// Values handed on from the row.
     pub kept: Vec<(String, Kept)>,
     /// The judgement, or why the row cannot be read.
@@ -36,7 +38,7 @@ pub struct JudgedRow {
 /// The fields of a row, before those of its numbers.
 pub(super) const ROW: &str = "line weight half_opening friction thickness verdict accepted correct_digits \
     claimed_can_stand can_stand claimed_stands stands claimed_mode mode boundary \
-    boundary_within side reason";
+    boundary_within side reason note";
 
 /// The fields of a number.
 pub(super) const NUMBER: &str = "claimed value lower upper error relative_error error_units error_ulp correct_digits \
@@ -54,6 +56,7 @@ impl Default for JudgedRow {
             claimed_can_stand: None,
             claimed_stands: None,
             claimed_mode: None,
+            note: None,
             kept: Vec::new(),
             outcome: Err(String::new()),
         }
@@ -122,7 +125,7 @@ impl JudgedRow {
             ErrorSide::Thicker => "thicker",
         });
         let boundary = self.judgement().and_then(|judgement| judgement.boundary.as_ref());
-        let values: [Json; 18] = [
+        let values: [Json; 19] = [
             self.line.into(),
             self.weight.as_str().into(),
             self.half_opening.as_str().into(),
@@ -141,6 +144,7 @@ impl JudgedRow {
             boundary.map(|boundary| boundary.within.to_string()).into(),
             side.into(),
             self.reason().into(),
+            self.note.as_deref().into(),
         ];
         Record::named(ROW, values)
     }

@@ -23,6 +23,7 @@ impl Reported for VoussoirArches {
                 words::say(self, arch, &mut record);
                 record.add_record("asked", Some(self.asked.fields()));
             }
+            record.note(self.asked.note());
             record.append(entry(arch));
             record
         };
@@ -32,6 +33,7 @@ impl Reported for VoussoirArches {
     fn tabular(&self) -> Tabular {
         let row = |arch: &VoussoirArch| {
             let mut row = entry(arch);
+            row.note(self.asked.note());
             row.append(
                 arch.given.as_ref().map(|given| given::cells(arch, given)).unwrap_or_default(),
             );

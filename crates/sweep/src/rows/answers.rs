@@ -105,8 +105,8 @@ impl RowQuestion {
 /// The arch of a row.
 fn asked(reader: &ArchReader, row: &ReadRow) -> Result<Asked, String> {
     let (arch, measures) = reader.measured_arch(&row.cells)?;
-    let thickness = reader.given(&row.cells, Role::GivenThickness).map(|(text, _)| {
-        let eta = given_thickness(&reader.spelling.exact(text), measures.as_ref(), Spelling::Key);
+    let thickness = reader.given(&row.cells, Role::GivenThickness).map(|said| {
+        let eta = given_thickness(&reader.exact(said), measures.as_ref(), Spelling::Key);
         eta.map_err(|misfit| misfit.message)
     });
     Ok((arch, thickness.transpose()?, measures))

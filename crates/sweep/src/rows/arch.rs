@@ -2,14 +2,15 @@
 
 use super::columns::{Cells, Columns};
 use super::roles::{Role, SIZES};
-use super::spelling::Spelling;
+use super::spelling::{Spelling, is_bare};
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling as Names};
-use crate::number::{ExactNumber, ParseExactError, is_angle, is_range, shown};
+use crate::number::{ExactNumber, ParseExactError, is_range, shown};
 use crate::parse;
 use crate::problem::measures::Measures;
 use crate::problem::{Arch, Friction};
 use rug::Rational;
+use std::borrow::Cow;
 
 /// Question of a row that has sizes.
 const SIZED: ArchQuestion =
@@ -28,24 +29,24 @@ pub struct ArchReader {
 }
 
 impl ArchReader {
-    /// The text of a role, with whether it is in degrees.
-    pub fn said<'a>(&self, cells: &'a Cells, role: Role) -> Option<(&'a str, bool)> {
+    /// The text of a role, with the unit of its column if it has none of its own.
+    pub fn said<'a>(&self, cells: &'a Cells, role: Role) -> Option<(&'a str, &'static str)> {
         self.columns.all.iter().zip(cells).find_map(|(column, cell)| {
             let text = cell.as_deref().filter(|_| column.role == role)?;
-            Some((text, column.degrees && !is_angle(text)))
+            Some((text, if is_bare(text) { column.unit } else { "" }))
         })
     }
 
     /// The text of a role, where the cell is not empty.
-    pub fn given<'a>(&self, cells: &'a Cells, role: Role) -> Option<(&'a str, bool)> {
+    pub fn given<'a>(&self, cells: &'a Cells, role: Role) -> Option<(&'a str, &'static str)> {
         self.said(cells, role).filter(|(text, _)| !text.is_empty())
     }
 
     /// The weight, the half opening and the friction of the row as text, even if they cannot be read.
     pub fn described(&self, cells: &Cells) -> [String; 3] {
         let text = |role| {
-            let (text, degrees) = self.given(cells, role)?;
-            Some(format!("{text}{}", if degrees { "deg" } else { "" }))
+            let (text, unit) = self.given(cells, role)?;
+            Some(format!("{text}{unit}"))
         };
         let angle = || text(Role::FrictionAngle).map(|angle| format!("tan({angle})"));
         [
@@ -57,12 +58,12 @@ impl ArchReader {
 
     /// The half opening that follows from the sizes of the row, and its measures; nothing if it has no size.
     pub fn sizes(&self, cells: &Cells) -> Result<(Option<ExactNumber>, Option<Measures>), String> {
-        let size = |field| Some((field, self.given(cells, Role::Size(field))?.0));
-        let sizes: Vec<(Field, &str)> = SIZES.into_iter().filter_map(size).collect();
+        let size = |field| Some((field, self.given(cells, Role::Size(field))?));
+        let sizes: Vec<(Field, _)> = SIZES.into_iter().filter_map(size).collect();
         if sizes.is_empty() {
             return Ok((None, None));
         }
-        let spelt = sizes.iter().map(|(field, text)| (*field, self.spelling.exact(text)));
+        let spelt = sizes.iter().map(|(field, said)| (*field, self.exact(*said)));
         let spelt: Vec<_> = spelt.collect();
         let mut asked = ArchAsked::of(spelt.iter().map(|(field, text)| (*field, text.as_ref())));
         // Whether the row has one beside the span is what is checked of it here; it is read below.
@@ -80,7 +81,7 @@ impl ArchReader {
         for (column, cell) in self.columns.all.iter().zip(cells) {
             let text = cell.as_deref().filter(|text| !text.is_empty());
             if let (Some(field), Some(text)) = (column.role.field(), text) {
-                *asked.at(field) = Some(self.spelling.exact_range(text, column.degrees));
+                *asked.at(field) = Some(self.spelling.exact_range(text, column.unit));
             }
         }
         Ok((self.own_weight(cells)?, asked))
@@ -126,7 +127,7 @@ impl ArchReader {
         };
         let [mu, phi] = [Role::Friction, Role::FrictionAngle].map(|role| self.given(cells, role));
         let friction = match (mu, phi) {
-            (Some((text, _)), None) => self.coefficient(text)?,
+            (Some(mu), None) => self.coefficient(mu)?,
             (None, Some(phi)) => Friction::Angle(self.angle(phi)?),
             (None, None) if self.said(cells, Role::FrictionAngle).is_some() => {
                 return Err(missing(Role::FrictionAngle));
@@ -138,8 +139,14 @@ impl ArchReader {
         Ok((arch, measures))
     }
 
-    fn coefficient(&self, text: &str) -> Result<Friction, String> {
-        match self.spelling.exact(text).parse().map_err(error)? {
+    /// The exact text of what is said, with its unit.
+    pub fn exact<'a>(&self, (text, unit): (&'a str, &str)) -> Cow<'a, str> {
+        let exact = self.spelling.exact(text);
+        if unit.is_empty() { exact } else { (exact.into_owned() + unit).into() }
+    }
+
+    fn coefficient(&self, said: (&str, &str)) -> Result<Friction, String> {
+        match self.exact(said).parse().map_err(error)? {
             Friction::Coefficient(mu) if self.doubles => nearest(&mu).map(Friction::Coefficient),
             // An angle in the column of coefficients, as our own outputs have it.
             Friction::Angle(phi) => self.used(phi).map(Friction::Angle),
@@ -147,10 +154,8 @@ impl ArchReader {
         }
     }
 
-    fn angle(&self, (text, degrees): (&str, bool)) -> Result<ExactNumber, String> {
-        let number = self.spelling.exact(text);
-        let text = if degrees { format!("{number}deg") } else { number.into_owned() };
-        self.used(text.parse().map_err(error)?)
+    fn angle(&self, said: (&str, &str)) -> Result<ExactNumber, String> {
+        self.used(self.exact(said).parse().map_err(error)?)
     }
 
     /// An angle as a solver used it. In doubles, degrees are rounded as they are read and once more in

@@ -1,8 +1,8 @@
 //! Columns of a file, and what each is.
 
 use super::object::JsonObject;
-use super::roles::{OF_ONE, Purpose, Role};
-use crate::ask::Field;
+use super::roles::{Purpose, Role};
+use crate::ask::{Field, Spelling};
 use crate::problem::Quantity;
 use crate::report::words::{first_of, shortened};
 use std::borrow::Cow;
@@ -17,8 +17,8 @@ pub struct RowColumn {
     pub theirs: String,
     /// Role of the column.
     pub role: Role,
-    /// True if the column is an angle in degrees.
-    pub degrees: bool,
+    /// Unit of the cells that have none of their own; empty where they are numbers.
+    pub unit: &'static str,
 }
 
 /// The columns of a file.
@@ -37,9 +37,17 @@ impl Columns {
     /// Our own names.
     pub fn own(purpose: Purpose) -> Self {
         let columns = purpose.roles().into_iter().flat_map(|role| {
-            let column =
-                move |name: &str| RowColumn { theirs: name.to_owned(), role, degrees: false };
-            role.names(purpose).into_iter().map(column)
+            // Where arches are asked about a name may have its unit behind it.
+            let units = if purpose == Purpose::Ask { role.units() } else { &[] };
+            let units = std::iter::once("").chain(units.iter().copied());
+            units.flat_map(move |unit| {
+                let theirs = move |name: &str| match unit {
+                    "" => name.to_owned(),
+                    unit => plain(&format!("{name}_{unit}")).into_owned(),
+                };
+                let column = move |name: &str| RowColumn { theirs: theirs(name), role, unit };
+                role.names(purpose).into_iter().map(column)
+            })
         });
         Self { all: columns.collect(), named: false, purpose, kept: Vec::new() }
     }
@@ -85,16 +93,26 @@ impl Columns {
 
     /// Tells whether a name of the file is that of a column. Our own names may have capitals and blanks.
     fn is(&self, column: &RowColumn, name: &str) -> bool {
-        column.theirs == name || (!self.named && column.theirs == plain(name))
+        self.is_plain(column, name, &plain(name))
+    }
+
+    /// The same of a name whose plain form is known.
+    fn is_plain(&self, column: &RowColumn, name: &str, plain: &str) -> bool {
+        column.theirs == name || (!self.named && column.theirs == plain)
     }
 
     /// Tells which columns ask anything beside others: in our own answers neither the thickness of states, which is the
     /// least one, nor the circle of sizes that are told.
     fn asks<F: Fn(&str) -> bool>(&self, has: F) -> impl Fn(&RowColumn) -> bool + use<F> {
         let is_ours = self.purpose == Purpose::Ask && (has("can_stand") || has("stands"));
+        let is_named = self.named;
         let is_least = is_ours && has("can_stand") && !has("least_thickness");
         let is_told = is_ours && has("half_opening") && !has("span") && !has("radius");
         move |column| match column.role {
+            // Of what is told nothing is asked, nor again of what is there without a unit.
+            _ if !column.unit.is_empty() && !is_named => {
+                !is_ours && !column.role.names(Purpose::Ask).into_iter().any(&has)
+            }
             Role::GivenThickness => !is_least,
             Role::Size(Field::MeasuredAt) => !is_told,
             _ => true,
@@ -103,7 +121,8 @@ impl Columns {
 
     /// Tells whether a name of the file is that of any column.
     pub(crate) fn have(&self, name: &str) -> bool {
-        self.all.iter().any(|column| self.is(column, name))
+        let plain = &*plain(name);
+        self.all.iter().any(|column| self.is_plain(column, name, plain))
     }
 
     /// Keeps the columns that a table has, with their places.
@@ -136,11 +155,13 @@ impl Columns {
         let asks = self.asks(|name| object.names().any(|other| plain(other) == name));
         let mut cells: Cells = vec![None; self.all.len()];
         for name in object.names() {
-            let mut named = self.all.iter().filter(|column| self.is(column, name));
+            let plain = &*plain(name);
+            let is = |column: &&RowColumn| self.is_plain(column, name, plain);
+            let mut named = self.all.iter().filter(is);
             if named.clone().next().is_some() && !named.any(&asks) {
                 continue;
             }
-            let Some(place) = self.all.iter().position(|column| self.is(column, name)) else {
+            let Some(place) = self.all.iter().position(|column| is(&column)) else {
                 if object.text(name).is_some_and(|text| !text.is_empty()) {
                     self.is_answered(name)?;
                 }
@@ -163,10 +184,15 @@ impl Columns {
         Ok(cells)
     }
 
-    /// Refuses a name that asks of an arch what no row is asked, unless the columns to read are named or it is handed
-    /// on: it must not be dropped.
+    /// Refuses a name of an arch that nothing here is asked about, unless it is handed on by name: it must not be dropped.
     fn is_answered(&self, name: &str) -> Result<(), String> {
-        match of_one(name).filter(|_| !self.named && !self.kept.iter().any(|kept| kept == name)) {
+        let is_known = || self.have(name) || self.kept.iter().any(|kept| kept == name);
+        // The circle of sizes that are told alone asks nothing.
+        let is_read = |field: Field| {
+            let is = |role: &Role| role.field() == Some(field);
+            field == Field::MeasuredAt || self.purpose.roles().iter().any(is)
+        };
+        match unanswered(name, is_read).filter(|_| !is_known()) {
             Some(why) => Err(format!("{why}, and --keep {} hands it on", shortened(name))),
             None => Ok(()),
         }
@@ -205,10 +231,10 @@ impl Columns {
                 return Err(format!("{have} '{a}' and '{b}', which are the same{how}"));
             }
         }
-        let wanted = |what: &str, role: Role| {
+        let wanted = |what: &str, (role, instead): (Role, &str)| {
             let name = role.name();
             Err(match self.purpose {
-                Purpose::Ask => format!("{have} no column '{name}'"),
+                Purpose::Ask => format!("{have} no column '{name}', nor {instead}"),
                 Purpose::Judge => {
                     format!("{have} no column for {what}: name one, --columns theirs={name}")
                 }
@@ -220,36 +246,56 @@ impl Columns {
             return Err(format!("{one} needs {other}"));
         }
         if !(has(Role::HalfOpening) || span && rise) {
-            return wanted("the half opening", Role::HalfOpening);
+            return wanted("the half opening", (Role::HalfOpening, "'span' and 'rise'"));
         }
         match (has(Role::Friction), has(Role::FrictionAngle)) {
-            (false, false) => return wanted("the friction", Role::Friction),
+            (false, false) => {
+                return wanted("the friction", (Role::Friction, "'friction_angle'"));
+            }
             (true, true) if self.named => {
                 return Err(format!("{have} both friction and friction_angle: choose one"));
             }
             _ => {}
         }
         if self.purpose == Purpose::Judge && !there().any(|column| column.role.is_claim()) {
-            return wanted("anything to judge", Role::Number(Quantity::Thickness));
+            return wanted("anything to judge", (Role::Number(Quantity::Thickness), ""));
         }
         Ok(())
     }
 }
 
-/// Why a name asks of an arch what no row is asked, and which command answers it; nothing of other names.
-pub fn of_one(name: &str) -> Option<String> {
-    let field = OF_ONE.iter().find(|field| field.name() == plain(name))?.name();
-    let name = shortened(name);
-    Some(format!("'{name}' is no question of a row: `couplet assess --{field}` answers it"))
+/// Reason why a column of an arch's name is not read, with the command that answers it; nothing of other names.
+pub fn unanswered(name: &str, is_read: impl Fn(Field) -> bool) -> Option<String> {
+    let field = Field::ALL.iter().copied().find(|field| field.name() == plain(name))?;
+    let (name, option) = (shortened(name), Spelling::Option.of(field));
+    (!is_read(field))
+        .then(|| format!("'{name}' is not read here: `couplet assess {option}` answers it"))
 }
 
-/// A name without capitals, and with `_` for what joins its words.
+/// A name without capitals, with `_` for what joins its words and its unit, and the names of Greek letters.
 fn plain(name: &str) -> Cow<'_, str> {
-    match name.bytes().all(|c| c.is_ascii_lowercase() || c == b'_') {
-        true => name.into(),
-        false => name.to_lowercase().replace([' ', '-'], "_").into(),
+    if name.bytes().all(|c| c.is_ascii_lowercase() || c == b'_') {
+        return name.into();
     }
+    let mut plain = name.to_lowercase().replace([']', ')'], "").replace("^3", "3");
+    for (sign, word) in SIGNS {
+        plain = plain.replace(sign, word);
+    }
+    let words = plain.split([' ', '-', '[', '(', '_']).filter(|word| !word.is_empty());
+    words.collect::<Vec<_>>().join("_").into()
 }
+
+/// Signs of a head, and what they are called; the small mu has two characters.
+const SIGNS: [(&str, &str); 8] = [
+    ("α", "alpha"),
+    ("μ", "mu"),
+    ("µ", "mu"),
+    ("φ", "phi"),
+    ("η", "eta"),
+    ("°", "deg"),
+    ("º", "deg"),
+    ("³", "3"),
+];
 
 /// The columns of a file in a message: not all of many, nor all of a long name.
 fn shown(header: &[String]) -> String {
@@ -275,16 +321,17 @@ fn column(text: &str, purpose: Purpose) -> Result<RowColumn, String> {
     if theirs.trim().is_empty() {
         return Err(format!("'{text}' does not name a column: theirs={}", role.name()));
     }
-    let degrees = match unit {
-        None => false,
-        Some("rad") if role.is_angle() => false,
-        Some("deg") if role.is_angle() => true,
-        Some(unit) if role.is_angle() => {
-            return Err(format!("'{unit}' is not a unit of angles: rad or deg"));
+    let unit = match (unit, role.units()) {
+        (None, _) => "",
+        (Some(_), []) => return Err(format!("{} has no unit", role.name())),
+        (Some(unit), units) => {
+            let known = units.iter().copied().find(|known| known.eq_ignore_ascii_case(unit));
+            known.ok_or_else(|| {
+                format!("'{unit}' is no unit of {}: {}", role.name(), units.join(", "))
+            })?
         }
-        Some(_) => return Err(format!("{} has no unit; only angles have", role.name())),
     };
-    Ok(RowColumn { theirs: theirs.trim().to_owned(), role, degrees })
+    Ok(RowColumn { theirs: theirs.trim().to_owned(), role, unit })
 }
 
 #[cfg(test)]
@@ -299,15 +346,15 @@ mod tests {
     fn columns_are_named() {
         let columns = named("a=half_opening:deg,mu,t/r = eta,x=y=thrust,mode").unwrap();
         let shown: Vec<_> =
-            columns.all.iter().map(|c| (c.theirs.as_str(), c.role.name(), c.degrees)).collect();
+            columns.all.iter().map(|c| (c.theirs.as_str(), c.role.name(), c.unit)).collect();
         assert_eq!(
             shown,
             [
-                ("a", "half_opening", true),
-                ("mu", "friction", false),
-                ("t/r", "thickness", false),
-                ("x=y", "thrust", false),
-                ("mode", "mode", false),
+                ("a", "half_opening", "deg"),
+                ("mu", "friction", ""),
+                ("t/r", "thickness", ""),
+                ("x=y", "thrust", ""),
+                ("mode", "mode", ""),
             ]
         );
     }
@@ -323,7 +370,7 @@ mod tests {
             ("a=thickness,b=eta", "both named thickness"),
             ("a=thrust,a=mode", "named twice"),
             ("a=thrust:deg", "has no unit"),
-            ("a=half_opening:grad", "rad or deg"),
+            ("a=half_opening:grad", "'grad' is no unit of half_opening: rad, deg, gon"),
         ] {
             let error = named(text).unwrap_err();
             assert!(error.contains(why), "{text}: {error}");
@@ -342,6 +389,23 @@ mod tests {
     }
 
     #[test]
+    fn a_head_may_have_a_unit_and_greek_letters() {
+        for (header, units) in [
+            ("α [°],μ,η", ["deg", "", ""]),
+            ("Half Opening (deg),Friction,Thickness_cm", ["deg", "", "cm"]),
+            ("ALPHA_GON,phi [°],thickness [m]", ["gon", "deg", "m"]),
+            ("alpha rad,friction_deg,eta", ["rad", "deg", ""]),
+        ] {
+            let header: Vec<String> = header.split(',').map(str::to_owned).collect();
+            let mut columns = Columns::own(Purpose::Ask);
+            let places = columns.places(&header).unwrap();
+            let unit = |k: usize| columns.all[places.iter().position(|p| *p == k).unwrap()].unit;
+            assert_eq!([0, 1, 2].map(unit), units, "{header:?}");
+        }
+        assert_eq!(places("alpha,alpha_deg,mu").unwrap(), [0, 2], "what is told beside it");
+    }
+
+    #[test]
     fn what_has_two_meanings_is_refused() {
         for (header, why) in [
             ("alpha,half_opening,mu", "'half_opening' and 'alpha', which are the same"),
@@ -352,12 +416,43 @@ mod tests {
                 "alpha,mu,thicknes",
                 "'thicknes' is not one of our columns; did you mean 'thickness'?",
             ),
-            ("alpha,b", "the file has no column 'friction'; its columns are 'alpha', 'b'"),
+            (
+                "alpha,b",
+                "the file has no column 'friction', nor 'friction_angle'; its columns are 'alpha', 'b'",
+            ),
+            ("alpha_rad,alpha_deg,mu", "'alpha_rad' and 'alpha_deg', which are the same"),
         ] {
             let error = places(header).unwrap_err();
             assert!(error.contains(why), "{header}: {error}");
         }
         assert!(places("alpha,mu,thickness,thicknesses").is_ok(), "the one that is meant is there");
+    }
+
+    #[test]
+    fn a_name_of_an_arch_that_is_not_read_is_refused_unless_it_is_kept() {
+        let named = ["a=alpha", "mu", "eta"].map(str::to_owned);
+        for (purpose, named, header, refused) in [
+            (
+                Purpose::Ask,
+                &[][..],
+                "alpha,mu,Tilt",
+                "'Tilt' is not read here: `couplet assess --tilt`",
+            ),
+            (Purpose::Ask, &named, "a,mu,eta,joints", "--keep joints hands it on"),
+            (Purpose::Judge, &[], "alpha,mu,eta,stones", "`couplet assess --stones` answers it"),
+            (Purpose::Judge, &named, "a,mu,eta,span", "'span' is not read here"),
+        ] {
+            let header: Vec<String> = header.split(',').map(str::to_owned).collect();
+            let columns = || Columns::named(named, purpose).unwrap();
+            let error = columns().places(&header).unwrap_err();
+            assert!(error.contains(refused), "{error}");
+            assert!(columns().beside(vec![header.last().unwrap().clone()]).places(&header).is_ok());
+        }
+        assert!(
+            Columns::own(Purpose::Judge)
+                .places(&["alpha", "mu", "eta", "measured_at"].map(str::to_owned))
+                .is_ok()
+        );
     }
 
     #[test]

@@ -15,6 +15,8 @@ pub struct TextTable {
     /// True if lines that begin with `#` are remarks, as before the header.
     has_remarks: bool,
     is_broken: bool,
+    /// Places of the fields that are read, if not all are.
+    read: Option<Vec<usize>>,
 }
 
 /// A row as it is written.
@@ -32,7 +34,15 @@ const SEPARATORS: &[u8] = b",;\t";
 impl TextTable {
     /// Reads the header. It is the first line, or the last of the remarks (`# alpha mu eta`) if a row of
     /// numbers with as many fields follows, as NumPy writes.
-    pub fn open(input: Input) -> Result<Self, Failure> {
+    pub fn open(mut input: Input) -> Result<Self, Failure> {
+        // A unit of UTF-16 has two bytes, one of which is zero in most letters.
+        if let Ok([0xFF, 0xFE, ..] | [0xFE, 0xFF, ..] | [0, _, ..] | [_, 0, ..]) = input.fill_buf()
+        {
+            let message =
+                "the file is UTF-16, which is not read: save it as UTF-8 (\"CSV UTF-8\" in Excel)";
+            return Err(Failure::Input(message.to_owned()));
+        }
+        let mut separator = None;
         let mut lines = InputLines::new(input, 1);
         let mut remark: Option<RawRecord> = None;
         let failed = |error: String| Failure::Input(format!("the header: {error}"));
@@ -42,6 +52,9 @@ impl TextTable {
                 None => break None,
                 Some(record) if is_remark(&record.bytes) => remark = Some(record),
                 Some(record) if is_blank(&record.bytes) => {}
+                Some(record) if separator.is_none() && separator_of(&record.bytes).is_some() => {
+                    separator = separator_of(&record.bytes);
+                }
                 Some(record) => break Some(record),
             }
         };
@@ -59,9 +72,16 @@ impl TextTable {
             (Some(names), None) => names,
             (None, None) => return Err(Failure::Input("the file is empty".to_owned())),
         };
-        let dialect = Dialect::of(&bytes);
-        let header = dialect.fields(&bytes).map_err(failed)?;
-        Ok(Self { header, lines, dialect, has_remarks, is_broken: false })
+        let dialect = separator.map_or_else(|| Dialect::of(&bytes), Dialect::Separated);
+        // A name that nobody reads may have any encoding.
+        let bytes = String::from_utf8_lossy(&bytes);
+        let header = dialect.fields(bytes.as_bytes(), |_| true).map_err(failed)?;
+        Ok(Self { header, lines, dialect, has_remarks, is_broken: false, read: None })
+    }
+
+    /// Reads the fields of these places alone.
+    pub fn read_only(&mut self, places: impl IntoIterator<Item = usize>) {
+        self.read = Some(places.into_iter().collect());
     }
 
     /// Table with the same header over rows of another input, of which the first line has this number.
@@ -118,7 +138,8 @@ impl TextTable {
     /// given back but for its first line: a quote too many has swallowed the others.
     fn fields(&mut self, record: &RawRecord) -> Result<Vec<String>, String> {
         let (width, [first, end]) = (self.header.len(), record.lines);
-        let fields = self.dialect.fields(&record.bytes);
+        let is_read = |place: usize| self.read.as_ref().is_none_or(|read| read.contains(&place));
+        let fields = self.dialect.fields(&record.bytes, is_read);
         match &fields {
             Ok(fields) if fields.len() == width => {}
             _ if end > first + 1 => self.lines.give_back(&record.bytes[record.first..], first + 1),
@@ -147,6 +168,18 @@ impl Iterator for TextTable {
     }
 }
 
+/// Separator that a first line says, as Excel writes it: `sep=;`.
+fn separator_of(bytes: &[u8]) -> Option<u8> {
+    let line = bytes.trim_ascii();
+    let line = line.strip_prefix(b"\"").and_then(|rest| rest.strip_suffix(b"\"")).unwrap_or(line);
+    match line {
+        [name @ .., b'=', separator] if name.eq_ignore_ascii_case(b"sep") => Some(*separator),
+        // A tab is a blank at the end.
+        name if name.eq_ignore_ascii_case(b"sep=") => Some(b'\t'),
+        _ => None,
+    }
+}
+
 fn is_blank(bytes: &[u8]) -> bool {
     bytes.iter().all(u8::is_ascii_whitespace)
 }
@@ -158,7 +191,10 @@ fn is_remark(bytes: &[u8]) -> bool {
 /// Tells whether a remark names the fields of a row of numbers.
 fn is_header_of(remark: &[u8], row: &[u8]) -> bool {
     let dialect = Dialect::of(remark);
-    let (Ok(names), Ok(row)) = (dialect.fields(remark), dialect.fields(row)) else { return false };
+    let (Ok(names), Ok(row)) = (dialect.fields(remark, |_| true), dialect.fields(row, |_| true))
+    else {
+        return false;
+    };
     let is_number =
         |field: &String| field.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
     names.len() == row.len() && row.iter().any(is_number)

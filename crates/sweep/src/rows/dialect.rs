@@ -39,9 +39,14 @@ impl Dialect {
         }
     }
 
-    /// The fields of a row, without blanks around them.
-    pub(super) fn fields(self, record: &[u8]) -> Result<Vec<String>, String> {
+    /// The fields of a row, without blanks around them; those that are not read are empty, whatever their encoding.
+    pub(super) fn fields(
+        self,
+        record: &[u8],
+        is_read: impl Fn(usize) -> bool,
+    ) -> Result<Vec<String>, String> {
         let text = |(place, field): (usize, &[u8])| match std::str::from_utf8(field) {
+            _ if !is_read(place) => Ok(String::new()),
             Ok(text) => Ok(text.trim().to_owned()),
             Err(_) => Err(format!("field {} is not valid UTF-8", place + 1)),
         };
@@ -138,13 +143,16 @@ mod tests {
 
     #[test]
     fn fields_are_those_of_the_dialect() {
-        let fields = |dialect: Dialect, row: &str| dialect.fields(row.as_bytes()).unwrap();
+        let fields =
+            |dialect: Dialect, row: &str| dialect.fields(row.as_bytes(), |_| true).unwrap();
         let comma = Dialect::Separated(b',');
         assert_eq!(fields(comma, " a , \"b,c\",\"d\"\"e\"\r\n"), ["a", "\"b", "c\"", "d\"e"]);
         assert_eq!(fields(comma, "\"b,c\",\r\n"), ["b,c", ""]);
         assert_eq!(fields(Dialect::Separated(b';'), "1,5;inf\n"), ["1,5", "inf"]);
         assert_eq!(fields(Dialect::Blanks, "  1.0e+00   2\n"), ["1.0e+00", "2"]);
-        assert_eq!(comma.fields(b"1,\xFF\n"), Err("field 2 is not valid UTF-8".to_owned()));
+        let bad = |is_read: fn(usize) -> bool| comma.fields(b"1,\xFF\n", is_read);
+        assert_eq!(bad(|_| true), Err("field 2 is not valid UTF-8".to_owned()));
+        assert_eq!(bad(|place| place == 0), Ok(vec!["1".to_owned(), String::new()]));
     }
 
     proptest! {

@@ -40,11 +40,12 @@ impl GivenRows {
     }
 
     /// Rows of a table, or why these have no such columns.
-    pub fn of_table(table: TextTable, columns: Columns, keep: &Keep) -> Result<Self, String> {
+    pub fn of_table(mut table: TextTable, columns: Columns, keep: &Keep) -> Result<Self, String> {
         let mut columns = columns.beside(keep.named());
         let kept = keep.places(&table.header, &columns)?;
         let places = columns.places(&table.header)?;
         let spelling = Spelling { decimal_comma: table.has_decimal_commas() };
+        table.read_only(places.iter().copied().chain(kept.iter().map(|(_, place)| *place)));
         let names = kept.iter().map(|(name, _)| name.clone()).collect();
         let read = move |row: Vec<String>| Keep::row(row, &places, &kept);
         let rows = Box::new(table.map(move |(line, row)| (line, row.map(&read))));

@@ -4,6 +4,7 @@ use super::arch::ArchReader;
 use super::columns::Cells;
 use super::keep::ReadRow;
 use super::roles::Role;
+use crate::ask::notes;
 use crate::judge::{Demand, RowClaim, Said, judge};
 use crate::parse::thickness;
 use crate::problem::Quantity;
@@ -30,6 +31,7 @@ impl Judge {
             JudgedRow { line, weight, half_opening, friction, kept, ..JudgedRow::default() };
         row.outcome = cells.and_then(|cells| {
             let arch = self.reader.arch(&cells)?;
+            row.note = notes([arch.friction()]).pop();
             let claim = self.claim(&cells)?;
             row.thickness = claim.thickness.as_ref().map(ToString::to_string);
             row.claimed_can_stand = claim.can_stand;
@@ -51,14 +53,13 @@ impl Judge {
             _ => Role::GivenThickness,
         };
         let given = self.reader.given(cells, role);
-        let given =
-            given.map(|(text, _)| thickness(&self.reader.spelling.exact(text))).transpose()?;
+        let given = given.map(|said| thickness(&self.reader.exact(said))).transpose()?;
         let numbers: Vec<_> = columns()
             .filter(|(column, _)| column.role != role)
             .filter_map(|(column, cell)| {
                 let Role::Number(quantity) = column.role else { return None };
                 let text = self.reader.spelling.decimal(cell.as_deref()?);
-                Some((quantity, text, column.degrees))
+                Some((quantity, text, column.unit == "deg"))
             })
             .collect();
         let numbers = numbers.iter().map(|(of, text, degrees)| (*of, &**text, *degrees)).collect();

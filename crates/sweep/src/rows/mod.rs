@@ -17,7 +17,7 @@ mod spelling;
 
 pub use answers::RowQuestion;
 pub use arch::ArchReader;
-pub use columns::{Cells, Columns, RowColumn, of_one};
+pub use columns::{Cells, Columns, RowColumn, unanswered};
 pub use csv::TextTable;
 pub use given::GivenRows;
 pub use json::JsonLines;

@@ -41,9 +41,6 @@ pub enum Purpose {
 pub(super) const SIZES: [Field; 6] =
     [Field::Span, Field::Rise, Field::Radius, Field::MeasuredAt, Field::Density, Field::Depth];
 
-/// Fields of an arch that no row is asked about.
-pub(super) const OF_ONE: [Field; 3] = [Field::Stones, Field::Joints, Field::Tilt];
-
 const ARCH: [Role; 4] = [Role::Weight, Role::HalfOpening, Role::Friction, Role::FrictionAngle];
 
 impl Purpose {
@@ -115,12 +112,16 @@ impl Role {
         }
     }
 
-    /// Tells whether the role may be in degrees.
-    pub(super) fn is_angle(self) -> bool {
+    /// Units that its cells may have, the usual one first.
+    pub(super) fn units(self) -> &'static [&'static str] {
         match self {
-            Self::HalfOpening | Self::FrictionAngle => true,
-            Self::Number(quantity) => quantity.is_angle(),
-            _ => false,
+            Self::HalfOpening | Self::FrictionAngle => &["rad", "deg", "gon"],
+            Self::Friction => &["deg", "gon"],
+            Self::Number(quantity) if quantity.is_angle() => &["rad", "deg"],
+            Self::Size(Field::Density) => &["kN/m3", "kg/m3"],
+            Self::Size(Field::MeasuredAt) => &[],
+            Self::Size(_) | Self::GivenThickness => &["m", "cm", "mm", "ft", "in"],
+            _ => &[],
         }
     }
 

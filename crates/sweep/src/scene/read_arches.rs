@@ -104,6 +104,7 @@ pub(super) fn all(
             arches.push(SceneArch { arch, thickness, measured: is_measured.then(measured) });
         }
     }
+    table.remark_on(arches.iter().map(|of| of.arch.friction()));
     table.is_well_since(before).then_some(arches)
 }
 

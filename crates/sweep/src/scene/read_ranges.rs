@@ -57,7 +57,8 @@ pub(super) fn arches(
             "{count} ranges are too many; an item has at most {MAX_RANGES}, `couplet states --ranges` reads any number"
         ));
     }
-    all.iter().for_each(|asked| drop(table.fitting(given(asked))));
+    let read: Vec<_> = all.iter().filter_map(|asked| table.fitting(given(asked))).collect();
+    table.remark_on(read.iter().flat_map(|given| &given.friction));
     if !table.is_well_since(before) {
         return None;
     }

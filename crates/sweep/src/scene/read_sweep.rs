@@ -9,7 +9,7 @@ use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
 use crate::certify::MAX_DIGITS;
-use crate::problem::Quantity;
+use crate::problem::{Friction, Quantity};
 use toml::de::{DeTable, DeValue};
 
 /// The kinds of arches, of which a plan has one.
@@ -97,7 +97,9 @@ fn grid(table: &mut TableReader) -> Option<SweepArches> {
     let (half_openings, frictions) = (half_openings?, frictions?);
     let half_openings = table.written(half_openings)?.into_iter();
     let half_openings = half_openings.filter_map(|given| given.number).collect();
-    let frictions = table.written(frictions)?.into_iter().map(SceneNumber::friction).collect();
+    let frictions = table.written(frictions)?.into_iter().map(SceneNumber::friction);
+    let frictions: Vec<Friction> = frictions.collect();
+    table.remark_on(&frictions);
     Some(SweepArches::Grid { half_openings, frictions })
 }
 

@@ -4,9 +4,10 @@ use super::read_numbers::{Meaning, Numbers, SceneNumber};
 use super::schema::MAX_ARCHES;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
-use crate::ask::{Field, Misfit};
-use crate::problem::Landmark;
+use crate::ask::{Field, Misfit, notes};
+use crate::problem::{Friction, Landmark};
 use std::ops::Range;
+use toml::Spanned;
 use toml::de::DeTable;
 
 /// A table, and the reader that collects its faults.
@@ -104,6 +105,19 @@ impl<'a, 's> TableReader<'a, 's> {
             self.reader.fault(span, message);
         };
         read.map_err(wrong).ok()
+    }
+
+    /// Remarks on frictions that may have been meant as angles.
+    pub(super) fn remark_on<'f>(&mut self, frictions: impl IntoIterator<Item = &'f Friction>) {
+        let span = self.given_field(Field::Friction).map_or(self.span.clone(), Spanned::span);
+        let all = notes(frictions);
+        let more = match all.len() {
+            0 | 1 => String::new(),
+            count => format!("; so are {} others", count - 1),
+        };
+        if let Some(first) = all.first() {
+            self.reader.remark(span, format!("{first}{more}"));
+        }
     }
 
     /// Exact texts of all numbers of a list or of a range.

@@ -94,11 +94,16 @@ impl<'s> TomlReader<'s> {
         None
     }
 
+    /// Remarks on what is answered as it is written.
+    pub(super) fn remark(&mut self, span: Range<usize>, message: String) {
+        self.notes.push(Fault { place: self.source.place(span.start), message });
+    }
+
     /// Remarks that a value, written somewhere, was there before, and counts once.
     pub(super) fn is_there(&mut self, key: &str, value: &TomlValue) {
         let shown = self.source.shown(value.span());
         let message = format!("{key} {shown} is listed twice and counts once");
-        self.notes.push(Fault { place: self.source.place(value.span().start), message });
+        self.remark(value.span(), message);
     }
 
     /// `key "value" is not allowed`.

@@ -4,7 +4,7 @@ use super::assess::Assessment;
 use super::query::raised;
 use super::quick::{assessment_enclosed, state_enclosed};
 use super::state::Outcome;
-use crate::number::{Ball, ExactNumber, Form, degrees};
+use crate::number::{Ball, ExactNumber, degrees};
 use crate::problem::measures::Measures;
 use crate::problem::{Arch, Quantity};
 use crate::prover::figure::{Figure, Figured, optional};
@@ -131,10 +131,9 @@ fn shape(arch: &Arch, measures: &Measures, bits: u32) -> Vec<MeasuredQuantity> {
         let size = exact.map_or_else(|| enclosed(k), MeasuredSize::Exact);
         ([Quantity::Span, Quantity::Rise][k], Some(size))
     });
-    // Another angle is told in degrees well enough by what was given.
-    let made = arch.half_opening().form() == Form::TwiceArctangent;
-    let angle = made.then(|| size(Quantity::HalfOpeningDegrees, degrees(&alpha), None));
-    lengths.chain(angle).collect()
+    let given = arch.half_opening();
+    let angle = size(Quantity::HalfOpeningDegrees, degrees(&alpha), given.in_degrees());
+    lengths.chain([angle]).collect()
 }
 
 /// All values, if they are decided.

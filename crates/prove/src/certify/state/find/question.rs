@@ -92,6 +92,15 @@ impl Question {
         }
     }
 
+    /// The friction, if it is given.
+    pub fn friction(&self) -> Option<&Friction> {
+        match self {
+            Self::HalfOpening { friction, .. }
+            | Self::Boundary { given: Given::Friction(friction), .. } => Some(friction),
+            _ => None,
+        }
+    }
+
     /// Arch that is given, with something else in place of what is not: it has to be in its range.
     fn arch(&self, weight: SelfWeight) -> Result<Arch, ArchError> {
         let one = || ExactNumber::from(&Rational::from(1));
