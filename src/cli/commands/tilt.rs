@@ -39,8 +39,13 @@ pub fn tilted(
     digits: usize,
 ) -> Result<TiltedArch, Failure> {
     are_few(stones)?;
+    let standing = |digits| Inquiry::new(arch, digits, false).assess(eta, digits, Wanted::Standing);
     let stands = match stones {
-        None => Inquiry::new(arch, digits, false).assess(eta, digits, Wanted::Standing)?.stands,
+        // Few digits tell it, but next to the least thickness.
+        None => match standing(1)?.stands {
+            Ok(stands) => Ok(stands),
+            Err(_) => standing(digits)?.stands,
+        },
         Some(stones) => assess_voussoirs(stones, arch.weight(), arch.friction(), eta, digits)?
             .standing
             .map(|standing| matches!(standing, VoussoirStanding::Stands(_))),

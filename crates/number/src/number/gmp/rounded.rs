@@ -78,10 +78,14 @@ impl Rounded {
     /// assert_eq!(around.value.to_rational() * 10u32, 1);
     /// ```
     pub fn around(ball: &Ball, digits: usize) -> Option<Self> {
-        let end = |end: Float| Self::from_rational(&end.to_rational()?, digits);
-        let (low, high) = (end(ball.lower())?, end(ball.upper())?);
-        let is_same = low.value.to_rational() == high.value.to_rational();
-        is_same.then_some(Self { value: high.value, lower: low.lower, upper: high.upper })
+        let by_ends = || {
+            let end = |end: Float| Self::from_rational(&end.to_rational()?, digits);
+            let (low, high) = (end(ball.lower())?, end(ball.upper())?);
+            let is_same = low.value.to_rational() == high.value.to_rational();
+            is_same.then_some(Self { value: high.value, lower: low.lower, upper: high.upper })
+        };
+        // Nearly always, and many times as fast.
+        Self::from_ball(ball, digits).or_else(by_ends)
     }
 
     /// The true value of `ball` in as many digits as are decided, `most` at most; `None` where not even one is.
