@@ -43,7 +43,7 @@ build: m4
 	@$(MAKE) --no-print-directory release
 
 release:
-	cargo build --release --locked $(if $(TOGETHER),--package couplet $(TOGETHER))
+	cargo build --release --locked --package couplet $(TOGETHER)
 
 # The program that was built, by what is stored: its certificates, its constants and states, the examples of the pages.
 check: build

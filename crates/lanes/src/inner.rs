@@ -59,7 +59,7 @@ impl Proof<4, 2, 3> for Inner<'_> {
     #[inline(always)]
     fn candidates(&self, [alpha, _, h, _]: [f64; 4]) -> [f64; 2] {
         // The plane alone is not near enough for a point to reach the root.
-        let exact = |x: f64| Long::<Dekker>::exact(x);
+        let exact = |x: f64| Long::<Dekker>::exact(x.into());
         let at_alpha: Angle<f64> = Sine::<Dekker>::angle(alpha, &SinePoint::nearest(alpha));
         let half_opening = at_alpha.map(exact);
         let equation = OfJoint { weight: self.weight, half_opening, thrust: exact(h) };

@@ -2,7 +2,6 @@
 //!
 //! | file | what it does |
 //! |---|---|
-//! | `ball` | balls in which nothing is decided on the way |
 //! | `sine` | sines and roots of the numbers of a proof |
 //! | `start` | tables of start values |
 //! | `root` | the proof that an equation has one root |
@@ -26,7 +25,6 @@ mod answer;
 mod arches;
 mod asked;
 mod asking;
-mod ball;
 mod crown;
 mod inner;
 mod margins;

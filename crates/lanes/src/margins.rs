@@ -4,12 +4,12 @@
 use super::sine::{Long, Short, Sine, around};
 use crate::arch::contact::{self, Rates};
 use crate::arch::{Configuration, Quotient, SelfWeight, sliding, statics};
-use crate::number::{Angle, Field, Product, SinePoint};
+use crate::number::{Angle, Enclosure, Field, Product, SinePoint};
 
 /// Tells whether all are proved to be positive.
 #[inline(always)]
 pub(super) fn are_positive<const N: usize>(all: &[Short; N]) -> bool {
-    all.iter().fold(true, |are, x| are & x.is_positive())
+    all.iter().fold(true, |are, x| are & x.is_positive().is_proved())
 }
 
 /// A state in doubles, in which signs are decided: its half opening, thickness, thrust and friction, and the box of the
@@ -85,13 +85,14 @@ impl Thinnest<Short> {
     /// Tells whether they are proved to hold.
     #[inline(always)]
     pub(super) fn holds(&self) -> bool {
-        are_positive(&self.always) & (self.slope.is_positive() | are_positive(&self.bounded))
+        are_positive(&self.always)
+            & (self.slope.is_positive().is_proved() | are_positive(&self.bounded))
     }
 
     /// Tells whether they hold with unlimited friction, where nothing bounds the thrust.
     #[inline(always)]
     pub(super) fn holds_unlimited(&self) -> bool {
-        are_positive(&self.always) & self.slope.is_positive()
+        are_positive(&self.always) & self.slope.is_positive().is_proved()
     }
 }
 

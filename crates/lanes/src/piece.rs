@@ -1,6 +1,5 @@
 //! Arches that go through a proof together.
 
-use super::ball::LaneBall;
 use super::sine::Long;
 use crate::number::{
     Dekker, DoubleDouble, DoubleDoubleBall, DoubleDoubleBy, Enclosure, Product, SinePoint,
@@ -109,5 +108,5 @@ impl<const IN: usize, const OUT: usize> Piece<IN, OUT> {
 #[inline(always)]
 fn number<P: Product>(column: &Column, place: usize) -> Long<P> {
     let [high, low, rad] = column.each_ref().map(|part| part[place]);
-    LaneBall::new(DoubleDoubleBy::sum(high, low), rad)
+    Long::new(DoubleDoubleBy::sum(high, low), rad)
 }

@@ -12,9 +12,8 @@
 //! thirty digits. On `X` all is smooth, as a divisor that may be small makes what it divides the whole line. What is
 //! given is in enclosures: all this holds for each number in them.
 
-use super::ball::LaneBall;
 use super::sine::{Long, Short, Sine, around, unknown};
-use crate::number::{Angle, DoubleDoubleBy, Gradient, Product, SinePoint, power_of_two};
+use crate::number::{Angle, Gradient, Product, SinePoint, power_of_two};
 
 /// Ratio of the width of a box to the correction that the residual asks for.
 const INFLATION: f64 = 4.0;
@@ -67,7 +66,7 @@ pub(super) fn root<P: Product, const V: usize>(
     for _ in 0..steps {
         (middle, inverse) = newton(equation, middle, point);
     }
-    let exact = |x: f64| Long::<P>::exact(x);
+    let exact = |x: f64| Long::<P>::exact(x.into());
     let angle = exact(middle).angle(point);
     let (residual, values) = equation.at(|x: &Long<P>| *x, &angle);
     let step = residual * exact(inverse);
@@ -88,8 +87,8 @@ pub(super) fn root<P: Product, const V: usize>(
 
 /// A number that is known if something is proved, else the whole line.
 #[inline(always)]
-pub(super) fn known_if<P: Product>(is_proved: bool, x: Long<P>) -> LaneBall<DoubleDoubleBy<P>> {
-    LaneBall::new(x.mid(), if is_proved { x.rad() } else { f64::NAN })
+pub(super) fn known_if<P: Product>(is_proved: bool, x: Long<P>) -> Long<P> {
+    Long::new(x.mid(), if is_proved { x.rad() } else { f64::NAN })
 }
 
 /// Tells whether a number is between two ends, as the table of it begins and ends there.

@@ -94,7 +94,7 @@ impl<const EXACTLY: bool> Proof<1, 3, 6> for Rotation<'_, EXACTLY> {
         let opening_variable = thrust::opening_variable(&half_opening).value();
         let found = root(&OfJoint { weight, opening_variable }, (joint, &at_joint), 2);
         let [thickness, thrust] = found.values;
-        let unlimited = Long::<P>::exact(f64::INFINITY);
+        let unlimited = Long::<P>::exact(f64::INFINITY.into());
         let at = in_doubles(&half_opening, [&thickness, &thrust, &unlimited], found.domain);
         let rates = contact::rates_of_rotation(&at);
         let (steepest, frictions) = match EXACTLY {

@@ -1,12 +1,13 @@
 //! Sines and roots of the numbers that go through a proof: doubles, both balls and their gradients.
 
-use super::ball::LaneBall;
-use crate::number::{Angle, DoubleDoubleBy, Field, Gradient, Product, SinePoint};
+use crate::number::{
+    Angle, Branchless, DoubleDoubleBy, Field, FloatBall, Gradient, Product, Real, SinePoint,
+};
 
 /// Ball of doubles.
-pub(super) type Short = LaneBall<f64>;
+pub(super) type Short = FloatBall<f64, Branchless>;
 /// Ball of double-doubles.
-pub(super) type Long<P> = LaneBall<DoubleDoubleBy<P>>;
+pub(super) type Long<P> = FloatBall<DoubleDoubleBy<P>, Branchless>;
 
 /// A number whose sine is found from a point next to it, with products by `P` where they have to be exact.
 pub(super) trait Sine<P: Product>: Field + Copy {
@@ -39,7 +40,7 @@ impl<P: Product> Sine<P> for Long<P> {
     fn angle(self, point: &SinePoint) -> Angle<Self> {
         let (sin, cos) = point.sin_cos(self.mid());
         let error = if point.reaches(self.mid().hi()) { SinePoint::ERROR } else { f64::NAN };
-        let [sin, cos] = [sin, cos].map(|x| LaneBall::new(x, error).widened(self.rad()));
+        let [sin, cos] = [sin, cos].map(|x| Self::new(x, error).widened(self.rad()));
         Angle { rad: self, sin, cos }
     }
 
@@ -55,7 +56,7 @@ impl<P: Product> Sine<P> for Short {
         let (sin, cos) = point.sin_cos_in_doubles(self.mid());
         let reaches = point.reaches(self.mid());
         let error = if reaches { SinePoint::ERROR_IN_DOUBLES } else { f64::NAN };
-        let [sin, cos] = [sin, cos].map(|x| LaneBall::new(x, error).widened(self.rad()));
+        let [sin, cos] = [sin, cos].map(|x| Self::new(x, error).widened(self.rad()));
         Angle { rad: self, sin, cos }
     }
 

@@ -101,7 +101,7 @@ impl Below<'_> {
 impl Proof<2, 2, 2> for Below<'_> {
     #[inline(always)]
     fn candidates(&self, [alpha, eta]: [f64; 2]) -> [f64; 2] {
-        let exact = |x: f64| Long::<Dekker>::exact(x);
+        let exact = |x: f64| Long::<Dekker>::exact(x.into());
         let at_alpha: Angle<f64> = Sine::<Dekker>::angle(alpha, &SinePoint::nearest(alpha));
         let (half_opening, thickness) = (at_alpha.map(exact), exact(eta));
         let equation = BelowJoint { weight: self.weight, half_opening, thickness };

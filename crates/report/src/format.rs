@@ -2,6 +2,7 @@
 
 use super::words::{distinct, list};
 use crate::certify::MAX_DIGITS;
+use crate::certify::state::Balls;
 
 /// Digits beyond those that are printed, where what is printed is computed from what is proved.
 const GUARD_DIGITS: usize = 16;
@@ -152,6 +153,11 @@ impl Format {
     pub fn proved_digits(&self, digits: usize) -> usize {
         let is_for_paper = matches!(self.name, "latex" | "markdown");
         if is_for_paper { MAX_DIGITS.min(digits + GUARD_DIGITS) } else { digits }
+    }
+
+    /// Balls that arches are asked of for the format.
+    pub fn balls(&self) -> Balls {
+        if self.has_errors { Balls::Mpfr } else { Balls::DoubleDoubles }
     }
 
     /// Tells whether the format is a page that holds the whole map.

@@ -8,7 +8,6 @@ use super::survey;
 use super::tilt;
 use super::voussoirs;
 use crate::ask::{ArchQuestion, Field};
-use crate::certify::state::Balls;
 use crate::problem::measures::Measures;
 use crate::problem::{Arch, Quantity};
 use crate::sweep::answer;
@@ -74,10 +73,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let all = given.quantities(&Quantity::ASSESSMENT, &Quantity::MEASURED_ASSESSMENT);
     let quantities = arguments.output.quantities(&all)?;
-    let proved = arguments.output.format()?.proved_digits(digits);
+    let format = arguments.output.format()?;
+    let (proved, balls) = (format.proved_digits(digits), format.balls());
     let answer = |line, arch: &Arch| {
-        // Some formats have quadruples, which take more bits than the digits.
-        let found = Balls::Mpfr.assess(arch, eta, proved);
+        let found = balls.assess(arch, eta, proved);
         answer::assessment(line, (arch, eta, arguments.arch.measures(&given)), proved, &found)
     };
     print(&arguments.output, (digits, quantities), (&asked, &arches), answer)

@@ -7,7 +7,7 @@ use super::output::{OutputFile, is_written};
 use super::print::PrintArguments;
 use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling, StonesAsked};
 use crate::atlas::{Branch, Contour, Level, NoBranch, NoLevel};
-use crate::certify::state::Balls;
+use crate::certify::state::Certify;
 use crate::certify::{
     Error, LeastSolution, MOST_ENUMERATED_STONES, MOST_JOINTED_STONES, Programme, Refused,
     Undecided, asymmetric, enumerate, least_solution, programme,
@@ -164,7 +164,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
                 SolutionsFound::Programme(at_thickness(&arch, at, (stones, extent), digits)?)
             }
             (None, _) => SolutionsFound::Continuous {
-                symmetric: Error::apart(Balls::Mpfr.state(&arch, digits, false))?,
+                symmetric: Error::apart(arch.certify_alone(digits))?,
                 asymmetric: asymmetric(&arch, digits)?,
             },
         };

@@ -9,7 +9,6 @@ use super::output::AnswerOutput;
 use super::survey;
 use super::voussoirs;
 use crate::ask::{ArchQuestion, Field};
-use crate::certify::state::Balls;
 use crate::certify::{Error, quantities as quantities_of};
 use crate::problem::{Arch, Landmark, Quantity};
 use crate::report::{Answer, Answers, Reported, Scope, Understood};
@@ -91,11 +90,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let all = given.quantities(&Quantity::STATE, &Quantity::MEASURED_STATE);
     let quantities = arguments.output.quantities(&all)?;
     let digits = arguments.arch.digits();
-    let proved = arguments.output.format()?.proved_digits(digits);
+    let format = arguments.output.format()?;
+    let (proved, balls) = (format.proved_digits(digits), format.balls());
     let frictions = quantities.iter().any(|quantity| quantity.is_friction());
     let answer = |line, arch: &Arch| {
-        // Some formats have quadruples, which take more bits than the digits.
-        let found = Balls::Mpfr.state(arch, proved, frictions);
+        let found = balls.state(arch, proved, frictions);
         answer::state(line, (arch, arguments.arch.measures(&given)), proved, &found)
     };
     print(&arguments.output, (digits, quantities), (&asked, &arches), answer)

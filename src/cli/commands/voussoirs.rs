@@ -8,7 +8,7 @@ use super::print::PrintArguments;
 use super::survey;
 use super::tilt;
 use crate::ask::{ArchGiven, ArchQuestion, Field, StonesAsked};
-use crate::certify::state::{Answer, Balls, Figure};
+use crate::certify::state::{Answer, Certify, Figure};
 use crate::certify::{Error, Voussoirs, assess_voussoirs, voussoir_loss, voussoirs};
 use crate::number::ExactNumber;
 use crate::picture::Print;
@@ -132,7 +132,7 @@ pub fn of_stones(
     let (stones, eta) = (divisions(given)?, given.thickness.as_ref());
     let is_range = given.stones.as_ref().is_some_and(StonesAsked::is_range);
     let of_weight = |arch: &Arch| {
-        let continuous = match Balls::Mpfr.state(arch, digits, false) {
+        let continuous = match arch.certify_alone(digits) {
             Ok(Answer::Stands(state)) => Some(state.thickness),
             _ => None,
         };

@@ -1,13 +1,14 @@
 //! One suite for every number type: what a field, a real number and an enclosure promise.
 
-mod doubles;
 mod enclosures;
 mod sample;
+mod sines;
 
 use crate::hard::{circle_point, config, hard_rational, positive_rational};
 use couplet::arch::cubic;
 use couplet::number::{
-    Angle, AstroInterval, Ball, DoubleBall, DoubleDoubleBall, Dual, Real, TripleWordBall,
+    Angle, AstroInterval, Ball, DoubleBall, DoubleDoubleBall, Dual, Enclosure, Field, Magnitude,
+    Real, TripleWordBall,
 };
 use proptest::prelude::*;
 use rug::{Float, Rational};
@@ -113,4 +114,11 @@ suite! {
     dual_of_double_balls: Dual<DoubleBall>, Slope::One, real_functions;
     dual_of_double_double_balls: Dual<DoubleDoubleBall>, Slope::One, real_functions;
     dual_of_rationals: Dual<Rational>, Slope::One;
+}
+
+#[test]
+fn a_dual_divisor_that_holds_zero_gives_the_whole_line() {
+    let zero = Ball::new(Float::with_val(64, 0), Magnitude::power_of_two(-200), 64);
+    let one = Dual::variable(zero.int(1), 0);
+    assert!(!(one / Dual::constant(zero)).derivative(0).is_bounded());
 }

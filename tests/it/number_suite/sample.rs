@@ -1,8 +1,7 @@
 //! How every number type is made and compared.
 
 use couplet::number::{
-    Ball, DoubleBall, DoubleDoubleBall, Dual, Enclosure, End, ExactNumber, Field, Interval,
-    TripleWordBall,
+    Ball, Dual, Enclosure, End, Engine, ExactNumber, Field, FloatBall, Interval, Midpoint,
 };
 use rug::{Float, Rational};
 
@@ -68,27 +67,12 @@ impl<E: End> Sample for Interval<E> {
     }
 }
 
-impl Sample for DoubleBall {
+impl<M: Midpoint> Sample for FloatBall<M>
+where
+    Self: Engine,
+{
     fn sample(value: &Rational) -> Self {
-        ExactNumber::from(value).enclosure(53)
-    }
-    fn agrees(&self, other: &Self) -> bool {
-        self.overlaps(other)
-    }
-}
-
-impl Sample for DoubleDoubleBall {
-    fn sample(value: &Rational) -> Self {
-        ExactNumber::from(value).enclosure(106)
-    }
-    fn agrees(&self, other: &Self) -> bool {
-        self.overlaps(other)
-    }
-}
-
-impl Sample for TripleWordBall {
-    fn sample(value: &Rational) -> Self {
-        ExactNumber::from(value).enclosure(150)
+        ExactNumber::from(value).enclosure(M::BITS)
     }
     fn agrees(&self, other: &Self) -> bool {
         self.overlaps(other)

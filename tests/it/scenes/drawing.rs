@@ -84,8 +84,8 @@ fn faults_of_drawings_have_their_places() {
     for (table, fault) in [
         ("[[drawing]]\nmu = 1", "2:1: half_opening is missing; give an angle"),
         ("[[drawing]]\nalpha = 1", "2:1: friction (or friction_angle) is missing"),
-        ("[[drawing]]\nalpha = [1, 2]\nmu = 1", "3:9: half_opening [1, 2] is not one number"),
-        ("[[drawing]]\nalpha = 1\nmu = [1, 2]", "4:6: friction [1, 2] is not one number"),
+        ("[[drawing]]\nalpha = [1, 2]\nmu = 1", "3:9: half_opening [1, 2] is not one value"),
+        ("[[drawing]]\nalpha = 1\nmu = [1, 2]", "4:6: friction [1, 2] is not one value"),
         ("[[drawing]]\nalpha = 4\nmu = 1", "3:9: the half opening 4 is not between 0 and pi"),
         ("[[drawing]]\nalpha = 1\nmu = 1\neta = 3", "5:7: the thickness 3 is not between 0 and 2"),
         ("[[drawing]]\nat = \"X\"", "3:6: at \"X\" is not one of T, S"),

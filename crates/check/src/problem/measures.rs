@@ -254,11 +254,6 @@ impl Length {
         Self(metres)
     }
 
-    /// Length of so many metres; `None` if they are not above zero.
-    pub fn of_metres(metres: BigRational) -> Option<Self> {
-        (metres > BigInt::ZERO.into()).then_some(Self(metres))
-    }
-
     /// Names of the units of length that are read, in the order in which the end of a text is compared with them.
     pub fn units() -> impl Iterator<Item = &'static str> {
         LENGTHS.into_iter().map(|(name, ..)| name)

@@ -6,7 +6,7 @@ use super::comparable::Comparable;
 use super::number::{CorrectDigits, Judged, compared_digits};
 use super::truth::Proved;
 use crate::certify::Undecided;
-use crate::certify::state::{Assessment, Fall, Outcome, is_quick, raised};
+use crate::certify::state::{Assessment, Fall, Outcome, Tier, raised};
 use crate::number::{Ball, DoubleDoubleBall, ExactNumber, TripleWordBall, worded};
 use crate::problem::{Arch, Mode};
 use std::cmp::Ordering;
@@ -142,7 +142,7 @@ impl Judgement {
 pub fn judge(arch: &Arch, claim: &RowClaim, demand: Demand) -> Judgement {
     let digits = claim.numbers.iter().map(compared_digits).max().unwrap_or(1);
     let by_mpfr = || raised(arch, digits, |bits| compared::<Ball>(arch, claim, bits, demand));
-    let compared = match is_quick(digits) {
+    let compared = match Tier::DoubleDoubles.has(digits) {
         true => quickly::<DoubleDoubleBall>(arch, claim, demand)
             .or_else(|| quickly::<TripleWordBall>(arch, claim, demand))
             .map_or_else(by_mpfr, Ok),

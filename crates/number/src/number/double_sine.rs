@@ -53,10 +53,10 @@ pub(super) const RELATIVE: f64 = 1.0 / 64.0;
 pub(super) const LARGEST: f64 = 4.0;
 
 /// Sine and cosine of `x` with `|hi| <= 4`; beyond, what comes out means nothing.
-pub(super) fn sin_cos(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
+pub(super) fn sin_cos<P: Product>(x: DoubleDoubleBy<P>) -> (DoubleDoubleBy<P>, DoubleDoubleBy<P>) {
     const NEGLIGIBLE: f64 = 1.0 / (1u64 << 60) as f64;
     if x.hi().abs() < NEGLIGIBLE {
-        return (x, DoubleDouble::exact(1.0));
+        return (x, DoubleDoubleBy::exact(1.0));
     }
     if x.hi() < 0.0 {
         let (sin, cos) = SinePoint::nearest(-x.hi()).sin_cos(-x);

@@ -126,7 +126,7 @@ pub use dyadic::{Dyadic, MAX_EXPONENT, ParseDyadicError};
 pub use end::{Direction, End};
 pub use engine::Engine;
 pub use exact::{ExactNumber, Form, ParseExactError, sine_and_cosine};
-pub use float_ball::{FloatBall, Midpoint, power_of_two};
+pub use float_ball::{Branchless, Edge, FloatBall, Midpoint, Settled, power_of_two};
 #[cfg(feature = "mpfr")]
 pub use gmp::*;
 pub use gradient::Gradient;

@@ -28,8 +28,9 @@ impl Ternary {
     }
 
     /// Tells whether the statement is proved; `false` for a refuted **and** for an undecided one.
+    #[inline(always)]
     pub fn is_proved(self) -> bool {
-        self == Self::True
+        matches!(self, Self::True)
     }
 }
 

@@ -2,7 +2,7 @@
 //! double-doubles first, in balls of MPFR what those leave open.
 
 use super::asymmetric::{CertifiedAsymmetric, certified, found};
-use super::state::{DOUBLE_DOUBLE, is_quick};
+use super::state::{DOUBLE_DOUBLE, Tier};
 use crate::number::DoubleDoubleBall;
 use crate::problem::asymmetric_region::may_move_asymmetrically;
 use crate::problem::{Arch, Problem};
@@ -22,7 +22,8 @@ pub fn asymmetric_thicknesses(arch: &Arch, digits: usize) -> Result<Vec<Figure>,
         return Ok(Vec::new());
     }
     let thickness = |candidate: &AsymmetricCandidate| {
-        let quick = is_quick(digits).then(|| in_double_doubles(arch, candidate)).flatten();
+        let is_quick = Tier::DoubleDoubles.has(digits);
+        let quick = is_quick.then(|| in_double_doubles(arch, candidate)).flatten();
         let quick = quick.and_then(|thickness| thickness.figure(digits));
         quick.or_else(|| Some(certified(arch, candidate, digits).ok()?.thickness))
     };

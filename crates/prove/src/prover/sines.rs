@@ -75,6 +75,11 @@ impl Sines {
 
     /// The angle with its sine and cosine.
     pub(crate) fn angle(&self, rad: &Ball) -> Angle<Ball> {
+        // A joint on the left has the place of the one on the right.
+        if *rad.mid() < 0 {
+            let Angle { rad, sin, cos } = self.angle(&-rad);
+            return Angle { rad: -rad, sin: -sin, cos };
+        }
         let mut places = self.places.borrow_mut();
         let known = places.iter().position(|place| place.is_near(rad, self.near));
         let place = match known {
@@ -241,6 +246,8 @@ mod tests {
                 let (found, truth) = (sines.angle(&rad), rad.with_precision(4000).sin_cos());
                 assert!(found.sin.overlaps(&truth.0) && found.cos.overlaps(&truth.1));
                 assert!(found.sin.rad() < Magnitude::power_of_two(12 - i64::from(bits)), "{bits}");
+                let left = sines.angle(&-rad);
+                assert!(left.sin.overlaps(&-truth.0.clone()) && left.cos.overlaps(&truth.1));
                 assert!(!found.cos.overlaps(&truth.0), "false twin");
             }
         }

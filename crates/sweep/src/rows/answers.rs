@@ -7,7 +7,9 @@ use super::source::Numbered;
 use crate::answer;
 use crate::ask::{Spelling, given_thickness};
 use crate::certify::batch::{SharedOpening, SharedOpenings};
-use crate::certify::state::{Answer as Outcome, Balls, RowAnswer, WithFrictions, answers_in_lanes};
+use crate::certify::state::{
+    Answer as Outcome, Balls, RowAnswer, Tier, WithFrictions, answers_in_lanes,
+};
 use crate::certify::{Error, Refused};
 use crate::number::ExactNumber;
 use crate::problem::measures::Measures;
@@ -15,8 +17,6 @@ use crate::problem::{Arch, Quantity};
 use crate::report::{Answer, Answers, Beside, Extent, Format};
 use rayon::prelude::*;
 
-/// Up to so many digits rows are proved many at a time, and the others one by one.
-const MOST_DIGITS: usize = 17;
 /// Rows that are proved at a time.
 const PIECE: usize = 128;
 
@@ -56,9 +56,9 @@ impl RowQuestion {
         let read =
             |(_, row): &Numbered<ReadRow>| asked(reader, row.as_ref().map_err(Clone::clone)?);
         let all: Vec<Result<Asked, String>> = rows.par_iter().map(read).collect();
-        let known: Vec<Option<RowAnswer>> = match self.digits {
-            ..=MOST_DIGITS => all.par_chunks(PIECE).flat_map_iter(|all| self.known(all)).collect(),
-            _ => vec![None; all.len()],
+        let known: Vec<Option<RowAnswer>> = match Tier::Lanes.has(self.digits) {
+            true => all.par_chunks(PIECE).flat_map_iter(|all| self.known(all)).collect(),
+            false => vec![None; all.len()],
         };
         let answer = |(((line, row), asked), known): ((Numbered<ReadRow>, _), _)| {
             let answer = match asked {

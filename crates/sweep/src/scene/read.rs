@@ -1,7 +1,6 @@
 //! Reading from TOML to a valid scene, or to everything that is wrong with it.
 
 use super::fault::{Fault, SceneText};
-use super::read_arches::arches;
 use super::read_drawing::drawing;
 use super::read_map::{figure, map};
 use super::read_output::{OutputFiles, output};
@@ -12,6 +11,7 @@ use super::schema::{
 };
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
+use super::{read_arches, read_ranges};
 use crate::arch::SelfWeight;
 use crate::certify::{MAX_DIGITS, quantities};
 use crate::claims::{Claim, claims};
@@ -123,7 +123,10 @@ fn item(
     let format = destination.as_ref().map(|(_, format)| *format);
     let what = match kind {
         ItemKind::Constants => constants(&mut table),
-        ItemKind::Arches => self::arches(&mut table, format, arches),
+        ItemKind::Arches if read_ranges::are_ranged(&table) => {
+            read_ranges::arches(&mut table, format, arches)
+        }
+        ItemKind::Arches => read_arches::arches(&mut table, arches),
         ItemKind::Claims => some_claims(&mut table),
         ItemKind::Audit => points(&mut table).map(|points| Request::Audit { points }),
         ItemKind::Map => map(&mut table, format),

@@ -2,7 +2,6 @@
 //! with every combination of them.
 
 use super::read_numbers::{Meaning, Numbers, numbers};
-use super::read_ranges;
 use super::schema::{MAX_ARCHES, MeasuredArch, Request, SceneArch};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
@@ -10,7 +9,6 @@ use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling};
 use crate::certify::MAX_DIGITS;
 use crate::problem::Quantity;
-use crate::report::Format;
 
 /// Fields of which each makes an arch a measured one.
 const SIZES: [Field; 6] =
@@ -20,12 +18,36 @@ const SIZES: [Field; 6] =
 pub(super) const QUESTION: ArchQuestion =
     ArchQuestion { refuses: &[], needs: &[], unlimited: false, example: "" };
 
-/// Texts of a key.
+/// Key with its values.
 pub(super) struct Axis {
     pub field: Field,
-    pub texts: Vec<String>,
+    pub values: Values,
     /// Text of all of it, if it is cut into boxes.
     pub whole: Option<String>,
+}
+
+/// Values of a key. Numbers are written out only when it is known that they are not too many.
+pub(super) enum Values {
+    Texts(Vec<String>),
+    Numbers(Numbers),
+}
+
+impl Values {
+    /// Number of values.
+    pub(super) fn len(&self) -> usize {
+        match self {
+            Self::Texts(texts) => texts.len(),
+            Self::Numbers(numbers) => numbers.len(),
+        }
+    }
+
+    /// Exact texts of all.
+    fn texts(self, table: &mut TableReader) -> Option<Vec<String>> {
+        match self {
+            Self::Texts(texts) => Some(texts),
+            Self::Numbers(numbers) => table.texts(numbers),
+        }
+    }
 }
 
 /// Tells whether arches are measured.
@@ -41,14 +63,7 @@ pub(super) fn given_fields<'a>(table: &TableReader<'a, '_>) -> Vec<(Field, &'a T
 }
 
 /// An item of arches; `used` counts the arches of all items.
-pub(super) fn arches(
-    table: &mut TableReader,
-    format: Option<&'static Format>,
-    used: &mut usize,
-) -> Option<Request> {
-    if given_fields(table).iter().any(|(_, value)| read_ranges::is_ranged(value)) {
-        return read_ranges::arches(table, format, used);
-    }
+pub(super) fn arches(table: &mut TableReader, used: &mut usize) -> Option<Request> {
     let with_thickness = table.given_field(Field::Thickness).is_some();
     let weights = table.weights(&[SelfWeight::Milankovitch]);
     let arches = weights.as_ref().and_then(|weights| all(table, weights, used));
@@ -76,7 +91,7 @@ pub(super) fn all(
 ) -> Option<Vec<SceneArch>> {
     let before = table.reader.faults.len();
     let axes = axes(table)?;
-    let asked = product(table, &axes, weights.len(), used)?;
+    let asked = product(table, axes, weights.len(), used)?;
     let is_measured = is_measured(table);
     let mut arches = Vec::with_capacity(asked.len() * weights.len());
     for &weight in weights {
@@ -96,11 +111,11 @@ pub(super) fn all(
 /// Every combination of the texts of the keys, the last key fastest; `used` counts them, with each weight.
 pub(super) fn product(
     table: &mut TableReader,
-    axes: &[Axis],
+    axes: Vec<Axis>,
     weights: usize,
     used: &mut usize,
 ) -> Option<Vec<ArchAsked>> {
-    let lengths = axes.iter().map(|axis| axis.texts.len());
+    let lengths = axes.iter().map(|axis| axis.values.len());
     let count = lengths.fold(weights, usize::saturating_mul);
     if count > MAX_ARCHES - *used {
         return table.too_many(count, *used);
@@ -113,8 +128,8 @@ pub(super) fn product(
             *asked.at(axis.field) = Some(text.clone());
             asked
         };
-        let texts = || axis.texts.iter();
-        all = all.iter().flat_map(|asked| texts().map(|text| with(asked, text))).collect();
+        let texts = axis.values.texts(table)?;
+        all = all.iter().flat_map(|asked| texts.iter().map(|text| with(asked, text))).collect();
     }
     Some(all)
 }
@@ -132,8 +147,8 @@ fn axes(table: &mut TableReader) -> Option<Vec<Axis>> {
     let found = [alpha, Some((Field::Friction, frictions(table))), eta].into_iter().flatten();
     let mut all = Vec::new();
     for (field, numbers) in found.collect::<Vec<_>>() {
-        let texts = numbers.and_then(|numbers| table.texts(numbers));
-        all.extend(texts.map(|texts| Axis { field, texts, whole: None }));
+        let values = numbers.map(Values::Numbers);
+        all.extend(values.map(|values| Axis { field, values, whole: None }));
     }
     for (field, value) in given_fields(table) {
         if is_measured && (field == Field::Thickness || SIZES.contains(&field)) {
@@ -155,7 +170,7 @@ pub(super) fn axis(
         None => reader.reject(field.name(), element, allowed),
     };
     let texts = reader.each_once(field.name(), value, allowed, read)?;
-    Some(Axis { field, texts, whole: None })
+    Some(Axis { field, values: Values::Texts(texts), whole: None })
 }
 
 /// Quantities that are asked for, in the order in which they are always shown.

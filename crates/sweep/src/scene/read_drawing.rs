@@ -1,7 +1,7 @@
 //! Reading from TOML to arches that are drawn: any arch, or those of a figure of the paper.
 
 use super::drawn::{DrawnArch, Pose};
-use super::read_arches::{all, is_measured};
+use super::read_arches::{all, frictions, given_fields, is_measured};
 use super::read_numbers::{Meaning, SceneNumber, numbers};
 use super::schema::{MeasuredArch, Request, SceneDrawing};
 use super::table::TableReader;
@@ -11,6 +11,7 @@ use crate::ask::Field;
 use crate::problem::{Arch, Friction, Landmark, Mode};
 use crate::report::words::list;
 use crate::report::{Format, Style};
+use toml::de::DeValue;
 
 /// The arches of a figure of the paper.
 pub(super) fn arch_figure(
@@ -111,7 +112,9 @@ fn pose(
     }
     if alpha.is_none() && !is_measured(table) {
         let allowed = Meaning::HalfOpening.allowed();
-        return table.refuse(format!("half_opening is missing; give {allowed}, or at"));
+        let message = format!("half_opening is missing; give {allowed}, or at");
+        table.refuse::<()>(message);
+        return frictions(table).and(None);
     }
     if let (Some(alpha), Some(eta), None, Some(Mode::Sliding)) = (alpha, eta, mu, mode) {
         let alpha = single(table.reader, Meaning::HalfOpening, alpha);
@@ -119,10 +122,11 @@ fn pose(
         let arch = Arch::new(weight, alpha?.number?, Friction::Infinite).ok()?;
         return Some((None, Pose::Sliding(arch, eta?.number?)));
     }
-    let mut all = all(table, &[weight], &mut 0)?;
-    let (arch, 0) = (all.pop()?, all.len()) else {
-        return table.refuse("a drawing shows one arch: give one value for each key");
-    };
+    let several = given_fields(table).into_iter().find(|(_, value)| is_several(value));
+    if let Some((field, value)) = several {
+        return table.reader.reject(field.name(), value, ONE);
+    }
+    let arch = all(table, &[weight], &mut 0)?.pop()?;
     let pose = match arch.thickness {
         Some(thickness) => Pose::Standing(arch.arch, thickness),
         None => Pose::Least(arch.arch),
@@ -130,14 +134,22 @@ fn pose(
     Some((arch.measured.map(|of| *of), pose))
 }
 
-const ONE: &str = "one number: a drawing shows one arch";
+const ONE: &str = "one value: a drawing shows one arch";
+
+/// Tells whether a key has several values, or none; boxes have their own fault.
+fn is_several(value: &TomlValue) -> bool {
+    match value.get_ref() {
+        DeValue::Array(all) => all.len() != 1,
+        DeValue::Table(range) => !range.contains_key("boxes"),
+        _ => false,
+    }
+}
 
 /// The one number of a key.
 fn single(reader: &mut TomlReader, meaning: Meaning, value: &TomlValue) -> Option<SceneNumber> {
-    let all = numbers(reader, meaning, value)?;
-    match all.len() {
-        1 => all.all().ok()?.pop(),
-        _ => reader.reject(meaning.key(), value, ONE),
+    match is_several(value) {
+        false => numbers(reader, meaning, value)?.all().ok()?.pop(),
+        true => reader.reject(meaning.key(), value, ONE),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Reading from TOML to arches between two ends, by the reader of every other door; and a range cut into boxes.
 
-use super::read_arches::{Axis, QUESTION, axis, digits, given_fields, product, quantities};
+use super::read_arches::{Axis, QUESTION, Values, axis, digits, given_fields, product, quantities};
 use super::read_numbers::{Meaning, numbers};
 use super::schema::{MAX_ARCHES, MAX_RANGES, Request, SceneBoxes, SceneSurvey};
 use super::table::TableReader;
@@ -14,8 +14,13 @@ use crate::report::{Format, Reported, SurveyedArches, SurveyedRows};
 use crate::surveyed;
 use toml::de::{DeTable, DeValue};
 
+/// Tells whether a value of an item of arches is a range.
+pub(super) fn are_ranged(table: &TableReader) -> bool {
+    given_fields(table).iter().any(|(_, value)| is_ranged(value))
+}
+
 /// Tells whether a value, or one of a list, is a range.
-pub(super) fn is_ranged(value: &TomlValue) -> bool {
+fn is_ranged(value: &TomlValue) -> bool {
     match value.get_ref() {
         DeValue::Array(all) => all.iter().any(is_ranged),
         DeValue::Table(table) => table.contains_key("boxes"),
@@ -45,7 +50,7 @@ pub(super) fn arches(
         other => other,
     }));
     let boxes = whole(table, &axes, &quantities)?;
-    let all = product(table, &axes, weights.len(), used)?;
+    let all = product(table, axes, weights.len(), used)?;
     let count = all.len() * weights.len();
     if boxes.is_none() && count > MAX_RANGES {
         return table.refuse(format!(
@@ -84,12 +89,12 @@ fn whole(
     let cut: Vec<(Field, usize)> = axes
         .iter()
         .filter(|axis| axis.whole.is_some())
-        .map(|axis| (axis.field, axis.texts.len()))
+        .map(|axis| (axis.field, axis.values.len()))
         .collect();
     if cut.is_empty() {
         return Some(None);
     }
-    if let Some(many) = axes.iter().find(|axis| axis.whole.is_none() && axis.texts.len() > 1) {
+    if let Some(many) = axes.iter().find(|axis| axis.whole.is_none() && axis.values.len() > 1) {
         let name = many.field.name();
         let span = table.given_field(many.field).map_or(table.span.clone(), |value| value.span());
         let message = format!("beside boxes {name} is one value, one range, or boxes too");
@@ -97,7 +102,12 @@ fn whole(
     }
     let mut asked = ArchAsked::default();
     for axis in axes {
-        *asked.at(axis.field) = axis.whole.clone().or_else(|| axis.texts.first().cloned());
+        // What is not cut is one text.
+        let one = match &axis.values {
+            Values::Texts(texts) => texts.first().cloned(),
+            Values::Numbers(_) => None,
+        };
+        *asked.at(axis.field) = axis.whole.clone().or(one);
     }
     let given = table.fitting(given(&asked))?;
     let rows = SurveyedRows::new(quantities.to_vec(), asked.thickness.is_some());
@@ -121,11 +131,10 @@ fn axes(table: &mut TableReader) -> Option<Vec<Axis>> {
                 cut(table.reader, field, value, parts)
             }
             (DeValue::Table(_), Some(meaning)) => {
-                let all = numbers(table.reader, meaning, value);
-                let texts = all.and_then(|all| table.texts(all));
+                let values = numbers(table.reader, meaning, value).map(Values::Numbers);
                 // The angle of a friction says itself that it is one.
                 let field = if field == Field::FrictionAngle { Field::Friction } else { field };
-                texts.map(|texts| Axis { field, texts, whole: None })
+                values.map(|values| Axis { field, values, whole: None })
             }
             _ => {
                 let allowed = "a number, a range (\"0.5..0.6\", \"3m±1cm\"), or a list";
@@ -158,8 +167,8 @@ fn cut(reader: &mut TomlReader, field: Field, value: &TomlValue, parts: &DeTable
     let text = |range: &Range| format!("{}{BETWEEN}{}", range.lower, range.upper);
     match boxes(&range, count?) {
         Ok(all) => {
-            let texts = all.map(|part| text(&part)).collect();
-            Some(Axis { field, texts, whole: Some(text(&range)) })
+            let values = Values::Texts(all.map(|part| text(&part)).collect());
+            Some(Axis { field, values, whole: Some(text(&range)) })
         }
         Err(error) => reader.refuse(value.span(), error.to_string()),
     }

@@ -97,7 +97,7 @@ impl<'a, 's> TableReader<'a, 's> {
         ))
     }
 
-    /// What was read of an arch, or the fault of what makes none, at the key that it is of.
+    /// Keeps what was read of an arch, or tells the fault of what makes none at the key that it is of.
     pub(super) fn fitting<T>(&mut self, read: Result<T, Misfit>) -> Option<T> {
         let wrong = |Misfit { field, message }| {
             let value = field.and_then(|field| self.given_field(field));

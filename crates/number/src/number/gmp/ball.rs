@@ -10,7 +10,7 @@
 //! factor of two of it for narrow balls, and sums and products see no correlation between
 //! operands (`x - x` has twice the radius of `x`).
 
-use super::{Decimal, Enclosure, Field, Magnitude, Real, Ternary};
+use super::{Decimal, Enclosure, Field, Magnitude, Real, SineAnchor, Ternary};
 use crate::number::shown_as_text;
 use rug::float::{Constant, Round};
 use rug::ops::{
@@ -258,6 +258,9 @@ impl Real for Ball {
         let reducible = self.mid.get_exp().is_none_or(|e| i64::from(e) <= limit);
         if !self.is_bounded() || !reducible || self.rad >= Magnitude::from_integer(1) {
             return (unit.clone(), unit);
+        }
+        if let Some(both) = SineAnchor::sin_cos(self) {
+            return both;
         }
         let (mut sin, mut cos) = (Float::new(self.prec), Float::new(self.prec));
         let directions = (&mut sin, &mut cos).assign_round(self.mid.sin_cos_ref(), Round::Nearest);

@@ -201,8 +201,11 @@ impl TripleWord {
         Self { negative: x < 0.0, words: [0, 0, mantissa << 11], exponent: biased - 1075 - 139 }
     }
 
-    /// The square root of a positive number.
+    /// The square root of a number that is not negative.
     pub fn sqrt(self) -> Self {
+        if self.is_zero() {
+            return self;
+        }
         let root = self.to_double_double().sqrt();
         let near = Self::from(root);
         let rest = self - near * near;

@@ -75,26 +75,7 @@ impl From<TripleWordBall> for DoubleDoubleBall {
 mod tests {
     use super::*;
     use crate::number::test_config::config;
-    use crate::number::{Enclosure, Real};
     use proptest::prelude::*;
-    use rug::float::Constant;
-
-    #[test]
-    fn pi_lies_within_its_radius_and_not_within_half_of_it() {
-        let pi = TripleWordBall::WHOLE.pi();
-        let error = Float::with_val(300, Constant::Pi) - pi.to_ball(300).mid();
-        assert!(error <= pi.rad() && error > 0.25 * pi.rad());
-    }
-
-    #[test]
-    fn what_is_out_of_range_is_widened_or_the_whole_line() {
-        let of = |x: f64| TripleWordBall::from(&Ball::exact(Float::with_val(53, x), 64));
-        assert!(of(1e-67).rad() >= 1e-67 && !of(1e67).is_bounded());
-        assert!(!TripleWordBall::from(&Ball::whole(64)).is_bounded());
-        assert!(!TripleWordBall::new(DoubleDouble::exact(f64::INFINITY).into(), 0.0).is_bounded());
-        assert!(!DoubleBall::from(TripleWordBall::WHOLE).is_bounded());
-        assert_eq!(of(0.0).rad(), 0.0);
-    }
 
     proptest! {
         #![proptest_config(config(2000))]

@@ -6,7 +6,7 @@ use super::in_lanes;
 use super::opening::{PAYS_FROM, SharedOpening};
 use super::row::{BatchRow, RowValue, RowVerdict};
 use crate::certify::asymmetric_thickness::asymmetric_thicknesses;
-use crate::certify::state::{Answer, Balls, Figure};
+use crate::certify::state::{Answer, Balls, Figure, Tier};
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Quantity};
 use crate::prover::Error;
@@ -23,9 +23,6 @@ pub struct Batch {
     pub has_texts: bool,
 }
 
-/// With so many digits a row is what its doubles tell.
-const OF_A_DOUBLE: usize = 17;
-
 impl Batch {
     /// Tells whether the frictions at which the mode changes are asked for.
     pub fn has_frictions(&self) -> bool {
@@ -37,7 +34,7 @@ impl Batch {
     pub fn columns(&self, arches: &impl BatchArches, threads: Threads) -> BatchColumns {
         let mut all = self.open(arches.count());
         let mut is_open = vec![true; arches.count()];
-        if self.digits <= OF_A_DOUBLE && !self.has_texts {
+        if Tier::Lanes.has(self.digits) && !self.has_texts {
             for (rows, found) in in_lanes::columns(&self.quantities, arches, threads) {
                 rows.iter().for_each(|row| is_open[*row] = false);
                 all.put_all(&rows, found);

@@ -79,7 +79,8 @@ fn in_doubles(
     }
 }
 
-/// Adds quantities in doubles, if all are decided: infinite without a figure, and no numbers where there is none at all.
+/// Adds quantities in doubles, if all are decided: infinite without a figure, and no numbers where there is
+/// none at all.
 fn values<'a>(
     quantities: &[Quantity],
     figure: impl Fn(Quantity) -> Option<Option<&'a DoubleDoubleBall>>,

@@ -9,8 +9,8 @@
 
 use crate::arch::SelfWeight;
 use crate::certify::state::{
-    Answer, AtOpening, Balls, DOUBLE_DOUBLE, Digits, Enough, Fall, Figure, Frictions,
-    critical_frictions, is_quick,
+    Answer, AtOpening, Balls, DOUBLE_DOUBLE, Digits, Enough, Fall, Figure, Frictions, Tier,
+    critical_frictions,
 };
 use crate::lanes::LaneArch;
 use crate::number::{DoubleDoubleBall, Enclosure, ExactNumber, Real};
@@ -129,7 +129,7 @@ impl SharedOpening {
                 None => alone(true),
             },
             Ok(Answer::Falls { fall, .. }) => {
-                let is_quick = is_quick(self.digits);
+                let is_quick = Tier::DoubleDoubles.has(self.digits);
                 let at =
                     kept(&self.enough, || AtOpening::new(&self.unlimited, self.digits, is_quick));
                 let enough = Enough::new(arch, at, self.digits, is_quick);

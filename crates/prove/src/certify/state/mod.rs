@@ -56,7 +56,7 @@ mod thrust_range;
 
 pub use crate::prover::Figure;
 pub use assess::{Assessment, AssessmentDigits, Wanted};
-pub use balls::Balls;
+pub use balls::{Balls, Tier};
 pub use certify::{Certify, NoState};
 pub use digits::{Answer, Digits};
 pub(super) use enough::AtOpening;
@@ -77,6 +77,6 @@ pub use quick::{
     assessment_enclosed, sliding_configuration, state_enclosed, steepest_configuration,
 };
 #[doc(hidden)]
-pub use quick::{decided, is_quick, quick_outcome, quick_sliding, sliding_enclosed};
+pub use quick::{decided, quick_outcome, quick_sliding, sliding_enclosed};
 pub use state::{Fall, Frictions, Outcome, State};
 pub use thrust_range::{Limit, Touch};

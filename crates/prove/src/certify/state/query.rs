@@ -38,6 +38,15 @@ impl<E: Arithmetic> Query<E> {
         (self.bits > 2 * FEW).then(|| Self { bits: FEW, given: given(), ..*self })
     }
 
+    /// What few of these bits tell, or else all.
+    pub(super) fn by_few_bits<T>(
+        &self,
+        proof: impl Fn(&Self) -> Result<T, Undecided>,
+    ) -> Result<T, Undecided> {
+        let few = self.in_few_bits().and_then(|few| proof(&few).ok());
+        few.map_or_else(|| proof(self), Ok)
+    }
+
     /// The friction, where it is limited.
     pub(super) fn friction(&self) -> Option<&E> {
         self.is_limited.then_some(&self.given.friction)

@@ -5,6 +5,7 @@
 //! open, a sign, a box or a rounding, the answer is `None`, and balls of MPFR are asked.
 
 use super::assess::{Assessment, AssessmentDigits, Wanted, assessment};
+use super::balls::Tier;
 use super::digits::{Answer, Digits};
 use super::enough::enough;
 use super::inquiry::Inquiry;
@@ -20,18 +21,6 @@ use crate::prover::Undecided;
 use crate::prover::arithmetic::Arithmetic;
 use crate::prover::figure::Figured;
 use crate::prover::in_doubles::Doubles;
-
-/// Beyond so many digits few values would be decided in double-doubles, or few to all digits; and in three words.
-const MOST_DIGITS: usize = 25;
-const NEARLY_ALL_DIGITS: usize = 20;
-const MOST_OF_THREE_WORDS: usize = 36;
-/// Up to so many digits double-doubles decide all but what lies next to a boundary.
-const OF_A_DOUBLE: usize = 17;
-
-/// Tells whether the numbers of this file are asked first for so many digits.
-pub fn is_quick(digits: usize) -> bool {
-    (1..=MOST_DIGITS).contains(&digits)
-}
 
 /// An arch in these numbers.
 fn query<E: Arithmetic + Doubles>(arch: &Arch) -> Query<E> {
@@ -59,21 +48,21 @@ pub fn quick_sliding<E: Arithmetic + Doubles>(arch: &Arch) -> Result<E, Undecide
 /// The state to `digits` digits.
 pub(super) fn state(arch: &Arch, digits: usize, frictions: bool) -> Option<Answer> {
     let double_doubles = || state_in::<DoubleDoubleBall>(arch, digits, frictions);
-    in_words(digits, double_doubles, || state_in::<TripleWordBall>(arch, digits, frictions))
+    first(digits, double_doubles, || state_in::<TripleWordBall>(arch, digits, frictions))
 }
 
-/// The digits that either proof decides.
-fn in_words<T>(
+/// The digits that the first of these proofs decides.
+fn first<T>(
     digits: usize,
-    double_doubles: impl FnOnce() -> Option<T>,
-    three_words: impl FnOnce() -> Option<T>,
+    double_doubles: impl Fn() -> Option<T>,
+    three_words: impl Fn() -> Option<T>,
 ) -> Option<T> {
-    match digits {
-        1..=OF_A_DOUBLE => double_doubles(),
-        ..=NEARLY_ALL_DIGITS if digits > 0 => double_doubles().or_else(three_words),
-        ..=MOST_OF_THREE_WORDS if digits > 0 => three_words(),
-        _ => None,
-    }
+    Tier::of(digits).iter().find_map(|tier| match tier {
+        Tier::DoubleDoubles => double_doubles(),
+        Tier::ThreeWords => three_words(),
+        // One arch alone fills no lanes, and what is left open is asked of balls of MPFR.
+        Tier::Lanes | Tier::Mpfr => None,
+    })
 }
 
 fn state_in<E: Arithmetic + Doubles + Figured>(
@@ -83,7 +72,7 @@ fn state_in<E: Arithmetic + Doubles + Figured>(
 ) -> Option<Answer> {
     match quick_outcome::<E>(arch, frictions).ok()? {
         Outcome::Falls(fall) => {
-            let enough = || Box::new(enough(arch, digits, is_quick(digits)));
+            let enough = || Box::new(enough(arch, digits, Tier::DoubleDoubles.has(digits)));
             Some(Answer::Falls { fall, enough: frictions.then(enough) })
         }
         Outcome::Stands(state) => {
@@ -168,7 +157,7 @@ pub(super) fn assess(
     digits: usize,
 ) -> Option<AssessmentDigits> {
     let double_doubles = || assess_in::<DoubleDoubleBall>(arch, thickness, digits);
-    in_words(digits, double_doubles, || assess_in::<TripleWordBall>(arch, thickness, digits))
+    first(digits, double_doubles, || assess_in::<TripleWordBall>(arch, thickness, digits))
 }
 
 fn assess_in<E: Arithmetic + Doubles + Figured>(

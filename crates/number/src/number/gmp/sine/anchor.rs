@@ -31,20 +31,33 @@ pub struct SineAnchor {
 const REACH: i64 = -8;
 /// Bits kept beyond those of the result.
 const GUARD: u32 = 24;
-/// Below this many bits MPFR's own sine is faster.
+/// Below this many bits MPFR's own sine is faster; at 33,000 it takes four times as long, measured.
 const THRESHOLD: u32 = 1_000;
+/// The anchor of an angle of all bits has this part of them: what is left is one step.
+const NEAR: u32 = 16;
+/// Bits that a sine or cosine may lose as it is near zero.
+const LOST: i32 = 16;
 
 impl SineAnchor {
     /// Computes sine and cosine next to `near` to `prec` bits: not quite there, but as close as its own last bit.
     /// The fewer bits `near` has, the cheaper.
     pub fn new(near: &Float, prec: u32) -> Self {
-        // A small angle has a small sine, which deserves the same relative accuracy.
-        let depth = near.get_exp().map_or(0, |e| e.min(0).unsigned_abs()).min(prec);
-        let places = prec + depth + GUARD;
+        let places = places(near, prec);
         Self::reduced(near, prec, places, relations_to(places)).unwrap_or_else(|| {
             let at = Ball::exact(near.clone(), places);
             Self { turn: Turn::new(at.sin_cos(), places), at: at.with_precision(prec) }
         })
+    }
+
+    /// Sine and cosine of an angle; `None` where MPFR is faster, or has more of what is nearly zero.
+    pub(in crate::number::gmp) fn sin_cos(rad: &Ball) -> Option<(Ball, Ball)> {
+        let prec = rad.prec();
+        let near = Float::with_val((prec / NEAR).max(64), rad.mid());
+        let places = places(&near, prec);
+        let anchor = Self::reduced(&near, prec, places, relations_to(places))?;
+        let Angle { sin, cos, .. } = anchor.reached(rad)?;
+        let has_all = |x: &Ball, least: i32| x.mid().get_exp().is_some_and(|e| e >= least - LOST);
+        (has_all(&sin, near.get_exp()?.min(0)) && has_all(&cos, 0)).then_some((sin, cos))
     }
 
     /// Computes what anchors of `prec` bits share, once for all threads.
@@ -113,15 +126,18 @@ impl SineAnchor {
 
     /// The angle `rad` with its sine and cosine, to the precision of `rad`.
     pub fn angle(&self, rad: &Ball) -> Angle<Ball> {
+        self.reached(rad).unwrap_or_else(|| Angle::new(rad.clone()))
+    }
+
+    /// The angle, where it is near.
+    fn reached(&self, rad: &Ball) -> Option<Angle<Ball>> {
         let prec = rad.prec();
         let wanted = prec.saturating_add(self.depth()).saturating_add(GUARD);
         let places = self.turn.places.min(wanted);
         let distance = (rad.clone() - &self.at.with_precision(places + GUARD)).trimmed();
         let is_near = size_exponent(&distance).is_some_and(|e| e <= REACH);
         let moved = || self.turn.cut(places).moved(&fixed(distance.mid(), places));
-        let Some(turn) = is_near.then(moved).flatten() else {
-            return Angle::new(rad.clone());
-        };
+        let turn = is_near.then(moved).flatten()?;
         let unit = Magnitude::power_of_two(-i64::from(places));
         let (sin, cos) = turn.balls(prec);
         let spread = distance.rad().plus(unit);
@@ -131,8 +147,14 @@ impl SineAnchor {
             spread.min(slope.times(spread).plus(spread.times(spread).shifted(-1)))
         };
         let (of_sin, of_cos) = (change(&cos), change(&sin));
-        Angle { rad: rad.clone(), sin: sin.widened(of_sin), cos: cos.widened(of_cos) }
+        Some(Angle { rad: rad.clone(), sin: sin.widened(of_sin), cos: cos.widened(of_cos) })
     }
+}
+
+/// The binary places of sine and cosine next to an angle: a small angle has a small sine, which deserves the same
+/// relative accuracy.
+fn places(near: &Float, prec: u32) -> u32 {
+    prec + near.get_exp().map_or(0, |e| e.min(0).unsigned_abs()).min(prec) + GUARD
 }
 
 /// Nearness to which the Gaussian primes bring an anchor of as many places, as a power of two; measured.
@@ -157,9 +179,20 @@ mod tests {
     use super::*;
     use crate::number::Enclosure;
     use proptest::prelude::*;
+    use rug::float::Constant;
+
+    /// By MPFR alone.
+    fn by_mpfr(x: &Ball) -> (Ball, Ball) {
+        let bits = x.prec() + 64;
+        let ball = |value: Float| {
+            Ball::new(value, Magnitude::power_of_two(-i64::from(bits)), bits).widened(x.rad())
+        };
+        let sin = Float::with_val(bits, x.mid().sin_ref());
+        (ball(sin), ball(Float::with_val(bits, x.mid().cos_ref())))
+    }
 
     fn high(x: &Float) -> (Ball, Ball) {
-        Ball::exact(x.clone(), 6000).sin_cos()
+        by_mpfr(&Ball::exact(x.clone(), 6000))
     }
 
     proptest! {
@@ -176,6 +209,33 @@ mod tests {
             for (ours, truth) in [(&angle.sin, &sin), (&angle.cos, &cos)] {
                 prop_assert!(ours.lower() <= truth.lower() && truth.upper() <= ours.upper(), "{ours:?} {truth:?}");
                 prop_assert!(ours.rad() < Magnitude::power_of_two(-i64::from(prec) + 8), "wide: {ours:?}");
+            }
+        }
+
+        /// Angles of all bits, of both signs, next to right angles too; with a radius or without.
+        #[test]
+        fn sines_of_all_bits_are_those_of_mpfr(
+            start in -11.0f64..11.0, right in prop::option::of((-10i32..10, 2u32..6000)), prec in 1000u32..9000,
+            radius in prop::option::of(-9000i64..-12),
+        ) {
+            let x = match right {
+                Some((n, bits)) => Float::with_val(bits, Float::with_val(bits + 64, Constant::Pi) * n / 2u32),
+                None => Float::with_val(prec, 2).sqrt() * start,
+            };
+            let x = Ball::new(x, radius.map_or(Magnitude::ZERO, Magnitude::power_of_two), prec);
+            if let Some((sin, cos)) = SineAnchor::sin_cos(&x) {
+                let truth = by_mpfr(&x.midpoint().with_precision(prec + 100));
+                let [low, high] = [x.lower(), x.upper()].map(|end| by_mpfr(&Ball::exact(end, prec + 100)));
+                for (ours, truths) in [(sin, [truth.0, low.0, high.0]), (cos, [truth.1, low.1, high.1])] {
+                    for truth in truths {
+                        prop_assert!(ours.lower() <= truth.upper() && truth.lower() <= ours.upper(), "{x}");
+                    }
+                    let size = i64::from(ours.mid().get_exp().unwrap());
+                    let narrow = Magnitude::power_of_two(size - i64::from(prec) + 2);
+                    prop_assert!(ours.rad() <= narrow.plus(x.rad()), "{x} {ours:?}");
+                }
+            } else {
+                prop_assert!(right.is_some(), "{x}");
             }
         }
 
@@ -209,7 +269,7 @@ mod tests {
                 (anchor, prec),
             ] {
                 let angle = anchor.here(prec);
-                let (sin, cos) = angle.rad.with_precision(prec + 200).sin_cos();
+                let (sin, cos) = by_mpfr(&angle.rad.with_precision(prec + 200));
                 for (ours, truth) in [(&angle.sin, &sin), (&angle.cos, &cos)] {
                     prop_assert!(ours.overlaps(truth), "{near} {prec}");
                     let size = ours.mid().get_exp().map_or(0, |e| i64::from(e).min(0));
@@ -224,7 +284,7 @@ mod tests {
     fn what_is_short_of_bits_or_too_long_is_not_reduced() {
         let is_reduced = |near: &Float, prec: u32| {
             let anchor = SineAnchor::new(near, prec);
-            let (sin, _) = anchor.here(prec).rad.sin_cos();
+            let (sin, _) = by_mpfr(&anchor.here(prec).rad);
             assert!(anchor.here(prec).sin.overlaps(&sin));
             SineAnchor::reduced(near, prec, prec + GUARD, 36).is_some()
         };
@@ -249,7 +309,7 @@ mod tests {
                 anchor.with_precision(5 * prec).with_precision(prec / 2).moved(&there).here(60),
             ];
             for angle in angles {
-                let (sin, cos) = angle.rad.sin_cos();
+                let (sin, cos) = by_mpfr(&angle.rad);
                 assert!(angle.sin.overlaps(&sin) && angle.cos.overlaps(&cos));
             }
         }

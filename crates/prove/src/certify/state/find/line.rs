@@ -10,7 +10,7 @@ use crate::certify::state::query::Query;
 use crate::number::{Ball, Enclosure, Field, Rounded};
 use crate::problem::{Condition, Examined, Landmark, Line, Mode, Quantity, Sought};
 use crate::prover::Undecided;
-use crate::prover::decide::{require, require_condition};
+use crate::prover::decide::{in_few_bits, require, require_condition};
 use crate::solve::start;
 use rug::Float;
 
@@ -30,7 +30,17 @@ pub(super) fn point_on(
     let system = line.system(query.weight, sought);
     let start = start::on_line(query.weight, line, sought, &given);
     let at = query.root(system, &system.values(&start)).map_err(|open| none(line, &open))?;
-    in_range(&at)?;
+    in_few_bits(&at, query.bits, |at, bits| {
+        let query = Query { bits, given: at.clone(), ..*query };
+        is_on_line(&query, line, sought)
+    })?;
+    Ok(at)
+}
+
+/// Proves that the root in `query` is the point of the line.
+fn is_on_line(query: &Query, line: Line, sought: Sought) -> Result<(), Undecided> {
+    let at = &query.given;
+    in_range(at)?;
     require(&at.friction, "a positive friction")?;
     // No state of the half opening has a larger thrust: then beta_s grows with it along all of them.
     if (line, sought) == (Line::Joints, Sought::Friction) {
@@ -46,13 +56,13 @@ pub(super) fn point_on(
             require(&margin, Condition::Below(Unknown::SlidingJoint).label())?;
             continue;
         }
-        let state = Examined::new(query.weight, mode, &at);
+        let state = Examined::new(query.weight, mode, at);
         for condition in Condition::of(mode, true).filter(|condition| Some(*condition) != tie) {
             let proved = require_condition(condition, &state.margin(condition), mode);
             proved.map_err(|open| none(line, &open))?;
         }
     }
-    Ok(at)
+    Ok(())
 }
 
 /// Digits of the values at the ends of a line.

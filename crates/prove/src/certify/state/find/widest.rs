@@ -15,7 +15,7 @@ use crate::problem::{
 };
 use crate::prover::Undecided;
 use crate::prover::arithmetic::Arithmetic;
-use crate::prover::decide::{decide, require, require_condition};
+use crate::prover::decide::{decide, in_few_bits, require, require_condition};
 use crate::solve::start::{self, Start};
 
 /// A mode, and where its equations hold.
@@ -86,7 +86,11 @@ pub(in crate::certify::state) fn widest<E: Arithmetic>(
     end: Option<Landmark>,
 ) -> Result<ModeAt<E>, Undecided> {
     let slides = match query.friction() {
-        Some(friction) if friction.candidate() < ROUGH => where_both_slide(query),
+        // Where few bits tell that not both slide, the root is of no use.
+        Some(friction) if friction.candidate() < ROUGH => {
+            let few = query.in_few_bits().map(|few| where_both_slide(&few));
+            few.filter(|few| matches!(few, Ok(None))).unwrap_or_else(|| where_both_slide(query))
+        }
         _ => Ok(None),
     };
     if let Ok(Some(found)) = slides {
@@ -107,13 +111,16 @@ pub(in crate::certify::state) fn widest<E: Arithmetic>(
 fn where_both_slide<E: Arithmetic>(query: &Query<E>) -> Result<Option<ModeAt<E>>, Undecided> {
     let start = start::widest_sliding(&friction(query));
     let at = query.root(Mode::Sliding.system_for_half_opening(query.weight), &start)?;
-    in_range(&at)?;
-    for condition in [Condition::Above(Unknown::Thrust), Condition::Compression] {
-        let margin = Examined::new(query.weight, Mode::Sliding, &at).margin(condition);
-        require_condition(condition, &margin, Mode::Sliding)?;
-    }
-    require(&room_for_steepest(&at), Condition::SteepestAboveShoulder.label())?;
-    Ok(has_room(query, &at)?.then_some((Mode::Sliding, at)))
+    let has_room = in_few_bits(&at, query.bits, |at, bits| {
+        in_range(at)?;
+        for condition in [Condition::Above(Unknown::Thrust), Condition::Compression] {
+            let margin = Examined::new(query.weight, Mode::Sliding, at).margin(condition);
+            require_condition(condition, &margin, Mode::Sliding)?;
+        }
+        require(&room_for_steepest(at), Condition::SteepestAboveShoulder.label())?;
+        has_room(&Query { bits, given: at.clone(), ..*query }, at)
+    })?;
+    Ok(has_room.then_some((Mode::Sliding, at)))
 }
 
 /// The half opening has to be in its range, in which alone the lemma holds.
@@ -172,6 +179,23 @@ fn where_the_shoulder_ends<E: Arithmetic>(
     query: &Query<E>,
     is_end: bool,
 ) -> Result<ModeAt<E>, Undecided> {
+    let mut open: Option<Undecided> = None;
+    for (mode, start) in query.by_few_bits(|query| candidates(query, is_end))? {
+        match proved(query, mode, &start) {
+            Ok(place) => return Ok(place),
+            // A difference that is too small to tell says more than a root that is another one.
+            Err(other) if other.gap.is_some() || open.is_none() => open = Some(other),
+            Err(_) => {}
+        }
+    }
+    Err(open.unwrap_or_else(Undecided::no_solution))
+}
+
+/// The modes that may be those of the shoulder that ends at the thickness, what seems so first.
+fn candidates<E: Arithmetic>(
+    query: &Query<E>,
+    is_end: bool,
+) -> Result<Vec<ModeStart<E>>, Undecided> {
     let beyond = contact::crown_slope(query.weight, &query.given);
     let question = "whether the arch is thicker than at the end of rotation";
     let between = [Mode::Rotational, Mode::Overturning];
@@ -191,7 +215,7 @@ fn where_the_shoulder_ends<E: Arithmetic>(
         }
         false => None,
     };
-    let candidates = match (&least, &slid) {
+    Ok(match (&least, &slid) {
         (None, None) => {
             let a = start::widest_touching(query.weight, eta.to_double(), 0.0, 0.0);
             vec![(Mode::Overturning, vec![eta.like(a)])]
@@ -207,17 +231,7 @@ fn where_the_shoulder_ends<E: Arithmetic>(
         }
         (Some(least), None) => rotating(query, least, None),
         (_, Some(slid)) => vec![sliding_inside(query, slid)?],
-    };
-    let mut open: Option<Undecided> = None;
-    for (mode, start) in candidates {
-        match proved(query, mode, &start) {
-            Ok(place) => return Ok(place),
-            // A difference that is too small to tell says more than a root that is another one.
-            Err(other) if other.gap.is_some() || open.is_none() => open = Some(other),
-            Err(_) => {}
-        }
-    }
-    Err(open.unwrap_or_else(Undecided::no_solution))
+    })
 }
 
 /// The root next to a start, proved to be the state of its arch.
@@ -283,8 +297,8 @@ fn at_physical_limit<E: Arithmetic>(query: &Query<E>) -> Result<ModeAt<E>, Undec
     let (mode, start) = match query.friction() {
         Some(_) => {
             let start = start::inner_sliding(&friction(query));
-            let slid = query.root(System::inner_sliding(query.weight), &start)?;
-            sliding_inside(query, &slid)?
+            let slid = |query: &Query<E>| query.root(System::inner_sliding(query.weight), &start);
+            query.by_few_bits(|query| sliding_inside(query, &slid(query)?))?
         }
         None => {
             let a = start::widest_touching(query.weight, 2.0, 0.0, 0.0);
