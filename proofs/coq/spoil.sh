@@ -89,11 +89,7 @@ spoil_arch() {
 spoil_survey() {
   spoiled "another verdict" claim 's/AllStand$/NoneStands/m'
   spoiled "the other weight" claim 's/\(Survey Heyman/(Survey Milankovitch/'
-  spoiled "less friction" claim 's/(\(Coefficient \(Fraction )7 10/${1}6 10/'
   spoiled "a higher rise" claim 's/(\(Qmake 2 1\), \(Qmake )3 1/${1}4 1/'
-  spoiled "thinner arches" claim 's/\(Qmake 11 50\)/(Qmake 10 50)/'
-  spoiled "a circle elsewhere" claim 's/AtIntrados/AtExtrados/'
-  spoiled "ends that are exchanged" claim 's/\((\(Qmake 9 1\)), (\(Qmake 11 1\))\)/($2, $1)/'
   spoiled "a step that is left out" claim 's/;\n *Part .*?(;\n *Part )/$1/s'
   spoiled "a step that goes back" claim 's/(Some \()(.*?), (\(\(Qmake .*?\)\))\)/$1$3, $2)/'
   spoiled "a part that is not right" claim 's/(Stands .*?Dyadic \(?)(\d+)/$1 . "9" . $2/e'
