@@ -334,8 +334,8 @@ enclosure_suite! {
     branchless_fused: FloatBall<DoubleDoubleBy<Fused>, Branchless>;
 }
 
-/// What is out of the range of a settled ball is widened, or the whole line; and pi is within its radius, and not within
-/// a quarter of it.
+/// What is out of the range of a settled ball is widened, or the whole line; and pi is within its radius, not within a
+/// quarter of it.
 fn settles<M: Middle>() {
     let of = |x: f64| -> FloatBall<M> { M::ball(DoubleDouble::exact(x), 0.0) };
     let ball = |x: f64, rad: f64| FloatBall::<M>::new(of(x).mid(), rad);

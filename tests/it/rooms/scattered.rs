@@ -15,8 +15,9 @@ const KNOWN: &[(&str, &str)] = &[
 
 /// Traits that may be implemented in a file that declares neither the trait nor the type: one file has
 /// the text of several algebraic types, one what the prover asks of a task, one Stumpff's functions of
-/// several numbers; how a result is reported uses the files of its formats, and these use the result.
-const ANYWHERE: &[&str] = &["Display", "Equations", "Reported", "Stumpff"];
+/// several numbers, one the real functions of balls, by what is made of balls; how a result is reported
+/// uses the files of its formats, and these use the result.
+const ANYWHERE: &[&str] = &["Display", "Equations", "Real", "Reported", "Stumpff"];
 
 /// The first path in some tokens.
 fn head(tokens: &[String]) -> Names {

@@ -6,19 +6,19 @@
 //! two midpoints, a multiple of `2^-(2 220 + 2 53)`, is exact. A low part may be of any size; where its products
 //! underflow they add less than `2^-1070`, and `u² |hi| / 2` is above `2^-560`.
 
-use super::float_ball::{Edge, FloatBall, UP, power_of_two};
-use super::{DoubleBall, DoubleDouble, DoubleDoubleBy, Product};
+use super::float_ball::{FloatBall, UP, power_of_two};
+use super::{DoubleBall, DoubleDouble};
 
 /// All real numbers within a radius of a double-double.
 pub type DoubleDoubleBall = FloatBall<DoubleDouble>;
 
-impl<P: Product> FloatBall<DoubleDoubleBy<P>> {
+impl DoubleDoubleBall {
     /// `± mantissa 2^exponent`, the mantissa in words of 64 bits, the least significant first: exactly if it has at
     /// most 106 bits, else with a bound of what is left.
     pub fn of_words(is_negative: bool, mantissa: &[u64], exponent: i64) -> Self {
         let zeros = mantissa.iter().rev().take_while(|word| **word == 0).count();
         let Some((top, rest)) = mantissa[..mantissa.len() - zeros].split_last() else {
-            return Self::exact(DoubleDoubleBy::ZERO);
+            return Self::exact(DoubleDouble::ZERO);
         };
         // The leading 126 bits, from three words of which the first begins with its highest bit.
         let word = |i: usize| u128::from(rest.len().checked_sub(i).map_or(0, |at| rest[at]));
@@ -41,27 +41,9 @@ impl<P: Product> FloatBall<DoubleDoubleBy<P>> {
         let lo = low as f64;
         let left = (low - lo as i128).unsigned_abs() + u128::from(is_cut);
         let sign = if is_negative { -unit } else { unit };
-        Self::new(DoubleDoubleBy::sum(sign * hi, sign * lo), unit * left as f64)
+        Self::new(DoubleDouble::sum(sign * hi, sign * lo), unit * left as f64)
     }
-}
 
-impl<P: Product, E: Edge> FloatBall<DoubleDoubleBy<P>, E> {
-    /// The set as a ball around the double nearest to the midpoint, outward.
-    #[inline(always)]
-    pub fn in_doubles(&self) -> FloatBall<f64, E> {
-        FloatBall::new(self.mid.hi(), (self.rad + self.mid.lo().abs()) * UP)
-    }
-}
-
-impl<E: Edge> FloatBall<f64, E> {
-    /// The same set in numbers of two doubles.
-    #[inline(always)]
-    pub fn in_double_doubles<P: Product>(&self) -> FloatBall<DoubleDoubleBy<P>, E> {
-        FloatBall::new(DoubleDoubleBy::exact(self.mid), self.rad)
-    }
-}
-
-impl DoubleDoubleBall {
     /// The double nearest to every number of the ball, ties to even; `None` if they may differ, and outside
     /// `2^±200`.
     pub fn nearest_double(&self) -> Option<f64> {

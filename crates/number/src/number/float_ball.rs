@@ -44,7 +44,7 @@ pub struct FloatBall<M, E = Settled> {
     edge: PhantomData<E>,
 }
 
-/// What becomes of a ball at the edge of the range of its numbers.
+/// Edge of the range of the numbers of a ball: what becomes of a ball there.
 pub trait Edge: Copy + Debug {
     /// Above what underflow takes away from a result.
     const TINY: f64;
@@ -177,7 +177,8 @@ impl<P: Product> Midpoint for DoubleDoubleBy<P> {
     }
 
     fn of_words(is_negative: bool, mantissa: &[u64], exponent: i64) -> FloatBall<Self> {
-        FloatBall::<Self>::of_words(is_negative, mantissa, exponent)
+        let ball = FloatBall::<DoubleDouble>::of_words(is_negative, mantissa, exponent);
+        FloatBall::new(Self::sum(ball.mid.hi(), ball.mid.lo()), ball.rad)
     }
 }
 
@@ -307,6 +308,22 @@ impl<M: Midpoint, E: Edge> FloatBall<M, E> {
     #[inline(always)]
     pub fn size(&self) -> f64 {
         (self.mid.hi().abs() + self.rad) * UP
+    }
+}
+
+impl<P: Product, E: Edge> FloatBall<DoubleDoubleBy<P>, E> {
+    /// The set as a ball around the double nearest to the midpoint, outward.
+    #[inline(always)]
+    pub fn in_doubles(&self) -> FloatBall<f64, E> {
+        FloatBall::new(self.mid.hi(), (self.rad + self.mid.lo().abs()) * UP)
+    }
+}
+
+impl<E: Edge> FloatBall<f64, E> {
+    /// The set in numbers of two doubles.
+    #[inline(always)]
+    pub fn in_double_doubles<P: Product>(&self) -> FloatBall<DoubleDoubleBy<P>, E> {
+        FloatBall::new(DoubleDoubleBy::exact(self.mid), self.rad)
     }
 }
 

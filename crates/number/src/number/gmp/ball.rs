@@ -10,7 +10,7 @@
 //! factor of two of it for narrow balls, and sums and products see no correlation between
 //! operands (`x - x` has twice the radius of `x`).
 
-use super::{Decimal, Enclosure, Field, Magnitude, Real, SineAnchor, Ternary};
+use super::{Decimal, Enclosure, Field, Magnitude, Ternary};
 use crate::number::shown_as_text;
 use rug::float::{Constant, Round};
 use rug::ops::{
@@ -212,8 +212,10 @@ impl Field for Ball {
     }
 }
 
-impl Real for Ball {
-    fn pi(&self) -> Self {
+/// Real functions, by MPFR.
+impl Ball {
+    /// Pi.
+    pub(super) fn pi_by_mpfr(&self) -> Self {
         let pi = Float::with_val_round(self.prec, Constant::Pi, Round::Nearest);
         Self::rounded(pi, Magnitude::ZERO, self.prec)
     }
@@ -226,7 +228,7 @@ impl Real for Ball {
     /// GMP 6.2 and 6.3 take some numbers of more than eight words for squares that are none, and MPFR
     /// rounds by that: so the distance of the new midpoint `n` from `√m` is computed too,
     /// `|n² - m| / (n + √m)`.
-    fn sqrt(&self) -> Self {
+    pub(super) fn sqrt_by_mpfr(&self) -> Self {
         if self.mid.is_zero() && self.rad.is_zero() {
             return self.clone();
         }
@@ -252,15 +254,12 @@ impl Real for Ball {
 
     /// Sine and cosine. For `|d| <= r`, `|sin(m+d) - sin m| <= min(r, r |cos m| + r²/2)`, and the
     /// same with the two exchanged. An argument too large to reduce gives `[-1, 1]`.
-    fn sin_cos(&self) -> (Self, Self) {
+    pub(super) fn sin_cos_by_mpfr(&self) -> (Self, Self) {
         let unit = Self { mid: Float::new(32), rad: Magnitude::from_integer(1), prec: self.prec };
         let limit = i64::from(self.prec) + REDUCTION_LIMIT;
         let reducible = self.mid.get_exp().is_none_or(|e| i64::from(e) <= limit);
         if !self.is_bounded() || !reducible || self.rad >= Magnitude::from_integer(1) {
             return (unit.clone(), unit);
-        }
-        if let Some(both) = SineAnchor::sin_cos(self) {
-            return both;
         }
         let (mut sin, mut cos) = (Float::new(self.prec), Float::new(self.prec));
         let directions = (&mut sin, &mut cos).assign_round(self.mid.sin_cos_ref(), Round::Nearest);

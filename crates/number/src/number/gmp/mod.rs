@@ -11,6 +11,7 @@ mod interval;
 mod magnitude;
 mod mpfr;
 mod rational;
+mod real;
 mod rounded;
 mod rounded_double;
 mod short_expansion;

@@ -30,7 +30,7 @@
 //! | `raise` | raises the precision until everything is decided |
 //! | `inquiry` | several questions about one arch, which share its state |
 //! | `kept` | the states that were proved last |
-//! | `balls` | which balls are asked first |
+//! | `balls`, `tier` | which numbers are asked, in which order |
 //! | `quick` | the same proofs in balls of double-doubles, where these are enough |
 //! | `in_lanes` | states and assessments that are proved many at a time |
 
@@ -53,10 +53,11 @@ mod small;
 #[allow(clippy::module_inception, reason = "the folder is named after what it proves")]
 mod state;
 mod thrust_range;
+mod tier;
 
 pub use crate::prover::Figure;
 pub use assess::{Assessment, AssessmentDigits, Wanted};
-pub use balls::{Balls, Tier};
+pub use balls::Balls;
 pub use certify::{Certify, NoState};
 pub use digits::{Answer, Digits};
 pub(super) use enough::AtOpening;
@@ -80,3 +81,4 @@ pub use quick::{
 pub use quick::{decided, quick_outcome, quick_sliding, sliding_enclosed};
 pub use state::{Fall, Frictions, Outcome, State};
 pub use thrust_range::{Limit, Touch};
+pub use tier::Tier;

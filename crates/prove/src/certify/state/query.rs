@@ -38,7 +38,7 @@ impl<E: Arithmetic> Query<E> {
         (self.bits > 2 * FEW).then(|| Self { bits: FEW, given: given(), ..*self })
     }
 
-    /// What few of these bits tell, or else all.
+    /// The answer that few of these bits tell, or else all.
     pub(super) fn by_few_bits<T>(
         &self,
         proof: impl Fn(&Self) -> Result<T, Undecided>,

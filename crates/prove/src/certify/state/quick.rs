@@ -5,7 +5,6 @@
 //! open, a sign, a box or a rounding, the answer is `None`, and balls of MPFR are asked.
 
 use super::assess::{Assessment, AssessmentDigits, Wanted, assessment};
-use super::balls::Tier;
 use super::digits::{Answer, Digits};
 use super::enough::enough;
 use super::inquiry::Inquiry;
@@ -14,6 +13,7 @@ use super::mode::{outcome, pure_sliding, sliding_root, steepest_root};
 use super::query::{DOUBLE_DOUBLE, Query};
 use super::state::Outcome;
 use super::thrust_range::Touch;
+use super::tier::Tier;
 use crate::arch::Configuration;
 use crate::number::{Ball, DoubleDoubleBall, ExactNumber, TripleWordBall};
 use crate::problem::Arch;

@@ -1,4 +1,5 @@
 use super::*;
+use crate::number::Real;
 use proptest::prelude::*;
 
 /// Every number of the ball is within what is shown of it, and no digit is shown that the ball does not have.

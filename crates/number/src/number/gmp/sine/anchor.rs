@@ -17,7 +17,7 @@ use super::burst;
 use super::gaussian::Gaussian;
 use super::lattice;
 use super::turn::Turn;
-use super::{Angle, Ball, Magnitude, Real, fixed};
+use super::{Angle, Ball, Magnitude, fixed};
 use rug::{Float, Integer};
 
 /// Sine and cosine at one point, to the precision given, ready to be moved to points nearby.
@@ -45,7 +45,7 @@ impl SineAnchor {
         let places = places(near, prec);
         Self::reduced(near, prec, places, relations_to(places)).unwrap_or_else(|| {
             let at = Ball::exact(near.clone(), places);
-            Self { turn: Turn::new(at.sin_cos(), places), at: at.with_precision(prec) }
+            Self { turn: Turn::new(at.sin_cos_by_mpfr(), places), at: at.with_precision(prec) }
         })
     }
 

@@ -22,4 +22,4 @@ pub use arctangent::arctangent;
 pub(super) use arctangents::known_pi;
 
 use super::ball::fixed;
-use super::{Angle, Ball, Enclosure, Field, Magnitude, Real};
+use super::{Angle, Ball, Enclosure, Field, Magnitude};
