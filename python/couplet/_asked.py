@@ -140,7 +140,7 @@ def ranges(values: tuple[Any, ...]) -> Texts:
 
 def _is_range(value: Any) -> bool:
     """Whether a value is two ends, or a text with the sign of a range."""
-    return isinstance(value, tuple) or isinstance(value, str) and (".." in value or "±" in value or "+-" in value)
+    return isinstance(value, tuple) or isinstance(value, str) and asked(_core.is_range, value)
 
 
 def _range(name: str, value: Any) -> Any:

@@ -103,6 +103,12 @@ pub(crate) fn asked((half_opening, friction, others): Texts<'_>) -> ArchAsked {
     asked
 }
 
+/// Tells whether a text is meant as a range.
+#[pyfunction]
+pub(crate) fn is_range(text: &str) -> bool {
+    couplet::number::is_range(text)
+}
+
 /// Warns of what may have been meant otherwise.
 pub(crate) fn warn(py: Python<'_>, notes: impl IntoIterator<Item: AsRef<str>>) -> PyResult<()> {
     for note in notes {

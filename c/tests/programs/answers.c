@@ -11,6 +11,7 @@ static void state(void) {
   SAYS(couplet_verdict(answer), "stands");
   SAYS(couplet_mode(answer), "[r,r,s]");
   SAYS(couplet_reason(answer), "");
+  SAYS(couplet_note(answer), "");
   SAYS(couplet_text(answer, "thickness", COUPLET_VALUE), "0.65024378080138317");
   SAYS(couplet_text(answer, "eta", COUPLET_VALUE), "0.65024378080138317");
   TELLS(couplet_text(answer, "thickness", COUPLET_LOWER), "0.6502437808013831");
@@ -33,6 +34,11 @@ static void state(void) {
   IS(couplet_exact(2.45, alpha, sizeof alpha) < sizeof alpha && couplet_exact(1.35, mu, sizeof mu) < sizeof mu);
   IS(couplet_state(M, alpha, mu, 17, &answer) == COUPLET_PROVED);
   SAYS(couplet_text(answer, "thickness", COUPLET_VALUE), "0.65024378080138357");
+  couplet_free(answer);
+
+  IS(couplet_assess(M, "80deg", "31", "0.1", 6, &answer) == COUPLET_PROVED);
+  SAYS(couplet_verdict(answer), "stands");
+  SAYS(couplet_note(answer), "the friction 31 is a coefficient; an angle of 31 degrees is written 31deg");
   couplet_free(answer);
 
   IS(couplet_state("heyman", "80deg", "0.1", 10, &answer) == COUPLET_PROVED);
