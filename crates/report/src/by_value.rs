@@ -78,7 +78,7 @@ impl ByValue {
         row
     }
 
-    /// What may have been meant otherwise.
+    /// Note on what may have been meant otherwise.
     fn note(&self) -> Option<String> {
         joined(notes([self.asked.friction()]))
     }

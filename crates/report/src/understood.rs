@@ -78,7 +78,7 @@ impl Understood {
         self.given.iter().find(|(field, _)| *field == of).map(|(_, text)| text.as_str())
     }
 
-    /// What may have been meant otherwise.
+    /// Note on what may have been meant otherwise.
     pub fn note(&self) -> Option<&str> {
         self.note.as_deref()
     }

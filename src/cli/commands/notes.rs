@@ -12,7 +12,7 @@ pub(super) fn frictions<'a>(all: impl IntoIterator<Item = &'a Friction>) {
     tell(ask::notes(all));
 }
 
-/// What is worth a note, a line each.
+/// Tells what is worth a note, a line each.
 pub(super) fn tell(notes: impl IntoIterator<Item = impl Display>) {
     notes.into_iter().for_each(|note| say(&format!("couplet: {note}")));
 }

@@ -343,7 +343,8 @@ fn a_double_is_infinite_where_its_value_is() {
     assert_eq!((&row["value"], row.get("double"), row.get("hex")), (&"inf".into(), None, None));
 }
 
-/// Tables as spreadsheets write them: marks at the beginning, ends of lines, separators, heads with units and Greek letters.
+/// Tables as spreadsheets write them: marks at the beginning, ends of lines, separators, heads with units and Greek
+/// letters.
 #[test]
 fn tables_are_read_as_spreadsheets_write_them() {
     let answered = |table: &str| {

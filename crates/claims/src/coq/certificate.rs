@@ -3,7 +3,7 @@
 //! Coq computes that by itself, so that nothing here is trusted: what is claimed is `claim_of` of
 //! `proofs/coq/verified/Certificate.v`.
 
-use super::value::{decimal, quantity};
+use super::value::{capital, coefficient, decimal, list, number, quantity, rows};
 use super::{last_digit, survey};
 use crate::check::{
     AcceptedFile, ArchFile, Certificate, ClaimFile, Refusal, SurveyCertificate, ValueFile, Witness,
@@ -34,7 +34,7 @@ pub fn certificate(bytes: &[u8]) -> Result<(String, String), CertificateError> {
             let name = survey::name(&certificate);
             let title = "All arches of a survey".to_owned();
             let weight = capital(&certificate.survey.weight);
-            (name, title, weight, "SurveySound", survey::term(&certificate), String::new())
+            (name, title, weight, "SurveySound", survey::term(&certificate, term), String::new())
         }
         AcceptedFile::Certificate(_) => {
             let certificate = Certificate::read(bytes)?;
@@ -65,7 +65,7 @@ pub fn certificate(bytes: &[u8]) -> Result<(String, String), CertificateError> {
 }
 
 /// A certificate of one landmark or arch.
-pub(super) fn term(certificate: &Certificate) -> String {
+fn term(certificate: &Certificate) -> String {
     format!(
         "Certificate ({}) {}\n    {}\n    {}\n    {}\n    {}",
         Subject::new(&certificate.claim).term,
@@ -160,44 +160,10 @@ fn mode(label: &str) -> &'static str {
     }
 }
 
-/// A name with its first letter large.
-pub(super) fn capital(name: &str) -> String {
-    let mut letters = name.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
-}
-
-/// An exact number of a claim: `49/20`, `1/2 pi`, `2 atan 3/5`.
-pub(super) fn number(text: &str) -> String {
-    let (quotient, form) = match (text.strip_suffix(" pi"), text.strip_prefix("2 atan ")) {
-        (Some(quotient), _) => (quotient, "TimesPi"),
-        (None, Some(quotient)) => (quotient, "TwiceArctangent"),
-        (None, None) => (text, "Fraction"),
-    };
-    format!("({form} {})", quotient.replace('/', " "))
-}
-
-/// A friction of a claim.
-pub(super) fn coefficient(text: &str) -> String {
-    match (text, text.strip_prefix("tan ")) {
-        ("inf", _) => "Unlimited".to_owned(),
-        (_, Some(angle)) => format!("(Angle {})", number(angle)),
-        _ => format!("(Coefficient {})", number(text)),
-    }
-}
-
 fn dyadic(x: &Dyadic) -> String {
     let mantissa = Integer::from_digits(x.words(), Order::Lsf);
     let sign = if x.is_negative() { "-" } else { "" };
     format!("(Dyadic ({sign}{mantissa}) ({}))", x.exponent())
-}
-
-pub(super) fn list(entries: impl Iterator<Item = String>) -> String {
-    format!("[{}]", entries.collect::<Vec<_>>().join("; "))
-}
-
-/// A list with a line for each entry.
-pub(super) fn rows(entries: impl Iterator<Item = String>) -> String {
-    format!("[{}]", entries.collect::<Vec<_>>().join(";\n     "))
 }
 
 fn boxed(witness: &Witness) -> String {
@@ -219,13 +185,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_read_as_the_file_has_them() {
-        assert_eq!(number("49/20"), "(Fraction 49 20)");
-        assert_eq!(number("1/2 pi"), "(TimesPi 1 2)");
-        assert_eq!(number("2 atan 3/5"), "(TwiceArctangent 3 5)");
-        assert_eq!(coefficient("inf"), "Unlimited");
-        assert_eq!(coefficient("tan 7/36 pi"), "(Angle (TimesPi 7 36))");
-        assert_eq!(coefficient("1/2"), "(Coefficient (Fraction 1 2))");
+    fn a_dyadic_number_is_a_mantissa_and_a_power() {
         assert_eq!(dyadic(&"-0x1f3p-12".parse().unwrap()), "(Dyadic (-499) (-12))");
     }
 }

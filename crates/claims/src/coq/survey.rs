@@ -1,16 +1,16 @@
 //! The certificate of a survey: its ranges, the verdict, and the certificates of the arches that decide it.
 
-use super::certificate::{capital, coefficient, number, rows, term as single};
-use crate::check::{PartFile, SurveyCertificate, SurveyFile};
+use super::value::{capital, coefficient, number, rows};
+use crate::check::{Certificate, PartFile, SurveyCertificate, SurveyFile};
 
 /// Beginning of the file's name.
 pub(super) fn name(certificate: &SurveyCertificate) -> String {
     format!("Survey{}", verdict(certificate))
 }
 
-/// Term of Coq.
-pub(super) fn term(certificate: &SurveyCertificate) -> String {
-    let parts = rows(certificate.parts.0.iter().map(part));
+/// Term of Coq; `single` is that of the certificate of one arch.
+pub(super) fn term(certificate: &SurveyCertificate, single: fn(&Certificate) -> String) -> String {
+    let parts = rows(certificate.parts.0.iter().map(|of| part(of, single)));
     let survey = survey(&certificate.survey);
     format!("SurveyCertificate {survey} {}\n    {parts}", verdict(certificate))
 }
@@ -38,7 +38,7 @@ fn survey(survey: &SurveyFile) -> String {
     format!("(Survey {} {frictions} {shape})", capital(&survey.weight))
 }
 
-fn part(part: &PartFile) -> String {
+fn part(part: &PartFile, single: fn(&Certificate) -> String) -> String {
     let step = part.step.as_ref().map_or("None".to_owned(), |step| {
         let [spans, rises] = [&step.span, &step.rise].map(|ends| ends.iter().map(|x| length(x)));
         let places: Vec<String> = spans.zip(rises).map(|(s, f)| format!("({s}, {f})")).collect();

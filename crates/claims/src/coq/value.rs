@@ -1,4 +1,38 @@
-//! Quantities and decimals as Coq reads them.
+//! Numbers, quantities and decimals as Coq reads them.
+
+/// A name with its first letter large.
+pub(super) fn capital(name: &str) -> String {
+    let mut letters = name.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// An exact number of a claim: `49/20`, `1/2 pi`, `2 atan 3/5`.
+pub(super) fn number(text: &str) -> String {
+    let (quotient, form) = match (text.strip_suffix(" pi"), text.strip_prefix("2 atan ")) {
+        (Some(quotient), _) => (quotient, "TimesPi"),
+        (None, Some(quotient)) => (quotient, "TwiceArctangent"),
+        (None, None) => (text, "Fraction"),
+    };
+    format!("({form} {})", quotient.replace('/', " "))
+}
+
+/// A friction of a claim.
+pub(super) fn coefficient(text: &str) -> String {
+    match (text, text.strip_prefix("tan ")) {
+        ("inf", _) => "Unlimited".to_owned(),
+        (_, Some(angle)) => format!("(Angle {})", number(angle)),
+        _ => format!("(Coefficient {})", number(text)),
+    }
+}
+
+pub(super) fn list(entries: impl Iterator<Item = String>) -> String {
+    format!("[{}]", entries.collect::<Vec<_>>().join("; "))
+}
+
+/// A list with a line for each entry.
+pub(super) fn rows(entries: impl Iterator<Item = String>) -> String {
+    format!("[{}]", entries.collect::<Vec<_>>().join(";\n     "))
+}
 
 /// The quantity of a name.
 pub(super) fn quantity(name: &str) -> String {
@@ -54,6 +88,16 @@ pub(super) fn decimal(text: &str, digits: usize) -> Option<(String, i64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn numbers_read_as_the_file_has_them() {
+        assert_eq!(number("49/20"), "(Fraction 49 20)");
+        assert_eq!(number("1/2 pi"), "(TimesPi 1 2)");
+        assert_eq!(number("2 atan 3/5"), "(TwiceArctangent 3 5)");
+        assert_eq!(coefficient("inf"), "Unlimited");
+        assert_eq!(coefficient("tan 7/36 pi"), "(Angle (TimesPi 7 36))");
+        assert_eq!(coefficient("1/2"), "(Coefficient (Fraction 1 2))");
+    }
 
     #[test]
     fn a_decimal_has_all_its_digits() {

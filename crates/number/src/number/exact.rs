@@ -280,8 +280,8 @@ impl FromStr for ExactNumber {
     type Err = ParseExactError;
 
     /// Reads `0.1`, `1e-30`, `1/3`, `pi`, `pi/2`, `2pi/3`, `0.8*pi`, radians by name, `1.5rad`, degrees:
-    /// `80deg`, `80°`, `80 degrees`, all of which are shown as `80deg`, `80°30'15"`, `88gon`, and `2atan(3/5)` with a number
-    /// above zero; numbers as other programs [spell](spelt) them.
+    /// `80deg`, `80°`, `80 degrees`, all of which are shown as `80deg`, `80°30'15"`, `88gon`, and `2atan(3/5)` with a
+    /// number above zero; numbers as other programs [spell](spelt) them.
     ///
     /// ```
     /// use couplet_number::number::ExactNumber;

@@ -46,8 +46,8 @@ pub fn spelt_range(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// Place of the hyphen between two numbers with one unit, or with a unit behind the second alone; none where it could be
-/// anything else.
+/// Place of the hyphen between two numbers with one unit, or with a unit behind the second alone; none where it
+/// could be anything else.
 fn hyphen(text: &str) -> Option<usize> {
     let is_between = |&(place, _): &(usize, &str)| {
         let (before, behind) = (text[..place].trim_end(), text[place + 1..].trim_start());

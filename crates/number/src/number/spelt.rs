@@ -1,5 +1,5 @@
-//! Numbers as people and other programs spell them, in the one spelling that is read: what has one meaning is respelt, and
-//! nothing else.
+//! Numbers as people and other programs spell them, in the one spelling that is read: what has one meaning is respelt,
+//! and nothing else.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -9,8 +9,8 @@ use std::borrow::Cow;
 const MAX_DIGITS: usize = 16;
 const MAX_POWER: u32 = 1_100;
 
-/// A number with or without a unit as it is read: `−1.5` with the minus of typography, `80º` with the ordinal of Spanish
-/// keyboards, `Pi/2`, Fortran's `0.107D+00`, and `0x1.8p+1`, which is the fraction that it is.
+/// A number with or without a unit as it is read: `−1.5` with the minus of typography, `80º` with the ordinal of
+/// Spanish keyboards, `Pi/2`, Fortran's `0.107D+00`, and `0x1.8p+1`, which is the fraction that it is.
 ///
 /// ```
 /// use couplet_number::number::spelt;

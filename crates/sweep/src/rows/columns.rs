@@ -96,7 +96,7 @@ impl Columns {
         self.is_plain(column, name, &plain(name))
     }
 
-    /// The same of a name whose plain form is known.
+    /// Tells the same of a name whose plain form is known.
     fn is_plain(&self, column: &RowColumn, name: &str, plain: &str) -> bool {
         column.theirs == name || (!self.named && column.theirs == plain)
     }
@@ -184,7 +184,8 @@ impl Columns {
         Ok(cells)
     }
 
-    /// Refuses a name of an arch that nothing here is asked about, unless it is handed on by name: it must not be dropped.
+    /// Refuses a name of an arch that nothing here is asked about, unless it is handed on by name: it must not be
+    /// dropped.
     fn is_answered(&self, name: &str) -> Result<(), String> {
         let is_known = || self.have(name) || self.kept.iter().any(|kept| kept == name);
         // The circle of sizes that are told alone asks nothing.
@@ -462,7 +463,9 @@ mod tests {
         let found = cells(r#"{"Alpha":1.50,"mu":"inf","id":7}"#).unwrap();
         assert_eq!(found.into_iter().flatten().collect::<Vec<_>>(), ["1.50", "inf"]);
         assert!(cells(r#"{"alpha":1,"half_opening":1,"mu":1}"#).is_err());
-        assert!(cells(r#"{"alpha":1,"mu":1,"thickness ":1,"thicknes":1}"#).is_err());
+        assert!(cells(r#"{"alpha":1,"mu":1,"thicknes":1}"#).is_err());
+        let found = cells(r#"{"alpha":1,"mu":1,"thickness ":2,"thicknes":3}"#).unwrap();
+        assert!(found.into_iter().flatten().eq(["1", "1", "2"]), "the one that is meant is there");
         assert!(cells(r#"{"alpha":1,"frictio":1}"#).unwrap_err().contains("'friction'"));
     }
 }
