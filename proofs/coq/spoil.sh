@@ -68,7 +68,7 @@ spoil_certificate() {
   spoiled "a box elsewhere" claim \
     's/(\(Box \[\(Dyadic \()(-?\d)/$1 . "1" . $2/e'
   spoiled "a box that is too large" claim \
-    's/(\(Box \[.*?\]\s*\[\(Dyadic \()(\d)/${1}9$2/s'
+    's/(\(Box \[.*?\]\s*\[\(Dyadic \(\d+\) \()-\d+/${1}-31/s'
   spoiled "a matrix that is not the inverse" claim \
     's/(\n    \[\[\(Dyadic \([^)]*\) \()-?\d+/${1}3/'
   spoiled "a value that is not stated" claim \
