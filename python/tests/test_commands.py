@@ -185,7 +185,7 @@ WRONG = [
     (lambda: couplet.draw("80deg", "0.5", at="T"), couplet.CoupletError, "half_opening"),
     (lambda: couplet.draw("\ud800", "0.5"), couplet.CoupletError, "is no text"),
     (lambda: couplet.draw("1\0", "0.5"), couplet.CoupletError, "of the code 0"),
-    (lambda: couplet.judge({"half_opening": [1], "friction": [1], "\ud800": [1]}), couplet.CoupletError, "not valid UTF-8"),
+    (lambda: couplet.judge({"half_opening": [1], "friction": [1], "\ud800": [1]}), couplet.CoupletError, "no column for anything to judge"),
     (lambda: couplet.run({"constants": [{"landmarks": "\ud800"}]}), couplet.CoupletError, "'\\ud800' is no text"),
     (lambda: couplet.run({"\ud800": 1}), couplet.CoupletError, "'\\ud800' is no text"),
     (lambda: couplet.run("\ud800"), couplet.CoupletError, "is no text"),
