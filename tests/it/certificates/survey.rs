@@ -304,7 +304,7 @@ refusals! {
     a_survey_beyond_the_limit: all().with("/survey/free/thickness/1", "21/10")
         => no_survey("the thickness 21/10 is not between 0 and 2");
     a_survey_thicker_than_its_circle: both_measured().with("/survey/spanned/thickness/1", "9/1")
-        => no_survey("the thickness 9 m is too large for this extrados: at most 5.541803 m, its radius");
+        => no_survey("the thickness 9 m is too large for this extrados: at most 5.541803… m, its radius");
 
     // The parts that a verdict takes.
     no_parts: parts(all(), &[]) => SurveyRefusal::Parts { found: 0, expected: 1 }.into();

@@ -237,14 +237,14 @@ impl FromStr for Circle {
 
 impl fmt::Display for Length {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // To a micrometre; what is shorter is itself.
         let many = BigInt::from(1_000_000);
-        let short = (&self.0 * &many).round() / many;
-        write!(
-            f,
-            "{} m",
-            if short > BigInt::ZERO.into() { decimal(&short) } else { self.0.to_string() }
-        )
+        let cut = BigRational::from((&self.0 * &many).to_integer()) / many;
+        let exact = decimal(&self.0);
+        // A decimal that does not end is told to a micrometre; what is shorter is a fraction.
+        match exact.contains('/') && cut > BigInt::ZERO.into() {
+            true => write!(f, "{}… m", decimal(&cut)),
+            false => write!(f, "{exact} m"),
+        }
     }
 }
 
@@ -427,6 +427,15 @@ mod tests {
 
     fn length(text: &str) -> Length {
         text.parse().unwrap()
+    }
+
+    #[test]
+    fn a_length_is_told_exactly_or_cut_off() {
+        let told = ["9m", "60ft1in", "0.1234567m", "1/3m", "2/3 m", "1/3000000000m"];
+        let told = told.map(|text| length(text).to_string());
+        let cut =
+            ["9 m", "18.3134 m", "0.1234567 m", "0.333333… m", "0.666666… m", "1/3000000000 m"];
+        assert_eq!(told, cut, "no digit is rounded up: what is told as the most is no more");
     }
 
     #[test]

@@ -60,16 +60,8 @@ mod tests {
     #[test]
     fn numbers_of_other_programs_are_the_same_numbers() {
         let comma = Spelling { decimal_comma: true };
-        let usual = Spelling::default();
-        for (text, expected) in [
-            ("0.107D+00", "0.107e+00"),
-            (".5d-3", ".5e-3"),
-            ("-1D5", "-1e5"),
-            ("80deg", "80deg"),
-            ("D5", "D5"),
-            ("1,5", "1,5"),
-        ] {
-            assert_eq!(usual.exact(text), expected, "{text}");
+        for text in ["80deg", "1,5"] {
+            assert_eq!(Spelling::default().exact(text), text);
         }
         for (text, expected) in [
             ("80,5 deg", "80.5 deg"),
