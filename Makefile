@@ -10,7 +10,7 @@
 # `system-gmp` takes GMP and MPFR from the system, which may have them too old.
 ALL := --workspace --features study,proptest
 # What else is built with the command, of the same crates: `--package couplet-c --package couplet-python`.
-TOGETHER :=
+TOGETHER ?=
 
 # No path of this machine stands in a program that is handed on.
 release library: export RUSTFLAGS := --remap-path-prefix=$(CURDIR)=/couplet --remap-path-prefix=$(or $(CARGO_HOME),$(HOME)/.cargo)=/cargo
