@@ -13,7 +13,7 @@ use couplet::certify::batch::{
 };
 use couplet::number::ExactNumber;
 use couplet::problem::{Arch, Friction, Quantity};
-use couplet::sweep::rows::{ArchReader, Cells, Columns, Purpose, Role, RowColumn, Spelling};
+use couplet::sweep::rows::{ArchReader, Cells, Columns, NumberStyle, Purpose, Role, RowColumn};
 use couplet::sweep::{parse, rows};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
@@ -174,7 +174,7 @@ impl Table {
 
     /// The arches as numbers that are exactly what the cells say.
     fn exact(&self) -> ExactArches {
-        let (columns, spelling) = (self.columns.clone(), Spelling::default());
+        let (columns, spelling) = (self.columns.clone(), NumberStyle::default());
         let reader = ArchReader { columns, weight: self.weight, doubles: false, spelling };
         let row = |row: &usize| {
             let cells: Cells = self.cells.iter().map(|cells| Some(cells.text(*row))).collect();

@@ -31,7 +31,7 @@ claims! {
 
 /// The symmetric states of an edge of `[s,r,r]`, by their half opening.
 #[derive(Clone, Copy, Debug)]
-struct Edge {
+struct EdgeOfStates {
     weight: SelfWeight,
     /// Mode of the edge: with a joint that slides inside, `[s,s]`, or with a shoulder that opens, `[r,r,r]`.
     mode: AsymmetricMode,
@@ -39,14 +39,14 @@ struct Edge {
     begins: [i32; 2],
 }
 
-const EDGES: [Edge; 4] = {
+const EDGES: [EdgeOfStates; 4] = {
     use AsymmetricMode::{InnerSliding, ShoulderOpening};
     use SelfWeight::{Heyman, Milankovitch};
     [
-        Edge { weight: Milankovitch, mode: InnerSliding, begins: [12_621, 12_622] },
-        Edge { weight: Heyman, mode: InnerSliding, begins: [12_562, 12_563] },
-        Edge { weight: Milankovitch, mode: ShoulderOpening, begins: [12_872, 12_873] },
-        Edge { weight: Heyman, mode: ShoulderOpening, begins: [12_872, 12_873] },
+        EdgeOfStates { weight: Milankovitch, mode: InnerSliding, begins: [12_621, 12_622] },
+        EdgeOfStates { weight: Heyman, mode: InnerSliding, begins: [12_562, 12_563] },
+        EdgeOfStates { weight: Milankovitch, mode: ShoulderOpening, begins: [12_872, 12_873] },
+        EdgeOfStates { weight: Heyman, mode: ShoulderOpening, begins: [12_872, 12_873] },
     ]
 };
 
@@ -57,11 +57,11 @@ const DEPTH: u32 = 16;
 /// with the first kind. At `sb` the joint `beta_r` alone turns back, and a box that is as narrow as it moves has no
 /// room for the rest.
 struct BeginEquations {
-    edge: Edge,
+    edge: EdgeOfStates,
     half_opening: DoubleBall,
 }
 
-impl Edge {
+impl EdgeOfStates {
     fn at<T: Real>(self, half_opening: &T, x: &[T]) -> Option<Asymmetric<T>> {
         let [thrust, moment, thickness, lower, friction, rest @ ..] = x else { return None };
         let zero = Angle::zero(thrust);
@@ -83,7 +83,7 @@ impl Edge {
 
 impl Form<DoubleBall> for BeginEquations {
     fn at<T: Real + Stumpff>(&self, number: impl Fn(&DoubleBall) -> T, x: &[T]) -> Vec<T> {
-        let Edge { weight, mode, .. } = self.edge;
+        let EdgeOfStates { weight, mode, .. } = self.edge;
         let at = self.edge.at(&number(&self.half_opening), x);
         at.map_or_else(Vec::new, |at| {
             // The slope at the crown is that of a symmetric state: it is zero.
@@ -98,7 +98,7 @@ impl Form<DoubleBall> for BeginEquations {
     }
 }
 
-impl Edge {
+impl EdgeOfStates {
     /// The unknowns at T, where the edge ends, and its half opening in degrees, rounded up.
     fn end(self) -> Checked<(Vec<f64>, Rational)> {
         let at = landmark(Landmark::Triple, self.weight)?;
@@ -162,7 +162,7 @@ fn decided() -> &'static [Checked] {
 fn begins(d: &mut Derivation) -> Checked {
     lemmas(d, [&ASYMMETRIC_MOTION])?;
     for (edge, decided) in EDGES.iter().zip(decided()) {
-        let Edge { weight, mode, begins } = edge;
+        let EdgeOfStates { weight, mode, begins } = edge;
         let [fails, holds] = begins.map(|n| format!("{}.{:02}", n / 100, n % 100));
         let words = format!(
             "{weight}, {}: at each alpha from 90° to {fails}° a solution has a negative rate, and at each from {holds}° to \
@@ -170,12 +170,12 @@ fn begins(d: &mut Derivation) -> Checked {
             mode.name()
         );
         // A hundredth of a degree further it begins no more.
-        let late = Edge { begins: begins.map(|hundredths| hundredths + 1), ..*edge };
+        let late = EdgeOfStates { begins: begins.map(|hundredths| hundredths + 1), ..*edge };
         d.certain(Support::Balls, words, [None, Some(late)], |twin| {
-            twin.map_or_else(|| decided.clone(), Edge::proved).map(|()| Ternary::True)
+            twin.map_or_else(|| decided.clone(), EdgeOfStates::proved).map(|()| Ternary::True)
         })?;
     }
-    let edge = Edge { weight: SelfWeight::Heyman, ..EDGES[0] };
+    let edge = EdgeOfStates { weight: SelfWeight::Heyman, ..EDGES[0] };
     let at = variables();
     let (alpha, joint, eta) = (&at.half_opening, &at.haunch, &at.thickness);
     let forces = Forces { vertical: eta.int(0), ..at.forces.clone() };

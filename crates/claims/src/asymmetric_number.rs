@@ -5,7 +5,7 @@
 //! arch with a shoulder that slides the vertical force alone is left, and what holds on the way from the
 //! symmetric state changes but once.
 
-use super::asymmetric_cover::{Directions, RECTANGLE, Rectangle, elsewhere, known};
+use super::asymmetric_cover::{Directions, ForceRectangle, RECTANGLE, elsewhere, known};
 use super::asymmetric_kinds::{KINDS, borne, margin_at};
 use super::letters::ring;
 use super::uniqueness::ONE_THICKNESS;
@@ -89,7 +89,7 @@ fn number(d: &mut Derivation) -> Checked {
             f64::from(RECTANGLE.vertical) / 64.0
         );
         // Solutions are beyond a smaller one.
-        let smaller = Rectangle { vertical: RECTANGLE.vertical / 4, ..RECTANGLE };
+        let smaller = ForceRectangle { vertical: RECTANGLE.vertical / 4, ..RECTANGLE };
         d.certain(Support::Balls, words, [None, Some(smaller)], |twin| {
             let proved = twin.map_or_else(
                 || nowhere.clone(),

@@ -59,7 +59,7 @@ impl CusaSigns {
 }
 
 /// Signs at a haunch above a right angle.
-pub(super) struct Haunch {
+pub(super) struct HaunchSigns {
     pub signs: CusaSigns,
     pub cos: Positive,
     /// `beta sin(beta) - (1 - cos(beta))`.
@@ -68,8 +68,8 @@ pub(super) struct Haunch {
     pub arm: Positive,
 }
 
-impl Haunch {
-    pub(super) fn of(d: &mut Derivation, ring: &RingSigns) -> Checked<Self> {
+impl HaunchSigns {
+    pub(super) fn of(d: &mut Derivation, ring: &ThickRingSigns) -> Checked<Self> {
         let joint = Symbol::joint();
         let signs = CusaSigns::of_joint(d)?;
         let [cos] = Positive::given(d, "beta < pi/2", [&joint.cos]);
@@ -100,7 +100,7 @@ pub(super) fn from_the_crown(
 }
 
 /// The signs of a ring up to the physical limit.
-pub(super) struct RingSigns {
+pub(super) struct ThickRingSigns {
     /// `tau`.
     pub slenderness: Positive,
     /// `(1 - tau)/2`.
@@ -113,7 +113,7 @@ pub(super) struct RingSigns {
     pub lift: NotNegative,
 }
 
-impl RingSigns {
+impl ThickRingSigns {
     pub(super) fn of(d: &mut Derivation) -> Checked<Self> {
         let (ring, delta) = (ring(), Symbol::Flag.number());
         let [eta] = Positive::given(d, "0 < eta <= 2", [&ring.thickness]);

@@ -14,7 +14,7 @@
 use super::contacts::{CONTACTS, margin_at};
 use super::curve::{STATES_IN_ORDER, STATES_OF_ONE_THICKNESS};
 use super::letters::{ring, with};
-use super::rise_signs::{CusaSigns, Haunch, RingSigns, from_the_crown, ratio};
+use super::rise_signs::{CusaSigns, HaunchSigns, ThickRingSigns, from_the_crown, ratio};
 use super::sign::{AngleSigns, NotNegative, Positive};
 use super::{Checked, Derivation, claims, lemmas};
 use crate::arch::mechanism::Contact;
@@ -87,8 +87,8 @@ pub(super) fn rate_of_opening(d: &mut Derivation) -> Checked<Fraction> {
 
 fn rotation(d: &mut Derivation) -> Checked {
     lemmas(d, [&STATES_OF_ONE_THICKNESS])?;
-    let ring = RingSigns::of(d)?;
-    let (haunch, alpha) = (Haunch::of(d, &ring)?, CusaSigns::of_half_opening(d)?);
+    let ring = ThickRingSigns::of(d)?;
+    let (haunch, alpha) = (HaunchSigns::of(d, &ring)?, CusaSigns::of_half_opening(d)?);
     let rate = rate_of_opening(d)?;
     let two = rate.int(2);
     let rest = rate - (two.clone() - opening_variable());
@@ -114,7 +114,7 @@ fn rotation(d: &mut Derivation) -> Checked {
 /// `alpha/sin(alpha) - 1 - tau n` from a half circle on.
 fn room_of_wide_arches(
     d: &mut Derivation,
-    ring: &RingSigns,
+    ring: &ThickRingSigns,
     alpha: &AngleSigns,
     rate: &Fraction,
 ) -> Checked<Positive> {
@@ -129,7 +129,7 @@ fn room_of_wide_arches(
 
 fn overturning(d: &mut Derivation) -> Checked {
     lemmas(d, [&CONTACTS])?;
-    let ring = RingSigns::of(d)?;
+    let ring = ThickRingSigns::of(d)?;
     let (joint, alpha) = (CusaSigns::of_joint(d)?, CusaSigns::of_half_opening(d)?);
     let rate = rate_of_opening(d)?;
     let room = room_of_wide_arches(d, &ring, &alpha.angle, &rate)?;
@@ -169,7 +169,11 @@ pub(super) fn sliding_shoulder(d: &mut Derivation) -> Checked {
 }
 
 /// `1 - h + tau/2 + D h`, `h` of (2).
-fn growth_of_thrust(d: &mut Derivation, ring: &RingSigns, haunch: &Haunch) -> Checked<Positive> {
+fn growth_of_thrust(
+    d: &mut Derivation,
+    ring: &ThickRingSigns,
+    haunch: &HaunchSigns,
+) -> Checked<Positive> {
     let h = thrust_of_haunch();
     let [rest] = Positive::given(d, "h < 1", [&(h.int(1) - &h)]);
     let versine = &haunch.signs.angle.versine;
@@ -185,8 +189,8 @@ fn growth_of_thrust(d: &mut Derivation, ring: &RingSigns, haunch: &Haunch) -> Ch
 
 fn wide(d: &mut Derivation) -> Checked {
     lemmas(d, [&STATES_OF_ONE_THICKNESS, &STATES_IN_ORDER])?;
-    let ring = RingSigns::of(d)?;
-    let (haunch, alpha) = (Haunch::of(d, &ring)?, AngleSigns::of_half_opening(d)?);
+    let ring = ThickRingSigns::of(d)?;
+    let (haunch, alpha) = (HaunchSigns::of(d, &ring)?, AngleSigns::of_half_opening(d)?);
     sliding_shoulder(d)?;
     growth_of_thrust(d, &ring, &haunch)?;
     let (at, h) = (Symbol::half_opening(), Symbol::Thrust.number());
@@ -248,8 +252,8 @@ fn relieved(d: &mut Derivation) -> Checked {
 /// `3 (1 - h)²/4 - tau h`, `h` of (2): it is at least a square.
 fn thin_if_thrust_is_large(
     d: &mut Derivation,
-    ring: &RingSigns,
-    haunch: &Haunch,
+    ring: &ThickRingSigns,
+    haunch: &HaunchSigns,
     rest: &Positive,
 ) -> Checked {
     let (joint, h) = (Symbol::joint(), thrust_of_haunch());
@@ -299,8 +303,8 @@ fn thin_if_thrust_is_large(
 
 fn narrow(d: &mut Derivation) -> Checked {
     lemmas(d, [&STATES_OF_ONE_THICKNESS, &STATES_IN_ORDER, &RELIEF])?;
-    let ring = RingSigns::of(d)?;
-    let haunch = Haunch::of(d, &ring)?;
+    let ring = ThickRingSigns::of(d)?;
+    let haunch = HaunchSigns::of(d, &ring)?;
     sliding_shoulder(d)?;
     let rest = growth_of_thrust(d, &ring, &haunch)?;
     thin_if_thrust_is_large(d, &ring, &haunch, &rest)?;

@@ -83,7 +83,7 @@ fn tails<T: Field>(u: &T, unit: &T) -> [T; 5] {
 }
 
 /// Numbers of a joint that stay what they are as it comes near the crown.
-struct Joint<T> {
+struct JointNumbers<T> {
     cos: T,
     /// `1 - cos(beta)`.
     versine: T,
@@ -99,7 +99,7 @@ struct Joint<T> {
     lag_over_versine: T,
 }
 
-impl<T: Field> Joint<T> {
+impl<T: Field> JointNumbers<T> {
     /// The numbers by sine and cosine.
     fn of_angle(joint: &Angle<T>) -> Self {
         let (versine, one) = (joint.versine(), joint.rad.int(1));
@@ -135,14 +135,14 @@ impl<T: Field> Joint<T> {
 }
 
 /// Line of thrust and ring at a haunch.
-struct Haunch<'a, T> {
-    joint: &'a Joint<T>,
+struct ThrustAtHaunch<'a, T> {
+    joint: &'a JointNumbers<T>,
     thrust: T,
     centroids: T,
     slenderness: T,
 }
 
-impl<T: Field> Haunch<'_, T> {
+impl<T: Field> ThrustAtHaunch<'_, T> {
     /// `1 - tau`.
     fn rest(&self) -> T {
         self.thrust.int(1) - &self.slenderness
@@ -197,13 +197,13 @@ impl<T: Field> Haunch<'_, T> {
 
 /// The three numbers at a haunch with the thrust of (5).
 fn rooms<T: Field>(joint: &T, delta: &T, eta: &T, unit: &T) -> [T; 3] {
-    let joint = Joint::of_square(&joint.square(), unit);
+    let joint = JointNumbers::of_square(&joint.square(), unit);
     let ring = Ring::with_flag(delta, eta);
     let slenderness = eta.int(2) * eta / ring.extrados();
     let centroids = eta.int(2) * &ring.centroid_factor / ring.extrados();
     let rest = eta.int(1) - &slenderness;
     let thrust = joint.times_cotangent.clone() + eta.int(1) - centroids.clone() / rest;
-    let haunch = Haunch { joint: &joint, thrust, centroids, slenderness };
+    let haunch = ThrustAtHaunch { joint: &joint, thrust, centroids, slenderness };
     [haunch.rotation(), haunch.narrow(), haunch.wide()]
 }
 
@@ -278,12 +278,12 @@ fn haunch(d: &mut Derivation) -> Checked {
 }
 
 /// A haunch in letters: the joint and the thrust are free, ring and centroids are those of (2) and (5).
-fn haunch_in_letters(joint: &Joint<Fraction>) -> Haunch<'_, Fraction> {
+fn haunch_in_letters(joint: &JointNumbers<Fraction>) -> ThrustAtHaunch<'_, Fraction> {
     let h = Symbol::Thrust.number();
     let sum = h.clone() + joint.excess.clone() * &joint.versine;
     let slenderness = joint.excess.clone() * &joint.versine / &sum;
     let touching = joint.times_cotangent.clone() + h.int(1) - &h;
-    Haunch { joint, centroids: h.clone() / sum * touching, thrust: h, slenderness }
+    ThrustAtHaunch { joint, centroids: h.clone() / sum * touching, thrust: h, slenderness }
 }
 
 /// `tau h = (1 - tau) q (1 - cos(beta))` at a haunch.
@@ -291,7 +291,7 @@ fn slenderness_of_haunch(d: &mut Derivation) -> Checked {
     let (joint, h, ring) = (Symbol::joint(), Symbol::Thrust.number(), ring());
     let (tau, g, one) = (slenderness(), centroids(), h.int(1));
     let rest = one.clone() - &tau;
-    let parts = Joint::of_angle(&joint);
+    let parts = JointNumbers::of_angle(&joint);
     let lower = rest.clone() * &joint.rad * &joint.sin
         - g.clone() * &parts.versine
         - (parts.versine.clone() + tau.clone() * &joint.cos) * &h;
@@ -319,7 +319,7 @@ fn rotation(d: &mut Derivation) -> Checked {
     let asked = -along_the_square(&(h + centroids()));
     let words = "-E a, where a = h + g, h of (2), is what a haunch asks of A";
     d.on_circle(words, asked, loss / arm)?;
-    let parts = Joint::of_angle(&joint);
+    let parts = JointNumbers::of_angle(&joint);
     let at = haunch_in_letters(&parts);
     let lack = one.int(2) - &at.thrust - &at.centroids;
     let (tau, half) = (&at.slenderness, one.ratio(1, 2));
@@ -362,7 +362,7 @@ fn shoulder(d: &mut Derivation) -> Checked {
     let growth = (one.int(2) - &tau) * &tau * (normal - fall_of_centroids() * joint.versine());
     let arm = joint.versine() + tau * &joint.cos;
     d.on_circle("-E h, h of (2)", -along_the_square(&h), growth / arm)?;
-    let parts = Joint::of_angle(&joint);
+    let parts = JointNumbers::of_angle(&joint);
     let at = haunch_in_letters(&parts);
     let normal = statics::normal_force(&joint, &at.thrust);
     let tau = &at.slenderness;

@@ -7,7 +7,7 @@ use super::margins::{Thinnest, are_positive, in_doubles, of_haunch, of_state};
 use super::piece::Proof;
 use super::root::{Equation, known_if, newton, root};
 use super::sine::{Long, Sine};
-use super::start::Plane;
+use super::start::StartPlane;
 use crate::arch::contact::{self, Rates};
 use crate::arch::{Configuration, Ring, SelfWeight, sliding, thrust};
 use crate::number::{Angle, Dekker, Field, Product, SinePoint};
@@ -15,17 +15,17 @@ use crate::number::{Angle, Dekker, Field, Product, SinePoint};
 /// Proof of states in which an inner joint slides.
 pub(super) struct Inner<'a> {
     pub(super) weight: SelfWeight,
-    pub(super) plane: &'a Plane,
+    pub(super) plane: &'a StartPlane,
 }
 
 /// (5) at the thickness of (3) and (5), at a thrust.
-struct OfJoint<P> {
+struct InnerEquation<P> {
     weight: SelfWeight,
     half_opening: Angle<Long<P>>,
     thrust: Long<P>,
 }
 
-impl<P: Product> Equation<P, 1> for OfJoint<P> {
+impl<P: Product> Equation<P, 1> for InnerEquation<P> {
     #[inline(always)]
     fn at<T: Sine<P>>(
         &self,
@@ -62,7 +62,7 @@ impl Proof<4, 2, 3> for Inner<'_> {
         let exact = |x: f64| Long::<Dekker>::exact(x.into());
         let at_alpha: Angle<f64> = Sine::<Dekker>::angle(alpha, &SinePoint::nearest(alpha));
         let half_opening = at_alpha.map(exact);
-        let equation = OfJoint { weight: self.weight, half_opening, thrust: exact(h) };
+        let equation = InnerEquation { weight: self.weight, half_opening, thrust: exact(h) };
         let mut joint = self.plane.at(alpha, h).sqrt();
         for _ in 0..3 {
             (joint, _) = newton(&equation, joint, &SinePoint::nearest(joint));
@@ -78,7 +78,7 @@ impl Proof<4, 2, 3> for Inner<'_> {
     ) -> [Long<P>; 3] {
         let Self { weight, .. } = *self;
         let half_opening = alpha.angle(&at_alpha);
-        let equation = OfJoint { weight, half_opening, thrust };
+        let equation = InnerEquation { weight, half_opening, thrust };
         let found = root(&equation, (joint, &at_joint), 1);
         let ([thickness], half_opening) = (found.values, &equation.half_opening);
         let mut at = in_doubles(half_opening, [&thickness, &thrust, &friction], found.domain);

@@ -11,7 +11,7 @@ use std::array;
 pub(super) const ARCHES: usize = 64;
 
 /// Numbers of them: the two doubles of each midpoint, and the radii.
-pub(super) type Column = [[f64; ARCHES]; 3];
+pub(super) type LaneColumn = [[f64; ARCHES]; 3];
 
 /// A proof of `OUT` values from `IN` numbers, without a branch.
 pub(super) trait Proof<const IN: usize, const ANGLES: usize, const OUT: usize> {
@@ -28,12 +28,12 @@ pub(super) trait Proof<const IN: usize, const ANGLES: usize, const OUT: usize> {
 }
 
 /// Numbers that are given of the arches of one call, and that are found of them.
-pub(super) struct Piece<const IN: usize, const OUT: usize> {
-    given: [Column; IN],
-    found: [Column; OUT],
+pub(super) struct LanePiece<const IN: usize, const OUT: usize> {
+    given: [LaneColumn; IN],
+    found: [LaneColumn; OUT],
 }
 
-impl<const IN: usize, const OUT: usize> Piece<IN, OUT> {
+impl<const IN: usize, const OUT: usize> LanePiece<IN, OUT> {
     /// No arch yet.
     pub(super) fn new() -> Self {
         Self { given: [[[f64::NAN; ARCHES]; 3]; IN], found: [[[f64::NAN; ARCHES]; 3]; OUT] }
@@ -96,7 +96,7 @@ impl<const IN: usize, const OUT: usize> Piece<IN, OUT> {
 
     /// Values of the arch in a place, if they are proved.
     pub(super) fn found(&self, place: usize) -> Option<[DoubleDoubleBall; OUT]> {
-        let value = |column: &Column| {
+        let value = |column: &LaneColumn| {
             let [high, low, rad] = column.each_ref().map(|part| part[place]);
             DoubleDoubleBall::new(DoubleDouble::sum(high, low), rad)
         };
@@ -106,7 +106,7 @@ impl<const IN: usize, const OUT: usize> Piece<IN, OUT> {
 }
 
 #[inline(always)]
-fn number<P: Product>(column: &Column, place: usize) -> Long<P> {
+fn number<P: Product>(column: &LaneColumn, place: usize) -> Long<P> {
     let [high, low, rad] = column.each_ref().map(|part| part[place]);
     Long::new(DoubleDoubleBy::sum(high, low), rad)
 }

@@ -31,7 +31,7 @@ pub(super) trait Equation<P: Product, const V: usize> {
 }
 
 /// A root, if it is proved, and values there.
-pub(super) struct Root<P, const V: usize> {
+pub(super) struct LaneRoot<P, const V: usize> {
     /// True if the box holds exactly one root.
     pub(super) is_proved: bool,
     /// The root.
@@ -61,7 +61,7 @@ pub(super) fn root<P: Product, const V: usize>(
     equation: &impl Equation<P, V>,
     (start, point): (f64, &SinePoint),
     steps: usize,
-) -> Root<P, V> {
+) -> LaneRoot<P, V> {
     let (mut middle, mut inverse) = (start, 0.0);
     for _ in 0..steps {
         (middle, inverse) = newton(equation, middle, point);
@@ -82,7 +82,7 @@ pub(super) fn root<P: Product, const V: usize>(
         *value = moved(*value, with.slopes[0]);
     }
     let is_proved = image.size() < radius;
-    Root { is_proved, angle: angle.rad + image, domain, values: all }
+    LaneRoot { is_proved, angle: angle.rad + image, domain, values: all }
 }
 
 /// A number that is known if something is proved, else the whole line.

@@ -34,7 +34,7 @@ pub(super) fn rotating<const EXACTLY: bool>(
 }
 
 /// Values that (2), (4) and (5) give to a joint.
-struct AtJoint<T> {
+struct RotationValues<T> {
     thickness: T,
     /// The thrust by (4).
     thrust: T,
@@ -43,21 +43,25 @@ struct AtJoint<T> {
 }
 
 #[inline(always)]
-fn at_joint<T: Field>(weight: SelfWeight, opening_variable: &T, joint: &Angle<T>) -> AtJoint<T> {
+fn at_joint<T: Field>(
+    weight: SelfWeight,
+    opening_variable: &T,
+    joint: &Angle<T>,
+) -> RotationValues<T> {
     let ring = Ring::new(weight, &thrust::rotating(joint, opening_variable).value());
     let thrust = opening_variable.clone() - overturning::opening_variable(&ring).value();
     let excess = joint.rad.clone() / &joint.sin - joint.rad.int(1);
     let residual = thrust::touching(&joint.versine(), &excess, &ring).residual(&thrust);
-    AtJoint { thickness: ring.thickness, thrust, residual }
+    RotationValues { thickness: ring.thickness, thrust, residual }
 }
 
 /// The equation in the joint, for an opening variable.
-struct OfJoint<P> {
+struct RotationEquation<P> {
     weight: SelfWeight,
     opening_variable: Long<P>,
 }
 
-impl<P: Product> Equation<P, 2> for OfJoint<P> {
+impl<P: Product> Equation<P, 2> for RotationEquation<P> {
     #[inline(always)]
     fn at<T: Sine<P>>(
         &self,
@@ -65,7 +69,7 @@ impl<P: Product> Equation<P, 2> for OfJoint<P> {
         joint: &Angle<T>,
     ) -> (T, [T; 2]) {
         let a = number(&self.opening_variable);
-        let AtJoint { thickness, thrust, residual } = at_joint(self.weight, &a, joint);
+        let RotationValues { thickness, thrust, residual } = at_joint(self.weight, &a, joint);
         (residual, [thickness, thrust])
     }
 }
@@ -92,7 +96,7 @@ impl<const EXACTLY: bool> Proof<1, 3, 6> for Rotation<'_, EXACTLY> {
         let Self { weight, .. } = *self;
         let half_opening = alpha.angle(&at_alpha);
         let opening_variable = thrust::opening_variable(&half_opening).value();
-        let found = root(&OfJoint { weight, opening_variable }, (joint, &at_joint), 2);
+        let found = root(&RotationEquation { weight, opening_variable }, (joint, &at_joint), 2);
         let [thickness, thrust] = found.values;
         let unlimited = Long::<P>::exact(f64::INFINITY.into());
         let at = in_doubles(&half_opening, [&thickness, &thrust, &unlimited], found.domain);

@@ -19,12 +19,12 @@ pub(super) struct Shoulder<'a> {
 }
 
 /// (5) at the thickness of (2) and (5), at a thrust.
-struct OfJoint<P> {
+struct ShoulderEquation<P> {
     weight: SelfWeight,
     thrust: Long<P>,
 }
 
-impl<P: Product> Equation<P, 1> for OfJoint<P> {
+impl<P: Product> Equation<P, 1> for ShoulderEquation<P> {
     #[inline(always)]
     fn at<T: Sine<P>>(
         &self,
@@ -75,7 +75,7 @@ impl Proof<2, 3, 4> for Shoulder<'_> {
         let Self { weight, .. } = *self;
         let half_opening = alpha.angle(&at_alpha);
         let thrust = sliding::shoulder_thrust(&half_opening, &friction).value();
-        let found = root(&OfJoint { weight, thrust }, (joint, &at_joint), 2);
+        let found = root(&ShoulderEquation { weight, thrust }, (joint, &at_joint), 2);
         let [thickness] = found.values;
         let at = in_doubles(&half_opening, [&thickness, &thrust, &friction], found.domain);
         let rates = contact::rates_of_shoulder_sliding(&at);

@@ -19,12 +19,12 @@ use crate::number::{Angle, Product, SinePoint};
 pub(super) struct Steepest<'a>(pub(super) &'a Table<2>);
 
 /// `sin phi - mu cos phi`, with a point next to `phi`.
-struct Inner<'a, P> {
+struct SteepestEquation<'a, P> {
     friction: Long<P>,
     at_friction: &'a SinePoint,
 }
 
-impl<P: Product> Equation<P, 2> for Inner<'_, P> {
+impl<P: Product> Equation<P, 2> for SteepestEquation<'_, P> {
     #[inline(always)]
     fn at<T: Sine<P>>(&self, number: impl Fn(&Long<P>) -> T + Copy, chi: &Angle<T>) -> (T, [T; 2]) {
         let phi = cycloid::friction_angle(chi).angle(self.at_friction);
@@ -45,7 +45,7 @@ impl Proof<1, 2, 2> for Steepest<'_> {
         [friction]: [Long<P>; 1],
         [(chi, at_chi), (_, at_friction)]: [(f64, SinePoint); 2],
     ) -> [Long<P>; 2] {
-        let equation = Inner { friction, at_friction: &at_friction };
+        let equation = SteepestEquation { friction, at_friction: &at_friction };
         let found = root(&equation, (chi, &at_chi), 2);
         let is_proved = found.is_proved & is_within(friction.mid().hi(), FRICTIONS);
         found.values.map(|x| known_if(is_proved, x))

@@ -196,9 +196,9 @@ const SMALL: [f64; 2] = [0.0, 0.1328125];
 const STEPS: usize = 64;
 
 /// A function of a half opening and of a thrust: bilinear on cells.
-pub(super) struct Plane(Vec<[f64; STEPS + 1]>);
+pub(super) struct StartPlane(Vec<[f64; STEPS + 1]>);
 
-impl Plane {
+impl StartPlane {
     fn new(of: impl Fn(f64, f64) -> f64) -> Self {
         let at =
             |[first, last]: [f64; 2], k: usize| first + (last - first) * k as f64 / STEPS as f64;
@@ -223,12 +223,12 @@ impl Plane {
 
 /// By the half opening and the thrust: the square of `beta_r` where (3) and (5) hold, negative where the crown is
 /// touched.
-pub(super) fn plane(weight: SelfWeight) -> &'static Plane {
-    static PLANES: PerWeight<OnceLock<Plane>> =
+pub(super) fn plane(weight: SelfWeight) -> &'static StartPlane {
+    static PLANES: PerWeight<OnceLock<StartPlane>> =
         PerWeight { heyman: OnceLock::new(), milankovitch: OnceLock::new() };
     PLANES
         .get(weight)
-        .get_or_init(|| Plane::new(|alpha, h| start::touching_square_below(weight, alpha, h)))
+        .get_or_init(|| StartPlane::new(|alpha, h| start::touching_square_below(weight, alpha, h)))
 }
 
 /// Tells whether the friction seems to be below the purely sliding one of a half opening.

@@ -8,7 +8,7 @@
     reason = "a function for some processors is called where it is known to be on one of them"
 )]
 
-use super::piece::{ARCHES, Piece, Proof};
+use super::piece::{ARCHES, LanePiece, Proof};
 use crate::number::{Dekker, DoubleDoubleBall, Fused};
 
 /// Number of arches that go through a proof at a time.
@@ -25,7 +25,7 @@ pub enum Width {
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma")]
 fn prove_four<const IN: usize, const ANGLES: usize, const OUT: usize>(
-    piece: &mut Piece<IN, OUT>,
+    piece: &mut LanePiece<IN, OUT>,
     proof: &impl Proof<IN, ANGLES, OUT>,
 ) {
     piece.prove::<Fused, ANGLES>(proof);
@@ -34,7 +34,7 @@ fn prove_four<const IN: usize, const ANGLES: usize, const OUT: usize>(
 #[cfg(all(target_arch = "x86_64", has_avx512))]
 #[target_feature(enable = "avx512f,avx512dq,avx2,fma")]
 fn prove_eight<const IN: usize, const ANGLES: usize, const OUT: usize>(
-    piece: &mut Piece<IN, OUT>,
+    piece: &mut LanePiece<IN, OUT>,
     proof: &impl Proof<IN, ANGLES, OUT>,
 ) {
     piece.prove::<Fused, ANGLES>(proof);
@@ -74,7 +74,7 @@ impl Width {
         rows: &[[DoubleDoubleBall; IN]],
     ) -> Vec<Option<[DoubleDoubleBall; OUT]>> {
         let mut all = Vec::with_capacity(rows.len());
-        let mut piece = Piece::new();
+        let mut piece = LanePiece::new();
         for rows in rows.chunks(ARCHES) {
             rows.iter().enumerate().for_each(|(place, row)| piece.put(place, row));
             match self {

@@ -53,7 +53,7 @@ struct TiltRoot<'a> {
 }
 
 /// The root: the kept forces, the joints inside, and the multipliers where they are unknowns.
-type Root = [Vec<Ball>; 3];
+type TiltUnknowns = [Vec<Ball>; 3];
 
 impl TiltRoot<'_> {
     fn inside(&self) -> usize {
@@ -66,7 +66,7 @@ impl TiltRoot<'_> {
         places: &[(Contact, JointPlace)],
         start: &[Float],
         bits: u32,
-    ) -> Result<Root, Undecided> {
+    ) -> Result<TiltUnknowns, Undecided> {
         let kept = kept(places.iter().map(|(contact, _)| *contact));
         let added = |x: &Float| (Float::with_val(bits, x.abs_ref()) * 2u32).ceil() + 4u32;
         let added: Vec<Ball> = start.iter().map(|x| Ball::exact(added(x), bits)).collect();

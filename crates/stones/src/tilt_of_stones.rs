@@ -32,11 +32,11 @@ use rug::Float;
 pub const MOST_TILTED_STONES: u64 = 2_001;
 
 /// The place of a condition: the joint by its number from the crown, its side, and what it says.
-type Place = (u64, Side, Contact);
+type LimitPlace = (u64, Side, Contact);
 
 /// A condition of a stone's joint.
 struct StoneLimit {
-    place: Place,
+    place: LimitPlace,
     /// Angle of the joint from the crown, positive on the right.
     angle: Ball,
     row: TiltedRow<Ball>,
@@ -55,9 +55,9 @@ pub fn tilted_stones(
     Refused::digits(digits)?;
     stones.check()?;
     Refused::stones(stones.number(), MOST_TILTED_STONES)?;
-    let at = |places: &[Place], bits| conditions(arch, stones, thickness, places, bits);
+    let at = |places: &[LimitPlace], bits| conditions(arch, stones, thickness, places, bits);
     let all = |bits| at(&places(arch, stones), bits);
-    let refined = |(limits, mechanism): &(Vec<Place>, TiltMechanism), bits| {
+    let refined = |(limits, mechanism): &(Vec<LimitPlace>, TiltMechanism), bits| {
         let mut refined = mechanism.clone();
         if refined.tilt().prec() < bits {
             let limits = at(limits, bits);
@@ -93,7 +93,7 @@ fn in_doubles(all: &[StoneLimit]) -> Vec<TiltedRow<f64>> {
 }
 
 /// The places of all conditions, from the crown.
-fn places(arch: &Arch, stones: &Stones) -> Vec<Place> {
+fn places(arch: &Arch, stones: &Stones) -> Vec<LimitPlace> {
     // Both hinges together ask for a normal force: without limit of friction this is all.
     let asked = &Contact::ALL[..limits_at_joint(arch)];
     let sides = |joint: u64| {
@@ -110,13 +110,13 @@ fn conditions(
     arch: &Arch,
     stones: &Stones,
     thickness: &ExactNumber,
-    places: &[Place],
+    places: &[LimitPlace],
     bits: u32,
 ) -> Vec<StoneLimit> {
     let grip: Grip<Ball> = arch.friction().grip(bits);
     let joints = Joints::new(arch.weight(), &thickness.enclosure(bits), grip);
     let mut last: Option<(u64, Angle<Ball>)> = None;
-    let limit = |&(joint, side, contact): &Place| {
+    let limit = |&(joint, side, contact): &LimitPlace| {
         let angle = match last.take() {
             Some((index, angle)) if index == joint => angle,
             _ => stones.angle(joint, bits),
@@ -134,7 +134,7 @@ fn conditions(
 fn largest_of(
     all: &[StoneLimit],
     bits: u32,
-) -> Result<Option<(Vec<Place>, TiltMechanism)>, Undecided> {
+) -> Result<Option<(Vec<LimitPlace>, TiltMechanism)>, Undecided> {
     match largest(&in_doubles(all)) {
         StoneTilt::Nothing => Err(Undecided::new(NOT_FOUND)),
         StoneTilt::Unlimited(direction) => unlimited(all, &direction, bits).map(|()| None),

@@ -11,7 +11,7 @@ use crate::check::{
     MAX_PARTS, PartFile, Parts, SURVEY_SCHEMA, StepFile, SurveyCertificate, SurveyFile,
 };
 use crate::number::Ball;
-use crate::problem::survey::{Bounding, Place, Shape, Side, Survey, SurveyVerdict};
+use crate::problem::survey::{Bounding, Shape, Side, SpanAndRise, Survey, SurveyVerdict};
 use crate::prover::decide::decide;
 use crate::prover::{Error, Refused, Undecided, raise};
 use num_bigint::BigInt;
@@ -36,7 +36,7 @@ pub fn certify_survey(survey: &Survey, digits: usize) -> Result<SurveyCertificat
         Shape::Free { .. } => at_corners(survey)?,
         Shape::Spanned { .. } => on_courses(survey)?,
     };
-    let certified = |part: &Part| part.certified(survey, digits);
+    let certified = |part: &DecidingArch| part.certified(survey, digits);
     Ok(SurveyCertificate {
         schema: SURVEY_SCHEMA.to_owned(),
         tool: concat!("couplet ", env!("CARGO_PKG_VERSION")).to_owned(),
@@ -47,17 +47,17 @@ pub fn certify_survey(survey: &Survey, digits: usize) -> Result<SurveyCertificat
 }
 
 /// Arch that decides something: a corner, or one of a step.
-struct Part {
+struct DecidingArch {
     side: Side,
-    step: Option<[Place; 2]>,
+    step: Option<[SpanAndRise; 2]>,
 }
 
-impl Part {
+impl DecidingArch {
     fn corner(side: Side) -> Self {
         Self { side, step: None }
     }
 
-    fn step(side: Side, step: [Place; 2]) -> Self {
+    fn step(side: Side, step: [SpanAndRise; 2]) -> Self {
         Self { side, step: Some(step) }
     }
 
@@ -96,8 +96,8 @@ impl Part {
 }
 
 /// The verdict by one corner, or by both.
-fn at_corners(survey: &Survey) -> Result<(SurveyVerdict, Vec<Part>), Undecided> {
-    let [worst, best] = [Side::Unsafe, Side::Safe].map(Part::corner);
+fn at_corners(survey: &Survey) -> Result<(SurveyVerdict, Vec<DecidingArch>), Undecided> {
+    let [worst, best] = [Side::Unsafe, Side::Safe].map(DecidingArch::corner);
     Ok(match (worst.stands(survey)?, best.stands(survey)?) {
         (true, _) => (SurveyVerdict::AllStand, vec![worst]),
         (false, true) => (SurveyVerdict::BothOccur, vec![worst, best]),
@@ -106,28 +106,28 @@ fn at_corners(survey: &Survey) -> Result<(SurveyVerdict, Vec<Part>), Undecided> 
 }
 
 /// The verdict by steps that cover one course, or by an arch of each.
-fn on_courses(survey: &Survey) -> Result<(SurveyVerdict, Vec<Part>), Undecided> {
+fn on_courses(survey: &Survey) -> Result<(SurveyVerdict, Vec<DecidingArch>), Undecided> {
     let falls = match along(survey, Side::Unsafe)? {
-        Along::Covered(parts) => return Ok((SurveyVerdict::AllStand, parts)),
-        Along::Found(falls) => falls,
+        CourseOutcome::Covered(parts) => return Ok((SurveyVerdict::AllStand, parts)),
+        CourseOutcome::Found(falls) => falls,
     };
     Ok(match along(survey, Side::Safe)? {
-        Along::Covered(parts) => (SurveyVerdict::NoneStands, parts),
-        Along::Found(stands) => (SurveyVerdict::BothOccur, vec![falls, stands]),
+        CourseOutcome::Covered(parts) => (SurveyVerdict::NoneStands, parts),
+        CourseOutcome::Found(stands) => (SurveyVerdict::BothOccur, vec![falls, stands]),
     })
 }
 
 /// Outcome along a course.
 #[allow(clippy::large_enum_variant, reason = "there are two for each survey")]
-enum Along {
+enum CourseOutcome {
     /// Steps of which all arches stand, on the unsafe side, or none, on the safe side.
-    Covered(Vec<Part>),
+    Covered(Vec<DecidingArch>),
     /// An arch that does not, or does.
-    Found(Part),
+    Found(DecidingArch),
 }
 
 /// Covers the course on a side by steps, or finds an arch that is not as the others would have to be.
-fn along(survey: &Survey, side: Side) -> Result<Along, Undecided> {
+fn along(survey: &Survey, side: Side) -> Result<CourseOutcome, Undecided> {
     let open = |reason: &'static str| {
         Undecided::new(reason).about(match side {
             Side::Unsafe => "whether all arches stand",
@@ -135,15 +135,16 @@ fn along(survey: &Survey, side: Side) -> Result<Along, Undecided> {
         })
     };
     let course = survey.course(side).ok_or_else(|| open("which arches decide"))?;
-    let single = |place: &Place| Part::step(side, [place.clone(), place.clone()]);
-    let shows = |part: &Part, stands: bool| part.stands(survey) == Ok(stands);
-    let is_found = |part: &Part| shows(part, side == Side::Safe);
+    let single = |place: &SpanAndRise| DecidingArch::step(side, [place.clone(), place.clone()]);
+    let shows = |part: &DecidingArch, stands: bool| part.stands(survey) == Ok(stands);
+    let is_found = |part: &DecidingArch| shows(part, side == Side::Safe);
     if let Some(found) = course.iter().map(single).find(is_found) {
-        return Ok(Along::Found(found));
+        return Ok(CourseOutcome::Found(found));
     }
     let legs = course.windows(2).filter(|leg| leg[0] != leg[1]);
-    let mut steps: Vec<(Part, bool)> =
-        legs.map(|leg| (Part::step(side, [leg[0].clone(), leg[1].clone()]), false)).collect();
+    let mut steps: Vec<(DecidingArch, bool)> = legs
+        .map(|leg| (DecidingArch::step(side, [leg[0].clone(), leg[1].clone()]), false))
+        .collect();
     if steps.is_empty() {
         steps.push((single(&course[0]), false));
     }
@@ -163,13 +164,13 @@ fn along(survey: &Survey, side: Side) -> Result<Along, Undecided> {
             let middle = [0, 1].map(|i| (&first[i] + &last[i]) / BigInt::from(2));
             let found = single(&middle);
             if is_found(&found) {
-                return Ok(Along::Found(found));
+                return Ok(CourseOutcome::Found(found));
             }
             let halves = [[first, middle.clone()], [middle, last]];
-            next.extend(halves.map(|half| (Part::step(side, half), false)));
+            next.extend(halves.map(|half| (DecidingArch::step(side, half), false)));
         }
         if next.iter().all(|(_, is_known)| *is_known) {
-            return Ok(Along::Covered(next.into_iter().map(|(part, _)| part).collect()));
+            return Ok(CourseOutcome::Covered(next.into_iter().map(|(part, _)| part).collect()));
         }
         if next.len() > MAX_PARTS {
             break;

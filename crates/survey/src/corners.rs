@@ -16,12 +16,12 @@ use couplet_stones::{
 pub(super) struct Corner {
     pub(super) side: Side,
     pub(super) at: SurveyedArch,
-    found: Found,
+    found: CornerAnswer,
     /// Least thickness in metres, where the arch is measured and some thickness is enough.
     metres: Answered<Figure>,
 }
 
-enum Found {
+enum CornerAnswer {
     State(Result<Answer, Error>),
     Assessment(Box<AssessmentDigits>),
     Stones(Result<Voussoirs, Undecided>, Option<Box<VoussoirAssessment>>),
@@ -39,8 +39,8 @@ impl Corner {
         Refused::digits(digits)?;
         let balls = Balls::DoubleDoubles;
         let found = match &at.thickness {
-            None => Found::State(balls.state(&at.arch, digits, false)),
-            Some(eta) => Found::Assessment(Box::new(balls.assess(&at.arch, eta, digits)?)),
+            None => CornerAnswer::State(balls.state(&at.arch, digits, false)),
+            Some(eta) => CornerAnswer::Assessment(Box::new(balls.assess(&at.arch, eta, digits)?)),
         };
         Ok(Self { side, at, found, metres: Ok(None) })
     }
@@ -62,15 +62,15 @@ impl Corner {
         let least = Error::apart(voussoirs(stones, weight, friction, digits))?;
         let assess = |eta| assess_voussoirs(stones, weight, friction, eta, digits).map(Box::new);
         let given = at.thickness.as_ref().map(assess).transpose()?;
-        Ok(Self { side, at, found: Found::Stones(least, given), metres: Ok(None) })
+        Ok(Self { side, at, found: CornerAnswer::Stones(least, given), metres: Ok(None) })
     }
 
     /// Verdict on the arch, if it has a thickness.
     fn stands(&self) -> Option<Result<bool, Undecided>> {
         match &self.found {
-            Found::State(_) | Found::Stones(_, None) => None,
-            Found::Assessment(found) => Some(found.stands.clone()),
-            Found::Stones(_, Some(found)) => {
+            CornerAnswer::State(_) | CornerAnswer::Stones(_, None) => None,
+            CornerAnswer::Assessment(found) => Some(found.stands.clone()),
+            CornerAnswer::Stones(_, Some(found)) => {
                 let stands = |of: &VoussoirStanding| matches!(of, VoussoirStanding::Stands(_));
                 Some(found.standing.as_ref().map(stands).map_err(Clone::clone))
             }
@@ -80,14 +80,14 @@ impl Corner {
     /// Value of a quantity, where there is any to tell.
     fn told(&self, of: Quantity) -> Result<Option<Told>, Undecided> {
         match (&self.found, of) {
-            (Found::State(found), Quantity::LeastThickness) => match found {
+            (CornerAnswer::State(found), Quantity::LeastThickness) => match found {
                 Ok(Answer::Stands(state)) => Ok(Some(Told::Value(state.thickness.clone()))),
                 Ok(Answer::Falls { .. }) => Ok(Some(Told::Without(EndValue::NotEnough))),
                 Err(Error::Undecided(open)) => Err(open.clone()),
                 Err(Error::Refused(_)) => Ok(None),
             },
-            (Found::State(_), _) => Ok(None),
-            (Found::Assessment(found), of) => {
+            (CornerAnswer::State(_), _) => Ok(None),
+            (CornerAnswer::Assessment(found), of) => {
                 let slides_never =
                     !self.at.arch.is_limited() && !matches!(found.required_friction, Ok(None));
                 match of {
@@ -104,15 +104,15 @@ impl Corner {
                     _ => Ok(None),
                 }
             }
-            (Found::Stones(least, _), Quantity::LeastThickness) => {
+            (CornerAnswer::Stones(least, _), Quantity::LeastThickness) => {
                 Ok(Some(match least.clone()? {
                     Voussoirs::Stands(state) => Told::Value(state.thickness),
                     Voussoirs::AnyThickness => Told::Without(EndValue::AnyIsEnough),
                     Voussoirs::Slides | Voussoirs::TooThick => Told::Without(EndValue::NotEnough),
                 }))
             }
-            (Found::Stones(_, None), _) => Ok(None),
-            (Found::Stones(least, Some(found)), of) => {
+            (CornerAnswer::Stones(_, None), _) => Ok(None),
+            (CornerAnswer::Stones(least, Some(found)), of) => {
                 let any = matches!(least, Ok(Voussoirs::AnyThickness));
                 let slides_never = matches!(found.required_friction, Ok(Some(_)));
                 match of {
@@ -128,10 +128,10 @@ impl Corner {
     /// End of the thrust that this corner decides.
     fn thrust(&self, of: Quantity) -> Option<EndValue> {
         let thrusts = match &self.found {
-            Found::Assessment(found) => {
+            CornerAnswer::Assessment(found) => {
                 found.limits().map(|limit| limit.map(|limit| limit.thrust.as_ref()))
             }
-            Found::Stones(_, Some(found)) => match &found.standing {
+            CornerAnswer::Stones(_, Some(found)) => match &found.standing {
                 Ok(VoussoirStanding::Stands(ends)) => {
                     ends.each_ref().map(|end| Some(end.thrust.as_ref()))
                 }
@@ -240,8 +240,10 @@ fn thrusts(worst: &Corner, best: &Corner) -> Vec<QuantityRange> {
 /// Range of the thrust at the least thickness, where that is asked for: an enclosure. A state is admissible in the best
 /// arch too, and there as well when that has the thickness that the worst one needs.
 fn thrust_at_least_thickness(worst: &Corner, best: &Corner) -> Option<QuantityRange> {
-    let (Found::State(Ok(Answer::Stands(thin))), Found::State(Ok(Answer::Stands(thick)))) =
-        (&best.found, &worst.found)
+    let (
+        CornerAnswer::State(Ok(Answer::Stands(thin))),
+        CornerAnswer::State(Ok(Answer::Stands(thick))),
+    ) = (&best.found, &worst.found)
     else {
         return None;
     };

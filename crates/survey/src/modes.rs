@@ -26,7 +26,7 @@ const MOST_STEPS: usize = 24;
 const BITS: u32 = 192;
 
 /// A rectangle of half openings and frictions.
-type Cell = ([ExactNumber; 2], [Friction; 2]);
+type StateRectangle = ([ExactNumber; 2], [Friction; 2]);
 
 /// Modes over a rectangle of half openings (rad) and frictions.
 pub(super) fn modes(
@@ -35,7 +35,7 @@ pub(super) fn modes(
     friction: &[Friction; 2],
 ) -> ModesFound {
     let mut seen = HashSet::new();
-    let mut waiting: VecDeque<Cell> = [(half_opening.clone(), friction.clone())].into();
+    let mut waiting: VecDeque<StateRectangle> = [(half_opening.clone(), friction.clone())].into();
     let mut left = HashSet::new();
     let mut cells = 0;
     while let Some((alphas, mus)) = waiting.pop_front() {
@@ -171,7 +171,7 @@ fn between(orders: &[&[Mode]], first: Option<Mode>, last: Option<Mode>) -> HashS
 }
 
 /// Halves of a rectangle, across its longer side; `None` if doubles tell no middle.
-fn halves(alphas: [ExactNumber; 2], mus: [Friction; 2]) -> Option<[Cell; 2]> {
+fn halves(alphas: [ExactNumber; 2], mus: [Friction; 2]) -> Option<[StateRectangle; 2]> {
     let ends = alphas.each_ref().map(|x| x.enclosure::<DoubleBall>(53).mid());
     let frictions = mus.each_ref().map(angle);
     let wide = ends[1] - ends[0] >= frictions[1] - frictions[0];

@@ -20,7 +20,7 @@ use crate::problem::{Quantity, Sought};
 use crate::prover::{Error, Refused, Undecided};
 
 /// Arch that decides on a side, with the end of each quantity there.
-type Decided = (SurveyedArch, Vec<(Quantity, RangeEnd)>);
+type DecidedSide = (SurveyedArch, Vec<(Quantity, RangeEnd)>);
 
 /// Proves the range of what is sought over every arch of a survey, to `digits` digits. What is sought is not read in
 /// the survey: its friction, or its half opening.
@@ -82,7 +82,7 @@ fn at_corner(
     at: SurveyedArch,
     (of, side): (Sought, Side),
     digits: usize,
-) -> Result<Decided, Error> {
+) -> Result<DecidedSide, Error> {
     let (arch, thickness) = (&at.arch, at.thickness.clone());
     let question = match of {
         Sought::HalfOpening => {

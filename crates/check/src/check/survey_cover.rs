@@ -1,10 +1,12 @@
 //! Arches that have to be decided for a verdict on a survey: the corners, or those of steps that cover a course.
 
 use super::survey_refusal::SurveyRefusal;
-use crate::problem::survey::{Bounding, Place, Shape, Side, Survey, SurveyVerdict, is_one_place};
+use crate::problem::survey::{
+    Bounding, Shape, Side, SpanAndRise, Survey, SurveyVerdict, is_one_place,
+};
 
 /// Claim of a part: its side, and the ends of its step.
-pub(super) type Claimed = (Side, Option<[Place; 2]>);
+pub(super) type Claimed = (Side, Option<[SpanAndRise; 2]>);
 
 /// An arch that has to be decided.
 pub(super) struct Deciding {
@@ -91,7 +93,7 @@ fn step<'a>(
     side: Side,
     (found, step): &'a Claimed,
     part: usize,
-) -> Result<[&'a Place; 2], SurveyRefusal> {
+) -> Result<[&'a SpanAndRise; 2], SurveyRefusal> {
     if *found != side {
         return Err(SurveyRefusal::Side(part, side));
     }

@@ -9,7 +9,7 @@ use super::visible::{beginning, shortened};
 use crate::arch::SelfWeight;
 use crate::number::ExactNumber;
 use crate::problem::measures::{Circle, Length};
-use crate::problem::survey::{Place, Shape, Side, Survey, SurveyVerdict};
+use crate::problem::survey::{Shape, Side, SpanAndRise, Survey, SurveyVerdict};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use serde::{Deserializer, Serialize, Serializer};
@@ -196,14 +196,14 @@ impl PartFile {
 impl StepFile {
     /// The step between two places in the words of the file; `None` if a length has more than [`MAX_LENGTH_DIGITS`]
     /// digits.
-    pub fn new(step: [&Place; 2]) -> Option<Self> {
+    pub fn new(step: [&SpanAndRise; 2]) -> Option<Self> {
         let texts = |i: usize| step.iter().map(|place| length_text(&place[i])).collect();
         let [span, rise]: [Option<Vec<String>>; 2] = [0, 1].map(texts);
         Some(Self { span: span?, rise: rise? })
     }
 
     /// First end and last.
-    pub(super) fn places(&self) -> Result<[Place; 2], SurveyRefusal> {
+    pub(super) fn places(&self) -> Result<[SpanAndRise; 2], SurveyRefusal> {
         let [first_span, last_span] = ends("span", &self.span, read_length)?;
         let [first_rise, last_rise] = ends("rise", &self.rise, read_length)?;
         Ok([[first_span, first_rise], [last_span, last_rise]])

@@ -93,7 +93,7 @@ worded! {
 }
 
 /// Span and rise, a corner of a course.
-pub type Place = [BigRational; 2];
+pub type SpanAndRise = [BigRational; 2];
 
 /// Arch of a survey, or one that is at least as safe or as unsafe as some of it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -237,7 +237,7 @@ impl Survey {
 
     /// Corners of the course on a side, from the least `q` to the largest, where span, rise and thickness are measured;
     /// two neighbours differ in one of span and rise.
-    pub fn course(&self, side: Side) -> Option<[Place; 3]> {
+    pub fn course(&self, side: Side) -> Option<[SpanAndRise; 3]> {
         let Shape::Spanned { span, rise, .. } = &self.shape else { return None };
         let [[short, long], [low, high]] =
             [span, rise].map(|range| range.each_ref().map(|x| x.metres().clone()));
@@ -251,14 +251,14 @@ impl Survey {
     /// Span and rise of the arch that decides on a side, where they are measured: the shortest span with the highest
     /// rise, or the longest with the lowest. If the unsafe arch stands, all do; if the safe one does not, none does
     /// (the claim `survey-worst`).
-    pub fn decisive(&self, side: Side) -> Option<Place> {
+    pub fn decisive(&self, side: Side) -> Option<SpanAndRise> {
         let [lowest, _, highest] = self.course(side)?;
         Some(if side == Side::Unsafe { highest } else { lowest })
     }
 
     /// Tells whether a step, given by its ends, lies on one leg of the course on a side and goes its way.
-    pub fn has_step(&self, side: Side, [first, last]: [&Place; 2]) -> bool {
-        let is_on = |leg: &[Place]| {
+    pub fn has_step(&self, side: Side, [first, last]: [&SpanAndRise; 2]) -> bool {
+        let is_on = |leg: &[SpanAndRise]| {
             (0..2).all(|i| are_in_turn([&leg[0][i], &first[i], &last[i], &leg[1][i]]))
         };
         self.course(side).is_some_and(|course| course.windows(2).any(is_on))
@@ -266,7 +266,7 @@ impl Survey {
 
     /// An arch at least as unsafe, or as safe, as all of a side's friction and thickness on the step from `first` to
     /// `last` of its course; if the two are one, the arch that is there.
-    pub fn bounding(&self, side: Side, [first, last]: [&Place; 2]) -> Option<Bounding> {
+    pub fn bounding(&self, side: Side, [first, last]: [&SpanAndRise; 2]) -> Option<Bounding> {
         let (circle, thickness) = self.thickness_at(side)?;
         let at = if side == Side::Unsafe { last } else { first };
         let alpha = ExactNumber::twice_arctangent(&at[1] * BigInt::from(2) / &at[0]);
@@ -276,7 +276,7 @@ impl Survey {
     }
 
     /// Largest radius on a step of the unsafe course, least of one on the safe course, at the measured circle.
-    fn radius(&self, side: Side, [first, last]: [&Place; 2]) -> BigRational {
+    fn radius(&self, side: Side, [first, last]: [&SpanAndRise; 2]) -> BigRational {
         let [low, high] = [first, last].map(|at| radius(&at[0], &at[1]));
         match side {
             Side::Unsafe => larger(low, high),
@@ -317,7 +317,7 @@ impl Survey {
     }
 
     /// Span, rise and thickness of the arch at a place of a side's course.
-    pub fn measured(&self, side: Side, at: &Place) -> Option<[Length; 3]> {
+    pub fn measured(&self, side: Side, at: &SpanAndRise) -> Option<[Length; 3]> {
         let (_, thickness) = self.thickness_at(side)?;
         let [span, rise] = at.clone().map(Length::new);
         Some([span, rise, thickness.clone()])
@@ -330,7 +330,7 @@ impl Survey {
 }
 
 /// Tells whether two places are one.
-pub(crate) fn is_one_place(a: &Place, b: &Place) -> bool {
+pub(crate) fn is_one_place(a: &SpanAndRise, b: &SpanAndRise) -> bool {
     is_same(&a[0], &b[0]) && is_same(&a[1], &b[1])
 }
 

@@ -25,7 +25,7 @@ use crate::number::{Angle, DoubleBall, Field, Real};
 
 /// Range of inclinations `chi` and of vertical forces in which the states are, each a number of 64ths.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Rectangle {
+pub(super) struct ForceRectangle {
     /// Least and largest inclination.
     pub inclinations: [i32; 2],
     /// Largest vertical force; the least is zero.
@@ -33,7 +33,8 @@ pub(super) struct Rectangle {
 }
 
 /// The rectangle in which all states are: `h` from 0.08 to 0.33, `v` up to 1/4.
-pub(super) const RECTANGLE: Rectangle = Rectangle { inclinations: [62, 83], vertical: 16 };
+pub(super) const RECTANGLE: ForceRectangle =
+    ForceRectangle { inclinations: [62, 83], vertical: 16 };
 
 /// The parts of one in which a rectangle is written.
 const PARTS: i32 = 64;
@@ -74,12 +75,12 @@ impl Span {
 
 /// A box of forces: the thrust by its inclination, and the vertical force.
 #[derive(Clone, Copy, Debug)]
-struct Place {
+struct ForceBox {
     inclination: Span,
     vertical: Span,
 }
 
-impl Place {
+impl ForceBox {
     /// `h` times the sine less the weight times the cosine of the inclination with which (17) and (18) hold at `alpha -
     /// v`: negative where an inner joint slides before the shoulder does.
     fn room_inside(self, half_opening: &DoubleBall) -> DoubleBall {
@@ -116,7 +117,7 @@ mod tests {
     fn an_inner_joint_slides_where_it_is_known_to() {
         let exact = |x: f64| Span { low: x, high: x };
         let thrust: f64 = 0.180_668_643_785_119_95;
-        let place = Place {
+        let place = ForceBox {
             inclination: exact(thrust.sqrt().acos()),
             vertical: exact(0.062_749_253_520_080_37),
         };

@@ -1,6 +1,6 @@
 //! The rectangle of forces in which asymmetric states are: how the three bounds of the half opening change.
 
-use super::{Place, RECTANGLE, Span, inner_room};
+use super::{ForceBox, RECTANGLE, Span, inner_room};
 use crate::arch::asymmetric::Asymmetric;
 use crate::arch::joint::Grip;
 use crate::arch::whole::Forces;
@@ -78,7 +78,7 @@ fn touching<T: Real>(weight: SelfWeight, of: &[T; 9]) -> [T; 7] {
 /// the forces too, `F(m, p) = F(m, p_0) + F_p (p - p_0)`, so that the rows of `Y` meet all that a force does at once.
 /// A row has as many entries as there are variables; those beyond the equations multiply nothing. The start value
 /// becomes the middle of the box, which is found where nothing is proved too.
-fn root_in(weight: SelfWeight, place: &Place, start: &mut [f64; 7]) -> Option<[DoubleBall; 7]> {
+fn root_in(weight: SelfWeight, place: &ForceBox, start: &mut [f64; 7]) -> Option<[DoubleBall; 7]> {
     let forces = [place.inclination, place.vertical];
     let mut centre: [f64; 9] =
         array::from_fn(|k| if k < 7 { start[k] } else { forces[k - 7].middle() });
@@ -131,7 +131,7 @@ fn is_less(a: &DoubleBall, b: &DoubleBall) -> bool {
 type Slopes = Gradient<DoubleBall, 6>;
 
 /// Hinges that touch, for all forces of a box.
-struct State {
+struct TouchingHinges {
     weight: SelfWeight,
     forces: [DoubleBall; 2],
     thickness: DoubleBall,
@@ -141,8 +141,8 @@ struct State {
     slides: DoubleBall,
 }
 
-impl State {
-    fn new(weight: SelfWeight, place: &Place, start: &mut [f64; 7]) -> Option<Self> {
+impl TouchingHinges {
+    fn new(weight: SelfWeight, place: &ForceBox, start: &mut [f64; 7]) -> Option<Self> {
         let root = root_in(weight, place, start)?;
         let [_, thickness, crown, haunch, opens, fits, slides] = root;
         Some(Self {
@@ -158,7 +158,7 @@ impl State {
 
     /// Tells whether the hinges are on their sides, the half openings are those of horseshoes, and the thickness
     /// is below 2.
-    fn is_in_order(&self, place: Place) -> bool {
+    fn is_in_order(&self, place: ForceBox) -> bool {
         let inner = cycloid::joint(&Angle::new(place.inclination.ball()));
         let [crown, haunch] = self.hinges;
         let right = crown.pi() / crown.int(2);
@@ -205,7 +205,7 @@ impl State {
     /// Tells whether the distance from the extrados is least at its hinge; and whether the misfit falls where the
     /// mechanism fits, in one arch with the vertical force and in symmetric states with the thrust, or an inner
     /// joint slides before.
-    fn fits_before(&self, place: Place) -> bool {
+    fn fits_before(&self, place: ForceBox) -> bool {
         let slopes = self.slopes(self.fits);
         let falls = |direction| is_positive(&-slopes.along(direction)[1][0]);
         is_positive(&slopes.crown[1].slopes[3])
@@ -221,7 +221,7 @@ impl State {
     /// Tells whether a bound from below exceeds that by the shoulder, so that there is no state; or else the
     /// signs are as they are said to be where the shoulder opens, and the arch has its symmetric state inside the
     /// rectangle too. `Some(true)` where there is none.
-    fn goes(&self, directions: Directions, place: Place) -> Option<bool> {
+    fn goes(&self, directions: Directions, place: ForceBox) -> Option<bool> {
         let [thrust, vertical] = self.forces;
         let slopes = self.slopes(self.opens);
         if [place.room_inside(&self.opens), slopes.misfit.value].iter().any(|x| is_positive(&-*x)) {
@@ -280,16 +280,16 @@ pub(in super::super) fn known(directions: Directions) -> Result<[usize; 2], Unde
 /// Proves what [`known`] does, and something else where a state may be.
 fn known_and(
     directions: Directions,
-    holds: impl Fn(&State, Place) -> bool,
+    holds: impl Fn(&TouchingHinges, ForceBox) -> bool,
 ) -> Result<[usize; 2], Undecided> {
     let weight = directions.weight;
-    let whole = Place {
+    let whole = ForceBox {
         inclination: Span::of_parts(RECTANGLE.inclinations),
         vertical: Span::of_parts([0, RECTANGLE.vertical]),
     };
     let (mut start, mut states) = (START, 0);
-    let proof = |place: &Place| {
-        let state = State::new(weight, place, &mut start);
+    let proof = |place: &ForceBox| {
+        let state = TouchingHinges::new(weight, place, &mut start);
         let state = state.filter(|state| state.is_in_order(*place) && state.fits_before(*place));
         let told = state.and_then(|state| {
             let goes = state.goes(directions, *place);
@@ -298,7 +298,7 @@ fn known_and(
         states += usize::from(!told.ok_or([place.inclination, place.vertical])?);
         Ok(())
     };
-    let boxes = halve(whole, DEPTH, Place::halves, proof).map_err(|at: [Span; 2]| {
+    let boxes = halve(whole, DEPTH, ForceBox::halves, proof).map_err(|at: [Span; 2]| {
         let [chi, v] = at.map(Span::middle);
         Undecided::new(format!("not decided at chi = {chi}, v = {v}"))
     })?;
@@ -316,16 +316,16 @@ mod tests {
     const ROOM: f64 = 1e-9;
 
     /// Friction at which an inner joint slides.
-    fn friction_inside(place: Place) -> DoubleBall {
+    fn friction_inside(place: ForceBox) -> DoubleBall {
         let inclination = Angle::new(place.inclination.ball());
         let phi = Angle::new(place.vertical.ball() + cycloid::friction_angle(&inclination));
         phi.sin / phi.cos
     }
 
-    impl State {
+    impl TouchingHinges {
         /// Tells whether the arches in which the forces of the box may be those of a state are held by the table of the
         /// program: those of the larger bound from below, and those of the bound from above.
-        fn is_in_table(&self, place: Place) -> bool {
+        fn is_in_table(&self, place: ForceBox) -> bool {
             let [slides, fits, opens] =
                 [self.slides, self.fits, self.opens].map(|bound| [bound.lower(), bound.upper()]);
             let larger = [slides[0].max(fits[0]), slides[1].max(fits[1])];

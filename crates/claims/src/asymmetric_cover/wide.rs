@@ -9,7 +9,7 @@
 //! - **the shoulder opens**: at some half opening that the right angle, the sliding joint or the fit of the hinges says
 //!   to be too small, the line of thrust is outside already, and further on it is so too.
 
-use super::{PARTS, Place, Rectangle, Span, nothing};
+use super::{ForceBox, ForceRectangle, PARTS, Span, nothing};
 use crate::arch::asymmetric::Asymmetric;
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
@@ -24,14 +24,14 @@ const DEPTH: u32 = 40;
 
 /// Range of thrusts.
 #[derive(Clone, Copy, Debug)]
-enum Thrust {
+enum ThrustSpan {
     /// Thrusts `cos² chi`.
     Inclined(Span),
     /// Thrusts themselves, from one on: no inner joint can slide.
     Large(Span),
 }
 
-impl Thrust {
+impl ThrustSpan {
     fn span(self) -> Span {
         match self {
             Self::Inclined(span) | Self::Large(span) => span,
@@ -48,21 +48,21 @@ impl Thrust {
 
 /// A box of thrusts, vertical forces and thicknesses.
 #[derive(Clone, Copy, Debug)]
-struct Cell {
-    thrust: Thrust,
+struct ForceCell {
+    thrust: ThrustSpan,
     vertical: Span,
     thickness: Span,
 }
 
 /// Joints at which margins are looked at.
-struct Joints {
+struct MarginJoints {
     /// From the crown to the right angle.
     above: Vec<Angle<DoubleBall>>,
     /// From the right angle on.
     below: Vec<Angle<DoubleBall>>,
 }
 
-impl Joints {
+impl MarginJoints {
     fn new() -> Self {
         let right = nothing().pi() / nothing().int(2);
         let at = |k: i32, parts: i32| Angle::new(right * right.ratio(k, parts));
@@ -81,11 +81,11 @@ struct Bodies {
 }
 
 impl Bodies {
-    fn new(cell: Cell, weight: SelfWeight) -> Self {
+    fn new(cell: ForceCell, weight: SelfWeight) -> Self {
         let zero = nothing();
         let thrust = match cell.thrust {
-            Thrust::Inclined(span) => cycloid::thrust(&Angle::new(span.ball())),
-            Thrust::Large(span) => span.ball(),
+            ThrustSpan::Inclined(span) => cycloid::thrust(&Angle::new(span.ball())),
+            ThrustSpan::Large(span) => span.ball(),
         };
         Self {
             ring: Ring::new(weight, &cell.thickness.ball()),
@@ -142,15 +142,17 @@ fn both_ways(
     [value(range), value(&Angle::new(middle)) + slope * (range.rad - middle)]
 }
 
-impl Cell {
-    fn place(self) -> Option<Place> {
+impl ForceCell {
+    fn place(self) -> Option<ForceBox> {
         match self.thrust {
-            Thrust::Inclined(inclination) => Some(Place { inclination, vertical: self.vertical }),
-            Thrust::Large(_) => None,
+            ThrustSpan::Inclined(inclination) => {
+                Some(ForceBox { inclination, vertical: self.vertical })
+            }
+            ThrustSpan::Large(_) => None,
         }
     }
 
-    fn is_inside(self, rectangle: Rectangle) -> bool {
+    fn is_inside(self, rectangle: ForceRectangle) -> bool {
         let [least, most] = rectangle.inclinations.map(|n| f64::from(n) / f64::from(PARTS));
         let largest = f64::from(rectangle.vertical) / f64::from(PARTS);
         self.place().is_some_and(|place| {
@@ -161,7 +163,7 @@ impl Cell {
     }
 
     /// Tells whether no asymmetric state has forces and a thickness in the box.
-    fn is_empty(self, weight: SelfWeight, joints: &Joints) -> bool {
+    fn is_empty(self, weight: SelfWeight, joints: &MarginJoints) -> bool {
         let bodies = Bodies::new(self, weight);
         let highest = joints.above.iter().map(|joint| bodies.below(joint));
         let Some(highest) = highest.max_by(|a, b| a.lower().total_cmp(&b.lower())) else {
@@ -193,7 +195,7 @@ impl Cell {
     }
 
     /// Ranges of the two hinges; `None` if they do not both touch.
-    fn hinges(self, bodies: &Bodies, joints: &Joints) -> Option<[Angle<DoubleBall>; 2]> {
+    fn hinges(self, bodies: &Bodies, joints: &MarginJoints) -> Option<[Angle<DoubleBall>; 2]> {
         let curvature = bodies.curvature();
         let one = curvature.int(1);
         let is_beyond = |joint: &Angle<DoubleBall>| is_positive(curvature - joint.cos.square());
@@ -245,23 +247,23 @@ impl Cell {
 /// Returns the number of boxes, those of the rectangle among them.
 pub(in super::super) fn elsewhere(
     weight: SelfWeight,
-    rectangle: Rectangle,
+    rectangle: ForceRectangle,
 ) -> Result<usize, Undecided> {
-    let joints = Joints::new();
+    let joints = MarginJoints::new();
     // All up to the right angle, up to 3/2, and up to 2.
     let [angles, thrusts] = [[0, 104], [64, 96]].map(Span::of_parts);
-    let whole = |thrust| Cell {
+    let whole = |thrust| ForceCell {
         thrust,
         vertical: Span::of_parts([0, 104]),
         thickness: Span::of_parts([0, 128]),
     };
-    let proof = |cell: &Cell| {
+    let proof = |cell: &ForceCell| {
         let is_settled = cell.is_inside(rectangle) || cell.is_empty(weight, &joints);
         is_settled.then_some(()).ok_or(*cell)
     };
-    [Thrust::Inclined(angles), Thrust::Large(thrusts)]
+    [ThrustSpan::Inclined(angles), ThrustSpan::Large(thrusts)]
         .into_iter()
-        .map(|thrust| halve(whole(thrust), DEPTH, Cell::halves, proof))
-        .sum::<Result<usize, Cell>>()
+        .map(|thrust| halve(whole(thrust), DEPTH, ForceCell::halves, proof))
+        .sum::<Result<usize, ForceCell>>()
         .map_err(|cell| Undecided::new(format!("not decided at {cell:?}")))
 }

@@ -38,7 +38,7 @@ pub fn certificate(bytes: &[u8]) -> Result<(String, String), CertificateError> {
         }
         AcceptedFile::Certificate(_) => {
             let certificate = Certificate::read(bytes)?;
-            let Subject { name, title, term: subject } = Subject::new(&certificate.claim);
+            let CoqSubject { name, title, term: subject } = CoqSubject::new(&certificate.claim);
             let is_landmark = certificate.claim.landmark.is_some();
             let theory = if is_landmark { "Landmarks" } else { "Sound" };
             let weight = capital(&certificate.claim.weight);
@@ -68,7 +68,7 @@ pub fn certificate(bytes: &[u8]) -> Result<(String, String), CertificateError> {
 fn term(certificate: &Certificate) -> String {
     format!(
         "Certificate ({}) {}\n    {}\n    {}\n    {}\n    {}",
-        Subject::new(&certificate.claim).term,
+        CoqSubject::new(&certificate.claim).term,
         certificate.digits,
         boxed(&certificate.unique),
         list(certificate.inverse.iter().map(|row| list(row.iter().map(dyadic)))),
@@ -78,7 +78,7 @@ fn term(certificate: &Certificate) -> String {
 }
 
 /// The subject of a claim.
-struct Subject {
+struct CoqSubject {
     /// Beginning of the file's name.
     name: String,
     /// Title for a reader.
@@ -87,7 +87,7 @@ struct Subject {
     term: String,
 }
 
-impl Subject {
+impl CoqSubject {
     fn new(claim: &ClaimFile) -> Self {
         let weight = capital(&claim.weight);
         let arch = |half_opening: &str, friction: &str| {

@@ -18,7 +18,7 @@ pub(super) enum Truth<E = Ball> {
 }
 
 /// Proof about an arch.
-pub(super) struct Proved<E> {
+pub(super) struct ProvedArch<E> {
     /// Outcome at its least thickness.
     pub outcome: Outcome<E>,
     /// Assessment at the thickness that it has, if it has one.
@@ -27,7 +27,7 @@ pub(super) struct Proved<E> {
     pub sliding_friction: Option<E>,
 }
 
-impl<E: Comparable> Proved<E> {
+impl<E: Comparable> ProvedArch<E> {
     /// Certain knowledge of one of [`Quantity::STATE`] or [`Quantity::ASSESSMENT`].
     pub(super) fn truth(&self, quantity: Quantity) -> Truth<E> {
         let state = match &self.outcome {

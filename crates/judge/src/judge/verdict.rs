@@ -4,7 +4,7 @@ use super::boundary::Boundary;
 use super::claim::RowClaim;
 use super::comparable::Comparable;
 use super::number::{CorrectDigits, Judged, compared_digits};
-use super::truth::Proved;
+use super::truth::ProvedArch;
 use crate::certify::Undecided;
 use crate::certify::state::{Assessment, Fall, Outcome, Tier, raised};
 use crate::number::{Ball, DoubleDoubleBall, ExactNumber, TripleWordBall, worded};
@@ -176,11 +176,15 @@ fn compared<E: Comparable>(
 }
 
 /// Proof of what the row speaks of, in numbers of `bits` bits.
-fn proved<E: Comparable>(arch: &Arch, claim: &RowClaim, bits: u32) -> Result<Proved<E>, Undecided> {
+fn proved<E: Comparable>(
+    arch: &Arch,
+    claim: &RowClaim,
+    bits: u32,
+) -> Result<ProvedArch<E>, Undecided> {
     let frictions = claim.numbers.iter().any(|number| number.quantity.is_friction());
     let outcome = E::state(arch, bits, frictions)?;
     let falls = matches!(outcome, Outcome::Falls(_));
-    Ok(Proved {
+    Ok(ProvedArch {
         sliding_friction: match frictions && falls {
             true => Some(E::sliding_friction(arch, bits)?),
             false => None,
@@ -213,7 +217,7 @@ fn assessed<E: Comparable>(
 /// A claim beside what is proved; `None` asks for a narrower enclosure.
 fn compare<E: Comparable>(
     claim: &RowClaim,
-    proved: &Proved<E>,
+    proved: &ProvedArch<E>,
     demand: Demand,
 ) -> Option<Judgement> {
     let (standing, mode) = match &proved.outcome {

@@ -23,12 +23,12 @@ pub struct Sines {
     bits: u32,
     /// Bits up to which the places have moved along, or shall be at the next question.
     nearer: Cell<u32>,
-    places: RefCell<Vec<Place>>,
+    places: RefCell<Vec<AnchoredPlace>>,
 }
 
 /// A place with its sine and cosine.
 #[derive(Debug)]
-struct Place {
+struct AnchoredPlace {
     at: Float,
     anchor: SineAnchor,
     moved: u32,
@@ -46,13 +46,13 @@ impl Sines {
     pub(super) fn prepare(&self, angles: &[&Float], tick: &(dyn Fn() + Sync)) {
         let (near, bits) = (self.near, self.bits);
         let place = |x: &&Float| {
-            let place = Place::new(x, near, bits);
+            let place = AnchoredPlace::new(x, near, bits);
             tick();
             place
         };
         // Outside a pool no thread is started: who calls a library may fork afterwards.
         let is_alone = bits < WORTH_THREADS || rayon::current_thread_index().is_none();
-        let places: Vec<Place> = match is_alone {
+        let places: Vec<AnchoredPlace> = match is_alone {
             true => angles.iter().map(place).collect(),
             false => {
                 SineAnchor::prepare(bits);
@@ -86,7 +86,7 @@ impl Sines {
             Some(index) => &mut places[index],
             None if rad.prec() <= FEW || self.bits < FEW => return Angle::new(rad.clone()),
             None => {
-                let place = Place::new(rad.mid(), self.near, self.bits);
+                let place = AnchoredPlace::new(rad.mid(), self.near, self.bits);
                 places.push(place);
                 let last = places.len() - 1;
                 &mut places[last]
@@ -107,7 +107,7 @@ impl Sines {
     }
 }
 
-impl Place {
+impl AnchoredPlace {
     fn new(x: &Float, near: u32, bits: u32) -> Self {
         let at = Float::with_val(near, x);
         Self { anchor: SineAnchor::new(&at, bits), at, moved: near, last: None }

@@ -6,7 +6,7 @@
 use super::conditions::{Conditions, Minors};
 use super::event::{Event, event};
 use super::line;
-use super::vertex::{Passed, SweepStart, ThicknessPiece, Vertex, in_doubles};
+use super::vertex::{Passing, SweepStart, ThicknessPiece, Vertex, in_doubles};
 use crate::arch::mechanism::Contact;
 use crate::number::DoubleBall;
 use rayon::prelude::*;
@@ -102,7 +102,7 @@ fn one(
             continue;
         }
         let passed = vertex.is_passed_by_one(&piece, rows, before);
-        if passed == Passed::Proved {
+        if passed == Passing::Proved {
             continue;
         }
         if depth >= NARROW
@@ -111,7 +111,7 @@ fn one(
         {
             continue;
         }
-        if passed == Passed::Unlikely || depth > COARSE {
+        if passed == Passing::Unlikely || depth > COARSE {
             let Some(others) = vertex.near(&piece, start) else { continue };
             if vertex.bears_no_motion(&others, &piece) {
                 continue;

@@ -107,7 +107,7 @@ impl<'a> Vertex<'a> {
         piece: &ThicknessPiece,
         rows: &[[[f64; 3]; 4]],
         before: &mut [usize; 2],
-    ) -> Passed {
+    ) -> Passing {
         let ball = piece.ball();
         let [mut plus, mut minus] = self.signs(&ball);
         let [low, middle, high] = &[piece.low, piece.middle(), piece.high]
@@ -126,7 +126,7 @@ impl<'a> Vertex<'a> {
         plus = plus && !passes(before[0], 1.0);
         minus = minus && !passes(before[1], -1.0);
         if !plus && !minus {
-            return Passed::Proved;
+            return Passing::Proved;
         }
         // The condition that is passed most, of some joints and then of those beside it.
         let farthest = |sign: f64| {
@@ -144,9 +144,9 @@ impl<'a> Vertex<'a> {
         plus = plus && !passes(most.1, 1.0);
         minus = minus && !passes(least.1, -1.0);
         match (plus || minus, seems_passed) {
-            (false, _) => Passed::Proved,
-            (true, true) => Passed::Likely,
-            (true, false) => Passed::Unlikely,
+            (false, _) => Passing::Proved,
+            (true, true) => Passing::Likely,
+            (true, false) => Passing::Unlikely,
         }
     }
 
@@ -275,7 +275,7 @@ impl<'a> Vertex<'a> {
 
 /// Result of trying whether one condition passes a vertex on a piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Passed {
+pub(super) enum Passing {
     /// The condition passes: on the whole piece it is no vertex.
     Proved,
     /// The condition seems to pass in the middle of the piece, in doubles.

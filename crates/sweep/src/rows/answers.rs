@@ -32,7 +32,7 @@ pub struct RowQuestion {
 }
 
 /// An arch that is asked of, with its thickness and its measures where it has any.
-type Asked = (Arch, Option<ExactNumber>, Option<Measures>);
+type AskedArch = (Arch, Option<ExactNumber>, Option<Measures>);
 
 impl RowQuestion {
     /// Question to whose answers a format is given.
@@ -55,7 +55,7 @@ impl RowQuestion {
     pub fn answers(&self, reader: &ArchReader, rows: Vec<Numbered<ReadRow>>) -> Vec<Answer> {
         let read =
             |(_, row): &Numbered<ReadRow>| asked(reader, row.as_ref().map_err(Clone::clone)?);
-        let all: Vec<Result<Asked, String>> = rows.par_iter().map(read).collect();
+        let all: Vec<Result<AskedArch, String>> = rows.par_iter().map(read).collect();
         let known: Vec<Option<RowAnswer>> = match Tier::Lanes.has(self.digits) {
             true => all.par_chunks(PIECE).flat_map_iter(|all| self.known(all)).collect(),
             false => vec![None; all.len()],
@@ -72,8 +72,8 @@ impl RowQuestion {
     }
 
     /// Answers to some rows, where they are proved together.
-    fn known(&self, all: &[Result<Asked, String>]) -> Vec<Option<RowAnswer>> {
-        let row = |asked: &Result<Asked, String>| {
+    fn known(&self, all: &[Result<AskedArch, String>]) -> Vec<Option<RowAnswer>> {
+        let row = |asked: &Result<AskedArch, String>| {
             let (arch, eta, _) = asked.as_ref().ok()?;
             let eta = eta.as_ref().map(SharedOpening::enclosed_number);
             Some((arch.weight(), (SharedOpening::enclosed_arch(arch), eta)))
@@ -82,7 +82,12 @@ impl RowQuestion {
     }
 
     /// The answer to a row, of which something may be known.
-    fn answer(&self, line: u64, (arch, eta, measures): &Asked, known: Option<RowAnswer>) -> Answer {
+    fn answer(
+        &self,
+        line: u64,
+        (arch, eta, measures): &AskedArch,
+        known: Option<RowAnswer>,
+    ) -> Answer {
         let (digits, frictions) = (self.digits, self.with != WithFrictions::None);
         let sizes = measures.as_ref().map(|of| (of, digits));
         if let Some(eta) = eta {
@@ -103,7 +108,7 @@ impl RowQuestion {
 }
 
 /// The arch of a row.
-fn asked(reader: &ArchReader, row: &ReadRow) -> Result<Asked, String> {
+fn asked(reader: &ArchReader, row: &ReadRow) -> Result<AskedArch, String> {
     let (arch, measures) = reader.measured_arch(&row.cells)?;
     let thickness = reader.given(&row.cells, Role::GivenThickness).map(|said| {
         let eta = given_thickness(&reader.exact(said), measures.as_ref(), Spelling::Key);
@@ -114,7 +119,7 @@ fn asked(reader: &ArchReader, row: &ReadRow) -> Result<Asked, String> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Columns, Purpose, Spelling};
+    use super::super::{Columns, NumberStyle, Purpose};
     use super::*;
     use crate::arch::SelfWeight;
     use crate::report::{Content, open_rows};
@@ -122,7 +127,7 @@ mod tests {
     fn reader() -> ArchReader {
         let mut columns = Columns::own(Purpose::Ask);
         columns.places(&["weight", "alpha", "mu", "eta"].map(str::to_owned)).unwrap();
-        let (weight, spelling) = (SelfWeight::Heyman, Spelling::default());
+        let (weight, spelling) = (SelfWeight::Heyman, NumberStyle::default());
         ArchReader { columns, weight, doubles: false, spelling }
     }
 
@@ -188,7 +193,7 @@ mod tests {
         }
     }
 
-    fn asked_of(reader: &ArchReader, row: &Result<ReadRow, String>) -> Result<Asked, String> {
+    fn asked_of(reader: &ArchReader, row: &Result<ReadRow, String>) -> Result<AskedArch, String> {
         asked(reader, row.as_ref().map_err(Clone::clone)?)
     }
 }

@@ -1,10 +1,10 @@
 //! The arch of a row.
 
 use super::columns::{Cells, Columns};
+use super::number_style::{NumberStyle, is_bare};
 use super::roles::{Role, SIZES};
-use super::spelling::{Spelling, is_bare};
 use crate::arch::SelfWeight;
-use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling as Names};
+use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling};
 use crate::number::{ExactNumber, ParseExactError, is_range, shown};
 use crate::parse;
 use crate::problem::measures::Measures;
@@ -25,7 +25,7 @@ pub struct ArchReader {
     /// True if the arches are those at the nearest doubles of what the file has.
     pub doubles: bool,
     /// The words that a table uses for infinity and for nothing.
-    pub spelling: Spelling,
+    pub spelling: NumberStyle,
 }
 
 impl ArchReader {
@@ -69,7 +69,7 @@ impl ArchReader {
         // Whether the row has one beside the span is what is checked of it here; it is read below.
         asked.half_opening = self.given(cells, Role::HalfOpening).map(|_| "1".to_owned());
         let given =
-            SIZED.fits(&asked, Names::Key).and_then(|()| ArchGiven::new(&asked, Names::Key));
+            SIZED.fits(&asked, Spelling::Key).and_then(|()| ArchGiven::new(&asked, Spelling::Key));
         let ArchGiven { half_opening, measures, .. } =
             given.map_err(|misfit| misfit.to_string())?;
         Ok((half_opening.filter(|_| asked.half_opening.is_none()), measures))

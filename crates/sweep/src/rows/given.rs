@@ -4,9 +4,9 @@ use super::columns::Columns;
 use super::csv::TextTable;
 use super::json::objects;
 use super::keep::{Keep, ReadRow};
+use super::number_style::NumberStyle;
 use super::object::JsonObject;
 use super::source::{Input, Numbered, Syntax};
-use super::spelling::Spelling;
 use crate::failure::Failure;
 
 /// Rows of a file, of a table or of JSON.
@@ -14,7 +14,7 @@ pub struct GivenRows {
     /// Columns that are read.
     pub columns: Columns,
     /// Spelling of the numbers.
-    pub spelling: Spelling,
+    pub spelling: NumberStyle,
     /// The names of what is handed on, where the rows are those of a table.
     pub kept: Vec<String>,
     /// The rows.
@@ -44,7 +44,7 @@ impl GivenRows {
         let mut columns = columns.beside(keep.named());
         let kept = keep.places(&table.header, &columns)?;
         let places = columns.places(&table.header)?;
-        let spelling = Spelling { decimal_comma: table.has_decimal_commas() };
+        let spelling = NumberStyle { decimal_comma: table.has_decimal_commas() };
         table.read_only(places.iter().copied().chain(kept.iter().map(|(_, place)| *place)));
         let names = kept.iter().map(|(name, _)| name.clone()).collect();
         let read = move |row: Vec<String>| Keep::row(row, &places, &kept);
@@ -65,6 +65,6 @@ impl GivenRows {
             Ok(ReadRow { cells: of.cells(&object)?, kept: keep.entries(&object, &of) })
         };
         let rows = Box::new(objects.map(move |(line, row)| (line, row.and_then(&read))));
-        Self { columns, spelling: Spelling::default(), kept: Vec::new(), rows }
+        Self { columns, spelling: NumberStyle::default(), kept: Vec::new(), rows }
     }
 }

@@ -17,11 +17,11 @@ pub(super) fn objects(input: Input) -> Box<dyn Iterator<Item = Numbered<Vec<u8>>
 }
 
 /// The lines of an input, and whether each is a row of its own.
-fn begun(input: Input) -> (JsonLines, bool) {
+fn begun(input: Input) -> (JsonRows, bool) {
     let mut lines = InputLines::new(input, 1);
     let (held, on_lines) = beginning(&mut lines);
     lines.give_back(&held, 1);
-    (JsonLines { lines, is_broken: false }, on_lines)
+    (JsonRows { lines, is_broken: false }, on_lines)
 }
 
 /// The first lines, and whether each line is a row of its own.
@@ -56,12 +56,12 @@ fn next_row(lines: &mut InputLines, held: &mut Vec<u8>) -> Vec<u8> {
 }
 
 /// Rows of JSON, one object on each line.
-pub struct JsonLines {
+pub struct JsonRows {
     lines: InputLines,
     is_broken: bool,
 }
 
-impl JsonLines {
+impl JsonRows {
     /// Rows of an input; none where they are in an array, or one is over several lines.
     pub fn open(input: Input) -> Option<Self> {
         let (lines, on_lines) = begun(input);
@@ -84,7 +84,7 @@ impl JsonLines {
     }
 }
 
-impl Iterator for JsonLines {
+impl Iterator for JsonRows {
     type Item = Numbered<Vec<u8>>;
 
     fn next(&mut self) -> Option<Self::Item> {

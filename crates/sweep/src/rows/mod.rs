@@ -10,22 +10,22 @@ mod json;
 mod judge;
 mod keep;
 mod lines;
+mod number_style;
 mod object;
 mod roles;
 mod source;
-mod spelling;
 
 pub use answers::RowQuestion;
 pub use arch::ArchReader;
 pub use columns::{Cells, Columns, RowColumn, unanswered};
 pub use csv::TextTable;
 pub use given::GivenRows;
-pub use json::JsonLines;
+pub use json::JsonRows;
 pub use judge::Judge;
 pub use keep::{Keep, ReadRow};
+pub use number_style::NumberStyle;
 pub use roles::{Purpose, Role};
 pub use source::{BYTE_ORDER_MARK, Input, Numbered, RowSource, Syntax};
-pub use spelling::Spelling;
 
 /// The most bytes of a row: one without end would fill the memory.
 const MAX_RECORD: usize = 1 << 19;

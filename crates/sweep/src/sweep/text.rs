@@ -6,7 +6,7 @@ use super::query::Listed;
 use crate::arch::SelfWeight;
 use crate::check::reason;
 use crate::rows::{
-    ArchReader, BYTE_ORDER_MARK, Cells, Columns, GivenRows, JsonLines, Keep, Purpose, Role,
+    ArchReader, BYTE_ORDER_MARK, Cells, Columns, GivenRows, JsonRows, Keep, Purpose, Role,
     TextTable,
 };
 use crate::scene::hash_of;
@@ -72,7 +72,7 @@ fn is_text(beginning: &[u8]) -> Result<(), String> {
 /// The rows of a file, one after the other.
 enum TextRows {
     Table(TextTable),
-    Lines(JsonLines),
+    Lines(JsonRows),
 }
 
 impl TextRows {
@@ -80,7 +80,7 @@ impl TextRows {
     fn open(mut input: impl BufRead + Send + 'static) -> Result<Self, String> {
         let first = input.fill_buf().map_err(|error| reason(&error))?.trim_ascii_start().first();
         if matches!(first, Some(b'{' | b'[')) {
-            let lines = JsonLines::open(Box::new(input));
+            let lines = JsonRows::open(Box::new(input));
             return lines.map(Self::Lines).ok_or_else(|| {
                 "it is JSON without an object on each line, which a sweep reads: jq -c '.[]' makes lines of a list"
                     .to_owned()
@@ -199,7 +199,7 @@ pub(super) fn read(
         }
         None => {
             let rows = input(slice.offset, slice.bytes, &slice.sha256)?;
-            TextRows::Lines(JsonLines::new(rows, slice.line))
+            TextRows::Lines(JsonRows::new(rows, slice.line))
         }
     };
     let (lines, listed) = rows.listed(slice.rows as usize, weight)?;

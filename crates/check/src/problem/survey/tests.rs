@@ -73,7 +73,8 @@ fn a_course_bounds_every_arch_of_its_rectangle() {
             [Side::Unsafe, Side::Safe].map(|side| survey.course(side).unwrap());
         let [[span_0, span_1], [rise_0, rise_1]] =
             [lengths(span), lengths(rise)].map(|x| x.map(|x| x.metres().clone()));
-        let eta = |at: &Place, t: &BigRational| t / (radius(&at[0], &at[1]) + t / BigInt::from(2));
+        let eta =
+            |at: &SpanAndRise, t: &BigRational| t / (radius(&at[0], &at[1]) + t / BigInt::from(2));
         for i in 0..=6 {
             for j in 0..=6 {
                 let at = [
@@ -84,7 +85,7 @@ fn a_course_bounds_every_arch_of_its_rectangle() {
                 for (side, course, t) in
                     [(Side::Unsafe, &unsafely, number(1, 2)), (Side::Safe, &safely, number(3, 5))]
                 {
-                    let q_of = |at: &Place| &at[1] / &at[0];
+                    let q_of = |at: &SpanAndRise| &at[1] / &at[0];
                     let step = course.windows(2).find(|step| q_of(&step[1]) >= q).unwrap();
                     let bound = survey.bounding(side, [&step[0], &step[1]]).unwrap();
                     let bound_eta = bound.thickness.unwrap().factor().clone();
@@ -108,7 +109,7 @@ fn a_course_bounds_every_arch_of_its_rectangle() {
 #[test]
 fn a_step_lies_on_one_leg_and_goes_its_way() {
     let survey = spanned(["9m", "10m"], ["2m", "3m"], ["50cm", "60cm"]);
-    let place = |[span, rise]: [i32; 2]| -> Place {
+    let place = |[span, rise]: [i32; 2]| -> SpanAndRise {
         [span, rise].map(|tenths| BigRational::new(tenths.into(), 10.into()))
     };
     let has = |side, first, last| survey.has_step(side, [&place(first), &place(last)]);

@@ -17,13 +17,13 @@ const FRICTIONS: &[&str] = &["inf", "1", "0.5"];
 const PLACES: usize = 17;
 
 /// Proof of something about a query and what was drawn with it; none of one that does not belong here.
-type Proof<X, T> = Arc<dyn Fn(&DrawnQuery, &X) -> Option<T>>;
+type QueryProof<X, T> = Arc<dyn Fn(&DrawnQuery, &X) -> Option<T>>;
 
 /// Queries with what is proved of them, all others rejected.
 #[derive(Clone)]
 pub(super) struct Proving<S, X, T> {
     drawn: S,
-    proved: Proof<X, T>,
+    proved: QueryProof<X, T>,
     otherwise: Reason,
 }
 
@@ -70,7 +70,7 @@ where
 
 /// A query on its way to a simpler one.
 pub(super) struct Shrinking<X, T> {
-    proved: Proof<X, T>,
+    proved: QueryProof<X, T>,
     with: X,
     /// The simplest that is known to fail.
     base: (DrawnQuery, T),

@@ -19,8 +19,8 @@ const EXPONENTS: std::ops::RangeInclusive<i32> = -60..=63;
 /// that is no narrower than what is compared.
 pub(super) fn cell(ball: &Ball, count: usize) -> Option<(String, i64)> {
     let exponent = ball.mid().get_exp().filter(|exponent| EXPONENTS.contains(exponent))?;
-    let mut fraction = Fraction::new(ball, exponent)?;
-    let mut text = Digits(Vec::with_capacity(count));
+    let mut fraction = FixedPoint::new(ball, exponent)?;
+    let mut text = DecimalDigits(Vec::with_capacity(count));
     if fraction.whole > 0 {
         text.push(fraction.whole, fraction.whole.ilog10() as usize + 1);
     }
@@ -43,14 +43,14 @@ pub(super) fn cell(ball: &Ball, count: usize) -> Option<(String, i64)> {
 
 /// A number in fixed point that is not negative: a word before the point, and those behind it, the least significant
 /// first.
-struct Fraction {
+struct FixedPoint {
     whole: u64,
     words: [u64; WORDS + 1],
     /// The words that may not be zero.
     used: std::ops::Range<usize>,
 }
 
-impl Fraction {
+impl FixedPoint {
     /// The size of the midpoint, which is below `2^exponent` and no less than half of that.
     fn new(ball: &Ball, exponent: i32) -> Option<Self> {
         let significand = ball.mid().get_significand()?;
@@ -93,9 +93,9 @@ impl Fraction {
 }
 
 /// Decimal digits.
-struct Digits(Vec<u8>);
+struct DecimalDigits(Vec<u8>);
 
-impl Digits {
+impl DecimalDigits {
     /// Appends a number, of so many digits with zeros in front.
     fn push(&mut self, mut number: u64, size: usize) {
         let mut digits = [0; CHUNK + 1];

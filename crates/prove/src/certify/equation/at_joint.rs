@@ -18,7 +18,7 @@ use crate::symbolic::Known;
 use rug::Rational;
 
 /// Result of an evaluation, to be tried with more bits if it is `None`.
-type Found<T> = Result<Option<T>, Undecided>;
+type Tried<T> = Result<Option<T>, Undecided>;
 
 /// A joint, exact as far as it can be.
 pub(super) struct AtJoint {
@@ -112,14 +112,14 @@ impl AtJoint {
     }
 
     /// (12).
-    fn radicand(&self) -> Found<Evaluated> {
+    fn radicand(&self) -> Tried<Evaluated> {
         let (radicand, is_positive) = self.signed_radicand()?;
         let value = Figure::around(&radicand, self.digits);
         Ok(value.map(|value| Evaluated::Radicand(Box::new(RadicandAt { value, is_positive }))))
     }
 
     /// (8).
-    fn link(&self) -> Found<Evaluated> {
+    fn link(&self) -> Tried<Evaluated> {
         let Abbreviations { sin, f, g } = self.abbreviations();
         let difference = cubic::link(&self.joint).ball();
         let named =
@@ -138,7 +138,7 @@ impl AtJoint {
     }
 
     /// (7).
-    fn cubics(&self) -> Found<Evaluated> {
+    fn cubics(&self) -> Tried<Evaluated> {
         let polynomials = self.polynomials();
         let roots = self.roots(&polynomials)?;
         let Some(roots) = roots else { return Ok(None) };
@@ -166,7 +166,7 @@ impl AtJoint {
     ///
     /// By (5) and (4) each thickness has a thrust and an opening variable, which are roots of the two other
     /// polynomials: of the one that they meet and no other.
-    fn roots(&self, polynomials: &[Vec<Known>; 3]) -> Found<[Vec<RootAt>; 3]> {
+    fn roots(&self, polynomials: &[Vec<Known>; 3]) -> Tried<[Vec<RootAt>; 3]> {
         let count = self.real_count(&polynomials[1])?;
         let roots = |of: usize| real_roots(&enclosed(&polynomials[of]), count, self.bits);
         let [openings, thicknesses, thrusts] = [roots(0)?, roots(1)?, roots(2)?];
@@ -206,7 +206,7 @@ impl AtJoint {
     }
 
     /// (9), (10) or (11).
-    fn closed(&self, form: ClosedForm) -> Found<Evaluated> {
+    fn closed(&self, form: ClosedForm) -> Tried<Evaluated> {
         let (radicand, _) = self.signed_radicand()?;
         let joint = self.enclosed();
         let at = cubic::abbreviations(&joint);

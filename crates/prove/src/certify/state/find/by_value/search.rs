@@ -39,7 +39,7 @@ pub(super) struct Search<'a> {
 }
 
 /// Candidate that is proved to be a state, or to be none (`None`); or why that stays open.
-type Candidate = Result<Option<StateOfValue>, Undecided>;
+type ProvedCandidate = Result<Option<StateOfValue>, Undecided>;
 
 impl Search<'_> {
     fn weight(&self) -> SelfWeight {
@@ -111,7 +111,7 @@ impl Search<'_> {
     fn sieved(
         &self,
         count: Count,
-        candidates: Vec<Candidate>,
+        candidates: Vec<ProvedCandidate>,
         excluded: &'static str,
     ) -> Result<StatesOfValue, Undecided> {
         let (states, none) = count.sieved(candidates, excluded)?;
@@ -130,7 +130,7 @@ impl Search<'_> {
             false => 1,
         };
         let mut others = Vec::new();
-        let mut candidates: Vec<Candidate> = Vec::new();
+        let mut candidates: Vec<ProvedCandidate> = Vec::new();
         for number in 0..points {
             let mode = self.decided(|bits| self.curve_mode(number, bits));
             if is_limited && let Ok(Some(Mode::SlidingRotational) | None) = mode {
@@ -245,7 +245,7 @@ impl Search<'_> {
         &self,
         thickness: impl Fn(u32) -> Result<Option<Ball>, Undecided>,
         modes: &[Mode],
-    ) -> Candidate {
+    ) -> ProvedCandidate {
         let arch = |bits| {
             let Some(thickness) = thickness(bits)? else { return Ok(None) };
             let query = Query::new(&self.arch, bits);
@@ -282,7 +282,7 @@ impl Search<'_> {
     }
 
     /// State at a point of the curve, where it may have a mode.
-    fn curve_state(&self, number: usize, mode: Option<Mode>) -> Candidate {
+    fn curve_state(&self, number: usize, mode: Option<Mode>) -> ProvedCandidate {
         match mode {
             Some(Mode::Rotational) => self.raised(|bits| {
                 let at = self.curve_point(number, bits)?;

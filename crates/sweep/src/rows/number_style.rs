@@ -5,12 +5,12 @@ use std::borrow::Cow;
 
 /// Spelling of the numbers of a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Spelling {
+pub struct NumberStyle {
     /// True if a comma may be the decimal point.
     pub decimal_comma: bool,
 }
 
-impl Spelling {
+impl NumberStyle {
     /// A number as it is written here: `0.107D+00`, as Fortran has it, is `0.107e+00`, and with a decimal
     /// comma `1,5` is `1.5`. Any other text stays as it is.
     pub fn decimal(self, text: &str) -> Cow<'_, str> {
@@ -59,9 +59,9 @@ mod tests {
 
     #[test]
     fn numbers_of_other_programs_are_the_same_numbers() {
-        let comma = Spelling { decimal_comma: true };
+        let comma = NumberStyle { decimal_comma: true };
         for text in ["80deg", "1,5"] {
-            assert_eq!(Spelling::default().exact(text), text);
+            assert_eq!(NumberStyle::default().exact(text), text);
         }
         for (text, expected) in [
             ("80,5 deg", "80.5 deg"),
@@ -76,7 +76,7 @@ mod tests {
 
     #[test]
     fn each_part_of_a_range_is_spelt() {
-        let comma = Spelling { decimal_comma: true };
+        let comma = NumberStyle { decimal_comma: true };
         for (text, unit, expected) in [
             ("0,5..0,7", "", "0.5..0.7"),
             ("80,5±1,5", "deg", "80.5deg±1.5deg"),
