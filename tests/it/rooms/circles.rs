@@ -100,6 +100,8 @@ fn a_circle_of_two_files_is_seen() {
     let a = ("a", "pub struct A(super::b::B);");
     let b = ("b", "use crate::room::a::A;\npub struct B;\nfn f(_: A) {}");
     assert_eq!(found("mod a; mod b;", &[a, b]), [AB]);
+    let by_macro = ("a", "words! { pub enum A { X => \"x\" } }\nfn f(_: super::b::B) {}");
+    assert_eq!(found("mod a; mod b;", &[by_macro, b]), [AB]);
     assert_eq!(found("mod a; mod b;", &[a, ("b", "pub struct B;")]), [[""; 0]; 0]);
 }
 

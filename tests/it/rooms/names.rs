@@ -162,12 +162,14 @@ enum Meant {
 impl File {
     fn read(code: &str) -> Self {
         let tokens = tokens(code);
-        let (mut file, mut depth, mut public, mut at) = (Self::default(), 0, false, 0);
+        let (mut file, mut depth, mut public, mut at) = (Self::default(), 0usize, false, 0);
         while at < tokens.len() {
             let next = tokens.get(at + 1).copied().unwrap_or_default();
             match tokens[at] {
+                // What a macro is given stands in the file as if there were no macro: it may be a type.
+                "{" if depth == 0 && at > 0 && tokens[at - 1] == "!" => {}
                 "{" => depth += 1,
-                "}" => depth -= 1,
+                "}" => depth = usize::saturating_sub(depth, 1),
                 "pub" => {
                     // With what stands in parentheses behind it.
                     let close = |end| tokens[at..].iter().position(|t| *t == end).unwrap();
