@@ -8,7 +8,7 @@
 
 # Everything at once, chosen in the same words by every command, so that nothing is compiled twice. Not `--all-features`:
 # `system-gmp` takes GMP and MPFR from the system, which may have them too old.
-ALL := --workspace --features study,proptest
+ALL := --workspace --features proptest
 # What else is built with the command, of the same crates: `--package couplet-c --package couplet-python`.
 TOGETHER ?=
 

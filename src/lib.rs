@@ -77,7 +77,7 @@ pub use couplet_prove::prover;
 pub use couplet_report as report;
 #[doc(hidden)]
 pub use couplet_solve as solve;
-#[cfg(feature = "study")]
+#[cfg(feature = "cli")]
 #[doc(hidden)]
 pub use couplet_study as study;
 #[cfg(feature = "formats")]

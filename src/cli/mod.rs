@@ -212,14 +212,10 @@ fn missing(error: &clap::Error, text: &str) -> Option<String> {
     Some(format!("{} {verb} missing{whole}", names.join(", ")))
 }
 
-/// The commands of this build, for a message about an unknown one.
+/// The commands, for a message about an unknown one.
 fn commands_there_are() -> String {
     let cli = Cli::command();
     let names: Vec<&str> = cli.get_subcommands().map(clap::Command::get_name).collect();
     let Some((last, others)) = names.split_last() else { return String::new() };
-    let these = match cfg!(feature = "study") {
-        true => "the commands are",
-        false => "this build has the commands",
-    };
-    format!("; {these} {} and {last}", others.join(", "))
+    format!("; the commands are {} and {last}", others.join(", "))
 }

@@ -19,8 +19,7 @@ macro_rules! built_in {
     ($($name:tt)*) => { [$(($name, cfg!(feature = $name))),*] };
 }
 
-const FEATURES: [(&str, bool); 6] =
-    built_in!("system-gmp" "cli" "study" "plots" "parquet" "proptest");
+const FEATURES: [(&str, bool); 5] = built_in!("system-gmp" "cli" "plots" "parquet" "proptest");
 
 fn arithmetic() -> String {
     use gmp_mpfr_sys::{gmp, mpfr};

@@ -1,7 +1,7 @@
 //! The crate as others have it: its library, its command and its stored files.
 //!
 //! One program with a module for each subject, so that it is linked once. It speaks of every room, so it is built
-//! with `study` and `proptest`.
+//! with `proptest`.
 
 mod arches;
 mod hard;

@@ -1,28 +1,33 @@
 //! Double-double arithmetic, about 106 bits: what somebody would try for whom doubles are not enough.
 //!
-//! `+ - * /` and roots are those of the crate `qd`, which has no sines: they are MPFR's, rounded. (The
-//! other kept crate, `twofloat` 0.8, has sines, to 23 digits; but its quotient of two numbers has the
-//! digits of a double only, 1/3 for instance.)
+//! `+ - * /` and roots are those of the midpoints of balls, without their radii; sines are MPFR's, rounded.
 
-use crate::number::{Field, Real, operators};
+use crate::number::{DoubleDouble, Field, Real, operators};
 use crate::solve::Approximate;
-use qd::Quad;
 use rug::Float;
+use rug::float::Constant;
+use std::cmp::Ordering;
 
 /// Bits of a double-double number.
 pub const BITS: u32 = 106;
 
-/// A number of the crate `qd` as the equations take it.
-#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
-pub struct Qd(Quad);
+/// A double-double number as the equations take it, of which no error is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unproved(DoubleDouble);
 
-impl From<f64> for Qd {
+impl From<f64> for Unproved {
     fn from(x: f64) -> Self {
-        Self(Quad::from(x))
+        Self(x.into())
     }
 }
 
-impl Qd {
+impl PartialOrd for Unproved {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        [self.0.hi(), self.0.lo()].partial_cmp(&[other.0.hi(), other.0.lo()])
+    }
+}
+
+impl Unproved {
     fn negated(self) -> Self {
         Self(-self.0)
     }
@@ -44,17 +49,17 @@ impl Qd {
     }
 }
 
-operators!(Qd);
+operators!(Unproved);
 
-impl Field for Qd {
+impl Field for Unproved {
     fn int(&self, n: i32) -> Self {
         Self::from(f64::from(n))
     }
 }
 
-impl Real for Qd {
+impl Real for Unproved {
     fn pi(&self) -> Self {
-        Self(Quad::PI)
+        from_float(&Float::with_val(BITS, Constant::Pi))
     }
 
     fn sqrt(&self) -> Self {
@@ -67,9 +72,9 @@ impl Real for Qd {
     }
 }
 
-impl Approximate for Qd {
+impl Approximate for Unproved {
     fn exponent(&self) -> i64 {
-        self.0.0.exponent()
+        self.0.hi().exponent()
     }
 
     fn bits(&self) -> u32 {
@@ -78,13 +83,13 @@ impl Approximate for Qd {
 }
 
 /// The sum of the two doubles.
-pub fn to_float(x: &Qd) -> Float {
-    Float::with_val(BITS, x.0.0) + x.0.1
+pub fn to_float(x: &Unproved) -> Float {
+    Float::with_val(BITS, x.0.hi()) + x.0.lo()
 }
 
-fn from_float(x: &Float) -> Qd {
+fn from_float(x: &Float) -> Unproved {
     let high = x.to_f64();
-    Qd(Quad(high, Float::with_val(BITS, x - high).to_f64()))
+    Unproved(DoubleDouble::sum(high, Float::with_val(BITS, x - high).to_f64()))
 }
 
 #[cfg(test)]
@@ -93,7 +98,7 @@ mod tests {
 
     #[test]
     fn the_arithmetic_has_twice_the_digits_of_a_double() {
-        let one = Qd::from(1.0);
+        let one = Unproved::from(1.0);
         let exact = |n: u32| Float::with_val(200, n);
         let cases = [
             (one.ratio(1, 3), exact(1) / 3u32),

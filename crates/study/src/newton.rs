@@ -47,7 +47,7 @@ pub fn in_doubles(problem: &Task, start: &[f64]) -> Option<Newton<Float>> {
 
 /// Newton's method in double-doubles.
 pub fn in_double_doubles(problem: &Task, start: &[f64]) -> Option<Newton<Float>> {
-    let start: Vec<double_double::Qd> = start.iter().map(|&x| x.into()).collect();
+    let start: Vec<double_double::Unproved> = start.iter().map(|&x| x.into()).collect();
     let Newton { root, steps } = newton(problem, &start, double_double::BITS)?;
     Some(Newton { root: root.iter().map(double_double::to_float).collect(), steps })
 }

@@ -30,7 +30,6 @@ mod sample;
 mod state;
 mod states;
 mod stream;
-#[cfg(feature = "study")]
 mod study;
 mod survey;
 mod sweep;
@@ -45,12 +44,11 @@ use clap::Subcommand;
 /// not know its name yet, and examples. Completions and the manual are made of them all.
 macro_rules! commands {
     ($($group:literal {
-        $($(#[$feature:meta])? $name:ident($module:ident) [$($alias:literal)*] $($example:expr),+;)*
+        $($name:ident($module:ident) [$($alias:literal)*] $($example:expr),+;)*
     })*) => {
         #[derive(Subcommand)]
         pub(super) enum Command {
             $($(
-                $(#[$feature])?
                 #[command(aliases = [$($alias),*] as [&str; _], after_help = examples(&[$($example),+]))]
                 $name($module::Arguments),
             )*)*
@@ -66,7 +64,7 @@ macro_rules! commands {
             /// Runs the command; `program` describes the whole command line.
             pub(super) fn run(&self, program: fn() -> clap::Command) -> Result<(), Failure> {
                 match self {
-                    $($($(#[$feature])? Self::$name(arguments) => $module::run(arguments),)*)*
+                    $($(Self::$name(arguments) => $module::run(arguments),)*)*
                     Self::Completions(arguments) => completions::run(arguments, program()),
                     Self::Man(arguments) => man::run(arguments, program()),
                 }
@@ -131,7 +129,6 @@ commands! {
             "couplet constants --weight milankovitch --format csv -o constants.csv";
         Audit(audit) [] "couplet audit --weight heyman";
         Prove(prove) [] "couplet prove eq-8 --show", "couplet prove --index";
-        #[cfg(feature = "study")]
         Study(study) [] "couplet study --help";
     }
 }

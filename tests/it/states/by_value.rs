@@ -117,7 +117,7 @@ proptest! {
     }
 }
 
-/// `cargo test --release --features study,proptest --test it by_value:: -- --ignored`
+/// `cargo test --release --features proptest --test it by_value:: -- --ignored`
 #[test]
 #[ignore = "long: a hundred thousand values"]
 fn a_hundred_thousand_values_have_all_their_states() {
