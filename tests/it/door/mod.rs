@@ -7,4 +7,5 @@ mod manual;
 mod named;
 mod pages;
 mod pictures;
+mod published;
 mod questions;
