@@ -13,82 +13,41 @@ is exactly the double that it is**, so that 0.1 is not one tenth. Every answer h
 from __future__ import annotations
 
 from . import _core
-from ._answers import Answer, Assessment, Checked, Constants, Decision, Found, State, Tilted, Voussoirs
+from ._answers import Answer, Assessment, Checked, Constants, Decision, Found, State, Survey, Tilted, Voussoirs
 from ._arches import assess, certify, find, state, tilt, voussoirs
 from ._arrays import FOUND, VERDICTS, finds, reasons, states, states_columns, states_frame
 from ._asked import asked as _asked
+from ._asked import words as _words
 from ._certified import Certified
 from ._commands import Curve, Judged, Picture, Ran, audit, curve, draw, equation, figure, judge, run, sample, states_of
 from ._commands import map as map
 from ._core import CoupletError, UndecidedError, __version__
 from ._exact import text_of as _text_of
+from ._exact import whole as _whole
 from ._frames import add_states
 from ._sweeps import Swept, sweep
-from ._threads import whole as _whole
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     import os
+    from collections.abc import Sequence
+    from typing import Literal
 
     from ._codes import Mode, Verdict
+    from ._named import Landmark, LandmarkName
 
 __all__ = [
-    "FOUND",
-    "LANDMARKS",
-    "MODES",
-    "VERDICTS",
-    "Answer",
-    "Assessment",
-    "Certified",
-    "Checked",
-    "Constants",
-    "CoupletError",
-    "Curve",
-    "Decision",
-    "Found",
-    "Judged",
-    "Mode",
-    "Picture",
-    "Ran",
-    "State",
-    "Swept",
-    "Tilted",
-    "UndecidedError",
-    "Verdict",
-    "Voussoirs",
-    "__version__",
-    "add_states",
-    "assess",
-    "audit",
-    "certify",
-    "check",
-    "claims",
-    "constants",
-    "curve",
-    "draw",
-    "equation",
-    "figure",
-    "find",
-    "finds",
-    "judge",
-    "prove",
-    "reasons",
-    "run",
-    "sample",
-    "state",
-    "states",
-    "states_columns",
-    "states_frame",
-    "states_of",
-    "sweep",
-    "tilt",
-    "voussoirs",
-]
+    "FOUND", "LANDMARKS", "MODES", "VERDICTS", "Answer", "Assessment", "Certified", "Checked", "Constants", "CoupletError",
+    "Curve", "Decision", "Found", "Judged", "Mode", "Picture", "Ran", "State", "Survey", "Swept", "Tilted",
+    "UndecidedError", "Verdict", "Voussoirs", "__version__", "add_states", "assess", "audit", "certify", "check", "claims",
+    "constants", "curve", "draw", "equation", "figure", "find", "finds", "judge", "prove", "reasons", "run", "sample",
+    "state", "states", "states_columns", "states_frame", "states_of", "sweep", "tilt", "voussoirs",
+]  # fmt: skip
 
 #: The modes of collapse, joints from the shoulder inward; the codes of ``states`` are places in it.
 MODES: tuple[str, ...] = tuple(_core.modes())
 #: The landmarks.
-LANDMARKS: tuple[str, ...] = ("T", "S", "J", "B", "l", "L", "sb")
+LANDMARKS: tuple[Landmark, ...] = ("T", "S", "J", "B", "l", "L", "sb")
 
 
 def __getattr__(name: str) -> object:
@@ -101,11 +60,11 @@ def __getattr__(name: str) -> object:
 
 
 def constants(
-    landmark: str,
+    landmark: Landmark | LandmarkName,
     weight: str = "milankovitch",
     *,
     digits: int = 30,
-    quantities: str | list[str] | tuple[str, ...] = (),
+    quantities: str | Sequence[str] = (),
     threads: int = 0,
 ) -> Constants:
     """The constants of a landmark, each proved to exist, to be unique in a box, and to have the digits shown.
@@ -123,15 +82,14 @@ def constants(
         >>> str(couplet.constants("T", "heyman")["thickness"])
         '0.679604732098885514787534896210'
     """
-    names = [quantities] if isinstance(quantities, str) else list(quantities)
-    told = _asked(_core.constants, [landmark], weight, names, _text_of(digits), _whole(threads))
+    told = _asked(_core.constants, [landmark], weight, _words(quantities), _text_of(digits), _whole(threads))
     if len(told) != 1:
         raise CoupletError("one weight at a time: heyman or milankovitch")
     given = (("landmark", told[0]["landmark"]), ("weight", told[0]["weight"]), ("digits", digits))
     return Constants(given, told[0])
 
 
-def check(certificate: bytes | bytearray | memoryview | str | os.PathLike[str], *, engine: str = "astro") -> Checked:
+def check(certificate: bytes | bytearray | memoryview | str | os.PathLike[str], *, engine: Literal["astro", "mpfr"] = "astro") -> Checked:
     """Checks a certificate: that the equations have the root claimed, and that every digit is right. Nothing that it says
     is believed.
 

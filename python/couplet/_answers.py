@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from . import _core
-from ._asked import named_arch
+from ._asked import arch, by_name
 from ._certified import Certified
+from ._command import options
 from ._exact import exact
+from ._told import Told
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
-    from typing import Any, NoReturn
+    from typing import Any, Literal, NoReturn
+
+    Standing = Literal["stands", "falls", "undecided"]
 
 
 def plain(value: Any) -> Any:
@@ -30,15 +34,21 @@ def plain(value: Any) -> Any:
     return exact(value, "number")
 
 
+class _Value(Told["Certified | None"]):
+    """A value, which is None where there is none."""
+
+    def _of(self, answer: Answer) -> Certified | None:
+        told = answer._told["values"].get(self.at)
+        return None if told is None else Certified(self.at, told)
+
+
+def _standing(stands: bool | None) -> Standing:
+    return "undecided" if stands is None else "stands" if stands else "falls"
+
+
 class Answer:
     """An answer. It has three verdicts, and so no truth value: look at ``verdict``. ``==`` says whether two are one record: the
     same question with the same answer, to the same digits.
-
-    Attributes:
-        verdict: what is proved, or ``'undecided'``: neither it nor its contrary is known.
-        reason: why an arch falls, or why something is undecided; else None.
-        given: what was asked, as it was given.
-        values: the proved values, by the name of their quantity.
     """
 
     __slots__ = ("_given", "_told")
@@ -51,15 +61,8 @@ class Answer:
         """What was asked, as it was given."""
         return {name: value for name, value in self._given if value is not None}
 
-    @property
-    def verdict(self) -> str:
-        """What is proved, or ``'undecided'``."""
-        return str(self._told["status"])
-
-    @property
-    def reason(self) -> str | None:
-        """Why an arch falls, or why something is undecided."""
-        return self._told["reason"]  # type: ignore[no-any-return]
+    verdict = Told[str]("What is proved, or ``'undecided'``: neither it nor its contrary is known.", at="status")
+    reason = Told["str | None"]("Why an arch falls, or why something is undecided; else None.")
 
     @property
     def values(self) -> dict[str, Certified]:
@@ -72,15 +75,12 @@ class Answer:
         said = {name: plain(getattr(self, name)) for name in names}
         return {"given": plain(self.given), **said, "values": plain(self._all())}
 
-    # What a class tells besides, by the names of its properties.
+    # What a class tells besides, and what it shows, by the names of its properties.
     _more: tuple[str, ...] = ()
+    _shown: tuple[str, ...] = ()
 
     def _all(self) -> Any:
         return self.values
-
-    def _value(self, name: str) -> Certified | None:
-        told = self._told["values"].get(name)
-        return None if told is None else Certified(name, told)
 
     def __bool__(self) -> NoReturn:
         raise TypeError(f"{type(self).__name__} has three verdicts and no truth value: look at .verdict")
@@ -97,7 +97,7 @@ class Answer:
         return type(self), (self._given, self._told)
 
     def _said(self) -> list[tuple[str, Any]]:
-        return []
+        return [(name, getattr(self, name)) for name in self._shown]
 
     def __repr__(self) -> str:
         texts = [(name, str(value) if isinstance(value, Certified) else value) for name, value in self._said()]
@@ -111,71 +111,35 @@ class _OfArch(Answer):
 
     __slots__ = ()
 
-    @property
-    def weight(self) -> str:
-        """The model of self-weight, ``'heyman'`` or ``'milankovitch'``."""
-        return str(self._told["weight"])
+    weight = Told[str]("The model of self-weight, ``'heyman'`` or ``'milankovitch'``.")
 
     @property
     def measured_at(self) -> str | None:
         """The circle at which the arch is measured, ``'intrados'``, ``'centreline'`` or ``'extrados'``; None if it has no size."""
         return self._told.get("measured_at")
 
-    @property
-    def span_m(self) -> Certified | None:
-        """The span in metres, of an arch that is measured."""
-        return self._value("span_m")
+    span_m = _Value("The span in metres, of an arch that is measured.")
+    rise_m = _Value("The rise in metres, of an arch that is measured.")
+    radius_m = _Value("The radius of the centreline in metres, of an arch that is measured.")
+    least_thickness_m = _Value("The least thickness in metres, of an arch that is measured.")
+    weight_kn = _Value("The weight of the arch in kN, where ``density`` and ``depth`` are given.")
+    asymmetric_thickness = _Value(
+        "The largest thickness above the least at which an asymmetric mechanism is found and proved: there the arch stands, as an "
+        "admissible symmetric state exists, and friction without dilatancy may let it move. None if none is found; that there is "
+        "none is not proved."
+    )
 
-    @property
-    def rise_m(self) -> Certified | None:
-        """The rise in metres, of an arch that is measured."""
-        return self._value("rise_m")
-
-    @property
-    def radius_m(self) -> Certified | None:
-        """The radius of the centreline in metres, of an arch that is measured."""
-        return self._value("radius_m")
-
-    @property
-    def least_thickness_m(self) -> Certified | None:
-        """The least thickness in metres, of an arch that is measured."""
-        return self._value("least_thickness_m")
-
-    @property
-    def weight_kn(self) -> Certified | None:
-        """The weight of the arch in kN, where ``density`` and ``depth`` are given."""
-        return self._value("weight_kn")
-
-    @property
-    def asymmetric_thickness(self) -> Certified | None:
-        """The largest thickness above the least at which an asymmetric mechanism is found and proved: there the arch stands, as an
-        admissible symmetric state exists, and friction without dilatancy may let it move. None if none is found; that there is
-        none is not proved."""
-        return self._value("asymmetric_thickness")
-
-    @property
-    def open(self) -> dict[str, str]:
-        """The quantities that could not be decided, and why."""
-        return dict(self._told["open"])
-
-    @property
-    def can_stand(self) -> bool | None:
-        """Whether the arch stands at some thickness; None if that is not asked or undecided."""
-        return self._told["can_stand"]  # type: ignore[no-any-return]
+    open = Told["dict[str, str]"]("The quantities that could not be decided, and why.", dict)
+    can_stand = Told["bool | None"]("Whether the arch stands at some thickness; None if that is not asked or undecided.")
 
     def svg(self) -> str | None:
         """A picture of the arch with its lines of thrust, and how it falls, as SVG; None where there is nothing to
         draw. It is proved anew for this."""
-        given = {name: value for name, value in self._given if name not in ("weight", "tilt")}
-        try:
-            return _core.drawing(self.weight, named_arch(given)[0], self._command())
-        except _core.CoupletError:
-            # Joints that are no stones of one angle, more than 500 stones.
-            return None
-
-    def _command(self) -> str:
-        texts = [(name, plain(value)) for name, value in self._given if value is not None]
-        return "couplet draw " + " ".join(f"--{name.replace('_', '-')} {text}" for name, text in texts)
+        texts = arch(dict(self._given))[0]
+        words = ["draw", *options({**by_name(texts), "weight": self.weight})]
+        code, written, _ = _core.command([*words, "--format=svg"], 1)
+        # There is none of joints that are no stones of one angle, and of more than 500 stones.
+        return written.decode() if code == 0 else None
 
     def _repr_svg_(self) -> str | None:
         return self.svg()
@@ -190,57 +154,26 @@ class State(_OfArch):
 
     __slots__ = ()
     _more: tuple[str, ...] = ("weight", "can_stand", "mode", "open", "enough", "between", "gap", "measured_at")
+    _shown: tuple[str, ...] = ("mode", "thickness", "asymmetric_thickness", "reason")
 
-    @property
-    def thrust_kn(self) -> Certified | None:
-        """The horizontal thrust in kN, where ``density`` and ``depth`` are given."""
-        return self._value("thrust_kn")
+    thrust_kn = _Value("The horizontal thrust in kN, where ``density`` and ``depth`` are given.")
 
-    @property
-    def verdict(self) -> str:
-        """``'stands'``: at some thickness an admissible symmetric state exists; ``'falls'``: at none; ``'undecided'``."""
-        stands = self._told["can_stand"]
-        return "undecided" if stands is None else "stands" if stands else "falls"
+    verdict = Told["Standing"](
+        "``'stands'``: at some thickness an admissible symmetric state exists; ``'falls'``: at none; ``'undecided'``.",
+        _standing, "can_stand",
+    )  # fmt: skip
 
-    @property
-    def mode(self) -> str | None:
-        """How it collapses, joints from the shoulder inward: ``'[r,r,s]'``; one of ``couplet.MODES``."""
-        return next(iter(self._told["modes"]), None)
-
-    @property
-    def thickness(self) -> Certified | None:
-        """The least thickness, t/r, in (0, 2]."""
-        return self._value("thickness")
-
-    @property
-    def thrust(self) -> Certified | None:
-        """The horizontal thrust, H/(w r)."""
-        return self._value("thrust")
-
-    @property
-    def intrinsic_thrust(self) -> Certified | None:
-        """Thickness times thrust, H/(gamma d r²)."""
-        return self._value("intrinsic_thrust")
-
-    @property
-    def rotation_joint(self) -> Certified | None:
-        """The inner joint that opens, rad from the crown."""
-        return self._value("rotation_joint")
-
-    @property
-    def sliding_joint(self) -> Certified | None:
-        """The inner joint that slides, rad from the crown; None if none does."""
-        return self._value("sliding_joint")
-
-    @property
-    def sliding_friction(self) -> Certified | None:
-        """The friction below which the half opening stands at no thickness."""
-        return self._value("sliding_friction")
-
-    @property
-    def rotational_friction(self) -> Certified | None:
-        """The friction from which collapse is purely rotational; infinite where none is enough."""
-        return self._value("rotational_friction")
+    mode = Told["str | None"](
+        "How it collapses, joints from the shoulder inward: ``'[r,r,s]'``; one of ``couplet.MODES``.",
+        lambda modes: next(iter(modes), None), "modes",
+    )  # fmt: skip
+    thickness = _Value("The least thickness, t/r, in (0, 2].")
+    thrust = _Value("The horizontal thrust, H/(w r).")
+    intrinsic_thrust = _Value("Thickness times thrust, H/(gamma d r²).")
+    rotation_joint = _Value("The inner joint that opens, rad from the crown.")
+    sliding_joint = _Value("The inner joint that slides, rad from the crown; None if none does.")
+    sliding_friction = _Value("The friction below which the half opening stands at no thickness.")
+    rotational_friction = _Value("The friction from which collapse is purely rotational; infinite where none is enough.")
 
     @property
     def enough(self) -> dict[str, Certified]:
@@ -249,19 +182,8 @@ class State(_OfArch):
         told = self._told["enough"].items()
         return {name: Certified(name, value) for name, value in told if value is not None}
 
-    @property
-    def between(self) -> tuple[str, ...]:
-        """The modes between which an undecided arch lies."""
-        return tuple(self._told["between"])
-
-    @property
-    def gap(self) -> float | None:
-        """A bound of the difference that could not be told from zero, where it is undecided."""
-        return self._told["gap"]  # type: ignore[no-any-return]
-
-    def _said(self) -> list[tuple[str, Any]]:
-        moves = self.asymmetric_thickness
-        return [("mode", self.mode), ("thickness", self.thickness), ("asymmetric_thickness", moves), ("reason", self.reason)]
+    between = Told["tuple[str, ...]"]("The modes between which an undecided arch lies.", tuple)
+    gap = Told["float | None"]("A bound of the difference that could not be told from zero, where it is undecided.")
 
 
 class Assessment(_OfArch):
@@ -272,61 +194,25 @@ class Assessment(_OfArch):
 
     __slots__ = ()
     _more: tuple[str, ...] = ("weight", "open", "measured_at")
+    _shown: tuple[str, ...] = ("geometric_safety", "asymmetric_thickness", "reason")
 
-    @property
-    def thickness_m(self) -> Certified | None:
-        """The thickness in metres, of an arch that is measured."""
-        return self._value("thickness_m")
+    thickness_m = _Value("The thickness in metres, of an arch that is measured.")
+    least_thrust_kn = _Value("The least admissible thrust in kN, where ``density`` and ``depth`` are given.")
+    largest_thrust_kn = _Value("The largest admissible thrust in kN, where ``density`` and ``depth`` are given.")
 
-    @property
-    def least_thrust_kn(self) -> Certified | None:
-        """The least admissible thrust in kN, where ``density`` and ``depth`` are given."""
-        return self._value("least_thrust_kn")
+    verdict = Told["Standing"](
+        "``'stands'``: with this thickness an admissible symmetric state exists; ``'falls'``; ``'undecided'``.", _standing, "stands"
+    )
+    least_thickness = _Value("The least thickness of the arch, t/r; None if it stands at none.")
+    geometric_safety = _Value("The thickness over the least thickness.")
+    required_friction = _Value("The least friction with which it stands; None if none is enough.")
+    friction_safety = _Value("The friction over the required one.")
+    least_thrust = _Value("The least admissible thrust, H/(w r); ``limited_by`` says what limits it.")
+    largest_thrust = _Value("The largest admissible thrust, H/(w r); infinite where it has no bound.")
 
-    @property
-    def largest_thrust_kn(self) -> Certified | None:
-        """The largest admissible thrust in kN, where ``density`` and ``depth`` are given."""
-        return self._value("largest_thrust_kn")
 
-    @property
-    def verdict(self) -> str:
-        """``'stands'``: with this thickness an admissible symmetric state exists; ``'falls'``; ``'undecided'``."""
-        stands = self._told["stands"]
-        return "undecided" if stands is None else "stands" if stands else "falls"
-
-    @property
-    def least_thickness(self) -> Certified | None:
-        """The least thickness of the arch, t/r; None if it stands at none."""
-        return self._value("least_thickness")
-
-    @property
-    def geometric_safety(self) -> Certified | None:
-        """The thickness over the least thickness."""
-        return self._value("geometric_safety")
-
-    @property
-    def required_friction(self) -> Certified | None:
-        """The least friction with which it stands; None if none is enough."""
-        return self._value("required_friction")
-
-    @property
-    def friction_safety(self) -> Certified | None:
-        """The friction over the required one."""
-        return self._value("friction_safety")
-
-    @property
-    def least_thrust(self) -> Certified | None:
-        """The least admissible thrust, H/(w r); ``limited_by`` says what limits it."""
-        return self._value("least_thrust")
-
-    @property
-    def largest_thrust(self) -> Certified | None:
-        """The largest admissible thrust, H/(w r); infinite where it has no bound."""
-        return self._value("largest_thrust")
-
-    def _said(self) -> list[tuple[str, Any]]:
-        moves = self.asymmetric_thickness
-        return [("geometric_safety", self.geometric_safety), ("asymmetric_thickness", moves), ("reason", self.reason)]
+def _bounds(said: dict[str, str] | None) -> tuple[str, str] | None:
+    return None if said is None else (said["lower"], said["upper"])
 
 
 class Voussoirs(State):
@@ -335,55 +221,25 @@ class Voussoirs(State):
 
     __slots__ = ()
     _more: tuple[str, ...] = (*State._more, "stones", "joints", "contacts", "loss", "relative_loss", "may_move", "assessment")
+    _shown = ("mode", "thickness", "reason")
 
-    @property
-    def stones(self) -> int | None:
-        """How many stones of one angle it has."""
-        return self._told["said"].get("stones")  # type: ignore[no-any-return]
-
-    @property
-    def joints(self) -> tuple[str, ...] | None:
-        """The angles of its joints, where they were given."""
-        joints = self._told["said"].get("joints")
-        return None if joints is None else tuple(joints)
-
-    @property
-    def contacts(self) -> tuple[str, ...]:
-        """The conditions that hold with equality, each with the number of its joint from the crown."""
-        return tuple(self._told["said"]["contacts"] or ())
-
-    @property
-    def continuous_thickness(self) -> Certified | None:
-        """The least thickness with a joint at every angle."""
-        return self._value("continuous_thickness")
-
-    @property
-    def loss(self) -> tuple[str, str] | None:
-        """Bounds of how much thinner it may be than with a joint at every angle; None where the digits do not tell it."""
-        return self._bounds("loss")
-
-    @property
-    def relative_loss(self) -> tuple[str, str] | None:
-        """Bounds of the part that this is of the other thickness."""
-        return self._bounds("relative_loss")
-
-    @property
-    def may_move(self) -> bool:
-        """Whether it stands with a limited friction, which does not exclude a motion."""
-        return bool(self._told["said"]["may_move"])
+    stones = Told["int | None"]("How many stones of one angle it has.")
+    joints = Told["tuple[str, ...] | None"]("The angles of its joints, where they were given.", lambda joints: joints and tuple(joints))
+    contacts = Told["tuple[str, ...]"](
+        "The conditions that hold with equality, each with the number of its joint from the crown.", lambda all_: tuple(all_ or ())
+    )
+    continuous_thickness = _Value("The least thickness with a joint at every angle.")
+    loss = Told["tuple[str, str] | None"](
+        "Bounds of how much thinner it may be than with a joint at every angle; None where the digits do not tell it.", _bounds
+    )
+    relative_loss = Told["tuple[str, str] | None"]("Bounds of the part that this is of the other thickness.", _bounds)
+    may_move = Told[bool]("Whether it stands with a limited friction, which does not exclude a motion.", bool)
 
     @property
     def assessment(self) -> Assessment | None:
         """The arch at the thickness that was given."""
         told = self._told["assessment"]
         return None if told is None else Assessment(self._given, told)
-
-    def _bounds(self, name: str) -> tuple[str, str] | None:
-        said = self._told["said"][name]
-        return None if said is None else (said["lower"], said["upper"])
-
-    def _said(self) -> list[tuple[str, Any]]:
-        return [("mode", self.mode), ("thickness", self.thickness), ("reason", self.reason)]
 
 
 class Tilted(Assessment):
@@ -392,28 +248,21 @@ class Tilted(Assessment):
 
     __slots__ = ()
     _more: tuple[str, ...] = ("weight", "limited_by", "may_move")
+    _shown = ("largest_tilt", "reason")
 
-    @property
-    def largest_tilt(self) -> Certified | None:
-        """The largest acceleration over that of gravity with which there is an admissible state; infinite if any; None if it
-        stands with none, or that is undecided."""
-        return self._value("largest_tilt")
+    largest_tilt = _Value(
+        "The largest acceleration over that of gravity with which there is an admissible state; infinite if any; None if it "
+        "stands with none, or that is undecided."
+    )
 
-    @property
-    def limited_by(self) -> tuple[str, ...]:
-        """What limits it: the hinges and joints of the mechanism."""
-        return tuple(self._told["said"]["limited_by"])
+    limited_by = Told["tuple[str, ...]"]("What limits it: the hinges and joints of the mechanism.", tuple)
+    may_move = Told[bool]("Whether it stands with a limited friction, which does not exclude a motion.", bool)
 
-    @property
-    def may_move(self) -> bool:
-        """Whether it stands with a limited friction, which does not exclude a motion."""
-        return bool(self._told["said"]["may_move"])
-
-    def svg(self) -> None:
-        """None: a tilted arch is not drawn."""
-
-    def _said(self) -> list[tuple[str, Any]]:
-        return [("largest_tilt", self.largest_tilt), ("reason", self.reason)]
+    def svg(self) -> str | None:
+        """A picture of the arch under the largest acceleration, and how it falls, as SVG. It is proved anew for this."""
+        texts = arch(dict(self._given))[0]
+        words = ["couplet assess", *options({**by_name(texts), "weight": self.weight})]
+        return _core.tilted(self.weight, texts, "12", " ".join(words))[0]
 
 
 class Found(Answer):
@@ -422,33 +271,20 @@ class Found(Answer):
     __slots__ = ()
     _more: tuple[str, ...] = ("modes", "proved", "some_may_move")
 
-    @property
-    def verdict(self) -> str:
-        """``'found'``, ``'nothing'`` or ``'undecided'``."""
-        if self._told["status"] == "undecided":
-            return "undecided"
-        return "nothing" if self._told["stands"] is False else "found"
+    verdict = Told["Literal['found', 'nothing', 'undecided']"]("``'found'``, ``'nothing'`` or ``'undecided'``.")
 
     @property
     def value(self) -> Certified | None:
         """What was asked for."""
         return next(iter(self.values.values()), None)
 
-    @property
-    def modes(self) -> tuple[str, ...]:
-        """How the arch collapses there; both modes on a boundary."""
-        return tuple(self._told["modes"])
-
-    @property
-    def proved(self) -> str | None:
-        """Why there is no other answer."""
-        return self._told["proved"]  # type: ignore[no-any-return]
-
-    @property
-    def some_may_move(self) -> bool:
-        """Whether asymmetric mechanisms are known of some of the arches of which ``proved`` says that they stand: friction
-        without dilatancy may let these move."""
-        return bool(self._told["some_may_move"])
+    modes = Told["tuple[str, ...]"]("How the arch collapses there; both modes on a boundary.", tuple)
+    proved = Told["str | None"]("Why there is no other answer.")
+    some_may_move = Told[bool](
+        "Whether asymmetric mechanisms are known of some of the arches of which ``proved`` says that they stand: friction without "
+        "dilatancy may let these move.",
+        bool,
+    )
 
     def _said(self) -> list[tuple[str, Any]]:
         value = self.value
@@ -462,15 +298,8 @@ class Constants(Answer):
     __slots__ = ()
     _more: tuple[str, ...] = ("landmark", "weight")
 
-    @property
-    def landmark(self) -> str:
-        """The symbol of the landmark."""
-        return str(self._told["landmark"])
-
-    @property
-    def weight(self) -> str:
-        """The model of self-weight."""
-        return str(self._told["weight"])
+    landmark = Told[str]("The symbol of the landmark.")
+    weight = Told[str]("The model of self-weight.")
 
     def __getitem__(self, quantity: str) -> Certified:
         name = self._name(quantity)
@@ -512,38 +341,23 @@ class Checked(Answer):
 
     __slots__ = ()
 
-    @property
-    def verdict(self) -> str:
-        """``'accepted'``, ``'refused'`` or ``'not checked'``."""
-        return str(self._told["verdict"])
+    verdict = Told["Literal['accepted', 'refused', 'not checked']"]("``'accepted'``, ``'refused'`` or ``'not checked'``.")
+    digits = Told["int | None"]("How many digits each value has that was accepted; None if it has none.")
+    summary = Told["str | None"]("What is accepted, in the words of ``couplet check``.")
+    texts = Told["dict[str, str]"](
+        "The values accepted, each the correct rounding of the true one, by the name of their quantity.", dict, "values"
+    )
 
     @property
-    def digits(self) -> int | None:
-        """How many digits each value has that was accepted; None if it has none."""
-        return self._told["digits"]  # type: ignore[no-any-return]
-
-    @property
-    def summary(self) -> str | None:
-        """What is accepted, in the words of ``couplet check``."""
-        return self._told["summary"]  # type: ignore[no-any-return]
-
-    @property
-    def texts(self) -> dict[str, str]:
-        """The values accepted, each the correct rounding of the true one, by the name of their quantity."""
-        return dict(self._told["values"])
-
-    @property
-    def values(self) -> dict[str, Certified]:
+    def values(self) -> NoReturn:
         """Not of a certificate: it has no bounds and no doubles. See ``texts``."""
         raise AttributeError("the values of a certificate are in .texts")
 
     _more: tuple[str, ...] = ("digits", "summary")
+    _shown = ("digits", "reason")
 
     def _all(self) -> Any:
         return self.texts
-
-    def _said(self) -> list[tuple[str, Any]]:
-        return [("digits", self.digits), ("reason", self.reason)]
 
 
 class Decision:
@@ -579,3 +393,27 @@ class Decision:
 
     def __repr__(self) -> str:
         return f"Decision({self.id!r}, verdict={self.verdict!r}, as_printed={self.as_printed!r})"
+
+
+class Survey(dict):  # type: ignore[type-arg]
+    """What is proved of every arch between the ends of ranges: the dictionary of ``couplet assess --format json`` (couplet.survey/1).
+
+    Attributes:
+        verdict: as of one arch: ``'stands'`` if all do, ``'falls'`` if none does, ``'undecided'``; and ``'both'`` if some do and
+            others do not.
+        reason: why it is undecided; else None.
+    """
+
+    def __init__(self, told: dict[str, Any]) -> None:
+        super().__init__(told)
+
+    @property
+    def verdict(self) -> Literal["stands", "falls", "both", "undecided"]:
+        """``'stands'`` of all arches, ``'falls'`` of all, ``'both'`` or ``'undecided'``."""
+        kinds: Any = {"all": "stands", "none": "falls", "both": "both"}
+        return kinds.get(self["outcome"].partition("_")[0], "undecided")  # type: ignore[no-any-return]
+
+    @property
+    def reason(self) -> str | None:
+        """Why it is undecided."""
+        return self["reason"]  # type: ignore[no-any-return]

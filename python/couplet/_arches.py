@@ -3,26 +3,26 @@
 from __future__ import annotations
 
 from . import _core
-from ._answers import Assessment, Found, State, Tilted, Voussoirs
+from ._answers import Assessment, Found, State, Survey, Tilted, Voussoirs
 from ._asked import arch as _arch
 from ._asked import asked as _asked
+from ._asked import has_range as _has_range
 from ._asked import ranges as _ranges
-from ._asked import survey as _survey
 from ._core import CoupletError
 from ._exact import text_of as _text_of
-from ._threads import whole as _whole
+from ._exact import whole as _whole
+from ._named import Arches, Beside
+from ._named import named as _named
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
-    from typing import Any, Optional, Union, overload
+    from typing import Any, Literal, overload
+
+    from typing_extensions import Unpack
 
     from ._exact import Exact
-
-    #: A value, or the least and the largest.
-    Ranged = Optional[Union[Exact, tuple[Exact, Exact]]]
-    #: The same of a length, with its unit.
-    Lengths = Optional[Union[str, tuple[str, str]]]
+    from ._named import Arch, Landmark, LandmarkName, Range, Sizes, Stones
 else:
 
     def overload(function):
@@ -30,64 +30,19 @@ else:
 
 
 @overload
-def state(
-    half_opening: Exact | None = None,
-    friction: Exact | None = None,
-    *,
-    friction_angle: Exact | None = None,
-    thickness: Exact | None = None,
-    stones: int | str | None = None,
-    joints: str | Sequence[Exact] | None = None,
-    tilt: Exact | None = None,
-    span: str | None = None,
-    rise: str | None = None,
-    radius: str | None = None,
-    measured_at: str | None = None,
-    density: str | None = None,
-    depth: str | None = None,
-    weight: str = "milankovitch",
-    digits: int = 30,
-    frictions: bool = True,
-) -> State: ...
+def state(half_opening: Exact | None, friction: Exact, *, frictions: bool = True, **arch: Unpack[Arch]) -> State: ...
 @overload
-def state(
-    half_opening: Ranged = None,
-    friction: Ranged = None,
-    *,
-    friction_angle: Ranged = None,
-    thickness: Ranged = None,
-    stones: int | str | None = None,
-    joints: str | Sequence[Exact] | None = None,
-    tilt: Exact | None = None,
-    span: Lengths = None,
-    rise: Lengths = None,
-    radius: Lengths = None,
-    measured_at: str | None = None,
-    density: str | None = None,
-    depth: str | None = None,
-    weight: str = "milankovitch",
-    digits: int = 30,
-    frictions: bool = True,
-) -> Any: ...
-def state(
-    half_opening: Ranged = None,
-    friction: Ranged = None,
-    *,
-    friction_angle: Ranged = None,
-    thickness: Ranged = None,
-    stones: int | str | None = None,
-    joints: str | Sequence[Exact] | None = None,
-    tilt: Exact | None = None,
-    span: Lengths = None,
-    rise: Lengths = None,
-    radius: Lengths = None,
-    measured_at: str | None = None,
-    density: str | None = None,
-    depth: str | None = None,
-    weight: str = "milankovitch",
-    digits: int = 30,
-    frictions: bool = True,
-) -> State | dict[str, Any]:
+def state(half_opening: Exact | None = None, *, friction: Exact, frictions: bool = True, **arch: Unpack[Arch]) -> State: ...
+@overload
+def state(half_opening: Exact | None = None, *, friction_angle: Exact, frictions: bool = True, **arch: Unpack[Arch]) -> State: ...
+@overload
+def state(half_opening: Range | None, friction: Range, *, frictions: bool = True, **arch: Unpack[Arches]) -> State | Survey: ...
+@overload
+def state(half_opening: Range | None = None, *, friction: Range, frictions: bool = True, **arch: Unpack[Arches]) -> State | Survey: ...
+@overload
+def state(half_opening: Range | None = None, *, friction_angle: Range, frictions: bool = True, **arch: Unpack[Arches]) -> State | Survey: ...
+@_named(Beside, Arches)
+def state(half_opening: Range | None = None, friction: Range | None = None, *, frictions: bool = True, **arch: Any) -> State | Survey:
     """The state of an arch at its least thickness, proved. A float is exactly the double that it is; text is exact.
 
     Args:
@@ -106,7 +61,7 @@ def state(
         frictions: also the frictions at which the mode changes, and what would be enough for an arch that falls.
 
     Half opening, friction, span, rise and radius may be ranges, (least, largest), or text ('10m±2cm', '0.5..inf'). Then the
-    answer is a dictionary, as ``couplet state --format json`` has it: what is proved of every arch inside, without probability.
+    answer is a ``Survey``: what is proved of every arch inside, without probability.
 
     Raises: CoupletError if an argument makes no sense; TypeError if it is no number.
 
@@ -116,73 +71,49 @@ def state(
         >>> print(bridge.least_thickness_m, bridge.least_thickness_m.unit, bridge.measured_at)
         0.148126 m intrados
     """
-    others = (friction_angle, thickness, stones, joints, tilt, span, rise, radius, measured_at, density, depth)
-    surveyed = _survey("state", weight, (half_opening, friction, *others), _text_of(digits))
+    values, weight, digits = _read(arch, half_opening=half_opening, friction=friction)
+    surveyed = _surveyed("state", weight, values, digits)
     if surveyed is not None:
         return surveyed
-    texts, given = _arch(half_opening, friction, others)
-    if stones is not None or joints is not None:
+    texts, given = _arch(values)
+    if values["stones"] is not None or values["joints"] is not None:
         return _of_stones("state", weight, (texts, given), digits)[0]
-    told = _asked(_core.state, weight, texts, _text_of(digits), frictions)
+    told = _asked(_core.state, weight, texts, digits, frictions)
     return State((*given, ("weight", told["weight"])), told)
 
 
+def _read(arch: dict[str, Any], **named: Any) -> tuple[dict[str, Any], str, str]:
+    """What is given of an arch; the weight and the digits."""
+    weight, digits = arch.pop("weight"), _text_of(arch.pop("digits"))
+    return {**named, **arch}, weight, digits
+
+
+def _surveyed(question: str, weight: str, values: dict[str, Any], digits: str) -> Survey | None:
+    """What is proved of every arch of a question with ranges; None if it has no range."""
+    if not _has_range(values):
+        return None
+    import json
+
+    told = _asked(_core.surveyed, question, weight, _ranges(values), digits)
+    return None if told is None else Survey(json.loads(told))
+
+
 @overload
-def assess(
-    half_opening: Exact | None = None,
-    friction: Exact | None = None,
-    thickness: Exact | None = None,
-    *,
-    friction_angle: Exact | None = None,
-    stones: int | str | None = None,
-    joints: str | Sequence[Exact] | None = None,
-    tilt: Exact | None = None,
-    span: str | None = None,
-    rise: str | None = None,
-    radius: str | None = None,
-    measured_at: str | None = None,
-    density: str | None = None,
-    depth: str | None = None,
-    weight: str = "milankovitch",
-    digits: int = 30,
-) -> Assessment: ...
+def assess(half_opening: Exact | None, friction: Exact, thickness: Exact, **arch: Unpack[Arch]) -> Assessment: ...
 @overload
+def assess(half_opening: Exact | None = None, *, friction: Exact, thickness: Exact, **arch: Unpack[Arch]) -> Assessment: ...
+@overload
+def assess(half_opening: Exact | None = None, *, friction_angle: Exact, thickness: Exact, **arch: Unpack[Arch]) -> Assessment: ...
+@overload
+def assess(half_opening: Range | None, friction: Range, thickness: Range, **arch: Unpack[Arches]) -> Assessment | Survey: ...
+@overload
+def assess(half_opening: Range | None = None, *, friction: Range, thickness: Range, **arch: Unpack[Arches]) -> Assessment | Survey: ...
+@overload
+def assess(half_opening: Range | None = None, *, friction_angle: Range, thickness: Range, **arch: Unpack[Arches]) -> Assessment | Survey: ...
+@_named(Beside, Arches)
 def assess(
-    half_opening: Ranged = None,
-    friction: Ranged = None,
-    thickness: Ranged = None,
-    *,
-    friction_angle: Ranged = None,
-    stones: int | str | None = None,
-    joints: str | Sequence[Exact] | None = None,
-    tilt: Exact | None = None,
-    span: Lengths = None,
-    rise: Lengths = None,
-    radius: Lengths = None,
-    measured_at: str | None = None,
-    density: str | None = None,
-    depth: str | None = None,
-    weight: str = "milankovitch",
-    digits: int = 30,
-) -> Any: ...
-def assess(
-    half_opening: Ranged = None,
-    friction: Ranged = None,
-    thickness: Ranged = None,
-    *,
-    friction_angle: Ranged = None,
-    stones: int | str | None = None,
-    joints: str | Sequence[Exact] | None = None,
-    tilt: Exact | None = None,
-    span: Lengths = None,
-    rise: Lengths = None,
-    radius: Lengths = None,
-    measured_at: str | None = None,
-    density: str | None = None,
-    depth: str | None = None,
-    weight: str = "milankovitch",
-    digits: int = 30,
-) -> Assessment | dict[str, Any]:
+    half_opening: Range | None = None, friction: Range | None = None, thickness: Range | None = None, **arch: Any
+) -> Assessment | Survey:
     """Whether an arch of a given thickness stands, its safety factors, and the thrusts it can bear, proved. A float is
     exactly the double that it is; text is exact.
 
@@ -197,43 +128,40 @@ def assess(
         >>> a = couplet.assess("80deg", "0.6", "0.12", digits=8)
         >>> a.verdict, str(a.geometric_safety), a.least_thrust.limited_by
         ('stands', '1.7479853', 'intrados at the haunch')
-        >>> couplet.assess(("79deg", "81deg"), "0.6±10%", (0.125, 0.15))["outcome"]
-        'all_stand'
+        >>> couplet.assess(("79deg", "81deg"), "0.6±10%", (0.125, 0.15)).verdict
+        'stands'
         >>> str(couplet.assess(span="10m", rise="3m", thickness="60cm", friction="31deg", digits=5).geometric_safety)
         '3.8972'
     """
-    others = (friction_angle, thickness, stones, joints, tilt, span, rise, radius, measured_at, density, depth)
-    surveyed = _survey("assess", weight, (half_opening, friction, *others), _text_of(digits))
+    values, weight, digits = _read(arch, half_opening=half_opening, friction=friction, thickness=thickness)
+    surveyed = _surveyed("assess", weight, values, digits)
     if surveyed is not None:
         return surveyed
-    texts, given = _arch(half_opening, friction, others)
-    if tilt is not None:
+    texts, given = _arch(values)
+    if values["tilt"] is not None:
         return _tilted(weight, (texts, given), digits)
-    if stones is not None or joints is not None:
+    if values["stones"] is not None or values["joints"] is not None:
         found = _of_stones("assess", weight, (texts, given), digits)[0].assessment
         assert found is not None
         return found
-    told = _asked(_core.assess, weight, texts, _text_of(digits))
-    return Assessment((*given, ("weight", weight)), told)
+    return Assessment((*given, ("weight", weight)), _asked(_core.assess, weight, texts, digits))
 
 
+@overload
 def tilt(
-    half_opening: Exact | None = None,
-    friction: Exact | None = None,
-    thickness: Exact | None = None,
-    tilt: Exact = 0,
-    *,
-    friction_angle: Exact | None = None,
-    stones: int | str | None = None,
-    joints: str | Sequence[Exact] | None = None,
-    span: str | None = None,
-    rise: str | None = None,
-    radius: str | None = None,
-    measured_at: str | None = None,
-    density: str | None = None,
-    depth: str | None = None,
-    weight: str = "milankovitch",
-    digits: int = 30,
+    half_opening: Exact | None, friction: Exact, thickness: Exact, tilt: Exact = 0, *, stones: Stones = None, **arch: Unpack[Sizes]
+) -> Tilted: ...
+@overload
+def tilt(
+    half_opening: Exact | None = None, *, friction: Exact, thickness: Exact, tilt: Exact = 0, stones: Stones = None, **arch: Unpack[Sizes]
+) -> Tilted: ...
+@overload
+def tilt(
+    half_opening: Exact | None = None, *, friction_angle: Exact, thickness: Exact, tilt: Exact = 0, stones: Stones = None, **arch: Unpack[Sizes]
+) -> Tilted: ...
+@_named(Beside, Arches)
+def tilt(
+    half_opening: Exact | None = None, friction: Exact | None = None, thickness: Exact | None = None, tilt: Exact = 0, **arch: Any
 ) -> Tilted:
     """Whether an arch of a given thickness stands under a horizontal acceleration, and the largest with which it does, proved.
 
@@ -246,60 +174,31 @@ def tilt(
         >>> couplet.tilt("pi/2", "0.6", "0.15", "5deg", digits=8)
         Tilted(half_opening='pi/2', friction='0.6', thickness='0.15', tilt='5deg', weight='milankovitch', verdict='stands', largest_tilt='0.14432644')
     """
-    others = (friction_angle, thickness, stones, joints, tilt, span, rise, radius, measured_at, density, depth)
-    return _tilted(weight, _arch(half_opening, friction, others), digits)
+    values, weight, digits = _read(arch, half_opening=half_opening, friction=friction, thickness=thickness, tilt=tilt)
+    return _tilted(weight, _arch(values), digits)
 
 
 @overload
+def voussoirs(half_opening: Exact | None, friction: Exact, stones: range, **arch: Unpack[Sizes]) -> list[Voussoirs]: ...
+@overload
+def voussoirs(half_opening: Exact | None = None, *, friction: Exact, stones: range, **arch: Unpack[Sizes]) -> list[Voussoirs]: ...
+@overload
+def voussoirs(half_opening: Exact | None = None, *, friction_angle: Exact, stones: range, **arch: Unpack[Sizes]) -> list[Voussoirs]: ...
+@overload
 def voussoirs(
-    half_opening: Exact | None = None,
-    friction: Exact | None = None,
-    stones: int | str | None = None,
-    *,
-    friction_angle: Exact | None = None,
-    thickness: Exact | None = None,
-    joints: str | Sequence[Exact] | None = None,
-    tilt: None = None,
-    span: str | None = None,
-    rise: str | None = None,
-    radius: str | None = None,
-    measured_at: str | None = None,
-    density: str | None = None,
-    depth: str | None = None,
-    weight: str = "milankovitch",
-    digits: int = 30,
+    half_opening: Exact | None, friction: Exact, stones: Stones = None, *, thickness: Exact | None = None, **arch: Unpack[Sizes]
 ) -> Voussoirs: ...
 @overload
 def voussoirs(
-    half_opening: Exact | None = None,
-    friction: Exact | None = None,
-    stones: range = ...,
-    *,
-    friction_angle: Exact | None = None,
-    span: str | None = None,
-    rise: str | None = None,
-    radius: str | None = None,
-    measured_at: str | None = None,
-    weight: str = "milankovitch",
-    digits: int = 30,
-) -> list[Voussoirs]: ...
+    half_opening: Exact | None = None, *, friction: Exact, stones: Stones = None, thickness: Exact | None = None, **arch: Unpack[Sizes]
+) -> Voussoirs: ...
+@overload
 def voussoirs(
-    half_opening: Exact | None = None,
-    friction: Exact | None = None,
-    stones: int | str | range | None = None,
-    *,
-    friction_angle: Exact | None = None,
-    thickness: Exact | None = None,
-    joints: str | Sequence[Exact] | None = None,
-    tilt: Exact | None = None,
-    span: str | None = None,
-    rise: str | None = None,
-    radius: str | None = None,
-    measured_at: str | None = None,
-    density: str | None = None,
-    depth: str | None = None,
-    weight: str = "milankovitch",
-    digits: int = 30,
+    half_opening: Exact | None = None, *, friction_angle: Exact, stones: Stones = None, thickness: Exact | None = None, **arch: Unpack[Sizes]
+) -> Voussoirs: ...
+@_named(Beside, Arches)
+def voussoirs(
+    half_opening: Exact | None = None, friction: Exact | None = None, stones: Stones | range = None, **arch: Any
 ) -> Voussoirs | list[Voussoirs]:
     """The state of an arch of stones at its least thickness, with joints between them alone, proved.
 
@@ -318,24 +217,24 @@ def voussoirs(
         >>> [str(arch.thickness) for arch in couplet.voussoirs("pi/2", "0.6", range(7, 10), digits=4)]
         ['0.09625', '0.1009', '0.1021']
     """
-    if tilt is not None:
+    values, weight, digits = _read(arch, half_opening=half_opening, friction=friction, stones=stones)
+    if values["tilt"] is not None:
         raise CoupletError("tilt does not belong here: couplet.tilt tells of an arch of a thickness that is tilted")
-    others = (friction_angle, thickness, stones, joints, tilt, span, rise, radius, measured_at, density, depth)
-    found = _of_stones("voussoirs", weight, _arch(half_opening, friction, others), digits)
+    found = _of_stones("voussoirs", weight, _arch(values), digits)
     return found if isinstance(stones, range) else found[0]
 
 
-def _of_stones(question: str, weight: str, arch: Any, digits: int) -> list[Voussoirs]:
+def _of_stones(question: str, weight: str, arch: Any, digits: str) -> list[Voussoirs]:
     """The answers about an arch of stones."""
     import json
 
     texts, given = arch
-    stones = dict(given).get("stones")
+    stones = dict(given)["stones"]
     if isinstance(stones, str) and ".." in stones:
         raise CoupletError("several numbers of stones are a range: couplet.voussoirs(…, stones=range(2, 201))")
     if question != "voussoirs" and isinstance(stones, range):
         raise CoupletError("one number of stones at a time; of several couplet.voussoirs tells")
-    text, values = _asked(_core.voussoirs, question, weight, texts, _text_of(digits))
+    text, values = _asked(_core.voussoirs, question, weight, texts, digits)
     all_said = json.loads(text)
     all_said = all_said if isinstance(all_said, list) else [all_said]
     return [_stones_told((*given, ("weight", weight)), said, of) for said, of in zip(all_said, values)]
@@ -343,55 +242,56 @@ def _of_stones(question: str, weight: str, arch: Any, digits: int) -> list[Vouss
 
 def _stones_told(given: Any, said: dict[str, Any], values: list[dict[str, Any]]) -> Voussoirs:
     """An answer about an arch of stones, as those about any arch are told."""
-    if "stones" in said:
-        given = tuple((name, said["stones"] if isinstance(value, range) else value) for name, value in given)
-    outcome, weight, assessed = said["outcome"], said["weight"], said.pop("assessment", None)
-    told: dict[str, Any] = {"weight": weight, "open": [], "enough": {}, "between": [], "gap": None, "said": said}
-    told |= {"status": "undecided" if outcome == "undecided" else "proved", "values": values[0], "stands": None}
+    stones, outcome, assessed = said.get("stones"), said["outcome"], said.pop("assessment", None)
+    if stones is not None:
+        given = tuple((name, stones if isinstance(value, range) else value) for name, value in given)
+    told: dict[str, Any] = {**said, "stones": stones, "joints": said.get("joints"), "values": values[0]}
+    told |= {"open": [], "enough": {}, "between": [], "gap": None, "stands": None, "assessment": None}
+    told |= {"status": "undecided" if outcome == "undecided" else "proved", "modes": [said["mode"]] if said["mode"] else []}
     told["can_stand"] = {"stands": True, "any_thickness": True, "undecided": None}.get(outcome, False)
-    told["modes"] = [said["mode"]] if said["mode"] else []
     told["reason"] = said["reason"] or (outcome if told["can_stand"] is False else None)
-    told["assessment"] = None
     if assessed is not None:
         stands = assessed["stands"]
-        told["assessment"] = {**told, "values": values[1], "stands": stands, "reason": assessed["reason"], "can_stand": None}
-        told["assessment"]["status"] = "undecided" if stands is None else "proved"
-        told["assessment"]["said"] = assessed
+        standing = {"stands": stands, "status": "undecided" if stands is None else "proved", "can_stand": None}
+        told["assessment"] = {**told, **standing, "values": values[1], "reason": assessed["reason"]}
     return Voussoirs(given, told)
 
 
-def _tilted(weight: str, arch: Any, digits: int) -> Tilted:
+def _tilted(weight: str, arch: Any, digits: str) -> Tilted:
     """The answer about a tilted arch."""
     import json
 
     texts, given = arch
-    text, values = _asked(_core.tilted, weight, texts, _text_of(digits))
+    text, values = _asked(_core.tilted, weight, texts, digits, None)
     said = json.loads(text)
     stands = {"stands": True, "collapses": False}.get(said["outcome"])
-    told = {"weight": said["weight"], "status": "undecided" if stands is None else "proved", "stands": stands, "can_stand": None}
-    told |= {"modes": [], "values": values, "open": [], "reason": said["reason"], "said": said}
-    return Tilted((*given, ("weight", weight)), told)
+    told = {**said, "status": "undecided" if stands is None else "proved", "stands": stands, "can_stand": None}
+    return Tilted((*given, ("weight", weight)), {**told, "modes": [], "values": values, "open": []})
 
 
+@overload
+def find(what: Literal["half_opening", "alpha"], *, friction: Exact, thickness: Exact | None = None, **arch: Unpack[Sizes]) -> Found: ...
+@overload
 def find(
-    what: str,
-    modes: str | list[str] | tuple[str, ...] | None = None,
+    what: Literal["half_opening", "alpha"], *, friction_angle: Exact, thickness: Exact | None = None, **arch: Unpack[Sizes]
+) -> Found: ...
+@overload
+def find(
+    what: Literal["friction", "mu"], *, half_opening: Exact | None = None, thickness: Exact | None = None, **arch: Unpack[Sizes]
+) -> Found: ...
+@overload
+def find(
+    what: Literal["boundary"],
+    modes: str | Sequence[str],
     *,
     half_opening: Exact | None = None,
     friction: Exact | None = None,
     friction_angle: Exact | None = None,
-    thickness: Exact | None = None,
-    stones: int | str | None = None,
-    joints: str | Sequence[Exact] | None = None,
-    tilt: Exact | None = None,
-    span: str | None = None,
-    rise: str | None = None,
-    radius: str | None = None,
-    measured_at: str | None = None,
-    density: str | None = None,
-    depth: str | None = None,
-    weight: str = "milankovitch",
-    digits: int = 30,
+    **arch: Unpack[Sizes],
+) -> Found: ...
+@_named(Beside, Arches)
+def find(
+    what: str, modes: str | Sequence[str] | None = None, *, half_opening: Exact | None = None, friction: Exact | None = None, **arch: Any
 ) -> Found:
     """A question the other way round: the one answer, with the proof that there is no other. A float is exactly the double
     that it is; text is exact.
@@ -411,35 +311,53 @@ def find(
         >>> couplet.find("friction", span="10m", rise="3m", thickness="60cm", digits=6).value
         Certified('friction', '0.103606')
     """
-    if isinstance(modes, (list, tuple)):
-        modes = "/".join(map(str, modes))
-    others = (friction_angle, thickness, stones, joints, tilt, span, rise, radius, measured_at, density, depth)
-    texts, given = _arch(half_opening, friction, others)
-    target = (str(what).replace(" ", "_"), modes)
-    told = _asked(_core.find, target, weight, texts, _text_of(digits))
-    return Found((("modes", modes), *given, ("weight", weight)), told)
+    values, weight, digits = _read(arch, half_opening=half_opening, friction=friction)
+    texts, given = _arch(values)
+    told = _asked(_core.find, _target(what, modes), weight, texts, digits)
+    told["verdict"] = "undecided" if told["status"] == "undecided" else "nothing" if told["stands"] is False else "found"
+    return Found((("modes", _line(modes)), *given, ("weight", weight)), told)
 
 
+def _line(modes: str | Sequence[str] | None) -> str | None:
+    return modes if modes is None or isinstance(modes, str) else "/".join(map(str, modes))
+
+
+def _target(what: str, modes: str | Sequence[str] | None) -> tuple[str, str | None]:
+    """What is sought, as what is compiled has it."""
+    return str(what).replace(" ", "_"), _line(modes)
+
+
+@overload
+def certify(landmark: Landmark | LandmarkName, *, weight: str = "milankovitch", digits: int = 30, threads: int = 0) -> str: ...
+@overload
+def certify(
+    *,
+    half_opening: Range | None = None,
+    friction: Range,
+    thickness: Range | None = None,
+    asymmetric: bool | str = False,
+    threads: int = 0,
+    **arch: Unpack[Arches],
+) -> str: ...
+@overload
+def certify(
+    *,
+    half_opening: Range | None = None,
+    friction_angle: Range,
+    thickness: Range | None = None,
+    asymmetric: bool | str = False,
+    threads: int = 0,
+    **arch: Unpack[Arches],
+) -> str: ...
+@_named(Beside, Arches)
 def certify(
     landmark: str | None = None,
     *,
-    half_opening: Ranged = None,
-    friction: Ranged = None,
-    friction_angle: Ranged = None,
-    thickness: Ranged = None,
-    stones: int | str | None = None,
-    joints: str | Sequence[Exact] | None = None,
-    tilt: Exact | None = None,
-    span: Lengths = None,
-    rise: Lengths = None,
-    radius: Lengths = None,
-    measured_at: str | None = None,
-    density: str | None = None,
-    depth: str | None = None,
+    half_opening: Range | None = None,
+    friction: Range | None = None,
     asymmetric: bool | str = False,
-    weight: str = "milankovitch",
-    digits: int = 30,
     threads: int = 0,
+    **arch: Any,
 ) -> str:
     """A certificate that ``check`` accepts without trusting the solver, as JSON (``couplet.certificate/1``). A float is
     exactly the double that it is; text is exact.
@@ -466,16 +384,16 @@ def certify(
         >>> couplet.check(all_of_them).summary
         'all arches stand (an admissible symmetric state exists): half_opening 13/30 pi..4/9 pi thickness 1/10..3/25 friction 3/5 milankovitch  by 1 arch'
     """
-    others = (friction_angle, thickness, stones, joints, tilt, span, rise, radius, measured_at, density, depth)
+    values, weight, digits = _read(arch, half_opening=half_opening, friction=friction)
     if landmark is not None:
-        if asymmetric is not False or any(given is not None for given in (half_opening, friction, *others)):
+        if asymmetric is not False or any(value is not None for value in values.values()):
             raise CoupletError("a half opening, a friction, a thickness and asymmetric belong to an arch, not to a landmark")
-        return _asked(_core.certify_landmark, landmark, weight, _text_of(digits), _whole(threads))
-    texts = _ranges((half_opening, friction, *others))
-    if half_opening is None and span is None and joints is None:
+        return _asked(_core.certify_landmark, landmark, weight, digits, _whole(threads))
+    if all(values[name] is None for name in ("half_opening", "span", "rise", "joints")):
         raise CoupletError("a landmark, or a half opening and a friction, are missing")
+    texts = _ranges(values)
     if asymmetric is False:
-        return _asked(_core.certify_arch, weight, texts, _text_of(digits), _whole(threads))
-    if thickness is not None:
+        return _asked(_core.certify_arch, weight, texts, digits, _whole(threads))
+    if values["thickness"] is not None:
         raise CoupletError("an asymmetric solution has its own thickness: leave it out")
-    return _asked(_core.certify_asymmetric, weight, texts, None if asymmetric is True else str(asymmetric), _text_of(digits))
+    return _asked(_core.certify_asymmetric, weight, texts, None if asymmetric is True else str(asymmetric), digits)

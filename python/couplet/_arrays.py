@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 from . import _core
-from ._arches import assess, state
+from ._arches import _target, assess, state
 from ._asked import asked as _ask
+from ._asked import words
 from ._core import CoupletError
-from ._exact import exact
+from ._exact import exact, whole
+from ._named import Batch, named
 from ._rows import in_pieces
-from ._threads import whole
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
-    from typing import Any
+    from typing import Any, Literal
 
     import numpy as np
+    from typing_extensions import Unpack
 
 #: What ``verdict`` is a place in. An arch with a thickness stands or falls with it; one without, at some or at none.
 VERDICTS: tuple[str, ...] = ("stands", "falls", "undecided", "refused")
@@ -24,16 +26,8 @@ VERDICTS: tuple[str, ...] = ("stands", "falls", "undecided", "refused")
 _SEARCHES = 512
 
 
-def states(
-    half_opening: Any,
-    friction: Any,
-    thickness: Any = None,
-    *,
-    weight: str = "milankovitch",
-    quantities: Sequence[str] | None = None,
-    threads: int = 0,
-    progress: bool | Callable[[int, int], object] = False,
-) -> np.ndarray[Any, Any]:
+@named(Batch)
+def states(half_opening: Any, friction: Any, thickness: Any = None, **batch: Unpack[Batch]) -> np.ndarray[Any, Any]:
     """The states of many arches, each proved, as a structured array. A double is exactly the number that it is.
 
     The arrays are broadcast against each other: ``states(alpha[:, None], mu[None, :])`` is a grid. Rows of one half opening
@@ -71,25 +65,17 @@ def states(
     need_numpy()
     import numpy as np
 
-    asked = _Asked(np, half_opening, friction, thickness, weight, quantities)
+    asked = _Asked(np, half_opening, friction, thickness, batch["weight"], batch["quantities"])
     kinds = [(name, np.uint8 if code else np.float64) for name, code in asked.fields()]
     # Aligned, so that every field can be used as it is.
     found = np.zeros(asked.size, dtype=np.dtype(kinds, align=True))
-    asked.answer(found, threads, progress)
+    asked.answer(found, batch["threads"], batch["progress"])
     shaped: np.ndarray[Any, Any] = found.reshape(asked.shape)
     return shaped
 
 
-def states_columns(
-    half_opening: Any,
-    friction: Any,
-    thickness: Any = None,
-    *,
-    weight: str = "milankovitch",
-    quantities: Sequence[str] | None = None,
-    threads: int = 0,
-    progress: bool | Callable[[int, int], object] = False,
-) -> dict[str, np.ndarray[Any, Any]]:
+@named(Batch)
+def states_columns(half_opening: Any, friction: Any, thickness: Any = None, **batch: Unpack[Batch]) -> dict[str, np.ndarray[Any, Any]]:
     """The same as ``states`` as columns, with what was asked: a dictionary of flat arrays.
 
     ``pandas.DataFrame(...)``, ``polars.DataFrame(...)`` and ``pyarrow.table(...)`` take it as it is. The first columns are
@@ -98,34 +84,24 @@ def states_columns(
     need_numpy()
     import numpy as np
 
-    asked = _Asked(np, half_opening, friction, thickness, weight, quantities)
+    asked = _Asked(np, half_opening, friction, thickness, batch["weight"], batch["quantities"])
     found = {name: np.zeros(asked.size, np.uint8 if code else np.float64) for name, code in asked.fields()}
-    asked.answer(found, threads, progress)
+    asked.answer(found, batch["threads"], batch["progress"])
     given = zip(("half_opening", "friction", "given_thickness"), asked.arrays)
     return {**{name: np.array(array) for name, array in given}, **found}
 
 
-def states_frame(
-    half_opening: Any,
-    friction: Any,
-    thickness: Any = None,
-    *,
-    weight: str = "milankovitch",
-    quantities: Sequence[str] | None = None,
-    threads: int = 0,
-    progress: bool | Callable[[int, int], object] = False,
-) -> Any:
+@named(Batch)
+def states_frame(half_opening: Any, friction: Any, thickness: Any = None, **batch: Unpack[Batch]) -> Any:
     """The same as ``states_columns`` as a ``pandas.DataFrame`` for people: ``verdict`` and ``mode`` are categories, words that pandas
     counts and filters by, and ``reason`` says why a row is refused or undecided. It needs pandas. ``states_frame(…)["mode"].value_counts()`` counts modes.
     """
     import pandas  # type: ignore[import-not-found, import-untyped, unused-ignore]
 
-    columns: dict[str, Any] = dict(
-        states_columns(half_opening, friction, thickness, weight=weight, quantities=quantities, threads=threads, progress=progress)
-    )
+    columns: dict[str, Any] = dict(states_columns(half_opening, friction, thickness, **batch))
     codes = columns["verdict"]
     given = [columns[name] for name in ("half_opening", "friction", "given_thickness") if name in columns]
-    why = _reasons(codes, given, weight)
+    why = _reasons(codes, given, batch["weight"])
     columns["verdict"] = pandas.Categorical.from_codes(codes, list(VERDICTS))
     modes = columns["mode"].astype("int16")
     modes[modes == 255] = -1
@@ -139,8 +115,8 @@ FOUND: tuple[str, ...] = ("found", "nothing", "undecided", "refused")
 
 
 def finds(
-    what: str,
-    modes: str | list[str] | tuple[str, ...] | None = None,
+    what: Literal["half_opening", "alpha", "friction", "mu", "boundary"],
+    modes: str | Sequence[str] | None = None,
     *,
     half_opening: Any = None,
     friction: Any = None,
@@ -176,7 +152,7 @@ def finds(
     arrays = dict(zip(arrays, _broadcast(np, list(arrays.values()))))
     shape = next(iter(arrays.values())).shape if arrays else ()
     flat = {name: array.reshape(-1) for name, array in arrays.items()}
-    target = (str(what).replace(" ", "_"), "/".join(modes) if isinstance(modes, (list, tuple)) else modes)
+    target = _target(what, modes)
     columns = [flat.get(name) for name in given]
     kinds = [("verdict", np.uint8), *((name, np.float64) for name in ("value", "value_lower", "value_upper"))]
     found = np.zeros(int(np.prod(shape)), dtype=np.dtype(kinds, align=True))
@@ -233,7 +209,7 @@ def _reasons(codes: Any, arrays: list[Any], weight: str) -> dict[int, str]:
     """The reasons of the rows without a verdict."""
     why = {}
     for row in (codes >= VERDICTS.index("undecided")).nonzero()[0].tolist():
-        arch = [float(array[row]) for array in arrays]
+        arch: Any = [float(array[row]) for array in arrays]
         try:
             answer = assess(*arch, weight=weight, digits=17) if len(arch) > 2 else state(*arch, weight=weight, digits=17)
             why[row] = answer.reason or "it is undecided in doubles"
@@ -266,9 +242,7 @@ class _Asked:
         self.arrays = [array.reshape(-1) for array in arrays]
         self.size = self.arrays[0].size
         usual = "thickness" if thickness is None else "geometric_safety"
-        if isinstance(quantities, str):
-            quantities = [quantities]
-        names = [usual] if quantities is None else list(dict.fromkeys(quantities))
+        names = [usual] if quantities is None else list(dict.fromkeys(words(quantities)))
         empty = (b"", b"", None if thickness is None else b"")
         # Nothing is computed before every name is known, nor under a name of the paper.
         _ask(_core.states, weight, empty, names, 1)

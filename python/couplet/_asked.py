@@ -1,4 +1,4 @@
-"""Asks what is compiled."""
+"""Asks what is compiled, in its words and for the words of Python."""
 
 from __future__ import annotations
 
@@ -20,7 +20,6 @@ if TYPE_CHECKING:
 
 #: What an arch may be given by.
 FIELDS: tuple[str, ...] = tuple(_core.fields())
-_NOTHING_ELSE = (None,) * (len(FIELDS) - 2)
 
 
 def asked(function: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
@@ -30,7 +29,7 @@ def asked(function: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
     except UnicodeEncodeError as error:
         raise CoupletError(no_text(error.object)) from None
     except (CoupletError, _core.UndecidedError) as error:
-        said = keyed(str(error))
+        said = spoken(str(error))
         if said == str(error):
             raise
         raise type(error)(said) from None
@@ -44,21 +43,37 @@ def warn(note: str) -> None:
     level, frame = 1, sys._getframe()
     while frame is not None and frame.f_globals.get("__name__", "").partition(".")[0] == "couplet":
         level, frame = level + 1, frame.f_back  # type: ignore[assignment]
-    warnings.warn(with_doubles(note), stacklevel=level)
+    warnings.warn(spoken(note), stacklevel=level)
 
 
-def keyed(sentence: str) -> str:
-    """A sentence of the command, with the names of keywords in place of options, and doubles as Python writes them."""
+# What a shell has in a sentence, and Python instead.
+_SPOKEN = (
+    # What a whole line is, and how to build the command.
+    (r"; (?:usage|for example): couplet .*|, or give --format| \(cargo [^)]*\)", ""),
+    (r"^unexpected argument '--([\w-]+)' found.*", r"--\1 does not belong here"),
+    (r"`?\bcouplet ([a-z]+)`?, with -o [\w.]+", r"couplet.\1(…).svg()"),
+    (r"`couplet (\w+) --([\w-]+)`(?= answers)", r"couplet.\1(--\2=…)"),
+    (r"\bcouplet prove --list", "couplet.claims()"),
+    (r"`couplet (\w+)[^`]*`|\bcouplet ([a-z]+)(?= tells\b)", r"couplet.\1\2"),
+    # An option of which the value is wrong.
+    (r"invalid value '(.*?)' for '--([\w-]+) <[^']*>'(?:: |; \[possible values: (.*)\])", r"--\2='\1': \3"),
+    (r"invalid value '(.*?)' for '<\w+>': ", ""),
+    (r"(?:the argument )?'--([\w-]+)(?: <[^']*>)?'", r"--\1"),
+    # An option with a value that is right.
+    (r"--columns (\w+)=(\w+)", r"columns={'\1': '\2'}"),
+    (r"--along (friction) ([\d.]+)", r"along=('\1', '\2')"),
+    (r"--keep (\w+)", r"keep='\1'"),
+    (r"--(\w+) (\d\S*)", r"--\1=\2"),
+)
+
+
+def spoken(sentence: str) -> str:
+    """A sentence of the command as Python says it: keywords in place of options, functions of commands, and its own doubles."""
     import re
 
+    for shell, python in _SPOKEN if "--" in sentence or "couplet " in sentence or "invalid" in sentence else ():
+        sentence = re.sub(shell, python, sentence)
     sentence = re.sub(r"--([a-z]+(?:-[a-z]+)*)", lambda option: option[1].replace("-", "_"), sentence)
-    return with_doubles(sentence)
-
-
-def with_doubles(sentence: str) -> str:
-    """A sentence in which doubles are written as Python writes them."""
-    import re
-
     return re.sub(r"(?<![\d/])(-?\d+)/(\d{7,})(?![\d/])", _double, sentence)
 
 
@@ -69,33 +84,23 @@ def _double(found: Any) -> str:
     return repr(numerator / denominator) if is_double else found[0]
 
 
-def arch(half_opening: Any, friction: Any, others: tuple[Any, ...]) -> tuple[Texts, Given]:
+def arch(values: dict[str, Any]) -> tuple[Texts, Given]:
     """The texts of an arch, and what is given, by its names."""
-    # What is asked most is asked by two texts or three, in a hurry.
-    if half_opening is not None and friction is not None:
-        try:
-            if others == _NOTHING_ELSE:
-                texts = exact(half_opening, "half opening"), exact(friction, "friction"), None
-                return texts, (("half_opening", half_opening), ("friction", friction))
-            thickness = others[1]
-            if others[0] is None and others[2:] == _NOTHING_ELSE[2:]:
-                three = exact(half_opening, "half opening"), exact(friction, "friction"), [None, exact(thickness, "thickness")]
-                return three, (("half_opening", half_opening), ("friction", friction), ("thickness", thickness))
-        except ValueError as error:
-            # An array is not compared.
-            if isinstance(error, CoupletError):
-                raise
-    return named_arch(dict(zip(FIELDS, (half_opening, friction, *others))))
+    values = {name: _plain(values.get(name)) for name in FIELDS}
+    half_opening, friction, *others = (_text(name, value) for name, value in values.items())
+    has_others = any(text is not None for text in others)
+    return (half_opening, friction, others if has_others else None), tuple(values.items())
 
 
-def named_arch(named: dict[str, Any]) -> tuple[Texts, Given]:
-    """The same of an arch by its names."""
-    values = [_plain(named.get(name)) for name in FIELDS]
-    half_opening, friction, *others = (_text(name, value) for name, value in zip(FIELDS, values))
-    return (half_opening, friction, others), tuple(zip(FIELDS, values))
+def by_name(texts: Texts) -> dict[str, str | None]:
+    """The texts of an arch by their names."""
+    half_opening, friction, others = texts
+    return dict(zip(FIELDS, (half_opening, friction, *(others or [None] * (len(FIELDS) - 2)))))
 
 
 def _plain(value: Any) -> Any:
+    if value is None:
+        return value
     value = value.tolist() if hasattr(value, "tolist") else value
     return tuple(value) if isinstance(value, list) else value
 
@@ -123,24 +128,17 @@ def _stones(value: Any) -> str:
     return text_of(value.__index__())
 
 
-def survey(question: str, weight: str, values: tuple[Any, ...], digits: str) -> dict[str, Any] | None:
-    """What is proved of every arch of a question with ranges, as in JSON; None if it has no range."""
-    if not any(map(_is_range, values)):
-        return None
-    import json
-
-    told = asked(_core.surveyed, question, weight, ranges(values), digits)
-    return None if told is None else dict(json.loads(told))
-
-
-def ranges(values: tuple[Any, ...]) -> Texts:
-    """The texts of arches of which each value may be two ends."""
-    return named_arch({name: _range(name, value) for name, value in zip(FIELDS, values)})[0]
-
-
-def _is_range(value: Any) -> bool:
+def has_range(values: dict[str, Any]) -> bool:
     """Whether a value is two ends, or a text with the sign of a range."""
-    return isinstance(value, tuple) or isinstance(value, str) and asked(_core.is_range, value)
+    for name, value in values.items():
+        if isinstance(value, tuple) and name != "joints" or isinstance(value, str) and asked(_core.is_range, value):
+            return True
+    return False
+
+
+def ranges(values: dict[str, Any]) -> Texts:
+    """The texts of arches of which each value may be two ends."""
+    return arch({name: _range(name, value) for name, value in values.items()})[0]
 
 
 def _range(name: str, value: Any) -> Any:

@@ -2,108 +2,63 @@
 
 from __future__ import annotations
 
+from ._told import Told
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from decimal import Decimal
     from fractions import Fraction
-    from typing import Any
+    from typing import Any, Optional
 
+    Parts = tuple[str, str, str, float, float, float, Optional[str], Optional[str]]
 
 # The types of a number in a format: of a Decimal they round half to even, and no digit is made up.
 _NUMBERS = tuple("eEfFgG%")
 
-
-_ANGLES = {"friction_angle", "half_opening", "rotation_joint", "sliding_joint", "crown_hinge"}
-_ANGLES |= {"least_thrust_joint", "largest_thrust_joint"}
-_LENGTHS = {"thickness", "least_thickness", "asymmetric_thickness", "continuous_thickness", "thickness_ratio"}
-_FORCES = {"thrust", "least_thrust", "largest_thrust", "vertical_force"}
-
-
-def _unit(quantity: str) -> str:
-    for end, unit in (("_m", "m"), ("_kn", "kN"), ("_degrees", "deg")):
-        if quantity.endswith(end):
-            return unit
-    if quantity == "intrinsic_thrust":
-        return "gamma d r^2"
-    names = ((_ANGLES, "rad"), (_LENGTHS, "r"), (_FORCES, "w r"))
-    return next((unit for those, unit in names if quantity in those), "1")
+_UNITS = {
+    "rad": "friction_angle half_opening rotation_joint sliding_joint crown_hinge least_thrust_joint largest_thrust_joint".split(),
+    "r": "thickness least_thickness asymmetric_thickness continuous_thickness thickness_ratio".split(),
+    "w r": "thrust least_thrust largest_thrust vertical_force".split(),
+    "gamma d r^2": ["intrinsic_thrust"],
+}
 
 
 class Certified:
     """A value that is proved: text with all its digits, and the nearest double, both between bounds.
 
-    Attributes:
-        quantity: its name (``'thickness'``); docs/columns.md has all, angles are in radians unless the name says degrees.
-        text: the true value correctly rounded to the digits asked for; ``'inf'`` if it is infinite.
-        text_lower, text_upper: decimals not above and not below the true value.
-        double: the double nearest to the true value, whatever the digits.
-        lower, upper: doubles not above and not below the true value: its neighbours, or the same where it is a double.
-        exact: the exact value, where there is one and it says more (``'2(2√3−3)'``); else None.
-        limited_by: what limits a thrust; else None.
-        unit: ``'m'``, ``'kN'``, ``'rad'``, ``'deg'``; the radius ``'r'``, the force ``'w r'``, ``'gamma d r^2'``; ``'1'`` of a
-            bare number.
-
-    ``str()`` is the text and ``float()`` the double; ``f"{value:.5f}"`` is the true value rounded. ``==`` says whether two are one record: of the same quantity with the
-    same digits and bounds. Of the true values it says nothing: compare their bounds.
+    ``quantity`` is its name (``'thickness'``); docs/columns.md has all, angles are in radians unless the name says degrees. ``str()``
+    is the text and ``float()`` the double; ``f"{value:.5f}"`` is the true value rounded. ``==`` says whether two are one record: of
+    the same quantity with the same digits and bounds. Of the true values it says nothing: compare their bounds.
     """
 
     __slots__ = ("_quantity", "_told")
 
-    # Text, its bounds, the nearest double, its bounds, the exact value, what limits a thrust.
-    def __init__(
-        self, quantity: str, told: tuple[str, str, str, float, float, float, str | None, str | None]
-    ) -> None:
-        self._quantity, self._told = quantity, told
+    # Told are the text, its bounds, the nearest double, its bounds, the exact value, what limits a thrust.
+    def __init__(self, quantity: str, told: tuple[Any, ...]) -> None:
+        self._quantity = quantity
+        self._told: Parts = told
 
     @property
     def quantity(self) -> str:
         """Its name."""
         return self._quantity
 
-    @property
-    def text(self) -> str:
-        """The true value, correctly rounded."""
-        return self._told[0]
-
-    @property
-    def text_lower(self) -> str:
-        """A decimal not above the true value."""
-        return self._told[1]
-
-    @property
-    def text_upper(self) -> str:
-        """A decimal not below the true value."""
-        return self._told[2]
-
-    @property
-    def double(self) -> float:
-        """The nearest double."""
-        return self._told[3]
-
-    @property
-    def lower(self) -> float:
-        """A double not above the true value."""
-        return self._told[4]
-
-    @property
-    def upper(self) -> float:
-        """A double not below the true value."""
-        return self._told[5]
-
-    @property
-    def exact(self) -> str | None:
-        """The exact value, where there is one."""
-        return self._told[6]
-
-    @property
-    def limited_by(self) -> str | None:
-        """What limits a thrust."""
-        return self._told[7]
+    text = Told[str]("The true value correctly rounded to the digits asked for; ``'inf'`` if it is infinite.", at=0)
+    text_lower = Told[str]("A decimal not above the true value.", at=1)
+    text_upper = Told[str]("A decimal not below the true value.", at=2)
+    double = Told[float]("The double nearest to the true value, whatever the digits.", at=3)
+    lower = Told[float]("A double not above the true value: its lower neighbour, or the same where it is a double.", at=4)
+    upper = Told[float]("A double not below the true value: its upper neighbour, or the same where it is a double.", at=5)
+    exact = Told["str | None"]("The exact value, where there is one and it says more (``'2(2√3−3)'``); else None.", at=6)
+    limited_by = Told["str | None"]("What limits a thrust; else None.", at=7)
 
     @property
     def unit(self) -> str:
-        """The unit of the value."""
-        return _unit(self._quantity)
+        """``'m'``, ``'kN'``, ``'rad'``, ``'deg'``; the radius ``'r'``, the force ``'w r'``, ``'gamma d r^2'``; ``'1'`` of a bare number."""
+        for end, unit in (("_m", "m"), ("_kn", "kN"), ("_degrees", "deg")):
+            if self.quantity.endswith(end):
+                return unit
+        return next((unit for unit, names in _UNITS.items() if self.quantity in names), "1")
 
     def to_dict(self) -> dict[str, Any]:
         """All of the value, for ``json.dumps``: digits and doubles; what is infinite is the text ``'inf'``."""
@@ -173,17 +128,15 @@ class Certified:
         return self._told[3]
 
     def __repr__(self) -> str:
-        return f"Certified({self._quantity!r}, {self._told[0]!r})"
+        return f"Certified({self.quantity!r}, {self._told[0]!r})"
 
     def __eq__(self, other: object) -> bool:
         if type(other) is not Certified:
             return NotImplemented
-        return (self._quantity, self._told) == (other._quantity, other._told)
+        return (self.quantity, self._told) == (other.quantity, other._told)
 
     def __hash__(self) -> int:
-        return hash((self._quantity, self._told))
+        return hash((self.quantity, self._told))
 
-    def __reduce__(
-        self,
-    ) -> tuple[type, tuple[str, tuple[str, str, str, float, float, float, str | None, str | None]]]:
-        return Certified, (self._quantity, self._told)
+    def __reduce__(self) -> tuple[type, tuple[str, tuple[Any, ...]]]:
+        return Certified, (self.quantity, self._told)

@@ -1,16 +1,17 @@
-"""The command, run for an answer.
+"""The command, run for an answer: within this process, or in one of its own.
 
-It runs in a process of its own, as it does in a shell: Ctrl-C ends it and what it had begun to write, its threads are not ours, and no
-handler of signals is set in Python's process.
+Within this process it sets no handler of signals, and its threads are those of all calls. In a process of its own it runs as in a
+shell: Ctrl-C ends it and what it had begun to write.
 """
 
 from __future__ import annotations
 
 import os
 
-from ._asked import keyed
+from . import _core
+from ._asked import asked, spoken, warn
 from ._core import CoupletError, UndecidedError
-from ._exact import exact, no_text, text_of
+from ._exact import exact, no_text, text_of, whole
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -21,16 +22,17 @@ _NAME = "couplet: "
 
 
 class Done:
-    """What a command did: its exit code, what it wrote, what it says went wrong, and the other lines that it said."""
+    """What a command did: its exit code, what it wrote, what it says went wrong, and the other lines that it said; its notes are
+    warnings."""
 
-    def __init__(self, code: int, output: bytes, said: str) -> None:
+    def __init__(self, code: int, output: bytes, said: list[str]) -> None:
         self.code, self.output = code, output
-        lines = [line for line in said.splitlines() if line]
         # The last of its own lines is why it failed; those before are notes.
-        own = [line.removeprefix(_NAME) for line in lines if line.startswith(_NAME)]
-        self.sentence = keyed(own.pop()) if code and own else ""
-        self.notes = [keyed(note) for note in own]
-        self.lines = [line for line in lines if not line.startswith(_NAME)]
+        own = [line.removeprefix(_NAME) for line in said if line.startswith(_NAME)]
+        self.sentence = spoken(own.pop()) if code and own else ""
+        self.lines = [line for line in said if line and not line.startswith(_NAME)]
+        for note in own:
+            warn(note)
 
     def failure(self) -> Exception:
         """The exception for it."""
@@ -41,33 +43,28 @@ class Done:
         return OSError(self.sentence or f"the command ended with {self.code}")
 
 
-def run(arguments: list[str], data: bytes = b"") -> Done:
-    """Runs the command; its notes are warnings."""
+def answer(words: list[str], threads: int = 0) -> bytes:
+    """What the command writes within this process; an exception if it fails."""
+    done = Done(*asked(_core.command, words, whole(threads)))
+    if done.code:
+        raise done.failure()
+    return done.output
+
+
+def run(words: list[str], data: bytes = b"") -> Done:
+    """Runs the command in a process of its own."""
     import subprocess
-    import warnings
     from multiprocessing.spawn import get_executable
 
     home = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-    line = [os.fsdecode(get_executable()), "-I", "-S", "-c", _PROGRAM.format(home), *arguments]
-    if any("\0" in argument for argument in arguments):
+    line = [os.fsdecode(get_executable()), "-I", "-S", "-c", _PROGRAM.format(home), *words]
+    if any("\0" in word for word in words):
         raise CoupletError("a text has a character of the code 0")
     try:
         ran = subprocess.run(line, input=data, capture_output=True)
     except UnicodeEncodeError as error:
-        text = error.object.partition("=")[2] or error.object
-        raise CoupletError(no_text(text)) from None
-    done = Done(ran.returncode, ran.stdout, ran.stderr.decode(errors="replace"))
-    for note in done.notes:
-        warnings.warn(note, stacklevel=4)
-    return done
-
-
-def answer(arguments: list[str], data: bytes = b"") -> bytes:
-    """What the command writes; an exception if it fails."""
-    done = run(arguments, data)
-    if done.code:
-        raise done.failure()
-    return done.output
+        raise CoupletError(no_text(error.object)) from None
+    return Done(ran.returncode, ran.stdout, ran.stderr.decode(errors="replace").splitlines())
 
 
 def options(named: dict[str, Any]) -> list[str]:

@@ -5,21 +5,23 @@ from __future__ import annotations
 import os
 
 from ._arrays import VERDICTS
-from ._asked import FIELDS as _FIELDS
-from ._asked import named_arch
+from ._asked import by_name, ranges, spoken, words
 from ._command import answer, options
 from ._command import run as _run
 from ._core import CoupletError, modes
+from ._named import Drawn, Paper, Values, named
 from ._sweeps import _Toml
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
-    from typing import Any, Union
+    from typing import Any, Literal, Union
 
     import numpy as np
+    from typing_extensions import Unpack
 
     from ._exact import Exact
+    from ._named import Landmark, LandmarkName, Range
 
     Several = Union[Exact, Sequence[Exact], None]
 
@@ -31,11 +33,11 @@ class Picture:
         svg: the picture as SVG.
     """
 
-    __slots__ = ("svg", "_arguments")
+    __slots__ = ("svg", "_words", "_threads")
 
-    def __init__(self, arguments: list[str]) -> None:
-        self._arguments = arguments
-        self.svg = answer([*arguments, "--format=svg"]).decode()
+    def __init__(self, words: list[str], threads: int = 0) -> None:
+        self._words, self._threads = words, threads
+        self.svg = answer([*words, "--format=svg"], threads).decode()
 
     def _repr_svg_(self) -> str:
         return self.svg
@@ -44,100 +46,111 @@ class Picture:
         return self.svg
 
     def __repr__(self) -> str:
-        return f"Picture({' '.join(self._arguments)!r}, {len(self.svg)} characters of SVG)"
+        return f"Picture({' '.join(self._words)!r}, {len(self.svg)} characters of SVG)"
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes it anew in the format that the end of the name tells, among those of the command: svg, and of an arch json and dxf."""
-        answer([*self._arguments, f"--output={os.fspath(path)}"])
+        """Writes it anew in the format that the end of the name tells, among those of the command: svg, png, pdf; of an arch json
+        and dxf too, of a map html, json, csv and parquet. The file appears whole or not at all."""
+        answer([*self._words, f"--output={os.fspath(path)}"], self._threads)
 
     def to_dict(self) -> Any:
         """What it shows, as data (the command's JSON), where there is such."""
         import json
 
-        return json.loads(answer([*self._arguments, "--format=json"]))
+        return json.loads(answer([*self._words, "--format=json"], self._threads))
 
 
+@named(Drawn)
 def draw(
-    half_opening: Exact | None = None,
-    friction: Exact | None = None,
+    half_opening: Range | None = None,
+    friction: Range | None = None,
     *,
-    friction_angle: Exact | None = None,
-    thickness: Exact | None = None,
-    stones: int | str | None = None,
-    joints: str | Sequence[Exact] | None = None,
-    tilt: Exact | None = None,
-    span: str | None = None,
-    rise: str | None = None,
-    radius: str | None = None,
-    measured_at: str | None = None,
-    density: str | None = None,
-    depth: str | None = None,
-    weight: str = "milankovitch",
-    at: str | None = None,
+    at: Landmark | LandmarkName | None = None,
     mode: str | None = None,
+    along: tuple[str, str] | None = None,
     amplitude: float | str | None = None,
     dilatant: bool = False,
     half: bool = False,
     arrows: bool = False,
     animate: bool = False,
+    **arch: Unpack[Drawn],
 ) -> Picture:
     """An arch at its least thickness and how it falls there, or with a thickness as it stands; or those of a landmark.
 
     Args:
-        half_opening and others: as for ``state``; with thickness as for ``assess``.
+        half_opening and others: as for ``state``; with thickness as for ``assess``, with ranges too: then the bands in which the lines of
+            thrust of all arches inside lie.
         stones: from 2 to 500. joints, tilt: not here; the refusal says why.
         at: a landmark instead of an arch, by symbol or name.
         mode: only this mode, where several are possible.
+        along: the modes that a half opening passes as its friction grows: ('friction', '0.2..3').
         amplitude: how far the corner that moves most is moved, in units of r, from 0.001 to 1; 0.12 if it is not given.
         dilatant: joints that slide open too.
         half: only the right half. arrows: from where the blocks were. animate: the blocks move.
+        width, font_size: on paper ('84mm', '3.3in'; '7pt'); as wide as the picture needs if it is not given.
+        font: the family of letters, of PNG and PDF one of this machine; DejaVu Sans if it is not given.
+        no_caption, no_title: without the words below, and the headings above.
+        threads: threads to compute with; 0 for one on each core.
 
     Raises: CoupletError if an argument makes no sense; UndecidedError if there is nothing to draw, or nothing is proved.
 
-        >>> print(couplet.draw("80deg", "0.35", half=True).svg[:4])
+        >>> print(couplet.draw("80deg", "0.35", half=True, width="84mm").svg[:4])
         <svg
     """
-    given = (half_opening, friction, friction_angle, thickness, stones, joints, tilt, span, rise, radius, measured_at, density, depth)
-    (first, second, others), _ = named_arch(dict(zip(_FIELDS, given)))
-    shown = {"weight": weight, "at": at, "mode": mode, "dilatant": dilatant, "half": half, "arrows": arrows, "animate": animate}
-    # Of a size that is shown the decimal is what is meant.
-    size = repr(amplitude) if isinstance(amplitude, float) else amplitude
-    arch = dict(zip(_FIELDS, (first, second, *(others or ()))))
-    return Picture(["draw", *options({**arch, **shown, "amplitude": size})])
+    texts = by_name(ranges({"half_opening": half_opening, "friction": friction, **arch}))
+    shown = {"at": at, "mode": mode, "dilatant": dilatant, "half": half, "arrows": arrows, "animate": animate}
+    line = ["draw", *(["--along", *words(along)] if along else [])]
+    more = {name: value for name, value in arch.items() if name not in texts}
+    return _picture(line, {**texts, **more, **shown, "amplitude": _decimal(amplitude)})
 
 
-def figure(number: int, *, weight: str | None = None, tolerance: float | str | None = None) -> Picture:
+def _picture(line: list[str], named: dict[str, Any]) -> Picture:
+    """A picture of the command, with options."""
+    threads = named.pop("threads")
+    return Picture([*line, *options(named)], threads)
+
+
+@named(Paper)
+def figure(number: int, *, weight: str | None = None, tolerance: float | str | None = None, **paper: Unpack[Paper]) -> Picture:
     """A figure of the paper, 1 to 12, drawn from proved curves and states.
 
     Args:
         weight: the model of self-weight, 'heyman' or 'milankovitch'; of the figures 2 to 5 both if none is named.
         tolerance: of the figures 2 to 6, the largest half-width of a tube, from 1e-12 to 1; 1e-4 if it is not given.
+        width, font_size, font, no_caption, no_title, threads: as for ``draw``.
 
     Raises: CoupletError if an argument makes no sense; UndecidedError if something in it is not proved.
     """
-    return Picture(["figure", str(number), *options({"weight": weight, "tolerance": _decimal(tolerance)})])
+    return _picture(["figure", str(number)], {"weight": weight, "tolerance": _decimal(tolerance), **paper})
 
 
+class _Lines(Paper, total=False):
+    """What a map shows, and how."""
+
+    half_opening: Several
+    thickness: Several
+    friction: Several
+    plane: Literal["thickness-friction", "opening-friction", "opening-thickness"] | None
+    lines: bool
+    asymmetric: bool
+    bare: bool
+    half_opening_unit: Literal["deg", "rad", "A"] | None
+    friction_unit: Literal["deg", "rad", "mu"] | None
+    scale: Literal["linear", "log"] | None
+    half_opening_range: str | None
+    friction_range: str | None
+    thickness_range: str | None
+
+
+@named(_Lines)
 def map(
     curve: str | Sequence[str] | None = None,
     *,
-    half_opening: Several = None,
-    thickness: Several = None,
-    friction: Several = None,
     weight: str | None = None,
     tolerance: float | str | None = None,
-    plane: str | None = None,
-    lines: bool = False,
-    asymmetric: bool = False,
+    mark: str | Sequence[str] = (),
     difference: bool = False,
-    mark: str | Sequence[str] | None = None,
-    bare: bool = False,
-    half_opening_unit: str | None = None,
-    friction_unit: str | None = None,
-    scale: str | None = None,
-    half_opening_range: str | None = None,
-    friction_range: str | None = None,
-    thickness_range: str | None = None,
+    **shown: Unpack[_Lines],
 ) -> Picture:
     """The map of the modes, from curves that are proved for every value of their parameter.
 
@@ -147,26 +160,29 @@ def map(
         weight: 'heyman', 'milankovitch' or, of lines, 'both'.
         tolerance: the largest half-width of a tube, from 1e-12 to 1; 1e-4 if it is not given.
         plane: 'thickness-friction' (usual), 'opening-friction' or 'opening-thickness'.
-        lines: only the lines. asymmetric: what asymmetric branches reach. difference: between the weights.
-        mark: arches to mark ('80deg,0.6,0.15'). bare: without lines of equal values.
+        lines: only the lines. asymmetric: what asymmetric branches reach. bare: without lines of equal values.
+        mark: arches to mark ('80deg,0.6,0.15').
+        difference: instead, by how much the one weight is above the other on each dividing curve.
         half_opening_unit, friction_unit, scale: 'deg', 'rad' or 'A'; 'deg', 'rad' or 'mu'; 'linear' or 'log'.
         half_opening_range, friction_range, thickness_range: what is shown ('120..160').
+        width, font_size, font, no_caption, no_title, threads: as for ``draw``.
 
     Raises: CoupletError if an argument makes no sense; UndecidedError if something in it is not proved.
     """
-    marks = [mark] if isinstance(mark, str) else mark or ()
-    shown = {
-        "curve": curve, "half_opening": half_opening, "thickness": thickness, "friction": friction, "weight": weight,
-        "tolerance": _decimal(tolerance), "plane": plane, "lines": lines, "asymmetric": asymmetric, "difference": difference,
-        "bare": bare, "half_opening_unit": half_opening_unit, "friction_unit": friction_unit, "scale": scale,
-        "half_opening_range": half_opening_range, "friction_range": friction_range, "thickness_range": thickness_range,
-    }  # fmt: skip
-    return Picture(["map", *options(shown), *(f"--mark={arch}" for arch in marks)])
+    line = ["map", *(["difference"] if difference else []), *(f"--mark={arch}" for arch in words(mark))]
+    return _picture(line, {"curve": curve, "weight": weight, "tolerance": _decimal(tolerance), **shown})
 
 
 def _decimal(value: float | str | None) -> str | None:
     """A width, of which the decimal is what is meant."""
     return value if value is None or isinstance(value, str) else repr(float(value))
+
+
+def _told(line: list[str], named: dict[str, Any], threads: int = 0) -> Any:
+    """What the command says in JSON."""
+    import json
+
+    return json.loads(answer([*line, *options(named), "--format=json"], threads))
 
 
 class Curve:
@@ -214,13 +230,14 @@ class Curve:
         return {**{name: getattr(self, name) for name in names}, "ends": list(self.ends), "columns": columns}
 
 
-def curve(name: str, *, weight: str = "milankovitch", tolerance: float | str = "1e-4") -> Curve:
+def curve(name: str, *, weight: str = "milankovitch", tolerance: float | str = "1e-4", threads: int = 0) -> Curve:
     """A curve of the map as arrays with bounds (needs NumPy).
 
     Args:
         name: 'rotation', 'overturning', 'sliding'; two modes that meet ('rrr/srr'); 'limit', where the thickness reaches 2.
         weight: the model of self-weight, 'heyman' or 'milankovitch'.
         tolerance: the largest half-width of a tube, from 1e-12 to 1.
+        threads: threads to compute with; 0 for one on each core.
 
     Raises: CoupletError if an argument makes no sense; UndecidedError if it is not proved.
 
@@ -228,10 +245,7 @@ def curve(name: str, *, weight: str = "milankovitch", tolerance: float | str = "
         >>> bool((line["friction_lower"][1:-1] <= line["friction_upper"][1:-1]).all()), line.parameter
         (True, 'half_opening')
     """
-    import json
-
-    named = options({"curve": name, "weight": weight, "tolerance": _decimal(tolerance)})
-    curves = json.loads(answer(["map", *named, "--format=json"]))["curves"]
+    curves = _told(["map"], {"curve": name, "weight": weight, "tolerance": _decimal(tolerance)}, threads)["curves"]
     if len(curves) != 1:
         raise CoupletError("one curve at a time, of one weight")
     return Curve(curves[0])
@@ -290,7 +304,8 @@ def judge(
     accept: int | None = None,
     threads: int = 0,
 ) -> Judged:
-    """Judges somebody else's results: each row against the certified state of its arch (``couplet judge --help`` has all of it).
+    """Judges somebody else's results: each row against the certified state of its arch (docs/columns.md). It runs the command in a
+    process of its own, which an interrupt ends.
 
     Args:
         rows: a frame of pandas or polars, a table of Arrow, a dictionary of columns, a list of dictionaries, or the path of a file.
@@ -390,12 +405,13 @@ def _word(code: Any, words: list[str]) -> Any:
     return words[code] if 0 <= code < len(words) else ""
 
 
-def sample(count: int = 100, *, hard: bool = False, seed: int = 1) -> list[dict[str, Any]]:
+def sample(count: int = 100, *, hard: bool = False, assemblies: bool = False, seed: int = 1) -> list[dict[str, Any]]:
     """Arches to test a solver with, the same for the same seed: ordinary ones, or hard ones: next to landmarks, tiny, next to half a
     turn, with frictions like 0, 1e80 and inf. ``couplet.hypothesis`` has strategies of them.
 
     Returns: a dictionary for each: exact texts ``weight``, ``half_opening``, ``friction``; their doubles ``half_opening_rad``,
-    ``friction_double``; ``family``, the kind.
+    ``friction_double``, ``math.inf`` where it is unlimited; ``family``, the kind. Of ``assemblies`` stones next to a threshold
+    instead, two for each of the count, as in docs/assemblies.md.
 
     Raises: CoupletError if an argument makes no sense.
 
@@ -405,11 +421,17 @@ def sample(count: int = 100, *, hard: bool = False, seed: int = 1) -> list[dict[
     """
     import json
 
-    lines = answer(["sample", *options({"count": count, "hard": hard, "seed": seed}), "--format=jsonl"]).splitlines()
-    return [json.loads(line) for line in lines]
+    named = {"count": count, "hard": hard, "assemblies": assemblies, "seed": seed}
+    if assemblies:
+        return _told(["sample"], named)  # type: ignore[no-any-return]
+    arches = [json.loads(line) for line in answer(["sample", *options(named), "--format=jsonl"]).splitlines()]
+    for arch in arches:
+        if arch["friction_double"] is None:
+            arch["friction_double"] = float("inf")
+    return arches
 
 
-def audit(*, only: str | Sequence[str] | None = None, weight: str = "both") -> dict[str, Any]:
+def audit(*, only: Landmark | LandmarkName | Sequence[Landmark | LandmarkName] | None = None, weight: str = "both") -> dict[str, Any]:
     """Every number the paper prints, and its claims on the two weights, against certified values: ``couplet.audit/2``.
 
     Args:
@@ -423,23 +445,11 @@ def audit(*, only: str | Sequence[str] | None = None, weight: str = "both") -> d
         >>> [number["verdict"] for number in couplet.audit(only="T", weight="heyman")["printed"]][:3]
         ['wrong', 'faithful', 'correctly rounded']
     """
-    import json
-
-    told: dict[str, Any] = json.loads(answer(["audit", *options({"only": only, "weight": weight}), "--format=json"]))
-    return told
+    return _told(["audit"], {"only": only, "weight": weight})  # type: ignore[no-any-return]
 
 
-def equation(
-    number: int,
-    *,
-    half_opening: Exact | None = None,
-    rotation_joint: Exact | None = None,
-    thickness: Exact | None = None,
-    thrust: Exact | None = None,
-    opening_variable: Exact | None = None,
-    weight: str = "milankovitch",
-    digits: int = 30,
-) -> dict[str, Any]:
+@named(Values)
+def equation(number: int, *, half_opening: Exact | None = None, **values: Unpack[Values]) -> dict[str, Any]:
     """An equation of the paper, (2) to (18), at given values: ``couplet.equation/1``.
 
     Args:
@@ -454,30 +464,11 @@ def equation(
         >>> couplet.equation(12, rotation_joint="1.2", digits=5)["radicand"]["value"]
         '5.2334'
     """
-    import json
-
-    given = {
-        "half_opening": half_opening,
-        "rotation_joint": rotation_joint,
-        "thickness": thickness,
-        "thrust": thrust,
-        "opening_variable": opening_variable,
-    }
-    named = options({**given, "weight": weight, "digits": digits})
-    told: dict[str, Any] = json.loads(answer(["equation", str(number), *named, "--format=json"]))
-    return told
+    return _told(["equation", str(number)], {"half_opening": half_opening, **values})  # type: ignore[no-any-return]
 
 
-def states_of(
-    friction: Exact | None = None,
-    *,
-    rotation_joint: Exact | None = None,
-    thrust: Exact | None = None,
-    thickness: Exact | None = None,
-    opening_variable: Exact | None = None,
-    weight: str = "milankovitch",
-    digits: int = 30,
-) -> dict[str, Any]:
+@named(Values)
+def states_of(friction: Exact | None = None, **values: Unpack[Values]) -> dict[str, Any]:
     """All states that have one value, whatever their half opening: ``couplet.states_of/1``, with both branches of (9) to (11).
 
     Args:
@@ -489,12 +480,7 @@ def states_of(
         >>> [state["half_opening"]["value"] for state in couplet.states_of(rotation_joint=1, digits=5)["states"]]
         ['1.6921', '2.4677']
     """
-    import json
-
-    given = {"rotation_joint": rotation_joint, "thrust": thrust, "thickness": thickness, "opening_variable": opening_variable}
-    named = options({"friction": friction, **given, "weight": weight, "digits": digits})
-    told: dict[str, Any] = json.loads(answer(["state", *named, "--format=json"]))
-    return told
+    return _told(["state"], {"friction": friction, **values})  # type: ignore[no-any-return]
 
 
 class Ran:
@@ -521,13 +507,10 @@ class Ran:
 
 
 def run(
-    scene: str | os.PathLike[str] | Mapping[str, Any],
-    output: str | os.PathLike[str] = "",
-    *,
-    resume: bool = False,
-    overwrite: bool = False,
+    scene: str | os.PathLike[str] | Mapping[str, Any], output: str | os.PathLike[str] = "", *, resume: bool = False, overwrite: bool = False
 ) -> Ran:
-    """Computes what a scene asks for, and writes it (``couplet run --schema`` shows every key).
+    """Computes what a scene asks for, and writes it (``couplet run --schema`` shows every key), in a process of its own, which an
+    interrupt ends with what it had begun to write.
 
     Args:
         scene: the path of a scene (TOML), or its keys as a dictionary, of which a float is the double that it is.
@@ -549,7 +532,7 @@ def run(
     named = options({"resume": resume, "overwrite": overwrite})
     done = _run(["run", *named, f"--output={folder}", "--", path], toml.text.encode() if toml else b"")
     if done.code > 1 or done.code < 0:
-        faults = "\n".join(toml.named(line, "standard input:{}:{}: ") if toml else line for line in done.lines)
+        faults = "\n".join(spoken(toml.named(line, "standard input:{}:{}: ") if toml else line) for line in done.lines)
         raise CoupletError(faults) if done.code == 2 and faults else done.failure()
     outputs = [line.split(None, 1)[1] for line in done.lines if line.startswith(("written ", "kept "))]
     return Ran(folder, outputs, done.output.decode(), done.sentence or None)

@@ -1,6 +1,8 @@
-"""What a number is that is given: exact text."""
+"""What a number is that is given: exact text, or threads."""
 
 from __future__ import annotations
+
+import operator
 
 from ._core import CoupletError
 
@@ -11,6 +13,8 @@ if TYPE_CHECKING:
     from typing import Union
 
     Exact = Union[str, int, float, Fraction, Decimal]
+
+_MOST_THREADS = 1024
 
 
 def exact(value: Exact, what: str) -> str:
@@ -43,7 +47,8 @@ def is_text(text: str) -> bool:
 
 
 def no_text(text: str) -> str:
-    """What is said of a str that is none."""
+    """What is said of a str that is none, or of the value of an option."""
+    text = text.partition("=")[2] if text.startswith("--") else text
     return f"{text!r} is no text: it has half a surrogate pair, which is no character"
 
 
@@ -72,3 +77,14 @@ def _whole(value: object) -> str:
     if not hasattr(value, "__index__"):
         raise _NoNumber
     return text_of(value.__index__())
+
+
+def whole(threads: int) -> int:
+    """A number of threads."""
+    try:
+        number = -1 if isinstance(threads, bool) else operator.index(threads)
+    except TypeError:
+        number = -1
+    if not 0 <= number <= _MOST_THREADS:
+        raise CoupletError(f"threads are a whole number from 1 to {_MOST_THREADS}, or 0 for one on each core")
+    return number

@@ -8,12 +8,11 @@ from functools import partial
 from . import _core
 from ._arrays import VERDICTS, need_numpy
 from ._asked import asked as _ask
-from ._asked import with_doubles
+from ._asked import spoken, words
 from ._core import CoupletError
-from ._exact import is_text, no_text
+from ._exact import is_text, no_text, whole
 from ._kinds import NO_SIDE, NO_WORD, kind_of
 from ._rows import in_pieces
-from ._threads import whole
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -101,7 +100,7 @@ class _Question:
         self.around, self.threads = around, threads
         self.has_thickness = "given_thickness" in roles
         usual = "geometric_safety" if self.has_thickness else "thickness"
-        names = [usual] if quantities is None else [quantities] if isinstance(quantities, str) else list(quantities)
+        names = [usual] if quantities is None else words(quantities)
         self.quantities = list(dict.fromkeys(_ask(_core.quantity, name) for name in names))
 
     def answered(self, data: Any) -> Any:
@@ -129,7 +128,7 @@ class _Question:
 
         texts = [name for name in kind.names if isinstance(name, str) and is_text(name)]
         for why in filter(None, map(_core.unanswered, texts)):
-            raise CoupletError(f"{why}; under another name the column is handed on")
+            raise CoupletError(spoken(f"{why}; under another name the column is handed on"))
         columns, cells, present, no_texts = self._read(kind)
         names = [name for name in _Answers.names(self.quantities) if name != "mode" or not self.has_thickness]
         named = {name: name.join(self.around) for name in names}
@@ -209,7 +208,7 @@ class _Answers:
             numbers[here], sides[here] = array(doubles, "f8"), array(around, "i1")
         rows = range(self.size)[here] if isinstance(here, slice) else here
         for row, why in reasons:
-            self.why[rows[row]] = self.reasons.setdefault(with_doubles(why), len(self.reasons))
+            self.why[rows[row]] = self.reasons.setdefault(spoken(why), len(self.reasons))
 
     def columns(self, kind: Kind) -> dict[str, Callable[[], Any]]:
         """What makes each column, as a kind of tables has it."""

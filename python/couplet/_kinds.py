@@ -108,13 +108,12 @@ class Pandas:
     """A frame of pandas."""
 
     def __init__(self, data: Any) -> None:
+        self.pandas: Any = sys.modules["pandas"]
         self.data, self.names, self.size = data, list(data.columns), len(data)
 
     def cells(self, name: str) -> Cells:
-        import pandas  # type: ignore[import-not-found, import-untyped, unused-ignore]
-
         column = self.data[name]
-        if isinstance(column.dtype, pandas.CategoricalDtype):
+        if isinstance(column.dtype, self.pandas.CategoricalDtype):
             column = column.astype(column.cat.categories.dtype)
         kind = column.dtype
         if getattr(kind, "kind", "") in "fiu" and not hasattr(kind, "na_value"):
@@ -127,23 +126,17 @@ class Pandas:
         return _cells(column.to_numpy(dtype=object), column, name, present, kind)
 
     def words(self, codes: Any, words: Sequence[str]) -> Any:
-        import pandas
-
-        return pandas.Categorical.from_codes(codes, list(words))
+        return self.pandas.Categorical.from_codes(codes, list(words))
 
     def numbers(self, doubles: Any) -> Any:
         return doubles
 
     def sides(self, sides: Any) -> Any:
-        import pandas
-
-        return pandas.arrays.IntegerArray(sides, sides == NO_SIDE)
+        return self.pandas.arrays.IntegerArray(sides, sides == NO_SIDE)
 
     def texts(self, codes: Any, words: Sequence[str]) -> Any:
-        import pandas
-
         # One word more, as nothing is taken of nothing.
-        return pandas.array([*words, ""], dtype="string" if pandas.__version__ < "3" else "str").take(codes, allow_fill=True)
+        return self.pandas.array([*words, ""], dtype="string" if self.pandas.__version__ < "3" else "str").take(codes, allow_fill=True)
 
     def with_columns(self, columns: Mapping[str, Any]) -> Any:
         return self.data.assign(**columns)
@@ -153,50 +146,39 @@ class Polars:
     """A frame of polars."""
 
     def __init__(self, data: Any) -> None:
+        self.polars: Any = sys.modules["polars"]
         self.data, self.names, self.size = data, data.columns, data.height
 
     def cells(self, name: str) -> Cells:
-        import polars
-
         column = self.data.get_column(name)
         present = column.is_not_null().to_numpy() if column.null_count() else None
         kind = column.dtype
         if kind.is_float() or kind.is_integer() and "128" not in str(kind):
             return _cells(column.fill_null(0).to_numpy(), column, name, present)
-        if kind.is_numeric() or kind in (polars.String, polars.Categorical, polars.Enum, polars.Null):
-            column = column.cast(polars.String)
-        elif kind != polars.Object:
+        if kind.is_numeric() or kind in (self.polars.String, self.polars.Categorical, self.polars.Enum, self.polars.Null):
+            column = column.cast(self.polars.String)
+        elif kind != self.polars.Object:
             raise _no_numbers(name, kind)
         return _cells(None, column, name, present)
 
     def words(self, codes: Any, words: Sequence[str]) -> Any:
-        import polars
-
-        return self._coded(codes, polars.Series(values=list(words), dtype=polars.Enum(words)))
+        return self._coded(codes, self.polars.Series(values=list(words), dtype=self.polars.Enum(words)))
 
     def _coded(self, codes: Any, words: Any) -> Any:
-        import polars
-
-        series = polars.Series(codes)
+        series = self.polars.Series(codes)
         return words.gather(series.set(series == NO_WORD, None) if (codes == NO_WORD).any() else series)
 
     def numbers(self, doubles: Any) -> Any:
-        import polars
-
-        return polars.Series(doubles, nan_to_null=True)
+        return self.polars.Series(doubles, nan_to_null=True)
 
     def sides(self, sides: Any) -> Any:
-        import polars
-
-        series = polars.Series(sides)
+        series = self.polars.Series(sides)
         return series.set(series == NO_SIDE, None) if (sides == NO_SIDE).any() else series
 
     def texts(self, codes: Any, words: Sequence[str]) -> Any:
-        import polars
-
         if not words:
-            return polars.repeat(None, self.size, dtype=polars.String, eager=True)
-        return self._coded(codes, polars.Series(values=list(words), dtype=polars.String))
+            return self.polars.repeat(None, self.size, dtype=self.polars.String, eager=True)
+        return self._coded(codes, self.polars.Series(values=list(words), dtype=self.polars.String))
 
     def with_columns(self, columns: Mapping[str, Any]) -> Any:
         return self.data.with_columns([column.alias(name) for name, column in columns.items()])
@@ -206,10 +188,10 @@ class Arrow:
     """A table or a batch of pyarrow."""
 
     def __init__(self, data: Any) -> None:
+        self.pyarrow: Any = sys.modules["pyarrow"]
         self.data, self.names, self.size = data, data.schema.names, data.num_rows
 
     def cells(self, name: str) -> Cells:
-        import pyarrow
         from pyarrow import compute, types  # type: ignore[import-not-found, import-untyped, unused-ignore]
 
         column = self.data.column(name)
@@ -219,43 +201,33 @@ class Arrow:
         kind = column.type
         if types.is_floating(kind) or types.is_integer(kind):
             if present is not None:
-                column = compute.fill_null(column, pyarrow.scalar(0, pyarrow.int8()).cast(kind))
+                column = compute.fill_null(column, self.pyarrow.scalar(0, self.pyarrow.int8()).cast(kind))
             return _cells(column.to_numpy(zero_copy_only=False), column, name, present)
         if types.is_decimal(kind):
-            column = column.cast(pyarrow.string())
+            column = column.cast(self.pyarrow.string())
         elif not (types.is_string(kind) or types.is_large_string(kind) or types.is_string_view(kind) or types.is_null(kind)):
             raise _no_numbers(name, kind)
         return _cells(None, column, name, present)
 
     def words(self, codes: Any, words: Sequence[str]) -> Any:
-        import pyarrow
-
         mask = codes == NO_WORD
-        indices = pyarrow.array(codes, mask=mask if mask.any() else None)
-        return pyarrow.DictionaryArray.from_arrays(indices, pyarrow.array(words, pyarrow.string())).dictionary_decode()
+        indices = self.pyarrow.array(codes, mask=mask if mask.any() else None)
+        return self.pyarrow.DictionaryArray.from_arrays(indices, self.pyarrow.array(words, self.pyarrow.string())).dictionary_decode()
 
     def numbers(self, doubles: Any) -> Any:
-        import pyarrow
-
-        return pyarrow.array(doubles, pyarrow.float64(), from_pandas=True)
+        return self.pyarrow.array(doubles, self.pyarrow.float64(), from_pandas=True)
 
     def sides(self, sides: Any) -> Any:
-        import pyarrow
-
         mask = sides == NO_SIDE
-        return pyarrow.array(sides, pyarrow.int8(), mask=mask if mask.any() else None)
+        return self.pyarrow.array(sides, self.pyarrow.int8(), mask=mask if mask.any() else None)
 
     def texts(self, codes: Any, words: Sequence[str]) -> Any:
-        import pyarrow
-
-        return self.words(codes, words) if words else pyarrow.nulls(self.size, pyarrow.string())
+        return self.words(codes, words) if words else self.pyarrow.nulls(self.size, self.pyarrow.string())
 
     def with_columns(self, columns: Mapping[str, Any]) -> Any:
-        import pyarrow
-
         schema = self.data.schema
         for name, column in columns.items():
-            schema = schema.append(pyarrow.field(name, column.type))
+            schema = schema.append(self.pyarrow.field(name, column.type))
         return type(self.data).from_arrays([*self.data.columns, *columns.values()], schema=schema)
 
 

@@ -16,8 +16,7 @@ from . import _core
 from ._arrays import VERDICTS, Bar
 from ._asked import asked
 from ._core import CoupletError
-from ._exact import exact, is_text, no_text, text_of
-from ._threads import whole
+from ._exact import exact, is_text, no_text, text_of, whole
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

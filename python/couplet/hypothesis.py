@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 
     from hypothesis.strategies import DrawFn, SearchStrategy
 
+    from couplet._named import Landmark
+
 __all__ = ["arches", "arches_of_stones", "frictions", "half_openings", "thicknesses"]
 
 _WEIGHTS = ("milankovitch", "heyman")
@@ -70,11 +72,7 @@ def thicknesses(hard: bool | None = None) -> SearchStrategy[str]:
 
 
 def arches(
-    *,
-    hard: bool | None = None,
-    weight: str | None = None,
-    thickness: bool = False,
-    doubles: bool = False,
+    *, hard: bool | None = None, weight: str | None = None, thickness: bool = False, doubles: bool = False
 ) -> SearchStrategy[dict[str, Any]]:
     """Arches: ``half_opening``, ``friction``, ``weight`` and, if it is asked for, ``thickness``.
 
@@ -96,9 +94,7 @@ def arches(
     return found.map(_in_doubles).filter(_is_arch) if doubles else found
 
 
-def arches_of_stones(
-    *, hard: bool | None = None, weight: str | None = None, thickness: bool = False
-) -> SearchStrategy[dict[str, Any]]:
+def arches_of_stones(*, hard: bool | None = None, weight: str | None = None, thickness: bool = False) -> SearchStrategy[dict[str, Any]]:
     """Arches of stones, for ``voussoirs``: as ``arches`` has them, with ``stones``, from 2 to 60; of hard ones up to 1,000,000,000."""
     few = st.integers(2, 60)
     stones = _either(few, st.integers(61, 10**9), hard)
@@ -117,7 +113,7 @@ def _decimals(least: str, most: str) -> SearchStrategy[str]:
 
 
 @lru_cache(maxsize=None)
-def _landmark(landmark: str, weight: str) -> tuple[str, str]:
+def _landmark(landmark: Landmark, weight: str) -> tuple[str, str]:
     """The half opening and the friction of a landmark."""
     constants = couplet.constants(landmark, weight, digits=50, quantities=["half_opening", "friction"])
     texts = [constants[name].text if name in constants else "inf" for name in ("half_opening", "friction")]

@@ -6,7 +6,6 @@ use crate::{CoupletError, UndecidedError, told};
 use couplet::Error;
 use couplet::arch::SelfWeight;
 use couplet::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling, SurveyGiven, notes};
-use couplet::atlas::NoSketch;
 use couplet::certify::state::find as seek;
 use couplet::certify::state::{Balls, Certify};
 use couplet::certify::{CertifiedLandmark, quantities};
@@ -14,11 +13,11 @@ use couplet::cli::{self, doors};
 use couplet::door::find as sought;
 use couplet::problem::measures::Measures;
 use couplet::problem::{Arch, Landmark, Mode, Quantity};
-use couplet::report::{Answer, Claims, Format, Reported, Sketched, Style, Understood};
+use couplet::report::{Answer, Claims, Format, Reported, Understood};
 use couplet::sweep::failure::Failure;
 use couplet::sweep::{answer, parse, surveyed as survey};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyBytes, PyDict};
 use rayon::prelude::*;
 use std::ffi::OsString;
 use std::fmt::Display;
@@ -233,13 +232,14 @@ pub(crate) fn voussoirs<'py>(
     Ok((report(&made, "json")?, values))
 }
 
-/// JSON of an arch under an acceleration, and the largest one.
+/// JSON of an arch under an acceleration, or its picture, which names a command; and the largest acceleration.
 #[pyfunction]
 pub(crate) fn tilted<'py>(
     py: Python<'py>,
     weight: &str,
     texts: Texts<'_>,
     digits: &str,
+    command: Option<String>,
 ) -> PyResult<(String, Bound<'py, PyDict>)> {
     let (given, arch) = given(py, &doors::ASSESS, weight, texts.clone())?;
     let understood = Understood::new(&asked(texts), &given);
@@ -254,9 +254,16 @@ pub(crate) fn tilted<'py>(
     let found = on_threads(py, 1, move || {
         doors::tilted((&understood, &arch), (&eta, &tilt), stones.first(), digits)
     })?;
-    let found = found.map_err(failed)?;
+    let mut found = found.map_err(failed)?;
     let values = told::tilted(py, &found)?;
-    Ok((report(&found, "json")?, values))
+    let told = match command {
+        Some(command) => {
+            found.command = command;
+            report(&vec![found], "svg")?
+        }
+        None => report(&found, "json")?,
+    };
+    Ok((told, values))
 }
 
 #[pyfunction]
@@ -309,32 +316,18 @@ pub(crate) fn prove(py: Python<'_>, names: Vec<String>, threads: usize) -> PyRes
     report(&Claims { decisions, show: true, timed: true }, "json")
 }
 
-/// The picture of an arch as SVG; none where nothing is proved.
+/// The command within this process: its exit code, what it writes, and the lines that it says.
 #[pyfunction]
-pub(crate) fn drawing(
+pub(crate) fn command(
     py: Python<'_>,
-    weight: &str,
-    texts: Texts<'_>,
-    command: String,
-) -> PyResult<Option<String>> {
-    let weight = parse::weight(weight).map_err(wrong)?;
-    let given = ArchGiven::read(&doors::DRAW, &asked(texts), Spelling::Key).map_err(wrong)?;
-    let drawn = doors::drawn(&given, weight).map_err(wrong)?;
-    let sketch = match on_threads(py, 1, move || drawn.sketch())? {
-        Ok(sketch) => sketch,
-        Err(NoSketch::Undecided(_)) => return Ok(None),
-        Err(error) => return Err(wrong(error)),
-    };
-    let (style, measures) = (Style::default(), given.measures);
-    let sketched =
-        Sketched { sketches: vec![sketch], style, measures, between: Vec::new(), command };
-    match sketched.can_be_drawn() {
-        true => report(&sketched, "svg").map(Some),
-        false => Ok(None),
-    }
+    arguments: Vec<OsString>,
+    threads: usize,
+) -> PyResult<(u8, Bound<'_, PyBytes>, Vec<String>)> {
+    let (code, heard) = on_threads(py, threads, move || cli::heard(arguments))?;
+    Ok((code, PyBytes::new(py, &heard.written), heard.said))
 }
 
-/// The command with these arguments; its exit code.
+/// The command as a process of its own has it; its exit code.
 #[pyfunction]
 pub(crate) fn run(py: Python<'_>, arguments: Vec<OsString>) -> u8 {
     py.detach(|| cli::run_from(arguments))

@@ -39,7 +39,7 @@ pyo3::create_exception!(
 mod _core {
     #[pymodule_export]
     use super::asked::{
-        assess, claims, constants, drawing, fields, find, is_range, modes, prove, quantity_name,
+        assess, claims, command, constants, fields, find, is_range, modes, prove, quantity_name,
         run, state, surveyed, tilted, voussoirs,
     };
     #[pymodule_export]

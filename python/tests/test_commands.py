@@ -1,15 +1,19 @@
 """What the command makes, as functions: the same as in a shell."""
 
 import json
+import math
 import os
 import signal
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
+from shell import words_of_a_shell
 
 import couplet
+from couplet._asked import spoken
 
 
 def command(*arguments):
@@ -96,6 +100,7 @@ def test_pictures(tmp_path):
     assert couplet.draw(at="T", mode="rrs").svg != couplet.draw(at="T").svg
     with pytest.raises(couplet.CoupletError, match="the end .txt tells no format"):
         picture.save(tmp_path / "arch.txt")
+    assert not list(tmp_path.glob("*.txt"))
     with pytest.raises(OSError, match="cannot write"):
         picture.save("/dev/null/arch.svg")
 
@@ -104,6 +109,32 @@ def test_figures_and_maps():
     assert couplet.figure(1).svg != couplet.figure(9, weight="heyman").svg
     map_ = couplet.map(plane="opening-friction", thickness=["0.1", 0.25], mark=["80deg,0.6", "70deg,0.3"], tolerance=1e-3)
     assert map_.svg.startswith("<svg") and map_.svg.count("70deg") + map_.svg.count("70°") > 0
+
+
+def test_pictures_have_the_options_of_the_command(tmp_path):
+    assert "serif" in couplet.draw("80deg", "0.35", font="serif").svg
+    narrow = couplet.draw("80deg", "0.35", width="84mm", font_size="6pt", no_caption=True, no_title=True, threads=1)
+    assert 'width="238' in narrow.svg and len(narrow.svg) < len(couplet.draw("80deg", "0.35").svg)
+    for picture in [narrow, couplet.figure(7, width="84mm", no_caption=True), couplet.map(curve="limit", lines=True, tolerance=1e-2)]:
+        picture.save(tmp_path / "picture.png")
+        assert (tmp_path / "picture.png").read_bytes().startswith(b"\x89PNG")
+        picture.save(tmp_path / "picture.pdf")
+        assert (tmp_path / "picture.pdf").read_bytes().startswith(b"%PDF")
+    assert "half opening 78deg to 80deg" in couplet.draw(("78deg", "80deg"), "0.6", thickness=("0.1", "0.12")).svg
+    assert couplet.draw("130deg", along=("friction", "0.2..3")).svg.count("[") >= 3
+    difference = couplet.map(difference=True, tolerance=1e-2)
+    assert difference.to_dict()["schema"].startswith("couplet.map_difference") and difference.svg != couplet.map(tolerance=1e-2).svg
+
+
+def test_they_run_within_this_process(monkeypatch):
+    monkeypatch.setattr(subprocess, "run", None)
+    handler = signal.getsignal(signal.SIGINT)
+    arches = [("80deg", f"0.{number}") for number in range(3, 9)]
+    with ThreadPoolExecutor(6) as threads:
+        pictures = list(threads.map(lambda arch: couplet.draw(*arch, threads=1).svg, arches))
+    for (_, friction), picture in zip(arches, pictures):
+        assert f"--friction={friction}" in picture
+    assert couplet.sample(2) and couplet.audit(only="T", weight="heyman") and signal.getsignal(signal.SIGINT) is handler
 
 
 def test_a_curve():
@@ -129,6 +160,20 @@ def test_samples():
     truth = [couplet.state(arch["half_opening"], arch["friction"], weight=arch["weight"], digits=17) for arch in arches]
     claims = [{**arch, "thickness": state.thickness or "falls"} for arch, state in zip(arches, truth)]
     assert couplet.judge(claims, inputs="exact").accepted == 5
+
+
+def test_unlimited_friction_is_a_number():
+    arches = couplet.sample(200, hard=True)
+    unlimited = [arch for arch in arches if arch["friction"] == "inf"]
+    assert unlimited and all(arch["friction_double"] == math.inf for arch in unlimited)
+    assert all(isinstance(arch["friction_double"], float) for arch in arches)
+    claims = [{"half_opening": arch["half_opening"], "friction": arch["friction_double"], "can_stand": "yes"} for arch in unlimited]
+    assert not [row for row in couplet.judge(claims) if row["verdict"] == "bad row"]
+
+
+def test_assemblies():
+    drawn = couplet.sample(2, assemblies=True)
+    assert len(drawn) == 4 and drawn == couplet.sample(2, assemblies=True) and {one["stands"] for one in drawn} == {True, False}
 
 
 def test_the_audit():
@@ -184,7 +229,22 @@ WRONG = [
     (lambda: couplet.draw("80deg", "0.5", amplitude=2), couplet.CoupletError, "an amplitude is a number from 0.001 to 1"),
     (lambda: couplet.draw("80deg", "0.5", at="T"), couplet.CoupletError, "half_opening"),
     (lambda: couplet.draw("\ud800", "0.5"), couplet.CoupletError, "is no text"),
-    (lambda: couplet.draw("1\0", "0.5"), couplet.CoupletError, "of the code 0"),
+    (lambda: couplet.draw("1\0", "0.5"), couplet.CoupletError, "is not a number"),
+    (lambda: couplet.judge("1\0"), couplet.CoupletError, "of the code 0"),
+    (lambda: couplet.draw(friction=1), couplet.CoupletError, "half_opening is missing"),
+    (lambda: couplet.draw((1, 2), 1), couplet.CoupletError, "thickness is missing"),
+    (lambda: couplet.draw((1, 2), 1, 0.1), TypeError, "positional"),
+    (lambda: couplet.draw((1, 2), 1, thickness=0.1, half=True), couplet.CoupletError, "half is of a picture of one arch"),
+    (lambda: couplet.draw(1, 1, width="84"), couplet.CoupletError, "width='84': a width is a length"),
+    (lambda: couplet.draw(1, along="friction"), couplet.CoupletError, "2 values required for along but 1 was provided"),
+    (lambda: couplet.draw(1, along=("thrust", "1..2")), couplet.CoupletError, "along=('friction', '0.2..3')"),
+    (lambda: couplet.figure(6, weight="both"), couplet.CoupletError, "figure 6 shows one weight"),
+    (lambda: couplet.figure(1, font_size="1mm"), couplet.CoupletError, "font_size='1mm': a font size"),
+    (lambda: couplet.map(scale="sqrt"), couplet.CoupletError, "scale='sqrt': linear, log"),
+    (lambda: couplet.map(lines=True, asymmetric=True), couplet.CoupletError, "lines cannot be used with asymmetric"),
+    (lambda: couplet.map(difference=True, lines=True), couplet.CoupletError, "lines does not belong here"),
+    (lambda: couplet.sample(hard=True, assemblies=True), couplet.CoupletError, "hard cannot be used with assemblies"),
+    (lambda: couplet.equation(7, thrust="0.1"), couplet.CoupletError, "needs rotation_joint"),
     (lambda: couplet.judge({"half_opening": [1], "friction": [1], "\ud800": [1]}), couplet.CoupletError, "no column for anything to judge"),
     (lambda: couplet.run({"constants": [{"landmarks": "\ud800"}]}), couplet.CoupletError, "'\\ud800' is no text"),
     (lambda: couplet.run({"\ud800": 1}), couplet.CoupletError, "'\\ud800' is no text"),
@@ -215,7 +275,30 @@ def test_what_makes_no_sense_is_said_in_the_words_of_the_command(question, kind,
     with pytest.raises(kind) as caught:
         question()
     said = str(caught.value)
-    assert sentence in said and "--" not in said and not said.startswith("couplet") and said
+    assert sentence in said and words_of_a_shell(said) == [] and not said.startswith("couplet") and said
+
+
+@pytest.mark.parametrize(
+    ("shell", "python"),
+    [
+        ("this couplet was built without the feature plots (cargo install --path . --features plots)", "this couplet was built without the feature plots"),
+        ("--half-opening, --friction are missing; for example: couplet draw --half-opening 80deg -o arch.svg", "half_opening, friction are missing"),
+        ("name one, --columns theirs=thickness; its columns are 'x'", "name one, columns={'theirs': 'thickness'}; its columns are 'x'"),
+        ("`couplet assess` tells of an arch of a thickness", "couplet.assess tells of an arch of a thickness"),
+        ("'tilt' is not read here: `couplet assess --tilt` answers it, and --keep tilt hands it on", "'tilt' is not read here: couplet.assess(tilt=…) answers it, and keep='tilt' hands it on"),
+        ("a claim; couplet prove --list shows the claims", "a claim; couplet.claims() shows the claims"),
+        ("an item has at most 9, `couplet states --ranges` reads any number", "an item has at most 9, couplet.states reads any number"),
+        ("cannot start threads (it ended); --threads 1 asks for fewer", "cannot start threads (it ended); threads=1 asks for fewer"),
+        ("the end .txt tells no format: name the file .svg or .png, or give --format", "the end .txt tells no format: name the file .svg or .png"),
+        ("invalid value 'Q' for '--at <LANDMARK>': a landmark is one of T, S", "at='Q': a landmark is one of T, S"),
+        ("the argument '--along <QUANTITY> <FROM..TO>' cannot be used with '--mode <MODE>'", "along cannot be used with mode"),
+        ("unexpected argument '--difference' found; --help lists the options", "difference does not belong here"),
+        ("--no-caption and --no-title are for svg, png and pdf, not json", "no_caption and no_title are for svg, png and pdf, not json"),
+        ("the friction 3602879701896397/36028797018963968 is negative", "the friction 0.1 is negative"),
+    ],
+)
+def test_a_sentence_of_the_command_has_no_word_of_a_shell_in_python(shell, python):
+    assert spoken(shell) == python and words_of_a_shell(python) == []
 
 
 def test_a_note_is_a_warning():

@@ -250,7 +250,7 @@ def test_what_makes_no_sense_is_refused_in_one_line():
         couplet.add_states({**table, "verdict": [1]}, **arch)
     assert "own_verdict" in couplet.add_states({**table, "verdict": [1]}, **arch, prefix="own_")
     for name, field in [("tilt", "tilt"), ("Stones", "stones"), ("joints", "joints"), ("density", "density")]:
-        why = f"'{name}' is not read here: `couplet assess --{field}` answers it; under another name the column is handed on"
+        why = f"'{name}' is not read here: couplet.assess({field}=…) answers it; under another name the column is handed on"
         with pytest.raises(couplet.CoupletError, match=re.escape(why)):
             couplet.add_states({**table, name: [0.1]}, **arch)
     with pytest.warns(UserWarning, match="frictions above 4 are coefficients") as warned:

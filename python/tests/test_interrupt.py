@@ -22,7 +22,9 @@ except KeyboardInterrupt:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
-@pytest.mark.parametrize("call", ["couplet.constants('T', digits=10**6)", "couplet.certify('T', digits=10**6)"])
+@pytest.mark.parametrize(
+    "call", ["couplet.constants('T', digits=10**6)", "couplet.certify('T', digits=10**6)", "couplet.map(tolerance=1e-12)"]
+)
 def test_ctrl_c_ends_a_call(call: str) -> None:
     process = subprocess.Popen([sys.executable, "-c", CALL.format(call=call)], stdout=subprocess.PIPE, text=True)
     assert process.stdout is not None

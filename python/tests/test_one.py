@@ -8,6 +8,7 @@ from decimal import Decimal
 from fractions import Fraction
 
 import pytest
+from shell import words_of_a_shell
 
 import couplet
 
@@ -292,7 +293,7 @@ WRONG = [
 def test_bad_input_is_one_sentence(question, sentence):
     with pytest.raises(couplet.CoupletError) as caught:
         question()
-    assert sentence in str(caught.value) and "\n" not in str(caught.value)
+    assert sentence in str(caught.value) and "\n" not in str(caught.value) and words_of_a_shell(caught.value) == []
     assert isinstance(caught.value, ValueError)
 
 

@@ -61,13 +61,13 @@ def path():
 
 def test_licences_are_in_the_package():
     metadata = importlib.metadata.metadata("couplet")
-    assert metadata["License-Expression"] == "(MIT OR Apache-2.0) AND LGPL-3.0-or-later"
+    assert metadata["License-Expression"] == "(MIT OR Apache-2.0) AND LGPL-3.0-or-later AND Bitstream-Vera"
     files = {Path(str(file)).name: file for file in importlib.metadata.files("couplet")}
-    names = ["LICENSE-MIT", "LICENSE-APACHE", "LGPL-3.0.md", "GPL-3.0.md", "LICENCES.txt", "NOTICES.txt"]
+    names = ["LICENSE-MIT", "LICENSE-APACHE", "LGPL-3.0.md", "GPL-3.0.md", "LICENCES.txt", "NOTICES.txt", "DejaVuSans.LICENSE"]
     texts = {name: files[name].locate().read_text(encoding="utf-8") for name in names}
     assert "GMP 6" in texts["LICENCES.txt"] and "MPFR 4" in texts["LICENCES.txt"]
     assert "Lesser General Public License" in texts["LGPL-3.0.md"]
-    for crate in ["pyo3", "rayon", "serde", "astro-float-num", "num-bigint", "clap"]:
+    for crate in ["pyo3", "rayon", "serde", "astro-float-num", "num-bigint", "clap", "resvg"]:
         assert f"{crate} " in texts["NOTICES.txt"], crate
     assert "rug 1" not in texts["NOTICES.txt"]
     assert "py.typed" in files and "_core.pyi" in files

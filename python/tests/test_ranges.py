@@ -1,6 +1,7 @@
 """Ranges: what is proved of every arch inside, as a dictionary."""
 
 import json
+import pickle
 
 import pytest
 
@@ -15,6 +16,24 @@ def test_a_range_is_two_ends_or_a_text():
     one = couplet.assess("81deg", "0.54", "0.1", digits=6)
     lower = next(of["lower"] for of in pair["ranges"] if of["quantity"] == "geometric_safety")
     assert float(lower["value"]) <= float(str(one.geometric_safety))
+
+
+@pytest.mark.parametrize(
+    ("answer", "verdict"),
+    [
+        (lambda: couplet.assess("80deg", "0.6±10%", "0.11±0.01", digits=6), "stands"),
+        (lambda: couplet.assess("80deg", "0.6±10%", (0.01, 0.02), digits=6), "falls"),
+        (lambda: couplet.assess("80deg", "0.6±10%", (0.05, 0.1), digits=6), "both"),
+        (lambda: couplet.state("80deg", (0.5, 0.6), digits=6), "stands"),
+        (lambda: couplet.state("80deg", (0.01, 0.02), digits=6), "falls"),
+        (lambda: couplet.state("80deg", (0.1, 0.6), digits=6), "both"),
+    ],
+)
+def test_a_range_has_a_verdict_as_an_arch_has(answer, verdict):
+    survey = answer()
+    assert isinstance(survey, couplet.Survey) and survey.verdict == verdict and survey.reason is None
+    assert pickle.loads(pickle.dumps(survey)).verdict == verdict and json.loads(json.dumps(survey)) == survey
+    assert couplet.Survey({**survey, "outcome": "undecided"}).verdict == "undecided"
 
 
 def test_doubles_are_the_doubles_that_they_are():

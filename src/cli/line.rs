@@ -1,19 +1,109 @@
-//! The command line of this run: what a picture or a record says of how it was made.
+//! The command of this run: what a picture or a record says of how it was made, and who hears what it writes and says.
 
+use crate::check::visible;
+use std::cell::RefCell;
 use std::ffi::OsString;
-use std::sync::{Mutex, PoisonError};
+use std::io::{self, Write};
 
-/// The arguments of the last command that began in this process.
-static WORDS: Mutex<Vec<OsString>> = Mutex::new(Vec::new());
+thread_local! {
+    /// The command that began last in this thread.
+    static RUN: RefCell<Run> = RefCell::default();
+}
+
+#[derive(Default)]
+struct Run {
+    words: Vec<OsString>,
+    heard: Option<Heard>,
+}
+
+/// What a command wrote and said that a program ran within itself.
+#[derive(Debug, Default, PartialEq, Eq)]
+pub struct Heard {
+    /// What was for standard output.
+    pub written: Vec<u8>,
+    /// What was for standard error, a line each.
+    pub said: Vec<String>,
+}
 
 /// Keeps the arguments of a command that begins.
 pub(super) fn keep(arguments: &[OsString]) {
-    *WORDS.lock().unwrap_or_else(PoisonError::into_inner) = arguments.to_vec();
+    RUN.with_borrow_mut(|run| run.words = arguments.to_vec());
 }
 
 /// The command as it was typed.
 pub(super) fn typed() -> String {
-    let words = WORDS.lock().unwrap_or_else(PoisonError::into_inner);
-    let words: Vec<_> = words.iter().map(|word| word.to_string_lossy()).collect();
+    let words = |run: &Run| run.words.iter().map(|word| word.to_string_lossy().into()).collect();
+    let words: Vec<String> = RUN.with_borrow(words);
     format!("couplet {}", words.join(" "))
+}
+
+/// Hears what a command writes and says. One may begin while this thread waits in another.
+pub(super) fn heard<T>(command: impl FnOnce() -> T) -> (T, Heard) {
+    let around = RUN.replace(Run { words: Vec::new(), heard: Some(Heard::default()) });
+    let done = command();
+    (done, RUN.replace(around).heard.unwrap_or_default())
+}
+
+/// Tells whether a program hears the command.
+pub(super) fn is_heard() -> bool {
+    RUN.with_borrow(|run| run.heard.is_some())
+}
+
+/// Says a line to who hears, or to standard error; nobody may be reading that.
+pub(crate) fn say(text: &str) {
+    let line = visible(text);
+    let unheard = RUN.with_borrow_mut(|run| match &mut run.heard {
+        Some(heard) => {
+            heard.said.push(line);
+            None
+        }
+        None => Some(line),
+    });
+    if let Some(line) = unheard {
+        let _ = writeln!(io::stderr(), "{line}");
+    }
+}
+
+/// Writes for who hears, or to standard output.
+pub(super) fn write(report: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    if !is_heard() {
+        return report(&mut io::stdout().lock());
+    }
+    let mut written = Vec::new();
+    let result = report(&mut written);
+    RUN.with_borrow_mut(|run| {
+        if let Some(heard) = &mut run.heard {
+            heard.written.append(&mut written);
+        }
+    });
+    result
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_command_is_heard_by_who_ran_it() {
+        let bytes = |text: &'static [u8]| write(|out| out.write_all(text)).unwrap();
+        let (inner, outer) = heard(|| {
+            keep(&["map".into()]);
+            bytes(b"a");
+            let ((), inner) = heard(|| {
+                keep(&["draw".into(), "--half".into()]);
+                say(&typed());
+                bytes(b"b");
+            });
+            say(&typed());
+            bytes(b"c");
+            inner
+        });
+        let of = |written: &[u8], said: &str| Heard {
+            written: written.to_vec(),
+            said: vec![said.into()],
+        };
+        assert_eq!(inner, of(b"b", "couplet draw --half"));
+        assert_eq!(outer, of(b"ac", "couplet map"));
+        assert!(!is_heard());
+    }
 }

@@ -10,7 +10,6 @@ mod line;
 mod man;
 mod version;
 
-use crate::check::visible;
 use crate::door::pool;
 use crate::sweep::failure::Failure;
 use crate::sweep::unfinished;
@@ -21,6 +20,8 @@ use std::process::ExitCode;
 
 use commands::Command;
 pub use commands::doors;
+pub use line::Heard;
+use line::say;
 
 /// Certified constants of the finite-friction Couplet–Heyman problem: how thin a circular masonry
 /// arch can be and still stand, and how it falls.
@@ -56,8 +57,18 @@ pub fn run() -> ExitCode {
 
 /// Exit code of a run with these arguments, without the name of the program; the exit code.
 pub fn run_from(arguments: Vec<OsString>) -> u8 {
-    line::keep(&arguments);
     unfinished::guard(remove_at_an_interrupt);
+    answered(arguments)
+}
+
+/// Runs a command for a program that hears what it writes and says; its exit code. It sets no handler of signals, and
+/// computes in the pool of threads that it is called in.
+pub fn heard(arguments: Vec<OsString>) -> (u8, Heard) {
+    line::heard(|| answered(arguments))
+}
+
+fn answered(arguments: Vec<OsString>) -> u8 {
+    line::keep(&arguments);
     // Only the help of the program itself has groups; to make them takes a part of a short run.
     let is_command = arguments
         .first()
@@ -75,7 +86,7 @@ pub fn run_from(arguments: Vec<OsString>) -> u8 {
         Ok(()) => 0,
         Err(failure) => {
             // It may quote what others wrote.
-            eprintln!("couplet: {}", visible(&failure.to_string()));
+            say(&format!("couplet: {failure}"));
             match failure {
                 Failure::Undecided(_) => 1,
                 Failure::Input(_) => 2,
@@ -116,7 +127,7 @@ fn grouped(program: clap::Command) -> clap::Command {
 
 impl Cli {
     fn run(&self) -> Result<(), Failure> {
-        if self.threads.is_some() || self.command.computes() {
+        if !line::is_heard() && (self.threads.is_some() || self.command.computes()) {
             pool::start(self.threads)?;
         }
         self.command.run(Self::command)
@@ -147,7 +158,7 @@ fn usage(error: &clap::Error) -> u8 {
             Ok(()) => 0,
             Err(error) if error.kind() == io::ErrorKind::BrokenPipe => 0,
             Err(error) => {
-                eprintln!("couplet: {}", Failure::writing("to standard output", &error));
+                say(&format!("couplet: {}", Failure::writing("to standard output", &error)));
                 3
             }
         };
@@ -174,8 +185,7 @@ fn usage(error: &clap::Error) -> u8 {
         Some(limit) => (limit, String::new()),
         None => (missing(error, &text).unwrap_or(line), possible),
     };
-    let line = visible(line.strip_prefix("error: ").unwrap_or(&line));
-    eprintln!("couplet: {line}{possible}");
+    say(&format!("couplet: {}{possible}", line.strip_prefix("error: ").unwrap_or(&line)));
     2
 }
 

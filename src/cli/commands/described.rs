@@ -1,17 +1,12 @@
 //! Description in a file of TOML, a scene or a sweep: read whole, its faults told.
 
-use crate::check::visible;
+use crate::cli::line::say;
 use crate::report::words::count;
 use crate::sweep::failure::Failure;
 use crate::sweep::scene::{Fault, MAX_BYTES};
 use std::fs::File;
-use std::io::{self, Read, Write};
+use std::io::{self, Read};
 use std::path::Path;
-
-/// Writes to standard error; nobody may be reading it.
-pub(crate) fn say(text: &str) {
-    let _ = writeln!(io::stderr(), "{}", visible(text));
-}
 
 /// Name of a file in a message.
 fn name(path: &Path) -> String {

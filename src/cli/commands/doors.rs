@@ -6,7 +6,7 @@ pub use super::certify::{
     SURVEY as CERTIFY_SURVEY,
 };
 pub use super::complementarity::QUESTION as COMPLEMENTARITY;
-pub use super::draw::{QUESTION as DRAW, drawn};
+pub use super::draw::QUESTION as DRAW;
 pub use super::state::QUESTION as STATE;
 pub use super::tilt::tilted;
 pub use super::voussoirs::{QUESTION as VOUSSOIRS, divisions, of_stones};

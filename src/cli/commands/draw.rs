@@ -102,7 +102,7 @@ const STONES: &str = "--stones is for an arch with --half-opening and --friction
 pub const QUESTION: ArchQuestion = ArchQuestion {
     refuses: &[
         (Field::Tilt, "a tilted arch is drawn by `couplet assess`, with -o arch.svg"),
-        (Field::Joints, "stones of one angle are drawn, --stones"),
+        (Field::Joints, "stones of one angle are drawn, with --stones"),
     ],
     needs: &[],
     unlimited: false,
@@ -163,7 +163,7 @@ pub(super) fn arch(
 }
 
 /// Arch of any question, as it is drawn.
-pub fn drawn(given: &ArchGiven, weight: SelfWeight) -> Result<DrawnArch, Misfit> {
+fn drawn(given: &ArchGiven, weight: SelfWeight) -> Result<DrawnArch, Misfit> {
     let arch = given.arch(weight)?;
     let pose = match &given.thickness {
         Some(thickness) => Pose::Standing(arch, thickness.clone()),

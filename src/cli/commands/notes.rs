@@ -1,7 +1,7 @@
 //! Notes, on standard error, of a question that is answered as it is asked but may have been meant otherwise.
 
-use super::described::say;
 use crate::ask;
+use crate::cli::line::say;
 use crate::problem::Friction;
 use std::collections::HashSet;
 use std::fmt::Display;

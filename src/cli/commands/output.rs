@@ -3,6 +3,7 @@
 use super::notes::each_once;
 use super::progress;
 use crate::certify::Refused;
+use crate::cli::line;
 use crate::picture::Print;
 use crate::problem::Quantity;
 use crate::report::words::shortened;
@@ -101,7 +102,7 @@ impl OutputFile {
 
     /// Opens the output for a format, which may be binary.
     pub(super) fn open_for(&self, format: &Format) -> Result<Output, Failure> {
-        if format.is_binary && !self.is_file() && io::stdout().is_terminal() {
+        if format.is_binary && !self.is_file() && !line::is_heard() && io::stdout().is_terminal() {
             let name = format.name;
             return Err(format!(
                 "refusing to write {name} to a terminal; use --output or redirect"
@@ -275,7 +276,7 @@ impl Output {
             out.flush()
         };
         match self {
-            Self::Standard => match write(&mut io::stdout().lock()) {
+            Self::Standard => match line::write(write) {
                 Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
                 result => result,
             }

@@ -1,9 +1,9 @@
 //! Progress on standard error: bars, hidden if it is not a terminal, and how long work takes if that is long.
 
-use super::described::say;
 use super::memory;
 use crate::arch::SelfWeight;
 use crate::certify::CertifiedLandmark;
+use crate::cli::line::{is_heard, say};
 use crate::number::bits_of;
 use crate::problem::Landmark;
 use crate::report::words::count;
@@ -77,6 +77,9 @@ pub(super) fn tell(sizes: &[usize], times: f64) -> Result<(), Failure> {
 
 /// Does work, and says on a terminal that it takes long if it does.
 pub(super) fn told<T>(what: &'static str, work: impl FnOnce() -> T) -> T {
+    if is_heard() {
+        return work();
+    }
     let (_working, over) = channel::<()>();
     let wait = move || {
         let patience = Duration::from_secs_f64(WORTH_WORDS);

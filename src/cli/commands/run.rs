@@ -1,9 +1,10 @@
 //! `couplet run`.
 
-use super::described::{described, remark, say};
+use super::described::{described, remark};
 use super::folder::RunFolder;
 use super::output::Output;
 use super::progress;
+use crate::cli::line::say;
 use crate::sweep::failure::Failure;
 use crate::sweep::scene::{EXAMPLE, Hashing, Plan, SceneItem, SceneRun, explain, read_bytes};
 use clap::Args;

@@ -2,9 +2,10 @@
 
 use super::arguments::{Arguments, Share};
 use crate::certify::batch::RowVerdict;
-use crate::cli::commands::described::{described, remark, say};
+use crate::cli::commands::described::{described, remark};
 use crate::cli::commands::output::Output;
 use crate::cli::commands::progress::{ROWS, show_rows, styled};
+use crate::cli::line::say;
 use crate::report::words::{count, first_of};
 use crate::sweep::failure::{Failure, print};
 use crate::sweep::scene::{SWEEP_EXAMPLE, read_sweep};
