@@ -179,7 +179,7 @@ fn every_question_is_where_it_is_said_to_be() {
         let scene = |name: &str| ItemKind::ALL.iter().any(|kind| kind.name() == name);
         assert!(named(2).is_none_or(scene), "{question:?}");
         assert!(
-            named(4).is_none_or(|name| python.contains(&format!("    \"{name}\",\n"))
+            named(4).is_none_or(|name| python.contains(&format!("\"{name}\","))
                 || python.contains(&format!("import {name} as {name}"))),
             "{question:?}"
         );
