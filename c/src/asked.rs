@@ -172,8 +172,8 @@ pub unsafe extern "C" fn couplet_assess(
 /// `couplet_state`.
 ///
 /// arch: fields with semicolons between them, named as the options of the command, in any order: "span=10m; rise=3m;
-/// thickness=60cm; friction=0.6; density=24kN/m3; depth=1m". half_opening, or span and rise, or radius with
-/// half_opening; friction or friction_angle; measured_at intrados, centreline or extrados.
+/// thickness=60cm; friction=0.6; density=24kN/m3; depth=1m". any two of half_opening, span, rise and
+/// radius; friction or friction_angle; measured_at intrados, centreline or extrados.
 ///
 /// Fields may be ranges, as "span=10m+-2cm"; stones, a tilt and forces go with none.
 ///

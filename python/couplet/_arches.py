@@ -51,8 +51,8 @@ def state(half_opening: Range | None = None, friction: Range | None = None, *, f
         friction_angle: the angle instead of the coefficient ('21deg').
         stones: how many stones of one angle the arch has, with joints between them alone: the answer is one of ``voussoirs``.
         joints: the angles of its joints instead, from the crown to the shoulder.
-        span, rise: instead of the half opening, as text with a unit ('10m', '60cm', '33ft'); sizes are then told in metres.
-        radius: with a half opening, in the same way.
+        span, rise, radius: any two, or one with the half opening, as text with a unit ('10m', '60cm', '33ft'); sizes are then
+            told in metres.
         measured_at: the circle at which these are measured, 'intrados' if it is not given, 'centreline' or 'extrados'.
         density, depth: of the material ('2400kg/m3', '24kN/m3') and across the span; forces are then told in kN.
         thickness, tilt: not here: see ``assess`` and ``tilt``.

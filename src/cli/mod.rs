@@ -192,8 +192,9 @@ fn usage(error: &clap::Error) -> u8 {
 /// Sentence of docs/limits.md for an option that asks for what is beyond them.
 fn beyond(error: &clap::Error) -> Option<String> {
     use clap::error::{ContextKind, ContextValue, ErrorKind};
-    const WEIGHT: &str = "the load is the weight of the arch itself: no fill, traffic, settlement or strength of the stone";
-    const CIRCULAR: &str = "arches are circular, of one thickness";
+    const WEIGHT: &str = "the load is the weight of the arch itself: no fill, traffic, settlement or strength of the stone (docs/limits.md)";
+    const CIRCULAR: &str = "arches are circular, of one thickness (docs/limits.md)";
+    const WHOLE: &str = "this answer is told whole; --format csv or json names each value";
     let (ErrorKind::UnknownArgument, Some(ContextValue::String(name))) =
         (error.kind(), error.get(ContextKind::InvalidArg))
     else {
@@ -202,9 +203,10 @@ fn beyond(error: &clap::Error) -> Option<String> {
     let limit = match name.as_str() {
         "--load" | "--fill" | "--traffic" | "--settlement" | "--strength" => WEIGHT,
         "--pointed" | "--elliptic" => CIRCULAR,
+        "--plain" | "--quantity" => WHOLE,
         _ => return None,
     };
-    Some(format!("there is no {name}: {limit} (docs/limits.md)"))
+    Some(format!("there is no {name}: {limit}"))
 }
 
 /// Message of what is missing, in one clause, and what a whole line has, as the first usage in the `text` of

@@ -50,6 +50,21 @@ fn outcomes_are_told_apart() {
     }
 }
 
+/// The pictures that the manual promises of a tilted arch are those that there are.
+#[test]
+fn the_manual_names_the_pictures_of_a_tilted_arch() {
+    let manual = include_str!("../../docs/commands.md");
+    let (_, said) = manual.split_once("alone, and with `-o arch").unwrap();
+    let (said, _) = said.split_once("the answer is a picture").unwrap();
+    let promised: Vec<&str> = said.split('`').filter_map(|end| end.strip_prefix('.')).collect();
+    let (code, _, error) = of("--alpha 1 --mu 1 --eta 0.2 --tilt 0.1 -o arch.dxf");
+    let (_, formats) = error.split_once("written only as ").unwrap();
+    let is_picture = |name: &&str| ["svg", "png", "pdf", "dxf", "html"].contains(name);
+    let pictures =
+        formats.split(", ").take_while(|name| !name.starts_with("not ")).filter(is_picture);
+    assert_eq!((code, pictures.collect()), (Some(2), promised));
+}
+
 #[test]
 fn a_wrong_tilt_is_one_line() {
     let arch = "--alpha 1 --eta 0.2";

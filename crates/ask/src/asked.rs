@@ -3,6 +3,7 @@
 use super::question::{Misfit, Spelling};
 use super::range::Range;
 use crate::number::{is_range, shown};
+use std::str::FromStr;
 
 /// Declares [`ArchAsked`] and [`Field`] in one list.
 macro_rules! fields {
@@ -76,11 +77,11 @@ fields!(
     /// A uniform horizontal acceleration over that of gravity (0.1), or the angle by which the ground is tilted (5deg):
     /// whether an admissible state of the whole arch is left, and the largest one with which there is.
     Tilt tilt "K",
-    /// Span, with --rise instead of the half opening; a length with its unit (10m, 60cm, 600mm, 33ft, 7in).
+    /// Span; of span, rise, radius and half opening any two. A length with its unit (10m, 60cm, 600mm, 33ft, 7in).
     Span span "LENGTH" in "In metres",
     /// Rise, from the springing joints' height to the crown.
     Rise rise "LENGTH" in "In metres",
-    /// Radius, with --half-opening.
+    /// Radius; of a span and a radius the flatter arc.
     Radius radius "LENGTH" in "In metres",
     /// Circle at which these are measured: intrados (if not given: the clear span), centreline or extrados.
     MeasuredAt measured_at "CIRCLE" in "In metres",
@@ -181,6 +182,17 @@ impl ArchAsked {
     pub(crate) fn friction_field(&self) -> Field {
         if self.friction.is_some() { Field::Friction } else { Field::FrictionAngle }
     }
+}
+
+/// Text of a field, read.
+pub(super) fn read<T: FromStr<Err: ToString>>(
+    asked: &ArchAsked,
+    field: Field,
+) -> Result<Option<T>, Misfit> {
+    let text = asked
+        .get(field)
+        .map(|text| text.parse().map_err(|error: T::Err| Misfit::new(field, error.to_string())));
+    text.transpose()
 }
 
 #[cfg(test)]

@@ -1,16 +1,16 @@
 //! The reader of what is given of an arch.
 
-use super::asked::{ArchAsked, Field};
+use super::arc::arc;
+use super::asked::{ArchAsked, Field, read};
 use super::note::{notes, tilt_note};
 use super::question::{ArchQuestion, Misfit, Spelling};
 use super::stones::StonesAsked;
 use crate::arch::SelfWeight;
 use crate::number::{ExactNumber, ParseExactError, TELL_OF_RANGES, shown};
-use crate::problem::measures::{Circle, Length, MeasureError, Measures, of_span_and_rise};
+use crate::problem::measures::{Circle, Measures};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Friction, Quantity, Slope, SlopeError, ThicknessError, thickness};
 use num_bigint::Sign;
-use std::str::FromStr;
 
 /// Arch as it is understood.
 #[derive(Clone, Debug)]
@@ -54,13 +54,15 @@ impl ArchGiven {
             );
             return Err(Misfit::new(field, message));
         }
-        let (made, measures) = measures(asked)?;
         let stones = StonesAsked::of(asked)?;
-        let half_opening = match (&stones, made) {
-            (Some(StonesAsked::Joints(stones)), _) => Some(stones.half_opening().clone()),
-            (_, Some(made)) => Some(made),
+        let alpha = match &stones {
+            Some(StonesAsked::Joints(stones)) => Some(stones.half_opening().clone()),
             _ => read(asked, Field::HalfOpening)?,
         };
+        let (half_opening, radius) = arc(asked, alpha, spelling)?;
+        let circle = circle(asked)?;
+        let loaded = read(asked, Field::Density)?.zip(read(asked, Field::Depth)?);
+        let measures = radius.map(|radius| Measures::new(circle, radius, loaded));
         let friction = friction(asked)?;
         let thickness = asked.thickness.as_deref();
         let thickness = thickness.map(|text| given_thickness(text, measures.as_ref(), spelling));
@@ -98,36 +100,6 @@ impl ArchGiven {
         };
         stones.all(alpha).map_err(|error| Misfit::new(Field::Stones, error))
     }
-}
-
-/// Text of a field, read.
-pub(super) fn read<T: FromStr<Err: ToString>>(
-    asked: &ArchAsked,
-    field: Field,
-) -> Result<Option<T>, Misfit> {
-    let text = asked
-        .get(field)
-        .map(|text| text.parse().map_err(|error: T::Err| Misfit::new(field, error.to_string())));
-    text.transpose()
-}
-
-/// Half opening that follows from the measures, and the measures.
-fn measures(asked: &ArchAsked) -> Result<(Option<ExactNumber>, Option<Measures>), Misfit> {
-    let length = |field| read::<Length>(asked, field);
-    let made = length(Field::Span)?.zip(length(Field::Rise)?);
-    let made = made.map(|(span, rise)| of_span_and_rise(&span, &rise));
-    let circle = circle(asked)?;
-    let loaded = read(asked, Field::Density)?.zip(length(Field::Depth)?);
-    let (half_opening, radius) = match (made, length(Field::Radius)?) {
-        (Some((_, made)), Some(given)) if made != given => {
-            let error = MeasureError::Radius { given: given.to_string(), made: made.to_string() };
-            return Err(Misfit::new(Field::Radius, error));
-        }
-        (Some((half_opening, radius)), _) => (Some(half_opening), radius),
-        (None, Some(radius)) => (None, radius),
-        (None, None) => return Ok((None, None)),
-    };
-    Ok((half_opening, Some(Measures::new(circle, radius, loaded))))
 }
 
 /// Circle at which an arch is measured.
@@ -247,11 +219,8 @@ mod tests {
         for (words, field, why) in [
             ("", None, "half_opening, friction (or friction_angle) are missing"),
             ("alpha=1", None, "friction (or friction_angle) is missing"),
-            (
-                "alpha=1 mu=1 span=1m",
-                Some(Field::Span),
-                "span goes with rise, and radius with half_opening",
-            ),
+            ("alpha=1 mu=1 span=1m", Some(Field::Span), "make a radius that is no exact number"),
+            ("alpha=4 mu=1 span=1m", Some(Field::HalfOpening), "not between 0 and pi"),
             ("alpha=1 mu=1 phi=1", Some(Field::FrictionAngle), "friction and friction_angle"),
             ("mu=1 span=1m", Some(Field::Span), "span needs rise"),
             ("alpha=1 mu=1 density=1kN/m3 depth=1m", Some(Field::Density), "forces need a size"),

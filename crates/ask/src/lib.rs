@@ -6,6 +6,7 @@
 //! |---|---|
 //! | `asked` | what an arch may be given by, as text |
 //! | `question` | which of it a question takes and needs, and why not the rest |
+//! | `arc` | the half opening and the radius of any two measures |
 //! | `given` | the reader: text to an arch, its measures, thickness, stones and tilt |
 //! | `stones` | numbers of stones, and ranges of them |
 //! | `survey` | the reader of ranges: text to all arches between two ends |
@@ -14,6 +15,7 @@
 //! | `note` | what may have been meant otherwise |
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
+mod arc;
 mod asked;
 mod boxes;
 mod given;

@@ -64,22 +64,15 @@ impl Misfit {
 }
 
 /// Pairs of which one excludes the other.
-const INSTEAD: [(Field, Field); 7] = [
-    (Field::HalfOpening, Field::Span),
-    (Field::HalfOpening, Field::Rise),
+const INSTEAD: [(Field, Field); 3] = [
     (Field::HalfOpening, Field::Joints),
-    (Field::Span, Field::Joints),
-    (Field::Rise, Field::Joints),
     (Field::Stones, Field::Joints),
     (Field::Friction, Field::FrictionAngle),
 ];
+/// Measures of which any two make an arc.
+const ARC: [Field; 4] = [Field::HalfOpening, Field::Span, Field::Rise, Field::Radius];
 /// Pairs of which one makes no sense without the other.
-const WITH: [(Field, Field); 4] = [
-    (Field::Span, Field::Rise),
-    (Field::Rise, Field::Span),
-    (Field::Density, Field::Depth),
-    (Field::Depth, Field::Density),
-];
+const WITH: [(Field, Field); 2] = [(Field::Density, Field::Depth), (Field::Depth, Field::Density)];
 
 impl ArchQuestion {
     /// Checks that what is given goes together.
@@ -92,22 +85,22 @@ impl ArchQuestion {
                 format!("{} does not belong here: {why}", name(*field)),
             ));
         }
-        let [alpha, span, rise, radius] =
-            [Field::HalfOpening, Field::Span, Field::Rise, Field::Radius].map(name);
-        let pairs = format!("{span} goes with {rise}, and {radius} with {alpha}");
+        let [alpha, span, rise, radius] = ARC.map(name);
         if let Some((one, other)) = INSTEAD.into_iter().find(|(a, b)| has(*a) && has(*b)) {
-            let message = match other {
-                Field::Span | Field::Rise if one == Field::HalfOpening => {
-                    format!("{pairs}: give one of these pairs")
-                }
-                _ => format!("{} and {} say the same: give one of them", name(one), name(other)),
-            };
+            let message =
+                format!("{} and {} say the same: give one of them", name(one), name(other));
             return Err(Misfit::new(other, message));
+        }
+        let of_arc = ARC.into_iter().chain([Field::Joints]).filter(|field| has(*field));
+        if let [one @ (Field::Span | Field::Rise)] = of_arc.collect::<Vec<_>>()[..] {
+            let other = if one == Field::Span { &rise } else { &span };
+            let message = format!("{} needs {other}, {radius} or {alpha}", name(one));
+            return Err(Misfit::new(one, message));
         }
         if let Some((one, other)) = WITH.into_iter().find(|(a, b)| has(*a) && !has(*b)) {
             return Err(Misfit::new(one, format!("{} needs {}", name(one), name(other))));
         }
-        let has_size = has(Field::Span) || has(Field::Radius);
+        let has_size = [Field::Span, Field::Rise, Field::Radius].into_iter().any(has);
         let sized = [Field::Density, Field::MeasuredAt].into_iter().find(|of| has(*of));
         if let Some(sized) = sized.filter(|_| !has_size) {
             let what = match sized {
@@ -139,7 +132,7 @@ impl ArchQuestion {
     fn missing(&self, asked: &ArchAsked, spelling: Spelling) -> Vec<String> {
         let has = |field: Field| asked.get(field).is_some();
         let mut missing = Vec::new();
-        if ![Field::HalfOpening, Field::Span, Field::Joints].into_iter().any(has) {
+        if ![Field::HalfOpening, Field::Span, Field::Rise, Field::Joints].into_iter().any(has) {
             missing.push(spelling.of(Field::HalfOpening));
         }
         if !self.unlimited && !has(Field::Friction) && !has(Field::FrictionAngle) {

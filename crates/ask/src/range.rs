@@ -176,7 +176,7 @@ pub(super) enum Unit {
     Radians,
     Degrees,
     Pi,
-    /// Twice an arctangent, which says itself what it is and has no sum.
+    /// An arctangent, which says itself what it is and has no sum.
     Arctangent,
 }
 
@@ -215,7 +215,9 @@ impl Part {
                 Self { number: number * BigInt::from(180), unit: Unit::Degrees }
             }
             Form::TimesPi => Self { number, unit: Unit::Pi },
-            Form::TwiceArctangent => Self { number, unit: Unit::Arctangent },
+            Form::TwiceArctangent | Form::ArctangentOfRoot => {
+                Self { number, unit: Unit::Arctangent }
+            }
             Form::Rational if is_angle(text) => Self { number, unit: Unit::Radians },
             Form::Rational => Self { number, unit: Unit::None },
         })

@@ -69,7 +69,10 @@ impl StonesAsked {
     pub(super) fn of_ranges(asked: &ArchAsked, spelling: Spelling) -> Result<Option<Self>, Misfit> {
         let Some(stones) = Self::of(asked)? else { return Ok(None) };
         let name = spelling.of(Field::Stones);
-        let moves = [Field::HalfOpening, Field::Span, Field::Rise];
+        let mut moves = vec![Field::HalfOpening, Field::Span, Field::Rise];
+        if asked.span.is_some() || asked.rise.is_some() {
+            moves.push(Field::Radius);
+        }
         if let Some(field) = asked.ranges().find(|field| moves.contains(field)) {
             let field = spelling.of(field);
             let message = format!(

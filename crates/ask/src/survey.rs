@@ -1,7 +1,8 @@
 //! The reader of what is given of all arches between two ends.
 
-use super::asked::{ArchAsked, Field};
-use super::given::{circle, friction, given_thickness, read};
+use super::arc::{arc, of_chord};
+use super::asked::{ArchAsked, Field, read};
+use super::given::{circle, friction, given_thickness};
 use super::question::{ArchQuestion, Misfit, Spelling};
 use super::stones::StonesAsked;
 use crate::arch::SelfWeight;
@@ -168,9 +169,13 @@ impl SurveyGiven {
         match half_opening.iter().position(|alpha| alpha == arch.half_opening()) {
             Some(end) => {
                 one.half_opening.clone_from(&self.ends[end].half_opening);
-                // The narrow arch has the longer span.
-                one.span.clone_from(&self.ends[1 - end].span);
                 one.rise.clone_from(&self.ends[end].rise);
+                // Of one rise the narrow arch has the longer span, of one radius the shorter.
+                let of_chord = is_chord(low);
+                one.span.clone_from(&self.ends[if of_chord { end } else { 1 - end }].span);
+                if of_chord {
+                    one.radius.clone_from(&self.ends[1 - end].radius);
+                }
             }
             None => {
                 (one.span, one.rise) = (None, None);
@@ -211,40 +216,79 @@ fn shape(
     spelling: Spelling,
 ) -> Result<Shape, Misfit> {
     let [span, rise, radius] = MEASURES.map(|field| lengths(ends, field));
-    let (measured, radius) = (span?.zip(rise?), radius?);
-    let Some((span, rise)) = measured else {
-        let alpha = |end| {
-            let given = read::<ExactNumber>(end, Field::HalfOpening)?;
-            Ok::<_, Misfit>(given.unwrap_or_else(|| usual.clone()))
-        };
-        let half_opening = [alpha(&ends[0])?, alpha(&ends[1])?];
-        let of = radius.clone().map(|ends| ends.map(|radius| Measures::new(circle, radius, None)));
-        let thickness = match (thickness(ends, of.as_ref(), spelling)?, radius) {
-            (Thickness::Lengths(lengths), Some(radius)) => Some(ratios(lengths, radius, circle)?),
-            (thickness, _) => thickness.ratios(),
-        };
-        return Ok(Shape::Free { half_opening, thickness });
-    };
-    if radius.is_some() {
-        let [span, radius] = [Field::Span, Field::Radius].map(|field| spelling.of(field));
-        let message = format!("beside {span} leave {radius} out of a range: it follows");
-        return Err(Misfit::new(Field::Radius, message));
-    }
-    let made = made(&span, &rise);
-    let of = made.clone().map(|(_, radius)| Measures::new(circle, radius, None));
-    let thickness = match thickness(ends, Some(&of), spelling)? {
-        // One circle, as good as free of its thickness.
-        Thickness::Lengths(lengths) if span[0] == span[1] && rise[0] == rise[1] => {
-            let radius = made.clone().map(|(_, radius)| radius);
-            Some(ratios(lengths, radius, circle)?)
+    let (span, rise, radius) = (span?, rise?, radius?);
+    let is_one =
+        |ends: &Option<[Length; 2]>| ends.as_ref().is_none_or(|[low, high]| !high.exceeds(low));
+    let [low, high] = ends;
+    let is_one_arc =
+        [&span, &rise, &radius].into_iter().all(is_one) && low.half_opening == high.half_opening;
+    let (half_opening, radius) = match (&span, &rise, radius) {
+        _ if is_one_arc => {
+            let joints = low.joints.is_some().then(|| usual.clone());
+            let alpha = joints.map_or_else(|| read(low, Field::HalfOpening), |x| Ok(Some(x)))?;
+            let (alpha, radius) = arc(low, alpha, spelling)?;
+            let alpha = alpha.unwrap_or(usual);
+            ([alpha.clone(), alpha], radius.map(|radius| [radius.clone(), radius]))
         }
-        Thickness::Lengths(thickness) => {
-            short(ends)?;
-            return Ok(Shape::Spanned { circle, span, rise, thickness });
+        (None, None, radius) => {
+            let alpha = |end| {
+                let given = read::<ExactNumber>(end, Field::HalfOpening)?;
+                Ok::<_, Misfit>(given.unwrap_or_else(|| usual.clone()))
+            };
+            ([alpha(low)?, alpha(high)?], radius)
         }
-        ratio => ratio.ratios(),
+        (Some(span), Some(rise), None) if low.half_opening.is_none() => {
+            let made = made(span, rise);
+            let of = made.clone().map(|(_, radius)| Measures::new(circle, radius, None));
+            let thickness = match thickness(ends, Some(&of), spelling)? {
+                Thickness::Lengths(thickness) => {
+                    short(ends)?;
+                    let (span, rise) = (span.clone(), rise.clone());
+                    return Ok(Shape::Spanned { circle, span, rise, thickness });
+                }
+                ratio => ratio.ratios(),
+            };
+            return Ok(Shape::Free { half_opening: made.map(|(alpha, _)| alpha), thickness });
+        }
+        // The narrow arch has the larger radius.
+        (span, rise, Some([small, large])) if is_chord(low) => {
+            if large.exceeds(&small) && of_lengths(ends).is_some() {
+                let [span, rise] = [Field::Span, Field::Rise].map(|field| spelling.of(field));
+                let message = format!(
+                    "beside a range of radii the thickness is a ratio (0.1r..0.12r), or the arch has {span} and {rise}"
+                );
+                return Err(Misfit::new(Field::Thickness, message));
+            }
+            let end = |k: usize, radius: &Length| {
+                let chord = [span, rise].map(|ends| ends.as_ref().map(|ends| &ends[k]));
+                Ok::<_, Misfit>(of_chord(chord, radius)?.unwrap_or_else(|| usual.clone()))
+            };
+            ([end(0, &large)?, end(1, &small)?], Some([small, large]))
+        }
+        _ => {
+            let [alpha, span, rise, radius] =
+                [Field::HalfOpening, Field::Span, Field::Rise, Field::Radius]
+                    .map(|field| spelling.of(field));
+            let message = format!(
+                "of a range an arch has {span} and {rise}, or {radius} and one of {span}, {rise} and {alpha}: the rest \
+                 follows"
+            );
+            return Err(Misfit::new(Field::Radius, message));
+        }
     };
-    Ok(Shape::Free { half_opening: made.map(|(half_opening, _)| half_opening), thickness })
+    let of = radius.clone().map(|ends| ends.map(|radius| Measures::new(circle, radius, None)));
+    let thickness = match (thickness(ends, of.as_ref(), spelling)?, radius) {
+        (Thickness::Lengths(lengths), Some(radius)) => Some(ratios(lengths, radius, circle)?),
+        (thickness, _) => thickness.ratios(),
+    };
+    Ok(Shape::Free { half_opening, thickness })
+}
+
+/// Tells whether the half opening of an arch is that of a radius and a span or a rise.
+fn is_chord(asked: &ArchAsked) -> bool {
+    asked.half_opening.is_none()
+        && asked.radius.is_some()
+        && asked.span.is_some() != asked.rise.is_some()
 }
 
 /// Most characters of a length that is halved on the way to an answer: of 9,000 it takes minutes.

@@ -41,7 +41,12 @@ impl Understood {
     /// The question of these texts, which were read as `given`.
     pub fn new(asked: &ArchAsked, given: &ArchGiven) -> Self {
         let text = |field| Some((field, asked.get(field)?.trim()));
-        let words = SAID.into_iter().filter_map(text).map(|(of, text)| in_words(of, text, given));
+        let alpha = given.half_opening.as_ref().map(in_degrees);
+        let arc = given.measures.as_ref().zip(alpha).map(|(measures, alpha)| {
+            (measures.circle(), decided(&alpha, DIGITS).map(|alpha| format!("{alpha} deg")))
+        });
+        let words = |(of, text)| in_words(of, text, given) + &in_arc(of, asked, &arc);
+        let words = SAID.into_iter().filter_map(text).map(words);
         let texts = Field::ALL.iter().copied().filter_map(text);
         Self {
             words: words.collect::<Vec<_>>().join(", "),
@@ -53,7 +58,14 @@ impl Understood {
     /// The question of these texts, some of which are ranges, which were read as `given`.
     pub fn of_ranges(asked: &ArchAsked, given: &SurveyGiven) -> Self {
         let text = |field| Some((field, asked.get(field)?.trim()));
-        let words = |(field, text)| in_words_of_range(field, text, given);
+        let alphas = given.half_opening().map(|alpha| decided(&in_degrees(&alpha), DIGITS));
+        let alphas = match alphas {
+            [Some(narrow), Some(wide)] if narrow == wide => Some(format!("{narrow} deg")),
+            [Some(narrow), Some(wide)] => Some(format!("{narrow} to {wide} deg")),
+            _ => None,
+        };
+        let arc = given.circle.map(|circle| (circle, alphas));
+        let words = |(of, text)| in_words_of_range(of, text) + &in_arc(of, asked, &arc);
         let texts = Field::ALL.iter().copied().filter_map(text);
         Self {
             words: SAID.into_iter().filter_map(text).map(words).collect::<Vec<_>>().join(", "),
@@ -116,13 +128,6 @@ fn in_words(field: Field, text: &str, given: &ArchGiven) -> String {
             };
             format!("{name} {text}{other}")
         }
-        (Field::Rise, ArchGiven { half_opening: Some(alpha), measures: Some(measures), .. }) => {
-            let (circle, alpha) = (measures.circle().name(), equal(&in_degrees(alpha), " deg"));
-            format!("{name} {text} at the {circle} (half opening{})", alpha.replace(" =", ""))
-        }
-        (Field::Radius, ArchGiven { measures: Some(measures), .. }) => {
-            format!("{name} {text} of the {}", measures.circle().name())
-        }
         (Field::Friction | Field::FrictionAngle, ArchGiven { friction: Some(friction), .. }) => {
             let other = match friction {
                 Friction::Coefficient(mu) => {
@@ -149,8 +154,30 @@ fn in_words(field: Field, text: &str, given: &ArchGiven) -> String {
     }
 }
 
+/// Words behind the last measure of an arc: its circle, and its half opening where that is not what is given.
+fn in_arc(field: Field, asked: &ArchAsked, arc: &Option<(Circle, Option<String>)>) -> String {
+    let has = |field: &Field| asked.get(*field).is_some();
+    let last = [Field::Radius, Field::Rise, Field::Span].into_iter().find(has);
+    let Some((circle, alpha)) = arc.as_ref().filter(|_| last == Some(field)) else {
+        return String::new();
+    };
+    let at = format!(" {} the {}", if field == Field::Radius { "of" } else { "at" }, circle.name());
+    let [is_span, is_rise] = [Field::Span, Field::Rise].map(|field| has(&field));
+    let is_given = has(&Field::HalfOpening) || has(&Field::Joints);
+    let is_radius = field == Field::Radius;
+    let by = match (is_span, is_rise) {
+        (true, true) if is_given || is_radius => " by span and rise",
+        (true, true) => "",
+        _ if is_given => return at,
+        (true, false) if is_radius => ", the flatter arc",
+        (false, false) => return at,
+        _ => "",
+    };
+    alpha.as_ref().map_or(at.clone(), |alpha| format!("{at} (half opening {alpha}{by})"))
+}
+
 /// Words for a field that may be a range: its ends, as they are read.
-fn in_words_of_range(field: Field, text: &str, given: &SurveyGiven) -> String {
+fn in_words_of_range(field: Field, text: &str) -> String {
     let name = match field {
         Field::FrictionAngle => "friction".to_owned(),
         _ => field.name().replace('_', " "),
@@ -159,26 +186,11 @@ fn in_words_of_range(field: Field, text: &str, given: &SurveyGiven) -> String {
         Ok(Some(Range { lower, upper })) => format!("{lower} to {upper}"),
         _ => text.to_owned(),
     };
-    let circle = given.circle.map_or("", Circle::name);
-    let at = match field {
-        Field::Rise => {
-            let alphas = given.half_opening();
-            let [narrow, wide] = alphas.map(|alpha| decided(&in_degrees(&alpha), DIGITS));
-            let opening = match (narrow, wide) {
-                (Some(narrow), Some(wide)) if narrow == wide => {
-                    format!(" (half opening {narrow} deg)")
-                }
-                (Some(narrow), Some(wide)) => format!(" (half opening {narrow} to {wide} deg)"),
-                _ => String::new(),
-            };
-            format!(" at the {circle}{opening}")
-        }
-        Field::Radius => format!(" of the {circle}"),
-        Field::Stones => return format!("{ends} equal stones"),
-        Field::Joints => return format!("joints at {ends}"),
-        _ => String::new(),
-    };
-    format!("{name} {ends}{at}")
+    match field {
+        Field::Stones => format!("{ends} equal stones"),
+        Field::Joints => format!("joints at {ends}"),
+        _ => format!("{name} {ends}"),
+    }
 }
 
 /// A value in another unit, behind an equals sign; nothing where its digits are not decided, as of zero.
@@ -241,5 +253,25 @@ mod tests {
             words(&unlimited),
             "radius 2m of the intrados, half opening pi/2 = 90 deg, friction inf: no joint slides"
         );
+        for (shape, said) in [
+            (
+                &[(F::Span, "3.3m"), (F::Radius, "1995mm")][..],
+                "span 3.3m, radius 1995mm of the intrados (half opening 55.7987 deg, the flatter arc)",
+            ),
+            (
+                &[(F::Rise, "1m"), (F::Radius, "2m")],
+                "rise 1m, radius 2m of the intrados (half opening 60 deg)",
+            ),
+            (
+                &[(F::Span, "2m"), (F::HalfOpening, "30deg")],
+                "span 2m at the intrados, half opening 30deg = 0.523599 rad",
+            ),
+            (
+                &[(F::Span, "1467mm"), (F::Rise, "593mm"), (F::Radius, "750mm")],
+                "span 1467mm, rise 593mm, radius 750mm of the intrados (half opening 77.9078 deg by span and rise)",
+            ),
+        ] {
+            assert_eq!(words(shape), said);
+        }
     }
 }

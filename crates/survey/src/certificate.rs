@@ -28,6 +28,7 @@ const HALVINGS: usize = 64;
 /// if a comparison stays open, or more than [`MAX_PARTS`] steps are needed.
 pub fn certify_survey(survey: &Survey, digits: usize) -> Result<SurveyCertificate, Error> {
     Refused::digits(digits)?;
+    Refused::certifiable(&survey.half_opening(), survey.friction())?;
     if matches!(survey.shape(), Shape::Free { thickness: None, .. }) {
         return Err(Refused::SurveyWithoutThickness.into());
     }

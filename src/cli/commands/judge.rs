@@ -1,12 +1,12 @@
 //! `couplet judge`.
 
 use super::given_rows::source;
-use super::output::OutputFile;
+use super::output::{OutputFile, is_written};
 use super::stream::{CHUNK, Chunk, Progress, each_alone, in_order};
 use crate::arch::SelfWeight;
 use crate::judge::{Demand, Verdict};
 use crate::problem::Quantity;
-use crate::report::judged::{JudgeSummary, JudgedLines, verdicts};
+use crate::report::judged::{JudgeSummary, JudgedAssemblies, JudgedLines, verdicts};
 use crate::report::words::list;
 use crate::report::{Content, Format, Reported};
 use crate::sweep::failure::Failure;
@@ -53,6 +53,10 @@ use std::path::PathBuf;
 /// reported only for numbers that are not accepted. Where the mode is wrong and the other is met half a unit
 /// of the last place of the friction or of the half opening away, the report says how near.
 ///
+/// With --assemblies the rows are verdicts on the stones of `couplet sample --assemblies`: `id`, `stands`, and
+/// `program` where there are several. Of each program it counts the right ones at each margin, and tells from which on
+/// all are.
+///
 /// Exit codes: 0 all rows are accepted; 1 some are not; 2 some cannot be read, or bad usage; 3 a
 /// resource or I/O failure.
 #[derive(Args)]
@@ -60,6 +64,10 @@ pub(crate) struct Arguments {
     /// The results; `-` is standard input.
     #[arg(value_name = "FILE")]
     file: PathBuf,
+
+    /// Judge verdicts on assemblies of stones.
+    #[arg(long, conflicts_with_all = ["keep", "weight", "inputs", "accept", "worst"])]
+    assemblies: bool,
 
     /// The columns to read, as theirs=ours separated by commas; theirs=ours:deg for an angle in degrees;
     /// just the name if both are the same. Other columns are ignored. The default is our own names, in
@@ -111,7 +119,31 @@ fn format_help() -> String {
     )
 }
 
+/// Judges verdicts on assemblies.
+fn assemblies(arguments: &Arguments) -> Result<(), Failure> {
+    let columns = Columns::named(&arguments.columns, Purpose::Assemblies)?;
+    let source = source(Some(&arguments.file), &arguments.output)?;
+    let format = arguments.output.format(arguments.format, Content::JUDGED, "table")?;
+    is_written("a verdict on an assembly", JudgedAssemblies::content(), format)?;
+    let rows = GivenRows::new((source.syntax, source.into_input()), columns, Keep::All, true)?.rows;
+    let mut judged = JudgedAssemblies::default();
+    for (line, row) in rows {
+        let added = row.and_then(|ReadRow { cells, kept }| {
+            let text = |name| Some(kept.iter().find(|(of, _)| of == name)?.1.text());
+            let id = text("id").ok_or("the id is missing")?.trim_matches('"');
+            let stands = cells.first().and_then(Option::as_deref).unwrap_or_default();
+            judged.add(text("program").unwrap_or_default(), id, stands)
+        });
+        added.map_err(|error| format!("line {line}: {error}"))?;
+    }
+    let wrong = (!judged.are_right()).then_some("some verdicts are not right");
+    arguments.output.open()?.report((&judged, format), wrong)
+}
+
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    if arguments.assemblies {
+        return assemblies(arguments);
+    }
     let columns = Columns::named(&arguments.columns, Purpose::Judge).map_err(Failure::Input)?;
     let source = source(Some(&arguments.file), &arguments.output)?;
     let format = arguments.output.format(arguments.format, Content::JUDGED, "table")?;

@@ -3,7 +3,7 @@
 use super::output::{Output, OutputFile, is_written};
 use crate::report::assembled::{self, Assembled};
 use crate::report::{Content, Format, SampledLines};
-use crate::strategies::{assemblies, samples};
+use crate::strategies::{Margin, assemblies, samples};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use crate::sweep::unfinished::{HIDDEN, Unfinished};
@@ -19,10 +19,10 @@ use std::path::Path;
 /// 5pi/12 and tan(pi/5). The same seed draws the same arches. `couplet states` answers them, and `couplet judge`
 /// judges what another program says of them; beside the exact text stand the nearest doubles.
 ///
-/// With --assemblies: circular arches of 2 to 60 stones, each twice, 0.1 % above its least thickness or least
-/// friction, where it stands, and 0.1 % below, where it falls; with the proof, the mechanism, and every stone as a
+/// With --assemblies: circular arches of 2 to 60 stones, each twice, by --margin above its least thickness or least
+/// friction, where it stands, and as much below, where it falls; with the proof, the mechanism, and every stone as a
 /// polygon with its weight and centroid. As obj or dxf each is a file in the folder --output, with the answers
-/// beside them.
+/// beside them. `couplet judge --assemblies` tells which of somebody's verdicts are right.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Hard arches instead of ordinary ones.
@@ -33,7 +33,18 @@ pub(crate) struct Arguments {
     #[arg(long, conflicts_with = "hard")]
     assemblies: bool,
 
-    /// How many, up to 10000000.
+    /// Distance of the assemblies from their threshold, 0.01% to 50%, with commas between several: what creeps or
+    /// rounds learns more from 1%,5%,20%.
+    #[arg(
+        long,
+        value_name = "PART",
+        value_delimiter = ',',
+        requires = "assemblies",
+        default_value = "0.1%"
+    )]
+    margin: Vec<Margin>,
+
+    /// How many, up to 10000000; of assemblies at each margin.
     #[arg(long, value_name = "N", default_value = "100", allow_negative_numbers = true, value_parser = count)]
     count: u64,
 
@@ -89,8 +100,10 @@ impl Arguments {
 
     /// Assemblies with their numbers, each twice.
     fn drawn(&self) -> impl Iterator<Item = Assembled> {
-        let pairs = (1..=self.count).zip(assemblies(self.seed));
-        pairs.filter_map(|(number, pair)| Assembled::pair(number, pair)).flatten()
+        self.margin.iter().flat_map(|margin| {
+            let pairs = (1..=self.count).zip(assemblies(self.seed, *margin));
+            pairs.filter_map(|(number, pair)| Assembled::pair(number, pair)).flatten()
+        })
     }
 
     fn assemblies(&self) -> Result<(), Failure> {

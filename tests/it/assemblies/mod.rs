@@ -5,10 +5,10 @@ mod bodies;
 mod file;
 
 use crate::hard::config;
-use crate::program::{Scratch, couplet, json, refused, text};
+use crate::program::{Scratch, couplet, fed, json, refused, text};
 use crate::voussoirs::Programme;
 use couplet::problem::Mode;
-use couplet::strategies::{Assembly, Near, assemblies, assembly};
+use couplet::strategies::{Assembly, Margin, Near, assemblies, assembly};
 use file::fault;
 use proptest::prelude::*;
 use serde_json::{Value, json};
@@ -31,7 +31,7 @@ fn programme_says(of: &Assembly) -> bool {
 
 #[test]
 fn a_programme_over_all_joints_says_the_same() {
-    for pair in assemblies(2).take(64) {
+    for pair in assemblies(2, Margin::default()).take(64) {
         for of in &pair {
             assert_eq!(programme_says(of), of.stands(), "{of:?}");
         }
@@ -110,6 +110,67 @@ fn what_is_spoiled_is_seen() {
             }
         }
     }
+}
+
+/// At every margin the numbers are as far off as is said, and a judge of verdicts tells from which margin on they are
+/// right: here those of programs that call standing, or leave open, what is within 2 %.
+#[test]
+fn a_judge_tells_the_margin_from_which_verdicts_are_right() {
+    let margins = ["0.1%", "1%", "5%", "20%"];
+    let drawn = json(&[
+        "sample",
+        "--assemblies",
+        "--count",
+        "16",
+        "--margin",
+        &margins.join(","),
+        "--format",
+        "json",
+    ]);
+    let drawn = drawn.as_array().unwrap();
+    assert_eq!(drawn.len(), 2 * 16 * margins.len());
+    let mut rows = "program,id,stands\n".to_owned();
+    for of in drawn {
+        assert_eq!(fault(of), None, "{}", of["id"]);
+        let safety: f64 = of["safety"]["value"].as_str().unwrap().parse().unwrap();
+        let margin: f64 = of["margin"].as_str().unwrap().trim_end_matches('%').parse().unwrap();
+        assert!(((safety - 1.0).abs() - margin / 100.0).abs() < 2e-5, "{}", of["id"]);
+        let (id, stands) = (of["id"].as_str().unwrap(), of["stands"].as_bool().unwrap());
+        rows += &format!("exact,{id},{stands}\nrash,{id},{}\n", stands || margin < 2.0);
+        let shy = if margin < 2.0 { String::new() } else { stands.to_string() };
+        rows += &format!("shy,{id},{shy}\n");
+    }
+    let judged = |rows: &str| fed(&["judge", "-", "--assemblies", "--format", "csv"], rows);
+    let output = judged(&rows);
+    assert_eq!(output.status.code(), Some(1));
+    let lines: Vec<String> = text(&output.stdout).lines().map(str::to_owned).collect();
+    let expected = [
+        "program,margin,right,unsafe,safe,open,right_from",
+        "exact,0.1%,32,0,0,0,0.1%",
+        "exact,1%,32,0,0,0,0.1%",
+        "exact,5%,32,0,0,0,0.1%",
+        "exact,20%,32,0,0,0,0.1%",
+        "rash,0.1%,16,16,0,0,5%",
+        "rash,1%,16,16,0,0,5%",
+        "rash,5%,32,0,0,0,5%",
+        "rash,20%,32,0,0,0,5%",
+        "shy,0.1%,0,0,0,32,5%",
+    ];
+    assert_eq!(lines[..expected.len()], expected);
+    let right = judged("{\"id\": \"001-below\", \"stands\": false}\n");
+    assert_eq!(right.status.code(), Some(0), "{}", text(&right.stderr));
+    for (rows, why) in [
+        ("id,stands\n001-beside,true\n", "'001-beside' is no id"),
+        ("id,stands\n001-above-99%,true\n", "'001-above-99%' is no id"),
+        ("id,stands\n001-above,perhaps\n", "'perhaps' does not say"),
+        ("name,stands\n1,true\n", "the id is missing"),
+        ("id,answer\n001-above,true\n", "name one, --columns theirs=stands"),
+    ] {
+        let output = judged(rows);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(text(&output.stderr).contains(why), "{}", text(&output.stderr));
+    }
+    refused(&["sample", "--assemblies", "--margin", "60%"], "", "from 0.01% to 50%");
 }
 
 /// The command beside a question proves the same verdict, and its threshold.

@@ -271,7 +271,7 @@ fn wrong_measures_are_one_line() {
         ("--span 10m --rise 3m --radius 5m", "contradicts"),
         (
             "--span 10m --rise 3m --half-opening 1",
-            "--span goes with --rise, and --radius with --half-opening: give one",
+            "--half-opening 1 contradicts --span and --rise, which make it 61.927512deg to 61.927514deg",
         ),
         ("--span 10m --rise 3m --density 2400kg/m3", "--depth"),
         ("--span 10m --rise 3m --density 2400 --depth 1m", "'2400' is not a density"),
@@ -313,6 +313,61 @@ fn wrong_measures_are_one_line() {
     let error = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(2));
     assert!(error.lines().count() == 1 && error.contains("is a point"), "{error}");
+}
+
+/// By a radius and a span, or a rise, at each circle: the measures are told as they were given, the half opening is
+/// that of the sine, or of the cosine, and the answers lie between those of its neighbours. No certificate holds it.
+#[test]
+fn a_radius_makes_the_arc_of_a_span_or_a_rise() {
+    for circle in ["intrados", "centreline", "extrados"] {
+        let at = format!("--friction 0.6 --thickness 12cm --measured-at {circle} --digits 20");
+        for (chord, name, sine) in [
+            ("--span 3300mm", "span_m", Some((110, 133))),
+            ("--rise 830mm", "rise_m", None),
+            ("--rise 2.5m", "rise_m", None),
+        ] {
+            let found = object(&format!("assess {chord} --radius 1995mm {at}"));
+            let given: &str = chord.split(' ').next_back().unwrap();
+            let metres = given.parse::<couplet::problem::measures::Length>().unwrap();
+            let told = couplet::number::decimal(metres.metres());
+            assert_eq!(found[name]["value"], told.as_str());
+            let rise = || exact(&Value::from(told.as_str())) * Rational::from((1000, 1995));
+            let alpha = match sine {
+                Some(sine) => Float::with_val(300, Rational::from(sine)).asin(),
+                None => Float::with_val(300, 1 - rise()).acos(),
+            };
+            let pi = Float::with_val(300, rug::float::Constant::Pi);
+            holds(&found["half_opening_degrees"], &(alpha.clone() * 180u32 / &pi));
+            let near = [1.0 - 1e-9, 1.0, 1.0 + 1e-9].map(|factor| {
+                let alpha = Float::with_val(300, &alpha * factor).to_string_radix(10, Some(30));
+                let by = object(&format!("assess --half-opening {alpha} --radius 1995mm {at}"));
+                bounds(&by["least_thickness"])[0].clone()
+            });
+            let [least, _] = bounds(&found["least_thickness"]);
+            assert!(near[0] < least && least < near[2], "{circle} {chord}");
+            assert!((least - &near[1]).abs() < 1e-18, "{circle} {chord}");
+        }
+    }
+    let of = "--span 3300mm --radius 1995mm --friction 0.5..0.6 --thickness 12cm";
+    assert!(printed(&words(&format!("assess {of}"))).contains("every arch stands, proved"));
+    let of_ranges = "--rise 830mm±1cm --radius 1995mm --friction 0.6 --thickness 12cm";
+    assert!(printed(&words(&format!("assess {of_ranges}"))).contains("every arch stands, proved"));
+    for line in [
+        "certify state --span 3300mm --radius 1995mm --friction 0.6",
+        &format!("certify survey {of}"),
+    ] {
+        let output = couplet(&words(line));
+        let error = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{error}");
+        assert!(
+            error.contains("no certificate holds atan(√(12100/5589)): give span and rise"),
+            "{error}"
+        );
+    }
+}
+
+fn words(line: &str) -> Vec<&str> {
+    line.split(' ').collect()
 }
 
 /// Every command that takes an arch reads it in metres, and answers as of its ratios.
@@ -424,7 +479,7 @@ fn rows_may_be_in_metres() {
     }
     for (row, why) in [
         (4, "span needs rise"),
-        (5, "span goes with rise, and radius with half_opening"),
+        (5, "half_opening 1 contradicts span and rise"),
         (6, "has no unit"),
         (7, "the half_opening is empty"),
         (8, "'1' is not a length"),

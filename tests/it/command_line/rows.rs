@@ -389,5 +389,9 @@ fn tables_are_read_as_spreadsheets_write_them() {
     assert_eq!((utf16.status.code(), &*text(&utf16.stderr)), (Some(2), said));
     let latin = fed(&["states", "--format", "jsonl"], &b"alpha,mu,stra\xdfe\n1,1,M\xfcller\n"[..]);
     assert!(text(&latin.stdout).contains("\"verdict\":\"proved\""), "{}", text(&latin.stdout));
-    refused(&["states"], "beta,mu\n1,1\n", "no column 'half_opening', nor 'span' and 'rise'");
+    refused(
+        &["states"],
+        "beta,mu\n1,1\n",
+        "no column 'half_opening', nor two of 'span', 'rise' and 'radius'",
+    );
 }

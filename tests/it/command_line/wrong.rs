@@ -55,6 +55,7 @@ wrong_uses! {
     a_state_of_a_joint_in_degrees: ["state", "--beta", "57"] => "did you mean 57deg?";
     a_joint_in_a_format_it_does_not_have: ["state", "--beta", "1", "--format", "c"] => "written only as";
 
+    plain_of_a_record: ["voussoirs", "--plain"] => "there is no --plain: this answer is told whole";
     a_load: ["assess", "--load", "10kN"] => "there is no --load: the load is the weight of the arch itself";
     a_pointed_arch: ["draw", "--pointed"] => "arches are circular, of one thickness (docs/limits.md)";
     a_length_with_a_comma: ["state", "--span", "1.250,5cm", "--rise", "3m", "--mu", "1"] => "has ',' between its digits";

@@ -1,7 +1,9 @@
 //! Sines and cosines at hard angles: in intervals, in balls, and of exact angles.
 
 use crate::hard::config;
-use couplet::number::{Angle, Astro, Ball, Enclosure, End, ExactNumber, Interval, Magnitude, Real};
+use couplet::number::{
+    Angle, Astro, Ball, Enclosure, End, ExactNumber, Field, Interval, Magnitude, Real,
+};
 use proptest::prelude::*;
 use rug::float::Constant;
 use rug::{Float, Rational};
@@ -126,5 +128,57 @@ fn an_angle_has_its_sine_and_cosine() {
             assert!(angle.sin.contains(&sin) && angle.cos.contains(&cos));
         }
         assert!(angle.sin.rad().to_float() < 1e-58 && angle.cos.rad().to_float() < 1e-58);
+    }
+}
+
+/// The angle of a root has the tangent that it says, on its side of a right angle; in every engine, read back from its
+/// text; it rises with its factor; and what is a part of pi, or twice an arctangent, is given as that.
+#[test]
+fn an_angle_of_a_root_has_that_tangent() {
+    let read = |text: &str| text.parse::<ExactNumber>().unwrap();
+    let texts = [
+        "atan(√(1/1000000))",
+        "atan(√(3/5))",
+        "atan(√(1000001/3))",
+        "pi-atan(√(1000001/3))",
+        "pi-atan(sqrt(0.6))",
+        "pi-atan(√(1/1000000))",
+    ];
+    let all = texts.map(read);
+    assert_eq!(all[4].to_string(), "pi-atan(√(3/5))");
+    for (text, angle) in texts.iter().zip(&all) {
+        assert_eq!(&read(&angle.to_string()), angle);
+        let [sin, cos] = {
+            let (sin, cos) = angle.enclosure::<Ball>(200).sin_cos();
+            [sin, cos]
+        };
+        let square = (sin.clone() / &cos) * &(sin / &cos);
+        let below = text.split_once("√(").map_or("0.6", |(_, rest)| rest.trim_end_matches(')'));
+        let below: Ball = read(below).enclosure(200);
+        assert!(square.overlaps(&below), "{text}");
+        assert!(!square.overlaps(&(below.clone() * below.ratio(999_999, 1_000_000))), "false twin");
+        assert_eq!(cos.is_positive().is_proved(), !text.starts_with("pi"), "{text}");
+        let other: Interval<Astro> = angle.enclosure(100);
+        assert!(
+            (other - angle.enclosure::<Interval<Astro>>(60)).overlaps(&Interval::integer(0, 100))
+        );
+    }
+    for pair in all.windows(2) {
+        let [low, high] = [&pair[0], &pair[1]].map(|angle| angle.enclosure::<Ball>(200));
+        assert!(low.is_less_than(&high).is_proved() && pair[0].factor() < pair[1].factor());
+    }
+    for (text, told) in [
+        ("atan(√(1))", "1pi/4"),
+        ("atan(√(3))", "1pi/3"),
+        ("pi-atan(√(1/3))", "5pi/6"),
+        ("atan(√(9/16))", "2atan(1/3)"),
+        ("pi-atan(√(9/16))", "2atan(3)"),
+    ] {
+        assert_eq!(read(text).to_string(), told);
+    }
+    for text in
+        ["atan(√(0))", "atan(√(-1))", "atan(√(pi))", "atan(√())", "2-atan(√(2))", "atan(√(2))deg"]
+    {
+        assert!(text.parse::<ExactNumber>().is_err(), "{text}");
     }
 }

@@ -67,6 +67,27 @@ fn the_arches_that_decide_are_asked_for_in_the_words_of_the_question() {
         )
     );
     assert_eq!(
+        corners("span=9m..10m radius=6m..7m eta=0.1r mu=0.5"),
+        of(
+            " --friction 0.5 --thickness 0.1r --span 10m --radius 6m",
+            " --friction 0.5 --thickness 0.1r --span 9m --radius 7m"
+        )
+    );
+    assert_eq!(
+        corners("rise=2m..3m radius=6m eta=50cm..60cm mu=0.5"),
+        of(
+            " --friction 0.5 --thickness 50cm --rise 3m --radius 6m",
+            " --friction 0.5 --thickness 60cm --rise 2m --radius 6m"
+        )
+    );
+    assert_eq!(
+        corners("span=1467mm rise=593mm radius=750mm eta=5cm mu=0.5..0.6"),
+        of(
+            " --friction 0.5 --thickness 5cm --span 1467mm --rise 593mm --radius 750mm",
+            " --friction 0.6 --thickness 5cm --span 1467mm --rise 593mm --radius 750mm"
+        )
+    );
+    assert_eq!(
         corners("span=10m rise=3m eta=60cm mu=0.5±0.1"),
         of(
             " --friction 0.4 --thickness 60cm --span 10m --rise 3m",
@@ -188,7 +209,10 @@ fn what_makes_no_range_of_arches_is_refused_with_its_field() {
         ("span=11m..10m rise=3m mu=1 eta=60cm", Some(F::Span), "11m..10m is empty"),
         ("span=1m±2m rise=3m mu=1 eta=60cm", Some(F::Span), "-1m is not above 0"),
         ("span=10m±1cm rise=3 mu=1 eta=60cm", Some(F::Rise), "is not a length"),
-        ("span=10m±1cm rise=3m radius=5m mu=1 eta=60cm", Some(F::Radius), "it follows"),
+        ("span=10m±1cm rise=3m radius=5m mu=1 eta=60cm", Some(F::Radius), "the rest follows"),
+        ("span=10m..11m alpha=1 mu=1 eta=60cm", Some(F::Radius), "the rest follows"),
+        ("span=10m..11m radius=6m..7m mu=1 eta=60cm", Some(F::Thickness), "is a ratio"),
+        ("span=10m..13m radius=6m mu=1 eta=0.1r", Some(F::Span), "its diameter is 12 m"),
         ("radius=6m..5m alpha=1 mu=1 eta=60cm", Some(F::Radius), "is empty"),
         (
             "radius=5m..6m alpha=1 mu=1 eta=6m measured_at=extrados",

@@ -10,13 +10,14 @@ const MAX_GIVEN: usize = 100_000;
 const PI: &str = " pi";
 const ARCTANGENT: &str = "2 atan ";
 
-/// `49/20`, `49/20 pi`, or `2 atan 49/20`.
+/// `49/20`, `49/20 pi`, or `2 atan 49/20`; the text itself of another angle, of which there is no certificate.
 pub(super) fn given_text(x: &ExactNumber) -> String {
     let (numerator, denominator) = (x.factor().numer(), x.factor().denom());
     match x.form() {
         Form::Rational => format!("{numerator}/{denominator}"),
         Form::TimesPi => format!("{numerator}/{denominator}{PI}"),
         Form::TwiceArctangent => format!("{ARCTANGENT}{numerator}/{denominator}"),
+        Form::ArctangentOfRoot => x.to_string(),
     }
 }
 

@@ -326,6 +326,10 @@ fn sign(x: &ExactNumber) -> Sign {
 
 /// Tells whether an angle is above zero (or is zero, if that is allowed) and below `pi / divisor`.
 fn is_between(x: &ExactNumber, zero_is_in: bool, divisor: i32, in_doubles: bool) -> bool {
+    // Its sign says on which side of a right angle it is.
+    if x.form() == Form::ArctangentOfRoot && divisor <= 2 {
+        return divisor == 1 || sign(x) == Sign::Minus;
+    }
     let positive = match sign(x) {
         Sign::Plus => true,
         Sign::NoSign => zero_is_in,

@@ -14,9 +14,14 @@
 //! span = 2 R sin(alpha)        rise = R (1 - cos(alpha))
 //! ```
 //!
+//! So any two of half opening, span, rise and radius make the others. With a radius the square of the cotangent of the
+//! half opening is rational; of a span and a radius there are two arcs, of which the flatter one is meant.
+//!
 //! Everything given is rational, and so is `eta`. A span is measured at the intrados unless another circle is named.
 
-use crate::number::{Engine, ExactNumber, Field, decimal, says, shown, sine_and_cosine, worded};
+use crate::number::{
+    Engine, ExactNumber, Field, decimal, rational_sine_and_cosine, says, shown, worded,
+};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use std::fmt;
@@ -84,12 +89,14 @@ pub enum MeasureError {
         /// Rule that bounds the thickness.
         rule: &'static str,
     },
-    /// Three measures of which two say the third.
-    Radius {
-        /// Value as given.
-        given: String,
-        /// Value made of span and rise.
-        made: String,
+    /// A span or a rise that a circle of the radius does not have.
+    Chord {
+        /// The span, or the rise, in words.
+        chord: String,
+        /// Radius of the circle.
+        radius: String,
+        /// Diameter of the circle.
+        diameter: String,
     },
 }
 
@@ -101,7 +108,7 @@ says!(MeasureError {
     Self::NotPositive(text) => "{text} is not above 0";
     Self::Thickness { thickness, circle, most, rule } =>
         "the thickness {thickness} is too large for this {circle}: at most {most}, its {rule}";
-    Self::Radius { given, made } => "the radius {given} contradicts the span and the rise, which make it {made}";
+    Self::Chord { chord, radius, diameter } => "the {chord} is too large for the radius {radius}: its diameter is {diameter}";
 });
 
 /// A unit by its name, in the base unit: numerator and denominator.
@@ -250,7 +257,7 @@ impl fmt::Display for Length {
 
 impl Length {
     /// Length of so many metres, which are above zero.
-    pub(crate) fn new(metres: BigRational) -> Self {
+    pub fn new(metres: BigRational) -> Self {
         Self(metres)
     }
 
@@ -304,6 +311,46 @@ pub fn of_span_and_rise(span: &Length, rise: &Length) -> (ExactNumber, Length) {
     (ExactNumber::twice_arctangent(tangent), Length(radius))
 }
 
+/// The half opening of a span, the flatter arc, or of a rise at this radius; nothing if there is neither.
+pub fn half_opening_of(
+    [span, rise]: [Option<&Length>; 2],
+    radius: &Length,
+) -> Option<Result<ExactNumber, MeasureError>> {
+    let square = |x: &BigRational| x * x;
+    // Squares of `R cos(alpha)` and of `R sin(alpha)`.
+    let (name, chord, height, is_obtuse) = match (span, rise) {
+        (Some(span), _) => {
+            ("span", span, square(&radius.0) - square(&(&span.0 / BigInt::from(2))), false)
+        }
+        (None, rise) => {
+            let rise = rise?;
+            ("rise", rise, square(&(&radius.0 - &rise.0)), exceeds(&rise.0, &radius.0))
+        }
+    };
+    let (half, zero) = (square(&radius.0) - &height, BigRational::from(BigInt::ZERO));
+    if height < zero || half <= zero {
+        return Some(Err(MeasureError::Chord {
+            chord: format!("{name} {chord}"),
+            radius: radius.to_string(),
+            diameter: Length(&radius.0 * BigInt::from(2)).to_string(),
+        }));
+    }
+    let cotangent = height / half;
+    let q = if is_obtuse { cotangent } else { -cotangent };
+    Some(Ok(ExactNumber::arctangent_of_root(q)))
+}
+
+/// The radius of a span or a rise at a half opening, where that is known exactly.
+pub fn radius_at(half_opening: &ExactNumber, [span, rise]: [Option<&Length>; 2]) -> Option<Length> {
+    let [sine, cosine] = rational_sine_and_cosine(half_opening);
+    let one = BigRational::from(BigInt::from(1));
+    match (span, rise) {
+        (Some(span), _) => sine.map(|sine| Length(&span.0 / (sine * BigInt::from(2)))),
+        (None, Some(rise)) => cosine.map(|cosine| Length(&rise.0 / (one - cosine))),
+        (None, None) => None,
+    }
+}
+
 impl Measures {
     /// The radius of a circle of the arch; with the weight of its material and its depth there are forces too.
     pub fn new(circle: Circle, radius: Length, loaded: Option<(UnitWeight, Length)>) -> Self {
@@ -332,11 +379,10 @@ impl Measures {
     /// Span and rise, where they are rational.
     pub fn exact_span_and_rise(&self, half_opening: &ExactNumber) -> [Option<ExactNumber>; 2] {
         let radius = &self.radius.0;
-        let Some([sine, cosine]) = sine_and_cosine(half_opening) else { return [None, None] };
-        let span = radius * BigInt::from(2) * sine.0;
-        let rise = radius * (BigRational::from(BigInt::from(1)) - cosine.0);
-        let rational = |x: BigRational, root| (root == 1).then(|| ExactNumber::rational(x));
-        [rational(span, sine.1), rational(rise, cosine.1)]
+        let [sine, cosine] = rational_sine_and_cosine(half_opening);
+        let span = sine.map(|sine| radius * BigInt::from(2) * sine);
+        let rise = cosine.map(|cosine| radius * (BigRational::from(BigInt::from(1)) - cosine));
+        [span, rise].map(|length| length.map(ExactNumber::rational))
     }
 
     /// Tells whether forces can be told.

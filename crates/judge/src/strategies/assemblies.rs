@@ -1,6 +1,7 @@
 //! Assemblies drawn from a seed, each twice: above its threshold and below it.
 
 use super::assembly::{Assembly, Base, Near, Surveyed};
+use super::margin::Margin;
 use super::places::{above_sliding, half_openings};
 use super::sample::Draw;
 use crate::arch::SelfWeight;
@@ -22,17 +23,17 @@ const HORSESHOE: f64 = 2.0;
 /// Digits of a thickness that is given.
 const DIGITS: usize = 3;
 
-/// Assemblies without end, each 0.1 % above its threshold, where it stands, and 0.1 % below it, where it falls:
+/// Assemblies without end, each by a margin above its threshold, where it stands, and as much below it, where it falls:
 /// 2 to 60 stones, all modes, both self-weights, measured in metres or not.
 ///
 /// ```
-/// use couplet_judge::strategies::assemblies;
-/// let [above, below] = assemblies(1).next().unwrap();
+/// use couplet_judge::strategies::{Margin, assemblies};
+/// let [above, below] = assemblies(1, Margin::default()).next().unwrap();
 /// assert!(above.stands() && !below.stands());
 /// ```
-pub fn assemblies(seed: u64) -> impl Iterator<Item = [Assembly; 2]> {
+pub fn assemblies(seed: u64, margin: Margin) -> impl Iterator<Item = [Assembly; 2]> {
     let mut draw = Draw(seed);
-    (0u64..).map(move |place| pair(&mut draw, place))
+    (0u64..).map(move |place| pair(&mut draw, place, margin))
 }
 
 /// A number in `[0, 1)`.
@@ -41,7 +42,7 @@ fn part(draw: &mut Draw) -> f64 {
 }
 
 /// The assemblies above and below the threshold at a place of the turn.
-pub(super) fn pair(draw: &mut Draw, place: u64) -> [Assembly; 2] {
+pub(super) fn pair(draw: &mut Draw, place: u64, margin: Margin) -> [Assembly; 2] {
     // Each mode in its turn, and two or three stones, whatever theirs.
     let turns = Mode::ALL.len() as u64 + 1;
     let is_odd = |period: u64| (place / (turns * period)) % 2 == 1;
@@ -51,7 +52,7 @@ pub(super) fn pair(draw: &mut Draw, place: u64) -> [Assembly; 2] {
     // Drawn once: of three stones far more have a threshold than of two.
     let few = draw.between(STONES[0], STONES[0] + 1);
     loop {
-        if let Some(pair) = assembly(draw, (mode, near), few, weight, is_odd(1)) {
+        if let Some(pair) = assembly(draw, (mode, near, margin), few, weight, is_odd(1)) {
             return pair;
         }
     }
@@ -60,7 +61,7 @@ pub(super) fn pair(draw: &mut Draw, place: u64) -> [Assembly; 2] {
 /// An assembly of the mode, unless what is drawn collapses otherwise.
 fn assembly(
     draw: &mut Draw,
-    (mode, near): (Option<Mode>, Near),
+    (mode, near, margin): (Option<Mode>, Near, Margin),
     few: u64,
     weight: SelfWeight,
     is_surveyed: bool,
@@ -77,7 +78,7 @@ fn assembly(
     let alpha = low + part(draw) * (high - low);
     let (half_opening, surveyed) = opening(draw, alpha, is_surveyed)?;
     let stones = Stones::equal(stones, half_opening).ok()?;
-    let base = Base { weight, stones, surveyed };
+    let base = Base { weight, stones, surveyed, margin };
     let any = Rational::from((draw.between(2, 120), 100));
     let Some(mode) = mode.filter(|mode| *mode != Mode::Sliding) else {
         let pair = base.near_friction(&any, DIGITS)?;
@@ -124,7 +125,9 @@ mod tests {
 
     #[test]
     fn a_seed_draws_the_same_assemblies_and_every_kind() {
-        let drawn = |seed, count| -> Vec<[Assembly; 2]> { assemblies(seed).take(count).collect() };
+        let drawn = |seed, count| -> Vec<[Assembly; 2]> {
+            assemblies(seed, Margin::default()).take(count).collect()
+        };
         let first = drawn(1, 32);
         let shown = |all: &[[Assembly; 2]]| format!("{all:?}");
         assert_eq!(shown(&first[..4]), shown(&drawn(1, 4)));

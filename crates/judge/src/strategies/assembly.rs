@@ -1,4 +1,5 @@
-//! An assembly of stones that is 0.1 % beside a threshold: the question whether it stands, with the proved answer.
+//! An assembly of stones that is by a margin beside a threshold: the question whether it stands, with the proved
+//! answer.
 //!
 //! **Stands** is the verdict of statics: there are forces at the joints, the springings among them, that hold the
 //! weights of all stones, press inside every joint, and pass `|T| <= mu N` nowhere. The conditions are convex and the
@@ -8,6 +9,7 @@
 //! **A threshold** is the least thickness at a friction, or the least friction at a thickness: thicker assemblies,
 //! and those of more friction, stand too ([`voussoirs`]).
 
+use super::margin::Margin;
 use crate::arch::joint::Grip;
 use crate::arch::mechanism::Contact;
 use crate::arch::{Ring, SelfWeight};
@@ -79,6 +81,8 @@ pub struct Assembly {
     pub surveyed: Option<Surveyed>,
     /// Number that is near its threshold.
     pub near: Near,
+    /// Distance of the number from it.
+    pub margin: Margin,
     /// The threshold of that number.
     pub threshold: Figure,
     /// The number over its threshold.
@@ -96,13 +100,12 @@ pub(super) struct Base {
     pub weight: SelfWeight,
     pub stones: Stones,
     pub surveyed: Option<Surveyed>,
+    pub margin: Margin,
 }
 
 /// Digits of what is proved, and of a number near its threshold.
 const DIGITS: usize = 12;
 const GIVEN_DIGITS: usize = 7;
-/// The numbers above and below their threshold, over it.
-const BESIDE: [(u32, u32); 2] = [(1001, 1000), (999, 1000)];
 /// Bits in which a state is checked.
 const BITS: u32 = 192;
 
@@ -137,8 +140,8 @@ impl Base {
             return None;
         };
         let threshold = &state.thickness;
-        let beside = |part| {
-            let (text, thickness) = self.written(&beside(threshold, part), GIVEN_DIGITS)?;
+        let beside = |factor: &Rational| {
+            let (text, thickness) = self.written(&beside(threshold, factor), GIVEN_DIGITS)?;
             let found = self.assessed(&friction, &thickness)?;
             let safety = found.geometric_safety.clone().ok()??;
             let proof = self.proof(&friction, &thickness, found)?;
@@ -150,6 +153,7 @@ impl Base {
                 thickness_text: text,
                 surveyed: self.surveyed.clone(),
                 near: Near::Thickness,
+                margin: self.margin,
                 threshold: threshold.clone(),
                 safety,
                 mode: Some(mode),
@@ -157,8 +161,9 @@ impl Base {
                 proof,
             })
         };
-        let pair = [beside(BESIDE[0])?, beside(BESIDE[1])?];
-        (state.mode == mode && is_apart(&pair)).then_some(pair)
+        let [above, below] = &self.margin.factors();
+        let pair = [beside(above)?, beside(below)?];
+        (state.mode == mode && self.is_apart(&pair)).then_some(pair)
     }
 
     /// Assemblies above and below the least friction with which this thickness stands, if that is above zero.
@@ -169,14 +174,20 @@ impl Base {
     ) -> Option<[Assembly; 2]> {
         let (text, thickness) = self.written(thickness, digits)?;
         let threshold = self.assessed(&1.into(), &thickness)?.required_friction.ok()??;
-        let [above, below] = BESIDE.map(|part| {
-            let friction = Rounded::from_rational(&beside(&threshold, part), GIVEN_DIGITS)?.value;
+        let at = |factor: &Rational| {
+            let friction = Rounded::from_rational(&beside(&threshold, factor), GIVEN_DIGITS)?.value;
             let friction: ExactNumber = friction.to_string().parse().ok()?;
             let found = self.assessed(&friction, &thickness)?;
             Some((friction, found))
-        });
-        let (above, below) = (above?, below?);
-        let contacts = match &below.1.standing {
+        };
+        let [above, below] = &self.margin.factors();
+        let (above, below) = (at(above)?, at(below)?);
+        // What gives way at the threshold is told next to it.
+        let next = match self.margin == Margin::default() {
+            true => below.1.standing.clone(),
+            false => at(&Margin::default().factors()[1])?.1.standing,
+        };
+        let contacts = match &next {
             Ok(VoussoirStanding::Falls(ends)) => mechanism(ends),
             _ => return None,
         };
@@ -192,6 +203,7 @@ impl Base {
                 thickness_text: text.clone(),
                 surveyed: self.surveyed.clone(),
                 near: Near::Friction,
+                margin: self.margin,
                 threshold: threshold.clone(),
                 safety,
                 mode,
@@ -200,7 +212,17 @@ impl Base {
             })
         };
         let pair = [of(above)?, of(below)?];
-        is_apart(&pair).then_some(pair)
+        self.is_apart(&pair).then_some(pair)
+    }
+
+    /// Tells whether the first of two stands and the second falls, and both are as far off as is said, to a part in a
+    /// hundred thousand.
+    fn is_apart(&self, pair: &[Assembly; 2]) -> bool {
+        let is_beside = |(of, factor): (&Assembly, Rational)| {
+            (of.safety.double / factor.to_f64() - 1.0).abs() < 1e-5
+        };
+        let [above, below] = pair;
+        above.stands() && !below.stands() && pair.iter().zip(self.margin.factors()).all(is_beside)
     }
 
     /// The least thickness at a friction, if it has this mode; none where any is enough.
@@ -286,23 +308,13 @@ impl Base {
 }
 
 /// A number near its threshold.
-fn beside(threshold: &Figure, (above, below): (u32, u32)) -> Rational {
-    threshold.decimal.value.to_rational() * Rational::from((above, below))
+fn beside(threshold: &Figure, factor: &Rational) -> Rational {
+    threshold.decimal.value.to_rational() * factor
 }
 
 /// A double in the digits of a proof.
 fn short(x: f64) -> Option<ExactNumber> {
     format!("{x:.*e}", DIGITS - 1).parse().ok()
-}
-
-/// Tells whether the first of two stands and the second falls, and both are as far off as is said, to a part in
-/// a hundred thousand.
-fn is_apart(pair: &[Assembly; 2]) -> bool {
-    let is_beside = |(of, (above, below)): (&Assembly, (u32, u32))| {
-        (of.safety.double * f64::from(below) / f64::from(above) - 1.0).abs() < 1e-5
-    };
-    let [above, below] = pair;
-    above.stands() && !below.stands() && pair.iter().zip(BESIDE).all(is_beside)
 }
 
 /// Contacts of two bounds that contradict each other, a hinge at the intrados between the others.

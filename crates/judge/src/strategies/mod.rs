@@ -23,6 +23,7 @@ mod assembly;
 mod blocks;
 #[cfg(feature = "proptest")]
 mod drawn;
+mod margin;
 mod places;
 mod sample;
 
@@ -31,4 +32,5 @@ pub use assembly::{Assembly, AssemblyProof, Near, Surveyed};
 pub use blocks::{Block, Blocks, Point};
 #[cfg(feature = "proptest")]
 pub use drawn::*;
+pub use margin::Margin;
 pub use sample::{Draw, Sample, samples};

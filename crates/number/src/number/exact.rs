@@ -2,7 +2,7 @@
 
 mod sine;
 
-pub use sine::sine_and_cosine;
+pub use sine::{rational_sine_and_cosine, sine_and_cosine};
 
 use super::range::{TELL_OF_RANGES, is_range};
 use super::unit::{AngleUnit, minutes, unit};
@@ -35,6 +35,9 @@ pub enum Form {
     TimesPi,
     /// `2 atan(q)`: the half opening of an arch whose rise is `q` times half its span.
     TwiceArctangent,
+    /// The angle between 0 and pi whose cotangent has the square `|q|`, above a right angle where `q` is above zero, so
+    /// that it rises with `q`: the half opening of an arch by its radius and its span, or its rise.
+    ArctangentOfRoot,
 }
 
 impl Field for BigRational {
@@ -106,6 +109,29 @@ impl ExactNumber {
         }
     }
 
+    /// The angle whose cotangent has the square `|q|`, acute where `q` is below zero and obtuse above; a part of pi, or
+    /// twice an arctangent, wherever it is one.
+    pub fn arctangent_of_root(q: BigRational) -> Self {
+        let ratio = |n: i32, d: i32| BigRational::new(n.into(), d.into());
+        let is_obtuse = q.numer().sign() == Sign::Plus;
+        let square = if is_obtuse { q.clone() } else { -q.clone() };
+        // Of the rational multiples of pi only these have a rational square of the cotangent (Niven).
+        let turns = [(0, 1, 2), (1, 1, 4), (3, 1, 6)].map(|(n, a, b)| (ratio(n, 1), ratio(a, b)));
+        let turns = turns.into_iter().chain([(ratio(1, 3), ratio(1, 3))]);
+        if let Some((_, turn)) = turns.into_iter().find(|(of, _)| *of == square) {
+            let factor = if is_obtuse { ratio(1, 1) - turn } else { turn };
+            let text = format!("{}pi/{}", factor.numer(), factor.denom());
+            return Self { factor, form: Form::TimesPi, text };
+        }
+        // `tan(alpha/2) = 1/sin(alpha) - cot(alpha)`.
+        if let (Some(cotangent), Some(slant)) = (root(&square), root(&(&square + ratio(1, 1)))) {
+            let half = if is_obtuse { slant + cotangent } else { slant - cotangent };
+            return Self::twice_arctangent(half);
+        }
+        let text = format!("{}atan(√({}))", if is_obtuse { "pi-" } else { "" }, square.recip());
+        Self { factor: q, form: Form::ArctangentOfRoot, text }
+    }
+
     /// The number of this form of the fraction `numerator/denominator`; `None` if the denominator is zero.
     pub fn fraction(numerator: BigInt, denominator: BigInt, form: Form) -> Option<Self> {
         if denominator == BigInt::ZERO {
@@ -121,6 +147,7 @@ impl ExactNumber {
                 return Some(Self::twice_arctangent(factor.reduced()));
             }
             Form::TwiceArctangent => format!("2atan({above}/{below})"),
+            Form::ArctangentOfRoot => return Some(Self::arctangent_of_root(factor.reduced())),
         };
         Some(Self { factor, form, text })
     }
@@ -164,6 +191,12 @@ impl ExactNumber {
             Form::Rational => factor,
             Form::TimesPi => factor.pi() * factor,
             Form::TwiceArctangent => factor.arctangent(bits as usize) * factor.int(2),
+            Form::ArctangentOfRoot => {
+                let is_obtuse = self.factor.numer().sign() == Sign::Plus;
+                let square = if is_obtuse { factor } else { factor.int(0) - factor };
+                let angle = (square.int(1) / square).sqrt().arctangent(bits as usize);
+                if is_obtuse { angle.pi() - angle } else { angle }
+            }
         }
     }
 
@@ -280,8 +313,8 @@ impl FromStr for ExactNumber {
     type Err = ParseExactError;
 
     /// Reads `0.1`, `1e-30`, `1/3`, `pi`, `pi/2`, `2pi/3`, `0.8*pi`, radians by name, `1.5rad`, degrees:
-    /// `80deg`, `80°`, `80 degrees`, all of which are shown as `80deg`, `80°30'15"`, `88gon`, and `2atan(3/5)` with a
-    /// number above zero; numbers as other programs [spell](spelt) them.
+    /// `80deg`, `80°`, `80 degrees`, all of which are shown as `80deg`, `80°30'15"`, `88gon`, and `2atan(3/5)`,
+    /// `atan(√(5/3))` and `pi-atan(√(5/3))` with a number above zero; numbers as other programs [spell](spelt) them.
     ///
     /// ```
     /// use couplet_number::number::ExactNumber;
@@ -301,9 +334,13 @@ impl FromStr for ExactNumber {
         }
         let (number, unit) = unit(text);
         let tangent = number.strip_prefix("2atan(").and_then(|rest| rest.strip_suffix(')'));
-        let number = match tangent {
-            Some(tangent) => Self::of_tangent(tangent, text)?,
-            None => Self::without_unit(number, given)?,
+        let number = match (tangent, root_of_tangent(number)) {
+            (Some(tangent), _) => Self::of_tangent(tangent, text)?,
+            (_, Some((square, is_obtuse))) => {
+                let square = Self::positive(square, text)?.recip();
+                Self::arctangent_of_root(if is_obtuse { square } else { -square })
+            }
+            _ => Self::without_unit(number, given)?,
         };
         match (unit, number.is_rational()) {
             (AngleUnit::None, _) | (AngleUnit::Radians, true) => Ok(number),
@@ -338,12 +375,15 @@ impl ExactNumber {
 
     /// Twice the arctangent of a rational number above zero; `given` is the whole text.
     fn of_tangent(text: &str, given: &str) -> Result<Self, ParseExactError> {
+        let q = Self::positive(text, given)?;
+        Ok(Self { text: given.trim().to_owned(), ..Self::twice_arctangent(q) })
+    }
+
+    /// A rational number above zero; `given` is the whole text.
+    fn positive(text: &str, given: &str) -> Result<BigRational, ParseExactError> {
         let q = Self::without_unit(text, given)?;
-        let is_tangent = q.is_rational() && *q.factor() > BigInt::ZERO.into();
-        match is_tangent {
-            true => Ok(Self { text: given.trim().to_owned(), ..Self::twice_arctangent(q.factor) }),
-            false => Err(ParseExactError::Syntax(shown(given))),
-        }
+        let is_positive = q.is_rational() && q.factor.numer().sign() == Sign::Plus;
+        is_positive.then_some(q.factor).ok_or_else(|| ParseExactError::Syntax(shown(given)))
     }
 
     /// A number without its unit; `given` is the whole text.
@@ -399,6 +439,22 @@ impl ExactNumber {
         }
         Ok(Self { factor, form, text: text.to_owned() })
     }
+}
+
+/// The square root of a number that is not negative and in lowest terms, where it is rational.
+pub fn root(square: &BigRational) -> Option<BigRational> {
+    let whole = |x: &BigInt| Some(x.sqrt()).filter(|root| root * root == *x);
+    Some(BigRational::new(whole(square.numer())?, whole(square.denom())?))
+}
+
+/// Text below the root of `atan(√(5/3))`, and whether it is the angle beside it, `pi-atan(√(5/3))`.
+fn root_of_tangent(text: &str) -> Option<(&str, bool)> {
+    let (text, is_obtuse) = match text.strip_prefix("pi-") {
+        Some(rest) => (rest, true),
+        None => (text, false),
+    };
+    let below = text.strip_prefix("atan(√(").or_else(|| text.strip_prefix("atan(sqrt("))?;
+    Some((below.strip_suffix("))")?, is_obtuse))
 }
 
 /// The exact value of a decimal.

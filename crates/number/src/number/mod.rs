@@ -125,7 +125,9 @@ pub use dual::{Dual, gradient};
 pub use dyadic::{Dyadic, MAX_EXPONENT, ParseDyadicError};
 pub use end::{Direction, End};
 pub use engine::Engine;
-pub use exact::{ExactNumber, Form, ParseExactError, sine_and_cosine};
+pub use exact::{
+    ExactNumber, Form, ParseExactError, rational_sine_and_cosine, root, sine_and_cosine,
+};
 pub use float_ball::{Branchless, Edge, FloatBall, Midpoint, Settled, power_of_two};
 #[cfg(feature = "mpfr")]
 pub use gmp::*;

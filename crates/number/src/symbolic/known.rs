@@ -46,7 +46,7 @@ impl Known {
         match value.form() {
             Form::Rational => Self::Exact(factor(), bits),
             Form::TimesPi => Self::Exact(factor() * &Symbol::Pi.number(), bits),
-            Form::TwiceArctangent => Self::Enclosed(value.enclosure(bits)),
+            Form::TwiceArctangent | Form::ArctangentOfRoot => Self::Enclosed(value.enclosure(bits)),
         }
     }
 

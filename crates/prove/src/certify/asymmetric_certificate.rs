@@ -35,6 +35,7 @@ pub fn certify_asymmetric(
     digits: usize,
 ) -> Result<Certificate, Error> {
     Refused::digits(digits)?;
+    Refused::certifiable([arch.half_opening()], [arch.friction()])?;
     let candidate = found(arch).into_iter().find(|candidate| candidate.mode == mode);
     let candidate = candidate.ok_or_else(Undecided::no_solution)?;
     let problem = Problem::Asymmetric { mode, arch: arch.clone() };

@@ -29,6 +29,7 @@ pub fn certify_arch(
     digits: usize,
 ) -> Result<Certificate, Error> {
     Refused::digits(digits)?;
+    Refused::certifiable([arch.half_opening()], [arch.friction()])?;
     thickness.map_or(Ok(()), Refused::thickness)?;
     let too_wide = |bits| limit(arch, Verdict::TooWide, widest(arch, bits), bits, digits);
     let slides = Cell::new(false);

@@ -4,7 +4,7 @@
 
 use crate::arch::SelfWeight;
 use crate::check::MAX_LENGTH_DIGITS;
-use crate::number::{Ball, Enclosure, ExactNumber};
+use crate::number::{Ball, Enclosure, ExactNumber, Form};
 use crate::problem::stones::StonesError;
 use crate::problem::{Arch, ArchError, Friction, Landmark, Line, Quantity, ThicknessError};
 
@@ -122,6 +122,9 @@ pub enum Refused {
         "in a certificate of a survey a length is a fraction of integers of at most {MAX_LENGTH_DIGITS} digits"
     )]
     LongLengths,
+    /// An angle that no certificate holds.
+    #[error("no certificate holds {0}: give span and rise, a part of pi or a rational number")]
+    Uncertifiable(ExactNumber),
     /// Arrays that have to be of one length are not.
     #[error("the arrays are not of one length: {}", lengths(.0))]
     Lengths(Vec<usize>),
@@ -136,6 +139,20 @@ impl Refused {
     /// Checks that no more digits are asked for than a number of one's own.
     pub fn digits_to(asked: usize, most: usize) -> Result<(), Self> {
         (1..=most).contains(&asked).then_some(()).ok_or(Self::Digits { asked, most })
+    }
+
+    /// Checks that angles are of the forms that a certificate holds.
+    pub fn certifiable<'a>(
+        half_openings: impl IntoIterator<Item = &'a ExactNumber>,
+        frictions: impl IntoIterator<Item = &'a Friction>,
+    ) -> Result<(), Self> {
+        let angle = |friction: &'a Friction| match friction {
+            Friction::Angle(phi) => Some(phi),
+            Friction::Coefficient(_) | Friction::Infinite => None,
+        };
+        let mut all = half_openings.into_iter().chain(frictions.into_iter().filter_map(angle));
+        let other = all.find(|angle| angle.form() == Form::ArctangentOfRoot);
+        other.map_or(Ok(()), |angle| Err(Self::Uncertifiable(angle.clone())))
     }
 
     /// Checks that a number is a thickness.

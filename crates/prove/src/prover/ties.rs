@@ -6,7 +6,7 @@
 //! half opening is given by the tangent of its half, all are rational.
 
 use crate::arch::mechanism::Contact;
-use crate::number::{ExactNumber, Form};
+use crate::number::{ExactNumber, Form, rational_sine_and_cosine, root};
 use crate::problem::stones::{JointContact, Stones};
 use crate::problem::{Arch, Friction};
 use num_rational::BigRational;
@@ -63,20 +63,15 @@ fn tangent(alpha: &ExactNumber) -> Option<BigRational> {
     match alpha.form() {
         Form::TimesPi => (*q == ratio(1, 4)).then(|| ratio(1, 1)),
         Form::TwiceArctangent => Some(q * ratio(2, 1) / (ratio(1, 1) - q * q)),
-        Form::Rational => None,
+        Form::ArctangentOfRoot if *q < ratio(0, 1) => root(&(-q).recip()),
+        Form::Rational | Form::ArctangentOfRoot => None,
     }
 }
 
-/// `tan(alpha/2)²` where it is rational, for the angles of the ties.
+/// `tan(alpha/2)²` where it is rational.
 fn squared_half_tangent(alpha: &ExactNumber) -> Option<BigRational> {
-    let q = alpha.factor();
-    match alpha.form() {
-        Form::TimesPi if *q == ratio(1, 2) => Some(ratio(1, 1)),
-        Form::TimesPi if *q == ratio(1, 3) => Some(ratio(1, 3)),
-        Form::TimesPi => None,
-        Form::TwiceArctangent => Some(q * q),
-        Form::Rational => None,
-    }
+    let [_, cosine] = rational_sine_and_cosine(alpha);
+    cosine.map(|cosine| (ratio(1, 1) - &cosine) / (ratio(1, 1) + cosine))
 }
 
 fn ratio(numerator: i32, denominator: i32) -> BigRational {
@@ -113,6 +108,9 @@ mod tests {
             ("1/2", "tan(0.5000000000000000000001)", false),
             ("pi/4", "inf", false),
             ("2atan(1/3)", "3/4", true),
+            ("atan(√(1/4))", "1/2", true),
+            ("pi-atan(√(1/4))", "1/2", false),
+            ("atan(√(3/5))", "tan(atan(√(3/5)))", true),
             ("2atan(1/3)", "tan(2atan(1/3))", true),
             ("2atan(1/3)", "0.7500000000000000000000001", false),
             ("2atan(3)", "3/4", false),
@@ -166,6 +164,9 @@ mod tests {
             ("1.0471975511965977462", "2/3", false),
             ("pi/2", "2/3", false),
             ("2atan(1/2)", "0.5", true),
+            // cos = 2/3.
+            ("atan(√(5/4))", "2/5", true),
+            ("atan(√(5/4))", "0.40000000000000000000000001", false),
             ("2atan(1)", "2", true),
             ("2atan(1/2)", "0.50000000000000000000000001", false),
         ] {

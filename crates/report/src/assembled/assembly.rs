@@ -1,12 +1,12 @@
 //! An assembly of stones as it is written.
 
 use crate::ask::{ArchAsked, Field};
-use crate::strategies::{Assembly, Blocks};
+use crate::strategies::{Assembly, Blocks, Margin};
 
 /// Assembly with its bodies, and the name of the question about it.
 #[derive(Clone, Debug)]
 pub struct Assembled {
-    /// Name of the question, and of its files: `001-above`.
+    /// Name of the question, and of its files: `001-above`, `001-above-5%`.
     pub id: String,
     pub(super) assembly: Assembly,
     pub(super) blocks: Blocks,
@@ -17,8 +17,12 @@ impl Assembled {
     pub fn pair(number: u64, pair: [Assembly; 2]) -> Option<[Self; 2]> {
         let [above, below] = pair;
         let named = |assembly: Assembly, side| {
-            let (id, blocks) = (format!("{number:03}-{side}"), Blocks::of(&assembly)?);
-            Some(Self { id, assembly, blocks })
+            let blocks = Blocks::of(&assembly)?;
+            let margin = match assembly.margin == Margin::default() {
+                true => String::new(),
+                false => format!("-{}", assembly.margin),
+            };
+            Some(Self { id: format!("{number:03}-{side}{margin}"), assembly, blocks })
         };
         Some([named(above, "above")?, named(below, "below")?])
     }

@@ -11,7 +11,7 @@ use couplet_stones::VoussoirLimit;
 use std::io;
 
 /// The columns; the bounds of the threshold stand beside it.
-const COLUMNS: &str = "id stands near threshold threshold_lower threshold_upper safety mode mechanism weight stones \
+const COLUMNS: &str = "id stands near margin threshold threshold_lower threshold_upper safety mode mechanism weight stones \
                        friction thickness half_opening span rise measured_at unit radius half_opening_rad \
                        friction_double thickness_ratio command";
 
@@ -57,6 +57,7 @@ fn question(of: &Assembled) -> Record {
     fields.add("id", id.as_str());
     fields.add("stands", assembly.stands());
     fields.add("near", assembly.near.name());
+    fields.add("margin", assembly.margin.to_string());
     fields.add_bounds("threshold", Some(&assembly.threshold));
     fields.add_bounds("safety", Some(&assembly.safety));
     fields.add("mode", assembly.mode.map(|mode| mode.label()));

@@ -1,11 +1,13 @@
 //! Other people's results, judged: every row, or a summary of all.
 
+mod assemblies;
 mod csv;
 mod json;
 mod row;
 mod summary;
 mod words;
 
+pub use assemblies::JudgedAssemblies;
 pub use row::JudgedRow;
 pub use summary::JudgeSummary;
 pub use words::verdicts;

@@ -130,7 +130,7 @@ fn subject(sketch: &Sketch, metres: Option<&Metres>) -> String {
 fn shape(arch: &Arch, sketch: &Sketch, metres: Option<&Metres>) -> String {
     let given = arch.half_opening();
     let alpha = match given.form() {
-        Form::TwiceArctangent => {
+        Form::TwiceArctangent | Form::ArctangentOfRoot => {
             format!("{}°", rounded(&degrees(&sketch.at.half_opening.rad), DIGITS))
         }
         _ => given.to_string(),

@@ -56,7 +56,7 @@ impl ArchReader {
         ]
     }
 
-    /// The half opening that follows from the sizes of the row, and its measures; nothing if it has no size.
+    /// The half opening of a row with sizes, and its measures; nothing if it has no size.
     pub fn sizes(&self, cells: &Cells) -> Result<(Option<ExactNumber>, Option<Measures>), String> {
         let size = |field| Some((field, self.given(cells, Role::Size(field))?));
         let sizes: Vec<(Field, _)> = SIZES.into_iter().filter_map(size).collect();
@@ -66,13 +66,13 @@ impl ArchReader {
         let spelt = sizes.iter().map(|(field, said)| (*field, self.exact(*said)));
         let spelt: Vec<_> = spelt.collect();
         let mut asked = ArchAsked::of(spelt.iter().map(|(field, text)| (*field, text.as_ref())));
-        // Whether the row has one beside the span is what is checked of it here; it is read below.
-        asked.half_opening = self.given(cells, Role::HalfOpening).map(|_| "1".to_owned());
+        let half_opening = self.given(cells, Role::HalfOpening);
+        asked.half_opening = half_opening.map(|said| self.exact(said).into_owned());
         let given =
             SIZED.fits(&asked, Spelling::Key).and_then(|()| ArchGiven::new(&asked, Spelling::Key));
         let ArchGiven { half_opening, measures, .. } =
             given.map_err(|misfit| misfit.to_string())?;
-        Ok((half_opening.filter(|_| asked.half_opening.is_none()), measures))
+        Ok((half_opening, measures))
     }
 
     /// The question of a row whose cells may be ranges, and its weight.

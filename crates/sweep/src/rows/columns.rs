@@ -84,7 +84,7 @@ impl Columns {
             Purpose::Ask => {
                 ": `couplet states --ranges` tells of every arch inside; give one value here"
             }
-            Purpose::Judge => {
+            Purpose::Judge | Purpose::Assemblies => {
                 ", which is not judged: `couplet states --ranges --keep all` writes what is proved of every arch \
                  beside what the file has"
             }
@@ -193,7 +193,8 @@ impl Columns {
             let is = |role: &Role| role.field() == Some(field);
             field == Field::MeasuredAt || self.purpose.roles().iter().any(is)
         };
-        match unanswered(name, is_read).filter(|_| !is_known()) {
+        let asks = self.purpose != Purpose::Assemblies;
+        match unanswered(name, is_read).filter(|_| asks && !is_known()) {
             Some(why) => Err(format!("{why}, and --keep {} hands it on", shortened(name))),
             None => Ok(()),
         }
@@ -201,7 +202,7 @@ impl Columns {
 
     /// Refuses a name that is nearly one of ours and asks for nothing: what it asks must not be dropped.
     fn is_spelt(&self, name: &str, has: impl Fn(Role) -> bool) -> Result<(), String> {
-        if self.purpose == Purpose::Judge || self.have(name) {
+        if self.purpose != Purpose::Ask || self.have(name) {
             return Ok(());
         }
         let nearly = |column: &&RowColumn| {
@@ -236,18 +237,29 @@ impl Columns {
             let name = role.name();
             Err(match self.purpose {
                 Purpose::Ask => format!("{have} no column '{name}', nor {instead}"),
-                Purpose::Judge => {
+                Purpose::Judge | Purpose::Assemblies => {
                     format!("{have} no column for {what}: name one, --columns theirs={name}")
                 }
             })
         };
-        let [span, rise] = [Field::Span, Field::Rise].map(|field| has(Role::Size(field)));
-        if span != rise {
-            let [one, other] = if span { ["span", "rise"] } else { ["rise", "span"] };
-            return Err(format!("{one} needs {other}"));
+        if self.purpose == Purpose::Assemblies {
+            return if has(Role::Stands) {
+                Ok(())
+            } else {
+                wanted("the verdict", (Role::Stands, ""))
+            };
         }
-        if !(has(Role::HalfOpening) || span && rise) {
-            return wanted("the half opening", (Role::HalfOpening, "'span' and 'rise'"));
+        let sizes = [Field::Span, Field::Rise, Field::Radius].map(|of| has(Role::Size(of)));
+        let made = sizes.into_iter().filter(|has| *has).count();
+        if let ([true, false, false] | [false, true, false], false) =
+            (sizes, has(Role::HalfOpening))
+        {
+            let [one, other] = if sizes[0] { ["span", "rise"] } else { ["rise", "span"] };
+            return Err(format!("{one} needs {other}, radius or half_opening"));
+        }
+        if !has(Role::HalfOpening) && made < 2 {
+            let instead = "two of 'span', 'rise' and 'radius'";
+            return wanted("the half opening", (Role::HalfOpening, instead));
         }
         match (has(Role::Friction), has(Role::FrictionAngle)) {
             (false, false) => {

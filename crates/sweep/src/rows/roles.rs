@@ -35,6 +35,8 @@ pub enum Purpose {
     Ask,
     /// Results to be judged.
     Judge,
+    /// Verdicts on assemblies of stones, of which each says itself what it is.
+    Assemblies,
 }
 
 /// Sizes that a row may have, and what makes forces of them.
@@ -46,6 +48,9 @@ const ARCH: [Role; 4] = [Role::Weight, Role::HalfOpening, Role::Friction, Role::
 impl Purpose {
     /// The roles that are read.
     pub(super) fn roles(self) -> Vec<Role> {
+        if self == Self::Assemblies {
+            return vec![Role::Stands];
+        }
         let mut roles = ARCH.to_vec();
         roles.push(Role::GivenThickness);
         if self == Self::Ask {

@@ -251,7 +251,7 @@ fn scaled(given: &SceneNumber) -> Option<(Rational, (WrittenUnit, bool))> {
         Form::TimesPi if number.is_in_degrees() => (factor * 180, WrittenUnit::Degrees),
         Form::TimesPi => (factor, WrittenUnit::Pi),
         Form::Rational => (factor, WrittenUnit::One),
-        Form::TwiceArctangent => return None,
+        Form::TwiceArctangent | Form::ArctangentOfRoot => return None,
     };
     Some((factor, (unit, given.is_angle)))
 }

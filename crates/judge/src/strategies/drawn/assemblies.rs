@@ -2,6 +2,7 @@
 
 use crate::strategies::assemblies::pair;
 use crate::strategies::assembly::Assembly;
+use crate::strategies::margin::Margin;
 use crate::strategies::sample::Draw;
 use proptest::prelude::*;
 
@@ -26,7 +27,7 @@ const PLACES: u64 = 64;
 pub fn assembly() -> impl Strategy<Value = Assembly> {
     let drawn = (any::<u64>(), 0..PLACES, any::<bool>()).no_shrink();
     drawn.prop_map(|(seed, place, is_above)| {
-        let [above, below] = pair(&mut Draw(seed), place);
+        let [above, below] = pair(&mut Draw(seed), place, Margin::default());
         if is_above { above } else { below }
     })
 }

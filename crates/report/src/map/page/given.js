@@ -50,9 +50,13 @@ const hasFriction = ({ friction, friction_angle }) => friction !== undefined || 
 const isPlace = ({ half_opening, span, rise, radius, measured_at, thickness, ...rest }) =>
   thickness !== undefined && [span, rise, radius, measured_at].every((text) => text === undefined) && (half_opening === undefined) === hasFriction(rest);
 
-/** The half opening; with span and rise twice the arctangent of the rise by half the span. */
-const opening = ({ half_opening, span, rise }) =>
-  span === undefined ? read(half_opening ?? "") : 2 * Math.atan(2 * metres(rise ?? "") / metres(span));
+/** The half opening; with span and rise twice the arctangent of the rise by half the span, of a radius the flatter arc. */
+const opening = ({ half_opening, span = "", rise = "", radius = "" }) => {
+  const [s, f, r] = [span, rise, radius].map(metres);
+  if (s && f) return 2 * Math.atan(2 * f / s);
+  if (half_opening !== undefined) return read(half_opening);
+  return s ? Math.asin(s / 2 / r) : Math.acos(1 - f / r);
+};
 
 /** The angle of friction: given, also as the friction, or of its coefficient. */
 const frictionAngle = ({ friction, friction_angle = "" }) =>
