@@ -224,7 +224,7 @@ WRONG = [
     (lambda: couplet.judge(3), TypeError, "rows are a frame"),
     (lambda: couplet.judge([3]), TypeError, "rows are a frame"),
     (lambda: couplet.draw(4, 1), couplet.CoupletError, "the half opening 4 is not between 0 and pi"),
-    (lambda: couplet.draw(1, 1, tilt=0), couplet.CoupletError, "tilt does not belong here: a tilted arch is drawn by"),
+    (lambda: couplet.draw(1, 1, tilt=0), couplet.CoupletError, "tilt does not belong here: one arch of a thickness is drawn tilted"),
     (lambda: couplet.draw(1, 1, span="1m"), couplet.CoupletError, "give one of these pairs"),
     (lambda: couplet.draw("80deg", "0.5", amplitude=2), couplet.CoupletError, "an amplitude is a number from 0.001 to 1"),
     (lambda: couplet.draw("80deg", "0.5", at="T"), couplet.CoupletError, "half_opening"),

@@ -4,6 +4,7 @@ use crate::check::visible;
 use std::cell::RefCell;
 use std::ffi::OsString;
 use std::io::{self, Write};
+use std::path::Path;
 
 thread_local! {
     /// The command that began last in this thread.
@@ -30,10 +31,20 @@ pub(super) fn keep(arguments: &[OsString]) {
     RUN.with_borrow_mut(|run| run.words = arguments.to_vec());
 }
 
-/// The command as it was typed.
+/// The command as it was typed, but for the folder of the file that it writes, which is of one machine.
 pub(super) fn typed() -> String {
-    let words = |run: &Run| run.words.iter().map(|word| word.to_string_lossy().into()).collect();
-    let words: Vec<String> = RUN.with_borrow(words);
+    let mut before = OsString::new();
+    let mut word = |word: &OsString| {
+        let text = word.to_string_lossy();
+        let (option, file) = match text.strip_prefix("--output=") {
+            Some(file) => ("--output=", Some(file)),
+            None => ("", (before == "-o" || before == "--output").then_some(&*text)),
+        };
+        before.clone_from(word);
+        let name = file.and_then(|file| Path::new(file).file_name());
+        name.map_or_else(|| text.to_string(), |name| format!("{option}{}", name.to_string_lossy()))
+    };
+    let words: Vec<String> = RUN.with_borrow(|run| run.words.iter().map(&mut word).collect());
     format!("couplet {}", words.join(" "))
 }
 
@@ -90,7 +101,7 @@ mod tests {
             keep(&["map".into()]);
             bytes(b"a");
             let ((), inner) = heard(|| {
-                keep(&["draw".into(), "--half".into()]);
+                keep(&["draw", "-o", "folder/a.svg", "--output=/b.svg"].map(OsString::from));
                 say(&typed());
                 bytes(b"b");
             });
@@ -102,7 +113,7 @@ mod tests {
             written: written.to_vec(),
             said: vec![said.into()],
         };
-        assert_eq!(inner, of(b"b", "couplet draw --half"));
+        assert_eq!(inner, of(b"b", "couplet draw -o a.svg --output=b.svg"));
         assert_eq!(outer, of(b"ac", "couplet map"));
         assert!(!is_heard());
     }

@@ -278,11 +278,7 @@ fn a_tilted_arch_is_drawn() {
         {
             assert!(svg.contains(words), "{stones}: {words}");
         }
-        assert!(svg.contains(if stones.is_empty() {
-            "54.77° right"
-        } else {
-            "57.27° right, joint 4"
-        }));
+        assert!(svg.contains(if stones.is_empty() { "54.77°" } else { "joint 4, 57.27°" }));
         assert_eq!(svg.matches("<circle").count(), 4, "three hinges and one in the legend");
     }
     // Of one digit the words have the numbers that they have of many.
@@ -291,7 +287,8 @@ fn a_tilted_arch_is_drawn() {
         let (code, _, error) = of(&format!("{arch} -o {}", path.display()));
         assert_eq!(code, Some(0), "{error}");
         let svg = std::fs::read_to_string(&path).unwrap();
-        assert!(svg.contains("falls from a tilt of 0.0524689 g, 3.00349° of the ground"), "{svg}");
+        let falls = ["falls from 0.0524689 g", "which is 3.00349°"];
+        assert!(falls.iter().all(|words| svg.contains(words)), "{svg}");
         svg.replace(&format!("--digits {digits}"), "")
     };
     for digits in ["1", "2", "6"] {

@@ -32,7 +32,7 @@ pub trait Reported {
     }
 
     /// Picture of several results, as SVG.
-    fn picture_of_all(_: &[Self]) -> io::Result<String>
+    fn picture_of_all(_: &[Self], _: &Print) -> io::Result<String>
     where
         Self: Sized,
     {
@@ -109,8 +109,8 @@ impl<T: Reported> Reported for Vec<T> {
         self.iter().map(T::tabular).collect()
     }
 
-    fn picture(&self, _: &Print) -> io::Result<String> {
-        T::picture_of_all(self)
+    fn picture(&self, print: &Print) -> io::Result<String> {
+        T::picture_of_all(self, print)
     }
 }
 

@@ -213,7 +213,7 @@ impl BandedArches {
 
     /// Words below.
     fn paragraphs(&self) -> Vec<String> {
-        let mut all = vec![format!("{}. {MEANING}", self.subject())];
+        let mut all = vec![format!("{}.", self.subject())];
         match (self.arches.first_open(), &self.arches.found) {
             (None, Ok(found)) => {
                 let [_, outcome] = self.arches.outcome();
@@ -226,11 +226,16 @@ impl BandedArches {
                     format!("{} {lower} to {upper}{unit}", name.replace('_', " "))
                 };
                 let ranges: Vec<String> = self.arches.ranges().map(range).collect();
-                all.push(format!("Proved: {outcome}; {}.", ranges.join(", ")));
+                all[0] += &format!(" Proved: {outcome}; {}.", ranges.join(", "));
+                all.push(MEANING.to_owned());
                 let [worst, best] = [&found.worst, &found.best].map(|of| self.arches.command(of));
                 all.push(format!("Stands least easily: {worst}. Stands most easily: {best}."));
             }
-            (open, _) => all.extend(open.map(|open| words::capital(&format!("{open}.")))),
+            (open, _) => {
+                all[0] += &open.map_or(String::new(), |open| {
+                    format!(" {}.", words::capital(&open.to_string()))
+                });
+            }
         }
         let [worst, best] = &self.bands;
         let mut drawn = "Drawn in doubles, not proved: ".to_owned();

@@ -1,14 +1,15 @@
 //! Picture of an arch at the largest horizontal acceleration that it bears: the line of thrust there, the joints that
 //! give way, by their angles and sides, and how it falls.
 
-use super::sketched::{Legend, LegendSample};
+use super::sketched::{Beside, Legend, LegendSample};
 use super::tilt::{Joint, TiltedArch};
 use super::words;
 use crate::arch::whole::{Side, carried};
 use crate::arch::{Ring, statics};
 use crate::number::{Angle, Ball, Drawable, arctangent, degrees};
 use crate::picture::color::{GUIDE, INK, WHITE};
-use crate::picture::{Anchor, Path, Point, Stroke, Svg, Type, text};
+use crate::picture::{Anchor, Name, Path, Point, Print, Stroke, Svg, Type, text};
+use crate::problem::Friction;
 use crate::sketch::{Blocks, Linkage, PageScale, SketchedLine, WholeView, arrow, look};
 use couplet_stones::{LargestTilt, TiltMechanism};
 use std::io;
@@ -17,16 +18,18 @@ const MARGIN: f64 = 20.0;
 const WIDTH: f64 = 880.0;
 /// The most that an arch is high.
 const HEIGHT: f64 = 560.0;
-/// Room for the title, and for the names of joints around the arch.
-const HEAD: f64 = 88.0;
-const ABOVE: f64 = 66.0;
-const SIDE: f64 = 190.0;
+/// The least width of an arch.
+const LEAST: f64 = 130.0;
+/// Height of a line of the title, of what shows the push below it, and of the names of joints around the arch.
+const LINE: f64 = 24.0;
+const PUSH: f64 = 12.0;
+const ABOVE: f64 = 40.0;
 const GAP: f64 = 16.0;
 const TITLE: f64 = 19.0;
 const LABEL: f64 = 16.0;
 const SMALL: f64 = 15.0;
 /// Distance of a name from the extrados.
-const AWAY: f64 = 15.0;
+const AWAY: f64 = 12.0;
 /// Distance by which the corner that moves most is moved, in units of `r`.
 const AMPLITUDE: f64 = 0.12;
 const DIGITS: usize = 6;
@@ -44,33 +47,47 @@ struct TiltPanel<'a> {
 }
 
 /// The pictures of all arches, below each other.
-pub(super) fn picture(all: &[TiltedArch]) -> io::Result<String> {
+pub(super) fn picture(all: &[TiltedArch], print: &Print) -> io::Result<String> {
     let panels: Vec<TiltPanel<'_>> = all.iter().map(TiltPanel::new).collect();
     let extents = panels.iter().map(|panel| panel.view.extent());
     let hull =
         extents.reduce(|[a, b, c, d], [e, f, g, h]| [a.min(e), b.max(f), c.min(g), d.max(h)]);
     let [left, right, low, high] = hull.unwrap_or([-1.0, 1.0, 0.0, 1.0]);
-    let radius = ((WIDTH - 2.0 * SIDE) / (right - left)).min(HEIGHT / (high - low));
-    let tall = HEAD + 2.0 * ABOVE + radius * (high - low);
-    let width = 2.0 * MARGIN + WIDTH;
-    let legend = Legend::of(entries(&panels), WIDTH);
+    let beside = panels.iter().map(TiltPanel::beside).fold(Beside::default(), Beside::and);
+    let least = beside.width(LEAST / (right - left));
+    let width = print.room(2.0 * MARGIN + WIDTH, 2.0 * MARGIN + least)?;
+    let room = width - 2.0 * MARGIN;
+    let radius = beside.radius(room).min(HEIGHT / (high - low));
+    let titles: Vec<Vec<(String, f64)>> =
+        panels.iter().map(|panel| panel.titles(room, print)).collect();
+    let lines = titles.iter().map(Vec::len).max().unwrap_or_default();
+    let head = lines as f64 * LINE + PUSH;
+    let tall = head + 2.0 * ABOVE + radius * (high - low);
+    let legend = Legend::of(entries(&panels), room);
     let words: Vec<String> = panels.iter().flat_map(TiltPanel::paragraphs).collect();
-    let lines: Vec<String> =
-        words.iter().flat_map(|words| text::wrap(words, SMALL, WIDTH)).collect();
+    let lines = print.caption(&words, SMALL, room);
     let bottom = MARGIN + panels.len() as f64 * tall;
     let foot = bottom + legend.height() + GAP;
     let height = foot + lines.len() as f64 * SMALL * text::LEADING + MARGIN;
     let heading: Vec<String> = panels.iter().map(TiltPanel::subject).collect();
-    let mut svg = Svg::new((width, height), &heading.join("; "), &words.join(" "));
-    for (place, panel) in panels.iter().enumerate() {
+    let heading = heading.join("; ");
+    let mut svg = Svg::printed(print, (width, height), &heading, &words.join(" "));
+    for (place, (panel, titles)) in panels.iter().zip(&titles).enumerate() {
         let top = MARGIN + place as f64 * tall;
-        let center =
-            (width / 2.0 - radius * (left + right) / 2.0, top + HEAD + ABOVE + radius * high);
+        let middle = width / 2.0 - radius * (left + right) / 2.0;
+        let middle = beside.center(middle, [MARGIN, width - MARGIN], radius);
+        let center = (middle, top + head + ABOVE + radius * high);
+        svg.window([(MARGIN / 2.0, top + head), (width - MARGIN / 2.0, top + tall)]);
         svg.group(&format!("panel-{place}"), |svg| {
-            panel.draw(svg, &PageScale { center, radius }, (width / 2.0, top));
+            let mut y = top + LINE / 2.0;
+            for (words, size) in titles {
+                svg.text(words, (width / 2.0, y), Type::new(*size, INK).at(Anchor::Middle));
+                y += LINE;
+            }
+            panel.draw(svg, &PageScale { center, radius }, (width / 2.0, y));
         });
     }
-    legend.draw(&mut svg, (MARGIN, bottom), WIDTH);
+    legend.draw(&mut svg, (MARGIN, bottom), room);
     svg.group("caption", |svg| svg.lines(&lines, (MARGIN, foot), Type::new(SMALL, INK)));
     Ok(svg.finish())
 }
@@ -182,15 +199,33 @@ impl<'a> TiltPanel<'a> {
         Some([&tilt, &angle].map(|x| super::sketched::rounded(x, DIGITS)))
     }
 
-    fn title(&self) -> [String; 2] {
-        let outcome = format!("{} with a tilt of {}", self.arch.outcome(), *self.arch.tilt);
-        match self.largest() {
+    /// Lines above, with their sizes: what was asked, and from where on it falls.
+    fn titles(&self, room: f64, print: &Print) -> Vec<(String, f64)> {
+        let stands = match self.arch.is_admissible() {
+            Some(true) => "stands",
+            Some(false) => "falls",
+            None => "undecided",
+        };
+        let falls = if self.arch.arch.is_limited() { "falls from" } else { "falls beyond" };
+        let (asked, is_angle) = match &*self.arch.tilt {
+            Friction::Angle(angle) => (angle.to_string().replace("deg", "°"), true),
+            slope => (format!("{slope} g"), false),
+        };
+        let [first, second] = match self.largest() {
             Some([tilt, angle]) => {
-                let falls = if self.arch.arch.is_limited() { "falls from" } else { "falls beyond" };
-                [format!("{falls} a tilt of {tilt} g, {angle}° of the ground"), outcome]
+                let [tilt, angle] = [format!("{tilt} g"), format!("{angle}°")];
+                let [from, other] = if is_angle { [angle, tilt] } else { [tilt, angle] };
+                [format!("{stands} at {asked}; {falls} {from}"), format!("which is {other}")]
             }
-            None => [outcome, String::new()],
-        }
+            None => [format!("{stands} at {asked}"), String::new()],
+        };
+        let push = "pushed to the right".to_owned();
+        let lines = [(first, TITLE), (second, LABEL)].into_iter().filter(|_| print.title);
+        let lines = lines.chain([(push, SMALL)]);
+        let wrapped = |(words, size): (String, f64)| {
+            text::wrap(&words, size, room).into_iter().map(move |line| (line, size))
+        };
+        lines.flat_map(wrapped).collect()
     }
 
     fn subject(&self) -> String {
@@ -226,16 +261,19 @@ impl<'a> TiltPanel<'a> {
                 Ok(Some(Err(open))) | Err(open) => words::capital(&format!("{open}.")),
                 Ok(Some(Ok(LargestTilt::Limited(..)))) => String::new(),
             };
-            all.push(words);
+            all[0] += &format!(" {words}");
+            all.push(format!("Command: {}", self.arch.command));
             return all;
         };
         let joints: Vec<String> =
             self.joints.iter().map(|joint| self.named(joint, DIGITS).join(" ")).collect();
         let joints = joints.join("; ");
+        all[0] += &format!(
+            " Proved: admissible states exist exactly up to a horizontal acceleration to the right of {tilt} times gravity, \
+             which is ground that falls to the right by {angle}°."
+        );
         all.push(format!(
-            "Proved: admissible states exist exactly up to a horizontal acceleration to the right of {tilt} times gravity, \
-             which is ground that falls to the right by {angle}°; \
-             there give way, from the right to the left: {joints}. To the left all is the mirror image."
+            "There give way, from the right to the left: {joints}. To the left all is the mirror image."
         ));
         let moved = match self.moved {
             Some(by) => format!(
@@ -253,43 +291,51 @@ impl<'a> TiltPanel<'a> {
         all
     }
 
-    fn draw(&self, svg: &mut Svg, scale: &PageScale, (middle, top): Point) {
-        let [heading, below] = self.title();
-        svg.text(&heading, (middle, top + 12.0), Type::new(TITLE, INK).at(Anchor::Middle));
-        svg.text(&below, (middle, top + 36.0), Type::new(LABEL, INK).at(Anchor::Middle));
-        self.view.body(svg, scale);
-        self.names(svg, scale);
-        self.view.lines(svg, scale);
-        self.view.marks(svg, scale);
-        // Which way it is pushed.
-        let y = top + 64.0;
-        svg.group("tilt", |svg| {
-            svg.text("pushed to the right", (middle, y), Type::new(SMALL, INK).at(Anchor::Middle));
-            arrow(svg, (middle - 60.0, y + 16.0), (middle + 60.0, y + 16.0));
-        });
+    /// Names beside the arch.
+    fn beside(&self) -> Beside {
+        let [left, right, ..] = self.view.extent();
+        let arch = Beside { left: vec![(left, AWAY)], right: vec![(right, AWAY)] };
+        let name = |(angle, out, words): (f64, f64, String)| {
+            let room = text::width(&words, SMALL) + 2.5 * AWAY;
+            Beside::name(angle.sin(), out * angle.sin(), room)
+        };
+        self.names().map(name).fold(arch, Beside::and)
     }
 
-    /// The joints, outside the arch or, of hinges at the intrados, inside it.
-    fn names(&self, svg: &mut Svg, scale: &PageScale) {
-        let outer = self.view.radii[1];
+    /// The joints' angles, the radii to which blocks reach there, and their names.
+    fn names(&self) -> impl Iterator<Item = (f64, f64, String)> {
+        self.joints.iter().map(|joint| {
+            let angle = joint.of.angle.double();
+            let near = |[x, y]: &[f64; 2]| (x.atan2(*y) - angle).abs() < 0.2;
+            let corners = self.view.blocks.iter().flat_map(Blocks::corners).filter(near);
+            let out = corners.map(|[x, y]| x.hypot(y)).fold(self.view.radii[1], f64::max);
+            let number = joint.number.zip(self.arch.stones.as_ref());
+            let number =
+                number.map(|(joint, stones)| format!("joint {}, ", stones.from_crown(joint)));
+            let place = match joint.is_crown() {
+                true => "the crown".to_owned(),
+                false => format!("{}{}°", number.unwrap_or_default(), joint.degrees(4)),
+            };
+            (angle, out, place)
+        })
+    }
+
+    /// The arch, below the way in which it is pushed.
+    fn draw(&self, svg: &mut Svg, scale: &PageScale, (middle, y): Point) {
+        svg.group("tilt", |svg| arrow(svg, (middle - 60.0, y), (middle + 60.0, y)));
+        self.view.body(svg, scale);
+        self.view.lines(svg, scale);
+        self.view.marks(svg, scale);
         svg.group("names", |svg| {
-            for joint in &self.joints {
-                let angle = joint.of.angle.double();
-                let near = |[x, y]: &[f64; 2]| (x.atan2(*y) - angle).abs() < 0.2;
-                let corners = self.view.blocks.iter().flat_map(Blocks::corners).filter(near);
-                let out = corners.map(|[x, y]| x.hypot(y)).fold(outer, f64::max);
-                let room = AWAY / scale.radius;
-                let guide =
-                    [outer + 0.4 * room, out + 0.8 * room].map(|r| scale.polar(angle, r, 1.0));
-                svg.stroke(&Path::through(guide), Stroke::new(GUIDE, 1.0));
-                let (x, y) = scale.polar(angle, out + room, 1.0);
-                let (across, down) = (angle.sin(), -angle.cos());
-                let style = Type::new(SMALL, INK).at(Anchor::beside(across)).on(WHITE);
-                let [happens, place] = self.named(joint, 4);
-                let at = (x + 4.0 * across, y + 14.0 * down);
-                svg.text(&happens, (at.0, at.1 - 9.0), style);
-                svg.text(&place, (at.0, at.1 + 9.0), style);
-            }
+            let name = |(angle, out, words): (f64, f64, String)| {
+                let beyond = |radius: f64, more: f64| radius + more / scale.radius;
+                let ends = [beyond(self.view.radii[1], 0.4 * AWAY), beyond(out, 0.8 * AWAY)];
+                let ends = ends.map(|radius| scale.polar(angle, radius, 1.0));
+                svg.stroke(&Path::through(ends), Stroke::new(GUIDE, 1.0));
+                Name::new(words, ends[1], (angle.sin(), -angle.cos()))
+            };
+            let names: Vec<Name> = self.names().map(name).collect();
+            svg.names(&names, |_| Type::new(SMALL, INK).on(WHITE));
         });
     }
 }

@@ -8,6 +8,7 @@ use super::tilt::{Joint, TiltedArch};
 use super::tilt_picture::picture;
 use super::words::division;
 use crate::number::Rounded;
+use crate::picture::Print;
 use crate::problem::asymmetric_region::MAY_MOVE;
 use couplet_stones::LargestTilt;
 use std::io;
@@ -49,8 +50,8 @@ impl Reported for TiltedArch {
         Tabular::of(columns, rows)
     }
 
-    fn picture_of_all(all: &[Self]) -> io::Result<String> {
-        picture(all)
+    fn picture_of_all(all: &[Self], print: &Print) -> io::Result<String> {
+        picture(all, print)
     }
 }
 

@@ -3,6 +3,7 @@
 use super::arch::ArchArguments;
 use super::draw;
 use super::output::AnswerOutput;
+use super::print::PrintArguments;
 use super::state::print;
 use super::survey;
 use super::tilt;
@@ -29,6 +30,9 @@ pub(crate) struct Arguments {
 
     #[command(flatten)]
     output: AnswerOutput,
+
+    #[command(flatten)]
+    print: PrintArguments,
 }
 
 /// Question about an arch of a thickness.
@@ -41,7 +45,7 @@ pub const QUESTION: ArchQuestion = ArchQuestion {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.arch.asked.has_range() {
-        return survey::print(&QUESTION, &arguments.arch, &arguments.output);
+        return survey::print(&QUESTION, &arguments.arch, (&arguments.output, &arguments.print));
     }
     let (given, arches) = arguments.arch.read(&QUESTION)?;
     let Some(eta) = &given.thickness else { return Ok(()) };
@@ -53,16 +57,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let asked = arguments.arch.understood(&given);
     let digits = arguments.arch.digits();
-    match (arguments.output.drawing()?, &given.tilt) {
-        (Some(output), Some(tilt)) => {
-            let stones = voussoirs::divisions(&given)?;
-            let (of, at) = ((&asked, &arches[..]), (eta, tilt));
-            return tilt::write((output.1, output.0), of, at, stones.first(), digits);
+    if let Some(printed) = arguments.output.drawing(&arguments.print)? {
+        let stones = if given.tilt.is_some() { voussoirs::divisions(&given)? } else { Vec::new() };
+        if tilt::draw(&given, (&asked, &arches), stones.first(), &printed, digits)? {
+            return Ok(());
         }
-        (Some((format, file)), None) => {
-            return draw::arch(&given, arguments.arch.one_weight()?, format, file);
-        }
-        (None, _) => {}
+        return draw::arch(&given, arguments.arch.one_weight()?, printed);
     }
     if given.stones.is_some() {
         return voussoirs::print(&arguments.arch, &given, &arches, &arguments.output);

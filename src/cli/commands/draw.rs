@@ -1,9 +1,10 @@
 //! `couplet draw`.
 
+use super::arch::RANGE_DIGITS;
 use super::notes;
-use super::output::OutputFile;
+use super::output::{OutputFile, Printed};
 use super::print::PrintArguments;
-use super::survey;
+use super::{survey, tilt};
 use crate::arch::SelfWeight;
 use crate::ask::{
     ArchAsked, ArchGiven, ArchQuestion, Field, Misfit, Spelling, StonesAsked, SurveyGiven,
@@ -12,8 +13,9 @@ use crate::atlas::{Passed, Sketch};
 use crate::cli::line::typed;
 use crate::number::{Ball, shown};
 use crate::picture::Print;
+use crate::problem::measures::Measures;
 use crate::problem::{Landmark, Mode};
-use crate::report::{Format, Reported, Shown, Sketched, Style};
+use crate::report::{Format, Reported, Shown, Sketched, Style, Understood};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use crate::sweep::scene::{DrawnArch, Pose};
@@ -29,10 +31,10 @@ use clap::Args;
 /// with --span and --rise or with --radius: sizes in the picture and its caption, and JSON and DXF in metres.
 ///
 /// With --thickness a number may be a range, as of `assess`: then the picture has the band in which every line of
-/// thrust of every arch inside lies, and what is proved of all of them.
+/// thrust of every arch inside lies, and what is proved of all of them. With --tilt: the arch at the largest horizontal
+/// acceleration that it bears, and how it falls there.
 #[derive(Args)]
 #[command(mut_arg("joints", |arg| arg.hide(true)))]
-#[command(mut_arg("tilt", |arg| arg.hide(true)))]
 #[command(
     override_usage = "couplet draw --half-opening <ANGLE> --friction <MU> [--thickness <ETA>] [OPTIONS]\n       \
                             couplet draw --at <LANDMARK> [--mode <MODE>] [OPTIONS]"
@@ -101,7 +103,7 @@ const STONES: &str = "--stones is for an arch with --half-opening and --friction
 /// Question about an arch that is drawn.
 pub const QUESTION: ArchQuestion = ArchQuestion {
     refuses: &[
-        (Field::Tilt, "a tilted arch is drawn by `couplet assess`, with -o arch.svg"),
+        (Field::Tilt, "one arch of a thickness is drawn tilted, by `couplet draw`"),
         (Field::Joints, "stones of one angle are drawn, with --stones"),
     ],
     needs: &[],
@@ -112,6 +114,13 @@ pub const QUESTION: ArchQuestion = ArchQuestion {
 const RANGES: ArchQuestion = ArchQuestion {
     needs: &[Field::Thickness],
     example: "couplet draw --half-opening 78deg..80deg --friction 0.6 --thickness 0.1..0.12 -o arches.svg",
+    ..QUESTION
+};
+/// Question about a tilted arch.
+const TILTED: ArchQuestion = ArchQuestion {
+    refuses: &[],
+    needs: &[Field::Thickness],
+    example: "couplet draw --half-opening 80deg --friction 0.6 --thickness 0.12 --tilt 2deg -o arch.svg",
     ..QUESTION
 };
 /// An arch at the friction at which it slides, which has none of its own.
@@ -134,6 +143,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.arch.has_range() {
         return arguments.ranges(format, &print);
     }
+    if arguments.arch.tilt.is_some() {
+        return arguments.tilted((&arguments.file, format, print));
+    }
     let style = Style {
         amplitude: arguments.amplitude,
         half: arguments.half,
@@ -155,11 +167,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 pub(super) fn arch(
     given: &ArchGiven,
     weight: SelfWeight,
-    format: &'static Format,
-    file: &OutputFile,
+    (file, format, print): Printed<'_>,
 ) -> Result<(), Failure> {
     let sketches = vec![drawn(given, weight)?.sketch()?];
-    write((sketches, Vec::new()), given, Style::default(), (format, &Print::default()), file)
+    write((sketches, Vec::new()), given, Style::default(), (format, &print), file)
 }
 
 /// Arch of any question, as it is drawn.
@@ -212,8 +223,8 @@ fn write(
 }
 
 impl Arguments {
-    /// All arches between two ends.
-    fn ranges(&self, format: &'static Format, print: &Print) -> Result<(), Failure> {
+    /// Refuses what is of a picture of one arch beside what is not drawn so.
+    fn refuse_motion(&self, what: &str) -> Result<(), Failure> {
         let one_arch = [
             ("--at", self.at.is_some()),
             ("--mode", self.mode.is_some()),
@@ -223,11 +234,34 @@ impl Arguments {
             ("--arrows", self.arrows),
             ("--animate", self.animate),
         ];
-        if let Some((name, _)) = one_arch.into_iter().find(|(_, is_given)| *is_given) {
-            return Err(
-                format!("{name} is of a picture of one arch: leave it out beside a range").into()
-            );
+        match one_arch.into_iter().find(|(_, is_given)| *is_given) {
+            Some((name, _)) => Err(format!(
+                "{name} is of a picture of one upright arch: leave it out beside {what}"
+            )
+            .into()),
+            None => Ok(()),
         }
+    }
+
+    /// An arch under the largest acceleration that it bears.
+    fn tilted(&self, printed: Printed<'_>) -> Result<(), Failure> {
+        self.refuse_motion("--tilt")?;
+        let given = ArchGiven::read(&TILTED, &self.arch, Spelling::Option)?;
+        if given.measures.as_ref().is_some_and(Measures::has_forces) {
+            return Err("--tilt tells no forces: leave out --density and --depth".into());
+        }
+        let (asked, arches) = (Understood::new(&self.arch, &given), [given.arch(self.weight)?]);
+        let stones = given.divisions()?;
+        let of = (&asked, &arches[..]);
+        match tilt::draw(&given, of, stones.first(), &printed, RANGE_DIGITS)? {
+            true => Ok(()),
+            false => arch(&given, self.weight, printed),
+        }
+    }
+
+    /// All arches between two ends.
+    fn ranges(&self, format: &'static Format, print: &Print) -> Result<(), Failure> {
+        self.refuse_motion("a range")?;
         let given = SurveyGiven::read(&RANGES, &self.arch, Spelling::Option)?;
         survey::draw(&self.arch, &given, self.weight, (&self.file, format, print))
     }

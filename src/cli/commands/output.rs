@@ -1,6 +1,7 @@
 //! Destination of a report: standard output, or a file that appears whole or not at all.
 
 use super::notes::each_once;
+use super::print::PrintArguments;
 use super::progress;
 use crate::certify::Refused;
 use crate::cli::line;
@@ -49,6 +50,9 @@ pub(super) struct OutputFile {
     output: Option<PathBuf>,
 }
 
+/// Where a picture is written, and how.
+pub(super) type Printed<'a> = (&'a OutputFile, &'static Format, Print);
+
 impl AnswerOutput {
     /// The format asked for.
     pub(super) fn format(&self) -> Result<&'static Format, Failure> {
@@ -61,15 +65,16 @@ impl AnswerOutput {
         chosen(&self.quantities, all)
     }
 
-    /// The format and the file of a picture, where the end of the file's name tells one: svg, png or dxf.
-    pub(super) fn drawing(&self) -> Result<Option<(&'static Format, &OutputFile)>, Failure> {
+    /// The file, the format and the printing of a picture, where the end of the file's name tells one: svg, png or dxf.
+    pub(super) fn drawing(&self, print: &PrintArguments) -> Result<Option<Printed<'_>>, Failure> {
         let end = self.file.path().and_then(Path::extension).unwrap_or_default().to_string_lossy();
         let is_answer = Format::of_extension(Answers::content(), &end).is_some();
         let format = Format::of_extension(Sketched::content(), &end);
         let format = format.filter(|_| !is_answer && !self.plain && self.format.is_none());
+        let print = print.of(format.map_or_else(|| self.format(), Ok)?)?;
         let Some(format) = format else { return Ok(None) };
         self.tells_all("a picture")?;
-        Ok(Some((format.missing().map_or(Ok(format), Err)?, &self.file)))
+        Ok(Some((&self.file, format.missing().map_or(Ok(format), Err)?, print)))
     }
 
     /// The file that is written.

@@ -22,9 +22,13 @@ pub(super) struct PrintArguments {
     #[arg(long, value_name = "NAME")]
     font: Option<Font>,
 
-    /// Without the words below, which svg has as its description all the same.
+    /// Without the words below, which svg and pdf have as their description all the same.
     #[arg(long)]
     no_caption: bool,
+
+    /// All words below: what is proved, how it is drawn, and the command.
+    #[arg(long, conflicts_with = "no_caption")]
+    full_caption: bool,
 
     /// Without the headings above.
     #[arg(long)]
@@ -34,8 +38,9 @@ pub(super) struct PrintArguments {
 impl PrintArguments {
     /// Printing of a picture.
     pub(super) fn print(&self) -> Print {
-        let Self { width, font_size, font, no_caption, no_title } = self.clone();
-        Print { width, font_size, font, caption: !no_caption, title: !no_title }
+        let Self { width, font_size, font, no_caption, full_caption: details, no_title } =
+            self.clone();
+        Print { width, font_size, font, caption: !no_caption, details, title: !no_title }
     }
 
     /// Printing of a picture in a format; what is no picture has none of the options.
@@ -44,7 +49,7 @@ impl PrintArguments {
         match format.is_picture || print == Print::default() {
             true => Ok(print),
             false => Err(format!(
-                "--width, --font-size, --font, --no-caption and --no-title are for svg, png and pdf, not {}",
+                "--width, --font-size, --font, --no-caption, --full-caption and --no-title are for svg, png and pdf, not {}",
                 format.name
             )
             .into()),

@@ -6,6 +6,7 @@ use super::constants::proved;
 use super::draw;
 use super::notes;
 use super::output::AnswerOutput;
+use super::print::PrintArguments;
 use super::survey;
 use super::voussoirs;
 use crate::ask::{ArchQuestion, Field};
@@ -56,6 +57,9 @@ pub(crate) struct Arguments {
 
     #[command(flatten)]
     output: AnswerOutput,
+
+    #[command(flatten)]
+    print: PrintArguments,
 }
 
 /// Question about an arch at its least thickness.
@@ -77,11 +81,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return by_value::print(&asked, &arguments.arch, &arguments.output);
     }
     if arguments.arch.asked.has_range() {
-        return survey::print(&QUESTION, &arguments.arch, &arguments.output);
+        return survey::print(&QUESTION, &arguments.arch, (&arguments.output, &arguments.print));
     }
     let (given, arches) = arguments.arch.read(&QUESTION)?;
-    if let Some((format, file)) = arguments.output.drawing()? {
-        return draw::arch(&given, arguments.arch.one_weight()?, format, file);
+    if let Some(printed) = arguments.output.drawing(&arguments.print)? {
+        return draw::arch(&given, arguments.arch.one_weight()?, printed);
     }
     if given.stones.is_some() {
         return voussoirs::print(&arguments.arch, &given, &arches, &arguments.output);

@@ -3,6 +3,7 @@
 use super::arch::{ArchArguments, RANGE_DIGITS};
 use super::notes;
 use super::output::{AnswerOutput, OutputFile, is_written};
+use super::print::PrintArguments;
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchQuestion, Spelling, SurveyGiven};
 use crate::atlas::BandedArch;
@@ -19,12 +20,11 @@ use crate::sweep::surveyed::{arches, proved, quantities, surveyed, told};
 pub(super) fn print(
     question: &ArchQuestion,
     arguments: &ArchArguments,
-    output: &AnswerOutput,
+    (output, print): (&AnswerOutput, &PrintArguments),
 ) -> Result<(), Failure> {
     let given = SurveyGiven::read(question, &arguments.asked, Spelling::Option)?;
-    if let Some((format, file)) = output.drawing()? {
-        let weight = arguments.one_weight()?;
-        return draw(&arguments.asked, &given, weight, (file, format, &Print::default()));
+    if let Some((file, format, print)) = output.drawing(print)? {
+        return draw(&arguments.asked, &given, arguments.one_weight()?, (file, format, &print));
     }
     let mut quantities = output.quantities(quantities(&arguments.asked))?;
     // The thickness of a state is the least.

@@ -1,8 +1,8 @@
 //! Horizontal accelerations on the command line.
 
 use super::notes;
-use super::output::{OutputFile, is_written};
-use crate::ask::tilt_note;
+use super::output::{OutputFile, Printed, is_written};
+use crate::ask::{ArchGiven, tilt_note};
 use crate::certify::state::{Inquiry, Wanted};
 use crate::certify::{self, MOST_TILTED_STONES, VoussoirStanding, assess_voussoirs, tilted_stones};
 use crate::cli::line::typed;
@@ -29,6 +29,30 @@ pub(super) fn write(
     let answers: Vec<TiltedArch> = arches.iter().map(answer).collect::<Result<_, Failure>>()?;
     let open = answers.iter().find_map(TiltedArch::first_open).cloned();
     output.report((&answers, format), open)
+}
+
+/// Draws arches at the largest acceleration that they bear; tells whether it did, as one that does not stand upright
+/// either is drawn as it falls so.
+pub(super) fn draw(
+    given: &ArchGiven,
+    (asked, arches): (&Understood, &[Arch]),
+    stones: Option<&Stones>,
+    (file, format, print): &Printed<'_>,
+    digits: usize,
+) -> Result<bool, Failure> {
+    let (Some(eta), Some(tilt)) = (&given.thickness, &given.tilt) else { return Ok(false) };
+    is_written("--tilt", TiltedArch::content(), format)?;
+    let answer = |arch: &Arch| tilted((asked, arch), (eta, tilt), stones, digits);
+    let answers: Vec<TiltedArch> = arches.iter().map(answer).collect::<Result<_, Failure>>()?;
+    if let [TiltedArch { found: Ok(None), .. }] = &answers[..] {
+        return Ok(false);
+    }
+    let output = file.open_for(format)?;
+    notes::frictions(arches.iter().take(1).map(Arch::friction));
+    notes::tell(tilt_note(tilt));
+    let open = answers.iter().find_map(TiltedArch::first_open).cloned();
+    output.printed((&answers, format, print), open)?;
+    Ok(true)
 }
 
 /// Arch under an acceleration, with what is proved of it.

@@ -93,11 +93,18 @@ fn answers(
         let (Some(eta), [stones]) = (&given.thickness, &stones[..]) else {
             return Err(TILTED.into());
         };
+        let printed = (file, format, print.clone());
+        if format.is_picture {
+            return match tilt::draw(given, (&asked, arches), Some(stones), &printed, digits)? {
+                true => Ok(()),
+                false => draw::arch(given, arguments.one_weight()?, printed),
+            };
+        }
         return tilt::write((file, format), (&asked, arches), (eta, tilt), Some(stones), digits);
     }
     is_written("an arch of stones", VoussoirArches::content(), format)?;
     if format.is_picture && !given.stones.as_ref().is_some_and(StonesAsked::is_range) {
-        return draw::arch(given, arguments.one_weight()?, format, file);
+        return draw::arch(given, arguments.one_weight()?, (file, format, print.clone()));
     }
     let file = file.open_for(format)?;
     notes::frictions(arches.iter().take(1).map(Arch::friction));

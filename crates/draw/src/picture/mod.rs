@@ -42,4 +42,4 @@ pub use color::Color;
 pub use frame::{Frame, FrameSide};
 pub use path::{Path, Point};
 pub use print::{Font, PaperLength, Print};
-pub use svg::{Anchor, Hatch, Rigid, Stroke, Svg, Type};
+pub use svg::{Anchor, Hatch, Name, Rigid, Stroke, Svg, Type};

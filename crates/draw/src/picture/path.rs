@@ -9,6 +9,9 @@ pub const ROUNDED: f64 = 0.001;
 /// the radius.
 const ARC: f64 = 0.8;
 
+/// Straight parts of a curve where only its way matters.
+const STEPS: u32 = 6;
+
 /// Point to the right and down, in units of the picture.
 pub type Point = (f64, f64);
 
@@ -80,6 +83,32 @@ impl Path {
     pub fn close(&mut self) {
         self.0.push(PathStep::Close);
     }
+
+    /// Points so close together that its pieces are nearly straight between them.
+    pub(super) fn points(&self) -> Vec<Vec<Point>> {
+        let mut pieces: Vec<Vec<Point>> = Vec::new();
+        for step in &self.0 {
+            if let PathStep::Move(at) = step {
+                pieces.push(vec![*at]);
+            }
+            let Some(piece) = pieces.last_mut() else { continue };
+            let (first, last) = (piece[0], piece[piece.len() - 1]);
+            match *step {
+                PathStep::Move(_) => {}
+                PathStep::Line(to) => piece.push(to),
+                PathStep::Close => piece.push(first),
+                PathStep::Curve(a, b, to) => piece.extend((1..=STEPS).map(|k| {
+                    let (t, u) =
+                        (f64::from(k) / f64::from(STEPS), 1.0 - f64::from(k) / f64::from(STEPS));
+                    let mix = |p: f64, a: f64, b: f64, q: f64| {
+                        u * u * u * p + 3.0 * u * u * t * a + 3.0 * u * t * t * b + t * t * t * q
+                    };
+                    (mix(last.0, a.0, b.0, to.0), mix(last.1, a.1, b.1, to.1))
+                })),
+            }
+        }
+        pieces
+    }
 }
 
 /// Writes the path as the attribute `d` of SVG has it.
@@ -123,19 +152,9 @@ mod tests {
     fn an_arc_stays_on_its_circle() {
         let mut path = Path::through([(3.0, 1.0)]);
         path.arc((3.0, 4.0), 3.0, [0.0, 2.0]);
-        let (mut at, mut pieces) = ((3.0, 1.0), 0);
-        for step in &path.0[1..] {
-            let PathStep::Curve(a, b, to) = *step else { panic!("{step:?}") };
-            for k in 0..=10 {
-                let (t, u) = (f64::from(k) / 10.0, 1.0 - f64::from(k) / 10.0);
-                let mix = |p: f64, a: f64, b: f64, q: f64| {
-                    u * u * u * p + 3.0 * u * u * t * a + 3.0 * u * t * t * b + t * t * t * q
-                };
-                let (x, y) = (mix(at.0, a.0, b.0, to.0), mix(at.1, a.1, b.1, to.1));
-                assert!(((x - 3.0).hypot(y - 4.0) - 3.0).abs() < 1.2e-5);
-            }
-            (at, pieces) = (to, pieces + 1);
-        }
+        let points = path.points().remove(0);
+        assert!(points.iter().all(|(x, y)| ((x - 3.0).hypot(y - 4.0) - 3.0).abs() < 1.2e-5));
+        let (at, pieces) = (points[points.len() - 1], (points.len() - 1) / STEPS as usize);
         assert_eq!(pieces, 3);
         assert!(
             (at.0 - 3.0 - 3.0 * 2f64.sin()).abs() + (at.1 - 4.0 + 3.0 * 2f64.cos()).abs() < 1e-12

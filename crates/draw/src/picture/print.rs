@@ -24,13 +24,22 @@ pub struct Print {
     pub font: Option<Font>,
     /// True if the words below are there.
     pub caption: bool,
+    /// True if they are all there, and not only the first paragraph.
+    pub details: bool,
     /// True if the headings above are there.
     pub title: bool,
 }
 
 impl Default for Print {
     fn default() -> Self {
-        Self { width: None, font_size: None, font: None, caption: true, title: true }
+        Self {
+            width: None,
+            font_size: None,
+            font: None,
+            caption: true,
+            details: false,
+            title: true,
+        }
     }
 }
 
@@ -69,6 +78,7 @@ impl Print {
             length("font-size", self.font_size),
             font.unwrap_or_default(),
             if self.caption { "" } else { " --no-caption" }.to_owned(),
+            if self.details { " --full-caption" } else { "" }.to_owned(),
             if self.title { "" } else { " --no-title" }.to_owned(),
         ]
         .concat()
@@ -82,10 +92,14 @@ impl Print {
         }
     }
 
-    /// The lines of a caption no wider than `limit`, a paragraph after the other; none where it is not wanted.
+    /// The lines of a caption no wider than `limit`: its first paragraph, all of them or none, as is wanted.
     pub fn caption(&self, paragraphs: &[String], size: f64, limit: f64) -> Vec<String> {
-        let paragraphs = if self.caption { paragraphs } else { &[] };
-        paragraphs.iter().flat_map(|words| text::wrap(words, size, limit)).collect()
+        let count = match (self.caption, self.details) {
+            (false, _) => 0,
+            (true, false) => 1,
+            (true, true) => paragraphs.len(),
+        };
+        paragraphs.iter().take(count).flat_map(|words| text::wrap(words, size, limit)).collect()
     }
 
     /// Dots in an inch of a picture as pixels: two in a pixel of the web, on paper what a press asks for.

@@ -1,5 +1,8 @@
 //! Readings of a picture, for tests: of this crate, and of others that draw.
 
+use crate::picture::room::Rectangle;
+use crate::picture::text::width;
+
 /// The texts of a document, if its tags are closed in order, its attributes quoted, and nothing is
 /// left unescaped.
 pub(crate) fn texts(svg: &str) -> Option<Vec<String>> {
@@ -39,9 +42,90 @@ fn what_is_not_well_formed_is_refused() {
     assert_eq!(texts("<svg a=\"1\"><g><b c=\"\"/>x</g></svg>").unwrap(), ["x"]);
 }
 
-/// Boxes of the texts of a document, with the page.
+/// The value of an attribute of a tag.
+fn attribute<'a>(tag: &'a str, name: &str) -> Option<&'a str> {
+    tag.split_once(&format!(" {name}=\""))?.1.split('"').next()
+}
+
+/// Sizes of the fonts of a document.
+pub(crate) fn sizes(svg: &str) -> Vec<f64> {
+    let after = svg.split(" font-size=\"").skip(1);
+    after.map(|rest| rest.split('"').next().unwrap().parse().unwrap()).collect()
+}
+
+/// The texts of a document with their boxes, as the layout of pictures has them: as high as capitals and descenders.
+pub(crate) fn boxes(svg: &str) -> Vec<(String, Rectangle)> {
+    let of = |piece: &str| {
+        let (tag, text) = piece.split_once('>')?;
+        let number = |name| attribute(tag, name)?.parse::<f64>().ok();
+        let (x, y, size) = (number("x")?, number("y")?, number("font-size")?);
+        let text = text.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&");
+        let long = width(&text, size);
+        let left = match attribute(tag, "text-anchor") {
+            Some("middle") => -long / 2.0,
+            Some("end") => -long,
+            _ => 0.0,
+        };
+        let turn = attribute(tag, "transform")
+            .and_then(|of| of.strip_prefix("rotate(")?.split(' ').next()?.parse().ok());
+        let (sin, cos) = turn.unwrap_or(0.0_f64).to_radians().sin_cos();
+        let corners = [
+            (left, -0.76 * size),
+            (left + long, -0.76 * size),
+            (left, 0.2 * size),
+            (left + long, 0.2 * size),
+        ];
+        let corners =
+            corners.map(|(along, up)| (x + along * cos - up * sin, y + along * sin + up * cos));
+        let end = |pick: fn(f64, f64) -> f64| {
+            corners.into_iter().reduce(|a, b| (pick(a.0, b.0), pick(a.1, b.1))).unwrap()
+        };
+        Some((text, [end(f64::min), end(f64::max)]))
+    };
+    svg.split("<text").skip(1).filter_map(of).collect()
+}
+
+/// The first text that leaves the page or lies on another.
+pub(crate) fn trouble(svg: &str) -> Option<String> {
+    let page: Vec<f64> =
+        attribute(svg, "viewBox").unwrap().split(' ').map(|x| x.parse().unwrap()).collect();
+    let boxes = boxes(svg);
+    for (k, (text, [low, high])) in boxes.iter().enumerate() {
+        if low.0 < 0.0 || low.1 < 0.0 || high.0 > page[2] || high.1 > page[3] {
+            return Some(format!("{text:?} leaves the page: {low:?} {high:?}"));
+        }
+        let meets = |[a, b]: &Rectangle| low.0 < b.0 && a.0 < high.0 && low.1 < b.1 && a.1 < high.1;
+        if let Some((other, _)) = boxes[..k].iter().find(|(_, of)| meets(of)) {
+            return Some(format!("{text:?} lies on {other:?}"));
+        }
+    }
+    None
+}
+
+#[test]
+fn texts_off_the_page_and_on_others_are_found() {
+    use crate::picture::{Anchor, Color, Svg, Type};
+    let drawn = |places: &[((f64, f64), f64)]| {
+        let mut svg = Svg::new((100.0, 100.0), "", "");
+        let style = Type::new(10.0, Color(0, 0, 0)).at(Anchor::Middle);
+        places.iter().for_each(|(at, turn)| svg.text("words", *at, style.turned(*turn)));
+        trouble(&svg.finish())
+    };
+    assert_eq!(drawn(&[((50.0, 50.0), 0.0), ((50.0, 61.0), 0.0), ((10.0, 50.0), -90.0)]), None);
+    for wrong in [
+        &[((90.0, 50.0), 0.0)][..],
+        &[((50.0, 2.0), 0.0)],
+        &[((50.0, 90.0), -90.0)],
+        &[((50.0, 50.0), 0.0), ((50.0, 58.0), 0.0)],
+        &[((50.0, 50.0), 0.0), ((40.0, 50.0), 90.0)],
+    ] {
+        assert!(drawn(wrong).is_some(), "{wrong:?}");
+    }
+}
+
+/// Texts and strokes of a document as a renderer has them.
 #[cfg(feature = "plots")]
-pub(crate) mod boxes {
+pub(crate) mod rendered {
     use crate::picture::print::Print;
     use crate::picture::tree::resvg::tiny_skia::{self, PathSegment, Rect};
     use crate::picture::tree::resvg::usvg::{Group, Node, Paint};
@@ -57,12 +141,6 @@ pub(crate) mod boxes {
             _ => Vec::new(),
         };
         group.children().iter().flat_map(of).collect()
-    }
-
-    /// Sizes of the fonts of a document.
-    pub(crate) fn sizes(svg: &str) -> Vec<f64> {
-        let after = svg.split(" font-size=\"").skip(1);
-        after.map(|rest| rest.split('"').next().unwrap().parse().unwrap()).collect()
     }
 
     /// Points so close together on the strokes of a document, but for the pale ones of a grid, that no letter lies
@@ -146,35 +224,6 @@ pub(crate) mod boxes {
         svg.text("above", (5.0, 20.0), Type::new(14.0, ink));
         let svg = svg.finish();
         assert_eq!(crossed(&svg), ["on"]);
-        assert_eq!(sizes(&svg), [16.0, 14.0, 14.0]);
-    }
-
-    /// The first text that leaves the page or lies on another.
-    pub(crate) fn trouble(svg: &str) -> Option<String> {
-        let tree = tree(svg, &Print::default()).unwrap();
-        let page = tree.size();
-        let boxes = boxes(tree.root());
-        for (k, (text, one)) in boxes.iter().enumerate() {
-            let within = one.left() >= 0.0
-                && one.top() >= 0.0
-                && one.right() <= page.width()
-                && one.bottom() <= page.height();
-            if !within {
-                return Some(format!("{text:?} leaves the page: {one:?}"));
-            }
-            // The boxes are as high as the font, its accents included: 1.17 sizes.
-            let flat = |rect: &Rect| {
-                let least = rect.height().min(rect.width());
-                rect.inset(
-                    0.12 * least * f32::from(rect.width() < rect.height()),
-                    0.12 * least * f32::from(rect.width() >= rect.height()),
-                )
-            };
-            let flat = flat(one)?;
-            if let Some((other, _)) = boxes[..k].iter().find(|(_, b)| flat.intersect(b).is_some()) {
-                return Some(format!("{text:?} lies on {other:?}"));
-            }
-        }
-        None
+        assert_eq!(super::sizes(&svg), [16.0, 14.0, 14.0]);
     }
 }

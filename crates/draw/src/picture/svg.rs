@@ -1,16 +1,19 @@
 //! The one writer of SVG.
 
-use super::color::{Color, WHITE};
+use super::color::{Color, GRID, INK, WHITE};
+use super::labels::Labels;
 use super::path::{Path, Point, Short};
 use super::print::Print;
-use super::text::LEADING;
+use super::room::{Rectangle, about, within};
+use super::text::{LEADING, width};
 use std::fmt::Write as _;
 
 const FAMILY: &str = "DejaVu Sans, Verdana, sans-serif";
 /// Height from the middle of small letters to the line on which they stand, in sizes of the font.
 const MIDDLE: f64 = 0.28;
-/// Width of the halo around a text that stands on lines, in sizes of the font.
-const HALO: f64 = 0.25;
+/// Half the height of a text, and what a ground has beside one that stands on lines, in sizes of the font.
+const HALF: f64 = 0.55;
+const BESIDE: f64 = 0.12;
 
 /// End of a text that is at its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,6 +80,15 @@ pub struct Rigid {
 }
 
 impl Rigid {
+    fn of(&self, (x, y): Point) -> Point {
+        let (sin, cos) = self.degrees.to_radians().sin_cos();
+        let (dx, dy) = (x - self.about.0, y - self.about.1);
+        (
+            self.about.0 + self.shift.0 + cos * dx - sin * dy,
+            self.about.1 + self.shift.1 + sin * dx + cos * dy,
+        )
+    }
+
     fn moves(&self) -> String {
         format!("{} {}", Short(self.shift.0), Short(self.shift.1))
     }
@@ -97,7 +109,7 @@ pub struct Type {
     pub anchor: Anchor,
     /// Degrees, clockwise about its place; -90 reads upwards.
     pub turn: f64,
-    /// The colour around the letters, where they stand on lines.
+    /// The ground of the letters, where they stand on lines.
     pub halo: Option<Color>,
 }
 
@@ -117,9 +129,29 @@ impl Type {
         Self { turn, ..self }
     }
 
-    /// Type with a colour around the letters.
+    /// Type with a ground of its own.
     pub const fn on(self, ground: Color) -> Self {
         Self { halo: Some(ground), ..self }
+    }
+}
+
+/// A name, the point that has it, and the direction in which it stands if it can.
+#[derive(Clone, Debug)]
+pub struct Name {
+    /// The name.
+    pub words: String,
+    /// The point.
+    pub at: Point,
+    /// The direction from the point.
+    pub towards: Point,
+    /// Colour of the letters.
+    pub color: Color,
+}
+
+impl Name {
+    /// A name of a point.
+    pub fn new(words: impl Into<String>, at: Point, towards: Point) -> Self {
+        Self { words: words.into(), at, towards, color: INK }
     }
 }
 
@@ -140,6 +172,13 @@ pub struct Svg {
     text: String,
     /// Clips and hatches so far: each has a number.
     named: usize,
+    /// The names of groups so far, and those of the groups that are open.
+    ids: [Vec<String>; 2],
+    /// All that is seen: what names keep off.
+    drawn: Labels,
+    /// Where what is drawn is seen, and the motion of it.
+    clip: Option<Rectangle>,
+    motion: Option<Rigid>,
 }
 
 impl Svg {
@@ -153,7 +192,9 @@ impl Svg {
         let height = height.ceil();
         let [wide, high] = print.size((width, height));
         let font = print.font.as_ref().map_or(String::new(), |font| format!("'{}', ", font.name()));
-        let mut svg = Self { text: String::new(), named: 0 };
+        let drawn = Labels { window: Some([(0.0, 0.0), (width, height)]), ..Labels::default() };
+        let (text, ids) = (String::new(), [Vec::new(), Vec::new()]);
+        let mut svg = Self { text, named: 0, ids, drawn, clip: None, motion: None };
         svg.write(format_args!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{wide}\" height=\"{high}\" \
              viewBox=\"0 0 {} {height}\" role=\"img\" font-family=\"{font}{FAMILY}\" \
@@ -180,11 +221,62 @@ impl Svg {
         let _ = writeln!(self.text, "{line}");
     }
 
-    /// Draws a group: what belongs together, under a name of its own.
+    /// Draws a group: what belongs together, under a name of its own. Where that is taken, the name of the group around
+    /// it stands before it.
     pub fn group(&mut self, id: &str, draw: impl FnOnce(&mut Self)) {
-        self.write(format_args!("<g id=\"{}\">", escaped(id)));
+        let [known, open] = &mut self.ids;
+        let around = open.last().map_or("", String::as_str);
+        let id = if known.iter().any(|one| one == id) {
+            format!("{around}-{id}")
+        } else {
+            id.to_owned()
+        };
+        known.push(id.clone());
+        self.write(format_args!("<g id=\"{}\">", escaped(&id)));
+        self.ids[1].push(id);
         draw(self);
+        self.ids[1].pop();
         self.write(format_args!("</g>"));
+    }
+
+    /// The part of the page in which names stand from now on.
+    pub fn window(&mut self, window: Rectangle) {
+        self.drawn.window = Some(window);
+    }
+
+    /// Writes names beside their points, off all that is drawn so far and off each other; the type follows from where
+    /// the middle of one is, and its ground is seen where the name stands on lines.
+    pub fn names(&mut self, names: &[Name], style: impl Fn(Point) -> Type) {
+        self.drawn.points.extend(names.iter().map(|name| name.at));
+        for Name { words, at, towards, color } in names {
+            let size = style(*at).size;
+            let half = (width(words, size) / 2.0 + 2.0, HALF * size);
+            let middle = self.drawn.beside(*at, half, *towards);
+            let is_crossed = self.drawn.is_crossed(about(middle, half));
+            let style = Type { color: *color, ..style(middle).at(Anchor::Middle) };
+            self.text(words, middle, Type { halo: style.halo.filter(|_| is_crossed), ..style });
+        }
+    }
+
+    /// Keeps names off an area from now on.
+    pub fn take(&mut self, area: Rectangle) {
+        self.drawn.taken.push(area);
+    }
+
+    /// Keeps names off a line, where it is seen.
+    fn keep(&mut self, path: &Path) {
+        let motion = self.motion;
+        for line in path.points() {
+            let line = line.into_iter().map(|at| motion.map_or(at, |motion| motion.of(at)));
+            let line: Vec<Point> = line.collect();
+            match self.clip {
+                None => self.drawn.lines.push(line),
+                Some(clip) => {
+                    let parts = line.windows(2).map(|part| within(part, clip));
+                    self.drawn.lines.extend(parts.filter(|part| part.len() > 1));
+                }
+            }
+        }
     }
 
     /// Draws what is seen within a path only.
@@ -192,7 +284,9 @@ impl Svg {
         let name = self.name("clip");
         self.write(format_args!("<clipPath id=\"{name}\"><path d=\"{within}\"/></clipPath>"));
         self.write(format_args!("<g clip-path=\"url(#{name})\">"));
+        self.clip = hull(&within.points().concat());
         draw(self);
+        self.clip = None;
         self.write(format_args!("</g>"));
     }
 
@@ -203,6 +297,9 @@ impl Svg {
 
     /// A line.
     pub fn stroke(&mut self, path: &Path, Stroke { color, width, dashes }: Stroke) {
+        if color != GRID {
+            self.keep(path);
+        }
         let (mut dashed, width) = (String::new(), Short(width));
         if !dashes.is_empty() {
             let lengths: Vec<String> = dashes.iter().map(|x| Short(*x).to_string()).collect();
@@ -249,7 +346,9 @@ impl Svg {
     ) {
         let (moves, turns) = (to.moves(), to.turns());
         self.write(format_args!("<g transform=\"translate({moves}) rotate({turns})\">"));
+        self.motion = Some(to);
         draw(self);
+        self.motion = None;
         let mut animate = |kind: &str, more: &str, values: Vec<String>| {
             self.write(format_args!(
                 "<animateTransform attributeName=\"transform\" type=\"{kind}\"{more} dur=\"{}s\" \
@@ -267,6 +366,7 @@ impl Svg {
 
     /// A disc with a line around it.
     pub fn ring(&mut self, (x, y): Point, radius: f64, color: Color, line: Stroke) {
+        self.take(about((x, y), (radius, radius)));
         let (x, y, radius, width) = (Short(x), Short(y), Short(radius), Short(line.width));
         self.write(format_args!(
             "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" fill=\"{color}\" stroke=\"{}\" stroke-width=\"{width}\"/>",
@@ -276,6 +376,7 @@ impl Svg {
 
     /// A disc.
     pub fn disc(&mut self, (x, y): Point, radius: f64, color: Color) {
+        self.take(about((x, y), (radius, radius)));
         let (x, y, radius) = (Short(x), Short(y), Short(radius));
         self.write(format_args!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" fill=\"{color}\"/>"));
     }
@@ -284,6 +385,19 @@ impl Svg {
     pub fn text(&mut self, text: &str, (x, y): Point, style: Type) {
         let Type { size, color, anchor, turn, halo } = style;
         let (sin, cos) = turn.to_radians().sin_cos();
+        let from = match anchor {
+            Anchor::Start => 0.0,
+            Anchor::Middle => -0.5,
+            Anchor::End => -1.0,
+        };
+        let corner = |(along, up): Point| (x + along * cos - up * sin, y + along * sin + up * cos);
+        let (long, more, half) = (width(text, size), BESIDE * size, HALF * size);
+        let (left, right) = (from * long - more, (from + 1.0) * long + more);
+        let corners = [(left, -half), (right, -half), (right, half), (left, half)].map(corner);
+        if let Some(ground) = halo {
+            self.fill(&Path::around(corners), ground);
+        }
+        self.drawn.taken.extend(hull(&corners));
         let (x, y) = (x - MIDDLE * size * sin, y + MIDDLE * size * cos);
         let mut more = String::new();
         match anchor {
@@ -294,11 +408,6 @@ impl Svg {
         let (x, y) = (Short(x), Short(y));
         if turn != 0.0 {
             more += &format!(" transform=\"rotate({} {x} {y})\"", Short(turn));
-        }
-        if let Some(ground) = halo {
-            let width = Short(HALO * size);
-            more +=
-                &format!(" paint-order=\"stroke\" stroke=\"{ground}\" stroke-width=\"{width}\"");
         }
         self.write(format_args!(
             "<text x=\"{x}\" y=\"{y}\" font-size=\"{}\" fill=\"{color}\"{more}>{}</text>",
@@ -315,6 +424,14 @@ impl Svg {
     }
 }
 
+/// The rectangle about some points.
+fn hull(points: &[Point]) -> Option<Rectangle> {
+    let end = |pick: fn(f64, f64) -> f64| {
+        points.iter().copied().reduce(|a, b| (pick(a.0, b.0), pick(a.1, b.1)))
+    };
+    Some([end(f64::min)?, end(f64::max)?])
+}
+
 /// A text as it may stand between tags and quotes.
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
@@ -323,7 +440,7 @@ fn escaped(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::picture::reading::texts;
+    use crate::picture::reading::{texts, trouble};
 
     #[test]
     fn documents_are_well_formed_and_say_what_they_show() {
@@ -343,6 +460,37 @@ mod tests {
         {
             assert!(text.contains(part), "{text}");
         }
+    }
+
+    /// A style sheet finds each group by its name.
+    #[test]
+    fn no_two_groups_have_one_name() {
+        let mut svg = Svg::new((9.0, 9.0), "", "");
+        for panel in ["panel-0", "panel-1"] {
+            svg.group(panel, |svg| svg.group("thrust", |_| {}));
+        }
+        let text = svg.finish();
+        for id in ["panel-0", "thrust", "panel-1", "panel-1-thrust"] {
+            assert_eq!(text.matches(&format!("<g id=\"{id}\">")).count(), 1, "{id}");
+        }
+    }
+
+    #[test]
+    fn names_keep_off_all_that_is_drawn() {
+        let mut svg = Svg::new((200.0, 100.0), "", "");
+        let ink = Color(0, 0, 0);
+        let turned = Rigid { shift: (0.0, 0.0), degrees: 90.0, about: (100.0, 50.0) };
+        svg.moved(turned, &[], 1.0, |svg| {
+            svg.stroke(&Path::through([(100.0, 30.0), (100.0, 0.0)]), Stroke::new(ink, 1.0));
+        });
+        svg.text("here", (70.0, 50.0), Type::new(16.0, ink).at(Anchor::Middle));
+        let names = [
+            Name::new("one", (100.0, 50.0), (1.0, 0.0)),
+            Name::new("two", (100.0, 50.0), (-1.0, 0.0)),
+        ];
+        svg.names(&names, |_| Type::new(16.0, ink).on(WHITE));
+        assert!(svg.drawn.taken.iter().all(|area| !svg.drawn.is_crossed(*area)));
+        assert_eq!(trouble(&svg.finish()), None);
     }
 
     #[test]
@@ -371,6 +519,8 @@ mod tests {
         svg.text("along", (50.0, 50.0), style);
         let text = svg.finish();
         assert!(text.contains("x=\"78\" y=\"50\" ") && text.contains("rotate(-90 78 50)"));
-        assert!(text.contains("x=\"50\" y=\"78\" ") && text.matches("paint-order").count() == 1);
+        assert!(text.contains("x=\"50\" y=\"78\" "));
+        let ground = text.lines().filter(|line| line.contains("<path")).nth(1).unwrap();
+        assert!(ground.starts_with("<path d=\"M-5 ") && ground.contains("fill=\"#ffffff\""));
     }
 }

@@ -29,10 +29,7 @@ pub(super) fn of_levels(sheets: &[Sheet]) -> String {
     names.dedup();
     match names.is_empty() {
         true => String::new(),
-        false => format!(
-            " Thin lines: equal {}; that an arch stands along their straight parts is proved in words.",
-            names.join(" and ")
-        ),
+        false => format!(" Thin lines: equal {}.", names.join(" and ")),
     }
 }
 

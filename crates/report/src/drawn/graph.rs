@@ -1,13 +1,11 @@
 //! Graphs below each other; neighbours over the same axis share its ticks.
 
 use super::chain::{Chain, larger};
-use super::names::on_page;
 use super::plane::{FRICTION_LABEL, PlaneAxis, friction_ticks};
-use super::spot::{self, disc};
+use super::spot::disc;
 use crate::picture::color::{GRID, INK, WHITE};
-use crate::picture::labels::Labels;
 use crate::picture::{
-    Anchor, Color, Frame, FrameSide, Path, Point, Print, Stroke, Svg, Type, text,
+    Anchor, Color, Frame, FrameSide, Name, Path, Point, Print, Stroke, Svg, Type, text,
 };
 use std::io;
 
@@ -204,19 +202,16 @@ impl Graph {
         self.names(svg, frame);
     }
 
-    /// The points with their names, off the lines.
+    /// The points with their names, off all that is drawn.
     fn names(&self, svg: &mut Svg, frame: &Frame) {
-        let lines = self.lines.iter().map(|line| on_page(&line.chain, frame)).collect();
-        let window = Some([frame.corner, (frame.right(), frame.bottom())]);
-        let mut labels = Labels { taken: Vec::new(), lines, window };
-        for mark in self.marks.iter().filter(|mark| frame.shows(mark.at)) {
-            disc(svg, frame.at(mark.at));
-            labels.taken.push(spot::taken(frame.at(mark.at)));
-        }
-        let named = |mark: &&Dot| !mark.name.is_empty() && frame.shows(mark.at);
-        for mark in self.marks.iter().filter(named) {
-            let style = Type::new(LABEL, mark.color);
-            spot::named(svg, &mut labels, (&mark.name, frame.at(mark.at)), mark.away, style);
-        }
+        svg.window([frame.corner, (frame.right(), frame.bottom())]);
+        let seen = || self.marks.iter().filter(|mark| frame.shows(mark.at));
+        seen().for_each(|mark| disc(svg, frame.at(mark.at)));
+        let named = seen().filter(|mark| !mark.name.is_empty());
+        let named = named.map(|Dot { name, at, away, color }| Name {
+            color: *color,
+            ..Name::new(name, frame.at(*at), *away)
+        });
+        svg.names(&named.collect::<Vec<_>>(), |_| Type::new(LABEL, INK).on(WHITE));
     }
 }

@@ -4,11 +4,11 @@ use super::canvas::Canvas;
 use super::content::PlaneContent;
 use super::page::{self, SIZE};
 use super::plane::{Plane, step};
-use crate::picture::color::{GUIDE, INK, WHITE};
+use crate::picture::color::{INK, WHITE};
 use crate::picture::room::{Rectangle, about, roomiest, within};
 use crate::picture::scale::Tick;
 use crate::picture::text;
-use crate::picture::{Frame, FrameSide, Path, Point, Stroke, Svg};
+use crate::picture::{Frame, FrameSide, Name, Path, Point, Stroke, Svg, Type};
 use crate::problem::Landmark;
 
 /// A part of the map, larger.
@@ -28,6 +28,9 @@ const LEFT: f64 = 50.0;
 const BELOW: f64 = 28.0;
 const REST: f64 = 8.0;
 const TICK: f64 = 14.0;
+/// Numbers of insets, and their size.
+const NUMBER: f64 = 16.0;
+const NUMBERS: [&str; 3] = ["(i)", "(ii)", "(iii)"];
 /// Space for the name of a landmark, around it.
 const NAME: f64 = 26.0;
 
@@ -44,25 +47,31 @@ impl Inset {
         if !canvas.is_usual && map.size.0 >= SIZE.0 {
             return roomy(content, &parts, map, taken);
         }
-        let at = |(x, y): Point| (map.corner.0 + x, map.corner.1 + y);
         let inset = |(name, [x, y]): &EnlargedPart| {
             let (place, size) = match (canvas.plane, *name) {
                 (Plane::ThicknessFriction, _) => ((72.0, 54.0), SIZES[0]),
                 (_, MIXED) => ((76.0, 36.0), (250.0, 220.0)),
                 _ => ((76.0, 310.0), (250.0, 150.0)),
             };
-            Self { frame: Frame { corner: at(place), size, x: *x, y: *y }, name }
+            Self { frame: Frame { corner: place, size, x: *x, y: *y }, name }
         };
         Self::within(map, parts.iter().map(inset).collect())
     }
 
-    /// Insets in a map; below one that is narrow, each as wide as it, one under the other.
+    /// Insets in a map, whose places and sizes are those in one of the usual width; below one that is narrow, each as
+    /// wide as it, one under the other.
     fn within(map: &Frame, mut insets: Vec<Self>) -> Vec<Self> {
+        let times = map.size.0 / SIZE.0;
         let mut top = map.bottom() + page::BELOW + 2.0 * REST;
-        for Self { frame, .. } in insets.iter_mut().filter(|_| map.size.0 < SIZE.0) {
-            let high = frame.size.1 * map.size.0 / frame.size.0;
-            (frame.corner, frame.size) = ((map.corner.0, top), (map.size.0, high));
-            top += high + BELOW + 3.0 * REST;
+        for Self { frame: Frame { corner, size, .. }, .. } in &mut insets {
+            if times < 1.0 {
+                *size = (map.size.0, size.1 * map.size.0 / size.0);
+                *corner = (map.corner.0, top);
+                top += size.1 + BELOW + 3.0 * REST;
+            } else {
+                *size = (times * size.0, times * size.1);
+                *corner = (map.corner.0 + times * corner.0, map.corner.1 + times * corner.1);
+            }
         }
         insets
     }
@@ -75,7 +84,6 @@ impl Inset {
 
     /// The insets of the lines of both weights: where S and J of both are, the end of rotation, and T.
     pub(super) fn of_both(of: impl Fn(Landmark) -> Vec<Point>, map: &Frame) -> Vec<Self> {
-        let corner = map.corner;
         let [close, ends] =
             [[of(Landmark::Shift), of(Landmark::Junction)].concat(), of(Landmark::RotationEnd)];
         let triple = of(Landmark::Triple);
@@ -83,7 +91,7 @@ impl Inset {
         if close.is_empty() || ends.is_empty() {
             return Vec::new();
         }
-        let inset = |name, place: Point, size: Point, points: &[Point], [x, y]: [f64; 2]| {
+        let inset = |name, corner: Point, size: Point, points: &[Point], [x, y]: [f64; 2]| {
             let range = |of: fn(&Point) -> f64, more: f64, limits: [f64; 2]| {
                 let values = points.iter().map(of);
                 let low: f64 = values.clone().fold(f64::INFINITY, f64::min) - more;
@@ -91,7 +99,6 @@ impl Inset {
                 [low.max(limits[0]), high.min(limits[1])]
             };
             let (x, y) = (range(|p| p.0, x, limits[0]), range(|p| p.1, y, limits[1]));
-            let corner = (corner.0 + place.0, corner.1 + place.1);
             Self { frame: Frame { corner, size, x, y }, name }
         };
         let insets = vec![
@@ -127,35 +134,19 @@ impl Inset {
         ]
     }
 
-    /// Draws guides from the part of the map that it shows to where it shows it, which is drawn before; the lines that
-    /// are drawn.
-    pub(super) fn draw_guides(&self, svg: &mut Svg, map: &Frame) -> Vec<Vec<Point>> {
-        let Frame { x, y, corner: (left, top), .. } = self.frame;
-        let (low, high) = (map.at((x[0], y[0])), map.at((x[1], y[1])));
-        svg.stroke(&Path::rectangle(low, high), Stroke::new(INK, 1.0));
-        let mut lines = vec![vec![low, (low.0, high.1), high, (high.0, low.1), low]];
-        if top > map.bottom() {
-            return lines;
+    /// Draws the parts of the map that insets show; the numbers at both, where there are several.
+    pub(super) fn draw_parts(insets: &[Self], svg: &mut Svg, map: &Frame) -> Vec<Name> {
+        let mut names = Vec::new();
+        for (Self { frame, .. }, number) in insets.iter().zip(NUMBERS) {
+            let (low, high) = (map.at((frame.x[0], frame.y[0])), map.at((frame.x[1], frame.y[1])));
+            svg.stroke(&Path::rectangle(low, high), Stroke::new(INK, 1.0));
+            if insets.len() > 1 {
+                names.push(Name::new(number, (low.0, high.1), (-1.0, -1.0)));
+                let (x, y) = frame.corner;
+                svg.text(number, (x, y - 10.0), Type::new(NUMBER, INK).on(WHITE));
+            }
         }
-        let (right, bottom) = (self.frame.right(), self.frame.bottom());
-        // From the sides that face each other, off the labels of ticks.
-        let (before, below) = (left - LEFT, bottom + BELOW);
-        let guides = if right < low.0 {
-            [((low.0, high.1), (right, top)), (low, (right, bottom))]
-        } else if left > high.0 {
-            [(high, (before, top)), ((high.0, low.1), (before, bottom))]
-        } else if bottom < high.1 {
-            [((low.0, high.1), (left, below)), (high, (right, below))]
-        } else {
-            [(low, (left, top)), ((high.0, low.1), (right, top))]
-        };
-        // Of a large part the upper one is enough.
-        let guides = if self.name == MIXED { &guides[..1] } else { &guides[..] };
-        for &(from, to) in guides {
-            svg.stroke(&Path::through([from, to]), Stroke::new(GUIDE, 1.0));
-            lines.push(vec![from, to]);
-        }
-        lines
+        names
     }
 
     /// The inset itself, without names; what is drawn in it gets a beginning for the names of its groups.

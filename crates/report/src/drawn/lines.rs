@@ -6,17 +6,14 @@ use super::content::lines as curves;
 use super::inset::Inset;
 use super::known::{TANGENTS, known};
 use super::look::{self, mark};
-use super::names::on_page;
 use super::page::{BELOW, Page};
 use super::plane::{DEGREES, Plane};
 use super::sheet::Sheet;
-use super::spot::{self, disc};
+use super::spot::disc;
 use crate::arch::SelfWeight;
 use crate::atlas::tangent;
-use crate::picture::color::INK;
-use crate::picture::labels::Labels;
-use crate::picture::room::Rectangle;
-use crate::picture::{Frame, Path, Point, Print, Stroke, Svg, Type};
+use crate::picture::color::{INK, WHITE};
+use crate::picture::{Frame, Name, Path, Point, Print, Stroke, Svg, Type};
 use crate::problem::{Landmark, Line};
 use crate::words;
 use std::io;
@@ -70,13 +67,11 @@ impl LinesPicture<'_> {
                 self.tangents(svg, &inset.frame, id);
                 self.draw(svg, &inset.frame, id);
             });
-            let tangents = self.tangent_ends(&inset.frame).map(|(_, _, ends)| ends.to_vec());
-            self.landmarks(&mut svg, &inset.frame, (Vec::new(), tangents.collect()), true);
+            self.landmarks(&mut svg, &inset.frame, Vec::new(), true);
+            svg.take(inset.taken());
         }
-        let guides = insets.iter().flat_map(|inset| inset.draw_guides(&mut svg, frame));
-        let guides: Vec<Vec<Point>> = guides.collect();
-        let taken = insets.iter().map(Inset::taken).collect();
-        self.landmarks(&mut svg, frame, (taken, guides), false);
+        let parts = Inset::draw_parts(&insets, &mut svg, frame);
+        self.landmarks(&mut svg, frame, parts, false);
         self.legend(&mut svg, legend);
         Ok(svg.finish())
     }
@@ -116,29 +111,16 @@ impl LinesPicture<'_> {
         })
     }
 
-    /// The landmarks with their names, off the curves, what is `taken` and other `lines`.
-    fn landmarks(
-        &self,
-        svg: &mut Svg,
-        frame: &Frame,
-        (taken, mut lines): (Vec<Rectangle>, Vec<Vec<Point>>),
-        is_inset: bool,
-    ) {
+    /// The landmarks with their names, and other names, off all that is drawn.
+    fn landmarks(&self, svg: &mut Svg, frame: &Frame, mut names: Vec<Name>, is_inset: bool) {
         let canvas = Canvas::usual(PLANE);
-        let chains =
-            || self.sheets.iter().flat_map(|s| curves().filter_map(|c| s.chain(c, &canvas)));
-        lines.extend(chains().map(|chain| on_page(&chain, frame)));
-        let window = Some([frame.corner, (frame.right(), frame.bottom())]);
-        let mut labels = Labels { taken, lines, window };
+        svg.window([frame.corner, (frame.right(), frame.bottom())]);
         let all = self.sheets.iter().flat_map(|sheet| {
             let seen = sheet.landmarks(&canvas).into_iter().filter(|(_, at)| frame.shows(*at));
             seen.map(|(landmark, at)| (landmark, sheet.weight, frame.at(at)))
         });
         let all: Vec<(Landmark, SelfWeight, Point)> = all.collect();
-        for (.., at) in &all {
-            disc(svg, *at);
-            labels.taken.push(spot::taken(*at));
-        }
+        all.iter().for_each(|(.., at)| disc(svg, *at));
         for (landmark, weight, at) in all {
             let is_close = matches!(landmark, Landmark::Shift | Landmark::Junction);
             let (name, color) = match landmark {
@@ -161,8 +143,9 @@ impl LinesPicture<'_> {
                 (Landmark::Junction, _) | (_, SelfWeight::Milankovitch) => (-1.0, -0.8),
                 (_, SelfWeight::Heyman) => (1.0, 1.3),
             };
-            spot::named(svg, &mut labels, (&name, at), towards, Type::new(NAME, color));
+            names.push(Name { color, ..Name::new(name, at, towards) });
         }
+        svg.names(&names, |_| Type::new(NAME, INK).on(WHITE));
     }
 
     /// Names of the weights, one below the other.

@@ -11,11 +11,12 @@ use super::names::{Names, on_page};
 use super::page::{BELOW, Page};
 use super::plane::Plane;
 use super::sheet::Sheet;
+use super::spot;
 use crate::atlas::Coordinate;
 use crate::picture::color::INK;
 use crate::picture::labels::Labels;
 use crate::picture::room::{Rectangle, about};
-use crate::picture::{Anchor, Frame, Point, Print, Svg, Type, text};
+use crate::picture::{Anchor, Frame, Name, Print, Svg, Type, text};
 use crate::problem::Mode;
 use std::io;
 
@@ -57,7 +58,9 @@ impl MapPicture<'_> {
         if content.asymmetric.is_some() {
             words[0].push_str(&asymmetric::words(self.sheet.weight));
         }
-        words.splice(1..1, mark::words(self.marks, canvas));
+        for said in mark::words(self.marks, canvas) {
+            words[0] += &format!(" {}.", said.trim_end_matches('.'));
+        }
         let marks = mark::places(self.marks, canvas, frame);
         let legend = content.asymmetric.as_ref().map(|_| asymmetric::legend_in(frame));
         let within = legend.filter(|_| !page.is_narrow());
@@ -88,15 +91,18 @@ impl MapPicture<'_> {
             named.extend(names.modes(&mut svg, &elsewhere));
             mark::draw(&mut svg, &larger, inset.id());
         }
-        let guides = insets.iter().flat_map(|inset| inset.draw_guides(&mut svg, frame));
-        let guides: Vec<Vec<Point>> = guides.collect();
+        let parts = Inset::draw_parts(&insets, &mut svg, frame);
         let values = margin::upright(&mut svg, frame, canvas.plane, &content.levels);
         let mut names = self.names(&content, frame, NAMES);
         names.labels.taken = insets.iter().map(Inset::taken).chain(taken).chain(values).collect();
-        names.labels.lines.extend(guides.into_iter().chain(marks.iter().flat_map(Placed::lines)));
+        names.labels.lines.extend(marks.iter().flat_map(Placed::lines));
         if canvas.is_usual {
             let said = self.say_where_nothing_stands(&mut svg, frame, legend.is_some());
             names.labels.taken.extend(said);
+        }
+        for Name { words, at, towards, .. } in &parts {
+            let style = Type::new(INSET_NAMES[0], INK);
+            spot::named(&mut svg, &mut names.labels, (words, *at), *towards, style);
         }
         names.landmarks(&mut svg, false);
         if canvas.plane == Plane::ThicknessFriction {
@@ -118,7 +124,7 @@ impl MapPicture<'_> {
         let edges = content.edge.iter().chain(content.asymmetric.iter().flat_map(|of| of.chains()));
         let lines = chains.chain(levels).chain(edges).map(|chain| on_page(chain, frame)).collect();
         let window = Some([frame.corner, (frame.right(), frame.bottom())]);
-        let labels = Labels { taken: Vec::new(), lines, window };
+        let labels = Labels { lines, window, ..Labels::default() };
         Names { content, plane: self.canvas.plane, frame, sizes, is_mirrored, labels }
     }
 

@@ -267,7 +267,8 @@ mod pixels {
     use crate::picture::PaperLength;
     use crate::picture::png::render;
     use crate::picture::print::SMALLEST;
-    use crate::reading::boxes::{crossed, sizes, trouble};
+    use crate::reading::rendered::crossed;
+    use crate::reading::{sizes, trouble};
 
     #[test]
     fn no_name_lies_on_another() {

@@ -196,8 +196,11 @@ pub(super) fn paragraphs(drawn: &Sketched) -> Vec<String> {
     if !drawn.between.is_empty() {
         return along(drawn);
     }
-    let mut all: Vec<String> =
-        drawn.sketches.iter().map(|sketch| paragraph(drawn, sketch)).collect();
+    let [short, more] = [0, 1].map(|k| -> Vec<String> {
+        drawn.sketches.iter().map(|sketch| said(drawn, sketch)[k].trim().to_owned()).collect()
+    });
+    let mut all = vec![short.join(" ")];
+    all.extend(more.into_iter().filter(|words| !words.is_empty()));
     let has = |is: fn(&Sketch) -> bool| drawn.sketches.iter().any(is);
     if drawn.style.notation {
         all.push(SYMBOLS.to_owned());
@@ -248,17 +251,18 @@ pub(super) fn between(drawn: &Sketched, place: usize) -> Option<String> {
 /// The paragraphs below the modes of one half opening.
 fn along(drawn: &Sketched) -> Vec<String> {
     let one = |(place, sketch): (usize, &Sketch)| {
-        let said = match sketch.falls() {
-            true => subject(sketch, None),
-            false => {
-                let values: Vec<String> = values(sketch).collect();
-                format!("{}: {}", subject(sketch, None), values.join(", "))
-            }
-        };
-        let between = between(drawn, place).unwrap_or_default();
-        format!("{}: {said}.", words::capital(&between))
+        let [said, _] = said(drawn, sketch);
+        format!("{}: {said}", words::capital(&between(drawn, place).unwrap_or_default()))
     };
-    let mut all: Vec<String> = drawn.sketches.iter().enumerate().map(one).collect();
+    let shape = drawn.sketches.first().map(|sketch| {
+        let alpha = rounded(&degrees(&sketch.at.half_opening.rad), DIGITS);
+        format!(
+            "How arches of half opening {alpha}° fall as their friction grows, {}.",
+            words::model(sketch.weight)
+        )
+    });
+    let mut all: Vec<String> = shape.into_iter().collect();
+    all.extend(drawn.sketches.iter().enumerate().map(one));
     all.push(format!(
         "Proved: the frictions at which the mode changes, and each arch as above. Blocks are moved rigidly, the corner \
          that moves most by {}.",
@@ -268,9 +272,10 @@ fn along(drawn: &Sketched) -> Vec<String> {
     all
 }
 
-fn paragraph(drawn: &Sketched, sketch: &Sketch) -> String {
+/// Statement of what is drawn and how safe it is, and all else that is known of it.
+fn said(drawn: &Sketched, sketch: &Sketch) -> [String; 2] {
     let metres = drawn.metres(sketch);
-    let mut said = subject(sketch, metres.as_ref());
+    let said = subject(sketch, metres.as_ref());
     let in_metres =
         drawn.measures.as_ref().zip(metres).map(|(measures, of)| in_metres(sketch, measures, &of));
     let in_metres = in_metres.unwrap_or_default();
@@ -282,18 +287,19 @@ fn paragraph(drawn: &Sketched, sketch: &Sketch) -> String {
             true => format!(" It is drawn with t/r = {thickness}."),
             false => String::new(),
         };
-        return said + ". " + &standing(stability, sketch) + &chosen + &may_move + &in_metres;
+        let [verdict, more] = standing(stability, sketch);
+        return [format!("{said}. {verdict}.{chosen}"), more + &may_move + &in_metres];
     }
     let values: Vec<String> = values(sketch).collect();
-    said += &format!(". {}.{in_metres}", words::capital(&values.join(", ")));
     let falls = |collapse: &Collapse| {
         let is_alone =
             sketch.collapses.len() == 1 && !matches!(sketch.subject, Subject::Landmark(_));
         let start = if is_alone { "It falls as " } else { "" };
         format!(" {start}{}", balance(sketch, collapse))
     };
-    said += &sketch.collapses.iter().map(falls).collect::<String>();
-    said + &relation(sketch)
+    let falls = sketch.collapses.iter().map(falls).collect::<String>();
+    let short = format!("{said}. {}.", words::capital(&values.join(", ")));
+    [short, in_metres + &falls + &relation(sketch)]
 }
 
 /// The numbers of a state.
@@ -362,8 +368,8 @@ fn relation(sketch: &Sketch) -> String {
     }
 }
 
-/// The safety of an arch as it stands, in words.
-fn standing(found: &Stability, sketch: &Sketch) -> String {
+/// The safety of an arch as it stands, in words, and what else is known of its lines.
+fn standing(found: &Stability, sketch: &Sketch) -> [String; 2] {
     let six = |x: &Option<Ball>| x.as_ref().map(|x| rounded(x, DIGITS));
     let few = |x: &Option<Ball>| x.as_ref().map(|x| rounded(x, FEW));
     let (least, required) = (six(&found.least_thickness), six(&found.required_friction));
@@ -377,7 +383,7 @@ fn standing(found: &Stability, sketch: &Sketch) -> String {
         };
         let more =
             required.map(|of| format!("; with its thickness it asks for a friction of {of}"));
-        return said + &more.unwrap_or_default() + ". Proved.";
+        return [format!("{said}{}, which is proved", more.unwrap_or_default()), String::new()];
     }
     let mut said = format!("It stands, which is proved: {STANDS}");
     if let (Some(least), Some(safety)) = (least, few(&found.geometric_safety)) {
@@ -393,21 +399,22 @@ fn standing(found: &Stability, sketch: &Sketch) -> String {
         Some(thrust) => format!("{} ({by})", rounded(thrust, DIGITS)),
         None => "any size".into(),
     };
+    let mut more = String::new();
     if let [Some(least), Some(largest)] =
         found.thrust.each_ref().map(|bound| bound.as_ref().map(end))
     {
-        said += &format!(". Its thrust h = H/(wr) is from {least} to {largest}");
+        more += &format!("Its thrust h = H/(wr) is from {least} to {largest}.");
     }
     let several = |forces: &Forces| forces.marks.iter().any(|mark| !mark.contact.is_hinge());
     if sketch.forces.iter().any(several) {
-        said += ". Where friction limits the thrust, several lines of thrust fit: drawn is the highest at the crown \
-                 for the least thrust, the lowest for the largest";
+        more += " Where friction limits the thrust, several lines of thrust fit: drawn is the highest at the crown \
+                 for the least thrust, the lowest for the largest.";
     }
-    said + "."
-        + at_joints(
-            sketch,
-            " The conditions hold at the joints between stones, where it can open and slide.",
-        )
+    more += at_joints(
+        sketch,
+        " The conditions hold at the joints between stones, where it can open and slide.",
+    );
+    [said, more]
 }
 
 /// Words for an arch of stones; none for another.

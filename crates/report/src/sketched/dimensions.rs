@@ -1,15 +1,14 @@
 //! Around an arch that is measured: span, rise and thickness, and the reaction of a shoulder.
 
+use super::beside::Beside;
 use super::metres::Metres;
 use super::numbers::{in_full, shown};
 use crate::atlas::{Sketch, SketchedLine};
 use crate::picture::color::{GUIDE, INK, WHITE};
-use crate::picture::{Anchor, Path, Point, Stroke, Svg, Type, text};
+use crate::picture::{Anchor, Name, Path, Point, Stroke, Svg, Type, text};
 use crate::problem::measures::Circle;
 use crate::sketch::{PageScale, arrow};
 
-/// Space on the left, for the rise and for a force.
-pub(super) const SIDE: f64 = 164.0;
 /// Space below, for the span; and for a force above it.
 pub(super) const BELOW: f64 = 64.0;
 pub(super) const FORCE: f64 = 46.0;
@@ -55,16 +54,55 @@ fn measure(svg: &mut Svg, [from, to]: [Point; 2], text: &str, turn: f64) {
     svg.text(text, at, Type::new(LABEL, INK).at(Anchor::Middle).turned(turn).on(WHITE));
 }
 
+/// Measures beside an arch.
+pub(super) fn beside(
+    (sketch, metres): (&Sketch, &Metres),
+    half: bool,
+    [left, right, ..]: [f64; 4],
+) -> Beside {
+    let wide = |words: &str| text::width(words, LABEL) + 2.0 * OFF;
+    let thick = OFF + wide(&thickness(metres));
+    let force = match thrust(sketch, metres) {
+        words if words.is_empty() => 0.0,
+        words => wide(&words).max(ARROW + OFF),
+    };
+    let rise = 3.0 * OFF;
+    match half {
+        false => Beside { left: vec![(left, force + rise)], right: vec![(right, thick)] },
+        true => Beside { left: vec![(left, thick + rise)], right: vec![(right, force)] },
+    }
+}
+
+fn thickness(metres: &Metres) -> String {
+    format!("t {} m", shown(&metres.thickness, DIGITS))
+}
+
+/// The thrust, or what it can be.
+fn thrust(sketch: &Sketch, metres: &Metres) -> String {
+    let forces = &sketch.forces;
+    let Some(loads) = &metres.loads else { return String::new() };
+    let size = |k: usize| forces.get(k).map(|of| in_full(&loads.thrust(&of.thrust), DIGITS));
+    match (size(0), size(1)) {
+        (Some(least), Some(largest)) => format!("H {least}–{largest} kN"),
+        (Some(least), None) if sketch.stands() => format!("H ≥ {least} kN"),
+        (Some(thrust), None) => format!("H {thrust} kN"),
+        (None, _) => String::new(),
+    }
+}
+
 impl Dimensions<'_> {
-    pub(super) fn draw(&self, svg: &mut Svg) {
+    /// The measures; names that have still to find their places.
+    pub(super) fn draw(&self, svg: &mut Svg) -> Vec<Name> {
+        let mut names = Vec::new();
         svg.group("dimensions", |svg| {
             self.span(svg);
             self.rise(svg);
-            self.thickness(svg);
+            names.push(self.thickness(svg));
         });
         if self.metres.loads.is_some() {
-            svg.group("reaction", |svg| self.reaction(svg));
+            svg.group("reaction", |svg| names.extend(self.reaction(svg)));
         }
+        names
     }
 
     /// A springing point of the circle that is measured.
@@ -94,8 +132,8 @@ impl Dimensions<'_> {
         let [left, _, _] = self.ends;
         let side = if self.half { 1.0 } else { -1.0 };
         // Beyond a force at the shoulder, or beyond the thickness at the crown.
-        let is_free = self.metres.loads.is_none() && side < 0.0;
-        let x = left - if is_free { 3.0 * OFF } else { 10.0 * OFF };
+        let beside = beside((self.sketch, self.metres), self.half, [0.0; 4]);
+        let x = left - beside.left[0].1 + LABEL + OVER;
         let (crown, springing) =
             (self.scale.polar(0.0, self.metres.share, 1.0), self.springing(side));
         for (to, y) in [crown, springing] {
@@ -106,7 +144,7 @@ impl Dimensions<'_> {
     }
 
     /// Beyond the right shoulder; of a half arch beyond its crown, as forces are at the shoulder.
-    fn thickness(&self, svg: &mut Svg) {
+    fn thickness(&self, svg: &mut Svg) -> Name {
         let sketch = self.sketch;
         let joint = if self.half { 0.0 } else { sketch.half_opening() };
         let (down, across) = joint.sin_cos();
@@ -120,17 +158,12 @@ impl Dimensions<'_> {
         let middle = ((ends[0].0 + ends[1].0) / 2.0, (ends[0].1 + ends[1].1) / 2.0);
         svg.stroke(&Path::through(ends), LINE);
         ends.iter().for_each(|end| arrow(svg, middle, *end));
-        let text = format!("t {} m", shown(&self.metres.thickness, DIGITS));
-        let anchor = Anchor::beside(sign * across);
-        let x = if anchor == Anchor::Middle { 0.0 } else { 6.0 * (sign * across).signum() };
-        // Off the springing, whose end is beside the line.
-        let at = beyond(middle, 15.0);
-        svg.text(&text, (at.0 + x, at.1), Type::new(LABEL, INK).at(anchor).on(WHITE));
+        Name::new(thickness(self.metres), middle, (sign * across, sign * down))
     }
 
-    /// Draws the reaction of the ground on the left shoulder, or on that of the half arch.
-    fn reaction(&self, svg: &mut Svg) {
-        let Some(loads) = &self.metres.loads else { return };
+    /// The reaction of the ground on the left shoulder, or on that of the half arch.
+    fn reaction(&self, svg: &mut Svg) -> Vec<Name> {
+        let Some(loads) = &self.metres.loads else { return Vec::new() };
         let side = if self.half { 1.0 } else { -1.0 };
         let alpha = self.sketch.half_opening();
         let lines = || self.sketch.forces.iter().flat_map(|forces| &forces.thrust_lines);
@@ -138,31 +171,21 @@ impl Dimensions<'_> {
             .filter_map(|line: &SketchedLine| Some(1.0 + line.thickness * line.points.last()?[1]));
         let (sum, count) = radii.fold((0.0, 0.0), |(sum, count), x| (sum + x, count + 1.0));
         if count == 0.0 {
-            return;
+            return Vec::new();
         }
-        let point = self.scale.polar(alpha, sum / count, side);
+        let (x, y) = self.scale.polar(alpha, sum / count, side);
         let aside = self.scale.polar(alpha, self.sketch.radii()[1], side).0;
-        let aside = if side < 0.0 { aside.min(point.0) } else { aside.max(point.0) };
-        let anchor = if side < 0.0 { Anchor::End } else { Anchor::Start };
-        let style = Type::new(LABEL, INK).on(WHITE);
-        arrow(svg, (aside + side * ARROW, point.1), (point.0 + side * NEAR, point.1));
-        svg.text(&self.thrust(), (aside + side * 9.0, point.1 + 13.0), style.at(anchor));
-        arrow(svg, (point.0, point.1 + ARROW), (point.0, point.1 + NEAR));
+        let aside = if side < 0.0 { aside.min(x) } else { aside.max(x) };
+        arrow(svg, (aside + side * ARROW, y), (x + side * NEAR, y));
+        arrow(svg, (x, y + ARROW), (x, y + NEAR));
         let reaction = format!("V {} kN", in_full(&loads.reaction, DIGITS));
-        svg.text(&reaction, (point.0 + side * 7.0, point.1 + ARROW - 6.0), style.at(anchor));
-    }
-
-    /// The thrust, or what it can be.
-    fn thrust(&self) -> String {
-        let forces = &self.sketch.forces;
-        let Some(loads) = &self.metres.loads else { return String::new() };
-        let size = |k: usize| forces.get(k).map(|of| loads.thrust(&of.thrust));
-        let is_standing = self.sketch.stands();
-        match (size(0).map(|x| in_full(&x, DIGITS)), size(1).map(|x| in_full(&x, DIGITS))) {
-            (Some(least), Some(largest)) => format!("H {least}–{largest} kN"),
-            (Some(least), None) if is_standing => format!("H ≥ {least} kN"),
-            (Some(thrust), None) => format!("H {thrust} kN"),
-            (None, _) => String::new(),
-        }
+        vec![
+            Name::new(
+                thrust(self.sketch, self.metres),
+                (aside + side * ARROW / 2.0, y),
+                (side, 2.0),
+            ),
+            Name::new(reaction, (x, y + ARROW), (side, -0.1)),
+        ]
     }
 }

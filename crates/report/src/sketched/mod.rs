@@ -4,6 +4,7 @@
 //! | file | what it does |
 //! |---|---|
 //! | `picture` | the page: panels, legend, caption |
+//! | `beside` | the room beside arches |
 //! | `panel` | one arch with its heading and names |
 //! | `joints` | the names of its joints |
 //! | `strip` | a thin arch, unrolled |
@@ -22,6 +23,7 @@
 //! | `arcs` | a chain of points as few arcs |
 
 mod arcs;
+mod beside;
 mod caption;
 mod dimensions;
 mod dxf;
@@ -41,6 +43,7 @@ mod panel;
 mod picture;
 mod strip;
 
+pub(super) use beside::Beside;
 pub(super) use dxf_file::{DxfAnchor, DxfFile, DxfUnit};
 pub use figures::arches_of_figure;
 pub(super) use legend::{Legend, LegendSample};

@@ -1,13 +1,12 @@
 //! The symbols of the problem in an arch, as Figure 1 of the paper has them: angles and forces, an element with its
 //! centroid in both models of self-weight on the left.
 
+use super::beside::Beside;
 use crate::arch::{Ring, SelfWeight};
-use crate::atlas::{Sketch, SketchedLine};
+use crate::atlas::Sketch;
 use crate::picture::color::{INK, WHITE};
-use crate::picture::labels::Labels;
-use crate::picture::room::about;
-use crate::picture::{Anchor, Color, Path, Point, Stroke, Svg, Type, text};
-use crate::sketch::{PageScale, across, arrow, look};
+use crate::picture::{Anchor, Color, Name, Path, Point, Stroke, Svg, Type, text};
+use crate::sketch::{PageScale, arrow, look};
 
 /// The heading.
 pub(super) const TITLE: [&str; 2] =
@@ -34,55 +33,41 @@ pub(super) const BELOW: f64 = 44.0;
 /// The length of a force.
 const FORCE: f64 = 74.0;
 const NEAR: f64 = 7.0;
+/// Room for a name, beside its width.
+const NAME: f64 = 14.0;
 
-fn text(svg: &mut Svg, words: &str, at: Point, anchor: Anchor, ground: Option<Color>) {
-    let style = Type::new(SIZE, INK).at(anchor);
-    svg.text(words, at, ground.map_or(style, |ground| style.on(ground)));
-}
-
-/// Half the width and height of a text.
-fn half(words: &str) -> Point {
-    (text::width(words, SIZE) / 2.0 + 2.0, 0.62 * SIZE)
-}
+/// Words on the centroid of the element on the left, and how far above it they stand.
+const CENTROIDS: [(&str, f64); 2] = [("G at r(1 + η²/12)", 34.0), ("Heyman-like: at r", 14.0)];
+/// Distance of these from the arch.
+const ASIDE: f64 = 8.0;
 
 impl ArchNotation<'_> {
+    /// The symbols, with their names off all that is drawn.
     pub(super) fn draw(&self, svg: &mut Svg) {
-        let mut labels = Labels { lines: self.lines(), ..Labels::default() };
+        let (center, style) = (self.scale.center, Type::new(SIZE, INK));
         self.rays(svg);
-        self.angles(svg, &mut labels);
-        self.lengths(svg, &mut labels);
-        self.element(svg, &mut labels);
-        self.forces(svg, &mut labels);
-        let (x, y) = self.scale.center;
-        svg.disc((x, y), 2.6, INK);
-        text(svg, "O", (x + 9.0, y + 13.0), Anchor::Start, None);
+        svg.disc(center, 2.6, INK);
+        let origin = vec![Name::new("O", center, (0.7, 1.0))];
+        let names =
+            [self.angles(svg), self.lengths(svg), self.element(svg), self.forces(svg), origin];
+        let [inner, outer] = self.sketch.radii();
+        let ground = |(x, y): Point| {
+            let radius = (x - center.0).hypot(y - center.1) / self.scale.radius;
+            if (inner..outer).contains(&radius) { look::STONE } else { WHITE }
+        };
+        svg.names(&names.concat(), |at| style.on(ground(at)));
     }
 
-    /// The lines that names keep off: the faces, the centreline, the lines of thrust and of friction, and what is
-    /// measured.
-    fn lines(&self) -> Vec<Vec<Point>> {
-        let ([inner, outer], alpha) = (self.sketch.radii(), self.sketch.half_opening());
-        let circle = |radius: f64| (-60..=60).map(move |k| (f64::from(k) / 60.0 * alpha, radius));
-        let circles = [inner, 1.0, outer].map(|radius| -> Vec<Point> {
-            circle(radius).map(|(joint, radius)| self.scale.polar(joint, radius, 1.0)).collect()
-        });
-        let drawn = self
-            .sketch
-            .forces
-            .iter()
-            .flat_map(|of| of.thrust_lines.iter().chain([&of.friction_line]));
-        let along = |line: &SketchedLine| -> Vec<Point> {
-            across(line.places(), false).into_iter().map(|at| self.scale.at(at, 1.0)).collect()
-        };
-        let center = self.scale.center;
-        let straight = [
-            vec![center, self.left(RADIUS, 1.0)],
-            [inner, outer].map(|radius| self.left(THICKNESS, radius)).to_vec(),
-            self.weight().to_vec(),
-            vec![center, self.left(alpha, inner)],
-        ];
-        let sides = ELEMENT.map(|joint| [inner, outer].map(|r| self.left(joint, r)).to_vec());
-        circles.into_iter().chain(drawn.map(along)).chain(straight).chain(sides).collect()
+    /// Names beside the arch.
+    pub(super) fn beside(sketch: &Sketch) -> Beside {
+        let ([_, outer], alpha) = (sketch.radii(), sketch.half_opening());
+        let at = |joint: f64| -outer * joint.sin();
+        let element = (at((ELEMENT[0] + ELEMENT[1]) / 2.0), ASIDE);
+        let centroids = CENTROIDS.map(|(words, _)| (element.0, ASIDE + text::width(words, SIZE)));
+        let name = |words| NAME + text::width(words, SIZE);
+        let others = [(at(alpha), FORCE + name("H")), (at(THICKNESS), name("t = ηr"))];
+        let left = centroids.into_iter().chain(others).collect();
+        Beside { left, right: vec![(0.0, FORCE + name("H"))] }
     }
 
     /// The ends of the weight of a half, at its centroid by the moment about the centre.
@@ -92,17 +77,6 @@ impl ArchNotation<'_> {
         let arm = ring.centroid_factor * (1.0 - alpha.cos()) / alpha;
         let (x, y) = self.scale.at([arm, 0.2], -1.0);
         [(x, y), (x, y + FORCE)]
-    }
-
-    /// Writes a name beside a point, off all lines if it can be.
-    fn name(&self, svg: &mut Svg, labels: &mut Labels, words: &str, (at, towards): (Point, Point)) {
-        let middle = labels.beside(at, half(words), towards);
-        let (x, y) = self.scale.center;
-        let radius = (middle.0 - x).hypot(middle.1 - y) / self.scale.radius;
-        let [inner, outer] = self.sketch.radii();
-        let is_on_stone = (inner..outer).contains(&radius);
-        let ground = if is_on_stone { look::STONE } else { WHITE };
-        text(svg, words, middle, Anchor::Middle, Some(ground));
     }
 
     /// A point on the left.
@@ -133,11 +107,10 @@ impl ArchNotation<'_> {
     }
 
     /// The half opening on the left, the inner joints on the right, each from the crown.
-    fn angles(&self, svg: &mut Svg, labels: &mut Labels) {
+    fn angles(&self, svg: &mut Svg) -> Vec<Name> {
         let ([haunch, slides], alpha) = (self.joints(), self.sketch.half_opening());
-        for ((joint, radius), name) in
-            [-alpha, haunch, slides].into_iter().zip(ANGLES).zip(["α", "βᵣ", "βₛ"])
-        {
+        let all = [-alpha, haunch, slides].into_iter().zip(ANGLES).zip(["α", "βᵣ", "βₛ"]);
+        let angle = |((joint, radius), name): ((f64, f64), &str)| {
             let at = |angle: f64, radius: f64| self.scale.polar(angle, radius, 1.0);
             let mut path = Path::through([at(0.0, radius)]);
             path.arc(self.scale.center, self.scale.radius * radius, [0.0, joint]);
@@ -145,25 +118,27 @@ impl ArchNotation<'_> {
             let before = joint - joint.signum() * 11.0 / (self.scale.radius * radius);
             arrow(svg, at(before, radius), at(joint, radius));
             let (from, to) = (at(joint / 2.0, radius), at(joint / 2.0, 2.0 * radius));
-            self.name(svg, labels, name, (from, (to.0 - from.0, to.1 - from.1)));
-        }
+            Name::new(name, from, (to.0 - from.0, to.1 - from.1))
+        };
+        all.map(angle).collect()
     }
 
     /// The radius of the centreline, and the thickness.
-    fn lengths(&self, svg: &mut Svg, labels: &mut Labels) {
+    fn lengths(&self, svg: &mut Svg) -> Vec<Name> {
         let [inner, outer] = self.sketch.radii();
-        let center = self.scale.center;
-        arrow(svg, center, self.left(RADIUS, 1.0));
-        self.name(svg, labels, "r", (self.left(RADIUS, 0.5), (0.0, -1.0)));
+        arrow(svg, self.scale.center, self.left(RADIUS, 1.0));
         let middle = self.left(THICKNESS, 1.0);
         for radius in [inner, outer] {
             arrow(svg, middle, self.left(THICKNESS, radius));
         }
-        self.name(svg, labels, "t = ηr", (self.left(THICKNESS, outer), (-1.0, 0.0)));
+        vec![
+            Name::new("r", self.left(RADIUS, 0.5), (0.0, -1.0)),
+            Name::new("t = ηr", self.left(THICKNESS, outer), (-1.0, 0.0)),
+        ]
     }
 
     /// An element on the left: its centroid, and the point of the centreline.
-    fn element(&self, svg: &mut Svg, labels: &mut Labels) {
+    fn element(&self, svg: &mut Svg) -> Vec<Name> {
         let ([from, to], radii) = (ELEMENT, self.sketch.radii());
         let sector = self.scale.sector(ELEMENT, radii, -1.0);
         svg.tint(&sector, INK, 0.18);
@@ -175,22 +150,18 @@ impl ArchNotation<'_> {
         svg.disc(centroid, 3.2, INK);
         // Outside, what the two are.
         let outside = self.left(middle, radii[1]);
-        let style = Type::new(SIZE - 2.0, INK).at(Anchor::End);
-        for (words, up) in [("G at r(1 + η²/12)", 34.0), ("Heyman-like: at r", 14.0)] {
-            let at = (outside.0 - 8.0, outside.1 - up);
-            svg.text(words, at, style);
-            let (long, high) = half(words);
-            labels.taken.push(about((at.0 - long, at.1), (long, high)));
+        for (words, up) in CENTROIDS {
+            let at = (outside.0 - ASIDE, outside.1 - up);
+            svg.text(words, at, Type::new(SIZE - 2.0, INK).at(Anchor::End));
         }
-        labels.taken.push(about(on, (4.0, 4.0)));
-        self.name(svg, labels, "G", (centroid, (-1.0, -0.6)));
+        vec![Name::new("G", centroid, (-1.0, -0.6))]
     }
 
     /// The reaction of the left shoulder, the thrust on the left half at the crown, and its weight.
-    fn forces(&self, svg: &mut Svg, labels: &mut Labels) {
+    fn forces(&self, svg: &mut Svg) -> Vec<Name> {
         let Some(line) = self.sketch.forces.first().and_then(|forces| forces.thrust_lines.first())
         else {
-            return;
+            return Vec::new();
         };
         let radius = |point: Option<&[f64; 2]>| {
             point.map_or(1.0, |[_, offset]| 1.0 + offset * line.thickness)
@@ -198,14 +169,16 @@ impl ArchNotation<'_> {
         let alpha = self.sketch.half_opening();
         let (x, y) = self.left(alpha, radius(line.points.last()));
         arrow(svg, (x - FORCE, y), (x - NEAR, y));
-        text(svg, "H", (x - FORCE - 6.0, y), Anchor::End, None);
         arrow(svg, (x, y + FORCE), (x, y + NEAR));
-        text(svg, "V = wrα", (x - 8.0, y + FORCE - 6.0), Anchor::End, None);
-        let (x, y) = self.scale.polar(0.0, radius(line.points.first()), 1.0);
-        arrow(svg, (x + FORCE, y - 4.0), (x + NEAR, y - 4.0));
-        text(svg, "H", (x + FORCE + 6.0, y - 6.0), Anchor::Start, Some(WHITE));
+        let (right, top) = self.scale.polar(0.0, radius(line.points.first()), 1.0);
+        arrow(svg, (right + FORCE, top - 4.0), (right + NEAR, top - 4.0));
         let [from, to] = self.weight();
         arrow(svg, from, to);
-        self.name(svg, labels, "W = wrα", (from, (0.0, -1.0)));
+        vec![
+            Name::new("H", (x - FORCE, y), (-1.0, 0.0)),
+            Name::new("V = wrα", (x, y + FORCE), (-1.0, -0.1)),
+            Name::new("H", (right + FORCE, top - 4.0), (1.0, 0.0)),
+            Name::new("W", from, (0.0, -1.0)),
+        ]
     }
 }

@@ -1,5 +1,6 @@
 //! One arch with its heading, the names of its joints, and its measures.
 
+use super::beside::Beside;
 use super::caption::{between, title};
 use super::dimensions::{self, Dimensions};
 use super::joints::named;
@@ -9,7 +10,7 @@ use super::numbers::label;
 use super::{Sketched, Style, at_limit};
 use crate::atlas::{Collapse, Sketch};
 use crate::picture::color::{GUIDE, INK, WHITE};
-use crate::picture::{Anchor, Path, Point, Print, Stroke, Svg, Type, text};
+use crate::picture::{Anchor, Name, Path, Point, Print, Stroke, Svg, Type, text};
 use crate::sketch::{ArchView, Blocks, Lines, PageScale, SketchedLine};
 
 /// One arch with a mode in which it falls.
@@ -78,78 +79,102 @@ impl<'a> ModePanel<'a> {
             }
         }
         self.view.body(svg, scale);
-        if !self.style.notation {
-            self.names(svg, scale);
-        }
-        if let Some(metres) = &self.metres {
-            let [left, right, low, _] = self.view.extent();
-            let ((x, low), right) = (scale.at([left, low], 1.0), scale.at([right, 0.0], 1.0).0);
-            let half = self.style.half;
-            Dimensions { sketch, half, metres, scale, ends: [x, right, low] }.draw(svg);
-        }
+        let [x, right, low, _] = self.view.extent();
+        let mut names = match &self.metres {
+            Some(metres) => {
+                let ((x, low), right) = (scale.at([x, low], 1.0), scale.at([right, 0.0], 1.0).0);
+                let half = self.style.half;
+                Dimensions { sketch, half, metres, scale, ends: [x, right, low] }.draw(svg)
+            }
+            None => Vec::new(),
+        };
         self.view.lines(svg, scale);
         self.view.marks(svg, scale);
-        if self.style.notation {
-            svg.group("notation", |svg| ArchNotation { sketch, scale }.draw(svg));
-        }
         if self.style.arrows {
             self.view.arrows(svg, scale);
         }
+        if self.style.notation {
+            return svg.group("notation", |svg| ArchNotation { sketch, scale }.draw(svg));
+        }
+        svg.group("names", |svg| {
+            for NamedPoint { name, joint, from, to, side } in self.named() {
+                let [guide, end] = [from, to]
+                    .map(|(radius, more)| scale.polar(joint, radius + more / scale.radius, side));
+                svg.stroke(&Path::through([guide, end]), Stroke::new(GUIDE, 1.0));
+                names.push(Name::new(name, end, (side * joint.sin(), -joint.cos())));
+            }
+            svg.names(&names, |_| Type::new(LABEL, INK).on(WHITE));
+        });
     }
 
     /// The names of the joints, outside the arch: the rotational joint and the half opening on the right, the
     /// sliding joint on the left.
-    fn names(&self, svg: &mut Svg, scale: &PageScale) {
+    fn named(&self) -> Vec<NamedPoint> {
         let [_, outer] = self.sketch.radii();
         let alpha = self.sketch.half_opening();
-        let beyond = |joint: f64, side: f64| {
+        let out = |joint: f64| {
             // Further out than the blocks there.
             let near = |[x, y]: &[f64; 2]| (x.atan2(*y) - joint).abs() < 0.3;
             let lines = self.view.lines.iter().flat_map(|of| of.thrust.iter().chain([of.friction]));
             let outside = lines.flat_map(SketchedLine::outside);
             let outside = outside.flat_map(|part| part.places().collect::<Vec<_>>());
             let corners = self.view.blocks.iter().flat_map(Blocks::corners).chain(outside);
-            let corners = corners.filter(near);
-            let out = corners.map(|[x, y]| x.hypot(y)).fold(outer, f64::max);
-            let room = AWAY / scale.radius;
-            let ends = [outer + 0.4 * room, out + 0.7 * room].map(|r| scale.polar(joint, r, side));
-            (ends, scale.polar(joint, out + room, side))
+            corners.filter(near).map(|[x, y]| x.hypot(y)).fold(outer, f64::max)
         };
         let side = |turns: bool| if turns || self.style.half { 1.0 } else { -1.0 };
-        let names = named(self.sketch, &self.view.marks);
-        let mut names: Vec<(f64, f64, String)> =
-            names.into_iter().map(|of| (of.at, side(of.turns), of.name)).collect();
-        names.push((alpha, 1.0, label("α", alpha)));
-        svg.group("names", |svg| {
-            for (joint, side, name) in names {
-                let (guide, at) = beyond(joint, side);
-                svg.stroke(&Path::through(guide), Stroke::new(GUIDE, 1.0));
-                let (across, down) = (side * joint.sin(), -joint.cos());
-                let at = (at.0 + 4.0 * across, at.1 + 9.0 * down);
-                svg.text(&name, at, Type::new(LABEL, INK).at(Anchor::beside(across)).on(WHITE));
-            }
-        });
+        let names = named(self.sketch, &self.view.marks).into_iter();
+        let names = names.map(|of| (of.at, side(of.turns), of.name));
+        let named = |(joint, side, name)| {
+            let (from, to) = ((outer, 0.4 * AWAY), (out(joint), 0.7 * AWAY));
+            NamedPoint { name, joint, from, to, side }
+        };
+        names.chain([(alpha, 1.0, label("α", alpha))]).map(named).collect()
     }
+}
+
+/// A joint with its name, and the guide to that: radii in units of `r`, and how far beyond them on the page.
+struct NamedPoint {
+    name: String,
+    joint: f64,
+    from: (f64, f64),
+    to: (f64, f64),
+    /// 1 on the right, -1 on the left.
+    side: f64,
 }
 
 /// Room for the names of joints above and below.
 pub(super) const ABOVE: f64 = 38.0;
-/// Space on both sides.
-const SIDE: f64 = 104.0;
+/// Room for the smallest of names beside the arch.
+const LEAST: f64 = 10.0;
 
 impl ModePanel<'_> {
-    /// Room on both sides and below.
-    pub(super) fn around(&self) -> [f64; 2] {
+    /// Room below.
+    pub(super) fn under(&self) -> f64 {
         match &self.metres {
-            None if self.style.notation => [SIDE, ABOVE + notation::BELOW],
-            None => [SIDE, ABOVE],
-            Some(of) => {
-                let is_wide = self.style.half || of.loads.is_some();
-                let force = if of.loads.is_some() { dimensions::FORCE } else { 0.0 };
-                let side = if is_wide { dimensions::SIDE } else { SIDE };
-                [side, ABOVE + dimensions::BELOW + force]
-            }
+            None if self.style.notation => ABOVE + notation::BELOW,
+            None => ABOVE,
+            Some(of) if of.loads.is_some() => ABOVE + dimensions::BELOW + dimensions::FORCE,
+            Some(_) => ABOVE + dimensions::BELOW,
         }
+    }
+
+    /// Names and measures beside the arch.
+    pub(super) fn beside(&self) -> Beside {
+        let extent @ [left, right, ..] = self.view.extent();
+        let arch = Beside { left: vec![(left, LEAST)], right: vec![(right, LEAST)] };
+        let measures = self
+            .metres
+            .as_ref()
+            .map(|metres| dimensions::beside((self.sketch, metres), self.style.half, extent));
+        let all = arch.and(measures.unwrap_or_default());
+        if self.style.notation {
+            return all.and(ArchNotation::beside(self.sketch));
+        }
+        let name = |NamedPoint { name, joint, to: (radius, more), side, .. }: NamedPoint| {
+            let across = side * joint.sin();
+            Beside::name(across, radius * across, text::width(&name, LABEL) + 2.0 * more)
+        };
+        self.named().into_iter().map(name).fold(all, Beside::and)
     }
 }
 

@@ -1,6 +1,7 @@
 //! The page: panels beside and below each other, a legend, a caption.
 
 use super::Sketched;
+use super::beside::Beside;
 use super::caption::{heading, paragraphs};
 use super::legend::Legend;
 use super::panel::{ABOVE, ModePanel};
@@ -24,25 +25,28 @@ const GAP: f64 = 16.0;
 /// The picture as SVG.
 pub(crate) fn picture(report: &Sketched, print: &Print) -> io::Result<String> {
     let panels = ModePanel::all(report);
-    let around = panels.iter().map(ModePanel::around);
-    let [side, under] = around.fold([0.0, 0.0], |[a, b]: [f64; 2], [c, d]| [a.max(c), b.max(d)]);
-    let most = if report.between.is_empty() { 2 } else { WIDTHS.len() };
-    let columns = panels.len().clamp(1, most);
-    let own = 2.0 * MARGIN + columns as f64 * WIDTHS[columns - 1];
-    let width = print.room(own, 2.0 * MARGIN + 2.0 * side + LEAST)?;
-    let room = width - 2.0 * MARGIN;
-    let fit = |columns: &usize| room >= *columns as f64 * (2.0 * side + BESIDE);
-    let columns = (2..=columns).rev().find(fit).unwrap_or(1);
-    let wide = room / columns as f64;
-    let heads = panels.iter().map(|panel| panel.head(wide, print));
-    let head = heads.fold(0.0, f64::max);
+    let under = panels.iter().map(ModePanel::under).fold(0.0, f64::max);
     let extents: Vec<[f64; 4]> = panels.iter().map(|panel| panel.view.extent()).collect();
     let hull = extents
         .iter()
         .copied()
         .reduce(|[a, b, c, d], [e, f, g, h]| [a.min(e), b.max(f), c.min(g), d.max(h)]);
     let [left, right, low, high] = hull.unwrap_or([-1.0, 1.0, 0.0, 1.0]);
-    let radius = ((wide - 2.0 * side) / (right - left)).min(HEIGHT / (high - low));
+    let beside = panels.iter().map(ModePanel::beside).fold(Beside::default(), Beside::and);
+    // The width of a panel with an arch of a width.
+    let needed = |arch: f64| beside.width(arch / (right - left));
+    let most = if report.between.is_empty() { 2 } else { WIDTHS.len() };
+    let columns = panels.len().clamp(1, most);
+    let own = 2.0 * MARGIN + columns as f64 * WIDTHS[columns - 1];
+    let width = print.room(own, 2.0 * MARGIN + needed(LEAST))?;
+    let room = width - 2.0 * MARGIN;
+    let fit = |columns: &usize| room >= *columns as f64 * needed(BESIDE);
+    let columns = (2..=columns).rev().find(fit).unwrap_or(1);
+    let wide = room / columns as f64;
+    let heads = panels.iter().map(|panel| panel.head(wide, print));
+    let head = heads.fold(0.0, f64::max);
+    let radius = beside.radius(wide).min(HEIGHT / (high - low));
+    let arch = radius * (right - left);
     let strips: Vec<Option<Strip>> =
         panels.iter().map(|panel| Strip::of(panel, radius, report.style.half)).collect();
     let below = if strips.iter().any(Option::is_some) { strip::HEIGHT } else { 0.0 };
@@ -64,13 +68,14 @@ pub(crate) fn picture(report: &Sketched, print: &Print) -> io::Result<String> {
             false => MARGIN + column as f64 * wide,
         };
         let y = MARGIN + row as f64 * tall;
-        let centre =
-            (x + wide / 2.0 - radius * (left + right) / 2.0, y + head + ABOVE + radius * high);
-        let scale = PageScale { center: centre, radius };
+        let middle = x + wide / 2.0 - radius * (left + right) / 2.0;
+        let center =
+            (beside.center(middle, [x, x + wide], radius), y + head + ABOVE + radius * high);
+        svg.window([(x, y + head), (x + wide, y + tall - below)]);
         svg.group(&format!("panel-{place}"), |svg| {
-            panel.draw(svg, &scale, ((x, y), wide), print);
+            panel.draw(svg, &PageScale { center, radius }, ((x, y), wide), print);
             if let Some(strip) = &strips[place] {
-                strip.draw(svg, panel, (x + side, y + tall - below), wide - 2.0 * side);
+                strip.draw(svg, panel, (x + (wide - arch) / 2.0, y + tall - below), arch);
             }
         });
     }

@@ -12,13 +12,14 @@ pub(super) fn print(table: &mut TableReader, format: Option<&'static Format>) ->
         table.if_given("font_size", |r, key, value| said(r, key, value, PaperLength::font_size));
     let font = table.if_given("font", |r, key, value| said(r, key, value, str::parse));
     let [caption, title] = ["caption", "title"].map(|key| table.or(key, true, TomlReader::truth));
+    let details = table.or("full_caption", false, TomlReader::truth)?;
     let (width, font_size, font) = (width?, font_size?, font?);
-    let print = Print { width, font_size, font, caption: caption?, title: title? };
+    let print = Print { width, font_size, font, caption: caption?, details, title: title? };
     let is_picture = format.is_none_or(|format| format.is_picture);
     match is_picture || print == Print::default() {
         true => Some(print),
         false => table.refuse(
-            "width, font_size, font, caption and title are of svg, png and pdf; leave them out",
+            "width, font_size, font, caption, full_caption and title are of svg, png and pdf; leave them out",
         ),
     }
 }

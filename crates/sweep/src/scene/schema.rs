@@ -249,18 +249,18 @@ impl ItemKind {
                 Map::content(),
                 "curves half_opening thickness friction weight tolerance plane lines bare half_opening_unit \
                  friction_unit scale half_opening_range friction_range thickness_range marks \
-                 width font_size font caption title format output",
+                 width font_size font caption full_caption title format output",
             ),
             Self::Figure => (
                 "figure",
                 Content::FIGURE,
-                "number weight tolerance width font_size font caption title format output",
+                "number weight tolerance width font_size font caption full_caption title format output",
             ),
             Self::Drawing => (
                 "drawing",
                 Sketched::content(),
                 "half_opening friction friction_angle thickness span rise radius measured_at density depth at mode weight amplitude dilatant half arrows \
-                 stones animate width font_size font caption title format output",
+                 stones animate width font_size font caption full_caption title format output",
             ),
         }
     }

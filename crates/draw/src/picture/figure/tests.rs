@@ -204,7 +204,7 @@ fn everything_is_labelled() {
 #[cfg(feature = "plots")]
 mod pixels {
     use super::*;
-    use crate::picture::reading::boxes::trouble;
+    use crate::picture::reading::trouble;
 
     #[test]
     fn texts_are_whole_and_apart() {
