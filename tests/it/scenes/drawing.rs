@@ -182,5 +182,8 @@ fn a_scene_reads_an_arch_in_metres() {
     assert_eq!(said("span = \"1m\""), ["3:8: span needs rise, radius or half_opening"]);
     assert_eq!(said("rise = [\"1m\", \"2m\"]"), ["3:8: rise needs span, radius or half_opening"]);
     assert!(said("span = 3\nrise = \"1m\"")[0].starts_with("3:8: '3' is not a length"));
-    assert!(said("half_opening = 1\nspan = \"1m\"")[0].contains("make a radius that is no exact number"));
+    assert!(
+        said("half_opening = 1\nspan = \"1m\"")[0]
+            .contains("make a radius that is no exact number")
+    );
 }
