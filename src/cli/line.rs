@@ -17,12 +17,12 @@ struct Run {
     heard: Option<Heard>,
 }
 
-/// What a command wrote and said that a program ran within itself.
+/// Output and messages of a command that a program ran within itself.
 #[derive(Debug, Default, PartialEq, Eq)]
 pub struct Heard {
-    /// What was for standard output.
+    /// Bytes for standard output.
     pub written: Vec<u8>,
-    /// What was for standard error, a line each.
+    /// Lines for standard error.
     pub said: Vec<String>,
 }
 

@@ -439,7 +439,7 @@ fn what_cannot_be_drawn_is_refused() {
         (&["draw", "--span", "10m", "--mu", "1"], "--rise"),
         (
             &["draw", "--span", "10m", "--rise", "3m", "--alpha", "1", "--mu", "1"],
-            "give one of these pairs",
+            "contradicts --span and --rise",
         ),
         (&["draw", "--at", "T", "--radius", "5m"], "cannot be used"),
         (

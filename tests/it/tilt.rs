@@ -296,7 +296,7 @@ fn a_tilted_arch_is_drawn() {
     }
     // What does not stand at all is said to fall; what nothing limits stands.
     for (arch, words) in [
-        ("--alpha pi/2 --mu 0.7 --eta 0.1 --tilt 0", "does not stand without tilt either"),
+        ("--alpha pi/2 --mu 0.7 --eta 0.1 --tilt 0", "does not stand: falls as [r,r,r]"),
         ("--alpha 0.5 --mu 2 --eta 0.7 --tilt 10", "stands at every tilt"),
     ] {
         let (code, _, error) = of(&format!("{arch} -o {}", path.display()));

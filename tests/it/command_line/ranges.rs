@@ -443,7 +443,7 @@ wrong_uses! {
         ["draw", "--alpha", "1", "--mu", "1..2", "--eta", "0.1", "--stones", "5"]
         => "has a joint at every angle: leave out the stones";
     a_motion_of_a_range: ["draw", "--alpha", "1..2", "--mu", "1", "--eta", "0.1", "--animate"]
-        => "--animate is of a picture of one arch";
+        => "--animate is of a picture of one upright arch";
     values_alone_of_a_range: ["state", "--alpha", "1..2", "--mu", "1", "--plain"]
         => "written only as table, json, csv, csv2, latex, markdown, not plain";
     a_quantity_without_a_range: ["state", "--alpha", "1..2", "--mu", "1", "--quantity", "sliding_joint"]

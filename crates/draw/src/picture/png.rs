@@ -107,7 +107,8 @@ mod tests {
         assert_eq!(resolution(2835), known);
         let width = Some(crate::picture::PaperLength::width("84mm").unwrap());
         let print = Print { width, ..Print::default() };
-        let svg = Svg::printed(&print, (84.0, 20.0), "", "").finish();
+        let room = print.room(20.0, 20.0).unwrap();
+        let svg = Svg::printed(&print, (room, 20.0), "", "").finish();
         let file = render(&svg, &print).unwrap();
         let number = |at: usize| u32::from_be_bytes(file[at..at + 4].try_into().unwrap());
         assert_eq!(&file[37..41], b"pHYs");

@@ -56,7 +56,7 @@ pub(crate) fn sizes(svg: &str) -> Vec<f64> {
 /// The texts of a document with their boxes, as the layout of pictures has them: as high as capitals and descenders.
 pub(crate) fn boxes(svg: &str) -> Vec<(String, Rectangle)> {
     let of = |piece: &str| {
-        let (tag, text) = piece.split_once('>')?;
+        let (tag, text) = piece.split_once("</text>")?.0.split_once('>')?;
         let number = |name| attribute(tag, name)?.parse::<f64>().ok();
         let (x, y, size) = (number("x")?, number("y")?, number("font-size")?);
         let text = text.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&");

@@ -4,7 +4,6 @@ use super::closed::{RootBranch, trigonometric};
 use super::evaluated::{
     ClosedAt, EquationValue, Evaluated, LinkAt, PolynomialAt, RadicandAt, RootAt, outward,
 };
-use super::numbered::NumberedEquation;
 use super::polynomial::{coefficients, is_root, real_roots, value};
 use crate::arch::closed_form::ClosedForm;
 use crate::arch::cubic::{self, Abbreviations};
@@ -20,6 +19,19 @@ use rug::Rational;
 /// Result of an evaluation, to be tried with more bits if it is `None`.
 type Tried<T> = Result<Option<T>, Undecided>;
 
+/// Equation at a rotational joint.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum JointEquation {
+    /// (7).
+    Cubics,
+    /// (8).
+    Link,
+    /// (9), (10) or (11).
+    Closed(ClosedForm),
+    /// (12).
+    Radicand,
+}
+
 /// A joint, exact as far as it can be.
 pub(super) struct AtJoint {
     weight: SelfWeight,
@@ -34,14 +46,14 @@ const COMPARED: u32 = 128;
 impl AtJoint {
     /// Evaluates an equation at an exact joint, with `first` bits or more.
     pub(super) fn evaluate(
-        equation: NumberedEquation,
+        equation: JointEquation,
         weight: SelfWeight,
         joint: &ExactNumber,
         digits: usize,
         first: u32,
     ) -> Result<Evaluated, Error> {
         let at = |bits| Self { weight, joint: Known::angle(joint, bits), bits, digits };
-        if equation.closed_form().is_some() {
+        if matches!(equation, JointEquation::Closed(_)) {
             // Beyond the widest joint or not: by the landmark, or next to it by the sign of (12).
             let widest =
                 CertifiedLandmark::new(Landmark::WidestJoint, weight)?.enclosure(COMPARED)?;
@@ -55,14 +67,14 @@ impl AtJoint {
                 return Err(Refused::BeyondWidestJoint(joint.clone()).into());
             }
         }
-        let found = raise(first, |bits| match (equation, equation.closed_form()) {
-            (_, Some(form)) => at(bits).closed(form),
-            (NumberedEquation::Radicand, _) => at(bits).radicand(),
-            (NumberedEquation::Link, _) => at(bits).link(),
-            (_, None) => at(bits).cubics(),
+        let found = raise(first, |bits| match equation {
+            JointEquation::Cubics => at(bits).cubics(),
+            JointEquation::Link => at(bits).link(),
+            JointEquation::Closed(form) => at(bits).closed(form),
+            JointEquation::Radicand => at(bits).radicand(),
         });
         match found {
-            Err(open) if equation == NumberedEquation::Cubics => {
+            Err(open) if equation == JointEquation::Cubics => {
                 // The coefficients alone, as the roots stay open.
                 let roots = || [0; 3].map(|_| Err(open.clone()));
                 let shown = |at: Self| at.shown(&at.polynomials(), roots());

@@ -1,6 +1,6 @@
 //! The equations of the paper by their numbers: what each needs, and its values.
 
-use super::at_joint::AtJoint;
+use super::at_joint::{AtJoint, JointEquation};
 use super::evaluated::{EquationValue, Evaluated};
 use crate::arch::closed_form::ClosedForm;
 use crate::arch::{Quotient, Ring, SelfWeight, overturning, sliding, thrust};
@@ -99,14 +99,17 @@ impl NumberedEquation {
         self.row().choices
     }
 
-    /// Closed form that the equation is, if it is one.
-    pub(super) fn closed_form(self) -> Option<ClosedForm> {
-        match self {
-            Self::OpeningVariable => Some(ClosedForm::OpeningVariable),
-            Self::Thickness => Some(ClosedForm::Thickness),
-            Self::Thrust => Some(ClosedForm::Thrust),
-            _ => None,
-        }
+    /// The equation at a rotational joint, if it is one.
+    fn at_joint(self) -> Option<JointEquation> {
+        Some(match self {
+            Self::Cubics => JointEquation::Cubics,
+            Self::Link => JointEquation::Link,
+            Self::OpeningVariable => JointEquation::Closed(ClosedForm::OpeningVariable),
+            Self::Thickness => JointEquation::Closed(ClosedForm::Thickness),
+            Self::Thrust => JointEquation::Closed(ClosedForm::Thrust),
+            Self::Radicand => JointEquation::Radicand,
+            _ => return None,
+        })
     }
 
     /// Checks what is given, and that the equation is for the self-weight.
@@ -128,10 +131,12 @@ impl NumberedEquation {
                 given.iter().try_for_each(|(of, value)| Refused::from_to(*of, value, limits))
             }
             Some(_) => Err(Refused::OtherWeight { equation, weight }),
-            None if self.closed_form().is_some() && weight == SelfWeight::Heyman => {
-                Err(Refused::ClosedFormOfHeyman)
-            }
-            None => Ok(()),
+            None => match (self.at_joint(), weight) {
+                (Some(JointEquation::Closed(_)), SelfWeight::Heyman) => {
+                    Err(Refused::ClosedFormOfHeyman)
+                }
+                _ => Ok(()),
+            },
         }
     }
 
@@ -229,9 +234,10 @@ impl NumberedEquation {
         };
         let small = given.iter().map(size).max().unwrap_or(0);
         let first = bits_of(digits) + GUARD + POWERS_LOST * small;
-        let Some(values) = self.values(weight, given, first) else {
-            return AtJoint::evaluate(self, weight, &given[0].1, digits, first);
-        };
+        if let Some(equation) = self.at_joint() {
+            return AtJoint::evaluate(equation, weight, &given[0].1, digits, first);
+        }
+        let values = self.values(weight, given, first).unwrap_or_default();
         // What is exactly zero is so whatever the bits.
         if values.iter().any(|(.., x)| matches!(x, Known::Undefined(_))) {
             return Err(Refused::DividesByZero { equation: self.number() }.into());
