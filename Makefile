@@ -72,6 +72,8 @@ snapshots: m4
 pictures: build
 	cd docs/pictures && ../../target/release/couplet map -o map.svg
 	cd docs/pictures && ../../target/release/couplet draw --half-opening 80deg --friction 0.35 -o arch.svg
+	target/release/couplet study accuracy --only landmark,state -o target/accuracy
+	cp target/accuracy/error-against-time.svg docs/pictures/accuracy.svg
 
 lint: m4
 	cargo fmt --all --check

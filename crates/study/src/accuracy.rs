@@ -47,6 +47,8 @@ const JOINTS: &[usize] = &[100, 1000];
 
 /// Bits by which the reference is more precise than what is measured.
 const REFERENCE: u32 = 160;
+/// Bits that a landmark's root may have, however few are asked for.
+const ROOT: u32 = 2_200;
 
 /// Name of the product's own way to a state: the certified digits of the command.
 pub const COMMAND: &str = "what couplet state does";
@@ -78,7 +80,8 @@ pub fn sines(effort: &Effort) -> Vec<Measurement> {
 pub fn measure(case: &Case, effort: &Effort) -> Vec<Measurement> {
     let mut rows = Vec::new();
     let most = effort.bits.iter().max().copied().unwrap_or(64);
-    let Some(truth) = enclose::<Ball>(&case.problem, &case.start, most + REFERENCE) else {
+    let bits = most.max(ROOT) + REFERENCE;
+    let Some(truth) = enclose::<Ball>(&case.problem, &case.start, bits) else {
         return vec![Measurement {
             verdict: "no reference".into(),
             ..named(case, "reference", None)
