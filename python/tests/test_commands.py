@@ -114,7 +114,8 @@ def test_figures_and_maps():
 def test_pictures_have_the_options_of_the_command(tmp_path):
     assert "serif" in couplet.draw("80deg", "0.35", font="serif").svg
     narrow = couplet.draw("80deg", "0.35", width="84mm", font_size="6pt", no_caption=True, no_title=True, threads=1)
-    assert 'width="238' in narrow.svg and len(narrow.svg) < len(couplet.draw("80deg", "0.35").svg)
+    assert 'width="238' in narrow.svg and '<g id="caption">\n</g>' in narrow.svg
+    assert '<g id="caption">\n<text' in couplet.draw("80deg", "0.35").svg
     for picture in [narrow, couplet.figure(7, width="84mm", no_caption=True), couplet.map(curve="limit", lines=True, tolerance=1e-2)]:
         picture.save(tmp_path / "picture.png")
         assert (tmp_path / "picture.png").read_bytes().startswith(b"\x89PNG")
@@ -224,8 +225,8 @@ WRONG = [
     (lambda: couplet.judge(3), TypeError, "rows are a frame"),
     (lambda: couplet.judge([3]), TypeError, "rows are a frame"),
     (lambda: couplet.draw(4, 1), couplet.CoupletError, "the half opening 4 is not between 0 and pi"),
-    (lambda: couplet.draw(1, 1, tilt=0), couplet.CoupletError, "tilt does not belong here: one arch of a thickness is drawn tilted"),
-    (lambda: couplet.draw(1, 1, span="1m"), couplet.CoupletError, "give one of these pairs"),
+    (lambda: couplet.draw(1, 1, tilt=0), couplet.CoupletError, "thickness is missing"),
+    (lambda: couplet.draw(1, 1, span="1m"), couplet.CoupletError, "make a radius that is no exact number"),
     (lambda: couplet.draw("80deg", "0.5", amplitude=2), couplet.CoupletError, "an amplitude is a number from 0.001 to 1"),
     (lambda: couplet.draw("80deg", "0.5", at="T"), couplet.CoupletError, "half_opening"),
     (lambda: couplet.draw("\ud800", "0.5"), couplet.CoupletError, "is no text"),
@@ -234,7 +235,7 @@ WRONG = [
     (lambda: couplet.draw(friction=1), couplet.CoupletError, "half_opening is missing"),
     (lambda: couplet.draw((1, 2), 1), couplet.CoupletError, "thickness is missing"),
     (lambda: couplet.draw((1, 2), 1, 0.1), TypeError, "positional"),
-    (lambda: couplet.draw((1, 2), 1, thickness=0.1, half=True), couplet.CoupletError, "half is of a picture of one arch"),
+    (lambda: couplet.draw((1, 2), 1, thickness=0.1, half=True), couplet.CoupletError, "half is of a picture of one upright arch"),
     (lambda: couplet.draw(1, 1, width="84"), couplet.CoupletError, "width='84': a width is a length"),
     (lambda: couplet.draw(1, along="friction"), couplet.CoupletError, "2 values required for along but 1 was provided"),
     (lambda: couplet.draw(1, along=("thrust", "1..2")), couplet.CoupletError, "along=('friction', '0.2..3')"),
