@@ -127,6 +127,14 @@ impl Measurement {
         self
     }
 
+    /// The row with the times of the first call, of what keeps parts of its proofs for the next.
+    pub fn of_the_first_call(mut self) -> Self {
+        let first = self.first_seconds;
+        (self.cpu_lower_seconds, self.cpu_seconds, self.cpu_upper_seconds) = (first, first, first);
+        self.wall_seconds = first;
+        self
+    }
+
     /// The row with the worst of several errors, for values of `bits` bits.
     pub fn with_errors(mut self, errors: &[ErrorSizes], bits: u32) -> Self {
         let worst =
