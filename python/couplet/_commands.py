@@ -80,7 +80,8 @@ def draw(
     Args:
         half_opening and others: as for ``state``; with thickness as for ``assess``, with ranges too: then the bands in which the lines of
             thrust of all arches inside lie.
-        stones: from 2 to 500. joints, tilt: not here; the refusal says why.
+        stones: from 2 to 500. joints: not here; the refusal says why.
+        tilt: with a thickness, the arch at the largest tilt that it bears.
         at: a landmark instead of an arch, by symbol or name.
         mode: only this mode, where several are possible.
         along: the modes that a half opening passes as its friction grows: ('friction', '0.2..3').
@@ -89,7 +90,7 @@ def draw(
         half: only the right half. arrows: from where the blocks were. animate: the blocks move.
         width, font_size: on paper ('84mm', '3.3in'; '7pt'); as wide as the picture needs if it is not given.
         font: the family of letters, of PNG and PDF one of this machine; DejaVu Sans if it is not given.
-        no_caption, no_title: without the words below, and the headings above.
+        full_caption: all the words below; no_caption, no_title: without them, and without the headings above.
         threads: threads to compute with; 0 for one on each core.
 
     Raises: CoupletError if an argument makes no sense; UndecidedError if there is nothing to draw, or nothing is proved.
@@ -117,7 +118,7 @@ def figure(number: int, *, weight: str | None = None, tolerance: float | str | N
     Args:
         weight: the model of self-weight, 'heyman' or 'milankovitch'; of the figures 2 to 5 both if none is named.
         tolerance: of the figures 2 to 6, the largest half-width of a tube, from 1e-12 to 1; 1e-4 if it is not given.
-        width, font_size, font, no_caption, no_title, threads: as for ``draw``.
+        width, font_size, font, full_caption, no_caption, no_title, threads: as for ``draw``.
 
     Raises: CoupletError if an argument makes no sense; UndecidedError if something in it is not proved.
     """
@@ -165,7 +166,7 @@ def map(
         difference: instead, by how much the one weight is above the other on each dividing curve.
         half_opening_unit, friction_unit, scale: 'deg', 'rad' or 'A'; 'deg', 'rad' or 'mu'; 'linear' or 'log'.
         half_opening_range, friction_range, thickness_range: what is shown ('120..160').
-        width, font_size, font, no_caption, no_title, threads: as for ``draw``.
+        width, font_size, font, full_caption, no_caption, no_title, threads: as for ``draw``.
 
     Raises: CoupletError if an argument makes no sense; UndecidedError if something in it is not proved.
     """

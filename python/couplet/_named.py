@@ -84,6 +84,7 @@ class Paper(TypedDict, total=False):
     width: str | None
     font_size: str | None
     font: str | None
+    full_caption: bool
     no_caption: bool
     no_title: bool
     threads: int

@@ -284,9 +284,9 @@ impl Svg {
         let name = self.name("clip");
         self.write(format_args!("<clipPath id=\"{name}\"><path d=\"{within}\"/></clipPath>"));
         self.write(format_args!("<g clip-path=\"url(#{name})\">"));
-        self.clip = hull(&within.points().concat());
+        let around = std::mem::replace(&mut self.clip, hull(&within.points().concat()));
         draw(self);
-        self.clip = None;
+        self.clip = around;
         self.write(format_args!("</g>"));
     }
 
@@ -346,9 +346,9 @@ impl Svg {
     ) {
         let (moves, turns) = (to.moves(), to.turns());
         self.write(format_args!("<g transform=\"translate({moves}) rotate({turns})\">"));
-        self.motion = Some(to);
+        let around = self.motion.replace(to);
         draw(self);
-        self.motion = None;
+        self.motion = around;
         let mut animate = |kind: &str, more: &str, values: Vec<String>| {
             self.write(format_args!(
                 "<animateTransform attributeName=\"transform\" type=\"{kind}\"{more} dur=\"{}s\" \
