@@ -150,7 +150,14 @@ fn what_is_written_is_as_the_schemas_say() {
     assert_eq!(couplet(&["run", &scratch.path("scene.toml"), "-o", &out]).status.code(), Some(0));
     let mut documents =
         ["a", "b", "c", "d"].map(|name| scratch.read(&format!("out/{name}.json"))).to_vec();
+    documents.push(scratch.read("out/couplet-run.json"));
     documents.extend(sweeps(&scratch));
+    for folder in ["asymmetric", "constants", "states", "surveys"] {
+        let stored = Path::new(env!("CARGO_MANIFEST_DIR")).join("proofs").join(folder);
+        let paths = fs::read_dir(stored).unwrap().map(|entry| entry.unwrap().path());
+        let paths = paths.filter(|path| path.extension().is_some_and(|end| end == "json"));
+        documents.extend(paths.map(|path| fs::read_to_string(path).unwrap()));
+    }
     // Nearer to the tangent of the half opening than can be told.
     let open = rug::Float::with_val(40_000, 0.5).tan().to_string_radix(10, Some(11_000));
     let near = ["--alpha", "pi/2", "--mu", "0.3958320381380695", "--weight", "heyman"];
