@@ -16,7 +16,10 @@ use std::io;
 /// Opens a file of arches that come one after the other; a table has columns beside what is asked and told.
 pub fn open_rows(answers: Answers, format: &Format, beside: Beside) -> io::Result<Box<dyn Rows>> {
     match format.name {
-        "csv" => csv::rows(answers, beside),
+        "csv" => csv::rows(answers, beside, Tabular::csv),
+        "csv2" => csv::rows(answers, beside, Tabular::csv_with_commas),
+        "latex" => csv::rows_at_once(answers, beside, PaperTable::latex),
+        "markdown" => csv::rows_at_once(answers, beside, PaperTable::markdown),
         "jsonl" => json::lines(answers),
         "parquet" => parquet::rows(answers),
         _ => unsupported(),

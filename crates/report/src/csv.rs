@@ -4,6 +4,7 @@ use super::answer::{Answer, Status};
 use super::answers::{Answers, Scope};
 use super::columns::{self, Asked};
 use super::find;
+use super::paper::PaperTable;
 use super::record::Record;
 use super::rows::Rows;
 use super::tabular::Tabular;
@@ -30,9 +31,23 @@ pub(super) fn answers(report: &Answers) -> Tabular {
     }
 }
 
-/// Arches as they come, each with the line of its query.
-pub(super) fn rows(report: Answers, beside: Beside) -> io::Result<Box<dyn Rows>> {
-    Ok(Box::new(CsvRows { report, own: Own { with_lines: true, beside } }))
+/// Arches as they come, each with the line of its query, as CSV or as that of a spreadsheet with decimal commas.
+pub(super) fn rows(
+    report: Answers,
+    beside: Beside,
+    write: fn(&Tabular, &mut dyn io::Write) -> io::Result<()>,
+) -> io::Result<Box<dyn Rows>> {
+    Ok(Box::new(CsvRows { report, own: Own { with_lines: true, beside }, write }))
+}
+
+/// Arches of which a table for a paper is made at the end.
+pub(super) fn rows_at_once(
+    report: Answers,
+    beside: Beside,
+    write: fn(&PaperTable, &mut dyn io::Write) -> io::Result<()>,
+) -> io::Result<Box<dyn Rows>> {
+    let own = Own { with_lines: true, beside };
+    Ok(Box::new(RowsAtOnce { report, own, rows: Vec::new(), has_errors: false, write }))
 }
 
 /// Columns of numbers that a table of arches has beside what is asked and what is told.
@@ -143,6 +158,35 @@ fn finding(answer: &Answer) -> Record {
 struct CsvRows {
     report: Answers,
     own: Own,
+    write: fn(&Tabular, &mut dyn io::Write) -> io::Result<()>,
+}
+
+struct RowsAtOnce {
+    report: Answers,
+    own: Own,
+    rows: Vec<Vec<String>>,
+    has_errors: bool,
+    write: fn(&PaperTable, &mut dyn io::Write) -> io::Result<()>,
+}
+
+impl Rows for RowsAtOnce {
+    fn group(&mut self, answers: Vec<Answer>) -> io::Result<Vec<u8>> {
+        self.has_errors |= answers.iter().any(|answer| matches!(answer.status, Status::Refused(_)));
+        self.rows.par_extend(answers.par_iter().map(|answer| self.own.row(&self.report, answer)));
+        Ok(Vec::new())
+    }
+
+    fn end(self: Box<Self>) -> io::Result<Vec<u8>> {
+        let mut table = Tabular { header: self.own.header(&self.report), rows: self.rows };
+        // Lines of the input tell where an error is.
+        if !self.has_errors {
+            let line = table.header.iter().rposition(|name| name == "line");
+            line.into_iter().for_each(|k| table.rows.iter_mut().for_each(|row| row[k].clear()));
+        }
+        let mut bytes = Vec::new();
+        (self.write)(&PaperTable::from(&table.without_empty()), &mut bytes)?;
+        Ok(bytes)
+    }
 }
 
 /// Rows that are written at a time.
@@ -150,12 +194,16 @@ const PIECE: usize = 64;
 
 impl Rows for CsvRows {
     fn begin(&mut self) -> io::Result<Vec<u8>> {
-        line(self.own.header(&self.report))
+        let header = Tabular { header: self.own.header(&self.report), rows: Vec::new() };
+        let mut bytes = Vec::new();
+        (self.write)(&header, &mut bytes)?;
+        Ok(bytes)
     }
 
     fn group(&mut self, answers: Vec<Answer>) -> io::Result<Vec<u8>> {
         let written = |answers: &[Answer]| {
-            lines(answers.iter().map(|answer| self.own.row(&self.report, answer)))
+            let rows = answers.iter().map(|answer| self.own.row(&self.report, answer));
+            lines(rows, self.write)
         };
         Ok(answers.par_chunks(PIECE).map(written).collect::<io::Result<Vec<_>>>()?.concat())
     }
@@ -163,14 +211,17 @@ impl Rows for CsvRows {
 
 /// One line.
 pub(super) fn line(cells: Vec<String>) -> io::Result<Vec<u8>> {
-    lines([cells])
+    lines([cells], Tabular::csv)
 }
 
 /// Lines without a header.
-fn lines(rows: impl IntoIterator<Item = Vec<String>>) -> io::Result<Vec<u8>> {
+fn lines(
+    rows: impl IntoIterator<Item = Vec<String>>,
+    write: fn(&Tabular, &mut dyn io::Write) -> io::Result<()>,
+) -> io::Result<Vec<u8>> {
     let (mut bytes, mut rows) = (Vec::new(), rows.into_iter());
     if let Some(header) = rows.next() {
-        Tabular { header, rows: rows.collect() }.csv(&mut bytes)?;
+        write(&Tabular { header, rows: rows.collect() }, &mut bytes)?;
     }
     Ok(bytes)
 }

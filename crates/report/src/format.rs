@@ -13,7 +13,7 @@ pub struct Content(pub(super) &'static [&'static str]);
 
 impl Content {
     /// Arches as they come.
-    pub const ROWS: Self = Self(&["csv", "jsonl", "parquet"]);
+    pub const ROWS: Self = Self(&["csv", "csv2", "jsonl", "parquet", "latex", "markdown"]);
     /// Other people's results: all of them in summary, or each as it comes.
     pub const JUDGED: Self = Self(&["table", "json", "csv", "jsonl"]);
     /// Other people's verdicts on assemblies.
@@ -150,11 +150,20 @@ impl Format {
         Self::all(content).find(|format| format.extension.eq_ignore_ascii_case(extension))
     }
 
+    /// Tells whether the format is a table of a paper.
+    fn is_for_paper(&self) -> bool {
+        matches!(self.name, "latex" | "markdown")
+    }
+
+    /// Tells whether a person reads the format, and no program.
+    pub fn is_for_people(&self) -> bool {
+        self.name == "table" || self.is_for_paper()
+    }
+
     /// Digits to which arches are proved for the format: a table for a paper turns angles into degrees and takes
     /// differences, and rounds these once.
     pub fn proved_digits(&self, digits: usize) -> usize {
-        let is_for_paper = matches!(self.name, "latex" | "markdown");
-        if is_for_paper { MAX_DIGITS.min(digits + GUARD_DIGITS) } else { digits }
+        if self.is_for_paper() { MAX_DIGITS.min(digits + GUARD_DIGITS) } else { digits }
     }
 
     /// Balls that arches are asked of for the format.

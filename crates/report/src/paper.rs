@@ -20,6 +20,21 @@ const GUARD: u32 = 32;
 /// Sign of a cell where there is no value.
 const NONE: &str = "–";
 
+/// Quantities of a table of measured arches.
+const BUILT: [Quantity; 8] = {
+    use Quantity::*;
+    [
+        Span,
+        Rise,
+        GivenThicknessInMetres,
+        ThicknessInMetres,
+        GeometricSafety,
+        Force,
+        LeastForce,
+        LargestForce,
+    ]
+};
+
 /// A table with headings.
 #[derive(Debug)]
 pub(super) struct PaperTable {
@@ -43,6 +58,11 @@ impl Heading {
             }
             None => Self::words(&name.replace('_', " ")),
         }
+    }
+
+    /// Heading of half openings, each in the unit that it was given in.
+    fn half_opening() -> Self {
+        Self { latex: r"$\alpha$".into(), words: "alpha".into() }
     }
 
     fn words(words: &str) -> Self {
@@ -69,7 +89,12 @@ impl Heading {
 
 impl From<&Tabular> for PaperTable {
     fn from(table: &Tabular) -> Self {
-        let headings = table.header.iter().map(|name| Heading::named(name)).collect();
+        let is_number = |k: usize| table.rows.iter().all(|row| row[k].parse::<f64>().is_ok());
+        let heading = |(k, name): (usize, &String)| match name.as_str() {
+            "half_opening" if !is_number(k) => Heading::half_opening(),
+            name => Heading::named(name),
+        };
+        let headings = table.header.iter().enumerate().map(heading).collect();
         Self { headings, rows: table.rows.clone() }
     }
 }
@@ -78,23 +103,42 @@ impl PaperTable {
     /// Arches, each in a row.
     pub(super) fn of(report: &Answers) -> Self {
         let weights = distinct(report.list.iter().filter_map(|answer| answer.subject.weight()));
-        let asked = report.quantities.iter().copied().chain([Quantity::AsymmetricThickness]);
+        let whole = [&Quantity::MEASURED_STATE[..], &Quantity::MEASURED_ASSESSMENT];
+        // Without a choice, what who builds reads.
+        let is_chosen = |of: &Quantity| report.quantities.contains(of);
+        let is_built =
+            whole.iter().any(|all| all.iter().filter(|of| !of.is_force()).all(is_chosen));
+        let asked: Vec<Quantity> = match is_built {
+            true => BUILT.into_iter().filter(is_chosen).collect(),
+            false => report.quantities.clone(),
+        };
+        let asked = asked.into_iter().chain([Quantity::AsymmetricThickness]);
         let is_known = |&of: &Quantity| report.list.iter().any(|answer| answer.value(of).is_some());
         let quantities: Vec<Quantity> = asked.filter(is_known).collect();
         let whom = |heading: Heading, weight: SelfWeight| match weights.len() {
             1 => heading,
             _ => heading.of(author(weight)),
         };
-        // Each half opening is in the unit that it was given in.
-        let half_opening = Heading { latex: r"$\alpha$".into(), words: "alpha".into() };
-        let mut headings = vec![half_opening, Heading::named("friction")];
+        let mut headings = vec![Heading::half_opening(), Heading::named("friction")];
         if report.have_assessments() {
             headings.push(Heading::named("thickness"));
         }
-        let told = if report.have_states() { "mode" } else { "verdict" };
-        headings.extend(weights.iter().map(|&weight| whom(Heading::words(told), weight)));
+        if is_built {
+            headings = vec![Heading::named("friction")];
+        }
+        // The safety of an arch that has a least thickness says whether it stands.
+        let is_told = !is_built
+            || report.have_states()
+            || report.list.iter().any(|of| of.value(Quantity::GeometricSafety).is_none());
+        if is_told {
+            let told = if report.have_states() { "mode" } else { "verdict" };
+            headings.extend(weights.iter().map(|&weight| whom(Heading::words(told), weight)));
+        }
         for of in &quantities {
-            let heading = Heading::named(of.name()).in_degrees();
+            let heading = match of {
+                Quantity::GeometricSafety if is_built => Heading::words("safety"),
+                of => Heading::named(of.name()).in_degrees(),
+            };
             headings.extend(weights.iter().map(|&weight| whom(heading.clone(), weight)));
             if let [one, other] = weights[..] {
                 headings.push(heading.of(&format!("{} less {}", author(other), author(one))));
@@ -109,9 +153,12 @@ impl PaperTable {
             let answers: Vec<Option<&Answer>> =
                 arches.iter().map(|all| all.get(place).copied()).collect();
             let given = answers.iter().flatten().next().map(|answer| answer.subject.given());
+            let given = given.map(|all| if is_built { vec![all[1]] } else { all.to_vec() });
             let given = given.into_iter().flatten().flatten();
             let mut cells: Vec<String> = given.map(printed).collect();
-            cells.extend(answers.iter().map(|answer| answer.map_or(NONE.into(), verdict)));
+            if is_told {
+                cells.extend(answers.iter().map(|answer| answer.map_or(NONE.into(), verdict)));
+            }
             for &quantity in &quantities {
                 let values: Vec<Option<&Value>> = answers
                     .iter()
@@ -196,6 +243,17 @@ fn difference(quantity: Quantity, one: &Value, other: &Value, digits: usize) -> 
     };
     let difference = other - one;
     rounded(&if is_in_radians(quantity) { degrees(&difference) } else { difference }, digits)
+}
+
+/// Unit of a quantity that is in radians, with the angle in degrees too, in six digits or as many as are proved.
+pub(super) fn in_degrees_too(quantity: Quantity, value: &Value) -> String {
+    const DIGITS: usize = 6;
+    match enclosure(value, DIGITS) {
+        Some(angle) if is_in_radians(quantity) => {
+            format!(" rad = {} deg", rounded(&degrees(&angle), DIGITS))
+        }
+        _ => String::new(),
+    }
 }
 
 /// The bounds of a value, which is not infinite.

@@ -4,7 +4,7 @@ use super::given::GivenDoubles;
 use crate::arch::SelfWeight;
 use crate::certify::state::find::{Given, Question};
 use crate::number::ExactNumber;
-use crate::problem::{Arch, Landmark, Line, Sought};
+use crate::problem::{Arch, Friction, Landmark, Line, Sought};
 
 /// Subject of an answer.
 #[derive(Clone, Debug)]
@@ -16,7 +16,7 @@ pub enum Subject {
         /// The self-weight model.
         weight: SelfWeight,
     },
-    /// An arch. What was given is text from outside.
+    /// An arch. What was given is text from outside, a fraction as a decimal where it ends.
     Arch {
         /// Tells arches apart: the line of the query.
         line: u64,
@@ -66,9 +66,9 @@ impl Subject {
         Self::Arch {
             line,
             weight: arch.weight(),
-            half_opening: arch.half_opening().to_string(),
-            friction: arch.friction().to_string(),
-            thickness: thickness.map(ToString::to_string),
+            half_opening: arch.half_opening().in_decimals(),
+            friction: in_decimals(arch.friction()),
+            thickness: thickness.map(ExactNumber::in_decimals),
             doubles: made.unwrap_or_default(),
         }
     }
@@ -89,9 +89,9 @@ impl Subject {
             weight,
             sought: question.sought(),
             boundary,
-            half_opening: half_opening.map(ToString::to_string),
-            friction: friction.map(ToString::to_string),
-            thickness: question.thickness().map(ToString::to_string),
+            half_opening: half_opening.map(ExactNumber::in_decimals),
+            friction: friction.map(in_decimals),
+            thickness: question.thickness().map(ExactNumber::in_decimals),
         }
     }
 
@@ -147,5 +147,13 @@ impl Subject {
             | Self::Sought { weight, .. } => Some(*weight),
             Self::Query { .. } => None,
         }
+    }
+}
+
+/// Text of a friction, a fraction as a decimal where it ends.
+fn in_decimals(friction: &Friction) -> String {
+    match friction {
+        Friction::Coefficient(mu) => mu.in_decimals(),
+        other => other.to_string(),
     }
 }

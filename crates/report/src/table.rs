@@ -4,7 +4,9 @@ use super::answer::{Answer, Status};
 use super::answers::{Answers, Scope};
 use super::columns;
 use super::find;
+use super::paper::in_degrees_too;
 use super::subject::Subject;
+use super::tabular::Tabular;
 use super::words::{aligned, count, may_move, model};
 use crate::ask::Field;
 use crate::certify::state::Fall;
@@ -92,7 +94,10 @@ fn arch(report: &Answers, answer: &Answer, out: &mut dyn io::Write) -> io::Resul
         (Some(_), _) => assessment(&report.quantities, answer, out),
         (None, Status::Falls(fall)) => {
             falls(*fall, answer, out)?;
-            measured(&report.quantities, answer, out)
+            if answer.measured_at.is_some() {
+                writeln!(out)?;
+            }
+            measured(&report.quantities, answer, out).map(|_| ())
         }
         (None, _) => state(&report.quantities, answer, out),
     }?;
@@ -116,8 +121,8 @@ fn falls(fall: Fall, answer: &Answer, out: &mut dyn io::Write) -> io::Result<()>
     ];
     for (index, (words, value)) in words.iter().zip(&answer.enough).enumerate() {
         let Some(value) = value else { continue };
-        let unit = if index == 1 { " rad" } else { "" };
-        writeln!(out, "   {words:<45} {}{unit}", value.text())?;
+        let of = [Quantity::SlidingFriction, Quantity::HalfOpening][index];
+        writeln!(out, "   {words:<45} {}{}", value.text(), in_degrees_too(of, value))?;
     }
     Ok(())
 }
@@ -127,11 +132,17 @@ fn state(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Re
     let mode = modes.join(" ");
     writeln!(out, "stands from the thickness below on: {STANDS}; collapses there as {mode}")?;
     writeln!(out, "proved: one solution, admissible on the whole half arch, none thinner\n")?;
+    if measured(asked, answer, out)? {
+        writeln!(out, "\n{RATIOS}")?;
+    }
     let ratios = asked.iter().filter(|quantity| !quantity.is_measured());
     let (frictions, others): (Vec<Quantity>, Vec<Quantity>) =
         ratios.partition(|quantity| quantity.is_friction());
     for quantity in others {
-        let value = answer.value(quantity).map_or("none inside".into(), |value| value.text());
+        let value = answer.value(quantity).map_or("none inside".into(), |value| {
+            // The symbol has the radians already.
+            value.text() + in_degrees_too(quantity, value).trim_start_matches(" rad")
+        });
         let (name, symbol) = (quantity.name(), quantity.symbol());
         writeln!(out, "   {name:<20} {symbol:<12} {value}")?;
     }
@@ -146,22 +157,26 @@ fn state(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Re
         };
         writeln!(out, "   {words:<39} {}", value.text())?;
     }
-    measured(asked, answer, out)
+    Ok(())
 }
 
-/// The sizes of an arch that is measured, or why they are not proved.
-fn measured(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
+/// Heading of what is in no unit, below what is measured.
+const RATIOS: &str = "as ratios, lengths in r and forces in w r";
+
+/// The sizes of an arch that is measured, or why they are not proved; whether there is anything of them.
+fn measured(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Result<bool> {
     let sizes = asked.iter().filter(|of| of.is_measured());
     let found: Vec<_> = sizes.filter_map(|of| Some((of, answer.value(*of)?))).collect();
     let open = answer.open.iter().find(|(of, _)| of.is_measured());
-    if let (Some(circle), true) = (answer.measured_at, !found.is_empty() || open.is_some()) {
-        let (key, name) = ("measured_at", circle.name());
-        writeln!(out, "\nas measured\n   {key:<20} {:<18} {name}", "circle")?;
-    }
+    let (Some(circle), true) = (answer.measured_at, !found.is_empty() || open.is_some()) else {
+        return Ok(false);
+    };
+    writeln!(out, "as measured\n   {:<20} {:<18} {}", "measured_at", "circle", circle.name())?;
     for (of, value) in found {
         writeln!(out, "   {:<20} {:<18} {}", of.name(), of.symbol(), value.text())?;
     }
-    open.map_or(Ok(()), |(_, undecided)| writeln!(out, "   {undecided}"))
+    open.map_or(Ok(()), |(_, undecided)| writeln!(out, "   {undecided}"))?;
+    Ok(true)
 }
 
 /// Words on an arch of a given thickness, in the order of [`Quantity::ASSESSMENT`]: its words, and those
@@ -199,8 +214,27 @@ fn assessment(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> i
         }
         (_, None) => {}
     }
+    // In the order in which who builds reads: is it safe, how large is all, and then what has no unit.
+    let is_safety = |of: &&Quantity| {
+        matches!(of, Quantity::GeometricSafety | Quantity::FrictionSafety)
+            && answer.measured_at.is_some()
+    };
+    let (safety, ratios): (Vec<&Quantity>, Vec<&Quantity>) = asked.iter().partition(is_safety);
+    assessed(&safety, answer, out)?;
+    if !safety.is_empty() {
+        writeln!(out)?;
+    }
+    let has_ratios = ratios.iter().any(|of| !of.is_measured());
+    if measured(asked, answer, out)? && has_ratios {
+        writeln!(out, "\n{RATIOS}")?;
+    }
+    assessed(&ratios, answer, out)
+}
+
+/// Values of an arch of a thickness, in the order in which they are asked for.
+fn assessed(asked: &[&Quantity], answer: &Answer, out: &mut dyn io::Write) -> io::Result<()> {
     for quantity in asked {
-        let told = ASSESSED.iter().find(|(of, ..)| of == quantity);
+        let told = ASSESSED.iter().find(|(of, ..)| of == *quantity);
         let Some(&(quantity, name, none)) = told else { continue };
         let value = answer.value(quantity);
         let text = match (value, answer.why_open(quantity), answer.status.reason()) {
@@ -217,12 +251,14 @@ fn assessment(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> i
         };
         writeln!(out, "   {name:<24} {text}")?;
         if let Some(limit) = value.and_then(|value| value.limited_by) {
-            let joint = quantity.joint().and_then(|joint| answer.value(joint));
-            let joint = joint.map_or(String::new(), |joint| format!(", at {} rad", joint.text()));
+            let joint = quantity.joint().and_then(|of| Some((of, answer.value(of)?)));
+            let joint = joint.map_or(String::new(), |(of, joint)| {
+                format!(", at {}{}", joint.text(), in_degrees_too(of, joint))
+            });
             writeln!(out, "           limited by       {limit}{joint}")?;
         }
     }
-    measured(asked, answer, out)
+    Ok(())
 }
 
 fn arches(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
@@ -239,13 +275,8 @@ fn arches(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
     writeln!(out)?;
     let header = columns::header(|answer| columns::row(report, answer));
     let rows = report.list.iter().map(|answer| columns::row(report, answer).texts().collect());
-    let rows: Vec<Vec<String>> = std::iter::once(header).chain(rows).collect();
-    // A column without a value in any row says nothing.
-    let is_shown = |k: &usize| rows[1..].iter().any(|row| !row[*k].is_empty());
-    let shown: Vec<usize> = (0..rows[0].len()).filter(is_shown).collect();
-    let cells = |row: &Vec<String>| shown.iter().map(|k| row[*k].clone()).collect();
-    let rows: Vec<Vec<String>> = rows.iter().map(cells).collect();
-    aligned(&rows).try_for_each(|line| writeln!(out, "{line}"))
+    let Tabular { header, rows } = Tabular { header, rows: rows.collect() }.without_empty();
+    aligned(&[vec![header], rows].concat()).try_for_each(|line| writeln!(out, "{line}"))
 }
 
 #[cfg(test)]

@@ -45,6 +45,16 @@ impl Tabular {
         Self { header, rows: rows.into_iter().map(cells).collect() }
     }
 
+    /// The columns that have a value in any row: another says nothing to a person.
+    pub(super) fn without_empty(self) -> Self {
+        let is_shown = |k: usize| self.rows.iter().any(|row| !row[k].is_empty());
+        let shown: Vec<bool> = (0..self.header.len()).map(is_shown).collect();
+        let of = |row: Vec<String>| {
+            row.into_iter().zip(&shown).filter_map(|(cell, shown)| shown.then_some(cell)).collect()
+        };
+        Self { header: of(self.header), rows: self.rows.into_iter().map(of).collect() }
+    }
+
     /// Writes CSV.
     pub(super) fn csv(&self, out: &mut dyn io::Write) -> io::Result<()> {
         self.separated(b',', |cell| cell.into(), out)

@@ -4,7 +4,7 @@ use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Spelling};
 use crate::problem::Arch;
 use crate::problem::measures::Measures;
-use crate::report::Understood;
+use crate::report::{Format, Understood};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
 use clap::Args;
@@ -19,8 +19,8 @@ pub(super) struct ArchArguments {
     #[arg(long, default_value = "milankovitch", value_parser = parse::weights)]
     pub weight: Weights,
 
-    /// Significant digits, 1 to 1000000, to which values are correctly rounded; if not given 30, of metres, kN
-    /// and ranges 6.
+    /// Significant digits, 1 to 1000000, to which values are correctly rounded; if not given 30, of metres, kN and
+    /// ranges 6, as of all that a table tells of an arch in metres.
     #[arg(long, value_parser = parse::digits, allow_negative_numbers = true)]
     digits: Option<usize>,
 }
@@ -34,12 +34,18 @@ impl ArchArguments {
         self.digits.unwrap_or(30)
     }
 
+    /// Significant digits of what is told of an arch that is given: to who builds in metres, more than six say nothing.
+    pub(super) fn digits_of(&self, given: &ArchGiven, format: &Format) -> usize {
+        let is_for_who_builds = given.measures.is_some() && format.is_for_people();
+        self.digits.unwrap_or(if is_for_who_builds { 6 } else { 30 })
+    }
+
     /// Significant digits of the ends of ranges.
     pub(super) fn range_digits(&self) -> usize {
         self.digits.unwrap_or(RANGE_DIGITS)
     }
 
-    /// Measures, with the significant digits of sizes: more than six say nothing to who builds.
+    /// Measures, with the significant digits of sizes.
     pub(super) fn measures<'g>(&self, given: &'g ArchGiven) -> Option<(&'g Measures, usize)> {
         Some((given.measures.as_ref()?, self.digits.unwrap_or(6)))
     }

@@ -15,7 +15,9 @@ use crate::sweep::answer;
 use crate::sweep::failure::Failure;
 use clap::Args;
 
-/// Print whether an arch of a given thickness stands, its safety factors, and the thrusts it can bear.
+/// Tell whether an arch of a thickness stands, and how safely.
+///
+/// Whether it stands, its safety factors, the thrusts it can bear, and what limits each.
 ///
 /// A number may be a range: 2.98m..3.02m, 3m±2cm (or 3m+-2cm), 31deg±1deg, 0.6±10%, 0.5..inf. Then it is told
 /// of every arch inside: all stand, none does, or some do, with the least and largest values and the arches that
@@ -67,13 +69,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if given.stones.is_some() {
         return voussoirs::print(&arguments.arch, &given, &arches, &arguments.output);
     }
+    let format = arguments.output.format()?;
+    let digits = arguments.arch.digits_of(&given, format);
     if let Some(tilt) = &given.tilt {
-        let output = (arguments.output.file(), arguments.output.format()?);
+        let output = (arguments.output.file(), format);
         return tilt::write(output, (&asked, &arches), (eta, tilt), None, digits);
     }
     let all = given.quantities(&Quantity::ASSESSMENT, &Quantity::MEASURED_ASSESSMENT);
     let quantities = arguments.output.quantities(&all)?;
-    let format = arguments.output.format()?;
     let (proved, balls) = (format.proved_digits(digits), format.balls());
     let answer = |line, arch: &Arch| {
         let found = balls.assess(arch, eta, proved);

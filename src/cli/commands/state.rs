@@ -18,7 +18,7 @@ use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use clap::Args;
 
-/// Print whether an arch can stand, how thin it can be, and how it collapses there, with a proof.
+/// Tell how thin an arch can be, and how it collapses then.
 ///
 /// With the rotational joint, the thrust, the least thickness or A in place of the half opening: all states that have
 /// it, at the friction given or, without one, at unlimited friction.
@@ -93,8 +93,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let asked = arguments.arch.understood(&given);
     let all = given.quantities(&Quantity::STATE, &Quantity::MEASURED_STATE);
     let quantities = arguments.output.quantities(&all)?;
-    let digits = arguments.arch.digits();
     let format = arguments.output.format()?;
+    let digits = arguments.arch.digits_of(&given, format);
     let (proved, balls) = (format.proved_digits(digits), format.balls());
     let frictions = quantities.iter().any(|quantity| quantity.is_friction());
     let answer = |line, arch: &Arch| {

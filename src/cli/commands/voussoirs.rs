@@ -20,7 +20,7 @@ use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use clap::Args;
 
-/// Print the least thickness of an arch of given stones, and how it collapses there, with a proof.
+/// Tell how thin an arch of given stones can be.
 ///
 /// The conditions hold at the joints between the stones and nowhere else, so that such an arch needs a little less
 /// than one that can open and slide at every angle. The cost does not depend on the number of stones. A range of them,
@@ -87,7 +87,7 @@ fn answers(
     arches: &[Arch],
     (file, format, print): (&OutputFile, &'static Format, &Print),
 ) -> Result<(), Failure> {
-    let (asked, digits) = (arguments.understood(given), arguments.digits());
+    let (asked, digits) = (arguments.understood(given), arguments.digits_of(given, format));
     let stones = divisions(given)?;
     if let Some(tilt) = &given.tilt {
         let (Some(eta), [stones]) = (&given.thickness, &stones[..]) else {

@@ -141,7 +141,15 @@ fn what_is_measured_is_told() {
     }
     let words: Vec<&str> = arch.split(' ').collect();
     let table = printed(&words);
-    let (_, measured) = table.split_once("as measured\n").unwrap();
+    // Is it safe, how large is all, and then what has no unit.
+    let (verdict, told) = table.split_once("\n   geometric safety factor  3.8972\n").unwrap();
+    assert!(verdict.contains("stands, proved") && !verdict.contains("factor"), "{table}");
+    let (_, measured) = told.split_once("\nas measured\n").unwrap();
+    let (measured, ratios) = measured.split_once("\n\nas ratios").unwrap();
+    assert!(ratios.contains("\n   least thickness          0.025803\n"), "{table}");
+    assert!(ratios.contains(", at 0.93922 rad = 53.81 deg\n"), "{table}");
+    let by_itself = printed(&words[..words.len() - 2]);
+    assert!(by_itself.contains("\n   geometric safety factor  3.89721\n"), "six: {by_itself}");
     let rows: Vec<Vec<&str>> =
         measured.lines().map(|row| row.split_whitespace().collect()).collect();
     let names: Vec<&str> = rows.iter().map(|row| row[0]).collect();
@@ -156,7 +164,12 @@ fn what_is_measured_is_told() {
     }
     assert!(csv.contains(",intrados,") && csv.contains(",0.6,0.10056,"), "{csv}");
     let latex = printed(&[&words[..], &["--format", "latex"]].concat());
-    assert!(latex.contains("measured at its intrados") && latex.contains("span, m & "));
+    assert!(latex.contains("measured at its intrados"), "{latex}");
+    let heads = r"$\mu$ & span, m & rise, m & $t$, m & least $t$, m & safety \\";
+    assert!(latex.contains(heads) && latex.contains(r" & \num{3.8972} \\"), "{latex}");
+    let falls = "assess --span=10m --rise=5m --thickness=60cm --mu=0.1 --format=markdown";
+    let falls = printed(&falls.split(' ').collect::<Vec<_>>());
+    assert!(falls.ends_with("| 0.1 | falls (sliding) | 10 | 5 | 0.6 |\n"), "{falls}");
     let found =
         object("state --radius 5m --half-opening 80deg --friction 0.6 --measured-at extrados");
     assert_eq!(found["measured_at"], "extrados");

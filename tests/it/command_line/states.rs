@@ -188,8 +188,9 @@ fn many_states_keep_their_order_and_bad_rows_their_line() {
     let text = stdout(&output);
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(lines.len(), 3004);
-    for i in [1, 1500, 3000] {
-        assert!(lines[i].starts_with(&format!("milankovitch,{i}/1200,2,proved,")), "{}", lines[i]);
+    // A fraction that ends is the decimal.
+    for (i, alpha) in [(1, "1/1200"), (1500, "1.25"), (3000, "2.5")] {
+        assert!(lines[i].starts_with(&format!("milankovitch,{alpha},2,proved,")), "{}", lines[i]);
     }
     assert!(
         lines[3001].contains("3002,'banana' is not a number")
@@ -236,4 +237,29 @@ fn a_file_without_queries_is_refused() {
     for input in ["", "\n", "a,b\n1,2\n"] {
         assert_eq!(states(&[], input).status.code(), Some(2), "{input:?}");
     }
+}
+
+/// A table for a spreadsheet or a paper has the rows of the usual one.
+#[test]
+fn rows_are_written_for_people_too() {
+    let input = "span;rise;thickness;friction\n12m;6m;80cm;0,6\n12m;5m;80cm;0,6\n";
+    let csv2 = stdout(&states(&["--format", "csv2", "--digits", "6"], input));
+    assert!(csv2.contains("\nmilankovitch;pi/2;0,6;0,125;intrados;proved;"), "{csv2}");
+    assert!(csv2.contains(";0,107478;1,16303;"), "{csv2}");
+    let again = stdout(&states(&["--format", "csv2", "--digits", "6"], &csv2));
+    assert_eq!(again.matches(";0,107478;1,16303;").count(), 1, "it reads what it writes: {again}");
+    let markdown = stdout(&states(&["--format", "markdown", "--digits", "6"], input));
+    assert_eq!(markdown.lines().count(), 4, "{markdown}");
+    assert!(
+        markdown.starts_with("| weight | alpha | mu | eta = t/r | measured at |"),
+        "{markdown}"
+    );
+    assert!(markdown.contains("| 0.107478 | 1.16303 |"), "{markdown}");
+    assert!(!markdown.contains("sliding") && !markdown.contains("line"), "empty: {markdown}");
+    let latex = stdout(&states(&["--format", "latex", "--digits", "6"], input));
+    assert!(latex.contains(r"\num{0.107478} & \num{1.16303}"), "{latex}");
+    let with_error = states(&["--format", "markdown"], &format!("{input}12m;5m;80cm;x\n"));
+    assert_eq!(with_error.status.code(), Some(2));
+    let last = stdout(&with_error);
+    assert!(last.contains("| 4 | 'x' is not a friction: "), "{last}");
 }

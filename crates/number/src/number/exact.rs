@@ -99,6 +99,19 @@ impl ExactNumber {
         Self { factor, form: Form::Rational, text }
     }
 
+    /// Text of the number, of a fraction as the decimal that it is where that ends soon: `1/8` is a date to a
+    /// spreadsheet.
+    pub fn in_decimals(&self) -> String {
+        const LONGEST: usize = 20;
+        match self.form {
+            Form::Rational if self.text.contains('/') => {
+                let ended = decimal(&self.factor);
+                if ended.len() > LONGEST { self.text.clone() } else { ended }
+            }
+            _ => self.text.clone(),
+        }
+    }
+
     /// `2 atan(q)` in radians; a right angle is [one part of pi](Form::TimesPi), as every angle is that is both.
     pub fn twice_arctangent(q: BigRational) -> Self {
         let text = format!("2atan({q})");
