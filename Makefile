@@ -8,8 +8,9 @@
 
 # Everything at once, chosen in the same words by every command, so that nothing is compiled twice. Not `--all-features`:
 # `system-gmp` takes GMP and MPFR from the system, which may have them too old.
-ALL := --workspace --features proptest
-# What else is built with the command, of the same crates: `--package couplet-c --package couplet-python`.
+ALL := --workspace --features proptest $(TESTED)
+# `TESTED=--release`, and what else is built with the command in TOGETHER, when both shall have the same crates (.ci/run).
+TESTED ?=
 TOGETHER ?=
 
 # No path of this machine stands in a program that is handed on.
@@ -33,6 +34,7 @@ run: build
 	@echo
 	./target/release/couplet state --weight heyman --half-opening 90deg --friction 0.5
 	@printf '%s\n' '' 'That is a semicircular arch at its least thickness. To try:' \
+	  '  ./target/release/couplet assess --span 10m --rise 3m --thickness 60cm --friction 0.6' \
 	  '  ./target/release/couplet constants                     the landmark points, proved' \
 	  '  ./target/release/couplet draw --half-opening 90deg --friction 0.5 -o arch.svg' \
 	  '  ./target/release/couplet --help                        everything else'
@@ -159,7 +161,7 @@ house: m4
 # The programs of examples/; each ends with what it asserts.
 examples: m4
 	cargo build --locked --quiet $(ALL) --examples
-	for name in constant state identity own_solver; do target/debug/examples/$$name || exit 1; done
+	for name in constant state identity own_solver; do $(if $(TESTED),target/release,target/debug)/examples/$$name || exit 1; done
 
 # The exported constants read back bit for bit by every language they are written for. `make test` does so
 # with those it finds; here the others are installed (but for Julia, which has no package), and Parquet too.

@@ -6,7 +6,7 @@ use crate::sweep::parse;
 use clap::Args;
 use std::ffi::OsString;
 
-/// Check certificates: that the equations have the root claimed, and that every digit is right.
+/// Check certificates: the root that is claimed, and every digit.
 ///
 /// The checker trusts nothing that a certificate says: it computes residuals, slopes and roundings from the
 /// claim. Each file gets one line: `accepted`, `refused` with the reason, `not checked` if it has more digits than

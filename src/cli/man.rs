@@ -6,7 +6,7 @@ use clap_mangen::{Man, generate_to};
 use std::fs;
 use std::path::PathBuf;
 
-/// Print the manual page of couplet, or write the pages of all commands into a folder.
+/// Print the manual page, or write those of all commands.
 ///
 /// `couplet man | man -l -` shows it; `couplet man ~/.local/share/man/man1` installs couplet.1,
 /// couplet-state.1 and the others.

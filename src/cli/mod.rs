@@ -177,7 +177,9 @@ fn usage(error: &clap::Error) -> u8 {
         .join("; ")
         .replace(":; ", ": ");
     let possible = match error.kind() {
-        clap::error::ErrorKind::InvalidSubcommand => commands_there_are(),
+        clap::error::ErrorKind::InvalidSubcommand if !line.contains("tip: ") => {
+            commands_there_are()
+        }
         clap::error::ErrorKind::UnknownArgument => "; --help lists the options".into(),
         _ => String::new(),
     };

@@ -9,7 +9,9 @@ use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
 use clap::Args;
 
-/// Compare every number the paper prints, and its claims on the two weights, with certified values.
+/// Compare every number the paper prints with certified ones.
+///
+/// Its claims on the two weights too.
 ///
 /// The exit code tells whether everything was decided, not whether the paper is right. CSV has the
 /// printed numbers only.

@@ -20,6 +20,8 @@ use std::path::{Path, PathBuf};
 /// Time of a certificate over that of the constants.
 const TIMES: f64 = 2.5;
 
+/// Write certificates that need no trust in the solver.
+///
 /// Write certificates that `couplet check` accepts without trusting the solver.
 ///
 /// Of a landmark; of the state of an arch at its least thickness, or why it stands at no thickness; with --thickness,

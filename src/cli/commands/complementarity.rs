@@ -23,7 +23,9 @@ use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use clap::Args;
 
-/// Print the thicknesses at which the complementarity problem (19) of the whole arch has a solution, each proved.
+/// Solve the complementarity problem (19) of the whole arch.
+///
+/// Tell the thicknesses at which it has a solution, each proved.
 ///
 /// A solution is an admissible state with a motion of the joints that are at their limits, without dilatancy. Among
 /// symmetric ones there is one thickness, the least; some horseshoes have asymmetric ones at a larger thickness.

@@ -12,6 +12,8 @@ use crate::sweep::parse::{self, Weights};
 use clap::Args;
 use rayon::prelude::*;
 
+/// Print the landmark constants, each with a proof.
+///
 /// Print the landmark constants, each with a proof that it exists, is unique, and has the digits
 /// shown.
 ///
@@ -27,7 +29,7 @@ pub(crate) struct Arguments {
     /// Landmarks to print, by symbol or name; all if none is named.
     ///
     /// T triple, S shift, J junction, B border point; l rotation-end, L overturning-end; sb widest-joint.
-    #[arg(value_name = "LANDMARK", value_parser = parse::landmark)]
+    #[arg(value_name = "LANDMARK", value_parser = landmark)]
     landmarks: Vec<Landmark>,
 
     /// Self-weight model: heyman, milankovitch or both.
@@ -40,6 +42,14 @@ pub(crate) struct Arguments {
 
     #[command(flatten)]
     output: AnswerOutput,
+}
+
+/// A landmark; all of them have no name of their own here.
+fn landmark(text: &str) -> Result<Landmark, String> {
+    match text {
+        "all" => Err("without a name it is all of them".into()),
+        text => parse::landmark(text),
+    }
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {

@@ -21,7 +21,7 @@ use crate::sweep::parse;
 use crate::sweep::scene::{DrawnArch, Pose};
 use clap::Args;
 
-/// Draw an arch at its least thickness, how it falls there, or an arch as it stands or falls.
+/// Draw an arch as it stands, at its least thickness, or falling.
 ///
 /// Without --thickness: the arch at its least thickness, its lines of thrust and of friction, and its mechanism.
 /// With it: the lines of the least and of the largest thrust, what limits each, and the safety. An arch that does not

@@ -12,7 +12,7 @@ use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
 use clap::Args;
 
-/// Evaluate an equation of the paper, (2) to (18), at given values, to any number of digits, with a proof.
+/// Evaluate an equation of the paper, (2) to (18), with a proof.
 ///
 /// At a rotational joint, (7): the cubics in A, eta and h with all of their real roots, and which of them are states;
 /// for Heyman's weight the quadratics. (8): the identity between f, g, S, C and beta. (9), (10), (11): the closed forms

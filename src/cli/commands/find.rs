@@ -14,6 +14,8 @@ use crate::report::{Answer, Answers, Scope};
 use crate::sweep::failure::Failure;
 use clap::Args;
 
+/// Find the widest opening, the least friction, where modes meet.
+///
 /// Find the widest half opening that stands, the least friction, or where one mode becomes another, with a proof.
 ///
 /// Without --thickness an arch counts if it stands at any. The least thickness of an arch is what `couplet state`

@@ -18,6 +18,8 @@ use clap::Args;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
+/// Judge somebody else's results, row by row.
+///
 /// Judge somebody else's results: each row against the certified state of its arch.
 ///
 /// The file is a table with a header, or JSON objects, one on each line or in an array: what `couplet

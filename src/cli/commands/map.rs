@@ -25,6 +25,8 @@ use crate::sweep::scene::{contour_key, map_lines};
 use clap::{Args, Subcommand};
 use rayon::prelude::*;
 
+/// Draw the map of the collapse modes, or write its curves.
+///
 /// The curves of the map, each proved for every value of its parameter, from landmark to landmark.
 ///
 /// A curve is a chain of pieces. On each, for each value of the parameter, exactly one solution lies in a tube

@@ -74,69 +74,77 @@ macro_rules! commands {
 }
 
 commands! {
-    "An arch" {
-        State(state) ["mechanism"]
-            state::QUESTION.example,
-            "couplet state --span 10m --rise 3m --friction 31deg --weight both --digits 6";
-        Assess(assess) ["safety" "thrust"]
+    "Most used" {
+        Assess(assess) ["arch" "bridge" "safety" "thrust"]
             assess::QUESTION.example,
             "couplet assess --span 10m±2cm --rise 3m±1cm --thickness 60cm±1cm --friction 31deg±1deg",
             "couplet assess --span 18.9m --rise 4.2m --thickness 90cm --stones 41 --friction 0.6 --tilt 5deg",
             "couplet assess --span 33ft --rise 10ft --thickness 2ft --friction 0.6 -o bridge.svg";
+        State(state) ["mechanism"]
+            state::QUESTION.example,
+            "couplet state --span 10m --rise 3m --friction 31deg --weight both --digits 6";
+        Draw(draw) []
+            draw::QUESTION.example,
+            "couplet draw --at T --mode [s,r,r] -o triple.png";
+        Map(map) ["plot"]
+            "couplet map --lines --tolerance 1e-2 -o map.svg",
+            "couplet map point rrr/srr --at 80deg --digits 50",
+            "couplet map difference --tolerance 1e-3";
+        States(states) []
+            "couplet sample --count 20 -o arches.csv && couplet states arches.csv --digits 17 -o states.csv";
         Find(find) []
             "couplet find half-opening --thickness 0.15 --friction 0.6",
             "couplet find friction --half-opening 80deg --thickness 0.1",
             "couplet find boundary rrs/rsr --friction 1.6";
-        Equation(equation) []
-            "couplet equation 7 --rotation-joint 1.0",
-            "couplet equation 12 --rotation-joint 57deg --weight heyman --digits 50";
+        Constants(constants) []
+            "couplet constants T --digits 50",
+            "couplet constants --weight milankovitch --format csv -o constants.csv";
+        Certify(certify) []
+            "couplet certify T --digits 100 -o T.json",
+            certify::STATE.example;
+        Check(check) [] "couplet certify T --digits 100 -o T.json && couplet check T.json";
+    }
+    "More" {
         Voussoirs(voussoirs) []
             voussoirs::QUESTION.example,
             "couplet voussoirs --half-opening pi/2 --friction 0.6 --stones 2..40 -o convergence.svg";
         Complementarity(complementarity) []
             complementarity::QUESTION.example,
             "couplet complementarity --half-opening pi/2 --friction 0.4 --stones 5 --half";
-    }
-    "Many arches" {
-        States(states) []
-            "couplet sample --count 20 -o arches.csv && couplet states arches.csv --digits 17 -o states.csv";
+        Equation(equation) []
+            "couplet equation 7 --rotation-joint 1.0",
+            "couplet equation 12 --rotation-joint 57deg --weight heyman --digits 50";
         Sweep(sweep) [] "couplet sweep --schema";
         Sample(sample) [] "couplet sample --hard --count 1000 --seed 1 -o hard.csv";
         Judge(judge) ["compare"]
             "couplet sample --count 20 | couplet states - --digits 17 --format csv -o theirs.csv && \
              couplet judge theirs.csv";
         Run(run) [] "couplet run --schema > scene.toml && couplet run scene.toml --plan";
-    }
-    "Pictures" {
-        Map(map) ["plot"]
-            "couplet map --lines --tolerance 1e-2 -o map.svg",
-            "couplet map point rrr/srr --at 80deg --digits 50",
-            "couplet map difference --tolerance 1e-3";
-        Draw(draw) []
-            draw::QUESTION.example,
-            "couplet draw --at T --mode [s,r,r] -o triple.png";
         Figure(figure) [] "couplet figure 7 -o figure7.svg";
-    }
-    "Proofs for others" {
-        Certify(certify) []
-            "couplet certify T --digits 100 -o T.json",
-            certify::STATE.example;
-        Check(check) [] "couplet certify T --digits 100 -o T.json && couplet check T.json";
-    }
-    "The paper" {
-        Constants(constants) []
-            "couplet constants T --digits 50",
-            "couplet constants --weight milankovitch --format csv -o constants.csv";
         Audit(audit) [] "couplet audit --weight heyman";
         Prove(prove) [] "couplet prove eq-8 --show", "couplet prove --index";
         Study(study) [] "couplet study --help";
     }
 }
 
-/// Examples below the help of a command.
+/// Columns of an example: one that a terminal broke could not be copied.
+const COLUMNS: usize = 78;
+
+/// Examples below the help of a command, each a line, or several that a shell reads as one.
 fn examples(all: &[&str]) -> String {
-    let lines: Vec<String> = all.iter().map(|example| format!("  {example}")).collect();
-    format!("Examples:\n{}", lines.join("\n"))
+    let mut help = String::from("Examples:");
+    for example in all {
+        let mut line = String::from(" ");
+        for word in example.split(' ') {
+            if line.chars().count() + 1 + word.chars().count() + " \\".len() > COLUMNS {
+                help += &format!("\n{line} \\");
+                line = String::from("     ");
+            }
+            line += &format!(" {word}");
+        }
+        help += &format!("\n{line}");
+    }
+    help
 }
 
 /// Commands of a program in groups, for its help.

@@ -12,6 +12,8 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
 
+/// Draw arches, or arches of stones, to test a solver with.
+///
 /// Draw arches to test a solver with: ordinary or hard ones, or stones that just stand or fall.
 ///
 /// Hard are arches next to a landmark, where modes meet, of which they share 3 to 40 digits, tiny openings

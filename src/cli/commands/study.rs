@@ -16,7 +16,7 @@ use std::io;
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// Measure error against run time, or digits lost near the limits of the problem.
+/// Measure error against run time, and digits that are lost.
 ///
 /// Every error is the distance to a certified value of much higher precision. Nothing here is part of a
 /// proof.

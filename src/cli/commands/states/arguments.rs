@@ -8,6 +8,8 @@ use crate::sweep::parse;
 use clap::Args;
 use std::path::PathBuf;
 
+/// Answer a table of arches, a row each.
+///
 /// Read queries, one a row, and write what is proved of each, in the same order.
 ///
 /// The input is a table with a header, or JSON objects, one on each line or in an array. Its columns or keys

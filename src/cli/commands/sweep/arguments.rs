@@ -3,7 +3,7 @@
 use clap::Args;
 use std::path::PathBuf;
 
-/// Prove many arches, and write them as a partitioned Parquet data set.
+/// Prove many arches, into a partitioned Parquet data set.
 ///
 /// A plan is a TOML file with a grid, a sample or a data set; --schema prints one with every key. The parts go
 /// into a folder whose name tells the sweep, so that two sweeps never meet and the same one finds its own. A run
