@@ -139,6 +139,10 @@ impl PaperTable {
                 Quantity::GeometricSafety if is_built => Heading::words("safety"),
                 of => Heading::named(of.name()).in_degrees(),
             };
+            if is_given(*of) {
+                headings.push(heading);
+                continue;
+            }
             headings.extend(weights.iter().map(|&weight| whom(heading.clone(), weight)));
             if let [one, other] = weights[..] {
                 headings.push(heading.of(&format!("{} less {}", author(other), author(one))));
@@ -164,9 +168,13 @@ impl PaperTable {
                     .iter()
                     .map(|answer| answer.and_then(|answer| answer.value(quantity)))
                     .collect();
-                cells.extend(values.iter().map(|value| {
+                let told = if is_given(quantity) { 1 } else { values.len() };
+                cells.extend(values.iter().take(told).map(|value| {
                     value.map_or(NONE.into(), |x| number(quantity, x, report.digits))
                 }));
+                if told < weights.len() {
+                    continue;
+                }
                 if let [Some(one), Some(other)] = values[..] {
                     cells.push(difference(quantity, one, other, report.digits));
                 } else if weights.len() == 2 {
@@ -230,6 +238,12 @@ fn number(quantity: Quantity, value: &Value, digits: usize) -> String {
         Some(ball) if !quantity.is_measured() => rounded(&ball, digits),
         _ => printed(&value.text()),
     }
+}
+
+/// Tells whether a quantity is what was given, whatever the weight.
+fn is_given(quantity: Quantity) -> bool {
+    use Quantity::{GivenThicknessInMetres, Rise, Span};
+    matches!(quantity, Span | Rise | GivenThicknessInMetres)
 }
 
 fn is_in_radians(quantity: Quantity) -> bool {

@@ -167,6 +167,12 @@ fn what_is_measured_is_told() {
     assert!(latex.contains("measured at its intrados"), "{latex}");
     let heads = r"$\mu$ & span, m & rise, m & $t$, m & least $t$, m & safety \\";
     assert!(latex.contains(heads) && latex.contains(r" & \num{3.8972} \\"), "{latex}");
+    let both = printed(&[&words[..], &["--format=markdown", "--weight=both"]].concat());
+    let heads =
+        "| mu | span, m | rise, m | t, m | least t, m (Heyman) | least t, m (Milankovitch) |";
+    assert!(both.starts_with(heads), "what is given stands once: {both}");
+    let columns = both.lines().map(|line| line.matches('|').count());
+    assert!(columns.collect::<Vec<_>>().windows(2).all(|pair| pair[0] == pair[1]), "{both}");
     let falls = "assess --span=10m --rise=5m --thickness=60cm --mu=0.1 --format=markdown";
     let falls = printed(&falls.split(' ').collect::<Vec<_>>());
     assert!(falls.ends_with("| 0.1 | falls (sliding) | 10 | 5 | 0.6 |\n"), "{falls}");
