@@ -21,7 +21,7 @@ pub(crate) fn surveyed(
     digits: usize,
 ) -> Result<Answer, Failure> {
     let given = SurveyGiven::read(&ARCH, asked, Spelling::Key).map_err(wrong)?;
-    match found(asked, &given, weight, (quantities(asked), digits)) {
+    match found(asked, &given, weight, (&quantities(asked), digits)) {
         Ok(found) => Ok(Answer::surveyed(&found)),
         Err(Failed::Undecided(open)) => Ok(Answer::undecided(open)),
         Err(failed) => Err(wrong(failed)),

@@ -255,6 +255,12 @@ class Tilted(Assessment):
         "stands with none, or that is undecided."
     )
 
+    largest_tilt_degrees = _Value("The same as the angle of the ground, in degrees.")
+    thrust = _Value("The thrust in the crown at the largest acceleration, H/(w r).")
+    vertical_force = _Value("The vertical force in the crown then, V/(w r).")
+    thrust_kn = _Value("That thrust in kN, where ``density`` and ``depth`` are given.")
+    vertical_force_kn = _Value("That vertical force in kN.")
+
     limited_by = Told["tuple[str, ...]"]("What limits it: the hinges and joints of the mechanism.", tuple)
     may_move = Told[bool]("Whether it stands with a limited friction, which does not exclude a motion.", bool)
 
@@ -417,3 +423,13 @@ class Survey(dict):  # type: ignore[type-arg]
     def reason(self) -> str | None:
         """Why it is undecided."""
         return self["reason"]  # type: ignore[no-any-return]
+
+    @property
+    def measures_alone(self) -> dict[str, tuple[str | None, str | None] | None]:
+        """What to measure better: bounds of the geometric safety if one measure alone keeps its tolerance and all others are at
+        the middle of theirs, by the measure, the widest first; a bound is None where there is no number, both are where it stays
+        open. Empty where fewer than two measures have a tolerance."""
+        return {
+            of["measure"]: None if of["reason"] is not None else (of["lower"]["value"], of["upper"]["value"])
+            for of in self.get("measures_alone", ())
+        }

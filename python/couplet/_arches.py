@@ -167,7 +167,7 @@ def tilt(
 
     Args:
         tilt: the acceleration over that of gravity ('0.1'), or the angle by which the ground is tilted ('5deg').
-        thickness and others: as for ``assess``; of stones at most 2001. There are no forces: no density and no depth.
+        thickness and others: as for ``assess``; of stones at most 2001.
 
     Raises: CoupletError if an argument makes no sense; TypeError if it is no number.
 
@@ -206,7 +206,7 @@ def voussoirs(
         stones: how many, of one angle; an odd number has a keystone. A range, ``range(2, 201)``, asks for each of its numbers.
         joints: instead, the angles of the joints of the half arch, from the crown (0, or half a keystone) to the shoulder.
         thickness: then also whether the arch stands with it, in ``assessment``; of one number of stones.
-        half_opening and others: as for ``state``. There are no forces: no density and no depth. Of a tilted arch ``tilt`` tells.
+        half_opening and others: as for ``state``. Of a tilted arch ``tilt`` tells.
 
     Returns: an answer; of a range a list of answers.
 

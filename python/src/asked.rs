@@ -11,7 +11,6 @@ use couplet::certify::state::{Balls, Certify};
 use couplet::certify::{CertifiedLandmark, quantities};
 use couplet::cli::{self, doors};
 use couplet::door::find as sought;
-use couplet::problem::measures::Measures;
 use couplet::problem::{Arch, Landmark, Mode, Quantity};
 use couplet::report::{Answer, Claims, Format, Reported, Understood};
 use couplet::sweep::failure::Failure;
@@ -203,7 +202,7 @@ pub(crate) fn surveyed(
     let digits = parse::digits(digits).map_err(wrong)?;
     let found = on_threads(py, 1, move || {
         let quantities = survey::quantities(&asked);
-        survey::surveyed(&asked, &given, weight, (quantities, digits))
+        survey::surveyed(&asked, &given, weight, (&quantities, digits))
     })?;
     report(&found.map_err(failed)?, "json").map(Some)
 }
@@ -225,7 +224,9 @@ pub(crate) fn voussoirs<'py>(
     let (given, arch) = given(py, question, weight, texts.clone())?;
     let understood = Understood::new(&asked(texts), &given);
     let digits = parse::digits(digits).map_err(wrong)?;
-    let made = on_threads(py, 1, move || doors::of_stones((understood, &given), &[arch], digits))?;
+    let made = on_threads(py, 1, move || {
+        doors::of_stones((understood, &given), &[arch], (digits, digits))
+    })?;
     let made = made.map_err(failed)?;
     let values = made.arches.iter().map(|arch| told::voussoirs(py, arch));
     let values = values.collect::<PyResult<_>>()?;
@@ -246,13 +247,11 @@ pub(crate) fn tilted<'py>(
     let (Some(eta), Some(tilt)) = (given.thickness.clone(), given.tilt.clone()) else {
         return Err(wrong("thickness, tilt are missing"));
     };
-    if given.measures.as_ref().is_some_and(Measures::has_forces) {
-        return Err(wrong("tilt tells no forces: leave out density and depth"));
-    }
     let stones = doors::divisions(&given).map_err(failed)?;
     let digits = parse::digits(digits).map_err(wrong)?;
     let found = on_threads(py, 1, move || {
-        doors::tilted((&understood, &arch), (&eta, &tilt), stones.first(), digits)
+        let measures = given.measures.as_ref().map(|measures| (measures, digits));
+        doors::tilted((&understood, &arch), (&eta, &tilt, stones.first()), (digits, measures))
     })?;
     let mut found = found.map_err(failed)?;
     let values = told::tilted(py, &found)?;

@@ -4,7 +4,7 @@ use couplet::certify::state::Figure;
 use couplet::certify::{LargestTilt, VoussoirStanding, Voussoirs};
 use couplet::check::AcceptedFile;
 use couplet::problem::{Mode, Quantity};
-use couplet::report::{Answer, Status, TiltedArch, Value, VoussoirArch};
+use couplet::report::{Answer, Sizes, Status, TiltedArch, Value, VoussoirArch};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -69,6 +69,12 @@ fn figures<'py, 'a>(
     Ok(all)
 }
 
+/// Sizes of an arch that is measured, by their names.
+fn sizes(of: Option<&Sizes>) -> impl Iterator<Item = (&'static str, Option<&Figure>)> {
+    let found = of.and_then(|of| of.found.as_ref().ok());
+    found.into_iter().flatten().map(|(of, figure)| (of.name(), figure.as_ref()))
+}
+
 /// The values of an arch of stones at its least thickness, and of it at a thickness that is given.
 pub(crate) fn voussoirs<'py>(
     py: Python<'py>,
@@ -96,6 +102,9 @@ pub(crate) fn voussoirs<'py>(
             at_thickness.extend(ends.map(|(name, end)| (name, end.thrust.as_ref())));
         }
         at_thickness.extend(least.first().map(|(_, eta)| ("least_thickness", *eta)));
+        at_thickness.extend(sizes(arch.sizes.as_ref()));
+    } else {
+        least.extend(sizes(arch.sizes.as_ref()));
     }
     least.extend(arch.continuous.iter().map(|eta| ("continuous_thickness", Some(eta))));
     Ok([figures(py, least)?, figures(py, at_thickness)?])
@@ -111,7 +120,10 @@ pub(crate) fn tilted<'py>(py: Python<'py>, arch: &TiltedArch) -> PyResult<Bound<
         LargestTilt::Limited(figure, _) => Some(&**figure),
         LargestTilt::Unlimited => None,
     });
-    figures(py, figure.map(|figure| ("largest_tilt", figure)))
+    let beside = arch.at_largest();
+    let beside = beside.iter().map(|(name, figure)| (*name, Some(figure)));
+    let largest = figure.map(|figure| ("largest_tilt", figure));
+    figures(py, largest.into_iter().chain(beside).chain(sizes(arch.sizes.as_ref())))
 }
 
 /// What became of a certificate: the verdict, the reason, and what is accepted.

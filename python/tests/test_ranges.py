@@ -18,6 +18,19 @@ def test_a_range_is_two_ends_or_a_text():
     assert float(lower["value"]) <= float(str(one.geometric_safety))
 
 
+def test_what_to_measure_better_is_the_answer_with_one_range():
+    middles = {"span": "10m", "rise": "3m", "thickness": "60cm", "friction": "0.6"}
+    ranges = {"span": "10m±10cm", "rise": "3m±1cm", "thickness": "60cm±3cm", "friction": "0.6±0.1"}
+    alone = couplet.assess(**ranges, digits=6).measures_alone
+    assert list(alone)[0] == "thickness" and set(alone) == set(ranges)
+    for measure, ends in alone.items():
+        one = couplet.assess(**{**middles, measure: ranges[measure]}, digits=6)
+        safety = next(of for of in one["ranges"] if of["quantity"] == "geometric_safety")
+        assert ends == (safety["lower"]["value"], safety["upper"]["value"]) and one.measures_alone == {}
+    open_ended = couplet.assess("80deg±1deg", (0.5, float("inf")), 0.125, digits=6).measures_alone
+    assert open_ended["half_opening"] is None and open_ended["friction"] is not None
+
+
 @pytest.mark.parametrize(
     ("answer", "verdict"),
     [

@@ -109,7 +109,8 @@ fn stones_are_tilted() {
     // With a joint at every angle it bears less.
     assert!(largest.parse::<f64>().unwrap() > 0.052_468, "{largest}");
     assert!(of(&format!("{arch} --tilt 0.2")).1.contains("collapses, proved: no state"));
-    assert!(of(&format!("{arch} --tilt 0.05 --format csv")).1.ends_with(",11 equal stones\n"));
+    let table = of(&format!("{arch} --tilt 0.05 --format csv")).1;
+    assert!(table.contains(",11 equal stones,"), "{table}");
     let joints = "--joints 0,0.5,1,pi/2 --mu inf --eta 0.15 --tilt 0.05";
     assert!(of(joints).1.contains("stands, proved"));
     let thin = of("--alpha pi/2 --mu 0.4 --eta 0.01 --stones 11 --tilt 0.05");
@@ -128,16 +129,42 @@ fn stones_are_tilted() {
     }
 }
 
-/// An acceleration is a ratio: forces in kilonewtons are not told with it.
+/// An acceleration is a ratio and an angle; the forces at the crown are ratios times `w r`, which the weight tells.
 #[test]
-fn a_tilt_has_no_dimension() {
-    let arch = "--alpha 1 --mu 1 --radius 3m --eta 0.6m --tilt 0.1";
-    let (code, out, error) = of(arch);
-    assert_eq!(code, Some(0), "{error}");
-    assert!(out.contains("thickness 0.6m = 0.181818 r"), "{out}");
-    let (code, out, error) = of(&format!("{arch} --density 2000kg/m3 --depth 1m"));
-    assert_eq!((code, &out[..]), (Some(2), ""));
-    assert!(error.lines().count() == 1 && error.contains("--tilt tells no forces"), "{error}");
+fn a_tilted_arch_has_forces_and_angles() {
+    for joints in ["", " --stones 21"] {
+        let arch =
+            format!("--alpha 1 --mu 1 --radius 3m --eta 0.6m --tilt 0.1 --digits 12{joints}");
+        let (code, out, error) = of(&arch);
+        assert_eq!(code, Some(0), "{error}");
+        assert!(
+            out.contains("thickness 0.6m = 0.181818 r") && out.contains("as measured"),
+            "{out}"
+        );
+        let (code, out, error) =
+            of(&format!("{arch} --density 2000kg/m3 --depth 1m --format json"));
+        assert_eq!(code, Some(0), "{error}");
+        let json: Value = serde_json::from_str(&out).unwrap();
+        let number = |value: &Value| value["value"].as_str().unwrap().parse::<f64>().unwrap();
+        let is = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-10, "{a} {b}: {json}");
+        // 2 w r alpha, where alpha is one radian and w r = 19.6133 x 0.6 x 3.3 kN.
+        let unit = number(&json["weight_kn"]) / 2.0;
+        is(unit, 19.6133 * 0.6 * 3.3);
+        is(number(&json["thrust_kn"]), unit * number(&json["thrust"]));
+        is(number(&json["vertical_force_kn"]), unit * number(&json["vertical_force"]));
+        is(number(&json["largest_tilt_degrees"]).to_radians().tan(), number(&json["largest_tilt"]));
+        for joint in json["gives_way"].as_array().unwrap() {
+            is(number(&joint["angle_degrees"]).to_radians(), number(&joint["angle"]));
+        }
+        let (_, table, _) = of(&format!("{arch} --density 2000kg/m3 --depth 1m --format csv"));
+        assert!(table.contains(json["thrust_kn"]["value"].as_str().unwrap()), "{table}");
+    }
+    let line = "--alpha 1 --mu 1 --radius 3m --eta 0.6m --tilt 0.1 --density 20kN/m3 --depth 1m -o tilted.svg";
+    let (code, _, error) = of(line);
+    assert!(
+        code == Some(2) && error.contains("a picture of a tilted arch has no forces"),
+        "{error}"
+    );
 }
 
 /// Beside a verdict, what stays open is named: the largest acceleration, and not whether there is a state.

@@ -1,5 +1,6 @@
 //! Text of an arch: each thing that it may be given by once, with the help that a command prints of it.
 
+use super::boxes::middle;
 use super::question::{Misfit, Spelling};
 use super::range::Range;
 use crate::number::{is_range, shown};
@@ -172,6 +173,30 @@ impl ArchAsked {
         Ok(ends)
     }
 
+    /// Measures with a tolerance, a range of some extent, on each of which it depends whether an arch stands.
+    pub fn tolerances(&self) -> Vec<Field> {
+        let has_extent = |of: &Field| {
+            let range = self.get(*of).and_then(|text| Range::read(text).ok().flatten());
+            range.is_some_and(|Range { lower, upper }| lower != upper)
+        };
+        let is_load = |of: &Field| [Field::Density, Field::Depth].contains(of);
+        self.ranges().filter(|of| !is_load(of) && has_extent(of)).collect()
+    }
+
+    /// The question in which one measure alone keeps its tolerance, and every other one is at the middle of its own;
+    /// without forces. Refused if a range has no exact middle, as one without end.
+    pub fn alone(&self, measure: Field) -> Result<Self, Misfit> {
+        let mut alone = Self { density: None, depth: None, ..self.clone() };
+        for other in self.tolerances().into_iter().filter(|of| *of != measure) {
+            let text = self.get(other).unwrap_or_default();
+            let range = Range::read(text).ok().flatten();
+            let middle = range.and_then(|range| middle(&range).ok());
+            let why = || format!("{} {} has no exact middle", other.name(), shown(text));
+            *alone.at(other) = Some(middle.ok_or_else(|| Misfit::new(other, why()))?);
+        }
+        Ok(alone)
+    }
+
     /// Friction as [`Friction`](crate::problem::Friction) reads it.
     pub fn friction_text(&self) -> Option<String> {
         let angle = || self.friction_angle.as_ref().map(|phi| format!("tan({phi})"));
@@ -212,6 +237,30 @@ mod tests {
             assert!(misfit.message.contains(why), "{misfit}");
         }
         assert_eq!(ArchAsked::parse("").unwrap(), ArchAsked::default());
+    }
+
+    #[test]
+    fn one_measure_alone_keeps_its_tolerance() {
+        let asked = "span=10m±2cm; rise=2.9m..310cm; eta=60cm±0cm; mu=0.5..0.7; radius=1m; density=20kN/m3..24kN/m3";
+        let asked = ArchAsked::parse(asked).unwrap();
+        let measures = asked.tolerances();
+        assert_eq!(measures, [Field::Friction, Field::Span, Field::Rise]);
+        let alone = measures.iter().map(|of| asked.alone(*of).unwrap().options());
+        assert_eq!(
+            alone.collect::<Vec<_>>(),
+            [
+                " --friction 0.5..0.7 --thickness '60cm±0cm' --span 10m --rise 3m --radius 1m",
+                " --friction 0.6 --thickness '60cm±0cm' --span '10m±2cm' --rise 3m --radius 1m",
+                " --friction 0.6 --thickness '60cm±0cm' --span 10m --rise 2.9m..310cm --radius 1m",
+            ]
+        );
+        for (range, alpha) in [("mu=0.5..inf", "2"), ("mu=tan(31deg)..0.7", "2"), ("mu=1", "pi/2")]
+        {
+            let asked =
+                ArchAsked::parse(&format!("alpha=1..{alpha}; eta=0.1..0.2; {range}")).unwrap();
+            let misfit = asked.alone(Field::Thickness).unwrap_err();
+            assert!(misfit.message.ends_with("has no exact middle"), "{misfit}");
+        }
     }
 
     #[test]

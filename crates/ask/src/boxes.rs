@@ -31,6 +31,12 @@ pub fn boxes(of: &Range, count: usize) -> Result<impl Iterator<Item = Range>, Ra
     Ok((0..count).map(move |k| Range { lower: at(k), upper: at(k + 1) }))
 }
 
+/// Exact text of the middle of a range.
+pub(super) fn middle(of: &Range) -> Result<String, RangeError> {
+    let upper = || of.upper.clone();
+    Ok(boxes(of, 2)?.next().map_or_else(upper, |half| half.upper))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -7,7 +7,7 @@ use super::question::{ArchQuestion, Misfit, Spelling};
 use super::stones::StonesAsked;
 use crate::arch::SelfWeight;
 use crate::number::{ExactNumber, decimal, shown};
-use crate::problem::measures::{Circle, Length, Measures, of_span_and_rise};
+use crate::problem::measures::{Circle, Length, Measures, UnitWeight, of_span_and_rise, radii};
 use crate::problem::stones::Stones;
 use crate::problem::survey::{Shape, Survey, SurveyError, frictions_in_order, in_order};
 use crate::problem::{Arch, ArchError, Friction, Sought};
@@ -20,20 +20,14 @@ pub struct SurveyGiven {
     pub friction: [Friction; 2],
     /// Half openings and thicknesses, or the measures that make both.
     pub shape: Shape,
-    /// Circle at which the arches are measured, where they are.
-    pub circle: Option<Circle>,
+    /// Measures with the least radius and load, and with the largest, where the arches are measured.
+    pub sizes: Option<[Measures; 2]>,
     /// Stones of every one of them, if the joints are between them alone.
     pub stones: Option<Stones>,
     /// Texts of the lower ends and of the upper ends.
     ends: [ArchAsked; 2],
 }
 
-/// Fields that go with no range, each with the reason.
-const REFUSED: [(Field, &str); 3] = [
-    (Field::Tilt, "a range of arches is told of on level ground"),
-    (Field::Density, "of a range of arches no forces are told"),
-    (Field::Depth, "of a range of arches no forces are told"),
-];
 /// Measures of an arch.
 const MEASURES: [Field; 3] = [Field::Span, Field::Rise, Field::Radius];
 
@@ -56,13 +50,14 @@ impl SurveyGiven {
     }
 
     fn of(is_unlimited: bool, asked: &ArchAsked, spelling: Spelling) -> Result<Self, Misfit> {
-        let refused = REFUSED.iter().find(|(field, _)| asked.get(*field).is_some());
-        if let Some((field, why)) = refused {
-            let (name, range) = (spelling.of(*field), asked.ranges().next());
+        if asked.tilt.is_some() {
+            let (name, range) = (spelling.of(Field::Tilt), asked.ranges().next());
             let range = range
                 .map_or("a range".to_owned(), |of| format!("the range of {}", spelling.of(of)));
-            let message = format!("{name} does not go with {range}: {why}");
-            return Err(Misfit::new(*field, message));
+            let message = format!(
+                "{name} does not go with {range}: a range of arches is told of on level ground"
+            );
+            return Err(Misfit::new(Field::Tilt, message));
         }
         let stones = StonesAsked::of_ranges(asked, spelling)?;
         let ends = asked.ends()?;
@@ -76,10 +71,13 @@ impl SurveyGiven {
             Some(StonesAsked::Joints(stones)) => stones.half_opening().clone(),
             _ => ExactNumber::rational(BigInt::from(1).into()),
         };
-        let (friction, shape) = ([low?, high?], shape(&ends, usual, circle, spelling)?);
-        let is_measured = MEASURES.into_iter().any(|of| asked.get(of).is_some());
-        let circle = is_measured.then_some(circle);
-        let mut given = Self { friction, shape, circle, stones: None, ends };
+        let friction = [low?, high?];
+        let (shape, radii) = shape(&ends, usual, circle, spelling)?;
+        let [light, heavy] = loads(&ends)?;
+        let sizes = radii.map(|[small, large]| {
+            [(small, light), (large, heavy)].map(|(of, load)| Measures::new(circle, of, load))
+        });
+        let mut given = Self { friction, shape, sizes, stones: None, ends };
         // What is no range of arches is told with its field.
         given.survey(SelfWeight::Heyman).map_err(|error| given.misfit(&error, asked))?;
         if let Some(stones) = stones {
@@ -122,6 +120,20 @@ impl SurveyGiven {
                 made(span, rise).map(|(half_opening, _)| half_opening)
             }
         }
+    }
+
+    /// Least and largest `w r` in kN over the arches, if forces are told: it grows with radius and thickness, which is the
+    /// one given, else between two ratios to the radius.
+    pub fn forces(&self, ratios: Option<[ExactNumber; 2]>) -> Option<[ExactNumber; 2]> {
+        let [small, large] = self.sizes.as_ref()?;
+        let [thin, thick] = match (of_lengths(&self.ends), &self.shape) {
+            (Some([thin, thick]), _) => {
+                [small.thickness(&thin).ok()?, large.thickness(&thick).ok()?]
+            }
+            (None, Shape::Free { thickness: Some(ratios), .. }) => ratios.clone(),
+            (None, _) => ratios?,
+        };
+        Some([small.exact_force(&thin)?, large.exact_force(&thick)?])
     }
 
     /// Question about one of the arches: in the texts of the ends that it has, else in exact numbers. `measured` are
@@ -208,13 +220,14 @@ fn made([short, long]: &[Length; 2], [low, high]: &[Length; 2]) -> [(ExactNumber
     [(long, low), (short, high)].map(|(span, rise)| of_span_and_rise(span, rise))
 }
 
-/// Geometry that the arches have in common; of no half opening that is given, or made, they have the `usual` one.
+/// Geometry that the arches have in common, with the least and the largest radius where they are measured; of no half
+/// opening that is given, or made, they have the `usual` one.
 fn shape(
     ends: &[ArchAsked; 2],
     usual: ExactNumber,
     circle: Circle,
     spelling: Spelling,
-) -> Result<Shape, Misfit> {
+) -> Result<(Shape, Option<[Length; 2]>), Misfit> {
     let [span, rise, radius] = MEASURES.map(|field| lengths(ends, field));
     let (span, rise, radius) = (span?, rise?, radius?);
     let is_one =
@@ -238,17 +251,18 @@ fn shape(
             ([alpha(low)?, alpha(high)?], radius)
         }
         (Some(span), Some(rise), None) if low.half_opening.is_none() => {
-            let made = made(span, rise);
+            let (made, radii) = (made(span, rise), Some(radii(span, rise)));
             let of = made.clone().map(|(_, radius)| Measures::new(circle, radius, None));
             let thickness = match thickness(ends, Some(&of), spelling)? {
                 Thickness::Lengths(thickness) => {
                     short(ends)?;
                     let (span, rise) = (span.clone(), rise.clone());
-                    return Ok(Shape::Spanned { circle, span, rise, thickness });
+                    return Ok((Shape::Spanned { circle, span, rise, thickness }, radii));
                 }
                 ratio => ratio.ratios(),
             };
-            return Ok(Shape::Free { half_opening: made.map(|(alpha, _)| alpha), thickness });
+            let half_opening = made.map(|(alpha, _)| alpha);
+            return Ok((Shape::Free { half_opening, thickness }, radii));
         }
         // The narrow arch has the larger radius.
         (span, rise, Some([small, large])) if is_chord(low) => {
@@ -277,11 +291,13 @@ fn shape(
         }
     };
     let of = radius.clone().map(|ends| ends.map(|radius| Measures::new(circle, radius, None)));
-    let thickness = match (thickness(ends, of.as_ref(), spelling)?, radius) {
-        (Thickness::Lengths(lengths), Some(radius)) => Some(ratios(lengths, radius, circle)?),
+    let thickness = match (thickness(ends, of.as_ref(), spelling)?, &radius) {
+        (Thickness::Lengths(lengths), Some(radius)) => {
+            Some(ratios(lengths, radius.clone(), circle)?)
+        }
         (thickness, _) => thickness.ratios(),
     };
-    Ok(Shape::Free { half_opening, thickness })
+    Ok((Shape::Free { half_opening, thickness }, radius))
 }
 
 /// Tells whether the half opening of an arch is that of a radius and a span or a rise.
@@ -371,6 +387,19 @@ fn of_lengths([low, high]: &[ArchAsked; 2]) -> Option<[Length; 2]> {
     Some([length(low, Field::Thickness)?, length(high, Field::Thickness)?])
 }
 
+/// Weight of a volume and depth at both ends, the least first; none if they are not given.
+fn loads(ends: &[ArchAsked; 2]) -> Result<[Option<(UnitWeight, Length)>; 2], Misfit> {
+    let [light, heavy] = ends.each_ref().map(|end| read::<UnitWeight>(end, Field::Density));
+    let ((light, heavy), depths) = ((light?, heavy?), lengths(ends, Field::Depth)?);
+    if let Some((light, heavy)) = light.as_ref().zip(heavy.as_ref())
+        && light.exceeds(heavy)
+    {
+        return Err(empty(ends, Field::Density));
+    }
+    let [shallow, deep] = depths.map_or([None, None], |depths| depths.map(Some));
+    Ok([light.zip(shallow), heavy.zip(deep)])
+}
+
 /// Lengths of a field, the least first; none if it is not given.
 fn lengths(ends: &[ArchAsked; 2], field: Field) -> Result<Option<[Length; 2]>, Misfit> {
     let [low, high] = ends.each_ref().map(|end| read::<Length>(end, field));
@@ -384,11 +413,13 @@ fn ordered(
     [low, high]: [Length; 2],
     field: Field,
 ) -> Result<[Length; 2], Misfit> {
-    if !low.exceeds(&high) {
-        return Ok([low, high]);
-    }
+    if low.exceeds(&high) { Err(empty(ends, field)) } else { Ok([low, high]) }
+}
+
+/// Reason why a range whose first end is above its last is refused.
+fn empty(ends: &[ArchAsked; 2], field: Field) -> Misfit {
     let [low, high] = ends.each_ref().map(|end| shown(end.get(field).unwrap_or_default()));
-    Err(Misfit::new(field, SurveyError::Reversed(low, high)))
+    Misfit::new(field, SurveyError::Reversed(low, high))
 }
 
 #[cfg(test)]

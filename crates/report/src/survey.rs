@@ -7,10 +7,12 @@ use super::tabular::Tabular;
 use super::understood::Understood;
 use super::words::{aligned, distinct, labels, list};
 use crate::arch::SelfWeight;
-use crate::ask::SurveyGiven;
+use crate::ask::{Field, SurveyGiven};
 use crate::certify::Undecided;
 use crate::problem::{Mode, Quantity, Sought};
 use couplet_survey::{EndValue, ModesFound, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch};
+use rug::Rational;
+use std::cmp::Reverse;
 
 /// Schema of the answer.
 pub(super) const SCHEMA: &str = "couplet.survey/1";
@@ -35,9 +37,54 @@ pub struct SurveyedArches {
     pub quantities: Vec<Quantity>,
     /// Answer, or why nothing is proved.
     pub found: Result<SurveyAnswer, Undecided>,
+    /// What each tolerance does to the geometric safety alone, the widest range first; none where that is not told.
+    pub alone: Vec<MeasureAlone>,
+}
+
+/// A measure that alone keeps its tolerance, every other one being at the middle of its own.
+#[derive(Debug)]
+pub struct MeasureAlone {
+    /// The measure.
+    pub measure: Field,
+    /// These arches with their geometric safety, or why there are none.
+    pub found: Result<SurveyedArches, String>,
+}
+
+impl MeasureAlone {
+    /// Range of the geometric safety, or why it stays open.
+    fn safety(&self) -> Result<(&SurveyedArches, &QuantityRange), String> {
+        let found = self.found.as_ref().map_err(Clone::clone)?;
+        let open = || found.first_open().map_or(String::new(), |open| open.reason.to_string());
+        found.ranges().next().map(|range| (found, range)).ok_or_else(open)
+    }
+
+    /// Order by extent: what stays open, numbers by their difference, an end without a number.
+    fn extent(&self) -> (u8, Rational) {
+        let Ok((_, QuantityRange { lower, upper, .. })) = self.safety() else {
+            return (0, Rational::new());
+        };
+        match [&lower.value, &upper.value] {
+            [EndValue::Number(lower), EndValue::Number(upper)] => {
+                (1, upper.to_rational() - lower.to_rational())
+            }
+            [lower, upper] => (if lower == upper { 1 } else { 2 }, Rational::new()),
+        }
+    }
 }
 
 impl SurveyedArches {
+    /// The answer with what each tolerance does alone.
+    #[must_use]
+    pub fn with_each_alone(self, mut alone: Vec<MeasureAlone>) -> Self {
+        alone.sort_by_key(|of| Reverse(of.extent()));
+        Self { alone, ..self }
+    }
+
+    /// The measure whose tolerance alone makes the widest range of the geometric safety, where that is told.
+    pub(super) fn measure_first(&self) -> Option<&'static str> {
+        self.alone.first().filter(|of| of.safety().is_ok()).map(|of| of.measure.name())
+    }
+
     /// Reason why something stays open, if anything does.
     pub fn first_open(&self) -> Option<&Undecided> {
         match &self.found {
@@ -103,6 +150,20 @@ impl SurveyedArches {
             record
         };
         record.add_list("ranges", self.ranges().map(range));
+        if !self.alone.is_empty() {
+            let alone = |of: &MeasureAlone| {
+                let safety = of.safety();
+                let end = |end: fn(&QuantityRange) -> &RangeEnd| {
+                    safety.as_ref().ok().map(|(arches, range)| arches.end(end(range)))
+                };
+                let mut record = Record::named("measure", [of.measure.name().into()]);
+                record.add_record("lower", end(|range| &range.lower));
+                record.add_record("upper", end(|range| &range.upper));
+                record.add("reason", safety.as_ref().err().map(String::as_str));
+                record
+            };
+            record.add_list("measures_alone", self.alone.iter().map(alone));
+        }
         if self.tells_modes() {
             let labels = |modes: &[Mode]| labels(modes);
             let modes = found.and_then(|found| found.modes.as_ref());
@@ -251,6 +312,20 @@ fn say(all: &SurveyedArches, record: &mut Record) {
     }
     record.say_all(found.modes.iter().flat_map(modes));
     record.say_all(open.map(|open| format!("\n   {open}")));
+    if !all.alone.is_empty() {
+        record.say("\n   what to measure better: the geometric safety with one tolerance alone, all else at its middle");
+        let row = |of: &MeasureAlone| {
+            let range = match of.safety() {
+                Ok((_, QuantityRange { lower, upper, .. })) => {
+                    format!("{} to {}", lower.value, upper.value)
+                }
+                Err(why) => format!("undecided: {why}"),
+            };
+            vec![of.measure.name().to_owned(), range]
+        };
+        let rows: Vec<Vec<String>> = all.alone.iter().map(row).collect();
+        record.say_all(aligned(&rows).map(|line| format!("   {line}")));
+    }
     record.say("");
     for (index, arch) in arches.iter().enumerate() {
         record.say(format!("   ({}) {}", index + 1, all.command(arch)));
@@ -277,6 +352,12 @@ fn say(all: &SurveyedArches, record: &mut Record) {
     }
     if ends().any(|end| end.value == EndValue::AnyIsEnough) {
         record.say("   Any: however thin, that arch stands.");
+    }
+    let is_force = |of: Quantity| of.is_force() && of != Quantity::Weight;
+    if all.quantities.iter().any(|of| is_force(*of))
+        && !all.ranges().any(|range| is_force(range.of))
+    {
+        record.say("   Thrusts are told, in kN too, where every arch stands.");
     }
     if ends().any(|end| end.at.is_none()) {
         record.say("   An end without a number behind it encloses: no arch is beyond it, and none need have it.");

@@ -221,8 +221,9 @@ impl BandedArches {
                     let [lower, upper] =
                         [&range.lower, &range.upper].map(|end| end.value.to_string());
                     let name = range.of.name();
-                    let (name, unit) =
-                        name.strip_suffix("_m").map_or((name, ""), |name| (name, " m"));
+                    let units = [("_m", " m"), ("_kn", " kN")];
+                    let unit = |(end, unit)| Some((name.strip_suffix(end)?, unit));
+                    let (name, unit) = units.into_iter().find_map(unit).unwrap_or((name, ""));
                     format!("{} {lower} to {upper}{unit}", name.replace('_', " "))
                 };
                 let ranges: Vec<String> = self.arches.ranges().map(range).collect();

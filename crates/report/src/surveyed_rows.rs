@@ -44,6 +44,8 @@ pub struct SurveyedCell {
     /// Both ends of each quantity.
     ends: Vec<[Option<String>; 2]>,
     modes: Option<ModesFound>,
+    /// The measure whose tolerance alone moves the geometric safety most.
+    measure_first: Option<&'static str>,
     note: Option<String>,
 }
 
@@ -54,6 +56,8 @@ pub struct SurveyedRows {
     pub quantities: Vec<Quantity>,
     /// True if arches may have a thickness.
     pub have_thickness: bool,
+    /// True if it is told what to measure better.
+    pub tells_measures: bool,
     /// Names of what is handed on, where the rows are those of one table.
     pub kept: Vec<String>,
     /// True if each row is an object of JSON, and not a line of a table.
@@ -75,7 +79,8 @@ impl SurveyedRow {
 impl SurveyedRows {
     /// Rows of a table with these quantities, and nothing that is handed on.
     pub fn new(quantities: Vec<Quantity>, have_thickness: bool) -> Self {
-        Self { quantities, have_thickness, kept: Vec::new(), are_objects: false }
+        let (tells_measures, kept, are_objects) = (false, Vec::new(), false);
+        Self { quantities, have_thickness, tells_measures, kept, are_objects }
     }
 
     /// The header, which objects have not.
@@ -134,6 +139,7 @@ impl SurveyedRows {
             given: given(of),
             ends: self.quantities.iter().map(ends).collect(),
             modes: of.found.as_ref().ok().and_then(|found| found.modes.clone()),
+            measure_first: of.measure_first(),
             note: of.asked.note().map(str::to_owned),
         }
     }
@@ -158,6 +164,9 @@ impl SurveyedRows {
                 let text = ends.and_then(|ends| ends[k].as_deref());
                 cells.add(format!("{}_{end}", quantity.name()), text);
             }
+        }
+        if self.tells_measures {
+            cells.add("measure_first", of.and_then(|of| of.measure_first));
         }
         let modes = of.and_then(|of| of.modes.as_ref());
         let listed = |of: fn(&ModesFound) -> &Vec<Mode>| modes.map(|modes| labels(of(modes)));

@@ -1,11 +1,12 @@
 //! Arches under a horizontal acceleration, and what is proved of them; their record and their picture are beside.
 
+use super::sizes::Sizes;
 use super::understood::Understood;
 use crate::arch::mechanism::Contact;
 use crate::arch::whole::Side;
 use crate::certify::Undecided;
 use crate::certify::state::Figure;
-use crate::number::{Ball, Drawable, ExactNumber, degrees};
+use crate::number::{Ball, Drawable, ExactNumber, arctangent, degrees};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Slope};
 use couplet_stones::{LargestTilt, TiltDigits, TiltMechanism, TiltedJoint};
@@ -62,6 +63,8 @@ pub struct TiltedArch {
     pub command: String,
     /// Result that is proved; `None` if the arch does not even stand without acceleration.
     pub found: Result<Option<TiltDigits>, Undecided>,
+    /// Sizes of the arch, where it is measured, with the forces in its crown at the largest acceleration.
+    pub sizes: Option<Sizes>,
 }
 
 impl TiltedArch {
@@ -81,6 +84,7 @@ impl TiltedArch {
             Ok(Some(found)) => found.is_admissible.as_ref().err().or(found.largest.as_ref().err()),
             Err(undecided) => Some(undecided),
         }
+        .or_else(|| self.sizes.as_ref()?.found.as_ref().err())
     }
 
     /// Outcome in a word.
@@ -108,6 +112,17 @@ impl TiltedArch {
             LargestTilt::Limited(figure, _) => Some(figure),
             LargestTilt::Unlimited => None,
         }
+    }
+
+    /// Largest acceleration as the angle of the ground, and thrust and vertical force in the crown there over `w r`.
+    pub fn at_largest(&self) -> Vec<(&'static str, Figure)> {
+        let Some(mechanism) = self.mechanism() else { return Vec::new() };
+        let [thrust, _, vertical, tilt] = &mechanism.forces;
+        let angle = degrees(&arctangent(tilt));
+        let told =
+            [("largest_tilt_degrees", &angle), ("thrust", thrust), ("vertical_force", vertical)];
+        let figure = |(name, of)| Some((name, Figure::around(of, self.digits)?));
+        told.into_iter().filter_map(figure).collect()
     }
 
     /// The joints that give way at the largest acceleration.

@@ -3,11 +3,12 @@
 use super::format::Content;
 use super::record::Record;
 use super::reported::Reported;
+use super::sizes::Sizes;
 use super::tabular::Tabular;
 use super::tilt::{Joint, TiltedArch};
 use super::tilt_picture::picture;
 use super::words::division;
-use crate::number::Rounded;
+use crate::number::{Rounded, degrees};
 use crate::picture::Print;
 use crate::problem::asymmetric_region::MAY_MOVE;
 use couplet_stones::LargestTilt;
@@ -36,18 +37,24 @@ impl Reported for TiltedArch {
         record.add("limited_by", self.limits());
         record.add("stones", self.stones.as_ref().map(division));
         record.add_list("gives_way", self.joints().iter().map(|of| joint(self, of)));
+        for (name, figure) in &self.at_largest() {
+            record.add_bounds(name, Some(figure));
+        }
+        self.sizes.iter().for_each(|sizes| sizes.add_to(&mut record));
         vec![record]
     }
 
     fn tabular(&self) -> Tabular {
-        let columns = "weight half_opening friction thickness tilt outcome largest_tilt limited_by reason may_move stones";
+        let columns = "weight half_opening friction thickness tilt outcome largest_tilt limited_by reason may_move stones \
+                       largest_tilt_degrees thrust vertical_force";
+        let columns = columns.to_owned() + &Sizes::columns(self.sizes.iter());
         let rows = self.records().into_iter().map(|mut row| {
             if let Some(LargestTilt::Unlimited) = self.largest() {
                 row.add("largest_tilt", "inf");
             }
             row
         });
-        Tabular::of(columns, rows)
+        Tabular::of(&columns, rows)
     }
 
     fn picture_of_all(all: &[Self], print: &Print) -> io::Result<String> {
@@ -60,6 +67,8 @@ fn joint(arch: &TiltedArch, of: &Joint) -> Record {
     record.add("happens", arch.happens(of.side, of.of.contact));
     record.add("side", if of.is_crown() { "crown" } else { of.side.name() });
     record.add_rounded("angle", Rounded::around(&of.size, arch.digits).as_ref());
+    let degrees = Rounded::around(&degrees(&of.size), arch.digits);
+    record.add_rounded("angle_degrees", degrees.as_ref());
     record.add("joint", of.number);
     record
 }
@@ -79,15 +88,29 @@ fn say(arch: &TiltedArch, record: &mut Record) {
     if arch.may_move() {
         record.say(format!("{MAY_MOVE}: that is not excluded"));
     }
-    let Some(largest) = arch.largest() else { return };
+    record.say_all(arch.largest().into_iter().flat_map(|largest| limited(arch, largest)));
+    record.say_all(arch.sizes.iter().flat_map(Sizes::lines));
+}
+
+/// Lines on the largest acceleration, and on the forces there.
+fn limited(arch: &TiltedArch, largest: &LargestTilt) -> Vec<String> {
+    let told = arch.at_largest();
+    let told = |name| told.iter().find(|(of, _)| *of == name).map(|(_, figure)| figure);
     let text = match largest {
-        LargestTilt::Limited(figure, _) => figure.to_string(),
+        LargestTilt::Limited(figure, _) => match told("largest_tilt_degrees") {
+            Some(angle) => format!("{figure} = {angle} deg"),
+            None => figure.to_string(),
+        },
         LargestTilt::Unlimited => "unbounded".to_owned(),
     };
     let words = if arch.arch.is_limited() { "falls from the tilt" } else { "largest tilt" };
-    record.say(format!("\n   {words:<24} {text}"));
+    let mut lines = vec![format!("\n   {words:<24} {text}")];
     for (index, limit) in arch.limits().iter().enumerate() {
         let words = if index == 0 { "        limited by" } else { "" };
-        record.say(format!("   {words:<24} {limit}"));
+        lines.push(format!("   {words:<24} {limit}"));
     }
+    let forces = [("thrust in the crown", "thrust"), ("vertical force there", "vertical_force")];
+    let line = |(words, name)| told(name).map(|force| format!("   {words:<24} {force}"));
+    lines.extend(forces.into_iter().filter_map(line));
+    lines
 }

@@ -64,7 +64,7 @@ impl Understood {
             [Some(narrow), Some(wide)] => Some(format!("{narrow} to {wide} deg")),
             _ => None,
         };
-        let arc = given.circle.map(|circle| (circle, alphas));
+        let arc = given.sizes.as_ref().map(|[of, _]| (of.circle(), alphas));
         let words = |(of, text)| in_words_of_range(of, text) + &in_arc(of, asked, &arc);
         let texts = Field::ALL.iter().copied().filter_map(text);
         Self {

@@ -27,11 +27,11 @@ pub use jointed::{
 };
 pub use programme::{MOST_JOINTED_STONES, Programme, programme};
 pub use tilt::{LargestTilt, TiltDigits, tilted};
-pub use tilt_mechanism::{TiltMechanism, TiltedJoint};
+pub use tilt_mechanism::{TiltMechanism, TiltedJoint, measured_tilt};
 pub use tilt_of_stones::{MOST_TILTED_STONES, tilted_stones};
 pub use voussoirs::{
     VoussoirAssessment, VoussoirDigits, VoussoirLimit, VoussoirLoss, VoussoirStanding, Voussoirs,
-    assess_voussoirs, voussoir_loss, voussoirs,
+    assess_voussoirs, measured_voussoirs, voussoir_loss, voussoirs,
 };
 
 use couplet_check::{arch, problem};

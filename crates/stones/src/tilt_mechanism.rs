@@ -8,13 +8,15 @@
 
 use crate::arch::mechanism::Contact;
 use crate::arch::whole::along;
-use crate::number::{Angle, Ball, Enclosure, Jet, Real, Stumpff};
+use crate::number::{Angle, Ball, Enclosure, ExactNumber, Jet, Real, Stumpff, bits_of};
 use crate::positive::Zero;
-use crate::problem::Joints;
+use crate::problem::measures::Measures;
+use crate::problem::{Arch, Joints, Quantity};
 use crate::prover::Undecided;
 use crate::prover::decide::is_positive;
 use crate::prover::root::{Form, root_near};
 use crate::solve::tilt::{TiltNear, TiltTouch};
+use couplet_prove::certify::state::{Measured, measured_of};
 use rug::Float;
 
 /// A joint that gives way.
@@ -38,6 +40,29 @@ pub struct TiltMechanism {
     /// The joints.
     pub joints: Vec<TiltedJoint>,
 }
+
+/// The sizes of an arch of a given thickness to `digits` significant digits, with the forces that its halves bear on each
+/// other at the largest acceleration, where that is known. Undecided where its bits do not tell the digits.
+pub fn measured_tilt(
+    (arch, thickness): (&Arch, &ExactNumber),
+    largest: Option<&TiltMechanism>,
+    measures: &Measures,
+    digits: usize,
+) -> Result<Measured, Undecided> {
+    let names = [Quantity::Force, Quantity::VerticalForceInKilonewtons];
+    let told = |of: &TiltMechanism| {
+        let [thrust, _, vertical, _] = of.forces.clone();
+        names.into_iter().zip([thrust, vertical].map(Some)).collect()
+    };
+    let forces = largest.map_or(Vec::new(), told);
+    let bits = largest.map_or(bits_of(digits) + GUARD, |of| of.tilt().prec());
+    let of = (arch.half_opening(), thickness);
+    let sizes = measured_of(of, measures, (None, forces), (bits, digits));
+    sizes.ok_or_else(|| Undecided::new("the digits of the forces"))
+}
+
+/// Bits beyond those of the digits.
+const GUARD: u32 = 64;
 
 /// Place of a joint: at a springing, or somewhere inside the arch.
 type JointPlace = Option<Ball>;

@@ -61,7 +61,10 @@ pub fn tilted_stones(
         let mut refined = mechanism.clone();
         if refined.tilt().prec() < bits {
             let limits = at(limits, bits);
-            refined.forces[3] = StoneSystem::new(&limits.iter().collect::<Vec<_>>())?.tilt();
+            let limits: Vec<&StoneLimit> = limits.iter().collect();
+            let system = StoneSystem::new(&limits)?;
+            let fixed = system.kept.iter().enumerate();
+            fixed.for_each(|(column, k)| refined.forces[*k] = system.unknown(column));
         }
         Ok(refined)
     };
@@ -178,10 +181,6 @@ impl<'a> StoneSystem<'a> {
 
     fn unknown(&self, column: usize) -> Ball {
         self.solved(column, |i| -self.of[i].row.load.clone())
-    }
-
-    fn tilt(&self) -> Ball {
-        self.unknown(self.kept.len() - 1)
     }
 
     /// The multiplier of a condition: what the acceleration would be with that condition alone on the right.

@@ -1,11 +1,15 @@
 //! The answer about all arches of a survey.
 
-use crate::number::{Decimal, ExactNumber};
+use super::corners::ENCLOSED_DIGITS;
+use crate::number::{Ball, Decimal, ExactNumber, Field, Rounded};
 use crate::problem::measures::Length;
 use crate::problem::survey::{Side, Survey, SurveyVerdict};
 use crate::problem::{Arch, Mode, Quantity};
 use crate::prover::Undecided;
 use std::fmt;
+
+/// Bits of a product of two numbers.
+const BITS: u32 = 128;
 
 /// Proved answer about every arch of a survey. Where something is sought, an arch has a half opening of one radian, or
 /// friction without limit, in its place.
@@ -102,6 +106,61 @@ impl SurveyedArch {
             None => (survey.corner(side)?, None),
         };
         Some(Self { arch: of.arch, thickness: of.thickness, measured })
+    }
+}
+
+impl SurveyAnswer {
+    /// Ends of the range of a quantity, where they are numbers.
+    pub fn numbers(&self, of: Quantity) -> Option<[ExactNumber; 2]> {
+        let range = self.ranges.iter().find(|range| range.of == of)?;
+        let number = |end: &RangeEnd| match &end.value {
+            EndValue::Number(number) => Some(ExactNumber::from(number.to_rational())),
+            _ => None,
+        };
+        Some([number(&range.lower)?, number(&range.upper)?])
+    }
+
+    /// Adds the weight and the thrusts in kN, of arches whose half opening (rad) and whose `w r` in kN are between two
+    /// numbers: each end is a product of two, which encloses. Without a thrust of arches that all stand they stay open.
+    pub fn add_forces(
+        &mut self,
+        half_opening: &[ExactNumber; 2],
+        force: &[ExactNumber; 2],
+        digits: usize,
+    ) {
+        let [light, heavy] = force.each_ref().map(|force| force.enclosure::<Ball>(BITS));
+        let end = |ratio: Ball, up: bool| {
+            // What is negative is least beside the heaviest.
+            let unit = if up == ratio.mid().is_sign_negative() { &light } else { &heavy };
+            let force = Rounded::around(&(ratio * unit), digits.min(ENCLOSED_DIGITS));
+            force.map(|force| EndValue::Number(if up { force.upper } else { force.lower }))
+        };
+        let [narrow, wide] = half_opening.each_ref().map(|alpha| alpha.enclosure::<Ball>(BITS));
+        let weight = [end(narrow.int(2) * narrow, false), end(wide.int(2) * wide, true)];
+        let told = |(ratio, of)| {
+            let range = self.ranges.iter().find(|range| range.of == ratio)?;
+            let ends = [(&range.lower, false), (&range.upper, true)];
+            let ends = ends.map(|(at, up)| match &at.value {
+                EndValue::Number(number) => end(Rounded::exact(number.clone()).enclosure(BITS), up),
+                other => Some(other.clone()),
+            });
+            Some((of, ends))
+        };
+        let thrusts = [
+            (Quantity::LeastThrust, Quantity::LeastForce),
+            (Quantity::LargestThrust, Quantity::LargestForce),
+            (Quantity::Thrust, Quantity::Force),
+        ];
+        let told: Vec<_> = thrusts.into_iter().filter_map(told).collect();
+        if told.is_empty() && matches!(self.verdict, Some(Ok(SurveyVerdict::AllStand))) {
+            self.open.get_or_insert(Undecided::new("how large the thrusts are"));
+        }
+        for (of, ends) in told.into_iter().chain([(Quantity::Weight, weight)]) {
+            if let [Some(lower), Some(upper)] = ends {
+                let [lower, upper] = [lower, upper].map(|value| RangeEnd { value, at: None });
+                self.ranges.push(QuantityRange { of, lower, upper });
+            }
+        }
     }
 }
 

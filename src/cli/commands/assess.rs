@@ -9,7 +9,6 @@ use super::survey;
 use super::tilt;
 use super::voussoirs;
 use crate::ask::{ArchQuestion, Field};
-use crate::problem::measures::Measures;
 use crate::problem::{Arch, Quantity};
 use crate::sweep::answer;
 use crate::sweep::failure::Failure;
@@ -53,9 +52,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Some(eta) = &given.thickness else { return Ok(()) };
     if given.tilt.is_some() {
         arguments.output.tells_all("--tilt")?;
-        if given.measures.as_ref().is_some_and(Measures::has_forces) {
-            return Err("--tilt tells no forces: leave out --density and --depth".into());
-        }
     }
     let asked = arguments.arch.understood(&given);
     let digits = arguments.arch.digits();
@@ -72,8 +68,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let format = arguments.output.format()?;
     let digits = arguments.arch.digits_of(&given, format);
     if let Some(tilt) = &given.tilt {
-        let output = (arguments.output.file(), format);
-        return tilt::write(output, (&asked, &arches), (eta, tilt), None, digits);
+        let (output, sizes) = ((arguments.output.file(), format), arguments.arch.measures(&given));
+        return tilt::write(output, (&asked, &arches), (eta, tilt, None), (digits, sizes));
     }
     let all = given.quantities(&Quantity::ASSESSMENT, &Quantity::MEASURED_ASSESSMENT);
     let quantities = arguments.output.quantities(&all)?;

@@ -13,7 +13,6 @@ use crate::atlas::{Passed, Sketch};
 use crate::cli::line::typed;
 use crate::number::{Ball, shown};
 use crate::picture::Print;
-use crate::problem::measures::Measures;
 use crate::problem::{Landmark, Mode};
 use crate::report::{Format, Reported, Shown, Sketched, Style, Understood};
 use crate::sweep::failure::Failure;
@@ -247,9 +246,6 @@ impl Arguments {
     fn tilted(&self, printed: Printed<'_>) -> Result<(), Failure> {
         self.refuse_motion("--tilt")?;
         let given = ArchGiven::read(&TILTED, &self.arch, Spelling::Option)?;
-        if given.measures.as_ref().is_some_and(Measures::has_forces) {
-            return Err("--tilt tells no forces: leave out --density and --depth".into());
-        }
         let (asked, arches) = (Understood::new(&self.arch, &given), [given.arch(self.weight)?]);
         let stones = given.divisions()?;
         let of = (&asked, &arches[..]);

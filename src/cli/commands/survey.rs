@@ -14,7 +14,7 @@ use crate::problem::survey::Survey;
 use crate::problem::{Quantity, Sought};
 use crate::report::{BandedArches, Format, Reported, SurveyedArches};
 use crate::sweep::failure::Failure;
-use crate::sweep::surveyed::{arches, proved, quantities, surveyed, told};
+use crate::sweep::surveyed::{arches, proved, quantities, ranges, surveyed};
 
 /// Proves and prints what holds for every arch of a question.
 pub(super) fn print(
@@ -26,7 +26,7 @@ pub(super) fn print(
     if let Some((file, format, print)) = output.drawing(print)? {
         return draw(&arguments.asked, &given, arguments.one_weight()?, (file, format, &print));
     }
-    let mut quantities = output.quantities(quantities(&arguments.asked))?;
+    let mut quantities = output.quantities(&quantities(&arguments.asked))?;
     // The thickness of a state is the least.
     if quantities.contains(&Quantity::Thickness) {
         quantities.push(Quantity::LeastThickness);
@@ -55,7 +55,7 @@ pub(super) fn draw(
     let file = file.open_for(format)?;
     notes::frictions(&given.friction);
     let (command, digits) = (typed(), RANGE_DIGITS);
-    let arches = surveyed(asked, given, weight, (told(true), digits))?;
+    let arches = ranges(asked, given, weight, (&quantities(asked), digits))?;
     let open = arches.first_open().cloned();
     file.printed((&BandedArches { arches, bands, command }, format, print), open)
 }
@@ -69,7 +69,7 @@ pub(super) fn print_of_stones(
     let given = SurveyGiven::read(question, &arguments.asked, Spelling::Option)?;
     let (quantities, digits) = (quantities(&arguments.asked), arguments.range_digits());
     write((file, format), (arguments, &given), |weight| {
-        surveyed(&arguments.asked, &given, weight, (quantities, digits))
+        surveyed(&arguments.asked, &given, weight, (&quantities, digits))
     })
 }
 

@@ -9,13 +9,17 @@ use super::survey;
 use super::tilt;
 use crate::ask::{ArchGiven, ArchQuestion, Field, StonesAsked};
 use crate::certify::state::{Answer, Certify, Figure};
-use crate::certify::{Error, Voussoirs, assess_voussoirs, voussoir_loss, voussoirs};
+use crate::certify::{
+    Error, Voussoirs, assess_voussoirs, measured_voussoirs, voussoir_loss, voussoirs,
+};
 use crate::number::ExactNumber;
 use crate::picture::Print;
 use crate::problem::Arch;
 use crate::problem::measures::Measures;
 use crate::problem::stones::Stones;
-use crate::report::{Format, GivenThickness, Reported, Understood, VoussoirArch, VoussoirArches};
+use crate::report::{
+    Format, GivenThickness, Reported, Sizes, Understood, VoussoirArch, VoussoirArches,
+};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
 use clap::Args;
@@ -32,8 +36,6 @@ use clap::Args;
 /// Friction and thickness may be ranges, as of `assess`: then it is told of every arch inside. A range of the half
 /// opening, the span or the rise would move the joints.
 #[derive(Args)]
-#[command(mut_arg("density", |arg| arg.hide(true)))]
-#[command(mut_arg("depth", |arg| arg.hide(true)))]
 #[command(
     override_usage = "couplet voussoirs --half-opening <ANGLE> --friction <MU> --stones <N> [OPTIONS]\n       \
                             couplet voussoirs --joints <ANGLES> --friction <MU> [OPTIONS]"
@@ -100,7 +102,9 @@ fn answers(
                 false => draw::arch(given, arguments.one_weight()?, printed),
             };
         }
-        return tilt::write((file, format), (&asked, arches), (eta, tilt), Some(stones), digits);
+        let measures = arguments.measures(given);
+        let of = (eta, tilt, Some(stones));
+        return tilt::write((file, format), (&asked, arches), of, (digits, measures));
     }
     is_written("an arch of stones", VoussoirArches::content(), format)?;
     if format.is_picture && !given.stones.as_ref().is_some_and(StonesAsked::is_range) {
@@ -108,7 +112,8 @@ fn answers(
     }
     let file = file.open_for(format)?;
     notes::frictions(arches.iter().take(1).map(Arch::friction));
-    let answers = of_stones((asked, given), arches, digits)?;
+    let sized = arguments.measures(given).map_or(digits, |(_, sized)| sized);
+    let answers = of_stones((asked, given), arches, (digits, sized))?;
     if format.is_picture && answers.arches.iter().all(|arch| arch.loss.is_none()) {
         let message =
             "there is nothing to draw: of none of these numbers of stones a loss is proved";
@@ -121,22 +126,21 @@ fn answers(
 /// Divisions into stones that are asked about.
 pub fn divisions(given: &ArchGiven) -> Result<Vec<Stones>, Failure> {
     let stones = given.divisions()?;
-    if given.measures.as_ref().is_some_and(Measures::has_forces) {
-        return Err("an arch of stones tells no forces: leave out --density and --depth".into());
-    }
     if given.stones.as_ref().is_some_and(StonesAsked::is_range) && given.thickness.is_some() {
         return Err(ONE_NUMBER.into());
     }
     Ok(stones)
 }
 
-/// Arches of stones, one for each self-weight and division, with what is proved of them.
+/// Arches of stones, one for each self-weight and division, with what is proved of them; sizes have a number of digits of
+/// their own.
 pub fn of_stones(
     (asked, given): (Understood, &ArchGiven),
     arches: &[Arch],
-    digits: usize,
+    (digits, sized): (usize, usize),
 ) -> Result<VoussoirArches, Failure> {
     let (stones, eta) = (divisions(given)?, given.thickness.as_ref());
+    let measures = given.measures.as_ref().map(|measures| (measures, sized));
     let is_range = given.stones.as_ref().is_some_and(StonesAsked::is_range);
     let of_weight = |arch: &Arch| {
         let continuous = match arch.certify_alone(digits) {
@@ -146,7 +150,7 @@ pub fn of_stones(
         let (stones, arch) = (stones.clone(), arch.clone());
         stones
             .into_iter()
-            .map(move |stones| answer(&arch, stones, continuous.as_ref(), eta, digits))
+            .map(move |stones| answer(&arch, stones, continuous.as_ref(), eta, (digits, measures)))
     };
     let arches = arches.iter().flat_map(of_weight).collect::<Result<_, Failure>>()?;
     Ok(VoussoirArches { asked, arches, is_range })
@@ -158,7 +162,7 @@ fn answer(
     stones: Stones,
     continuous: Option<&Figure>,
     eta: Option<&ExactNumber>,
-    digits: usize,
+    (digits, measures): (usize, Option<(&Measures, usize)>),
 ) -> Result<VoussoirArch, Failure> {
     let found = Error::apart(voussoirs(&stones, arch.weight(), arch.friction(), digits))?;
     let loss = match (&found, continuous) {
@@ -172,9 +176,15 @@ fn answer(
         Ok(GivenThickness { thickness: eta.clone(), found })
     };
     let given = eta.map(given).transpose()?;
+    let sizes = |(measures, digits): (&Measures, usize)| -> Result<Sizes, Failure> {
+        let of = (arch.weight(), arch.friction());
+        let found = Error::apart(measured_voussoirs(&stones, of, eta, measures, digits))?;
+        Ok(Sizes { measured_at: measures.circle(), found })
+    };
+    let sizes = measures.map(sizes).transpose()?;
     let (weight, friction) = (arch.weight(), arch.friction().to_string());
     let continuous = continuous.cloned();
-    Ok(VoussoirArch { weight, friction, stones, found, continuous, loss, given })
+    Ok(VoussoirArch { weight, friction, stones, found, continuous, loss, given, sizes })
 }
 
 const ONE_NUMBER: &str =

@@ -211,6 +211,215 @@ fn what_is_sought_is_within_its_range() {
     }
 }
 
+/// Weight and thrusts in kN of every arch inside are within their ranges, whichever measures have one.
+#[test]
+fn the_forces_of_every_arch_inside_are_within_their_ranges() {
+    let load = " --density 24kN/m3 --depth 2m";
+    for (question, fields, load) in [
+        (
+            "assess",
+            &[
+                ("span", "9.9m..10.1m", &["9.9m", "10.1m"][..]),
+                ("rise", "2.95m..3.05m", &["2.95m", "3m", "3.05m"]),
+                ("thickness", "45cm..50cm", &["45cm", "47cm", "50cm"]),
+                ("friction", "0.5..0.6", &["0.5", "0.6"]),
+            ][..],
+            load,
+        ),
+        (
+            "assess",
+            &[
+                ("span", "9m..11m", &["9m", "11m"]),
+                ("rise", "4m..6m", &["4m", "4.5m", "5m", "6m"]),
+                ("thickness", "0.2r..0.25r", &["0.2r", "0.25r"]),
+                ("friction", "0.9", &["0.9"]),
+            ],
+            load,
+        ),
+        (
+            "assess",
+            &[
+                ("radius", "4.98m..5.02m", &["4.98m", "5.02m"]),
+                ("alpha", "1..1.1", &["1", "1.1"]),
+                ("thickness", "11cm..13cm", &["11cm", "13cm"]),
+                ("friction", "0.5", &["0.5"]),
+                ("measured-at", "extrados", &["extrados"]),
+                ("density", "22kN/m3..2400kg/m3", &["22kN/m3", "2400kg/m3"]),
+                ("depth", "1m", &["1m"]),
+            ],
+            "",
+        ),
+        (
+            "voussoirs",
+            &[
+                ("span", "10m", &["10m"]),
+                ("rise", "3m", &["3m"]),
+                ("stones", "21", &["21"]),
+                ("thickness", "28cm..32cm", &["28cm", "30cm", "32cm"]),
+                ("friction", "0.5..0.7", &["0.5", "0.7"]),
+            ],
+            load,
+        ),
+        (
+            "state",
+            &[
+                ("span", "10m", &["10m"]),
+                ("rise", "3m", &["3m"]),
+                ("friction", "0.3..0.7", &["0.3", "0.5", "0.7"]),
+            ],
+            load,
+        ),
+    ] {
+        let all: String =
+            fields.iter().map(|(name, range, _)| format!(" --{name} {range}")).collect();
+        let survey = object(&format!("{question}{all}{load}"));
+        let told = if question == "state" {
+            &["weight_kn", "thrust_kn"][..]
+        } else {
+            &["weight_kn", "least_thrust_kn", "largest_thrust_kn"]
+        };
+        let grid: Vec<(&str, &[&str])> =
+            fields.iter().map(|(name, _, values)| (*name, *values)).collect();
+        for arch in inside(&grid) {
+            let one = object(&format!("{question}{arch}{load} --digits 12"));
+            for quantity in told {
+                assert!(
+                    is_within(&survey, quantity, &one[quantity]),
+                    "{arch}: {quantity}: {survey}"
+                );
+            }
+        }
+        // They say something: no end is farther off than the measures let it be.
+        for quantity in told {
+            let [lower, upper] = ends(&survey, quantity);
+            assert!(lower > 0 && upper < lower * 3u32, "{question}{all}: {quantity}");
+        }
+    }
+    let thin =
+        "assess --span 10m±10cm --rise 3m --eta 14cm..16cm --mu 0.5 --density 24kN/m3 --depth 1m";
+    let survey = object(thin);
+    assert_eq!(survey["outcome"], "both_occur");
+    let all = survey["ranges"].as_array().unwrap();
+    let forces: Vec<&Value> = all
+        .iter()
+        .map(|range| &range["quantity"])
+        .filter(|of| of.as_str().unwrap().ends_with("_kn"))
+        .collect();
+    assert_eq!(forces, ["weight_kn"]);
+    assert!(printed(&words(thin)).contains("in kN too, where every arch stands"));
+    let rows = "span,rise,thickness,mu,density,depth\n10m±10cm,3m,50cm,0.6,24kN/m3,1m\n10m±10cm,3m,50cm,0.6,,\n";
+    let table = stdout(&fed(&["states", "--ranges", "--quantity", "largest_thrust_kn"], rows));
+    let cells: Vec<&str> = table.lines().collect();
+    assert!(cells[0].contains("largest_thrust_kn_lower,largest_thrust_kn_upper"), "{table}");
+    let asked =
+        object("assess --span 10m±10cm --rise 3m --eta 50cm --mu 0.6 --density 24kN/m3 --depth 1m");
+    let [lower, _] = ["lower", "upper"].map(|end| {
+        let all = asked["ranges"].as_array().unwrap();
+        let range = all.iter().find(|range| range["quantity"] == "largest_thrust_kn").unwrap();
+        range[end]["value"].as_str().unwrap().to_owned()
+    });
+    assert!(cells[1].contains(&lower) && !cells[2].contains(&lower), "{table}");
+}
+
+/// What a tolerance does alone is what is said of all arches with that one range, the others at their middles; the
+/// widest range is the first.
+#[test]
+fn what_to_measure_better_is_the_answer_with_one_range() {
+    for (fields, stones) in [
+        (
+            &[
+                ("span", "10m±10cm", "10m"),
+                ("rise", "2.95m..305cm", "3m"),
+                ("thickness", "45cm..50cm", "47.5cm"),
+                ("friction", "0.5..0.6", "0.55"),
+            ][..],
+            "",
+        ),
+        (
+            &[
+                ("half_opening", "80deg±1deg", "80deg"),
+                ("friction", "0.2..1", "0.6"),
+                ("thickness", "0.06..0.061", "121/2000"),
+            ],
+            "",
+        ),
+        (
+            &[
+                ("radius", "5m±2cm", "5m"),
+                ("friction", "0.4..0.5", "0.45"),
+                ("thickness", "12cm±1cm", "12cm"),
+            ],
+            "--alpha 1",
+        ),
+        (
+            &[("friction", "0.4..0.6", "0.5"), ("thickness", "0.1..0.11", "0.105")],
+            "--alpha pi/2 --stones 11",
+        ),
+    ] {
+        let option = |name: &str, text: &str| format!(" --{} {text}", name.replace('_', "-"));
+        let all: String = fields.iter().map(|(name, range, _)| option(name, range)).collect();
+        let survey = object(&format!("assess{all} {stones} --digits 7").replace("  ", " "));
+        let alone = survey["measures_alone"].as_array().unwrap();
+        assert_eq!(alone.len(), fields.len(), "{survey}");
+        let mut widths = Vec::new();
+        for told in alone {
+            let of = |(name, range, middle): &(&str, &str, &str)| {
+                option(name, if told["measure"] == *name { range } else { middle })
+            };
+            let one: String = fields.iter().map(of).collect();
+            let one = object(&format!("assess{one} {stones} --digits 7").replace("  ", " "));
+            assert!(
+                one.get("measures_alone").is_none(),
+                "one measure alone has a tolerance: {one}"
+            );
+            let ends = ends(&one, "geometric_safety");
+            assert_eq!(["lower", "upper"].map(|end| exact(&told[end]["value"])), ends, "{told}");
+            let [lower, upper] = ends;
+            widths.push(upper - lower);
+        }
+        assert!(widths.is_sorted_by(|a, b| a >= b), "{survey}");
+        // In a row too, and of a table the measure that is the first.
+        let (names, texts): (Vec<&str>, Vec<&str>) =
+            fields.iter().map(|(name, range, _)| (*name, *range)).unzip();
+        if stones.is_empty() {
+            let rows = format!("{}\n{}\n", names.join(","), texts.join(","));
+            let told = |format: &str| {
+                let words = ["states", "--ranges", "--digits", "7", "--format", format];
+                stdout(&fed(&words, &rows))
+            };
+            let row: Value = serde_json::from_str(told("jsonl").trim()).unwrap();
+            assert_eq!(row["measures_alone"], survey["measures_alone"]);
+            let table = told("csv");
+            let cells: Vec<Vec<&str>> =
+                table.lines().map(|line| line.split(',').collect()).collect();
+            let place = cells[0].iter().position(|name| *name == "measure_first").unwrap();
+            assert_eq!(cells[1][place], alone[0]["measure"], "{table}");
+        }
+    }
+    // A range without end has no middle, at which the others are asked about.
+    let survey = object("assess --alpha 80deg±1deg --mu 0.6..inf --eta 0.11±0.01");
+    let reasons: Vec<&Value> =
+        survey["measures_alone"].as_array().unwrap().iter().map(|of| &of["reason"]).collect();
+    let open = "friction 0.6..inf has no exact middle";
+    assert_eq!(reasons, [&Value::Null, &open.into(), &open.into()]);
+    let line = "assess --alpha 80deg±1deg --mu 0.5..0.6 --eta 0.1";
+    let table = printed(&words(line));
+    let place =
+        |words: &str| table.lines().position(|line| line.trim_start().starts_with(words)).unwrap();
+    assert!(
+        place("what to measure better") < place("half_opening ")
+            && table.contains("\n   friction "),
+        "{table}"
+    );
+    for line in [
+        format!("{line} --quantity required_friction"),
+        line.replace("80deg±1deg", "80deg±0deg"),
+        "state --alpha 80deg±1deg --mu 0.5..0.6".to_owned(),
+    ] {
+        assert!(object(&line).get("measures_alone").is_none(), "{line}");
+    }
+}
+
 /// Arches of stones: each of a grid inside is within the ranges, and the named ones are arches of stones.
 #[test]
 fn every_arch_of_stones_inside_is_within_the_ranges() {
@@ -431,9 +640,9 @@ wrong_uses! {
         => "--stones does not go with the range of --half-opening";
     a_tilt_beside_a_range: ["assess", "--alpha", "1..2", "--mu", "1", "--eta", "0.1", "--tilt", "0.1"]
         => "--tilt does not go with the range of --half-opening";
-    forces_of_a_range:
-        ["assess", "--radius", "1m..2m", "--alpha", "1", "--mu", "1", "--eta", "10cm", "--density", "24kN/m3", "--depth", "1m"]
-        => "no forces are told";
+    a_density_upside_down:
+        ["assess", "--radius", "1m..2m", "--alpha", "1", "--mu", "1", "--eta", "10cm", "--density", "24kN/m3..22kN/m3", "--depth", "1m"]
+        => "24kN/m3..22kN/m3 is empty";
     a_picture_of_a_range_without_a_thickness: ["state", "--alpha", "1..2", "--mu", "1", "-o", "arches.svg"]
         => "a picture of a range is of arches of a thickness";
     a_picture_of_a_range_for_a_machine:

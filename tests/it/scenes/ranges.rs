@@ -220,8 +220,8 @@ fn what_makes_no_boxes_is_told_in_one_line() {
         ),
         (&format!("{alpha}mu = 1\nquantities = \"geometric_safety\""), "needs a thickness"),
         (
-            "radius = \"5m..6m\"\nalpha = 1\nmu = 1\neta = \"1m\"\ndensity = \"24kN/m3\"\ndepth = \"1m\"",
-            "no forces",
+            "radius = \"5m..6m\"\nalpha = 1\nmu = 1\neta = \"1m\"\ndensity = \"24kN/m3\"\ndepth = \"2m..1m\"",
+            "2m..1m is empty",
         ),
     ] {
         let told = told(item);

@@ -168,10 +168,11 @@ fn what_makes_no_range_of_arches_is_refused_with_its_field() {
         ("alpha=1 mu=1 eta=0.1 tilt=0.1..0.2", Some(F::Tilt), "level ground"),
         ("joints=0,1..2 mu=1 eta=0.1", Some(F::Joints), "one value is read here"),
         (
-            "alpha=1 radius=5m..6m mu=1 eta=1m density=24kN/m3 depth=1m",
+            "alpha=1 radius=5m mu=1..2 eta=1m density=24kN/m3..22kN/m3 depth=1m",
             Some(F::Density),
-            "no forces",
+            "24kN/m3..22kN/m3 is empty",
         ),
+        ("alpha=1 radius=5m mu=1..2 eta=1m density=24kN/m3", Some(F::Density), "needs depth"),
         ("alpha=80..82deg mu=1 eta=0.1", Some(F::HalfOpening), "write 80deg..82deg"),
         (
             "alpha=82deg..80deg mu=1 eta=0.1",

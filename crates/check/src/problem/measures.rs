@@ -277,6 +277,13 @@ impl Length {
     }
 }
 
+impl UnitWeight {
+    /// Tells whether it is heavier than another.
+    pub fn exceeds(&self, other: &Self) -> bool {
+        exceeds(&self.0, &other.0)
+    }
+}
+
 impl Circle {
     /// Half thicknesses from it to the centreline, outwards.
     pub const fn to_centreline(self) -> i32 {
@@ -309,6 +316,17 @@ pub fn circle<T: Field>(span: &T, rise: &T) -> [T; 2] {
 pub fn of_span_and_rise(span: &Length, rise: &Length) -> (ExactNumber, Length) {
     let [tangent, radius] = circle(&span.0, &rise.0);
     (ExactNumber::twice_arctangent(tangent), Length(radius))
+}
+
+/// Least and largest radius of the circles of some spans and rises: it grows with the span, and is convex in the rise and
+/// least at half the span.
+pub fn radii([short, long]: &[Length; 2], [low, high]: &[Length; 2]) -> [Length; 2] {
+    let half = Length(&short.0 / BigInt::from(2));
+    let nearest = if low.exceeds(&half) { low } else { &half };
+    let nearest = if nearest.exceeds(high) { high } else { nearest };
+    let radius = |span: &Length, rise: &Length| of_span_and_rise(span, rise).1;
+    let [one, other] = [low, high].map(|rise| radius(long, rise));
+    [radius(short, nearest), if one.exceeds(&other) { one } else { other }]
 }
 
 /// The half opening of a span, the flatter arc, or of a rise at this radius; nothing if there is neither.
@@ -427,15 +445,12 @@ impl Measures {
         has_intrados.then(|| ExactNumber::rational(&self.radius.0 / outwards))
     }
 
-    /// The weight in kN of an arch of radius and thickness in metres, where the half opening in radians is rational.
-    pub fn exact_weight(
-        &self,
-        half_opening: &ExactNumber,
-        [radius, thickness]: [&ExactNumber; 2],
-    ) -> Option<ExactNumber> {
-        let (unit, depth) = self.loaded.as_ref().filter(|_| half_opening.is_rational())?;
-        let ring = radius.factor() * thickness.factor() * half_opening.factor();
-        Some(ExactNumber::rational(&unit.0 * &depth.0 * ring * BigInt::from(2)))
+    /// `w r` in kN at a thickness `eta`, the unit of the thrust `h`: it grows with the radius and the thickness, up to
+    /// `eta = 2`.
+    pub fn exact_force(&self, eta: &ExactNumber) -> Option<ExactNumber> {
+        let ((unit, depth), radius) = self.loaded.as_ref().zip(self.exact_radius(Some(eta)))?;
+        let area = radius.factor() * radius.factor() * eta.factor();
+        Some(ExactNumber::rational(&unit.0 * &depth.0 * area))
     }
 
     /// The sizes of an arch of thickness `eta` and half opening `alpha` (rad), in numbers of `bits` bits.

@@ -90,7 +90,9 @@ worded! {
         Weight = row("weight_kn", "2 w r alpha, kN", r"$2 w r \alpha$, kN"),
         /// The horizontal thrust, kN.
         Force = row("thrust_kn", "H, kN", r"$H$, kN"),
-        /// The least admissible one, kN.
+        /// The vertical force in the crown, kN.
+        VerticalForceInKilonewtons = row("vertical_force_kn", "V, kN", r"$V$, kN"),
+        /// The least admissible thrust, kN.
         LeastForce = row("least_thrust_kn", "least H, kN", r"least $H$, kN"),
         /// The largest admissible one, kN; infinite where it has no bound.
         LargestForce = row("largest_thrust_kn", "largest H, kN", r"largest $H$, kN"),
@@ -242,7 +244,8 @@ impl Quantity {
 
     /// Tells whether the quantity is in kilonewtons.
     pub fn is_force(self) -> bool {
-        matches!(self, Self::Weight | Self::Force | Self::LeastForce | Self::LargestForce)
+        use Quantity::*;
+        matches!(self, Weight | Force | VerticalForceInKilonewtons | LeastForce | LargestForce)
     }
 
     /// The joint that limits a thrust.

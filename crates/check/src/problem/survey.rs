@@ -22,7 +22,7 @@
 //! half opening rises and the radius `(s²/4 + f²)/(2f)` is convex in the rise and rises with the span: so one arch is
 //! at least as unsafe as all of the step.
 
-use super::measures::{Circle, Length, MeasureError, Measures, exceeds, of_span_and_rise};
+use super::measures::{Circle, Length, MeasureError, Measures, exceeds, of_span_and_rise, radii};
 use super::{Arch, ArchError, Friction, is_thickness};
 use crate::arch::SelfWeight;
 use crate::number::{AstroInterval, Enclosure, ExactNumber, Ternary, says, worded};
@@ -173,11 +173,7 @@ impl Survey {
                         return Err(SurveyError::Reversed(lower, upper));
                     }
                 }
-                // The radius is least at the least span, and of its rises at the one nearest to half the span.
-                let half = span[0].metres() / BigInt::from(2);
-                let rise =
-                    smaller(larger(half, rise[0].metres().clone()), rise[1].metres().clone());
-                let (_, radius) = of_span_and_rise(&span[0], &Length::new(rise));
+                let [radius, _] = radii(span, rise);
                 Measures::new(*circle, radius, None).thickness(&thickness[1])?;
             }
         }
@@ -294,16 +290,14 @@ impl Survey {
     /// at the measured circle: every arch of the survey is at least as safe, or as unsafe, and narrower, or wider,
     /// though this one need not be of them.
     pub fn beyond(&self, side: Side) -> Option<Bounding> {
+        let Shape::Spanned { span, rise, .. } = &self.shape else { return None };
         let (circle, thickness) = self.thickness_at(side)?;
-        let [narrow, wide] = self.half_opening();
-        let [first, middle, last] = self.course(side)?;
-        let legs = [[&first, &middle], [&middle, &last]].map(|leg| self.radius(side, leg));
-        let [one, other] = legs;
+        let ([narrow, wide], [small, large]) = (self.half_opening(), radii(span, rise));
         let (alpha, radius) = match side {
-            Side::Unsafe => (wide, larger(one, other)),
-            Side::Safe => (narrow, smaller(one, other)),
+            Side::Unsafe => (wide, large),
+            Side::Safe => (narrow, small),
         };
-        let measures = Measures::new(circle, Length::new(radius), None);
+        let measures = Measures::new(circle, radius, None);
         let thickness = measures.thickness(thickness).ok()?;
         Some(Bounding { arch: self.arch(alpha, side)?, thickness: Some(thickness) })
     }

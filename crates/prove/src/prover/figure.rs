@@ -36,7 +36,7 @@ impl Figure {
     }
 
     /// The value of a ball, decided too where it may be a decimal of so many digits.
-    pub(crate) fn around(x: &Ball, digits: usize) -> Option<Self> {
+    pub fn around(x: &Ball, digits: usize) -> Option<Self> {
         let wide = || {
             let (decimal, (double, binary)) = (Rounded::around(x, digits)?, Binary::nearest(x)?);
             Some(Self { decimal, double, binary })

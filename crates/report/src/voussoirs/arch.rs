@@ -7,6 +7,7 @@ use crate::number::{Ball, ExactNumber, Rounded, degrees};
 use crate::problem::stones::{JointContact, Stones};
 use crate::problem::{Friction, Quantity};
 use crate::record::Record;
+use crate::sizes::Sizes;
 use crate::sketched::decided;
 use crate::understood::Understood;
 use crate::words::{self, DOUBLE_DIGITS};
@@ -39,6 +40,8 @@ pub struct VoussoirArch {
     pub loss: Option<VoussoirLoss>,
     /// Result at a thickness that is given.
     pub given: Option<GivenThickness>,
+    /// Sizes, where the arch is measured: at its given thickness, else at its least one.
+    pub sizes: Option<Sizes>,
 }
 
 /// Result for an arch of voussoirs of a given thickness.
@@ -83,10 +86,11 @@ impl VoussoirArch {
 
     /// Reason why something stays open, if anything does.
     pub fn first_open(&self) -> Option<&Undecided> {
-        match &self.given {
+        let open = match &self.given {
             Some(given) => given.found.first_open(),
             None => self.found.as_ref().err(),
-        }
+        };
+        open.or_else(|| self.sizes.as_ref()?.found.as_ref().err())
     }
 
     /// Tells whether the arch's friction is limited.

@@ -8,6 +8,7 @@ use crate::picture::Print;
 use crate::problem::stones::{JointContact, Stones};
 use crate::record::Record;
 use crate::reported::Reported;
+use crate::sizes::Sizes;
 use crate::tabular::Tabular;
 use std::io;
 
@@ -40,9 +41,10 @@ impl Reported for VoussoirArches {
             row
         };
         let rows = self.arches.iter().map(row);
+        let sizes = Sizes::columns(self.arches.iter().flat_map(|arch| &arch.sizes));
         match self.arches.iter().any(|arch| arch.given.is_some()) {
-            true => Tabular::of(&[COLUMNS, given::COLUMNS].join(" "), rows),
-            false => Tabular::of(COLUMNS, rows),
+            true => Tabular::of(&([COLUMNS, given::COLUMNS].join(" ") + &sizes), rows),
+            false => Tabular::of(&(COLUMNS.to_owned() + &sizes), rows),
         }
     }
 
@@ -94,5 +96,6 @@ fn entry(arch: &VoussoirArch) -> Record {
     if let Some(given) = &arch.given {
         fields.add_record("assessment", Some(given::fields(arch, given)));
     }
+    arch.sizes.iter().for_each(|sizes| sizes.add_to(&mut fields));
     fields
 }

@@ -4,6 +4,7 @@ use super::arch::{VoussoirArch, VoussoirArches, at_limit};
 use super::given;
 use crate::problem::asymmetric_region::STANDS;
 use crate::record::Record;
+use crate::sizes::Sizes;
 use couplet_stones::{VoussoirDigits, Voussoirs};
 
 /// Lines on an arch.
@@ -23,6 +24,7 @@ pub(super) fn say(all: &VoussoirArches, arch: &VoussoirArch, record: &mut Record
         }
         (None, Err(undecided)) => record.say(undecided.to_string()),
     }
+    record.say_all(arch.sizes.iter().flat_map(Sizes::lines));
     record.say_all(arch.may_move_in_words().map(|words| format!("\n{words}")));
 }
 

@@ -12,7 +12,6 @@ use crate::number::{Ball, Enclosure, ExactNumber};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Friction};
 use crate::prover::figure::optional;
-use crate::prover::ties::{friction_angle_is_half_opening, has_no_arm_at_crown};
 use crate::prover::{Answered, Figure, Undecided, raise};
 
 /// Certain answers about an arch of voussoirs of a given thickness, each answer with a reason where it stays open.
@@ -44,11 +43,7 @@ pub(super) fn assessed(
     thickness: &ExactNumber,
     (first, digits): (u32, usize),
 ) -> VoussoirAssessment {
-    let ties = Ties {
-        never_slides: friction_angle_is_half_opening(arch),
-        has_no_arm: has_no_arm_at_crown(arch, thickness),
-        is_solid: thickness.is_rational() && thickness.to_rational() == 2,
-    };
+    let ties = Ties::of(arch, thickness);
     let angles = StoneAngles::new(stones);
     let joints =
         |friction: &Friction, bits| StoneJoints::new(&angles, arch.weight(), friction, bits);

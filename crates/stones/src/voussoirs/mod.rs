@@ -30,6 +30,7 @@
 //! | `thrusts` | the range of thrusts at a given thickness |
 //! | `friction` | the friction that this asks for |
 //! | `assess` | an arch of a given thickness |
+//! | `measured` | its sizes in metres and kilonewtons |
 //! | `loss` | what an arch needs less than one with a joint at every angle |
 //!
 //! The search is in [`solve`](crate::solve::voussoirs), and nothing here rests on it.
@@ -39,12 +40,14 @@ mod assess;
 mod friction;
 mod joints;
 mod loss;
+mod measured;
 mod polynomial;
 mod thickness;
 mod thrusts;
 
 pub use assess::VoussoirAssessment;
 pub use loss::{VoussoirLoss, voussoir_loss};
+pub use measured::measured_voussoirs;
 pub use thickness::{VoussoirDigits, Voussoirs};
 pub use thrusts::{VoussoirLimit, VoussoirStanding};
 

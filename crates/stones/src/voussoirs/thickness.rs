@@ -56,7 +56,8 @@ pub(super) struct LeastState {
     contacts: [JointContact; 3],
     /// `eta`.
     pub thickness: Ball,
-    thrust: Ball,
+    /// `h`.
+    pub thrust: Ball,
 }
 
 /// Proof before it is rounded.

@@ -11,9 +11,11 @@ use super::joints::{StoneJoints, leave_no_thrust};
 use crate::arch::Ring;
 use crate::arch::joint::Row;
 use crate::arch::mechanism::Contact;
-use crate::number::{Ball, Drawable, Field};
+use crate::number::{Ball, Drawable, ExactNumber, Field};
+use crate::problem::Arch;
 use crate::problem::stones::JointContact;
 use crate::prover::decide::{ensure, is_positive};
+use crate::prover::ties::{friction_angle_is_half_opening, has_no_arm_at_crown};
 use crate::prover::{Figure, Undecided};
 use crate::solve::voussoir_thrust::{Searches, ThrustEnd, ThrustSide};
 
@@ -62,6 +64,15 @@ pub(super) struct Ties {
 }
 
 impl Ties {
+    /// Those of an arch of a thickness.
+    pub(super) fn of(arch: &Arch, thickness: &ExactNumber) -> Self {
+        Self {
+            never_slides: friction_angle_is_half_opening(arch),
+            has_no_arm: has_no_arm_at_crown(arch, thickness),
+            is_solid: thickness.is_rational() && thickness.to_rational() == 2,
+        }
+    }
+
     /// A semicircle of thickness 2: its shoulder is level and its intrados the centre, so that without limit of
     /// friction no thrust is too large.
     fn is_solid_semicircle(self) -> bool {

@@ -16,7 +16,7 @@ use crate::claims::Decision;
 use crate::judge::enclosed;
 use crate::problem::Quantity;
 use crate::report::{SurveyedArches, SurveyedCell};
-use crate::surveyed::surveyed;
+use crate::surveyed::{ranges, surveyed};
 use std::collections::{BTreeMap, HashMap};
 use std::sync::{Arc, OnceLock};
 
@@ -56,9 +56,11 @@ impl WorkDone {
 
 /// Answer about all arches between two ends.
 fn found(node: &SurveyNode) -> Result<SurveyedArches, String> {
-    let SurveyNode { survey, quantities, digits, .. } = node;
+    let SurveyNode { survey, quantities, digits, rows } = node;
     let given = given(&survey.asked).map_err(|misfit| misfit.message)?;
-    let found = surveyed(&survey.asked, &given, survey.weight, (quantities, *digits));
+    // What to measure better is told of a survey, not of each of its boxes.
+    let proof = if rows.is_some() { ranges } else { surveyed };
+    let found = proof(&survey.asked, &given, survey.weight, (quantities, *digits));
     found.map_err(|error| error.to_string())
 }
 

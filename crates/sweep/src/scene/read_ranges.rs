@@ -40,8 +40,8 @@ pub(super) fn arches(
     let weights = table.weights(&[SelfWeight::Milankovitch]);
     let axes = axes(table);
     let with_thickness = table.given_field(Field::Thickness).is_some();
-    let told = surveyed::told(with_thickness);
-    let quantities = quantities(table, told, with_thickness);
+    let told = surveyed::told(|field| table.given_field(field).is_some());
+    let quantities = quantities(table, &told, with_thickness);
     let digits = digits(table, table.reader.range_digits);
     let (weights, axes) = (weights?, axes?);
     let quantities = distinct(quantities?.into_iter().map(|of| match of {

@@ -25,8 +25,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Some(opened) = Opened::new(arguments, Content::RANGES)? else { return Ok(()) };
     let Opened { given, progress, output, format, .. } = opened;
     let has = |role| given.columns.all.iter().any(|column| column.role == role);
-    let (have_thickness, have_sizes) = (has(Role::GivenThickness), has(Role::Size(Field::Span)));
-    let all = of_rows(have_thickness, have_sizes);
+    let have_thickness = has(Role::GivenThickness);
+    let all = of_rows(|field| match field {
+        Field::Thickness => have_thickness,
+        size => has(Role::Size(size)),
+    });
     let asked = arguments.quantities.iter().map(|of| match of {
         // Of arches without a thickness it is the least.
         Quantity::Thickness => Quantity::LeastThickness,
@@ -34,7 +37,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     });
     let quantities = chosen(&distinct(asked), &all)?;
     let are_objects = format.name == "jsonl";
-    let file = SurveyedRows { quantities, have_thickness, kept: given.kept, are_objects };
+    let tells_measures = have_thickness && quantities.contains(&Quantity::GeometricSafety);
+    let kept = given.kept;
+    let file = SurveyedRows { quantities, have_thickness, tells_measures, kept, are_objects };
     let (weight, spelling) = (arguments.weight, given.spelling);
     let reader = ArchReader { columns: given.columns, weight, doubles: false, spelling };
     let mut counts = Counts::default();

@@ -65,7 +65,10 @@ pub use enough::Enough;
 pub use in_lanes::{InLanes, RowAnswer, WithFrictions, answers_in_lanes};
 pub(super) use in_lanes::{LaneFound, LaneWants, each_in_lanes};
 pub use inquiry::Inquiry;
-pub use measured::{least_in_metres, measured_assessment, measured_state};
+pub use measured::{
+    KnownRatios, Measured, least_in_metres, measured_assessment, measured_least, measured_of,
+    measured_state,
+};
 pub(crate) use query::DOUBLE_DOUBLE;
 #[doc(hidden)]
 pub use query::bits_lost;
