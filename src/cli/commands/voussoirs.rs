@@ -10,13 +10,13 @@ use super::tilt;
 use crate::ask::{ArchGiven, ArchQuestion, Field, StonesAsked};
 use crate::certify::state::{Answer, Certify, Figure};
 use crate::certify::{
-    Error, Voussoirs, assess_voussoirs, measured_voussoirs, voussoir_loss, voussoirs,
+    Error, Voussoirs, assess_voussoirs, enumerate, measured_voussoirs, voussoir_loss, voussoirs,
 };
 use crate::number::ExactNumber;
 use crate::picture::Print;
-use crate::problem::Arch;
 use crate::problem::measures::Measures;
 use crate::problem::stones::Stones;
+use crate::problem::{Arch, Extent};
 use crate::report::{
     Format, GivenThickness, Reported, Sizes, Understood, VoussoirArch, VoussoirArches,
 };
@@ -148,12 +148,25 @@ pub fn of_stones(
             _ => None,
         };
         let (stones, arch) = (stones.clone(), arch.clone());
-        stones
-            .into_iter()
-            .map(move |stones| answer(&arch, stones, continuous.as_ref(), eta, (digits, measures)))
+        stones.into_iter().map(move |stones| -> Result<VoussoirArch, Failure> {
+            let found = answer(&arch, stones, continuous.as_ref(), eta, (digits, measures))?;
+            let is_still = !is_range && found.may_move() && is_still(&arch, &found.stones)?;
+            Ok(VoussoirArch { is_still, ..found })
+        })
     };
     let arches = arches.iter().flat_map(of_weight).collect::<Result<_, Failure>>()?;
     Ok(VoussoirArches { asked, arches, is_range })
+}
+
+/// Tells whether it is proved, of few stones, that only the symmetric mechanism solves (19).
+fn is_still(arch: &Arch, stones: &Stones) -> Result<bool, Failure> {
+    match stones {
+        Stones::Equal { stones, .. } if *stones <= FEW => {
+            let all = Error::apart(enumerate(arch, *stones, Extent::Whole, 6))?;
+            Ok(all.is_ok_and(|all| all.is_symmetric_alone()))
+        }
+        _ => Ok(false),
+    }
 }
 
 /// Answer that is proved of one arch.
@@ -184,8 +197,21 @@ fn answer(
     let sizes = measures.map(sizes).transpose()?;
     let (weight, friction) = (arch.weight(), arch.friction().to_string());
     let continuous = continuous.cloned();
-    Ok(VoussoirArch { weight, friction, stones, found, continuous, loss, given, sizes })
+    Ok(VoussoirArch {
+        weight,
+        friction,
+        stones,
+        found,
+        continuous,
+        loss,
+        given,
+        is_still: false,
+        sizes,
+    })
 }
+
+/// The most stones of which all solutions of (19) are found for every answer: the cost grows with their cube.
+const FEW: u64 = 20;
 
 const ONE_NUMBER: &str =
     "a given thickness asks for one number of stones: leave out --thickness, or give one";

@@ -40,6 +40,8 @@ pub struct VoussoirArch {
     pub loss: Option<VoussoirLoss>,
     /// Result at a thickness that is given.
     pub given: Option<GivenThickness>,
+    /// True if it is proved that the complementarity problem (19) has no asymmetric solution, at any thickness.
+    pub is_still: bool,
     /// Sizes, where the arch is measured: at its given thickness, else at its least one.
     pub sizes: Option<Sizes>,
 }
@@ -98,13 +100,13 @@ impl VoussoirArch {
         self.friction != Friction::Infinite.to_string()
     }
 
-    /// Tells whether the arch stands with limited friction, which does not exclude a motion.
-    pub(super) fn may_move(&self) -> bool {
+    /// Tells whether the arch stands with limited friction, and a motion is not excluded.
+    pub fn may_move(&self) -> bool {
         let stands = match &self.given {
             Some(given) => given.stands() == Some(true),
             None => matches!(self.found, Ok(Voussoirs::Stands(_) | Voussoirs::AnyThickness)),
         };
-        stands && self.is_limited()
+        stands && self.is_limited() && !self.is_still
     }
 
     /// Statement in words of what may move, with the command that looks for one.

@@ -26,6 +26,9 @@ pub(super) fn say(all: &VoussoirArches, arch: &VoussoirArch, record: &mut Record
     }
     record.say_all(arch.sizes.iter().flat_map(Sizes::lines));
     record.say_all(arch.may_move_in_words().map(|words| format!("\n{words}")));
+    if arch.is_still {
+        record.say("\nfriction without dilatancy moves it no other way, proved: (19) has no asymmetric solution");
+    }
 }
 
 fn stands(arch: &VoussoirArch, state: &VoussoirDigits, record: &mut Record) {

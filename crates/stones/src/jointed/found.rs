@@ -61,6 +61,15 @@ pub enum LeastSolution {
     Never,
 }
 
+impl Enumeration {
+    /// Tells whether it is proved that there is no asymmetric solution, at any thickness up to 2.
+    pub fn is_symmetric_alone(&self) -> bool {
+        let is_symmetric =
+            |of: &Result<JointedSolution, _>| of.as_ref().is_ok_and(|of| of.is_symmetric);
+        self.open.is_empty() && self.solutions.iter().all(is_symmetric)
+    }
+}
+
 /// All solutions between equal stones.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
