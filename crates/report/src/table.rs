@@ -159,7 +159,9 @@ fn measured(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io:
         writeln!(out, "\nas measured\n   {key:<20} {:<18} {name}", "circle")?;
     }
     for (of, value) in found {
-        writeln!(out, "   {:<20} {:<18} {}", of.name(), of.symbol(), value.text())?;
+        let told = answer.asked.as_ref().and_then(|asked| asked.length(*of, value));
+        let told = told.map_or(String::new(), |told| format!(" = {told}"));
+        writeln!(out, "   {:<20} {:<18} {}{told}", of.name(), of.symbol(), value.text())?;
     }
     open.map_or(Ok(()), |(_, undecided)| writeln!(out, "   {undecided}"))
 }
