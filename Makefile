@@ -70,10 +70,12 @@ slow: m4
 snapshots: m4
 	UPDATE_SNAPSHOTS=1 cargo test --locked $(ALL) --test it -- outputs:: door::
 
-# The pictures of the front page.
+# The pictures of the front page and of the manual.
 pictures: build
 	cd docs/pictures && ../../target/release/couplet map -o map.svg
 	cd docs/pictures && ../../target/release/couplet draw --half-opening 80deg --friction 0.35 -o arch.svg
+	cd docs/pictures && ../../target/release/couplet draw --span 8m±3cm --rise 4m±3cm --thickness 47cm..49cm --friction 0.55..0.75 -o arches.svg
+	cd docs/pictures && ../../target/release/couplet map --plane opening-friction --mark 87deg..93deg,0.55..0.75 -o survey.svg
 	target/release/couplet study accuracy --only landmark,state -o target/accuracy
 	cp target/accuracy/error-against-time.svg docs/pictures/accuracy.svg
 

@@ -72,7 +72,7 @@ function tell({ given, found, isAsked }, answer) {
 /** Why nothing is proved of an arch, and what to do. */
 function unproved(isArch, { command, reason }) {
   const what = isArch ? "Candidates (≈), not proved here" : "Not proved here";
-  if (command === undefined) return `${what}: ${reason}.`;
+  if (!command) return `${what}: ${reason}.`;
   const why = isArch ? "for this arch, very thin or next to a line of the map, the 31 digits with which the page computes are too few" : "the page finds no candidate for it";
   return `${what}: ${why}. The command below proves it, with as many digits as that takes.`;
 }

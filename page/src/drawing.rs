@@ -3,7 +3,8 @@
 use couplet_check::arch::{Configuration, SelfWeight};
 use couplet_check::problem::Mode;
 use couplet_draw::sketch::{
-    ArchView, Blocks, Collapse, Forces, Lines, joints_of, moment_of, picture,
+    ArchView, Blocks, Collapse, Forces, Lines, falling, furthest_haunch, joints_of, moment_of,
+    picture,
 };
 use couplet_number::number::{DoubleDoubleBall, Drawable};
 
@@ -28,6 +29,19 @@ impl Drawing<'_> {
         let forces = Forces::new(self.weight, (self.at, &[]), self.is_limited, &[moment], marks);
         let collapse = Collapse::new(self.weight, mode, self.at, false).ok()?;
         let blocks = Blocks::new(&collapse, self.at, AMPLITUDE, moves, &[]);
+        Some(self.drawn(Some(&forces), collapse.joints_at_limit(), Some(blocks)))
+    }
+
+    /// As it falls in a mode, with the joints of its state: a haunch goes to where the line of thrust is the furthest
+    /// beyond. `None` where its weight is not proved to drive it.
+    pub(crate) fn falling(&self, mode: Mode, moves: bool) -> Option<String> {
+        let mut at = self.at.clone();
+        if mode.has_haunch() && !at.rotation_joint.rad.is_zero() {
+            at.rotation_joint = furthest_haunch(self.weight, mode, &at);
+        }
+        let of = (&[][..], self.is_limited);
+        let (forces, collapse) = falling(self.weight, mode, &mut at, of, (&[], false)).ok()?;
+        let blocks = Blocks::new(&collapse, &at, AMPLITUDE, moves, &[]);
         Some(self.drawn(Some(&forces), collapse.joints_at_limit(), Some(blocks)))
     }
 

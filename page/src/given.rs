@@ -6,7 +6,7 @@ use couplet_ask::{ArchAsked, ArchGiven, ArchQuestion, Spelling};
 use couplet_check::arch::{NoWeight, SelfWeight};
 use couplet_check::problem::measures::Measures;
 use couplet_check::problem::{Arch, Friction, Known};
-use couplet_number::number::{DoubleDouble, DoubleDoubleBall, ExactNumber, Field, Real};
+use couplet_number::number::{DoubleDouble, DoubleDoubleBall, ExactNumber, Field, Form, Real};
 
 /// What is given of an arch.
 pub(crate) struct Given {
@@ -65,16 +65,21 @@ fn quoted(value: &impl ToString) -> String {
 }
 
 impl Given {
-    /// The command that makes the certificate.
+    /// The command that makes the certificate or, where none can have the half opening, that proves the answer.
     pub(crate) fn command(&self) -> String {
-        let (subject, thickness) = match &self.thickness {
-            Some(eta) => ("arch", format!(" --thickness {}", quoted(eta))),
-            None => ("state", String::new()),
+        let thickness = self.thickness.as_ref().map(|eta| format!(" --thickness {}", quoted(eta)));
+        let has_file = self.arch.half_opening().form() != Form::ArctangentOfRoot;
+        let (command, file) = match (has_file, &thickness) {
+            (true, Some(_)) => ("certify arch", " -o arch.json"),
+            (true, None) => ("certify state", " -o arch.json"),
+            (false, Some(_)) => ("assess", ""),
+            (false, None) => ("state", ""),
         };
+        let thickness = thickness.unwrap_or_default();
         let (weight, arch) = (self.arch.weight().name(), &self.arch);
         let [alpha, mu] = [quoted(arch.half_opening()), quoted(arch.friction())];
         format!(
-            "couplet certify {subject} --weight {weight} --half-opening {alpha} --friction {mu}{thickness} -o arch.json"
+            "couplet {command} --weight {weight} --half-opening {alpha} --friction {mu}{thickness}{file}"
         )
     }
 
@@ -135,6 +140,25 @@ mod tests {
         assert!(
             refused.contains("couplet assess") && refused.contains("--thickness 0.1"),
             "{refused}"
+        );
+    }
+
+    /// Of a span and a radius there is no certificate, but an answer.
+    #[test]
+    fn the_command_is_one_that_answers() {
+        let text = |text: &str| Some(text.to_owned());
+        let [span, radius, friction] = ["3300mm", "1995mm", "0.6"].map(text);
+        let weight = "heyman".to_owned();
+        let asked = Question { weight, span, radius, friction, ..Question::default() };
+        let of = |asked: &Question| given(asked).ok().unwrap().command();
+        let arch = "--weight heyman --half-opening 'atan(√(12100/5589))' --friction 0.6";
+        assert_eq!(of(&asked), format!("couplet state {arch}"));
+        let thick = Question { thickness: text("0.1r"), ..asked.clone() };
+        assert_eq!(of(&thick), format!("couplet assess {arch} --thickness 0.1"));
+        let by_rise = Question { rise: text("1m"), radius: None, ..asked };
+        assert!(
+            of(&by_rise).starts_with("couplet certify state ")
+                && of(&by_rise).ends_with(" -o arch.json")
         );
     }
 

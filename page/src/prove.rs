@@ -137,21 +137,29 @@ pub fn proof(question: &Question) -> Result<Proved, String> {
     };
     proved.has_line = stands.is_some();
     if let Some(how) = &question.drawing {
+        let (arch, moves) = (&given.arch, how == "moving");
         let at = match eta {
             Some(eta) => at.clone().with(Unknown::Thickness, eta),
             None => at.clone(),
         };
-        let arch = &given.arch;
+        // What slides has a friction of its own in its proof.
+        let at = at.with(Unknown::Friction, arch.given(BITS).friction);
+        let slides = matches!(&subject, Problem::Verdict { verdict: Verdict::Slides, .. });
+        let falls = mode.or(slides.then_some(Mode::Sliding));
+        let falls = falls.filter(|_| proved.stands == Some(false));
         let (weight, is_limited) = (arch.weight(), arch.is_limited());
         let drawing = |at| Drawing { weight, at, is_limited, title: "The arch" };
         proved.drawing = match (eta, mode, &stands) {
-            (None, Some(mode), _) => drawing(&at).state(mode, how == "moving"),
+            (None, Some(mode), _) => drawing(&at).state(mode, moves),
             (Some(_), _, Some((line, _))) => {
                 let moment = Engine::exact(&line.crown_moment, BITS as usize);
                 let at = at.with(Unknown::Thrust, Engine::exact(&line.thrust, BITS as usize));
                 Some(drawing(&at).standing(moment))
             }
-            (Some(_), Some(_), None) => Some(drawing(&at).bare()),
+            (Some(_), _, None) => {
+                let falling = falls.and_then(|mode| drawing(&at).falling(mode, moves));
+                falling.or_else(|| mode.map(|_| drawing(&at).bare()))
+            }
             _ => None,
         };
     }
@@ -373,7 +381,8 @@ mod tests {
             let found = of(thickness).unwrap();
             assert_eq!(found.stands, Some(false));
             assert!(sentence(&found).contains("does not stand"));
-            assert!(!found.drawing.unwrap().contains("id=\"thrust\""));
+            let drawing = found.drawing.unwrap();
+            assert!(drawing.contains("id=\"thrust\"") && drawing.contains("<animateTransform"));
         }
         // The least thickness to 40 digits: this arithmetic does not tell on which side it is.
         assert!(of("0.1221915863625461515247988393786000989752").unwrap_err().contains("too near"));
@@ -430,6 +439,14 @@ mod tests {
         let slides = |mu| proof(&question(["heyman", "90deg", mu], "slides", &start));
         let found = slides("0.3").unwrap();
         assert!(found.values["friction"].starts_with("0.309"), "{:?}", found.values);
+        let of = question(["heyman", "90deg", "0.3"], "slides", &start);
+        let (thickness, drawing) = (Some("0.2".to_owned()), Some("still".to_owned()));
+        let drawing = proof(&Question { thickness, drawing, ..of }).unwrap().drawing.unwrap();
+        assert_eq!(
+            drawing.matches("<g transform=").count(),
+            3,
+            "two blocks that slide, and between"
+        );
         assert!(slides("0.31").is_err());
     }
 

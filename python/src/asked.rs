@@ -12,7 +12,7 @@ use couplet::certify::{CertifiedLandmark, quantities};
 use couplet::cli::{self, doors};
 use couplet::door::find as sought;
 use couplet::problem::{Arch, Landmark, Mode, Quantity};
-use couplet::report::{Answer, Claims, Format, Reported, Understood};
+use couplet::report::{Answer, Claims, Format, Reported, Style, TiltDrawing, Understood};
 use couplet::sweep::failure::Failure;
 use couplet::sweep::{answer, parse, surveyed as survey};
 use pyo3::prelude::*;
@@ -258,7 +258,8 @@ pub(crate) fn tilted<'py>(
     let told = match command {
         Some(command) => {
             found.command = command;
-            report(&vec![found], "svg")?
+            let (measures, amplitude) = (given.measures, Style::default().amplitude);
+            report(&TiltDrawing { arches: vec![found], measures, amplitude }, "svg")?
         }
         None => report(&found, "json")?,
     };

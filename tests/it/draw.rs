@@ -282,6 +282,197 @@ fn a_file_for_cad_names_its_unit_where_it_has_one() {
     assert!(written(&[&ARCH[..], &["--format", "dxf"]].concat()).contains("$INSUNITS\n70\n0\n"));
 }
 
+/// Sizes, coordinates and the unit of a file are those of the first length that is given.
+#[test]
+fn lengths_are_told_in_the_unit_in_which_they_are_given() {
+    let bridge = |span: &str, rise: &str| {
+        ["draw", "--span", span, "--rise", rise, "--eta", "0.1r", "--mu", "0.6"].map(str::to_owned)
+    };
+    let told = |arch: &[String], format: &str| {
+        let words: Vec<&str> = arch.iter().map(String::as_str).collect();
+        written(&[&words[..], &["--format", format]].concat())
+    };
+    let point = |json: &str| -> f64 {
+        let json: Value = serde_json::from_str(json).unwrap();
+        json["arches"][0]["lines"][0]["thrust_lines"][0][3][1].as_f64().unwrap()
+    };
+    let metres = point(&told(&bridge("10.0584m", "3.048m"), "json"));
+    for (span, rise, said, unit, code, size) in [
+        ("33ft", "3.048m", "span 33 ft", "ft", 2, 0.3048),
+        ("33'0\"", "10'", "rise 10 ft", "ft", 2, 0.3048),
+        ("396in", "10ft", "rise 120 in", "in", 1, 0.0254),
+        ("11yd", "10ft", "span 11 yd", "yd", 10, 0.9144),
+        ("1005.84cm", "10ft", "rise 304.8 cm", "cm", 5, 0.01),
+        ("10058.4 mm", "10ft", "rise 3048 mm", "mm", 4, 0.001),
+        ("10.0584m", "10ft", "span 10.06 m", "m", 6, 1.0),
+    ] {
+        let arch = bridge(span, rise);
+        let svg = told(&arch, "svg");
+        let texts: String = svg.split('<').filter_map(|tag| tag.split('>').nth(1)).collect();
+        assert!(texts.contains(said), "{span}: {said}");
+        let dxf = told(&arch, "dxf");
+        let system = u8::from(!["ft", "in", "yd"].contains(&unit));
+        assert!(dxf.contains(&format!("$INSUNITS\n70\n{code}\n9\n$MEASUREMENT\n70\n{system}\n")));
+        assert!(dxf.starts_with(&format!("999\ncouplet: lengths in {unit}\n")));
+        let json = told(&arch, "json");
+        assert!(json.contains(&format!("\"unit\": \"{unit}\"")), "{span}");
+        assert!((point(&json) * size / metres - 1.0).abs() < 1e-12, "{span}");
+        assert!(json.contains("\"rise_m\": {\n"), "a key that has its unit keeps it");
+    }
+}
+
+/// The table for people says them in that unit beside its metres.
+#[test]
+fn sizes_in_a_table_are_told_in_the_unit_given_too() {
+    let of = |span: &str| {
+        let line = ["assess", "--span", span, "--rise", "10ft", "--eta", "2ft", "--mu", "0.6"];
+        written(&line)
+    };
+    let (feet, metres) = (of("33ft"), of("10.0584m"));
+    for line in [
+        "span_m               span, m            10.0584 = 33 ft",
+        "thickness_m          t, m               0.6096 = 2 ft",
+        "least_thickness_m    least t, m         0.153098 = 0.502290 ft",
+    ] {
+        assert!(feet.contains(line), "{feet}");
+    }
+    let sizes = metres.split("as measured").nth(1).unwrap();
+    assert!(sizes.contains("10.0584\n") && !sizes.contains(" = "), "{metres}");
+}
+
+/// What a shoulder bears is in the file for CAD too.
+#[test]
+fn a_file_for_cad_has_the_forces() {
+    let arch = ["draw", "--span", "10m", "--rise", "3m", "--mu", "0.6", "--eta", "0.1r"];
+    let loaded = ["--density", "24kN/m3", "--depth", "1m"];
+    let svg = written(&[&arch[..], &loaded].concat());
+    let dxf = written(&[&arch[..], &loaded, &["--format", "dxf"]].concat());
+    let texts = svg.split('<').filter_map(|tag| tag.split('>').nth(1));
+    let forces: Vec<&str> = texts.filter(|text| text.ends_with(" kN")).collect();
+    assert!(
+        forces.iter().any(|of| of.starts_with("H "))
+            && forces.iter().any(|of| of.starts_with("V "))
+    );
+    let escaped = |text: &str| text.replace('–', "\\U+2013");
+    assert!(forces.iter().all(|of| dxf.contains(&escaped(of))), "{forces:?}");
+    assert_eq!(dxf.matches("\n8\nFORCES\n100\nAcDbLine\n").count(), 6, "two arrows");
+    assert!(!written(&[&arch[..], &["--format", "dxf"]].concat()).contains(" kN"));
+}
+
+/// Each command that answers for one arch draws it as `couplet draw` does, with its options; what is no drawing has
+/// none of them, and what does not fall upright only how far it falls.
+#[test]
+fn every_command_that_draws_has_the_same_options() {
+    let scratch = Scratch::new();
+    let drawn = |command: &str, arch: &[&str], end: &str| -> String {
+        let file = scratch.path(&format!("a.{end}"));
+        let words = [&[command][..], arch, &["-o", &file]].concat();
+        assert_eq!(said(&couplet(&words)).0, Some(0), "{words:?}");
+        // The command is in its words.
+        let svg = scratch.read(&format!("a.{end}"));
+        svg.lines().filter(|line| !line.contains("Command: ")).collect()
+    };
+    let least = [
+        "--alpha",
+        "2.45",
+        "--mu",
+        "1.35",
+        "--half",
+        "--arrows",
+        "--dilatant",
+        "--amplitude",
+        "0.2",
+    ];
+    assert_eq!(drawn("state", &least, "svg"), drawn("draw", &least, "svg"));
+    let given = ["--alpha", "80deg", "--mu", "0.6", "--eta", "0.12", "--half"];
+    for end in ["svg", "dxf"] {
+        assert_eq!(drawn("assess", &given, end), drawn("draw", &given, end));
+        let stones = [&given[..], &["--stones", "9"]].concat();
+        assert_eq!(drawn("voussoirs", &stones, end), drawn("draw", &stones, end));
+    }
+    let tilted = ["--alpha", "90deg", "--mu", "0.4", "--eta", "0.15", "--tilt", "0.05"];
+    let far = [&tilted[..], &["--amplitude", "0.2"]].concat();
+    for end in ["svg", "dxf"] {
+        assert_eq!(drawn("assess", &tilted, end), drawn("draw", &tilted, end));
+        assert_ne!(drawn("draw", &far, end), drawn("draw", &tilted, end));
+    }
+    let json = written(&[&["draw"], &far[..], &["--format", "json"]].concat());
+    let json: Value = serde_json::from_str(&json).unwrap();
+    let drawing = &json["drawing"];
+    assert!((drawing["amplitude"].as_f64().unwrap() - 0.2).abs() < 1e-9);
+    assert_eq!(drawing["blocks"].as_array().unwrap().len(), 3);
+    let line = drawing["thrust_line"].as_array().unwrap();
+    let [first, last] = [&line[0], &line[line.len() - 1]].map(|point| point[1].as_f64().unwrap());
+    assert!(first.abs() < 1e-12 && last.abs() < 1e-12, "from one springing to the other");
+    for (words, why) in [
+        (&["assess", "--alpha", "1", "--mu", "1", "--eta", "0.1", "--half"][..], "for a drawing"),
+        (&["state", "--alpha", "1", "--mu", "1", "--amplitude", "0.2"], "for a drawing"),
+        (&["voussoirs", "--alpha", "1", "--mu", "1", "--stones", "9", "--half"], "for a drawing"),
+        (
+            &[
+                "voussoirs",
+                "--alpha",
+                "1",
+                "--mu",
+                "1",
+                "--stones",
+                "4..9",
+                "-o",
+                "a.svg",
+                "--half",
+            ],
+            "for a drawing",
+        ),
+        (
+            &["voussoirs", "--alpha", "1", "--mu", "1", "--stones", "4..9", "-o", "a.dxf"],
+            "only as svg, png, pdf",
+        ),
+        (
+            &["assess", "--alpha", "1", "--mu", "1", "--eta", "0.1", "--animate", "-o", "a.svg"],
+            "does not move",
+        ),
+        (
+            &[
+                "assess",
+                "--alpha",
+                "1",
+                "--mu",
+                "1",
+                "--eta",
+                "0.1..0.2",
+                "--amplitude",
+                "0.2",
+                "-o",
+                "a.svg",
+            ],
+            "beside a range",
+        ),
+        (
+            &[
+                "assess", "--alpha", "1", "--mu", "1", "--eta", "0.1", "--tilt", "0.1", "--half",
+                "-o", "a.svg",
+            ],
+            "beside --tilt",
+        ),
+    ] {
+        refused(words, "", why);
+    }
+}
+
+/// An end that is a format's name tells it too.
+#[test]
+fn the_end_of_a_file_may_be_the_name_of_its_format() {
+    let scratch = Scratch::new();
+    for (end, start) in
+        [("csv2", "weight;"), ("latex", "% States"), ("markdown", "| "), ("tex", "% States")]
+    {
+        let file = scratch.path(&format!("a.{end}"));
+        assert_eq!(said(&couplet(&["state", "--alpha", "1", "--mu", "1", "-o", &file])).0, Some(0));
+        let text = scratch.read(&format!("a.{end}"));
+        assert!(text.starts_with(start), "{end}: {text}");
+    }
+}
+
 /// Points are larger by the radius, rates are the same, and forces are those of `couplet state` and `couplet assess`.
 #[test]
 fn json_is_in_metres_where_the_arch_is() {

@@ -141,13 +141,10 @@ impl Format {
 
     /// The format of a name, or of what the name of a file ends with, whatever the case.
     pub fn named(content: Content, name: &str) -> Option<&'static Self> {
-        let named = Self::all(content).find(|format| format.name.eq_ignore_ascii_case(name));
-        named.or_else(|| Self::of_extension(content, name))
-    }
-
-    /// The format that the end of a file's name tells.
-    pub fn of_extension(content: Content, extension: &str) -> Option<&'static Self> {
-        Self::all(content).find(|format| format.extension.eq_ignore_ascii_case(extension))
+        let by = |text: fn(&Self) -> &str| {
+            Self::all(content).find(|format| text(format).eq_ignore_ascii_case(name))
+        };
+        by(|format| format.name).or_else(|| by(|format| format.extension))
     }
 
     /// Tells whether the format is a table of a paper.
@@ -169,6 +166,11 @@ impl Format {
     /// Balls that arches are asked of for the format.
     pub fn balls(&self) -> Balls {
         if self.has_errors { Balls::Mpfr } else { Balls::DoubleDoubles }
+    }
+
+    /// Tells whether the format is a drawing, and nothing beside.
+    pub fn is_drawing(&self) -> bool {
+        self.is_picture || self.name == "dxf"
     }
 
     /// Tells whether the format is a page that holds the whole map.

@@ -105,7 +105,7 @@ pub use equation::EvaluatedEquation;
 pub use format::{Content, Format};
 pub use given::GivenDoubles;
 pub use kept::Kept;
-pub use map::{Map, MapDifferences, MapPoint};
+pub use map::{Map, MapDifferences, MapPoint, map_summary};
 pub use map_asked::MapAsked;
 #[cfg(feature = "parquet")]
 pub use parquet_file::{ParquetColumn, ParquetFile, ParquetTable, Texts};
@@ -123,6 +123,7 @@ pub use surveyed_cells::SurveyedCells;
 pub use surveyed_rows::{SurveyedCell, SurveyedRow, SurveyedRows};
 pub use tabular::Tabular;
 pub use tilt::TiltedArch;
+pub use tilt_picture::TiltDrawing;
 pub use understood::Understood;
 pub use value::Value;
 pub use voussoirs::{GivenThickness, VoussoirArch, VoussoirArches};

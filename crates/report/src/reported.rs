@@ -31,14 +31,6 @@ pub trait Reported {
         unsupported()
     }
 
-    /// Picture of several results, as SVG.
-    fn picture_of_all(_: &[Self], _: &Print) -> io::Result<String>
-    where
-        Self: Sized,
-    {
-        unsupported()
-    }
-
     /// Writes it in a way that no other result has, if it has one for a format.
     fn write_as(&self, _: &Format, _: &mut dyn io::Write) -> Option<io::Result<()>> {
         None
@@ -107,10 +99,6 @@ impl<T: Reported> Reported for Vec<T> {
 
     fn tabular(&self) -> Tabular {
         self.iter().map(T::tabular).collect()
-    }
-
-    fn picture(&self, print: &Print) -> io::Result<String> {
-        T::picture_of_all(self, print)
     }
 }
 

@@ -1,10 +1,10 @@
 //! Picture of all arches of a question with ranges: the stone of the outermost two, the band in which every line of
 //! thrust lies, and in it the band of what each of them bears, on the arch and unrolled.
 
-use super::format::Content;
+use super::format::{Content, Format};
 use super::record::Record;
 use super::reported::Reported;
-use super::sketched::{Legend, LegendSample};
+use super::sketched::{Legend, LegendSample, write_lean};
 use super::survey::{MEANING, SurveyedArches};
 use super::words;
 use crate::arch::SelfWeight;
@@ -55,11 +55,28 @@ pub struct BandedArches {
 
 impl Reported for BandedArches {
     fn content() -> Content {
-        Content(&["svg", "png", "pdf"])
+        Content(&["json", "svg", "png", "pdf"])
     }
 
+    /// The answer, with the bands.
     fn records(&self) -> Vec<Record> {
-        self.arches.records()
+        let band = |of: &BandedArch| {
+            let mut record = Record::default();
+            record.add("half_opening", of.half_opening);
+            record.add("thickness", of.thickness);
+            record.add("band", of.band.iter().map(|edges| edges.to_vec()).collect::<Vec<_>>());
+            record
+        };
+        let [each, all] = self.bands.each_ref().map(band);
+        let mut bands = Record::default();
+        bands.add_sorted("bands", [("each", each), ("all", all)]);
+        let mut records = self.arches.records();
+        records.iter_mut().for_each(|record| record.append(std::mem::take(&mut bands)));
+        records
+    }
+
+    fn write_as(&self, format: &Format, out: &mut dyn io::Write) -> Option<io::Result<()>> {
+        (format.name == "json").then(|| write_lean(&self.records(), out))
     }
 
     fn picture(&self, print: &Print) -> io::Result<String> {

@@ -173,7 +173,9 @@ fn measured(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io:
     };
     writeln!(out, "as measured\n   {:<20} {:<18} {}", "measured_at", "circle", circle.name())?;
     for (of, value) in found {
-        writeln!(out, "   {:<20} {:<18} {}", of.name(), of.symbol(), value.text())?;
+        let told = answer.asked.as_ref().and_then(|asked| asked.length(*of, value));
+        let told = told.map_or(String::new(), |told| format!(" = {told}"));
+        writeln!(out, "   {:<20} {:<18} {}{told}", of.name(), of.symbol(), value.text())?;
     }
     open.map_or(Ok(()), |(_, undecided)| writeln!(out, "   {undecided}"))?;
     Ok(true)

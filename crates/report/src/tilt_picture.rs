@@ -1,7 +1,12 @@
-//! Picture of an arch at the largest horizontal acceleration that it bears: the line of thrust there, the joints that
+//! Drawing of an arch at the largest horizontal acceleration that it bears: the line of thrust there, the joints that
 //! give way, by their angles and sides, and how it falls.
 
-use super::sketched::{Beside, Legend, LegendSample};
+use super::format::{Content, Format};
+use super::record::Record;
+use super::reported::Reported;
+use super::sketched::{
+    Beside, Legend, LegendSample, Sketched, WholePanel, placed, polyline, whole, write_lean,
+};
 use super::tilt::{Joint, TiltedArch};
 use super::words;
 use crate::arch::whole::{Side, carried};
@@ -10,6 +15,7 @@ use crate::number::{Angle, Ball, Drawable, arctangent, degrees};
 use crate::picture::color::{GUIDE, INK, WHITE};
 use crate::picture::{Anchor, Name, Path, Point, Print, Stroke, Svg, Type, text};
 use crate::problem::Friction;
+use crate::problem::measures::{LengthUnit, Measures};
 use crate::sketch::{Blocks, Linkage, PageScale, SketchedLine, WholeView, arrow, look};
 use couplet_stones::{LargestTilt, TiltMechanism};
 use std::io;
@@ -30,13 +36,79 @@ const LABEL: f64 = 16.0;
 const SMALL: f64 = 15.0;
 /// Distance of a name from the extrados.
 const AWAY: f64 = 12.0;
-/// Distance by which the corner that moves most is moved, in units of `r`.
-const AMPLITUDE: f64 = 0.12;
 const DIGITS: usize = 6;
 const BITS: u32 = 256;
 
 /// The radius of a line by a joint, the same with the weight that is carried, and the thrust.
 type RadiusAt<'a> = dyn Fn(&Angle<Ball>, &Angle<Ball>, &Ball) -> Ball + 'a;
+
+/// Arches of a thickness under an acceleration, as they are drawn.
+#[derive(Debug)]
+pub struct TiltDrawing {
+    /// The arches, with what is proved of them.
+    pub arches: Vec<TiltedArch>,
+    /// Measures of the arches, if they are measured.
+    pub measures: Option<Measures>,
+    /// Distance by which the corner that moves most is moved, in units of `r`.
+    pub amplitude: f64,
+}
+
+impl Reported for TiltDrawing {
+    fn content() -> Content {
+        Sketched::content()
+    }
+
+    /// Records of the arches, each with its geometry.
+    fn records(&self) -> Vec<Record> {
+        let of = |panel: TiltPanel<'_>| {
+            let mut drawing = Record::default();
+            drawing.add_record("drawing", Some(panel.geometry(self.unit(panel.arch))));
+            let mut records = panel.arch.records();
+            records.iter_mut().for_each(|record| record.append(std::mem::take(&mut drawing)));
+            records
+        };
+        self.panels().into_iter().flat_map(of).collect()
+    }
+
+    fn picture(&self, print: &Print) -> io::Result<String> {
+        picture(&self.panels(), print)
+    }
+
+    fn write_as(&self, format: &Format, out: &mut dyn io::Write) -> Option<io::Result<()>> {
+        match format.name {
+            "json" => Some(write_lean(&self.records(), out)),
+            "dxf" => Some(out.write_all(self.dxf().as_bytes())),
+            _ => None,
+        }
+    }
+}
+
+impl TiltDrawing {
+    fn panels(&self) -> Vec<TiltPanel<'_>> {
+        self.arches.iter().map(|arch| TiltPanel::new(arch, self.amplitude)).collect()
+    }
+
+    /// The unit of lengths, and that of the radius of an arch's centreline in it.
+    fn unit(&self, arch: &TiltedArch) -> (Option<LengthUnit>, f64) {
+        let Some(measures) = &self.measures else { return (None, 1.0) };
+        let eta: Ball = arch.thickness.enclosure(BITS);
+        let alpha = arch.arch.given::<Ball>(BITS).half_opening;
+        let unit = measures.unit().metres().enclosure::<Ball>(BITS);
+        let radius = measures.sizes(&eta, &alpha.rad, BITS).radius / unit;
+        (Some(measures.unit()), radius.double())
+    }
+
+    fn dxf(&self) -> String {
+        let panels = self.panels();
+        let shown = |panel: &TiltPanel<'_>| WholePanel {
+            view: panel.view.clone(),
+            headings: panel.lines().map(|(words, _)| words).to_vec(),
+            names: panel.names().collect(),
+        };
+        let unit = self.arches.first().map_or((None, 1.0), |arch| self.unit(arch));
+        whole(unit, &panels.iter().map(shown).collect::<Vec<_>>())
+    }
+}
 
 /// An arch with what is drawn of it.
 struct TiltPanel<'a> {
@@ -47,8 +119,7 @@ struct TiltPanel<'a> {
 }
 
 /// The pictures of all arches, below each other.
-pub(super) fn picture(all: &[TiltedArch], print: &Print) -> io::Result<String> {
-    let panels: Vec<TiltPanel<'_>> = all.iter().map(TiltPanel::new).collect();
+fn picture(panels: &[TiltPanel<'_>], print: &Print) -> io::Result<String> {
     let extents = panels.iter().map(|panel| panel.view.extent());
     let hull =
         extents.reduce(|[a, b, c, d], [e, f, g, h]| [a.min(e), b.max(f), c.min(g), d.max(h)]);
@@ -63,7 +134,7 @@ pub(super) fn picture(all: &[TiltedArch], print: &Print) -> io::Result<String> {
     let lines = titles.iter().map(Vec::len).max().unwrap_or_default();
     let head = lines as f64 * LINE + PUSH;
     let tall = head + 2.0 * ABOVE + radius * (high - low);
-    let legend = Legend::of(entries(&panels), room);
+    let legend = Legend::of(entries(panels), room);
     let words: Vec<String> = panels.iter().flat_map(TiltPanel::paragraphs).collect();
     let lines = print.caption(&words, SMALL, room);
     let bottom = MARGIN + panels.len() as f64 * tall;
@@ -138,7 +209,7 @@ fn line(
 }
 
 impl<'a> TiltPanel<'a> {
-    fn new(arch: &'a TiltedArch) -> Self {
+    fn new(arch: &'a TiltedArch, amplitude: f64) -> Self {
         let at = arch.arch.given::<Ball>(BITS);
         let eta: Ball = arch.thickness.enclosure(BITS);
         let (half_opening, thickness) = (at.half_opening.rad.double(), eta.double());
@@ -182,7 +253,7 @@ impl<'a> TiltPanel<'a> {
             }
             view.marks = joints.iter().map(|joint| (joint.contact, joint.angle.double())).collect();
             if let Ok(joints) = view.marks.clone().try_into() {
-                let found = Linkage { joints, thickness }.moved(AMPLITUDE);
+                let found = Linkage { joints, thickness }.moved(amplitude);
                 moved = found.as_ref().map(|(_, by)| *by);
                 view.blocks =
                     found.map(|(blocks, _)| Blocks::at_rest(blocks, view.radii, &view.stones));
@@ -199,8 +270,8 @@ impl<'a> TiltPanel<'a> {
         Some([&tilt, &angle].map(|x| super::sketched::rounded(x, DIGITS)))
     }
 
-    /// Lines above, with their sizes: what was asked, and from where on it falls.
-    fn titles(&self, room: f64, print: &Print) -> Vec<(String, f64)> {
+    /// Words above, with their sizes: what was asked, and from where on it falls.
+    fn lines(&self) -> [(String, f64); 3] {
         let stands = match self.arch.is_admissible() {
             Some(true) => "stands",
             Some(false) => "falls",
@@ -220,12 +291,35 @@ impl<'a> TiltPanel<'a> {
             None => [format!("{stands} at {asked}"), String::new()],
         };
         let push = "pushed to the right".to_owned();
-        let lines = [(first, TITLE), (second, LABEL)].into_iter().filter(|_| print.title);
-        let lines = lines.chain([(push, SMALL)]);
+        [(first, TITLE), (second, LABEL), (push, SMALL)]
+    }
+
+    /// Lines above in a room.
+    fn titles(&self, room: f64, print: &Print) -> Vec<(String, f64)> {
+        // Without headings it is still told which way is pushed.
+        let lines = self.lines().into_iter().skip(if print.title { 0 } else { 2 });
         let wrapped = |(words, size): (String, f64)| {
             text::wrap(&words, size, room).into_iter().map(move |line| (line, size))
         };
         lines.flat_map(wrapped).collect()
+    }
+
+    /// The lines, and the blocks from the right to the left, where they are drawn.
+    fn geometry(&self, (unit, radius): (Option<LengthUnit>, f64)) -> Record {
+        let view = &self.view;
+        let line = |halves: &Option<[SketchedLine; 2]>| {
+            halves.as_ref().map(|halves| polyline(WholeView::across(halves).into_iter(), radius))
+        };
+        let blocks = view.blocks.iter().flat_map(|blocks| &blocks.fallen);
+        let mut fields = Record::default();
+        fields.add("unit", unit.map_or("r", LengthUnit::name));
+        fields.add("radii", view.radii.map(|x| x * radius).to_vec());
+        fields.add("stone_joints", self.arch.stones.as_ref().map(|_| view.stones.clone()));
+        fields.add("thrust_line", line(&view.thrust));
+        fields.add("friction_line", line(&view.friction));
+        fields.add("amplitude", self.moved.map(|by| by * radius));
+        fields.add("blocks", blocks.map(|of| placed(of, view.radii, radius)).collect::<Vec<_>>());
+        fields
     }
 
     fn subject(&self) -> String {

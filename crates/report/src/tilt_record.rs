@@ -6,17 +6,14 @@ use super::reported::Reported;
 use super::sizes::Sizes;
 use super::tabular::Tabular;
 use super::tilt::{Joint, TiltedArch};
-use super::tilt_picture::picture;
 use super::words::division;
 use crate::number::{Rounded, degrees};
-use crate::picture::Print;
 use crate::problem::asymmetric_region::MAY_MOVE;
 use couplet_stones::LargestTilt;
-use std::io;
 
 impl Reported for TiltedArch {
     fn content() -> Content {
-        Content::DRAWN_RECORDS
+        Content::RECORDS
     }
 
     fn records(&self) -> Vec<Record> {
@@ -55,10 +52,6 @@ impl Reported for TiltedArch {
             row
         });
         Tabular::of(&columns, rows)
-    }
-
-    fn picture_of_all(all: &[Self], print: &Print) -> io::Result<String> {
-        picture(all, print)
     }
 }
 

@@ -1,13 +1,14 @@
 //! The question as it is understood: what is given, in the words of who asks and in the paper's units.
 
 use super::record::Record;
-use super::sketched::decided;
+use super::sketched::{decided, in_digits};
+use super::value::Value;
 use super::words::model;
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven, Field, Range, SurveyGiven, notes};
-use crate::number::{Ball, ExactNumber, arctangent, degrees};
-use crate::problem::Friction;
-use crate::problem::measures::Circle;
+use crate::number::{Ball, Drawable, ExactNumber, arctangent, degrees};
+use crate::problem::measures::{Circle, LengthUnit};
+use crate::problem::{Friction, Quantity};
 
 /// Bits in which a given value is shown in other units.
 const BITS: u32 = 192;
@@ -90,6 +91,25 @@ impl Understood {
         self.given.iter().find(|(field, _)| *field == of).map(|(_, text)| text.as_str())
     }
 
+    /// A length in metres in the unit of the first that is given, correctly rounded, where that is another.
+    pub(crate) fn length(&self, of: Quantity, metres: &Value) -> Option<String> {
+        let given = [Field::Span, Field::Rise, Field::Radius].into_iter();
+        let unit = given.filter_map(|of| LengthUnit::of(self.text(of)?)).next()?;
+        if unit == LengthUnit::Metre || !of.name().ends_with("_m") {
+            return None;
+        }
+        let size = unit.metres().enclosure::<Ball>(BITS);
+        let [lower, upper] = [metres.binary.lower, metres.binary.upper].map(|x| size.of_double(x));
+        let told = lower.hull(&upper) / &size;
+        // A length that ends has no zeros.
+        let is_exact = metres.decimal.as_ref().is_some_and(|of| of.lower == of.upper);
+        let told = match is_exact {
+            true => decided(&told, DIGITS)?.to_string(),
+            false => in_digits(&told, DIGITS)?,
+        };
+        Some(format!("{told} {}", unit.name()))
+    }
+
     /// Note on what may have been meant otherwise.
     pub fn note(&self) -> Option<&str> {
         self.note.as_deref()
@@ -146,7 +166,7 @@ fn in_words(field: Field, text: &str, given: &ArchGiven) -> String {
         }
         (Field::Tilt, ArchGiven { tilt: Some(tilt), .. }) => match &**tilt {
             Friction::Angle(_) => format!("{name} {text}{}", equal(&slope(tilt), " g")),
-            _ => format!("{name} {text} g"),
+            _ => format!("{name} {} g", text.trim_end_matches('g').trim_end()),
         },
         (Field::Stones, _) => format!("{text} equal stones"),
         (Field::Joints, _) => format!("joints at {text}"),
@@ -245,6 +265,10 @@ mod tests {
         assert_eq!(
             words(&ratios),
             "half opening 80deg = 1.39626 rad, thickness 3/25, friction 0.6 = 30.9638 deg, tilt 5deg = 0.0874887 g"
+        );
+        assert!(
+            words(&[(F::HalfOpening, "1"), (F::Friction, "1"), (F::Tilt, "0.1g")])
+                .ends_with(", tilt 0.1 g")
         );
         let zero = [(F::HalfOpening, "1"), (F::Friction, "0")];
         assert_eq!(words(&zero), "half opening 1 = 57.2958 deg, friction 0");

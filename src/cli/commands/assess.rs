@@ -2,8 +2,8 @@
 
 use super::arch::ArchArguments;
 use super::draw;
+use super::look::LookArguments;
 use super::output::AnswerOutput;
-use super::print::PrintArguments;
 use super::state::print;
 use super::survey;
 use super::tilt;
@@ -33,7 +33,7 @@ pub(crate) struct Arguments {
     output: AnswerOutput,
 
     #[command(flatten)]
-    print: PrintArguments,
+    look: LookArguments,
 }
 
 /// Question about an arch of a thickness.
@@ -46,7 +46,7 @@ pub const QUESTION: ArchQuestion = ArchQuestion {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.arch.asked.has_range() {
-        return survey::print(&QUESTION, &arguments.arch, (&arguments.output, &arguments.print));
+        return survey::print(&QUESTION, &arguments.arch, (&arguments.output, &arguments.look));
     }
     let (given, arches) = arguments.arch.read(&QUESTION)?;
     let Some(eta) = &given.thickness else { return Ok(()) };
@@ -55,7 +55,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let asked = arguments.arch.understood(&given);
     let digits = arguments.arch.digits();
-    if let Some(printed) = arguments.output.drawing(&arguments.print)? {
+    if let Some(printed) = arguments.output.drawing(&arguments.look)? {
         let stones = if given.tilt.is_some() { voussoirs::divisions(&given)? } else { Vec::new() };
         if tilt::draw(&given, (&asked, &arches), stones.first(), &printed, digits)? {
             return Ok(());

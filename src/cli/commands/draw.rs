@@ -1,9 +1,9 @@
 //! `couplet draw`.
 
 use super::arch::RANGE_DIGITS;
+use super::look::{ArchLook, LookArguments, only_upright};
 use super::notes;
 use super::output::{OutputFile, Printed};
-use super::print::PrintArguments;
 use super::{survey, tilt};
 use crate::arch::SelfWeight;
 use crate::ask::{
@@ -12,7 +12,6 @@ use crate::ask::{
 use crate::atlas::{Passed, Sketch};
 use crate::cli::line::typed;
 use crate::number::{Ball, shown};
-use crate::picture::Print;
 use crate::problem::{Landmark, Mode};
 use crate::report::{Format, Reported, Shown, Sketched, Style, Understood};
 use crate::sweep::failure::Failure;
@@ -26,8 +25,9 @@ use clap::Args;
 /// With it: the lines of the least and of the largest thrust, what limits each, and the safety. An arch that does not
 /// stand: where a line of thrust leaves it or friction is passed, and how it falls. --at: a landmark,
 /// one picture for each mode that is possible there. --mode [s,s] with --thickness and no friction: an arch at the
-/// friction at which it slides. --stones: an arch of 2 to 500 stones, as couplet voussoirs proves it. In metres,
-/// with --span and --rise or with --radius: sizes in the picture and its caption, and JSON and DXF in metres.
+/// friction at which it slides. --stones: an arch of 2 to 500 stones, as couplet voussoirs proves it. Measured,
+/// with --span and --rise or with --radius: sizes in the picture and its caption, JSON and DXF, in the unit of the
+/// first length.
 ///
 /// With --thickness a number may be a range, as of `assess`: then the picture has the band in which every line of
 /// thrust of every arch inside lies, and what is proved of all of them. With --tilt: the arch at the largest horizontal
@@ -64,26 +64,6 @@ pub(crate) struct Arguments {
     )]
     along: Option<Vec<String>>,
 
-    /// How far the corner that moves most is moved, in units of r, from 0.001 to 1.
-    #[arg(long, default_value = "0.12", value_name = "R", value_parser = amplitude, allow_negative_numbers = true)]
-    amplitude: f64,
-
-    /// Joints that slide open too, as the associated flow rule has it; the thickness is the same.
-    #[arg(long)]
-    dilatant: bool,
-
-    /// Only the right half.
-    #[arg(long)]
-    half: bool,
-
-    /// For svg, png and pdf: arrows from where the blocks were to where they are.
-    #[arg(long)]
-    arrows: bool,
-
-    /// For svg: the blocks move, again and again; where nothing moves the picture is a still.
-    #[arg(long)]
-    animate: bool,
-
     /// Format: svg, png, pdf, json or dxf. If none is given, what the name of the file ends with tells it.
     #[arg(long, value_parser = parse::format(Sketched::content()))]
     format: Option<&'static Format>,
@@ -92,7 +72,7 @@ pub(crate) struct Arguments {
     file: OutputFile,
 
     #[command(flatten)]
-    print: PrintArguments,
+    look: LookArguments,
 }
 
 /// Message why there are no stones.
@@ -125,61 +105,59 @@ const TILTED: ArchQuestion = ArchQuestion {
 /// An arch at the friction at which it slides, which has none of its own.
 const SLIDING: ArchQuestion = ArchQuestion { unlimited: true, ..QUESTION };
 
-fn amplitude(text: &str) -> Result<f64, String> {
-    let amplitude = text.parse().ok().filter(|r| Style::AMPLITUDES.contains(r));
-    amplitude.ok_or_else(|| "an amplitude is a number from 0.001 to 1, in units of r".to_owned())
-}
-
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let format = arguments.file.format(arguments.format, Sketched::content(), "svg")?;
-    if arguments.animate && format.name != "svg" {
-        return Err(format!("only svg moves, not {}", format.name).into());
-    }
-    if arguments.arrows && !format.is_picture {
-        return Err(format!("only svg, png and pdf have arrows, not {}", format.name).into());
-    }
-    let print = arguments.print.of(format)?;
+    let printed = (&arguments.file, format, arguments.look.of(format, true)?);
     if arguments.arch.has_range() {
-        return arguments.ranges(format, &print);
+        return arguments.ranges(printed);
     }
     if arguments.arch.tilt.is_some() {
-        return arguments.tilted((&arguments.file, format, print));
+        return arguments.tilted(printed);
     }
-    let style = Style {
-        amplitude: arguments.amplitude,
-        half: arguments.half,
-        arrows: arguments.arrows,
-        animate: arguments.animate,
-        notation: false,
-    };
     let (sketches, between, given) = match &arguments.along {
         Some(path) => arguments.along(path)?,
         None => {
-            let (sketch, given) = arguments.sketch()?;
+            let (sketch, given) = arguments.sketch(&printed.2)?;
             (vec![sketch], Vec::new(), given)
         }
     };
-    write((sketches, between), &given, style, (format, &print), &arguments.file)
+    write((sketches, between), &given, printed)
 }
 
 /// Draws the arch that any question was about, as it stands or at its least thickness.
 pub(super) fn arch(
     given: &ArchGiven,
     weight: SelfWeight,
-    (file, format, print): Printed<'_>,
+    printed: Printed<'_>,
 ) -> Result<(), Failure> {
-    let sketches = vec![drawn(given, weight)?.sketch()?];
-    write((sketches, Vec::new()), given, Style::default(), (format, &print), file)
+    let sketch = sketched(pose(given, weight)?, given, &printed.2, None)?;
+    write((vec![sketch], Vec::new()), given, printed)
 }
 
-/// Arch of any question, as it is drawn.
-fn drawn(given: &ArchGiven, weight: SelfWeight) -> Result<DrawnArch, Misfit> {
+/// Pose of an arch with its own friction.
+fn pose(given: &ArchGiven, weight: SelfWeight) -> Result<Pose, Misfit> {
     let arch = given.arch(weight)?;
-    let pose = match &given.thickness {
+    Ok(match &given.thickness {
         Some(thickness) => Pose::Standing(arch, thickness.clone()),
         None => Pose::Least(arch),
-    };
-    Ok(DrawnArch { pose, stones: stones(given)?, is_dilatant: false })
+    })
+}
+
+/// Sketch of an arch, in a mode if one is named.
+fn sketched(
+    pose: Pose,
+    given: &ArchGiven,
+    look: &ArchLook,
+    mode: Option<Mode>,
+) -> Result<Sketch, Failure> {
+    let is_dilatant = look.is_dilatant;
+    let sketch = DrawnArch { pose, stones: stones(given)?, is_dilatant }.sketch()?;
+    if sketch.stands() && (mode.is_some() || is_dilatant || look.style.animate) {
+        let message = "the arch stands with that thickness, and does not move: leave out --mode, --dilatant and \
+                       --animate, or --thickness";
+        return Err(message.into());
+    }
+    Ok(sketch.in_modes(mode.as_slice())?)
 }
 
 /// Number of stones that are drawn.
@@ -205,11 +183,9 @@ type Between = Vec<[Option<Ball>; 2]>;
 fn write(
     (sketches, between): (Vec<Sketch>, Between),
     given: &ArchGiven,
-    style: Style,
-    (format, print): (&Format, &Print),
-    file: &OutputFile,
+    (file, format, look): Printed<'_>,
 ) -> Result<(), Failure> {
-    let measures = given.measures.clone();
+    let (measures, style) = (given.measures.clone(), look.style);
     let drawn = Sketched { sketches, style, measures, between, command: typed() };
     if !drawn.can_be_drawn() {
         let message =
@@ -218,33 +194,24 @@ fn write(
     }
     let file = file.open_for(format)?;
     notes::frictions(&given.friction);
-    file.printed((&drawn, format, print), [""; 0])
+    file.printed((&drawn, format, &look.print), [""; 0])
 }
 
 impl Arguments {
-    /// Refuses what is of a picture of one arch beside what is not drawn so.
-    fn refuse_motion(&self, what: &str) -> Result<(), Failure> {
+    /// Refuses what is of a picture of one upright arch beside what is not drawn so.
+    fn refuse_modes(&self, what: &str) -> Result<(), Failure> {
         let one_arch = [
             ("--at", self.at.is_some()),
             ("--mode", self.mode.is_some()),
             ("--along", self.along.is_some()),
-            ("--dilatant", self.dilatant),
-            ("--half", self.half),
-            ("--arrows", self.arrows),
-            ("--animate", self.animate),
         ];
-        match one_arch.into_iter().find(|(_, is_given)| *is_given) {
-            Some((name, _)) => Err(format!(
-                "{name} is of a picture of one upright arch: leave it out beside {what}"
-            )
-            .into()),
-            None => Ok(()),
-        }
+        let given = one_arch.into_iter().find(|(_, is_given)| *is_given);
+        given.map_or(Ok(()), |(name, _)| Err(only_upright(name, what)))
     }
 
     /// An arch under the largest acceleration that it bears.
     fn tilted(&self, printed: Printed<'_>) -> Result<(), Failure> {
-        self.refuse_motion("--tilt")?;
+        self.refuse_modes("--tilt")?;
         let given = ArchGiven::read(&TILTED, &self.arch, Spelling::Option)?;
         let (asked, arches) = (Understood::new(&self.arch, &given), [given.arch(self.weight)?]);
         let stones = given.divisions()?;
@@ -256,10 +223,10 @@ impl Arguments {
     }
 
     /// All arches between two ends.
-    fn ranges(&self, format: &'static Format, print: &Print) -> Result<(), Failure> {
-        self.refuse_motion("a range")?;
+    fn ranges(&self, printed: Printed<'_>) -> Result<(), Failure> {
+        self.refuse_modes("a range")?;
         let given = SurveyGiven::read(&RANGES, &self.arch, Spelling::Option)?;
-        survey::draw(&self.arch, &given, self.weight, (&self.file, format, print))
+        survey::draw(&self.arch, &given, self.weight, &printed)
     }
 
     /// The modes of a half opening as its friction grows.
@@ -282,8 +249,7 @@ impl Arguments {
     }
 
     /// Sketch of what is asked for, in the modes asked for, with what is given.
-    fn sketch(&self) -> Result<(Sketch, ArchGiven), Failure> {
-        let is_dilatant = self.dilatant;
+    fn sketch(&self, look: &ArchLook) -> Result<(Sketch, ArchGiven), Failure> {
         let is_sliding = self.mode == Some(Mode::Sliding) && self.arch.friction_text().is_none();
         let has_thickness = self.arch.thickness.is_some();
         let is_any = self.at.is_some() || is_sliding && has_thickness;
@@ -300,16 +266,9 @@ impl Arguments {
             (None, Some(thickness)) if is_sliding => {
                 Pose::Sliding(given.arch(self.weight)?, thickness)
             }
-            (None, Some(thickness)) => Pose::Standing(given.arch(self.weight)?, thickness),
-            (None, None) => Pose::Least(given.arch(self.weight)?),
+            _ => pose(&given, self.weight)?,
         };
-        let sketch = DrawnArch { pose, stones: stones(&given)?, is_dilatant }.sketch()?;
-        if sketch.stands() && (self.mode.is_some() || is_dilatant || self.animate) {
-            let message = "the arch stands with that thickness, and does not move: leave out --mode, --dilatant and \
-                           --animate, or --thickness";
-            return Err(message.into());
-        }
-        let modes = if is_sliding { &[] } else { self.mode.as_slice() };
-        Ok((sketch.in_modes(modes)?, given))
+        let sketch = sketched(pose, &given, look, self.mode.filter(|_| !is_sliding))?;
+        Ok((sketch, given))
     }
 }

@@ -13,11 +13,10 @@ use crate::atlas::{
 use crate::certify::{Error, Undecided};
 use crate::cli::line::typed;
 use crate::number::ExactNumber;
-use crate::picture::Print;
 use crate::problem::Friction;
 use crate::report::{
-    Axes, Content, Drawing, Format, Map, MapAsked, MapDifferences, MapPoint, Mark, Marked, Plane,
-    Reported, View,
+    Axes, Drawing, Format, Map, MapAsked, MapDifferences, MapPoint, Mark, Marked, Plane, Reported,
+    View, map_summary,
 };
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
@@ -309,21 +308,15 @@ fn all_curves(arguments: &DrawnMap) -> Result<(), Failure> {
     };
     let map = Map { tolerance, traces, levels, borders, landmarks, drawing };
     open.extend(map.open());
-    write((&arguments.file, file), (&map, format, &print), Map::content())?;
+    file.printed((&map, format, &print), [""; 0])?;
+    told(&arguments.file, &map_summary(&map))?;
     Failure::of_open(open)
 }
 
-/// Writes a report, and what was proved, on standard output beside a file of data.
-fn write(
-    (output, file): (&OutputFile, Output),
-    (report, format, print): (&dyn Reported, &Format, &Print),
-    content: Content,
-) -> Result<(), Failure> {
-    file.printed((report, format, print), [""; 0])?;
-    match Format::named(content, "table").filter(|_| output.is_file()) {
-        Some(table) => Output::Standard.write(|out| report.write(table, out)),
-        None => Ok(()),
-    }
+/// Tells on standard output, in a line, what was written into a file.
+fn told(output: &OutputFile, summary: &str) -> Result<(), Failure> {
+    let Some(path) = output.path() else { return Ok(()) };
+    Output::Standard.write(|out| writeln!(out, "{}: {summary}", path.display()))
 }
 
 fn point(asked: &PointArguments) -> Result<(), Failure> {
@@ -354,6 +347,6 @@ fn difference(asked: &DifferenceArguments) -> Result<(), Failure> {
     let differences: Result<Vec<Difference>, Undecided> =
         Divide::ALL.into_par_iter().map(|divide| Difference::new(divide, tolerance)).collect();
     let differences = MapDifferences { tolerance, differences: differences?, command: typed() };
-    let report = differences;
-    write((&asked.file, file), (&report, format, &print), MapDifferences::content())
+    file.printed((&differences, format, &print), [""; 0])?;
+    told(&asked.file, &differences.summary())
 }

@@ -18,6 +18,7 @@ mod find;
 mod folder;
 mod given_rows;
 mod judge;
+mod look;
 mod map;
 mod memory;
 mod notes;

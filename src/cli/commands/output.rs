@@ -1,7 +1,7 @@
 //! Destination of a report: standard output, or a file that appears whole or not at all.
 
+use super::look::{ArchLook, LookArguments};
 use super::notes::each_once;
-use super::print::PrintArguments;
 use super::progress;
 use crate::certify::Refused;
 use crate::cli::line;
@@ -51,7 +51,7 @@ pub(super) struct OutputFile {
 }
 
 /// Where a picture is written, and how.
-pub(super) type Printed<'a> = (&'a OutputFile, &'static Format, Print);
+pub(super) type Printed<'a> = (&'a OutputFile, &'static Format, ArchLook);
 
 impl AnswerOutput {
     /// The format asked for.
@@ -65,16 +65,16 @@ impl AnswerOutput {
         chosen(&self.quantities, all)
     }
 
-    /// The file, the format and the printing of a picture, where the end of the file's name tells one: svg, png or dxf.
-    pub(super) fn drawing(&self, print: &PrintArguments) -> Result<Option<Printed<'_>>, Failure> {
+    /// The file, the format and the look of a picture, where the end of the file's name tells one: svg, png or dxf.
+    pub(super) fn drawing(&self, look: &LookArguments) -> Result<Option<Printed<'_>>, Failure> {
         let end = self.file.path().and_then(Path::extension).unwrap_or_default().to_string_lossy();
-        let is_answer = Format::of_extension(Answers::content(), &end).is_some();
-        let format = Format::of_extension(Sketched::content(), &end);
+        let is_answer = Format::named(Answers::content(), &end).is_some();
+        let format = Format::named(Sketched::content(), &end);
         let format = format.filter(|_| !is_answer && !self.plain && self.format.is_none());
-        let print = print.of(format.map_or_else(|| self.format(), Ok)?)?;
+        let look = look.of(format.map_or_else(|| self.format(), Ok)?, format.is_some())?;
         let Some(format) = format else { return Ok(None) };
         self.tells_all("a picture")?;
-        Ok(Some((&self.file, format.missing().map_or(Ok(format), Err)?, print)))
+        Ok(Some((&self.file, format.missing().map_or(Ok(format), Err)?, look)))
     }
 
     /// The file that is written.
@@ -134,7 +134,7 @@ impl OutputFile {
     pub(super) fn by_name(&self, content: Content) -> Result<Option<&'static Format>, Failure> {
         let Some(end) = self.path().and_then(Path::extension) else { return Ok(None) };
         let end = end.to_string_lossy();
-        let format = Format::of_extension(content, &end);
+        let format = Format::named(content, &end);
         format.map(Some).ok_or_else(|| {
             let ends = Format::extensions(content);
             let end = shortened(&end);

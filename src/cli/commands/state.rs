@@ -4,9 +4,9 @@ use super::arch::ArchArguments;
 use super::by_value::{self, ValueArguments};
 use super::constants::proved;
 use super::draw;
+use super::look::LookArguments;
 use super::notes;
 use super::output::AnswerOutput;
-use super::print::PrintArguments;
 use super::survey;
 use super::voussoirs;
 use crate::ask::{ArchQuestion, Field};
@@ -59,7 +59,7 @@ pub(crate) struct Arguments {
     output: AnswerOutput,
 
     #[command(flatten)]
-    print: PrintArguments,
+    look: LookArguments,
 }
 
 /// Question about an arch at its least thickness.
@@ -81,10 +81,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return by_value::print(&asked, &arguments.arch, &arguments.output);
     }
     if arguments.arch.asked.has_range() {
-        return survey::print(&QUESTION, &arguments.arch, (&arguments.output, &arguments.print));
+        return survey::print(&QUESTION, &arguments.arch, (&arguments.output, &arguments.look));
     }
     let (given, arches) = arguments.arch.read(&QUESTION)?;
-    if let Some(printed) = arguments.output.drawing(&arguments.print)? {
+    if let Some(printed) = arguments.output.drawing(&arguments.look)? {
         return draw::arch(&given, arguments.arch.one_weight()?, printed);
     }
     if given.stones.is_some() {

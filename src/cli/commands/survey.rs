@@ -1,15 +1,14 @@
 //! Questions with ranges on the command line.
 
 use super::arch::{ArchArguments, RANGE_DIGITS};
+use super::look::LookArguments;
 use super::notes;
-use super::output::{AnswerOutput, OutputFile, is_written};
-use super::print::PrintArguments;
+use super::output::{AnswerOutput, OutputFile, Printed, is_written};
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchQuestion, Spelling, SurveyGiven};
 use crate::atlas::BandedArch;
 use crate::certify::survey::sought as survey_sought;
 use crate::cli::line::typed;
-use crate::picture::Print;
 use crate::problem::survey::Survey;
 use crate::problem::{Quantity, Sought};
 use crate::report::{BandedArches, Format, Reported, SurveyedArches};
@@ -20,11 +19,11 @@ use crate::sweep::surveyed::{arches, proved, quantities, ranges, surveyed};
 pub(super) fn print(
     question: &ArchQuestion,
     arguments: &ArchArguments,
-    (output, print): (&AnswerOutput, &PrintArguments),
+    (output, look): (&AnswerOutput, &LookArguments),
 ) -> Result<(), Failure> {
     let given = SurveyGiven::read(question, &arguments.asked, Spelling::Option)?;
-    if let Some((file, format, print)) = output.drawing(print)? {
-        return draw(&arguments.asked, &given, arguments.one_weight()?, (file, format, &print));
+    if let Some(printed) = output.drawing(look)? {
+        return draw(&arguments.asked, &given, arguments.one_weight()?, &printed);
     }
     let mut quantities = output.quantities(&quantities(&arguments.asked))?;
     // The thickness of a state is the least.
@@ -42,8 +41,9 @@ pub(super) fn draw(
     asked: &ArchAsked,
     given: &SurveyGiven,
     weight: SelfWeight,
-    (file, format, print): (&OutputFile, &'static Format, &Print),
+    (file, format, look): &Printed<'_>,
 ) -> Result<(), Failure> {
+    look.refuse_motion("a range", false)?;
     is_written("the picture of a range", BandedArches::content(), format)?;
     if given.stones.is_some() {
         return Err("a picture of a range has a joint at every angle: leave out the stones".into());
@@ -57,7 +57,7 @@ pub(super) fn draw(
     let (command, digits) = (typed(), RANGE_DIGITS);
     let arches = ranges(asked, given, weight, (&quantities(asked), digits))?;
     let open = arches.first_open().cloned();
-    file.printed((&BandedArches { arches, bands, command }, format, print), open)
+    file.printed((&BandedArches { arches, bands, command }, format, &look.print), open)
 }
 
 /// Proves and prints what holds for every arch of given stones.

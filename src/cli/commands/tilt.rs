@@ -13,7 +13,7 @@ use crate::number::ExactNumber;
 use crate::problem::measures::Measures;
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Slope};
-use crate::report::{Format, Reported, Sizes, TiltedArch, Understood};
+use crate::report::{Format, Reported, Sizes, TiltDrawing, TiltedArch, Understood};
 use crate::sweep::failure::Failure;
 
 /// Proves and writes the answers for arches under an acceleration.
@@ -41,11 +41,11 @@ pub(super) fn draw(
     given: &ArchGiven,
     (asked, arches): (&Understood, &[Arch]),
     stones: Option<&Stones>,
-    (file, format, print): &Printed<'_>,
+    (file, format, look): &Printed<'_>,
     digits: usize,
 ) -> Result<bool, Failure> {
     let (Some(eta), Some(tilt)) = (&given.thickness, &given.tilt) else { return Ok(false) };
-    is_written("--tilt", TiltedArch::content(), format)?;
+    look.refuse_motion("--tilt", true)?;
     if given.measures.as_ref().is_some_and(Measures::has_forces) {
         return Err(
             "a picture of a tilted arch has no forces: `couplet assess` without one tells them"
@@ -61,7 +61,9 @@ pub(super) fn draw(
     notes::frictions(arches.iter().take(1).map(Arch::friction));
     notes::tell(tilt_note(tilt));
     let open = answers.iter().find_map(TiltedArch::first_open).cloned();
-    output.printed((&answers, format, print), open)?;
+    let (measures, amplitude) = (given.measures.clone(), look.style.amplitude);
+    let drawing = TiltDrawing { arches: answers, measures, amplitude };
+    output.printed((&drawing, format, &look.print), open)?;
     Ok(true)
 }
 

@@ -2,9 +2,9 @@
 
 use super::arch::ArchArguments;
 use super::draw;
+use super::look::{ArchLook, LookArguments};
 use super::notes;
-use super::output::{AnswerOutput, OutputFile, is_written};
-use super::print::PrintArguments;
+use super::output::{AnswerOutput, OutputFile, Printed, is_written};
 use super::survey;
 use super::tilt;
 use crate::ask::{ArchGiven, ArchQuestion, Field, StonesAsked};
@@ -12,13 +12,13 @@ use crate::certify::state::{Answer, Certify, Figure};
 use crate::certify::{
     Error, Voussoirs, assess_voussoirs, enumerate, measured_voussoirs, voussoir_loss, voussoirs,
 };
+use crate::cli::line::typed;
 use crate::number::ExactNumber;
-use crate::picture::Print;
 use crate::problem::measures::Measures;
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Extent};
 use crate::report::{
-    Format, GivenThickness, Reported, Sizes, Understood, VoussoirArch, VoussoirArches,
+    Content, Format, GivenThickness, Reported, Sizes, Understood, VoussoirArch, VoussoirArches,
 };
 use crate::sweep::failure::Failure;
 use crate::sweep::parse;
@@ -51,7 +51,7 @@ pub(crate) struct Arguments {
     file: OutputFile,
 
     #[command(flatten)]
-    print: PrintArguments,
+    look: LookArguments,
 }
 
 /// Question about an arch of stones.
@@ -64,12 +64,15 @@ pub const QUESTION: ArchQuestion = ArchQuestion {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let format = arguments.file.format(arguments.format, VoussoirArches::content(), "table")?;
-    let print = arguments.print.of(format)?;
-    if arguments.arch.asked.has_range() {
+    let has_range = arguments.arch.asked.has_range();
+    let look = |is_drawn| arguments.look.of(format, is_drawn && format.is_drawing());
+    if has_range {
+        look(false)?;
         return survey::print_of_stones(&QUESTION, &arguments.arch, (&arguments.file, format));
     }
     let (given, arches) = arguments.arch.read(&QUESTION)?;
-    answers(&arguments.arch, &given, &arches, (&arguments.file, format, &print))
+    let look = look(!given.stones.as_ref().is_some_and(StonesAsked::is_range))?;
+    answers(&arguments.arch, &given, &arches, (&arguments.file, format, look))
 }
 
 /// Answers for an arch of stones, where the question was one of any arch.
@@ -80,14 +83,14 @@ pub(super) fn print(
     output: &AnswerOutput,
 ) -> Result<(), Failure> {
     output.tells_all("--stones")?;
-    answers(arguments, given, arches, (output.file(), output.format()?, &Print::default()))
+    answers(arguments, given, arches, (output.file(), output.format()?, ArchLook::default()))
 }
 
 fn answers(
     arguments: &ArchArguments,
     given: &ArchGiven,
     arches: &[Arch],
-    (file, format, print): (&OutputFile, &'static Format, &Print),
+    (file, format, look): Printed<'_>,
 ) -> Result<(), Failure> {
     let (asked, digits) = (arguments.understood(given), arguments.digits_of(given, format));
     let stones = divisions(given)?;
@@ -95,8 +98,8 @@ fn answers(
         let (Some(eta), [stones]) = (&given.thickness, &stones[..]) else {
             return Err(TILTED.into());
         };
-        let printed = (file, format, print.clone());
-        if format.is_picture {
+        if format.is_drawing() {
+            let printed = (file, format, look);
             return match tilt::draw(given, (&asked, arches), Some(stones), &printed, digits)? {
                 true => Ok(()),
                 false => draw::arch(given, arguments.one_weight()?, printed),
@@ -107,8 +110,14 @@ fn answers(
         return tilt::write((file, format), (&asked, arches), of, (digits, measures));
     }
     is_written("an arch of stones", VoussoirArches::content(), format)?;
-    if format.is_picture && !given.stones.as_ref().is_some_and(StonesAsked::is_range) {
-        return draw::arch(given, arguments.one_weight()?, (file, format, print.clone()));
+    match given.stones.as_ref().is_some_and(StonesAsked::is_range) {
+        true if format.is_drawing() => {
+            is_written("a figure of many numbers of stones", Content::FIGURE, format)?;
+        }
+        false if format.is_drawing() => {
+            return draw::arch(given, arguments.one_weight()?, (file, format, look));
+        }
+        _ => {}
     }
     let file = file.open_for(format)?;
     notes::frictions(arches.iter().take(1).map(Arch::friction));
@@ -120,7 +129,7 @@ fn answers(
         return Err(message.into());
     }
     let open = answers.arches.iter().find_map(VoussoirArch::first_open).cloned();
-    file.printed((&answers, format, print), open)
+    file.printed((&answers, format, &look.print), open)
 }
 
 /// Divisions into stones that are asked about.
@@ -155,7 +164,7 @@ pub fn of_stones(
         })
     };
     let arches = arches.iter().flat_map(of_weight).collect::<Result<_, Failure>>()?;
-    Ok(VoussoirArches { asked, arches, is_range })
+    Ok(VoussoirArches { asked, arches, is_range, command: typed() })
 }
 
 /// Tells whether it is proved, of few stones, that only the symmetric mechanism solves (19).

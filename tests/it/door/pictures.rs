@@ -1,5 +1,5 @@
-//! The pictures of the front page are those that the commands draw. The last digits of a place on the page are the
-//! machine's, so that only what stands between the numbers is compared.
+//! The pictures of the front page and of the manual are those that the commands draw. The last digits of a place on the
+//! page are the machine's, so that only what stands between the numbers is compared.
 
 use crate::program::{Scratch, command};
 use std::fs;
@@ -12,16 +12,22 @@ fn the_pictures_are_those_of_the_commands() {
         text.chars().filter(|c| !c.is_ascii_digit() && !".-e".contains(*c)).collect()
     };
     let stored = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/pictures");
-    let page = include_str!("../../../README.md");
-    for (name, words) in [
-        ("map.svg", &["map", "-o", "map.svg"][..]),
-        ("arch.svg", &["draw", "--half-opening", "80deg", "--friction", "0.35", "-o", "arch.svg"]),
+    let [page, surveys] =
+        [include_str!("../../../README.md"), include_str!("../../../docs/surveys.md")];
+    let arches = "draw --span 8m±3cm --rise 4m±3cm --thickness 47cm..49cm --friction 0.55..0.75 -o arches.svg";
+    let survey = "map --plane opening-friction --mark 87deg..93deg,0.55..0.75 -o survey.svg";
+    for (name, line, page) in [
+        ("map.svg", "map -o map.svg", page),
+        ("arch.svg", "draw --half-opening 80deg --friction 0.35 -o arch.svg", page),
+        ("arches.svg", arches, surveys),
+        ("survey.svg", survey, surveys),
     ] {
-        let drawn = command(words).current_dir(scratch.folder()).status().unwrap();
+        let words: Vec<&str> = line.split(' ').collect();
+        let drawn = command(&words).current_dir(scratch.folder()).status().unwrap();
         assert!(drawn.success(), "{name}");
         let drawn = scratch.read(name);
         let kept = fs::read_to_string(stored.join(name)).unwrap();
         assert_eq!(shapes(&drawn), shapes(&kept), "{name}: make pictures");
-        assert!(page.contains(&format!("docs/pictures/{name}")) && kept.len() > 9_000);
+        assert!(page.contains(&format!("pictures/{name}")) && kept.len() > 9_000);
     }
 }

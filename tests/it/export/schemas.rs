@@ -188,6 +188,15 @@ fn what_is_written_is_as_the_schemas_say() {
             "assess", "--alpha", "1/2", "--mu", "2", "--eta", "0.7", "--tilt", "5deg", "--format",
             "json",
         ],
+        &[
+            "draw", "--span", "33ft", "--rise", "10ft", "--eta", "2ft", "--mu", "1", "--format",
+            "json",
+        ],
+        &[
+            "draw", "--alpha", "pi/2", "--mu", "0.4", "--eta", "0.15", "--tilt", "0.1", "--stones",
+            "9", "--format", "json",
+        ],
+        &["draw", "--alpha", "80deg", "--mu", "0.6", "--eta", "0.1..0.12", "--format", "json"],
         &["voussoirs", "--joints", "0,1", "--mu", "1/9", "--format", "json"],
         &[
             "voussoirs",

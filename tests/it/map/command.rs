@@ -91,13 +91,14 @@ fn a_point_is_on_the_boundary() {
 }
 
 #[test]
-fn a_file_of_data_comes_with_a_summary() {
+fn a_file_of_data_comes_with_a_line() {
     let scratch = Scratch::new();
     let file = scratch.path("map.csv");
     let line = ["map", "--curve", "limit", "--format", "csv", "-o", &file];
     let (code, output, _) = said(&couplet(&line));
     assert_eq!(code, Some(0));
-    assert!(output.contains("limit") && output.contains("proved: "), "{output}");
+    assert!(output.contains("map.csv: 1 curve, ") && output.contains("; proved: "), "{output}");
+    assert_eq!(output.lines().count(), 1);
     assert!(scratch.read("map.csv").starts_with("weight,curve,mode,node,end,parameter,"));
 }
 

@@ -61,10 +61,8 @@ fn a_picture_has_each_curve_and_its_tube() {
     let file = scratch.path("d.svg");
     let (code, output, error) = said(&couplet(&["map", "difference", "-o", &file]));
     assert_eq!((code, &error[..]), (Some(0), ""));
-    assert!(
-        output.contains("shoulder  0.0°    61.7°") && output.contains("\nproved: "),
-        "{output}"
-    );
+    assert!(output.contains("d.svg: 4 curves, ") && output.contains("; proved: "), "{output}");
+    assert_eq!(output.lines().count(), 1);
     let picture = scratch.read("d.svg");
     for divide in ["shoulder", "inner", "joints", "crown"] {
         assert!(picture.contains(&format!("id=\"difference-{divide}\"")), "{divide}");

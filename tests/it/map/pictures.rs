@@ -8,7 +8,8 @@ fn the_name_of_the_file_tells_the_format() {
     let file = scratch.path("map.svg");
     let (code, output, error) = said(&couplet(&["map", "--tolerance", "1e-3", "-o", &file]));
     assert_eq!((code, &error[..]), (Some(0), ""));
-    assert!(output.contains("proved: "), "the curves are summed up: {output}");
+    assert!(output.contains("map.svg: 12 curves and 9 lines of one value, in tubes"), "{output}");
+    assert!(output.contains("; proved: ") && output.lines().count() == 1, "{output}");
     let svg = scratch.read("map.svg");
     for mode in ["rrr", "srr", "rrs", "rsr", "rs", "r", "ss"] {
         assert!(svg.contains(&format!("<g id=\"domain-{mode}\">")), "{mode}");

@@ -47,8 +47,34 @@ fn a_range_of_stones_is_told_in_every_format() {
         assert!((double(&row["loss"]) - loss).abs() < 1e-3 * loss, "{stones}");
         assert!((double(&row["relative_loss"]) * whole - loss).abs() < 1e-3 * loss, "{stones}");
     }
-    let svg = of("2..40", "svg");
-    assert!(svg.contains("odd: a keystone") && svg.contains("even: a joint at the crown"));
+}
+
+/// A figure as all others: told to who does not see it, and fit for a column.
+#[test]
+fn the_figure_of_many_numbers_has_the_page_of_all_figures() {
+    let line =
+        ["voussoirs", "--alpha", "pi/2", "--mu", "0.6", "--stones", "2..40", "--format", "svg"];
+    let svg = |more: &[&str]| {
+        let output = couplet(&[&line[..], more].concat());
+        assert_eq!(output.status.code(), Some(0), "{more:?}");
+        String::from_utf8(output.stdout).unwrap()
+    };
+    for more in [&[][..], &["--width", "84mm", "--full-caption"]] {
+        let svg = svg(more);
+        for part in [
+            "role=\"img\"",
+            "<title>The least thickness",
+            "<desc>By which share of",
+            ">odd n<",
+            ">even n<",
+        ] {
+            assert!(svg.contains(part), "{part}");
+        }
+        assert_eq!(svg.matches("id=\"caption\"").count(), 1);
+        let texts = svg.split("<text").skip(1).filter_map(|text| text.split('>').nth(1));
+        assert_eq!(texts.filter(|text| text.starts_with("Command: ")).count(), more.len() / 3);
+    }
+    assert!(!svg(&["--no-caption"]).contains("id=\"caption\""));
 }
 
 #[test]

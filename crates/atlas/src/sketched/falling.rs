@@ -16,7 +16,7 @@ use crate::certify::state::{
 use crate::number::{Angle, Ball, Drawable, Enclosure, ExactNumber, Field, Ternary};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Mode};
-use crate::sketch::falling;
+use crate::sketch::{falling, furthest_haunch};
 
 /// Mode of the collapse of an arch that falls, the place of its joints and, of a slip, the thrust.
 type Falling = (Mode, Configuration<Ball>);
@@ -81,22 +81,15 @@ fn joints(
         return Ok(vec![Ok((Mode::Sliding, Configuration { friction, thickness, ..at }))]);
     }
     // Next to its least thickness doubles do not tell the joint of an arch: there it is where the line touches.
-    let ring = Ring::new(weight, eta).map(Drawable::double);
-    let haunches = |at: &Configuration<Ball>, outer: &Angle<Ball>| -> [Result<_, Undecided>; 2] {
-        let (outer, thrust) = (Angle::new(outer.rad.double()), at.thrust.double());
-        let found =
-            furthest_joint(at, |at| beyond::radius(&ring, [&outer, &at.rotation_joint], &thrust));
-        [nearest_joint(weight, at), Ok(found)]
+    let haunches = |at: &Configuration<Ball>, mode| -> [Result<_, Undecided>; 2] {
+        [nearest_joint(weight, at), Ok(furthest_haunch(weight, mode, at))]
             .map(|joint| Ok(Configuration { rotation_joint: joint?, ..at.clone() }))
     };
     let mut all = Vec::new();
     match state_enclosed(&arch.unlimited(), bits, false)? {
         Outcome::Stands(state) if state.mode == Mode::Rotational => {
             let at = given.clone().with(Unknown::RotationJoint, state.rotation_joint);
-            let joint = furthest_joint(&at, |at| {
-                let thrust = beyond::thrust_of_rotation(&ring, at);
-                beyond::radius(&ring, [&at.half_opening, &at.rotation_joint], &thrust)
-            });
+            let joint = furthest_haunch(weight, Mode::Rotational, &at);
             let further = Configuration { rotation_joint: joint, ..given.clone() };
             all.extend([at, further].map(|at| Ok((Mode::Rotational, at))));
         }
@@ -107,45 +100,16 @@ fn joints(
         let shoulder = sliding::shoulder_thrust(&given.half_opening, &given.friction);
         if shoulder.denominator.is_positive() == Ternary::True {
             let at = given.with(Unknown::Thrust, shoulder.value());
-            let haunches = haunches(&at, &at.crown_hinge);
+            let haunches = haunches(&at, Mode::SlidingRotational);
             all.extend(haunches.map(|at| Ok((Mode::SlidingRotational, at?))));
         }
         let at = steepest_configuration(arch, bits)?.with(Unknown::Thickness, eta.clone());
-        all.extend(haunches(&at, &at.half_opening).map(|at| {
+        all.extend(haunches(&at, Mode::RotationalSliding).map(|at| {
             let at = at?;
             Ok((inner_mode(&at.rotation_joint, &at.sliding_joint)?, at))
         }));
     }
     Ok(all)
-}
-
-/// Joints that are looked at for the furthest, and halvings of the way between two of them.
-const JOINTS: u32 = 200;
-const HALVINGS: u32 = 40;
-
-/// The joint at which a radius is the largest, as far as doubles tell.
-fn furthest_joint(
-    at: &Configuration<Ball>,
-    radius: impl Fn(&Configuration<f64>) -> f64,
-) -> Angle<Ball> {
-    let place = at.map_ref(Drawable::double);
-    let alpha = place.half_opening.rad;
-    let radius = |joint: f64| {
-        let radius = radius(&Configuration { rotation_joint: Angle::new(joint), ..place.clone() });
-        if radius.is_finite() { radius } else { f64::MIN }
-    };
-    let step = alpha / f64::from(JOINTS);
-    let joints = (0..JOINTS).map(|k| f64::from(k) * step);
-    let best = joints.max_by(|a, b| radius(*a).total_cmp(&radius(*b))).unwrap_or(0.0);
-    let (mut low, mut high) = ((best - step).max(0.0), (best + step).min(alpha));
-    for _ in 0..HALVINGS {
-        let [a, b] = [1.0, 2.0].map(|third| low + third * (high - low) / 3.0);
-        if radius(a) < radius(b) { low = a } else { high = b }
-    }
-    match low == 0.0 {
-        true => Angle::zero(&at.thickness),
-        false => Angle::new(at.thickness.of_double((low + high) / 2.0)),
-    }
 }
 
 /// The mode of a haunch and an inner joint that slides.

@@ -45,6 +45,30 @@ worded! {
     pub fn name -> &'static str;
 }
 
+worded! {
+    /// A unit in which lengths are told.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+    pub enum LengthUnit {
+        /// Metre.
+        #[default]
+        Metre = "m",
+        /// A hundredth of a metre.
+        Centimetre = "cm",
+        /// A thousandth of a metre.
+        Millimetre = "mm",
+        /// 0.3048 m.
+        Foot = "ft",
+        /// A twelfth of a foot.
+        Inch = "in",
+        /// Three feet.
+        Yard = "yd",
+    }
+    /// All of them.
+    pub const ALL;
+    /// Sign of the unit.
+    pub fn name -> &'static str;
+}
+
 /// A length above zero, in metres.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Length(BigRational);
@@ -59,6 +83,7 @@ pub struct Measures {
     circle: Circle,
     radius: Length,
     loaded: Option<(UnitWeight, Length)>,
+    unit: LengthUnit,
 }
 
 /// Reason why measures are refused.
@@ -216,9 +241,33 @@ impl FromStr for Length {
 
     /// Reads `10m`, `3.5 m`, `60cm`, `600mm`, `33ft`, `7in`, `60ft1in`, `34' 5 1/2"`, with decimals or fractions.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let plain = text.replace(['’', '′'], "'").replace(['”', '″'], "\"");
+        let plain = plain(text);
         let read = || quantity(&plain, &LENGTHS).or_else(|| feet_and_inches(&plain));
         with_unit(text, read, MeasureError::Length).map(Self)
+    }
+}
+
+/// A length with the signs of feet and inches that a keyboard has.
+fn plain(text: &str) -> String {
+    text.replace(['’', '′'], "'").replace(['”', '″'], "\"")
+}
+
+impl LengthUnit {
+    /// Unit of a length, the larger one of feet and inches; `None` if it names none.
+    pub fn of(length: &str) -> Option<Self> {
+        let plain = plain(length.trim());
+        let end = LENGTHS.iter().find(|(name, ..)| plain.ends_with(name))?;
+        let (_, n, d) = feet_and_inches(&plain).map_or(end, |_| &FEET[0]);
+        let size = BigRational::new((*n).into(), (*d).into());
+        Self::ALL.into_iter().find(|unit| *unit.metres().factor() == size)
+    }
+
+    /// The unit in metres.
+    pub fn metres(self) -> ExactNumber {
+        let sizes = LENGTHS.iter().filter(|(name, ..)| *name == self.name());
+        ExactNumber::rational(
+            sizes.map(|(_, n, d)| BigRational::new((*n).into(), (*d).into())).sum(),
+        )
     }
 }
 
@@ -372,7 +421,17 @@ pub fn radius_at(half_opening: &ExactNumber, [span, rise]: [Option<&Length>; 2])
 impl Measures {
     /// The radius of a circle of the arch; with the weight of its material and its depth there are forces too.
     pub fn new(circle: Circle, radius: Length, loaded: Option<(UnitWeight, Length)>) -> Self {
-        Self { circle, radius, loaded }
+        Self { circle, radius, loaded, unit: LengthUnit::default() }
+    }
+
+    /// Measures with another unit, in which they are told.
+    pub fn told_in(self, unit: LengthUnit) -> Self {
+        Self { unit, ..self }
+    }
+
+    /// The unit in which lengths are told, metres unless one was given.
+    pub fn unit(&self) -> LengthUnit {
+        self.unit
     }
 
     /// The circle that is measured.

@@ -3,7 +3,7 @@
 use super::collapse::{Collapse, NoCollapse};
 use super::forces::{Forces, joints_of};
 use crate::arch::{Configuration, Ring, SelfWeight, beyond, statics};
-use crate::number::Drawable;
+use crate::number::{Angle, Drawable};
 use crate::problem::Mode;
 
 /// Distance beyond the faces up to which lines are drawn, in units of `r`: where a joint is under tension they are
@@ -50,4 +50,45 @@ pub fn falling<T: Drawable>(
     let (thrust_lines, friction_line) = (lines.collect(), forces.friction_line.within(FAR));
     let beyond = away.map(|radius| radius - face);
     Ok((Forces { beyond, thrust_lines, friction_line, ..forces }, collapse))
+}
+
+/// Joints that are looked at for the furthest, and halvings of the way between two of them.
+const JOINTS: u32 = 200;
+const HALVINGS: u32 = 40;
+
+/// The haunch of a mode whose line of thrust is the furthest beyond the faces, as far as doubles tell. That the weight
+/// drives the arch is proved of any.
+pub fn furthest_haunch<T: Drawable>(
+    weight: SelfWeight,
+    mode: Mode,
+    at: &Configuration<T>,
+) -> Angle<T> {
+    let ring = Ring::new(weight, &at.thickness).map(T::double);
+    let place = at.map_ref(T::double);
+    let alpha = place.half_opening.rad;
+    let radius = |joint: f64| {
+        let at = Configuration { rotation_joint: Angle::new(joint), ..place.clone() };
+        let thrust = match mode {
+            Mode::Rotational => beyond::thrust_of_rotation(&ring, &at),
+            _ => at.thrust,
+        };
+        let outer = match mode {
+            Mode::SlidingRotational => &at.crown_hinge,
+            _ => &at.half_opening,
+        };
+        let radius = beyond::radius(&ring, [outer, &at.rotation_joint], &thrust);
+        if radius.is_finite() { radius } else { f64::MIN }
+    };
+    let step = alpha / f64::from(JOINTS);
+    let joints = (0..JOINTS).map(|k| f64::from(k) * step);
+    let best = joints.max_by(|a, b| radius(*a).total_cmp(&radius(*b))).unwrap_or(0.0);
+    let (mut low, mut high) = ((best - step).max(0.0), (best + step).min(alpha));
+    for _ in 0..HALVINGS {
+        let [a, b] = [1.0, 2.0].map(|third| low + third * (high - low) / 3.0);
+        if radius(a) < radius(b) { low = a } else { high = b }
+    }
+    match low == 0.0 {
+        true => Angle::zero(&at.thickness),
+        false => Angle::new(at.thickness.of_double((low + high) / 2.0)),
+    }
 }

@@ -36,7 +36,7 @@ mod whole;
 pub use blocks::Blocks;
 pub use blocks::arrow;
 pub use collapse::{Collapse, NoCollapse};
-pub use falling::falling;
+pub use falling::{falling, furthest_haunch};
 pub use forces::{Forces, Mark, joints_of, moment_of};
 pub use line::{SketchedLine, across};
 pub use linkage::Linkage;

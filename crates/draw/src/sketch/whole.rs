@@ -59,14 +59,18 @@ impl WholeView {
         let of =
             [("friction", &self.friction, look::FRICTION), ("thrust", &self.thrust, look::THRUST)];
         for (name, halves, stroke) in of {
-            let Some([right, left]) = halves else { continue };
-            svg.group(name, |svg| svg.stroke(&self.across([right, left], scale), stroke));
+            let Some(halves) = halves else { continue };
+            let points = Self::across(halves).into_iter().map(|point| scale.at(point, 1.0));
+            svg.group(name, |svg| svg.stroke(&Path::through(points), stroke));
         }
     }
 
-    fn across(&self, [right, left]: [&SketchedLine; 2], scale: &PageScale) -> Path {
-        let there = left.places().rev().map(|point| scale.at(point, -1.0));
-        Path::through(there.chain(right.places().map(|point| scale.at(point, 1.0))))
+    /// Points of a line from the left springing to the right one.
+    pub fn across([right, left]: &[SketchedLine; 2]) -> Vec<[f64; 2]> {
+        let there = left.places().rev().map(|[x, y]| [-x, y]);
+        let mut points: Vec<[f64; 2]> = there.chain(right.places()).collect();
+        points.dedup();
+        points
     }
 
     /// The joints at their limits.

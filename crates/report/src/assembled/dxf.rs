@@ -1,7 +1,8 @@
 //! Bodies as DXF: closed outlines with the arcs of the ring, centroids, and the question.
 
 use super::assembly::Assembled;
-use crate::sketched::{DxfAnchor, DxfFile, DxfUnit};
+use crate::problem::measures::LengthUnit;
+use crate::sketched::{DxfAnchor, DxfFile};
 use crate::strategies::Point;
 
 /// The layers and their colours by number.
@@ -12,7 +13,7 @@ const LETTERS: f64 = 0.05;
 
 /// A file of DXF.
 pub fn dxf(of: &Assembled) -> String {
-    let unit = if of.unit() == "m" { DxfUnit::Metre } else { DxfUnit::Radius };
+    let unit = (of.unit() == "m").then_some(LengthUnit::Metre);
     let mut dxf = DxfFile::new((unit, 1.0), &LAYERS, &[]);
     dxf.draw();
     for stone in &of.blocks.stones {

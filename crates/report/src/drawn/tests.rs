@@ -9,10 +9,11 @@ use std::sync::OnceLock;
 
 /// A picture of some curves.
 fn picture(weights: &[SelfWeight], view: View, tolerance: f64) -> String {
-    printed(weights, view, tolerance, &Print::default())
+    printed(weights, view, tolerance)(&Print::default())
 }
 
-fn printed(weights: &[SelfWeight], view: View, tolerance: f64, print: &Print) -> String {
+/// Some curves, to be printed.
+fn printed(weights: &[SelfWeight], view: View, tolerance: f64) -> impl Fn(&Print) -> String {
     let curves = weights.iter().flat_map(|w| Curve::ALL.map(|curve| (*w, curve)));
     let trace = |(weight, curve)| Trace::new(curve, weight, tolerance).unwrap();
     let drawing = Drawing {
@@ -28,7 +29,7 @@ fn printed(weights: &[SelfWeight], view: View, tolerance: f64, print: &Print) ->
     };
     let level = |contour: &Contour| Level::among(&traces, weights[0], contour, tolerance).unwrap();
     let levels: Vec<Level> = contours.iter().map(level).collect();
-    drawing.svg((&traces, &levels, &[]), print).unwrap()
+    move |print| drawing.svg((&traces, &levels, &[]), print).unwrap()
 }
 
 /// Picture of a plane with marks.
@@ -270,6 +271,7 @@ mod pixels {
     use crate::picture::print::SMALLEST;
     use crate::reading::rendered::crossed;
     use crate::reading::{sizes, trouble};
+    use std::collections::HashSet;
 
     #[test]
     fn no_name_lies_on_another() {
@@ -278,11 +280,9 @@ mod pixels {
         }
     }
 
-    /// In a column of a journal too, where insets and legends stand below.
+    /// On paper of all usual widths too, in a column with insets and legends below; each group has a name of its own.
     #[test]
-    fn a_column_has_the_same_names_in_letters_of_its_size() {
-        let width = Some(PaperLength::width("84mm").unwrap());
-        let print = Print { width, caption: false, ..Print::default() };
+    fn paper_has_the_same_names_in_letters_of_its_size() {
         let plane = |plane| (&SelfWeight::ALL[1..], View::Map(plane));
         let both = |view| (&SelfWeight::ALL[..], view);
         let views = [
@@ -296,11 +296,21 @@ mod pixels {
         ];
         let mut found = Vec::new();
         for (weights, view) in views {
-            let svg = printed(weights, view, 1e-3, &print);
-            found.extend(trouble(&svg).map(|trouble| format!("{view:?}: {trouble}")));
-            assert!(svg.contains("width=\"238.11pt\"") && svg.contains("Command: couplet"));
-            assert!(!texts(&svg).unwrap()[2..].iter().any(|text| text.contains("Command")));
-            assert!(sizes(&svg).iter().all(|size| *size >= SMALLEST), "{view:?}");
+            let printed = printed(weights, view, 1e-3);
+            for (wide, points) in
+                [("84mm", "238.11"), ("90mm", "255.12"), ("120mm", "340.16"), ("174mm", "493.23")]
+            {
+                let width = Some(PaperLength::width(wide).unwrap());
+                let svg = printed(&Print { width, caption: false, ..Print::default() });
+                found.extend(trouble(&svg).map(|trouble| format!("{view:?} {wide}: {trouble}")));
+                assert!(svg.contains(&format!("width=\"{points}pt\"")), "{wide}");
+                assert!(svg.contains("Command: couplet"));
+                assert!(!texts(&svg).unwrap()[2..].iter().any(|text| text.contains("Command")));
+                assert!(sizes(&svg).iter().all(|size| *size >= SMALLEST), "{view:?}");
+                let ids: Vec<&str> = svg.split(" id=\"").skip(1).collect();
+                let ids: HashSet<&str> = ids.iter().filter_map(|id| id.split('"').next()).collect();
+                assert_eq!(ids.len(), svg.matches(" id=\"").count(), "{view:?} {wide}");
+            }
         }
         assert_eq!(found, [""; 0]);
     }

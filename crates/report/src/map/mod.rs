@@ -11,6 +11,7 @@ mod words;
 
 pub use difference::MapDifferences;
 pub use point::MapPoint;
+pub use words::map_summary;
 
 pub(super) use record::{node, parts};
 pub(super) use rows::MapRow;

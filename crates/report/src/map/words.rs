@@ -54,6 +54,17 @@ pub(super) fn say(report: &Map, record: &mut Record) {
     record.say(format!("\n{}", verdict(report)));
 }
 
+/// Summary of the curves in a line: what was traced, and what is proved of it.
+pub fn map_summary(report: &Map) -> String {
+    let curves = count(report.traces.len() as u64, "curve", "curves");
+    let lines = match report.levels.len() + report.borders.len() {
+        0 => String::new(),
+        n => format!(" and {}", count(n as u64, "line of one value", "lines of one value")),
+    };
+    let (width, verdict) = (report.tolerance, verdict(report));
+    format!("{curves}{lines}, in tubes of a half-width of at most {width:?}; {verdict}")
+}
+
 /// Statement of what is proved of all pieces, in words.
 pub(super) fn verdict(report: &Map) -> String {
     let of_levels = report.levels.iter().flat_map(|level| &level.parts).flat_map(Part::pieces);

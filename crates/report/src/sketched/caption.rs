@@ -4,7 +4,7 @@ use super::Sketched;
 use super::falling::Falling;
 use super::metres::{Metres, Size};
 use super::motion::{reached, unit};
-use super::numbers::{DIGITS, FEW, rounded, shown};
+use super::numbers::{DIGITS, FEW, rounded, shown, told};
 use crate::atlas::{Bound, Collapse, Forces, Sketch, Stability, Subject};
 use crate::number::{Ball, ExactNumber, Form, arctangent, degrees};
 use crate::problem::asymmetric_region::STANDS;
@@ -101,7 +101,9 @@ pub(super) fn heading(drawn: &Sketched) -> String {
 fn subject(sketch: &Sketch, metres: Option<&Metres>) -> String {
     let model = words::model(sketch.weight);
     let shape = |arch: &Arch| shape(arch, sketch, metres);
-    let eta = |given: &ExactNumber| metres.map_or(given.to_string(), |of| metre(&of.thickness));
+    let eta = |given: &ExactNumber| {
+        metres.map_or(given.to_string(), |of| told(of, &of.thickness, DIGITS))
+    };
     match &sketch.subject {
         Subject::Least(arch) => {
             format!("Arch of {}, friction {}, {model}", shape(arch), arch.friction())
@@ -140,27 +142,24 @@ fn shape(arch: &Arch, sketch: &Sketch, metres: Option<&Metres>) -> String {
     match metres {
         Some(of) => format!(
             "{stones}span {} and rise {} at its {}, half opening {alpha}",
-            metre(&of.span),
-            metre(&of.rise),
+            told(of, &of.span, DIGITS),
+            told(of, &of.rise, DIGITS),
             of.circle.name()
         ),
         None => format!("{stones}half opening {alpha}"),
     }
 }
 
-/// A length in metres.
-fn metre(length: &Size) -> String {
-    format!("{} m", shown(length, DIGITS))
-}
-
-/// Values known in metres and kilonewtons beyond the span and the rise.
-fn in_metres(sketch: &Sketch, measures: &Measures, of: &Metres) -> String {
+/// Values known in units of length and in kilonewtons beyond the span and the rise.
+fn sizes(sketch: &Sketch, measures: &Measures, of: &Metres) -> String {
     let size = |size: &Size| shown(size, DIGITS);
-    let mut said = format!(" In metres: r = {}, t = {}", size(&of.radius), size(&of.thickness));
+    let [radius, thickness] = [&of.radius, &of.thickness].map(|size| told(of, size, DIGITS));
+    let mut said = format!(" Sizes: r = {radius}, t = {thickness}");
     if let Subject::Standing { stability, .. } = &sketch.subject
         && let Some(least) = &stability.least_thickness
     {
-        said += &format!(", least t = {}", size(&Metres::thickness_of(measures, sketch, least)));
+        let least = told(of, &Metres::thickness_of(measures, sketch, least), DIGITS);
+        said += &format!(", least t = {least}");
     }
     let Some(loads) = &of.loads else { return said + "." };
     said += &format!(
@@ -276,9 +275,9 @@ fn along(drawn: &Sketched) -> Vec<String> {
 fn said(drawn: &Sketched, sketch: &Sketch) -> [String; 2] {
     let metres = drawn.metres(sketch);
     let said = subject(sketch, metres.as_ref());
-    let in_metres =
-        drawn.measures.as_ref().zip(metres).map(|(measures, of)| in_metres(sketch, measures, &of));
-    let in_metres = in_metres.unwrap_or_default();
+    let sizes =
+        drawn.measures.as_ref().zip(metres).map(|(measures, of)| sizes(sketch, measures, &of));
+    let sizes = sizes.unwrap_or_default();
     if let Subject::Standing { stability, asymmetric, thickness, is_chosen, .. } = &sketch.subject {
         let of_stones = sketch.stones.as_ref().filter(|_| stability.stands && sketch.is_limited);
         let may_move = words::may_move(asymmetric).or(of_stones.map(words::stones_may_move));
@@ -288,7 +287,7 @@ fn said(drawn: &Sketched, sketch: &Sketch) -> [String; 2] {
             false => String::new(),
         };
         let [verdict, more] = standing(stability, sketch);
-        return [format!("{said}. {verdict}.{chosen}"), more + &may_move + &in_metres];
+        return [format!("{said}. {verdict}.{chosen}"), more + &may_move + &sizes];
     }
     let values: Vec<String> = values(sketch).collect();
     let falls = |collapse: &Collapse| {
@@ -299,7 +298,7 @@ fn said(drawn: &Sketched, sketch: &Sketch) -> [String; 2] {
     };
     let falls = sketch.collapses.iter().map(falls).collect::<String>();
     let short = format!("{said}. {}.", words::capital(&values.join(", ")));
-    [short, in_metres + &falls + &relation(sketch)]
+    [short, sizes + &falls + &relation(sketch)]
 }
 
 /// The numbers of a state.

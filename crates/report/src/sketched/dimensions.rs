@@ -1,8 +1,8 @@
 //! Around an arch that is measured: span, rise and thickness, and the reaction of a shoulder.
 
 use super::beside::Beside;
-use super::metres::Metres;
-use super::numbers::{in_full, shown};
+use super::metres::{Loads, Metres};
+use super::numbers::{in_full, told};
 use crate::atlas::{Sketch, SketchedLine};
 use crate::picture::color::{GUIDE, INK, WHITE};
 use crate::picture::{Anchor, Name, Path, Point, Stroke, Svg, Type, text};
@@ -74,11 +74,19 @@ pub(super) fn beside(
 }
 
 fn thickness(metres: &Metres) -> String {
-    format!("t {} m", shown(&metres.thickness, DIGITS))
+    format!("t {}", told(metres, &metres.thickness, DIGITS))
 }
 
-/// The thrust, or what it can be.
-fn thrust(sketch: &Sketch, metres: &Metres) -> String {
+/// The radius at which a shoulder bears the arch, the middle one of the lines that are drawn.
+pub(super) fn pressed(sketch: &Sketch) -> Option<f64> {
+    let lines = sketch.forces.iter().flat_map(|forces| &forces.thrust_lines);
+    let radius = |line: &SketchedLine| Some(1.0 + line.thickness * line.points.last()?[1]);
+    let radii: Vec<f64> = lines.filter_map(radius).collect();
+    (!radii.is_empty()).then(|| radii.iter().sum::<f64>() / radii.len() as f64)
+}
+
+/// The thrust, or what it can be; nothing where no force is known.
+pub(super) fn thrust(sketch: &Sketch, metres: &Metres) -> String {
     let forces = &sketch.forces;
     let Some(loads) = &metres.loads else { return String::new() };
     let size = |k: usize| forces.get(k).map(|of| in_full(&loads.thrust(&of.thrust), DIGITS));
@@ -88,6 +96,11 @@ fn thrust(sketch: &Sketch, metres: &Metres) -> String {
         (Some(thrust), None) => format!("H {thrust} kN"),
         (None, _) => String::new(),
     }
+}
+
+/// Load on a shoulder, in words.
+pub(super) fn reaction(loads: &Loads) -> String {
+    format!("V {} kN", in_full(&loads.reaction, DIGITS))
 }
 
 impl Dimensions<'_> {
@@ -124,7 +137,7 @@ impl Dimensions<'_> {
             circle => &format!(" at the {}", circle.name()),
         };
         let half = if self.half { "half of the " } else { "" };
-        let text = format!("{half}span {} m{at}", shown(&self.metres.span, DIGITS));
+        let text = format!("{half}span {}{at}", told(self.metres, &self.metres.span, DIGITS));
         measure(svg, [(left.0, y), (right.0, y)], &text, 0.0);
     }
 
@@ -139,7 +152,7 @@ impl Dimensions<'_> {
         for (to, y) in [crown, springing] {
             svg.stroke(&Path::through([(x - OVER, y), (to, y)]), EXTENDED);
         }
-        let text = format!("rise {} m", shown(&self.metres.rise, DIGITS));
+        let text = format!("rise {}", told(self.metres, &self.metres.rise, DIGITS));
         measure(svg, [(x, crown.1), (x, springing.1)], &text, -90.0);
     }
 
@@ -166,19 +179,13 @@ impl Dimensions<'_> {
         let Some(loads) = &self.metres.loads else { return Vec::new() };
         let side = if self.half { 1.0 } else { -1.0 };
         let alpha = self.sketch.half_opening();
-        let lines = || self.sketch.forces.iter().flat_map(|forces| &forces.thrust_lines);
-        let radii = lines()
-            .filter_map(|line: &SketchedLine| Some(1.0 + line.thickness * line.points.last()?[1]));
-        let (sum, count) = radii.fold((0.0, 0.0), |(sum, count), x| (sum + x, count + 1.0));
-        if count == 0.0 {
-            return Vec::new();
-        }
-        let (x, y) = self.scale.polar(alpha, sum / count, side);
+        let Some(radius) = pressed(self.sketch) else { return Vec::new() };
+        let (x, y) = self.scale.polar(alpha, radius, side);
         let aside = self.scale.polar(alpha, self.sketch.radii()[1], side).0;
         let aside = if side < 0.0 { aside.min(x) } else { aside.max(x) };
         arrow(svg, (aside + side * ARROW, y), (x + side * NEAR, y));
         arrow(svg, (x, y + ARROW), (x, y + NEAR));
-        let reaction = format!("V {} kN", in_full(&loads.reaction, DIGITS));
+        let reaction = reaction(loads);
         vec![
             Name::new(
                 thrust(self.sketch, self.metres),

@@ -1,21 +1,23 @@
-//! An arch for programs that draw: lines and arcs in units of `r` or in metres, `y` up, each kind on a layer of its
-//! own, with the angles of the joints and the sizes. An arch that is shown with several modes is a block, which each
-//! panel inserts.
+//! An arch for programs that draw: lines and arcs in units of `r` or in the unit of who asks, `y` up, each kind on a
+//! layer of its own, with the angles of the joints, the sizes and the forces. An arch that is shown with several modes
+//! is a block, which each panel inserts.
 
 use super::Sketched;
 use super::arcs::arcs;
 use super::caption::title;
-use super::dxf_file::{DxfAnchor, DxfFile, DxfUnit};
+use super::dimensions::{pressed, reaction, thrust};
+use super::dxf_file::{DxfAnchor, DxfFile};
 use super::joints::named;
 use super::metres::{Metres, Size};
-use super::numbers::{label, shown};
+use super::numbers::{label, told};
 use crate::arch::mechanism::Contact;
 use crate::atlas::{Collapse, Sketch};
-use crate::sketch::{Blocks, CROWN, across};
+use crate::problem::measures::LengthUnit;
+use crate::sketch::{Blocks, CROWN, WholeView, across};
 use std::io;
 
 /// The layers and their colours by number.
-const LAYERS: [(&str, u8); 9] = [
+const LAYERS: [(&str, u8); 10] = [
     ("ARCH", 7),
     ("STONES", 8),
     ("THRUST", 1),
@@ -23,6 +25,7 @@ const LAYERS: [(&str, u8); 9] = [
     ("HINGES", 7),
     ("SLIDING", 5),
     ("MECHANISM", 3),
+    ("FORCES", 1),
     ("DIMENSIONS", 8),
     ("TEXT", 7),
 ];
@@ -35,6 +38,10 @@ const BETWEEN: f64 = 0.8;
 const LETTERS: f64 = 0.05;
 const CENTRE: f64 = 0.03;
 const AWAY: f64 = 0.2;
+/// The length of a force and the room that it takes, with its words, beside the arch; and its distance from a joint.
+const ARROW: f64 = 0.35;
+const FORCE: f64 = 0.55;
+const NEAR: f64 = 0.02;
 /// Digits of a size.
 const DIGITS: usize = 6;
 /// The radius of a hinge.
@@ -48,42 +55,50 @@ fn mirrored([x, y]: [f64; 2], side: f64) -> [f64; 2] {
     [side * x, y]
 }
 
-fn arch(dxf: &mut DxfFile, sketch: &Sketch, half: bool) {
-    let (alpha, radii) = (sketch.half_opening(), sketch.radii());
+/// The outline between two joints, and the joints between stones.
+fn ring(dxf: &mut DxfFile, [from, to]: [f64; 2], radii: [f64; 2], stones: &[f64]) {
     let degrees = |joint: f64| 90.0 - joint.to_degrees();
-    let from = if half { 0.0 } else { -alpha };
     for radius in radii.into_iter().filter(|radius| *radius > 0.0) {
-        dxf.arc("ARCH", [0.0, 0.0], radius, [degrees(alpha), degrees(from)]);
+        dxf.arc("ARCH", [0.0, 0.0], radius, [degrees(to), degrees(from)]);
     }
-    for joint in [from, alpha] {
-        dxf.line("ARCH", radii.map(|radius| polar(joint, radius)));
+    let ends = [from, to].map(|joint| ("ARCH", joint));
+    for (layer, joint) in ends.into_iter().chain(stones.iter().map(|joint| ("STONES", *joint))) {
+        dxf.line(layer, radii.map(|radius| polar(joint, radius)));
     }
-    let sides: &[f64] = if half { &[1.0] } else { &[1.0, -1.0] };
-    for joint in sketch.stone_joints() {
-        for side in sides.iter().filter(|side| joint > 0.0 || **side > 0.0) {
-            dxf.line("STONES", radii.map(|radius| mirrored(polar(joint, radius), *side)));
-        }
-    }
-    let within = WITHIN.min(PART * sketch.thickness());
+}
+
+/// A line of thrust or of friction in an arch of a thickness.
+fn line(dxf: &mut DxfFile, layer: &str, points: &[[f64; 2]], thickness: f64) {
+    dxf.chain(layer, &arcs(points, WITHIN.min(PART * thickness)));
+}
+
+fn arch(dxf: &mut DxfFile, sketch: &Sketch, half: bool) {
+    let alpha = sketch.half_opening();
+    let stones = sketch.stone_joints();
+    let left = stones.iter().filter(|joint| !half && **joint > 0.0).map(|joint| -joint);
+    let stones: Vec<f64> = stones.iter().copied().chain(left).collect();
+    ring(dxf, [if half { 0.0 } else { -alpha }, alpha], sketch.radii(), &stones);
     for forces in &sketch.forces {
-        for line in &forces.thrust_lines {
-            dxf.chain("THRUST", &arcs(&across(line.places(), half), within));
+        let thrust = forces.thrust_lines.iter().map(|line| ("THRUST", line));
+        for (layer, of) in thrust.chain([("FRICTION", &forces.friction_line)]) {
+            line(dxf, layer, &across(of.places(), half), sketch.thickness());
         }
-        dxf.chain("FRICTION", &arcs(&across(forces.friction_line.places(), half), within));
+    }
+}
+
+fn mark(dxf: &mut DxfFile, (contact, joint): (Contact, f64), [inner, outer]: [f64; 2]) {
+    match contact {
+        Contact::Extrados => dxf.circle("HINGES", polar(joint, outer), HINGE),
+        Contact::Intrados => dxf.circle("HINGES", polar(joint, inner), HINGE),
+        _ => dxf.line("SLIDING", [inner, outer].map(|radius| polar(joint, radius))),
     }
 }
 
 fn marks(dxf: &mut DxfFile, sketch: &Sketch, collapse: Option<&Collapse>, sides: &[f64]) {
-    let [inner, outer] = sketch.radii();
     for (contact, joint) in super::at_limit(sketch, collapse) {
         let is_crown = joint < CROWN * sketch.half_opening();
         for side in sides.iter().take(if is_crown { 1 } else { sides.len() }) {
-            let at = |radius| mirrored(polar(joint, radius), *side);
-            match contact {
-                Contact::Extrados => dxf.circle("HINGES", at(outer), HINGE),
-                Contact::Intrados => dxf.circle("HINGES", at(inner), HINGE),
-                _ => dxf.line("SLIDING", [at(inner), at(outer)]),
-            }
+            mark(dxf, (contact, side * joint), sketch.radii());
         }
     }
 }
@@ -110,22 +125,52 @@ fn mechanism(dxf: &mut DxfFile, blocks: &Blocks, [inner, outer]: [f64; 2], sides
     }
 }
 
-/// The heading of a panel, and the angles of its joints beyond the extrados.
-fn texts(dxf: &mut DxfFile, sketch: &Sketch, collapse: Option<&Collapse>, out: f64) {
-    let [heading, words] = title(sketch, collapse);
-    for (line, words) in [words, heading].iter().enumerate().filter(|(_, words)| !words.is_empty())
-    {
+/// The heading of a panel, above `out`, and the names of its joints by their angles, beyond their radii.
+fn texts(dxf: &mut DxfFile, headings: &[String], names: &[(f64, f64, String)], out: f64) {
+    let lines = headings.iter().rev().filter(|words| !words.is_empty());
+    for (line, words) in lines.enumerate() {
         let at = [0.0, out + (2.5 + 1.6 * line as f64) * LETTERS];
         dxf.text("TEXT", words, (at, DxfAnchor::Middle), (LETTERS, 0.0));
     }
-    let [_, outer] = sketch.radii();
-    let alpha = sketch.half_opening();
-    let joints = named(sketch, &super::at_limit(sketch, collapse));
-    let joints = joints.into_iter().map(|of| (of.at, of.name));
-    for (joint, name) in [(alpha, label("α", alpha))].into_iter().chain(joints) {
-        let at = polar(joint, outer + LETTERS);
-        let anchor = if joint.sin() > 0.3 { DxfAnchor::Start } else { DxfAnchor::Middle };
-        dxf.text("TEXT", &name, (at, anchor), (LETTERS, 0.0));
+    for (joint, radius, name) in names {
+        let at = polar(*joint, radius + LETTERS);
+        let anchor = match joint.sin() {
+            right if right > 0.3 => DxfAnchor::Start,
+            left if left < -0.3 => DxfAnchor::End,
+            _ => DxfAnchor::Middle,
+        };
+        dxf.text("TEXT", name, (at, anchor), (LETTERS, 0.0));
+    }
+}
+
+/// A force, with its head where it acts.
+fn force(dxf: &mut DxfFile, [from, to]: [[f64; 2]; 2]) {
+    let along = [0, 1].map(|k| (to[k] - from[k]) / ARROW);
+    dxf.line("FORCES", [from, to]);
+    for across in [-LETTERS / 2.0, LETTERS / 2.0] {
+        let [x, y] = [0, 1].map(|k| to[k] - 1.5 * LETTERS * along[k]);
+        dxf.line("FORCES", [[x - across * along[1], y + across * along[0]], to]);
+    }
+}
+
+/// The reaction of the ground on the left shoulder, or on that of the half arch.
+fn forces(dxf: &mut DxfFile, sketch: &Sketch, metres: &Metres, half: bool) {
+    let (Some(loads), Some(radius)) = (&metres.loads, pressed(sketch)) else { return };
+    let side = if half { 1.0 } else { -1.0 };
+    let [[x, y], [edge, _]] = [radius, sketch.radii()[1]]
+        .map(|radius| mirrored(polar(sketch.half_opening(), radius), side));
+    let aside = if half { edge.max(x) } else { edge.min(x) } + side * NEAR;
+    force(dxf, [[aside + side * ARROW, y], [aside, y]]);
+    force(dxf, [[x, y - NEAR - ARROW], [x, y - NEAR]]);
+    // On the right the half opening is told above the force.
+    let (anchor, of_thrust) = match half {
+        true => (DxfAnchor::Start, [aside + ARROW + LETTERS / 2.0, y]),
+        false => (DxfAnchor::End, [aside - LETTERS, y + 1.4 * LETTERS]),
+    };
+    for (at, words) in
+        [(of_thrust, thrust(sketch, metres)), ([x + side * LETTERS, y - ARROW], reaction(loads))]
+    {
+        dxf.text("FORCES", &words, (at, anchor), (LETTERS, 0.0));
     }
 }
 
@@ -152,19 +197,24 @@ fn dimensions(dxf: &mut DxfFile, sketch: &Sketch, metres: Option<&Metres>, half:
         dxf.line("DIMENSIONS", [[-dx, -dy], [dx, dy]]);
     }
     let Some(metres) = metres else { return };
-    let size = |of: &Size| format!("{} m", shown(of, DIGITS));
+    let size = |of: &Size| told(metres, of, DIGITS);
+    // Beyond the forces at a shoulder.
+    let (beside, below) = match metres.loads {
+        Some(_) => (AWAY + FORCE, AWAY + ARROW),
+        None => (AWAY, AWAY),
+    };
     let (alpha, radii) = (sketch.half_opening(), sketch.radii());
     let [x, y] = polar(alpha, metres.share);
-    let low = radii.map(|radius| radius * alpha.cos()).into_iter().fold(0.0, f64::min) - AWAY;
+    let low = radii.map(|radius| radius * alpha.cos()).into_iter().fold(0.0, f64::min) - below;
     let left = if half { 0.0 } else { -x };
     let of = if half { "half of the span" } else { "span" };
     measure(dxf, [[left, low], [x, low]], &format!("{of} {}", size(&metres.span)));
-    let aside = if half { -AWAY } else { -radii[1] - AWAY };
+    let aside = if half { -AWAY } else { -radii[1] - beside };
     measure(dxf, [[aside, y], [aside, metres.share]], &format!("rise {}", size(&metres.rise)));
     let thickness = format!("t = {}", size(&metres.thickness));
-    let shoulder = radii.map(|radius| polar(alpha + 0.06, radius));
+    let shoulder = radii.map(|radius| polar(alpha + 0.1, radius));
     dxf.line("DIMENSIONS", shoulder);
-    let at = polar(alpha + 0.06, radii[1] + LETTERS);
+    let at = polar(alpha + 0.1, radii[1] + LETTERS);
     dxf.text("DIMENSIONS", &thickness, (at, DxfAnchor::Start), (LETTERS, 0.0));
 }
 
@@ -173,7 +223,7 @@ pub(crate) fn dxf(report: &Sketched, out: &mut dyn io::Write) -> io::Result<()> 
     let half = report.style.half;
     let sides: &[f64] = if half { &[1.0] } else { &[1.0, -1.0] };
     let metres = report.sketches.first().and_then(|sketch| report.metres(sketch));
-    let unit = metres.map_or((DxfUnit::Radius, 1.0), |of| (DxfUnit::Metre, of.radius.double()));
+    let unit = metres.map_or((None, 1.0), |of| (Some(of.unit), of.radius_told()));
     let name = |place: usize| format!("COUPLET-{}", place + 1);
     let is_block = |sketch: &Sketch| sketch.collapses.len() > 1;
     let blocks = || report.sketches.iter().enumerate().filter(|(_, sketch)| is_block(sketch));
@@ -201,10 +251,48 @@ pub(crate) fn dxf(report: &Sketched, out: &mut dyn io::Write) -> io::Result<()> 
                 }
                 mechanism(&mut dxf, &blocks, radii, sides);
             }
-            texts(&mut dxf, sketch, collapse, highest);
-            dimensions(&mut dxf, sketch, report.metres(sketch).as_ref(), half);
+            let joints = named(sketch, &super::at_limit(sketch, collapse));
+            let joints = joints.into_iter().map(|of| (of.at, radii[1], of.name));
+            let alpha = sketch.half_opening();
+            let shoulder = (alpha, radii[1], label("α", alpha));
+            let names: Vec<_> = [shoulder].into_iter().chain(joints).collect();
+            texts(&mut dxf, &title(sketch, collapse), &names, highest);
+            let metres = report.metres(sketch);
+            dimensions(&mut dxf, sketch, metres.as_ref(), half);
+            if let Some(metres) = &metres {
+                forces(&mut dxf, sketch, metres, half);
+            }
             dxf.x += 2.0 * widest + BETWEEN;
         }
     }
     out.write_all(dxf.finish().as_bytes())
+}
+
+/// A whole arch whose halves differ, with headings and the names of its joints.
+pub(crate) struct WholePanel {
+    pub(crate) view: WholeView,
+    pub(crate) headings: Vec<String>,
+    pub(crate) names: Vec<(f64, f64, String)>,
+}
+
+/// Whole arches beside each other, with a unit of `r` in that of the file.
+pub(crate) fn whole(unit: (Option<LengthUnit>, f64), panels: &[WholePanel]) -> String {
+    let mut dxf = DxfFile::new(unit, &LAYERS, &[]);
+    dxf.draw();
+    for WholePanel { view, headings, names } in panels {
+        let [left, right, _, high] = view.extent();
+        let (alpha, radii) = (view.half_opening, view.radii);
+        ring(&mut dxf, [-alpha, alpha], radii, &view.stones);
+        for (layer, halves) in [("FRICTION", &view.friction), ("THRUST", &view.thrust)] {
+            let points = halves.as_ref().map(WholeView::across);
+            line(&mut dxf, layer, &points.unwrap_or_default(), radii[1] - radii[0]);
+        }
+        view.marks.iter().for_each(|of| mark(&mut dxf, *of, radii));
+        if let Some(blocks) = &view.blocks {
+            mechanism(&mut dxf, blocks, radii, &[1.0]);
+        }
+        texts(&mut dxf, headings, names, high);
+        dxf.x += 2.0 * right.max(-left) + BETWEEN;
+    }
+    dxf.finish()
 }

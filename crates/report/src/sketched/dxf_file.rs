@@ -2,12 +2,19 @@
 //! value, each on a line.
 
 use super::arcs::Bulge;
+use crate::problem::measures::LengthUnit;
 
-/// Unit of the lengths of a file, with the number that it has there.
-#[derive(Clone, Copy)]
-pub(crate) enum DxfUnit {
-    Radius = 0,
-    Metre = 6,
+/// The number that a unit of length has there; no unit is that of the centreline's radius.
+fn number_of(unit: Option<LengthUnit>) -> u8 {
+    match unit {
+        None => 0,
+        Some(LengthUnit::Inch) => 1,
+        Some(LengthUnit::Foot) => 2,
+        Some(LengthUnit::Millimetre) => 4,
+        Some(LengthUnit::Centimetre) => 5,
+        Some(LengthUnit::Metre) => 6,
+        Some(LengthUnit::Yard) => 10,
+    }
 }
 
 /// A file in the making.
@@ -37,27 +44,27 @@ const DECIMALS: i32 = 7;
 pub(crate) enum DxfAnchor {
     Start = 0,
     Middle = 1,
+    End = 2,
 }
 
 impl DxfFile {
     /// A file with its layers and their colours by number, and the names of its blocks, up to the first block.
     pub(crate) fn new(
-        (unit, scale): (DxfUnit, f64),
+        (unit, scale): (Option<LengthUnit>, f64),
         layers: &[(&str, u8)],
         blocks: &[String],
     ) -> Self {
         let (text, owner, records) = (String::new(), String::new(), Vec::new());
         let mut file = Self { text, handles: 0, owner, records, x: 0.0, scale };
-        let name = match unit {
-            DxfUnit::Radius => "units of r",
-            DxfUnit::Metre => "m",
-        };
+        let name = unit.map_or("units of r", LengthUnit::name);
         file.put(999, &format!("couplet: lengths in {name}"));
         file.begin_section("HEADER");
-        let unit = (unit as u8).to_string();
+        let is_english =
+            matches!(unit, Some(LengthUnit::Foot | LengthUnit::Inch | LengthUnit::Yard));
+        let (unit, system) = (number_of(unit).to_string(), if is_english { "0" } else { "1" });
         file.put_all(&[(9, "$ACADVER"), (1, "AC1015"), (9, "$DWGCODEPAGE"), (3, "ANSI_1252")]);
-        // Metric, and no handle is above the seed.
-        file.put_all(&[(9, "$INSUNITS"), (70, &unit), (9, "$MEASUREMENT"), (70, "1")]);
+        // No handle is above the seed.
+        file.put_all(&[(9, "$INSUNITS"), (70, &unit), (9, "$MEASUREMENT"), (70, system)]);
         file.put_all(&[(9, "$HANDSEED"), (5, "FFFFFF")]);
         file.end_section();
         file.begin_section("TABLES");
@@ -291,7 +298,7 @@ mod tests {
     #[test]
     fn every_handle_is_its_own_and_every_owner_is_there() {
         let blocks = ["A".to_owned(), "B".to_owned()];
-        let mut file = DxfFile::new((DxfUnit::Metre, 5.0), &[("ARCH", 7)], &blocks);
+        let mut file = DxfFile::new((Some(LengthUnit::Metre), 5.0), &[("ARCH", 7)], &blocks);
         for name in &blocks {
             file.block(name, |file| file.line("ARCH", [[0.0, 0.0], [1.0, 1.0]]));
         }

@@ -82,8 +82,8 @@ fn measures(of: &Metres) -> Json {
 }
 
 /// Points in a unit of so many `r`.
-fn polyline(line: &SketchedLine, unit: f64) -> Json {
-    line.places().map(|point| Vec::from(point.map(|x| x * unit))).collect::<Vec<_>>().into()
+pub(crate) fn polyline(points: impl Iterator<Item = [f64; 2]>, unit: f64) -> Json {
+    points.map(|point| Vec::from(point.map(|x| x * unit))).collect::<Vec<_>>().into()
 }
 
 fn forces(forces: &Forces, metres: Option<&Metres>, unit: f64) -> Json {
@@ -91,7 +91,7 @@ fn forces(forces: &Forces, metres: Option<&Metres>, unit: f64) -> Json {
         .marks
         .iter()
         .map(|mark| json!({ "contact": mark.contact.name(), "joint": figure(&mark.at) }));
-    let polyline = |line: &SketchedLine| polyline(line, unit);
+    let polyline = |line: &SketchedLine| polyline(line.places(), unit);
     let loads = metres.and_then(|of| of.loads.as_ref());
     json!({
         "thrust": figure(&forces.thrust),
@@ -129,7 +129,8 @@ fn twist(twist: &Twist<Ball>) -> Json {
     })
 }
 
-fn block(block: &Block, of: Option<&Twist<Ball>>, radii: [f64; 2], unit: f64) -> Json {
+/// A block where it has moved to.
+pub(crate) fn placed(block: &Block, radii: [f64; 2], unit: f64) -> Json {
     let [cos, sin] = block.motion.turn;
     let corners = block.between.into_iter().flat_map(|joint| {
         radii.map(|radius| {
@@ -139,7 +140,6 @@ fn block(block: &Block, of: Option<&Twist<Ball>>, radii: [f64; 2], unit: f64) ->
     });
     json!({
         "between": block.between,
-        "twist": of.map(twist),
         "rotation": sin.atan2(cos),
         "shift": block.motion.shift.map(|x| x * unit),
         "corners": corners.collect::<Vec<_>>(),
@@ -149,10 +149,11 @@ fn block(block: &Block, of: Option<&Twist<Ball>>, radii: [f64; 2], unit: f64) ->
 fn collapse(sketch: &Sketch, collapse: &Collapse, amplitude: f64, unit: f64) -> Json {
     let mechanism = &collapse.mechanism;
     let moved = moved(collapse, &sketch.at, amplitude);
-    let blocks = moved
-        .blocks
-        .iter()
-        .map(|moved| block(moved, collapse.twists.get(moved.place), sketch.radii(), unit));
+    let blocks = moved.blocks.iter().map(|moved| {
+        let mut block = placed(moved, sketch.radii(), unit);
+        block["twist"] = json!(collapse.twists.get(moved.place).map(twist));
+        block
+    });
     json!({
         "mode": name(sketch, collapse.mode).0,
         "flow_rule": if collapse.is_dilatant { "associated" } else { "without dilatancy" },
@@ -170,7 +171,7 @@ pub(super) fn record(report: &Sketched) -> Record {
     let arch = |(place, sketch): (usize, &Sketch)| {
         let mut fields = given(sketch);
         let metres = report.metres(sketch);
-        let unit = metres.as_ref().map_or(1.0, |of| of.radius.double());
+        let unit = metres.as_ref().map_or(1.0, Metres::radius_told);
         let verdict = match () {
             _ if sketch.stands() => "stands",
             _ if sketch.falls() => "falls",
@@ -207,7 +208,7 @@ pub(super) fn record(report: &Sketched) -> Record {
         fields.add("drawn_only", falling.as_ref().map(|of| of.drawn_only(report)));
         fields
     };
-    let unit = if report.measures.is_some() { "m" } else { "r" };
+    let unit = report.measures.as_ref().map_or("r", |measures| measures.unit().name());
     let mut file = Record::of("couplet.drawing/2");
     file.add("unit", unit);
     file.add_list("arches", report.sketches.iter().enumerate().map(arch));

@@ -1,5 +1,6 @@
 //! JSON with a line for each field of an object and none for each element of a list: points take most of a drawing.
 
+use crate::record::Record;
 use serde::Serialize;
 use serde_json::ser::{Formatter, Serializer};
 use std::io;
@@ -57,6 +58,14 @@ impl Formatter for Lean {
 pub(super) fn write(value: &impl Serialize, out: &mut dyn io::Write) -> io::Result<()> {
     value.serialize(&mut Serializer::with_formatter(&mut *out, Lean::default()))?;
     writeln!(out)
+}
+
+/// Writes records: one as an object, several as a list.
+pub(crate) fn write_lean(records: &[Record], out: &mut dyn io::Write) -> io::Result<()> {
+    match records {
+        [one] => write(one, out),
+        all => write(&all, out),
+    }
 }
 
 #[test]

@@ -1,14 +1,16 @@
-//! Measures of an arch in metres and kilonewtons.
+//! Measures of an arch in metres and kilonewtons, told in the unit in which they were given.
 
 use crate::atlas::{Sketch, Subject};
-use crate::number::{Ball, Enclosure, Field, Rounded};
-use crate::problem::measures::{Circle, Measures};
+use crate::number::{Ball, Enclosure, ExactNumber, Field, Rounded};
+use crate::problem::measures::{Circle, LengthUnit, Measures};
 use rug::Rational;
 
 /// The sizes of an arch that is drawn.
 pub(super) struct Metres {
     /// The circle at which it is measured.
     pub circle: Circle,
+    /// The unit in which lengths are told.
+    pub unit: LengthUnit,
     /// The radius of that circle in units of `r`.
     pub share: f64,
     /// The radius of the centreline, m.
@@ -62,6 +64,12 @@ impl Size {
         }
     }
 
+    /// The size in a unit of so many metres.
+    pub(super) fn over(&self, unit: &ExactNumber) -> Self {
+        let value = self.value.clone() / unit.enclosure::<Ball>(self.value.prec());
+        Self { value, exact: self.exact.as_ref().map(|exact| exact.clone() / unit.to_rational()) }
+    }
+
     /// Size as a double, for the eye.
     pub(super) fn double(&self) -> f64 {
         self.value.mid().to_f64()
@@ -90,6 +98,7 @@ impl Metres {
         });
         Self {
             circle: measures.circle(),
+            unit: measures.unit(),
             share,
             radius: Size { value: sizes.radius, exact },
             thickness: Size { value: sizes.thickness, exact: thickness },
@@ -97,6 +106,11 @@ impl Metres {
             rise: rise.into(),
             loads,
         }
+    }
+
+    /// The radius of the centreline in that unit, for the eye.
+    pub(super) fn radius_told(&self) -> f64 {
+        self.radius.over(&self.unit.metres()).double()
     }
 
     /// The thickness of an arch of the same measures that is thinner or thicker, m.

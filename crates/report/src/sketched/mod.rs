@@ -44,8 +44,11 @@ mod picture;
 mod strip;
 
 pub(super) use beside::Beside;
-pub(super) use dxf_file::{DxfAnchor, DxfFile, DxfUnit};
+pub(super) use dxf::{WholePanel, whole};
+pub(super) use dxf_file::{DxfAnchor, DxfFile};
 pub use figures::arches_of_figure;
+pub(super) use json::{placed, polyline};
+pub(super) use lean::write_lean;
 pub(super) use legend::{Legend, LegendSample};
 pub(super) use numbers::{decided, in_digits, rounded};
 

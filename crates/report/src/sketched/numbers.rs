@@ -1,6 +1,6 @@
 //! Numbers as they are shown in pictures and below them.
 
-use super::metres::Size;
+use super::metres::{Metres, Size};
 use crate::number::Ball;
 use crate::picture::text;
 use std::fmt;
@@ -40,6 +40,11 @@ pub(crate) fn rounded(x: &Ball, digits: usize) -> String {
 /// A size correctly rounded.
 pub(super) fn shown(x: &Size, digits: usize) -> String {
     shortened(&in_full(x, digits))
+}
+
+/// A length in the unit of who asks: `33 ft`.
+pub(super) fn told(of: &Metres, length: &Size, digits: usize) -> String {
+    format!("{} {}", shown(&length.over(&of.unit.metres()), digits), of.unit.name())
 }
 
 /// Number with the zeros at its end, where others of as many digits stand beside it.

@@ -230,7 +230,7 @@ fn a_caption_says_the_numbers() {
             "stones-stand",
             &["slides inwards at joint 2", "The conditions hold at the joints between"],
         ),
-        ("metres", &["span 9.848 m", "rise 4.132 m", "r = 5, t = 0.34"]),
+        ("metres", &["span 9.848 m", "rise 4.132 m", "r = 5 m, t = 0.34"]),
         ("metres-half", &["half of the span", "at the extrados", "on each shoulder V ="]),
         (
             "metres-stands",

@@ -72,6 +72,8 @@ pub struct VoussoirArches {
     pub arches: Vec<VoussoirArch>,
     /// True if a range of numbers of stones was asked for.
     pub is_range: bool,
+    /// The command that makes it, for the caption of a figure.
+    pub command: String,
 }
 
 impl VoussoirArch {

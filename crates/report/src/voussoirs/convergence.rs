@@ -63,8 +63,22 @@ pub(super) fn rows(all: &VoussoirArches, out: &mut dyn io::Write) -> io::Result<
     })
 }
 
+/// The words below the figure.
+pub(super) fn words(all: &VoussoirArches) -> Vec<String> {
+    let arches: Vec<String> = groups(all).into_iter().map(title).collect();
+    vec![
+        format!(
+            "By which share of the thickness arches of n equal stones need less than with a joint at every angle: {}. \
+             Each share is proved. Odd numbers have a keystone, even ones a joint at the crown; the dashed line goes \
+             through the largest n² times its share that is shown.",
+            arches.join("; ")
+        ),
+        format!("Command: {}", all.command),
+    ]
+}
+
 /// The share of the thickness that is lost, over the number of stones: both logarithmic, odd and even numbers apart.
-pub(crate) fn figure(all: &VoussoirArches) -> Figure {
+pub(super) fn figure(all: &VoussoirArches) -> Figure {
     let panel = |arches: &[VoussoirArch]| {
         let share = |arch: &VoussoirArch| {
             let share: f64 = arch.loss.as_ref()?.share.value.to_string().parse().ok()?;
@@ -83,15 +97,12 @@ pub(crate) fn figure(all: &VoussoirArches) -> Figure {
         let line = |label: String, points, kind| PlottedLine { label, points, kind };
         Panel {
             title: title(arches),
-            x: Axis { label: "stones".into(), scale: Scale::Log10 },
-            y: Axis {
-                label: "share of the thickness below that of a joint at every angle".into(),
-                scale: Scale::Log10,
-            },
+            x: Axis { label: "number n of stones".into(), scale: Scale::Log10 },
+            y: Axis { label: "share of the thickness".into(), scale: Scale::Log10 },
             lines: vec![
-                line("odd: a keystone".into(), odd, Kind::Points),
-                line("even: a joint at the crown".into(), even, Kind::Points),
-                line(format!("the largest shown: {most:.2}/n²"), bound, Kind::Reference),
+                line("odd n".into(), odd, Kind::Points),
+                line("even n".into(), even, Kind::Points),
+                line(format!("{most:.2}/n²"), bound, Kind::Reference),
             ],
         }
     };

@@ -14,7 +14,7 @@ use std::io;
 
 impl Reported for VoussoirArches {
     fn content() -> Content {
-        Content::DRAWN_RECORDS
+        Content(&["table", "json", "csv", "csv2", "latex", "markdown", "svg", "png", "pdf", "dxf"])
     }
 
     fn records(&self) -> Vec<Record> {
@@ -49,7 +49,7 @@ impl Reported for VoussoirArches {
     }
 
     fn picture(&self, print: &Print) -> io::Result<String> {
-        convergence::figure(self).svg(print)
+        convergence::figure(self).captioned(print, &convergence::words(self))
     }
 
     fn write_as(&self, format: &Format, out: &mut dyn io::Write) -> Option<io::Result<()>> {

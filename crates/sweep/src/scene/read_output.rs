@@ -56,7 +56,7 @@ fn format_of(
     path: &Path,
 ) -> Option<&'static Format> {
     let end = path.extension().and_then(|end| end.to_str()).unwrap_or_default();
-    Format::of_extension(kind.content(), end).or_else(|| {
+    Format::named(kind.content(), end).or_else(|| {
         let ends = list(distinct(Format::all(kind.content()).map(|format| format.extension)));
         let message = format!(
             "output {} does not tell a format by its end ({ends}); give it such an end, or a format, \

@@ -39,6 +39,8 @@ const MARGIN: f64 = 16.0;
 const BETWEEN: (f64, f64) = (30.0, 26.0);
 /// Size of the title.
 const TITLE: f64 = 22.0;
+/// Size of the words below.
+const CAPTION: f64 = 15.0;
 /// Letters of the panels, where there are several and enough letters.
 const LETTERS: &str = "abcdefghijklmnopqrstuvwxyz";
 
@@ -59,6 +61,11 @@ impl Rows<'_> {
 impl Figure {
     /// The figure as SVG, as it is printed: of a width of its own with fewer panels in a row, where these have no room.
     pub fn svg(&self, print: &Print) -> io::Result<String> {
+        self.captioned(print, &[])
+    }
+
+    /// The figure as SVG with words below.
+    pub fn captioned(&self, print: &Print, words: &[String]) -> io::Result<String> {
         let most = self.columns.clamp(1, self.panels.len().max(1));
         let own = self.rows(most, FRAME.0);
         let title = if print.title { &self.title[..] } else { "" };
@@ -85,10 +92,13 @@ impl Figure {
             n => n as f64 * TITLE * text::LEADING + 14.0,
         };
         let height = total(rows.down.iter().map(Room::height), BETWEEN.1);
-        let size = (width, head + height + 2.0 * MARGIN);
+        let caption = print.caption(words, CAPTION, width - 2.0 * MARGIN);
+        let foot = MARGIN + head + height + if caption.is_empty() { 0.0 } else { MARGIN };
+        let below = caption.len() as f64 * CAPTION * text::LEADING;
+        let size = (width, foot + below + MARGIN);
         let size = if print.width.is_some() { size } else { (size.0.ceil(), size.1) };
 
-        let mut svg = Svg::printed(print, size, &self.title, "");
+        let mut svg = Svg::printed(print, size, &self.title, &words.join(" "));
         svg.lines(&title, (MARGIN, MARGIN), Type::new(TITLE, INK));
         let mut top = MARGIN + head;
         for (row, high) in rows.drawn.chunks(rows.across.len()).zip(&rows.down) {
@@ -98,6 +108,11 @@ impl Figure {
                 left += wide.width() + BETWEEN.0;
             }
             top += high.height() + BETWEEN.1;
+        }
+        if !caption.is_empty() {
+            svg.group("caption", |svg| {
+                svg.lines(&caption, (MARGIN, foot), Type::new(CAPTION, INK))
+            });
         }
         Ok(svg.finish())
     }
