@@ -122,8 +122,8 @@ impl SurveyGiven {
         }
     }
 
-    /// Least and largest `w r` in kN over the arches, if forces are told: it grows with radius and thickness, which is the
-    /// one given, else between two ratios to the radius.
+    /// Least and largest `w r` in kN over the arches, if forces are told: it grows with radius and thickness, which is
+    /// the one given, else between two ratios to the radius.
     pub fn forces(&self, ratios: Option<[ExactNumber; 2]>) -> Option<[ExactNumber; 2]> {
         let [small, large] = self.sizes.as_ref()?;
         let [thin, thick] = match (of_lengths(&self.ends), &self.shape) {

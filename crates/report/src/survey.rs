@@ -37,7 +37,7 @@ pub struct SurveyedArches {
     pub quantities: Vec<Quantity>,
     /// Answer, or why nothing is proved.
     pub found: Result<SurveyAnswer, Undecided>,
-    /// What each tolerance does to the geometric safety alone, the widest range first; none where that is not told.
+    /// Effect of each tolerance on the geometric safety alone, the widest range first; none where that is not told.
     pub alone: Vec<MeasureAlone>,
 }
 
@@ -46,7 +46,7 @@ pub struct SurveyedArches {
 pub struct MeasureAlone {
     /// The measure.
     pub measure: Field,
-    /// These arches with their geometric safety, or why there are none.
+    /// Arches with that tolerance, and their geometric safety; or why there are none.
     pub found: Result<SurveyedArches, String>,
 }
 

@@ -41,8 +41,8 @@ pub struct TiltMechanism {
     pub joints: Vec<TiltedJoint>,
 }
 
-/// The sizes of an arch of a given thickness to `digits` significant digits, with the forces that its halves bear on each
-/// other at the largest acceleration, where that is known. Undecided where its bits do not tell the digits.
+/// The sizes of an arch of a given thickness to `digits` significant digits, with the forces that its halves bear on
+/// each other at the largest acceleration, where that is known. Undecided where its bits do not tell the digits.
 pub fn measured_tilt(
     (arch, thickness): (&Arch, &ExactNumber),
     largest: Option<&TiltMechanism>,

@@ -1,12 +1,14 @@
 //! The answer about all arches of a survey.
 
-use super::corners::ENCLOSED_DIGITS;
 use crate::number::{Ball, Decimal, ExactNumber, Field, Rounded};
 use crate::problem::measures::Length;
 use crate::problem::survey::{Side, Survey, SurveyVerdict};
 use crate::problem::{Arch, Mode, Quantity};
 use crate::prover::Undecided;
 use std::fmt;
+
+/// Digits of an end that only encloses: more would say nothing.
+pub(super) const ENCLOSED_DIGITS: usize = 5;
 
 /// Bits of a product of two numbers.
 const BITS: u32 = 128;

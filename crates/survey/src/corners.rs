@@ -1,6 +1,8 @@
 //! Ranges over the arches of a survey: each end belongs to one of two corners.
 
-use super::answer::{EndValue, ModesFound, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch};
+use super::answer::{
+    ENCLOSED_DIGITS, EndValue, ModesFound, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch,
+};
 use crate::certify::state::{Answer, AssessmentDigits, Balls, Figure, Limit, least_in_metres};
 use crate::number::ExactNumber;
 use crate::problem::measures::Measures;
@@ -258,9 +260,6 @@ fn thrust_at_least_thickness(worst: &Corner, best: &Corner) -> Option<QuantityRa
     let enclosed = |value| RangeEnd { value, at: None };
     Some(QuantityRange { of, lower: enclosed(lower.0), upper: enclosed(upper.1) })
 }
-
-/// Digits of an end that only encloses: more would say nothing.
-pub(super) const ENCLOSED_DIGITS: usize = 5;
 
 /// Bounds of the least and of the largest thrust of an arch that stands.
 pub(super) fn enclosed_thrusts(

@@ -1,6 +1,6 @@
 //! The question about every arch of a survey.
 
-use super::answer::{QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch};
+use super::answer::{ENCLOSED_DIGITS, QuantityRange, RangeEnd, SurveyAnswer, SurveyedArch};
 use super::corners::{self, Corner};
 use super::modes::modes;
 use crate::problem::Quantity;
@@ -46,7 +46,7 @@ fn corner(survey: &Survey, side: Side, digits: usize) -> Result<Corner, Error> {
 /// Enclosures of the least and of the largest thrust of measured arches, if they all stand: those of two arches with
 /// the half opening of one end of the survey and the thickness of another.
 fn thrusts(survey: &Survey, digits: usize) -> Option<[QuantityRange; 2]> {
-    let digits = digits.min(corners::ENCLOSED_DIGITS);
+    let digits = digits.min(ENCLOSED_DIGITS);
     let found = |side| {
         let outermost = survey.beyond(side)?;
         corners::enclosed_thrusts(&outermost.arch, outermost.thickness.as_ref()?, digits)

@@ -141,8 +141,7 @@ pub fn divisions(given: &ArchGiven) -> Result<Vec<Stones>, Failure> {
     Ok(stones)
 }
 
-/// Arches of stones, one for each self-weight and division, with what is proved of them; sizes have a number of digits of
-/// their own.
+/// Arches of stones, one for each self-weight and division, with what is proved of them; sizes have their own digits.
 pub fn of_stones(
     (asked, given): (Understood, &ArchGiven),
     arches: &[Arch],

@@ -231,7 +231,7 @@ fn the_forces_of_every_arch_inside_are_within_their_ranges() {
             &[
                 ("span", "9m..11m", &["9m", "11m"]),
                 ("rise", "4m..6m", &["4m", "4.5m", "5m", "6m"]),
-                ("thickness", "0.2r..0.25r", &["0.2r", "0.25r"]),
+                ("thickness", "0.22r..0.25r", &["0.22r", "0.25r"]),
                 ("friction", "0.9", &["0.9"]),
             ],
             load,
@@ -241,7 +241,7 @@ fn the_forces_of_every_arch_inside_are_within_their_ranges() {
             &[
                 ("radius", "4.98m..5.02m", &["4.98m", "5.02m"]),
                 ("alpha", "1..1.1", &["1", "1.1"]),
-                ("thickness", "11cm..13cm", &["11cm", "13cm"]),
+                ("thickness", "15cm..17cm", &["15cm", "17cm"]),
                 ("friction", "0.5", &["0.5"]),
                 ("measured-at", "extrados", &["extrados"]),
                 ("density", "22kN/m3..2400kg/m3", &["22kN/m3", "2400kg/m3"]),
@@ -292,7 +292,7 @@ fn the_forces_of_every_arch_inside_are_within_their_ranges() {
         // They say something: no end is farther off than the measures let it be.
         for quantity in told {
             let [lower, upper] = ends(&survey, quantity);
-            assert!(lower > 0 && upper < lower * 3u32, "{question}{all}: {quantity}");
+            assert!(lower > 0 && upper < lower * 5u32, "{question}{all}: {quantity}");
         }
     }
     let thin =
@@ -372,10 +372,20 @@ fn what_to_measure_better_is_the_answer_with_one_range() {
                 one.get("measures_alone").is_none(),
                 "one measure alone has a tolerance: {one}"
             );
-            let ends = ends(&one, "geometric_safety");
-            assert_eq!(["lower", "upper"].map(|end| exact(&told[end]["value"])), ends, "{told}");
-            let [lower, upper] = ends;
-            widths.push(upper - lower);
+            let ranges = one["ranges"].as_array().unwrap();
+            let range =
+                ranges.iter().find(|range| range["quantity"] == "geometric_safety").unwrap();
+            for end in ["lower", "upper"] {
+                let of = |all: &Value| (all[end]["value"].clone(), all[end]["bound"].clone());
+                assert_eq!(of(told), of(range), "{told}");
+            }
+            // That nothing is enough for some is the most.
+            let is_number =
+                range["lower"]["bound"] == "number" && range["upper"]["bound"] == "number";
+            widths.push(match is_number {
+                true => exact(&range["upper"]["value"]) - exact(&range["lower"]["value"]),
+                false => Rational::from(1000),
+            });
         }
         assert!(widths.is_sorted_by(|a, b| a >= b), "{survey}");
         // In a row too, and of a table the measure that is the first.

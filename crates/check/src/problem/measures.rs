@@ -367,8 +367,8 @@ pub fn of_span_and_rise(span: &Length, rise: &Length) -> (ExactNumber, Length) {
     (ExactNumber::twice_arctangent(tangent), Length(radius))
 }
 
-/// Least and largest radius of the circles of some spans and rises: it grows with the span, and is convex in the rise and
-/// least at half the span.
+/// Least and largest radius of the circles of some spans and rises: it grows with the span, and is convex in the rise
+/// and least at half the span.
 pub fn radii([short, long]: &[Length; 2], [low, high]: &[Length; 2]) -> [Length; 2] {
     let half = Length(&short.0 / BigInt::from(2));
     let nearest = if low.exceeds(&half) { low } else { &half };

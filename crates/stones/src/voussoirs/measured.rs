@@ -13,8 +13,8 @@ use crate::prover::{Error, Refused, raise};
 use couplet_prove::certify::state::{Measured, measured_least, measured_of};
 
 /// The sizes of an arch of voussoirs, to `digits` significant digits: of a given thickness in `(0, 2]` those of
-/// [`Quantity::MEASURED_ASSESSMENT`], else those at its least one, of [`Quantity::MEASURED_STATE`]. An arch that falls has
-/// no thrusts.
+/// [`Quantity::MEASURED_ASSESSMENT`], else those at its least one, of [`Quantity::MEASURED_STATE`]. An arch that falls
+/// has no thrusts.
 pub fn measured_voussoirs(
     stones: &Stones,
     (weight, friction): (SelfWeight, &Friction),

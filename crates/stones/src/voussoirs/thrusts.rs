@@ -64,7 +64,7 @@ pub(super) struct Ties {
 }
 
 impl Ties {
-    /// Those of an arch of a thickness.
+    /// Ties of an arch of a thickness.
     pub(super) fn of(arch: &Arch, thickness: &ExactNumber) -> Self {
         Self {
             never_slides: friction_angle_is_half_opening(arch),

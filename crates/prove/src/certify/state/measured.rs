@@ -100,8 +100,8 @@ pub fn measured_of(
     figures(sized, digits)
 }
 
-/// The sizes of an arch at its least thickness, of which thickness and thrust are known, in balls of some bits; `None` if
-/// their rounding to `digits` digits is not decided, and of an arch without a state its shape alone.
+/// The sizes of an arch at its least thickness, of which thickness and thrust are known, in balls of some bits; `None`
+/// if their rounding to `digits` digits is not decided, and of an arch without a state its shape alone.
 pub fn measured_least(
     half_opening: &ExactNumber,
     measures: &Measures,
