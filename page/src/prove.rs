@@ -442,11 +442,7 @@ mod tests {
         let of = question(["heyman", "90deg", "0.3"], "slides", &start);
         let (thickness, drawing) = (Some("0.2".to_owned()), Some("still".to_owned()));
         let drawing = proof(&Question { thickness, drawing, ..of }).unwrap().drawing.unwrap();
-        assert_eq!(
-            drawing.matches("<g transform=").count(),
-            3,
-            "two blocks that slide, and between"
-        );
+        assert_eq!(drawing.matches("<g transform=").count(), 4, "two blocks of each half");
         assert!(slides("0.31").is_err());
     }
 
