@@ -249,8 +249,10 @@ pub(crate) fn tilted<'py>(
     };
     let stones = doors::divisions(&given).map_err(failed)?;
     let digits = parse::digits(digits).map_err(wrong)?;
+    let measures = given.measures;
+    let sizes = measures.clone();
     let found = on_threads(py, 1, move || {
-        let measures = given.measures.as_ref().map(|measures| (measures, digits));
+        let measures = sizes.as_ref().map(|measures| (measures, digits));
         doors::tilted((&understood, &arch), (&eta, &tilt, stones.first()), (digits, measures))
     })?;
     let mut found = found.map_err(failed)?;
@@ -258,7 +260,7 @@ pub(crate) fn tilted<'py>(
     let told = match command {
         Some(command) => {
             found.command = command;
-            let (measures, amplitude) = (given.measures, Style::default().amplitude);
+            let amplitude = Style::default().amplitude;
             report(&TiltDrawing { arches: vec![found], measures, amplitude }, "svg")?
         }
         None => report(&found, "json")?,

@@ -158,7 +158,7 @@ pub fn of_stones(
         let (stones, arch) = (stones.clone(), arch.clone());
         stones.into_iter().map(move |stones| -> Result<VoussoirArch, Failure> {
             let found = answer(&arch, stones, continuous.as_ref(), eta, (digits, measures))?;
-            let is_still = !is_range && found.may_move() && is_still(&arch, &found.stones)?;
+            let is_still = found.may_move() && is_still(&arch, &found.stones)?;
             Ok(VoussoirArch { is_still, ..found })
         })
     };
@@ -219,7 +219,7 @@ fn answer(
 }
 
 /// The most stones of which all solutions of (19) are found for every answer: the cost grows with their cube.
-const FEW: u64 = 20;
+const FEW: u64 = 12;
 
 const ONE_NUMBER: &str =
     "a given thickness asks for one number of stones: leave out --thickness, or give one";

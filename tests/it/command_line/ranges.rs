@@ -657,7 +657,7 @@ wrong_uses! {
         => "a picture of a range is of arches of a thickness";
     a_picture_of_a_range_for_a_machine:
         ["draw", "--alpha", "1..2", "--mu", "1", "--eta", "0.1", "--format", "dxf"]
-        => "the picture of a range is written only as svg, png, pdf, not dxf";
+        => "the picture of a range is written only as json, svg, png, pdf, not dxf";
     a_picture_of_a_range_of_stones:
         ["draw", "--alpha", "1", "--mu", "1..2", "--eta", "0.1", "--stones", "5"]
         => "has a joint at every angle: leave out the stones";
