@@ -196,8 +196,7 @@ Proof.
   - simpl in L. rewrite (Eturns ltac:(tauto)).
     assert (HN := compressed delta alpha eta mu h p flag opening thickness rough S alpha ltac:(lra)).
     destruct (margins_not_negative delta alpha eta mu h p S alpha ltac:(lra)) as (_ & _ & _ & HO).
-    rewrite shoulder_friction_from_statics. unfold outward_gap in HO. unfold steepness.
-    apply (Rmult_le_reg_r (normal_force alpha h)); [easy|]. field_simplify; lra.
+    rewrite shoulder_friction_from_statics. apply steepness_at_most; [easy|]. unfold outward_gap in HO. lra.
   - simpl in L. apply Eslides. tauto.
 Qed.
 
@@ -229,11 +228,7 @@ Proof.
   destruct (slides_at_steepest_joint delta alpha eta mu h p flag opening thickness rough S sigma Hsigma EI
               (shoulder_of_mode _ _ _ _ _ _ _ _ _ L)) as (H1 & Esigma & _ & Eh).
   assert (Hh := thrust_positive delta alpha eta mu h p opening rough S).
-  assert (E : h = hs).
-  { destruct (Rtotal_order h hs) as [H | [H | H]]; [exfalso | easy | exfalso];
-      [assert (mu_is hs < mu_is h) by (apply mu_is_strictly_decreasing; lra)
-      |assert (mu_is h < mu_is hs) by (apply mu_is_strictly_decreasing; lra)]; lra. }
-  subst h.
+  assert (E : h = hs) by (apply mu_is_injective; lra). subst h.
   assert (Hgaps := margins_not_negative delta alpha eta mu hs p S).
   assert (HL : forall x, 0 <= x <= alpha -> 0 <= haunch_gap delta x eta hs p)
     by (intros x Hx; now destruct (Hgaps x Hx) as (_ & H & _)).
@@ -265,11 +260,7 @@ Proof.
         + exfalso. specialize (Hcrown Z'). assert (Hcot := times_cotangent_below_one beta ltac:(lra)).
           assert (0 < intrados eta * (1 - beta * cot beta)) by (apply Rmult_lt_0_compat; lra). lra.
         + specialize (Htouch ltac:(lra)).
-          assert (Ecot : beta * cot beta = betaT * cot betaT)
-            by (apply (Rmult_eq_reg_l (intrados eta)); lra).
-          destruct (Rtotal_order beta betaT) as [H | [H | H]]; [exfalso | easy | exfalso];
-            [assert (betaT * cot betaT < beta * cot beta) by (apply times_cotangent_falls; lra)
-            |assert (beta * cot beta < betaT * cot betaT) by (apply times_cotangent_falls; lra)]; lra. }
+          apply times_cotangent_injective; try lra. apply (Rmult_eq_reg_l (intrados eta)); lra. }
     subst beta. split.
     + (* with room at the shoulder that just slides there is room at each within *)
       intros [Hbeyond | Hpos]; exfalso; [lra|].
@@ -323,9 +314,8 @@ Proof.
   assert (Hh1 := thrust_positive delta alpha1 eta1 mu1 h1 p1 Ha1 ltac:(lra) S1).
   assert (Hh2 := thrust_positive delta alpha2 eta2 mu2 h2 p2 Ha2 Hmu2 S2).
   assert (Hless : h1 < h2).
-  { destruct (Rle_lt_dec h2 h1) as [H | H]; [exfalso | easy].
-    destruct (Req_dec h1 h2) as [E | E]; [rewrite E in M1; lra|].
-    assert (mu_is h1 < mu_is h2) by (apply mu_is_strictly_decreasing; lra). lra. }
+  { destruct (Rtotal_order h1 h2) as [H | [H | H]]; [easy | rewrite H in M1; lra |].
+    apply mu_is_strictly_decreasing in H; lra. }
   destruct (margins_not_negative delta alpha2 eta2 mu2 h2 p2 S2 alpha2 ltac:(lra)) as (_ & _ & _ & HO2).
   destruct (shoulder_that_just_slides alpha2 mu2 h2 Ha2 Hmu2 Hh2 HO2) as (alphaP & HaP & EOP).
   (* the half-angle that just slides is narrower with less friction *)

@@ -332,30 +332,3 @@ Proof.
   exists k, c. repeat split; try easy. intros x Hx. rewrite <- E. now apply value_of_constant.
 Qed.
 
-(** Not both. *)
-Theorem no_strict_point_with_multipliers (forms : list (list R)) (k x : list R) (c : R) :
-  length k = length forms -> (forall a, In a k -> 0 <= a) -> 0 < sum k -> c <= 0 ->
-  weighted k forms x = c -> ~ (forall f, In f forms -> 0 < value f x).
-Proof.
-  intros Hk Hnotneg Hpos Hc E Hall.
-  enough (H : 0 < weighted k forms x) by lra. clear E Hc c.
-  assert (Hweak : forall k forms, (forall a, In a k -> 0 <= a) ->
-            (forall f, In f forms -> 0 < value f x) -> 0 <= weighted k forms x).
-  { clear. induction k as [|a k IH]; intros [|f forms] Hk Hf; simpl; try lra.
-    assert (0 <= a) by (apply Hk; now left). assert (0 < value f x) by (apply Hf; now left).
-    assert (0 <= weighted k forms x)
-      by (apply IH; [intros b Hb; apply Hk | intros g Hg; apply Hf]; now right).
-    assert (0 <= a * value f x) by (apply Rmult_le_pos; lra). lra. }
-  revert forms Hk Hall. induction k as [|a k IH]; intros [|f forms] Hk Hall; try easy.
-  simpl. assert (Ha : 0 <= a) by (apply Hnotneg; now left).
-  assert (Hf : 0 < value f x) by (apply Hall; now left).
-  assert (Hrest : 0 <= weighted k forms x)
-    by (apply Hweak; [intros b Hb; apply Hnotneg | intros g Hg; apply Hall]; now right).
-  destruct (Rlt_dec 0 a) as [H | H].
-  + assert (0 < a * value f x) by (now apply Rmult_lt_0_compat). lra.
-  + assert (E : a = 0) by lra. subst a. rewrite Rmult_0_l, Rplus_0_l. apply IH.
-    * intros b Hb. apply Hnotneg. now right.
-    * simpl in Hpos. lra.
-    * now injection Hk.
-    * intros g Hg. apply Hall. now right.
-Qed.

@@ -72,6 +72,12 @@ Proof.
   nra.
 Qed.
 
+Lemma times_cotangent_injective (a b : R) : 0 < a < PI -> 0 < b < PI -> a * cot a = b * cot b -> a = b.
+Proof.
+  intros Ha Hb E. destruct (Rtotal_order a b) as [H | [H | H]]; [exfalso | easy | exfalso];
+    apply times_cotangent_falls in H; lra.
+Qed.
+
 (** ** The shape of the margins
 
     The margins at extrados and intrados are, up to constants, [margin] with [a = extrados eta] and
@@ -116,6 +122,15 @@ Proof.
   assert (c * cot c < x * cot x) by (apply times_cotangent_falls; lra).
   assert (direction c <= 0) by (unfold direction in *; nra).
   assert (sin c * direction c <= 0) by nra. nra.
+Qed.
+
+(** From the crown on, if it falls next to it. *)
+Lemma margin_falls_from_crown (x : R) : a * (2 - h) <= m -> 0 <= x < PI -> margin x <= margin 0.
+Proof.
+  intros Haway Hx. destruct (Req_dec x 0) as [-> | Hne]; [lra|].
+  destruct (margin_increment 0 x) as (c & Hin & Hc); try lra.
+  assert (0 < sin c) by (apply sin_gt_0; lra). assert (Hk := times_cotangent_below_one c ltac:(lra)).
+  assert (direction c <= 0) by (unfold direction; nra). assert (sin c * direction c <= 0) by nra. nra.
 Qed.
 
 (** So it is least at crown or shoulder, *)
@@ -280,9 +295,7 @@ Theorem no_thinner_arch_by_mechanism (a c delta alpha beta eta eta' h0 p0 h p : 
 Proof.
   intros Hd Ha Hb He' He Ha0 Hc0 Hmoves Hstate Hfriction.
   intros (HN0 & Hin0 & Hout0) (HNb & Hinb & _) (HNa & _ & Houta).
-  replace (normal_force 0 h) with h in HN0, Hin0, Hout0
-    by (unfold normal_force; rewrite cos_0, sin_0; ring).
-  rewrite cos_0 in Hin0, Hout0.
+  rewrite normal_force_at_crown, cos_0 in *.
   assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
   assert (Hvb : 0 <= 1 - cos beta) by (destruct (COS_bound beta); lra).
   assert (Hp : 0 <= p).
@@ -387,13 +400,7 @@ Proof.
     assert (Hsx : sin x < x) by (apply sin_lt_x; lra).
     assert (Hv : 0 < 1 - cos x) by (apply versine_positive; lra).
     repeat split; try easy.
-    (* x cot x is below its limit 1 *)
-    assert (Hcot : x * cos x < sin x).
-    { destruct (MVT_cor2 (fun t => sin t - t * cos t) (fun t => t * sin t) 0 x) as (d & Hd & Hin).
-      - lra.
-      - intros d Hd. apply is_derive_Reals. auto_derive; [easy | ring].
-      - rewrite sin_0, Rmult_0_l in Hd. assert (0 < sin d) by (apply sin_gt_0; lra).
-        assert (0 < d * sin d * (x - 0)) by (repeat apply Rmult_lt_0_compat; lra). lra. }
+    assert (Hcot := times_cosine_below_sine x ltac:(lra)).
     assert (Hcircle := circle x).
     replace (sin x ^ 2) with (1 - cos x ^ 2) by lra.
     assert (0 < cos x * (sin x - x * cos x)) by (apply Rmult_lt_0_compat; lra).
@@ -485,8 +492,7 @@ Proof.
   destruct (Hstands 0 ltac:(lra)) as (_ & _ & Hcrown).
   destruct (Hstands alpha ltac:(lra)) as (_ & _ & Hshoulder).
   destruct (Hstands x Hx) as (HN & Hin & _).
-  replace (normal_force 0 h) with h in Hcrown by (unfold normal_force; rewrite cos_0, sin_0; ring).
-  rewrite cos_0 in Hcrown.
+  rewrite normal_force_at_crown, cos_0 in Hcrown.
   split; [exact HN|]. split.
   - (* intrados *)
     enough (intrados eta' * normal_force x h - fac delta eta' * (1 - cos x)
@@ -588,9 +594,5 @@ Proof.
   assert (Hh : h_lower delta beta1 eta1 = h_lower delta beta2 eta1) by congruence.
   repeat split; [|easy].
   (* the same thrust is tangent at one joint only *)
-  assert (Hk : beta1 * cot beta1 = beta2 * cot beta2)
-    by (rewrite H25, H25' in Hh; unfold h_tangency in Hh; lra).
-  destruct (Rtotal_order beta1 beta2) as [H | [H | H]]; [|easy|].
-  - assert (beta2 * cot beta2 < beta1 * cot beta1) by (apply times_cotangent_falls; lra). lra.
-  - assert (beta1 * cot beta1 < beta2 * cot beta2) by (apply times_cotangent_falls; lra). lra.
+  apply times_cotangent_injective; try lra. rewrite H25, H25' in Hh. unfold h_tangency in Hh. lra.
 Qed.

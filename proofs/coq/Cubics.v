@@ -153,12 +153,6 @@ Qed.
 Theorem pol_eta_is_printed (f g S eta : R) : pol_eta 1 f g S eta = pol_eta_printed f g S eta.
 Proof. unfold pol_eta, pol_eta_printed. ring. Qed.
 
-Theorem printed_cubic_in_thickness_from_2_5 (beta eta : R) :
-  sin beta <> 0 -> 2 - eta <> 0 -> 2 + eta - (2 - eta) * cos beta <> 0 ->
-  h_lower 1 beta eta = h_tangency 1 beta eta <->
-  pol_eta_printed (f_of beta) (g_of beta) (sin beta) eta = 0.
-Proof. rewrite <- pol_eta_is_printed. apply cubic_in_thickness_from_2_5. Qed.
-
 (** In an arch thinner than [2 r], with the haunch between crown and springing, no denominator
     vanishes. *)
 Theorem cubic_in_thickness_in_the_arch (delta beta eta : R) : 0 < beta < PI -> 0 < eta < 2 ->
@@ -267,91 +261,6 @@ Proof.
   apply cubic_problem_in_the_arch.
 Qed.
 
-(** *** The converse: every root belongs to a state, if delta_M is not 0 *)
-
-(** A root of the cubic in [A] is the [A] of the thickness [2 (g - A S) / (g + A S)], which is a
-    root of the cubic in [eta]; for delta_M = 0 the root [A = -g/S] is the exception. *)
-Theorem thickness_of_opening_root (delta f g S A : R) :
-  delta <> 0 -> S <> 0 -> g <> 0 -> pol_A delta f g S A = 0 ->
-  g + A * S <> 0 /\
-  let eta := 2 * (g - A * S) / (g + A * S) in
-  2 + eta <> 0 /\ A * S * (2 + eta) = g * (2 - eta) /\ pol_eta delta f g S eta = 0.
-Proof.
-  intros Hd HS Hg HA.
-  assert (Hsum : g + A * S <> 0).
-  { intros H. assert (E : pol_A delta f g S A = 4 * delta * g ^ 3).
-    { replace (4 * delta * g ^ 3) with (4 * delta * g ^ 3 + 0 * (g + A * S)) by ring.
-      replace (A) with (- g / S) by (apply (Rmult_eq_reg_r S); [field_simplify; lra | easy]).
-      unfold pol_A. field. easy. }
-    rewrite HA in E. apply eq_sym in E. contradict E. nonzero. }
-  split; [easy|]. cbv zeta.
-  set (eta := 2 * (g - A * S) / (g + A * S)).
-  assert (He : 2 + eta <> 0).
-  { unfold eta. replace (2 + 2 * (g - A * S) / (g + A * S)) with (4 * g / (g + A * S))
-      by (field; easy).
-    nonzero. }
-  assert (HM : A * S * (2 + eta) = g * (2 - eta)) by (unfold eta; field; easy).
-  repeat split; try easy.
-  pose proof (pol_A_of_thickness delta f g S eta A HM) as E. rewrite HA, Rmult_0_r in E.
-  apply eq_sym, Rmult_integral in E. destruct E as [E | E]; [|easy].
-  contradict E. nonzero.
-Qed.
-
-(** A root of the cubic in [h] is the thrust of the thickness [2 (g - f) / (2 S h + g - f)]. *)
-Theorem thickness_of_thrust_root (delta f g S h : R) :
-  delta <> 0 -> S <> 0 -> g - f <> 0 -> pol_h delta f g S h = 0 ->
-  2 * S * h + (g - f) <> 0 /\
-  let eta := 2 * (g - f) / (2 * S * h + (g - f)) in
-  eta <> 0 /\ 2 * eta * S * h = (g - f) * (2 - eta) /\ pol_eta delta f g S eta = 0.
-Proof.
-  intros Hd HS Hk Hh.
-  assert (Hsum : 2 * S * h + (g - f) <> 0).
-  { intros H. assert (E : pol_h delta f g S h = delta / 2 * (g - f) ^ 2).
-    { replace h with (- (g - f) / (2 * S))
-        by (apply (Rmult_eq_reg_r (2 * S)); [field_simplify; lra | lra]).
-      unfold pol_h. field. easy. }
-    rewrite Hh in E. apply eq_sym in E. contradict E. nonzero. }
-  split; [easy|]. cbv zeta.
-  set (eta := 2 * (g - f) / (2 * S * h + (g - f))).
-  assert (He : eta <> 0) by (unfold eta; nonzero).
-  assert (HM : 2 * eta * S * h = (g - f) * (2 - eta)) by (unfold eta; field; easy).
-  repeat split; try easy.
-  pose proof (pol_h_of_thickness delta f g S eta h HM) as E. rewrite Hh, Rmult_0_r in E.
-  apply eq_sym, Rmult_integral in E. destruct E as [E | E]; [|easy].
-  contradict E. nonzero.
-Qed.
-
-(** So each root gives a state: (2), (4), (5) hold with that thickness. *)
-Theorem state_of_opening_root (delta alpha beta : R) :
-  delta <> 0 -> sin beta <> 0 -> g_of beta <> 0 ->
-  pol_A delta (f_of beta) (g_of beta) (sin beta) (A alpha) = 0 ->
-  let eta := 2 * (g_of beta - A alpha * sin beta) / (g_of beta + A alpha * sin beta) in
-  2 - eta <> 0 -> 2 + eta - (2 - eta) * cos beta <> 0 ->
-  h_lower delta beta eta = h_tangency delta beta eta /\
-  h_lower delta beta eta = h_whole delta alpha eta.
-Proof.
-  intros Hd HS Hg HA. destruct (thickness_of_opening_root _ _ _ _ _ Hd HS Hg HA) as (_ & H).
-  cbv zeta in *. set (eta := 2 * _ / _) in *. destruct H as (He & HM & Heta). intros Hi HD.
-  apply (cubic_in_thickness_from_2_5 delta beta eta HS Hi HD) in Heta. split; [easy|].
-  now apply (shoulder_relation delta alpha beta eta (h_lower delta beta eta) HS Hi He HD).
-Qed.
-
-Theorem state_of_thrust_root (delta beta h : R) :
-  delta <> 0 -> sin beta <> 0 -> g_of beta - f_of beta <> 0 ->
-  pol_h delta (f_of beta) (g_of beta) (sin beta) h = 0 ->
-  let eta := 2 * (g_of beta - f_of beta) / (2 * sin beta * h + (g_of beta - f_of beta)) in
-  2 - eta <> 0 -> 2 + eta - (2 - eta) * cos beta <> 0 ->
-  h = h_lower delta beta eta /\ h = h_tangency delta beta eta.
-Proof.
-  intros Hd HS Hk Hh. destruct (thickness_of_thrust_root _ _ _ _ _ Hd HS Hk Hh) as (_ & H).
-  cbv zeta in *. set (eta := 2 * _ / _) in *. destruct H as (He & HM & Heta). intros Hi HD.
-  apply (cubic_in_thickness_from_2_5 delta beta eta HS Hi HD) in Heta.
-  enough (E : h = h_tangency delta beta eta) by (split; congruence).
-  assert (H5 := haunch_relation delta beta eta (h_tangency delta beta eta) HS Hi HD eq_refl).
-  apply (Rmult_eq_reg_l (2 * eta * sin beta)); [|nonzero].
-  rewrite HM. symmetry. apply H5. congruence.
-Qed.
-
 (** ** Heyman: delta_M = 0 *)
 
 (** In [eta] the cubic becomes the quadratic; in [A] and [h] it keeps a third root, negative in the
@@ -367,16 +276,7 @@ Theorem heyman_in_thrust (f g S h : R) :
   pol_h 0 f g S h = 3 / 2 * ((g - f) + 2 * S * h) * heyman_h f g S h.
 Proof. unfold pol_h, heyman_h. field. Qed.
 
-(** Heyman's states: the quadratics, with the same denominators. *)
-Theorem heyman_quadratic_in_thickness_from_2_5 (beta eta : R) :
-  sin beta <> 0 -> 2 - eta <> 0 -> 2 + eta - (2 - eta) * cos beta <> 0 ->
-  h_lower 0 beta eta = h_tangency 0 beta eta <->
-  heyman_eta (f_of beta) (g_of beta) (sin beta) eta = 0.
-Proof.
-  intros HS He HD. rewrite (cubic_in_thickness_from_2_5 0 beta eta HS He HD).
-  rewrite heyman_in_thickness. split; intros H; lra.
-Qed.
-
+(** Heyman's states: the quadratics. *)
 Theorem heyman_quadratics_in_the_arch (alpha beta eta h : R) :
   0 < beta < PI -> 0 < eta < 2 ->
   h = h_lower 0 beta eta -> h = h_whole 0 alpha eta -> h = h_tangency 0 beta eta ->
@@ -409,23 +309,7 @@ Definition discriminant (a b c d : R) : R :=
 Theorem radicand_is_printed (f g S : R) : radicand 1 f g S = radicand_printed f g S.
 Proof. unfold radicand, radicand_printed. ring. Qed.
 
-(** The three printed cubics: a square, a constant, and (12). *)
-Theorem discriminant_in_thickness_printed (f g S : R) :
-  discriminant S (3 * (f + g)) (- 12 * (g - S)) (12 * (g - f)) = - 432 * radicand_printed f g S.
-Proof. unfold discriminant, radicand_printed. ring. Qed.
-
-Theorem discriminant_in_opening_printed (f g S : R) :
-  discriminant (S ^ 2 * (3 * g - 2 * S)) (3 * g * S * (g - f)) (- 3 * f * g ^ 2) (2 * g ^ 3)
-  = - 27 * (S * g ^ 3) ^ 2 * radicand_printed f g S.
-Proof. unfold discriminant, radicand_printed. ring. Qed.
-
-Theorem discriminant_in_thrust_printed (f g S : R) :
-  discriminant (6 * S ^ 2) (- 3 * S * (3 * f - g - 2 * S)) (- 3 * (g - f) * (f - 2 * S))
-    (2 * (g - f) ^ 2)
-  = - 27 * (S * (g - f)) ^ 2 * radicand_printed f g S.
-Proof. unfold discriminant, radicand_printed. ring. Qed.
-
-(** The same for any delta_M. *)
+(** For any delta_M: a square, a constant, and (12). *)
 Theorem discriminant_in_thickness (delta f g S : R) :
   discriminant (delta * S) (3 * (f + g)) (- 12 * (g - S)) (12 * (g - f))
   = - 432 * radicand delta f g S.

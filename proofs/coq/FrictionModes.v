@@ -108,19 +108,6 @@ Proof.
     assert (0 <= - thrust_arm 0 1 alpha beta eta * (h - h0)) by (apply Rmult_le_pos; lra). lra.
 Qed.
 
-(** At the crown the lever arm is positive from the semicircle on. *)
-Theorem no_thinner_arch_overturning_sliding (delta alpha eta eta' mu h0 : R) :
-  0 <= delta <= 1 -> PI / 2 < alpha < PI -> 0 < eta' < eta -> eta <= 2 ->
-  0 < h0 < 1 -> mu = mu_is h0 -> h0 = h_upper delta alpha 0 eta ->
-  ~ arch_stands delta alpha eta' mu.
-Proof.
-  intros Hd Ha He' He Hh0 Hmu Hstate. assert (HPI := PI2_3_2).
-  assert (Hcos : cos alpha < 0) by (apply cos_lt_0; lra).
-  assert (Hhalf := beta_s_at_most_one_half h0 ltac:(lra)).
-  apply (no_thinner_arch_with_sliding_joint delta alpha 0 eta eta' mu h0); try easy; try lra.
-  rewrite cos_0. nra.
-Qed.
-
 (** ** [[s,s]] *)
 
 (** At a friction below (17) = (18) no arch of that half-angle stands. *)
@@ -152,24 +139,6 @@ Proof.
       by (now apply Rmult_lt_compat_r).
     lra. }
   lra.
-Qed.
-
-(** ** [[r,r,r]] *)
-
-(** Where friction holds for the rotational state, the arch stands exactly from its thickness on. *)
-Theorem least_thickness_of_rotational_state (delta alpha beta eta mu : R) :
-  0 <= delta <= 1 -> 0 < beta < alpha -> alpha < PI -> 0 < eta < 2 ->
-  rotational_state delta alpha beta eta ->
-  (forall x, 0 <= x <= alpha -> friction_holds x mu (h_lower delta beta eta)) ->
-  forall eta', 0 < eta' <= 2 -> arch_stands delta alpha eta' mu <-> eta <= eta'.
-Proof.
-  intros Hd Hb Ha He Hstate Hfriction eta' He'. split.
-  - intros (h & p & Hall).
-    apply (rotational_thickness_is_least delta alpha beta eta Hd Hb Ha He Hstate eta' He').
-    exists h, p. intros x Hx. now apply Hall.
-  - intros Hthick.
-    destruct (thicker_arch_stands delta alpha beta eta eta') as [p Hp]; try easy; try lra.
-    exists (h_lower delta beta eta), p. intros x Hx. split; [now apply Hp | now apply Hfriction].
 Qed.
 
 (** Friction holds everywhere exactly if the thrust lies between the two sliding equations. *)

@@ -227,9 +227,7 @@ Proof.
   destruct (Hall 0 ltac:(lra)) as (_ & Hlow & Hcrown).
   destruct (Hall beta ltac:(lra)) as (HNb & Hhaunch & _).
   destruct (Hall alpha ltac:(lra)) as (HNa & _ & Hshoulder).
-  replace (normal_force 0 h) with h in Hlow, Hcrown
-    by (unfold normal_force; rewrite cos_0, sin_0; ring).
-  rewrite cos_0 in Hlow, Hcrown.
+  rewrite normal_force_at_crown, cos_0 in Hlow, Hcrown.
   assert (Hp : 0 <= p).
   { assert (0 <= intrados eta * h) by (apply Rmult_le_pos; [unfold intrados|]; lra). lra. }
   assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
@@ -443,9 +441,7 @@ Theorem limits_of_a_state (delta alpha eta mu h p : R) :
 Proof.
   intros Ha He Hmu Hh Hall. destruct (Hall alpha ltac:(lra)) as [(_ & _ & Hshoulder) Hfa].
   destruct (Hall 0 ltac:(lra)) as [(_ & _ & Hcrown) _].
-  replace (normal_force 0 h) with h in Hcrown
-    by (unfold normal_force; rewrite cos_0, sin_0; ring).
-  rewrite cos_0 in Hcrown. unfold friction_holds in Hfa. apply Rabs_le_between in Hfa.
+  rewrite normal_force_at_crown, cos_0 in Hcrown. unfold friction_holds in Hfa. apply Rabs_le_between in Hfa.
   split; [|split].
   - intros x Hx. split.
     + apply (extrados_clear_within delta x alpha); unfold crown_gap, shoulder_gap; lra.
@@ -528,45 +524,6 @@ Proof.
   assert (Eu : u = 0) by (apply (factor_zero u (extrados eta - intrados eta * cos beta)); lra).
   assert (Es : s = 0) by (apply (factor_zero s (sin sigma)); lra).
   repeat split; lra.
-Qed.
-
-(** ** The shoulder's hinge and rotation
-
-    So where an inner joint slides and the shoulder turns, the thrust and the thickness are at least
-    those of pure rotation: such modes begin at [T]. *)
-Theorem shoulder_hinge_keeps_rotation (delta alpha beta eta0 eta h p : R) :
-  0 <= delta <= 1 -> 0 < beta < alpha -> alpha < PI -> 0 < eta0 < 2 -> 0 < eta <= 2 ->
-  rotational_state delta alpha beta eta0 ->
-  (forall x, 0 <= x <= alpha -> joint_stands delta x eta h p) ->
-  shoulder_gap delta alpha eta h p = 0 ->
-  eta0 <= eta /\ h_lower delta beta eta0 <= h.
-Proof.
-  intros Hd Hb Ha He0 He Hstate Hall HU.
-  assert (Hthick : eta0 <= eta).
-  { apply (rotational_thickness_is_least delta alpha beta eta0 Hd Hb Ha He0 Hstate eta He).
-    now exists h, p. }
-  split; [easy|]. destruct (Hall 0 ltac:(lra)) as (_ & _ & Hcrown). destruct Hstate as [_ H24].
-  replace (normal_force 0 h) with h in Hcrown
-    by (unfold normal_force; rewrite cos_0, sin_0; ring).
-  rewrite cos_0 in Hcrown.
-  assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
-  set (h0 := h_lower delta beta eta0) in *.
-  apply whole_thrust_cleared in H24; [|lra|lra].
-  assert (Hfalls : 0 <= (eta - eta0)
-                        * (1 - delta / 12 * (2 * eta + 2 * eta0 + eta * eta0))).
-  { apply Rmult_le_pos; [lra|].
-    assert (delta * (2 * eta + 2 * eta0 + eta * eta0) <= 1 * 12) by (apply Rmult_le_compat; nra).
-    lra. }
-  assert (Hcut : (2 + eta) * fac delta eta0 - (2 + eta0) * fac delta eta
-                 = (eta - eta0) * (1 - delta / 12 * (2 * eta + 2 * eta0 + eta * eta0)))
-    by (unfold fac; field).
-  unfold shoulder_gap, normal_force, extrados in *.
-  assert (Hmore : fac delta eta * (1 - cos alpha) * (2 + eta0)
-                  <= fac delta eta0 * (1 - cos alpha) * (2 + eta)) by nra.
-  apply Rnot_lt_le. intros Hless.
-  assert (Hpos : 0 < (2 + eta) * (2 + eta0) * ((h0 - h) * (1 - cos alpha)))
-    by (repeat apply Rmult_lt_0_compat; lra).
-  nra.
 Qed.
 
 (** ** Symmetric states are enough *)

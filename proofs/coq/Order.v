@@ -132,8 +132,7 @@ Proof.
                   (beta_s h2) ltac:(lra)).
   destruct (margins_not_negative delta alpha2 eta2 mu2 h2 p2 state2 (beta_s h2) ltac:(lra))
     as (_ & _ & HI & _). unfold inward_gap in HI.
-  rewrite mu_is_from_statics by lra. unfold steepness.
-  apply (Rmult_le_reg_r (normal_force (beta_s h2) h2)); [easy|]. field_simplify; lra.
+  rewrite mu_is_from_statics by lra. apply steepness_at_most; [easy | lra].
 Qed.
 
 (** Where a joint slides inwards the thrust is the least that the friction allows. *)
@@ -315,9 +314,7 @@ Proof.
   - intros Hstrict. destruct (Req_dec beta2 0) as [E | E]; [now left | right]. apply Hfalls; [lra | easy].
   - intros [Hhalf | Emu]; rewrite Es1, Es2.
     + unfold beta_s. apply sqrt_le_1; nra.
-    + assert (E : h1 = h2); [|rewrite E; lra].
-      destruct (Rtotal_order h1 h2) as [H | [H | H]]; [exfalso | easy | lra].
-      assert (mu_is h2 < mu_is h1) by (apply mu_is_strictly_decreasing; lra). lra.
+    + rewrite (mu_is_injective h1 h2); lra.
 Qed.
 
 (** *** What slides alone comes last *)
@@ -333,10 +330,7 @@ Proof.
               sigma1 Hs1 EI1 (or_intror EO1)) as (H1 & _ & _ & M1).
   destruct (slides_at_steepest_joint delta alpha2 eta2 mu2 h2 p2 flag opening2 thickness2 rough2 state2
               sigma2 Hs2 EI2 (or_introl EU2)) as (H2 & _ & _ & M2).
-  assert (E : h1 = h2).
-  { destruct (Rtotal_order h1 h2) as [H | [H | H]]; [exfalso | easy | exfalso];
-      [assert (mu_is h2 < mu_is h1) by (apply mu_is_strictly_decreasing; lra)
-      |assert (mu_is h1 < mu_is h2) by (apply mu_is_strictly_decreasing; lra)]; lra. }
+  assert (E : h1 = h2) by (apply mu_is_injective; lra).
   assert (Hwithin : alpha2 <= alpha1).
   { apply Rnot_lt_le. intros Hwide.
     destruct (margins_not_negative delta alpha2 eta2 mu2 h2 p2 state2 alpha2 ltac:(lra)) as (_ & _ & _ & HO).
@@ -455,6 +449,5 @@ Proof.
   assert (HN := compressed delta alpha2 eta2 mu2 h2 p2 Hd Ha2 He2 Hm2 S2 alpha2 ltac:(lra)).
   destruct (margins_not_negative delta alpha2 eta2 mu2 h2 p2 S2 alpha2 ltac:(lra)) as (_ & _ & _ & HO).
   assert (mu_ss alpha2 h2 <= mu2); [|lra].
-  rewrite shoulder_friction_from_statics. unfold outward_gap in HO. unfold steepness.
-  apply (Rmult_le_reg_r (normal_force alpha2 h2)); [easy|]. field_simplify; lra.
+  rewrite shoulder_friction_from_statics. apply steepness_at_most; [easy|]. unfold outward_gap in HO. lra.
 Qed.

@@ -9,7 +9,7 @@
       compression, that is on [[0, alpha]] as soon as [N(alpha) > 0] and [alpha <= PI], and so in
       particular on [[0, PI/2]];
     - (18) is [T/N] at [beta_s], its maximum;
-    - the derivative of (18) to the thrust is [- beta_s / N^2]: it falls strictly on [(0, 1)]. *)
+    - (18) falls strictly with the thrust on [(0, 1)]. *)
 
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
@@ -59,6 +59,9 @@ Proof.
 Qed.
 
 (** ** Where the joints carry compression *)
+
+Lemma normal_force_at_crown (h : R) : normal_force 0 h = h.
+Proof. unfold normal_force. rewrite cos_0, sin_0. ring. Qed.
 
 Lemma normal_force_positive_to_quarter (beta h : R) : 0 < h -> 0 <= beta <= PI / 2 ->
   0 < normal_force beta h.
@@ -137,20 +140,36 @@ Proof.
   split; [apply sqrt_pos | lra].
 Qed.
 
+(** What a bound of [T/N] says of [T] and [N]. *)
+Lemma steepness_at_most (x h m : R) : 0 < normal_force x h ->
+  (steepness x h <= m <-> shear_force x h <= m * normal_force x h) /\
+  (- steepness x h <= m <-> - shear_force x h <= m * normal_force x h).
+Proof.
+  intros HN. unfold steepness.
+  assert (E : shear_force x h = shear_force x h / normal_force x h * normal_force x h) by (field; lra).
+  set (s := shear_force x h / normal_force x h) in *. rewrite E. repeat split; intros H; nra.
+Qed.
+
+Lemma steepness_increment (h a b : R) : a < b -> (forall c, a <= c <= b -> 0 < normal_force c h) ->
+  exists c, a < c < b /\ 0 < normal_force c h ^ 2 /\
+    steepness b h - steepness a h = (h * (1 - h) - c ^ 2) / normal_force c h ^ 2 * (b - a).
+Proof.
+  intros Hab HN.
+  destruct (MVT_cor2 (fun x => steepness x h)
+              (fun x => (h * (1 - h) - x ^ 2) / normal_force x h ^ 2) a b Hab) as (c & Hc & Hin).
+  { intros c Hc. apply is_derive_Reals, derivative_of_steepness, Rgt_not_eq, HN, Hc. }
+  exists c. repeat split; try easy. apply pow_lt, HN. lra.
+Qed.
+
 (** [T/N] grows from the crown to [beta_s], *)
 Theorem steepness_grows_before_beta_s (h a b : R) :
   0 < h <= 1 -> 0 <= a -> a < b -> b <= beta_s h -> steepness a h < steepness b h.
 Proof.
   intros Hh Ha Hab Hb. assert (Hsq := beta_s_square h ltac:(lra)).
   assert (Hhalf := beta_s_at_most_one_half h ltac:(lra)). assert (HPI := PI2_3_2).
-  assert (HN : forall c, a <= c <= b -> 0 < normal_force c h)
-    by (intros c Hc; apply normal_force_positive_to_quarter; lra).
-  destruct (MVT_cor2 (fun x => steepness x h)
-              (fun x => (h * (1 - h) - x ^ 2) / normal_force x h ^ 2) a b Hab) as (c & Hc & Hin).
-  { intros c Hc. apply is_derive_Reals, derivative_of_steepness, Rgt_not_eq, HN, Hc. }
-  assert (0 < normal_force c h) by (apply HN; lra).
-  assert (0 < (h * (1 - h) - c ^ 2) / normal_force c h ^ 2) by (apply Rdiv_lt_0_compat; nra).
-  nra.
+  destruct (steepness_increment h a b Hab) as (c & Hin & HN & Hc);
+    [intros c Hc; apply normal_force_positive_to_quarter; lra |].
+  assert (0 < (h * (1 - h) - c ^ 2) / normal_force c h ^ 2) by (apply Rdiv_lt_0_compat; nra). nra.
 Qed.
 
 (** and falls from [beta_s] to the shoulder. *)
@@ -160,16 +179,10 @@ Theorem steepness_falls_after_beta_s (h alpha a b : R) :
 Proof.
   intros Hh Halpha HNalpha Ha Hab Hb. assert (Hsq := beta_s_square h ltac:(lra)).
   assert (Hs : 0 <= beta_s h) by apply sqrt_pos.
-  assert (HN : forall c, a <= c <= b -> 0 < normal_force c h)
-    by (intros c Hc; apply (normal_force_positive alpha); lra).
-  destruct (MVT_cor2 (fun x => steepness x h)
-              (fun x => (h * (1 - h) - x ^ 2) / normal_force x h ^ 2) a b Hab) as (c & Hc & Hin).
-  { intros c Hc. apply is_derive_Reals, derivative_of_steepness, Rgt_not_eq, HN, Hc. }
-  assert (0 < normal_force c h) by (apply HN; lra).
+  destruct (steepness_increment h a b Hab) as (c & Hin & HN & Hc);
+    [intros c Hc; apply (normal_force_positive alpha); lra |].
   assert (0 < - (h * (1 - h) - c ^ 2) / normal_force c h ^ 2) by (apply Rdiv_lt_0_compat; nra).
-  replace (- (h * (1 - h) - c ^ 2) / normal_force c h ^ 2)
-    with (- ((h * (1 - h) - c ^ 2) / normal_force c h ^ 2)) in * by (field; lra).
-  nra.
+  unfold Rdiv in *. nra.
 Qed.
 
 (** So [beta_s] is the only joint of the half arch where [T/N] is largest. *)
@@ -227,17 +240,11 @@ Proof.
   intros Hh Ha HN Hs. rewrite mu_is_from_statics by easy.
   assert (Hs0 : 0 <= beta_s h) by apply sqrt_pos.
   split.
-  - intros H. assert (HNs := normal_force_at_beta_s_positive h ltac:(lra)).
-    unfold steepness. apply (Rmult_le_reg_r (normal_force (beta_s h) h)); [easy|].
-    unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. apply H; lra.
+  - intros H. apply steepness_at_most; [apply normal_force_at_beta_s_positive | apply H]; lra.
   - intros Hmu beta Hb.
     assert (HNb : 0 < normal_force beta h) by (apply (normal_force_positive alpha); lra).
-    assert (Hle : steepness beta h <= mu).
-    { destruct (Req_dec beta (beta_s h)) as [-> | Hne]; [easy|].
-      assert (steepness beta h < steepness (beta_s h) h) by (apply (steepest_joint h alpha); lra).
-      lra. }
-    apply (Rmult_le_compat_r (normal_force beta h)) in Hle; [|lra].
-    unfold steepness, Rdiv in Hle. rewrite Rmult_assoc, Rinv_l, Rmult_1_r in Hle; lra.
+    apply steepness_at_most; [easy|]. destruct (Req_dec beta (beta_s h)) as [-> | Hne]; [easy|].
+    assert (steepness beta h < steepness (beta_s h) h) by (apply (steepest_joint h alpha); lra). lra.
 Qed.
 
 (** Of all joints only the shoulder can slide outwards, from the friction (17) downwards. *)
@@ -247,17 +254,11 @@ Theorem no_outward_sliding (h alpha mu : R) :
   <-> mu_ss alpha h <= mu.
 Proof.
   intros Hh Ha HN Hmu. rewrite shoulder_friction_from_statics.
-  assert (Hat : forall x, 0 < normal_force x h ->
-                  - shear_force x h <= mu * normal_force x h <-> - steepness x h <= mu).
-  { intros x Hx. unfold steepness.
-    assert (E : shear_force x h = shear_force x h / normal_force x h * normal_force x h)
-      by (field; lra).
-    set (s := shear_force x h / normal_force x h) in *. rewrite E. split; intros H; nra. }
   split.
-  - intros H. apply Hat; [easy|]. apply H; lra.
+  - intros H. apply steepness_at_most; [easy|]. apply H; lra.
   - intros Hshoulder beta Hb.
     assert (HNb : 0 < normal_force beta h) by (apply (normal_force_positive alpha); lra).
-    apply Hat; [easy|].
+    apply steepness_at_most; [easy|].
     destruct (Rle_lt_dec beta (beta_s h)) as [Hbefore | Hafter].
     + (* not below the crown, where T = 0 *)
       assert (Hcrown : steepness 0 h = 0).
@@ -272,15 +273,6 @@ Proof.
 Qed.
 
 (** *** More thrust, less inner sliding *)
-
-(** At a fixed joint. *)
-Theorem derivative_of_steepness_to_thrust (beta h : R) : normal_force beta h <> 0 ->
-  is_derive (fun t => steepness beta t) h (- beta / normal_force beta h ^ 2).
-Proof.
-  unfold steepness, shear_force, normal_force. intros HN. auto_derive; [exact HN|].
-  transitivity (- beta * (sin beta ^ 2 + cos beta ^ 2) / (h * cos beta + beta * sin beta) ^ 2);
-    [field; easy | rewrite circle; field; easy].
-Qed.
 
 Theorem steepness_falls_with_thrust (beta h1 h2 : R) :
   0 < beta -> h1 < h2 -> 0 < normal_force beta h1 -> 0 < normal_force beta h2 ->
@@ -314,27 +306,8 @@ Proof.
     apply normal_force_positive_to_quarter; lra.
 Qed.
 
-(** Its derivative. *)
-Theorem derivative_of_mu_is (h : R) : 0 < h < 1 ->
-  is_derive mu_is h (- beta_s h / normal_force (beta_s h) h ^ 2).
+Lemma mu_is_injective (h1 h2 : R) : 0 < h1 < 1 -> 0 < h2 < 1 -> mu_is h1 = mu_is h2 -> h1 = h2.
 Proof.
-  intros Hh.
-  assert (Hsq := beta_s_square h ltac:(lra)). assert (Hpos := beta_s_positive h Hh).
-  assert (HN := normal_force_at_beta_s_positive h ltac:(lra)).
-  apply (is_derive_ext_loc (fun t => steepness (beta_s t) t)).
-  { assert (Hd : 0 < Rmin h (1 - h)) by (apply Rmin_pos; lra).
-    exists (mkposreal _ Hd). intros t Ht. symmetry. apply mu_is_from_statics.
-    apply Rabs_def2 in Ht. simpl in Ht. unfold minus, plus, opp in Ht; simpl in Ht.
-    assert (H1 := Rmin_l h (1 - h)). assert (H2 := Rmin_r h (1 - h)). lra. }
-  assert (Hex : ex_derive (fun x => beta_s x) h) by (unfold beta_s; auto_derive; simpl; nra).
-  unfold steepness, shear_force, normal_force in *.
-  set (b := beta_s) in *.
-  auto_derive.
-  - repeat split; try exact Hex. lra.
-  - set (slope := Derive (fun x : R => b x) h).
-    (* the derivative of beta_s does not matter: T/N is stationary there *)
-    transitivity ((slope * (h * (1 - h) - b h ^ 2) - b h)
-                  * (sin (b h) ^ 2 + cos (b h) ^ 2)
-                  / (h * cos (b h) + b h * sin (b h)) ^ 2); [field; lra|].
-    rewrite circle, Hsq. field. lra.
+  intros H1 H2 E. destruct (Rtotal_order h1 h2) as [H | [H | H]]; [exfalso | easy | exfalso];
+    apply mu_is_strictly_decreasing in H; lra.
 Qed.

@@ -75,12 +75,7 @@ Proof.
   split; [now apply HN|split].
   - enough (margin (intrados eta) (fac delta eta) h x <= margin (intrados eta) (fac delta eta) h 0)
       by (unfold margin, normal_force in *; rewrite cos_0, sin_0 in *; lra).
-    destruct (Req_dec x 0) as [-> | Hne]; [lra|].
-    destruct (margin_increment (intrados eta) (fac delta eta) h 0 x) as (c & Hin & Hc); try lra.
-    assert (0 < sin c) by (apply sin_gt_0; lra).
-    assert (Hk := times_cotangent_below_one c ltac:(lra)).
-    assert (direction (intrados eta) (fac delta eta) h c <= 0) by (unfold direction; nra).
-    assert (sin c * direction (intrados eta) (fac delta eta) h c <= 0) by nra. nra.
+    apply margin_falls_from_crown; lra.
   - apply (extrados_safe delta alpha); try easy; try lra.
     + unfold extrados; lra.
     + rewrite Hcrown. unfold extrados, intrados in *. nra.

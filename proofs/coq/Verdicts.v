@@ -35,27 +35,13 @@ Proof.
   - apply (extrados_safe delta alpha); try lra. unfold extrados; lra.
 Qed.
 
-Lemma room_change (x y : R) : 0 <= x -> x < y -> y < PI ->
-  exists c, x < c < y /\
-    room y - room x = - (sin c * direction (intrados eta) (fac delta eta) h c * (y - x)).
-Proof.
-  intros Hx Hxy Hy. destruct (margin_increment (intrados eta) (fac delta eta) h x y Hx Hxy Hy)
-    as (c & Hc & E).
-  exists c. split; [easy|]. rewrite <- E. unfold room, margin. ring.
-Qed.
-
 (** Least at the crown, from which it grows. *)
 Theorem inside_nearest_at_crown : 0 <= room 0 -> intrados eta * (2 - h) <= fac delta eta ->
   thrust_inside delta alpha eta h p.
 Proof.
   intros Hroom Haway. apply inside_if_room. intros x Hx.
-  destruct (Req_dec x 0) as [-> | Hne]; [easy|].
-  destruct (room_change 0 x) as (c & Hin & E); try lra.
-  assert (Hi : 0 <= intrados eta) by (unfold intrados; lra).
-  assert (0 < sin c) by (apply sin_gt_0; lra).
-  assert (Hk := times_cotangent_below_one c ltac:(lra)).
-  assert (direction (intrados eta) (fac delta eta) h c <= 0) by (unfold direction; nra).
-  assert (sin c * direction (intrados eta) (fac delta eta) h c <= 0) by nra. nra.
+  assert (H := margin_falls_from_crown (intrados eta) (fac delta eta) h ltac:(unfold intrados; lra) x ltac:(lra) ltac:(lra)).
+  unfold room, margin in *. lra.
 Qed.
 
 (** Least at a joint between, where it is stationary. *)
@@ -74,15 +60,11 @@ Theorem inside_nearest_at_shoulder :
 Proof.
   intros Hroom Hnearer. apply inside_if_room. intros x Hx.
   destruct (Req_dec x alpha) as [-> | Hne]; [easy|].
-  destruct (room_change x alpha) as (c & Hin & E); try lra.
-  assert (Hi : 0 <= intrados eta) by (unfold intrados; lra).
   assert (HS : 0 < sin alpha) by (apply sin_gt_0; lra).
-  assert (Hc : 0 < sin c) by (apply sin_gt_0; lra).
-  assert (at_shoulder : 0 <= direction (intrados eta) (fac delta eta) h alpha).
-  { unfold direction, cot. apply (Rmult_le_reg_r (sin alpha)); [easy|]. field_simplify; lra. }
-  assert (Hk := times_cotangent_falls c alpha ltac:(lra) ltac:(lra) ltac:(lra)).
-  assert (0 <= direction (intrados eta) (fac delta eta) h c) by (unfold direction in *; nra).
-  assert (0 <= sin c * direction (intrados eta) (fac delta eta) h c) by nra. nra.
+  assert (H : margin (intrados eta) (fac delta eta) h x <= margin (intrados eta) (fac delta eta) h alpha).
+  { apply margin_rises; try (unfold intrados; lra). unfold direction, cot.
+    apply (Rmult_le_reg_r (sin alpha)); [easy|]. field_simplify; lra. }
+  unfold room, margin in *. lra.
 Qed.
 
 End Inside.
@@ -99,14 +81,6 @@ Proof.
   - apply Rlt_le, (steepness_falls_after_beta_s h alpha); lra.
 Qed.
 
-Lemma friction_from_steepness (h mu x : R) : 0 < normal_force x h ->
-  steepness x h <= mu -> - mu <= steepness x h -> friction_holds x mu h.
-Proof.
-  intros HN Hin Hout. unfold friction_holds, steepness in *.
-  assert (E : shear_force x h = shear_force x h / normal_force x h * normal_force x h) by (field; lra).
-  rewrite E. apply Rabs_le. nra.
-Qed.
-
 (** Outwards no joint asks for more than the shoulder, and inwards none for more than a bound. *)
 Lemma friction_within (h alpha mu : R) : 0 < h < 1 -> 0 < alpha < PI -> 0 < normal_force alpha h ->
   mu_ss alpha h <= mu -> (forall x, 0 <= x <= alpha -> steepness x h <= mu) ->
@@ -114,19 +88,10 @@ Lemma friction_within (h alpha mu : R) : 0 < h < 1 -> 0 < alpha < PI -> 0 < norm
 Proof.
   intros Hh Ha HN Hout Hin x Hx.
   assert (HNx : 0 < normal_force x h) by (apply (normal_force_positive alpha); lra).
-  apply friction_from_steepness; [easy | now apply Hin |].
-  assert (shoulder : - mu <= steepness alpha h).
-  { replace (steepness alpha h) with (- mu_ss alpha h); [lra|].
-    unfold mu_ss, steepness, shear_force, normal_force in *. field. lra. }
-  assert (crown : steepness 0 h = 0).
-  { unfold steepness, shear_force. rewrite sin_0. unfold Rdiv. ring. }
+  assert (crown : steepness 0 h = 0) by (unfold steepness, shear_force; rewrite sin_0; unfold Rdiv; ring).
   assert (0 <= mu) by (rewrite <- crown; apply Hin; lra).
-  destruct (Rle_lt_dec x (beta_s h)) as [Hs | Hs].
-  - destruct (Req_dec x 0) as [-> | Hne]; [lra|].
-    assert (Hgrows := steepness_grows_before_beta_s h 0 x ltac:(lra) ltac:(lra) ltac:(lra) Hs). lra.
-  - destruct (Req_dec x alpha) as [-> | Hne]; [easy|].
-    assert (Hfalls := steepness_falls_after_beta_s h alpha x alpha ltac:(lra) ltac:(lra) HN ltac:(lra)
-                   ltac:(lra) ltac:(lra)). lra.
+  assert (outwards := proj2 (no_outward_sliding h alpha mu Hh ltac:(lra) HN ltac:(lra)) Hout x Hx).
+  specialize (Hin x Hx). apply steepness_at_most in Hin; [|easy]. apply Rabs_le. lra.
 Qed.
 
 Theorem friction_by_steepest (h alpha mu : R) :

@@ -109,11 +109,7 @@ Theorem right_there q p k : is_right (written_of q) p k = true ->
   Rabs (value_of (friction_there l x) x q - IZR p / IZR (Z.pow_pos 10 k))
   <= IZR 5 / IZR (Z.pow_pos 10 (Pos.succ k)).
 Proof.
-  unfold is_right. destruct (written_of q) as [| m e] eqn:Hq; [easy |]. intros Htest. conditions.
-  repeat match goal with
-    | H : (_ <=? _)%Z = true |- _ => apply Z.leb_le in H
-    | H : (_ <? _)%Z = true |- _ => apply Z.ltb_lt in H
-    end.
+  unfold is_right. destruct (written_of q) as [| m e] eqn:Hq; [easy |]. intros Htest. conditions. in_integers.
   assert (near := is_written q m e Hq ltac:(lia)). destruct (in_units m e p k ltac:(easy)) as (Hu & Hoff & ->).
   set (u := powerRZ 10 e) in *.
   assert (Hsize : IZR (2 * off m e p k + 1) <= IZR (units k e)) by (now apply IZR_le).
@@ -127,11 +123,7 @@ Theorem wrong_there q p k : is_wrong (written_of q) p k = true ->
   IZR 5 / IZR (Z.pow_pos 10 (Pos.succ k))
   < Rabs (value_of (friction_there l x) x q - IZR p / IZR (Z.pow_pos 10 k)).
 Proof.
-  unfold is_wrong. destruct (written_of q) as [| m e] eqn:Hq; [easy |]. intros Htest. conditions.
-  repeat match goal with
-    | H : (_ <=? _)%Z = true |- _ => apply Z.leb_le in H
-    | H : (_ <? _)%Z = true |- _ => apply Z.ltb_lt in H
-    end.
+  unfold is_wrong. destruct (written_of q) as [| m e] eqn:Hq; [easy |]. intros Htest. conditions. in_integers.
   assert (near := is_written q m e Hq ltac:(lia)). destruct (in_units m e p k ltac:(easy)) as (Hu & Hoff & ->).
   set (u := powerRZ 10 e) in *.
   assert (Hsize : IZR (units k e) + 1 <= IZR 2 * IZR (off m e p k))
@@ -165,11 +157,7 @@ Theorem smaller_there q c l w x c' l' w' x' : is_landmark c l w x -> is_landmark
 Proof.
   intros here there. unfold is_smaller.
   destruct (written_of c q) as [| m e] eqn:Hq; [easy |]. destruct (written_of c' q) as [| m' e'] eqn:Hq'; [easy |].
-  intros Htest. conditions.
-  repeat match goal with
-    | H : (_ <=? _)%Z = true |- _ => apply Z.leb_le in H
-    | H : (_ <? _)%Z = true |- _ => apply Z.ltb_lt in H
-    end.
+  intros Htest. conditions. in_integers.
   assert (near := is_written c l w x here q m e Hq ltac:(lia)).
   assert (near' := is_written c' l' w' x' there q m' e' Hq' ltac:(lia)).
   assert (scale : forall k, (Z.min e e' <= k)%Z ->

@@ -98,6 +98,13 @@ Ltac conditions :=
     | H : Nat.eqb _ _ = true |- _ => apply Nat.eqb_eq in H
     end.
 
+(** Comparisons of integers. *)
+Ltac in_integers :=
+  repeat match goal with
+    | H : (_ <=? _)%Z = true |- _ => apply Z.leb_le in H
+    | H : (_ <? _)%Z = true |- _ => apply Z.ltb_lt in H
+    end.
+
 Lemma each_one {A} (test : A -> bool) l a : forallb test l = true -> In a l -> test a = true.
 Proof. intros H. exact (proj1 (forallb_forall test l) H a). Qed.
 

@@ -149,11 +149,7 @@ Proof.
     destruct (Z.eqb_spec m 0) as [Hzero | Hne].
     + left. split; [easy | now apply (is_zero_sound (enclosed_quantity prec limited E q))].
     + right. conditions.
-      repeat match goal with
-        | H : (_ <=? _)%Z = true |- _ => apply Z.leb_le in H
-        | H : (_ <? _)%Z = true |- _ => apply Z.ltb_lt in H
-        end.
-      split; [easy |]. set (unit := powerRZ 10 e).
+      in_integers. split; [easy |]. set (unit := powerRZ 10 e).
       assert (above := has_sub prec _ _ _ _ HX
                          (has_twentieths prec (20 * m - (if (m =? 10 ^ (digits - 1))%Z then 1 else 10)) e)).
       assert (below := has_sub prec _ _ _ _ (has_twentieths prec (20 * m + 10) e) HX).
@@ -399,11 +395,7 @@ Qed.
 
 Lemma is_thickness_sound t : is_thickness t = true -> 0 < real t <= 2.
 Proof.
-  destruct t as [p q | |]; try easy. intros Ht. simpl in Ht. conditions.
-  repeat match goal with
-    | H : (_ <=? _)%Z = true |- _ => apply Z.leb_le in H
-    | H : (_ <? _)%Z = true |- _ => apply Z.ltb_lt in H
-    end.
+  destruct t as [p q | |]; try easy. intros Ht. simpl in Ht. conditions. in_integers.
   assert (Hq : 0 < IZR (Zpos q)) by (now apply IZR_lt). cbn [real]. unfold fraction. split.
   - apply Rdiv_lt_0_compat; [now apply IZR_lt | exact Hq].
   - apply (Rmult_le_reg_r (IZR (Zpos q))); [exact Hq |]. unfold Rdiv.
