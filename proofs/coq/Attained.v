@@ -23,65 +23,41 @@ Hypothesis nearer : forall d d' t, 0 < d <= d' -> near d t -> near d' t.
 Definition tends (f : T -> R) (l : R) : Prop :=
   forall eps, 0 < eps -> exists d, 0 < d /\ forall t, near d t -> Rabs (f t - l) < eps.
 
-Lemma tends_constant (c : R) : tends (fun _ => c) c.
+(** Coquelicot's limit along a filter. *)
+Definition vicinity (P : T -> Prop) : Prop := exists d, 0 < d /\ forall t, near d t -> P t.
+
+Instance vicinity_is_filter : Filter vicinity.
 Proof.
-  intros eps Heps. exists 1. split; [lra|]. intros t _.
-  replace (c - c) with 0 by ring. now rewrite Rabs_R0.
+  constructor.
+  - exists 1. split; [lra | easy].
+  - intros P Q (d & Hd & HP) (e & He & HQ). assert (H := Rmin_glb_lt _ _ _ Hd He).
+    assert (H1 := Rmin_l d e). assert (H2 := Rmin_r d e). exists (Rmin d e). split; [easy|]. intros t Ht.
+    split; [apply HP | apply HQ]; apply (nearer (Rmin d e)); easy.
+  - intros P Q H (d & Hd & HP). exists d. split; [easy|]. intros t Ht. now apply H, HP.
 Qed.
 
-Lemma both_near (d d' : R) : 0 < d -> 0 < d' ->
-  exists e, 0 < e /\ forall t, near e t -> near d t /\ near d' t.
+Lemma tends_along (f : T -> R) (l : R) : tends f l <-> filterlim f vicinity (locally l).
 Proof.
-  intros Hd Hd'. exists (Rmin d d'). assert (H : 0 < Rmin d d') by (now apply Rmin_glb_lt).
-  assert (H1 := Rmin_l d d'). assert (H2 := Rmin_r d d'). split; [easy|]. intros t Ht.
-  split; apply (nearer (Rmin d d')); try easy; lra.
+  split.
+  - intros H P [eps HP]. destruct (H eps (cond_pos eps)) as (d & Hd & Hall). exists d. split; [easy|].
+    intros t Ht. apply HP, Hall, Ht.
+  - intros H eps Heps. apply (H (fun y => Rabs (y - l) < eps)). now exists (mkposreal eps Heps).
 Qed.
+
+Lemma tends_constant (c : R) : tends (fun _ => c) c.
+Proof. intros eps Heps. exists 1. split; [lra|]. intros t _. now rewrite Rminus_eq_0, Rabs_R0. Qed.
 
 Lemma tends_plus (f g : T -> R) (l m : R) : tends f l -> tends g m -> tends (fun t => f t + g t) (l + m).
-Proof.
-  intros Hf Hg eps Heps. destruct (Hf (eps / 2) ltac:(lra)) as (d & Hd & H).
-  destruct (Hg (eps / 2) ltac:(lra)) as (d' & Hd' & H').
-  destruct (both_near d d' Hd Hd') as (e & He & Hboth). exists e. split; [easy|]. intros t Ht.
-  destruct (Hboth t Ht) as [N N']. assert (A := H t N). assert (A' := H' t N').
-  replace (f t + g t - (l + m)) with (f t - l + (g t - m)) by ring.
-  apply Rle_lt_trans with (Rabs (f t - l) + Rabs (g t - m)); [apply Rabs_triang | lra].
-Qed.
+Proof. rewrite !tends_along. intros Hf Hg. exact (filterlim_comp_2 f g Rplus Hf Hg (filterlim_plus l m)). Qed.
 
 Lemma tends_times (f g : T -> R) (l m : R) : tends f l -> tends g m -> tends (fun t => f t * g t) (l * m).
-Proof.
-  intros Hf Hg eps Heps. set (K := Rabs l + Rabs m + 1).
-  assert (Hl := Rabs_pos l). assert (Hm := Rabs_pos m). assert (HK : 0 < K) by (unfold K; lra).
-  set (e := Rmin 1 (eps / (2 * K))).
-  assert (Hquotient : 0 < eps / (2 * K)) by (apply Rdiv_lt_0_compat; lra).
-  assert (He : 0 < e) by (apply Rmin_glb_lt; lra).
-  assert (He1 : e <= 1) by apply Rmin_l.
-  assert (HeK : e * K <= eps / 2).
-  { replace (eps / 2) with (eps / (2 * K) * K) by (field; lra).
-    apply Rmult_le_compat_r; [lra | apply Rmin_r]. }
-  destruct (Hf e He) as (d & Hd & H). destruct (Hg e He) as (d' & Hd' & H').
-  destruct (both_near d d' Hd Hd') as (c & Hc & Hboth). exists c. split; [easy|]. intros t Ht.
-  destruct (Hboth t Ht) as [N N']. assert (A := H t N). assert (A' := H' t N').
-  replace (f t * g t - l * m) with ((f t - l) * (g t - m) + l * (g t - m) + m * (f t - l)) by ring.
-  assert (P := Rabs_pos (f t - l)). assert (P' := Rabs_pos (g t - m)).
-  apply Rle_lt_trans with (e * e + Rabs l * e + Rabs m * e).
-  - apply Rle_trans with (Rabs ((f t - l) * (g t - m) + l * (g t - m)) + Rabs (m * (f t - l)));
-      [apply Rabs_triang|].
-    assert (Htriangle := Rabs_triang ((f t - l) * (g t - m)) (l * (g t - m))).
-    rewrite !Rabs_mult in *.
-    assert (Rabs (f t - l) * Rabs (g t - m) <= e * e) by (apply Rmult_le_compat; lra).
-    assert (Rabs l * Rabs (g t - m) <= Rabs l * e) by (apply Rmult_le_compat_l; lra).
-    assert (Rabs m * Rabs (f t - l) <= Rabs m * e) by (apply Rmult_le_compat_l; lra). lra.
-  - assert (e * e <= e * 1) by (apply Rmult_le_compat_l; lra). unfold K in HeK. lra.
-Qed.
+Proof. rewrite !tends_along. intros Hf Hg. exact (filterlim_comp_2 f g Rmult Hf Hg (filterlim_mult l m)). Qed.
 
 Lemma tends_through (c : R -> R) (f : T -> R) (l : R) : continuity c -> tends f l ->
   tends (fun t => c (f t)) (c l).
 Proof.
-  intros Hc Hf eps Heps. destruct (Hc l eps Heps) as (d & Hd & H).
-  destruct (Hf d Hd) as (d' & Hd' & H'). exists d'. split; [easy|]. intros t Ht.
-  destruct (Req_dec l (f t)) as [<- | Hne].
-  - replace (c l - c l) with 0 by ring. now rewrite Rabs_R0.
-  - apply (H (f t)). split; [now split | now apply H'].
+  rewrite !tends_along. intros Hc Hf. apply (filterlim_comp _ _ _ f c _ (locally l)); [easy|].
+  apply continuity_pt_filterlim, Hc.
 Qed.
 
 (** A limit of numbers that are not negative is not, as long as there is something near. *)
@@ -367,10 +343,8 @@ Proof.
     assert (0 <= (1 + eta / 2) * (alpha * sin alpha + cos alpha - 1)) by (apply Rmult_le_pos; lra).
     lra. }
   intros x Hx. assert (Hsx : 0 <= sin x) by (apply sin_ge_0; lra).
-  assert (Hcx : cos alpha <= cos x).
-  { destruct (Req_dec x alpha) as [-> | Hne]; [lra|]. apply Rlt_le, cos_decreasing_1; lra. }
-  assert (Hsx' : sin x <= sin alpha).
-  { destruct (Req_dec x alpha) as [-> | Hne]; [lra|]. apply Rlt_le, sin_increasing_1; lra. }
+  assert (Hcx : cos alpha <= cos x) by (apply cos_decr_1; lra).
+  assert (Hsx' : sin x <= sin alpha) by (apply sin_incr_1; lra).
   assert (Hbelow : x * cos x <= sin x).
   { destruct (Req_dec x 0) as [-> | Hne]; [rewrite sin_0; lra|].
     apply Rlt_le, times_cosine_below_sine; lra. }
@@ -477,7 +451,7 @@ Theorem only_sliding_above_the_least (delta alpha beta sigma eta eta' mu h p u l
 Proof.
   intros Hd Ha Hmu He He' Hb Hs Hstands Hstate Hsome Hmoves.
   assert (HN : forall x, 0 <= x <= alpha -> 0 < normal_force x h)
-    by (intros x Hx; apply (compressed delta alpha eta' mu h p); try easy; lra).
+    by (intros x Hx; apply (@compressed delta alpha eta' mu h p); try easy; lra).
   destruct (no_motion_above_the_least delta alpha beta sigma eta eta' mu h p u l v s t)
     as (-> & -> & ->); try easy; try lra; try (apply HN; lra).
   destruct Hmoves as ((_ & _ & _ & Hs0 & Ht0) & (_ & Hbalance) & _ & _ & _ & HI & HO).
@@ -559,7 +533,7 @@ Proof.
     intros alpha' Ha' H. apply Hexactly in H; lra.
   - intros alpha' h p Ha' Hstate (beta & sigma & u & l & v & s & t & Hb & Hs & Hsome & Hmoves).
     assert (HN : forall y, 0 <= y <= alpha' -> 0 < normal_force y h)
-      by (intros y Hy; apply (compressed delta alpha' eta mu h p); try easy; lra).
+      by (intros y Hy; apply (@compressed delta alpha' eta mu h p); try easy; lra).
     destruct (no_motion_below_the_widest delta alpha' (PI - x) beta sigma eta mu h p u l v s t)
       as (-> & -> & -> & -> & ->); try easy; try lra; apply HN; lra.
 Qed.

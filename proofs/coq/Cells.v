@@ -61,7 +61,7 @@ Proof.
   rewrite (shoulder_room_of_state _ _ _ _ _ p), EL, Rplus_0_r in HS.
   rewrite (shoulder_room_of_state _ _ _ _ _ p), EL, Rplus_0_r.
   apply (extrados_clear_within delta alpha alpha'); try easy.
-  unfold shoulder_gap, normal_force in HC. rewrite cos_0, sin_0 in HC. unfold crown_gap. lra.
+  rewrite gap_at_crown in HC. lra.
 Qed.
 
 (** ** The rotational state of a thickness *)
@@ -119,15 +119,15 @@ Lemma thrust_of_crown (hs : R) : 0 < hs < 1 -> mu = mu_is hs -> (rank m < 2)%nat
     rotational_state delta alpha0 beta0 eta /\ hs <= h_lower delta beta0 eta.
 Proof.
   intros Hs Emu Hr. destruct moved as (h & p & beta & sigma & S & L).
-  assert (Sh := shoulder_of_mode _ _ _ _ _ _ _ _ _ L).
-  destruct (crown_of_mode _ _ _ _ _ _ _ _ _ Hr L) as (Hb & EC & EL).
-  assert (Hh := thrust_positive delta alpha eta mu h p opening rough S).
-  destruct (rotational_state_of_crown delta alpha eta mu h p flag opening thickness rough S beta Hb EC EL)
+  assert (Sh := shoulder_of_mode L).
+  destruct (crown_of_mode Hr L) as (Hb & EC & EL).
+  assert (Hh := thrust_positive S opening rough).
+  destruct (rotational_state_of_crown S flag opening thickness rough beta Hb EC EL)
     as (alpha0 & Ha0 & R & Eh & H1 & _).
   exists alpha0, beta. split; [lra|]. split; [lra|].
-  split; [apply (crown_is_thin delta alpha eta mu h p flag opening thickness rough S beta Hb EC EL)|].
+  split; [apply (crown_is_thin S flag opening thickness rough beta Hb EC EL)|].
   split; [easy|]. rewrite <- Eh.
-  assert (Hfriction := inner_friction_is_enough delta alpha eta mu h p flag opening thickness rough S Sh H1).
+  assert (Hfriction := inner_friction_is_enough S flag opening thickness rough Sh H1).
   apply Rnot_lt_le. intros Hless. assert (mu_is hs < mu_is h) by (apply mu_is_strictly_decreasing; lra). lra.
 Qed.
 
@@ -143,15 +143,13 @@ Lemma thrusts_beside_rotation (h p beta sigma : R) : admissible_state delta alph
   has_limits delta alpha eta mu h p beta sigma m ->
   h_lower delta beta0 eta <= h /\ ((rank m < 2)%nat -> h = h_lower delta beta0 eta).
 Proof.
-  intros S L. assert (Sh := shoulder_of_mode _ _ _ _ _ _ _ _ _ L).
+  intros S L. assert (Sh := shoulder_of_mode L).
   destruct (rotation_with_enough_friction delta alpha0 beta0 eta flag place within ltac:(lra) rotation)
     as (Hh0 & EC0 & EL0 & EU0 & _ & mu0 & Hmu0 & S0).
   set (h0 := h_lower delta beta0 eta) in *. set (p0 := extrados eta * h0) in *.
-  destruct (crown_thrust_is_less delta alpha eta mu h p alpha0 eta mu0 h0 p0 flag opening thickness rough S
-              ltac:(lra) thickness Hmu0 S0 ltac:(lra) beta0 place EC0 EL0 Sh) as [Hle _].
-  split; [easy|]. intros Hr. destruct (crown_of_mode _ _ _ _ _ _ _ _ _ Hr L) as (Hb & EC & EL).
-  destruct (crown_thrust_is_less delta alpha0 eta mu0 h0 p0 alpha eta mu h p flag ltac:(lra) thickness Hmu0 S0
-              opening thickness rough S ltac:(lra) beta Hb EC EL (or_introl EU0)) as [Hge _]. lra.
+  destruct (crown_thrust_is_less S S0 flag opening thickness rough ltac:(lra) thickness Hmu0 ltac:(lra) beta0 place EC0 EL0 Sh) as [Hle _].
+  split; [easy|]. intros Hr. destruct (crown_of_mode Hr L) as (Hb & EC & EL).
+  destruct (crown_thrust_is_less S0 S flag ltac:(lra) thickness Hmu0 opening thickness rough ltac:(lra) beta Hb EC EL (or_introl EU0)) as [Hge _]. lra.
 Qed.
 
 (** Where the inner joint asks for less thrust the crown turns. *)
@@ -160,9 +158,9 @@ Theorem crown_turns_where_rotation_asks_more (hs : R) : 0 < hs < 1 -> mu = mu_is
 Proof.
   intros Hs Emu Hless. apply Nat.nle_gt. intros Hr. destruct moved as (h & p & beta & sigma & S & L).
   destruct (thrusts_beside_rotation h p beta sigma S L) as [Hge _].
-  destruct (slip_of_mode _ _ _ _ _ _ _ _ _ Hr L) as [Hsigma EI].
-  destruct (slides_at_steepest_joint delta alpha eta mu h p flag opening thickness rough S sigma Hsigma EI
-              (shoulder_of_mode _ _ _ _ _ _ _ _ _ L)) as (H1 & _ & _ & Eh).
+  destruct (slip_of_mode Hr L) as [Hsigma EI].
+  destruct (slides_at_steepest_joint S flag opening thickness rough sigma Hsigma EI
+              (shoulder_of_mode L)) as (H1 & _ & _ & Eh).
   assert (mu_is h < mu_is hs) by (apply mu_is_strictly_decreasing; lra). lra.
 Qed.
 
@@ -172,9 +170,9 @@ Theorem inner_joint_slides_where_it_asks_more (hs : R) : 0 < hs < 1 -> mu = mu_i
 Proof.
   intros Hs Emu Hmore. apply Nat.nlt_ge. intros Hr. destruct moved as (h & p & beta & sigma & S & L).
   destruct (thrusts_beside_rotation h p beta sigma S L) as [_ Heq]. specialize (Heq Hr).
-  assert (Hh := thrust_positive delta alpha eta mu h p opening rough S).
-  assert (Hfriction := inner_friction_is_enough delta alpha eta mu h p flag opening thickness rough S
-                         (shoulder_of_mode _ _ _ _ _ _ _ _ _ L) ltac:(lra)).
+  assert (Hh := thrust_positive S opening rough).
+  assert (Hfriction := inner_friction_is_enough S flag opening thickness rough
+                         (shoulder_of_mode L) ltac:(lra)).
   assert (mu_is hs < mu_is h) by (apply mu_is_strictly_decreasing; lra). lra.
 Qed.
 
@@ -186,16 +184,16 @@ Lemma shoulder_of_rotation : (rank m < 2)%nat ->
 Proof.
   intros Hr. destruct moved as (h & p & beta & sigma & S & L). assert (HPI := PI_RGT_0).
   destruct (thrusts_beside_rotation h p beta sigma S L) as [_ Heq]. specialize (Heq Hr).
-  destruct (crown_of_mode _ _ _ _ _ _ _ _ _ Hr L) as (Hb & EC & EL).
-  destruct (rotational_state_of_crown delta alpha eta mu h p flag opening thickness rough S beta Hb EC EL)
+  destruct (crown_of_mode Hr L) as (Hb & EC & EL).
+  destruct (rotational_state_of_crown S flag opening thickness rough beta Hb EC EL)
     as (alpha1 & Ha1 & R1 & Eh & _ & Eturns & Eslides).
   assert (Esame : alpha1 = alpha0).
   { destruct R1 as [_ H1], rotation as [_ H0]. rewrite <- Eh in H1. rewrite <- Heq in H0.
     apply A_injective; try lra. unfold h_whole in H1, H0. lra. }
   subst alpha1. rewrite <- Heq. split; intros ->.
   - simpl in L. rewrite (Eturns ltac:(tauto)).
-    assert (HN := compressed delta alpha eta mu h p flag opening thickness rough S alpha ltac:(lra)).
-    destruct (margins_not_negative delta alpha eta mu h p S alpha ltac:(lra)) as (_ & _ & _ & HO).
+    assert (HN := compressed S flag opening thickness rough alpha ltac:(lra)).
+    destruct (margins_not_negative S alpha ltac:(lra)) as (_ & _ & _ & HO).
     rewrite shoulder_friction_from_statics. apply steepness_at_most; [easy|]. unfold outward_gap in HO. lra.
   - simpl in L. apply Eslides. tauto.
 Qed.
@@ -224,14 +222,13 @@ Theorem mode_where_an_inner_joint_slides (hs alphaP betaT : R) :
 Proof.
   intros Hs Emu Hr HaP EOP HbT Htouch Hcrown. assert (HPI := PI_RGT_0).
   destruct moved as (h & p & beta & sigma & S & L).
-  destruct (slip_of_mode _ _ _ _ _ _ _ _ _ Hr L) as [Hsigma EI].
-  destruct (slides_at_steepest_joint delta alpha eta mu h p flag opening thickness rough S sigma Hsigma EI
-              (shoulder_of_mode _ _ _ _ _ _ _ _ _ L)) as (H1 & Esigma & _ & Eh).
-  assert (Hh := thrust_positive delta alpha eta mu h p opening rough S).
+  destruct (slip_of_mode Hr L) as [Hsigma EI].
+  destruct (slides_at_steepest_joint S flag opening thickness rough sigma Hsigma EI
+              (shoulder_of_mode L)) as (H1 & Esigma & _ & Eh).
+  assert (Hh := thrust_positive S opening rough).
   assert (E : h = hs) by (apply mu_is_injective; lra). subst h.
-  assert (Hgaps := margins_not_negative delta alpha eta mu hs p S).
-  assert (HL : forall x, 0 <= x <= alpha -> 0 <= haunch_gap delta x eta hs p)
-    by (intros x Hx; now destruct (Hgaps x Hx) as (_ & H & _)).
+  assert (Hgaps := margins_not_negative S).
+  assert (HL := haunch_not_negative S).
   destruct (Hgaps alpha ltac:(lra)) as (HU & _ & _ & HO).
   assert (Hwithin := one_shoulder_just_slides alpha alphaP mu hs opening HaP rough Hh HO EOP).
   destruct (Compare_dec.le_lt_dec 5 (rank m)) as [R5 | R5].
@@ -241,7 +238,7 @@ Proof.
     { apply Rle_antisym; [|easy]. apply (one_shoulder_just_slides alphaP alpha mu hs); easy || lra || tauto. }
     split; [easy|]. intros Hin Hneg. exfalso. rewrite Esame in Hneg, Hin.
     rewrite (shoulder_room_of_state _ _ _ _ _ p) in Hneg. assert (A := HL betaT ltac:(lra)). lra.
-  - destruct (haunch_of_mode _ _ _ _ _ _ _ _ _ Hr R5 L) as (Hb & EL & EU).
+  - destruct (haunch_of_mode Hr R5 L) as (Hb & EL & EU).
     (* its haunch is betaT *)
     assert (Hfac := centroids_positive delta eta ltac:(lra)).
     assert (Hsame : beta = betaT).
@@ -305,18 +302,18 @@ Proof.
   assert (Hgain' := Hgain alpha1 eta1 mu1 alpha2 eta2 mu2 m Ha1 Ha2 He He2 (conj Hmu2 Hmu) R2 R5 M1 M2).
   destruct M1 as (h1 & p1 & b1 & s1 & S1 & L1). destruct M2 as (h2 & p2 & b2 & s2 & S2 & L2).
   simpl in L1. destruct L1 as (Hs1 & EI1 & EO1).
-  destruct (sliding_is_pure delta alpha1 eta1 mu1 h1 p1 Hd Ha1 ltac:(lra) ltac:(lra) S1 s1 ltac:(lra) EI1 EO1)
+  destruct (sliding_is_pure S1 Hd Ha1 ltac:(lra) ltac:(lra) s1 ltac:(lra) EI1 EO1)
     as (H1 & _ & M1 & _).
-  destruct (slip_of_mode _ _ _ _ _ _ _ _ _ R2 L2) as [Hs2 EI2].
-  destruct (haunch_of_mode _ _ _ _ _ _ _ _ _ R2 R5 L2) as (Hb2 & EL2 & EU2).
-  destruct (slides_at_steepest_joint delta alpha2 eta2 mu2 h2 p2 Hd Ha2 ltac:(lra) Hmu2 S2 s2 Hs2 EI2
+  destruct (slip_of_mode R2 L2) as [Hs2 EI2].
+  destruct (haunch_of_mode R2 R5 L2) as (Hb2 & EL2 & EU2).
+  destruct (slides_at_steepest_joint S2 Hd Ha2 ltac:(lra) Hmu2 s2 Hs2 EI2
               (or_introl EU2)) as (H2 & _ & _ & M2).
-  assert (Hh1 := thrust_positive delta alpha1 eta1 mu1 h1 p1 Ha1 ltac:(lra) S1).
-  assert (Hh2 := thrust_positive delta alpha2 eta2 mu2 h2 p2 Ha2 Hmu2 S2).
+  assert (Hh1 := thrust_positive S1 Ha1 ltac:(lra)).
+  assert (Hh2 := thrust_positive S2 Ha2 Hmu2).
   assert (Hless : h1 < h2).
   { destruct (Rtotal_order h1 h2) as [H | [H | H]]; [easy | rewrite H in M1; lra |].
     apply mu_is_strictly_decreasing in H; lra. }
-  destruct (margins_not_negative delta alpha2 eta2 mu2 h2 p2 S2 alpha2 ltac:(lra)) as (_ & _ & _ & HO2).
+  destruct (margins_not_negative S2 alpha2 ltac:(lra)) as (_ & _ & _ & HO2).
   destruct (shoulder_that_just_slides alpha2 mu2 h2 Ha2 Hmu2 Hh2 HO2) as (alphaP & HaP & EOP).
   (* the half-angle that just slides is narrower with less friction *)
   assert (Hnarrow : alphaP < alpha1).
@@ -324,7 +321,7 @@ Proof.
     assert (Hgap : 0 <= outward_gap alpha1 mu2 h2).
     { destruct (Req_dec alpha1 alphaP) as [E | E]; [rewrite E; lra|].
       apply Rlt_le, (no_outward_limit_within alpha1 alphaP); lra. }
-    assert (HN1 := compressed delta alpha1 eta1 mu1 h1 p1 Hd Ha1 ltac:(lra) ltac:(lra) S1 alpha1 ltac:(lra)).
+    assert (HN1 := compressed S1 Hd Ha1 ltac:(lra) ltac:(lra) alpha1 ltac:(lra)).
     destruct (slip_rows_are_scaled alpha1 mu1 h1 h2 HN1) as [_ Hrow]. specialize (Hrow EO1).
     assert (Hneg : outward_gap alpha1 mu1 h2 < 0).
     { apply Rnot_le_lt. intros H. assert (0 <= normal_force alpha1 h1 * outward_gap alpha1 mu1 h2)
@@ -342,8 +339,7 @@ Proof.
       unfold outward_gap, shear_force in Hgap. lra. }
     assert (0 <= (mu1 - mu2) * normal_force alpha1 h2) by (apply Rmult_le_pos; lra).
     unfold outward_gap in *. lra. }
-  assert (HL2 : forall x, 0 <= x <= alpha2 -> 0 <= haunch_gap delta x eta2 h2 p2)
-    by (intros x Hx; now destruct (margins_not_negative delta alpha2 eta2 mu2 h2 p2 S2 x Hx) as (_ & H & _)).
+  assert (HL2 := haunch_not_negative S2).
   assert (Hright : b2 < PI / 2).
   { destruct (Req_dec b2 0) as [E | E]; [lra|].
     assert (Htouch := haunch_of_wide_arch delta alpha2 eta2 h2 p2 b2 Ha2 ltac:(lra) HL2 EL2 ltac:(lra)).
@@ -357,9 +353,9 @@ Proof.
     assert (0 <= (1 - eta2 / 2) * - (b2 * cot b2)) by (apply Rmult_le_pos; lra).
     assert (0 <= (1 - eta2 / 2) * h2) by (apply Rmult_le_pos; lra). lra. }
   assert (Hroom := Hgain' h1 alphaP h2 b2 ltac:(lra) ltac:(lra) M1 EO1 M2 ltac:(lra) EOP ltac:(lra)).
-  destruct (margins_not_negative delta alpha1 eta1 mu1 h1 p1 S1 alpha1 ltac:(lra)) as (U1 & _).
-  destruct (margins_not_negative delta alpha1 eta1 mu1 h1 p1 S1 b2 ltac:(lra)) as (_ & L1 & _).
-  destruct (margins_not_negative delta alpha1 eta1 mu1 h1 p1 S1 0 ltac:(lra)) as (C1 & _).
+  destruct (margins_not_negative S1 alpha1 ltac:(lra)) as (U1 & _).
+  destruct (margins_not_negative S1 b2 ltac:(lra)) as (_ & L1 & _).
+  destruct (margins_not_negative S1 0 ltac:(lra)) as (C1 & _).
   rewrite (shoulder_room_of_state _ alpha1 _ _ _ p1) in Hroom.
   (* at the crown the larger thrust gives room as well *)
   assert (Hcrown : 0 <= shoulder_room delta 0 b2 eta1 h2).
@@ -374,7 +370,7 @@ Proof.
   (* and more thickness no less *)
   assert (Hzero : shoulder_room delta alpha2 b2 eta2 h2 = 0)
     by (rewrite (shoulder_room_of_state _ _ _ _ _ p2); lra).
-  assert (HNb := compressed delta alpha2 eta2 mu2 h2 p2 Hd Ha2 ltac:(lra) Hmu2 S2 b2 ltac:(lra)).
+  assert (HNb := compressed S2 Hd Ha2 ltac:(lra) Hmu2 b2 ltac:(lra)).
   assert (Hcos : cos alpha2 <= cos b2) by (apply Rlt_le, cos_decreasing_1; lra).
   assert (Hgrows : (2 + eta1) * shoulder_room delta alpha2 b2 eta2 h2
                    = (2 + eta2) * shoulder_room delta alpha2 b2 eta1 h2
@@ -412,33 +408,31 @@ Proof.
                    ltac:(lra) R2 R5 M1).
     + destruct M1 as (h1 & p1 & b1 & s1 & S1 & L1). destruct M2 as (h2 & p2 & b2 & s2 & S2 & L2).
       assert (Hhalf := Hsmall alpha2 eta2 mu2 h2 p2 b2 s2 m2 Ha2 ltac:(lra) ltac:(lra) S2 R2 R5 L2).
-      destruct (slip_of_mode _ _ _ _ _ _ _ _ _ R1 L1) as [Hs1 EI1].
-      destruct (slip_of_mode _ _ _ _ _ _ _ _ _ R2 L2) as [Hs2 EI2].
-      destruct (haunch_of_mode _ _ _ _ _ _ _ _ _ R1 R1' L1) as (Hb1 & EL1 & EU1).
-      destruct (haunch_of_mode _ _ _ _ _ _ _ _ _ R2 R5 L2) as (Hb2 & EL2 & EU2).
-      destruct (haunch_falls delta alpha1 eta1 mu1 h1 p1 alpha2 eta2 mu2 h2 p2 Hd Ha1 ltac:(lra) ltac:(lra) S1
-                  Ha2 ltac:(lra) ltac:(lra) S2 ltac:(lra) ltac:(lra) s1 b1 s2 b2 Hs1 EI1 (or_introl EU1)
+      destruct (slip_of_mode R1 L1) as [Hs1 EI1].
+      destruct (slip_of_mode R2 L2) as [Hs2 EI2].
+      destruct (haunch_of_mode R1 R1' L1) as (Hb1 & EL1 & EU1).
+      destruct (haunch_of_mode R2 R5 L2) as (Hb2 & EL2 & EU2).
+      destruct (haunch_falls S1 S2 Hd Ha1 ltac:(lra) ltac:(lra) Ha2 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) s1 b1 s2 b2 Hs1 EI1 (or_introl EU1)
                   Hs2 EI2 (or_introl EU2) Hb1 EL1 Hb2 EL2) as (Hfall & Hfalls & Hslip).
       specialize (Hfalls Hstrict). specialize (Hslip (or_introl Hhalf)).
       apply Nat.nlt_ge. intros Hless.
       destruct m1, m2; simpl in R1, R1', R2, R5, Hless; try lia; simpl in L1, L2; lra.
   - destruct (Compare_dec.le_lt_dec 2 (rank m1)) as [R1 | R1].
     + exfalso. destruct M1 as (h1 & p1 & b1 & s1 & S1 & L1). destruct M2 as (h2 & p2 & b2 & s2 & S2 & L2).
-      destruct (slip_of_mode _ _ _ _ _ _ _ _ _ R1 L1) as [Hs1 EI1].
-      destruct (crown_of_mode _ _ _ _ _ _ _ _ _ R2 L2) as (Hb2 & EC2 & EL2).
-      destruct (crown_turns_first delta alpha1 eta1 mu1 h1 p1 alpha2 eta2 mu2 h2 p2 Hd Ha1 ltac:(lra) ltac:(lra) S1
-                  Ha2 ltac:(lra) ltac:(lra) S2 ltac:(lra) ltac:(lra) s1 b2 Hs1 EI1
-                  (shoulder_of_mode _ _ _ _ _ _ _ _ _ L1) Hb2 EC2 EL2
-                  (shoulder_of_mode _ _ _ _ _ _ _ _ _ L2)) as (_ & E & _). lra.
+      destruct (slip_of_mode R1 L1) as [Hs1 EI1].
+      destruct (crown_of_mode R2 L2) as (Hb2 & EC2 & EL2).
+      destruct (crown_turns_first S1 S2 Hd Ha1 ltac:(lra) ltac:(lra) Ha2 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) s1 b2 Hs1 EI1
+                  (shoulder_of_mode L1) Hb2 EC2 EL2
+                  (shoulder_of_mode L2)) as (_ & E & _). lra.
     + destruct m1; simpl in R1; try lia; [simpl; lia|]. destruct m2; simpl in R2; try lia. exfalso.
       (* a shoulder that slides, and one that turns with less friction *)
       destruct M1 as (h1 & p1 & b1 & s1 & S1 & L1). destruct (M2) as (h2 & p2 & b2 & s2 & S2 & L2).
       simpl in L1, L2. destruct L1 as (Hb1 & EC1 & EL1 & EO1). destruct L2 as (Hb2 & EC2 & EL2 & EU2).
-      destruct (rotational_state_of_crown delta alpha1 eta1 mu1 h1 p1 Hd Ha1 ltac:(lra) ltac:(lra) S1 b1 Hb1 EC1 EL1)
+      destruct (rotational_state_of_crown S1 Hd Ha1 ltac:(lra) ltac:(lra) b1 Hb1 EC1 EL1)
         as (a1 & Ha1' & T1 & E1 & _ & _ & F1). destruct (F1 EO1) as [_ G1].
       destruct (Req_dec eta1 eta2) as [Eeta | Eeta].
       * rewrite <- Eeta in *.
-        assert (Hthin := crown_is_thin delta alpha1 eta1 mu1 h1 p1 Hd Ha1 ltac:(lra) ltac:(lra) S1 b1 Hb1 EC1 EL1).
+        assert (Hthin := crown_is_thin S1 Hd Ha1 ltac:(lra) ltac:(lra) b1 Hb1 EC1 EL1).
         destruct (shoulder_of_rotation delta alpha2 eta1 mu2 RRR Hd Ha2 ltac:(lra) ltac:(lra) M2 a1 b1
                     ltac:(lra) ltac:(lra) Hthin T1 ltac:(simpl; lia)) as [G2 _].
         specialize (G2 eq_refl). rewrite <- E1 in G2. lra.

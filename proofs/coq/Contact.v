@@ -105,23 +105,23 @@ Proof.
 Qed.
 
 Lemma margin_rises (x y : R) : 0 <= x -> x < y -> y < PI -> 0 <= direction y ->
-  margin x <= margin y.
+  margin x <= margin y /\ (0 < a -> margin x < margin y).
 Proof.
   intros Hx Hxy Hy Hdir. destruct (margin_increment x y Hx Hxy Hy) as (c & Hin & Hc).
-  assert (0 < sin c) by (apply sin_gt_0; lra).
+  assert (HS : 0 < sin c * (y - x)) by (apply Rmult_lt_0_compat; [apply sin_gt_0 |]; lra).
   assert (y * cot y < c * cot c) by (apply times_cotangent_falls; lra).
-  assert (0 <= direction c) by (unfold direction in *; nra).
-  assert (0 <= sin c * direction c) by nra. nra.
+  split; [assert (0 <= direction c) by (unfold direction in *; nra); nra |].
+  intros Ha. assert (0 < direction c) by (unfold direction in *; nra). nra.
 Qed.
 
-Lemma margin_falls (x y : R) : 0 < x -> x < y -> y < PI -> direction x <= 0 -> margin y <= margin x.
+Lemma margin_falls (x y : R) : 0 < x -> x < y -> y < PI -> direction x <= 0 ->
+  margin y <= margin x /\ (0 < a -> margin y < margin x).
 Proof.
-  intros Hx Hxy Hy Hdir.
-  destruct (margin_increment x y (Rlt_le _ _ Hx) Hxy Hy) as (c & Hin & Hc).
-  assert (0 < sin c) by (apply sin_gt_0; lra).
+  intros Hx Hxy Hy Hdir. destruct (margin_increment x y (Rlt_le _ _ Hx) Hxy Hy) as (c & Hin & Hc).
+  assert (HS : 0 < sin c * (y - x)) by (apply Rmult_lt_0_compat; [apply sin_gt_0 |]; lra).
   assert (c * cot c < x * cot x) by (apply times_cotangent_falls; lra).
-  assert (direction c <= 0) by (unfold direction in *; nra).
-  assert (sin c * direction c <= 0) by nra. nra.
+  split; [assert (direction c <= 0) by (unfold direction in *; nra); nra |].
+  intros Ha. assert (direction c < 0) by (unfold direction in *; nra). nra.
 Qed.
 
 (** From the crown on, if it falls next to it. *)
@@ -248,6 +248,9 @@ Definition haunch_gap (delta beta eta h p : R) : R :=
   p + fac delta eta * (1 - cos beta) - intrados eta * normal_force beta h.
 Definition shoulder_gap (delta alpha eta h p : R) : R :=
   extrados eta * normal_force alpha h - p - fac delta eta * (1 - cos alpha).
+
+Lemma gap_at_crown (delta eta h p : R) : shoulder_gap delta 0 eta h p = crown_gap eta h p.
+Proof. unfold shoulder_gap, crown_gap. rewrite normal_force_at_crown, cos_0. ring. Qed.
 
 Definition mechanism (a c delta alpha beta eta h p : R) : R :=
   a * crown_gap eta h p + (a + c) * haunch_gap delta beta eta h p
@@ -508,9 +511,7 @@ Proof.
       { repeat apply Rmult_le_pos; try lra. nra. }
       lra.
     + (* concave *)
-      assert (Hcos : cos alpha <= cos x).
-      { destruct (Req_dec x alpha) as [-> | Hne]; [lra|].
-        apply Rlt_le, cos_decreasing_1; lra. }
+      assert (Hcos : cos alpha <= cos x) by (apply cos_decr_1; lra).
       set (gap := fun e => extrados e * Na - fac delta e * (1 - cos alpha)
                            - (intrados e * N - fac delta e * (1 - cos x))).
       enough (0 <= gap eta') by (unfold gap, from_shoulder in *; lra).

@@ -97,7 +97,7 @@ Proof.
   assert (Hs0 : 0 <= beta_s h0) by apply sqrt_pos.
   destruct (Hall (beta_s h0) ltac:(lra)) as [(HNs & _) Hfriction].
   assert (Hh : 0 <= h).
-  { destruct Hcrown as [HN0 _]. unfold normal_force in HN0. rewrite cos_0, sin_0 in HN0. lra. }
+  { destruct Hcrown as [HN0 _]. rewrite normal_force_at_crown in HN0. lra. }
   apply (thrust_at_least_h_is mu h0 h Hh0 Hmu Hh HNs) in Hfriction.
   revert Hcrown Hhaunch Hshoulder.
   apply (no_thinner_arch_by_mechanism 0 1 delta alpha beta eta eta' h0
@@ -123,7 +123,7 @@ Proof.
   destruct (Hall (beta_s h0) ltac:(lra)) as [(HNs & _) Hinner].
   destruct (Hall alpha ltac:(lra)) as [(HNa & _) Hshoulder].
   assert (Hh : 0 <= h)
-    by (unfold normal_force in HN0; rewrite cos_0, sin_0 in HN0; lra).
+    by (rewrite normal_force_at_crown in HN0; lra).
   (* an inner joint wants at least h0, *)
   assert (Hmore : h0 <= h).
   { apply (thrust_at_least_h_is mu h0 h Hh0 His Hh HNs).

@@ -50,16 +50,19 @@ Proof. opening (1 / 2) 2.78649815065117703204215667394121 2.78649815065117703204
 
 (** ** The ends of rotation and of overturning in closed form *)
 
+Ltac at_rotation_end l :=
+  match goal with thickness : end_of_rotation _ ?eta = 0 <-> _, opening : h_whole _ _ _ = 0 <-> _ |- _ =>
+    split; intros [? ?];
+    [ assert (eta = l) as -> by (apply thickness; lra); split; [easy | rewrite (proj1 opening); lra]
+    | subst; split; symmetry; [apply opening; lra | now apply thickness] ]
+  end.
+
 Lemma rotation_end_heyman alpha eta : 0 <= eta < 2 ->
   (0 = h_whole 0 alpha eta /\ 0 = end_of_rotation 0 eta <-> eta = 1 /\ A alpha = 2 / 3).
 Proof.
   intros He. pose proof (end_of_rotation_heyman eta ltac:(lra)) as thickness.
   pose proof (overturning_from_whole_thrust 0 alpha eta) as opening.
-  pose proof A_l_heyman. pose proof (A_heyman_from_13 1).
-  split; intros [H1 H2].
-  - assert (eta = 1) as -> by (apply thickness; lra).
-    split; [easy |]. rewrite (proj1 opening); lra.
-  - subst. split; symmetry; [apply opening; lra | now apply thickness].
+  pose proof A_l_heyman. pose proof (A_heyman_from_13 1). at_rotation_end 1.
 Qed.
 
 Lemma rotation_end_milankovitch alpha eta : 0 <= eta < 2 ->
@@ -68,11 +71,7 @@ Lemma rotation_end_milankovitch alpha eta : 0 <= eta < 2 ->
 Proof.
   intros He. pose proof (end_of_rotation_milankovitch eta ltac:(lra) ltac:(lra)) as thickness.
   pose proof (overturning_from_whole_thrust 1 alpha eta) as opening.
-  pose proof A_l_milankovitch. pose proof (A_milankovitch_from_13 eta ltac:(lra)).
-  split; intros [H1 H2].
-  - assert (eta = eta_l_milankovitch) as -> by (apply thickness; lra).
-    split; [easy |]. rewrite (proj1 opening); lra.
-  - subst. split; symmetry; [apply opening; lra | now apply thickness].
+  pose proof A_l_milankovitch. pose proof (A_milankovitch_from_13 eta ltac:(lra)). at_rotation_end eta_l_milankovitch.
 Qed.
 
 Lemma overturning_end_heyman alpha : 0 = h_whole 0 alpha 2 <-> A alpha = 1 / 2.

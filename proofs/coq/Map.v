@@ -45,7 +45,7 @@ Theorem a_mode_moves (delta alpha eta mu h p : R) :
   exists m, mode_moves delta alpha eta mu m.
 Proof.
   intros Hd Ha He Hmu Hstate (beta & sigma & u & l & v & s & t & Hb & Hs & Hsome & Hmoves).
-  destruct (sum_of_modes delta alpha eta mu h p Hd Ha He Hmu Hstate beta sigma u l v s t Hb Hs Hmoves)
+  destruct (sum_of_modes Hstate Hd Ha He Hmu beta sigma u l v s t Hb Hs Hmoves)
     as (x1 & x2 & x3 & x4 & P1 & P2 & P3 & P4 & Eu & Ev & Es & Et & El & Harm & Harm' & B12 & B3 & S34 & Hsum).
   specialize (Hsum Hsome).
   destruct Hmoves as ((Hu & Hl & Hv & Hs0 & Ht) & _ & HC & HL & HU & HI & HO).
@@ -89,7 +89,7 @@ Proof.
   intros Hd Ha He Hmu Hstate. destruct (margins_continuous delta eta mu h p) as (CU & CL & _).
   assert (Hgaps : forall x, 0 <= x <= alpha ->
             0 <= shoulder_gap delta x eta h p /\ 0 <= haunch_gap delta x eta h p).
-  { intros x Hx. destruct (margins_not_negative delta alpha eta mu h p Hstate x Hx) as (A & B & _). lra. }
+  { intros x Hx. destruct (margins_not_negative Hstate x Hx) as (A & B & _). lra. }
   assert (Hmoved : forall x t, shoulder_gap delta x eta h (p + t) = shoulder_gap delta x eta h p - t /\
                                haunch_gap delta x eta h (p + t) = haunch_gap delta x eta h p + t)
     by (intros x t; unfold shoulder_gap, haunch_gap; lra).
@@ -107,7 +107,7 @@ Proof.
   - destruct (Classical_Prop.classic (exists y, 0 <= y <= alpha /\ haunch_gap delta y eta h p = 0))
       as [(y & Hy & EL) | Hoff].
     + left. exists y. split; [easy | split; [easy|]].
-      destruct (extrados_reached delta alpha eta mu h p Hd Ha He Hstate x Hx EU) as [-> | ->]; tauto.
+      destruct (extrados_reached Hstate Hd Ha He x Hx EU) as [-> | ->]; tauto.
     + right.
       destruct (Hway _ _ CU CL ltac:(intros z Hz; now apply Hgaps)
                   ltac:(intros z Hz; now apply Hgaps)) as (e & He' & H).
@@ -136,14 +136,13 @@ Proof.
     as [(beta & Hb & EL & Hface) | (p' & Hoff)].
   - assert (Hshoulder : beta <> alpha).
     { intros E. rewrite E in EL.
-      now apply (intrados_free_at_sliding_shoulder delta alpha eta mu h p Hd Ha He Hmu Hstate EO). }
+      now apply (intrados_free_at_sliding_shoulder Hstate Hd Ha He Hmu EO). }
     destruct Hface as [EC | EU].
     + exists SRR. split; [easy|]. exists h, p, beta, sigma. split; [easy|]. simpl.
       assert (Hcrown : beta <> 0).
       { intros E. rewrite E in EL.
-        now apply (not_at_both_faces delta alpha eta mu h p Hd Ha He Hmu Hstate 0 ltac:(lra) EC). }
-      split; [lra|]. split; [|easy]. unfold shoulder_gap, normal_force in EC. rewrite cos_0, sin_0 in EC.
-      unfold crown_gap. lra.
+        now apply (not_at_both_faces Hstate Hd Ha He Hmu 0 ltac:(lra) EC). }
+      split; [lra|]. split; [|easy]. rewrite gap_at_crown in EC. lra.
     + assert (Hgive : forall m, m <> SS -> has_limits delta alpha eta mu h p beta sigma m ->
                 exists m, m <> SS /\ mode_moves delta alpha eta mu m)
         by (intros m N Hm; exists m; split; [easy | exists h, p, beta, sigma; now split]).
@@ -153,7 +152,7 @@ Proof.
         repeat split; easy || lra.
   - exfalso. destruct (thinner_arch_stands delta alpha eta mu h p' Hd ltac:(lra) He) as (eta' & He' & H).
     + intros x Hx. destruct (Hoff x Hx).
-      destruct (margins_not_negative delta alpha eta mu h p Hstate x Hx) as (_ & _ & A & B). easy.
+      destruct (margins_not_negative Hstate x Hx) as (_ & _ & A & B). easy.
     + now apply (Hnone eta').
 Qed.
 
@@ -182,20 +181,20 @@ Definition friction_grows (delta : R) : Prop :=
     mu_ss alpha (h_lower delta beta eta) < mu_ss alpha' (h_lower delta beta' eta').
 
 (** What the limits of a mode have in common. *)
-Lemma shoulder_of_mode (delta alpha eta mu h p beta sigma : R) (m : mode) :
+Lemma shoulder_of_mode {delta alpha eta mu h p beta sigma : R} {m : mode} :
   has_limits delta alpha eta mu h p beta sigma m -> shoulder_at_limit delta alpha eta mu h p.
 Proof. destruct m; simpl; unfold shoulder_at_limit; tauto. Qed.
 
-Lemma slip_of_mode (delta alpha eta mu h p beta sigma : R) (m : mode) : (2 <= rank m)%nat ->
+Lemma slip_of_mode {delta alpha eta mu h p beta sigma : R} {m : mode} : (2 <= rank m)%nat ->
   has_limits delta alpha eta mu h p beta sigma m -> 0 < sigma <= alpha /\ inward_gap sigma mu h = 0.
 Proof. destruct m; simpl; intros Hr H; lia || (split; [lra | tauto]). Qed.
 
-Lemma crown_of_mode (delta alpha eta mu h p beta sigma : R) (m : mode) : (rank m < 2)%nat ->
+Lemma crown_of_mode {delta alpha eta mu h p beta sigma : R} {m : mode} : (rank m < 2)%nat ->
   has_limits delta alpha eta mu h p beta sigma m ->
   0 < beta < alpha /\ crown_gap eta h p = 0 /\ haunch_gap delta beta eta h p = 0.
 Proof. destruct m; simpl; intros Hr H; lia || tauto. Qed.
 
-Lemma haunch_of_mode (delta alpha eta mu h p beta sigma : R) (m : mode) :
+Lemma haunch_of_mode {delta alpha eta mu h p beta sigma : R} {m : mode} :
   (2 <= rank m)%nat -> (rank m < 5)%nat -> has_limits delta alpha eta mu h p beta sigma m ->
   0 <= beta < alpha /\ haunch_gap delta beta eta h p = 0 /\ shoulder_gap delta alpha eta h p = 0.
 Proof. destruct m; simpl; intros Hr Hr' H; lia || tauto. Qed.
@@ -208,27 +207,24 @@ Theorem modes_of_a_column (delta mu alpha1 eta1 alpha2 eta2 : R) (m1 m2 : mode) 
   (rank m1 <= rank m2)%nat.
 Proof.
   intros Hd Hmu Hgrows Ha1 Ha2 He1 He He2 (h1 & p1 & b1 & s1 & S1 & L1) (h2 & p2 & b2 & s2 & S2 & L2).
-  assert (Sh1 := shoulder_of_mode _ _ _ _ _ _ _ _ _ L1). assert (Sh2 := shoulder_of_mode _ _ _ _ _ _ _ _ _ L2).
+  assert (Sh1 := shoulder_of_mode L1). assert (Sh2 := shoulder_of_mode L2).
   destruct (Compare_dec.le_lt_dec 2 (rank m1)) as [R1 | R1].
-  - destruct (slip_of_mode _ _ _ _ _ _ _ _ _ R1 L1) as [Hs1 EI1].
+  - destruct (slip_of_mode R1 L1) as [Hs1 EI1].
     destruct (Compare_dec.le_lt_dec 2 (rank m2)) as [R2 | R2].
-    + destruct (slip_of_mode _ _ _ _ _ _ _ _ _ R2 L2) as [Hs2 EI2].
+    + destruct (slip_of_mode R2 L2) as [Hs2 EI2].
       destruct (Compare_dec.le_lt_dec 5 (rank m2)) as [R2' | R2']; [destruct m1, m2; simpl in *; lia|].
-      destruct (haunch_of_mode _ _ _ _ _ _ _ _ _ R2 R2' L2) as (Hb2 & EL2 & EU2).
+      destruct (haunch_of_mode R2 R2' L2) as (Hb2 & EL2 & EU2).
       destruct (Compare_dec.le_lt_dec 5 (rank m1)) as [R1' | R1'].
       * exfalso. destruct m1; simpl in R1'; try lia. simpl in L1.
-        apply (sliding_comes_last delta alpha1 eta1 mu h1 p1 alpha2 eta2 mu h2 p2 Hd Ha1 ltac:(lra) Hmu S1
-                 Ha2 ltac:(lra) Hmu S2 ltac:(lra) s1 s2 b2); easy || lra || tauto.
-      * destruct (haunch_of_mode _ _ _ _ _ _ _ _ _ R1 R1' L1) as (Hb1 & EL1 & EU1).
-        destruct (haunch_falls delta alpha1 eta1 mu h1 p1 alpha2 eta2 mu h2 p2 Hd Ha1 ltac:(lra) Hmu S1
-                    Ha2 ltac:(lra) Hmu S2 ltac:(lra) ltac:(lra) s1 b1 s2 b2 Hs1 EI1 Sh1 Hs2 EI2 Sh2
+        apply (sliding_comes_last S1 S2 Hd Ha1 ltac:(lra) Hmu Ha2 ltac:(lra) Hmu ltac:(lra) s1 s2 b2); easy || lra || tauto.
+      * destruct (haunch_of_mode R1 R1' L1) as (Hb1 & EL1 & EU1).
+        destruct (haunch_falls S1 S2 Hd Ha1 ltac:(lra) Hmu Ha2 ltac:(lra) Hmu ltac:(lra) ltac:(lra) s1 b1 s2 b2 Hs1 EI1 Sh1 Hs2 EI2 Sh2
                     Hb1 EL1 Hb2 EL2) as (Hfall & Hstrict & Hslip).
         specialize (Hstrict (or_introl He)). specialize (Hslip (or_intror eq_refl)).
         apply Nat.nlt_ge. intros Hless.
         destruct m1, m2; simpl in R1, R1', R2, R2', Hless; try lia; simpl in L1, L2; lra.
-    + exfalso. destruct (crown_of_mode _ _ _ _ _ _ _ _ _ R2 L2) as (Hb2 & EC2 & EL2).
-      destruct (crown_turns_first delta alpha1 eta1 mu h1 p1 alpha2 eta2 mu h2 p2 Hd Ha1 ltac:(lra) Hmu S1
-                  Ha2 ltac:(lra) Hmu S2 ltac:(lra) ltac:(lra) s1 b2 Hs1 EI1 Sh1 Hb2 EC2 EL2 Sh2) as (E & _). lra.
+    + exfalso. destruct (crown_of_mode R2 L2) as (Hb2 & EC2 & EL2).
+      destruct (crown_turns_first S1 S2 Hd Ha1 ltac:(lra) Hmu Ha2 ltac:(lra) Hmu ltac:(lra) ltac:(lra) s1 b2 Hs1 EI1 Sh1 Hb2 EC2 EL2 Sh2) as (E & _). lra.
   - destruct m1; simpl in R1; try lia; [simpl; lia|]. destruct m2; simpl; try lia. exfalso. simpl in L1, L2.
     apply (shoulder_turns_first delta alpha1 eta1 mu h1 p1 alpha2 eta2 mu h2 p2 b1 b2); easy || lra || tauto.
 Qed.
@@ -246,18 +242,6 @@ Proof.
   assert (H2 := modes_of_a_column delta mu alpha eta alpha2 eta2 m' m Hd Hmu Hgrows Ha Ha2 ltac:(lra)
       ltac:(lra) He2 M M2).
   destruct m, m'; simpl in H1, H2; try lia; easy.
-Qed.
-
-(** [[s,r,r]] is where the shoulder asks for more friction than an inner joint along rotation. *)
-Theorem sliding_shoulder_before_T (delta alpha eta mu : R) :
-  0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta <= 2 -> 0 < mu -> mode_moves delta alpha eta mu SRR ->
-  exists alpha0 beta, alpha <= alpha0 < PI /\ rotational_state delta alpha0 beta eta /\
-    mu_is (h_lower delta beta eta) <= mu <= mu_ss alpha0 (h_lower delta beta eta).
-Proof.
-  intros Hd Ha He Hmu (h & p & beta & sigma & Hstate & Hb & EC & EL & EO).
-  destruct (rotational_state_of_crown delta alpha eta mu h p Hd Ha He Hmu Hstate beta Hb EC EL)
-    as (alpha0 & Ha0 & Hrotation & Eh & _ & _ & Hmore).
-  exists alpha0, beta. rewrite <- Eh. auto.
 Qed.
 
 (** ** Rows *)
@@ -281,9 +265,9 @@ Proof.
   intros Hd Ha Hmu He1 He2 Hleast Hhalf Hexclude M1 M2.
   destruct M1 as (h1 & p1 & b1 & s1 & S1 & L1) eqn:D1. destruct M2 as (h2 & p2 & b2 & s2 & S2 & L2) eqn:D2.
   clear D1 D2.
-  assert (Sh1 := shoulder_of_mode _ _ _ _ _ _ _ _ _ L1). assert (Sh2 := shoulder_of_mode _ _ _ _ _ _ _ _ _ L2).
+  assert (Sh1 := shoulder_of_mode L1). assert (Sh2 := shoulder_of_mode L2).
   assert (HN1 : forall x, 0 <= x <= alpha -> 0 < normal_force x h1)
-    by (intros x Hx; apply (compressed delta alpha eta1 mu1 h1 p1); easy || lra).
+    by (intros x Hx; apply (@compressed delta alpha eta1 mu1 h1 p1); easy || lra).
   (* more friction is no harm *)
   assert (S1' : admissible_state delta alpha eta1 mu2 h1 p1).
   { intros x Hx. destruct (S1 x Hx) as [Hj Hf]. split; [easy|]. unfold friction_holds in *.
@@ -293,38 +277,36 @@ Proof.
   { apply Rnot_lt_le. intros H. apply (Hleast eta1); [lra|]. now exists h1, p1. }
   (* the margins of friction of the first state grow *)
   assert (Hmargins : forall x, 0 <= x <= alpha -> 0 < inward_gap x mu2 h1 /\ 0 < outward_gap x mu2 h1).
-  { intros x Hx. destruct (margins_not_negative delta alpha eta1 mu1 h1 p1 S1 x Hx) as (_ & _ & HI & HO).
+  { intros x Hx. destruct (margins_not_negative S1 x Hx) as (_ & _ & HI & HO).
     assert (H := Rmult_lt_0_compat _ _ (Rlt_Rminus _ _ (proj2 Hmu)) (HN1 x Hx)).
     unfold inward_gap, outward_gap in *. lra. }
   assert (Hsliding : m2 = SS -> False).
   { intros ->. simpl in L2. destruct L2 as (Hs2 & EI2 & EO2).
     assert (HN2 : forall x, 0 <= x <= alpha -> 0 < normal_force x h2)
-      by (intros x Hx; apply (compressed delta alpha eta2 mu2 h2 p2); easy || lra).
+      by (intros x Hx; apply (@compressed delta alpha eta2 mu2 h2 p2); easy || lra).
     destruct (Hmargins s2 ltac:(lra)) as [HI _]. destruct (Hmargins alpha ltac:(lra)) as [_ HO].
     assert (E := sliding_does_not_see_the_thickness s2 alpha mu2 h2 h1 ltac:(lra) ltac:(lra)
                    (HN2 s2 ltac:(lra)) (HN2 alpha ltac:(lra)) EI2 EO2 ltac:(lra) ltac:(lra)).
     rewrite E in HO. lra. }
   destruct (Compare_dec.le_lt_dec 2 (rank m2)) as [R2 | R2].
   - (* an inner joint slides in the rougher arch: the crown does not turn in the smoother one *)
-    destruct (slip_of_mode _ _ _ _ _ _ _ _ _ R2 L2) as [Hs2 EI2].
+    destruct (slip_of_mode R2 L2) as [Hs2 EI2].
     destruct (Compare_dec.le_lt_dec 5 (rank m2)) as [R2' | R2'];
       [exfalso; apply Hsliding; destruct m2; simpl in R2'; lia || easy|].
     destruct (Compare_dec.le_lt_dec 2 (rank m1)) as [R1 | R1].
-    + destruct (slip_of_mode _ _ _ _ _ _ _ _ _ R1 L1) as [Hs1 EI1].
+    + destruct (slip_of_mode R1 L1) as [Hs1 EI1].
       destruct (Compare_dec.le_lt_dec 5 (rank m1)) as [R1' | R1'];
         [destruct m1; simpl in R1'; simpl; lia|].
-      destruct (haunch_of_mode _ _ _ _ _ _ _ _ _ R1 R1' L1) as (Hb1 & EL1 & EU1).
-      destruct (haunch_of_mode _ _ _ _ _ _ _ _ _ R2 R2' L2) as (Hb2 & EL2 & EU2).
-      destruct (haunch_falls delta alpha eta2 mu2 h2 p2 alpha eta1 mu1 h1 p1 Hd Ha He2 ltac:(lra) S2
-                  Ha He1 ltac:(lra) S1 ltac:(lra) ltac:(lra) s2 b2 s1 b1 Hs2 EI2 Sh2 Hs1 EI1 Sh1
+      destruct (haunch_of_mode R1 R1' L1) as (Hb1 & EL1 & EU1).
+      destruct (haunch_of_mode R2 R2' L2) as (Hb2 & EL2 & EU2).
+      destruct (haunch_falls S2 S1 Hd Ha He2 ltac:(lra) Ha He1 ltac:(lra) ltac:(lra) ltac:(lra) s2 b2 s1 b1 Hs2 EI2 Sh2 Hs1 EI1 Sh1
                   Hb2 EL2 Hb1 EL1) as (Hfall & Hstrict & Hslip).
       specialize (Hstrict (or_intror (proj2 Hmu))).
       specialize (Hslip (or_introl (Hhalf eta1 mu1 h1 p1 b1 s1 m1 He1 (proj1 Hmu) S1 R1 R1' L1))).
       apply Nat.nlt_ge. intros Hless.
       destruct m1, m2; simpl in R1, R1', R2, R2', Hless; try lia; simpl in L1, L2; lra.
-    + exfalso. destruct (crown_of_mode _ _ _ _ _ _ _ _ _ R1 L1) as (Hb1 & EC1 & EL1).
-      destruct (crown_turns_first delta alpha eta2 mu2 h2 p2 alpha eta1 mu1 h1 p1 Hd Ha He2 ltac:(lra) S2
-                  Ha He1 ltac:(lra) S1 ltac:(lra) ltac:(lra) s2 b1 Hs2 EI2 Sh2 Hb1 EC1 EL1 Sh1) as (_ & E & _). lra.
+    + exfalso. destruct (crown_of_mode R1 L1) as (Hb1 & EC1 & EL1).
+      destruct (crown_turns_first S2 S1 Hd Ha He2 ltac:(lra) Ha He1 ltac:(lra) ltac:(lra) ltac:(lra) s2 b1 Hs2 EI2 Sh2 Hb1 EC1 EL1 Sh1) as (_ & E & _). lra.
   - destruct m2; simpl in R2; try lia; [destruct m1; simpl; lia|].
     destruct (Compare_dec.le_lt_dec 2 (rank m1)) as [R1 | R1].
     + destruct (Compare_dec.le_lt_dec 5 (rank m1)) as [R1' | R1'];
@@ -334,21 +316,19 @@ Proof.
       * now exists h1, p1, b1, s1.
     + (* both crowns turn: if the smoother arch is purely rotational so is the rougher one *)
       destruct m1; simpl in R1; try lia. exfalso.
-      destruct (crown_of_mode _ _ _ _ _ _ _ _ RRR R1 L1) as (Hb1 & EC1 & EL1).
-      destruct (crown_of_mode _ _ _ _ _ _ _ _ SRR ltac:(simpl; lia) L2) as (Hb2 & EC2 & EL2).
+      destruct (crown_of_mode (m := RRR) R1 L1) as (Hb1 & EC1 & EL1).
+      destruct (crown_of_mode (m := SRR) ltac:(simpl; lia) L2) as (Hb2 & EC2 & EL2).
       simpl in L1, L2.
       assert (Hsame : eta1 = eta2).
-      { destruct (rotational_state_of_crown delta alpha eta1 mu1 h1 p1 Hd Ha He1 ltac:(lra) S1 b1 Hb1 EC1 EL1)
+      { destruct (rotational_state_of_crown S1 Hd Ha He1 ltac:(lra) b1 Hb1 EC1 EL1)
           as (alpha0 & Ha0 & Hrotation & _ & _ & Eshoulder & _).
         rewrite (Eshoulder ltac:(tauto)) in Hrotation.
-        assert (Ht := crown_is_thin delta alpha eta1 mu1 h1 p1 Hd Ha He1 ltac:(lra) S1 b1 Hb1 EC1 EL1).
+        assert (Ht := crown_is_thin S1 Hd Ha He1 ltac:(lra) b1 Hb1 EC1 EL1).
         apply Rle_antisym; [|easy].
         apply (rotational_thickness_is_least delta alpha b1 eta1 Hd Hb1 ltac:(lra) ltac:(lra) Hrotation eta2 He2).
         exists h2, p2. intros x Hx. now apply S2. }
-      destruct (crown_thrust_is_less delta alpha eta1 mu1 h1 p1 alpha eta2 mu2 h2 p2 Hd Ha He1 ltac:(lra) S1
-                  Ha He2 ltac:(lra) S2 ltac:(lra) b2 Hb2 EC2 EL2 Sh1) as [Hle _].
-      destruct (crown_thrust_is_less delta alpha eta2 mu2 h2 p2 alpha eta1 mu1 h1 p1 Hd Ha He2 ltac:(lra) S2
-                  Ha He1 ltac:(lra) S1 ltac:(lra) b1 Hb1 EC1 EL1 Sh2) as [Hge _].
+      destruct (crown_thrust_is_less S1 S2 Hd Ha He1 ltac:(lra) Ha He2 ltac:(lra) ltac:(lra) b2 Hb2 EC2 EL2 Sh1) as [Hle _].
+      destruct (crown_thrust_is_less S2 S1 Hd Ha He2 ltac:(lra) Ha He1 ltac:(lra) ltac:(lra) b1 Hb1 EC1 EL1 Sh2) as [Hge _].
       assert (E : h1 = h2) by lra. destruct (Hmargins alpha ltac:(lra)) as [_ HO].
       rewrite E in HO. destruct L2 as (_ & _ & _ & EO). lra.
 Qed.

@@ -44,8 +44,7 @@ Lemma room_without_lever (delta alpha beta eta h p : R) :
   0 < haunch_gap delta beta eta h p + shoulder_gap delta alpha eta h p.
 Proof.
   intros Hd Hb Ha He Hh Harm. assert (HPI := PI2_3_2).
-  assert (Hcos : cos alpha <= cos beta).
-  { destruct (Req_dec beta alpha) as [-> | Hne]; [lra|]. apply Rlt_le, cos_decreasing_1; lra. }
+  assert (Hcos : cos alpha <= cos beta) by (apply cos_decr_1; lra).
   assert (Hnarrow : 0 <= cos alpha) by (unfold intrados, extrados in Harm; nra).
   assert (HaPI : alpha <= PI / 2).
   { apply Rnot_lt_le. intros H. assert (cos alpha < 0) by (apply cos_lt_0; lra). lra. }
@@ -232,8 +231,7 @@ Proof.
   { assert (0 <= intrados eta * h) by (apply Rmult_le_pos; [unfold intrados|]; lra). lra. }
   assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
   assert (Hvb : 0 <= 1 - cos beta) by (destruct (COS_bound beta); lra).
-  assert (Hcos : cos alpha <= cos beta).
-  { destruct (Req_dec beta alpha) as [-> | Hne]; [lra|]. apply Rlt_le, cos_decreasing_1; lra. }
+  assert (Hcos : cos alpha <= cos beta) by (apply cos_decr_1; lra).
   set (N := normal_force beta h) in *. set (Na := normal_force alpha h) in *.
   set (low := intrados eta' * N - fac delta eta' * (1 - cos beta)).
   set (crown := extrados eta' * h).
@@ -285,7 +283,7 @@ Proof.
   intros Ha Hmu Hall.
   assert (Hh : 0 <= h).
   { destruct (Hall 0 ltac:(lra)) as [H _].
-    unfold normal_force in H. rewrite cos_0, sin_0 in H. lra. }
+    rewrite normal_force_at_crown in H. lra. }
   destruct (Req_dec h 0) as [E | Hne]; [|lra]. exfalso. subst h.
   set (x := Rmin alpha (/ (mu + 2))).
   assert (Hinv : 0 < / (mu + 2)) by (apply Rinv_0_lt_compat; lra).
@@ -353,19 +351,8 @@ Lemma margin_between (a m h x z y : R) : 0 < a -> 0 <= x -> x < z < y -> y < PI 
 Proof.
   intros Ha Hx Hz Hy.
   destruct (Rle_lt_dec 0 (direction a m h z)) as [Hdir | Hdir].
-  - apply Rle_lt_trans with (margin a m h x); [apply Rmin_l|].
-    destruct (margin_increment a m h x z) as (c & Hin & E); try lra.
-    assert (0 < sin c) by (apply sin_gt_0; lra).
-    assert (z * cot z < c * cot c) by (apply times_cotangent_falls; lra).
-    assert (0 < direction a m h c) by (unfold direction in *; nra).
-    assert (0 < sin c * direction a m h c * (z - x)) by (repeat apply Rmult_lt_0_compat; lra). lra.
-  - apply Rle_lt_trans with (margin a m h y); [apply Rmin_r|].
-    destruct (margin_increment a m h z y) as (c & Hin & E); try lra.
-    assert (0 < sin c) by (apply sin_gt_0; lra).
-    assert (c * cot c < z * cot z) by (apply times_cotangent_falls; lra).
-    assert (0 < - direction a m h c) by (unfold direction in *; nra).
-    assert (0 < sin c * - direction a m h c * (y - z)) by (repeat apply Rmult_lt_0_compat; lra).
-    lra.
+  - apply Rle_lt_trans with (margin a m h x); [apply Rmin_l | apply margin_rises; lra].
+  - apply Rle_lt_trans with (margin a m h y); [apply Rmin_r | apply margin_falls; lra].
 Qed.
 
 (** Within a wider arch the line of thrust is off the extrados, *)

@@ -100,9 +100,7 @@ Proof.
   destruct m as [w x k]. unfold gap in Hgap. simpl in *. destruct w; simpl in *.
   - destruct (HU x Hx Hgap) as [-> | ->].
     + exists (u + k), l, v, s, t.
-      assert (Hc : crown_gap eta h p = 0).
-      { unfold shoulder_gap, normal_force in Hgap. rewrite cos_0, sin_0 in Hgap.
-        unfold crown_gap. lra. }
+      assert (Hc : crown_gap eta h p = 0) by (rewrite <- Hgap; symmetry; apply gap_at_crown).
       unfold thrust_row, moment_row, of_way in *. simpl. rewrite W, M, Wu, Wl, Ws, Wt, cos_0.
       rewrite Hc in *. repeat split; lra.
     + exists u, l, (v + k), s, t.
@@ -143,17 +141,18 @@ Qed.
 
 Section Places.
 
-Variables (delta alpha eta mu h p : R).
-Hypotheses (flag : 0 <= delta <= 1) (opening : 0 < alpha < PI) (thickness : 0 < eta <= 2)
-  (rough : 0 < mu) (state : admissible_state delta alpha eta mu h p).
+(** The state says of which arch it is. *)
+Context {delta alpha eta mu h p : R}.
+Hypotheses (state : admissible_state delta alpha eta mu h p) (flag : 0 <= delta <= 1)
+  (opening : 0 < alpha < PI) (thickness : 0 < eta <= 2) (rough : 0 < mu).
 
-Let thrust : 0 < h := thrust_positive delta alpha eta mu h p opening rough state.
+Let thrust : 0 < h := thrust_positive state opening rough.
 
 (** No joint is at both faces, *)
 Lemma not_at_both_faces (x : R) : 0 <= x <= alpha ->
   shoulder_gap delta x eta h p = 0 -> haunch_gap delta x eta h p <> 0.
 Proof.
-  intros Hx EU EL. assert (HN := compressed delta alpha eta mu h p flag opening thickness rough state x Hx).
+  intros Hx EU EL. assert (HN := compressed state flag opening thickness rough x Hx).
   unfold shoulder_gap, haunch_gap, extrados, intrados in *.
   assert (0 < eta * normal_force x h) by (apply Rmult_lt_0_compat; lra). lra.
 Qed.
@@ -161,7 +160,7 @@ Qed.
 (** nor does one slide both ways. *)
 Lemma not_both_ways : inward_gap alpha mu h = 0 -> outward_gap alpha mu h <> 0.
 Proof.
-  intros EI EO. assert (HN := compressed delta alpha eta mu h p flag opening thickness rough state alpha ltac:(lra)).
+  intros EI EO. assert (HN := compressed state flag opening thickness rough alpha ltac:(lra)).
   unfold inward_gap, outward_gap in *.
   assert (0 < mu * normal_force alpha h) by (apply Rmult_lt_0_compat; lra). lra.
 Qed.
@@ -172,7 +171,7 @@ Lemma intrados_free_at_sliding_shoulder : outward_gap alpha mu h = 0 ->
   haunch_gap delta alpha eta h p <> 0.
 Proof.
   intros EO EL.
-  assert (HN := compressed delta alpha eta mu h p flag opening thickness rough state alpha ltac:(lra)).
+  assert (HN := compressed state flag opening thickness rough alpha ltac:(lra)).
   assert (Hmu : 0 < mu * normal_force alpha h) by (apply Rmult_lt_0_compat; lra).
   assert (HS : 0 < sin alpha) by (apply sin_gt_0; lra).
   assert (Hfac := centroids_positive delta eta ltac:(lra)).
@@ -193,7 +192,7 @@ Proof.
   assert (B2 : - k <= alpha / 2) by (unfold k; rewrite Ropp_involutive; apply Rmin_r).
   assert (Hclose : Rabs k < d) by (rewrite Rabs_left; lra).
   assert (H := Hd k ltac:(lra) Hclose). cbv beta in H. rewrite EL in H. apply Rabs_def2 in H.
-  destruct (margins_not_negative delta alpha eta mu h p state (alpha + k) ltac:(lra)) as (_ & HL & _).
+  destruct (margins_not_negative state (alpha + k) ltac:(lra)) as (_ & HL & _).
   set (L := haunch_gap delta (alpha + k) eta h p) in *.
   assert (E : (L - 0) / k = - (L / - k)) by (field; lra).
   assert (0 <= L / - k) by (apply Rdiv_le_0_compat; lra). lra.
@@ -202,7 +201,7 @@ Qed.
 (** A shoulder on the extrados asks for a thrust. *)
 Lemma thrust_of_extrados : shoulder_gap delta alpha eta h p = 0 -> A alpha <= h + 1.
 Proof.
-  intros EU. destruct (margins_not_negative delta alpha eta mu h p state 0 ltac:(lra)) as (HU & _).
+  intros EU. destruct (margins_not_negative state 0 ltac:(lra)) as (HU & _).
   assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
   assert (Hfac : fac delta eta <= extrados eta).
   { unfold fac, extrados. assert (delta * eta ^ 2 <= 1 * eta ^ 2) by (apply Rmult_le_compat_r; nra).
@@ -221,7 +220,7 @@ Lemma steepest_joint_above : h < 1 ->
   shoulder_gap delta alpha eta h p = 0 \/ outward_gap alpha mu h = 0 -> beta_s h < alpha.
 Proof.
   intros H1 Hlimit. assert (Hh := thrust). assert (Hb := beta_s_positive h ltac:(lra)).
-  assert (HN := compressed delta alpha eta mu h p flag opening thickness rough state alpha ltac:(lra)).
+  assert (HN := compressed state flag opening thickness rough alpha ltac:(lra)).
   destruct Hlimit as [EU | EO].
   - assert (HA := thrust_of_extrados EU). assert (Hparabola := A_above_parabola alpha opening).
     assert (Hsquare := beta_s_square h ltac:(lra)). nra.
@@ -241,7 +240,7 @@ Lemma slides_at_steepest_joint (sigma : R) : 0 < sigma <= alpha -> inward_gap si
 Proof.
   intros Hs EI Hlimit. assert (Hh := thrust).
   assert (HN : forall x, 0 <= x <= alpha -> 0 < normal_force x h)
-    by (intros x; now apply (compressed delta alpha eta mu h p)).
+    by (intros x; now apply (@compressed delta alpha eta mu h p)).
   assert (HNa := HN alpha ltac:(lra)). assert (HNs := HN sigma ltac:(lra)).
   assert (Hsteep : steepness sigma h = mu).
   { unfold inward_gap in EI. unfold steepness. apply (Rmult_eq_reg_r (normal_force sigma h)); [|lra].
@@ -255,7 +254,7 @@ Proof.
   assert (Es : sigma = beta_s h).
   { destruct (Req_dec sigma (beta_s h)) as [E | E]; [easy | exfalso].
     assert (Hless := steepest_joint h alpha sigma ltac:(lra) ltac:(lra) HNa ltac:(lra) ltac:(lra) E).
-    destruct (margins_not_negative delta alpha eta mu h p state (beta_s h) ltac:(lra))
+    destruct (margins_not_negative state (beta_s h) ltac:(lra))
       as (_ & _ & HI & _). assert (HNb := HN (beta_s h) ltac:(lra)).
     assert (steepness (beta_s h) h <= mu).
     { unfold inward_gap in HI. unfold steepness. apply (Rmult_le_reg_r (normal_force (beta_s h) h));
@@ -278,7 +277,7 @@ Theorem sliding_is_pure (sigma : R) : 0 < sigma <= alpha ->
 Proof.
   intros Hs EI EO.
   destruct (slides_at_steepest_joint sigma Hs EI (or_intror EO)) as (H1 & Es & _ & Emu).
-  assert (HN := compressed delta alpha eta mu h p flag opening thickness rough state alpha ltac:(lra)).
+  assert (HN := compressed state flag opening thickness rough alpha ltac:(lra)).
   repeat split; try easy. rewrite shoulder_friction_from_statics. unfold outward_gap in EO.
   unfold steepness. apply (Rmult_eq_reg_r (normal_force alpha h)); [|lra]. field_simplify; lra.
 Qed.
@@ -294,15 +293,15 @@ Theorem mechanism_is_one_of_moves (motions : list motion) :
     work (of_way SlidesInwards) motions = s /\ work (of_way SlidesOutwards) motions = t.
 Proof.
   intros (Hall & Wthrust & Wmoment).
-  destruct (haunch_of_state delta alpha eta mu h p) as (beta & Hb & Hbeta); try easy.
-  destruct (slip_of_state delta alpha eta mu h p) as (sigma & Hs & Hsigma); try easy.
+  destruct (@haunch_of_state delta alpha eta mu h p) as (beta & Hb & Hbeta); try easy.
+  destruct (@slip_of_state delta alpha eta mu h p) as (sigma & Hs & Hsigma); try easy.
   destruct (gathered delta alpha eta mu h p beta sigma motions)
     as (u & l & v & s & t & Hpos & Eu & El & Ev & Es & Et & W & M & Hways); try easy.
-  - intros x Hx E. now apply (extrados_reached delta alpha eta mu h p).
+  - intros x Hx E. now apply (@extrados_reached delta alpha eta mu h p).
   - intros m Hm Hrate E. destruct (Hall m Hm) as (Hx & _ & Hzero). unfold gap in Hzero.
     rewrite E in Hzero. apply Hsigma; [easy|]. apply (Rmult_eq_reg_l (rate m)); lra.
   - intros m Hm Hrate E. destruct (Hall m Hm) as (Hx & _ & Hzero). unfold gap in Hzero.
-    rewrite E in Hzero. apply (outward_limit_reached delta alpha eta mu h p); try easy.
+    rewrite E in Hzero. apply (@outward_limit_reached delta alpha eta mu h p); try easy.
     apply (Rmult_eq_reg_l (rate m)); lra.
   - exists beta, sigma, u, l, v, s, t. repeat split; try easy; try apply Hpos; try apply Hways; try lra.
     rewrite Wthrust in W. rewrite Wmoment in M. replace l with (u + v) in W by lra. lra.
@@ -404,8 +403,7 @@ Proof.
   assert (Hcrown : shoulder_gap delta 0 eta h p = crown_gap eta h p).
   { unfold shoulder_gap, crown_gap, normal_force. rewrite cos_0, sin_0. ring. }
   assert (Hh : 0 <= h).
-  { destruct (Hstate 0 ltac:(lra)) as (HN & _). unfold normal_force in HN.
-    rewrite cos_0, sin_0 in HN. lra. }
+  { destruct (Hstate 0 ltac:(lra)) as (HN & _). rewrite normal_force_at_crown in HN. lra. }
   assert (Hextrados : forall x, 0 <= x <= alpha -> shoulder_gap delta x eta h p = 0 -> x = 0 \/ x = alpha).
   { intros x Hx E. destruct (Req_dec x 0) as [H0 | H0]; [now left|].
     destruct (Req_dec x alpha) as [H1 | H1]; [now right | exfalso].

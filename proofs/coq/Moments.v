@@ -209,38 +209,31 @@ Proof.
   unfold normal_force, intrados, extrados. split; lra.
 Qed.
 
+(** The three equations are linear in the thrust. *)
+Ltac clear_thrusts :=
+  intros HL HA He HU; rewrite (lower_thrust_cleared _ _ _ _ HL), (whole_thrust_cleared _ _ _ _ HA He),
+    (upper_thrust_cleared _ _ _ _ _ HU); lra.
+
 (** (2) and (4) imply (3), for any weight and even where a joint carries no normal force. *)
 Theorem lower_and_whole_imply_upper (delta alpha beta eta h : R) :
   2 + eta - (2 - eta) * cos beta <> 0 -> 1 - cos alpha <> 0 -> 2 + eta <> 0 ->
   (2 - eta) * cos beta - (2 + eta) * cos alpha <> 0 ->
   h = h_lower delta beta eta -> h = h_whole delta alpha eta -> h = h_upper delta alpha beta eta.
-Proof.
-  intros HL HA He HU.
-  rewrite (lower_thrust_cleared _ _ _ _ HL), (whole_thrust_cleared _ _ _ _ HA He),
-    (upper_thrust_cleared _ _ _ _ _ HU). lra.
-Qed.
+Proof. clear_thrusts. Qed.
 
 (** (3) and (4) imply (2). *)
 Theorem upper_and_whole_imply_lower (delta alpha beta eta h : R) :
   2 + eta - (2 - eta) * cos beta <> 0 -> 1 - cos alpha <> 0 -> 2 + eta <> 0 ->
   (2 - eta) * cos beta - (2 + eta) * cos alpha <> 0 ->
   h = h_upper delta alpha beta eta -> h = h_whole delta alpha eta -> h = h_lower delta beta eta.
-Proof.
-  intros HL HA He HU.
-  rewrite (lower_thrust_cleared _ _ _ _ HL), (whole_thrust_cleared _ _ _ _ HA He),
-    (upper_thrust_cleared _ _ _ _ _ HU). lra.
-Qed.
+Proof. clear_thrusts. Qed.
 
 (** (2) and (3) imply (4). *)
 Theorem lower_and_upper_imply_whole (delta alpha beta eta h : R) :
   2 + eta - (2 - eta) * cos beta <> 0 -> 1 - cos alpha <> 0 -> 2 + eta <> 0 ->
   (2 - eta) * cos beta - (2 + eta) * cos alpha <> 0 ->
   h = h_lower delta beta eta -> h = h_upper delta alpha beta eta -> h = h_whole delta alpha eta.
-Proof.
-  intros HL HA He HU.
-  rewrite (lower_thrust_cleared _ _ _ _ HL), (whole_thrust_cleared _ _ _ _ HA He),
-    (upper_thrust_cleared _ _ _ _ _ HU). lra.
-Qed.
+Proof. clear_thrusts. Qed.
 
 (** ** (5): tangency *)
 

@@ -107,16 +107,16 @@ Qed.
 
 Section Two.
 
-Variables (delta alpha1 eta1 mu1 h1 p1 alpha2 eta2 mu2 h2 p2 : R).
-Hypotheses (flag : 0 <= delta <= 1)
+(** The state says of which arch it is. *)
+Context {delta alpha1 eta1 mu1 h1 p1 alpha2 eta2 mu2 h2 p2 : R}.
+Hypotheses (state1 : admissible_state delta alpha1 eta1 mu1 h1 p1)
+  (state2 : admissible_state delta alpha2 eta2 mu2 h2 p2) (flag : 0 <= delta <= 1)
   (opening1 : 0 < alpha1 < PI) (thickness1 : 0 < eta1 <= 2) (rough1 : 0 < mu1)
-  (state1 : admissible_state delta alpha1 eta1 mu1 h1 p1)
   (opening2 : 0 < alpha2 < PI) (thickness2 : 0 < eta2 <= 2) (rough2 : 0 < mu2)
-  (state2 : admissible_state delta alpha2 eta2 mu2 h2 p2)
   (smoother : mu2 <= mu1) (thicker : eta1 <= eta2).
 
-Let thrust1 : 0 < h1 := thrust_positive delta alpha1 eta1 mu1 h1 p1 opening1 rough1 state1.
-Let thrust2 : 0 < h2 := thrust_positive delta alpha2 eta2 mu2 h2 p2 opening2 rough2 state2.
+Let thrust1 : 0 < h1 := thrust_positive state1 opening1 rough1.
+Let thrust2 : 0 < h2 := thrust_positive state2 opening2 rough2.
 
 Definition shoulder_at_limit (alpha eta mu h p : R) : Prop :=
   shoulder_gap delta alpha eta h p = 0 \/ outward_gap alpha mu h = 0.
@@ -125,12 +125,12 @@ Definition shoulder_at_limit (alpha eta mu h p : R) : Prop :=
 Lemma inner_friction_is_enough : shoulder_at_limit alpha2 eta2 mu2 h2 p2 -> h2 < 1 -> mu_is h2 <= mu2.
 Proof.
   intros Hlimit H1. assert (Hh := thrust2).
-  assert (Hb := steepest_joint_above delta alpha2 eta2 mu2 h2 p2 flag opening2 thickness2 rough2 state2
+  assert (Hb := steepest_joint_above state2 flag opening2 thickness2 rough2
                   H1 Hlimit).
   assert (Hb0 := beta_s_positive h2 ltac:(lra)).
-  assert (HN := compressed delta alpha2 eta2 mu2 h2 p2 flag opening2 thickness2 rough2 state2
+  assert (HN := compressed state2 flag opening2 thickness2 rough2
                   (beta_s h2) ltac:(lra)).
-  destruct (margins_not_negative delta alpha2 eta2 mu2 h2 p2 state2 (beta_s h2) ltac:(lra))
+  destruct (margins_not_negative state2 (beta_s h2) ltac:(lra))
     as (_ & _ & HI & _). unfold inward_gap in HI.
   rewrite mu_is_from_statics by lra. apply steepness_at_most; [easy | lra].
 Qed.
@@ -141,7 +141,7 @@ Lemma sliding_thrust_is_less (sigma : R) :
   shoulder_at_limit alpha2 eta2 mu2 h2 p2 -> h1 <= h2 /\ (h1 = h2 -> mu1 = mu2).
 Proof.
   intros Hs EI Hlimit1 Hlimit2. assert (Hh1 := thrust1). assert (Hh2 := thrust2).
-  destruct (slides_at_steepest_joint delta alpha1 eta1 mu1 h1 p1 flag opening1 thickness1 rough1 state1
+  destruct (slides_at_steepest_joint state1 flag opening1 thickness1 rough1
               sigma Hs EI Hlimit1) as (H1 & _ & _ & Emu).
   destruct (Rle_lt_dec 1 h2) as [H2 | H2]; [lra|].
   assert (Hfriction := inner_friction_is_enough Hlimit2 H2). split.
@@ -172,9 +172,9 @@ Proof.
   assert (Hfac2 := centroids_positive delta eta2 ltac:(lra)).
   destruct (Rle_lt_dec beta alpha1) as [Hin | Hout].
   - (* the haunch is a joint of the first arch *)
-    destruct (margins_not_negative delta alpha1 eta1 mu1 h1 p1 state1 0 ltac:(lra)) as (C1 & _).
-    destruct (margins_not_negative delta alpha1 eta1 mu1 h1 p1 state1 beta ltac:(lra)) as (_ & L1 & _).
-    assert (HN := compressed delta alpha2 eta2 mu2 h2 p2 flag opening2 thickness2 rough2 state2 beta
+    destruct (margins_not_negative state1 0 ltac:(lra)) as (C1 & _).
+    destruct (margins_not_negative state1 beta ltac:(lra)) as (_ & L1 & _).
+    assert (HN := compressed state2 flag opening2 thickness2 rough2 beta
                     ltac:(lra)).
     assert (Hcos : cos beta < 1) by (rewrite <- cos_0; apply cos_decreasing_1; lra).
     set (room := fun eta h => extrados eta * h + fac delta eta * (1 - cos beta)
@@ -209,18 +209,16 @@ Proof.
         by (apply Rmult_lt_0_compat; lra). lra.
   - (* it is beyond *)
     assert (Htouch := haunch_of_wide_arch delta alpha2 eta2 h2 p2 beta opening2 thickness2
-                        ltac:(intros x Hx; now destruct (margins_not_negative delta alpha2 eta2 mu2 h2 p2
-                            state2 x Hx) as (_ & H & _))
-                        EL Hb).
+                        (haunch_not_negative state2) EL Hb).
     assert (H2 : h2 < beta * cot beta).
     { unfold intrados in Htouch. assert (0 < 1 - eta2 / 2 < 1) by lra.
       apply Rnot_le_lt. intros Hle.
       assert (0 <= (1 - eta2 / 2) * (h2 - beta * cot beta)) by (apply Rmult_le_pos; lra). lra. }
     assert (Hfalls : beta * cot beta < alpha1 * cot alpha1) by (apply times_cotangent_falls; lra).
     enough (h2 < h1) by lra. destruct Hlimit as [EU | EO].
-    + assert (HA := thrust_of_extrados delta alpha1 eta1 mu1 h1 p1 flag opening1 thickness1 state1 EU).
+    + assert (HA := thrust_of_extrados state1 flag opening1 thickness1 EU).
       assert (Hcot := A_above_times_cotangent alpha1 opening1). lra.
-    + assert (HN := compressed delta alpha1 eta1 mu1 h1 p1 flag opening1 thickness1 rough1 state1 alpha1
+    + assert (HN := compressed state1 flag opening1 thickness1 rough1 alpha1
                       ltac:(lra)).
       assert (HS : 0 < sin alpha1) by (apply sin_gt_0; lra).
       assert (0 < mu1 * normal_force alpha1 h1) by (apply Rmult_lt_0_compat; lra).
@@ -258,14 +256,11 @@ Proof.
   intros Hs1 EI1 Hlimit1 Hs2 EI2 Hlimit2 Hb1 EL1 Hb2 EL2.
   assert (Hh1 := thrust1). assert (Hh2 := thrust2).
   destruct (sliding_thrust_is_less sigma1 Hs1 EI1 Hlimit1 Hlimit2) as [Hle Hsame].
-  destruct (slides_at_steepest_joint delta alpha1 eta1 mu1 h1 p1 flag opening1 thickness1 rough1 state1
+  destruct (slides_at_steepest_joint state1 flag opening1 thickness1 rough1
               sigma1 Hs1 EI1 Hlimit1) as (H1 & Es1 & _ & M1).
-  destruct (slides_at_steepest_joint delta alpha2 eta2 mu2 h2 p2 flag opening2 thickness2 rough2 state2
+  destruct (slides_at_steepest_joint state2 flag opening2 thickness2 rough2
               sigma2 Hs2 EI2 Hlimit2) as (H2 & Es2 & _ & M2).
-  assert (HL1 : forall x, 0 <= x <= alpha1 -> 0 <= haunch_gap delta x eta1 h1 p1)
-    by (intros x Hx; now destruct (margins_not_negative delta alpha1 eta1 mu1 h1 p1 state1 x Hx) as (_ & H & _)).
-  assert (HL2 : forall x, 0 <= x <= alpha2 -> 0 <= haunch_gap delta x eta2 h2 p2)
-    by (intros x Hx; now destruct (margins_not_negative delta alpha2 eta2 mu2 h2 p2 state2 x Hx) as (_ & H & _)).
+  assert (HL1 := haunch_not_negative state1). assert (HL2 := haunch_not_negative state2).
   assert (Hfalls : 0 < beta2 -> beta2 <= beta1 /\ (eta1 < eta2 \/ mu2 < mu1 -> beta2 < beta1)).
   { intros Hpos.
     assert (T2 := haunch_of_wide_arch delta alpha2 eta2 h2 p2 beta2 opening2 thickness2 HL2 EL2 ltac:(lra)).
@@ -326,14 +321,14 @@ Theorem sliding_comes_last (sigma1 sigma2 beta2 : R) : mu1 = mu2 -> eta1 < eta2 
   shoulder_gap delta alpha2 eta2 h2 p2 <> 0.
 Proof.
   intros Emu Hthick Hs1 EI1 EO1 Hs2 EI2 Hb2 EL2 EU2. assert (Hh1 := thrust1). assert (Hh2 := thrust2).
-  destruct (slides_at_steepest_joint delta alpha1 eta1 mu1 h1 p1 flag opening1 thickness1 rough1 state1
+  destruct (slides_at_steepest_joint state1 flag opening1 thickness1 rough1
               sigma1 Hs1 EI1 (or_intror EO1)) as (H1 & _ & _ & M1).
-  destruct (slides_at_steepest_joint delta alpha2 eta2 mu2 h2 p2 flag opening2 thickness2 rough2 state2
+  destruct (slides_at_steepest_joint state2 flag opening2 thickness2 rough2
               sigma2 Hs2 EI2 (or_introl EU2)) as (H2 & _ & _ & M2).
   assert (E : h1 = h2) by (apply mu_is_injective; lra).
   assert (Hwithin : alpha2 <= alpha1).
   { apply Rnot_lt_le. intros Hwide.
-    destruct (margins_not_negative delta alpha2 eta2 mu2 h2 p2 state2 alpha2 ltac:(lra)) as (_ & _ & _ & HO).
+    destruct (margins_not_negative state2 alpha2 ltac:(lra)) as (_ & _ & _ & HO).
     assert (H : 0 < outward_gap alpha1 mu2 h2) by (apply (no_outward_limit_within alpha1 alpha2); lra).
     rewrite <- E, <- Emu in H. lra. }
   destruct (thicker_arch_has_room delta alpha2 beta2 eta1 eta2 h1 p1) as (p & _ & HL & HU); try easy; try lra.
@@ -356,9 +351,7 @@ Proof.
   assert (Hthin := crown_is_thin beta Hb EC EL).
   assert (Hfac := centroids_positive delta eta2 ltac:(lra)).
   assert (Htouch := haunch_of_wide_arch delta alpha2 eta2 h2 p2 beta opening2 thickness2
-                      ltac:(intros x Hx; now destruct (margins_not_negative delta alpha2 eta2 mu2 h2 p2 state2
-                          x Hx) as (_ & H & _))
-                      EL Hb).
+                      (haunch_not_negative state2) EL Hb).
   assert (HSb : 0 < sin beta) by (apply sin_gt_0; lra).
   assert (Hlever := lever_of_lower_thrust_positive beta eta2 ltac:(lra)).
   assert (E2 : h2 = h_lower delta beta eta2).
@@ -382,7 +375,7 @@ Proof.
   { intros x. unfold level, shoulder_gap, crown_gap, normal_force in *.
     replace p2 with (extrados eta2 * h2) by lra. ring. }
   assert (Hcontinuous : continuity level) by (unfold level; reg).
-  destruct (margins_not_negative delta alpha2 eta2 mu2 h2 p2 state2 alpha2 ltac:(lra)) as (HU & _).
+  destruct (margins_not_negative state2 alpha2 ltac:(lra)) as (HU & _).
   assert (Hpi : 0 < level PI).
   { unfold level. rewrite cos_PI, sin_PI. assert (0 < extrados eta2 * h2) by (apply Rmult_lt_0_compat; unfold
       extrados; lra).
@@ -406,13 +399,13 @@ Proof.
     assert (Hstands := rotational_state_stands delta alpha0 beta eta2 ltac:(lra) ltac:(lra) ltac:(lra)
                          ltac:(lra) Hstate alpha0 ltac:(lra)).
     cbv zeta in Hstands. rewrite <- E2 in Hstands. destruct Hstands as [HN0 _].
-    assert (HN := compressed delta alpha2 eta2 mu2 h2 p2 flag opening2 thickness2 rough2 state2 alpha2
+    assert (HN := compressed state2 flag opening2 thickness2 rough2 alpha2
                     ltac:(lra)).
     assert (Hsteep : steepness alpha2 h2 = - mu2).
     { unfold outward_gap in EO. unfold steepness.
       apply (Rmult_eq_reg_r (normal_force alpha2 h2)); [|lra]. field_simplify; lra. }
     rewrite shoulder_friction_from_statics.
-    assert (Hb2 := steepest_joint_above delta alpha2 eta2 mu2 h2 p2 flag opening2 thickness2 rough2 state2
+    assert (Hb2 := steepest_joint_above state2 flag opening2 thickness2 rough2
                      H1 (or_intror EO)).
     destruct (Req_dec alpha0 alpha2) as [E | E]; [rewrite E; lra|].
     assert (steepness alpha0 h2 < steepness alpha2 h2)
@@ -420,6 +413,8 @@ Proof.
 Qed.
 
 End Two.
+
+Arguments shoulder_at_limit : clear implicits.
 
 (** Where the friction of the shoulder grows along the rotational states, one that slides in the first
     arch does not turn in the second. *)
@@ -438,16 +433,16 @@ Theorem shoulder_turns_first (delta alpha1 eta1 mu1 h1 p1 alpha2 eta2 mu2 h2 p2 
   shoulder_gap delta alpha2 eta2 h2 p2 <> 0.
 Proof.
   intros Hd Ha1 He1 Hm1 S1 Ha2 He2 Hm2 S2 Hmu Heta Hgrows Hb1 EC1 EL1 EO1 Hb2 EC2 EL2 EU2.
-  destruct (rotational_state_of_crown delta alpha1 eta1 mu1 h1 p1 Hd Ha1 He1 Hm1 S1 beta1 Hb1 EC1 EL1)
+  destruct (rotational_state_of_crown S1 Hd Ha1 He1 Hm1 beta1 Hb1 EC1 EL1)
     as (a1 & Ha1' & R1 & E1 & _ & _ & F1). destruct (F1 EO1) as [_ M1].
-  destruct (rotational_state_of_crown delta alpha2 eta2 mu2 h2 p2 Hd Ha2 He2 Hm2 S2 beta2 Hb2 EC2 EL2)
+  destruct (rotational_state_of_crown S2 Hd Ha2 He2 Hm2 beta2 Hb2 EC2 EL2)
     as (a2 & Ha2' & R2 & E2 & _ & F2 & _). rewrite (F2 EU2) in R2, Ha2'. clear F1 F2.
-  assert (Hthin := crown_is_thin delta alpha2 eta2 mu2 h2 p2 Hd Ha2 He2 Hm2 S2 beta2 Hb2 EC2 EL2).
+  assert (Hthin := crown_is_thin S2 Hd Ha2 He2 Hm2 beta2 Hb2 EC2 EL2).
   assert (H := Hgrows a1 beta1 eta1 alpha2 beta2 eta2 ltac:(lra) Hthin ltac:(lra) ltac:(lra) Hb2
                  ltac:(lra) R1 R2).
   rewrite <- E1, <- E2 in H.
-  assert (HN := compressed delta alpha2 eta2 mu2 h2 p2 Hd Ha2 He2 Hm2 S2 alpha2 ltac:(lra)).
-  destruct (margins_not_negative delta alpha2 eta2 mu2 h2 p2 S2 alpha2 ltac:(lra)) as (_ & _ & _ & HO).
+  assert (HN := compressed S2 Hd Ha2 He2 Hm2 alpha2 ltac:(lra)).
+  destruct (margins_not_negative S2 alpha2 ltac:(lra)) as (_ & _ & _ & HO).
   assert (mu_ss alpha2 h2 <= mu2); [|lra].
   rewrite shoulder_friction_from_statics. apply steepness_at_most; [easy|]. unfold outward_gap in HO. lra.
 Qed.

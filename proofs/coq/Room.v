@@ -122,9 +122,10 @@ Qed.
 
 Section State.
 
-Variables (delta alpha eta mu h p : R).
-Hypotheses (flag : 0 <= delta <= 1) (opening : 0 < alpha < PI) (thickness : 0 < eta <= 2)
-  (rough : 0 < mu) (state : admissible_state delta alpha eta mu h p).
+(** The state says of which arch it is. *)
+Context {delta alpha eta mu h p : R}.
+Hypotheses (state : admissible_state delta alpha eta mu h p) (flag : 0 <= delta <= 1)
+  (opening : 0 < alpha < PI) (thickness : 0 < eta <= 2) (rough : 0 < mu).
 
 Lemma thrust_positive : 0 < h.
 Proof.
@@ -135,7 +136,7 @@ Qed.
 Lemma moment_not_negative : 0 <= p.
 Proof.
   assert (Hh := thrust_positive). destruct (state 0 ltac:(lra)) as [(_ & Hlow & _) _].
-  unfold normal_force in Hlow. rewrite cos_0, sin_0 in Hlow.
+  rewrite normal_force_at_crown, cos_0 in Hlow.
   assert (0 <= intrados eta * h) by (apply Rmult_le_pos; [unfold intrados|]; lra). lra.
 Qed.
 
@@ -159,6 +160,9 @@ Proof.
   apply Rabs_le_between in Hf. unfold shoulder_gap, haunch_gap, inward_gap, outward_gap. lra.
 Qed.
 
+Lemma haunch_not_negative (x : R) : 0 <= x <= alpha -> 0 <= haunch_gap delta x eta h p.
+Proof. intros Hx. now destruct (margins_not_negative x Hx) as (_ & H & _). Qed.
+
 Lemma extrados_reached (x : R) : 0 <= x <= alpha -> shoulder_gap delta x eta h p = 0 ->
   x = 0 \/ x = alpha.
 Proof.
@@ -168,7 +172,7 @@ Proof.
   destruct (margins_not_negative 0 ltac:(lra)) as (Hc & _).
   assert (H : 0 < shoulder_gap delta x eta h p); [|lra].
   apply (extrados_clear_within delta x alpha); try easy; try lra.
-  unfold shoulder_gap, normal_force in Hc. rewrite cos_0, sin_0 in Hc. unfold crown_gap. lra.
+  rewrite gap_at_crown in Hc. lra.
 Qed.
 
 Lemma outward_limit_reached (x : R) : 0 <= x <= alpha -> outward_gap x mu h = 0 -> x = alpha.
@@ -316,10 +320,9 @@ Proof.
   destruct (margins_not_negative beta Hb) as (_ & M2 & _).
   destruct (margins_not_negative sigma ltac:(lra)) as (_ & _ & M4 & _).
   destruct (margins_not_negative alpha ltac:(lra)) as (M3 & _ & _ & M5).
-  assert (M1' : 0 <= crown_gap eta h p).
-  { unfold shoulder_gap, normal_force in M1. rewrite cos_0, sin_0 in M1. unfold crown_gap. lra. }
+  rewrite gap_at_crown in M1.
   assert (W := Hwork h p).
-  assert (P1 := Rmult_le_pos _ _ H1 M1'). assert (P2 := Rmult_le_pos _ _ H2 M2).
+  assert (P1 := Rmult_le_pos _ _ H1 M1). assert (P2 := Rmult_le_pos _ _ H2 M2).
   assert (P3 := Rmult_le_pos _ _ H3 M3). assert (P4 := Rmult_le_pos _ _ H4 M4).
   assert (P5 := Rmult_le_pos _ _ H5 M5).
   assert (Z1 : k1 * crown_gap eta h p = 0) by lra.
@@ -543,7 +546,7 @@ Theorem moves_if_none_thinner (delta alpha eta mu h p : R) :
   admissible_state delta alpha eta mu h p -> state_moves delta alpha eta mu h p.
 Proof.
   intros Hd Ha He Hmu Hnone Hstate.
-  destruct (moves_or_leaves_room delta alpha eta mu h p Hd Ha He Hmu Hstate)
+  destruct (moves_or_leaves_room Hstate Hd Ha He Hmu)
     as [Hmoves | (h' & p' & Hroom)]; [easy | exfalso].
   destruct (thinner_arch_stands delta alpha eta mu h' p' Hd ltac:(lra) He)
     as (eta' & He' & Hstands); [|now apply (Hnone eta')].
@@ -556,7 +559,7 @@ Theorem moves_if_none_wider (delta alpha eta mu h p : R) :
   admissible_state delta alpha eta mu h p -> state_moves delta alpha eta mu h p.
 Proof.
   intros Hd Ha He Hmu Hnone Hstate.
-  destruct (moves_or_leaves_room delta alpha eta mu h p Hd Ha He Hmu Hstate)
+  destruct (moves_or_leaves_room Hstate Hd Ha He Hmu)
     as [Hmoves | (h' & p' & Hroom)]; [easy | exfalso].
   destruct (wider_arch_stands delta alpha eta mu h' p' Ha ltac:(lra) Hroom)
     as (alpha' & Ha' & Hstands). now apply (Hnone alpha').

@@ -96,19 +96,18 @@ Theorem heavier_is_thicker (mu : R) (m : mode) : 0 < mu ->
 Proof.
   intros Hmu N1 N2 (h0 & p0 & beta & sigma & Hstate & Hlimits) (h & p & Hall).
   assert (flag : 0 <= delta <= 1) by lra.
-  assert (Hh0 := thrust_positive delta alpha eta mu h0 p0 opening Hmu Hstate).
-  assert (Hh := thrust_positive delta' alpha eta mu h p opening Hmu Hall).
+  assert (Hh0 := thrust_positive Hstate opening Hmu).
+  assert (Hh := thrust_positive Hall opening Hmu).
   assert (Hgaps : forall x, 0 <= x <= alpha ->
             0 <= shoulder_gap delta' x eta h p /\ 0 <= haunch_gap delta' x eta h p).
-  { intros x Hx. destruct (margins_not_negative delta' alpha eta mu h p Hall x Hx) as (A & B & _). lra. }
-  assert (HL0 : forall x, 0 <= x <= alpha -> 0 <= haunch_gap delta x eta h0 p0)
-    by (intros x Hx; now destruct (margins_not_negative delta alpha eta mu h0 p0 Hstate x Hx) as (_ & H & _)).
+  { intros x Hx. destruct (margins_not_negative Hall x Hx) as (A & B & _). lra. }
+  assert (HL0 := haunch_not_negative Hstate).
   destruct (Hgaps alpha ltac:(lra)) as [HU _].
   destruct (Compare_dec.le_lt_dec 2 (rank m)) as [R2 | R2].
   - destruct (Compare_dec.le_lt_dec 5 (rank m)) as [R5 | R5]; [now destruct m; simpl in R5; try lia|].
-    destruct (slip_of_mode _ _ _ _ _ _ _ _ _ R2 Hlimits) as [Hs EI].
-    destruct (haunch_of_mode _ _ _ _ _ _ _ _ _ R2 R5 Hlimits) as (Hb & EL & EU).
-    destruct (slides_at_steepest_joint delta alpha eta mu h0 p0 flag opening thickness Hmu Hstate sigma Hs EI
+    destruct (slip_of_mode R2 Hlimits) as [Hs EI].
+    destruct (haunch_of_mode R2 R5 Hlimits) as (Hb & EL & EU).
+    destruct (slides_at_steepest_joint Hstate flag opening thickness Hmu sigma Hs EI
                 (or_introl EU)) as (H1 & _ & Habove & Emu).
     assert (Hb0 := beta_s_positive h0 ltac:(lra)).
     assert (Hmore : h0 <= h).
@@ -120,9 +119,8 @@ Proof.
     destruct Hlimits as (Hb & EC & EL & EU).
     assert (Hcos := haunch_below_right_angle beta h0 p0 Hb Hh0 HL0 EL).
     destruct (Hgaps 0 ltac:(lra)) as [HC _]. destruct (Hgaps beta ltac:(lra)) as [_ HL].
-    assert (HC' : 0 <= crown_gap eta h p).
-    { unfold shoulder_gap, normal_force in HC. rewrite cos_0, sin_0 in HC. unfold crown_gap. lra. }
-    assert (H := no_room_under_rotation beta h0 p0 h p Hb Hcos ltac:(lra) EC EL EU HC' HL). lra.
+    rewrite gap_at_crown in HC.
+    assert (H := no_room_under_rotation beta h0 p0 h p Hb Hcos ltac:(lra) EC EL EU HC HL). lra.
 Qed.
 
 (** So one that stands is thicker, unless the shoulder slides under a crown that turns. *)
@@ -156,11 +154,10 @@ Proof.
   destruct (Hgaps alpha ltac:(lra)) as [HU _]. destruct Hcase as [[Hh0 Hb] | [Eh Eb]].
   - assert (Hcos := haunch_below_right_angle beta h0 p0 Hb Hh0 HL0 EL).
     destruct (Hgaps 0 ltac:(lra)) as [HC _]. destruct (Hgaps beta ltac:(lra)) as [_ HL].
-    assert (HC' : 0 <= crown_gap eta h p).
-    { unfold shoulder_gap, normal_force in HC. rewrite cos_0, sin_0 in HC. unfold crown_gap. lra. }
-    assert (H := no_room_under_rotation beta h0 p0 h p Hb Hcos ltac:(lra) EC EL EU HC' HL). lra.
+    rewrite gap_at_crown in HC.
+    assert (H := no_room_under_rotation beta h0 p0 h p Hb Hcos ltac:(lra) EC EL EU HC HL). lra.
   - assert (Hh : 0 <= h).
-    { destruct (Hall 0 ltac:(lra)) as (HN & _). unfold normal_force in HN. rewrite cos_0, sin_0 in HN. lra. }
+    { destruct (Hall 0 ltac:(lra)) as (HN & _). rewrite normal_force_at_crown in HN. lra. }
     destruct (Hgaps 0 ltac:(lra)) as [_ HL]. subst h0 beta.
     assert (H := no_room_with_more_thrust 0 0 p0 h p ltac:(lra) ltac:(lra) EL EU HL). lra.
 Qed.
@@ -174,17 +171,17 @@ Theorem heavier_is_thinner_where_shoulders_slide (delta delta' alpha eta eta' mu
 Proof.
   intros Hd Hd' Ha He He' Hmu (h & p & beta & sigma & S & Hb & EC & EL & EO)
     (h' & p' & beta' & sigma' & S' & Hb' & EC' & EL' & EO').
-  assert (Hh := thrust_positive delta alpha eta mu h p Ha Hmu S).
-  assert (Hh' := thrust_positive delta' alpha eta' mu h' p' Ha Hmu S').
-  assert (HN := compressed delta alpha eta mu h p ltac:(lra) Ha He Hmu S).
-  assert (HN' := compressed delta' alpha eta' mu h' p' ltac:(lra) Ha He' Hmu S').
+  assert (Hh := thrust_positive S Ha Hmu).
+  assert (Hh' := thrust_positive S' Ha Hmu).
+  assert (HN := compressed S ltac:(lra) Ha He Hmu).
+  assert (HN' := compressed S' ltac:(lra) Ha He' Hmu).
   (* friction gives one thrust *)
   assert (E : h' = h).
   { destruct (slip_rows_are_scaled alpha mu h h' (HN alpha ltac:(lra))) as [_ Hout].
     assert (Hsame := Hout EO). rewrite EO', Rmult_0_r in Hsame.
     apply (Rmult_eq_reg_l alpha); lra. }
   subst h'. apply Rnot_le_lt. intros Hthick.
-  assert (HU := margins_not_negative delta alpha eta mu h p S).
+  assert (HU := margins_not_negative S).
   destruct (HU 0 ltac:(lra)) as (C & _). destruct (HU beta' ltac:(lra)) as (_ & L & _).
   assert (Hfac : fac delta eta < fac delta' eta').
   { unfold fac. assert (0 < (delta' - delta) * eta' ^ 2) by (apply Rmult_lt_0_compat; nra).

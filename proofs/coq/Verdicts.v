@@ -192,7 +192,7 @@ Proof.
   destruct (Hall 0 ltac:(lra)) as (_ & Hcrown & _).
   destruct (Hall alpha ltac:(lra)) as (_ & _ & Hshoulder).
   assert (Hp : 0 <= p).
-  { unfold normal_force in Hcrown. rewrite cos_0, sin_0 in Hcrown.
+  { rewrite normal_force_at_crown, cos_0 in Hcrown.
     assert (0 <= intrados eta * h) by (apply Rmult_le_pos; unfold intrados; lra). lra. }
   assert (Hnone := no_thickness_below_limit delta eta (share alpha h) Hd He Hless).
   assert (E : share alpha h * (1 - cos alpha) = normal_force alpha h) by (unfold share; field; lra).
@@ -213,7 +213,7 @@ Proof.
   assert (joint := beta_s_positive h0 Hh0).
   destruct (Hall (beta_s h0) ltac:(lra)) as [(HN & _) Hfriction].
   destruct (Hall 0 ltac:(lra)) as [(HN0 & _) _].
-  unfold normal_force in HN0. rewrite cos_0, sin_0 in HN0.
+  rewrite normal_force_at_crown in HN0.
   assert (h0 <= h) by (apply (thrust_at_least_h_is mu); try easy; lra).
   apply (wider_does_not_stand delta alpha0 alpha eta h0 h p); try easy; try lra.
   intros x Hx. now apply Hall.
@@ -227,6 +227,6 @@ Theorem too_wide_without_limit (delta alpha0 alpha : R) :
 Proof.
   intros Hd Ha0 Ha Hopen Hlimit eta h p He Hall.
   destruct (Hall 0 ltac:(lra)) as (HN0 & _).
-  unfold normal_force in HN0. rewrite cos_0, sin_0 in HN0.
+  rewrite normal_force_at_crown in HN0.
   now apply (wider_does_not_stand delta alpha0 alpha eta 0 h p); try lra.
 Qed.

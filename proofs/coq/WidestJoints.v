@@ -74,23 +74,22 @@ Theorem widest_joint_milankovitch : exists beta,
      radicand 1 (f_of other) (g_of other) (sin other) = 0 -> other = beta).
 Proof. widest_joint 1 1.11986423144375175967721163294824 1.11986423144375175967721163295024. Qed.
 
-(** They are the joints of the landmark. *)
+(** They are the joints of the landmark, by its printed hundredths. *)
+Ltac that_of_landmark one hundredths :=
+  intros here Hbeta Hzero; destruct one as [joint [_ [_ unique]]];
+  transitivity joint; [now apply unique | symmetry]; apply unique;
+  [ assert (near := right_there _ _ _ _ here (Plain BetaR) hundredths 2 eq_refl);
+    apply Rabs_le_between' in near; cbn in near; lra
+  | now destruct here as (_ & _ & _ & _ & _ & _ & (_ & zero) & _) ].
+
 Theorem joint_of_sb_heyman x beta : is_landmark LandmarkWidestJointHeyman.this WidestJoint Heyman x ->
   0.25 <= beta <= 2.4 -> radicand 0 (f_of beta) (g_of beta) (sin beta) = 0 -> beta = x BetaR.
 Proof.
-  intros here Hbeta Hzero. destruct widest_joint_heyman as [joint [_ [_ unique]]].
-  transitivity joint; [now apply unique | symmetry]. apply unique.
-  - assert (near : Rabs (x BetaR - 1.13) <= 5e-3) by (exact (right_there _ _ _ _ here (Plain BetaR) 113 2 eq_refl)).
-    apply Rabs_le_between' in near. lra.
-  - now destruct here as (_ & _ & _ & _ & _ & _ & (_ & zero) & _).
+  that_of_landmark widest_joint_heyman 113%Z.
 Qed.
 
 Theorem joint_of_sb_milankovitch x beta : is_landmark LandmarkWidestJointMilankovitch.this WidestJoint Milankovitch x ->
   0.25 <= beta <= 2.4 -> radicand 1 (f_of beta) (g_of beta) (sin beta) = 0 -> beta = x BetaR.
 Proof.
-  intros here Hbeta Hzero. destruct widest_joint_milankovitch as [joint [_ [_ unique]]].
-  transitivity joint; [now apply unique | symmetry]. apply unique.
-  - assert (near : Rabs (x BetaR - 1.12) <= 5e-3) by (exact (right_there _ _ _ _ here (Plain BetaR) 112 2 eq_refl)).
-    apply Rabs_le_between' in near. lra.
-  - now destruct here as (_ & _ & _ & _ & _ & _ & (_ & zero) & _).
+  that_of_landmark widest_joint_milankovitch 112%Z.
 Qed.

@@ -222,6 +222,8 @@ Proof.
   change (place given unknowns (fun i => x i + t * u i)) with (at_ t).
   induction f as [z | p q | m | m | m | m | f IH | f IHf g IHg | f IHf g IHg | f IHf g IHg];
     intros Hdefined; simpl slope.
+  8-10: assert (Hf : defined (at_ t) f) by (intros o Ho; apply Hdefined; simpl; apply in_or_app; tauto).
+  8-10: assert (Hg : defined (at_ t) g) by (intros o Ho; apply Hdefined; simpl; apply in_or_app; tauto).
   - apply (value_is _ 0); [exact (is_derive_const (IZR z) t) |].
     symmetry. apply sum_zero. intros k _. simpl. ring.
   - apply (value_is _ 0); [exact (is_derive_const (IZR p / IZR (Zpos q)) t) |].
@@ -241,19 +243,13 @@ Proof.
   - apply (value_is _ _ _ (is_derive_opp _ _ _ (IH Hdefined))). change (opp ?a) with (- a).
     rewrite <- (Rmult_1_l (Contraction.sum _ _)), Ropp_mult_distr_l, <- sum_mult.
     apply sum_eq. intros k _. rewrite meaning_opp. ring.
-  - assert (Hf : defined (at_ t) f) by (intros o Ho; apply Hdefined; simpl; apply in_or_app; tauto).
-    assert (Hg : defined (at_ t) g) by (intros o Ho; apply Hdefined; simpl; apply in_or_app; tauto).
-    apply (value_is _ _ _ (is_derive_plus _ _ _ _ _ (IHf Hf) (IHg Hg))).
+  - apply (value_is _ _ _ (is_derive_plus _ _ _ _ _ (IHf Hf) (IHg Hg))).
     change (plus ?a ?b) with (a + b). rewrite <- sum_plus. apply sum_eq. intros k _.
     rewrite meaning_add. ring.
-  - assert (Hf : defined (at_ t) f) by (intros o Ho; apply Hdefined; simpl; apply in_or_app; tauto).
-    assert (Hg : defined (at_ t) g) by (intros o Ho; apply Hdefined; simpl; apply in_or_app; tauto).
-    apply (value_is _ _ _ (is_derive_minus _ _ _ _ _ (IHf Hf) (IHg Hg))).
+  - apply (value_is _ _ _ (is_derive_minus _ _ _ _ _ (IHf Hf) (IHg Hg))).
     change (minus ?a ?b) with (a - b). rewrite <- sum_minus. apply sum_eq. intros k _.
     rewrite meaning_sub. ring.
-  - assert (Hf : defined (at_ t) f) by (intros o Ho; apply Hdefined; simpl; apply in_or_app; tauto).
-    assert (Hg : defined (at_ t) g) by (intros o Ho; apply Hdefined; simpl; apply in_or_app; tauto).
-    apply (value_is _ _ _ (is_derive_mult _ _ _ _ _ (IHf Hf) (IHg Hg) Rmult_comm)).
+  - apply (value_is _ _ _ (is_derive_mult _ _ _ _ _ (IHf Hf) (IHg Hg) Rmult_comm)).
     change (plus ?a ?b) with (a + b). change (mult ?a ?b) with (a * b).
     rewrite (Rmult_comm (Contraction.sum _ _)), <- !sum_mult, <- sum_plus. apply sum_eq. intros k _.
     rewrite meaning_add, !meaning_mul. unfold at_. ring.
