@@ -12,8 +12,7 @@ Open Scope R_scope.
 
 (** ** One value of [A] *)
 
-Theorem half_opening v lo hi :
-  0 < lo -> lo < hi -> hi < 2 * PI -> v < A lo -> A hi < v ->
+Theorem half_opening v lo hi : 0 < lo -> lo < hi -> hi < 2 * PI -> v < A lo -> A hi < v ->
   exists alpha, lo < alpha < hi /\ A alpha = v /\
     (forall other, 0 < other < 2 * PI -> A other = v -> other = alpha).
 Proof.
@@ -61,8 +60,8 @@ Lemma rotation_end_heyman alpha eta : 0 <= eta < 2 ->
   (0 = h_whole 0 alpha eta /\ 0 = end_of_rotation 0 eta <-> eta = 1 /\ A alpha = 2 / 3).
 Proof.
   intros He. pose proof (end_of_rotation_heyman eta ltac:(lra)) as thickness.
-  pose proof (overturning_from_whole_thrust 0 alpha eta) as opening.
-  pose proof A_l_heyman. pose proof (A_heyman_from_13 1). at_rotation_end 1.
+  pose proof (overturning_from_whole_thrust 0 alpha eta) as opening. pose proof A_l_heyman.
+  pose proof (A_heyman_from_13 1). at_rotation_end 1.
 Qed.
 
 Lemma rotation_end_milankovitch alpha eta : 0 <= eta < 2 ->
@@ -70,21 +69,20 @@ Lemma rotation_end_milankovitch alpha eta : 0 <= eta < 2 ->
    <-> eta = eta_l_milankovitch /\ A alpha = sqrt 3 - 1).
 Proof.
   intros He. pose proof (end_of_rotation_milankovitch eta ltac:(lra) ltac:(lra)) as thickness.
-  pose proof (overturning_from_whole_thrust 1 alpha eta) as opening.
-  pose proof A_l_milankovitch. pose proof (A_milankovitch_from_13 eta ltac:(lra)). at_rotation_end eta_l_milankovitch.
+  pose proof (overturning_from_whole_thrust 1 alpha eta) as opening. pose proof A_l_milankovitch.
+  pose proof (A_milankovitch_from_13 eta ltac:(lra)). at_rotation_end eta_l_milankovitch.
 Qed.
 
 Lemma overturning_end_heyman alpha : 0 = h_whole 0 alpha 2 <-> A alpha = 1 / 2.
 Proof.
-  pose proof (overturning_from_whole_thrust 0 alpha 2) as opening.
-  pose proof A_L_heyman. pose proof (A_heyman_from_13 2).
-  split; intros; [rewrite (proj1 opening) | symmetry; apply opening]; lra.
+  pose proof (overturning_from_whole_thrust 0 alpha 2) as opening. pose proof A_L_heyman.
+  pose proof (A_heyman_from_13 2). split; intros; [rewrite (proj1 opening) | symmetry; apply opening]; lra.
 Qed.
 
 Lemma overturning_end_milankovitch alpha : 0 = h_whole 1 alpha 2 <-> A alpha = 2 / 3.
 Proof.
-  pose proof (overturning_from_whole_thrust 1 alpha 2) as opening.
-  pose proof A_L_milankovitch. pose proof (A_milankovitch_from_13 2 ltac:(lra)).
+  pose proof (overturning_from_whole_thrust 1 alpha 2) as opening. pose proof A_L_milankovitch.
+  pose proof (A_milankovitch_from_13 2 ltac:(lra)).
   split; intros; [rewrite (proj1 opening) | symmetry; apply opening]; lra.
 Qed.
 

@@ -34,29 +34,23 @@ Proof. intros Hb. unfold cosine_defect. field. easy. Qed.
 (** Taylor's bounds. *)
 Lemma sine_defect_bounds (b : R) : 0 < b <= 1 -> - 1 / 6 <= sine_defect b <= - 1 / 6 + b ^ 2 / 120.
 Proof.
-  intros Hb. assert (HPI := PI2_3_2).
-  destruct (sin_bound b 0) as [Hlow Hup]; [lra | lra |].
-  unfold sin_approx, sin_term in Hlow, Hup. simpl in Hlow, Hup.
-  assert (Hb3 : 0 < b ^ 3) by (apply pow_lt; lra).
+  intros Hb. assert (HPI := PI2_3_2). destruct (sin_bound b 0) as [Hlow Hup]; [lra | lra |].
+  unfold sin_approx, sin_term in Hlow, Hup. simpl in Hlow, Hup. assert (Hb3 : 0 < b ^ 3) by (apply pow_lt; lra).
   assert (E : sine_defect b * b ^ 3 = sin b - b) by (unfold sine_defect; field; lra).
   split; apply (Rmult_le_reg_r (b ^ 3)); try easy; rewrite E; field_simplify; lra.
 Qed.
 
-Lemma cosine_defect_bounds (b : R) : 0 < b <= 1 ->
-  - 1 / 2 <= cosine_defect b <= - 1 / 2 + b ^ 2 / 24.
+Lemma cosine_defect_bounds (b : R) : 0 < b <= 1 -> - 1 / 2 <= cosine_defect b <= - 1 / 2 + b ^ 2 / 24.
 Proof.
-  intros Hb. assert (HPI := PI2_3_2).
-  destruct (cos_bound b 0) as [Hlow Hup]; [lra | lra |].
-  unfold cos_approx, cos_term in Hlow, Hup. simpl in Hlow, Hup.
-  assert (Hb2 : 0 < b ^ 2) by (apply pow_lt; lra).
+  intros Hb. assert (HPI := PI2_3_2). destruct (cos_bound b 0) as [Hlow Hup]; [lra | lra |].
+  unfold cos_approx, cos_term in Hlow, Hup. simpl in Hlow, Hup. assert (Hb2 : 0 < b ^ 2) by (apply pow_lt; lra).
   assert (E : cosine_defect b * b ^ 2 = cos b - 1) by (unfold cosine_defect; field; lra).
   split; apply (Rmult_le_reg_r (b ^ 2)); try easy; rewrite E; field_simplify; lra.
 Qed.
 
 (** ** The cubic (7) near the crown *)
 
-Lemma l_is_root (delta l : R) : l < 2 -> end_of_rotation delta l = 0 ->
-  delta * l ^ 2 + 12 * l - 12 = 0.
+Lemma l_is_root (delta l : R) : l < 2 -> end_of_rotation delta l = 0 -> delta * l ^ 2 + 12 * l - 12 = 0.
 Proof.
   intros Hl H.
   assert (E : end_of_rotation delta l * (6 * (2 - l)) = 12 - 12 * l - delta * l ^ 2)
@@ -75,13 +69,11 @@ Lemma cubic_near_crown (delta l b x : R) : b <> 0 -> delta * l ^ 2 + 12 * l - 12
   = b * (x * (delta * (x + l) + 12) * (x - l) + b ^ 2 * second_order delta b x).
 Proof.
   intros Hb Hroot. unfold pol_eta, f_of, g_of, second_order. cbv zeta.
-  rewrite (sine_by_defect b), (cosine_by_defect b) by exact Hb.
-  set (s := sine_defect b). set (c := cosine_defect b). clearbody s c.
-  transitivity
-    (b * (x * (delta * (x + l) + 12) * (x - l)
-          + b ^ 2 * (delta * s * x ^ 3 + 6 * (s + c) * x ^ 2 - 12 * c * x
-                     + b ^ 2 * s * c * (3 * x ^ 2 - 12 * x + 12))
-          + x * (delta * l ^ 2 + 12 * l - 12))); [ring | rewrite Hroot; ring].
+  rewrite (sine_by_defect b), (cosine_by_defect b) by exact Hb. set (s := sine_defect b). set (c := cosine_defect b).
+  clearbody s c.
+  transitivity (b * (x * (delta * (x + l) + 12) * (x - l) + b ^ 2 *
+    (delta * s * x ^ 3 + 6 * (s + c) * x ^ 2 - 12 * c * x + b ^ 2 * s * c * (3 * x ^ 2 - 12 * x + 12)) + x *
+    (delta * l ^ 2 + 12 * l - 12))); [ring | rewrite Hroot; ring].
 Qed.
 
 (** ** Limits *)
@@ -113,18 +105,16 @@ Hypothesis b_to_crown : is_lim_seq b 0.
 
 Lemma b_eventually_small : eventually (fun n => 0 < b n <= 1).
 Proof.
-  apply is_lim_seq_spec in b_to_crown. destruct (b_to_crown (mkposreal 1 Rlt_0_1)) as [N HN].
-  exists N. intros n Hn. specialize (HN n Hn). simpl in HN. apply Rabs_def2 in HN.
-  specialize (b_positive n). lra.
+  apply is_lim_seq_spec in b_to_crown. destruct (b_to_crown (mkposreal 1 Rlt_0_1)) as [N HN]. exists N. intros n Hn.
+  specialize (HN n Hn). simpl in HN. apply Rabs_def2 in HN. specialize (b_positive n). lra.
 Qed.
 
-Lemma squeezed (x : R -> R) (l k : R) :
-  (forall t, 0 < t <= 1 -> l <= x t <= l + t ^ 2 / k) -> k <> 0 ->
+Lemma squeezed (x : R -> R) (l k : R) : (forall t, 0 < t <= 1 -> l <= x t <= l + t ^ 2 / k) -> k <> 0 ->
   is_lim_seq (fun n => x (b n)) l.
 Proof.
   intros Hx Hk. apply (is_lim_seq_le_le_loc (fun _ => l) _ (fun n => l + b n * b n / k)).
-  - destruct b_eventually_small as [N HN]. exists N. intros n Hn.
-    replace (b n * b n) with (b n ^ 2) by ring. now apply Hx, HN.
+  - destruct b_eventually_small as [N HN]. exists N. intros n Hn. replace (b n * b n) with (b n ^ 2) by ring.
+    now apply Hx, HN.
   - apply is_lim_seq_const.
   - limits. field. easy.
 Qed.
@@ -158,12 +148,10 @@ Lemma thickness_to_second_order (n : nat) :
        + b n * b n * s * c * (3 * eta n * eta n - 12 * eta n + 12))
     / (eta n * (delta * (eta n + l) + 12)).
 Proof.
-  intros s c. specialize (b_positive n). specialize (haunch_in_arch n).
-  specialize (thickness_in_arch n). destruct (states n) as [H25 _].
-  apply cubic_in_thickness_in_the_arch in H25; [|lra|lra].
-  rewrite (cubic_near_crown delta l) in H25; [|lra | apply l_is_root; lra].
-  unfold second_order in H25. cbv zeta in H25. fold s c in H25. clearbody s c.
-  set (x := eta n) in *. set (t := b n) in *.
+  intros s c. specialize (b_positive n). specialize (haunch_in_arch n). specialize (thickness_in_arch n).
+  destruct (states n) as [H25 _]. apply cubic_in_thickness_in_the_arch in H25; [|lra|lra].
+  rewrite (cubic_near_crown delta l) in H25; [|lra | apply l_is_root; lra]. unfold second_order in H25.
+  cbv zeta in H25. fold s c in H25. clearbody s c. set (x := eta n) in *. set (t := b n) in *.
   assert (HD : delta * (x + l) + 12 <> 0).
   { assert (0 <= delta * (x + l)) by (apply Rmult_le_pos; lra). lra. }
   apply Rmult_integral in H25. destruct H25 as [H25 | H25]; [lra|].
@@ -176,11 +164,9 @@ Qed.
 
 Lemma eta_rate_limit : is_lim_seq (fun n => (eta n - l) / (b n * b n)) eta_rate.
 Proof.
-  assert (Hs := sine_defect_limit). assert (Hc := cosine_defect_limit).
-  assert (HD : 0 < 2 * delta * l + 12).
+  assert (Hs := sine_defect_limit). assert (Hc := cosine_defect_limit). assert (HD : 0 < 2 * delta * l + 12).
   { assert (0 <= delta * l) by (apply Rmult_le_pos; lra). lra. }
-  eapply is_lim_seq_ext; [intros n; symmetry; apply thickness_to_second_order|].
-  unfold eta_rate. limits.
+  eapply is_lim_seq_ext; [intros n; symmetry; apply thickness_to_second_order|]. unfold eta_rate. limits.
   - apply Rmult_integral_contrapositive_currified; lra.
   - field. lra.
 Qed.
@@ -193,30 +179,24 @@ Lemma opening_to_second_order (n : nat) :
   = (c - s + b n * b n * s * c) / (1 + b n * b n * s) * ((2 - eta n) / (2 + eta n))
     - 8 * ((eta n - l) / (b n * b n)) / ((2 + eta n) * (2 + l)).
 Proof.
-  intros s c Hsinc. specialize (b_positive n). specialize (haunch_in_arch n).
-  specialize (thickness_in_arch n). destruct (states n) as [H25 H24].
-  assert (HS : sin (b n) <> 0) by (apply Rgt_not_eq, sin_gt_0; lra).
+  intros s c Hsinc. specialize (b_positive n). specialize (haunch_in_arch n). specialize (thickness_in_arch n).
+  destruct (states n) as [H25 H24]. assert (HS : sin (b n) <> 0) by (apply Rgt_not_eq, sin_gt_0; lra).
   assert (HA : A (alpha n) * sin (b n) * (2 + eta n) = g_of (b n) * (2 - eta n)).
   { apply (shoulder_relation delta _ _ _ (h_lower delta (b n) (eta n))); try easy; try lra.
     apply Rgt_not_eq, lever_of_lower_thrust_positive; lra. }
-  unfold g_of in HA.
-  rewrite (sine_by_defect (b n)), (cosine_by_defect (b n)) in HA by lra. fold s c in HA.
+  unfold g_of in HA. rewrite (sine_by_defect (b n)), (cosine_by_defect (b n)) in HA by lra. fold s c in HA.
   assert (EA : A (alpha n) = (b n + b n * (1 + b n ^ 2 * s) * (1 + b n ^ 2 * c)) * (2 - eta n)
                              / (b n * (1 + b n ^ 2 * s) * (2 + eta n))).
-  { apply equals_quotient; [|lra].
-    replace (1 + b n ^ 2 * s) with (1 + b n * b n * s) by ring. nonzero. }
+  { apply equals_quotient; [|lra]. replace (1 + b n ^ 2 * s) with (1 + b n * b n * s) by ring. nonzero. }
   rewrite EA. clearbody s c. field. repeat split; lra.
 Qed.
 
-Lemma A_rate_limit :
-  is_lim_seq (fun n => (A (alpha n) - 2 * ((2 - l) / (2 + l))) / (b n * b n)) A_rate.
+Lemma A_rate_limit : is_lim_seq (fun n => (A (alpha n) - 2 * ((2 - l) / (2 + l))) / (b n * b n)) A_rate.
 Proof.
-  assert (Hs := sine_defect_limit). assert (Hc := cosine_defect_limit).
-  assert (Hrate := eta_rate_limit).
+  assert (Hs := sine_defect_limit). assert (Hc := cosine_defect_limit). assert (Hrate := eta_rate_limit).
   eapply is_lim_seq_ext_loc.
-  - destruct b_eventually_small as [N HN]. exists N. intros n Hn. symmetry.
-    apply opening_to_second_order. specialize (HN n Hn).
-    assert (Hbounds := sine_defect_bounds (b n) HN). nra.
+  - destruct b_eventually_small as [N HN]. exists N. intros n Hn. symmetry. apply opening_to_second_order.
+    specialize (HN n Hn). assert (Hbounds := sine_defect_bounds (b n) HN). nra.
   - unfold A_rate. limits.
     + lra.
     + lra.
@@ -226,8 +206,7 @@ Qed.
 
 Lemma quotient_of_rates (x y t : R) : t <> 0 -> (x / t) / (y / t) = x / y.
 Proof.
-  intros Ht. destruct (Req_dec y 0) as [-> | Hy]; [|field; auto].
-  unfold Rdiv. rewrite Rmult_0_l, Rinv_0. ring.
+  intros Ht. destruct (Req_dec y 0) as [-> | Hy]; [|field; auto]. unfold Rdiv. rewrite Rmult_0_l, Rinv_0. ring.
 Qed.
 
 (** The slope of the secants. *)
@@ -246,54 +225,43 @@ End Near_the_crown.
 (** ** The common slopes *)
 
 (** Heyman: [- 9/2], the slope of (14) ([slope_at_l_heyman]). *)
-Theorem rotation_joins_overturning_heyman (alpha b eta : nat -> R) :
-  (forall n, 0 < b n < PI) -> (forall n, 0 < eta n < 2) ->
-  (forall n, rotational_state 0 (alpha n) (b n) (eta n)) ->
-  is_lim_seq b 0 -> is_lim_seq eta 1 ->
+Theorem rotation_joins_overturning_heyman (alpha b eta : nat -> R) : (forall n, 0 < b n < PI) ->
+  (forall n, 0 < eta n < 2) -> (forall n, rotational_state 0 (alpha n) (b n) (eta n)) -> is_lim_seq b 0 ->
+  is_lim_seq eta 1 ->
   is_lim_seq (fun n => (eta n - 1) / (A (alpha n) - 2 / 3)) (- 9 / 2) /\
   is_derive eta_heyman (2 / 3) (- 9 / 2).
 Proof.
   intros Hb He Hstates Hb0 He1. split; [|exact slope_at_l_heyman].
   assert (Hl : end_of_rotation 0 1 = 0) by (apply end_of_rotation_heyman; lra).
-  eapply limit_is; [eapply is_lim_seq_ext;
-    [|apply (secant_slopes_of_rotation b ltac:(apply Hb) Hb0 0 1 alpha eta
-               ltac:(apply Hb) He Hstates ltac:(lra) ltac:(lra) Hl He1)]|].
+  eapply limit_is; [eapply is_lim_seq_ext; [|apply (secant_slopes_of_rotation b ltac:(apply Hb) Hb0 0 1 alpha eta
+    ltac:(apply Hb) He Hstates ltac:(lra) ltac:(lra) Hl He1)]|].
   - intros n. cbv beta. do 2 f_equal. lra.
   - replace (_ - _) with (1 / 27) by field. lra.
   - field.
 Qed.
 
 (** Milankovitch: [- 4 sqrt 3], the slope of (15) ([slope_at_l_milankovitch]). *)
-Theorem rotation_joins_overturning_milankovitch (alpha b eta : nat -> R) :
-  (forall n, 0 < b n < PI) -> (forall n, 0 < eta n < 2) ->
-  (forall n, rotational_state 1 (alpha n) (b n) (eta n)) ->
-  is_lim_seq b 0 -> is_lim_seq eta eta_l_milankovitch ->
+Theorem rotation_joins_overturning_milankovitch (alpha b eta : nat -> R) : (forall n, 0 < b n < PI) ->
+  (forall n, 0 < eta n < 2) -> (forall n, rotational_state 1 (alpha n) (b n) (eta n)) -> is_lim_seq b 0 ->
+  is_lim_seq eta eta_l_milankovitch ->
   is_lim_seq (fun n => (eta n - eta_l_milankovitch) / (A (alpha n) - (sqrt 3 - 1)))
     (- 4 * sqrt 3) /\
   is_derive eta_milankovitch (sqrt 3 - 1) (- 4 * sqrt 3).
 Proof.
-  intros Hb He Hstates Hb0 Hel. split; [|exact slope_at_l_milankovitch].
-  assert (Hin := eta_l_in_the_arch).
+  intros Hb He Hstates Hb0 Hel. split; [|exact slope_at_l_milankovitch]. assert (Hin := eta_l_in_the_arch).
   assert (H3 := sqrt_3_square). assert (Hbounds := sqrt_3_bounds).
-  assert (Hl : end_of_rotation 1 eta_l_milankovitch = 0)
-    by (apply end_of_rotation_milankovitch; lra).
-  set (l := eta_l_milankovitch) in *.
-  assert (Hratio : (2 - l) / (2 + l) = (sqrt 3 - 1) / 2).
-  { apply (Rmult_eq_reg_r (2 * (2 + l))); [|lra].
-    transitivity (2 * (2 - l)); [field; lra|].
-    transitivity ((sqrt 3 - 1) * (2 + l)); [|field; lra].
-    unfold l, eta_l_milankovitch. nra. }
+  assert (Hl : end_of_rotation 1 eta_l_milankovitch = 0) by (apply end_of_rotation_milankovitch; lra).
+  set (l := eta_l_milankovitch) in *. assert (Hratio : (2 - l) / (2 + l) = (sqrt 3 - 1) / 2).
+  { apply (Rmult_eq_reg_r (2 * (2 + l))); [|lra]. transitivity (2 * (2 - l)); [field; lra|].
+    transitivity ((sqrt 3 - 1) * (2 + l)); [|field; lra]. unfold l, eta_l_milankovitch. nra. }
   assert (Heta_rate : (1 * l ^ 2 / 6 + 4 * l - 6) / (2 * 1 * l + 12) = 1 - 2 * sqrt 3 / 3).
   { apply quotient_equals; [lra|]. unfold l, eta_l_milankovitch. nra. }
-  assert (HA_rate : - (1 / 3) * ((2 - l) / (2 + l))
-                    - 8 * ((1 * l ^ 2 / 6 + 4 * l - 6) / (2 * 1 * l + 12)) / (2 + l) ^ 2
-                    = 1 / 6 - sqrt 3 / 12).
-  { rewrite Hratio, Heta_rate.
-    replace ((2 + l) ^ 2) with (64 - 32 * sqrt 3) by (unfold l, eta_l_milankovitch; nra).
+  assert (HA_rate : - (1 / 3) * ((2 - l) / (2 + l)) - 8 * ((1 * l ^ 2 / 6 + 4 * l - 6) / (2 * 1 * l + 12)) / (2 + l) ^
+    2 = 1 / 6 - sqrt 3 / 12).
+  { rewrite Hratio, Heta_rate. replace ((2 + l) ^ 2) with (64 - 32 * sqrt 3) by (unfold l, eta_l_milankovitch; nra).
     apply (Rmult_eq_reg_r (64 - 32 * sqrt 3)); [|lra]. field_simplify; [|lra]. nra. }
-  eapply limit_is; [eapply is_lim_seq_ext;
-    [|apply (secant_slopes_of_rotation b ltac:(apply Hb) Hb0 1 l alpha eta
-               ltac:(apply Hb) He Hstates ltac:(lra) ltac:(lra) Hl Hel)]|].
+  eapply limit_is; [eapply is_lim_seq_ext; [|apply (secant_slopes_of_rotation b ltac:(apply Hb) Hb0 1 l alpha eta
+    ltac:(apply Hb) He Hstates ltac:(lra) ltac:(lra) Hl Hel)]|].
   - intros n. cbv beta. rewrite Hratio. do 2 f_equal. lra.
   - rewrite HA_rate. lra.
   - rewrite HA_rate, Heta_rate. apply quotient_equals; [lra | nra].
