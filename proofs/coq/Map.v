@@ -227,6 +227,18 @@ Proof.
   destruct m, m'; simpl in H1, H2; try lia; easy.
 Qed.
 
+(** [[s,r,r]] is where the shoulder asks for more friction than an inner joint along rotation. *)
+Theorem sliding_shoulder_before_T (delta alpha eta mu : R) :
+  0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta <= 2 -> 0 < mu -> mode_moves delta alpha eta mu SRR ->
+  exists alpha0 beta, alpha <= alpha0 < PI /\ rotational_state delta alpha0 beta eta /\
+    mu_is (h_lower delta beta eta) <= mu <= mu_ss alpha0 (h_lower delta beta eta).
+Proof.
+  intros Hd Ha He Hmu (h & p & beta & sigma & Hstate & Hb & EC & EL & EO).
+  destruct (rotational_state_of_crown Hstate Hd Ha He Hmu beta Hb EC EL)
+    as (alpha0 & Ha0 & Hrotation & Eh & _ & _ & Hmore).
+  exists alpha0, beta. rewrite <- Eh. auto.
+Qed.
+
 (** ** Rows *)
 
 Definition rank_of_row (m : mode) : nat :=

@@ -5,7 +5,6 @@
     crown's extrados, [l] to that at the intrados of [beta], [v] to that at the shoulder's extrados,
     [s] to the joint [sigma] that slides inwards and [t] to the shoulder that slides outwards.
 
-    - [limits_of_a_state]: few joints can be at their limits;
     - [four_supports]: a mechanism is a sum of four, each with one rate inside and one at the
       shoulder;
     - [slip_rows_are_scaled], [work_is_the_same]: friction is not associated, and yet the margins
@@ -358,42 +357,6 @@ Proof.
     replace (alpha * (cos y / sin y) * sin y) with (alpha * cos y) in Hless by (field; lra). lra.
 Qed.
 
-(** So few joints can be at their limits: the extrados and the outward slip at the ends only, the
-    intrados at one joint, the inward slip at [beta_s]. *)
-Theorem limits_of_a_state (delta alpha eta mu h p : R) : 0 < alpha < PI -> 0 < eta < 2 -> 0 <= mu -> 0 < h ->
-  (forall x, 0 <= x <= alpha -> joint_stands delta x eta h p /\ friction_holds x mu h) ->
-  (forall x, 0 < x < alpha -> 0 < shoulder_gap delta x eta h p /\ 0 < outward_gap x mu h) /\
-  (forall x y, 0 <= x -> x < y <= alpha ->
-     haunch_gap delta x eta h p = 0 -> haunch_gap delta y eta h p <> 0) /\
-  (h < 1 -> 0 < normal_force alpha h -> beta_s h <= alpha ->
-     forall x, 0 <= x <= alpha -> inward_gap x mu h = 0 -> x = beta_s h).
-Proof.
-  intros Ha He Hmu Hh Hall. destruct (Hall alpha ltac:(lra)) as [(_ & _ & Hshoulder) Hfa].
-  destruct (Hall 0 ltac:(lra)) as [(_ & _ & Hcrown) _]. rewrite normal_force_at_crown, cos_0 in Hcrown.
-  unfold friction_holds in Hfa. apply Rabs_le_between in Hfa. split; [|split].
-  - intros x Hx. split.
-    + apply (extrados_clear_within delta x alpha); unfold crown_gap, shoulder_gap; lra.
-    + apply (no_outward_limit_within x alpha); try lra. unfold outward_gap. lra.
-  - intros x y Hx Hy HLx HLy. set (z := (x + y) / 2). destruct (Hall z ltac:(unfold z; lra)) as [(_ & Hz & _) _].
-    assert (H := margin_between (intrados eta) (fac delta eta) h x z y
-                   ltac:(unfold intrados; lra) Hx ltac:(unfold z; lra) ltac:(lra)).
-    assert (Hleast : p + fac delta eta <= Rmin (margin (intrados eta) (fac delta eta) h x)
-      (margin (intrados eta) (fac delta eta) h y)) by (apply Rmin_glb; unfold haunch_gap, margin in *; lra).
-    unfold margin in *. lra.
-  - intros Hh1 HN Hs x Hx HI. destruct (Req_dec x (beta_s h)) as [E | Hne]; [easy|]. exfalso.
-    assert (Hsteep := steepest_joint h alpha x ltac:(lra) ltac:(lra) HN Hs Hx Hne).
-    assert (HNx : 0 < normal_force x h) by (apply (normal_force_positive alpha); lra).
-    assert (Hb := beta_s_positive h ltac:(lra)).
-    assert (HNs : 0 < normal_force (beta_s h) h) by (apply (normal_force_positive alpha); lra).
-    destruct (Hall (beta_s h) ltac:(lra)) as [_ Hfs]. unfold friction_holds in Hfs. apply Rabs_le_between in Hfs.
-    assert (Hx_is : steepness x h = mu).
-    { unfold steepness. unfold inward_gap in HI. apply (Rmult_eq_reg_r (normal_force x h)); [|lra].
-      field_simplify; lra. }
-    assert (Hs_is : steepness (beta_s h) h * normal_force (beta_s h) h = shear_force (beta_s h) h)
-      by (unfold steepness; field; lra).
-    rewrite Hx_is in Hsteep. apply (Rmult_lt_compat_r (normal_force (beta_s h) h)) in Hsteep; lra.
-Qed.
-
 Theorem no_motion_below_the_widest (delta alpha alpha' beta sigma eta mu h p u l v s t : R) : 0 <= delta <= 1 ->
   0 <= beta <= alpha -> 0 < alpha < alpha' -> alpha' < PI -> 0 < sigma <= alpha -> 0 <= mu -> 0 < eta <= 2 ->
   0 < normal_force sigma h -> 0 < normal_force alpha h -> arch_stands delta alpha' eta mu ->
@@ -437,6 +400,33 @@ Proof.
   assert (0 <= s * sin sigma) by (apply Rmult_le_pos; lra).
   assert (Eu : u = 0) by (apply (factor_zero u (extrados eta - intrados eta * cos beta)); lra).
   assert (Es : s = 0) by (apply (factor_zero s (sin sigma)); lra). repeat split; lra.
+Qed.
+
+(** ** The shoulder's hinge and rotation
+
+    So where an inner joint slides and the shoulder turns, the thrust and the thickness are at least
+    those of pure rotation: such modes begin at [T]. *)
+Theorem shoulder_hinge_keeps_rotation (delta alpha beta eta0 eta h p : R) : 0 <= delta <= 1 -> 0 < beta < alpha ->
+  alpha < PI -> 0 < eta0 < 2 -> 0 < eta <= 2 -> rotational_state delta alpha beta eta0 ->
+  (forall x, 0 <= x <= alpha -> joint_stands delta x eta h p) -> shoulder_gap delta alpha eta h p = 0 ->
+  eta0 <= eta /\ h_lower delta beta eta0 <= h.
+Proof.
+  intros Hd Hb Ha He0 He Hstate Hall HU. assert (Hthick : eta0 <= eta).
+  { apply (rotational_thickness_is_least delta alpha beta eta0 Hd Hb Ha He0 Hstate eta He). now exists h, p. }
+  split; [easy|]. destruct (Hall 0 ltac:(lra)) as (_ & _ & Hcrown). destruct Hstate as [_ H24].
+  rewrite normal_force_at_crown, cos_0 in Hcrown. assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
+  set (h0 := h_lower delta beta eta0) in *. apply whole_thrust_cleared in H24; [|lra|lra].
+  assert (Hfalls : 0 <= (eta - eta0) * (1 - delta / 12 * (2 * eta + 2 * eta0 + eta * eta0))).
+  { apply Rmult_le_pos; [lra|].
+    assert (delta * (2 * eta + 2 * eta0 + eta * eta0) <= 1 * 12) by (apply Rmult_le_compat; nra). lra. }
+  assert (Hcut : (2 + eta) * fac delta eta0 - (2 + eta0) * fac delta eta
+    = (eta - eta0) * (1 - delta / 12 * (2 * eta + 2 * eta0 + eta * eta0))) by (unfold fac; field).
+  unfold shoulder_gap, normal_force, extrados in *.
+  assert (Hmore : fac delta eta * (1 - cos alpha) * (2 + eta0)
+                  <= fac delta eta0 * (1 - cos alpha) * (2 + eta)) by nra.
+  apply Rnot_lt_le. intros Hless.
+  assert (Hpos : 0 < (2 + eta) * (2 + eta0) * ((h0 - h) * (1 - cos alpha))) by (repeat apply Rmult_lt_0_compat; lra).
+  nra.
 Qed.
 
 (** ** Symmetric states are enough *)

@@ -241,6 +241,24 @@ Qed.
 Lemma extrados_free_at_inward_shoulder : shoulder_gap delta alpha eta h p = 0 -> inward_gap alpha mu h <> 0.
 Proof. intros EU EI. destruct (slides_at_steepest_joint alpha) as (_ & Es & Habove & _); try lra; tauto || easy. Qed.
 
+(** So few joints are at their limits. *)
+Theorem limits_of_a_state (x y : R) : 0 <= x <= alpha -> 0 <= y <= alpha ->
+  (shoulder_gap delta x eta h p = 0 -> x = 0 \/ x = alpha) /\
+  (haunch_gap delta x eta h p = 0 -> haunch_gap delta y eta h p = 0 -> x = y) /\
+  (inward_gap x mu h = 0 -> inward_gap y mu h = 0 -> x = y) /\ (outward_gap x mu h = 0 -> x = alpha) /\
+  (inward_gap x mu h = 0 -> shoulder_gap delta alpha eta h p = 0 \/ outward_gap alpha mu h = 0 -> 0 < x < alpha).
+Proof.
+  intros Hx Hy. split; [|split; [|split; [|split]]].
+  - now apply (extrados_reached state).
+  - now apply (intrados_reached_once state).
+  - now apply (inward_limit_reached_once state).
+  - now apply (outward_limit_reached state).
+  - intros EI Hlimit. destruct (Req_dec x 0) as [-> | Hne].
+    + unfold inward_gap, shear_force in EI. rewrite normal_force_at_crown, sin_0 in EI.
+      assert (0 < mu * h) by (now apply Rmult_lt_0_compat). lra.
+    + destruct (slides_at_steepest_joint x ltac:(lra) EI Hlimit) as (_ & E & Habove & _). lra.
+Qed.
+
 (** and what slides inside and at the shoulder is the purely sliding state of the half-angle. *)
 Theorem sliding_is_pure (sigma : R) : 0 < sigma <= alpha -> inward_gap sigma mu h = 0 -> outward_gap alpha mu h = 0 ->
   h < 1 /\ sigma = beta_s h /\ mu = mu_is h /\ mu = mu_ss alpha h.
