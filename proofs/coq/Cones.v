@@ -294,3 +294,15 @@ Proof.
   repeat split; try easy. intros x Hx. rewrite <- E. now apply value_of_constant.
 Qed.
 
+(** Not both. *)
+Theorem no_strict_point_with_multipliers (forms : list (list R)) (k x : list R) (c : R) :
+  length k = length forms -> (forall a, In a k -> 0 <= a) -> 0 < sum k -> c <= 0 ->
+  weighted k forms x = c -> ~ (forall f, In f forms -> 0 < value f x).
+Proof.
+  intros Hk Hnotneg Hpos Hc E Hall. enough (0 <= weighted k forms x /\ (0 < sum k -> 0 < weighted k forms x)) by lra.
+  clear E Hc Hpos. revert forms Hk Hall. induction k as [|a k IH]; intros [|f forms] Hk Hall; try easy; simpl; [lra|].
+  destruct (IH (fun b Hb => Hnotneg b (or_intror Hb)) forms (eq_add_S _ _ Hk) (fun g Hg => Hall g (or_intror Hg))).
+  assert (Hf := Hall f (or_introl eq_refl)). destruct (Hnotneg a (or_introl eq_refl)) as [Ha | <-].
+  - assert (0 < a * value f x) by now apply Rmult_lt_0_compat. lra.
+  - rewrite Rmult_0_l, !Rplus_0_l. easy.
+Qed.

@@ -225,6 +225,47 @@ Theorem printed_cubic_problem_in_the_arch (alpha beta eta h : R) : 0 < beta < PI
   pol_h_printed (f_of beta) (g_of beta) (sin beta) h = 0.
 Proof. rewrite <- pol_A_is_printed, <- pol_eta_is_printed, <- pol_h_is_printed. apply cubic_problem_in_the_arch. Qed.
 
+(** The converses, if delta_M is not 0: a root of the cubic in [A] or in [h] is that of a state, whose thickness the
+    two relations give; for delta_M = 0 the roots that Heyman's quadratics leave out are the exceptions. *)
+Theorem state_of_opening_root (delta alpha beta : R) : delta <> 0 -> sin beta <> 0 -> g_of beta <> 0 ->
+  pol_A delta (f_of beta) (g_of beta) (sin beta) (A alpha) = 0 ->
+  let eta := 2 * (g_of beta - A alpha * sin beta) / (g_of beta + A alpha * sin beta) in
+  2 - eta <> 0 -> 2 + eta - (2 - eta) * cos beta <> 0 ->
+  h_lower delta beta eta = h_tangency delta beta eta /\ h_lower delta beta eta = h_whole delta alpha eta.
+Proof.
+  intros Hd HS Hg HA eta Hi HD. assert (Hsum : g_of beta + A alpha * sin beta <> 0).
+  { intros H. assert (E : A alpha = - g_of beta / sin beta) by (apply equals_quotient; lra). rewrite E in HA.
+    assert (E0 : 4 * delta * g_of beta ^ 3 = 0) by (rewrite <- HA; unfold pol_A; field; easy).
+    contradict E0. nonzero. }
+  assert (Hx : 2 + eta = 4 * g_of beta / (g_of beta + A alpha * sin beta)) by (unfold eta; field; easy).
+  assert (He : 2 + eta <> 0) by (rewrite Hx; nonzero).
+  assert (HM : A alpha * sin beta * (2 + eta) = g_of beta * (2 - eta)) by (unfold eta; field; easy).
+  assert (E := pol_A_of_thickness delta (f_of beta) _ _ _ _ HM). rewrite HA, Rmult_0_r in E. symmetry in E.
+  apply Rmult_integral in E. destruct E as [E | E]; [contradict E; nonzero|].
+  apply (cubic_in_thickness_from_2_5 delta beta eta HS Hi HD) in E. split; [easy|].
+  now apply (shoulder_relation delta alpha beta eta (h_lower delta beta eta) HS Hi He HD).
+Qed.
+
+Theorem state_of_thrust_root (delta beta h : R) : delta <> 0 -> sin beta <> 0 -> g_of beta - f_of beta <> 0 ->
+  pol_h delta (f_of beta) (g_of beta) (sin beta) h = 0 ->
+  let eta := 2 * (g_of beta - f_of beta) / (2 * sin beta * h + (g_of beta - f_of beta)) in
+  2 - eta <> 0 -> 2 + eta - (2 - eta) * cos beta <> 0 -> h = h_lower delta beta eta /\ h = h_tangency delta beta eta.
+Proof.
+  intros Hd HS Hk Hh eta Hi HD. assert (Hsum : 2 * sin beta * h + (g_of beta - f_of beta) <> 0).
+  { intros H. assert (E : h = - (g_of beta - f_of beta) / (2 * sin beta)) by (apply equals_quotient; lra).
+    rewrite E in Hh. assert (E0 : delta / 2 * (g_of beta - f_of beta) ^ 2 = 0)
+      by (rewrite <- Hh; unfold pol_h; field; easy).
+    contradict E0. nonzero. }
+  assert (He : eta <> 0) by (unfold eta; nonzero).
+  assert (HM : 2 * eta * sin beta * h = (g_of beta - f_of beta) * (2 - eta)) by (unfold eta; field; easy).
+  assert (E := pol_h_of_thickness delta _ _ _ _ _ HM). rewrite Hh, Rmult_0_r in E. symmetry in E.
+  apply Rmult_integral in E. destruct E as [E | E]; [contradict E; nonzero|].
+  apply (cubic_in_thickness_from_2_5 delta beta eta HS Hi HD) in E.
+  assert (H5 := proj1 (haunch_relation delta beta eta (h_tangency delta beta eta) HS Hi HD eq_refl)).
+  enough (h = h_tangency delta beta eta) by (split; congruence).
+  apply (Rmult_eq_reg_l (2 * eta * sin beta)); [|nonzero]. rewrite HM, H5; congruence.
+Qed.
+
 (** ** Heyman: delta_M = 0 *)
 
 (** In [eta] the cubic becomes the quadratic; in [A] and [h] it keeps a third root, negative in the

@@ -10,24 +10,10 @@ From Couplet Require Import Formulas Equations Certificate.
 Import ListNotations.
 Open Scope R_scope.
 
-(** ** One value of [A] *)
-
-Theorem half_opening v lo hi : 0 < lo -> lo < hi -> hi < 2 * PI -> v < A lo -> A hi < v ->
-  exists alpha, lo < alpha < hi /\ A alpha = v /\
-    (forall other, 0 < other < 2 * PI -> A other = v -> other = alpha).
-Proof.
-  intros H0 Hlohi Hpi Hlo Hhi.
-  destruct (Ranalysis5.IVT_interv (fun x => v - A x) lo hi) as [alpha [Halpha Hroot]]; try lra.
-  - intros x Hx. assert (0 < 1 - cos x) by (apply versine_positive; lra). apply continuity_pt_filterlim, (ex_derive_continuous (fun x => v - A x)).
-    apply @ex_derive_minus; [apply ex_derive_const | eexists; apply derivative_of_A; lra].
-  - assert (alpha <> lo /\ alpha <> hi) by (split; intros ->; lra). exists alpha. split; [lra | split; [lra |]].
-    intros other Hother Hv. apply A_injective; [exact Hother | lra | lra].
-Qed.
-
-(** From a bracket as wide as two units of the last decimal. *)
+(** ** One value of [A], from a bracket as wide as two units of the last decimal. *)
 Ltac opening v lo hi :=
   let alpha := fresh "alpha" in
-  destruct (half_opening v lo hi) as [alpha [? [? ?]]];
+  destruct (Overturning.half_opening v lo hi) as [alpha [? [? ?]]];
   [ lra | lra | interval with (i_prec 53) | unfold A; interval with (i_prec 140)
   | unfold A; interval with (i_prec 140) |];
   exists alpha; split; [apply Rabs_le; lra | now split].

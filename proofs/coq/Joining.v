@@ -8,7 +8,8 @@
     Rotational states are taken as any sequence of solutions of (2), (4), (5) whose haunch tends to
     the crown and whose thickness tends to [eta_l].  With [s = (sin b / b - 1)/b^2] and
     [c = (cos b - 1)/b^2], which tend to [- 1/6] and [- 1/2], the cubic (7) gives the thickness and
-    the shoulder relation gives [A] to the order [b^2]; the slope is the quotient of the two. *)
+    the shoulder relation gives [A] to the order [b^2]; the slope is the quotient of the two.  Such
+    sequences exist: every haunch near the crown has a rotational state near [l]. *)
 
 From Coq Require Import Reals Ranalysis5 Lra.
 From Coquelicot Require Import Coquelicot.
@@ -265,4 +266,72 @@ Proof.
   - intros n. cbv beta. rewrite Hratio. do 2 f_equal. lra.
   - rewrite HA_rate. lra.
   - rewrite HA_rate, Heta_rate. apply quotient_equals; [lra | nra].
+Qed.
+
+(** ** There are such states
+
+    Near the crown each haunch has a rotational state with a thickness near [eta_l], for both
+    self-weights and any mixture of them, so that the two theorems above are not empty. *)
+
+Lemma second_order_bounded (delta b x : R) : 0 <= delta <= 1 -> 0 < b <= 1 -> 0 <= x <= 2 ->
+  - 42 <= second_order delta b x <= 42.
+Proof.
+  intros Hd Hb Hx. unfold second_order. cbv zeta. assert (Hb2 : 0 <= b ^ 2 <= 1) by (simpl; nra).
+  assert (Hs := sine_defect_bounds b Hb). assert (Hc := cosine_defect_bounds b Hb). set (s := sine_defect b) in *.
+  set (c := cosine_defect b) in *. assert (Hsr : - 1 / 6 <= s <= 0) by lra.
+  assert (Hcr : - 1 / 2 <= c <= 0) by lra. set (t := b ^ 2) in *. clearbody s c t. clear Hs Hc Hb.
+  assert (Hx2 : 0 <= x ^ 2 <= 4) by (simpl; nra). assert (Hx3 : 0 <= x ^ 3 <= 8) by (simpl in *; nra).
+  assert (Hdx : 0 <= delta * x ^ 3 <= 8) by nra. assert (H1 : - 2 <= s * (delta * x ^ 3) <= 0) by nra.
+  assert (H2 : - 16 <= 6 * (s + c) * x ^ 2 <= 0) by nra. assert (H3 : 0 <= - 12 * c * x <= 12) by nra.
+  assert (Hq : 0 <= 3 * x ^ 2 - 12 * x + 12 <= 12) by (split; nra). set (q := 3 * x ^ 2 - 12 * x + 12) in *.
+  assert (Hsc : 0 <= s * c <= 1 / 12) by nra. assert (Htsc : 0 <= t * (s * c) <= 1 / 12) by nra.
+  assert (H4 : 0 <= t * (s * c) * q <= 1) by nra.
+  replace (delta * s * x ^ 3) with (s * (delta * x ^ 3)) by ring.
+  replace (t * s * c * q) with (t * (s * c) * q) by ring. lra.
+Qed.
+
+Theorem rotational_states_near_the_end (delta l eps : R) : 0 <= delta <= 1 -> 0 < l < 2 ->
+  end_of_rotation delta l = 0 -> 0 < eps ->
+  exists b0, 0 < b0 /\
+  forall b, 0 < b < b0 ->
+    exists alpha eta, 0 < alpha < PI /\ 0 < eta < 2 /\ Rabs (eta - l) < eps /\
+      rotational_state delta alpha b eta.
+Proof.
+  intros Hd Hl Hend Heps. assert (Hroot := l_is_root delta l (proj2 Hl) Hend).
+  assert (Hl9 : 9 / 10 < l <= 1) by nra. set (e := Rmin (eps / 2) (1 / 10)).
+  assert (He : 0 < e) by (apply Rmin_pos; lra). assert (He1 := Rmin_l (eps / 2) (1 / 10)).
+  assert (He2 := Rmin_r (eps / 2) (1 / 10)). fold e in He1, He2. exists (e / 10). split; [lra|]. intros b Hb.
+  assert (Hb1 : 0 < b <= 1) by lra. assert (HPI := PI2_3_2).
+  (* the thickness: the cubic changes its sign between l - e and l + e *)
+  set (P := fun x => pol_eta delta (f_of b) (g_of b) (sin b) x).
+  assert (HP : forall x, l - e <= x <= l + e -> exists F, 8 <= F /\
+    - (e / 2) < P x / b - F * (x - l) < e / 2).
+  { intros x Hx. exists (x * (delta * (x + l) + 12)). assert (0 <= delta * (x + l)) by (apply Rmult_le_pos; lra).
+    split; [nra|]. assert (Hbound := second_order_bounded delta b x Hd Hb1 ltac:(lra)).
+    assert (0 < b ^ 2 < e / 100) by (simpl; nra). unfold P. rewrite (cubic_near_crown delta l) by lra.
+    replace (_ / b - _) with (b ^ 2 * second_order delta b x) by (field; lra). nra. }
+  assert (Hsign : forall x, P x / b * b = P x) by (intros; field; lra).
+  destruct (IVT P (l - e) (l + e)) as (eta & Heta & Hzero).
+  - unfold P, pol_eta. reg.
+  - lra.
+  - destruct (HP (l - e)) as (F & HF & H); [lra|]. assert (P (l - e) / b < 0) by nra. rewrite <- Hsign. nra.
+  - destruct (HP (l + e)) as (F & HF & H); [lra|]. assert (P (l + e) / b > 0) by nra. rewrite <- Hsign. nra.
+  - (* the half-angle *)
+    assert (HS : 0 < sin b) by (apply sin_gt_0; lra). assert (Hg := g_positive b ltac:(lra)).
+    assert (Hsin : 5 / 6 * b <= sin b).
+    { rewrite (sine_by_defect b) by lra. assert (H := sine_defect_bounds b Hb1).
+      assert (- 1 / 6 <= b ^ 2 * sine_defect b) by (simpl; nra). nra. }
+    assert (HgS : g_of b <= 11 / 5 * sin b) by (unfold g_of; destruct (COS_bound b); nra).
+    set (v := g_of b * (2 - eta) / (sin b * (2 + eta))).
+    assert (Hv : v * (sin b * (2 + eta)) = g_of b * (2 - eta)) by (unfold v; field; lra).
+    assert (0 < sin b * (2 + eta)) by (apply Rmult_lt_0_compat; lra).
+    destruct (half_opening v (PI / 2) PI) as (alpha & Halpha & HA & _); try lra.
+    + apply Rle_lt_trans with (3 / 2); [|unfold A; rewrite sin_PI2, cos_PI2; lra].
+      apply (Rmult_le_reg_r (sin b * (2 + eta))); [easy|]. rewrite Hv. nra.
+    + unfold A. rewrite sin_PI. replace (_ / _) with 0 by (unfold Rdiv; ring). nra.
+    + apply cubic_in_thickness_in_the_arch in Hzero; [|lra..]. exists alpha, eta. repeat split; try lra.
+      * apply Rabs_def1; lra.
+      * apply (shoulder_relation delta alpha b eta (h_lower delta b eta)); try easy; try lra.
+        -- apply Rgt_not_eq, lever_of_lower_thrust_positive; lra.
+        -- rewrite HA. lra.
 Qed.

@@ -44,6 +44,20 @@ Proof.
   - assert (A a < A b) by (apply A_strictly_decreasing; lra). lra.
 Qed.
 
+(** It takes a value between two of its values once. *)
+Theorem half_opening v lo hi : 0 < lo -> lo < hi -> hi < 2 * PI -> v < A lo -> A hi < v ->
+  exists alpha, lo < alpha < hi /\ A alpha = v /\
+    (forall other, 0 < other < 2 * PI -> A other = v -> other = alpha).
+Proof.
+  intros H0 Hlohi Hpi Hlo Hhi.
+  destruct (Ranalysis5.IVT_interv (fun x => v - A x) lo hi) as [alpha [Halpha Hroot]]; try lra.
+  - intros x Hx. assert (0 < 1 - cos x) by (apply versine_positive; lra).
+    apply continuity_pt_filterlim, (ex_derive_continuous (fun x => v - A x)).
+    apply @ex_derive_minus; [apply ex_derive_const | eexists; apply derivative_of_A; lra].
+  - assert (alpha <> lo /\ alpha <> hi) by (split; intros ->; lra). exists alpha. split; [lra | split; [lra |]].
+    intros other Hother Hv. apply A_injective; [exact Hother | lra | lra].
+Qed.
+
 (** ** (13) *)
 
 (** From (4): no thrust. *)
