@@ -305,8 +305,8 @@ Lemma mirrored_state delta alpha eta mu h p v :
 Proof.
   intros Hall x Hx. destruct (Hall (- x) ltac:(lra)) as (HU & HL & HI & HO).
   assert (H := mirrored_margin delta eta mu h p v). assert (E : - - x = x) by ring.
-  assert (H1 := H opens_above (- x)). assert (H2 := H opens_below (- x)).
-  assert (H3 := H slips_in (- x)). assert (H4 := H slips_out (- x)). simpl in *. rewrite E in *. lra.
+  assert (H1 := H opens_above (- x)). assert (H2 := H opens_below (- x)). assert (H3 := H slips_in (- x)).
+  assert (H4 := H slips_out (- x)). simpl in *. rewrite E in *. lra.
 Qed.
 
 Lemma mirrored_motion delta alpha eta mu h p v motion :

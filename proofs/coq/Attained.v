@@ -23,65 +23,40 @@ Hypothesis nearer : forall d d' t, 0 < d <= d' -> near d t -> near d' t.
 Definition tends (f : T -> R) (l : R) : Prop :=
   forall eps, 0 < eps -> exists d, 0 < d /\ forall t, near d t -> Rabs (f t - l) < eps.
 
-Lemma tends_constant (c : R) : tends (fun _ => c) c.
+(** Coquelicot's limit along a filter. *)
+Definition vicinity (P : T -> Prop) : Prop := exists d, 0 < d /\ forall t, near d t -> P t.
+
+Instance vicinity_is_filter : Filter vicinity.
 Proof.
-  intros eps Heps. exists 1. split; [lra|]. intros t _.
-  replace (c - c) with 0 by ring. now rewrite Rabs_R0.
+  constructor.
+  - exists 1. split; [lra | easy].
+  - intros P Q (d & Hd & HP) (e & He & HQ). assert (H := Rmin_glb_lt _ _ _ Hd He). assert (H1 := Rmin_l d e).
+    assert (H2 := Rmin_r d e). exists (Rmin d e). split; [easy|]. intros t Ht.
+    split; [apply HP | apply HQ]; apply (nearer (Rmin d e)); easy.
+  - intros P Q H (d & Hd & HP). exists d. split; [easy|]. intros t Ht. now apply H, HP.
 Qed.
 
-Lemma both_near (d d' : R) : 0 < d -> 0 < d' ->
-  exists e, 0 < e /\ forall t, near e t -> near d t /\ near d' t.
+Lemma tends_along (f : T -> R) (l : R) : tends f l <-> filterlim f vicinity (locally l).
 Proof.
-  intros Hd Hd'. exists (Rmin d d'). assert (H : 0 < Rmin d d') by (now apply Rmin_glb_lt).
-  assert (H1 := Rmin_l d d'). assert (H2 := Rmin_r d d'). split; [easy|]. intros t Ht.
-  split; apply (nearer (Rmin d d')); try easy; lra.
+  split.
+  - intros H P [eps HP]. destruct (H eps (cond_pos eps)) as (d & Hd & Hall). exists d. split; [easy|]. intros t Ht.
+    apply HP, Hall, Ht.
+  - intros H eps Heps. apply (H (fun y => Rabs (y - l) < eps)). now exists (mkposreal eps Heps).
 Qed.
+
+Lemma tends_constant (c : R) : tends (fun _ => c) c.
+Proof. intros eps Heps. exists 1. split; [lra|]. intros t _. now rewrite Rminus_eq_0, Rabs_R0. Qed.
 
 Lemma tends_plus (f g : T -> R) (l m : R) : tends f l -> tends g m -> tends (fun t => f t + g t) (l + m).
-Proof.
-  intros Hf Hg eps Heps. destruct (Hf (eps / 2) ltac:(lra)) as (d & Hd & H).
-  destruct (Hg (eps / 2) ltac:(lra)) as (d' & Hd' & H').
-  destruct (both_near d d' Hd Hd') as (e & He & Hboth). exists e. split; [easy|]. intros t Ht.
-  destruct (Hboth t Ht) as [N N']. assert (A := H t N). assert (A' := H' t N').
-  replace (f t + g t - (l + m)) with (f t - l + (g t - m)) by ring.
-  apply Rle_lt_trans with (Rabs (f t - l) + Rabs (g t - m)); [apply Rabs_triang | lra].
-Qed.
+Proof. rewrite !tends_along. intros Hf Hg. exact (filterlim_comp_2 f g Rplus Hf Hg (filterlim_plus l m)). Qed.
 
 Lemma tends_times (f g : T -> R) (l m : R) : tends f l -> tends g m -> tends (fun t => f t * g t) (l * m).
-Proof.
-  intros Hf Hg eps Heps. set (K := Rabs l + Rabs m + 1).
-  assert (Hl := Rabs_pos l). assert (Hm := Rabs_pos m). assert (HK : 0 < K) by (unfold K; lra).
-  set (e := Rmin 1 (eps / (2 * K))).
-  assert (Hquotient : 0 < eps / (2 * K)) by (apply Rdiv_lt_0_compat; lra).
-  assert (He : 0 < e) by (apply Rmin_glb_lt; lra).
-  assert (He1 : e <= 1) by apply Rmin_l.
-  assert (HeK : e * K <= eps / 2).
-  { replace (eps / 2) with (eps / (2 * K) * K) by (field; lra).
-    apply Rmult_le_compat_r; [lra | apply Rmin_r]. }
-  destruct (Hf e He) as (d & Hd & H). destruct (Hg e He) as (d' & Hd' & H').
-  destruct (both_near d d' Hd Hd') as (c & Hc & Hboth). exists c. split; [easy|]. intros t Ht.
-  destruct (Hboth t Ht) as [N N']. assert (A := H t N). assert (A' := H' t N').
-  replace (f t * g t - l * m) with ((f t - l) * (g t - m) + l * (g t - m) + m * (f t - l)) by ring.
-  assert (P := Rabs_pos (f t - l)). assert (P' := Rabs_pos (g t - m)).
-  apply Rle_lt_trans with (e * e + Rabs l * e + Rabs m * e).
-  - apply Rle_trans with (Rabs ((f t - l) * (g t - m) + l * (g t - m)) + Rabs (m * (f t - l)));
-      [apply Rabs_triang|].
-    assert (Htriangle := Rabs_triang ((f t - l) * (g t - m)) (l * (g t - m))).
-    rewrite !Rabs_mult in *.
-    assert (Rabs (f t - l) * Rabs (g t - m) <= e * e) by (apply Rmult_le_compat; lra).
-    assert (Rabs l * Rabs (g t - m) <= Rabs l * e) by (apply Rmult_le_compat_l; lra).
-    assert (Rabs m * Rabs (f t - l) <= Rabs m * e) by (apply Rmult_le_compat_l; lra). lra.
-  - assert (e * e <= e * 1) by (apply Rmult_le_compat_l; lra). unfold K in HeK. lra.
-Qed.
+Proof. rewrite !tends_along. intros Hf Hg. exact (filterlim_comp_2 f g Rmult Hf Hg (filterlim_mult l m)). Qed.
 
-Lemma tends_through (c : R -> R) (f : T -> R) (l : R) : continuity c -> tends f l ->
-  tends (fun t => c (f t)) (c l).
+Lemma tends_through (c : R -> R) (f : T -> R) (l : R) : continuity c -> tends f l -> tends (fun t => c (f t)) (c l).
 Proof.
-  intros Hc Hf eps Heps. destruct (Hc l eps Heps) as (d & Hd & H).
-  destruct (Hf d Hd) as (d' & Hd' & H'). exists d'. split; [easy|]. intros t Ht.
-  destruct (Req_dec l (f t)) as [<- | Hne].
-  - replace (c l - c l) with 0 by ring. now rewrite Rabs_R0.
-  - apply (H (f t)). split; [now split | now apply H'].
+  rewrite !tends_along. intros Hc Hf. apply (filterlim_comp _ _ _ f c _ (locally l)); [easy|].
+  apply continuity_pt_filterlim, Hc.
 Qed.
 
 (** A limit of numbers that are not negative is not, as long as there is something near. *)
@@ -95,34 +70,26 @@ Qed.
 End Limits.
 
 (** What numbers of a bounded range do however near, they do near one of them. *)
-Lemma number_that_is_met (P : R -> R -> Prop) (low high : R) :
-  (forall d d' x, 0 < d <= d' -> P d x -> P d' x) ->
+Lemma number_that_is_met (P : R -> R -> Prop) (low high : R) : (forall d d' x, 0 < d <= d' -> P d x -> P d' x) ->
   (forall d, 0 < d -> exists x, low <= x <= high /\ P d x) ->
   exists x0, forall d, 0 < d -> exists x, Rabs (x - x0) < d /\ P d x.
 Proof.
-  intros Hnearer Hsome.
-  set (S := fun t => forall d, 0 < d -> exists x, t <= x <= high /\ P d x).
+  intros Hnearer Hsome. set (S := fun t => forall d, 0 < d -> exists x, t <= x <= high /\ P d x).
   destruct (completeness S) as (x0 & Hupper & Hleast).
   - exists high. intros t Ht. destruct (Ht 1 ltac:(lra)) as (x & Hx & _). lra.
   - exists low. exact Hsome.
-  - exists x0. intros d Hd.
-    assert (Hbelow : exists t, S t /\ x0 - d < t).
+  - exists x0. intros d Hd. assert (Hbelow : exists t, S t /\ x0 - d < t).
     { destruct (Classical_Prop.classic (exists t, S t /\ x0 - d < t)) as [H | H]; [easy | exfalso].
-      enough (x0 <= x0 - d) by lra. apply Hleast. intros t Ht. apply Rnot_lt_le. intros Hlt.
-      apply H. now exists t. }
+      enough (x0 <= x0 - d) by lra. apply Hleast. intros t Ht. apply Rnot_lt_le. intros Hlt. apply H. now exists t. }
     assert (Habove : exists d', 0 < d' /\ forall x, P d' x -> x <= high -> x < x0 + d).
-    { destruct (Classical_Prop.classic
-                  (exists d', 0 < d' /\ forall x, P d' x -> x <= high -> x < x0 + d)) as [H | H];
-        [easy | exfalso].
-      enough (S (x0 + d)) by (assert (x0 + d <= x0) by (now apply Hupper); lra).
-      intros d' Hd'. apply Classical_Prop.NNPP. intros Hnone. apply H. exists d'. split; [easy|].
-      intros x Hx Hhigh. apply Rnot_le_lt. intros Hle. apply Hnone. exists x. split; [lra | easy]. }
-    destruct Hbelow as (t & Ht & Hlow), Habove as (d' & Hd' & Hhigh).
-    set (e := Rmin d d'). assert (He : 0 < e) by (now apply Rmin_glb_lt).
-    assert (E1 : e <= d) by apply Rmin_l. assert (E2 : e <= d') by apply Rmin_r.
-    destruct (Ht e He) as (x & Hx & HP). exists x. split.
-    + assert (x < x0 + d) by (apply Hhigh; [apply (Hnearer e); [lra | easy] | lra]).
-      apply Rabs_def1; lra.
+    { destruct (Classical_Prop.classic (exists d', 0 < d' /\ forall x, P d' x -> x <= high -> x < x0 + d)) as [H | H];
+        [easy | exfalso]. enough (S (x0 + d)) by (assert (x0 + d <= x0) by (now apply Hupper); lra). intros d' Hd'.
+      apply Classical_Prop.NNPP. intros Hnone. apply H. exists d'. split; [easy|]. intros x Hx Hhigh.
+      apply Rnot_le_lt. intros Hle. apply Hnone. exists x. split; [lra | easy]. }
+    destruct Hbelow as (t & Ht & Hlow), Habove as (d' & Hd' & Hhigh). set (e := Rmin d d').
+    assert (He : 0 < e) by (now apply Rmin_glb_lt). assert (E1 : e <= d) by apply Rmin_l.
+    assert (E2 : e <= d') by apply Rmin_r. destruct (Ht e He) as (x & Hx & HP). exists x. split.
+    + assert (x < x0 + d) by (apply Hhigh; [apply (Hnearer e); [lra | easy] | lra]). apply Rabs_def1; lra.
     + apply (Hnearer e); [lra | easy].
 Qed.
 
@@ -149,35 +116,28 @@ Lemma facts_of_near (d : R) (t : state_of_arch) : is_near d t ->
   0 < at_h t /\ intrados (at_eta t) * at_h t <= at_p t <= extrados (at_eta t) * at_h t.
 Proof.
   intros (_ & _ & Ha & He & Hall). split.
-  - apply (friction_needs_thrust (at_alpha t) mu); [lra | lra|]. intros x Hx.
-    destruct (Hall x Hx) as [[HN _] Hf]. now split.
-  - destruct (Hall 0 ltac:(lra)) as [(_ & Hin & Hout) _]. unfold normal_force in *.
-    rewrite cos_0, sin_0 in *. lra.
+  - apply (friction_needs_thrust (at_alpha t) mu); [lra | lra|]. intros x Hx. destruct (Hall x Hx) as [[HN _] Hf].
+    now split.
+  - destruct (Hall 0 ltac:(lra)) as [(_ & Hin & Hout) _]. unfold normal_force in *. rewrite cos_0, sin_0 in *. lra.
 Qed.
 
 (** *** Bounded thrusts *)
 
-Lemma limit_of_bounded_thrusts (H : R) :
-  (forall d, 0 < d -> exists t, is_near d t /\ at_h t <= H) ->
+Lemma limit_of_bounded_thrusts (H : R) : (forall d, 0 < d -> exists t, is_near d t /\ at_h t <= H) ->
   0 < eta /\ arch_stands delta alpha eta mu.
 Proof.
   intros Hsome.
-  destruct (number_that_is_met (fun d h => exists t, is_near d t /\ at_h t <= H /\ h = at_h t) 0 H)
-    as (h & Hh).
+  destruct (number_that_is_met (fun d h => exists t, is_near d t /\ at_h t <= H /\ h = at_h t) 0 H) as (h & Hh).
   { intros d d' x Hd (t & Ht & E). exists t. split; [now apply (is_nearer d) | easy]. }
-  { intros d Hd. destruct (Hsome d Hd) as (t & Ht & HH). exists (at_h t).
-    destruct (facts_of_near d t Ht) as [Hpos _]. split; [lra | now exists t]. }
-  destruct (number_that_is_met
-              (fun d p => exists t, is_near d t /\ Rabs (at_h t - h) < d /\ at_h t <= H /\ p = at_p t)
-              0 (2 * H)) as (p & Hp).
-  { intros d d' x Hd (t & Ht & Hclose & E). exists t. split; [now apply (is_nearer d)|].
-    split; [lra | easy]. }
+  { intros d Hd. destruct (Hsome d Hd) as (t & Ht & HH). exists (at_h t). destruct (facts_of_near d t Ht) as [Hpos _].
+    split; [lra | now exists t]. }
+  destruct (number_that_is_met (fun d p => exists t, is_near d t /\ Rabs (at_h t - h) < d /\ at_h t <= H /\
+    p = at_p t) 0 (2 * H)) as (p & Hp).
+  { intros d d' x Hd (t & Ht & Hclose & E). exists t. split; [now apply (is_nearer d)|]. split; [lra | easy]. }
   { intros d Hd. destruct (Hh d Hd) as (x & Hx & t & Ht & HH & ->). exists (at_p t).
-    destruct (facts_of_near d t Ht) as [Hpos Hmoment]. assert (Ht' := Ht).
-    destruct Ht' as (_ & _ & _ & D & _).
+    destruct (facts_of_near d t Ht) as [Hpos Hmoment]. assert (Ht' := Ht). destruct Ht' as (_ & _ & _ & D & _).
     assert (0 <= intrados (at_eta t) * at_h t) by (apply Rmult_le_pos; [unfold intrados|]; lra).
-    assert (extrados (at_eta t) * at_h t <= 2 * H)
-      by (apply Rmult_le_compat; try (unfold extrados; lra); lra).
+    assert (extrados (at_eta t) * at_h t <= 2 * H) by (apply Rmult_le_compat; try (unfold extrados; lra); lra).
     split; [lra|]. exists t. exact (conj Ht (conj Hx (conj HH eq_refl))). }
   set (near := fun d t => is_near d t /\ Rabs (at_h t - h) < d /\ Rabs (at_p t - p) < d).
   assert (Hnear : forall d, 0 < d -> exists t, near d t).
@@ -190,100 +150,83 @@ Proof.
   { intros eps Heps. exists eps. split; [easy|]. now intros t (_ & A & _). }
   assert (Tp : tends _ near at_p p).
   { intros eps Heps. exists eps. split; [easy|]. now intros t (_ & _ & A). }
-  assert (Tmargins : forall x,
-    tends _ near (fun t => shoulder_gap delta x (at_eta t) (at_h t) (at_p t)) (shoulder_gap delta x eta h p) /\
-    tends _ near (fun t => haunch_gap delta x (at_eta t) (at_h t) (at_p t)) (haunch_gap delta x eta h p) /\
-    tends _ near (fun t => inward_gap x mu (at_h t)) (inward_gap x mu h) /\
+  assert (Tmargins : forall x, tends _ near (fun t => shoulder_gap delta x (at_eta t) (at_h t) (at_p t))
+    (shoulder_gap delta x eta h p) /\ tends _ near (fun t => haunch_gap delta x (at_eta t) (at_h t) (at_p t))
+    (haunch_gap delta x eta h p) /\ tends _ near (fun t => inward_gap x mu (at_h t)) (inward_gap x mu h) /\
     tends _ near (fun t => outward_gap x mu (at_h t)) (outward_gap x mu h)).
-  { intros x.
-    assert (TN : tends _ near (fun t => normal_force x (at_h t)) (normal_force x h)).
-    { unfold normal_force. apply tends_plus; try easy; [|apply tends_constant].
-      apply tends_times; try easy. apply tends_constant. }
+  { intros x. assert (TN : tends _ near (fun t => normal_force x (at_h t)) (normal_force x h)).
+    { unfold normal_force. apply tends_plus; try easy; [|apply tends_constant]. apply tends_times; try easy.
+      apply tends_constant. }
     assert (TT : tends _ near (fun t => shear_force x (at_h t)) (shear_force x h)).
-    { apply (tends_through _ near (fun h => shear_force x h)); [|easy].
-      unfold shear_force. reg. }
+    { apply (tends_through _ near (fun h => shear_force x h)); [|easy]. unfold shear_force. reg. }
     assert (Tin : tends _ near (fun t => intrados (at_eta t)) (intrados eta)).
     { apply (tends_through _ near intrados); [|easy]. unfold intrados. reg. }
     assert (Tex : tends _ near (fun t => extrados (at_eta t)) (extrados eta)).
     { apply (tends_through _ near extrados); [|easy]. unfold extrados. reg. }
-    assert (Tload : tends _ near (fun t => fac delta (at_eta t) * (1 - cos x))
-                      (fac delta eta * (1 - cos x))).
-    { apply (tends_through _ near (fun e => fac delta e * (1 - cos x))); [|easy].
-      unfold fac. reg. }
+    assert (Tload : tends _ near (fun t => fac delta (at_eta t) * (1 - cos x)) (fac delta eta * (1 - cos x))).
+    { apply (tends_through _ near (fun e => fac delta e * (1 - cos x))); [|easy]. unfold fac. reg. }
     assert (Tminus : forall f g l m, tends _ near f l -> tends _ near g m ->
               tends _ near (fun t => f t - g t) (l - m)).
-    { intros f g l m Hf Hg. unfold Rminus. apply tends_plus; try easy.
-      apply (tends_through _ near Ropp); [|easy]. reg. }
+    { intros f g l m Hf Hg. unfold Rminus. apply tends_plus; try easy. apply (tends_through _ near Ropp); [|easy].
+      reg. }
     unfold shoulder_gap, haunch_gap, inward_gap, outward_gap. repeat split.
     - repeat apply Tminus; try easy. now apply tends_times.
     - apply Tminus; [now apply tends_plus | now apply tends_times].
     - apply Tminus; [|easy]. apply tends_times; try easy. apply tends_constant.
     - apply tends_plus; try easy. apply tends_times; try easy. apply tends_constant. }
   assert (Hmargins : forall t x, is_near 1 t -> 0 <= x <= at_alpha t ->
-            0 <= shoulder_gap delta x (at_eta t) (at_h t) (at_p t) /\
-            0 <= haunch_gap delta x (at_eta t) (at_h t) (at_p t) /\
-            0 <= inward_gap x mu (at_h t) /\ 0 <= outward_gap x mu (at_h t)).
-  { intros t x (_ & _ & _ & _ & Hall) Hx. destruct (Hall x Hx) as [(_ & Hin & Hout) Hf].
-    unfold friction_holds in Hf. apply Rabs_le_between in Hf.
-    unfold shoulder_gap, haunch_gap, inward_gap, outward_gap. lra. }
+    0 <= shoulder_gap delta x (at_eta t) (at_h t) (at_p t) /\ 0 <= haunch_gap delta x (at_eta t) (at_h t) (at_p t) /\
+    0 <= inward_gap x mu (at_h t) /\ 0 <= outward_gap x mu (at_h t)).
+  { intros t x (_ & _ & _ & _ & Hall) Hx. destruct (Hall x Hx) as [(_ & Hin & Hout) Hf]. unfold friction_holds in Hf.
+    apply Rabs_le_between in Hf. unfold shoulder_gap, haunch_gap, inward_gap, outward_gap. lra. }
   (* a joint above the shoulder is one of the arches that are near enough, *)
-  assert (Hwithin : forall x, 0 <= x < alpha ->
-            0 <= shoulder_gap delta x eta h p /\ 0 <= haunch_gap delta x eta h p /\
-            0 <= inward_gap x mu h /\ 0 <= outward_gap x mu h).
+  assert (Hwithin : forall x, 0 <= x < alpha -> 0 <= shoulder_gap delta x eta h p /\
+    0 <= haunch_gap delta x eta h p /\ 0 <= inward_gap x mu h /\ 0 <= outward_gap x mu h).
   { intros x Hx. destruct (Tmargins x) as (TU & TL & TI & TO).
     assert (Harches : forall d, 0 < d -> exists t, near d t /\ is_near 1 t /\ 0 <= x <= at_alpha t).
     { intros d Hd. set (e := Rmin d (Rmin 1 (alpha - x))).
-      assert (He : 0 < e) by (unfold e; repeat apply Rmin_glb_lt; lra).
-      assert (E1 : e <= d) by apply Rmin_l.
+      assert (He : 0 < e) by (unfold e; repeat apply Rmin_glb_lt; lra). assert (E1 : e <= d) by apply Rmin_l.
       assert (E2 : e <= 1) by (eapply Rle_trans; [apply Rmin_r | apply Rmin_l]).
       assert (E3 : e <= alpha - x) by (eapply Rle_trans; [apply Rmin_r | apply Rmin_r]).
-      destruct (Hnear e He) as (t & Ht). exists t.
-      split; [apply (Hnearer e); [lra | easy]|].
-      split; [apply (is_nearer e); [lra | apply Ht]|].
-      destruct Ht as ((Hclose & _) & _). apply Rabs_def2 in Hclose. lra. }
+      destruct (Hnear e He) as (t & Ht). exists t. split; [apply (Hnearer e); [lra | easy]|].
+      split; [apply (is_nearer e); [lra | apply Ht]|]. destruct Ht as ((Hclose & _) & _). apply Rabs_def2 in Hclose.
+      lra. }
     repeat split; [apply (limit_not_negative _ near _ _ TU) | apply (limit_not_negative _ near _ _ TL)
                   | apply (limit_not_negative _ near _ _ TI) | apply (limit_not_negative _ near _ _ TO)];
       intros d Hd; destruct (Harches d Hd) as (t & Ht & Ht1 & Hxt); exists t;
       destruct (Hmargins t x Ht1 Hxt) as (U & L & I & O); now split. }
   (* and the shoulder is a limit of joints *)
-  assert (Hshoulder : forall f : R -> R, continuity f -> (forall x, 0 <= x < alpha -> 0 <= f x) ->
-            0 <= f alpha).
+  assert (Hshoulder : forall f : R -> R, continuity f -> (forall x, 0 <= x < alpha -> 0 <= f x) -> 0 <= f alpha).
   { intros f Hf Hpos. apply Rnot_lt_le. intros Hneg. destruct (Hf alpha (- f alpha) ltac:(lra)) as (d & Hd & Hc).
     set (x := Rmax 0 (alpha - d / 2)).
     assert (Hx : 0 <= x < alpha) by (split; [apply Rmax_l | apply Rmax_lub_lt; lra]).
-    assert (Hx' : alpha - d / 2 <= x) by apply Rmax_r.
-    assert (Hclose : R_dist (f x) (f alpha) < - f alpha).
+    assert (Hx' : alpha - d / 2 <= x) by apply Rmax_r. assert (Hclose : R_dist (f x) (f alpha) < - f alpha).
     { apply Hc. split; [split; [exact I | lra]|]. simpl. unfold R_dist. apply Rabs_def1; lra. }
     unfold R_dist in Hclose. apply Rabs_def2 in Hclose. assert (A := Hpos x Hx). lra. }
   destruct (margins_continuous delta eta mu h p) as (CU & CL & CI & CO).
-  assert (Hall : forall x, 0 <= x <= alpha ->
-            0 <= shoulder_gap delta x eta h p /\ 0 <= haunch_gap delta x eta h p /\
-            0 <= inward_gap x mu h /\ 0 <= outward_gap x mu h).
+  assert (Hall : forall x, 0 <= x <= alpha -> 0 <= shoulder_gap delta x eta h p /\ 0 <= haunch_gap delta x eta h p /\
+    0 <= inward_gap x mu h /\ 0 <= outward_gap x mu h).
   { intros x Hx. destruct (Req_dec x alpha) as [-> | Hne]; [|apply Hwithin; lra].
     repeat split; [apply (Hshoulder _ CU) | apply (Hshoulder _ CL) | apply (Hshoulder _ CI)
                   | apply (Hshoulder _ CO)]; intros y Hy; now destruct (Hwithin y Hy) as (A & B & C & D). }
   assert (He : 0 < eta).
-  { destruct (Req_dec eta 0) as [E | E]; [exfalso | lra].
-    assert (Hline : forall x, 0 < x <= alpha -> A x = h + 1).
-    { intros x Hx. destruct (Hall x ltac:(lra)) as (U & L & _).
-      destruct (Hall 0 ltac:(lra)) as (U0 & L0 & _). assert (HPI := PI_RGT_0).
-      assert (Hv : 0 < 1 - cos x) by (apply versine_positive; lra).
-      unfold shoulder_gap, haunch_gap, extrados, intrados, fac, normal_force in *.
-      rewrite E, cos_0, sin_0 in *. unfold A. apply (Rmult_eq_reg_r (1 - cos x)); [|lra].
+  { destruct (Req_dec eta 0) as [E | E]; [exfalso | lra]. assert (Hline : forall x, 0 < x <= alpha -> A x = h + 1).
+    { intros x Hx. destruct (Hall x ltac:(lra)) as (U & L & _). destruct (Hall 0 ltac:(lra)) as (U0 & L0 & _).
+      assert (HPI := PI_RGT_0). assert (Hv : 0 < 1 - cos x) by (apply versine_positive; lra).
+      unfold shoulder_gap, haunch_gap, extrados, intrados, fac, normal_force in *. rewrite E, cos_0, sin_0 in *.
+      unfold A. apply (Rmult_eq_reg_r (1 - cos x)); [|lra].
       replace (x * sin x / (1 - cos x) * (1 - cos x)) with (x * sin x) by (field; lra). lra. }
-    assert (HPI := PI_RGT_0). assert (Habsurd : alpha = alpha / 2); [|lra].
-    apply A_injective; try lra. rewrite !Hline; lra. }
+    assert (HPI := PI_RGT_0). assert (Habsurd : alpha = alpha / 2); [|lra]. apply A_injective; try lra.
+    rewrite !Hline; lra. }
   split; [easy|]. now apply (stands_by_margins delta alpha eta mu h p).
 Qed.
 
 (** *** Thrusts without bound *)
 
-Lemma limit_of_large_thrusts :
-  (forall d, 0 < d -> exists t, is_near d t /\ / d < at_h t) ->
+Lemma limit_of_large_thrusts : (forall d, 0 < d -> exists t, is_near d t /\ / d < at_h t) ->
   0 < eta /\ arch_stands delta alpha eta mu.
 Proof.
-  intros Hsome. assert (HPI := PI2_3_2). assert (HPI4 := PI_4).
-  set (near := fun d t => is_near d t /\ / d < at_h t).
+  intros Hsome. assert (HPI := PI2_3_2). assert (HPI4 := PI_4). set (near := fun d t => is_near d t /\ / d < at_h t).
   assert (Hnearer : forall d d' t, 0 < d <= d' -> near d t -> near d' t).
   { intros d d' t Hd (Ht & Hh). split; [now apply (is_nearer d)|].
     assert (/ d' <= / d) by (apply Rinv_le_contravar; lra). lra. }
@@ -293,92 +236,72 @@ Proof.
   { intros eps Heps. exists eps. split; [easy|]. now intros t ((_ & He & _) & _). }
   assert (Tinv : tends _ near (fun t => / at_h t) 0).
   { intros eps Heps. exists eps. split; [easy|]. intros t (_ & Hh).
-    assert (0 < / eps) by (now apply Rinv_0_lt_compat).
-    assert (0 < / at_h t) by (apply Rinv_0_lt_compat; lra).
+    assert (0 < / eps) by (now apply Rinv_0_lt_compat). assert (0 < / at_h t) by (apply Rinv_0_lt_compat; lra).
     rewrite Rminus_0_r, Rabs_pos_eq by lra. rewrite <- (Rinv_inv eps).
     apply Rinv_lt_contravar; [apply Rmult_lt_0_compat; lra | easy]. }
   assert (Tcos := tends_through _ near cos at_alpha alpha continuity_cos Ta).
   assert (Tsin := tends_through _ near sin at_alpha alpha continuity_sin Ta).
   (* friction at the shoulder *)
   assert (Hslope : 0 <= mu * cos alpha + - sin alpha + 4 * (mu + 1) * 0).
-  { apply (limit_not_negative _ near
-             (fun t => mu * cos (at_alpha t) + - sin (at_alpha t) + 4 * (mu + 1) * / at_h t)).
+  { apply (limit_not_negative _ near (fun t => mu * cos (at_alpha t) + - sin (at_alpha t) + 4 * (mu + 1) * / at_h t)).
     - repeat apply tends_plus; try easy.
       + apply tends_times; try easy. apply tends_constant.
       + apply (tends_through _ near Ropp); [reg | easy].
       + apply tends_times; try easy. apply tends_constant.
     - intros d Hd. destruct (Hsome d Hd) as (t & Ht & Hh). exists t. split; [now split|].
       destruct (facts_of_near d t Ht) as [Hpos _]. destruct Ht as (_ & _ & Ha & _ & Hall).
-      destruct (Hall (at_alpha t) ltac:(lra)) as [_ Hf]. unfold friction_holds in Hf.
-      apply Rabs_le_between in Hf. unfold normal_force, shear_force in Hf.
-      set (a := at_alpha t) in *. set (h := at_h t) in *.
-      destruct (COS_bound a), (SIN_bound a).
-      apply (Rmult_le_reg_r h); [easy|]. rewrite Rmult_0_l.
+      destruct (Hall (at_alpha t) ltac:(lra)) as [_ Hf]. unfold friction_holds in Hf. apply Rabs_le_between in Hf.
+      unfold normal_force, shear_force in Hf. set (a := at_alpha t) in *. set (h := at_h t) in *.
+      destruct (COS_bound a), (SIN_bound a). apply (Rmult_le_reg_r h); [easy|]. rewrite Rmult_0_l.
       replace ((mu * cos a + - sin a + 4 * (mu + 1) * / h) * h)
         with (mu * (h * cos a) - h * sin a + 4 * (mu + 1)) by (field; lra).
-      assert (mu * (a * sin a) <= mu * 4) by (apply Rmult_le_compat_l; [lra | nra]).
-      assert (a * cos a <= 4) by nra. lra. }
+      assert (mu * (a * sin a) <= mu * 4) by (apply Rmult_le_compat_l; [lra | nra]). assert (a * cos a <= 4) by nra.
+      lra. }
   assert (Hlever : 0 <= extrados eta * cos alpha - intrados eta + 8 * 0).
   { apply (limit_not_negative _ near
              (fun t => extrados (at_eta t) * cos (at_alpha t) - intrados (at_eta t) + 8 * / at_h t)).
     - unfold Rminus. repeat apply tends_plus; try easy.
-      + apply tends_times; try easy.
-        apply (tends_through _ near extrados); [unfold extrados; reg | easy].
+      + apply tends_times; try easy. apply (tends_through _ near extrados); [unfold extrados; reg | easy].
       + apply (tends_through _ near (fun e => - intrados e)); [unfold intrados; reg | easy].
       + apply tends_times; try easy. apply tends_constant.
     - intros d Hd. destruct (Hsome d Hd) as (t & Ht & Hh). exists t. split; [now split|].
       destruct (facts_of_near d t Ht) as [Hpos [Hlow _]]. destruct Ht as (_ & _ & Ha & He & Hall).
-      destruct (Hall (at_alpha t) ltac:(lra)) as [(_ & _ & Hout) _].
-      unfold normal_force in Hout.
-      set (a := at_alpha t) in *. set (h := at_h t) in *. set (e := at_eta t) in *.
-      apply (Rmult_le_reg_r h); [easy|]. rewrite Rmult_0_l.
+      destruct (Hall (at_alpha t) ltac:(lra)) as [(_ & _ & Hout) _]. unfold normal_force in Hout.
+      set (a := at_alpha t) in *. set (h := at_h t) in *. set (e := at_eta t) in *. apply (Rmult_le_reg_r h); [easy|].
+      rewrite Rmult_0_l.
       replace ((extrados e * cos a - intrados e + 8 * / h) * h)
         with (extrados e * (h * cos a) - intrados e * h + 8) by (field; lra).
-      destruct (COS_bound a), (SIN_bound a).
-      assert (0 <= fac delta e * (1 - cos a)).
+      destruct (COS_bound a), (SIN_bound a). assert (0 <= fac delta e * (1 - cos a)).
       { assert (Hfac := centroids_positive delta e ltac:(lra)). apply Rmult_le_pos; lra. }
       assert (a * sin a <= 4) by nra.
-      assert (extrados e * (a * sin a) <= extrados e * 4)
-        by (apply Rmult_le_compat_l; unfold extrados; lra).
+      assert (extrados e * (a * sin a) <= extrados e * 4) by (apply Rmult_le_compat_l; unfold extrados; lra).
       assert (extrados e <= 2) by (unfold extrados; lra). lra. }
-  rewrite Rmult_0_r, Rplus_0_r in Hslope, Hlever.
-  assert (Hsin : 0 <= sin alpha) by (apply sin_ge_0; lra).
+  rewrite Rmult_0_r, Rplus_0_r in Hslope, Hlever. assert (Hsin : 0 <= sin alpha) by (apply sin_ge_0; lra).
   assert (Hcos : 0 < cos alpha).
-  { destruct (Rle_lt_dec (cos alpha) 0) as [H | H]; [exfalso | easy].
-    assert (mu * cos alpha <= 0) by nra. assert (E1 : mu * cos alpha = 0) by lra.
-    assert (E2 : sin alpha = 0) by lra. assert (E3 : cos alpha = 0) by nra.
+  { destruct (Rle_lt_dec (cos alpha) 0) as [H | H]; [exfalso | easy]. assert (mu * cos alpha <= 0) by nra.
+    assert (E1 : mu * cos alpha = 0) by lra. assert (E2 : sin alpha = 0) by lra. assert (E3 : cos alpha = 0) by nra.
     assert (Hcircle := circle alpha). rewrite E2, E3 in Hcircle. lra. }
   assert (Hnarrow : alpha < PI / 2).
   { apply Rnot_le_lt. intros H. assert (cos alpha <= 0) by (apply cos_le_0; lra). lra. }
-  assert (Hcos1 : cos alpha < 1) by (rewrite <- cos_0; apply cos_decreasing_1; lra).
-  assert (He : 0 < eta).
+  assert (Hcos1 : cos alpha < 1) by (rewrite <- cos_0; apply cos_decreasing_1; lra). assert (He : 0 < eta).
   { unfold extrados, intrados in Hlever. nra. }
   split; [easy|]. exists 2, (2 * intrados eta).
-  assert (Hgrows := moment_of_weight_grows 0 alpha ltac:(lra) ltac:(lra) ltac:(lra)).
-  rewrite sin_0, cos_0 in Hgrows.
+  assert (Hgrows := moment_of_weight_grows 0 alpha ltac:(lra) ltac:(lra) ltac:(lra)). rewrite sin_0, cos_0 in Hgrows.
   assert (Hfac : fac delta eta <= extrados eta).
-  { unfold fac, extrados. assert (delta * eta ^ 2 <= 1 * eta ^ 2) by (apply Rmult_le_compat_r; nra).
-    nra. }
+  { unfold fac, extrados. assert (delta * eta ^ 2 <= 1 * eta ^ 2) by (apply Rmult_le_compat_r; nra). nra. }
   assert (Hout : forall x, 0 <= x <= alpha ->
             2 * intrados eta + fac delta eta * (1 - cos x) <= extrados eta * normal_force x 2).
   { apply extrados_safe; try lra; unfold extrados, intrados, normal_force in *; try lra.
-    assert (fac delta eta * (1 - cos alpha) <= (1 + eta / 2) * (1 - cos alpha))
-      by (apply Rmult_le_compat_r; lra).
-    assert (0 <= (1 + eta / 2) * (alpha * sin alpha + cos alpha - 1)) by (apply Rmult_le_pos; lra).
-    lra. }
+    assert (fac delta eta * (1 - cos alpha) <= (1 + eta / 2) * (1 - cos alpha)) by (apply Rmult_le_compat_r; lra).
+    assert (0 <= (1 + eta / 2) * (alpha * sin alpha + cos alpha - 1)) by (apply Rmult_le_pos; lra). lra. }
   intros x Hx. assert (Hsx : 0 <= sin x) by (apply sin_ge_0; lra).
-  assert (Hcx : cos alpha <= cos x).
-  { destruct (Req_dec x alpha) as [-> | Hne]; [lra|]. apply Rlt_le, cos_decreasing_1; lra. }
-  assert (Hsx' : sin x <= sin alpha).
-  { destruct (Req_dec x alpha) as [-> | Hne]; [lra|]. apply Rlt_le, sin_increasing_1; lra. }
-  assert (Hbelow : x * cos x <= sin x).
-  { destruct (Req_dec x 0) as [-> | Hne]; [rewrite sin_0; lra|].
-    apply Rlt_le, times_cosine_below_sine; lra. }
+  assert (Hcx : cos alpha <= cos x) by (apply cos_decr_1; lra).
+  assert (Hsx' : sin x <= sin alpha) by (apply sin_incr_1; lra). assert (Hbelow : x * cos x <= sin x).
+  { destruct (Req_dec x 0) as [-> | Hne]; [rewrite sin_0; lra|]. apply Rlt_le, times_cosine_below_sine; lra. }
   assert (Hhold : sin x <= mu * cos x).
   { assert (mu * cos alpha <= mu * cos x) by (apply Rmult_le_compat_l; lra). lra. }
   assert (Hwedge : 0 <= mu * (x * sin x)) by (repeat apply Rmult_le_pos; lra).
-  assert (0 <= x * cos x) by (apply Rmult_le_pos; lra).
-  split; [split; [|split]|].
+  assert (0 <= x * cos x) by (apply Rmult_le_pos; lra). split; [split; [|split]|].
   - unfold normal_force. assert (0 <= x * sin x) by (apply Rmult_le_pos; lra). lra.
   - assert (Hfac1 := centroids_positive delta eta ltac:(lra)).
     assert (0 <= fac delta eta * (1 - cos x)) by (apply Rmult_le_pos; destruct (COS_bound x); lra).
@@ -390,8 +313,7 @@ Proof.
       - intros c Hc. apply is_derive_Reals. auto_derive; [easy | ring].
       - rewrite cos_0 in Hc. assert (c * cos c < sin c) by (apply times_cosine_below_sine; lra).
         assert (0 <= (sin c - c * cos c) * (x - 0)) by (apply Rmult_le_pos; lra). lra. }
-    assert (0 <= intrados eta * (2 * (1 - cos x) - x * sin x))
-      by (apply Rmult_le_pos; [unfold intrados|]; lra).
+    assert (0 <= intrados eta * (2 * (1 - cos x) - x * sin x)) by (apply Rmult_le_pos; [unfold intrados|]; lra).
     unfold normal_force. lra.
   - now apply Hout.
   - unfold friction_holds, normal_force, shear_force. apply Rabs_le_between. split; lra.
@@ -402,20 +324,18 @@ Theorem limit_of_arches_stands :
      0 < alpha' <= PI /\ 0 < eta' <= 2 /\ arch_stands delta alpha' eta' mu) ->
   0 < eta /\ arch_stands delta alpha eta mu.
 Proof.
-  intros Hsome.
-  assert (Hstates : forall d, 0 < d -> exists t, is_near d t).
+  intros Hsome. assert (Hstates : forall d, 0 < d -> exists t, is_near d t).
   { intros d Hd. destruct (Hsome d Hd) as (a & e & Ha & He & Ha' & He' & h & p & Hall).
     exists {| at_alpha := a; at_eta := e; at_h := h; at_p := p |}.
     exact (conj Ha (conj He (conj Ha' (conj He' Hall)))). }
   destruct (Classical_Prop.classic
               (exists H, forall d, 0 < d -> exists t, is_near d t /\ at_h t <= H)) as [(H & HH) | Hnone].
   - now apply (limit_of_bounded_thrusts H).
-  - apply limit_of_large_thrusts. intros d Hd. apply Classical_Prop.NNPP. intros Hno. apply Hnone.
-    exists (/ d). intros d' Hd'. set (e := Rmin d d').
-    assert (He : 0 < e) by (now apply Rmin_glb_lt).
-    assert (E1 : e <= d) by apply Rmin_l. assert (E2 : e <= d') by apply Rmin_r.
-    destruct (Hstates e He) as (t & Ht). exists t. split; [now apply (is_nearer e)|].
-    apply Rnot_lt_le. intros Hlarge. apply Hno. exists t. split; [now apply (is_nearer e) | easy].
+  - apply limit_of_large_thrusts. intros d Hd. apply Classical_Prop.NNPP. intros Hno. apply Hnone. exists (/ d).
+    intros d' Hd'. set (e := Rmin d d'). assert (He : 0 < e) by (now apply Rmin_glb_lt).
+    assert (E1 : e <= d) by apply Rmin_l. assert (E2 : e <= d') by apply Rmin_r. destruct (Hstates e He) as (t & Ht).
+    exists t. split; [now apply (is_nearer e)|]. apply Rnot_lt_le. intros Hlarge. apply Hno. exists t.
+    split; [now apply (is_nearer e) | easy].
 Qed.
 
 End Limit.
@@ -427,15 +347,13 @@ Lemma least_is_attained (E : R -> Prop) (low high : R) : E high -> (forall x, E 
   (forall x, (forall d, 0 < d -> exists y, Rabs (y - x) < d /\ E y) -> E x) ->
   exists x, E x /\ forall y, E y -> x <= y.
 Proof.
-  intros Hhigh Hlow Hclosed.
-  destruct (completeness (fun y => E (- y))) as (m & Hupper & Hleast).
+  intros Hhigh Hlow Hclosed. destruct (completeness (fun y => E (- y))) as (m & Hupper & Hleast).
   - exists (- low). intros y Hy. apply Hlow in Hy. lra.
   - exists (- high). now rewrite Ropp_involutive.
   - exists (- m). split.
-    + apply Hclosed. intros d Hd. apply Classical_Prop.NNPP. intros Hnone.
-      enough (m <= m - d) by lra. apply Hleast. intros y Hy. apply Rnot_lt_le. intros Hlt.
-      apply Hnone. exists (- y). split; [|easy]. assert (y <= m) by (now apply Hupper).
-      apply Rabs_def1; lra.
+    + apply Hclosed. intros d Hd. apply Classical_Prop.NNPP. intros Hnone. enough (m <= m - d) by lra. apply Hleast.
+      intros y Hy. apply Rnot_lt_le. intros Hlt. apply Hnone. exists (- y). split; [|easy].
+      assert (y <= m) by (now apply Hupper). apply Rabs_def1; lra.
     + intros y Hy. assert (- y <= m) by (apply Hupper; now rewrite Ropp_involutive). lra.
 Qed.
 
@@ -462,29 +380,25 @@ Proof.
   { intros eta' He'. split.
     - intros H. destruct (Rle_lt_dec eta' eta0) as [Hle | Hlt]; [|lra]. apply Hleast. split; [lra | easy].
     - intros Hle. apply (narrower_rougher_thicker_stands delta alpha alpha eta eta' mu mu); try easy; lra. }
-  exists eta. split; [easy | split; [easy|]]. intros h p Hstate.
-  apply moves_if_none_thinner; try easy; try lra. intros eta' He' H.
-  apply Hexactly in H; lra.
+  exists eta. split; [easy | split; [easy|]]. intros h p Hstate. apply moves_if_none_thinner; try easy; try lra.
+  intros eta' He' H. apply Hexactly in H; lra.
 Qed.
 
 (** Above the least thickness no hinge moves: what is left is pure sliding, *)
-Theorem only_sliding_above_the_least (delta alpha beta sigma eta eta' mu h p u l v s t : R) :
-  0 <= delta <= 1 -> 0 < alpha < PI -> 0 < mu -> 0 < eta < eta' -> eta' <= 2 ->
-  0 <= beta <= alpha -> 0 < sigma <= alpha ->
-  arch_stands delta alpha eta mu -> admissible_state delta alpha eta' mu h p ->
-  0 < u + l + v + s + t -> moves delta alpha beta sigma eta' mu h p u l v s t ->
+Theorem only_sliding_above_the_least (delta alpha beta sigma eta eta' mu h p u l v s t : R) : 0 <= delta <= 1 ->
+  0 < alpha < PI -> 0 < mu -> 0 < eta < eta' -> eta' <= 2 -> 0 <= beta <= alpha -> 0 < sigma <= alpha ->
+  arch_stands delta alpha eta mu -> admissible_state delta alpha eta' mu h p -> 0 < u + l + v + s + t ->
+  moves delta alpha beta sigma eta' mu h p u l v s t ->
   u = 0 /\ l = 0 /\ v = 0 /\ 0 < s /\ 0 < t /\ inward_gap sigma mu h = 0 /\ outward_gap alpha mu h = 0.
 Proof.
   intros Hd Ha Hmu He He' Hb Hs Hstands Hstate Hsome Hmoves.
   assert (HN : forall x, 0 <= x <= alpha -> 0 < normal_force x h)
-    by (intros x Hx; apply (compressed delta alpha eta' mu h p); try easy; lra).
+    by (intros x Hx; apply (@compressed delta alpha eta' mu h p); try easy; lra).
   destruct (no_motion_above_the_least delta alpha beta sigma eta eta' mu h p u l v s t)
     as (-> & -> & ->); try easy; try lra; try (apply HN; lra).
   destruct Hmoves as ((_ & _ & _ & Hs0 & Ht0) & (_ & Hbalance) & _ & _ & _ & HI & HO).
-  assert (HSs : 0 < sin sigma) by (apply sin_gt_0; lra).
-  assert (HSa : 0 < sin alpha) by (apply sin_gt_0; lra).
-  assert (E : s * sin sigma = t * sin alpha) by lra.
-  assert (Hs1 : 0 < s).
+  assert (HSs : 0 < sin sigma) by (apply sin_gt_0; lra). assert (HSa : 0 < sin alpha) by (apply sin_gt_0; lra).
+  assert (E : s * sin sigma = t * sin alpha) by lra. assert (Hs1 : 0 < s).
   { destruct (Req_dec s 0) as [Z | Z]; [|lra]. rewrite Z, Rmult_0_l in E.
     assert (t = 0) by (apply (factor_zero t (sin alpha)); lra). lra. }
   assert (Ht1 : 0 < t).
@@ -500,10 +414,8 @@ Theorem sliding_does_not_see_the_thickness (sigma alpha mu h h' : R) :
   inward_gap sigma mu h = 0 -> outward_gap alpha mu h = 0 ->
   0 <= inward_gap sigma mu h' -> 0 <= outward_gap alpha mu h' -> h' = h.
 Proof.
-  intros Hs Ha HNs HNa HI HO HI' HO'.
-  destruct (slip_rows_are_scaled sigma mu h h' HNs) as [Hin _].
-  destruct (slip_rows_are_scaled alpha mu h h' HNa) as [_ Hout].
-  assert (E := Hin HI). assert (E' := Hout HO).
+  intros Hs Ha HNs HNa HI HO HI' HO'. destruct (slip_rows_are_scaled sigma mu h h' HNs) as [Hin _].
+  destruct (slip_rows_are_scaled alpha mu h h' HNa) as [_ Hout]. assert (E := Hin HI). assert (E' := Hout HO).
   assert (0 <= normal_force sigma h * inward_gap sigma mu h') by (apply Rmult_le_pos; lra).
   assert (0 <= normal_force alpha h * outward_gap alpha mu h') by (apply Rmult_le_pos; lra).
   apply Rle_antisym; apply Rnot_lt_le; intros Hless.
@@ -524,42 +436,32 @@ Proof.
   destruct (narrow_arch_stands delta eta mu He Hmu) as (alpha0 & Ha0 & Hstands0).
   assert (Hflat : ~ arch_stands delta PI eta mu).
   { intros (h & p & Hall). assert (Hh : 0 < h).
-    { apply (friction_needs_thrust PI mu); [lra | lra|]. intros x Hx.
-      destruct (Hall x Hx) as [[HN _] Hf]. now split. }
-    destruct (Hall PI ltac:(lra)) as [(HN & _) _]. unfold normal_force in HN.
-    rewrite cos_PI, sin_PI in HN. lra. }
-  destruct (least_is_attained
-              (fun x => alpha0 <= PI - x /\ 0 <= x /\ arch_stands delta (PI - x) eta mu)
-              0 (PI - alpha0)) as (x & (Hx & Hx0 & Hstands) & Hleast).
+    { apply (friction_needs_thrust PI mu); [lra | lra|]. intros x Hx. destruct (Hall x Hx) as [[HN _] Hf]. now split. }
+    destruct (Hall PI ltac:(lra)) as [(HN & _) _]. unfold normal_force in HN. rewrite cos_PI, sin_PI in HN. lra. }
+  destruct (least_is_attained (fun x => alpha0 <= PI - x /\ 0 <= x /\
+    arch_stands delta (PI - x) eta mu) 0 (PI - alpha0)) as (x & (Hx & Hx0 & Hstands) & Hleast).
   { replace (PI - (PI - alpha0)) with alpha0 by ring. repeat split; try lra. exact Hstands0. }
   { intros y Hy. lra. }
   { intros y Hy. assert (Hy0 : 0 <= y <= PI - alpha0).
     { split; apply Rnot_lt_le; intros Hout.
       - destruct (Hy (- y) ltac:(lra)) as (z & Hz & Hz0 & Hz1 & _). apply Rabs_def2 in Hz. lra.
-      - destruct (Hy (y - (PI - alpha0)) ltac:(lra)) as (z & Hz & Hz0 & _).
-        apply Rabs_def2 in Hz. lra. }
-    split; [lra | split; [lra|]].
-    apply (limit_of_arches_stands delta mu (PI - y) eta Hd Hmu); try lra.
-    intros d Hd'. destruct (Hy d Hd') as (z & Hz & Hz0 & Hz1 & H). exists (PI - z), eta.
-    replace (PI - z - (PI - y)) with (- (z - y)) by ring. rewrite Rabs_Ropp.
-    replace (eta - eta) with 0 by ring. rewrite Rabs_R0. repeat split; try easy; lra. }
+      - destruct (Hy (y - (PI - alpha0)) ltac:(lra)) as (z & Hz & Hz0 & _). apply Rabs_def2 in Hz. lra. }
+    split; [lra | split; [lra|]]. apply (limit_of_arches_stands delta mu (PI - y) eta Hd Hmu); try lra. intros d Hd'.
+    destruct (Hy d Hd') as (z & Hz & Hz0 & Hz1 & H). exists (PI - z), eta.
+    replace (PI - z - (PI - y)) with (- (z - y)) by ring. rewrite Rabs_Ropp. replace (eta - eta) with 0 by ring.
+    rewrite Rabs_R0. repeat split; try easy; lra. }
   assert (Hpos : 0 < x).
-  { destruct (Req_dec x 0) as [E | E]; [exfalso | lra]. apply Hflat. revert Hstands.
-    rewrite E, Rminus_0_r. easy. }
-  assert (Hexactly : forall alpha', 0 < alpha' <= PI ->
-            arch_stands delta alpha' eta mu <-> alpha' <= PI - x).
+  { destruct (Req_dec x 0) as [E | E]; [exfalso | lra]. apply Hflat. revert Hstands. rewrite E, Rminus_0_r. easy. }
+  assert (Hexactly : forall alpha', 0 < alpha' <= PI -> arch_stands delta alpha' eta mu <-> alpha' <= PI - x).
   { intros alpha' Ha'. split.
-    - intros H. destruct (Rle_lt_dec alpha0 alpha') as [Hle | Hlt]; [|lra].
-      enough (x <= PI - alpha') by lra. apply Hleast.
-      replace (PI - (PI - alpha')) with alpha' by ring. repeat split; try lra. exact H.
-    - intros Hle. apply (narrower_rougher_thicker_stands delta (PI - x) alpha' eta eta mu mu);
-        try easy; lra. }
+    - intros H. destruct (Rle_lt_dec alpha0 alpha') as [Hle | Hlt]; [|lra]. enough (x <= PI - alpha') by lra.
+      apply Hleast. replace (PI - (PI - alpha')) with alpha' by ring. repeat split; try lra. exact H.
+    - intros Hle. apply (narrower_rougher_thicker_stands delta (PI - x) alpha' eta eta mu mu); try easy; lra. }
   exists (PI - x). split; [lra|]. split; [easy|]. split.
-  - intros h p Hstate. apply moves_if_none_wider; try easy; try lra.
-    intros alpha' Ha' H. apply Hexactly in H; lra.
+  - intros h p Hstate. apply moves_if_none_wider; try easy; try lra. intros alpha' Ha' H. apply Hexactly in H; lra.
   - intros alpha' h p Ha' Hstate (beta & sigma & u & l & v & s & t & Hb & Hs & Hsome & Hmoves).
     assert (HN : forall y, 0 <= y <= alpha' -> 0 < normal_force y h)
-      by (intros y Hy; apply (compressed delta alpha' eta mu h p); try easy; lra).
+      by (intros y Hy; apply (@compressed delta alpha' eta mu h p); try easy; lra).
     destruct (no_motion_below_the_widest delta alpha' (PI - x) beta sigma eta mu h p u l v s t)
       as (-> & -> & -> & -> & ->); try easy; try lra; apply HN; lra.
 Qed.

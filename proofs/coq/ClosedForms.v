@@ -68,10 +68,7 @@ Lemma C_product_nonzero (x y : C) : x <> 0 -> y <> 0 -> x * y <> 0.
 Proof. exact (Cmult_neq_0 x y). Qed.
 
 Lemma C_power_nonzero (x : C) (n : nat) : x <> 0 -> x ^ n <> 0.
-Proof.
-  intros Hx. induction n as [|n IH]; simpl; [apply RtoC_nonzero; lra|].
-  now apply C_product_nonzero.
-Qed.
+Proof. intros Hx. induction n as [|n IH]; simpl; [apply RtoC_nonzero; lra|]. now apply C_product_nonzero. Qed.
 
 Lemma C_numeral_nonzero (z : Z) : z <> 0%Z -> RtoC (IZR z) <> 0.
 Proof. intros H. apply RtoC_nonzero. now apply not_0_IZR. Qed.
@@ -151,8 +148,7 @@ Definition closed_h (b : branch) (f g S u : C) : C :=
 Lemma i_sqrt_3_square : (Ci * sqrt 3) ^ 2 = - (3).
 Proof.
   replace ((Ci * sqrt 3) ^ 2) with ((Ci * Ci) * (RtoC (sqrt 3) * RtoC (sqrt 3))) by ring.
-  rewrite <- RtoC_mult, sqrt_sqrt by lra.
-  replace (Ci * Ci) with (- (1)); [ring|].
+  rewrite <- RtoC_mult, sqrt_sqrt by lra. replace (Ci * Ci) with (- (1)); [ring|].
   unfold Ci, Cmult, Copp, RtoC; simpl. f_equal; ring.
 Qed.
 
@@ -161,8 +157,7 @@ Proof. destruct b; simpl factor; ring [i_sqrt_3_square]. Qed.
 
 Lemma factor_nonzero (b : branch) : factor b <> 0.
 Proof.
-  intros H. assert (E := factor_cube b). rewrite H in E.
-  apply (C_numeral_nonzero 8); [discriminate|].
+  intros H. assert (E := factor_cube b). rewrite H in E. apply (C_numeral_nonzero 8); [discriminate|].
   transitivity (- (- (8))); [ring|]. rewrite <- E. ring.
 Qed.
 
@@ -170,10 +165,9 @@ Lemma factor_inverse (b : branch) :
   2 / factor b
   = match b with plus => factor minus / 2 | minus => factor plus / 2 | unprinted => - (1) end.
 Proof.
-  assert (H2 : RtoC 2 <> 0) by C_nonzero.
-  assert (Hplus := factor_nonzero plus). assert (Hminus := factor_nonzero minus).
-  assert (E : factor plus * factor minus = 4) by (simpl factor; ring [i_sqrt_3_square]).
-  destruct b.
+  assert (H2 : RtoC 2 <> 0) by C_nonzero. assert (Hplus := factor_nonzero plus).
+  assert (Hminus := factor_nonzero minus).
+  assert (E : factor plus * factor minus = 4) by (simpl factor; ring [i_sqrt_3_square]). destruct b.
   - transitivity (4 / (2 * factor plus)); [field; C_nonzero | rewrite <- E; field; C_nonzero].
   - transitivity (4 / (2 * factor minus)); [field; C_nonzero | rewrite <- E; field; C_nonzero].
   - simpl factor. field. C_nonzero.
@@ -181,10 +175,8 @@ Qed.
 
 Lemma two_to_two_thirds_cube : two_to_two_thirds ^ 3 = 4.
 Proof.
-  unfold two_to_two_thirds. rewrite <- RtoC_power. f_equal.
-  rewrite <- Rpower_pow by apply exp_pos. rewrite Rpower_mult.
-  replace (2 / 3 * INR 3)%R with (INR 2) by (simpl; field).
-  rewrite Rpower_pow by lra. ring.
+  unfold two_to_two_thirds. rewrite <- RtoC_power. f_equal. rewrite <- Rpower_pow by apply exp_pos.
+  rewrite Rpower_mult. replace (2 / 3 * INR 3)%R with (INR 2) by (simpl; field). rewrite Rpower_pow by lra. ring.
 Qed.
 
 Lemma two_to_two_thirds_nonzero : two_to_two_thirds <> 0.
@@ -202,10 +194,8 @@ Proof.
   (* everything in terms of the cube root w = (1 + i sqrt 3)/2 of -1 *)
   unfold cardano. rewrite !factor_inverse. set (w := factor plus / 2).
   assert (Hminus : factor minus / 2 = 1 - w) by (unfold w; simpl factor; field; C_nonzero).
-  assert (Hthird : factor unprinted / 2 = - (1)) by (simpl factor; field; C_nonzero).
-  assert (Hw : w ^ 2 = w - 1).
-  { unfold w. simpl factor. set (j := Ci * sqrt 3).
-    assert (Hj : j ^ 2 = - (3)) by apply i_sqrt_3_square.
+  assert (Hthird : factor unprinted / 2 = - (1)) by (simpl factor; field; C_nonzero). assert (Hw : w ^ 2 = w - 1).
+  { unfold w. simpl factor. set (j := Ci * sqrt 3). assert (Hj : j ^ 2 = - (3)) by apply i_sqrt_3_square.
     transitivity ((1 + 2 * j + j ^ 2) / 4); [|rewrite Hj]; field; C_nonzero. }
   rewrite Hminus, Hthird. ring [Hw].
 Qed.
@@ -214,26 +204,21 @@ Qed.
 Lemma cube_root_sum (q P D u : C) : u <> 0 -> u ^ 3 = P + D -> q ^ 3 = P ^ 2 - D ^ 2 ->
   (q / u) * u = q /\ (q / u) ^ 3 + u ^ 3 = 2 * P.
 Proof.
-  intros Hu Hu3 Hq. split; [field; exact Hu|].
-  replace ((q / u) ^ 3) with (q ^ 3 / u ^ 3) by (field; exact Hu).
-  assert (u ^ 3 <> 0) by C_nonzero.
-  rewrite Hq. replace (P ^ 2 - D ^ 2) with (u ^ 3 * (P - D)) by (rewrite Hu3; ring).
-  replace (u ^ 3 * (P - D) / u ^ 3) with (P - D) by (field; assumption).
-  rewrite Hu3. ring.
+  intros Hu Hu3 Hq. split; [field; exact Hu|]. replace ((q / u) ^ 3) with (q ^ 3 / u ^ 3) by (field; exact Hu).
+  assert (u ^ 3 <> 0) by C_nonzero. rewrite Hq. replace (P ^ 2 - D ^ 2) with (u ^ 3 * (P - D)) by (rewrite Hu3; ring).
+  replace (u ^ 3 * (P - D) / u ^ 3) with (P - D) by (field; assumption). rewrite Hu3. ring.
 Qed.
 
 (** and the shape of (9), which has [2^(2/3)] in the place of 2. *)
-Lemma cube_root_sum_9 (q P D u c : C) :
-  c <> 0 -> c ^ 3 = 4 -> u <> 0 -> u ^ 3 = P + D -> 4 * q ^ 3 = P ^ 2 - D ^ 2 ->
+Lemma cube_root_sum_9 (q P D u c : C) : c <> 0 -> c ^ 3 = 4 -> u <> 0 -> u ^ 3 = P + D -> 4 * q ^ 3 = P ^ 2 - D ^ 2 ->
   (2 * q / (c * u)) * (c * u / 2) = q /\ (2 * q / (c * u)) ^ 3 + (c * u / 2) ^ 3 = P.
 Proof.
   intros Hc Hc3 Hu Hu3 Hq. split; [field; C_nonzero|].
   replace ((2 * q / (c * u)) ^ 3) with (2 * (4 * q ^ 3) / (c ^ 3 * u ^ 3)) by (field; C_nonzero).
-  replace ((c * u / 2) ^ 3) with (c ^ 3 * u ^ 3 / 8) by (field; C_nonzero).
-  assert (u ^ 3 <> 0) by C_nonzero.
+  replace ((c * u / 2) ^ 3) with (c ^ 3 * u ^ 3 / 8) by (field; C_nonzero). assert (u ^ 3 <> 0) by C_nonzero.
   rewrite Hc3, Hq. replace (P ^ 2 - D ^ 2) with (u ^ 3 * (P - D)) by (rewrite Hu3; ring).
-  replace (2 * (u ^ 3 * (P - D)) / (4 * u ^ 3)) with ((P - D) / 2) by (field; C_nonzero).
-  rewrite Hu3. field. C_nonzero.
+  replace (2 * (u ^ 3 * (P - D)) / (4 * u ^ 3)) with ((P - D) / 2) by (field; C_nonzero). rewrite Hu3. field.
+  C_nonzero.
 Qed.
 
 Lemma product_zero (b : branch) (lead X x1 x2 x3 : C) :
@@ -243,29 +228,24 @@ Proof. intros ->. destruct b; ring. Qed.
 
 (** ** (9) *)
 
-Theorem cubic_in_opening_factors (f g S root u X : C) :
-  S <> 0 -> 3 * g - 2 * S <> 0 -> u <> 0 ->
+Theorem cubic_in_opening_factors (f g S root u X : C) : S <> 0 -> 3 * g - 2 * S <> 0 -> u <> 0 ->
   root ^ 2 = radicand_C f g S -> u ^ 3 = base_A f g S root ->
   cubic_A f g S X
   = S ^ 2 * (3 * g - 2 * S)
     * ((X - closed_A plus f g S u) * (X - closed_A minus f g S u)
        * (X - closed_A unprinted f g S u)).
 Proof.
-  intros HS HL Hu Hroot Hbase. unfold base_A in Hbase.
-  set (L := 3 * g - 2 * S) in *.
+  intros HS HL Hu Hroot Hbase. unfold base_A in Hbase. set (L := 3 * g - 2 * S) in *.
   set (q := (f + g) ^ 2 - f * (g + 2 * S)).
   set (P := (g - f) * (2 * (f + g) ^ 2 + f * (g - 6 * S)) + 2 * S * L ^ 2) in *.
   assert (Hc := two_to_two_thirds_nonzero). set (c := two_to_two_thirds) in *.
   assert (Hq : 4 * q ^ 3 = P ^ 2 - (L * root) ^ 2).
-  { transitivity (P ^ 2 - L ^ 2 * root ^ 2); [|ring].
-    rewrite Hroot. unfold q, P, L, radicand_C. ring. }
+  { transitivity (P ^ 2 - L ^ 2 * root ^ 2); [|ring]. rewrite Hroot. unfold q, P, L, radicand_C. ring. }
   destruct (cube_root_sum_9 q P (L * root) u c Hc two_to_two_thirds_cube Hu Hbase Hq) as [Hpt Hsum].
   assert (Hclosed : forall b, closed_A b f g S u
     = (- g * (g - f) + cardano b (g * (2 * q / (c * u))) (g * (c * u / 2))) / (S * L)).
-  { intros b. assert (Hb := factor_nonzero b). unfold closed_A, cardano. fold L q c.
-    field. C_nonzero. }
-  rewrite !Hclosed.
-  set (p := 2 * q / (c * u)) in *. set (t := c * u / 2) in *. set (W := S * L * X + g * (g - f)).
+  { intros b. assert (Hb := factor_nonzero b). unfold closed_A, cardano. fold L q c. field. C_nonzero. }
+  rewrite !Hclosed. set (p := 2 * q / (c * u)) in *. set (t := c * u / 2) in *. set (W := S * L * X + g * (g - f)).
   transitivity (((W - cardano plus (g * p) (g * t)) * (W - cardano minus (g * p) (g * t))
                  * (W - cardano unprinted (g * p) (g * t))) / (S * L ^ 2)).
   - rewrite cardano_factors.
@@ -279,13 +259,11 @@ Proof.
 Qed.
 
 (** Each branch of (9) is a root of the first cubic (7). *)
-Theorem closed_form_9 (b : branch) (f g S root u : C) :
-  S <> 0 -> 3 * g - 2 * S <> 0 -> u <> 0 ->
+Theorem closed_form_9 (b : branch) (f g S root u : C) : S <> 0 -> 3 * g - 2 * S <> 0 -> u <> 0 ->
   root ^ 2 = radicand_C f g S -> u ^ 3 = base_A f g S root ->
   cubic_A f g S (closed_A b f g S u) = 0.
 Proof.
-  intros. rewrite (cubic_in_opening_factors f g S root u) by assumption.
-  apply (product_zero b). now destruct b.
+  intros. rewrite (cubic_in_opening_factors f g S root u) by assumption. apply (product_zero b). now destruct b.
 Qed.
 
 (** ** (10) *)
@@ -296,25 +274,18 @@ Theorem cubic_in_thickness_factors (f g S root u X : C) :
   = S * ((X - closed_eta plus f g S u) * (X - closed_eta minus f g S u)
          * (X - closed_eta unprinted f g S u)).
 Proof.
-  intros HS Hu Hroot Hbase. unfold base_eta in Hbase.
-  set (q := (f + g) ^ 2 + 4 * S * (g - S)).
+  intros HS Hu Hroot Hbase. unfold base_eta in Hbase. set (q := (f + g) ^ 2 + 4 * S * (g - S)).
   set (P := (f + g) ^ 3 + 6 * g * S * (f + g) - 12 * f * S ^ 2) in *.
   assert (Hq : q ^ 3 = P ^ 2 - (2 * S * root) ^ 2).
-  { transitivity (P ^ 2 - 4 * S ^ 2 * root ^ 2); [|ring].
-    rewrite Hroot. unfold q, P, radicand_C. ring. }
+  { transitivity (P ^ 2 - 4 * S ^ 2 * root ^ 2); [|ring]. rewrite Hroot. unfold q, P, radicand_C. ring. }
   destruct (cube_root_sum q P (2 * S * root) u Hu Hbase Hq) as [Hpt Hsum].
-  assert (Hclosed : forall b, closed_eta b f g S u
-    = (- (f + g) + cardano (opposite b) (q / u) u) / S).
-  { intros b. assert (Hb := factor_nonzero (opposite b)). unfold closed_eta, cardano. fold q.
-    field. C_nonzero. }
-  rewrite !Hclosed. simpl opposite.
-  set (p := q / u) in *. set (W := S * X + (f + g)).
-  transitivity (((W - cardano plus p u) * (W - cardano minus p u)
-                 * (W - cardano unprinted p u)) / S ^ 2).
+  assert (Hclosed : forall b, closed_eta b f g S u = (- (f + g) + cardano (opposite b) (q / u) u) / S).
+  { intros b. assert (Hb := factor_nonzero (opposite b)). unfold closed_eta, cardano. fold q. field. C_nonzero. }
+  rewrite !Hclosed. simpl opposite. set (p := q / u) in *. set (W := S * X + (f + g)).
+  transitivity (((W - cardano plus p u) * (W - cardano minus p u) * (W - cardano unprinted p u)) / S ^ 2).
   - rewrite cardano_factors, Hpt, Hsum.
-    replace (W ^ 3 - 3 * q * W + 2 * P) with (S ^ 2 * cubic_eta f g S X)
-      by (unfold W, q, P, cubic_eta; ring).
-    field. C_nonzero.
+    replace (W ^ 3 - 3 * q * W + 2 * P) with (S ^ 2 * cubic_eta f g S X) by (unfold W, q, P, cubic_eta; ring). field.
+    C_nonzero.
   - unfold W. field. C_nonzero.
 Qed.
 
@@ -323,8 +294,7 @@ Theorem closed_form_10 (b : branch) (f g S root u : C) :
   S <> 0 -> u <> 0 -> root ^ 2 = radicand_C f g S -> u ^ 3 = base_eta f g S root ->
   cubic_eta f g S (closed_eta b f g S u) = 0.
 Proof.
-  intros. rewrite (cubic_in_thickness_factors f g S root u) by assumption.
-  apply (product_zero b). now destruct b.
+  intros. rewrite (cubic_in_thickness_factors f g S root u) by assumption. apply (product_zero b). now destruct b.
 Qed.
 
 (** ** (11) *)
@@ -335,26 +305,19 @@ Theorem cubic_in_thrust_factors (f g S root u X : C) :
   = 6 * S ^ 2 * ((X - closed_h plus f g S u) * (X - closed_h minus f g S u)
                  * (X - closed_h unprinted f g S u)).
 Proof.
-  intros HS Hu Hroot Hbase. unfold base_h in Hbase.
-  set (m := 3 * f - g - 2 * S).
+  intros HS Hu Hroot Hbase. unfold base_h in Hbase. set (m := 3 * f - g - 2 * S).
   set (q := 3 * f ^ 2 + g ^ 2 - 4 * S * (2 * g - S)).
-  set (P := - g * (9 * f ^ 2 - g ^ 2)
-            - 2 * S * (9 * f * (g - f) - 12 * g * (g - S) - 4 * S ^ 2)) in *.
+  set (P := - g * (9 * f ^ 2 - g ^ 2) - 2 * S * (9 * f * (g - f) - 12 * g * (g - S) - 4 * S ^ 2)) in *.
   assert (Hq : q ^ 3 = P ^ 2 - (3 * (g - f) * root) ^ 2).
-  { transitivity (P ^ 2 - 9 * (g - f) ^ 2 * root ^ 2); [|ring].
-    rewrite Hroot. unfold q, P, radicand_C. ring. }
+  { transitivity (P ^ 2 - 9 * (g - f) ^ 2 * root ^ 2); [|ring]. rewrite Hroot. unfold q, P, radicand_C. ring. }
   destruct (cube_root_sum q P (3 * (g - f) * root) u Hu Hbase Hq) as [Hpt Hsum].
   assert (Hclosed : forall b, closed_h b f g S u = (m + cardano b (q / u) u) / (6 * S)).
-  { intros b. assert (Hb := factor_nonzero b). unfold closed_h, cardano. fold q m.
-    field. C_nonzero. }
-  rewrite !Hclosed.
-  set (p := q / u) in *. set (W := 6 * S * X - m).
-  transitivity (((W - cardano plus p u) * (W - cardano minus p u)
-                 * (W - cardano unprinted p u)) / (36 * S)).
+  { intros b. assert (Hb := factor_nonzero b). unfold closed_h, cardano. fold q m. field. C_nonzero. }
+  rewrite !Hclosed. set (p := q / u) in *. set (W := 6 * S * X - m).
+  transitivity (((W - cardano plus p u) * (W - cardano minus p u) * (W - cardano unprinted p u)) / (36 * S)).
   - rewrite cardano_factors, Hpt, Hsum.
-    replace (W ^ 3 - 3 * q * W + 2 * P) with (36 * S * cubic_h f g S X)
-      by (unfold W, q, P, m, cubic_h; ring).
-    field. C_nonzero.
+    replace (W ^ 3 - 3 * q * W + 2 * P) with (36 * S * cubic_h f g S X) by (unfold W, q, P, m, cubic_h; ring). field.
+    C_nonzero.
   - unfold W. field. C_nonzero.
 Qed.
 
@@ -363,8 +326,7 @@ Theorem closed_form_11 (b : branch) (f g S root u : C) :
   S <> 0 -> u <> 0 -> root ^ 2 = radicand_C f g S -> u ^ 3 = base_h f g S root ->
   cubic_h f g S (closed_h b f g S u) = 0.
 Proof.
-  intros. rewrite (cubic_in_thrust_factors f g S root u) by assumption.
-  apply (product_zero b). now destruct b.
+  intros. rewrite (cubic_in_thrust_factors f g S root u) by assumption. apply (product_zero b). now destruct b.
 Qed.
 
 (** ** In the arch
@@ -377,12 +339,11 @@ Lemma cube_root_9_nonzero (f g S root u : C) :
   (f + g) ^ 2 - f * (g + 2 * S) <> 0 ->
   root ^ 2 = radicand_C f g S -> u ^ 3 = base_A f g S root -> u <> 0.
 Proof.
-  intros Hq Hroot Hbase Hu.
-  apply (C_power_nonzero _ 3 Hq). apply (C_integral 4); [|C_nonzero].
+  intros Hq Hroot Hbase Hu. apply (C_power_nonzero _ 3 Hq). apply (C_integral 4); [|C_nonzero].
   transitivity (base_A f g S root * base_A f g S (- root)).
-  - unfold base_A. transitivity
-      (((g - f) * (2 * (f + g) ^ 2 + f * (g - 6 * S)) + 2 * S * (3 * g - 2 * S) ^ 2) ^ 2
-       - (3 * g - 2 * S) ^ 2 * root ^ 2); [rewrite Hroot; unfold radicand_C|]; ring.
+  - unfold base_A.
+    transitivity (((g - f) * (2 * (f + g) ^ 2 + f * (g - 6 * S)) + 2 * S * (3 * g - 2 * S) ^ 2) ^ 2 - (3 * g - 2 * S)
+      ^ 2 * root ^ 2); [rewrite Hroot; unfold radicand_C|]; ring.
   - rewrite <- Hbase, Hu. ring.
 Qed.
 
@@ -392,8 +353,8 @@ Lemma cube_root_10_nonzero (f g S root u : C) :
 Proof.
   intros Hq Hroot Hbase Hu. apply (C_power_nonzero _ 3 Hq).
   transitivity (base_eta f g S root * base_eta f g S (- root)).
-  - unfold base_eta. transitivity
-      (((f + g) ^ 3 + 6 * g * S * (f + g) - 12 * f * S ^ 2) ^ 2 - 4 * S ^ 2 * root ^ 2);
+  - unfold base_eta.
+    transitivity (((f + g) ^ 3 + 6 * g * S * (f + g) - 12 * f * S ^ 2) ^ 2 - 4 * S ^ 2 * root ^ 2);
       [rewrite Hroot; unfold radicand_C|]; ring.
   - rewrite <- Hbase, Hu. ring.
 Qed.
@@ -403,23 +364,20 @@ Open Scope R_scope.
 Lemma numerator_9_positive (beta : R) : 0 < beta < PI ->
   0 < (f_of beta + g_of beta) ^ 2 - f_of beta * (g_of beta + 2 * sin beta).
 Proof.
-  intros Hb. assert (H3 := three_g_minus_2_S_positive beta Hb).
-  assert (HS : 0 < sin beta) by (apply sin_gt_0; lra). assert (Hg := g_positive beta (proj1 Hb)).
-  set (f := f_of beta) in *. set (g := g_of beta) in *. set (S := sin beta) in *.
+  intros Hb. assert (H3 := three_g_minus_2_S_positive beta Hb). assert (HS : 0 < sin beta) by (apply sin_gt_0; lra).
+  assert (Hg := g_positive beta (proj1 Hb)). set (f := f_of beta) in *. set (g := g_of beta) in *.
+  set (S := sin beta) in *.
   replace ((f + g) ^ 2 - f * (g + 2 * S))
     with ((f + (g - 2 * S) / 2) ^ 2 + (g + 2 * S) * (3 * g - 2 * S) / 4) by field.
   assert (0 <= (f + (g - 2 * S) / 2) ^ 2) by apply pow2_ge_0.
-  assert (0 < (g + 2 * S) * (3 * g - 2 * S)) by (apply Rmult_lt_0_compat; lra).
-  lra.
+  assert (0 < (g + 2 * S) * (3 * g - 2 * S)) by (apply Rmult_lt_0_compat; lra). lra.
 Qed.
 
 Lemma numerator_10_positive (beta : R) : 0 < beta < PI ->
   0 < (f_of beta + g_of beta) ^ 2 + 4 * sin beta * (g_of beta - sin beta).
 Proof.
-  intros Hb. assert (HS : 0 < sin beta) by (apply sin_gt_0; lra).
-  assert (HgS : 0 < g_of beta - sin beta).
-  { unfold g_of. assert (sin beta < beta) by (apply sin_lt_x; lra).
-    destruct (Rle_lt_dec beta (PI / 2)) as [Hc | Hc].
+  intros Hb. assert (HS : 0 < sin beta) by (apply sin_gt_0; lra). assert (HgS : 0 < g_of beta - sin beta).
+  { unfold g_of. assert (sin beta < beta) by (apply sin_lt_x; lra). destruct (Rle_lt_dec beta (PI / 2)) as [Hc | Hc].
     - assert (0 <= cos beta) by (apply cos_ge_0; lra). nra.
     - assert (HPI := PI2_3_2). assert (Hcircle := circle beta). destruct (SIN_bound beta). nra. }
   assert (0 <= (f_of beta + g_of beta) ^ 2) by apply pow2_ge_0. nra.
@@ -430,16 +388,12 @@ Theorem closed_form_9_in_the_arch (b : branch) (beta x : R) (root u : C) : 0 < b
   (root ^ 2)%C = radicand_printed f g S -> (u ^ 3)%C = base_A f g S root ->
   RtoC x = closed_A b f g S u -> pol_A_printed f g S x = 0.
 Proof.
-  intros Hb f g S Hroot Hbase Hx. rewrite radicand_on_reals in Hroot.
-  apply RtoC_inj. rewrite cubic_A_on_reals, Hx.
+  intros Hb f g S Hroot Hbase Hx. rewrite radicand_on_reals in Hroot. apply RtoC_inj. rewrite cubic_A_on_reals, Hx.
   apply (closed_form_9 b f g S root u); try easy.
   - apply RtoC_nonzero, Rgt_not_eq, sin_gt_0; lra.
-  - rewrite <- !RtoC_mult, <- RtoC_minus.
-    now apply RtoC_nonzero, Rgt_not_eq, three_g_minus_2_S_positive.
-  - apply (cube_root_9_nonzero f g S root u); try easy.
-    assert (Hq := numerator_9_positive beta Hb). fold f g S in Hq.
-    apply Rgt_not_eq, RtoC_nonzero in Hq.
-    intros H. apply Hq. rewrite <- H. push_RtoC. ring.
+  - rewrite <- !RtoC_mult, <- RtoC_minus. now apply RtoC_nonzero, Rgt_not_eq, three_g_minus_2_S_positive.
+  - apply (cube_root_9_nonzero f g S root u); try easy. assert (Hq := numerator_9_positive beta Hb). fold f g S in Hq.
+    apply Rgt_not_eq, RtoC_nonzero in Hq. intros H. apply Hq. rewrite <- H. push_RtoC. ring.
 Qed.
 
 Theorem closed_form_10_in_the_arch (b : branch) (beta x : R) (root u : C) : 0 < beta < PI ->
@@ -448,17 +402,12 @@ Theorem closed_form_10_in_the_arch (b : branch) (beta x : R) (root u : C) : 0 < 
   RtoC x = closed_eta b f g S u ->
   pol_eta_printed f g S x = 0 /\ (0 < x < 2 -> h_lower 1 beta x = h_tangency 1 beta x).
 Proof.
-  intros Hb f g S Hroot Hbase Hx. rewrite radicand_on_reals in Hroot.
-  assert (Hpol : pol_eta_printed f g S x = 0).
-  { apply RtoC_inj. rewrite cubic_eta_on_reals, Hx.
-    apply (closed_form_10 b f g S root u); try easy.
+  intros Hb f g S Hroot Hbase Hx. rewrite radicand_on_reals in Hroot. assert (Hpol : pol_eta_printed f g S x = 0).
+  { apply RtoC_inj. rewrite cubic_eta_on_reals, Hx. apply (closed_form_10 b f g S root u); try easy.
     - apply RtoC_nonzero, Rgt_not_eq, sin_gt_0; lra.
-    - apply (cube_root_10_nonzero f g S root u); try easy.
-      assert (Hq := numerator_10_positive beta Hb). fold f g S in Hq.
-      apply Rgt_not_eq, RtoC_nonzero in Hq.
-      intros H. apply Hq. rewrite <- H. push_RtoC. ring. }
-  split; [easy|]. intros Hin. apply cubic_in_thickness_in_the_arch; try easy.
-  now rewrite pol_eta_is_printed.
+    - apply (cube_root_10_nonzero f g S root u); try easy. assert (Hq := numerator_10_positive beta Hb).
+      fold f g S in Hq. apply Rgt_not_eq, RtoC_nonzero in Hq. intros H. apply Hq. rewrite <- H. push_RtoC. ring. }
+  split; [easy|]. intros Hin. apply cubic_in_thickness_in_the_arch; try easy. now rewrite pol_eta_is_printed.
 Qed.
 
 (** In (11) the cube root can vanish for some haunch and square root, so that this is asked for. *)
@@ -467,8 +416,6 @@ Theorem closed_form_11_in_the_arch (b : branch) (beta x : R) (root u : C) : 0 < 
   u <> RtoC 0 -> (root ^ 2)%C = radicand_printed f g S -> (u ^ 3)%C = base_h f g S root ->
   RtoC x = closed_h b f g S u -> pol_h_printed f g S x = 0.
 Proof.
-  intros Hb f g S Hu Hroot Hbase Hx. rewrite radicand_on_reals in Hroot.
-  apply RtoC_inj. rewrite cubic_h_on_reals, Hx.
-  apply (closed_form_11 b f g S root u); try easy.
-  apply RtoC_nonzero, Rgt_not_eq, sin_gt_0; lra.
+  intros Hb f g S Hu Hroot Hbase Hx. rewrite radicand_on_reals in Hroot. apply RtoC_inj. rewrite cubic_h_on_reals, Hx.
+  apply (closed_form_11 b f g S root u); try easy. apply RtoC_nonzero, Rgt_not_eq, sin_gt_0; lra.
 Qed.

@@ -10,25 +10,10 @@ From Couplet Require Import Formulas Equations Certificate.
 Import ListNotations.
 Open Scope R_scope.
 
-(** ** One value of [A] *)
-
-Theorem half_opening v lo hi :
-  0 < lo -> lo < hi -> hi < 2 * PI -> v < A lo -> A hi < v ->
-  exists alpha, lo < alpha < hi /\ A alpha = v /\
-    (forall other, 0 < other < 2 * PI -> A other = v -> other = alpha).
-Proof.
-  intros H0 Hlohi Hpi Hlo Hhi.
-  destruct (Ranalysis5.IVT_interv (fun x => v - A x) lo hi) as [alpha [Halpha Hroot]]; try lra.
-  - intros x Hx. assert (0 < 1 - cos x) by (apply versine_positive; lra). apply continuity_pt_filterlim, (ex_derive_continuous (fun x => v - A x)).
-    apply @ex_derive_minus; [apply ex_derive_const | eexists; apply derivative_of_A; lra].
-  - assert (alpha <> lo /\ alpha <> hi) by (split; intros ->; lra). exists alpha. split; [lra | split; [lra |]].
-    intros other Hother Hv. apply A_injective; [exact Hother | lra | lra].
-Qed.
-
-(** From a bracket as wide as two units of the last decimal. *)
+(** ** One value of [A], from a bracket as wide as two units of the last decimal. *)
 Ltac opening v lo hi :=
   let alpha := fresh "alpha" in
-  destruct (half_opening v lo hi) as [alpha [? [? ?]]];
+  destruct (Overturning.half_opening v lo hi) as [alpha [? [? ?]]];
   [ lra | lra | interval with (i_prec 53) | unfold A; interval with (i_prec 140)
   | unfold A; interval with (i_prec 140) |];
   exists alpha; split; [apply Rabs_le; lra | now split].
@@ -50,16 +35,19 @@ Proof. opening (1 / 2) 2.78649815065117703204215667394121 2.78649815065117703204
 
 (** ** The ends of rotation and of overturning in closed form *)
 
+Ltac at_rotation_end l :=
+  match goal with thickness : end_of_rotation _ ?eta = 0 <-> _, opening : h_whole _ _ _ = 0 <-> _ |- _ =>
+    split; intros [? ?];
+    [ assert (eta = l) as -> by (apply thickness; lra); split; [easy | rewrite (proj1 opening); lra]
+    | subst; split; symmetry; [apply opening; lra | now apply thickness] ]
+  end.
+
 Lemma rotation_end_heyman alpha eta : 0 <= eta < 2 ->
   (0 = h_whole 0 alpha eta /\ 0 = end_of_rotation 0 eta <-> eta = 1 /\ A alpha = 2 / 3).
 Proof.
   intros He. pose proof (end_of_rotation_heyman eta ltac:(lra)) as thickness.
-  pose proof (overturning_from_whole_thrust 0 alpha eta) as opening.
-  pose proof A_l_heyman. pose proof (A_heyman_from_13 1).
-  split; intros [H1 H2].
-  - assert (eta = 1) as -> by (apply thickness; lra).
-    split; [easy |]. rewrite (proj1 opening); lra.
-  - subst. split; symmetry; [apply opening; lra | now apply thickness].
+  pose proof (overturning_from_whole_thrust 0 alpha eta) as opening. pose proof A_l_heyman.
+  pose proof (A_heyman_from_13 1). at_rotation_end 1.
 Qed.
 
 Lemma rotation_end_milankovitch alpha eta : 0 <= eta < 2 ->
@@ -67,25 +55,20 @@ Lemma rotation_end_milankovitch alpha eta : 0 <= eta < 2 ->
    <-> eta = eta_l_milankovitch /\ A alpha = sqrt 3 - 1).
 Proof.
   intros He. pose proof (end_of_rotation_milankovitch eta ltac:(lra) ltac:(lra)) as thickness.
-  pose proof (overturning_from_whole_thrust 1 alpha eta) as opening.
-  pose proof A_l_milankovitch. pose proof (A_milankovitch_from_13 eta ltac:(lra)).
-  split; intros [H1 H2].
-  - assert (eta = eta_l_milankovitch) as -> by (apply thickness; lra).
-    split; [easy |]. rewrite (proj1 opening); lra.
-  - subst. split; symmetry; [apply opening; lra | now apply thickness].
+  pose proof (overturning_from_whole_thrust 1 alpha eta) as opening. pose proof A_l_milankovitch.
+  pose proof (A_milankovitch_from_13 eta ltac:(lra)). at_rotation_end eta_l_milankovitch.
 Qed.
 
 Lemma overturning_end_heyman alpha : 0 = h_whole 0 alpha 2 <-> A alpha = 1 / 2.
 Proof.
-  pose proof (overturning_from_whole_thrust 0 alpha 2) as opening.
-  pose proof A_L_heyman. pose proof (A_heyman_from_13 2).
-  split; intros; [rewrite (proj1 opening) | symmetry; apply opening]; lra.
+  pose proof (overturning_from_whole_thrust 0 alpha 2) as opening. pose proof A_L_heyman.
+  pose proof (A_heyman_from_13 2). split; intros; [rewrite (proj1 opening) | symmetry; apply opening]; lra.
 Qed.
 
 Lemma overturning_end_milankovitch alpha : 0 = h_whole 1 alpha 2 <-> A alpha = 2 / 3.
 Proof.
-  pose proof (overturning_from_whole_thrust 1 alpha 2) as opening.
-  pose proof A_L_milankovitch. pose proof (A_milankovitch_from_13 2 ltac:(lra)).
+  pose proof (overturning_from_whole_thrust 1 alpha 2) as opening. pose proof A_L_milankovitch.
+  pose proof (A_milankovitch_from_13 2 ltac:(lra)).
   split; intros; [rewrite (proj1 opening) | symmetry; apply opening]; lra.
 Qed.
 

@@ -35,29 +35,23 @@ Proof. intros Hb. unfold cosine_defect. field. easy. Qed.
 (** Taylor's bounds. *)
 Lemma sine_defect_bounds (b : R) : 0 < b <= 1 -> - 1 / 6 <= sine_defect b <= - 1 / 6 + b ^ 2 / 120.
 Proof.
-  intros Hb. assert (HPI := PI2_3_2).
-  destruct (sin_bound b 0) as [Hlow Hup]; [lra | lra |].
-  unfold sin_approx, sin_term in Hlow, Hup. simpl in Hlow, Hup.
-  assert (Hb3 : 0 < b ^ 3) by (apply pow_lt; lra).
+  intros Hb. assert (HPI := PI2_3_2). destruct (sin_bound b 0) as [Hlow Hup]; [lra | lra |].
+  unfold sin_approx, sin_term in Hlow, Hup. simpl in Hlow, Hup. assert (Hb3 : 0 < b ^ 3) by (apply pow_lt; lra).
   assert (E : sine_defect b * b ^ 3 = sin b - b) by (unfold sine_defect; field; lra).
   split; apply (Rmult_le_reg_r (b ^ 3)); try easy; rewrite E; field_simplify; lra.
 Qed.
 
-Lemma cosine_defect_bounds (b : R) : 0 < b <= 1 ->
-  - 1 / 2 <= cosine_defect b <= - 1 / 2 + b ^ 2 / 24.
+Lemma cosine_defect_bounds (b : R) : 0 < b <= 1 -> - 1 / 2 <= cosine_defect b <= - 1 / 2 + b ^ 2 / 24.
 Proof.
-  intros Hb. assert (HPI := PI2_3_2).
-  destruct (cos_bound b 0) as [Hlow Hup]; [lra | lra |].
-  unfold cos_approx, cos_term in Hlow, Hup. simpl in Hlow, Hup.
-  assert (Hb2 : 0 < b ^ 2) by (apply pow_lt; lra).
+  intros Hb. assert (HPI := PI2_3_2). destruct (cos_bound b 0) as [Hlow Hup]; [lra | lra |].
+  unfold cos_approx, cos_term in Hlow, Hup. simpl in Hlow, Hup. assert (Hb2 : 0 < b ^ 2) by (apply pow_lt; lra).
   assert (E : cosine_defect b * b ^ 2 = cos b - 1) by (unfold cosine_defect; field; lra).
   split; apply (Rmult_le_reg_r (b ^ 2)); try easy; rewrite E; field_simplify; lra.
 Qed.
 
 (** ** The cubic (7) near the crown *)
 
-Lemma l_is_root (delta l : R) : l < 2 -> end_of_rotation delta l = 0 ->
-  delta * l ^ 2 + 12 * l - 12 = 0.
+Lemma l_is_root (delta l : R) : l < 2 -> end_of_rotation delta l = 0 -> delta * l ^ 2 + 12 * l - 12 = 0.
 Proof.
   intros Hl H.
   assert (E : end_of_rotation delta l * (6 * (2 - l)) = 12 - 12 * l - delta * l ^ 2)
@@ -76,13 +70,11 @@ Lemma cubic_near_crown (delta l b x : R) : b <> 0 -> delta * l ^ 2 + 12 * l - 12
   = b * (x * (delta * (x + l) + 12) * (x - l) + b ^ 2 * second_order delta b x).
 Proof.
   intros Hb Hroot. unfold pol_eta, f_of, g_of, second_order. cbv zeta.
-  rewrite (sine_by_defect b), (cosine_by_defect b) by exact Hb.
-  set (s := sine_defect b). set (c := cosine_defect b). clearbody s c.
-  transitivity
-    (b * (x * (delta * (x + l) + 12) * (x - l)
-          + b ^ 2 * (delta * s * x ^ 3 + 6 * (s + c) * x ^ 2 - 12 * c * x
-                     + b ^ 2 * s * c * (3 * x ^ 2 - 12 * x + 12))
-          + x * (delta * l ^ 2 + 12 * l - 12))); [ring | rewrite Hroot; ring].
+  rewrite (sine_by_defect b), (cosine_by_defect b) by exact Hb. set (s := sine_defect b). set (c := cosine_defect b).
+  clearbody s c.
+  transitivity (b * (x * (delta * (x + l) + 12) * (x - l) + b ^ 2 *
+    (delta * s * x ^ 3 + 6 * (s + c) * x ^ 2 - 12 * c * x + b ^ 2 * s * c * (3 * x ^ 2 - 12 * x + 12)) + x *
+    (delta * l ^ 2 + 12 * l - 12))); [ring | rewrite Hroot; ring].
 Qed.
 
 (** ** Limits *)
@@ -114,18 +106,16 @@ Hypothesis b_to_crown : is_lim_seq b 0.
 
 Lemma b_eventually_small : eventually (fun n => 0 < b n <= 1).
 Proof.
-  apply is_lim_seq_spec in b_to_crown. destruct (b_to_crown (mkposreal 1 Rlt_0_1)) as [N HN].
-  exists N. intros n Hn. specialize (HN n Hn). simpl in HN. apply Rabs_def2 in HN.
-  specialize (b_positive n). lra.
+  apply is_lim_seq_spec in b_to_crown. destruct (b_to_crown (mkposreal 1 Rlt_0_1)) as [N HN]. exists N. intros n Hn.
+  specialize (HN n Hn). simpl in HN. apply Rabs_def2 in HN. specialize (b_positive n). lra.
 Qed.
 
-Lemma squeezed (x : R -> R) (l k : R) :
-  (forall t, 0 < t <= 1 -> l <= x t <= l + t ^ 2 / k) -> k <> 0 ->
+Lemma squeezed (x : R -> R) (l k : R) : (forall t, 0 < t <= 1 -> l <= x t <= l + t ^ 2 / k) -> k <> 0 ->
   is_lim_seq (fun n => x (b n)) l.
 Proof.
   intros Hx Hk. apply (is_lim_seq_le_le_loc (fun _ => l) _ (fun n => l + b n * b n / k)).
-  - destruct b_eventually_small as [N HN]. exists N. intros n Hn.
-    replace (b n * b n) with (b n ^ 2) by ring. now apply Hx, HN.
+  - destruct b_eventually_small as [N HN]. exists N. intros n Hn. replace (b n * b n) with (b n ^ 2) by ring.
+    now apply Hx, HN.
   - apply is_lim_seq_const.
   - limits. field. easy.
 Qed.
@@ -159,12 +149,10 @@ Lemma thickness_to_second_order (n : nat) :
        + b n * b n * s * c * (3 * eta n * eta n - 12 * eta n + 12))
     / (eta n * (delta * (eta n + l) + 12)).
 Proof.
-  intros s c. specialize (b_positive n). specialize (haunch_in_arch n).
-  specialize (thickness_in_arch n). destruct (states n) as [H25 _].
-  apply cubic_in_thickness_in_the_arch in H25; [|lra|lra].
-  rewrite (cubic_near_crown delta l) in H25; [|lra | apply l_is_root; lra].
-  unfold second_order in H25. cbv zeta in H25. fold s c in H25. clearbody s c.
-  set (x := eta n) in *. set (t := b n) in *.
+  intros s c. specialize (b_positive n). specialize (haunch_in_arch n). specialize (thickness_in_arch n).
+  destruct (states n) as [H25 _]. apply cubic_in_thickness_in_the_arch in H25; [|lra|lra].
+  rewrite (cubic_near_crown delta l) in H25; [|lra | apply l_is_root; lra]. unfold second_order in H25.
+  cbv zeta in H25. fold s c in H25. clearbody s c. set (x := eta n) in *. set (t := b n) in *.
   assert (HD : delta * (x + l) + 12 <> 0).
   { assert (0 <= delta * (x + l)) by (apply Rmult_le_pos; lra). lra. }
   apply Rmult_integral in H25. destruct H25 as [H25 | H25]; [lra|].
@@ -177,11 +165,9 @@ Qed.
 
 Lemma eta_rate_limit : is_lim_seq (fun n => (eta n - l) / (b n * b n)) eta_rate.
 Proof.
-  assert (Hs := sine_defect_limit). assert (Hc := cosine_defect_limit).
-  assert (HD : 0 < 2 * delta * l + 12).
+  assert (Hs := sine_defect_limit). assert (Hc := cosine_defect_limit). assert (HD : 0 < 2 * delta * l + 12).
   { assert (0 <= delta * l) by (apply Rmult_le_pos; lra). lra. }
-  eapply is_lim_seq_ext; [intros n; symmetry; apply thickness_to_second_order|].
-  unfold eta_rate. limits.
+  eapply is_lim_seq_ext; [intros n; symmetry; apply thickness_to_second_order|]. unfold eta_rate. limits.
   - apply Rmult_integral_contrapositive_currified; lra.
   - field. lra.
 Qed.
@@ -194,30 +180,24 @@ Lemma opening_to_second_order (n : nat) :
   = (c - s + b n * b n * s * c) / (1 + b n * b n * s) * ((2 - eta n) / (2 + eta n))
     - 8 * ((eta n - l) / (b n * b n)) / ((2 + eta n) * (2 + l)).
 Proof.
-  intros s c Hsinc. specialize (b_positive n). specialize (haunch_in_arch n).
-  specialize (thickness_in_arch n). destruct (states n) as [H25 H24].
-  assert (HS : sin (b n) <> 0) by (apply Rgt_not_eq, sin_gt_0; lra).
+  intros s c Hsinc. specialize (b_positive n). specialize (haunch_in_arch n). specialize (thickness_in_arch n).
+  destruct (states n) as [H25 H24]. assert (HS : sin (b n) <> 0) by (apply Rgt_not_eq, sin_gt_0; lra).
   assert (HA : A (alpha n) * sin (b n) * (2 + eta n) = g_of (b n) * (2 - eta n)).
   { apply (shoulder_relation delta _ _ _ (h_lower delta (b n) (eta n))); try easy; try lra.
     apply Rgt_not_eq, lever_of_lower_thrust_positive; lra. }
-  unfold g_of in HA.
-  rewrite (sine_by_defect (b n)), (cosine_by_defect (b n)) in HA by lra. fold s c in HA.
+  unfold g_of in HA. rewrite (sine_by_defect (b n)), (cosine_by_defect (b n)) in HA by lra. fold s c in HA.
   assert (EA : A (alpha n) = (b n + b n * (1 + b n ^ 2 * s) * (1 + b n ^ 2 * c)) * (2 - eta n)
                              / (b n * (1 + b n ^ 2 * s) * (2 + eta n))).
-  { apply equals_quotient; [|lra].
-    replace (1 + b n ^ 2 * s) with (1 + b n * b n * s) by ring. nonzero. }
+  { apply equals_quotient; [|lra]. replace (1 + b n ^ 2 * s) with (1 + b n * b n * s) by ring. nonzero. }
   rewrite EA. clearbody s c. field. repeat split; lra.
 Qed.
 
-Lemma A_rate_limit :
-  is_lim_seq (fun n => (A (alpha n) - 2 * ((2 - l) / (2 + l))) / (b n * b n)) A_rate.
+Lemma A_rate_limit : is_lim_seq (fun n => (A (alpha n) - 2 * ((2 - l) / (2 + l))) / (b n * b n)) A_rate.
 Proof.
-  assert (Hs := sine_defect_limit). assert (Hc := cosine_defect_limit).
-  assert (Hrate := eta_rate_limit).
+  assert (Hs := sine_defect_limit). assert (Hc := cosine_defect_limit). assert (Hrate := eta_rate_limit).
   eapply is_lim_seq_ext_loc.
-  - destruct b_eventually_small as [N HN]. exists N. intros n Hn. symmetry.
-    apply opening_to_second_order. specialize (HN n Hn).
-    assert (Hbounds := sine_defect_bounds (b n) HN). nra.
+  - destruct b_eventually_small as [N HN]. exists N. intros n Hn. symmetry. apply opening_to_second_order.
+    specialize (HN n Hn). assert (Hbounds := sine_defect_bounds (b n) HN). nra.
   - unfold A_rate. limits.
     + lra.
     + lra.
@@ -227,8 +207,7 @@ Qed.
 
 Lemma quotient_of_rates (x y t : R) : t <> 0 -> (x / t) / (y / t) = x / y.
 Proof.
-  intros Ht. destruct (Req_dec y 0) as [-> | Hy]; [|field; auto].
-  unfold Rdiv. rewrite Rmult_0_l, Rinv_0. ring.
+  intros Ht. destruct (Req_dec y 0) as [-> | Hy]; [|field; auto]. unfold Rdiv. rewrite Rmult_0_l, Rinv_0. ring.
 Qed.
 
 (** The slope of the secants. *)
@@ -247,54 +226,43 @@ End Near_the_crown.
 (** ** The common slopes *)
 
 (** Heyman: [- 9/2], the slope of (14) ([slope_at_l_heyman]). *)
-Theorem rotation_joins_overturning_heyman (alpha b eta : nat -> R) :
-  (forall n, 0 < b n < PI) -> (forall n, 0 < eta n < 2) ->
-  (forall n, rotational_state 0 (alpha n) (b n) (eta n)) ->
-  is_lim_seq b 0 -> is_lim_seq eta 1 ->
+Theorem rotation_joins_overturning_heyman (alpha b eta : nat -> R) : (forall n, 0 < b n < PI) ->
+  (forall n, 0 < eta n < 2) -> (forall n, rotational_state 0 (alpha n) (b n) (eta n)) -> is_lim_seq b 0 ->
+  is_lim_seq eta 1 ->
   is_lim_seq (fun n => (eta n - 1) / (A (alpha n) - 2 / 3)) (- 9 / 2) /\
   is_derive eta_heyman (2 / 3) (- 9 / 2).
 Proof.
   intros Hb He Hstates Hb0 He1. split; [|exact slope_at_l_heyman].
   assert (Hl : end_of_rotation 0 1 = 0) by (apply end_of_rotation_heyman; lra).
-  eapply limit_is; [eapply is_lim_seq_ext;
-    [|apply (secant_slopes_of_rotation b ltac:(apply Hb) Hb0 0 1 alpha eta
-               ltac:(apply Hb) He Hstates ltac:(lra) ltac:(lra) Hl He1)]|].
+  eapply limit_is; [eapply is_lim_seq_ext; [|apply (secant_slopes_of_rotation b ltac:(apply Hb) Hb0 0 1 alpha eta
+    ltac:(apply Hb) He Hstates ltac:(lra) ltac:(lra) Hl He1)]|].
   - intros n. cbv beta. do 2 f_equal. lra.
   - replace (_ - _) with (1 / 27) by field. lra.
   - field.
 Qed.
 
 (** Milankovitch: [- 4 sqrt 3], the slope of (15) ([slope_at_l_milankovitch]). *)
-Theorem rotation_joins_overturning_milankovitch (alpha b eta : nat -> R) :
-  (forall n, 0 < b n < PI) -> (forall n, 0 < eta n < 2) ->
-  (forall n, rotational_state 1 (alpha n) (b n) (eta n)) ->
-  is_lim_seq b 0 -> is_lim_seq eta eta_l_milankovitch ->
+Theorem rotation_joins_overturning_milankovitch (alpha b eta : nat -> R) : (forall n, 0 < b n < PI) ->
+  (forall n, 0 < eta n < 2) -> (forall n, rotational_state 1 (alpha n) (b n) (eta n)) -> is_lim_seq b 0 ->
+  is_lim_seq eta eta_l_milankovitch ->
   is_lim_seq (fun n => (eta n - eta_l_milankovitch) / (A (alpha n) - (sqrt 3 - 1)))
     (- 4 * sqrt 3) /\
   is_derive eta_milankovitch (sqrt 3 - 1) (- 4 * sqrt 3).
 Proof.
-  intros Hb He Hstates Hb0 Hel. split; [|exact slope_at_l_milankovitch].
-  assert (Hin := eta_l_in_the_arch).
+  intros Hb He Hstates Hb0 Hel. split; [|exact slope_at_l_milankovitch]. assert (Hin := eta_l_in_the_arch).
   assert (H3 := sqrt_3_square). assert (Hbounds := sqrt_3_bounds).
-  assert (Hl : end_of_rotation 1 eta_l_milankovitch = 0)
-    by (apply end_of_rotation_milankovitch; lra).
-  set (l := eta_l_milankovitch) in *.
-  assert (Hratio : (2 - l) / (2 + l) = (sqrt 3 - 1) / 2).
-  { apply (Rmult_eq_reg_r (2 * (2 + l))); [|lra].
-    transitivity (2 * (2 - l)); [field; lra|].
-    transitivity ((sqrt 3 - 1) * (2 + l)); [|field; lra].
-    unfold l, eta_l_milankovitch. nra. }
+  assert (Hl : end_of_rotation 1 eta_l_milankovitch = 0) by (apply end_of_rotation_milankovitch; lra).
+  set (l := eta_l_milankovitch) in *. assert (Hratio : (2 - l) / (2 + l) = (sqrt 3 - 1) / 2).
+  { apply (Rmult_eq_reg_r (2 * (2 + l))); [|lra]. transitivity (2 * (2 - l)); [field; lra|].
+    transitivity ((sqrt 3 - 1) * (2 + l)); [|field; lra]. unfold l, eta_l_milankovitch. nra. }
   assert (Heta_rate : (1 * l ^ 2 / 6 + 4 * l - 6) / (2 * 1 * l + 12) = 1 - 2 * sqrt 3 / 3).
   { apply quotient_equals; [lra|]. unfold l, eta_l_milankovitch. nra. }
-  assert (HA_rate : - (1 / 3) * ((2 - l) / (2 + l))
-                    - 8 * ((1 * l ^ 2 / 6 + 4 * l - 6) / (2 * 1 * l + 12)) / (2 + l) ^ 2
-                    = 1 / 6 - sqrt 3 / 12).
-  { rewrite Hratio, Heta_rate.
-    replace ((2 + l) ^ 2) with (64 - 32 * sqrt 3) by (unfold l, eta_l_milankovitch; nra).
+  assert (HA_rate : - (1 / 3) * ((2 - l) / (2 + l)) - 8 * ((1 * l ^ 2 / 6 + 4 * l - 6) / (2 * 1 * l + 12)) / (2 + l) ^
+    2 = 1 / 6 - sqrt 3 / 12).
+  { rewrite Hratio, Heta_rate. replace ((2 + l) ^ 2) with (64 - 32 * sqrt 3) by (unfold l, eta_l_milankovitch; nra).
     apply (Rmult_eq_reg_r (64 - 32 * sqrt 3)); [|lra]. field_simplify; [|lra]. nra. }
-  eapply limit_is; [eapply is_lim_seq_ext;
-    [|apply (secant_slopes_of_rotation b ltac:(apply Hb) Hb0 1 l alpha eta
-               ltac:(apply Hb) He Hstates ltac:(lra) ltac:(lra) Hl Hel)]|].
+  eapply limit_is; [eapply is_lim_seq_ext; [|apply (secant_slopes_of_rotation b ltac:(apply Hb) Hb0 1 l alpha eta
+    ltac:(apply Hb) He Hstates ltac:(lra) ltac:(lra) Hl Hel)]|].
   - intros n. cbv beta. rewrite Hratio. do 2 f_equal. lra.
   - rewrite HA_rate. lra.
   - rewrite HA_rate, Heta_rate. apply quotient_equals; [lra | nra].
@@ -308,101 +276,62 @@ Qed.
 Lemma second_order_bounded (delta b x : R) : 0 <= delta <= 1 -> 0 < b <= 1 -> 0 <= x <= 2 ->
   - 42 <= second_order delta b x <= 42.
 Proof.
-  intros Hd Hb Hx. unfold second_order. cbv zeta.
-  assert (Hb2 : 0 <= b ^ 2 <= 1) by (simpl; nra).
-  assert (Hs := sine_defect_bounds b Hb). assert (Hc := cosine_defect_bounds b Hb).
-  set (s := sine_defect b) in *. set (c := cosine_defect b) in *.
-  assert (Hsr : - 1 / 6 <= s <= 0) by lra. assert (Hcr : - 1 / 2 <= c <= 0) by lra.
-  set (t := b ^ 2) in *. clearbody s c t. clear Hs Hc Hb.
-  assert (Hx2 : 0 <= x ^ 2 <= 4) by (simpl; nra).
-  assert (Hx3 : 0 <= x ^ 3 <= 8) by (simpl in *; nra).
-  assert (Hdx : 0 <= delta * x ^ 3 <= 8) by nra.
-  assert (H1 : - 2 <= s * (delta * x ^ 3) <= 0) by nra.
-  assert (H2 : - 16 <= 6 * (s + c) * x ^ 2 <= 0) by nra.
-  assert (H3 : 0 <= - 12 * c * x <= 12) by nra.
-  assert (Hq : 0 <= 3 * x ^ 2 - 12 * x + 12 <= 12) by (split; nra).
-  set (q := 3 * x ^ 2 - 12 * x + 12) in *.
-  assert (Hsc : 0 <= s * c <= 1 / 12) by nra.
-  assert (Htsc : 0 <= t * (s * c) <= 1 / 12) by nra.
+  intros Hd Hb Hx. unfold second_order. cbv zeta. assert (Hb2 : 0 <= b ^ 2 <= 1) by (simpl; nra).
+  assert (Hs := sine_defect_bounds b Hb). assert (Hc := cosine_defect_bounds b Hb). set (s := sine_defect b) in *.
+  set (c := cosine_defect b) in *. assert (Hsr : - 1 / 6 <= s <= 0) by lra.
+  assert (Hcr : - 1 / 2 <= c <= 0) by lra. set (t := b ^ 2) in *. clearbody s c t. clear Hs Hc Hb.
+  assert (Hx2 : 0 <= x ^ 2 <= 4) by (simpl; nra). assert (Hx3 : 0 <= x ^ 3 <= 8) by (simpl in *; nra).
+  assert (Hdx : 0 <= delta * x ^ 3 <= 8) by nra. assert (H1 : - 2 <= s * (delta * x ^ 3) <= 0) by nra.
+  assert (H2 : - 16 <= 6 * (s + c) * x ^ 2 <= 0) by nra. assert (H3 : 0 <= - 12 * c * x <= 12) by nra.
+  assert (Hq : 0 <= 3 * x ^ 2 - 12 * x + 12 <= 12) by (split; nra). set (q := 3 * x ^ 2 - 12 * x + 12) in *.
+  assert (Hsc : 0 <= s * c <= 1 / 12) by nra. assert (Htsc : 0 <= t * (s * c) <= 1 / 12) by nra.
   assert (H4 : 0 <= t * (s * c) * q <= 1) by nra.
   replace (delta * s * x ^ 3) with (s * (delta * x ^ 3)) by ring.
   replace (t * s * c * q) with (t * (s * c) * q) by ring. lra.
 Qed.
 
-(** Half-angles for every [A] up to [PI/2]. *)
-Lemma half_angle_of_A (v : R) : 0 < v < PI / 2 -> exists alpha, 0 < alpha < PI /\ A alpha = v.
-Proof.
-  intros Hv. assert (HPI := PI2_3_2).
-  destruct (IVT_interv (fun x => v - A x) (PI / 2) PI) as (alpha & Hin & Halpha).
-  - intros x Hx. apply derivable_continuous_pt.
-    exists (0 - - (x - sin x) / (1 - cos x)). apply is_derive_Reals.
-    apply (is_derive_minus (K := R_AbsRing) (V := R_NormedModule) (fun _ => v) A x 0);
-      [apply (is_derive_const (K := R_AbsRing) (V := R_NormedModule))|].
-    apply derivative_of_A, Rgt_not_eq, versine_positive. lra.
-  - lra.
-  - unfold A. rewrite sin_PI2, cos_PI2. lra.
-  - unfold A. rewrite sin_PI, Rmult_0_r. unfold Rdiv. lra.
-  - exists alpha. split; [|lra].
-    destruct (Req_dec alpha PI) as [-> | Hne]; [|lra].
-    revert Halpha. unfold A. rewrite sin_PI, Rmult_0_r. unfold Rdiv. lra.
-Qed.
-
-Theorem rotational_states_near_the_end (delta l eps : R) :
-  0 <= delta <= 1 -> 0 < l < 2 -> end_of_rotation delta l = 0 -> 0 < eps ->
+Theorem rotational_states_near_the_end (delta l eps : R) : 0 <= delta <= 1 -> 0 < l < 2 ->
+  end_of_rotation delta l = 0 -> 0 < eps ->
   exists b0, 0 < b0 /\
   forall b, 0 < b < b0 ->
     exists alpha eta, 0 < alpha < PI /\ 0 < eta < 2 /\ Rabs (eta - l) < eps /\
       rotational_state delta alpha b eta.
 Proof.
   intros Hd Hl Hend Heps. assert (Hroot := l_is_root delta l (proj2 Hl) Hend).
-  assert (Hl9 : 9 / 10 < l <= 1) by nra.
-  set (e := Rmin (eps / 2) (1 / 10)).
-  assert (He : 0 < e) by (apply Rmin_pos; lra).
-  assert (He1 := Rmin_l (eps / 2) (1 / 10)). assert (He2 := Rmin_r (eps / 2) (1 / 10)).
-  fold e in He1, He2.
-  exists (e / 10). split; [lra|]. intros b Hb.
+  assert (Hl9 : 9 / 10 < l <= 1) by nra. set (e := Rmin (eps / 2) (1 / 10)).
+  assert (He : 0 < e) by (apply Rmin_pos; lra). assert (He1 := Rmin_l (eps / 2) (1 / 10)).
+  assert (He2 := Rmin_r (eps / 2) (1 / 10)). fold e in He1, He2. exists (e / 10). split; [lra|]. intros b Hb.
   assert (Hb1 : 0 < b <= 1) by lra. assert (HPI := PI2_3_2).
   (* the thickness: the cubic changes its sign between l - e and l + e *)
   set (P := fun x => pol_eta delta (f_of b) (g_of b) (sin b) x).
-  assert (HP : forall x, P x
-    = b * (x * (delta * (x + l) + 12) * (x - l) + b ^ 2 * second_order delta b x))
-    by (intros x; apply cubic_near_crown; lra).
-  assert (Hsmall : forall x, 0 <= x <= 2 -> - e / 2 < b ^ 2 * second_order delta b x < e / 2).
-  { intros x Hx. assert (Hbound := second_order_bounded delta b x Hd Hb1 Hx).
-    assert (0 < b ^ 2 < e / 100) by (simpl; nra). nra. }
-  assert (Hfactor : forall x, 4 / 5 <= x <= 2 -> 8 <= x * (delta * (x + l) + 12)).
-  { intros x Hx. assert (0 <= delta * (x + l)) by (apply Rmult_le_pos; lra).
-    assert (4 / 5 * 12 <= x * (delta * (x + l) + 12)) by (apply Rmult_le_compat; lra). lra. }
+  assert (HP : forall x, l - e <= x <= l + e -> exists F, 8 <= F /\
+    - (e / 2) < P x / b - F * (x - l) < e / 2).
+  { intros x Hx. exists (x * (delta * (x + l) + 12)). assert (0 <= delta * (x + l)) by (apply Rmult_le_pos; lra).
+    split; [nra|]. assert (Hbound := second_order_bounded delta b x Hd Hb1 ltac:(lra)).
+    assert (0 < b ^ 2 < e / 100) by (simpl; nra). unfold P. rewrite (cubic_near_crown delta l) by lra.
+    replace (_ / b - _) with (b ^ 2 * second_order delta b x) by (field; lra). nra. }
+  assert (Hsign : forall x, P x / b * b = P x) by (intros; field; lra).
   destruct (IVT P (l - e) (l + e)) as (eta & Heta & Hzero).
   - unfold P, pol_eta. reg.
   - lra.
-  - rewrite HP. assert (H := Hsmall (l - e) ltac:(lra)). assert (HF := Hfactor (l - e) ltac:(lra)).
-    replace (l - e - l) with (- e) by ring. set (F := (l - e) * _) in *.
-    set (small := b ^ 2 * _) in *. assert (F * - e + small < 0) by nra. nra.
-  - rewrite HP. assert (H := Hsmall (l + e) ltac:(lra)). assert (HF := Hfactor (l + e) ltac:(lra)).
-    replace (l + e - l) with e by ring. set (F := (l + e) * _) in *.
-    set (small := b ^ 2 * _) in *. assert (0 < F * e + small) by nra. nra.
+  - destruct (HP (l - e)) as (F & HF & H); [lra|]. assert (P (l - e) / b < 0) by nra. rewrite <- Hsign. nra.
+  - destruct (HP (l + e)) as (F & HF & H); [lra|]. assert (P (l + e) / b > 0) by nra. rewrite <- Hsign. nra.
   - (* the half-angle *)
-    assert (HS : 0 < sin b) by (apply sin_gt_0; lra).
-    assert (Hg := g_positive b ltac:(lra)).
+    assert (HS : 0 < sin b) by (apply sin_gt_0; lra). assert (Hg := g_positive b ltac:(lra)).
     assert (Hsin : 5 / 6 * b <= sin b).
     { rewrite (sine_by_defect b) by lra. assert (H := sine_defect_bounds b Hb1).
       assert (- 1 / 6 <= b ^ 2 * sine_defect b) by (simpl; nra). nra. }
-    assert (HgS : g_of b <= 11 / 5 * sin b).
-    { unfold g_of. destruct (COS_bound b). nra. }
-    destruct (half_angle_of_A (g_of b * (2 - eta) / (sin b * (2 + eta)))) as (alpha & Halpha & HA).
-    { split; [apply Rdiv_lt_0_compat; apply Rmult_lt_0_compat; lra|].
-      apply Rle_lt_trans with (3 / 2); [|lra].
-      apply (Rmult_le_reg_r (sin b * (2 + eta))); [apply Rmult_lt_0_compat; lra|].
-      replace (g_of b * (2 - eta) / (sin b * (2 + eta)) * (sin b * (2 + eta)))
-        with (g_of b * (2 - eta)) by (field; lra).
-      nra. }
-    exists alpha, eta. repeat split; try lra.
-    + apply Rabs_def1; lra.
-    + apply cubic_in_thickness_in_the_arch; [lra | lra | exact Hzero].
-    + assert (H25 : h_lower delta b eta = h_tangency delta b eta)
-        by (apply cubic_in_thickness_in_the_arch; [lra | lra | exact Hzero]).
-      apply (shoulder_relation delta alpha b eta (h_lower delta b eta)); try easy; try lra.
-      * apply Rgt_not_eq, lever_of_lower_thrust_positive; lra.
-      * rewrite HA. field. lra.
+    assert (HgS : g_of b <= 11 / 5 * sin b) by (unfold g_of; destruct (COS_bound b); nra).
+    set (v := g_of b * (2 - eta) / (sin b * (2 + eta))).
+    assert (Hv : v * (sin b * (2 + eta)) = g_of b * (2 - eta)) by (unfold v; field; lra).
+    assert (0 < sin b * (2 + eta)) by (apply Rmult_lt_0_compat; lra).
+    destruct (half_opening v (PI / 2) PI) as (alpha & Halpha & HA & _); try lra.
+    + apply Rle_lt_trans with (3 / 2); [|unfold A; rewrite sin_PI2, cos_PI2; lra].
+      apply (Rmult_le_reg_r (sin b * (2 + eta))); [easy|]. rewrite Hv. nra.
+    + unfold A. rewrite sin_PI. replace (_ / _) with 0 by (unfold Rdiv; ring). nra.
+    + apply cubic_in_thickness_in_the_arch in Hzero; [|lra..]. exists alpha, eta. repeat split; try lra.
+      * apply Rabs_def1; lra.
+      * apply (shoulder_relation delta alpha b eta (h_lower delta b eta)); try easy; try lra.
+        -- apply Rgt_not_eq, lever_of_lower_thrust_positive; lra.
+        -- rewrite HA. lra.
 Qed.

@@ -5,7 +5,6 @@
     crown's extrados, [l] to that at the intrados of [beta], [v] to that at the shoulder's extrados,
     [s] to the joint [sigma] that slides inwards and [t] to the shoulder that slides outwards.
 
-    - [limits_of_a_state]: few joints can be at their limits;
     - [four_supports]: a mechanism is a sum of four, each with one rate inside and one at the
       shoulder;
     - [slip_rows_are_scaled], [work_is_the_same]: friction is not associated, and yet the margins
@@ -26,37 +25,31 @@ Open Scope R_scope.
 (** ** The lever arm of the haunch *)
 
 (** [x sin x + cos x] grows as far as the right angle. *)
-Lemma moment_of_weight_grows (x y : R) : 0 <= x -> x <= y -> y <= PI / 2 ->
-  x * sin x + cos x <= y * sin y + cos y.
+Lemma moment_of_weight_grows (x y : R) : 0 <= x -> x <= y -> y <= PI / 2 -> x * sin x + cos x <= y * sin y + cos y.
 Proof.
   intros Hx Hxy Hy. destruct (Req_dec x y) as [-> | Hne]; [lra|].
-  destruct (MVT_cor2 (fun t => t * sin t + cos t) (fun t => t * cos t) x y) as (c & Hc & Hin);
-    [lra| |].
+  destruct (MVT_cor2 (fun t => t * sin t + cos t) (fun t => t * cos t) x y) as (c & Hc & Hin); [lra| |].
   { intros c Hc. apply is_derive_Reals. auto_derive; [easy | ring]. }
-  assert (0 <= cos c) by (apply cos_ge_0; lra).
-  assert (0 <= c * cos c * (y - x)) by (repeat apply Rmult_le_pos; lra). lra.
+  assert (0 <= cos c) by (apply cos_ge_0; lra). assert (0 <= c * cos c * (y - x)) by (repeat apply Rmult_le_pos; lra).
+  lra.
 Qed.
 
 (** Without it there is room between the intrados of a joint and the shoulder's extrados, whatever the thrust: *)
-Lemma room_without_lever (delta alpha beta eta h p : R) :
-  0 <= delta <= 1 -> 0 <= beta <= alpha -> 0 < alpha < PI -> 0 < eta <= 2 -> 0 <= h ->
-  intrados eta * cos beta - extrados eta * cos alpha <= 0 ->
+Lemma room_without_lever (delta alpha beta eta h p : R) : 0 <= delta <= 1 -> 0 <= beta <= alpha -> 0 < alpha < PI ->
+  0 < eta <= 2 -> 0 <= h -> intrados eta * cos beta - extrados eta * cos alpha <= 0 ->
   0 < haunch_gap delta beta eta h p + shoulder_gap delta alpha eta h p.
 Proof.
   intros Hd Hb Ha He Hh Harm. assert (HPI := PI2_3_2).
-  assert (Hcos : cos alpha <= cos beta).
-  { destruct (Req_dec beta alpha) as [-> | Hne]; [lra|]. apply Rlt_le, cos_decreasing_1; lra. }
-  assert (Hnarrow : 0 <= cos alpha) by (unfold intrados, extrados in Harm; nra).
-  assert (HaPI : alpha <= PI / 2).
+  assert (Hcos : cos alpha <= cos beta) by (apply cos_decr_1; lra).
+  assert (Hnarrow : 0 <= cos alpha) by (unfold intrados, extrados in Harm; nra). assert (HaPI : alpha <= PI / 2).
   { apply Rnot_lt_le. intros H. assert (cos alpha < 0) by (apply cos_lt_0; lra). lra. }
   assert (Hgrow := moment_of_weight_grows beta alpha ltac:(lra) ltac:(lra) HaPI).
   assert (HSb : 0 <= beta * sin beta) by (apply Rmult_le_pos; [lra | apply sin_ge_0; lra]).
   assert (HSa : 0 < alpha * sin alpha) by (apply Rmult_lt_0_compat; [lra | apply sin_gt_0; lra]).
   set (D := alpha * sin alpha + cos alpha - (beta * sin beta + cos beta)).
-  assert (Hsum : extrados eta * D + eta * (beta * sin beta)
-                 + eta * (6 - delta * eta) / 12 * (cos beta - cos alpha)
-                 = h * (intrados eta * cos beta - extrados eta * cos alpha)
-                   + (haunch_gap delta beta eta h p + shoulder_gap delta alpha eta h p)).
+  assert (Hsum : extrados eta * D + eta * (beta * sin beta) + eta * (6 - delta * eta) / 12 * (cos beta - cos alpha)
+    = h * (intrados eta * cos beta - extrados eta * cos alpha) + (haunch_gap delta beta eta h p + shoulder_gap delta
+    alpha eta h p)).
   { unfold haunch_gap, shoulder_gap, normal_force, D, extrados, intrados, fac. field. }
   assert (0 <= D) by (unfold D; lra).
   assert (Hgain : 0 < eta * (6 - delta * eta) / 12) by (apply Rdiv_lt_0_compat; nra).
@@ -65,11 +58,8 @@ Proof.
   assert (0 <= extrados eta * D) by (apply Rmult_le_pos; [unfold extrados|]; lra).
   assert (h * (intrados eta * cos beta - extrados eta * cos alpha) <= 0) by nra.
   (* not each term is zero, or the weight of the shoulder would be *)
-  apply Rnot_le_lt. intros Hnone.
-  assert (HD0 : D = 0) by (unfold extrados in *; nra).
-  assert (Hb0 : beta * sin beta = 0) by nra.
-  assert (Hc0 : cos beta - cos alpha = 0) by nra.
-  unfold D in HD0. lra.
+  apply Rnot_le_lt. intros Hnone. assert (HD0 : D = 0) by (unfold extrados in *; nra).
+  assert (Hb0 : beta * sin beta = 0) by nra. assert (Hc0 : cos beta - cos alpha = 0) by nra. unfold D in HD0. lra.
 Qed.
 
 (** so with the line of thrust on both there is one. *)
@@ -105,9 +95,8 @@ Definition moves (delta alpha beta sigma eta mu h p u l v s t : R) : Prop :=
 (** The four with one rate inside and one at the shoulder: [x1] is the part of [[r,r,r]], [x2] of
     [[s,r,r]], [x3] of [[r,r,s]], [[r,s,r]] and [[r,s]], which differ in the order of the joints,
     and [x4] of [[s,s]]. *)
-Theorem four_supports (delta alpha beta sigma eta mu h p u l v s t : R) :
-  0 <= delta <= 1 -> 0 <= beta <= alpha -> 0 < alpha < PI -> 0 < sigma < PI -> 0 < eta <= 2 ->
-  0 <= h -> moves delta alpha beta sigma eta mu h p u l v s t ->
+Theorem four_supports (delta alpha beta sigma eta mu h p u l v s t : R) : 0 <= delta <= 1 -> 0 <= beta <= alpha ->
+  0 < alpha < PI -> 0 < sigma < PI -> 0 < eta <= 2 -> 0 <= h -> moves delta alpha beta sigma eta mu h p u l v s t ->
   let a := extrados eta - intrados eta * cos beta in
   let b := intrados eta * cos beta - extrados eta * cos alpha in
   exists x1 x2 x3 x4, 0 <= x1 /\ 0 <= x2 /\ 0 <= x3 /\ 0 <= x4 /\
@@ -115,35 +104,28 @@ Theorem four_supports (delta alpha beta sigma eta mu h p u l v s t : R) :
     l = u + v.
 Proof.
   intros Hd Hb Ha Hs He Hh ((Hu & Hl & Hv & Hs0 & Ht) & (Hp & Hbalance) & _ & HL & HU & _ & _) a b.
-  fold a b in Hbalance.
-  assert (HSs : 0 < sin sigma) by (apply sin_gt_0; lra).
-  assert (HSa : 0 < sin alpha) by (apply sin_gt_0; lra).
-  assert (Hau : 0 <= a * u).
+  fold a b in Hbalance. assert (HSs : 0 < sin sigma) by (apply sin_gt_0; lra).
+  assert (HSa : 0 < sin alpha) by (apply sin_gt_0; lra). assert (Hau : 0 <= a * u).
   { apply Rmult_le_pos; [|easy]. unfold a, extrados, intrados. destruct (COS_bound beta). nra. }
   assert (Hbv : 0 <= b * v).
-  { destruct (Req_dec v 0) as [-> | Hne]; [lra|].
-    apply Rmult_le_pos; [apply Rlt_le|easy].
+  { destruct (Req_dec v 0) as [-> | Hne]; [lra|]. apply Rmult_le_pos; [apply Rlt_le|easy].
     apply (lever_positive_in_any_state delta alpha beta eta h p); try easy.
     - apply (Rmult_eq_reg_l l); lra.
     - apply (Rmult_eq_reg_l v); lra. }
   assert (Hss : 0 <= sin sigma * s) by (apply Rmult_le_pos; lra).
-  assert (Htt : 0 <= sin alpha * t) by (apply Rmult_le_pos; lra).
-  set (x := a * u) in *. set (y := b * v) in *.
+  assert (Htt : 0 <= sin alpha * t) by (apply Rmult_le_pos; lra). set (x := a * u) in *. set (y := b * v) in *.
   set (z := sin sigma * s) in *. set (w := sin alpha * t) in *.
-  assert (Hsum : x + z = y + w) by (unfold x, y, z, w; lra).
-  destruct (Req_dec (x + z) 0) as [H0 | H0].
+  assert (Hsum : x + z = y + w) by (unfold x, y, z, w; lra). destruct (Req_dec (x + z) 0) as [H0 | H0].
   - exists 0, 0, 0, 0. lra.
-  - assert (HF : 0 < x + z) by lra.
-    assert (Hpart : forall i j, 0 <= i -> 0 <= j -> 0 <= i * j / (x + z)).
-    { intros i j Hi Hj. apply Rmult_le_pos; [now apply Rmult_le_pos|].
-      now apply Rlt_le, Rinv_0_lt_compat. }
+  - assert (HF : 0 < x + z) by lra. assert (Hpart : forall i j, 0 <= i -> 0 <= j -> 0 <= i * j / (x + z)).
+    { intros i j Hi Hj. apply Rmult_le_pos; [now apply Rmult_le_pos|]. now apply Rlt_le, Rinv_0_lt_compat. }
     exists (x * y / (x + z)), (x * w / (x + z)), (z * y / (x + z)), (z * w / (x + z)).
     repeat split; try (now apply Hpart); try easy.
-    + replace (x * y / (x + z) + x * w / (x + z)) with (x * (y + w) / (x + z)) by (field; lra).
-      rewrite <- Hsum. field. lra.
+    + replace (x * y / (x + z) + x * w / (x + z)) with (x * (y + w) / (x + z)) by (field; lra). rewrite <- Hsum.
+      field. lra.
     + field. lra.
-    + replace (z * y / (x + z) + z * w / (x + z)) with (z * (y + w) / (x + z)) by (field; lra).
-      rewrite <- Hsum. field. lra.
+    + replace (z * y / (x + z) + z * w / (x + z)) with (z * (y + w) / (x + z)) by (field; lra). rewrite <- Hsum.
+      field. lra.
     + field. lra.
 Qed.
 
@@ -154,21 +136,18 @@ Theorem slip_rows_are_scaled (x mu h h' : R) : 0 < normal_force x h ->
   (outward_gap x mu h = 0 -> normal_force x h * outward_gap x mu h' = - (x * (h' - h))).
 Proof.
   intros HN. unfold inward_gap, outward_gap.
-  assert (Hmixed : shear_force x h * normal_force x h' - shear_force x h' * normal_force x h
-                   = x * (h' - h)).
+  assert (Hmixed : shear_force x h * normal_force x h' - shear_force x h' * normal_force x h = x * (h' - h)).
   { unfold shear_force, normal_force.
     transitivity (x * (h' - h) * (sin x ^ 2 + cos x ^ 2)); [ring | rewrite circle; ring]. }
   split; intros H.
-  - assert (E : mu * normal_force x h = shear_force x h) by lra.
-    rewrite <- Hmixed, <- E. ring.
+  - assert (E : mu * normal_force x h = shear_force x h) by lra. rewrite <- Hmixed, <- E. ring.
   - assert (E : mu * normal_force x h = - shear_force x h) by lra.
     replace (shear_force x h) with (- (mu * normal_force x h)) in Hmixed by lra. lra.
 Qed.
 
 (** So with the rates of sliding joints scaled the margins add up to zero in every state. *)
-Theorem work_is_the_same (delta alpha beta sigma eta mu h p u l v s t h' p' : R) :
-  0 < alpha -> 0 < sigma -> 0 < normal_force sigma h -> 0 < normal_force alpha h ->
-  moves delta alpha beta sigma eta mu h p u l v s t ->
+Theorem work_is_the_same (delta alpha beta sigma eta mu h p u l v s t h' p' : R) : 0 < alpha -> 0 < sigma ->
+  0 < normal_force sigma h -> 0 < normal_force alpha h -> moves delta alpha beta sigma eta mu h p u l v s t ->
   u * crown_gap eta h' p' + l * haunch_gap delta beta eta h' p'
   + v * shoulder_gap delta alpha eta h' p'
   + s * (sin sigma * normal_force sigma h / sigma) * inward_gap sigma mu h'
@@ -196,15 +175,12 @@ Proof.
                     = (u * (extrados eta - intrados eta * cos beta)
                        - v * (intrados eta * cos beta - extrados eta * cos alpha)) * (h' - h)).
   { subst l. unfold crown_gap, haunch_gap, shoulder_gap, normal_force. ring. }
-  replace (u * (extrados eta - intrados eta * cos beta)
-           - v * (intrados eta * cos beta - extrados eta * cos alpha))
-    with (t * sin alpha - s * sin sigma) in Hhinges by lra.
-  lra.
+  replace (u * (extrados eta - intrados eta * cos beta) - v * (intrados eta * cos beta - extrados eta * cos alpha))
+    with (t * sin alpha - s * sin sigma) in Hhinges by lra. lra.
 Qed.
 
 (** What the rate of a sliding joint is scaled by is positive. *)
-Lemma slip_factor_positive (x h : R) : 0 < x < PI -> 0 < normal_force x h ->
-  0 < sin x * normal_force x h / x.
+Lemma slip_factor_positive (x h : R) : 0 < x < PI -> 0 < normal_force x h -> 0 < sin x * normal_force x h / x.
 Proof.
   intros Hx HN. assert (0 < sin x) by (apply sin_gt_0; lra).
   apply Rdiv_lt_0_compat; [now apply Rmult_lt_0_compat | lra].
@@ -223,88 +199,64 @@ Theorem thicker_arch_has_room (delta alpha beta eta eta' h p : R) :
   exists p', 0 < crown_gap eta' h p' /\ 0 < haunch_gap delta beta eta' h p'
              /\ 0 < shoulder_gap delta alpha eta' h p'.
 Proof.
-  intros Hd Hb Ha He He' Hh Hall.
-  destruct (Hall 0 ltac:(lra)) as (_ & Hlow & Hcrown).
-  destruct (Hall beta ltac:(lra)) as (HNb & Hhaunch & _).
-  destruct (Hall alpha ltac:(lra)) as (HNa & _ & Hshoulder).
-  replace (normal_force 0 h) with h in Hlow, Hcrown
-    by (unfold normal_force; rewrite cos_0, sin_0; ring).
-  rewrite cos_0 in Hlow, Hcrown.
-  assert (Hp : 0 <= p).
+  intros Hd Hb Ha He He' Hh Hall. destruct (Hall 0 ltac:(lra)) as (_ & Hlow & Hcrown).
+  destruct (Hall beta ltac:(lra)) as (HNb & Hhaunch & _). destruct (Hall alpha ltac:(lra)) as (HNa & _ & Hshoulder).
+  rewrite normal_force_at_crown, cos_0 in Hlow, Hcrown. assert (Hp : 0 <= p).
   { assert (0 <= intrados eta * h) by (apply Rmult_le_pos; [unfold intrados|]; lra). lra. }
   assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
   assert (Hvb : 0 <= 1 - cos beta) by (destruct (COS_bound beta); lra).
-  assert (Hcos : cos alpha <= cos beta).
-  { destruct (Req_dec beta alpha) as [-> | Hne]; [lra|]. apply Rlt_le, cos_decreasing_1; lra. }
-  set (N := normal_force beta h) in *. set (Na := normal_force alpha h) in *.
-  set (low := intrados eta' * N - fac delta eta' * (1 - cos beta)).
-  set (crown := extrados eta' * h).
-  set (shoulder := extrados eta' * Na - fac delta eta' * (1 - cos alpha)).
+  assert (Hcos : cos alpha <= cos beta) by (apply cos_decr_1; lra). set (N := normal_force beta h) in *.
+  set (Na := normal_force alpha h) in *. set (low := intrados eta' * N - fac delta eta' * (1 - cos beta)).
+  set (crown := extrados eta' * h). set (shoulder := extrados eta' * Na - fac delta eta' * (1 - cos alpha)).
   assert (Hlow_crown : low < crown).
   { assert (0 <= delta * (eta' ^ 2 - eta ^ 2) * (1 - cos beta)).
     { repeat apply Rmult_le_pos; try lra. nra. }
     assert (0 < (eta' - eta) * h) by (apply Rmult_lt_0_compat; lra).
-    assert (0 <= (eta' - eta) * N) by (apply Rmult_le_pos; lra).
-    unfold low, crown, extrados, intrados, fac in *. lra. }
+    assert (0 <= (eta' - eta) * N) by (apply Rmult_le_pos; lra). unfold low, crown, extrados, intrados, fac in *. lra. }
   assert (Hlow_shoulder : low < shoulder).
   { set (gap := fun e => extrados e * Na - fac delta e * (1 - cos alpha)
                          - (intrados e * N - fac delta e * (1 - cos beta))).
     enough (0 < gap eta') by (unfold gap, low, shoulder in *; lra).
-    assert (Hat_eta : 0 <= gap eta) by (unfold gap; lra).
-    assert (Hat_2 : 0 < gap 2).
+    assert (Hat_eta : 0 <= gap eta) by (unfold gap; lra). assert (Hat_2 : 0 < gap 2).
     { assert (Hheld : fac delta eta * (1 - cos alpha) <= extrados eta * Na) by lra.
       assert (Hgain : 0 < (2 - eta) * (3 - delta * (1 + eta)) / 6 * (1 - cos alpha)).
-      { apply Rmult_lt_0_compat; [|easy]. apply Rdiv_lt_0_compat; [|lra].
-        apply Rmult_lt_0_compat; nra. }
+      { apply Rmult_lt_0_compat; [|easy]. apply Rdiv_lt_0_compat; [|lra]. apply Rmult_lt_0_compat; nra. }
       assert (Hlimit : extrados eta * (2 * Na - fac delta 2 * (1 - cos alpha))
-                       = 2 * (extrados eta * Na - fac delta eta * (1 - cos alpha))
-                         + (2 - eta) * (3 - delta * (1 + eta)) / 6 * (1 - cos alpha))
-        by (unfold extrados, fac; field).
-      assert (0 < 2 * Na - fac delta 2 * (1 - cos alpha)).
+        = 2 * (extrados eta * Na - fac delta eta * (1 - cos alpha)) + (2 - eta) * (3 - delta * (1 + eta)) / 6 *
+        (1 - cos alpha)) by (unfold extrados, fac; field). assert (0 < 2 * Na - fac delta 2 * (1 - cos alpha)).
       { apply (Rmult_lt_reg_l (extrados eta)); [unfold extrados|]; lra. }
       assert (0 <= fac delta 2 * (1 - cos beta)) by (apply Rmult_le_pos; [unfold fac|]; lra).
       unfold gap, extrados, intrados. lra. }
-    assert (Hconcave : (2 - eta) * gap eta'
-              = (2 - eta') * gap eta + (eta' - eta) * gap 2
-                + delta / 12 * (cos beta - cos alpha) * ((2 - eta) * (2 - eta') * (eta' - eta)))
+    assert (Hconcave : (2 - eta) * gap eta' = (2 - eta') * gap eta + (eta' - eta) * gap 2 + delta / 12 *
+      (cos beta - cos alpha) * ((2 - eta) * (2 - eta') * (eta' - eta)))
       by (unfold gap, extrados, intrados, fac; field).
     assert (0 <= delta / 12 * (cos beta - cos alpha) * ((2 - eta) * (2 - eta') * (eta' - eta)))
       by (repeat apply Rmult_le_pos; lra).
     assert (0 <= (2 - eta') * gap eta) by (apply Rmult_le_pos; lra).
-    assert (0 < (eta' - eta) * gap 2) by (apply Rmult_lt_0_compat; lra).
-    apply (Rmult_lt_reg_l (2 - eta)); lra. }
-  set (top := Rmin crown shoulder).
-  assert (Htop : low < top) by (now apply Rmin_glb_lt).
+    assert (0 < (eta' - eta) * gap 2) by (apply Rmult_lt_0_compat; lra). apply (Rmult_lt_reg_l (2 - eta)); lra. }
+  set (top := Rmin crown shoulder). assert (Htop : low < top) by (now apply Rmin_glb_lt).
   assert (Hc := Rmin_l crown shoulder). assert (Hs := Rmin_r crown shoulder). fold top in Hc, Hs.
-  exists ((low + top) / 2). unfold crown_gap, haunch_gap, shoulder_gap. fold N Na.
-  unfold low, crown, shoulder in *. lra.
+  exists ((low + top) / 2). unfold crown_gap, haunch_gap, shoulder_gap. fold N Na. unfold low, crown, shoulder in *.
+  lra.
 Qed.
 
 (** Finite friction needs a thrust: next to the crown the weight has no other hold. *)
 Lemma friction_needs_thrust (alpha mu h : R) : 0 < alpha -> 0 <= mu ->
   (forall x, 0 <= x <= alpha -> 0 <= normal_force x h /\ friction_holds x mu h) -> 0 < h.
 Proof.
-  intros Ha Hmu Hall.
-  assert (Hh : 0 <= h).
-  { destruct (Hall 0 ltac:(lra)) as [H _].
-    unfold normal_force in H. rewrite cos_0, sin_0 in H. lra. }
-  destruct (Req_dec h 0) as [E | Hne]; [|lra]. exfalso. subst h.
-  set (x := Rmin alpha (/ (mu + 2))).
-  assert (Hinv : 0 < / (mu + 2)) by (apply Rinv_0_lt_compat; lra).
-  assert (Hx : 0 < x) by (apply Rmin_glb_lt; lra).
-  assert (Hx1 : x <= alpha) by apply Rmin_l.
-  assert (Hx2 : (mu + 2) * x <= 1).
-  { replace 1 with ((mu + 2) * / (mu + 2)) by (field; lra).
-    apply Rmult_le_compat_l; [lra | apply Rmin_r]. }
-  destruct (Hall x ltac:(lra)) as [_ H]. unfold friction_holds in H.
-  assert (Habs := Rle_abs (shear_force x 0)). unfold shear_force, normal_force in *.
-  assert (Hsin : sin x < x) by (apply sin_lt_x; lra).
+  intros Ha Hmu Hall. assert (Hh : 0 <= h).
+  { destruct (Hall 0 ltac:(lra)) as [H _]. rewrite normal_force_at_crown in H. lra. }
+  destruct (Req_dec h 0) as [E | Hne]; [|lra]. exfalso. subst h. set (x := Rmin alpha (/ (mu + 2))).
+  assert (Hinv : 0 < / (mu + 2)) by (apply Rinv_0_lt_compat; lra). assert (Hx : 0 < x) by (apply Rmin_glb_lt; lra).
+  assert (Hx1 : x <= alpha) by apply Rmin_l. assert (Hx2 : (mu + 2) * x <= 1).
+  { replace 1 with ((mu + 2) * / (mu + 2)) by (field; lra). apply Rmult_le_compat_l; [lra | apply Rmin_r]. }
+  destruct (Hall x ltac:(lra)) as [_ H]. unfold friction_holds in H. assert (Habs := Rle_abs (shear_force x 0)).
+  unfold shear_force, normal_force in *. assert (Hsin : sin x < x) by (apply sin_lt_x; lra).
   assert (Hhalf : sin (x / 2) < x / 2) by (apply sin_lt_x; lra).
   assert (Hhalf0 : 0 <= sin (x / 2)) by (apply sin_ge_0; assert (HPI := PI2_3_2); nra).
   assert (Hcos : cos x = 1 - 2 * sin (x / 2) * sin (x / 2))
     by (replace (cos x) with (cos (2 * (x / 2))) by (f_equal; field); apply cos_2a_sin).
-  assert (mu * sin x <= mu * x) by (apply Rmult_le_compat_l; lra).
-  assert (mu * sin x < cos x) by nra.
+  assert (mu * sin x <= mu * x) by (apply Rmult_le_compat_l; lra). assert (mu * sin x < cos x) by nra.
   assert (x * (mu * sin x) < x * cos x) by (now apply Rmult_lt_compat_l). lra.
 Qed.
 
@@ -318,18 +270,14 @@ Theorem no_motion_above_the_least (delta alpha beta sigma eta eta' mu h p u l v 
   arch_stands delta alpha eta mu ->
   moves delta alpha beta sigma eta' mu h p u l v s t -> u = 0 /\ l = 0 /\ v = 0.
 Proof.
-  intros Hd Hb Ha Hs Hmu He He' HNs HNa (h0 & p0 & Hall) Hmoves.
-  assert (Hh0 : 0 < h0).
-  { apply (friction_needs_thrust alpha mu); try lra. intros x Hx.
-    destruct (Hall x Hx) as [[HN _] Hf]. now split. }
-  destruct (thicker_arch_has_room delta alpha beta eta eta' h0 p0) as (p' & Hc & Hi & Ho);
-    try easy.
+  intros Hd Hb Ha Hs Hmu He He' HNs HNa (h0 & p0 & Hall) Hmoves. assert (Hh0 : 0 < h0).
+  { apply (friction_needs_thrust alpha mu); try lra. intros x Hx. destruct (Hall x Hx) as [[HN _] Hf]. now split. }
+  destruct (thicker_arch_has_room delta alpha beta eta eta' h0 p0) as (p' & Hc & Hi & Ho); try easy.
   { intros x Hx. now apply Hall. }
   assert (Hwork := work_is_the_same delta alpha beta sigma eta' mu h p u l v s t h0 p'
                      ltac:(lra) ltac:(lra) HNs HNa Hmoves).
-  destruct Hmoves as ((Hu & Hl & Hv & Hs0 & Ht) & _).
-  destruct (Hall sigma ltac:(lra)) as [_ Hfs]. destruct (Hall alpha ltac:(lra)) as [_ Hfa].
-  unfold friction_holds in Hfs, Hfa. apply Rabs_le_between in Hfs, Hfa.
+  destruct Hmoves as ((Hu & Hl & Hv & Hs0 & Ht) & _). destruct (Hall sigma ltac:(lra)) as [_ Hfs].
+  destruct (Hall alpha ltac:(lra)) as [_ Hfa]. unfold friction_holds in Hfs, Hfa. apply Rabs_le_between in Hfs, Hfa.
   assert (Hks := slip_factor_positive sigma h ltac:(lra) HNs).
   assert (Hka := slip_factor_positive alpha h ltac:(lra) HNa).
   assert (0 <= s * (sin sigma * normal_force sigma h / sigma) * inward_gap sigma mu h0)
@@ -338,8 +286,7 @@ Proof.
     by (apply Rmult_le_pos; [apply Rmult_le_pos | unfold outward_gap]; lra).
   assert (0 <= u * crown_gap eta' h0 p') by (apply Rmult_le_pos; lra).
   assert (0 <= l * haunch_gap delta beta eta' h0 p') by (apply Rmult_le_pos; lra).
-  assert (0 <= v * shoulder_gap delta alpha eta' h0 p') by (apply Rmult_le_pos; lra).
-  repeat split.
+  assert (0 <= v * shoulder_gap delta alpha eta' h0 p') by (apply Rmult_le_pos; lra). repeat split.
   - apply (factor_zero u (crown_gap eta' h0 p')); lra.
   - apply (factor_zero l (haunch_gap delta beta eta' h0 p')); lra.
   - apply (factor_zero v (shoulder_gap delta alpha eta' h0 p')); lra.
@@ -353,26 +300,13 @@ Qed.
 Lemma margin_between (a m h x z y : R) : 0 < a -> 0 <= x -> x < z < y -> y < PI ->
   Rmin (margin a m h x) (margin a m h y) < margin a m h z.
 Proof.
-  intros Ha Hx Hz Hy.
-  destruct (Rle_lt_dec 0 (direction a m h z)) as [Hdir | Hdir].
-  - apply Rle_lt_trans with (margin a m h x); [apply Rmin_l|].
-    destruct (margin_increment a m h x z) as (c & Hin & E); try lra.
-    assert (0 < sin c) by (apply sin_gt_0; lra).
-    assert (z * cot z < c * cot c) by (apply times_cotangent_falls; lra).
-    assert (0 < direction a m h c) by (unfold direction in *; nra).
-    assert (0 < sin c * direction a m h c * (z - x)) by (repeat apply Rmult_lt_0_compat; lra). lra.
-  - apply Rle_lt_trans with (margin a m h y); [apply Rmin_r|].
-    destruct (margin_increment a m h z y) as (c & Hin & E); try lra.
-    assert (0 < sin c) by (apply sin_gt_0; lra).
-    assert (c * cot c < z * cot z) by (apply times_cotangent_falls; lra).
-    assert (0 < - direction a m h c) by (unfold direction in *; nra).
-    assert (0 < sin c * - direction a m h c * (y - z)) by (repeat apply Rmult_lt_0_compat; lra).
-    lra.
+  intros Ha Hx Hz Hy. destruct (Rle_lt_dec 0 (direction a m h z)) as [Hdir | Hdir].
+  - apply Rle_lt_trans with (margin a m h x); [apply Rmin_l | apply margin_rises; lra].
+  - apply Rle_lt_trans with (margin a m h y); [apply Rmin_r | apply margin_falls; lra].
 Qed.
 
 (** Within a wider arch the line of thrust is off the extrados, *)
-Lemma extrados_clear_within (delta alpha alpha' eta h p : R) :
-  0 < eta -> 0 < alpha < alpha' -> alpha' < PI ->
+Lemma extrados_clear_within (delta alpha alpha' eta h p : R) : 0 < eta -> 0 < alpha < alpha' -> alpha' < PI ->
   0 <= crown_gap eta h p -> 0 <= shoulder_gap delta alpha' eta h p ->
   0 < shoulder_gap delta alpha eta h p.
 Proof.
@@ -381,8 +315,8 @@ Proof.
                  ltac:(unfold extrados; lra) ltac:(lra) Ha Ha').
   assert (Hleast : p + fac delta eta <= Rmin (margin (extrados eta) (fac delta eta) h 0)
                                              (margin (extrados eta) (fac delta eta) h alpha')).
-  { unfold crown_gap, shoulder_gap in *. apply Rmin_glb; unfold margin; [|lra].
-    unfold normal_force. rewrite cos_0, sin_0. lra. }
+  { unfold crown_gap, shoulder_gap in *. apply Rmin_glb; unfold margin; [|lra]. unfold normal_force.
+    rewrite cos_0, sin_0. lra. }
   unfold shoulder_gap, margin in *. lra.
 Qed.
 
@@ -391,110 +325,51 @@ Lemma no_outward_limit_within (alpha alpha' mu h : R) :
   0 < alpha < alpha' -> alpha' < PI -> 0 <= mu -> 0 < h ->
   0 <= outward_gap alpha' mu h -> 0 < outward_gap alpha mu h.
 Proof.
-  intros Ha Ha' Hmu Hh Hgap. set (phi := atan mu).
-  assert (Hphi : 0 <= phi < PI / 2).
+  intros Ha Ha' Hmu Hh Hgap. set (phi := atan mu). assert (Hphi : 0 <= phi < PI / 2).
   { split; [|apply atan_bound]. destruct (Req_dec mu 0) as [E | Hne].
     - unfold phi. rewrite E, atan_0. lra.
     - unfold phi. rewrite <- atan_0. apply Rlt_le, atan_increasing. lra. }
-  assert (HC : 0 < cos phi) by (apply cos_gt_0; lra).
-  assert (Hslope : mu * cos phi = sin phi).
+  assert (HC : 0 < cos phi) by (apply cos_gt_0; lra). assert (Hslope : mu * cos phi = sin phi).
   { replace mu with (tan phi) by apply tan_atan. unfold tan. field. lra. }
   assert (Hturned : forall x, outward_gap x mu h * cos phi = x * cos (x - phi) - h * sin (x - phi)).
-  { intros x. rewrite cos_minus, sin_minus. unfold outward_gap, normal_force, shear_force.
-    rewrite <- Hslope. ring. }
+  { intros x. rewrite cos_minus, sin_minus. unfold outward_gap, normal_force, shear_force. rewrite <- Hslope. ring. }
   assert (Hgap' := Rmult_le_pos _ _ Hgap (Rlt_le _ _ HC)). rewrite Hturned in Hgap'.
-  apply (Rmult_lt_reg_r (cos phi)); [easy|]. rewrite Rmult_0_l, Hturned.
-  set (y := alpha - phi) in *. set (y' := alpha' - phi) in *.
-  destruct (Rle_lt_dec y 0) as [Hy | Hy].
+  apply (Rmult_lt_reg_r (cos phi)); [easy|]. rewrite Rmult_0_l, Hturned. set (y := alpha - phi) in *.
+  set (y' := alpha' - phi) in *. destruct (Rle_lt_dec y 0) as [Hy | Hy].
   - assert (HPI := PI2_3_2). assert (0 < cos y) by (apply cos_gt_0; unfold y in *; lra).
     assert (0 < alpha * cos y) by (apply Rmult_lt_0_compat; lra).
     assert (0 <= h * sin (- y)) by (apply Rmult_le_pos; [lra | apply sin_ge_0; unfold y in *; lra]).
     rewrite sin_neg in *. lra.
-  - assert (Hyy : y < y' < PI) by (unfold y, y'; lra).
-    assert (HS : 0 < sin y) by (apply sin_gt_0; lra).
+  - assert (Hyy : y < y' < PI) by (unfold y, y'; lra). assert (HS : 0 < sin y) by (apply sin_gt_0; lra).
     assert (HS' : 0 < sin y') by (apply sin_gt_0; lra).
-    assert (Hfalls : y' * cot y' < y * cot y) by (apply times_cotangent_falls; lra).
-    assert (Hcot : cot y' <= cot y).
+    assert (Hfalls : y' * cot y' < y * cot y) by (apply times_cotangent_falls; lra). assert (Hcot : cot y' <= cot y).
     { apply Rlt_le, Rminus_gt_0_lt. unfold cot.
       replace (cos y / sin y - cos y' / sin y') with (sin (y' - y) / (sin y * sin y'))
         by (rewrite sin_minus; field; lra).
       apply Rdiv_lt_0_compat; [apply sin_gt_0; lra | now apply Rmult_lt_0_compat]. }
-    assert (phi * cot y' <= phi * cot y) by (apply Rmult_le_compat_l; lra).
-    assert (Hbound : h <= alpha' * cot y').
+    assert (phi * cot y' <= phi * cot y) by (apply Rmult_le_compat_l; lra). assert (Hbound : h <= alpha' * cot y').
     { apply (Rmult_le_reg_r (sin y')); [easy|]. unfold cot.
       replace (alpha' * (cos y' / sin y') * sin y') with (alpha' * cos y') by (field; lra). lra. }
     assert (Hless : h < alpha * cot y).
-    { replace alpha with (y + phi) by (unfold y; ring).
-      replace alpha' with (y' + phi) in Hbound by (unfold y'; ring). lra. }
+    { replace alpha with (y + phi) by (unfold y; ring). replace alpha' with (y' + phi) in Hbound by (unfold y'; ring).
+      lra. }
     apply (Rmult_lt_compat_r (sin y)) in Hless; [|easy]. unfold cot in Hless.
     replace (alpha * (cos y / sin y) * sin y) with (alpha * cos y) in Hless by (field; lra). lra.
 Qed.
 
-(** So few joints can be at their limits: the extrados and the outward slip at the ends only, the
-    intrados at one joint, the inward slip at [beta_s]. *)
-Theorem limits_of_a_state (delta alpha eta mu h p : R) :
-  0 < alpha < PI -> 0 < eta < 2 -> 0 <= mu -> 0 < h ->
-  (forall x, 0 <= x <= alpha -> joint_stands delta x eta h p /\ friction_holds x mu h) ->
-  (forall x, 0 < x < alpha -> 0 < shoulder_gap delta x eta h p /\ 0 < outward_gap x mu h) /\
-  (forall x y, 0 <= x -> x < y <= alpha ->
-     haunch_gap delta x eta h p = 0 -> haunch_gap delta y eta h p <> 0) /\
-  (h < 1 -> 0 < normal_force alpha h -> beta_s h <= alpha ->
-     forall x, 0 <= x <= alpha -> inward_gap x mu h = 0 -> x = beta_s h).
-Proof.
-  intros Ha He Hmu Hh Hall. destruct (Hall alpha ltac:(lra)) as [(_ & _ & Hshoulder) Hfa].
-  destruct (Hall 0 ltac:(lra)) as [(_ & _ & Hcrown) _].
-  replace (normal_force 0 h) with h in Hcrown
-    by (unfold normal_force; rewrite cos_0, sin_0; ring).
-  rewrite cos_0 in Hcrown. unfold friction_holds in Hfa. apply Rabs_le_between in Hfa.
-  split; [|split].
-  - intros x Hx. split.
-    + apply (extrados_clear_within delta x alpha); unfold crown_gap, shoulder_gap; lra.
-    + apply (no_outward_limit_within x alpha); try lra. unfold outward_gap. lra.
-  - intros x y Hx Hy HLx HLy. set (z := (x + y) / 2).
-    destruct (Hall z ltac:(unfold z; lra)) as [(_ & Hz & _) _].
-    assert (H := margin_between (intrados eta) (fac delta eta) h x z y
-                   ltac:(unfold intrados; lra) Hx ltac:(unfold z; lra) ltac:(lra)).
-    assert (Hleast : p + fac delta eta <= Rmin (margin (intrados eta) (fac delta eta) h x)
-                                               (margin (intrados eta) (fac delta eta) h y))
-      by (apply Rmin_glb; unfold haunch_gap, margin in *; lra).
-    unfold margin in *. lra.
-  - intros Hh1 HN Hs x Hx HI. destruct (Req_dec x (beta_s h)) as [E | Hne]; [easy|]. exfalso.
-    assert (Hsteep := steepest_joint h alpha x ltac:(lra) ltac:(lra) HN Hs Hx Hne).
-    assert (HNx : 0 < normal_force x h) by (apply (normal_force_positive alpha); lra).
-    assert (Hb := beta_s_positive h ltac:(lra)).
-    assert (HNs : 0 < normal_force (beta_s h) h) by (apply (normal_force_positive alpha); lra).
-    destruct (Hall (beta_s h) ltac:(lra)) as [_ Hfs].
-    unfold friction_holds in Hfs. apply Rabs_le_between in Hfs.
-    assert (Hx_is : steepness x h = mu).
-    { unfold steepness. unfold inward_gap in HI. apply (Rmult_eq_reg_r (normal_force x h)); [|lra].
-      field_simplify; lra. }
-    assert (Hs_is : steepness (beta_s h) h * normal_force (beta_s h) h = shear_force (beta_s h) h)
-      by (unfold steepness; field; lra).
-    rewrite Hx_is in Hsteep.
-    apply (Rmult_lt_compat_r (normal_force (beta_s h) h)) in Hsteep; lra.
-Qed.
-
-Theorem no_motion_below_the_widest (delta alpha alpha' beta sigma eta mu h p u l v s t : R) :
-  0 <= delta <= 1 -> 0 <= beta <= alpha -> 0 < alpha < alpha' -> alpha' < PI ->
-  0 < sigma <= alpha -> 0 <= mu -> 0 < eta <= 2 ->
-  0 < normal_force sigma h -> 0 < normal_force alpha h ->
-  arch_stands delta alpha' eta mu ->
+Theorem no_motion_below_the_widest (delta alpha alpha' beta sigma eta mu h p u l v s t : R) : 0 <= delta <= 1 ->
+  0 <= beta <= alpha -> 0 < alpha < alpha' -> alpha' < PI -> 0 < sigma <= alpha -> 0 <= mu -> 0 < eta <= 2 ->
+  0 < normal_force sigma h -> 0 < normal_force alpha h -> arch_stands delta alpha' eta mu ->
   moves delta alpha beta sigma eta mu h p u l v s t ->
   u = 0 /\ l = 0 /\ v = 0 /\ s = 0 /\ t = 0.
 Proof.
-  intros Hd Hb Ha Ha' Hs Hmu He HNs HNa (h0 & p0 & Hall) Hmoves.
-  assert (Hh0 : 0 < h0).
-  { apply (friction_needs_thrust alpha' mu); try lra. intros x Hx.
-    destruct (Hall x Hx) as [[HN _] Hf]. now split. }
-  destruct (Hall 0 ltac:(lra)) as [(_ & _ & Hcrown) _].
-  destruct (Hall beta ltac:(lra)) as [(_ & Hhaunch & _) _].
-  destruct (Hall sigma ltac:(lra)) as [_ Hfs].
-  destruct (Hall alpha' ltac:(lra)) as [(_ & _ & Hshoulder) Hfa].
+  intros Hd Hb Ha Ha' Hs Hmu He HNs HNa (h0 & p0 & Hall) Hmoves. assert (Hh0 : 0 < h0).
+  { apply (friction_needs_thrust alpha' mu); try lra. intros x Hx. destruct (Hall x Hx) as [[HN _] Hf]. now split. }
+  destruct (Hall 0 ltac:(lra)) as [(_ & _ & Hcrown) _]. destruct (Hall beta ltac:(lra)) as [(_ & Hhaunch & _) _].
+  destruct (Hall sigma ltac:(lra)) as [_ Hfs]. destruct (Hall alpha' ltac:(lra)) as [(_ & _ & Hshoulder) Hfa].
   unfold friction_holds in Hfs, Hfa. apply Rabs_le_between in Hfs, Hfa.
-  replace (normal_force 0 h0) with h0 in Hcrown
-    by (unfold normal_force; rewrite cos_0, sin_0; ring).
-  rewrite cos_0 in Hcrown.
-  assert (HC : 0 <= crown_gap eta h0 p0) by (unfold crown_gap; lra).
+  replace (normal_force 0 h0) with h0 in Hcrown by (unfold normal_force; rewrite cos_0, sin_0; ring).
+  rewrite cos_0 in Hcrown. assert (HC : 0 <= crown_gap eta h0 p0) by (unfold crown_gap; lra).
   assert (HL : 0 <= haunch_gap delta beta eta h0 p0) by (unfold haunch_gap; lra).
   assert (HU : 0 < shoulder_gap delta alpha eta h0 p0).
   { apply (extrados_clear_within delta alpha alpha'); try lra. unfold shoulder_gap. lra. }
@@ -513,59 +388,44 @@ Proof.
   assert (0 <= u * crown_gap eta h0 p0) by (now apply Rmult_le_pos).
   assert (0 <= l * haunch_gap delta beta eta h0 p0) by (now apply Rmult_le_pos).
   assert (0 <= v * shoulder_gap delta alpha eta h0 p0) by (apply Rmult_le_pos; lra).
-  assert (Ev : v = 0) by (apply (factor_zero v (shoulder_gap delta alpha eta h0 p0)); lra).
-  assert (Et : t = 0).
+  assert (Ev : v = 0) by (apply (factor_zero v (shoulder_gap delta alpha eta h0 p0)); lra). assert (Et : t = 0).
   { apply (factor_zero t (sin alpha * normal_force alpha h / alpha * outward_gap alpha mu h0));
       [now apply Rmult_lt_0_compat | lra]. }
   (* what moves inside has nothing at the shoulder to carry it *)
-  subst v t.
-  assert (Ha0 : 0 < extrados eta - intrados eta * cos beta).
+  subst v t. assert (Ha0 : 0 < extrados eta - intrados eta * cos beta).
   { unfold extrados, intrados. destruct (COS_bound beta).
     assert (-1 < cos beta) by (rewrite <- cos_PI; apply cos_decreasing_1; lra). nra. }
   assert (HSs : 0 < sin sigma) by (apply sin_gt_0; lra).
   assert (0 <= u * (extrados eta - intrados eta * cos beta)) by (apply Rmult_le_pos; lra).
   assert (0 <= s * sin sigma) by (apply Rmult_le_pos; lra).
   assert (Eu : u = 0) by (apply (factor_zero u (extrados eta - intrados eta * cos beta)); lra).
-  assert (Es : s = 0) by (apply (factor_zero s (sin sigma)); lra).
-  repeat split; lra.
+  assert (Es : s = 0) by (apply (factor_zero s (sin sigma)); lra). repeat split; lra.
 Qed.
 
 (** ** The shoulder's hinge and rotation
 
     So where an inner joint slides and the shoulder turns, the thrust and the thickness are at least
     those of pure rotation: such modes begin at [T]. *)
-Theorem shoulder_hinge_keeps_rotation (delta alpha beta eta0 eta h p : R) :
-  0 <= delta <= 1 -> 0 < beta < alpha -> alpha < PI -> 0 < eta0 < 2 -> 0 < eta <= 2 ->
-  rotational_state delta alpha beta eta0 ->
-  (forall x, 0 <= x <= alpha -> joint_stands delta x eta h p) ->
-  shoulder_gap delta alpha eta h p = 0 ->
+Theorem shoulder_hinge_keeps_rotation (delta alpha beta eta0 eta h p : R) : 0 <= delta <= 1 -> 0 < beta < alpha ->
+  alpha < PI -> 0 < eta0 < 2 -> 0 < eta <= 2 -> rotational_state delta alpha beta eta0 ->
+  (forall x, 0 <= x <= alpha -> joint_stands delta x eta h p) -> shoulder_gap delta alpha eta h p = 0 ->
   eta0 <= eta /\ h_lower delta beta eta0 <= h.
 Proof.
-  intros Hd Hb Ha He0 He Hstate Hall HU.
-  assert (Hthick : eta0 <= eta).
-  { apply (rotational_thickness_is_least delta alpha beta eta0 Hd Hb Ha He0 Hstate eta He).
-    now exists h, p. }
+  intros Hd Hb Ha He0 He Hstate Hall HU. assert (Hthick : eta0 <= eta).
+  { apply (rotational_thickness_is_least delta alpha beta eta0 Hd Hb Ha He0 Hstate eta He). now exists h, p. }
   split; [easy|]. destruct (Hall 0 ltac:(lra)) as (_ & _ & Hcrown). destruct Hstate as [_ H24].
-  replace (normal_force 0 h) with h in Hcrown
-    by (unfold normal_force; rewrite cos_0, sin_0; ring).
-  rewrite cos_0 in Hcrown.
-  assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
-  set (h0 := h_lower delta beta eta0) in *.
-  apply whole_thrust_cleared in H24; [|lra|lra].
-  assert (Hfalls : 0 <= (eta - eta0)
-                        * (1 - delta / 12 * (2 * eta + 2 * eta0 + eta * eta0))).
+  rewrite normal_force_at_crown, cos_0 in Hcrown. assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
+  set (h0 := h_lower delta beta eta0) in *. apply whole_thrust_cleared in H24; [|lra|lra].
+  assert (Hfalls : 0 <= (eta - eta0) * (1 - delta / 12 * (2 * eta + 2 * eta0 + eta * eta0))).
   { apply Rmult_le_pos; [lra|].
-    assert (delta * (2 * eta + 2 * eta0 + eta * eta0) <= 1 * 12) by (apply Rmult_le_compat; nra).
-    lra. }
+    assert (delta * (2 * eta + 2 * eta0 + eta * eta0) <= 1 * 12) by (apply Rmult_le_compat; nra). lra. }
   assert (Hcut : (2 + eta) * fac delta eta0 - (2 + eta0) * fac delta eta
-                 = (eta - eta0) * (1 - delta / 12 * (2 * eta + 2 * eta0 + eta * eta0)))
-    by (unfold fac; field).
+    = (eta - eta0) * (1 - delta / 12 * (2 * eta + 2 * eta0 + eta * eta0))) by (unfold fac; field).
   unfold shoulder_gap, normal_force, extrados in *.
   assert (Hmore : fac delta eta * (1 - cos alpha) * (2 + eta0)
                   <= fac delta eta0 * (1 - cos alpha) * (2 + eta)) by nra.
   apply Rnot_lt_le. intros Hless.
-  assert (Hpos : 0 < (2 + eta) * (2 + eta0) * ((h0 - h) * (1 - cos alpha)))
-    by (repeat apply Rmult_lt_0_compat; lra).
+  assert (Hpos : 0 < (2 + eta) * (2 + eta0) * ((h0 - h) * (1 - cos alpha))) by (repeat apply Rmult_lt_0_compat; lra).
   nra.
 Qed.
 
@@ -586,10 +446,8 @@ Theorem symmetric_mean_stands (delta alpha eta mu h p v : R) :
   (forall x, - alpha <= x <= alpha -> whole_joint_stands delta x eta mu h p v) ->
   arch_stands delta alpha eta mu.
 Proof.
-  intros Hall. exists h, p. intros x Hx.
-  destruct (Hall x ltac:(lra)) as (HN & HM & HT).
+  intros Hall. exists h, p. intros x Hx. destruct (Hall x ltac:(lra)) as (HN & HM & HT).
   destruct (Hall (- x) ltac:(lra)) as (HN' & HM' & HT').
-  unfold joint_stands, friction_holds, whole_normal, whole_shear in *.
-  rewrite cos_neg, sin_neg in *. apply Rabs_le_between in HT, HT'.
-  unfold normal_force, shear_force. split; [lra|]. apply Rabs_le_between. lra.
+  unfold joint_stands, friction_holds, whole_normal, whole_shear in *. rewrite cos_neg, sin_neg in *.
+  apply Rabs_le_between in HT, HT'. unfold normal_force, shear_force. split; [lra|]. apply Rabs_le_between. lra.
 Qed.

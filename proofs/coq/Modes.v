@@ -67,8 +67,7 @@ Definition of_way (w : way) (m : motion) : R :=
 (** What the hinges of a mechanism do, where each is at the crown, the haunch or the shoulder, and so
     do the joints that slide. *)
 Lemma gathered (delta alpha eta mu h p beta sigma : R) (motions : list motion) :
-  (forall m, In m motions -> 0 <= at_joint m <= alpha /\ 0 <= rate m /\
-     rate m * gap delta eta mu h p m = 0) ->
+  (forall m, In m motions -> 0 <= at_joint m <= alpha /\ 0 <= rate m /\ rate m * gap delta eta mu h p m = 0) ->
   (forall x, 0 <= x <= alpha -> shoulder_gap delta x eta h p = 0 -> x = 0 \/ x = alpha) ->
   (forall x, 0 <= x <= alpha -> haunch_gap delta x eta h p = 0 -> x = beta) ->
   (forall m, In m motions -> 0 < rate m -> moves_by m = SlidesInwards -> at_joint m = sigma) ->
@@ -88,35 +87,30 @@ Proof.
   intros Hall HU HL HI HO. induction motions as [|m motions IH].
   { exists 0, 0, 0, 0, 0. simpl. repeat split; lra. }
   destruct IH as (u & l & v & s & t & Hpos & Eu & El & Ev & Es & Et & W & M & Wu & Wl & Ws & Wt);
-    [now intros n Hn; apply Hall; right | now intros n Hn; apply HI; right
-     | now intros n Hn; apply HO; right |].
-  destruct (Hall m (or_introl eq_refl)) as (Hx & Hrate & Hzero).
-  assert (HI' := HI m (or_introl eq_refl)). assert (HO' := HO m (or_introl eq_refl)).
-  clear Hall HI HO. destruct (Req_dec (rate m) 0) as [E0 | E0].
+    [now intros n Hn; apply Hall; right | now intros n Hn; apply HI; right | now intros n Hn; apply HO; right |].
+  destruct (Hall m (or_introl eq_refl)) as (Hx & Hrate & Hzero). assert (HI' := HI m (or_introl eq_refl)).
+  assert (HO' := HO m (or_introl eq_refl)). clear Hall HI HO. destruct (Req_dec (rate m) 0) as [E0 | E0].
   { exists u, l, v, s, t. simpl. rewrite E0, !Rmult_0_l, !Rplus_0_l. tauto. }
   assert (Hgap : gap delta eta mu h p m = 0) by (apply (Rmult_eq_reg_l (rate m)); lra).
   assert (Hrate' : 0 < rate m) by lra.
-  assert (Hadd : forall k a b, k * b = 0 -> a * b = 0 -> (k + a) * b = 0) by (intros; lra).
-  destruct m as [w x k]. unfold gap in Hgap. simpl in *. destruct w; simpl in *.
+  assert (Hadd : forall k a b, k * b = 0 -> a * b = 0 -> (k + a) * b = 0) by (intros; lra). destruct m as [w x k].
+  unfold gap in Hgap. simpl in *. destruct w; simpl in *.
   - destruct (HU x Hx Hgap) as [-> | ->].
     + exists (u + k), l, v, s, t.
-      assert (Hc : crown_gap eta h p = 0).
-      { unfold shoulder_gap, normal_force in Hgap. rewrite cos_0, sin_0 in Hgap.
-        unfold crown_gap. lra. }
-      unfold thrust_row, moment_row, of_way in *. simpl. rewrite W, M, Wu, Wl, Ws, Wt, cos_0.
-      rewrite Hc in *. repeat split; lra.
-    + exists u, l, (v + k), s, t.
-      unfold thrust_row, moment_row, of_way in *. simpl. rewrite W, M, Wu, Wl, Ws, Wt.
+      assert (Hc : crown_gap eta h p = 0) by (rewrite <- Hgap; symmetry; apply gap_at_crown).
+      unfold thrust_row, moment_row, of_way in *. simpl. rewrite W, M, Wu, Wl, Ws, Wt, cos_0. rewrite Hc in *.
+      repeat split; lra.
+    + exists u, l, (v + k), s, t. unfold thrust_row, moment_row, of_way in *. simpl. rewrite W, M, Wu, Wl, Ws, Wt.
       rewrite Hgap in *. repeat split; lra.
   - assert (x = beta) by (now apply HL). subst x. exists u, (l + k), v, s, t.
-    unfold thrust_row, moment_row, of_way in *. simpl. rewrite W, M, Wu, Wl, Ws, Wt.
-    rewrite Hgap in *. repeat split; lra.
+    unfold thrust_row, moment_row, of_way in *. simpl. rewrite W, M, Wu, Wl, Ws, Wt. rewrite Hgap in *.
+    repeat split; lra.
   - assert (x = sigma) by (now apply HI'). subst x. exists u, l, v, (s + k), t.
-    unfold thrust_row, moment_row, of_way in *. simpl. rewrite W, M, Wu, Wl, Ws, Wt.
-    rewrite Hgap in *. repeat split; lra.
+    unfold thrust_row, moment_row, of_way in *. simpl. rewrite W, M, Wu, Wl, Ws, Wt. rewrite Hgap in *.
+    repeat split; lra.
   - assert (x = alpha) by (now apply HO'). subst x. exists u, l, v, s, (t + k).
-    unfold thrust_row, moment_row, of_way in *. simpl. rewrite W, M, Wu, Wl, Ws, Wt.
-    rewrite Hgap in *. repeat split; lra.
+    unfold thrust_row, moment_row, of_way in *. simpl. rewrite W, M, Wu, Wl, Ws, Wt. rewrite Hgap in *.
+    repeat split; lra.
 Qed.
 
 (** ** Where the joints are *)
@@ -124,36 +118,33 @@ Qed.
 (** [alpha^2] is more than what [A] is below 2. *)
 Lemma A_above_parabola (alpha : R) : 0 < alpha < PI -> 2 - alpha ^ 2 < A alpha.
 Proof.
-  intros Ha. assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
-  unfold A. apply (Rmult_lt_reg_r (1 - cos alpha)); [easy|].
-  replace (alpha * sin alpha / (1 - cos alpha) * (1 - cos alpha)) with (alpha * sin alpha)
-    by (field; lra).
-  destruct (MVT_cor2 (fun t => t * sin t - (2 - t ^ 2) * (1 - cos t))
-              (fun t => t - sin t + t * (1 - cos t) + t ^ 2 * sin t) 0 alpha)
-    as (c & Hc & Hin); [lra | |].
+  intros Ha. assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra). unfold A.
+  apply (Rmult_lt_reg_r (1 - cos alpha)); [easy|].
+  replace (alpha * sin alpha / (1 - cos alpha) * (1 - cos alpha)) with (alpha * sin alpha) by (field; lra).
+  destruct (MVT_cor2 (fun t => t * sin t - (2 - t ^ 2) * (1 - cos t)) (fun t =>
+    t - sin t + t * (1 - cos t) + t ^ 2 * sin t) 0 alpha) as (c & Hc & Hin); [lra | |].
   - intros c Hc. apply is_derive_Reals. auto_derive; [easy | ring].
-  - rewrite cos_0, sin_0 in Hc.
-    assert (sin c < c) by (apply sin_lt_x; lra).
+  - rewrite cos_0, sin_0 in Hc. assert (sin c < c) by (apply sin_lt_x; lra).
     assert (0 < sin c) by (apply sin_gt_0; lra).
     assert (0 <= c * (1 - cos c)) by (apply Rmult_le_pos; destruct (COS_bound c); lra).
     assert (0 < c ^ 2 * sin c) by (apply Rmult_lt_0_compat; nra).
-    assert (0 < (c - sin c + c * (1 - cos c) + c ^ 2 * sin c) * (alpha - 0))
-      by (apply Rmult_lt_0_compat; lra). lra.
+    assert (0 < (c - sin c + c * (1 - cos c) + c ^ 2 * sin c) * (alpha - 0)) by (apply Rmult_lt_0_compat; lra). lra.
 Qed.
 
 Section Places.
 
-Variables (delta alpha eta mu h p : R).
-Hypotheses (flag : 0 <= delta <= 1) (opening : 0 < alpha < PI) (thickness : 0 < eta <= 2)
-  (rough : 0 < mu) (state : admissible_state delta alpha eta mu h p).
+(** The state says of which arch it is. *)
+Context {delta alpha eta mu h p : R}.
+Hypotheses (state : admissible_state delta alpha eta mu h p) (flag : 0 <= delta <= 1)
+  (opening : 0 < alpha < PI) (thickness : 0 < eta <= 2) (rough : 0 < mu).
 
-Let thrust : 0 < h := thrust_positive delta alpha eta mu h p opening rough state.
+Let thrust : 0 < h := thrust_positive state opening rough.
 
 (** No joint is at both faces, *)
 Lemma not_at_both_faces (x : R) : 0 <= x <= alpha ->
   shoulder_gap delta x eta h p = 0 -> haunch_gap delta x eta h p <> 0.
 Proof.
-  intros Hx EU EL. assert (HN := compressed delta alpha eta mu h p flag opening thickness rough state x Hx).
+  intros Hx EU EL. assert (HN := compressed state flag opening thickness rough x Hx).
   unfold shoulder_gap, haunch_gap, extrados, intrados in *.
   assert (0 < eta * normal_force x h) by (apply Rmult_lt_0_compat; lra). lra.
 Qed.
@@ -161,58 +152,43 @@ Qed.
 (** nor does one slide both ways. *)
 Lemma not_both_ways : inward_gap alpha mu h = 0 -> outward_gap alpha mu h <> 0.
 Proof.
-  intros EI EO. assert (HN := compressed delta alpha eta mu h p flag opening thickness rough state alpha ltac:(lra)).
-  unfold inward_gap, outward_gap in *.
-  assert (0 < mu * normal_force alpha h) by (apply Rmult_lt_0_compat; lra). lra.
+  intros EI EO. assert (HN := compressed state flag opening thickness rough alpha ltac:(lra)).
+  unfold inward_gap, outward_gap in *. assert (0 < mu * normal_force alpha h) by (apply Rmult_lt_0_compat; lra). lra.
 Qed.
 
 (** The intrados is not reached at a shoulder that slides outwards: the line of thrust comes from
     below. *)
-Lemma intrados_free_at_sliding_shoulder : outward_gap alpha mu h = 0 ->
-  haunch_gap delta alpha eta h p <> 0.
+Lemma intrados_free_at_sliding_shoulder : outward_gap alpha mu h = 0 -> haunch_gap delta alpha eta h p <> 0.
 Proof.
-  intros EO EL.
-  assert (HN := compressed delta alpha eta mu h p flag opening thickness rough state alpha ltac:(lra)).
+  intros EO EL. assert (HN := compressed state flag opening thickness rough alpha ltac:(lra)).
   assert (Hmu : 0 < mu * normal_force alpha h) by (apply Rmult_lt_0_compat; lra).
-  assert (HS : 0 < sin alpha) by (apply sin_gt_0; lra).
-  assert (Hfac := centroids_positive delta eta ltac:(lra)).
-  set (D := (fac delta eta - intrados eta) * sin alpha - intrados eta * shear_force alpha h).
-  assert (HD : 0 < D).
+  assert (HS : 0 < sin alpha) by (apply sin_gt_0; lra). assert (Hfac := centroids_positive delta eta ltac:(lra)).
+  set (D := (fac delta eta - intrados eta) * sin alpha - intrados eta * shear_force alpha h). assert (HD : 0 < D).
   { unfold outward_gap in EO. unfold D.
-    assert (0 < (fac delta eta - intrados eta) * sin alpha)
-      by (apply Rmult_lt_0_compat; unfold intrados; lra).
-    assert (0 <= intrados eta * - shear_force alpha h)
-      by (apply Rmult_le_pos; unfold intrados; lra). lra. }
+    assert (0 < (fac delta eta - intrados eta) * sin alpha) by (apply Rmult_lt_0_compat; unfold intrados; lra).
+    assert (0 <= intrados eta * - shear_force alpha h) by (apply Rmult_le_pos; unfold intrados; lra). lra. }
   assert (Hderive : derivable_pt_lim (fun x => haunch_gap delta x eta h p) alpha D).
-  { apply is_derive_Reals. unfold haunch_gap, normal_force. auto_derive; [easy|].
-    unfold D, shear_force. ring. }
-  destruct (Hderive D HD) as (d & Hd).
-  set (k := - Rmin (pos d / 2) (alpha / 2)). assert (Hpos := cond_pos d).
+  { apply is_derive_Reals. unfold haunch_gap, normal_force. auto_derive; [easy|]. unfold D, shear_force. ring. }
+  destruct (Hderive D HD) as (d & Hd). set (k := - Rmin (pos d / 2) (alpha / 2)). assert (Hpos := cond_pos d).
   assert (Hk : 0 < - k) by (unfold k; rewrite Ropp_involutive; apply Rmin_glb_lt; lra).
   assert (B1 : - k <= pos d / 2) by (unfold k; rewrite Ropp_involutive; apply Rmin_l).
   assert (B2 : - k <= alpha / 2) by (unfold k; rewrite Ropp_involutive; apply Rmin_r).
-  assert (Hclose : Rabs k < d) by (rewrite Rabs_left; lra).
-  assert (H := Hd k ltac:(lra) Hclose). cbv beta in H. rewrite EL in H. apply Rabs_def2 in H.
-  destruct (margins_not_negative delta alpha eta mu h p state (alpha + k) ltac:(lra)) as (_ & HL & _).
-  set (L := haunch_gap delta (alpha + k) eta h p) in *.
-  assert (E : (L - 0) / k = - (L / - k)) by (field; lra).
+  assert (Hclose : Rabs k < d) by (rewrite Rabs_left; lra). assert (H := Hd k ltac:(lra) Hclose). cbv beta in H.
+  rewrite EL in H. apply Rabs_def2 in H. destruct (margins_not_negative state (alpha + k) ltac:(lra)) as (_ & HL & _).
+  set (L := haunch_gap delta (alpha + k) eta h p) in *. assert (E : (L - 0) / k = - (L / - k)) by (field; lra).
   assert (0 <= L / - k) by (apply Rdiv_le_0_compat; lra). lra.
 Qed.
 
 (** A shoulder on the extrados asks for a thrust. *)
 Lemma thrust_of_extrados : shoulder_gap delta alpha eta h p = 0 -> A alpha <= h + 1.
 Proof.
-  intros EU. destruct (margins_not_negative delta alpha eta mu h p state 0 ltac:(lra)) as (HU & _).
-  assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
-  assert (Hfac : fac delta eta <= extrados eta).
-  { unfold fac, extrados. assert (delta * eta ^ 2 <= 1 * eta ^ 2) by (apply Rmult_le_compat_r; nra).
-    nra. }
+  intros EU. destruct (margins_not_negative state 0 ltac:(lra)) as (HU & _).
+  assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra). assert (Hfac : fac delta eta <= extrados eta).
+  { unfold fac, extrados. assert (delta * eta ^ 2 <= 1 * eta ^ 2) by (apply Rmult_le_compat_r; nra). nra. }
   unfold A. apply (Rmult_le_reg_r (1 - cos alpha)); [easy|].
-  replace (alpha * sin alpha / (1 - cos alpha) * (1 - cos alpha)) with (alpha * sin alpha)
-    by (field; lra).
+  replace (alpha * sin alpha / (1 - cos alpha) * (1 - cos alpha)) with (alpha * sin alpha) by (field; lra).
   unfold shoulder_gap, normal_force in EU, HU. rewrite cos_0, sin_0 in HU.
-  assert (fac delta eta * (1 - cos alpha) <= extrados eta * (1 - cos alpha))
-    by (apply Rmult_le_compat_r; lra).
+  assert (fac delta eta * (1 - cos alpha) <= extrados eta * (1 - cos alpha)) by (apply Rmult_le_compat_r; lra).
   apply (Rmult_le_reg_l (extrados eta)); [unfold extrados; lra|]. lra.
 Qed.
 
@@ -221,15 +197,14 @@ Lemma steepest_joint_above : h < 1 ->
   shoulder_gap delta alpha eta h p = 0 \/ outward_gap alpha mu h = 0 -> beta_s h < alpha.
 Proof.
   intros H1 Hlimit. assert (Hh := thrust). assert (Hb := beta_s_positive h ltac:(lra)).
-  assert (HN := compressed delta alpha eta mu h p flag opening thickness rough state alpha ltac:(lra)).
-  destruct Hlimit as [EU | EO].
+  assert (HN := compressed state flag opening thickness rough alpha ltac:(lra)). destruct Hlimit as [EU | EO].
   - assert (HA := thrust_of_extrados EU). assert (Hparabola := A_above_parabola alpha opening).
     assert (Hsquare := beta_s_square h ltac:(lra)). nra.
   - apply Rnot_le_lt. intros H.
     assert (Hgrows := steepness_grows_before_beta_s h 0 alpha ltac:(lra) ltac:(lra) ltac:(lra) H).
     assert (Hshoulder : steepness alpha h = - mu).
-    { unfold outward_gap in EO. unfold steepness.
-      apply (Rmult_eq_reg_r (normal_force alpha h)); [|lra]. field_simplify; lra. }
+    { unfold outward_gap in EO. unfold steepness. apply (Rmult_eq_reg_r (normal_force alpha h)); [|lra].
+      field_simplify; lra. }
     unfold steepness at 1 in Hgrows. unfold shear_force in Hgrows.
     rewrite sin_0, Rmult_0_l, Rmult_0_r, Rminus_0_r in Hgrows. unfold Rdiv in Hgrows. lra.
 Qed.
@@ -241,76 +216,84 @@ Lemma slides_at_steepest_joint (sigma : R) : 0 < sigma <= alpha -> inward_gap si
 Proof.
   intros Hs EI Hlimit. assert (Hh := thrust).
   assert (HN : forall x, 0 <= x <= alpha -> 0 < normal_force x h)
-    by (intros x; now apply (compressed delta alpha eta mu h p)).
-  assert (HNa := HN alpha ltac:(lra)). assert (HNs := HN sigma ltac:(lra)).
-  assert (Hsteep : steepness sigma h = mu).
+    by (intros x; now apply (@compressed delta alpha eta mu h p)).
+  assert (HNa := HN alpha ltac:(lra)). assert (HNs := HN sigma ltac:(lra)). assert (Hsteep : steepness sigma h = mu).
   { unfold inward_gap in EI. unfold steepness. apply (Rmult_eq_reg_r (normal_force sigma h)); [|lra].
     field_simplify; lra. }
   assert (H1 : h < 1).
   { apply Rnot_le_lt. intros H. assert (Hbelow := times_cosine_below_sine sigma ltac:(lra)).
     assert (0 < sin sigma) by (apply sin_gt_0; lra).
-    assert (0 < mu * normal_force sigma h) by (apply Rmult_lt_0_compat; lra).
-    unfold inward_gap, shear_force in EI. nra. }
+    assert (0 < mu * normal_force sigma h) by (apply Rmult_lt_0_compat; lra). unfold inward_gap, shear_force in EI.
+    nra. }
   assert (Hb := beta_s_positive h ltac:(lra)). assert (Habove := steepest_joint_above H1 Hlimit).
   assert (Es : sigma = beta_s h).
   { destruct (Req_dec sigma (beta_s h)) as [E | E]; [easy | exfalso].
     assert (Hless := steepest_joint h alpha sigma ltac:(lra) ltac:(lra) HNa ltac:(lra) ltac:(lra) E).
-    destruct (margins_not_negative delta alpha eta mu h p state (beta_s h) ltac:(lra))
-      as (_ & _ & HI & _). assert (HNb := HN (beta_s h) ltac:(lra)).
-    assert (steepness (beta_s h) h <= mu).
-    { unfold inward_gap in HI. unfold steepness. apply (Rmult_le_reg_r (normal_force (beta_s h) h));
-        [easy|]. field_simplify; lra. }
+    destruct (margins_not_negative state (beta_s h) ltac:(lra)) as (_ & _ & HI & _).
+    assert (HNb := HN (beta_s h) ltac:(lra)). assert (steepness (beta_s h) h <= mu).
+    { unfold inward_gap in HI. unfold steepness. apply (Rmult_le_reg_r (normal_force (beta_s h) h)); [easy|].
+      field_simplify; lra. }
     lra. }
   repeat split; try easy. rewrite mu_is_from_statics by lra. now rewrite <- Es.
 Qed.
 
 (** So a shoulder on the extrados does not slide inwards, *)
-Lemma extrados_free_at_inward_shoulder : shoulder_gap delta alpha eta h p = 0 ->
-  inward_gap alpha mu h <> 0.
+Lemma extrados_free_at_inward_shoulder : shoulder_gap delta alpha eta h p = 0 -> inward_gap alpha mu h <> 0.
+Proof. intros EU EI. destruct (slides_at_steepest_joint alpha) as (_ & Es & Habove & _); try lra; tauto || easy. Qed.
+
+(** So few joints are at their limits. *)
+Theorem limits_of_a_state (x y : R) : 0 <= x <= alpha -> 0 <= y <= alpha ->
+  (shoulder_gap delta x eta h p = 0 -> x = 0 \/ x = alpha) /\
+  (haunch_gap delta x eta h p = 0 -> haunch_gap delta y eta h p = 0 -> x = y) /\
+  (inward_gap x mu h = 0 -> inward_gap y mu h = 0 -> x = y) /\ (outward_gap x mu h = 0 -> x = alpha) /\
+  (inward_gap x mu h = 0 -> shoulder_gap delta alpha eta h p = 0 \/ outward_gap alpha mu h = 0 -> 0 < x < alpha).
 Proof.
-  intros EU EI. destruct (slides_at_steepest_joint alpha) as (_ & Es & Habove & _); try lra; tauto || easy.
+  intros Hx Hy. split; [|split; [|split; [|split]]].
+  - now apply (extrados_reached state).
+  - now apply (intrados_reached_once state).
+  - now apply (inward_limit_reached_once state).
+  - now apply (outward_limit_reached state).
+  - intros EI Hlimit. destruct (Req_dec x 0) as [-> | Hne].
+    + unfold inward_gap, shear_force in EI. rewrite normal_force_at_crown, sin_0 in EI.
+      assert (0 < mu * h) by (now apply Rmult_lt_0_compat). lra.
+    + destruct (slides_at_steepest_joint x ltac:(lra) EI Hlimit) as (_ & E & Habove & _). lra.
 Qed.
 
 (** and what slides inside and at the shoulder is the purely sliding state of the half-angle. *)
-Theorem sliding_is_pure (sigma : R) : 0 < sigma <= alpha ->
-  inward_gap sigma mu h = 0 -> outward_gap alpha mu h = 0 ->
+Theorem sliding_is_pure (sigma : R) : 0 < sigma <= alpha -> inward_gap sigma mu h = 0 -> outward_gap alpha mu h = 0 ->
   h < 1 /\ sigma = beta_s h /\ mu = mu_is h /\ mu = mu_ss alpha h.
 Proof.
-  intros Hs EI EO.
-  destruct (slides_at_steepest_joint sigma Hs EI (or_intror EO)) as (H1 & Es & _ & Emu).
-  assert (HN := compressed delta alpha eta mu h p flag opening thickness rough state alpha ltac:(lra)).
-  repeat split; try easy. rewrite shoulder_friction_from_statics. unfold outward_gap in EO.
-  unfold steepness. apply (Rmult_eq_reg_r (normal_force alpha h)); [|lra]. field_simplify; lra.
+  intros Hs EI EO. destruct (slides_at_steepest_joint sigma Hs EI (or_intror EO)) as (H1 & Es & _ & Emu).
+  assert (HN := compressed state flag opening thickness rough alpha ltac:(lra)). repeat split; try easy.
+  rewrite shoulder_friction_from_statics. unfold outward_gap in EO. unfold steepness.
+  apply (Rmult_eq_reg_r (normal_force alpha h)); [|lra]. field_simplify; lra.
 Qed.
 
 (** ** With finite friction *)
 
 (** Every mechanism is one of [moves], with a single haunch and a single joint that slides inwards. *)
-Theorem mechanism_is_one_of_moves (motions : list motion) :
-  is_mechanism delta alpha eta mu h p motions ->
+Theorem mechanism_is_one_of_moves (motions : list motion) : is_mechanism delta alpha eta mu h p motions ->
   exists beta sigma u l v s t, 0 <= beta <= alpha /\ 0 < sigma <= alpha /\
     moves delta alpha beta sigma eta mu h p u l v s t /\
     work (of_way AboutExtrados) motions = u + v /\ work (of_way AboutIntrados) motions = l /\
     work (of_way SlidesInwards) motions = s /\ work (of_way SlidesOutwards) motions = t.
 Proof.
   intros (Hall & Wthrust & Wmoment).
-  destruct (haunch_of_state delta alpha eta mu h p) as (beta & Hb & Hbeta); try easy.
-  destruct (slip_of_state delta alpha eta mu h p) as (sigma & Hs & Hsigma); try easy.
+  destruct (@haunch_of_state delta alpha eta mu h p) as (beta & Hb & Hbeta); try easy.
+  destruct (@slip_of_state delta alpha eta mu h p) as (sigma & Hs & Hsigma); try easy.
   destruct (gathered delta alpha eta mu h p beta sigma motions)
     as (u & l & v & s & t & Hpos & Eu & El & Ev & Es & Et & W & M & Hways); try easy.
-  - intros x Hx E. now apply (extrados_reached delta alpha eta mu h p).
-  - intros m Hm Hrate E. destruct (Hall m Hm) as (Hx & _ & Hzero). unfold gap in Hzero.
-    rewrite E in Hzero. apply Hsigma; [easy|]. apply (Rmult_eq_reg_l (rate m)); lra.
-  - intros m Hm Hrate E. destruct (Hall m Hm) as (Hx & _ & Hzero). unfold gap in Hzero.
-    rewrite E in Hzero. apply (outward_limit_reached delta alpha eta mu h p); try easy.
-    apply (Rmult_eq_reg_l (rate m)); lra.
+  - intros x Hx E. now apply (@extrados_reached delta alpha eta mu h p).
+  - intros m Hm Hrate E. destruct (Hall m Hm) as (Hx & _ & Hzero). unfold gap in Hzero. rewrite E in Hzero.
+    apply Hsigma; [easy|]. apply (Rmult_eq_reg_l (rate m)); lra.
+  - intros m Hm Hrate E. destruct (Hall m Hm) as (Hx & _ & Hzero). unfold gap in Hzero. rewrite E in Hzero.
+    apply (@outward_limit_reached delta alpha eta mu h p); try easy. apply (Rmult_eq_reg_l (rate m)); lra.
   - exists beta, sigma, u, l, v, s, t. repeat split; try easy; try apply Hpos; try apply Hways; try lra.
     rewrite Wthrust in W. rewrite Wmoment in M. replace l with (u + v) in W by lra. lra.
 Qed.
 
 (** And that is a sum of the modes, with the joints where these have them. *)
-Theorem sum_of_modes (beta sigma u l v s t : R) :
-  0 <= beta <= alpha -> 0 < sigma <= alpha ->
+Theorem sum_of_modes (beta sigma u l v s t : R) : 0 <= beta <= alpha -> 0 < sigma <= alpha ->
   moves delta alpha beta sigma eta mu h p u l v s t ->
   let a := extrados eta - intrados eta * cos beta in
   let b := intrados eta * cos beta - extrados eta * cos alpha in
@@ -324,15 +307,12 @@ Proof.
   intros Hb Hs Hmoves a b. assert (HPI := PI_RGT_0). assert (Hh := thrust).
   destruct (four_supports delta alpha beta sigma eta mu h p u l v s t)
     as (x1 & x2 & x3 & x4 & P1 & P2 & P3 & P4 & Eu & Ev & Es & Et & El); try easy; try lra.
-  fold a in Eu. fold b in Ev.
-  destruct Hmoves as ((Hu & Hl & Hv & Hs0 & Ht) & _ & HC & HL & HU & HI & HO).
+  fold a in Eu. fold b in Ev. destruct Hmoves as ((Hu & Hl & Hv & Hs0 & Ht) & _ & HC & HL & HU & HI & HO).
   assert (Ha : 0 < a).
   { unfold a, extrados, intrados. destruct (COS_bound beta).
     assert (-1 < cos beta) by (rewrite <- cos_PI; apply cos_decreasing_1; lra). nra. }
-  assert (Hzero : forall k g, 0 < k -> k * g = 0 -> g = 0)
-    by (intros k g Hk E; apply (Rmult_eq_reg_l k); lra).
-  assert (HSs : 0 < sin sigma) by (apply sin_gt_0; lra).
-  assert (HSa : 0 < sin alpha) by (apply sin_gt_0; lra).
+  assert (Hzero : forall k g, 0 < k -> k * g = 0 -> g = 0) by (intros k g Hk E; apply (Rmult_eq_reg_l k); lra).
+  assert (HSs : 0 < sin sigma) by (apply sin_gt_0; lra). assert (HSa : 0 < sin alpha) by (apply sin_gt_0; lra).
   assert (Hfactor : forall k g x, 0 <= k -> g * k = x -> 0 < x -> 0 < k)
     by (intros k g x Hk E Hx; destruct (Req_dec k 0) as [Z | Z]; [rewrite Z in E|]; lra).
   assert (Harm : 0 < v -> 0 < b).
@@ -340,15 +320,14 @@ Proof.
     - apply (Hzero l); [lra | easy].
     - apply (Hzero v); [lra | easy]. }
   assert (Hcrown : 0 < u -> 0 < beta).
-  { intros Hu0. destruct (Req_dec beta 0) as [E | E]; [exfalso | lra].
-    apply (not_at_both_faces 0); [lra | |].
+  { intros Hu0. destruct (Req_dec beta 0) as [E | E]; [exfalso | lra]. apply (not_at_both_faces 0); [lra | |].
     - assert (EC := Hzero u _ Hu0 HC). unfold crown_gap in EC. unfold shoulder_gap, normal_force.
       rewrite cos_0, sin_0. lra.
     - assert (EL := Hzero l _ ltac:(lra) HL). now rewrite E in EL. }
   assert (Hshoulder : 0 < v -> beta < alpha).
   { intros Hv0. destruct (Req_dec beta alpha) as [E | E]; [exfalso | lra].
-    apply (not_at_both_faces alpha); [lra | now apply (Hzero v)|].
-    assert (EL := Hzero l _ ltac:(lra) HL). now rewrite E in EL. }
+    apply (not_at_both_faces alpha); [lra | now apply (Hzero v)|]. assert (EL := Hzero l _ ltac:(lra) HL).
+    now rewrite E in EL. }
   exists x1, x2, x3, x4. do 11 (split; [easy|]). split; [|split; [|split]].
   - intros H. split.
     + destruct H as [H | H]; apply Hcrown, (Hfactor u a (x1 + x2)); try easy; lra.
@@ -357,13 +336,11 @@ Proof.
       * assert (Ht0 : 0 < t) by (apply (Hfactor t (sin alpha) (x2 + x4)); try easy; lra).
         assert (Hu0 : 0 < u) by (apply (Hfactor u a (x1 + x2)); try easy; lra).
         destruct (Req_dec beta alpha) as [E | E]; [exfalso | lra].
-        apply intrados_free_at_sliding_shoulder; [now apply (Hzero t)|].
-        assert (EL := Hzero l _ ltac:(lra) HL). now rewrite E in EL.
+        apply intrados_free_at_sliding_shoulder; [now apply (Hzero t)|]. assert (EL := Hzero l _ ltac:(lra) HL).
+        now rewrite E in EL.
   - intros H. split; [lra|]. apply Hshoulder, (Hfactor v b (x1 + x3)); try easy; lra.
-  - intros H. split; [lra|].
-    assert (Hs1 : 0 < s) by (apply (Hfactor s (sin sigma) (x3 + x4)); try easy; lra).
-    assert (EI := Hzero s _ Hs1 HI).
-    destruct (Req_dec sigma alpha) as [E | E]; [exfalso | lra]. rewrite E in EI.
+  - intros H. split; [lra|]. assert (Hs1 : 0 < s) by (apply (Hfactor s (sin sigma) (x3 + x4)); try easy; lra).
+    assert (EI := Hzero s _ Hs1 HI). destruct (Req_dec sigma alpha) as [E | E]; [exfalso | lra]. rewrite E in EI.
     destruct H as [H | H].
     + assert (Hv0 : 0 < v) by (apply (Hfactor v b (x1 + x3)); try easy; lra).
       apply extrados_free_at_inward_shoulder; [now apply (Hzero v) | easy].
@@ -371,10 +348,8 @@ Proof.
       apply not_both_ways; [easy | now apply (Hzero t)].
   - intros Hsome. apply Rnot_le_lt. intros Hnone.
     assert (x1 = 0 /\ x2 = 0 /\ x3 = 0 /\ x4 = 0) as (E1 & E2 & E3 & E4) by lra.
-    assert (Eu0 : u = 0) by (apply (Hzero a); lra).
-    assert (Es0 : s = 0) by (apply (Hzero (sin sigma)); lra).
-    assert (Et0 : t = 0) by (apply (Hzero (sin alpha)); lra).
-    destruct (Req_dec v 0) as [Ev0 | Ev0]; [lra|].
+    assert (Eu0 : u = 0) by (apply (Hzero a); lra). assert (Es0 : s = 0) by (apply (Hzero (sin sigma)); lra).
+    assert (Et0 : t = 0) by (apply (Hzero (sin alpha)); lra). destruct (Req_dec v 0) as [Ev0 | Ev0]; [lra|].
     assert (0 < b * v) by (apply Rmult_lt_0_compat; [apply Harm|]; lra). lra.
 Qed.
 
@@ -384,9 +359,8 @@ End Places.
 
 (** Hinges alone are left, and the only mode is [[r,r,r]], or [[r]] where there is no thrust: then the
     haunch is at the crown, which opens at both faces. *)
-Theorem modes_without_limit (delta alpha eta h p : R) (motions : list motion) :
-  0 <= delta <= 1 -> 0 < alpha < PI -> 0 < eta <= 2 ->
-  (forall x, 0 <= x <= alpha -> joint_stands delta x eta h p) ->
+Theorem modes_without_limit (delta alpha eta h p : R) (motions : list motion) : 0 <= delta <= 1 -> 0 < alpha < PI ->
+  0 < eta <= 2 -> (forall x, 0 <= x <= alpha -> joint_stands delta x eta h p) ->
   (forall m, In m motions -> moves_by m = AboutExtrados \/ moves_by m = AboutIntrados) ->
   is_mechanism delta alpha eta 0 h p motions ->
   exists beta u v, 0 <= beta <= alpha /\
@@ -397,22 +371,17 @@ Theorem modes_without_limit (delta alpha eta h p : R) (motions : list motion) :
     (0 < u + v -> (0 < u /\ 0 < v) /\ (0 < h -> 0 < beta < alpha) /\ (h = 0 -> beta = 0 /\ p = 0)).
 Proof.
   intros Hd Ha He Hstate Hhinges (Hall & Wthrust & Wmoment). assert (HPI := PI_RGT_0).
-  assert (Hgaps : forall x, 0 <= x <= alpha ->
-            0 <= shoulder_gap delta x eta h p /\ 0 <= haunch_gap delta x eta h p).
-  { intros x Hx. destruct (Hstate x Hx) as (_ & Hin & Hout).
-    unfold shoulder_gap, haunch_gap. lra. }
+  assert (Hgaps : forall x, 0 <= x <= alpha -> 0 <= shoulder_gap delta x eta h p /\ 0 <= haunch_gap delta x eta h p).
+  { intros x Hx. destruct (Hstate x Hx) as (_ & Hin & Hout). unfold shoulder_gap, haunch_gap. lra. }
   assert (Hcrown : shoulder_gap delta 0 eta h p = crown_gap eta h p).
   { unfold shoulder_gap, crown_gap, normal_force. rewrite cos_0, sin_0. ring. }
   assert (Hh : 0 <= h).
-  { destruct (Hstate 0 ltac:(lra)) as (HN & _). unfold normal_force in HN.
-    rewrite cos_0, sin_0 in HN. lra. }
+  { destruct (Hstate 0 ltac:(lra)) as (HN & _). rewrite normal_force_at_crown in HN. lra. }
   assert (Hextrados : forall x, 0 <= x <= alpha -> shoulder_gap delta x eta h p = 0 -> x = 0 \/ x = alpha).
   { intros x Hx E. destruct (Req_dec x 0) as [H0 | H0]; [now left|].
-    destruct (Req_dec x alpha) as [H1 | H1]; [now right | exfalso].
-    destruct (Hgaps 0 ltac:(lra)) as [HC _]. destruct (Hgaps alpha ltac:(lra)) as [HS _].
-    rewrite Hcrown in HC.
-    assert (H : 0 < shoulder_gap delta x eta h p); [|lra].
-    apply (extrados_clear_within delta x alpha); try easy; lra. }
+    destruct (Req_dec x alpha) as [H1 | H1]; [now right | exfalso]. destruct (Hgaps 0 ltac:(lra)) as [HC _].
+    destruct (Hgaps alpha ltac:(lra)) as [HS _]. rewrite Hcrown in HC.
+    assert (H : 0 < shoulder_gap delta x eta h p); [|lra]. apply (extrados_clear_within delta x alpha); try easy; lra. }
   assert (Honce : forall x y, 0 <= x <= alpha -> 0 <= y <= alpha ->
             haunch_gap delta x eta h p = 0 -> haunch_gap delta y eta h p = 0 -> x = y).
   { intros x y. apply intrados_touched_once; try easy; try lra. intros z Hz. now apply Hgaps. }
@@ -430,18 +399,15 @@ Proof.
   assert (Hslips : forall w, w = SlidesInwards \/ w = SlidesOutwards -> work (of_way w) motions = 0).
   { intros w Hw. clear - Hhinges Hw. induction motions as [|m motions IH]; [easy|]. simpl.
     rewrite IH; [|now intros n Hn; apply Hhinges; right].
-    destruct (Hhinges m (or_introl eq_refl)) as [E | E]; destruct Hw as [-> | ->];
-      unfold of_way; rewrite E; ring. }
-  rewrite (Hslips SlidesInwards) in Ws by tauto. rewrite (Hslips SlidesOutwards) in Wt by tauto.
-  subst s t. rewrite Wthrust in W. rewrite Wmoment in M.
-  assert (El' : l = u + v) by lra. rewrite El' in El, W, Wl, Hpos. clear El' M l.
-  assert (Hmoves : moves delta alpha beta alpha eta 0 h p u (u + v) v 0 0).
+    destruct (Hhinges m (or_introl eq_refl)) as [E | E]; destruct Hw as [-> | ->]; unfold of_way; rewrite E; ring. }
+  rewrite (Hslips SlidesInwards) in Ws by tauto. rewrite (Hslips SlidesOutwards) in Wt by tauto. subst s t.
+  rewrite Wthrust in W. rewrite Wmoment in M. assert (El' : l = u + v) by lra. rewrite El' in El, W, Wl, Hpos.
+  clear El' M l. assert (Hmoves : moves delta alpha beta alpha eta 0 h p u (u + v) v 0 0).
   { destruct Hpos as (Pu & Pl & Pv & _). unfold moves, in_balance. repeat split; try easy; lra. }
   destruct (four_supports delta alpha beta alpha eta 0 h p u (u + v) v 0 0)
     as (x1 & x2 & x3 & x4 & P1 & P2 & P3 & P4 & Fu & Fv & Fs & Ft & _); try easy; try lra.
-  assert (x2 = 0 /\ x3 = 0 /\ x4 = 0) as (-> & -> & ->) by lra.
-  exists beta, u, v. split; [easy|]. split; [easy|]. split; [easy|]. split; [easy|]. split; [lra|].
-  intros Hsome.
+  assert (x2 = 0 /\ x3 = 0 /\ x4 = 0) as (-> & -> & ->) by lra. exists beta, u, v. split; [easy|]. split; [easy|].
+  split; [easy|]. split; [easy|]. split; [lra|]. intros Hsome.
   assert (HL : haunch_gap delta beta eta h p = 0) by (apply (Rmult_eq_reg_l (u + v)); lra).
   assert (Harm : 0 < v -> 0 < intrados eta * cos beta - extrados eta * cos alpha).
   { intros Hv0. apply (lever_positive_in_any_state delta alpha beta eta h p); try easy; try lra.
@@ -450,32 +416,27 @@ Proof.
   { unfold extrados, intrados. destruct (COS_bound beta).
     assert (-1 < cos beta) by (rewrite <- cos_PI; apply cos_decreasing_1; lra). nra. }
   assert (Hv0 : 0 < v).
-  { destruct (Req_dec v 0) as [Z | Z]; [exfalso | lra]. rewrite Z, Rmult_0_r in Fv.
-    assert (u = 0); [|lra]. apply (Rmult_eq_reg_l (extrados eta - intrados eta * cos beta)); lra. }
+  { destruct (Req_dec v 0) as [Z | Z]; [exfalso | lra]. rewrite Z, Rmult_0_r in Fv. assert (u = 0); [|lra].
+    apply (Rmult_eq_reg_l (extrados eta - intrados eta * cos beta)); lra. }
   assert (Hu0 : 0 < u).
   { destruct (Req_dec u 0) as [Z | Z]; [exfalso | lra]. rewrite Z, Rmult_0_r in Fu.
     assert (0 < (intrados eta * cos beta - extrados eta * cos alpha) * v)
-      by (apply Rmult_lt_0_compat; [now apply Harm | easy]). lra. }
+      by (apply Rmult_lt_0_compat; [now apply Harm | easy]).
+    lra. }
   assert (HC : crown_gap eta h p = 0) by (apply (Rmult_eq_reg_l u); lra).
-  assert (HS : shoulder_gap delta alpha eta h p = 0) by (apply (Rmult_eq_reg_l v); lra).
-  split; [easy|]. split.
+  assert (HS : shoulder_gap delta alpha eta h p = 0) by (apply (Rmult_eq_reg_l v); lra). split; [easy|]. split.
   - intros Hh0. split.
-    + destruct (Req_dec beta 0) as [E | E]; [exfalso | lra]. rewrite E in HL.
-      unfold haunch_gap, normal_force in HL. rewrite cos_0, sin_0 in HL.
-      unfold crown_gap, extrados, intrados in *.
+    + destruct (Req_dec beta 0) as [E | E]; [exfalso | lra]. rewrite E in HL. unfold haunch_gap, normal_force in HL.
+      rewrite cos_0, sin_0 in HL. unfold crown_gap, extrados, intrados in *.
       assert (0 < eta * h) by (apply Rmult_lt_0_compat; lra). lra.
     + destruct (Req_dec beta alpha) as [E | E]; [exfalso | lra]. rewrite E in HL.
       assert (Hfac := centroids_positive delta eta ltac:(lra)).
       assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
-      assert (0 < fac delta eta * (1 - cos alpha)) by (apply Rmult_lt_0_compat; lra).
-      assert (0 <= p).
-      { destruct (Hgaps 0 ltac:(lra)) as [_ HL0]. unfold haunch_gap, normal_force in HL0.
-        rewrite cos_0, sin_0 in HL0. assert (0 <= intrados eta * h) by (apply Rmult_le_pos; [unfold intrados|]; lra).
-        lra. }
-      unfold shoulder_gap, haunch_gap, extrados, intrados in HS, HL.
-      assert (eta * normal_force alpha h = 0) by lra.
-      assert (EN : normal_force alpha h = 0) by (apply (Rmult_eq_reg_l eta); lra).
-      rewrite EN in HS. lra.
+      assert (0 < fac delta eta * (1 - cos alpha)) by (apply Rmult_lt_0_compat; lra). assert (0 <= p).
+      { destruct (Hgaps 0 ltac:(lra)) as [_ HL0]. unfold haunch_gap, normal_force in HL0. rewrite cos_0, sin_0 in HL0.
+        assert (0 <= intrados eta * h) by (apply Rmult_le_pos; [unfold intrados|]; lra). lra. }
+      unfold shoulder_gap, haunch_gap, extrados, intrados in HS, HL. assert (eta * normal_force alpha h = 0) by lra.
+      assert (EN : normal_force alpha h = 0) by (apply (Rmult_eq_reg_l eta); lra). rewrite EN in HS. lra.
   - intros Hh0. split.
     + symmetry. apply Hbeta; [lra|]. destruct (Hgaps 0 ltac:(lra)) as [_ HL0].
       unfold haunch_gap, normal_force, crown_gap in *. rewrite cos_0, sin_0, Hh0 in *. lra.

@@ -35,8 +35,7 @@ Proof.
 Qed.
 
 (** The first moment of the wedge about the centre, per unit angle. *)
-Theorem wedge_moment (eta : R) :
-  is_RInt (fun rho => rho * rho) (intrados eta) (extrados eta) (eta * fac 1 eta).
+Theorem wedge_moment (eta : R) : is_RInt (fun rho => rho * rho) (intrados eta) (extrados eta) (eta * fac 1 eta).
 Proof.
   apply (integral_of_derivative (fun x => x ^ 3 / 3)).
   - intros x. auto_derive; [easy | field].
@@ -49,8 +48,7 @@ Theorem centroid_of_wedge (eta : R) : eta <> 0 ->
   RInt (fun rho => rho * rho) (intrados eta) (extrados eta)
   / RInt (fun rho => rho) (intrados eta) (extrados eta) = fac 1 eta.
 Proof.
-  intros Heta.
-  rewrite (is_RInt_unique _ _ _ _ (wedge_moment eta)), (is_RInt_unique _ _ _ _ (wedge_area eta)).
+  intros Heta. rewrite (is_RInt_unique _ _ _ _ (wedge_moment eta)), (is_RInt_unique _ _ _ _ (wedge_area eta)).
   field; exact Heta.
 Qed.
 
@@ -92,38 +90,31 @@ Theorem equilibrium_of_upper_part (delta beta eta h crown N T rho : R) : normal_
   <->
   N = normal_force beta h /\ T = shear_force beta h /\ rho = pressure_point delta beta eta h crown.
 Proof.
-  intros HN. assert (Hcircle := sin2_cos2 beta); unfold Rsqr in Hcircle.
-  split.
-  - intros (Hx & Hy & Hm).
-    assert (Hforces : N = normal_force beta h /\ T = shear_force beta h).
-    { unfold normal_force, shear_force. revert Hx Hy Hcircle.
-      generalize (sin beta) (cos beta). intros s c Hx Hy Hcircle.
-      replace h with (N * c - T * s) by lra. replace beta with (N * s + T * c) by lra. split.
+  intros HN. assert (Hcircle := sin2_cos2 beta); unfold Rsqr in Hcircle. split.
+  - intros (Hx & Hy & Hm). assert (Hforces : N = normal_force beta h /\ T = shear_force beta h).
+    { unfold normal_force, shear_force. revert Hx Hy Hcircle. generalize (sin beta) (cos beta).
+      intros s c Hx Hy Hcircle. replace h with (N * c - T * s) by lra. replace beta with (N * s + T * c) by lra.
+      split.
       - transitivity (N * (s * s + c * c)); [rewrite Hcircle|]; ring.
       - transitivity (T * (s * s + c * c)); [rewrite Hcircle|]; ring. }
-    destruct Hforces as [EN ET].
-    repeat split; [easy | easy |].
-    unfold pressure_point. rewrite <- EN in HN |- *.
+    destruct Hforces as [EN ET]. repeat split; [easy | easy |]. unfold pressure_point. rewrite <- EN in HN |- *.
     apply (Rmult_eq_reg_l N); [|easy]. field_simplify; [lra | easy].
   - intros (-> & -> & ->). unfold pressure_point. repeat split.
     + unfold normal_force, shear_force.
       transitivity (h - h * (sin beta * sin beta + cos beta * cos beta)); [|rewrite Hcircle]; ring.
     + unfold normal_force, shear_force.
-      transitivity (beta * (sin beta * sin beta + cos beta * cos beta) - beta);
-        [|rewrite Hcircle]; ring.
+      transitivity (beta * (sin beta * sin beta + cos beta * cos beta) - beta); [|rewrite Hcircle]; ring.
     + field; exact HN.
 Qed.
 
 (** ** Denominators that vanish nowhere in the arch *)
 
-Lemma lever_of_lower_thrust_positive (beta eta : R) : 0 < eta ->
-  0 < 2 + eta - (2 - eta) * cos beta.
+Lemma lever_of_lower_thrust_positive (beta eta : R) : 0 < eta -> 0 < 2 + eta - (2 - eta) * cos beta.
 Proof. intros Heta. destruct (COS_bound beta). nra. Qed.
 
 Lemma versine_positive (alpha : R) : 0 < alpha < 2 * PI -> 0 < 1 - cos alpha.
 Proof.
-  intros [H0 H1].
-  replace alpha with (2 * (alpha / 2)) by field. rewrite cos_2a_sin.
+  intros [H0 H1]. replace alpha with (2 * (alpha / 2)) by field. rewrite cos_2a_sin.
   assert (0 < sin (alpha / 2)) by (apply sin_gt_0; lra). nra.
 Qed.
 
@@ -142,8 +133,7 @@ Lemma lower_thrust_cleared (delta beta eta h : R) : 2 + eta - (2 - eta) * cos be
   = (2 - eta) * beta * sin beta - 2 * (1 - cos beta) * fac delta eta.
 Proof. exact (equals_quotient _ _ _). Qed.
 
-Lemma upper_thrust_cleared (delta alpha beta eta h : R) :
-  (2 - eta) * cos beta - (2 + eta) * cos alpha <> 0 ->
+Lemma upper_thrust_cleared (delta alpha beta eta h : R) : (2 - eta) * cos beta - (2 + eta) * cos alpha <> 0 ->
   h = h_upper delta alpha beta eta <->
   h * ((2 - eta) * cos beta - (2 + eta) * cos alpha)
   = (2 + eta) * alpha * sin alpha - (2 - eta) * beta * sin beta
@@ -156,10 +146,9 @@ Lemma whole_thrust_cleared (delta alpha eta h : R) : 1 - cos alpha <> 0 -> 2 + e
   = (2 + eta) * alpha * sin alpha - 2 * (1 - cos alpha) * fac delta eta.
 Proof.
   intros HA He.
-  replace (h_whole delta alpha eta)
-    with (((2 + eta) * alpha * sin alpha - 2 * (1 - cos alpha) * fac delta eta)
-          / ((1 - cos alpha) * (2 + eta))) by (unfold h_whole, A; field; auto).
-  apply equals_quotient. now apply Rmult_integral_contrapositive.
+  replace (h_whole delta alpha eta) with (((2 + eta) * alpha * sin alpha - 2 * (1 - cos alpha) * fac delta eta) /
+    ((1 - cos alpha) * (2 + eta))) by (unfold h_whole, A; field; auto). apply equals_quotient.
+  now apply Rmult_integral_contrapositive.
 Qed.
 
 Lemma tangency_cleared (delta beta eta h : R) : sin beta <> 0 -> 2 - eta <> 0 ->
@@ -168,10 +157,9 @@ Lemma tangency_cleared (delta beta eta h : R) : sin beta <> 0 -> 2 - eta <> 0 ->
   = (2 - eta) * (sin beta + beta * cos beta) - 2 * sin beta * fac delta eta.
 Proof.
   intros HS He.
-  replace (h_tangency delta beta eta)
-    with (((2 - eta) * (sin beta + beta * cos beta) - 2 * sin beta * fac delta eta)
-          / (sin beta * (2 - eta))) by (unfold h_tangency, cot; field; auto).
-  apply equals_quotient. now apply Rmult_integral_contrapositive.
+  replace (h_tangency delta beta eta) with (((2 - eta) * (sin beta + beta * cos beta) - 2 * sin beta * fac delta eta)
+    / (sin beta * (2 - eta))) by (unfold h_tangency, cot; field; auto). apply equals_quotient.
+  now apply Rmult_integral_contrapositive.
 Qed.
 
 (** ** (2), (3), (4): where the line of thrust is *)
@@ -181,8 +169,7 @@ Theorem lower_thrust_from_moments (delta beta eta h : R) :
   normal_force beta h <> 0 -> 2 + eta - (2 - eta) * cos beta <> 0 ->
   pressure_point delta beta eta h (extrados eta) = intrados eta <-> h = h_lower delta beta eta.
 Proof.
-  intros HN HD. rewrite (lower_thrust_cleared _ _ _ _ HD).
-  unfold pressure_point. rewrite (quotient_equals _ _ _ HN).
+  intros HN HD. rewrite (lower_thrust_cleared _ _ _ _ HD). unfold pressure_point. rewrite (quotient_equals _ _ _ HN).
   unfold normal_force, intrados, extrados. split; lra.
 Qed.
 
@@ -191,56 +178,46 @@ Theorem whole_thrust_from_moments (delta alpha eta h : R) :
   normal_force alpha h <> 0 -> 1 - cos alpha <> 0 -> 2 + eta <> 0 ->
   pressure_point delta alpha eta h (extrados eta) = extrados eta <-> h = h_whole delta alpha eta.
 Proof.
-  intros HN HA He. rewrite (whole_thrust_cleared _ _ _ _ HA He).
-  unfold pressure_point. rewrite (quotient_equals _ _ _ HN).
-  unfold normal_force, extrados. split; lra.
+  intros HN HA He. rewrite (whole_thrust_cleared _ _ _ _ HA He). unfold pressure_point.
+  rewrite (quotient_equals _ _ _ HN). unfold normal_force, extrados. split; lra.
 Qed.
 
 (** (3): line of thrust at the shoulder's extrados and at the haunch's intrados, wherever it is at
     the crown. *)
-Theorem upper_thrust_from_moments (delta alpha beta eta h crown : R) :
-  normal_force alpha h <> 0 -> normal_force beta h <> 0 ->
-  (2 - eta) * cos beta - (2 + eta) * cos alpha <> 0 ->
+Theorem upper_thrust_from_moments (delta alpha beta eta h crown : R) : normal_force alpha h <> 0 ->
+  normal_force beta h <> 0 -> (2 - eta) * cos beta - (2 + eta) * cos alpha <> 0 ->
   pressure_point delta alpha eta h crown = extrados eta ->
   pressure_point delta beta eta h crown = intrados eta <-> h = h_upper delta alpha beta eta.
 Proof.
-  intros Ha Hb HD. rewrite (upper_thrust_cleared _ _ _ _ _ HD).
-  unfold pressure_point. rewrite (quotient_equals _ _ _ Ha), (quotient_equals _ _ _ Hb).
-  unfold normal_force, intrados, extrados. split; lra.
+  intros Ha Hb HD. rewrite (upper_thrust_cleared _ _ _ _ _ HD). unfold pressure_point.
+  rewrite (quotient_equals _ _ _ Ha), (quotient_equals _ _ _ Hb). unfold normal_force, intrados, extrados. split; lra.
 Qed.
+
+(** The three equations are linear in the thrust. *)
+Ltac clear_thrusts :=
+  intros HL HA He HU; rewrite (lower_thrust_cleared _ _ _ _ HL), (whole_thrust_cleared _ _ _ _ HA He),
+    (upper_thrust_cleared _ _ _ _ _ HU); lra.
 
 (** (2) and (4) imply (3), for any weight and even where a joint carries no normal force. *)
 Theorem lower_and_whole_imply_upper (delta alpha beta eta h : R) :
   2 + eta - (2 - eta) * cos beta <> 0 -> 1 - cos alpha <> 0 -> 2 + eta <> 0 ->
   (2 - eta) * cos beta - (2 + eta) * cos alpha <> 0 ->
   h = h_lower delta beta eta -> h = h_whole delta alpha eta -> h = h_upper delta alpha beta eta.
-Proof.
-  intros HL HA He HU.
-  rewrite (lower_thrust_cleared _ _ _ _ HL), (whole_thrust_cleared _ _ _ _ HA He),
-    (upper_thrust_cleared _ _ _ _ _ HU). lra.
-Qed.
+Proof. clear_thrusts. Qed.
 
 (** (3) and (4) imply (2). *)
 Theorem upper_and_whole_imply_lower (delta alpha beta eta h : R) :
   2 + eta - (2 - eta) * cos beta <> 0 -> 1 - cos alpha <> 0 -> 2 + eta <> 0 ->
   (2 - eta) * cos beta - (2 + eta) * cos alpha <> 0 ->
   h = h_upper delta alpha beta eta -> h = h_whole delta alpha eta -> h = h_lower delta beta eta.
-Proof.
-  intros HL HA He HU.
-  rewrite (lower_thrust_cleared _ _ _ _ HL), (whole_thrust_cleared _ _ _ _ HA He),
-    (upper_thrust_cleared _ _ _ _ _ HU). lra.
-Qed.
+Proof. clear_thrusts. Qed.
 
 (** (2) and (3) imply (4). *)
 Theorem lower_and_upper_imply_whole (delta alpha beta eta h : R) :
   2 + eta - (2 - eta) * cos beta <> 0 -> 1 - cos alpha <> 0 -> 2 + eta <> 0 ->
   (2 - eta) * cos beta - (2 + eta) * cos alpha <> 0 ->
   h = h_lower delta beta eta -> h = h_upper delta alpha beta eta -> h = h_whole delta alpha eta.
-Proof.
-  intros HL HA He HU.
-  rewrite (lower_thrust_cleared _ _ _ _ HL), (whole_thrust_cleared _ _ _ _ HA He),
-    (upper_thrust_cleared _ _ _ _ _ HU). lra.
-Qed.
+Proof. clear_thrusts. Qed.
 
 (** ** (5): tangency *)
 
@@ -250,23 +227,17 @@ Lemma derivative_of_pressure_point (delta beta eta h crown : R) : normal_force b
     ((fac delta eta * sin beta
        - pressure_point delta beta eta h crown * (sin beta * (1 - h) + beta * cos beta))
      / normal_force beta h).
-Proof.
-  unfold pressure_point, normal_force. intros HN. auto_derive; [easy|]. field; exact HN.
-Qed.
+Proof. unfold pressure_point, normal_force. intros HN. auto_derive; [easy|]. field; exact HN. Qed.
 
 (** (5): a line of thrust at the intrados touches it exactly for the printed thrust. *)
-Theorem tangency_from_derivative (delta beta eta h crown : R) :
-  normal_force beta h <> 0 -> sin beta <> 0 -> 2 - eta <> 0 ->
-  pressure_point delta beta eta h crown = intrados eta ->
+Theorem tangency_from_derivative (delta beta eta h crown : R) : normal_force beta h <> 0 -> sin beta <> 0 ->
+  2 - eta <> 0 -> pressure_point delta beta eta h crown = intrados eta ->
   is_derive (fun b => pressure_point delta b eta h crown) beta 0 <-> h = h_tangency delta beta eta.
 Proof.
   intros HN HS He Hin. rewrite (tangency_cleared _ _ _ _ HS He).
-  pose proof (derivative_of_pressure_point delta beta eta h crown HN) as Hslope.
-  rewrite Hin in Hslope. unfold intrados in *.
-  set (slope := _ / normal_force beta h) in Hslope.
-  transitivity (slope = 0).
-  - split; [intros H | now intros <-].
-    rewrite <- (is_derive_unique _ _ _ H). symmetry. now apply is_derive_unique.
+  pose proof (derivative_of_pressure_point delta beta eta h crown HN) as Hslope. rewrite Hin in Hslope.
+  unfold intrados in *. set (slope := _ / normal_force beta h) in Hslope. transitivity (slope = 0).
+  - split; [intros H | now intros <-]. rewrite <- (is_derive_unique _ _ _ H). symmetry. now apply is_derive_unique.
   - unfold slope. rewrite (quotient_equals _ _ _ HN). split; lra.
 Qed.
 
@@ -276,8 +247,7 @@ Qed.
 Theorem A_half_angle_form (alpha : R) : sin (alpha / 2) <> 0 -> A alpha = A_half_angle alpha.
 Proof.
   intros HS. unfold A, A_half_angle, cot.
-  replace (sin alpha) with (2 * sin (alpha / 2) * cos (alpha / 2))
-    by (rewrite <- sin_2a; f_equal; field).
+  replace (sin alpha) with (2 * sin (alpha / 2) * cos (alpha / 2)) by (rewrite <- sin_2a; f_equal; field).
   replace (1 - cos alpha) with (2 * sin (alpha / 2) * sin (alpha / 2)).
   2: { replace (cos alpha) with (1 - 2 * sin (alpha / 2) * sin (alpha / 2));
          [ring | rewrite <- cos_2a_sin; f_equal; field]. }
@@ -300,12 +270,8 @@ Proof. unfold h_tangency, fac; field. Qed.
 Theorem centroid_with_inner_radius (eta : R) : 0 < eta <= 2 ->
   (1 + eta / 2) * fac 1 (eta / (1 + eta / 2)) <> fac 1 eta.
 Proof.
-  intros H E.
-  assert (P : 0 < eta * (12 + 6 * eta - eta ^ 2)) by nra.
+  intros H E. assert (P : 0 < eta * (12 + 6 * eta - eta ^ 2)) by nra.
   assert (D : (1 + eta / 2) * fac 1 (eta / (1 + eta / 2)) - fac 1 eta
-              = eta * (12 + 6 * eta - eta ^ 2) / (24 * (1 + eta / 2)))
-    by (unfold fac; field; lra).
-  assert (0 < eta * (12 + 6 * eta - eta ^ 2) / (24 * (1 + eta / 2)))
-    by (apply Rdiv_lt_0_compat; lra).
-  lra.
+    = eta * (12 + 6 * eta - eta ^ 2) / (24 * (1 + eta / 2))) by (unfold fac; field; lra).
+  assert (0 < eta * (12 + 6 * eta - eta ^ 2) / (24 * (1 + eta / 2))) by (apply Rdiv_lt_0_compat; lra). lra.
 Qed.

@@ -25,36 +25,29 @@ Definition leaves_room (delta alpha eta mu h p : R) : Prop :=
 (** ** A little way in a direction *)
 
 (** A function that is not negative and another that is positive where the first is zero. *)
-Lemma positive_in_direction (a b : R) (f g : R -> R) : a <= b ->
-  continuity f -> continuity g ->
+Lemma positive_in_direction (a b : R) (f g : R -> R) : a <= b -> continuity f -> continuity g ->
   (forall x, a <= x <= b -> 0 <= f x) -> (forall x, a <= x <= b -> f x = 0 -> 0 < g x) ->
   exists e, 0 < e /\ forall t, 0 < t <= e -> forall x, a <= x <= b -> 0 < f x + t * g x.
 Proof.
-  intros Hab Hf Hg Hnotneg Hpos.
-  set (m := fun x => (f x + g x + Rabs (f x - g x)) / 2).
+  intros Hab Hf Hg Hnotneg Hpos. set (m := fun x => (f x + g x + Rabs (f x - g x)) / 2).
   assert (Hm : forall x, (m x = f x \/ m x = g x) /\ f x <= m x /\ g x <= m x).
   { intros x. unfold m, Rabs. destruct (Rcase_abs (f x - g x)); lra. }
   assert (Hcontinuous : continuity m).
   { unfold m. intros x. assert (Hfx := Hf x). assert (Hgx := Hg x).
     apply continuity_pt_mult; [|apply continuity_pt_const; now intros u v].
     apply continuity_pt_plus; [now apply continuity_pt_plus|].
-    apply (continuity_pt_comp (fun y => f y - g y) Rabs);
-      [now apply continuity_pt_minus | apply Rcontinuity_abs]. }
+    apply (continuity_pt_comp (fun y => f y - g y) Rabs); [now apply continuity_pt_minus | apply Rcontinuity_abs]. }
   destruct (continuity_ab_min m a b Hab (fun x _ => Hcontinuous x)) as (x0 & Hleast & Hx0).
-  destruct (continuity_ab_min g a b Hab (fun x _ => Hg x)) as (x1 & Hlow & _).
-  assert (Hm0 : 0 < m x0).
-  { destruct (Hm x0) as (_ & H1 & H2). assert (H3 := Hnotneg x0 Hx0).
-    destruct (Req_dec (f x0) 0) as [E | E]; [|lra].
+  destruct (continuity_ab_min g a b Hab (fun x _ => Hg x)) as (x1 & Hlow & _). assert (Hm0 : 0 < m x0).
+  { destruct (Hm x0) as (_ & H1 & H2). assert (H3 := Hnotneg x0 Hx0). destruct (Req_dec (f x0) 0) as [E | E]; [|lra].
     assert (H4 := Hpos x0 Hx0 E). lra. }
   set (G := Rabs (g x1) + 1). assert (HG : 0 < G) by (unfold G; assert (H := Rabs_pos (g x1)); lra).
-  exists (m x0 / (2 * G)). split; [apply Rdiv_lt_0_compat; lra|].
-  intros t Ht x Hx. assert (Hmx := Hleast x Hx). assert (H0 := Hnotneg x Hx).
-  assert (HtG : t * G <= m x0 / 2).
+  exists (m x0 / (2 * G)). split; [apply Rdiv_lt_0_compat; lra|]. intros t Ht x Hx. assert (Hmx := Hleast x Hx).
+  assert (H0 := Hnotneg x Hx). assert (HtG : t * G <= m x0 / 2).
   { replace (m x0 / 2) with (m x0 / (2 * G) * G) by (field; lra). apply Rmult_le_compat_r; lra. }
   destruct (Hm x) as ([E | E] & _).
   - assert (Hgx : - G <= g x).
-    { assert (H := Hlow x Hx). assert (H' := Rle_abs (- g x1)). rewrite Rabs_Ropp in H'.
-      unfold G. lra. }
+    { assert (H := Hlow x Hx). assert (H' := Rle_abs (- g x1)). rewrite Rabs_Ropp in H'. unfold G. lra. }
     assert (t * - G <= t * g x) by (apply Rmult_le_compat_l; lra). lra.
   - assert (0 < t * g x) by (apply Rmult_lt_0_compat; lra). lra.
 Qed.
@@ -71,26 +64,19 @@ Lemma margins_on_a_line (delta x eta mu h p h' p' t : R) :
   = inward_gap x mu h + t * (inward_gap x mu h' - inward_gap x mu h) /\
   outward_gap x mu (h + t * (h' - h))
   = outward_gap x mu h + t * (outward_gap x mu h' - outward_gap x mu h).
-Proof.
-  unfold shoulder_gap, haunch_gap, inward_gap, outward_gap, normal_force, shear_force.
-  repeat split; ring.
-Qed.
+Proof. unfold shoulder_gap, haunch_gap, inward_gap, outward_gap, normal_force, shear_force. repeat split; ring. Qed.
 
 Lemma margins_continuous (delta eta mu h p : R) :
   continuity (fun x => shoulder_gap delta x eta h p) /\
   continuity (fun x => haunch_gap delta x eta h p) /\
   continuity (fun x => inward_gap x mu h) /\ continuity (fun x => outward_gap x mu h).
-Proof.
-  unfold shoulder_gap, haunch_gap, inward_gap, outward_gap, normal_force, shear_force.
-  repeat split; reg.
-Qed.
+Proof. unfold shoulder_gap, haunch_gap, inward_gap, outward_gap, normal_force, shear_force. repeat split; reg. Qed.
 
 (** ** The joints at a limit *)
 
 Lemma centroids_positive (delta eta : R) : 0 <= delta -> 1 <= fac delta eta.
 Proof.
-  intros Hd. unfold fac. assert (0 <= delta * eta ^ 2) by (apply Rmult_le_pos; [lra | apply pow2_ge_0]).
-  lra.
+  intros Hd. unfold fac. assert (0 <= delta * eta ^ 2) by (apply Rmult_le_pos; [lra | apply pow2_ge_0]). lra.
 Qed.
 
 (** The line of thrust touches the intrados at one joint only, whatever the thrust. *)
@@ -107,35 +93,33 @@ Proof.
     - now destruct (H x y).
     - now destruct (H y x). }
   clear x y. intros x y Hx Hy Ex Ey. destruct (Req_dec eta 2) as [E2 | E2].
-  - assert (cos y < cos x) by (apply cos_decreasing_1; lra).
-    assert (Hfac := centroids_positive delta eta Hd).
-    assert (0 < fac delta eta * (cos x - cos y)) by (apply Rmult_lt_0_compat; lra).
-    unfold haunch_gap, intrados in *. rewrite E2 in *. lra.
+  - assert (cos y < cos x) by (apply cos_decreasing_1; lra). assert (Hfac := centroids_positive delta eta Hd).
+    assert (0 < fac delta eta * (cos x - cos y)) by (apply Rmult_lt_0_compat; lra). unfold haunch_gap, intrados in *.
+    rewrite E2 in *. lra.
   - set (z := (x + y) / 2). assert (Hz := Hall z ltac:(unfold z; lra)).
     assert (H := margin_between (intrados eta) (fac delta eta) h x z y
                    ltac:(unfold intrados; lra) Hx ltac:(unfold z; lra) ltac:(lra)).
     assert (Hleast : p + fac delta eta <= Rmin (margin (intrados eta) (fac delta eta) h x)
-                                               (margin (intrados eta) (fac delta eta) h y))
-      by (apply Rmin_glb; unfold haunch_gap, margin in *; lra).
+      (margin (intrados eta) (fac delta eta) h y)) by (apply Rmin_glb; unfold haunch_gap, margin in *; lra).
     unfold haunch_gap, margin in *. lra.
 Qed.
 
 Section State.
 
-Variables (delta alpha eta mu h p : R).
-Hypotheses (flag : 0 <= delta <= 1) (opening : 0 < alpha < PI) (thickness : 0 < eta <= 2)
-  (rough : 0 < mu) (state : admissible_state delta alpha eta mu h p).
+(** The state says of which arch it is. *)
+Context {delta alpha eta mu h p : R}.
+Hypotheses (state : admissible_state delta alpha eta mu h p) (flag : 0 <= delta <= 1)
+  (opening : 0 < alpha < PI) (thickness : 0 < eta <= 2) (rough : 0 < mu).
 
 Lemma thrust_positive : 0 < h.
 Proof.
-  apply (friction_needs_thrust alpha mu); [lra | lra|]. intros x Hx.
-  destruct (state x Hx) as [[HN _] Hf]. now split.
+  apply (friction_needs_thrust alpha mu); [lra | lra|]. intros x Hx. destruct (state x Hx) as [[HN _] Hf]. now split.
 Qed.
 
 Lemma moment_not_negative : 0 <= p.
 Proof.
   assert (Hh := thrust_positive). destruct (state 0 ltac:(lra)) as [(_ & Hlow & _) _].
-  unfold normal_force in Hlow. rewrite cos_0, sin_0 in Hlow.
+  rewrite normal_force_at_crown, cos_0 in Hlow.
   assert (0 <= intrados eta * h) by (apply Rmult_le_pos; [unfold intrados|]; lra). lra.
 Qed.
 
@@ -143,9 +127,8 @@ Lemma compressed (x : R) : 0 <= x <= alpha -> 0 < normal_force x h.
 Proof.
   intros Hx. assert (Hh := thrust_positive). assert (Hp := moment_not_negative).
   destruct (Req_dec x 0) as [-> | Hne]; [unfold normal_force; rewrite cos_0, sin_0; lra|].
-  destruct (state x Hx) as [(HN & _ & Hout) _].
-  destruct (Req_dec (normal_force x h) 0) as [E | E]; [|lra]. rewrite E in Hout. exfalso.
-  assert (0 < 1 - cos x) by (apply versine_positive; lra).
+  destruct (state x Hx) as [(HN & _ & Hout) _]. destruct (Req_dec (normal_force x h) 0) as [E | E]; [|lra].
+  rewrite E in Hout. exfalso. assert (0 < 1 - cos x) by (apply versine_positive; lra).
   assert (0 < fac delta eta * (1 - cos x)).
   { assert (Hfac := centroids_positive delta eta ltac:(lra)). apply Rmult_lt_0_compat; lra. }
   lra.
@@ -155,30 +138,29 @@ Lemma margins_not_negative (x : R) : 0 <= x <= alpha ->
   0 <= shoulder_gap delta x eta h p /\ 0 <= haunch_gap delta x eta h p /\
   0 <= inward_gap x mu h /\ 0 <= outward_gap x mu h.
 Proof.
-  intros Hx. destruct (state x Hx) as [(_ & Hin & Hout) Hf]. unfold friction_holds in Hf.
-  apply Rabs_le_between in Hf. unfold shoulder_gap, haunch_gap, inward_gap, outward_gap. lra.
+  intros Hx. destruct (state x Hx) as [(_ & Hin & Hout) Hf]. unfold friction_holds in Hf. apply Rabs_le_between in Hf.
+  unfold shoulder_gap, haunch_gap, inward_gap, outward_gap. lra.
 Qed.
 
-Lemma extrados_reached (x : R) : 0 <= x <= alpha -> shoulder_gap delta x eta h p = 0 ->
-  x = 0 \/ x = alpha.
+Lemma haunch_not_negative (x : R) : 0 <= x <= alpha -> 0 <= haunch_gap delta x eta h p.
+Proof. intros Hx. now destruct (margins_not_negative x Hx) as (_ & H & _). Qed.
+
+Lemma extrados_reached (x : R) : 0 <= x <= alpha -> shoulder_gap delta x eta h p = 0 -> x = 0 \/ x = alpha.
 Proof.
   intros Hx E. destruct (Req_dec x 0) as [H0 | H0]; [now left|].
   destruct (Req_dec x alpha) as [H1 | H1]; [now right | exfalso].
   destruct (margins_not_negative alpha ltac:(lra)) as (Hs & _).
-  destruct (margins_not_negative 0 ltac:(lra)) as (Hc & _).
-  assert (H : 0 < shoulder_gap delta x eta h p); [|lra].
-  apply (extrados_clear_within delta x alpha); try easy; try lra.
-  unfold shoulder_gap, normal_force in Hc. rewrite cos_0, sin_0 in Hc. unfold crown_gap. lra.
+  destruct (margins_not_negative 0 ltac:(lra)) as (Hc & _). assert (H : 0 < shoulder_gap delta x eta h p); [|lra].
+  apply (extrados_clear_within delta x alpha); try easy; try lra. rewrite gap_at_crown in Hc. lra.
 Qed.
 
 Lemma outward_limit_reached (x : R) : 0 <= x <= alpha -> outward_gap x mu h = 0 -> x = alpha.
 Proof.
-  intros Hx E. destruct (Req_dec x alpha) as [H1 | H1]; [easy | exfalso].
-  assert (Hh := thrust_positive). destruct (Req_dec x 0) as [-> | H0].
+  intros Hx E. destruct (Req_dec x alpha) as [H1 | H1]; [easy | exfalso]. assert (Hh := thrust_positive).
+  destruct (Req_dec x 0) as [-> | H0].
   - unfold outward_gap, normal_force, shear_force in E. rewrite cos_0, sin_0 in E.
     assert (0 < mu * h) by (now apply Rmult_lt_0_compat). lra.
-  - destruct (margins_not_negative alpha ltac:(lra)) as (_ & _ & _ & Ho).
-    assert (H : 0 < outward_gap x mu h); [|lra].
+  - destruct (margins_not_negative alpha ltac:(lra)) as (_ & _ & _ & Ho). assert (H : 0 < outward_gap x mu h); [|lra].
     apply (no_outward_limit_within x alpha); lra.
 Qed.
 
@@ -192,33 +174,27 @@ Qed.
 Lemma inward_limit_reached_once (x y : R) : 0 <= x <= alpha -> 0 <= y <= alpha ->
   inward_gap x mu h = 0 -> inward_gap y mu h = 0 -> x = y.
 Proof.
-  assert (Hh := thrust_positive).
-  assert (Hsteep : forall x, 0 <= x <= alpha -> steepness x h <= mu).
-  { intros x0 Hx. assert (HN := compressed x0 Hx).
-    destruct (margins_not_negative x0 Hx) as (_ & _ & HI & _). unfold inward_gap in HI.
-    unfold steepness. apply (Rmult_le_reg_r (normal_force x0 h)); [easy|]. field_simplify; lra. }
+  assert (Hh := thrust_positive). assert (Hsteep : forall x, 0 <= x <= alpha -> steepness x h <= mu).
+  { intros x0 Hx. assert (HN := compressed x0 Hx). destruct (margins_not_negative x0 Hx) as (_ & _ & HI & _).
+    unfold inward_gap in HI. unfold steepness. apply (Rmult_le_reg_r (normal_force x0 h)); [easy|].
+    field_simplify; lra. }
   assert (Hlimit : forall x, 0 <= x <= alpha -> inward_gap x mu h = 0 -> steepness x h = mu).
   { intros x0 Hx E. assert (HN := compressed x0 Hx). unfold inward_gap in E. unfold steepness.
     apply (Rmult_eq_reg_r (normal_force x0 h)); [|lra]. field_simplify; lra. }
-  enough (H : forall x y, 0 <= x -> x < y <= alpha ->
-            inward_gap x mu h = 0 -> inward_gap y mu h <> 0).
+  enough (H : forall x y, 0 <= x -> x < y <= alpha -> inward_gap x mu h = 0 -> inward_gap y mu h <> 0).
   { intros Hx Hy Ex Ey. destruct (Rtotal_order x y) as [H1 | [H1 | H1]]; [|easy|].
     - now destruct (H x y).
     - now destruct (H y x). }
   clear x y. intros x y Hx Hy Ex Ey. destruct (Rle_lt_dec h 1) as [H1 | H1].
   - apply Hlimit in Ex, Ey; try lra. assert (HN := compressed alpha ltac:(lra)).
-    assert (Hb : 0 <= beta_s h) by apply sqrt_pos.
-    destruct (Rle_lt_dec y (beta_s h)) as [Hs | Hs].
+    assert (Hb : 0 <= beta_s h) by apply sqrt_pos. destruct (Rle_lt_dec y (beta_s h)) as [Hs | Hs].
     + assert (steepness x h < steepness y h) by (apply steepness_grows_before_beta_s; lra). lra.
     + destruct (Rle_lt_dec (beta_s h) x) as [Hs' | Hs'].
-      * assert (steepness y h < steepness x h)
-          by (apply (steepness_falls_after_beta_s h alpha); lra). lra.
-      * assert (steepness x h < steepness (beta_s h) h)
-          by (apply steepness_grows_before_beta_s; lra).
+      * assert (steepness y h < steepness x h) by (apply (steepness_falls_after_beta_s h alpha); lra). lra.
+      * assert (steepness x h < steepness (beta_s h) h) by (apply steepness_grows_before_beta_s; lra).
         assert (steepness (beta_s h) h <= mu) by (apply Hsteep; lra). lra.
   - assert (HN := compressed y ltac:(lra)). assert (H := times_cosine_below_sine y ltac:(lra)).
-    assert (0 < sin y) by (apply sin_gt_0; lra).
-    assert (0 < mu * normal_force y h) by (now apply Rmult_lt_0_compat).
+    assert (0 < sin y) by (apply sin_gt_0; lra). assert (0 < mu * normal_force y h) by (now apply Rmult_lt_0_compat).
     unfold inward_gap, shear_force in Ey. nra.
 Qed.
 
@@ -226,8 +202,7 @@ Qed.
 Lemma haunch_of_state : exists beta, 0 <= beta <= alpha /\
   forall x, 0 <= x <= alpha -> haunch_gap delta x eta h p = 0 -> x = beta.
 Proof.
-  destruct (classic (exists b, 0 <= b <= alpha /\ haunch_gap delta b eta h p = 0))
-    as [(b & Hb & E) | Hnone].
+  destruct (classic (exists b, 0 <= b <= alpha /\ haunch_gap delta b eta h p = 0)) as [(b & Hb & E) | Hnone].
   - exists b. split; [easy|]. intros x Hx Ex. now apply intrados_reached_once.
   - exists 0. split; [lra|]. intros x Hx Ex. exfalso. apply Hnone. now exists x.
 Qed.
@@ -238,9 +213,8 @@ Proof.
   assert (Hh := thrust_positive).
   destruct (classic (exists b, 0 <= b <= alpha /\ inward_gap b mu h = 0)) as [(b & Hb & E) | Hnone].
   - exists b. split; [|intros x Hx Ex; now apply inward_limit_reached_once].
-    destruct (Req_dec b 0) as [-> | Hne]; [exfalso | lra].
-    unfold inward_gap, normal_force, shear_force in E. rewrite cos_0, sin_0 in E.
-    assert (0 < mu * h) by (now apply Rmult_lt_0_compat). lra.
+    destruct (Req_dec b 0) as [-> | Hne]; [exfalso | lra]. unfold inward_gap, normal_force, shear_force in E.
+    rewrite cos_0, sin_0 in E. assert (0 < mu * h) by (now apply Rmult_lt_0_compat). lra.
   - exists alpha. split; [lra|]. intros x Hx Ex. exfalso. apply Hnone. now exists x.
 Qed.
 
@@ -266,8 +240,8 @@ Lemma values_of_forms (beta sigma h' p' : R) :
   Cones.value (inward_form sigma) [h'; p'] = inward_gap sigma mu h' /\
   Cones.value outward_form [h'; p'] = outward_gap alpha mu h'.
 Proof.
-  unfold crown_gap, haunch_gap, shoulder_gap, inward_gap, outward_gap, normal_force, shear_force.
-  simpl. repeat split; ring.
+  unfold crown_gap, haunch_gap, shoulder_gap, inward_gap, outward_gap, normal_force, shear_force. simpl.
+  repeat split; ring.
 Qed.
 
 (** What a multiplier of the friction at a joint is as a rate. *)
@@ -281,78 +255,60 @@ Proof.
     by (apply Rdiv_lt_0_compat; [lra | now apply Rmult_lt_0_compat]).
   repeat split.
   - apply Rmult_le_pos; lra.
-  - destruct Hrow as [-> | Hrow]; [ring|].
-    assert (E : row = x / normal_force x h).
+  - destruct Hrow as [-> | Hrow]; [ring|]. assert (E : row = x / normal_force x h).
     { apply (Rmult_eq_reg_l (normal_force x h)); [rewrite Hrow; field|]; lra. }
     rewrite E. field. lra.
   - intros ->. ring.
   - intros H. now apply Rmult_lt_0_compat.
 Qed.
 
-Lemma multipliers_are_rates (beta sigma : R) (k : list R) (c : R) :
-  0 <= beta <= alpha -> 0 < sigma <= alpha ->
+Lemma multipliers_are_rates (beta sigma : R) (k : list R) (c : R) : 0 <= beta <= alpha -> 0 < sigma <= alpha ->
   length k = 5%nat -> (forall a, In a k -> 0 <= a) -> 0 < Cones.sum k -> c <= 0 ->
   (forall x, length x = 2%nat -> Cones.weighted k (forms beta sigma) x = c) ->
   exists u l v s t, 0 < u + l + v + s + t /\
     moves delta alpha beta sigma eta mu h p u l v s t.
 Proof.
-  intros Hb Hs Hk Hnotneg Hsum Hc Hconstant.
-  destruct k as [|k1 [|k2 [|k3 [|k4 [|k5 [|]]]]]]; try easy. simpl in Hsum.
-  assert (H1 : 0 <= k1) by (apply Hnotneg; simpl; tauto).
-  assert (H2 : 0 <= k2) by (apply Hnotneg; simpl; tauto).
-  assert (H3 : 0 <= k3) by (apply Hnotneg; simpl; tauto).
-  assert (H4 : 0 <= k4) by (apply Hnotneg; simpl; tauto).
+  intros Hb Hs Hk Hnotneg Hsum Hc Hconstant. destruct k as [|k1 [|k2 [|k3 [|k4 [|k5 [|]]]]]]; try easy. simpl in Hsum.
+  assert (H1 : 0 <= k1) by (apply Hnotneg; simpl; tauto). assert (H2 : 0 <= k2) by (apply Hnotneg; simpl; tauto).
+  assert (H3 : 0 <= k3) by (apply Hnotneg; simpl; tauto). assert (H4 : 0 <= k4) by (apply Hnotneg; simpl; tauto).
   assert (H5 : 0 <= k5) by (apply Hnotneg; simpl; tauto). clear Hnotneg Hk.
-  assert (Hwork : forall h' p',
-            k1 * crown_gap eta h' p' + k2 * haunch_gap delta beta eta h' p'
-            + k3 * shoulder_gap delta alpha eta h' p' + k4 * inward_gap sigma mu h'
-            + k5 * outward_gap alpha mu h' = c).
+  assert (Hwork : forall h' p', k1 * crown_gap eta h' p' + k2 * haunch_gap delta beta eta h' p' + k3 * shoulder_gap
+    delta alpha eta h' p' + k4 * inward_gap sigma mu h' + k5 * outward_gap alpha mu h' = c).
   { intros h' p'. rewrite <- (Hconstant [h'; p'] eq_refl). unfold forms. simpl Cones.weighted.
-    destruct (values_of_forms beta sigma h' p') as (E1 & E2 & E3 & E4 & E5).
-    simpl in E1, E2, E3, E4, E5. rewrite E1, E2, E3, E4, E5. ring. }
+    destruct (values_of_forms beta sigma h' p') as (E1 & E2 & E3 & E4 & E5). simpl in E1, E2, E3, E4, E5.
+    rewrite E1, E2, E3, E4, E5. ring. }
   clear Hconstant.
   (* in the state each term is zero *)
-  destruct (margins_not_negative 0 ltac:(lra)) as (M1 & _).
-  destruct (margins_not_negative beta Hb) as (_ & M2 & _).
+  destruct (margins_not_negative 0 ltac:(lra)) as (M1 & _). destruct (margins_not_negative beta Hb) as (_ & M2 & _).
   destruct (margins_not_negative sigma ltac:(lra)) as (_ & _ & M4 & _).
-  destruct (margins_not_negative alpha ltac:(lra)) as (M3 & _ & _ & M5).
-  assert (M1' : 0 <= crown_gap eta h p).
-  { unfold shoulder_gap, normal_force in M1. rewrite cos_0, sin_0 in M1. unfold crown_gap. lra. }
-  assert (W := Hwork h p).
-  assert (P1 := Rmult_le_pos _ _ H1 M1'). assert (P2 := Rmult_le_pos _ _ H2 M2).
-  assert (P3 := Rmult_le_pos _ _ H3 M3). assert (P4 := Rmult_le_pos _ _ H4 M4).
-  assert (P5 := Rmult_le_pos _ _ H5 M5).
-  assert (Z1 : k1 * crown_gap eta h p = 0) by lra.
-  assert (Z2 : k2 * haunch_gap delta beta eta h p = 0) by lra.
-  assert (Z3 : k3 * shoulder_gap delta alpha eta h p = 0) by lra.
-  assert (Z4 : k4 * inward_gap sigma mu h = 0) by lra.
+  destruct (margins_not_negative alpha ltac:(lra)) as (M3 & _ & _ & M5). rewrite gap_at_crown in M1.
+  assert (W := Hwork h p). assert (P1 := Rmult_le_pos _ _ H1 M1). assert (P2 := Rmult_le_pos _ _ H2 M2).
+  assert (P3 := Rmult_le_pos _ _ H3 M3). assert (P4 := Rmult_le_pos _ _ H4 M4). assert (P5 := Rmult_le_pos _ _ H5 M5).
+  assert (Z1 : k1 * crown_gap eta h p = 0) by lra. assert (Z2 : k2 * haunch_gap delta beta eta h p = 0) by lra.
+  assert (Z3 : k3 * shoulder_gap delta alpha eta h p = 0) by lra. assert (Z4 : k4 * inward_gap sigma mu h = 0) by lra.
   assert (Z5 : k5 * outward_gap alpha mu h = 0) by lra.
   (* neither the moment nor the thrust works *)
   assert (Hmoment : k2 = k1 + k3).
   { assert (Wp := Hwork h (p + 1)). unfold crown_gap, haunch_gap, shoulder_gap in W, Wp. lra. }
-  assert (Hthrust : k1 * extrados eta - k2 * (intrados eta * cos beta)
-                    + k3 * (extrados eta * cos alpha) + k4 * (mu * cos sigma + sin sigma)
-                    - k5 * (sin alpha - mu * cos alpha) = 0).
+  assert (Hthrust : k1 * extrados eta - k2 * (intrados eta * cos beta) + k3 * (extrados eta * cos alpha) + k4 *
+    (mu * cos sigma + sin sigma) - k5 * (sin alpha - mu * cos alpha) = 0).
   { assert (Wh := Hwork (h + 1) p).
-    unfold crown_gap, haunch_gap, shoulder_gap, inward_gap, outward_gap, normal_force, shear_force
-      in W, Wh. lra. }
+    unfold crown_gap, haunch_gap, shoulder_gap, inward_gap, outward_gap, normal_force, shear_force in W, Wh. lra. }
   assert (HNs := compressed sigma ltac:(lra)). assert (HNa := compressed alpha ltac:(lra)).
-  destruct (rate_of_slip sigma (mu * cos sigma + sin sigma) k4) as (s & Hs0 & Es & Hs1 & Hs2);
-    try easy; try lra.
+  destruct (rate_of_slip sigma (mu * cos sigma + sin sigma) k4) as (s & Hs0 & Es & Hs1 & Hs2); try easy; try lra.
   { destruct (Req_dec k4 0) as [E | E]; [now left | right].
     assert (EI : inward_gap sigma mu h = 0) by (apply (Rmult_eq_reg_l k4); lra).
-    destruct (slip_rows_are_scaled sigma mu h (h + 1) HNs) as [Hin _].
-    assert (Hin' := Hin EI). unfold inward_gap in *.
+    destruct (slip_rows_are_scaled sigma mu h (h + 1) HNs) as [Hin _]. assert (Hin' := Hin EI).
+    unfold inward_gap in *.
     replace (mu * normal_force sigma (h + 1) - shear_force sigma (h + 1))
       with (mu * normal_force sigma h - shear_force sigma h + (mu * cos sigma + sin sigma)) in Hin'
       by (unfold normal_force, shear_force; ring).
     rewrite EI in Hin'. lra. }
-  destruct (rate_of_slip alpha (sin alpha - mu * cos alpha) k5) as (t & Ht0 & Et & Ht1 & Ht2);
-    try easy; try lra.
+  destruct (rate_of_slip alpha (sin alpha - mu * cos alpha) k5) as (t & Ht0 & Et & Ht1 & Ht2); try easy; try lra.
   { destruct (Req_dec k5 0) as [E | E]; [now left | right].
     assert (EO : outward_gap alpha mu h = 0) by (apply (Rmult_eq_reg_l k5); lra).
-    destruct (slip_rows_are_scaled alpha mu h (h + 1) HNa) as [_ Hout].
-    assert (Hout' := Hout EO). unfold outward_gap in *.
+    destruct (slip_rows_are_scaled alpha mu h (h + 1) HNa) as [_ Hout]. assert (Hout' := Hout EO).
+    unfold outward_gap in *.
     replace (mu * normal_force alpha (h + 1) + shear_force alpha (h + 1))
       with (mu * normal_force alpha h + shear_force alpha h - (sin alpha - mu * cos alpha)) in Hout'
       by (unfold normal_force, shear_force; ring).
@@ -362,11 +318,9 @@ Proof.
     destruct (Rlt_dec 0 k5) as [L5 | L5]; [specialize (Ht2 L5); lra | lra].
   - unfold moves, in_balance. repeat split; try lra.
     + rewrite Es, Et, Hmoment in *. lra.
-    + destruct (Req_dec k4 0) as [E | E]; [rewrite (Hs1 E); ring|].
-      replace (inward_gap sigma mu h) with 0; [ring|].
+    + destruct (Req_dec k4 0) as [E | E]; [rewrite (Hs1 E); ring|]. replace (inward_gap sigma mu h) with 0; [ring|].
       symmetry. apply (Rmult_eq_reg_l k4); lra.
-    + destruct (Req_dec k5 0) as [E | E]; [rewrite (Ht1 E); ring|].
-      replace (outward_gap alpha mu h) with 0; [ring|].
+    + destruct (Req_dec k5 0) as [E | E]; [rewrite (Ht1 E); ring|]. replace (outward_gap alpha mu h) with 0; [ring|].
       symmetry. apply (Rmult_eq_reg_l k5); lra.
 Qed.
 
@@ -385,25 +339,21 @@ Proof.
     destruct (values_of_forms beta sigma h' p') as (E1 & E2 & E3 & E4 & E5).
     assert (C : 0 < crown_gap eta h' p') by (rewrite <- E1; apply Hstrict; simpl; tauto).
     assert (L : 0 < haunch_gap delta beta eta h' p') by (rewrite <- E2; apply Hstrict; simpl; tauto).
-    assert (U : 0 < shoulder_gap delta alpha eta h' p')
-      by (rewrite <- E3; apply Hstrict; simpl; tauto).
+    assert (U : 0 < shoulder_gap delta alpha eta h' p') by (rewrite <- E3; apply Hstrict; simpl; tauto).
     assert (I : 0 < inward_gap sigma mu h') by (rewrite <- E4; apply Hstrict; simpl; tauto).
     assert (O : 0 < outward_gap alpha mu h') by (rewrite <- E5; apply Hstrict; simpl; tauto).
     destruct (margins_continuous delta eta mu h p) as (CU & CL & CI & CO).
     destruct (margins_continuous delta eta mu h' p') as (CU' & CL' & CI' & CO').
-    assert (Hway : forall f g : R -> R, continuity f -> continuity g ->
-              (forall x, 0 <= x <= alpha -> 0 <= f x) ->
-              (forall x, 0 <= x <= alpha -> f x = 0 -> 0 < g x) ->
-              exists e, 0 < e /\ forall t, 0 < t <= e -> forall x, 0 <= x <= alpha ->
-                0 < f x + t * (g x - f x)).
-    { intros f g Hf Hg Hnotneg Hpos.
-      apply (positive_in_direction 0 alpha f (fun x => g x - f x)); try easy; try lra.
+    assert (Hway : forall f g : R -> R, continuity f -> continuity g -> (forall x, 0 <= x <= alpha -> 0 <= f x) ->
+      (forall x, 0 <= x <= alpha -> f x = 0 -> 0 < g x) -> exists e, 0 < e /\ forall t, 0 < t <= e -> forall x,
+      0 <= x <= alpha -> 0 < f x + t * (g x - f x)).
+    { intros f g Hf Hg Hnotneg Hpos. apply (positive_in_direction 0 alpha f (fun x => g x - f x)); try easy; try lra.
       - intros x. now apply continuity_pt_minus.
       - intros x Hx E. assert (H := Hpos x Hx E). lra. }
     destruct (Hway _ _ CU CU') as (e1 & He1 & HU).
     { intros x Hx. now destruct (margins_not_negative x Hx). }
-    { intros x Hx E. destruct (extrados_reached x Hx E) as [-> | ->]; [|easy].
-      unfold shoulder_gap, normal_force. rewrite cos_0, sin_0. unfold crown_gap in C. lra. }
+    { intros x Hx E. destruct (extrados_reached x Hx E) as [-> | ->]; [|easy]. unfold shoulder_gap, normal_force.
+      rewrite cos_0, sin_0. unfold crown_gap in C. lra. }
     destruct (Hway _ _ CL CL') as (e2 & He2 & HL).
     { intros x Hx. now destruct (margins_not_negative x Hx) as (_ & H & _). }
     { intros x Hx E. now rewrite (Hbeta x Hx E). }
@@ -413,8 +363,7 @@ Proof.
     destruct (Hway _ _ CO CO') as (e4 & He4 & HO).
     { intros x Hx. now destruct (margins_not_negative x Hx) as (_ & _ & _ & H). }
     { intros x Hx E. now rewrite (outward_limit_reached x Hx E). }
-    set (e := Rmin (Rmin e1 e2) (Rmin e3 e4)).
-    assert (He : 0 < e) by (unfold e; repeat apply Rmin_glb_lt; easy).
+    set (e := Rmin (Rmin e1 e2) (Rmin e3 e4)). assert (He : 0 < e) by (unfold e; repeat apply Rmin_glb_lt; easy).
     assert (B1 : e <= e1) by (eapply Rle_trans; [apply Rmin_l | apply Rmin_l]).
     assert (B2 : e <= e2) by (eapply Rle_trans; [apply Rmin_l | apply Rmin_r]).
     assert (B3 : e <= e3) by (eapply Rle_trans; [apply Rmin_r | apply Rmin_l]).
@@ -441,8 +390,7 @@ Proof.
   intros He Hall. exists h, p. intros x Hx. destruct (Hall x Hx) as (HU & HL & HI & HO).
   unfold shoulder_gap, haunch_gap, inward_gap, outward_gap, extrados, intrados in *.
   assert (0 <= normal_force x h) by (apply (Rmult_le_reg_l eta); lra).
-  split; [repeat split; unfold extrados, intrados; lra|].
-  unfold friction_holds. apply Rabs_le_between. lra.
+  split; [repeat split; unfold extrados, intrados; lra|]. unfold friction_holds. apply Rabs_le_between. lra.
 Qed.
 
 (** Room at the faces is enough for a thinner one. *)
@@ -464,14 +412,13 @@ Proof.
   { unfold normal_force. reg. }
   { intros x Hx. destruct (Hroom x Hx) as (_ & H & _). lra. }
   { intros x Hx E. destruct (Hroom x Hx) as (_ & H & _). lra. }
-  set (t := Rmin (eta / 2) (Rmin e1 e2)).
-  assert (Ht : 0 < t) by (unfold t; repeat apply Rmin_glb_lt; lra).
+  set (t := Rmin (eta / 2) (Rmin e1 e2)). assert (Ht : 0 < t) by (unfold t; repeat apply Rmin_glb_lt; lra).
   assert (B0 : t <= eta / 2) by apply Rmin_l.
   assert (B1 : t <= e1) by (eapply Rle_trans; [apply Rmin_r | apply Rmin_l]).
-  assert (B2 : t <= e2) by (eapply Rle_trans; [apply Rmin_r | apply Rmin_r]).
-  exists (eta - t). split; [lra|]. apply (stands_by_margins delta alpha (eta - t) mu h p); [lra|].
-  intros x Hx. assert (HU' := HU t ltac:(lra) x Hx). assert (HL' := HL t ltac:(lra) x Hx).
-  destruct (Hroom x Hx) as (_ & _ & HI & HO). assert (Hv : 0 <= 1 - cos x) by (destruct (COS_bound x); lra).
+  assert (B2 : t <= e2) by (eapply Rle_trans; [apply Rmin_r | apply Rmin_r]). exists (eta - t). split; [lra|].
+  apply (stands_by_margins delta alpha (eta - t) mu h p); [lra|]. intros x Hx. assert (HU' := HU t ltac:(lra) x Hx).
+  assert (HL' := HL t ltac:(lra) x Hx). destruct (Hroom x Hx) as (_ & _ & HI & HO).
+  assert (Hv : 0 <= 1 - cos x) by (destruct (COS_bound x); lra).
   assert (Hcut : 0 <= t * (delta * (2 * eta - t)) * (1 - cos x)).
   { repeat apply Rmult_le_pos; lra. }
   assert (Hcut' : 0 <= t * (4 - delta * (2 * eta - t)) * (1 - cos x)).
@@ -480,9 +427,8 @@ Proof.
   unfold shoulder_gap, haunch_gap, extrados, intrados, fac in *. repeat split; try lra.
 Qed.
 
-Lemma margins_positive_near (delta eta mu h p x0 : R) :
-  0 < shoulder_gap delta x0 eta h p -> 0 < haunch_gap delta x0 eta h p ->
-  0 < inward_gap x0 mu h -> 0 < outward_gap x0 mu h ->
+Lemma margins_positive_near (delta eta mu h p x0 : R) : 0 < shoulder_gap delta x0 eta h p ->
+  0 < haunch_gap delta x0 eta h p -> 0 < inward_gap x0 mu h -> 0 < outward_gap x0 mu h ->
   exists d, 0 < d /\ forall x, Rabs (x - x0) < d ->
     0 < shoulder_gap delta x eta h p /\ 0 < haunch_gap delta x eta h p /\
     0 < inward_gap x mu h /\ 0 < outward_gap x mu h.
@@ -490,14 +436,13 @@ Proof.
   intros HU HL HI HO. destruct (margins_continuous delta eta mu h p) as (CU & CL & CI & CO).
   assert (Hnear : forall f : R -> R, continuity f -> 0 < f x0 ->
             exists d, 0 < d /\ forall x, Rabs (x - x0) < d -> 0 < f x).
-  { intros f Hf Hpos. destruct (Hf x0 (f x0) Hpos) as (d & Hd & H). exists d. split; [easy|].
-    intros x Hx. destruct (Req_dec x0 x) as [<- | Hne]; [easy|].
-    assert (Hclose := H x (conj (conj I Hne) Hx)). simpl in Hclose. unfold R_dist in Hclose.
-    apply Rabs_def2 in Hclose. lra. }
+  { intros f Hf Hpos. destruct (Hf x0 (f x0) Hpos) as (d & Hd & H). exists d. split; [easy|]. intros x Hx.
+    destruct (Req_dec x0 x) as [<- | Hne]; [easy|]. assert (Hclose := H x (conj (conj I Hne) Hx)). simpl in Hclose.
+    unfold R_dist in Hclose. apply Rabs_def2 in Hclose. lra. }
   destruct (Hnear _ CU HU) as (d1 & Hd1 & H1). destruct (Hnear _ CL HL) as (d2 & Hd2 & H2).
   destruct (Hnear _ CI HI) as (d3 & Hd3 & H3). destruct (Hnear _ CO HO) as (d4 & Hd4 & H4).
-  exists (Rmin (Rmin d1 d2) (Rmin d3 d4)). split; [repeat apply Rmin_glb_lt; easy|].
-  intros x Hx. apply Rmin_Rgt_l in Hx. destruct Hx as [Hx Hx']. apply Rmin_Rgt_l in Hx, Hx'.
+  exists (Rmin (Rmin d1 d2) (Rmin d3 d4)). split; [repeat apply Rmin_glb_lt; easy|]. intros x Hx.
+  apply Rmin_Rgt_l in Hx. destruct Hx as [Hx Hx']. apply Rmin_Rgt_l in Hx, Hx'.
   repeat split; [apply H1 | apply H2 | apply H3 | apply H4]; lra.
 Qed.
 
@@ -507,11 +452,10 @@ Theorem wider_arch_stands (delta alpha eta mu h p : R) :
 Proof.
   intros Ha He Hroom. destruct (Hroom alpha ltac:(lra)) as (HU & HL & HI & HO).
   destruct (margins_positive_near delta eta mu h p alpha HU HL HI HO) as (d & Hd & H).
-  set (t := Rmin (d / 2) ((PI - alpha) / 2)).
-  assert (Ht : 0 < t) by (unfold t; apply Rmin_glb_lt; lra).
-  assert (B1 : t <= d / 2) by apply Rmin_l. assert (B2 : t <= (PI - alpha) / 2) by apply Rmin_r.
-  exists (alpha + t). split; [lra|]. apply (stands_by_margins delta (alpha + t) eta mu h p He).
-  intros x Hx. destruct (Rle_lt_dec x alpha) as [Hin | Hout].
+  set (t := Rmin (d / 2) ((PI - alpha) / 2)). assert (Ht : 0 < t) by (unfold t; apply Rmin_glb_lt; lra).
+  assert (B1 : t <= d / 2) by apply Rmin_l. assert (B2 : t <= (PI - alpha) / 2) by apply Rmin_r. exists (alpha + t).
+  split; [lra|]. apply (stands_by_margins delta (alpha + t) eta mu h p He). intros x Hx.
+  destruct (Rle_lt_dec x alpha) as [Hin | Hout].
   - destruct (Hroom x ltac:(lra)) as (U & L & I & O). lra.
   - destruct (H x) as (U & L & I & O); [rewrite Rabs_pos_eq; lra | lra].
 Qed.
@@ -520,14 +464,13 @@ Qed.
 Theorem narrow_arch_stands (delta eta mu : R) : 0 < eta <= 2 -> 0 < mu ->
   exists alpha, 0 < alpha < PI /\ arch_stands delta alpha eta mu.
 Proof.
-  intros He Hmu. assert (HPI := PI_RGT_0).
-  destruct (margins_positive_near delta eta mu 1 1 0) as (d & Hd & H).
+  intros He Hmu. assert (HPI := PI_RGT_0). destruct (margins_positive_near delta eta mu 1 1 0) as (d & Hd & H).
   1-4: unfold shoulder_gap, haunch_gap, inward_gap, outward_gap, normal_force, shear_force;
     rewrite cos_0, sin_0; unfold extrados, intrados; lra.
   set (t := Rmin (d / 2) (PI / 2)). assert (Ht : 0 < t) by (unfold t; apply Rmin_glb_lt; lra).
-  assert (B1 : t <= d / 2) by apply Rmin_l. assert (B2 : t <= PI / 2) by apply Rmin_r.
-  exists t. split; [lra|]. apply (stands_by_margins delta t eta mu 1 1); [lra|].
-  intros x Hx. destruct (H x) as (U & L & I & O); [rewrite Rabs_pos_eq; lra | lra].
+  assert (B1 : t <= d / 2) by apply Rmin_l. assert (B2 : t <= PI / 2) by apply Rmin_r. exists t. split; [lra|].
+  apply (stands_by_margins delta t eta mu 1 1); [lra|]. intros x Hx.
+  destruct (H x) as (U & L & I & O); [rewrite Rabs_pos_eq; lra | lra].
 Qed.
 
 (** ** What cannot be thinner, or wider, moves *)
@@ -543,8 +486,7 @@ Theorem moves_if_none_thinner (delta alpha eta mu h p : R) :
   admissible_state delta alpha eta mu h p -> state_moves delta alpha eta mu h p.
 Proof.
   intros Hd Ha He Hmu Hnone Hstate.
-  destruct (moves_or_leaves_room delta alpha eta mu h p Hd Ha He Hmu Hstate)
-    as [Hmoves | (h' & p' & Hroom)]; [easy | exfalso].
+  destruct (moves_or_leaves_room Hstate Hd Ha He Hmu) as [Hmoves | (h' & p' & Hroom)]; [easy | exfalso].
   destruct (thinner_arch_stands delta alpha eta mu h' p' Hd ltac:(lra) He)
     as (eta' & He' & Hstands); [|now apply (Hnone eta')].
   intros x Hx. destruct (Hroom x Hx) as (HU & HL & HI & HO). lra.
@@ -556,8 +498,7 @@ Theorem moves_if_none_wider (delta alpha eta mu h p : R) :
   admissible_state delta alpha eta mu h p -> state_moves delta alpha eta mu h p.
 Proof.
   intros Hd Ha He Hmu Hnone Hstate.
-  destruct (moves_or_leaves_room delta alpha eta mu h p Hd Ha He Hmu Hstate)
-    as [Hmoves | (h' & p' & Hroom)]; [easy | exfalso].
-  destruct (wider_arch_stands delta alpha eta mu h' p' Ha ltac:(lra) Hroom)
-    as (alpha' & Ha' & Hstands). now apply (Hnone alpha').
+  destruct (moves_or_leaves_room Hstate Hd Ha He Hmu) as [Hmoves | (h' & p' & Hroom)]; [easy | exfalso].
+  destruct (wider_arch_stands delta alpha eta mu h' p' Ha ltac:(lra) Hroom) as (alpha' & Ha' & Hstands).
+  now apply (Hnone alpha').
 Qed.

@@ -29,8 +29,8 @@ Lemma held_between h k m : is_held h -> is_held k -> h <= m <= k -> is_held m.
 Proof.
   intros Hh Hk Hm x Hx. assert (A := Hh x Hx). assert (B := Hk x Hx).
   unfold friction_holds, normal_force, shear_force in *. rewrite Rabs_le_between in *.
-  destruct (Req_dec h k) as [<- | Hne]; [replace m with h by lra; exact A |].
-  set (t := (m - h) / (k - h)). assert (0 <= t <= 1).
+  destruct (Req_dec h k) as [<- | Hne]; [replace m with h by lra; exact A |]. set (t := (m - h) / (k - h)).
+  assert (0 <= t <= 1).
   { unfold t. split; [apply Rdiv_le_0_compat | apply (Rmult_le_reg_r (k - h)); [| field_simplify]]; lra. }
   replace m with ((1 - t) * h + t * k) by (unfold t; field; lra). nra.
 Qed.
@@ -50,8 +50,8 @@ Lemma room_of_joint x h p : (forall y, In y (0 :: x :: alpha :: nil) -> joint_st
 Proof.
   intros H. destruct (H 0 ltac:(simpl; auto)) as (N & _ & U0). destruct (H x ltac:(simpl; auto)) as (_ & L & _).
   destruct (H alpha ltac:(simpl; auto)) as (_ & _ & U). unfold normal_force in N, U0. rewrite cos_0, sin_0 in N, U0.
-  split; [lra |]. enough (p <= largest_moment h) by (unfold room_at, haunch_gap; lra).
-  unfold largest_moment, lead. apply Rmin_case; lra.
+  split; [lra |]. enough (p <= largest_moment h) by (unfold room_at, haunch_gap; lra). unfold largest_moment, lead.
+  apply Rmin_case; lra.
 Qed.
 
 Lemma joint_of_room x h : 0 <= x <= alpha -> 0 <= h -> 0 <= room_at x h ->
@@ -60,16 +60,16 @@ Proof.
   intros Hx Hh Hroom. assert (m0 := Rmin_l 0 (lead h)). assert (m1 := Rmin_r 0 (lead h)).
   assert (U : largest_moment h + fac delta eta * (1 - cos x) <= extrados eta * normal_force x h).
   { apply (extrados_safe delta alpha); try easy; unfold largest_moment, lead, extrados in *; lra. }
-  unfold room_at, haunch_gap in Hroom. refine (conj _ (conj _ U)); [| lra].
-  apply (Rmult_le_reg_l eta); [lra |]. unfold extrados, intrados in *. lra.
+  unfold room_at, haunch_gap in Hroom. refine (conj _ (conj _ U)); [| lra]. apply (Rmult_le_reg_l eta); [lra |].
+  unfold extrados, intrados in *. lra.
 Qed.
 
 (** Up to the thrust of (4) the room grows with the thrust, and from there on it falls or is no question. *)
 Lemma room_grows x h k : h <= k -> 0 <= lead k -> 0 <= room_at x h -> 0 <= room_at x k.
 Proof.
   intros Hhk Hk. unfold room_at, largest_moment. rewrite (Rmin_left 0 (lead k)) by exact Hk.
-  assert (m := Rmin_l 0 (lead h)). unfold haunch_gap, normal_force, extrados, intrados in *.
-  destruct (COS_bound x). assert (0 <= ((1 + eta / 2) - (1 - eta / 2) * cos x) * (k - h)) by (apply Rmult_le_pos; nra). lra.
+  assert (m := Rmin_l 0 (lead h)). unfold haunch_gap, normal_force, extrados, intrados in *. destruct (COS_bound x).
+  assert (0 <= ((1 + eta / 2) - (1 - eta / 2) * cos x) * (k - h)) by (apply Rmult_le_pos; nra). lra.
 Qed.
 
 Lemma room_falls x h k : 0 <= x <= alpha -> 0 <= h <= k -> lead h <= 0 -> 0 <= room_at x k -> 0 <= room_at x h.
@@ -98,8 +98,8 @@ Proof.
   assert (E : forall t, lead t = (m - t) * (extrados eta * (1 - cos alpha)))
     by (intros t; unfold m, lead, normal_force; field; unfold extrados in *; split; nra).
   assert (h <= m) by (rewrite E in Hh; nra). assert (m <= k) by (rewrite E in Hk; nra).
-  assert (Z : lead m = 0) by (rewrite E; ring).
-  exists m. split; [lra |]. intros x Hx [H' | H']; [apply (room_grows x h) | apply (room_falls x m k)]; easy || lra.
+  assert (Z : lead m = 0) by (rewrite E; ring). exists m. split; [lra |].
+  intros x Hx [H' | H']; [apply (room_grows x h) | apply (room_falls x m k)]; easy || lra.
 Qed.
 
 Lemma one_thrust l : (forall x, In x l -> 0 <= x <= alpha /\ joint_alone x eta) -> l <> nil ->
@@ -118,8 +118,8 @@ Proof.
       - exact H.
       - now apply (held_between k h).
       - intros z Hz [A | A]; apply H; tauto. }
-    destruct best as (m & Hheld'' & Hm & Hbest). exists m. split; [easy | split; [easy |]].
-    intros z Hz. apply Hbest; [now apply Hall |]. destruct Hz as [<- | Hz]; [now right | left; now apply Hroom].
+    destruct best as (m & Hheld'' & Hm & Hbest). exists m. split; [easy | split; [easy |]]. intros z Hz.
+    apply Hbest; [now apply Hall |]. destruct Hz as [<- | Hz]; [now right | left; now apply Hroom].
 Qed.
 
 Theorem each_joint_by_itself : stones_stand eta <-> forall x, In x joints -> joint_alone x eta.
@@ -139,9 +139,7 @@ End Thickness.
 Theorem least_thickness_of_stones (least : R -> R) :
   (forall x eta, In x joints -> 0 < eta <= 2 -> (joint_alone x eta <-> least x <= eta)) ->
   forall eta, 0 < eta <= 2 -> (stones_stand eta <-> forall x, In x joints -> least x <= eta).
-Proof.
-  intros H eta He. rewrite each_joint_by_itself by exact He. split; intros Hall x Hx; apply H; auto.
-Qed.
+Proof. intros H eta He. rewrite each_joint_by_itself by exact He. split; intros Hall x Hx; apply H; auto. Qed.
 
 Theorem joint_alone_in_thicker x eta eta' : 0 < eta <= eta' -> eta' <= 2 -> joint_alone x eta -> joint_alone x eta'.
 Proof.

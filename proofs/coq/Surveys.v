@@ -17,11 +17,10 @@ Lemma joint_stands_if_thicker (delta beta eta eta' h p : R) :
   joint_stands delta beta eta h p -> joint_stands delta beta eta' h p.
 Proof.
   intros Hd He He' Hp (HN & Hin & Hout). assert (HV := COS_bound beta).
-  unfold joint_stands, intrados, extrados, fac in *.
-  set (N := normal_force beta h) in *. set (V := 1 - cos beta) in *.
-  assert (0 <= V) by (unfold V; lra). assert (0 <= (eta' - eta) * N) by (apply Rmult_le_pos; lra).
-  assert (Hsquare : 0 <= delta * (eta' * eta' - eta * eta)) by (apply Rmult_le_pos; nra).
-  split; [easy | split].
+  unfold joint_stands, intrados, extrados, fac in *. set (N := normal_force beta h) in *.
+  set (V := 1 - cos beta) in *. assert (0 <= V) by (unfold V; lra).
+  assert (0 <= (eta' - eta) * N) by (apply Rmult_le_pos; lra).
+  assert (Hsquare : 0 <= delta * (eta' * eta' - eta * eta)) by (apply Rmult_le_pos; nra). split; [easy | split].
   - assert (0 <= delta * (eta' * eta' - eta * eta) * V) by (apply Rmult_le_pos; lra). nra.
   - apply (Rmult_le_reg_l (1 + eta / 2)); [lra|].
     apply Rle_trans with ((1 + eta' / 2) * (p + (1 + delta * eta ^ 2 / 12) * V)).
@@ -32,8 +31,7 @@ Proof.
       assert (0 <= (eta' - eta) * (12 - delta * (2 * (eta + eta') + eta * eta')) * V)
         by (apply Rmult_le_pos; [apply Rmult_le_pos|]; lra).
       lra.
-    + rewrite <- Rmult_assoc, (Rmult_comm (1 + eta / 2)), Rmult_assoc.
-      apply Rmult_le_compat_l; lra.
+    + rewrite <- Rmult_assoc, (Rmult_comm (1 + eta / 2)), Rmult_assoc. apply Rmult_le_compat_l; lra.
 Qed.
 
 (** With more friction, too. *)
@@ -46,9 +44,8 @@ Qed.
 
 (** So a state of an arch is one of each narrower, rougher and thicker one: the widest, least rough and thinnest decides
     whether all stand, its opposite whether any does, also where friction has no limit. *)
-Theorem narrower_thicker_stands (delta alpha alpha' eta eta' h p : R) :
-  0 <= delta <= 1 -> 0 <= alpha' <= alpha -> 0 < eta <= eta' -> eta' <= 2 ->
-  (forall x, 0 <= x <= alpha -> joint_stands delta x eta h p) ->
+Theorem narrower_thicker_stands (delta alpha alpha' eta eta' h p : R) : 0 <= delta <= 1 -> 0 <= alpha' <= alpha ->
+  0 < eta <= eta' -> eta' <= 2 -> (forall x, 0 <= x <= alpha -> joint_stands delta x eta h p) ->
   forall x, 0 <= x <= alpha' -> joint_stands delta x eta' h p.
 Proof.
   intros Hd Ha He He' Hall. assert (Hp : 0 <= p).
@@ -105,8 +102,8 @@ Qed.
 Lemma ratio_between (c t t' r r' : R) : -1 <= c <= 1 -> 0 < t <= t' -> r <= r' -> t' <= 2 * (r + c * t' / 2) ->
   0 < r' + c * t / 2 /\ 0 < ratio c t r' <= 2.
 Proof.
-  intros Hc Ht Hr Hroom. assert (Hmore : t <= 2 * (r' + c * t / 2)) by nra.
-  assert (Hp : 0 < r' + c * t / 2) by lra. unfold ratio. split; [exact Hp | split].
+  intros Hc Ht Hr Hroom. assert (Hmore : t <= 2 * (r' + c * t / 2)) by nra. assert (Hp : 0 < r' + c * t / 2) by lra.
+  unfold ratio. split; [exact Hp | split].
   - now apply Rdiv_lt_0_compat.
   - apply (Rmult_le_reg_r (r' + c * t / 2)); [exact Hp |]. field_simplify; lra.
 Qed.
@@ -137,11 +134,8 @@ Proof.
 Qed.
 
 (** With the span, *)
-Lemma radius_of_spans (span span' rise : R) : 0 < span <= span' -> 0 < rise ->
-  radius span rise <= radius span' rise.
-Proof.
-  intros Hs Hf. unfold radius. apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat; lra | nra].
-Qed.
+Lemma radius_of_spans (span span' rise : R) : 0 < span <= span' -> 0 < rise -> radius span rise <= radius span' rise.
+Proof. intros Hs Hf. unfold radius. apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat; lra | nra]. Qed.
 
 (** and between two rises of one span it is at most that of an end, and at least half the span or that of an end. *)
 Theorem radius_of_rises (span rise_0 rise rise_1 : R) : 0 < span -> 0 < rise_0 <= rise -> rise <= rise_1 ->
@@ -149,9 +143,8 @@ Theorem radius_of_rises (span rise_0 rise rise_1 : R) : 0 < span -> 0 < rise_0 <
   (span / 2 <= rise_0 \/ rise_1 <= span / 2 -> Rmin (radius span rise_0) (radius span rise_1) <= radius span rise).
 Proof.
   intros Hs Hf Hf'.
-  assert (Hdiff : forall x y, 0 < x -> 0 < y ->
-    radius span y - radius span x = (y - x) * (x * y - span ^ 2 / 4) / (2 * x * y))
-    by (intros; unfold radius; field; lra).
+  assert (Hdiff : forall x y, 0 < x -> 0 < y -> radius span y - radius span x
+    = (y - x) * (x * y - span ^ 2 / 4) / (2 * x * y)) by (intros; unfold radius; field; lra).
   assert (grows : forall x y, 0 < x <= y -> span ^ 2 / 4 <= x * y -> radius span x <= radius span y).
   { intros x y Hx H. assert (0 < x * y) by (apply Rmult_lt_0_compat; lra).
     assert (0 <= (y - x) * (x * y - span ^ 2 / 4) / (2 * x * y))
@@ -163,7 +156,8 @@ Proof.
       by (apply Rdiv_le_0_compat; [apply Rmult_le_pos|]; lra).
     assert (E := Hdiff x y ltac:(lra) ltac:(lra)).
     replace ((y - x) * (x * y - span ^ 2 / 4) / (2 * x * y))
-      with (- ((y - x) * (span ^ 2 / 4 - x * y) / (2 * x * y))) in E by (field; lra). lra. }
+      with (- ((y - x) * (span ^ 2 / 4 - x * y) / (2 * x * y))) in E by (field; lra).
+    lra. }
   split; [split |].
   - replace (span / 2) with (radius span (span / 2)) by (unfold radius; field; lra).
     destruct (Rle_dec rise (span / 2)); [apply falls | apply grows]; nra.
@@ -183,6 +177,5 @@ Corollary least_thickness_is_monotone (delta alpha alpha' mu mu' eta eta' : R) :
   stands_from delta alpha mu eta -> stands_from delta alpha' mu' eta' -> eta' <= eta.
 Proof.
   intros Hd Ha Hmu He from from'. apply (from' eta He).
-  apply (narrower_rougher_thicker_stands delta alpha alpha' eta eta mu mu'); try easy; try lra.
-  apply from; lra.
+  apply (narrower_rougher_thicker_stands delta alpha alpha' eta eta mu mu'); try easy; try lra. apply from; lra.
 Qed.

@@ -17,9 +17,7 @@ Hypotheses (flags : 0 <= delta < delta') (flag' : delta' <= 1) (opening : 0 < al
   (thickness : 0 < eta <= 2).
 
 Lemma centroid_factor_grows : fac delta eta < fac delta' eta.
-Proof.
-  unfold fac. assert (0 < (delta' - delta) * eta ^ 2) by (apply Rmult_lt_0_compat; nra). lra.
-Qed.
+Proof. unfold fac. assert (0 < (delta' - delta) * eta ^ 2) by (apply Rmult_lt_0_compat; nra). lra. Qed.
 
 (** With no less thrust than that of a hinge at the haunch and one at the shoulder the other weight has
     no room between the two. *)
@@ -32,38 +30,31 @@ Proof.
   assert (Harm := lever_positive_in_any_state delta alpha beta eta h0 p0 ltac:(lra) ltac:(lra) opening
                     thickness ltac:(lra) EL EU).
   assert (Hcos : cos alpha < cos beta) by (apply cos_decreasing_1; lra).
-  assert (0 < (fac delta' eta - fac delta eta) * (cos beta - cos alpha))
-    by (apply Rmult_lt_0_compat; lra).
-  assert (0 <= (h - h0) * (intrados eta * cos beta - extrados eta * cos alpha))
-    by (apply Rmult_le_pos; lra).
+  assert (0 < (fac delta' eta - fac delta eta) * (cos beta - cos alpha)) by (apply Rmult_lt_0_compat; lra).
+  assert (0 <= (h - h0) * (intrados eta * cos beta - extrados eta * cos alpha)) by (apply Rmult_le_pos; lra).
   unfold haunch_gap, shoulder_gap, normal_force in *. lra.
 Qed.
 
 (** With a hinge at the crown too it has none with any thrust. *)
-Lemma no_room_under_rotation (beta h0 p0 h p : R) :
-  0 < beta < alpha -> 0 < cos beta -> 0 <= h0 -> crown_gap eta h0 p0 = 0 ->
-  haunch_gap delta beta eta h0 p0 = 0 -> shoulder_gap delta alpha eta h0 p0 = 0 ->
+Lemma no_room_under_rotation (beta h0 p0 h p : R) : 0 < beta < alpha -> 0 < cos beta -> 0 <= h0 ->
+  crown_gap eta h0 p0 = 0 -> haunch_gap delta beta eta h0 p0 = 0 -> shoulder_gap delta alpha eta h0 p0 = 0 ->
   0 <= crown_gap eta h p -> 0 <= haunch_gap delta' beta eta h p ->
   shoulder_gap delta' alpha eta h p < 0.
 Proof.
-  intros Hb Hcos Hh EC EL EU HC HL. apply Rnot_le_lt. intros HU.
-  assert (Hfac := centroid_factor_grows). assert (HPI := PI_RGT_0).
+  intros Hb Hcos Hh EC EL EU HC HL. apply Rnot_le_lt. intros HU. assert (Hfac := centroid_factor_grows).
+  assert (HPI := PI_RGT_0).
   assert (Harm := lever_positive_in_any_state delta alpha beta eta h0 p0 ltac:(lra) ltac:(lra) opening
                     thickness Hh EL EU).
   set (a := extrados eta - intrados eta * cos beta).
-  set (b := intrados eta * cos beta - extrados eta * cos alpha) in *.
-  assert (Ha : 0 < a).
+  set (b := intrados eta * cos beta - extrados eta * cos alpha) in *. assert (Ha : 0 < a).
   { unfold a, extrados, intrados. destruct (COS_bound beta).
     assert (-1 < cos beta) by (rewrite <- cos_PI; apply cos_decreasing_1; lra). nra. }
   (* the work of the mechanism of rotation is that of the heavier weight alone *)
-  assert (Hwork : b * crown_gap eta h p + (a + b) * haunch_gap delta' beta eta h p
-                  + a * shoulder_gap delta' alpha eta h p
-                  = b * crown_gap eta h0 p0 + (a + b) * haunch_gap delta beta eta h0 p0
-                    + a * shoulder_gap delta alpha eta h0 p0
-                    - (fac delta' eta - fac delta eta) * (1 - cos alpha) * (eta * cos beta)).
+  assert (Hwork : b * crown_gap eta h p + (a + b) * haunch_gap delta' beta eta h p + a * shoulder_gap delta' alpha eta
+    h p = b * crown_gap eta h0 p0 + (a + b) * haunch_gap delta beta eta h0 p0 + a * shoulder_gap delta alpha eta h0 p0
+    - (fac delta' eta - fac delta eta) * (1 - cos alpha) * (eta * cos beta)).
   { unfold a, b, crown_gap, haunch_gap, shoulder_gap, normal_force, extrados, intrados. field. }
-  rewrite EC, EL, EU in Hwork.
-  assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
+  rewrite EC, EL, EU in Hwork. assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
   assert (0 < (fac delta' eta - fac delta eta) * (1 - cos alpha) * (eta * cos beta))
     by (repeat apply Rmult_lt_0_compat; lra).
   assert (0 <= b * crown_gap eta h p) by (apply Rmult_le_pos; lra).
@@ -78,13 +69,11 @@ Lemma haunch_below_right_angle (beta h p : R) : 0 < beta < alpha -> 0 < h ->
 Proof.
   intros Hb Hh Hall EL. assert (HS : 0 < sin beta) by (apply sin_gt_0; lra).
   assert (Htouch := haunch_of_wide_arch delta alpha eta h p beta opening thickness Hall EL Hb).
-  assert (Hfac := centroids_positive delta eta ltac:(lra)).
-  assert (Hcot : 0 < beta * cot beta).
+  assert (Hfac := centroids_positive delta eta ltac:(lra)). assert (Hcot : 0 < beta * cot beta).
   { unfold intrados in Htouch. apply Rnot_le_lt. intros H.
     assert (0 <= (1 - eta / 2) * - (beta * cot beta)) by (apply Rmult_le_pos; lra).
     assert (0 <= (1 - eta / 2) * h) by (apply Rmult_le_pos; lra). lra. }
-  unfold cot in Hcot. apply Rnot_le_lt. intros H.
-  assert (0 <= beta * - (cos beta / sin beta)).
+  unfold cot in Hcot. apply Rnot_le_lt. intros H. assert (0 <= beta * - (cos beta / sin beta)).
   { apply Rmult_le_pos; [lra|]. replace (- (cos beta / sin beta)) with (- cos beta / sin beta) by (field; lra).
     apply Rdiv_le_0_compat; lra. }
   lra.
@@ -94,40 +83,29 @@ Qed.
 Theorem heavier_is_thicker (mu : R) (m : mode) : 0 < mu ->
   m <> SRR -> m <> SS -> mode_moves delta alpha eta mu m -> ~ arch_stands delta' alpha eta mu.
 Proof.
-  intros Hmu N1 N2 (h0 & p0 & beta & sigma & Hstate & Hlimits) (h & p & Hall).
-  assert (flag : 0 <= delta <= 1) by lra.
-  assert (Hh0 := thrust_positive delta alpha eta mu h0 p0 opening Hmu Hstate).
-  assert (Hh := thrust_positive delta' alpha eta mu h p opening Hmu Hall).
+  intros Hmu N1 N2 (h0 & p0 & beta & sigma & Hstate & Hlimits) (h & p & Hall). assert (flag : 0 <= delta <= 1) by lra.
+  assert (Hh0 := thrust_positive Hstate opening Hmu). assert (Hh := thrust_positive Hall opening Hmu).
   assert (Hgaps : forall x, 0 <= x <= alpha ->
             0 <= shoulder_gap delta' x eta h p /\ 0 <= haunch_gap delta' x eta h p).
-  { intros x Hx. destruct (margins_not_negative delta' alpha eta mu h p Hall x Hx) as (A & B & _). lra. }
-  assert (HL0 : forall x, 0 <= x <= alpha -> 0 <= haunch_gap delta x eta h0 p0)
-    by (intros x Hx; now destruct (margins_not_negative delta alpha eta mu h0 p0 Hstate x Hx) as (_ & H & _)).
-  destruct (Hgaps alpha ltac:(lra)) as [HU _].
+  { intros x Hx. destruct (margins_not_negative Hall x Hx) as (A & B & _). lra. }
+  assert (HL0 := haunch_not_negative Hstate). destruct (Hgaps alpha ltac:(lra)) as [HU _].
   destruct (Compare_dec.le_lt_dec 2 (rank m)) as [R2 | R2].
   - destruct (Compare_dec.le_lt_dec 5 (rank m)) as [R5 | R5]; [now destruct m; simpl in R5; try lia|].
-    destruct (slip_of_mode _ _ _ _ _ _ _ _ _ R2 Hlimits) as [Hs EI].
-    destruct (haunch_of_mode _ _ _ _ _ _ _ _ _ R2 R5 Hlimits) as (Hb & EL & EU).
-    destruct (slides_at_steepest_joint delta alpha eta mu h0 p0 flag opening thickness Hmu Hstate sigma Hs EI
+    destruct (slip_of_mode R2 Hlimits) as [Hs EI]. destruct (haunch_of_mode R2 R5 Hlimits) as (Hb & EL & EU).
+    destruct (slides_at_steepest_joint Hstate flag opening thickness Hmu sigma Hs EI
                 (or_introl EU)) as (H1 & _ & Habove & Emu).
-    assert (Hb0 := beta_s_positive h0 ltac:(lra)).
-    assert (Hmore : h0 <= h).
-    { destruct (Hall (beta_s h0) ltac:(lra)) as [[HN _] Hf].
-      apply (thrust_at_least_h_is mu h0 h); easy || lra. }
+    assert (Hb0 := beta_s_positive h0 ltac:(lra)). assert (Hmore : h0 <= h).
+    { destruct (Hall (beta_s h0) ltac:(lra)) as [[HN _] Hf]. apply (thrust_at_least_h_is mu h0 h); easy || lra. }
     destruct (Hgaps beta ltac:(lra)) as [_ HL].
     assert (H := no_room_with_more_thrust beta h0 p0 h p Hb ltac:(lra) EL EU HL). lra.
-  - destruct m; simpl in R2; try lia; [|easy]. simpl in Hlimits.
-    destruct Hlimits as (Hb & EC & EL & EU).
-    assert (Hcos := haunch_below_right_angle beta h0 p0 Hb Hh0 HL0 EL).
-    destruct (Hgaps 0 ltac:(lra)) as [HC _]. destruct (Hgaps beta ltac:(lra)) as [_ HL].
-    assert (HC' : 0 <= crown_gap eta h p).
-    { unfold shoulder_gap, normal_force in HC. rewrite cos_0, sin_0 in HC. unfold crown_gap. lra. }
-    assert (H := no_room_under_rotation beta h0 p0 h p Hb Hcos ltac:(lra) EC EL EU HC' HL). lra.
+  - destruct m; simpl in R2; try lia; [|easy]. simpl in Hlimits. destruct Hlimits as (Hb & EC & EL & EU).
+    assert (Hcos := haunch_below_right_angle beta h0 p0 Hb Hh0 HL0 EL). destruct (Hgaps 0 ltac:(lra)) as [HC _].
+    destruct (Hgaps beta ltac:(lra)) as [_ HL]. rewrite gap_at_crown in HC.
+    assert (H := no_room_under_rotation beta h0 p0 h p Hb Hcos ltac:(lra) EC EL EU HC HL). lra.
 Qed.
 
 (** So one that stands is thicker, unless the shoulder slides under a crown that turns. *)
-Theorem heavier_is_thicker_unless_the_shoulder_slides (mu : R) : 0 < mu ->
-  arch_stands delta alpha eta mu ->
+Theorem heavier_is_thicker_unless_the_shoulder_slides (mu : R) : 0 < mu -> arch_stands delta alpha eta mu ->
   (forall eta', 0 < eta' < eta -> ~ arch_stands delta alpha eta' mu) ->
   mode_moves delta alpha eta mu SRR \/
   (forall eta', 0 < eta' <= eta -> ~ arch_stands delta' alpha eta' mu).
@@ -135,8 +113,8 @@ Proof.
   intros Hmu (h & p & Hstate) Hnone.
   destruct (a_hinge_at_the_least_thickness delta alpha eta mu h p ltac:(lra) opening thickness Hmu Hnone Hstate)
     as (m & N & Hm).
-  destruct (Classical_Prop.classic (m = SRR)) as [-> | N']; [now left | right].
-  intros eta' He' H. apply (heavier_is_thicker mu m Hmu N' N Hm).
+  destruct (Classical_Prop.classic (m = SRR)) as [-> | N']; [now left | right]. intros eta' He' H.
+  apply (heavier_is_thicker mu m Hmu N' N Hm).
   apply (narrower_rougher_thicker_stands delta' alpha alpha eta' eta mu mu); easy || lra.
 Qed.
 
@@ -154,13 +132,11 @@ Proof.
   assert (HL0 : forall x, 0 <= x <= alpha -> 0 <= haunch_gap delta x eta h0 p0).
   { intros x Hx. destruct (Hstate x Hx) as (_ & Hin & _). unfold haunch_gap. lra. }
   destruct (Hgaps alpha ltac:(lra)) as [HU _]. destruct Hcase as [[Hh0 Hb] | [Eh Eb]].
-  - assert (Hcos := haunch_below_right_angle beta h0 p0 Hb Hh0 HL0 EL).
-    destruct (Hgaps 0 ltac:(lra)) as [HC _]. destruct (Hgaps beta ltac:(lra)) as [_ HL].
-    assert (HC' : 0 <= crown_gap eta h p).
-    { unfold shoulder_gap, normal_force in HC. rewrite cos_0, sin_0 in HC. unfold crown_gap. lra. }
-    assert (H := no_room_under_rotation beta h0 p0 h p Hb Hcos ltac:(lra) EC EL EU HC' HL). lra.
+  - assert (Hcos := haunch_below_right_angle beta h0 p0 Hb Hh0 HL0 EL). destruct (Hgaps 0 ltac:(lra)) as [HC _].
+    destruct (Hgaps beta ltac:(lra)) as [_ HL]. rewrite gap_at_crown in HC.
+    assert (H := no_room_under_rotation beta h0 p0 h p Hb Hcos ltac:(lra) EC EL EU HC HL). lra.
   - assert (Hh : 0 <= h).
-    { destruct (Hall 0 ltac:(lra)) as (HN & _). unfold normal_force in HN. rewrite cos_0, sin_0 in HN. lra. }
+    { destruct (Hall 0 ltac:(lra)) as (HN & _). rewrite normal_force_at_crown in HN. lra. }
     destruct (Hgaps 0 ltac:(lra)) as [_ HL]. subst h0 beta.
     assert (H := no_room_with_more_thrust 0 0 p0 h p ltac:(lra) ltac:(lra) EL EU HL). lra.
 Qed.
@@ -174,17 +150,13 @@ Theorem heavier_is_thinner_where_shoulders_slide (delta delta' alpha eta eta' mu
 Proof.
   intros Hd Hd' Ha He He' Hmu (h & p & beta & sigma & S & Hb & EC & EL & EO)
     (h' & p' & beta' & sigma' & S' & Hb' & EC' & EL' & EO').
-  assert (Hh := thrust_positive delta alpha eta mu h p Ha Hmu S).
-  assert (Hh' := thrust_positive delta' alpha eta' mu h' p' Ha Hmu S').
-  assert (HN := compressed delta alpha eta mu h p ltac:(lra) Ha He Hmu S).
-  assert (HN' := compressed delta' alpha eta' mu h' p' ltac:(lra) Ha He' Hmu S').
+  assert (Hh := thrust_positive S Ha Hmu). assert (Hh' := thrust_positive S' Ha Hmu).
+  assert (HN := compressed S ltac:(lra) Ha He Hmu). assert (HN' := compressed S' ltac:(lra) Ha He' Hmu).
   (* friction gives one thrust *)
   assert (E : h' = h).
-  { destruct (slip_rows_are_scaled alpha mu h h' (HN alpha ltac:(lra))) as [_ Hout].
-    assert (Hsame := Hout EO). rewrite EO', Rmult_0_r in Hsame.
-    apply (Rmult_eq_reg_l alpha); lra. }
-  subst h'. apply Rnot_le_lt. intros Hthick.
-  assert (HU := margins_not_negative delta alpha eta mu h p S).
+  { destruct (slip_rows_are_scaled alpha mu h h' (HN alpha ltac:(lra))) as [_ Hout]. assert (Hsame := Hout EO).
+    rewrite EO', Rmult_0_r in Hsame. apply (Rmult_eq_reg_l alpha); lra. }
+  subst h'. apply Rnot_le_lt. intros Hthick. assert (HU := margins_not_negative S).
   destruct (HU 0 ltac:(lra)) as (C & _). destruct (HU beta' ltac:(lra)) as (_ & L & _).
   assert (Hfac : fac delta eta < fac delta' eta').
   { unfold fac. assert (0 < (delta' - delta) * eta' ^ 2) by (apply Rmult_lt_0_compat; nra).
@@ -194,6 +166,6 @@ Proof.
   assert (HNb := HN' beta' ltac:(lra)).
   assert (0 <= (eta' - eta) * normal_force beta' h) by (apply Rmult_le_pos; lra).
   assert (0 <= (eta' - eta) * h) by (apply Rmult_le_pos; lra).
-  unfold shoulder_gap, haunch_gap, crown_gap, extrados, intrados in *.
-  unfold normal_force at 1 in C. rewrite cos_0, sin_0 in C. lra.
+  unfold shoulder_gap, haunch_gap, crown_gap, extrados, intrados in *. unfold normal_force at 1 in C.
+  rewrite cos_0, sin_0 in C. lra.
 Qed.

@@ -28,20 +28,10 @@ Definition room (x : R) : R := p + fac delta eta * (1 - cos x) - intrados eta * 
 
 Lemma inside_if_room : (forall x, 0 <= x <= alpha -> 0 <= room x) -> thrust_inside delta alpha eta h p.
 Proof.
-  unfold room, at_crown, at_shoulder in *. intros Hroom x Hx. specialize (Hroom x Hx).
-  split; [|split].
+  unfold room, at_crown, at_shoulder in *. intros Hroom x Hx. specialize (Hroom x Hx). split; [|split].
   - apply Rlt_le, (normal_force_positive alpha); lra.
   - lra.
   - apply (extrados_safe delta alpha); try lra. unfold extrados; lra.
-Qed.
-
-Lemma room_change (x y : R) : 0 <= x -> x < y -> y < PI ->
-  exists c, x < c < y /\
-    room y - room x = - (sin c * direction (intrados eta) (fac delta eta) h c * (y - x)).
-Proof.
-  intros Hx Hxy Hy. destruct (margin_increment (intrados eta) (fac delta eta) h x y Hx Hxy Hy)
-    as (c & Hc & E).
-  exists c. split; [easy|]. rewrite <- E. unfold room, margin. ring.
 Qed.
 
 (** Least at the crown, from which it grows. *)
@@ -49,13 +39,8 @@ Theorem inside_nearest_at_crown : 0 <= room 0 -> intrados eta * (2 - h) <= fac d
   thrust_inside delta alpha eta h p.
 Proof.
   intros Hroom Haway. apply inside_if_room. intros x Hx.
-  destruct (Req_dec x 0) as [-> | Hne]; [easy|].
-  destruct (room_change 0 x) as (c & Hin & E); try lra.
-  assert (Hi : 0 <= intrados eta) by (unfold intrados; lra).
-  assert (0 < sin c) by (apply sin_gt_0; lra).
-  assert (Hk := times_cotangent_below_one c ltac:(lra)).
-  assert (direction (intrados eta) (fac delta eta) h c <= 0) by (unfold direction; nra).
-  assert (sin c * direction (intrados eta) (fac delta eta) h c <= 0) by nra. nra.
+  assert (H := margin_falls_from_crown (intrados eta) (fac delta eta) h ltac:(unfold intrados; lra) x ltac:(lra) ltac:(lra)).
+  unfold room, margin in *. lra.
 Qed.
 
 (** Least at a joint between, where it is stationary. *)
@@ -67,22 +52,16 @@ Proof.
 Qed.
 
 (** Least at the shoulder, as far as which it falls. *)
-Theorem inside_nearest_at_shoulder :
-  0 <= room alpha ->
+Theorem inside_nearest_at_shoulder : 0 <= room alpha ->
   fac delta eta * sin alpha <= intrados eta * ((1 - h) * sin alpha + alpha * cos alpha) ->
   thrust_inside delta alpha eta h p.
 Proof.
-  intros Hroom Hnearer. apply inside_if_room. intros x Hx.
-  destruct (Req_dec x alpha) as [-> | Hne]; [easy|].
-  destruct (room_change x alpha) as (c & Hin & E); try lra.
-  assert (Hi : 0 <= intrados eta) by (unfold intrados; lra).
+  intros Hroom Hnearer. apply inside_if_room. intros x Hx. destruct (Req_dec x alpha) as [-> | Hne]; [easy|].
   assert (HS : 0 < sin alpha) by (apply sin_gt_0; lra).
-  assert (Hc : 0 < sin c) by (apply sin_gt_0; lra).
-  assert (at_shoulder : 0 <= direction (intrados eta) (fac delta eta) h alpha).
-  { unfold direction, cot. apply (Rmult_le_reg_r (sin alpha)); [easy|]. field_simplify; lra. }
-  assert (Hk := times_cotangent_falls c alpha ltac:(lra) ltac:(lra) ltac:(lra)).
-  assert (0 <= direction (intrados eta) (fac delta eta) h c) by (unfold direction in *; nra).
-  assert (0 <= sin c * direction (intrados eta) (fac delta eta) h c) by nra. nra.
+  assert (H : margin (intrados eta) (fac delta eta) h x <= margin (intrados eta) (fac delta eta) h alpha).
+  { apply margin_rises; try (unfold intrados; lra). unfold direction, cot.
+    apply (Rmult_le_reg_r (sin alpha)); [easy|]. field_simplify; lra. }
+  unfold room, margin in *. lra.
 Qed.
 
 End Inside.
@@ -99,34 +78,16 @@ Proof.
   - apply Rlt_le, (steepness_falls_after_beta_s h alpha); lra.
 Qed.
 
-Lemma friction_from_steepness (h mu x : R) : 0 < normal_force x h ->
-  steepness x h <= mu -> - mu <= steepness x h -> friction_holds x mu h.
-Proof.
-  intros HN Hin Hout. unfold friction_holds, steepness in *.
-  assert (E : shear_force x h = shear_force x h / normal_force x h * normal_force x h) by (field; lra).
-  rewrite E. apply Rabs_le. nra.
-Qed.
-
 (** Outwards no joint asks for more than the shoulder, and inwards none for more than a bound. *)
 Lemma friction_within (h alpha mu : R) : 0 < h < 1 -> 0 < alpha < PI -> 0 < normal_force alpha h ->
   mu_ss alpha h <= mu -> (forall x, 0 <= x <= alpha -> steepness x h <= mu) ->
   forall x, 0 <= x <= alpha -> friction_holds x mu h.
 Proof.
-  intros Hh Ha HN Hout Hin x Hx.
-  assert (HNx : 0 < normal_force x h) by (apply (normal_force_positive alpha); lra).
-  apply friction_from_steepness; [easy | now apply Hin |].
-  assert (shoulder : - mu <= steepness alpha h).
-  { replace (steepness alpha h) with (- mu_ss alpha h); [lra|].
-    unfold mu_ss, steepness, shear_force, normal_force in *. field. lra. }
-  assert (crown : steepness 0 h = 0).
-  { unfold steepness, shear_force. rewrite sin_0. unfold Rdiv. ring. }
+  intros Hh Ha HN Hout Hin x Hx. assert (HNx : 0 < normal_force x h) by (apply (normal_force_positive alpha); lra).
+  assert (crown : steepness 0 h = 0) by (unfold steepness, shear_force; rewrite sin_0; unfold Rdiv; ring).
   assert (0 <= mu) by (rewrite <- crown; apply Hin; lra).
-  destruct (Rle_lt_dec x (beta_s h)) as [Hs | Hs].
-  - destruct (Req_dec x 0) as [-> | Hne]; [lra|].
-    assert (Hgrows := steepness_grows_before_beta_s h 0 x ltac:(lra) ltac:(lra) ltac:(lra) Hs). lra.
-  - destruct (Req_dec x alpha) as [-> | Hne]; [easy|].
-    assert (Hfalls := steepness_falls_after_beta_s h alpha x alpha ltac:(lra) ltac:(lra) HN ltac:(lra)
-                   ltac:(lra) ltac:(lra)). lra.
+  assert (outwards := proj2 (no_outward_sliding h alpha mu Hh ltac:(lra) HN ltac:(lra)) Hout x Hx).
+  specialize (Hin x Hx). apply steepness_at_most in Hin; [|easy]. apply Rabs_le. lra.
 Qed.
 
 Theorem friction_by_steepest (h alpha mu : R) :
@@ -138,9 +99,8 @@ Proof.
 Qed.
 
 (** An arch that ends before the steepest joint asks for most at the shoulder. *)
-Theorem friction_of_short_arch (h alpha mu : R) :
-  0 < h < 1 -> 0 < alpha < PI -> 0 < normal_force alpha h -> alpha <= beta_s h ->
-  mu_ss alpha h <= mu -> - mu <= mu_ss alpha h ->
+Theorem friction_of_short_arch (h alpha mu : R) : 0 < h < 1 -> 0 < alpha < PI -> 0 < normal_force alpha h ->
+  alpha <= beta_s h -> mu_ss alpha h <= mu -> - mu <= mu_ss alpha h ->
   forall x, 0 <= x <= alpha -> friction_holds x mu h.
 Proof.
   intros Hh Ha HN Hs Hout Hin. apply friction_within; try easy. intros x Hx.
@@ -157,36 +117,29 @@ Definition share (alpha h : R) : R := normal_force alpha h / (1 - cos alpha).
 
 Lemma share_is (alpha h : R) : 0 < alpha < PI -> share alpha h = h * (cos alpha / (1 - cos alpha)) + A alpha.
 Proof.
-  intros Ha. assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
-  unfold share, normal_force, A. field. lra.
+  intros Ha. assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra). unfold share, normal_force, A. field.
+  lra.
 Qed.
 
 Lemma share_falls (a b h : R) : 0 < a -> a < b -> b < PI -> 0 <= h -> share b h < share a h.
 Proof.
-  intros Ha Hab Hb Hh. rewrite !share_is by lra.
-  assert (HA := A_strictly_decreasing a b Ha Hab ltac:(lra)).
+  intros Ha Hab Hb Hh. rewrite !share_is by lra. assert (HA := A_strictly_decreasing a b Ha Hab ltac:(lra)).
   assert (Hva : 0 < 1 - cos a) by (apply versine_positive; lra).
   assert (Hvb : 0 < 1 - cos b) by (apply versine_positive; lra).
-  assert (Hcos : cos b < cos a) by (apply cos_decreasing_1; lra).
-  assert (cos b / (1 - cos b) <= cos a / (1 - cos a)).
-  { apply (Rmult_le_reg_r ((1 - cos a) * (1 - cos b))); [now apply Rmult_lt_0_compat|].
-    field_simplify; lra. }
-  assert (h * (cos b / (1 - cos b)) <= h * (cos a / (1 - cos a))) by (now apply Rmult_le_compat_l).
-  lra.
+  assert (Hcos : cos b < cos a) by (apply cos_decreasing_1; lra). assert (cos b / (1 - cos b) <= cos a / (1 - cos a)).
+  { apply (Rmult_le_reg_r ((1 - cos a) * (1 - cos b))); [now apply Rmult_lt_0_compat|]. field_simplify; lra. }
+  assert (h * (cos b / (1 - cos b)) <= h * (cos a / (1 - cos a))) by (now apply Rmult_le_compat_l). lra.
 Qed.
 
 (** and is at the limit only beyond a semicircle. *)
 Lemma wide_at_limit (alpha h : R) : 0 < alpha < PI -> 0 <= h -> share alpha h <= 2 / 3 -> cos alpha < 0.
 Proof.
-  intros Ha Hh Hshare. apply Rnot_le_lt. intros Hcos.
-  assert (Hquarter : alpha <= PI / 2).
+  intros Ha Hh Hshare. apply Rnot_le_lt. intros Hcos. assert (Hquarter : alpha <= PI / 2).
   { apply Rnot_lt_le. intros H. assert (cos alpha < 0) by (apply cos_lt_0; lra). lra. }
-  rewrite share_is in Hshare by easy.
-  assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
+  rewrite share_is in Hshare by easy. assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
   assert (0 <= h * (cos alpha / (1 - cos alpha)))
     by (apply Rmult_le_pos; [easy|]; apply Rmult_le_pos; [easy | now apply Rlt_le, Rinv_0_lt_compat]).
-  assert (H2 : A (PI / 2) = PI / 2) by (unfold A; rewrite sin_PI2, cos_PI2; field).
-  assert (HPI := PI2_3_2).
+  assert (H2 : A (PI / 2) = PI / 2) by (unfold A; rewrite sin_PI2, cos_PI2; field). assert (HPI := PI2_3_2).
   destruct (Req_dec alpha (PI / 2)) as [-> | Hne]; [lra|].
   assert (HA := A_strictly_decreasing alpha (PI / 2) ltac:(lra) ltac:(lra) ltac:(lra)). lra.
 Qed.
@@ -196,8 +149,7 @@ Lemma no_thickness_below_limit (delta eta n : R) : delta = 0 \/ delta = 1 -> 0 <
   n < fac delta 2 / 2 -> extrados eta * n < fac delta eta.
 Proof.
   intros [-> | ->] He Hn; unfold fac, extrados in *.
-  - assert ((1 + eta / 2) * n < (1 + eta / 2) * ((1 + 0 * 2 ^ 2 / 12) / 2)) by (apply Rmult_lt_compat_l; lra).
-    lra.
+  - assert ((1 + eta / 2) * n < (1 + eta / 2) * ((1 + 0 * 2 ^ 2 / 12) / 2)) by (apply Rmult_lt_compat_l; lra). lra.
   - assert ((1 + eta / 2) * n < (1 + eta / 2) * ((1 + 1 * 2 ^ 2 / 12) / 2)) by (apply Rmult_lt_compat_l; lra).
     assert (0 <= (eta - 2) ^ 2) by apply pow2_ge_0. lra.
 Qed.
@@ -209,8 +161,7 @@ Lemma wider_does_not_stand (delta alpha0 alpha eta h0 h p : R) :
   2 * normal_force alpha0 h0 = fac delta 2 * (1 - cos alpha0) ->
   ~ thrust_inside delta alpha eta h p.
 Proof.
-  intros Hd Ha0 Ha Hopen He Hh Hlimit Hall.
-  assert (Hv0 : 0 < 1 - cos alpha0) by (apply versine_positive; lra).
+  intros Hd Ha0 Ha Hopen He Hh Hlimit Hall. assert (Hv0 : 0 < 1 - cos alpha0) by (apply versine_positive; lra).
   assert (Hv : 0 < 1 - cos alpha) by (apply versine_positive; lra).
   assert (Hshare : share alpha0 h0 = fac delta 2 / 2).
   { unfold share. apply (Rmult_eq_reg_r (2 * (1 - cos alpha0))); [|lra]. field_simplify; lra. }
@@ -218,16 +169,12 @@ Proof.
   { apply (wide_at_limit alpha0 h0); try lra. rewrite Hshare. destruct Hd as [-> | ->]; unfold fac; lra. }
   assert (Hcos : cos alpha < cos alpha0) by (apply cos_decreasing_1; lra).
   assert (Hless : share alpha h < fac delta 2 / 2).
-  { rewrite <- Hshare. apply Rle_lt_trans with (share alpha h0); [|apply share_falls; lra].
-    rewrite !share_is by lra.
-    assert (cos alpha / (1 - cos alpha) <= 0)
-      by (rewrite <- (Rmult_0_l (/ (1 - cos alpha)));
-          apply Rmult_le_compat_r; [now apply Rlt_le, Rinv_0_lt_compat | lra]).
-    nra. }
-  destruct (Hall 0 ltac:(lra)) as (_ & Hcrown & _).
-  destruct (Hall alpha ltac:(lra)) as (_ & _ & Hshoulder).
+  { rewrite <- Hshare. apply Rle_lt_trans with (share alpha h0); [|apply share_falls; lra]. rewrite !share_is by lra.
+    assert (cos alpha / (1 - cos alpha) <= 0) by (rewrite <- (Rmult_0_l (/ (1 - cos alpha))); apply Rmult_le_compat_r;
+      [now apply Rlt_le, Rinv_0_lt_compat | lra]). nra. }
+  destruct (Hall 0 ltac:(lra)) as (_ & Hcrown & _). destruct (Hall alpha ltac:(lra)) as (_ & _ & Hshoulder).
   assert (Hp : 0 <= p).
-  { unfold normal_force in Hcrown. rewrite cos_0, sin_0 in Hcrown.
+  { rewrite normal_force_at_crown, cos_0 in Hcrown.
     assert (0 <= intrados eta * h) by (apply Rmult_le_pos; unfold intrados; lra). lra. }
   assert (Hnone := no_thickness_below_limit delta eta (share alpha h) Hd He Hless).
   assert (E : share alpha h * (1 - cos alpha) = normal_force alpha h) by (unfold share; field; lra).
@@ -244,24 +191,17 @@ Theorem too_wide (delta alpha0 alpha mu h0 : R) :
   mu = mu_is h0 -> beta_s h0 <= alpha0 -> 2 * normal_force alpha0 h0 = fac delta 2 * (1 - cos alpha0) ->
   forall eta, 0 < eta <= 2 -> ~ arch_stands delta alpha eta mu.
 Proof.
-  intros Hd Ha0 Ha Hopen Hh0 Hmu Hs Hlimit eta He (h & p & Hall).
-  assert (joint := beta_s_positive h0 Hh0).
-  destruct (Hall (beta_s h0) ltac:(lra)) as [(HN & _) Hfriction].
-  destruct (Hall 0 ltac:(lra)) as [(HN0 & _) _].
-  unfold normal_force in HN0. rewrite cos_0, sin_0 in HN0.
-  assert (h0 <= h) by (apply (thrust_at_least_h_is mu); try easy; lra).
-  apply (wider_does_not_stand delta alpha0 alpha eta h0 h p); try easy; try lra.
-  intros x Hx. now apply Hall.
+  intros Hd Ha0 Ha Hopen Hh0 Hmu Hs Hlimit eta He (h & p & Hall). assert (joint := beta_s_positive h0 Hh0).
+  destruct (Hall (beta_s h0) ltac:(lra)) as [(HN & _) Hfriction]. destruct (Hall 0 ltac:(lra)) as [(HN0 & _) _].
+  rewrite normal_force_at_crown in HN0. assert (h0 <= h) by (apply (thrust_at_least_h_is mu); try easy; lra).
+  apply (wider_does_not_stand delta alpha0 alpha eta h0 h p); try easy; try lra. intros x Hx. now apply Hall.
 Qed.
 
 (** and no friction for none. *)
-Theorem too_wide_without_limit (delta alpha0 alpha : R) :
-  delta = 0 \/ delta = 1 -> 0 < alpha0 -> alpha0 < alpha -> alpha < PI ->
-  2 * normal_force alpha0 0 = fac delta 2 * (1 - cos alpha0) ->
+Theorem too_wide_without_limit (delta alpha0 alpha : R) : delta = 0 \/ delta = 1 -> 0 < alpha0 -> alpha0 < alpha ->
+  alpha < PI -> 2 * normal_force alpha0 0 = fac delta 2 * (1 - cos alpha0) ->
   forall eta h p, 0 < eta <= 2 -> ~ thrust_inside delta alpha eta h p.
 Proof.
-  intros Hd Ha0 Ha Hopen Hlimit eta h p He Hall.
-  destruct (Hall 0 ltac:(lra)) as (HN0 & _).
-  unfold normal_force in HN0. rewrite cos_0, sin_0 in HN0.
-  now apply (wider_does_not_stand delta alpha0 alpha eta 0 h p); try lra.
+  intros Hd Ha0 Ha Hopen Hlimit eta h p He Hall. destruct (Hall 0 ltac:(lra)) as (HN0 & _).
+  rewrite normal_force_at_crown in HN0. now apply (wider_does_not_stand delta alpha0 alpha eta 0 h p); try lra.
 Qed.

@@ -93,11 +93,9 @@ Proof. derive. Qed.
 Lemma intrados_has_slope delta eta h p v x :
   is_derive (from_intrados delta eta h p v) x (intrados_slope delta eta h v x).
 Proof. derive. Qed.
-Lemma inwards_has_slope mu h v x :
-  is_derive (against_inwards mu h v) x (inwards_slope mu h v x).
+Lemma inwards_has_slope mu h v x : is_derive (against_inwards mu h v) x (inwards_slope mu h v x).
 Proof. derive. Qed.
-Lemma outwards_has_slope mu h v x :
-  is_derive (against_outwards mu h v) x (outwards_slope mu h v x).
+Lemma outwards_has_slope mu h v x : is_derive (against_outwards mu h v) x (outwards_slope mu h v x).
 Proof. derive. Qed.
 
 (** ** Next to a joint where a margin is zero *)
@@ -109,8 +107,7 @@ Proof.
   intros Hf Hb Hfall x Hx. destruct (Req_dec x b) as [-> | Hne]; [lra |].
   destruct (MVT_cor2 f f' x b ltac:(lra)) as (c & Hc & Hin).
   { intros c _. apply is_derive_Reals, Hf. }
-  assert (f' c <= 0) by (apply Hfall; lra).
-  assert (f' c * (b - x) <= 0) by nra. lra.
+  assert (f' c <= 0) by (apply Hfall; lra). assert (f' c * (b - x) <= 0) by nra. lra.
 Qed.
 
 (** It rises from zero. *)
@@ -120,8 +117,7 @@ Proof.
   intros Hf Ha Hrise x Hx. destruct (Req_dec x a) as [-> | Hne]; [lra |].
   destruct (MVT_cor2 f f' a x ltac:(lra)) as (c & Hc & Hin).
   { intros c _. apply is_derive_Reals, Hf. }
-  assert (0 <= f' c) by (apply Hrise; lra).
-  assert (0 <= f' c * (x - a)) by nra. lra.
+  assert (0 <= f' c) by (apply Hrise; lra). assert (0 <= f' c * (x - a)) by nra. lra.
 Qed.
 
 (** It touches zero, where it bends away. *)
@@ -130,14 +126,13 @@ Lemma touching (f f' f'' : R -> R) a b c : (forall x, is_derive f x (f' x)) ->
   (forall x, a <= x <= b -> 0 <= f'' x) -> a <= c <= b -> forall x, a <= x <= b -> 0 <= f x.
 Proof.
   intros Hf Hf' H0 H1 Hbend Hc x Hx. destruct (Rle_dec x c) as [Hxc | Hxc].
-  - apply (falling f f' a c Hf H0); [| lra]. intros y Hy.
-    assert (H : 0 <= - f' y).
+  - apply (falling f f' a c Hf H0); [| lra]. intros y Hy. assert (H : 0 <= - f' y).
     { apply (falling (fun t => - f' t) (fun t => - f'' t) a c); [| lra | | exact Hy].
       - intros t. evar_last; [apply @is_derive_opp, Hf' | reflexivity].
       - intros t Ht. specialize (Hbend t ltac:(lra)). lra. }
     lra.
-  - apply (rising f f' c b Hf H0); [| lra]. intros y Hy.
-    apply (rising f' f'' c b Hf' H1); [| exact Hy]. intros t Ht. apply Hbend. lra.
+  - apply (rising f f' c b Hf H0); [| lra]. intros y Hy. apply (rising f' f'' c b Hf' H1); [| exact Hy]. intros t Ht.
+    apply Hbend. lra.
 Qed.
 
 (** ** The rates *)
@@ -154,8 +149,8 @@ Definition inner_slip (alpha eta b0 b1 b2 : R) : R :=
 Theorem rates_fit alpha eta b0 b1 b2 : determinant alpha b2 <> 0 ->
   fits alpha eta b0 b1 b2 (shoulder_slip alpha eta b0 b1 b2) (inner_slip alpha eta b0 b1 b2).
 Proof.
-  intros Hd. unfold fits, plus, scaled, slips_outwards, turns_above, turns_below, shoulder_slip,
-    inner_slip, across, upwards.
+  intros Hd.
+  unfold fits, plus, scaled, slips_outwards, turns_above, turns_below, shoulder_slip, inner_slip, across, upwards.
   rewrite !sin_neg, !cos_neg. unfold determinant in *.
   repeat (apply f_equal2; [| try (field; exact Hd)]); try (field; exact Hd); try ring.
 Qed.
@@ -186,7 +181,6 @@ Theorem slip_alone_fits alpha eta b0 b1 : sin alpha <> 0 ->
   fits_at_shoulder alpha eta b0 b1 (across eta b0 b1 / sin alpha) 0.
 Proof.
   intros Hs Hfit. unfold fits_at_shoulder, plus, scaled, slips_outwards, turns_above, turns_below, across.
-  rewrite !sin_neg, !cos_neg.
-  apply f_equal2; [apply f_equal2 |]; [field; easy | | ring].
+  rewrite !sin_neg, !cos_neg. apply f_equal2; [apply f_equal2 |]; [field; easy | | ring].
   apply (Rmult_eq_reg_r (sin alpha)); [| easy]. field_simplify; [| easy]. lra.
 Qed.

@@ -25,25 +25,22 @@ Lemma derivative delta beta : is_derive (radicand_at delta) beta (slope_at delta
 Proof. unfold radicand_at, radicand, f_of, g_of, slope_at. cbv zeta. auto_derive; [exact I | unfold f_of, g_of; ring]. Qed.
 
 (** One root where it rises, none before and behind. *)
-Theorem one_joint delta slope first rise top last a b :
-  first <= rise -> rise <= a -> a < b -> b <= top -> top <= last ->
-  (forall x, first <= x <= rise -> radicand_at delta x < 0) ->
-  (forall x, is_derive (radicand_at delta) x (slope x)) ->
-  (forall x, rise <= x <= top -> 0 < slope x) ->
-  (forall x, top <= x <= last -> 0 < radicand_at delta x) ->
-  radicand_at delta a < 0 -> 0 < radicand_at delta b ->
+Theorem one_joint delta slope first rise top last a b : first <= rise -> rise <= a -> a < b -> b <= top ->
+  top <= last -> (forall x, first <= x <= rise -> radicand_at delta x < 0) ->
+  (forall x, is_derive (radicand_at delta) x (slope x)) -> (forall x, rise <= x <= top -> 0 < slope x) ->
+  (forall x, top <= x <= last -> 0 < radicand_at delta x) -> radicand_at delta a < 0 -> 0 < radicand_at delta b ->
   exists beta, a < beta < b /\ radicand_at delta beta = 0 /\
     (forall other, first <= other <= last -> radicand_at delta other = 0 -> other = beta).
 Proof.
   intros H1 H2 H3 H4 H5 before Hslope rising behind Ha Hb.
   destruct (Ranalysis5.IVT_interv (radicand_at delta) a b) as [beta [Hbeta Hroot]]; try lra.
   { intros x Hx. apply continuity_pt_filterlim, (ex_derive_continuous (radicand_at delta)). now exists (slope x). }
-  assert (beta <> a /\ beta <> b) by (split; intros ->; lra).
-  exists beta. split; [lra | split; [exact Hroot |]]. intros other Hother Hzero.
-  destruct (Rlt_or_le other rise) as [Hr | Hr]; [specialize (before other); lra |].
+  assert (beta <> a /\ beta <> b) by (split; intros ->; lra). exists beta. split; [lra | split; [exact Hroot |]].
+  intros other Hother Hzero. destruct (Rlt_or_le other rise) as [Hr | Hr]; [specialize (before other); lra |].
   destruct (Rlt_or_le top other) as [Ht | Ht]; [specialize (behind other); lra |].
   assert (grows := incr_function_le (radicand_at delta) rise top slope (fun x _ _ => Hslope x)
-    (fun x Hx Hx' => rising x (conj Hx Hx'))). cbn in grows.
+    (fun x Hx Hx' => rising x (conj Hx Hx'))).
+  cbn in grows.
   destruct (Rtotal_order other beta) as [Hless | [Hsame | Hmore]]; [apply grows in Hless; lra | exact Hsame | apply grows in Hmore; lra].
 Qed.
 
@@ -74,23 +71,18 @@ Theorem widest_joint_milankovitch : exists beta,
      radicand 1 (f_of other) (g_of other) (sin other) = 0 -> other = beta).
 Proof. widest_joint 1 1.11986423144375175967721163294824 1.11986423144375175967721163295024. Qed.
 
-(** They are the joints of the landmark. *)
+(** They are the joints of the landmark, by its printed hundredths. *)
+Ltac that_of_landmark one hundredths :=
+  intros here Hbeta Hzero; destruct one as [joint [_ [_ unique]]];
+  transitivity joint; [now apply unique | symmetry]; apply unique;
+  [ assert (near := right_there _ _ _ _ here (Plain BetaR) hundredths 2 eq_refl);
+    apply Rabs_le_between' in near; cbn in near; lra
+  | now destruct here as (_ & _ & _ & _ & _ & _ & (_ & zero) & _) ].
+
 Theorem joint_of_sb_heyman x beta : is_landmark LandmarkWidestJointHeyman.this WidestJoint Heyman x ->
   0.25 <= beta <= 2.4 -> radicand 0 (f_of beta) (g_of beta) (sin beta) = 0 -> beta = x BetaR.
-Proof.
-  intros here Hbeta Hzero. destruct widest_joint_heyman as [joint [_ [_ unique]]].
-  transitivity joint; [now apply unique | symmetry]. apply unique.
-  - assert (near : Rabs (x BetaR - 1.13) <= 5e-3) by (exact (right_there _ _ _ _ here (Plain BetaR) 113 2 eq_refl)).
-    apply Rabs_le_between' in near. lra.
-  - now destruct here as (_ & _ & _ & _ & _ & _ & (_ & zero) & _).
-Qed.
+Proof. that_of_landmark widest_joint_heyman 113%Z. Qed.
 
 Theorem joint_of_sb_milankovitch x beta : is_landmark LandmarkWidestJointMilankovitch.this WidestJoint Milankovitch x ->
   0.25 <= beta <= 2.4 -> radicand 1 (f_of beta) (g_of beta) (sin beta) = 0 -> beta = x BetaR.
-Proof.
-  intros here Hbeta Hzero. destruct widest_joint_milankovitch as [joint [_ [_ unique]]].
-  transitivity joint; [now apply unique | symmetry]. apply unique.
-  - assert (near : Rabs (x BetaR - 1.12) <= 5e-3) by (exact (right_there _ _ _ _ here (Plain BetaR) 112 2 eq_refl)).
-    apply Rabs_le_between' in near. lra.
-  - now destruct here as (_ & _ & _ & _ & _ & _ & (_ & zero) & _).
-Qed.
+Proof. that_of_landmark widest_joint_milankovitch 112%Z. Qed.

@@ -1,11 +1,10 @@
 //! The four ways in which a joint can be at its limit, as conditions on the thrust `h` and the crown moment `p`, and
 //! which joints of an arch can be there.
 
-use super::frictions::SLOPES_OF_FRICTION;
-use super::letters::{ring, term, with};
-use super::{Checked, Derivation, claims, lemmas};
+use super::letters::ring;
+use super::{Checked, Derivation, claims};
 use crate::arch::mechanism::{Contact, Twist};
-use crate::arch::{statics, thrust};
+use crate::arch::statics;
 use crate::number::{Angle, Field};
 use crate::symbolic::{Fraction, Letters, Symbol, along_the_joint};
 
@@ -74,51 +73,22 @@ fn distances_rise_and_fall(d: &mut Derivation) -> Checked {
     )
 }
 
-/// `U`, `L` at a joint, whose difference is known and whose directions change once.
+/// The limits of a state, by the theorem; without a limit of friction there is one that is more than enough.
 fn contacts(d: &mut Derivation) -> Checked {
     d.assume("0 < alpha < pi, 0 < eta <= 2; 0 < mu < inf, or h > 0 and mu = inf");
-    lemmas(d, [&DISTANCES_RISE_AND_FALL, &SLOPES_OF_FRICTION])?;
-    let (joint, alpha) = (Symbol::joint(), Symbol::half_opening());
-    let (ring, h, mu) = (ring(), Symbol::Thrust.number(), Symbol::Friction.number());
-    let two = h.int(2);
-    let [upper, lower, inwards, _] = Contact::ALL.map(|contact| margin_at(contact, &joint));
-    let rise = h.int(1) - &h + joint.times_cotangent();
-    let slope = (ring.centroid_factor.clone() - ring.intrados() * rise / &two) * &joint.sin;
-    let words = "dL/d beta, L = p + fac (1 - cos(beta)) - (1 - eta/2) N; the bracket grows or, at eta = 2, is fac";
-    d.on_circle(words, lower.derivative(&along_the_joint()), &slope)?;
+    d.theorem(
+        "Modes.limits_of_a_state",
+        "in an admissible state the extrados is reached at crown and shoulder only, the intrados at one joint only, \
+         friction inwards at one joint only, above a shoulder at its limit, and outwards at the shoulder only",
+    )?;
+    let (joint, ring, h) = (Symbol::joint(), ring(), Symbol::Thrust.number());
     let normal = statics::normal_force(&joint, &h);
-    d.identity("U + L", upper.clone() + &lower, normal.clone() * &ring.thickness)?;
-    let near = (mu * &joint.sin - &joint.cos) * &joint.rad;
-    let words = "mu N - T without thrust: negative next to the crown, so that h > 0 if mu < inf";
-    d.identity(words, with(&inwards, &[Symbol::Thrust], &h.int(0)), &near)?;
+    let upper = margin_at(Contact::Extrados, &joint);
     let moment = Symbol::CrownMoment.number() + joint.versine() * &ring.centroid_factor;
     let words = "U where N = 0: negative, as p >= (1 - eta/2) h, so that N > 0";
-    d.identity(words, upper - ring.extrados() * normal / &two, -moment)?;
+    d.identity(words, upper - ring.extrados() * normal / h.int(2), -moment)?;
     d.conclude(
-        "With h > 0 and N > 0: U first grows and then falls, strictly, and L first falls and then grows. \
-         Not negative at either end, U is positive between; L is zero at one joint at most. T/N \
-         starts from 0 at the crown, grows up to beta_s and falls beyond: it is mu at one joint at most, at \
-         beta_s or, in an arch that ends before, at the shoulder; it is -mu at the shoulder only, and then \
-         beta_s < alpha. If h >= 1, there is no beta_s: T/N falls from 0, and no joint slides inwards.",
-    )?;
-    let crown = Angle::zero(&h);
-    let distances = margin_at(Contact::Extrados, &crown) - margin_at(Contact::Extrados, &alpha);
-    let opening = thrust::opening_variable(&alpha);
-    let expected = ring.extrados() * (h.clone() * &opening.denominator - opening.numerator) / &two
-        + alpha.versine() * &ring.centroid_factor;
-    d.identity("U at the crown less U at the shoulder", &distances, &expected)?;
-    let rest = (h.int(6) - Symbol::Flag.number() * &ring.thickness) * &ring.thickness / h.int(12);
-    let words = "1 + eta/2 - fac: positive, so that h >= A - 1 if the shoulder is on the extrados";
-    d.identity(words, ring.extrados() / &two - &ring.centroid_factor, &rest)?;
-    let sine = term(1, 1, 1) - term(1, 6, 3);
-    let versine = term(1, 2, 2) - term(1, 24, 4) + term(1, 720, 6);
-    d.identity(
-        "alpha sin - (2 - alpha²)(1 - cos) is at least this, positive for 0 < alpha <= 1/2",
-        term(1, 1, 1) * sine - (term(2, 1, 0) - term(1, 1, 2)) * versine,
-        term(5, 12, 4) - term(2, 45, 6) + term(1, 720, 8),
-    )?;
-    d.conclude(
-        "So for h < 1 a shoulder on the extrados has 1 - h <= 2 - A < alpha² if alpha <= 1/2, and beta_s < alpha; \
-         for alpha > 1/2 that is so anyway, as beta_s <= 1/2.",
+        "As h > 0 and N > 0 at every joint, some finite friction is more than enough where there is no limit: the line of \
+         thrust is the same.",
     )
 }

@@ -11,12 +11,11 @@ use super::frictions::{
     FRICTION_FOR_ROTATION_GROWS, ROTATION_MEETS_SLIDING, SLIDING_STATES_IN_ORDER,
     SLOPES_OF_FRICTION,
 };
-use super::letters::{ring, variables, with};
-use super::modes::LEVER;
+use super::letters::{variables, with};
 use super::overturning::A_FIXES_ALPHA;
-use super::uniqueness::{MECHANISM_BOUNDS, ONE_HALF_OPENING, THICKER_HAS_ROOM};
+use super::uniqueness::{ONE_HALF_OPENING, THICKER_HAS_ROOM};
 use super::{Checked, Derivation, Support, claims, lemmas};
-use crate::arch::{Ring, SelfWeight, contact, overturning, sliding, statics, thrust};
+use crate::arch::{Ring, SelfWeight, contact, sliding, statics, thrust};
 use crate::number::{Angle, Ball, Enclosure, Field, Real};
 use crate::problem::Landmark;
 use crate::symbolic::{Fraction, Letters, Symbol};
@@ -58,37 +57,28 @@ fn no_shoulder_sliding_beyond_t(d: &mut Derivation) -> Checked {
     lemmas(d, [&STATES_IN_ORDER, &SLOPES_OF_FRICTION, &FRICTION_FOR_ROTATION_GROWS])?;
     lemmas(d, [&ROTATION_MEETS_SLIDING])?;
     shoulder_margin(d)?;
+    d.theorem(
+        "Map.sliding_shoulder_before_T",
+        "[s,r,r] is where the shoulder asks for no less friction along rotation than an inner joint",
+    )?;
     d.conclude(
-        "An admissible state [s,r,r] has (2) and (5), so it lies on the curve of rotation: its \
-         thickness and thrust are those of a rotational state of half opening alpha_0. The shoulder \
-         within the extrados means A(alpha) >= h + 2 fac/(2 + eta) = A(alpha_0), alpha <= alpha_0. So mu \
-         = mu_ss(alpha, h) <= M(alpha_0), as mu_ss grows with alpha. And mu >= m(alpha_0). So M >= m: \
-         alpha <= alpha_0 <= alpha_T, eta <= eta_T, and mu <= M(alpha_0) <= mu_T.",
+        "It has the thickness and thrust of a rotational state of half opening alpha_0 >= alpha, with M >= m: alpha <= \
+         alpha_0 <= alpha_T, eta <= eta_T, and mu <= M(alpha_0) <= mu_T.",
     )
 }
 
 fn inner_sliding_beyond_t(d: &mut Derivation) -> Checked {
     lemmas(d, [&STATES_IN_ORDER, &SLOPES_OF_FRICTION, &FRICTION_FOR_ROTATION_GROWS])?;
-    lemmas(d, [&ROTATION_MEETS_SLIDING, &LEVER, &MECHANISM_BOUNDS, &THICKER_HAS_ROOM])?;
+    lemmas(d, [&ROTATION_MEETS_SLIDING])?;
     shoulder_margin(d)?;
-    let (ring, eta, delta) = (ring(), Symbol::Thickness.number(), Symbol::Flag.number());
-    let rest = overturning::opening_variable(&ring).value();
-    let slope = rest.partial(Symbol::Thickness);
-    let fall = (eta.int(12) * (eta.int(1) - &delta)
-        + delta * ring.intrados() * (eta.int(6) + &eta))
-        / (eta.int(6) * ring.extrados().square());
-    d.identity("2 fac/(2 + eta) falls with eta", &slope, -fall)?;
-    d.conclude(
-        "Let a state have the shoulder on the extrados and alpha < alpha_l, and let eta_0 and h_0 be those of the \
-         rotational state of alpha. That has a mechanism, since its lever arm is positive, whatever the \
-         friction: no state of thickness eta_0 has room, and no thinner arch stands, so that eta >= eta_0. The crown \
-         within the extrados gives h >= A(alpha) - 2 fac/(2 + eta), which is at least h_0, its value at eta_0.",
+    d.theorem(
+        "Mechanisms.shoulder_hinge_keeps_rotation",
+        "with a hinge at the shoulder thickness and thrust are at least those of pure rotation",
     )?;
     d.conclude(
-        "If besides an inner joint slides, mu = mu_is(h) <= m(alpha), and the shoulder gives mu >= mu_ss(alpha, h) \
-         >= M(alpha). So M <= m: alpha >= alpha_T, eta >= eta_0 >= eta_T and mu >= M(alpha) >= mu_T. For alpha >= \
-         alpha_l the parts of the arch stand: eta >= eta_l; and mu >= mu_ss(alpha, 0) >= mu_ss(alpha_l, 0), the limit \
-         of M. This is so for [r,r,s], [r,s,r] and [r,s].",
+        "For alpha < alpha_l, mu = mu_is(h) <= m(alpha) and mu >= mu_ss(alpha, h) >= M(alpha): so M <= m, and alpha >= alpha_T, \
+         eta >= eta_T and mu >= M(alpha) >= mu_T. From alpha_l on the parts of the arch stand, so that eta >= eta_l, and mu >= \
+         mu_ss(alpha, 0) >= mu_ss(alpha_l, 0), the limit of M.",
     )
 }
 

@@ -128,11 +128,14 @@ fn thicker_has_room(d: &mut Derivation) -> Checked {
     let words =
         "and that, times 1 + eta/2, is 2 (p + U) of the shoulder at eta and a positive number";
     d.identity(words, margin * ring.extrados() / &two, held + gain * alpha.versine())?;
+    d.theorem(
+        "Mechanisms.thicker_arch_has_room",
+        "an admissible thrust leaves room at both faces in every thicker arch up to eta = 2",
+    )?;
     d.conclude(
-        "p is not negative, so that the room is positive at 2; concave and not negative at eta, it is positive \
-         between. So each lower bound of p, from the intrados of a joint, is below both upper bounds, from the \
-         extrados of crown and shoulder, and U, which is least at these two, is positive at every joint. Friction \
-         does not see the thickness.",
+        "So each lower bound of p, from the intrados of a joint, is below both upper bounds, from the extrados of crown \
+         and shoulder, and U, which is least at these two, is positive at every joint. Friction does not see the \
+         thickness.",
     )
 }
 

@@ -37,32 +37,23 @@ Proof. unfold value, opposite. simpl. rewrite opp_IZR. ring. Qed.
 
 Lemma FtoR_value (s : bool) (m : positive) (e : Z) :
   FtoR radix2 s m e = IZR (if s then Zneg m else Zpos m) * powerRZ 2 e.
-Proof.
-  rewrite FtoR_split. unfold F2R. simpl. rewrite bpow_powerRZ. now destruct s.
-Qed.
+Proof. rewrite FtoR_split. unfold F2R. simpl. rewrite bpow_powerRZ. now destruct s. Qed.
 
 Lemma toX_float (d : dyadic) : FloatZ.toX (float d) = Xreal (value d).
 Proof.
-  destruct d as [m e]. unfold FloatZ.toX, FloatZ.toF, float, value. simpl.
-  destruct m as [| p | p]; simpl.
+  destruct d as [m e]. unfold FloatZ.toX, FloatZ.toF, float, value. simpl. destruct m as [| p | p]; simpl.
   - f_equal. ring.
   - f_equal. exact (FtoR_value false p e).
   - f_equal. exact (FtoR_value true p e).
 Qed.
 
-Lemma has_between (a b : dyadic) (x : R) : value a <= x <= value b ->
-  has (I.bnd (float a) (float b)) x.
+Lemma has_between (a b : dyadic) (x : R) : value a <= x <= value b -> has (I.bnd (float a) (float b)) x.
 Proof.
-  intros Hx. unfold has. rewrite I.bnd_correct by reflexivity.
-  change I.F.toX with FloatZ.toX. now rewrite !toX_float.
+  intros Hx. unfold has. rewrite I.bnd_correct by reflexivity. change I.F.toX with FloatZ.toX. now rewrite !toX_float.
 Qed.
 
-Lemma between_has (a b : dyadic) (x : R) : has (I.bnd (float a) (float b)) x ->
-  value a <= x <= value b.
-Proof.
-  unfold has. rewrite I.bnd_correct by reflexivity.
-  change I.F.toX with FloatZ.toX. now rewrite !toX_float.
-Qed.
+Lemma between_has (a b : dyadic) (x : R) : has (I.bnd (float a) (float b)) x -> value a <= x <= value b.
+Proof. unfold has. rewrite I.bnd_correct by reflexivity. change I.F.toX with FloatZ.toX. now rewrite !toX_float. Qed.
 
 Lemma has_exact (d : dyadic) : has (exact d) (value d).
 Proof. apply has_between. lra. Qed.
@@ -71,9 +62,7 @@ Proof. apply has_between. lra. Qed.
 Definition symmetric (r : dyadic) : enclosure := I.bnd (float (opposite r)) (float r).
 
 Lemma has_symmetric (r : dyadic) (x : R) : Rabs x <= value r -> has (symmetric r) x.
-Proof.
-  intros Hx. apply has_between. rewrite value_opposite. now apply Rabs_le_inv.
-Qed.
+Proof. intros Hx. apply has_between. rewrite value_opposite. now apply Rabs_le_inv. Qed.
 
 (** A number at least as large as all of an enclosure, of either sign. *)
 Definition largest (X : enclosure) : option dyadic :=
@@ -83,13 +72,12 @@ Definition largest (X : enclosure) : option dyadic :=
   | Specific_ops.Fnan => None
   end.
 
-Lemma largest_bounds (X : enclosure) (d : dyadic) (x : R) :
-  largest X = Some d -> has X x -> Rabs x <= value d.
+Lemma largest_bounds (X : enclosure) (d : dyadic) (x : R) : largest X = Some d -> has X x -> Rabs x <= value d.
 Proof.
   unfold largest. destruct (I.upper (I.abs X)) as [| m e]; [easy |].
   destruct (I.subset X (symmetric _)) eqn:Hsubset; [| easy]. intros [= <-] Hx.
-  assert (H := I.subset_correct _ _ _ Hx Hsubset). apply between_has in H.
-  rewrite value_opposite in H. now apply Rabs_le.
+  assert (H := I.subset_correct _ _ _ Hx Hsubset). apply between_has in H. rewrite value_opposite in H.
+  now apply Rabs_le.
 Qed.
 
 (** ** Operations *)
@@ -131,8 +119,8 @@ Proof. exact (I.sqrt_correct prec X (Xreal x)). Qed.
 
 Lemma has_div X Y x y : has X x -> has Y y -> has (I.div prec X Y) (x / y).
 Proof.
-  intros Hx Hy. assert (H := I.div_correct prec X Y (Xreal x) (Xreal y) Hx Hy).
-  simpl in H. unfold Xdiv' in H. destruct (Xreal.is_zero y); [now apply has_if_nan | exact H].
+  intros Hx Hy. assert (H := I.div_correct prec X Y (Xreal x) (Xreal y) Hx Hy). simpl in H. unfold Xdiv' in H.
+  destruct (Xreal.is_zero y); [now apply has_if_nan | exact H].
 Qed.
 
 (** All numbers within a radius of a centre. *)
@@ -153,8 +141,8 @@ Definition is_positive (X : enclosure) : bool :=
 
 Lemma is_positive_sound (X : enclosure) (x : R) : is_positive X = true -> has X x -> 0 < x.
 Proof.
-  unfold is_positive. assert (H := I.sign_strict_correct X).
-  destruct (I.sign_strict X); try easy. intros _ Hx. now apply (H (Xreal x)).
+  unfold is_positive. assert (H := I.sign_strict_correct X). destruct (I.sign_strict X); try easy. intros _ Hx.
+  now apply (H (Xreal x)).
 Qed.
 
 Definition is_not_zero (X : enclosure) : bool :=
@@ -163,8 +151,7 @@ Definition is_not_zero (X : enclosure) : bool :=
 Lemma is_not_zero_sound (X : enclosure) (x : R) : is_not_zero X = true -> has X x -> x <> 0.
 Proof.
   unfold is_not_zero. assert (H := I.sign_strict_correct X).
-  destruct (I.sign_strict X); try easy; intros _ Hx; destruct (H (Xreal x) Hx) as [_ Hs];
-    simpl in Hs; lra.
+  destruct (I.sign_strict X); try easy; intros _ Hx; destruct (H (Xreal x) Hx) as [_ Hs]; simpl in Hs; lra.
 Qed.
 
 Definition is_zero (X : enclosure) : bool :=
@@ -172,6 +159,6 @@ Definition is_zero (X : enclosure) : bool :=
 
 Lemma is_zero_sound (X : enclosure) (x : R) : is_zero X = true -> has X x -> x = 0.
 Proof.
-  unfold is_zero. assert (H := I.sign_strict_correct X).
-  destruct (I.sign_strict X); try easy. intros _ Hx. now injection (H (Xreal x) Hx).
+  unfold is_zero. assert (H := I.sign_strict_correct X). destruct (I.sign_strict X); try easy. intros _ Hx.
+  now injection (H (Xreal x) Hx).
 Qed.

@@ -120,9 +120,8 @@ Proof.
     try specialize (Hdenominator _ (or_introl eq_refl)); in_numbers; cbn [printed].
   - apply lower_thrust_cleared; [exact Hdenominator | lra].
   - apply upper_thrust_cleared; [exact Hdenominator | lra].
-  - apply whole_thrust_cleared;
-      [intros E; apply Hdenominator; rewrite E; ring
-      | intros E; apply Hdenominator; rewrite E; ring | lra].
+  - apply whole_thrust_cleared; [intros E; apply Hdenominator; rewrite E; ring | intros E; apply Hdenominator;
+      rewrite E; ring | lra].
   - transitivity (((1 + x joint * (cos (x joint) / sin (x joint))) * (2 - x Eta) - 2 * fac (flag w) (x Eta))
                   / (2 - x Eta)).
     + apply equals_quotient; [exact Hdenominator | lra].
@@ -161,8 +160,7 @@ Proof.
 Qed.
 
 (** Where (2) and (5) are equal, their difference has a slope that is zero. *)
-Lemma cleared_double w x b : b <> Eta ->
-  meaning x (lower_lever b) <> 0 -> sin (x b) <> 0 -> meaning x inner <> 0 ->
+Lemma cleared_double w x b : b <> Eta -> meaning x (lower_lever b) <> 0 -> sin (x b) <> 0 -> meaning x inner <> 0 ->
   printed (flag w) x (LowerThrust b) -> printed (flag w) x (Tangency b) ->
   (meaning x (cleared w (DoubleThickness b)) = 0 <-> printed (flag w) x (DoubleThickness b)).
 Proof.

@@ -142,9 +142,7 @@ Proof.
 Qed.
 
 Lemma meaning_opp x f : meaning x (opp0 f) = - meaning x f.
-Proof.
-  unfold opp0. destruct (is_nil f) eqn:Hf; [rewrite (meaning_nil x f Hf); simpl; ring | easy].
-Qed.
+Proof. unfold opp0. destruct (is_nil f) eqn:Hf; [rewrite (meaning_nil x f Hf); simpl; ring | easy]. Qed.
 
 (** ** Unknowns *)
 
@@ -174,10 +172,9 @@ Definition rate (unknowns : list name) (u : point) (n : name) : R :=
 
 Lemma rate_absent rest u n : existsb (same n) rest = false -> rate rest u n = 0.
 Proof.
-  revert u. induction rest as [| m rest IH]; intros u Habsent; [easy |].
-  simpl in Habsent. apply orb_false_elim in Habsent. destruct Habsent as [Hm Hrest].
-  unfold rate. simpl length. rewrite sum_shift. simpl nth. rewrite Hm.
-  change (Contraction.sum _ _) with (rate rest (fun i => u (S i)) n). rewrite IH by easy. ring.
+  revert u. induction rest as [| m rest IH]; intros u Habsent; [easy |]. simpl in Habsent.
+  apply orb_false_elim in Habsent. destruct Habsent as [Hm Hrest]. unfold rate. simpl length. rewrite sum_shift.
+  simpl nth. rewrite Hm. change (Contraction.sum _ _) with (rate rest (fun i => u (S i)) n). rewrite IH by easy. ring.
 Qed.
 
 Lemma place_moves given unknowns (x u : point) n s : distinct unknowns = true ->
@@ -186,10 +183,9 @@ Lemma place_moves given unknowns (x u : point) n s : distinct unknowns = true ->
 Proof.
   revert x u. induction unknowns as [| m rest IH]; intros x u Hdistinct.
   - unfold rate. simpl. ring.
-  - simpl in Hdistinct. apply andb_true_iff in Hdistinct. destruct Hdistinct as [Hm Hrest].
-    apply negb_true_iff in Hm. unfold rate. simpl length. rewrite sum_shift. simpl nth. simpl place.
-    change (Contraction.sum _ _) with (rate rest (fun i => u (S i)) n).
-    destruct (same_spec m n) as [-> | Hne].
+  - simpl in Hdistinct. apply andb_true_iff in Hdistinct. destruct Hdistinct as [Hm Hrest]. apply negb_true_iff in Hm.
+    unfold rate. simpl length. rewrite sum_shift. simpl nth. simpl place.
+    change (Contraction.sum _ _) with (rate rest (fun i => u (S i)) n). destruct (same_spec m n) as [-> | Hne].
     + rewrite rate_absent by easy. destruct (same_spec n n); [ring | easy].
     + destruct (same_spec n m) as [Heq | _]; [now symmetry in Heq |].
       rewrite (IH (fun i => x (S i)) (fun i => u (S i))) by easy. ring.
@@ -208,12 +204,11 @@ Proof.
   { intros m. apply (is_derive_ext (fun s => place given unknowns x m + s * rate unknowns u m)).
     - intros s. unfold at_. now rewrite place_moves.
     - auto_derive; [easy | ring]. }
-  assert (leaf : forall m (d : R) (F : formula),
-            (forall k, meaning (at_ t) (if same m k then F else Int 0) = if same m k then d else 0) ->
-            Contraction.sum n (fun k => meaning (at_ t) (if same m (nth k unknowns Alpha) then F else Int 0) * u k)
-            = d * rate unknowns u m).
-  { intros m d F HF. unfold rate. fold n. rewrite <- sum_mult. apply sum_eq. intros k Hk.
-    rewrite HF. destruct (same m _); ring. }
+  assert (leaf : forall m (d : R) (F : formula), (forall k, meaning (at_ t) (if same m k then F else Int 0)
+    = if same m k then d else 0) -> Contraction.sum n (fun k => meaning (at_ t)
+    (if same m (nth k unknowns Alpha) then F else Int 0) * u k) = d * rate unknowns u m).
+  { intros m d F HF. unfold rate. fold n. rewrite <- sum_mult. apply sum_eq. intros k Hk. rewrite HF.
+    destruct (same m _); ring. }
   assert (choice : forall (b : bool) (F : formula) (d : R), meaning (at_ t) F = d ->
             meaning (at_ t) (if b then F else Int 0) = if b then d else 0).
   { now intros [] F d HF. }
@@ -222,12 +217,12 @@ Proof.
   change (place given unknowns (fun i => x i + t * u i)) with (at_ t).
   induction f as [z | p q | m | m | m | m | f IH | f IHf g IHg | f IHf g IHg | f IHf g IHg];
     intros Hdefined; simpl slope.
-  - apply (value_is _ 0); [exact (is_derive_const (IZR z) t) |].
-    symmetry. apply sum_zero. intros k _. simpl. ring.
-  - apply (value_is _ 0); [exact (is_derive_const (IZR p / IZR (Zpos q)) t) |].
-    symmetry. apply sum_zero. intros k _. simpl. ring.
-  - apply (value_is _ _ _ (moves m)). rewrite (leaf m 1); [ring |].
-    intros k. now apply choice.
+  8-10: assert (Hf : defined (at_ t) f) by (intros o Ho; apply Hdefined; simpl; apply in_or_app; tauto).
+  8-10: assert (Hg : defined (at_ t) g) by (intros o Ho; apply Hdefined; simpl; apply in_or_app; tauto).
+  - apply (value_is _ 0); [exact (is_derive_const (IZR z) t) |]. symmetry. apply sum_zero. intros k _. simpl. ring.
+  - apply (value_is _ 0); [exact (is_derive_const (IZR p / IZR (Zpos q)) t) |]. symmetry. apply sum_zero. intros k _.
+    simpl. ring.
+  - apply (value_is _ _ _ (moves m)). rewrite (leaf m 1); [ring |]. intros k. now apply choice.
   - apply (value_is _ _ _ (is_derive_comp sin (fun s => at_ s m) t _ _ (is_derive_sin _) (moves m))).
     rewrite (leaf m (cos (at_ t m))); [apply Rmult_comm |]. intros k. now apply choice.
   - apply (value_is _ _ _ (is_derive_comp cos (fun s => at_ s m) t _ _ (is_derive_cos _) (moves m))).
@@ -239,24 +234,15 @@ Proof.
     apply (value_is _ _ _ (is_derive_comp (fun y => cos y / sin y) (fun s => at_ s m) t _ _ Hd (moves m))).
     rewrite (leaf m d); [apply Rmult_comm |]. intros k. apply choice. unfold d. simpl. field. easy.
   - apply (value_is _ _ _ (is_derive_opp _ _ _ (IH Hdefined))). change (opp ?a) with (- a).
-    rewrite <- (Rmult_1_l (Contraction.sum _ _)), Ropp_mult_distr_l, <- sum_mult.
-    apply sum_eq. intros k _. rewrite meaning_opp. ring.
-  - assert (Hf : defined (at_ t) f) by (intros o Ho; apply Hdefined; simpl; apply in_or_app; tauto).
-    assert (Hg : defined (at_ t) g) by (intros o Ho; apply Hdefined; simpl; apply in_or_app; tauto).
-    apply (value_is _ _ _ (is_derive_plus _ _ _ _ _ (IHf Hf) (IHg Hg))).
-    change (plus ?a ?b) with (a + b). rewrite <- sum_plus. apply sum_eq. intros k _.
-    rewrite meaning_add. ring.
-  - assert (Hf : defined (at_ t) f) by (intros o Ho; apply Hdefined; simpl; apply in_or_app; tauto).
-    assert (Hg : defined (at_ t) g) by (intros o Ho; apply Hdefined; simpl; apply in_or_app; tauto).
-    apply (value_is _ _ _ (is_derive_minus _ _ _ _ _ (IHf Hf) (IHg Hg))).
-    change (minus ?a ?b) with (a - b). rewrite <- sum_minus. apply sum_eq. intros k _.
-    rewrite meaning_sub. ring.
-  - assert (Hf : defined (at_ t) f) by (intros o Ho; apply Hdefined; simpl; apply in_or_app; tauto).
-    assert (Hg : defined (at_ t) g) by (intros o Ho; apply Hdefined; simpl; apply in_or_app; tauto).
-    apply (value_is _ _ _ (is_derive_mult _ _ _ _ _ (IHf Hf) (IHg Hg) Rmult_comm)).
-    change (plus ?a ?b) with (a + b). change (mult ?a ?b) with (a * b).
-    rewrite (Rmult_comm (Contraction.sum _ _)), <- !sum_mult, <- sum_plus. apply sum_eq. intros k _.
-    rewrite meaning_add, !meaning_mul. unfold at_. ring.
+    rewrite <- (Rmult_1_l (Contraction.sum _ _)), Ropp_mult_distr_l, <- sum_mult. apply sum_eq. intros k _.
+    rewrite meaning_opp. ring.
+  - apply (value_is _ _ _ (is_derive_plus _ _ _ _ _ (IHf Hf) (IHg Hg))). change (plus ?a ?b) with (a + b).
+    rewrite <- sum_plus. apply sum_eq. intros k _. rewrite meaning_add. ring.
+  - apply (value_is _ _ _ (is_derive_minus _ _ _ _ _ (IHf Hf) (IHg Hg))). change (minus ?a ?b) with (a - b).
+    rewrite <- sum_minus. apply sum_eq. intros k _. rewrite meaning_sub. ring.
+  - apply (value_is _ _ _ (is_derive_mult _ _ _ _ _ (IHf Hf) (IHg Hg) Rmult_comm)). change (plus ?a ?b) with (a + b).
+    change (mult ?a ?b) with (a * b). rewrite (Rmult_comm (Contraction.sum _ _)), <- !sum_mult, <- sum_plus.
+    apply sum_eq. intros k _. rewrite meaning_add, !meaning_mul. unfold at_. ring.
 Qed.
 
 (** ** Enclosures *)
@@ -289,8 +275,7 @@ Definition angle (X : enclosure) : functions :=
 
 Lemma covers_angle X x : has X x -> covers (angle X) x.
 Proof.
-  intros Hx. refine (conj Hx (conj _ (conj _ _)));
-    [now apply has_sin | now apply has_cos | apply has_anything].
+  intros Hx. refine (conj Hx (conj _ (conj _ _))); [now apply has_sin | now apply has_cos | apply has_anything].
 Qed.
 
 (** and of one with its cotangent. *)
@@ -312,10 +297,7 @@ Definition functions_of (n : name) (X : enclosure) : functions :=
   end.
 
 Lemma covers_functions n X x : has X x -> covers (functions_of n X) x.
-Proof.
-  intros Hx. destruct n; simpl;
-    auto using covers_plain, covers_angle, covers_angle_with_cotangent.
-Qed.
+Proof. intros Hx. destruct n; simpl; auto using covers_plain, covers_angle, covers_angle_with_cotangent. Qed.
 
 Fixpoint sited (given : surroundings) (unknowns : list name) (X : list functions) : surroundings :=
   match unknowns, X with
@@ -350,8 +332,8 @@ Fixpoint enclosed (E : surroundings) (f : formula) : enclosure :=
 
 Theorem has_meaning E x f : surrounds E x -> has (enclosed E f) (meaning x f).
 Proof.
-  intros HE. induction f as [z | p q | n | n | n | n | f IH | f IHf g IHg | f IHf g IHg | f IHf g IHg];
-    cbn [enclosed meaning].
+  intros HE.
+  induction f as [z | p q | n | n | n | n | f IH | f IHf g IHg | f IHf g IHg | f IHf g IHg]; cbn [enclosed meaning].
   - apply has_integer.
   - apply has_div; apply has_integer.
   - apply HE.

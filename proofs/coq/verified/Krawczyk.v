@@ -33,19 +33,15 @@ Fixpoint combination (a : Z) (p : list Z) (b : Z) (q : list Z) : list Z :=
   end.
 
 Lemma product_multiple a p v : product (map (Z.mul a) p) v = IZR a * product p v.
-Proof.
-  revert v. induction p as [| x p IH]; intros v; simpl; [ring |]. rewrite IH, mult_IZR. ring.
-Qed.
+Proof. revert v. induction p as [| x p IH]; intros v; simpl; [ring |]. rewrite IH, mult_IZR. ring. Qed.
 
-Lemma product_combination a p b q v :
-  product (combination a p b q) v = IZR a * product p v - IZR b * product q v.
+Lemma product_combination a p b q v : product (combination a p b q) v = IZR a * product p v - IZR b * product q v.
 Proof.
   revert q v. induction p as [| x p IH]; intros [| y q] v.
   - simpl. ring.
-  - change (combination a [] b (y :: q)) with (map (Z.mul (- b)) (y :: q)).
-    rewrite product_multiple, opp_IZR. simpl. ring.
-  - change (combination a (x :: p) b []) with (map (Z.mul a) (x :: p)).
-    rewrite product_multiple. simpl. ring.
+  - change (combination a [] b (y :: q)) with (map (Z.mul (- b)) (y :: q)). rewrite product_multiple, opp_IZR. simpl.
+    ring.
+  - change (combination a (x :: p) b []) with (map (Z.mul a) (x :: p)). rewrite product_multiple. simpl. ring.
   - simpl. rewrite IH, minus_IZR, !mult_IZR. ring.
 Qed.
 
@@ -72,8 +68,7 @@ Proof.
                   a <> 0%Z /\ (row = a :: p \/ In (a :: p) rest) /\
                   (forall r, In r others -> row = r \/ In r rest)).
   { destruct (pivot rest) as [[[a' p'] others'] |] eqn:Hp; [| easy]. intros [= -> -> <-].
-    destruct (IH others' eq_refl) as (Ha & Hin & Hall). repeat split; auto.
-    intros r [<- | Hr]; auto. }
+    destruct (IH others' eq_refl) as (Ha & Hin & Hall). repeat split; auto. intros r [<- | Hr]; auto. }
   destruct row as [| [| z | z] q]; auto; intros [= <- <- <-]; repeat split; auto; easy.
 Qed.
 
@@ -98,16 +93,14 @@ Lemma is_regular_sound n rows v : is_regular n rows = true ->
   (forall row, In row rows -> product row v = 0) -> 
   (forall j, (n <= j)%nat -> v j = 0) -> forall j, (j < n)%nat -> v j = 0.
 Proof.
-  revert rows v. induction n as [| n IH]; intros rows v Hregular Hrows Hbeyond j Hj; [lia |].
-  simpl in Hregular. destruct (pivot rows) as [[[a p] others] |] eqn:Hp; [| easy].
-  destruct (pivot_found _ _ _ _ Hp) as (Ha & Hin & Hothers).
-  assert (first := Hrows _ Hin). simpl in first.
+  revert rows v. induction n as [| n IH]; intros rows v Hregular Hrows Hbeyond j Hj; [lia |]. simpl in Hregular.
+  destruct (pivot rows) as [[[a p] others] |] eqn:Hp; [| easy].
+  destruct (pivot_found _ _ _ _ Hp) as (Ha & Hin & Hothers). assert (first := Hrows _ Hin). simpl in first.
   assert (rest : forall k, (k < n)%nat -> v (S k) = 0).
   { apply (IH (map (reduced a p) others) (fun k => v (S k))); [easy | | intros k Hk; apply Hbeyond; lia].
     intros row Hrow. apply in_map_iff in Hrow. destruct Hrow as (full & <- & Hfull).
-    assert (zero := Hrows full (Hothers full Hfull)).
-    destruct full as [| b q]; [easy |]. simpl in *. rewrite product_combination.
-    replace (product q (fun j => v (S j))) with (- (IZR b * v 0%nat)) by lra.
+    assert (zero := Hrows full (Hothers full Hfull)). destruct full as [| b q]; [easy |]. simpl in *.
+    rewrite product_combination. replace (product q (fun j => v (S j))) with (- (IZR b * v 0%nat)) by lra.
     replace (product p (fun j => v (S j))) with (- (IZR a * v 0%nat)) by lra. ring. }
   destruct j as [| j]; [| apply rest; lia].
   assert (nothing : forall row (w : point), (forall k, w k = 0) -> product row w = 0).
@@ -124,19 +117,15 @@ Definition integers (row : list dyadic) : list Z :=
   let e := finest row in map (fun d => Z.shiftl (mantissa d) (exponent d - e)) row.
 
 Lemma finest_below d row : In d row -> (finest row <= exponent d)%Z.
-Proof.
-  induction row as [| a row IH]; simpl; [easy |]. intros [-> | Hd]; [lia |]. specialize (IH Hd). lia.
-Qed.
+Proof. induction row as [| a row IH]; simpl; [easy |]. intros [-> | Hd]; [lia |]. specialize (IH Hd). lia. Qed.
 
 Lemma product_integers_in_units row e v : (forall d, In d row -> (e <= exponent d)%Z) ->
   powerRZ 2 e * product (map (fun d => Z.shiftl (mantissa d) (exponent d - e)) row) v
   = Contraction.sum (length row) (fun j => value (nth j row nought) * v j).
 Proof.
-  revert v. induction row as [| d row IH]; intros v He; [simpl; ring |].
-  simpl length. rewrite sum_shift. simpl map. simpl product. simpl nth.
-  rewrite <- (IH (fun j => v (S j))) by (intros; apply He; now right).
-  assert (Hd := He d (or_introl eq_refl)).
-  rewrite Z.shiftl_mul_pow2, mult_IZR by lia. unfold value.
+  revert v. induction row as [| d row IH]; intros v He; [simpl; ring |]. simpl length. rewrite sum_shift. simpl map.
+  simpl product. simpl nth. rewrite <- (IH (fun j => v (S j))) by (intros; apply He; now right).
+  assert (Hd := He d (or_introl eq_refl)). rewrite Z.shiftl_mul_pow2, mult_IZR by lia. unfold value.
   replace (powerRZ 2 (exponent d)) with (powerRZ 2 e * IZR (2 ^ (exponent d - e))).
   - ring.
   - replace (IZR (2 ^ (exponent d - e))) with (powerRZ 2 (exponent d - e)).
@@ -145,14 +134,12 @@ Proof.
       rewrite <- pow_powerRZ, <- pow_IZR. easy.
 Qed.
 
-Lemma product_integers row v :
-  Contraction.sum (length row) (fun j => value (nth j row nought) * v j) = 0 ->
+Lemma product_integers row v : Contraction.sum (length row) (fun j => value (nth j row nought) * v j) = 0 ->
   product (integers row) v = 0.
 Proof.
-  intros Hzero. rewrite <- (product_integers_in_units row (finest row)) in Hzero
-    by (intros; now apply finest_below).
-  apply Rmult_integral in Hzero. destruct Hzero as [Hzero | Hzero]; [| exact Hzero].
-  exfalso. revert Hzero. apply powerRZ_NOR. lra.
+  intros Hzero. rewrite <- (product_integers_in_units row (finest row)) in Hzero by (intros; now apply finest_below).
+  apply Rmult_integral in Hzero. destruct Hzero as [Hzero | Hzero]; [| exact Hzero]. exfalso. revert Hzero.
+  apply powerRZ_NOR. lra.
 Qed.
 
 (** [n] rows of [n] numbers. *)
@@ -163,21 +150,17 @@ Lemma regular_matrix n Y v : is_square n Y = true -> is_regular n (map integers 
   (forall i, (i < n)%nat -> Contraction.sum n (fun j => entries Y i j * v j) = 0) ->
   forall j, (j < n)%nat -> v j = 0.
 Proof.
-  intros Hsquare Hregular Hv j Hj.
-  apply andb_true_iff in Hsquare. destruct Hsquare as [Hrows Hlengths].
-  apply Nat.eqb_eq in Hrows.
-  set (w := fun j => if Nat.ltb j n then v j else 0).
+  intros Hsquare Hregular Hv j Hj. apply andb_true_iff in Hsquare. destruct Hsquare as [Hrows Hlengths].
+  apply Nat.eqb_eq in Hrows. set (w := fun j => if Nat.ltb j n then v j else 0).
   assert (Hw : forall j, (j < n)%nat -> w j = v j).
   { intros k Hk. unfold w. now rewrite (proj2 (Nat.ltb_lt k n) Hk). }
-  rewrite <- Hw by easy.
-  apply (is_regular_sound n (map integers Y) w); [easy | | | easy].
-  - intros row Hrow. apply in_map_iff in Hrow. destruct Hrow as (numbers & <- & Hin).
-    apply product_integers.
+  rewrite <- Hw by easy. apply (is_regular_sound n (map integers Y) w); [easy | | | easy].
+  - intros row Hrow. apply in_map_iff in Hrow. destruct Hrow as (numbers & <- & Hin). apply product_integers.
     assert (Hlength : length numbers = n).
     { apply Nat.eqb_eq. now apply (proj1 (forallb_forall _ _) Hlengths). }
-    destruct (In_nth _ _ [] Hin) as (i & Hi & Hnth). rewrite Hrows in Hi.
-    rewrite Hlength. transitivity (Contraction.sum n (fun j => entries Y i j * v j)); [| now apply Hv].
-    apply sum_eq. intros k Hk. rewrite Hw by easy. unfold entries, entry. now rewrite Hnth.
+    destruct (In_nth _ _ [] Hin) as (i & Hi & Hnth). rewrite Hrows in Hi. rewrite Hlength.
+    transitivity (Contraction.sum n (fun j => entries Y i j * v j)); [| now apply Hv]. apply sum_eq. intros k Hk.
+    rewrite Hw by easy. unfold entries, entry. now rewrite Hnth.
   - intros k Hk. unfold w. now rewrite (proj2 (Nat.ltb_ge k n) Hk).
 Qed.
 
@@ -221,8 +204,8 @@ Lemma all_entries {A} (f : nat -> option A) start m l : all (map f (seq start m)
 Proof.
   revert start l. induction m as [| m IH]; intros start l; simpl; [lia |].
   destruct (f start) as [a |] eqn:Ha; [| easy].
-  destruct (all (map f (seq (S start) m))) as [others |] eqn:Hrest; [| easy].
-  intros [= <-] i d Hi. destruct i as [| i].
+  destruct (all (map f (seq (S start) m))) as [others |] eqn:Hrest; [| easy]. intros [= <-] i d Hi.
+  destruct i as [| i].
   - now rewrite Nat.add_0_r.
   - simpl. rewrite <- (IH (S start) others Hrest i d) by lia. f_equal. lia.
 Qed.
@@ -263,19 +246,16 @@ Lemma bounds_hold E C x : bounds E = Some C -> surrounds E (place given unknowns
   forall i k, (i < n)%nat -> (k < n)%nat ->
   Rabs (unit_entry i k - Contraction.sum n (fun j => entries Y i j * partial j k x)) <= entries C i k.
 Proof.
-  intros HC HE i k Hi Hk. unfold bounds in HC.
-  assert (Hrow := all_entries _ _ _ _ HC i [] Hi). simpl in Hrow.
-  assert (Hentry := all_entries _ _ _ _ Hrow k nought Hk). simpl in Hentry.
-  apply (largest_bounds _ _ _ Hentry). unfold contraction. apply has_sub.
+  intros HC HE i k Hi Hk. unfold bounds in HC. assert (Hrow := all_entries _ _ _ _ HC i [] Hi). simpl in Hrow.
+  assert (Hentry := all_entries _ _ _ _ Hrow k nought Hk). simpl in Hentry. apply (largest_bounds _ _ _ Hentry).
+  unfold contraction. apply has_sub.
   - unfold unit_entry. destruct (Nat.eqb i k); apply has_integer.
-  - apply has_total. intros j Hj. apply has_mul; [apply has_exact |].
-    unfold slopes, partial. set (g := fun f => map (fun k => enclosed prec E (slope k f)) unknowns).
+  - apply has_total. intros j Hj. apply has_mul; [apply has_exact |]. unfold slopes, partial.
+    set (g := fun f => map (fun k => enclosed prec E (slope k f)) unknowns).
     assert (Hnth : nth j (map g formulas) [] = g (nth j formulas (Int 0))).
     { rewrite (nth_indep _ [] (g (Int 0))) by (rewrite map_length, sizes; easy). apply map_nth. }
-    rewrite Hnth. unfold g.
-    set (h := fun k => enclosed prec E (slope k (nth j formulas (Int 0)))).
-    rewrite (nth_indep _ anything (h Alpha)) by (rewrite map_length; easy).
-    rewrite map_nth. now apply has_meaning.
+    rewrite Hnth. unfold g. set (h := fun k => enclosed prec E (slope k (nth j formulas (Int 0)))).
+    rewrite (nth_indep _ anything (h Alpha)) by (rewrite map_length; easy). rewrite map_nth. now apply has_meaning.
 Qed.
 
 (** The box as the theorem wants it. *)
@@ -296,11 +276,9 @@ Proof.
   intros Hdistinct Hdefined HC Hr Hresiduals Hnarrows Hsquare Hregular.
   apply (one_root_by_krawczyk n residual partial (entries Y) (entries C)).
   - exact Hr.
-  - intros j Hj x u t Hx. apply slope_along; [easy |].
-    apply Hdefined; [exact Hx |]. apply nth_In. now rewrite sizes.
+  - intros j Hj x u t Hx. apply slope_along; [easy |]. apply Hdefined; [exact Hx |]. apply nth_In. now rewrite sizes.
   - exact HC.
-  - intros i Hi.
-    assert (Htest : In i (seq 0 n)) by (apply in_seq; lia).
+  - intros i Hi. assert (Htest : In i (seq 0 n)) by (apply in_seq; lia).
     apply (proj1 (forallb_forall _ _) Hnarrows) in Htest.
     enough (0 < entry r i - (Contraction.sum n (fun k => entries C i k * entry r k)
               + Rabs (Contraction.sum n (fun j => entries Y i j * residual j (entry c))))) by lra.

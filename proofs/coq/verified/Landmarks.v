@@ -43,9 +43,7 @@ Qed.
 (** At less friction nothing stands. *)
 Theorem less_friction : friction_there l x <> None ->
   forall mu, 0 <= mu < x Mu -> stands_at_no_thickness (x Alpha) mu.
-Proof.
-  destruct here as (_ & _ & _ & _ & _ & _ & _ & _ & less). unfold is_least_friction in less. now destruct l.
-Qed.
+Proof. destruct here as (_ & _ & _ & _ & _ & _ & _ & _ & less). unfold is_least_friction in less. now destruct l. Qed.
 
 (** ** Its digits *)
 
@@ -70,8 +68,8 @@ Proof.
   unfold written_of. destruct (find _ _) as [[p v] |] eqn:Hfind; [| easy]. simpl. intros -> Hm.
   apply find_some in Hfind as [Hin Heq]. apply alike_sound in Heq. cbn [fst] in Heq. subst p.
   destruct here as (_ & _ & hold & _). destruct (hold q _ Hin) as [_ [_ [[-> _] | [_ Hround]]]]; [easy |].
-  assert (0 < powerRZ 10 e) by (apply powerRZ_lt; lra).
-  apply Rabs_lt_between'. destruct (m =? 10 ^ (digits c - 1))%Z; lra.
+  assert (0 < powerRZ 10 e) by (apply powerRZ_lt; lra). apply Rabs_lt_between'.
+  destruct (m =? 10 ^ (digits c - 1))%Z; lra.
 Qed.
 
 (** A printed value [p / 10 ^ k] in units of the last digit of the certificate, and how far it is from that. *)
@@ -100,8 +98,8 @@ Proof.
   assert (k_positive : 0 < powerRZ 10 (Zpos k)) by (apply powerRZ_lt; lra).
   change (Z.pow_pos 10 k) with (10 ^ Zpos k)%Z. change (Z.pow_pos 10 (Pos.succ k)) with (10 ^ Zpos (Pos.succ k))%Z.
   rewrite !power_of_ten by lia. split; [exact positive | split].
-  - unfold Rdiv, off. rewrite <- unit, abs_IZR, minus_IZR, mult_IZR.
-    rewrite <- (Rabs_pos_eq u) at 3 by lra. rewrite <- Rabs_mult. f_equal. ring.
+  - unfold Rdiv, off. rewrite <- unit, abs_IZR, minus_IZR, mult_IZR. rewrite <- (Rabs_pos_eq u) at 3 by lra.
+    rewrite <- Rabs_mult. f_equal. ring.
   - rewrite unit, Pos2Z.inj_succ. unfold Z.succ. rewrite powerRZ_add by lra. rewrite powerRZ_1. field. lra.
 Qed.
 
@@ -109,14 +107,9 @@ Theorem right_there q p k : is_right (written_of q) p k = true ->
   Rabs (value_of (friction_there l x) x q - IZR p / IZR (Z.pow_pos 10 k))
   <= IZR 5 / IZR (Z.pow_pos 10 (Pos.succ k)).
 Proof.
-  unfold is_right. destruct (written_of q) as [| m e] eqn:Hq; [easy |]. intros Htest. conditions.
-  repeat match goal with
-    | H : (_ <=? _)%Z = true |- _ => apply Z.leb_le in H
-    | H : (_ <? _)%Z = true |- _ => apply Z.ltb_lt in H
-    end.
+  unfold is_right. destruct (written_of q) as [| m e] eqn:Hq; [easy |]. intros Htest. conditions. in_integers.
   assert (near := is_written q m e Hq ltac:(lia)). destruct (in_units m e p k ltac:(easy)) as (Hu & Hoff & ->).
-  set (u := powerRZ 10 e) in *.
-  assert (Hsize : IZR (2 * off m e p k + 1) <= IZR (units k e)) by (now apply IZR_le).
+  set (u := powerRZ 10 e) in *. assert (Hsize : IZR (2 * off m e p k + 1) <= IZR (units k e)) by (now apply IZR_le).
   rewrite plus_IZR, mult_IZR in Hsize.
   replace (value_of (friction_there l x) x q - IZR p / IZR (Z.pow_pos 10 k))
     with ((value_of (friction_there l x) x q - IZR m * u) + (IZR m * u - IZR p / IZR (Z.pow_pos 10 k))) by ring.
@@ -127,11 +120,7 @@ Theorem wrong_there q p k : is_wrong (written_of q) p k = true ->
   IZR 5 / IZR (Z.pow_pos 10 (Pos.succ k))
   < Rabs (value_of (friction_there l x) x q - IZR p / IZR (Z.pow_pos 10 k)).
 Proof.
-  unfold is_wrong. destruct (written_of q) as [| m e] eqn:Hq; [easy |]. intros Htest. conditions.
-  repeat match goal with
-    | H : (_ <=? _)%Z = true |- _ => apply Z.leb_le in H
-    | H : (_ <? _)%Z = true |- _ => apply Z.ltb_lt in H
-    end.
+  unfold is_wrong. destruct (written_of q) as [| m e] eqn:Hq; [easy |]. intros Htest. conditions. in_integers.
   assert (near := is_written q m e Hq ltac:(lia)). destruct (in_units m e p k ltac:(easy)) as (Hu & Hoff & ->).
   set (u := powerRZ 10 e) in *.
   assert (Hsize : IZR (units k e) + 1 <= IZR 2 * IZR (off m e p k))
@@ -163,21 +152,15 @@ Theorem smaller_there q c l w x c' l' w' x' : is_landmark c l w x -> is_landmark
   is_smaller (written_of c q) (written_of c' q) = true ->
   value_of (friction_there l x) x q < value_of (friction_there l' x') x' q.
 Proof.
-  intros here there. unfold is_smaller.
-  destruct (written_of c q) as [| m e] eqn:Hq; [easy |]. destruct (written_of c' q) as [| m' e'] eqn:Hq'; [easy |].
-  intros Htest. conditions.
-  repeat match goal with
-    | H : (_ <=? _)%Z = true |- _ => apply Z.leb_le in H
-    | H : (_ <? _)%Z = true |- _ => apply Z.ltb_lt in H
-    end.
+  intros here there. unfold is_smaller. destruct (written_of c q) as [| m e] eqn:Hq; [easy |].
+  destruct (written_of c' q) as [| m' e'] eqn:Hq'; [easy |]. intros Htest. conditions. in_integers.
   assert (near := is_written c l w x here q m e Hq ltac:(lia)).
   assert (near' := is_written c' l' w' x' there q m' e' Hq' ltac:(lia)).
   assert (scale : forall k, (Z.min e e' <= k)%Z ->
             powerRZ 10 k = IZR (10 ^ (k - Z.min e e')) * powerRZ 10 (Z.min e e')).
   { intros k Hk. rewrite power_of_ten, <- powerRZ_add by (lia || lra). f_equal. lia. }
   rewrite (scale e) in near by lia. rewrite (scale e') in near' by lia.
-  assert (positive : 0 < powerRZ 10 (Z.min e e')) by (apply powerRZ_lt; lra).
-  apply Rabs_lt_between' in near, near'.
+  assert (positive : 0 < powerRZ 10 (Z.min e e')) by (apply powerRZ_lt; lra). apply Rabs_lt_between' in near, near'.
   match goal with H : (_ <= _ - _)%Z |- _ => apply IZR_le in H; rewrite plus_IZR, minus_IZR, !mult_IZR in H; rename H into Hsize end.
   nra.
 Qed.

@@ -98,6 +98,13 @@ Ltac conditions :=
     | H : Nat.eqb _ _ = true |- _ => apply Nat.eqb_eq in H
     end.
 
+(** Comparisons of integers. *)
+Ltac in_integers :=
+  repeat match goal with
+    | H : (_ <=? _)%Z = true |- _ => apply Z.leb_le in H
+    | H : (_ <? _)%Z = true |- _ => apply Z.ltb_lt in H
+    end.
+
 Lemma each_one {A} (test : A -> bool) l a : forallb test l = true -> In a l -> test a = true.
 Proof. intros H. exact (proj1 (forallb_forall test l) H a). Qed.
 
@@ -121,18 +128,15 @@ Proof.
     rewrite (nth_indep _ _ (f (Alpha, (nought, nought))))
       by (rewrite map_length, !combine_length, Hc, Hr, !Nat.min_id; easy).
     rewrite map_nth, !combine_nth by (rewrite ?combine_length, ?Hc, ?Hr, ?Nat.min_id; easy).
-    apply covers_functions, has_around. simpl.
-    specialize (Hx i Hi). now rewrite Rmult_1_l in Hx.
+    apply covers_functions, has_around. simpl. specialize (Hx i Hi). now rewrite Rmult_1_l in Hx.
 Qed.
 
 Lemma points_nth c i : length c = n -> (i < n)%nat ->
   nth i (points prec u c) (plain anything)
   = functions_of prec (nth i u Alpha) (exact (nth i c nought)).
 Proof.
-  intros Hc Hi. unfold points.
-  set (f := fun nc : name * dyadic => functions_of prec (fst nc) (exact (snd nc))).
-  rewrite (nth_indep _ _ (f (Alpha, nought)))
-    by (rewrite map_length, combine_length, Hc, Nat.min_id; easy).
+  intros Hc Hi. unfold points. set (f := fun nc : name * dyadic => functions_of prec (fst nc) (exact (snd nc))).
+  rewrite (nth_indep _ _ (f (Alpha, nought))) by (rewrite map_length, combine_length, Hc, Nat.min_id; easy).
   now rewrite map_nth, combine_nth by easy.
 Qed.
 
@@ -142,8 +146,8 @@ Proof. intros Hc. unfold points. rewrite map_length, combine_length, Hc. apply N
 Lemma surrounds_centre G g c : surrounds G g -> length c = n ->
   surrounds (remembered (sited G u (points prec u c))) (place g u (entry c)).
 Proof.
-  intros HG Hc. apply surrounds_remembered, surrounds_sited; [exact HG | now apply points_length |].
-  intros i Hi. rewrite points_nth by easy. apply covers_functions, has_exact.
+  intros HG Hc. apply surrounds_remembered, surrounds_sited; [exact HG | now apply points_length |]. intros i Hi.
+  rewrite points_nth by easy. apply covers_functions, has_exact.
 Qed.
 
 (** Sine and cosine move no faster than the angle. *)
@@ -152,22 +156,21 @@ Proof.
   destruct (MVT_gen sin y x cos) as (t & _ & Ht).
   - intros t _. apply is_derive_sin.
   - intros t _. apply continuity_sin.
-  - rewrite Ht, Rabs_mult. destruct (COS_bound t).
-    assert (Rabs (cos t) <= 1) by (apply Rabs_le; lra). pose proof (Rabs_pos (x - y)). nra.
+  - rewrite Ht, Rabs_mult. destruct (COS_bound t). assert (Rabs (cos t) <= 1) by (apply Rabs_le; lra).
+    pose proof (Rabs_pos (x - y)). nra.
 Qed.
 
 Lemma cosine_moves x y : Rabs (cos x - cos y) <= Rabs (x - y).
 Proof.
-  rewrite <- !sin_shift, (Rabs_minus_sym x y).
-  replace (y - x) with ((PI / 2 - x) - (PI / 2 - y)) by ring. apply sine_moves.
+  rewrite <- !sin_shift, (Rabs_minus_sym x y). replace (y - x) with ((PI / 2 - x) - (PI / 2 - y)) by ring.
+  apply sine_moves.
 Qed.
 
 Lemma covers_spread F c r x : covers F c -> Rabs (x - c) <= value r -> covers (spread prec F r) x.
 Proof.
   intros (Hc & Hs & Hcos & _) Hx.
   assert (moved : forall X y z, has X y -> Rabs (z - y) <= value r -> has (I.add prec X (symmetric r)) z).
-  { intros X y z HX Hz. replace z with (y + (z - y)) by ring. apply has_add; [exact HX |].
-    now apply has_symmetric. }
+  { intros X y z HX Hz. replace z with (y + (z - y)) by ring. apply has_add; [exact HX |]. now apply has_symmetric. }
   refine (conj (moved _ _ _ Hc Hx) (conj (moved _ _ _ Hs _) (conj (moved _ _ _ Hcos _) _))).
   - eapply Rle_trans; [apply sine_moves | exact Hx].
   - eapply Rle_trans; [apply cosine_moves | exact Hx].
@@ -182,8 +185,7 @@ Proof.
   intros HG Hc Hr Hx. assert (Hlength := points_length c Hc).
   apply surrounds_remembered, surrounds_sited; [exact HG | |].
   - rewrite map_length, combine_length, Hlength, Hr. apply Nat.min_id.
-  - intros i Hi.
-    set (f := fun Fr : functions * dyadic => spread prec (fst Fr) (snd Fr)).
+  - intros i Hi. set (f := fun Fr : functions * dyadic => spread prec (fst Fr) (snd Fr)).
     rewrite (nth_indep _ _ (f (plain anything, nought)))
       by (rewrite map_length, combine_length, Hlength, Hr, Nat.min_id; easy).
     rewrite map_nth, combine_nth, points_nth by congruence. unfold f. simpl fst. simpl snd.
@@ -211,19 +213,16 @@ End Box.
 
 Lemma are_positive_sound l n i : are_positive l = true -> length l = n -> (i < n)%nat -> 0 < entry l i.
 Proof.
-  intros Hall <- Hi. apply (each_one _ _ (nth i l nought)) in Hall; [| now apply nth_In].
-  apply Z.ltb_lt in Hall. unfold entry, value.
-  apply Rmult_lt_0_compat; [now apply IZR_lt | apply powerRZ_lt; lra].
+  intros Hall <- Hi. apply (each_one _ _ (nth i l nought)) in Hall; [| now apply nth_In]. apply Z.ltb_lt in Hall.
+  unfold entry, value. apply Rmult_lt_0_compat; [now apply IZR_lt | apply powerRZ_lt; lra].
 Qed.
 
 (** ** The root *)
 
 Lemma place_given g u x n : existsb (same n) u = false -> place g u x n = g n.
 Proof.
-  revert x. induction u as [| m u IH]; intros x Habsent; [easy |].
-  simpl in *. apply orb_false_elim in Habsent. destruct Habsent as [Hm Hu].
-  destruct (same_spec m n) as [-> | _]; [| now apply IH].
-  destruct (same_spec n n); easy.
+  revert x. induction u as [| m u IH]; intros x Habsent; [easy |]. simpl in *. apply orb_false_elim in Habsent.
+  destruct Habsent as [Hm Hu]. destruct (same_spec m n) as [-> | _]; [| now apply IH]. destruct (same_spec n n); easy.
 Qed.
 
 Lemma place_own g u y : (forall n, existsb (same n) u = false -> y n = g n) ->
@@ -242,8 +241,8 @@ Qed.
 
 Lemma place_entry g u x i : distinct u = true -> (i < length u)%nat -> place g u x (nth i u Alpha) = x i.
 Proof.
-  revert x i. induction u as [| m u IH]; intros x i Hu Hi; [now apply Nat.nlt_0_r in Hi |].
-  simpl in *. apply andb_true_iff in Hu as [Hm Hu]. apply negb_true_iff in Hm. destruct i as [| i].
+  revert x i. induction u as [| m u IH]; intros x i Hu Hi; [now apply Nat.nlt_0_r in Hi |]. simpl in *.
+  apply andb_true_iff in Hu as [Hm Hu]. apply negb_true_iff in Hm. destruct i as [| i].
   - now destruct (same_spec m m).
   - destruct (same_spec m (nth i u Alpha)) as [Heq | _]; [| apply (IH (fun i => x (S i))); [easy | lia]].
     assert (Hin : existsb (same m) u = true)
@@ -261,24 +260,21 @@ Theorem located_sound c full given g s E :
        (forall f, In f (zeros s) -> meaning y f = 0) -> forall n, y n = x n).
 Proof.
   intros Hg. unfold located. set (u := unknowns s). set (n := length u).
-  set (wide := (longest (centre (unique c)) + 64)%Z).
-  cbv zeta. set (X := remembered (sited (given wide) u (boxes wide u (unique c)))).
+  set (wide := (longest (centre (unique c)) + 64)%Z). cbv zeta.
+  set (X := remembered (sited (given wide) u (boxes wide u (unique c)))).
   repeat match goal with
     | |- (if ?b then _ else _) = _ -> _ => destruct b eqn:?; try easy
     | |- match ?b with Some _ => _ | None => _ end = _ -> _ => destruct b as [C |] eqn:HC; try easy
     end.
-  intros [= <-]. conditions.
-  set (m := remembered (sited (given full) u (points full u (centre (root c))))) in *.
+  intros [= <-]. conditions. set (m := remembered (sited (given full) u (points full u (centre (root c))))) in *.
   assert (within : forall x, boxed u (centre (root c)) (radius (root c)) x -> surrounds X (place g u x)).
   { intros x Hx. apply surrounds_box; auto. now apply (is_inside_sound full u (root c) (unique c)). }
-  assert (one : forall prec (b : box),
-            (forall x, boxed u (centre b) (radius b) x -> surrounds X (place g u x)) ->
-            length (centre b) = n -> length (radius b) = n -> are_positive (radius b) = true ->
-            narrows wide u (inverse c) C
-              (map (enclosed prec (remembered (sited (given prec) u (points prec u (centre b))))) (zeros s)) (radius b)
-            = true -> exists x, boxed u (centre b) (radius b) x /\ solves n (residual u (zeros s) g) x /\
-              forall y, boxed u (centre b) (radius b) y -> solves n (residual u (zeros s) g) y ->
-                forall i, (i < n)%nat -> y i = x i).
+  assert (one : forall prec (b : box), (forall x, boxed u (centre b) (radius b) x -> surrounds X (place g u x)) ->
+    length (centre b) = n -> length (radius b) = n -> are_positive (radius b) = true ->
+    narrows wide u (inverse c) C (map (enclosed prec (remembered (sited (given prec) u (points prec u (centre b)))))
+    (zeros s)) (radius b) = true -> exists x, boxed u (centre b) (radius b) x /\
+    solves n (residual u (zeros s) g) x /\ forall y, boxed u (centre b) (radius b) y ->
+    solves n (residual u (zeros s) g) y -> forall i, (i < n)%nat -> y i = x i).
   { intros prec b Hin Hc Hr Hpositive Hnarrows.
     set (m' := remembered (sited (given prec) u (points prec u (centre b)))) in *.
     apply (one_root wide u (zeros s) (inverse c) g ltac:(easy) C (centre b) (radius b) (map (enclosed prec m') (zeros s)));
@@ -286,8 +282,7 @@ Proof.
     - intros y Hy f Hf. apply (is_defined_sound X); [now apply (each_one _ (zeros s)) | now apply Hin].
     - intros y Hy. now apply (bounds_hold wide u (zeros s) (inverse c) g ltac:(easy) X), Hin.
     - intros i Hi. now apply (are_positive_sound _ n).
-    - intros j Hj. unfold residual.
-      rewrite (nth_indep _ _ (enclosed prec m' (Int 0))) by (rewrite map_length; lia).
+    - intros j Hj. unfold residual. rewrite (nth_indep _ _ (enclosed prec m' (Int 0))) by (rewrite map_length; lia).
       rewrite map_nth. apply has_meaning, surrounds_centre; auto. }
   destruct (one full (root c)) as (x & Hx & Hsolves & _); auto.
   destruct (one wide (unique c)) as (z & _ & _ & Hz); auto; [intros y Hy; now apply surrounds_box |].
@@ -307,6 +302,6 @@ Proof.
   - apply as_boxed. intros i Hi. rewrite place_entry by easy. now apply inside.
   - intros y Hy Hsame Hzero k. apply as_boxed in Hy. rewrite <- (place_own g u y Hsame k). apply place_alike.
     intros i Hi. rewrite (Hz x inside Hsolves i Hi). apply (Hz (fun i => y (nth i u Alpha))); [exact Hy | | exact Hi].
-    intros j Hj. unfold residual.
-    rewrite (functional_extensionality _ _ (place_own g u y Hsame)). apply Hzero, nth_In. lia.
+    intros j Hj. unfold residual. rewrite (functional_extensionality _ _ (place_own g u y Hsame)).
+    apply Hzero, nth_In. lia.
 Qed.

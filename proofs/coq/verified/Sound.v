@@ -42,8 +42,7 @@ Definition numbers_in (l : list (name * R)) : configuration := fun n =>
 Definition agree (nX : name * enclosure) (nx : name * R) : Prop :=
   fst nX = fst nx /\ has (snd nX) (snd nx).
 
-Lemma surrounds_given L l :
-  (forall prec, List.Forall2 agree (L prec) l) ->
+Lemma surrounds_given L l : (forall prec, List.Forall2 agree (L prec) l) ->
   forall prec, surrounds (given L prec) (numbers_in l).
 Proof.
   intros Hall prec. apply surrounds_remembered. intros n. apply covers_functions. unfold numbers_in.
@@ -111,8 +110,7 @@ Proof.
   - apply HE.
   - apply degrees, HE.
   - apply has_mul; apply HE.
-  - apply has_div; [apply has_mul; apply HE |].
-    apply has_sub; [apply (has_integer prec 1) | apply HE].
+  - apply has_div; [apply has_mul; apply HE |]. apply has_sub; [apply (has_integer prec 1) | apply HE].
   - exact angle.
   - now apply degrees.
 Qed.
@@ -144,16 +142,10 @@ Proof.
   - intros Htest HE ->. destruct q as [[] | | | | |]; try easy. now destruct limited.
   - intros Htest HE Hmu. assert (HX := has_quantity prec limited E x mu q HE Hmu). unfold is_rounding.
     apply andb_true_iff in Htest. destruct Htest as [Hknown Htest].
-    split; [intros ->; rewrite Hmu; now destruct limited |].
-    cbv zeta in *.
+    split; [intros ->; rewrite Hmu; now destruct limited |]. cbv zeta in *.
     destruct (Z.eqb_spec m 0) as [Hzero | Hne].
     + left. split; [easy | now apply (is_zero_sound (enclosed_quantity prec limited E q))].
-    + right. conditions.
-      repeat match goal with
-        | H : (_ <=? _)%Z = true |- _ => apply Z.leb_le in H
-        | H : (_ <? _)%Z = true |- _ => apply Z.ltb_lt in H
-        end.
-      split; [easy |]. set (unit := powerRZ 10 e).
+    + right. conditions. in_integers. split; [easy |]. set (unit := powerRZ 10 e).
       assert (above := has_sub prec _ _ _ _ HX
                          (has_twentieths prec (20 * m - (if (m =? 10 ^ (digits - 1))%Z then 1 else 10)) e)).
       assert (below := has_sub prec _ _ _ _ (has_twentieths prec (20 * m + 10) e) HX).
@@ -165,8 +157,8 @@ Qed.
 Lemma hold_values_sound prec (limited : bool) E c (x : configuration) (mu : option R) : hold_values prec limited E c = true ->
   surrounds E x -> mu = (if limited then Some (x Mu) else None) -> values_hold c mu x.
 Proof.
-  intros Hall HE Hmu q v Hq. apply (each_one _ _ (q, v)) in Hall; [| exact Hq].
-  apply andb_true_iff in Hall. split; [easy | now apply (holds_value_sound prec (digits c) limited E x mu (q, v))].
+  intros Hall HE Hmu q v Hq. apply (each_one _ _ (q, v)) in Hall; [| exact Hq]. apply andb_true_iff in Hall.
+  split; [easy | now apply (holds_value_sound prec (digits c) limited E x mu (q, v))].
 Qed.
 
 (** ** States *)
@@ -178,8 +170,7 @@ Definition steepest_of (x : configuration) : configuration := fun n =>
 Lemma surrounds_steepest prec E x : surrounds E x -> surrounds (with_steepest prec E) (steepest_of x).
 Proof.
   intros HE n. unfold with_steepest. destruct n; try apply HE.
-  apply covers_functions, has_sqrt, has_mul; [apply HE |].
-  apply has_sub; [apply (has_integer prec 1) | apply HE].
+  apply covers_functions, has_sqrt, has_mul; [apply HE |]. apply has_sub; [apply (has_integer prec 1) | apply HE].
 Qed.
 
 Lemma are_all_positive_sound prec E x l f : are_all_positive prec E l = true -> surrounds E x ->
@@ -195,14 +186,11 @@ Proof. intros H HE. apply List.Forall_forall. intros g Hg. now apply (are_all_po
 
 Lemma is_open_sound prec X alpha : is_open prec X = true -> has X alpha -> alpha < PI.
 Proof.
-  intros Htest HX. apply (is_positive_sound _ (PI - alpha)) in Htest; [lra |].
-  now apply has_sub; [apply has_pi |].
+  intros Htest HX. apply (is_positive_sound _ (PI - alpha)) in Htest; [lra |]. now apply has_sub; [apply has_pi |].
 Qed.
 
 Lemma difference_sound prec X Y x y : is_positive (I.sub prec X Y) = true -> has X x -> has Y y -> y < x.
-Proof.
-  intros Htest HX HY. apply (is_positive_sound _ (x - y)) in Htest; [lra |]. now apply has_sub.
-Qed.
+Proof. intros Htest HX HY. apply (is_positive_sound _ (x - y)) in Htest; [lra |]. now apply has_sub. Qed.
 
 Ltac list_of H :=
   cbn [signs landmark_signs standing_signs carried thick some_thrust haunch steepest app equations
@@ -216,20 +204,16 @@ Proof. destruct w; unfold limit, normal_force, fac; simpl; field. Qed.
 
 Lemma meaning_extrados w x : meaning x (extrados_at_shoulder w)
   = 2 * (at_shoulder (flag w) (x Alpha) (x Eta) (x Thrust) - at_crown (x Eta) (x Thrust)).
-Proof.
-  unfold extrados_at_shoulder, at_shoulder, at_crown, extrados, normal_force.
-  in_numbers. field.
-Qed.
+Proof. unfold extrados_at_shoulder, at_shoulder, at_crown, extrados, normal_force. in_numbers. field. Qed.
 
-Lemma meaning_next w x : meaning x (next_to_crown w)
-  = fac (flag w) (x Eta) - intrados (x Eta) * (2 - x Thrust).
+Lemma meaning_next w x : meaning x (next_to_crown w) = fac (flag w) (x Eta) - intrados (x Eta) * (2 - x Thrust).
 Proof. unfold next_to_crown, intrados. in_numbers. field. Qed.
 
 Lemma friction_below x num den : 0 < meaning x den -> 0 < meaning x (den * Val Mu - num)%formula ->
   meaning x num / meaning x den < x Mu.
 Proof.
-  intros Hden H. simpl in H. apply (Rmult_lt_reg_r (meaning x den)); [easy |].
-  unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra.
+  intros Hden H. simpl in H. apply (Rmult_lt_reg_r (meaning x den)); [easy |]. unfold Rdiv.
+  rewrite Rmult_assoc, Rinv_l by lra. lra.
 Qed.
 
 (** Friction at the shoulder and inside; the joint that is steepest. *)
@@ -254,26 +238,18 @@ Ltac frictions Hsteepest :=
         end
     end.
 
-Lemma signs_suffice w m f x :
-  fits m f = true -> x Alpha < PI ->
+Lemma signs_suffice w m f x : fits m f = true -> x Alpha < PI ->
   List.Forall (fun g => 0 < meaning x g) (signs w m (is_limited f)) ->
-  List.Forall (printed (flag w) x) (equations m) ->
-  coefficient f = (if is_limited f then Some (x Mu) else None) ->
+  List.Forall (printed (flag w) x) (equations m) -> coefficient f = (if is_limited f then Some (x Mu) else None) ->
   (slides_inside m = false -> is_limited f = true -> x BetaS = beta_s (x Thrust)) ->
-  match m with
-  | OverturningSliding => x BetaR = 0
-  | Overturning => x BetaR = 0 /\ x Thrust = 0
-  | _ => True
-  end ->
+  match m with | OverturningSliding => x BetaR = 0 | Overturning => x BetaR = 0 /\ x Thrust = 0 | _ => True end ->
   in_order m x /\ is_least (flag w) (coefficient f) x (crown_moment m (flag w) x).
 Proof.
   intros Hfits Hopen Hsigns Hequations Hmu Hsteepest Hfixed. rewrite Hmu. clear Hmu.
-  assert (weight := flag_between w).
-  destruct m, (is_limited f) eqn:Hlimited; try (destruct f; discriminate).
+  assert (weight := flag_between w). destruct m, (is_limited f) eqn:Hlimited; try (destruct f; discriminate).
   all: list_of Hsigns; list_of Hequations.
   all: cbn [printed] in *; rewrite ?meaning_limit, ?meaning_extrados, ?meaning_next in *.
-  all: assert (N : 0 < normal_force (x Alpha) (x Thrust)) by assumption.
-  all: frictions Hsteepest.
+  all: assert (N : 0 < normal_force (x Alpha) (x Thrust)) by assumption. all: frictions Hsteepest.
   all: cbn [meaning inner outer upper_lever] in *; rewrite ?meaning_extrados in *.
   all: unfold in_order, is_least, is_admissible, crown_moment.
   - split; [lra |]. apply (rotational _ _ _ weight) with (beta := x BetaR); try tauto; try lra.
@@ -281,24 +257,21 @@ Proof.
   - split; [lra |]. apply (rotational_without_limit _ _ weight) with (beta := x BetaR); try tauto; try lra.
   - split; [lra |]. apply (sliding_rotational _ _ _ weight) with (beta := x BetaR); try tauto; try lra.
     rewrite <- Hsteepest by easy. lra.
-  - split; [lra |]. apply (rotational_sliding _ _ _ weight) with (beta := x BetaR) (joint := x BetaS);
-      try tauto; try lra.
-  - split; [lra |]. apply (rotational_sliding _ _ _ weight) with (beta := x BetaR) (joint := x BetaS);
-      try tauto; try lra.
+  - split; [lra |].
+    apply (rotational_sliding _ _ _ weight) with (beta := x BetaR) (joint := x BetaS); try tauto; try lra.
+  - split; [lra |].
+    apply (rotational_sliding _ _ _ weight) with (beta := x BetaR) (joint := x BetaS); try tauto; try lra.
   - split; [lra |]. rewrite Hfixed in *.
     apply (overturning_sliding _ _ _ weight) with (joint := x BetaS); try tauto; try lra.
   - destruct Hfixed as [Hb Hh]. split; [lra |]. rewrite Hh, Hb in *.
     assert (E := shoulder_from_crown (flag w) (x Alpha) ltac:(lra) (x Eta) 0 ltac:(lra) ltac:(easy)).
-    unfold at_crown in E. rewrite Rmult_0_r in E. rewrite <- E.
-    apply (overturning _ _ weight); try tauto; try lra.
+    unfold at_crown in E. rewrite Rmult_0_r in E. rewrite <- E. apply (overturning _ _ weight); try tauto; try lra.
 Qed.
 
 
 (** The equations that the root of a system solves, as printed. *)
-Lemma equations_hold w x e :
-  (forall f, In f (map (cleared w) e) -> meaning x f = 0 /\ defined x f) ->
-  (forall f, In f (flat_map denominator e) -> meaning x f <> 0) ->
-  (forall b, ~ In (DoubleThickness b) e) ->
+Lemma equations_hold w x e : (forall f, In f (map (cleared w) e) -> meaning x f = 0 /\ defined x f) ->
+  (forall f, In f (flat_map denominator e) -> meaning x f <> 0) -> (forall b, ~ In (DoubleThickness b) e) ->
   List.Forall (holds (flag w) x) e.
 Proof.
   intros Hzeros Hdivisors Hsimple. apply List.Forall_forall. intros g Hg.
@@ -322,8 +295,8 @@ Lemma is_only_sound c w u e x g : (forall b, ~ In (DoubleThickness b) e) ->
 Proof.
   intros Hsimple Hgiven [Hbox Honly]. split; [exact Hbox |]. intros y Hy Hsame Hholds. apply Honly; [exact Hy | |].
   - intros n Hn. rewrite <- Hgiven by exact Hn. apply Hsame. intros Hin.
-    enough (existsb (same n) u = true) by congruence.
-    apply existsb_exists. exists n. split; [exact Hin | now destruct (same_spec n n)].
+    enough (existsb (same n) u = true) by congruence. apply existsb_exists. exists n.
+    split; [exact Hin | now destruct (same_spec n n)].
   - intros f Hf. apply in_map_iff in Hf as (g' & <- & Hg).
     destruct (proj1 (List.Forall_forall _ _) Hholds g' Hg) as (Hprinted & D & Hsine).
     apply printed_is_cleared; [exact D | destruct g'; try exact Hsine; now apply (Hsimple joint) | exact Hprinted].
@@ -342,22 +315,18 @@ Proof. given_numbers. Qed.
 Theorem state_found_sound c m a E : state_found c m a = Some E ->
   is_arch a /\ exists x, surrounds E x /\ is_state m a x /\ is_only_state c m a x /\ values_hold c (coefficient (its_friction a)) x.
 Proof.
-  unfold state_found. cbv zeta. set (w := self_weight a). set (f := its_friction a).
-  set (full := full_bits c).
+  unfold state_found. cbv zeta. set (w := self_weight a). set (f := its_friction a). set (full := full_bits c).
   destruct (located _ _ _ _) as [E' |] eqn:Hlocated; [| easy].
-  match goal with |- (if ?b then _ else _) = _ -> _ => destruct b eqn:Hall; [| easy] end.
-  intros [= ->]. conditions.
+  match goal with |- (if ?b then _ else _) = _ -> _ => destruct b eqn:Hall; [| easy] end. intros [= ->]. conditions.
   destruct (located_sound _ _ _ _ _ _ (surrounds_given _ _ (arch_numbers a)) Hlocated)
     as (x & HE & Hgiven & Hzeros & Hdivisors & Honly).
   assert (alpha : x Alpha = real (half_opening a)) by (now destruct m; apply Hgiven).
   assert (mu : x Mu = coefficient_or_zero f) by (now destruct m; apply Hgiven).
   assert (Hholds : List.Forall (holds (flag w) x) (equations m))
     by (apply equations_hold; [exact Hzeros | exact Hdivisors | destruct m; no_double]).
-  assert (Hprinted := holds_printed _ _ _ Hholds).
-  assert (Harch : is_arch a) by (now apply (is_given_sound full)).
+  assert (Hprinted := holds_printed _ _ _ Hholds). assert (Harch : is_arch a) by (now apply (is_given_sound full)).
   set (S := if is_limited f && negb (slides_inside m) then with_steepest full E else E) in *.
-  set (y := if is_limited f && negb (slides_inside m) then steepest_of x else x).
-  assert (HS : surrounds S y).
+  set (y := if is_limited f && negb (slides_inside m) then steepest_of x else x). assert (HS : surrounds S y).
   { unfold S, y. destruct (is_limited f && negb (slides_inside m)); [now apply surrounds_steepest | exact HE]. }
   assert (same_numbers : forall n, n <> BetaS -> y n = x n).
   { intros n Hn. unfold y. destruct (is_limited f && negb (slides_inside m)), n; easy. }
@@ -367,8 +336,8 @@ Proof.
   destruct (signs_suffice w m f y) as [Horder Hleast]; try easy.
   - now rewrite same_numbers.
   - apply List.Forall_forall. intros g Hg. now apply (are_all_positive_sound full S y (signs w m (is_limited f))).
-  - apply List.Forall_forall. intros e He. assert (Hp := proj1 (List.Forall_forall _ _) Hprinted e He).
-    unfold y. destruct m, (is_limited f); simpl in He;
+  - apply List.Forall_forall. intros e He. assert (Hp := proj1 (List.Forall_forall _ _) Hprinted e He). unfold y.
+    destruct m, (is_limited f); simpl in He;
       repeat match goal with H : _ \/ _ |- _ => destruct H as [<- | H] end; easy.
   - now rewrite friction, same_numbers.
   - intros Hm Hf. unfold y. rewrite Hm, Hf. easy.
@@ -399,15 +368,11 @@ Qed.
 
 Lemma is_thickness_sound t : is_thickness t = true -> 0 < real t <= 2.
 Proof.
-  destruct t as [p q | |]; try easy. intros Ht. simpl in Ht. conditions.
-  repeat match goal with
-    | H : (_ <=? _)%Z = true |- _ => apply Z.leb_le in H
-    | H : (_ <? _)%Z = true |- _ => apply Z.ltb_lt in H
-    end.
+  destruct t as [p q | |]; try easy. intros Ht. simpl in Ht. conditions. in_integers.
   assert (Hq : 0 < IZR (Zpos q)) by (now apply IZR_lt). cbn [real]. unfold fraction. split.
   - apply Rdiv_lt_0_compat; [now apply IZR_lt | exact Hq].
-  - apply (Rmult_le_reg_r (IZR (Zpos q))); [exact Hq |]. unfold Rdiv.
-    rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. rewrite <- (mult_IZR 2). now apply IZR_le.
+  - apply (Rmult_le_reg_r (IZR (Zpos q))); [exact Hq |]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+    rewrite <- (mult_IZR 2). now apply IZR_le.
 Qed.
 
 Lemma check_too_thin_sound c m a t : about c = TooThin m a t -> check_too_thin c m a t = true -> claim_of c.
@@ -415,29 +380,25 @@ Proof.
   intros Habout. unfold check_too_thin, claim_of. rewrite Habout. cbv zeta. set (full := full_bits c).
   destruct (state_found c m a) as [E |] eqn:Hfound; [| easy]. intros Htest. conditions.
   destruct (state_found_sound c m a E Hfound) as (Harch & x & HE & Hstate & Honly & Hvalues).
-  assert (Ht := is_thickness_sound t ltac:(easy)).
-  assert (Hless : real t < x Eta).
-  { apply (difference_sound full (itself (E Eta)) (enclosed_number full t));
-      [easy | apply HE | apply has_number]. }
+  assert (Ht := is_thickness_sound t ltac:(easy)). assert (Hless : real t < x Eta).
+  { apply (difference_sound full (itself (E Eta)) (enclosed_number full t)); [easy | apply HE | apply has_number]. }
   split; [exact Harch | split; [now exists x | split; [easy |]]]. intros Hstands.
   assert (Hmost := is_state_least m a x Hstate (real t) Ht Hstands). lra.
 Qed.
 
 Lemma check_slides_sound c a : about c = Slides a -> check_slides c a = true -> claim_of c.
 Proof.
-  intros Habout. unfold check_slides, claim_of. rewrite Habout. cbv zeta.
-  set (w := self_weight a). set (f := its_friction a). set (full := full_bits c).
-  destruct (located _ _ _ _) as [E |] eqn:Hlocated; [| easy]. intros Htest. conditions.
-  destruct (located_sound _ _ _ _ _ _
-              (surrounds_given (its_opening a) [(Alpha, real (half_opening a))] ltac:(given_numbers)) Hlocated)
-    as (x & HE & Hgiven & Hzeros & Hdivisors & Honly).
+  intros Habout. unfold check_slides, claim_of. rewrite Habout. cbv zeta. set (w := self_weight a).
+  set (f := its_friction a). set (full := full_bits c). destruct (located _ _ _ _) as [E |] eqn:Hlocated; [| easy].
+  intros Htest. conditions.
+  destruct (located_sound _ _ _ _ _ _ (surrounds_given (its_opening a) [(Alpha, real (half_opening a))]
+    ltac:(given_numbers)) Hlocated) as (x & HE & Hgiven & Hzeros & Hdivisors & Honly).
   assert (alpha : x Alpha = real (half_opening a)) by (now apply Hgiven).
   assert (Hholds := equations_hold w x _ Hzeros Hdivisors ltac:(no_double)).
-  assert (Hprinted := holds_printed _ _ _ Hholds).
-  assert (Harch := is_given_sound full a ltac:(easy)). assert (Hmu := friction_not_negative a Harch). fold f in Hmu.
+  assert (Hprinted := holds_printed _ _ _ Hholds). assert (Harch := is_given_sound full a ltac:(easy)).
+  assert (Hmu := friction_not_negative a Harch). fold f in Hmu.
   assert (Hopen : x Alpha < PI) by (rewrite alpha; apply Harch).
-  assert (Hsigns := all_signs full E x _ ltac:(eassumption) HE).
-  assert (Hless : coefficient_or_zero f < x Mu).
+  assert (Hsigns := all_signs full E x _ ltac:(eassumption) HE). assert (Hless : coefficient_or_zero f < x Mu).
   { apply (difference_sound full (itself (E Mu)) (enclosed_friction full f)); [easy | apply HE | apply has_friction]. }
   split; [exact Harch | split].
   - exists x. refine (conj alpha (conj Hholds (conj _ (conj _ _)))).
@@ -445,9 +406,8 @@ Proof.
     + exists (coefficient_or_zero f). fold f. rewrite coefficient_is. now replace (is_limited f) with true by easy.
     + now apply (hold_values_sound full true E).
   - intros eta. unfold stands, stands_with. fold f. rewrite coefficient_is, <- alpha.
-    replace (is_limited f) with true by easy.
-    list_of Hsigns; list_of Hprinted. cbn [printed] in *. frictions Logic.I. cbn [meaning] in *.
-    apply (purely_sliding (x Alpha) (x Mu) (x Thrust) (x BetaS)); try tauto; try lra.
+    replace (is_limited f) with true by easy. list_of Hsigns; list_of Hprinted. cbn [printed] in *. frictions Logic.I.
+    cbn [meaning] in *. apply (purely_sliding (x Alpha) (x Mu) (x Thrust) (x BetaS)); try tauto; try lra.
 Qed.
 
 (** The limit of the half-angle: the physical limit of the thickness is just enough. *)
@@ -456,12 +416,10 @@ Proof.
   intros Habout. unfold check_too_wide, unknowns_too_wide, claim_of. rewrite Habout. cbv zeta.
   set (w := self_weight a). set (f := its_friction a). set (full := full_bits c).
   destruct (located _ _ _ _) as [E |] eqn:Hlocated; [| easy]. intros Htest. conditions.
-  destruct (located_sound _ _ _ _ _ _
-              (surrounds_given (fun prec => [(Eta, exact two); (Mu, enclosed_friction prec f)])
-                 [(Eta, value two); (Mu, coefficient_or_zero f)] ltac:(given_numbers)) Hlocated)
-    as (x & HE & Hgiven & Hzeros & Hdivisors & Honly).
-  assert (weight : flag w = 0 \/ flag w = 1) by (destruct w; auto).
-  assert (eta : x Eta = 2).
+  destruct (located_sound _ _ _ _ _ _ (surrounds_given (fun prec =>
+    [(Eta, exact two); (Mu, enclosed_friction prec f)]) [(Eta, value two);
+    (Mu, coefficient_or_zero f)] ltac:(given_numbers)) Hlocated) as (x & HE & Hgiven & Hzeros & Hdivisors & Honly).
+  assert (weight : flag w = 0 \/ flag w = 1) by (destruct w; auto). assert (eta : x Eta = 2).
   { rewrite Hgiven by (now destruct (is_limited f)). unfold numbers_in, two, value. simpl. ring. }
   assert (crown : x BetaR = 0) by (rewrite Hgiven by (now destruct (is_limited f)); easy).
   assert (Hless : x Alpha < real (half_opening a)).
@@ -469,24 +427,22 @@ Proof.
       [easy | apply has_number | apply HE]. }
   assert (Harch := is_given_sound full a ltac:(easy)). assert (Hopen : real (half_opening a) < PI) by apply Harch.
   assert (Hvalues : values_hold c (coefficient f) x).
-  { apply (hold_values_sound full (is_limited f) E); [easy | exact HE |].
-    rewrite coefficient_is. destruct (is_limited f); [| easy]. rewrite Hgiven by easy. easy. }
-  assert (Hsigns := all_signs full E x _ ltac:(eassumption) HE).
-  unfold stands, stands_with. fold f w. rewrite coefficient_is in *. destruct (is_limited f) eqn:Hlimited.
+  { apply (hold_values_sound full (is_limited f) E); [easy | exact HE |]. rewrite coefficient_is.
+    destruct (is_limited f); [| easy]. rewrite Hgiven by easy. easy. }
+  assert (Hsigns := all_signs full E x _ ltac:(eassumption) HE). unfold stands, stands_with. fold f w.
+  rewrite coefficient_is in *. destruct (is_limited f) eqn:Hlimited.
   - assert (mu : x Mu = coefficient_or_zero f) by (now apply Hgiven).
     assert (Hholds := equations_hold w x _ Hzeros Hdivisors ltac:(no_double)).
-    assert (Hprinted := holds_printed _ _ _ Hholds).
-    split; [exact Harch | split; [exists x; tauto |]].
-    list_of Hsigns; list_of Hprinted. cbn [printed] in *. frictions Logic.I. cbn [meaning upper_lever inner outer] in *.
-    rewrite crown, eta in *. rewrite <- mu. intros e He.
+    assert (Hprinted := holds_printed _ _ _ Hholds). split; [exact Harch | split; [exists x; tauto |]].
+    list_of Hsigns; list_of Hprinted. cbn [printed] in *. frictions Logic.I.
+    cbn [meaning upper_lever inner outer] in *. rewrite crown, eta in *. rewrite <- mu. intros e He.
     assert (Hthrust : 0 < x Thrust < 1) by nra.
     assert (Hlimit := nothing_left_at_border (flag w) (x Alpha) (x Thrust) ltac:(lra) ltac:(easy)).
     apply (too_wide (flag w) (x Alpha) _ _ (x Thrust)); try easy; lra.
   - assert (thrust : x Thrust = 0) by (now apply Hgiven).
     assert (Hholds := equations_hold w x _ Hzeros Hdivisors ltac:(no_double)).
     assert (Hprinted := holds_printed _ _ _ Hholds). apply List.Forall_inv in Hholds.
-    list_of Hsigns; list_of Hprinted. cbn [meaning] in *.
-    split; [exact Harch | split; [exists x; tauto |]].
+    list_of Hsigns; list_of Hprinted. cbn [meaning] in *. split; [exact Harch | split; [exists x; tauto |]].
     intros e He (h & p & Hinside). cbn [printed] in *. rewrite thrust, eta in *.
     assert (Hlimit := nothing_left_at_end_of_overturning (flag w) (x Alpha) ltac:(lra) ltac:(easy)).
     now apply (too_wide_without_limit (flag w) (x Alpha) (real (half_opening a))) with (eta := e) (h := h) (p := p).
@@ -497,8 +453,7 @@ Lemma enough_sound prec E x : enough prec E = true -> surrounds E x ->
   forall y, 0 <= y <= x Alpha -> friction_holds y (x Mu) (x Thrust).
 Proof.
   unfold enough. cbv zeta. intros Htest HE Hthrust Halpha N. apply andb_true_iff in Htest.
-  destruct Htest as [Hshoulder Hinside].
-  assert (HS := surrounds_steepest prec E x HE).
+  destruct Htest as [Hshoulder Hinside]. assert (HS := surrounds_steepest prec E x HE).
   assert (shoulder : mu_ss (x Alpha) (x Thrust) < x Mu).
   { apply (friction_below x shoulder_slides (normal Alpha)); [exact N |].
     now apply (are_all_positive_sound prec E x [grip_at_shoulder]); [| | left]. }
@@ -520,16 +475,12 @@ Qed.
 Lemma check_stands_sound c a t h p there :
   about c = Stands a t h p there -> check_stands c a t h p there = true -> claim_of c.
 Proof.
-  intros Habout. unfold check_stands, claim_of. rewrite Habout. cbv zeta.
-  set (w := self_weight a). set (f := its_friction a).
-  set (full := (Z.max _ _ + 64)%Z).
+  intros Habout. unfold check_stands, claim_of. rewrite Habout. cbv zeta. set (w := self_weight a).
+  set (f := its_friction a). set (full := (Z.max _ _ + 64)%Z).
   destruct (located _ _ _ _) as [E |] eqn:Hlocated; [| easy]. intros Htest. conditions.
-  destruct (located_sound _ _ _ _ _ _
-              (surrounds_given
-                 (fun prec => (Eta, enclosed_number prec t) :: (Thrust, exact h) :: (Moment, exact p)
-                                :: its_numbers a prec)
-                 [(Eta, real t); (Thrust, value h); (Moment, value p); (Mu, coefficient_or_zero f);
-                  (Alpha, real (half_opening a))] ltac:(given_numbers)) Hlocated)
+  destruct (located_sound _ _ _ _ _ _ (surrounds_given (fun prec => (Eta, enclosed_number prec t) ::
+    (Thrust, exact h) :: (Moment, exact p) :: its_numbers a prec) [(Eta, real t); (Thrust, value h);
+    (Moment, value p); (Mu, coefficient_or_zero f); (Alpha, real (half_opening a))] ltac:(given_numbers)) Hlocated)
     as (x & HE & Hgiven & Hzeros & Hdivisors & Honly).
   assert (alpha : x Alpha = real (half_opening a)) by (now destruct there; apply Hgiven).
   assert (eta : x Eta = real t) by (now destruct there; apply Hgiven).
@@ -537,19 +488,17 @@ Proof.
   assert (moment : x Moment = value p) by (now destruct there; apply Hgiven).
   assert (mu : x Mu = coefficient_or_zero f) by (now destruct there; apply Hgiven).
   assert (Hthick := is_thickness_sound t ltac:(easy)). rewrite <- eta in Hthick.
-  assert (Harch := is_given_sound full a ltac:(easy)).
-  assert (Hopen : x Alpha < PI) by (rewrite alpha; apply Harch).
+  assert (Harch := is_given_sound full a ltac:(easy)). assert (Hopen : x Alpha < PI) by (rewrite alpha; apply Harch).
   assert (Hprinted := holds_printed _ _ _ (equations_hold w x _ Hzeros Hdivisors ltac:(destruct there; no_double))).
   assert (Hsigns := all_signs full E x _ ltac:(eassumption) HE).
   assert (inside : thrust_inside (flag w) (x Alpha) (x Eta) (x Thrust) (value p)).
   { rewrite <- moment. destruct there; list_of Hsigns; list_of Hprinted; rewrite ?meaning_next in *.
     all: assert (N : 0 < normal_force (x Alpha) (x Thrust)) by assumption.
-    all: assert (crown : x Moment <= at_crown (x Eta) (x Thrust))
-      by (in_numbers; unfold at_crown, extrados; lra).
+    all: assert (crown : x Moment <= at_crown (x Eta) (x Thrust)) by (in_numbers; unfold at_crown, extrados; lra).
     all: assert (shoulder : x Moment <= at_shoulder (flag w) (x Alpha) (x Eta) (x Thrust))
       by (in_numbers; unfold at_shoulder, extrados, normal_force; lra).
-    - apply inside_nearest_at_crown; try easy; in_numbers; try lra.
-      unfold Verdicts.room, intrados, normal_force. rewrite cos_0, sin_0. unfold room_at_crown in *. in_numbers. lra.
+    - apply inside_nearest_at_crown; try easy; in_numbers; try lra. unfold Verdicts.room, intrados, normal_force.
+      rewrite cos_0, sin_0. unfold room_at_crown in *. in_numbers. lra.
     - apply (inside_nearest_at_haunch _ _ _ _ _) with (beta := x BetaR); try easy; unfold room in *; in_numbers; try lra.
       + assert (Hinner : meaning x inner <> 0) by (apply Hdivisors; simpl; auto). in_numbers. lra.
       + unfold Verdicts.room, intrados, normal_force. lra.
@@ -557,15 +506,14 @@ Proof.
       + unfold Verdicts.room, intrados, normal_force. lra.
       + unfold intrados. lra. }
   assert (admitted : is_admissible (flag w) (coefficient f) x (value p)).
-  { rewrite coefficient_is. unfold is_admissible. destruct (is_limited f); [| exact inside].
-    rewrite <- mu. intros y Hy. split; [now apply inside |]. apply (enough_sound full E); try easy;
-      destruct there; list_of Hsigns; in_numbers; try assumption; lra. }
+  { rewrite coefficient_is. unfold is_admissible. destruct (is_limited f); [| exact inside]. rewrite <- mu.
+    intros y Hy. split; [now apply inside |].
+    apply (enough_sound full E); try easy; destruct there; list_of Hsigns; in_numbers; try assumption; lra. }
   split; [exact Harch | split; [now rewrite <- eta | split]].
   - unfold stands, stands_with. fold w f. rewrite <- alpha, <- eta. unfold is_admissible in admitted.
     destruct (coefficient f); now exists (x Thrust), (value p).
   - exists x. fold w f. refine (conj alpha (conj eta (conj thrust (conj _ admitted)))).
-    apply (hold_values_sound full (is_limited f) E); try easy.
-    rewrite coefficient_is, mu. easy.
+    apply (hold_values_sound full (is_limited f) E); try easy. rewrite coefficient_is, mu. easy.
 Qed.
 
 (** ** Landmarks *)
@@ -577,19 +525,16 @@ Definition one_joint_of (x : configuration) : configuration := fun n =>
 Lemma surrounds_one_joint E x : surrounds E x -> surrounds (with_one_joint E) (one_joint_of x).
 Proof. intros HE []; apply HE. Qed.
 
-Lemma landmark_holds w x l :
-  (forall f, In f (map (cleared w) (equations_of l)) -> meaning x f = 0 /\ defined x f) ->
+Lemma landmark_holds w x l : (forall f, In f (map (cleared w) (equations_of l)) -> meaning x f = 0 /\ defined x f) ->
   (forall f, In f (flat_map denominator (equations_of l)) -> meaning x f <> 0) ->
   List.Forall (holds (flag w) x) (equations_of l).
 Proof.
   intros Hzeros Hdivisors. destruct l; try (apply equations_hold; [exact Hzeros | exact Hdivisors | no_double]).
-  set (first := [LowerThrust BetaR; WholeThrust; Tangency BetaR]).
-  assert (H : List.Forall (holds (flag w) x) first).
+  set (first := [LowerThrust BetaR; WholeThrust; Tangency BetaR]). assert (H : List.Forall (holds (flag w) x) first).
   { apply equations_hold; [| | no_double]; intros f Hf; [apply Hzeros | apply Hdivisors]; simpl in *; tauto. }
   apply (List.Forall_app (holds (flag w) x) first [DoubleThickness BetaR]). split; [exact H |].
   assert (sine : sin (x BetaR) <> 0) by (apply (Hzeros (cleared w (Tangency BetaR))); simpl; auto).
-  apply List.Forall_cons; [| apply List.Forall_nil]. split; [| now split].
-  apply (cleared_double w x BetaR); try easy.
+  apply List.Forall_cons; [| apply List.Forall_nil]. split; [| now split]. apply (cleared_double w x BetaR); try easy.
   - apply Hdivisors. simpl. auto.
   - apply Hdivisors. simpl. auto.
   - exact (proj1 (proj1 (List.Forall_forall _ _) H (LowerThrust BetaR) ltac:(simpl; auto))).
@@ -601,9 +546,9 @@ Qed.
 Lemma upper_from_lower_and_whole d x : holds d x (LowerThrust BetaR) -> holds d x WholeThrust ->
   0 < meaning x (upper_lever BetaR) -> holds d x (UpperThrust BetaR).
 Proof.
-  intros (H2 & D2 & _) (H4 & D4 & _) Hlever. specialize (D2 _ (or_introl eq_refl)). specialize (D4 _ (or_introl eq_refl)).
-  split; [| split; [intros f [<- | []]; lra | easy]]. cbn [printed] in *. in_numbers.
-  apply lower_and_whole_imply_upper; try easy; try lra; intros Hzero; apply D4; rewrite Hzero; ring.
+  intros (H2 & D2 & _) (H4 & D4 & _) Hlever. specialize (D2 _ (or_introl eq_refl)).
+  specialize (D4 _ (or_introl eq_refl)). split; [| split; [intros f [<- | []]; lra | easy]]. cbn [printed] in *.
+  in_numbers. apply lower_and_whole_imply_upper; try easy; try lra; intros Hzero; apply D4; rewrite Hzero; ring.
 Qed.
 
 (** What the signs and the equations of a landmark are in the names of the theory. *)
@@ -615,16 +560,14 @@ Ltac at_landmark w x l Hsigns Hprinted :=
   frictions Logic.I; cbn [meaning inner outer upper_lever] in *; rewrite ?meaning_extrados in *.
 
 Lemma landmark_least w x l : x Alpha < PI -> is_fixed l x ->
-  List.Forall (fun g => 0 < meaning x g) (landmark_signs w l) ->
-  List.Forall (printed (flag w) x) (equations_of l) ->
+  List.Forall (fun g => 0 < meaning x g) (landmark_signs w l) -> List.Forall (printed (flag w) x) (equations_of l) ->
   is_least (flag w) (friction_there l x) x (moment_there l (flag w) x).
 Proof.
   intros Hopen Hfixed Hsigns Hprinted.
   at_landmark w x l Hsigns Hprinted; unfold is_least, is_admissible; cbn [friction_there moment_there].
   - apply (rotational _ _ _ weight) with (beta := x BetaR); try tauto; try lra.
   - apply (rotational_sliding _ _ _ weight) with (beta := x BetaS) (joint := x BetaS); try tauto; try lra.
-  - rewrite Hfixed in *.
-    assert (next := no_room_next_to_crown (flag w) (x Eta) (x Thrust) ltac:(lra) ltac:(easy)).
+  - rewrite Hfixed in *. assert (next := no_room_next_to_crown (flag w) (x Eta) (x Thrust) ltac:(lra) ltac:(easy)).
     apply (overturning_sliding _ _ _ weight) with (joint := x BetaS); try tauto; try lra.
   - destruct Hfixed as [Hb He]. rewrite Hb, He in *.
     assert (left := nothing_left_at_border (flag w) (x Alpha) (x Thrust) ltac:(lra) ltac:(easy)).
@@ -632,13 +575,11 @@ Proof.
   - destruct Hfixed as (Hb & _ & Hh). rewrite Hb, Hh in *.
     assert (next := no_room_next_to_crown (flag w) (x Eta) 0 ltac:(lra) ltac:(easy)).
     assert (E := shoulder_from_crown (flag w) (x Alpha) ltac:(lra) (x Eta) 0 ltac:(lra) ltac:(easy)).
-    unfold at_crown in E. rewrite Rmult_0_r in E. rewrite <- E.
-    apply (overturning _ _ weight); try tauto; try lra.
+    unfold at_crown in E. rewrite Rmult_0_r in E. rewrite <- E. apply (overturning _ _ weight); try tauto; try lra.
   - destruct Hfixed as (Hb & _ & Hh & He). rewrite Hb, Hh, He in *.
     assert (left := nothing_left_at_end_of_overturning (flag w) (x Alpha) ltac:(lra) ltac:(easy)).
-    assert (E := shoulder_from_crown (flag w) (x Alpha) ltac:(lra) 2 0 ltac:(lra) ltac:(easy)).
-    unfold at_crown in E. rewrite Rmult_0_r in E. rewrite <- E.
-    apply (overturning _ _ weight); try tauto; try lra.
+    assert (E := shoulder_from_crown (flag w) (x Alpha) ltac:(lra) 2 0 ltac:(lra) ltac:(easy)). unfold at_crown in E.
+    rewrite Rmult_0_r in E. rewrite <- E. apply (overturning _ _ weight); try tauto; try lra.
   - apply (rotational_without_limit _ _ weight) with (beta := x BetaR); try tauto; try lra.
 Qed.
 
@@ -654,8 +595,7 @@ Qed.
 
 (** What is zero there and what is not, and that nothing stands with less friction. *)
 Lemma landmark_meets w x l : x Alpha < PI -> is_fixed l x ->
-  List.Forall (fun g => 0 < meaning x g) (landmark_signs w l) ->
-  List.Forall (holds (flag w) x) (equations_of l) ->
+  List.Forall (fun g => 0 < meaning x g) (landmark_signs w l) -> List.Forall (holds (flag w) x) (equations_of l) ->
   is_zero_there l (flag w) x /\ is_left_there l (flag w) x /\ is_least_friction l x.
 Proof.
   intros Hopen Hfixed Hsigns Hholds. assert (Hprinted := holds_printed _ _ _ Hholds).
@@ -674,8 +614,7 @@ Proof.
     assert (left := nothing_left_at_border (flag w) (x Alpha) (x Thrust) ltac:(lra) ltac:(easy)).
     repeat split; try easy; lra.
   - destruct Hfixed as (Hb & _ & Hh). rewrite Hb, Hh in *.
-    assert (next := no_room_next_to_crown (flag w) (x Eta) 0 ltac:(lra) ltac:(easy)).
-    repeat split; try easy; lra.
+    assert (next := no_room_next_to_crown (flag w) (x Eta) 0 ltac:(lra) ltac:(easy)). repeat split; try easy; lra.
   - destruct Hfixed as (Hb & _ & Hh & He). rewrite Hb, Hh, He in *.
     assert (left := nothing_left_at_end_of_overturning (flag w) (x Alpha) ltac:(lra) ltac:(easy)).
     repeat split; try easy; lra.
@@ -688,13 +627,12 @@ Lemma landmark_there w x l : x Alpha < PI -> is_fixed l x ->
   List.Forall (holds (flag w) x) (equations_of l) -> is_zero_there l (flag w) x ->
   (forall m, In m (modes_of l) -> is_state_there l (flag w) x m) /\ in_order_there l x.
 Proof.
-  intros Hopen Hfixed Hsigns Hholds [_ Hzero]. destruct l; cbn [is_fixed modes_of] in *; list_of Hsigns; list_of Hholds.
+  intros Hopen Hfixed Hsigns Hholds [_ Hzero].
+  destruct l; cbn [is_fixed modes_of] in *; list_of Hsigns; list_of Hholds.
   all: split; [| unfold in_order_there; cbn [meaning inner] in *; repeat split; lra].
-  all: intros m Hm; split;
-    [repeat destruct Hm as [<- | Hm]; try easy |
-     intros e He; simpl in Hm; repeat destruct Hm as [<- | Hm]; try easy; cbn [equations] in He; simpl in He;
-       repeat destruct He as [<- | He]; try easy].
-  1: now apply upper_from_lower_and_whole.
+  all: intros m Hm; split; [repeat destruct Hm as [<- | Hm]; try easy | intros e He; simpl in Hm;
+    repeat destruct Hm as [<- | Hm]; try easy; cbn [equations] in He; simpl in He; repeat destruct He as [<- | He];
+    try easy]. 1: now apply upper_from_lower_and_whole.
   1-4: unfold holds in *; cbn [printed denominator] in *; rewrite Hfixed;
     repeat match goal with H : _ /\ _ |- _ => destruct H end; repeat split; try easy;
     intros f [<- | []]; in_numbers; rewrite ?Hfixed;
@@ -702,8 +640,8 @@ Proof.
   - cbn [meaning inner] in *. apply shoulder_from_crown; [lra | lra |].
     now match goal with H : holds _ x WholeThrust |- _ => destruct H end.
   - destruct Hfixed as (Hb & _ & Hh). unfold holds. cbn [printed denominator]. rewrite Hb, Hh.
-    repeat split; [unfold h_lower; rewrite sin_0, cos_0; unfold Rdiv; ring |].
-    intros f [<- | []]. in_numbers. rewrite Hb, cos_0. cbn [meaning] in *. lra.
+    repeat split; [unfold h_lower; rewrite sin_0, cos_0; unfold Rdiv; ring |]. intros f [<- | []]. in_numbers.
+    rewrite Hb, cos_0. cbn [meaning] in *. lra.
 Qed.
 
 (** A solution is fixed by its unknowns. *)
@@ -723,16 +661,14 @@ Proof.
   rewrite <- own by exact Hn. apply Honly.
   - intros i Hi. rewrite own by (now apply nth_In). now apply Hy.
   - intros k Hk. unfold z. now rewrite Hk.
-  - intros f Hf. apply in_map_iff in Hf as (e & <- & He).
-    transitivity (meaning y (cleared w e)).
+  - intros f Hf. apply in_map_iff in Hf as (e & <- & He). transitivity (meaning y (cleared w e)).
     + apply meaning_alike. intros k Hk. unfold z.
       destruct l; simpl in He; repeat destruct He as [<- | He]; try easy; destruct w, k; try easy;
         cbn [is_fixed existsb same landmark_unknowns orb] in *; intuition congruence.
     + destruct (proj1 (List.Forall_forall _ _) Hholds e He) as (Hprinted & D & Hsine).
       destruct e; try (now apply printed_is_cleared).
-      destruct l; simpl in He; repeat destruct He as [He | He]; try easy. injection He as <-.
-      list_of Hholds. unfold holds in *. cbn [denominator] in *.
-      repeat match goal with H : _ /\ _ |- _ => destruct H end.
+      destruct l; simpl in He; repeat destruct He as [He | He]; try easy. injection He as <-. list_of Hholds.
+      unfold holds in *. cbn [denominator] in *. repeat match goal with H : _ /\ _ |- _ => destruct H end.
       repeat match goal with D : forall f, _ -> meaning _ f <> 0 |- _ => specialize (D _ (or_introl eq_refl)) end.
       now apply cleared_double.
 Qed.
@@ -742,31 +678,28 @@ Proof.
   intros Habout. unfold check_landmark, claim_of. rewrite Habout. cbv zeta. set (full := full_bits c).
   destruct (located _ _ _ _) as [E |] eqn:Hlocated; [| easy]. intros Htest. conditions.
   set (fixed := match l with Border | OverturningEnd => [(Eta, value two)] | _ => [] end).
-  destruct (located_sound _ _ _ _ _ _
-              (surrounds_given (landmark_given l) fixed ltac:(unfold fixed; destruct l; given_numbers)) Hlocated)
-    as (x & HE & Hgiven & Hzeros & Hdivisors & Hbox & Honly).
+  destruct (located_sound _ _ _ _ _ _ (surrounds_given (landmark_given l) fixed ltac:(unfold fixed; destruct l;
+    given_numbers)) Hlocated) as (x & HE & Hgiven & Hzeros & Hdivisors & Hbox & Honly).
   assert (two_is : value two = 2) by (unfold two, value; simpl; ring).
   set (y := match l with Shift => one_joint_of x | _ => x end).
   set (S := match l with Shift => with_one_joint E | _ => E end) in *.
-  assert (HS : surrounds S y)
-    by (unfold S, y; destruct l; try exact HE; now apply surrounds_one_joint).
+  assert (HS : surrounds S y) by (unfold S, y; destruct l; try exact HE; now apply surrounds_one_joint).
   assert (Hsame : forall n, In n (landmark_unknowns l) -> y n = x n)
     by (intros n Hn; unfold y; destruct l; try easy; now repeat destruct Hn as [<- | Hn]).
   assert (Hholds : List.Forall (holds (flag w) y) (equations_of l)).
-  { assert (Hp := landmark_holds w x l Hzeros Hdivisors). unfold y.
-    destruct l; try exact Hp. apply List.Forall_forall. intros e He.
+  { assert (Hp := landmark_holds w x l Hzeros Hdivisors). unfold y. destruct l; try exact Hp.
+    apply List.Forall_forall. intros e He.
     destruct (proj1 (List.Forall_forall _ _) Hp e He) as (Hprinted & D & Hsine). simpl in He.
     repeat destruct He as [<- | He]; try easy;
       (refine (conj Hprinted (conj _ Hsine)); intros f Hf; specialize (D f Hf); now repeat destruct Hf as [<- | Hf]). }
-  assert (Hprinted := holds_printed _ _ _ Hholds).
-  assert (Hfixed : is_fixed l y).
-  { unfold y. destruct l; cbn [is_fixed]; try easy; repeat split; rewrite ?Hgiven by easy; unfold fixed, numbers_in;
+  assert (Hprinted := holds_printed _ _ _ Hholds). assert (Hfixed : is_fixed l y).
+  { unfold y.
+    destruct l; cbn [is_fixed]; try easy; repeat split; rewrite ?Hgiven by easy; unfold fixed, numbers_in;
       cbn [find same fst snd]; easy. }
   assert (Hopen : y Alpha < PI) by (apply (is_open_sound full (itself (S Alpha))); [easy | apply HS]).
   assert (Hsigns := all_signs full S y _ ltac:(eassumption) HS).
   destruct (landmark_meets w y l Hopen Hfixed Hsigns Hholds) as (Hzero & Hleft & Hless).
-  destruct (landmark_there w y l Hopen Hfixed Hsigns Hholds Hzero) as [Hthere Horder].
-  exists y. unfold is_landmark.
+  destruct (landmark_there w y l Hopen Hfixed Hsigns Hholds Hzero) as [Hthere Horder]. exists y. unfold is_landmark.
   refine (conj (conj Hholds Hfixed) (conj (conj _ _) (conj _ (conj _ (conj Hthere (conj Horder
             (conj Hzero (conj Hleft Hless)))))))).
   - intros i Hi. rewrite Hsame by (now apply nth_In). now apply Hbox.
@@ -782,9 +715,9 @@ Lemma neighbourhood_sound prec test X tries k near x :
   neighbourhood prec tries k test X = Some near -> has X x -> test near = true /\ has near x.
 Proof.
   intros Hfound HX. revert k Hfound. induction tries as [| tries IH]; intros k; simpl; [easy |].
-  destruct (test (widened prec X k)) eqn:Htest; [| apply IH]. intros [= <-]. split; [exact Htest |].
-  unfold widened. replace x with (x + 0) by ring. apply has_add; [exact HX |]. apply has_symmetric.
-  rewrite Rabs_R0. unfold value. apply Rlt_le, Rmult_lt_0_compat; [simpl; lra | apply powerRZ_lt; lra].
+  destruct (test (widened prec X k)) eqn:Htest; [| apply IH]. intros [= <-]. split; [exact Htest |]. unfold widened.
+  replace x with (x + 0) by ring. apply has_add; [exact HX |]. apply has_symmetric. rewrite Rabs_R0. unfold value.
+  apply Rlt_le, Rmult_lt_0_compat; [simpl; lra | apply powerRZ_lt; lra].
 Qed.
 
 Section Known.
@@ -795,16 +728,14 @@ Hypothesis around : surrounds E x.
 Lemma near_joint_sound m X j near : In near (near_joint w E m X) -> has X j ->
   is_margin (flag w) x m j = 0 -> is_margin_slope (flag w) x m j = 0 -> safe w x m near.
 Proof.
-  unfold near_joint. intros Hin HX H0 H1.
-  destruct (neighbourhood _ _ _ _ _) as [found |] eqn:Hfound; [| easy].
+  unfold near_joint. intros Hin HX H0 H1. destruct (neighbourhood _ _ _ _ _) as [found |] eqn:Hfound; [| easy].
   destruct Hin as [<- | []]. destruct (neighbourhood_sound _ _ _ _ _ _ j Hfound HX) as [Htest Hnear].
   now apply (safe_if_bends piece_bits w E x around m found j).
 Qed.
 
 Lemma near_end_sound m near : In near (near_end w E m) -> is_margin (flag w) x m (x Alpha) = 0 -> safe w x m near.
 Proof.
-  unfold near_end. intros Hin H0.
-  destruct (neighbourhood _ _ _ _ _) as [found |] eqn:Hfound; [| easy].
+  unfold near_end. intros Hin H0. destruct (neighbourhood _ _ _ _ _) as [found |] eqn:Hfound; [| easy].
   destruct Hin as [<- | []].
   destruct (neighbourhood_sound _ _ _ _ _ _ (x Alpha) Hfound ltac:(apply around)) as [Htest Hnear].
   now apply (safe_if_falls piece_bits w E x around m found).
@@ -824,10 +755,7 @@ Definition rates_of (k : kind) (x : configuration) : configuration :=
   fun n => match n with Power => meaning (slips_of k x) (power_of k) | _ => slips_of k x n end.
 
 Lemma surrounds_slips prec k E x : surrounds E x -> surrounds (with_slips prec k E) (slips_of k x).
-Proof.
-  intros HE n.
-  destruct n; first [apply HE | apply covers_plain; apply has_div; now apply has_meaning].
-Qed.
+Proof. intros HE n. destruct n; first [apply HE | apply covers_plain; apply has_div; now apply has_meaning]. Qed.
 
 Lemma surrounds_rates prec k E x : surrounds E x -> surrounds (with_rates prec k E) (rates_of k x).
 Proof.
@@ -845,8 +773,8 @@ Lemma slips_inside x :
   slips_of SlidesInside x Slip = shoulder_slip (x Alpha) (x Eta) (x Hinge) (x BetaR) (x BetaS) /\
   slips_of SlidesInside x InnerSlip = inner_slip (x Alpha) (x Eta) (x Hinge) (x BetaR) (x BetaS).
 Proof.
-  unfold slips_of, shoulder_slip, inner_slip. cbv zeta. cbn [slip_numerator rate_divisor].
-  unfold gap_along. cbn [meaning]. rewrite meaning_across, meaning_upwards. now split.
+  unfold slips_of, shoulder_slip, inner_slip. cbv zeta. cbn [slip_numerator rate_divisor]. unfold gap_along.
+  cbn [meaning]. rewrite meaning_across, meaning_upwards. now split.
 Qed.
 
 Lemma slips_opening x :
@@ -857,23 +785,21 @@ Proof.
   unfold slips_of, slip_of_opening, shoulder_opening, shoulder_determinant. cbv zeta.
   cbn [slip_numerator rate_divisor].
   unfold gap_along, arm_upwards, arm_across, half_outer, half_inner, extrados, intrados. cbn [meaning].
-  rewrite meaning_across, meaning_upwards.
-  replace (x Eta * (1 / 2)) with (x Eta / 2) by field. repeat split.
+  rewrite meaning_across, meaning_upwards. replace (x Eta * (1 / 2)) with (x Eta / 2) by field. repeat split.
 Qed.
 
 Lemma check_asymmetric_sound c k a : about c = Asymmetric k a -> check_asymmetric c k a = true -> claim_of c.
 Proof.
-  intros Habout. unfold check_asymmetric, claim_of. rewrite Habout. cbv zeta.
-  set (w := self_weight a). set (f := its_friction a). set (full := full_bits c).
-  destruct (located _ _ _ _) as [E |] eqn:Hlocated; [| easy]. intros Htest. conditions.
+  intros Habout. unfold check_asymmetric, claim_of. rewrite Habout. cbv zeta. set (w := self_weight a).
+  set (f := its_friction a). set (full := full_bits c). destruct (located _ _ _ _) as [E |] eqn:Hlocated; [| easy].
+  intros Htest. conditions.
   destruct (located_sound _ _ _ _ _ _ (surrounds_given _ _ (arch_numbers a)) Hlocated)
     as (x & HE & Hgiven & Hzeros & _ & _).
   assert (alpha : x Alpha = real (half_opening a)) by (now destruct k; apply Hgiven).
   assert (mu : x Mu = coefficient_or_zero f) by (now destruct k; apply Hgiven).
   assert (Harch := is_given_sound full a ltac:(easy)). assert (Hopen : x Alpha < PI) by (rewrite alpha; apply Harch).
   assert (Hvalues : values_hold c (Some (x Mu)) (rates_of k x)).
-  { apply (hold_values_sound full true (with_rates full k E)); try easy.
-    now apply surrounds_rates. }
+  { apply (hold_values_sound full true (with_rates full k E)); try easy. now apply surrounds_rates. }
   assert (zero : forall g, In g (asymmetric_zeros w k) -> meaning x g = 0) by (intros g Hg; now apply Hzeros).
   assert (crown : is_margin (flag w) x FromExtrados (x Hinge) = 0)
     by (rewrite <- (margin_right w); apply zero; cbn [asymmetric_zeros app In]; tauto).
@@ -891,15 +817,15 @@ Proof.
   assert (opens : k = OpensAtShoulder -> is_margin (flag w) x FromExtrados (x Alpha) = 0).
   { intros ->. rewrite <- (margin_right w). apply zero. cbn [asymmetric_zeros app In]. tauto. }
   assert (Hknown : List.Forall (is_known w x) (known_margins w k E)).
-  { unfold known_margins. repeat apply List.Forall_cons; try apply List.Forall_nil;
+  { unfold known_margins.
+    repeat apply List.Forall_cons; try apply List.Forall_nil;
       intros near Hnear; cbn [fst snd] in *; rewrite ?in_app_iff in Hnear.
     - destruct Hnear as [Hin | Hin]; [now apply (near_joint_sound w E x HE _ _ (x Hinge) _ Hin); [apply HE | |] |].
       destruct k; try easy. now apply (near_end_sound w E x HE _ _ Hin), opens.
     - now apply (near_joint_sound w E x HE _ _ (- x BetaR) _ Hnear); [apply has_neg, HE | |].
     - easy.
-    - destruct Hnear as [Hin | Hin]; [now apply (near_end_sound w E x HE _ _ Hin) |].
-      destruct k; try easy. destruct (inside eq_refl).
-      now apply (near_joint_sound w E x HE _ _ (- x BetaS) _ Hin); [apply has_neg, HE | |]. }
+    - destruct Hnear as [Hin | Hin]; [now apply (near_end_sound w E x HE _ _ Hin) |]. destruct k; try easy.
+      destruct (inside eq_refl). now apply (near_joint_sound w E x HE _ _ (- x BetaS) _ Hin); [apply has_neg, HE | |]. }
   assert (admitted : whole_admissible (flag w) (x Alpha) (x Eta) (x Mu) (x Thrust) (x Moment) (x Force)).
   { intros j Hj.
     assert (Hall := whole_covered_sound piece_bits w E x HE (known_margins w k E) ltac:(easy)
@@ -910,12 +836,10 @@ Proof.
   split; [exact Harch |]. exists (rates_of k x). refine (conj alpha (conj _ (conj _ (conj _ Hvalues)))).
   - rewrite coefficient_is. fold f. change (rates_of k x Mu) with (x Mu). rewrite mu.
     now replace (is_limited f) with true.
-  - cbn [is_margin] in *.
-    assert (admitted' := admitted). unfold whole_admissible in admitted'.
-    assert (thickness : 0 < x Eta < 2)
-      by (split; [| enough (0 < meaning x inner) by (cbn [meaning inner] in *; lra)];
-          [apply (proj1 (List.Forall_forall _ _) Hsigns (Val Eta)) | apply (proj1 (List.Forall_forall _ _) Hsigns inner)];
-          destruct k; simpl; tauto).
+  - cbn [is_margin] in *. assert (admitted' := admitted). unfold whole_admissible in admitted'.
+    assert (thickness : 0 < x Eta < 2) by (split; [| enough (0 < meaning x inner) by (cbn [meaning inner] in *; lra)];
+      [apply (proj1 (List.Forall_forall _ _) Hsigns (Val Eta)) | apply (proj1 (List.Forall_forall _ _) Hsigns inner)];
+      destruct k; simpl; tauto).
     assert (compressed : forall j, - x Alpha <= j <= x Alpha -> 0 <= whole_normal (x Thrust) (x Force) j).
     { intros j Hj. destruct (admitted' j Hj) as (Hout & Hin & _). unfold from_extrados, from_intrados in *.
       apply (Rmult_le_reg_l (x Eta)); [easy |]. unfold extrados, intrados in *. lra. }
@@ -928,7 +852,8 @@ Proof.
       assert (slip : 0 < slips_of SlidesInside x Slip) by (apply Rdiv_lt_0_compat; assumption).
       assert (inner : 0 < slips_of SlidesInside x InnerSlip) by (apply Rdiv_lt_0_compat; assumption).
       assert (fit := rates_fit (x Alpha) (x Eta) (x Hinge) (x BetaR) (x BetaS) ltac:(lra)).
-      rewrite <- Es, <- Eu in fit. unfold asymmetric_solution. repeat split; try assumption; try lra; now apply admitted'.
+      rewrite <- Es, <- Eu in fit. unfold asymmetric_solution.
+      repeat split; try assumption; try lra; now apply admitted'.
     + assert (gapes := opens eq_refl). destruct (slips_opening x) as (Es & Ew & Ed).
       change (shoulder_solution (flag w) (x Alpha) (x Mu) (x Eta) (x Thrust) (x Moment) (x Force) (x Hinge) (x BetaR)
                 (slips_of OpensAtShoulder x Slip) (slips_of OpensAtShoulder x Opening)
@@ -936,9 +861,8 @@ Proof.
       assert (slip : 0 < slips_of OpensAtShoulder x Slip) by (apply Rdiv_lt_0_compat; assumption).
       assert (opening : 0 < slips_of OpensAtShoulder x Opening) by (apply Rdiv_lt_0_compat; assumption).
       assert (divisor : 0 < shoulder_determinant (x Alpha) (x Eta) (x BetaR)) by (rewrite <- Ed; assumption).
-      assert (fit := opening_fits (x Alpha) (x Eta) (x Hinge) (x BetaR) ltac:(lra)).
-      rewrite <- Es, <- Ew in fit. unfold shoulder_solution. rewrite gapes, Rmult_0_r.
-      repeat split; try assumption; try lra; now apply admitted'.
+      assert (fit := opening_fits (x Alpha) (x Eta) (x Hinge) (x BetaR) ltac:(lra)). rewrite <- Es, <- Ew in fit.
+      unfold shoulder_solution. rewrite gapes, Rmult_0_r. repeat split; try assumption; try lra; now apply admitted'.
     + assert (misfit := zero _ ltac:(cbn [asymmetric_zeros app In]; right; right; right; right; right; left; reflexivity)).
       cbn [meaning inner outer] in misfit.
       change (shoulder_solution (flag w) (x Alpha) (x Mu) (x Eta) (x Thrust) (x Moment) (x Force) (x Hinge) (x BetaR)
@@ -949,9 +873,9 @@ Proof.
         now rewrite meaning_across. }
       assert (fit := slip_alone_fits (x Alpha) (x Eta) (x Hinge) (x BetaR) ltac:(lra)
                        ltac:(unfold extrados, intrados; lra)).
-      rewrite <- Es in fit. unfold shoulder_solution.
-      repeat split; try assumption; try lra; now apply admitted'.
-  - unfold is_power. destruct k; unfold rates_of; cbn [power_of meaning right left normal_at angle_of sine_of cosine_of];
+      rewrite <- Es in fit. unfold shoulder_solution. repeat split; try assumption; try lra; now apply admitted'.
+  - unfold is_power.
+    destruct k; unfold rates_of; cbn [power_of meaning right left normal_at angle_of sine_of cosine_of];
       unfold whole_normal; rewrite ?sin_neg, ?cos_neg; cbn [slips_of]; ring.
 Qed.
 

@@ -77,12 +77,12 @@ Proof.
       | H : is_same_friction _ _ = true |- _ => apply same_friction_sound in H
       end;
     replace (self_weight a') with (self_weight a) by (destruct (self_weight a), (self_weight a'); easy); congruence).
-  - match goal with H : is_same_number t u = true |- _ => apply same_number_sound in H as -> end.
-    rewrite <- E. apply Hcheck.
+  - match goal with H : is_same_number t u = true |- _ => apply same_number_sound in H as -> end. rewrite <- E.
+    apply Hcheck.
   - rewrite <- E. apply Hcheck.
   - rewrite <- E. now apply Hcheck.
-  - match goal with H : is_same_number t u = true |- _ => apply same_number_sound in H as -> end.
-    rewrite <- E. apply Hcheck.
+  - match goal with H : is_same_number t u = true |- _ => apply same_number_sound in H as -> end. rewrite <- E.
+    apply Hcheck.
 Qed.
 
 (** ** Circles *)
@@ -120,10 +120,10 @@ Proof.
   assert (E : Q2R (outwards c t r) = Q2R r + IZR (to_centreline c) * Q2R t / 2).
   { unfold outwards. rewrite Q2R_plus, Q2R_div by easy. unfold inject_Z. now in_reals. }
   destruct (Qeq_dec (outwards c t r) 0) as [Hzero | Hne].
-  - assert (Hq : (t / outwards c t r == 0)%Q) by (rewrite Hzero; unfold Qdiv; apply Qmult_0_r).
-    apply Qeq_eqR in Hq. rewrite Hq, (Q2R_whole 0). lra.
-  - rewrite Q2R_div by exact Hne. rewrite E. intros [H _]. split; [reflexivity |].
-    apply Rnot_le_lt. intros Hle. destruct Hle as [Hle | Hle]; [| rewrite Hle in H; unfold Rdiv in H; rewrite Rinv_0 in H; lra].
+  - assert (Hq : (t / outwards c t r == 0)%Q) by (rewrite Hzero; unfold Qdiv; apply Qmult_0_r). apply Qeq_eqR in Hq.
+    rewrite Hq, (Q2R_whole 0). lra.
+  - rewrite Q2R_div by exact Hne. rewrite E. intros [H _]. split; [reflexivity |]. apply Rnot_le_lt. intros Hle.
+    destruct Hle as [Hle | Hle]; [| rewrite Hle in H; unfold Rdiv in H; rewrite Rinv_0 in H; lra].
     apply Rinv_lt_0_compat in Hle. unfold Rdiv in H. nra.
 Qed.
 
@@ -131,9 +131,7 @@ Qed.
 Lemma below_sound a b : Qle_bool a b = true -> Q2R a <= Q2R b.
 Proof. intros H. now apply Qle_Rle, Qle_bool_iff. Qed.
 Lemma above_sound a b : Qle_bool a b = false -> Q2R b < Q2R a.
-Proof.
-  intros H. apply Qlt_Rlt. apply Qnot_le_lt. intros Hle. apply Qle_bool_iff in Hle. congruence.
-Qed.
+Proof. intros H. apply Qlt_Rlt. apply Qnot_le_lt. intros Hle. apply Qle_bool_iff in Hle. congruence. Qed.
 Lemma equal_sound a b : Qeq_bool a b = true -> Q2R a = Q2R b.
 Proof. intros H. now apply Qeq_eqR, Qeq_bool_eq. Qed.
 Lemma unequal_sound a b : Qeq_bool a b = false -> Q2R a <> Q2R b.
@@ -205,17 +203,17 @@ Definition slopes_between (span rise : R) (first last : place) : Prop :=
 Lemma reaches_sound span rise l : forall from until, reaches from until l = true -> slopes_between span rise from until ->
   exists p first last, In p l /\ its_step p = Some (first, last) /\ slopes_between span rise first last.
 Proof.
-  unfold slopes_between. induction l as [| [[[first last] |] c] l IH]; try easy.
-  intros from until H Hbetween. cbn [reaches] in H. unfold is_same_place in H. conditions. compared.
+  unfold slopes_between. induction l as [| [[[first last] |] c] l IH]; try easy. intros from until H Hbetween.
+  cbn [reaches] in H. unfold is_same_place in H. conditions. compared.
   replace (Q2R (fst from)) with (Q2R (fst first)) in Hbetween by easy.
   replace (Q2R (snd from)) with (Q2R (snd first)) in Hbetween by easy.
   destruct (Rle_dec (rise * Q2R (fst last)) (Q2R (snd last) * span)) as [Hle | Hlt].
   - exists (Part (Some (first, last)) c), first, last. simpl. tauto.
   - destruct l as [| next l].
-    + conditions. compared. exfalso. apply Hlt.
-      replace (Q2R (fst last)) with (Q2R (fst until)) by easy. now replace (Q2R (snd last)) with (Q2R (snd until)) by easy.
-    + destruct (IH last until) as (p & first' & last' & Hin & Hp); [easy | lra |].
-      exists p, first', last'. split; [now right | easy].
+    + conditions. compared. exfalso. apply Hlt. replace (Q2R (fst last)) with (Q2R (fst until)) by easy.
+      now replace (Q2R (snd last)) with (Q2R (snd until)) by easy.
+    + destruct (IH last until) as (p & first' & last' & Hin & Hp); [easy | lra |]. exists p, first', last'.
+      split; [now right | easy].
 Qed.
 
 Section Rectangle.
@@ -228,8 +226,8 @@ Lemma ends_are_real d first last : is_step d spans rises (first, last) = true ->
   is_real first /\ is_real last /\
   (between spans (Q2R (fst first)) /\ between rises (Q2R (snd first))).
 Proof.
-  intros H. apply step_sound in H. destruct first as [s f], last as [s' f']. unfold is_real, between in *. cbn [fst snd].
-  destruct d, H as [H | H]; cbn [rises_at narrows_at] in H; lra.
+  intros H. apply step_sound in H. destruct first as [s f], last as [s' f']. unfold is_real, between in *.
+  cbn [fst snd]. destruct d, H as [H | H]; cbn [rises_at narrows_at] in H; lra.
 Qed.
 
 Variables (span rise : R).
@@ -239,20 +237,18 @@ Hypothesis rise_between : between rises rise.
 Lemma unsafe_step first last : is_step Unsafe spans rises (first, last) = true -> slopes_between span rise first last ->
   opening span rise <= real (opening_of last) /\ Surveys.radius span rise <= Q2R (its_circle Unsafe (first, last)).
 Proof.
-  intros Hstep [Hfirst Hlast]. destruct (ends_are_real _ _ _ Hstep) as (Hr & Hr' & _).
-  rewrite opening_of_is by easy. rewrite <- largest_circle by easy. apply step_sound in Hstep.
-  unfold between, radius_at, is_real in *. destruct first as [s f], last as [s' f']. cbn [fst snd] in *.
-  split; [apply opening_grows; lra |]. destruct Hstep as [(E1 & E2 & Hf & Hf') | (E1 & E2 & Hs & Hs')];
-    rewrite E1, E2 in *.
+  intros Hstep [Hfirst Hlast]. destruct (ends_are_real _ _ _ Hstep) as (Hr & Hr' & _). rewrite opening_of_is by easy.
+  rewrite <- largest_circle by easy. apply step_sound in Hstep. unfold between, radius_at, is_real in *.
+  destruct first as [s f], last as [s' f']. cbn [fst snd] in *. split; [apply opening_grows; lra |].
+  destruct Hstep as [(E1 & E2 & Hf & Hf') | (E1 & E2 & Hs & Hs')]; rewrite E1, E2 in *.
   - set (S := Q2R (snd spans)) in *. set (rise' := rise * S / span).
     assert (E : rise' * span = rise * S) by (unfold rise'; field; lra).
     apply Rle_trans with (Surveys.radius S rise'); [apply radius_of_scaled; lra |].
     apply radius_of_rises; [lra | |]; [split; [lra |] |]; apply (Rmult_le_reg_r span); lra.
   - set (F := Q2R (snd rises)) in *. set (span' := span * F / rise).
-    assert (E : F * span = rise * span') by (unfold span'; field; lra).
-    apply Rle_trans with (Surveys.radius span' F).
-    + apply radius_of_scaled; [| lra | exact E]. split; [lra |]. apply (Rmult_le_reg_l rise); [lra |].
-      rewrite <- E. apply Rmult_le_compat_r; lra.
+    assert (E : F * span = rise * span') by (unfold span'; field; lra). apply Rle_trans with (Surveys.radius span' F).
+    + apply radius_of_scaled; [| lra | exact E]. split; [lra |]. apply (Rmult_le_reg_l rise); [lra |]. rewrite <- E.
+      apply Rmult_le_compat_r; lra.
     + apply Rle_trans with (Surveys.radius (Q2R s) F); [| apply Rmax_l]. apply radius_of_spans; [| lra].
       split; [unfold span'; apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat |]; lra |].
       apply (Rmult_le_reg_l rise); lra.
@@ -266,24 +262,21 @@ Proof.
   intros H H' Hs Hf.
   destruct (radius_of_rises (Q2R (fst first)) (Q2R (snd first)) rise' (Q2R (snd last))) as [Hmost Hleast];
     try lra; [apply H | split; [apply H | apply Hf] |].
-  destruct (least_circle first last H H') as [(_ & _ & ->) | (Hno & ->)]; [apply Hmost |].
-  unfold radius_at. rewrite <- Hs. now apply Hleast, Hno.
+  destruct (least_circle first last H H') as [(_ & _ & ->) | (Hno & ->)]; [apply Hmost |]. unfold radius_at.
+  rewrite <- Hs. now apply Hleast, Hno.
 Qed.
 
 Lemma safe_step first last : is_step Safe spans rises (first, last) = true -> slopes_between span rise first last ->
   real (opening_of first) <= opening span rise /\ Q2R (its_circle Safe (first, last)) <= Surveys.radius span rise.
 Proof.
-  intros Hstep [Hfirst Hlast]. destruct (ends_are_real _ _ _ Hstep) as (Hr & Hr' & _).
-  rewrite opening_of_is by easy. apply step_sound in Hstep.
-  split; [apply opening_grows; unfold between, is_real in *; lra |].
+  intros Hstep [Hfirst Hlast]. destruct (ends_are_real _ _ _ Hstep) as (Hr & Hr' & _). rewrite opening_of_is by easy.
+  apply step_sound in Hstep. split; [apply opening_grows; unfold between, is_real in *; lra |].
   destruct Hstep as [Hleg | Hleg].
   - destruct (least_circle first last Hr Hr') as [(Es & Hhalf & ->) | (_ & ->)];
       unfold between, is_real, radius_at in *; destruct first as [s f], last as [s' f']; cbn [fst snd narrows_at] in *; [lra |].
-    destruct Hleg as (E1 & E2 & Hs & Hs'). rewrite E1, E2 in *.
-    set (F := Q2R (fst rises)) in *. set (span' := span * F / rise).
-    assert (E : rise * span' = F * span) by (unfold span'; field; lra).
-    apply Rle_trans with (Surveys.radius (Q2R s') F); [apply Rmin_r |].
-    apply Rle_trans with (Surveys.radius span' F).
+    destruct Hleg as (E1 & E2 & Hs & Hs'). rewrite E1, E2 in *. set (F := Q2R (fst rises)) in *.
+    set (span' := span * F / rise). assert (E : rise * span' = F * span) by (unfold span'; field; lra).
+    apply Rle_trans with (Surveys.radius (Q2R s') F); [apply Rmin_r |]. apply Rle_trans with (Surveys.radius span' F).
     + apply radius_of_spans; [split; [lra |] | lra]. apply (Rmult_le_reg_l rise); lra.
     + apply radius_of_scaled; [| lra | exact E]. split.
       * unfold span'. apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat |]; lra.
@@ -294,8 +287,8 @@ Proof.
     assert (E : rise' * span = rise * Q2R (fst first)) by (unfold rise'; field; lra).
     apply Rle_trans with (Surveys.radius (Q2R (fst first)) rise').
     + apply circles_of_rises; try easy. split; apply (Rmult_le_reg_r span); lra.
-    + apply radius_of_scaled; [lra | | lra].
-      unfold rise'. apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat; [lra |] | lra]. apply Hr.
+    + apply radius_of_scaled; [lra | | lra]. unfold rise'.
+      apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat; [lra |] | lra]. apply Hr.
 Qed.
 
 (** The least circle of all. *)
@@ -313,8 +306,8 @@ End Rectangle.
 Lemma range_sound l : is_range l = true -> 0 < Q2R (fst l) <= Q2R (snd l).
 Proof.
   unfold is_range. intros H. conditions. compared. split; [| easy].
-  match goal with H : (0 <? _)%Z = true |- _ => apply Z.ltb_lt in H end.
-  unfold Q2R. apply Rmult_lt_0_compat; [now apply IZR_lt | now apply Rinv_0_lt_compat, IZR_lt].
+  match goal with H : (0 <? _)%Z = true |- _ => apply Z.ltb_lt in H end. unfold Q2R.
+  apply Rmult_lt_0_compat; [now apply IZR_lt | now apply Rinv_0_lt_compat, IZR_lt].
 Qed.
 
 Definition is_not_negative (mu : option R) : Prop := match mu with Some mu => 0 <= mu | None => True end.
@@ -350,10 +343,9 @@ Proof.
       | H : is_thickness _ = true |- _ => apply is_thickness_sound in H
       end.
   - split; [eapply frictions_in_order_sound; eassumption | split; [eapply not_negative; eassumption |]].
-    repeat match goal with H : is_arch _ |- _ => destruct H as [H _]; cbn [half_opening] in H end.
-    cbn [fst snd]. lra.
-  - split; [eapply frictions_in_order_sound; eassumption | split; [eapply not_negative; eassumption |]].
-    compared. unfold outwards, inject_Z in *. rewrite Q2R_mult, Q2R_plus, Q2R_div in * by easy. in_reals. tauto.
+    repeat match goal with H : is_arch _ |- _ => destruct H as [H _]; cbn [half_opening] in H end. cbn [fst snd]. lra.
+  - split; [eapply frictions_in_order_sound; eassumption | split; [eapply not_negative; eassumption |]]. compared.
+    unfold outwards, inject_Z in *. rewrite Q2R_mult, Q2R_plus, Q2R_div in * by easy. in_reals. tauto.
 Qed.
 
 Lemma outwards_between c : -1 <= IZR (to_centreline c) <= 1.
@@ -369,10 +361,9 @@ Proof.
   assert (is_not_negative mu).
   { cbn [fst] in Hleast. destruct mu, (coefficient least); cbn [is_not_negative no_more] in *; easy || lra. }
   destruct (its_shape s) as [alphas etas | c spans rises ts]; [split; [lra | split; [lra | easy]] |].
-  destruct Hs as (Hspans & Hrises & Hts & Hroom).
-  destruct H as (span & rise & t & Hspan & Hrise & Ht & -> & ->).
-  assert (all := circle_of_all spans rises ltac:(easy) ltac:(easy) span rise Hspan Hrise).
-  unfold between in *. split; [apply opening_between; lra | split; [| easy]].
+  destruct Hs as (Hspans & Hrises & Hts & Hroom). destruct H as (span & rise & t & Hspan & Hrise & Ht & -> & ->).
+  assert (all := circle_of_all spans rises ltac:(easy) ltac:(easy) span rise Hspan Hrise). unfold between in *.
+  split; [apply opening_between; lra | split; [| easy]].
   apply (ratio_between _ t (Q2R (snd ts)) _ _ (outwards_between c) ltac:(lra) all Hroom).
 Qed.
 
@@ -463,23 +454,22 @@ Proof.
       if b then stands_with (survey_weight s) alpha eta mu else ~ stands_with (survey_weight s) alpha eta mu).
   { intros d b p Hp Hd. unfold decides in Hd. destruct (deciding s d (its_step p)) as [[a t] |] eqn:E; [| easy].
     apply andb_true_iff in Hd as [Ht Hc]. exists (real (half_opening a)), (real t), (coefficient (its_friction a)).
-    split; [now apply (single_is_surveyed s d p) |].
-    assert (W : self_weight a = survey_weight s).
+    split; [now apply (single_is_surveyed s d p) |]. assert (W : self_weight a = survey_weight s).
     { revert E. unfold deciding. destruct (its_shape s) as [[] |], (its_step p) as [[] |]; try easy.
       - now intros [= <- _].
       - destruct (is_step _ _ _ _); [now intros [= <- _] | easy]. }
     assert (D := decided_sound _ _ _ _ Hc Ht). unfold stands in D. now rewrite W in D. }
   refine (conj _ (conj _ _)).
   - intros alpha eta mu Harch. now apply (surveyed_is_arch s).
-  - assert (Hs := Hsurvey). unfold is_sound in Hs. unfold surveyed. destruct (frictions s) as [least most]. cbn [fst snd].
-    destruct Hs as (Hmu & _ & Hs).
-    destruct (its_shape s) as [alphas etas | k spans rises ts].
+  - assert (Hs := Hsurvey). unfold is_sound in Hs. unfold surveyed. destruct (frictions s) as [least most].
+    cbn [fst snd]. destruct Hs as (Hmu & _ & Hs). destruct (its_shape s) as [alphas etas | k spans rises ts].
     + exists (real (fst alphas)), (real (fst etas)), (coefficient least).
       split; [apply no_more_refl | split; [exact Hmu |]]. lra.
     + eexists; eexists; exists (coefficient least). split; [apply no_more_refl | split; [exact Hmu |]].
       exists (Q2R (fst spans)), (Q2R (fst rises)), (Q2R (fst ts)). unfold between. repeat split; lra.
   - destruct (its_verdict c).
-    + conditions. intros alpha eta mu Harch. destruct (surveyed_is_arch s alpha eta mu Hsurvey Harch) as (Ha & He & _).
+    + conditions. intros alpha eta mu Harch.
+      destruct (surveyed_is_arch s alpha eta mu Hsurvey Harch) as (Ha & He & _).
       destruct (some_part_decides s Unsafe true (parts c) alpha eta mu) as (a & t & W & Ht & Hp & (Ha' & He' & Hmu) & Hb); try easy.
       apply is_thickness_sound in Ht. unfold stands in Hb. rewrite W in Hb.
       apply (stands_more _ _ _ _ _ _ _ Hb); try easy; lra.

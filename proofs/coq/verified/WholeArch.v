@@ -91,16 +91,14 @@ Definition along_bend (w : weight) (m : margin) : formula := slope Joint (along_
 Lemma derivative_along x f j : (forall n, ~ In n (divides f)) ->
   is_derive (fun s => meaning (at_joint x s) f) j (meaning (at_joint x j) (slope Joint f)).
 Proof.
-  intros Hplain.
-  assert (H := slope_along x [Joint] (fun _ => 0) (fun _ => 1) j f eq_refl).
+  intros Hplain. assert (H := slope_along x [Joint] (fun _ => 0) (fun _ => 1) j f eq_refl).
   assert (E : forall s, place x [Joint] (fun _ => 0 + s * 1) = at_joint x s).
-  { intros s. apply FunctionalExtensionality.functional_extensionality. intros n.
-    unfold at_joint. cbn [place]. destruct (same Joint n); [| easy]. change (0 + s * 1 = s). ring. }
+  { intros s. apply FunctionalExtensionality.functional_extensionality. intros n. unfold at_joint. cbn [place].
+    destruct (same Joint n); [| easy]. change (0 + s * 1 = s). ring. }
   apply (is_derive_ext (fun s => meaning (place x [Joint] (fun _ => 0 + s * 1)) f)).
   { intros s. now rewrite E. }
-  replace (meaning (at_joint x j) (slope Joint f))
-    with (Contraction.sum (length [Joint])
-            (fun k => meaning (place x [Joint] (fun _ => 0 + j * 1)) (slope (nth k [Joint] Alpha) f) * 1)).
+  replace (meaning (at_joint x j) (slope Joint f)) with (Contraction.sum (length [Joint]) (fun k =>
+    meaning (place x [Joint] (fun _ => 0 + j * 1)) (slope (nth k [Joint] Alpha) f) * 1)).
   - apply H. intros n Hn. now apply Hplain in Hn.
   - rewrite E. cbn [length nth]. change (Contraction.sum 1 ?g) with (0 + g 0%nat). cbn [nth]. ring.
 Qed.
@@ -115,8 +113,8 @@ Proof. unfold along. rewrite margin_right. destruct m; reflexivity. Qed.
 
 Lemma along_slope_is w m x j : meaning (at_joint x j) (along_slope w m) = is_margin_slope (flag w) x m j.
 Proof.
-  assert (H := derivative_along x (along w m) j (along_plain w m)). apply is_derive_unique in H.
-  unfold along_slope. rewrite <- H. apply is_derive_unique.
+  assert (H := derivative_along x (along w m) j (along_plain w m)). apply is_derive_unique in H. unfold along_slope.
+  rewrite <- H. apply is_derive_unique.
   apply (is_derive_ext (is_margin (flag w) x m)); [intros s; symmetry; apply along_is |].
   destruct m; cbn [is_margin is_margin_slope].
   - apply extrados_has_slope.
@@ -191,9 +189,7 @@ End Pieces.
 (** ** What is covered is not negative *)
 
 Lemma convex X a b x : has X a -> has X b -> a <= x <= b -> has X x.
-Proof.
-  unfold has. destruct (I.convert X) as [| [| l] [| u]]; simpl; try easy; lra.
-Qed.
+Proof. unfold has. destruct (I.convert X) as [| [| l] [| u]]; simpl; try easy; lra. Qed.
 
 Section Sound.
 
@@ -203,17 +199,14 @@ Hypothesis around : surrounds E x.
 Notation not_negative m j := (0 <= is_margin (flag w) x m j).
 
 Lemma surrounds_joint F j : covers F j -> surrounds (with_joint E F) (at_joint x j).
-Proof.
-  intros HF n. unfold with_joint, at_joint. destruct (same Joint n); [exact HF | apply around].
-Qed.
+Proof. intros HF n. unfold with_joint, at_joint. destruct (same Joint n); [exact HF | apply around]. Qed.
 
 Lemma margin_derivative m j : is_derive (is_margin (flag w) x m) j (is_margin_slope (flag w) x m j).
 Proof.
   destruct m; [apply extrados_has_slope | apply intrados_has_slope | apply inwards_has_slope | apply outwards_has_slope].
 Qed.
 
-Lemma slope_derivative m j :
-  is_derive (is_margin_slope (flag w) x m) j (meaning (at_joint x j) (along_bend w m)).
+Lemma slope_derivative m j : is_derive (is_margin_slope (flag w) x m) j (meaning (at_joint x j) (along_bend w m)).
 Proof.
   apply (is_derive_ext (fun s => meaning (at_joint x s) (along_slope w m))).
   - intros s. apply along_slope_is.
@@ -227,8 +220,7 @@ Definition safe (m : margin) (near : enclosure) : Prop :=
 Lemma safe_if_bends m near c : bends_away prec w E m near = true -> has near c ->
   is_margin (flag w) x m c = 0 -> is_margin_slope (flag w) x m c = 0 -> safe m near.
 Proof.
-  intros Htest Hc H0 H1 j Hj _.
-  assert (bend : forall k, has near k -> 0 <= meaning (at_joint x k) (along_bend w m)).
+  intros Htest Hc H0 H1 j Hj _. assert (bend : forall k, has near k -> 0 <= meaning (at_joint x k) (along_bend w m)).
   { intros k Hk. apply Rlt_le, (is_positive_sound _ _ Htest), has_meaning, surrounds_joint, covers_angle, Hk. }
   apply (Whole.touching (is_margin (flag w) x m) (is_margin_slope (flag w) x m)
            (fun k => meaning (at_joint x k) (along_bend w m)) (Rmin j c) (Rmax j c) c).
@@ -275,14 +267,12 @@ Proof.
     destruct (covers_spread prec _ c (Dyadic 1 e) k HF Hk) as (_ & Hs & Hc & _).
     refine (conj (has_around prec (Dyadic m e) (Dyadic 1 e) k Hk) (conj Hs (conj Hc _))). apply has_anything. }
   unfold settled in Htest. apply orb_true_iff in Htest. destruct Htest as [Hnear | Hpositive].
-  - apply existsb_exists in Hnear. destruct Hnear as (near & Hin' & Hsubset).
-    apply (Hknown near Hin'); [| exact Hin].
+  - apply existsb_exists in Hnear. destruct Hnear as (near & Hin' & Hsubset). apply (Hknown near Hin'); [| exact Hin].
     apply (I.subset_correct (itself G) near); [apply (HG j Hj) | exact Hsubset].
-  - destruct (MVT_gen (is_margin (flag w) x (fst km)) c j (is_margin_slope (flag w) x (fst km)))
-      as (k & Hk & Hvalue).
+  - destruct (MVT_gen (is_margin (flag w) x (fst km)) c j (is_margin_slope (flag w) x (fst km))) as (k & Hk & Hvalue).
     + intros k _. apply margin_derivative.
-    + intros k _. apply continuity_pt_filterlim.
-      apply (ex_derive_continuous (is_margin (flag w) x (fst km))). eexists. apply margin_derivative.
+    + intros k _. apply continuity_pt_filterlim. apply (ex_derive_continuous (is_margin (flag w) x (fst km))).
+      eexists. apply margin_derivative.
     + assert (Hkj : Rabs (k - c) <= value (Dyadic 1 e)).
       { eapply Rle_trans; [| exact Hj]. unfold Rmin, Rmax in Hk. destruct (Rle_dec c j).
         - rewrite !Rabs_pos_eq by lra. lra.
@@ -301,24 +291,22 @@ Definition covers_all (depth : nat) : Prop := forall margins m e,
 
 Lemma one_piece depth : (forall d, depth = S d -> covers_all d) -> covers_all depth.
 Proof.
-  intros IH margins m e Htest Hknown j Hj Hin.
-  set (F := angle prec (exact (Dyadic m e))).
+  intros IH margins m e Htest Hknown j Hj Hin. set (F := angle prec (exact (Dyadic m e))).
   set (r := symmetric (Dyadic 1 e)).
   set (G := Functions (piece prec m e) (I.add prec (sine F) r) (I.add prec (cosine F) r) anything).
   set (open := filter (fun km => negb (settled prec w E m e km F G)) margins).
-  assert (Hstep : is_beyond prec (piece prec m e) (itself (E Alpha)) = true \/ open = [] \/
-            exists d, depth = S d /\ covered prec w E d open (2 * m - 1) (e - 1) = true
-                      /\ covered prec w E d open (2 * m + 1) (e - 1) = true).
+  assert (Hstep : is_beyond prec (piece prec m e) (itself (E Alpha)) = true \/ open = [] \/ exists d, depth = S d /\
+    covered prec w E d open (2 * m - 1) (e - 1) = true /\ covered prec w E d open (2 * m + 1) (e - 1) = true).
   { destruct depth as [| d]; cbn [covered] in Htest; cbv zeta in Htest; fold F r in Htest; fold G in Htest;
       fold open in Htest; (destruct (is_beyond _ _ _); [now left | right]);
       (destruct open as [| first rest]; [now left | right]); [easy |].
     apply andb_true_iff in Htest. now exists d. }
   clear Htest. destruct Hstep as [Hbeyond | Hstep].
-  { exfalso. assert (HX := has_around prec (Dyadic m e) (Dyadic 1 e) j Hj).
-    apply orb_true_iff in Hbeyond. destruct Hbeyond as [H | H].
+  { exfalso. assert (HX := has_around prec (Dyadic m e) (Dyadic 1 e) j Hj). apply orb_true_iff in Hbeyond.
+    destruct Hbeyond as [H | H].
     - assert (0 < j - x Alpha) by (apply (is_positive_sound _ _ H), has_sub; [exact HX | apply around]). lra.
-    - assert (0 < - j - x Alpha)
-        by (apply (is_positive_sound _ _ H), has_sub; [now apply has_neg | apply around]). lra. }
+    - assert (0 < - j - x Alpha) by (apply (is_positive_sound _ _ H), has_sub; [now apply has_neg | apply around]).
+      lra. }
   assert (closed : forall km, In km margins -> In km open \/ not_negative (fst km) j).
   { intros km Hkm. destruct (settled prec w E m e km F G) eqn:Ht.
     - right. apply (settled_sound m e km j Ht); auto. now apply (proj1 (List.Forall_forall _ _) Hknown).
@@ -326,8 +314,8 @@ Proof.
   assert (Hopen : List.Forall (fun km => not_negative (fst km) j) open).
   { destruct Hstep as [-> | (d & Hd & Hleft & Hright)]; [apply List.Forall_nil |].
     assert (Hknown' : List.Forall is_known open).
-    { apply List.Forall_forall. intros km Hkm. apply (proj1 (List.Forall_forall _ _) Hknown).
-      unfold open in Hkm. now apply filter_In in Hkm. }
+    { apply List.Forall_forall. intros km Hkm. apply (proj1 (List.Forall_forall _ _) Hknown). unfold open in Hkm.
+      now apply filter_In in Hkm. }
     assert (double : powerRZ 2 e = 2 * powerRZ 2 (e - 1)).
     { replace e with ((e - 1) + 1)%Z at 1 by ring. rewrite powerRZ_add by lra. simpl. ring. }
     assert (half : value (Dyadic 1 e) = 2 * value (Dyadic 1 (e - 1)))
@@ -335,35 +323,27 @@ Proof.
     assert (parts : forall s, value (Dyadic (2 * m + s) (e - 1))
                               = value (Dyadic m e) + IZR s * value (Dyadic 1 (e - 1))).
     { intros s. unfold value. cbn [mantissa exponent]. rewrite plus_IZR, mult_IZR, double. ring. }
-    apply Rabs_le_between in Hj.
-    destruct (Rle_dec j (value (Dyadic m e))).
-    - apply (IH d Hd open (2 * m - 1)%Z (e - 1)%Z Hleft Hknown' j); [| exact Hin].
-      apply Rabs_le. replace (2 * m - 1)%Z with (2 * m + -1)%Z by ring. rewrite parts.
+    apply Rabs_le_between in Hj. destruct (Rle_dec j (value (Dyadic m e))).
+    - apply (IH d Hd open (2 * m - 1)%Z (e - 1)%Z Hleft Hknown' j); [| exact Hin]. apply Rabs_le.
+      replace (2 * m - 1)%Z with (2 * m + -1)%Z by ring. rewrite parts.
       replace (IZR (-1)) with (- (1)) by (simpl; ring). lra.
-    - apply (IH d Hd open (2 * m + 1)%Z (e - 1)%Z Hright Hknown' j); [| exact Hin].
-      apply Rabs_le. rewrite parts. lra. }
+    - apply (IH d Hd open (2 * m + 1)%Z (e - 1)%Z Hright Hknown' j); [| exact Hin]. apply Rabs_le. rewrite parts. lra. }
   apply List.Forall_forall. intros km Hkm. destruct (closed km Hkm) as [Hin' |]; [| easy].
   now apply (proj1 (List.Forall_forall _ _) Hopen).
 Qed.
 
 Lemma covered_sound depth : covers_all depth.
-Proof.
-  induction depth as [| depth IH]; apply one_piece; intros d; [easy |]. now intros [= ->].
-Qed.
+Proof. induction depth as [| depth IH]; apply one_piece; intros d; [easy |]. now intros [= ->]. Qed.
 
 Lemma found_piece (j : R) : - 4 <= j <= 4 ->
   exists i, In i (seq 0 32) /\ Rabs (j - value (Dyadic (2 * Z.of_nat i - 31) (-3))) <= value (Dyadic 1 (-3)).
 Proof.
-  intros Hj.
-  assert (eighth : powerRZ 2 (-3) = 1 / 8) by (simpl; field).
-  unfold value. cbn [mantissa exponent]. rewrite eighth.
-  destruct (archimed (4 * (j + 4))) as [Hup Hdown].
-  set (z := (up (4 * (j + 4)) - 1)%Z).
+  intros Hj. assert (eighth : powerRZ 2 (-3) = 1 / 8) by (simpl; field). unfold value. cbn [mantissa exponent].
+  rewrite eighth. destruct (archimed (4 * (j + 4))) as [Hup Hdown]. set (z := (up (4 * (j + 4)) - 1)%Z).
   assert (Hz : IZR z <= 4 * (j + 4) < IZR z + 1) by (unfold z; rewrite minus_IZR; lra).
-  assert (range : (-1 < z < 33)%Z) by (split; apply lt_IZR; lra).
-  exists (Z.to_nat (Z.min z 31)). split; [apply in_seq; lia |].
-  rewrite Z2Nat.id by lia. rewrite minus_IZR, mult_IZR.
-  apply Rabs_le. destruct (Z.le_gt_cases z 31) as [Hle | Hgt].
+  assert (range : (-1 < z < 33)%Z) by (split; apply lt_IZR; lra). exists (Z.to_nat (Z.min z 31)).
+  split; [apply in_seq; lia |]. rewrite Z2Nat.id by lia. rewrite minus_IZR, mult_IZR. apply Rabs_le.
+  destruct (Z.le_gt_cases z 31) as [Hle | Hgt].
   - rewrite Z.min_l by easy. lra.
   - rewrite Z.min_r by lia. assert (z = 32)%Z as Ez by lia. rewrite Ez in Hz. lra.
 Qed.
@@ -373,9 +353,8 @@ Theorem whole_covered_sound margins : whole_covered prec w E margins = true -> x
   List.Forall (fun km => not_negative (fst km) j) margins.
 Proof.
   unfold whole_covered. generalize deepest. intros depth Htest Halpha Hknown j Hj.
-  destruct (found_piece j ltac:(lra)) as (i & Hi & Hpiece).
-  assert (Hone := proj1 (forallb_forall _ _) Htest i Hi). cbv beta in Hone.
-  exact (covered_sound depth margins _ _ Hone Hknown j Hpiece Hj).
+  destruct (found_piece j ltac:(lra)) as (i & Hi & Hpiece). assert (Hone := proj1 (forallb_forall _ _) Htest i Hi).
+  cbv beta in Hone. exact (covered_sound depth margins _ _ Hone Hknown j Hpiece Hj).
 Qed.
 
 End Sound.

@@ -91,7 +91,7 @@ fn a_derivation_can_be_followed() {
     ] {
         assert!(text.contains(line), "{line}");
     }
-    let all = ["unique-attained", "map-function", "map-lines", "survey-rise", "survey-worst"];
+    let all = ["unique-attained", "map-columns", "map-lines", "survey-rise", "survey-worst"];
     let text = printed(&[&["prove"], &all[..]].concat());
     for line in [
         "by checks and theorems of Coq",
