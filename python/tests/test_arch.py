@@ -105,7 +105,8 @@ def test_stones():
         value = getattr(arch, name)
         assert value.text == told[name]["value"] and value.lower <= value.double <= value.upper
     assert (arch.verdict, arch.mode, arch.stones, arch.contacts) == ("stands", told["mode"], 11, tuple(told["contacts"]))
-    assert arch.loss == (told["loss"]["lower"], told["loss"]["upper"]) and arch.relative_loss and arch.may_move
+    assert arch.loss == (told["loss"]["lower"], told["loss"]["upper"]) and arch.relative_loss
+    assert not arch.may_move and couplet.voussoirs("pi/2", "0.6", 41, digits=8).may_move
     assert arch.assessment.verdict == "stands"
     for name in ["geometric_safety", "required_friction", "friction_safety"]:
         assert getattr(arch.assessment, name).text == told["assessment"][name]["value"]
