@@ -8,7 +8,7 @@
 
 # Everything at once, chosen in the same words by every command, so that nothing is compiled twice. Not `--all-features`:
 # `system-gmp` takes GMP and MPFR from the system, which may have them too old.
-ALL := --workspace --features proptest $(TESTED)
+ALL := $(TESTED) --workspace --features proptest
 # `TESTED=--release`, and what else is built with the command in TOGETHER, when both shall have the same crates (.ci/run).
 TESTED ?=
 TOGETHER ?=
