@@ -233,7 +233,7 @@ class Voussoirs(State):
         "Bounds of how much thinner it may be than with a joint at every angle; None where the digits do not tell it.", _bounds
     )
     relative_loss = Told["tuple[str, str] | None"]("Bounds of the part that this is of the other thickness.", _bounds)
-    may_move = Told[bool]("Whether it stands with a limited friction, and an asymmetric motion is not excluded.", bool)
+    may_move = Told[bool]("Whether it stands with a limited friction, and a motion above its least thickness is not excluded.", bool)
 
     @property
     def assessment(self) -> Assessment | None:

@@ -1,6 +1,6 @@
 //! Text of an arch: each thing that it may be given by once, with the help that a command prints of it.
 
-use super::boxes::middle;
+use super::boxes::{has_extent, middle};
 use super::question::{Misfit, Spelling};
 use super::range::Range;
 use crate::number::{is_range, shown};
@@ -177,7 +177,7 @@ impl ArchAsked {
     pub fn tolerances(&self) -> Vec<Field> {
         let has_extent = |of: &Field| {
             let range = self.get(*of).and_then(|text| Range::read(text).ok().flatten());
-            range.is_some_and(|Range { lower, upper }| lower != upper)
+            range.is_some_and(|range| has_extent(&range))
         };
         let is_load = |of: &Field| [Field::Density, Field::Depth].contains(of);
         self.ranges().filter(|of| !is_load(of) && has_extent(of)).collect()
@@ -241,7 +241,7 @@ mod tests {
 
     #[test]
     fn one_measure_alone_keeps_its_tolerance() {
-        let asked = "span=10m±2cm; rise=2.9m..310cm; eta=60cm±0cm; mu=0.5..0.7; radius=1m; density=20kN/m3..24kN/m3";
+        let asked = "span=10m±2cm; rise=2.9m..310cm; eta=60cm..0.6m; mu=0.5..0.7; radius=1m; density=20kN/m3..24kN/m3";
         let asked = ArchAsked::parse(asked).unwrap();
         let measures = asked.tolerances();
         assert_eq!(measures, [Field::Friction, Field::Span, Field::Rise]);
@@ -249,9 +249,9 @@ mod tests {
         assert_eq!(
             alone.collect::<Vec<_>>(),
             [
-                " --friction 0.5..0.7 --thickness '60cm±0cm' --span 10m --rise 3m --radius 1m",
-                " --friction 0.6 --thickness '60cm±0cm' --span '10m±2cm' --rise 3m --radius 1m",
-                " --friction 0.6 --thickness '60cm±0cm' --span 10m --rise 2.9m..310cm --radius 1m",
+                " --friction 0.5..0.7 --thickness 60cm..0.6m --span 10m --rise 3m --radius 1m",
+                " --friction 0.6 --thickness 60cm..0.6m --span '10m±2cm' --rise 3m --radius 1m",
+                " --friction 0.6 --thickness 60cm..0.6m --span 10m --rise 2.9m..310cm --radius 1m",
             ]
         );
         for (range, alpha) in [("mu=0.5..inf", "2"), ("mu=tan(31deg)..0.7", "2"), ("mu=1", "pi/2")]

@@ -31,6 +31,13 @@ pub fn boxes(of: &Range, count: usize) -> Result<impl Iterator<Item = Range>, Ra
     Ok((0..count).map(move |k| Range { lower: at(k), upper: at(k + 1) }))
 }
 
+/// Tells whether a range has more than one number, in whatever units its ends are.
+pub(super) fn has_extent(of: &Range) -> bool {
+    let ends = Part::read(&of.lower).zip(Part::read(&of.upper));
+    let ends = ends.and_then(|(lower, upper)| Part::together(lower, upper));
+    of.lower != of.upper && ends.is_none_or(|(_, first, last)| first != last)
+}
+
 /// Exact text of the middle of a range.
 pub(super) fn middle(of: &Range) -> Result<String, RangeError> {
     let upper = || of.upper.clone();

@@ -1,6 +1,7 @@
 //! Answers of one kind, with what a report shows of them.
 
 use super::answer::Answer;
+use super::subject::Subject;
 use super::words::{DOUBLE_DIGITS, distinct};
 use crate::problem::Quantity;
 
@@ -90,16 +91,22 @@ impl Answers {
 
     /// Tells whether any of the arches may have a thickness.
     pub fn have_assessments(&self) -> bool {
-        self.have(&Quantity::ASSESSMENT)
+        self.have(&Quantity::ASSESSMENT, true)
     }
 
     /// Tells whether any of the arches may have none.
     pub fn have_states(&self) -> bool {
-        self.have(&Quantity::STATE)
+        self.have(&Quantity::STATE, false)
     }
 
-    fn have(&self, some: &[Quantity]) -> bool {
-        self.scope == Scope::Mixed || self.quantities.iter().any(|of| some.contains(of))
+    fn have(&self, some: &[Quantity], assessed: bool) -> bool {
+        let is_one = |answer: &Answer| {
+            matches!(answer.subject, Subject::Arch { .. })
+                && answer.subject.is_assessed() == assessed
+        };
+        self.scope == Scope::Mixed
+            || self.quantities.iter().any(|of| some.contains(of))
+            || self.list.iter().any(is_one)
     }
 
     /// Tells whether each arch has a row in a table for a paper.

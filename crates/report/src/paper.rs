@@ -129,7 +129,11 @@ impl PaperTable {
         // The safety of an arch that has a least thickness says whether it stands.
         let is_told = !is_built
             || report.have_states()
-            || report.list.iter().any(|of| of.value(Quantity::GeometricSafety).is_none());
+            || report.list.iter().any(|of| {
+                let safety = Quantity::GeometricSafety;
+                let told = of.value(safety).map(|x| number(safety, x, report.digits));
+                of.stands.is_none() || told.is_none_or(|text| text.parse() == Ok(1.0))
+            });
         if is_told {
             let told = if report.have_states() { "mode" } else { "verdict" };
             headings.extend(weights.iter().map(|&weight| whom(Heading::words(told), weight)));
@@ -168,13 +172,14 @@ impl PaperTable {
                     .iter()
                     .map(|answer| answer.and_then(|answer| answer.value(quantity)))
                     .collect();
-                let told = if is_given(quantity) { 1 } else { values.len() };
-                cells.extend(values.iter().take(told).map(|value| {
+                let cell = |value: Option<&Value>| {
                     value.map_or(NONE.into(), |x| number(quantity, x, report.digits))
-                }));
-                if told < weights.len() {
+                };
+                if is_given(quantity) {
+                    cells.push(cell(values.iter().flatten().next().copied()));
                     continue;
                 }
+                cells.extend(values.iter().copied().map(cell));
                 if let [Some(one), Some(other)] = values[..] {
                     cells.push(difference(quantity, one, other, report.digits));
                 } else if weights.len() == 2 {

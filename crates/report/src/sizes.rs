@@ -16,11 +16,11 @@ pub struct Sizes {
 }
 
 impl Sizes {
-    /// Lines for a person.
-    pub(super) fn lines(&self) -> Vec<String> {
+    /// Lines for a person, below a heading.
+    pub(super) fn lines(&self, heading: &str) -> Vec<String> {
         let line =
             |name: &str, symbol: &str, text: &str| format!("   {name:<20} {symbol:<18} {text}");
-        let mut lines = vec!["\nas measured".to_owned()];
+        let mut lines = vec![format!("\n{heading}")];
         lines.push(line("measured_at", "circle", self.measured_at.name()));
         match &self.found {
             Err(open) => lines.push(format!("   {open}")),

@@ -76,13 +76,17 @@ impl SurveyedArches {
     /// The answer with what each tolerance does alone.
     #[must_use]
     pub fn with_each_alone(self, mut alone: Vec<MeasureAlone>) -> Self {
-        alone.sort_by_key(|of| Reverse(of.extent()));
+        // Where one stays open, no order is known.
+        if alone.iter().all(|of| of.safety().is_ok()) {
+            alone.sort_by_key(|of| Reverse(of.extent()));
+        }
         Self { alone, ..self }
     }
 
     /// The measure whose tolerance alone makes the widest range of the geometric safety, where that is told.
     pub(super) fn measure_first(&self) -> Option<&'static str> {
-        self.alone.first().filter(|of| of.safety().is_ok()).map(|of| of.measure.name())
+        let is_known = self.alone.iter().all(|of| of.safety().is_ok());
+        self.alone.first().filter(|_| is_known).map(|of| of.measure.name())
     }
 
     /// Reason why something stays open, if anything does.

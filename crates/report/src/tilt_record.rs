@@ -82,7 +82,9 @@ fn say(arch: &TiltedArch, record: &mut Record) {
         record.say(format!("{MAY_MOVE}: that is not excluded"));
     }
     record.say_all(arch.largest().into_iter().flat_map(|largest| limited(arch, largest)));
-    record.say_all(arch.sizes.iter().flat_map(Sizes::lines));
+    record.say_all(arch.sizes.iter().flat_map(|sizes| {
+        sizes.lines("as measured; forces at the largest tilt, beside full gravity")
+    }));
 }
 
 /// Lines on the largest acceleration, and on the forces there.
@@ -102,7 +104,8 @@ fn limited(arch: &TiltedArch, largest: &LargestTilt) -> Vec<String> {
         let words = if index == 0 { "        limited by" } else { "" };
         lines.push(format!("   {words:<24} {limit}"));
     }
-    let forces = [("thrust in the crown", "thrust"), ("vertical force there", "vertical_force")];
+    let forces =
+        [("thrust in the crown then", "thrust"), ("vertical force there", "vertical_force")];
     let line = |(words, name)| told(name).map(|force| format!("   {words:<24} {force}"));
     lines.extend(forces.into_iter().filter_map(line));
     lines

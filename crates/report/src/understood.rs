@@ -142,6 +142,9 @@ fn in_words(field: Field, text: &str, given: &ArchGiven) -> String {
     let name = field.name().replace('_', " ");
     match (field, given) {
         (Field::HalfOpening, ArchGiven { half_opening: Some(alpha), .. }) => {
+            // Beside two measures of the arc it only agrees with that of the arch.
+            let own = text.parse::<ExactNumber>();
+            let alpha = own.as_ref().unwrap_or(alpha);
             let other = match alpha.is_in_degrees() {
                 true => equal(&alpha.enclosure(BITS), " rad"),
                 false => equal(&in_degrees(alpha), " deg"),
@@ -281,6 +284,11 @@ mod tests {
             (
                 &[(F::Span, "3.3m"), (F::Radius, "1995mm")][..],
                 "span 3.3m, radius 1995mm of the intrados (half opening 55.7987 deg, the flatter arc)",
+            ),
+            (
+                &[(F::Span, "10m"), (F::Rise, "3m"), (F::HalfOpening, "61.9deg")],
+                "span 10m, rise 3m at the intrados (half opening 61.9275 deg by span and rise), half opening 61.9deg = \
+                 1.08036 rad",
             ),
             (
                 &[(F::Rise, "1m"), (F::Radius, "2m")],

@@ -134,8 +134,11 @@ impl SurveyAnswer {
         let end = |ratio: Ball, up: bool| {
             // What is negative is least beside the heaviest.
             let unit = if up == ratio.mid().is_sign_negative() { &light } else { &heavy };
-            let force = Rounded::around(&(ratio * unit), digits.min(ENCLOSED_DIGITS));
-            force.map(|force| EndValue::Number(if up { force.upper } else { force.lower }))
+            let force = ratio * unit;
+            // The end itself is rounded outward: the ball may hold a tie, which no digits decide.
+            let bound = if up { force.upper() } else { force.lower() }.to_rational()?;
+            let force = Rounded::from_rational(&bound, digits.min(ENCLOSED_DIGITS))?;
+            Some(EndValue::Number(if up { force.upper } else { force.lower }))
         };
         let [narrow, wide] = half_opening.each_ref().map(|alpha| alpha.enclosure::<Ball>(BITS));
         let weight = [end(narrow.int(2) * narrow, false), end(wide.int(2) * wide, true)];

@@ -97,7 +97,9 @@ pub fn ranges(
             Some(stones) => survey_of_stones(arches, stones, digits),
             None => survey(arches, digits),
         }?;
-        if let Some(force) = given.forces(found.numbers(Quantity::LeastThickness)) {
+        if quantities.iter().any(|of| of.is_force())
+            && let Some(force) = given.forces(found.numbers(Quantity::LeastThickness))
+        {
             found.add_forces(&given.half_opening(), &force, digits);
         }
         Ok(found)

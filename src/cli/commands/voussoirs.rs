@@ -166,12 +166,12 @@ pub fn of_stones(
     Ok(VoussoirArches { asked, arches, is_range, command: typed() })
 }
 
-/// Tells whether it is proved, of few stones, that only the symmetric mechanism solves (19).
+/// Tells whether it is proved, of few stones, that (19) has no solution above the least thickness.
 fn is_still(arch: &Arch, stones: &Stones) -> bool {
     match stones {
         Stones::Equal { stones, .. } if *stones <= FEW => {
             let all = enumerate(arch, *stones, Extent::Whole, 6);
-            all.is_ok_and(|all| all.is_symmetric_alone())
+            all.is_ok_and(|all| all.ends_at_the_least())
         }
         _ => false,
     }

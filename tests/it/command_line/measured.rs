@@ -167,6 +167,20 @@ fn what_is_measured_is_told() {
     assert!(latex.contains("measured at its intrados"), "{latex}");
     let heads = r"$\mu$ & span, m & rise, m & $t$, m & least $t$, m & safety \\";
     assert!(latex.contains(heads) && latex.contains(r" & \num{3.8972} \\"), "{latex}");
+    for more in [&["--quantity=least_thickness_m"][..], &["--quantity=rise_m", "--weight=both"]] {
+        let table = printed(&[&words[..], &["--format=markdown"], more].concat());
+        let columns = table.lines().map(|line| line.matches('|').count());
+        assert!(columns.collect::<Vec<_>>().windows(2).all(|pair| pair[0] == pair[1]), "{table}");
+        assert!(table.contains("| verdict"), "{table}");
+    }
+    // A safety that rounds to one does not tell it.
+    let near =
+        "assess --half-opening=80deg --radius=1m --measured-at=centreline --mu=0.6 --digits=3";
+    for (eta, verdict) in [("68.64mm", "collapses"), ("68.66mm", "stands")] {
+        let line = format!("{near} --thickness={eta} --format=markdown");
+        let table = printed(&line.split(' ').collect::<Vec<_>>());
+        assert!(table.contains(&format!("| {verdict} |")) && table.contains("| 1.00 |"), "{table}");
+    }
     let both = printed(&[&words[..], &["--format=markdown", "--weight=both"]].concat());
     let heads =
         "| mu | span, m | rise, m | t, m | least t, m (Heyman) | least t, m (Milankovitch) |";
@@ -409,7 +423,7 @@ fn an_arch_in_metres_is_the_same_at_every_command() {
             let line = format!("{command} {arch}{eta}");
             let out = printed(&line.split(' ').collect::<Vec<_>>());
             // Sizes are of the measured one alone, and the question is told as it was written.
-            let out = match out.split_once("\nas measured\n") {
+            let out = match out.split_once("\nas measured") {
                 Some((before, rest)) => {
                     let after = rest.split_once("\n\n").map(|(_, after)| format!("\n{after}"));
                     before.to_owned() + &after.unwrap_or_default()

@@ -295,6 +295,13 @@ fn the_forces_of_every_arch_inside_are_within_their_ranges() {
             assert!(lower > 0 && upper < lower * 5u32, "{question}{all}: {quantity}");
         }
     }
+    // An end that is exactly a tie is rounded outward too: 2 · 22.5 · 0.21 · 3.05 = 28.8225.
+    let tie = "assess --half-opening 1 --radius 3.05m --measured-at centreline --thickness 0.21m..0.3m --friction 0.9 \
+               --density 22.5kN/m3 --depth 1m";
+    let [lower, _] = ends(&object(tie), "weight_kn");
+    assert_eq!(lower, Rational::from((28_822, 1000)));
+    let alone = object(&format!("{tie} --quantity geometric_safety"));
+    assert_eq!(alone["ranges"].as_array().unwrap().len(), 1, "forces are not asked for");
     let thin =
         "assess --span 10m±10cm --rise 3m --eta 14cm..16cm --mu 0.5 --density 24kN/m3 --depth 1m";
     let survey = object(thin);
@@ -411,7 +418,12 @@ fn what_to_measure_better_is_the_answer_with_one_range() {
     let reasons: Vec<&Value> =
         survey["measures_alone"].as_array().unwrap().iter().map(|of| &of["reason"]).collect();
     let open = "friction 0.6..inf has no exact middle";
-    assert_eq!(reasons, [&Value::Null, &open.into(), &open.into()]);
+    assert_eq!(reasons, [&open.into(), &Value::Null, &open.into()], "no order is known");
+    let rows = "alpha,mu,eta\n80deg±1deg,0.6..inf,0.11±0.01\n80deg±1deg,0.6±0.1,0.11±0.01\n";
+    let table = stdout(&fed(&["states", "--ranges"], rows));
+    let cells: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
+    let place = cells[0].iter().position(|name| *name == "measure_first").unwrap();
+    assert_eq!([cells[1][place], cells[2][place]], ["", "thickness"], "{table}");
     let line = "assess --alpha 80deg±1deg --mu 0.5..0.6 --eta 0.1";
     let table = printed(&words(line));
     let place =

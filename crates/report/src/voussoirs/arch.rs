@@ -40,7 +40,7 @@ pub struct VoussoirArch {
     pub loss: Option<VoussoirLoss>,
     /// Result at a thickness that is given.
     pub given: Option<GivenThickness>,
-    /// True if it is proved that the complementarity problem (19) has no asymmetric solution, at any thickness.
+    /// True if it is proved that the complementarity problem (19) has no solution above the least thickness.
     pub is_still: bool,
     /// Sizes, where the arch is measured: at its given thickness, else at its least one.
     pub sizes: Option<Sizes>,
@@ -102,7 +102,7 @@ impl VoussoirArch {
         self.friction != Friction::Infinite.to_string()
     }
 
-    /// Tells whether the arch stands with limited friction, and a motion is not excluded.
+    /// Tells whether the arch stands with limited friction, and a motion above its least thickness is not excluded.
     pub fn may_move(&self) -> bool {
         let stands = match &self.given {
             Some(given) => given.stands() == Some(true),

@@ -4,7 +4,6 @@ use super::arch::{VoussoirArch, VoussoirArches, at_limit};
 use super::given;
 use crate::problem::asymmetric_region::STANDS;
 use crate::record::Record;
-use crate::sizes::Sizes;
 use couplet_stones::{VoussoirDigits, Voussoirs};
 
 /// Lines on an arch.
@@ -24,10 +23,10 @@ pub(super) fn say(all: &VoussoirArches, arch: &VoussoirArch, record: &mut Record
         }
         (None, Err(undecided)) => record.say(undecided.to_string()),
     }
-    record.say_all(arch.sizes.iter().flat_map(Sizes::lines));
+    record.say_all(arch.sizes.iter().flat_map(|sizes| sizes.lines("as measured")));
     record.say_all(arch.may_move_in_words().map(|words| format!("\n{words}")));
     if arch.is_still {
-        record.say("\nfriction without dilatancy moves it no other way, proved: (19) has no asymmetric solution");
+        record.say("\nabove its least thickness (19) has no solution, proved: there nothing moves without dilatancy either");
     }
 }
 

@@ -62,8 +62,8 @@ pub enum LeastSolution {
 }
 
 impl Enumeration {
-    /// Tells whether it is proved that there is no asymmetric solution, at any thickness up to 2.
-    pub fn is_symmetric_alone(&self) -> bool {
+    /// Tells whether it is proved that no thickness above the least one has a solution, up to 2.
+    pub fn ends_at_the_least(&self) -> bool {
         let is_symmetric =
             |of: &Result<JointedSolution, _>| of.as_ref().is_ok_and(|of| of.is_symmetric);
         self.open.is_empty() && self.solutions.iter().all(is_symmetric)
