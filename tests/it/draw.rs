@@ -336,6 +336,11 @@ fn sizes_in_a_table_are_told_in_the_unit_given_too() {
     ] {
         assert!(feet.contains(line), "{feet}");
     }
+    let bridge = ["assess", "--span", "33ft", "--rise", "10ft", "--eta", "2ft", "--mu", "0.6"];
+    for more in [&["--stones", "41"][..], &["--tilt", "5deg"]] {
+        let table = written(&[&bridge[..], more].concat());
+        assert!(table.contains("t, m               0.6096 = 2 ft"), "{table}");
+    }
     let (_, sizes) = metres.split_once("as measured").unwrap();
     let (sizes, _) = sizes.split_once("\n\n").unwrap();
     assert!(sizes.contains("10.0584\n") && !sizes.contains(" = "), "{metres}");

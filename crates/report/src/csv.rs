@@ -31,11 +31,14 @@ pub(super) fn answers(report: &Answers) -> Tabular {
     }
 }
 
+/// Writer of a table.
+type Writer<T> = fn(&T, &mut dyn io::Write) -> io::Result<()>;
+
 /// Arches as they come, each with the line of its query, as CSV or as that of a spreadsheet with decimal commas.
 pub(super) fn rows(
     report: Answers,
     beside: Beside,
-    write: fn(&Tabular, &mut dyn io::Write) -> io::Result<()>,
+    write: Writer<Tabular>,
 ) -> io::Result<Box<dyn Rows>> {
     Ok(Box::new(CsvRows { report, own: Own { with_lines: true, beside }, write }))
 }
@@ -44,7 +47,7 @@ pub(super) fn rows(
 pub(super) fn rows_at_once(
     report: Answers,
     beside: Beside,
-    write: fn(&PaperTable, &mut dyn io::Write) -> io::Result<()>,
+    write: Writer<PaperTable>,
 ) -> io::Result<Box<dyn Rows>> {
     let own = Own { with_lines: true, beside };
     Ok(Box::new(RowsAtOnce { report, own, rows: Vec::new(), has_errors: false, write }))
@@ -158,7 +161,7 @@ fn finding(answer: &Answer) -> Record {
 struct CsvRows {
     report: Answers,
     own: Own,
-    write: fn(&Tabular, &mut dyn io::Write) -> io::Result<()>,
+    write: Writer<Tabular>,
 }
 
 struct RowsAtOnce {
@@ -166,7 +169,7 @@ struct RowsAtOnce {
     own: Own,
     rows: Vec<Vec<String>>,
     has_errors: bool,
-    write: fn(&PaperTable, &mut dyn io::Write) -> io::Result<()>,
+    write: Writer<PaperTable>,
 }
 
 impl Rows for RowsAtOnce {
@@ -217,7 +220,7 @@ pub(super) fn line(cells: Vec<String>) -> io::Result<Vec<u8>> {
 /// Lines without a header.
 fn lines(
     rows: impl IntoIterator<Item = Vec<String>>,
-    write: fn(&Tabular, &mut dyn io::Write) -> io::Result<()>,
+    write: Writer<Tabular>,
 ) -> io::Result<Vec<u8>> {
     let (mut bytes, mut rows) = (Vec::new(), rows.into_iter());
     if let Some(header) = rows.next() {

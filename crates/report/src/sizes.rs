@@ -1,6 +1,8 @@
-//! Sizes of a measured arch of stones, or of a tilted one: their lines, their fields and their columns.
+//! Sizes of a measured arch: their lines, and of one of stones or a tilted one their fields and columns.
 
 use super::record::Record;
+use super::understood::Understood;
+use super::value::Value;
 use crate::certify::Undecided;
 use crate::certify::state::Measured;
 use crate::problem::Quantity;
@@ -16,19 +18,14 @@ pub struct Sizes {
 }
 
 impl Sizes {
-    /// Lines for a person, below a heading.
-    pub(super) fn lines(&self, heading: &str) -> Vec<String> {
-        let line =
-            |name: &str, symbol: &str, text: &str| format!("   {name:<20} {symbol:<18} {text}");
-        let mut lines = vec![format!("\n{heading}")];
-        lines.push(line("measured_at", "circle", self.measured_at.name()));
-        match &self.found {
-            Err(open) => lines.push(format!("   {open}")),
-            Ok(found) => lines.extend(found.iter().map(|(of, figure)| {
-                let text = figure.as_ref().map_or("unbounded".to_owned(), ToString::to_string);
-                line(of.name(), of.symbol(), &text)
-            })),
-        }
+    /// Lines for a person, below an empty one and a heading.
+    pub(super) fn lines(&self, heading: &str, asked: &Understood) -> Vec<String> {
+        let value = |(of, figure): &(Quantity, _)| (*of, Value::figure(Option::as_ref(figure)));
+        let found: Vec<_> = self.found.iter().flatten().map(value).collect();
+        let found = found.iter().map(|(of, value)| (*of, value));
+        let mut lines = vec![String::new(), heading.to_owned()];
+        lines.extend(measured(self.measured_at, found, Some(asked)));
+        lines.extend(self.found.as_ref().err().map(|open| format!("   {open}")));
         lines
     }
 
@@ -50,4 +47,21 @@ impl Sizes {
         let measured_at = (!all.is_empty()).then_some("measured_at");
         measured_at.into_iter().chain(told).map(|name| format!(" {name}")).collect()
     }
+}
+
+/// Lines of the sizes of an arch that is measured at a circle, lengths in the unit of the question too.
+pub(super) fn measured<'v>(
+    circle: Circle,
+    sizes: impl IntoIterator<Item = (Quantity, &'v Value)>,
+    asked: Option<&Understood>,
+) -> Vec<String> {
+    let line = |name, symbol, text: &str| format!("   {name:<20} {symbol:<18} {text}");
+    let size = |(of, value): (Quantity, &Value)| {
+        let text = if value.decimal.is_some() { value.text() } else { "unbounded".into() };
+        let told = asked.and_then(|asked| asked.length(of, value));
+        let told = told.map_or(String::new(), |told| format!(" = {told}"));
+        line(of.name(), of.symbol(), &(text + &told))
+    };
+    let first = line("measured_at", "circle", circle.name());
+    [first].into_iter().chain(sizes.into_iter().map(size)).collect()
 }

@@ -58,17 +58,15 @@ impl MeasureAlone {
         found.ranges().next().map(|range| (found, range)).ok_or_else(open)
     }
 
-    /// Order by extent: what stays open, numbers by their difference, an end without a number.
-    fn extent(&self) -> (u8, Rational) {
-        let Ok((_, QuantityRange { lower, upper, .. })) = self.safety() else {
-            return (0, Rational::new());
-        };
-        match [&lower.value, &upper.value] {
+    /// Order by extent: numbers by their difference, then an end without a number; `None` if it stays open.
+    fn extent(&self) -> Option<(bool, Rational)> {
+        let (_, QuantityRange { lower, upper, .. }) = self.safety().ok()?;
+        Some(match [&lower.value, &upper.value] {
             [EndValue::Number(lower), EndValue::Number(upper)] => {
-                (1, upper.to_rational() - lower.to_rational())
+                (false, upper.to_rational() - lower.to_rational())
             }
-            [lower, upper] => (if lower == upper { 1 } else { 2 }, Rational::new()),
-        }
+            [lower, upper] => (lower != upper, Rational::new()),
+        })
     }
 }
 
@@ -77,7 +75,7 @@ impl SurveyedArches {
     #[must_use]
     pub fn with_each_alone(self, mut alone: Vec<MeasureAlone>) -> Self {
         // Where one stays open, no order is known.
-        if alone.iter().all(|of| of.safety().is_ok()) {
+        if alone.iter().all(|of| of.extent().is_some()) {
             alone.sort_by_key(|of| Reverse(of.extent()));
         }
         Self { alone, ..self }
@@ -85,7 +83,7 @@ impl SurveyedArches {
 
     /// The measure whose tolerance alone makes the widest range of the geometric safety, where that is told.
     pub(super) fn measure_first(&self) -> Option<&'static str> {
-        let is_known = self.alone.iter().all(|of| of.safety().is_ok());
+        let is_known = self.alone.iter().all(|of| of.extent().is_some());
         self.alone.first().filter(|_| is_known).map(|of| of.measure.name())
     }
 

@@ -5,6 +5,7 @@ use super::answers::{Answers, Scope};
 use super::columns;
 use super::find;
 use super::paper::in_degrees_too;
+use super::sizes;
 use super::subject::Subject;
 use super::tabular::Tabular;
 use super::words::{aligned, count, may_move, model};
@@ -171,12 +172,10 @@ fn measured(asked: &[Quantity], answer: &Answer, out: &mut dyn io::Write) -> io:
     let (Some(circle), true) = (answer.measured_at, !found.is_empty() || open.is_some()) else {
         return Ok(false);
     };
-    writeln!(out, "as measured\n   {:<20} {:<18} {}", "measured_at", "circle", circle.name())?;
-    for (of, value) in found {
-        let told = answer.asked.as_ref().and_then(|asked| asked.length(*of, value));
-        let told = told.map_or(String::new(), |told| format!(" = {told}"));
-        writeln!(out, "   {:<20} {:<18} {}{told}", of.name(), of.symbol(), value.text())?;
-    }
+    writeln!(out, "as measured")?;
+    let found = found.into_iter().map(|(of, value)| (*of, value));
+    let lines = sizes::measured(circle, found, answer.asked.as_deref());
+    lines.iter().try_for_each(|line| writeln!(out, "{line}"))?;
     open.map_or(Ok(()), |(_, undecided)| writeln!(out, "   {undecided}"))?;
     Ok(true)
 }

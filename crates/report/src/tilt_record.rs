@@ -83,7 +83,7 @@ fn say(arch: &TiltedArch, record: &mut Record) {
     }
     record.say_all(arch.largest().into_iter().flat_map(|largest| limited(arch, largest)));
     record.say_all(arch.sizes.iter().flat_map(|sizes| {
-        sizes.lines("as measured; forces at the largest tilt, beside full gravity")
+        sizes.lines("as measured; forces at the largest tilt, beside full gravity", &arch.asked)
     }));
 }
 

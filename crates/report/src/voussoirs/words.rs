@@ -23,7 +23,7 @@ pub(super) fn say(all: &VoussoirArches, arch: &VoussoirArch, record: &mut Record
         }
         (None, Err(undecided)) => record.say(undecided.to_string()),
     }
-    record.say_all(arch.sizes.iter().flat_map(|sizes| sizes.lines("as measured")));
+    record.say_all(arch.sizes.iter().flat_map(|sizes| sizes.lines("as measured", &all.asked)));
     record.say_all(arch.may_move_in_words().map(|words| format!("\n{words}")));
     if arch.is_still {
         record.say("\nabove its least thickness (19) has no solution, proved: there nothing moves without dilatancy either");
