@@ -74,7 +74,13 @@ pub use couplet_prove::prelude;
 #[doc(hidden)]
 pub use couplet_prove::prover;
 #[cfg(feature = "formats")]
-pub use couplet_report as report;
+pub mod report {
+    //! What was found, in every format: [answers](couplet_report), [maps](couplet_charts) and [pictures](couplet_pictures).
+
+    pub use couplet_charts::*;
+    pub use couplet_pictures::*;
+    pub use couplet_report::*;
+}
 #[doc(hidden)]
 pub use couplet_solve as solve;
 #[cfg(feature = "cli")]

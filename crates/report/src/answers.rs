@@ -6,7 +6,7 @@ use super::words::{DOUBLE_DIGITS, distinct};
 use crate::problem::Quantity;
 
 /// The program and its version.
-pub(super) const TOOL: &str = concat!("couplet ", env!("CARGO_PKG_VERSION"));
+pub const TOOL: &str = concat!("couplet ", env!("CARGO_PKG_VERSION"));
 
 /// Scope of answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

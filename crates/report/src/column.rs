@@ -4,20 +4,25 @@ use serde_json::Value as Json;
 use std::fmt::Display;
 
 /// Way to find the cells of a column; each may be missing.
-pub(super) enum Column<R> {
+pub enum Column<R> {
+    /// A text.
     Text(fn(&R) -> Option<&str>),
+    /// What is written as it is shown.
     Shown(fn(&R) -> Option<&dyn Display>),
+    /// A double.
     Double(fn(&R) -> Option<f64>),
+    /// A whole number.
     Integer(fn(&R) -> Option<u64>),
+    /// True or false.
     Truth(fn(&R) -> Option<bool>),
 }
 
 /// A column with its name.
-pub(super) type NamedColumn<R> = (&'static str, Column<R>);
+pub type NamedColumn<R> = (&'static str, Column<R>);
 
 impl<R> Column<R> {
     /// The cell of a row, empty where there is nothing.
-    pub(super) fn text(&self, row: &R) -> String {
+    pub fn text(&self, row: &R) -> String {
         let text = match self {
             Self::Text(cell) => cell(row).map(str::to_owned),
             Self::Shown(cell) => cell(row).map(ToString::to_string),
@@ -29,7 +34,7 @@ impl<R> Column<R> {
     }
 
     /// The field of a row; an infinite number is the text `inf`.
-    pub(super) fn json(&self, row: &R) -> Json {
+    pub fn json(&self, row: &R) -> Json {
         let number = |x: f64| if x.is_finite() { Json::from(x) } else { "inf".into() };
         match self {
             Self::Text(cell) => cell(row).into(),

@@ -9,7 +9,7 @@ const GUARD_DIGITS: usize = 16;
 
 /// Names of the formats in which something is written, in the order of the list of formats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Content(pub(super) &'static [&'static str]);
+pub struct Content(pub &'static [&'static str]);
 
 impl Content {
     /// Arches as they come.
@@ -29,9 +29,9 @@ impl Content {
     /// A picture, and nothing beside.
     pub const FIGURE: Self = Self(&["svg", "png", "pdf"]);
     /// Records with rows.
-    pub(super) const RECORDS: Self = Self(&["table", "json", "csv", "csv2", "latex", "markdown"]);
+    pub const RECORDS: Self = Self(&["table", "json", "csv", "csv2", "latex", "markdown"]);
     /// Records with rows and a picture.
-    pub(super) const DRAWN_RECORDS: Self =
+    pub const DRAWN_RECORDS: Self =
         Self(&["table", "json", "csv", "csv2", "latex", "markdown", "svg", "png", "pdf"]);
 
     /// Tells whether it can be written in a format.

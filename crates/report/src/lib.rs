@@ -1,5 +1,5 @@
-//! Output only: what was found, written in a format, be it a table, JSON, CSV, LaTeX, another language or a picture.
-//! Nothing is computed here.
+//! Output only: what was found, written in a format, be it a table, JSON, CSV, LaTeX or another language. Nothing is
+//! computed here. Pictures of arches, and maps, are made by crates above.
 //!
 //! A result makes [`Record`]s, and each format of records is written once ([`Reported`]). An [`Answer`] is a landmark
 //! or an arch with what became of it and its proved values, which languages write too. [`Format`] is the one list of
@@ -29,7 +29,6 @@ mod answered;
 mod answers;
 pub mod assembled;
 mod audit;
-mod branch;
 mod by_value;
 mod c;
 mod claimed;
@@ -38,7 +37,6 @@ mod columns;
 mod complementarity;
 mod csv;
 mod document;
-mod drawn;
 mod equation;
 mod find;
 mod format;
@@ -51,10 +49,9 @@ mod julia;
 mod kept;
 mod latex;
 mod listing;
-mod map;
-mod map_asked;
 mod matlab;
 mod names;
+pub mod numbers;
 mod paper;
 #[cfg_attr(not(feature = "parquet"), path = "parquet_missing.rs")]
 mod parquet;
@@ -63,27 +60,21 @@ mod parquet_file;
 mod plain;
 mod programme;
 mod python;
-#[cfg(test)]
-#[path = "../../draw/src/picture/reading.rs"]
-mod reading;
 mod record;
 mod reported;
 mod rows;
 mod rust;
 mod sampled;
 mod sizes;
-mod sketched;
 #[cfg(feature = "study")]
 pub mod study;
 mod subject;
 mod survey;
-mod survey_picture;
 mod surveyed_cells;
 mod surveyed_rows;
 mod table;
 mod tabular;
 mod tilt;
-mod tilt_picture;
 mod tilt_record;
 mod toml;
 mod understood;
@@ -93,46 +84,40 @@ pub mod words;
 
 pub use answer::{Answer, Extent, Fingerprint, Proof, Status};
 pub use answered::open_rows;
-pub use answers::{Answers, Scope};
+pub use answers::{Answers, Scope, TOOL};
 pub use audit::Audit;
-pub use branch::{BranchArch, BranchArches};
 pub use by_value::ByValue;
 pub use claimed::{Claims, Index};
+pub use column::{Column, NamedColumn};
 pub use complementarity::{ComplementarityArch, SolutionsFound};
 pub use csv::Beside;
-pub use drawn::{Axes, Branches, Drawing, Mark, Marked, Plane, Shown, Unit, View};
 pub use equation::EvaluatedEquation;
 pub use format::{Content, Format};
 pub use given::GivenDoubles;
 pub use kept::Kept;
-pub use map::{Map, MapDifferences, MapPoint, map_summary};
-pub use map_asked::MapAsked;
+pub use parquet::parquet_rows;
 #[cfg(feature = "parquet")]
 pub use parquet_file::{ParquetColumn, ParquetFile, ParquetTable, Texts};
 pub use programme::{AtThickness, ProgrammeFound};
-pub use record::Record;
+pub use record::{Record, Symbol};
 pub use reported::Reported;
 pub use rows::Rows;
 pub use sampled::SampledLines;
 pub use sizes::Sizes;
-pub use sketched::{Sketched, Style, arches_of_figure};
 pub use subject::Subject;
 pub use survey::{MEANING, MeasureAlone, SurveyedArches};
-pub use survey_picture::BandedArches;
 pub use surveyed_cells::SurveyedCells;
 pub use surveyed_rows::{SurveyedCell, SurveyedRow, SurveyedRows};
 pub use tabular::Tabular;
-pub use tilt::TiltedArch;
-pub use tilt_picture::TiltDrawing;
+pub use tilt::{Joint, TiltedArch};
 pub use understood::Understood;
 pub use value::Value;
 pub use voussoirs::{GivenThickness, VoussoirArch, VoussoirArches};
 
 use couplet_ask as ask;
-use couplet_atlas as atlas;
 use couplet_check::{arch, problem};
 use couplet_claims as claims;
-use couplet_draw::{picture, sketch};
+use couplet_draw::picture;
 use couplet_judge::{judge, strategies};
 use couplet_number::number;
 use couplet_prove::certify;

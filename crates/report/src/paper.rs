@@ -4,7 +4,7 @@
 use super::answer::{Answer, Status};
 use super::answers::Answers;
 use super::names::in_latex;
-use super::sketched::in_digits;
+use super::numbers::in_digits;
 use super::tabular::Tabular;
 use super::value::Value;
 use super::words::{author, distinct};

@@ -8,7 +8,6 @@ use super::answers::{Answers, Scope};
 use super::column::Column::{Double, Integer, Shown, Text, Truth};
 use super::column::NamedColumn;
 use super::columns::{kept_cell, kept_names};
-use super::map::{Map, MapRow};
 use super::names::head;
 use super::parquet_file::{ParquetColumn, ParquetFile, ParquetTable, Texts};
 use super::rows::Rows;
@@ -42,12 +41,15 @@ pub(super) fn rows(report: Answers) -> io::Result<Box<dyn Rows>> {
     Ok(Box::new(ParquetRows::new(report)))
 }
 
-/// The nodes of a map, in one group.
-pub(super) fn map(report: &Map, out: &mut dyn io::Write) -> io::Result<()> {
-    let tolerance = format!("{:?}", report.tolerance);
-    let notes = [("schema", "couplet.map/1".to_owned()), ("tolerance", tolerance)];
+/// Rows in one group, with notes on what they are.
+pub fn parquet_rows<R>(
+    columns: &[NamedColumn<R>],
+    rows: &[R],
+    notes: [(&'static str, String); 2],
+    out: &mut dyn io::Write,
+) -> io::Result<()> {
     let mut file = ParquetFile::default();
-    out.write_all(&group(&mut file, (&MapRow::COLUMNS, &[]), &MapRow::of_map(report), &[])?)?;
+    out.write_all(&group(&mut file, (columns, &[]), rows, &[])?)?;
     out.write_all(&file.end(notes)?)
 }
 

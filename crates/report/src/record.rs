@@ -27,7 +27,7 @@ enum Part {
 
 /// A symbol beside the name of a cell that is shown.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Symbol {
+pub struct Symbol {
     /// The symbol.
     pub text: &'static str,
     /// Characters of the column that it stands in.
@@ -49,32 +49,32 @@ enum Cell {
 
 impl Record {
     /// A document of a schema.
-    pub(crate) fn of(schema: &'static str) -> Self {
+    pub fn of(schema: &'static str) -> Self {
         Self::named("schema", [schema.into()])
     }
 
     /// A record with room for the cells of a row.
-    pub(crate) fn with_room() -> Self {
+    pub fn with_room() -> Self {
         Self(Vec::with_capacity(24))
     }
 
     /// Adds a line for a person.
-    pub(crate) fn say(&mut self, line: impl Into<String>) {
+    pub fn say(&mut self, line: impl Into<String>) {
         self.0.push(Part::Line(line.into()));
     }
 
     /// Adds lines for a person.
-    pub(crate) fn say_all(&mut self, lines: impl IntoIterator<Item = impl Into<String>>) {
+    pub fn say_all(&mut self, lines: impl IntoIterator<Item = impl Into<String>>) {
         lines.into_iter().for_each(|line| self.say(line));
     }
 
     /// Adds a figure that a person sees, with its symbol in a column of `width` characters.
-    pub(crate) fn show(&mut self, of: Quantity, width: usize, figure: &Rounded) {
+    pub fn show(&mut self, of: Quantity, width: usize, figure: &Rounded) {
         self.show_as(of.name(), Symbol { text: of.symbol(), width, name_width: 20 }, figure);
     }
 
     /// Adds a figure that a person sees, under a name and a symbol.
-    pub(crate) fn show_as(&mut self, name: &'static str, symbol: Symbol, figure: &Rounded) {
+    pub fn show_as(&mut self, name: &'static str, symbol: Symbol, figure: &Rounded) {
         let value = Cell::Record(Self::bounds(figure));
         self.0.push(Part::Cell { name: name.into(), symbol: Some(symbol), value });
     }
@@ -84,12 +84,12 @@ impl Record {
     }
 
     /// Adds a cell; nothing is `null`.
-    pub(crate) fn add(&mut self, name: impl Into<Cow<'static, str>>, value: impl Into<Json>) {
+    pub fn add(&mut self, name: impl Into<Cow<'static, str>>, value: impl Into<Json>) {
         self.put(name, Cell::new(value.into()));
     }
 
     /// Adds a double, which is infinite in CSV and TOML too.
-    pub(crate) fn add_double(
+    pub fn add_double(
         &mut self,
         name: impl Into<Cow<'static, str>>,
         value: impl Into<Option<f64>>,
@@ -98,12 +98,12 @@ impl Record {
     }
 
     /// Adds an object, or `null`.
-    pub(crate) fn add_record(&mut self, name: &'static str, record: Option<Self>) {
+    pub fn add_record(&mut self, name: &'static str, record: Option<Self>) {
         self.put(name, record.map_or(Cell::Value(None), Cell::Record));
     }
 
     /// Adds an object of objects, in the order of their names.
-    pub(crate) fn add_sorted(
+    pub fn add_sorted(
         &mut self,
         name: &'static str,
         all: impl IntoIterator<Item = (&'static str, Self)>,
@@ -116,38 +116,38 @@ impl Record {
     }
 
     /// Adds a list of objects.
-    pub(crate) fn add_list(&mut self, name: &'static str, list: impl IntoIterator<Item = Self>) {
+    pub fn add_list(&mut self, name: &'static str, list: impl IntoIterator<Item = Self>) {
         self.put(name, Cell::List(list.into_iter().collect()));
     }
 
     /// Adds a figure with its bounds, or `null`.
-    pub(crate) fn add_bounds(&mut self, name: &'static str, figure: Option<&Figure>) {
+    pub fn add_bounds(&mut self, name: &'static str, figure: Option<&Figure>) {
         self.add_rounded(name, figure.map(|figure| &figure.decimal));
     }
 
     /// Adds a decimal with its bounds, or `null`.
-    pub(crate) fn add_rounded(&mut self, name: &'static str, decimal: Option<&Rounded>) {
+    pub fn add_rounded(&mut self, name: &'static str, decimal: Option<&Rounded>) {
         self.add_record(name, decimal.map(Self::bounds));
     }
 
     /// A decimal with its bounds.
-    pub(crate) fn bounds(of: &Rounded) -> Self {
+    pub fn bounds(of: &Rounded) -> Self {
         let texts = [&of.value, &of.lower, &of.upper].map(|x| x.to_string().into());
         Self::named("value lower upper", texts)
     }
 
     /// Values under names that are given in one text, in its order.
-    pub(crate) fn named<const N: usize>(names: &'static str, values: [Json; N]) -> Self {
+    pub fn named<const N: usize>(names: &'static str, values: [Json; N]) -> Self {
         names.split(' ').zip(values).collect()
     }
 
     /// Adds what another has.
-    pub(crate) fn append(&mut self, mut other: Self) {
+    pub fn append(&mut self, mut other: Self) {
         self.0.append(&mut other.0);
     }
 
     /// Adds what is handed on under a name from outside.
-    pub(crate) fn keep(&mut self, name: &str, kept: &Kept) {
+    pub fn keep(&mut self, name: &str, kept: &Kept) {
         let text = || Cell::new(kept.text().into());
         let cell = match kept {
             Kept::Text(_) => text(),
@@ -159,14 +159,14 @@ impl Record {
     }
 
     /// Adds what may have been meant otherwise, if anything may.
-    pub(crate) fn note(&mut self, note: Option<&str>) {
+    pub fn note(&mut self, note: Option<&str>) {
         if let Some(note) = note {
             self.add(NOTE, note);
         }
     }
 
     /// Takes away all values, not their names.
-    pub(crate) fn clear(&mut self) {
+    pub fn clear(&mut self) {
         for part in &mut self.0 {
             if let Part::Cell { value, .. } = part {
                 *value = Cell::Value(None);
@@ -182,12 +182,12 @@ impl Record {
     }
 
     /// The names of the cells.
-    pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
+    pub fn names(&self) -> impl Iterator<Item = &str> {
         self.cells().map(|(name, _)| name)
     }
 
     /// The cells as text, each as in a table.
-    pub(crate) fn texts(self) -> impl Iterator<Item = String> {
+    pub fn texts(self) -> impl Iterator<Item = String> {
         self.0.into_iter().filter_map(|part| match part {
             Part::Cell { value: Cell::Value(Some(Json::String(text))), .. } => Some(text),
             Part::Cell { value, .. } => Some(value.text()),
@@ -196,13 +196,13 @@ impl Record {
     }
 
     /// The text of a cell, empty where there is none; of several with one name it is the last.
-    pub(crate) fn text(&self, name: &str) -> String {
+    pub fn text(&self, name: &str) -> String {
         let cell = self.cells().rfind(|(of, _)| *of == name);
         cell.map_or(String::new(), |(_, cell)| cell.text())
     }
 
     /// Lines for a person: those that are said, and the cells that are shown, here and in the records inside.
-    pub(crate) fn lines(&self) -> String {
+    pub fn lines(&self) -> String {
         let mut all = String::new();
         for part in &self.0 {
             match part {
@@ -222,7 +222,7 @@ impl Record {
     }
 
     /// Values of the cells that are shown, here and in the records inside.
-    pub(crate) fn shown(&self) -> Vec<String> {
+    pub fn shown(&self) -> Vec<String> {
         let of_part = |part: &Part| match part {
             Part::Cell { symbol: Some(_), value, .. } => vec![value.text()],
             Part::Cell { value: Cell::Record(record), .. } => record.shown(),

@@ -177,7 +177,7 @@ impl SurveyedArches {
     }
 
     /// Command that asks about one arch.
-    pub(super) fn command(&self, of: &SurveyedArch) -> String {
+    pub fn command(&self, of: &SurveyedArch) -> String {
         let asked = self.given.one(&of.arch, of.thickness.as_ref(), of.measured.as_ref());
         let command = match (self.sought, &self.given.stones, &of.thickness) {
             (Some(Sought::HalfOpening), ..) => "find half-opening",

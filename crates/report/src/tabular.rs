@@ -10,14 +10,14 @@ use std::io;
 #[derive(Debug, Default)]
 pub struct Tabular {
     /// Names of the columns.
-    pub(super) header: Vec<String>,
+    pub header: Vec<String>,
     /// Cells of each row.
-    pub(super) rows: Vec<Vec<String>>,
+    pub rows: Vec<Vec<String>>,
 }
 
 impl Tabular {
     /// Cells of records in some columns, whose names are given in one text.
-    pub(super) fn of(columns: &str, records: impl IntoIterator<Item = Record>) -> Self {
+    pub fn of(columns: &str, records: impl IntoIterator<Item = Record>) -> Self {
         let records: Vec<Record> = records.into_iter().collect();
         // A note has a column where there is one.
         let has_note = records.iter().any(|record| record.names().any(|name| name == NOTE));
@@ -28,7 +28,7 @@ impl Tabular {
     }
 
     /// All cells of records that have the same names.
-    pub(super) fn of_all(records: impl IntoIterator<Item = Record>) -> Self {
+    pub fn of_all(records: impl IntoIterator<Item = Record>) -> Self {
         let records: Vec<Record> = records.into_iter().collect();
         let names = |record: &Record| record.names().map(str::to_owned).collect();
         let header = records.first().map_or(Vec::new(), names);
@@ -36,7 +36,7 @@ impl Tabular {
     }
 
     /// Cells that columns find in rows.
-    pub(super) fn of_columns<'a, R: 'a>(
+    pub fn of_columns<'a, R: 'a>(
         columns: impl Iterator<Item = &'a NamedColumn<R>> + Clone,
         rows: impl IntoIterator<Item = R>,
     ) -> Self {

@@ -15,9 +15,10 @@ use couplet_stones::{LargestTilt, TiltDigits, TiltMechanism, TiltedJoint};
 const DIGITS: usize = 6;
 
 /// A joint that gives way, by its side and its angle from the crown.
-pub(super) struct Joint<'a> {
+pub struct Joint<'a> {
     /// The joint as it is proved.
     pub of: &'a TiltedJoint,
+    /// The half of the arch in which it is.
     pub side: Side,
     /// Angle from the crown, rad, without its sign.
     pub size: Ball,
@@ -26,7 +27,8 @@ pub(super) struct Joint<'a> {
 }
 
 impl Joint<'_> {
-    pub(super) fn is_crown(&self) -> bool {
+    /// Tells whether it is the crown itself.
+    pub fn is_crown(&self) -> bool {
         Drawable::is_zero(&self.size)
     }
 
@@ -39,8 +41,8 @@ impl Joint<'_> {
     }
 
     /// Angle from the crown in degrees, correctly rounded.
-    pub(super) fn degrees(&self, digits: usize) -> String {
-        super::sketched::rounded(&degrees(&self.size), digits)
+    pub fn degrees(&self, digits: usize) -> String {
+        super::numbers::rounded(&degrees(&self.size), digits)
     }
 }
 
@@ -69,7 +71,7 @@ pub struct TiltedArch {
 
 impl TiltedArch {
     /// Tells whether there is an admissible state; `None` if that stays open.
-    pub(super) fn is_admissible(&self) -> Option<bool> {
+    pub fn is_admissible(&self) -> Option<bool> {
         match &self.found {
             Ok(None) => Some(false),
             Ok(Some(found)) => found.is_admissible.as_ref().ok().copied(),
@@ -102,12 +104,12 @@ impl TiltedArch {
     }
 
     /// The largest acceleration, where it is known.
-    pub(super) fn largest(&self) -> Option<&LargestTilt> {
+    pub fn largest(&self) -> Option<&LargestTilt> {
         self.found.as_ref().ok()?.as_ref()?.largest.as_ref().ok()
     }
 
     /// Largest acceleration as a figure.
-    pub(super) fn figure(&self) -> Option<&Figure> {
+    pub fn figure(&self) -> Option<&Figure> {
         match self.largest()? {
             LargestTilt::Limited(figure, _) => Some(figure),
             LargestTilt::Unlimited => None,
@@ -126,7 +128,7 @@ impl TiltedArch {
     }
 
     /// The joints that give way at the largest acceleration.
-    pub(super) fn mechanism(&self) -> Option<&TiltMechanism> {
+    pub fn mechanism(&self) -> Option<&TiltMechanism> {
         match self.largest()? {
             LargestTilt::Limited(_, mechanism) => Some(mechanism),
             LargestTilt::Unlimited => None,
@@ -134,7 +136,7 @@ impl TiltedArch {
     }
 
     /// The joints that give way, with their sides and, between stones, their numbers.
-    pub(super) fn joints(&self) -> Vec<Joint<'_>> {
+    pub fn joints(&self) -> Vec<Joint<'_>> {
         self.mechanism().into_iter().flat_map(|all| &all.joints).map(|of| self.joint(of)).collect()
     }
 
@@ -154,7 +156,7 @@ impl TiltedArch {
     }
 
     /// Description of what a joint does, in words, by its condition on one side.
-    pub(super) fn happens(&self, side: Side, contact: Contact) -> &'static str {
+    pub fn happens(&self, side: Side, contact: Contact) -> &'static str {
         match side.contact(contact) {
             slip if !slip.is_hinge() && !self.arch.is_limited() => "opens",
             other => other.name(),

@@ -1,7 +1,7 @@
 //! The question as it is understood: what is given, in the words of who asks and in the paper's units.
 
+use super::numbers::{decided, in_digits};
 use super::record::Record;
-use super::sketched::{decided, in_digits};
 use super::value::Value;
 use super::words::model;
 use crate::arch::SelfWeight;

@@ -13,7 +13,7 @@ use std::io;
 pub use crate::number::shown as shortened;
 
 /// With this many digits a decimal number tells the double, which is then given too.
-pub(crate) const DOUBLE_DIGITS: usize = 17;
+pub const DOUBLE_DIGITS: usize = 17;
 
 /// `1 arch`, `2 arches`.
 pub fn count<N: Display + PartialEq + From<u8>>(n: N, one: &str, many: &str) -> String {
@@ -22,7 +22,7 @@ pub fn count<N: Display + PartialEq + From<u8>>(n: N, one: &str, many: &str) -> 
 }
 
 /// Writes several, with an empty line between.
-pub(crate) fn apart<T>(
+pub fn apart<T>(
     all: impl IntoIterator<Item = T>,
     out: &mut dyn io::Write,
     one: impl Fn(T, &mut dyn io::Write) -> io::Result<()>,
@@ -36,7 +36,7 @@ pub(crate) fn apart<T>(
 }
 
 /// A kind of asymmetric mechanism in words.
-pub(super) fn kind(mode: AsymmetricMode) -> &'static str {
+pub fn kind(mode: AsymmetricMode) -> &'static str {
     match mode {
         AsymmetricMode::InnerSliding => "one shoulder slides out, a joint of the other half in",
         AsymmetricMode::ShoulderOpening => "one shoulder slides and opens",
@@ -59,18 +59,18 @@ pub fn first_of(names: &[String], most: usize) -> String {
 }
 
 /// Labels of modes.
-pub(super) fn labels(modes: &[Mode]) -> Vec<&'static str> {
+pub fn labels(modes: &[Mode]) -> Vec<&'static str> {
     modes.iter().map(|mode| mode.label()).collect()
 }
 
 /// Text with blanks behind it, up to a width: that of a format ends at 65,535, and a number may have a million digits.
-pub(super) fn padded(text: &str, width: usize) -> String {
+pub fn padded(text: &str, width: usize) -> String {
     let blanks = width.saturating_sub(text.chars().count());
     [text, &" ".repeat(blanks)].concat()
 }
 
 /// Rows of cells as lines, each column as wide as its longest cell.
-pub(super) fn aligned(rows: &[Vec<String>]) -> impl Iterator<Item = String> {
+pub fn aligned(rows: &[Vec<String>]) -> impl Iterator<Item = String> {
     let columns = rows.first().map_or(0, Vec::len);
     let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
     let widths: Vec<usize> = (0..columns).map(width).collect();
@@ -113,7 +113,7 @@ pub fn did_you_mean(written: &str, names: &[&str]) -> String {
 
 /// Sentence on what an arch that stands may do all the same, if anything is proved of that: the one sentence
 /// of all formats.
-pub(crate) fn may_move(thicknesses: &[Figure]) -> Option<String> {
+pub fn may_move(thicknesses: &[Figure]) -> Option<String> {
     let at: Vec<String> = thicknesses.iter().map(ToString::to_string).collect();
     let noun = if at.len() == 1 { "thickness" } else { "thicknesses" };
     let at = at.join(" and ");
@@ -122,7 +122,7 @@ pub(crate) fn may_move(thicknesses: &[Figure]) -> Option<String> {
 }
 
 /// Sentence on stones and limited friction, of which it depends on their number.
-pub(crate) fn stones_may_move(stones: &Stones) -> String {
+pub fn stones_may_move(stones: &Stones) -> String {
     match stones {
         Stones::Equal { stones, .. } => format!("{MAY_MOVE} ({LOOK} --stones {stones})"),
         Stones::Joints(_) => format!("{MAY_MOVE} ({LOOK})"),
@@ -130,7 +130,7 @@ pub(crate) fn stones_may_move(stones: &Stones) -> String {
 }
 
 /// Whose self-weight model it is.
-pub(crate) fn author(weight: SelfWeight) -> &'static str {
+pub fn author(weight: SelfWeight) -> &'static str {
     match weight {
         SelfWeight::Heyman => "Heyman",
         SelfWeight::Milankovitch => "Milankovitch",
@@ -138,17 +138,17 @@ pub(crate) fn author(weight: SelfWeight) -> &'static str {
 }
 
 /// The self-weight model in words.
-pub(crate) fn model(weight: SelfWeight) -> String {
+pub fn model(weight: SelfWeight) -> String {
     format!("{}-like self-weight", author(weight))
 }
 
 /// The symbol of a landmark in a picture: in its font the letter l is a bar.
-pub(crate) fn symbol(landmark: Landmark) -> &'static str {
+pub fn symbol(landmark: Landmark) -> &'static str {
     if landmark == Landmark::RotationEnd { "ℓ" } else { landmark.symbol() }
 }
 
 /// The word for why an arch does not stand.
-pub(crate) fn reason(fall: Fall) -> &'static str {
+pub fn reason(fall: Fall) -> &'static str {
     match fall {
         Fall::Sliding => "sliding",
         Fall::Thickness => "thickness",
@@ -156,7 +156,7 @@ pub(crate) fn reason(fall: Fall) -> &'static str {
 }
 
 /// A double as C and many others write it in hexadecimal: exact. Infinity is `inf`, as `printf` has it.
-pub(crate) fn hexadecimal(x: f64) -> String {
+pub fn hexadecimal(x: f64) -> String {
     if x.is_infinite() {
         return x.to_string();
     }
@@ -179,7 +179,7 @@ pub(crate) fn hexadecimal(x: f64) -> String {
 
 /// A text of other people with what is no text as an escape, for a terminal would obey it: control characters but tabs
 /// and ends of lines, and marks that turn what follows round. `escape` says how one is written.
-pub(crate) fn printable(text: &str, escape: impl Fn(char) -> String) -> Cow<'_, str> {
+pub fn printable(text: &str, escape: impl Fn(char) -> String) -> Cow<'_, str> {
     let is_text = |c: char| {
         let turns = matches!(c, '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
         matches!(c, '\t' | '\n' | '\r') || !c.is_control() && !turns
@@ -192,7 +192,7 @@ pub(crate) fn printable(text: &str, escape: impl Fn(char) -> String) -> Cow<'_, 
 }
 
 /// Description of how an arch is divided into stones.
-pub(super) fn division(stones: &Stones) -> String {
+pub fn division(stones: &Stones) -> String {
     match stones {
         Stones::Equal { stones, .. } => format!("{stones} equal stones"),
         Stones::Joints(angles) => {
@@ -203,7 +203,7 @@ pub(super) fn division(stones: &Stones) -> String {
 }
 
 /// Words with a capital at its beginning.
-pub(super) fn capital(words: &str) -> String {
+pub fn capital(words: &str) -> String {
     let mut letters = words.chars();
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }

@@ -19,5 +19,10 @@ use couplet_draw::picture;
 use couplet_judge::judge;
 use couplet_number::number;
 use couplet_prove::certify;
-use couplet_report as report;
+/// What is written, of answers, maps and pictures.
+mod report {
+    pub(crate) use couplet_charts::*;
+    pub(crate) use couplet_pictures::*;
+    pub(crate) use couplet_report::*;
+}
 use couplet_solve as solve;

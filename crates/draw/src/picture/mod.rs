@@ -12,13 +12,17 @@
 //! | `frame` | a window onto a plane, with its axes |
 //! | `room`, `labels` | where a label has room: in an area, beside a point |
 //! | [`figure`] | panels of labelled lines |
+//! | `arcs` | a chain of points as few arcs |
+//! | `dxf` | the writer of DXF |
 //! | `tree` | SVG as a renderer reads it (feature `plots`) |
 //! | `png`, `pdf` | that as pixels, and as a page (feature `plots`) |
 //!
 //! The text is the same whenever the picture is the same. What is drawn is decided elsewhere: nothing here
 //! knows of arches.
 
+pub mod arcs;
 pub mod color;
+pub mod dxf;
 pub mod figure;
 pub mod frame;
 pub mod labels;

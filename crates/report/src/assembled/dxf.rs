@@ -1,8 +1,8 @@
 //! Bodies as DXF: closed outlines with the arcs of the ring, centroids, and the question.
 
 use super::assembly::Assembled;
+use crate::picture::dxf::{DxfAnchor, DxfFile};
 use crate::problem::measures::LengthUnit;
-use crate::sketched::{DxfAnchor, DxfFile};
 use crate::strategies::Point;
 
 /// The layers and their colours by number.

@@ -4,11 +4,11 @@ use crate::arch::SelfWeight;
 use crate::certify::Undecided;
 use crate::certify::state::Figure;
 use crate::number::{Ball, ExactNumber, Rounded, degrees};
+use crate::numbers::decided;
 use crate::problem::stones::{JointContact, Stones};
 use crate::problem::{Friction, Quantity};
 use crate::record::Record;
 use crate::sizes::Sizes;
-use crate::sketched::decided;
 use crate::understood::Understood;
 use crate::words::{self, DOUBLE_DIGITS};
 use couplet_stones::{

@@ -1,0 +1,120 @@
+//! Asymmetric solutions beside the least thickness, as graphs over friction.
+
+use super::caption::told;
+use super::chain::{Chain, larger};
+use super::graph::{Dot, Graph, GraphLine, Graphs, WIDTH, size};
+use super::plane::{PlaneAxis, step};
+use crate::arch::asymmetric::AsymmetricMode;
+use crate::atlas::{Branch, Coordinate, Level, Meeting};
+use crate::picture::color::INK;
+use crate::picture::{Color, Point, Print, Stroke};
+use crate::report::words::kind;
+use std::io;
+
+/// The least thickness.
+const LEAST: Stroke = Stroke::new(INK, 1.4);
+
+/// Look of a kind: by dashes too, so that grey is enough.
+fn look(kind: AsymmetricMode) -> Stroke {
+    let (color, width, dashes): (_, _, &[f64]) = match kind {
+        AsymmetricMode::InnerSliding => (Color(0, 0x5A, 0x8C), 2.6, &[]),
+        AsymmetricMode::ShoulderOpening => (Color(0xD5, 0x5E, 0), 2.6, &[9.0, 4.0]),
+        AsymmetricMode::ShoulderSliding => (Color(0, 0x7A, 0x5A), 2.6, &[3.0, 3.0]),
+    };
+    Stroke { color, width, dashes }
+}
+
+/// A kind of mechanism, of either shoulder.
+fn name(mode: AsymmetricMode) -> String {
+    kind(mode).replacen("one ", "a ", 1)
+}
+
+/// The friction and the thickness of a point.
+fn place(meeting: &Meeting) -> Option<Point> {
+    let place = meeting.place();
+    Some((place.friction?.mid().to_f64(), place.thickness?.mid().to_f64()))
+}
+
+/// An axis about some values, with room at its ends as shares of what they span.
+fn axis(
+    coordinate: Coordinate,
+    label: &'static str,
+    values: impl Iterator<Item = f64> + Clone,
+    room: [f64; 2],
+) -> PlaneAxis {
+    let least = values.clone().fold(f64::INFINITY, f64::min);
+    let most = values.fold(f64::NEG_INFINITY, f64::max);
+    let range = [least - room[0] * (most - least), most + room[1] * (most - least)];
+    let step = step(range, 5.0).unwrap_or(1.0);
+    PlaneAxis::new(coordinate, label, range, step)
+}
+
+/// The branches of some weights and one half opening as SVG, each in a panel with its least thickness.
+pub(crate) fn branches(
+    found: &[(&Branch, &Level)],
+    (words, open, command): (&str, &[String], &str),
+    print: &Print,
+) -> io::Result<String> {
+    let points = |branch: &Branch| -> Vec<Point> { branch.meetings().filter_map(place).collect() };
+    let all: Vec<Point> = found.iter().flat_map(|(branch, _)| points(branch)).collect();
+    let x = axis(
+        Coordinate::Friction,
+        "friction coefficient μ",
+        all.iter().map(|point| point.0),
+        [0.12, 0.3],
+    );
+    // Above there is room for the legend.
+    let y = axis(
+        Coordinate::Thickness,
+        "thickness to radius η = t/r",
+        all.iter().map(|point| point.1),
+        [0.15, 0.75],
+    );
+    let panels: Vec<Graph> =
+        found.iter().map(|(branch, least)| panel(branch, least, x, y)).collect();
+    let mut legend = vec![("least thickness, symmetric".to_owned(), LEAST)];
+    for kind in AsymmetricMode::ALL {
+        let has = |(branch, _): &(&Branch, &Level)| {
+            branch.stretches.iter().any(|(_, stretch)| stretch.kind == kind)
+        };
+        legend.extend(found.iter().any(has).then(|| (name(kind), look(kind))));
+    }
+    let off = panels.iter().map(Graph::off).fold([0.0; 2], larger);
+    let size = size(panels.len(), print)?;
+    let told = told(&[(x, off[0]), (y, off[1])], size);
+    let title = "Asymmetric solutions of the complementarity problem without dilatancy";
+    let open = match open.is_empty() {
+        true => "and each state on the thick lines to be admissible, with a mechanism".to_owned(),
+        false => format!("not proved: {}", open.join("; ")),
+    };
+    let first = x.range[0];
+    let share = all.iter().map(|point| point.0).fold(f64::INFINITY, f64::min) - first;
+    let legend_at = (0, (20.0 + WIDTH * share / (x.range[1] - first), 20.0));
+    let words = vec![
+        format!(
+            "{title}, {words}. On the thick lines an arch has an admissible state, and also a motion in which \
+             friction takes what the weight gives; discs: where a line meets the least thickness, and where the \
+             mechanism changes; upright: pure sliding, at any thickness from the least on. {told}, {open}. With \
+             Milankovitch's weight there are no others; with Heyman's none at the frictions of the line."
+        ),
+        format!("Command: {command}"),
+    ];
+    Graphs { title, panels, legend, legend_at, words }.svg(print)
+}
+
+fn panel(branch: &Branch, least: &Level, x: PlaneAxis, y: PlaneAxis) -> Graph {
+    let axes = [x, y];
+    let least = Chain::of_level(least, &axes);
+    let least = least.map(|chain| GraphLine { id: "least".to_owned(), chain, stroke: LEAST });
+    let parts = branch.stretches.iter().filter_map(|(_, stretch)| {
+        let chain = Chain::of_pieces(stretch.section.pieces(), &stretch.section.ends()[0], &axes)?;
+        Some(GraphLine { id: stretch.kind.name().to_owned(), chain, stroke: look(stretch.kind) })
+    });
+    let mark = |meeting: &Meeting| {
+        let at = place(meeting)?;
+        Some(Dot { name: String::new(), at, away: (0.0, 0.0), color: INK })
+    };
+    let marks = branch.meetings().filter_map(mark).collect();
+    let lines = least.into_iter().chain(parts).collect();
+    Graph { x, y, lines, marks, inset: None }
+}

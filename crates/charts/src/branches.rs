@@ -1,0 +1,400 @@
+//! The purely rotational, overturning and sliding states along the half opening: Figures 2 to 4 of the paper.
+
+use super::caption::caption;
+use super::chain::Chain;
+use super::graph::{Dot, Graph, GraphLine, Graphs, size};
+use super::look::{self, mark};
+use super::plane::PlaneAxis;
+use super::sheet::Sheet;
+use crate::arch::{SelfWeight, Unknown};
+use crate::atlas::{Coordinate, Curve, CurveEnd, Place, Trace, rotation_end, rotation_start};
+use crate::certify::CertifiedLandmark;
+use crate::number::Ball;
+use crate::picture::color::INK;
+use crate::picture::{Point, Print, Stroke};
+use crate::problem::Landmark;
+use crate::report::words;
+use std::cmp::Ordering::Equal;
+use std::io;
+
+/// One of these figures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Branches {
+    /// The rotational joint, the thickness and the thrust over the half opening.
+    Rotation,
+    /// The thickness of overturning over `A = alpha cot(alpha/2)` and over the half opening.
+    Overturning,
+    /// Branches with rotation before it, and how they join.
+    Joined,
+}
+
+/// The purely sliding states, those beyond the border point of one weight, and those beyond that of both.
+const SLIDING: Stroke = Stroke::new(INK, 1.6);
+const BETWEEN: Stroke = Stroke { color: INK, width: 1.6, dashes: &[9.0, 4.0] };
+const BEYOND: Stroke = Stroke { color: INK, width: 1.6, dashes: &[3.0, 4.0] };
+/// The tangent that two curves have in common.
+const TANGENT: Stroke = Stroke { color: INK, width: 1.2, dashes: &[16.0, 5.0, 3.0, 5.0] };
+/// Distance to which it is drawn, to each side, in degrees.
+const FAR: f64 = 4.5;
+/// Half-width of a tube near the end of rotation.
+const NEAR_END: f64 = 1e-5;
+
+const OPENING: PlaneAxis =
+    PlaneAxis::new(Coordinate::HalfOpening, "half opening α (°)", [0.0, 180.0], 20.0);
+const VARIABLE: PlaneAxis =
+    PlaneAxis::new(Coordinate::OpeningVariable, "A = α cot(α/2)", [0.0, 2.0], 0.2);
+const THICKNESS: PlaneAxis = thickness_axis([0.0, 2.2], 0.5);
+/// Axis where half arches overturn.
+const WIDE: PlaneAxis = PlaneAxis { range: [146.0, 162.0], step: 2.0, ..OPENING };
+const WIDE_VARIABLE: PlaneAxis = PlaneAxis { range: [0.4, 1.0], step: 0.1, ..VARIABLE };
+const THICK: PlaneAxis = thickness_axis([0.8, 2.2], 0.2);
+/// About the ends of rotation.
+const NEAR: PlaneAxis = PlaneAxis { range: [143.0, 157.0], step: 2.0, ..OPENING };
+const NEAR_THICKNESS: PlaneAxis = thickness_axis([0.6, 1.4], 0.2);
+
+const fn thickness_axis(range: [f64; 2], step: f64) -> PlaneAxis {
+    PlaneAxis::new(Coordinate::Thickness, "thickness η = t/r", range, step)
+}
+
+fn number(ball: &Ball) -> f64 {
+    ball.mid().to_f64()
+}
+
+/// Place of a point on an axis, in the unit shown.
+fn on(axis: &PlaneAxis, place: &Place) -> Option<f64> {
+    let other = |ball: &Option<Ball>| Some(number(ball.as_ref()?) * axis.unit);
+    match axis.coordinate {
+        Coordinate::Thrust => other(&place.thrust),
+        Coordinate::RotationJoint => other(&place.rotation_joint),
+        _ => axis.place(place),
+    }
+}
+
+impl Branches {
+    /// The figure of both weights as SVG.
+    pub(super) fn svg(self, sheets: &[Sheet], command: &str, print: &Print) -> io::Result<String> {
+        let panels = match self {
+            Self::Rotation => over_the_half_opening(sheets),
+            Self::Overturning => [(WIDE_VARIABLE, Course::FallsOpposite), (WIDE, Course::Rises)]
+                .map(|(x, course)| Graph {
+                    x,
+                    y: THICK,
+                    lines: lines(sheets, &[Curve::Overturning], &[x, THICK]),
+                    marks: marks(sheets, &ENDS[1..], &[x, THICK], course),
+                    inset: None,
+                })
+                .into(),
+            Self::Joined => joined(sheets),
+        };
+        let rotation = "Purely rotational and purely sliding states over the half opening";
+        let overturning = "Thickness of purely overturning states over A and over the half opening";
+        let joined = "Thickness of purely rotational and purely overturning states over A and over the half opening";
+        let (title, curves, more, legend_at): (_, &[Curve], _, _) = match self {
+            Self::Rotation => {
+                let entry = |name: &str, stroke| (name.to_owned(), stroke);
+                let mut sliding = vec![entry("pure sliding", SLIDING)];
+                match borders(sheets)[..] {
+                    [(one, _), (other, _)] => sliding.extend([
+                        entry(&format!("beyond B{}", mark(one)), BETWEEN),
+                        entry(&format!("beyond B{} too", mark(other)), BEYOND),
+                    ]),
+                    _ => sliding.push(entry("beyond B", BEYOND)),
+                }
+                (rotation, &[Curve::Rotation], sliding, (2, (16.0, 138.0)))
+            }
+            Self::Overturning => {
+                (overturning, &[Curve::Overturning], Vec::new(), (0, (395.0, 20.0)))
+            }
+            Self::Joined => {
+                let tangent = vec![("common tangent at ℓ".to_owned(), TANGENT)];
+                (joined, &[Curve::Rotation, Curve::Overturning], tangent, (0, (340.0, 20.0)))
+            }
+        };
+        let of_weight = |sheet: &Sheet, curve: Curve| {
+            let name = format!("{curve}, {}-like", words::capital(sheet.weight.name()));
+            (name, look_of(sheet.weight, curve))
+        };
+        let names =
+            sheets.iter().flat_map(|sheet| curves.iter().map(move |c| of_weight(sheet, *c)));
+        let legend = names.chain(more).collect();
+        let joins = match self {
+            Self::Joined => {
+                " Below, larger: at ℓ rotation and overturning have one slope, which is proved."
+            }
+            _ => "",
+        };
+        let off = (&off(&panels)[..], size(panels.len(), print)?);
+        let words = caption(title, sheets, off, joins, command);
+        Graphs { title, panels, legend, legend_at, words }.svg(print)
+    }
+}
+
+/// The joint, the thickness and the thrust of rotation, and the thrust of sliding, each with an inset where the two
+/// weights differ.
+fn over_the_half_opening(sheets: &[Sheet]) -> Vec<Graph> {
+    let joint = PlaneAxis::new(Coordinate::RotationJoint, "joint βᵣ (°)", [0.0, 70.0], 10.0);
+    let push = PlaneAxis::new(Coordinate::Thrust, "thrust h = H/(w r)", [0.0, 1.0], 0.2);
+    let opening = |range, step| PlaneAxis { range, step, ..OPENING };
+    let larger = |axis: PlaneAxis, range, step| PlaneAxis { range, step, ..axis };
+    let of = |[x, y]: [PlaneAxis; 2], course| {
+        let rotation = match y.coordinate {
+            Coordinate::RotationJoint => joints(sheets, &[x, y]),
+            _ => lines(sheets, &[Curve::Rotation], &[x, y]),
+        };
+        let is_thrust = y.coordinate == Coordinate::Thrust;
+        let sliding = if is_thrust { sliding(sheets, &[x, y]) } else { Vec::new() };
+        let mut marks = marks(sheets, &ENDS[..2], &[x, y], course);
+        marks.extend(if is_thrust { border_marks(sheets, &y) } else { Vec::new() });
+        Graph { x, y, lines: rotation.into_iter().chain(sliding).collect(), marks, inset: None }
+    };
+    let with = |y, course, (at, axes): ([Point; 2], [PlaneAxis; 2])| {
+        let inset = Some(Box::new((at, of(axes, course))));
+        let mut graph = of([OPENING, y], course);
+        // What the inset names is only a disc in the panel.
+        graph.marks.iter_mut().for_each(|mark| mark.name.clear());
+        Graph { inset, ..graph }
+    };
+    let mut first = with(
+        joint,
+        Course::Falls,
+        (
+            [(82.0, 9.0), (136.0, 40.0)],
+            [opening([136.0, 154.0], 5.0), larger(joint, [0.0, 70.0], 20.0)],
+        ),
+    );
+    first.marks.extend(widest(sheets));
+    let thickness = thickness_axis([0.0, 1.1], 0.2);
+    let second = with(
+        thickness,
+        Course::Rises,
+        (
+            [(42.0, 0.36), (104.0, 1.02)],
+            [opening([130.0, 155.0], 5.0), larger(thickness, [0.4, 1.05], 0.2)],
+        ),
+    );
+    let third = with(
+        push,
+        Course::Falls,
+        (
+            [(126.0, 0.59), (177.0, 0.96)],
+            [opening([130.0, 162.0], 5.0), larger(push, [0.0, 0.2], 0.1)],
+        ),
+    );
+    vec![first, second, third]
+}
+
+/// The joint: over the half opening, near the origin by its ratio to that, and near the end over itself.
+fn joints(sheets: &[Sheet], axes: &[PlaneAxis; 2]) -> Vec<GraphLine> {
+    let whole = lines(sheets, &[Curve::Rotation], axes);
+    let near_ends = |sheet: &Sheet| {
+        let trace = sheet.trace(Curve::Rotation)?;
+        let start = rotation_start(trace, NEAR_END).ok()?;
+        let start = Chain::of_pieces(start.pieces(), &start.ends()[0], axes)?;
+        Some([start, Chain::over_joint(&rotation_end(trace, NEAR_END).ok()?)?])
+    };
+    let joined = |(line, sheet): (GraphLine, &Sheet)| {
+        let Some([start, end]) = near_ends(sheet) else { return line };
+        let Some(([_, from], [_, to])) = start.ends().zip(end.ends()) else { return line };
+        let [before, _] = line.chain.split(to.0);
+        let [_, middle] = before.split(from.0);
+        let chain = Chain([start.0, middle.0, end.reversed().0].concat());
+        GraphLine { chain, ..line }
+    };
+    whole.into_iter().zip(sheets).map(joined).collect()
+}
+
+/// Rotation and overturning, over the opening variable, over the half opening, and near the points where they join.
+fn joined(sheets: &[Sheet]) -> Vec<Graph> {
+    let panel = |x, y, curves: &[Curve], course| Graph {
+        x,
+        y,
+        lines: lines(sheets, &[Curve::Rotation, Curve::Overturning], &[x, y]),
+        marks: marks(sheets, curves, &[x, y], course),
+        inset: None,
+    };
+    let mut near = panel(NEAR, NEAR_THICKNESS, &ENDS[1..2], Course::Rises);
+    near.lines.extend(sheets.iter().filter_map(tangent));
+    vec![
+        panel(VARIABLE, THICKNESS, &ENDS, Course::FallsOpposite),
+        panel(OPENING, THICKNESS, &ENDS, Course::Rises),
+        near,
+    ]
+}
+
+/// The tangent of a weight at the end of rotation: that with which overturning begins.
+fn tangent(sheet: &Sheet) -> Option<GraphLine> {
+    let chain = along(sheet.trace(Curve::Overturning)?, &[NEAR, NEAR_THICKNESS])?;
+    let [(x, y), (across, up), ..] = chain.0.first()?.corners;
+    let slope = (up - y) / (across - x);
+    let end = |far: f64| (x + far, y + far * slope);
+    let id = format!("{}-tangent", sheet.weight.name());
+    Some(GraphLine { id, chain: Chain::straight(end(-FAR), end(FAR)), stroke: TANGENT })
+}
+
+/// Look of a curve of a weight: overturning is told from rotation by its dashes.
+fn look_of(weight: SelfWeight, curve: Curve) -> Stroke {
+    let stroke = look::of_weight(weight);
+    match (curve, weight) {
+        (Curve::Overturning, SelfWeight::Heyman) => {
+            Stroke { dashes: &[2.0, 3.5], width: 3.0, ..stroke }
+        }
+        (Curve::Overturning, SelfWeight::Milankovitch) => {
+            Stroke { dashes: &[12.0, 3.0, 2.0, 3.0], width: 3.0, ..stroke }
+        }
+        _ => stroke,
+    }
+}
+
+/// Distance that lines may have from the truth, along each axis.
+fn off(panels: &[Graph]) -> Vec<(PlaneAxis, f64)> {
+    let of_panel = |panel: &Graph| {
+        let [across, up] = panel.off();
+        [(panel.x, across), (panel.y, up)]
+    };
+    panels.iter().flat_map(of_panel).collect()
+}
+
+fn along(trace: &Trace, axes: &[PlaneAxis; 2]) -> Option<Chain> {
+    Chain::of_pieces(trace.pieces(), &trace.points().first()?.place, axes)
+}
+
+fn lines(sheets: &[Sheet], curves: &[Curve], axes: &[PlaneAxis; 2]) -> Vec<GraphLine> {
+    let line = |sheet: &Sheet, curve: &Curve| {
+        let chain = along(sheet.trace(*curve)?, axes)?;
+        let id = format!("{}-{curve}", sheet.weight.name());
+        Some(GraphLine { id, chain, stroke: look_of(sheet.weight, *curve) })
+    };
+    sheets.iter().flat_map(|sheet| curves.iter().filter_map(move |c| line(sheet, c))).collect()
+}
+
+/// Where thickness 2 is not enough from on, of each weight: `B`, the first one first.
+fn borders(sheets: &[Sheet]) -> Vec<(SelfWeight, Place)> {
+    let of = |sheet: &Sheet| {
+        let start = sheet.trace(Curve::Limit)?.points().swap_remove(0);
+        Some((sheet.weight, start.place))
+    };
+    let mut all: Vec<(SelfWeight, Place)> = sheets.iter().filter_map(of).collect();
+    all.sort_by(|(_, a), (_, b)| on(&OPENING, a).partial_cmp(&on(&OPENING, b)).unwrap_or(Equal));
+    all
+}
+
+/// `B` of each weight on the line of purely sliding states.
+fn border_marks(sheets: &[Sheet], push: &PlaneAxis) -> Vec<Dot> {
+    let mark = |(weight, place): (SelfWeight, Place)| {
+        let at = (on(&OPENING, &place)?, on(push, &place)?);
+        Some(named(Landmark::Border, weight, at, Course::Rises, sheets.len() > 1))
+    };
+    borders(sheets).into_iter().filter_map(mark).collect()
+}
+
+/// The thrust of purely sliding states: as far as the border points of the weights, and beyond each.
+fn sliding(sheets: &[Sheet], axes: &[PlaneAxis; 2]) -> Vec<GraphLine> {
+    let trace = sheets.first().and_then(|sheet| sheet.trace(Curve::Sliding));
+    let Some(mut rest) = trace.and_then(|trace| along(trace, axes)) else { return Vec::new() };
+    let borders: Vec<f64> =
+        borders(sheets).iter().filter_map(|(_, place)| on(&OPENING, place)).collect();
+    let strokes: &[(&str, Stroke)] = match borders.len() {
+        2 => &[("sliding", SLIDING), ("sliding-between", BETWEEN), ("sliding-beyond", BEYOND)],
+        _ => &[("sliding", SLIDING), ("sliding-beyond", BEYOND)],
+    };
+    let mut lines = Vec::new();
+    for (k, (id, stroke)) in strokes.iter().enumerate() {
+        let [before, after] = match borders.get(k) {
+            Some(border) => rest.split(*border),
+            None => [rest, Chain::default()],
+        };
+        lines.push(GraphLine { id: (*id).into(), chain: before, stroke: *stroke });
+        rest = after;
+    }
+    lines
+}
+
+/// Curves that end at T, and at the ends of rotation and overturning.
+const ENDS: [Curve; 3] =
+    [Curve::Line(crate::problem::Line::RotationShoulder), Curve::Rotation, Curve::Overturning];
+
+/// The landmarks at the ends of some curves.
+fn marks(sheets: &[Sheet], curves: &[Curve], [x, y]: &[PlaneAxis; 2], course: Course) -> Vec<Dot> {
+    let mark = |sheet: &Sheet, curve: Curve| {
+        let point = sheet.trace(curve)?.points().pop()?;
+        let Some(CurveEnd::Landmark(landmark)) = point.end else { return None };
+        let at = (on(x, &point.place)?, on(y, &point.place)?);
+        Some(named(landmark, sheet.weight, at, course, sheets.len() > 1))
+    };
+    sheets.iter().flat_map(|sheet| curves.iter().filter_map(move |c| mark(sheet, *c))).collect()
+}
+
+/// Where the rotational joint is widest.
+fn widest(sheets: &[Sheet]) -> Vec<Dot> {
+    let mark = |sheet: &Sheet| {
+        let landmark = Landmark::WidestJoint;
+        let refined = CertifiedLandmark::new(landmark, sheet.weight).ok()?.enclosure(64).ok()?;
+        let degrees = |unknown| Some(number(&refined.value(unknown)?).to_degrees());
+        let at = (degrees(Unknown::HalfOpening)?, degrees(Unknown::RotationJoint)?);
+        let mark = named(landmark, sheet.weight, at, Course::Falls, sheets.len() > 1);
+        // The two are next to each other on top.
+        let away = if sheet.weight == SelfWeight::Heyman { (4.0, -12.0) } else { (-6.0, 16.0) };
+        Some(Dot { away, ..mark })
+    };
+    sheets.iter().filter_map(mark).collect()
+}
+
+/// Course of a line, and which weight's is the upper one.
+#[derive(Clone, Copy)]
+enum Course {
+    /// Upwards, Milankovitch's above.
+    Rises,
+    /// Downwards, Heyman's above.
+    Falls,
+    /// Downwards, Milankovitch's above.
+    FallsOpposite,
+}
+
+/// The name of a landmark, of its weight where there are several, away from the line of the other.
+fn named(
+    landmark: Landmark,
+    weight: SelfWeight,
+    at: Point,
+    course: Course,
+    is_of_several: bool,
+) -> Dot {
+    let away =
+        match (weight, course) {
+            (SelfWeight::Milankovitch, Course::Rises) => (-1.0, -0.9),
+            (SelfWeight::Heyman, Course::Rises) => (0.9, 1.0),
+            (SelfWeight::Milankovitch, Course::Falls)
+            | (SelfWeight::Heyman, Course::FallsOpposite) => (-0.8, 1.2),
+            (SelfWeight::Heyman, Course::Falls)
+            | (SelfWeight::Milankovitch, Course::FallsOpposite) => (0.8, -1.2),
+        };
+    let symbol = words::symbol(landmark);
+    let name = match is_of_several && landmark != Landmark::OverturningEnd {
+        true => format!("{symbol}{}", mark(weight)),
+        false => symbol.to_owned(),
+    };
+    Dot { name, at, away, color: look::of_weight(weight).color }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The tangent with which overturning begins is the one with which rotation ends, over A and over the half opening.
+    #[test]
+    fn rotation_and_overturning_have_one_slope_where_they_join() {
+        for weight in SelfWeight::ALL {
+            let traces = [Curve::Rotation, Curve::Overturning]
+                .map(|of| Trace::new(of, weight, 1e-5).unwrap());
+            for x in [OPENING, VARIABLE] {
+                let [rotation, overturning] =
+                    traces.each_ref().map(|trace| along(trace, &[x, THICKNESS]).unwrap());
+                let slope = |(x, y): Point, (u, v): Point| (v - y) / (u - x);
+                let [.., before, end] = rotation.0.last().unwrap().corners;
+                let [start, after, ..] = overturning.0.first().unwrap().corners;
+                assert!((end.0 - start.0).abs() < 1e-9 && (end.1 - start.1).abs() < 1e-9);
+                let [one, other] = [slope(before, end), slope(start, after)];
+                assert!((one / other - 1.0).abs() < 1e-3, "{weight:?} {one} {other}");
+            }
+        }
+    }
+}

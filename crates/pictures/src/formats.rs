@@ -1,0 +1,28 @@
+//! The formats in which arches are drawn.
+
+use super::{Sketched, dxf, json, lean, page};
+use crate::picture::Print;
+use crate::report::{Content, Format, Record, Reported};
+use std::io;
+
+impl Reported for Sketched {
+    fn content() -> Content {
+        Content(&["json", "svg", "png", "pdf", "dxf"])
+    }
+
+    fn records(&self) -> Vec<Record> {
+        vec![json::record(self)]
+    }
+
+    fn picture(&self, print: &Print) -> io::Result<String> {
+        page::picture(self, print)
+    }
+
+    fn write_as(&self, format: &Format, out: &mut dyn io::Write) -> Option<io::Result<()>> {
+        match format.name {
+            "json" => Some(lean::write(&json::record(self), out)),
+            "dxf" => Some(dxf::dxf(self, out)),
+            _ => None,
+        }
+    }
+}
