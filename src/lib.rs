@@ -75,7 +75,7 @@ pub use couplet_prove::prelude;
 pub use couplet_prove::prover;
 #[cfg(feature = "formats")]
 pub mod report {
-    //! What was found, in every format: [answers](couplet_report), [maps](couplet_charts) and [pictures](couplet_pictures).
+    //! Results in every format: [answers](couplet_report), [maps](couplet_charts), [pictures](couplet_pictures).
 
     pub use couplet_charts::*;
     pub use couplet_pictures::*;

@@ -5,7 +5,7 @@ use super::plane::{FRICTION_LABEL, PlaneAxis, friction_ticks};
 use super::spot::disc;
 use crate::picture::color::{GRID, INK, WHITE};
 use crate::picture::{
-    Anchor, Color, Frame, FrameSide, Name, Path, Point, Print, Stroke, Svg, Type, text,
+    Anchor, Color, Frame, FrameSide, Name, Page, Path, Point, Print, Stroke, Svg, Type, text,
 };
 use std::io;
 
@@ -55,12 +55,10 @@ const AXIS: f64 = 76.0;
 const AROUND: f64 = LEFT + 40.0;
 const BETWEEN: f64 = 26.0;
 const BELOW: f64 = 80.0;
-const MARGIN: f64 = 20.0;
 /// Distance from the labels of ticks to that of their axis.
 const NEXT: f64 = 24.0;
 const LABEL: f64 = 18.0;
 const TICK: f64 = 16.0;
-const SMALL: f64 = 15.0;
 /// Ticks of an inset.
 const SMALL_TICK: f64 = 14.0;
 /// Length of a sample in the legend, and the height of its rows.
@@ -87,35 +85,33 @@ impl Graphs {
         };
         let frames: Vec<Frame> = self.panels.iter().enumerate().map(frame).collect();
         let bottom = frames.last().map_or(top, Frame::bottom);
-        let width = size.0 + AROUND;
-        let lines = print.caption(&self.words, SMALL, width - 2.0 * MARGIN);
         // In a panel that is narrow a legend would lie on lines.
         let is_narrow = size.0 < WIDTH;
         let legend = if is_narrow { ROW * self.legend.len() as f64 } else { 0.0 };
         let foot = bottom + BELOW + legend;
-        let all = foot + lines.len() as f64 * SMALL * text::LEADING + MARGIN;
-        let mut svg = Svg::printed(print, (width, all), self.title, &self.words.join(" "));
-        for (k, (panel, frame)) in self.panels.iter().zip(&frames).enumerate() {
-            let letter = b"abcdefgh".get(k).filter(|_| self.panels.len() > 1);
-            svg.group(&format!("panel-{k}"), |svg| panel.draw(svg, frame, self.has_ticks(k)));
-            if k == 0 && is_friction(panel) {
-                panel.friction(&mut svg, frame);
+        let page = Page::new(print, WIDTH + AROUND, LEAST + AROUND)?;
+        let svg = page.svg(self.title, &self.words, foot, |svg| {
+            for (k, (panel, frame)) in self.panels.iter().zip(&frames).enumerate() {
+                let letter = b"abcdefgh".get(k).filter(|_| self.panels.len() > 1);
+                svg.group(&format!("panel-{k}"), |svg| panel.draw(svg, frame, self.has_ticks(k)));
+                if k == 0 && is_friction(panel) {
+                    panel.friction(svg, frame);
+                }
+                if let Some(letter) = letter {
+                    let name = format!("({})", char::from(*letter));
+                    let at = (frame.corner.0 + 12.0, frame.corner.1 + 18.0);
+                    svg.text(&name, at, Type::new(LABEL, INK).on(WHITE));
+                }
             }
-            if let Some(letter) = letter {
-                let name = format!("({})", char::from(*letter));
-                let at = (frame.corner.0 + 12.0, frame.corner.1 + 18.0);
-                svg.text(&name, at, Type::new(LABEL, INK).on(WHITE));
+            let within = frames.get(self.legend_at.0).map(|frame| {
+                let (_, (across, down)) = self.legend_at;
+                (frame.corner.0 + across * size.0 / WIDTH, frame.corner.1 + down)
+            });
+            let at = if is_narrow { Some((Page::MARGIN, bottom + BELOW)) } else { within };
+            if let Some(at) = at {
+                svg.group("legend", |svg| self.legend(svg, at));
             }
-        }
-        let within = frames.get(self.legend_at.0).map(|frame| {
-            let (_, (across, down)) = self.legend_at;
-            (frame.corner.0 + across * size.0 / WIDTH, frame.corner.1 + down)
         });
-        let at = if is_narrow { Some((MARGIN, bottom + BELOW)) } else { within };
-        if let Some(at) = at {
-            svg.group("legend", |svg| self.legend(svg, at));
-        }
-        svg.group("caption", |svg| svg.lines(&lines, (MARGIN, foot), Type::new(SMALL, INK)));
         Ok(svg.finish())
     }
 

@@ -6,7 +6,7 @@ use super::content::lines as curves;
 use super::inset::Inset;
 use super::known::{TANGENTS, known};
 use super::look::{self, mark};
-use super::page::{BELOW, Page};
+use super::page::{BELOW, MapPage};
 use super::plane::{DEGREES, Plane};
 use super::sheet::Sheet;
 use super::spot::disc;
@@ -45,7 +45,7 @@ impl LinesPicture<'_> {
         let of = |landmark| -> Vec<Point> {
             sheets.iter().filter_map(|sheet| sheet.landmark(landmark, &canvas)).collect()
         };
-        let page = Page::new(&canvas, false, print)?;
+        let page = MapPage::new(&canvas, false, print)?;
         let frame = &page.frame;
         let insets = Inset::of_both(of, frame);
         let off = canvas.axes.map(|axis| (axis, width));

@@ -8,7 +8,7 @@ use super::inset::Inset;
 use super::margin;
 use super::mark::{self, Mark, Placed};
 use super::names::{Names, on_page};
-use super::page::{BELOW, Page};
+use super::page::{BELOW, MapPage};
 use super::plane::Plane;
 use super::sheet::Sheet;
 use super::spot;
@@ -44,7 +44,7 @@ impl MapPicture<'_> {
         let canvas = &self.canvas;
         let content = PlaneContent::new(self.sheet, canvas);
         let has_levels = !content.levels.is_empty();
-        let page = Page::new(canvas, has_levels, print)?;
+        let page = MapPage::new(canvas, has_levels, print)?;
         let frame = &page.frame;
         let ([x, y], [across, up]) = (canvas.axes, content.off(frame));
         let (sheets, off) = (std::slice::from_ref(self.sheet), [(x, across), (y, up)]);

@@ -3,15 +3,14 @@
 use super::canvas::Canvas;
 use super::plane::{FRICTION_LABEL, Plane, friction_ticks};
 use crate::picture::color::INK;
-use crate::picture::{Anchor, Frame, FrameSide, Point, Print, Stroke, Svg, Type, text};
+use crate::picture::{Anchor, Frame, FrameSide, Page, Point, Print, Stroke, Svg, Type};
 use std::io;
 
 /// The frame of a map, and how wide the page around it is.
-pub(super) struct Page<'a> {
+pub(super) struct MapPage<'a> {
     pub frame: Frame,
     canvas: Canvas,
-    width: f64,
-    print: &'a Print,
+    page: Page<'a>,
 }
 
 /// The frame on the page where no width is asked for, and its least width and height.
@@ -20,7 +19,6 @@ const LEAST: Point = (220.0, 340.0);
 const LEFT: f64 = 88.0;
 /// Space below the frame, for its axis.
 pub(super) const BELOW: f64 = 80.0;
-pub(super) const MARGIN: f64 = 20.0;
 /// Space where there is an axis of friction, and where there is none.
 const AXIS: f64 = 76.0;
 const NO_AXIS: f64 = 40.0;
@@ -29,9 +27,8 @@ const LEVELS: f64 = 92.0;
 /// Sizes of fonts.
 const LABEL: f64 = 18.0;
 const TICK: f64 = 16.0;
-const SMALL: f64 = 15.0;
 
-impl<'a> Page<'a> {
+impl<'a> MapPage<'a> {
     /// A page as it is printed; there may be room for the values of levels where these end.
     pub(super) fn new(canvas: &Canvas, levels: bool, print: &'a Print) -> io::Result<Self> {
         let [x, y] = &canvas.axes;
@@ -42,12 +39,12 @@ impl<'a> Page<'a> {
             false => room(x.is_friction_angle()),
         };
         let has_axis = y.is_friction_angle() || (levels && !ends_above);
-        let around = LEFT + room(has_axis) + MARGIN;
-        let width = print.room(SIZE.0 + around, LEAST.0 + around)?;
-        let across = width - around;
+        let around = LEFT + room(has_axis) + Page::MARGIN;
+        let page = Page::new(print, SIZE.0 + around, LEAST.0 + around)?;
+        let across = page.width - around;
         let size = (across, (across * SIZE.1 / SIZE.0).max(LEAST.1));
         let frame = Frame { corner: (LEFT, top), size, x: x.range, y: y.range };
-        Ok(Self { frame, canvas: *canvas, width, print })
+        Ok(Self { frame, canvas: *canvas, page })
     }
 
     /// Tells whether the frame is narrower than usual, so that insets and legends stand below it.
@@ -64,15 +61,11 @@ impl<'a> Page<'a> {
         down: f64,
         draw: impl FnOnce(&mut Svg),
     ) -> Svg {
-        let lines = self.print.caption(words, SMALL, self.width - 2.0 * MARGIN);
-        let below = self.frame.bottom() + BELOW + down;
-        let height = below + lines.len() as f64 * SMALL * text::LEADING + MARGIN;
-        let mut svg = Svg::printed(self.print, (self.width, height), title, &words.join(" "));
-        svg.clipped(&self.frame.outline(), draw);
-        svg.stroke(&self.frame.outline(), Stroke::new(INK, 1.4));
-        svg.group("axes", |svg| self.axes(svg));
-        svg.group("caption", |svg| svg.lines(&lines, (MARGIN, below), Type::new(SMALL, INK)));
-        svg
+        self.page.svg(title, words, self.frame.bottom() + BELOW + down, |svg| {
+            svg.clipped(&self.frame.outline(), draw);
+            svg.stroke(&self.frame.outline(), Stroke::new(INK, 1.4));
+            svg.group("axes", |svg| self.axes(svg));
+        })
     }
 
     fn axes(&self, svg: &mut Svg) {

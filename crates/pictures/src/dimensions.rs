@@ -58,7 +58,7 @@ fn measure(svg: &mut Svg, [from, to]: [Point; 2], text: &str, turn: f64) {
 pub(super) fn beside(
     (sketch, metres): (&Sketch, &Metres),
     half: bool,
-    [left, right, ..]: [f64; 4],
+    [left, right]: [f64; 2],
 ) -> Beside {
     let wide = |words: &str| text::width(words, LABEL) + 2.0 * OFF;
     let thick = OFF + wide(&thickness(metres));
@@ -145,7 +145,7 @@ impl Dimensions<'_> {
         let [left, _, _] = self.ends;
         let side = if self.half { 1.0 } else { -1.0 };
         // Beyond a force at the shoulder, or beyond the thickness at the crown.
-        let beside = beside((self.sketch, self.metres), self.half, [0.0; 4]);
+        let beside = beside((self.sketch, self.metres), self.half, [0.0; 2]);
         let x = left - beside.left[0].1 + LABEL + OVER;
         let (crown, springing) =
             (self.scale.polar(0.0, self.metres.share, 1.0), self.springing(side));

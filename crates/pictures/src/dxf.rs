@@ -13,7 +13,7 @@ use crate::atlas::{Collapse, Sketch};
 use crate::picture::arcs::arcs;
 use crate::picture::dxf::{DxfAnchor, DxfFile};
 use crate::problem::measures::LengthUnit;
-use crate::sketch::{Blocks, CROWN, WholeView, across};
+use crate::sketch::{Blocks, CROWN, Hull, WholeView, across};
 use std::io;
 
 /// The layers and their colours by number.
@@ -280,7 +280,7 @@ pub(crate) fn whole(unit: (Option<LengthUnit>, f64), panels: &[WholePanel]) -> S
     let mut dxf = DxfFile::new(unit, &LAYERS, &[]);
     dxf.draw();
     for WholePanel { view, headings, names } in panels {
-        let [left, right, _, high] = view.extent();
+        let Hull { left, right, high, .. } = view.hull();
         let (alpha, radii) = (view.half_opening, view.radii);
         ring(&mut dxf, [-alpha, alpha], radii, &view.stones);
         for (layer, halves) in [("FRICTION", &view.friction), ("THRUST", &view.thrust)] {

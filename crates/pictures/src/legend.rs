@@ -87,8 +87,17 @@ impl Legend {
         Self::of(entries, limit)
     }
 
+    /// A legend of those entries that are there.
+    pub(crate) fn of_those<const N: usize>(
+        all: [(bool, LegendSample, &'static str); N],
+        limit: f64,
+    ) -> Self {
+        let there = all.into_iter().filter(|(is, ..)| *is);
+        Self::of(there.map(|(_, sample, name)| (sample, name)).collect(), limit)
+    }
+
     /// A legend of entries.
-    pub(crate) fn of(entries: Vec<(LegendSample, &'static str)>, limit: f64) -> Self {
+    fn of(entries: Vec<(LegendSample, &'static str)>, limit: f64) -> Self {
         let mut rows: Vec<Vec<(LegendSample, &'static str)>> = Vec::new();
         let mut room = 0.0;
         for entry in entries {

@@ -4,6 +4,7 @@
 //! | file | what it does |
 //! |---|---|
 //! | `page` | the page: panels, legend, caption |
+//! | `sheet` | what stands above and below all of it |
 //! | `beside` | the room beside arches |
 //! | `panel` | one arch with its heading and names |
 //! | `joints` | the names of its joints |
@@ -42,6 +43,7 @@ mod panel;
 #[cfg(test)]
 #[path = "../../draw/src/picture/reading.rs"]
 mod reading;
+mod sheet;
 mod strip;
 mod survey;
 mod tilt;

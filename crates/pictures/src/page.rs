@@ -5,13 +5,12 @@ use super::beside::Beside;
 use super::caption::{heading, paragraphs};
 use super::legend::Legend;
 use super::panel::{ABOVE, ModePanel};
+use super::sheet::{GAP, Headings, sheet};
 use super::strip::{self, Strip};
-use crate::picture::color::INK;
-use crate::picture::{Print, Svg, Type, text};
-use crate::sketch::PageScale;
+use crate::picture::{Page, Print, Svg};
+use crate::sketch::{Hull, PageScale};
 use std::io;
 
-const MARGIN: f64 = 20.0;
 /// The width of a panel where there is one in a row, and where there are more.
 const WIDTHS: [f64; 3] = [880.0, 620.0, 470.0];
 /// The least width of an arch, and what it has in a panel beside another.
@@ -19,67 +18,56 @@ const LEAST: f64 = 130.0;
 const BESIDE: f64 = 240.0;
 /// The most that an arch is high.
 const HEIGHT: f64 = 620.0;
-const SMALL: f64 = 15.0;
-const GAP: f64 = 16.0;
 
 /// The picture as SVG.
 pub(crate) fn picture(report: &Sketched, print: &Print) -> io::Result<String> {
     let panels = ModePanel::all(report);
     let under = panels.iter().map(ModePanel::under).fold(0.0, f64::max);
-    let extents: Vec<[f64; 4]> = panels.iter().map(|panel| panel.view.extent()).collect();
-    let hull = extents
-        .iter()
-        .copied()
-        .reduce(|[a, b, c, d], [e, f, g, h]| [a.min(e), b.max(f), c.min(g), d.max(h)]);
-    let [left, right, low, high] = hull.unwrap_or([-1.0, 1.0, 0.0, 1.0]);
+    let hull = Hull::around(panels.iter().map(|panel| panel.view.hull()));
     let beside = panels.iter().map(ModePanel::beside).fold(Beside::default(), Beside::and);
     // The width of a panel with an arch of a width.
-    let needed = |arch: f64| beside.width(arch / (right - left));
+    let needed = |arch: f64| beside.width(arch / hull.width());
     let most = if report.between.is_empty() { 2 } else { WIDTHS.len() };
     let columns = panels.len().clamp(1, most);
-    let own = 2.0 * MARGIN + columns as f64 * WIDTHS[columns - 1];
-    let width = print.room(own, 2.0 * MARGIN + needed(LEAST))?;
-    let room = width - 2.0 * MARGIN;
+    let page = Page::with_room(print, columns as f64 * WIDTHS[columns - 1], needed(LEAST))?;
+    let room = page.room();
     let fit = |columns: &usize| room >= *columns as f64 * needed(BESIDE);
     let columns = (2..=columns).rev().find(fit).unwrap_or(1);
     let wide = room / columns as f64;
-    let heads = panels.iter().map(|panel| panel.head(wide, print));
-    let head = heads.fold(0.0, f64::max);
-    let radius = beside.radius(wide).min(HEIGHT / (high - low));
-    let arch = radius * (right - left);
+    let headings: Vec<Headings> = panels.iter().map(|panel| panel.headings(wide, print)).collect();
+    let head = headings.iter().map(Headings::height).fold(0.0, f64::max);
+    let radius = beside.radius(wide).min(HEIGHT / hull.height());
+    let arch = radius * hull.width();
     let strips: Vec<Option<Strip>> =
         panels.iter().map(|panel| Strip::of(panel, radius, report.style.half)).collect();
     let below = if strips.iter().any(Option::is_some) { strip::HEIGHT } else { 0.0 };
-    let tall = head + ABOVE + radius * (high - low) + under + below;
+    let tall = head + ABOVE + radius * hull.height() + under + below;
     let rows = panels.len().div_ceil(columns);
-    let legend = Legend::new(report, room);
-    let words = paragraphs(report);
-    let lines = print.caption(&words, SMALL, room);
-    let bottom = MARGIN + rows as f64 * tall + GAP / 2.0;
-    let foot = bottom + legend.height() + GAP;
-    let height = foot + lines.len() as f64 * SMALL * text::LEADING + MARGIN;
-    let mut svg = Svg::printed(print, (width, height), &heading(report), &words.join(" "));
-    for (place, panel) in panels.iter().enumerate() {
-        let (column, row) = (place % columns, place / columns);
-        // A last one that is alone stands in the middle.
-        let is_alone = place + 1 == panels.len() && column == 0;
-        let x = match is_alone {
-            true => (width - wide) / 2.0,
-            false => MARGIN + column as f64 * wide,
-        };
-        let y = MARGIN + row as f64 * tall;
-        let middle = x + wide / 2.0 - radius * (left + right) / 2.0;
-        let center =
-            (beside.center(middle, [x, x + wide], radius), y + head + ABOVE + radius * high);
-        svg.window([(x, y + head), (x + wide, y + tall - below)]);
-        svg.group(&format!("panel-{place}"), |svg| {
-            panel.draw(svg, &PageScale { center, radius }, ((x, y), wide), print);
-            if let Some(strip) = &strips[place] {
-                strip.draw(svg, panel, (x + (wide - arch) / 2.0, y + tall - below), arch);
-            }
-        });
-    }
-    legend.draw(&mut svg, (MARGIN, bottom), room);
-    svg.group("caption", |svg| svg.lines(&lines, (MARGIN, foot), Type::new(SMALL, INK)));
-    Ok(svg.finish())
+    let bottom = Page::MARGIN + rows as f64 * tall + GAP / 2.0;
+    let (legend, words) = (Legend::new(report, room), paragraphs(report));
+    let draw = |svg: &mut Svg| {
+        for (place, panel) in panels.iter().enumerate() {
+            let (column, row) = (place % columns, place / columns);
+            // A last one that is alone stands in the middle.
+            let is_alone = place + 1 == panels.len() && column == 0;
+            let x = match is_alone {
+                true => (page.width - wide) / 2.0,
+                false => Page::MARGIN + column as f64 * wide,
+            };
+            let (y, middle) = (Page::MARGIN + row as f64 * tall, x + wide / 2.0);
+            let center = (
+                beside.center(middle - radius * hull.middle(), [x, x + wide], radius),
+                y + head + ABOVE + radius * hull.high,
+            );
+            svg.window([(x, y + head), (x + wide, y + tall - below)]);
+            svg.group(&format!("panel-{place}"), |svg| {
+                headings[place].draw(svg, (middle, y));
+                panel.draw(svg, &PageScale { center, radius });
+                if let Some(strip) = &strips[place] {
+                    strip.draw(svg, panel, (x + (wide - arch) / 2.0, y + tall - below), arch);
+                }
+            });
+        }
+    };
+    Ok(sheet(&page, (&heading(report), &words), (&legend, bottom), draw))
 }

@@ -7,11 +7,12 @@ use super::joints::named;
 use super::metres::Metres;
 use super::notation::{self, ArchNotation};
 use super::numbers::label;
+use super::sheet::Headings;
 use super::{Sketched, Style, at_limit};
 use crate::atlas::{Collapse, Sketch};
 use crate::picture::color::{GUIDE, INK, WHITE};
-use crate::picture::{Anchor, Name, Path, Point, Print, Stroke, Svg, Type, text};
-use crate::sketch::{ArchView, Blocks, Lines, PageScale, SketchedLine};
+use crate::picture::{Name, Page, Path, Print, Stroke, Svg, Type, text};
+use crate::sketch::{ArchView, Blocks, Hull, Lines, PageScale, SketchedLine};
 
 /// One arch with a mode in which it falls.
 pub(super) struct ModePanel<'a> {
@@ -25,11 +26,6 @@ pub(super) struct ModePanel<'a> {
     pub between: Option<String>,
 }
 
-/// Sizes of fonts.
-const TITLE: f64 = 19.0;
-const LABEL: f64 = 16.0;
-/// Height of a line of either.
-const LINES: [f64; 2] = [25.0, 22.0];
 /// Distance from the outermost point of a joint to its name, in units of the page.
 const AWAY: f64 = 13.0;
 
@@ -44,45 +40,24 @@ impl<'a> ModePanel<'a> {
         drawn.panels().enumerate().map(panel).collect()
     }
 
-    /// Lines of the heading, and of what it means, in a panel of a width.
-    fn heading(&self, width: f64, print: &Print) -> [Vec<String>; 2] {
+    /// The heading, and what it means, in a panel of a width.
+    pub(super) fn headings(&self, width: f64, print: &Print) -> Headings {
         let [heading, words] = match self.style.notation {
-            _ if !print.title => return [Vec::new(), Vec::new()],
+            _ if !print.title => return Headings::of([], width),
             true => notation::TITLE.map(str::to_owned),
             false => title(self.sketch, self.collapse),
         };
-        let words = self.between.as_ref().unwrap_or(&words);
-        [text::wrap(&heading, TITLE, width), text::wrap(words, LABEL, width)]
+        let words = self.between.clone().unwrap_or(words);
+        Headings::of([(heading, Page::TITLE), (words, Page::LABEL)], width)
     }
 
-    /// Room for the heading above the picture.
-    pub(super) fn head(&self, width: f64, print: &Print) -> f64 {
-        let [heading, words] = self.heading(width, print).map(|lines| lines.len() as f64);
-        heading * LINES[0] + words * LINES[1]
-    }
-
-    pub(super) fn draw(
-        &self,
-        svg: &mut Svg,
-        scale: &PageScale,
-        ((left, top), width): (Point, f64),
-        print: &Print,
-    ) {
+    pub(super) fn draw(&self, svg: &mut Svg, scale: &PageScale) {
         let sketch = self.sketch;
-        let middle = left + width / 2.0;
-        let mut y = top;
-        let kinds = [(TITLE, LINES[0]), (LABEL, LINES[1])];
-        for (lines, (size, high)) in self.heading(width, print).iter().zip(kinds) {
-            for line in lines {
-                svg.text(line, (middle, y + high / 2.0), Type::new(size, INK).at(Anchor::Middle));
-                y += high;
-            }
-        }
         self.view.body(svg, scale);
-        let [x, right, low, _] = self.view.extent();
+        let Hull { left, right, low, .. } = self.view.hull();
         let mut names = match &self.metres {
             Some(metres) => {
-                let ((x, low), right) = (scale.at([x, low], 1.0), scale.at([right, 0.0], 1.0).0);
+                let ((x, low), right) = (scale.at([left, low], 1.0), scale.at([right, 0.0], 1.0).0);
                 let half = self.style.half;
                 Dimensions { sketch, half, metres, scale, ends: [x, right, low] }.draw(svg)
             }
@@ -103,7 +78,7 @@ impl<'a> ModePanel<'a> {
                 svg.stroke(&Path::through([guide, end]), Stroke::new(GUIDE, 1.0));
                 names.push(Name::new(name, end, (side * joint.sin(), -joint.cos())));
             }
-            svg.names(&names, |_| Type::new(LABEL, INK).on(WHITE));
+            svg.names(&names, |_| Type::new(Page::LABEL, INK).on(WHITE));
         });
     }
 
@@ -160,19 +135,18 @@ impl ModePanel<'_> {
 
     /// Names and measures beside the arch.
     pub(super) fn beside(&self) -> Beside {
-        let extent @ [left, right, ..] = self.view.extent();
+        let Hull { left, right, .. } = self.view.hull();
         let arch = Beside { left: vec![(left, LEAST)], right: vec![(right, LEAST)] };
-        let measures = self
-            .metres
-            .as_ref()
-            .map(|metres| dimensions::beside((self.sketch, metres), self.style.half, extent));
+        let measures = self.metres.as_ref().map(|metres| {
+            dimensions::beside((self.sketch, metres), self.style.half, [left, right])
+        });
         let all = arch.and(measures.unwrap_or_default());
         if self.style.notation {
             return all.and(ArchNotation::beside(self.sketch));
         }
         let name = |NamedPoint { name, joint, to: (radius, more), side, .. }: NamedPoint| {
             let across = side * joint.sin();
-            Beside::name(across, radius * across, text::width(&name, LABEL) + 2.0 * more)
+            Beside::name(across, radius * across, text::width(&name, Page::LABEL) + 2.0 * more)
         };
         self.named().into_iter().map(name).fold(all, Beside::and)
     }

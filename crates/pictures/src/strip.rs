@@ -4,7 +4,7 @@ use super::panel::ModePanel;
 use crate::arch::mechanism::Contact;
 use crate::atlas::{Block, SketchedLine, moved};
 use crate::picture::color::{INK, WHITE};
-use crate::picture::{Anchor, Path, Point, Svg, Type, text};
+use crate::picture::{Anchor, Page, Path, Point, Svg, Type, text};
 use crate::sketch::{across, look};
 
 /// The frame of an arch that is unrolled.
@@ -49,7 +49,6 @@ const THIN: f64 = 26.0;
 /// The thickness in the strip, and what is around it.
 const ACROSS: f64 = 130.0;
 const TOP: f64 = 34.0;
-const SMALL: f64 = 15.0;
 /// Height of the strip with what is around it.
 pub(super) const HEIGHT: f64 = TOP + ACROSS + 40.0;
 
@@ -92,7 +91,7 @@ impl Strip {
                 }
             };
             let falls = if self.blocks.is_empty() { "" } else { " and fall" };
-            let style = Type::new(SMALL, INK).at(Anchor::Middle);
+            let style = Type::new(Page::SMALL, INK).at(Anchor::Middle);
             let words = format!("unrolled; thickness{falls} enlarged {times}");
             svg.text(&words, (left + width / 2.0, top + TOP / 2.0), style);
             svg.fill(&frame, look::STONE);

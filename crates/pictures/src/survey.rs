@@ -3,28 +3,21 @@
 
 use super::lean::write_lean;
 use super::legend::{Legend, LegendSample};
+use super::sheet::{GAP, Headings, sheet};
 use crate::arch::SelfWeight;
 use crate::atlas::BandedArch;
 use crate::picture::color::INK;
-use crate::picture::{Anchor, Color, Path, Point, Print, Stroke, Svg, Type, text};
+use crate::picture::{Anchor, Color, Page, Path, Point, Print, Stroke, Svg, Type};
 use crate::report::{Content, Format, MEANING, Record, Reported, SurveyedArches, words};
-use crate::sketch::{PageScale, across, look};
+use crate::sketch::{Hull, PageScale, across, look};
 use couplet_survey::QuantityRange;
-use std::f64::consts::FRAC_PI_2;
 use std::io;
 
-const MARGIN: f64 = 20.0;
 const WIDTH: f64 = 880.0;
 /// The least width that the words need.
 const LEAST: f64 = 300.0;
 /// The most that an arch is high.
 const HEIGHT: f64 = 520.0;
-const GAP: f64 = 18.0;
-const TITLE: f64 = 19.0;
-const LABEL: f64 = 16.0;
-const SMALL: f64 = 15.0;
-/// Height of a line of a heading.
-const LINES: [f64; 2] = [25.0, 22.0];
 /// Height of the unrolled half, of the words above and below it, and of its thickest arch.
 const UNROLLED: f64 = 190.0;
 const TOP: f64 = 34.0;
@@ -77,32 +70,22 @@ impl Reported for BandedArches {
     }
 
     fn picture(&self, print: &Print) -> io::Result<String> {
-        let width = print.room(WIDTH + 2.0 * MARGIN, LEAST + 2.0 * MARGIN)?;
-        let (room, middle) = (width - 2.0 * MARGIN, width / 2.0);
+        let page = Page::with_room(print, WIDTH, LEAST)?;
+        let (room, middle) = (page.room(), page.width / 2.0);
         let headings = self.headings(room, print);
-        let head: f64 = headings.iter().map(|(_, _, high)| high).sum();
-        let [left, right, low, high] = self.extent();
-        let radius = (room / (right - left)).min(HEIGHT / (high - low));
-        let top = MARGIN + head + GAP / 2.0;
-        let scale = PageScale { center: (middle, top + radius * high), radius };
-        let unrolled = top + radius * (high - low) + GAP;
-        let bottom = unrolled + UNROLLED;
-        let legend = Legend::of(self.entries(), room);
-        let words = self.paragraphs();
-        let lines = print.caption(&words, SMALL, room);
-        let foot = bottom + legend.height() + GAP;
-        let height = foot + lines.len() as f64 * SMALL * text::LEADING + MARGIN;
-        let mut svg = Svg::printed(print, (width, height), &self.subject(), &words.join(" "));
-        let mut y = MARGIN;
-        for (line, size, high) in &headings {
-            svg.text(line, (middle, y + high / 2.0), Type::new(*size, INK).at(Anchor::Middle));
-            y += high;
-        }
-        self.arch(&mut svg, &scale);
-        self.unrolled(&mut svg, (MARGIN, unrolled), room);
-        legend.draw(&mut svg, (MARGIN, bottom), room);
-        svg.group("caption", |svg| svg.lines(&lines, (MARGIN, foot), Type::new(SMALL, INK)));
-        Ok(svg.finish())
+        let [worst, best] = &self.bands;
+        let hull = Hull::of_ring(worst.half_opening, radii(best));
+        let radius = (room / hull.width()).min(HEIGHT / hull.height());
+        let top = Page::MARGIN + headings.height() + GAP / 2.0;
+        let scale = PageScale { center: (middle, top + radius * hull.high), radius };
+        let unrolled = top + radius * hull.height() + GAP;
+        let draw = |svg: &mut Svg| {
+            headings.draw(svg, (middle, Page::MARGIN));
+            self.arch(svg, &scale);
+            self.unrolled(svg, (Page::MARGIN, unrolled), room);
+        };
+        let (words, legend) = (self.paragraphs(), self.legend(room));
+        Ok(sheet(&page, (&self.subject(), &words), (&legend, unrolled + UNROLLED), draw))
     }
 }
 
@@ -123,28 +106,13 @@ impl BandedArches {
         format!("Every arch of {}", self.arches.asked.with_weight(self.arches.weight))
     }
 
-    /// Lines of the headings, each with its size and its height.
-    fn headings(&self, room: f64, print: &Print) -> Vec<(String, f64, f64)> {
-        if !print.title {
-            return Vec::new();
-        }
+    fn headings(&self, room: f64, print: &Print) -> Headings {
         let [_, outcome] = self.arches.outcome();
-        let kinds = [(words::capital(outcome), TITLE, LINES[0]), (self.subject(), LABEL, LINES[1])];
-        let wrapped = |(words, size, high): (String, f64, f64)| {
-            text::wrap(&words, size, room).into_iter().map(move |line| (line, size, high))
-        };
-        kinds.into_iter().flat_map(wrapped).collect()
+        let lines = [(words::capital(outcome), Page::TITLE), (self.subject(), Page::LABEL)];
+        Headings::of(lines.into_iter().filter(|_| print.title), room)
     }
 
-    /// Extent in units of `r`: left, right, below and above the centre.
-    fn extent(&self) -> [f64; 4] {
-        let (alpha, [inner, outer]) = (self.bands[0].half_opening, radii(&self.bands[1]));
-        let wide = if alpha > FRAC_PI_2 { outer } else { outer * alpha.sin() };
-        let low = [inner, outer].map(|radius| radius * alpha.cos());
-        [-wide, wide, low[0].min(low[1]), outer]
-    }
-
-    fn entries(&self) -> Vec<(LegendSample, &'static str)> {
+    fn legend(&self, room: f64) -> Legend {
         let [worst, best] = self.bands.each_ref().map(|of| !of.band.is_empty());
         let all = [
             (true, LegendSample::Line(look::OUTLINE), "narrowest and thickest"),
@@ -154,7 +122,7 @@ impl BandedArches {
             (best, LegendSample::Shade(look::EXTREME, look::FAINT), "all lines of thrust"),
             (worst, LegendSample::Shade(BORNE, DARK), "those that each arch bears"),
         ];
-        all.into_iter().filter(|(is, ..)| *is).map(|(_, sample, name)| (sample, name)).collect()
+        Legend::of_those(all, room)
     }
 
     /// The whole arch.
@@ -204,7 +172,7 @@ impl BandedArches {
         let ring = |alpha: f64, [inner, outer]: [f64; 2]| {
             Path::rectangle(at(0.0, outer), at(alpha, inner))
         };
-        let style = Type::new(SMALL, INK);
+        let style = Type::new(Page::SMALL, INK);
         svg.group("unrolled", |svg| {
             let words = "right half, unrolled, its thickness enlarged";
             svg.text(words, (left + room / 2.0, top + TOP / 2.0), style.at(Anchor::Middle));

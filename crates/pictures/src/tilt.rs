@@ -7,33 +7,28 @@ use super::dxf::{WholePanel, whole};
 use super::json::{placed, polyline};
 use super::lean::write_lean;
 use super::legend::{Legend, LegendSample};
+use super::sheet::{Headings, sheet};
 use crate::arch::whole::{Side, carried};
 use crate::arch::{Ring, statics};
 use crate::number::{Angle, Ball, Drawable, arctangent, degrees};
 use crate::picture::color::{GUIDE, INK, WHITE};
-use crate::picture::{Anchor, Name, Path, Point, Print, Stroke, Svg, Type, text};
+use crate::picture::{Name, Page, Path, Point, Print, Stroke, Svg, Type, text};
 use crate::problem::Friction;
 use crate::problem::measures::{LengthUnit, Measures};
 use crate::report::numbers::rounded;
 use crate::report::{Content, Format, Joint, Record, Reported, TiltedArch, words};
-use crate::sketch::{Blocks, Linkage, PageScale, SketchedLine, WholeView, arrow, look};
+use crate::sketch::{Blocks, Hull, Linkage, PageScale, SketchedLine, WholeView, arrow, look};
 use couplet_stones::{LargestTilt, TiltMechanism};
 use std::io;
 
-const MARGIN: f64 = 20.0;
 const WIDTH: f64 = 880.0;
 /// The most that an arch is high.
 const HEIGHT: f64 = 560.0;
 /// The least width of an arch.
 const LEAST: f64 = 130.0;
-/// Height of a line of the title, of what shows the push below it, and of the names of joints around the arch.
-const LINE: f64 = 24.0;
+/// Height of what shows the push below the title, and of the names of joints around the arch.
 const PUSH: f64 = 12.0;
 const ABOVE: f64 = 40.0;
-const GAP: f64 = 16.0;
-const TITLE: f64 = 19.0;
-const LABEL: f64 = 16.0;
-const SMALL: f64 = 15.0;
 /// Distance of a name from the extrados.
 const AWAY: f64 = 12.0;
 const DIGITS: usize = 6;
@@ -120,51 +115,38 @@ struct TiltPanel<'a> {
 
 /// The pictures of all arches, below each other.
 fn picture(panels: &[TiltPanel<'_>], print: &Print) -> io::Result<String> {
-    let extents = panels.iter().map(|panel| panel.view.extent());
-    let hull =
-        extents.reduce(|[a, b, c, d], [e, f, g, h]| [a.min(e), b.max(f), c.min(g), d.max(h)]);
-    let [left, right, low, high] = hull.unwrap_or([-1.0, 1.0, 0.0, 1.0]);
+    let hull = Hull::around(panels.iter().map(|panel| panel.view.hull()));
     let beside = panels.iter().map(TiltPanel::beside).fold(Beside::default(), Beside::and);
-    let least = beside.width(LEAST / (right - left));
-    let width = print.room(2.0 * MARGIN + WIDTH, 2.0 * MARGIN + least)?;
-    let room = width - 2.0 * MARGIN;
-    let radius = beside.radius(room).min(HEIGHT / (high - low));
-    let titles: Vec<Vec<(String, f64)>> =
-        panels.iter().map(|panel| panel.titles(room, print)).collect();
-    let lines = titles.iter().map(Vec::len).max().unwrap_or_default();
-    let head = lines as f64 * LINE + PUSH;
-    let tall = head + 2.0 * ABOVE + radius * (high - low);
-    let legend = Legend::of(entries(panels), room);
+    let page = Page::with_room(print, WIDTH, beside.width(LEAST / hull.width()))?;
+    let (room, middle) = (page.room(), page.width / 2.0);
+    let radius = beside.radius(room).min(HEIGHT / hull.height());
+    let headings: Vec<Headings> = panels.iter().map(|panel| panel.headings(room, print)).collect();
+    let head = headings.iter().map(Headings::height).fold(0.0, f64::max) + PUSH;
+    let tall = head + 2.0 * ABOVE + radius * hull.height();
+    let bottom = Page::MARGIN + panels.len() as f64 * tall;
     let words: Vec<String> = panels.iter().flat_map(TiltPanel::paragraphs).collect();
-    let lines = print.caption(&words, SMALL, room);
-    let bottom = MARGIN + panels.len() as f64 * tall;
-    let foot = bottom + legend.height() + GAP;
-    let height = foot + lines.len() as f64 * SMALL * text::LEADING + MARGIN;
-    let heading: Vec<String> = panels.iter().map(TiltPanel::subject).collect();
-    let heading = heading.join("; ");
-    let mut svg = Svg::printed(print, (width, height), &heading, &words.join(" "));
-    for (place, (panel, titles)) in panels.iter().zip(&titles).enumerate() {
-        let top = MARGIN + place as f64 * tall;
-        let middle = width / 2.0 - radius * (left + right) / 2.0;
-        let middle = beside.center(middle, [MARGIN, width - MARGIN], radius);
-        let center = (middle, top + head + ABOVE + radius * high);
-        svg.window([(MARGIN / 2.0, top + head), (width - MARGIN / 2.0, top + tall)]);
-        svg.group(&format!("panel-{place}"), |svg| {
-            let mut y = top + LINE / 2.0;
-            for (words, size) in titles {
-                svg.text(words, (width / 2.0, y), Type::new(*size, INK).at(Anchor::Middle));
-                y += LINE;
-            }
-            panel.draw(svg, &PageScale { center, radius }, (width / 2.0, y));
-        });
-    }
-    legend.draw(&mut svg, (MARGIN, bottom), room);
-    svg.group("caption", |svg| svg.lines(&lines, (MARGIN, foot), Type::new(SMALL, INK)));
-    Ok(svg.finish())
+    let title: Vec<String> = panels.iter().map(TiltPanel::subject).collect();
+    let draw = |svg: &mut Svg| {
+        for (place, (panel, headings)) in panels.iter().zip(&headings).enumerate() {
+            let top = Page::MARGIN + place as f64 * tall;
+            let ends = [Page::MARGIN, page.width - Page::MARGIN];
+            let x = beside.center(middle - radius * hull.middle(), ends, radius);
+            let center = (x, top + head + ABOVE + radius * hull.high);
+            let [left, right] = [0.5 * Page::MARGIN, page.width - 0.5 * Page::MARGIN];
+            svg.window([(left, top + head), (right, top + tall)]);
+            svg.group(&format!("panel-{place}"), |svg| {
+                headings.draw(svg, (middle, top));
+                let below = top + headings.height() + PUSH;
+                panel.draw(svg, &PageScale { center, radius }, (middle, below));
+            });
+        }
+    };
+    Ok(sheet(&page, (&title.join("; "), &words), (&legend(panels, room), bottom), draw))
 }
 
-fn entries(panels: &[TiltPanel<'_>]) -> Vec<(LegendSample, &'static str)> {
+fn legend(panels: &[TiltPanel<'_>], room: f64) -> Legend {
     let has = |is: &dyn Fn(&WholeView) -> bool| panels.iter().any(|panel| is(&panel.view));
+    let marked = |hinge| has(&|view| view.marks.iter().any(|mark| mark.0.is_hinge() == hinge));
     let all = [
         (has(&|view| view.thrust.is_some()), LegendSample::Line(look::THRUST), "line of thrust"),
         (
@@ -172,19 +154,11 @@ fn entries(panels: &[TiltPanel<'_>]) -> Vec<(LegendSample, &'static str)> {
             LegendSample::Line(look::FRICTION),
             "line of friction",
         ),
-        (
-            has(&|view| view.marks.iter().any(|mark| mark.0.is_hinge())),
-            LegendSample::Hinge,
-            "hinge",
-        ),
-        (
-            has(&|view| view.marks.iter().any(|mark| !mark.0.is_hinge())),
-            LegendSample::Sliding,
-            "joint that slides",
-        ),
+        (marked(true), LegendSample::Hinge, "hinge"),
+        (marked(false), LegendSample::Sliding, "joint that slides"),
         (has(&|view| view.blocks.is_some()), LegendSample::Fallen, "as it falls"),
     ];
-    all.into_iter().filter(|(is, ..)| *is).map(|(_, sample, name)| (sample, name)).collect()
+    Legend::of_those(all, room)
 }
 
 /// The radius of a line on a half, by the forces on a joint there: its angle with the weight that is carried, and the
@@ -291,17 +265,13 @@ impl<'a> TiltPanel<'a> {
             None => [format!("{stands} at {asked}"), String::new()],
         };
         let push = "pushed to the right".to_owned();
-        [(first, TITLE), (second, LABEL), (push, SMALL)]
+        [(first, Page::TITLE), (second, Page::LABEL), (push, Page::SMALL)]
     }
 
     /// Lines above in a room.
-    fn titles(&self, room: f64, print: &Print) -> Vec<(String, f64)> {
+    fn headings(&self, room: f64, print: &Print) -> Headings {
         // Without headings it is still told which way is pushed.
-        let lines = self.lines().into_iter().skip(if print.title { 0 } else { 2 });
-        let wrapped = |(words, size): (String, f64)| {
-            text::wrap(&words, size, room).into_iter().map(move |line| (line, size))
-        };
-        lines.flat_map(wrapped).collect()
+        Headings::of(self.lines().into_iter().skip(if print.title { 0 } else { 2 }), room)
     }
 
     /// The lines, and the blocks from the right to the left, where they are drawn.
@@ -387,10 +357,10 @@ impl<'a> TiltPanel<'a> {
 
     /// Names beside the arch.
     fn beside(&self) -> Beside {
-        let [left, right, ..] = self.view.extent();
+        let Hull { left, right, .. } = self.view.hull();
         let arch = Beside { left: vec![(left, AWAY)], right: vec![(right, AWAY)] };
         let name = |(angle, out, words): (f64, f64, String)| {
-            let room = text::width(&words, SMALL) + 2.5 * AWAY;
+            let room = text::width(&words, Page::SMALL) + 2.5 * AWAY;
             Beside::name(angle.sin(), out * angle.sin(), room)
         };
         self.names().map(name).fold(arch, Beside::and)
@@ -429,7 +399,7 @@ impl<'a> TiltPanel<'a> {
                 Name::new(words, ends[1], (angle.sin(), -angle.cos()))
             };
             let names: Vec<Name> = self.names().map(name).collect();
-            svg.names(&names, |_| Type::new(SMALL, INK).on(WHITE));
+            svg.names(&names, |_| Type::new(Page::SMALL, INK).on(WHITE));
         });
     }
 }

@@ -7,7 +7,7 @@ use std::fmt::Display;
 pub enum Column<R> {
     /// A text.
     Text(fn(&R) -> Option<&str>),
-    /// What is written as it is shown.
+    /// A value, written as it is shown.
     Shown(fn(&R) -> Option<&dyn Display>),
     /// A double.
     Double(fn(&R) -> Option<f64>),

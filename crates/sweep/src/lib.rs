@@ -19,7 +19,7 @@ use couplet_draw::picture;
 use couplet_judge::judge;
 use couplet_number::number;
 use couplet_prove::certify;
-/// What is written, of answers, maps and pictures.
+/// Answers, maps and pictures as they are written.
 mod report {
     pub(crate) use couplet_charts::*;
     pub(crate) use couplet_pictures::*;

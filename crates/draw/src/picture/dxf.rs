@@ -42,11 +42,11 @@ const DECIMALS: i32 = 7;
 /// The end of a text that is at its place, by the number it has.
 #[derive(Clone, Copy)]
 pub enum DxfAnchor {
-    /// Its beginning.
+    /// The beginning.
     Start = 0,
-    /// Its middle.
+    /// The middle.
     Middle = 1,
-    /// Its end.
+    /// The end.
     End = 2,
 }
 

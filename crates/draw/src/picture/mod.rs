@@ -5,6 +5,7 @@
 //! | `color` | the colours |
 //! | `path` | straight and curved lines |
 //! | `svg` | the one writer of SVG |
+//! | `page` | what is drawn, and its words below |
 //! | `print` | how a picture is printed: its width, its letters, its words |
 //! | `text` | the width of a text, its lines, powers of ten |
 //! | `scale` | where a value lies on an axis, and the ticks |
@@ -26,6 +27,7 @@ pub mod dxf;
 pub mod figure;
 pub mod frame;
 pub mod labels;
+pub mod page;
 pub mod path;
 #[cfg(feature = "plots")]
 pub mod pdf;
@@ -44,6 +46,7 @@ pub mod tree;
 
 pub use color::Color;
 pub use frame::{Frame, FrameSide};
+pub use page::Page;
 pub use path::{Path, Point};
 pub use print::{Font, PaperLength, Print};
 pub use svg::{Anchor, Hatch, Name, Rigid, Stroke, Svg, Type};

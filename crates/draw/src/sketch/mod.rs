@@ -12,6 +12,7 @@
 //! | `linkage` | the blocks of the whole arch after a finite motion, where its halves differ |
 //! | `view` | one arch on the page |
 //! | `whole` | one arch whose halves differ on the page |
+//! | `hull` | the room that an arch takes |
 //! | `scale` | from units of `r` to the page |
 //! | `look` | colours and lines |
 //! | `picture` | that arch alone, as a picture |
@@ -24,6 +25,7 @@ mod blocks;
 mod collapse;
 mod falling;
 mod forces;
+mod hull;
 mod line;
 mod linkage;
 pub mod look;
@@ -38,6 +40,7 @@ pub use blocks::arrow;
 pub use collapse::{Collapse, NoCollapse};
 pub use falling::{falling, furthest_haunch};
 pub use forces::{Forces, Mark, joints_of, moment_of};
+pub use hull::Hull;
 pub use line::{SketchedLine, across};
 pub use linkage::Linkage;
 pub use moved::{Block, Moved, moved};

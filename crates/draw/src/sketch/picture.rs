@@ -9,11 +9,11 @@ const MARGIN: f64 = 14.0;
 
 /// The arch as SVG, `width` units wide and at most as high, with words for those who do not see it.
 pub fn picture(view: &ArchView, width: f64, title: &str) -> String {
-    let [left, right, low, high] = view.extent();
+    let hull = view.hull();
     let room = width - 2.0 * MARGIN;
-    let radius = room / (right - left).max(high - low);
-    let height = 2.0 * MARGIN + radius * (high - low);
-    let center = (width / 2.0 - radius * (left + right) / 2.0, MARGIN + radius * high);
+    let radius = room / hull.width().max(hull.height());
+    let height = 2.0 * MARGIN + radius * hull.height();
+    let center = (width / 2.0 - radius * hull.middle(), MARGIN + radius * hull.high);
     let scale = PageScale { center, radius };
     let mut svg = Svg::new((width, height), title, "");
     view.body(&mut svg, &scale);

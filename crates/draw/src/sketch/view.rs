@@ -1,6 +1,7 @@
 //! One arch on the page: its outline, its lines, the joints at their limits, and the blocks as they fall.
 
 use super::blocks::Blocks;
+use super::hull::Hull;
 use super::line::{SketchedLine, across};
 use super::look;
 use super::scale::PageScale;
@@ -56,23 +57,16 @@ impl ArchView<'_> {
         if self.half || self.falls_right { &[1.0] } else { &[1.0, -1.0] }
     }
 
-    /// Extent in units of `r`: left, right, below and above the centre.
-    pub fn extent(&self) -> [f64; 4] {
-        let [inner, outer] = self.radii;
-        let alpha = self.half_opening;
-        let wide = if alpha > std::f64::consts::FRAC_PI_2 { outer } else { outer * alpha.sin() };
-        let low = [inner, outer].map(|radius| radius * alpha.cos());
-        let mut extent = [0.0, wide, low[0].min(low[1]), outer];
+    /// The room that the arch takes, with its lines and as it falls.
+    pub fn hull(&self) -> Hull {
         let corners = self.blocks.iter().flat_map(Blocks::corners);
         let lines = self.lines.iter().flat_map(|of| of.thrust.iter().chain([of.friction]));
         let outside = lines
             .flat_map(|line| line.outside().flat_map(|part| part.places().collect::<Vec<_>>()));
-        for [x, y] in corners.chain(outside) {
-            extent = [0.0, extent[1].max(x), extent[2].min(y), extent[3].max(y)];
-        }
+        let ring = Hull::of_ring(self.half_opening, self.radii);
+        let right = corners.chain(outside).fold(ring, Hull::with);
         // Whichever half falls.
-        extent[0] = if self.half { -0.05 * outer } else { -extent[1] };
-        extent
+        Hull { left: if self.half { -0.05 * self.radii[1] } else { -right.right }, ..right }
     }
 
     /// The stone, the forces between extremes, the blocks as they fall, and the outline.

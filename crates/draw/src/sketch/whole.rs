@@ -1,6 +1,7 @@
 //! The whole arch on the page, where its halves differ.
 
 use super::blocks::Blocks;
+use super::hull::Hull;
 use super::line::SketchedLine;
 use super::look;
 use super::scale::PageScale;
@@ -28,16 +29,10 @@ pub struct WholeView {
 }
 
 impl WholeView {
-    /// Extent in units of `r`: left, right, below and above the centre.
-    pub fn extent(&self) -> [f64; 4] {
-        let [inner, outer] = self.radii;
-        let alpha = self.half_opening;
-        let wide = if alpha > std::f64::consts::FRAC_PI_2 { outer } else { outer * alpha.sin() };
-        let low = (inner * alpha.cos()).min(outer * alpha.cos());
+    /// The room that the arch takes, as it falls too.
+    pub fn hull(&self) -> Hull {
         let corners = self.blocks.iter().flat_map(Blocks::corners);
-        corners.fold([-wide, wide, low, outer], |[a, b, c, d], [x, y]| {
-            [a.min(x), b.max(x), c.min(y), d.max(y)]
-        })
+        corners.fold(Hull::of_ring(self.half_opening, self.radii), Hull::with)
     }
 
     /// The arch at rest, the blocks as they fall, and the outline.

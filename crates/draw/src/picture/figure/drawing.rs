@@ -4,7 +4,7 @@ use super::drawn::{Drawn, FRAME, NARROW, Room};
 use super::ink::Inks;
 use super::panel::Panel;
 use crate::picture::color::INK;
-use crate::picture::{Print, Svg, Type, text};
+use crate::picture::{Page, Print, Type, text};
 use std::io;
 
 /// Panels in rows, under a title.
@@ -34,13 +34,11 @@ pub struct Figure {
 }
 
 /// Around the figure.
-const MARGIN: f64 = 16.0;
+const MARGIN: f64 = Page::MARGIN;
 /// Distances between columns, and between rows.
 const BETWEEN: (f64, f64) = (30.0, 26.0);
 /// Size of the title.
 const TITLE: f64 = 22.0;
-/// Size of the words below.
-const CAPTION: f64 = 15.0;
 /// Letters of the panels, where there are several and enough letters.
 const LETTERS: &str = "abcdefghijklmnopqrstuvwxyz";
 
@@ -74,9 +72,9 @@ impl Figure {
         let lines = title_of(limit);
         let widest = lines.iter().map(|line| text::width(line, TITLE)).fold(0.0, f64::max);
         let natural = own.width().max(widest + 2.0 * MARGIN);
-        let width = print.room(natural, self.rows(1, NARROW).width())?;
+        let page = Page::new(print, natural.ceil(), self.rows(1, NARROW).width())?;
         let fitted = |columns: usize| {
-            let missing = width - self.rows(columns, FRAME.0).width();
+            let missing = page.width - self.rows(columns, FRAME.0).width();
             let wide = FRAME.0 + missing / columns as f64;
             (columns == 1 || wide >= NARROW).then(|| self.rows(columns, wide))
         };
@@ -84,7 +82,7 @@ impl Figure {
             None => (own, lines),
             Some(_) => {
                 let rows = (1..=most).rev().find_map(fitted).unwrap_or(own);
-                (rows, title_of(width - 2.0 * MARGIN))
+                (rows, title_of(page.room()))
             }
         };
         let head = match title.len() {
@@ -92,28 +90,19 @@ impl Figure {
             n => n as f64 * TITLE * text::LEADING + 14.0,
         };
         let height = total(rows.down.iter().map(Room::height), BETWEEN.1);
-        let caption = print.caption(words, CAPTION, width - 2.0 * MARGIN);
-        let foot = MARGIN + head + height + if caption.is_empty() { 0.0 } else { MARGIN };
-        let below = caption.len() as f64 * CAPTION * text::LEADING;
-        let size = (width, foot + below + MARGIN);
-        let size = if print.width.is_some() { size } else { (size.0.ceil(), size.1) };
-
-        let mut svg = Svg::printed(print, size, &self.title, &words.join(" "));
-        svg.lines(&title, (MARGIN, MARGIN), Type::new(TITLE, INK));
-        let mut top = MARGIN + head;
-        for (row, high) in rows.drawn.chunks(rows.across.len()).zip(&rows.down) {
-            let mut left = MARGIN;
-            for (panel, wide) in row.iter().zip(&rows.across) {
-                panel.draw(&mut svg, (left + wide.left, top + high.top), high.frame);
-                left += wide.width() + BETWEEN.0;
+        let foot = MARGIN + head + height + if words.is_empty() { 0.0 } else { MARGIN };
+        let svg = page.svg(&self.title, words, foot, |svg| {
+            svg.lines(&title, (MARGIN, MARGIN), Type::new(TITLE, INK));
+            let mut top = MARGIN + head;
+            for (row, high) in rows.drawn.chunks(rows.across.len()).zip(&rows.down) {
+                let mut left = MARGIN;
+                for (panel, wide) in row.iter().zip(&rows.across) {
+                    panel.draw(svg, (left + wide.left, top + high.top), high.frame);
+                    left += wide.width() + BETWEEN.0;
+                }
+                top += high.height() + BETWEEN.1;
             }
-            top += high.height() + BETWEEN.1;
-        }
-        if !caption.is_empty() {
-            svg.group("caption", |svg| {
-                svg.lines(&caption, (MARGIN, foot), Type::new(CAPTION, INK))
-            });
-        }
+        });
         Ok(svg.finish())
     }
 
