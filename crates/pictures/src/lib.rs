@@ -1,5 +1,5 @@
 //! Arches as pictures: the arch, its lines of thrust and of friction, and how it falls, with all that is said of them.
-//! [`sketch`](couplet_draw::sketch) draws the arch itself.
+//! [`sketch`] draws the arch itself.
 //!
 //! | file | what it does |
 //! |---|---|
