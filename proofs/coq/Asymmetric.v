@@ -56,7 +56,7 @@ Definition is_motion (delta alpha eta mu h p v : R) (motion : list moving) : Pro
 Section Right.
   Variables delta alpha eta mu h p v : R.
   Hypothesis Hdelta : 0 <= delta.
-  Hypothesis Halpha : 0 < alpha <= PI / 2.
+  Hypothesis Halpha : 0 < alpha < PI.
   Hypothesis Heta : 0 < eta <= 2.
   Hypothesis Hmu : 0 <= mu.
   Hypothesis Hv : 0 < v.
@@ -69,37 +69,51 @@ Section Right.
     apply Rnot_le_lt. intros Hh. assert (mu * h <= 0) by nra. lra.
   Qed.
 
-  Lemma normal_not_negative x : - alpha <= x <= alpha -> 0 <= whole_normal h v x.
+  Lemma moment_grows x : 0 <= p /\ 0 <= fac delta eta * (1 - cos x) /\ (cos x < 1 -> 0 < whole_moment delta eta p x).
   Proof.
-    intros Hx. destruct (Hall x Hx) as (HU & HL & _).
-    assert (H : 0 <= eta * whole_normal h v x).
-    { unfold from_extrados, from_intrados, extrados, intrados in *. lra. }
-    apply Rnot_lt_le. intros Hneg. nra.
+    assert (Hh := thrust_positive). destruct (Hall 0 ltac:(lra)) as (_ & HL & _).
+    unfold from_intrados, whole_moment, whole_normal, intrados in *. rewrite cos_0, sin_0 in HL.
+    assert (0 < fac delta eta) by (unfold fac; nra). destruct (COS_bound x). assert (0 <= (1 - eta / 2) * h) by nra.
+    repeat split; nra.
   Qed.
 
-  Lemma cosine_not_negative x : - alpha <= x <= alpha -> 0 <= cos x.
-  Proof. intros Hx. apply cos_ge_0; lra. Qed.
-
-  Lemma extrados_on_the_right x : - alpha <= x <= alpha ->
-    from_extrados delta eta h p v x = 0 -> 0 <= sin x.
+  Lemma beside_the_crown x : - alpha <= x <= alpha -> (0 < x -> 0 < sin x) /\ (x < 0 -> sin x < 0) /\ (x <> 0 -> cos x < 1).
   Proof.
-    intros Hx H0. destruct (Hall (- x) ltac:(lra)) as (HU & _).
-    assert (Hmirror : from_extrados delta eta h p v (- x)
-                      = from_extrados delta eta h p v x + extrados eta * (2 * v * sin x)).
-    { unfold from_extrados, whole_moment, whole_normal. rewrite sin_neg, cos_neg. ring. }
-    assert (He : 0 < extrados eta) by (unfold extrados; lra).
-    apply Rnot_lt_le. intros Hs. assert (H : 0 < v * - sin x) by (apply Rmult_lt_0_compat; lra).
-    assert (0 < extrados eta * (v * - sin x)) by (apply Rmult_lt_0_compat; lra). lra.
+    intros Hx. split; [intros; apply sin_gt_0; lra | split; [intros; apply sin_lt_0_var; lra |]]. intros Hne.
+    rewrite <- cos_0. destruct (Rlt_le_dec 0 x); [| rewrite <- (cos_neg x)]; apply cos_decreasing_1; lra.
   Qed.
 
-  Lemma intrados_on_the_left x : - alpha <= x <= alpha ->
-    from_intrados delta eta h p v x = 0 -> 0 <= - intrados eta * sin x.
+  Lemma normal_positive x : - alpha <= x <= alpha -> 0 < whole_normal h v x.
   Proof.
-    intros Hx H0. destruct (Hall (- x) ltac:(lra)) as (_ & HL & _).
-    assert (Hmirror : from_intrados delta eta h p v (- x)
-                      = from_intrados delta eta h p v x + 2 * v * (- intrados eta * sin x)).
-    { unfold from_intrados, whole_moment, whole_normal. rewrite sin_neg, cos_neg. ring. }
-    nra.
+    intros Hx. assert (Hh := thrust_positive). destruct (Req_dec x 0) as [-> | Hne].
+    - unfold whole_normal. rewrite cos_0, sin_0. lra.
+    - assert (HM := proj2 (proj2 (moment_grows x)) (proj2 (proj2 (beside_the_crown x Hx)) Hne)).
+      destruct (Hall x Hx) as (HU & _). unfold from_extrados, extrados in HU. nra.
+  Qed.
+
+  Lemma extrados_on_the_right x : - alpha <= x <= alpha -> from_extrados delta eta h p v x = 0 -> 0 <= x.
+  Proof.
+    intros Hx H0. destruct (Hall (- x) ltac:(lra)) as (HU & _). apply Rnot_lt_le. intros Hneg.
+    assert (Hs := proj1 (proj2 (beside_the_crown x Hx)) Hneg).
+    replace (from_extrados delta eta h p v (- x)) with (from_extrados delta eta h p v x + extrados eta * (2 * v * sin x)) in HU
+      by (unfold from_extrados, whole_moment, whole_normal; rewrite sin_neg, cos_neg; ring).
+    unfold extrados in HU. assert (0 < v * - sin x) by (apply Rmult_lt_0_compat; lra). nra.
+  Qed.
+
+  (** Where the whole radius is the thickness the intrados is the centre, which the line of thrust reaches in the crown alone. *)
+  Lemma intrados_on_the_left x : - alpha <= x <= alpha -> from_intrados delta eta h p v x = 0 ->
+    x <= 0 /\ (eta = 2 -> x = 0).
+  Proof.
+    intros Hx H0. assert (Hlimit : eta = 2 -> x = 0).
+    { intros E. destruct (Req_dec x 0) as [H | Hne]; [easy |].
+      assert (HM := proj2 (proj2 (moment_grows x)) (proj2 (proj2 (beside_the_crown x Hx)) Hne)).
+      unfold from_intrados, intrados in H0. rewrite E in *. lra. }
+    split; [| easy]. apply Rnot_lt_le. intros Hpos. assert (Hs := proj1 (beside_the_crown x Hx) Hpos).
+    destruct (Req_dec eta 2) as [E | E]; [specialize (Hlimit E); lra |]. destruct (Hall (- x) ltac:(lra)) as (_ & HL & _).
+    replace (from_intrados delta eta h p v (- x)) with (from_intrados delta eta h p v x - 2 * (intrados eta * (v * sin x))) in HL
+      by (unfold from_intrados, whole_moment, whole_normal; rewrite sin_neg, cos_neg; ring).
+    assert (0 < v * sin x) by (apply Rmult_lt_0_compat; lra).
+    assert (0 < intrados eta * (v * sin x)) by (apply Rmult_lt_0_compat; unfold intrados; lra). lra.
   Qed.
 
   Lemma normal_and_shear_of_thrust x :
@@ -110,54 +124,19 @@ Section Right.
     assert (H := sin2_cos2 x). unfold Rsqr in H. rewrite H. ring.
   Qed.
 
-  (** With the joint [2 v - x] at hand, which bears the same force mirrored. *)
-  Lemma other_joint_slides x : against_inwards mu h v x = 0 ->
-    against_outwards mu h v (2 * v - x) = - (1 + mu * mu) * sin (2 * v) * whole_normal h v x.
-  Proof.
-    unfold against_inwards. intros H. assert (HT : whole_shear h v x = mu * whole_normal h v x) by lra.
-    assert (HN : whole_normal h v (2 * v - x)
-                 = cos (2 * v) * whole_normal h v x - sin (2 * v) * whole_shear h v x).
-    { unfold whole_normal, whole_shear. rewrite cos_minus, sin_minus. ring. }
-    assert (HT' : whole_shear h v (2 * v - x)
-                  = - cos (2 * v) * whole_shear h v x - sin (2 * v) * whole_normal h v x).
-    { unfold whole_normal, whole_shear. rewrite cos_minus, sin_minus. ring. }
-    unfold against_outwards. rewrite HN, HT', HT. ring.
-  Qed.
-
+  (** The mirror image of a joint that did so would be beyond its limit. *)
   Lemma nothing_slides_inwards x : - alpha <= x <= alpha -> against_inwards mu h v x <> 0.
   Proof.
-    intros Hx H0. assert (Hh := thrust_positive). assert (HN := normal_not_negative x Hx).
-    assert (HC := cosine_not_negative x Hx). assert (Hforce := normal_and_shear_of_thrust x).
-    assert (HT : whole_shear h v x = mu * whole_normal h v x) by (unfold against_inwards in H0; lra).
-    assert (HT0 : 0 <= whole_shear h v x) by (rewrite HT; nra).
-    destruct (Hall (- x) ltac:(lra)) as (_ & _ & _ & Hmirror).
-    assert (Hsides : cos x <= mu * sin x).
-    { assert (H : against_outwards mu h v (- x) = 2 * v * (mu * sin x - cos x)).
-      { unfold against_outwards, against_inwards, whole_normal, whole_shear in *.
-        rewrite sin_neg, cos_neg. lra. }
-      rewrite H in Hmirror. nra. }
-    destruct (Rle_lt_dec x 0) as [Hleft | Hright].
-    - assert (HS : sin x <= 0).
-      { destruct (Req_dec x 0) as [-> | Hne]; [rewrite sin_0; lra |].
-        apply Rlt_le, sin_lt_0_var; lra. }
-      assert (mu * sin x <= 0) by nra. assert (HC0 : cos x = 0) by lra.
-      assert (Hmu0 : mu * sin x = 0) by lra.
-      destruct (Rmult_integral _ _ Hmu0) as [Hm | Hs].
-      + rewrite Hm in HT. rewrite HT, HC0 in Hforce. lra.
-      + rewrite HC0, Hs in Hforce. lra.
-    - assert (HS : 0 < sin x) by (apply sin_gt_0; lra).
-      assert (HC1 : 0 < cos x).
-      { destruct HC as [HC | HC]; [easy |]. rewrite <- HC in Hforce. nra. }
-      assert (Hbefore : v < x).
-      { unfold whole_shear in HT0. apply Rnot_le_lt. intros H.
-        assert ((x - v) * cos x <= 0) by nra. nra. }
-      destruct (Hall (2 * v - x) ltac:(lra)) as (_ & _ & _ & Hother).
-      rewrite (other_joint_slides x H0) in Hother.
-      assert (Hs2 : 0 < sin (2 * v)) by (apply sin_gt_0; lra).
-      assert (Hf : 0 < (1 + mu * mu) * sin (2 * v)) by (apply Rmult_lt_0_compat; nra).
-      assert (HN0 : whole_normal h v x = 0) by nra.
-      rewrite HT, HN0 in Hforce. lra.
+    intros Hx H0. assert (Hh := thrust_positive). assert (HN := normal_positive x Hx).
+    assert (Hforce := normal_and_shear_of_thrust x). destruct (Hall (- x) ltac:(lra)) as (_ & _ & _ & Hmirror).
+    replace (against_outwards mu h v (- x)) with (against_inwards mu h v x + 2 * v * (mu * sin x - cos x)) in Hmirror
+      by (unfold against_outwards, against_inwards, whole_normal, whole_shear; rewrite sin_neg, cos_neg; ring).
+    assert (HT : whole_shear h v x = mu * whole_normal h v x) by (unfold against_inwards in H0; lra). rewrite HT in Hforce.
+    assert (cos x <= mu * sin x) by nra. nra.
   Qed.
+
+  (** Nothing moves downwards in an arch that is no horseshoe. *)
+  Hypothesis Hnarrow : alpha <= PI / 2.
 
   (** ** All joints together *)
 
@@ -185,48 +164,30 @@ Section Right.
     unfold across_of, upwards_of, turn_of. destruct (row eta (how j) (place j)) as [[a b] c]. easy.
   Qed.
 
-  (** Nothing moves downwards. *)
   Lemma upwards_not_negative j : allowed delta alpha eta mu h p v j -> 0 <= upwards_of j.
   Proof.
     intros (Hx & Hr & H0). unfold upwards_of. destruct j as [way x r]; simpl in *.
-    destruct (Req_dec r 0) as [-> | Hne]; [lra |].
-    destruct (Rmult_integral _ _ H0) as [H | H]; [easy |]. destruct way; simpl in *.
-    - assert (Hs := extrados_on_the_right x Hx H). apply Rmult_le_pos; [easy |].
-      apply Rmult_le_pos; [unfold extrados; lra | easy].
-    - apply Rmult_le_pos; [easy |]. now apply intrados_on_the_left.
+    destruct (Req_dec r 0) as [-> | Hne]; [lra |]. destruct (Rmult_integral _ _ H0) as [H | H]; [easy |].
+    apply Rmult_le_pos; [easy |]. destruct way; simpl in *.
+    - assert (Hright := extrados_on_the_right x Hx H). apply Rmult_le_pos; [unfold extrados; lra | apply sin_ge_0; lra].
+    - destruct (intrados_on_the_left x Hx H) as [Hleft _]. assert (Hs := sin_ge_0 (- x) ltac:(lra) ltac:(lra)).
+      rewrite sin_neg in Hs. unfold intrados. nra.
     - now destruct (nothing_slides_inwards x Hx).
-    - apply Rmult_le_pos; [easy |]. now apply cosine_not_negative.
+    - apply cos_ge_0; lra.
   Qed.
 
-  Lemma at_the_crown x : - alpha <= x <= alpha -> sin x = 0 -> x = 0.
+  (** A hinge that does not move upwards is in the crown. *)
+  Lemma hinges_are_at_the_crown j : allowed delta alpha eta mu h p v j -> upwards_of j = 0 -> rate j <> 0 ->
+    how j = opens_above \/ how j = opens_below -> margin_of delta eta mu h p v (how j) 0 = 0.
   Proof.
-    intros Hx Hs. destruct (Rtotal_order x 0) as [H | [H | H]]; [| easy |].
-    - assert (sin x < 0) by (apply sin_lt_0_var; lra). lra.
-    - assert (0 < sin x) by (apply sin_gt_0; lra). lra.
-  Qed.
-
-  Lemma hinges_above_are_at_the_crown j : allowed delta alpha eta mu h p v j -> upwards_of j = 0 ->
-    how j = opens_above -> rate j = 0 \/ from_extrados delta eta h p v 0 = 0.
-  Proof.
-    intros (Hx & _ & H0) Hup Hhow. unfold upwards_of in Hup. destruct j as [way x r]; simpl in *.
-    rewrite Hhow in *. simpl in *. destruct (Rmult_integral _ _ H0) as [H | H]; [now left |].
-    destruct (Rmult_integral _ _ Hup) as [H' | H']; [now left |]. right.
-    assert (Hs : sin x = 0) by (unfold extrados in H'; nra).
-    now rewrite (at_the_crown x Hx Hs) in H.
-  Qed.
-
-  Lemma hinges_below_are_at_the_crown j : allowed delta alpha eta mu h p v j -> upwards_of j = 0 ->
-    how j = opens_below -> rate j = 0 \/ from_intrados delta eta h p v 0 = 0.
-  Proof.
-    intros (Hx & _ & H0) Hup Hhow. unfold upwards_of in Hup. destruct j as [way x r]; simpl in *.
-    rewrite Hhow in *. simpl in *. destruct (Rmult_integral _ _ H0) as [H | H]; [now left |].
-    destruct (Rmult_integral _ _ Hup) as [H' | H']; [now left |]. right.
-    assert (Hprod : intrados eta * sin x = 0) by lra.
-    destruct (Rmult_integral _ _ Hprod) as [Hi | Hs]; [| now rewrite (at_the_crown x Hx Hs) in H].
-    (* with the whole radius as thickness the intrados is the centre *)
-    destruct (Hall 0 ltac:(lra)) as (_ & Hcrown & _).
-    unfold from_intrados, whole_moment in *. rewrite Hi in *. rewrite cos_0 in *.
-    assert (Hf : 0 < fac delta eta) by (unfold fac; nra). assert (Hc := COS_bound x). nra.
+    intros (Hx & _ & H0) Hup Hr Hhow. unfold upwards_of in Hup. destruct j as [way x r]; simpl in *.
+    destruct (Rmult_integral _ _ H0) as [H | H]; [easy |]. destruct (Rmult_integral _ _ Hup) as [H' | H']; [easy |].
+    assert (E : x = 0); [| rewrite E in H; exact H]. destruct (beside_the_crown x Hx) as (Hpos & Hneg & _).
+    destruct Hhow as [-> | ->]; simpl in *.
+    - assert (Hright := extrados_on_the_right x Hx H). unfold extrados in H'. destruct (Req_dec x 0); [easy | nra].
+    - destruct (intrados_on_the_left x Hx H) as [Hleft Hlimit]. unfold intrados in H'.
+      destruct (Req_dec eta 2) as [E | E]; [now apply Hlimit |]. destruct (Req_dec x 0) as [Z | Z]; [easy |].
+      specialize (Hneg ltac:(lra)). assert (0 < 1 - eta / 2) by lra. nra.
   Qed.
 
   Theorem nothing_moves motion : is_motion delta alpha eta mu h p v motion ->
@@ -237,29 +198,20 @@ Section Right.
     { apply none_of_a_sum; [| easy]. eapply Forall_impl; [apply upwards_not_negative | easy]. }
     rewrite Forall_forall in Hallowed, Hup0.
     (* a hinge at the extrados needs one at the intrados, and both would be at the crown *)
-    assert (Hturn0 : Forall (fun j => turn_of j = 0) motion).
-    { assert (Hboth : from_extrados delta eta h p v 0 <> 0 \/ from_intrados delta eta h p v 0 <> 0).
-      { destruct (Req_dec (from_extrados delta eta h p v 0) 0) as [HU | HU]; [| now left].
-        right. intros HL. assert (Hh := thrust_positive).
-        unfold from_extrados, from_intrados, whole_normal, extrados, intrados in *.
-        rewrite cos_0, sin_0 in *. nra. }
-      destruct Hboth as [HU | HL].
-      - apply none_of_a_sum; [| easy]. apply Forall_forall. intros j Hj.
-        assert (Hj' := Hallowed j Hj). assert (H := hinges_above_are_at_the_crown j Hj' (Hup0 j Hj)).
-        destruct Hj' as (_ & Hr & _). unfold turn_of. destruct j as [[] x r]; simpl in *; try nra.
-        destruct (H eq_refl) as [-> | H']; [lra | easy].
-      - assert (Hnone : Forall (fun j => - turn_of j = 0) motion).
-        { apply none_of_a_sum.
-          - apply Forall_forall. intros j Hj. assert (Hj' := Hallowed j Hj).
-            assert (H := hinges_below_are_at_the_crown j Hj' (Hup0 j Hj)).
-            destruct Hj' as (_ & Hr & _). unfold turn_of. destruct j as [[] x r]; simpl in *; try nra.
-            destruct (H eq_refl) as [-> | H']; [lra | easy].
-          - clear - Hturn. assert (H : forall l, fold_right (fun j sum => - turn_of j + sum) 0 l
-              = - fold_right (fun j sum => turn_of j + sum) 0 l).
-            { induction l as [| j l IH]; simpl; [lra | rewrite IH; lra]. }
-            rewrite H, Hturn. lra. }
-        eapply Forall_impl; [| exact Hnone]. simpl. intros j Hj. lra. }
-    rewrite Forall_forall in Hturn0.
+    assert (Hturn0 : forall j, In j motion -> turn_of j = 0).
+    { assert (Hboth : from_extrados delta eta h p v 0 = 0 -> from_intrados delta eta h p v 0 <> 0).
+      { intros HU HL. assert (Hh := thrust_positive).
+        unfold from_extrados, from_intrados, whole_normal, extrados, intrados in *. rewrite cos_0, sin_0 in *. nra. }
+      assert (Hone : exists s, s <> 0 /\ forall j, In j motion -> 0 <= s * turn_of j).
+      { destruct (Req_dec (from_extrados delta eta h p v 0) 0) as [HU | HU]; [exists (-1) | exists 1]; (split; [lra |]);
+          intros j Hj; assert (Hcrown := hinges_are_at_the_crown j (Hallowed j Hj) (Hup0 j Hj));
+          destruct (Hallowed j Hj) as (_ & Hr & _); unfold turn_of; destruct j as [[] x r]; simpl in *; try lra;
+          (destruct (Req_dec r 0) as [-> | Hne]; [lra |]); specialize (Hcrown Hne); tauto. }
+      destruct Hone as (s & Hs & Hone). assert (Hnone := none_of_a_sum (fun j => s * turn_of j) motion).
+      rewrite !Forall_forall in Hnone. intros j Hj. apply (Rmult_eq_reg_l s); [| easy]. rewrite Rmult_0_r.
+      apply Hnone; [easy | | easy]. transitivity (s * fold_right (fun j sum => turn_of j + sum) 0 motion).
+      - clear. induction motion; simpl; [ring |]. rewrite IHmotion. ring.
+      - rewrite Hturn. ring. }
     assert (Hhinges : forall j, In j motion -> how j = opens_above \/ how j = opens_below -> rate j = 0).
     { intros j Hj Hhow. assert (H := Hturn0 j Hj). unfold turn_of in H.
       destruct j as [[] x r]; simpl in *; [lra | lra | |]; now destruct Hhow. }
@@ -272,7 +224,7 @@ Section Right.
       - now destruct (nothing_slides_inwards x Hx).
       - split; [easy |]. destruct (Rmult_integral _ _ Hup') as [H' | HC]; [easy |].
         assert (Hh := thrust_positive). assert (Hforce := normal_and_shear_of_thrust x).
-        assert (HN := normal_not_negative x Hx). unfold against_outwards in H.
+        assert (HN := normal_positive x Hx). unfold against_outwards in H.
         rewrite HC in Hforce. assert (Hcircle := sin2_cos2 x). unfold Rsqr in Hcircle.
         rewrite HC in Hcircle. assert (mu * whole_normal h v x >= 0) by nra. nra. }
     assert (Hacross0 : Forall (fun j => across_of j = 0) motion).
@@ -329,7 +281,7 @@ Theorem no_asymmetric_motion_up_to_the_right_angle (delta alpha eta mu h p v : R
   is_motion delta alpha eta mu h p v motion -> Forall (fun j => rate j = 0) motion.
 Proof.
   intros Hd Ha He Hm Hall Hv Hmotion. destruct (Rlt_le_dec 0 v) as [Hpos | Hneg].
-  - now apply (nothing_moves delta alpha eta mu h p v).
+  - apply (nothing_moves delta alpha eta mu h p v); easy || lra.
   - assert (H : Forall (fun j => rate j = 0) (map mirrored motion)).
     { apply (nothing_moves delta alpha eta mu h p (- v)); try lra.
       - now apply mirrored_state.

@@ -1,308 +1,125 @@
 (** * Linear inequalities without a strict solution have multipliers
 
-    Gordan's theorem, for affine forms of finitely many unknowns, by elimination of one unknown after
-    the other: if finitely many forms are positive at no common point, a sum of them with factors
-    that are not negative, and not all zero, is a constant that is not positive. *)
+    Gordan's theorem, for affine forms on any space with straight lines, by one form after the other: if finitely many
+    forms are positive at no common point, a sum of them with factors that are not negative, and not all zero, is a
+    constant that is not positive. *)
 
-From Coq Require Import Reals Lra Lia List.
+From Coq Require Import Reals Lra List Classical.
 Import ListNotations.
 Open Scope R_scope.
 
-(** ** Affine forms *)
+(** The sum of the values with factors, and that of the first factors. *)
+Fixpoint weighted {V} (k : nat -> R) (forms : list (V -> R)) (x : V) : R :=
+  match forms with f :: rest => k 0%nat * f x + weighted (fun i => k (S i)) rest x | [] => 0 end.
+Fixpoint sum (k : nat -> R) (n : nat) : R :=
+  match n with S m => k 0%nat + sum (fun i => k (S i)) m | O => 0 end.
 
-(** A form of [n] unknowns is a list of their coefficients with the constant behind them; a point is
-    the list of its coordinates. *)
-Fixpoint value (f x : list R) : R :=
-  match f, x with
-  | a :: f', t :: x' => a * t + value f' x'
-  | c :: _, [] => c
-  | [], _ => 0
-  end.
+(** A factor more in front of others. *)
+Definition onto (a : R) (k : nat -> R) (i : nat) : R := match i with S j => k j | O => a end.
 
-Fixpoint plus (f g : list R) : list R :=
-  match f, g with
-  | a :: f', b :: g' => (a + b) :: plus f' g'
-  | _, _ => []
-  end.
+Lemma no_factors {V} (forms : list (V -> R)) x : weighted (fun _ => 0) forms x = 0 /\ forall n, sum (fun _ => 0) n = 0.
+Proof. split; [induction forms as [| f forms IH] | induction n as [| n IH]]; simpl; lra. Qed.
 
-Definition scale (k : R) (f : list R) : list R := map (Rmult k) f.
-
-Lemma length_of_scale (k : R) (f : list R) : length (scale k f) = length f.
-Proof. apply map_length. Qed.
-
-Lemma length_of_plus (f g : list R) : length f = length g -> length (plus f g) = length f.
-Proof. revert g. induction f as [|a f IH]; intros [|b g] H; try easy. simpl. f_equal. apply IH. now injection H. Qed.
-
-Lemma value_of_scale (k : R) (f x : list R) : value (scale k f) x = k * value f x.
-Proof. revert x. induction f as [|a f IH]; intros [|t x]; simpl; try ring. rewrite IH. ring. Qed.
-
-Lemma value_of_plus (f g x : list R) : length f = length g -> value (plus f g) x = value f x + value g x.
+Lemma weighted_positive {V} (forms : list (V -> R)) x : (forall f, In f forms -> 0 < f x) ->
+  forall k, (forall i, 0 <= k i) -> 0 <= weighted k forms x /\ (0 < sum k (length forms) -> 0 < weighted k forms x).
 Proof.
-  revert g x. induction f as [|a f IH]; intros [|b g] x H; try easy.
-  - destruct x; simpl; ring.
-  - destruct x as [|t x]; simpl; [easy|]. rewrite IH; [ring | now injection H].
-Qed.
-
-(** Sums with positive factors, at least one of them: the cone without its apex. *)
-Inductive cone (forms : list (list R)) : list R -> Prop :=
-  | one f : In f forms -> cone forms f
-  | scaled k f : 0 < k -> cone forms f -> cone forms (scale k f)
-  | added f g : cone forms f -> cone forms g -> cone forms (plus f g).
-
-(** ** A number between two lists *)
-
-Lemma below_all {X} (above : list X) (b : X -> R) (m : R) :
-  (forall g, In g above -> m < b g) -> exists t, m < t /\ forall g, In g above -> t < b g.
-Proof.
-  induction above as [|g above IH]; intros H.
-  - exists (m + 1). split; [lra | easy].
-  - destruct IH as (t & Ht & Hall); [intros f Hf; apply H; now right|]. assert (Hg := H g (or_introl eq_refl)).
-    exists (Rmin t ((m + b g) / 2)). split.
-    + apply Rmin_glb_lt; lra.
-    + intros f [<- | Hf].
-      * apply Rle_lt_trans with ((m + b g) / 2); [apply Rmin_r | lra].
-      * apply Rle_lt_trans with t; [apply Rmin_l | now apply Hall].
-Qed.
-
-Lemma between {X} (below above : list X) (b : X -> R) : (forall f g, In f below -> In g above -> b f < b g) ->
-  exists t, (forall f, In f below -> b f < t) /\ (forall g, In g above -> t < b g).
-Proof.
-  intros H.
-  enough (exists m, (forall f, In f below -> b f <= m) /\ (forall g, In g above -> m < b g)) as (m & Hbelow & Habove).
-  { destruct (below_all above b m Habove) as (t & Ht & Hall). exists t. split; [|easy]. intros f Hf.
-    assert (H' := Hbelow f Hf). lra. }
-  induction below as [|f below IH].
-  - clear H. induction above as [|g above IH]; [now exists 0|]. destruct IH as (m & _ & Hm).
-    exists (Rmin m (b g - 1)). split; [easy|]. intros f [<- | Hf].
-    + apply Rle_lt_trans with (b g - 1); [apply Rmin_r | lra].
-    + apply Rle_lt_trans with m; [apply Rmin_l | now apply Hm].
-  - destruct IH as (m & Hm & Hm'); [intros f' g Hf Hg; apply H; [now right | easy]|]. exists (Rmax (b f) m). split.
-    + intros f' [<- | Hf]; [apply Rmax_l|]. apply Rle_trans with m; [now apply Hm | apply Rmax_r].
-    + intros g Hg. apply Rmax_lub_lt; [apply H; [now left | easy] | now apply Hm'].
-Qed.
-
-(** ** Elimination of the first unknown *)
-
-Definition first (f : list R) : R := hd 0 f.
-
-(** A positive sum of two forms in which the first coefficient vanishes. *)
-Definition pair (f g : list R) : list R :=
-  plus (scale (- first g) (tl f)) (scale (first f) (tl g)).
-
-Definition rising (f : list R) : bool := if Rlt_dec 0 (first f) then true else false.
-Definition falling (f : list R) : bool := if Rlt_dec (first f) 0 then true else false.
-Definition flat (f : list R) : bool := if Req_EM_T (first f) 0 then true else false.
-
-Definition eliminated (forms : list (list R)) : list (list R) :=
-  map (@tl R) (filter flat forms)
-  ++ flat_map (fun f => map (pair f) (filter falling forms)) (filter rising forms).
-
-Lemma in_eliminated (forms : list (list R)) (e : list R) : In e (eliminated forms) <->
-  (exists f, In f forms /\ first f = 0 /\ e = tl f) \/
-  (exists f g, In f forms /\ In g forms /\ 0 < first f /\ first g < 0 /\ e = pair f g).
-Proof.
-  unfold eliminated. rewrite in_app_iff, in_map_iff, in_flat_map. split.
-  - intros [(f & <- & Hf) | (f & Hf & He)].
-    + left. exists f. apply filter_In in Hf. unfold flat in Hf.
-      destruct (Req_EM_T (first f) 0); [easy | now destruct Hf].
-    + right. apply in_map_iff in He. destruct He as (g & <- & Hg). exists f, g. apply filter_In in Hf, Hg.
-      unfold rising, falling in *. destruct (Rlt_dec 0 (first f)); [|now destruct Hf].
-      destruct (Rlt_dec (first g) 0); [easy | now destruct Hg].
-  - intros [(f & Hf & E & ->) | (f & g & Hf & Hg & Ef & Eg & ->)].
-    + left. exists f. split; [easy|]. apply filter_In. unfold flat. destruct (Req_EM_T (first f) 0); easy.
-    + right. exists f. split.
-      * apply filter_In. unfold rising. destruct (Rlt_dec 0 (first f)); easy.
-      * apply in_map, filter_In. unfold falling. destruct (Rlt_dec (first g) 0); easy.
-Qed.
-
-Lemma forms_of_one_more (n : nat) (f : list R) : length f = S n -> f = first f :: tl f.
-Proof. now destruct f. Qed.
-
-Lemma length_of_tail (n : nat) (f : list R) : length f = S n -> length (tl f) = n.
-Proof. destruct f; [easy|]. intros H. now injection H. Qed.
-
-Lemma length_of_pair (n : nat) (f g : list R) : length f = S n -> length g = S n -> length (pair f g) = n.
-Proof.
-  intros Hf Hg. apply length_of_tail in Hf, Hg. unfold pair.
-  rewrite length_of_plus; rewrite ?length_of_scale; congruence.
-Qed.
-
-(** What is a sum of the eliminated forms is one of the forms themselves. *)
-Lemma cone_of_eliminated (n : nat) (forms : list (list R)) : (forall f, In f forms -> length f = S n) ->
-  forall e, cone (eliminated forms) e -> cone forms (0 :: e).
-Proof.
-  intros Hlength e H. induction H as [e He | k e Hk _ IH | e e' _ IH _ IH'].
-  - apply in_eliminated in He. destruct He as [(f & Hf & E & ->) | (f & g & Hf & Hg & Ef & Eg & ->)].
-    + apply one. now rewrite <- E, <- (forms_of_one_more n f (Hlength f Hf)).
-    + assert (Hpair : 0 :: pair f g = plus (scale (- first g) f) (scale (first f) g)).
-      { rewrite (forms_of_one_more n f (Hlength f Hf)) at 2. rewrite (forms_of_one_more n g (Hlength g Hg)) at 3.
-        simpl. f_equal. ring. }
-      rewrite Hpair. apply added; apply scaled; try lra; now apply one.
-  - replace (0 :: scale k e) with (scale k (0 :: e)); [now apply scaled|]. simpl. f_equal. ring.
-  - replace (0 :: plus e e') with (plus (0 :: e) (0 :: e')); [now apply added|]. simpl. f_equal. ring.
-Qed.
-
-(** A point at which the eliminated forms are positive can be completed. *)
-Lemma point_of_eliminated (n : nat) (forms : list (list R)) (x : list R) : (forall f, In f forms -> length f = S n) ->
-  (forall e, In e (eliminated forms) -> 0 < value e x) ->
-  exists t, forall f, In f forms -> 0 < value f (t :: x).
-Proof.
-  intros Hlength Hpositive. set (bound := fun f => - value (tl f) x / first f).
-  destruct (between (filter rising forms) (filter falling forms) bound) as (t & Hlow & Hhigh).
-  { intros f g Hf Hg. apply filter_In in Hf, Hg. unfold rising, falling in *.
-    destruct (Rlt_dec 0 (first f)) as [Ef|]; [|now destruct Hf].
-    destruct (Rlt_dec (first g) 0) as [Eg|]; [|now destruct Hg]. assert (H : 0 < value (pair f g) x).
-    { apply Hpositive, in_eliminated. right. exists f, g. tauto. }
-    unfold pair in H. rewrite value_of_plus, !value_of_scale in H.
-    2:{ rewrite !length_of_scale, !(length_of_tail n); [easy | now apply Hlength..]. }
-    unfold bound. apply (Rmult_lt_reg_r (first f * - first g)).
-    - apply Rmult_lt_0_compat; lra.
-    - replace (- value (tl f) x / first f * (first f * - first g)) with (value (tl f) x * first g) by (field; lra).
-      replace (- value (tl g) x / first g * (first f * - first g)) with (value (tl g) x * first f) by (field; lra).
-      lra. }
-  exists t. intros f Hf. rewrite (forms_of_one_more n f (Hlength f Hf)). simpl.
-  destruct (Rtotal_order (first f) 0) as [E | [E | E]].
-  - assert (H : t < bound f).
-    { apply Hhigh, filter_In. unfold falling. destruct (Rlt_dec (first f) 0); easy. }
-    unfold bound in H. apply (Rmult_lt_compat_r (- first f)) in H; [|lra].
-    replace (- value (tl f) x / first f * - first f) with (value (tl f) x) in H by (field; lra). lra.
-  - rewrite E, Rmult_0_l, Rplus_0_l. apply Hpositive, in_eliminated. left. now exists f.
-  - assert (H : bound f < t).
-    { apply Hlow, filter_In. unfold rising. destruct (Rlt_dec 0 (first f)); easy. }
-    unfold bound in H. apply (Rmult_lt_compat_r (first f)) in H; [|lra].
-    replace (- value (tl f) x / first f * first f) with (- value (tl f) x) in H by (field; lra). lra.
-Qed.
-
-(** ** Gordan's theorem *)
-
-(** The constant form. *)
-Definition constant (n : nat) (c : R) : list R := repeat 0 n ++ [c].
-
-Lemma value_of_constant (n : nat) (c : R) (x : list R) : length x = n -> value (constant n c) x = c.
-Proof.
-  revert x. unfold constant. induction n as [|n IH]; intros [|t x] H; try easy. simpl.
-  rewrite IH; [ring | now injection H].
-Qed.
-
-Lemma strict_point_or_constant (n : nat) : forall forms : list (list R),
-  (forall f, In f forms -> length f = S n) ->
-  (exists x, length x = n /\ forall f, In f forms -> 0 < value f x) \/
-  (exists c, c <= 0 /\ cone forms (constant n c)).
-Proof.
-  induction n as [|n IH]; intros forms Hlength.
-  - destruct (Exists_dec (fun f => first f <= 0) forms) as [H | H].
-    { intros f. destruct (Rle_dec (first f) 0); [now left | now right]. }
-    + right. apply Exists_exists in H. destruct H as (f & Hf & Hc). exists (first f). split; [easy|]. apply one.
-      unfold constant. simpl. assert (E := Hlength f Hf). destruct f as [|c [|]]; easy.
-    + left. exists []. split; [easy|]. intros f Hf. assert (E := Hlength f Hf). destruct f as [|c f]; [easy|]. simpl.
-      apply Rnot_le_lt. intros Hc. apply H. apply Exists_exists. now exists (c :: f).
-  - destruct (IH (eliminated forms)) as [(x & Hx & Hpositive) | (c & Hc & Hcone)].
-    { intros e He. apply in_eliminated in He. destruct He as [(f & Hf & _ & ->) | (f & g & Hf & Hg & _ & _ & ->)].
-      - apply length_of_tail; now apply Hlength.
-      - apply length_of_pair; now apply Hlength. }
-    + left. destruct (point_of_eliminated (S n) forms x Hlength Hpositive) as (t & Ht). exists (t :: x).
-      split; [now simpl; f_equal | easy].
-    + right. exists c. split; [easy|]. exact (cone_of_eliminated (S n) forms Hlength _ Hcone).
-Qed.
-
-(** The sum of the values with factors. *)
-Fixpoint weighted (k : list R) (forms : list (list R)) (x : list R) : R :=
-  match k, forms with
-  | a :: k', f :: forms' => a * value f x + weighted k' forms' x
-  | _, _ => 0
-  end.
-
-Fixpoint sum (k : list R) : R := match k with a :: k' => a + sum k' | [] => 0 end.
-
-Lemma weighted_of_scale (a : R) (k : list R) (forms : list (list R)) (x : list R) :
-  weighted (scale a k) forms x = a * weighted k forms x.
-Proof. revert forms. induction k as [|b k IH]; intros [|f forms]; simpl; try ring. rewrite IH. ring. Qed.
-
-Lemma weighted_of_plus (k l : list R) (forms : list (list R)) (x : list R) :
-  length k = length l -> weighted (plus k l) forms x = weighted k forms x + weighted l forms x.
-Proof.
-  revert l forms. induction k as [|a k IH]; intros [|b l] [|f forms] H; simpl; try ring; try easy.
-  rewrite IH; [ring | now injection H].
-Qed.
-
-Lemma sum_of_scale (a : R) (k : list R) : sum (scale a k) = a * sum k.
-Proof. induction k as [|b k IH]; simpl; [ring | rewrite IH; ring]. Qed.
-
-Lemma sum_of_plus (k l : list R) : length k = length l -> sum (plus k l) = sum k + sum l.
-Proof.
-  revert l. induction k as [|a k IH]; intros [|b l] H; try easy; simpl; [ring|]. rewrite IH; [ring | now injection H].
-Qed.
-
-Lemma single_factor (forms : list (list R)) (f : list R) : In f forms ->
-  exists k, length k = length forms /\ (forall a, In a k -> 0 <= a) /\ 0 < sum k /\
-    forall x, value f x = weighted k forms x.
-Proof.
-  assert (Hnone : forall forms x, weighted (map (fun _ => 0) forms) forms x = 0).
-  { intros l x. induction l as [|g l IH]; simpl; [easy | rewrite IH; ring]. }
-  assert (Hsum : forall forms : list (list R), sum (map (fun _ => 0) forms) = 0).
-  { induction forms0 as [|g l IH]; simpl; [easy | rewrite IH; ring]. }
-  induction forms as [|g forms IH]; [easy|]. intros [-> | Hf].
-  - exists (1 :: map (fun _ => 0) forms). simpl. rewrite map_length. repeat split.
-    + intros a [<- | Ha]; [lra|]. apply in_map_iff in Ha. destruct Ha as (_ & <- & _). lra.
-    + rewrite Hsum. lra.
-    + intros x. rewrite Hnone. ring.
-  - destruct (IH Hf) as (k & Hk & Hnotneg & Hpos & E). exists (0 :: k). simpl. repeat split; [now f_equal | | | ].
-    + intros a [<- | Ha]; [lra | now apply Hnotneg].
-    + lra.
-    + intros x. rewrite E. ring.
-Qed.
-
-Lemma in_plus (k l : list R) (a : R) : In a (plus k l) -> exists b c, In b k /\ In c l /\ a = b + c.
-Proof.
-  revert l. induction k as [|b k IH]; intros [|c l] H; try easy. destruct H as [<- | H].
-  - exists b, c. simpl. tauto.
-  - destruct (IH l H) as (b' & c' & Hb & Hc & ->). exists b', c'. simpl. tauto.
-Qed.
-
-Lemma factors_of_cone (n : nat) (forms : list (list R)) (f : list R) :
-  (forall f, In f forms -> length f = n) -> cone forms f ->
-  length f = n /\
-  exists k, length k = length forms /\ (forall a, In a k -> 0 <= a) /\ 0 < sum k /\
-    forall x, value f x = weighted k forms x.
-Proof.
-  intros Hlength H.
-  induction H as [f Hf | a f Ha _ (Hf & k & Hk & Hnotneg & Hpos & E)
-                 | f g _ (Hf & k & Hk & Hnotneg & Hpos & E) _ (Hg & l & Hl & Hnotneg' & Hpos' & E')].
-  - split; [now apply Hlength | now apply single_factor].
-  - split; [now rewrite length_of_scale|]. exists (scale a k). rewrite length_of_scale. repeat split; [easy | | | ].
-    + intros b Hb. apply in_map_iff in Hb. destruct Hb as (c & <- & Hc).
-      apply Rmult_le_pos; [lra | now apply Hnotneg].
-    + rewrite sum_of_scale. now apply Rmult_lt_0_compat.
-    + intros x. now rewrite value_of_scale, weighted_of_scale, E.
-  - assert (Hkl : length k = length l) by congruence. split; [now rewrite length_of_plus; congruence|].
-    exists (plus k l). rewrite length_of_plus by easy. repeat split; [easy | | | ].
-    + intros b Hb. destruct (in_plus k l b Hb) as (c & d & Hc & Hd & ->). assert (H1 := Hnotneg c Hc).
-      assert (H2 := Hnotneg' d Hd). lra.
-    + rewrite sum_of_plus by easy. lra.
-    + intros x. rewrite value_of_plus by congruence. now rewrite weighted_of_plus, E, E'.
-Qed.
-
-(** Either all forms are positive at one point, or a sum of them with factors that are not negative,
-    and not all zero, is a constant that is not positive. *)
-Theorem strict_point_or_multipliers (n : nat) (forms : list (list R)) : (forall f, In f forms -> length f = S n) ->
-  (exists x, length x = n /\ forall f, In f forms -> 0 < value f x) \/
-  (exists k c, length k = length forms /\ (forall a, In a k -> 0 <= a) /\ 0 < sum k /\ c <= 0 /\
-     forall x, length x = n -> weighted k forms x = c).
-Proof.
-  intros Hlength. destruct (strict_point_or_constant n forms Hlength) as [H | (c & Hc & Hcone)]; [now left | right].
-  destruct (factors_of_cone (S n) forms _ Hlength Hcone) as (_ & k & Hk & Hnotneg & Hpos & E). exists k, c.
-  repeat split; try easy. intros x Hx. rewrite <- E. now apply value_of_constant.
+  induction forms as [| f forms IH]; intros Hpos k Hk; simpl; [lra |].
+  destruct (IH (fun g Hg => Hpos g (or_intror Hg)) (fun i => k (S i))) as [H H']; [easy |].
+  assert (Hf := Hpos f (or_introl eq_refl)). destruct (Hk 0%nat) as [H0 | <-]; [nra |].
+  rewrite Rmult_0_l, !Rplus_0_l. easy.
 Qed.
 
 (** Not both. *)
-Theorem no_strict_point_with_multipliers (forms : list (list R)) (k x : list R) (c : R) :
-  length k = length forms -> (forall a, In a k -> 0 <= a) -> 0 < sum k -> c <= 0 ->
-  weighted k forms x = c -> ~ (forall f, In f forms -> 0 < value f x).
+Theorem no_strict_point_with_multipliers {V} (forms : list (V -> R)) k c x : (forall i, 0 <= k i) ->
+  0 < sum k (length forms) -> c <= 0 -> weighted k forms x = c -> ~ (forall f, In f forms -> 0 < f x).
+Proof. intros Hk Hsum Hc E Hall. destruct (weighted_positive forms x Hall k Hk) as [_ H]. specialize (H Hsum). lra. Qed.
+
+Section Space.
+
+(** [line x y t] is a point of the line through [x] and [y], [x] for 0 and [y] for 1. *)
+Context {V : Type}.
+Variable line : V -> V -> R -> V.
+Definition affine (f : V -> R) : Prop := forall x y t, f (line x y t) = f x + t * (f y - f x).
+Definition holds_lines (inside : V -> Prop) : Prop := forall x y t, inside x -> inside y -> inside (line x y t).
+
+Lemma weighted_affine (forms : list (V -> R)) : (forall f, In f forms -> affine f) -> forall k, affine (weighted k forms).
 Proof.
-  intros Hk Hnotneg Hpos Hc E Hall. enough (0 <= weighted k forms x /\ (0 < sum k -> 0 < weighted k forms x)) by lra.
-  clear E Hc Hpos. revert forms Hk Hall. induction k as [|a k IH]; intros [|f forms] Hk Hall; try easy; simpl; [lra|].
-  destruct (IH (fun b Hb => Hnotneg b (or_intror Hb)) forms (eq_add_S _ _ Hk) (fun g Hg => Hall g (or_intror Hg))).
-  assert (Hf := Hall f (or_introl eq_refl)). destruct (Hnotneg a (or_introl eq_refl)) as [Ha | <-].
-  - assert (0 < a * value f x) by now apply Rmult_lt_0_compat. lra.
-  - rewrite Rmult_0_l, !Rplus_0_l. easy.
+  induction forms as [| f forms IH]; intros H k x y t; simpl; [ring |].
+  rewrite (H f (or_introl eq_refl)), (IH (fun g Hg => H g (or_intror Hg))). ring.
 Qed.
+
+(** What is positive stays so a little way in any direction. *)
+Lemma a_little_way (forms : list (V -> R)) x y : (forall f, In f forms -> affine f) ->
+  (forall f, In f forms -> 0 < f x) -> exists e, 0 < e /\ forall t, 0 < t <= e -> forall f, In f forms -> 0 < f (line x y t).
+Proof.
+  induction forms as [| f forms IH]; intros H Hpos; [exists 1; split; [lra | easy] |].
+  destruct IH as (e & He & Hall); [intros g Hg; apply H; now right | intros g Hg; apply Hpos; now right |].
+  assert (Hf := Hpos f (or_introl eq_refl)). set (D := Rabs (f y - f x) + 1).
+  assert (HD : 0 < D) by (unfold D; assert (A := Rabs_pos (f y - f x)); lra).
+  exists (Rmin e (f x / (2 * D))). split; [apply Rmin_glb_lt; [easy | apply Rdiv_lt_0_compat; lra] |].
+  intros t [Ht Ht'] g [<- | Hg].
+  - rewrite (H f (or_introl eq_refl)). assert (B := Rle_trans _ _ _ Ht' (Rmin_r _ _)).
+    apply (Rmult_le_compat_r D) in B; [| lra]. replace (f x / (2 * D) * D) with (f x / 2) in B by (field; lra).
+    assert (A := Rle_abs (- (f y - f x))). rewrite Rabs_Ropp in A. unfold D in B. nra.
+  - apply Hall; [| easy]. assert (B := Rle_trans _ _ _ Ht' (Rmin_l _ _)). lra.
+Qed.
+
+(** A form that is constant where another is zero is a multiple of it and a constant. *)
+Lemma level (inside : V -> Prop) (f g : V -> R) c x y : affine f -> affine g -> holds_lines inside ->
+  (forall z, inside z -> f z = 0 -> g z = c) -> inside x -> inside y -> f x <> f y ->
+  g x * f y - g y * f x = c * (f y - f x).
+Proof.
+  intros Hf Hg Hlines Hc Hx Hy Hne. set (t := f x / (f x - f y)).
+  assert (E := Hc (line x y t) (Hlines _ _ _ Hx Hy)). rewrite Hf, Hg in E.
+  rewrite <- E by (unfold t; field; lra). unfold t. field. lra.
+Qed.
+
+(** Either all forms are positive at one point of a part of the space that has the lines through its points, or a sum of
+    them with factors that are not negative, and not all zero, is there a constant that is not positive. *)
+Theorem strict_point_or_multipliers (forms : list (V -> R)) : (forall f, In f forms -> affine f) ->
+  forall inside : V -> Prop, (exists x, inside x) -> holds_lines inside ->
+  (exists x, inside x /\ forall f, In f forms -> 0 < f x) \/
+  (exists k c, (forall i, 0 <= k i) /\ 0 < sum k (length forms) /\ c <= 0 /\
+     forall x, inside x -> weighted k forms x = c).
+Proof.
+  induction forms as [| f forms IH]; intros H inside [o Ho] Hlines; [left; now exists o |].
+  assert (Hf := H f (or_introl eq_refl)). assert (Hforms : forall g, In g forms -> affine g) by (intros g Hg; apply H; now right).
+  specialize (IH Hforms).
+  destruct (IH inside) as [(x & Hx & Hpos) | (k & c & Hk & Hsum & Hc & E)]; [now exists o | easy | |].
+  2:{ right. exists (onto 0 k), c. split; [intros [| i]; [apply Rle_refl | apply Hk] |]. split; [| split; [easy |]].
+      - change (0 < 0 + sum k (length forms)). lra.
+      - intros z Hz. change (0 * f z + weighted k forms z = c). rewrite (E z Hz). ring. }
+  destruct (Rlt_le_dec 0 (f x)) as [Hfx | Hfx]; [left; exists x; split; [easy |]; intros g [<- | Hg]; auto |].
+  destruct (classic (exists y, inside y /\ 0 < f y)) as [(y & Hy & Hfy) | Hnone].
+  2:{ right. exists (onto 1 (fun _ => 0)), (f x). destruct (no_factors forms x) as [_ Z].
+      split; [intros [| i]; simpl; lra | split; [| split; [easy |]]].
+      - change (0 < 1 + sum (fun _ => 0) (length forms)). rewrite Z. lra.
+      - intros z Hz. change (1 * f z + weighted (fun _ => 0) forms z = f x). destruct (no_factors forms z) as [-> _].
+        destruct (Req_dec (f z) (f x)) as [-> | Hne]; [ring | exfalso]. apply Hnone.
+        exists (line x z ((1 - f x) / (f z - f x))). split; [now apply Hlines |]. rewrite Hf.
+        replace (f x + (1 - f x) / (f z - f x) * (f z - f x)) with 1 by (field; lra). lra. }
+  destruct (IH (fun z => inside z /\ f z = 0)) as [(z & [Hz Ez] & Hpos') | (k & c & Hk & Hsum & Hc & E)].
+  - exists (line x y (f x / (f x - f y))). split; [now apply Hlines |]. rewrite Hf. field. lra.
+  - intros u v t [Hu Eu] [Hv Ev]. split; [now apply Hlines |]. rewrite Hf, Eu, Ev. ring.
+  - left. destruct (a_little_way forms z y Hforms Hpos') as (e & He & Hall). exists (line z y e).
+    split; [now apply Hlines |]. intros g [<- | Hg]; [rewrite Hf, Ez; nra | apply Hall; [lra | easy]].
+  - right. set (g := weighted k forms). assert (Hg : affine g) by now apply weighted_affine.
+    destruct (weighted_positive forms x Hpos k Hk) as [_ Hgx]. specialize (Hgx Hsum). fold g in Hgx.
+    assert (Hfx' : f x < 0) by (destruct Hfx as [? | Z]; [easy |]; assert (E' := E x (conj Hx Z)); fold g in E'; lra).
+    assert (Hlevel := fun u v => level inside f g c u v Hf Hg Hlines (fun z Hz Ez => E z (conj Hz Ez))).
+    exists (onto (- ((g x - c) / f x)) k), c. split; [| split; [| split; [easy |]]].
+    + assert (0 < - ((g x - c) / f x)).
+      { replace (- ((g x - c) / f x)) with ((g x - c) / - f x) by (field; lra). apply Rdiv_lt_0_compat; lra. }
+      intros [| i]; [apply Rlt_le; easy | apply Hk].
+    + change (0 < - ((g x - c) / f x) + sum k (length forms)).
+      replace (- ((g x - c) / f x)) with ((g x - c) / - f x) by (field; lra).
+      assert (0 < (g x - c) / - f x) by (apply Rdiv_lt_0_compat; lra). lra.
+    + intros z Hz. change (- ((g x - c) / f x) * f z + g z = c). apply (Rmult_eq_reg_r (f x)); [| lra].
+      replace ((- ((g x - c) / f x) * f z + g z) * f x) with (g z * f x - g x * f z + c * f z) by (field; lra).
+      destruct (Req_dec (f z) (f x)) as [Ez | Ez].
+      * assert (A := Hlevel z y Hz Hy ltac:(lra)). assert (B := Hlevel x y Hx Hy ltac:(lra)). rewrite Ez in *.
+        assert (g z = g x) by (apply (Rmult_eq_reg_r (f y)); lra). nra.
+      * assert (A := Hlevel z x Hz Hx Ez). lra.
+Qed.
+
+End Space.

@@ -221,27 +221,16 @@ Qed.
 (** ** Multipliers are rates *)
 
 (** The margins as forms of [h] and [p]. *)
-Definition crown_form : list R := [extrados eta; -1; 0].
-Definition haunch_form (beta : R) : list R :=
-  [- intrados eta * cos beta; 1; fac delta eta * (1 - cos beta) - intrados eta * (beta * sin beta)].
-Definition shoulder_form : list R :=
-  [extrados eta * cos alpha; -1; extrados eta * (alpha * sin alpha) - fac delta eta * (1 - cos alpha)].
-Definition inward_form (sigma : R) : list R :=
-  [mu * cos sigma + sin sigma; 0; mu * (sigma * sin sigma) - sigma * cos sigma].
-Definition outward_form : list R :=
-  [mu * cos alpha - sin alpha; 0; mu * (alpha * sin alpha) + alpha * cos alpha].
-Definition forms (beta sigma : R) : list (list R) :=
-  [crown_form; haunch_form beta; shoulder_form; inward_form sigma; outward_form].
+Definition forms (beta sigma : R) : list (R * R -> R) :=
+  [fun x => crown_gap eta (fst x) (snd x); fun x => haunch_gap delta beta eta (fst x) (snd x);
+   fun x => shoulder_gap delta alpha eta (fst x) (snd x); fun x => inward_gap sigma mu (fst x);
+   fun x => outward_gap alpha mu (fst x)].
+Definition line (x y : R * R) (t : R) : R * R := (fst x + t * (fst y - fst x), snd x + t * (snd y - snd x)).
 
-Lemma values_of_forms (beta sigma h' p' : R) :
-  Cones.value crown_form [h'; p'] = crown_gap eta h' p' /\
-  Cones.value (haunch_form beta) [h'; p'] = haunch_gap delta beta eta h' p' /\
-  Cones.value shoulder_form [h'; p'] = shoulder_gap delta alpha eta h' p' /\
-  Cones.value (inward_form sigma) [h'; p'] = inward_gap sigma mu h' /\
-  Cones.value outward_form [h'; p'] = outward_gap alpha mu h'.
+Lemma forms_affine (beta sigma : R) : forall f, In f (forms beta sigma) -> Cones.affine line f.
 Proof.
-  unfold crown_gap, haunch_gap, shoulder_gap, inward_gap, outward_gap, normal_force, shear_force. simpl.
-  repeat split; ring.
+  intros f [<- | [<- | [<- | [<- | [<- | []]]]]] x y t; simpl;
+    unfold crown_gap, haunch_gap, shoulder_gap, inward_gap, outward_gap, normal_force, shear_force; ring.
 Qed.
 
 (** What a multiplier of the friction at a joint is as a rate. *)
@@ -262,21 +251,19 @@ Proof.
   - intros H. now apply Rmult_lt_0_compat.
 Qed.
 
-Lemma multipliers_are_rates (beta sigma : R) (k : list R) (c : R) : 0 <= beta <= alpha -> 0 < sigma <= alpha ->
-  length k = 5%nat -> (forall a, In a k -> 0 <= a) -> 0 < Cones.sum k -> c <= 0 ->
-  (forall x, length x = 2%nat -> Cones.weighted k (forms beta sigma) x = c) ->
+Lemma multipliers_are_rates (beta sigma : R) (k : nat -> R) (c : R) : 0 <= beta <= alpha -> 0 < sigma <= alpha ->
+  (forall i, 0 <= k i) -> 0 < Cones.sum k 5 -> c <= 0 ->
+  (forall x, True -> Cones.weighted k (forms beta sigma) x = c) ->
   exists u l v s t, 0 < u + l + v + s + t /\
     moves delta alpha beta sigma eta mu h p u l v s t.
 Proof.
-  intros Hb Hs Hk Hnotneg Hsum Hc Hconstant. destruct k as [|k1 [|k2 [|k3 [|k4 [|k5 [|]]]]]]; try easy. simpl in Hsum.
-  assert (H1 : 0 <= k1) by (apply Hnotneg; simpl; tauto). assert (H2 : 0 <= k2) by (apply Hnotneg; simpl; tauto).
-  assert (H3 : 0 <= k3) by (apply Hnotneg; simpl; tauto). assert (H4 : 0 <= k4) by (apply Hnotneg; simpl; tauto).
-  assert (H5 : 0 <= k5) by (apply Hnotneg; simpl; tauto). clear Hnotneg Hk.
+  intros Hb Hs Hk Hsum Hc Hconstant. simpl in Hsum. set (k1 := k 0%nat) in *. set (k2 := k 1%nat) in *.
+  set (k3 := k 2%nat) in *. set (k4 := k 3%nat) in *. set (k5 := k 4%nat) in *.
+  assert (H1 := Hk 0%nat : 0 <= k1). assert (H2 := Hk 1%nat : 0 <= k2). assert (H3 := Hk 2%nat : 0 <= k3).
+  assert (H4 := Hk 3%nat : 0 <= k4). assert (H5 := Hk 4%nat : 0 <= k5).
   assert (Hwork : forall h' p', k1 * crown_gap eta h' p' + k2 * haunch_gap delta beta eta h' p' + k3 * shoulder_gap
     delta alpha eta h' p' + k4 * inward_gap sigma mu h' + k5 * outward_gap alpha mu h' = c).
-  { intros h' p'. rewrite <- (Hconstant [h'; p'] eq_refl). unfold forms. simpl Cones.weighted.
-    destruct (values_of_forms beta sigma h' p') as (E1 & E2 & E3 & E4 & E5). simpl in E1, E2, E3, E4, E5.
-    rewrite E1, E2, E3, E4, E5. ring. }
+  { intros h' p'. rewrite <- (Hconstant (h', p') I). simpl. fold k1 k2 k3 k4 k5. ring. }
   clear Hconstant.
   (* in the state each term is zero *)
   destruct (margins_not_negative 0 ltac:(lra)) as (M1 & _). destruct (margins_not_negative beta Hb) as (_ & M2 & _).
@@ -332,16 +319,12 @@ Theorem moves_or_leaves_room :
 Proof.
   assert (Hh := thrust_positive).
   destruct haunch_of_state as (beta & Hb & Hbeta), slip_of_state as (sigma & Hs & Hsigma).
-  destruct (Cones.strict_point_or_multipliers 2 (forms beta sigma))
-    as [(point & Hpoint & Hstrict) | (k & c & Hk & Hnotneg & Hsum & Hc & Hconstant)].
-  { unfold forms. intros f [<- | [<- | [<- | [<- | [<- | []]]]]]; easy. }
-  - right. destruct point as [|h' [|p' [|]]]; try easy.
-    destruct (values_of_forms beta sigma h' p') as (E1 & E2 & E3 & E4 & E5).
-    assert (C : 0 < crown_gap eta h' p') by (rewrite <- E1; apply Hstrict; simpl; tauto).
-    assert (L : 0 < haunch_gap delta beta eta h' p') by (rewrite <- E2; apply Hstrict; simpl; tauto).
-    assert (U : 0 < shoulder_gap delta alpha eta h' p') by (rewrite <- E3; apply Hstrict; simpl; tauto).
-    assert (I : 0 < inward_gap sigma mu h') by (rewrite <- E4; apply Hstrict; simpl; tauto).
-    assert (O : 0 < outward_gap alpha mu h') by (rewrite <- E5; apply Hstrict; simpl; tauto).
+  destruct (Cones.strict_point_or_multipliers line (forms beta sigma) (forms_affine beta sigma) (fun _ => True))
+    as [([h' p'] & _ & Hstrict) | (k & c & Hnotneg & Hsum & Hc & Hconstant)]; [now exists (h, p) | easy | |].
+  - right. assert (C := Hstrict _ (or_introl eq_refl)). assert (L := Hstrict _ (or_intror (or_introl eq_refl))).
+    assert (U := Hstrict _ (or_intror (or_intror (or_introl eq_refl)))).
+    assert (I := Hstrict _ (or_intror (or_intror (or_intror (or_introl eq_refl))))).
+    assert (O := Hstrict _ (or_intror (or_intror (or_intror (or_intror (or_introl eq_refl)))))). simpl in C, L, U, I, O.
     destruct (margins_continuous delta eta mu h p) as (CU & CL & CI & CO).
     destruct (margins_continuous delta eta mu h' p') as (CU' & CL' & CI' & CO').
     assert (Hway : forall f g : R -> R, continuity f -> continuity g -> (forall x, 0 <= x <= alpha -> 0 <= f x) ->
@@ -372,7 +355,7 @@ Proof.
     destruct (margins_on_a_line delta x eta mu h p h' p' e) as (-> & -> & -> & ->).
     repeat split; [apply HU | apply HL | apply HI | apply HO]; lra.
   - left. exists beta, sigma.
-    destruct (multipliers_are_rates beta sigma k c Hb Hs Hk Hnotneg Hsum Hc Hconstant)
+    destruct (multipliers_are_rates beta sigma k c Hb Hs Hnotneg Hsum Hc Hconstant)
       as (u & l & v & s & t & Hsome & Hmoves).
     exists u, l, v, s, t. tauto.
 Qed.
