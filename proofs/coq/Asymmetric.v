@@ -9,10 +9,8 @@
     [intrados_on_the_left]), and no joint slides inwards as seen on the right ([nothing_slides_inwards]). Each
     joint that moves then moves what is left of it upwards, if at all, and the left springing stays. *)
 
-From Coq Require Import Reals Lra.
-From Couplet Require Import Arch Whole.
+From Couplet Require Import Whole.
 From Coq Require Import List.
-Open Scope R_scope.
 
 (** ** What is claimed *)
 
@@ -77,7 +75,7 @@ Section Right.
     repeat split; nra.
   Qed.
 
-  Lemma beside_the_crown x : - alpha <= x <= alpha -> (0 < x -> 0 < sin x) /\ (x < 0 -> sin x < 0) /\ (x <> 0 -> cos x < 1).
+  Lemma signs_at x : - alpha <= x <= alpha -> (0 < x -> 0 < sin x) /\ (x < 0 -> sin x < 0) /\ (x <> 0 -> cos x < 1).
   Proof.
     intros Hx. split; [intros; apply sin_gt_0; lra | split; [intros; apply sin_lt_0_var; lra |]]. intros Hne.
     rewrite <- cos_0. destruct (Rlt_le_dec 0 x); [| rewrite <- (cos_neg x)]; apply cos_decreasing_1; lra.
@@ -87,33 +85,31 @@ Section Right.
   Proof.
     intros Hx. assert (Hh := thrust_positive). destruct (Req_dec x 0) as [-> | Hne].
     - unfold whole_normal. rewrite cos_0, sin_0. lra.
-    - assert (HM := proj2 (proj2 (moment_grows x)) (proj2 (proj2 (beside_the_crown x Hx)) Hne)).
+    - assert (HM := proj2 (proj2 (moment_grows x)) (proj2 (proj2 (signs_at x Hx)) Hne)).
       destruct (Hall x Hx) as (HU & _). unfold from_extrados, extrados in HU. nra.
   Qed.
 
   Lemma extrados_on_the_right x : - alpha <= x <= alpha -> from_extrados delta eta h p v x = 0 -> 0 <= x.
   Proof.
     intros Hx H0. destruct (Hall (- x) ltac:(lra)) as (HU & _). apply Rnot_lt_le. intros Hneg.
-    assert (Hs := proj1 (proj2 (beside_the_crown x Hx)) Hneg).
-    replace (from_extrados delta eta h p v (- x)) with (from_extrados delta eta h p v x + extrados eta * (2 * v * sin x)) in HU
-      by (unfold from_extrados, whole_moment, whole_normal; rewrite sin_neg, cos_neg; ring).
-    unfold extrados in HU. assert (0 < v * - sin x) by (apply Rmult_lt_0_compat; lra). nra.
+    assert (Hs := proj1 (proj2 (signs_at x Hx)) Hneg).
+    unfold from_extrados, whole_moment, whole_normal in *. rewrite sin_neg, cos_neg in HU.
+    assert (0 < extrados eta * (v * - sin x)) by (repeat apply Rmult_lt_0_compat; unfold extrados; lra). lra.
   Qed.
 
-  (** Where the whole radius is the thickness the intrados is the centre, which the line of thrust reaches in the crown alone. *)
+  (** Where the whole radius is the thickness the intrados is the centre, reached in the crown alone. *)
   Lemma intrados_on_the_left x : - alpha <= x <= alpha -> from_intrados delta eta h p v x = 0 ->
     x <= 0 /\ (eta = 2 -> x = 0).
   Proof.
     intros Hx H0. assert (Hlimit : eta = 2 -> x = 0).
     { intros E. destruct (Req_dec x 0) as [H | Hne]; [easy |].
-      assert (HM := proj2 (proj2 (moment_grows x)) (proj2 (proj2 (beside_the_crown x Hx)) Hne)).
+      assert (HM := proj2 (proj2 (moment_grows x)) (proj2 (proj2 (signs_at x Hx)) Hne)).
       unfold from_intrados, intrados in H0. rewrite E in *. lra. }
-    split; [| easy]. apply Rnot_lt_le. intros Hpos. assert (Hs := proj1 (beside_the_crown x Hx) Hpos).
-    destruct (Req_dec eta 2) as [E | E]; [specialize (Hlimit E); lra |]. destruct (Hall (- x) ltac:(lra)) as (_ & HL & _).
-    replace (from_intrados delta eta h p v (- x)) with (from_intrados delta eta h p v x - 2 * (intrados eta * (v * sin x))) in HL
-      by (unfold from_intrados, whole_moment, whole_normal; rewrite sin_neg, cos_neg; ring).
-    assert (0 < v * sin x) by (apply Rmult_lt_0_compat; lra).
-    assert (0 < intrados eta * (v * sin x)) by (apply Rmult_lt_0_compat; unfold intrados; lra). lra.
+    split; [| easy]. apply Rnot_lt_le. intros Hpos. assert (Hs := proj1 (signs_at x Hx) Hpos).
+    destruct (Req_dec eta 2) as [E | E]; [specialize (Hlimit E); lra |].
+    destruct (Hall (- x) ltac:(lra)) as (_ & HL & _). unfold from_intrados, whole_moment, whole_normal in *.
+    rewrite sin_neg, cos_neg in HL.
+    assert (0 < intrados eta * (v * sin x)) by (repeat apply Rmult_lt_0_compat; unfold intrados; lra). lra.
   Qed.
 
   Lemma normal_and_shear_of_thrust x :
@@ -131,8 +127,8 @@ Section Right.
     assert (Hforce := normal_and_shear_of_thrust x). destruct (Hall (- x) ltac:(lra)) as (_ & _ & _ & Hmirror).
     replace (against_outwards mu h v (- x)) with (against_inwards mu h v x + 2 * v * (mu * sin x - cos x)) in Hmirror
       by (unfold against_outwards, against_inwards, whole_normal, whole_shear; rewrite sin_neg, cos_neg; ring).
-    assert (HT : whole_shear h v x = mu * whole_normal h v x) by (unfold against_inwards in H0; lra). rewrite HT in Hforce.
-    assert (cos x <= mu * sin x) by nra. nra.
+    assert (HT : whole_shear h v x = mu * whole_normal h v x) by (unfold against_inwards in H0; lra).
+    rewrite HT in Hforce. assert (cos x <= mu * sin x) by nra. nra.
   Qed.
 
   (** Nothing moves downwards in an arch that is no horseshoe. *)
@@ -182,7 +178,7 @@ Section Right.
   Proof.
     intros (Hx & _ & H0) Hup Hr Hhow. unfold upwards_of in Hup. destruct j as [way x r]; simpl in *.
     destruct (Rmult_integral _ _ H0) as [H | H]; [easy |]. destruct (Rmult_integral _ _ Hup) as [H' | H']; [easy |].
-    assert (E : x = 0); [| rewrite E in H; exact H]. destruct (beside_the_crown x Hx) as (Hpos & Hneg & _).
+    assert (E : x = 0); [| rewrite E in H; exact H]. destruct (signs_at x Hx) as (Hpos & Hneg & _).
     destruct Hhow as [-> | ->]; simpl in *.
     - assert (Hright := extrados_on_the_right x Hx H). unfold extrados in H'. destruct (Req_dec x 0); [easy | nra].
     - destruct (intrados_on_the_left x Hx H) as [Hleft Hlimit]. unfold intrados in H'.

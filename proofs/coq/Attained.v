@@ -6,11 +6,8 @@
     Thrusts without bound are no exception: the arches in whose neighbourhood they are stand with the
     thrust 2. *)
 
-From Coq Require Import Reals Lra.
-From Coquelicot Require Import Coquelicot.
-From Couplet Require Import Arch Moments Cubics Overturning Sliding Joining Contact FrictionModes.
+From Couplet Require Import Moments Cubics Overturning Sliding Joining Contact FrictionModes.
 From Couplet Require Import Surveys Mechanisms Room.
-Open Scope R_scope.
 
 (** ** Limits, without choosing a sequence *)
 
@@ -464,4 +461,40 @@ Proof.
       by (intros y Hy; apply (@compressed delta alpha' eta mu h p); try easy; lra).
     destruct (no_motion_below_the_widest delta alpha' (PI - x) beta sigma eta mu h p u l v s t)
       as (-> & -> & -> & -> & ->); try easy; try lra; apply HN; lra.
+Qed.
+
+(** ** Along a way *)
+
+(** Where each arch that stands is followed by some that stand, all do. *)
+Theorem goes_on_standing (delta mu : R) (alpha eta : R -> R) : 0 <= delta <= 1 -> 0 < mu ->
+  (forall t, 0 <= t <= 1 -> (0 < alpha t <= PI /\ continuity_pt alpha t) /\ 0 < eta t <= 2 /\ continuity_pt eta t) ->
+  arch_stands delta (alpha 0) (eta 0) mu ->
+  (forall t, 0 <= t < 1 -> arch_stands delta (alpha t) (eta t) mu ->
+     exists u, t < u /\ forall s, t < s < u -> arch_stands delta (alpha s) (eta s) mu) ->
+  forall t, 0 <= t <= 1 -> arch_stands delta (alpha t) (eta t) mu.
+Proof.
+  intros Hd Hmu Hway Hfirst Hnext t Ht. set (stands := fun s => arch_stands delta (alpha s) (eta s) mu).
+  destruct (completeness (fun y => 0 <= y <= t /\ forall s, 0 <= s <= y -> stands s)) as (T & Hup & Hleast).
+  { exists t. intros y Hy. lra. }
+  { exists 0. split; [lra |]. intros s Hs. now replace s with 0 by lra. }
+  assert (HT : 0 <= T <= t).
+  { split; [apply Hup | apply Hleast; intros y Hy; lra]. split; [lra |]. intros s Hs. now replace s with 0 by lra. }
+  assert (Hbelow : forall s, 0 <= s < T -> stands s).
+  { intros s Hs. apply Classical_Prop.NNPP. intros Hno. enough (T <= s) by lra. apply Hleast. intros y [Hy Hall].
+    apply Rnot_lt_le. intros Hlt. apply Hno, Hall. lra. }
+  assert (Hat : stands T).
+  { destruct (Req_dec T 0) as [-> | Hne]; [easy |]. destruct (Hway T ltac:(lra)) as ((Ha & Ca) & He & Ce).
+    apply (limit_of_arches_stands delta mu (alpha T) (eta T)); try easy; try lra. intros d Hd'.
+    destruct (Ca d Hd') as (d1 & Hd1 & H1), (Ce d Hd') as (d2 & Hd2 & H2). set (e := Rmin T (Rmin d1 d2)).
+    assert (0 < e) by (unfold e; repeat apply Rmin_glb_lt; lra). assert (L := Rmin_l T (Rmin d1 d2)).
+    assert (L' := Rmin_r T (Rmin d1 d2)). assert (M := Rmin_l d1 d2). assert (M' := Rmin_r d1 d2). fold e in L, L'.
+    exists (alpha (T - e / 2)), (eta (T - e / 2)).
+    assert (Hnear : forall d, e <= d -> D_x no_cond T (T - e / 2) /\ Rabs (T - e / 2 - T) < d)
+      by (intros d' Hle; split; [split; [easy | lra] | apply Rabs_def1; lra]).
+    destruct (Hway (T - e / 2) ltac:(lra)) as ((Ha' & _) & He' & _). assert (S := Hbelow (T - e / 2) ltac:(lra)).
+    repeat split; try easy; try lra; [apply H1 | apply H2]; apply Hnear; lra. }
+  destruct (Req_dec T t) as [<- | Hne]; [easy |]. destruct (Hnext T ltac:(lra) Hat) as (u & Hu & Hall).
+  set (y := Rmin ((T + u) / 2) t). assert (y <= (T + u) / 2) by apply Rmin_l. assert (y <= t) by apply Rmin_r.
+  assert (T < y) by (apply Rmin_glb_lt; lra). enough (y <= T) by lra. apply Hup. split; [lra |]. intros s Hs.
+  destruct (Rtotal_order s T) as [H' | [-> | H']]; [apply Hbelow | easy | apply Hall]; lra.
 Qed.

@@ -6,11 +6,9 @@
     thickness to one with less and more the modes come in one order, so that between two points of one
     mode there is no other. *)
 
-From Coq Require Import Reals Lra Lia.
-From Coquelicot Require Import Coquelicot.
-From Couplet Require Import Arch Moments Cubics Overturning Sliding Joining Contact FrictionModes.
+From Coq Require Import Lia.
+From Couplet Require Import Moments Cubics Overturning Sliding Joining Contact FrictionModes.
 From Couplet Require Import Mechanisms Room Modes Attained Order Map.
-Open Scope R_scope.
 
 (** The distances of the shoulder from the extrados and of a joint from the intrados, added up: no
     moment of the crown changes it. *)

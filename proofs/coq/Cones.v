@@ -42,23 +42,23 @@ Variable line : V -> V -> R -> V.
 Definition affine (f : V -> R) : Prop := forall x y t, f (line x y t) = f x + t * (f y - f x).
 Definition holds_lines (inside : V -> Prop) : Prop := forall x y t, inside x -> inside y -> inside (line x y t).
 
-Lemma weighted_affine (forms : list (V -> R)) : (forall f, In f forms -> affine f) -> forall k, affine (weighted k forms).
+Lemma weighted_affine forms (H : forall f, In f forms -> affine f) k : affine (weighted k forms).
 Proof.
-  induction forms as [| f forms IH]; intros H k x y t; simpl; [ring |].
+  revert H k. induction forms as [| f forms IH]; intros H k x y t; simpl; [ring |].
   rewrite (H f (or_introl eq_refl)), (IH (fun g Hg => H g (or_intror Hg))). ring.
 Qed.
 
 (** What is positive stays so a little way in any direction. *)
-Lemma a_little_way (forms : list (V -> R)) x y : (forall f, In f forms -> affine f) ->
-  (forall f, In f forms -> 0 < f x) -> exists e, 0 < e /\ forall t, 0 < t <= e -> forall f, In f forms -> 0 < f (line x y t).
+Lemma a_little_way (forms : list (V -> R)) x y : (forall f, In f forms -> affine f /\ 0 < f x) ->
+  exists e, 0 < e /\ forall t, 0 < t <= e -> forall f, In f forms -> 0 < f (line x y t).
 Proof.
-  induction forms as [| f forms IH]; intros H Hpos; [exists 1; split; [lra | easy] |].
-  destruct IH as (e & He & Hall); [intros g Hg; apply H; now right | intros g Hg; apply Hpos; now right |].
-  assert (Hf := Hpos f (or_introl eq_refl)). set (D := Rabs (f y - f x) + 1).
+  induction forms as [| f forms IH]; intros H; [exists 1; split; [lra | easy] |].
+  destruct IH as (e & He & Hall); [intros g Hg; apply H; now right |].
+  destruct (H f (or_introl eq_refl)) as [Ha Hf]. set (D := Rabs (f y - f x) + 1).
   assert (HD : 0 < D) by (unfold D; assert (A := Rabs_pos (f y - f x)); lra).
   exists (Rmin e (f x / (2 * D))). split; [apply Rmin_glb_lt; [easy | apply Rdiv_lt_0_compat; lra] |].
   intros t [Ht Ht'] g [<- | Hg].
-  - rewrite (H f (or_introl eq_refl)). assert (B := Rle_trans _ _ _ Ht' (Rmin_r _ _)).
+  - rewrite Ha. assert (B := Rle_trans _ _ _ Ht' (Rmin_r _ _)).
     apply (Rmult_le_compat_r D) in B; [| lra]. replace (f x / (2 * D) * D) with (f x / 2) in B by (field; lra).
     assert (A := Rle_abs (- (f y - f x))). rewrite Rabs_Ropp in A. unfold D in B. nra.
   - apply Hall; [| easy]. assert (B := Rle_trans _ _ _ Ht' (Rmin_l _ _)). lra.
@@ -83,8 +83,7 @@ Theorem strict_point_or_multipliers (forms : list (V -> R)) : (forall f, In f fo
      forall x, inside x -> weighted k forms x = c).
 Proof.
   induction forms as [| f forms IH]; intros H inside [o Ho] Hlines; [left; now exists o |].
-  assert (Hf := H f (or_introl eq_refl)). assert (Hforms : forall g, In g forms -> affine g) by (intros g Hg; apply H; now right).
-  specialize (IH Hforms).
+  assert (Hf := H f (or_introl eq_refl)). assert (Hforms := fun g Hg => H g (or_intror Hg)). specialize (IH Hforms).
   destruct (IH inside) as [(x & Hx & Hpos) | (k & c & Hk & Hsum & Hc & E)]; [now exists o | easy | |].
   2:{ right. exists (onto 0 k), c. split; [intros [| i]; [apply Rle_refl | apply Hk] |]. split; [| split; [easy |]].
       - change (0 < 0 + sum k (length forms)). lra.
@@ -101,7 +100,7 @@ Proof.
   destruct (IH (fun z => inside z /\ f z = 0)) as [(z & [Hz Ez] & Hpos') | (k & c & Hk & Hsum & Hc & E)].
   - exists (line x y (f x / (f x - f y))). split; [now apply Hlines |]. rewrite Hf. field. lra.
   - intros u v t [Hu Eu] [Hv Ev]. split; [now apply Hlines |]. rewrite Hf, Eu, Ev. ring.
-  - left. destruct (a_little_way forms z y Hforms Hpos') as (e & He & Hall). exists (line z y e).
+  - left. destruct (a_little_way forms z y) as (e & He & Hall); [auto |]. exists (line z y e).
     split; [now apply Hlines |]. intros g [<- | Hg]; [rewrite Hf, Ez; nra | apply Hall; [lra | easy]].
   - right. set (g := weighted k forms). assert (Hg : affine g) by now apply weighted_affine.
     destruct (weighted_positive forms x Hpos k Hk) as [_ Hgx]. specialize (Hgx Hsum). fold g in Hgx.

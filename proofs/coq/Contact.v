@@ -13,10 +13,7 @@
     [p = h (1 + e0)] is the moment of the crown's thrust about the centre; for given [eta] the
     conditions are linear in [(h, p)]. *)
 
-From Coq Require Import Reals Lra.
-From Coquelicot Require Import Coquelicot.
-From Couplet Require Import Arch Moments Cubics Sliding Joining.
-Open Scope R_scope.
+From Couplet Require Import Moments Cubics Sliding Joining.
 
 (** A joint stands if it is in compression (or free of force) and its pressure point lies between
     intrados and extrados; multiplied by the normal force. *)

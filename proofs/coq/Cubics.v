@@ -9,10 +9,7 @@
     the cubics in [A] and [h] are the cubic in [eta] after these substitutions.  All of it holds for
     any delta_M, which gives the cubics (7) for any delta_M; the printed ones are delta_M = 1. *)
 
-From Coq Require Import Reals Lra.
-From Coquelicot Require Import Coquelicot.
-From Couplet Require Import Arch Moments.
-Open Scope R_scope.
+From Couplet Require Import Moments.
 
 (** Products and powers of what does not vanish. *)
 Ltac nonzero :=

@@ -3,10 +3,7 @@
     An equation of a landmark that is not printed: its form without denominators, and that the radicand (12) vanishes
     where it holds. *)
 
-From Coq Require Import Reals Lra.
-From Coquelicot Require Import Coquelicot.
-From Couplet Require Import Arch Moments Cubics.
-Open Scope R_scope.
+From Couplet Require Import Moments Cubics.
 
 (** At the widest rotational joint the thickness is a double root of (2) = (5): there the difference
     of the two thrusts has slope zero besides. *)

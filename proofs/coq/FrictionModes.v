@@ -8,10 +8,7 @@
 
     Purely sliding states [[s,s]] bound the friction, whatever the thickness. *)
 
-From Coq Require Import Reals Lra.
-From Coquelicot Require Import Coquelicot.
-From Couplet Require Import Arch Moments Cubics Sliding Joining Contact.
-Open Scope R_scope.
+From Couplet Require Import Moments Cubics Sliding Joining Contact.
 
 (** Coulomb's law in both directions. *)
 Definition friction_holds (beta mu h : R) : Prop :=

@@ -3,12 +3,10 @@
     Where rotation and overturning end, [A] has an exact value, which it takes only once between 0 and
     two straight angles.  So the landmarks l and L are unique not only in a box. *)
 
-From Coq Require Import Reals Lra List.
-From Coquelicot Require Import Coquelicot.
-From Couplet Require Import Arch Moments Cubics Overturning IntervalZ.
+From Coq Require Import List.
+From Couplet Require Import Moments Cubics Overturning IntervalZ.
 From Couplet Require Import Formulas Equations Certificate.
 Import ListNotations.
-Open Scope R_scope.
 
 (** ** One value of [A], from a bracket as wide as two units of the last decimal. *)
 Ltac opening v lo hi :=

@@ -11,10 +11,8 @@
     the shoulder relation gives [A] to the order [b^2]; the slope is the quotient of the two.  Such
     sequences exist: every haunch near the crown has a rotational state near [l]. *)
 
-From Coq Require Import Reals Ranalysis5 Lra.
-From Coquelicot Require Import Coquelicot.
-From Couplet Require Import Arch Moments Cubics Overturning.
-Open Scope R_scope.
+From Coq Require Import Ranalysis5.
+From Couplet Require Import Moments Cubics Overturning.
 
 (** A purely rotational state: (2), (4) and (5) give the same thrust. *)
 Definition rotational_state (delta alpha beta eta : R) : Prop :=

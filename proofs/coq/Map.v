@@ -8,11 +8,9 @@
     grows along the rotational states, and for the rows that an inner joint slides at a thrust of at
     most 1/2 where the shoulder turns, and that no half-angle has both this and [[s,r,r]]. *)
 
-From Coq Require Import Reals Lra Lia.
-From Coquelicot Require Import Coquelicot.
-From Couplet Require Import Arch Moments Cubics Overturning Sliding Joining Contact FrictionModes.
+From Coq Require Import Lia.
+From Couplet Require Import Moments Cubics Overturning Sliding Joining Contact FrictionModes.
 From Couplet Require Import Mechanisms Room Modes Attained Order.
-Open Scope R_scope.
 
 Inductive mode := RRR | SRR | RRS | RSR | RS | SS.
 

@@ -17,10 +17,7 @@
     its joints are; [Room] that an arch without room has such rates, and [Attained] that the least
     thickness and the widest half-angle are attained. *)
 
-From Coq Require Import Reals Lra.
-From Coquelicot Require Import Coquelicot.
-From Couplet Require Import Arch Moments Cubics Sliding Joining Contact FrictionModes.
-Open Scope R_scope.
+From Couplet Require Import Moments Cubics Sliding Joining Contact FrictionModes.
 
 (** ** The lever arm of the haunch *)
 

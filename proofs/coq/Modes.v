@@ -13,12 +13,10 @@
     Where its joints are is proved too: the haunch is off the shoulder, it is off the crown where that
     turns, and the joint that slides inwards is off the shoulder. *)
 
-From Coq Require Import Reals Lra List.
+From Coq Require Import List.
 Import ListNotations.
-From Coquelicot Require Import Coquelicot.
-From Couplet Require Import Arch Moments Cubics Overturning Sliding Joining Contact FrictionModes.
+From Couplet Require Import Moments Cubics Overturning Sliding Joining Contact FrictionModes.
 From Couplet Require Import Mechanisms Room.
-Open Scope R_scope.
 
 (** ** Mechanisms of finitely many joints *)
 

@@ -12,10 +12,9 @@
     normal force; in an arch, [0 < eta < 2] and [0 < beta < alpha < PI], the lever arms in (2) and
     (4) are positive. *)
 
-From Coq Require Import Reals Lra.
-From Coquelicot Require Import Coquelicot.
-From Couplet Require Import Arch.
-Open Scope R_scope.
+From Coq Require Export Reals Lra.
+From Coquelicot Require Export Coquelicot.
+From Couplet Require Export Arch.
 
 (** ** (6): the centroid of a thin wedge *)
 

@@ -14,11 +14,8 @@
     half-angle as the friction does.  No arch need be compared with those between: it is a matter of
     two states. *)
 
-From Coq Require Import Reals Lra.
-From Coquelicot Require Import Coquelicot.
-From Couplet Require Import Arch Moments Cubics Overturning Sliding Joining Contact FrictionModes.
+From Couplet Require Import Moments Cubics Overturning Sliding Joining Contact FrictionModes.
 From Couplet Require Import Mechanisms Room Modes.
-Open Scope R_scope.
 
 (** ** Haunches *)
 

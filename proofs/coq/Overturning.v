@@ -11,10 +11,7 @@
     Milankovitch's) holds at the points J and B with equality only: [beta_r = 0] defines both points
     and [eta = 2] defines B, for either weight.  There is nothing to prove about that. *)
 
-From Coq Require Import Reals Lra.
-From Coquelicot Require Import Coquelicot.
-From Couplet Require Import Arch Moments Cubics.
-Open Scope R_scope.
+From Couplet Require Import Moments Cubics.
 
 (** ** [A] falls strictly from 2 to 0 *)
 

@@ -10,12 +10,12 @@ Import ListNotations.
 Open Scope R_scope.
 
 (** The least of finitely many classes is least of all. *)
-Lemma least_of_classes {X} (v : X -> R) (place : X -> Prop) (o : X) : place o -> forall (tests : list (X -> Prop)) (P : X -> Prop),
+Lemma least_of_classes {X} (v : X -> R) (place : X -> Prop) o (Ho : place o) tests : forall P : X -> Prop,
   (forall x, place x -> P x -> exists y, place y /\
      forall z, place z -> P z -> (forall t, In t tests -> (t z <-> t x)) -> v y <= v z) ->
   exists y, place y /\ forall z, place z -> P z -> v y <= v z.
 Proof.
-  intros Ho. induction tests as [| t tests IH]; intros P H.
+  induction tests as [| t tests IH]; intros P H.
   - destruct (classic (exists x, place x /\ P x)) as [(x & Hx & HP) | Hnone].
     + destruct (H x Hx HP) as (y & Hy & Hleast). exists y. split; [easy |]. intros z Hz HPz. now apply Hleast.
     + exists o. split; [easy |]. intros z Hz HPz. now destruct Hnone; exists z.
@@ -23,7 +23,7 @@ Proof.
     { intros s. apply IH. intros x Hx [HP Hs]. destruct (H x Hx HP) as (y & Hy & Hleast). exists y. split; [easy |].
       intros z Hz [HPz Htz] Hsame. apply Hleast; try easy. intros u [<- | Hu]; [tauto | now apply Hsame]. }
     destruct (part True) as (y & Hy & Hin), (part False) as (y' & Hy' & Hout).
-    exists (if Rle_dec (v y) (v y') then y else y'). destruct (Rle_dec (v y) (v y')); (split; [easy |]); intros z Hz HPz;
+    exists (if Rle_dec (v y) (v y') then y else y'). destruct (Rle_dec _ _); (split; [easy |]); intros z Hz HPz;
       (destruct (classic (t z)); [assert (A := Hin z Hz ltac:(tauto)) | assert (A := Hout z Hz ltac:(tauto))]; lra).
 Qed.
 
@@ -125,8 +125,8 @@ End Corners.
 
 Section Programme.
 
-(** Forces, the margin of each joint that may give way, and the linear equations of the rates: that the springings do not
-    move, and that the rates add up to one. *)
+(** Forces, the margin of each joint that may give way, and the linear equations of the rates: that the springings do
+    not move, and that the rates add up to one. *)
 Context {V I : Type}.
 Variables (line : V -> V -> R -> V) (joints : list I) (margin : I -> V -> R) (equations : list ((I -> R) * R)).
 Hypothesis flat : forall i, In i joints -> affine line (margin i).
@@ -168,7 +168,7 @@ Qed.
 Definition line_of_rates (k k' : I -> R) (t : R) (i : I) : R := k i + t * (k' i - k i).
 Definition rates : list ((I -> R) -> R) := map (fun i k => k i) joints.
 
-Lemma each_rate (P : ((I -> R) -> R) -> Prop) : (forall f, In f rates -> P f) <-> forall i, In i joints -> P (fun k => k i).
+Lemma each_rate (P : _ -> Prop) : (forall f, In f rates -> P f) <-> forall i, In i joints -> P (fun k => k i).
 Proof.
   unfold rates. split; intros H.
   - intros i Hi. apply H. now apply (in_map (fun i (k : I -> R) => k i)).
@@ -182,17 +182,18 @@ Proof.
   assert (fit_is_feasible : forall k, fit k <-> feasible rates solves k)
     by (intros k; unfold fit, feasible; now rewrite (each_rate (fun f => 0 <= f k))).
   assert (forces : forall k, fit k -> exists x, is_borne x /\ forall y, is_borne y -> power k x <= power k y).
-  { intros k [_ Hk]. 
-    destruct (least_at_corner line (map margin joints) (fun _ => True)) with (g := power k) as (x & [_ Hx] & Hleast); try easy.
+  { intros k [_ Hk].
+    destruct (least_at_corner line (map margin joints) (fun _ => True)) with (power k) as (x & [_ Hx] & H); try easy.
     - intros f Hf. apply in_map_iff in Hf as (i & <- & Hi). now apply flat.
     - intros x y t. apply total_affine. intros i Hi. rewrite flat by easy. ring.
-    - intros x y H. apply total_compared. intros i Hi. apply Rmult_le_compat_l; [now apply Hk | now apply H, in_map].
+    - intros x y A. apply total_compared. intros i Hi. apply Rmult_le_compat_l; [now apply Hk | now apply A, in_map].
     - exists o. split; [easy |]. intros f Hf. apply in_map_iff in Hf as (i & <- & Hi). now apply Ho.
-    - exists x. split; [intros i Hi; now apply Hx, in_map |]. intros y Hy. apply Hleast. split; [easy |].
+    - exists x. split; [intros i Hi; now apply Hx, in_map |]. intros y Hy. apply H. split; [easy |].
       intros f Hf. apply in_map_iff in Hf as (i & <- & Hi). now apply Hy. }
   assert (corners : forall x k, is_borne x -> fit k -> exists k', corner rates solves k' /\ power k' x <= power k x).
   { intros x k Hx Hk. apply fit_is_feasible in Hk.
-    apply (to_corner line_of_rates rates solves) with (g := fun k => power k x) (n := S (positive rates k)); try easy; try lia.
+    apply (to_corner line_of_rates rates solves) with (g := fun k => power k x) (n := S (positive rates k));
+      try easy; try lia.
     - now apply (each_rate (affine line_of_rates)).
     - intros u u' t Hu Hu' w b Hw. rewrite (total_affine t u w u' w), (Hu w b Hw), (Hu' w b Hw); [ring |].
       intros i _. unfold line_of_rates. ring.
@@ -200,15 +201,17 @@ Proof.
     - intros u u' H. rewrite (each_rate (fun f => f u <= f u')) in H. apply total_compared. intros i Hi.
       apply Rmult_le_compat_r; [now apply Hx | now apply H]. }
   destruct (corners o r Ho Hr) as (r' & Hr' & _).
+  set (test := fun (f : (I -> R) -> R) (s : V * (I -> R)) => f (snd s) = 0).
   destruct (least_of_classes (fun s => power (snd s) (fst s)) (fun s => is_borne (fst s) /\ corner rates solves (snd s))
-    (o, r') (conj Ho Hr') (map (fun (f : (I -> R) -> R) s => f (snd s) = 0) rates) (fun _ => True)) as ([x k] & [Hx Hk] & Hleast).
+    (o, r') (conj Ho Hr') (map test rates) (fun _ => True)) as ([x k] & [Hx Hk] & Hleast).
   - intros [x k] [_ Hk] _. destruct (forces k (proj2 (fit_is_feasible k) (proj1 Hk))) as (y & Hy & Hleast).
     exists (y, k). split; [easy |]. intros [x' k'] [Hx' Hk'] _ Hsame. simpl in *.
     apply Rle_trans with (power k x'); [now apply Hleast |]. apply total_compared. intros i Hi. apply Req_le. f_equal.
     symmetry. revert i Hi. apply (each_rate (fun f => f k' = f k)), (proj2 Hk k' (proj1 (proj1 Hk'))). intros h Hh Z.
-    apply (Hsame (fun s => h (snd s) = 0)); [| easy]. now apply (in_map (fun (f : (I -> R) -> R) s => f (snd s) = 0)).
+    apply (Hsame (test h)); [now apply in_map | easy].
   - exists x, k. split; [easy |]. split; [apply fit_is_feasible, Hk |]. intros x' k' Hx' Hk'.
-    destruct (corners x' k' Hx' Hk') as (z & Hz & Hle). specialize (Hleast (x', z) (conj Hx' Hz) Logic.I). simpl in Hleast. lra.
+    destruct (corners x' k' Hx' Hk') as (z & Hz & Hle). eapply Rle_trans; [| exact Hle].
+    exact (Hleast (x', z) (conj Hx' Hz) Logic.I).
 Qed.
 
 End Programme.

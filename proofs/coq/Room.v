@@ -5,12 +5,10 @@
     rates of a mechanism. If one does, thinner arches stand and wider ones. So an arch moves at its
     least thickness, and with the widest half-angle of its thickness. *)
 
-From Coq Require Import Reals Lra List Classical.
+From Coq Require Import List Classical.
 Import ListNotations.
-From Coquelicot Require Import Coquelicot.
-From Couplet Require Import Arch Moments Cubics Sliding Joining Contact FrictionModes Mechanisms.
+From Couplet Require Import Moments Cubics Sliding Joining Contact FrictionModes Mechanisms.
 From Couplet Require Cones.
-Open Scope R_scope.
 
 Definition admissible_state (delta alpha eta mu h p : R) : Prop :=
   forall x, 0 <= x <= alpha -> joint_stands delta x eta h p /\ friction_holds x mu h.

@@ -11,10 +11,7 @@
     - (18) is [T/N] at [beta_s], its maximum;
     - (18) falls strictly with the thrust on [(0, 1)]. *)
 
-From Coq Require Import Reals Lra.
-From Coquelicot Require Import Coquelicot.
-From Couplet Require Import Arch Moments Cubics.
-Open Scope R_scope.
+From Couplet Require Import Moments Cubics.
 
 (** The slope of the resultant in a joint. *)
 Definition steepness (beta h : R) : R := shear_force beta h / normal_force beta h.

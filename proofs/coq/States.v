@@ -12,11 +12,8 @@
     All of it from the printed equations and the statics: see [Contact] for the line of thrust,
     [Sliding] for friction, [FrictionModes] for thinner arches. *)
 
-From Coq Require Import Reals Lra.
-From Coquelicot Require Import Coquelicot.
 From Couplet Require Import Moments Cubics Overturning Sliding Joining.
 From Couplet Require Export Arch DoubleThickness Contact FrictionModes.
-Open Scope R_scope.
 
 (** ** What is claimed *)
 

@@ -3,10 +3,8 @@
     Finitely many joints, those of the crown and of the shoulder among them. Of the thrusts that friction leaves the one
     next to that of (4) is the best for the intrados of every joint. *)
 
-From Coq Require Import Reals Lra List.
-From Coquelicot Require Import Coquelicot.
-From Couplet Require Import Arch Moments Contact FrictionModes Mechanisms Surveys.
-Open Scope R_scope.
+From Coq Require Import List.
+From Couplet Require Import Moments Contact FrictionModes Mechanisms Surveys.
 
 Section Stones.
 

@@ -4,10 +4,7 @@
     are measured they make half-angle and thickness-to-radius ratio together; an arch does not change with its scale, so
     that the arches on two edges of the rectangle of spans and rises decide for all. *)
 
-From Coq Require Import Reals Lra.
-From Coquelicot Require Import Coquelicot.
-From Couplet Require Import Arch Moments Cubics Sliding Joining Contact FrictionModes States.
-Open Scope R_scope.
+From Couplet Require Import Moments Cubics Sliding Joining Contact FrictionModes States.
 
 (** ** Half-angle, friction and thickness, each for itself *)
 

@@ -4,11 +4,9 @@
     and its shoulder turns, the arch with [delta'] is thicker; where both shoulders slide under a crown
     that turns it is thinner. *)
 
-From Coq Require Import Reals Lra Lia.
-From Coquelicot Require Import Coquelicot.
-From Couplet Require Import Arch Moments Cubics Overturning Sliding Joining Contact FrictionModes.
+From Coq Require Import Lia.
+From Couplet Require Import Moments Cubics Overturning Sliding Joining Contact FrictionModes.
 From Couplet Require Import Surveys Mechanisms Room Modes Attained Order Map.
-Open Scope R_scope.
 
 Section Weights.
 

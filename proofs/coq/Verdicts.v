@@ -7,9 +7,7 @@
     An arch is **too wide** where not even the physical limit is enough at the least thrust that friction
     allows: then no thickness is. *)
 
-From Coq Require Import Reals Lra.
 From Couplet Require Import Moments Overturning Sliding States.
-Open Scope R_scope.
 
 (** ** The line of thrust *)
 

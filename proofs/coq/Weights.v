@@ -3,11 +3,9 @@
     At T, S, J and B: in which direction the true weight moves each quantity, from the digits of both.  [x] is Heyman's,
     [y] is Milankovitch's. *)
 
-From Coq Require Import Reals.
 From Couplet Require Import Landmarks.
 From Couplet Require LandmarkTripleHeyman LandmarkTripleMilankovitch LandmarkShiftHeyman LandmarkShiftMilankovitch.
 From Couplet Require LandmarkJunctionHeyman LandmarkJunctionMilankovitch LandmarkBorderHeyman LandmarkBorderMilankovitch.
-Open Scope R_scope.
 
 Ltac by_digits here there :=
   repeat split;

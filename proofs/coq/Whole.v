@@ -6,10 +6,7 @@
     slopes along the arch, what makes one nowhere negative next to a joint where it is zero, and the motion.
     The verified checker adds the numbers. *)
 
-From Coq Require Import Reals Lra.
-From Coquelicot Require Import Coquelicot.
-From Couplet Require Export Arch Moments.
-Open Scope R_scope.
+From Couplet Require Export Moments.
 
 (** ** What is claimed *)
 

@@ -6,7 +6,6 @@ From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Couplet Require Import Arch IntervalZ Landmarks.
 From Couplet Require LandmarkWidestJointHeyman LandmarkWidestJointMilankovitch.
-Open Scope R_scope.
 
 (** The radicand at a joint, and its derivative. *)
 Definition radicand_at (delta beta : R) : R := radicand delta (f_of beta) (g_of beta) (sin beta).

@@ -7,7 +7,7 @@ set -eu
 # Two at a time: each takes some seconds a copy.
 [ $# -gt 0 ] || {
   printf '%s\n' LandmarkTripleMilankovitch StateSlidingRotationalHeyman AsymmetricSlidesInsideMilankovitch \
-    SurveyAllStandHeyman Surveys Landmarks Cones Room Modes Attained Order Map Cells TwoWeights | xargs -n 1 -P 2 "$0"
+    SurveyAllStandHeyman Surveys Landmarks Cones Room Modes Attained Order Map Cells TwoWeights Programme Asymmetric | xargs -n 1 -P 2 "$0"
   exit
 }
 cd "$(dirname "$0")"
@@ -141,6 +141,10 @@ spoil_hand() {
       's/(Theorem sum_of_modes.*?0 < x3 -> )0 <= beta/${1}0 < beta/s' ;;
     Attained) spoiled "the widest half-angle without a mechanism" one_half_angle \
       's/(Theorem one_half_angle.*?0 < alpha. )< alpha ->/$1<= alpha ->/s' ;;
+    Programme) spoiled "a least value where no rates fit" least_value_is_attained \
+      's/(Theorem least_value_is_attained.*?) -> \(exists k, fit k\)/$1/s' ;;
+    Asymmetric) spoiled "a horseshoe" no_asymmetric_motion_up_to_the_right_angle \
+      's/(Theorem no_asymmetric_motion.*?PI) \/ 2/$1/s' ;;
     Order) spoiled "a haunch that falls strictly" haunch_falls \
       's/(Theorem haunch_falls.*?beta2 )<= beta1/$1< beta1/s' ;;
     Map) spoiled "rows without the condition on the thrust" modes_of_a_row \

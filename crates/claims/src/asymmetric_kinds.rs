@@ -119,16 +119,21 @@ fn kinds(d: &mut Derivation) -> Checked {
     d.assume("0 < alpha < pi, 0 < eta <= 2, 0 <= mu < inf; a state that is admissible at each joint of [-alpha, alpha], v > 0");
     lemmas(d, [&NARROW, &ASYMMETRIC_MOTION])?;
     mirror_images(d)?;
-    d.argue(
-        "So U is zero on the right or in the crown only; and L on the left or there, but if eta = 2 in the crown alone. L >= 0 \
-         at the crown makes p and every moment at least zero, so that U >= 0 makes every N positive, and h is N there.",
+    d.theorem(
+        "Asymmetric.extrados_on_the_right",
+        "with v > 0 in the crown the line of thrust reaches the extrados on the right or in the crown alone",
     )?;
+    d.theorem(
+        "Asymmetric.intrados_on_the_left",
+        "with v > 0 it reaches the intrados on the left or in the crown alone, and at eta = 2 in the crown",
+    )?;
+    d.theorem("Asymmetric.normal_positive", "with v > 0 every joint is compressed")?;
+    d.theorem("Asymmetric.nothing_slides_inwards", "with v > 0 no joint slides inwards, as seen on the right")?;
     places(d)?;
     d.argue(
-        "With y = beta - v the angle of T/N is g(y) - v, g(y) = atan(y/h) - y, which is odd, and between -phi and phi; g' = (h \
-         - h² - y²)/(h² + y²) > -1. Nowhere is it phi: for y >= 0 the joint 2 v - beta, and for beta <= 0 the joint -beta \
-         would be below -phi, and between it is negative. It is -phi where g is least: at the right springing, and at \
-         beta = v - s, s² = h - h², if h < 1; as g(-s) >= v - phi, v < phi there and cos(v - s) > 0.",
+        "With y = beta - v the angle of T/N is g(y) - v, g(y) = atan(y/h) - y, which is odd, and at least -phi; g' = (h - h² - \
+         y²)/(h² + y²) > -1. It is -phi where g is least: at the right springing, and at beta = v - s, s² = h - h², if h < 1; \
+         as g(-s) >= v - phi, v < phi there and cos(v - s) > 0.",
     )?;
     let (joint, alpha) = (Symbol::joint(), Symbol::half_opening());
     let against = |contact: Contact, joint: &Angle<Fraction>| {

@@ -25,7 +25,7 @@ use super::rises::{
     thrust_of_haunch,
 };
 use super::states::at_all_states;
-use super::surveys::{CORNERS, RISE};
+use super::surveys::{CORNERS, GOES_ON_STANDING, RISE};
 use super::{Checked, Derivation, Support, claims, lemmas};
 use crate::arch::mechanism::Contact;
 use crate::arch::{Ring, SelfWeight, statics};
@@ -445,6 +445,7 @@ fn safety(d: &mut Derivation) -> Checked {
         let words = format!("2 less the rate of the logarithm of the measured eta, {circle}");
         d.on_circle(words, t.int(2) - rate, expected)?;
     }
+    d.theorem("Attained.goes_on_standing", GOES_ON_STANDING)?;
     d.argue(
         "The way with eta/(1 - cos(alpha))² kept is gone as that with the thickness over the rise kept: what stands \
          goes on standing. So the least eta falls at least as fast as (1 - cos(alpha))² as the half opening falls, \

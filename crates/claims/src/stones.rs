@@ -4,6 +4,7 @@
 //! sin(g)/g`. So its moment about the centre is `2 fac sin(g) sin(m) = fac (cos(m - g) - cos(m + g))`, and the
 //! moments of all stones above a joint add up to that of the continuous arch, whatever the number of stones.
 
+use super::asymmetric_kinds::margin_at as whole_margin_at;
 use super::contacts::{label, margin_at, slopes};
 use super::letters::{ring, with};
 use super::{Checked, Derivation, claims, lemmas};
@@ -117,20 +118,22 @@ fn programme(d: &mut Derivation) -> Checked {
     let [[across, _, up], [back, _, down]] = [Contact::Inwards, Contact::Outwards].map(motion);
     d.identity("equal rates of both slips of a joint fit: across", across, -back)?;
     d.identity("and up", up, -down)?;
-    let (h, p) = (Symbol::Thrust.number(), Symbol::CrownMoment.number());
+    let forces = [Symbol::Thrust, Symbol::CrownMoment, Symbol::CrownShear];
     for contact in Contact::ALL {
-        let phi = -margin_at(contact, &joint);
-        let [by_thrust, by_moment] = slopes(&phi);
-        let load = with(&phi, &[Symbol::Thrust, Symbol::CrownMoment], &h.int(0));
-        let sum = load + by_thrust * &h + by_moment * &p;
-        let words = format!("phi of {} is linear in the forces", label(contact));
-        d.identity(words, &phi, &sum)?;
+        let phi = -whole_margin_at(contact, &joint);
+        let load = with(&phi, &forces, &eta.int(0));
+        let sum = forces.map(|force| phi.partial(force) * force.number()).into_iter();
+        let words = format!("phi of {} is linear in h, p and a vertical force", label(contact));
+        d.identity(words, &phi, sum.fold(load, |sum, term| sum + term))?;
     }
-    d.argue(
-        "Each term of -phi^T lambda is the product of two numbers that are not negative: so is the sum, and it is zero \
-         exactly if each term is, which is (19). For given rates it is linear in the forces and not negative, so that \
-         it is least on a face of the admissible forces of least dimension, on which it is constant. There are \
-         finitely many, and the rates are a bounded polyhedron that is not empty: the least of finitely many linear functions is \
-         attained there. A vertical force in the crown, as one force more, changes nothing.",
+    d.theorem(
+        "Programme.zero_if_complementary",
+        "at forces that are borne and rates that fit the value of (20) is not negative, and zero exactly if the margin of each \
+         joint times its rate is",
+    )?;
+    d.theorem(
+        "Programme.least_value_is_attained",
+        "with margins that are affine in the forces and finitely many linear equations of the rates the value of (20) is least \
+         at some forces and rates, if any are borne and fit",
     )
 }

@@ -103,6 +103,10 @@ fn corners(d: &mut Derivation) -> Checked {
     )
 }
 
+/// What `Attained.goes_on_standing` says.
+pub(super) const GOES_ON_STANDING: &str =
+    "along a way on which each arch that stands is followed by some that stand, all of them do";
+
 /// The span and the rise as letters.
 fn measured() -> [Fraction; 2] {
     [Symbol::Span, Symbol::Rise].map(|symbol| symbol.number())
@@ -227,9 +231,10 @@ fn rise(d: &mut Derivation) -> Checked {
          h + g = A. If h = h_R = 0 at the crown, as A = g is at most 1, and if h is that of friction, alpha is more \
          than pi/2: the mode is [r,r,s], [r,s,r] or [r,s], beyond T, where both thickness and friction are no less \
          than at T. The shoulder's friction, if h is that of the inner joints, as then fewer are asked, and if it is \
-         h_R: at each joint that asks for it, and so for the largest. What stands is closed, so the arch stands all \
-         the way.",
+         h_R: at each joint that asks for it, and so for the largest. Without a limit of friction what stands is closed \
+         too, as the shoulder's extrados bounds the thrust.",
     )?;
+    d.theorem("Attained.goes_on_standing", GOES_ON_STANDING)?;
     d.conclude(
         "With the rise measured at another circle eta falls no faster, and thicker stands, up to 2. An arch of the \
          same rise and thickness with a longer span has a smaller half opening and a larger radius: it is on that \

@@ -23,8 +23,6 @@ Definition this : certificate :=
 Theorem claim : claim_of this.
 Proof. apply sound. vm_cast_no_check (eq_refl true). Qed.
 
-Open Scope R_scope.
-
 (** Is the last digit of a printed value right? *)
 Corollary table_1_friction_wrong x : is_landmark this Border Heyman x -> 5e-16 < Rabs (x Mu - 2.690297881776622).
 Proof. intros here. exact (wrong_there _ _ _ _ here (Plain Mu) 2690297881776622 15 eq_refl). Qed.

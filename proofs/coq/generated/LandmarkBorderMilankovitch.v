@@ -23,8 +23,6 @@ Definition this : certificate :=
 Theorem claim : claim_of this.
 Proof. apply sound. vm_cast_no_check (eq_refl true). Qed.
 
-Open Scope R_scope.
-
 (** Is the last digit of a printed value right? *)
 Corollary table_2_friction_right x : is_landmark this Border Milankovitch x -> Rabs (x Mu - 1.853774888450581) <= 5e-16.
 Proof. intros here. exact (right_there _ _ _ _ here (Plain Mu) 1853774888450581 15 eq_refl). Qed.

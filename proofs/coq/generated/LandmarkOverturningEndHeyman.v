@@ -23,8 +23,6 @@ Definition this : certificate :=
 Theorem claim : claim_of this.
 Proof. apply sound. vm_cast_no_check (eq_refl true). Qed.
 
-Open Scope R_scope.
-
 (** Is the last digit of a printed value right? *)
 Corollary table_3_A_right x : is_landmark this OverturningEnd Heyman x -> Rabs (A (x Alpha) - 0.5) <= 5e-2.
 Proof. intros here. exact (right_there _ _ _ _ here OpeningVariable 5 1 eq_refl). Qed.

@@ -23,8 +23,6 @@ Definition this : certificate :=
 Theorem claim : claim_of this.
 Proof. apply sound. vm_cast_no_check (eq_refl true). Qed.
 
-Open Scope R_scope.
-
 (** Is the last digit of a printed value right? *)
 Corollary table_4_half_opening_right x : is_landmark this OverturningEnd Milankovitch x -> Rabs (x Alpha - 2.648388899151005) <= 5e-16.
 Proof. intros here. exact (right_there _ _ _ _ here (Plain Alpha) 2648388899151005 15 eq_refl). Qed.

@@ -23,8 +23,6 @@ Definition this : certificate :=
 Theorem claim : claim_of this.
 Proof. apply sound. vm_cast_no_check (eq_refl true). Qed.
 
-Open Scope R_scope.
-
 (** Is the last digit of a printed value right? *)
 Corollary table_4_thickness_right x : is_landmark this RotationEnd Milankovitch x -> Rabs (x Eta - 0.9282032302755092) <= 5e-17.
 Proof. intros here. exact (right_there _ _ _ _ here (Plain Eta) 9282032302755092 16 eq_refl). Qed.

@@ -23,8 +23,6 @@ Definition this : certificate :=
 Theorem claim : claim_of this.
 Proof. apply sound. vm_cast_no_check (eq_refl true). Qed.
 
-Open Scope R_scope.
-
 (** Is the last digit of a printed value right? *)
 Corollary table_2_thickness_wrong x : is_landmark this Triple Milankovitch x -> 5e-17 < Rabs (x Eta - 0.6183182410743238).
 Proof. intros here. exact (wrong_there _ _ _ _ here (Plain Eta) 6183182410743238 16 eq_refl). Qed.

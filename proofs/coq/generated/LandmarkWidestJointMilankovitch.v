@@ -18,8 +18,6 @@ Definition this : certificate :=
 Theorem claim : claim_of this.
 Proof. apply sound. vm_cast_no_check (eq_refl true). Qed.
 
-Open Scope R_scope.
-
 (** Is the last digit of a printed value right? *)
 Corollary sec_2_1_rotation_joint_right x : is_landmark this WidestJoint Milankovitch x -> Rabs (x BetaR - 1.119864231443752) <= 5e-16.
 Proof. intros here. exact (right_there _ _ _ _ here (Plain BetaR) 1119864231443752 15 eq_refl). Qed.

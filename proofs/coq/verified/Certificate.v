@@ -7,7 +7,6 @@
 From Coq Require Import Reals ZArith Bool List.
 From Couplet Require Import Arch States Verdicts Whole Enclosures Formulas Equations.
 Import ListNotations.
-Open Scope R_scope.
 
 (** ** What is given *)
 

@@ -6,7 +6,6 @@
 From Coq Require Import Reals ZArith Lra Bool List.
 From Couplet Require Import Arch Moments Contact States Enclosures Formulas.
 Import ListNotations.
-Open Scope R_scope.
 
 (** ** Self-weight *)
 

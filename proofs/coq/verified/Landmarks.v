@@ -8,7 +8,6 @@ From Coq Require Export Reals.
 From Coquelicot Require Import Coquelicot.
 From Couplet Require Import Root.
 From Couplet Require Export Arch States Sound.
-Open Scope R_scope.
 
 (** ** The state *)
 

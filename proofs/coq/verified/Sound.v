@@ -6,7 +6,6 @@ From Interval Require Import Interval.Interval.
 From Couplet Require Import Arch States Verdicts Whole Krawczyk Root WholeArch Check.
 From Couplet Require Export Enclosures Formulas Equations Certificate.
 Export ListNotations.
-Open Scope R_scope.
 
 (** ** What is given *)
 

@@ -6,7 +6,6 @@
 From Coq Require Import Reals ZArith QArith Qreals List.
 From Couplet Require Import Arch States Equations Certificate Surveys.
 Import ListNotations.
-Open Scope R_scope.
 
 (** ** What is given *)
 

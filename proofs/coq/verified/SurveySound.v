@@ -5,7 +5,6 @@ From Coq Require Export QArith Qreals.
 From Interval Require Import Interval.Interval.
 From Couplet Require Import Arch States Surveys Root Check SurveyCheck.
 From Couplet Require Export Sound SurveyClaim.
-Open Scope R_scope.
 
 (** ** Numbers *)
 

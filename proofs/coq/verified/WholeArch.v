@@ -5,11 +5,9 @@
     it is zero, as it falls towards it.  The arch is cut into pieces until each is one of these. *)
 
 From Coq Require Import Reals ZArith Lra Lia Bool List.
-From Coquelicot Require Import Coquelicot.
 From Interval Require Import Interval.Interval.
 From Couplet Require Import Arch Contraction Whole Enclosures Formulas Equations Root.
 Import ListNotations.
-Open Scope R_scope.
 
 (** ** The margins at a joint *)
 

@@ -48,7 +48,7 @@ fn how_much_rests_on_words_is_told() {
         joined += usize::from(between > 0);
     }
     let beneath = claims.iter().filter(|claim| claim["argument"] == "beneath").count();
-    for id in ["map-lines", "programme-zero", "eq-9-11-signs", "safety-rotation"] {
+    for id in ["map-lines", "survey-rise", "eq-9-11-signs", "safety-rotation"] {
         let claim = claims.iter().find(|claim| claim["id"] == id).unwrap();
         assert_eq!(claim["argument"], "own", "{id}");
     }

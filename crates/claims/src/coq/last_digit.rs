@@ -24,9 +24,7 @@ pub(super) fn corollaries(certificate: &Certificate, subject: &str) -> String {
         seen.push((printed.quantity, printed.text));
         let Some((is_right, all, places)) = decided(printed, certificate) else { continue };
         if out.is_empty() {
-            out.push_str(
-                "\nOpen Scope R_scope.\n\n(** Is the last digit of a printed value right? *)\n",
-            );
+            out.push_str("\n(** Is the last digit of a printed value right? *)\n");
         }
         let distance = format!("Rabs ({} - {})", term(printed.quantity), printed.text);
         let half = format!("5e-{}", places + 1);
