@@ -128,7 +128,10 @@ fn kinds(d: &mut Derivation) -> Checked {
         "with v > 0 it reaches the intrados on the left or in the crown alone, and at eta = 2 in the crown",
     )?;
     d.theorem("Asymmetric.normal_positive", "with v > 0 every joint is compressed")?;
-    d.theorem("Asymmetric.nothing_slides_inwards", "with v > 0 no joint slides inwards, as seen on the right")?;
+    d.theorem(
+        "Asymmetric.nothing_slides_inwards",
+        "with v > 0 no joint slides inwards, as seen on the right",
+    )?;
     places(d)?;
     d.argue(
         "With y = beta - v the angle of T/N is g(y) - v, g(y) = atan(y/h) - y, which is odd, and at least -phi; g' = (h - h² - \

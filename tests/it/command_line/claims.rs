@@ -98,7 +98,7 @@ fn a_derivation_can_be_followed() {
         "by checks and an argument in words",
         "by checks, theorems of Coq and an argument in words",
         "by checks, theorems of Coq and claims that rest on an argument",
-        "; 2 by theorems of Coq; 3 by an argument in words, 1 resting on one; ",
+        "; 3 by theorems of Coq; 3 by an argument in words, 1 resting on one; ",
     ] {
         assert!(text.contains(line), "{line}");
     }

@@ -53,24 +53,53 @@ pub(crate) fn contradict(rows: [&[Ball; 3]; 3]) -> bool {
     weights.iter().all(Ball::is_not_negative) && rest(rows, &weights).is_negative()
 }
 
+/// The room that forces leave.
+fn room_of([by_thrust, by_moment, rest]: &[Ball; 3], [thrust, moment]: &[Ball; 2]) -> Ball {
+    &(&(by_thrust * thrust) + &(by_moment * moment)) + rest
+}
+
 impl Arch {
+    /// Joints in equal steps: each but the last by one step more than that before.
+    fn grid(&self, steps: u32) -> Vec<Joint> {
+        let step = Joint::new(&self.half_opening.over(steps));
+        let mut grid = vec![Joint::new(&self.half_opening.int(0))];
+        for k in 1..steps {
+            let Joint { sin, cos, .. } = &grid[grid.len() - 1];
+            grid.push(Joint {
+                at: (&self.half_opening * &step.at.int(k as i32)).over(steps),
+                sin: &(sin * &step.cos) + &(cos * &step.sin),
+                cos: &(cos * &step.cos) - &(sin * &step.sin),
+            });
+        }
+        grid.push(Joint::new(&self.half_opening));
+        grid
+    }
+
     fn best(&self, rows: &[[Ball; 3]]) -> Option<Best> {
-        let room = |row: &[Ball; 3], forces: &[Ball; 2]| {
-            let [a, b, c] = row;
-            &(&(a * &forces[0]) + &(b * &forces[1])) + c
+        // The best forces leave no more room than any three joints whose weights have one sign.
+        let minor = |one: &[Ball; 3], other: &[Ball; 3]| {
+            (&(&one[0] * &other[1]) - &(&one[1] * &other[0])).point()
         };
-        let mut best: Option<(Integer, Best)> = None;
-        for (i, j, k) in triples(rows.len()) {
-            let three = [&rows[i], &rows[j], &rows[k]];
-            let weights = minors(three);
-            let total = &(&weights[0] + &weights[1]) + &weights[2];
-            let one_sign = weights.iter().all(|x| x.mid >= 0) || weights.iter().all(|x| x.mid <= 0);
-            let Some(level) = rest(three, &weights).point().divided_by(&total.point()) else {
-                continue;
-            };
-            if !one_sign {
-                continue;
+        let pairs: Vec<Vec<Ball>> =
+            rows.iter().map(|one| rows.iter().map(|other| minor(one, other)).collect()).collect();
+        let levels = triples(rows.len()).filter_map(|triple| {
+            let [i, j, k] = triple;
+            let weights = [&pairs[j][k], &pairs[k][i], &pairs[i][j]];
+            if !(weights.iter().all(|x| x.mid >= 0) || weights.iter().all(|x| x.mid <= 0)) {
+                return None;
             }
+            let weights = weights.map(Ball::clone);
+            let total = &(&weights[0] + &weights[1]) + &weights[2];
+            let sum = rest(triple.map(|k| &rows[k]), &weights);
+            Some((sum.point().divided_by(&total.point())?, triple))
+        });
+        let levels: Vec<(Ball, [usize; 3])> = levels.collect();
+        let lowest = levels.iter().map(|(level, _)| &level.mid).min()?;
+        let most = Integer::from(lowest.abs_ref()) >> 32;
+        let most = most + lowest + 1024u32;
+        let mut best: Option<(Integer, Best)> = None;
+        for (level, triple) in levels.iter().filter(|(level, _)| level.mid <= most) {
+            let three = triple.map(|k| &rows[k]);
             // The two forces at which the three have the same room.
             let [p, q] = [1, 2].map(|n| [0, 1, 2].map(|x| &three[n][x] - &three[0][x]));
             let across = &(&p[0] * &q[1]) - &(&p[1] * &q[0]);
@@ -79,10 +108,10 @@ impl Arch {
             });
             let [Some(h), Some(m)] = forces else { continue };
             let forces = [h.point(), m.point()];
-            let least = rows.iter().map(|row| room(row, &forces).mid).min().expect("rows");
+            let least = rows.iter().map(|row| room_of(row, &forces).mid).min().expect("rows");
             let gap = Integer::from(&level.mid - &least);
             if best.as_ref().is_none_or(|(least, _)| gap < *least) {
-                best = Some((gap, Best { forces, room: level, triple: [i, j, k] }));
+                best = Some((gap, Best { forces, room: level.clone(), triple: *triple }));
             }
         }
         best.map(|(_, best)| best)
@@ -96,8 +125,11 @@ impl Arch {
         let Self { ring, half_opening } = self;
         let one = half_opening.int(1);
         let zero = half_opening.int(0);
-        let grid: Vec<Joint> = (0..=GRID)
-            .map(|k| Joint::new(&(half_opening * &one.int(k as i32)).over(GRID)))
+        let grid = self.grid(GRID);
+        let rows_of_grid: Vec<Vec<[Ball; 3]>> = ring
+            .contacts()
+            .iter()
+            .map(|contact| grid.iter().map(|joint| ring.row(*contact, joint)).collect())
             .collect();
         let mut joints: Joints = Vec::new();
         // A hint of a wider arch is no joint of this one.
@@ -120,11 +152,9 @@ impl Arch {
             let [thrust, moment] = &forces;
             let load = Load { thrust, moment, vertical: &zero, weight: &one };
             let mut news = Vec::new();
-            for contact in ring.contacts() {
-                let rooms: Vec<Integer> = grid
-                    .iter()
-                    .map(|joint| ring.room(*contact, joint, &load)[0].mid.clone())
-                    .collect();
+            for (contact, rows) in ring.contacts().iter().zip(&rows_of_grid) {
+                let rooms: Vec<Integer> =
+                    rows.iter().map(|row| room_of(row, &forces).mid).collect();
                 for k in 0..rooms.len() {
                     let lowest = |n: Option<usize>| {
                         n.and_then(|n| rooms.get(n)).is_none_or(|x| *x >= rooms[k])
@@ -144,7 +174,7 @@ impl Arch {
                     let is_last = start.mid >= half_opening.low();
                     let joint =
                         if is_last { grid[GRID as usize].clone() } else { Joint::new(&start) };
-                    let found = ring.room(*contact, &joint, &load)[0].mid.clone();
+                    let found = ring.room(*contact, &joint, &load, 0).mid;
                     let gap = Integer::from(&room.mid - &found);
                     if gap > Integer::from(room.mid.abs_ref()) >> 20 && gap > 64 {
                         news.push((gap, *contact, joint));
@@ -185,7 +215,7 @@ impl Arch {
     fn narrowed(&self, contact: Contact, [from, to]: [&Ball; 2], load: &Load) -> Ball {
         let mut piece = from.hull(to);
         for _ in 0..6 {
-            let [_, slope, _] = self.ring.room(contact, &Joint::new(&piece.point()), load);
+            let slope = self.ring.room(contact, &Joint::new(&piece.point()), load, 1);
             let half: Integer = Integer::from(&piece.rad + 1u32) >> 1;
             let sign = if slope.mid > 0 { -half.clone() } else { half.clone() };
             piece = piece.at(sign + &piece.mid).wider(&half);
@@ -231,6 +261,6 @@ impl Arch {
     }
 }
 
-fn triples(n: usize) -> impl Iterator<Item = (usize, usize, usize)> {
-    (0..n).flat_map(move |k| (0..k).flat_map(move |j| (0..j).map(move |i| (i, j, k))))
+fn triples(n: usize) -> impl Iterator<Item = [usize; 3]> {
+    (0..n).flat_map(move |k| (0..k).flat_map(move |j| (0..j).map(move |i| [i, j, k])))
 }

@@ -123,8 +123,7 @@ impl Forces {
         let (zero, one) = (at.int(0), at.int(1));
         let moment = self.moment.as_ref().unwrap_or(&zero);
         let load = Load { thrust: &self.thrust, moment, vertical: &zero, weight: &one };
-        let [_, slope, _] = self.arch.ring.room(contact, &Joint::new(at), &load);
-        slope
+        self.arch.ring.room(contact, &Joint::new(at), &load, 1)
     }
 
     /// The room is least between the ends of a value.

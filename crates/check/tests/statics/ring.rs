@@ -37,6 +37,12 @@ impl Joint {
         let [sin, cos] = at.sin_cos();
         Self { at: at.clone(), sin, cos }
     }
+
+    /// All joints so far on both sides.
+    fn wider(&self, rad: &Integer) -> Self {
+        let [at, sin, cos] = [&self.at, &self.sin, &self.cos].map(|x| x.clone().wider(rad));
+        Self { at, sin, cos }
+    }
 }
 
 /// The ring of a thickness, and its friction, if that has a limit.
@@ -75,41 +81,39 @@ impl Ring {
         if self.friction.is_some() { &Contact::ALL } else { &Contact::ALL[..2] }
     }
 
-    /// Force across a joint, outwards shear, and moment about the centre, each with its slope and its bend along the
-    /// arch: a thin sector adds its weight, and the joint turns.
-    fn resultants(&self, joint: &Joint, load: &Load) -> [[Ball; 3]; 3] {
+    /// Force across a joint, outwards shear, and moment about the centre; of order one and two their slopes and bends along
+    /// the arch: a thin sector adds its weight, and the joint turns.
+    fn resultants(&self, joint: &Joint, load: &Load, order: u32) -> [Ball; 3] {
         let Joint { at, sin, cos } = joint;
         // Equilibrium of the block from the crown on.
         let across = load.thrust;
         let up = &(load.weight * at) - load.vertical;
         let normal = &(across * cos) + &(&up * sin);
         let shear = &(&up * cos) - &(across * sin);
+        let pull = load.weight * &self.centroid;
+        if order == 0 {
+            let arm = &at.int(1) - cos;
+            return [normal, shear, load.moment + &(&pull * &arm)];
+        }
         let [along, down] = [sin, cos].map(|x| load.weight * x);
-        let pull = &load.weight.clone() * &self.centroid;
-        let arm = &at.int(1) - cos;
-        let moment = load.moment + &(&pull * &arm);
-        let slope_of_normal = &shear + &along;
-        let slope_of_shear = &down - &normal;
-        let bend_of_normal = &slope_of_shear + &down;
-        let bend_of_shear = &-slope_of_normal.clone() - &along;
-        [
-            [normal, slope_of_normal, bend_of_normal],
-            [shear, slope_of_shear, bend_of_shear],
-            [moment, &pull * sin, &pull * cos],
-        ]
+        let slopes = [&shear + &along, &down - &normal];
+        match (order, slopes) {
+            (1, [of_normal, of_shear]) => [of_normal, of_shear, &pull * sin],
+            (_, [of_normal, of_shear]) => [&of_shear + &down, &-of_normal - &along, &pull * cos],
+        }
     }
 
-    /// Room of a joint until the contact gives way, as a moment about the face or a force along the joint, with its
-    /// slope and its bend.
-    pub(crate) fn room(&self, contact: Contact, joint: &Joint, load: &Load) -> [Ball; 3] {
-        let [normal, shear, moment] = self.resultants(joint, load);
-        let held = |k: usize| self.friction.as_ref().expect("a limit") * &normal[k];
-        [0, 1, 2].map(|k| match contact {
-            Contact::Extrados => &(&self.outer * &normal[k]) - &moment[k],
-            Contact::Intrados => &moment[k] - &(&self.inner * &normal[k]),
-            Contact::Inwards => &held(k) - &shear[k],
-            Contact::Outwards => &held(k) + &shear[k],
-        })
+    /// Room of a joint until the contact gives way, as a moment about the face or a force along the joint; of order one
+    /// and two its slope and its bend.
+    pub(crate) fn room(&self, contact: Contact, joint: &Joint, load: &Load, order: u32) -> Ball {
+        let [normal, shear, moment] = self.resultants(joint, load, order);
+        let held = || self.friction.as_ref().expect("a limit") * &normal;
+        match contact {
+            Contact::Extrados => &(&self.outer * &normal) - &moment,
+            Contact::Intrados => &moment - &(&self.inner * &normal),
+            Contact::Inwards => &held() - &shear,
+            Contact::Outwards => &held() + &shear,
+        }
     }
 
     /// Room of a joint as a linear function of thrust and moment: two slopes, and the rest.
@@ -118,8 +122,7 @@ impl Ring {
         [[&one, &zero, &zero], [&zero, &one, &zero], [&zero, &zero, &one]].map(
             |[thrust, moment, weight]| {
                 let load = Load { thrust, moment, vertical: &zero, weight };
-                let [room, ..] = self.room(contact, joint, &load);
-                room
+                self.room(contact, joint, &load, 0)
             },
         )
     }
@@ -127,13 +130,14 @@ impl Ring {
     /// Tells whether the room of no joint between two is negative: where a piece does not show it, its halves do. On a
     /// piece where the room bends upwards it is nowhere below a tangent, which is taken next to its least value.
     pub(crate) fn holds(&self, contact: Contact, [from, to]: [&Ball; 2], load: &Load) -> bool {
-        let room = |x: &Ball| self.room(contact, &Joint::new(x), load);
+        let room = |joint: &Joint, order| self.room(contact, joint, load, order);
         let mut pieces = vec![from.hull(to)];
         while let Some(piece) = pieces.pop() {
             let Ball { mid, rad, .. } = &piece;
             let reach = piece.around(rad.clone());
-            let [.., bend] = room(&piece);
-            let [middle, slope, _] = room(&piece.point());
+            let centre = Joint::new(&piece.point());
+            let bend = room(&centre.wider(rad), 2);
+            let [middle, slope] = [0, 1].map(|order| room(&centre, order));
             if middle.is_negative() || *rad < 4 {
                 return false;
             }
@@ -143,14 +147,14 @@ impl Ring {
             }
             let end = if slopes.is_positive() { piece.low() } else { piece.high() };
             if slopes.is_positive() || slopes.is_negative() {
-                if room(&piece.at(end))[0].is_not_negative() {
+                if room(&Joint::new(&piece.at(end)), 0).is_not_negative() {
                     continue;
                 }
                 return false;
             }
             if bend.is_positive() {
-                let least = self.least(contact, &piece, load);
-                let [value, slope, _] = room(&least);
+                let least = Joint::new(&self.least(contact, &piece, load));
+                let [value, slope] = [0, 1].map(|order| room(&least, order));
                 let width = piece.around(Integer::from(rad << 1));
                 if (&value + &(&slope * &width)).is_not_negative() {
                     continue;
@@ -168,7 +172,8 @@ impl Ring {
     pub(crate) fn least(&self, contact: Contact, piece: &Ball, load: &Load) -> Ball {
         let mut x = piece.point();
         for _ in 0..12 {
-            let [_, slope, bend] = self.room(contact, &Joint::new(&x), load);
+            let joint = Joint::new(&x);
+            let [slope, bend] = [1, 2].map(|order| self.room(contact, &joint, load, order));
             if bend.mid <= 0 {
                 break;
             }
