@@ -54,20 +54,6 @@ fn row(contact: Contact, joint: &Angle<Fraction>) -> [Fraction; 3] {
     motion_row(contact, joint, &eta, &eta.int(0))
 }
 
-/// Margins of a joint beside those of its mirror image.
-fn mirror_images(d: &mut Derivation) -> Checked {
-    let (joint, v) = (Symbol::joint(), Symbol::CrownShear.number());
-    let mirrored = Side::Left.joint(&joint);
-    for (words, contact, radius, sign) in [
-        ("U at -beta less U at beta", Contact::Extrados, ring().extrados(), 1),
-        ("L at -beta less L at beta", Contact::Intrados, ring().intrados(), -1),
-    ] {
-        let more = margin_at(contact, &mirrored) - margin_at(contact, &joint);
-        d.identity(words, more, radius * &v * &joint.sin * v.int(sign))?;
-    }
-    Ok(())
-}
-
 fn narrow(d: &mut Derivation) -> Checked {
     d.assume("0 < alpha <= 90°, 0 < eta <= 2, 0 <= mu < inf; a state that is admissible at each joint of [-alpha, alpha]");
     lemmas(d, [&ONE_THICKNESS])?;
@@ -118,7 +104,6 @@ fn places(d: &mut Derivation) -> Checked {
 fn kinds(d: &mut Derivation) -> Checked {
     d.assume("0 < alpha < pi, 0 < eta <= 2, 0 <= mu < inf; a state that is admissible at each joint of [-alpha, alpha], v > 0");
     lemmas(d, [&NARROW, &ASYMMETRIC_MOTION])?;
-    mirror_images(d)?;
     d.theorem(
         "Asymmetric.extrados_on_the_right",
         "with v > 0 in the crown the line of thrust reaches the extrados on the right or in the crown alone",
