@@ -12,7 +12,25 @@ use num_bigint::BigInt;
 /// let texts = boxes(&of, 2).unwrap().map(|part| format!("{}..{}", part.lower, part.upper));
 /// assert_eq!(texts.collect::<Vec<_>>(), ["80deg..80.5deg", "80.5deg..81deg"]);
 /// ```
-pub fn boxes(of: &Range, count: usize) -> Result<impl Iterator<Item = Range>, RangeError> {
+pub fn boxes(of: &Range, count: usize) -> Result<impl Iterator<Item = Range> + use<>, RangeError> {
+    let at = divided(of, count)?;
+    Ok((0..count).map(move |k| Range { lower: at(k), upper: at(k + 1) }))
+}
+
+/// Exact texts of at least two numbers at equal distances, from the lower end of a range to its upper end.
+///
+/// ```
+/// use couplet_ask::{Range, steps};
+/// let of = Range { lower: "80deg".into(), upper: "81deg".into() };
+/// assert_eq!(steps(&of, 3).unwrap().collect::<Vec<_>>(), ["80deg", "80.5deg", "81deg"]);
+/// ```
+pub fn steps(of: &Range, count: usize) -> Result<impl Iterator<Item = String> + use<>, RangeError> {
+    let at = divided(of, count - 1)?;
+    Ok((0..count).map(at))
+}
+
+/// Exact text of each point that cuts a range into so many parts, from the lower end on.
+fn divided(of: &Range, parts: usize) -> Result<impl Fn(usize) -> String + use<>, RangeError> {
     let range = || shown(&format!("{}..{}", of.lower, of.upper));
     let read = |part: &str| {
         let number = || RangeError::Number { range: range(), part: shown(part) };
@@ -20,15 +38,13 @@ pub fn boxes(of: &Range, count: usize) -> Result<impl Iterator<Item = Range>, Ra
     };
     let (lower, upper) = (read(&of.lower)?, read(&of.upper)?);
     let both = Part::together(lower, upper);
-    let (unit, first, last) = both.ok_or_else(|| RangeError::Boxes(range()))?;
+    let (unit, first, last) = both.ok_or_else(|| RangeError::Apart(range()))?;
     if first >= last {
-        return Err(RangeError::Boxes(range()));
+        return Err(RangeError::Falls(range()));
     }
-    let at = move |k: usize| {
-        let part = (&last - &first) * BigInt::from(k) / BigInt::from(count);
-        unit.write(&(&first + part))
-    };
-    Ok((0..count).map(move |k| Range { lower: at(k), upper: at(k + 1) }))
+    Ok(move |k: usize| {
+        unit.write(&(&first + (&last - &first) * BigInt::from(k) / BigInt::from(parts)))
+    })
 }
 
 /// Tells whether a range has more than one number, in whatever units its ends are.
@@ -61,7 +77,7 @@ mod tests {
             ("0..1", 3, &["0..1/3", "1/3..2/3", "2/3..1"]),
             ("9m±10cm", 2, &["8.9m..9m", "9m..9.1m"]),
             ("90cm..1.1m", 2, &["0.9m..1m", "1m..1.1m"]),
-            ("pi/4..pi/2", 2, &["1pi/4..3pi/8", "3pi/8..1pi/2"]),
+            ("pi/4..pi/2", 2, &["pi/4..3pi/8", "3pi/8..pi/2"]),
             ("1rad..2rad", 1, &["1rad..2rad"]),
             ("0.1r..0.2r", 2, &["0.1r..0.15r", "0.15r..0.2r"]),
         ] {
@@ -78,10 +94,10 @@ mod tests {
         for (range, why) in [
             ("0.5..inf", "'inf' is not a number"),
             ("0.5..tan(31deg)", "'tan(31deg)' is not a number"),
-            ("1..pi/2", "needs two ends in one unit"),
-            ("0.7..0.5", "needs two ends in one unit, the lower first"),
-            ("0.5..0.5", "needs two ends"),
-            ("2atan(1)..2atan(2)", "needs two ends in one unit"),
+            ("1..pi/2", "'1..pi/2' is in two units"),
+            ("0.7..0.5", "'0.7..0.5' does not rise"),
+            ("0.5..0.5", "does not rise"),
+            ("2atan(1)..2atan(2)", "is in two units, or in none"),
         ] {
             let error = texts(range, 2).unwrap_err();
             assert!(error.contains(why), "{range}: {error}");

@@ -72,6 +72,15 @@ impl ArchGiven {
         Ok(Self { half_opening, friction, measures, thickness, stones, tilt })
     }
 
+    /// What the texts of an arch of which more follows say by themselves, each in the range that an arch allows.
+    pub fn part(asked: &ArchAsked) -> Result<Self, Misfit> {
+        let given = Self::new(asked, Spelling::Key)?;
+        let alpha = given.half_opening.clone().unwrap_or_else(|| ExactNumber::from(1));
+        let friction = given.friction.clone().unwrap_or(Friction::Infinite);
+        Arch::new(SelfWeight::Heyman, alpha, friction).map_err(|error| error.to_string())?;
+        Ok(given)
+    }
+
     /// The arch with a self-weight: half opening and friction are there once a question was [read](Self::read).
     pub fn arch(&self, weight: SelfWeight) -> Result<Arch, Misfit> {
         let missing = |field| Misfit::new(field, format!("{} is missing", field.name()));

@@ -11,7 +11,7 @@
 //! | `stones` | numbers of stones, and ranges of them |
 //! | `survey` | the reader of ranges: text to all arches between two ends |
 //! | `range` | ranges: the exact texts of both ends |
-//! | `boxes` | a range in parts that touch |
+//! | `boxes` | a range in parts that touch, or in steps |
 //! | `note` | what may have been meant otherwise |
 #![cfg_attr(not(test), warn(clippy::unwrap_used))]
 
@@ -26,7 +26,7 @@ mod stones;
 mod survey;
 
 pub use asked::{ArchAsked, Field};
-pub use boxes::boxes;
+pub use boxes::{boxes, steps};
 pub use given::{ArchGiven, given_thickness};
 pub use note::{array_note, notes, tilt_note};
 pub use question::{ArchQuestion, Misfit, Spelling};

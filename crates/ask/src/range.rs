@@ -58,8 +58,10 @@ pub enum RangeError {
     },
     /// The deviation is below zero.
     Negative(String),
-    /// Ends between which there are no parts of one extent.
-    Boxes(String),
+    /// Two ends between which there are no parts of one extent.
+    Apart(String),
+    /// The lower end is not below the upper one.
+    Falls(String),
 }
 
 says!(RangeError {
@@ -74,7 +76,10 @@ says!(RangeError {
     Self::Number { range, part } =>
         "in '{range}' the part '{part}' is not a number with or without a unit (0.1, 2cm, 1deg) or, behind ±, of % (5%)";
     Self::Negative(range) => "'{range}' has a deviation below 0: give its size";
-    Self::Boxes(range) => "'{range}' is not cut into boxes: that needs two ends in one unit, the lower first";
+    Self::Apart(range) =>
+        "'{range}' is in two units, or in none that is cut into parts: give both ends as numbers, as lengths, or as \
+         angles in radians, as multiples of pi or in degrees";
+    Self::Falls(range) => "'{range}' does not rise: give the smaller end first";
 });
 
 impl Range {
@@ -271,11 +276,14 @@ impl Unit {
 
     /// Text of a number in this unit.
     pub(super) fn write(self, number: &BigRational) -> String {
-        match (self, number.denom() == &BigInt::from(1)) {
-            (Self::Pi, true) => format!("{}pi", number.numer()),
-            (Self::Pi, false) => format!("{}pi/{}", number.numer(), number.denom()),
-            _ => decimal(number) + self.name(),
+        if self != Self::Pi {
+            return decimal(number) + self.name();
         }
+        let one = BigInt::from(1);
+        let shown = |sign: &str, of: &BigInt| {
+            if *of == one { String::new() } else { format!("{sign}{of}") }
+        };
+        format!("{}pi{}", shown("", number.numer()), shown("/", number.denom()))
     }
 }
 
@@ -319,7 +327,7 @@ mod tests {
             ("1/3±1%", "0.33", "101/300"),
             ("1/3±1/6", "1/6", "0.5"),
             ("pi/2±1%", "99pi/200", "101pi/200"),
-            ("3pi/4±pi/4", "1pi/2", "1pi"),
+            ("3pi/4±pi/4", "pi/2", "pi"),
             ("pi/2±1deg", "89deg", "91deg"),
             ("80deg±pi/180", "79deg", "81deg"),
             ("1e-30±1e-31", "9e-31", "1.1e-30"),

@@ -130,7 +130,7 @@ faults! {
         => "4:12: the friction angle 91deg is not between 0 and pi/2 (90deg)";
     a_range_from_a_coefficient_to_an_angle:
         "[arches]\nhalf_opening = 1\nfriction = { from = 0.2, to = \"31deg\", steps = 3 }\n"
-        => "4:12: friction from 0.2 to 31deg is in two units; give two coefficients, or two angles in one unit";
+        => "4:12: friction: '0.2..31deg' is in two units, or in none that is cut into parts: give both ends as numbers, as lengths, or as angles in radians, as multiples of pi or in degrees";
     a_negative_friction:
         "[arches]\nhalf_opening = 1\nfriction = -0.5\n"
         => "4:12: the friction -0.5 is negative";
@@ -148,19 +148,19 @@ faults! {
         => "5:13: the thickness 2.1 is not between 0 and 2";
     a_range_that_falls:
         "[arches]\nhalf_opening = 1\nfriction = { from = 0.5, to = 0.3, steps = 3 }\n"
-        => "4:12: friction from 0.5 to 0.3 does not rise; give the smaller first";
+        => "4:12: friction: '0.5..0.3' does not rise: give the smaller end first";
     a_range_of_one_step:
         "[arches]\nhalf_opening = 1\nfriction = { from = 0.5, to = 0.6, steps = 1 }\n"
         => "4:44: steps 1 is not a whole number from 2 to 100000";
     a_range_without_end:
         "[arches]\nhalf_opening = 1\nfriction = { from = 0.5, to = \"inf\", steps = 3 }\n"
-        => "4:12: friction has a range without end";
+        => "4:12: friction: in '0.5..inf' the part 'inf' is not a number with or without a unit (0.1, 2cm, 1deg) or, behind ±, of % (5%)";
     a_range_without_its_end:
         "[arches]\nhalf_opening = 1\nfriction = { from = 0.5, steps = 3 }\n"
         => "4:12: friction has no to; a range is { from = …, to = …, steps = … }";
     a_range_in_two_units:
-        "[arches]\nfriction = 1\nhalf_opening = { from = \"10deg\", to = \"pi/2\", steps = 3 }\n"
-        => "4:16: half_opening from 10deg to pi/2 is in two units; give both in radians, as multiples of pi, or in degrees";
+        "[arches]\nfriction = 1\nhalf_opening = { from = 1, to = \"pi/2\", steps = 3 }\n"
+        => "4:16: half_opening: '1..pi/2' is in two units, or in none that is cut into parts: give both ends as numbers, as lengths, or as angles in radians, as multiples of pi or in degrees";
     too_many_arches:
         "[arches]\nhalf_opening = { from = 1, to = 2, steps = 1000 }\nfriction = { from = 1, to = 2, steps = 101 }\n"
         => "2:1: 101000 arches are too many; a scene has at most 100000, `couplet states` reads any number";

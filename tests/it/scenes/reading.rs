@@ -159,6 +159,25 @@ fn a_range_has_both_its_ends_and_exact_steps() {
     assert_eq!(texts[11], ("pi/2".to_owned(), "1".to_owned()));
 }
 
+/// Steps go from degrees to a multiple of pi, and with lengths, as a deviation does.
+#[test]
+fn steps_have_the_units_of_every_range() {
+    let scene = read(&format!(
+        "{HEAD}[[arches]]\nspan = {{ from = \"9m\", to = \"1000cm\", steps = 3 }}\nrise = \"3m\"\nfriction = 1\n\
+         [[drawing]]\nspan = [\"9m\"]\nrise = \"3m\"\nfriction = 1\n"
+    ));
+    let items = scene.unwrap().items;
+    let Request::Arches { arches, .. } = &items[0].what else { panic!() };
+    let spans: Vec<_> = arches.iter().map(|one| one.measured.clone().unwrap().asked.span).collect();
+    assert_eq!(spans, ["9m", "9.5m", "10m"].map(|span| Some(span.to_owned())));
+    let scene = read(&format!(
+        "{HEAD}[arches]\nhalf_opening = {{ from = \"10deg\", to = \"pi/2\", steps = 3 }}\nfriction = 1\n"
+    ));
+    let Request::Arches { arches, .. } = &scene.unwrap().items[0].what else { panic!() };
+    let angles: Vec<_> = arches.iter().map(|one| one.arch.half_opening().to_string()).collect();
+    assert_eq!(angles, ["10deg", "50deg", "90deg"]);
+}
+
 #[test]
 fn a_scene_may_come_from_standard_input() {
     let one = "[constants]\nlandmarks = \"T\"\nquantities = \"thickness\"\ndigits = 12\n";

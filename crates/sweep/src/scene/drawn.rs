@@ -1,13 +1,14 @@
 //! An arch that is drawn: at its least thickness, at a landmark, as it stands, or where it slides.
 
-use super::same::{ArchKey, arch_key};
+use super::same::{arch_key, number_key};
+use super::shared::Shared;
+use super::work::{Computable, Done};
 use crate::arch::SelfWeight;
 use crate::ask::ArchAsked;
 use crate::atlas::{NoSketch, Sketch};
 use crate::number::ExactNumber;
 use crate::problem::{Arch, Landmark, Mode};
 use crate::report::Style;
-use rug::Rational;
 use std::fmt;
 
 /// An arch that is drawn.
@@ -34,10 +35,6 @@ pub enum Pose {
     Sliding(Arch, ExactNumber),
 }
 
-/// Number that tells the poses apart, with all that they are of.
-pub(super) type DrawnKey =
-    (u8, Option<(Landmark, SelfWeight)>, Option<ArchKey>, Option<Rational>, Option<u64>, bool);
-
 impl DrawnArch {
     /// The self-weight model.
     pub fn weight(&self) -> SelfWeight {
@@ -45,18 +42,6 @@ impl DrawnArch {
             Pose::Landmark(_, weight) => *weight,
             Pose::Least(arch) | Pose::Standing(arch, _) | Pose::Sliding(arch, _) => arch.weight(),
         }
-    }
-
-    /// Key of equal drawings, however their numbers are written.
-    pub(super) fn key(&self) -> DrawnKey {
-        let (pose, point, arch, thickness) = match &self.pose {
-            Pose::Least(arch) => (0, None, Some(arch), None),
-            Pose::Landmark(landmark, weight) => (1, Some((*landmark, *weight)), None, None),
-            Pose::Standing(arch, thickness) => (2, None, Some(arch), Some(thickness)),
-            Pose::Sliding(arch, thickness) => (3, None, Some(arch), Some(thickness)),
-        };
-        let thickness = thickness.map(ExactNumber::to_rational);
-        (pose, point, arch.map(arch_key), thickness, self.stones, self.is_dilatant)
     }
 
     /// Proves what is drawn.
@@ -76,30 +61,12 @@ impl DrawnArch {
         }
     }
 
-    /// The command that draws the arch.
-    pub(super) fn command(
-        &self,
-        measured: Option<&ArchAsked>,
-        mode: Option<Mode>,
-        style: &Style,
-    ) -> String {
-        let mut command = "couplet draw".to_owned();
-        command += &measured.map_or(String::new(), ArchAsked::options);
+    /// The command that draws the arch of these texts.
+    pub(super) fn command(&self, asked: &ArchAsked, mode: Option<Mode>, style: &Style) -> String {
+        let mut command = format!("couplet draw{}", asked.options());
         let mut say = |option: &str, value: &str| command += &format!(" --{option} {value}");
-        match &self.pose {
-            _ if measured.is_some() => {}
-            Pose::Landmark(landmark, _) => say("at", landmark.symbol()),
-            Pose::Least(arch) | Pose::Standing(arch, _) | Pose::Sliding(arch, _) => {
-                say("half-opening", &arch.half_opening().to_string());
-                if !matches!(self.pose, Pose::Sliding(..)) {
-                    say("friction", &arch.friction().to_string());
-                }
-            }
-        }
-        if let (Pose::Standing(_, thickness) | Pose::Sliding(_, thickness), None) =
-            (&self.pose, measured)
-        {
-            say("thickness", &thickness.to_string());
+        if let Pose::Landmark(landmark, _) = &self.pose {
+            say("at", landmark.symbol());
         }
         say("weight", self.weight().name());
         if let Some(mode) = mode {
@@ -115,6 +82,28 @@ impl DrawnArch {
         let names = [" --dilatant", " --half", " --arrows", " --animate"];
         command.extend(names.into_iter().zip(is_asked).filter_map(|(name, is)| is.then_some(name)));
         command
+    }
+}
+
+impl Computable for DrawnArch {
+    fn key(&self) -> String {
+        let pose = match &self.pose {
+            Pose::Least(arch) => arch_key(arch),
+            Pose::Landmark(landmark, weight) => format!("{} {}", landmark.symbol(), weight.name()),
+            Pose::Standing(arch, eta) => format!("{} {}", arch_key(arch), number_key(eta)),
+            Pose::Sliding(arch, eta) => format!("slides {} {}", arch_key(arch), number_key(eta)),
+        };
+        format!("{pose} {:?} {}", self.stones, self.is_dilatant)
+    }
+
+    fn lines(&self) -> Vec<String> {
+        vec![self.to_string()]
+    }
+
+    fn compute(&self, _: &Shared, tick: &(dyn Fn() + Sync)) -> Done {
+        let sketch = self.sketch();
+        tick();
+        Box::new(sketch)
     }
 }
 

@@ -1,19 +1,14 @@
 //! A plan as a tree: what each item needs, what that cost, and what was left out and why.
 
 use super::cost::Cost;
-use super::expected;
 use super::left_out::left_out;
-use super::nodes::{ArchNode, LandmarkNode, SurveyNode, Work};
 use super::plan::{Plan, PlannedPart};
-use super::read_ranges::given;
 use super::run::Costs;
 use super::schema::{Request, SceneItem};
-use crate::certify::state::Wanted;
+use super::work::Work;
 use crate::problem::{Equation, tally::Tally};
-use crate::report::Understood;
-use crate::report::words::{count, list};
+use crate::report::words::count;
 use cpu_time::ProcessTime;
-use std::collections::BTreeSet;
 use std::io;
 
 /// A node of the tree: its lines, and what hangs on it.
@@ -98,7 +93,7 @@ fn item(plan: &Plan, costs: Option<&Costs>, index: usize) -> TreeNode {
             _ if *first == index && branch.branches.len() == shown => more.push(cost(place)),
             _ if *first == index => {
                 let spent = cost(place).map(|cost| spent_on(work, &cost));
-                branch.branches.push(TreeNode::new(lines(work).into_iter().chain(spent)));
+                branch.branches.push(TreeNode::new(work.of().lines().into_iter().chain(spent)));
             }
             Work::Arch(_) | Work::Curve(_) | Work::Survey(_) => {
                 match others.iter_mut().find(|(item, ..)| item == first) {
@@ -107,7 +102,7 @@ fn item(plan: &Plan, costs: Option<&Costs>, index: usize) -> TreeNode {
                 }
             }
             _ => {
-                let line = format!("{}: {}", lines(work)[0], computed_for(plan, *first));
+                let line = format!("{}: {}", work.of().lines()[0], computed_for(plan, *first));
                 branch.branches.push(TreeNode::new([line]));
             }
         }
@@ -135,70 +130,6 @@ fn heading(item: &SceneItem) -> String {
 
 fn computed_for(plan: &Plan, item: usize) -> String {
     format!("computed for the item in line {}", plan.scene.items[item].place.line)
-}
-
-/// Lines of a part: its name, and what is computed of it.
-fn lines(work: &Work) -> Vec<String> {
-    match work {
-        Work::Landmark(node) => landmark(node),
-        Work::Arch(node) => arch(node),
-        Work::Claim(claim) => vec![format!("{}, {}", claim.id, claim.place)],
-        Work::Curve(node) => vec![format!("{node}, in tubes of {:?}", node.tolerance)],
-        Work::Drawing(drawn) => vec![drawn.to_string()],
-        Work::Survey(node) => survey(node),
-    }
-}
-
-fn landmark(node: &LandmarkNode) -> Vec<String> {
-    let system = node.landmark.system(node.weight);
-    let equations = list(system.equations.iter().map(|equation| equation.label()));
-    let name = format!("{} {}", node.landmark.symbol(), node.weight.name());
-    let mut lines = vec![name, format!("from {equations}")];
-    let all: BTreeSet<usize> = node.asked.iter().map(|(_, digits)| *digits).collect();
-    for digits in all {
-        let asked = node.asked.iter().filter(|(_, of)| *of == digits);
-        let names = list(asked.map(|(quantity, _)| quantity.name()));
-        lines.push(format!("to {digits} digits: {names}"));
-    }
-    if !node.certificates.is_empty() {
-        let digits: Vec<String> = node.certificates.iter().map(ToString::to_string).collect();
-        lines.push(format!("the hash of its certificate, to {} digits", digits.join(", ")));
-    }
-    if node.audited {
-        lines.push("for the printed numbers".to_owned());
-    }
-    lines
-}
-
-fn survey(node: &SurveyNode) -> Vec<String> {
-    let SurveyNode { survey, quantities, digits, .. } = node;
-    let words = given(&survey.asked).map(|given| Understood::of_ranges(&survey.asked, &given));
-    let words = words.map_or(String::new(), |words| words.in_words().to_owned());
-    let names = list(quantities.iter().map(|quantity| quantity.name()));
-    vec![
-        format!("every arch of {words}, {}", survey.weight.name()),
-        format!("to {digits} digits: {names}"),
-    ]
-}
-
-fn arch(node: &ArchNode) -> Vec<String> {
-    let (alpha, mu) = (node.arch.half_opening(), node.arch.friction());
-    let mut lines = vec![
-        format!("half opening {alpha}, friction {mu}, {}", node.arch.weight().name()),
-        expected::in_words(node.arch),
-    ];
-    lines.extend(node.states.iter().map(|(digits, frictions)| {
-        let with = if *frictions { " and the frictions at which its mode changes" } else { "" };
-        format!("to {digits} digits: its state{with}")
-    }));
-    lines.extend(node.thicknesses.iter().map(|asked| {
-        let what = match asked.wanted {
-            Wanted::Standing => "whether it stands",
-            Wanted::Everything => "whether it stands, and the range of thrusts",
-        };
-        format!("to {} digits, thickness {}: {what}", asked.digits, asked.thickness)
-    }));
-    lines
 }
 
 /// The cost of a part in words. Where nothing of an arch was evaluated, one that was proved before says it all.

@@ -1,22 +1,30 @@
 //! The report of an item.
 
-use super::nodes::Work;
-use super::pieces::{CurvePiece, WorkDone};
+use super::arch_node::ArchPiece;
+use super::curve_node::CurvePiece;
+use super::landmark_node::LandmarkPiece;
 use super::plan::{PAGE_DIGITS, Plan};
 use super::schema::{MeasuredArch, Request, SceneArch, SceneBoxes, SceneDrawing, SceneMap};
+use super::work::Done;
+use crate::answer;
 use crate::arch::SelfWeight;
-use crate::certify::state::{measured_assessment, measured_state};
+use crate::atlas::{NoLevel, NoSketch, Sketch};
 use crate::certify::{Enclosed, Error};
+use crate::claims::Decision;
 use crate::judge::{audit_of, compare_weights_of};
 use crate::picture::Print;
-use crate::problem::Quantity;
+use crate::problem::{Landmark, Quantity};
 use crate::report::{
     Answer, Answers, Audit, Claims, Drawing, Format, Map, Reported, Sketched, SurveyedArches,
     SurveyedCell, SurveyedCells, Understood,
 };
 use rayon::prelude::*;
+use std::any::Any;
 use std::io;
 use std::sync::Arc;
+
+/// A report, or nothing where not even a part is known, and the questions that could not be decided.
+type ItemFound = (Option<Box<dyn Reported>>, Vec<String>);
 
 /// Answer to an item.
 pub struct ItemReport {
@@ -30,12 +38,12 @@ pub struct ItemReport {
 
 impl ItemReport {
     /// The report of an item, from parts that are all there.
-    pub(super) fn new(plan: &Plan, done: &[Option<WorkDone>], index: usize) -> Self {
+    pub(super) fn new(plan: &Plan, done: &[Option<Done>], index: usize) -> Self {
         let item = &plan.scene.items[index];
         let parts = ItemParts { plan, done, index };
-        let (report, undecided): (Option<Box<dyn Reported>>, Vec<String>) = match &item.what {
-            Request::Constants { quantities, digits, .. } => {
-                let list = parts.constants(quantities, *digits);
+        let (report, undecided): ItemFound = match &item.what {
+            Request::Constants { points, quantities, digits } => {
+                let list = parts.constants(points, quantities, *digits);
                 let undecided = undecided_landmarks(&list);
                 (Some(Box::new(Answers::constants(*digits, list))), undecided)
             }
@@ -48,14 +56,14 @@ impl ItemReport {
                 let answers = Answers { quantities: quantities.clone(), list, ..answers };
                 (Some(Box::new(answers)), undecided.into_iter().collect())
             }
-            Request::Surveys { boxes: None, .. } => parts.surveys(),
+            Request::Surveys { boxes: None, .. } => {
+                let (found, undecided) =
+                    parts.apart(|of: &SurveyedArches| of.first_open().is_some());
+                (Some(Box::new(found)), undecided)
+            }
             Request::Surveys { boxes: Some(boxes), .. } => parts.boxes(boxes),
             Request::Claims { show, .. } => {
-                let decision = |done: &WorkDone| match done {
-                    WorkDone::Claim(decision) => Some(decision.clone()),
-                    _ => None,
-                };
-                let decisions: Vec<_> = parts.done().filter_map(decision).collect();
+                let decisions: Vec<Decision> = parts.done().cloned().collect();
                 let open = decisions.iter().filter(|decision| decision.outcome.is_err());
                 let undecided = open.map(|decision| decision.claim.id.to_owned()).collect();
                 // How long a claim took would be another output in every run.
@@ -87,125 +95,108 @@ impl ItemReport {
 /// Parts of an item, all of them done.
 struct ItemParts<'a> {
     plan: &'a Plan<'a>,
-    done: &'a [Option<WorkDone>],
+    done: &'a [Option<Done>],
     index: usize,
 }
 
 impl<'a> ItemParts<'a> {
-    /// The work of each part, with its result.
-    fn parts(&self) -> impl Iterator<Item = (&'a Work<'a>, &'a WorkDone)> {
+    /// Results of the parts that have this type, in the order in which the item asks for them.
+    fn done<T: Any>(&self) -> impl Iterator<Item = &'a T> + use<'a, T> {
         let Self { plan, done, index } = *self;
-        let part = |place: &usize| Some((&plan.parts[*place].work, done[*place].as_ref()?));
-        plan.needs[index].iter().filter_map(part)
+        plan.needs[index].iter().filter_map(|place| done[*place].as_ref()?.downcast_ref())
     }
 
-    /// Results of the parts.
-    fn done(&self) -> impl Iterator<Item = &'a WorkDone> {
-        self.parts().map(|(_, done)| done)
-    }
-
-    fn surveys(&self) -> (Option<Box<dyn Reported>>, Vec<String>) {
-        let found = self.done().filter_map(|done| match done {
-            WorkDone::Survey(found) => Some(found.clone()),
-            _ => None,
-        });
-        let (found, undecided) = apart(found, |of: &SurveyedArches| of.first_open().is_some());
-        (Some(Box::new(found)), undecided)
+    /// Answers about ranges, apart from what stays open or makes no sense.
+    fn apart<T: Any>(&self, is_open: fn(&T) -> bool) -> (Vec<Arc<T>>, Vec<String>)
+    where
+        Arc<T>: Send + Sync,
+    {
+        let (mut all, mut undecided) = (Vec::new(), Vec::new());
+        for found in self.done::<Result<Arc<T>, String>>() {
+            match found {
+                Ok(found) => all.push(found.clone()),
+                Err(error) => undecided.push(error.clone()),
+            }
+        }
+        let open = all.iter().filter(|one| is_open(one)).count();
+        undecided.extend((open > 0).then(|| format!("{open} of {} ranges", all.len())));
+        (all, undecided)
     }
 
     /// The boxes of each self-weight.
-    fn boxes(&self, boxes: &SceneBoxes) -> (Option<Box<dyn Reported>>, Vec<String>) {
-        let found = self.done().filter_map(|done| match done {
-            WorkDone::Cell(found) => Some(found.clone()),
-            _ => None,
-        });
-        let (found, undecided) = apart(found, |of: &SurveyedCell| of.reason.is_some());
+    fn boxes(&self, boxes: &SceneBoxes) -> ItemFound {
+        let (found, undecided) = self.apart(|of: &SurveyedCell| of.reason.is_some());
         let SceneBoxes { asked, given, cut, rows } = boxes;
-        let mut all: Vec<SurveyedCells> = Vec::new();
-        for cell in found {
-            match all.last_mut() {
-                Some(last) if last.weight == cell.weight => last.cells.push(cell),
-                _ => all.push(SurveyedCells {
-                    asked: Understood::of_ranges(asked, given),
-                    weight: cell.weight,
-                    cut: cut.clone(),
-                    cells: vec![cell],
-                    rows: rows.clone(),
-                }),
-            }
-        }
+        let of_weight = |cells: &[Arc<SurveyedCell>]| SurveyedCells {
+            asked: Understood::of_ranges(asked, given),
+            weight: cells[0].weight,
+            cut: cut.clone(),
+            cells: cells.to_vec(),
+            rows: rows.clone(),
+        };
+        let all: Vec<_> = found.chunk_by(|a, b| a.weight == b.weight).map(of_weight).collect();
         (Some(Box::new(all)), undecided)
     }
 
-    fn constants(&self, quantities: &[Quantity], digits: usize) -> Vec<Answer> {
+    fn constants(
+        &self,
+        points: &[(Landmark, SelfWeight)],
+        quantities: &[Quantity],
+        digits: usize,
+    ) -> Vec<Answer> {
         let format = self.plan.scene.items[self.index].format;
-        let answer = |(work, done): (&Work, &WorkDone)| {
-            let (Work::Landmark(node), WorkDone::Landmark(found)) = (work, done) else {
-                return None;
-            };
-            let name = (node.landmark, node.weight);
-            Some(match &**found {
-                Err(undecided) => Answer::landmark(name, Err(undecided)),
-                Ok(piece) => {
-                    let constants = piece.constants(node, quantities, digits);
-                    let answer = Answer::landmark(name, Ok((&piece.point, constants)));
-                    match piece.certificates.get(&digits) {
-                        Some(hash) if format.has_certificates => {
-                            answer.with_certificate(digits, hash.clone())
-                        }
-                        _ => answer,
+        let answer = |(name, found): (_, &Result<LandmarkPiece, Error>)| match found {
+            Err(undecided) => Answer::landmark(name, Err(undecided)),
+            Ok(piece) => {
+                let constants = piece.constants(quantities, digits);
+                let answer = Answer::landmark(name, Ok((&piece.point, constants)));
+                match piece.certificates.get(&digits) {
+                    Some(hash) if format.has_certificates => {
+                        answer.with_certificate(digits, hash.clone())
                     }
+                    _ => answer,
                 }
-            })
+            }
         };
-        self.parts().filter_map(answer).collect()
+        points.iter().copied().zip(self.done()).map(answer).collect()
     }
 
     fn arches(&self, arches: &[SceneArch], digits: usize) -> Vec<Answer> {
-        let all: Vec<_> = arches.iter().zip(self.parts()).collect();
+        let all: Vec<_> = arches.iter().zip(self.done::<ArchPiece>()).collect();
         let proved = self.plan.scene.items[self.index].format.proved_digits(digits);
-        let answers = all.par_iter().enumerate().filter_map(|(index, (asked, part))| {
+        let answers = all.par_iter().enumerate().filter_map(|(index, (asked, piece))| {
             let SceneArch { arch, thickness, measured } = asked;
             let line = index as u64 + 1;
-            let (Work::Arch(node), WorkDone::Arch(piece)) = part else { return None };
+            let measured = measured.as_deref();
+            let measures = measured.and_then(|of| of.given.measures.as_ref());
+            let measures = measures.map(|of| (of, digits));
             let answer = match thickness {
                 Some(eta) => {
-                    let found = &piece.thicknesses[node.place(eta, proved)?];
-                    Answer::assessment(line, (arch, eta), found)
+                    let found = piece.thicknesses.get(&(eta.to_rational(), proved))?;
+                    answer::assessment(line, (arch, eta, measures), proved, found)
                 }
-                None => Answer::state(line, arch, piece.states.get(&proved)?),
+                None => answer::state(line, (arch, measures), proved, piece.states.get(&proved)?),
             };
-            let asymmetric = || piece.asymmetric.get(&proved).cloned().unwrap_or(Ok(Vec::new()));
-            let answer = answer.with_asymmetric(asymmetric);
-            let Some(MeasuredArch { asked, given }) = measured.as_deref() else {
-                return Some(answer);
-            };
-            let of = given.measures.as_ref()?;
-            let sizes = match thickness {
-                Some(eta) => measured_assessment((arch, eta), of, digits),
-                None => measured_state(arch, of, digits),
-            };
-            let asked = Some(Box::new(Understood::new(asked, given)));
-            Some(Answer { asked, ..answer.measured(of.circle(), sizes) })
+            let understood = |of: &MeasuredArch| Box::new(Understood::new(&of.asked, &of.given));
+            Some(Answer { asked: measured.map(understood), ..answer })
         });
         answers.collect()
     }
 
     /// A map of what is proved; a picture needs all its curves, as without one it would show other domains.
-    fn map(&self, asked: &SceneMap, format: &Format) -> (Option<Box<dyn Reported>>, Vec<String>) {
+    fn map(&self, asked: &SceneMap, format: &Format) -> ItemFound {
         let (mut traces, mut levels, mut open) = (Vec::new(), Vec::new(), Vec::new());
-        for part in self.done() {
+        for part in self.done::<Result<CurvePiece, NoLevel>>() {
             match part {
-                WorkDone::Curve(Ok(CurvePiece::Curve(trace))) => traces.push((**trace).clone()),
-                WorkDone::Curve(Ok(CurvePiece::Level(level))) => levels.push(level.clone()),
-                WorkDone::Curve(Err(undecided)) => open.push(undecided.to_string()),
-                _ => {}
+                Ok(CurvePiece::Curve(trace)) => traces.push((**trace).clone()),
+                Ok(CurvePiece::Level(level)) => levels.push(level.clone()),
+                Err(undecided) => open.push(undecided.to_string()),
             }
         }
         if (format.is_picture || format.is_page()) && !open.is_empty() {
             return (None, open);
         }
-        let landmarks = self.constants(&Quantity::LANDMARK, PAGE_DIGITS);
+        let landmarks = self.constants(&asked.landmarks, &Quantity::LANDMARK, PAGE_DIGITS);
         let names = undecided_landmarks(&landmarks);
         let is_asked = |weight: &SelfWeight| asked.lines.iter().any(|(of, _)| of == weight);
         let weights = SelfWeight::ALL.into_iter().filter(is_asked);
@@ -233,11 +224,11 @@ impl<'a> ItemParts<'a> {
     }
 
     /// Arches that are drawn, in the modes that are asked for; all of them or none.
-    fn drawing(&self, asked: &SceneDrawing) -> (Option<Box<dyn Reported>>, Vec<String>) {
+    fn drawing(&self, asked: &SceneDrawing) -> ItemFound {
         let (mut sketches, mut open) = (Vec::new(), Vec::new());
         for ((_, modes), part) in asked.arches.iter().zip(self.done()) {
-            let WorkDone::Drawing(found) = part else { continue };
-            match (**found).clone().and_then(|sketch| sketch.in_modes(modes)) {
+            let found: &Result<Sketch, NoSketch> = part;
+            match found.clone().and_then(|sketch| sketch.in_modes(modes)) {
                 Ok(sketch) => sketches.push(sketch),
                 Err(none) => open.push(none.to_string()),
             }
@@ -249,35 +240,13 @@ impl<'a> ItemParts<'a> {
     }
 
     fn audit(&self) -> Result<Audit, Error> {
-        let enclosed = |part: &WorkDone| match part {
-            WorkDone::Landmark(found) => found
-                .as_ref()
-                .as_ref()
-                .map(|piece| piece.enclosed.clone())
-                .map_err(Clone::clone)
-                .transpose(),
-            _ => None,
+        let enclosed = |found: &Result<LandmarkPiece, Error>| match found {
+            Ok(piece) => piece.enclosed.clone().map(Ok),
+            Err(error) => Some(Err(error.clone())),
         };
         let points: Vec<Enclosed> = self.done().filter_map(enclosed).collect::<Result<_, _>>()?;
         Ok(Audit { printed: audit_of(&points)?, comparisons: compare_weights_of(&points)? })
     }
-}
-
-/// Answers about ranges, apart from what stays open or makes no sense.
-fn apart<T>(
-    found: impl Iterator<Item = Result<Arc<T>, String>>,
-    is_open: fn(&T) -> bool,
-) -> (Vec<Arc<T>>, Vec<String>) {
-    let (mut all, mut undecided) = (Vec::new(), Vec::new());
-    for one in found {
-        match one {
-            Ok(one) => all.push(one),
-            Err(error) => undecided.push(error),
-        }
-    }
-    let open = all.iter().filter(|one| is_open(one)).count();
-    undecided.extend((open > 0).then(|| format!("{open} of {} ranges", all.len())));
-    (all, undecided)
 }
 
 fn undecided_landmarks(list: &[Answer]) -> Vec<String> {

@@ -1,9 +1,12 @@
 //! Parts of the work that a plan leaves out, and why.
 
-use super::nodes::{ArchNode, RANGE_OF_THRUSTS, Work};
+use super::arch_node::{ArchNode, RANGE_OF_THRUSTS};
+use super::curve_node::CurveNode;
+use super::landmark_node::LandmarkNode;
 use super::plan::Plan;
 use super::run::Costs;
 use super::schema::MapLine;
+use super::work::Work;
 use crate::arch::SelfWeight;
 use crate::atlas::Curve;
 use crate::certify::quantities;
@@ -14,33 +17,39 @@ use crate::report::words::{count, list};
 
 /// Statements of what is not computed, and why.
 pub(super) fn left_out(plan: &Plan, costs: Option<&Costs>) -> Vec<String> {
-    let (mut landmarks, mut arches_asked, mut curves) = (Vec::new(), Vec::new(), Vec::new());
-    let mut claims_asked = 0;
+    let (mut landmarks, mut arches, mut curves, mut claims) =
+        <(Vec<_>, Vec<_>, Vec<_>, usize)>::default();
     for part in &plan.parts {
         match &part.work {
             Work::Landmark(node) => landmarks.push(node),
-            Work::Arch(node) => arches_asked.push(node),
+            Work::Arch(node) => arches.push(node),
             Work::Curve(node) => curves.push(node),
-            Work::Claim(_) => claims_asked += 1,
+            Work::Claim(_) => claims += 1,
             Work::Drawing(_) | Work::Survey(_) => {}
         }
     }
+    let all = self::claims().len();
+    let claims = (1..all).contains(&claims).then(|| format!("{} of {all} claims", all - claims));
+    let lines = of_landmarks(&landmarks).into_iter().chain(of_arches(&arches)).chain(claims);
+    let lines = lines.chain(of_curves(&curves)).map(|what| format!("{what}: not asked for"));
+    lines.chain(costs.and_then(unused)).collect()
+}
+
+fn of_landmarks(nodes: &[&LandmarkNode]) -> Vec<String> {
     let mut lines = Vec::new();
-    let not_asked = |what: String| format!("{what}: not asked for");
     for weight in SelfWeight::ALL {
-        let asked = |landmark: &Landmark| {
-            landmarks.iter().any(|n| (n.landmark, n.weight) == (*landmark, weight))
-        };
-        let rest: Vec<Landmark> = Landmark::ALL.into_iter().filter(|l| !asked(l)).collect();
-        if !rest.is_empty() && !landmarks.is_empty() {
-            let symbols = list(rest.into_iter().map(Landmark::symbol));
-            lines.push(not_asked(format!("landmarks {symbols} {}", weight.name())));
+        let is_asked =
+            |of: &Landmark| nodes.iter().any(|node| (node.landmark, node.weight) == (*of, weight));
+        let rest = Landmark::ALL.into_iter().filter(|of| !is_asked(of)).map(Landmark::symbol);
+        let rest = list(rest);
+        if !rest.is_empty() && !nodes.is_empty() {
+            lines.push(format!("landmarks {rest} {}", weight.name()));
         }
     }
     let mut partly: Vec<((SelfWeight, usize), Vec<&str>)> = Vec::new();
-    for node in landmarks.into_iter().filter(|node| !node.asked.is_empty()) {
-        let asked = |quantity: &Quantity| node.asked.iter().any(|(of, _)| of == quantity);
-        let rest = quantities(node.landmark).filter(|quantity| !asked(quantity)).count();
+    for node in nodes.iter().filter(|node| !node.asked.is_empty()) {
+        let is_asked = |quantity: &Quantity| node.asked.iter().any(|(of, _)| of == quantity);
+        let rest = quantities(node.landmark).filter(|quantity| !is_asked(quantity)).count();
         let (key, symbol) = ((node.weight, rest), node.landmark.symbol());
         match partly.iter_mut().find(|(other, _)| *other == key) {
             Some((_, symbols)) => symbols.push(symbol),
@@ -48,51 +57,48 @@ pub(super) fn left_out(plan: &Plan, costs: Option<&Costs>) -> Vec<String> {
         }
     }
     for ((weight, rest), symbols) in partly.into_iter().filter(|((_, rest), _)| *rest > 0) {
-        let (symbols, weight) = (list(symbols), weight.name());
         let rest = count(rest, "quantity", "quantities");
-        lines.push(not_asked(format!("{rest} each of {symbols} {weight}")));
-    }
-    let arches = |without: &dyn Fn(&ArchNode) -> bool| {
-        arches_asked.iter().filter(|node| without(node)).count()
-    };
-    let frictions = arches(&|node| !node.states.is_empty() && !node.frictions());
-    if frictions > 0 {
-        let names = Quantity::STATE.into_iter().filter(|quantity| quantity.is_friction());
-        let (names, arches) = (list(names.map(Quantity::name)), count(frictions, "arch", "arches"));
-        lines.push(not_asked(format!("{names} of {arches}")));
-    }
-    let ranges =
-        arches(&|node| node.thicknesses.iter().any(|asked| asked.wanted == Wanted::Standing));
-    if ranges > 0 {
-        let names = list(RANGE_OF_THRUSTS.map(Quantity::name));
-        lines.push(not_asked(format!("{names} of {}", count(ranges, "arch", "arches"))));
-    }
-    let all = claims().len();
-    if (1..all).contains(&claims_asked) {
-        lines.push(not_asked(format!("{} of {all} claims", all - claims_asked)));
-    }
-    for weight in SelfWeight::ALL {
-        let asked = |curve: &Curve| {
-            let line = MapLine::Curve(*curve);
-            curves.iter().any(|node| (node.weight, &node.line) == (weight, &line))
-        };
-        let rest: Vec<String> =
-            Curve::ALL.iter().filter(|c| !asked(c)).map(ToString::to_string).collect();
-        // Sliding is the same for both.
-        let is_asked = Curve::ALL.iter().any(asked) && rest != [Curve::Sliding.to_string()];
-        if is_asked && !rest.is_empty() {
-            let names = list(rest.iter().map(String::as_str));
-            lines.push(not_asked(format!("curves {names} {}", weight.name())));
-        }
-    }
-    if let Some(costs) = costs {
-        let total = costs.total();
-        let paper = Equation::ALL.iter().filter(|equation| equation.is_symmetric());
-        let unused = paper.filter(|equation| total.tally.of(**equation) == 0);
-        let unused = list(unused.map(|equation| equation.label()));
-        if !unused.is_empty() {
-            lines.push(format!("equations {unused}: nothing needed them"));
-        }
+        lines.push(format!("{rest} each of {} {}", list(symbols), weight.name()));
     }
     lines
+}
+
+fn of_arches(nodes: &[&ArchNode]) -> Vec<String> {
+    let frictions = Quantity::STATE.into_iter().filter(|quantity| quantity.is_friction()).collect();
+    let without = |quantities: Vec<Quantity>, is_without: &dyn Fn(&ArchNode) -> bool| {
+        let arches = nodes.iter().filter(|node| is_without(node)).count();
+        let (names, of) =
+            (list(quantities.into_iter().map(Quantity::name)), count(arches, "arch", "arches"));
+        (arches > 0).then(|| format!("{names} of {of}"))
+    };
+    let frictions = without(frictions, &|node| !node.states.is_empty() && !node.frictions());
+    let ranges = without(RANGE_OF_THRUSTS.to_vec(), &|node| {
+        node.thicknesses.values().any(|(_, wanted)| *wanted == Wanted::Standing)
+    });
+    frictions.into_iter().chain(ranges).collect()
+}
+
+fn of_curves(nodes: &[&CurveNode]) -> Vec<String> {
+    let of_weight = |weight: SelfWeight| {
+        let is_asked = |curve: &&Curve| {
+            let line = MapLine::Curve(**curve);
+            nodes.iter().any(|node| (node.weight, &node.line) == (weight, &line))
+        };
+        let rest = Curve::ALL.iter().filter(|curve| !is_asked(curve)).map(Curve::to_string);
+        let rest = rest.collect::<Vec<_>>().join(", ");
+        // Sliding is the same for both.
+        let is_part =
+            Curve::ALL.iter().any(|curve| is_asked(&curve)) && rest != Curve::Sliding.to_string();
+        (is_part && !rest.is_empty()).then(|| format!("curves {rest} {}", weight.name()))
+    };
+    SelfWeight::ALL.into_iter().filter_map(of_weight).collect()
+}
+
+/// Equations of the paper that nothing needed, if there are any.
+fn unused(costs: &Costs) -> Option<String> {
+    let total = costs.total();
+    let paper = Equation::ALL.iter().filter(|equation| equation.is_symmetric());
+    let unused = paper.filter(|equation| total.tally.of(**equation) == 0);
+    let unused = list(unused.map(|equation| equation.label()));
+    (!unused.is_empty()).then(|| format!("equations {unused}: nothing needed them"))
 }

@@ -3,11 +3,11 @@
 //! | file | what it does |
 //! |---|---|
 //! | `schema` | what a scene may hold, `couplet.scene/1` |
-//! | `read` | TOML to a valid scene, or all its faults; with `table`, `read_arches`, `read_ranges`, `read_drawing`, `read_map`, `read_numbers`, `read_output`, `read_print`, `value`, `fault` |
+//! | `read` | TOML to a valid scene, or all its faults; with `table`, `axes`, `read_arches`, `read_drawing`, `read_map`, `read_output`, `read_print`, `value`, `fault` |
 //! | `map_lines` | which lines a map shows |
 //! | `plan` | what has to be computed, each part once |
-//! | `nodes`, `drawn` | what a part is |
-//! | `run` | computes the parts, item by item: `pieces`; `cost` counts |
+//! | `work` | what a part is; `landmark_node`, `arch_node`, `curve_node`, `drawn`, `survey_node` are the kinds |
+//! | `run` | computes the parts, item by item; `shared` has what they share, `cost` counts |
 //! | `item_report` | what an item asked for, as a report |
 //! | `explain` | the plan as a tree, with what `expected` says of the arches |
 //! | `manifest`, `hash` | which outputs are complete, told by their content |
@@ -33,36 +33,41 @@
 //! # Ok::<(), std::io::Error>(())
 //! ```
 
+mod arch_node;
+mod axes;
 mod cost;
+mod curve_node;
 mod drawn;
 mod expected;
 mod explain;
 mod fault;
 mod hash;
 mod item_report;
+mod landmark_node;
 mod left_out;
 mod manifest;
 mod map_lines;
-mod nodes;
-mod pieces;
 mod plan;
 mod read;
 mod read_arches;
 mod read_drawing;
 mod read_map;
-mod read_numbers;
 mod read_output;
 mod read_print;
-mod read_ranges;
 mod read_sweep;
 mod run;
 mod same;
 mod schema;
+mod shared;
+mod survey_node;
 mod sweep;
 mod table;
 mod value;
+mod work;
 
+pub use arch_node::ArchNode;
 pub use cost::Cost;
+pub use curve_node::CurveNode;
 pub use drawn::{DrawnArch, Pose};
 pub use explain::explain;
 pub use fault::{Fault, Position};
@@ -70,11 +75,11 @@ pub use hash::Hashing;
 #[cfg(feature = "parquet")]
 pub(crate) use hash::hash_of;
 pub use item_report::ItemReport;
+pub use landmark_node::LandmarkNode;
 #[cfg(feature = "parquet")]
 pub(crate) use manifest::{MAX_RECORD, record_bytes};
 pub use manifest::{Manifest, NAME as MANIFEST};
 pub use map_lines::map_lines;
-pub use nodes::{ArchNode, CurveNode, LandmarkNode, SurveyNode, ThicknessNode, Work};
 pub use plan::{Plan, PlannedPart};
 pub use read::{read, read_bytes};
 pub use read_sweep::read_sweep;
@@ -84,6 +89,8 @@ pub use schema::{
     EXAMPLE, ItemKind, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, MapLine, Request, SCHEMA, Scene,
     SceneArch, SceneBoxes, SceneDrawing, SceneItem, SceneMap, SceneSurvey,
 };
+pub use survey_node::SurveyNode;
 #[cfg(feature = "parquet")]
 pub(crate) use sweep::{MAX_CHUNK, MAX_SAMPLE};
 pub use sweep::{SWEEP_DIGITS, SWEEP_EXAMPLE, SWEEP_SCHEMA, SweepArches, SweepPlan};
+pub use work::Work;

@@ -1,12 +1,15 @@
 //! The plan of a scene: each part of the work once, to the most digits that any item asks of it. The first
 //! item that needs a part waits for all of its digits.
 
-use super::nodes::{ArchNode, CurveNode, LandmarkNode, SurveyNode, Work, WorkKey};
-use super::same::arch_key;
+use super::arch_node::ArchNode;
+use super::curve_node::CurveNode;
+use super::landmark_node::LandmarkNode;
 use super::schema::{Request, Scene, SceneArch, SceneItem};
+use super::survey_node::SurveyNode;
+use super::work::Work;
 use crate::arch::SelfWeight;
 use crate::problem::{Landmark, Quantity};
-use std::collections::{BTreeSet, HashMap};
+use std::collections::HashMap;
 
 /// Pieces that are computed, and what each item takes from it.
 #[derive(Debug)]
@@ -38,7 +41,8 @@ pub(super) const PAGE_DIGITS: usize = 15;
 /// A plan that grows item by item.
 struct Planning<'s> {
     parts: Vec<PlannedPart<'s>>,
-    places: HashMap<WorkKey, usize>,
+    /// The places of the parts, by kind and key.
+    places: HashMap<(&'static str, String), usize>,
     /// The item that is read.
     item: usize,
     /// The places that it takes.
@@ -63,12 +67,12 @@ impl<'s> Plan<'s> {
 
     /// Sizes of the parts, in digits of landmarks that take as long.
     pub fn sizes(&self) -> Vec<usize> {
-        self.parts.iter().map(|part| part.work.size()).collect()
+        self.parts.iter().map(|part| part.work.of().size()).collect()
     }
 
     /// Number of times that the run reports progress.
     pub fn ticks(&self) -> u64 {
-        self.parts.iter().map(|part| part.work.ticks()).sum()
+        self.parts.iter().map(|part| part.work.of().ticks()).sum()
     }
 }
 
@@ -90,9 +94,7 @@ impl<'s> Planning<'s> {
             }
             Request::Arches { arches, quantities, digits, .. } => {
                 for SceneArch { arch, thickness, .. } in arches {
-                    let key = WorkKey::Arch(arch_key(arch));
-                    let work = self.part(key, || Work::Arch(ArchNode::new(arch)));
-                    if let Work::Arch(node) = work {
+                    if let Work::Arch(node) = self.part(Work::Arch(ArchNode::new(arch))) {
                         node.errors |= item.format.has_errors;
                         let digits = item.format.proved_digits(*digits);
                         node.ask(thickness.as_ref(), quantities, digits);
@@ -103,19 +105,17 @@ impl<'s> Planning<'s> {
                 let rows = boxes.as_ref().map(|boxes| &boxes.rows);
                 for survey in surveys {
                     let node = SurveyNode { survey, rows, quantities, digits: *digits };
-                    self.part(WorkKey::Survey(node.key()), || Work::Survey(node));
+                    self.part(Work::Survey(node));
                 }
             }
             Request::Claims { claims, .. } => {
                 for claim in claims {
-                    self.part(WorkKey::Claim(claim.id), || Work::Claim(*claim));
+                    self.part(Work::Claim(*claim));
                 }
             }
             Request::Drawing(drawing) => {
                 for (drawn, _) in &drawing.arches {
-                    self.part(WorkKey::Drawing(drawn.key()), || {
-                        Work::Drawing(Box::new(drawn.clone()))
-                    });
+                    self.part(Work::Drawing(Box::new(drawn.clone())));
                 }
             }
             Request::Map(map) | Request::Figure(map) => {
@@ -124,19 +124,17 @@ impl<'s> Planning<'s> {
                 }
                 for (weight, line) in &map.lines {
                     let (line, weight, tolerance) = (line.clone(), *weight, map.tolerance);
-                    let node = CurveNode { line, weight, tolerance };
-                    let key = WorkKey::Curve(node.to_string(), tolerance.to_bits());
-                    self.part(key, || Work::Curve(node));
+                    self.part(Work::Curve(CurveNode { line, weight, tolerance }));
                 }
             }
         }
     }
 
-    /// A part that the item takes, made if it is not there.
-    fn part(&mut self, key: WorkKey, work: impl FnOnce() -> Work<'s>) -> &mut Work<'s> {
+    /// A part that the item takes, added if it is not there.
+    fn part(&mut self, work: Work<'s>) -> &mut Work<'s> {
         let (item, parts) = (self.item, &mut self.parts);
-        let place = *self.places.entry(key).or_insert_with(|| {
-            parts.push(PlannedPart { work: work(), first: item, last: item });
+        let place = *self.places.entry((work.kind().0, work.of().key())).or_insert_with(|| {
+            parts.push(PlannedPart { work, first: item, last: item });
             parts.len() - 1
         });
         self.needs.push(place);
@@ -144,15 +142,8 @@ impl<'s> Planning<'s> {
         &mut parts[place].work
     }
 
-    fn landmark(
-        &mut self,
-        (landmark, weight): (Landmark, SelfWeight),
-        ask: impl FnOnce(&mut LandmarkNode),
-    ) {
-        let (asked, certificates) = (Vec::new(), BTreeSet::new());
-        let node = LandmarkNode { landmark, weight, asked, certificates, audited: false };
-        let key = WorkKey::Landmark(landmark, weight);
-        if let Work::Landmark(node) = self.part(key, || Work::Landmark(node)) {
+    fn landmark(&mut self, point: (Landmark, SelfWeight), ask: impl FnOnce(&mut LandmarkNode)) {
+        if let Work::Landmark(node) = self.part(Work::Landmark(LandmarkNode::new(point))) {
             ask(node);
         }
     }

@@ -1,6 +1,7 @@
 //! Reading from TOML to a valid scene, or to everything that is wrong with it.
 
 use super::fault::{Fault, SceneText};
+use super::read_arches::arches;
 use super::read_drawing::drawing;
 use super::read_map::{figure, map};
 use super::read_output::{OutputFiles, output};
@@ -11,7 +12,6 @@ use super::schema::{
 };
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
-use super::{read_arches, read_ranges};
 use crate::arch::SelfWeight;
 use crate::certify::{MAX_DIGITS, quantities};
 use crate::claims::{Claim, claims};
@@ -78,9 +78,9 @@ fn scene(reader: &mut TomlReader, root: &DeTable) -> Vec<SceneItem> {
         let names = list(names.iter().map(String::as_str));
         reader.fault(0..0, format!("the scene asks for nothing; it may have {names}"));
     }
-    let (mut files, mut arches) = (OutputFiles::default(), 0);
+    let (mut files, mut used) = (OutputFiles::default(), 0);
     let items = tables.into_iter().filter_map(|(kind, span, table)| {
-        item(TableReader { reader, span, table }, kind, &mut files, &mut arches)
+        item(TableReader { reader, span, table }, kind, &mut files, &mut used)
     });
     items.collect()
 }
@@ -109,12 +109,12 @@ fn tables<'v>(
     tables
 }
 
-/// An item; `arches` counts those of all items.
+/// An item; `used` counts the arches of all items.
 fn item(
     mut table: TableReader,
     kind: ItemKind,
     files: &mut OutputFiles,
-    arches: &mut usize,
+    used: &mut usize,
 ) -> Option<SceneItem> {
     let before = table.reader.faults.len();
     let name = format!("[[{}]]", kind.name());
@@ -123,10 +123,7 @@ fn item(
     let format = destination.as_ref().map(|(_, format)| *format);
     let what = match kind {
         ItemKind::Constants => constants(&mut table),
-        ItemKind::Arches if read_ranges::are_ranged(&table) => {
-            read_ranges::arches(&mut table, format, arches)
-        }
-        ItemKind::Arches => read_arches::arches(&mut table, arches),
+        ItemKind::Arches => arches(&mut table, format, used),
         ItemKind::Claims => some_claims(&mut table),
         ItemKind::Audit => points(&mut table).map(|points| Request::Audit { points }),
         ItemKind::Map => map(&mut table, format),

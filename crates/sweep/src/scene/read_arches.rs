@@ -1,101 +1,83 @@
-//! Reading from TOML to arches, by the reader of every other door: each key is a list of texts, and every weight goes
-//! with every combination of them.
+//! Reading from TOML to arches, or to arches between two ends where any value is a range.
 
-use super::read_numbers::{Meaning, Numbers, numbers};
-use super::schema::{MAX_ARCHES, MeasuredArch, Request, SceneArch};
+use super::axes::{Allowed, ArchAxis, QUESTION, axes, example, is_measured, product};
+use super::schema::{MAX_RANGES, MeasuredArch, Request, SceneArch, SceneBoxes, SceneSurvey};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
-use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling};
+use crate::ask::{ArchAsked, ArchGiven, Field, Misfit, Spelling, SurveyGiven};
 use crate::certify::MAX_DIGITS;
+use crate::number::is_range;
 use crate::problem::Quantity;
+use crate::report::words::distinct;
+use crate::report::{Format, Reported, SurveyedArches, SurveyedRows};
+use crate::surveyed;
+use toml::de::DeValue;
 
-/// Fields of which each makes an arch a measured one.
-const SIZES: [Field; 6] =
-    [Field::Span, Field::Rise, Field::Radius, Field::MeasuredAt, Field::Density, Field::Depth];
-
-/// Question that any arch of a scene answers.
-pub(super) const QUESTION: ArchQuestion =
-    ArchQuestion { refuses: &[], needs: &[], unlimited: false, example: "" };
-
-/// Key with its values.
-pub(super) struct Axis {
-    pub field: Field,
-    pub values: Values,
-    /// Text of all of it, if it is cut into boxes.
-    pub whole: Option<String>,
-}
-
-/// Values of a key. Numbers are written out only when it is known that they are not too many.
-pub(super) enum Values {
-    Texts(Vec<String>),
-    Numbers(Numbers),
-}
-
-impl Values {
-    /// Number of values.
-    pub(super) fn len(&self) -> usize {
-        match self {
-            Self::Texts(texts) => texts.len(),
-            Self::Numbers(numbers) => numbers.len(),
-        }
-    }
-
-    /// Exact texts of all.
-    fn texts(self, table: &mut TableReader) -> Option<Vec<String>> {
-        match self {
-            Self::Texts(texts) => Some(texts),
-            Self::Numbers(numbers) => table.texts(numbers),
-        }
+/// Tells whether a value, or one of a list, is a range.
+fn is_ranged(value: &TomlValue) -> bool {
+    match value.get_ref() {
+        DeValue::Array(all) => all.iter().any(is_ranged),
+        DeValue::Table(table) => table.contains_key("boxes"),
+        DeValue::String(text) => is_range(text),
+        _ => false,
     }
 }
 
-/// Tells whether arches are measured.
-pub(super) fn is_measured(table: &TableReader) -> bool {
-    SIZES.iter().any(|field| table.get(field.name()).is_some())
-}
-
-/// Values of arches that a table gives.
-pub(super) fn given_fields<'a>(table: &TableReader<'a, '_>) -> Vec<(Field, &'a TomlValue<'a>)> {
-    let numbers = [Field::HalfOpening, Field::Friction, Field::FrictionAngle, Field::Thickness];
-    let fields = numbers.into_iter().chain(SIZES);
-    fields.filter_map(|of| Some((of, table.given_field(of)?))).collect()
-}
-
-/// An item of arches; `used` counts the arches of all items.
-pub(super) fn arches(table: &mut TableReader, used: &mut usize) -> Option<Request> {
-    let with_thickness = table.given_field(Field::Thickness).is_some();
+/// An item of arches; `used` counts the arches of all items, of which each range is one.
+pub(super) fn arches(
+    table: &mut TableReader,
+    format: Option<&'static Format>,
+    used: &mut usize,
+) -> Option<Request> {
+    let before = table.reader.faults.len();
+    let ranges = Field::ALL.iter().filter_map(|of| table.given_field(*of)).any(is_ranged);
+    if ranges {
+        is_written(table, format);
+    }
     let weights = table.weights(&[SelfWeight::Milankovitch]);
-    let arches = weights.as_ref().and_then(|weights| all(table, weights, used));
-    let measured = arches.as_ref().and_then(|all| Some(&all.first()?.measured.as_ref()?.given));
-    let [usual, of_measured] = match with_thickness {
+    let allowed = Allowed { ranges, measured: is_measured(table) };
+    let axes = axes(table, &QUESTION, allowed);
+    let has = |field| table.given_field(field).is_some();
+    let with_thickness = has(Field::Thickness);
+    let known = if ranges { surveyed::told(has) } else { known(has, allowed.measured) };
+    let quantities = quantities(table, &known);
+    let usual = if ranges { table.reader.range_digits } else { table.reader.digits };
+    let digits =
+        table.or("digits", usual, |reader, key, value| reader.whole(key, value, 1..=MAX_DIGITS));
+    let (weights, axes, quantities, digits) = (weights?, axes?, quantities?, digits?);
+    let request = match ranges {
+        true => surveys(table, axes, &weights, (quantities, digits), used)?,
+        false => {
+            let asked = product(table, axes, weights.len(), used)?;
+            let arches = all(table, &asked, &weights, allowed.measured);
+            Request::Arches { arches, quantities, with_thickness, digits }
+        }
+    };
+    table.is_well_since(before).then_some(request)
+}
+
+/// Quantities that may be asked of arches that have these fields.
+fn known(has: impl Fn(Field) -> bool, is_measured: bool) -> Vec<Quantity> {
+    let [usual, measured] = match has(Field::Thickness) {
         true => [&Quantity::ASSESSMENT[..], &Quantity::MEASURED_ASSESSMENT],
         false => [&Quantity::STATE[..], &Quantity::MEASURED_STATE],
     };
-    // Of arches in metres that make no sense nobody knows what may be asked.
-    let known = match measured {
-        Some(given) => Some(given.quantities(usual, of_measured)),
-        None => (!is_measured(table)).then(|| usual.to_vec()),
-    };
-    let quantities = known.map(|known| quantities(table, &known, with_thickness));
-    let digits = digits(table, table.reader.digits);
-    let (arches, quantities, digits) = (arches?, quantities??, digits?);
-    Some(Request::Arches { arches, quantities, with_thickness, digits })
+    let measured = if is_measured { measured } else { &[] };
+    let has_forces = has(Field::Density);
+    usual.iter().chain(measured).copied().filter(|of| has_forces || !of.is_force()).collect()
 }
 
-/// Arches of every combination of what is given, with each weight; `used` counts the arches of all items.
-pub(super) fn all(
+/// Arches of questions that were found to go together, with each weight.
+fn all(
     table: &mut TableReader,
+    asked: &[ArchAsked],
     weights: &[SelfWeight],
-    used: &mut usize,
-) -> Option<Vec<SceneArch>> {
-    let before = table.reader.faults.len();
-    let axes = axes(table)?;
-    let asked = product(table, axes, weights.len(), used)?;
-    let is_measured = is_measured(table);
+    is_measured: bool,
+) -> Vec<SceneArch> {
     let mut arches = Vec::with_capacity(asked.len() * weights.len());
     for &weight in weights {
-        for asked in &asked {
+        for asked in asked {
             let given = ArchGiven::read(&QUESTION, asked, Spelling::Key);
             let read = given.and_then(|given| Ok((given.arch(weight)?, given)));
             let Some((arch, given)) = table.fitting(read) else { continue };
@@ -105,81 +87,76 @@ pub(super) fn all(
         }
     }
     table.remark_on(arches.iter().map(|of| of.arch.friction()));
-    table.is_well_since(before).then_some(arches)
+    arches
 }
 
-/// Every combination of the texts of the keys, the last key fastest; `used` counts them, with each weight.
-pub(super) fn product(
+/// Arches between two ends, which may be boxes of one question.
+fn surveys(
     table: &mut TableReader,
-    axes: Vec<Axis>,
-    weights: usize,
+    axes: Vec<ArchAxis>,
+    weights: &[SelfWeight],
+    (quantities, digits): (Vec<Quantity>, usize),
     used: &mut usize,
-) -> Option<Vec<ArchAsked>> {
-    let lengths = axes.iter().map(|axis| axis.values.len());
-    let count = lengths.fold(weights, usize::saturating_mul);
-    if count > MAX_ARCHES - *used {
-        return table.too_many(count, *used);
+) -> Option<Request> {
+    // The thickness of a state is the least.
+    let least = |of| if of == Quantity::Thickness { Quantity::LeastThickness } else { of };
+    let quantities = distinct(quantities.into_iter().map(least));
+    let cut = |axis: &ArchAxis| Some((axis.field, axis.count, axis.whole.clone()?));
+    let cut: Vec<(Field, usize, String)> = axes.iter().filter_map(cut).collect();
+    let several = axes.iter().find(|axis| axis.whole.is_none() && axis.count > 1);
+    if let (false, Some(ArchAxis { field, .. })) = (cut.is_empty(), several) {
+        let message =
+            format!("beside boxes {} is one value, one range, or boxes too", field.name());
+        return table.fitting(Err(Misfit { field: Some(*field), message }));
     }
-    *used += count;
-    let mut all = vec![ArchAsked::default()];
-    for axis in axes {
-        let with = |asked: &ArchAsked, text: &String| {
-            let mut asked = asked.clone();
-            *asked.at(axis.field) = Some(text.clone());
-            asked
-        };
-        let texts = axis.values.texts(table)?;
-        all = all.iter().flat_map(|asked| texts.iter().map(|text| with(asked, text))).collect();
+    let all = product(table, axes, weights.len(), used)?;
+    let count = all.len() * weights.len();
+    if cut.is_empty() && count > MAX_RANGES {
+        return table.refuse(format!(
+            "{count} ranges are too many; an item has at most {MAX_RANGES}, `couplet states --ranges` reads any number"
+        ));
     }
-    Some(all)
-}
-
-/// The keys that are given, with their texts: numbers in a list or in steps, and texts of sizes.
-fn axes(table: &mut TableReader) -> Option<Vec<Axis>> {
-    let before = table.reader.faults.len();
-    let is_measured = is_measured(table);
-    let alpha = match is_measured && table.given_field(Field::HalfOpening).is_none() {
+    let boxes = match cut.is_empty() {
         true => None,
-        false => Some((Field::HalfOpening, half_openings(table))),
-    };
-    let eta = table.given(Meaning::Thickness).filter(|_| !is_measured);
-    let eta = eta.map(|value| (Field::Thickness, numbers(table.reader, Meaning::Thickness, value)));
-    let found = [alpha, Some((Field::Friction, frictions(table))), eta].into_iter().flatten();
-    let mut all = Vec::new();
-    for (field, numbers) in found.collect::<Vec<_>>() {
-        let values = numbers.map(Values::Numbers);
-        all.extend(values.map(|values| Axis { field, values, whole: None }));
-    }
-    for (field, value) in given_fields(table) {
-        if is_measured && (field == Field::Thickness || SIZES.contains(&field)) {
-            let allowed = "a text, as the command has it (\"10m\"), or a list";
-            all.extend(axis(table.reader, (field, allowed), value));
+        false => {
+            let mut asked = all.first()?.clone();
+            cut.iter().for_each(|(of, _, whole)| *asked.at(*of) = Some(whole.clone()));
+            let given = table.fitting(given(&asked))?;
+            let rows = SurveyedRows::new(quantities.clone(), asked.thickness.is_some());
+            let cut = cut.into_iter().map(|(of, count, _)| (of, count)).collect();
+            Some(Box::new(SceneBoxes { asked, given, cut, rows }))
         }
-    }
-    table.is_well_since(before).then_some(all)
+    };
+    let read: Vec<_> = all.iter().filter_map(|asked| table.fitting(given(asked))).collect();
+    table.remark_on(read.iter().flat_map(|given| &given.friction));
+    let surveys = weights.iter().flat_map(|&weight| {
+        all.iter().map(move |asked| SceneSurvey { asked: asked.clone(), weight })
+    });
+    let surveys = surveys.collect();
+    Some(Request::Surveys { surveys, boxes, quantities, digits })
 }
 
-/// A key whose texts are read as they are, each once.
-pub(super) fn axis(
-    reader: &mut TomlReader,
-    (field, allowed): (Field, &str),
-    value: &TomlValue,
-) -> Option<Axis> {
-    let read = |reader: &mut TomlReader, element: &TomlValue| match TomlReader::literal(element) {
-        Some(text) => Some((text.to_owned(), text.to_owned())),
-        None => reader.reject(field.name(), element, allowed),
-    };
-    let texts = reader.each_once(field.name(), value, allowed, read)?;
-    Some(Axis { field, values: Values::Texts(texts), whole: None })
+/// The arches of a question.
+pub(super) fn given(asked: &ArchAsked) -> Result<SurveyGiven, Misfit> {
+    SurveyGiven::read(&QUESTION, asked, Spelling::Key)
+}
+
+/// Refuses a format that ranges do not have.
+fn is_written(table: &mut TableReader, format: Option<&'static Format>) {
+    let content = SurveyedArches::content();
+    if let Some(format) = format.filter(|format| !content.is_written_as(format)) {
+        let place = table.get("format").or_else(|| table.get("output"));
+        let span = place.map_or(table.span.clone(), |value| value.span());
+        let (names, name) = (Format::names(content), format.name);
+        let message = format!("the answer of a range is written only as {names}, not {name}");
+        table.reader.fault(span, message);
+    }
 }
 
 /// Quantities that are asked for, in the order in which they are always shown.
-pub(super) fn quantities(
-    table: &mut TableReader,
-    all: &[Quantity],
-    with_thickness: bool,
-) -> Option<Vec<Quantity>> {
+fn quantities(table: &mut TableReader, all: &[Quantity]) -> Option<Vec<Quantity>> {
     let known: Vec<_> = all.iter().map(|quantity| (quantity.name(), *quantity)).collect();
+    let with_thickness = table.given_field(Field::Thickness).is_some();
     let asked = table.or("quantities", all.to_vec(), |reader, key, value| {
         match !with_thickness && needs_thickness(reader, value) {
             true => None,
@@ -195,39 +172,10 @@ fn needs_thickness(reader: &mut TomlReader, value: &TomlValue) -> bool {
     for element in reader.elements("quantities", value, "names of quantities") {
         let name = element.get_ref().as_str().unwrap_or_default();
         if Quantity::ASSESSMENT.iter().any(|quantity| quantity.name() == name) {
-            let allowed = Meaning::Thickness.allowed();
+            let allowed = example(Field::Thickness);
             let message = format!("quantities \"{name}\" needs a thickness; give {allowed}");
             reader.fault(element.span(), message);
         }
     }
     reader.faults.len() > before
-}
-
-/// The half openings.
-pub(super) fn half_openings(table: &mut TableReader) -> Option<Numbers> {
-    let meaning = Meaning::HalfOpening;
-    match table.given(meaning) {
-        Some(value) => numbers(table.reader, meaning, value),
-        None => table.refuse("half_opening is missing"),
-    }
-}
-
-/// The frictions, or their angles.
-pub(super) fn frictions(table: &mut TableReader) -> Option<Numbers> {
-    let given = [Meaning::Friction, Meaning::FrictionAngle].map(|meaning| {
-        let value = table.given(meaning)?;
-        Some((value.span(), numbers(table.reader, meaning, value)))
-    });
-    match given {
-        [Some(_), Some((angle, _))] => {
-            table.reader.refuse(angle, "friction and friction_angle say the same: give one of them")
-        }
-        [Some((_, numbers)), None] | [None, Some((_, numbers))] => numbers,
-        [None, None] => table.refuse("friction (or friction_angle) is missing"),
-    }
-}
-
-/// Significant digits, so many where nothing is said.
-pub(super) fn digits(table: &mut TableReader, usual: usize) -> Option<usize> {
-    table.or("digits", usual, |reader, key, value| reader.whole(key, value, 1..=MAX_DIGITS))
 }

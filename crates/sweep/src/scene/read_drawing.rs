@@ -1,14 +1,14 @@
 //! Reading from TOML to arches that are drawn: any arch, or those of a figure of the paper.
 
+use super::axes::{Allowed, QUESTION, axes, example, given, is_measured, product};
 use super::drawn::{DrawnArch, Pose};
-use super::read_arches::{all, frictions, given_fields, is_measured};
-use super::read_numbers::{Meaning, SceneNumber, numbers};
-use super::schema::{MeasuredArch, Request, SceneDrawing};
+use super::schema::{Request, SceneDrawing};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
-use crate::ask::Field;
-use crate::problem::{Arch, Friction, Landmark, Mode};
+use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling};
+use crate::problem::measures::Measures;
+use crate::problem::{Landmark, Mode};
 use crate::report::words::list;
 use crate::report::{Format, Style};
 use toml::de::DeValue;
@@ -56,7 +56,7 @@ pub(super) fn drawing(table: &mut TableReader, format: Option<&'static Format>) 
     // Of what is wrong any other does, to read the rest.
     let any = weight.unwrap_or(SelfWeight::Milankovitch);
     let pose = pose(table, any, mode.flatten());
-    let ((measured, pose), mode, stones, is_dilatant) = (pose?, mode?, stones?, dilatant?);
+    let ((asked, measures, pose), mode, stones, is_dilatant) = (pose?, mode?, stones?, dilatant?);
     weight?;
     let (amplitude, half, arrows, animate) = (amplitude?, half?, arrows?, animate?);
     let style = Style { amplitude, half, arrows, animate, notation: false };
@@ -80,61 +80,67 @@ pub(super) fn drawing(table: &mut TableReader, format: Option<&'static Format>) 
         return table.refuse(message);
     }
     let drawn = DrawnArch { pose, stones, is_dilatant };
-    let command = drawn.command(measured.as_ref().map(|of| &of.asked), mode, &style);
-    let measures = measured.and_then(|of| of.given.measures);
+    let command = drawn.command(&asked, mode, &style);
     let arches = vec![(drawn, mode.into_iter().collect())];
     let drawing = Request::Drawing(SceneDrawing { arches, style, measures, command });
     table.is_well_since(before).then_some(drawing)
 }
 
-/// Reads the pose in which an arch is drawn, and its sizes if it is in metres.
+/// Reads the pose in which an arch is drawn, with its texts, and its sizes if it is in metres.
 fn pose(
     table: &mut TableReader,
     weight: SelfWeight,
     mode: Option<Mode>,
-) -> Option<(Option<MeasuredArch>, Pose)> {
-    let alpha = table.given_field(Field::HalfOpening);
-    let eta = table.given(Meaning::Thickness);
-    let mu = [Field::Friction, Field::FrictionAngle].iter().find_map(|of| table.given_field(*of));
+) -> Option<(ArchAsked, Option<Measures>, Pose)> {
+    let measured = is_measured(table);
+    let fields = given(table);
+    let has = |all: &[Field]| fields.iter().any(|(field, _)| all.contains(field));
+    let has_friction = has(&[Field::Friction, Field::FrictionAngle]);
     if let Some(value) = table.get("at") {
-        if is_measured(table) {
+        if measured {
             return table.refuse("a landmark has no size; leave out at, or the measures");
         }
-        let is_alone = alpha.is_none() && eta.is_none() && mu.is_none();
+        let is_alone = fields.is_empty();
         if !is_alone {
             let message = "a landmark has its half_opening, friction and thickness; leave them out";
             table.reader.fault(value.span(), message);
         }
         return match table.landmarks("at")?[..] {
-            [landmark] => is_alone.then_some((None, Pose::Landmark(landmark, weight))),
+            [landmark] if is_alone => {
+                Some((ArchAsked::default(), None, Pose::Landmark(landmark, weight)))
+            }
+            [_] => None,
             _ => table.reader.reject("at", value, "one of them: a drawing shows one arch"),
         };
     }
-    if alpha.is_none() && !is_measured(table) {
-        let allowed = Meaning::HalfOpening.allowed();
-        let message = format!("half_opening is missing; give {allowed}, or at");
-        table.refuse::<()>(message);
-        return frictions(table).and(None);
+    if !has(&[Field::HalfOpening]) && !measured {
+        let allowed = example(Field::HalfOpening);
+        table.refuse::<()>(format!("half_opening is missing; give {allowed}, or at"));
+        return if has_friction {
+            None
+        } else {
+            table.refuse("friction (or friction_angle) is missing")
+        };
     }
-    if let (Some(alpha), Some(eta), None, Some(Mode::Sliding)) = (alpha, eta, mu, mode) {
-        let alpha = single(table.reader, Meaning::HalfOpening, alpha);
-        let eta = single(table.reader, Meaning::Thickness, eta);
-        let arch = Arch::new(weight, alpha?.number?, Friction::Infinite).ok()?;
-        return Some((None, Pose::Sliding(arch, eta?.number?)));
+    if let Some((field, value)) = fields.iter().find(|(_, value)| is_several(value)) {
+        let one = "one value: a drawing shows one arch";
+        return table.reader.reject(field.name(), value, one);
     }
-    let several = given_fields(table).into_iter().find(|(_, value)| is_several(value));
-    if let Some((field, value)) = several {
-        return table.reader.reject(field.name(), value, ONE);
-    }
-    let arch = all(table, &[weight], &mut 0)?.pop()?;
-    let pose = match arch.thickness {
-        Some(thickness) => Pose::Standing(arch.arch, thickness),
-        None => Pose::Least(arch.arch),
+    // Without a friction of its own an arch slides at the one at which it does.
+    let slides = mode == Some(Mode::Sliding) && has(&[Field::Thickness]) && !has_friction;
+    let question = ArchQuestion { unlimited: slides, ..QUESTION };
+    let axes = axes(table, &question, Allowed { ranges: false, measured })?;
+    let asked = product(table, axes, 1, &mut 0)?.pop()?;
+    let given = table.fitting(ArchGiven::read(&question, &asked, Spelling::Key))?;
+    table.remark_on(&given.friction);
+    let arch = table.fitting(given.arch(weight))?;
+    let pose = match given.thickness {
+        Some(thickness) if slides => Pose::Sliding(arch, thickness),
+        Some(thickness) => Pose::Standing(arch, thickness),
+        None => Pose::Least(arch),
     };
-    Some((arch.measured.map(|of| *of), pose))
+    Some((asked, given.measures, pose))
 }
-
-const ONE: &str = "one value: a drawing shows one arch";
 
 /// Tells whether a key has several values, or none; boxes have their own fault.
 fn is_several(value: &TomlValue) -> bool {
@@ -142,14 +148,6 @@ fn is_several(value: &TomlValue) -> bool {
         DeValue::Array(all) => all.len() != 1,
         DeValue::Table(range) => !range.contains_key("boxes"),
         _ => false,
-    }
-}
-
-/// The one number of a key.
-fn single(reader: &mut TomlReader, meaning: Meaning, value: &TomlValue) -> Option<SceneNumber> {
-    match is_several(value) {
-        false => numbers(reader, meaning, value)?.all().ok()?.pop(),
-        true => reader.reject(meaning.key(), value, ONE),
     }
 }
 

@@ -1,12 +1,13 @@
 //! Reading from TOML to curves of the map, as data or as a picture.
 
+use super::axes::{SINGLE, axis, given};
 use super::map_lines::map_lines;
 use super::read_drawing::arch_figure;
-use super::read_numbers::{Meaning, numbers};
 use super::schema::{MAX_ITEMS, MapLine, Request, SceneMap};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
+use crate::ask::{ArchAsked, ArchGiven};
 use crate::atlas::{Contour, Curve, LEAST_TOLERANCE};
 use crate::problem::Landmark;
 use crate::report::{Axes, Format, MapAsked, Marked, Plane, Shown, Unit, View, arches_of_figure};
@@ -193,25 +194,23 @@ fn key(option: &str) -> String {
 fn contours(table: &mut TableReader) -> Option<Vec<Contour>> {
     let before = table.reader.faults.len();
     let mut found = Vec::new();
-    for meaning in [Meaning::HalfOpening, Meaning::Thickness, Meaning::Friction] {
-        let Some(value) = table.given(meaning) else { continue };
-        let Some(all) = numbers(table.reader, meaning, value) else { continue };
-        if all.len() > MAX_ITEMS {
-            let message = format!("a map has at most {MAX_ITEMS} lines of one {}", meaning.key());
+    for (field, value) in given(table) {
+        let Some(axis) = axis(table.reader, field, value, SINGLE) else { continue };
+        if axis.count > MAX_ITEMS {
+            let message = format!("a map has at most {MAX_ITEMS} lines of one {}", field.name());
             table.reader.fault(value.span(), message);
             continue;
         }
-        match all.all() {
-            Ok(all) => found.extend(all.into_iter().filter_map(|one| match meaning {
-                Meaning::HalfOpening => one.number.map(Contour::HalfOpening),
-                Meaning::Thickness => one.number.map(Contour::Thickness),
-                Meaning::Friction | Meaning::FrictionAngle => {
-                    Some(Contour::Friction(one.friction()))
-                }
-            })),
-            Err(error) => table.reader.fault(value.span(), format!("{}: {error}", meaning.key())),
+        for text in axis.texts {
+            let read = ArchGiven::part(&ArchAsked::of([(field, text.as_str())]));
+            let Some(of) = table.fitting(read) else { continue };
+            found.extend(of.half_opening.map(Contour::HalfOpening));
+            found.extend(of.thickness.map(Contour::Thickness));
+            found.extend(of.friction.map(Contour::Friction));
         }
     }
+    // In the order in which the command has them.
+    found.sort_by_key(|of| matches!(of, Contour::Friction(_)));
     table.is_well_since(before).then_some(found)
 }
 

@@ -1,15 +1,15 @@
 //! Reading from TOML to the plan of a sweep, or to everything that is wrong with it.
 
+use super::axes::{QUESTION, SINGLE, axes};
 use super::fault::Fault;
 use super::read::text_of;
-use super::read_arches::{frictions, half_openings};
-use super::read_numbers::SceneNumber;
 use super::sweep::{MAX_CHUNK, MAX_SAMPLE, SWEEP_DIGITS, SWEEP_SCHEMA, SweepArches, SweepPlan};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
+use crate::ask::{ArchAsked, ArchGiven};
 use crate::certify::MAX_DIGITS;
-use crate::problem::{Friction, Quantity};
+use crate::problem::Quantity;
 use toml::de::{DeTable, DeValue};
 
 /// The kinds of arches, of which a plan has one.
@@ -92,13 +92,15 @@ fn arches(plan: &mut TableReader) -> Option<(&'static str, Option<SweepArches>)>
 fn grid(table: &mut TableReader) -> Option<SweepArches> {
     let keys = ["half_opening", "friction", "friction_angle"];
     table.reader.unknown_keys(table.table, "[grid]", &keys, &["alpha", "mu", "phi"]);
-    let half_openings = half_openings(table);
-    let frictions = frictions(table);
-    let (half_openings, frictions) = (half_openings?, frictions?);
-    let half_openings = table.written(half_openings)?.into_iter();
-    let half_openings = half_openings.filter_map(|given| given.number).collect();
-    let frictions = table.written(frictions)?.into_iter().map(SceneNumber::friction);
-    let frictions: Vec<Friction> = frictions.collect();
+    let (mut half_openings, mut frictions) = (Vec::new(), Vec::new());
+    for axis in axes(table, &QUESTION, SINGLE)? {
+        for text in axis.texts {
+            let read = ArchGiven::part(&ArchAsked::of([(axis.field, text.as_str())]));
+            let ArchGiven { half_opening, friction, .. } = table.fitting(read)?;
+            half_openings.extend(half_opening);
+            frictions.extend(friction);
+        }
+    }
     table.remark_on(&frictions);
     Some(SweepArches::Grid { half_openings, frictions })
 }

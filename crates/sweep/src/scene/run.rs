@@ -2,14 +2,15 @@
 
 use super::cost::{Cost, measured};
 use super::item_report::ItemReport;
-use super::pieces::{Shared, WorkDone};
 use super::plan::Plan;
+use super::shared::Shared;
+use super::work::Done;
 
 /// A plan that is being carried out.
 pub struct SceneRun<'p> {
     plan: &'p Plan<'p>,
     /// Results of the parts that are there, in the order of the plan.
-    done: Vec<Option<WorkDone>>,
+    done: Vec<Option<Done>>,
     costs: Costs,
     shared: Shared,
 }
@@ -50,7 +51,7 @@ impl<'p> SceneRun<'p> {
         missing.retain(|place| self.done[*place].is_none());
         missing.sort_unstable();
         missing.dedup();
-        let work = |place: &usize| WorkDone::new(&parts[*place].work, &self.shared, tick);
+        let work = |place: &usize| parts[*place].work.of().compute(&self.shared, tick);
         let results = measured(&missing, work);
         for (place, (result, cost)) in missing.into_iter().zip(results) {
             (self.done[place], self.costs.0[place]) = (Some(result), Some(cost));

@@ -1,36 +1,38 @@
-//! Keys that make two pieces of a scene the same, so that they are computed once.
+//! Keys that make two pieces of a scene the same, however their numbers are written, so that they are computed once.
 
-use crate::arch::SelfWeight;
+use crate::ask::ArchGiven;
 use crate::atlas::Contour;
-use crate::number::{ExactNumber, Form};
+use crate::number::ExactNumber;
 use crate::problem::{Arch, Friction};
-use rug::Rational;
 
-/// Key that makes two arches the same, however they are written.
-pub(super) type ArchKey = (SelfWeight, Number, Option<(bool, Number)>);
-type Number = (Rational, Form);
-
-fn number(x: &ExactNumber) -> Number {
-    (x.to_rational(), x.form())
+pub(super) fn number_key(x: &ExactNumber) -> String {
+    format!("{} {:?}", x.to_rational(), x.form())
 }
 
-fn friction(friction: &Friction) -> Option<(bool, Number)> {
+fn friction_key(friction: &Friction) -> String {
     match friction {
-        Friction::Infinite => None,
-        Friction::Coefficient(mu) => Some((false, number(mu))),
-        Friction::Angle(phi) => Some((true, number(phi))),
+        Friction::Infinite => "inf".to_owned(),
+        Friction::Coefficient(mu) => number_key(mu),
+        Friction::Angle(phi) => format!("tan {}", number_key(phi)),
     }
 }
 
-pub(super) fn arch_key(arch: &Arch) -> ArchKey {
-    (arch.weight(), number(arch.half_opening()), friction(arch.friction()))
+pub(super) fn arch_key(arch: &Arch) -> String {
+    let (alpha, mu) = (number_key(arch.half_opening()), friction_key(arch.friction()));
+    format!("{} {alpha} {mu}", arch.weight().name())
 }
 
-/// Key that makes two levels of the map the same, however they are written.
-pub fn contour_key(contour: &Contour) -> (&'static str, Option<(bool, Number)>) {
-    let value = match contour {
-        Contour::HalfOpening(x) | Contour::Thickness(x) => Some((false, number(x))),
-        Contour::Friction(mu) => friction(mu),
+/// Key of the number of which alone something is given, if it is one.
+pub(super) fn given_key(given: &ArchGiven) -> Option<String> {
+    let number = given.half_opening.as_ref().or(given.thickness.as_ref()).map(number_key);
+    number.or_else(|| given.friction.as_ref().map(friction_key))
+}
+
+/// Key that makes two levels of the map the same.
+pub fn contour_key(contour: &Contour) -> String {
+    let key = match contour {
+        Contour::HalfOpening(x) | Contour::Thickness(x) => number_key(x),
+        Contour::Friction(mu) => friction_key(mu),
     };
-    (contour.name(), value)
+    format!("{} {key}", contour.name())
 }

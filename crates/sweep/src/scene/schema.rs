@@ -317,44 +317,8 @@ impl Request {
 }
 
 impl SceneItem {
-    /// Description of all that its output depends on, in words that are the same however the file has them.
+    /// Description of all that its output depends on: everything that was read, the same however the file has it.
     pub fn description(&self) -> String {
-        let points = |points: &[(Landmark, SelfWeight)]| -> String {
-            points.iter().map(|(l, w)| format!(" {} {},", l.symbol(), w.name())).collect()
-        };
-        let names = |quantities: &[Quantity]| {
-            quantities.iter().map(|quantity| quantity.name()).collect::<Vec<_>>().join(" ")
-        };
-        let what = match &self.what {
-            Request::Constants { points: at, quantities, digits } => {
-                format!("{} quantities {} digits {digits}", points(at), names(quantities))
-            }
-            Request::Arches { arches, quantities, digits, .. } => {
-                let arch = |SceneArch { arch, thickness, measured }: &SceneArch| {
-                    let (weight, alpha, mu) =
-                        (arch.weight().name(), arch.half_opening(), arch.friction());
-                    let thickness = thickness.as_ref().map(ToString::to_string);
-                    let sizes = measured.as_ref().map_or(String::new(), |of| of.asked.options());
-                    format!(" {weight} {alpha} {mu} {}{sizes},", thickness.unwrap_or_default())
-                };
-                let all: String = arches.iter().map(arch).collect();
-                format!("{all} quantities {} digits {digits}", names(quantities))
-            }
-            Request::Surveys { surveys, boxes, quantities, digits } => {
-                let survey =
-                    |of: &SceneSurvey| format!("{} {},", of.asked.options(), of.weight.name());
-                let all: String = surveys.iter().map(survey).collect();
-                let boxes = boxes.as_ref().map_or("", |_| " boxes");
-                format!("{all}{boxes} quantities {} digits {digits}", names(quantities))
-            }
-            Request::Claims { claims, show } => {
-                let ids: Vec<_> = claims.iter().map(|claim| claim.id).collect();
-                format!(" {} show {show}", ids.join(" "))
-            }
-            Request::Audit { points: at } => points(at),
-            Request::Map(map) | Request::Figure(map) => format!(" {}", map.command),
-            Request::Drawing(drawing) => format!(" {}", drawing.command),
-        };
-        format!("{} format {}{what}", self.what.kind().name(), self.format.name)
+        format!("{:?} {:?} {}", self.what, self.print, self.format.name)
     }
 }

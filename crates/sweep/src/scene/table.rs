@@ -1,7 +1,5 @@
 //! A table of TOML that is read key by key.
 
-use super::read_numbers::{Meaning, Numbers, SceneNumber};
-use super::schema::MAX_ARCHES;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
 use crate::ask::{Field, Misfit, notes};
@@ -70,31 +68,9 @@ impl<'a, 's> TableReader<'a, 's> {
         self.or(key, all, |reader, key, value| reader.names(key, value, &known))
     }
 
-    /// Value of a quantity in the table, under its name or its letter.
-    pub(super) fn given(&mut self, meaning: Meaning) -> Option<&'a TomlValue<'a>> {
-        let (key, letter) = (meaning.key(), meaning.quantity().letter());
-        let named = self.get(key);
-        let Some((letter, value)) = letter.and_then(|letter| Some((letter, self.get(letter)?)))
-        else {
-            return named;
-        };
-        if named.is_some() {
-            self.reader.fault(value.span(), format!("both {key} and {letter}; give one of them"));
-        }
-        named.or(Some(value))
-    }
-
     /// Value of a field of an arch, under its name or its letter.
     pub(super) fn given_field(&self, field: Field) -> Option<&'a TomlValue<'a>> {
         self.get(field.name()).or_else(|| self.get(field.letter()?))
-    }
-
-    /// The fault that there are too many arches.
-    pub(super) fn too_many<T>(&mut self, count: usize, used: usize) -> Option<T> {
-        let before = if used > 0 { format!(" after {used} before") } else { String::new() };
-        self.refuse(format!(
-            "{count} arches{before} are too many; a scene has at most {MAX_ARCHES}, `couplet states` reads any number"
-        ))
     }
 
     /// Keeps what was read of an arch, or tells the fault of what makes none at the key that it is of.
@@ -118,16 +94,6 @@ impl<'a, 's> TableReader<'a, 's> {
         if let Some(first) = all.first() {
             self.reader.remark(span, format!("{first}{more}"));
         }
-    }
-
-    /// Exact texts of all numbers of a list or of a range.
-    pub(super) fn texts(&mut self, numbers: Numbers) -> Option<Vec<String>> {
-        Some(self.written(numbers)?.into_iter().map(SceneNumber::exact_text).collect())
-    }
-
-    /// All numbers of a list or of a range, if they can be written as numbers that are read.
-    pub(super) fn written(&mut self, numbers: Numbers) -> Option<Vec<SceneNumber>> {
-        numbers.all().map_err(|error| self.refuse::<()>(error)).ok()
     }
 
     /// Tells whether nothing was wrong since there were so many faults.

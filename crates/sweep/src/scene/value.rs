@@ -148,7 +148,7 @@ impl<'s> TomlReader<'s> {
         match value.get_ref() {
             DeValue::String(text) => Some(text.as_ref()),
             DeValue::Float(float) => Some(float.as_str()),
-            DeValue::Integer(integer) => Some(integer.as_str()),
+            DeValue::Integer(integer) if integer.radix() == 10 => Some(integer.as_str()),
             _ => None,
         }
     }

@@ -1,0 +1,73 @@
+//! A curve of the map, or a level.
+
+use super::schema::MapLine;
+use super::shared::Shared;
+use super::work::{Computable, Done, LONG};
+use crate::arch::SelfWeight;
+use crate::atlas::{Level, NoLevel, Trace};
+use std::fmt;
+
+/// A curve of the map, or a level.
+#[derive(Debug)]
+pub struct CurveNode {
+    /// Line of the map.
+    pub line: MapLine,
+    /// The self-weight model.
+    pub weight: SelfWeight,
+    /// The largest half-width of a tube.
+    pub tolerance: f64,
+}
+
+/// A proved curve, or a level.
+pub(super) enum CurvePiece {
+    Curve(Box<Trace>),
+    Level(Level),
+}
+
+impl CurveNode {
+    /// Follows it from end to end.
+    fn piece(&self, shared: &Shared) -> Result<CurvePiece, NoLevel> {
+        let undecided = |error| NoLevel::Undecided(self.to_string(), error);
+        Ok(match &self.line {
+            MapLine::Curve(curve) => {
+                let trace = Trace::new(*curve, self.weight, self.tolerance).map_err(undecided)?;
+                CurvePiece::Curve(Box::new(trace))
+            }
+            MapLine::Level(contour) => {
+                let lines = shared.lines(self.weight).map_err(undecided)?;
+                CurvePiece::Level(Level::among(lines, self.weight, contour, self.tolerance)?)
+            }
+        })
+    }
+}
+
+impl Computable for CurveNode {
+    fn key(&self) -> String {
+        self.lines().concat()
+    }
+
+    fn size(&self) -> usize {
+        LONG
+    }
+
+    fn lines(&self) -> Vec<String> {
+        vec![format!("{self}, in tubes of {:?}", self.tolerance)]
+    }
+
+    fn compute(&self, shared: &Shared, tick: &(dyn Fn() + Sync)) -> Done {
+        let piece = self.piece(shared);
+        tick();
+        Box::new(piece)
+    }
+}
+
+impl fmt::Display for CurveNode {
+    /// Writes the name of the curve, as in files.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let weight = self.weight.name();
+        match &self.line {
+            MapLine::Curve(curve) => write!(f, "{curve} {weight}"),
+            MapLine::Level(contour) => write!(f, "{contour} {weight}"),
+        }
+    }
+}
