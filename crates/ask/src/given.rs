@@ -6,7 +6,7 @@ use super::note::{notes, tilt_note};
 use super::question::{ArchQuestion, Misfit, Spelling};
 use super::stones::StonesAsked;
 use crate::arch::SelfWeight;
-use crate::number::{ExactNumber, ParseExactError, TELL_OF_RANGES, shown};
+use crate::number::{ExactNumber, TELL_OF_RANGES, shown};
 use crate::problem::measures::{Circle, LengthUnit, Measures};
 use crate::problem::stones::Stones;
 use crate::problem::{Arch, Friction, Quantity, Slope, SlopeError, ThicknessError, thickness};
@@ -122,8 +122,8 @@ pub(super) fn circle(asked: &ArchAsked) -> Result<Circle, Misfit> {
 
 /// Friction, by whichever field it is given.
 pub(super) fn friction(asked: &ArchAsked) -> Result<Option<Friction>, Misfit> {
-    let misfit = |error: ParseExactError| Misfit::new(asked.friction_field(), error);
-    asked.friction_text().map(|text| text.parse().map_err(misfit)).transpose()
+    let (friction, angle) = (read(asked, Field::Friction)?, read(asked, Field::FrictionAngle)?);
+    Ok(friction.or(angle.map(Friction::Angle)))
 }
 
 /// Thickness over the radius, of a text that is a ratio or, of an arch with measures, a length.

@@ -1,16 +1,13 @@
 //! `couplet figure`.
 
-use super::curves::{levels, traced};
 use super::map::tolerance;
 use super::output::OutputFile;
 use super::print::PrintArguments;
-use crate::arch::SelfWeight;
-use crate::atlas::{Curve, Sketch};
 use crate::cli::line::typed;
-use crate::problem::{Landmark, Mode};
-use crate::report::{Axes, Content, Drawing, Format, Map, Sketched, Style, View, arches_of_figure};
+use crate::report::{Content, Format, View, arches_of_figure};
 use crate::sweep::failure::Failure;
 use crate::sweep::parse::{self, Weights};
+use crate::sweep::scene::{ItemKind, answered, figure};
 use clap::Args;
 
 /// A figure of the paper, drawn from proved curves and states.
@@ -59,65 +56,16 @@ fn format(name: &str) -> Result<&'static Format, String> {
     format.ok_or_else(|| parse::unknown("a format", name, &["svg", "png", "pdf"]))
 }
 
-/// Half-width of a tube, if none is given.
-const TOLERANCE: f64 = 1e-4;
-
-fn draw(
-    arguments: &Arguments,
-    format: &Format,
-    shown: &[(Landmark, &[Mode])],
-) -> Result<(), Failure> {
-    let weight = match arguments.weight {
-        None => SelfWeight::Milankovitch,
-        Some(Weights::One(weight)) => weight,
-        Some(Weights::Both) => {
-            return Err(format!("figure {} shows one --weight", arguments.number).into());
-        }
-    };
-    if arguments.tolerance.is_some() {
-        let number = arguments.number;
-        return Err(
-            format!("figure {number} has no curves of the map: leave out --tolerance").into()
-        );
-    }
-    let sketch = |(landmark, modes): &(Landmark, &[Mode])| {
-        Sketch::landmark(*landmark, weight, false).and_then(|sketch| sketch.in_modes(modes))
-    };
-    let sketches = shown.iter().map(sketch).collect::<Result<_, _>>()?;
-    let style = Style::of_figure(arguments.number);
-    let between = Vec::new();
-    let report = Sketched { sketches, style, measures: None, between, command: typed() };
-    let print = arguments.print.print();
-    arguments.file.open_for(format)?.printed((&report, format, &print), [""; 0])
-}
-
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let format = arguments.file.format(arguments.format, Content::FIGURE, "svg")?;
-    if let Some(shown) = arches_of_figure(arguments.number) {
-        return draw(arguments, format, shown);
+    let Arguments { number, tolerance, .. } = *arguments;
+    let weights = arguments.weight.map(Weights::all);
+    let mut asked = figure(number, weights, tolerance, |key| format!("--{key}"))?;
+    asked.command().into_iter().for_each(|command| *command = typed());
+    let (file, print) = (arguments.file.open_for(format)?, arguments.print.print());
+    let answer = answered(ItemKind::Figure, asked, (format, &print));
+    match answer.report {
+        Some(report) => file.printed((&*report, format, &print), answer.undecided),
+        None => Failure::of_open(answer.undecided),
     }
-    let view = View::of_figure(arguments.number).unwrap_or(View::Lines);
-    let usual = match view.is_of_one_weight() {
-        true => Weights::One(SelfWeight::Milankovitch),
-        false => Weights::Both,
-    };
-    let weights = arguments.weight.unwrap_or(usual).all();
-    if weights.len() > 1 && view.is_of_one_weight() {
-        return Err("figure 6 shows one --weight".into());
-    }
-    let file = arguments.file.open_for(format)?;
-    let curves = |weight| Curve::ALL.into_iter().map(move |curve| (weight, curve));
-    let asked = weights.iter().copied().flat_map(curves).collect();
-    let tolerance = arguments.tolerance.unwrap_or(TOLERANCE);
-    let (traces, mut open) = traced(asked, tolerance, format)?;
-    let contours = match view {
-        View::Map(plane) => plane.contours(),
-        _ => Vec::new(),
-    };
-    let levels = levels(&contours, &weights, &traces, tolerance, &mut open)?;
-    let drawing = Drawing { view, axes: Axes::default(), marks: Vec::new(), command: typed() };
-    let landmarks = Vec::new();
-    let map = Map { tolerance, traces, levels, borders: Vec::new(), landmarks, drawing };
-    open.extend(map.open());
-    file.printed((&map, format, &arguments.print.print()), open)
 }

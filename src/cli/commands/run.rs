@@ -93,7 +93,7 @@ fn carry_out(plan: &Plan, folder: &mut RunFolder, explained: bool) -> Result<(),
             Some(path) => format!("{what} in {}", path.display()),
             None => what.clone(),
         }));
-        if !report.is_known() {
+        if report.report.is_none() {
             continue;
         }
         let output = match &item.output {

@@ -194,17 +194,29 @@ fn what_makes_no_boxes_is_told_in_one_line() {
             "alpha = { from = 1, to = 1.2, boxes = 0 }\nmu = 1",
             "3:39: boxes 0 is not a whole number from 1",
         ),
-        ("alpha = { from = 1, boxes = 2 }\nmu = 1", "half_opening has no to; a range is { from = …, to = …, boxes = … }"),
+        (
+            "alpha = { from = 1, boxes = 2 }\nmu = 1",
+            "half_opening has no to; a range is { from = …, to = …, boxes = … }",
+        ),
         ("alpha = { from = 1, to = 1.2, steps = 2, boxes = 2 }\nmu = 1", "unknown key \"steps\""),
-        ("alpha = { from = 1.2, to = 1, boxes = 2 }\nmu = 1", "half_opening: '1.2..1' does not rise"),
-        ("alpha = { from = 1, to = \"80deg\", boxes = 2 }\nmu = 1", "half_opening: '1..80deg' is in two units"),
+        (
+            "alpha = { from = 1.2, to = 1, boxes = 2 }\nmu = 1",
+            "half_opening: '1.2..1' does not rise",
+        ),
+        (
+            "alpha = { from = 1, to = \"80deg\", boxes = 2 }\nmu = 1",
+            "half_opening: '1..80deg' is in two units",
+        ),
         ("alpha = { from = 1, to = 4, boxes = 900 }\nmu = 1", "4 is not between 0 and pi"),
         ("alpha = 1\nmu = { from = 0.5, to = \"inf\", boxes = 2 }", "'inf' is not a number"),
         (
             "alpha = { from = 1, to = 1.2, boxes = 2 }\nmu = [0.5, 0.6]",
             "beside boxes friction is one value",
         ),
-        ("alpha = { from = \"1..1.1\", to = 1.2, boxes = 2 }\nmu = 1", "half_opening 1..1.1 is a range: ranges are for"),
+        (
+            "alpha = { from = \"1..1.1\", to = 1.2, boxes = 2 }\nmu = 1",
+            "half_opening 1..1.1 is a range: ranges are for",
+        ),
         ("alpha = { from = 1, to = 1.2, boxes = 100001 }\nmu = 1", "from 1 to 100000"),
         (
             "alpha = { from = 1, to = 1.2, boxes = 90000 }\nmu = { from = 0.1, to = 1, boxes = 2 }",
@@ -228,7 +240,10 @@ fn what_makes_no_boxes_is_told_in_one_line() {
         assert!(told.contains(words) && told.lines().count() == 1, "{item}: {told}");
     }
     for (item, words) in [
-        ("half_opening = \"79deg..81deg\"\nfriction = 1", "half_opening 79deg..81deg is a range: ranges are for"),
+        (
+            "half_opening = \"79deg..81deg\"\nfriction = 1",
+            "half_opening 79deg..81deg is a range: ranges are for",
+        ),
         ("span = \"9m..10m\"\nrise = \"3m\"\nfriction = 1", "is a range"),
         (
             "half_opening = { from = 1, to = 2, boxes = 2 }\nfriction = 1",

@@ -13,7 +13,7 @@ fn the_example_is_a_scene_and_has_every_key() {
     assert_eq!((output.status.code(), text(&output.stdout)), (Some(0), EXAMPLE.to_owned()));
     let scene = read(EXAMPLE).unwrap();
     for kind in ItemKind::ALL {
-        assert!(scene.items.iter().any(|item| item.what.kind() == kind), "{}", kind.name());
+        assert!(scene.items.iter().any(|item| item.kind == kind), "{}", kind.name());
         for key in kind.keys() {
             assert!(EXAMPLE.contains(&format!("\n{key} = ")), "{} {key}", kind.name());
         }

@@ -112,7 +112,7 @@ fn range(
         return reader.refuse(value.span(), message);
     }
     let keys = ["from", "to", key];
-    reader.unknown_keys(parts, "a range", &keys, &[]);
+    reader.unknown_keys(parts, "a range", &keys);
     for missing in keys.iter().filter(|key| !parts.contains_key(**key)) {
         let message =
             format!("{name} has no {missing}; a range is {{ from = …, to = …, {key} = … }}");

@@ -124,7 +124,7 @@ fn heading(item: &SceneItem) -> String {
         Some(output) => output.display().to_string(),
         None => "standard output".to_owned(),
     };
-    let (kind, format) = (item.what.kind().name(), item.format.name);
+    let (kind, format) = (item.kind.name(), item.format.name);
     format!("{kind} in line {} -> {output} ({format})", item.place.line)
 }
 

@@ -31,7 +31,7 @@ pub struct ItemReport {
     format: &'static Format,
     print: Print,
     /// Report, or nothing where not even a part is known.
-    report: Option<Box<dyn Reported>>,
+    pub report: Option<Box<dyn Reported>>,
     /// Questions that could not be decided.
     pub undecided: Vec<String>,
 }
@@ -70,7 +70,7 @@ impl ItemReport {
                 let claims = Claims { decisions, show: *show, timed: false };
                 (Some(Box::new(claims)), undecided)
             }
-            Request::Map(asked) | Request::Figure(asked) => parts.map(asked, item.format),
+            Request::Map(asked) => parts.map(asked, item.format),
             Request::Drawing(asked) => parts.drawing(asked),
             Request::Audit { .. } => match parts.audit() {
                 Ok(audit) => (Some(Box::new(audit)), Vec::new()),
@@ -84,11 +84,6 @@ impl ItemReport {
     pub fn write(&self, out: &mut dyn io::Write) -> io::Result<()> {
         let how = (self.format, &self.print);
         self.report.as_ref().map_or(Ok(()), |report| report.printed(how, out))
-    }
-
-    /// Tells whether there is anything to write.
-    pub fn is_known(&self) -> bool {
-        self.report.is_some()
     }
 }
 

@@ -3,7 +3,7 @@
 //! | file | what it does |
 //! |---|---|
 //! | `schema` | what a scene may hold, `couplet.scene/1` |
-//! | `read` | TOML to a valid scene, or all its faults; with `table`, `axes`, `read_arches`, `read_drawing`, `read_map`, `read_output`, `read_print`, `value`, `fault` |
+//! | `read` | TOML to a valid scene, or all its faults; with `table`, `axes`, `read_arches`, `read_drawing`, `read_map`, `figure`, `read_output`, `read_print`, `value`, `fault` |
 //! | `map_lines` | which lines a map shows |
 //! | `plan` | what has to be computed, each part once |
 //! | `work` | what a part is; `landmark_node`, `arch_node`, `curve_node`, `drawn`, `survey_node` are the kinds |
@@ -41,6 +41,7 @@ mod drawn;
 mod expected;
 mod explain;
 mod fault;
+mod figure;
 mod hash;
 mod item_report;
 mod landmark_node;
@@ -71,6 +72,7 @@ pub use curve_node::CurveNode;
 pub use drawn::{DrawnArch, Pose};
 pub use explain::explain;
 pub use fault::{Fault, Position};
+pub use figure::figure;
 pub use hash::Hashing;
 #[cfg(feature = "parquet")]
 pub(crate) use hash::hash_of;
@@ -83,7 +85,7 @@ pub use map_lines::map_lines;
 pub use plan::{Plan, PlannedPart};
 pub use read::{read, read_bytes};
 pub use read_sweep::read_sweep;
-pub use run::{Costs, SceneRun};
+pub use run::{Costs, SceneRun, answered};
 pub use same::contour_key;
 pub use schema::{
     EXAMPLE, ItemKind, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, MapLine, Request, SCHEMA, Scene,

@@ -118,7 +118,7 @@ impl<'s> Planning<'s> {
                     self.part(Work::Drawing(Box::new(drawn.clone())));
                 }
             }
-            Request::Map(map) | Request::Figure(map) => {
+            Request::Map(map) => {
                 for &point in &map.landmarks {
                     self.landmark(point, |node| node.ask(&Quantity::LANDMARK, PAGE_DIGITS));
                 }

@@ -3,7 +3,7 @@
 use super::fault::{Fault, SceneText};
 use super::read_arches::arches;
 use super::read_drawing::drawing;
-use super::read_map::{figure, map};
+use super::read_map::{map, read_figure};
 use super::read_output::{OutputFiles, output};
 use super::read_print::print;
 use super::schema::{
@@ -13,7 +13,7 @@ use super::schema::{
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
-use crate::certify::{MAX_DIGITS, quantities};
+use crate::certify::quantities as quantities_of;
 use crate::claims::{Claim, claims};
 use crate::picture::Print;
 use crate::problem::{Landmark, Quantity};
@@ -59,9 +59,9 @@ fn scene(reader: &mut TomlReader, root: &DeTable) -> Vec<SceneItem> {
         return Vec::new();
     }
     let keys: Vec<&str> = SCENE_KEYS.into_iter().chain(ItemKind::ALL.map(ItemKind::name)).collect();
-    reader.unknown_keys(root, "a scene", &keys, &[]);
+    reader.unknown_keys(root, "a scene", &keys);
     let mut whole = TableReader { reader, span: 0..0, table: root };
-    let digits = whole.or("digits", DIGITS, digits);
+    let digits = whole.digits(DIGITS);
     let weights = whole.if_given("weight", TomlReader::weights);
     if root.contains_key("digits") {
         reader.range_digits = digits.unwrap_or(RANGE_DIGITS);
@@ -85,10 +85,6 @@ fn scene(reader: &mut TomlReader, root: &DeTable) -> Vec<SceneItem> {
     items.collect()
 }
 
-fn digits(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<usize> {
-    reader.whole(key, value, 1..=MAX_DIGITS)
-}
-
 /// The tables of the items in the order of the file.
 fn tables<'v>(
     reader: &mut TomlReader,
@@ -101,7 +97,9 @@ fn tables<'v>(
         for element in reader.elements(kind.name(), value, &allowed) {
             match element.get_ref() {
                 DeValue::Table(table) => tables.push((kind, element.span(), table)),
-                _ => reader.is_not(kind.name(), element, &format!("a table {allowed}")),
+                _ => {
+                    reader.reject::<()>(kind.name(), element, &format!("a table {allowed}"));
+                }
             }
         }
     }
@@ -118,7 +116,7 @@ fn item(
 ) -> Option<SceneItem> {
     let before = table.reader.faults.len();
     let name = format!("[[{}]]", kind.name());
-    table.reader.unknown_keys(table.table, &name, &kind.keys(), &kind.letters());
+    table.reader.unknown_keys(table.table, &name, &kind.keys());
     let destination = output(&mut table, kind, files);
     let format = destination.as_ref().map(|(_, format)| *format);
     let what = match kind {
@@ -127,28 +125,27 @@ fn item(
         ItemKind::Claims => some_claims(&mut table),
         ItemKind::Audit => points(&mut table).map(|points| Request::Audit { points }),
         ItemKind::Map => map(&mut table, format),
-        ItemKind::Figure => figure(&mut table),
+        ItemKind::Figure => read_figure(&mut table),
         ItemKind::Drawing => drawing(&mut table, format),
     };
     let is_drawn = matches!(kind, ItemKind::Map | ItemKind::Figure | ItemKind::Drawing);
     let print = if is_drawn { print(&mut table, format) } else { Some(Print::default()) };
     let ((output, format), print) = (destination?, print?);
     let place = table.reader.source.place(table.span.start);
-    let what = what?.printed(&print);
-    let item = SceneItem { place, what, format, print, output };
+    let mut what = what?;
+    if let Some(command) = what.command() {
+        *command += &print.options();
+    }
+    let item = SceneItem { place, kind, what, format, print, output };
     table.is_well_since(before).then_some(item)
 }
 
 fn constants(table: &mut TableReader) -> Option<Request> {
     let points = points(table);
-    let names = Quantity::LANDMARK.map(|quantity| (quantity.name(), quantity));
-    let asked = table.if_given("quantities", |reader, key, value| reader.names(key, value, &names));
-    let digits = table.or("digits", table.reader.digits, digits);
-    let (points, asked, digits) = (points?, asked?, digits?);
-    let exists = |quantity| points.iter().any(|(l, _)| quantities(*l).any(|q| q == quantity));
-    // In the order in which they are always shown.
-    let is_asked = |of: &Quantity| asked.as_ref().is_none_or(|asked| asked.contains(of));
-    let quantities: Vec<Quantity> = Quantity::LANDMARK.into_iter().filter(is_asked).collect();
+    let quantities = table.chosen("quantities", &Quantity::LANDMARK, Quantity::name);
+    let digits = table.digits(table.reader.digits);
+    let (points, quantities, digits) = (points?, quantities?, digits?);
+    let exists = |quantity| points.iter().any(|(l, _)| quantities_of(*l).any(|q| q == quantity));
     if let Some(value) = table.get("quantities") {
         for quantity in quantities.iter().filter(|quantity| !exists(**quantity)) {
             let message = format!("none of the landmarks has the quantity {}", quantity.name());

@@ -6,7 +6,6 @@ use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven, Field, Misfit, Spelling, SurveyGiven};
-use crate::certify::MAX_DIGITS;
 use crate::number::is_range;
 use crate::problem::Quantity;
 use crate::report::words::distinct;
@@ -43,8 +42,7 @@ pub(super) fn arches(
     let known = if ranges { surveyed::told(has) } else { known(has, allowed.measured) };
     let quantities = quantities(table, &known);
     let usual = if ranges { table.reader.range_digits } else { table.reader.digits };
-    let digits =
-        table.or("digits", usual, |reader, key, value| reader.whole(key, value, 1..=MAX_DIGITS));
+    let digits = table.digits(usual);
     let (weights, axes, quantities, digits) = (weights?, axes?, quantities?, digits?);
     let request = match ranges {
         true => surveys(table, axes, &weights, (quantities, digits), used)?,
@@ -153,17 +151,13 @@ fn is_written(table: &mut TableReader, format: Option<&'static Format>) {
     }
 }
 
-/// Quantities that are asked for, in the order in which they are always shown.
+/// Quantities that are asked for.
 fn quantities(table: &mut TableReader, all: &[Quantity]) -> Option<Vec<Quantity>> {
-    let known: Vec<_> = all.iter().map(|quantity| (quantity.name(), *quantity)).collect();
-    let with_thickness = table.given_field(Field::Thickness).is_some();
-    let asked = table.or("quantities", all.to_vec(), |reader, key, value| {
-        match !with_thickness && needs_thickness(reader, value) {
-            true => None,
-            false => reader.names(key, value, &known),
-        }
-    })?;
-    Some(all.iter().copied().filter(|quantity| asked.contains(quantity)).collect())
+    let without = table.get("quantities").filter(|_| table.given_field(Field::Thickness).is_none());
+    match without.is_some_and(|value| needs_thickness(table.reader, value)) {
+        true => None,
+        false => table.chosen("quantities", all, Quantity::name),
+    }
 }
 
 /// Tells whether quantities of arches of given thickness are asked for: then that is what is missing.

@@ -1,4 +1,4 @@
-//! Reading from TOML to arches that are drawn: any arch, or those of a figure of the paper.
+//! Reading from TOML to an arch that is drawn.
 
 use super::axes::{Allowed, QUESTION, axes, example, given, is_measured, product};
 use super::drawn::{DrawnArch, Pose};
@@ -7,31 +7,11 @@ use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven, ArchQuestion, Field, Spelling};
+use crate::problem::Mode;
 use crate::problem::measures::Measures;
-use crate::problem::{Landmark, Mode};
 use crate::report::words::list;
 use crate::report::{Format, Style};
 use toml::de::DeValue;
-
-/// The arches of a figure of the paper.
-pub(super) fn arch_figure(
-    table: &mut TableReader,
-    (number, shown): (usize, &[(Landmark, &[Mode])]),
-    weight: SelfWeight,
-) -> Option<Request> {
-    if table.get("tolerance").is_some() {
-        let message = format!("figure {number} has no curves of the map; leave out tolerance");
-        return table.refuse(message);
-    }
-    let arch = |(landmark, modes): &(Landmark, &[Mode])| {
-        let pose = Pose::Landmark(*landmark, weight);
-        (DrawnArch { pose, stones: None, is_dilatant: false }, modes.to_vec())
-    };
-    let arches = shown.iter().map(arch).collect();
-    let command = format!("couplet figure {number} --weight {}", weight.name());
-    let style = Style::of_figure(number);
-    Some(Request::Drawing(SceneDrawing { arches, style, measures: None, command }))
-}
 
 /// An arch at its least thickness, at a landmark, or as it stands.
 pub(super) fn drawing(table: &mut TableReader, format: Option<&'static Format>) -> Option<Request> {

@@ -1,8 +1,8 @@
 //! Reading from TOML to curves of the map, as data or as a picture.
 
 use super::axes::{SINGLE, axis, given};
+use super::figure::figure;
 use super::map_lines::map_lines;
-use super::read_drawing::arch_figure;
 use super::schema::{MAX_ITEMS, MapLine, Request, SceneMap};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
@@ -10,10 +10,10 @@ use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven};
 use crate::atlas::{Contour, Curve, LEAST_TOLERANCE};
 use crate::problem::Landmark;
-use crate::report::{Axes, Format, MapAsked, Marked, Plane, Shown, Unit, View, arches_of_figure};
+use crate::report::{Axes, Format, MapAsked, Marked, Plane, Shown, Unit, View};
 
 /// Tolerance where a scene does not say how wide a tube may be.
-const TOLERANCE: f64 = 1e-4;
+pub(super) const TOLERANCE: f64 = 1e-4;
 
 /// The map, or curves of it.
 pub(super) fn map(table: &mut TableReader, format: Option<&'static Format>) -> Option<Request> {
@@ -76,35 +76,18 @@ pub(super) fn map(table: &mut TableReader, format: Option<&'static Format>) -> O
 }
 
 /// A figure of the paper.
-pub(super) fn figure(table: &mut TableReader) -> Option<Request> {
+pub(super) fn read_figure(table: &mut TableReader) -> Option<Request> {
     let number = match table.get("number") {
         Some(value) => table.reader.whole("number", value, 1..=12),
         None => table.refuse("number is missing; a figure is one of 1 to 12"),
     };
-    let shown = number.and_then(arches_of_figure);
-    let view = number.and_then(View::of_figure);
-    let is_of_one = shown.is_some() || view.is_some_and(View::is_of_one_weight);
-    let usual = if is_of_one { &[SelfWeight::Milankovitch] } else { &SelfWeight::ALL[..] };
-    let weights = table.weights(usual).map(in_order);
-    let tolerance = table.or("tolerance", TOLERANCE, tolerance);
+    let weights = table.if_given("weight", TomlReader::weights);
+    let tolerance = table.if_given("tolerance", tolerance);
     let (number, weights, tolerance) = (number?, weights?, tolerance?);
-    if is_of_one && weights.len() > 1 {
-        return table.refuse(format!("figure {number} shows one weight"));
-    }
-    if let Some(shown) = shown {
-        return arch_figure(table, (number, shown), weights[0]);
-    }
-    let view = view?;
-    let command = command(&format!("figure {number}"), &weights, tolerance);
-    let contours = if let View::Map(plane) = view { plane.contours() } else { Vec::new() };
-    let lines = |weight: &SelfWeight| {
-        let curves = Curve::ALL.map(MapLine::Curve).into_iter();
-        let all = curves.chain(contours.iter().cloned().map(MapLine::Level));
-        all.map(|line| (*weight, line)).collect::<Vec<_>>()
-    };
-    let lines = weights.iter().flat_map(lines).collect();
-    let (landmarks, axes, marks) = (Vec::new(), Axes::default(), Vec::new());
-    Some(Request::Figure(SceneMap { lines, tolerance, landmarks, view, axes, marks, command }))
+    let weights = weights.or_else(|| table.reader.weights.clone());
+    figure(number, weights, tolerance, str::to_owned)
+        .or_else(|said| table.refuse(said).ok_or(()))
+        .ok()
 }
 
 /// The keys of axes: of the half opening, the friction and the thickness, with the units of each.
@@ -122,10 +105,8 @@ fn axes(table: &mut TableReader) -> Option<Axes> {
         let unit = table.or(unit, Unit::Usual, |reader, key, value| {
             reader.names(key, value, &known)?.first().copied()
         })?;
-        let range = table.if_given(range, |reader, key, value| {
-            let range = Shown::range_of(value.get_ref().as_str().unwrap_or_default());
-            range.map_err(|error| reader.fault(value.span(), format!("{key}: {error}"))).ok()
-        })?;
+        let range =
+            table.if_given(range, |reader, key, value| reader.said(key, value, Shown::range_of))?;
         Some(Shown { unit, range })
     };
     let [half_opening, friction, thickness] = AXES.map(&mut shown);
@@ -136,11 +117,8 @@ fn axes(table: &mut TableReader) -> Option<Axes> {
 fn marks(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Vec<Marked>> {
     let allowed = "an arch as \"80deg,0.6,0.15\"";
     reader.each_once(key, value, allowed, |reader, element| {
-        let text = element.get_ref().as_str().unwrap_or_default();
-        match text.parse() {
-            Ok(marked) => Some((text, marked)),
-            Err(error) => reader.refuse(element.span(), format!("{key}: {error}")),
-        }
+        let marked = reader.said(key, element, str::parse::<Marked>)?;
+        Some((element.get_ref().as_str(), marked))
     })
 }
 
@@ -155,7 +133,7 @@ fn words(table: &TableReader, marks: &[Marked]) -> String {
 }
 
 /// The command that asks for the same.
-fn command(name: &str, weights: &[SelfWeight], tolerance: f64) -> String {
+pub(super) fn command(name: &str, weights: &[SelfWeight], tolerance: f64) -> String {
     let weight = match weights {
         [one] => one.name(),
         _ => "both",
@@ -164,7 +142,7 @@ fn command(name: &str, weights: &[SelfWeight], tolerance: f64) -> String {
 }
 
 /// Weights in the order in which they are always shown.
-fn in_order(weights: Vec<SelfWeight>) -> Vec<SelfWeight> {
+pub(super) fn in_order(weights: Vec<SelfWeight>) -> Vec<SelfWeight> {
     SelfWeight::ALL.into_iter().filter(|weight| weights.contains(weight)).collect()
 }
 

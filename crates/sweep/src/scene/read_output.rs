@@ -34,7 +34,7 @@ pub(super) fn output(
         reader.fault(value.span(), message);
     }
     if let (true, None, Some(value)) = (format.is_binary, output, named) {
-        reader.is_not("format", value, "text; give it an output");
+        reader.reject::<()>("format", value, "text; give it an output");
     }
     (reader.faults.len() == before).then_some((path, format))
 }

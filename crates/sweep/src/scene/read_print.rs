@@ -1,16 +1,16 @@
 //! Reading from TOML to how a picture is printed.
 
 use super::table::TableReader;
-use super::value::{TomlReader, TomlValue};
-use crate::picture::{PaperLength, Print};
+use super::value::TomlReader;
+use crate::picture::{Font, PaperLength, Print};
 use crate::report::Format;
 
 /// Printing of a picture; keys of it in an item that is none are a fault.
 pub(super) fn print(table: &mut TableReader, format: Option<&'static Format>) -> Option<Print> {
-    let width = table.if_given("width", |r, key, value| said(r, key, value, PaperLength::width));
+    let width = table.if_given("width", |r, key, value| r.said(key, value, PaperLength::width));
     let font_size =
-        table.if_given("font_size", |r, key, value| said(r, key, value, PaperLength::font_size));
-    let font = table.if_given("font", |r, key, value| said(r, key, value, str::parse));
+        table.if_given("font_size", |r, key, value| r.said(key, value, PaperLength::font_size));
+    let font = table.if_given("font", |r, key, value| r.said(key, value, str::parse::<Font>));
     let [caption, title] = ["caption", "title"].map(|key| table.or(key, true, TomlReader::truth));
     let details = table.or("full_caption", false, TomlReader::truth)?;
     let (width, font_size, font) = (width?, font_size?, font?);
@@ -22,15 +22,4 @@ pub(super) fn print(table: &mut TableReader, format: Option<&'static Format>) ->
             "width, font_size, font, caption, full_caption and title are of svg, png and pdf; leave them out",
         ),
     }
-}
-
-/// Value that a text says, or the fault that it says nothing that is allowed.
-fn said<T>(
-    reader: &mut TomlReader,
-    key: &str,
-    value: &TomlValue,
-    read: impl Fn(&str) -> Result<T, String>,
-) -> Option<T> {
-    let text = reader.text(key, value)?;
-    read(text).or_else(|said| reader.refuse(value.span(), format!("{key}: {said}")).ok_or(())).ok()
 }

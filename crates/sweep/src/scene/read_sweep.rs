@@ -33,20 +33,20 @@ fn plan(reader: &mut TomlReader, root: &DeTable) -> Option<SweepPlan> {
     if !reader.has_schema(root, SWEEP_SCHEMA, "a plan") {
         return None;
     }
-    reader.unknown_keys(root, "a plan", &KEYS, &[]);
+    reader.unknown_keys(root, "a plan", &KEYS);
     let mut table = TableReader { reader, span: 0..0, table: root };
     let given = table.if_given("weight", TomlReader::weights);
-    let known = Quantity::STATE_ROW.map(|quantity| (quantity.name(), quantity));
-    let usual = vec![Quantity::Thickness];
-    let quantities =
-        table.or("quantities", usual, |reader, key, value| reader.names(key, value, &known));
+    let quantities = match table.get("quantities") {
+        None => Some(vec![Quantity::Thickness]),
+        Some(_) => table.chosen("quantities", &Quantity::STATE_ROW, Quantity::name),
+    };
     let digits = table.or("digits", SWEEP_DIGITS, |reader, key, value| {
         reader.whole(key, value, SWEEP_DIGITS..=MAX_DIGITS)
     });
     let chunk =
         table.if_given("chunk", |reader, key, value| reader.whole(key, value, 1..=MAX_CHUNK));
     let (kind, arches) = arches(&mut table)?;
-    let (given, quantities) = (given?, quantities?);
+    let given = given?;
     table.span = table.get("weight").map_or(0..0, |value| value.span());
     match (&given, kind) {
         (Some(_), "sample") => table.refuse("a sample draws its own weights; leave weight out")?,
@@ -57,7 +57,7 @@ fn plan(reader: &mut TomlReader, root: &DeTable) -> Option<SweepPlan> {
     }
     Some(SweepPlan {
         weights: given.unwrap_or(vec![SelfWeight::Milankovitch]),
-        quantities: Quantity::STATE_ROW.into_iter().filter(|of| quantities.contains(of)).collect(),
+        quantities: quantities?,
         digits: digits?,
         chunk: chunk?,
         arches: arches?,
@@ -91,7 +91,7 @@ fn arches(plan: &mut TableReader) -> Option<(&'static str, Option<SweepArches>)>
 
 fn grid(table: &mut TableReader) -> Option<SweepArches> {
     let keys = ["half_opening", "friction", "friction_angle"];
-    table.reader.unknown_keys(table.table, "[grid]", &keys, &["alpha", "mu", "phi"]);
+    table.reader.unknown_keys(table.table, "[grid]", &keys);
     let (mut half_openings, mut frictions) = (Vec::new(), Vec::new());
     for axis in axes(table, &QUESTION, SINGLE)? {
         for text in axis.texts {
@@ -106,7 +106,7 @@ fn grid(table: &mut TableReader) -> Option<SweepArches> {
 }
 
 fn sample(table: &mut TableReader) -> Option<SweepArches> {
-    table.reader.unknown_keys(table.table, "[sample]", &["count", "seed", "hard"], &[]);
+    table.reader.unknown_keys(table.table, "[sample]", &["count", "seed", "hard"]);
     let count = match table.get("count") {
         Some(value) => table.reader.whole("count", value, 1..=MAX_SAMPLE),
         None => table.refuse("count is missing; give a whole number"),
@@ -118,7 +118,7 @@ fn sample(table: &mut TableReader) -> Option<SweepArches> {
 }
 
 fn data(table: &mut TableReader) -> Option<SweepArches> {
-    table.reader.unknown_keys(table.table, "[data]", &["files"], &[]);
+    table.reader.unknown_keys(table.table, "[data]", &["files"]);
     let Some(value) = table.get("files") else {
         return table.refuse("files is missing; give paths, as \"arches.csv\"");
     };

@@ -1,10 +1,14 @@
 //! Does what a plan says: one item after the other, the parts of an item on all cores.
 
 use super::cost::{Cost, measured};
+use super::fault::Position;
 use super::item_report::ItemReport;
 use super::plan::Plan;
+use super::schema::{ItemKind, Request, Scene, SceneItem};
 use super::shared::Shared;
 use super::work::Done;
+use crate::picture::Print;
+use crate::report::Format;
 
 /// A plan that is being carried out.
 pub struct SceneRun<'p> {
@@ -58,4 +62,16 @@ impl<'p> SceneRun<'p> {
         }
         ItemReport::new(self.plan, &self.done, index)
     }
+}
+
+/// The answer to one request, as that of a scene that asks for nothing else.
+pub fn answered(
+    kind: ItemKind,
+    what: Request,
+    (format, print): (&'static Format, &Print),
+) -> ItemReport {
+    let (place, print, output) = (Position { line: 1, column: 1 }, print.clone(), None);
+    let items = vec![SceneItem { place, kind, what, format, print, output }];
+    let scene = Scene { items, notes: Vec::new() };
+    SceneRun::new(&Plan::new(&scene, vec![false])).item(0, &|| ())
 }

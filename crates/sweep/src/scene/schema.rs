@@ -50,6 +50,8 @@ pub struct Scene {
 pub struct SceneItem {
     /// Place where the file asks for it.
     pub place: Position,
+    /// The kind of item.
+    pub kind: ItemKind,
     /// The request of the item.
     pub what: Request,
     /// Format in which it is written.
@@ -106,10 +108,8 @@ pub enum Request {
         /// The landmarks whose printed numbers are compared.
         points: Vec<(Landmark, SelfWeight)>,
     },
-    /// Curves of the map, as data or as a picture.
+    /// Curves of the map, as data or as a picture, any or those of a figure of the paper.
     Map(SceneMap),
-    /// A figure of the paper.
-    Figure(SceneMap),
     /// Arches to be drawn, any or those of a figure.
     Drawing(SceneDrawing),
 }
@@ -275,12 +275,6 @@ impl ItemKind {
         self.described().1
     }
 
-    /// The paper's letters, which are keys too.
-    pub(super) fn letters(self) -> Vec<&'static str> {
-        let keys = self.keys().into_iter();
-        keys.filter_map(|key| Quantity::named(key)?.letter()).collect()
-    }
-
     /// The keys that an item of this kind may have.
     pub fn keys(self) -> Vec<&'static str> {
         self.described().2.split_whitespace().collect()
@@ -291,27 +285,13 @@ impl ItemKind {
 pub(super) const SCENE_KEYS: [&str; 3] = ["schema", "digits", "weight"];
 
 impl Request {
-    /// The request, with the command that asks for it to be printed so.
-    pub(super) fn printed(mut self, print: &Print) -> Self {
-        if let Self::Map(SceneMap { command, .. })
-        | Self::Figure(SceneMap { command, .. })
-        | Self::Drawing(SceneDrawing { command, .. }) = &mut self
-        {
-            *command += &print.options();
-        }
-        self
-    }
-
-    /// The kind of item.
-    pub fn kind(&self) -> ItemKind {
+    /// The command that asks for the same, as the caption of a picture has it.
+    pub fn command(&mut self) -> Option<&mut String> {
         match self {
-            Self::Constants { .. } => ItemKind::Constants,
-            Self::Arches { .. } | Self::Surveys { .. } => ItemKind::Arches,
-            Self::Claims { .. } => ItemKind::Claims,
-            Self::Audit { .. } => ItemKind::Audit,
-            Self::Map(_) => ItemKind::Map,
-            Self::Figure(_) => ItemKind::Figure,
-            Self::Drawing(_) => ItemKind::Drawing,
+            Self::Map(SceneMap { command, .. }) | Self::Drawing(SceneDrawing { command, .. }) => {
+                Some(command)
+            }
+            _ => None,
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;
 use crate::ask::{Field, Misfit, notes};
+use crate::certify::MAX_DIGITS;
 use crate::problem::{Friction, Landmark};
 use std::ops::Range;
 use toml::Spanned;
@@ -57,6 +58,26 @@ impl<'a, 's> TableReader<'a, 's> {
     pub(super) fn weights(&mut self, usual: &[SelfWeight]) -> Option<Vec<SelfWeight>> {
         let usual = self.reader.weights.clone().unwrap_or(usual.to_vec());
         self.or("weight", usual, TomlReader::weights)
+    }
+
+    /// Significant digits, so many where nothing is said.
+    pub(super) fn digits(&mut self, usual: usize) -> Option<usize> {
+        self.or("digits", usual, |reader, key, value| reader.whole(key, value, 1..=MAX_DIGITS))
+    }
+
+    /// Those of all that a key names, all without it, in the order in which they are always shown.
+    pub(super) fn chosen<T: Copy + PartialEq>(
+        &mut self,
+        key: &str,
+        all: &[T],
+        name: fn(T) -> &'static str,
+    ) -> Option<Vec<T>> {
+        let known: Vec<_> = all.iter().map(|one| (name(*one), *one)).collect();
+        let read = |reader: &mut TomlReader, key: &str, value: &TomlValue| {
+            reader.names(key, value, &known)
+        };
+        let asked = self.or(key, all.to_vec(), read)?;
+        Some(all.iter().copied().filter(|one| asked.contains(one)).collect())
     }
 
     /// The landmarks that a key names, by symbol or by long name.

@@ -3,8 +3,10 @@
 use super::fault::{Fault, SceneText};
 use super::schema::{DIGITS, RANGE_DIGITS};
 use crate::arch::SelfWeight;
+use crate::ask::Field;
 use crate::report::words::{did_you_mean, list, shortened};
 use std::collections::HashSet;
+use std::fmt::Display;
 use std::hash::Hash;
 use std::ops::{Range, RangeInclusive};
 use toml::Spanned;
@@ -58,8 +60,8 @@ impl<'s> TomlReader<'s> {
         match root.get("schema") {
             Some(value) if value.get_ref().as_str() == Some(schema) => true,
             Some(value) => {
-                self.is_not("schema", value, &format!("one that is read here: \"{schema}\""));
-                false
+                let here = format!("one that is read here: \"{schema}\"");
+                self.reject::<()>("schema", value, &here).is_some()
             }
             None => {
                 self.fault(0..0, format!("schema is missing; {what} has schema = \"{schema}\""));
@@ -99,34 +101,17 @@ impl<'s> TomlReader<'s> {
         self.notes.push(Fault { place: self.source.place(span.start), message });
     }
 
-    /// Remarks that a value, written somewhere, was there before, and counts once.
-    pub(super) fn is_there(&mut self, key: &str, value: &TomlValue) {
-        let shown = self.source.shown(value.span());
-        let message = format!("{key} {shown} is listed twice and counts once");
-        self.remark(value.span(), message);
-    }
-
-    /// `key "value" is not allowed`.
-    pub(super) fn is_not(&mut self, key: &str, value: &TomlValue, allowed: &str) {
-        let shown = self.source.shown(value.span());
-        self.fault(value.span(), format!("{key} {shown} is not {allowed}"));
-    }
-
     /// `key "value" is not allowed`, in place of what would be read.
     pub(super) fn reject<T>(&mut self, key: &str, value: &TomlValue, allowed: &str) -> Option<T> {
-        self.is_not(key, value, allowed);
-        None
+        let shown = self.source.shown(value.span());
+        self.refuse(value.span(), format!("{key} {shown} is not {allowed}"))
     }
 
-    /// Every key that is not one of those a table may have, nor a letter for one.
-    pub(super) fn unknown_keys(
-        &mut self,
-        table: &DeTable,
-        of: &str,
-        known: &[&str],
-        letters: &[&str],
-    ) {
-        let is_known = |key: &str| known.contains(&key) || letters.contains(&key);
+    /// Every key that is not one of those a table may have, nor the letter of a field among them.
+    pub(super) fn unknown_keys(&mut self, table: &DeTable, of: &str, known: &[&str]) {
+        let is_known = |key: &str| {
+            known.contains(&key) || Field::named(key).is_some_and(|of| known.contains(&of.name()))
+        };
         for key in table.keys().filter(|key| !is_known(key.get_ref())) {
             let hint = did_you_mean(key.get_ref(), known);
             let (name, known) = (shortened(key.get_ref()), list(known.iter().copied()));
@@ -137,6 +122,19 @@ impl<'s> TomlReader<'s> {
 
     pub(super) fn text<'v>(&mut self, key: &str, value: &'v TomlValue) -> Option<&'v str> {
         value.get_ref().as_str().or_else(|| self.reject(key, value, "a text"))
+    }
+
+    /// Value that a text says, by its reader.
+    pub(super) fn said<T, E: Display>(
+        &mut self,
+        key: &str,
+        value: &TomlValue,
+        read: impl FnOnce(&str) -> Result<T, E>,
+    ) -> Option<T> {
+        let text = Self::literal(value).or_else(|| self.reject(key, value, "a text"))?;
+        read(text)
+            .or_else(|said| self.refuse(value.span(), format!("{key}: {said}")).ok_or(()))
+            .ok()
     }
 
     pub(super) fn truth(&mut self, key: &str, value: &TomlValue) -> Option<bool> {
@@ -210,13 +208,13 @@ impl<'s> TomlReader<'s> {
         let before = self.faults.len();
         let (mut found, mut seen) = (Vec::new(), HashSet::new());
         for element in self.elements(key, value, allowed) {
-            match read(self, element) {
-                Some((of, one)) if !seen.contains(&of) => {
-                    seen.insert(of);
-                    found.push(one);
-                }
-                Some(_) => self.is_there(key, element),
-                None => {}
+            let Some((of, one)) = read(self, element) else { continue };
+            if seen.insert(of) {
+                found.push(one);
+            } else {
+                let shown = self.source.shown(element.span());
+                let message = format!("{key} {shown} is listed twice and counts once");
+                self.remark(element.span(), message);
             }
         }
         (self.faults.len() == before).then_some(found)

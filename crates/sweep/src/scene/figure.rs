@@ -1,0 +1,55 @@
+//! Figures of the paper, asked for by a command or by a scene.
+
+use super::drawn::{DrawnArch, Pose};
+use super::read_map::{TOLERANCE, command, in_order};
+use super::schema::{MapLine, Request, SceneDrawing, SceneMap};
+use crate::arch::SelfWeight;
+use crate::atlas::Curve;
+use crate::problem::{Landmark, Mode};
+use crate::report::{Axes, Style, View, arches_of_figure};
+
+/// Request for a figure of the paper, of its usual weights and tolerance where none are named; `key` tells what who asks
+/// calls an option.
+pub fn figure(
+    number: usize,
+    weights: Option<Vec<SelfWeight>>,
+    tolerance: Option<f64>,
+    key: fn(&str) -> String,
+) -> Result<Request, String> {
+    let view = View::of_figure(number);
+    let is_of_one = view.is_none_or(View::is_of_one_weight);
+    let usual = if is_of_one { &[SelfWeight::Milankovitch] } else { &SelfWeight::ALL[..] };
+    let weights = weights.map_or(usual.to_vec(), in_order);
+    if is_of_one && weights.len() > 1 {
+        return Err(format!("figure {number} shows one {}", key("weight")));
+    }
+    let Some(view) = view else {
+        let message =
+            format!("figure {number} has no curves of the map; leave out {}", key("tolerance"));
+        return tolerance.map_or_else(|| arches(number, weights[0]), |_| Err(message));
+    };
+    let tolerance = tolerance.unwrap_or(TOLERANCE);
+    let command = command(&format!("figure {number}"), &weights, tolerance);
+    let contours = if let View::Map(plane) = view { plane.contours() } else { Vec::new() };
+    let lines = |weight: &SelfWeight| {
+        let curves = Curve::ALL.map(MapLine::Curve).into_iter();
+        let all = curves.chain(contours.iter().cloned().map(MapLine::Level));
+        all.map(|line| (*weight, line)).collect::<Vec<_>>()
+    };
+    let lines = weights.iter().flat_map(lines).collect();
+    let (landmarks, axes, marks) = (Vec::new(), Axes::default(), Vec::new());
+    Ok(Request::Map(SceneMap { lines, tolerance, landmarks, view, axes, marks, command }))
+}
+
+/// Arches of a figure.
+fn arches(number: usize, weight: SelfWeight) -> Result<Request, String> {
+    let shown = arches_of_figure(number).ok_or("a figure is a number from 1 to 12")?;
+    let arch = |(landmark, modes): &(Landmark, &[Mode])| {
+        let pose = Pose::Landmark(*landmark, weight);
+        (DrawnArch { pose, stones: None, is_dilatant: false }, modes.to_vec())
+    };
+    let arches = shown.iter().map(arch).collect();
+    let command = format!("couplet figure {number} --weight {}", weight.name());
+    let style = Style::of_figure(number);
+    Ok(Request::Drawing(SceneDrawing { arches, style, measures: None, command }))
+}
