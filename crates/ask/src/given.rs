@@ -72,7 +72,7 @@ impl ArchGiven {
         Ok(Self { half_opening, friction, measures, thickness, stones, tilt })
     }
 
-    /// What the texts of an arch of which more follows say by themselves, each in the range that an arch allows.
+    /// Part of an arch of which more follows: its texts by themselves, each in the range that an arch allows.
     pub fn part(asked: &ArchAsked) -> Result<Self, Misfit> {
         let given = Self::new(asked, Spelling::Key)?;
         let alpha = given.half_opening.clone().unwrap_or_else(|| ExactNumber::from(1));

@@ -1,9 +1,9 @@
 //! An arch: its state is proved once, and what is asked of each thickness.
 
+use super::computable::{ARCH, Computable, Done};
 use super::expected;
 use super::same::arch_key;
 use super::shared::Shared;
-use super::work::{ARCH, Computable, Done};
 use crate::certify::state::{Answer, AssessmentDigits, Inquiry, Wanted};
 use crate::certify::{Error, Refused};
 use crate::number::ExactNumber;

@@ -1,5 +1,5 @@
-//! What arches are given by: each key is a list of texts, every one read by itself by the reader of every other door, and
-//! every combination of them is a question.
+//! Keys of arches: each is a list of texts, every one read by itself by the reader of every other door, and every
+//! combination of them is a question.
 
 use super::same::given_key;
 use super::schema::MAX_ARCHES;
@@ -138,8 +138,8 @@ fn range(
     }
 }
 
-/// One text, with a key that is the same for the same number, however it is written: `0.1` is one tenth with and without
-/// quotes.
+/// One text, with a key that is the same for the same number, however it is written: `0.1` is one tenth with and
+/// without quotes.
 fn text(
     reader: &mut TomlReader,
     field: Field,
@@ -178,7 +178,8 @@ pub(super) fn example(field: Field) -> &'static str {
     }
 }
 
-/// Every combination of the texts of the keys, the last key fastest; `used` counts them, with each weight, of all items.
+/// Every combination of the texts of the keys, the last key fastest; `used` counts those of all items, with each
+/// weight.
 pub(super) fn product(
     table: &mut TableReader,
     axes: Vec<ArchAxis>,

@@ -1,8 +1,8 @@
 //! A curve of the map, or a level.
 
+use super::computable::{Computable, Done, LONG};
 use super::schema::MapLine;
 use super::shared::Shared;
-use super::work::{Computable, Done, LONG};
 use crate::arch::SelfWeight;
 use crate::atlas::{Level, NoLevel, Trace};
 use std::fmt;

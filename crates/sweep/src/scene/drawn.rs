@@ -1,8 +1,8 @@
 //! An arch that is drawn: at its least thickness, at a landmark, as it stands, or where it slides.
 
+use super::computable::{Computable, Done};
 use super::same::{arch_key, number_key};
 use super::shared::Shared;
-use super::work::{Computable, Done};
 use crate::arch::SelfWeight;
 use crate::ask::ArchAsked;
 use crate::atlas::{NoSketch, Sketch};

@@ -1,15 +1,17 @@
 //! Figures of the paper, asked for by a command or by a scene.
 
 use super::drawn::{DrawnArch, Pose};
-use super::read_map::{TOLERANCE, command, in_order};
 use super::schema::{MapLine, Request, SceneDrawing, SceneMap};
 use crate::arch::SelfWeight;
 use crate::atlas::Curve;
 use crate::problem::{Landmark, Mode};
 use crate::report::{Axes, Style, View, arches_of_figure};
 
-/// Request for a figure of the paper, of its usual weights and tolerance where none are named; `key` tells what who asks
-/// calls an option.
+/// Tolerance where a scene does not say how wide a tube may be.
+pub(super) const TOLERANCE: f64 = 1e-4;
+
+/// Request for a figure of the paper, of its usual weights and tolerance where none are named. `key` tells what who
+/// asks calls an option.
 pub fn figure(
     number: usize,
     weights: Option<Vec<SelfWeight>>,
@@ -52,4 +54,18 @@ fn arches(number: usize, weight: SelfWeight) -> Result<Request, String> {
     let command = format!("couplet figure {number} --weight {}", weight.name());
     let style = Style::of_figure(number);
     Ok(Request::Drawing(SceneDrawing { arches, style, measures: None, command }))
+}
+
+/// The command that asks for the same.
+pub(super) fn command(name: &str, weights: &[SelfWeight], tolerance: f64) -> String {
+    let weight = match weights {
+        [one] => one.name(),
+        _ => "both",
+    };
+    format!("couplet {name} --weight {weight} --tolerance {tolerance:?}")
+}
+
+/// Weights in the order in which they are always shown.
+pub(super) fn in_order(weights: Vec<SelfWeight>) -> Vec<SelfWeight> {
+    SelfWeight::ALL.into_iter().filter(|weight| weights.contains(weight)).collect()
 }

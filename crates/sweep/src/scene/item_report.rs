@@ -1,11 +1,11 @@
 //! The report of an item.
 
 use super::arch_node::ArchPiece;
+use super::computable::Done;
 use super::curve_node::CurvePiece;
 use super::landmark_node::LandmarkPiece;
 use super::plan::{PAGE_DIGITS, Plan};
 use super::schema::{MeasuredArch, Request, SceneArch, SceneBoxes, SceneDrawing, SceneMap};
-use super::work::Done;
 use crate::answer;
 use crate::arch::SelfWeight;
 use crate::atlas::{NoLevel, NoSketch, Sketch};

@@ -6,7 +6,7 @@
 //! | `read` | TOML to a valid scene, or all its faults; with `table`, `axes`, `read_arches`, `read_drawing`, `read_map`, `figure`, `read_output`, `read_print`, `value`, `fault` |
 //! | `map_lines` | which lines a map shows |
 //! | `plan` | what has to be computed, each part once |
-//! | `work` | what a part is; `landmark_node`, `arch_node`, `curve_node`, `drawn`, `survey_node` are the kinds |
+//! | `work`, `computable` | what a part is; `landmark_node`, `arch_node`, `curve_node`, `drawn`, `survey_node` are the kinds |
 //! | `run` | computes the parts, item by item; `shared` has what they share, `cost` counts |
 //! | `item_report` | what an item asked for, as a report |
 //! | `explain` | the plan as a tree, with what `expected` says of the arches |
@@ -35,6 +35,7 @@
 
 mod arch_node;
 mod axes;
+mod computable;
 mod cost;
 mod curve_node;
 mod drawn;

@@ -1,7 +1,7 @@
 //! Reading from TOML to curves of the map, as data or as a picture.
 
 use super::axes::{SINGLE, axis, given};
-use super::figure::figure;
+use super::figure::{TOLERANCE, command, figure, in_order};
 use super::map_lines::map_lines;
 use super::schema::{MAX_ITEMS, MapLine, Request, SceneMap};
 use super::table::TableReader;
@@ -11,9 +11,6 @@ use crate::ask::{ArchAsked, ArchGiven};
 use crate::atlas::{Contour, Curve, LEAST_TOLERANCE};
 use crate::problem::Landmark;
 use crate::report::{Axes, Format, MapAsked, Marked, Plane, Shown, Unit, View};
-
-/// Tolerance where a scene does not say how wide a tube may be.
-pub(super) const TOLERANCE: f64 = 1e-4;
 
 /// The map, or curves of it.
 pub(super) fn map(table: &mut TableReader, format: Option<&'static Format>) -> Option<Request> {
@@ -130,20 +127,6 @@ fn words(table: &TableReader, marks: &[Marked]) -> String {
         Some(format!(" --{} {value}", key.replace('_', "-")))
     });
     axes.chain(marks.iter().map(|mark| format!(" --mark {mark}"))).collect()
-}
-
-/// The command that asks for the same.
-pub(super) fn command(name: &str, weights: &[SelfWeight], tolerance: f64) -> String {
-    let weight = match weights {
-        [one] => one.name(),
-        _ => "both",
-    };
-    format!("couplet {name} --weight {weight} --tolerance {tolerance:?}")
-}
-
-/// Weights in the order in which they are always shown.
-pub(super) fn in_order(weights: Vec<SelfWeight>) -> Vec<SelfWeight> {
-    SelfWeight::ALL.into_iter().filter(|weight| weights.contains(weight)).collect()
 }
 
 fn plane(reader: &mut TomlReader, key: &str, value: &TomlValue) -> Option<Plane> {

@@ -1,12 +1,13 @@
 //! Does what a plan says: one item after the other, the parts of an item on all cores.
 
+use super::computable::Done;
 use super::cost::{Cost, measured};
 use super::fault::Position;
 use super::item_report::ItemReport;
 use super::plan::Plan;
 use super::schema::{ItemKind, Request, Scene, SceneItem};
 use super::shared::Shared;
-use super::work::Done;
+use super::work::Work;
 use crate::picture::Print;
 use crate::report::Format;
 
@@ -34,7 +35,12 @@ impl<'p> SceneRun<'p> {
     /// Run of which nothing is computed yet.
     pub fn new(plan: &'p Plan<'p>) -> Self {
         let done = plan.parts.iter().map(|_| None).collect();
-        Self { plan, done, costs: Costs(vec![None; plan.parts.len()]), shared: Shared::new(plan) }
+        let states = plan.parts.iter().filter_map(|part| match &part.work {
+            Work::Arch(node) => node.shared(),
+            _ => None,
+        });
+        let (costs, shared) = (Costs(vec![None; plan.parts.len()]), Shared::new(states));
+        Self { plan, done, costs, shared }
     }
 
     /// Costs of the parts so far.

@@ -1,7 +1,5 @@
 //! Proofs that pieces of work share.
 
-use super::plan::Plan;
-use super::work::Work;
 use crate::arch::SelfWeight;
 use crate::atlas::{Level, Trace};
 use crate::certify::Undecided;
@@ -19,11 +17,9 @@ pub(super) struct Shared {
 }
 
 impl Shared {
-    /// Proofs of which nothing is proved yet.
-    pub(super) fn new(plan: &Plan) -> Self {
-        let openings = plan.parts.iter().filter_map(|part| {
-            let Work::Arch(node) = &part.work else { return None };
-            let asked @ (digits, frictions) = node.shared()?;
+    /// Proofs of which nothing is proved yet, for states that are asked so.
+    pub(super) fn new(states: impl Iterator<Item = (usize, bool)>) -> Self {
+        let openings = states.filter_map(|asked @ (digits, frictions)| {
             let all = SharedOpenings::new(Balls::DoubleDoubles, digits, frictions);
             Some((asked, all.ok()?))
         });

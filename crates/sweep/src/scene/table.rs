@@ -65,7 +65,7 @@ impl<'a, 's> TableReader<'a, 's> {
         self.or("digits", usual, |reader, key, value| reader.whole(key, value, 1..=MAX_DIGITS))
     }
 
-    /// Those of all that a key names, all without it, in the order in which they are always shown.
+    /// Members of a list that a key names, all without it, in the order of the list.
     pub(super) fn chosen<T: Copy + PartialEq>(
         &mut self,
         key: &str,
