@@ -16,7 +16,7 @@ sys.dont_write_bytecode = True
 from arches import Program  # noqa: E402
 
 HOUSE = pathlib.Path(__file__).resolve().parent.parent.parent
-STATES = "^(?:Theorem|Lemma|Corollary|Proposition|Fact) "
+STATES = "^ *(?:Theorem|Lemma|Corollary|Proposition|Fact) "
 
 
 def the_one(found, what):

@@ -103,7 +103,7 @@ fn corners(d: &mut Derivation) -> Checked {
     )
 }
 
-/// What `Attained.goes_on_standing` says.
+/// Statement of `Attained.goes_on_standing`.
 pub(super) const GOES_ON_STANDING: &str =
     "along a way on which each arch that stands is followed by some that stand, all of them do";
 
