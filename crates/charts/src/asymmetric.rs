@@ -10,7 +10,7 @@ use crate::atlas::{BorderLine, Curve};
 use crate::picture::color::{INK, WHITE};
 use crate::picture::room::Rectangle;
 use crate::picture::text;
-use crate::picture::{Anchor, Color, Frame, Hatch, Path, Point, Stroke, Svg, Type};
+use crate::picture::{Anchor, Color, Frame, Hatch, Page, Path, Point, Stroke, Svg, Type};
 use crate::problem::Line;
 
 /// The lines of one weight, and what they enclose together with those between modes.
@@ -95,7 +95,7 @@ impl AsymmetricLines {
 
 /// Area that the legend takes of a frame, below on the right, where nothing stands.
 pub(super) fn legend_in(frame: &Frame) -> Rectangle {
-    let widest = LEGEND.iter().map(|(name, _)| text::width(name, SMALL)).fold(0.0, f64::max);
+    let widest = LEGEND.iter().map(|(name, _)| text::width(name, Page::SMALL)).fold(0.0, f64::max);
     let across = widest + GAP / 2.0 + SAMPLE + GAP;
     let up = LEADING * LEGEND.len() as f64 + GAP / 2.0;
     [(frame.right() - across, frame.bottom() - up), (frame.right(), frame.bottom())]
@@ -112,7 +112,7 @@ pub(super) fn legend(svg: &mut Svg, (right, bottom): Point) {
                 Some(stroke) => svg.stroke(&Path::through([(from, y), (to, y)]), stroke),
                 None => fill(svg, &Path::rectangle((from, y - 7.0), (to, y + 7.0))),
             }
-            let style = Type::new(SMALL, INK).at(Anchor::End).on(WHITE);
+            let style = Type::new(Page::SMALL, INK).at(Anchor::End).on(WHITE);
             svg.text(name, (from - GAP / 2.0, y), style);
         }
     });
@@ -126,7 +126,6 @@ const LEGEND: [(&str, Option<Stroke>); 3] = [
 const GAP: f64 = 16.0;
 const LEADING: f64 = 21.0;
 const SAMPLE: f64 = 42.0;
-const SMALL: f64 = 15.0;
 
 /// Description of the areas for the caption.
 pub(super) fn words(weight: SelfWeight) -> String {

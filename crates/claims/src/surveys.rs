@@ -232,7 +232,7 @@ fn rise(d: &mut Derivation) -> Checked {
          than pi/2: the mode is [r,r,s], [r,s,r] or [r,s], beyond T, where both thickness and friction are no less \
          than at T. The shoulder's friction, if h is that of the inner joints, as then fewer are asked, and if it is \
          h_R: at each joint that asks for it, and so for the largest. Without a limit of friction what stands is closed \
-         too, as the shoulder's extrados bounds the thrust.",
+         too, as the least thrust is then h_R, which is continuous.",
     )?;
     d.theorem("Attained.goes_on_standing", GOES_ON_STANDING)?;
     d.conclude(

@@ -3,7 +3,7 @@
 use super::Sketched;
 use crate::atlas::{Sketch, SketchedLine};
 use crate::picture::color::{GUIDE, INK, WHITE};
-use crate::picture::{Color, Path, Point, Stroke, Svg, Type, text};
+use crate::picture::{Color, Page, Path, Point, Stroke, Svg, Type, text};
 use crate::sketch::look;
 
 /// An entry: a sample and its name.
@@ -26,14 +26,13 @@ pub(crate) struct Legend {
     rows: Vec<Vec<(LegendSample, &'static str)>>,
 }
 
-const SIZE: f64 = 15.0;
 const SAMPLE: f64 = 34.0;
 const GAP: f64 = 8.0;
 const BETWEEN: f64 = 26.0;
 const ROW: f64 = 25.0;
 
 fn width(name: &str) -> f64 {
-    SAMPLE + GAP + text::width(name, SIZE)
+    SAMPLE + GAP + text::width(name, Page::SMALL)
 }
 
 impl Legend {
@@ -127,7 +126,7 @@ impl Legend {
                 let y = top + (f64::from(y) + 0.5) * ROW;
                 for (sample, name) in row {
                     sample.draw(svg, (x, y));
-                    svg.text(name, (x + SAMPLE + GAP, y), Type::new(SIZE, INK));
+                    svg.text(name, (x + SAMPLE + GAP, y), Type::new(Page::SMALL, INK));
                     x += width(name) + BETWEEN;
                 }
             }

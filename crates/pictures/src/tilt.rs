@@ -16,7 +16,7 @@ use crate::picture::{Name, Page, Path, Point, Print, Stroke, Svg, Type, text};
 use crate::problem::Friction;
 use crate::problem::measures::{LengthUnit, Measures};
 use crate::report::numbers::rounded;
-use crate::report::{Content, Format, Joint, Record, Reported, TiltedArch, words};
+use crate::report::{Content, Format, JointAtLimit, Record, Reported, TiltedArch, words};
 use crate::sketch::{Blocks, Hull, Linkage, PageScale, SketchedLine, WholeView, arrow, look};
 use couplet_stones::{LargestTilt, TiltMechanism};
 use std::io;
@@ -109,7 +109,7 @@ impl TiltDrawing {
 struct TiltPanel<'a> {
     arch: &'a TiltedArch,
     view: WholeView,
-    joints: Vec<Joint<'a>>,
+    joints: Vec<JointAtLimit<'a>>,
     moved: Option<f64>,
 }
 
@@ -297,7 +297,7 @@ impl<'a> TiltPanel<'a> {
     }
 
     /// Words on what a joint does, and where it is.
-    fn named(&self, joint: &Joint<'_>, digits: usize) -> [String; 2] {
+    fn named(&self, joint: &JointAtLimit<'_>, digits: usize) -> [String; 2] {
         let angle = joint.degrees(digits);
         let happens = self.arch.happens(joint.side, joint.of.contact);
         let number = joint.number.zip(self.arch.stones.as_ref());

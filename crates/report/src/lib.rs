@@ -109,7 +109,7 @@ pub use survey::{MEANING, MeasureAlone, SurveyedArches};
 pub use surveyed_cells::SurveyedCells;
 pub use surveyed_rows::{SurveyedCell, SurveyedRow, SurveyedRows};
 pub use tabular::Tabular;
-pub use tilt::{Joint, TiltedArch};
+pub use tilt::{JointAtLimit, TiltedArch};
 pub use understood::Understood;
 pub use value::Value;
 pub use voussoirs::{GivenThickness, VoussoirArch, VoussoirArches};

@@ -45,7 +45,7 @@ pub(super) fn rows(report: Answers) -> io::Result<Box<dyn Rows>> {
 pub fn parquet_rows<R>(
     columns: &[NamedColumn<R>],
     rows: &[R],
-    notes: [(&'static str, String); 2],
+    notes: impl IntoIterator<Item = (&'static str, String)>,
     out: &mut dyn io::Write,
 ) -> io::Result<()> {
     let mut file = ParquetFile::default();

@@ -15,7 +15,7 @@ pub(super) fn answers<T>(_: &T, _: &mut dyn io::Write) -> io::Result<()> {
 pub fn parquet_rows<R>(
     _: &[NamedColumn<R>],
     _: &[R],
-    _: [(&'static str, String); 2],
+    _: impl IntoIterator<Item = (&'static str, String)>,
     _: &mut dyn io::Write,
 ) -> io::Result<()> {
     unsupported()

@@ -15,7 +15,7 @@ use couplet_stones::{LargestTilt, TiltDigits, TiltMechanism, TiltedJoint};
 const DIGITS: usize = 6;
 
 /// A joint that gives way, by its side and its angle from the crown.
-pub struct Joint<'a> {
+pub struct JointAtLimit<'a> {
     /// The joint as it is proved.
     pub of: &'a TiltedJoint,
     /// The half of the arch in which it is.
@@ -26,7 +26,7 @@ pub struct Joint<'a> {
     pub number: Option<u64>,
 }
 
-impl Joint<'_> {
+impl JointAtLimit<'_> {
     /// Tells whether it is the crown itself.
     pub fn is_crown(&self) -> bool {
         Drawable::is_zero(&self.size)
@@ -136,11 +136,11 @@ impl TiltedArch {
     }
 
     /// The joints that give way, with their sides and, between stones, their numbers.
-    pub fn joints(&self) -> Vec<Joint<'_>> {
+    pub fn joints(&self) -> Vec<JointAtLimit<'_>> {
         self.mechanism().into_iter().flat_map(|all| &all.joints).map(|of| self.joint(of)).collect()
     }
 
-    fn joint<'a>(&self, of: &'a TiltedJoint) -> Joint<'a> {
+    fn joint<'a>(&self, of: &'a TiltedJoint) -> JointAtLimit<'a> {
         let TiltedJoint { angle, .. } = of;
         let side = if *angle.mid() < 0 { Side::Left } else { Side::Right };
         let size = if side == Side::Left { -angle.clone() } else { angle.clone() };
@@ -152,7 +152,7 @@ impl TiltedArch {
             (0..stones.count()).min_by(|a, b| away(a).total_cmp(&away(b)))
         };
         let number = self.stones.as_ref().and_then(nearest);
-        Joint { of, side, size, number }
+        JointAtLimit { of, side, size, number }
     }
 
     /// Description of what a joint does, in words, by its condition on one side.
@@ -165,7 +165,7 @@ impl TiltedArch {
 
     /// Limits of the acceleration, in words, with the angles of the joints.
     pub(super) fn limits(&self) -> Vec<String> {
-        let words = |joint: Joint<'_>| {
+        let words = |joint: JointAtLimit<'_>| {
             let name = joint.side.name();
             let words = self.happens(joint.side, joint.of.contact);
             let place = match (joint.of.is_springing, joint.number.zip(self.stones.as_ref())) {

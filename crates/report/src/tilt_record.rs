@@ -5,7 +5,7 @@ use super::record::Record;
 use super::reported::Reported;
 use super::sizes::Sizes;
 use super::tabular::Tabular;
-use super::tilt::{Joint, TiltedArch};
+use super::tilt::{JointAtLimit, TiltedArch};
 use super::words::division;
 use crate::number::{Rounded, degrees};
 use crate::problem::asymmetric_region::MAY_MOVE;
@@ -55,7 +55,7 @@ impl Reported for TiltedArch {
     }
 }
 
-fn joint(arch: &TiltedArch, of: &Joint) -> Record {
+fn joint(arch: &TiltedArch, of: &JointAtLimit) -> Record {
     let mut record = Record::default();
     record.add("happens", arch.happens(of.side, of.of.contact));
     record.add("side", if of.is_crown() { "crown" } else { of.side.name() });

@@ -26,9 +26,9 @@ pub struct DxfFile {
     owner: String,
     /// The records of the model and of the other blocks.
     records: Vec<String>,
-    /// Where the arch in hand begins, in units of `r`.
+    /// Where what is drawn next begins, in its own units.
     pub x: f64,
-    /// A unit of `r` in that of the file.
+    /// Such a unit in that of the file.
     scale: f64,
 }
 
@@ -36,7 +36,7 @@ pub struct DxfFile {
 const MODEL: &str = "*Model_Space";
 const SHEETS: &str = "*Paper_Space";
 
-/// Decimals of a length in units of `r`.
+/// Decimals of a length in these units.
 const DECIMALS: i32 = 7;
 
 /// The end of a text that is at its place, by the number it has.
@@ -279,7 +279,7 @@ impl DxfFile {
         self.put_all(&[(100, "AcDbText"), (73, "2")]);
     }
 
-    /// Draws a block where the arch in hand begins.
+    /// Draws a block where what is drawn next begins.
     pub fn insert(&mut self, block: &str) {
         self.begin("INSERT", "0", "AcDbBlockReference");
         self.put(2, block);

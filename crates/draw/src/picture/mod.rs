@@ -19,7 +19,7 @@
 //! | `png`, `pdf` | that as pixels, and as a page (feature `plots`) |
 //!
 //! The text is the same whenever the picture is the same. What is drawn is decided elsewhere: nothing here
-//! knows of arches.
+//! knows of arches; a file of DXF names its unit, which may be their radius.
 
 pub mod arcs;
 pub mod color;

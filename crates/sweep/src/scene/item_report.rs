@@ -56,14 +56,16 @@ impl ItemReport {
                 let answers = Answers { quantities: quantities.clone(), list, ..answers };
                 (Some(Box::new(answers)), undecided.into_iter().collect())
             }
-            Request::Surveys { boxes: None, .. } => {
-                let (found, undecided) =
-                    parts.apart(|of: &SurveyedArches| of.first_open().is_some());
+            Request::Surveys { surveys, boxes: None, .. } => {
+                let is_open = |of: &SurveyedArches| of.first_open().is_some();
+                let (found, undecided) = parts.apart(surveys.len(), is_open);
                 (Some(Box::new(found)), undecided)
             }
-            Request::Surveys { boxes: Some(boxes), .. } => parts.boxes(boxes),
-            Request::Claims { show, .. } => {
-                let decisions: Vec<Decision> = parts.done().cloned().collect();
+            Request::Surveys { surveys, boxes: Some(boxes), .. } => {
+                parts.boxes(boxes, surveys.len())
+            }
+            Request::Claims { claims, show } => {
+                let decisions: Vec<Decision> = parts.done(claims.len()).cloned().collect();
                 let open = decisions.iter().filter(|decision| decision.outcome.is_err());
                 let undecided = open.map(|decision| decision.claim.id.to_owned()).collect();
                 // How long a claim took would be another output in every run.
@@ -72,7 +74,7 @@ impl ItemReport {
             }
             Request::Map(asked) => parts.map(asked, item.format),
             Request::Drawing(asked) => parts.drawing(asked),
-            Request::Audit { .. } => match parts.audit() {
+            Request::Audit { points } => match parts.audit(points.len()) {
                 Ok(audit) => (Some(Box::new(audit)), Vec::new()),
                 Err(undecided) => (None, vec![undecided.to_string()]),
             },
@@ -95,19 +97,23 @@ struct ItemParts<'a> {
 }
 
 impl<'a> ItemParts<'a> {
-    /// Results of the parts that have this type, in the order in which the item asks for them.
-    fn done<T: Any>(&self) -> impl Iterator<Item = &'a T> + use<'a, T> {
+    /// Results of the parts that have this type, in the order in which the item asks for so many of them.
+    fn done<T: Any>(&self, asked: usize) -> impl Iterator<Item = &'a T> + use<'a, T> {
         let Self { plan, done, index } = *self;
-        plan.needs[index].iter().filter_map(|place| done[*place].as_ref()?.downcast_ref())
+        let of_type = |place: &usize| done[*place].as_ref()?.downcast_ref();
+        let found = plan.needs[index].iter().filter_map(of_type);
+        // An item whose part had another type would be answered without it.
+        debug_assert_eq!(found.clone().count(), asked);
+        found
     }
 
     /// Answers about ranges, apart from what stays open or makes no sense.
-    fn apart<T: Any>(&self, is_open: fn(&T) -> bool) -> (Vec<Arc<T>>, Vec<String>)
+    fn apart<T: Any>(&self, asked: usize, is_open: fn(&T) -> bool) -> (Vec<Arc<T>>, Vec<String>)
     where
         Arc<T>: Send + Sync,
     {
         let (mut all, mut undecided) = (Vec::new(), Vec::new());
-        for found in self.done::<Result<Arc<T>, String>>() {
+        for found in self.done::<Result<Arc<T>, String>>(asked) {
             match found {
                 Ok(found) => all.push(found.clone()),
                 Err(error) => undecided.push(error.clone()),
@@ -119,8 +125,8 @@ impl<'a> ItemParts<'a> {
     }
 
     /// The boxes of each self-weight.
-    fn boxes(&self, boxes: &SceneBoxes) -> ItemFound {
-        let (found, undecided) = self.apart(|of: &SurveyedCell| of.reason.is_some());
+    fn boxes(&self, boxes: &SceneBoxes, asked: usize) -> ItemFound {
+        let (found, undecided) = self.apart(asked, |of: &SurveyedCell| of.reason.is_some());
         let SceneBoxes { asked, given, cut, rows } = boxes;
         let of_weight = |cells: &[Arc<SurveyedCell>]| SurveyedCells {
             asked: Understood::of_ranges(asked, given),
@@ -153,11 +159,11 @@ impl<'a> ItemParts<'a> {
                 }
             }
         };
-        points.iter().copied().zip(self.done()).map(answer).collect()
+        points.iter().copied().zip(self.done(points.len())).map(answer).collect()
     }
 
     fn arches(&self, arches: &[SceneArch], digits: usize) -> Vec<Answer> {
-        let all: Vec<_> = arches.iter().zip(self.done::<ArchPiece>()).collect();
+        let all: Vec<_> = arches.iter().zip(self.done::<ArchPiece>(arches.len())).collect();
         let proved = self.plan.scene.items[self.index].format.proved_digits(digits);
         let answers = all.par_iter().enumerate().filter_map(|(index, (asked, piece))| {
             let SceneArch { arch, thickness, measured } = asked;
@@ -181,7 +187,7 @@ impl<'a> ItemParts<'a> {
     /// A map of what is proved; a picture needs all its curves, as without one it would show other domains.
     fn map(&self, asked: &SceneMap, format: &Format) -> ItemFound {
         let (mut traces, mut levels, mut open) = (Vec::new(), Vec::new(), Vec::new());
-        for part in self.done::<Result<CurvePiece, NoLevel>>() {
+        for part in self.done::<Result<CurvePiece, NoLevel>>(asked.lines.len()) {
             match part {
                 Ok(CurvePiece::Curve(trace)) => traces.push((**trace).clone()),
                 Ok(CurvePiece::Level(level)) => levels.push(level.clone()),
@@ -221,7 +227,7 @@ impl<'a> ItemParts<'a> {
     /// Arches that are drawn, in the modes that are asked for; all of them or none.
     fn drawing(&self, asked: &SceneDrawing) -> ItemFound {
         let (mut sketches, mut open) = (Vec::new(), Vec::new());
-        for ((_, modes), part) in asked.arches.iter().zip(self.done()) {
+        for ((_, modes), part) in asked.arches.iter().zip(self.done(asked.arches.len())) {
             let found: &Result<Sketch, NoSketch> = part;
             match found.clone().and_then(|sketch| sketch.in_modes(modes)) {
                 Ok(sketch) => sketches.push(sketch),
@@ -234,12 +240,13 @@ impl<'a> ItemParts<'a> {
         (open.is_empty().then(|| Box::new(drawn) as Box<dyn Reported>), open)
     }
 
-    fn audit(&self) -> Result<Audit, Error> {
+    fn audit(&self, asked: usize) -> Result<Audit, Error> {
         let enclosed = |found: &Result<LandmarkPiece, Error>| match found {
             Ok(piece) => piece.enclosed.clone().map(Ok),
             Err(error) => Some(Err(error.clone())),
         };
-        let points: Vec<Enclosed> = self.done().filter_map(enclosed).collect::<Result<_, _>>()?;
+        let points: Vec<Enclosed> =
+            self.done(asked).filter_map(enclosed).collect::<Result<_, _>>()?;
         Ok(Audit { printed: audit_of(&points)?, comparisons: compare_weights_of(&points)? })
     }
 }
