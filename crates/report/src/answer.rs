@@ -373,6 +373,14 @@ impl Answer {
         Self::new(Subject::Query { line }, Status::Refused(error))
     }
 
+    /// Reason why a query could not be read, or is wrong.
+    pub fn fault(&self) -> Option<&str> {
+        match &self.status {
+            Status::Refused(error) => Some(error),
+            _ => None,
+        }
+    }
+
     /// The value of a quantity, if there is one.
     pub fn value(&self, quantity: Quantity) -> Option<&Value> {
         let is_least = quantity == Quantity::LeastThickness && !self.subject.is_assessed();

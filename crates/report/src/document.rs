@@ -62,7 +62,7 @@ fn proof(answer: &Answer) -> Record {
         let asked = Asked { state: true, assessment: true };
         let given = answer.subject.given().map(Into::into);
         fields.append(Record::named("half_opening friction thickness", given));
-        fields.append(columns::doubles(answer, asked));
+        fields.append(columns::fields(columns::doubles(), answer, asked));
         fields.add("can_stand", answer.can_stand);
         fields.add("stands", answer.stands);
         fields.add("mode", answer.modes.first().map(|mode| mode.label()));

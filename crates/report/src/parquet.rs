@@ -5,7 +5,7 @@
 
 use super::answer::Answer;
 use super::answers::{Answers, Scope};
-use super::column::Column::{Double, Integer, Shown, Text, Truth};
+use super::column::Column::{Double, Integer, Made, Shown, Text, Truth};
 use super::column::NamedColumn;
 use super::columns::{kept_cell, kept_names};
 use super::names::head;
@@ -62,13 +62,14 @@ fn group<R>(
 ) -> io::Result<Vec<u8>> {
     let texts = |(_, column): &NamedColumn<R>| match column {
         Text(cell) => rows.iter().map(cell).collect(),
+        Made(cell) => rows.iter().map(cell).collect(),
         Shown(cell) => rows.iter().map(cell).collect(),
         Double(_) | Integer(_) | Truth(_) => Texts::default(),
     };
     let texts: Vec<Texts> = columns.iter().map(texts).collect();
     let column = |((name, column), texts): (&NamedColumn<R>, _)| {
         let column = match *column {
-            Text(_) | Shown(_) => ParquetColumn::text(Texts::cells(texts)),
+            Text(_) | Made(_) | Shown(_) => ParquetColumn::text(Texts::cells(texts)),
             Double(cell) => ParquetColumn::double(move |row| cell(&rows[row])),
             Integer(cell) => ParquetColumn::whole(move |row| cell(&rows[row])),
             Truth(cell) => ParquetColumn::truth(move |row| cell(&rows[row])),
