@@ -74,7 +74,7 @@ fn carry_out(plan: &Plan, folder: &mut RunFolder, explained: bool) -> Result<(),
     let bar = progress::bar(plan.ticks(), &plan.sizes())?;
     let tick = || bar.inc(1);
     let mut run = SceneRun::new(plan);
-    let mut undecided = Vec::new();
+    let (mut undecided, mut misfits) = (Vec::new(), Vec::new());
     let mut printed = false;
     for (index, item) in plan.scene.items.iter().enumerate() {
         let path = item.output.as_ref().map(|output| folder.shown(output));
@@ -88,11 +88,12 @@ fn carry_out(plan: &Plan, folder: &mut RunFolder, explained: bool) -> Result<(),
             continue;
         }
         let report = run.item(index, &tick);
-        let open = report.undecided.iter();
-        undecided.extend(open.map(|what| match &path {
+        let placed = |what: &String| match &path {
             Some(path) => format!("{what} in {}", path.display()),
             None => what.clone(),
-        }));
+        };
+        undecided.extend(report.undecided.iter().map(placed));
+        misfits.extend(report.misfit.iter().map(placed));
         if report.report.is_none() {
             continue;
         }
@@ -127,6 +128,9 @@ fn carry_out(plan: &Plan, folder: &mut RunFolder, explained: bool) -> Result<(),
         written.map_err(|error| Failure::Io(error.to_string()))?;
         // A reader of it may be gone.
         let _ = io::stderr().write_all(&tree);
+    }
+    if !misfits.is_empty() {
+        return Err(misfits.join("; ").into());
     }
     Failure::unless_all("proved", &undecided)
 }

@@ -153,6 +153,8 @@ pub enum MapLine {
     Curve(Curve),
     /// The line of a half opening, a thickness or a friction.
     Level(Contour),
+    /// The lines between asymmetric branches.
+    Asymmetric,
 }
 
 /// An arch of a scene.
@@ -247,7 +249,7 @@ impl ItemKind {
             Self::Map => (
                 "map",
                 Map::content(),
-                "curves half_opening thickness friction weight tolerance plane lines bare half_opening_unit \
+                "curves half_opening thickness friction weight tolerance plane lines bare asymmetric half_opening_unit \
                  friction_unit scale half_opening_range friction_range thickness_range marks \
                  width font_size font caption full_caption title format output",
             ),
