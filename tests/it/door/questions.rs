@@ -54,13 +54,13 @@ const QUESTIONS: [[&str; 7]; 18] = [
     ],
     ["claims of the paper", "prove", "claims", LANDMARK, "prove", NO_C, "!its proofs take seconds"],
 ];
-const STONES: &str = "!joints are at every angle there: an answer of stones has columns of its own";
+const STONES: &str = "!an answer of stones has columns of its own";
 const RANGES: &str = "states --ranges";
-const TILT: &str = "!arches there are symmetric: the two halves of a tilted one are told apart";
+const TILT: &str = "!the halves of a tilted arch are told apart";
 const FIND: &str = "!an arch is given whole there";
-const EQUATION: &str = "!it is for a shell: an equation is looked at, not tabulated";
+const EQUATION: &str = "!an equation is looked at, not tabulated";
 const COSTS: &str = "!it takes seconds: for a shell";
-const NO_C: &str = "!the library for C is of values, without the command";
+const NO_C: &str = "!the library for C is of values alone";
 const ONE: &str = "!the page is of one arch";
 const OWN_PLAN: &str = "!a sweep has a plan of its own";
 const TABLE: &str = "!it needs a table";
