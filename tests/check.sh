@@ -18,21 +18,8 @@ done
 
 "$program" certify all --digits 100 --output "$work/constants" >/dev/null
 diff -r proofs/constants "$work/constants" >/dev/null || failed "the landmarks have other certificates than proofs/constants"
-mkdir "$work/states" "$work/asymmetric" "$work/surveys"
-while read -r name weight alpha mu; do
-    "$program" certify state --weight "$weight" --alpha "$alpha" --mu "$mu" --digits 30 --output "$work/states/$name.json" >/dev/null
-    cmp "proofs/states/$name.json" "$work/states/$name.json"
-done <proofs/states/arches.txt
-while read -r name weight alpha mu mode; do
-    "$program" certify asymmetric --weight "$weight" --alpha "$alpha" --mu "$mu" --mode "$mode" --digits 30 \
-        --output "$work/asymmetric/$name.json" >/dev/null
-    cmp "proofs/asymmetric/$name.json" "$work/asymmetric/$name.json"
-done <proofs/asymmetric/arches.txt
-while read -r name arches; do
-    # shellcheck disable=SC2086 # options
-    "$program" certify survey $arches --digits 10 --output "$work/surveys/$name.json" >/dev/null
-    cmp "proofs/surveys/$name.json" "$work/surveys/$name.json"
-done <proofs/surveys/arches.txt
+proofs/certify.sh "$program" "$work"
+for file in "$work"/{states,asymmetric,surveys}/*.json; do cmp "proofs/${file#"$work"/}" "$file"; done
 echo "${#stored[@]} certificates are made byte for byte as they are stored"
 
 "$program" audit >"$work/audit"

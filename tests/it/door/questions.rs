@@ -16,15 +16,7 @@ const QUESTIONS: [[&str; 7]; 18] = [
     ["every arch between measured ends", "assess", "arches", RANGES, "assess", "couplet_arch", ONE],
     ["an arch of stones", "voussoirs", STONES, STONES, "voussoirs", NO_C, STONES],
     ["a tilted arch", "assess", TILT, TILT, "tilt", NO_C, TILT],
-    [
-        "the half opening, the friction or the boundary",
-        "find",
-        FIND,
-        FIND,
-        "find",
-        "couplet_find",
-        FIND,
-    ],
+    ["a half opening, a friction, a boundary", "find", FIND, FIND, "find", "couplet_find", FIND],
     ["an equation of the paper", "equation", EQUATION, EQUATION, "equation", NO_C, EQUATION],
     ["all solutions of (19)", "complementarity", COSTS, COSTS, COSTS, NO_C, COSTS],
     ["many arches, one a row", "states", "arches", "states", "states", "couplet_states", ONE],
@@ -62,20 +54,20 @@ const QUESTIONS: [[&str; 7]; 18] = [
     ],
     ["claims of the paper", "prove", "claims", LANDMARK, "prove", NO_C, "!its proofs take seconds"],
 ];
-const STONES: &str = "!joints are at every angle there: an answer of stones has columns of its own";
+const STONES: &str = "!an answer of stones has columns of its own";
 const RANGES: &str = "states --ranges";
-const TILT: &str = "!arches there are symmetric: the two halves of a tilted one are told apart";
+const TILT: &str = "!the halves of a tilted arch are told apart";
 const FIND: &str = "!an arch is given whole there";
-const EQUATION: &str = "!it is for a shell: an equation is looked at, not tabulated";
+const EQUATION: &str = "!an equation is looked at, not tabulated";
 const COSTS: &str = "!it takes seconds: for a shell";
-const NO_C: &str = "!the library for C is of values, without the command";
+const NO_C: &str = "!the library for C is of values alone";
 const ONE: &str = "!the page is of one arch";
 const OWN_PLAN: &str = "!a sweep has a plan of its own";
 const TABLE: &str = "!it needs a table";
 const PICTURE: &str = "!a row has values";
 const LANDMARK: &str = "!a row is an arch";
 
-const DOORS: [&str; 7] = ["question", "command", "scene", "row", "Python", "C", "page"];
+const DOORS: [&str; 7] = ["question", "command", "scene", "row of", "Python", "C", "page"];
 
 /// Questions that read an arch.
 const OF_AN_ARCH: [(&str, &ArchQuestion); 8] = [
@@ -103,7 +95,7 @@ impl Reasons {
             self.0.push(why.to_owned());
             self.0.len() - 1
         });
-        format!("no ({})", place + 1)
+        format!("({})", place + 1)
     }
 
     fn listed(self) -> String {
@@ -114,18 +106,16 @@ impl Reasons {
 
 fn page() -> String {
     let mut page = String::from(
-        "# Questions\n\nWhich question is asked where. What a door does not have has its reason, by number, below.\n\n",
+        "# Questions\n\nWhich question is asked where. A number says why a door does not have one, below.\n\n",
     );
     let mut reasons = Reasons::default();
     let mut cell = |(door, text): (usize, &&str)| match (door, text.strip_prefix('!')) {
         (_, Some(why)) => reasons.no(why),
         (0, None) => (*text).to_owned(),
-        (1, None) => format!("`couplet {text}`"),
         (2, None) => format!("`[[{text}]]`"),
-        (3, None) => format!("a row of `couplet {text}`"),
         (4, None) => format!("`couplet.{text}`"),
-        (5, None) => format!("`{text}`"),
-        (_, None) => "yes".to_owned(),
+        (6, None) => "yes".to_owned(),
+        (_, None) => format!("`{text}`"),
     };
     page += &row(DOORS.map(str::to_owned));
     page += "|---|---|---|---|---|---|---|\n";
@@ -137,6 +127,7 @@ fn page() -> String {
     page +=
         &row(std::iter::once("question".to_owned()).chain(OF_AN_ARCH.map(|of| of.0.to_owned())));
     page += &format!("|{}\n", "---|".repeat(OF_AN_ARCH.len() + 1));
+    let mut rows: Vec<(String, [String; 8])> = Vec::new();
     for &field in Field::ALL {
         let letter = field.letter().map_or(String::new(), |letter| format!(", `{letter}`"));
         let name = format!("`{}`{letter}", field.name());
@@ -151,8 +142,13 @@ fn page() -> String {
                 None => "yes".to_owned(),
             }
         };
-        page += &row(std::iter::once(name).chain(OF_AN_ARCH.map(cell)));
+        let cells = OF_AN_ARCH.map(cell);
+        match rows.last_mut() {
+            Some((names, same)) if *same == cells => *names += &format!("; {name}"),
+            _ => rows.push((name, cells)),
+        }
     }
+    page.extend(rows.into_iter().map(|(name, cells)| row([name].into_iter().chain(cells))));
     page + &reasons.listed()
 }
 
