@@ -56,6 +56,27 @@ fn a_picture_says_which_command_draws_it() {
     assert_eq!(text(&couplet(&words).stdout), picture);
 }
 
+/// What asymmetric branches reach is there too; and a level that no arch has is no question, as at the command.
+#[test]
+fn asymmetric_lines_are_those_of_the_command_and_no_level_is_bad_input() {
+    let scratch = Scratch::new();
+    let scene = scene_in(
+        &scratch,
+        "[[map]]\ntolerance = 1e-2\nasymmetric = true\noutput = \"lines.csv\"\n",
+    );
+    assert_eq!(couplet(&["run", &scene, "-o", &scratch.path("out")]).status.code(), Some(0));
+    let lines = ["map", "--asymmetric", "--tolerance", "1e-2", "--format", "csv"];
+    assert_eq!(scratch.read("out/lines.csv"), text(&couplet(&lines).stdout));
+    let scene = scene_in(&scratch, "[[map]]\nalpha = \"170deg\"\noutput = \"none.csv\"\n");
+    let none = couplet(&["run", &scene, "-o", &scratch.path("none")]);
+    let command = couplet(&["map", "--alpha", "170deg", "--format", "csv"]);
+    for output in [none, command] {
+        assert_eq!(output.status.code(), Some(2));
+        let said = text(&output.stderr);
+        assert!(said.contains("no arch of the half opening 170deg stands"), "{said}");
+    }
+}
+
 /// Axes, ranges, a scale and marks are those of the command.
 #[test]
 fn a_map_has_axes_and_marks() {
