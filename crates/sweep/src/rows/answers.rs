@@ -6,11 +6,11 @@ use super::roles::Role;
 use super::source::Numbered;
 use crate::answer;
 use crate::ask::{Spelling, given_thickness};
+use crate::certify::Refused;
 use crate::certify::batch::{SharedOpening, SharedOpenings};
 use crate::certify::state::{
     Answer as Outcome, Balls, RowAnswer, Tier, WithFrictions, answers_in_lanes,
 };
-use crate::certify::{Error, Refused};
 use crate::number::ExactNumber;
 use crate::problem::measures::Measures;
 use crate::problem::{Arch, Quantity};
@@ -78,7 +78,8 @@ impl RowQuestion {
             let eta = eta.as_ref().map(SharedOpening::enclosed_number);
             Some((arch.weight(), (SharedOpening::enclosed_arch(arch), eta)))
         };
-        answers_in_lanes(&all.iter().map(row).collect::<Vec<_>>(), self.digits, self.with)
+        let all: Vec<_> = all.iter().map(row).collect();
+        answers_in_lanes(&all, self.digits, &self.quantities, self.with)
     }
 
     /// The answer to a row, of which something may be known.
@@ -97,13 +98,14 @@ impl RowQuestion {
             };
             return answer::assessment(line, (arch, eta, sizes), digits, &found);
         }
-        let found: Result<Outcome, Error> = match (known, &self.openings) {
-            (Some(RowAnswer::State(found)), _) => Ok(found),
-            (_, Some(openings)) => openings.state(arch),
-            (_, None) => Balls::DoubleDoubles.state(arch, digits, frictions),
-        };
         let extent = Extent { quantities: Some(&self.quantities[..]), doubles: self.doubles };
-        answer::state_to(extent, line, (arch, sizes), digits, &found)
+        let shown = |found: Outcome| found.map(|state| state.only(|of| extent.shows(of)));
+        let found = match (known, &self.openings) {
+            (Some(RowAnswer::State(found)), _) => Ok(found),
+            (_, Some(openings)) => openings.state(arch).map(shown),
+            (_, None) => Balls::DoubleDoubles.state(arch, digits, frictions).map(shown),
+        };
+        answer::state_to(extent, line, (arch, sizes), digits, found)
     }
 }
 

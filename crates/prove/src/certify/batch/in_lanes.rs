@@ -24,12 +24,9 @@ pub(super) fn columns(
     if quantities.contains(&Q::AsymmetricThickness) {
         return Vec::new();
     }
-    let asks = |of: &[Quantity]| quantities.iter().any(|quantity| of.contains(quantity));
-    let wants = LaneWants {
-        frictions: [asks(&[Q::SlidingFriction, Q::RotationalFriction]); 2],
-        required: asks(&[Q::RequiredFriction, Q::FrictionSafety]),
-        thrusts: asks(&[Q::LeastThrust, Q::LargestThrust]),
-    };
+    let frictions = [Q::SlidingFriction, Q::RotationalFriction];
+    let frictions = quantities.iter().any(|quantity| frictions.contains(quantity));
+    let wants = LaneWants::new(quantities, [frictions; 2]);
     let count = arches.count();
     let starts: Vec<usize> = (0..count).step_by(PIECE).collect();
     threads.each(&starts, |start| {

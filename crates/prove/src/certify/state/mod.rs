@@ -59,7 +59,7 @@ pub use crate::prover::Figure;
 pub use assess::{Assessment, AssessmentDigits, Wanted};
 pub use balls::Balls;
 pub use certify::{Certify, NoState};
-pub use digits::{Answer, Digits};
+pub use digits::{Answer, Digits, SomeDigits};
 pub(super) use enough::AtOpening;
 pub use enough::Enough;
 pub use in_lanes::{InLanes, RowAnswer, WithFrictions, answers_in_lanes};
