@@ -256,14 +256,15 @@ impl Answer {
         answer
     }
 
-    /// An arch of a given thickness.
+    /// An arch of a given thickness, with given values as doubles where they are shown.
     pub fn assessment(
+        extent: Extent,
         line: u64,
         (arch, thickness): (&Arch, &ExactNumber),
         found: &Result<AssessmentDigits, Refused>,
     ) -> Self {
         let mut answer =
-            Self::new(Subject::arch(line, (arch, Some(thickness)), true), Status::Proved)
+            Self::new(Subject::arch(line, (arch, Some(thickness)), extent.doubles), Status::Proved)
                 .with_note(Some(arch.friction()));
         match found {
             Ok(digits) => {

@@ -283,6 +283,7 @@ fn arches(report: &Answers, out: &mut dyn io::Write) -> io::Result<()> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::answer::Extent;
     use super::*;
     use crate::certify::state::{Inquiry, Wanted};
     use crate::certify::{Error, Undecided};
@@ -328,7 +329,7 @@ mod tests {
             let mut found =
                 Inquiry::new(&arch, 5, false).assess(&eta, 5, Wanted::Everything).unwrap();
             found.required_friction = Err(Undecided::new("the rounding"));
-            let answer = Answer::assessment(1, (&arch, &eta), &Ok(found));
+            let answer = Answer::assessment(Extent::ALL, 1, (&arch, &eta), &Ok(found));
             let table = told(
                 answer.measured(Circle::Intrados, Err(open())),
                 &[&assessed, &[Quantity::Radius]],

@@ -37,14 +37,15 @@ pub fn state_to(
     }
 }
 
-/// Arch of a given thickness, as it was found to so many digits.
+/// Arch of a given thickness, as it was found to so many digits and as far as it is shown.
 pub fn assessment(
+    extent: Extent,
     line: u64,
     (arch, thickness, measures): (&Arch, &ExactNumber, Option<(&Measures, usize)>),
     digits: usize,
     found: &Result<AssessmentDigits, Refused>,
 ) -> Answer {
-    let answer = Answer::assessment(line, (arch, thickness), found)
+    let answer = Answer::assessment(extent, line, (arch, thickness), found)
         .with_asymmetric(|| asymmetric_thicknesses(arch, digits));
     match measures {
         Some((of, digits)) => {

@@ -91,14 +91,14 @@ impl RowQuestion {
     ) -> Answer {
         let (digits, frictions) = (self.digits, self.with != WithFrictions::None);
         let sizes = measures.as_ref().map(|of| (of, digits));
+        let extent = Extent { quantities: Some(&self.quantities[..]), doubles: self.doubles };
         if let Some(eta) = eta {
             let found = match known {
                 Some(RowAnswer::Assessment(found)) => Ok(*found),
                 _ => Balls::DoubleDoubles.assess(arch, eta, digits),
             };
-            return answer::assessment(line, (arch, eta, sizes), digits, &found);
+            return answer::assessment(extent, line, (arch, eta, sizes), digits, &found);
         }
-        let extent = Extent { quantities: Some(&self.quantities[..]), doubles: self.doubles };
         let shown = |found: Outcome| found.map(|state| state.only(|of| extent.shows(of)));
         let found = match (known, &self.openings) {
             (Some(RowAnswer::State(found)), _) => Ok(found),

@@ -15,8 +15,8 @@ use crate::judge::{audit_of, compare_weights_of};
 use crate::picture::Print;
 use crate::problem::{Landmark, Quantity};
 use crate::report::{
-    Answer, Answers, Audit, Claims, Drawing, Format, Map, Reported, Sketched, SurveyedArches,
-    SurveyedCell, SurveyedCells, Understood,
+    Answer, Answers, Audit, Claims, Drawing, Extent, Format, Map, Reported, Sketched,
+    SurveyedArches, SurveyedCell, SurveyedCells, Understood,
 };
 use rayon::prelude::*;
 use std::any::Any;
@@ -180,7 +180,7 @@ impl<'a> ItemParts<'a> {
             let answer = match thickness {
                 Some(eta) => {
                     let found = piece.thicknesses.get(&(eta.to_rational(), proved))?;
-                    answer::assessment(line, (arch, eta, measures), proved, found)
+                    answer::assessment(Extent::ALL, line, (arch, eta, measures), proved, found)
                 }
                 None => answer::state(line, (arch, measures), proved, piece.states.get(&proved)?),
             };
