@@ -8,21 +8,16 @@ use super::paper::PaperTable;
 use super::record::Record;
 use super::rows::Rows;
 use super::tabular::{Separated, Tabular};
-use super::value::Value;
+use super::value_row::ValueRow;
 use super::words::labels;
-use crate::problem::Quantity;
 use rayon::prelude::*;
 use std::io;
 
 /// Landmarks or arches.
 pub(super) fn answers(report: &Answers) -> Tabular {
     match report.scope {
-        Scope::Constants => {
-            Tabular::of("weight landmark quantity value lower upper exact", constants(report))
-        }
-        Scope::Point => {
-            Tabular::of("weight landmark modes quantity value lower upper", constants(report))
-        }
+        Scope::Constants => constants(report, "weight landmark quantity value lower upper exact"),
+        Scope::Point => constants(report, "weight landmark modes quantity value lower upper"),
         Scope::Found => Tabular::of_all(report.list.iter().map(finding)),
         Scope::Arch | Scope::Arches | Scope::Mixed => {
             let columns = TableColumn::all(report, false, Beside::ALL);
@@ -51,24 +46,9 @@ pub(super) fn rows_at_once(
 }
 
 /// A row for each value that is proved.
-fn constants(report: &Answers) -> Vec<Record> {
-    let row = |answer: &Answer, quantity: Quantity, value: &Value| {
-        let mut row = Record::default();
-        row.add("weight", answer.subject.weight().map(|weight| weight.name()));
-        row.add("landmark", answer.subject.landmark().map(|landmark| landmark.symbol()));
-        row.add("modes", labels(&answer.modes).join(" "));
-        row.add("quantity", quantity.name());
-        row.append(Record::named(
-            "value lower upper",
-            value.texts().map(|text| text.to_string().into()),
-        ));
-        row.add("exact", value.exact.as_deref());
-        row
-    };
-    let rows = |answer: &Answer| -> Vec<Record> {
-        answer.values.iter().map(|(quantity, value)| row(answer, *quantity, value)).collect()
-    };
-    report.list.iter().flat_map(rows).collect()
+fn constants(report: &Answers, names: &str) -> Tabular {
+    let rows = report.list.iter().flat_map(ValueRow::all).filter(|row| row.value.is_some());
+    Tabular::of_columns(ValueRow::named(names).iter(), rows)
 }
 
 /// The names of what is handed on and of the columns.

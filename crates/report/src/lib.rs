@@ -79,6 +79,7 @@ mod tilt_record;
 mod toml;
 mod understood;
 mod value;
+mod value_row;
 mod voussoirs;
 pub mod words;
 

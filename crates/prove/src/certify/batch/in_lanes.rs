@@ -19,14 +19,11 @@ pub(super) fn columns(
     arches: &impl BatchArches,
     threads: Threads,
 ) -> Vec<(Vec<usize>, BatchColumns)> {
-    use Quantity as Q;
     // No lane has it.
-    if quantities.contains(&Q::AsymmetricThickness) {
+    if quantities.contains(&Quantity::AsymmetricThickness) {
         return Vec::new();
     }
-    let frictions = [Q::SlidingFriction, Q::RotationalFriction];
-    let frictions = quantities.iter().any(|quantity| frictions.contains(quantity));
-    let wants = LaneWants::new(quantities, [frictions; 2]);
+    let wants = LaneWants::new(quantities);
     let count = arches.count();
     let starts: Vec<usize> = (0..count).step_by(PIECE).collect();
     threads.each(&starts, |start| {

@@ -17,18 +17,6 @@ use crate::problem::{Mode, Quantity};
 use crate::prover::Undecided;
 use crate::prover::figure::{Figured, optional};
 
-/// Frictions that are asked for with the states of arches.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum WithFrictions {
-    /// No friction.
-    None,
-    /// Frictions at which the mode changes; of an arch that falls the one below which nothing stands.
-    OfModes,
-    /// Frictions at which the mode changes, and what would be enough for an arch that falls, which lanes do not
-    /// know.
-    AndRemedies,
-}
-
 /// Half opening and friction of an arch, and its thickness if it has one, in enclosures.
 pub type InLanes = (LaneArch, Option<DoubleDoubleBall>);
 
@@ -42,18 +30,20 @@ pub enum RowAnswer {
 }
 
 /// The answers to arches with their weights, in their order, with these quantities to `digits` digits, at most 17;
-/// `None` where lanes leave any of them open.
+/// `None` where lanes leave any of them open, as they do what would be enough for an arch that falls, if these remedies
+/// are asked for.
 pub fn answers_in_lanes(
     rows: &[Option<(SelfWeight, InLanes)>],
     digits: usize,
     quantities: &[Quantity],
-    with: WithFrictions,
+    remedies: bool,
 ) -> Vec<Option<RowAnswer>> {
+    let wants = LaneWants::new(quantities);
+    let [asks_frictions, _] = wants.frictions;
     // The friction below which an arch slides tells why it falls.
-    let frictions = [with != WithFrictions::None, with != WithFrictions::AndRemedies];
-    let wants = LaneWants { why: true, ..LaneWants::new(quantities, frictions) };
+    let wants = LaneWants { frictions: [asks_frictions, !remedies], why: true, ..wants };
     let mut all = vec![None; rows.len()];
-    each_in_lanes(rows, wants, |row, found| all[row] = found.rounded(digits, quantities, with));
+    each_in_lanes(rows, wants, |row, found| all[row] = found.rounded(digits, quantities, remedies));
     all
 }
 
@@ -71,12 +61,12 @@ pub(in crate::certify) struct LaneWants {
 }
 
 impl LaneWants {
-    /// What these quantities need, with frictions at which the mode changes of arches that stand and of those that fall.
-    pub(in crate::certify) fn new(quantities: &[Quantity], frictions: [bool; 2]) -> Self {
+    /// What these quantities need.
+    pub(in crate::certify) fn new(quantities: &[Quantity]) -> Self {
         use Quantity as Q;
         let asks = |of: &[Quantity]| quantities.iter().any(|quantity| of.contains(quantity));
         Self {
-            frictions,
+            frictions: [asks(&[Q::SlidingFriction, Q::RotationalFriction]); 2],
             why: false,
             required: asks(&[Q::RequiredFriction, Q::FrictionSafety]),
             thrusts: asks(&[Q::LeastThrust, Q::LargestThrust]),
@@ -115,25 +105,20 @@ impl Falling<'_> {
 
 impl LaneFound<'_> {
     /// The digits, if all of them are decided; what would be enough for an arch that falls lanes do not know.
-    fn rounded(
-        self,
-        digits: usize,
-        quantities: &[Quantity],
-        with: WithFrictions,
-    ) -> Option<RowAnswer> {
+    fn rounded(self, digits: usize, quantities: &[Quantity], remedies: bool) -> Option<RowAnswer> {
+        let asks = |of: Quantity| quantities.iter().any(|asked| asked.tells(of));
         match self {
             Self::Stands(state) => {
-                let asks = |of: Quantity| quantities.iter().any(|asked| asked.tells(of));
                 let some = state.some_rounded(digits, asks)?;
                 Some(RowAnswer::State(Answer::Stands(some)))
             }
-            Self::Falls(_) if with == WithFrictions::AndRemedies => None,
+            Self::Falls(_) if remedies => None,
             Self::Falls(falling) => {
                 let enough = |sliding: &DoubleDoubleBall| {
                     let sliding_friction = Some(sliding.figure(digits)?);
                     Some(Box::new(Enough { sliding_friction, friction: None, half_opening: None }))
                 };
-                let sliding = falling.sliding.filter(|_| with != WithFrictions::None);
+                let sliding = falling.sliding.filter(|_| asks(Quantity::SlidingFriction));
                 let (fall, enough) = (falling.why()?, optional(sliding, enough)?);
                 Some(RowAnswer::State(Answer::Falls { fall, enough }))
             }
