@@ -42,7 +42,7 @@ fn lines(d: &mut Derivation) -> Checked {
          if the solution at the end of the first is in the tube of the second; so any number of them is one",
     )?;
     d.conclude(
-        "Krawczyk's test holds at each parameter, with a regular derivative: a line is analytic. A node is in both tubes, \
-         a landmark in the first or last. Lines and edges close a loop around each domain: corners are where lines end.",
+        "Krawczyk's test holds at each parameter, with a regular derivative: a line is analytic. A node is in both \
+         tubes, landmarks in first or last. Lines and edges close loops around the domains: corners are their ends.",
     )
 }
