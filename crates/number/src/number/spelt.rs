@@ -36,8 +36,8 @@ pub fn spelt(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// Tells whether a text is digits with one point at the most, as nearly all numbers of files are: one number, spelt as it
-/// is read, without a sign or a unit.
+/// Tells whether a text is digits with one point at the most, as nearly all numbers of files are: one number without a
+/// sign or a unit, spelt as it is read.
 pub fn is_plain(text: &str) -> bool {
     let points = text.bytes().filter(|byte| *byte == b'.').count();
     !text.is_empty()

@@ -2,7 +2,8 @@
 
 use super::axes::{SINGLE, axis, given};
 use super::figure::{TOLERANCE, command, figure, in_order};
-use super::schema::{MAX_ITEMS, Request, SceneMap};
+use super::scene_map::SceneMap;
+use super::schema::{MAX_ITEMS, Request};
 use super::table::TableReader;
 use super::value::{TomlReader, TomlValue};
 use crate::arch::SelfWeight;

@@ -1,10 +1,29 @@
 //! A map that is asked for, by a command or by a scene.
 
-use super::schema::{MapLine, SceneMap};
+use super::schema::MapLine;
 use crate::arch::SelfWeight;
 use crate::atlas::{Contour, Curve};
 use crate::problem::Landmark;
-use crate::report::{MapAsked, Marked, Plane, View};
+use crate::report::{Axes, MapAsked, Marked, Plane, View};
+
+/// Curves that are asked for.
+#[derive(Clone, Debug)]
+pub struct SceneMap {
+    /// The curves and levels, each with its weight.
+    pub lines: Vec<(SelfWeight, MapLine)>,
+    /// The largest half-width of a tube.
+    pub tolerance: f64,
+    /// The landmarks that are shown beside.
+    pub landmarks: Vec<(Landmark, SelfWeight)>,
+    /// View that a picture of them shows.
+    pub view: View,
+    /// The axes of a map.
+    pub axes: Axes,
+    /// The arches that are marked in it.
+    pub marks: Vec<Marked>,
+    /// The command that asks for the same.
+    pub command: String,
+}
 
 impl SceneMap {
     /// Map of what was found to go together: the curves and the contours that are named; all curves where nothing is,

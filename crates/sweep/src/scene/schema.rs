@@ -2,6 +2,7 @@
 
 use super::drawn::DrawnArch;
 use super::fault::{Fault, Position};
+use super::scene_map::SceneMap;
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven, Field, SurveyGiven};
 use crate::atlas::{Contour, Curve};
@@ -12,8 +13,7 @@ use crate::problem::Arch;
 use crate::problem::measures::Measures;
 use crate::problem::{Landmark, Mode, Quantity};
 use crate::report::{
-    Answers, Audit, Axes, Claims, Content, Format, Map, Marked, Reported, Sketched, Style,
-    SurveyedRows, View,
+    Answers, Audit, Claims, Content, Format, Map, Reported, Sketched, Style, SurveyedRows,
 };
 use std::path::PathBuf;
 
@@ -123,25 +123,6 @@ pub struct SceneDrawing {
     pub style: Style,
     /// Sizes, if they are measured.
     pub measures: Option<Measures>,
-    /// The command that asks for the same.
-    pub command: String,
-}
-
-/// Curves that are asked for.
-#[derive(Clone, Debug)]
-pub struct SceneMap {
-    /// The curves and levels, each with its weight.
-    pub lines: Vec<(SelfWeight, MapLine)>,
-    /// The largest half-width of a tube.
-    pub tolerance: f64,
-    /// The landmarks that are shown beside.
-    pub landmarks: Vec<(Landmark, SelfWeight)>,
-    /// View that a picture of them shows.
-    pub view: View,
-    /// The axes of a map.
-    pub axes: Axes,
-    /// The arches that are marked in it.
-    pub marks: Vec<Marked>,
     /// The command that asks for the same.
     pub command: String,
 }

@@ -115,7 +115,7 @@ impl<T> Digits<T> {
         all.into_figures()
     }
 
-    /// The same, as what they are.
+    /// The values that there are, moved.
     fn into_figures(self) -> impl Iterator<Item = (Quantity, Option<T>)> {
         let frictions = self.frictions.map(|both| {
             let sliding = (Quantity::SlidingFriction, Some(both.sliding));
@@ -135,7 +135,7 @@ impl<T> Digits<T> {
 }
 
 impl Digits {
-    /// Those values that are shown.
+    /// Digits of those values that are shown.
     pub fn only(self, shows: impl Fn(Quantity) -> bool) -> SomeDigits {
         let mode = self.mode;
         SomeDigits { mode, values: self.into_figures().filter(|(of, _)| shows(*of)).collect() }
@@ -160,7 +160,7 @@ impl Digits {
 }
 
 impl<E> Digits<&E> {
-    /// Those values that are shown, rounded to `digits` significant digits, if the enclosures decide them.
+    /// Digits of those values that are shown, rounded to `digits` significant digits, if the enclosures decide them.
     pub(super) fn some_rounded(
         self,
         digits: usize,

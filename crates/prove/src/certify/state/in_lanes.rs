@@ -61,7 +61,7 @@ pub(in crate::certify) struct LaneWants {
 }
 
 impl LaneWants {
-    /// What these quantities need.
+    /// Values that these quantities need.
     pub(in crate::certify) fn new(quantities: &[Quantity]) -> Self {
         use Quantity as Q;
         let asks = |of: &[Quantity]| quantities.iter().any(|quantity| of.contains(quantity));
