@@ -87,10 +87,10 @@ pub use read::{read, read_bytes};
 pub use read_sweep::read_sweep;
 pub use run::{Costs, SceneRun, answered};
 pub use same::contour_key;
-pub use scene_map::SceneMap;
+pub use scene_map::{MapLine, SceneMap};
 pub use schema::{
-    EXAMPLE, ItemKind, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, MapLine, Request, SCHEMA, Scene,
-    SceneArch, SceneBoxes, SceneDrawing, SceneItem, SceneSurvey,
+    EXAMPLE, ItemKind, MAX_ARCHES, MAX_BYTES, MAX_ITEMS, Request, SCHEMA, Scene, SceneArch,
+    SceneBoxes, SceneDrawing, SceneItem, SceneSurvey,
 };
 pub use survey_node::SurveyNode;
 #[cfg(feature = "parquet")]

@@ -1,10 +1,20 @@
 //! A map that is asked for, by a command or by a scene.
 
-use super::schema::MapLine;
 use crate::arch::SelfWeight;
 use crate::atlas::{Contour, Curve};
 use crate::problem::Landmark;
 use crate::report::{Axes, MapAsked, Marked, Plane, View};
+
+/// A line on the map.
+#[derive(Clone, Debug, PartialEq)]
+pub enum MapLine {
+    /// A curve from landmark to landmark.
+    Curve(Curve),
+    /// The line of a half opening, a thickness or a friction.
+    Level(Contour),
+    /// The lines between asymmetric branches.
+    Asymmetric,
+}
 
 /// Curves that are asked for.
 #[derive(Clone, Debug)]

@@ -127,17 +127,6 @@ pub struct SceneDrawing {
     pub command: String,
 }
 
-/// A line on the map.
-#[derive(Clone, Debug, PartialEq)]
-pub enum MapLine {
-    /// A curve from landmark to landmark.
-    Curve(Curve),
-    /// The line of a half opening, a thickness or a friction.
-    Level(Contour),
-    /// The lines between asymmetric branches.
-    Asymmetric,
-}
-
 /// An arch of a scene.
 #[derive(Clone, Debug)]
 pub struct SceneArch {
