@@ -5,7 +5,6 @@ use super::fault::{Fault, Position};
 use super::scene_map::SceneMap;
 use crate::arch::SelfWeight;
 use crate::ask::{ArchAsked, ArchGiven, Field, SurveyGiven};
-use crate::atlas::{Contour, Curve};
 use crate::claims::Claim;
 use crate::number::ExactNumber;
 use crate::picture::Print;
