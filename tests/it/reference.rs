@@ -112,7 +112,7 @@ fn the_map_has_everything_that_is_proved() {
     let listed = fs::read_to_string(house().join("proofs/coq/hand_theorems.txt")).unwrap();
     let listed: Vec<&str> = listed.lines().map(|line| line.split('\t').next().unwrap()).collect();
     assert_eq!(ids("theorem"), listed);
-    let curves = json(&["map", "--weight", "both", "--tolerance", "1e-2", "--format", "json"]);
+    let curves = json("map --weight both --tolerance 1e-2 --format json");
     assert_eq!(ids("curve").len(), curves["curves"].as_array().unwrap().len());
 
     let said = |arguments: &[&str]| squeezed(&text(&crate::program::couplet(arguments).stdout));

@@ -6,7 +6,6 @@ mod languages;
 #[cfg(feature = "parquet")]
 pub(crate) mod parquet;
 mod readers;
-mod refused;
 pub(crate) mod schemas;
 mod states;
 

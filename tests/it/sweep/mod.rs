@@ -28,6 +28,11 @@ fn sweep(scratch: &Scratch, out: &str, more: &[&str]) -> (Option<i32>, String, S
     said(&couplet(&[&["sweep", &plan, "-o", &out], more].concat()))
 }
 
+/// Looks through a sweep, of which some rows are proved again.
+fn look(home: &str, rows: &str) -> (Option<i32>, String, String) {
+    said(&couplet(["sweep", home, "--verify", rows]))
+}
+
 /// The names of the sweeps in a folder, each of which has a record.
 fn sweeps(scratch: &Scratch, out: &str) -> Vec<String> {
     let names = scratch.files(out).into_iter().filter(|name| !name.starts_with(".couplet-"));
@@ -185,8 +190,7 @@ fn a_large_part_has_row_groups_and_is_looked_through_group_by_group() {
     };
     let found: Vec<_> = groups.iter().map(|group| half_opening(group)).collect();
     assert_eq!(found, [Some((0.5, 1.0)), Some((2.0, 2.0))]);
-    let (code, out, message) =
-        said(&couplet(&["sweep", &folder(&scratch, "out"), "--verify", "3"]));
+    let (code, out, message) = look(&folder(&scratch, "out"), "3");
     assert_eq!((code, message.as_str()), (Some(0), ""), "{message}");
     assert!(out.contains("600000 rows in 1 part are there"), "{out}");
 }
@@ -211,7 +215,7 @@ fn more_than_a_thousand_parts_are_in_folders_of_a_thousand() {
     assert!(last[0].starts_with("part-00001000-"), "{last:?}");
     fs::remove_file(format!("{home}/001/{}", last[0])).unwrap();
     assert!(sweep(&scratch, "out", &[]).1.contains("(1 computed, 1000 kept)"));
-    let (code, out, _) = said(&couplet(&["sweep", &home, "--verify", "0"]));
+    let (code, out, _) = look(&home, "0");
     assert_eq!(code, Some(0));
     assert!(out.contains("1001 rows in 1001 parts are there"), "{out}");
     // A part in the folder of others, a file that is no folder, and a folder that is not needed.
@@ -219,7 +223,7 @@ fn more_than_a_thousand_parts_are_in_folders_of_a_thousand() {
     fs::remove_dir(format!("{home}/001")).unwrap();
     fs::write(format!("{home}/001"), "").unwrap();
     fs::create_dir(format!("{home}/002")).unwrap();
-    let (code, _, message) = said(&couplet(&["sweep", &home, "--verify", "0"]));
+    let (code, _, message) = look(&home, "0");
     assert_eq!(code, Some(1));
     for stray in [&format!("000/{}", last[0]), "001", "002"] {
         assert!(
@@ -453,15 +457,6 @@ fn more_digits_are_there_as_text() {
     assert_eq!(row["friction_double"], Field::Double(f64::INFINITY));
 }
 
-wrong_uses! {
-    a_share_that_is_none: ["sweep", "p.toml", "--only", "0/4"] => "a share is K/N, the K-th of N";
-    a_share_beyond: ["sweep", "p.toml", "--only", "5/4"] => "a share is K/N, the K-th of N";
-    rows_that_are_no_number: ["sweep", "p.toml", "--verify", "abc"] => "rows to prove again are a whole number from 0 on";
-    rows_below_none: ["sweep", "p.toml", "--verify", "-1"] => "rows to prove again are a whole number from 0 on";
-    no_plan: ["sweep"] => "PLAN";
-    a_folder_that_is_no_sweep: ["sweep", "/"] => "it is not the folder of a sweep";
-}
-
 #[test]
 fn faults_of_a_plan_are_told_with_their_places() {
     let scratch = planned("weight = \"heymann\"\n[grid]\nhalf_opening = 1\n");
@@ -486,7 +481,7 @@ fn the_plans_of_the_page_are_plans() {
     for plan in plans {
         assert!(couplet::scene::read_sweep(plan.as_bytes()).is_ok(), "{plan}");
     }
-    let printed = said(&couplet(&["sweep", "--schema"])).1;
+    let printed = said(&couplet("sweep --schema")).1;
     assert!(couplet::scene::read_sweep(printed.as_bytes()).is_ok());
 }
 
