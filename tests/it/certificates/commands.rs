@@ -24,14 +24,14 @@ fn what_certify_makes_check_accepts_in_each_arithmetic() {
         assert_eq!(said(&output), (Some(0), format!("{good}: {ACCEPTED}"), String::new()));
     }
     let input = std::fs::read(&good).unwrap();
-    let read = fed(&["check", "-"], &input);
+    let read = fed("check -", &input);
     assert_eq!(said(&read), (Some(0), format!("-: {ACCEPTED}"), String::new()));
 }
 
 #[test]
 fn a_state_has_a_certificate_too() {
-    let state = couplet(&["certify", "state", "--alpha", "2.45", "--mu", "1.35", "--digits", "5"]);
-    let (code, output, _) = said(&fed(&["check", "-"], &state.stdout));
+    let state = couplet("certify state --alpha 2.45 --mu 1.35 --digits 5");
+    let (code, output, _) = said(&fed("check -", &state.stdout));
     assert_eq!(code, Some(0));
     assert!(
         output.starts_with("-: accepted  [r")
@@ -103,18 +103,6 @@ fn a_folder_cannot_be_read() {
 #[test]
 fn a_file_without_a_name_cannot_be_read() {
     cannot_be_read("");
-}
-
-wrong_uses! {
-    no_file_to_check: ["check"] => "FILE";
-    an_engine_that_is_none: ["check", "--engine", "gmp", "T.json"] => "one of astro, ";
-    digits_for_a_check: ["check", "--digits", "5", "T.json"] => "--digits";
-    nothing_to_certify: ["certify"] => "SUBJECT";
-    a_subject_that_is_none: ["certify", "Q"] => "one of T, S, J, B, l, L, sb";
-    a_certificate_without_digits: ["certify", "T", "--digits", "0"] => "from 1 to";
-    a_landmark_with_a_half_opening: ["certify", "T", "--alpha", "1"] => "an arch belongs to";
-    a_state_beyond_a_turn: ["certify", "state", "--alpha", "4", "--mu", "1"] => "between 0 and pi";
-    a_state_without_friction: ["certify", "state", "--alpha", "1"] => "--friction";
 }
 
 #[test]
