@@ -71,8 +71,7 @@ Section Right.
   Proof.
     assert (Hh := thrust_positive). destruct (Hall 0 ltac:(lra)) as (_ & HL & _).
     unfold from_intrados, whole_moment, whole_normal, intrados in *. rewrite cos_0, sin_0 in HL.
-    assert (0 < fac delta eta) by (unfold fac; nra). destruct (COS_bound x). assert (0 <= (1 - eta / 2) * h) by nra.
-    repeat split; nra.
+    assert (0 < fac delta eta) by (unfold fac; nra). destruct (COS_bound x). repeat split; nra.
   Qed.
 
   Lemma signs_at x : - alpha <= x <= alpha -> (0 < x -> 0 < sin x) /\ (x < 0 -> sin x < 0) /\ (x <> 0 -> cos x < 1).
@@ -106,7 +105,6 @@ Section Right.
       assert (HM := proj2 (proj2 (moment_grows x)) (proj2 (proj2 (signs_at x Hx)) Hne)).
       unfold from_intrados, intrados in H0. rewrite E in *. lra. }
     split; [| easy]. apply Rnot_lt_le. intros Hpos. assert (Hs := proj1 (signs_at x Hx) Hpos).
-    destruct (Req_dec eta 2) as [E | E]; [specialize (Hlimit E); lra |].
     destruct (Hall (- x) ltac:(lra)) as (_ & HL & _). unfold from_intrados, whole_moment, whole_normal in *.
     rewrite sin_neg, cos_neg in HL.
     assert (0 < intrados eta * (v * sin x)) by (repeat apply Rmult_lt_0_compat; unfold intrados; lra). lra.
@@ -128,7 +126,7 @@ Section Right.
     replace (against_outwards mu h v (- x)) with (against_inwards mu h v x + 2 * v * (mu * sin x - cos x)) in Hmirror
       by (unfold against_outwards, against_inwards, whole_normal, whole_shear; rewrite sin_neg, cos_neg; ring).
     assert (HT : whole_shear h v x = mu * whole_normal h v x) by (unfold against_inwards in H0; lra).
-    rewrite HT in Hforce. assert (cos x <= mu * sin x) by nra. nra.
+    rewrite HT in Hforce. nra.
   Qed.
 
   (** Nothing moves downwards in an arch that is no horseshoe. *)

@@ -56,6 +56,9 @@ Proof.
   apply continuity_pt_filterlim, Hc.
 Qed.
 
+Lemma tends_opp (f : T -> R) (l : R) : tends f l -> tends (fun t => - f t) (- l).
+Proof. apply tends_through. reg. Qed.
+
 (** A limit of numbers that are not negative is not, as long as there is something near. *)
 Lemma limit_not_negative (f : T -> R) (l : R) : tends f l ->
   (forall d, 0 < d -> exists t, near d t /\ 0 <= f t) -> 0 <= l.
@@ -65,6 +68,10 @@ Proof.
 Qed.
 
 End Limits.
+
+(** The limit of an expression, by those of its variables. *)
+Ltac tending := unfold Rminus, Rdiv;
+  repeat first [assumption | apply tends_constant | apply tends_plus | apply tends_times | apply tends_opp].
 
 (** What numbers of a bounded range do however near, they do near one of them. *)
 Lemma number_that_is_met (P : R -> R -> Prop) (low high : R) : (forall d d' x, 0 < d <= d' -> P d x -> P d' x) ->
@@ -106,6 +113,8 @@ Definition is_near (d : R) (t : state_of_arch) : Prop :=
   0 < at_alpha t <= PI /\ 0 < at_eta t <= 2 /\
   admissible_state delta (at_alpha t) (at_eta t) mu (at_h t) (at_p t).
 
+Ltac its_distance := intros e He; exists e; split; [easy |]; intros t Ht; hnf in Ht; unfold is_near in Ht; tauto.
+
 Lemma is_nearer (d d' : R) (t : state_of_arch) : 0 < d <= d' -> is_near d t -> is_near d' t.
 Proof. intros Hd (Ha & He & H). repeat split; try apply H; lra. Qed.
 
@@ -141,36 +150,15 @@ Proof.
   { intros d Hd. destruct (Hp d Hd) as (x & Hx & t & Ht & Hclose & _ & ->). now exists t. }
   assert (Hnearer : forall d d' t, 0 < d <= d' -> near d t -> near d' t).
   { intros d d' t Hd (Ht & A & B). split; [now apply (is_nearer d) | split; lra]. }
-  assert (Te : tends _ near at_eta eta).
-  { intros eps Heps. exists eps. split; [easy|]. now intros t ((_ & He & _) & _). }
-  assert (Th : tends _ near at_h h).
-  { intros eps Heps. exists eps. split; [easy|]. now intros t (_ & A & _). }
-  assert (Tp : tends _ near at_p p).
-  { intros eps Heps. exists eps. split; [easy|]. now intros t (_ & _ & A). }
+  assert (Te : tends _ near at_eta eta) by its_distance.
+  assert (Th : tends _ near at_h h) by its_distance.
+  assert (Tp : tends _ near at_p p) by its_distance.
   assert (Tmargins : forall x, tends _ near (fun t => shoulder_gap delta x (at_eta t) (at_h t) (at_p t))
     (shoulder_gap delta x eta h p) /\ tends _ near (fun t => haunch_gap delta x (at_eta t) (at_h t) (at_p t))
     (haunch_gap delta x eta h p) /\ tends _ near (fun t => inward_gap x mu (at_h t)) (inward_gap x mu h) /\
     tends _ near (fun t => outward_gap x mu (at_h t)) (outward_gap x mu h)).
-  { intros x. assert (TN : tends _ near (fun t => normal_force x (at_h t)) (normal_force x h)).
-    { unfold normal_force. apply tends_plus; try easy; [|apply tends_constant]. apply tends_times; try easy.
-      apply tends_constant. }
-    assert (TT : tends _ near (fun t => shear_force x (at_h t)) (shear_force x h)).
-    { apply (tends_through _ near (fun h => shear_force x h)); [|easy]. unfold shear_force. reg. }
-    assert (Tin : tends _ near (fun t => intrados (at_eta t)) (intrados eta)).
-    { apply (tends_through _ near intrados); [|easy]. unfold intrados. reg. }
-    assert (Tex : tends _ near (fun t => extrados (at_eta t)) (extrados eta)).
-    { apply (tends_through _ near extrados); [|easy]. unfold extrados. reg. }
-    assert (Tload : tends _ near (fun t => fac delta (at_eta t) * (1 - cos x)) (fac delta eta * (1 - cos x))).
-    { apply (tends_through _ near (fun e => fac delta e * (1 - cos x))); [|easy]. unfold fac. reg. }
-    assert (Tminus : forall f g l m, tends _ near f l -> tends _ near g m ->
-              tends _ near (fun t => f t - g t) (l - m)).
-    { intros f g l m Hf Hg. unfold Rminus. apply tends_plus; try easy. apply (tends_through _ near Ropp); [|easy].
-      reg. }
-    unfold shoulder_gap, haunch_gap, inward_gap, outward_gap. repeat split.
-    - repeat apply Tminus; try easy. now apply tends_times.
-    - apply Tminus; [now apply tends_plus | now apply tends_times].
-    - apply Tminus; [|easy]. apply tends_times; try easy. apply tends_constant.
-    - apply tends_plus; try easy. apply tends_times; try easy. apply tends_constant. }
+  { intros x. unfold shoulder_gap, haunch_gap, inward_gap, outward_gap, normal_force, shear_force, intrados, extrados.
+    unfold fac. simpl. repeat split; now tending. }
   assert (Hmargins : forall t x, is_near 1 t -> 0 <= x <= at_alpha t ->
     0 <= shoulder_gap delta x (at_eta t) (at_h t) (at_p t) /\ 0 <= haunch_gap delta x (at_eta t) (at_h t) (at_p t) /\
     0 <= inward_gap x mu (at_h t) /\ 0 <= outward_gap x mu (at_h t)).
@@ -209,7 +197,7 @@ Proof.
   assert (He : 0 < eta).
   { destruct (Req_dec eta 0) as [E | E]; [exfalso | lra]. assert (Hline : forall x, 0 < x <= alpha -> A x = h + 1).
     { intros x Hx. destruct (Hall x ltac:(lra)) as (U & L & _). destruct (Hall 0 ltac:(lra)) as (U0 & L0 & _).
-      assert (HPI := PI_RGT_0). assert (Hv : 0 < 1 - cos x) by (apply versine_positive; lra).
+      assert (Hv : 0 < 1 - cos x) by (apply versine_positive; lra).
       unfold shoulder_gap, haunch_gap, extrados, intrados, fac, normal_force in *. rewrite E, cos_0, sin_0 in *.
       unfold A. apply (Rmult_eq_reg_r (1 - cos x)); [|lra].
       replace (x * sin x / (1 - cos x) * (1 - cos x)) with (x * sin x) by (field; lra). lra. }
@@ -227,10 +215,8 @@ Proof.
   assert (Hnearer : forall d d' t, 0 < d <= d' -> near d t -> near d' t).
   { intros d d' t Hd (Ht & Hh). split; [now apply (is_nearer d)|].
     assert (/ d' <= / d) by (apply Rinv_le_contravar; lra). lra. }
-  assert (Ta : tends _ near at_alpha alpha).
-  { intros eps Heps. exists eps. split; [easy|]. now intros t ((A & _) & _). }
-  assert (Te : tends _ near at_eta eta).
-  { intros eps Heps. exists eps. split; [easy|]. now intros t ((_ & He & _) & _). }
+  assert (Ta : tends _ near at_alpha alpha) by its_distance.
+  assert (Te : tends _ near at_eta eta) by its_distance.
   assert (Tinv : tends _ near (fun t => / at_h t) 0).
   { intros eps Heps. exists eps. split; [easy|]. intros t (_ & Hh).
     assert (0 < / eps) by (now apply Rinv_0_lt_compat). assert (0 < / at_h t) by (apply Rinv_0_lt_compat; lra).
@@ -241,10 +227,7 @@ Proof.
   (* friction at the shoulder *)
   assert (Hslope : 0 <= mu * cos alpha + - sin alpha + 4 * (mu + 1) * 0).
   { apply (limit_not_negative _ near (fun t => mu * cos (at_alpha t) + - sin (at_alpha t) + 4 * (mu + 1) * / at_h t)).
-    - repeat apply tends_plus; try easy.
-      + apply tends_times; try easy. apply tends_constant.
-      + apply (tends_through _ near Ropp); [reg | easy].
-      + apply tends_times; try easy. apply tends_constant.
+    - now tending.
     - intros d Hd. destruct (Hsome d Hd) as (t & Ht & Hh). exists t. split; [now split|].
       destruct (facts_of_near d t Ht) as [Hpos _]. destruct Ht as (_ & _ & Ha & _ & Hall).
       destruct (Hall (at_alpha t) ltac:(lra)) as [_ Hf]. unfold friction_holds in Hf. apply Rabs_le_between in Hf.
@@ -257,10 +240,7 @@ Proof.
   assert (Hlever : 0 <= extrados eta * cos alpha - intrados eta + 8 * 0).
   { apply (limit_not_negative _ near
              (fun t => extrados (at_eta t) * cos (at_alpha t) - intrados (at_eta t) + 8 * / at_h t)).
-    - unfold Rminus. repeat apply tends_plus; try easy.
-      + apply tends_times; try easy. apply (tends_through _ near extrados); [unfold extrados; reg | easy].
-      + apply (tends_through _ near (fun e => - intrados e)); [unfold intrados; reg | easy].
-      + apply tends_times; try easy. apply tends_constant.
+    - unfold extrados, intrados. now tending.
     - intros d Hd. destruct (Hsome d Hd) as (t & Ht & Hh). exists t. split; [now split|].
       destruct (facts_of_near d t Ht) as [Hpos [Hlow _]]. destruct Ht as (_ & _ & Ha & He & Hall).
       destruct (Hall (at_alpha t) ltac:(lra)) as [(_ & _ & Hout) _]. unfold normal_force in Hout.
@@ -341,15 +321,17 @@ End Limit.
 
 (** The least of a set of numbers to which all limits of it belong. *)
 Lemma least_is_attained (E : R -> Prop) (low high : R) : E high -> (forall x, E x -> low <= x) ->
-  (forall x, (forall d, 0 < d -> exists y, Rabs (y - x) < d /\ E y) -> E x) ->
+  (forall x, low <= x <= high -> (forall d, 0 < d -> exists y, Rabs (y - x) < d /\ E y) -> E x) ->
   exists x, E x /\ forall y, E y -> x <= y.
 Proof.
   intros Hhigh Hlow Hclosed. destruct (completeness (fun y => E (- y))) as (m & Hupper & Hleast).
   - exists (- low). intros y Hy. apply Hlow in Hy. lra.
   - exists (- high). now rewrite Ropp_involutive.
   - exists (- m). split.
-    + apply Hclosed. intros d Hd. apply Classical_Prop.NNPP. intros Hnone. enough (m <= m - d) by lra. apply Hleast.
-      intros y Hy. apply Rnot_lt_le. intros Hlt. apply Hnone. exists (- y). split; [|easy].
+    + assert (- high <= m) by (apply Hupper; now rewrite Ropp_involutive).
+      assert (m <= - low) by (apply Hleast; intros y Hy; apply Hlow in Hy; lra).
+      apply Hclosed; [lra |]. intros d Hd. apply Classical_Prop.NNPP. intros Hnone. enough (m <= m - d) by lra.
+      apply Hleast. intros y Hy. apply Rnot_lt_le. intros Hlt. apply Hnone. exists (- y). split; [|easy].
       assert (y <= m) by (now apply Hupper). apply Rabs_def1; lra.
     + intros y Hy. assert (- y <= m) by (apply Hupper; now rewrite Ropp_involutive). lra.
 Qed.
@@ -365,10 +347,7 @@ Proof.
   intros Hd Ha Hmu He0 Hstands.
   destruct (least_is_attained (fun e => 0 < e <= eta0 /\ arch_stands delta alpha e mu) 0 eta0)
     as (eta & (He & Heta) & Hleast); [split; [lra | easy] | intros x Hx; lra | |].
-  { intros x Hx. assert (Hx0 : 0 <= x <= eta0).
-    { split; apply Rnot_lt_le; intros Hout.
-      - destruct (Hx (- x) ltac:(lra)) as (y & Hy & Hpos & _). apply Rabs_def2 in Hy. lra.
-      - destruct (Hx (x - eta0) ltac:(lra)) as (y & Hy & Hpos & _). apply Rabs_def2 in Hy. lra. }
+  { intros x Hx0 Hx.
     destruct (limit_of_arches_stands delta mu alpha x Hd Hmu ltac:(lra) ltac:(lra)) as [Hpos H].
     - intros d Hd'. destruct (Hx d Hd') as (y & Hy & Hy0 & H). exists alpha, y.
       replace (alpha - alpha) with 0 by ring. rewrite Rabs_R0. repeat split; try easy; lra.
@@ -439,10 +418,7 @@ Proof.
     arch_stands delta (PI - x) eta mu) 0 (PI - alpha0)) as (x & (Hx & Hx0 & Hstands) & Hleast).
   { replace (PI - (PI - alpha0)) with alpha0 by ring. repeat split; try lra. exact Hstands0. }
   { intros y Hy. lra. }
-  { intros y Hy. assert (Hy0 : 0 <= y <= PI - alpha0).
-    { split; apply Rnot_lt_le; intros Hout.
-      - destruct (Hy (- y) ltac:(lra)) as (z & Hz & Hz0 & Hz1 & _). apply Rabs_def2 in Hz. lra.
-      - destruct (Hy (y - (PI - alpha0)) ltac:(lra)) as (z & Hz & Hz0 & _). apply Rabs_def2 in Hz. lra. }
+  { intros y Hy0 Hy.
     split; [lra | split; [lra|]]. apply (limit_of_arches_stands delta mu (PI - y) eta Hd Hmu); try lra. intros d Hd'.
     destruct (Hy d Hd') as (z & Hz & Hz0 & Hz1 & H). exists (PI - z), eta.
     replace (PI - z - (PI - y)) with (- (z - y)) by ring. rewrite Rabs_Ropp. replace (eta - eta) with 0 by ring.

@@ -12,6 +12,24 @@ From Coq Require Import Lia.
 From Couplet Require Import Moments Cubics Overturning Sliding Joining Contact FrictionModes.
 From Couplet Require Import Mechanisms Room Modes Attained Order.
 
+(** In the tube of a piece there is one solution at each value of the parameter. *)
+Definition piece (point : Type) (solves : R -> point -> Prop) (a b : R) (tube : R -> point -> Prop) : Prop :=
+  forall t, a <= t <= b -> exists! x, tube t x /\ solves t x.
+
+(** Two pieces of which the second goes on with the solution at the end of the first are one, and so any number is. *)
+Theorem pieces_are_one (point : Type) (solves : R -> point -> Prop) (a b c : R) (first next : R -> point -> Prop) :
+  piece point solves a b first -> piece point solves b c next -> (forall x, first b x -> solves b x -> next b x) ->
+  piece point solves a c (fun t x => (t <= b /\ first t x) \/ (b <= t /\ next t x)).
+Proof.
+  intros Hfirst Hnext Hnode t Ht. destruct (Rle_lt_dec t b) as [Hle | Hlt].
+  - destruct (Hfirst t ltac:(lra)) as (x & (Hx & Hs) & Honly). exists x. split; [now split; [left |] |].
+    intros y [[(_ & Hy) | (Hge & Hy)] Hys]; [now apply Honly |]. assert (E : t = b) by lra. subst t.
+    destruct (Hnext b ltac:(lra)) as (z & _ & Hz). rewrite <- (Hz y (conj Hy Hys)). symmetry. apply Hz.
+    split; [now apply Hnode | easy].
+  - destruct (Hnext t ltac:(lra)) as (x & (Hx & Hs) & Honly). exists x.
+    split; [split; [right; split; lra || easy | easy] |]. intros y [[(H & _) | (_ & Hy)] Hys]; [lra | now apply Honly].
+Qed.
+
 Inductive mode := RRR | SRR | RRS | RSR | RS | SS.
 
 (** The limits of each mode in a state, with its haunch and the joint that slides inwards. *)

@@ -40,13 +40,11 @@ Lemma no_room_under_rotation (beta h0 p0 h p : R) : 0 < beta < alpha -> 0 < cos 
   shoulder_gap delta' alpha eta h p < 0.
 Proof.
   intros Hb Hcos Hh EC EL EU HC HL. apply Rnot_le_lt. intros HU. assert (Hfac := centroid_factor_grows).
-  assert (HPI := PI_RGT_0).
   assert (Harm := lever_positive_in_any_state delta alpha beta eta h0 p0 ltac:(lra) ltac:(lra) opening
                     thickness Hh EL EU).
   set (a := extrados eta - intrados eta * cos beta).
   set (b := intrados eta * cos beta - extrados eta * cos alpha) in *. assert (Ha : 0 < a).
-  { unfold a, extrados, intrados. destruct (COS_bound beta).
-    assert (-1 < cos beta) by (rewrite <- cos_PI; apply cos_decreasing_1; lra). nra. }
+  { unfold a, extrados, intrados. destruct (COS_bound beta). nra. }
   (* the work of the mechanism of rotation is that of the heavier weight alone *)
   assert (Hwork : b * crown_gap eta h p + (a + b) * haunch_gap delta' beta eta h p + a * shoulder_gap delta' alpha eta
     h p = b * crown_gap eta h0 p0 + (a + b) * haunch_gap delta beta eta h0 p0 + a * shoulder_gap delta alpha eta h0 p0

@@ -124,6 +124,8 @@ spoil_hand() {
         's/(admissible .*?)\(crown_moment m .flag w. x\)/$1(intrados (x Eta) * x Thrust)/'
       spoiled "a solution outside the box" one_solution \
         's/(Theorem one_solution y : )in_box .*? -> /$1/'
+      spoiled "less friction than an inner joint asks for" forces_and_joints \
+        's/(Theorem forces_and_joints.*?x Mu )= mu_is/$1< mu_is/s'
       spoiled "a last digit that is only nearly right" right_there \
         's/off m e p k \+ 1 <=/off m e p k <=/' ;;
     Surveys)
@@ -147,8 +149,10 @@ spoil_hand() {
       's/(Theorem no_asymmetric_motion.*?PI) \/ 2/$1/s' ;;
     Order) spoiled "a haunch that falls strictly" haunch_falls \
       's/(Theorem haunch_falls.*?beta2 )<= beta1/$1< beta1/s' ;;
-    Map) spoiled "rows without the condition on the thrust" modes_of_a_row \
-      's/(Theorem modes_of_a_row.*?h <= 1 )\/ 2\)/$1)/s' ;;
+    Map)
+      spoiled "pieces that do not meet" pieces_are_one 's/(Theorem pieces_are_one.*?) -> \(forall x, .*?next b x\) ->/$1 ->/s'
+      spoiled "rows without the condition on the thrust" modes_of_a_row \
+        's/(Theorem modes_of_a_row.*?h <= 1 )\/ 2\)/$1)/s' ;;
     Cells) spoiled "a cell with a corner of another mode" cell_of_one_mode \
       's/(Theorem cell_of_one_mode.*?alpha2 eta2 mu2 )m ->/$1m2 ->/s; s/(Theorem cell_of_one_mode.*?)\(m m. : mode\)/$1(m m2 m\x27 : mode)/s' ;;
     TwoWeights) spoiled "a shoulder that slides" heavier_is_thicker \

@@ -36,13 +36,13 @@ fn lines(d: &mut Derivation) -> Checked {
     for (words, is_whole) in traced() {
         d.proved_elsewhere(format!("{words}: one solution for each parameter"), is_whole.clone()?)?;
     }
-    d.argue(
-        "On each piece Krawczyk's test holds for every value of the parameter: one solution in a tube, with a regular \
-         derivative, so that it is an analytic function of the parameter. At a node the solution lies in the tubes on \
-         both sides, where there is no other. The enclosures of the landmarks lie in the first and the last tube.",
+    d.theorem(
+        "Map.pieces_are_one",
+        "two pieces of a line, each with one solution in its tube at each value of the parameter, are one such piece, \
+         if the solution at the end of the first is in the tube of the second; so any number of them is one",
     )?;
-    d.argue(
-        "The lines, with the edges phi = 0, phi = pi/2, eta = 0 and eta = 2, close a loop around each domain, and each \
-         line is a side of its two modes: so the corners are where the lines end.",
+    d.conclude(
+        "Krawczyk's test holds at each parameter, with a regular derivative: a line is analytic. A node is in both \
+         tubes, landmarks in first or last. Lines and edges close loops around the domains: corners are their ends.",
     )
 }

@@ -44,6 +44,22 @@ Theorem less_friction : friction_there l x <> None ->
   forall mu, 0 <= mu < x Mu -> stands_at_no_thickness (x Alpha) mu.
 Proof. destruct here as (_ & _ & _ & _ & _ & _ & _ & _ & less). unfold is_least_friction in less. now destruct l. Qed.
 
+(** It is a solution in the large box; where its joints are, and what is zero there. *)
+Theorem forces_and_joints : List.Forall (holds (flag w) x) (equations_of l) /\ is_fixed l x /\
+  in_box (landmark_unknowns l) (unique c) x /\ 0 < x Alpha < PI /\ 0 < x Eta <= 2 /\
+  0 < normal_force (x Alpha) (x Thrust) /\ (l = WidestJoint -> 0 < x BetaR < x Alpha) /\
+  (l = Triple -> x BetaS < x BetaR < x Alpha /\
+     at_crown (x Eta) (x Thrust) = at_shoulder (flag w) (x Alpha) (x Eta) (x Thrust)) /\
+  (friction_there l x <> None -> 0 < x BetaS < x Alpha /\ 0 < x Thrust < 1 /\
+     x Mu = mu_ss (x Alpha) (x Thrust) /\ x Mu = mu_is (x Thrust) /\ x BetaS = beta_s (x Thrust)).
+Proof.
+  destruct here as ((hold & fixed) & (box & _) & _ & _ & _ & (half & thick & order) & (slides & zero) & (N & h & _) & _).
+  refine (conj hold (conj fixed (conj box (conj half (conj thick (conj N (conj _ (conj _ _)))))))).
+  - intros E. now rewrite E in order.
+  - intros E. rewrite E in *. cbn in order. split; [lra | exact zero].
+  - intros Hl. destruct l; try easy; cbn in *; repeat split; try apply slides; lra.
+Qed.
+
 (** ** Its digits *)
 
 Definition alike (p q : quantity) : bool :=

@@ -251,22 +251,21 @@ Proof.
   all: assert (N : 0 < normal_force (x Alpha) (x Thrust)) by assumption. all: frictions Hsteepest.
   all: cbn [meaning inner outer upper_lever] in *; rewrite ?meaning_extrados in *.
   all: unfold in_order, is_least, is_admissible, crown_moment.
-  - split; [lra |]. apply (rotational _ _ _ weight) with (beta := x BetaR); try tauto; try lra.
+  - split; [split; split; lra |]. apply (rotational _ _ _ weight) with (beta := x BetaR); try tauto; try lra.
     rewrite <- Hsteepest by easy. lra.
-  - split; [lra |]. apply (rotational_without_limit _ _ weight) with (beta := x BetaR); try tauto; try lra.
-  - split; [lra |]. apply (sliding_rotational _ _ _ weight) with (beta := x BetaR); try tauto; try lra.
+  - split; [split; split; lra |]. apply (rotational_without_limit _ _ weight) with (beta := x BetaR); tauto || lra.
+  - split; [split; split; lra |]. apply (sliding_rotational _ _ _ weight) with (beta := x BetaR); try tauto; try lra.
     rewrite <- Hsteepest by easy. lra.
-  - split; [lra |].
+  - split; [change (0 < x Eta < 2 /\ 0 < x BetaS < x BetaR /\ x BetaR < x Alpha); lra |].
     apply (rotational_sliding _ _ _ weight) with (beta := x BetaR) (joint := x BetaS); try tauto; try lra.
-  - split; [lra |].
+  - split; [change (0 < x Eta < 2 /\ 0 < x BetaR < x BetaS /\ x BetaS < x Alpha); lra |].
     apply (rotational_sliding _ _ _ weight) with (beta := x BetaR) (joint := x BetaS); try tauto; try lra.
-  - split; [lra |]. rewrite Hfixed in *.
+  - split; [change (0 < x Eta < 2 /\ x BetaR = 0 /\ 0 < x BetaS < x Alpha); lra |]. rewrite Hfixed in *.
     apply (overturning_sliding _ _ _ weight) with (joint := x BetaS); try tauto; try lra.
-  - destruct Hfixed as [Hb Hh]. split; [lra |]. rewrite Hh, Hb in *.
+  - destruct Hfixed as [Hb Hh]. split; [split; split; lra |]. rewrite Hh, Hb in *.
     assert (E := shoulder_from_crown (flag w) (x Alpha) ltac:(lra) (x Eta) 0 ltac:(lra) ltac:(easy)).
     unfold at_crown in E. rewrite Rmult_0_r in E. rewrite <- E. apply (overturning _ _ weight); try tauto; try lra.
 Qed.
-
 
 (** The equations that the root of a system solves, as printed. *)
 Lemma equations_hold w x e : (forall f, In f (map (cleared w) e) -> meaning x f = 0 /\ defined x f) ->
@@ -354,7 +353,7 @@ Lemma check_state_sound c m a : about c = State m a -> check_state c m a = true 
 Proof.
   intros Habout. unfold check_state, claim_of. rewrite Habout.
   destruct (state_found c m a) as [E |] eqn:Hfound; [| easy]. intros _.
-  destruct (state_found_sound c m a E Hfound) as (Harch & x & _ & Hstate). split; [easy | now exists x].
+  destruct (state_found_sound c m a E Hfound) as (Harch & x & _ & Hstate). exact (conj Harch (ex_intro _ x Hstate)).
 Qed.
 
 (** ** The other verdicts *)
@@ -381,8 +380,8 @@ Proof.
   destruct (state_found_sound c m a E Hfound) as (Harch & x & HE & Hstate & Honly & Hvalues).
   assert (Ht := is_thickness_sound t ltac:(easy)). assert (Hless : real t < x Eta).
   { apply (difference_sound full (itself (E Eta)) (enclosed_number full t)); [easy | apply HE | apply has_number]. }
-  split; [exact Harch | split; [now exists x | split; [easy |]]]. intros Hstands.
-  assert (Hmost := is_state_least m a x Hstate (real t) Ht Hstands). lra.
+  refine (conj Harch (conj (ex_intro _ x (conj Hstate (conj Honly (conj Hvalues Hless)))) (conj (proj1 Ht) _))).
+  intros Hstands. assert (Hmost := is_state_least m a x Hstate (real t) Ht Hstands). lra.
 Qed.
 
 Lemma check_slides_sound c a : about c = Slides a -> check_slides c a = true -> claim_of c.
@@ -432,7 +431,8 @@ Proof.
   rewrite coefficient_is in *. destruct (is_limited f) eqn:Hlimited.
   - assert (mu : x Mu = coefficient_or_zero f) by (now apply Hgiven).
     assert (Hholds := equations_hold w x _ Hzeros Hdivisors ltac:(no_double)).
-    assert (Hprinted := holds_printed _ _ _ Hholds). split; [exact Harch | split; [exists x; tauto |]].
+    assert (Hprinted := holds_printed _ _ _ Hholds).
+    refine (conj Harch (conj (ex_intro _ x (conj crown (conj eta (conj (conj mu Hholds) (conj Hvalues Hless))))) _)).
     list_of Hsigns; list_of Hprinted. cbn [printed] in *. frictions Logic.I.
     cbn [meaning upper_lever inner outer] in *. rewrite crown, eta in *. rewrite <- mu. intros e He.
     assert (Hthrust : 0 < x Thrust < 1) by nra.
@@ -441,7 +441,9 @@ Proof.
   - assert (thrust : x Thrust = 0) by (now apply Hgiven).
     assert (Hholds := equations_hold w x _ Hzeros Hdivisors ltac:(no_double)).
     assert (Hprinted := holds_printed _ _ _ Hholds). apply List.Forall_inv in Hholds.
-    list_of Hsigns; list_of Hprinted. cbn [meaning] in *. split; [exact Harch | split; [exists x; tauto |]].
+    list_of Hsigns; list_of Hprinted. cbn [meaning] in *.
+    refine (conj Harch (conj (ex_intro _ x (conj crown (conj eta (conj (conj thrust Hholds) (conj Hvalues _))))) _));
+      [exact Hless |].
     intros e He (h & p & Hinside). cbn [printed] in *. rewrite thrust, eta in *.
     assert (Hlimit := nothing_left_at_end_of_overturning (flag w) (x Alpha) ltac:(lra) ltac:(easy)).
     now apply (too_wide_without_limit (flag w) (x Alpha) (real (half_opening a))) with (eta := e) (h := h) (p := p).
