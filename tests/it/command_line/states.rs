@@ -128,7 +128,7 @@ fn many_states_keep_their_order_and_bad_rows_their_line() {
     for (i, alpha) in [(1, "1/1200"), (1500, "1.25"), (3000, "2.5")] {
         assert!(lines[i].starts_with(&format!("milankovitch,{alpha},2,proved,")), "{}", lines[i]);
     }
-    assert!(lines[3001].contains("3002,'banana' is not a number"), "{}", lines[3001]);
+    assert!(lines[3001].contains("3002,\"'banana' is not a number"), "{}", lines[3001]);
     assert!(lines[3002].contains("3003,2 fields where the header has 3"), "{}", lines[3002]);
     // The nearest double, in decimal and in hexadecimal.
     assert!(lines[3003].contains(",0.12219158636254615,0x1.f47f2a34603cap-4,"), "{}", lines[3003]);
