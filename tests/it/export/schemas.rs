@@ -223,7 +223,7 @@ fn what_is_written_is_as_the_schemas_say() {
         "prove eq-8",
         "prove --index",
     ] {
-        documents.push(printed(format!("{line} --format json")));
+        documents.push(text(&couplet(format!("{line} --format json")).stdout));
     }
     documents.push(text(&fed("judge - --format json", RESULTS).stdout));
     let mut lines = String::new();
