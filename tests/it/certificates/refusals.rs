@@ -67,8 +67,8 @@ impl Original {
 /// Spoiled copies of one kind with their reasons.
 pub(super) type Cases = Vec<(Spoiled, Refusal)>;
 
-/// Whether a refusal is for this reason, as Rust writes it, in few words and without a sequence of its own. Behind what a
-/// format is told to be come the place in the file and the types expected, which are serde's words.
+/// Whether a refusal is for this reason, as Rust writes it, in few words and without a sequence of its own. Behind what
+/// a format is told to be come the place in the file and the types expected, which are serde's words.
 pub(super) fn is_reason(refusal: &Refusal, reason: &str) -> bool {
     let (words, found) = (refusal.to_string(), format!("{refusal:?}"));
     let is_told = match reason.strip_suffix("\")").filter(|_| reason.starts_with("Format(")) {
