@@ -67,7 +67,7 @@ impl Asked {
         let keys: String = keys.collect();
         let head = "schema = \"couplet.scene/1\"\n[[arches]]\n";
         scratch.write("scene.toml", format!("{head}{keys}digits = 12\nformat = \"json\"\n"));
-        let output = couplet(&["run", &scratch.path("scene.toml")]);
+        let output = couplet(["run", &scratch.path("scene.toml")]);
         if output.status.code() == Some(0) {
             let found: Value = serde_json::from_str(&text(&output.stdout)).unwrap();
             let found = found.get("arches").map_or(&found, |arches| &arches[0]).clone();

@@ -317,7 +317,7 @@ fn statements_are_told_twice() {
     fs::copy(&files[0], files.last().unwrap()).unwrap();
     let files: Vec<&str> = files.iter().map(String::as_str).collect();
     let ours =
-        text(&crate::program::couplet(&[&["check", "--statement"], &files[..]].concat()).stdout);
+        text(&crate::program::couplet([&["check", "--statement"], &files[..]].concat()).stdout);
     let theirs = python(&[&["proofs/check_with_arb.py", "--statement"], &files[..]].concat());
     assert_eq!(ours, theirs);
     assert!(ours.lines().count() == files.len() && files.len() > 30);

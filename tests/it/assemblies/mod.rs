@@ -18,7 +18,7 @@ use std::sync::LazyLock;
 /// Assemblies of every kind, as the command writes them.
 static DRAWN: LazyLock<Vec<Value>> = LazyLock::new(|| {
     let all = ["sample", "--assemblies", "--count", "64", "--format", "json"];
-    json(&all).as_array().unwrap().clone()
+    json(all).as_array().unwrap().clone()
 });
 
 /// Verdict of the programme over all joints.
@@ -117,7 +117,7 @@ fn what_is_spoiled_is_seen() {
 #[test]
 fn a_judge_tells_the_margin_from_which_verdicts_are_right() {
     let margins = ["0.1%", "1%", "5%", "20%"];
-    let drawn = json(&[
+    let drawn = json([
         "sample",
         "--assemblies",
         "--count",
@@ -197,7 +197,7 @@ fn the_commands_prove_the_verdicts_again() {
 
 #[test]
 fn a_seed_draws_the_same_rows() {
-    let csv = |seed: &str| printed(&["sample", "--assemblies", "--count", "9", "--seed", seed]);
+    let csv = |seed: &str| printed(["sample", "--assemblies", "--count", "9", "--seed", seed]);
     let first = csv("1");
     assert_eq!((first.lines().count(), &first), (19, &csv("1")));
     assert_ne!(first, csv("2"));
@@ -214,7 +214,7 @@ fn bodies_are_files_of_a_folder() {
     for format in ["obj", "dxf"] {
         let folder = scratch.path(format);
         let of = ["sample", "--assemblies", "--count", "2", "--format", format, "-o", &folder];
-        printed(&of);
+        printed(of);
         let names = ["001-above", "001-below", "002-above", "002-below"];
         let names = names.map(|name| format!("{name}.{format}")).to_vec();
         assert_eq!(scratch.files(format), [&names[..], &["assemblies.json".to_owned()]].concat());
@@ -228,12 +228,12 @@ fn bodies_are_files_of_a_folder() {
             let twin = file.replacen(from, to, 1);
             assert!(bodies::fault(format, &twin, question).is_some(), "{name}: false twin");
         }
-        refused(&of, "", "is not empty: name a new or an empty folder");
+        refused(of, "", "is not empty: name a new or an empty folder");
     }
 }
 
 #[test]
 fn what_makes_no_sense_is_one_line() {
     let none = ["sample", "--assemblies", "--count", "0", "--format", "json"];
-    assert_eq!(json(&none), json!([]));
+    assert_eq!(json(none), json!([]));
 }

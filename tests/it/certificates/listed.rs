@@ -8,8 +8,11 @@ use couplet::arch::asymmetric::AsymmetricMode;
 use couplet::problem::{Landmark, Mode, Problem};
 use serde_json::Value;
 
+/// What makes a valid one.
+type Maker = fn() -> Original;
+
 /// The valid ones, by their names there.
-const ORIGINALS: [(&str, fn() -> Original); 15] = [
+const ORIGINALS: [(&str, Maker); 15] = [
     ("all", survey::all),
     ("all_measured", survey::all_measured),
     ("arch", refusals::arch),

@@ -149,7 +149,7 @@ fn a_name_of_a_file_is_printed_in_one_line_whatever_its_bytes_are() {
             "{output}"
         );
     }
-    let wrong = command(&["check", "--engine", "\u{1b}[2K\n"]).arg("x").output().unwrap();
+    let wrong = command(["check", "--engine", "\u{1b}[2K\n"]).arg("x").output().unwrap();
     assert!(!said(&wrong).2.trim_end().contains(char::is_control), "{}", said(&wrong).2);
-    assert_eq!(couplet(&["check", "a\nb"]).status.code(), Some(3));
+    assert_eq!(couplet(["check", "a\nb"]).status.code(), Some(3));
 }

@@ -161,7 +161,7 @@ fn certificates_become_theorems() {
     {
         let empty = scratch.path("empty");
         let (found, output, message) =
-            said(&couplet(&["prove", "--coq", &empty, "--certificate", &one, file]));
+            said(&couplet(["prove", "--coq", &empty, "--certificate", &one, file]));
         assert_eq!((found, output.as_str()), (Some(code), ""), "{message}");
         assert!(message.contains(reason) && message.lines().count() == 1, "{message}");
         assert!(!std::path::Path::new(&empty).exists());

@@ -19,13 +19,13 @@ fn a_file_appears_whole_and_alone() {
     let scratch = Scratch::new();
     let path = scratch.path("constants.json");
     std::fs::write(&path, "old").unwrap();
-    let output = couplet(&["constants", "L", "--format", "json", "--output", &path]);
+    let output = couplet(["constants", "L", "--format", "json", "--output", &path]);
     assert_eq!(output.status.code(), Some(0));
     assert!(output.stdout.is_empty());
     let file: Value = serde_json::from_str(&scratch.read("constants.json")).unwrap();
     assert_eq!(file["schema"], "couplet.constants/1");
     assert_eq!(scratch.files(".").len(), 1, "nothing is left beside it");
-    let refused = couplet(&["constants", "L", "--digits", "0", "--output", &path]);
+    let refused = couplet(["constants", "L", "--digits", "0", "--output", &path]);
     assert_eq!(refused.status.code(), Some(2));
     assert!(scratch.read("constants.json").contains("couplet.constants/1"), "kept");
 }

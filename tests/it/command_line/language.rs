@@ -31,7 +31,7 @@ fn an_angle_has_many_spellings() {
 
 #[test]
 fn a_friction_has_many_spellings() {
-    let state = |mu| answered(&format!("state --alpha 80deg --mu {mu} --digits 5"));
+    let state = |mu| answered(format!("state --alpha 80deg --mu {mu} --digits 5"));
     for mu in ["Inf", "INF", "infinity", "Infinity", "∞"] {
         assert_eq!(state(mu), state("inf"), "{mu}");
     }

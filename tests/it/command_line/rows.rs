@@ -255,10 +255,10 @@ fn a_file_becomes_a_file() {
     let scratch = Scratch::new();
     scratch.write("in.csv", "alpha,mu\n1,1\n");
     let (file, out) = (scratch.path("in.csv"), scratch.path("out.csv"));
-    let output = couplet(&["states", &file, "-o", &out]);
+    let output = couplet(["states", &file, "-o", &out]);
     assert_eq!((output.status.code(), text(&output.stdout)), (Some(0), String::new()));
     assert_eq!(scratch.read("out.csv").lines().count(), 2);
-    refused(&["states", &file, "-o", &file], "", "refusing to overwrite the input");
+    refused(["states", &file, "-o", &file], "", "refusing to overwrite the input");
     let missing = couplet("states missing.csv");
     assert_eq!(missing.status.code(), Some(3));
 }

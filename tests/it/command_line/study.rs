@@ -32,7 +32,7 @@ fn states_are_measured_as_the_command_proves_them() {
     let scratch = Scratch::new();
     let folder = scratch.path("acc");
     let table =
-        printed(&["study", "accuracy", "--quick", "--only", "landmark,state", "-o", &folder]);
+        printed(["study", "accuracy", "--quick", "--only", "landmark,state", "-o", &folder]);
     for method in [
         "one proved root, balls of MPFR",
         "one proved root, astro-float",
@@ -54,7 +54,7 @@ fn states_are_measured_as_the_command_proves_them() {
 fn a_name_of_a_file_makes_no_folder() {
     let scratch = Scratch::new();
     let file = scratch.path("acc.svg");
-    let (code, output, message) = said(&couplet(&["study", "stability", "--quick", "-o", &file]));
+    let (code, output, message) = said(&couplet(["study", "stability", "--quick", "-o", &file]));
     assert_eq!((code, output.as_str()), (Some(2), ""));
     assert!(message.contains("looks like a file") && message.lines().count() == 1, "{message}");
     assert!(!Path::new(&file).exists());

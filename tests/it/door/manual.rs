@@ -17,7 +17,7 @@ fn the_examples_of_the_help_work() {
     let all = commands();
     assert!(all.len() >= 20 && all.contains(&"state".to_owned()), "{all:?}");
     for name in all.iter().filter(|name| !["completions", "man"].contains(&name.as_str())) {
-        let help = String::from_utf8(couplet(&[name, "--help"]).stdout).unwrap();
+        let help = String::from_utf8(couplet([name, "--help"]).stdout).unwrap();
         let (_, examples) = help.split_once("\nExamples:\n").unwrap_or_else(|| panic!("{name}"));
         let folder = tempfile::tempdir().unwrap();
         assert!(examples.lines().all(|line| line.chars().count() <= 78), "{examples}");
@@ -41,7 +41,7 @@ fn other_words_for_a_command_are_it() {
         ("arch", "assess"),
         ("bridge", "assess"),
     ] {
-        assert_eq!(couplet(&[word, "--help"]).stdout, couplet(&[name, "--help"]).stdout, "{word}");
+        assert_eq!(couplet([word, "--help"]).stdout, couplet([name, "--help"]).stdout, "{word}");
     }
 }
 
@@ -57,7 +57,7 @@ fn complaint(program: &str, arguments: &[&str]) -> Option<String> {
 fn the_completions_name_every_command() {
     let folder = tempfile::tempdir().unwrap();
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
-        let output = couplet(&["completions", shell]);
+        let output = couplet(["completions", shell]);
         assert_eq!(output.status.code(), Some(0), "{shell}");
         let script = String::from_utf8(output.stdout).unwrap();
         for name in commands() {
@@ -76,7 +76,7 @@ fn the_completions_name_every_command() {
 fn every_command_has_a_page() {
     let scratch = tempfile::tempdir().unwrap();
     let folder = scratch.path().join("made/man1").to_str().unwrap().to_owned();
-    printed(&["man", &folder]);
+    printed(["man", &folder]);
     let mut pages: Vec<String> = std::fs::read_dir(&folder)
         .unwrap()
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())

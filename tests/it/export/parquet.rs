@@ -131,7 +131,7 @@ fn states_are_those_of_csv_cell_by_cell() {
         input += &format!("milankovitch,{k}/150,{k}/170,{eta},{k},\n");
     }
     let asked = ["states", "--keep", "all", "--columns", "all", "--format"];
-    let written = |format: &str| fed(&[&asked[..], &[format]].concat(), &input).stdout;
+    let written = |format: &str| fed([&asked[..], &[format]].concat(), &input).stdout;
     let (rows, _) = read(written("parquet"));
     let shown = |field: &Field| match field {
         Field::Null => String::new(),

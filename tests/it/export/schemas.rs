@@ -115,7 +115,7 @@ fn sweeps(scratch: &Scratch) -> Vec<String> {
     ];
     for plan in plans.iter().filter(|_| cfg!(feature = "parquet")) {
         scratch.write("plan.toml", format!("schema = \"couplet.sweep/1\"\n{plan}"));
-        couplet(&["sweep", &scratch.path("plan.toml"), "-o", &scratch.path("sweeps")]);
+        couplet(["sweep", &scratch.path("plan.toml"), "-o", &scratch.path("sweeps")]);
     }
     let mut names = scratch.files("sweeps");
     names.retain(|name| name.ends_with(".json"));
@@ -134,7 +134,7 @@ fn what_is_written_is_as_the_schemas_say() {
         alpha = { from = 1, to = 3, boxes = 2 }\noutput = \"d.json\"\n";
     scratch.write("scene.toml", scene);
     let out = scratch.path("out");
-    printed(&["run", &scratch.path("scene.toml"), "-o", &out]);
+    printed(["run", &scratch.path("scene.toml"), "-o", &out]);
     let mut documents =
         ["a", "b", "c", "d"].map(|name| scratch.read(&format!("out/{name}.json"))).to_vec();
     documents.push(scratch.read("out/couplet-run.json"));

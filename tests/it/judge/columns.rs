@@ -14,7 +14,7 @@ fn what_is_judged_is_not_written_over() {
     let scratch = Scratch::new();
     scratch.write("results.csv", RESULTS);
     let file = scratch.path("results.csv");
-    let output = couplet(&["judge", &file, "--output", &file]);
+    let output = couplet(["judge", &file, "--output", &file]);
     assert_eq!(output.status.code(), Some(2));
     let message = format!("couplet: refusing to overwrite the input {file}\n");
     assert_eq!(text(&output.stderr), message);

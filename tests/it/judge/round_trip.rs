@@ -102,7 +102,7 @@ fn judge_and_states_read_what_a_scene_writes() {
     }
     scratch.write("scene.toml", scene);
     let out = scratch.path("out");
-    printed(&["run", &scratch.path("scene.toml"), "-o", &out]);
+    printed(["run", &scratch.path("scene.toml"), "-o", &out]);
     for end in ["csv", "json"] {
         for (name, count, question) in
             [("state", 14, "can_stand"), ("given", 28, "stands"), ("some", 14, "stands")]

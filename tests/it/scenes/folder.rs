@@ -11,7 +11,7 @@ const BELOW: &str = "[constants]\nlandmarks = \"L\"\ndigits = 5\noutput = \"link
 /// A scene in a folder with an empty folder `o`, and a run into that.
 fn run(scratch: &Scratch, text: &str, options: &[&str]) -> Output {
     let scene = scene_in(scratch, text);
-    couplet(&[&["run", &scene, "-o", &scratch.path("o")], options].concat())
+    couplet([&["run", &scene, "-o", &scratch.path("o")], options].concat())
 }
 
 fn scratch() -> Scratch {
@@ -74,7 +74,7 @@ mod links {
         assert_eq!(scratch.files("o/inside"), ["f.csv"]);
         symlink("o", scratch.path("other")).unwrap();
         let scene = scene_in(&scratch, ONE);
-        let output = couplet(&["run", &scene, "-o", &scratch.path("other")]);
+        let output = couplet(["run", &scene, "-o", &scratch.path("other")]);
         assert_eq!(output.status.code(), Some(0));
         assert_eq!(scratch.files("o"), ["couplet-run.json", "f.csv", "inside", "link"]);
     }

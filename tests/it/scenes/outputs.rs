@@ -80,7 +80,7 @@ fn what_cannot_be_decided_is_said_and_tried_again() {
     );
     let out = scratch.path("out");
     for _ in 0..2 {
-        let output = couplet(&["run", &scene, "--output", &out, "--resume"]);
+        let output = couplet(["run", &scene, "--output", &out, "--resume"]);
         assert_eq!(output.status.code(), Some(1));
         let stderr = text(&output.stderr);
         assert!(stderr.starts_with("written "), "{stderr}");
@@ -109,7 +109,7 @@ fn what_cannot_be_written_is_known_before_any_work() {
 
 #[test]
 fn a_missing_scene_is_a_resource_failure() {
-    let output = couplet(&["run", &Scratch::new().path("none.toml")]);
+    let output = couplet(["run", &Scratch::new().path("none.toml")]);
     assert_eq!(output.status.code(), Some(3));
 }
 
@@ -117,7 +117,7 @@ fn a_missing_scene_is_a_resource_failure() {
 fn the_scene_itself_is_not_written_over() {
     let scratch = Scratch::new();
     scratch.write("a.csv", format!("{HEAD}{SLOW}"));
-    let output = couplet(&["run", &scratch.path("a.csv"), "--output", &scratch.path("")]);
+    let output = couplet(["run", &scratch.path("a.csv"), "--output", &scratch.path("")]);
     assert_eq!(output.status.code(), Some(2));
     assert!(scratch.read("a.csv").contains("1_000_000"));
 }

@@ -169,7 +169,7 @@ fn a_sweep_refuses_boxes_with_what_takes_them() {
     scratch.write("plan.toml", plan);
     let words = "is cut into boxes, which [[arches]] of a scene takes alone; give steps here";
     let (code, _, told) =
-        said(&couplet(&["sweep", &scratch.path("plan.toml"), "-o", &scratch.path("out")]));
+        said(&couplet(["sweep", &scratch.path("plan.toml"), "-o", &scratch.path("out")]));
     assert_eq!((code, told.lines().count()), (Some(2), 2), "{told}");
     assert!(told.contains(&format!("plan.toml:4:16: half_opening {words}")), "{told}");
 }

@@ -119,7 +119,7 @@ fn a_number_is_what_its_text_says() {
     let scene = "[arches]\nhalf_opening = \"pi/2\"\nquantities = \"thickness\"\ndigits = 40\n";
     let run = |friction: &str| {
         let path = scene_in(&scratch, &format!("{scene}friction = {friction}\n"));
-        let output = couplet(&["run", &path]);
+        let output = couplet(["run", &path]);
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
         let words = text(&output.stdout);
         words.split_whitespace().find(|word| word.starts_with("0.1")).unwrap().to_owned()

@@ -7,7 +7,7 @@ use couplet::scene::read;
 /// What a scene answers: its exit code, what it prints, and what it says, without places.
 fn scene(table: &str) -> (Option<i32>, String, String) {
     let scratch = Scratch::new();
-    let (code, printed, said) = said(&couplet(&["run", &scene_in(&scratch, table)]));
+    let (code, printed, said) = said(&couplet(["run", &scene_in(&scratch, table)]));
     let first = said.lines().next().unwrap_or_default();
     let message = first.split_once(": ").map_or("", |(_, message)| message);
     (code, printed, message.to_owned())

@@ -12,7 +12,7 @@ fn a_folder_is_looked_through_with_a_hundred_rows_and_says_so() {
     let scratch =
         planned("[grid]\nhalf_opening = 1\nfriction = { from = 0.3, to = 0.5, steps = 150 }\n");
     sweep(&scratch, "out", &[]);
-    let (code, out, message) = said(&couplet(&["sweep", &folder(&scratch, "out")]));
+    let (code, out, message) = said(&couplet(["sweep", &folder(&scratch, "out")]));
     assert_eq!(code, Some(0));
     assert!(out.contains("; 100 rows proved again bit for bit"), "{out}");
     assert_eq!(

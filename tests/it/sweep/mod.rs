@@ -25,7 +25,7 @@ fn planned(plan: &str) -> Scratch {
 /// Runs the plan of a folder into `out`, with more arguments; exit code, standard output and standard error.
 fn sweep(scratch: &Scratch, out: &str, more: &[&str]) -> (Option<i32>, String, String) {
     let (plan, out) = (scratch.path("plan.toml"), scratch.path(out));
-    said(&couplet(&[&["sweep", &plan, "-o", &out], more].concat()))
+    said(&couplet([&["sweep", &plan, "-o", &out], more].concat()))
 }
 
 /// Looks through a sweep, of which some rows are proved again.
@@ -238,7 +238,7 @@ fn nothing_is_lost_when_a_worker_is_killed() {
     let scratch = planned("chunk = 60\n[sample]\ncount = 1200\n");
     let (plan, out) = (scratch.path("plan.toml"), scratch.path("out"));
     let share =
-        |share: &str| start(&["sweep", &plan, "-o", &out, "--only", share, "--threads", "1"]);
+        |share: &str| start(["sweep", &plan, "-o", &out, "--only", share, "--threads", "1"]);
     let (mut killed, other) = (share("1/2"), share("2/2"));
     let begun = Instant::now();
     let is_begun = || {
@@ -275,7 +275,7 @@ fn a_full_disk_is_one_line_and_leaves_nothing_half_written() {
     let scratch = planned("chunk = 200\n[sample]\ncount = 200\n");
     // No file may have more than 8 blocks of 512 bytes or a kilobyte, as the shell has it; a part has more.
     let line = "trap '' XFSZ; ulimit -f 8; exec \"$0\" sweep \"$1\" -o \"$2\" --threads 1";
-    let program = command(&[]).get_program().to_owned();
+    let program = command([]).get_program().to_owned();
     let mut limited = std::process::Command::new("sh");
     limited.args(["-c", line]).arg(program).args([scratch.path("plan.toml"), scratch.path("out")]);
     let (code, out, message) = said(&limited.output().unwrap());
@@ -321,7 +321,7 @@ fn a_sample_is_what_the_command_draws() {
     assert_eq!(sweep(&scratch, "out", &["--only", "2/2"]).0, Some(0));
     let rows = rows(&scratch, "out");
     let drawn = |seed: &str, count: &str| {
-        let sample = couplet(&["sample", "--hard", "--seed", seed, "--count", count]);
+        let sample = couplet(["sample", "--hard", "--seed", seed, "--count", count]);
         let sample = crate::program::text(&sample.stdout);
         sample.lines().skip(1).map(str::to_owned).collect::<Vec<_>>()
     };
@@ -400,7 +400,7 @@ fn a_file_that_changes_meanwhile_is_named_and_the_rest_goes_on() {
     sweep(&scratch, "out", &[]);
     scratch.write("a.csv", "alpha,mu\n1,1\n2,3\n");
     let looked = said(
-        &command(&["sweep", &folder(&scratch, "out")])
+        &command(["sweep", &folder(&scratch, "out")])
             .current_dir(scratch.folder())
             .output()
             .unwrap(),
@@ -414,7 +414,7 @@ fn a_file_that_changes_meanwhile_is_named_and_the_rest_goes_on() {
 fn lines_of_json_are_a_table_and_what_is_no_text_is_refused_with_what_reads_it() {
     let scratch = planned("chunk = 2\n[data]\nfiles = [\"in.jsonl\", \"in.parquet\"]\n");
     let states = "alpha,mu\n0.5,0.6\n1/3,inf\n1.5,tan(35deg)\n";
-    let written = |format| crate::program::fed(&["states", "--format", format], states).stdout;
+    let written = |format| crate::program::fed(["states", "--format", format], states).stdout;
     scratch.write("in.jsonl", written("jsonl"));
     scratch.write("in.parquet", written("parquet"));
     let (code, out, message) = sweep(&scratch, "out", &[]);
@@ -452,7 +452,7 @@ fn more_digits_are_there_as_text() {
     sweep(&scratch, "out", &[]);
     let row = &rows(&scratch, "out")[0];
     let state = ["state", "--alpha", "80deg", "--mu", "inf", "--digits", "20", "--quantity", "eta"];
-    let state = said(&couplet(&[&state[..], &["--plain"]].concat())).1;
+    let state = said(&couplet([&state[..], &["--plain"]].concat())).1;
     assert_eq!(text(&row["thickness_text"]), state.trim());
     assert_eq!(row["friction_double"], Field::Double(f64::INFINITY));
 }
@@ -469,7 +469,7 @@ fn faults_of_a_plan_are_told_with_their_places() {
     );
     assert!(message.ends_with("plan.toml has 2 errors; nothing was computed\n"), "{message}");
     assert!(scratch.files("out").is_empty());
-    refused(&["sweep", &scratch.path(""), "-o", "x"], "", "--output belongs to a plan");
+    refused(["sweep", &scratch.path(""), "-o", "x"], "", "--output belongs to a plan");
 }
 
 #[test]
