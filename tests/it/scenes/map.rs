@@ -1,7 +1,7 @@
 //! Maps and figures in scenes: as the commands write them, each curve once, and kept.
 
-use super::{HEAD, body, caption, run};
-use crate::program::{Scratch, printed, text};
+use super::{HEAD, body, caption, run, scene_in};
+use crate::program::{Scratch, Words, couplet, printed, said, text};
 use couplet::scene::{Plan, SceneRun, read};
 
 const MAPS: &str = "[[map]]\ntolerance = 1e-2\nlines = true\noutput = \"lines.svg\"\n\
@@ -49,20 +49,16 @@ fn a_picture_says_which_command_draws_it() {
 #[test]
 fn asymmetric_lines_are_those_of_the_command_and_no_level_is_bad_input() {
     let scratch = Scratch::new();
-    let scene = scene_in(
-        &scratch,
-        "[[map]]\ntolerance = 1e-2\nasymmetric = true\noutput = \"lines.csv\"\n",
-    );
-    assert_eq!(couplet(&["run", &scene, "-o", &scratch.path("out")]).status.code(), Some(0));
-    let lines = ["map", "--asymmetric", "--tolerance", "1e-2", "--format", "csv"];
-    assert_eq!(scratch.read("out/lines.csv"), text(&couplet(&lines).stdout));
+    let table = "[[map]]\ntolerance = 1e-2\nasymmetric = true\noutput = \"lines.csv\"\n";
+    run(&scratch, table, "");
+    let lines = printed("map --asymmetric --tolerance 1e-2 --format csv");
+    assert_eq!(scratch.read("out/lines.csv"), lines);
     let scene = scene_in(&scratch, "[[map]]\nalpha = \"170deg\"\noutput = \"none.csv\"\n");
-    let none = couplet(&["run", &scene, "-o", &scratch.path("none")]);
-    let command = couplet(&["map", "--alpha", "170deg", "--format", "csv"]);
-    for output in [none, command] {
-        assert_eq!(output.status.code(), Some(2));
-        let said = text(&output.stderr);
-        assert!(said.contains("no arch of the half opening 170deg stands"), "{said}");
+    let (none, level) = (scratch.path("none"), "map --alpha 170deg --format csv".words());
+    for arguments in [&["run", &scene, "-o", &none][..], &level] {
+        let (code, _, message) = said(&couplet(arguments));
+        assert_eq!(code, Some(2));
+        assert!(message.contains("no arch of the half opening 170deg stands"), "{message}");
     }
 }
 
