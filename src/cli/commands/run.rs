@@ -6,7 +6,9 @@ use super::output::Output;
 use super::progress;
 use crate::cli::line::say;
 use crate::sweep::failure::Failure;
-use crate::sweep::scene::{EXAMPLE, Hashing, Plan, SceneItem, SceneRun, explain, read_bytes};
+use crate::sweep::scene::{
+    EXAMPLE, Hashing, ItemReport, Plan, SceneItem, SceneRun, explain, read_bytes,
+};
 use clap::Args;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -107,9 +109,7 @@ fn carry_out(plan: &Plan, folder: &mut RunFolder, explained: bool) -> Result<(),
                 if path.is_none() && std::mem::replace(&mut printed, true) {
                     writeln!(out)?;
                 }
-                let mut hashing = Hashing::new(out);
-                report.write(&mut hashing)?;
-                hash = hashing.hash();
+                hash = hashed(&report, out)?;
                 Ok(())
             })
         })?;
@@ -123,14 +123,27 @@ fn carry_out(plan: &Plan, folder: &mut RunFolder, explained: bool) -> Result<(),
     }
     bar.finish_and_clear();
     if explained {
-        let mut tree = Vec::new();
-        let written = explain(plan, Some(run.costs()), &mut tree);
-        written.map_err(|error| Failure::Io(error.to_string()))?;
-        // A reader of it may be gone.
-        let _ = io::stderr().write_all(&tree);
+        explain_costs(plan, &run)?;
     }
     if !misfits.is_empty() {
         return Err(misfits.join("; ").into());
     }
     Failure::unless_all("proved", &undecided)
+}
+
+/// Writes the report of an item, and answers the hash of all that it wrote.
+fn hashed(report: &ItemReport, out: &mut dyn Write) -> io::Result<String> {
+    let mut hashing = Hashing::new(out);
+    report.write(&mut hashing)?;
+    Ok(hashing.hash())
+}
+
+/// Prints on standard error what a run has computed, as a tree with the cost of each piece.
+fn explain_costs(plan: &Plan, run: &SceneRun) -> Result<(), Failure> {
+    let mut tree = Vec::new();
+    let written = explain(plan, Some(run.costs()), &mut tree);
+    written.map_err(|error| Failure::Io(error.to_string()))?;
+    // A reader of it may be gone.
+    let _ = io::stderr().write_all(&tree);
+    Ok(())
 }
